@@ -1,0 +1,42 @@
+# SPDX-FileCopyrightText: 2026 The Bladewright authors
+# SPDX-License-Identifier: MIT
+#
+# Rules that every target of the project shares.
+
+set(BW_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
+                -Wimplicit-fallthrough -Wno-unknown-warning-option)
+
+# bw_target_defaults(<target>): warnings, floating-point rules and sanitizers.
+function(bw_target_defaults target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_compile_options(${target} PRIVATE ${BW_WARNINGS} -ffp-contract=off)
+  if(BW_WERROR)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+  if(BW_SANITIZE)
+    target_compile_options(${target} PRIVATE -fsanitize=${BW_SANITIZE} -fno-omit-frame-pointer
+                                             -fno-sanitize-recover=undefined)
+    target_link_options(${target} PUBLIC -fsanitize=${BW_SANITIZE})
+  endif()
+endfunction()
+
+# bw_library(<target> INCLUDE_ROOT <dir> HEADERS <files…> SOURCES <files…>): a static module library
+# whose only include root is INCLUDE_ROOT. Its headers form a verified header set, so that each compiles alone.
+function(bw_library target)
+  cmake_parse_arguments(arg "" "INCLUDE_ROOT" "HEADERS;SOURCES" ${ARGN})
+  add_library(${target} STATIC ${arg_SOURCES})
+  target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS ${arg_INCLUDE_ROOT} FILES ${arg_HEADERS})
+  bw_target_defaults(${target})
+endfunction()
+
+# bw_executable(<target> SOURCES <files…>): a program or a test program.
+function(bw_executable target)
+  cmake_parse_arguments(arg "" "" "SOURCES" ${ARGN})
+  add_executable(${target} ${arg_SOURCES})
+  bw_target_defaults(${target})
+endfunction()
+
+# bw_system_includes(<target> <dirs…>): heavy third-party include folders, private and without warnings.
+function(bw_system_includes target)
+  target_include_directories(${target} SYSTEM PRIVATE ${ARGN})
+endfunction()

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "bw/core/result.h"
+
+namespace bw {
+
+/// The thesis's seven control parameters (2.3), for exchange and display only: singular near lines, circles and k = 1.
+/// γ(t) = S R_φ ζ_k(s0 + l t) + (x, y), t in [0, 1], length |l| S.
+struct ControlParameters {
+  double k = 0, s0 = 0, l = 0, S = 0, phi = 0, x = 0, y = 0;
+};
+
+/// A segment of an Euler elastica in its regular form:
+///   θ'' + λ1 sin θ − λ2 cos θ = 0,  θ(0) = startAngle, θ'(0) = startCurvature, force = (λ1, λ2),
+/// equivalently κ(s) = κ0 + λ2 (x − x0) − λ1 (y − y0). Valid without special cases for lines, circles, k = 1 and both families.
+/// A plain value: no state but its seven numbers.
+class Elastica {
+ public:
+  /// A straight segment of length 1 along x.
+  Elastica() = default;
+
+  /// Fails if a number is not finite or `length` ≤ 0.
+  static Result<Elastica> make(const Eigen::Vector2d& start, double startAngle, double startCurvature,
+                               const Eigen::Vector2d& force, double length);
+  /// From the thesis's parameters, l of either sign. Fails on S ≤ 0, l = 0, k < 0 or non-finite numbers.
+  static Result<Elastica> fromControlParameters(const ControlParameters& p);
+
+  const Eigen::Vector2d& start() const { return start_; }
+  double startAngle() const { return startAngle_; }
+  double startCurvature() const { return startCurvature_; }
+  const Eigen::Vector2d& force() const { return force_; }
+  double length() const { return length_; }
+
+  /// The curve at one arc length.
+  struct State {
+    Eigen::Vector2d point = Eigen::Vector2d::Zero();
+    double angle = 0;      ///< tangent angle, continuous in s (not wrapped)
+    double curvature = 0;  ///< 1/mm
+  };
+  /// The curve at arc length s, which may lie outside [0, length]. Accuracy: 1e-10 of the length up to 20 rad of turning and 10
+  /// periods.
+  State at(double s) const;
+  /// The same for many arc lengths, faster than one by one; out.size() == s.size().
+  void at(std::span<const double> s, std::span<State> out) const;
+  Eigen::Vector2d point(double s) const { return at(s).point; }
+  /// `count` ≥ 2 points at equal arc length over [0, length].
+  std::vector<Eigen::Vector2d> sample(int count) const;
+
+  /// Rows: x, y, θ, κ; columns: x0, y0, θ0, κ0, λ1, λ2. (The derivative with respect to s is the state itself: cos θ, sin θ,
+  /// κ, −λ1 sin θ + λ2 cos θ; the length enters only through s.)
+  using Jacobian = Eigen::Matrix<double, 4, 6>;
+  /// State and first derivatives at arc length s; the derivatives are accurate to 1e-9 relative.
+  State at(double s, Jacobian& jacobian) const;
+  /// The same for many arc lengths in one pass (sorted input is fastest).
+  void at(std::span<const double> s, std::span<State> out, std::span<Jacobian> jacobians) const;
+
+  /// Bending energy ½ ∫ κ² ds over the segment.
+  double energy() const;
+  /// Arc lengths in [0, length] where the curvature changes sign, ascending. Empty for a line.
+  std::vector<double> inflections() const;
+  /// The largest |κ| over the segment.
+  double maxCurvature() const;
+  /// True if two different arc lengths of the segment share a point.
+  bool selfIntersects() const;
+  /// Length of one period in arc length; empty for lines, circles and k = 1 (infinite).
+  std::optional<double> period() const;
+
+  /// The part between arc lengths s0 < s1, either of which may lie outside [0, length] (extension).
+  Result<Elastica> segment(double s0, double s1) const;
+  /// The same curve run backwards.
+  Elastica reversed() const;
+  /// Rotated by `angle` about the origin, then scaled by `scale` > 0, then moved.
+  Elastica transformed(double angle, double scale, const Eigen::Vector2d& translation) const;
+  /// Mirrored in the x axis (y → −y).
+  Elastica mirrored() const;
+
+  /// The thesis's parameters with l > 0 for inflectional and counter-clockwise curves; empty for a line or a circle.
+  std::optional<ControlParameters> controlParameters() const;
+
+ private:
+  Eigen::Vector2d start_ = Eigen::Vector2d::Zero();
+  double startAngle_ = 0;
+  double startCurvature_ = 0;
+  Eigen::Vector2d force_ = Eigen::Vector2d::Zero();
+  double length_ = 1;
+};
+
+}  // namespace bw

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace bw {
+
+/// How serious a finding is. An `error` means that the surface cannot be cut as designed.
+enum class Severity { info, warning, error };
+
+/// "info", "warning" or "error".
+const char* severityName(Severity severity);
+
+/// The place of a finding: everything that the window needs to select and frame it.
+struct Place {
+  std::string text = {};                              ///< in words, for instance "station 12"
+  std::optional<int> strip = std::nullopt;
+  std::optional<int> station = std::nullopt;
+  std::optional<Eigen::Vector3d> point = std::nullopt;  ///< in the file's frame, mm
+};
+
+/// One finding of a check. `kind` is a stable word for scripts ("deviation", "curvature", "clearance", …);
+/// `message` says what is wrong, where, by how much, and what to do.
+struct Issue {
+  Severity severity = Severity::info;
+  std::string kind;
+  std::string message;
+  Place where = {};
+};
+
+using Issues = std::vector<Issue>;
+
+/// True if any of `issues` is an error.
+bool hasErrors(const Issues& issues);
+
+}  // namespace bw
