@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "bw/core/result.h"
+
+namespace bw {
+
+/// Files that are written together: all or none. Each goes to a temporary file beside its place; only when every one is written and synced are
+/// they renamed. A failure (no folder, no right, disk full) removes the temporary files and says which path and why.
+class FileSet {
+ public:
+  /// Adds a file; `path` relative to the folder given to `commit`.
+  void add(std::filesystem::path path, std::string bytes);
+  const std::vector<std::filesystem::path>& paths() const { return paths_; }
+  /// Writes all below `folder`, which is made if missing.
+  Result<void> commit(const std::filesystem::path& folder) const;
+
+ private:
+  std::vector<std::filesystem::path> paths_;
+  std::vector<std::string> bytes_;
+};
+
+/// Writes one file atomically.
+Result<void> writeFile(const std::filesystem::path& file, const std::string& bytes);
+/// Reads a whole file, or says why not. Larger than `limit` bytes is an error.
+Result<std::string> readFile(const std::filesystem::path& file, std::size_t limit = std::size_t(1) << 31);
+
+}  // namespace bw

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bw/core/frame.h"
+#include "bw/core/mesh.h"
+#include "bw/core/result.h"
+
+namespace bw::scene {
+
+/// What a picture shows, as plain values.
+struct Content {
+  TriangleMesh target;                                  ///< may be empty
+  SurfaceGrid cut;                                      ///< the cut surface with its fields; may be empty
+  std::vector<std::vector<Eigen::Vector3d>> stations;   ///< the fitted part of each station
+  std::vector<std::vector<Eigen::Vector3d>> blades;     ///< the whole blade of each station
+  std::optional<Box> block;
+};
+
+/// How it is shown.
+struct Style {
+  std::string field = "none";   ///< "deviation", "angle", "speed", "relative_speed", "curvature" or "none"
+  bool dark = false;
+  bool isolines = false;
+  bool legend = true;
+  double tolerance = 2.0;       ///< mm: the neutral band of the deviation map
+  std::optional<double> rangeMin, rangeMax;  ///< of the legend; empty = round numbers around the data
+  int selectedStation = -1;
+  double playhead = -1;         ///< position of the moving blade in stations (fractional), −1 = none
+  bool showTarget = true, showCut = true, showStations = true, showBlades = false, showBlock = true, showGrid = true;
+  double targetOpacity = 0.4, cutOpacity = 1.0, blockOpacity = 0.15;
+  bool stale = false;           ///< results are out of date: drawn at 60 %
+  double pixelRatio = 1.0;
+};
+
+/// Standard views.
+enum class View { iso, top, bottom, front, back, left, right };
+std::optional<View> viewFromName(const std::string& name);
+
+/// Camera as numbers, to animate and to store.
+struct Camera {
+  Eigen::Vector3d position, focus, up;
+  double viewAngle = 30;      ///< degrees, of the height
+  bool parallel = false;
+  double parallelScale = 100; ///< mm, half of the height
+};
+
+/// What lies under a pixel.
+struct Pick {
+  enum class Kind { none, target, cut, station, blade, block };
+  Kind kind = Kind::none;
+  int station = -1;
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  std::optional<double> value;  ///< of the shown field
+};
+
+/// An RGB picture, row by row from the top.
+struct Picture {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgb;
+};
+
+/// The scene: content and style to VTK actors. Renders offscreen (surfaceless EGL) for tests and the command line; bw_view hands it the
+/// render window of a widget. Not thread-safe.
+class Scene {
+ public:
+  Scene();
+  ~Scene();
+  Scene(Scene&&) noexcept;
+  Scene& operator=(Scene&&) noexcept;
+
+  /// Replaces the content; the camera stays.
+  void setContent(Content content);
+  /// Cheap where only the style changed: actors are kept.
+  void setStyle(const Style& style);
+  const Style& style() const;
+  const Content& content() const;
+
+  /// The legend's range in use (after rounding), if a field is shown.
+  std::optional<std::pair<double, double>> legendRange() const;
+
+  /// A camera that looks along a standard view and fits everything (or `bounds`) into the aspect ratio.
+  Camera fitCamera(View view, double aspect, const std::optional<Bounds>& bounds = std::nullopt) const;
+  /// Fits keeping the present direction.
+  Camera fitCamera(const Camera& from, double aspect, const std::optional<Bounds>& bounds = std::nullopt) const;
+  Bounds bounds() const;
+  void setCamera(const Camera& camera);
+  Camera camera() const;
+
+  /// Renders offscreen at that size in pixels. Fails with a clear message where no GL is to be had.
+  Result<Picture> render(int width, int height);
+
+  struct Impl;
+  Impl& impl() { return *impl_; }
+
+ private:
+  std::unique_ptr<Impl> impl_;
+};
+
+/// PNG bytes of a picture.
+Result<std::string> pngBytes(const Picture& picture);
+
+}  // namespace bw::scene
