@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "bw/core/blade.h"
+
+namespace bw {
+
+/// Reads a blade object strictly over the values of `blade`.
+Result<Blade> bladeFromJson(const nlohmann::json& object, const std::string& path, Blade blade);
+nlohmann::json bladeToJson(const Blade& blade);
+
+}  // namespace bw

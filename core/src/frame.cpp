@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "bw/core/frame.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace bw {
+
+std::array<Eigen::Vector3d, 8> Box::corners() const {
+  std::array<Eigen::Vector3d, 8> result;
+  for (int i = 0; i < 8; ++i)
+    result[i] = frame.toWorld({(i & 1) ? size.x() : 0.0, (i & 2) ? size.y() : 0.0}, (i & 4) ? size.z() : 0.0);
+  return result;
+}
+
+Eigen::Vector3d Box::center() const {
+  return frame.toWorld({0.5 * size.x(), 0.5 * size.y()}, 0.5 * size.z());
+}
+
+bool Box::contains(const Eigen::Vector3d& p, double tolerance) const {
+  const Eigen::Vector3d local = frame.toLocal(p);
+  return (local.array() >= -tolerance).all() && (local.array() <= size.array() + tolerance).all();
+}
+
+Eigen::Matrix3d rotationFromAngles(const Eigen::Vector3d& angles) {
+  return (Eigen::AngleAxisd(angles.x(), Eigen::Vector3d::UnitX()) *
+          Eigen::AngleAxisd(angles.y(), Eigen::Vector3d::UnitY()) *
+          Eigen::AngleAxisd(angles.z(), Eigen::Vector3d::UnitZ()))
+      .toRotationMatrix();
+}
+
+Eigen::Vector3d anglesFromRotation(const Eigen::Matrix3d& r) {
+  // R = Rx(a) Ry(b) Rz(c): R02 = sin b; at |b| = 90° only a ± c is defined and c = 0 is chosen.
+  const double sb = std::clamp(r(0, 2), -1.0, 1.0);
+  const double cb = std::hypot(r(0, 0), r(0, 1));
+  if (cb < 1e-12) return {std::atan2(r(2, 1), r(1, 1)), std::atan2(sb, cb), 0.0};
+  return {std::atan2(-r(1, 2), r(2, 2)), std::atan2(sb, cb), std::atan2(-r(0, 1), r(0, 0))};
+}
+
+Result<Frame> frameFromNormal(const Eigen::Vector3d& origin, const Eigen::Vector3d& normal,
+                              const Eigen::Vector3d& xHint) {
+  const double length = normal.norm();
+  if (!origin.allFinite() || !std::isfinite(length) || length < 1e-12)
+    return fail(ErrorCode::badInput, "a plane needs a normal that is finite and not zero", "normal", length);
+  const Eigen::Vector3d n = normal / length;
+  Eigen::Vector3d x = xHint - xHint.dot(n) * n;
+  if (!x.allFinite() || x.norm() < 1e-9 * std::max(1.0, xHint.norm())) {
+    int axis = 0;
+    n.cwiseAbs().minCoeff(&axis);
+    x = Eigen::Vector3d::Unit(axis) - n(axis) * n;
+  }
+  x.normalize();
+  return Frame{origin, x, n.cross(x), n};
+}
+
+}  // namespace bw

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "bw/core/job.h"
+
+namespace bw {
+
+/// Reads a job object strictly; `path` names it in messages.
+Result<Job> jobFromJson(const nlohmann::json& object, const std::string& path);
+nlohmann::json jobToJsonObject(const Job& job);
+
+}  // namespace bw

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "bw/core/run_context.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <atomic>
+#include <exception>
+
+namespace bw {
+
+RunContext RunContext::child(double from, double to) const {
+  RunContext result{stop, {}, threads};
+  if (progress) {
+    result.progress = [outer = progress, from, to](double fraction, std::string_view step) {
+      outer(from + (to - from) * fraction, step);
+    };
+  }
+  return result;
+}
+
+Result<void> parallelFor(const RunContext& context, int count, const std::function<void(int)>& body) {
+  if (context.stopped()) return stoppedError();
+  std::atomic<bool> cancelled = false;
+  const auto run = [&](int i) {
+    if (cancelled.load(std::memory_order_relaxed)) return;
+    if (context.stopped()) {
+      cancelled = true;
+      return;
+    }
+    body(i);
+  };
+  try {
+    if (context.threads == 1) {
+      for (int i = 0; i < count && !cancelled; ++i) run(i);
+    } else {
+      tbb::task_arena arena(context.threads > 0 ? context.threads : tbb::task_arena::automatic);
+      arena.execute([&] { tbb::parallel_for(0, count, run); });
+    }
+  } catch (const std::exception& e) {
+    return fail(ErrorCode::internal, std::string("a parallel step failed: ") + e.what());
+  }
+  if (cancelled || context.stopped()) return stoppedError();
+  return {};
+}
+
+}  // namespace bw
