@@ -4,7 +4,7 @@
 # Rules that every target of the project shares.
 
 set(BW_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
-                -Wimplicit-fallthrough -Wno-unknown-warning-option)
+                -Wimplicit-fallthrough)
 
 # bw_target_defaults(<target>): warnings, floating-point rules and sanitizers.
 function(bw_target_defaults target)

@@ -38,12 +38,13 @@ struct Station {
   Frame frame;
   PlanarCurve target;      ///< in the plane of `frame`
   double targetLength = 0; ///< mm
-  FitResult fit;           ///< fit.elastica is the part that cuts the target
-  Elastica blade;          ///< fit.elastica extended at both ends to the blade's length
+  FitResult fit = {};      ///< fit.elastica is the part that cuts the target
+  Elastica blade = {};     ///< fit.elastica extended at both ends to the blade's length
   double extension = 0;    ///< a: blade = parameters [−a, 1 + a] of the fitted segment, a ≥ 0; < 0 if the blade is too short
   double angleMean = 0, angleMax = 0;  ///< rad, velocity to plane normal
   double speedRatio = 1;   ///< slowest over fastest point of the fitted segment
-  double clearance = 0;    ///< mm between the nearer grip and the block
+  double clearance = 0;    ///< mm between the nearer grip and the block; negative inside it
+  bool stable = true;      ///< the clamped blade rests in this shape: no conjugate point before its end
 
   /// The ends of the blade in space: TCP origin and unit tangent in the direction of increasing arc length.
   Eigen::Vector3d leftPoint() const { return frame.toWorld(blade.start()); }

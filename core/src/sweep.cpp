@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "bw/core/sweep.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "bw/core/number_text.h"
+
+namespace bw {
+
+namespace {
+
+/// Points of the blade at which the speed is compared; the speed varies smoothly along it.
+constexpr int kSpeedSamples = 41;
+/// A warm-started fit this much worse than its neighbour's is compared with a cold start.
+constexpr double kSuspiciousGrowth = 2.0;
+/// R4 below this is good whatever the neighbour says.
+constexpr double kGoodResidual = 1e-4;
+
+Eigen::Vector3d tangentAt(const Frame& frame, double angle) {
+  return frame.directionToWorld({std::cos(angle), std::sin(angle)});
+}
+
+FitOptions fitOptions(const Job& job) {
+  FitOptions options;
+  options.length = job.fitLength;
+  options.endpoints = job.fitEndpoints;
+  options.tangents = job.fitTangents;
+  options.maxPeriods = job.maxPeriods;
+  return options;
+}
+
+bool usable(const FitResult& fit) { return fit.status != FitStatus::infeasible; }
+
+/// The fit from the neighbour's shape; where that looks like the wrong branch, also from scratch, and the better of the two.
+Result<FitResult> fitBesideNeighbour(const PlanarCurve& curve, FitOptions options, const FitResult* neighbour) {
+  if (!neighbour) return fitElastica(curve, options);
+  options.initial = neighbour->elastica;
+  Result<FitResult> warm = fitElastica(curve, options);
+  if (warm && usable(*warm) && warm->status != FitStatus::iterationLimit &&
+      warm->R4 <= std::max(kGoodResidual, kSuspiciousGrowth * neighbour->R4))
+    return warm;
+  options.initial.reset();
+  Result<FitResult> cold = fitElastica(curve, options);
+  if (!warm) return cold;
+  if (!cold) return warm;
+  if (usable(*cold) != usable(*warm)) return usable(*cold) ? cold : warm;
+  // A slightly better minimum on another branch is not worth a jump of the blade.
+  return cold->R4 < 0.7 * warm->R4 ? cold : warm;
+}
+
+/// Pose of a blade end: x into the blade, z = n, y = z × x, in the block frame.
+Pose endPose(const Box& block, const Eigen::Vector3d& point, const Eigen::Vector3d& inward, const Eigen::Vector3d& n) {
+  const Eigen::Vector3d x = inward.normalized();
+  const Eigen::Vector3d z = (n - n.dot(x) * x).normalized();
+  Eigen::Matrix3d R_WE;
+  R_WE << x, z.cross(x), z;
+  Eigen::Matrix3d R_WB;
+  R_WB << block.frame.x, block.frame.y, block.frame.normal;
+  Pose pose;
+  pose.position = block.frame.toLocal(point);
+  pose.rotation = Eigen::Quaterniond(Eigen::Matrix3d(R_WB.transpose() * R_WE)).normalized();
+  return pose;
+}
+
+}  // namespace
+
+Eigen::Vector3d Station::leftTangent() const { return tangentAt(frame, blade.startAngle()); }
+
+Eigen::Vector3d Station::rightPoint() const { return frame.toWorld(blade.at(blade.length()).point); }
+
+Eigen::Vector3d Station::rightTangent() const { return tangentAt(frame, blade.at(blade.length()).angle); }
+
+Result<Sweep> buildSweep(std::vector<Section> sections, const Job& job, const Box& block,
+                         const Eigen::Vector3d& direction, const RunContext& context, Issues& issues,
+                         double* fitSeconds, double* extendSeconds) {
+  using Clock = std::chrono::steady_clock;
+  if (sections.empty())
+    return fail(ErrorCode::badInput, "there are no sections to fit; place the block so that it meets the target", "sections",
+                0.0, 1.0);
+  const auto fitStart = Clock::now();
+  Sweep sweep{block, direction, job.blade, job.lead, {}};
+  sweep.stations.reserve(sections.size());
+  const FitOptions options = fitOptions(job);
+  double longest = 0;
+  int longestIndex = 0;
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    if (context.stopped()) return stoppedError();
+    context.report(double(i) / double(sections.size()), "fitting");
+    Section& section = sections[i];
+    Result<FitResult> fit =
+        fitBesideNeighbour(section.curve, options, i == 0 ? nullptr : &sweep.stations.back().fit);
+    const std::string name = "station " + std::to_string(section.index);
+    if (!fit) {
+      Error error = fit.error();
+      error.message = name + ": " + error.message;
+      error.where = name;
+      return tl::unexpected<Error>(std::move(error));
+    }
+    if (fit->status == FitStatus::iterationLimit || fit->status == FitStatus::infeasible) {
+      issues.push_back({fit->status == FitStatus::infeasible ? Severity::error : Severity::warning, "fit",
+                        name + ": the fit is " + fitStatusName(fit->status) + ": " + fit->message,
+                        Place{name, 0, section.index, section.frame.toWorld(fit->elastica.start())}});
+    }
+    Station station{.index = section.index,
+                    .travel = section.travel,
+                    .frame = section.frame,
+                    .target = section.curve,
+                    .targetLength = section.curve.length(),
+                    .fit = std::move(*fit)};
+    if (station.fit.elastica.length() > longest) {
+      longest = station.fit.elastica.length();
+      longestIndex = station.index;
+    }
+    sweep.stations.push_back(std::move(station));
+  }
+  const auto extendStart = Clock::now();
+  if (longest > job.blade.length) {
+    const double needed = std::ceil(longest + 2 * job.clearance);
+    return fail(ErrorCode::badInput,
+                "the blade of " + shortText(job.blade.length, 5) + " mm is shorter than the section of station " +
+                    std::to_string(longestIndex) + " (" + shortText(longest, 6) + " mm); choose a blade of at least " +
+                    shortText(needed, 6) + " mm, a smaller block, or another cutting direction",
+                "station " + std::to_string(longestIndex), job.blade.length, needed);
+  }
+  for (Station& station : sweep.stations) {
+    const double length = station.fit.elastica.length();
+    const double extra = 0.5 * (job.blade.length - length);
+    Result<Elastica> blade = station.fit.elastica.segment(-extra, length + extra);
+    if (!blade) return tl::unexpected<Error>(blade.error());
+    station.blade = *blade;
+    station.extension = extra / length;
+  }
+  if (fitSeconds) *fitSeconds = std::chrono::duration<double>(extendStart - fitStart).count();
+  if (extendSeconds) *extendSeconds = std::chrono::duration<double>(Clock::now() - extendStart).count();
+  return sweep;
+}
+
+Result<Motion> buildMotion(const Sweep& sweep, double cuttingSpeed) {
+  if (!(cuttingSpeed > 0) || !std::isfinite(cuttingSpeed))
+    return fail(ErrorCode::badInput, "the cutting speed must be greater than 0 mm/s", "cutting_speed", cuttingSpeed, 0.0);
+  if (sweep.stations.size() < 2)
+    return fail(ErrorCode::badInput, "a motion needs at least two stations", "stations", double(sweep.stations.size()), 2.0);
+  Motion motion{sweep.block, sweep.blade.length, cuttingSpeed, {}};
+  std::vector<double> arcs(kSpeedSamples);
+  for (int i = 0; i < kSpeedSamples; ++i) arcs[std::size_t(i)] = sweep.blade.length * i / (kSpeedSamples - 1);
+  const auto sample = [&](const Station& station) {
+    std::vector<Elastica::State> states(kSpeedSamples);
+    station.blade.at(arcs, states);
+    std::vector<Eigen::Vector3d> points;
+    points.reserve(kSpeedSamples);
+    for (const Elastica::State& state : states) points.push_back(station.frame.toWorld(state.point));
+    return points;
+  };
+  const auto instant = [&](const Station& station, double shift, double time, int index) {
+    const Eigen::Vector3d move = shift * sweep.direction;
+    MotionInstant result{time, index, {}};
+    result.poses.push_back(
+        endPose(sweep.block, station.leftPoint() + move, station.leftTangent(), station.frame.normal));
+    result.poses.push_back(
+        endPose(sweep.block, station.rightPoint() + move, -station.rightTangent(), station.frame.normal));
+    return result;
+  };
+  double time = 0;
+  if (sweep.lead > 0) {
+    motion.instants.push_back(instant(sweep.stations.front(), -sweep.lead, 0, -1));
+    time += sweep.lead / cuttingSpeed;
+  }
+  std::vector<Eigen::Vector3d> before;
+  for (const Station& station : sweep.stations) {
+    std::vector<Eigen::Vector3d> now = sample(station);
+    if (!before.empty()) {
+      double farthest = 0;
+      for (int i = 0; i < kSpeedSamples; ++i)
+        farthest = std::max(farthest, (now[std::size_t(i)] - before[std::size_t(i)]).norm());
+      time += farthest / cuttingSpeed;
+    }
+    motion.instants.push_back(instant(station, 0, time, station.index));
+    before = std::move(now);
+  }
+  if (sweep.lead > 0) {
+    time += sweep.lead / cuttingSpeed;
+    motion.instants.push_back(instant(sweep.stations.back(), sweep.lead, time, -1));
+  }
+  for (std::size_t i = 1; i < motion.instants.size(); ++i)
+    for (std::size_t e = 0; e < motion.instants[i].poses.size(); ++e) {
+      Eigen::Quaterniond& q = motion.instants[i].poses[e].rotation;
+      if (q.dot(motion.instants[i - 1].poses[e].rotation) < 0) q.coeffs() = -q.coeffs();
+    }
+  return motion;
+}
+
+}  // namespace bw

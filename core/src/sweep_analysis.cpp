@@ -1,0 +1,380 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <mutex>
+
+#include "bw/core/number_text.h"
+#include "bw/core/sweep.h"
+#include "bw/core/units.h"
+
+namespace bw {
+
+namespace {
+
+/// Points along the blade at each station: t = 0, 0.01, …, 1 as in the thesis's evaluation.
+constexpr int kColumns = 101;
+/// The cut surface is sampled in about this many rows, stations included.
+constexpr int kRowTarget = 240;
+/// Blocks of rows that share a sampler; fixed, so that the result does not depend on the number of threads.
+constexpr int kChunks = 16;
+/// Samples of the stability test along the blade.
+constexpr int kStabilitySamples = 64;
+/// A flat blade cuts only along its edge; a round one melts whichever way it goes, but drags.
+constexpr double kAngleLimitFlat = 45 * kDegree;
+constexpr double kAngleLimitRound = 60 * kDegree;
+/// Slower points of the blade melt more: below this ratio the kerf differs visibly along a station.
+constexpr double kSpeedRatioLimit = 0.3;
+
+/// Weights of the three-point derivative at t[i] for uneven spacing; one-sided at the ends (docs/mathematics.md, velocity).
+struct Stencil {
+  int first = 0, count = 0;
+  double weight[3] = {0, 0, 0};
+};
+
+Stencil derivativeStencil(const std::vector<double>& t, int i) {
+  const int n = int(t.size());
+  Stencil s;
+  if (n == 2) {
+    const double h = t[1] - t[0];
+    s = {0, 2, {-1 / h, 1 / h, 0}};
+    return s;
+  }
+  s.first = std::clamp(i - 1, 0, n - 3);
+  s.count = 3;
+  const double a = t[std::size_t(s.first)], b = t[std::size_t(s.first + 1)], c = t[std::size_t(s.first + 2)];
+  const double x = t[std::size_t(i)];
+  s.weight[0] = (2 * x - b - c) / ((a - b) * (a - c));
+  s.weight[1] = (2 * x - a - c) / ((b - a) * (b - c));
+  s.weight[2] = (2 * x - a - b) / ((c - a) * (c - b));
+  return s;
+}
+
+/// Points of a station at material coordinates σ measured from the blade's middle, in space.
+std::vector<Eigen::Vector3d> materialPoints(const Station& station, const std::vector<double>& sigma) {
+  std::vector<double> arcs(sigma.size());
+  const double middle = 0.5 * station.blade.length();
+  for (std::size_t i = 0; i < sigma.size(); ++i) arcs[i] = middle + sigma[i];
+  std::vector<Elastica::State> states(sigma.size());
+  station.blade.at(arcs, states);
+  std::vector<Eigen::Vector3d> points;
+  points.reserve(sigma.size());
+  for (const Elastica::State& state : states) points.push_back(station.frame.toWorld(state.point));
+  return points;
+}
+
+/// Signed distance of a point to a box: negative inside.
+double boxDistance(const Box& box, const Eigen::Vector3d& p) {
+  const Eigen::Vector3d half = 0.5 * box.size;
+  const Eigen::Vector3d q = (box.frame.toLocal(p) - half).cwiseAbs() - half;
+  const double outside = q.cwiseMax(0.0).norm();
+  return outside > 0 ? outside : q.maxCoeff();
+}
+
+/// No conjugate point in (0, L]: the determinant of ∂(x, y, θ)(s)/∂(κ0, λ1, λ2) keeps its sign. Where it vanishes throughout (a straight
+/// blade, whose x does not answer in the first order) there is nothing to see, and the shape counts as stable below the buckling force.
+bool clampedStable(const Elastica& blade) {
+  std::vector<double> arcs(kStabilitySamples);
+  for (int i = 0; i < kStabilitySamples; ++i) arcs[std::size_t(i)] = blade.length() * (i + 1) / kStabilitySamples;
+  std::vector<Elastica::State> states(arcs.size());
+  std::vector<Elastica::Jacobian> jacobians(arcs.size());
+  blade.at(arcs, states, jacobians);
+  double sign = 0;
+  for (const Elastica::Jacobian& jacobian : jacobians) {
+    Eigen::Matrix3d m = jacobian.block<3, 3>(0, 3);
+    double scale = 1;
+    for (int c = 0; c < 3; ++c) scale *= m.col(c).norm();
+    if (!(scale > 0)) continue;
+    // Rows of length are brought to the scale of the angle row.
+    const double d = m.determinant() / scale;
+    if (std::abs(d) < 1e-11) continue;
+    if (sign == 0) sign = d;
+    if (sign * d < 0) return false;
+  }
+  return true;
+}
+
+/// Tells stretches of stations that break a rule as one issue each, with the worst station named.
+template <class Bad, class Worse, class Text>
+void reportStretches(const std::vector<Station>& stations, Severity severity, const char* kind, Bad bad, Worse worse,
+                     Text text, Issues& issues) {
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    if (!bad(stations[i])) continue;
+    std::size_t j = i, worst = i;
+    while (j + 1 < stations.size() && bad(stations[j + 1])) {
+      ++j;
+      if (worse(stations[j], stations[worst])) worst = j;
+    }
+    const Station& w = stations[worst];
+    const std::string place = i == j ? "station " + std::to_string(w.index)
+                                     : "stations " + std::to_string(stations[i].index) + " to " +
+                                           std::to_string(stations[j].index) + " (worst: " + std::to_string(w.index) + ")";
+    const Eigen::Vector3d middle = w.frame.toWorld(w.fit.elastica.point(0.5 * w.fit.elastica.length()));
+    issues.push_back({severity, kind, place + ": " + text(w), Place{"station " + std::to_string(w.index), 0, w.index, middle}});
+    i = j;
+  }
+}
+
+struct Velocities {
+  std::vector<double> angle;     ///< rad, a column each
+  std::vector<double> relative;  ///< speed over the fastest point of the station's segment
+  std::vector<double> speed;     ///< mm/s
+};
+
+/// Thesis 5.3 at one station, with the blade's own material points.
+Velocities stationVelocities(const std::vector<Station>& stations, const std::vector<double>& travel, int i, double cuttingSpeed) {
+  const Station& station = stations[std::size_t(i)];
+  const Stencil stencil = derivativeStencil(travel, i);
+  const double length = station.fit.elastica.length();
+  std::vector<double> sigma;
+  sigma.reserve(kColumns + 21);
+  for (int c = 0; c < kColumns; ++c) sigma.push_back((double(c) / (kColumns - 1) - 0.5) * length);
+  for (int c = 0; c <= 20; ++c) sigma.push_back((c / 20.0 - 0.5) * station.blade.length());
+  std::vector<Eigen::Vector3d> velocity(sigma.size(), Eigen::Vector3d::Zero());
+  for (int k = 0; k < stencil.count; ++k) {
+    const std::vector<Eigen::Vector3d> points = materialPoints(stations[std::size_t(stencil.first + k)], sigma);
+    for (std::size_t c = 0; c < sigma.size(); ++c) velocity[c] += stencil.weight[k] * points[c];
+  }
+  double fastestBlade = 0, fastest = 0;
+  for (std::size_t c = 0; c < sigma.size(); ++c) {
+    const double speed = velocity[c].norm();
+    fastestBlade = std::max(fastestBlade, speed);
+    if (c < kColumns) fastest = std::max(fastest, speed);
+  }
+  Velocities result;
+  for (int c = 0; c < kColumns; ++c) {
+    const double speed = velocity[std::size_t(c)].norm();
+    const double along = velocity[std::size_t(c)].dot(station.frame.normal);
+    const double across = velocity[std::size_t(c)].cross(station.frame.normal).norm();
+    result.angle.push_back(std::atan2(across, along));
+    result.relative.push_back(fastest > 0 ? speed / fastest : 1.0);
+    result.speed.push_back(fastestBlade > 0 ? speed / fastestBlade * cuttingSpeed : cuttingSpeed);
+  }
+  return result;
+}
+
+}  // namespace
+
+Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const Job& job, const SurfaceSampler& target, const RunContext& context) {
+  std::vector<Station>& stations = sweep.stations;
+  const int n = int(stations.size());
+  if (n < 2)
+    return fail(ErrorCode::badInput, "a surface needs at least two stations that cut the target, but " + std::to_string(n) + " is left",
+                "stations", double(n), 2.0);
+  SweepAnalysis result;
+
+  // The skin through the stations.
+  SurfaceGrid grid;
+  grid.rows = n;
+  grid.columns = kColumns;
+  grid.points.reserve(std::size_t(n) * kColumns);
+  std::vector<double> travel;
+  std::vector<std::vector<double>> curvature(static_cast<std::size_t>(n));
+  {
+    std::vector<double> arcs(kColumns);
+    std::vector<Elastica::State> states(kColumns);
+    for (int i = 0; i < n; ++i) {
+      const Station& station = stations[std::size_t(i)];
+      travel.push_back(station.travel);
+      for (int c = 0; c < kColumns; ++c) arcs[std::size_t(c)] = station.fit.elastica.length() * c / (kColumns - 1);
+      station.fit.elastica.at(arcs, states);
+      for (const Elastica::State& state : states) {
+        grid.points.push_back(station.frame.toWorld(state.point));
+        curvature[std::size_t(i)].push_back(std::abs(state.curvature) / sweep.blade.maxCurvature());
+      }
+    }
+  }
+  std::vector<double> chord(1, 0.0);
+  for (int i = 1; i < n; ++i) {
+    double mean = 0;
+    for (int c = 0; c < kColumns; ++c) mean += (grid.at(i, c) - grid.at(i - 1, c)).norm();
+    chord.push_back(chord.back() + mean / kColumns);
+  }
+  for (double& v : chord) v /= chord.back() > 0 ? chord.back() : 1.0;
+  Result<SplineSurface> skin = interpolateGrid(grid, chord);
+  if (!skin) return tl::unexpected<Error>(skin.error());
+  result.surface = std::move(*skin);
+
+  // Velocities at the stations.
+  std::vector<Velocities> velocities(static_cast<std::size_t>(n));
+  if (Result<void> ok = parallelFor(context, n,
+                                    [&](int i) {
+                                      Station& station = stations[std::size_t(i)];
+                                      velocities[std::size_t(i)] = stationVelocities(stations, travel, i, job.cuttingSpeed);
+                                      station.stable = clampedStable(station.blade);
+                                    });
+      !ok)
+    return tl::unexpected<Error>(ok.error());
+  SweepSummary& summary = result.summary;
+  double largestCurvature = 0;
+  for (int i = 0; i < n; ++i) {
+    Station& station = stations[std::size_t(i)];
+    const Velocities& v = velocities[std::size_t(i)];
+    station.angleMax = *std::max_element(v.angle.begin(), v.angle.end());
+    station.angleMean = 0;
+    for (double angle : v.angle) station.angleMean += angle / kColumns;
+    station.speedRatio = *std::min_element(v.relative.begin(), v.relative.end());
+    station.clearance = std::min(boxDistance(sweep.block, station.leftPoint()), boxDistance(sweep.block, station.rightPoint()));
+    summary.R4Max = std::max(summary.R4Max, station.fit.R4);
+    summary.R4Mean += station.fit.R4 / n;
+    summary.hausdorffMax = std::max(summary.hausdorffMax, station.fit.hausdorff);
+    summary.hausdorffMean += station.fit.hausdorff / n;
+    summary.angleMax = std::max(summary.angleMax, station.angleMax);
+    summary.angleMean += station.angleMean / n;
+    summary.angleStationMeanMax = std::max(summary.angleStationMeanMax, station.angleMean);
+    summary.speedRatioMin = std::min(summary.speedRatioMin, station.speedRatio);
+    largestCurvature = std::max(largestCurvature, station.blade.maxCurvature());
+  }
+  summary.minRadius = largestCurvature > 0 ? 1.0 / largestCurvature : 0.0;
+
+  // The cut surface between the stations too: the skin, sampled finely, against the target itself.
+  const int between = std::clamp(kRowTarget / (n - 1), 2, 64);
+  SurfaceGrid& cut = result.cut;
+  cut.columns = kColumns;
+  cut.rows = (n - 1) * between + 1;
+  cut.points.resize(std::size_t(cut.rows) * kColumns);
+  cut.fields = {{"deviation", "Deviation", "mm", {}},
+                {"angle", "Cutting angle", "°", {}},
+                {"speed", "Blade speed", "mm/s", {}},
+                {"relative_speed", "Relative speed", "", {}},
+                {"curvature", "Curvature / limit", "", {}}};
+  for (Field& field : cut.fields) field.values.resize(cut.points.size());
+  for (int i = 0; i < n; ++i) result.stationRow.push_back(i * between);
+  std::mutex errorMutex;
+  std::optional<Error> firstError;
+  int firstErrorChunk = kChunks;
+  const auto chunkBody = [&](int chunk) {
+    const int from = int(std::int64_t(cut.rows) * chunk / kChunks), to = int(std::int64_t(cut.rows) * (chunk + 1) / kChunks);
+    if (from == to) return;
+    const std::unique_ptr<SurfaceSampler> sampler = target.clone();
+    std::vector<SurfaceSampler::Foot> feet(kColumns);
+    for (int row = from; row < to; ++row) {
+      if (context.stopped()) return;
+      const int i = std::min(row / between, n - 2);
+      const double f = double(row - i * between) / between;
+      const double v = chord[std::size_t(i)] + f * (chord[std::size_t(i + 1)] - chord[std::size_t(i)]);
+      const auto blend = [&](const std::vector<double>& a, const std::vector<double>& b, int c) {
+        return (1 - f) * a[std::size_t(c)] + f * b[std::size_t(c)];
+      };
+      const Velocities &va = velocities[std::size_t(i)], &vb = velocities[std::size_t(i + 1)];
+      for (int c = 0; c < kColumns; ++c) {
+        const std::size_t at = std::size_t(row) * kColumns + std::size_t(c);
+        const Eigen::Vector3d p = result.surface.value(double(c) / (kColumns - 1), v);
+        cut.points[at] = p;
+        const SurfaceSampler::Foot* seed = row > from ? &feet[std::size_t(c)] : c > 0 ? &feet[std::size_t(c - 1)] : nullptr;
+        Result<SurfaceSampler::Foot> foot = sampler->closest(p, seed);
+        if (!foot) {
+          const std::lock_guard lock(errorMutex);
+          if (chunk < firstErrorChunk) {
+            firstErrorChunk = chunk;
+            firstError = foot.error();
+          }
+          return;
+        }
+        const double side = (p - foot->point).dot(foot->normal);
+        // Beyond the border the side shows only where the point lies off the surface rather than beside it.
+        const bool negative = side < 0 && (!foot->onBoundary || -side > 0.5 * foot->distance);
+        cut.fields[0].values[at] = negative ? -foot->distance : foot->distance;
+        cut.fields[1].values[at] = toDegrees(blend(va.angle, vb.angle, c));
+        cut.fields[2].values[at] = blend(va.speed, vb.speed, c);
+        cut.fields[3].values[at] = blend(va.relative, vb.relative, c);
+        cut.fields[4].values[at] = blend(curvature[std::size_t(i)], curvature[std::size_t(i + 1)], c);
+        feet[std::size_t(c)] = *foot;
+      }
+    }
+  };
+  if (Result<void> ok = parallelFor(context, kChunks, chunkBody); !ok) return tl::unexpected<Error>(ok.error());
+  if (firstError) return tl::unexpected<Error>(*firstError);
+  double within = 0;
+  std::size_t worst = 0;
+  const std::vector<double>& deviation = cut.fields[0].values;
+  for (std::size_t k = 0; k < deviation.size(); ++k) {
+    const double d = std::abs(deviation[k]);
+    if (d > std::abs(deviation[worst])) worst = k;
+    summary.deviationMean += d;
+    summary.deviationRms += d * d;
+    if (d <= job.tolerance) within += 1;
+  }
+  summary.deviationMax = std::abs(deviation[worst]);
+  summary.deviationMean /= double(deviation.size());
+  summary.deviationRms = std::sqrt(summary.deviationRms / double(deviation.size()));
+  summary.withinTolerance = within / double(deviation.size());
+
+  // What cannot be cut, and why.
+  Issues& issues = result.issues;
+  if (summary.deviationMax > job.tolerance) {
+    const int row = int(worst / kColumns);
+    const int nearest = std::min((row + between / 2) / between, n - 1);
+    const int index = stations[std::size_t(nearest)].index;
+    issues.push_back({Severity::warning, "deviation",
+                      "the cut surface is up to " + shortText(summary.deviationMax) + " mm from the target near station " +
+                          std::to_string(index) + ", more than the tolerance of " + shortText(job.tolerance) + " mm (" +
+                          fixedText(100 * summary.withinTolerance, 1) +
+                          " % lies within); split the surface, turn the cutting direction, or allow more",
+                      Place{"station " + std::to_string(index), 0, index, cut.points[worst]}});
+  }
+  const double limit = sweep.blade.maxCurvature();
+  reportStretches(
+      stations, Severity::error, "curvature", [&](const Station& s) { return s.blade.maxCurvature() > limit; },
+      [](const Station& a, const Station& b) { return a.blade.maxCurvature() > b.blade.maxCurvature(); },
+      [&](const Station& s) {
+        return "the blade must bend to a radius of " + shortText(1 / s.blade.maxCurvature()) + " mm but keeps its shape only down to " +
+               shortText(sweep.blade.minRadius()) + " mm; take a thinner blade or a gentler surface";
+      },
+      issues);
+  reportStretches(
+      stations, Severity::warning, "inflections", [](const Station& s) { return s.fit.elastica.inflections().size() > 2; },
+      [](const Station& a, const Station& b) { return a.fit.R4 > b.fit.R4; },
+      [](const Station& s) {
+        return "the blade would need " + std::to_string(s.fit.elastica.inflections().size()) +
+               " inflections; a stiff blade holds at most two, so split the surface across the blade";
+      },
+      issues);
+  reportStretches(
+      stations, Severity::warning, "stability", [](const Station& s) { return !s.stable; },
+      [](const Station& a, const Station& b) { return a.blade.maxCurvature() > b.blade.maxCurvature(); },
+      [](const Station&) {
+        return std::string("the blade would not rest in this shape but snap to another; shorten the blade or split the surface");
+      },
+      issues);
+  reportStretches(
+      stations, Severity::error, "clearance", [](const Station& s) { return s.clearance < 0; },
+      [](const Station& a, const Station& b) { return a.clearance < b.clearance; },
+      [&](const Station& s) {
+        return "a grip would be " + shortText(-s.clearance) + " mm inside the block; the blade of " + shortText(sweep.blade.length, 5) +
+               " mm is too short for it";
+      },
+      issues);
+  reportStretches(
+      stations, Severity::warning, "clearance", [&](const Station& s) { return s.clearance >= 0 && s.clearance < job.clearance; },
+      [](const Station& a, const Station& b) { return a.clearance < b.clearance; },
+      [&](const Station& s) {
+        return "a grip passes the block at " + shortText(s.clearance) + " mm, less than the clearance of " + shortText(job.clearance) +
+               " mm; a blade of at least " + shortText(std::ceil(sweep.blade.length + 2 * (job.clearance - s.clearance)), 6) +
+               " mm keeps it";
+      },
+      issues);
+  const double angleLimit = sweep.blade.section == Blade::Section::flat ? kAngleLimitFlat : kAngleLimitRound;
+  reportStretches(
+      stations, Severity::warning, "angle", [&](const Station& s) { return s.angleMax > angleLimit; },
+      [](const Station& a, const Station& b) { return a.angleMax > b.angleMax; },
+      [&](const Station& s) {
+        return "the blade moves at " + fixedText(toDegrees(s.angleMax), 1) + "° to the normal of its plane; above " +
+               fixedText(toDegrees(angleLimit), 0) + "° this blade drags instead of cutting";
+      },
+      issues);
+  reportStretches(
+      stations, Severity::warning, "speed", [](const Station& s) { return s.speedRatio < kSpeedRatioLimit; },
+      [](const Station& a, const Station& b) { return a.speedRatio < b.speedRatio; },
+      [](const Station& s) {
+        return "the slowest point of the blade moves at " + fixedText(100 * s.speedRatio, 0) +
+               " % of the fastest, so that it melts a wider kerf there; split the surface or turn the cutting direction";
+      },
+      issues);
+  return result;
+}
+
+}  // namespace bw
