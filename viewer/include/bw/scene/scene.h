@@ -62,6 +62,24 @@ struct Pick {
   std::optional<double> value;  ///< of the shown field
 };
 
+/// A rectangle in pixels from the upper left corner of a picture.
+struct PixelRect {
+  double x = 0, y = 0, width = 0, height = 0;
+  bool contains(double px, double py) const { return px >= x && py >= y && px < x + width && py < y + height; }
+};
+
+/// What lies over the scene in a picture: for hit tests and for checks that nothing is cut off.
+struct Overlay {
+  struct Text {
+    std::string text;
+    PixelRect box;
+  };
+  std::optional<PixelRect> legend;   ///< the whole card
+  std::optional<PixelRect> bar;      ///< its colour bar; the upper edge is legendRange().second
+  std::optional<PixelRect> marker;   ///< the orientation cube
+  std::vector<Text> texts;           ///< of the legend, then the labels of the ground grid
+};
+
 /// An RGB picture, row by row from the top.
 struct Picture {
   int width = 0, height = 0;
@@ -95,6 +113,17 @@ class Scene {
   void setCamera(const Camera& camera);
   Camera camera() const;
 
+  /// What lies under the pixel (x, y; from the upper left corner) of a picture of that size taken with the present camera. A line within
+  /// four pixels (times the pixel ratio) wins over the surface that carries it. `station` is the nearest station wherever a surface or
+  /// line is hit. Needs no GL. The first call after a new content builds a search tree.
+  Pick pick(double x, double y, int width, int height) const;
+  /// The standard view whose face of the orientation cube lies under that pixel.
+  std::optional<View> markerView(double x, double y, int width, int height) const;
+  /// The space point under that pixel on the plane through the camera's focus that faces the camera.
+  Eigen::Vector3d pointAtFocus(double x, double y, int width, int height) const;
+  /// Layout of the last rendered picture; empty before the first.
+  const Overlay& overlay() const;
+
   /// Renders offscreen at that size in pixels. Fails with a clear message where no GL is to be had.
   Result<Picture> render(int width, int height);
 
@@ -102,7 +131,7 @@ class Scene {
   Impl& impl() { return *impl_; }
 
  private:
-  std::unique_ptr<Impl> impl_;
+  std::unique_ptr<Impl> impl_;  ///< never null, except after a move
 };
 
 /// PNG bytes of a picture.

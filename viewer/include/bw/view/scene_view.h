@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QImage>
+#include <QOpenGLWidget>
+#include <QSize>
+#include <QSurfaceFormat>
+
+#include <memory>
+#include <optional>
+
+#include "bw/scene/scene.h"
+
+namespace bw::view {
+
+/// Which mouse buttons turn, move and scale the view. In all of them the wheel zooms to the cursor, dragging with the left button on the
+/// scene orbits, Alt + left orbits and Alt + Shift + left pans; on a trackpad two fingers orbit, with Shift they pan, and a pinch zooms.
+enum class Navigation {
+  rhino,       ///< right orbits, Shift + right or middle pans, Ctrl + right zooms
+  blender,     ///< middle orbits, Shift + middle pans, Ctrl + middle zooms
+  solidworks,  ///< middle orbits, Ctrl + middle or right pans, Shift + middle zooms
+};
+
+/// The 3D view: shows a bw::scene::Scene and moves its camera. Use it from the interface thread only.
+class SceneView : public QOpenGLWidget {
+  Q_OBJECT
+
+ public:
+  explicit SceneView(QWidget* parent = nullptr);
+  ~SceneView() override;
+
+  /// The surface format the view needs; set it as the default format before the QApplication is made.
+  static QSurfaceFormat surfaceFormat();
+
+  const scene::Content& content() const;
+  /// As given to setStyle; the pixel ratio is the widget's own.
+  const scene::Style& sceneStyle() const;
+  scene::Camera camera() const;
+  Navigation navigation() const;
+  bool parallel() const;
+  /// The legend's range in use, if a field is shown.
+  std::optional<std::pair<double, double>> legendRange() const;
+  /// What lies under a place of the widget, in device-independent pixels.
+  scene::Pick pickAt(const QPointF& position) const;
+  /// Where the legend stands, in device-independent pixels of the widget; empty if none is shown.
+  QRectF legendRect() const;
+  /// Where a point of space appears in the widget, in device-independent pixels.
+  QPointF toWidget(const Eigen::Vector3d& point) const;
+  /// A picture of the scene at any size in pixels, with the present camera; null if there is no GL context yet.
+  QImage picture(const QSize& pixels, double pixelRatio = 1.0);
+  /// Empty while all is well; otherwise what the graphics driver lacks, in words for the user.
+  QString problem() const;
+
+  QSize sizeHint() const override { return {960, 640}; }
+  QSize minimumSizeHint() const override { return {160, 120}; }
+
+  using QWidget::setStyle;
+
+ public slots:
+  /// Replaces the content; the camera stays, except that the first content that is not empty is fitted.
+  void setContent(const bw::scene::Content& content);
+  void setStyle(const bw::scene::Style& style);
+  /// Looks along a standard view and fits everything.
+  void setView(bw::scene::View view, bool animate = true);
+  void fitAll(bool animate = true);
+  void fitBounds(const bw::Bounds& bounds, bool animate = true);
+  void setCamera(const bw::scene::Camera& camera, bool animate = false);
+  void setParallel(bool on);
+  void setNavigation(bw::view::Navigation navigation);
+
+ signals:
+  /// A station was clicked; −1 when the click met nothing.
+  void stationPicked(int station);
+  /// Anything was clicked (also sent with stationPicked).
+  void picked(const bw::scene::Pick& pick);
+  /// What lies under the resting or moving cursor; `kind` is none over empty space and when the cursor leaves.
+  void hovered(const bw::scene::Pick& pick);
+  /// The legend was double-clicked: offer to edit its range.
+  void legendActivated();
+  void cameraChanged();
+  /// The first frame stands.
+  void rendered();
+
+ protected:
+  void initializeGL() override;
+  void resizeGL(int width, int height) override;
+  void paintGL() override;
+  bool event(QEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace bw::view
