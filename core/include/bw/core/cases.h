@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "bw/core/planar_curve.h"
+#include "bw/core/result.h"
+#include "bw/core/run_context.h"
+
+namespace bw {
+
+/// What a numeric verb of the command line answers.
+struct CaseAnswer {
+  std::string json;        ///< one result, or {"results": […]} for {"cases": […]}; ends with a line feed
+  int failed = 0;          ///< how many cases hold an "error" instead of a result
+  std::optional<Error> first;  ///< the first case's error, if any
+  bool limited = false;    ///< a result is there, but a stated bound or tolerance is not met
+};
+
+/// `blade elastica`: cases {elastica, at} to points, angles, curvatures, energy, … One failing case never ends the others. Cases run in
+/// parallel; the text does not depend on the number of threads except for "seconds".
+Result<CaseAnswer> elasticaCases(std::string_view json, const RunContext& context);
+
+/// `blade fit`: cases {curve, options} to the fitted elastica and its residuals.
+Result<CaseAnswer> fitCases(std::string_view json, const RunContext& context);
+
+/// The curve object of a case, as JSON text: {"type": "bezier" | "bspline" | "points", …}.
+Result<PlanarCurve> parseCurveJson(std::string_view json);
+
+/// A chain of points as text, two numbers a line separated by comma, semicolon, tab or blank; '#' starts a comment; one header line is
+/// skipped. Errors name the line.
+Result<PlanarCurve> parseCurveCsv(std::string_view text);
+
+/// A `fit` case for a chain of points, from such a text.
+Result<std::string> fitCaseFromCsv(std::string_view text);
+
+}  // namespace bw
