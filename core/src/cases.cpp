@@ -211,7 +211,7 @@ Result<CaseAnswer> runCases(std::string_view text, const RunContext& context, Ca
   if (!input) return passOn(input.error());
   const bool many = input->is_object() && input->contains("cases");
   if (many && (!(*input)["cases"].is_array() || input->size() != 1))
-    return fail(ErrorCode::badInput, "\"cases\" must be a list, and the only key beside it none", "cases");
+    return fail(ErrorCode::badInput, "\"cases\" must be a list of cases, and no other key may stand beside it", "cases");
   if (!many && !input->is_object()) return fail(ErrorCode::badInput, "the input must be a JSON object: one case or {\"cases\": [...]}", "input");
   const int count = many ? int((*input)["cases"].size()) : 1;
   std::vector<ordered_json> results(static_cast<std::size_t>(count));
@@ -275,7 +275,7 @@ Result<std::vector<Eigen::Vector2d>> pointsFromCsv(std::string_view text) {
     }
     if (words.empty()) continue;
     const std::optional<double> x = parseNumber(words[0]);
-    const std::optional<double> y = words.size() > 1 ? parseNumber(words[1]) : std::nullopt;
+    const std::optional<double> y = parseNumber(words.size() > 1 ? words[1] : std::string_view());
     if (!sawLine && !x && !y) {
       sawLine = true;  // the header
       continue;
