@@ -72,13 +72,16 @@ class PlanarCurve {
   const Quadrature& quadrature() const;
 
   PlanarCurve reversed() const;
-  /// The part between parameters t0 < t1. Fails if the part is empty.
+  /// The part between parameters t0 < t1, exact (knot insertion). A B-spline keeps its parameters; a part of a Bézier runs over
+  /// [0, 1], a part of a chain from 0. Fails if the part is empty.
   Result<PlanarCurve> subCurve(double t0, double t1) const;
   /// Rotated by `angle` about the origin, then scaled by `scale` > 0, then moved.
   PlanarCurve transformed(double angle, double scale, const Eigen::Vector2d& translation) const;
 
   /// The parameter of the point nearest to p, to 1e-9 of the length; global (all spans are searched).
   double nearestParameter(const Eigen::Vector2d& p) const;
+  /// The parameter of a point locally nearest to p, found downhill from `seed`; much faster than the global search.
+  double nearestParameter(const Eigen::Vector2d& p, double seed) const;
 
   /// `count` ≥ 2 points at equal arc length, ends included.
   std::vector<Eigen::Vector2d> sample(int count) const;
