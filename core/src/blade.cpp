@@ -21,7 +21,9 @@ namespace bw {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-double Blade::fibreDistance() const { return section == Section::flat ? 0.5 * thickness : 0.5 * outerDiameter; }
+double Blade::fibreDistance() const {
+  return section == Section::flat ? 0.5 * thickness : 0.5 * outerDiameter;
+}
 
 double Blade::secondMoment() const {
   const auto disc = [](double d) { return kPi * d * d * d * d / 64.0; };
@@ -59,8 +61,8 @@ Result<Blade> bladeFromJson(const json& object, const std::string& path, Blade b
   if (blade.section != Blade::Section::flat && !(blade.outerDiameter > 0))
     reader.complain("outer_diameter", path + " is round and needs outer_diameter greater than 0 mm");
   if (blade.section == Blade::Section::tube && !(blade.innerDiameter < blade.outerDiameter))
-    reader.complain("inner_diameter", path + ".inner_diameter must be smaller than outer_diameter", blade.innerDiameter,
-                    blade.outerDiameter);
+    reader.complain("inner_diameter", path + ".inner_diameter must be smaller than outer_diameter",
+                    blade.innerDiameter, blade.outerDiameter);
   if (Result<void> ok = reader.finish(); !ok) return tl::unexpected<Error>(ok.error());
   return blade;
 }
@@ -89,15 +91,17 @@ Result<fs::path> resourceFolder() {
   std::error_code error;
   if (const char* chosen = std::getenv("BLADEWRIGHT_RESOURCES"); chosen && *chosen) {
     if (fs::is_directory(chosen, error)) return fs::path(chosen);
-    return fail(ErrorCode::cannotRead,
-                std::string("BLADEWRIGHT_RESOURCES names ") + chosen + ", which is not a folder; correct or unset it",
-                chosen);
+    return fail(
+        ErrorCode::cannotRead,
+        std::string("BLADEWRIGHT_RESOURCES names ") + chosen + ", which is not a folder; correct or unset it",
+        chosen);
   }
   std::array<char, 4096> buffer;
   const ssize_t n = ::readlink("/proc/self/exe", buffer.data(), buffer.size());
   if (n > 0) {
     const fs::path installed =
-        fs::path(std::string(buffer.data(), std::size_t(n))).parent_path().parent_path() / "share" / "bladewright";
+        fs::path(std::string(buffer.data(), std::size_t(n))).parent_path().parent_path() / "share" /
+        "bladewright";
     if (fs::is_directory(installed, error)) return installed;
   }
   const fs::path source = BW_SOURCE_RESOURCES;

@@ -25,9 +25,11 @@ constexpr std::size_t kMaxPoints = 1000000;
 tl::unexpected<Error> passOn(const Error& error) { return tl::unexpected<Error>(error); }
 
 Result<std::vector<double>> readNumbers(const json* value, const std::string& path) {
-  if (!value || !value->is_array()) return fail(ErrorCode::badInput, path + " must be a list of numbers", path);
+  if (!value || !value->is_array())
+    return fail(ErrorCode::badInput, path + " must be a list of numbers", path);
   if (value->size() > kMaxPoints)
-    return fail(ErrorCode::badInput, path + " has " + std::to_string(value->size()) + " entries; at most a million are read", path,
+    return fail(ErrorCode::badInput,
+                path + " has " + std::to_string(value->size()) + " entries; at most a million are read", path,
                 double(value->size()), double(kMaxPoints));
   std::vector<double> result;
   result.reserve(value->size());
@@ -35,25 +37,30 @@ Result<std::vector<double>> readNumbers(const json* value, const std::string& pa
     const json& entry = (*value)[i];
     const double x = entry.is_number() ? entry.get<double>() : std::nan("");
     if (!std::isfinite(x))
-      return fail(ErrorCode::badInput, path + "[" + std::to_string(i) + "] must be a finite number", path + "[" + std::to_string(i) + "]");
+      return fail(ErrorCode::badInput, path + "[" + std::to_string(i) + "] must be a finite number",
+                  path + "[" + std::to_string(i) + "]");
     result.push_back(x);
   }
   return result;
 }
 
 Result<std::vector<Eigen::Vector2d>> readPoints(const json* value, const std::string& path) {
-  if (!value || !value->is_array()) return fail(ErrorCode::badInput, path + " must be a list of points [x, y]", path);
+  if (!value || !value->is_array())
+    return fail(ErrorCode::badInput, path + " must be a list of points [x, y]", path);
   if (value->size() > kMaxPoints)
-    return fail(ErrorCode::badInput, path + " has " + std::to_string(value->size()) + " points; at most a million are read", path,
+    return fail(ErrorCode::badInput,
+                path + " has " + std::to_string(value->size()) + " points; at most a million are read", path,
                 double(value->size()), double(kMaxPoints));
   std::vector<Eigen::Vector2d> result;
   result.reserve(value->size());
   for (std::size_t i = 0; i < value->size(); ++i) {
     const json& entry = (*value)[i];
     const bool good = entry.is_array() && entry.size() == 2 && entry[0].is_number() && entry[1].is_number();
-    const Eigen::Vector2d p = good ? Eigen::Vector2d(entry[0].get<double>(), entry[1].get<double>()) : Eigen::Vector2d(NAN, NAN);
+    const Eigen::Vector2d p =
+        good ? Eigen::Vector2d(entry[0].get<double>(), entry[1].get<double>()) : Eigen::Vector2d(NAN, NAN);
     if (!p.allFinite())
-      return fail(ErrorCode::badInput, path + "[" + std::to_string(i) + "] must be a point [x, y] of two finite numbers",
+      return fail(ErrorCode::badInput,
+                  path + "[" + std::to_string(i) + "] must be a point [x, y] of two finite numbers",
                   path + "[" + std::to_string(i) + "]");
     result.push_back(p);
   }
@@ -64,7 +71,8 @@ Result<PlanarCurve> curveFromJson(const json& object, const std::string& path) {
   ObjectReader reader(object, path);
   int type = -1;
   reader.word("type", {"bezier", "bspline", "points"}, type);
-  if (!reader.has("type")) reader.complain("type", path + " needs the key type: \"bezier\", \"bspline\" or \"points\"");
+  if (!reader.has("type"))
+    reader.complain("type", path + " needs the key type: \"bezier\", \"bspline\" or \"points\"");
   const json *poles = nullptr, *points = nullptr, *knots = nullptr, *weights = nullptr;
   int degree = 3;
   if (type == 0) poles = reader.member("poles");
@@ -119,7 +127,8 @@ Result<ordered_json> elasticaCase(const json& object, bool&) {
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   ordered_json result;
   result["elastica"] = elasticaToJson(*elastica);
-  ordered_json points = ordered_json::array(), angles = ordered_json::array(), curvatures = ordered_json::array();
+  ordered_json points = ordered_json::array(), angles = ordered_json::array(),
+               curvatures = ordered_json::array();
   for (const Elastica::State& state : states) {
     points.push_back({state.point.x(), state.point.y()});
     angles.push_back(state.angle);
@@ -184,7 +193,8 @@ Result<ordered_json> fitCase(const json& object, bool& limited) {
   const Result<FitResult> fit = fitElastica(*curve, *options);
   if (!fit) return passOn(fit.error());
   if (fit->status == FitStatus::infeasible)
-    return fail(ErrorCode::noSolution, fit->message.empty() ? "no elastica meets all the constraints" : fit->message, "constraints");
+    return fail(ErrorCode::noSolution,
+                fit->message.empty() ? "no elastica meets all the constraints" : fit->message, "constraints");
   limited = fit->status == FitStatus::iterationLimit;
   ordered_json result;
   result["elastica"] = elasticaToJson(fit->elastica);
@@ -211,8 +221,11 @@ Result<CaseAnswer> runCases(std::string_view text, const RunContext& context, Ca
   if (!input) return passOn(input.error());
   const bool many = input->is_object() && input->contains("cases");
   if (many && (!(*input)["cases"].is_array() || input->size() != 1))
-    return fail(ErrorCode::badInput, "\"cases\" must be a list of cases, and no other key may stand beside it", "cases");
-  if (!many && !input->is_object()) return fail(ErrorCode::badInput, "the input must be a JSON object: one case or {\"cases\": [...]}", "input");
+    return fail(ErrorCode::badInput,
+                "\"cases\" must be a list of cases, and no other key may stand beside it", "cases");
+  if (!many && !input->is_object())
+    return fail(ErrorCode::badInput, "the input must be a JSON object: one case or {\"cases\": [...]}",
+                "input");
   const int count = many ? int((*input)["cases"].size()) : 1;
   std::vector<ordered_json> results(static_cast<std::size_t>(count));
   std::vector<std::optional<Error>> errors(static_cast<std::size_t>(count));
@@ -244,9 +257,13 @@ Result<CaseAnswer> runCases(std::string_view text, const RunContext& context, Ca
 
 }  // namespace
 
-Result<CaseAnswer> elasticaCases(std::string_view text, const RunContext& context) { return runCases(text, context, elasticaCase); }
+Result<CaseAnswer> elasticaCases(std::string_view text, const RunContext& context) {
+  return runCases(text, context, elasticaCase);
+}
 
-Result<CaseAnswer> fitCases(std::string_view text, const RunContext& context) { return runCases(text, context, fitCase); }
+Result<CaseAnswer> fitCases(std::string_view text, const RunContext& context) {
+  return runCases(text, context, fitCase);
+}
 
 Result<PlanarCurve> parseCurveJson(std::string_view text) {
   const Result<json> object = parseJsonText(text, "the curve");
@@ -282,8 +299,8 @@ Result<std::vector<Eigen::Vector2d>> pointsFromCsv(std::string_view text) {
     }
     sawLine = true;
     if (!x || !y || words.size() != 2)
-      return fail(ErrorCode::badInput, "line " + std::to_string(line) + " must hold two numbers, x and y", "line " + std::to_string(line),
-                  double(line));
+      return fail(ErrorCode::badInput, "line " + std::to_string(line) + " must hold two numbers, x and y",
+                  "line " + std::to_string(line), double(line));
     points.emplace_back(*x, *y);
   }
   return points;

@@ -23,7 +23,9 @@ std::string toBase64(const std::string& bytes) {
   std::string text;
   text.reserve((bytes.size() + 2) / 3 * 4);
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const auto byte = [&](std::size_t k) { return k < bytes.size() ? unsigned(static_cast<unsigned char>(bytes[k])) : 0u; };
+    const auto byte = [&](std::size_t k) {
+      return k < bytes.size() ? unsigned(static_cast<unsigned char>(bytes[k])) : 0u;
+    };
     const unsigned word = byte(i) << 16 | byte(i + 1) << 8 | byte(i + 2);
     text += kAlphabet[word >> 18 & 63];
     text += kAlphabet[word >> 12 & 63];
@@ -67,7 +69,9 @@ Result<Design> parseDesign(std::string_view text) {
   int version = 0;
   reader.integer("bladewright_design", version, 1, 1000000);
   if (version == 0) {
-    reader.complain("bladewright_design", "this is not a Bladewright design: the key bladewright_design with the version is missing");
+    reader.complain(
+        "bladewright_design",
+        "this is not a Bladewright design: the key bladewright_design with the version is missing");
   } else if (version > Design::kVersion) {
     reader.complain("bladewright_design",
                     "the design has version " + std::to_string(version) + " but this program reads up to " +

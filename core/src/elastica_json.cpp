@@ -16,9 +16,11 @@ constexpr double kHuge = 1e15;
 
 void readVector2(ObjectReader& reader, const std::string& key, Eigen::Vector2d& out) {
   const json* value = reader.member(key);
-  const bool good = value && value->is_array() && value->size() == 2 && (*value)[0].is_number() && (*value)[1].is_number();
+  const bool good =
+      value && value->is_array() && value->size() == 2 && (*value)[0].is_number() && (*value)[1].is_number();
   if (good) out = {(*value)[0].get<double>(), (*value)[1].get<double>()};
-  if (!good || !out.allFinite()) reader.complain(key, reader.path() + "." + key + " must be two finite numbers [x, y]");
+  if (!good || !out.allFinite())
+    reader.complain(key, reader.path() + "." + key + " must be two finite numbers [x, y]");
 }
 
 }  // namespace
@@ -31,7 +33,8 @@ ordered_json elasticaToJson(const Elastica& e) {
   object["force"] = {e.force().x(), e.force().y()};
   object["length"] = e.length();
   if (const std::optional<ControlParameters> p = e.controlParameters())
-    object["control_parameters"] = {{"k", p->k}, {"s0", p->s0}, {"l", p->l}, {"S", p->S}, {"phi", p->phi}, {"x", p->x}, {"y", p->y}};
+    object["control_parameters"] = {{"k", p->k},     {"s0", p->s0}, {"l", p->l}, {"S", p->S},
+                                    {"phi", p->phi}, {"x", p->x},   {"y", p->y}};
   else
     object["control_parameters"] = nullptr;
   return object;
@@ -68,7 +71,8 @@ Result<Elastica> elasticaFromJson(const json& object, const std::string& path) {
 }
 
 ordered_json errorToJson(const Error& error) {
-  ordered_json object = {{"code", errorCodeName(error.code)}, {"message", error.message}, {"where", error.where}};
+  ordered_json object = {
+      {"code", errorCodeName(error.code)}, {"message", error.message}, {"where", error.where}};
   object["value"] = error.value ? ordered_json(*error.value) : ordered_json(nullptr);
   object["limit"] = error.limit ? ordered_json(*error.limit) : ordered_json(nullptr);
   return {{"error", object}};

@@ -10,7 +10,8 @@
 
 namespace bw {
 
-/// An elastica object as the command line writes it: the regular form, and the thesis's control parameters or null.
+/// An elastica object as the command line writes it: the regular form, and the thesis's control parameters or
+/// null.
 nlohmann::ordered_json elasticaToJson(const Elastica& elastica);
 /// Reads either form; keys of the regular form win where both are there.
 Result<Elastica> elasticaFromJson(const nlohmann::json& object, const std::string& path);

@@ -63,6 +63,11 @@ void FileSet::add(fs::path path, std::string bytes) {
   bytes_.push_back(std::move(bytes));
 }
 
+void FileSet::append(FileSet other, const fs::path& folder) {
+  for (std::size_t i = 0; i < other.paths_.size(); ++i)
+    add(folder / other.paths_[i], std::move(other.bytes_[i]));
+}
+
 Result<void> FileSet::commit(const fs::path& folder) const {
   std::vector<fs::path> temporary;
   std::vector<fs::path> made;  // folders made here, outermost first
@@ -81,7 +86,8 @@ Result<void> FileSet::commit(const fs::path& folder) const {
     }
     if (!fs::is_directory(path, error))
       return fail(ErrorCode::cannotWrite,
-                  "cannot write into " + path.string() + ": it is not a folder; choose another name", path.string());
+                  "cannot write into " + path.string() + ": it is not a folder; choose another name",
+                  path.string());
     return {};
   };
   for (std::size_t i = 0; i < paths_.size(); ++i) {
@@ -100,9 +106,10 @@ Result<void> FileSet::commit(const fs::path& folder) const {
     std::error_code error;
     if (fs::is_directory(target, error)) {
       undo();
-      return fail(ErrorCode::cannotWrite,
-                  "cannot write " + target.string() + ": a folder of that name is in the way; choose another folder",
-                  target.string());
+      return fail(
+          ErrorCode::cannotWrite,
+          "cannot write " + target.string() + ": a folder of that name is in the way; choose another folder",
+          target.string());
     }
   }
   for (std::size_t i = 0; i < paths_.size(); ++i) {
@@ -124,7 +131,8 @@ Result<void> writeFile(const fs::path& file, const std::string& bytes) {
 
 Result<std::string> readFile(const fs::path& file, std::size_t limit) {
   const auto cannotRead = [&](int error) {
-    return fail(ErrorCode::cannotRead, "cannot read " + file.string() + ": " + std::strerror(error), file.string());
+    return fail(ErrorCode::cannotRead, "cannot read " + file.string() + ": " + std::strerror(error),
+                file.string());
   };
   const int fd = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
   if (fd < 0) return cannotRead(errno);
@@ -142,9 +150,10 @@ Result<std::string> readFile(const fs::path& file, std::size_t limit) {
     bytes.append(buffer.data(), std::size_t(n));
     if (bytes.size() > limit) {
       ::close(fd);
-      return fail(ErrorCode::cannotRead,
-                  file.string() + " is larger than " + std::to_string(limit >> 20) + " MB, the most that is read",
-                  file.string(), double(bytes.size()), double(limit));
+      return fail(
+          ErrorCode::cannotRead,
+          file.string() + " is larger than " + std::to_string(limit >> 20) + " MB, the most that is read",
+          file.string(), double(bytes.size()), double(limit));
     }
   }
   ::close(fd);

@@ -75,7 +75,8 @@ void readBlock(ObjectReader& reader, std::optional<BlockPlacement>& block) {
     if (value->get<std::string>() == "auto")
       block.reset();
     else
-      reader.complain("block", reader.path() + ".block must be \"auto\" or an object with origin, size and rotation_deg");
+      reader.complain(
+          "block", reader.path() + ".block must be \"auto\" or an object with origin, size and rotation_deg");
     return;
   }
   ObjectReader inner(*value, reader.path() + ".block");
@@ -103,7 +104,9 @@ void readDirection(ObjectReader& reader, std::optional<Eigen::Vector3d>& directi
       direction = Eigen::Vector3d::Unit(word[0] - 'x');
     } else {
       reader.complain("direction",
-                      reader.path() + ".direction must be \"auto\", \"x\", \"y\", \"z\" or three numbers, not \"" + word + "\"");
+                      reader.path() +
+                          ".direction must be \"auto\", \"x\", \"y\", \"z\" or three numbers, not \"" + word +
+                          "\"");
     }
     return;
   }
@@ -111,7 +114,8 @@ void readDirection(ObjectReader& reader, std::optional<Eigen::Vector3d>& directi
   reader.vector3("direction", v, -1e12, 1e12);
   const double length = v.norm();
   if (length < 1e-9) {
-    reader.complain("direction", reader.path() + ".direction has length zero; give the way the blade travels", length, 1e-9);
+    reader.complain("direction", reader.path() + ".direction has length zero; give the way the blade travels",
+                    length, 1e-9);
     return;
   }
   direction = v / length;
@@ -198,8 +202,8 @@ void readPrograms(ObjectReader& reader, std::vector<std::string>& programs) {
     const std::string word = entry.is_string() ? entry.get<std::string>() : entry.dump();
     if (!entry.is_string() || std::find(kFormats.begin(), kFormats.end(), word) == kFormats.end()) {
       const std::string nearest = nearestWord(word, kFormats.data(), int(kFormats.size()));
-      reader.complain("programs", reader.path() + ".programs: the formats are rapid, csv and json, not " + word +
-                                      (nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?"));
+      reader.complain("programs", reader.path() + ".programs: the formats are rapid, csv and json, not " +
+                                      word + (nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?"));
       return;
     }
     if (std::find(result.begin(), result.end(), word) == result.end()) result.push_back(word);
@@ -292,6 +296,8 @@ Result<Job> parseJob(std::string_view text) {
   return jobFromJson(*object, "job");
 }
 
-std::string jobToJson(const Job& job) { return jobToJsonObject(job).dump(2, ' ', false, json::error_handler_t::replace) + "\n"; }
+std::string jobToJson(const Job& job) {
+  return jobToJsonObject(job).dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+}
 
 }  // namespace bw

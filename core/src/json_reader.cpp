@@ -22,9 +22,10 @@ Result<json> parseJsonText(std::string_view text, const std::string& what) {
     const std::size_t column = lineStart == std::string_view::npos ? at + 1 : at - lineStart;
     if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
       return fail(ErrorCode::badInput, what + " is empty; it must hold a JSON object", what);
-    return fail(ErrorCode::badInput,
-                what + " is not valid JSON: line " + std::to_string(line) + ", column " + std::to_string(column), what,
-                double(line));
+    return fail(
+        ErrorCode::badInput,
+        what + " is not valid JSON: line " + std::to_string(line) + ", column " + std::to_string(column),
+        what, double(line));
   } catch (const std::exception& e) {
     return fail(ErrorCode::badInput, what + " is not valid JSON: " + e.what(), what);
   }
@@ -63,8 +64,8 @@ void ObjectReader::number(const std::string& key, double& out, double min, doubl
   const double x = value->get<double>();
   if (!std::isfinite(x) || x < min || x > max) {
     complain(key,
-             path_ + "." + key + " is " + shortText(x, 6) + " but must lie between " + shortText(min, 6) + " and " +
-                 shortText(max, 6),
+             path_ + "." + key + " is " + shortText(x, 6) + " but must lie between " + shortText(min, 6) +
+                 " and " + shortText(max, 6),
              x, x < min ? min : max);
     return;
   }
@@ -81,8 +82,8 @@ void ObjectReader::integer(const std::string& key, int& out, int min, int max) {
       return;
     }
     complain(key,
-             path_ + "." + key + " is " + shortText(x, 9) + " but must be a whole number from " + std::to_string(min) +
-                 " to " + std::to_string(max),
+             path_ + "." + key + " is " + shortText(x, 9) + " but must be a whole number from " +
+                 std::to_string(min) + " to " + std::to_string(max),
              x, x < min ? min : max);
     return;
   }

@@ -17,8 +17,9 @@ namespace bw {
 /// Parses JSON text; a syntax error tells line and column.
 Result<nlohmann::json> parseJsonText(std::string_view text, const std::string& what);
 
-/// Reads one JSON object strictly: each key is asked for by name with its type and range; `finish` rejects keys that nobody asked
-/// for and names the nearest one. The first error wins; reading goes on harmlessly after it.
+/// Reads one JSON object strictly: each key is asked for by name with its type and range; `finish` rejects
+/// keys that nobody asked for and names the nearest one. The first error wins; reading goes on harmlessly
+/// after it.
 class ObjectReader {
  public:
   /// `path` is how messages name the object, for instance "job" or "job.block".

@@ -26,7 +26,8 @@ TriangleMesh SurfaceGrid::triangles() const {
       // Rows advance along the section's normal n = x × y, so the outer side y is dv × du.
       const Eigen::Vector3d n = dv.cross(du);
       const double length = n.norm();
-      mesh.normals[std::size_t(r) * columns + c] = length > 0 ? Eigen::Vector3d(n / length) : Eigen::Vector3d::UnitZ();
+      mesh.normals[std::size_t(r) * columns + c] =
+          length > 0 ? Eigen::Vector3d(n / length) : Eigen::Vector3d::UnitZ();
       if (r + 1 < rows && c + 1 < columns) {
         const int a = r * columns + c, b = a + 1, d = a + columns, e = d + 1;
         mesh.triangles.push_back({a, d, e});

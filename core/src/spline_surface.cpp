@@ -95,8 +95,8 @@ Eigen::Vector3d SplineSurface::value(double u, double v) const {
 Result<SplineSurface> interpolateGrid(const SurfaceGrid& grid, const std::vector<double>& rowParameters) {
   if (grid.rows < 2 || grid.columns < 2 || int(rowParameters.size()) != grid.rows ||
       grid.points.size() != std::size_t(grid.rows) * grid.columns)
-    return fail(ErrorCode::badInput, "a skin needs at least two stations with at least two points each", "skin",
-                double(grid.rows), 2.0);
+    return fail(ErrorCode::badInput, "a skin needs at least two stations with at least two points each",
+                "skin", double(grid.rows), 2.0);
   for (int r = 1; r < grid.rows; ++r)
     if (!(rowParameters[std::size_t(r)] > rowParameters[std::size_t(r - 1)]))
       return fail(ErrorCode::badInput,

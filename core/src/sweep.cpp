@@ -36,8 +36,10 @@ FitOptions fitOptions(const Job& job) {
 
 bool usable(const FitResult& fit) { return fit.status != FitStatus::infeasible; }
 
-/// The fit from the neighbour's shape; where that looks like the wrong branch, also from scratch, and the better of the two.
-Result<FitResult> fitBesideNeighbour(const PlanarCurve& curve, FitOptions options, const FitResult* neighbour) {
+/// The fit from the neighbour's shape; where that looks like the wrong branch, also from scratch, and the
+/// better of the two.
+Result<FitResult> fitBesideNeighbour(const PlanarCurve& curve, FitOptions options,
+                                     const FitResult* neighbour) {
   if (!neighbour) return fitElastica(curve, options);
   options.initial = neighbour->elastica;
   Result<FitResult> warm = fitElastica(curve, options);
@@ -54,7 +56,8 @@ Result<FitResult> fitBesideNeighbour(const PlanarCurve& curve, FitOptions option
 }
 
 /// Pose of a blade end: x into the blade, z = n, y = z × x, in the block frame.
-Pose endPose(const Box& block, const Eigen::Vector3d& point, const Eigen::Vector3d& inward, const Eigen::Vector3d& n) {
+Pose endPose(const Box& block, const Eigen::Vector3d& point, const Eigen::Vector3d& inward,
+             const Eigen::Vector3d& n) {
   const Eigen::Vector3d x = inward.normalized();
   const Eigen::Vector3d z = (n - n.dot(x) * x).normalized();
   Eigen::Matrix3d R_WE;
@@ -80,8 +83,9 @@ Result<Sweep> buildSweep(std::vector<Section> sections, const Job& job, const Bo
                          double* fitSeconds, double* extendSeconds) {
   using Clock = std::chrono::steady_clock;
   if (sections.empty())
-    return fail(ErrorCode::badInput, "there are no sections to fit; place the block so that it meets the target", "sections",
-                0.0, 1.0);
+    return fail(ErrorCode::badInput,
+                "there are no sections to fit; place the block so that it meets the target", "sections", 0.0,
+                1.0);
   const auto fitStart = Clock::now();
   Sweep sweep{block, direction, job.blade, job.lead, {}};
   sweep.stations.reserve(sections.size());
@@ -122,9 +126,10 @@ Result<Sweep> buildSweep(std::vector<Section> sections, const Job& job, const Bo
   if (longest > job.blade.length) {
     const double needed = std::ceil(longest + 2 * job.clearance);
     return fail(ErrorCode::badInput,
-                "the blade of " + shortText(job.blade.length, 5) + " mm is shorter than the section of station " +
-                    std::to_string(longestIndex) + " (" + shortText(longest, 6) + " mm); choose a blade of at least " +
-                    shortText(needed, 6) + " mm, a smaller block, or another cutting direction",
+                "the blade of " + shortText(job.blade.length, 5) +
+                    " mm is shorter than the section of station " + std::to_string(longestIndex) + " (" +
+                    shortText(longest, 6) + " mm); choose a blade of at least " + shortText(needed, 6) +
+                    " mm, a smaller block, or another cutting direction",
                 "station " + std::to_string(longestIndex), job.blade.length, needed);
   }
   for (Station& station : sweep.stations) {
@@ -142,9 +147,11 @@ Result<Sweep> buildSweep(std::vector<Section> sections, const Job& job, const Bo
 
 Result<Motion> buildMotion(const Sweep& sweep, double cuttingSpeed) {
   if (!(cuttingSpeed > 0) || !std::isfinite(cuttingSpeed))
-    return fail(ErrorCode::badInput, "the cutting speed must be greater than 0 mm/s", "cutting_speed", cuttingSpeed, 0.0);
+    return fail(ErrorCode::badInput, "the cutting speed must be greater than 0 mm/s", "cutting_speed",
+                cuttingSpeed, 0.0);
   if (sweep.stations.size() < 2)
-    return fail(ErrorCode::badInput, "a motion needs at least two stations", "stations", double(sweep.stations.size()), 2.0);
+    return fail(ErrorCode::badInput, "a motion needs at least two stations", "stations",
+                double(sweep.stations.size()), 2.0);
   Motion motion{sweep.block, sweep.blade.length, cuttingSpeed, {}};
   std::vector<double> arcs(kSpeedSamples);
   for (int i = 0; i < kSpeedSamples; ++i) arcs[std::size_t(i)] = sweep.blade.length * i / (kSpeedSamples - 1);

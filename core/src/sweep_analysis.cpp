@@ -29,7 +29,8 @@ constexpr double kAngleLimitRound = 60 * kDegree;
 /// Slower points of the blade melt more: below this ratio the kerf differs visibly along a station.
 constexpr double kSpeedRatioLimit = 0.3;
 
-/// Weights of the three-point derivative at t[i] for uneven spacing; one-sided at the ends (docs/mathematics.md, velocity).
+/// Weights of the three-point derivative at t[i] for uneven spacing; one-sided at the ends
+/// (docs/mathematics.md, velocity).
 struct Stencil {
   int first = 0, count = 0;
   double weight[3] = {0, 0, 0};
@@ -74,11 +75,13 @@ double boxDistance(const Box& box, const Eigen::Vector3d& p) {
   return outside > 0 ? outside : q.maxCoeff();
 }
 
-/// No conjugate point in (0, L]: the determinant of ∂(x, y, θ)(s)/∂(κ0, λ1, λ2) keeps its sign. Where it vanishes throughout (a straight
-/// blade, whose x does not answer in the first order) there is nothing to see, and the shape counts as stable below the buckling force.
+/// No conjugate point in (0, L]: the determinant of ∂(x, y, θ)(s)/∂(κ0, λ1, λ2) keeps its sign. Where it
+/// vanishes throughout (a straight blade, whose x does not answer in the first order) there is nothing to
+/// see, and the shape counts as stable below the buckling force.
 bool clampedStable(const Elastica& blade) {
   std::vector<double> arcs(kStabilitySamples);
-  for (int i = 0; i < kStabilitySamples; ++i) arcs[std::size_t(i)] = blade.length() * (i + 1) / kStabilitySamples;
+  for (int i = 0; i < kStabilitySamples; ++i)
+    arcs[std::size_t(i)] = blade.length() * (i + 1) / kStabilitySamples;
   std::vector<Elastica::State> states(arcs.size());
   std::vector<Elastica::Jacobian> jacobians(arcs.size());
   blade.at(arcs, states, jacobians);
@@ -99,8 +102,8 @@ bool clampedStable(const Elastica& blade) {
 
 /// Tells stretches of stations that break a rule as one issue each, with the worst station named.
 template <class Bad, class Worse, class Text>
-void reportStretches(const std::vector<Station>& stations, Severity severity, const char* kind, Bad bad, Worse worse,
-                     Text text, Issues& issues) {
+void reportStretches(const std::vector<Station>& stations, Severity severity, const char* kind, Bad bad,
+                     Worse worse, Text text, Issues& issues) {
   for (std::size_t i = 0; i < stations.size(); ++i) {
     if (!bad(stations[i])) continue;
     std::size_t j = i, worst = i;
@@ -111,9 +114,11 @@ void reportStretches(const std::vector<Station>& stations, Severity severity, co
     const Station& w = stations[worst];
     const std::string place = i == j ? "station " + std::to_string(w.index)
                                      : "stations " + std::to_string(stations[i].index) + " to " +
-                                           std::to_string(stations[j].index) + " (worst: " + std::to_string(w.index) + ")";
+                                           std::to_string(stations[j].index) +
+                                           " (worst: " + std::to_string(w.index) + ")";
     const Eigen::Vector3d middle = w.frame.toWorld(w.fit.elastica.point(0.5 * w.fit.elastica.length()));
-    issues.push_back({severity, kind, place + ": " + text(w), Place{"station " + std::to_string(w.index), 0, w.index, middle}});
+    issues.push_back({severity, kind, place + ": " + text(w),
+                      Place{"station " + std::to_string(w.index), 0, w.index, middle}});
     i = j;
   }
 }
@@ -125,7 +130,8 @@ struct Velocities {
 };
 
 /// Thesis 5.3 at one station, with the blade's own material points.
-Velocities stationVelocities(const std::vector<Station>& stations, const std::vector<double>& travel, int i, double cuttingSpeed) {
+Velocities stationVelocities(const std::vector<Station>& stations, const std::vector<double>& travel, int i,
+                             double cuttingSpeed) {
   const Station& station = stations[std::size_t(i)];
   const Stencil stencil = derivativeStencil(travel, i);
   const double length = station.fit.elastica.length();
@@ -135,7 +141,8 @@ Velocities stationVelocities(const std::vector<Station>& stations, const std::ve
   for (int c = 0; c <= 20; ++c) sigma.push_back((c / 20.0 - 0.5) * station.blade.length());
   std::vector<Eigen::Vector3d> velocity(sigma.size(), Eigen::Vector3d::Zero());
   for (int k = 0; k < stencil.count; ++k) {
-    const std::vector<Eigen::Vector3d> points = materialPoints(stations[std::size_t(stencil.first + k)], sigma);
+    const std::vector<Eigen::Vector3d> points =
+        materialPoints(stations[std::size_t(stencil.first + k)], sigma);
     for (std::size_t c = 0; c < sigma.size(); ++c) velocity[c] += stencil.weight[k] * points[c];
   }
   double fastestBlade = 0, fastest = 0;
@@ -158,12 +165,15 @@ Velocities stationVelocities(const std::vector<Station>& stations, const std::ve
 
 }  // namespace
 
-Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const Job& job, const SurfaceSampler& target, const RunContext& context) {
+Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const Job& job, const SurfaceSampler& target,
+                                   const RunContext& context) {
   std::vector<Station>& stations = sweep.stations;
   const int n = int(stations.size());
   if (n < 2)
-    return fail(ErrorCode::badInput, "a surface needs at least two stations that cut the target, but " + std::to_string(n) + " is left",
-                "stations", double(n), 2.0);
+    return fail(
+        ErrorCode::badInput,
+        "a surface needs at least two stations that cut the target, but " + std::to_string(n) + " is left",
+        "stations", double(n), 2.0);
   SweepAnalysis result;
 
   // The skin through the stations.
@@ -179,7 +189,8 @@ Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const Job& job, const SurfaceSa
     for (int i = 0; i < n; ++i) {
       const Station& station = stations[std::size_t(i)];
       travel.push_back(station.travel);
-      for (int c = 0; c < kColumns; ++c) arcs[std::size_t(c)] = station.fit.elastica.length() * c / (kColumns - 1);
+      for (int c = 0; c < kColumns; ++c)
+        arcs[std::size_t(c)] = station.fit.elastica.length() * c / (kColumns - 1);
       station.fit.elastica.at(arcs, states);
       for (const Elastica::State& state : states) {
         grid.points.push_back(station.frame.toWorld(state.point));
@@ -203,7 +214,8 @@ Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const Job& job, const SurfaceSa
   if (Result<void> ok = parallelFor(context, n,
                                     [&](int i) {
                                       Station& station = stations[std::size_t(i)];
-                                      velocities[std::size_t(i)] = stationVelocities(stations, travel, i, job.cuttingSpeed);
+                                      velocities[std::size_t(i)] =
+                                          stationVelocities(stations, travel, i, job.cuttingSpeed);
                                       station.stable = clampedStable(station.blade);
                                     });
       !ok)
@@ -217,7 +229,8 @@ Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const Job& job, const SurfaceSa
     station.angleMean = 0;
     for (double angle : v.angle) station.angleMean += angle / kColumns;
     station.speedRatio = *std::min_element(v.relative.begin(), v.relative.end());
-    station.clearance = std::min(boxDistance(sweep.block, station.leftPoint()), boxDistance(sweep.block, station.rightPoint()));
+    station.clearance = std::min(boxDistance(sweep.block, station.leftPoint()),
+                                 boxDistance(sweep.block, station.rightPoint()));
     summary.R4Max = std::max(summary.R4Max, station.fit.R4);
     summary.R4Mean += station.fit.R4 / n;
     summary.hausdorffMax = std::max(summary.hausdorffMax, station.fit.hausdorff);
@@ -247,7 +260,8 @@ Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const Job& job, const SurfaceSa
   std::optional<Error> firstError;
   int firstErrorChunk = kChunks;
   const auto chunkBody = [&](int chunk) {
-    const int from = int(std::int64_t(cut.rows) * chunk / kChunks), to = int(std::int64_t(cut.rows) * (chunk + 1) / kChunks);
+    const int from = int(std::int64_t(cut.rows) * chunk / kChunks),
+              to = int(std::int64_t(cut.rows) * (chunk + 1) / kChunks);
     if (from == to) return;
     const std::unique_ptr<SurfaceSampler> sampler = target.clone();
     std::vector<SurfaceSampler::Foot> feet(kColumns);
@@ -264,7 +278,9 @@ Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const Job& job, const SurfaceSa
         const std::size_t at = std::size_t(row) * kColumns + std::size_t(c);
         const Eigen::Vector3d p = result.surface.value(double(c) / (kColumns - 1), v);
         cut.points[at] = p;
-        const SurfaceSampler::Foot* seed = row > from ? &feet[std::size_t(c)] : c > 0 ? &feet[std::size_t(c - 1)] : nullptr;
+        const SurfaceSampler::Foot* seed = row > from ? &feet[std::size_t(c)]
+                                           : c > 0    ? &feet[std::size_t(c - 1)]
+                                                      : nullptr;
         Result<SurfaceSampler::Foot> foot = sampler->closest(p, seed);
         if (!foot) {
           const std::lock_guard lock(errorMutex);
@@ -286,7 +302,8 @@ Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const Job& job, const SurfaceSa
       }
     }
   };
-  if (Result<void> ok = parallelFor(context, kChunks, chunkBody); !ok) return tl::unexpected<Error>(ok.error());
+  if (Result<void> ok = parallelFor(context, kChunks, chunkBody); !ok)
+    return tl::unexpected<Error>(ok.error());
   if (firstError) return tl::unexpected<Error>(*firstError);
   double within = 0;
   std::size_t worst = 0;
@@ -310,23 +327,27 @@ Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const Job& job, const SurfaceSa
     const int nearest = std::min((row + between / 2) / between, n - 1);
     const int index = stations[std::size_t(nearest)].index;
     issues.push_back({Severity::warning, "deviation",
-                      "the cut surface is up to " + shortText(summary.deviationMax) + " mm from the target near station " +
-                          std::to_string(index) + ", more than the tolerance of " + shortText(job.tolerance) + " mm (" +
+                      "the cut surface is up to " + shortText(summary.deviationMax) +
+                          " mm from the target near station " + std::to_string(index) +
+                          ", more than the tolerance of " + shortText(job.tolerance) + " mm (" +
                           fixedText(100 * summary.withinTolerance, 1) +
                           " % lies within); split the surface, turn the cutting direction, or allow more",
                       Place{"station " + std::to_string(index), 0, index, cut.points[worst]}});
   }
   const double limit = sweep.blade.maxCurvature();
   reportStretches(
-      stations, Severity::error, "curvature", [&](const Station& s) { return s.blade.maxCurvature() > limit; },
+      stations, Severity::error, "curvature",
+      [&](const Station& s) { return s.blade.maxCurvature() > limit; },
       [](const Station& a, const Station& b) { return a.blade.maxCurvature() > b.blade.maxCurvature(); },
       [&](const Station& s) {
-        return "the blade must bend to a radius of " + shortText(1 / s.blade.maxCurvature()) + " mm but keeps its shape only down to " +
-               shortText(sweep.blade.minRadius()) + " mm; take a thinner blade or a gentler surface";
+        return "the blade must bend to a radius of " + shortText(1 / s.blade.maxCurvature()) +
+               " mm but keeps its shape only down to " + shortText(sweep.blade.minRadius()) +
+               " mm; take a thinner blade or a gentler surface";
       },
       issues);
   reportStretches(
-      stations, Severity::warning, "inflections", [](const Station& s) { return s.fit.elastica.inflections().size() > 2; },
+      stations, Severity::warning, "inflections",
+      [](const Station& s) { return s.fit.elastica.inflections().size() > 2; },
       [](const Station& a, const Station& b) { return a.fit.R4 > b.fit.R4; },
       [](const Station& s) {
         return "the blade would need " + std::to_string(s.fit.elastica.inflections().size()) +
@@ -337,23 +358,27 @@ Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const Job& job, const SurfaceSa
       stations, Severity::warning, "stability", [](const Station& s) { return !s.stable; },
       [](const Station& a, const Station& b) { return a.blade.maxCurvature() > b.blade.maxCurvature(); },
       [](const Station&) {
-        return std::string("the blade would not rest in this shape but snap to another; shorten the blade or split the surface");
+        return std::string(
+            "the blade would not rest in this shape but snap to another; shorten the blade or split the "
+            "surface");
       },
       issues);
   reportStretches(
       stations, Severity::error, "clearance", [](const Station& s) { return s.clearance < 0; },
       [](const Station& a, const Station& b) { return a.clearance < b.clearance; },
       [&](const Station& s) {
-        return "a grip would be " + shortText(-s.clearance) + " mm inside the block; the blade of " + shortText(sweep.blade.length, 5) +
-               " mm is too short for it";
+        return "a grip would be " + shortText(-s.clearance) + " mm inside the block; the blade of " +
+               shortText(sweep.blade.length, 5) + " mm is too short for it";
       },
       issues);
   reportStretches(
-      stations, Severity::warning, "clearance", [&](const Station& s) { return s.clearance >= 0 && s.clearance < job.clearance; },
+      stations, Severity::warning, "clearance",
+      [&](const Station& s) { return s.clearance >= 0 && s.clearance < job.clearance; },
       [](const Station& a, const Station& b) { return a.clearance < b.clearance; },
       [&](const Station& s) {
-        return "a grip passes the block at " + shortText(s.clearance) + " mm, less than the clearance of " + shortText(job.clearance) +
-               " mm; a blade of at least " + shortText(std::ceil(sweep.blade.length + 2 * (job.clearance - s.clearance)), 6) +
+        return "a grip passes the block at " + shortText(s.clearance) + " mm, less than the clearance of " +
+               shortText(job.clearance) + " mm; a blade of at least " +
+               shortText(std::ceil(sweep.blade.length + 2 * (job.clearance - s.clearance)), 6) +
                " mm keeps it";
       },
       issues);
@@ -362,8 +387,9 @@ Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const Job& job, const SurfaceSa
       stations, Severity::warning, "angle", [&](const Station& s) { return s.angleMax > angleLimit; },
       [](const Station& a, const Station& b) { return a.angleMax > b.angleMax; },
       [&](const Station& s) {
-        return "the blade moves at " + fixedText(toDegrees(s.angleMax), 1) + "° to the normal of its plane; above " +
-               fixedText(toDegrees(angleLimit), 0) + "° this blade drags instead of cutting";
+        return "the blade moves at " + fixedText(toDegrees(s.angleMax), 1) +
+               "° to the normal of its plane; above " + fixedText(toDegrees(angleLimit), 0) +
+               "° this blade drags instead of cutting";
       },
       issues);
   reportStretches(
@@ -371,7 +397,8 @@ Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const Job& job, const SurfaceSa
       [](const Station& a, const Station& b) { return a.speedRatio < b.speedRatio; },
       [](const Station& s) {
         return "the slowest point of the blade moves at " + fixedText(100 * s.speedRatio, 0) +
-               " % of the fastest, so that it melts a wider kerf there; split the surface or turn the cutting direction";
+               " % of the fastest, so that it melts a wider kerf there; split the surface or turn the "
+               "cutting direction";
       },
       issues);
   return result;

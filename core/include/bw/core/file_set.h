@@ -16,6 +16,8 @@ class FileSet {
  public:
   /// Adds a file; `path` relative to the folder given to `commit`.
   void add(std::filesystem::path path, std::string bytes);
+  /// Adds all files of `other` below `folder`.
+  void append(FileSet other, const std::filesystem::path& folder);
   const std::vector<std::filesystem::path>& paths() const { return paths_; }
   /// Writes all below `folder`, which is made if missing.
   Result<void> commit(const std::filesystem::path& folder) const;

@@ -34,7 +34,7 @@ struct Stage {
 };
 
 struct SweepResult {
-  Sweep sweep;             ///< with the checks' numbers filled in
+  Sweep sweep;  ///< with the checks' numbers filled in
   SweepAnalysis analysis;
   Motion motion;
 };
@@ -50,7 +50,7 @@ struct Evaluation {
   Stage<SweepResult> sweep;
   Seconds seconds;
 
-  Issues issues() const;   ///< of all stages in order
+  Issues issues() const;  ///< of all stages in order
 };
 
 /// How far an evaluation got before it failed: the stages done stay usable, and the error names the step.
@@ -59,17 +59,20 @@ struct Outcome {
   std::optional<Error> error = std::nullopt;
 };
 
-/// Evaluates a design. Stages of `previous` whose keys are unchanged are used again, so that a change recomputes only what depends on it.
+/// Evaluates a design. Stages of `previous` whose keys are unchanged are used again, so that a change
+/// recomputes only what depends on it.
 Outcome evaluate(const Design& design, const Evaluation* previous, const RunContext& context);
 
-/// report.json, sweep.json, surface.step, mesh.obj, stations.csv and deviation.csv of an evaluation, plus the programs of its job in programs/, as files to be
-/// written together. Program files that fail their check are an error.
+/// report.json, sweep.json, surface.step, mesh.obj, stations.csv and deviation.csv of an evaluation, plus the
+/// programs of its job in programs/, as files to be written together. Program files that fail their check are
+/// an error.
 Result<FileSet> resultFiles(Evaluation& evaluation, const RunContext& context);
 
 /// report.json alone. `files` are listed in it.
 std::string reportJson(const Evaluation& evaluation, const std::vector<std::filesystem::path>& files);
 
-/// Programs of a motion: formats "rapid", "csv", "json"; an unknown format is an error naming the nearest one.
+/// Programs of a motion: formats "rapid", "csv", "json"; an unknown format is an error naming the nearest
+/// one.
 Result<FileSet> programFiles(const Motion& motion, const Cell& cell, const std::vector<std::string>& formats,
                              const std::string& name);
 

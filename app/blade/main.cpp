@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include <algorithm>
+#include <iostream>
+#include <vector>
+
+#include "bw/core/number_text.h"
+#include "interrupt.h"
+#include "verbs.h"
+
+namespace {
+
+using namespace bw::cli;
+
+/// A word after `blade` that is no verb, with the nearest one.
+std::string unknownVerbMessage(const CLI::App& app, const std::string& word) {
+  std::vector<std::string> names;
+  for (const CLI::App* verb : app.get_subcommands(nullptr)) names.push_back(verb->get_name());
+  const std::string nearest = bw::nearestWord(word, names.data(), int(names.size()));
+  std::string message = "there is no verb \"" + word + "\"";
+  if (!nearest.empty()) return message + "; did you mean \"" + nearest + "\"?";
+  message += "; the verbs are";
+  for (std::size_t i = 0; i < names.size(); ++i) message += (i ? ", " : " ") + names[i];
+  return message;
+}
+
+int run(int argc, char** argv) {
+  Interrupt interrupt;
+  Session session;
+  session.stop = interrupt.token();
+  const auto addCommon = [&session](CLI::App& app) {
+    app.add_flag("--json-errors", session.jsonErrors, "Say errors as a JSON object on standard error");
+    app.add_flag("--progress", session.progress, "Draw a progress bar on standard error");
+    app.add_option("--threads", session.threads, "Worker threads (0 = all); the results do not depend on it")
+        ->check(CLI::Range(0, 1024))
+        ->type_name("N");
+  };
+  CLI::App app{
+      "Bladewright's command line: elastica, surfaces for hot-blade cutting, robot programs.\n"
+      "Lengths in mm, angles in rad, times in s.",
+      "blade"};
+  app.set_version_flag("--version", versionText());
+  app.require_subcommand(1);
+  app.get_formatter()->column_width(34);
+  Work work;
+  addNumericVerbs(app, session, work);
+  addSurfaceVerbs(app, session, work);
+  addProgramVerbs(app, session, work);
+  addCommon(app);
+  for (CLI::App* verb : app.get_subcommands(nullptr)) addCommon(*verb);
+  if (argc > 1 && argv[1][0] != '-') {
+    const std::string word = argv[1];
+    const auto verbs = app.get_subcommands(nullptr);
+    if (std::none_of(verbs.begin(), verbs.end(),
+                     [&](const CLI::App* verb) { return verb->get_name() == word; }))
+      return session.complain({bw::ErrorCode::badInput, unknownVerbMessage(app, word), word});
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& e) {
+    return app.exit(e);  // --help, --version
+  } catch (const CLI::ParseError& e) {
+    session.jsonErrors = session.jsonErrors || std::any_of(argv, argv + argc, [](const char* a) {
+                           return std::string(a) == "--json-errors";
+                         });
+    const auto chosen = app.get_subcommands();
+    const std::string verb = chosen.empty() ? "" : " " + chosen.front()->get_name();
+    return session.complain(
+        {bw::ErrorCode::badInput, std::string(e.what()) + "; see blade" + verb + " --help", "usage"});
+  }
+  return work ? work() : int(kBadInput);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& e) {
+    std::cerr << "blade: an internal error: " << e.what() << "\n";
+    return kInternal;
+  }
+}

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "session.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "interrupt.h"
+
+namespace bw::cli {
+
+int statusOf(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::badInput:
+      return kBadInput;
+    case ErrorCode::noSolution:
+      return kNoSolution;
+    case ErrorCode::cannotRead:
+    case ErrorCode::cannotWrite:
+      return kFileError;
+    case ErrorCode::cancelled:
+      return kInterrupted;
+    case ErrorCode::internal:
+      return kInternal;
+  }
+  return kInternal;
+}
+
+RunContext Session::context() const {
+  RunContext context{stop, {}, threads};
+  if (progress) {
+    context.progress = [](double fraction, std::string_view step) {
+      constexpr int kWidth = 32;
+      const int done = std::clamp(int(fraction * kWidth), 0, kWidth);
+      const std::string bar =
+          std::string(std::size_t(done), '#') + std::string(std::size_t(kWidth - done), '.');
+      std::fprintf(stderr, "\r[%s] %3d %% %-12.*s", bar.c_str(), int(fraction * 100), int(step.size()),
+                   step.data());
+      std::fflush(stderr);
+    };
+  }
+  return context;
+}
+
+void Session::endProgress() const {
+  if (progress) std::fprintf(stderr, "\r%60s\r", "");
+}
+
+int Session::complain(const Error& error) const {
+  endProgress();
+  if (jsonErrors) {
+    nlohmann::ordered_json object = {
+        {"code", errorCodeName(error.code)}, {"message", error.message}, {"where", error.where}};
+    object["value"] = error.value ? nlohmann::ordered_json(*error.value) : nlohmann::ordered_json(nullptr);
+    object["limit"] = error.limit ? nlohmann::ordered_json(*error.limit) : nlohmann::ordered_json(nullptr);
+    std::cerr << nlohmann::ordered_json{{"error", object}}.dump(
+                     -1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
+              << "\n";
+  } else {
+    std::cerr << "blade: " << error.message << "\n";
+  }
+  return statusOf(error.code);
+}
+
+Result<std::string> Session::readInput(const std::string& name) const {
+  if (name != "-") return readFile(name);
+  std::string bytes((std::istreambuf_iterator<char>(std::cin)), std::istreambuf_iterator<char>());
+  return bytes;
+}
+
+Result<void> Session::writeOutput(const std::string& name, const std::string& bytes) const {
+  if (!name.empty() && name != "-") {
+    const Interrupt::Commit commit;
+    return writeFile(name, bytes);
+  }
+  std::cout << bytes << std::flush;
+  if (!std::cout) return fail(ErrorCode::cannotWrite, "cannot write to standard output", "standard output");
+  return {};
+}
+
+Result<void> Session::writeFiles(const FileSet& files, const std::filesystem::path& folder) const {
+  endProgress();
+  std::cerr << "writing " << files.paths().size() << " files to " << folder.string() << ":\n";
+  for (const std::filesystem::path& path : files.paths()) std::cerr << "  " << path.generic_string() << "\n";
+  const Interrupt::Commit commit;
+  if (stop.stop_requested()) return stoppedError();
+  return files.commit(folder);
+}
+
+Result<Design> designOf(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::is_directory(path, error)) return loadDesign(path);
+  const std::filesystem::path inside = std::filesystem::path(path) / kDesignFile;
+  if (!std::filesystem::exists(inside, error))
+    return fail(
+        ErrorCode::cannotRead,
+        path + " holds no " + kDesignFile + "; give a folder that blade rationalize wrote, or a design file",
+        path);
+  return loadDesign(inside);
+}
+
+void Session::tell(const Issues& issues) const {
+  endProgress();
+  for (const Issue& issue : issues)
+    std::cerr << severityName(issue.severity) << ": " << issue.message << "\n";
+}
+
+}  // namespace bw::cli

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "bw/core/design.h"
+#include "bw/core/file_set.h"
+#include "bw/core/issue.h"
+#include "bw/core/result.h"
+#include "bw/core/run_context.h"
+
+namespace bw::cli {
+
+/// Exit statuses of the program; part of its contract.
+enum Status : int {
+  kDone = 0,
+  kLimitExceeded = 1,
+  kBadInput = 2,
+  kNoSolution = 3,
+  kFileError = 4,
+  kInternal = 5,
+  kInterrupted = 130
+};
+
+/// The exit status that stands for an error.
+int statusOf(ErrorCode code);
+
+/// The design file that lies beside the results, so that they can be shown and exported again.
+inline constexpr const char* kDesignFile = "design.bladewright";
+
+/// Reads a design file, or the one in a folder of results.
+Result<Design> designOf(const std::string& path);
+
+/// What all verbs share: the options that every verb has, and how to speak.
+struct Session {
+  bool jsonErrors = false;
+  bool progress = false;
+  int threads = 0;
+  std::stop_token stop;
+
+  /// The context of a verb's work.
+  RunContext context() const;
+  /// Says the error on standard error (one sentence, or JSON with --json-errors) and returns its exit status.
+  int complain(const Error& error) const;
+  /// Standard input for "-", else the file.
+  Result<std::string> readInput(const std::string& name) const;
+  /// Standard output for "-" or "", else the file, atomically.
+  Result<void> writeOutput(const std::string& name, const std::string& bytes) const;
+  /// Tells the list of files on standard error, then writes them all or none.
+  Result<void> writeFiles(const FileSet& files, const std::filesystem::path& folder) const;
+  /// Findings in words on standard error.
+  void tell(const Issues& issues) const;
+  /// Removes the progress bar from the line.
+  void endProgress() const;
+};
+
+}  // namespace bw::cli

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+
+#include "session.h"
+
+namespace bw::cli {
+
+/// A verb's work, run after all options are parsed; returns the exit status.
+using Work = std::function<int()>;
+
+/// Each adds its verbs to `app`; the chosen one puts its work into `work`.
+void addNumericVerbs(CLI::App& app, const Session& session, Work& work);
+void addSurfaceVerbs(CLI::App& app, const Session& session, Work& work);
+void addProgramVerbs(CLI::App& app, const Session& session, Work& work);
+
+/// Name, version and the versions of the libraries.
+std::string versionText();
+
+}  // namespace bw::cli

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include <memory>
+
+#include "bw/core/cases.h"
+#include "verbs.h"
+
+namespace bw::cli {
+
+namespace {
+
+struct Options {
+  std::string in = "-", out = "-";
+};
+
+bool endsWith(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+using Cases = Result<CaseAnswer> (*)(std::string_view, const RunContext&);
+
+int answer(const Session& session, const Options& options, Cases cases, bool points) {
+  Result<std::string> text = session.readInput(options.in);
+  if (!text) return session.complain(text.error());
+  if (points && (endsWith(options.in, ".csv") || endsWith(options.in, ".dat"))) {
+    text = fitCaseFromCsv(*text);
+    if (!text) return session.complain(text.error());
+  }
+  const Result<CaseAnswer> result = cases(*text, session.context());
+  if (!result) return session.complain(result.error());
+  session.endProgress();
+  if (Result<void> ok = session.writeOutput(options.out, result->json); !ok)
+    return session.complain(ok.error());
+  if (result->first) {
+    session.complain(*result->first);
+    return statusOf(result->first->code);
+  }
+  return result->limited ? kLimitExceeded : kDone;
+}
+
+void addVerb(CLI::App& app, const Session& session, Work& work, const char* name, const char* text,
+             const char* example, Cases cases, bool points) {
+  CLI::App* verb = app.add_subcommand(name, text);
+  const auto options = std::make_shared<Options>();
+  verb->add_option("--in", options->in, "Input file, - for standard input")->type_name("FILE");
+  verb->add_option("--out", options->out, "Output file, - for standard output")->type_name("FILE");
+  verb->footer(std::string("Example:\n  ") + example);
+  verb->callback([&session, &work, options, cases, points] {
+    work = [&session, options, cases, points] { return answer(session, *options, cases, points); };
+  });
+}
+
+}  // namespace
+
+void addNumericVerbs(CLI::App& app, const Session& session, Work& work) {
+  addVerb(app, session, work, "elastica",
+          "Evaluate elastica: points, angles, curvatures, energy, inflections",
+          "echo '{\"elastica\": {\"start\": [0,0], \"start_angle\": 0.5, \"start_curvature\": -0.002,\n"
+          "    \"force\": [0,0], \"length\": 800}, \"at\": [0, 400, 800]}' | blade elastica",
+          elasticaCases, false);
+  addVerb(app, session, work, "fit", "Fit an elastica to a plane curve (JSON cases, or points as .csv/.dat)",
+          "echo '{\"curve\": {\"type\": \"bezier\", \"poles\": [[0,0],[200,150],[400,150],[600,0]]}}' | "
+          "blade fit",
+          fitCases, true);
+}
+
+}  // namespace bw::cli

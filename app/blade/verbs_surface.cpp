@@ -1,0 +1,262 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "bw/core/design.h"
+#include "bw/core/number_text.h"
+#include "bw/core/units.h"
+#include "bw/geometry/export.h"
+#include "bw/pipeline/pipeline.h"
+#include "bw/pipeline/scene_content.h"
+#include "interrupt.h"
+#include "verbs.h"
+
+namespace bw::cli {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+namespace {
+
+ordered_json vec(const Eigen::Vector3d& v) { return {v.x() + 0.0, v.y() + 0.0, v.z() + 0.0}; }
+
+ordered_json boundsJson(const Bounds& b) {
+  return b.valid() ? ordered_json{{"min", vec(b.min)}, {"max", vec(b.max)}} : ordered_json(nullptr);
+}
+
+int runInfo(const Session& session, const std::string& file, const std::string& out) {
+  const Result<geometry::CadModel> model = geometry::CadModel::read(file, session.context());
+  if (!model) return session.complain(model.error());
+  const geometry::CadInfo info = model->infoWithCurvatures();
+  ordered_json object = {{"file", file},           {"format", info.format},
+                         {"unit", info.unit},      {"solids", info.solids},
+                         {"shells", info.shells},  {"faces", info.faces},
+                         {"edges", info.edges},    {"bounds_mm", boundsJson(info.bounds)},
+                         {"healing", info.healing}};
+  ordered_json faces = ordered_json::array();
+  for (const geometry::FaceInfo& face : info.faceList)
+    faces.push_back({{"index", face.index},
+                     {"type", face.type},
+                     {"bounds_mm", boundsJson(face.bounds)},
+                     {"size_mm", vec(face.bounds.size())},
+                     {"area_mm2", face.area},
+                     {"curvature_range", {face.curvatureMin, face.curvatureMax}}});
+  object["face_list"] = faces;
+  session.endProgress();
+  const Result<void> ok =
+      session.writeOutput(out, object.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+  return ok ? int(kDone) : session.complain(ok.error());
+}
+
+void tellSummary(const pipeline::Evaluation& e) {
+  const SweepSummary& s = e.sweep.value->analysis.summary;
+  std::cerr << e.sweep.value->sweep.stations.size() << " stations; deviation max "
+            << shortText(s.deviationMax) << " mm, mean " << shortText(s.deviationMean) << " mm, "
+            << fixedText(100 * s.withinTolerance, 1) << " % within tolerance; angle max "
+            << fixedText(toDegrees(s.angleMax), 1) << "°; smallest radius " << shortText(s.minRadius)
+            << " mm; cutting time " << fixedText(s.cuttingTime, 0) << " s; computed in "
+            << fixedText(e.seconds.total, 2) << " s\n";
+}
+
+/// 1 where a stated tolerance or a limit of the blade is exceeded.
+int limitStatus(const pipeline::Evaluation& e) {
+  const Issues issues = e.issues();
+  const bool tolerance = e.sweep.value->analysis.summary.deviationMax > e.design.job.tolerance;
+  return tolerance || hasErrors(issues) ? kLimitExceeded : kDone;
+}
+
+/// A source up to this size is embedded there; a larger one is linked.
+constexpr std::uintmax_t kEmbedLimit = 8u << 20;
+
+Result<Design> withEmbeddedSource(const Design& design) {
+  Design result = design;
+  std::error_code error;
+  if (result.source.bytes.empty() && fs::file_size(result.source.path, error) <= kEmbedLimit && !error) {
+    Result<std::string> bytes = readFile(result.source.path);
+    if (!bytes) return tl::unexpected<Error>(bytes.error());
+    result.source.bytes = std::move(*bytes);
+    result.source.path = result.source.path.filename();
+  } else if (result.source.bytes.empty()) {
+    result.source.path = fs::absolute(result.source.path, error);
+  }
+  return result;
+}
+
+int runDesign(const Session& session, const Design& design, const std::string& out) {
+  pipeline::Outcome outcome = pipeline::evaluate(design, nullptr, session.context());
+  session.tell(outcome.evaluation.issues());
+  if (outcome.error) return session.complain(*outcome.error);
+  Result<FileSet> files = pipeline::resultFiles(outcome.evaluation, session.context());
+  if (!files) return session.complain(files.error());
+  const Result<Design> stored = withEmbeddedSource(design);
+  if (!stored) return session.complain(stored.error());
+  files->add(kDesignFile, designToJson(*stored));
+  if (Result<void> ok = session.writeFiles(*files, out); !ok) return session.complain(ok.error());
+  tellSummary(outcome.evaluation);
+  return limitStatus(outcome.evaluation);
+}
+
+int runRationalize(const Session& session, const std::string& file, const std::string& jobFile,
+                   const std::string& out) {
+  Design design;
+  std::string text = "{}";
+  if (!jobFile.empty()) {
+    Result<std::string> read = session.readInput(jobFile);
+    if (!read) return session.complain(read.error());
+    text = std::move(*read);
+  }
+  Result<Job> job = parseJob(text);
+  if (!job) return session.complain(job.error());
+  design.name = fs::path(file).stem().string();
+  design.source.path = file;
+  design.job = std::move(*job);
+  return runDesign(session, design, out);
+}
+
+struct RenderOptions {
+  std::string path, out, field = "deviation", view = "iso", size = "1600x1000";
+  bool dark = false, isolines = false;
+};
+
+int runRender(const Session& session, const RenderOptions& options) {
+  const std::optional<scene::View> view = scene::viewFromName(options.view);
+  if (!view)
+    return session.complain({ErrorCode::badInput,
+                             "there is no view \"" + options.view +
+                                 "\"; the views are iso, top, bottom, front, back, left, right",
+                             "view"});
+  int width = 0, height = 0;
+  char rest = 0;
+  if (std::sscanf(options.size.c_str(), "%dx%d%c", &width, &height, &rest) != 2 || width < 64 ||
+      height < 64 || width > 8192 || height > 8192)
+    return session.complain(
+        {ErrorCode::badInput,
+         "--size must be WIDTHxHEIGHT with 64 to 8192 pixels each, not \"" + options.size + "\"", "size"});
+  const std::vector<std::string> fields = {"deviation",      "angle",     "speed",
+                                           "relative_speed", "curvature", "none"};
+  std::string field = options.field;
+  if (std::find(fields.begin(), fields.end(), field) == fields.end()) {
+    const std::string nearest = nearestWord(field, fields.data(), int(fields.size()));
+    return session.complain(
+        {ErrorCode::badInput,
+         "there is no field \"" + field + "\"" +
+             (nearest.empty() ? "; the fields are deviation, angle, speed, relative_speed, curvature and none"
+                              : "; did you mean \"" + nearest + "\"?"),
+         "field"});
+  }
+  const Result<Design> design = designOf(options.path);
+  if (!design) return session.complain(design.error());
+  const pipeline::Outcome outcome = pipeline::evaluate(*design, nullptr, session.context());
+  if (outcome.error) return session.complain(*outcome.error);
+  scene::Scene scene;
+  scene.setContent(pipeline::sceneContent(outcome.evaluation));
+  scene::Style style;
+  style.field = field;
+  style.dark = options.dark;
+  style.isolines = options.isolines;
+  style.tolerance = design->job.tolerance;
+  style.playhead = 0.5 * double(outcome.evaluation.sweep.value->sweep.stations.size() - 1);
+  scene.setStyle(style);
+  scene.setCamera(scene.fitCamera(*view, double(width) / height));
+  const Result<scene::Picture> picture = scene.render(width, height);
+  if (!picture) return session.complain(picture.error());
+  const Result<std::string> png = scene::pngBytes(*picture);
+  if (!png) return session.complain(png.error());
+  session.endProgress();
+  const Interrupt::Commit commit;
+  const Result<void> ok = writeFile(options.out, *png);
+  return ok ? int(kDone) : session.complain(ok.error());
+}
+
+int runExample(const Session& session, const std::string& name, const std::string& out) {
+  if (name.empty()) {
+    for (const geometry::Example& example : geometry::exampleList())
+      std::cout << example.name << "\n  " << example.title << "\n  " << example.formula << "\n";
+    return kDone;
+  }
+  const Result<std::string> step = geometry::exampleStep(name);
+  if (!step) return session.complain(step.error());
+  const Result<void> ok = session.writeOutput(out, *step);
+  return ok ? int(kDone) : session.complain(ok.error());
+}
+
+}  // namespace
+
+void addSurfaceVerbs(CLI::App& app, const Session& session, Work& work) {
+  {
+    CLI::App* verb =
+        app.add_subcommand("info", "What a CAD file holds: unit, faces, sizes, curvature, healing");
+    const auto file = std::make_shared<std::string>();
+    const auto out = std::make_shared<std::string>("-");
+    verb->add_option("FILE", *file, "STEP, IGES or BREP file")->required();
+    verb->add_option("--out", *out, "Output file, - for standard output")->type_name("FILE");
+    verb->footer("Example:\n  blade info panel.step");
+    verb->callback([&session, &work, file, out] {
+      work = [&session, file, out] { return runInfo(session, *file, *out); };
+    });
+  }
+  {
+    CLI::App* verb =
+        app.add_subcommand("rationalize", "From a CAD surface to a blade sweep, its report and its programs");
+    const auto file = std::make_shared<std::string>();
+    const auto job = std::make_shared<std::string>();
+    const auto out = std::make_shared<std::string>();
+    verb->add_option("FILE", *file, "STEP, IGES or BREP file")->required();
+    verb->add_option("--job", *job, "Job file (JSON); every key is optional, - for standard input")
+        ->type_name("JOB.json");
+    verb->add_option("--out", *out, "Folder for the results")->type_name("DIR")->required();
+    verb->footer("Example:\n  blade rationalize panel.step --job job.json --out out/panel");
+    verb->callback([&session, &work, file, job, out] {
+      work = [&session, file, job, out] { return runRationalize(session, *file, *job, *out); };
+    });
+  }
+  {
+    CLI::App* verb = app.add_subcommand("design", "Evaluate a saved design and write its results");
+    const auto file = std::make_shared<std::string>();
+    const auto out = std::make_shared<std::string>();
+    verb->add_option("DESIGN", *file, "A .bladewright file")->required();
+    verb->add_option("--out", *out, "Folder for the results")->type_name("DIR")->required();
+    verb->footer("Example:\n  blade design panel.bladewright --out out/panel");
+    verb->callback([&session, &work, file, out] {
+      work = [&session, file, out] {
+        const Result<Design> design = loadDesign(*file);
+        return design ? runDesign(session, *design, *out) : session.complain(design.error());
+      };
+    });
+  }
+  {
+    CLI::App* verb = app.add_subcommand("render", "A picture of a result or a design, without a display");
+    const auto options = std::make_shared<RenderOptions>();
+    verb->add_option("PATH", options->path, "Folder of results, or a .bladewright file")->required();
+    verb->add_option("--field", options->field, "deviation, angle, speed, relative_speed, curvature or none")
+        ->type_name("NAME");
+    verb->add_option("--view", options->view, "iso, top, bottom, front, back, left or right")
+        ->type_name("NAME");
+    verb->add_option("--size", options->size, "Size in pixels")->type_name("WxH");
+    verb->add_flag("--dark", options->dark, "Dark theme");
+    verb->add_flag("--isolines", options->isolines, "Lines at the legend's ticks");
+    verb->add_option("--out", options->out, "PNG file")->type_name("PNG")->required();
+    verb->footer(
+        "Example:\n  blade render out/panel --field deviation --view iso --size 1600x1000 --out panel.png");
+    verb->callback(
+        [&session, &work, options] { work = [&session, options] { return runRender(session, *options); }; });
+  }
+  {
+    CLI::App* verb = app.add_subcommand("example", "Write an example surface as STEP, or list them");
+    const auto name = std::make_shared<std::string>();
+    const auto out = std::make_shared<std::string>("-");
+    verb->add_option("NAME", *name, "Name of the example; without it they are listed");
+    verb->add_option("--out", *out, "STEP file, - for standard output")->type_name("FILE");
+    verb->footer("Example:\n  blade example panel-600x670 --out panel.step");
+    verb->callback([&session, &work, name, out] {
+      work = [&session, name, out] { return runExample(session, *name, *out); };
+    });
+  }
+}
+
+}  // namespace bw::cli

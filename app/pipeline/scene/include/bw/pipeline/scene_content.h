@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "bw/pipeline/pipeline.h"
+#include "bw/scene/scene.h"
+
+namespace bw::pipeline {
+
+/// What a picture of an evaluation shows; stages that are missing are left out.
+scene::Content sceneContent(const Evaluation& evaluation);
+
+}  // namespace bw::pipeline

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "bw/pipeline/scene_content.h"
+
+namespace bw::pipeline {
+
+namespace {
+
+/// Points of a drawn curve; a blade bends gently.
+constexpr int kCurvePoints = 65;
+
+std::vector<Eigen::Vector3d> curvePoints(const Frame& frame, const Elastica& elastica) {
+  std::vector<double> arcs(kCurvePoints);
+  for (int i = 0; i < kCurvePoints; ++i) arcs[std::size_t(i)] = elastica.length() * i / (kCurvePoints - 1);
+  std::vector<Elastica::State> states(kCurvePoints);
+  elastica.at(arcs, states);
+  std::vector<Eigen::Vector3d> points;
+  points.reserve(kCurvePoints);
+  for (const Elastica::State& state : states) points.push_back(frame.toWorld(state.point));
+  return points;
+}
+
+}  // namespace
+
+scene::Content sceneContent(const Evaluation& evaluation) {
+  scene::Content content;
+  if (evaluation.targetMesh.value) content.target = *evaluation.targetMesh.value;
+  if (evaluation.setup.value) content.block = evaluation.setup.value->block;
+  if (evaluation.sweep.value) {
+    content.cut = evaluation.sweep.value->analysis.cut;
+    for (const Station& station : evaluation.sweep.value->sweep.stations) {
+      content.stations.push_back(curvePoints(station.frame, station.fit.elastica));
+      content.blades.push_back(curvePoints(station.frame, station.blade));
+    }
+  }
+  return content;
+}
+
+}  // namespace bw::pipeline

@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "bw/pipeline/pipeline.h"
+
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "bw/core/number_text.h"
+#include "bw/robotio/program.h"
+
+namespace bw::pipeline {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+using nlohmann::json;
+
+namespace {
+
+double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Identity of the source's bytes: for a linked file its path, size and time of change; for an embedded one a
+/// hash.
+std::string sourceKey(const Source& source) {
+  if (!source.bytes.empty())
+    return "embedded " + std::to_string(source.bytes.size()) + " " +
+           std::to_string(std::hash<std::string>{}(source.bytes));
+  std::error_code error;
+  const auto size = fs::file_size(source.path, error);
+  const auto time = fs::last_write_time(source.path, error);
+  return source.path.string() + " " + std::to_string(error ? 0 : size) + " " +
+         std::to_string(error ? 0 : time.time_since_epoch().count());
+}
+
+/// The members of the job that a stage depends on, as text.
+class JobKeys {
+ public:
+  explicit JobKeys(const Job& job) : object_(json::parse(jobToJson(job))) {}
+  std::string operator()(std::initializer_list<const char*> names) const {
+    std::string key;
+    for (const char* name : names) key += "\n" + std::string(name) + "=" + object_.at(name).dump();
+    return key;
+  }
+
+ private:
+  json object_;
+};
+
+template <class T>
+bool reuse(Stage<T>& stage, const Stage<T>* before, const std::string& key) {
+  stage.key = key;
+  if (!before || !before->value || before->key != key) return false;
+  stage = *before;
+  return true;
+}
+
+}  // namespace
+
+Issues Evaluation::issues() const {
+  Issues all;
+  for (const Issues* list : {&model.issues, &target.issues, &setup.issues, &sections.issues, &sweep.issues})
+    all.insert(all.end(), list->begin(), list->end());
+  return all;
+}
+
+Outcome evaluate(const Design& design, const Evaluation* previous, const RunContext& context) {
+  Outcome outcome;
+  Evaluation& e = outcome.evaluation;
+  e.design = design;
+  const auto start = Clock::now();
+  const auto stop = [&](const Error& error) {
+    outcome.error = error;
+    e.seconds.total = secondsSince(start);
+    return outcome;
+  };
+  const auto before = [&](auto member) { return previous ? &(previous->*member) : nullptr; };
+  RunContext run = context;
+  run.threads = context.threads > 0 ? context.threads : design.job.threads;
+  const Job& job = design.job;
+  const JobKeys keys(job);
+
+  // Reading.
+  std::string key = sourceKey(design.source);
+  if (!reuse(e.model, before(&Evaluation::model), key)) {
+    run.report(0.0, "reading");
+    const auto readStart = Clock::now();
+    if (design.source.bytes.empty() && design.source.path.empty())
+      return stop(
+          Error{ErrorCode::badInput, "no CAD file is chosen; open one or drag it into the window", "source"});
+    Result<geometry::CadModel> model =
+        design.source.bytes.empty()
+            ? geometry::CadModel::read(design.source.path, run.child(0.0, 0.25))
+            : geometry::CadModel::readBytes(design.source.bytes, design.source.path.string(),
+                                            run.child(0.0, 0.25));
+    if (!model) return stop(model.error());
+    for (const std::string& text : model->info().healing)
+      e.model.issues.push_back({Severity::info, "healing", text, {}});
+    e.model.value = std::make_shared<const geometry::CadModel>(std::move(*model));
+    e.seconds.read = secondsSince(readStart);
+  }
+  if (run.stopped()) return stop(stoppedError().value());
+
+  // The faces to cut, and a mesh of them for pictures.
+  key += keys({"face"});
+  if (!reuse(e.target, before(&Evaluation::target), key)) {
+    const auto targetStart = Clock::now();
+    Result<geometry::Target> target = geometry::Target::make(*e.model.value, job.face);
+    if (!target) return stop(target.error());
+    e.target.value = std::make_shared<const geometry::Target>(std::move(*target));
+    e.seconds.read += secondsSince(targetStart);
+  }
+  const std::string targetKey = key;
+
+  // Block and direction.
+  const auto sectionsStart = Clock::now();
+  key += keys({"block", "direction", "blade", "clearance"});
+  if (!reuse(e.setup, before(&Evaluation::setup), key)) {
+    Result<geometry::Setup> setup = geometry::resolveSetup(*e.target.value, job, e.setup.issues);
+    if (!setup) return stop(setup.error());
+    e.setup.value = std::make_shared<const geometry::Setup>(std::move(*setup));
+  }
+  key = targetKey + keys({"block", "direction", "planes", "stations"});
+  if (!reuse(e.sections, before(&Evaluation::sections), key)) {
+    run.report(0.25, "sections");
+    Result<std::vector<Section>> sections =
+        geometry::cutSections(*e.target.value, *e.setup.value, job, run.child(0.25, 0.6), e.sections.issues);
+    if (!sections) return stop(sections.error());
+    e.sections.value = std::make_shared<const std::vector<Section>>(std::move(*sections));
+    e.seconds.sections = secondsSince(sectionsStart);
+  }
+  if (run.stopped()) return stop(stoppedError().value());
+
+  // Elastica, checks and motion.
+  key += keys({"blade", "fit", "lead", "tolerance", "clearance", "cutting_speed"});
+  if (!reuse(e.sweep, before(&Evaluation::sweep), key)) {
+    run.report(0.6, "fitting");
+    Issues& issues = e.sweep.issues;
+    Result<Sweep> sweep = buildSweep(*e.sections.value, job, e.setup.value->block, e.setup.value->direction,
+                                     run.child(0.6, 0.75), issues, &e.seconds.fit, &e.seconds.extend);
+    if (!sweep) return stop(sweep.error());
+    run.report(0.75, "checking");
+    const auto checkStart = Clock::now();
+    auto result = std::make_shared<SweepResult>();
+    Result<SweepAnalysis> analysis =
+        analyzeSweep(*sweep, job, *e.target.value->sampler(), run.child(0.75, 0.95));
+    if (!analysis) return stop(analysis.error());
+    Result<Motion> motion = buildMotion(*sweep, job.cuttingSpeed);
+    if (!motion) return stop(motion.error());
+    result->sweep = std::move(*sweep);
+    result->analysis = std::move(*analysis);
+    result->motion = std::move(*motion);
+    result->analysis.summary.cuttingTime = result->motion.instants.back().time;
+    issues.insert(issues.end(), result->analysis.issues.begin(), result->analysis.issues.end());
+    e.sweep.value = std::move(result);
+    e.seconds.check = secondsSince(checkStart);
+  }
+  if (run.stopped()) return stop(stoppedError().value());
+
+  if (!reuse(e.targetMesh, before(&Evaluation::targetMesh), targetKey)) {
+    const auto meshStart = Clock::now();
+    Result<TriangleMesh> mesh = e.target.value->mesh();
+    if (!mesh) return stop(mesh.error());
+    e.targetMesh.value = std::make_shared<const TriangleMesh>(std::move(*mesh));
+    e.seconds.read += secondsSince(meshStart);
+  }
+  run.report(1.0, "done");
+  e.seconds.total = secondsSince(start);
+  return outcome;
+}
+
+Result<FileSet> programFiles(const Motion& motion, const Cell& cell, const std::vector<std::string>& formats,
+                             const std::string& name) {
+  static const std::vector<std::string> kFormats = {"rapid", "csv", "json"};
+  FileSet files;
+  for (const std::string& format : formats) {
+    Result<robotio::Program> program;
+    if (format == "rapid") {
+      robotio::RapidOptions options;
+      options.programName = name;
+      program = robotio::writeRapid(motion, cell, options);
+    } else if (format == "csv") {
+      program = robotio::writeCsv(motion);
+    } else if (format == "json") {
+      program = robotio::writeJson(motion, cell);
+    } else {
+      const std::string nearest = nearestWord(format, kFormats.data(), int(kFormats.size()));
+      return fail(ErrorCode::badInput,
+                  "there is no program format \"" + format + "\"" +
+                      (nearest.empty() ? "; the formats are rapid, csv and json"
+                                       : "; did you mean \"" + nearest + "\"?"),
+                  "format");
+    }
+    if (!program) return tl::unexpected<Error>(program.error());
+    for (robotio::ProgramFile& file : *program) files.add(file.path, std::move(file.bytes));
+  }
+  return files;
+}
+
+}  // namespace bw::pipeline

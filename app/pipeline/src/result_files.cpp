@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include <array>
+#include <charconv>
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "bw/core/number_text.h"
+#include "bw/core/units.h"
+#include "bw/geometry/export.h"
+#include "bw/pipeline/pipeline.h"
+
+namespace bw::pipeline {
+
+namespace {
+
+constexpr int kSweepPoints = 101;  ///< points a station in sweep.json
+
+/// Appends numbers to a text without a temporary string each.
+class Lines {
+ public:
+  explicit Lines(std::size_t reserve) { text_.reserve(reserve); }
+  Lines& text(std::string_view t) {
+    text_ += t;
+    return *this;
+  }
+  Lines& integer(long long value) {
+    std::array<char, 24> buffer;
+    const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+    text_.append(buffer.data(), error == std::errc{} ? end : buffer.data());
+    return *this;
+  }
+  Lines& fixed(double value, int decimals) {
+    text_ += fixedText(value, decimals);
+    return *this;
+  }
+  Lines& vector(const Eigen::Vector3d& v, int decimals, char separator) {
+    fixed(v.x(), decimals).text_ += separator;
+    fixed(v.y(), decimals).text_ += separator;
+    return fixed(v.z(), decimals);
+  }
+  std::string take() { return std::move(text_); }
+
+ private:
+  std::string text_;
+};
+
+std::string objText(const SurfaceGrid& cut) {
+  const TriangleMesh mesh = cut.triangles();
+  Lines lines(mesh.points.size() * 110);
+  lines.text("# Cut surface of the blade, mm, in the frame of the CAD file\no cut_surface\n");
+  for (const Eigen::Vector3d& p : mesh.points) lines.text("v ").vector(p, 6, ' ').text("\n");
+  for (const auto& t : mesh.triangles)
+    lines.text("f ").integer(t[0] + 1).text(" ").integer(t[1] + 1).text(" ").integer(t[2] + 1).text("\n");
+  return lines.take();
+}
+
+std::string stationsCsv(const Sweep& sweep) {
+  Lines lines(sweep.stations.size() * 400 + 600);
+  lines.text(
+      "station,travel_mm,target_length_mm,elastica_length_mm,R4,hausdorff_mm,"
+      "left_x_mm,left_y_mm,left_z_mm,left_tx,left_ty,left_tz,right_x_mm,right_y_mm,right_z_mm,right_tx,right_"
+      "ty,right_tz,"
+      "min_radius_mm,inflections,stable,angle_mean_deg,angle_max_deg,speed_ratio,clearance_mm\n");
+  for (const Station& s : sweep.stations) {
+    const double curvature = s.blade.maxCurvature();
+    lines.integer(s.index)
+        .text(",")
+        .fixed(s.travel, 4)
+        .text(",")
+        .fixed(s.targetLength, 4)
+        .text(",")
+        .fixed(s.fit.elastica.length(), 4);
+    lines.text(",").fixed(s.fit.R4, 9).text(",").fixed(s.fit.hausdorff, 6);
+    lines.text(",").vector(s.leftPoint(), 4, ',').text(",").vector(s.leftTangent(), 8, ',');
+    lines.text(",").vector(s.rightPoint(), 4, ',').text(",").vector(s.rightTangent(), 8, ',');
+    lines.text(",")
+        .text(curvature > 0 ? fixedText(1 / curvature, 3) : "")
+        .text(",")
+        .integer((long long)(s.fit.elastica.inflections().size()));
+    lines.text(s.stable ? ",yes," : ",no,")
+        .fixed(toDegrees(s.angleMean), 4)
+        .text(",")
+        .fixed(toDegrees(s.angleMax), 4);
+    lines.text(",").fixed(s.speedRatio, 6).text(",").fixed(s.clearance, 3).text("\n");
+  }
+  return lines.take();
+}
+
+std::string deviationCsv(const SurfaceGrid& cut) {
+  Lines lines(cut.points.size() * 80);
+  lines.text("row,column,x_mm,y_mm,z_mm");
+  for (const Field& field : cut.fields) {
+    lines.text(",").text(field.name);
+    if (!field.unit.empty()) lines.text(field.unit == "°" ? "_deg" : field.unit == "mm/s" ? "_mm_s" : "_mm");
+  }
+  lines.text("\n");
+  std::size_t k = 0;
+  for (int r = 0; r < cut.rows; ++r)
+    for (int c = 0; c < cut.columns; ++c, ++k) {
+      lines.integer(r).text(",").integer(c).text(",").vector(cut.points[k], 4, ',');
+      for (const Field& field : cut.fields) lines.text(",").fixed(field.values[k], 5);
+      lines.text("\n");
+    }
+  return lines.take();
+}
+
+std::string sweepJson(const Evaluation& e) {
+  using nlohmann::ordered_json;
+  const Sweep& sweep = e.sweep.value->sweep;
+  const auto vec = [](const Eigen::Vector3d& v) {
+    return ordered_json{v.x() + 0.0, v.y() + 0.0, v.z() + 0.0};
+  };
+  ordered_json object;
+  object["bladewright_sweep"] = 1;
+  object["unit"] = "mm";
+  object["points_per_station"] = kSweepPoints;
+  object["blade_length"] = sweep.blade.length;
+  object["direction"] = vec(sweep.direction);
+  ordered_json stations = ordered_json::array();
+  std::vector<double> arcs(kSweepPoints);
+  std::vector<Elastica::State> states(kSweepPoints);
+  const Motion& motion = e.sweep.value->motion;
+  std::size_t at = 0;
+  for (const Station& s : sweep.stations) {
+    for (int i = 0; i < kSweepPoints; ++i)
+      arcs[std::size_t(i)] = s.fit.elastica.length() * i / (kSweepPoints - 1);
+    s.fit.elastica.at(arcs, states);
+    ordered_json points = ordered_json::array();
+    for (const Elastica::State& state : states) points.push_back(vec(s.frame.toWorld(state.point)));
+    while (at < motion.instants.size() && motion.instants[at].station != s.index) ++at;
+    stations.push_back({{"index", s.index},
+                        {"time", at < motion.instants.size() ? ordered_json(motion.instants[at].time)
+                                                             : ordered_json(nullptr)},
+                        {"points", points},
+                        {"left", {{"point", vec(s.leftPoint())}, {"tangent", vec(s.leftTangent())}}},
+                        {"right", {{"point", vec(s.rightPoint())}, {"tangent", vec(s.rightTangent())}}}});
+  }
+  object["strips"] = ordered_json::array({{{"index", 0}, {"stations", stations}}});
+  return object.dump(-1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+Result<FileSet> resultFiles(Evaluation& e, const RunContext& context) {
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  if (!e.sweep.value)
+    return fail(ErrorCode::badInput, "there is no result to write; mend what the messages say first",
+                "results");
+  const SweepResult& result = *e.sweep.value;
+  FileSet programs;
+  if (!e.design.job.programs.empty()) {
+    Result<Cell> cell = loadCell(e.design.job.cell);
+    if (!cell) return tl::unexpected<Error>(cell.error());
+    Result<FileSet> written = programFiles(result.motion, *cell, e.design.job.programs, "Blade");
+    if (!written) return tl::unexpected<Error>(written.error());
+    programs = std::move(*written);
+  }
+  // The texts are independent of each other and take most of the time of a small job.
+  std::array<std::string, 5> texts;
+  std::optional<Error> stepError;
+  const auto body = [&](int i) {
+    switch (i) {
+      case 0: {
+        Result<std::string> step = geometry::stepText(result.analysis.surface, "cut surface");
+        if (step)
+          texts[0] = std::move(*step);
+        else
+          stepError = step.error();
+        break;
+      }
+      case 1:
+        texts[1] = objText(result.analysis.cut);
+        break;
+      case 2:
+        texts[2] = deviationCsv(result.analysis.cut);
+        break;
+      case 3:
+        texts[3] = stationsCsv(result.sweep);
+        break;
+      default:
+        texts[4] = sweepJson(e);
+        break;
+    }
+  };
+  if (Result<void> ok = parallelFor(context, 5, body); !ok) return tl::unexpected<Error>(ok.error());
+  if (stepError) return tl::unexpected<Error>(*stepError);
+  FileSet files;
+  files.add("sweep.json", std::move(texts[4]));
+  files.add("surface.step", std::move(texts[0]));
+  files.add("mesh.obj", std::move(texts[1]));
+  files.add("stations.csv", std::move(texts[3]));
+  files.add("deviation.csv", std::move(texts[2]));
+  files.append(std::move(programs), "programs/strip-0");
+  std::vector<std::filesystem::path> names = files.paths();
+  names.insert(names.begin(), "report.json");
+  e.seconds.write = std::chrono::duration<double>(Clock::now() - start).count();
+  e.seconds.total += e.seconds.write;
+  files.add("report.json", reportJson(e, names));
+  return files;
+}
+
+}  // namespace bw::pipeline
