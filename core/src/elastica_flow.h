@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace bw::detail {
+
+/// The scaled elastica in the frame of its start: ψ'' = −f_t sin ψ + f_n cos ψ, x' = cos ψ, y' = sin ψ from the origin with
+/// ψ(0) = 0, ψ'(0) = κ. The unit of length is chosen so that |κ| ≤ 1 and |f| ≤ 1 (docs/mathematics.md, 1).
+struct FlowParameters {
+  double curvature = 0;
+  double tangential = 0;
+  double normal = 0;
+};
+
+/// The elastica as a chain of power series in arc length, with the first derivatives with respect to the first
+/// `Directions` (0 or 3) of (κ, f_t, f_n). docs/mathematics.md, 3.
+///
+/// A flow walks away from 0 in one direction; the piece at hand covers arc lengths up to `end()`.
+template <int Directions>
+class ElasticaFlow {
+ public:
+  /// Rows x, y, ψ, κ; the first column is the state, the others are its derivatives.
+  using Block = Eigen::Array<double, 4, 1 + Directions>;
+
+  /// `sign` is +1 to walk towards larger, −1 towards smaller arc lengths.
+  ElasticaFlow(const FlowParameters& parameters, double sign)
+      : parameters_(parameters),
+        sign_(sign),
+        largestStep_(kSineStep / std::sqrt(std::hypot(parameters.tangential, parameters.normal))) {
+    Block initial = Block::Zero();
+    initial(3, 0) = parameters.curvature;
+    if constexpr (Directions > 0) {
+      initial(3, 1) = 1;
+    }
+    expand(initial);
+  }
+
+  /// The arc length about which the present piece is expanded, and the far end of the piece.
+  double centre() const { return centre_; }
+  double end() const { return centre_ + sign_ * step_; }
+
+  /// Walks on until the present piece covers `t`, which must not lie before the present piece.
+  void advanceTo(double t) {
+    while (sign_ * t > sign_ * end()) {
+      next();
+    }
+  }
+  /// Moves on to the next piece.
+  void next() {
+    const double far = end();
+    const Block initial = at(far);
+    centre_ = far;
+    expand(initial);
+  }
+  /// State and derivatives at `t` within the present piece.
+  Block at(double t) const {
+    const double u = t - centre_;
+    Block sum = coefficients_[kOrder];
+    for (int n = kOrder - 1; n >= 0; --n) {
+      sum = sum * u + coefficients_[static_cast<std::size_t>(n)];
+    }
+    return sum;
+  }
+
+ private:
+  /// Order of the series: the cheapest for full double accuracy (tests/bench/elastica_bench.cpp).
+  static constexpr int kOrder = 22;
+  /// Relative size of the first neglected term.
+  static constexpr double kTruncation = 1e-17;
+  /// Longest step where the state itself is straight but its derivatives go like sin and sinh of √f s.
+  static constexpr double kSineStep = 1.0;
+
+  using Vector2 = Eigen::Array<double, 2, 1>;
+
+  /// (n + 1) z_{n+1} = i Σ_j κ_{n−j} z_j for z = e^{iψ}, and z_p = i ψ_p z for the derivatives.
+  void expand(const Block& initial) {
+    const double ft = parameters_.tangential;
+    const double fn = parameters_.normal;
+    std::array<Vector2, kOrder + 1> z;
+    coefficients_[0] = initial;
+    z[0] = Vector2(std::cos(initial(2, 0)), std::sin(initial(2, 0)));
+    for (std::size_t n = 0; n < kOrder; ++n) {
+      const double inverse = kInverse[n + 1];
+      Eigen::Array<double, 2, 1 + Directions> even = Eigen::Array<double, 2, 1 + Directions>::Zero();
+      Eigen::Array<double, 2, 1 + Directions> odd = even;
+      const auto accumulate = [&](Eigen::Array<double, 2, 1 + Directions>& sum, std::size_t j) {
+        const Block& other = coefficients_[n - j];
+        sum.col(0) += z[j] * other(3, 0);
+        for (int p = 1; p <= Directions; ++p) {
+          sum.col(p) += z[j] * other(2, p);
+        }
+      };
+      std::size_t j = 0;
+      for (; j + 1 <= n; j += 2) {
+        accumulate(even, j);
+        accumulate(odd, j + 1);
+      }
+      if (j <= n) {
+        accumulate(even, j);
+      }
+      even += odd;
+      const double cosine = z[n](0);
+      const double sine = z[n](1);
+      z[n + 1] = Vector2(-even(1, 0) * inverse, even(0, 0) * inverse);
+      Block& following = coefficients_[n + 1];
+      following.col(0) << cosine, sine, coefficients_[n](3, 0), fn * cosine - ft * sine;
+      for (int p = 1; p <= Directions; ++p) {
+        const double dCosine = -even(1, p);
+        const double dSine = even(0, p);
+        following.col(p) << dCosine, dSine, coefficients_[n](3, p), fn * dCosine - ft * dSine;
+      }
+      if constexpr (Directions > 0) {
+        following(3, 2) -= sine;
+        following(3, 3) += cosine;
+      }
+      following *= inverse;
+    }
+    step_ = std::min(largestStep_, std::min(reach(kOrder), reach(kOrder - 1)));
+  }
+
+  /// The distance at which the term of order n of the state falls to the truncation.
+  double reach(int n) const {
+    const double size = coefficients_[static_cast<std::size_t>(n)].col(0).abs().maxCoeff();
+    return size > 0 ? std::exp2(std::log2(kTruncation / size) / n) : kUnlimited;
+  }
+
+  static constexpr double kUnlimited = 1e100;
+  static constexpr std::array<double, kOrder + 1> kInverse = [] {
+    std::array<double, kOrder + 1> values{};
+    for (std::size_t n = 1; n <= kOrder; ++n) {
+      values[n] = 1.0 / static_cast<double>(n);
+    }
+    return values;
+  }();
+
+  FlowParameters parameters_;
+  double sign_;
+  double largestStep_;
+  double centre_ = 0;
+  double step_ = 0;
+  std::array<Block, kOrder + 1> coefficients_;
+};
+
+}  // namespace bw::detail
