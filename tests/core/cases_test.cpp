@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "bw/core/cases.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+namespace bw {
+
+using nlohmann::json;
+
+TEST(ElasticaCases, AnswersACircleExactly) {
+  const Result<CaseAnswer> answer = elasticaCases(
+      R"({"elastica": {"start": [0,0], "start_angle": 0, "start_curvature": 0.01, "force": [0,0], "length": 100}, "at": [0, 157.07963267948966]})",
+      {});
+  ASSERT_TRUE(answer) << answer.error().message;
+  const json result = json::parse(answer->json);
+  EXPECT_NEAR(result["points"][1][0].get<double>(), 100, 1e-9);
+  EXPECT_NEAR(result["points"][1][1].get<double>(), 100, 1e-9);
+  EXPECT_NEAR(result["energy"].get<double>(), 0.5 * 1e-4 * 100, 1e-12);
+  EXPECT_TRUE(result["elastica"]["control_parameters"].is_null());
+  EXPECT_FALSE(result["self_intersects"].get<bool>());
+}
+
+TEST(ElasticaCases, OneFailingCaseNeverEndsTheOthers) {
+  const Result<CaseAnswer> answer = elasticaCases(R"({"cases": [
+    {"elastica": {"start": [0,0], "start_angle": 0, "start_curvature": 0, "force": [0,0], "length": 10}, "at": [5]},
+    {"elastica": {"start": [0,0], "start_angle": 0, "start_curvature": 0, "force": [0,0], "length": -1}, "at": [5]},
+    {"elastica": {"control_parameters": {"k": 0.5, "s0": 0.1, "l": 2, "S": 30, "phi": 0.2, "x": 1, "y": 2}}, "at": [0]}, 7]})",
+                                                  {});
+  ASSERT_TRUE(answer) << answer.error().message;
+  const json results = json::parse(answer->json)["results"];
+  ASSERT_EQ(results.size(), 4u);
+  EXPECT_EQ(results[0]["points"][0][0], 5);
+  EXPECT_EQ(results[1]["error"]["code"], "bad-input");
+  EXPECT_NEAR(results[2]["elastica"]["length"].get<double>(), 60, 1e-12);
+  EXPECT_TRUE(results[3].contains("error"));
+  EXPECT_EQ(answer->failed, 2);
+}
+
+TEST(FitCases, IsTheSameForAnyNumberOfThreads) {
+  std::string text = R"({"cases": [)";
+  for (int i = 0; i < 12; ++i)
+    text += (i ? "," : "") + std::string(R"({"curve": {"type": "bezier", "poles": [[0,0],[200,)") +
+            std::to_string(10 * i) + "],[400," + std::to_string(150 - 20 * i) + "],[600,0]]}}";
+  text += "]}";
+  std::vector<std::string> outputs;
+  for (const int threads : {1, 3}) {
+    RunContext context;
+    context.threads = threads;
+    const Result<CaseAnswer> answer = fitCases(text, context);
+    ASSERT_TRUE(answer) << answer.error().message;
+    json parsed = json::parse(answer->json);
+    for (json& result : parsed["results"]) {
+      EXPECT_EQ(result["status"], "converged");
+      result.erase("seconds");
+    }
+    outputs.push_back(parsed.dump());
+  }
+  EXPECT_EQ(outputs[0], outputs[1]);
+}
+
+TEST(FitCases, NamesWhatIsWrongWithACurve) {
+  const auto message = [](const char* text) {
+    const Result<CaseAnswer> answer = fitCases(text, {});
+    if (!answer) return answer.error().message;
+    return answer->first ? answer->first->message : std::string("accepted");
+  };
+  EXPECT_NE(message(R"({"curve": {"type": "bezier", "poles": [[0,0],[0,"x"]]}})").find("poles[1]"),
+            std::string::npos);
+  EXPECT_NE(message(R"({"curve": {"type": "bezeir", "poles": []}})").find("did you mean \"bezier\"?"),
+            std::string::npos);
+  EXPECT_NE(message(R"({"curve": {"type": "points", "points": [[0,0],[1,1]], "degree": 2}})").find("degree"),
+            std::string::npos);
+  EXPECT_NE(message(R"({"curve": {"type": "points", "points": [[0,0],[0,0]]}})"), "accepted");
+  EXPECT_NE(
+      message(R"({"curve": {"type": "bspline", "degree": 3, "knots": [0,0,1], "poles": [[0,0],[1,0]]}})"),
+      "accepted");
+  EXPECT_NE(message("{}").find("curve"), std::string::npos);
+}
+
+TEST(CurveCsv, ReadsPointsWithHeaderAndComments) {
+  const Result<PlanarCurve> curve = parseCurveCsv("x,y\n# a comment\n0, 0\n3;4\n\n6\t8 # the end\r\n");
+  ASSERT_TRUE(curve) << curve.error().message;
+  EXPECT_NEAR(curve->length(), 10, 1e-12);
+  const Result<PlanarCurve> bad = parseCurveCsv("0,0\n1,nonsense\n");
+  ASSERT_FALSE(bad);
+  EXPECT_NE(bad.error().message.find("line 2"), std::string::npos);
+  EXPECT_FALSE(parseCurveCsv(""));
+}
+
+}  // namespace bw

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "bw/core/file_set.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace bw {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// An empty folder that goes away with the test.
+class Folder {
+ public:
+  Folder() : path_(fs::path(BW_TEST_OUTPUT) / ("files-" + std::to_string(::getpid()))) {
+    fs::remove_all(path_);
+    fs::create_directories(path_);
+  }
+  ~Folder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  const fs::path& path() const { return path_; }
+  std::size_t count() const {
+    std::size_t n = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(path_)) n += entry.is_regular_file();
+    return n;
+  }
+
+ private:
+  fs::path path_;
+};
+
+}  // namespace
+
+TEST(FileSet, WritesAllFilesIntoNewFolders) {
+  const Folder folder;
+  FileSet set;
+  set.add("a.txt", "one");
+  set.add("deep/er/b.txt", std::string("two\0three", 9));
+  ASSERT_TRUE(set.commit(folder.path() / "new"));
+  EXPECT_EQ(*readFile(folder.path() / "new/a.txt"), "one");
+  EXPECT_EQ(readFile(folder.path() / "new/deep/er/b.txt")->size(), 9u);
+  EXPECT_EQ(folder.count(), 2u);
+}
+
+TEST(FileSet, LeavesNothingWhereOneFileCannotBeWritten) {
+  const Folder folder;
+  ASSERT_TRUE(writeFile(folder.path() / "plain", "a file where a folder is wanted"));
+  FileSet set;
+  set.add("good.txt", "good");
+  set.add("sub/good.txt", "good");
+  set.add("plain/bad.txt", "bad");
+  const Result<void> result = set.commit(folder.path());
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::cannotWrite);
+  EXPECT_NE(result.error().message.find("plain"), std::string::npos);
+  EXPECT_EQ(folder.count(), 1u);
+  EXPECT_FALSE(fs::exists(folder.path() / "sub"));
+}
+
+TEST(FileSet, SaysThatTheDiskIsFull) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  // /dev/full answers every write like a full disk; a name beside it that leads there stands for the
+  // temporary file.
+  const Folder folder;
+  const fs::path part = folder.path() / ("x.txt.part-" + std::to_string(::getpid()));
+  ASSERT_EQ(::symlink("/dev/full", part.c_str()), 0);
+  const Result<void> result = writeFile(folder.path() / "x.txt", "bytes");
+  ASSERT_FALSE(result);
+  EXPECT_NE(result.error().message.find("No space left"), std::string::npos);
+  EXPECT_NE(result.error().message.find("free some space"), std::string::npos);
+  EXPECT_EQ(folder.count(), 0u);
+}
+
+TEST(FileSet, KeepsTheOldFileUntilTheNewOneIsWhole) {
+  const Folder folder;
+  ASSERT_TRUE(writeFile(folder.path() / "x.txt", "old"));
+  ASSERT_TRUE(writeFile(folder.path() / "x.txt", "new"));
+  EXPECT_EQ(*readFile(folder.path() / "x.txt"), "new");
+  EXPECT_EQ(folder.count(), 1u);
+}
+
+TEST(ReadFile, NamesWhatIsMissing) {
+  const Result<std::string> missing = readFile("/no/such/file.step");
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(missing.error().code, ErrorCode::cannotRead);
+  EXPECT_NE(missing.error().message.find("/no/such/file.step"), std::string::npos);
+  EXPECT_FALSE(readFile("/"));
+}
+
+}  // namespace bw

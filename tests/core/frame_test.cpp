@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "bw/core/frame.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <random>
+
+#include "bw/core/units.h"
+
+namespace bw {
+
+TEST(Frame, WorldAndLocalAreInverse) {
+  const Result<Frame> frame = frameFromNormal({1, 2, 3}, {1, -2, 0.5}, {0, 0, 1});
+  ASSERT_TRUE(frame);
+  EXPECT_LT((frame->x.cross(frame->y) - frame->normal).norm(), 1e-14);
+  const Eigen::Vector3d local(4, -5, 6);
+  EXPECT_LT((frame->toLocal(frame->toWorld(local.head<2>(), local.z())) - local).norm(), 1e-13);
+}
+
+TEST(Frame, RefusesZeroAndNonFiniteNormals) {
+  EXPECT_FALSE(frameFromNormal({0, 0, 0}, {0, 0, 0}, {1, 0, 0}));
+  EXPECT_FALSE(frameFromNormal({0, 0, 0}, {NAN, 0, 1}, {1, 0, 0}));
+  EXPECT_TRUE(frameFromNormal({0, 0, 0}, {0, 0, 1}, {0, 0, 2}));  // a hint along the normal is replaced
+}
+
+TEST(Frame, AnglesRoundTripThroughTheRotation) {
+  std::mt19937 engine(3);
+  std::uniform_real_distribution<double> angle(-kPi, kPi), tilt(-kPi / 2, kPi / 2);
+  for (int i = 0; i < 200; ++i) {
+    const Eigen::Vector3d angles(angle(engine), tilt(engine), angle(engine));
+    const Eigen::Matrix3d r = rotationFromAngles(angles);
+    EXPECT_LT((rotationFromAngles(anglesFromRotation(r)) - r).norm(), 1e-12);
+  }
+  for (const double b : {kPi / 2, -kPi / 2}) {
+    const Eigen::Matrix3d r = rotationFromAngles({0.3, b, 0.4});
+    EXPECT_LT((rotationFromAngles(anglesFromRotation(r)) - r).norm(), 1e-7);
+  }
+}
+
+TEST(Box, ContainsItsCornersAndNothingBeyond) {
+  const Box box{
+      Frame{{10, 0, 0}, Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitX()},
+      {1, 2, 3}};
+  for (const Eigen::Vector3d& corner : box.corners()) EXPECT_TRUE(box.contains(corner, 1e-12));
+  EXPECT_FALSE(box.contains(box.center() + Eigen::Vector3d(1.6, 0, 0)));
+  EXPECT_TRUE(box.contains(box.center() + Eigen::Vector3d(1.4, 0, 0)));
+}
+
+}  // namespace bw

@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "bw/core/sweep.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <numeric>
+
+#include "analytic_surfaces.h"
+#include "bw/core/units.h"
+
+namespace bw {
+
+namespace {
+
+constexpr double kRadius = 1500;
+constexpr double kHalfWidth = 280;
+
+std::vector<double> evenTravel(int n) {
+  std::vector<double> travel;
+  for (int i = 0; i < n; ++i) travel.push_back(-300.0 + 600.0 * i / (n - 1));
+  return travel;
+}
+
+Box sphereBlock() {
+  return Box{
+      Frame{{-300, -320, 1200}, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ()},
+      {600, 640, 350}};
+}
+
+Result<Sweep> sphereSweep(const Job& job, int stations, Issues& issues) {
+  return buildSweep(test::sphereSections(kRadius, kHalfWidth, evenTravel(stations)), job, sphereBlock(),
+                    -Eigen::Vector3d::UnitY(), {}, issues);
+}
+
+}  // namespace
+
+TEST(Sweep, BladeHasItsLengthAndLiesSymmetrically) {
+  Job job;
+  Issues issues;
+  const Result<Sweep> sweep = sphereSweep(job, 9, issues);
+  ASSERT_TRUE(sweep) << sweep.error().message;
+  for (const Station& station : sweep->stations) {
+    EXPECT_NEAR(station.blade.length(), job.blade.length, 1e-9);
+    const double cut = station.fit.elastica.length();
+    EXPECT_NEAR(station.extension, 0.5 * (job.blade.length / cut - 1), 1e-12);
+    // The fitted part lies in the middle of the blade.
+    EXPECT_LT((station.blade.point(0.5 * job.blade.length) - station.fit.elastica.point(0.5 * cut)).norm(),
+              1e-7);
+    EXPECT_TRUE(station.fit.R4 < 1e-9) << station.fit.R4;  // a circle is an elastica
+  }
+}
+
+TEST(Sweep, ShortBladeIsAnErrorThatTellsTheLengthNeeded) {
+  Job job;
+  job.blade.length = 500;
+  Issues issues;
+  const Result<Sweep> sweep = sphereSweep(job, 5, issues);
+  ASSERT_FALSE(sweep);
+  EXPECT_EQ(sweep.error().code, ErrorCode::badInput);
+  EXPECT_NE(sweep.error().message.find("shorter than the section"), std::string::npos);
+  EXPECT_EQ(sweep.error().value, 500.0);
+  EXPECT_GT(*sweep.error().limit, 560 + 2 * job.clearance - 1);
+}
+
+TEST(SweepAnalysis, FindsTheSphereAgain) {
+  Job job;
+  Issues issues;
+  Result<Sweep> sweep = sphereSweep(job, 31, issues);
+  ASSERT_TRUE(sweep);
+  const test::SphereSampler sphere(kRadius);
+  const Result<SweepAnalysis> analysis = analyzeSweep(*sweep, job, sphere, {});
+  ASSERT_TRUE(analysis) << analysis.error().message;
+  // Between the stations the cubic skin differs from the sphere in the fourth order only.
+  EXPECT_LT(analysis->summary.deviationMax, 1e-3);
+  EXPECT_EQ(analysis->summary.withinTolerance, 1.0);
+  // The smallest radius is that of the outermost circle.
+  EXPECT_NEAR(analysis->summary.minRadius, std::sqrt(kRadius * kRadius - 300.0 * 300.0), 1e-3);
+  EXPECT_TRUE(analysis->issues.empty()) << analysis->issues.front().message;
+}
+
+TEST(SweepAnalysis, VelocityFollowsTheMaterialPoints) {
+  // On the sphere the point at arc length σ from the middle is (ρ sin σ/ρ, y, ρ cos σ/ρ) with ρ² = R² − y².
+  Job job;
+  Issues issues;
+  const auto worst = [&](int n) {
+    Result<Sweep> sweep = sphereSweep(job, n, issues);
+    const Result<SweepAnalysis> analysis = analyzeSweep(*sweep, job, test::SphereSampler(kRadius), {});
+    double error = 0;
+    const Field& angle = *analysis->cut.field("angle");
+    for (std::size_t i = 0; i < sweep->stations.size(); ++i) {
+      const double y = -sweep->stations[i].travel, rho = std::sqrt(kRadius * kRadius - y * y);
+      const double slope = y / rho;  // dρ/dtravel
+      const double length = sweep->stations[i].fit.elastica.length();
+      for (int c = 0; c <= 100; c += 10) {
+        const double sigma = (c / 100.0 - 0.5) * length, phi = sigma / rho,
+                     dphi = -sigma * slope / (rho * rho);
+        const Eigen::Vector2d v(slope * std::sin(phi) + rho * std::cos(phi) * dphi,
+                                slope * std::cos(phi) - rho * std::sin(phi) * dphi);
+        const double expected = toDegrees(std::atan(v.norm()));
+        error = std::max(
+            error,
+            std::abs(angle.values[std::size_t(analysis->stationRow[i]) * 101 + std::size_t(c)] - expected));
+      }
+    }
+    return error;
+  };
+  const double coarse = worst(16), fine = worst(31);
+  EXPECT_LT(fine, 0.02);
+  EXPECT_GT(coarse / fine, 3.0);  // second order, the ends included
+}
+
+TEST(SweepAnalysis, TellsTooMuchCurvatureAndTooLittleClearance) {
+  Job job;
+  job.blade.yieldStress = 100;  // bends to 3600 mm only
+  job.blade.length = 620;
+  Issues issues;
+  Result<Sweep> sweep = sphereSweep(job, 7, issues);
+  ASSERT_TRUE(sweep);
+  const Result<SweepAnalysis> analysis = analyzeSweep(*sweep, job, test::SphereSampler(kRadius), {});
+  ASSERT_TRUE(analysis);
+  bool curvature = false, clearance = false;
+  for (const Issue& issue : analysis->issues) {
+    curvature = curvature || (issue.kind == "curvature" && issue.severity == Severity::error);
+    clearance = clearance || issue.kind == "clearance";
+    EXPECT_TRUE(issue.where.station);
+  }
+  EXPECT_TRUE(curvature);
+  EXPECT_TRUE(clearance);
+}
+
+TEST(SweepAnalysis, IsTheSameForAnyNumberOfThreads) {
+  Job job;
+  Issues issues;
+  std::vector<std::vector<double>> values;
+  for (const int threads : {1, 2, 5}) {
+    Result<Sweep> sweep = sphereSweep(job, 12, issues);
+    RunContext context;
+    context.threads = threads;
+    const Result<SweepAnalysis> analysis =
+        analyzeSweep(*sweep, job, test::SphereSampler(kRadius + 1), context);
+    ASSERT_TRUE(analysis);
+    values.push_back(analysis->cut.field("deviation")->values);
+  }
+  EXPECT_EQ(values[0], values[1]);
+  EXPECT_EQ(values[0], values[2]);
+}
+
+TEST(SweepAnalysis, DeviationIsNegativeInside) {
+  Job job;
+  Issues issues;
+  Result<Sweep> sweep = sphereSweep(job, 12, issues);
+  const Result<SweepAnalysis> analysis = analyzeSweep(*sweep, job, test::SphereSampler(kRadius + 3), {});
+  ASSERT_TRUE(analysis);
+  for (const double d : analysis->cut.field("deviation")->values) EXPECT_NEAR(d, -3, 1e-2);
+  EXPECT_EQ(analysis->issues.front().kind, "deviation");
+}
+
+TEST(SweepAnalysis, StopsOnRequest) {
+  Job job;
+  Issues issues;
+  Result<Sweep> sweep = sphereSweep(job, 12, issues);
+  std::stop_source source;
+  source.request_stop();
+  RunContext context;
+  context.stop = source.get_token();
+  const Result<SweepAnalysis> analysis = analyzeSweep(*sweep, job, test::SphereSampler(kRadius), context);
+  ASSERT_FALSE(analysis);
+  EXPECT_EQ(analysis.error().code, ErrorCode::cancelled);
+}
+
+TEST(Motion, FastestPointMovesAtTheCuttingSpeed) {
+  Job job;
+  Issues issues;
+  const Result<Sweep> sweep = sphereSweep(job, 21, issues);
+  ASSERT_TRUE(sweep);
+  const Result<Motion> motion = buildMotion(*sweep, 20);
+  ASSERT_TRUE(motion) << motion.error().message;
+  ASSERT_EQ(motion->instants.size(), 23u);
+  EXPECT_NEAR(motion->instants[1].time, job.lead / 20, 1e-12);
+  for (std::size_t i = 1; i + 1 < sweep->stations.size(); ++i) {
+    const Station &a = sweep->stations[i], &b = sweep->stations[i + 1];
+    double farthest = 0;
+    for (int k = 0; k <= 400; ++k) {
+      const double s = job.blade.length * k / 400;
+      farthest =
+          std::max(farthest, (b.frame.toWorld(b.blade.point(s)) - a.frame.toWorld(a.blade.point(s))).norm());
+    }
+    EXPECT_NEAR(farthest / (motion->instants[i + 2].time - motion->instants[i + 1].time), 20, 20 * 1e-4);
+  }
+}
+
+TEST(Motion, EndsFollowTheTcpConvention) {
+  Job job;
+  Issues issues;
+  const Result<Sweep> sweep = sphereSweep(job, 9, issues);
+  const Result<Motion> motion = buildMotion(*sweep, 20);
+  ASSERT_TRUE(motion);
+  const Box block = sphereBlock();
+  Eigen::Matrix3d R_WB;
+  R_WB << block.frame.x, block.frame.y, block.frame.normal;
+  for (std::size_t i = 1; i + 1 < motion->instants.size(); ++i) {
+    const Station& station = sweep->stations[i - 1];
+    const Pose &left = motion->instants[i].poses[0], &right = motion->instants[i].poses[1];
+    const Eigen::Matrix3d l = R_WB * left.rotation.toRotationMatrix(),
+                          r = R_WB * right.rotation.toRotationMatrix();
+    EXPECT_LT((l.col(0) - station.leftTangent()).norm(), 1e-12);
+    EXPECT_LT((r.col(0) + station.rightTangent()).norm(), 1e-12);
+    EXPECT_LT((l.col(2) - sweep->direction).norm(), 1e-12);
+    EXPECT_LT((r.col(2) - sweep->direction).norm(), 1e-12);
+    EXPECT_LT((block.frame.toWorld(left.position.head<2>(), left.position.z()) - station.leftPoint()).norm(),
+              1e-9);
+    EXPECT_NEAR(l.determinant(), 1, 1e-12);
+    EXPECT_GE(left.rotation.dot(motion->instants[i - 1].poses[0].rotation), 0);
+  }
+}
+
+TEST(Motion, RefusesImpossibleSpeeds) {
+  Job job;
+  Issues issues;
+  const Result<Sweep> sweep = sphereSweep(job, 4, issues);
+  for (const double speed : {0.0, -1.0, double(NAN), double(INFINITY)})
+    EXPECT_FALSE(buildMotion(*sweep, speed)) << speed;
+}
+
+}  // namespace bw

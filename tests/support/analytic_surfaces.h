@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "bw/core/planar_curve.h"
+#include "bw/core/surface_sampler.h"
+#include "bw/core/sweep.h"
+
+namespace bw::test {
+
+/// A whole sphere about the origin: the closest point is known in closed form.
+class SphereSampler : public SurfaceSampler {
+ public:
+  explicit SphereSampler(double radius) : radius_(radius) {}
+  Result<Foot> closest(const Eigen::Vector3d& p, const Foot*) override {
+    Foot foot;
+    foot.normal = p.normalized();
+    foot.point = radius_ * foot.normal;
+    foot.distance = std::abs(p.norm() - radius_);
+    return foot;
+  }
+  std::unique_ptr<SurfaceSampler> clone() const override { return std::make_unique<SphereSampler>(*this); }
+
+ private:
+  double radius_;
+};
+
+/// A circular arc about `center` from angle a to b < a (clockwise, so that x grows) as a rational quadratic
+/// B-spline.
+inline PlanarCurve arc(const Eigen::Vector2d& center, double radius, double a, double b) {
+  const double middle = 0.5 * (a + b), half = 0.5 * std::abs(b - a);
+  const auto at = [&](double angle, double r) {
+    return Eigen::Vector2d(center + r * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+  };
+  return *PlanarCurve::bspline(2, {0, 0, 0, 1, 1, 1},
+                               {at(a, radius), at(middle, radius / std::cos(half)), at(b, radius)},
+                               {1, std::cos(half), 1});
+}
+
+/// Sections of the sphere of that radius across y, x within ±halfWidth: frames x = X, y = Z, normal = −Y
+/// turned so that normal = x × y. The cutting direction is therefore −Y.
+inline std::vector<Section> sphereSections(double radius, double halfWidth,
+                                           const std::vector<double>& travel) {
+  std::vector<Section> sections;
+  for (std::size_t i = 0; i < travel.size(); ++i) {
+    const double y = -travel[i];
+    const double rho = std::sqrt(radius * radius - y * y);
+    const double phi = std::asin(halfWidth / rho);
+    Frame frame{{0, y, 0}, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitZ(), -Eigen::Vector3d::UnitY()};
+    sections.push_back({int(i), travel[i], frame, arc({0, 0}, rho, M_PI / 2 + phi, M_PI / 2 - phi)});
+  }
+  return sections;
+}
+
+}  // namespace bw::test
