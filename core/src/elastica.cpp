@@ -9,6 +9,7 @@
 #include <string>
 
 #include "bw/core/number_text.h"
+#include "elastica_flow.h"
 #include "elastica_scaled.h"
 
 namespace bw {
@@ -20,10 +21,11 @@ using detail::ElasticaInvariants;
 using detail::FlowParameters;
 using detail::ScaledElastica;
 
-/// Coordinates and parameters stay below this size (mm, rad, 1/mm, 1/mm²), and lengths above its inverse, so that no power
-/// of them overflows.
+/// Coordinates and parameters stay below this size (mm, rad, 1/mm, 1/mm²), and lengths above its inverse, so
+/// that no power of them overflows.
 constexpr double kLargestNumber = 1e100;
-/// No segment may bend through more than this, rad: beyond it the time for a whole segment would have no useful bound.
+/// No segment may bend through more than this, rad: beyond it the time for a whole segment would have no
+/// useful bound.
 constexpr double kLargestPhase = 1e5;
 /// Arc lengths are cut off here, in units of the flow, so that their cubes stay finite.
 constexpr double kLargestArcLength = 1e90;
@@ -79,14 +81,12 @@ class Evaluation {
   }
 
   /// The derivatives of a block with respect to the parameters of the elastica (docs/mathematics.md, 3).
-  Elastica::Jacobian jacobian(const Block& block) const
-    requires(Directions == 3)
-  {
+  Elastica::Jacobian jacobian(const Block& block) const requires(Directions == 3) {
     const double unit = scaled_.unit;
     const double ft = scaled_.flow.tangential;
     const double fn = scaled_.flow.normal;
-    // Columns θ0, κ0, λ1, λ2 of the rows in the frame of the start. With λ held, turning the start turns the force the
-    // other way in its frame; the turn of the whole follows below.
+    // Columns θ0, κ0, λ1, λ2 of the rows in the frame of the start. With λ held, turning the start turns the
+    // force the other way in its frame; the turn of the whole follows below.
     Eigen::Matrix4d columns;
     columns.col(0) = block.col(2) * fn - block.col(3) * ft;
     columns.col(1) = block.col(1) * unit;
@@ -99,8 +99,10 @@ class Evaluation {
     Elastica::Jacobian result = Elastica::Jacobian::Zero();
     result(0, 0) = 1;
     result(1, 1) = 1;
-    result.template block<1, 4>(0, 2) = (scaled_.cosine * columns.row(0) - scaled_.sine * columns.row(1)) * unit;
-    result.template block<1, 4>(1, 2) = (scaled_.sine * columns.row(0) + scaled_.cosine * columns.row(1)) * unit;
+    result.template block<1, 4>(0, 2) =
+        (scaled_.cosine * columns.row(0) - scaled_.sine * columns.row(1)) * unit;
+    result.template block<1, 4>(1, 2) =
+        (scaled_.sine * columns.row(0) + scaled_.cosine * columns.row(1)) * unit;
     result.template block<1, 4>(2, 2) = columns.row(2);
     result.template block<1, 4>(3, 2) = columns.row(3) / unit;
     return result;
@@ -118,26 +120,30 @@ class Evaluation {
     for (const Item& item : items) {
       farthest = std::max(farthest, std::abs(item.rest));
     }
-    // Half the peak curvature and √f are at most sqrt(5)/2 in units of the flow, so no period is shorter than this.
+    // Half the peak curvature and √f are at most sqrt(5)/2 in units of the flow, so no period is shorter than
+    // this.
     constexpr double kShortestPeriod = 2 * std::numbers::pi / 2.2360679774997897;
     if (farthest <= kDirectPeriods * kShortestPeriod) {
       return;
     }
     const ElasticaInvariants known = detail::invariants(scaled_.flow);
-    if (farthest <= kDirectPeriods * known.period) {
+    const double period = detail::periodLength(known);
+    if (farthest <= kDirectPeriods * period) {
       return;
     }
     for (Item& item : items) {
-      if (std::abs(item.rest) > kDirectPeriods * known.period) {
-        const double rest = std::fmod(item.rest, known.period);
-        item.periods = std::round((item.rest - rest) / known.period);
+      if (std::abs(item.rest) > kDirectPeriods * period) {
+        const double rest = std::fmod(item.rest, period);
+        item.periods = std::round((item.rest - rest) / period);
         item.rest = rest;
       }
     }
     Flow flow(scaled_.flow, 1);
-    flow.advanceTo(known.period);
-    shift_ = flow.at(known.period);
-    shift_.col(0) = Eigen::Array4d(shift_(0, 0), shift_(1, 0), known.periodTurning, 0);
+    flow.advanceTo(period);
+    shift_ = flow.at(period);
+    const double turning =
+        known.hasInflections() ? 0 : std::copysign(2 * std::numbers::pi, scaled_.flow.curvature);
+    shift_.col(0) = Eigen::Array4d(shift_(0, 0), shift_(1, 0), turning, 0);
     if constexpr (Directions > 0) {
       const double k = scaled_.flow.curvature;
       const double fn = scaled_.flow.normal;
@@ -145,8 +151,7 @@ class Evaluation {
       // The state returns after one period P, so that there ψ_p = −κ P_p and κ_p − κ_p(0) = −κ' P_p.
       const double weight = k * k + fn * fn;
       for (int p = 1; p <= Directions; ++p) {
-        const double change =
-            weight > 0 ? -(k * shift_(2, p) + fn * shift_(3, p)) / weight : 0;
+        const double change = weight > 0 ? -(k * shift_(2, p) + fn * shift_(3, p)) / weight : 0;
         periodDerivative_[static_cast<std::size_t>(p - 1)] = change;
         shift_(0, p) += change;
         shift_(2, p) += k * change;
@@ -158,7 +163,8 @@ class Evaluation {
   /// Visits items ascending by rest: those ahead of the start forwards, those behind it backwards.
   template <class Sink>
   void walk(std::span<const Item> items, Sink&& sink) const {
-    const auto ahead = std::find_if(items.begin(), items.end(), [](const Item& item) { return item.rest >= 0; });
+    const auto ahead =
+        std::find_if(items.begin(), items.end(), [](const Item& item) { return item.rest >= 0; });
     if (ahead != items.end()) {
       Flow flow(scaled_.flow, 1);
       for (auto item = ahead; item != items.end(); ++item) {
@@ -201,8 +207,8 @@ class Evaluation {
 
 tl::unexpected<Error> refuse(const char* what, double value, const char* remedy, double limit) {
   return fail(ErrorCode::badInput,
-              std::string("The elastica's ") + what + " is " + shortText(value) + "; " + remedy + ".", what, value,
-              limit);
+              std::string("The elastica's ") + what + " is " + shortText(value) + "; " + remedy + ".", what,
+              value, limit);
 }
 
 }  // namespace
@@ -212,8 +218,9 @@ Result<Elastica> Elastica::make(const Eigen::Vector2d& start, double startAngle,
   const struct {
     const char* name;
     double value;
-  } numbers[] = {{"start x", start.x()},   {"start y", start.y()}, {"start angle", startAngle},
-                 {"start curvature", startCurvature}, {"force λ1", force.x()}, {"force λ2", force.y()},
+  } numbers[] = {{"start x", start.x()},      {"start y", start.y()},
+                 {"start angle", startAngle}, {"start curvature", startCurvature},
+                 {"force λ1", force.x()},     {"force λ2", force.y()},
                  {"length", length}};
   for (const auto& number : numbers) {
     if (!(std::abs(number.value) <= kLargestNumber)) {
@@ -309,7 +316,9 @@ Elastica Elastica::transformed(double angle, double scale, const Eigen::Vector2d
   BW_CHECK(scale > 0 && std::isfinite(scale) && std::isfinite(angle) && translation.allFinite());
   const double c = std::cos(angle);
   const double s = std::sin(angle);
-  const auto turned = [&](const Eigen::Vector2d& v) { return Eigen::Vector2d(c * v.x() - s * v.y(), s * v.x() + c * v.y()); };
+  const auto turned = [&](const Eigen::Vector2d& v) {
+    return Eigen::Vector2d(c * v.x() - s * v.y(), s * v.x() + c * v.y());
+  };
   Elastica result;
   result.start_ = scale * turned(start_) + translation;
   result.startAngle_ = startAngle_ + angle;

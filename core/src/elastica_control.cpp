@@ -15,8 +15,8 @@ namespace {
 
 tl::unexpected<Error> refuse(const char* name, double value, const char* remedy, double limit) {
   return fail(ErrorCode::badInput,
-              std::string("The control parameter ") + name + " is " + shortText(value) + "; " + remedy + ".", name,
-              value, limit);
+              std::string("The control parameter ") + name + " is " + shortText(value) + "; " + remedy + ".",
+              name, value, limit);
 }
 
 /// The same parameters for the curve run backwards.
@@ -73,7 +73,8 @@ std::optional<ControlParameters> Elastica::controlParameters() const {
   }
   const double omega = known.halfPeakCurvature;
   const double rootForce = std::sqrt(known.force);
-  const bool inflectional = known.complement >= 0;
+  const double period = detail::periodLength(known);
+  const bool inflectional = known.hasInflections();
   if (!inflectional && scaled.flow.curvature < 0) {
     // Clockwise without inflections: the counter-clockwise curve run backwards.
     const std::optional<ControlParameters> backwards = reversed().controlParameters();
@@ -87,7 +88,7 @@ std::optional<ControlParameters> Elastica::controlParameters() const {
     const double cn = 0.5 * scaled.flow.curvature / omega;
     fromApex = detail::ellipticIntegralF(sn, std::abs(cn), known.apexCosine) / rootForce;
     if (cn < 0) {
-      fromApex = std::copysign(0.5 * known.period, fromApex) - fromApex;
+      fromApex = std::copysign(0.5 * period, fromApex) - fromApex;
     }
   } else {
     const double dn = 0.5 * scaled.flow.curvature / omega;
@@ -101,7 +102,7 @@ std::optional<ControlParameters> Elastica::controlParameters() const {
   // Near k = 1 rounding k already spoils the period, so that s0 must not hang on it.
   constexpr double kUncertainPeriod = 1e-3;
   if (fromApex < 0 && std::abs(p.k - 1) > kUncertainPeriod) {
-    fromApex += known.period;
+    fromApex += period;
   }
   p.s0 = fromApex * rootForce;
   p.S = scaled.unit / rootForce;

@@ -8,18 +8,12 @@
 #include <array>
 #include <cmath>
 
+#include "elastica_invariants.h"
+
 namespace bw::detail {
 
-/// The scaled elastica in the frame of its start: ψ'' = −f_t sin ψ + f_n cos ψ, x' = cos ψ, y' = sin ψ from the origin with
-/// ψ(0) = 0, ψ'(0) = κ. The unit of length is chosen so that |κ| ≤ 1 and |f| ≤ 1 (docs/mathematics.md, 1).
-struct FlowParameters {
-  double curvature = 0;
-  double tangential = 0;
-  double normal = 0;
-};
-
-/// The elastica as a chain of power series in arc length, with the first derivatives with respect to the first
-/// `Directions` (0 or 3) of (κ, f_t, f_n). docs/mathematics.md, 3.
+/// The elastica as a chain of power series in arc length, with the first derivatives with respect to the
+/// first `Directions` (0 or 3) of (κ, f_t, f_n). docs/mathematics.md, 3.
 ///
 /// A flow walks away from 0 in one direction; the piece at hand covers arc lengths up to `end()`.
 template <int Directions>
@@ -31,8 +25,9 @@ class ElasticaFlow {
   /// `sign` is +1 to walk towards larger, −1 towards smaller arc lengths.
   ElasticaFlow(const FlowParameters& parameters, double sign)
       : parameters_(parameters),
+        known_(invariants(parameters)),
         sign_(sign),
-        largestStep_(kSineStep / std::sqrt(std::hypot(parameters.tangential, parameters.normal))) {
+        largestStep_(kSineStep / std::sqrt(known_.force)) {
     Block initial = Block::Zero();
     initial(3, 0) = parameters.curvature;
     if constexpr (Directions > 0) {
@@ -76,6 +71,10 @@ class ElasticaFlow {
   /// Longest step where the state itself is straight but its derivatives go like sin and sinh of √f s.
   static constexpr double kSineStep = 1.0;
 
+  /// Nearer than this to rest against the force (rad, and curvature over √f), the curve has run into its
+  /// asymptote.
+  static constexpr double kAsymptote = 4e-15;
+
   using Vector2 = Eigen::Array<double, 2, 1>;
 
   /// (n + 1) z_{n+1} = i Σ_j κ_{n−j} z_j for z = e^{iψ}, and z_p = i ψ_p z for the derivatives.
@@ -84,7 +83,7 @@ class ElasticaFlow {
     const double fn = parameters_.normal;
     std::array<Vector2, kOrder + 1> z;
     coefficients_[0] = initial;
-    z[0] = Vector2(std::cos(initial(2, 0)), std::sin(initial(2, 0)));
+    z[0] = leadOntoEnergy(coefficients_[0](2, 0), coefficients_[0](3, 0));
     for (std::size_t n = 0; n < kOrder; ++n) {
       const double inverse = kInverse[n + 1];
       Eigen::Array<double, 2, 1 + Directions> even = Eigen::Array<double, 2, 1 + Directions>::Zero();
@@ -124,6 +123,41 @@ class ElasticaFlow {
     step_ = std::min(largestStep_, std::min(reach(kOrder), reach(kOrder - 1)));
   }
 
+  /// Corrects tangent angle and curvature by the rounding with which they miss the energy of the curve, since
+  /// near k = 1 what is off the energy grows like exp(√f s). Returns (cos ψ, sin ψ). docs/mathematics.md, 3.
+  Vector2 leadOntoEnergy(double& angle, double& curvature) const {
+    const double cosine = std::cos(0.5 * angle);
+    const double sine = std::sin(0.5 * angle);
+    const double f = known_.force;
+    const double fromApex =
+        known_.apexSine * cosine + known_.apexCosine * sine;  // sin of half the angle to the force
+    const double fromOpposite = known_.apexCosine * cosine - known_.apexSine * sine;  // cos of the same
+    const double halfCurvature = 0.5 * curvature;
+    const double rootForce = std::sqrt(f);
+    if (f > 0 && std::abs(fromOpposite) < kAsymptote && std::abs(halfCurvature) < kAsymptote * rootForce) {
+      curvature = 0;
+      return Vector2(-parameters_.tangential, -parameters_.normal) / f;
+    }
+    // Both forms are the same; each is the one without cancellation on its side.
+    const double excess =
+        2 * known_.complement > f
+            ? halfCurvature * halfCurvature + f * fromApex * fromApex -
+                  known_.halfPeakCurvature * known_.halfPeakCurvature
+            : halfCurvature * halfCurvature - f * fromOpposite * fromOpposite + known_.complement;
+    const double slope =
+        f * fromApex * fromOpposite;  // of the excess with the angle; with the curvature it is κ/2
+    const double steepness = slope * slope + halfCurvature * halfCurvature;
+    double turn = 0;
+    if (steepness > 0) {
+      turn = -excess * slope / steepness;
+      angle += turn;
+      curvature -= excess * halfCurvature / steepness;
+    }
+    const double c = (cosine - sine) * (cosine + sine);
+    const double s = 2 * cosine * sine;
+    return Vector2(c - turn * s, s + turn * c);
+  }
+
   /// The distance at which the term of order n of the state falls to the truncation.
   double reach(int n) const {
     const double size = coefficients_[static_cast<std::size_t>(n)].col(0).abs().maxCoeff();
@@ -140,6 +174,7 @@ class ElasticaFlow {
   }();
 
   FlowParameters parameters_;
+  ElasticaInvariants known_;
   double sign_;
   double largestStep_;
   double centre_ = 0;

@@ -4,9 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-
-#include "jacobi.h"
 
 namespace bw::detail {
 
@@ -24,40 +21,6 @@ ScaledElastica scaled(const Elastica& elastica) {
   result.flow.tangential = (lambda1 * result.cosine + lambda2 * result.sine) / rate / rate;
   result.flow.normal = (lambda2 * result.cosine - lambda1 * result.sine) / rate / rate;
   result.length = elastica.length() * rate;
-  return result;
-}
-
-ElasticaInvariants invariants(const FlowParameters& parameters) {
-  const double ft = parameters.tangential;
-  const double fn = parameters.normal;
-  const double halfCurvature = 0.5 * std::abs(parameters.curvature);
-  ElasticaInvariants result;
-  const double f = result.force = std::hypot(ft, fn);
-  // f σ² = (f − f_t)/2 and f δ² = (f + f_t)/2, each without cancellation.
-  double forceSine = 0;    // √f σ
-  double forceCosine = 0;  // √f δ
-  if (f > 0) {
-    const double larger = std::sqrt(0.5 * (f + std::abs(ft)));
-    const double smaller = 0.5 * std::abs(fn) / larger;
-    forceSine = ft >= 0 ? smaller : larger;
-    forceCosine = ft >= 0 ? larger : smaller;
-    const double rootForce = std::sqrt(f);
-    result.apexSine = (fn > 0 ? -forceSine : forceSine) / rootForce;
-    result.apexCosine = forceCosine / rootForce;
-  }
-  const double omega = result.halfPeakCurvature = std::hypot(halfCurvature, forceSine);
-  result.complement = (forceCosine - halfCurvature) * (forceCosine + halfCurvature);
-
-  // k = 1 is never told from its neighbours within rounding: its period is that of the nearest double beyond it.
-  constexpr double kSmallestComplement = 1e-16;  // of the modulus, hence about the square root of double precision squared
-  const double scale = std::max(std::sqrt(f), omega);
-  if (scale > 0) {
-    const double root = std::max(std::sqrt(std::abs(result.complement)), kSmallestComplement * scale);
-    const double agm = arithmeticGeometricMean(scale, root);
-    const bool inflectional = result.complement >= 0;
-    result.period = (inflectional ? 2 : 1) * std::numbers::pi / agm;
-    result.periodTurning = inflectional ? 0 : std::copysign(2 * std::numbers::pi, parameters.curvature);
-  }
   return result;
 }
 

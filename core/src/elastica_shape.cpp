@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "bw/core/elastica.h"
+#include "elastica_flow.h"
 #include "elastica_scaled.h"
 #include "gauss_legendre.h"
 
@@ -75,7 +76,7 @@ std::vector<double> Elastica::inflections() const {
   const ScaledElastica scaled = detail::scaled(*this);
   const ElasticaInvariants known = detail::invariants(scaled.flow);
   const double peak = peakCurvature(known);
-  if (known.complement <= 0 || known.isLine(scaled.length)) {
+  if (!known.hasInflections() || known.isSingleLoop() || known.isLine(scaled.length)) {
     return result;
   }
   const double zero = kNegligible * peak;
@@ -113,15 +114,13 @@ double Elastica::maxCurvature() const {
   return largest / scaled.unit;
 }
 
-bool Elastica::selfIntersects() const { return false; }
-
 std::optional<double> Elastica::period() const {
   const ScaledElastica scaled = detail::scaled(*this);
   const ElasticaInvariants known = detail::invariants(scaled.flow);
   if (known.isLine(scaled.length) || known.isCircle() || known.isSingleLoop()) {
     return std::nullopt;
   }
-  return known.period * scaled.unit;
+  return detail::periodLength(known) * scaled.unit;
 }
 
 }  // namespace bw

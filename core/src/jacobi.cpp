@@ -42,7 +42,8 @@ double ellipticIntegralF(double s, double c, double d) {
     if (spread <= kSpread * mean) {
       break;
     }
-    const double shift = std::sqrt(x) * std::sqrt(y) + std::sqrt(y) * std::sqrt(z) + std::sqrt(z) * std::sqrt(x);
+    const double shift =
+        std::sqrt(x) * std::sqrt(y) + std::sqrt(y) * std::sqrt(z) + std::sqrt(z) * std::sqrt(x);
     x = 0.25 * (x + shift);
     y = 0.25 * (y + shift);
     z = 0.25 * (z + shift);
