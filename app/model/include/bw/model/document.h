@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QThreadPool>
+#include <QTimer>
+#include <QUndoStack>
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+
+#include "bw/core/design.h"
+#include "bw/core/result.h"
+#include "bw/model/recovery.h"
+
+namespace bw::model {
+
+/// What the window works on: an immutable design that edits swap, the file it belongs to, and its undo history. Lives on the interface
+/// thread.
+class Document : public QObject {
+  Q_OBJECT
+
+ public:
+  /// `recoveryFolder` takes the autosaved copy; an empty path switches autosave off.
+  explicit Document(const std::filesystem::path& recoveryFolder, QObject* parent = nullptr);
+  ~Document() override;
+
+  const std::shared_ptr<const Design>& design() const { return design_; }
+  /// True until a CAD file or a design was opened.
+  bool empty() const { return design_->source.path.empty() && design_->source.bytes.empty(); }
+  /// The .bladewright file; empty if never saved.
+  const std::filesystem::path& file() const { return file_; }
+  bool modified() const;
+  /// Name for the title bar: the design file's name, else the design's name.
+  QString title() const;
+  QUndoStack& undoStack() { return undo_; }
+
+  /// Replaces the design as one undoable step named `text` ("Change stations"). Nothing happens if `after` equals the present design.
+  void edit(Design after, const QString& text, int mergeId = -1);
+  /// The same for the job alone.
+  void editJob(const QString& text, int mergeId, const std::function<void(Job&)>& change);
+
+  /// Starts a design that has no file yet. The undo history is emptied.
+  void start(Design design);
+  /// Puts back an autosaved design: it counts as modified. `file` is where it was last saved, or empty.
+  void recover(Design design, const std::filesystem::path& file);
+  /// Opens a .bladewright file; on failure nothing changes.
+  Result<void> open(const std::filesystem::path& file);
+  /// Saves to `file`, atomically; it becomes the document's file.
+  Result<void> saveAs(const std::filesystem::path& file);
+
+  /// Writes the autosaved copy now instead of a few seconds after an edit; done in the background unless `wait`.
+  void autosaveNow(bool wait = false);
+  /// Why the last autosave failed; empty if it did not.
+  const QString& autosaveProblem() const { return autosaveProblem_; }
+
+ signals:
+  /// The design was swapped (edit, undo, redo, open, start).
+  void designChanged();
+  /// Another design was started or opened: views go back to their beginning.
+  void replaced();
+  /// Title, file or modified mark changed.
+  void titleChanged();
+  /// Autosave failed for the first time since it last worked.
+  void autosaveFailed(const QString& message);
+
+ private:
+  friend class EditDesign;
+  void exchange(const std::shared_ptr<const Design>& design);
+  void replace(Design design, const std::filesystem::path& file);
+
+  std::shared_ptr<const Design> design_;
+  std::filesystem::path file_;
+  QUndoStack undo_;
+  bool recovered_ = false;
+  void forgetAutosave();
+  void noteAutosave(const QString& problem);
+
+  std::shared_ptr<RecoveryFile> recovery_;
+  QThreadPool writer_;   ///< one thread: copies are written in the order of the edits
+  QTimer autosaveTimer_;
+  QString autosaveProblem_;
+};
+
+}  // namespace bw::model

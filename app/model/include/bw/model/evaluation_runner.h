@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QString>
+#include <QTimer>
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <thread>
+
+#include "bw/core/design.h"
+#include "bw/core/result.h"
+#include "bw/core/run_context.h"
+#include "bw/pipeline/pipeline.h"
+
+namespace bw::model {
+
+/// Runs the pipeline on one thread of its own, so that the window never waits. Use it from the interface thread; every signal is sent there.
+/// A newer design cancels the older run; results of earlier runs are handed on, so that only what changed is computed again.
+class EvaluationRunner : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Other work on a result, for instance the files of an export: may fail, may be stopped, reports progress.
+  using Task = std::function<Result<void>(pipeline::Evaluation evaluation, const RunContext& context)>;
+
+  explicit EvaluationRunner(QObject* parent = nullptr);
+  /// Stops what runs and waits for it.
+  ~EvaluationRunner() override;
+
+  /// Evaluates `design` as soon as possible. A running evaluation is stopped at once, or, if `live` (a slider is being dragged), allowed to
+  /// finish within a quarter of a second, so that the picture follows the hand.
+  void evaluate(const std::shared_ptr<const Design>& design, bool live = false);
+  /// Runs `task` on the newest result after the evaluations asked for so far. `done` is called on the interface thread.
+  void submit(const QString& name, Task task, std::function<void(const Result<void>&)> done);
+  /// Stops whatever runs and forgets what waits.
+  void cancel();
+  /// Forgets the results (another design was opened).
+  void clear();
+
+  bool busy() const { return busy_; }
+  double progress() const { return progress_; }
+  const QString& step() const { return step_; }
+
+  /// The newest result; stages that failed or were not reached are null. Null before the first.
+  const std::shared_ptr<const pipeline::Evaluation>& evaluation() const { return evaluation_; }
+  /// The newest result with a sweep, which may belong to an older design than `evaluation()`.
+  const std::shared_ptr<const pipeline::Evaluation>& lastComplete() const { return lastComplete_; }
+  /// Why the newest evaluation stopped short; empty if it did not.
+  const std::optional<Error>& error() const { return error_; }
+  /// The design that `evaluation()` or `error()` belongs to; null before the first.
+  const std::shared_ptr<const Design>& evaluatedDesign() const { return evaluatedDesign_; }
+
+ signals:
+  /// Work began or ended.
+  void busyChanged(bool busy);
+  /// `fraction` in [0, 1]; `step` in words.
+  void progressed(double fraction, const QString& step);
+  /// A newer result (or error) stands in evaluation() and error().
+  void finished();
+  /// The user stopped the work; the newest design has no result.
+  void cancelled();
+
+ private:
+  struct Order {
+    std::uint64_t number = 0;
+    std::shared_ptr<const Design> design;  // an evaluation, else a task
+    Task task;
+    std::function<void(const Result<void>&)> done;
+    QString name;
+  };
+
+  void work(const std::stop_token& stop);
+  void deliver(const Order& order, std::shared_ptr<const pipeline::Evaluation> evaluation,
+               std::optional<Error> error);
+  void noteProgress(std::uint64_t number, double fraction, const QString& step);
+  void endOrder();
+  void stopAll();
+  void stopRunningEvaluation();
+
+  // Shared with the worker, guarded by mutex_.
+  std::mutex mutex_;
+  std::condition_variable_any wake_;
+  std::deque<Order> waiting_;
+  std::stop_source running_{std::nostopstate};
+  bool runningIsEvaluation_ = false;
+  std::shared_ptr<const pipeline::Evaluation> previous_;  // with earlier stages, to be used again
+  std::shared_ptr<const pipeline::Evaluation> newest_;    // as it came out
+
+  // Of the interface thread.
+  std::uint64_t lastNumber_ = 0, firstWanted_ = 0;
+  int open_ = 0;  ///< orders given and not yet ended
+  bool busy_ = false;
+  double progress_ = 0;
+  QString step_;
+  std::shared_ptr<const pipeline::Evaluation> evaluation_, lastComplete_;
+  std::shared_ptr<const Design> evaluatedDesign_;
+  std::optional<Error> error_;
+  QTimer patience_;
+
+  std::jthread thread_;  // last: it starts when all else is there
+};
+
+}  // namespace bw::model

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QByteArray>
+#include <QObject>
+#include <QSettings>
+#include <QStringList>
+
+#include <filesystem>
+#include <vector>
+
+namespace bw::model {
+
+enum class ThemeChoice { system, light, dark };
+/// Which CAD program the mouse buttons follow.
+enum class MouseChoice { rhino, blender, solidworks };
+
+/// What is remembered between starts; kept in the user's configuration folder.
+class Settings : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Settings(QObject* parent = nullptr);
+
+  ThemeChoice theme() const;
+  void setTheme(ThemeChoice theme);
+  MouseChoice mouse() const;
+  void setMouse(MouseChoice mouse);
+
+  /// Newest first; files that are gone are left out.
+  std::vector<std::filesystem::path> recentFiles() const;
+  void addRecentFile(const std::filesystem::path& file);
+  void clearRecentFiles();
+
+  /// The folder where the last file of that use ("open", "export") was; the home folder at first.
+  QString folder(const QString& use) const;
+  void setFolder(const QString& use, const QString& folder);
+
+  QByteArray layout(const QString& part) const;
+  void setLayout(const QString& part, const QByteArray& state);
+
+  /// Where autosaved copies lie.
+  static std::filesystem::path recoveryFolder();
+
+ signals:
+  void recentFilesChanged();
+
+ private:
+  QSettings store_;
+};
+
+}  // namespace bw::model

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QString>
+
+#include <array>
+#include <memory>
+#include <optional>
+
+#include "bw/core/design.h"
+#include "bw/core/result.h"
+#include "bw/pipeline/pipeline.h"
+
+namespace bw::model {
+
+/// The four steps of the work, in their order.
+enum class Step { setup, input, process, output };
+inline constexpr int kStepCount = 4;
+
+/// How a step stands at a glance.
+struct StepState {
+  enum class Kind { idle, done, stale, running, warning, error };
+  Kind kind = Kind::idle;
+  double progress = 0;   ///< in [0, 1] while running
+  QString text;          ///< the state in a few words, for instance "60 stations"
+};
+
+using StepStates = std::array<StepState, kStepCount>;
+
+/// What the states follow from.
+struct StepFacts {
+  std::shared_ptr<const Design> design;                     ///< the present design
+  std::shared_ptr<const Design> evaluated;                  ///< the design of `evaluation`
+  std::shared_ptr<const pipeline::Evaluation> evaluation;   ///< the newest result or null
+  std::optional<Error> error;                               ///< why it stopped short
+  bool busy = false;
+  double progress = 0;
+  QString busyStep;                                         ///< the pipeline's word for what runs
+  std::shared_ptr<const Design> exported;                   ///< the design written last, or null
+  bool exporting = false;
+  QString exportProblem;
+};
+
+/// The states of the four steps. Which step failed follows from the first stage that is missing.
+StepStates stepStates(const StepFacts& facts);
+
+/// The step that a finding belongs to, by its kind.
+Step stepOfIssue(const Issue& issue);
+
+}  // namespace bw::model

@@ -1,0 +1,225 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "bw/model/evaluation_runner.h"
+
+#include <chrono>
+#include <exception>
+#include <utility>
+
+namespace bw::model {
+
+namespace {
+
+constexpr int kLivePatience = 250;  // ms that a run may still take while a slider is dragged
+constexpr std::chrono::milliseconds kProgressInterval{30};
+
+/// `now` with the stages that it did not reach taken from `before`: their keys tell later whether they still hold.
+std::shared_ptr<const pipeline::Evaluation> withEarlierStages(pipeline::Evaluation now,
+                                                              const pipeline::Evaluation* before) {
+  if (before) {
+    if (!now.model.value) now.model = before->model;
+    if (!now.target.value) now.target = before->target;
+    if (!now.targetMesh.value) now.targetMesh = before->targetMesh;
+    if (!now.setup.value) now.setup = before->setup;
+    if (!now.sections.value) now.sections = before->sections;
+    if (!now.sweep.value) now.sweep = before->sweep;
+  }
+  return std::make_shared<const pipeline::Evaluation>(std::move(now));
+}
+
+}  // namespace
+
+EvaluationRunner::EvaluationRunner(QObject* parent) : QObject(parent) {
+  patience_.setSingleShot(true);
+  connect(&patience_, &QTimer::timeout, this, &EvaluationRunner::stopRunningEvaluation);
+  thread_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
+}
+
+EvaluationRunner::~EvaluationRunner() {
+  {
+    const std::lock_guard lock(mutex_);
+    waiting_.clear();
+    running_.request_stop();
+  }
+  thread_.request_stop();
+  thread_.join();
+}
+
+void EvaluationRunner::evaluate(const std::shared_ptr<const Design>& design, bool live) {
+  int superseded = 0;
+  {
+    const std::lock_guard lock(mutex_);
+    for (auto order = waiting_.begin(); order != waiting_.end();) {
+      if (order->design) {
+        order = waiting_.erase(order);
+        ++superseded;
+      } else {
+        ++order;
+      }
+    }
+    waiting_.push_back({++lastNumber_, design, {}, {}, {}});
+  }
+  open_ += 1 - superseded;
+  wake_.notify_one();
+  if (!live)
+    stopRunningEvaluation();
+  else if (!patience_.isActive())
+    patience_.start(kLivePatience);
+  if (!std::exchange(busy_, true)) {
+    progress_ = 0;
+    step_.clear();
+    emit busyChanged(true);
+  }
+}
+
+void EvaluationRunner::submit(const QString& name, Task task, std::function<void(const Result<void>&)> done) {
+  {
+    const std::lock_guard lock(mutex_);
+    waiting_.push_back({++lastNumber_, nullptr, std::move(task), std::move(done), name});
+  }
+  ++open_;
+  wake_.notify_one();
+  if (!std::exchange(busy_, true)) {
+    progress_ = 0;
+    step_ = name;
+    emit busyChanged(true);
+  }
+}
+
+void EvaluationRunner::stopRunningEvaluation() {
+  patience_.stop();
+  const std::lock_guard lock(mutex_);
+  if (runningIsEvaluation_) running_.request_stop();
+}
+
+void EvaluationRunner::cancel() {
+  stopAll();
+  emit cancelled();
+}
+
+void EvaluationRunner::stopAll() {
+  patience_.stop();
+  std::deque<Order> dropped;
+  {
+    const std::lock_guard lock(mutex_);
+    dropped.swap(waiting_);
+    running_.request_stop();
+  }
+  for (const Order& order : dropped) {
+    --open_;
+    if (order.done) order.done(stoppedError());
+  }
+  endOrder();
+}
+
+void EvaluationRunner::clear() {
+  stopAll();
+  {
+    const std::lock_guard lock(mutex_);
+    previous_.reset();
+    newest_.reset();
+  }
+  firstWanted_ = lastNumber_ + 1;
+  evaluation_.reset();
+  lastComplete_.reset();
+  evaluatedDesign_.reset();
+  error_.reset();
+}
+
+void EvaluationRunner::work(const std::stop_token& stop) {
+  while (!stop.stop_requested()) {
+    Order order;
+    std::shared_ptr<const pipeline::Evaluation> previous, newest;
+    RunContext context;
+    {
+      std::unique_lock lock(mutex_);
+      if (!wake_.wait(lock, stop, [this] { return !waiting_.empty(); })) return;
+      order = std::move(waiting_.front());
+      waiting_.pop_front();
+      running_ = std::stop_source();
+      runningIsEvaluation_ = order.design != nullptr;
+      context.stop = running_.get_token();
+      previous = previous_;
+      newest = newest_;
+    }
+    context.progress = [this, number = order.number,
+                        last = std::chrono::steady_clock::time_point()](double fraction,
+                                                                        std::string_view step) mutable {
+      const auto now = std::chrono::steady_clock::now();
+      if (now - last < kProgressInterval) return;
+      last = now;
+      QMetaObject::invokeMethod(
+          this,
+          [this, number, fraction, text = QString::fromUtf8(step.data(), qsizetype(step.size()))] {
+            noteProgress(number, fraction, text);
+          },
+          Qt::QueuedConnection);
+    };
+
+    std::shared_ptr<const pipeline::Evaluation> evaluation;
+    std::optional<Error> error;
+    try {
+      if (order.design) {
+        pipeline::Outcome outcome = pipeline::evaluate(*order.design, previous.get(), context);
+        error = std::move(outcome.error);
+        evaluation = std::make_shared<const pipeline::Evaluation>(std::move(outcome.evaluation));
+        const std::lock_guard lock(mutex_);
+        newest_ = evaluation;
+        previous_ = withEarlierStages(*evaluation, previous.get());
+      } else if (!newest || !newest->sweep.value) {
+        error = Error{ErrorCode::badInput,
+                      "the design has no finished result; mend what stands under Messages first"};
+      } else if (Result<void> done = order.task(*newest, context); !done) {
+        error = done.error();
+      }
+    } catch (const std::exception& exception) {
+      error = Error{ErrorCode::internal, std::string("the computation broke off: ") + exception.what() +
+                                             "; change the setting that was edited last or report this"};
+    }
+    {
+      const std::lock_guard lock(mutex_);
+      running_ = std::stop_source(std::nostopstate);
+      runningIsEvaluation_ = false;
+    }
+    QMetaObject::invokeMethod(
+        this, [this, order, evaluation, error] { deliver(order, evaluation, error); }, Qt::QueuedConnection);
+  }
+}
+
+void EvaluationRunner::noteProgress(std::uint64_t number, double fraction, const QString& step) {
+  if (number < firstWanted_) return;
+  progress_ = fraction;
+  if (!step.isEmpty()) step_ = step;
+  emit progressed(progress_, step_);
+}
+
+void EvaluationRunner::deliver(const Order& order, std::shared_ptr<const pipeline::Evaluation> evaluation,
+                               std::optional<Error> error) {
+  --open_;
+  const bool wanted = order.number >= firstWanted_;
+  const bool stopped = error && error->code == ErrorCode::cancelled;
+  if (order.design) {
+    if (wanted && !stopped && evaluation) {
+      // An older run that was allowed to finish while a slider moves is shown too: the newer follows.
+      if (evaluation->sweep.value) lastComplete_ = evaluation;
+      evaluation_ = std::move(evaluation);
+      evaluatedDesign_ = order.design;
+      error_ = std::move(error);
+      patience_.stop();
+      emit finished();
+    }
+  } else if (order.done) {
+    order.done(error ? Result<void>(tl::unexpected<Error>(*error)) : Result<void>());
+  }
+  endOrder();
+}
+
+void EvaluationRunner::endOrder() {
+  if (open_ == 0 && std::exchange(busy_, false)) {
+    progress_ = 0;
+    step_.clear();
+    emit busyChanged(false);
+  }
+}
+
+}  // namespace bw::model

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "bw/model/step_state.h"
+
+#include <algorithm>
+
+#include "bw/core/number_text.h"
+
+namespace bw::model {
+
+namespace {
+
+using Kind = StepState::Kind;
+
+QString lengthText(double mm, int digits = 4) { return QString::fromStdString(shortText(mm, digits)); }
+
+/// The first step that the evaluation did not finish.
+Step failedStep(const pipeline::Evaluation* evaluation) {
+  if (!evaluation || !evaluation->model.value || !evaluation->target.value) return Step::input;
+  if (!evaluation->setup.value) return Step::setup;
+  return Step::process;
+}
+
+Step stepOfWork(const QString& word) {
+  for (const char* input : {"read", "open", "target", "mesh", "face"})
+    if (word.contains(QLatin1String(input), Qt::CaseInsensitive)) return Step::input;
+  for (const char* setup : {"setup", "block"})
+    if (word.contains(QLatin1String(setup), Qt::CaseInsensitive)) return Step::setup;
+  return Step::process;
+}
+
+QString countText(int count, const char* one, const char* many) {
+  return QString::number(count) + QLatin1Char(' ') + QLatin1String(count == 1 ? one : many);
+}
+
+void fillDone(StepStates& states, const pipeline::Evaluation& evaluation) {
+  if (evaluation.setup.value) {
+    const Eigen::Vector3d& size = evaluation.setup.value->block.size;
+    states[int(Step::setup)] = {Kind::done, 0,
+                                QStringLiteral("Block %1 × %2 × %3 mm")
+                                    .arg(lengthText(size.x()), lengthText(size.y()), lengthText(size.z()))};
+  }
+  if (evaluation.model.value && evaluation.target.value) {
+    const int chosen = int(evaluation.target.value->faces().size());
+    const int all = evaluation.model.value->info().faces;
+    states[int(Step::input)] = {Kind::done, 0,
+                                chosen == all ? countText(all, "face", "faces")
+                                              : QStringLiteral("%1 of %2 faces").arg(chosen).arg(all)};
+  }
+  if (evaluation.sweep.value)
+    states[int(Step::process)] = {
+        Kind::done, 0, countText(int(evaluation.sweep.value->sweep.stations.size()), "station", "stations")};
+}
+
+/// Raises a step to the worst of its findings.
+void addFindings(StepStates& states, const pipeline::Evaluation& evaluation) {
+  std::array<std::array<int, 2>, kStepCount> counts{};
+  for (const Issue& issue : evaluation.issues()) {
+    if (issue.severity == Severity::info) continue;
+    ++counts[std::size_t(stepOfIssue(issue))][issue.severity == Severity::error];
+  }
+  for (int i = 0; i < kStepCount; ++i) {
+    StepState& state = states[std::size_t(i)];
+    const auto [warnings, errors] = counts[std::size_t(i)];
+    if (errors == 0 && warnings == 0) continue;
+    state.kind = errors ? Kind::error : Kind::warning;
+    state.text = errors ? countText(errors, "error", "errors") : countText(warnings, "warning", "warnings");
+  }
+}
+
+}  // namespace
+
+Step stepOfIssue(const Issue& issue) {
+  for (const char* word : {"healing", "face", "unit", "size", "target", "read"})
+    if (issue.kind == word) return Step::input;
+  for (const char* word : {"block", "blade", "clearance"})
+    if (issue.kind == word) return Step::setup;
+  for (const char* word : {"program", "cell", "file"})
+    if (issue.kind == word) return Step::output;
+  return Step::process;
+}
+
+StepStates stepStates(const StepFacts& facts) {
+  StepStates states;
+  const bool empty = !facts.design || (facts.design->source.path.empty() && facts.design->source.bytes.empty());
+  if (empty) {
+    states[int(Step::input)].text = QStringLiteral("No surface yet");
+    return states;
+  }
+  if (facts.evaluation) {
+    fillDone(states, *facts.evaluation);
+    addFindings(states, *facts.evaluation);
+  }
+  const bool current = facts.evaluated == facts.design;
+  if (facts.error && current) {
+    const int failed = int(failedStep(facts.evaluation.get()));
+    states[std::size_t(failed)] = {Kind::error, 0, QStringLiteral("Failed")};
+    if (failed != int(Step::process))
+      states[int(Step::process)] = {Kind::idle, 0, QStringLiteral("Waits for the steps before")};
+  }
+  if (!current) {
+    for (int i = 0; i < int(Step::output); ++i) {
+      StepState& state = states[std::size_t(i)];
+      if (state.kind != Kind::idle) state.kind = Kind::stale;
+    }
+    states[int(Step::process)].text = QStringLiteral("Out of date");
+  }
+  StepState& output = states[int(Step::output)];
+  const bool ready = current && facts.evaluation && facts.evaluation->sweep.value;
+  if (facts.exporting) {
+    output = {Kind::running, facts.progress, QStringLiteral("Writing files")};
+  } else if (!facts.exportProblem.isEmpty()) {
+    output = {Kind::error, 0, QStringLiteral("Not written")};
+  } else if (output.kind != Kind::warning && output.kind != Kind::error) {
+    if (facts.exported && facts.exported == facts.design)
+      output = {Kind::done, 0, QStringLiteral("Exported")};
+    else if (facts.exported)
+      output = {Kind::stale, 0, QStringLiteral("Older export")};
+    else
+      output = {Kind::idle, 0, ready ? QStringLiteral("Ready to export") : QStringLiteral("Waits for the result")};
+  }
+  if (facts.busy && !facts.exporting) {
+    const Step step = !facts.busyStep.isEmpty() ? stepOfWork(facts.busyStep)
+                      : facts.evaluation        ? Step::process
+                                                : Step::input;
+    states[std::size_t(step)] = {Kind::running, facts.progress, QStringLiteral("Computing")};
+  }
+  return states;
+}
+
+}  // namespace bw::model
