@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace bw::test {
+
+/// How a run of `blade` ended.
+struct Run {
+  int status = -1;  ///< exit status, or 128 + the signal that ended it
+  std::string out;  ///< standard output
+  std::string err;  ///< standard error
+};
+
+/// Runs `blade` with these arguments and this standard input. With `interruptWhen`, sends SIGINT once that
+/// text stands on standard error.
+Run blade(const std::vector<std::string>& arguments, const std::string& input = {},
+          const std::string& interruptWhen = {});
+
+/// A new empty folder below the test output; removed again by the destructor.
+class Folder {
+ public:
+  Folder();
+  ~Folder();
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+  /// Relative names of all files inside, sorted.
+  std::vector<std::string> files() const;
+  /// Writes a file there and returns its path.
+  std::string write(const std::string& name, const std::string& bytes) const;
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// A whole file.
+std::string slurp(const std::string& path);
+
+/// An example surface of the resources.
+std::string example(const std::string& name);
+
+}  // namespace bw::test

@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "process.h"
+
+namespace bw::test {
+
+using nlohmann::json;
+
+TEST(Blade, TellsItsVersionAndLibraries) {
+  const Run run = blade({"--version"});
+  EXPECT_EQ(run.status, 0);
+  for (const char* name : {"blade 0", "Eigen 3", "Ceres", "OpenCASCADE", "VTK"})
+    EXPECT_NE(run.out.find(name), std::string::npos) << name;
+}
+
+TEST(Blade, HelpOfEveryVerbHasAnExample) {
+  const Run help = blade({"--help"});
+  EXPECT_EQ(help.status, 0);
+  for (const char* verb :
+       {"elastica", "fit", "info", "rationalize", "design", "render", "export", "check", "example"}) {
+    EXPECT_NE(help.out.find(verb), std::string::npos) << verb;
+    const Run run = blade({verb, "--help"});
+    EXPECT_EQ(run.status, 0) << verb;
+    EXPECT_NE(run.out.find("Example:"), std::string::npos) << verb;
+  }
+}
+
+TEST(Blade, EvaluatesAndFitsThroughStandardInput) {
+  const Run elastica =
+      blade({"elastica"}, R"({"elastica": {"start": [1, 2], "start_angle": 0.3, "start_curvature": 0.002,
+      "force": [1e-5, -2e-5], "length": 700}, "at": [0, 350, 700]})");
+  ASSERT_EQ(elastica.status, 0) << elastica.err;
+  const json state = json::parse(elastica.out);
+  EXPECT_EQ(state["points"][0], json({1, 2}));
+  const Run run = blade({"fit", "--in", "-"},
+                        R"({"curve": {"type": "bezier", "poles": [[0,0],[200,150],[400,150],[600,0]]}})");
+  ASSERT_EQ(run.status, 0) << run.err;
+  const json result = json::parse(run.out);
+  EXPECT_EQ(result["status"], "converged");
+  EXPECT_LT(result["R4"].get<double>(), 2e-3);
+}
+
+TEST(Blade, FitsPointsFromCsv) {
+  const Folder folder;
+  std::ostringstream text;
+  text << "x,y\n";
+  for (int i = 0; i <= 60; ++i)
+    text << 600 * std::sin(0.01 * i) << "," << 600 * (1 - std::cos(0.01 * i)) << "\n";
+  const Run run = blade({"fit", "--in", folder.write("arc.csv", text.str())});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_LT(json::parse(run.out)["hausdorff"].get<double>(), 0.05);
+}
+
+namespace {
+
+/// The report without what may differ between two runs.
+json comparable(const std::string& folder) {
+  json report = json::parse(slurp(folder + "/report.json"));
+  report.erase("seconds");
+  return report;
+}
+
+}  // namespace
+
+TEST(Rationalize, WritesWhatItsReportLists) {
+  const Folder folder;
+  const std::string job = folder.write("job.json", R"({"stations": 24, "tolerance": 5})");
+  const std::string out = folder / "out";
+  const Run run = blade({"rationalize", example("panel-600x670"), "--job", job, "--out", out});
+  ASSERT_LE(run.status, 1) << run.err;
+  const json report = json::parse(slurp(out + "/report.json"));
+  for (const auto& file : report["files"])
+    EXPECT_FALSE(slurp(out + "/" + file.get<std::string>()).empty()) << file;
+  const std::string listed = report["files"].dump();
+  for (const char* name : {"report.json", "sweep.json", "surface.step", "mesh.obj", "stations.csv",
+                           "deviation.csv", "programs/strip-0/T_ROB1/", "programs/strip-0/T_ROB2/"})
+    EXPECT_NE(listed.find(name), std::string::npos) << name;
+  ASSERT_EQ(report["strips"].size(), 1u);
+  const json& stations = report["strips"][0]["stations"];
+  EXPECT_EQ(stations.size(), 24u);
+  for (const json& station : stations) {
+    // The blade's left end is the elastica at −a, in the station's frame.
+    const json& frame = station["frame"];
+    const double length = station["elastica"]["length"];
+    const double a = -station["blade"]["parameter"][0].get<double>();
+    EXPECT_NEAR(length * (1 + 2 * a), 800, 1e-6);
+    double dot = 0;
+    for (int i = 0; i < 3; ++i)
+      dot += frame["normal"][i].get<double>() *
+             (station["blade"]["left"]["point"][i].get<double>() - frame["origin"][i].get<double>());
+    EXPECT_NEAR(dot, 0, 1e-6);
+  }
+  for (const char* key : {"R4_max", "R4_mean", "hausdorff_max_mm", "hausdorff_mean_mm", "deviation_max_mm",
+                          "deviation_mean_mm", "deviation_rms_mm", "within_tolerance_percent",
+                          "angle_max_deg", "angle_mean_deg", "angle_station_mean_max_deg", "speed_ratio_min",
+                          "joint_gap_max_mm", "joint_angle_max_deg", "min_radius_mm"})
+    EXPECT_TRUE(report["summary"][key].is_number()) << key;
+  EXPECT_LT(report["summary"]["deviation_max_mm"].get<double>(), 5.0);
+  const json sweep = json::parse(slurp(out + "/sweep.json"));
+  for (const json& station : sweep["strips"][0]["stations"])
+    EXPECT_EQ(station["points"].size(), sweep["points_per_station"]);
+
+  const Run check = blade({"check", out + "/programs/strip-0"});
+  EXPECT_EQ(check.status, 0) << check.out << check.err;
+  const Run render = blade({"render", out, "--field", "deviation", "--view", "iso", "--size", "640x400",
+                            "--out", folder / "a.png"});
+  ASSERT_EQ(render.status, 0) << render.err;
+  EXPECT_EQ(slurp(folder / "a.png").substr(1, 3), "PNG");
+  const Run exported = blade({"export", out, "--format", "rapid,csv,json", "--out", folder / "programs"});
+  ASSERT_EQ(exported.status, 0) << exported.err;
+}
+
+TEST(Rationalize, ReadsItsOwnSurfaceBack) {
+  const Folder folder;
+  const std::string job = folder.write("job.json", R"({"stations": 20, "programs": [], "tolerance": 0.05})");
+  ASSERT_LE(blade({"rationalize", example("panel-600x670"), "--job", job, "--out", folder / "a"}).status, 1);
+  // A surface that is swept by elastica already is met again much more closely than the design was.
+  const Run again = blade({"rationalize", folder / "a/surface.step", "--job", job, "--out", folder / "b"});
+  ASSERT_LE(again.status, 1) << again.err;
+  EXPECT_LT(comparable(folder / "b")["summary"]["R4_max"].get<double>(), 1e-4);
+}
+
+TEST(Rationalize, IsTheSameForAnyNumberOfThreads) {
+  const Folder folder;
+  const std::string job = folder.write("job.json", R"({"stations": 16})");
+  for (const char* threads : {"1", "2"})
+    ASSERT_LE(blade({"rationalize", example("panel-600x670"), "--job", job, "--out", folder / threads,
+                     "--threads", threads})
+                  .status,
+              1);
+  EXPECT_EQ(comparable(folder / "1"), comparable(folder / "2"));
+  for (const char* file : {"sweep.json", "surface.step", "mesh.obj", "stations.csv", "deviation.csv"})
+    EXPECT_EQ(slurp(folder / (std::string("1/") + file)), slurp(folder / (std::string("2/") + file))) << file;
+}
+
+TEST(Rationalize, ExceededToleranceIsStatusOne) {
+  const Folder folder;
+  const std::string job = folder.write("job.json", R"({"stations": 12, "tolerance": 0.001, "programs": []})");
+  const Run run = blade({"rationalize", example("panel-600x670"), "--job", job, "--out", folder / "out"});
+  EXPECT_EQ(run.status, 1) << run.err;
+  EXPECT_NE(run.err.find("more than the tolerance"), std::string::npos);
+}
+
+}  // namespace bw::test
