@@ -17,7 +17,7 @@ namespace {
 /// Runs and expects that status, one line of text that holds `text`, and no output folder.
 void expectRefusal(const std::vector<std::string>& arguments, int status, const std::string& text,
                    const std::string& input = {}) {
-  const Run run = blade(arguments, input);
+  const Finished run = blade(arguments, input);
   EXPECT_EQ(run.status, status) << run.err;
   EXPECT_NE(run.err.find(text), std::string::npos) << run.err;
   EXPECT_EQ(run.err.find("terminate"), std::string::npos) << run.err;
@@ -48,7 +48,7 @@ TEST(BadInput, CadFiles) {
     expectRefusal({"rationalize", noise, "--out", folder / "out"}, 4, std::string("noise.") + suffix);
   }
   const std::string cut = folder.write("cut.step", whole.substr(0, whole.size() / 2));
-  const Run truncated = blade({"info", cut});
+  const Finished truncated = blade({"info", cut});
   EXPECT_TRUE(truncated.status == 4 || truncated.status == 2) << truncated.status << truncated.err;
   expectRefusal({"rationalize", folder / "", "--out", folder / "out"}, 4, "");
   EXPECT_FALSE(std::filesystem::exists(folder / "out"));
@@ -88,11 +88,11 @@ TEST(BadInput, UnwritableFolder) {
 }
 
 TEST(BadInput, ErrorsAsJson) {
-  const Run run = blade({"info", "/no/such.step", "--json-errors"});
+  const Finished run = blade({"info", "/no/such.step", "--json-errors"});
   EXPECT_EQ(run.status, 4);
   const json error = json::parse(run.err);
   EXPECT_EQ(error["error"]["code"], "cannot-read");
-  const Run usage = blade({"--json-errors", "frobnicate"});
+  const Finished usage = blade({"--json-errors", "frobnicate"});
   EXPECT_EQ(usage.status, 2);
   EXPECT_TRUE(json::accept(usage.err)) << usage.err;
 }
@@ -110,7 +110,7 @@ TEST(BadInput, CurvesWithoutLengthOrNumbers) {
 TEST(Interrupt, LeavesNothingBehind) {
   const Folder folder;
   const std::string job = folder.write("job.json", R"({"stations": 4000, "blade": {"length": 6000}})");
-  const Run run =
+  const Finished run =
       blade({"rationalize", example("wavy-wall"), "--job", job, "--out", folder / "out", "--progress"}, {},
             "sections");
   EXPECT_EQ(run.status, 130) << run.err;

@@ -19,8 +19,8 @@ namespace bw::test {
 
 namespace fs = std::filesystem;
 
-Run blade(const std::vector<std::string>& arguments, const std::string& input,
-          const std::string& interruptWhen) {
+Finished blade(const std::vector<std::string>& arguments, const std::string& input,
+               const std::string& interruptWhen) {
   int in[2], out[2], err[2];
   if (::pipe(in) || ::pipe(out) || ::pipe(err)) return {};
   std::vector<std::string> words = {BW_BLADE};
@@ -39,7 +39,7 @@ Run blade(const std::vector<std::string>& arguments, const std::string& input,
   }
   for (const int fd : {in[0], out[1], err[1]}) ::close(fd);
   ::signal(SIGPIPE, SIG_IGN);
-  Run run;
+  Finished run;
   // Small inputs only: they fit into the pipe.
   if (!input.empty() && ::write(in[1], input.data(), input.size()) < 0) run.err += "(input was not taken)";
   ::close(in[1]);

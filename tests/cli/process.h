@@ -9,7 +9,7 @@
 namespace bw::test {
 
 /// How a run of `blade` ended.
-struct Run {
+struct Finished {
   int status = -1;  ///< exit status, or 128 + the signal that ended it
   std::string out;  ///< standard output
   std::string err;  ///< standard error
@@ -17,8 +17,8 @@ struct Run {
 
 /// Runs `blade` with these arguments and this standard input. With `interruptWhen`, sends SIGINT once that
 /// text stands on standard error.
-Run blade(const std::vector<std::string>& arguments, const std::string& input = {},
-          const std::string& interruptWhen = {});
+Finished blade(const std::vector<std::string>& arguments, const std::string& input = {},
+               const std::string& interruptWhen = {});
 
 /// A new empty folder below the test output; removed again by the destructor.
 class Folder {

@@ -14,33 +14,33 @@ namespace bw::test {
 using nlohmann::json;
 
 TEST(Blade, TellsItsVersionAndLibraries) {
-  const Run run = blade({"--version"});
+  const Finished run = blade({"--version"});
   EXPECT_EQ(run.status, 0);
   for (const char* name : {"blade 0", "Eigen 3", "Ceres", "OpenCASCADE", "VTK"})
     EXPECT_NE(run.out.find(name), std::string::npos) << name;
 }
 
 TEST(Blade, HelpOfEveryVerbHasAnExample) {
-  const Run help = blade({"--help"});
+  const Finished help = blade({"--help"});
   EXPECT_EQ(help.status, 0);
   for (const char* verb :
        {"elastica", "fit", "info", "rationalize", "design", "render", "export", "check", "example"}) {
     EXPECT_NE(help.out.find(verb), std::string::npos) << verb;
-    const Run run = blade({verb, "--help"});
+    const Finished run = blade({verb, "--help"});
     EXPECT_EQ(run.status, 0) << verb;
     EXPECT_NE(run.out.find("Example:"), std::string::npos) << verb;
   }
 }
 
 TEST(Blade, EvaluatesAndFitsThroughStandardInput) {
-  const Run elastica =
+  const Finished elastica =
       blade({"elastica"}, R"({"elastica": {"start": [1, 2], "start_angle": 0.3, "start_curvature": 0.002,
       "force": [1e-5, -2e-5], "length": 700}, "at": [0, 350, 700]})");
   ASSERT_EQ(elastica.status, 0) << elastica.err;
   const json state = json::parse(elastica.out);
   EXPECT_EQ(state["points"][0], json({1, 2}));
-  const Run run = blade({"fit", "--in", "-"},
-                        R"({"curve": {"type": "bezier", "poles": [[0,0],[200,150],[400,150],[600,0]]}})");
+  const Finished run = blade(
+      {"fit", "--in", "-"}, R"({"curve": {"type": "bezier", "poles": [[0,0],[200,150],[400,150],[600,0]]}})");
   ASSERT_EQ(run.status, 0) << run.err;
   const json result = json::parse(run.out);
   EXPECT_EQ(result["status"], "converged");
@@ -53,7 +53,7 @@ TEST(Blade, FitsPointsFromCsv) {
   text << "x,y\n";
   for (int i = 0; i <= 60; ++i)
     text << 600 * std::sin(0.01 * i) << "," << 600 * (1 - std::cos(0.01 * i)) << "\n";
-  const Run run = blade({"fit", "--in", folder.write("arc.csv", text.str())});
+  const Finished run = blade({"fit", "--in", folder.write("arc.csv", text.str())});
   ASSERT_EQ(run.status, 0) << run.err;
   EXPECT_LT(json::parse(run.out)["hausdorff"].get<double>(), 0.05);
 }
@@ -73,7 +73,7 @@ TEST(Rationalize, WritesWhatItsReportLists) {
   const Folder folder;
   const std::string job = folder.write("job.json", R"({"stations": 24, "tolerance": 5})");
   const std::string out = folder / "out";
-  const Run run = blade({"rationalize", example("panel-600x670"), "--job", job, "--out", out});
+  const Finished run = blade({"rationalize", example("panel-600x670"), "--job", job, "--out", out});
   ASSERT_LE(run.status, 1) << run.err;
   const json report = json::parse(slurp(out + "/report.json"));
   for (const auto& file : report["files"])
@@ -107,13 +107,14 @@ TEST(Rationalize, WritesWhatItsReportLists) {
   for (const json& station : sweep["strips"][0]["stations"])
     EXPECT_EQ(station["points"].size(), sweep["points_per_station"]);
 
-  const Run check = blade({"check", out + "/programs/strip-0"});
+  const Finished check = blade({"check", out + "/programs/strip-0"});
   EXPECT_EQ(check.status, 0) << check.out << check.err;
-  const Run render = blade({"render", out, "--field", "deviation", "--view", "iso", "--size", "640x400",
-                            "--out", folder / "a.png"});
+  const Finished render = blade({"render", out, "--field", "deviation", "--view", "iso", "--size", "640x400",
+                                 "--out", folder / "a.png"});
   ASSERT_EQ(render.status, 0) << render.err;
   EXPECT_EQ(slurp(folder / "a.png").substr(1, 3), "PNG");
-  const Run exported = blade({"export", out, "--format", "rapid,csv,json", "--out", folder / "programs"});
+  const Finished exported =
+      blade({"export", out, "--format", "rapid,csv,json", "--out", folder / "programs"});
   ASSERT_EQ(exported.status, 0) << exported.err;
 }
 
@@ -122,7 +123,8 @@ TEST(Rationalize, ReadsItsOwnSurfaceBack) {
   const std::string job = folder.write("job.json", R"({"stations": 20, "programs": [], "tolerance": 0.05})");
   ASSERT_LE(blade({"rationalize", example("panel-600x670"), "--job", job, "--out", folder / "a"}).status, 1);
   // A surface that is swept by elastica already is met again much more closely than the design was.
-  const Run again = blade({"rationalize", folder / "a/surface.step", "--job", job, "--out", folder / "b"});
+  const Finished again =
+      blade({"rationalize", folder / "a/surface.step", "--job", job, "--out", folder / "b"});
   ASSERT_LE(again.status, 1) << again.err;
   EXPECT_LT(comparable(folder / "b")["summary"]["R4_max"].get<double>(), 1e-4);
 }
@@ -143,7 +145,8 @@ TEST(Rationalize, IsTheSameForAnyNumberOfThreads) {
 TEST(Rationalize, ExceededToleranceIsStatusOne) {
   const Folder folder;
   const std::string job = folder.write("job.json", R"({"stations": 12, "tolerance": 0.001, "programs": []})");
-  const Run run = blade({"rationalize", example("panel-600x670"), "--job", job, "--out", folder / "out"});
+  const Finished run =
+      blade({"rationalize", example("panel-600x670"), "--job", job, "--out", folder / "out"});
   EXPECT_EQ(run.status, 1) << run.err;
   EXPECT_NE(run.err.find("more than the tolerance"), std::string::npos);
 }
