@@ -27,6 +27,13 @@ std::shared_ptr<const pipeline::Evaluation> withEarlierStages(pipeline::Evaluati
   return std::make_shared<const pipeline::Evaluation>(std::move(now));
 }
 
+/// The target is shown even where a later step failed.
+void addMesh(pipeline::Evaluation& evaluation) {
+  if (!evaluation.target.value || evaluation.targetMesh.value) return;
+  if (Result<TriangleMesh> mesh = evaluation.target.value->mesh())
+    evaluation.targetMesh.value = std::make_shared<const TriangleMesh>(std::move(*mesh));
+}
+
 }  // namespace
 
 EvaluationRunner::EvaluationRunner(QObject* parent) : QObject(parent) {
@@ -162,6 +169,7 @@ void EvaluationRunner::work(const std::stop_token& stop) {
       if (order.design) {
         pipeline::Outcome outcome = pipeline::evaluate(*order.design, previous.get(), context);
         error = std::move(outcome.error);
+        if (error && error->code != ErrorCode::cancelled) addMesh(outcome.evaluation);
         evaluation = std::make_shared<const pipeline::Evaluation>(std::move(outcome.evaluation));
         const std::lock_guard lock(mutex_);
         newest_ = evaluation;
