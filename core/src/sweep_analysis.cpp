@@ -7,6 +7,7 @@
 #include <cmath>
 #include <mutex>
 
+#include "bw/core/elastica_stability.h"
 #include "bw/core/number_text.h"
 #include "bw/core/sweep.h"
 #include "bw/core/units.h"
@@ -21,8 +22,6 @@ constexpr int kColumns = 101;
 constexpr int kRowTarget = 240;
 /// Blocks of rows that share a sampler; fixed, so that the result does not depend on the number of threads.
 constexpr int kChunks = 16;
-/// Samples of the stability test along the blade.
-constexpr int kStabilitySamples = 64;
 /// A flat blade cuts only along its edge; a round one melts whichever way it goes, but drags.
 constexpr double kAngleLimitFlat = 45 * kDegree;
 constexpr double kAngleLimitRound = 60 * kDegree;
@@ -73,31 +72,6 @@ double boxDistance(const Box& box, const Eigen::Vector3d& p) {
   const Eigen::Vector3d q = (box.frame.toLocal(p) - half).cwiseAbs() - half;
   const double outside = q.cwiseMax(0.0).norm();
   return outside > 0 ? outside : q.maxCoeff();
-}
-
-/// No conjugate point in (0, L]: the determinant of ∂(x, y, θ)(s)/∂(κ0, λ1, λ2) keeps its sign. Where it
-/// vanishes throughout (a straight blade, whose x does not answer in the first order) there is nothing to
-/// see, and the shape counts as stable below the buckling force.
-bool clampedStable(const Elastica& blade) {
-  std::vector<double> arcs(kStabilitySamples);
-  for (int i = 0; i < kStabilitySamples; ++i)
-    arcs[std::size_t(i)] = blade.length() * (i + 1) / kStabilitySamples;
-  std::vector<Elastica::State> states(arcs.size());
-  std::vector<Elastica::Jacobian> jacobians(arcs.size());
-  blade.at(arcs, states, jacobians);
-  double sign = 0;
-  for (const Elastica::Jacobian& jacobian : jacobians) {
-    Eigen::Matrix3d m = jacobian.block<3, 3>(0, 3);
-    double scale = 1;
-    for (int c = 0; c < 3; ++c) scale *= m.col(c).norm();
-    if (!(scale > 0)) continue;
-    // Rows of length are brought to the scale of the angle row.
-    const double d = m.determinant() / scale;
-    if (std::abs(d) < 1e-11) continue;
-    if (sign == 0) sign = d;
-    if (sign * d < 0) return false;
-  }
-  return true;
 }
 
 /// Tells stretches of stations that break a rule as one issue each, with the worst station named.
@@ -216,7 +190,7 @@ Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const Job& job, const SurfaceSa
                                       Station& station = stations[std::size_t(i)];
                                       velocities[std::size_t(i)] =
                                           stationVelocities(stations, travel, i, job.cuttingSpeed);
-                                      station.stable = clampedStable(station.blade);
+                                      station.stable = isClampedStable(station.blade);
                                     });
       !ok)
     return tl::unexpected<Error>(ok.error());
