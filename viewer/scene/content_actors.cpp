@@ -1,0 +1,350 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "content_actors.h"
+
+#include <vtkCellArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "isolines.h"
+#include "legend.h"
+
+namespace bw::scene {
+
+namespace {
+
+constexpr int kTableColors = 2048;
+constexpr double kStaleKeep = 0.6;
+
+void setBox(vtkPolyData* data, const Box& box, bool edges) {
+  const std::array<Eigen::Vector3d, 8> corners = box.corners();
+  const auto points = vtkSmartPointer<vtkPoints>::New();
+  for (const Eigen::Vector3d& corner : corners) points->InsertNextPoint(corner.data());
+  const auto cells = vtkSmartPointer<vtkCellArray>::New();
+  if (edges) {
+    for (vtkIdType a = 0; a < 8; ++a) {
+      for (const vtkIdType bit : {1, 2, 4}) {
+        if (a & bit) continue;
+        const vtkIdType ends[2] = {a, a | bit};
+        cells->InsertNextCell(2, ends);
+      }
+    }
+  } else {
+    // Counter-clockwise seen from outside.
+    constexpr vtkIdType kFaces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    for (const auto& face : kFaces) cells->InsertNextCell(4, face);
+  }
+  data->Initialize();
+  data->SetPoints(points);
+  if (edges) {
+    data->SetLines(cells);
+  } else {
+    data->SetPolys(cells);
+  }
+}
+
+bool usable(const Polyline& line) {
+  return line.size() >= 2 && std::all_of(line.begin(), line.end(), [](const Eigen::Vector3d& p) { return p.allFinite(); });
+}
+
+}  // namespace
+
+ContentActors::ContentActors() : table_(vtkSmartPointer<vtkLookupTable>::New()) {
+  target_.setMatte(0.35, 0.65, 0.0);
+  for (Part* part : {&targetEdges_, &cutEdges_, &isolines_, &stations_, &selected_, &selectedDashes_, &bladesInside_, &bladeDashes_,
+                     &blockEdges_}) {
+    part->setFlat();
+  }
+  cut_.mapper()->SetInterpolateScalarsBeforeMapping(true);
+  cut_.mapper()->SetLookupTable(table_);
+  cut_.mapper()->UseLookupTableScalarRangeOn();
+  cut_.mapper()->SetScalarModeToUsePointFieldData();
+  for (Part* part : {&blockBack_, &blockFront_}) {
+    part->setMatte(0.75, 0.25, 0.0);
+    part->property()->SetInterpolationToFlat();
+  }
+  blockBack_.property()->FrontfaceCullingOn();
+  blockFront_.property()->BackfaceCullingOn();
+}
+
+void ContentActors::addSolidTo(vtkRenderer* renderer) {
+  for (Part* part : {&cut_, &cutEdges_, &isolines_}) renderer->AddActor(part->actor());
+}
+
+void ContentActors::addClearTo(vtkRenderer* renderer) {
+  for (Part* part : {&blockBack_, &target_, &targetEdges_, &stations_, &bladesInside_, &bladeDashes_, &selected_, &selectedDashes_}) {
+    renderer->AddActor(part->actor());
+  }
+}
+
+void ContentActors::addFrontTo(vtkRenderer* renderer) {
+  renderer->AddActor(blockFront_.actor());
+  renderer->AddActor(blockEdges_.actor());
+}
+
+std::vector<Polyline> ContentActors::outside(const Polyline& blade, const Polyline& station, const std::optional<Box>& block) {
+  std::vector<Polyline> pieces;
+  if (!usable(blade)) return pieces;
+  // Shares [a, b] of each edge that count as inside.
+  const auto insideOf = [&](std::size_t i) -> std::pair<double, double> {
+    if (!block) return {1, 0};
+    const Eigen::Vector3d p = block->frame.toLocal(blade[i]), d = block->frame.toLocal(blade[i + 1]) - p;
+    double enter = 0, leave = 1;
+    for (int k = 0; k < 3; ++k) {
+      if (d[k] == 0) {
+        if (p[k] < 0 || p[k] > block->size[k]) return {1, 0};
+        continue;
+      }
+      const double a = -p[k] / d[k], b = (block->size[k] - p[k]) / d[k];
+      enter = std::max(enter, std::min(a, b));
+      leave = std::min(leave, std::max(a, b));
+    }
+    return {enter, leave};
+  };
+  if (!block) {
+    if (!usable(station)) return {blade};
+    // The part that cuts ends where the blade comes nearest to the ends of the station.
+    const auto nearest = [&](const Eigen::Vector3d& p) {
+      return std::size_t(std::min_element(blade.begin(), blade.end(),
+                                          [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return (a - p).squaredNorm() < (b - p).squaredNorm(); }) -
+                         blade.begin());
+    };
+    auto [first, last] = std::minmax(nearest(station.front()), nearest(station.back()));
+    // From the foam outwards, so that the dashes begin there.
+    if (first > 0) pieces.emplace_back(blade.rend() - std::ptrdiff_t(first + 1), blade.rend());
+    if (last + 1 < blade.size()) pieces.emplace_back(blade.begin() + std::ptrdiff_t(last), blade.end());
+    return pieces;
+  }
+  Polyline piece;
+  const auto close = [&] {
+    if (piece.size() >= 2) pieces.push_back(piece);
+    piece.clear();
+  };
+  for (std::size_t i = 0; i + 1 < blade.size(); ++i) {
+    const auto at = [&](double t) { return Eigen::Vector3d(blade[i] + t * (blade[i + 1] - blade[i])); };
+    const auto [enter, leave] = insideOf(i);
+    if (enter >= leave) {
+      if (piece.empty()) piece.push_back(blade[i]);
+      piece.push_back(blade[i + 1]);
+      continue;
+    }
+    if (enter > 0) {
+      if (piece.empty()) piece.push_back(blade[i]);
+      piece.push_back(at(enter));
+    }
+    close();
+    if (leave < 1) piece = {at(leave), blade[i + 1]};
+  }
+  close();
+  return pieces;
+}
+
+void ContentActors::setContent(const Content& content, const TriangleMesh& cutMesh) {
+  Bounds bounds;
+  for (const Eigen::Vector3d& p : content.target.points) bounds.add(p);
+  for (const Eigen::Vector3d& p : cutMesh.points) bounds.add(p);
+  for (const Polyline& line : content.stations) {
+    for (const Eigen::Vector3d& p : line) bounds.add(p);
+  }
+  diagonal_ = bounds.valid() ? std::max(1e-3, bounds.size().norm()) : 1;
+  dash_ = 0.008 * diagonal_;
+
+  const bool given = content.target.normals.size() == content.target.points.size();
+  targetNormals_ = given ? std::vector<Eigen::Vector3d>{} : pointNormals(content.target.points, content.target.triangles);
+  shareMesh(target_.data(), content.target.points, given ? content.target.normals : targetNormals_, content.target.triangles);
+  targetEdges_.setSegments(boundaryEdges(content.target.points, content.target.triangles));
+
+  hasCut_ = !cutMesh.triangles.empty();
+  shareMesh(cut_.data(), cutMesh.points, cutMesh.normals, cutMesh.triangles);
+  deviationReach_ = 0;
+  if (hasCut_) {
+    for (const Field& field : content.cut.fields) {
+      if (field.values.size() != cutMesh.points.size()) continue;
+      const auto array = vtkSmartPointer<vtkDoubleArray>::New();
+      array->SetName(field.name.c_str());
+      // VTK only reads through this pointer.
+      array->SetArray(const_cast<double*>(field.values.data()), vtkIdType(field.values.size()), 1);
+      cut_.data()->GetPointData()->AddArray(array);
+      if (field.name == "deviation") {
+        const FieldSummary summary = summarize(field.values);
+        deviationReach_ = std::max(std::abs(summary.min), std::abs(summary.max));
+      }
+    }
+  }
+  cutEdges_.setSegments(boundaryEdges(cutMesh.points, cutMesh.triangles));
+
+  std::vector<Polyline> lines;
+  double travel = 0;
+  for (const Polyline& line : content.stations) {
+    if (!usable(line)) continue;
+    if (!lines.empty()) travel += (line[line.size() / 2] - lines.back()[lines.back().size() / 2]).norm();
+    lines.push_back(line);
+  }
+  stationSpacing_ = lines.size() > 1 ? travel / double(lines.size() - 1) : 0;
+  stations_.setLines(lines);
+
+  if (content.block) {
+    setBox(blockBack_.data(), *content.block, false);
+    setBox(blockFront_.data(), *content.block, false);
+    setBox(blockEdges_.data(), *content.block, true);
+  } else {
+    for (Part* part : {&blockBack_, &blockFront_, &blockEdges_}) part->clear();
+  }
+  isolinesValid_ = bladesValid_ = false;
+  selectedIndex_ = -1;
+  for (Part* part : {&isolines_, &bladesInside_, &bladeDashes_, &selected_, &selectedDashes_}) part->clear();
+}
+
+void ContentActors::selectStation(const Content& content, int index) {
+  if (index == selectedIndex_) return;
+  selectedIndex_ = index;
+  selected_.clear();
+  selectedDashes_.clear();
+  if (index < 0 || index >= int(content.stations.size()) || !usable(content.stations[std::size_t(index)])) return;
+  const Polyline& station = content.stations[std::size_t(index)];
+  selected_.setLines({station});
+  if (index >= int(content.blades.size())) return;
+  std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> segments;
+  for (const Polyline& piece : outside(content.blades[std::size_t(index)], station, content.block)) {
+    const auto more = dashes(piece, dash_, 0.7 * dash_);
+    segments.insert(segments.end(), more.begin(), more.end());
+  }
+  selectedDashes_.setSegments(segments);
+}
+
+void ContentActors::showBlades(const Content& content) {
+  if (bladesValid_) return;
+  bladesValid_ = true;
+  std::vector<Polyline> whole;
+  std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> segments;
+  for (std::size_t i = 0; i < content.blades.size(); ++i) {
+    const Polyline& blade = content.blades[i];
+    if (!usable(blade)) continue;
+    for (const Polyline& piece : outside(blade, i < content.stations.size() ? content.stations[i] : Polyline{}, content.block)) {
+      const auto more = dashes(piece, dash_, 0.7 * dash_);
+      segments.insert(segments.end(), more.begin(), more.end());
+    }
+  }
+  bladeDashes_.setSegments(segments);
+}
+
+void ContentActors::setStyle(const Content& content, const TriangleMesh& cutMesh, const Style& style, const Field* field, const ColorMap& map,
+                             const Rgb& background) {
+  const Theme& colors = theme(style.dark);
+  const double keep = style.stale ? kStaleKeep : 1.0, px = style.pixelRatio;
+  const bool cutShown = style.showCut && hasCut_ && style.cutOpacity > 0;
+  const bool mapped = cutShown && field;
+
+  target_.setVisible(style.showTarget && style.targetOpacity > 0 && !content.target.triangles.empty());
+  target_.setColor(colors.target);
+  target_.setOpacity(std::clamp(style.targetOpacity, 0.0, 1.0));
+  targetEdges_.setVisible(style.showTarget && style.targetOpacity > 0 && !content.target.triangles.empty());
+  targetEdges_.setColor(colors.targetEdge);
+  targetEdges_.setOpacity(std::min(1.0, style.targetOpacity + 0.3));
+  targetEdges_.setLineWidth(px);
+
+  cut_.setVisible(cutShown);
+  cut_.setOpacity(std::clamp(style.cutOpacity, 0.0, 1.0));
+  cut_.setColor(colors.cut);
+  cut_.mapper()->SetScalarVisibility(mapped);
+  if (mapped) {
+    // A map must keep its colours; the form may only speak softly.
+    cut_.setMatte(0.52, 0.5, 0.0);
+    cut_.mapper()->SelectColorArray(field->name.c_str());
+    if (map != tableMap_ || table_->GetNumberOfTableValues() != kTableColors) {
+      tableMap_ = map;
+      table_->SetNumberOfTableValues(kTableColors);
+      table_->SetRange(map.range.first, map.range.second);
+      for (int i = 0; i < kTableColors; ++i) {
+        const Rgb c = map.at(map.range.first + (i + 0.5) / kTableColors * (map.range.second - map.range.first));
+        table_->SetTableValue(i, c.r, c.g, c.b, 1);
+      }
+      table_->SetNanColor(0.6, 0.6, 0.6, 1);
+    }
+  } else {
+    cut_.setMatte(0.38, 0.66, 0.05);
+  }
+  cut_.setFade(keep, background);
+  cutEdges_.setVisible(cutShown);
+  cutEdges_.setColor(Rgb::hex(0x4A5058));
+  cutEdges_.setLineWidth(px);
+  cutEdges_.setFade(keep, background);
+
+  const bool lined = mapped && style.isolines;
+  isolines_.setVisible(lined);
+  if (lined) {
+    const Ticks ticks = legendTicks(map.range);
+    if (!isolinesValid_ || isolineField_ != field->name || isolineLevels_ != ticks.values) {
+      isolinesValid_ = true;
+      isolineField_ = field->name;
+      isolineLevels_ = ticks.values;
+      isolines_.setSegments(isolines(cutMesh.points, cutMesh.triangles, field->values, ticks.values));
+    }
+    isolines_.setColor(Rgb::hex(0x22252A));
+    isolines_.setLineWidth(px);
+    isolines_.setFade(keep, background);
+  }
+
+  stations_.setVisible(style.showStations);
+  stations_.setColor(cutShown ? Rgb::hex(0x22252A) : colors.station);
+  stations_.setLineWidth(px);
+  stations_.setFade(keep, background);
+  selectStation(content, style.selectedStation);
+  for (Part* part : {&selected_, &selectedDashes_}) {
+    part->setVisible(selectedIndex_ >= 0);
+    part->setColor(colors.selection);
+    part->setFade(keep, background);
+  }
+  selected_.setLineWidth(2.5 * px);
+  selectedDashes_.setLineWidth(1.5 * px);
+
+  if (style.showBlades) showBlades(content);
+  bladesInside_.setVisible(false);
+  bladeDashes_.setVisible(style.showBlades);
+  bladeDashes_.setColor(colors.station);
+  bladeDashes_.setLineWidth(px);
+  bladeDashes_.setFade(keep, background);
+
+  const bool blockShown = style.showBlock && content.block.has_value();
+  for (Part* part : {&blockBack_, &blockFront_}) {
+    part->setVisible(blockShown && style.blockOpacity > 0);
+    part->setColor(colors.foam);
+    // Two faces lie one behind the other: together they shall cover as much as was asked for.
+    part->setOpacity(1 - std::sqrt(1 - std::clamp(style.blockOpacity, 0.0, 1.0)));
+  }
+  blockEdges_.setVisible(blockShown);
+  blockEdges_.setColor(colors.foamEdge);
+  blockEdges_.setLineWidth(px);
+}
+
+double ContentActors::targetSetBack(const Style& style) const {
+  if (!style.showCut || !hasCut_ || style.cutOpacity < 0.5) return 0;
+  // Without a map the two surfaces may interpenetrate visibly; only true coincidence is settled.
+  if (style.field == "none") return 0.0005 * diagonal_;
+  return std::clamp(4 * deviationReach_, 0.004 * diagonal_, 0.1 * diagonal_);
+}
+
+void ContentActors::update(const Style& style, double depthPerMillimetre, double millimetresPerPixel) {
+  const double line = 1.5 * millimetresPerPixel * style.pixelRatio + 0.0004 * diagonal_;
+  const double back = targetSetBack(style);
+  target_.setDepthShift(depthPerMillimetre * back);
+  targetEdges_.setDepthShift(depthPerMillimetre * (back - line));
+  cutEdges_.setDepthShift(-depthPerMillimetre * line);
+  isolines_.setDepthShift(-depthPerMillimetre * 1.2 * line);
+  stations_.setDepthShift(-depthPerMillimetre * line);
+  for (Part* part : {&selected_, &selectedDashes_}) part->setDepthShift(-depthPerMillimetre * 2 * line);
+  // Dense lines must not become a veil over the map.
+  const double spacing = stationSpacing_ / std::max(1e-12, millimetresPerPixel * style.pixelRatio);
+  const double base = style.showCut && hasCut_ ? 0.42 : 0.75;
+  stations_.setOpacity(std::max(0.06, base * std::clamp(spacing / 9, 0.0, 1.0)));
+  bladeDashes_.setOpacity(std::max(0.08, 0.7 * std::clamp(spacing / 9, 0.0, 1.0)));
+}
+
+}  // namespace bw::scene

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkSmartPointer.h>
+
+namespace bw::scene {
+
+/// Where a scene is drawn: a VTK window over a GL context that someone holds.
+class RenderTarget {
+ public:
+  virtual ~RenderTarget() = default;
+  virtual vtkGenericOpenGLRenderWindow* window() const = 0;
+  virtual bool makeCurrent() = 0;
+  virtual void doneCurrent() = 0;
+};
+
+/// A VTK window over a GL context (3.2 core or later) that is not its own. It answers WindowIsCurrentEvent and WindowMakeCurrentEvent
+/// through its observers.
+vtkSmartPointer<vtkGenericOpenGLRenderWindow> makeGlWindow();
+
+}  // namespace bw::scene

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "bw/scene/scene.h"
+#include "picking.h"
+#include "vtk_tools.h"
+
+namespace bw::scene {
+
+/// The blade's line at a fractional station, linear between neighbours. Lines with different numbers of points are joined at equal
+/// shares of their length.
+Polyline bladeAt(const std::vector<Polyline>& blades, double playhead);
+
+/// The hot blade: a glowing tube that keeps its width on the screen, with a dark grip at each end.
+class MovingBlade {
+ public:
+  MovingBlade();
+  void addSolidTo(vtkRenderer* renderer);
+  void addGlowTo(vtkRenderer* renderer);
+  void setLine(Polyline line);
+  void setStyle(const Style& style, const Rgb& background);
+  /// Gives the tube its width for that view.
+  void update(const Projection& view, double depthShift);
+  const Polyline& line() const { return line_; }
+
+ private:
+  Part tube_, grips_, glow_;
+  Polyline line_;
+  double pixelRatio_ = 1;
+};
+
+}  // namespace bw::scene

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "bw/scene/scene.h"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <exception>
+
+#include "offscreen.h"
+#include "scene_impl.h"
+
+namespace bw::scene {
+
+namespace {
+
+constexpr int kLargestSide = 16384;  ///< pixels; what common drivers allow
+
+Camera lookAlong(View view) {
+  Eigen::Vector3d back = Eigen::Vector3d(1, -1, 1).normalized(), up = Eigen::Vector3d::UnitZ();
+  switch (view) {
+    case View::iso: up = Eigen::Vector3d(-1, 1, 2).normalized(); break;
+    case View::top: back = Eigen::Vector3d::UnitZ(); up = Eigen::Vector3d::UnitY(); break;
+    case View::bottom: back = -Eigen::Vector3d::UnitZ(); up = -Eigen::Vector3d::UnitY(); break;
+    case View::front: back = -Eigen::Vector3d::UnitY(); break;
+    case View::back: back = Eigen::Vector3d::UnitY(); break;
+    case View::left: back = -Eigen::Vector3d::UnitX(); break;
+    case View::right: back = Eigen::Vector3d::UnitX(); break;
+  }
+  Camera camera;
+  camera.focus = Eigen::Vector3d::Zero();
+  camera.position = 1000 * back;
+  camera.up = up;
+  return camera;
+}
+
+}  // namespace
+
+Scene::Scene() : impl_(std::make_unique<Impl>()) {}
+Scene::~Scene() = default;
+Scene::Scene(Scene&&) noexcept = default;
+Scene& Scene::operator=(Scene&&) noexcept = default;
+
+void Scene::setContent(Content content) { impl_->setContent(std::move(content)); }
+void Scene::setStyle(const Style& style) { impl_->setStyle(style); }
+const Style& Scene::style() const { return impl_->style; }
+const Content& Scene::content() const { return impl_->content; }
+
+std::optional<std::pair<double, double>> Scene::legendRange() const {
+  if (!impl_->field) return std::nullopt;
+  return impl_->map.range;
+}
+
+Camera Scene::fitCamera(View view, double aspect, const std::optional<Bounds>& bounds) const {
+  Camera camera = lookAlong(view);
+  camera.viewAngle = impl_->camera.viewAngle;
+  camera.parallel = impl_->camera.parallel;
+  return impl_->fit(camera, aspect, bounds);
+}
+
+Camera Scene::fitCamera(const Camera& from, double aspect, const std::optional<Bounds>& bounds) const {
+  return impl_->fit(from, aspect, bounds);
+}
+
+Bounds Scene::bounds() const { return impl_->contentBounds(); }
+
+void Scene::setCamera(const Camera& camera) {
+  const Eigen::Vector3d forward = camera.focus - camera.position;
+  const bool sound = camera.position.allFinite() && camera.focus.allFinite() && camera.up.allFinite() && forward.norm() > 0 &&
+                     forward.cross(camera.up).norm() > 1e-9 * forward.norm() * camera.up.norm() && camera.viewAngle > 0 &&
+                     camera.viewAngle < 180 && camera.parallelScale > 0 && std::isfinite(camera.parallelScale);
+  if (sound) impl_->camera = camera;
+}
+
+Camera Scene::camera() const { return impl_->camera; }
+Pick Scene::pick(double x, double y, int width, int height) const { return impl_->pick(x, y, width, height); }
+
+std::optional<View> Scene::markerView(double x, double y, int width, int height) const {
+  return OrientationMarker::viewAt(x, y, impl_->projection(width, height), width, height, impl_->style.pixelRatio);
+}
+
+Eigen::Vector3d Scene::pointAtFocus(double x, double y, int width, int height) const {
+  const Projection view = impl_->projection(width, height);
+  const Ray ray = view.ray(x, y);
+  return ray.at((impl_->camera.focus - ray.origin).dot(view.forward()) / ray.direction.dot(view.forward()));
+}
+
+const Overlay& Scene::overlay() const { return impl_->overlay; }
+
+Result<Picture> Scene::render(int width, int height) {
+  if (width < 1 || height < 1 || width > kLargestSide || height > kLargestSide) {
+    return fail(ErrorCode::badInput, "A picture of " + std::to_string(width) + " × " + std::to_string(height) +
+                                         " pixels cannot be made: both sides must lie between 1 and " + std::to_string(kLargestSide) + ".");
+  }
+  try {
+    if (!impl_->target()) {
+      Result<std::unique_ptr<RenderTarget>> target = makeOffscreenTarget();
+      if (!target) return tl::unexpected(target.error());
+      impl_->setTarget(std::move(*target));
+    }
+    if (!impl_->target()->makeCurrent()) return fail(ErrorCode::internal, "The picture could not be drawn: the graphics context was lost.");
+    impl_->renderFrame(width, height);
+    Picture picture = impl_->readPicture();
+    impl_->target()->doneCurrent();
+    if (picture.rgb.empty()) {
+      return fail(ErrorCode::internal, "The picture of " + std::to_string(width) + " × " + std::to_string(height) +
+                                           " pixels could not be read back from the graphics driver; try a smaller one.");
+    }
+    return picture;
+  } catch (const std::exception& error) {
+    return fail(ErrorCode::internal, std::string("The picture could not be drawn: ") + error.what() + ".");
+  }
+}
+
+}  // namespace bw::scene

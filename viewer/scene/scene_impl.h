@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+#include <memory>
+#include <optional>
+
+#include "bw/scene/scene.h"
+#include "content_actors.h"
+#include "gl_window.h"
+#include "ground_grid.h"
+#include "legend.h"
+#include "moving_blade.h"
+#include "orientation_marker.h"
+#include "picking.h"
+
+namespace bw::scene {
+
+/// The inside of a scene; bw_view shares it with bw_scene, nobody else does.
+struct Scene::Impl {
+  Impl();
+  ~Impl();
+
+  void setContent(Content given);
+  void setStyle(const Style& given);
+  /// Takes the target to draw in (and gives up the former one), or none.
+  void setTarget(std::unique_ptr<RenderTarget> given);
+  /// Draws a frame of that size in the target, whose context must be current.
+  void renderFrame(int width, int height);
+  /// Reads the last frame.
+  Picture readPicture() const;
+  Projection projection(int width, int height) const;
+  Pick pick(double x, double y, int width, int height) const;
+  Bounds contentBounds() const;
+  Camera fit(Camera from, double aspect, const std::optional<Bounds>& wished) const;
+
+  RenderTarget* target() const { return target_.get(); }
+
+  Content content;
+  TriangleMesh cutMesh;             ///< of content.cut
+  Style style;
+  Camera camera;
+  const Field* field = nullptr;     ///< shown; points into `content`
+  FieldSummary summary;             ///< of `field`
+  ColorMap map;
+  Overlay overlay;
+
+ private:
+  void refreshField();
+  void refreshBlade();
+  std::optional<RayHit> blockedBy(const Ray& ray) const;
+  int nearestStation(const Eigen::Vector3d& point) const;
+
+  vtkSmartPointer<vtkRenderer> renderer_;
+  ContentActors actors_;
+  MovingBlade blade_;
+  GroundGrid grid_;
+  OrientationMarker marker_;
+  Legend legend_;
+  std::unique_ptr<RenderTarget> target_;
+  Bounds solidBounds_, bladeBounds_;
+  unsigned contentVersion_ = 0;
+  std::string summaryKey_;
+  int lastWidth_ = 0;
+  mutable std::unique_ptr<TriangleTree> cutTree_, targetTree_;
+};
+
+}  // namespace bw::scene
