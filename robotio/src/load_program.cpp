@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include <algorithm>
+#include <system_error>
+
+#include "bw/robotio/program.h"
+#include "rapid_program.h"
+
+namespace bw::robotio {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kMaxFile = std::size_t(64) << 20;    ///< bytes of one file
+constexpr std::size_t kMaxTotal = std::size_t(256) << 20;  ///< bytes of a program
+constexpr std::size_t kMaxFiles = 2000;
+
+struct Found {
+  fs::path file;
+  std::string path;  ///< within the program
+};
+
+bool belongsToRapid(const fs::path& file) {
+  return isModuleFile(file.string()) || isProgramFile(file.string());
+}
+
+Result<std::vector<fs::path>> entriesOf(const fs::path& folder) {
+  std::vector<fs::path> entries;
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
+    entries.push_back(it->path());
+  if (error)
+    return fail(ErrorCode::cannotRead, "cannot read the folder " + folder.string() + ": " + error.message(),
+                folder.string());
+  std::sort(entries.begin(), entries.end());
+  return entries;
+}
+
+/// Adds the RAPID files of `folder` and of its folders, at most `depth` levels down.
+Result<void> collect(const fs::path& folder, const std::string& prefix, int depth,
+                     std::vector<Found>& found) {
+  const Result<std::vector<fs::path>> entries = entriesOf(folder);
+  if (!entries) return tl::unexpected<Error>(entries.error());
+  for (const fs::path& entry : *entries) {
+    std::error_code error;
+    const std::string path = prefix + entry.filename().string();
+    if (fs::is_directory(entry, error)) {
+      if (depth > 0)
+        if (Result<void> ok = collect(entry, path + "/", depth - 1, found); !ok) return ok;
+    } else if (belongsToRapid(entry) && fs::is_regular_file(entry, error)) {
+      found.push_back(Found{entry, path});
+      if (found.size() > kMaxFiles)
+        return fail(ErrorCode::cannotRead,
+                    folder.string() + " holds more than " + std::to_string(kMaxFiles) + " program files",
+                    folder.string());
+    }
+  }
+  return {};
+}
+
+/// The name of a folder, also of "." and of a path that ends in a slash.
+std::string folderName(const fs::path& folder) {
+  std::error_code error;
+  fs::path whole = fs::absolute(folder.empty() ? fs::path(".") : folder, error).lexically_normal();
+  if (!whole.has_filename()) whole = whole.parent_path();
+  return whole.filename().string();
+}
+
+}  // namespace
+
+Result<Program> loadProgram(const fs::path& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status))
+    return fail(ErrorCode::cannotRead,
+                "there is no program at " + path.string() + "; give a program's folder or file",
+                path.string());
+  if (!fs::is_directory(status) && !fs::is_regular_file(status))
+    return fail(ErrorCode::cannotRead,
+                path.string() + " is neither a file nor a folder; give a program's folder or file",
+                path.string());
+  std::vector<Found> found;
+  if (fs::is_directory(status)) {
+    if (Result<void> ok = collect(path, "", 2, found); !ok) return tl::unexpected<Error>(ok.error());
+    if (found.empty())
+      return fail(ErrorCode::cannotRead,
+                  "there are no .mod, .modx or .pgf files in " + path.string() +
+                      " or the folders of its tasks; give a program's folder",
+                  path.string());
+    // The folder of one task: its modules belong to the task that it names.
+    for (Found& file : found)
+      if (file.path.find('/') == std::string::npos) file.path = folderName(path) + "/" + file.path;
+  } else {
+    const std::string name = path.filename().string();
+    found.push_back(Found{path, belongsToRapid(path) ? folderName(path.parent_path()) + "/" + name : name});
+  }
+  Program program;
+  std::size_t total = 0;
+  for (const Found& file : found) {
+    Result<std::string> bytes = readFile(file.file, kMaxFile);
+    if (!bytes) return tl::unexpected<Error>(bytes.error());
+    total += bytes->size();
+    if (total > kMaxTotal)
+      return fail(ErrorCode::cannotRead,
+                  "the program in " + path.string() + " is larger than 256 MB, the most that is read",
+                  path.string(), double(total), double(kMaxTotal));
+    program.push_back(ProgramFile{file.path, std::move(*bytes)});
+  }
+  return program;
+}
+
+}  // namespace bw::robotio

@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// Motion as CSV: the first line names the columns with their units, then one row an instant. The columns of
+// the motion as a whole (blade, speed, block) are filled in the first row only; blank means "as in the row
+// above".
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "bw/core/number_text.h"
+#include "bw/robotio/program.h"
+#include "motion_check.h"
+
+namespace bw::robotio {
+
+namespace {
+
+constexpr std::array<const char*, 7> kPoseColumns = {"x_mm", "y_mm", "z_mm", "qw", "qx", "qy", "qz"};
+constexpr std::array<const char*, 17> kMotionColumns = {
+    "blade_length_mm", "cutting_speed_mm_s", "block_origin_x_mm", "block_origin_y_mm", "block_origin_z_mm",
+    "block_size_x_mm", "block_size_y_mm",    "block_size_z_mm",   "block_x_x",         "block_x_y",
+    "block_x_z",       "block_y_x",          "block_y_y",         "block_y_z",         "block_z_x",
+    "block_z_y",       "block_z_z"};
+constexpr std::size_t kFirstPose = 2;  ///< columns before the poses: time_s, station
+constexpr std::size_t kMaxColumns = kFirstPose + 6 * kPoseColumns.size() + kMotionColumns.size();
+
+std::vector<std::string> columnNames(std::size_t ends) {
+  std::vector<std::string> names = {"time_s", "station"};
+  for (std::size_t end = 0; end < ends; ++end)
+    for (const char* column : kPoseColumns) names.push_back(endName(end) + "_" + column);
+  names.insert(names.end(), kMotionColumns.begin(), kMotionColumns.end());
+  return names;
+}
+
+std::array<double, kMotionColumns.size()> motionValues(const Motion& motion) {
+  const Frame& f = motion.block.frame;
+  const Eigen::Vector3d& s = motion.block.size;
+  return {motion.bladeLength,
+          motion.cuttingSpeed,
+          f.origin.x(),
+          f.origin.y(),
+          f.origin.z(),
+          s.x(),
+          s.y(),
+          s.z(),
+          f.x.x(),
+          f.x.y(),
+          f.x.z(),
+          f.y.x(),
+          f.y.y(),
+          f.y.z(),
+          f.normal.x(),
+          f.normal.y(),
+          f.normal.z()};
+}
+
+void setMotionValues(const std::array<double, kMotionColumns.size()>& v, Motion& motion) {
+  motion.bladeLength = v[0];
+  motion.cuttingSpeed = v[1];
+  Frame& f = motion.block.frame;
+  f.origin = {v[2], v[3], v[4]};
+  motion.block.size = {v[5], v[6], v[7]};
+  f.x = {v[8], v[9], v[10]};
+  f.y = {v[11], v[12], v[13]};
+  f.normal = {v[14], v[15], v[16]};
+}
+
+std::string joined(const std::vector<std::string>& cells) {
+  std::string line;
+  for (std::size_t i = 0; i < cells.size(); ++i) line += (i ? "," : "") + cells[i];
+  return line + "\n";
+}
+
+/// Cuts a text into lines (LF or CR LF) and lines into cells.
+class CsvScanner {
+ public:
+  explicit CsvScanner(std::string_view text) : rest_(text) {}
+  int line() const { return line_; }
+
+  /// False at the end. Lines that are blank to the end of the text count as the end.
+  bool nextLine(std::vector<std::string_view>& cells) {
+    if (rest_.find_first_not_of(" \t\r\n") == std::string_view::npos) return false;
+    ++line_;
+    const std::size_t end = std::min(rest_.find('\n'), rest_.size());
+    std::string_view text = rest_.substr(0, end);
+    rest_.remove_prefix(std::min(end + 1, rest_.size()));
+    if (!text.empty() && text.back() == '\r') text.remove_suffix(1);
+    cells.clear();
+    while (true) {
+      const std::size_t comma = text.find(',');
+      std::string_view cell = text.substr(0, comma);
+      while (!cell.empty() && (cell.front() == ' ' || cell.front() == '\t')) cell.remove_prefix(1);
+      while (!cell.empty() && (cell.back() == ' ' || cell.back() == '\t')) cell.remove_suffix(1);
+      cells.push_back(cell);
+      if (comma == std::string_view::npos || cells.size() > kMaxColumns) return true;
+      text.remove_prefix(comma + 1);
+    }
+  }
+
+ private:
+  std::string_view rest_;
+  int line_ = 0;
+};
+
+std::string shown(std::string_view cell) {
+  std::string text;
+  for (const char c : cell.substr(0, 40)) text += c >= ' ' && c < 127 ? c : '?';
+  return text;
+}
+
+class CsvReader {
+ public:
+  explicit CsvReader(std::string_view text) : scanner_(text) {}
+
+  Result<Motion> run() {
+    std::vector<std::string_view> cells;
+    if (!scanner_.nextLine(cells))
+      return fail(ErrorCode::badInput, "the CSV is empty; it must begin with a header", "line 1");
+    if (Result<void> ok = readHeader(cells); !ok) return tl::unexpected<Error>(ok.error());
+    Motion motion;
+    while (scanner_.nextLine(cells)) {
+      if (motion.instants.size() == kMaxInstants)
+        return wrong("there are more than " + std::to_string(kMaxInstants) + " rows");
+      if (Result<void> ok = readRow(cells, motion); !ok) return tl::unexpected<Error>(ok.error());
+    }
+    if (Result<void> ok = checkMotion(motion); !ok) return tl::unexpected<Error>(ok.error());
+    return motion;
+  }
+
+ private:
+  tl::unexpected<Error> wrong(const std::string& message) const {
+    const std::string where = "line " + std::to_string(scanner_.line());
+    return fail(ErrorCode::badInput, "CSV " + where + ": " + message, where);
+  }
+
+  Result<void> readHeader(const std::vector<std::string_view>& cells) {
+    const std::size_t fixed = kFirstPose + kMotionColumns.size();
+    const std::size_t poseCells = cells.size() > fixed ? cells.size() - fixed : 0;
+    ends_ = poseCells / kPoseColumns.size();
+    if (cells.size() > kMaxColumns || ends_ < 1 || ends_ * kPoseColumns.size() != poseCells)
+      return wrong("the header has " + std::to_string(std::min(cells.size(), kMaxColumns + 1)) +
+                   " columns; a motion of one end has " + std::to_string(fixed + kPoseColumns.size()) +
+                   ", of two ends " + std::to_string(fixed + 2 * kPoseColumns.size()));
+    names_ = columnNames(ends_);
+    for (std::size_t i = 0; i < names_.size(); ++i)
+      if (cells[i] != names_[i])
+        return wrong("column " + std::to_string(i + 1) + " must be \"" + names_[i] + "\", not \"" +
+                     shown(cells[i]) + "\"");
+    return {};
+  }
+
+  Result<double> number(std::string_view cell, std::size_t column) const {
+    if (const std::optional<double> value = parseNumber(cell)) return *value;
+    return wrong("\"" + shown(cell) + "\" in column " + names_[column] + " is not a finite number");
+  }
+
+  Result<void> readRow(const std::vector<std::string_view>& cells, Motion& motion) {
+    if (cells.size() != names_.size())
+      return wrong("the row has " + std::to_string(std::min(cells.size(), kMaxColumns + 1)) +
+                   " cells but the header has " + std::to_string(names_.size()));
+    MotionInstant instant;
+    const Result<double> time = number(cells[0], 0), station = number(cells[1], 1);
+    if (!time) return tl::unexpected<Error>(time.error());
+    if (!station) return tl::unexpected<Error>(station.error());
+    if (*station != std::floor(*station) || *station < -1 || *station > 1e9)
+      return wrong("the station is " + shown(cells[1]) + " but must be a whole number, -1 in the leads");
+    instant.time = *time;
+    instant.station = int(*station);
+    for (std::size_t end = 0; end < ends_; ++end) {
+      std::array<double, kPoseColumns.size()> v{};
+      for (std::size_t i = 0; i < v.size(); ++i) {
+        const std::size_t column = kFirstPose + end * v.size() + i;
+        const Result<double> value = number(cells[column], column);
+        if (!value) return tl::unexpected<Error>(value.error());
+        v[i] = *value;
+      }
+      instant.poses.push_back(Pose{{v[0], v[1], v[2]}, Eigen::Quaterniond(v[3], v[4], v[5], v[6])});
+    }
+    if (Result<void> ok = readMotionColumns(cells, motion); !ok) return ok;
+    motion.instants.push_back(std::move(instant));
+    return {};
+  }
+
+  Result<void> readMotionColumns(const std::vector<std::string_view>& cells, Motion& motion) {
+    std::array<double, kMotionColumns.size()> values = motionValues(motion);
+    const bool first = motion.instants.empty();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const std::size_t column = kFirstPose + ends_ * kPoseColumns.size() + i;
+      if (cells[column].empty() && !first) continue;
+      const Result<double> value = number(cells[column], column);
+      if (!value) return tl::unexpected<Error>(value.error());
+      if (!first && *value != values[i]) return wrong(names_[column] + " must be the same in all rows");
+      values[i] = *value;
+    }
+    if (first) setMotionValues(values, motion);
+    return {};
+  }
+
+  CsvScanner scanner_;
+  std::size_t ends_ = 0;
+  std::vector<std::string> names_;
+};
+
+}  // namespace
+
+Result<Program> writeCsv(const Motion& motion) {
+  if (Result<void> ok = checkMotion(motion); !ok) return tl::unexpected<Error>(ok.error());
+  std::string text = joined(columnNames(motion.instants.front().poses.size()));
+  for (std::size_t i = 0; i < motion.instants.size(); ++i) {
+    const MotionInstant& instant = motion.instants[i];
+    std::vector<std::string> cells = {roundTripText(instant.time), std::to_string(instant.station)};
+    for (const Pose& pose : instant.poses) {
+      const Eigen::Quaterniond& q = pose.rotation;
+      for (const double v :
+           {pose.position.x(), pose.position.y(), pose.position.z(), q.w(), q.x(), q.y(), q.z()})
+        cells.push_back(roundTripText(v));
+    }
+    for (const double v : motionValues(motion)) cells.push_back(i == 0 ? roundTripText(v) : std::string());
+    text += joined(cells);
+  }
+  return Program{ProgramFile{"motion.csv", std::move(text)}};
+}
+
+Result<Motion> readCsv(std::string_view text) { return CsvReader(text).run(); }
+
+}  // namespace bw::robotio

@@ -1,0 +1,342 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// Rule 2: files, line ends, characters, the .pgf list. Rules 1, 3, 8, 10, 12 and 14 as far as they concern
+// declarations.
+
+#include <algorithm>
+#include <cmath>
+
+#include "bw/core/number_text.h"
+#include "rapid_names.h"
+#include "rapid_program.h"
+
+namespace bw::robotio {
+
+namespace {
+
+constexpr double kNormTolerance = 1e-6;    ///< of a printed quaternion, rule 10
+constexpr double kMaxCoordinate = 1e5;     ///< mm; beyond it single precision has no hundredth of a mm left
+constexpr double kUnusedAxis = 9e9;        ///< RAPID's mark of an axis that is not there
+constexpr std::size_t kMaxTargets = 5000;  ///< in one module, rule 3
+constexpr std::size_t kMaxString = 80;     ///< characters of a RAPID string
+
+std::string leafOf(const std::string& path) { return path.substr(path.rfind('/') + 1); }
+std::string stemOf(const std::string& path) {
+  const std::string leaf = leafOf(path);
+  return leaf.substr(0, leaf.rfind('.'));
+}
+bool isRobotWare7(const std::string& path) { return lowerCase(path).ends_with(".modx"); }
+
+/// True if `bytes` are well-formed UTF-8 (no overlong forms, no surrogates).
+bool isUtf8(std::string_view bytes) {
+  for (std::size_t i = 0; i < bytes.size();) {
+    const auto c = static_cast<unsigned char>(bytes[i]);
+    std::size_t more = 0;
+    unsigned low = 0x80, high = 0xBF;
+    if (c < 0x80) {
+      ++i;
+      continue;
+    }
+    if (c >= 0xC2 && c <= 0xDF)
+      more = 1;
+    else if (c >= 0xE0 && c <= 0xEF)
+      more = 2;
+    else if (c >= 0xF0 && c <= 0xF4)
+      more = 3;
+    else
+      return false;
+    if (c == 0xE0) low = 0xA0;
+    if (c == 0xED) high = 0x9F;
+    if (c == 0xF0) low = 0x90;
+    if (c == 0xF4) high = 0x8F;
+    if (i + more >= bytes.size()) return false;
+    for (std::size_t k = 1; k <= more; ++k) {
+      const auto d = static_cast<unsigned char>(bytes[i + k]);
+      if (d < (k == 1 ? low : 0x80U) || d > (k == 1 ? high : 0xBFU)) return false;
+    }
+    i += more + 1;
+  }
+  return true;
+}
+
+void checkLineEnds(const ProgramFile& file, Findings& findings) {
+  int line = 1, firstLine = 0, count = 0;
+  const std::string& b = file.bytes;
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    const bool bad = (b[i] == '\n' && (i == 0 || b[i - 1] != '\r')) ||
+                     (b[i] == '\r' && (i + 1 == b.size() || b[i + 1] != '\n'));
+    if (bad && ++count == 1) firstLine = line;
+    if (b[i] == '\n') ++line;
+  }
+  if (count > 0)
+    findings.rule(2, file.path, firstLine,
+                  std::to_string(count) + (count == 1 ? " line does" : " lines do") +
+                      " not end in CR LF, as the controller wants");
+  else if (b.size() < 2 || b.compare(b.size() - 2, 2, "\r\n") != 0)
+    findings.rule(2, file.path, line, "the last line does not end in CR LF");
+}
+
+void checkCharacters(const ProgramFile& file, Findings& findings) {
+  const std::string& b = file.bytes;
+  if (b.compare(0, 3, "\xEF\xBB\xBF") == 0) {
+    findings.rule(2, file.path, 1, "the file begins with a byte order mark; save it without");
+    return;
+  }
+  if (isRobotWare7(file.path)) {
+    if (!isUtf8(b)) findings.rule(2, file.path, 0, "the file is not valid UTF-8");
+    return;
+  }
+  int line = 1;
+  for (const char c : b) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 127 || (byte < 32 && c != '\t' && c != '\r' && c != '\n')) {
+      findings.rule(2, file.path, line,
+                    "the file holds a character that is not ASCII (byte " + std::to_string(int(byte)) + ")");
+      return;
+    }
+    if (c == '\n') ++line;
+  }
+}
+
+/// Reads the module list of a .pgf: exactly the form that the writer emits, white space apart.
+class ProgramFileReader {
+ public:
+  ProgramFileReader(const ProgramFile& file, Findings& findings)
+      : file_(file), text_(file.bytes), findings_(findings) {}
+
+  std::vector<std::string> run() {
+    std::vector<std::string> modules;
+    if (!take("<?xml version=\"1.0\" encoding=\"ISO-8859-1\"") || !(blank(), take("?>"))) {
+      fault("the file must begin with <?xml version=\"1.0\" encoding=\"ISO-8859-1\" ?>");
+      return modules;
+    }
+    blank();
+    if (!take("<Program>")) return fault("<Program> is expected"), modules;
+    while (true) {
+      blank();
+      if (take("</Program>")) break;
+      if (!take("<Module>")) return fault("<Module> or </Program> is expected"), modules;
+      const std::size_t end = text_.find('<', at_);
+      if (end == std::string_view::npos) return fault("the file ends within <Module>"), modules;
+      modules.emplace_back(text_.substr(at_, end - at_));
+      at_ = end;
+      if (!take("</Module>")) return fault("</Module> is expected"), modules;
+    }
+    blank();
+    if (at_ != text_.size()) fault("nothing may follow </Program>");
+    return modules;
+  }
+
+ private:
+  void blank() {
+    for (; at_ < text_.size() && std::string_view(" \t\r\n").find(text_[at_]) != std::string_view::npos;
+         ++at_)
+      if (text_[at_] == '\n') ++line_;
+  }
+  bool take(std::string_view word) {
+    if (text_.substr(at_, word.size()) != word) return false;
+    at_ += word.size();
+    return true;
+  }
+  void fault(const std::string& message) { findings_.rule(2, file_.path, line_, message); }
+
+  const ProgramFile& file_;
+  std::string_view text_;
+  Findings& findings_;
+  std::size_t at_ = 0;
+  int line_ = 1;
+};
+
+void checkModuleList(const LinkedTask& task, Findings& findings) {
+  std::vector<const ProgramFile*> lists;
+  std::vector<std::string> present;
+  for (const ProgramFile* file : task.files) {
+    if (isProgramFile(file->path))
+      lists.push_back(file);
+    else
+      present.push_back(leafOf(file->path));
+  }
+  if (lists.size() != 1) {
+    findings.rule(2, task.folder.empty() ? task.files.front()->path : task.folder, 0,
+                  "the folder of a task holds exactly one .pgf, not " + std::to_string(lists.size()));
+    return;
+  }
+  std::vector<std::string> listed = ProgramFileReader(*lists[0], findings).run();
+  std::sort(listed.begin(), listed.end());
+  std::sort(present.begin(), present.end());
+  if (const auto twice = std::adjacent_find(listed.begin(), listed.end()); twice != listed.end())
+    findings.rule(2, lists[0]->path, 0, "the module file \"" + twice->substr(0, 80) + "\" is listed twice");
+  for (const std::string& name : listed)
+    if (!std::binary_search(present.begin(), present.end(), name))
+      findings.rule(2, lists[0]->path, 0,
+                    "the module file \"" + name.substr(0, 80) + "\" is listed but not in the folder");
+  for (const std::string& name : present)
+    if (!std::binary_search(listed.begin(), listed.end(), name))
+      findings.rule(2, lists[0]->path, 0,
+                    "the module file \"" + name.substr(0, 80) + "\" is in the folder but not listed");
+}
+
+void checkRotation(const DataDeclaration& data, std::size_t at, int rule, const std::string& path,
+                   Findings& findings) {
+  const std::vector<double>& n = data.numbers;
+  const double norm = Eigen::Vector4d(n[at], n[at + 1], n[at + 2], n[at + 3]).norm();
+  if (!(std::abs(norm - 1) <= kNormTolerance))
+    findings.rule(rule, path, data.line,
+                  "a quaternion of \"" + std::string(data.name.substr(0, 60)) + "\" has norm " +
+                      fixedText(norm, 7) + "; it must be 1 within 1e-6");
+}
+
+void checkPosition(const DataDeclaration& data, std::size_t at, int rule, const std::string& path,
+                   Findings& findings) {
+  const std::vector<double>& n = data.numbers;
+  for (std::size_t i = at; i < at + 3; ++i) {
+    if (std::abs(n[i]) <= kMaxCoordinate) continue;
+    findings.rule(rule, path, data.line,
+                  "\"" + std::string(data.name.substr(0, 60)) + "\" lies at " + shortText(n[i], 6) +
+                      " mm; coordinates beyond 100 m are a wrong unit");
+    return;
+  }
+}
+
+void checkExternalAxes(const DataDeclaration& data, std::size_t at, const std::string& path,
+                       Findings& findings) {
+  for (std::size_t i = at; i < at + 6; ++i) {
+    if (data.numbers[i] == kUnusedAxis) continue;
+    findings.rule(10, path, data.line,
+                  "an external axis of \"" + std::string(data.name.substr(0, 60)) + "\" is " +
+                      shortText(data.numbers[i], 6) + "; an axis that is not used is written 9E+09");
+    return;
+  }
+}
+
+/// Which storage a type may have: what one task alone uses must not be shared by its name (rule 8).
+void checkStorage(const DataDeclaration& data, const std::string& path, Findings& findings) {
+  const std::string name = "\"" + std::string(data.name.substr(0, 60)) + "\"";
+  switch (data.type) {
+    case DataType::tasks:
+      if (data.storage != Storage::persistent)
+        findings.rule(
+            8, path, data.line,
+            "the task list " + name + " is shared and must be PERS, not " + storageName(data.storage));
+      break;
+    case DataType::tooldata:
+    case DataType::wobjdata:
+      if (data.storage != Storage::taskPersistent)
+        findings.rule(8, path, data.line,
+                      std::string("the ") + dataTypeName(data.type) + " " + name +
+                          " belongs to one task and must be TASK PERS, not " + storageName(data.storage));
+      break;
+    case DataType::syncident:
+      break;
+    default:
+      if (data.storage == Storage::persistent)
+        findings.rule(8, path, data.line,
+                      std::string("the ") + dataTypeName(data.type) + " " + name +
+                          " is PERS, which all tasks share by its name; use CONST or TASK PERS");
+  }
+}
+
+void checkValue(const DataDeclaration& data, const std::string& path, Findings& findings) {
+  const std::vector<double>& n = data.numbers;
+  const std::string name = "\"" + std::string(data.name.substr(0, 60)) + "\"";
+  switch (data.type) {
+    case DataType::robtarget:
+      checkPosition(data, kTargetPosition, 10, path, findings);
+      checkRotation(data, kTargetRotation, 10, path, findings);
+      checkExternalAxes(data, kTargetExternal, path, findings);
+      for (std::size_t i = kTargetConf; i < kTargetConf + 4; ++i)
+        if (n[i] != std::floor(n[i]) || std::abs(n[i]) > 12) {
+          findings.rule(10, path, data.line,
+                        "the confdata of " + name + " must be whole numbers (quarter turns of the axes)");
+          break;
+        }
+      break;
+    case DataType::jointtarget:
+      checkExternalAxes(data, kJointExternal, path, findings);
+      break;
+    case DataType::tooldata:
+      if (n[kToolHeld] == 0)
+        findings.rule(14, path, data.line, "the tool " + name + " must be held by the robot (robhold TRUE)");
+      if (!(n[kToolMass] > 0))
+        findings.rule(
+            14, path, data.line,
+            "the mass of the tool " + name + " is " + shortText(n[kToolMass], 6) + " kg; it must be > 0");
+      checkPosition(data, kToolPosition, 14, path, findings);
+      checkRotation(data, kToolRotation, 14, path, findings);
+      checkRotation(data, kToolLoadRotation, 14, path, findings);
+      break;
+    case DataType::wobjdata:
+      if (n[kObjectHeld] != 0 || n[kObjectFixed] == 0)
+        findings.rule(14, path, data.line,
+                      "the work object " + name + " must stand fixed in the world ([FALSE,TRUE,...])");
+      checkPosition(data, kObjectPosition, 14, path, findings);
+      checkRotation(data, kObjectRotation, 14, path, findings);
+      checkRotation(data, kObjectInnerRotation, 14, path, findings);
+      break;
+    case DataType::speeddata:
+      if (!(n[0] > 0) || !(n[1] > 0))
+        findings.rule(12, path, data.line, "the speeds of " + name + " must be > 0 mm/s and > 0 degrees/s");
+      break;
+    case DataType::zonedata:
+      if (n[0] == 0 && !(n[1] > 0))
+        findings.rule(13, path, data.line, "the zone " + name + " must be > 0 mm or a fine point");
+      break;
+    case DataType::tasks:
+    case DataType::syncident:
+      break;
+  }
+  for (const std::string_view text : data.texts)
+    if (text.size() > kMaxString)
+      findings.rule(1, path, data.line,
+                    "a string of " + name + " has " + std::to_string(text.size()) +
+                        " characters; at most 80 are allowed");
+}
+
+}  // namespace
+
+void checkFiles(const LinkedProgram& program, Findings& findings) {
+  bool any6 = false, any7 = false;
+  for (const LinkedTask& task : program.tasks) {
+    if (task.name.empty())
+      findings.rule(2, task.files.front()->path, 0,
+                    "the file lies in no folder; each task has a folder of its own, named as the task");
+    else if (const std::string fault = identifierFault(task.name); !fault.empty())
+      findings.rule(1, task.folder, 0, "the task name \"" + task.name.substr(0, 80) + "\" " + fault);
+    for (const ProgramFile* file : task.files) {
+      checkLineEnds(*file, findings);
+      checkCharacters(*file, findings);
+      if (isModuleFile(file->path)) (isRobotWare7(file->path) ? any7 : any6) = true;
+    }
+    checkModuleList(task, findings);
+    for (const Module& module : task.modules) {
+      if (!sameName(module.name, stemOf(module.path)))
+        findings.rule(2, module.path, module.line,
+                      "the module is named \"" + std::string(module.name.substr(0, 60)) +
+                          "\"; its file must have the same name");
+      for (const int line : module.dataAfterRoutines)
+        findings.rule(2, module.path, line,
+                      "a declaration stands behind a routine; data come first in a module");
+    }
+  }
+  if (any6 && any7)
+    findings.rule(2, program.folder, 0, "the program mixes .mod and .modx files; use one kind");
+}
+
+void checkDeclarations(const LinkedTask& task, Findings& findings) {
+  for (const Module& module : task.modules) {
+    std::size_t targets = 0;
+    for (const DataDeclaration& data : module.data) {
+      checkStorage(data, module.path, findings);
+      checkValue(data, module.path, findings);
+      if (data.type == DataType::robtarget) ++targets;
+    }
+    if (targets > kMaxTargets)
+      findings.rule(3, module.path, module.line,
+                    "the module holds " + std::to_string(targets) +
+                        " targets; split it into modules of at most " + std::to_string(kMaxTargets),
+                    Severity::warning);
+  }
+}
+
+}  // namespace bw::robotio

@@ -1,0 +1,279 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// The rules on what one task runs: 5, 6, 9, 10, 11, 12, 13 and 14.
+
+#include <algorithm>
+#include <cmath>
+
+#include "bw/core/number_text.h"
+#include "bw/core/units.h"
+#include "rapid_names.h"
+#include "rapid_program.h"
+
+namespace bw::robotio {
+
+namespace {
+
+constexpr double kShortMove = 0.1;      ///< s; shorter moves starve the controller's planner, rule 13
+constexpr double kMaxId = 16777216;     ///< the largest whole number that RAPID's num counts by one
+constexpr double kSpeedSlack = 1.05;    ///< a stated speed may be exceeded by 5 % before it is reported
+constexpr double kSameDistance = 1e-3;  ///< mm; nearer targets are one place
+constexpr double kZoneSlack = 1e-3;     ///< mm, rounding of printed positions
+
+/// Checks one task statement by statement.
+class StepChecker {
+ public:
+  StepChecker(const LinkedTask& task, Findings& findings) : task_(task), findings_(findings) {}
+
+  void run() {
+    for (const Step& step : task_.steps) {
+      switch (step.statement->kind) {
+        case StatementKind::moveL:
+        case StatementKind::moveAbsJ:
+          checkMove(step);
+          break;
+        case StatementKind::confL:
+          confOff_ = sameName(step.statement->name, "Off");
+          break;
+        case StatementKind::singArea:
+          singularityOff_ = sameName(step.statement->name, "Off");
+          if (!singularityOff_)
+            rule(11, step,
+                 "SingArea \\Wrist lets the controller turn the ends of the blade and so change its shape; "
+                 "write SingArea \\Off");
+          break;
+        case StatementKind::waitSyncTask:
+          if (step.synchronised) rule(5, step, "WaitSyncTask stands inside of the synchronised block");
+          break;
+        case StatementKind::syncMoveOn:
+          checkBlockStart(step);
+          break;
+        case StatementKind::syncMoveOff:
+          checkBlockEnd(step);
+          break;
+        case StatementKind::setSignal:
+        case StatementKind::resetSignal:
+          if (step.synchronised)
+            rule(14, step,
+                 "the heat is switched inside of the synchronised block; switch it before or after");
+          break;
+        case StatementKind::waitTime:
+          if (!(*step.statement->duration >= 0)) rule(14, step, "WaitTime needs a time >= 0 s");
+          break;
+        case StatementKind::message:
+        case StatementKind::call:
+          break;
+      }
+      previous_ = &step;
+    }
+    if (block_) rule(5, *block_, "SyncMoveOn is never followed by SyncMoveOff");
+    checkHeat();
+    checkPath();
+  }
+
+ private:
+  void rule(int number, const Step& step, std::string message, Severity severity = Severity::error) {
+    findings_.rule(number, step.module->path, step.statement->line, std::move(message), severity);
+  }
+
+  void checkMove(const Step& step) {
+    const Statement& s = *step.statement;
+    if (!lastMove_ && step.isLinear()) rule(9, step, "the first move must be MoveAbsJ, whose axes are known");
+    if (step.isLinear()) {
+      if (!confOff_ && !confReported_) {
+        confReported_ = true;
+        rule(10, step, "ConfL \\Off is missing before the first MoveL");
+      }
+      if (!singularityOff_ && !singularityReported_) {
+        singularityReported_ = true;
+        rule(11, step, "SingArea \\Off is missing before the first MoveL");
+      }
+      if (s.workObject.empty())
+        rule(9, step, "a MoveL names its work object with \\WObj");
+      else if (!step.workObject && sameName(s.workObject, "wobj0"))
+        rule(14, step, "targets are given in the block's work object, not in wobj0");
+    }
+    if (sameName(s.tool, "tool0"))
+      rule(14, step, "the move uses tool0; it must use the tool that describes the blade clamp");
+    if (s.duration && !(*s.duration > 0))
+      rule(7, step, "\\T is " + shortText(*s.duration, 6) + " s; a move needs a time > 0");
+    if (step.synchronised)
+      checkId(step);
+    else if (s.id)
+      rule(6, step, "\\ID stands outside of a synchronised block");
+    lastMove_ = &step;
+  }
+
+  void checkId(const Step& step) {
+    ++movesInBlock_;
+    const Statement& s = *step.statement;
+    if (!s.id) {
+      rule(6, step, "a move inside of the synchronised block has no \\ID");
+      return;
+    }
+    if (*s.id != std::floor(*s.id) || *s.id < 0 || *s.id > kMaxId) {
+      rule(6, step, "\\ID is " + shortText(*s.id, 9) + "; it must be a whole number");
+      return;
+    }
+    if (*s.id <= lastId_)
+      rule(6, step,
+           "\\ID " + shortText(*s.id, 9) + " does not ascend; the one before is " + shortText(lastId_, 9));
+    lastId_ = *s.id;
+  }
+
+  void checkBlockStart(const Step& step) {
+    if (block_) rule(5, step, "SyncMoveOn stands inside of a synchronised block");
+    if (!previous_ || previous_->statement->kind != StatementKind::waitSyncTask)
+      rule(5, step, "SyncMoveOn must follow WaitSyncTask at once");
+    if (!lastMove_)
+      rule(9, step, "no MoveAbsJ to a known position stands before SyncMoveOn");
+    else if (lastMove_->zone >= 0)
+      rule(5, *lastMove_, "the last move before SyncMoveOn must end in fine");
+    block_ = &step;
+    lastId_ = -1;
+    movesInBlock_ = 0;
+  }
+
+  void checkBlockEnd(const Step& step) {
+    if (!block_) {
+      rule(5, step, "SyncMoveOff stands without SyncMoveOn");
+      return;
+    }
+    if (movesInBlock_ == 0)
+      rule(5, step, "the synchronised block holds no move");
+    else if (lastMove_->zone >= 0)
+      rule(5, *lastMove_, "the last move before SyncMoveOff must end in fine");
+    block_ = nullptr;
+  }
+
+  /// Heat on, then a dwell, then the block, then heat off.
+  void checkHeat() {
+    const Step* on = nullptr;
+    bool dwelt = false;
+    for (const Step& step : task_.steps) {
+      const Statement& s = *step.statement;
+      if (s.kind == StatementKind::setSignal) {
+        on = &step;
+        dwelt = false;
+      } else if (s.kind == StatementKind::resetSignal) {
+        if (on && sameName(on->statement->name, s.name)) on = nullptr;
+      } else if (s.kind == StatementKind::waitTime) {
+        dwelt = true;
+      } else if (s.kind == StatementKind::syncMoveOn && on && !dwelt) {
+        rule(14, *on, "no WaitTime lets the blade heat up before the synchronised block");
+      }
+    }
+    if (on)
+      rule(14, *on,
+           "the heat \"" + std::string(on->statement->name.substr(0, 60)) + "\" is never switched off");
+  }
+
+  /// Speeds, zones, signs and times along the synchronised targets.
+  void checkPath() {
+    std::vector<const Step*> path;
+    for (const Step& step : task_.steps) {
+      if (step.statement->kind == StatementKind::syncMoveOn) path.clear();
+      if (step.synchronised && step.isMove()) path.push_back(&step);
+      if (step.statement->kind == StatementKind::syncMoveOff) checkBlockPath(path);
+    }
+  }
+
+  static bool hasPose(const Step& step) { return step.isLinear() && step.target; }
+  static Pose poseOf(const Step& step) { return poseAt(*step.target, kTargetPosition, kTargetRotation); }
+
+  void checkBlockPath(const std::vector<const Step*>& path) {
+    int shortMoves = 0, timed = 0;
+    double shortest = kShortMove;
+    const Step* shortestStep = nullptr;
+    double before = -1;  // length of the segment that ends at the step, −1 if unknown
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      const Step& step = *path[i];
+      const bool known = i > 0 && hasPose(step) && hasPose(*path[i - 1]);
+      before = known ? (poseOf(step).position - poseOf(*path[i - 1]).position).norm() : -1;
+      if (known) checkSegment(*path[i - 1], step, before);
+      const double after = i + 1 < path.size() && hasPose(step) && hasPose(*path[i + 1])
+                               ? (poseOf(*path[i + 1]).position - poseOf(step).position).norm()
+                               : -1;
+      checkZone(step, before, after);
+      const std::optional<double> seconds = durationOf(step, before);
+      if (!seconds || !(*seconds > 0)) continue;
+      ++timed;
+      if (*seconds >= kShortMove) continue;
+      ++shortMoves;
+      if (*seconds < shortest) {
+        shortest = *seconds;
+        shortestStep = &step;
+      }
+    }
+    if (shortestStep)
+      rule(13, *shortestStep,
+           std::to_string(shortMoves) + " of " + std::to_string(timed) + " moves last less than " +
+               shortText(kShortMove) + " s; the shortest, " + shortText(shortest) + " s, asks for " +
+               shortText(1 / shortest) + " targets a second; take fewer targets or cut more slowly",
+           Severity::warning);
+  }
+
+  static std::optional<double> durationOf(const Step& step, double length) {
+    if (step.statement->duration) return step.statement->duration;
+    if (length < 0 || !(step.speed > 0)) return std::nullopt;
+    return length / step.speed;
+  }
+
+  void checkSegment(const Step& from, const Step& to, double length) {
+    const Eigen::Quaterniond a = poseOf(from).rotation, b = poseOf(to).rotation;
+    if (a.dot(b) < 0)
+      rule(10, to,
+           "the quaternion of \"" + std::string(to.statement->name.substr(0, 60)) +
+               "\" has the other sign than the one before; keep one sign along the path");
+    if (!to.speedData) {
+      rule(12, to,
+           "a synchronised move uses the controller's \"" + std::string(to.statement->speed.substr(0, 60)) +
+               "\"; give it a speeddata of its own",
+           Severity::warning);
+      return;
+    }
+    const std::optional<double> seconds = durationOf(to, length);
+    if (!seconds || !(*seconds > 0)) return;
+    const double speed = length / *seconds;
+    if (speed > kSpeedSlack * to.speed)
+      rule(12, to,
+           "the move runs at " + shortText(speed) + " mm/s by its \\T, faster than the " +
+               shortText(to.speed) + " mm/s of its speeddata",
+           Severity::warning);
+    const double turn = toDegrees(2 * std::acos(std::min(1.0, std::abs(a.normalized().dot(b.normalized())))));
+    const double turnSpeed = to.speedData->numbers[1];
+    if (turn / *seconds > kSpeedSlack * turnSpeed + 1e-2)
+      rule(12, to,
+           "the move turns at " + shortText(turn / *seconds) + " degrees/s, faster than the " +
+               shortText(turnSpeed) + " degrees/s of its speeddata, which would then limit the motion",
+           Severity::warning);
+  }
+
+  void checkZone(const Step& step, double before, double after) {
+    if (!(step.zone > 0)) return;
+    for (const double length : {before, after}) {
+      if (length < kSameDistance || 2 * step.zone <= length + kZoneSlack) continue;
+      rule(13, step,
+           "the zone of " + shortText(step.zone) + " mm is larger than half of a segment of " +
+               shortText(length) + " mm; the controller shrinks it",
+           Severity::warning);
+      return;
+    }
+  }
+
+  const LinkedTask& task_;
+  Findings& findings_;
+  const Step* previous_ = nullptr;
+  const Step* lastMove_ = nullptr;
+  const Step* block_ = nullptr;  ///< the SyncMoveOn that is open
+  double lastId_ = -1;
+  int movesInBlock_ = 0;
+  bool confOff_ = false, confReported_ = false, singularityOff_ = false, singularityReported_ = false;
+};
+
+}  // namespace
+
+void checkSteps(const LinkedTask& task, Findings& findings) { StepChecker(task, findings).run(); }
+
+}  // namespace bw::robotio

@@ -1,0 +1,253 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// The rules that tie the tasks of a program together: 3, 4, 6, 7, 13 and 14.
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "bw/core/number_text.h"
+#include "rapid_names.h"
+#include "rapid_program.h"
+
+namespace bw::robotio {
+
+namespace {
+
+constexpr double kSameTime = 1e-4;       ///< s between the durations of one ID, rule 7
+constexpr double kSameTimeRatio = 0.01;  ///< of durations that follow from speeds
+constexpr double kSameDistance = 1e-3;   ///< mm; nearer targets are one place
+constexpr double kSameTurn = 1e-6;       ///< 1 − |dot| of quaternions of one orientation
+
+bool isSync(StatementKind kind) {
+  return kind == StatementKind::waitSyncTask || kind == StatementKind::syncMoveOn ||
+         kind == StatementKind::syncMoveOff;
+}
+
+std::vector<const Step*> movesOf(const LinkedTask& task) {
+  std::vector<const Step*> moves;
+  for (const Step& step : task.steps)
+    if (step.synchronised && step.isMove()) moves.push_back(&step);
+  return moves;
+}
+
+std::string cut(std::string_view name) { return std::string(name.substr(0, 60)); }
+
+class TaskComparer {
+ public:
+  TaskComparer(const LinkedProgram& program, Findings& findings) : program_(program), findings_(findings) {}
+
+  void run() {
+    for (const LinkedTask& task : program_.tasks) checkTaskList(task);
+    for (const LinkedTask& task : program_.tasks) checkSyncidents(task);
+    for (std::size_t i = 1; i < program_.tasks.size(); ++i) {
+      compareSyncs(first(), program_.tasks[i]);
+      compareMoves(first(), program_.tasks[i]);
+      compareWorkObjects(first(), program_.tasks[i]);
+    }
+    checkStandstill();
+    checkHeatTasks();
+  }
+
+ private:
+  const LinkedTask& first() const { return program_.tasks.front(); }
+  void rule(int number, const Step& step, std::string message, Severity severity = Severity::error) {
+    findings_.rule(number, step.module->path, step.statement->line, std::move(message), severity);
+  }
+  static std::string anyPath(const LinkedTask& task) {
+    return task.modules.empty() ? task.files.front()->path : task.modules.front().path;
+  }
+
+  /// Rule 4: the list names exactly the tasks of the program, in one order, the same everywhere.
+  void checkTaskList(const LinkedTask& task) {
+    const Step* firstUse = nullptr;
+    for (const Step& step : task.steps) {
+      if (!step.taskList) continue;
+      if (!firstUse) firstUse = &step;
+      if (step.taskList != firstUse->taskList)
+        rule(4, step, "the synchronisation uses another task list than the one before");
+    }
+    if (!firstUse) {
+      if (program_.tasks.size() > 1)
+        findings_.rule(4, anyPath(task), 0, "task " + task.name + " is not synchronised with the others");
+      return;
+    }
+    const DataDeclaration& list = *firstUse->taskList;
+    for (const LinkedTask& other : program_.tasks)
+      if (std::none_of(list.texts.begin(), list.texts.end(),
+                       [&](std::string_view name) { return sameName(name, other.name); }))
+        rule(4, *firstUse, "the task list \"" + cut(list.name) + "\" does not name " + other.name);
+    for (const std::string_view name : list.texts)
+      if (std::none_of(program_.tasks.begin(), program_.tasks.end(),
+                       [&](const LinkedTask& other) { return sameName(name, other.name); }))
+        rule(4, *firstUse,
+             "the task list \"" + cut(list.name) + "\" names " + cut(name) + ", whose folder is not there");
+    const DataDeclaration* reference = nullptr;
+    for (const Step& step : first().steps)
+      if (step.taskList && !reference) reference = step.taskList;
+    if (reference && reference != &list &&
+        (!sameName(reference->name, list.name) || reference->texts != list.texts))
+      rule(4, *firstUse,
+           "the task list \"" + cut(list.name) + "\" differs from that of " + first().name +
+               "; it must be identical in all tasks");
+  }
+
+  /// Rule 4: each syncident is used at one place.
+  void checkSyncidents(const LinkedTask& task) {
+    std::set<std::string> used;
+    for (const Step& step : task.steps)
+      if (isSync(step.statement->kind) && !used.insert(lowerCase(step.statement->name)).second)
+        rule(4, step, "the syncident \"" + cut(step.statement->name) + "\" is used at more than one place");
+    for (const Module& module : task.modules)
+      for (const DataDeclaration& data : module.data)
+        if (data.type == DataType::syncident && used.find(lowerCase(data.name)) == used.end())
+          findings_.rule(4, module.path, data.line, "the syncident \"" + cut(data.name) + "\" is not used",
+                         Severity::warning);
+  }
+
+  /// Rule 4: the same synchronisation points in the same order.
+  void compareSyncs(const LinkedTask& a, const LinkedTask& b) {
+    std::vector<const Step*> left, right;
+    for (const Step& step : a.steps)
+      if (isSync(step.statement->kind)) left.push_back(&step);
+    for (const Step& step : b.steps)
+      if (isSync(step.statement->kind)) right.push_back(&step);
+    for (std::size_t i = 0; i < std::min(left.size(), right.size()); ++i) {
+      const Statement &l = *left[i]->statement, &r = *right[i]->statement;
+      if (l.kind == r.kind && sameName(l.name, r.name)) continue;
+      rule(4, *right[i],
+           std::string(statementName(r.kind)) + " " + cut(r.name) + " meets " + statementName(l.kind) + " " +
+               cut(l.name) + " of " + a.name + "; all tasks pass the same syncidents in the same order");
+      return;
+    }
+    if (left.size() != right.size())
+      findings_.rule(4, anyPath(b), 0,
+                     "task " + b.name + " has " + std::to_string(right.size()) + " synchronisation points, " +
+                         a.name + " has " + std::to_string(left.size()));
+  }
+
+  /// Rules 3, 6 and 7: same IDs in the same order, same kind of end, same durations, same split.
+  void compareMoves(const LinkedTask& a, const LinkedTask& b) {
+    const std::vector<const Step*> left = movesOf(a), right = movesOf(b);
+    if (left.size() != right.size())
+      findings_.rule(6, anyPath(b), 0,
+                     "task " + b.name + " has " + std::to_string(right.size()) + " synchronised moves, " +
+                         a.name + " has " + std::to_string(left.size()));
+    for (std::size_t i = 0; i < std::min(left.size(), right.size()); ++i) {
+      const Step &l = *left[i], &r = *right[i];
+      if (l.statement->id.value_or(-1) != r.statement->id.value_or(-1)) {
+        rule(6, r,
+             "\\ID " + shortText(r.statement->id.value_or(-1), 9) + " meets \\ID " +
+                 shortText(l.statement->id.value_or(-1), 9) + " of " + a.name +
+                 "; all tasks run the same IDs in the same order");
+        return;
+      }
+      const std::string id = "\\ID " + shortText(l.statement->id.value_or(-1), 9);
+      if ((l.zone < 0) != (r.zone < 0)) rule(6, r, id + " ends in fine in one task and in a zone in another");
+      if (l.part != r.part) {
+        rule(3, r,
+             "the program is split before " + id + " in one task and not in " + a.name +
+                 "; split all tasks at the same place");
+        return;
+      }
+      compareDurations(left, right, i, id, a.name);
+    }
+  }
+
+  void compareDurations(const std::vector<const Step*>& left, const std::vector<const Step*>& right,
+                        std::size_t i, const std::string& id, const std::string& other) {
+    const Step &l = *left[i], &r = *right[i];
+    const std::optional<double>&tl = l.statement->duration, &tr = r.statement->duration;
+    if (tl.has_value() != tr.has_value()) {
+      rule(7, r, id + " states \\T in one task and not in another");
+    } else if (tl) {
+      if (std::abs(*tl - *tr) > kSameTime)
+        rule(7, r, id + " lasts " + shortText(*tr, 6) + " s, but " + shortText(*tl, 6) + " s in " + other);
+    } else if (i > 0) {
+      const std::optional<double> dl = durationBySpeed(*left[i - 1], l),
+                                  dr = durationBySpeed(*right[i - 1], r);
+      if (dl && dr && std::abs(*dl - *dr) > kSameTimeRatio * std::max(*dl, *dr) + kSameTime)
+        rule(7, r,
+             id + " lasts " + shortText(*dr) + " s by its speed, but " + shortText(*dl) + " s in " + other +
+                 "; state \\T");
+    }
+  }
+
+  static std::optional<double> durationBySpeed(const Step& from, const Step& to) {
+    if (!from.isLinear() || !to.isLinear() || !from.target || !to.target || !(to.speed > 0))
+      return std::nullopt;
+    return (poseAt(*to.target, kTargetPosition, kTargetRotation).position -
+            poseAt(*from.target, kTargetPosition, kTargetRotation).position)
+               .norm() /
+           to.speed;
+  }
+
+  /// Rule 14: one frame in the world for all tasks.
+  void compareWorkObjects(const LinkedTask& a, const LinkedTask& b) {
+    const DataDeclaration* reference = nullptr;
+    for (const Step* step : movesOf(a))
+      if (step->workObject && !reference) reference = step->workObject;
+    for (const Step* step : movesOf(b)) {
+      if (!reference || !step->workObject || step->workObject->numbers == reference->numbers) continue;
+      rule(14, *step,
+           "the work object \"" + cut(step->workObject->name) + "\" differs from that of " + a.name +
+               "; all tasks work in the same frame of the world");
+      return;
+    }
+  }
+
+  static bool sameTarget(const Step& a, const Step& b) {
+    if (!a.target || !b.target || a.target->type != b.target->type) return false;
+    if (!a.isLinear()) return a.target->numbers == b.target->numbers;
+    const Pose p = poseAt(*a.target, kTargetPosition, kTargetRotation),
+               q = poseAt(*b.target, kTargetPosition, kTargetRotation);
+    return (p.position - q.position).norm() < kSameDistance &&
+           1 - std::abs(p.rotation.dot(q.rotation)) < kSameTurn;
+  }
+
+  /// Rule 13: two targets in one place in all tasks leave the hot blade standing in the foam.
+  void checkStandstill() {
+    std::vector<std::vector<const Step*>> moves;
+    for (const LinkedTask& task : program_.tasks) moves.push_back(movesOf(task));
+    for (std::size_t i = 1; i < moves[0].size(); ++i) {
+      const bool still = std::all_of(moves.begin(), moves.end(), [&](const std::vector<const Step*>& m) {
+        return i < m.size() && sameTarget(*m[i - 1], *m[i]);
+      });
+      if (still)
+        rule(13, *moves[0][i],
+             "the targets \"" + cut(moves[0][i - 1]->statement->name) + "\" and \"" +
+                 cut(moves[0][i]->statement->name) +
+                 "\" coincide in all tasks; the hot blade would stand still");
+    }
+  }
+
+  /// Rule 14: one task switches the heat.
+  void checkHeatTasks() {
+    const LinkedTask* owner = nullptr;
+    for (const LinkedTask& task : program_.tasks)
+      for (const Step& step : task.steps) {
+        if (step.statement->kind != StatementKind::setSignal &&
+            step.statement->kind != StatementKind::resetSignal)
+          continue;
+        if (owner && owner != &task) {
+          rule(14, step,
+               "the heat is switched from " + task.name + " and from " + owner->name +
+                   "; leave it to one task");
+          break;
+        }
+        owner = &task;
+      }
+  }
+
+  const LinkedProgram& program_;
+  Findings& findings_;
+};
+
+}  // namespace
+
+void checkAcrossTasks(const LinkedProgram& program, Findings& findings) {
+  if (!program.tasks.empty()) TaskComparer(program, findings).run();
+}
+
+}  // namespace bw::robotio

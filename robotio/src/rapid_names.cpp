@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "rapid_names.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace bw::robotio {
+
+namespace {
+
+constexpr char lower(char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; }
+constexpr bool isLetter(char c) { return lower(c) >= 'a' && lower(c) <= 'z'; }
+constexpr bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
+// Sorted, lower case.
+constexpr std::array<std::string_view, 58> kReserved = {
+    "alias",     "and",     "backward", "case",     "connect",   "const", "default",   "div",
+    "do",        "else",    "elseif",   "endfor",   "endfunc",   "endif", "endmodule", "endproc",
+    "endrecord", "endtest", "endtrap",  "endwhile", "error",     "exit",  "false",     "for",
+    "from",      "func",    "goto",     "if",       "inout",     "local", "mod",       "module",
+    "nostepin",  "not",     "noview",   "or",       "pers",      "proc",  "raise",     "readonly",
+    "record",    "retry",   "return",   "step",     "sysmodule", "task",  "test",      "then",
+    "to",        "trap",    "true",     "trynext",  "undo",      "var",   "viewonly",  "while",
+    "with",      "xor"};
+
+// Instructions, types and data of the system that our programs use or that a user's word might hit.
+constexpr std::array<std::string_view, 44> kSystemNames = {
+    "accset",      "bool",        "clock",        "confdata",  "confj",     "confl",   "fine",
+    "incr",        "jointtarget", "loaddata",     "moveabsj",  "movec",     "movej",   "movel",
+    "num",         "orient",      "pose",         "pos",       "pulsedo",   "reset",   "robtarget",
+    "set",         "setdo",       "singarea",     "speeddata", "stop",      "string",  "syncident",
+    "syncmoveoff", "syncmoveon",  "tasks",        "tool0",     "tooldata",  "tpwrite", "velset",
+    "vmax",        "waitdi",      "waitsynctask", "waittime",  "waituntil", "wobj0",   "wobjdata",
+    "zonedata",    "load0"};
+
+constexpr std::array<int, 25> kSpeeds = {5,    10,   20,   30,   40,   50,   60,  80,   100,
+                                         150,  200,  300,  400,  500,  600,  800, 1000, 1500,
+                                         2000, 2500, 3000, 4000, 5000, 6000, 7000};
+constexpr std::array<std::pair<int, double>, 14> kZones = {{{0, 0.3},
+                                                            {1, 1},
+                                                            {5, 5},
+                                                            {10, 10},
+                                                            {15, 15},
+                                                            {20, 20},
+                                                            {30, 30},
+                                                            {40, 40},
+                                                            {50, 50},
+                                                            {60, 60},
+                                                            {80, 80},
+                                                            {100, 100},
+                                                            {150, 150},
+                                                            {200, 200}}};
+
+/// The whole number after a one-letter prefix ("v200" → 200); leading zeros are not the system's names.
+std::optional<int> numberAfter(char prefix, std::string_view name) {
+  if (name.size() < 2 || name.size() > 6 || lower(name[0]) != prefix) return std::nullopt;
+  if (name[1] == '0' && name.size() > 2) return std::nullopt;
+  int value = 0;
+  for (const char c : name.substr(1)) {
+    if (!isDigit(c)) return std::nullopt;
+    value = 10 * value + (c - '0');
+  }
+  return value;
+}
+
+}  // namespace
+
+std::string lowerCase(std::string_view text) {
+  std::string result(text);
+  std::transform(result.begin(), result.end(), result.begin(), lower);
+  return result;
+}
+
+bool sameName(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](char x, char y) { return lower(x) == lower(y); });
+}
+
+bool isReservedWord(std::string_view name) {
+  if (name.size() > 9) return false;
+  const std::string word = lowerCase(name);
+  return std::binary_search(kReserved.begin(), kReserved.end(), word);
+}
+
+bool isPredefinedName(std::string_view name) {
+  if (predefinedSpeed(name) || predefinedZone(name)) return true;
+  if (name.size() > 12) return false;
+  const std::string word = lowerCase(name);
+  return std::find(kSystemNames.begin(), kSystemNames.end(), word) != kSystemNames.end();
+}
+
+std::string identifierFault(std::string_view name) {
+  if (name.empty()) return "is empty";
+  if (!isLetter(name[0])) return "does not begin with a letter";
+  for (const char c : name)
+    if (!isLetter(c) && !isDigit(c) && c != '_') return "holds a character other than letters, digits and _";
+  if (name.size() > kMaxIdentifier)
+    return "has " + std::to_string(name.size()) + " characters; at most " + std::to_string(kMaxIdentifier) +
+           " are allowed";
+  if (isReservedWord(name)) return "is a reserved word of RAPID";
+  if (isPredefinedName(name)) return "is a name that the controller itself defines";
+  return {};
+}
+
+std::string makeIdentifier(std::string_view text, std::size_t length) {
+  std::string result;
+  for (const char c : text) {
+    const bool fits = isLetter(c) || isDigit(c);
+    if (fits)
+      result += c;
+    else if (!result.empty() && result.back() != '_')
+      result += '_';
+  }
+  while (!result.empty() && result.back() == '_') result.pop_back();
+  if (result.empty()) result = "Blade";
+  if (!isLetter(result[0])) result.insert(result.begin(), 'P');
+  result.resize(std::min(result.size(), length));
+  while (result.back() == '_') result.pop_back();
+  return result;
+}
+
+std::optional<double> predefinedSpeed(std::string_view name) {
+  if (sameName(name, "vmax")) return 10000.0;
+  const std::optional<int> value = numberAfter('v', name);
+  if (!value || std::find(kSpeeds.begin(), kSpeeds.end(), *value) == kSpeeds.end()) return std::nullopt;
+  return double(*value);
+}
+
+std::optional<double> predefinedZone(std::string_view name) {
+  if (sameName(name, "fine")) return -1.0;
+  const std::optional<int> value = numberAfter('z', name);
+  if (!value) return std::nullopt;
+  for (const auto& [word, radius] : kZones)
+    if (word == *value) return radius;
+  return std::nullopt;
+}
+
+}  // namespace bw::robotio
