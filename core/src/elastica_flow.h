@@ -125,7 +125,7 @@ class ElasticaFlow {
 
   /// Corrects tangent angle and curvature by the rounding with which they miss the energy of the curve, since
   /// near k = 1 what is off the energy grows like exp(√f s). Returns (cos ψ, sin ψ). docs/mathematics.md, 3.
-  Vector2 leadOntoEnergy(double& angle, double& curvature) const {
+  Vector2 leadOntoEnergy(double& angle, double& curvature) {
     const double cosine = std::cos(0.5 * angle);
     const double sine = std::sin(0.5 * angle);
     const double f = known_.force;
@@ -134,7 +134,12 @@ class ElasticaFlow {
     const double fromOpposite = known_.apexCosine * cosine - known_.apexSine * sine;  // cos of the same
     const double halfCurvature = 0.5 * curvature;
     const double rootForce = std::sqrt(f);
-    if (f > 0 && std::abs(fromOpposite) < kAsymptote && std::abs(halfCurvature) < kAsymptote * rootForce) {
+    const bool approaching = sign_ * fromApex * fromOpposite * curvature > 0;
+    if (approaching && std::abs(fromOpposite) < kAsymptote &&
+        std::abs(halfCurvature) < kAsymptote * rootForce) {
+      atRest_ = true;
+    }
+    if (atRest_) {
       curvature = 0;
       return Vector2(-parameters_.tangential, -parameters_.normal) / f;
     }
@@ -177,6 +182,7 @@ class ElasticaFlow {
   ElasticaInvariants known_;
   double sign_;
   double largestStep_;
+  bool atRest_ = false;  ///< has run into its asymptote for good (k = 1)
   double centre_ = 0;
   double step_ = 0;
   std::array<Block, kOrder + 1> coefficients_;

@@ -130,8 +130,8 @@ class CrossingSearch {
     return meet(a, first) || meet(a, second);
   }
 
-  /// True if a line along or across one of the chords separates the arcs.
-  static bool apart(const Arc& a, const Arc& b) {
+  /// True if a line along or across one of the chords separates the arcs by more than the tolerance.
+  bool apart(const Arc& a, const Arc& b) const {
     for (const Vector2d& chord : {a.chord(), b.chord()}) {
       const double size = chord.norm();
       for (const Vector2d& axis : {Vector2d(-chord.y(), chord.x()), chord}) {
@@ -139,7 +139,7 @@ class CrossingSearch {
         const double a1 = axis.dot(a.to.point);
         const double b0 = axis.dot(b.from.point);
         const double b1 = axis.dot(b.to.point);
-        const double margin = (a.thickness + b.thickness) * size;
+        const double margin = (a.thickness + b.thickness + tolerance_) * size;
         if (std::min(a0, a1) > std::max(b0, b1) + margin || std::min(b0, b1) > std::max(a0, a1) + margin) {
           return true;
         }
