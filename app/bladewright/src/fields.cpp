@@ -32,7 +32,7 @@ NumberField::NumberField(const NumberRange& range, QWidget* parent) : QDoubleSpi
   setRange(range.min, range.max);
   setSingleStep(range.step);
   if (!range.unit.isEmpty())
-    setSuffix(range.unit.startsWith(QLatin1Char(0xb0)) ? range.unit : QLatin1Char(' ') + range.unit);
+    setSuffix(range.unit.startsWith(QChar(0xb0)) ? range.unit : QChar(' ') + range.unit);
   setFocusPolicy(Qt::StrongFocus);
   setProperty("limits", QStringLiteral("%1 to %2%3").arg(textFromValue(range.min), textFromValue(range.max), suffix()));
   setToolTip(property("limits").toString());
