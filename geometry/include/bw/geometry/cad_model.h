@@ -59,6 +59,7 @@ class CadModel {
   /// Opaque handle for this module's own functions.
   struct Impl;
   const Impl& impl() const { return *impl_; }
+  const std::shared_ptr<const Impl>& shared() const { return impl_; }
 
  private:
   explicit CadModel(std::shared_ptr<const Impl> impl);

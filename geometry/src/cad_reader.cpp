@@ -1,0 +1,336 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "cad_reader.h"
+
+#include <BRepBuilderAPI_Sewing.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepLib.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <IGESControl_Controller.hxx>
+#include <IGESControl_Reader.hxx>
+#include <IGESData_GlobalSection.hxx>
+#include <IGESData_IGESModel.hxx>
+#include <Interface_Static.hxx>
+#include <STEPControl_Controller.hxx>
+#include <STEPControl_Reader.hxx>
+#include <ShapeFix_Shape.hxx>
+#include <TColStd_SequenceOfAsciiString.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+#include <string_view>
+
+#include "bw/core/number_text.h"
+#include "occt.h"
+
+namespace bw::geometry {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+enum class Format { step, iges, brep, unknown };
+
+constexpr double kSewTolerance = 0.01;      // mm; gaps between faces of one surface as CAD programs leave them
+constexpr int kCheckLimit = 2000;           // faces up to which a file is checked for faults: the check costs about 1 ms a face
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  std::transform(result.begin(), result.end(), result.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  return result;
+}
+
+std::string_view trimmedRight(std::string_view text) {
+  while (!text.empty() && (std::isspace(static_cast<unsigned char>(text.back())) || text.back() == '\0')) {
+    text.remove_suffix(1);
+  }
+  return text;
+}
+
+std::string_view trimmedLeft(std::string_view text) {
+  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.front()))) text.remove_prefix(1);
+  return text;
+}
+
+Format formatOf(std::string_view bytes) {
+  const std::string_view head = trimmedLeft(bytes.substr(0, 4096));
+  if (head.substr(0, 12) == "ISO-10303-21") return Format::step;
+  if (head.substr(0, 19) == "DBRep_DrawableShape" || head.substr(0, 16) == "CASCADE Topology") return Format::brep;
+  // IGES has records of 80 columns with a section letter in column 73, the first section being S.
+  if (bytes.size() > 80 && bytes[72] == 'S' && std::isdigit(static_cast<unsigned char>(bytes[79]))) return Format::iges;
+  return Format::unknown;
+}
+
+Format formatOfSuffix(const std::string& name) {
+  const std::string suffix = lower(fs::path(name).extension().string());
+  if (suffix == ".step" || suffix == ".stp" || suffix == ".p21") return Format::step;
+  if (suffix == ".iges" || suffix == ".igs") return Format::iges;
+  if (suffix == ".brep" || suffix == ".brp" || suffix == ".rle") return Format::brep;
+  return Format::unknown;
+}
+
+const char* formatName(Format format) {
+  switch (format) {
+    case Format::step: return "STEP";
+    case Format::iges: return "IGES";
+    case Format::brep: return "BREP";
+    case Format::unknown: break;
+  }
+  return "CAD";
+}
+
+tl::unexpected<Error> unreadable(const std::string& name, const std::string& reason) {
+  return fail(ErrorCode::cannotRead, "cannot read " + name + ": " + reason, name);
+}
+
+std::string unitName(std::string text) {
+  text = lower(text);
+  if (text.find("millimet") != std::string::npos || text == "mm") return "mm";
+  if (text.find("centimet") != std::string::npos || text == "cm") return "cm";
+  if (text.find("kilomet") != std::string::npos || text == "km") return "km";
+  if (text.find("micromet") != std::string::npos || text == "um") return "um";
+  if (text == "metre" || text == "meter" || text == "m") return "m";
+  if (text.find("inch") != std::string::npos || text == "in") return "inch";
+  if (text.find("foot") != std::string::npos || text.find("feet") != std::string::npos || text == "ft") return "foot";
+  if (text.find("mil") == 0) return "mil";
+  if (text.find("mi") == 0) return "mile";
+  return text.empty() ? "mm (assumed)" : text;
+}
+
+/// The last words that a complete file of the format ends with.
+bool complete(std::string_view bytes, Format format) {
+  const std::string_view body = trimmedRight(bytes);
+  if (format == Format::step) {
+    const std::string_view tail = body.substr(body.size() > 400 ? body.size() - 400 : 0);
+    return tail.find("END-ISO-10303-21") != std::string_view::npos;
+  }
+  if (format == Format::iges) {
+    const std::size_t line = body.rfind('\n');
+    const std::string_view last = line == std::string_view::npos ? body : body.substr(line + 1);
+    return last.size() > 72 && last[72] == 'T';
+  }
+  return true;
+}
+
+/// A BREP text is complete if it names each of its tables, no table claims more entries than the file has room for, the last shape of its
+/// list is closed by '*', and a reference to a shape follows.
+bool brepSound(std::string_view text, std::string& reason) {
+  std::size_t at = 0;
+  for (const char* table : {"Locations", "Curve2ds", "Curves", "Polygon3D", "PolygonOnTriangulations", "Surfaces",
+                            "Triangulations", "TShapes"}) {
+    at = text.find(table, at);
+    if (at == std::string_view::npos) {
+      reason = std::string("its table of ") + table + " is missing; the file is cut short or not a BREP";
+      return false;
+    }
+    at += std::string_view(table).size();
+    const long count = std::strtol(std::string(text.substr(at, 24)).c_str(), nullptr, 10);
+    if (count < 0 || std::size_t(count) > text.size()) {
+      reason = std::string("its table of ") + table + " claims " + std::to_string(count) +
+               " entries, more than the file has room for";
+      return false;
+    }
+  }
+  const std::size_t star = text.rfind('*');
+  const std::string_view tail = star == std::string_view::npos || star < at ? "" : trimmedLeft(text.substr(star + 1));
+  if (tail.empty() || (tail.front() != '+' && tail.front() != '-') || tail.size() < 4) {
+    reason = "its list of shapes stops too early; the file is cut short";
+    return false;
+  }
+  return true;
+}
+
+/// A file of our own for the readers that take no stream; removed at the end of its life.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(const std::string& bytes) {
+    std::error_code error;
+    std::string pattern = (fs::temp_directory_path(error) / "bladewright-XXXXXX").string();
+    const int fd = error ? -1 : ::mkstemp(pattern.data());
+    if (fd < 0) return;
+    path_ = pattern;
+    std::size_t done = 0;
+    while (done < bytes.size()) {
+      const ssize_t n = ::write(fd, bytes.data() + done, bytes.size() - done);
+      if (n <= 0) break;
+      done += std::size_t(n);
+    }
+    good_ = done == bytes.size();
+    ::close(fd);
+  }
+  ~TemporaryFile() {
+    if (!path_.empty()) ::unlink(path_.c_str());
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  bool good() const { return good_; }
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+  bool good_ = false;
+};
+
+Result<ReadShape> readStep(const std::string& bytes, const std::string& name) {
+  static const bool ready = (STEPControl_Controller::Init(), true);
+  static_cast<void>(ready);
+  Interface_Static::SetCVal("xstep.cascade.unit", "MM");
+  STEPControl_Reader reader;
+  std::istringstream stream(bytes);
+  if (reader.ReadStream(name.c_str(), stream) != IFSelect_RetDone) {
+    return unreadable(name, "it is not valid STEP; export it again from the CAD program");
+  }
+  ReadShape result;
+  result.format = "STEP";
+  TColStd_SequenceOfAsciiString lengths, angles, solidAngles;
+  reader.FileUnits(lengths, angles, solidAngles);
+  result.unit = lengths.IsEmpty() ? "mm (assumed)" : unitName(lengths.First().ToCString());
+  if (reader.TransferRoots() > 0) result.shape = reader.OneShape();
+  return result;
+}
+
+Result<ReadShape> readIges(const std::string& bytes, const std::string& name) {
+  static const bool ready = (IGESControl_Controller::Init(), true);
+  static_cast<void>(ready);
+  Interface_Static::SetCVal("xstep.cascade.unit", "MM");
+  const TemporaryFile file(bytes);
+  if (!file.good()) {
+    return unreadable(name, "the folder for temporary files cannot be written; set TMPDIR to a folder with space");
+  }
+  IGESControl_Reader reader;
+  reader.SetReadVisible(false);
+  if (reader.ReadFile(file.path().c_str()) != IFSelect_RetDone) {
+    return unreadable(name, "it is not valid IGES; export it again from the CAD program, best as STEP");
+  }
+  ReadShape result;
+  result.format = "IGES";
+  const Handle(IGESData_IGESModel) model = reader.IGESModel();
+  result.unit = "mm (assumed)";
+  if (!model.IsNull() && !model->GlobalSection().UnitName().IsNull()) {
+    result.unit = unitName(model->GlobalSection().UnitName()->ToCString());
+  }
+  if (reader.TransferRoots() > 0) result.shape = reader.OneShape();
+  return result;
+}
+
+Result<ReadShape> readBrep(const std::string& bytes, const std::string& name) {
+  std::string reason;
+  if (!brepSound(bytes, reason)) return unreadable(name, reason);
+  ReadShape result;
+  result.format = "BREP";
+  result.unit = "mm (assumed)";
+  std::istringstream stream(bytes);
+  BRep_Builder builder;
+  BRepTools::Read(result.shape, stream, builder);
+  return result;
+}
+
+int countOf(const TopoDS_Shape& shape, TopAbs_ShapeEnum type) {
+  TopTools_IndexedMapOfShape map;
+  TopExp::MapShapes(shape, type, map);
+  return map.Extent();
+}
+
+/// True if no two faces share an edge.
+bool loose(const TopoDS_Shape& shape) {
+  TopTools_IndexedDataMapOfShapeListOfShape faces;
+  TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, faces);
+  for (int i = 1; i <= faces.Extent(); ++i) {
+    const TopTools_ListOfShape& list = faces(i);
+    for (const TopoDS_Shape& face : list) {
+      if (!face.IsSame(list.First())) return false;
+    }
+  }
+  return true;
+}
+
+void heal(ReadShape& read) {
+  const int faces = countOf(read.shape, TopAbs_FACE);
+  if (faces <= kCheckLimit && !BRepCheck_Analyzer(read.shape).IsValid()) {
+    ShapeFix_Shape fixer(read.shape);
+    if (fixer.Perform()) {
+      read.shape = fixer.Shape();
+      read.healing.push_back(BRepCheck_Analyzer(read.shape).IsValid()
+                                 ? "faces or edges with faults were repaired"
+                                 : "faces or edges with faults were repaired in part; some faults remain");
+    } else {
+      read.healing.push_back("some faces or edges have faults that could not be repaired");
+    }
+  }
+  if (faces > 1 && loose(read.shape)) {
+    BRepBuilderAPI_Sewing sewing(kSewTolerance);
+    sewing.Add(read.shape);
+    sewing.Perform();
+    const TopoDS_Shape sewn = sewing.SewedShape();
+    if (!sewn.IsNull() && countOf(sewn, TopAbs_FACE) == faces && !loose(sewn)) {
+      read.shape = sewn;
+      read.healing.push_back(std::to_string(faces) + " separate faces were sewn together where their edges meet within " +
+                             shortText(kSewTolerance) + " mm");
+    }
+  }
+  if (!BRepLib::BuildCurves3d(read.shape)) read.healing.push_back("some edges have no curve in space");
+}
+
+}  // namespace
+
+Result<ReadShape> readShape(const std::string& bytes, const std::string& name, const RunContext& context) {
+  silenceOcct();
+  if (trimmedRight(bytes).empty()) {
+    return unreadable(name, "the file is empty; export it again from the CAD program");
+  }
+  const Format content = formatOf(bytes), suffix = formatOfSuffix(name);
+  if (content == Format::unknown) {
+    if (suffix == Format::unknown) {
+      return unreadable(name, "it is neither STEP, IGES nor BREP; export the surface as STEP from the CAD program");
+    }
+    return unreadable(name, std::string("its content is not ") + formatName(suffix) +
+                                "; the file is damaged or of another kind: export it again from the CAD program");
+  }
+  if (!complete(bytes, content)) {
+    return unreadable(name, std::string("the ") + formatName(content) +
+                                " file is cut short (its end mark is missing); copy or export it again");
+  }
+  if (context.stopped()) return stoppedError();
+  const std::lock_guard lock(exchangeMutex());
+  const std::string doing = "cannot read " + name;
+  auto read = guarded(ErrorCode::cannotRead, doing, [&]() -> Result<ReadShape> {
+    switch (content) {
+      case Format::step: return readStep(bytes, name);
+      case Format::iges: return readIges(bytes, name);
+      default: return readBrep(bytes, name);
+    }
+  });
+  if (!read) {
+    read.error().where = name;
+    return read;
+  }
+  if (context.stopped()) return stoppedError();
+  if (read->shape.IsNull() || countOf(read->shape, TopAbs_FACE) == 0) {
+    std::string what = "it holds no faces";
+    if (!read->shape.IsNull() && countOf(read->shape, TopAbs_EDGE) > 0) {
+      what += ", only " + std::to_string(countOf(read->shape, TopAbs_EDGE)) + " edges";
+    }
+    return fail(ErrorCode::badInput,
+                name + " cannot be used: " + what + "; export a surface or a solid, not curves or a mesh", name, 0, 1);
+  }
+  auto healed = guarded(ErrorCode::cannotRead, doing, [&]() -> Result<ReadShape> {
+    heal(*read);
+    return std::move(*read);
+  });
+  if (!healed) healed.error().where = name;
+  return healed;
+}
+
+}  // namespace bw::geometry

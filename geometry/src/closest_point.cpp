@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "closest_point.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bw::geometry {
+
+namespace {
+
+constexpr int kIterations = 40;
+constexpr int kHalvings = 12;
+constexpr double kSmallStep = 1e-7;  // mm; one more full Newton step leaves an error of about its square
+
+struct Range {
+  double low, high;
+  bool wraps;
+  double clamp(double t) const {
+    if (!wraps) return std::clamp(t, low, high);
+    const double period = high - low;
+    return t - period * std::floor((t - low) / period);
+  }
+  /// True if the minimum is held back at an end of the range.
+  bool holds(double t, double slope) const {
+    return !wraps && ((t <= low && slope > 0) || (t >= high && slope < 0));
+  }
+};
+
+/// Newton's method on |S(u, v) − p|² within the rectangle of the face, damped; `jet` is left at the foot.
+Eigen::Vector2d descend(const FaceGeometry& face, const Eigen::Vector3d& p, Eigen::Vector2d uv, Jet& jet) {
+  const SurfacePatch& patch = face.patch();
+  const Range ru{face.u0(), face.u1(), face.wrapsU()}, rv{face.v0(), face.v1(), face.wrapsV()};
+  uv = {ru.clamp(uv.x()), rv.clamp(uv.y())};
+  patch.second(uv.x(), uv.y(), jet);
+  Eigen::Vector3d r = jet.p - p;
+  double f = r.squaredNorm();
+  for (int k = 0; k < kIterations; ++k) {
+    const double gu = r.dot(jet.du), gv = r.dot(jet.dv);
+    const double E = jet.du.squaredNorm(), F = jet.du.dot(jet.dv), G = jet.dv.squaredNorm();
+    double huu = E + r.dot(jet.duu), huv = F + r.dot(jet.duv), hvv = G + r.dot(jet.dvv);
+    const bool holdU = ru.holds(uv.x(), gu), holdV = rv.holds(uv.y(), gv);
+    if (holdU && holdV) break;
+    double su = 0, sv = 0;
+    if (holdU) {
+      sv = -gv / (hvv > 1e-6 * G ? hvv : std::max(G, 1e-300));
+    } else if (holdV) {
+      su = -gu / (huu > 1e-6 * E ? huu : std::max(E, 1e-300));
+    } else {
+      double det = huu * hvv - huv * huv;
+      if (!(huu > 0) || !(det > 1e-9 * E * G)) {  // not convex here: the first fundamental form leads downhill
+        huu = E * (1 + 1e-9) + 1e-300;
+        huv = F;
+        hvv = G * (1 + 1e-9) + 1e-300;
+        det = huu * hvv - huv * huv;
+      }
+      su = -(hvv * gu - huv * gv) / det;
+      sv = -(huu * gv - huv * gu) / det;
+    }
+    // No further than a third of the face at once.
+    const double longest = std::max(std::abs(su) / (ru.high - ru.low), std::abs(sv) / (rv.high - rv.low));
+    if (longest > 0.34) {
+      su *= 0.34 / longest;
+      sv *= 0.34 / longest;
+    }
+    const bool last = (su * jet.du + sv * jet.dv).squaredNorm() < kSmallStep * kSmallStep;
+    bool moved = false;
+    for (int h = 0; h < (last ? 1 : kHalvings); ++h) {
+      const Eigen::Vector2d next(ru.clamp(uv.x() + su), rv.clamp(uv.y() + sv));
+      Jet trial;
+      patch.second(next.x(), next.y(), trial);
+      const Eigen::Vector3d rt = trial.p - p;
+      const double ft = rt.squaredNorm();
+      if (ft <= f) {
+        moved = next != uv;
+        uv = next;
+        jet = trial;
+        r = rt;
+        f = ft;
+        break;
+      }
+      su *= 0.5;
+      sv *= 0.5;
+    }
+    if (last || !moved) break;
+  }
+  return uv;
+}
+
+/// The parameter of the point of an edge nearest to `p`, if it is nearer than `limit`.
+bool footOnEdge(const EdgeGeometry& edge, const Eigen::Vector3d& p, double& limit, double& at, Eigen::Vector3d& point) {
+  if (edge.degenerate() || edge.points.size() < 2) return false;
+  const Eigen::Vector3d outside = (edge.bounds.min - p).cwiseMax(p - edge.bounds.max).cwiseMax(0.0);
+  const double slack = 1e-3 * edge.bounds.size().norm();
+  if (outside.norm() > limit + slack) return false;
+  double best2 = 1e300;
+  for (std::size_t i = 1; i < edge.points.size(); ++i) {
+    const Eigen::Vector3d d = edge.points[i] - edge.points[i - 1];
+    const double length2 = d.squaredNorm();
+    const double s = length2 > 0 ? std::clamp((p - edge.points[i - 1]).dot(d) / length2, 0.0, 1.0) : 0.0;
+    const double d2 = (edge.points[i - 1] + s * d - p).squaredNorm();
+    if (d2 < best2) {
+      best2 = d2;
+      at = edge.t[i - 1] + s * (edge.t[i] - edge.t[i - 1]);
+    }
+  }
+  if (std::sqrt(best2) > limit + slack) return false;
+  Eigen::Vector3d d1, d2;
+  for (int k = 0; k < 20; ++k) {
+    edge.second(at, point, d1, d2);
+    const Eigen::Vector3d r = point - p;
+    const double speed2 = d1.squaredNorm();
+    const double bend = speed2 + r.dot(d2);
+    const double step = -r.dot(d1) / (bend > 1e-6 * speed2 ? bend : std::max(speed2, 1e-300));
+    const double next = std::clamp(at + step, edge.first, edge.last);
+    const double moved = std::abs(next - at) * std::sqrt(speed2);
+    at = next;
+    if (moved < 1e-9) break;
+  }
+  point = edge.value(at);
+  const double distance = (point - p).norm();
+  if (distance >= limit) return false;
+  limit = distance;
+  return true;
+}
+
+}  // namespace
+
+FaceFoot footOnFace(const FaceGeometry& face, const std::vector<EdgeGeometry>& edges, const Eigen::Vector3d& p,
+                    const Eigen::Vector2d& start) {
+  FaceFoot foot;
+  Jet jet;
+  foot.uv = descend(face, p, start, jet);
+  foot.point = jet.p;
+  foot.distance = (jet.p - p).norm();
+  if (face.natural()) {
+    const bool low[2] = {foot.uv.x() <= face.u0(), foot.uv.y() <= face.v0()};
+    const bool high[2] = {foot.uv.x() >= face.u1(), foot.uv.y() >= face.v1()};
+    const bool wraps[2] = {face.wrapsU(), face.wrapsV()};
+    for (int k = 0; k < 2; ++k) {
+      if (wraps[k] || !(low[k] || high[k])) continue;
+      foot.onBorder = true;
+      const int side = 2 * k + (high[k] ? 1 : 0);
+      for (const TrimEdge& trim : face.trims()) {
+        if (trim.side == side && trim.edge >= 0 && !edges[trim.edge].degenerate()) foot.edge = trim.edge;
+      }
+    }
+    return foot;
+  }
+  if (face.contains(foot.uv)) return foot;
+  FaceFoot border;
+  border.onBorder = true;
+  for (const TrimEdge& trim : face.trims()) {
+    double at = 0;
+    Eigen::Vector3d point;
+    if (trim.edge < 0 || !footOnEdge(edges[trim.edge], p, border.distance, at, point)) continue;
+    border.point = point;
+    border.edge = trim.edge;
+    border.uv = face.wrapped(trim.value(std::clamp(at, trim.first, trim.last)));
+  }
+  return border.edge >= 0 ? border : foot;
+}
+
+}  // namespace bw::geometry

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+#include "bw/core/frame.h"
+#include "model_impl.h"
+
+namespace bw::geometry {
+
+/// A point of a section: on the face, and on the plane to 1e-8 mm.
+struct LevelNode {
+  Eigen::Vector2d uv = Eigen::Vector2d::Zero();
+  Eigen::Vector3d p = Eigen::Vector3d::Zero();
+  int root = -1;        ///< the crossing of a border that the node lies on; unique within one cut
+  bool crease = false;  ///< on a line where the surface is less than twice continuously differentiable
+};
+
+/// A connected part of the section of one face.
+struct LevelPiece {
+  int face = 0;  ///< index in the target
+  std::vector<LevelNode> nodes;
+  bool closed = false;  ///< the last node is followed by the first
+};
+
+/// Cuts a target with planes of one normal.
+///
+/// A section is the level set of g(u, v) = normal · S(u, v). The grid of each face shows its topology (marching squares, the ambiguous
+/// cell decided at its centre); every node is then found on the surface itself. Trimmed faces are cut where the section meets the curves of their
+/// borders, whose crossings are found on the space curves that neighbouring faces share. Immutable; cuts from several threads are safe.
+class PlaneCutter {
+ public:
+  /// `region`: only the neighbourhood of this box is looked at.
+  PlaneCutter(const Target::Impl& target, const Eigen::Vector3d& normal, const Box& region);
+
+  struct Cut {
+    std::vector<LevelPiece> pieces;
+    bool doubtful = false;  ///< a crossing of a border belongs to no curve that was found
+  };
+  Cut cut(double level) const;
+
+  /// The point of the section between two nodes of a piece: `at` = 0…1 from a to b. False if the section cannot be followed there.
+  bool between(int face, const LevelNode& a, const LevelNode& b, double at, double level, LevelNode& node) const;
+  /// Unit tangent of the section, either way; zero where the plane touches the face.
+  Eigen::Vector3d tangent(int face, const LevelNode& node) const;
+
+  /// True if the plane runs along a border or a plane face, where a section is not a curve that it crosses.
+  bool grazes(double level) const;
+
+  const Eigen::Vector3d& normal() const { return normal_; }
+
+ private:
+  struct EdgeLevels {
+    int edge;
+    std::vector<double> t, g;  ///< so close that g is monotone between neighbours
+    double low, high;
+  };
+  struct FaceLevels {
+    std::vector<double> g;      ///< on the grid
+    std::vector<char> active;   ///< cells near the region
+    std::vector<double> rowLow, rowHigh;  ///< range of g over the cells of a row
+    double low, high;
+    double extentU, extentV;
+  };
+  struct Root {
+    int edge;
+    double t;
+    Eigen::Vector3d p;
+  };
+
+  void march(int face, double level, std::vector<LevelPiece>& chains) const;
+  void split(int face, const std::vector<Root>& roots, double level, std::vector<LevelPiece>& chains, Cut& cut) const;
+  bool project(int face, double level, LevelNode& node) const;
+  LevelNode crossing(int face, double level, double ua, double va, double ub, double vb) const;
+
+  const Target::Impl& target_;
+  Eigen::Vector3d normal_;
+  double size_;
+  std::vector<EdgeLevels> edges_;
+  std::vector<FaceLevels> faces_;
+};
+
+}  // namespace bw::geometry

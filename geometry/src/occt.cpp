@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "occt.h"
+
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <Standard_Type.hxx>
+
+namespace bw::geometry {
+
+void silenceOcct() {
+  static const bool done = [] {
+    Message::DefaultMessenger()->ChangePrinters().Clear();
+    return true;
+  }();
+  static_cast<void>(done);
+}
+
+std::mutex& exchangeMutex() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+std::string failureText(const Standard_Failure& failure) {
+  std::string text = failure.DynamicType()->Name();
+  const char* detail = failure.GetMessageString();
+  if (detail && *detail) text += std::string(" (") + detail + ")";
+  return text;
+}
+
+}  // namespace bw::geometry

@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "step_text.h"
+
+#include <array>
+#include <charconv>
+#include <cstdint>
+
+namespace bw::geometry {
+
+namespace {
+
+std::string ref(int id) { return "#" + std::to_string(id); }
+
+template <class Items, class Text>
+std::string list(const Items& items, const Text& text) {
+  std::string result = "(";
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (i > 0) result += ',';
+    result += text(items[i]);
+  }
+  return result + ")";
+}
+
+std::string triple(const Eigen::Vector3d& p) {
+  return "(" + stepReal(p.x()) + "," + stepReal(p.y()) + "," + stepReal(p.z()) + ")";
+}
+
+/// Distinct knots and their multiplicities.
+void packKnots(const std::vector<double>& flat, std::vector<double>& knots, std::vector<int>& counts) {
+  for (const double k : flat) {
+    if (!knots.empty() && knots.back() == k) {
+      ++counts.back();
+    } else {
+      knots.push_back(k);
+      counts.push_back(1);
+    }
+  }
+}
+
+std::string integer(int i) { return std::to_string(i); }
+
+}  // namespace
+
+std::string stepReal(double value) {
+  if (value == 0) return "0.";
+  std::array<char, 32> buffer;
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+  std::string text(buffer.data(), end);
+  const std::size_t e = text.find('e');
+  std::string mantissa = text.substr(0, e);
+  if (mantissa.find('.') == std::string::npos) mantissa += '.';
+  return e == std::string::npos ? mantissa : mantissa + "E" + text.substr(e + 1);
+}
+
+std::string stepString(const std::string& utf8) {
+  static const char* const kHex = "0123456789ABCDEF";
+  std::string result = "'";
+  std::string wide;  // pending UTF-16 in hexadecimal
+  const auto flush = [&] {
+    if (!wide.empty()) result += "\\X2\\" + wide + "\\X0\\";
+    wide.clear();
+  };
+  const auto unit = [&](std::uint32_t u) {
+    for (int shift = 12; shift >= 0; shift -= 4) wide += kHex[(u >> shift) & 15];
+  };
+  for (std::size_t i = 0; i < utf8.size();) {
+    const auto c = static_cast<unsigned char>(utf8[i]);
+    const int size = c < 0x80 ? 1 : (c >> 5) == 6 ? 2 : (c >> 4) == 14 ? 3 : (c >> 3) == 30 ? 4 : 0;
+    if (size == 1) {
+      flush();
+      if (c == '\'') {
+        result += "''";
+      } else if (c == '\\') {
+        result += "\\\\";
+      } else {
+        result += c < 0x20 || c == 0x7f ? ' ' : char(c);
+      }
+      ++i;
+      continue;
+    }
+    std::uint32_t code = size == 2 ? c & 31u : size == 3 ? c & 15u : c & 7u;
+    bool good = size > 0 && i + size <= utf8.size();
+    for (int k = 1; good && k < size; ++k) {
+      const auto next = static_cast<unsigned char>(utf8[i + k]);
+      good = (next >> 6) == 2;
+      code = (code << 6) | (next & 63u);
+    }
+    if (!good || code > 0x10ffff) {
+      flush();
+      result += '?';
+      ++i;
+      continue;
+    }
+    if (code >= 0x10000) {
+      unit(0xd800 + ((code - 0x10000) >> 10));
+      unit(0xdc00 + ((code - 0x10000) & 0x3ff));
+    } else {
+      unit(code);
+    }
+    i += size;
+  }
+  flush();
+  return result + "'";
+}
+
+int StepText::add(const std::string& entity) {
+  ++count_;
+  body_ += ref(count_) + "=" + entity + ";\n";
+  return count_;
+}
+
+int StepText::point(const Eigen::Vector3d& p) {
+  return add("CARTESIAN_POINT(''," + triple(p) + ")");
+}
+
+int StepText::direction(const Eigen::Vector3d& d) { return add("DIRECTION(''," + triple(d) + ")"); }
+
+int StepText::placement(const Eigen::Vector3d& origin, const Eigen::Vector3d& axis, const Eigen::Vector3d& reference) {
+  const int p = point(origin), a = direction(axis), r = direction(reference);
+  return add("AXIS2_PLACEMENT_3D(''," + ref(p) + "," + ref(a) + "," + ref(r) + ")");
+}
+
+int StepText::vertex(const Eigen::Vector3d& p) {
+  const int id = point(p);
+  return add("VERTEX_POINT(''," + ref(id) + ")");
+}
+
+int StepText::splineCurve(int degree, const std::vector<double>& knots, const std::vector<Eigen::Vector3d>& poles) {
+  std::vector<int> ids;
+  for (const auto& p : poles) ids.push_back(point(p));
+  std::vector<double> distinct;
+  std::vector<int> counts;
+  packKnots(knots, distinct, counts);
+  return add("B_SPLINE_CURVE_WITH_KNOTS(''," + integer(degree) + "," + list(ids, ref) + ",.UNSPECIFIED.,.F.,.F.," +
+             list(counts, integer) + "," + list(distinct, stepReal) + ",.UNSPECIFIED.)");
+}
+
+int StepText::circle(const Eigen::Vector3d& center, const Eigen::Vector3d& axis, const Eigen::Vector3d& reference,
+                     double radius) {
+  const int place = placement(center, axis, reference);
+  return add("CIRCLE(''," + ref(place) + "," + stepReal(radius) + ")");
+}
+
+int StepText::splineSurface(const SplineSurface& surface) {
+  std::vector<std::vector<int>> ids(std::size_t(surface.polesU));
+  for (int i = 0; i < surface.polesU; ++i) {
+    for (int j = 0; j < surface.polesV; ++j) {
+      ids[i].push_back(point(surface.poles[std::size_t(j) * surface.polesU + i]));
+    }
+  }
+  std::vector<double> u, v;
+  std::vector<int> countsU, countsV;
+  packKnots(surface.knotsU, u, countsU);
+  packKnots(surface.knotsV, v, countsV);
+  const auto row = [](const std::vector<int>& r) { return list(r, ref); };
+  return add("B_SPLINE_SURFACE_WITH_KNOTS(''," + integer(surface.degreeU) + "," + integer(surface.degreeV) + "," +
+             list(ids, row) + ",.UNSPECIFIED.,.F.,.F.,.F.," + list(countsU, integer) + "," + list(countsV, integer) +
+             "," + list(u, stepReal) + "," + list(v, stepReal) + ",.UNSPECIFIED.)");
+}
+
+int StepText::sphere(const Eigen::Vector3d& center, const Eigen::Vector3d& axis, const Eigen::Vector3d& reference,
+                     double radius) {
+  const int place = placement(center, axis, reference);
+  return add("SPHERICAL_SURFACE(''," + ref(place) + "," + stepReal(radius) + ")");
+}
+
+int StepText::torus(const Eigen::Vector3d& center, double majorRadius, double minorRadius) {
+  const int place = placement(center, Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitX());
+  return add("TOROIDAL_SURFACE(''," + ref(place) + "," + stepReal(majorRadius) + "," + stepReal(minorRadius) + ")");
+}
+
+int StepText::edge(int start, int end, int curve) {
+  return add("EDGE_CURVE(''," + ref(start) + "," + ref(end) + "," + ref(curve) + ",.T.)");
+}
+
+std::string StepText::file(int surface, const std::vector<Side>& border, const std::string& name) {
+  const std::string quoted = stepString(name);
+  std::vector<int> sides;
+  for (const Side& side : border) {
+    sides.push_back(add("ORIENTED_EDGE('',*,*," + ref(side.edge) + (side.forward ? ",.T.)" : ",.F.)")));
+  }
+  const int loop = add("EDGE_LOOP(''," + list(sides, ref) + ")");
+  const int bound = add("FACE_OUTER_BOUND(''," + ref(loop) + ",.T.)");
+  const int face = add("ADVANCED_FACE(" + quoted + ",(" + ref(bound) + ")," + ref(surface) + ",.T.)");
+  const int shell = add("OPEN_SHELL(" + quoted + ",(" + ref(face) + "))");
+  const int model = add("SHELL_BASED_SURFACE_MODEL(" + quoted + ",(" + ref(shell) + "))");
+
+  const int length = add("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.))");
+  const int angle = add("(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.))");
+  const int solid = add("(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT())");
+  const int accuracy = add("UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-07)," + ref(length) +
+                           ",'distance_accuracy_value','largest gap at the borders')");
+  const int context = add("(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((" + ref(accuracy) +
+                          "))GLOBAL_UNIT_ASSIGNED_CONTEXT((" + ref(length) + "," + ref(angle) + "," + ref(solid) +
+                          "))REPRESENTATION_CONTEXT('',''))");
+  const int place = placement(Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitX());
+  const int shape = add("MANIFOLD_SURFACE_SHAPE_REPRESENTATION(" + quoted + ",(" + ref(place) + "," + ref(model) + ")," +
+                        ref(context) + ")");
+  const int application = add("APPLICATION_CONTEXT('core data for automotive mechanical design processes')");
+  add("APPLICATION_PROTOCOL_DEFINITION('international standard','automotive_design',2000," + ref(application) + ")");
+  const int productContext = add("PRODUCT_CONTEXT(''," + ref(application) + ",'mechanical')");
+  const int product = add("PRODUCT(" + quoted + "," + quoted + ",'',(" + ref(productContext) + "))");
+  add("PRODUCT_RELATED_PRODUCT_CATEGORY('part',$,(" + ref(product) + "))");
+  const int formation = add("PRODUCT_DEFINITION_FORMATION('',''," + ref(product) + ")");
+  const int definitionContext = add("PRODUCT_DEFINITION_CONTEXT('part definition'," + ref(application) + ",'design')");
+  const int definition =
+      add("PRODUCT_DEFINITION('design',''," + ref(formation) + "," + ref(definitionContext) + ")");
+  const int definitionShape = add("PRODUCT_DEFINITION_SHAPE('',''," + ref(definition) + ")");
+  add("SHAPE_DEFINITION_REPRESENTATION(" + ref(definitionShape) + "," + ref(shape) + ")");
+
+  return "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME(" + quoted +
+         ",'',(''),(''),'Bladewright','Bladewright','');\n"
+         "FILE_SCHEMA(('AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }'));\nENDSEC;\nDATA;\n" +
+         body_ + "ENDSEC;\nEND-ISO-10303-21;\n";
+}
+
+}  // namespace bw::geometry

@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "surface_patch.h"
+
+#include <GeomConvert.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Geom_BezierSurface.hxx>
+#include <Geom_ConicalSurface.hxx>
+#include <Geom_CylindricalSurface.hxx>
+#include <Geom_OffsetSurface.hxx>
+#include <Geom_Plane.hxx>
+#include <Geom_RectangularTrimmedSurface.hxx>
+#include <Geom_SphericalSurface.hxx>
+#include <Geom_SurfaceOfLinearExtrusion.hxx>
+#include <Geom_SurfaceOfRevolution.hxx>
+#include <Geom_ToroidalSurface.hxx>
+
+#include <algorithm>
+#include <array>
+
+#include "occt.h"
+
+namespace bw::geometry {
+
+namespace {
+
+constexpr int kMaxDegree = 25;  // OCCT's own limit
+
+using Basis = std::array<std::array<double, kMaxDegree + 1>, 3>;
+
+int findSpan(const std::vector<double>& knots, int degree, int poles, double t) {
+  const auto it = std::upper_bound(knots.begin() + degree + 1, knots.begin() + poles, t);
+  return int(it - knots.begin()) - 1;
+}
+
+/// Basis functions of `degree` over `span` and their derivatives up to `order` ≤ 2.
+void basisFunctions(const std::vector<double>& knots, int degree, int span, double t, int order, Basis& out) {
+  std::array<std::array<double, kMaxDegree + 1>, kMaxDegree + 1> ndu;
+  std::array<double, kMaxDegree + 1> left, right;
+  ndu[0][0] = 1;
+  for (int j = 1; j <= degree; ++j) {
+    left[j] = t - knots[span + 1 - j];
+    right[j] = knots[span + j] - t;
+    double saved = 0;
+    for (int r = 0; r < j; ++r) {
+      ndu[j][r] = right[r + 1] + left[j - r];
+      const double part = ndu[r][j - 1] / ndu[j][r];
+      ndu[r][j] = saved + right[r + 1] * part;
+      saved = left[j - r] * part;
+    }
+    ndu[j][j] = saved;
+  }
+  for (int j = 0; j <= degree; ++j) out[0][j] = ndu[j][degree];
+  if (order < 1) return;
+  // Derivatives by differences of the functions of lower degree, which stand in the columns of ndu.
+  for (int r = 0; r <= degree; ++r) {
+    const auto lower = [&](int i, int p) { return i < 0 || i > p ? 0.0 : ndu[i][p]; };
+    const auto gap = [&](int i, int p) { return ndu[p][i]; };  // knots[span + i + 1] − knots[span + 1 + i − p]
+    const auto ratio = [&](int i, int p) {                     // N_{i, p−1} over its knot difference
+      return i < 0 || i > p - 1 ? 0.0 : lower(i, p - 1) / gap(i, p);
+    };
+    out[1][r] = degree * (ratio(r - 1, degree) - ratio(r, degree));
+    if (order < 2) continue;
+    if (degree < 2) {
+      out[2][r] = 0;
+      continue;
+    }
+    const auto slope = [&](int i) {  // derivative of N_{i, degree−1} over its knot difference
+      if (i < 0 || i > degree - 1) return 0.0;
+      return (degree - 1) * (ratio(i - 1, degree - 1) - ratio(i, degree - 1)) / gap(i, degree);
+    };
+    out[2][r] = degree * (slope(r - 1) - slope(r));
+  }
+}
+
+void readKnots(const TColStd_Array1OfReal& flat, std::vector<double>& knots) {
+  knots.assign(flat.begin(), flat.end());
+}
+
+void findBreaks(const std::vector<double>& knots, int degree, int poles, std::vector<double>& breaks,
+                std::vector<double>& creases) {
+  for (int i = degree; i <= poles;) {
+    int multiplicity = 1;
+    while (i + multiplicity < int(knots.size()) && knots[i + multiplicity] == knots[i]) ++multiplicity;
+    breaks.push_back(knots[i]);
+    if (i > degree && i < poles && multiplicity > degree - 2) creases.push_back(knots[i]);
+    i += multiplicity;
+  }
+  if (breaks.size() < 2) breaks = {knots[degree], knots[poles]};
+}
+
+std::string typeName(const Handle(Geom_Surface) & s) {
+  if (s->IsKind(STANDARD_TYPE(Geom_Plane))) return "plane";
+  if (s->IsKind(STANDARD_TYPE(Geom_CylindricalSurface))) return "cylinder";
+  if (s->IsKind(STANDARD_TYPE(Geom_ConicalSurface))) return "cone";
+  if (s->IsKind(STANDARD_TYPE(Geom_SphericalSurface))) return "sphere";
+  if (s->IsKind(STANDARD_TYPE(Geom_ToroidalSurface))) return "torus";
+  if (s->IsKind(STANDARD_TYPE(Geom_BSplineSurface))) return "bspline";
+  if (s->IsKind(STANDARD_TYPE(Geom_BezierSurface))) return "bezier";
+  if (s->IsKind(STANDARD_TYPE(Geom_SurfaceOfRevolution))) return "revolution";
+  if (s->IsKind(STANDARD_TYPE(Geom_SurfaceOfLinearExtrusion))) return "extrusion";
+  if (s->IsKind(STANDARD_TYPE(Geom_OffsetSurface))) return "offset";
+  return "other";
+}
+
+}  // namespace
+
+SurfacePatch::SurfacePatch(const Handle(Geom_Surface) & given) : surface_(given) {
+  while (const auto trimmed = Handle(Geom_RectangularTrimmedSurface)::DownCast(surface_)) {
+    surface_ = trimmed->BasisSurface();
+  }
+  type_ = typeName(surface_);
+  if (surface_->IsUPeriodic()) periodU_ = surface_->UPeriod();
+  if (surface_->IsVPeriodic()) periodV_ = surface_->VPeriod();
+
+  Handle(Geom_BSplineSurface) spline = Handle(Geom_BSplineSurface)::DownCast(surface_);
+  if (spline.IsNull() && surface_->IsKind(STANDARD_TYPE(Geom_BezierSurface))) {
+    spline = GeomConvert::SurfaceToBSplineSurface(surface_);
+  }
+  // A periodic spline keeps OCCT's evaluation: its faces may reach beyond one period.
+  if (spline.IsNull() || spline->IsUPeriodic() || spline->IsVPeriodic()) return;
+
+  polesU_ = spline->NbUPoles();
+  polesV_ = spline->NbVPoles();
+  readKnots(spline->UKnotSequence(), knotsU_);
+  readKnots(spline->VKnotSequence(), knotsV_);
+  degreeU_ = spline->UDegree();
+  degreeV_ = spline->VDegree();
+  rational_ = spline->IsURational() || spline->IsVRational();
+  poles_.reserve(std::size_t(polesU_) * polesV_);
+  for (int i = 1; i <= polesU_; ++i) {
+    for (int j = 1; j <= polesV_; ++j) {
+      const double w = rational_ ? spline->Weight(i, j) : 1.0;
+      const Eigen::Vector3d p = toEigen(spline->Pole(i, j));
+      poles_.emplace_back(w * p.x(), w * p.y(), w * p.z(), w);
+    }
+  }
+  findBreaks(knotsU_, degreeU_, polesU_, breaksU_, creasesU_);
+  findBreaks(knotsV_, degreeV_, polesV_, breaksV_, creasesV_);
+}
+
+void SurfacePatch::evaluate(double u, double v, int order, Jet& jet) const {
+  Basis bu, bv;
+  const int spanU = findSpan(knotsU_, degreeU_, polesU_, u);
+  const int spanV = findSpan(knotsV_, degreeV_, polesV_, v);
+  basisFunctions(knotsU_, degreeU_, spanU, u, order, bu);
+  basisFunctions(knotsV_, degreeV_, spanV, v, order, bv);
+  using V4 = Eigen::Vector4d;
+  V4 s = V4::Zero(), su = V4::Zero(), sv = V4::Zero(), suu = V4::Zero(), suv = V4::Zero(), svv = V4::Zero();
+  for (int i = 0; i <= degreeU_; ++i) {
+    const V4* row = &poles_[std::size_t(spanU - degreeU_ + i) * polesV_ + (spanV - degreeV_)];
+    V4 r0 = V4::Zero(), r1 = V4::Zero(), r2 = V4::Zero();
+    for (int j = 0; j <= degreeV_; ++j) r0 += bv[0][j] * row[j];
+    s += bu[0][i] * r0;
+    if (order < 1) continue;
+    for (int j = 0; j <= degreeV_; ++j) r1 += bv[1][j] * row[j];
+    su += bu[1][i] * r0;
+    sv += bu[0][i] * r1;
+    if (order < 2) continue;
+    for (int j = 0; j <= degreeV_; ++j) r2 += bv[2][j] * row[j];
+    suu += bu[2][i] * r0;
+    suv += bu[1][i] * r1;
+    svv += bu[0][i] * r2;
+  }
+  if (!rational_) {
+    jet.p = s.head<3>();
+    if (order < 1) return;
+    jet.du = su.head<3>();
+    jet.dv = sv.head<3>();
+    if (order < 2) return;
+    jet.duu = suu.head<3>();
+    jet.duv = suv.head<3>();
+    jet.dvv = svv.head<3>();
+    return;
+  }
+  const double w = 1.0 / s.w();
+  jet.p = s.head<3>() * w;
+  if (order < 1) return;
+  jet.du = (su.head<3>() - su.w() * jet.p) * w;
+  jet.dv = (sv.head<3>() - sv.w() * jet.p) * w;
+  if (order < 2) return;
+  jet.duu = (suu.head<3>() - 2 * su.w() * jet.du - suu.w() * jet.p) * w;
+  jet.dvv = (svv.head<3>() - 2 * sv.w() * jet.dv - svv.w() * jet.p) * w;
+  jet.duv = (suv.head<3>() - su.w() * jet.dv - sv.w() * jet.du - suv.w() * jet.p) * w;
+}
+
+Eigen::Vector3d SurfacePatch::value(double u, double v) const {
+  if (degreeU_ == 0) {
+    gp_Pnt p;
+    surface_->D0(u, v, p);
+    return toEigen(p);
+  }
+  Jet jet;
+  evaluate(u, v, 0, jet);
+  return jet.p;
+}
+
+void SurfacePatch::first(double u, double v, Jet& jet) const {
+  if (degreeU_ == 0) {
+    gp_Pnt p;
+    gp_Vec du, dv;
+    surface_->D1(u, v, p, du, dv);
+    jet.p = toEigen(p);
+    jet.du = toEigen(du);
+    jet.dv = toEigen(dv);
+    return;
+  }
+  evaluate(u, v, 1, jet);
+}
+
+void SurfacePatch::second(double u, double v, Jet& jet) const {
+  if (degreeU_ == 0) {
+    gp_Pnt p;
+    gp_Vec du, dv, duu, dvv, duv;
+    surface_->D2(u, v, p, du, dv, duu, dvv, duv);
+    jet = {toEigen(p), toEigen(du), toEigen(dv), toEigen(duu), toEigen(duv), toEigen(dvv)};
+    return;
+  }
+  evaluate(u, v, 2, jet);
+}
+
+}  // namespace bw::geometry

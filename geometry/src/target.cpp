@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include <BRepBuilderAPI_Copy.hxx>
+#include <BRepMesh_IncrementalMesh.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Poly_Triangulation.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bw/core/number_text.h"
+#include "face_sampler.h"
+#include "model_impl.h"
+#include "occt.h"
+
+namespace bw::geometry {
+
+namespace {
+
+constexpr double kDeflectionRatio = 1.0 / 2000;  // of the size, for display
+constexpr double kMeshAngle = 0.35;              // rad between neighbouring facets, at most
+
+/// Area-weighted mean of the outer normals, and the area it was summed over.
+Eigen::Vector3d normalSum(const FaceGeometry& face) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double area = 0;
+  const int nu = int(face.gridU().size()), nv = int(face.gridV().size());
+  for (int i = 0; i + 1 < nu; ++i) {
+    for (int j = 0; j + 1 < nv; ++j) {
+      if (!face.gridInside(i, j) || !face.gridInside(i + 1, j + 1)) continue;
+      const Eigen::Vector3d cross = (face.gridPoint(i + 1, j + 1) - face.gridPoint(i, j))
+                                        .cross(face.gridPoint(i, j + 1) - face.gridPoint(i + 1, j));
+      sum += 0.5 * cross;
+      area += 0.5 * cross.norm();
+    }
+  }
+  if (face.reversed()) sum = -sum;
+  if (!(area > 0)) {
+    return face.area() * face.normal(0.5 * (face.u0() + face.u1()), 0.5 * (face.v0() + face.v1()));
+  }
+  return sum * (face.area() / area);
+}
+
+}  // namespace
+
+std::array<double, 2> Target::Impl::extent(const Eigen::Vector3d& direction) const {
+  std::array<double, 2> result = {1e300, -1e300};
+  for (const auto& face : faces) {
+    const auto range = face->extent(direction, model->edges);
+    result[0] = std::min(result[0], range[0]);
+    result[1] = std::max(result[1], range[1]);
+  }
+  return result;
+}
+
+Target::Target(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
+
+Result<Target> Target::make(const CadModel& model, const FaceChoice& choice) {
+  auto chosen = model.choose(choice);
+  if (!chosen) return tl::unexpected(chosen.error());
+  return guarded(ErrorCode::internal, "cannot prepare the faces", [&]() -> Result<Target> {
+    auto impl = std::make_shared<Impl>();
+    // The model outlives its targets through this shared handle.
+    impl->model = model.shared();
+    impl->indices = *chosen;
+    impl->edgeUses.assign(impl->model->edges.size(), 0);
+    impl->sheet = true;
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const int i : *chosen) {
+      const auto& face = impl->model->faces[i];
+      impl->faces.push_back(face);
+      impl->area += face->area();
+      const Bounds& bounds = impl->model->info.faceList[i].bounds;
+      impl->bounds.add(bounds.min);
+      impl->bounds.add(bounds.max);
+      sum += normalSum(*face);
+      if (impl->model->inSolid[i]) impl->sheet = false;
+      for (const TrimEdge& trim : face->trims()) {
+        if (trim.edge >= 0) ++impl->edgeUses[trim.edge];
+      }
+    }
+    impl->meanNormal = impl->area > 0 ? Eigen::Vector3d(sum / impl->area) : Eigen::Vector3d::Zero();
+    if (impl->sheet) {
+      // A sheet has no inside: it is seen from above, or else from the positive side of y or x.
+      const Eigen::Vector3d& m = impl->meanNormal;
+      const int axis = std::abs(m.z()) > 1e-3 ? 2 : std::abs(m.y()) > 1e-3 ? 1 : 0;
+      impl->flipped = m[axis] < 0;
+      if (impl->flipped) impl->meanNormal = -impl->meanNormal;
+    }
+    return Target(impl);
+  });
+}
+
+Bounds Target::bounds() const { return impl_->bounds; }
+
+double Target::area() const { return impl_->area; }
+
+const std::vector<int>& Target::faces() const { return impl_->indices; }
+
+std::unique_ptr<SurfaceSampler> Target::sampler() const { return makeSampler(impl_); }
+
+Result<TriangleMesh> Target::mesh(double deflection) const {
+  if (!std::isfinite(deflection) || deflection < 0) {
+    return fail(ErrorCode::badInput, "the deflection of a mesh must be 0 or more mm", "deflection", deflection, 0.0);
+  }
+  const double size = impl_->bounds.size().norm();
+  if (deflection == 0) deflection = size * kDeflectionRatio;
+  deflection = std::max(deflection, 1e-6 * size);
+  return guarded(ErrorCode::internal, "cannot make triangles of the target", [&]() -> Result<TriangleMesh> {
+    TopoDS_Compound compound;
+    BRep_Builder builder;
+    builder.MakeCompound(compound);
+    for (const auto& face : impl_->faces) builder.Add(compound, face->face());
+    // The mesher stores its result in the shape, so it works on a shape of its own; the geometry stays shared.
+    const TopoDS_Shape shape = BRepBuilderAPI_Copy(compound, Standard_False).Shape();
+    BRepMesh_IncrementalMesh mesher(shape, deflection, Standard_False, kMeshAngle, Standard_True);
+    TriangleMesh mesh;
+    std::size_t at = 0;
+    for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next(), ++at) {
+      const TopoDS_Face face = TopoDS::Face(it.Current());
+      const FaceGeometry& geometry = *impl_->faces[at];
+      TopLoc_Location location;
+      const Handle(Poly_Triangulation) triangulation = BRep_Tool::Triangulation(face, location);
+      if (triangulation.IsNull()) continue;
+      const bool flip = geometry.reversed() != impl_->flipped;
+      const int base = int(mesh.points.size());
+      for (int i = 1; i <= triangulation->NbNodes(); ++i) {
+        const gp_Pnt p = triangulation->Node(i).Transformed(location.Transformation());
+        mesh.points.push_back(toEigen(p));
+        Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+        if (triangulation->HasUVNodes()) {
+          const gp_Pnt2d uv = triangulation->UVNode(i);
+          normal = geometry.normal(uv.X(), uv.Y());
+          if (impl_->flipped) normal = -normal;
+        }
+        mesh.normals.push_back(normal);
+      }
+      for (int i = 1; i <= triangulation->NbTriangles(); ++i) {
+        int a = 0, b = 0, c = 0;
+        triangulation->Triangle(i).Get(a, b, c);
+        if (flip) std::swap(b, c);
+        mesh.triangles.push_back({base + a - 1, base + b - 1, base + c - 1});
+      }
+    }
+    if (mesh.triangles.empty()) {
+      return fail(ErrorCode::internal, "no triangles could be made of the target; choose other faces");
+    }
+    // Where the surface has no normal of its own (a pole), the triangles around give it.
+    std::vector<Eigen::Vector3d> sums(mesh.points.size(), Eigen::Vector3d::Zero());
+    for (const auto& t : mesh.triangles) {
+      const Eigen::Vector3d n =
+          (mesh.points[t[1]] - mesh.points[t[0]]).cross(mesh.points[t[2]] - mesh.points[t[0]]);
+      for (const int i : t) sums[i] += n;
+    }
+    for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+      if (mesh.normals[i].squaredNorm() > 0.5) continue;
+      const double length = sums[i].norm();
+      mesh.normals[i] = length > 0 ? Eigen::Vector3d(sums[i] / length) : Eigen::Vector3d::UnitZ();
+    }
+    return mesh;
+  });
+}
+
+}  // namespace bw::geometry
