@@ -126,7 +126,7 @@ class Evaluation {
     if (farthest <= kDirectPeriods * kShortestPeriod) {
       return;
     }
-    const ElasticaInvariants known = detail::invariants(scaled_.flow);
+    const ElasticaInvariants& known = scaled_.known;
     const double period = detail::periodLength(known);
     if (farthest <= kDirectPeriods * period) {
       return;
@@ -138,7 +138,7 @@ class Evaluation {
         item.rest = rest;
       }
     }
-    Flow flow(scaled_.flow, 1);
+    Flow flow(scaled_.flow, scaled_.known, 1);
     flow.advanceTo(period);
     shift_ = flow.at(period);
     const double turning =
@@ -166,14 +166,14 @@ class Evaluation {
     const auto ahead =
         std::find_if(items.begin(), items.end(), [](const Item& item) { return item.rest >= 0; });
     if (ahead != items.end()) {
-      Flow flow(scaled_.flow, 1);
+      Flow flow(scaled_.flow, scaled_.known, 1);
       for (auto item = ahead; item != items.end(); ++item) {
         flow.advanceTo(item->rest);
         sink(item->index, moved(flow.at(item->rest), item->periods));
       }
     }
     if (ahead != items.begin()) {
-      Flow flow(scaled_.flow, -1);
+      Flow flow(scaled_.flow, scaled_.known, -1);
       for (auto item = ahead; item != items.begin();) {
         --item;
         flow.advanceTo(item->rest);

@@ -67,7 +67,7 @@ Result<Elastica> Elastica::fromControlParameters(const ControlParameters& p) {
 
 std::optional<ControlParameters> Elastica::controlParameters() const {
   const detail::ScaledElastica scaled = detail::scaled(*this);
-  const detail::ElasticaInvariants known = detail::invariants(scaled.flow);
+  const detail::ElasticaInvariants& known = scaled.known;
   if (known.isLine(scaled.length) || known.isCircle()) {
     return std::nullopt;
   }

@@ -23,9 +23,9 @@ class ElasticaFlow {
   using Block = Eigen::Array<double, 4, 1 + Directions>;
 
   /// `sign` is +1 to walk towards larger, −1 towards smaller arc lengths.
-  ElasticaFlow(const FlowParameters& parameters, double sign)
+  ElasticaFlow(const FlowParameters& parameters, const ElasticaInvariants& known, double sign)
       : parameters_(parameters),
-        known_(invariants(parameters)),
+        known_(known),
         sign_(sign),
         largestStep_(kSineStep / std::sqrt(known_.force)) {
     Block initial = Block::Zero();
@@ -151,12 +151,14 @@ class ElasticaFlow {
             : halfCurvature * halfCurvature - f * fromOpposite * fromOpposite + known_.complement;
     const double slope =
         f * fromApex * fromOpposite;  // of the excess with the angle; with the curvature it is κ/2
-    const double steepness = slope * slope + halfCurvature * halfCurvature;
+    // The shortest way back, where a unit of angle weighs as much as a curvature of the curve's own size.
+    const double weight = f + known_.halfPeakCurvature * known_.halfPeakCurvature;
+    const double steepness = slope * slope + weight * halfCurvature * halfCurvature;
     double turn = 0;
     if (steepness > 0) {
       turn = -excess * slope / steepness;
       angle += turn;
-      curvature -= excess * halfCurvature / steepness;
+      curvature -= excess * weight * halfCurvature / steepness;
     }
     const double c = (cosine - sine) * (cosine + sine);
     const double s = 2 * cosine * sine;

@@ -10,27 +10,27 @@
 
 namespace bw::detail {
 
-ElasticaInvariants invariants(const FlowParameters& parameters) {
-  const double ft = parameters.tangential;
-  const double fn = parameters.normal;
-  const double halfCurvature = 0.5 * std::abs(parameters.curvature);
+ElasticaInvariants invariants(long double curvature, long double tangential, long double normal) {
+  using Real = long double;
+  const Real halfCurvature = 0.5L * std::abs(curvature);
+  const Real f = std::hypot(tangential, normal);
   ElasticaInvariants result;
-  const double f = result.force = std::hypot(ft, fn);
-  double forceSine = 0;    // √f |σ|
-  double forceCosine = 0;  // √f δ
+  result.force = static_cast<double>(f);
+  Real forceSine = 0;    // √f |σ|
+  Real forceCosine = 0;  // √f δ
   if (f > 0) {
     // f σ² = (f − f_t)/2 and f δ² = (f + f_t)/2, of which one is a sum and the other follows from f_n = 2 f
     // |σ| δ.
-    const double larger = std::sqrt(0.5 * (f + std::abs(ft)));
-    const double smaller = 0.5 * std::abs(fn) / larger;
-    forceSine = ft >= 0 ? smaller : larger;
-    forceCosine = ft >= 0 ? larger : smaller;
-    const double rootForce = std::sqrt(f);
-    result.apexSine = (fn > 0 ? -forceSine : forceSine) / rootForce;
-    result.apexCosine = forceCosine / rootForce;
+    const Real larger = std::sqrt(0.5L * (f + std::abs(tangential)));
+    const Real smaller = 0.5L * std::abs(normal) / larger;
+    forceSine = tangential >= 0 ? smaller : larger;
+    forceCosine = tangential >= 0 ? larger : smaller;
+    const Real rootForce = std::sqrt(f);
+    result.apexSine = static_cast<double>((normal > 0 ? -forceSine : forceSine) / rootForce);
+    result.apexCosine = static_cast<double>(forceCosine / rootForce);
   }
-  result.halfPeakCurvature = std::hypot(halfCurvature, forceSine);
-  result.complement = (forceCosine - halfCurvature) * (forceCosine + halfCurvature);
+  result.halfPeakCurvature = static_cast<double>(std::hypot(halfCurvature, forceSine));
+  result.complement = static_cast<double>((forceCosine - halfCurvature) * (forceCosine + halfCurvature));
   return result;
 }
 

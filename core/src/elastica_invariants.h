@@ -39,7 +39,10 @@ struct ElasticaInvariants {
   bool isSingleLoop() const { return std::abs(complement) <= kRounding * force; }
   bool hasInflections() const { return complement >= 0; }
 };
-ElasticaInvariants invariants(const FlowParameters& parameters);
+
+/// From κ, f_t and f_n, in extended precision where the machine has it: near k = 1 the complement is the
+/// difference of two nearly equal numbers, and the length of a period hangs on it.
+ElasticaInvariants invariants(long double curvature, long double tangential, long double normal);
 
 /// Arc length of one period: 2π/κ for a circle; infinite for a line without force. For k = 1 it is that of
 /// the nearest elastica which rounding can tell from it.

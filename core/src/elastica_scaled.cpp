@@ -9,18 +9,24 @@ namespace bw::detail {
 
 ScaledElastica scaled(const Elastica& elastica) {
   ScaledElastica result;
-  result.cosine = std::cos(elastica.startAngle());
-  result.sine = std::sin(elastica.startAngle());
-  const double lambda1 = elastica.force().x();
-  const double lambda2 = elastica.force().y();
-  const double rootForce = std::sqrt(std::hypot(lambda1, lambda2));
+  const double rootForce = std::sqrt(std::hypot(elastica.force().x(), elastica.force().y()));
   const double rate = std::max({std::abs(elastica.startCurvature()), rootForce, 1 / elastica.length()});
-  result.unit = 1 / rate;
-  result.flow.curvature = elastica.startCurvature() / rate;
-  // Divided twice, since the square of a small rate may fall below the smallest double.
-  result.flow.tangential = (lambda1 * result.cosine + lambda2 * result.sine) / rate / rate;
-  result.flow.normal = (lambda2 * result.cosine - lambda1 * result.sine) / rate / rate;
-  result.length = elastica.length() * rate;
+  const int exponent = std::ilogb(rate) + 1;
+  result.unit = std::ldexp(1.0, -exponent);
+  const long double curvature = std::ldexp(elastica.startCurvature(), -exponent);
+  const long double lambda1 = std::ldexp(elastica.force().x(), -2 * exponent);
+  const long double lambda2 = std::ldexp(elastica.force().y(), -2 * exponent);
+  const long double cosine = std::cos(static_cast<long double>(elastica.startAngle()));
+  const long double sine = std::sin(static_cast<long double>(elastica.startAngle()));
+  const long double tangential = lambda1 * cosine + lambda2 * sine;
+  const long double normal = lambda2 * cosine - lambda1 * sine;
+  result.cosine = static_cast<double>(cosine);
+  result.sine = static_cast<double>(sine);
+  result.flow.curvature = static_cast<double>(curvature);
+  result.flow.tangential = static_cast<double>(tangential);
+  result.flow.normal = static_cast<double>(normal);
+  result.known = invariants(curvature, tangential, normal);
+  result.length = elastica.length() / result.unit;
   return result;
 }
 

@@ -11,7 +11,8 @@ namespace bw::detail {
 /// 1).
 struct ScaledElastica {
   FlowParameters flow;
-  double unit = 1;    ///< the unit of length, mm
+  ElasticaInvariants known;
+  double unit = 1;    ///< the unit of length, mm; a power of two, so that scaling does not round
   double cosine = 1;  ///< of the start angle
   double sine = 0;    ///< of the start angle
   double length = 1;  ///< of the segment, in the unit

@@ -47,7 +47,7 @@ class CrossingSearch {
  public:
   CrossingSearch(const detail::ScaledElastica& scaled, double force, double length)
       : force_(force), tolerance_(kSamePoint * length) {
-    Flow flow(scaled.flow, 1);
+    Flow flow(scaled.flow, scaled.known, 1);
     for (double a = 0; a < length;) {
       flows_.push_back(flow);
       ends_.push_back(a = std::min(flow.end(), length));
@@ -172,7 +172,7 @@ class CrossingSearch {
 
 bool Elastica::selfIntersects() const {
   const detail::ScaledElastica scaled = detail::scaled(*this);
-  const detail::ElasticaInvariants known = detail::invariants(scaled.flow);
+  const detail::ElasticaInvariants& known = scaled.known;
   const double length = std::min(scaled.length, kPeriodsToSearch * detail::periodLength(known));
   if (2 * known.halfPeakCurvature * length < std::numbers::pi) {
     return false;

@@ -25,7 +25,7 @@ double peakCurvature(const ElasticaInvariants& known) { return 2 * known.halfPea
 /// Calls visit(flow, a, b) for the pieces of the flow over [0, length].
 template <class Visit>
 void forEachPiece(const ScaledElastica& scaled, double length, Visit&& visit) {
-  Flow flow(scaled.flow, 1);
+  Flow flow(scaled.flow, scaled.known, 1);
   for (double a = 0; a < length;) {
     const double b = std::min(flow.end(), length);
     visit(flow, a, b);
@@ -74,7 +74,7 @@ double Elastica::energy() const {
 std::vector<double> Elastica::inflections() const {
   std::vector<double> result;
   const ScaledElastica scaled = detail::scaled(*this);
-  const ElasticaInvariants known = detail::invariants(scaled.flow);
+  const ElasticaInvariants& known = scaled.known;
   const double peak = peakCurvature(known);
   if (!known.hasInflections() || known.isSingleLoop() || known.isLine(scaled.length)) {
     return result;
@@ -99,7 +99,7 @@ std::vector<double> Elastica::inflections() const {
 
 double Elastica::maxCurvature() const {
   const ScaledElastica scaled = detail::scaled(*this);
-  const ElasticaInvariants known = detail::invariants(scaled.flow);
+  const ElasticaInvariants& known = scaled.known;
   // |κ| is largest at an end or at an apex, where the tangent points along the force.
   const double forceAngle = std::atan2(scaled.flow.normal, scaled.flow.tangential);
   const auto turns = [&](double angle) { return std::floor((angle - forceAngle) / (2 * std::numbers::pi)); };
@@ -116,7 +116,7 @@ double Elastica::maxCurvature() const {
 
 std::optional<double> Elastica::period() const {
   const ScaledElastica scaled = detail::scaled(*this);
-  const ElasticaInvariants known = detail::invariants(scaled.flow);
+  const ElasticaInvariants& known = scaled.known;
   if (known.isLine(scaled.length) || known.isCircle() || known.isSingleLoop()) {
     return std::nullopt;
   }
