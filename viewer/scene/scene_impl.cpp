@@ -294,7 +294,7 @@ Camera Scene::Impl::fit(Camera from, double aspect, const std::optional<Bounds>&
   if (!(aspect > 0) || !std::isfinite(aspect)) aspect = 1;
   // Air around the content, and room for the legend.
   const double air = 0.10, tangent = std::tan(from.viewAngle * std::acos(-1.0) / 360);
-  const double legend = field && style.legend ? std::min(0.5, 2 * Legend::reservedWidth(style.pixelRatio) / std::max(lastWidth_, 900)) : 0.0;
+  const double legend = field && style.legend ? std::min(0.5, 2 * Legend::reservedWidth(style.pixelRatio) / (lastWidth_ > 0 ? lastWidth_ : 900)) : 0.0;
   const double up = tangent * (1 - air), left = tangent * aspect * (1 - air), right = tangent * aspect * std::max(0.2, 1 - air - legend);
 
   const Projection view(from.position, from.focus, from.up, from.viewAngle, from.parallel, from.parallelScale, 1, 1);

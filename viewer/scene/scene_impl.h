@@ -32,6 +32,8 @@ struct Scene::Impl {
   void renderFrame(int width, int height);
   /// Reads the last frame.
   Picture readPicture() const;
+  /// The width of the pictures to come, for a fit that keeps clear of the legend.
+  void expectWidth(int width) { lastWidth_ = width; }
   Projection projection(int width, int height) const;
   Pick pick(double x, double y, int width, int height) const;
   Bounds contentBounds() const;

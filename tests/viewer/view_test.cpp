@@ -1,0 +1,300 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QDir>
+#include <QMainWindow>
+#include <QMouseEvent>
+#include <QSignalSpy>
+#include <QTest>
+#include <QWheelEvent>
+
+#include <cmath>
+
+#include "bw/view/scene_view.h"
+#include "scene_sample.h"
+
+namespace {
+
+using bw::scene::Camera;
+using bw::scene::Pick;
+using bw::scene::Style;
+using bw::scene::View;
+using bw::view::Navigation;
+using bw::view::SceneView;
+
+constexpr int kPatience = 20000;  ///< ms for a frame of the software renderer on a busy machine
+
+/// A shown view of the sample panel with its first frame drawn.
+class SceneViewTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    Style style;
+    style.field = "deviation";
+    view.resize(900, 640);
+    view.setStyle(style);
+    view.setContent(bw::test::sampleContent());
+    QSignalSpy first(&view, &SceneView::rendered);
+    view.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&view, kPatience));
+    ASSERT_TRUE(first.count() > 0 || first.wait(kPatience));
+    ASSERT_TRUE(view.problem().isEmpty()) << view.problem().toStdString();
+  }
+
+  static void send(QWidget& widget, QEvent::Type type, const QPointF& at, Qt::MouseButton button, Qt::MouseButtons held,
+                   Qt::KeyboardModifiers keys = {}) {
+    QMouseEvent event(type, at, widget.mapToGlobal(at), button, held, keys);
+    QApplication::sendEvent(&widget, &event);
+  }
+
+  void drag(const QPointF& from, const QPointF& to, Qt::MouseButton button, Qt::KeyboardModifiers keys = {}) {
+    send(view, QEvent::MouseButtonPress, from, button, button, keys);
+    constexpr int kSteps = 8;
+    for (int i = 1; i <= kSteps; ++i) {
+      send(view, QEvent::MouseMove, from + (to - from) * i / kSteps, Qt::NoButton, button, keys);
+    }
+    send(view, QEvent::MouseButtonRelease, to, button, Qt::NoButton, keys);
+  }
+
+  void wheel(const QPointF& at, int angle) {
+    QWheelEvent event(at, view.mapToGlobal(at), QPoint(), QPoint(0, angle), Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&view, &event);
+  }
+
+  Eigen::Vector3d stationPoint(int station) const {
+    const auto& line = view.content().stations[std::size_t(station)];
+    return line[line.size() / 2];
+  }
+
+  static double distance(const QPointF& a, const QPointF& b) { return std::hypot(a.x() - b.x(), a.y() - b.y()); }
+
+  void save(const QImage& image, const char* name) {
+    QDir().mkpath(BW_TEST_OUTPUT);
+    image.save(QString(BW_TEST_OUTPUT) + "/" + name);
+  }
+
+  SceneView view;
+};
+
+TEST_F(SceneViewTest, ShowsTheMapItsLegendAndTheBackground) {
+  const QImage image = view.grabFramebuffer();
+  save(image, "view-first.png");
+  ASSERT_EQ(image.size(), QSize(900, 640) * view.devicePixelRatioF());
+  int red = 0, blue = 0;
+  for (int y = 0; y < image.height(); y += 2) {
+    for (int x = 0; x < int(view.legendRect().left()); x += 2) {
+      const QColor c = image.pixelColor(x, y);
+      red += c.red() > c.blue() + 80;
+      blue += c.blue() > c.red() + 80;
+      ASSERT_EQ(c.alpha(), 255);
+    }
+  }
+  EXPECT_GT(red, 500);
+  EXPECT_GT(blue, 500);
+  EXPECT_TRUE(QRectF(view.rect()).contains(view.legendRect()));
+  // The gradient runs from light above to grey below.
+  EXPECT_GT(image.pixelColor(450, 1).lightness(), image.pixelColor(450, 638).lightness() + 8);
+}
+
+TEST_F(SceneViewTest, FirstContentIsFittedBesideTheLegend) {
+  for (const auto& station : view.content().stations) {
+    for (const auto& p : station) {
+      const QPointF place = view.toWidget(p);
+      EXPECT_TRUE(QRectF(view.rect()).contains(place));
+      EXPECT_LT(place.x(), view.legendRect().left());
+    }
+  }
+}
+
+TEST_F(SceneViewTest, ClickPicksTheStationUnderTheCursor) {
+  QSignalSpy spy(&view, &SceneView::stationPicked);
+  for (const int station : {3, 12, 22}) {
+    QTest::mouseClick(&view, Qt::LeftButton, {}, view.toWidget(stationPoint(station)).toPoint());
+    ASSERT_EQ(spy.count(), 1);
+    EXPECT_EQ(spy.takeFirst().at(0).toInt(), station);
+  }
+  QTest::mouseClick(&view, Qt::LeftButton, {}, QPoint(450, 4));
+  ASSERT_EQ(spy.count(), 1);
+  EXPECT_EQ(spy.takeFirst().at(0).toInt(), -1);
+}
+
+TEST_F(SceneViewTest, HoveringTellsTheValueOfTheMap) {
+  Pick last;
+  QObject::connect(&view, &SceneView::hovered, [&](const Pick& pick) { last = pick; });
+  const auto& cut = view.content().cut;
+  const std::size_t index = std::size_t(30) * std::size_t(cut.columns) + 20;
+  send(view, QEvent::MouseMove, view.toWidget(cut.points[index]), Qt::NoButton, Qt::NoButton);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return last.value.has_value(); }, kPatience));
+  EXPECT_NEAR(*last.value, cut.fields[0].values[index], 0.05);
+  EXPECT_LT((last.point - cut.points[index]).norm(), 1.0);
+}
+
+TEST_F(SceneViewTest, OrbitTurnsAboutThePointUnderTheCursorAndKeepsTheHorizon) {
+  const Eigen::Vector3d pivot = stationPoint(15);
+  const QPointF at = view.toWidget(pivot);
+  const Camera before = view.camera();
+  drag(at, at + QPointF(120, -30), Qt::RightButton);
+  const Camera after = view.camera();
+  EXPECT_GT((after.position - before.position).norm(), 100);
+  // The cursor's point is hit within a pixel, and stays within one.
+  EXPECT_LT(distance(view.toWidget(pivot), at), 1.5);
+  EXPECT_NEAR((after.focus - after.position).cross(after.up).z(), 0, 1e-6);
+  EXPECT_GT(after.up.z(), 0);
+  EXPECT_NEAR((after.position - after.focus).norm(), (before.position - before.focus).norm(), 1e-6);
+}
+
+TEST_F(SceneViewTest, OrbitStopsStraightAbove) {
+  drag({300, 200}, {300, 1200}, Qt::RightButton);
+  const Camera camera = view.camera();
+  EXPECT_NEAR((camera.position - camera.focus).normalized().z(), 1, 1e-9);
+  EXPECT_NEAR(camera.up.z(), 0, 1e-9);
+}
+
+TEST_F(SceneViewTest, PanCarriesThePointUnderTheCursor) {
+  const Eigen::Vector3d point = stationPoint(10);
+  const QPointF from = view.toWidget(point);
+  drag(from, from + QPointF(60, 40), Qt::RightButton, Qt::ShiftModifier);
+  EXPECT_LT(distance(view.toWidget(point), from + QPointF(60, 40)), 1.0);
+  const QPointF back = view.toWidget(point);
+  drag(back, back - QPointF(25, 35), Qt::MiddleButton);
+  EXPECT_LT(distance(view.toWidget(point), back - QPointF(25, 35)), 1.0);
+}
+
+TEST_F(SceneViewTest, WheelZoomsToTheCursor) {
+  for (const bool parallel : {false, true}) {
+    view.setParallel(parallel);
+    const Eigen::Vector3d point = stationPoint(6), other = stationPoint(24);
+    const QPointF at = view.toWidget(point);
+    const double before = distance(at, view.toWidget(other));
+    wheel(at, 240);
+    EXPECT_LT(distance(view.toWidget(point), at), 1.0);
+    EXPECT_GT(distance(at, view.toWidget(other)), 1.2 * before);
+    wheel(at, -240);
+    EXPECT_NEAR(distance(at, view.toWidget(other)), before, 1.0);
+  }
+}
+
+TEST_F(SceneViewTest, PresetsMapTheButtons) {
+  const auto moves = [&](Qt::MouseButton button, Qt::KeyboardModifiers keys) {
+    view.setView(View::iso, false);
+    const Camera before = view.camera();
+    drag({350, 300}, {400, 320}, button, keys);
+    const Camera after = view.camera();
+    const bool turned = ((after.position - after.focus).normalized() - (before.position - before.focus).normalized()).norm() > 1e-6;
+    const bool scaled = std::abs((after.position - after.focus).norm() - (before.position - before.focus).norm()) > 1e-6;
+    const bool shifted = (after.position - before.position).norm() > 1e-6;
+    return turned ? 'o' : scaled ? 'z' : shifted ? 'p' : '-';
+  };
+  const auto row = [&](Navigation navigation) {
+    view.setNavigation(navigation);
+    std::string result;
+    for (const Qt::MouseButton button : {Qt::MiddleButton, Qt::RightButton}) {
+      for (const Qt::KeyboardModifier key : {Qt::NoModifier, Qt::ShiftModifier, Qt::ControlModifier}) result += moves(button, key);
+    }
+    return result;
+  };
+  EXPECT_EQ(row(Navigation::rhino), "pppopz");
+  EXPECT_EQ(row(Navigation::blender), "opz---");
+  EXPECT_EQ(row(Navigation::solidworks), "ozpppp");
+}
+
+TEST_F(SceneViewTest, StandardViewIsReachedInAnEasedMoveThatKeepsTheHorizon) {
+  int moves = 0;
+  double tilt = 0;
+  QObject::connect(&view, &SceneView::cameraChanged, [&] {
+    const Camera camera = view.camera();
+    ++moves;
+    tilt = std::max(tilt, std::abs((camera.focus - camera.position).normalized().cross(camera.up).z()));
+  });
+  view.setView(View::top, true);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return (view.camera().position - view.camera().focus).normalized().z() > 1 - 1e-12; }, kPatience));
+  EXPECT_GE(moves, 2);
+  EXPECT_LT(tilt, 1e-9);
+  EXPECT_NEAR(view.camera().up.y(), 1, 1e-9);
+}
+
+TEST_F(SceneViewTest, ClickOnTheCubeTakesThatView) {
+  // In the oblique view the upper face of the cube lies above the middle of its square.
+  QTest::mouseClick(&view, Qt::LeftButton, {}, QPoint(68, view.height() - 68 - 22));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return (view.camera().position - view.camera().focus).normalized().z() > 1 - 1e-9; }, kPatience));
+}
+
+TEST_F(SceneViewTest, DoubleClickOnTheLegendAsksForItsRange) {
+  QSignalSpy spy(&view, &SceneView::legendActivated);
+  QSignalSpy picks(&view, &SceneView::stationPicked);
+  const QPoint at = view.legendRect().center().toPoint();
+  QTest::mouseDClick(&view, Qt::LeftButton, {}, at);
+  EXPECT_EQ(spy.count(), 1);
+  EXPECT_EQ(picks.count(), 0);
+}
+
+TEST_F(SceneViewTest, ParallelKeepsSizesAtTheFocus) {
+  const Camera camera = view.camera();
+  const Eigen::Vector3d side = camera.focus + 100 * (camera.focus - camera.position).cross(camera.up).normalized();
+  const double before = distance(view.toWidget(camera.focus), view.toWidget(side));
+  view.setParallel(true);
+  EXPECT_TRUE(view.parallel());
+  EXPECT_NEAR(distance(view.toWidget(camera.focus), view.toWidget(side)), before, 1e-6);
+  view.setParallel(false);
+  EXPECT_LT((view.camera().position - camera.position).norm(), 1e-6);
+}
+
+TEST_F(SceneViewTest, FitBoundsFramesASmallPlace) {
+  bw::Bounds place;
+  place.add(stationPoint(8));
+  view.fitBounds(place, false);
+  EXPECT_LT(distance(view.toWidget(stationPoint(8)), QPointF(view.rect().center())), 150);
+  EXPECT_GT(distance(view.toWidget(stationPoint(8)), view.toWidget(stationPoint(10))), 60);
+}
+
+TEST_F(SceneViewTest, PictureHasAnySizeAndLeavesTheViewAsItWas) {
+  const QImage before = view.grabFramebuffer();
+  const QImage picture = view.picture(QSize(1500, 1000), 2);
+  save(picture, "view-picture.png");
+  ASSERT_EQ(picture.size(), QSize(1500, 1000));
+  const QImage after = view.grabFramebuffer();
+  ASSERT_EQ(after.size(), before.size());
+  int different = 0;
+  for (int y = 0; y < before.height(); y += 5) {
+    for (int x = 0; x < before.width(); x += 5) different += before.pixel(x, y) != after.pixel(x, y);
+  }
+  EXPECT_EQ(different, 0);
+}
+
+TEST_F(SceneViewTest, StyleReachesTheNextFrame) {
+  Style style = view.sceneStyle();
+  style.dark = true;
+  style.playhead = 10.5;
+  view.setStyle(style);
+  const QImage image = view.grabFramebuffer();
+  save(image, "view-dark.png");
+  EXPECT_LT(image.pixelColor(450, 2).lightness(), 60);
+}
+
+TEST_F(SceneViewTest, SurvivesAMoveToAnotherWindow) {
+  QMainWindow window;
+  window.resize(700, 500);
+  window.setCentralWidget(&view);
+  window.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, kPatience));
+  const QImage image = view.grabFramebuffer();
+  save(image, "view-moved.png");
+  int colored = 0;
+  for (int y = 0; y < image.height(); y += 4) {
+    for (int x = 0; x < image.width(); x += 4) colored += std::abs(image.pixelColor(x, y).red() - image.pixelColor(x, y).blue()) > 80;
+  }
+  EXPECT_GT(colored, 200);
+  window.takeCentralWidget();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  if (testing::GTEST_FLAG(list_tests)) return RUN_ALL_TESTS();
+  QSurfaceFormat::setDefaultFormat(SceneView::surfaceFormat());
+  QApplication application(argc, argv);
+  return RUN_ALL_TESTS();
+}
