@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QFrame>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QTimer>
+#include <QToolButton>
+
+#include "theme.h"
+#include "workbench.h"
+
+namespace bw::app {
+
+/// All findings, errors first; a click selects and frames the place.
+class MessageList : public QListWidget {
+  Q_OBJECT
+
+ public:
+  MessageList(Workbench& bench, const Theme& theme, QWidget* parent = nullptr);
+
+ signals:
+  /// How many errors and warnings stand in the list.
+  void counted(int errors, int warnings);
+
+ private:
+  void refresh();
+
+  Workbench& bench_;
+  const Theme& theme_;
+  Issues shown_;
+};
+
+/// A calm line over the picture: icon, text, at most one button, and a cross.
+class Banner : public QFrame {
+  Q_OBJECT
+
+ public:
+  explicit Banner(const Theme& theme, QWidget* parent = nullptr);
+  void tell(const Notice& notice);
+  /// Takes the notice away, unless it tells of something that is done (information).
+  void outdate();
+  QString text() const { return label_->text(); }
+  QPushButton* action() { return action_; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void refresh();
+
+  const Theme& theme_;
+  Notice notice_;
+  QLabel *icon_, *label_;
+  QPushButton* action_;
+  QToolButton* close_;
+  QTimer timer_;
+};
+
+/// The colour and icon of a severity.
+QColor severityColour(Severity severity, const Colours& colours);
+QString severityIcon(Severity severity);
+
+}  // namespace bw::app
