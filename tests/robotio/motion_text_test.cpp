@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include <gtest/gtest.h>
+
+#include "sample.h"
+
+namespace bw::robotio {
+namespace {
+
+void expectEqual(const Motion& a, const Motion& b) {
+  EXPECT_EQ(a.bladeLength, b.bladeLength);
+  EXPECT_EQ(a.cuttingSpeed, b.cuttingSpeed);
+  EXPECT_EQ(a.block.size, b.block.size);
+  EXPECT_EQ(a.block.frame.origin, b.block.frame.origin);
+  EXPECT_EQ(a.block.frame.x, b.block.frame.x);
+  EXPECT_EQ(a.block.frame.y, b.block.frame.y);
+  EXPECT_EQ(a.block.frame.normal, b.block.frame.normal);
+  ASSERT_EQ(a.instants.size(), b.instants.size());
+  for (std::size_t i = 0; i < a.instants.size(); ++i) {
+    EXPECT_EQ(a.instants[i].time, b.instants[i].time);
+    EXPECT_EQ(a.instants[i].station, b.instants[i].station);
+    ASSERT_EQ(a.instants[i].poses.size(), b.instants[i].poses.size());
+    for (std::size_t end = 0; end < a.instants[i].poses.size(); ++end) {
+      EXPECT_EQ(a.instants[i].poses[end].position, b.instants[i].poses[end].position);
+      EXPECT_EQ(a.instants[i].poses[end].rotation.coeffs(), b.instants[i].poses[end].rotation.coeffs());
+    }
+  }
+}
+
+Motion oddMotion() {
+  Motion motion = sample::motion(37, 12.3456789);
+  const Eigen::Matrix3d turn(Eigen::AngleAxisd(0.3, Eigen::Vector3d(1, 2, 3).normalized()));
+  motion.block.frame.x = turn.col(0);
+  motion.block.frame.y = turn.col(1);
+  motion.block.frame.normal = turn.col(2);
+  motion.block.size = {600.1, 1.0 / 3.0, 2e-7};
+  return motion;
+}
+
+TEST(MotionCsv, RoundTripsExactly) {
+  for (const Motion& motion : {sample::motion(2), oddMotion()}) {
+    const auto program = writeCsv(motion);
+    ASSERT_TRUE(program) << program.error().message;
+    const auto read = readCsv(program->front().bytes);
+    ASSERT_TRUE(read) << read.error().message;
+    expectEqual(*read, motion);
+    EXPECT_EQ(writeCsv(*read)->front().bytes, program->front().bytes);
+  }
+}
+
+TEST(MotionJson, RoundTripsExactly) {
+  for (const Motion& motion : {sample::motion(2), oddMotion()}) {
+    const auto program = writeJson(motion, sample::cell());
+    ASSERT_TRUE(program) << program.error().message;
+    const auto read = readJson(program->front().bytes);
+    ASSERT_TRUE(read) << read.error().message;
+    expectEqual(*read, motion);
+  }
+}
+
+TEST(MotionCsv, HeaderNamesColumnsWithUnits) {
+  const std::string text = writeCsv(sample::motion())->front().bytes;
+  EXPECT_EQ(
+      text.rfind("time_s,station,left_x_mm,left_y_mm,left_z_mm,left_qw,left_qx,left_qy,left_qz,right_x_mm,",
+                 0),
+      0u);
+}
+
+TEST(MotionCsv, ReadsWindowsLineEndsAndSpaces) {
+  std::string text = writeCsv(sample::motion())->front().bytes;
+  sample::replaceAll(text, "\n", "\r\n");
+  sample::replaceAll(text, ",", ", ");
+  const auto read = readCsv(text + "\r\n\r\n");
+  ASSERT_TRUE(read) << read.error().message;
+  expectEqual(*read, sample::motion());
+}
+
+void expectCsvFault(const std::string& text, const std::string& words) {
+  const auto read = readCsv(text);
+  ASSERT_FALSE(read) << words;
+  EXPECT_EQ(read.error().code, ErrorCode::badInput);
+  EXPECT_NE(read.error().message.find(words), std::string::npos) << read.error().message;
+}
+
+TEST(MotionCsv, FaultsNameLineAndColumn) {
+  const std::string good = writeCsv(sample::motion())->front().bytes;
+  const auto changed = [&](const std::string& from, const std::string& to) {
+    std::string text = good;
+    EXPECT_TRUE(sample::replace(text, from, to)) << from;
+    return text;
+  };
+  expectCsvFault("", "empty");
+  expectCsvFault("\n\n  \n", "empty");
+  expectCsvFault("a,b,c\n", "line 1");
+  expectCsvFault(good.substr(0, good.find('\n')), "0 instants");
+  expectCsvFault(changed("left_qw", "left_q1"), "\"left_qw\", not \"left_q1\"");
+  expectCsvFault(changed("\n8.375,", "\nfast,"), "line 3: \"fast\" in column time_s");
+  expectCsvFault(changed("\n8.375,", "\nnan,"), "column time_s");
+  expectCsvFault(changed("\n8.375,", "\n-1,"), "instant 1");
+  expectCsvFault(changed("\n8.375,0,", "\n8.375,0.5,"), "whole number");
+  expectCsvFault(changed("\n8.375,0,", "\n8.375,"), "cells");
+  expectCsvFault(changed("\n8.375,0,", "\n8.375,0,,"), "cells");
+  expectCsvFault(changed(",800,", ",,"), "blade_length_mm");
+  expectCsvFault(good + std::string(1000000, ','), "cells");
+}
+
+void expectJsonFault(const std::string& text, const std::string& words) {
+  const auto read = readJson(text);
+  ASSERT_FALSE(read) << words;
+  EXPECT_EQ(read.error().code, ErrorCode::badInput);
+  EXPECT_NE(read.error().message.find(words), std::string::npos) << read.error().message;
+}
+
+TEST(MotionJson, FaultsNameTheKey) {
+  const std::string good = writeJson(sample::motion(), sample::cell())->front().bytes;
+  const auto changed = [&](const std::string& from, const std::string& to) {
+    std::string text = good;
+    EXPECT_TRUE(sample::replace(text, from, to)) << from;
+    return text;
+  };
+  expectJsonFault("", "line 1");
+  expectJsonFault("[]", "must be an object");
+  expectJsonFault("{\n\"schema\": }", "line 2");
+  expectJsonFault("{}", "schema");
+  expectJsonFault(changed("bladewright-motion", "other"), "another kind of file");
+  expectJsonFault(changed("\"version\": 1", "\"version\": 2"), "reads version 1");
+  expectJsonFault(changed("\"blade_length\"", "\"blade_lenght\""), "did you mean \"blade_length\"");
+  expectJsonFault(changed("\"time\": 8.375", "\"time\": \"late\""), "motion.instants[1].time");
+  expectJsonFault(changed("\"quaternion\": [0.7", "\"quaternion\": [9.7"), "norm");
+  expectJsonFault(changed("\"size\": [600, 670, 200]", "\"size\": [600, 670]"), "motion.block.size");
+  expectJsonFault(std::string(200000, '['), "line 1");
+}
+
+TEST(MotionText, WritersRefuseMotionsThatAreNotFinite) {
+  Motion motion = sample::motion();
+  motion.instants[1].poses[0].position.y() = std::nan("");
+  EXPECT_FALSE(writeCsv(motion));
+  EXPECT_FALSE(writeJson(motion, sample::cell()));
+  EXPECT_FALSE(writeCsv(Motion{}));
+}
+
+}  // namespace
+}  // namespace bw::robotio

@@ -1,0 +1,250 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "sample.h"
+
+namespace bw::robotio {
+namespace {
+
+constexpr double kPositionAccuracy = 1e-4;  // mm
+constexpr double kRotationAccuracy = 1e-6;  // of each number of a quaternion
+constexpr double kDurationAccuracy = 1e-3;  // s
+
+void expectNoFindings(const Program& program) {
+  for (const Issue& issue : checkRapid(program))
+    ADD_FAILURE() << issue.kind << " " << issue.where.text << " " << issue.message;
+}
+
+/// The cut of a program is its motion, in poses and times, with `extra` moves (approach, retreat) at either
+/// end.
+void expectSameMotion(const Program& program, const Motion& motion, std::size_t extra) {
+  const auto tasks = readRapid(program);
+  ASSERT_TRUE(tasks) << tasks.error().message;
+  ASSERT_EQ(tasks->size(), motion.instants[0].poses.size());
+  for (std::size_t end = 0; end < tasks->size(); ++end) {
+    const std::vector<RapidMove>& moves = (*tasks)[end].moves;
+    ASSERT_EQ(moves.size(), motion.instants.size() + 2 * extra);
+    double time = motion.instants[0].time;
+    for (std::size_t i = 0; i < motion.instants.size(); ++i) {
+      const RapidMove& move = moves[i + extra];
+      const Pose& pose = motion.instants[i].poses[end];
+      EXPECT_LE((move.pose.position - pose.position).cwiseAbs().maxCoeff(), kPositionAccuracy);
+      const Eigen::Quaterniond q = move.pose.rotation.dot(pose.rotation) < 0
+                                       ? Eigen::Quaterniond(-pose.rotation.coeffs())
+                                       : pose.rotation;
+      EXPECT_LE((move.pose.rotation.coeffs() - q.coeffs()).cwiseAbs().maxCoeff(), kRotationAccuracy);
+      if (i == 0) continue;
+      EXPECT_NEAR(move.duration, motion.instants[i].time - motion.instants[i - 1].time, kDurationAccuracy);
+      time += move.duration;
+      EXPECT_NEAR(time, motion.instants[i].time, kDurationAccuracy)
+          << "rounding errors of durations must not add up";
+    }
+  }
+}
+
+TEST(RapidWriter, ReadsBackAsTheMotionItWasWrittenFrom) {
+  for (const int instants : {2, 5, 61, 400}) {
+    const Motion motion = sample::motion(instants, 60);
+    const auto program = writeRapid(motion, sample::cell());
+    ASSERT_TRUE(program) << program.error().message;
+    expectSameMotion(*program, motion, 1);
+    expectNoFindings(*program);
+  }
+}
+
+TEST(RapidWriter, TimesThatAreNotRoundDoNotDriftApart) {
+  Motion motion = sample::motion(400, 60);
+  for (std::size_t i = 0; i < motion.instants.size(); ++i) motion.instants[i].time = double(i) * 0.123456789;
+  const auto program = writeRapid(motion, sample::cell());
+  ASSERT_TRUE(program) << program.error().message;
+  expectSameMotion(*program, motion, 1);
+}
+
+TEST(RapidWriter, KeepsOneSignOfTheQuaternionsAlongThePath) {
+  Motion motion = sample::motion(9);
+  for (const std::size_t i : {2, 3, 7}) motion.instants[i].poses[0].rotation.coeffs() *= -1;
+  motion.instants[5].poses[1].rotation.coeffs() *= -1;
+  const auto program = writeRapid(motion, sample::cell());
+  ASSERT_TRUE(program) << program.error().message;
+  expectSameMotion(*program, motion, 1);
+  expectNoFindings(*program);
+}
+
+TEST(RapidWriter, ApproachesAndRetreatsAlongTheCuttingDirectionWithTheShapeHeld) {
+  const Motion motion = sample::motion();
+  const Cell cell = sample::cell();
+  const auto tasks = readRapid(*writeRapid(motion, cell));
+  ASSERT_TRUE(tasks) << tasks.error().message;
+  for (const RapidTask& task : *tasks) {
+    const auto& m = task.moves;
+    EXPECT_NEAR((m[1].pose.position - m[0].pose.position - cell.approach * Eigen::Vector3d::UnitY()).norm(),
+                0, 2e-4);
+    EXPECT_NEAR((m[m.size() - 1].pose.position - m[m.size() - 2].pose.position -
+                 cell.approach * Eigen::Vector3d::UnitY())
+                    .norm(),
+                0, 2e-4);
+    EXPECT_EQ(m[0].pose.rotation.coeffs(), m[1].pose.rotation.coeffs());
+    EXPECT_NEAR(m[1].duration, cell.approach / cell.travelSpeed, 1e-4);
+    EXPECT_EQ(m.front().zone, -1);
+    EXPECT_EQ(m[m.size() - 2].zone, -1) << "the cut ends in a fine point";
+    EXPECT_EQ(m.back().zone, -1);
+  }
+  Cell noApproach = cell;
+  noApproach.approach = 0;
+  const auto program = writeRapid(motion, noApproach);
+  ASSERT_TRUE(program) << program.error().message;
+  expectSameMotion(*program, motion, 0);
+  expectNoFindings(*program);
+}
+
+TEST(RapidWriter, ToolAndWorkObjectAreThoseOfTheCell) {
+  const Cell cell = sample::cell();
+  const auto tasks = readRapid(*writeRapid(sample::motion(), cell));
+  ASSERT_TRUE(tasks);
+  ASSERT_EQ(tasks->size(), 2u);
+  for (std::size_t end = 0; end < 2; ++end) {
+    const RapidTask& task = (*tasks)[end];
+    EXPECT_EQ(task.name, cell.tasks[end].name);
+    EXPECT_EQ(task.toolMass, cell.tasks[end].toolMass);
+    EXPECT_LE((task.tool.position - cell.tasks[end].tool.position).norm(), 1e-4);
+    EXPECT_LE((task.tool.rotation.coeffs() - cell.tasks[end].tool.rotation.coeffs()).norm(), 1e-7);
+    EXPECT_LE((task.workObject.position - cell.workObject.position).norm(), 1e-4);
+  }
+}
+
+TEST(RapidWriter, LongProgramsAreSplitAtTheSamePlaceInAllTasks) {
+  const Motion motion = sample::motion(4100, 600);
+  const auto program = writeRapid(motion, sample::cell());
+  ASSERT_TRUE(program) << program.error().message;
+  ASSERT_EQ(program->size(), 10u) << "per task: main, three parts, one .pgf";
+  EXPECT_EQ((*program)[1].path, "T_ROB1/BladeLeft_001.mod");
+  expectSameMotion(*program, motion, 1);
+  expectNoFindings(*program);
+}
+
+TEST(RapidWriter, RobotWare7GetsModxFiles) {
+  const auto program = writeRapid(sample::motion(), sample::cell(), RapidOptions{"Blade", true});
+  ASSERT_TRUE(program);
+  EXPECT_EQ((*program)[0].path, "T_ROB1/BladeLeft.modx");
+  EXPECT_NE((*program)[1].bytes.find("<Module>BladeLeft.modx</Module>"), std::string::npos);
+  expectNoFindings(*program);
+}
+
+TEST(RapidWriter, AnyProgramNameGivesValidNames) {
+  for (const char* name : {"", "while",
+                           "Fassade S\xC3\xBC"
+                           "d / Nord",
+                           "2", "a very long name of a very long wall that never ends"}) {
+    const auto program = writeRapid(sample::motion(), sample::cell(), RapidOptions{name, false});
+    ASSERT_TRUE(program) << name << ": " << program.error().message;
+    expectNoFindings(*program);
+  }
+}
+
+TEST(RapidWriter, OneAndThreeTasksAreWrittenToo) {
+  for (const std::size_t ends : {std::size_t(1), std::size_t(3)}) {
+    Motion motion = sample::motion();
+    Cell cell = sample::cell();
+    if (ends == 3) {
+      CellTask third = cell.tasks[0];
+      third.name = "T_ROB3";
+      cell.tasks.push_back(third);
+      for (MotionInstant& instant : motion.instants) instant.poses.push_back(instant.poses[0]);
+    } else {
+      cell.tasks.resize(1);
+      for (MotionInstant& instant : motion.instants) instant.poses.resize(1);
+    }
+    const auto program = writeRapid(motion, cell);
+    ASSERT_TRUE(program) << program.error().message;
+    expectSameMotion(*program, motion, 1);
+    expectNoFindings(*program);
+  }
+}
+
+TEST(RapidWriter, ZonesShrinkWithTheSegmentsAndStayOutOfFinePoints) {
+  Motion motion = sample::motion(5);
+  // Both ends creep between the second and the third instant.
+  for (std::size_t end = 0; end < 2; ++end)
+    motion.instants[2].poses[end].position =
+        motion.instants[1].poses[end].position + Eigen::Vector3d(0, 0.7, 0);
+  const auto program = writeRapid(motion, sample::cell());
+  ASSERT_TRUE(program) << program.error().message;
+  const auto tasks = readRapid(*program);
+  ASSERT_TRUE(tasks);
+  EXPECT_EQ((*tasks)[0].moves[2].zone, 0.3);
+  EXPECT_EQ((*tasks)[0].moves[3].zone, 0.3);
+  EXPECT_EQ((*tasks)[0].moves[4].zone, 1.0);
+  motion.instants[2].poses[1].position = motion.instants[1].poses[1].position + Eigen::Vector3d(0, 0.2, 0);
+  const auto tighter = readRapid(*writeRapid(motion, sample::cell()));
+  ASSERT_TRUE(tighter);
+  EXPECT_EQ((*tighter)[0].moves[2].zone, 0.05) << "one ID has one zone in all tasks";
+  EXPECT_EQ((*tighter)[1].moves[2].zone, 0.05);
+}
+
+TEST(RapidWriter, SameInputGivesTheSameBytes) {
+  const auto a = writeRapid(sample::motion(50), sample::cell()),
+             b = writeRapid(sample::motion(50), sample::cell());
+  ASSERT_TRUE(a && b);
+  ASSERT_EQ(a->size(), b->size());
+  for (std::size_t i = 0; i < a->size(); ++i) EXPECT_EQ((*a)[i].bytes, (*b)[i].bytes);
+}
+
+/// Writes and expects an error whose message holds `words`.
+void expectRefused(const Motion& motion, const Cell& cell, const std::string& words) {
+  const auto program = writeRapid(motion, cell);
+  ASSERT_FALSE(program) << words;
+  EXPECT_EQ(program.error().code, ErrorCode::badInput);
+  EXPECT_NE(program.error().message.find(words), std::string::npos) << program.error().message;
+}
+
+TEST(RapidWriter, RefusesMotionsThatCannotBeRun) {
+  const Cell cell = sample::cell();
+  const auto broken = [&](auto&& change) {
+    Motion motion = sample::motion();
+    change(motion);
+    return motion;
+  };
+  expectRefused(Motion{}, cell, "0 instants");
+  expectRefused(broken([](Motion& m) { m.instants[2].time = std::numeric_limits<double>::quiet_NaN(); }),
+                cell, "instant 2");
+  expectRefused(broken([](Motion& m) { m.instants[2].time = m.instants[1].time; }), cell, "not after");
+  expectRefused(broken([](Motion& m) { m.instants[2].time = m.instants[1].time + 1e-6; }), cell, "0.1 ms");
+  expectRefused(broken([](Motion& m) {
+                  m.instants[3].poses[1].position.x() = std::numeric_limits<double>::infinity();
+                }),
+                cell, "instant 3 right");
+  expectRefused(broken([](Motion& m) { m.instants[3].poses[0].position.x() = 2e5; }), cell, "wrong unit");
+  expectRefused(broken([](Motion& m) { m.instants[1].poses[0].rotation.w() += 0.1; }), cell, "norm");
+  expectRefused(broken([](Motion& m) { m.instants[1].poses.pop_back(); }), cell, "1 poses");
+  expectRefused(broken([](Motion& m) {
+                  for (MotionInstant& i : m.instants) i.poses.pop_back();
+                }),
+                cell, "1 blade ends");
+  expectRefused(broken([](Motion& m) { m.instants[3].poses = m.instants[2].poses; }), cell, "rapid-rule-13");
+}
+
+TEST(RapidWriter, RefusesCellsWhoseDataCannotStandInAProgram) {
+  const auto broken = [&](auto&& change) {
+    Cell cell = sample::cell();
+    change(cell);
+    return cell;
+  };
+  expectRefused(sample::motion(), broken([](Cell& c) { c.tasks[0].toolMass = 0; }), "mass");
+  expectRefused(sample::motion(), broken([](Cell& c) { c.tasks[0].toolName = "while"; }), "reserved word");
+  expectRefused(sample::motion(), broken([](Cell& c) { c.tasks[0].toolName = "p0001"; }), "rapid-rule-1");
+  expectRefused(sample::motion(), broken([](Cell& c) { c.workObjectName = "1st"; }), "letter");
+  expectRefused(sample::motion(), broken([](Cell& c) { c.heatSignal = "do heat"; }), "heat signal");
+  expectRefused(sample::motion(), broken([](Cell& c) { c.tasks[1].home.pop_back(); }), "six axes");
+  expectRefused(sample::motion(), broken([](Cell& c) { c.travelSpeed = 0; }), "travel speed");
+  expectRefused(sample::motion(), broken([](Cell& c) {
+                  c.tasks[1].tool.position.x() = std::numeric_limits<double>::quiet_NaN();
+                }),
+                "finite");
+}
+
+}  // namespace
+}  // namespace bw::robotio
