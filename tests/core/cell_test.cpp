@@ -162,7 +162,9 @@ TEST(Cell, AnUnknownWordNamesTheNearestCell) {
 }
 
 TEST(Cell, EveryCellOfTheResourcesCanBeRead) {
-  for (const std::string& name : *cellNames()) {
+  const auto names = cellNames();
+  ASSERT_TRUE(names) << names.error().message;
+  for (const std::string& name : *names) {
     const auto cell = loadCell(name);
     EXPECT_TRUE(cell) << (cell ? "" : cell.error().message);
   }
