@@ -77,50 +77,64 @@ class ElasticaFlow {
 
   using Vector2 = Eigen::Array<double, 2, 1>;
 
-  /// (n + 1) z_{n+1} = i Σ_j κ_{n−j} z_j for z = e^{iψ}, and z_p = i ψ_p z for the derivatives.
+  /// (n + 1) z_{n+1} = i Σ_j κ_{n−j} z_j for z = e^{iψ}, and z_p = i ψ_p z for the derivatives: all are
+  /// products of z with real series, κ for the first column and ψ_p for the others.
   void expand(const Block& initial) {
+    using Factors = std::array<double, 1 + Directions>;
     const double ft = parameters_.tangential;
     const double fn = parameters_.normal;
-    std::array<Vector2, kOrder + 1> z;
+    std::array<Vector2, kOrder> z;
+    std::array<Factors, kOrder> factors;
     coefficients_[0] = initial;
     z[0] = leadOntoEnergy(coefficients_[0](2, 0), coefficients_[0](3, 0));
     for (std::size_t n = 0; n < kOrder; ++n) {
-      const double inverse = kInverse[n + 1];
-      Eigen::Array<double, 2, 1 + Directions> even = Eigen::Array<double, 2, 1 + Directions>::Zero();
-      Eigen::Array<double, 2, 1 + Directions> odd = even;
-      const auto accumulate = [&](Eigen::Array<double, 2, 1 + Directions>& sum, std::size_t j) {
-        const Block& other = coefficients_[n - j];
-        sum.col(0) += z[j] * other(3, 0);
-        for (int p = 1; p <= Directions; ++p) {
-          sum.col(p) += z[j] * other(2, p);
+      const Block& present = coefficients_[n];
+      factors[n][0] = present(3, 0);
+      for (int p = 1; p <= Directions; ++p) {
+        factors[n][static_cast<std::size_t>(p)] = present(2, p);
+      }
+      // From the middle outwards, so that the terms known last come last and the processor need not wait for
+      // them.
+      std::array<Vector2, 1 + Directions> sums;
+      std::array<Vector2, 1 + Directions> others;
+      const std::size_t middle = (n + 1) / 2;
+      for (std::size_t c = 0; c <= Directions; ++c) {
+        sums[c] = z[middle] * factors[n - middle][c];
+        others[c] = Vector2::Zero();
+      }
+      for (std::size_t i = 1; i <= middle; ++i) {
+        const std::size_t low = middle - i;
+        const std::size_t high = middle + i;
+        for (std::size_t c = 0; c <= Directions; ++c) {
+          others[c] += z[low] * factors[n - low][c];
         }
-      };
-      std::size_t j = 0;
-      for (; j + 1 <= n; j += 2) {
-        accumulate(even, j);
-        accumulate(odd, j + 1);
+        if (high <= n) {
+          for (std::size_t c = 0; c <= Directions; ++c) {
+            sums[c] += z[high] * factors[n - high][c];
+          }
+        }
       }
-      if (j <= n) {
-        accumulate(even, j);
-      }
-      even += odd;
+
+      const double inverse = kInverse[n + 1];
       const double cosine = z[n](0);
       const double sine = z[n](1);
-      z[n + 1] = Vector2(-even(1, 0) * inverse, even(0, 0) * inverse);
       Block& following = coefficients_[n + 1];
-      following.col(0) << cosine, sine, coefficients_[n](3, 0), fn * cosine - ft * sine;
+      following.col(0) << cosine * inverse, sine * inverse, present(3, 0) * inverse,
+          (fn * cosine - ft * sine) * inverse;
       for (int p = 1; p <= Directions; ++p) {
-        const double dCosine = -even(1, p);
-        const double dSine = even(0, p);
-        following.col(p) << dCosine, dSine, coefficients_[n](3, p), fn * dCosine - ft * dSine;
+        const Vector2 product = sums[static_cast<std::size_t>(p)] + others[static_cast<std::size_t>(p)];
+        const double dCosine = -product(1);
+        const double dSine = product(0);
+        const double forced = p == 2 ? -sine : p == 3 ? cosine : 0.0;
+        following.col(p) << dCosine * inverse, dSine * inverse, present(3, p) * inverse,
+            (fn * dCosine - ft * dSine + forced) * inverse;
       }
-      if constexpr (Directions > 0) {
-        following(3, 2) -= sine;
-        following(3, 3) += cosine;
+      if (n + 1 < kOrder) {
+        const Vector2 product = (sums[0] + others[0]) * inverse;
+        z[n + 1] = Vector2(-product(1), product(0));
       }
-      following *= inverse;
     }
-    step_ = std::min(largestStep_, std::min(reach(kOrder), reach(kOrder - 1)));
+    step_ = std::min({largestStep_, kUnlimited, std::exp2(std::min(reach(kOrder), reach(kOrder - 1)))});
   }
 
   /// Corrects tangent angle and curvature by the rounding with which they miss the energy of the curve, since
@@ -165,10 +179,10 @@ class ElasticaFlow {
     return Vector2(c - turn * s, s + turn * c);
   }
 
-  /// The distance at which the term of order n of the state falls to the truncation.
-  double reach(int n) const {
-    const double size = coefficients_[static_cast<std::size_t>(n)].col(0).abs().maxCoeff();
-    return size > 0 ? std::exp2(std::log2(kTruncation / size) / n) : kUnlimited;
+  /// Binary logarithm of the distance at which the term of order n of the state falls to the truncation.
+  double reach(std::size_t n) const {
+    return (std::log2(kTruncation) - std::log2(coefficients_[n].col(0).abs().maxCoeff())) /
+           static_cast<double>(n);
   }
 
   static constexpr double kUnlimited = 1e100;

@@ -27,7 +27,8 @@ class Elastica {
   /// A straight segment of length 1 along x.
   Elastica() = default;
 
-  /// Fails if a number is not finite or `length` ≤ 0.
+  /// Fails if a number is not finite (or beyond 1e100), if `length` ≤ 0, or if the segment bends beyond all use:
+  /// (|κ0| + √|λ|) L > 1e5 rad.
   static Result<Elastica> make(const Eigen::Vector2d& start, double startAngle, double startCurvature,
                                const Eigen::Vector2d& force, double length);
   /// From the thesis's parameters, l of either sign. Fails on S ≤ 0, l = 0, k < 0 or non-finite numbers.
@@ -45,8 +46,8 @@ class Elastica {
     double angle = 0;      ///< tangent angle, continuous in s (not wrapped)
     double curvature = 0;  ///< 1/mm
   };
-  /// The curve at arc length s, which may lie outside [0, length]. Accuracy: 1e-10 of the length up to 20 rad of turning and 10
-  /// periods.
+  /// The curve at arc length s, finite, which may lie outside [0, length]. Accuracy: 1e-10 of the length up to 20 rad of
+  /// turning and 10 periods. Cost: bounded, since far arc lengths are led back by whole periods.
   State at(double s) const;
   /// The same for many arc lengths, faster than one by one; out.size() == s.size().
   void at(std::span<const double> s, std::span<State> out) const;
@@ -68,7 +69,7 @@ class Elastica {
   std::vector<double> inflections() const;
   /// The largest |κ| over the segment.
   double maxCurvature() const;
-  /// True if two different arc lengths of the segment share a point.
+  /// True if two different arc lengths of the segment share a point, to 1e-10 of the length.
   bool selfIntersects() const;
   /// Length of one period in arc length; empty for lines, circles and k = 1 (infinite).
   std::optional<double> period() const;
@@ -83,6 +84,8 @@ class Elastica {
   Elastica mirrored() const;
 
   /// The thesis's parameters with l > 0 for inflectional and counter-clockwise curves; empty for a line or a circle.
+  /// s0 lies in [0, period) for l > 0; within 1e-3 of k = 1, where rounding k spoils the period, it is counted from the
+  /// nearest apex instead and may be negative.
   std::optional<ControlParameters> controlParameters() const;
 
  private:
