@@ -6,6 +6,7 @@
 #include <QUuid>
 
 #include <system_error>
+#include <vector>
 
 #include "bw/core/file_set.h"
 
@@ -49,8 +50,7 @@ Result<void> RecoveryFile::write(const Design& design, const fs::path& file) {
 
 void RecoveryFile::clear() { removeCopy(base_); }
 
-std::vector<Recovered> takeRecovered(const fs::path& folder) {
-  std::vector<Recovered> found;
+std::optional<Recovered> takeRecovered(const fs::path& folder) {
   std::error_code error;
   std::vector<fs::path> copies;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
@@ -59,13 +59,12 @@ std::vector<Recovered> takeRecovered(const fs::path& folder) {
     const fs::path base = fs::path(copy).replace_extension();
     const std::unique_ptr<QLockFile> lock = lockFor(base);
     if (!lock->tryLock(0)) continue;
-    if (Result<Design> design = loadDesign(copy)) {
-      const Result<std::string> origin = readFile(withSuffix(base, ".origin"), 1 << 16);
-      found.push_back({std::move(*design), origin ? fs::path(*origin) : fs::path()});
-    }
+    Result<Design> design = loadDesign(copy);
+    const Result<std::string> origin = readFile(withSuffix(base, ".origin"), 1 << 16);
     removeCopy(base);
+    if (design) return Recovered{std::move(*design), origin ? fs::path(*origin) : fs::path()};
   }
-  return found;
+  return std::nullopt;
 }
 
 }  // namespace bw::model

@@ -6,7 +6,7 @@
 
 #include <filesystem>
 #include <memory>
-#include <vector>
+#include <optional>
 
 #include "bw/core/design.h"
 #include "bw/core/result.h"
@@ -40,7 +40,8 @@ struct Recovered {
   std::filesystem::path file;  ///< where it was last saved; empty if never
 };
 
-/// Takes the copies that no running program owns out of `folder` (they are removed from it). Unreadable copies are dropped.
-std::vector<Recovered> takeRecovered(const std::filesystem::path& folder);
+/// Takes one copy that no running program owns out of `folder` (it is removed from it); the others wait for the next start. Unreadable copies are
+/// dropped.
+std::optional<Recovered> takeRecovered(const std::filesystem::path& folder);
 
 }  // namespace bw::model

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include <QApplication>
+#include <QSurfaceFormat>
+#include <QTimer>
+
+#include <cstdio>
+#include <ctime>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <unistd.h>
+
+#include "bw/view/scene_view.h"
+#include "main_window.h"
+#include "options.h"
+
+namespace {
+
+constexpr int kBadUsage = 2, kCannotWrite = 4;
+
+/// Seconds since the operating system started this process; negative if it does not tell.
+double secondsSinceProcessStart() {
+  std::ifstream file("/proc/self/stat");
+  std::string text((std::istreambuf_iterator<char>(file)), {});
+  const std::size_t name = text.rfind(')');
+  if (name == std::string::npos) return -1;
+  std::istringstream rest(text.substr(name + 1));
+  std::string word;
+  // The start time is field 22; field 3 follows the name.
+  for (int field = 3; field <= 22; ++field) rest >> word;
+  timespec now{};
+  clock_gettime(CLOCK_BOOTTIME, &now);
+  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec) - std::stod(word) / double(sysconf(_SC_CLK_TCK));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  QStringList arguments;
+  for (int i = 1; i < argc; ++i) arguments << QString::fromLocal8Bit(argv[i]);
+  QString problem;
+  const std::optional<bw::app::Options> options = bw::app::parseOptions(arguments, &problem);
+  if (!options) {
+    std::fprintf(stderr, "bladewright: %s\n", qPrintable(problem));
+    return kBadUsage;
+  }
+  if (options->help) {
+    std::fputs(qPrintable(bw::app::helpText()), stdout);
+    return 0;
+  }
+  if (options->version) {
+    std::puts("bladewright " BW_VERSION);
+    return 0;
+  }
+
+  QSurfaceFormat::setDefaultFormat(bw::view::SceneView::surfaceFormat());
+  QApplication application(argc, argv);
+  QApplication::setApplicationName("bladewright");
+  QApplication::setApplicationDisplayName("Bladewright");
+  QApplication::setApplicationVersion(BW_VERSION);
+
+  bw::model::Settings settings;
+  bw::app::Theme theme;
+  theme.apply(settings.theme());
+  const bool oneShot = !options->screenshot.isEmpty() || options->quitAfterFirstPicture;
+  // A run for a picture or a timing leaves nothing behind and recovers nothing.
+  bw::app::MainWindow window(settings, theme, oneShot ? std::filesystem::path() : bw::model::Settings::recoveryFolder());
+  if (options->size.isValid()) window.resize(options->size);
+
+  int status = 0;
+  const auto finish = [&] {
+    if (options->quitAfterFirstPicture) std::printf("first picture after %.2f s\n", secondsSinceProcessStart());
+    if (!options->screenshot.isEmpty() && !window.grab().save(options->screenshot, "PNG")) {
+      std::fprintf(stderr, "bladewright: the picture could not be written to %s\n", qPrintable(options->screenshot));
+      status = kCannotWrite;
+    }
+    QApplication::exit(status);
+  };
+  window.show();
+  if (!options->file.isEmpty())
+    window.openFile(options->file);
+  else if (!oneShot)
+    window.recover();
+  if (oneShot) {
+    if (window.onStartPage()) {
+      QTimer::singleShot(0, &window, finish);
+    } else {
+      // The result's picture, or the notice that tells why there is none.
+      QObject::connect(&window, &bw::app::MainWindow::pictureStands, &window, finish, static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection));
+      QObject::connect(&window.bench().runner(), &bw::model::EvaluationRunner::finished, &window, [&] {
+        if (!window.bench().current()) QTimer::singleShot(0, &window, finish);
+      });
+    }
+  }
+  return QApplication::exec();
+}

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "options.h"
+
+#include <QRegularExpression>
+
+#include <array>
+
+#include "bw/core/number_text.h"
+
+namespace bw::app {
+
+namespace {
+
+constexpr int kSmallest = 320, kLargest = 8192;
+
+}  // namespace
+
+std::optional<Options> parseOptions(const QStringList& arguments, QString* problem) {
+  Options options;
+  for (qsizetype i = 0; i < arguments.size(); ++i) {
+    const QString& word = arguments[i];
+    const auto value = [&]() -> std::optional<QString> {
+      if (i + 1 < arguments.size()) return arguments[++i];
+      *problem = word + " needs a value; see bladewright --help";
+      return std::nullopt;
+    };
+    if (word == "--help" || word == "-h") {
+      options.help = true;
+    } else if (word == "--version") {
+      options.version = true;
+    } else if (word == "--quit-after-first-picture") {
+      options.quitAfterFirstPicture = true;
+    } else if (word == "--screenshot") {
+      const auto text = value();
+      if (!text) return std::nullopt;
+      options.screenshot = *text;
+    } else if (word == "--size") {
+      const auto text = value();
+      if (!text) return std::nullopt;
+      const QRegularExpressionMatch match = QRegularExpression("^(\\d{1,5})[xX](\\d{1,5})$").match(*text);
+      options.size = QSize(match.captured(1).toInt(), match.captured(2).toInt());
+      const auto fits = [](int v) { return v >= kSmallest && v <= kLargest; };
+      if (!match.hasMatch() || !fits(options.size.width()) || !fits(options.size.height())) {
+        *problem = QStringLiteral("--size takes WIDTHxHEIGHT in pixels, each from %1 to %2, but got \"%3\"").arg(kSmallest).arg(kLargest).arg(*text);
+        return std::nullopt;
+      }
+    } else if (word.startsWith('-') && word.size() > 1) {
+      static const std::array<std::string, 5> kWords = {"--help", "--version", "--screenshot", "--size", "--quit-after-first-picture"};
+      const std::string nearest = nearestWord(word.toStdString(), kWords.data(), int(kWords.size()));
+      *problem = QStringLiteral("there is no option %1").arg(word) +
+                 (nearest.empty() ? QStringLiteral("; see bladewright --help") : QStringLiteral("; did you mean %1?").arg(QString::fromStdString(nearest)));
+      return std::nullopt;
+    } else if (options.file.isEmpty()) {
+      options.file = word;
+    } else {
+      *problem = QStringLiteral("one file at a time: %1 and %2 were given").arg(options.file, word);
+      return std::nullopt;
+    }
+  }
+  return options;
+}
+
+QString helpText() {
+  return QStringLiteral(
+      "bladewright [FILE] [options]\n"
+      "\n"
+      "Opens the window on FILE, a CAD surface (STEP, IGES, BREP) or a design (.bladewright).\n"
+      "\n"
+      "  --screenshot PNG             write a picture of the window once the result stands, then quit\n"
+      "  --size WxH                   size of the window in pixels\n"
+      "  --quit-after-first-picture   print the seconds from process start to the first picture, then quit\n"
+      "  --version, --help\n");
+}
+
+}  // namespace bw::app
