@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+#include "bw/core/elastica.h"
+#include "bw/core/elastica_fit.h"
+#include "bw/core/planar_curve.h"
+
+namespace bw::detail {
+
+/// Product of two plane vectors read as complex numbers: `b` turned and stretched by `a`.
+inline Eigen::Vector2d turned(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return {a.x() * b.x() - a.y() * b.y(), a.x() * b.y() + a.y() * b.x()};
+}
+/// `b` turned back by `a`: conj(a) b.
+inline Eigen::Vector2d turnedBack(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return {a.x() * b.x() + a.y() * b.y(), a.x() * b.y() - a.y() * b.x()};
+}
+inline Eigen::Vector2d direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
+inline Eigen::Vector2d quarterTurn(const Eigen::Vector2d& v) { return {-v.y(), v.x()}; }
+
+/// The curve to approximate, moved to its centroid and scaled to length 1 (docs/mathematics.md, 5.1). Arc
+/// length runs from −½ to ½.
+struct FitTarget {
+  Eigen::Vector2d centre;  ///< of the curve, mm
+  double length = 1;       ///< of the curve, mm
+
+  std::vector<double> s;                 ///< nodes, ascending
+  std::vector<double> weight;            ///< sums to 1
+  std::vector<Eigen::Vector2d> point;    ///< weighted mean 0
+  std::vector<Eigen::Vector2d> tangent;  ///< unit
+  std::vector<double> curvature;
+  std::vector<double> angle;  ///< of the tangent, without jumps
+
+  Eigen::Vector2d start, end, middle;
+  double startAngle = 0, endAngle = 0, middleAngle = 0;  ///< continuous with `angle`
+
+  /// From the quadrature of the curve, or from one Gauss rule along the whole curve with `nodes` nodes.
+  explicit FitTarget(const PlanarCurve& curve, int nodes = 0);
+  std::size_t size() const { return s.size(); }
+};
+
+/// The shape of an elastica of length 1 in the frame of its middle: (κ, f_t, f_n) there
+/// (docs/mathematics.md, 5.1).
+using Shape = Eigen::Vector3d;
+
+/// The seven unknowns of a fit in the frame of the target: the shape, ln of the length, the tangent angle at
+/// the middle and the point of the middle.
+struct Placement {
+  Shape shape = Shape::Zero();
+  double logLength = 0;
+  double angle = 0;
+  Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+};
+
+Elastica toElastica(const Placement& placement, const FitTarget& target);
+Placement toPlacement(const Elastica& elastica, const FitTarget& target);
+
+/// Evaluates shapes at fixed arc lengths; keeps its buffers. The power series of `ElasticaFlow`, told to
+/// start at the middle and to use the piece there for both sides.
+class ShapeEvaluator {
+ public:
+  /// `s` ascending, within [−½, ½].
+  explicit ShapeEvaluator(std::vector<double> s);
+
+  /// False if the shape is out of the range that makes sense.
+  bool evaluate(const Shape& shape, bool derivatives);
+
+  struct State {
+    Eigen::Vector2d point;
+    double angle, curvature;
+  };
+  std::size_t size() const { return s_.size(); }
+  double arc(std::size_t i) const { return s_[i]; }
+  State state(std::size_t i) const { return {point(i), values_[i](2, 0), values_[i](3, 0)}; }
+  Eigen::Vector2d point(std::size_t i) const { return values_[i].col(0).head<2>(); }
+  double angle(std::size_t i) const { return values_[i](2, 0); }
+  /// Derivative of point, angle or curvature with respect to parameter j of the shape.
+  Eigen::Vector2d pointDerivative(std::size_t i, int j) const { return values_[i].col(1 + j).head<2>(); }
+  double angleDerivative(std::size_t i, int j) const { return values_[i](2, 1 + j); }
+  double curvatureDerivative(std::size_t i, int j) const { return values_[i](3, 1 + j); }
+
+ private:
+  template <int Directions>
+  void walk(const Shape& shape);
+
+  std::vector<double> s_;
+  std::vector<Eigen::Matrix4d> values_;  ///< rows x, y, ψ, κ; columns: state, derivatives by κ, f_t, f_n
+};
+
+}  // namespace bw::detail
