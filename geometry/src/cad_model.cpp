@@ -161,7 +161,10 @@ Result<std::vector<int>> CadModel::choose(const FaceChoice& choice) const {
       if (best < 0 || impl_->faces[i]->area() > impl_->faces[best]->area()) best = i;
     }
     if (best < 0) return fail(ErrorCode::badInput, impl_->name + " has no face that can be used", impl_->name);
-    if (auto ok = usable(best); !ok) return tl::unexpected(ok.error());
+    if (auto ok = usable(best); !ok) {
+      ok.error().message += "; it is the largest: check the unit of the file, read as " + impl_->info.unit;
+      return tl::unexpected(ok.error());
+    }
     result.push_back(best);
     return result;
   }

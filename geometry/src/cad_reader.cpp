@@ -280,7 +280,16 @@ void heal(ReadShape& read) {
                              shortText(kSewTolerance) + " mm");
     }
   }
-  if (!BRepLib::BuildCurves3d(read.shape)) read.healing.push_back("some edges have no curve in space");
+  BRepLib::BuildCurves3d(read.shape);
+  TopTools_IndexedMapOfShape edges;
+  TopExp::MapShapes(read.shape, TopAbs_EDGE, edges);
+  int bare = 0;
+  for (int i = 1; i <= edges.Extent(); ++i) {
+    const TopoDS_Edge edge = TopoDS::Edge(edges(i));
+    double first = 0, last = 0;
+    if (!BRep_Tool::Degenerated(edge) && BRep_Tool::Curve(edge, first, last).IsNull()) ++bare;
+  }
+  if (bare > 0) read.healing.push_back(std::to_string(bare) + " edges have no curve in space and are passed over");
 }
 
 }  // namespace

@@ -134,10 +134,10 @@ FaceFoot footOnFace(const FaceGeometry& face, const std::vector<EdgeGeometry>& e
   foot.uv = descend(face, p, start, jet);
   foot.point = jet.p;
   foot.distance = (jet.p - p).norm();
+  const bool low[2] = {foot.uv.x() <= face.u0(), foot.uv.y() <= face.v0()};
+  const bool high[2] = {foot.uv.x() >= face.u1(), foot.uv.y() >= face.v1()};
+  const bool wraps[2] = {face.wrapsU(), face.wrapsV()};
   if (face.natural()) {
-    const bool low[2] = {foot.uv.x() <= face.u0(), foot.uv.y() <= face.v0()};
-    const bool high[2] = {foot.uv.x() >= face.u1(), foot.uv.y() >= face.v1()};
-    const bool wraps[2] = {face.wrapsU(), face.wrapsV()};
     for (int k = 0; k < 2; ++k) {
       if (wraps[k] || !(low[k] || high[k])) continue;
       foot.onBorder = true;
@@ -148,7 +148,10 @@ FaceFoot footOnFace(const FaceGeometry& face, const std::vector<EdgeGeometry>& e
     }
     return foot;
   }
-  if (face.contains(foot.uv)) return foot;
+  // Where the face touches the end of its parameters, Newton's method stops on the border itself.
+  const bool stopped = (!wraps[0] && (low[0] || high[0])) || (!wraps[1] && (low[1] || high[1]));
+  const bool inside = face.contains(foot.uv);
+  if (inside && !stopped) return foot;
   FaceFoot border;
   border.onBorder = true;
   for (const TrimEdge& trim : face.trims()) {
@@ -159,7 +162,8 @@ FaceFoot footOnFace(const FaceGeometry& face, const std::vector<EdgeGeometry>& e
     border.edge = trim.edge;
     border.uv = face.wrapped(trim.value(std::clamp(at, trim.first, trim.last)));
   }
-  return border.edge >= 0 ? border : foot;
+  if (border.edge < 0 || (inside && foot.distance < border.distance - 1e-9)) return foot;
+  return border;
 }
 
 }  // namespace bw::geometry

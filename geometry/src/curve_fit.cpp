@@ -165,10 +165,16 @@ RunFit fitRun(const std::vector<CurveSample>& samples, double tolerance) {
       total += share.back();
     }
     const int count = std::max(int(std::ceil(total)), int(error.size()) + 1);
-    std::vector<double> next = redistributed(breaks, share, count);
-    for (std::size_t k = 0; k + 1 < next.size(); ++k) {
-      if (samplesIn(next[k], next[k + 1]) < kSamplesPerSpan) return fit;
+    // A span without enough samples is joined to the next.
+    const std::vector<double> wanted = redistributed(breaks, share, count);
+    std::vector<double> next = {wanted.front()};
+    for (std::size_t k = 1; k + 1 < wanted.size(); ++k) {
+      if (samplesIn(next.back(), wanted[k]) >= kSamplesPerSpan && samplesIn(wanted[k], to) >= kSamplesPerSpan) {
+        next.push_back(wanted[k]);
+      }
     }
+    next.push_back(to);
+    if (next.size() <= breaks.size()) return fit;
     breaks = std::move(next);
   }
   return fit;

@@ -184,6 +184,27 @@ void FaceGeometry::readTrims() {
   }
 }
 
+void FaceGeometry::closeLoops() {
+  // Where one border ends and the next begins, the parameters differ by rounding or by the file's tolerance: a ray through the gap
+  // would count wrong.
+  std::vector<Eigen::Vector2d> corners;
+  const auto snap = [&](Eigen::Vector2d& p, double reach) {
+    for (const Eigen::Vector2d& c : corners) {
+      if ((c - p).cwiseProduct(scale_).norm() <= reach) {
+        p = c;
+        return;
+      }
+    }
+    corners.push_back(p);
+  };
+  const double size = std::max(scale_.x() * (u1_ - u0_), scale_.y() * (v1_ - v0_));
+  for (std::size_t k = 0; k < segments_.size(); ++k) {
+    const double reach = std::max(1e-6 * size, 2 * BRep_Tool::Tolerance(trimShapes_[segments_[k].trim]));
+    if (k == 0 || segments_[k - 1].trim != segments_[k].trim) snap(segments_[k].a, reach);
+    if (k + 1 == segments_.size() || segments_[k + 1].trim != segments_[k].trim) snap(segments_[k].b, reach);
+  }
+}
+
 void FaceGeometry::findNatural() {
   const double ru = u1_ - u0_, rv = v1_ - v0_;
   const auto near = [](double a, double b, double range) { return std::abs(a - b) <= 1e-7 * range; };
@@ -235,6 +256,7 @@ void FaceGeometry::findNatural() {
   band_ = 3 * kChordRatio * std::max(scale_.x() * ru, scale_.y() * rv);
 
   if (natural_) return;
+  closeLoops();
   bins_.assign(kBins, {});
   for (std::size_t k = 0; k < segments_.size(); ++k) {
     const Segment& s = segments_[k];

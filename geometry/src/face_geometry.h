@@ -101,6 +101,7 @@ class FaceGeometry {
   FaceGeometry(const TopoDS_Face& face, int index);
   void readTrims();
   void findNatural();
+  void closeLoops();
   void makeGrid();
   void measureArea();
   bool evenOdd(const Eigen::Vector2d& uv) const;

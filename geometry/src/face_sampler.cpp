@@ -14,7 +14,6 @@ namespace bw::geometry {
 namespace {
 
 constexpr int kStarts = 8;                   // Newton starts of a global search at most
-constexpr std::size_t kCandidates = 4000;    // samples looked at in a global search at most
 constexpr double kSideRatio = 1e-3;          // of the distance: a foot leaning more than this over the border has no side
 
 class FaceSampler final : public SurfaceSampler {
@@ -39,11 +38,15 @@ class FaceSampler final : public SurfaceSampler {
       if (seed && seed->face >= 0 && seed->face < int(target_->faces.size()) && seed->uv.allFinite()) {
         attempt(seed->face, seed->uv);
       }
-      // The seed's foot stands unless some sample of the target is nearer, or a neighbouring face may go on from its border.
-      const bool crosses = best.onBorder && best.edge >= 0 && !target_->freeEdge(best.edge);
+      // The seed's foot stands if the nearest sample of the target is one of its own neighbours and no nearer than it; on a border another
+      // face may go on.
+      const bool crosses = best.onBorder && target_->faces.size() > 1;
       double nearest = 0;
-      const int sample = table_.tree.nearest(p, crosses ? 1e300 : best.distance * (1 - 1e-12), nearest);
-      if (sample >= 0) search(p, nearest, attempt);
+      const int sample = table_.tree.nearest(p, best.distance + table_.spacing, nearest);
+      const bool stands = bestFace >= 0 && !crosses &&
+                          (sample < 0 || (nearest >= best.distance &&
+                                          (point(sample) - best.point).norm() <= 2 * table_.samples[std::size_t(sample)].radius));
+      if (!stands && sample >= 0) search(p, nearest, table_.samples[std::size_t(sample)].radius, attempt);
       if (bestFace < 0) return fail(ErrorCode::internal, "the target has no point that could be the closest one");
       return finish(p, best, bestFace);
     });
@@ -52,25 +55,43 @@ class FaceSampler final : public SurfaceSampler {
   std::unique_ptr<SurfaceSampler> clone() const override { return std::make_unique<FaceSampler>(target_); }
 
  private:
+  /// Newton starts at the samples from which no neighbour is nearer to `p`, the nearest of them first.
   template <class Attempt>
-  void search(const Eigen::Vector3d& p, double nearest, const Attempt& attempt) {
+  void search(const Eigen::Vector3d& p, double nearest, double radius, const Attempt& attempt) {
     found_.clear();
-    table_.tree.within(p, nearest + table_.spacing, found_);
+    table_.tree.within(p, nearest + 2 * radius, found_);
     order_.clear();
-    for (const int i : found_) order_.emplace_back((point(i) - p).squaredNorm(), i);
-    const std::size_t keep = std::min(order_.size(), kCandidates);
-    std::partial_sort(order_.begin(), order_.begin() + std::ptrdiff_t(keep), order_.end());
-    chosen_.clear();
-    for (std::size_t k = 0; k < keep && int(chosen_.size()) < kStarts; ++k) {
-      const int i = order_[k].second;
-      const SearchTable::Sample& s = table_.samples[std::size_t(i)];
-      const bool near = std::any_of(chosen_.begin(), chosen_.end(), [&](int c) {
-        return table_.samples[std::size_t(c)].face == s.face && (point(c) - point(i)).norm() < 2.5 * table_.spacing;
-      });
-      if (near) continue;
-      chosen_.push_back(i);
-      attempt(s.face, Eigen::Vector2d(s.u, s.v));
+    for (const int i : found_) {
+      const double d2 = (point(i) - p).squaredNorm();
+      if (lowest(i, p, d2)) order_.emplace_back(d2, i);
     }
+    std::sort(order_.begin(), order_.end());
+    int starts = 0;
+    for (const auto& [d2, i] : order_) {
+      const SearchTable::Sample& s = table_.samples[std::size_t(i)];
+      attempt(s.face, Eigen::Vector2d(s.u, s.v));
+      if (++starts == kStarts) break;
+    }
+  }
+
+  bool lowest(int index, const Eigen::Vector3d& p, double d2) const {
+    const SearchTable::Sample& s = table_.samples[std::size_t(index)];
+    if (s.i < 0) {
+      for (const int other : {index - 1, index + 1}) {
+        if (other < 0 || other >= int(table_.samples.size())) continue;
+        const SearchTable::Sample& o = table_.samples[std::size_t(other)];
+        if (o.face == s.face && o.i < 0 && o.j == s.j && (point(other) - p).squaredNorm() < d2) return false;
+      }
+      return true;
+    }
+    const FaceGeometry& face = *target_->faces[s.face];
+    const int nu = int(face.gridU().size()), nv = int(face.gridV().size());
+    for (int a = std::max(s.i - 1, 0); a <= std::min(s.i + 1, nu - 1); ++a) {
+      for (int b = std::max(s.j - 1, 0); b <= std::min(s.j + 1, nv - 1); ++b) {
+        if ((face.gridPoint(a, b) - p).squaredNorm() < d2) return false;
+      }
+    }
+    return true;
   }
 
   const Eigen::Vector3d& point(int i) const { return table_.points[std::size_t(i)]; }
@@ -101,7 +122,7 @@ class FaceSampler final : public SurfaceSampler {
 
   std::shared_ptr<const Target::Impl> target_;
   const SearchTable& table_;
-  std::vector<int> found_, chosen_;
+  std::vector<int> found_;
   std::vector<std::pair<double, int>> order_;
 };
 
@@ -111,11 +132,11 @@ const SearchTable& Target::Impl::searchTable() const {
   std::call_once(tableOnce, [this] {
     auto made = std::make_unique<SearchTable>();
     std::vector<Eigen::Vector3d> points;
-    const auto add = [&](int face, double u, double v, const Eigen::Vector3d& p) {
-      made->samples.push_back({face, u, v});
+    const auto add = [&](int face, int i, int j, double u, double v, const Eigen::Vector3d& p, double radius) {
+      made->samples.push_back({face, i, j, u, v, radius});
+      made->spacing = std::max(made->spacing, radius);
       points.push_back(p);
     };
-    double spacing2 = 0;
     for (int f = 0; f < int(faces.size()); ++f) {
       const FaceGeometry& face = *faces[f];
       const int nu = int(face.gridU().size()), nv = int(face.gridV().size());
@@ -123,9 +144,13 @@ const SearchTable& Target::Impl::searchTable() const {
         for (int j = 0; j < nv; ++j) {
           if (!face.gridInside(i, j)) continue;
           const Eigen::Vector3d& p = face.gridPoint(i, j);
-          add(f, face.gridU()[i], face.gridV()[j], p);
-          if (i > 0) spacing2 = std::max(spacing2, (face.gridPoint(i - 1, j) - p).squaredNorm());
-          if (j > 0) spacing2 = std::max(spacing2, (face.gridPoint(i, j - 1) - p).squaredNorm());
+          double radius2 = 0;
+          for (const auto& [a, b] : {std::pair(i - 1, j), std::pair(i + 1, j), std::pair(i, j - 1), std::pair(i, j + 1)}) {
+            if (a >= 0 && b >= 0 && a < nu && b < nv) {
+              radius2 = std::max(radius2, (face.gridPoint(a, b) - p).squaredNorm());
+            }
+          }
+          add(f, i, j, face.gridU()[i], face.gridV()[j], p, std::sqrt(radius2));
         }
       }
       if (face.natural()) continue;
@@ -134,11 +159,13 @@ const SearchTable& Target::Impl::searchTable() const {
         const EdgeGeometry& edge = model->edges[trim.edge];
         for (std::size_t i = 0; i < edge.points.size(); ++i) {
           const Eigen::Vector2d uv = face.wrapped(trim.value(std::clamp(edge.t[i], trim.first, trim.last)));
-          add(f, uv.x(), uv.y(), edge.points[i]);
+          const Eigen::Vector3d& p = edge.points[i];
+          const double before = i > 0 ? (edge.points[i - 1] - p).norm() : 0.0;
+          const double after = i + 1 < edge.points.size() ? (edge.points[i + 1] - p).norm() : 0.0;
+          add(f, -1, int(&trim - face.trims().data()), uv.x(), uv.y(), p, std::max(before, after));
         }
       }
     }
-    made->spacing = std::sqrt(spacing2);
     made->points = points;
     made->tree = PointTree(std::move(points));
     table = std::move(made);

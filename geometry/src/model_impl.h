@@ -28,12 +28,14 @@ struct CadModel::Impl {
 struct SearchTable {
   struct Sample {
     int face;  ///< index in the target
+    int i, j;       ///< node of the face's grid; i = −1: a sample of its border number j
     double u, v;
+    double radius;  ///< mm to its furthest neighbour
   };
   PointTree tree;
   std::vector<Sample> samples;
   std::vector<Eigen::Vector3d> points;  ///< of the samples
-  double spacing = 0;  ///< mm between neighbouring samples, at most
+  double spacing = 0;  ///< the largest of the radii
 };
 
 struct Target::Impl {

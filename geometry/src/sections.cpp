@@ -23,11 +23,11 @@ constexpr double kMeet = 1e-3;            // mm: ends of pieces this close are o
 constexpr double kBoxSlack = 1e-6;        // mm that a curve may lie outside the block
 constexpr double kSpeck = 0.01;           // mm: a part shorter than this is rounding, not a branch
 constexpr double kShortRatio = 0.01;      // of the longest section: shorter ones carry no shape
-constexpr double kShort = 1.0;            // mm, likewise
+constexpr double kShort = 0.1;            // mm, likewise
 constexpr double kCorner = 0.02;          // rad between the tangents at a joint: more is a corner
 constexpr double kNudge = 1e-4;           // mm that a plane along a border or plane face is moved
 constexpr int kMinSamples = 96;           // of a section, before it is fitted
-constexpr int kMaxSamples = 6000;
+constexpr int kMaxSamples = 12000;
 constexpr int kProbePlanes = 64;          // tried when no sample of the target lies in the block
 constexpr int kBisections = 16;           // halvings of the distance between a plane that hits and one that misses
 
@@ -332,7 +332,7 @@ class Sectioner {
         return outcome;
       }
       if (!best || fit->deviation < best->deviation) best = std::move(*fit);
-      if (best->enough || int(part.samples.size()) > kMaxSamples / 3 || round == 6) break;
+      if (best->enough || int(part.samples.size()) > kMaxSamples / 3 || round == 8) break;
       part.samples = refined(part.samples, level, 3);
     }
     if (best->deviation > 1e-3) {

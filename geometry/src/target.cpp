@@ -24,6 +24,7 @@ namespace {
 
 constexpr double kDeflectionRatio = 1.0 / 2000;  // of the size, for display
 constexpr double kMeshAngle = 0.35;              // rad between neighbouring facets, at most
+constexpr double kMeshParts = 64;                // of one interval of a face's grid, at most
 
 /// Area-weighted mean of the outer normals, and the area it was summed over.
 Eigen::Vector3d normalSum(const FaceGeometry& face) {
@@ -44,6 +45,99 @@ Eigen::Vector3d normalSum(const FaceGeometry& face) {
     return face.area() * face.normal(0.5 * (face.u0() + face.u1()), 0.5 * (face.v0() + face.v1()));
   }
   return sum * (face.area() / area);
+}
+
+/// Parameters along one direction such that chords keep within `deflection` of the face. `u` tells which direction.
+std::vector<double> meshLines(const FaceGeometry& face, bool u, double deflection) {
+  const auto& along = u ? face.gridU() : face.gridV();
+  const auto& across = u ? face.gridV() : face.gridU();
+  std::vector<double> lines = {along.front()};
+  const std::size_t step = std::max<std::size_t>(1, across.size() / 24);
+  for (std::size_t i = 0; i + 1 < along.size(); ++i) {
+    const double h = along[i + 1] - along[i], middle = 0.5 * (along[i] + along[i + 1]);
+    double parts = 1;
+    for (std::size_t j = 0; j < across.size(); j += step) {
+      Jet s;
+      face.patch().second(u ? middle : across[j], u ? across[j] : middle, s);
+      const Eigen::Vector3d cross = s.du.cross(s.dv);
+      const double length = cross.norm();
+      if (!(length > 1e-12 * s.du.norm() * s.dv.norm()) || length == 0) continue;
+      const double bend = std::abs((u ? s.duu : s.dvv).dot(cross)) / length, speed = (u ? s.du : s.dv).norm();
+      parts = std::max(parts, std::sqrt(bend * h * h / (4 * deflection)));  // half the deflection a direction
+      if (speed > 0) parts = std::max(parts, bend * h / (speed * kMeshAngle));
+    }
+    const int n = int(std::ceil(std::min(parts, kMeshParts)));
+    for (int k = 1; k <= n; ++k) lines.push_back(k == n ? along[i + 1] : along[i] + h * k / n);
+  }
+  return lines;
+}
+
+/// A face that is the whole rectangle of its parameters needs no general mesher.
+void meshNatural(const FaceGeometry& face, bool flipped, double deflection, TriangleMesh& mesh) {
+  const std::vector<double> us = meshLines(face, true, deflection), vs = meshLines(face, false, deflection);
+  const int base = int(mesh.points.size()), nu = int(us.size()), nv = int(vs.size());
+  for (int i = 0; i < nu; ++i) {
+    for (int j = 0; j < nv; ++j) {
+      mesh.points.push_back(face.patch().value(us[i], vs[j]));
+      const Eigen::Vector3d n = face.normal(us[i], vs[j]);
+      mesh.normals.push_back(flipped ? Eigen::Vector3d(-n) : n);
+    }
+  }
+  const bool flip = face.reversed() != flipped;
+  const auto add = [&](int a, int b, int c) {
+    // At a pole two corners are the same point.
+    const auto same = [&](int p, int q) { return mesh.points[p] == mesh.points[q]; };
+    if (same(a, b) || same(b, c) || same(c, a)) return;
+    mesh.triangles.push_back(flip ? std::array<int, 3>{a, c, b} : std::array<int, 3>{a, b, c});
+  };
+  for (int i = 0; i + 1 < nu; ++i) {
+    for (int j = 0; j + 1 < nv; ++j) {
+      const int a = base + i * nv + j, b = a + nv, c = b + 1, d = a + 1;
+      // The shorter diagonal follows the surface better.
+      if ((mesh.points[a] - mesh.points[c]).squaredNorm() <= (mesh.points[b] - mesh.points[d]).squaredNorm()) {
+        add(a, b, c);
+        add(a, c, d);
+      } else {
+        add(a, b, d);
+        add(b, c, d);
+      }
+    }
+  }
+}
+
+/// Triangles of OCCT's mesher for the faces with borders of their own.
+void meshTrimmed(const std::vector<const FaceGeometry*>& faces, bool flipped, double deflection, TriangleMesh& mesh) {
+  TopoDS_Compound compound;
+  BRep_Builder builder;
+  builder.MakeCompound(compound);
+  for (const FaceGeometry* face : faces) builder.Add(compound, face->face());
+  // The mesher stores its result in the shape, so it works on a shape of its own; the geometry stays shared.
+  const TopoDS_Shape shape = BRepBuilderAPI_Copy(compound, Standard_False).Shape();
+  BRepMesh_IncrementalMesh mesher(shape, deflection, Standard_False, kMeshAngle, Standard_True);
+  std::size_t at = 0;
+  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next(), ++at) {
+    const FaceGeometry& face = *faces[at];
+    TopLoc_Location location;
+    const Handle(Poly_Triangulation) triangulation = BRep_Tool::Triangulation(TopoDS::Face(it.Current()), location);
+    if (triangulation.IsNull()) continue;
+    const bool flip = face.reversed() != flipped;
+    const int base = int(mesh.points.size());
+    for (int i = 1; i <= triangulation->NbNodes(); ++i) {
+      mesh.points.push_back(toEigen(triangulation->Node(i).Transformed(location.Transformation())));
+      Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+      if (triangulation->HasUVNodes()) {
+        const gp_Pnt2d uv = triangulation->UVNode(i);
+        normal = face.normal(uv.X(), uv.Y());
+      }
+      mesh.normals.push_back(flipped ? Eigen::Vector3d(-normal) : normal);
+    }
+    for (int i = 1; i <= triangulation->NbTriangles(); ++i) {
+      int a = 0, b = 0, c = 0;
+      triangulation->Triangle(i).Get(a, b, c);
+      if (flip) std::swap(b, c);
+      mesh.triangles.push_back({base + a - 1, base + b - 1, base + c - 1});
+    }
+  }
 }
 
 }  // namespace
@@ -112,41 +206,16 @@ Result<TriangleMesh> Target::mesh(double deflection) const {
   if (deflection == 0) deflection = size * kDeflectionRatio;
   deflection = std::max(deflection, 1e-6 * size);
   return guarded(ErrorCode::internal, "cannot make triangles of the target", [&]() -> Result<TriangleMesh> {
-    TopoDS_Compound compound;
-    BRep_Builder builder;
-    builder.MakeCompound(compound);
-    for (const auto& face : impl_->faces) builder.Add(compound, face->face());
-    // The mesher stores its result in the shape, so it works on a shape of its own; the geometry stays shared.
-    const TopoDS_Shape shape = BRepBuilderAPI_Copy(compound, Standard_False).Shape();
-    BRepMesh_IncrementalMesh mesher(shape, deflection, Standard_False, kMeshAngle, Standard_True);
     TriangleMesh mesh;
-    std::size_t at = 0;
-    for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next(), ++at) {
-      const TopoDS_Face face = TopoDS::Face(it.Current());
-      const FaceGeometry& geometry = *impl_->faces[at];
-      TopLoc_Location location;
-      const Handle(Poly_Triangulation) triangulation = BRep_Tool::Triangulation(face, location);
-      if (triangulation.IsNull()) continue;
-      const bool flip = geometry.reversed() != impl_->flipped;
-      const int base = int(mesh.points.size());
-      for (int i = 1; i <= triangulation->NbNodes(); ++i) {
-        const gp_Pnt p = triangulation->Node(i).Transformed(location.Transformation());
-        mesh.points.push_back(toEigen(p));
-        Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-        if (triangulation->HasUVNodes()) {
-          const gp_Pnt2d uv = triangulation->UVNode(i);
-          normal = geometry.normal(uv.X(), uv.Y());
-          if (impl_->flipped) normal = -normal;
-        }
-        mesh.normals.push_back(normal);
-      }
-      for (int i = 1; i <= triangulation->NbTriangles(); ++i) {
-        int a = 0, b = 0, c = 0;
-        triangulation->Triangle(i).Get(a, b, c);
-        if (flip) std::swap(b, c);
-        mesh.triangles.push_back({base + a - 1, base + b - 1, base + c - 1});
+    std::vector<const FaceGeometry*> trimmed;
+    for (const auto& face : impl_->faces) {
+      if (face->natural()) {
+        meshNatural(*face, impl_->flipped, deflection, mesh);
+      } else {
+        trimmed.push_back(face.get());
       }
     }
+    if (!trimmed.empty()) meshTrimmed(trimmed, impl_->flipped, deflection, mesh);
     if (mesh.triangles.empty()) {
       return fail(ErrorCode::internal, "no triangles could be made of the target; choose other faces");
     }
