@@ -17,8 +17,9 @@
 #include <cmath>
 
 #include "bw/core/number_text.h"
+#include "bw/pipeline/scene_content.h"
 #include "numbers.h"
-#include "scene_content.h"
+
 
 namespace bw::app {
 
@@ -580,7 +581,7 @@ void MainWindow::refreshContent() {
   const auto evaluation = bench_.shown();
   if (evaluation != shown_ || !evaluation) {
     shown_ = evaluation;
-    view_->setContent(evaluation ? sceneContent(*evaluation) : scene::Content());
+    view_->setContent(evaluation ? pipeline::sceneContent(*evaluation) : scene::Content());
     if (evaluation && fitNext_) {
       fitNext_ = false;
       view_->setView(scene::View::iso, false);

@@ -28,7 +28,7 @@ constexpr int kRecentShown = 6;
 }  // namespace
 
 ExampleCard::ExampleCard(const Theme& theme, const QString& name, const QString& title, QWidget* parent)
-    : QAbstractButton(parent), theme_(theme), picture_(":/examples/" + name + ".png") {
+    : QAbstractButton(parent), theme_(theme), picture_(":/icons/examples/" + name + ".png"), darkPicture_(":/icons/examples/" + name + "-dark.png") {
   setObjectName("example." + name);
   setText(title);
   setAccessibleName(tr("Example: %1").arg(title));
@@ -57,10 +57,10 @@ void ExampleCard::paintEvent(QPaintEvent*) {
   painter.setClipPath(path);
   const QRectF area(0, 0, width(), kPictureHeight);
   painter.fillRect(area, c.dark ? QColor("#2A2D32") : QColor("#F3F4F4"));
-  if (!picture_.isNull()) {
-    const double scale = std::max(area.width() / picture_.width(), area.height() / picture_.height());
-    const QSizeF size = QSizeF(picture_.size()) * scale;
-    painter.drawPixmap(QRectF(area.center() - QPointF(size.width(), size.height()) / 2, size), picture_, picture_.rect());
+  if (const QPixmap& picture = c.dark ? darkPicture_ : picture_; !picture.isNull()) {
+    const double scale = std::max(area.width() / picture.width(), area.height() / picture.height());
+    const QSizeF size = QSizeF(picture.size()) * scale;
+    painter.drawPixmap(QRectF(area.center() - QPointF(size.width(), size.height()) / 2, size), picture, picture.rect());
   } else {
     painter.drawPixmap(QPointF(area.center() - QPointF(20, 20)), theme_.pixmap("surface", c.disabled, 40));
   }

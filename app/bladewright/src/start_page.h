@@ -30,7 +30,7 @@ class ExampleCard : public QAbstractButton {
 
  private:
   const Theme& theme_;
-  QPixmap picture_;
+  QPixmap picture_, darkPicture_;
 };
 
 /// What the window begins with: open a surface or a design, an example, or a recent file.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "bw/model/evaluation_runner.h"
 
+#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <utility>
@@ -10,7 +11,8 @@ namespace bw::model {
 
 namespace {
 
-constexpr int kLivePatience = 250;  // ms that a run may still take while a slider is dragged
+// While a slider is dragged a run may still take half as long again as the last one, within these bounds in ms.
+constexpr double kLivePatience = 1.5, kLeastPatience = 250, kMostPatience = 1500;
 constexpr std::chrono::milliseconds kProgressInterval{30};
 
 /// `now` with the stages that it did not reach taken from `before`: their keys tell later whether they still hold.
@@ -71,7 +73,7 @@ void EvaluationRunner::evaluate(const std::shared_ptr<const Design>& design, boo
   if (!live)
     stopRunningEvaluation();
   else if (!patience_.isActive())
-    patience_.start(kLivePatience);
+    patience_.start(int(std::clamp(1e3 * kLivePatience * lastSeconds_, kLeastPatience, kMostPatience)));
   if (!std::exchange(busy_, true)) {
     progress_ = 0;
     step_.clear();
@@ -210,6 +212,7 @@ void EvaluationRunner::deliver(const Order& order, std::shared_ptr<const pipelin
     if (wanted && !stopped && evaluation) {
       // An older run that was allowed to finish while a slider moves is shown too: the newer follows.
       if (evaluation->sweep.value) lastComplete_ = evaluation;
+      lastSeconds_ = evaluation->seconds.total;
       evaluation_ = std::move(evaluation);
       evaluatedDesign_ = order.design;
       error_ = std::move(error);

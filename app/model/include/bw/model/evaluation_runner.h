@@ -37,7 +37,7 @@ class EvaluationRunner : public QObject {
   ~EvaluationRunner() override;
 
   /// Evaluates `design` as soon as possible. A running evaluation is stopped at once, or, if `live` (a slider is being dragged), allowed to
-  /// finish within a quarter of a second, so that the picture follows the hand.
+  /// finish if it takes about as long as the last one, so that the picture follows the hand.
   void evaluate(const std::shared_ptr<const Design>& design, bool live = false);
   /// Runs `task` on the newest result after the evaluations asked for so far. `done` is called on the interface thread.
   void submit(const QString& name, Task task, std::function<void(const Result<void>&)> done);
@@ -100,6 +100,7 @@ class EvaluationRunner : public QObject {
   int open_ = 0;  ///< orders given and not yet ended
   bool busy_ = false;
   double progress_ = 0;
+  double lastSeconds_ = 0;  ///< that the newest result took
   QString step_;
   std::shared_ptr<const pipeline::Evaluation> evaluation_, lastComplete_;
   std::shared_ptr<const Design> evaluatedDesign_;

@@ -1,0 +1,289 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <QCoreApplication>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <filesystem>
+#include <fstream>
+
+#include "bw/geometry/export.h"
+#include "bw/model/document.h"
+#include "bw/model/evaluation_runner.h"
+#include "bw/model/recovery.h"
+#include "bw/model/settings.h"
+#include "bw/model/step_state.h"
+
+namespace bw::model {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kPatience = 60000;  // ms: a bound against hanging, not a timing
+
+/// The test panel with few stations.
+Design panelDesign(int stations = 12) {
+  Design design;
+  design.name = "Panel";
+  design.source.path = "panel.step";
+  design.source.bytes = geometry::exampleStep("panel-600x670").value();
+  design.job.stations = stations;
+  design.job.blade.length = 1000;
+  return design;
+}
+
+Design noisyDesign() {
+  Design design = panelDesign();
+  design.source.bytes = "this is not CAD";
+  return design;
+}
+
+TEST(Document, UndoesAndRedoesEditsByName) {
+  Document document({});
+  document.start(panelDesign());
+  document.editJob("Change stations", -1, [](Job& job) { job.stations = 30; });
+  document.editJob("Change tolerance", -1, [](Job& job) { job.tolerance = 0.5; });
+  EXPECT_EQ(document.undoStack().undoText(), "Change tolerance");
+  document.undoStack().undo();
+  EXPECT_EQ(document.design()->job.tolerance, Job().tolerance);
+  EXPECT_EQ(document.design()->job.stations, 30);
+  document.undoStack().undo();
+  EXPECT_EQ(document.design()->job.stations, 12);
+  EXPECT_FALSE(document.modified());
+  document.undoStack().redo();
+  EXPECT_EQ(document.design()->job.stations, 30);
+  EXPECT_TRUE(document.modified());
+}
+
+TEST(Document, MergesTheMovesOfOneDrag) {
+  Document document({});
+  document.start(panelDesign());
+  for (int n = 13; n < 40; ++n) document.editJob("Change stations", 1, [n](Job& job) { job.stations = n; });
+  for (int n = 40; n < 50; ++n) document.editJob("Change stations", 2, [n](Job& job) { job.stations = n; });
+  EXPECT_EQ(document.undoStack().count(), 2);
+  document.undoStack().undo();
+  EXPECT_EQ(document.design()->job.stations, 39);
+}
+
+TEST(Document, DropsAnEditThatChangesNothing) {
+  Document document({});
+  document.start(panelDesign());
+  document.editJob("Change stations", -1, [](Job& job) { job.stations = 12; });
+  EXPECT_EQ(document.undoStack().count(), 0);
+}
+
+TEST(Document, SavesAndOpensAgainTheSameDesign) {
+  QTemporaryDir folder;
+  const fs::path file = fs::path(folder.path().toStdString()) / "a.bladewright";
+  Document document({});
+  document.start(panelDesign());
+  document.editJob("Change stations", -1, [](Job& job) { job.stations = 17; });
+  ASSERT_TRUE(document.saveAs(file));
+  EXPECT_FALSE(document.modified());
+  EXPECT_EQ(document.title(), "a");
+  Document other({});
+  ASSERT_TRUE(other.open(file));
+  EXPECT_EQ(designToJson(*other.design()), designToJson(*document.design()));
+}
+
+TEST(Document, KeepsItsDesignWhenAFileCannotBeOpened) {
+  QTemporaryDir folder;
+  const fs::path file = fs::path(folder.path().toStdString()) / "broken.bladewright";
+  std::ofstream(file) << "{\"bladewright_design\": 1, ";
+  Document document({});
+  document.start(panelDesign());
+  const auto before = document.design();
+  EXPECT_FALSE(document.open(file));
+  EXPECT_FALSE(document.open(file.string() + "-missing"));
+  EXPECT_EQ(document.design(), before);
+}
+
+TEST(Recovery, FindsTheCopyOfAWindowThatCrashed) {
+  QTemporaryDir folder;
+  const fs::path recovery = fs::path(folder.path().toStdString());
+  // A crash leaves the copy without its lock: what a copied folder looks like too.
+  {
+    Document document(recovery);
+    document.start(panelDesign());
+    document.editJob("Change stations", -1, [](Job& job) { job.stations = 21; });
+    document.autosaveNow(true);
+    EXPECT_FALSE(takeRecovered(recovery)) << "the copy of a living window was taken";
+    fs::create_directories(recovery / "after");
+    for (const fs::directory_entry& entry : fs::directory_iterator(recovery))
+      if (entry.is_regular_file() && entry.path().extension() != ".lock")
+        fs::copy_file(entry.path(), recovery / "after" / entry.path().filename());
+  }
+  const std::optional<Recovered> found = takeRecovered(recovery / "after");
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->design.job.stations, 21);
+  EXPECT_TRUE(found->file.empty());
+  EXPECT_FALSE(takeRecovered(recovery / "after")) << "taken twice";
+  EXPECT_FALSE(takeRecovered(recovery)) << "a window that closed in order left a copy";
+}
+
+TEST(Recovery, TellsOnceWhenTheCopyCannotBeWritten) {
+  Document document("/proc/bladewright-has-no-place-here");
+  QSignalSpy failed(&document, &Document::autosaveFailed);
+  document.start(panelDesign());
+  document.editJob("Change stations", -1, [](Job& job) { job.stations = 21; });
+  document.autosaveNow(true);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return failed.count() == 1; }, kPatience));
+  document.autosaveNow(true);
+  QCoreApplication::processEvents();
+  EXPECT_EQ(failed.count(), 1);
+}
+
+TEST(EvaluationRunner, BringsTheResultToTheInterfaceThread) {
+  EvaluationRunner runner;
+  const auto design = std::make_shared<const Design>(panelDesign());
+  QThread* thread = nullptr;
+  QObject::connect(&runner, &EvaluationRunner::finished, &runner, [&] { thread = QThread::currentThread(); }, Qt::DirectConnection);
+  runner.evaluate(design);
+  EXPECT_TRUE(runner.busy());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !runner.busy(); }, kPatience));
+  EXPECT_EQ(thread, QThread::currentThread());
+  ASSERT_FALSE(runner.error()) << runner.error()->message;
+  ASSERT_TRUE(runner.evaluation() && runner.evaluation()->sweep.value);
+  EXPECT_EQ(runner.evaluation()->sweep.value->sweep.stations.size(), 12u);
+  EXPECT_EQ(runner.evaluatedDesign(), design);
+}
+
+TEST(EvaluationRunner, UsesEarlierStagesAgain) {
+  EvaluationRunner runner;
+  runner.evaluate(std::make_shared<const Design>(panelDesign(12)));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !runner.busy(); }, kPatience));
+  const auto first = runner.evaluation();
+  runner.evaluate(std::make_shared<const Design>(panelDesign(14)));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !runner.busy(); }, kPatience));
+  ASSERT_TRUE(first && runner.evaluation());
+  EXPECT_EQ(runner.evaluation()->model.value, first->model.value);
+  EXPECT_NE(runner.evaluation()->sweep.value, first->sweep.value);
+}
+
+TEST(EvaluationRunner, ShowsOnlyTheNewestOfManyEdits) {
+  EvaluationRunner runner;
+  QSignalSpy finished(&runner, &EvaluationRunner::finished);
+  for (int n = 10; n <= 40; ++n) runner.evaluate(std::make_shared<const Design>(panelDesign(n)));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !runner.busy(); }, kPatience));
+  ASSERT_TRUE(runner.evaluation() && runner.evaluation()->sweep.value);
+  EXPECT_EQ(runner.evaluation()->sweep.value->sweep.stations.size(), 40u);
+  EXPECT_EQ(finished.count(), 1);
+}
+
+TEST(EvaluationRunner, FollowsADragWithoutStarving) {
+  EvaluationRunner runner;
+  QSignalSpy finished(&runner, &EvaluationRunner::finished);
+  runner.evaluate(std::make_shared<const Design>(panelDesign(10)));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !runner.busy(); }, kPatience));
+  // Edits keep coming until a result arrives in between.
+  int stations = 10;
+  const bool followed = QTest::qWaitFor(
+      [&] {
+        stations = stations < 30 ? stations + 1 : 11;
+        runner.evaluate(std::make_shared<const Design>(panelDesign(stations)), true);
+        return finished.count() > 1;
+      },
+      kPatience);
+  EXPECT_TRUE(followed) << "no result came before the drag ended";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !runner.busy(); }, kPatience));
+  EXPECT_EQ(runner.evaluation()->sweep.value->sweep.stations.size(), std::size_t(stations));
+}
+
+TEST(EvaluationRunner, StopsOnRequest) {
+  EvaluationRunner runner;
+  QSignalSpy finished(&runner, &EvaluationRunner::finished), cancelled(&runner, &EvaluationRunner::cancelled);
+  Design design = panelDesign(2000);
+  runner.evaluate(std::make_shared<const Design>(design));
+  runner.cancel();
+  EXPECT_EQ(cancelled.count(), 1);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !runner.busy(); }, kPatience));
+  EXPECT_EQ(finished.count(), 0);
+  EXPECT_FALSE(runner.evaluation());
+}
+
+TEST(EvaluationRunner, TellsWhyAFileCannotBeRead) {
+  EvaluationRunner runner;
+  runner.evaluate(std::make_shared<const Design>(noisyDesign()));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !runner.busy(); }, kPatience));
+  ASSERT_TRUE(runner.error());
+  EXPECT_FALSE(runner.error()->message.empty());
+  EXPECT_FALSE(runner.lastComplete());
+}
+
+TEST(EvaluationRunner, RefusesATaskWithoutAResult) {
+  EvaluationRunner runner;
+  bool ran = false;
+  std::optional<Result<void>> outcome;
+  runner.submit("Writing", [&](pipeline::Evaluation, const RunContext&) -> Result<void> { ran = true; return {}; },
+                [&](const Result<void>& done) { outcome = done; });
+  ASSERT_TRUE(QTest::qWaitFor([&] { return outcome.has_value(); }, kPatience));
+  EXPECT_FALSE(ran);
+  EXPECT_FALSE(*outcome);
+}
+
+TEST(StepStates, FollowFromWhatIsThere) {
+  StepFacts facts;
+  facts.design = std::make_shared<const Design>();
+  EXPECT_EQ(stepStates(facts)[int(Step::process)].kind, StepState::Kind::idle);
+
+  EvaluationRunner runner;
+  facts.design = std::make_shared<const Design>(panelDesign());
+  runner.evaluate(facts.design);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !runner.busy(); }, kPatience));
+  facts.evaluated = runner.evaluatedDesign();
+  facts.evaluation = runner.evaluation();
+  StepStates states = stepStates(facts);
+  EXPECT_EQ(states[int(Step::input)].kind, StepState::Kind::done);
+  EXPECT_EQ(states[int(Step::output)].text, "Ready to export");
+
+  facts.exported = facts.design;
+  EXPECT_EQ(stepStates(facts)[int(Step::output)].kind, StepState::Kind::done);
+  facts.design = std::make_shared<const Design>(panelDesign(20));
+  states = stepStates(facts);
+  EXPECT_EQ(states[int(Step::process)].kind, StepState::Kind::stale);
+  EXPECT_EQ(states[int(Step::output)].kind, StepState::Kind::stale);
+  facts.busy = true;
+  facts.busyStep = "fitting";
+  facts.progress = 0.7;
+  states = stepStates(facts);
+  EXPECT_EQ(states[int(Step::process)].kind, StepState::Kind::running);
+  EXPECT_EQ(states[int(Step::process)].progress, 0.7);
+
+  facts = {};
+  facts.design = std::make_shared<const Design>(noisyDesign());
+  facts.evaluated = facts.design;
+  facts.evaluation = std::make_shared<const pipeline::Evaluation>();
+  facts.error = Error{ErrorCode::cannotRead, "no"};
+  EXPECT_EQ(stepStates(facts)[int(Step::input)].kind, StepState::Kind::error);
+}
+
+TEST(Settings, RemembersTenFilesNewestFirst) {
+  QTemporaryDir folder;
+  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder.path());
+  Settings settings;
+  std::vector<fs::path> files;
+  for (int i = 0; i < 12; ++i) {
+    files.push_back(fs::path(folder.path().toStdString()) / (std::to_string(i) + ".step"));
+    std::ofstream(files.back()) << "x";
+    settings.addRecentFile(files.back());
+  }
+  settings.addRecentFile(files[5]);
+  const std::vector<fs::path> recent = settings.recentFiles();
+  ASSERT_EQ(recent.size(), 10u);
+  EXPECT_EQ(recent.front(), files[5]);
+  fs::remove(files[11]);
+  EXPECT_EQ(settings.recentFiles().size(), 9u);
+}
+
+}  // namespace
+}  // namespace bw::model
+
+int main(int argc, char** argv) {
+  ::testing::InitGoogleTest(&argc, argv);
+  QCoreApplication application(argc, argv);
+  return RUN_ALL_TESTS();
+}
