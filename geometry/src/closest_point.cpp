@@ -162,7 +162,11 @@ FaceFoot footOnFace(const FaceGeometry& face, const std::vector<EdgeGeometry>& e
     border.edge = trim.edge;
     border.uv = face.wrapped(trim.value(std::clamp(at, trim.first, trim.last)));
   }
-  if (border.edge < 0 || (inside && foot.distance < border.distance - 1e-9)) return foot;
+  if (border.edge < 0 || (inside && foot.distance < border.distance)) {
+    foot.onBorder = stopped;
+    foot.edge = border.edge;
+    return foot;
+  }
   return border;
 }
 

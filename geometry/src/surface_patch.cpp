@@ -25,7 +25,8 @@ namespace bw::geometry {
 
 namespace {
 
-constexpr int kMaxDegree = 25;  // OCCT's own limit
+constexpr int kMaxDegree = 25;   // OCCT's own limit
+constexpr int kTableDegree = 9;  // above this the coefficients lose digits
 
 using Basis = std::array<std::array<double, kMaxDegree + 1>, 3>;
 
@@ -74,6 +75,54 @@ void basisFunctions(const std::vector<double>& knots, int degree, int span, doub
   }
 }
 
+/// The basis functions of `span` as polynomials in τ = (t − middle)/half, by the recurrence of de Boor on their coefficients: coefficient k of
+/// function j at [k (degree + 1) + j].
+void appendPolynomials(const std::vector<double>& knots, int degree, int span, std::vector<double>& out) {
+  const double middle = 0.5 * (knots[span] + knots[span + 1]), half = 0.5 * (knots[span + 1] - knots[span]);
+  using Polynomial = std::array<double, kTableDegree + 1>;
+  std::array<Polynomial, kTableDegree + 1> n{};
+  n[0][0] = 1;
+  const auto times = [&](const Polynomial& p, double constant, double slope) {
+    Polynomial q{};
+    for (int k = 0; k <= degree; ++k) {
+      q[k] += constant * p[k];
+      if (k < degree) q[k + 1] += slope * p[k];
+    }
+    return q;
+  };
+  for (int j = 1; j <= degree; ++j) {
+    Polynomial saved{};
+    for (int r = 0; r < j; ++r) {
+      const double low = knots[span + 1 - (j - r)], high = knots[span + r + 1], gap = high - low;
+      const Polynomial up = times(n[r], (high - middle) / gap, -half / gap);
+      const Polynomial down = times(n[r], (middle - low) / gap, half / gap);
+      for (int k = 0; k <= degree; ++k) n[r][k] = saved[k] + up[k];
+      saved = down;
+    }
+    n[j] = saved;
+  }
+  for (int k = 0; k <= degree; ++k) {
+    for (int j = 0; j <= degree; ++j) out.push_back(n[j][k]);
+  }
+}
+
+/// The same as `basisFunctions` from the table of polynomials.
+void tabulatedBasis(const double* table, int degree, double middle, double half, double t, Basis& out) {
+  const int count = degree + 1;
+  const double tau = (t - middle) / half;
+  for (int j = 0; j < count; ++j) {
+    double value = table[degree * count + j], d1 = 0, d2 = 0;
+    for (int k = degree - 1; k >= 0; --k) {
+      d2 = d2 * tau + d1;
+      d1 = d1 * tau + value;
+      value = value * tau + table[k * count + j];
+    }
+    out[0][j] = value;
+    out[1][j] = d1 / half;
+    out[2][j] = 2 * d2 / (half * half);
+  }
+}
+
 void readKnots(const TColStd_Array1OfReal& flat, std::vector<double>& knots) {
   knots.assign(flat.begin(), flat.end());
 }
@@ -88,6 +137,30 @@ void findBreaks(const std::vector<double>& knots, int degree, int poles, std::ve
     i += multiplicity;
   }
   if (breaks.size() < 2) breaks = {knots[degree], knots[poles]};
+}
+
+/// One table a knot interval, empty ones included so that the span is the index.
+void makeTable(const std::vector<double>& knots, int degree, int poles, std::vector<double>& table) {
+  if (degree > kTableDegree) return;
+  const std::size_t size = std::size_t(degree + 1) * std::size_t(degree + 1);
+  for (int span = degree; span < poles; ++span) {
+    if (knots[span + 1] > knots[span]) {
+      appendPolynomials(knots, degree, span, table);
+    } else {
+      table.resize(table.size() + size, 0.0);
+    }
+  }
+}
+
+void basisAt(const std::vector<double>& knots, const std::vector<double>& table, int degree, int span, double t, int order,
+             Basis& out) {
+  if (table.empty()) {
+    basisFunctions(knots, degree, span, t, order, out);
+    return;
+  }
+  const std::size_t size = std::size_t(degree + 1) * std::size_t(degree + 1);
+  tabulatedBasis(&table[std::size_t(span - degree) * size], degree, 0.5 * (knots[span] + knots[span + 1]),
+                 0.5 * (knots[span + 1] - knots[span]), t, out);
 }
 
 std::string typeName(const Handle(Geom_Surface) & s) {
@@ -136,6 +209,8 @@ SurfacePatch::SurfacePatch(const Handle(Geom_Surface) & given) : surface_(given)
       poles_.emplace_back(w * p.x(), w * p.y(), w * p.z(), w);
     }
   }
+  makeTable(knotsU_, degreeU_, polesU_, tableU_);
+  makeTable(knotsV_, degreeV_, polesV_, tableV_);
   findBreaks(knotsU_, degreeU_, polesU_, breaksU_, creasesU_);
   findBreaks(knotsV_, degreeV_, polesV_, breaksV_, creasesV_);
 }
@@ -144,8 +219,8 @@ void SurfacePatch::evaluate(double u, double v, int order, Jet& jet) const {
   Basis bu, bv;
   const int spanU = findSpan(knotsU_, degreeU_, polesU_, u);
   const int spanV = findSpan(knotsV_, degreeV_, polesV_, v);
-  basisFunctions(knotsU_, degreeU_, spanU, u, order, bu);
-  basisFunctions(knotsV_, degreeV_, spanV, v, order, bv);
+  basisAt(knotsU_, tableU_, degreeU_, spanU, u, order, bu);
+  basisAt(knotsV_, tableV_, degreeV_, spanV, v, order, bv);
   using V4 = Eigen::Vector4d;
   V4 s = V4::Zero(), su = V4::Zero(), sv = V4::Zero(), suu = V4::Zero(), suv = V4::Zero(), svv = V4::Zero();
   for (int i = 0; i <= degreeU_; ++i) {

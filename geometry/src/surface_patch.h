@@ -53,6 +53,7 @@ class SurfacePatch {
   int polesU_ = 0, polesV_ = 0;
   bool rational_ = false;
   std::vector<double> knotsU_, knotsV_;
+  std::vector<double> tableU_, tableV_;  // basis polynomials, span by span
   std::vector<double> breaksU_, breaksV_, creasesU_, creasesV_;
   std::vector<Eigen::Vector4d> poles_;  // homogeneous, u slowest
 };
