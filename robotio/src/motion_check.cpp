@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "bw/core/number_text.h"
+#include "bw/robotio/program.h"
 
 namespace bw::robotio {
 
@@ -91,6 +92,39 @@ Result<void> checkMotion(const Motion& motion) {
       if (Result<void> ok = checkPose(instant.poses[end], where + " " + endName(end)); !ok) return ok;
   }
   return {};
+}
+
+Issues checkPlacement(const Motion& motion, const Cell& cell) {
+  Issues issues;
+  if (!checkMotion(motion) || motion.instants.front().poses.size() != cell.tasks.size()) return issues;
+  for (std::size_t end = 0; end < cell.tasks.size(); ++end) {
+    for (const MotionInstant* instant : {&motion.instants.front(), &motion.instants.back()}) {
+      const Eigen::Vector3d p_W =
+          cell.workObject.position + cell.workObject.rotation * instant->poses[end].position;
+      const double own = (p_W - cell.tasks[end].base.position).norm();
+      std::size_t nearest = end;
+      double least = own;
+      for (std::size_t other = 0; other < cell.tasks.size(); ++other) {
+        const double distance = (p_W - cell.tasks[other].base.position).norm();
+        if (distance < least) {
+          nearest = other;
+          least = distance;
+        }
+      }
+      if (nearest == end) continue;
+      Issue issue;
+      issue.severity = Severity::warning;
+      issue.kind = "cell-sides";
+      issue.message = "the " + endName(end) + " end of the blade lies " + fixedText(own, 0) +
+                      " mm from its robot " + cell.tasks[end].name + " but " + fixedText(least, 0) +
+                      " mm from " + cell.tasks[nearest].name +
+                      "; turn the block, the cutting direction or the work object of the cell";
+      issue.where.text = instant == &motion.instants.front() ? "start of the cut" : "end of the cut";
+      issues.push_back(std::move(issue));
+      break;
+    }
+  }
+  return issues;
 }
 
 }  // namespace bw::robotio

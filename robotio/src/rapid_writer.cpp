@@ -306,6 +306,8 @@ class TaskWriter {
     out.line(1, "! Start only with all robots at home: the first move is not synchronised.");
     out.line(1, "! confdata is [0,0,0,0] and not verified (ConfL is off): check the axis");
     out.line(1, "! configuration, the reach and the way from home on the cell, slowly and cold.");
+    for (const Issue& issue : checkPlacement(motion_, cell_))
+      out.line(1, "! WARNING: " + ascii(issue.message) + ".");
   }
 
   void target(TextBuilder& out, const Move& move) const {

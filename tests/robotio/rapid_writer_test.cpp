@@ -185,6 +185,21 @@ TEST(RapidWriter, ZonesShrinkWithTheSegmentsAndStayOutOfFinePoints) {
   EXPECT_EQ((*tighter)[1].moves[2].zone, 0.05);
 }
 
+TEST(RapidWriter, EndsOnTheOtherRobotsSideAreWarnedOf) {
+  const Cell cell = sample::cell();
+  EXPECT_TRUE(checkPlacement(sample::motion(), cell).empty());
+  Motion crossed = sample::motion();
+  for (MotionInstant& instant : crossed.instants) std::swap(instant.poses[0], instant.poses[1]);
+  const Issues issues = checkPlacement(crossed, cell);
+  ASSERT_EQ(issues.size(), 2u);
+  EXPECT_EQ(issues[0].kind, "cell-sides");
+  EXPECT_EQ(issues[0].severity, Severity::warning);
+  const auto program = writeRapid(crossed, cell);
+  ASSERT_TRUE(program) << program.error().message;
+  EXPECT_NE(program->front().bytes.find("! WARNING: the left end"), std::string::npos);
+  EXPECT_EQ(writeRapid(sample::motion(), cell)->front().bytes.find("WARNING"), std::string::npos);
+}
+
 TEST(RapidWriter, SameInputGivesTheSameBytes) {
   const auto a = writeRapid(sample::motion(50), sample::cell()),
              b = writeRapid(sample::motion(50), sample::cell());

@@ -31,6 +31,11 @@ struct RapidOptions {
 /// Checked by the project's own reader before it is returned: a program that breaks a rule is an error that lists it.
 Result<Program> writeRapid(const Motion& motion, const Cell& cell, const RapidOptions& options = {});
 
+/// What can be said without the robots' kinematics about how a motion lies in a cell: warnings of kind "cell-sides" for an end of the
+/// blade that is nearer to another robot than to its own, at the first or the last instant. Empty if motion and cell do not fit each
+/// other in their number of ends (`writeRapid` refuses those).
+Issues checkPlacement(const Motion& motion, const Cell& cell);
+
 /// CSV: header with units, one row an instant, positions and quaternions of every end.
 Result<Program> writeCsv(const Motion& motion);
 /// JSON with a schema version; numbers round-trip.
