@@ -138,7 +138,7 @@ TEST(RapidWriter, AnyProgramNameGivesValidNames) {
   for (const char* name : {"", "while",
                            "Fassade S\xC3\xBC"
                            "d / Nord",
-                           "2", "a very long name of a very long wall that never ends"}) {
+                           "2", "a very long name of a very long wall that never ends", "tBlade", "p000"}) {
     const auto program = writeRapid(sample::motion(), sample::cell(), RapidOptions{name, false});
     ASSERT_TRUE(program) << name << ": " << program.error().message;
     expectNoFindings(*program);
