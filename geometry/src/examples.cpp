@@ -27,18 +27,21 @@ struct Recipe {
 
 Vector3d panel(double u, double v) {
   const double x = 600 * u, y = 670 * v;
-  const double a = 2 * kPi * (x - 300) / 1000, b = 2 * kPi * (y - 335) / 800;
-  return {x, y, 110 + 70 * std::cos(a) * std::cos(b) + 25 * std::sin(a) * std::sin(0.5 * b)};
+  const double a = 2 * kPi * (x - 300) / 1000, b = 2 * kPi * (y - 335) / 640;
+  const double lengthwise = 46 * std::sin(b) + 12 * std::sin(2 * b);
+  const double across = 22 * std::cos(0.4 * b) * (std::cos(a) + 0.06 * std::cos(3 * a));
+  return {x, y, 100 + lengthwise + across + 22 * std::sin(a) * std::sin(b)};
 }
 
 Vector3d graph(double u, double v) {
   const double p = kPi * (u - 0.5), q = 1.5 * (v - 0.5);
-  return {250 * (p + kPi / 2), 700 * (q + 0.75), 200 * std::pow(std::cos(2 * (kPi / 2 - q)), 4) * std::sin(p) * std::exp(-0.1 * p * p)};
+  const double bell = std::pow(std::cos(2 * (kPi / 2 - q)), 4);
+  return {200 * (p + kPi / 2), 600 * (q + 0.75), 45 * bell * std::sin(p) * std::exp(-0.1 * p * p)};
 }
 
 Vector3d saddle(double u, double v) {
-  const double x = 800 * u - 400, y = 1000 * v - 500;
-  return {x, y, x * x / 1000 - y * y / 1250};
+  const double x = 600 * u - 300, y = 800 * v - 400;
+  return {x, y, x * x / 1600 - y * y / 1200};
 }
 
 constexpr double kSphereRadius = 900, kSphereHalf = 300;
@@ -86,14 +89,15 @@ Vector3d rampDomed(double u, double v) { return ramp(u, v, kRampLong, kRampShort
 const std::vector<Recipe>& recipes() {
   static const std::vector<Recipe> list = {
       {{"panel-600x670", "Test panel 600 × 670 mm",
-        "x = 600 u, y = 670 v, a = 2π (x − 300)/1000, b = 2π (y − 335)/800, "
-        "z = 110 + 70 cos a cos b + 25 sin a sin(b/2); mm. Gaussian curvature of both signs."},
-       panel, 5, 8, 5, 8},
+        "x = 600 u, y = 670 v, a = 2π (x − 300)/1000, b = 2π (y − 335)/640, "
+        "z = 100 + 46 sin b + 12 sin 2b + 22 cos(0.4 b) (cos a + 0.06 cos 3a) + 22 sin a sin b; mm. "
+        "Gaussian curvature of both signs; sections across y have at most two inflections."},
+       panel, 5, 14, 5, 17},
       {{"graph", "Graph of a function",
-        "p ∈ [−π/2, π/2], q ∈ [−0.75, 0.75]: x = 250 (p + π/2), y = 700 (q + 0.75), z = 200 cos⁴(2 (π/2 − q)) sin p exp(−0.1 p²); mm. "
+        "p ∈ [−π/2, π/2], q ∈ [−0.75, 0.75]: x = 200 (p + π/2), y = 600 (q + 0.75), z = 45 cos⁴(2 (π/2 − q)) sin p exp(−0.1 p²); mm. "
         "The exponent 4 is read as that of the cosine, which then vanishes at q = ±π/4, just outside the domain."},
        graph, 5, 8, 5, 14},
-      {{"saddle", "Saddle", "x ∈ [−400, 400], y ∈ [−500, 500], z = x²/1000 − y²/1250; mm. A hyperbolic paraboloid, exact."},
+      {{"saddle", "Saddle", "x ∈ [−300, 300], y ∈ [−400, 400], z = x²/1600 − y²/1200; mm. A hyperbolic paraboloid, exact."},
        saddle, 2, 1, 2, 1},
       {{"sphere-cap", "Cap of a sphere",
         "x, y ∈ [−300, 300], z = √(900² − x² − y²) − √(900² − 2·300²); mm. A sphere of radius 900 over a square, exact."},
@@ -105,7 +109,7 @@ const std::vector<Recipe>& recipes() {
       {{"wavy-wall", "Wavy wall 4200 × 2400 mm",
         "x = 4200 u, y = 2400 v, f = 2π y/1200 + 0.9 sin(2π x/4200), "
         "z = (110 + 50 cos(2π x/2800)) sin f + 60 cos(π x/4200); mm. Valleys and ridges wander along x."},
-       wavyWall, 5, 18, 5, 20},
+       wavyWall, 5, 22, 5, 26},
       {{"ramp-corner-hollow", "Corner of a skater ramp, negative curvature",
         "x = r(v) X(u), y = 1400 v, z = 854.10 Z(u), (X, Z) the Bézier cubic (0,0) (0.5523,0) (1,0.4477) (1,1), "
         "r(v) = 855.65 + 145.95 (2v − 1)²; mm, exact. Profiles are 1342.6 mm long in the middle and 1459.8 mm at the ends."},
