@@ -26,6 +26,8 @@ Result<json> parseJsonText(std::string_view text, const std::string& what) {
         ErrorCode::badInput,
         what + " is not valid JSON: line " + std::to_string(line) + ", column " + std::to_string(column),
         what, double(line));
+  } catch (const json::out_of_range&) {
+    return fail(ErrorCode::badInput, what + " holds a number that is too large", what);
   } catch (const std::exception& e) {
     return fail(ErrorCode::badInput, what + " is not valid JSON: " + e.what(), what);
   }
