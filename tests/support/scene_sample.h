@@ -13,20 +13,24 @@ namespace bw::test {
 /// How fine a sample scene is, and how far its cut surface misses its target.
 struct SceneSample {
   int stations = 30;
-  int rowsBetween = 3;   ///< rows of the cut surface from a station to the next, less one
+  int rowsBetween = 3;  ///< rows of the cut surface from a station to the next, less one
   int columns = 80;
-  double error = 4;      ///< mm, largest deviation
+  double error = 4;  ///< mm, largest deviation
 };
 
-/// Height (mm) of the wavy sample panel, 600 mm along x (the blade) and 670 mm along y (the cutting direction).
+/// Height (mm) of the wavy sample panel, 600 mm along x (the blade) and 670 mm along y (the cutting
+/// direction).
 inline double panelHeight(double x, double y) {
   return 120 + 45 * std::sin(x * 0.0105 + 0.4) * std::cos(y * 0.0061) + 22 * std::cos(x * 0.004 - y * 0.0078);
 }
 
 /// Signed miss (mm) of the sample's cut surface at a place of the panel.
-inline double panelMiss(double x, double y, double error) { return error * std::sin(x / 600 * 6.0) * std::sin(y / 670 * 5.0 + 0.3); }
+inline double panelMiss(double x, double y, double error) {
+  return error * std::sin(x / 600 * 6.0) * std::sin(y / 670 * 5.0 + 0.3);
+}
 
-/// A panel, its target 30 mm wider all around, stations, blades that run on straight beyond the foam, and the block.
+/// A panel, its target 30 mm wider all around, stations, blades that run on straight beyond the foam, and the
+/// block.
 inline scene::Content sampleContent(const SceneSample& sample = {}) {
   constexpr double kWidth = 600, kDepth = 670, kPi = 3.14159265358979;
   scene::Content content;
@@ -34,7 +38,8 @@ inline scene::Content sampleContent(const SceneSample& sample = {}) {
   for (int j = 0; j <= ny; ++j) {
     for (int i = 0; i <= nx; ++i) {
       const double x = -30 + (kWidth + 60) * i / nx, y = -30 + (kDepth + 60) * j / ny, h = 1e-3;
-      const double dx = (panelHeight(x + h, y) - panelHeight(x - h, y)) / (2 * h), dy = (panelHeight(x, y + h) - panelHeight(x, y - h)) / (2 * h);
+      const double dx = (panelHeight(x + h, y) - panelHeight(x - h, y)) / (2 * h),
+                   dy = (panelHeight(x, y + h) - panelHeight(x, y - h)) / (2 * h);
       content.target.points.emplace_back(x, y, panelHeight(x, y));
       content.target.normals.push_back(Eigen::Vector3d(-dx, -dy, 1).normalized());
       if (i < nx && j < ny) {
@@ -44,7 +49,9 @@ inline scene::Content sampleContent(const SceneSample& sample = {}) {
       }
     }
   }
-  const auto cutPoint = [&](double x, double y) { return Eigen::Vector3d(x, y, panelHeight(x, y) + panelMiss(x, y, sample.error)); };
+  const auto cutPoint = [&](double x, double y) {
+    return Eigen::Vector3d(x, y, panelHeight(x, y) + panelMiss(x, y, sample.error));
+  };
   SurfaceGrid& cut = content.cut;
   cut.rows = (sample.stations - 1) * (sample.rowsBetween + 1) + 1;
   cut.columns = sample.columns;
@@ -59,16 +66,20 @@ inline scene::Content sampleContent(const SceneSample& sample = {}) {
       cut.points.push_back(cutPoint(x, y));
       cut.fields[0].values.push_back(panelMiss(x, y, sample.error));
       cut.fields[1].values.push_back(4 + 24 * std::abs(std::sin(x * 0.006 + y * 0.005)));
-      cut.fields[2].values.push_back(2.6 - 1.9 * std::pow(std::sin(x / kWidth * kPi), 2) * std::pow(std::cos(y / kDepth * kPi), 2));
+      cut.fields[2].values.push_back(2.6 - 1.9 * std::pow(std::sin(x / kWidth * kPi), 2) *
+                                               std::pow(std::cos(y / kDepth * kPi), 2));
       cut.fields[3].values.push_back(cut.fields[2].values.back() / 2.6);
-      cut.fields[4].values.push_back(0.15 + 0.65 * std::pow(std::sin(x * 0.0105 + 0.4), 2) * (0.4 + 0.6 * y / kDepth));
+      cut.fields[4].values.push_back(0.15 + 0.65 * std::pow(std::sin(x * 0.0105 + 0.4), 2) *
+                                                (0.4 + 0.6 * y / kDepth));
     }
   }
   for (int s = 0; s < sample.stations; ++s) {
     const double y = kDepth * s / (sample.stations - 1);
     std::vector<Eigen::Vector3d> station, blade;
-    for (int c = 0; c < sample.columns; ++c) station.push_back(cutPoint(kWidth * c / (sample.columns - 1), y));
-    const Eigen::Vector3d left = (station[0] - station[1]).normalized(), right = (station.back() - station[station.size() - 2]).normalized();
+    for (int c = 0; c < sample.columns; ++c)
+      station.push_back(cutPoint(kWidth * c / (sample.columns - 1), y));
+    const Eigen::Vector3d left = (station[0] - station[1]).normalized(),
+                          right = (station.back() - station[station.size() - 2]).normalized();
     for (int k = 12; k > 0; --k) blade.push_back(station.front() + 15.0 * k * left);
     blade.insert(blade.end(), station.begin(), station.end());
     for (int k = 1; k <= 12; ++k) blade.push_back(station.back() + 15.0 * k * right);

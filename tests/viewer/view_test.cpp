@@ -43,8 +43,8 @@ class SceneViewTest : public testing::Test {
     ASSERT_TRUE(view.problem().isEmpty()) << view.problem().toStdString();
   }
 
-  static void send(QWidget& widget, QEvent::Type type, const QPointF& at, Qt::MouseButton button, Qt::MouseButtons held,
-                   Qt::KeyboardModifiers keys = {}) {
+  static void send(QWidget& widget, QEvent::Type type, const QPointF& at, Qt::MouseButton button,
+                   Qt::MouseButtons held, Qt::KeyboardModifiers keys = {}) {
     QMouseEvent event(type, at, widget.mapToGlobal(at), button, held, keys);
     QApplication::sendEvent(&widget, &event);
   }
@@ -59,7 +59,8 @@ class SceneViewTest : public testing::Test {
   }
 
   void wheel(const QPointF& at, int angle) {
-    QWheelEvent event(at, view.mapToGlobal(at), QPoint(), QPoint(0, angle), Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+    QWheelEvent event(at, view.mapToGlobal(at), QPoint(), QPoint(0, angle), Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
     QApplication::sendEvent(&view, &event);
   }
 
@@ -68,7 +69,9 @@ class SceneViewTest : public testing::Test {
     return line[line.size() / 2];
   }
 
-  static double distance(const QPointF& a, const QPointF& b) { return std::hypot(a.x() - b.x(), a.y() - b.y()); }
+  static double distance(const QPointF& a, const QPointF& b) {
+    return std::hypot(a.x() - b.x(), a.y() - b.y());
+  }
 
   void save(const QImage& image, const char* name) {
     QDir().mkpath(BW_TEST_OUTPUT);
@@ -182,8 +185,11 @@ TEST_F(SceneViewTest, PresetsMapTheButtons) {
     const Camera before = view.camera();
     drag({350, 300}, {400, 320}, button, keys);
     const Camera after = view.camera();
-    const bool turned = ((after.position - after.focus).normalized() - (before.position - before.focus).normalized()).norm() > 1e-6;
-    const bool scaled = std::abs((after.position - after.focus).norm() - (before.position - before.focus).norm()) > 1e-6;
+    const bool turned =
+        ((after.position - after.focus).normalized() - (before.position - before.focus).normalized()).norm() >
+        1e-6;
+    const bool scaled =
+        std::abs((after.position - after.focus).norm() - (before.position - before.focus).norm()) > 1e-6;
     const bool shifted = (after.position - before.position).norm() > 1e-6;
     return turned ? 'o' : scaled ? 'z' : shifted ? 'p' : '-';
   };
@@ -191,7 +197,8 @@ TEST_F(SceneViewTest, PresetsMapTheButtons) {
     view.setNavigation(navigation);
     std::string result;
     for (const Qt::MouseButton button : {Qt::MiddleButton, Qt::RightButton}) {
-      for (const Qt::KeyboardModifier key : {Qt::NoModifier, Qt::ShiftModifier, Qt::ControlModifier}) result += moves(button, key);
+      for (const Qt::KeyboardModifier key : {Qt::NoModifier, Qt::ShiftModifier, Qt::ControlModifier})
+        result += moves(button, key);
     }
     return result;
   };
@@ -209,7 +216,9 @@ TEST_F(SceneViewTest, StandardViewIsReachedInAnEasedMoveThatKeepsTheHorizon) {
     tilt = std::max(tilt, std::abs((camera.focus - camera.position).normalized().cross(camera.up).z()));
   });
   view.setView(View::top, true);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return (view.camera().position - view.camera().focus).normalized().z() > 1 - 1e-12; }, kPatience));
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return (view.camera().position - view.camera().focus).normalized().z() > 1 - 1e-12; },
+      kPatience));
   EXPECT_GE(moves, 2);
   EXPECT_LT(tilt, 1e-9);
   EXPECT_NEAR(view.camera().up.y(), 1, 1e-9);
@@ -218,7 +227,8 @@ TEST_F(SceneViewTest, StandardViewIsReachedInAnEasedMoveThatKeepsTheHorizon) {
 TEST_F(SceneViewTest, ClickOnTheCubeTakesThatView) {
   // In the oblique view the upper face of the cube lies above the middle of its square.
   QTest::mouseClick(&view, Qt::LeftButton, {}, QPoint(68, view.height() - 68 - 22));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return (view.camera().position - view.camera().focus).normalized().z() > 1 - 1e-9; }, kPatience));
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return (view.camera().position - view.camera().focus).normalized().z() > 1 - 1e-9; }, kPatience));
 }
 
 TEST_F(SceneViewTest, DoubleClickOnTheLegendAsksForItsRange) {
@@ -232,7 +242,8 @@ TEST_F(SceneViewTest, DoubleClickOnTheLegendAsksForItsRange) {
 
 TEST_F(SceneViewTest, ParallelKeepsSizesAtTheFocus) {
   const Camera camera = view.camera();
-  const Eigen::Vector3d side = camera.focus + 100 * (camera.focus - camera.position).cross(camera.up).normalized();
+  const Eigen::Vector3d side =
+      camera.focus + 100 * (camera.focus - camera.position).cross(camera.up).normalized();
   const double before = distance(view.toWidget(camera.focus), view.toWidget(side));
   view.setParallel(true);
   EXPECT_TRUE(view.parallel());
@@ -283,7 +294,8 @@ TEST_F(SceneViewTest, SurvivesAMoveToAnotherWindow) {
   save(image, "view-moved.png");
   int colored = 0;
   for (int y = 0; y < image.height(); y += 4) {
-    for (int x = 0; x < image.width(); x += 4) colored += std::abs(image.pixelColor(x, y).red() - image.pixelColor(x, y).blue()) > 80;
+    for (int x = 0; x < image.width(); x += 4)
+      colored += std::abs(image.pixelColor(x, y).red() - image.pixelColor(x, y).blue()) > 80;
   }
   EXPECT_GT(colored, 200);
   window.takeCentralWidget();

@@ -16,7 +16,8 @@ namespace {
 
 constexpr double kHalfTurn = std::numbers::pi;
 
-/// The direction from the focus to the camera as angles; `azimuth` is also defined where the camera looks straight down.
+/// The direction from the focus to the camera as angles; `azimuth` is also defined where the camera looks
+/// straight down.
 struct Direction {
   double azimuth = 0, elevation = 0;
 };
@@ -28,7 +29,8 @@ Direction directionOf(const Camera& camera) {
   const double elevation = std::asin(std::clamp(back.z(), -1.0, 1.0));
   // Away from the poles the position tells the azimuth; near them only the up vector does.
   Eigen::Vector3d flat(back.x(), back.y(), 0);
-  if (flat.norm() < 1e-6) flat = (back.z() > 0 ? -1.0 : 1.0) * Eigen::Vector3d(camera.up.x(), camera.up.y(), 0);
+  if (flat.norm() < 1e-6)
+    flat = (back.z() > 0 ? -1.0 : 1.0) * Eigen::Vector3d(camera.up.x(), camera.up.y(), 0);
   if (flat.norm() < 1e-12) flat = -Eigen::Vector3d::UnitY();
   return {std::atan2(flat.y(), flat.x()), elevation};
 }
@@ -36,7 +38,8 @@ Direction directionOf(const Camera& camera) {
 /// A level camera that looks at `focus` from that direction.
 Camera level(const Camera& like, const Eigen::Vector3d& focus, const Direction& direction, double distance) {
   const double c = std::cos(direction.elevation);
-  const Eigen::Vector3d back(c * std::cos(direction.azimuth), c * std::sin(direction.azimuth), std::sin(direction.elevation));
+  const Eigen::Vector3d back(c * std::cos(direction.azimuth), c * std::sin(direction.azimuth),
+                             std::sin(direction.elevation));
   Camera camera = like;
   camera.focus = focus;
   camera.position = focus + distance * back;
@@ -68,8 +71,9 @@ Camera orbit(const Camera& camera, const Eigen::Vector3d& pivot, double azimuth,
   const Eigen::Matrix3d turn = (Eigen::AngleAxisd(azimuth, Eigen::Vector3d::UnitZ()) *
                                 Eigen::AngleAxisd(-lift, horizontalRight(before.azimuth)))
                                    .toRotationMatrix();
-  Camera result = level(camera, pivot + turn * (camera.focus - pivot), {before.azimuth + azimuth, before.elevation + lift},
-                        (camera.position - camera.focus).norm());
+  Camera result =
+      level(camera, pivot + turn * (camera.focus - pivot),
+            {before.azimuth + azimuth, before.elevation + lift}, (camera.position - camera.focus).norm());
   return result;
 }
 
@@ -80,11 +84,13 @@ Camera pan(const Camera& camera, const Eigen::Vector3d& from, const Eigen::Vecto
   return result;
 }
 
-Camera zoom(const Camera& camera, const Eigen::Vector3d& anchor, double factor, double minDistance, double maxDistance) {
+Camera zoom(const Camera& camera, const Eigen::Vector3d& anchor, double factor, double minDistance,
+            double maxDistance) {
   if (!(factor > 0) || !std::isfinite(factor)) return camera;
   Camera result = camera;
   const double distance = (camera.position - camera.focus).norm();
-  const double size = camera.parallel ? camera.parallelScale / std::tan(camera.viewAngle * kHalfTurn / 360) : distance;
+  const double size =
+      camera.parallel ? camera.parallelScale / std::tan(camera.viewAngle * kHalfTurn / 360) : distance;
   const double k = std::clamp(size / factor, minDistance, maxDistance) / size;
   if (camera.parallel) {
     const Eigen::Vector3d forward = (camera.focus - camera.position).normalized();
@@ -127,7 +133,8 @@ Camera withProjection(const Camera& camera, bool parallel) {
   if (parallel) {
     result.parallelScale = (camera.position - camera.focus).norm() * tangent;
   } else {
-    result.position = camera.focus + camera.parallelScale / tangent * (camera.position - camera.focus).normalized();
+    result.position =
+        camera.focus + camera.parallelScale / tangent * (camera.position - camera.focus).normalized();
   }
   result.parallel = parallel;
   return result;
@@ -135,7 +142,8 @@ Camera withProjection(const Camera& camera, bool parallel) {
 
 double pixelSize(const Camera& camera, int height) {
   const double half = camera.parallel ? camera.parallelScale
-                                      : (camera.position - camera.focus).norm() * std::tan(camera.viewAngle * kHalfTurn / 360);
+                                      : (camera.position - camera.focus).norm() *
+                                            std::tan(camera.viewAngle * kHalfTurn / 360);
   return 2 * half / std::max(1, height);
 }
 

@@ -18,6 +18,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "fonts.h"
+
 namespace bw::scene {
 
 namespace {
@@ -25,9 +27,8 @@ namespace {
 constexpr int kDpi = 72;  ///< makes a font's point one pixel
 
 void applyLook(vtkTextProperty* property, const TextLook& look) {
-  property->SetFontFamilyToArial();
+  useInterfaceFont(property, look.bold);
   property->SetFontSize(std::max(6, int(std::lround(look.size))));
-  property->SetBold(look.bold);
   property->SetColor(look.color.r, look.color.g, look.color.b);
   property->SetOpacity(look.opacity);
   property->SetJustificationToLeft();
@@ -48,7 +49,9 @@ TextBox measure(const std::string& text, vtkTextProperty* property) {
 }  // namespace
 
 Canvas::Canvas(bool behind)
-    : behind_(behind), actor_(vtkSmartPointer<vtkActor2D>::New()), data_(vtkSmartPointer<vtkPolyData>::New()) {
+    : behind_(behind),
+      actor_(vtkSmartPointer<vtkActor2D>::New()),
+      data_(vtkSmartPointer<vtkPolyData>::New()) {
   const auto mapper = vtkSmartPointer<vtkPolyDataMapper2D>::New();
   mapper->SetInputData(data_);
   actor_->SetMapper(mapper);
@@ -104,13 +107,15 @@ void Canvas::roundedRect(const PixelRect& r, double radius, const Rgb& color, do
   for (std::size_t corner = 0; corner < 4; ++corner) {
     for (int k = 0; k <= steps; ++k) {
       const double angle = (double(corner) + double(k) / steps) * std::numbers::pi / 2;
-      vertex(centers[corner][0] + radius * std::cos(angle), centers[corner][1] - radius * std::sin(angle), color, opacity);
+      vertex(centers[corner][0] + radius * std::cos(angle), centers[corner][1] - radius * std::sin(angle),
+             color, opacity);
     }
   }
   fan(first, 4 * (steps + 1));
 }
 
-void Canvas::triangle(double x0, double y0, double x1, double y1, double x2, double y2, const Rgb& color, double opacity) {
+void Canvas::triangle(double x0, double y0, double x1, double y1, double x2, double y2, const Rgb& color,
+                      double opacity) {
   const int first = int(points_->GetNumberOfPoints());
   vertex(x0, y0, color, opacity);
   vertex(x1, y1, color, opacity);
@@ -145,7 +150,8 @@ PixelRect Canvas::text(const std::string& text, double x, double y, Align align,
   const double anchorY = std::floor(height_ - y - 0.5 * digits.height + 0.5) - digits.bottom;
   actor->SetPosition(anchorX, anchorY);
   actor->SetVisibility(visible_);
-  const PixelRect box{anchorX + ink.left, height_ - (anchorY + ink.bottom + ink.height), double(ink.width), double(ink.height)};
+  const PixelRect box{anchorX + ink.left, height_ - (anchorY + ink.bottom + ink.height), double(ink.width),
+                      double(ink.height)};
   texts_.push_back({text, box});
   return box;
 }

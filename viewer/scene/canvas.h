@@ -29,7 +29,8 @@ struct TextLook {
   double opacity = 1;
 };
 
-/// Flat drawing over (or, if `behind`, under) the scene, in pixels from the upper left corner. Draw between begin() and end().
+/// Flat drawing over (or, if `behind`, under) the scene, in pixels from the upper left corner. Draw between
+/// begin() and end().
 class Canvas {
  public:
   explicit Canvas(bool behind = false);
@@ -38,7 +39,8 @@ class Canvas {
   void begin(int width, int height);
   void rect(const PixelRect& rect, const Rgb& color, double opacity = 1);
   void roundedRect(const PixelRect& rect, double radius, const Rgb& color, double opacity = 1);
-  void triangle(double x0, double y0, double x1, double y1, double x2, double y2, const Rgb& color, double opacity = 1);
+  void triangle(double x0, double y0, double x1, double y1, double x2, double y2, const Rgb& color,
+                double opacity = 1);
   void disc(double x, double y, double radius, const Rgb& color, double opacity = 1);
   /// Text whose digits stand centred on `y`, placed on `x` by `align`. Returns its box.
   PixelRect text(const std::string& text, double x, double y, Align align, const TextLook& look);

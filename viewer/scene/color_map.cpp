@@ -56,7 +56,9 @@ Rgb through(const Samples& samples, double t) {
   const Triple a = lab(i - 1), b = lab(i), c = lab(i + 1), d = lab(i + 2);
   Triple p;
   for (std::size_t k = 0; k < 3; ++k) {
-    p[k] = b[k] + 0.5 * u * (c[k] - a[k] + u * (2 * a[k] - 5 * b[k] + 4 * c[k] - d[k] + u * (3 * (b[k] - c[k]) + d[k] - a[k])));
+    p[k] = b[k] + 0.5 * u *
+                      (c[k] - a[k] +
+                       u * (2 * a[k] - 5 * b[k] + 4 * c[k] - d[k] + u * (3 * (b[k] - c[k]) + d[k] - a[k])));
   }
   return fromOklab(p);
 }
@@ -89,7 +91,9 @@ Rgb ColorMap::at(double value) const {
   if (field == "deviation") return deviationColor(value, tolerance, std::max(std::abs(low), std::abs(high)));
   const double t = high > low ? (value - low) / (high - low) : 0.0;
   // Above one the blade would be bent beyond its limit.
-  if (field == "curvature") return value > 1 ? mix(Rgb::hex(0xE8590C), Rgb::hex(0xA8101F), std::clamp(value - 1, 0.0, 1.0)) : cividis(t);
+  if (field == "curvature")
+    return value > 1 ? mix(Rgb::hex(0xE8590C), Rgb::hex(0xA8101F), std::clamp(value - 1, 0.0, 1.0))
+                     : cividis(t);
   return viridis(t);
 }
 

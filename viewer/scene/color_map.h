@@ -9,13 +9,14 @@
 
 namespace bw::scene {
 
-/// Perceptually even maps of [0, 1], readable by colour-blind eyes and in grey print; values outside take the end colours.
-/// They pass through ten samples of the public-domain (CC0) maps of that name, joined smoothly in the Oklab space.
+/// Perceptually even maps of [0, 1], readable by colour-blind eyes and in grey print; values outside take the
+/// end colours. They pass through ten samples of the public-domain (CC0) maps of that name, joined smoothly
+/// in the Oklab space.
 Rgb viridis(double t);
 Rgb cividis(double t);
 
-/// Signed deviation: neutral within the tolerance band (a breath of the sign's colour at its edge), then a step to a clear blue (below)
-/// or red (above) that saturates at `end`. All in mm, end > tolerance ≥ 0.
+/// Signed deviation: neutral within the tolerance band (a breath of the sign's colour at its edge), then a
+/// step to a clear blue (below) or red (above) that saturates at `end`. All in mm, end > tolerance ≥ 0.
 Rgb deviationColor(double value, double tolerance, double end);
 
 /// How a field is coloured over its legend range.

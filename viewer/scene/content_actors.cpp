@@ -14,7 +14,9 @@
 #include <cmath>
 
 #include "isolines.h"
-#include "legend.h"
+#include "legend_range.h"
+#include "mesh_edges.h"
+#include "polyline.h"
 
 namespace bw::scene {
 
@@ -38,7 +40,8 @@ void setBox(vtkPolyData* data, const Box& box, bool edges) {
     }
   } else {
     // Counter-clockwise seen from outside.
-    constexpr vtkIdType kFaces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    constexpr vtkIdType kFaces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                        {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
     for (const auto& face : kFaces) cells->InsertNextCell(4, face);
   }
   data->Initialize();
@@ -50,16 +53,12 @@ void setBox(vtkPolyData* data, const Box& box, bool edges) {
   }
 }
 
-bool usable(const Polyline& line) {
-  return line.size() >= 2 && std::all_of(line.begin(), line.end(), [](const Eigen::Vector3d& p) { return p.allFinite(); });
-}
-
 }  // namespace
 
 ContentActors::ContentActors() : table_(vtkSmartPointer<vtkLookupTable>::New()) {
   target_.setMatte(0.35, 0.65, 0.0);
-  for (Part* part : {&targetEdges_, &cutEdges_, &isolines_, &stations_, &selected_, &selectedDashes_, &bladesInside_, &bladeDashes_,
-                     &blockEdges_}) {
+  for (Part* part : {&targetEdges_, &cutEdges_, &isolines_, &stations_, &selected_, &selectedDashes_,
+                     &bladesInside_, &bladeDashes_, &blockEdges_}) {
     part->setFlat();
   }
   cut_.mapper()->SetInterpolateScalarsBeforeMapping(true);
@@ -79,7 +78,8 @@ void ContentActors::addSolidTo(vtkRenderer* renderer) {
 }
 
 void ContentActors::addClearTo(vtkRenderer* renderer) {
-  for (Part* part : {&blockBack_, &target_, &targetEdges_, &stations_, &bladesInside_, &bladeDashes_, &selected_, &selectedDashes_}) {
+  for (Part* part : {&blockBack_, &target_, &targetEdges_, &stations_, &bladesInside_, &bladeDashes_,
+                     &selected_, &selectedDashes_}) {
     renderer->AddActor(part->actor());
   }
 }
@@ -87,63 +87,6 @@ void ContentActors::addClearTo(vtkRenderer* renderer) {
 void ContentActors::addFrontTo(vtkRenderer* renderer) {
   renderer->AddActor(blockFront_.actor());
   renderer->AddActor(blockEdges_.actor());
-}
-
-std::vector<Polyline> ContentActors::outside(const Polyline& blade, const Polyline& station, const std::optional<Box>& block) {
-  std::vector<Polyline> pieces;
-  if (!usable(blade)) return pieces;
-  // Shares [a, b] of each edge that count as inside.
-  const auto insideOf = [&](std::size_t i) -> std::pair<double, double> {
-    if (!block) return {1, 0};
-    const Eigen::Vector3d p = block->frame.toLocal(blade[i]), d = block->frame.toLocal(blade[i + 1]) - p;
-    double enter = 0, leave = 1;
-    for (int k = 0; k < 3; ++k) {
-      if (d[k] == 0) {
-        if (p[k] < 0 || p[k] > block->size[k]) return {1, 0};
-        continue;
-      }
-      const double a = -p[k] / d[k], b = (block->size[k] - p[k]) / d[k];
-      enter = std::max(enter, std::min(a, b));
-      leave = std::min(leave, std::max(a, b));
-    }
-    return {enter, leave};
-  };
-  if (!block) {
-    if (!usable(station)) return {blade};
-    // The part that cuts ends where the blade comes nearest to the ends of the station.
-    const auto nearest = [&](const Eigen::Vector3d& p) {
-      return std::size_t(std::min_element(blade.begin(), blade.end(),
-                                          [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return (a - p).squaredNorm() < (b - p).squaredNorm(); }) -
-                         blade.begin());
-    };
-    auto [first, last] = std::minmax(nearest(station.front()), nearest(station.back()));
-    // From the foam outwards, so that the dashes begin there.
-    if (first > 0) pieces.emplace_back(blade.rend() - std::ptrdiff_t(first + 1), blade.rend());
-    if (last + 1 < blade.size()) pieces.emplace_back(blade.begin() + std::ptrdiff_t(last), blade.end());
-    return pieces;
-  }
-  Polyline piece;
-  const auto close = [&] {
-    if (piece.size() >= 2) pieces.push_back(piece);
-    piece.clear();
-  };
-  for (std::size_t i = 0; i + 1 < blade.size(); ++i) {
-    const auto at = [&](double t) { return Eigen::Vector3d(blade[i] + t * (blade[i + 1] - blade[i])); };
-    const auto [enter, leave] = insideOf(i);
-    if (enter >= leave) {
-      if (piece.empty()) piece.push_back(blade[i]);
-      piece.push_back(blade[i + 1]);
-      continue;
-    }
-    if (enter > 0) {
-      if (piece.empty()) piece.push_back(blade[i]);
-      piece.push_back(at(enter));
-    }
-    close();
-    if (leave < 1) piece = {at(leave), blade[i + 1]};
-  }
-  close();
-  return pieces;
 }
 
 void ContentActors::setContent(const Content& content, const TriangleMesh& cutMesh) {
@@ -157,8 +100,10 @@ void ContentActors::setContent(const Content& content, const TriangleMesh& cutMe
   dash_ = 0.008 * diagonal_;
 
   const bool given = content.target.normals.size() == content.target.points.size();
-  targetNormals_ = given ? std::vector<Eigen::Vector3d>{} : pointNormals(content.target.points, content.target.triangles);
-  shareMesh(target_.data(), content.target.points, given ? content.target.normals : targetNormals_, content.target.triangles);
+  targetNormals_ =
+      given ? std::vector<Eigen::Vector3d>{} : pointNormals(content.target.points, content.target.triangles);
+  shareMesh(target_.data(), content.target.points, given ? content.target.normals : targetNormals_,
+            content.target.triangles);
   targetEdges_.setSegments(boundaryEdges(content.target.points, content.target.triangles));
 
   hasCut_ = !cutMesh.triangles.empty();
@@ -207,12 +152,13 @@ void ContentActors::selectStation(const Content& content, int index) {
   selectedIndex_ = index;
   selected_.clear();
   selectedDashes_.clear();
-  if (index < 0 || index >= int(content.stations.size()) || !usable(content.stations[std::size_t(index)])) return;
+  if (index < 0 || index >= int(content.stations.size()) || !usable(content.stations[std::size_t(index)]))
+    return;
   const Polyline& station = content.stations[std::size_t(index)];
   selected_.setLines({station});
   if (index >= int(content.blades.size())) return;
-  std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> segments;
-  for (const Polyline& piece : outside(content.blades[std::size_t(index)], station, content.block)) {
+  Segments segments;
+  for (const Polyline& piece : outsideFoam(content.blades[std::size_t(index)], station, content.block)) {
     const auto more = dashes(piece, dash_, 0.7 * dash_);
     segments.insert(segments.end(), more.begin(), more.end());
   }
@@ -223,11 +169,12 @@ void ContentActors::showBlades(const Content& content) {
   if (bladesValid_) return;
   bladesValid_ = true;
   std::vector<Polyline> whole;
-  std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> segments;
+  Segments segments;
   for (std::size_t i = 0; i < content.blades.size(); ++i) {
     const Polyline& blade = content.blades[i];
     if (!usable(blade)) continue;
-    for (const Polyline& piece : outside(blade, i < content.stations.size() ? content.stations[i] : Polyline{}, content.block)) {
+    for (const Polyline& piece :
+         outsideFoam(blade, i < content.stations.size() ? content.stations[i] : Polyline{}, content.block)) {
       const auto more = dashes(piece, dash_, 0.7 * dash_);
       segments.insert(segments.end(), more.begin(), more.end());
     }
@@ -235,8 +182,8 @@ void ContentActors::showBlades(const Content& content) {
   bladeDashes_.setSegments(segments);
 }
 
-void ContentActors::setStyle(const Content& content, const TriangleMesh& cutMesh, const Style& style, const Field* field, const ColorMap& map,
-                             const Rgb& background) {
+void ContentActors::setStyle(const Content& content, const TriangleMesh& cutMesh, const Style& style,
+                             const Field* field, const ColorMap& map, const Rgb& background) {
   const Theme& colors = theme(style.dark);
   const double keep = style.stale ? kStaleKeep : 1.0, px = style.pixelRatio;
   const bool cutShown = style.showCut && hasCut_ && style.cutOpacity > 0;
@@ -256,14 +203,15 @@ void ContentActors::setStyle(const Content& content, const TriangleMesh& cutMesh
   cut_.mapper()->SetScalarVisibility(mapped);
   if (mapped) {
     // A map must keep its colours; the form may only speak softly.
-    cut_.setMatte(0.52, 0.5, 0.0);
+    cut_.setMatte(0.70, 0.32, 0.0);
     cut_.mapper()->SelectColorArray(field->name.c_str());
     if (map != tableMap_ || table_->GetNumberOfTableValues() != kTableColors) {
       tableMap_ = map;
       table_->SetNumberOfTableValues(kTableColors);
       table_->SetRange(map.range.first, map.range.second);
       for (int i = 0; i < kTableColors; ++i) {
-        const Rgb c = map.at(map.range.first + (i + 0.5) / kTableColors * (map.range.second - map.range.first));
+        const Rgb c =
+            map.at(map.range.first + (i + 0.5) / kTableColors * (map.range.second - map.range.first));
         table_->SetTableValue(i, c.r, c.g, c.b, 1);
       }
       table_->SetNanColor(0.6, 0.6, 0.6, 1);

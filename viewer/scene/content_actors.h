@@ -26,21 +26,21 @@ class ContentActors {
   /// Shares the arrays of `content` and `cutMesh`, which must stay where they are until the next call.
   void setContent(const Content& content, const TriangleMesh& cutMesh);
   /// `map` colours the cut surface where `field` is one of its fields.
-  void setStyle(const Content& content, const TriangleMesh& cutMesh, const Style& style, const Field* field, const ColorMap& map,
-                const Rgb& background);
-  /// Millimetres that the target is drawn behind its place, so that the map is not tinted where the two nearly coincide.
+  void setStyle(const Content& content, const TriangleMesh& cutMesh, const Style& style, const Field* field,
+                const ColorMap& map, const Rgb& background);
+  /// Millimetres that the target is drawn behind its place, so that the map is not tinted where the two
+  /// nearly coincide.
   double targetSetBack(const Style& style) const;
-  /// Depth shifts for that many units of depth a millimetre at the focus, and for stations that lie `spacing` pixels apart.
+  /// Depth shifts for that many units of depth a millimetre at the focus, and for stations that lie `spacing`
+  /// pixels apart.
   void update(const Style& style, double depthPerMillimetre, double millimetresPerPixel);
-
-  /// Points of a station's blade outside the block (or outside the station, if there is no block).
-  static std::vector<Polyline> outside(const Polyline& blade, const Polyline& station, const std::optional<Box>& block);
 
  private:
   void selectStation(const Content& content, int index);
   void showBlades(const Content& content);
 
-  Part target_, targetEdges_, cut_, cutEdges_, isolines_, stations_, selected_, selectedDashes_, bladesInside_, bladeDashes_;
+  Part target_, targetEdges_, cut_, cutEdges_, isolines_, stations_, selected_, selectedDashes_,
+      bladesInside_, bladeDashes_;
   Part blockBack_, blockFront_, blockEdges_;
   vtkSmartPointer<vtkLookupTable> table_;
   ColorMap tableMap_;
@@ -49,9 +49,9 @@ class ContentActors {
   std::string isolineField_;
   bool isolinesValid_ = false, bladesValid_ = false, hasCut_ = false;
   int selectedIndex_ = -1;
-  double dash_ = 1;              ///< mm
-  double deviationReach_ = 0;    ///< mm, largest deviation
-  double stationSpacing_ = 0;    ///< mm, mean distance of neighbours
+  double dash_ = 1;            ///< mm
+  double deviationReach_ = 0;  ///< mm, largest deviation
+  double stationSpacing_ = 0;  ///< mm, mean distance of neighbours
   double diagonal_ = 1;
 };
 

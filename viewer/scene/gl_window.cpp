@@ -26,8 +26,8 @@ class GlWindow : public vtkGenericOpenGLRenderWindow {
  public:
   static GlWindow* New();
 
-  /// VTK's loader finds all functions of the current context, then looks for an X display as well and fails where there is none. It
-  /// has all that it needs, so neither the words nor the verdict are passed on.
+  /// VTK's loader finds all functions of the current context, then looks for an X display as well and fails
+  /// where there is none. It has all that it needs, so neither the words nor the verdict are passed on.
   void OpenGLInitContext() override {
     if (this->Initialized) {
       this->ContextCreationTime.Modified();
@@ -50,7 +50,7 @@ vtkSmartPointer<vtkGenericOpenGLRenderWindow> makeGlWindow() {
   window->SetOwnContext(0);
   // Lines wider than a pixel are drawn by VTK's own shader: drivers differ in what they allow.
   window->SetForceMaximumHardwareLineWidth(1);
-  window->SetMultiSamples(8);
+  window->SetMultiSamples(kSamples);
   window->SetDPI(72);
   return window;
 }

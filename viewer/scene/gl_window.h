@@ -7,6 +7,9 @@
 
 namespace bw::scene {
 
+/// Samples a pixel of a finished picture; drivers that offer fewer give what they have.
+inline constexpr int kSamples = 8;
+
 /// Where a scene is drawn: a VTK window over a GL context that someone holds.
 class RenderTarget {
  public:
@@ -16,8 +19,8 @@ class RenderTarget {
   virtual void doneCurrent() = 0;
 };
 
-/// A VTK window over a GL context (3.2 core or later) that is not its own. It answers WindowIsCurrentEvent and WindowMakeCurrentEvent
-/// through its observers.
+/// A VTK window over a GL context (3.2 core or later) that is not its own. It answers WindowIsCurrentEvent
+/// and WindowMakeCurrentEvent through its observers.
 vtkSmartPointer<vtkGenericOpenGLRenderWindow> makeGlWindow();
 
 }  // namespace bw::scene

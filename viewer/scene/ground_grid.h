@@ -11,21 +11,23 @@
 
 namespace bw::scene {
 
-/// The ground below the content: lines at round distances that fade outwards, with coordinates in mm along the two edges that face
-/// the camera.
+/// The ground below the content: lines at round distances that fade outwards, with coordinates in mm along
+/// the two edges that face the camera.
 class GroundGrid {
  public:
   GroundGrid();
   void addTo(vtkRenderer* renderer);
   void setBounds(const Bounds& bounds);
   void setStyle(const Style& style);
-  /// Places the labels for that view.
-  void update(const Projection& view, int width, int height);
+  /// Places the labels for that view, clear of what is `taken`.
+  void update(const Projection& view, int width, int height, const std::vector<PixelRect>& taken);
   std::vector<Overlay::Text> texts() const;
   Bounds bounds() const;  ///< of the lines
 
  private:
   void rebuild();
+  void labelEdge(bool alongX, const Projection& view, int width, int height,
+                 std::vector<PixelRect>& occupied);
 
   Part lines_;
   Canvas labels_{true};

@@ -8,8 +8,9 @@
 
 namespace bw::scene {
 
-Segments isolines(const std::vector<Eigen::Vector3d>& points, const std::vector<std::array<int, 3>>& triangles,
-                  const std::vector<double>& values, const std::vector<double>& levels) {
+Segments isolines(const std::vector<Eigen::Vector3d>& points,
+                  const std::vector<std::array<int, 3>>& triangles, const std::vector<double>& values,
+                  const std::vector<double>& levels) {
   Segments segments;
   std::vector<double> sorted = levels;
   std::sort(sorted.begin(), sorted.end());
@@ -22,7 +23,8 @@ Segments isolines(const std::vector<Eigen::Vector3d>& points, const std::vector<
     }
     if (!std::isfinite(v[0] + v[1] + v[2])) continue;
     const auto [low, high] = std::minmax({v[0], v[1], v[2]});
-    for (auto level = std::lower_bound(sorted.begin(), sorted.end(), low); level != sorted.end() && *level < high; ++level) {
+    for (auto level = std::lower_bound(sorted.begin(), sorted.end(), low);
+         level != sorted.end() && *level < high; ++level) {
       // A corner on the level counts as below it, so that neighbours agree on which edges are crossed.
       std::array<Eigen::Vector3d, 2> ends;
       std::size_t found = 0;

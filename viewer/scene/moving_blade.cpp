@@ -22,29 +22,15 @@ namespace bw::scene {
 
 namespace {
 
-constexpr double kTubeWidth = 3;     ///< device-independent pixels
+constexpr double kTubeWidth = 3;  ///< device-independent pixels
 constexpr double kGlowWidth = 18;
 constexpr double kGripWidth = 8;
 constexpr double kGripLength = 22;
 constexpr int kSides = 12;
 
-Polyline resampled(const Polyline& line, std::size_t count) {
-  std::vector<double> s(line.size(), 0.0);
-  for (std::size_t i = 1; i < line.size(); ++i) s[i] = s[i - 1] + (line[i] - line[i - 1]).norm();
-  Polyline result;
-  result.reserve(count);
-  std::size_t k = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double target = s.back() * double(i) / double(count - 1);
-    while (k + 2 < line.size() && s[k + 1] < target) ++k;
-    const double length = s[k + 1] - s[k];
-    result.push_back(line[k] + (length > 0 ? std::clamp((target - s[k]) / length, 0.0, 1.0) : 0.0) * (line[k + 1] - line[k]));
-  }
-  return result;
-}
-
 /// A closed tube along a line; `radius` by point. Sections turn with the line as little as possible.
-void buildTube(vtkPolyData* data, const std::vector<Polyline>& lines, const std::function<double(const Eigen::Vector3d&)>& radius) {
+void buildTube(vtkPolyData* data, const std::vector<Polyline>& lines,
+               const std::function<double(const Eigen::Vector3d&)>& radius) {
   const auto points = vtkSmartPointer<vtkPoints>::New();
   const auto normals = vtkSmartPointer<vtkFloatArray>::New();
   const auto cells = vtkSmartPointer<vtkCellArray>::New();
@@ -63,7 +49,8 @@ void buildTube(vtkPolyData* data, const std::vector<Polyline>& lines, const std:
     };
     Eigen::Vector3d side = tangentAt(0).unitOrthogonal();
     const vtkIdType first = points->GetNumberOfPoints();
-    const auto ring = [&](const Eigen::Vector3d& center, const Eigen::Vector3d& tangent, double r, const Eigen::Vector3d* capNormal) {
+    const auto ring = [&](const Eigen::Vector3d& center, const Eigen::Vector3d& tangent, double r,
+                          const Eigen::Vector3d* capNormal) {
       const Eigen::Vector3d other = tangent.cross(side);
       for (int k = 0; k < kSides; ++k) {
         const double angle = 2 * std::numbers::pi * k / kSides;
@@ -102,7 +89,8 @@ void buildTube(vtkPolyData* data, const std::vector<Polyline>& lines, const std:
 }
 
 /// A strip that faces the camera, opaque along its middle and clear at its borders.
-void buildGlow(vtkPolyData* data, const Polyline& line, const Projection& view, double width, const Rgb& color, double strength) {
+void buildGlow(vtkPolyData* data, const Polyline& line, const Projection& view, double width,
+               const Rgb& color, double strength) {
   const auto points = vtkSmartPointer<vtkPoints>::New();
   const auto colors = vtkSmartPointer<vtkUnsignedCharArray>::New();
   const auto cells = vtkSmartPointer<vtkCellArray>::New();
@@ -117,7 +105,8 @@ void buildGlow(vtkPolyData* data, const Polyline& line, const Projection& view, 
     for (int k = 0; k < kColumns; ++k) {
       const double x = 2.0 * k / (kColumns - 1) - 1, fall = (1 - x * x) * (1 - x * x);
       points->InsertNextPoint((line[i] + 0.5 * x * width * view.pixelSize(pixel.z()) * across).eval().data());
-      colors->InsertNextTuple4(float(255 * color.r), float(255 * color.g), float(255 * color.b), float(255 * strength * fall));
+      colors->InsertNextTuple4(float(255 * color.r), float(255 * color.g), float(255 * color.b),
+                               float(255 * strength * fall));
     }
     if (i == 0) continue;
     for (int k = 0; k + 1 < kColumns; ++k) {
@@ -134,20 +123,6 @@ void buildGlow(vtkPolyData* data, const Polyline& line, const Projection& view, 
 }
 
 }  // namespace
-
-Polyline bladeAt(const std::vector<Polyline>& blades, double playhead) {
-  if (blades.empty() || !(playhead >= 0)) return {};
-  const double position = std::min(playhead, double(blades.size() - 1));
-  const std::size_t i = std::min(std::size_t(position), blades.size() - 1), next = std::min(i + 1, blades.size() - 1);
-  const double t = position - double(i);
-  if (blades[i].size() < 2 || t == 0 || blades[next].size() < 2) return blades[i].size() < 2 ? Polyline{} : blades[i];
-  const bool same = blades[i].size() == blades[next].size();
-  const std::size_t count = std::max(blades[i].size(), blades[next].size());
-  const Polyline a = same ? blades[i] : resampled(blades[i], count), b = same ? blades[next] : resampled(blades[next], count);
-  Polyline result(count);
-  for (std::size_t k = 0; k < count; ++k) result[k] = (1 - t) * a[k] + t * b[k];
-  return result;
-}
 
 MovingBlade::MovingBlade() {
   tube_.setMatte(0.55, 0.5, 0.25);
@@ -183,7 +158,9 @@ void MovingBlade::setStyle(const Style& style, const Rgb& background) {
 
 void MovingBlade::update(const Projection& view, double depthShift) {
   if (line_.size() < 2) return;
-  const auto pixels = [&](double count, const Eigen::Vector3d& p) { return count * pixelRatio_ * view.pixelSize(std::max(1e-6, view.toPixel(p).z())); };
+  const auto pixels = [&](double count, const Eigen::Vector3d& p) {
+    return count * pixelRatio_ * view.pixelSize(std::max(1e-6, view.toPixel(p).z()));
+  };
   buildTube(tube_.data(), {line_}, [&](const Eigen::Vector3d& p) { return 0.5 * pixels(kTubeWidth, p); });
   const auto grip = [&](const Eigen::Vector3d& end, const Eigen::Vector3d& inner) {
     const Eigen::Vector3d outward = (end - inner).normalized();

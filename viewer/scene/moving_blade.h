@@ -6,13 +6,10 @@
 
 #include "bw/scene/scene.h"
 #include "picking.h"
+#include "polyline.h"
 #include "vtk_tools.h"
 
 namespace bw::scene {
-
-/// The blade's line at a fractional station, linear between neighbours. Lines with different numbers of points are joined at equal
-/// shares of their length.
-Polyline bladeAt(const std::vector<Polyline>& blades, double playhead);
 
 /// The hot blade: a glowing tube that keeps its width on the screen, with a dark grip at each end.
 class MovingBlade {

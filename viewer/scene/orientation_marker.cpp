@@ -20,11 +20,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fonts.h"
+
 namespace bw::scene {
 
 namespace {
 
-constexpr double kSize = 116;    ///< device-independent pixels, of the square that holds the cube
+constexpr double kSize = 116;  ///< device-independent pixels, of the square that holds the cube
 constexpr double kMargin = 10;
 constexpr double kReach = 2.15;  ///< half of the square, in half edges of the cube
 constexpr double kAxis = 1.0;    ///< how far the axes reach beyond the cube, in half edges
@@ -111,13 +113,17 @@ void OrientationMarker::paintFaces(bool dark, double pixelRatio) {
   const Theme& colors = theme(dark);
   const int size = std::clamp(int(std::lround(128 * pixelRatio)), 64, 512);
   const auto property = vtkSmartPointer<vtkTextProperty>::New();
-  property->SetFontFamilyToArial();
-  property->SetFontSize(std::max(8, int(std::lround(size * 0.235))));
+  useInterfaceFont(property, false);
+  property->SetFontSize(std::max(8, int(std::lround(size * 0.215))));
   property->SetColor(1, 1, 1);
   for (std::size_t i = 0; i < 6; ++i) {
     // Lighter from above, darker on the sides that turn away, like a cube in daylight.
-    const double shade = faces()[i].out.z() > 0 ? 0.0 : faces()[i].out.z() < 0 ? 0.16 : std::abs(faces()[i].out.y()) > 0 ? 0.05 : 0.10;
-    const Rgb ground = dark ? mix(Rgb::hex(0x454B54), Rgb::hex(0x24272C), 3 * shade) : mix(Rgb::hex(0xFFFFFF), Rgb::hex(0x8C96A3), 1.6 * shade);
+    const double shade = faces()[i].out.z() > 0             ? 0.0
+                         : faces()[i].out.z() < 0           ? 0.16
+                         : std::abs(faces()[i].out.y()) > 0 ? 0.05
+                                                            : 0.10;
+    const Rgb ground = dark ? mix(Rgb::hex(0x454B54), Rgb::hex(0x24272C), 3 * shade)
+                            : mix(Rgb::hex(0xFFFFFF), Rgb::hex(0x8C96A3), 1.6 * shade);
     const auto image = vtkSmartPointer<vtkImageData>::New();
     image->SetDimensions(size, size, 1);
     image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
@@ -131,8 +137,11 @@ void OrientationMarker::paintFaces(bool dark, double pixelRatio) {
     for (int y = 0; y < size; ++y) {
       for (int x = 0; x < size; ++x) {
         double ink = 0;
-        if (written && x >= x0 && y >= y0 && x - x0 < std::min(extent[0], given[0]) && y - y0 < std::min(extent[1], given[1])) {
-          ink = static_cast<unsigned char*>(word->GetScalarPointer(x - x0 + word->GetExtent()[0], y - y0 + word->GetExtent()[2], 0))[3] / 255.0;
+        if (written && x >= x0 && y >= y0 && x - x0 < std::min(extent[0], given[0]) &&
+            y - y0 < std::min(extent[1], given[1])) {
+          ink = static_cast<unsigned char*>(word->GetScalarPointer(x - x0 + word->GetExtent()[0],
+                                                                   y - y0 + word->GetExtent()[2], 0))[3] /
+                255.0;
         }
         const Rgb c = mix(ground, dark ? colors.text : Rgb::hex(0x4A5058), ink);
         auto* pixel = static_cast<unsigned char*>(image->GetScalarPointer(x, y, 0));
@@ -167,8 +176,8 @@ void OrientationMarker::update(const Projection& view, int width, int height, co
       axes_[k].setLineWidth(2 * style.pixelRatio);
     }
   }
-  renderer_->SetViewport(square.x / width, 1 - (square.y + square.height) / height, (square.x + square.width) / width,
-                         1 - square.y / height);
+  renderer_->SetViewport(square.x / width, 1 - (square.y + square.height) / height,
+                         (square.x + square.width) / width, 1 - square.y / height);
   vtkCamera* camera = renderer_->GetActiveCamera();
   const Eigen::Vector3d eye = -10 * view.forward();
   camera->SetFocalPoint(0, 0, 0);
@@ -179,23 +188,29 @@ void OrientationMarker::update(const Projection& view, int width, int height, co
   camera->SetClippingRange(5, 15);
 
   // Letters at the tips of the axes, unless an axis points at the viewer.
-  const double scale = 0.5 * square.height / kReach, cx = square.x + 0.5 * square.width, cy = square.y + 0.5 * square.height;
+  const double scale = 0.5 * square.height / kReach, cx = square.x + 0.5 * square.width,
+               cy = square.y + 0.5 * square.height;
   const std::array<Rgb, 3> axisColors{colors.axisX, colors.axisY, colors.axisZ};
   for (int axis = 0; axis < 3; ++axis) {
     if (std::abs(view.forward()[axis]) > 0.97) continue;
-    const Eigen::Vector3d tip = Eigen::Vector3d::Constant(-1) + (2 + kAxis + 0.35) * Eigen::Vector3d::Unit(axis);
-    canvas_.text(std::string(1, "xyz"[axis]), cx + scale * tip.dot(view.right()), cy - scale * tip.dot(view.up()), Align::center,
+    const Eigen::Vector3d tip =
+        Eigen::Vector3d::Constant(-1) + (2 + kAxis + 0.35) * Eigen::Vector3d::Unit(axis);
+    canvas_.text(std::string(1, "xyz"[axis]), cx + scale * tip.dot(view.right()),
+                 cy - scale * tip.dot(view.up()), Align::center,
                  {12 * style.pixelRatio, true, axisColors[std::size_t(axis)], 1});
   }
   canvas_.end();
 }
 
-std::optional<View> OrientationMarker::viewAt(double x, double y, const Projection& view, int width, int height, double pixelRatio) {
+std::optional<View> OrientationMarker::viewAt(double x, double y, const Projection& view, int width,
+                                              int height, double pixelRatio) {
   const PixelRect square = place(width, height, pixelRatio);
-  if (width <= 2.5 * square.width || height <= 2 * square.height || !square.contains(x, y)) return std::nullopt;
+  if (width <= 2.5 * square.width || height <= 2 * square.height || !square.contains(x, y))
+    return std::nullopt;
   const double scale = 0.5 * square.height / kReach;
   const Eigen::Vector3d origin = (x - square.x - 0.5 * square.width) / scale * view.right() -
-                                 (y - square.y - 0.5 * square.height) / scale * view.up() - 10 * view.forward();
+                                 (y - square.y - 0.5 * square.height) / scale * view.up() -
+                                 10 * view.forward();
   Box cube;
   cube.frame.origin = Eigen::Vector3d::Constant(-1);
   cube.size = Eigen::Vector3d::Constant(2);

@@ -28,7 +28,8 @@ class OrientationMarker {
 
   static PixelRect place(int width, int height, double pixelRatio);
   /// The face under a pixel; its corner towards the viewer of the standard oblique view gives that view.
-  static std::optional<View> viewAt(double x, double y, const Projection& view, int width, int height, double pixelRatio);
+  static std::optional<View> viewAt(double x, double y, const Projection& view, int width, int height,
+                                    double pixelRatio);
 
  private:
   void paintFaces(bool dark, double pixelRatio);

@@ -19,7 +19,8 @@ constexpr int kLeaf = 8;  ///< triangles
 
 }  // namespace
 
-TriangleTree::TriangleTree(const std::vector<Eigen::Vector3d>& points, const std::vector<std::array<int, 3>>& triangles)
+TriangleTree::TriangleTree(const std::vector<Eigen::Vector3d>& points,
+                           const std::vector<std::array<int, 3>>& triangles)
     : points_(&points), triangles_(&triangles), order_(triangles.size()) {
   std::iota(order_.begin(), order_.end(), 0);
   std::vector<Eigen::Vector3f> centers(triangles.size());
@@ -39,7 +40,8 @@ int TriangleTree::build(int first, int count, std::vector<Eigen::Vector3f>& cent
   if (count <= kLeaf) {
     Bounds bounds;
     for (int i = first; i < first + count; ++i) {
-      for (const int corner : (*triangles_)[std::size_t(order_[std::size_t(i)])]) bounds.add((*points_)[std::size_t(corner)]);
+      for (const int corner : (*triangles_)[std::size_t(order_[std::size_t(i)])])
+        bounds.add((*points_)[std::size_t(corner)]);
     }
     // Rounding to float must not cut anything off.
     const double slack = 1e-6 * (bounds.min.cwiseAbs().maxCoeff() + bounds.max.cwiseAbs().maxCoeff());
@@ -55,9 +57,9 @@ int TriangleTree::build(int first, int count, std::vector<Eigen::Vector3f>& cent
   Eigen::Index axis = 0;
   (high - low).maxCoeff(&axis);
   const int half = count / 2;
-  std::nth_element(order_.begin() + first, order_.begin() + first + half, order_.begin() + first + count, [&](int a, int b) {
-    return centers[std::size_t(a)][axis] < centers[std::size_t(b)][axis];
-  });
+  std::nth_element(
+      order_.begin() + first, order_.begin() + first + half, order_.begin() + first + count,
+      [&](int a, int b) { return centers[std::size_t(a)][axis] < centers[std::size_t(b)][axis]; });
   const int left = build(first, half, centers);
   const int right = build(first + half, count - half, centers);
   Node& node = nodes_[std::size_t(index)];
@@ -79,7 +81,8 @@ std::optional<RayHit> TriangleTree::firstHit(const Ray& ray) const {
     const Node& node = nodes_[std::size_t(index)];
     double enter = 0, leave = best ? best->t : std::numeric_limits<double>::max();
     for (int k = 0; k < 3; ++k) {
-      double a = (double(node.min[k]) - ray.origin[k]) * inverse[k], b = (double(node.max[k]) - ray.origin[k]) * inverse[k];
+      double a = (double(node.min[k]) - ray.origin[k]) * inverse[k],
+             b = (double(node.max[k]) - ray.origin[k]) * inverse[k];
       if (std::isnan(a) || std::isnan(b)) continue;  // the ray lies in a face of the box
       if (a > b) std::swap(a, b);
       enter = std::max(enter, a);
@@ -95,7 +98,8 @@ std::optional<RayHit> TriangleTree::firstHit(const Ray& ray) const {
       const int triangle = order_[std::size_t(i)];
       const auto& corners = (*triangles_)[std::size_t(triangle)];
       const Eigen::Vector3d& a = (*points_)[std::size_t(corners[0])];
-      const Eigen::Vector3d e1 = (*points_)[std::size_t(corners[1])] - a, e2 = (*points_)[std::size_t(corners[2])] - a;
+      const Eigen::Vector3d e1 = (*points_)[std::size_t(corners[1])] - a,
+                            e2 = (*points_)[std::size_t(corners[2])] - a;
       const Eigen::Vector3d p = ray.direction.cross(e2);
       const double det = e1.dot(p);
       if (det == 0) continue;
@@ -114,7 +118,8 @@ std::optional<RayHit> TriangleTree::firstHit(const Ray& ray) const {
 
 std::optional<double> rayMeetsBox(const Ray& ray, const Box& box) {
   const Eigen::Vector3d origin = box.frame.toLocal(ray.origin);
-  const Eigen::Vector3d direction(ray.direction.dot(box.frame.x), ray.direction.dot(box.frame.y), ray.direction.dot(box.frame.normal));
+  const Eigen::Vector3d direction(ray.direction.dot(box.frame.x), ray.direction.dot(box.frame.y),
+                                  ray.direction.dot(box.frame.normal));
   double enter = -std::numeric_limits<double>::max(), leave = -enter;
   for (int k = 0; k < 3; ++k) {
     if (direction[k] == 0) {
@@ -130,8 +135,9 @@ std::optional<double> rayMeetsBox(const Ray& ray, const Box& box) {
   return enter > 0 ? enter : leave;
 }
 
-Projection::Projection(const Eigen::Vector3d& position, const Eigen::Vector3d& focus, const Eigen::Vector3d& up,
-                       double viewAngleDegrees, bool parallel, double parallelScale, int width, int height)
+Projection::Projection(const Eigen::Vector3d& position, const Eigen::Vector3d& focus,
+                       const Eigen::Vector3d& up, double viewAngleDegrees, bool parallel,
+                       double parallelScale, int width, int height)
     : position_(position), parallel_(parallel), halfWidth_(0.5 * width), halfHeight_(0.5 * height) {
   forward_ = (focus - position).normalized();
   right_ = forward_.cross(up).normalized();

@@ -24,7 +24,8 @@ struct RayHit {
   Eigen::Vector3d weights = Eigen::Vector3d::Zero();
 };
 
-/// Bounding volumes over triangles, to find the first one that a ray meets. Keeps pointers to points and triangles.
+/// Bounding volumes over triangles, to find the first one that a ray meets. Keeps pointers to points and
+/// triangles.
 class TriangleTree {
  public:
   TriangleTree(const std::vector<Eigen::Vector3d>& points, const std::vector<std::array<int, 3>>& triangles);
@@ -34,7 +35,8 @@ class TriangleTree {
  private:
   struct Node {
     Eigen::Vector3f min, max;
-    int first = 0, count = 0;  ///< triangles of a leaf (count > 0); otherwise `first` is the right child, the left one follows
+    int first = 0, count = 0;  ///< triangles of a leaf (count > 0); otherwise `first` is the right child, the
+                               ///< left one follows
   };
   int build(int first, int count, std::vector<Eigen::Vector3f>& centers);
 
@@ -50,8 +52,8 @@ std::optional<double> rayMeetsBox(const Ray& ray, const Box& box);
 /// A camera's picture plane: space to pixels from the upper left corner, and back to rays.
 class Projection {
  public:
-  Projection(const Eigen::Vector3d& position, const Eigen::Vector3d& focus, const Eigen::Vector3d& up, double viewAngleDegrees,
-             bool parallel, double parallelScale, int width, int height);
+  Projection(const Eigen::Vector3d& position, const Eigen::Vector3d& focus, const Eigen::Vector3d& up,
+             double viewAngleDegrees, bool parallel, double parallelScale, int width, int height);
   Ray ray(double x, double y) const;
   /// Pixel and depth (mm along the view direction); depth ≤ 0 lies behind a perspective camera.
   Eigen::Vector3d toPixel(const Eigen::Vector3d& point) const;

@@ -20,13 +20,29 @@ constexpr int kLargestSide = 16384;  ///< pixels; what common drivers allow
 Camera lookAlong(View view) {
   Eigen::Vector3d back = Eigen::Vector3d(1, -1, 1).normalized(), up = Eigen::Vector3d::UnitZ();
   switch (view) {
-    case View::iso: up = Eigen::Vector3d(-1, 1, 2).normalized(); break;
-    case View::top: back = Eigen::Vector3d::UnitZ(); up = Eigen::Vector3d::UnitY(); break;
-    case View::bottom: back = -Eigen::Vector3d::UnitZ(); up = -Eigen::Vector3d::UnitY(); break;
-    case View::front: back = -Eigen::Vector3d::UnitY(); break;
-    case View::back: back = Eigen::Vector3d::UnitY(); break;
-    case View::left: back = -Eigen::Vector3d::UnitX(); break;
-    case View::right: back = Eigen::Vector3d::UnitX(); break;
+    case View::iso:
+      up = Eigen::Vector3d(-1, 1, 2).normalized();
+      break;
+    case View::top:
+      back = Eigen::Vector3d::UnitZ();
+      up = Eigen::Vector3d::UnitY();
+      break;
+    case View::bottom:
+      back = -Eigen::Vector3d::UnitZ();
+      up = -Eigen::Vector3d::UnitY();
+      break;
+    case View::front:
+      back = -Eigen::Vector3d::UnitY();
+      break;
+    case View::back:
+      back = Eigen::Vector3d::UnitY();
+      break;
+    case View::left:
+      back = -Eigen::Vector3d::UnitX();
+      break;
+    case View::right:
+      back = Eigen::Vector3d::UnitX();
+      break;
   }
   Camera camera;
   camera.focus = Eigen::Vector3d::Zero();
@@ -67,9 +83,11 @@ Bounds Scene::bounds() const { return impl_->contentBounds(); }
 
 void Scene::setCamera(const Camera& camera) {
   const Eigen::Vector3d forward = camera.focus - camera.position;
-  const bool sound = camera.position.allFinite() && camera.focus.allFinite() && camera.up.allFinite() && forward.norm() > 0 &&
-                     forward.cross(camera.up).norm() > 1e-9 * forward.norm() * camera.up.norm() && camera.viewAngle > 0 &&
-                     camera.viewAngle < 180 && camera.parallelScale > 0 && std::isfinite(camera.parallelScale);
+  const bool sound = camera.position.allFinite() && camera.focus.allFinite() && camera.up.allFinite() &&
+                     forward.norm() > 0 &&
+                     forward.cross(camera.up).norm() > 1e-9 * forward.norm() * camera.up.norm() &&
+                     camera.viewAngle > 0 && camera.viewAngle < 180 && camera.parallelScale > 0 &&
+                     std::isfinite(camera.parallelScale);
   if (sound) impl_->camera = camera;
 }
 
@@ -77,7 +95,8 @@ Camera Scene::camera() const { return impl_->camera; }
 Pick Scene::pick(double x, double y, int width, int height) const { return impl_->pick(x, y, width, height); }
 
 std::optional<View> Scene::markerView(double x, double y, int width, int height) const {
-  return OrientationMarker::viewAt(x, y, impl_->projection(width, height), width, height, impl_->style.pixelRatio);
+  return OrientationMarker::viewAt(x, y, impl_->projection(width, height), width, height,
+                                   impl_->style.pixelRatio);
 }
 
 Eigen::Vector3d Scene::pointAtFocus(double x, double y, int width, int height) const {
@@ -90,8 +109,10 @@ const Overlay& Scene::overlay() const { return impl_->overlay; }
 
 Result<Picture> Scene::render(int width, int height) {
   if (width < 1 || height < 1 || width > kLargestSide || height > kLargestSide) {
-    return fail(ErrorCode::badInput, "A picture of " + std::to_string(width) + " × " + std::to_string(height) +
-                                         " pixels cannot be made: both sides must lie between 1 and " + std::to_string(kLargestSide) + ".");
+    return fail(ErrorCode::badInput, "A picture of " + std::to_string(width) + " × " +
+                                         std::to_string(height) +
+                                         " pixels cannot be made: both sides must lie between 1 and " +
+                                         std::to_string(kLargestSide) + ".");
   }
   try {
     if (!impl_->target()) {
@@ -99,13 +120,15 @@ Result<Picture> Scene::render(int width, int height) {
       if (!target) return tl::unexpected(target.error());
       impl_->setTarget(std::move(*target));
     }
-    if (!impl_->target()->makeCurrent()) return fail(ErrorCode::internal, "The picture could not be drawn: the graphics context was lost.");
+    if (!impl_->target()->makeCurrent())
+      return fail(ErrorCode::internal, "The picture could not be drawn: the graphics context was lost.");
     impl_->renderFrame(width, height);
     Picture picture = impl_->readPicture();
     impl_->target()->doneCurrent();
     if (picture.rgb.empty()) {
-      return fail(ErrorCode::internal, "The picture of " + std::to_string(width) + " × " + std::to_string(height) +
-                                           " pixels could not be read back from the graphics driver; try a smaller one.");
+      return fail(ErrorCode::internal,
+                  "The picture of " + std::to_string(width) + " × " + std::to_string(height) +
+                      " pixels could not be read back from the graphics driver; try a smaller one.");
     }
     return picture;
   } catch (const std::exception& error) {

@@ -37,18 +37,21 @@ constexpr unsigned kGlLessOrEqual = 0x0203;  ///< GL_LEQUAL
 void cleanMesh(TriangleMesh& mesh) {
   const int count = int(mesh.points.size());
   std::erase_if(mesh.triangles, [&](const std::array<int, 3>& t) {
-    return std::any_of(t.begin(), t.end(), [&](int i) { return i < 0 || i >= count || !mesh.points[std::size_t(i)].allFinite(); });
+    return std::any_of(t.begin(), t.end(), [&](int i) {
+      return i < 0 || i >= count || !mesh.points[std::size_t(i)].allFinite();
+    });
   });
   // Points that no triangle uses must still be numbers, for the bounds and for the graphics card.
   for (Eigen::Vector3d& p : mesh.points) {
-    if (!p.allFinite()) p = mesh.triangles.empty() ? Eigen::Vector3d::Zero() : mesh.points[std::size_t(mesh.triangles[0][0])];
+    if (!p.allFinite())
+      p = mesh.triangles.empty() ? Eigen::Vector3d::Zero() : mesh.points[std::size_t(mesh.triangles[0][0])];
   }
   if (mesh.normals.size() != mesh.points.size()) mesh.normals.clear();
   if (mesh.triangles.empty()) mesh = {};
 }
 
-/// Passes that draw clear things in the order in which they were added, into the multisampled picture itself: their edges are as
-/// smooth as those of solid things.
+/// Passes that draw clear things in the order in which they were added, into the multisampled picture itself:
+/// their edges are as smooth as those of solid things.
 vtkSmartPointer<vtkCameraPass> makePasses() {
   const auto passes = vtkSmartPointer<vtkRenderPassCollection>::New();
   passes->AddItem(vtkSmartPointer<vtkLightsPass>::New());
@@ -69,8 +72,9 @@ void addLights(vtkRenderer* renderer) {
     double x, y, z, strength;
     Rgb color;
   };
-  for (const Lamp& lamp : {Lamp{-0.55, 0.85, 0.75, 0.66, Rgb::hex(0xFFFCF5)}, Lamp{0.95, 0.05, 0.55, 0.26, Rgb::hex(0xF2F6FF)},
-                           Lamp{0, 0, 1, 0.40, Rgb::hex(0xFFFFFF)}}) {
+  for (const Lamp& lamp :
+       {Lamp{-0.55, 0.85, 0.75, 0.66, Rgb::hex(0xFFFCF5)}, Lamp{0.95, 0.05, 0.55, 0.26, Rgb::hex(0xF2F6FF)},
+        Lamp{0, 0, 1, 0.40, Rgb::hex(0xFFFFFF)}}) {
     const auto light = vtkSmartPointer<vtkLight>::New();
     light->SetLightTypeToCameraLight();
     light->SetPosition(lamp.x, lamp.y, lamp.z);
@@ -134,15 +138,18 @@ void Scene::Impl::setContent(Content given) {
 
   cleanMesh(content.target);
   const SurfaceGrid& cut = content.cut;
-  if (cut.rows >= 2 && cut.columns >= 2 && cut.points.size() == std::size_t(cut.rows) * std::size_t(cut.columns)) {
+  if (cut.rows >= 2 && cut.columns >= 2 &&
+      cut.points.size() == std::size_t(cut.rows) * std::size_t(cut.columns)) {
     cutMesh = cut.triangles();
     cleanMesh(cutMesh);
   }
-  if (content.block && !(content.block->size.allFinite() && content.block->frame.origin.allFinite() && (content.block->size.array() > 0).all())) {
+  if (content.block && !(content.block->size.allFinite() && content.block->frame.origin.allFinite() &&
+                         (content.block->size.array() > 0).all())) {
     content.block.reset();
   }
   solidBounds_ = bladeBounds_ = {};
-  for (const TriangleMesh* mesh : {static_cast<const TriangleMesh*>(&content.target), static_cast<const TriangleMesh*>(&cutMesh)}) {
+  for (const TriangleMesh* mesh :
+       {static_cast<const TriangleMesh*>(&content.target), static_cast<const TriangleMesh*>(&cutMesh)}) {
     for (const Eigen::Vector3d& p : mesh->points) solidBounds_.add(p);
   }
   const auto addLines = [](Bounds& bounds, const std::vector<Polyline>& lines) {
@@ -201,11 +208,17 @@ Bounds Scene::Impl::contentBounds() const {
     bounds.add(bladeBounds_.min);
     bounds.add(bladeBounds_.max);
   }
+  if (style.selectedStation >= 0 && style.selectedStation < int(content.blades.size())) {
+    for (const Eigen::Vector3d& p : content.blades[std::size_t(style.selectedStation)]) {
+      if (p.allFinite()) bounds.add(p);
+    }
+  }
   return bounds;
 }
 
 Projection Scene::Impl::projection(int width, int height) const {
-  return {camera.position, camera.focus, camera.up, camera.viewAngle, camera.parallel, camera.parallelScale, std::max(1, width), std::max(1, height)};
+  return {camera.position, camera.focus,         camera.up,          camera.viewAngle,
+          camera.parallel, camera.parallelScale, std::max(1, width), std::max(1, height)};
 }
 
 void Scene::Impl::renderFrame(int width, int height) {
@@ -218,7 +231,8 @@ void Scene::Impl::renderFrame(int width, int height) {
   eye->SetParallelProjection(camera.parallel);
   eye->SetParallelScale(camera.parallelScale);
 
-  // Everything between the nearest and the farthest corner; a perspective camera keeps a near plane in front of itself.
+  // Everything between the nearest and the farthest corner; a perspective camera keeps a near plane in front
+  // of itself.
   Bounds all = contentBounds();
   for (const Bounds& more : {grid_.bounds(), bladeBounds_}) {
     if (!more.valid()) continue;
@@ -228,12 +242,14 @@ void Scene::Impl::renderFrame(int width, int height) {
   double near = std::numeric_limits<double>::max(), far = -near;
   if (!all.valid()) all.add(camera.focus);
   for (int i = 0; i < 8; ++i) {
-    const Eigen::Vector3d corner((i & 1 ? all.max : all.min).x(), (i & 2 ? all.max : all.min).y(), (i & 4 ? all.max : all.min).z());
+    const Eigen::Vector3d corner((i & 1 ? all.max : all.min).x(), (i & 2 ? all.max : all.min).y(),
+                                 (i & 4 ? all.max : all.min).z());
     const double depth = (corner - camera.position).dot(view.forward());
     near = std::min(near, depth);
     far = std::max(far, depth);
   }
-  const double distance = (camera.position - camera.focus).norm(), slack = 0.02 * std::max(far - near, distance);
+  const double distance = (camera.position - camera.focus).norm(),
+               slack = 0.02 * std::max(far - near, distance);
   near -= slack;
   far += slack;
   if (!camera.parallel) {
@@ -242,25 +258,32 @@ void Scene::Impl::renderFrame(int width, int height) {
   }
   eye->SetClippingRange(near, far);
 
-  const double perMillimetre = camera.parallel ? 2 / (far - near) : 2 * far * near / ((far - near) * distance * distance);
+  const double perMillimetre =
+      camera.parallel ? 2 / (far - near) : 2 * far * near / ((far - near) * distance * distance);
   const double pixel = bw::scene::pixelSize(camera, height);
   actors_.update(style, perMillimetre, pixel);
   blade_.update(view, -perMillimetre * 2 * pixel * style.pixelRatio);
-  grid_.update(view, width, height);
   marker_.update(view, width, height, style);
   legend_.update(width, height, style, field, summary, map, contentVersion_);
+  std::vector<PixelRect> taken;
+  if (legend_.card()) taken.push_back(*legend_.card());
+  if (marker_.renderer()->GetDraw())
+    taken.push_back(OrientationMarker::place(width, height, style.pixelRatio));
+  grid_.update(view, width, height, taken);
 
   overlay = {};
   overlay.legend = legend_.card();
   overlay.bar = legend_.bar();
-  if (marker_.renderer()->GetDraw()) overlay.marker = OrientationMarker::place(width, height, style.pixelRatio);
+  if (marker_.renderer()->GetDraw())
+    overlay.marker = OrientationMarker::place(width, height, style.pixelRatio);
   overlay.texts = legend_.texts();
   for (const Overlay::Text& text : grid_.texts()) overlay.texts.push_back(text);
 
   lastWidth_ = width;
   vtkGenericOpenGLRenderWindow* window = target_->window();
   if (window->GetSize()[0] != width || window->GetSize()[1] != height) window->SetSize(width, height);
-  // VTK relies on this without setting it where the context is not its own: flat parts are drawn over each other at one depth.
+  // VTK relies on this without setting it where the context is not its own: flat parts are drawn over each
+  // other at one depth.
   window->OpenGLInitContext();
   window->GetState()->Reset();
   window->GetState()->vtkglDepthFunc(kGlLessOrEqual);
@@ -294,16 +317,24 @@ Camera Scene::Impl::fit(Camera from, double aspect, const std::optional<Bounds>&
   if (!(aspect > 0) || !std::isfinite(aspect)) aspect = 1;
   // Air around the content, and room for the legend.
   const double air = 0.10, tangent = std::tan(from.viewAngle * std::acos(-1.0) / 360);
-  const double legend = field && style.legend ? std::min(0.5, 2 * Legend::reservedWidth(style.pixelRatio) / (lastWidth_ > 0 ? lastWidth_ : 900)) : 0.0;
-  const double up = tangent * (1 - air), left = tangent * aspect * (1 - air), right = tangent * aspect * std::max(0.2, 1 - air - legend);
+  const double legend =
+      field && style.legend
+          ? std::min(0.5, 2 * Legend::reservedWidth(style.pixelRatio) / (lastWidth_ > 0 ? lastWidth_ : 900))
+          : 0.0;
+  const double up = tangent * (1 - air), left = tangent * aspect * (1 - air),
+               right = tangent * aspect * std::max(0.2, 1 - air - legend);
 
-  const Projection view(from.position, from.focus, from.up, from.viewAngle, from.parallel, from.parallelScale, 1, 1);
+  const Projection view(from.position, from.focus, from.up, from.viewAngle, from.parallel, from.parallelScale,
+                        1, 1);
   const Eigen::Vector3d center = bounds.center();
-  double xLow = 1e300, xHigh = -1e300, yLow = 1e300, yHigh = -1e300;      // parallel: the extent seen
-  double a = -1e300, b = -1e300, c = -1e300, d = -1e300, nearest = 1e300;   // perspective: each side plane touches a corner
+  double xLow = 1e300, xHigh = -1e300, yLow = 1e300, yHigh = -1e300;  // parallel: the extent seen
+  double a = -1e300, b = -1e300, c = -1e300, d = -1e300,
+         nearest = 1e300;  // perspective: each side plane touches a corner
   for (int i = 0; i < 8; ++i) {
     const Eigen::Vector3d p =
-        Eigen::Vector3d((i & 1 ? bounds.max : bounds.min).x(), (i & 2 ? bounds.max : bounds.min).y(), (i & 4 ? bounds.max : bounds.min).z()) - center;
+        Eigen::Vector3d((i & 1 ? bounds.max : bounds.min).x(), (i & 2 ? bounds.max : bounds.min).y(),
+                        (i & 4 ? bounds.max : bounds.min).z()) -
+        center;
     const double x = p.dot(view.right()), y = p.dot(view.up()), z = p.dot(view.forward());
     xLow = std::min(xLow, x);
     xHigh = std::max(xHigh, x);
@@ -317,7 +348,8 @@ Camera Scene::Impl::fit(Camera from, double aspect, const std::optional<Bounds>&
   }
   const double least = std::max(1e-3, 1e-3 * bounds.size().norm());
   if (from.parallel) {
-    const double scale = std::max({(xHigh - xLow) * tangent / (left + right), (yHigh - yLow) * tangent / (2 * up), least});
+    const double scale =
+        std::max({(xHigh - xLow) * tangent / (left + right), (yHigh - yLow) * tangent / (2 * up), least});
     const double x = 0.5 * (xLow + xHigh) + 0.5 * scale * (left - right) / tangent, y = 0.5 * (yLow + yHigh);
     const double distance = std::max(bounds.size().norm() * 1.5, scale / tangent);
     from.parallelScale = scale;
@@ -365,11 +397,14 @@ Pick Scene::Impl::pick(double x, double y, int width, int height) const {
   Ray ray = view.ray(x, y);
   // In a parallel picture the eye is nowhere: begin before everything.
   const Bounds everything = contentBounds();
-  if (camera.parallel && everything.valid()) ray.origin -= 4 * (everything.size().norm() + (camera.position - everything.center()).norm()) * ray.direction;
+  if (camera.parallel && everything.valid())
+    ray.origin -=
+        4 * (everything.size().norm() + (camera.position - everything.center()).norm()) * ray.direction;
   const std::optional<RayHit> cutHit = blockedBy(ray);
   std::optional<RayHit> targetHit;
   if (style.showTarget && style.targetOpacity > 0.05 && !content.target.triangles.empty()) {
-    if (!targetTree_) targetTree_ = std::make_unique<TriangleTree>(content.target.points, content.target.triangles);
+    if (!targetTree_)
+      targetTree_ = std::make_unique<TriangleTree>(content.target.points, content.target.triangles);
     targetHit = targetTree_->firstHit(ray);
   }
 
@@ -384,7 +419,8 @@ Pick Scene::Impl::pick(double x, double y, int width, int height) const {
     for (std::size_t k = 0; k < line.size(); ++k) {
       const Eigen::Vector3d now = view.toPixel(line[k]);
       if (k > 0 && (camera.parallel || (before.z() > 0 && now.z() > 0))) {
-        const Eigen::Vector2d edge = (now - before).head<2>(), offset = Eigen::Vector2d(x, y) - before.head<2>();
+        const Eigen::Vector2d edge = (now - before).head<2>(),
+                              offset = Eigen::Vector2d(x, y) - before.head<2>();
         const double square = edge.squaredNorm();
         const double t = square > 0 ? std::clamp(offset.dot(edge) / square, 0.0, 1.0) : 0.0;
         const double distance = (offset - t * edge).norm();
@@ -400,10 +436,12 @@ Pick Scene::Impl::pick(double x, double y, int width, int height) const {
   const auto visible = [&](const Candidate& candidate) {
     const Eigen::Vector3d pixel = view.toPixel(candidate.point);
     Ray sight = view.ray(pixel.x(), pixel.y());
-    if (camera.parallel) sight.origin += (ray.origin - view.ray(x, y).origin).dot(ray.direction) * ray.direction;
+    if (camera.parallel)
+      sight.origin += (ray.origin - view.ray(x, y).origin).dot(ray.direction) * ray.direction;
     const std::optional<RayHit> hit = blockedBy(sight);
     const double distance = (candidate.point - sight.origin).dot(sight.direction);
-    return !hit || hit->t > distance - 4 * view.pixelSize(pixel.z()) - 0.002 * std::max(everything.valid() ? everything.size().norm() : 0.0, 1e-3);
+    return !hit || hit->t > distance - 4 * view.pixelSize(pixel.z()) -
+                                0.002 * std::max(everything.valid() ? everything.size().norm() : 0.0, 1e-3);
   };
   const double reach = kLinePickPixels * style.pixelRatio;
   std::optional<Candidate> onBlade, onStation;
@@ -422,7 +460,8 @@ Pick Scene::Impl::pick(double x, double y, int width, int height) const {
     if (field) {
       const auto& corners = cutMesh.triangles[std::size_t(cutHit->triangle)];
       double value = 0;
-      for (int k = 0; k < 3; ++k) value += cutHit->weights[k] * field->values[std::size_t(corners[std::size_t(k)])];
+      for (int k = 0; k < 3; ++k)
+        value += cutHit->weights[k] * field->values[std::size_t(corners[std::size_t(k)])];
       if (std::isfinite(value)) result.value = value;
     }
   } else if (targetHit) {
@@ -430,7 +469,8 @@ Pick Scene::Impl::pick(double x, double y, int width, int height) const {
     result.point = ray.at(targetHit->t);
   }
   if (style.showStations) {
-    for (std::size_t i = 0; i < content.stations.size(); ++i) nearestOn(content.stations[i], int(i), onStation);
+    for (std::size_t i = 0; i < content.stations.size(); ++i)
+      nearestOn(content.stations[i], int(i), onStation);
   }
   if (onStation && onStation->pixels <= reach && visible(*onStation)) {
     result.kind = Pick::Kind::station;

@@ -42,11 +42,11 @@ struct Scene::Impl {
   RenderTarget* target() const { return target_.get(); }
 
   Content content;
-  TriangleMesh cutMesh;             ///< of content.cut
+  TriangleMesh cutMesh;  ///< of content.cut
   Style style;
   Camera camera;
-  const Field* field = nullptr;     ///< shown; points into `content`
-  FieldSummary summary;             ///< of `field`
+  const Field* field = nullptr;  ///< shown; points into `content`
+  FieldSummary summary;          ///< of `field`
   ColorMap map;
   Overlay overlay;
 

@@ -37,7 +37,8 @@ Ticks ticksIn(double low, double high, int count) {
   const double slack = 1e-9;
   const auto first = (long long)(std::ceil(low / ticks.step - slack));
   const auto last = (long long)(std::floor(high / ticks.step + slack));
-  for (long long i = first; i <= last && ticks.values.size() < 100; ++i) ticks.values.push_back(double(i) * ticks.step);
+  for (long long i = first; i <= last && ticks.values.size() < 100; ++i)
+    ticks.values.push_back(double(i) * ticks.step);
   return ticks;
 }
 

@@ -29,12 +29,14 @@ Part::Part()
   actor_->SetMapper(mapper_);
   actor_->PickableOff();
   vtkShaderProperty* shading = actor_->GetShaderProperty();
-  shading->AddVertexShaderReplacement("//VTK::PositionVC::Impl", true,
-                                      "//VTK::PositionVC::Impl\n  gl_Position.z += bwDepthShift * gl_Position.w;\n", false);
+  shading->AddVertexShaderReplacement(
+      "//VTK::PositionVC::Impl", true,
+      "//VTK::PositionVC::Impl\n  gl_Position.z += bwDepthShift * gl_Position.w;\n", false);
   // After the colour map's texture, which VTK multiplies in after the light.
   shading->AddFragmentShaderReplacement(
       "//VTK::TCoord::Impl", true,
-      "//VTK::TCoord::Impl\n  gl_FragData[0].rgb = mix(bwFadeColor, gl_FragData[0].rgb, bwFadeKeep);\n", false);
+      "//VTK::TCoord::Impl\n  gl_FragData[0].rgb = mix(bwFadeColor, gl_FragData[0].rgb, bwFadeKeep);\n",
+      false);
   setDepthShift(0);
   setFade(1, {});
 }
@@ -44,7 +46,8 @@ void Part::setVisible(bool on) { actor_->SetVisibility(on); }
 void Part::setColor(const Rgb& color) { property()->SetColor(color.r, color.g, color.b); }
 void Part::setOpacity(double opacity) { property()->SetOpacity(opacity); }
 void Part::setLineWidth(double pixels) {
-  // Above one pixel VTK draws lines as thin rectangles, which multisampling smooths; bare GL lines look dotted.
+  // Above one pixel VTK draws lines as thin rectangles, which multisampling smooths; bare GL lines look
+  // dotted.
   property()->SetLineWidth(float(std::max(1.2, pixels)));
 }
 void Part::setFlat() { property()->LightingOff(); }
@@ -85,7 +88,7 @@ void Part::setLines(const std::vector<Polyline>& lines) {
   data_->SetLines(cells);
 }
 
-void Part::setSegments(const std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>>& segments) {
+void Part::setSegments(const Segments& segments) {
   const auto points = vtkSmartPointer<vtkPoints>::New();
   const auto cells = vtkSmartPointer<vtkCellArray>::New();
   points->SetDataTypeToFloat();
@@ -116,9 +119,11 @@ vtkSmartPointer<vtkDoubleArray> sharedTriples(const std::vector<Eigen::Vector3d>
 
 }  // namespace
 
-void shareMesh(vtkPolyData* data, const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen::Vector3d>& normals,
+void shareMesh(vtkPolyData* data, const std::vector<Eigen::Vector3d>& points,
+               const std::vector<Eigen::Vector3d>& normals,
                const std::vector<std::array<int, 3>>& triangles) {
-  static_assert(sizeof(Eigen::Vector3d) == 3 * sizeof(double) && sizeof(std::array<int, 3>) == 3 * sizeof(vtkTypeInt32));
+  static_assert(sizeof(Eigen::Vector3d) == 3 * sizeof(double) &&
+                sizeof(std::array<int, 3>) == 3 * sizeof(vtkTypeInt32));
   data->Initialize();
   if (points.empty() || triangles.empty()) return;
   const auto vtkPointsOfMesh = vtkSmartPointer<vtkPoints>::New();
@@ -130,62 +135,6 @@ void shareMesh(vtkPolyData* data, const std::vector<Eigen::Vector3d>& points, co
   data->SetPoints(vtkPointsOfMesh);
   data->SetPolys(cells);
   if (normals.size() == points.size()) data->GetPointData()->SetNormals(sharedTriples(normals, "normals"));
-}
-
-std::vector<Eigen::Vector3d> pointNormals(const std::vector<Eigen::Vector3d>& points, const std::vector<std::array<int, 3>>& triangles) {
-  std::vector<Eigen::Vector3d> normals(points.size(), Eigen::Vector3d::Zero());
-  for (const auto& [a, b, c] : triangles) {
-    const Eigen::Vector3d& p = points[std::size_t(a)];
-    const Eigen::Vector3d area = (points[std::size_t(b)] - p).cross(points[std::size_t(c)] - p);
-    for (const int corner : {a, b, c}) normals[std::size_t(corner)] += area;
-  }
-  for (Eigen::Vector3d& n : normals) {
-    const double length = n.norm();
-    n = length > 0 ? Eigen::Vector3d(n / length) : Eigen::Vector3d::UnitZ();
-  }
-  return normals;
-}
-
-std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> boundaryEdges(const std::vector<Eigen::Vector3d>& points,
-                                                                      const std::vector<std::array<int, 3>>& triangles) {
-  std::vector<std::uint64_t> edges;
-  edges.reserve(3 * triangles.size());
-  for (const auto& triangle : triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto [a, b] = std::minmax(triangle[k], triangle[(k + 1) % 3]);
-      edges.push_back((std::uint64_t(std::uint32_t(a)) << 32) | std::uint32_t(b));
-    }
-  }
-  std::sort(edges.begin(), edges.end());
-  std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> result;
-  for (std::size_t i = 0; i < edges.size();) {
-    std::size_t next = i + 1;
-    while (next < edges.size() && edges[next] == edges[i]) ++next;
-    if (next == i + 1) result.emplace_back(points[std::size_t(edges[i] >> 32)], points[std::size_t(edges[i] & 0xFFFFFFFFu)]);
-    i = next;
-  }
-  return result;
-}
-
-std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> dashes(const Polyline& line, double dash, double gap) {
-  std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> result;
-  if (!(dash > 0) || !(gap > 0)) return result;
-  double phase = 0;
-  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    const double length = (line[i + 1] - line[i]).norm();
-    if (!(length > 0)) continue;
-    const Eigen::Vector3d direction = (line[i + 1] - line[i]) / length;
-    for (double s = 0; s < length;) {
-      const bool drawn = phase < dash;
-      const double step = std::min(length - s, (drawn ? dash : dash + gap) - phase);
-      if (drawn && step > 0) result.emplace_back(line[i] + s * direction, line[i] + (s + step) * direction);
-      s += step;
-      phase += step;
-      if (phase >= dash + gap - 1e-12) phase = 0;
-      if (step <= 0) break;
-    }
-  }
-  return result;
 }
 
 }  // namespace bw::scene

@@ -13,14 +13,14 @@
 #include <utility>
 #include <vector>
 
+#include "polyline.h"
 #include "theme.h"
 
 namespace bw::scene {
 
-using Polyline = std::vector<Eigen::Vector3d>;
-
-/// An actor with a mapper and a data set of its own, and two additions to VTK's shading: a depth shift that settles which of two
-/// coinciding things lies in front, and a fade towards the background that keeps solid things solid.
+/// An actor with a mapper and a data set of its own, and two additions to VTK's shading: a depth shift that
+/// settles which of two coinciding things lies in front, and a fade towards the background that keeps solid
+/// things solid.
 class Part {
  public:
   Part();
@@ -37,13 +37,14 @@ class Part {
   void setFlat();
   /// Soft matte foam and card, or a picture of numbers that light must not bend too far.
   void setMatte(double ambient, double diffuse, double specular);
-  /// Moves depths by that share of the depth range (in normalised device coordinates), towards the viewer if negative.
+  /// Moves depths by that share of the depth range (in normalised device coordinates), towards the viewer if
+  /// negative.
   void setDepthShift(double ndc);
   /// Mixes `keep` of the colour with 1 − `keep` of `background`.
   void setFade(double keep, const Rgb& background);
 
   void setLines(const std::vector<Polyline>& lines);
-  void setSegments(const std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>>& segments);
+  void setSegments(const Segments& segments);
   void clear();
 
  private:
@@ -53,17 +54,7 @@ class Part {
 };
 
 /// Points, normals and triangles without copying: the vectors must outlive the data set's use of them.
-void shareMesh(vtkPolyData* data, const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen::Vector3d>& normals,
-               const std::vector<std::array<int, 3>>& triangles);
-
-/// Unit normals from the triangles around each point, weighted by area.
-std::vector<Eigen::Vector3d> pointNormals(const std::vector<Eigen::Vector3d>& points, const std::vector<std::array<int, 3>>& triangles);
-
-/// Edges that only one triangle has.
-std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> boundaryEdges(const std::vector<Eigen::Vector3d>& points,
-                                                                      const std::vector<std::array<int, 3>>& triangles);
-
-/// Cuts a polyline into dashes. Lengths in mm; it begins with a dash.
-std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> dashes(const Polyline& line, double dash, double gap);
+void shareMesh(vtkPolyData* data, const std::vector<Eigen::Vector3d>& points,
+               const std::vector<Eigen::Vector3d>& normals, const std::vector<std::array<int, 3>>& triangles);
 
 }  // namespace bw::scene

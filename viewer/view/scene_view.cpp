@@ -30,6 +30,7 @@ namespace {
 
 constexpr int kMoveMilliseconds = 200;
 constexpr int kHoverMilliseconds = 16;
+constexpr int kRestMilliseconds = 180;  ///< after which a picture counts as resting
 constexpr double kOrbitPerPixel = 0.4 * 3.14159265358979323846 / 180;  ///< rad
 constexpr double kZoomPerNotch = 1.15;
 constexpr double kZoomPerPixel = 1.008;
@@ -48,6 +49,11 @@ struct SceneView::Impl {
   Navigation navigation = Navigation::rhino;
   QString problem;
   bool fitPending = false, everRendered = false;
+
+  // Where the processor does the work of a graphics card, smoothing costs most of a frame: moving pictures go
+  // without.
+  bool software = false, draft = false;
+  QTimer restTimer;
 
   QVariantAnimation motion;
   scene::Camera from, to;
@@ -71,9 +77,18 @@ struct SceneView::Impl {
     scene.setStyle(style);
   }
 
+  /// Asks for a frame of something that may go on moving.
+  void redraw() {
+    if (software) {
+      draft = true;
+      restTimer.start();
+    }
+    self->update();
+  }
+
   void take(const scene::Camera& camera) {
     scene.setCamera(camera);
-    self->update();
+    redraw();
     emit self->cameraChanged();
   }
 
@@ -111,7 +126,8 @@ struct SceneView::Impl {
     return ray.at(depth / ray.direction.dot(view.forward()));
   }
 
-  /// What a zoom must leave in its place: the surface point under the cursor, or the point of the focal plane there.
+  /// What a zoom must leave in its place: the surface point under the cursor, or the point of the focal plane
+  /// there.
   Eigen::Vector3d anchorAt(const QPointF& position) {
     const scene::Pick hit = pick(position);
     return hit.kind != scene::Pick::Kind::none ? hit.point : pointAt(position, scene.camera().focus);
@@ -160,10 +176,14 @@ struct SceneView::Impl {
   bool gesture(QGestureEvent* event) {
     auto* pinch = static_cast<QPinchGesture*>(event->gesture(Qt::PinchGesture));
     if (!pinch) return false;
-    const QPointF center = self->mapFromGlobal(pinch->centerPoint().toPoint()), before = self->mapFromGlobal(pinch->lastCenterPoint().toPoint());
+    const QPointF center = self->mapFromGlobal(pinch->centerPoint().toPoint()),
+                  before = self->mapFromGlobal(pinch->lastCenterPoint().toPoint());
     if (pinch->state() == Qt::GestureStarted) pivot = anchorAt(center);
-    if (pinch->changeFlags().testFlag(QPinchGesture::CenterPointChanged) && pinch->state() == Qt::GestureUpdated) panFromTo(before, center, pivot);
-    if (pinch->changeFlags().testFlag(QPinchGesture::ScaleFactorChanged)) zoomAt(pointAt(center, pivot), pinch->scaleFactor());
+    if (pinch->changeFlags().testFlag(QPinchGesture::CenterPointChanged) &&
+        pinch->state() == Qt::GestureUpdated)
+      panFromTo(before, center, pivot);
+    if (pinch->changeFlags().testFlag(QPinchGesture::ScaleFactorChanged))
+      zoomAt(pointAt(center, pivot), pinch->scaleFactor());
     event->accept(pinch);
     return true;
   }
@@ -184,6 +204,12 @@ SceneView::SceneView(QWidget* parent) : QOpenGLWidget(parent), impl_(std::make_u
   });
   // The last step stands exactly where the motion leads.
   connect(&impl_->motion, &QVariantAnimation::finished, this, [this] { impl_->take(impl_->to); });
+  impl_->restTimer.setSingleShot(true);
+  impl_->restTimer.setInterval(kRestMilliseconds);
+  connect(&impl_->restTimer, &QTimer::timeout, this, [this] {
+    impl_->draft = false;
+    update();
+  });
   impl_->hoverTimer.setSingleShot(true);
   impl_->hoverTimer.setInterval(kHoverMilliseconds);
   connect(&impl_->hoverTimer, &QTimer::timeout, this, [this] { impl_->hover(); });
@@ -226,7 +252,8 @@ QRectF SceneView::legendRect() const {
 }
 
 QPointF SceneView::toWidget(const Eigen::Vector3d& point) const {
-  const Eigen::Vector3d pixel = impl_->scene.impl().projection(impl_->width(), impl_->height()).toPixel(point);
+  const Eigen::Vector3d pixel =
+      impl_->scene.impl().projection(impl_->width(), impl_->height()).toPixel(point);
   return {pixel.x() / impl_->ratio(), pixel.y() / impl_->ratio()};
 }
 
@@ -238,6 +265,7 @@ QImage SceneView::picture(const QSize& pixels, double pixelRatio) {
   style.pixelRatio = pixelRatio;
   impl_->scene.setStyle(style);
   inside.target()->window()->SetFrameBlitModeToNoBlit();
+  inside.target()->window()->SetMultiSamples(scene::kSamples);
   inside.renderFrame(pixels.width(), pixels.height());
   const scene::Picture picture = inside.readPicture();
   inside.target()->window()->SetFrameBlitModeToBlitToCurrent();
@@ -246,7 +274,8 @@ QImage SceneView::picture(const QSize& pixels, double pixelRatio) {
   doneCurrent();
   update();
   if (picture.rgb.empty()) return {};
-  return QImage(picture.rgb.data(), picture.width, picture.height, picture.width * 3, QImage::Format_RGB888).copy();
+  return QImage(picture.rgb.data(), picture.width, picture.height, picture.width * 3, QImage::Format_RGB888)
+      .copy();
 }
 
 void SceneView::setContent(const scene::Content& content) {
@@ -254,13 +283,13 @@ void SceneView::setContent(const scene::Content& content) {
   impl_->scene.setContent(content);
   // The size of the view may not be known yet: the fit waits for the frame.
   if (first && impl_->scene.bounds().valid()) impl_->fitPending = true;
-  update();
+  impl_->redraw();
 }
 
 void SceneView::setStyle(const scene::Style& style) {
   impl_->given = style;
   impl_->applyStyle();
-  update();
+  impl_->redraw();
 }
 
 void SceneView::setView(scene::View view, bool animate) {
@@ -302,11 +331,20 @@ void SceneView::setNavigation(Navigation navigation) { impl_->navigation = navig
 void SceneView::initializeGL() {
   const auto [major, minor] = context()->format().version();
   if (context()->isOpenGLES() || major < 3 || (major == 3 && minor < 2)) {
-    impl_->problem = tr("The 3D view needs OpenGL 3.2; this display offers %1.%2. Update the graphics driver.").arg(major).arg(minor);
+    impl_->problem =
+        tr("The 3D view needs OpenGL 3.2; this display offers %1.%2. Update the graphics driver.")
+            .arg(major)
+            .arg(minor);
     return;
   }
   impl_->problem.clear();
-  connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] { impl_->scene.impl().setTarget(nullptr); });
+  const auto* driver = reinterpret_cast<const char*>(context()->functions()->glGetString(GL_RENDERER));
+  const QString name = QString::fromLatin1(driver ? driver : "");
+  impl_->software = name.contains("llvmpipe") || name.contains("softpipe") || name.contains("swrast") ||
+                    name.contains("SwiftShader");
+  impl_->redraw();
+  connect(context(), &QOpenGLContext::aboutToBeDestroyed, this,
+          [this] { impl_->scene.impl().setTarget(nullptr); });
   impl_->scene.impl().setTarget(std::make_unique<WidgetTarget>(this));
 }
 
@@ -324,6 +362,7 @@ void SceneView::paintGL() {
     impl_->scene.setCamera(impl_->scene.fitCamera(scene::View::iso, impl_->aspect()));
     emit cameraChanged();
   }
+  inside.target()->window()->SetMultiSamples(impl_->draft ? 0 : scene::kSamples);
   inside.renderFrame(impl_->width(), impl_->height());
   // The window system blends by alpha, which VTK leaves at whatever was drawn last.
   QOpenGLFunctions* gl = context()->functions();
@@ -364,7 +403,8 @@ void SceneView::mousePressEvent(QMouseEvent* event) {
   const bool covered = impl_->onLegend(event->position()) || impl_->markerAt(event->position()).has_value();
   impl_->drag = covered ? Drag::none : dragFor(impl_->navigation, event->button(), event->modifiers());
   if (impl_->drag == Drag::orbit) impl_->pivot = impl_->pivotAt(event->position());
-  if (impl_->drag == Drag::pan || impl_->drag == Drag::zoom) impl_->pivot = impl_->anchorAt(event->position());
+  if (impl_->drag == Drag::pan || impl_->drag == Drag::zoom)
+    impl_->pivot = impl_->anchorAt(event->position());
 }
 
 void SceneView::mouseMoveEvent(QMouseEvent* event) {
@@ -416,8 +456,10 @@ void SceneView::wheelEvent(QWheelEvent* event) {
   const bool pad = event->device() && event->device()->type() == QInputDevice::DeviceType::TouchPad;
   const bool fine = pad || (event->phase() != Qt::NoScrollPhase && !event->pixelDelta().isNull());
   if (fine && !event->modifiers().testFlag(Qt::ControlModifier)) {
-    const QPointF step = !event->pixelDelta().isNull() ? QPointF(event->pixelDelta()) : QPointF(event->angleDelta()) / 4;
-    if (event->phase() == Qt::ScrollBegin || event->phase() == Qt::NoScrollPhase) impl_->pivot = impl_->pivotAt(event->position());
+    const QPointF step =
+        !event->pixelDelta().isNull() ? QPointF(event->pixelDelta()) : QPointF(event->angleDelta()) / 4;
+    if (event->phase() == Qt::ScrollBegin || event->phase() == Qt::NoScrollPhase)
+      impl_->pivot = impl_->pivotAt(event->position());
     if (event->modifiers().testFlag(Qt::ShiftModifier)) {
       impl_->panFromTo(event->position(), event->position() + step, impl_->pivot);
     } else {
@@ -427,7 +469,9 @@ void SceneView::wheelEvent(QWheelEvent* event) {
     // Shift turns a wheel sideways on some systems.
     const QPoint delta = event->angleDelta();
     const double notches = (delta.y() != 0 ? delta.y() : delta.x()) / 120.0;
-    if (notches != 0) impl_->zoomAt(impl_->anchorAt(event->position()), std::pow(kZoomPerNotch, std::clamp(notches, -10.0, 10.0)));
+    if (notches != 0)
+      impl_->zoomAt(impl_->anchorAt(event->position()),
+                    std::pow(kZoomPerNotch, std::clamp(notches, -10.0, 10.0)));
   }
   event->accept();
 }

@@ -10,7 +10,8 @@
 
 namespace bw::view {
 
-WidgetTarget::WidgetTarget(QOpenGLWidget* widget) : widget_(widget), context_(widget->context()), window_(scene::makeGlWindow()) {
+WidgetTarget::WidgetTarget(QOpenGLWidget* widget)
+    : widget_(widget), context_(widget->context()), window_(scene::makeGlWindow()) {
   const auto answers = vtkSmartPointer<vtkCallbackCommand>::New();
   answers->SetClientData(this);
   answers->SetCallback([](vtkObject*, unsigned long event, void* client, void* data) {

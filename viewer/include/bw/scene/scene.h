@@ -18,26 +18,27 @@ namespace bw::scene {
 
 /// What a picture shows, as plain values.
 struct Content {
-  TriangleMesh target;                                  ///< may be empty
-  SurfaceGrid cut;                                      ///< the cut surface with its fields; may be empty
-  std::vector<std::vector<Eigen::Vector3d>> stations;   ///< the fitted part of each station
-  std::vector<std::vector<Eigen::Vector3d>> blades;     ///< the whole blade of each station
+  TriangleMesh target;                                 ///< may be empty
+  SurfaceGrid cut;                                     ///< the cut surface with its fields; may be empty
+  std::vector<std::vector<Eigen::Vector3d>> stations;  ///< the fitted part of each station
+  std::vector<std::vector<Eigen::Vector3d>> blades;    ///< the whole blade of each station
   std::optional<Box> block;
 };
 
 /// How it is shown.
 struct Style {
-  std::string field = "none";   ///< "deviation", "angle", "speed", "relative_speed", "curvature" or "none"
+  std::string field = "none";  ///< "deviation", "angle", "speed", "relative_speed", "curvature" or "none"
   bool dark = false;
   bool isolines = false;
   bool legend = true;
-  double tolerance = 2.0;       ///< mm: the neutral band of the deviation map
+  double tolerance = 2.0;                    ///< mm: the neutral band of the deviation map
   std::optional<double> rangeMin, rangeMax;  ///< of the legend; empty = round numbers around the data
   int selectedStation = -1;
-  double playhead = -1;         ///< position of the moving blade in stations (fractional), −1 = none
-  bool showTarget = true, showCut = true, showStations = true, showBlades = false, showBlock = true, showGrid = true;
+  double playhead = -1;  ///< position of the moving blade in stations (fractional), −1 = none
+  bool showTarget = true, showCut = true, showStations = true, showBlades = false, showBlock = true,
+       showGrid = true;
   double targetOpacity = 0.4, cutOpacity = 1.0, blockOpacity = 0.15;
-  bool stale = false;           ///< results are out of date: drawn at 60 %
+  bool stale = false;  ///< results are out of date: drawn at 60 %
   double pixelRatio = 1.0;
 };
 
@@ -48,9 +49,9 @@ std::optional<View> viewFromName(const std::string& name);
 /// Camera as numbers, to animate and to store.
 struct Camera {
   Eigen::Vector3d position, focus, up;
-  double viewAngle = 30;      ///< degrees, of the height
+  double viewAngle = 30;  ///< degrees, of the height
   bool parallel = false;
-  double parallelScale = 100; ///< mm, half of the height
+  double parallelScale = 100;  ///< mm, half of the height
 };
 
 /// What lies under a pixel.
@@ -65,7 +66,9 @@ struct Pick {
 /// A rectangle in pixels from the upper left corner of a picture.
 struct PixelRect {
   double x = 0, y = 0, width = 0, height = 0;
-  bool contains(double px, double py) const { return px >= x && py >= y && px < x + width && py < y + height; }
+  bool contains(double px, double py) const {
+    return px >= x && py >= y && px < x + width && py < y + height;
+  }
 };
 
 /// What lies over the scene in a picture: for hit tests and for checks that nothing is cut off.
@@ -74,10 +77,10 @@ struct Overlay {
     std::string text;
     PixelRect box;
   };
-  std::optional<PixelRect> legend;   ///< the whole card
-  std::optional<PixelRect> bar;      ///< its colour bar; the upper edge is legendRange().second
-  std::optional<PixelRect> marker;   ///< the orientation cube
-  std::vector<Text> texts;           ///< of the legend, then the labels of the ground grid
+  std::optional<PixelRect> legend;  ///< the whole card
+  std::optional<PixelRect> bar;     ///< its colour bar; the upper edge is legendRange().second
+  std::optional<PixelRect> marker;  ///< the orientation cube
+  std::vector<Text> texts;          ///< of the legend, then the labels of the ground grid
 };
 
 /// An RGB picture, row by row from the top.
@@ -86,8 +89,8 @@ struct Picture {
   std::vector<std::uint8_t> rgb;
 };
 
-/// The scene: content and style to VTK actors. Renders offscreen (surfaceless EGL) for tests and the command line; bw_view hands it the
-/// render window of a widget. Not thread-safe.
+/// The scene: content and style to VTK actors. Renders offscreen (surfaceless EGL) for tests and the command
+/// line; bw_view hands it the render window of a widget. Not thread-safe.
 class Scene {
  public:
   Scene();
@@ -108,14 +111,16 @@ class Scene {
   /// A camera that looks along a standard view and fits everything (or `bounds`) into the aspect ratio.
   Camera fitCamera(View view, double aspect, const std::optional<Bounds>& bounds = std::nullopt) const;
   /// Fits keeping the present direction.
-  Camera fitCamera(const Camera& from, double aspect, const std::optional<Bounds>& bounds = std::nullopt) const;
+  Camera fitCamera(const Camera& from, double aspect,
+                   const std::optional<Bounds>& bounds = std::nullopt) const;
   Bounds bounds() const;
   void setCamera(const Camera& camera);
   Camera camera() const;
 
-  /// What lies under the pixel (x, y; from the upper left corner) of a picture of that size taken with the present camera. A line within
-  /// four pixels (times the pixel ratio) wins over the surface that carries it. `station` is the nearest station wherever a surface or
-  /// line is hit. Needs no GL. The first call after a new content builds a search tree.
+  /// What lies under the pixel (x, y; from the upper left corner) of a picture of that size taken with the
+  /// present camera. A line within four pixels (times the pixel ratio) wins over the surface that carries it.
+  /// `station` is the nearest station wherever a surface or line is hit. Needs no GL. The first call after a
+  /// new content builds a search tree.
   Pick pick(double x, double y, int width, int height) const;
   /// The standard view whose face of the orientation cube lies under that pixel.
   std::optional<View> markerView(double x, double y, int width, int height) const;

@@ -15,15 +15,18 @@
 
 namespace bw::view {
 
-/// Which mouse buttons turn, move and scale the view. In all of them the wheel zooms to the cursor, dragging with the left button on the
-/// scene orbits, Alt + left orbits and Alt + Shift + left pans; on a trackpad two fingers orbit, with Shift they pan, and a pinch zooms.
+/// Which mouse buttons turn, move and scale the view. In all of them the wheel zooms to the cursor, dragging
+/// with the left button on the scene orbits, Alt + left orbits and Alt + Shift + left pans; on a trackpad two
+/// fingers orbit, with Shift they pan, and a pinch zooms.
 enum class Navigation {
   rhino,       ///< right orbits, Shift + right or middle pans, Ctrl + right zooms
   blender,     ///< middle orbits, Shift + middle pans, Ctrl + middle zooms
   solidworks,  ///< middle orbits, Ctrl + middle or right pans, Shift + middle zooms
 };
 
-/// The 3D view: shows a bw::scene::Scene and moves its camera. Use it from the interface thread only.
+/// The 3D view: shows a bw::scene::Scene and moves its camera. Use it from the interface thread only. Where
+/// there is no graphics card, a picture in motion is drawn without smoothing and smoothed once it rests for a
+/// fifth of a second; picture() is always smooth.
 class SceneView : public QOpenGLWidget {
   Q_OBJECT
 
@@ -48,7 +51,8 @@ class SceneView : public QOpenGLWidget {
   QRectF legendRect() const;
   /// Where a point of space appears in the widget, in device-independent pixels.
   QPointF toWidget(const Eigen::Vector3d& point) const;
-  /// A picture of the scene at any size in pixels, with the present camera; null if there is no GL context yet.
+  /// A picture of the scene at any size in pixels, with the present camera; null if there is no GL context
+  /// yet.
   QImage picture(const QSize& pixels, double pixelRatio = 1.0);
   /// Empty while all is well; otherwise what the graphics driver lacks, in words for the user.
   QString problem() const;
@@ -75,7 +79,8 @@ class SceneView : public QOpenGLWidget {
   void stationPicked(int station);
   /// Anything was clicked (also sent with stationPicked).
   void picked(const bw::scene::Pick& pick);
-  /// What lies under the resting or moving cursor; `kind` is none over empty space and when the cursor leaves.
+  /// What lies under the resting or moving cursor; `kind` is none over empty space and when the cursor
+  /// leaves.
   void hovered(const bw::scene::Pick& pick);
   /// The legend was double-clicked: offer to edit its range.
   void legendActivated();

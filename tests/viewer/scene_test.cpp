@@ -1,0 +1,614 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <limits>
+#include <set>
+
+#include "bw/scene/scene.h"
+#include "scene_sample.h"
+
+namespace {
+
+using namespace bw;
+using namespace bw::scene;
+
+struct Color {
+  int r, g, b;
+  int light() const { return (r + g + b) / 3; }
+  int spread() const { return std::max({r, g, b}) - std::min({r, g, b}); }
+};
+
+Color at(const Picture& picture, int x, int y) {
+  const std::size_t i = 3 * (std::size_t(y) * std::size_t(picture.width) + std::size_t(x));
+  return {picture.rgb[i], picture.rgb[i + 1], picture.rgb[i + 2]};
+}
+
+int count(const Picture& picture, const std::function<bool(const Color&)>& is) {
+  int n = 0;
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) n += is(at(picture, x, y));
+  }
+  return n;
+}
+
+bool isAccent(const Color& c) { return c.r > 190 && c.g > 50 && c.g < 140 && c.b < 80; }
+bool isSelection(const Color& c) {
+  return std::abs(c.r - 0x1C) < 40 && std::abs(c.g - 0x7E) < 30 && std::abs(c.b - 0xD6) < 30;
+}
+
+/// A scene with the sample content, drawn in any style and kept as a PNG for the eye.
+class SceneTest : public testing::Test {
+ protected:
+  static constexpr int kWidth = 1000, kHeight = 640;
+
+  void SetUp() override { scene.setContent(test::sampleContent()); }
+
+  Picture draw(const Style& style, const char* name, View view = View::iso, int width = kWidth,
+               int height = kHeight) {
+    scene.setStyle(style);
+    scene.setCamera(scene.fitCamera(view, double(width) / height));
+    return shot(name, width, height);
+  }
+
+  Picture shot(const char* name, int width = kWidth, int height = kHeight) {
+    const Result<Picture> picture = scene.render(width, height);
+    if (!picture) {
+      ADD_FAILURE() << picture.error().message;
+      return {width, height, std::vector<std::uint8_t>(std::size_t(width * height * 3))};
+    }
+    std::filesystem::create_directories(BW_TEST_OUTPUT);
+    std::ofstream(std::string(BW_TEST_OUTPUT) + "/scene-" + name + ".png", std::ios::binary)
+        << *pngBytes(*picture);
+    return *picture;
+  }
+
+  static Style mapped(const char* field) {
+    Style style;
+    style.field = field;
+    return style;
+  }
+
+  /// Calls `see` with the pick and the colour of many pixels that are not under the legend or the cube, nor
+  /// near an edge of anything.
+  void everywhere(const Picture& picture,
+                  const std::function<void(const Pick&, const Color&, int, int)>& see) const {
+    const Overlay& overlay = scene.overlay();
+    for (int y = 4; y < picture.height; y += 8) {
+      for (int x = 4; x < picture.width; x += 8) {
+        if (overlay.legend && overlay.legend->contains(x, y)) continue;
+        if (overlay.marker && overlay.marker->contains(x, y)) continue;
+        const Pick pick = scene.pick(x + 0.5, y + 0.5, picture.width, picture.height);
+        bool edge = false;
+        for (const auto& [dx, dy] : {std::pair{-3, 0}, std::pair{3, 0}, std::pair{0, -3}, std::pair{0, 3}}) {
+          const Pick other = scene.pick(x + dx + 0.5, y + dy + 0.5, picture.width, picture.height);
+          edge = edge || other.kind != pick.kind || (other.point - pick.point).norm() > 30;
+        }
+        if (!edge) see(pick, at(picture, x, y), x, y);
+      }
+    }
+  }
+
+  Scene scene;
+};
+
+TEST_F(SceneTest, FirstPictureSaysNothingToTheUser) {
+  testing::internal::CaptureStderr();
+  testing::internal::CaptureStdout();
+  draw(Style{}, "plain");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+}
+
+TEST_F(SceneTest, DeviationIsNeutralWithinToleranceAndBlueOrRedBeyond) {
+  Style style = mapped("deviation");
+  style.showStations = style.showBlock = false;
+  const Picture picture = draw(style, "deviation");
+  int within = 0, above = 0, below = 0;
+  everywhere(picture, [&](const Pick& pick, const Color& c, int, int) {
+    if (pick.kind != Pick::Kind::cut || !pick.value) return;
+    if (std::abs(*pick.value) < 1.9) {
+      ++within;
+      EXPECT_LT(c.spread(), 40) << *pick.value;
+      EXPECT_GT(c.light(), 170) << *pick.value;
+    } else if (*pick.value > 2.1) {
+      ++above;
+      EXPECT_GT(c.r, c.b + 40) << *pick.value;
+    } else if (*pick.value < -2.1) {
+      ++below;
+      EXPECT_GT(c.b, c.r + 40) << *pick.value;
+    }
+  });
+  EXPECT_GT(within, 300);
+  EXPECT_GT(above, 200);
+  EXPECT_GT(below, 200);
+}
+
+TEST_F(SceneTest, SequentialMapRunsFromDarkToLight) {
+  Style style = mapped("speed");
+  style.showStations = style.showBlock = false;
+  const Picture picture = draw(style, "speed", View::top);
+  double slow = 0, fast = 0;
+  int nSlow = 0, nFast = 0;
+  everywhere(picture, [&](const Pick& pick, const Color& c, int, int) {
+    if (pick.kind != Pick::Kind::cut || !pick.value) return;
+    if (*pick.value < 1.1) slow += c.light(), ++nSlow;
+    if (*pick.value > 2.4) fast += c.light(), ++nFast;
+  });
+  ASSERT_GT(nSlow, 20);
+  ASSERT_GT(nFast, 20);
+  EXPECT_GT(fast / nFast, slow / nSlow + 20);
+}
+
+TEST_F(SceneTest, EveryFieldHasALegendWithTitleUnitAndNumbers) {
+  for (const char* name : {"deviation", "angle", "speed", "relative_speed", "curvature"}) {
+    const Picture picture = draw(mapped(name), name);
+    const Field* field = scene.content().cut.field(name);
+    const Overlay& overlay = scene.overlay();
+    ASSERT_TRUE(overlay.legend && overlay.bar);
+    const auto has = [&](const std::string& text) {
+      return std::any_of(overlay.texts.begin(), overlay.texts.end(),
+                         [&](const Overlay::Text& t) { return t.text == text; });
+    };
+    EXPECT_TRUE(has(field->title));
+    EXPECT_TRUE(field->unit.empty() || has(field->unit));
+    EXPECT_GE(overlay.texts.size(), 7u);
+    // Right edge.
+    EXPECT_GT(overlay.legend->x, 0.75 * picture.width);
+  }
+}
+
+TEST_F(SceneTest, LegendOfDeviationIsSymmetricAndMarksTheTolerance) {
+  const Picture picture = draw(mapped("deviation"), "deviation-legend");
+  ASSERT_TRUE(scene.legendRange());
+  EXPECT_EQ(*scene.legendRange(), std::make_pair(-4.0, 4.0));
+  const PixelRect bar = *scene.overlay().bar;
+  const auto barColor = [&](double value) {
+    return at(picture, int(bar.x + bar.width / 2), int(bar.y + bar.height * (4 - value) / 8));
+  };
+  EXPECT_GT(barColor(3.8).r, barColor(3.8).b + 100);
+  EXPECT_GT(barColor(-3.8).b, barColor(-3.8).r + 100);
+  for (const double v : {-1.5, -0.5, 0.5, 1.5}) EXPECT_LT(barColor(v).spread(), 30);
+  // The marks cross the histogram at both tolerances: dark pixels left of the bar.
+  for (const double v : {-2.0, 2.0}) {
+    int darkest = 255;
+    for (int dy = -1; dy <= 1; ++dy) {
+      darkest = std::min(
+          darkest,
+          at(picture, int(bar.x - 25), int(std::lround(bar.y + bar.height * (4 - v) / 8)) + dy).light());
+    }
+    EXPECT_LT(darkest, 90);
+  }
+}
+
+TEST_F(SceneTest, HistogramStandsBesideTheBar) {
+  const Picture picture = draw(mapped("angle"), "angle-histogram");
+  const PixelRect bar = *scene.overlay().bar;
+  int grey = 0;
+  for (int y = int(bar.y); y < int(bar.y + bar.height); ++y)
+    grey += at(picture, int(bar.x) - 6, y).light() < 210;
+  EXPECT_GT(grey, 20);
+}
+
+TEST_F(SceneTest, NoTextIsCutOffOrStandsOnAnother) {
+  struct Case {
+    int width, height;
+    double ratio;
+    bool dark;
+  };
+  int index = 0;
+  for (const Case& c : {Case{1280, 800, 1, false}, Case{2560, 1600, 2, true}, Case{420, 300, 1, false},
+                        Case{1920, 400, 1, false}, Case{700, 1200, 1.5, true}}) {
+    for (const View view : {View::iso, View::top, View::front}) {
+      Style style = mapped("deviation");
+      style.pixelRatio = c.ratio;
+      style.dark = c.dark;
+      style.tolerance = 1.3;
+      const std::string name = "texts-" + std::to_string(index++);
+      const Picture picture = draw(style, name.c_str(), view, c.width, c.height);
+      const auto& texts = scene.overlay().texts;
+      EXPECT_FALSE(texts.empty());
+      for (std::size_t i = 0; i < texts.size(); ++i) {
+        const PixelRect& box = texts[i].box;
+        EXPECT_GE(box.x, 0) << texts[i].text;
+        EXPECT_GE(box.y, 0) << texts[i].text;
+        EXPECT_LE(box.x + box.width, c.width) << texts[i].text;
+        EXPECT_LE(box.y + box.height, c.height) << texts[i].text;
+        for (std::size_t k = i + 1; k < texts.size(); ++k) {
+          const PixelRect& other = texts[k].box;
+          const bool apart = box.x + box.width <= other.x || other.x + other.width <= box.x ||
+                             box.y + box.height <= other.y || other.y + other.height <= box.y;
+          EXPECT_TRUE(apart) << texts[i].text << " / " << texts[k].text << " in " << name;
+        }
+      }
+    }
+  }
+}
+
+TEST_F(SceneTest, TextOfTheLegendIsInked) {
+  const Picture picture = draw(mapped("deviation"), "legend-ink");
+  const PixelRect card = *scene.overlay().legend;
+  for (const Overlay::Text& text : scene.overlay().texts) {
+    if (!card.contains(text.box.x, text.box.y)) continue;
+    int darkest = 255;
+    for (int y = int(text.box.y); y < int(text.box.y + text.box.height); ++y) {
+      for (int x = int(text.box.x); x < int(text.box.x + text.box.width); ++x)
+        darkest = std::min(darkest, at(picture, x, y).light());
+    }
+    EXPECT_LT(darkest, 150) << text.text;
+  }
+}
+
+TEST_F(SceneTest, LegendIsLeftOutWhereThereIsNoFieldNoWishOrNoRoom) {
+  draw(Style{}, "no-field");
+  EXPECT_FALSE(scene.overlay().legend);
+  EXPECT_FALSE(scene.legendRange());
+  Style style = mapped("deviation");
+  style.legend = false;
+  draw(style, "no-legend");
+  EXPECT_FALSE(scene.overlay().legend);
+  EXPECT_TRUE(scene.legendRange());
+  draw(mapped("deviation"), "tiny", View::iso, 120, 90);
+  EXPECT_FALSE(scene.overlay().legend);
+  draw(mapped("unheard"), "unheard");
+  EXPECT_FALSE(scene.legendRange());
+}
+
+TEST_F(SceneTest, WishedRangeIsTaken) {
+  Style style = mapped("angle");
+  style.rangeMin = 5;
+  style.rangeMax = 17.5;
+  scene.setStyle(style);
+  EXPECT_EQ(*scene.legendRange(), std::make_pair(5.0, 17.5));
+  style.rangeMin.reset();
+  scene.setStyle(style);
+  EXPECT_EQ(*scene.legendRange(), std::make_pair(0.0, 17.5));
+  style.rangeMin = 30;
+  scene.setStyle(style);
+  EXPECT_LT(scene.legendRange()->first, scene.legendRange()->second);
+}
+
+TEST_F(SceneTest, IsolinesAreDrawnAtTheTicksOnly) {
+  Style style = mapped("deviation");
+  style.showStations = style.showBlock = style.showGrid = false;
+  const auto isDark = [](const Color& c) { return c.light() < 90 && c.spread() < 60; };
+  const int before = count(draw(style, "isolines-off"), isDark);
+  style.isolines = true;
+  const Picture picture = draw(style, "isolines-on");
+  EXPECT_GT(count(picture, isDark), before + 800);
+  everywhere(picture, [&](const Pick& pick, const Color& c, int, int) {
+    if (pick.kind != Pick::Kind::cut || !pick.value) return;
+    // In the middle between two ticks there is no line.
+    const double off = std::abs(*pick.value - std::round(*pick.value));
+    EXPECT_FALSE(off > 0.3 && std::abs(*pick.value) < 2 && isDark(c)) << *pick.value;
+  });
+}
+
+TEST_F(SceneTest, SelectedStationIsBlueAndPicked) {
+  Style style;
+  style.selectedStation = 12;
+  style.showBlock = false;
+  const Picture picture = draw(style, "selected");
+  int blue = 0, right = 0;
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      if (!isSelection(at(picture, x, y))) continue;
+      if (scene.overlay().marker->contains(x, y)) continue;
+      const Pick pick = scene.pick(x + 0.5, y + 0.5, picture.width, picture.height);
+      if (pick.kind != Pick::Kind::station) continue;
+      ++blue;
+      right += pick.station == 12;
+    }
+  }
+  EXPECT_GT(blue, 400);
+  EXPECT_EQ(right, blue);
+}
+
+TEST_F(SceneTest, PickNamesTheNearestStationOnASurface) {
+  draw(mapped("deviation"), "pick", View::top);
+  int tested = 0;
+  for (int y = 10; y < kHeight; y += 14) {
+    for (int x = 10; x < kWidth; x += 14) {
+      const Pick pick = scene.pick(x, y, kWidth, kHeight);
+      if (pick.kind != Pick::Kind::cut) continue;
+      // Stations of the sample lie at even steps of y.
+      const double step = 670.0 / 29;
+      const double s = pick.point.y() / step;
+      if (std::abs(s - std::floor(s) - 0.5) < 0.1) continue;
+      EXPECT_EQ(pick.station, int(std::lround(s)));
+      ++tested;
+    }
+  }
+  EXPECT_GT(tested, 200);
+}
+
+TEST_F(SceneTest, PickSeesOnlyWhatIsShown) {
+  Style style;
+  scene.setCamera(scene.fitCamera(View::top, double(kWidth) / kHeight));
+  const auto kinds = [&] {
+    scene.setStyle(style);
+    std::set<Pick::Kind> result;
+    for (int y = 5; y < kHeight; y += 10) {
+      for (int x = 5; x < kWidth; x += 10) result.insert(scene.pick(x, y, kWidth, kHeight).kind);
+    }
+    return result;
+  };
+  using Kind = Pick::Kind;
+  EXPECT_EQ(kinds(), (std::set<Kind>{Kind::none, Kind::target, Kind::cut, Kind::station, Kind::block}));
+  style.showStations = false;
+  EXPECT_EQ(kinds(), (std::set<Kind>{Kind::none, Kind::target, Kind::cut, Kind::block}));
+  style.showCut = false;
+  EXPECT_EQ(kinds(), (std::set<Kind>{Kind::none, Kind::target, Kind::block}));
+  style.showTarget = false;
+  EXPECT_EQ(kinds(), (std::set<Kind>{Kind::none, Kind::block}));
+  style.showBlock = false;
+  EXPECT_EQ(kinds(), (std::set<Kind>{Kind::none}));
+}
+
+TEST_F(SceneTest, PickedPointLiesOnTheSurfaceInBothProjections) {
+  for (const bool parallel : {false, true}) {
+    Camera camera = scene.camera();
+    camera.parallel = parallel;
+    scene.setCamera(camera);
+    Style style;
+    style.showStations = false;
+    draw(style, parallel ? "parallel" : "perspective");
+    int tested = 0;
+    for (int y = 0; y < kHeight; y += 20) {
+      for (int x = 0; x < kWidth; x += 20) {
+        const Pick pick = scene.pick(x, y, kWidth, kHeight);
+        if (pick.kind != Pick::Kind::cut) continue;
+        const Eigen::Vector3d& p = pick.point;
+        EXPECT_NEAR(p.z(), test::panelHeight(p.x(), p.y()) + test::panelMiss(p.x(), p.y(), 4), 0.1);
+        ++tested;
+      }
+    }
+    EXPECT_GT(tested, 150);
+  }
+}
+
+TEST_F(SceneTest, HiddenStationIsNotPicked) {
+  // From below the front of the panel, the stations behind the next wave are hidden.
+  Style style;
+  style.showBlock = style.showTarget = false;
+  draw(style, "hidden", View::front);
+  for (int y = 0; y < kHeight; y += 3) {
+    for (int x = 0; x < kWidth; x += 20) {
+      const Pick pick = scene.pick(x, y, kWidth, kHeight);
+      if (pick.kind != Pick::Kind::station) continue;
+      style.showStations = false;
+      scene.setStyle(style);
+      const Pick surface = scene.pick(x, y, kWidth, kHeight);
+      style.showStations = true;
+      scene.setStyle(style);
+      EXPECT_TRUE(surface.kind != Pick::Kind::cut || (surface.point - pick.point).norm() < 60);
+    }
+  }
+}
+
+TEST_F(SceneTest, BladeGlowsInTheAccentColourBetweenItsGrips) {
+  Style style;
+  EXPECT_LT(count(draw(style, "no-blade"), isAccent), 200);
+  style.playhead = 14.5;
+  const Picture picture = draw(style, "blade");
+  EXPECT_GT(count(picture, isAccent), 800);
+  int onBlade = 0, tested = 0;
+  const auto& blades = scene.content().blades;
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; x += 3) {
+      const Color c = at(picture, x, y);
+      if (!isAccent(c) || scene.overlay().marker->contains(x, y)) continue;
+      const Pick pick = scene.pick(x + 0.5, y + 0.5, picture.width, picture.height);
+      if (pick.kind != Pick::Kind::blade) continue;
+      ++tested;
+      // Half-way between two stations the blade lies half-way between their lines.
+      double nearest = 1e300;
+      for (std::size_t k = 0; k < blades[14].size(); ++k)
+        nearest = std::min(nearest, (0.5 * (blades[14][k] + blades[15][k]) - pick.point).norm());
+      onBlade += nearest < 9;
+    }
+  }
+  EXPECT_GT(tested, 100);
+  EXPECT_EQ(onBlade, tested);
+}
+
+TEST_F(SceneTest, StaleIsDrawnAtSixtyPercentAndNeverVanishes) {
+  Style style = mapped("deviation");
+  style.showGrid = style.showBlock = style.showTarget = style.showStations = false;
+  const Picture fresh = draw(style, "fresh");
+  style.stale = true;
+  scene.setStyle(style);
+  const Picture stale = shot("stale");
+  // The middle of the background's gradient, into which it fades.
+  const double back[3] = {(0xFB + 0xE9) / 2.0, (0xFB + 0xEC) / 2.0, (0xFA + 0xEF) / 2.0};
+  int tested = 0;
+  everywhere(stale, [&](const Pick& pick, const Color& b, int x, int y) {
+    if (pick.kind != Pick::Kind::cut || !pick.value || std::abs(std::abs(*pick.value) - 2) < 0.2) return;
+    const Color a = at(fresh, x, y);
+    const int before[3] = {a.r, a.g, a.b}, after[3] = {b.r, b.g, b.b};
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(after[k], 0.6 * before[k] + 0.4 * back[k], 4) << x << " " << y;
+    ++tested;
+  });
+  EXPECT_GT(tested, 500);
+}
+
+TEST_F(SceneTest, DarkThemeHasADarkGroundAndALightText) {
+  Style style = mapped("deviation");
+  style.dark = true;
+  const Picture picture = draw(style, "dark");
+  EXPECT_NEAR(at(picture, picture.width / 2, 0).light(), 0x2D, 6);
+  EXPECT_NEAR(at(picture, picture.width - 1, picture.height - 1).light(), 0x1D, 12);
+  int lightest = 0;
+  const PixelRect title = scene.overlay().texts.front().box;
+  for (int x = int(title.x); x < int(title.x + title.width); ++x) {
+    for (int y = int(title.y); y < int(title.y + title.height); ++y)
+      lightest = std::max(lightest, at(picture, x, y).light());
+  }
+  EXPECT_GT(lightest, 190);
+}
+
+TEST_F(SceneTest, BackgroundIsTheGivenGradient) {
+  scene.setContent({});
+  Style style;
+  const Picture picture = draw(style, "empty");
+  const Color top = at(picture, 500, 0), bottom = at(picture, 500, picture.height - 1);
+  EXPECT_NEAR(top.r, 0xFB, 2);
+  EXPECT_NEAR(top.b, 0xFA, 2);
+  EXPECT_NEAR(bottom.r, 0xE9, 2);
+  EXPECT_NEAR(bottom.b, 0xEF, 2);
+}
+
+TEST_F(SceneTest, GroundHasNumbersInMillimetres) {
+  draw(Style{}, "ground");
+  const auto& texts = scene.overlay().texts;
+  EXPECT_GE(texts.size(), 8u);
+  EXPECT_EQ(std::count_if(texts.begin(), texts.end(),
+                          [](const Overlay::Text& t) { return t.text.ends_with(" mm"); }),
+            2);
+  Style style;
+  style.showGrid = false;
+  draw(style, "no-ground");
+  EXPECT_TRUE(scene.overlay().texts.empty());
+}
+
+TEST_F(SceneTest, CubeTellsItsFaces) {
+  const std::pair<View, View> expected[] = {{View::top, View::top},   {View::front, View::front},
+                                            {View::left, View::left}, {View::right, View::right},
+                                            {View::back, View::back}, {View::bottom, View::bottom}};
+  for (const auto& [view, face] : expected) {
+    draw(Style{}, "cube", view);
+    const PixelRect cube = *scene.overlay().marker;
+    EXPECT_EQ(scene.markerView(cube.x + cube.width / 2, cube.y + cube.height / 2, kWidth, kHeight), face);
+    EXPECT_FALSE(scene.markerView(kWidth / 2, kHeight / 2, kWidth, kHeight));
+  }
+  draw(Style{}, "cube", View::iso);
+  const PixelRect cube = *scene.overlay().marker;
+  const double x = cube.x + cube.width / 2, y = cube.y + cube.height / 2;
+  EXPECT_EQ(scene.markerView(x, y, kWidth, kHeight), View::iso);
+  EXPECT_EQ(scene.markerView(x, y - 30, kWidth, kHeight), View::top);
+  EXPECT_EQ(scene.markerView(x - 25, y + 14, kWidth, kHeight), View::front);
+  EXPECT_EQ(scene.markerView(x + 25, y + 14, kWidth, kHeight), View::right);
+}
+
+TEST_F(SceneTest, FitLeavesNothingOutsideAndKeepsClearOfTheLegend) {
+  for (const View view :
+       {View::iso, View::top, View::bottom, View::front, View::back, View::left, View::right}) {
+    for (const bool parallel : {false, true}) {
+      Camera camera = scene.camera();
+      camera.parallel = parallel;
+      scene.setCamera(camera);
+      draw(mapped("deviation"), "fit", view);
+      const PixelRect legend = *scene.overlay().legend;
+      int inside = 0;
+      for (int x = 0; x < kWidth; x += 10) {
+        for (const int y : {0, kHeight - 1})
+          EXPECT_EQ(scene.pick(x, y, kWidth, kHeight).kind, Pick::Kind::none);
+        inside += scene.pick(x, kHeight / 2, kWidth, kHeight).kind != Pick::Kind::none;
+      }
+      for (int y = 0; y < kHeight; y += 10) {
+        EXPECT_EQ(scene.pick(0, y, kWidth, kHeight).kind, Pick::Kind::none);
+        EXPECT_EQ(scene.pick(legend.x, y, kWidth, kHeight).kind, Pick::Kind::none);
+      }
+      EXPECT_GT(inside, 30);
+    }
+  }
+}
+
+TEST_F(SceneTest, SamePictureTwiceIsTheSame) {
+  const Picture first = draw(mapped("angle"), "same");
+  EXPECT_EQ(first.rgb, shot("same").rgb);
+  // Also after a detour over another style and size, and from another scene.
+  draw(mapped("deviation"), "detour", View::top, 300, 200);
+  Scene other;
+  other.setContent(test::sampleContent());
+  other.setStyle(mapped("angle"));
+  other.setCamera(scene.camera());
+  ASSERT_TRUE(other.render(200, 200));
+  scene.setStyle(mapped("angle"));
+  const Camera camera = Scene(std::move(other)).camera();
+  EXPECT_EQ(camera.position, scene.camera().position);
+}
+
+TEST_F(SceneTest, UnsoundContentIsDrawnAsFarAsItGoes) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Content content = test::sampleContent();
+  content.target.points[50] = Eigen::Vector3d(nan, 0, 0);
+  content.target.triangles.push_back({0, 1, 1000000});
+  content.cut.points[100].z() = nan;
+  content.cut.fields[0].values[200] = nan;
+  content.cut.fields[1].values.pop_back();
+  content.stations[3][4].x() = nan;
+  content.stations[5].clear();
+  content.blades[7].resize(1);
+  scene.setContent(content);
+  for (const char* field : {"deviation", "angle"}) {
+    Style style = mapped(field);
+    style.showBlades = style.isolines = true;
+    style.selectedStation = 3;
+    style.playhead = 6.5;
+    const Picture picture = draw(style, (std::string("unsound-") + field).c_str());
+    EXPECT_GT(count(picture, [](const Color& c) { return c.light() < 200; }), 5000);
+  }
+  EXPECT_FALSE(scene.legendRange());
+  Content broken = test::sampleContent();
+  broken.cut.rows += 1;
+  broken.block->size.x() = nan;
+  scene.setContent(broken);
+  draw(mapped("deviation"), "unsound-grid");
+  EXPECT_TRUE(scene.bounds().valid());
+  Style wild;
+  wild.pixelRatio = wild.tolerance = wild.playhead = nan;
+  wild.selectedStation = 99;
+  draw(wild, "wild");
+}
+
+TEST_F(SceneTest, UnsoundCameraIsNotTaken) {
+  const Camera before = scene.camera();
+  Camera camera = before;
+  camera.position.x() = std::numeric_limits<double>::quiet_NaN();
+  scene.setCamera(camera);
+  camera = before;
+  camera.focus = camera.position;
+  scene.setCamera(camera);
+  camera = before;
+  camera.up = camera.focus - camera.position;
+  scene.setCamera(camera);
+  EXPECT_EQ(scene.camera().position, before.position);
+  EXPECT_EQ(scene.camera().up, before.up);
+}
+
+TEST_F(SceneTest, ImpossibleSizeIsRefusedInWords) {
+  for (const auto& [width, height] : {std::pair{0, 10}, std::pair{10, -1}, std::pair{100000, 10}}) {
+    const Result<Picture> picture = scene.render(width, height);
+    ASSERT_FALSE(picture);
+    EXPECT_EQ(picture.error().code, ErrorCode::badInput);
+    EXPECT_NE(picture.error().message.find(std::to_string(width)), std::string::npos);
+  }
+}
+
+TEST(ScenePng, HoldsThePictureAndRefusesANonsense) {
+  Picture picture{3, 2, {255, 0, 0, 0, 255, 0, 0, 0, 255, 1, 2, 3, 4, 5, 6, 7, 8, 9}};
+  const Result<std::string> bytes = pngBytes(picture);
+  ASSERT_TRUE(bytes);
+  EXPECT_EQ(bytes->substr(1, 3), "PNG");
+  EXPECT_EQ((*bytes)[19], 3);
+  EXPECT_EQ((*bytes)[23], 2);
+  picture.rgb.pop_back();
+  EXPECT_FALSE(pngBytes(picture));
+  EXPECT_FALSE(pngBytes({}));
+}
+
+TEST(SceneViews, NamesAreKnown) {
+  EXPECT_EQ(viewFromName("iso"), View::iso);
+  EXPECT_EQ(viewFromName("bottom"), View::bottom);
+  EXPECT_FALSE(viewFromName("Top"));
+  EXPECT_FALSE(viewFromName(""));
+}
+
+}  // namespace

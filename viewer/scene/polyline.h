@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "bw/core/frame.h"
+
+namespace bw::scene {
+
+using Polyline = std::vector<Eigen::Vector3d>;
+using Segments = std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>>;
+
+/// At least two points, all of them finite.
+bool usable(const Polyline& line);
+
+/// Cuts a polyline into dashes. Lengths in mm; it begins with a dash.
+Segments dashes(const Polyline& line, double dash, double gap);
+
+/// The pieces of a blade outside the block, or, if there is no block, beyond the ends of its station.
+std::vector<Polyline> outsideFoam(const Polyline& blade, const Polyline& station,
+                                  const std::optional<Box>& block);
+
+/// The blade's line at a fractional station, linear between neighbours. Lines with different numbers of
+/// points are joined at equal shares of their length.
+Polyline bladeAt(const std::vector<Polyline>& blades, double playhead);
+
+}  // namespace bw::scene
