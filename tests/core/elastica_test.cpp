@@ -106,8 +106,7 @@ std::string describe(const Elastica& e) {
          std::to_string(e.force().y() * e.length() * e.length()) + ", L " + std::to_string(e.length());
 }
 
-// ---- making
-// ----------------------------------------------------------------------------------------------------------
+// Making.
 
 TEST(Elastica, IsByDefaultTheUnitSegmentAlongX) {
   const Elastica e;
@@ -173,8 +172,7 @@ TEST(Elastica, RefusesBadControlParametersByName) {
   EXPECT_FALSE(Elastica::fromControlParameters(bad).has_value());
 }
 
-// ---- known values
-// ----------------------------------------------------------------------------------------------------
+// Known values.
 
 TEST(Elastica, WithoutForceAndCurvatureIsAStraightLine) {
   const Elastica e = elastica({1, 2}, 0.5, 0, {0, 0}, 300);
@@ -275,8 +273,28 @@ TEST(Elastica, NearModulusOneAgreesWithIntegration) {
   }
 }
 
-// ---- accuracy
-// --------------------------------------------------------------------------------------------------------
+TEST(Elastica, NearModulusOneReturnsAfterItsPeriod) {
+  // The period by the arithmetic-geometric mean and the walk along the curve, past its rest against the
+  // force, know nothing of each other. One apex and the next differ by a move along the force only.
+  for (int exponent = 3; exponent <= 10; ++exponent) {
+    for (const double side : {-1.0, 1.0}) {
+      const double angle = 0.4;
+      const Elastica e = elastica({0, 0}, angle, 2 + side * std::pow(10.0, -exponent),
+                                  {std::cos(angle), std::sin(angle)}, 20);
+      const double period = e.period().value();
+      const std::string what = "k - 1 = ±1e-" + std::to_string(exponent);
+      for (const double count : {-1.0, 1.0, 2.0}) {
+        const Elastica::State state = e.at(count * period);
+        EXPECT_NEAR(angleDifference(state.angle, angle), 0, kPosition * period) << what;
+        EXPECT_NEAR(state.curvature, e.startCurvature(), kPosition * period) << what;
+        EXPECT_NEAR(Vector2d(-std::sin(angle), std::cos(angle)).dot(state.point), 0, kPosition * period)
+            << what;
+      }
+    }
+  }
+}
+
+// Accuracy.
 
 TEST(Elastica, AgreesWithIndependentIntegration) {
   for (const Elastica& e : assortment()) {
@@ -390,8 +408,7 @@ TEST(Elastica, ABatchGivesWhatSinglePointsGive) {
   EXPECT_LE((points[3] - e.point(30)).norm(), 1e-12);
 }
 
-// ---- derivatives
-// -----------------------------------------------------------------------------------------------------
+// Derivatives.
 
 TEST(ElasticaDerivatives, AgreeWithTheVariationalEquations) {
   for (const Elastica& e : assortment()) {
@@ -472,8 +489,7 @@ TEST(ElasticaDerivatives, OfFarArcLengthsAgreeWithTheVariationalEquations) {
   }
 }
 
-// ---- measures
-// --------------------------------------------------------------------------------------------------------
+// Measures.
 
 TEST(Elastica, EnergyOfAPeriodIsThatOfTheEllipticIntegrals) {
   // ½ ∫ (2k cn)² over four quarters = 8 (E − (1 − k²) K), divided by S.
@@ -554,8 +570,7 @@ TEST(Elastica, PeriodIsFourQuarterPeriodsWithAndTwoWithoutInflections) {
               1e-12);
 }
 
-// ---- self-intersection
-// -----------------------------------------------------------------------------------------------
+// Self-intersection.
 
 TEST(Elastica, AClosedCircleMeetsItself) {
   EXPECT_FALSE(elastica({0, 0}, 0, 1, {0, 0}, 2 * kPi - 1e-6).selfIntersects());
@@ -616,8 +631,7 @@ TEST(Elastica, SelfIntersectionAgreesWithAFinePolyline) {
   EXPECT_LT(crossings, 180);
 }
 
-// ---- invariances
-// -----------------------------------------------------------------------------------------------------
+// Invariances.
 
 TEST(Elastica, MovesAndScalesRigidly) {
   for (const Elastica& e : assortment()) {
@@ -686,8 +700,7 @@ TEST(Elastica, SegmentsFollowTheWholeAlsoOutside) {
   EXPECT_FALSE(e.segment(0, kInfinity).has_value());
 }
 
-// ---- control parameters
-// ----------------------------------------------------------------------------------------------
+// Control parameters.
 
 TEST(ElasticaControlParameters, ComeBackFromTheCurve) {
   for (const double k : {0.01, 0.4, 0.9, 0.99, 1.01, 1.5, 20.0}) {
@@ -753,8 +766,7 @@ TEST(ElasticaControlParameters, NearModulusOneKeepTheCurve) {
   }
 }
 
-// ---- extreme numbers
-// -------------------------------------------------------------------------------------------------
+// Extreme numbers.
 
 TEST(Elastica, StaysFiniteWithExtremeNumbers) {
   std::vector<Elastica> curves;
