@@ -59,13 +59,42 @@ bool reuse(Stage<T>& stage, const Stage<T>* before, const std::string& key) {
   return true;
 }
 
+/// What the message of a station says apart from its name, or empty if it is not about one station.
+std::string withoutStation(const Issue& issue) {
+  if (!issue.where.station) return {};
+  const std::string name = "station " + std::to_string(*issue.where.station);
+  return issue.message.compare(0, name.size(), name) == 0 ? issue.message.substr(name.size()) : std::string();
+}
+
+/// Neighbouring stations that say the same become one finding, placed at the first of them.
+Issues grouped(const Issues& issues) {
+  Issues result;
+  for (std::size_t i = 0; i < issues.size(); ++i) {
+    const std::string text = withoutStation(issues[i]);
+    std::size_t j = i;
+    while (!text.empty() && j + 1 < issues.size() && issues[j + 1].kind == issues[i].kind &&
+           issues[j + 1].severity == issues[i].severity && withoutStation(issues[j + 1]) == text &&
+           *issues[j + 1].where.station == *issues[j].where.station + 1)
+      ++j;
+    result.push_back(issues[i]);
+    if (j > i) {
+      std::string rest = text;
+      if (rest.compare(0, 12, " is left out") == 0) rest.replace(0, 12, " are left out");
+      result.back().message = "stations " + std::to_string(*issues[i].where.station) + " to " +
+                              std::to_string(*issues[j].where.station) + rest;
+    }
+    i = j;
+  }
+  return result;
+}
+
 }  // namespace
 
 Issues Evaluation::issues() const {
   Issues all;
   for (const Issues* list : {&model.issues, &target.issues, &setup.issues, &sections.issues, &sweep.issues})
     all.insert(all.end(), list->begin(), list->end());
-  return all;
+  return grouped(all);
 }
 
 Outcome evaluate(const Design& design, const Evaluation* previous, const RunContext& context) {
