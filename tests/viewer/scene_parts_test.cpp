@@ -242,25 +242,41 @@ TEST(Dashes, CoverTheLineInTheirProportion) {
   EXPECT_TRUE(dashes({{0, 0, 0}, {1, 0, 0}}, 0, 2).empty());
 }
 
-TEST(Blades, OnlyTheirPartsOutsideTheBlockAreDashed) {
+TEST(Blades, AreCutAtTheFacesOfTheBlock) {
   Box block;
   block.size = {10, 10, 10};
-  const Polyline blade{{-5, 5, 5}, {2, 5, 5}, {8, 5, 5}, {16, 5, 5}}, station{{1, 5, 5}, {9, 5, 5}};
-  const auto pieces = outsideFoam(blade, station, block);
-  ASSERT_EQ(pieces.size(), 2u);
-  EXPECT_NEAR(pieces[0].back().x(), 0, 1e-12);
-  EXPECT_NEAR(pieces[1].front().x(), 10, 1e-12);
-  EXPECT_NEAR(pieces[1].back().x(), 16, 1e-12);
-  // Without a block, all but the station.
-  const Polyline fine{{-5, 5, 5}, {1, 5, 5}, {5, 5, 5}, {9, 5, 5}, {16, 5, 5}};
-  const auto beyond = outsideFoam(fine, station, std::nullopt);
+  const Polyline blade{{-5, 5, 5}, {2, 5, 5}, {8, 5, 5}, {16, 5, 5}};
+  const auto outside = clipped(blade, block, Side::outside);
+  ASSERT_EQ(outside.size(), 2u);
+  EXPECT_NEAR(outside[0].back().x(), 0, 1e-12);
+  EXPECT_NEAR(outside[1].front().x(), 10, 1e-12);
+  EXPECT_NEAR(outside[1].back().x(), 16, 1e-12);
+  const auto inside = clipped(blade, block, Side::inside);
+  ASSERT_EQ(inside.size(), 1u);
+  ASSERT_EQ(inside[0].size(), 4u);
+  EXPECT_NEAR(inside[0].front().x(), 0, 1e-12);
+  EXPECT_NEAR(inside[0].back().x(), 10, 1e-12);
+  // One edge that runs through the whole block, or past it.
+  EXPECT_EQ(clipped({{-5, 5, 5}, {16, 5, 5}}, block, Side::outside).size(), 2u);
+  EXPECT_EQ(clipped({{-5, 5, 5}, {16, 5, 5}}, block, Side::inside).size(), 1u);
+  EXPECT_EQ(clipped({{-5, 50, 5}, {16, 50, 5}}, block, Side::outside).size(), 1u);
+  EXPECT_TRUE(clipped({{-5, 50, 5}, {16, 50, 5}}, block, Side::inside).empty());
+  // In, out and in again.
+  EXPECT_EQ(clipped({{1, 1, 5}, {1, 20, 5}, {8, 20, 5}, {8, 1, 5}}, block, Side::inside).size(), 2u);
+  EXPECT_EQ(clipped({{1, 1, 5}, {1, 20, 5}, {8, 20, 5}, {8, 1, 5}}, block, Side::outside).size(), 1u);
+}
+
+TEST(Blades, ExtensionsRunFromTheStationOutwards) {
+  const Polyline blade{{-5, 5, 5}, {1, 5, 5}, {5, 5, 5}, {9, 5, 5}, {16, 5, 5}},
+      station{{1, 5, 5}, {9, 5, 5}};
+  const auto beyond = beyondStation(blade, station);
   ASSERT_EQ(beyond.size(), 2u);
   EXPECT_NEAR(beyond[0].front().x(), 1, 1e-12);
   EXPECT_NEAR(beyond[0].back().x(), -5, 1e-12);
   EXPECT_NEAR(beyond[1].front().x(), 9, 1e-12);
-  // One edge that runs through the whole block.
-  EXPECT_EQ(outsideFoam({{-5, 5, 5}, {16, 5, 5}}, station, block).size(), 2u);
-  EXPECT_EQ(outsideFoam({{-5, 50, 5}, {16, 50, 5}}, station, block).size(), 1u);
+  EXPECT_NEAR(beyond[1].back().x(), 16, 1e-12);
+  EXPECT_EQ(beyondStation(blade, {}), std::vector<Polyline>{blade});
+  EXPECT_TRUE(beyondStation({}, station).empty());
 }
 
 TEST(Mesh, BoundaryOfASquareAndItsNormals) {

@@ -24,6 +24,7 @@ namespace {
 
 constexpr int kTableColors = 2048;
 constexpr double kStaleKeep = 0.6;
+constexpr double kLeastSpacing = 7;  ///< device-independent pixels between stations
 
 void setBox(vtkPolyData* data, const Box& box, bool edges) {
   const std::array<Eigen::Vector3d, 8> corners = box.corners();
@@ -133,7 +134,6 @@ void ContentActors::setContent(const Content& content, const TriangleMesh& cutMe
     lines.push_back(line);
   }
   stationSpacing_ = lines.size() > 1 ? travel / double(lines.size() - 1) : 0;
-  stations_.setLines(lines);
 
   if (content.block) {
     setBox(blockBack_.data(), *content.block, false);
@@ -142,9 +142,9 @@ void ContentActors::setContent(const Content& content, const TriangleMesh& cutMe
   } else {
     for (Part* part : {&blockBack_, &blockFront_, &blockEdges_}) part->clear();
   }
-  isolinesValid_ = bladesValid_ = false;
+  isolinesValid_ = linesValid_ = false;
   selectedIndex_ = -1;
-  for (Part* part : {&isolines_, &bladesInside_, &bladeDashes_, &selected_, &selectedDashes_}) part->clear();
+  for (Part* part : {&isolines_, &selected_, &selectedDashes_}) part->clear();
 }
 
 void ContentActors::selectStation(const Content& content, int index) {
@@ -154,32 +154,42 @@ void ContentActors::selectStation(const Content& content, int index) {
   selectedDashes_.clear();
   if (index < 0 || index >= int(content.stations.size()) || !usable(content.stations[std::size_t(index)]))
     return;
-  const Polyline& station = content.stations[std::size_t(index)];
-  selected_.setLines({station});
-  if (index >= int(content.blades.size())) return;
-  Segments segments;
-  for (const Polyline& piece : outsideFoam(content.blades[std::size_t(index)], station, content.block)) {
-    const auto more = dashes(piece, dash_, 0.7 * dash_);
-    segments.insert(segments.end(), more.begin(), more.end());
-  }
-  selectedDashes_.setSegments(segments);
+  Extensions extensions;
+  if (index < int(content.blades.size())) addExtensions(content, std::size_t(index), extensions);
+  extensions.solid.push_back(content.stations[std::size_t(index)]);
+  selected_.setLines(extensions.solid);
+  selectedDashes_.setSegments(extensions.dashed);
 }
 
-void ContentActors::showBlades(const Content& content) {
-  if (bladesValid_) return;
-  bladesValid_ = true;
-  std::vector<Polyline> whole;
-  Segments segments;
-  for (std::size_t i = 0; i < content.blades.size(); ++i) {
-    const Polyline& blade = content.blades[i];
-    if (!usable(blade)) continue;
-    for (const Polyline& piece :
-         outsideFoam(blade, i < content.stations.size() ? content.stations[i] : Polyline{}, content.block)) {
-      const auto more = dashes(piece, dash_, 0.7 * dash_);
-      segments.insert(segments.end(), more.begin(), more.end());
+void ContentActors::addExtensions(const Content& content, std::size_t index, Extensions& extensions) const {
+  const Polyline none, &station = index < content.stations.size() ? content.stations[index] : none;
+  for (const Polyline& extension : beyondStation(content.blades[index], station)) {
+    const std::vector<Polyline> outside =
+        content.block ? clipped(extension, *content.block, Side::outside) : std::vector<Polyline>{extension};
+    for (const Polyline& piece : outside) {
+      const Segments more = dashes(piece, dash_, 0.7 * dash_);
+      extensions.dashed.insert(extensions.dashed.end(), more.begin(), more.end());
     }
+    if (!content.block) continue;
+    for (Polyline& piece : clipped(extension, *content.block, Side::inside))
+      extensions.solid.push_back(std::move(piece));
   }
-  bladeDashes_.setSegments(segments);
+}
+
+void ContentActors::rebuildLines(const Content& content) {
+  std::vector<Polyline> lines;
+  Extensions extensions;
+  const std::size_t count = std::max(content.stations.size(), content.blades.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    // The first and the last are always there.
+    if (i % std::size_t(stride_) != 0 && i + 1 != count) continue;
+    if (i < content.stations.size() && usable(content.stations[i])) lines.push_back(content.stations[i]);
+    if (bladesShown_ && i < content.blades.size()) addExtensions(content, i, extensions);
+  }
+  stations_.setLines(lines);
+  bladesInside_.setLines(extensions.solid);
+  bladeDashes_.setSegments(extensions.dashed);
+  linesValid_ = true;
 }
 
 void ContentActors::setStyle(const Content& content, const TriangleMesh& cutMesh, const Style& style,
@@ -253,12 +263,17 @@ void ContentActors::setStyle(const Content& content, const TriangleMesh& cutMesh
   selected_.setLineWidth(2.5 * px);
   selectedDashes_.setLineWidth(1.5 * px);
 
-  if (style.showBlades) showBlades(content);
-  bladesInside_.setVisible(false);
-  bladeDashes_.setVisible(style.showBlades);
-  bladeDashes_.setColor(colors.station);
-  bladeDashes_.setLineWidth(px);
-  bladeDashes_.setFade(keep, background);
+  if (style.showBlades != bladesShown_) {
+    bladesShown_ = style.showBlades;
+    linesValid_ = false;
+  }
+  for (Part* part : {&bladesInside_, &bladeDashes_}) {
+    part->setVisible(style.showBlades);
+    part->setColor(colors.station);
+    part->setLineWidth(px);
+    part->setOpacity(0.7);
+    part->setFade(keep, background);
+  }
 
   const bool blockShown = style.showBlock && content.block.has_value();
   for (Part* part : {&blockBack_, &blockFront_}) {
@@ -279,7 +294,8 @@ double ContentActors::targetSetBack(const Style& style) const {
   return std::clamp(4 * deviationReach_, 0.004 * diagonal_, 0.1 * diagonal_);
 }
 
-void ContentActors::update(const Style& style, double depthPerMillimetre, double millimetresPerPixel) {
+void ContentActors::update(const Content& content, const Style& style, double depthPerMillimetre,
+                           double millimetresPerPixel) {
   const double line = 1.5 * millimetresPerPixel * style.pixelRatio + 0.0004 * diagonal_;
   const double back = targetSetBack(style);
   target_.setDepthShift(depthPerMillimetre * back);
@@ -288,11 +304,20 @@ void ContentActors::update(const Style& style, double depthPerMillimetre, double
   isolines_.setDepthShift(-depthPerMillimetre * 1.2 * line);
   stations_.setDepthShift(-depthPerMillimetre * line);
   for (Part* part : {&selected_, &selectedDashes_}) part->setDepthShift(-depthPerMillimetre * 2 * line);
-  // Dense lines must not become a veil over the map.
+
+  // Dense lines must not become a veil over the map: every second, fifth, tenth station is drawn where they
+  // would crowd.
+  stations_.setOpacity(style.showCut && hasCut_ ? 0.42 : 0.75);
   const double spacing = stationSpacing_ / std::max(1e-12, millimetresPerPixel * style.pixelRatio);
-  const double base = style.showCut && hasCut_ ? 0.42 : 0.75;
-  stations_.setOpacity(std::max(0.06, base * std::clamp(spacing / 9, 0.0, 1.0)));
-  bladeDashes_.setOpacity(std::max(0.08, 0.7 * std::clamp(spacing / 9, 0.0, 1.0)));
+  int stride = 1;
+  for (const int candidate : {1, 2, 5, 10, 20, 50, 100, 200, 500}) {
+    stride = candidate;
+    if (spacing * candidate >= kLeastSpacing) break;
+  }
+  if (stride != stride_ || !linesValid_) {
+    stride_ = stride;
+    rebuildLines(content);
+  }
 }
 
 }  // namespace bw::scene

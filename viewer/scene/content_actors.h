@@ -31,13 +31,20 @@ class ContentActors {
   /// Millimetres that the target is drawn behind its place, so that the map is not tinted where the two
   /// nearly coincide.
   double targetSetBack(const Style& style) const;
-  /// Depth shifts for that many units of depth a millimetre at the focus, and for stations that lie `spacing`
-  /// pixels apart.
-  void update(const Style& style, double depthPerMillimetre, double millimetresPerPixel);
+  /// Settles what depends on the view: depth shifts, from units of depth a millimetre at the focus, and how
+  /// many of the stations are drawn, from the size of a pixel there.
+  void update(const Content& content, const Style& style, double depthPerMillimetre,
+              double millimetresPerPixel);
 
  private:
+  /// A blade beyond its station: solid in the foam, dashed outside.
+  struct Extensions {
+    std::vector<Polyline> solid;
+    Segments dashed;
+  };
   void selectStation(const Content& content, int index);
-  void showBlades(const Content& content);
+  void addExtensions(const Content& content, std::size_t index, Extensions& extensions) const;
+  void rebuildLines(const Content& content);
 
   Part target_, targetEdges_, cut_, cutEdges_, isolines_, stations_, selected_, selectedDashes_,
       bladesInside_, bladeDashes_;
@@ -47,7 +54,8 @@ class ContentActors {
   std::vector<Eigen::Vector3d> targetNormals_;
   std::vector<double> isolineLevels_;
   std::string isolineField_;
-  bool isolinesValid_ = false, bladesValid_ = false, hasCut_ = false;
+  bool isolinesValid_ = false, linesValid_ = false, bladesShown_ = false, hasCut_ = false;
+  int stride_ = 1;  ///< every how many-th station is drawn
   int selectedIndex_ = -1;
   double dash_ = 1;            ///< mm
   double deviationReach_ = 0;  ///< mm, largest deviation

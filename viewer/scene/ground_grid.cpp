@@ -127,9 +127,9 @@ void GroundGrid::update(const Projection& view, int width, int height, const std
 void GroundGrid::labelEdge(bool alongX, const Projection& view, int width, int height,
                            std::vector<PixelRect>& occupied) {
   const TextLook look{11 * pixelRatio_, false, theme(dark_).secondary, 1};
-  // The edges on the camera's side; straight from above, the lower and the right one.
-  const Eigen::Vector3d towards = -view.forward() - 0.02 * view.up() + 0.02 * view.right();
-  const bool upper = alongX ? towards.y() > 0 : towards.x() >= 0;
+  // The edges on the camera's side; straight from above, the lower and the left one.
+  const Eigen::Vector3d towards = -view.forward() - 0.02 * view.up() - 0.02 * view.right();
+  const bool upper = alongX ? towards.y() > 0 : towards.x() > 0;
   const double fixed = alongX ? (upper ? y1_ : y0_) : (upper ? x1_ : x0_);
   const double low = alongX ? x0_ : y0_, high = alongX ? x1_ : y1_;
   const Eigen::Vector3d outward =
@@ -149,7 +149,7 @@ void GroundGrid::labelEdge(bool alongX, const Projection& view, int width, int h
   if (every == kEvery.end()) return;
 
   // Where the two edges meet, their numbers would stand on each other.
-  const bool otherUpper = alongX ? towards.x() >= 0 : towards.y() > 0;
+  const bool otherUpper = alongX ? towards.x() > 0 : towards.y() > 0;
   const int corner = otherUpper ? count : 0;
   const long long first = std::llround(low / step_);
   // From the far end; its number names the unit, and nearer ones give way to it.

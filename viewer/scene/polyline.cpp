@@ -56,62 +56,63 @@ Segments dashes(const Polyline& line, double dash, double gap) {
   return result;
 }
 
-std::vector<Polyline> outsideFoam(const Polyline& blade, const Polyline& station,
-                                  const std::optional<Box>& block) {
-  std::vector<Polyline> pieces;
-  if (!usable(blade)) return pieces;
-  // Shares [a, b] of each edge that count as inside.
-  const auto insideOf = [&](std::size_t i) -> std::pair<double, double> {
-    if (!block) return {1, 0};
-    const Eigen::Vector3d p = block->frame.toLocal(blade[i]), d = block->frame.toLocal(blade[i + 1]) - p;
-    double enter = 0, leave = 1;
-    for (int k = 0; k < 3; ++k) {
-      if (d[k] == 0) {
-        if (p[k] < 0 || p[k] > block->size[k]) return {1, 0};
-        continue;
-      }
-      const double a = -p[k] / d[k], b = (block->size[k] - p[k]) / d[k];
-      enter = std::max(enter, std::min(a, b));
-      leave = std::min(leave, std::max(a, b));
-    }
-    return {enter, leave};
+std::vector<Polyline> beyondStation(const Polyline& blade, const Polyline& station) {
+  if (!usable(blade)) return {};
+  if (!usable(station)) return {blade};
+  // The part that cuts ends where the blade comes nearest to the ends of the station.
+  const auto nearest = [&](const Eigen::Vector3d& p) {
+    return std::size_t(std::min_element(blade.begin(), blade.end(),
+                                        [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+                                          return (a - p).squaredNorm() < (b - p).squaredNorm();
+                                        }) -
+                       blade.begin());
   };
-  if (!block) {
-    if (!usable(station)) return {blade};
-    // The part that cuts ends where the blade comes nearest to the ends of the station.
-    const auto nearest = [&](const Eigen::Vector3d& p) {
-      return std::size_t(std::min_element(blade.begin(), blade.end(),
-                                          [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-                                            return (a - p).squaredNorm() < (b - p).squaredNorm();
-                                          }) -
-                         blade.begin());
-    };
-    std::size_t first = nearest(station.front()), last = nearest(station.back());
-    if (first > last) std::swap(first, last);
-    // From the foam outwards, so that the dashes begin there.
-    if (first > 0) pieces.emplace_back(blade.rend() - std::ptrdiff_t(first + 1), blade.rend());
-    if (last + 1 < blade.size()) pieces.emplace_back(blade.begin() + std::ptrdiff_t(last), blade.end());
-    return pieces;
-  }
+  std::size_t first = nearest(station.front()), last = nearest(station.back());
+  if (first > last) std::swap(first, last);
+  std::vector<Polyline> pieces;
+  if (first > 0) pieces.emplace_back(blade.rend() - std::ptrdiff_t(first + 1), blade.rend());
+  if (last + 1 < blade.size()) pieces.emplace_back(blade.begin() + std::ptrdiff_t(last), blade.end());
+  return pieces;
+}
+
+std::vector<Polyline> clipped(const Polyline& line, const Box& box, Side side) {
+  std::vector<Polyline> pieces;
+  if (!usable(line)) return pieces;
   Polyline piece;
   const auto close = [&] {
     if (piece.size() >= 2) pieces.push_back(piece);
     piece.clear();
   };
-  for (std::size_t i = 0; i + 1 < blade.size(); ++i) {
-    const auto at = [&](double t) { return Eigen::Vector3d(blade[i] + t * (blade[i + 1] - blade[i])); };
-    const auto [enter, leave] = insideOf(i);
-    if (enter >= leave) {
-      if (piece.empty()) piece.push_back(blade[i]);
-      piece.push_back(blade[i + 1]);
-      continue;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    // The share [enter, leave] of the edge lies in the box.
+    const Eigen::Vector3d p = box.frame.toLocal(line[i]), d = box.frame.toLocal(line[i + 1]) - p;
+    double enter = 0, leave = 1;
+    for (int k = 0; k < 3; ++k) {
+      if (d[k] == 0) {
+        if (p[k] < 0 || p[k] > box.size[k]) leave = -1;
+        continue;
+      }
+      const double a = -p[k] / d[k], b = (box.size[k] - p[k]) / d[k];
+      enter = std::max(enter, std::min(a, b));
+      leave = std::min(leave, std::max(a, b));
     }
-    if (enter > 0) {
-      if (piece.empty()) piece.push_back(blade[i]);
-      piece.push_back(at(enter));
+    const auto add = [&](double from, double to) {
+      if (!(to > from)) return;
+      if (piece.empty()) piece.push_back(line[i] + from * (line[i + 1] - line[i]));
+      piece.push_back(line[i] + to * (line[i + 1] - line[i]));
+    };
+    const bool met = leave > enter;
+    if (side == Side::inside) {
+      if (!met || enter > 0) close();
+      if (met) add(enter, leave);
+      if (met && leave < 1) close();
+    } else {
+      add(0, met ? enter : 1);
+      if (met) {
+        close();
+        add(leave, 1);
+      }
     }
-    close();
-    if (leave < 1) piece = {at(leave), blade[i + 1]};
   }
   close();
   return pieces;

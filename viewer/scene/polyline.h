@@ -4,7 +4,6 @@
 
 #include <Eigen/Core>
 
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -21,9 +20,13 @@ bool usable(const Polyline& line);
 /// Cuts a polyline into dashes. Lengths in mm; it begins with a dash.
 Segments dashes(const Polyline& line, double dash, double gap);
 
-/// The pieces of a blade outside the block, or, if there is no block, beyond the ends of its station.
-std::vector<Polyline> outsideFoam(const Polyline& blade, const Polyline& station,
-                                  const std::optional<Box>& block);
+/// The two extensions of a blade beyond the ends of its station, each from the station outwards; the whole
+/// blade if the station is not usable.
+std::vector<Polyline> beyondStation(const Polyline& blade, const Polyline& station);
+
+/// The pieces of a line inside or outside a box, cut at its faces.
+enum class Side { inside, outside };
+std::vector<Polyline> clipped(const Polyline& line, const Box& box, Side side);
 
 /// The blade's line at a fractional station, linear between neighbours. Lines with different numbers of
 /// points are joined at equal shares of their length.

@@ -261,7 +261,7 @@ void Scene::Impl::renderFrame(int width, int height) {
   const double perMillimetre =
       camera.parallel ? 2 / (far - near) : 2 * far * near / ((far - near) * distance * distance);
   const double pixel = bw::scene::pixelSize(camera, height);
-  actors_.update(style, perMillimetre, pixel);
+  actors_.update(content, style, perMillimetre, pixel);
   blade_.update(view, -perMillimetre * 2 * pixel * style.pixelRatio);
   marker_.update(view, width, height, style);
   legend_.update(width, height, style, field, summary, map, contentVersion_);
