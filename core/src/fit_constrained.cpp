@@ -33,6 +33,8 @@ constexpr int kGradualSteps = 24;
 constexpr double kRank = 1e-9;
 // A bound counts as active if it holds with equality to this.
 constexpr double kActive = 1e-7;
+// A peak of the curvature that stands out by less than this part is covered by the fixed places.
+constexpr double kPeakExcess = 1e-11;
 // The longest step in the unknowns within one Newton step onto the constraints.
 constexpr double kLongestRestoration = 3;
 
@@ -151,19 +153,28 @@ bool ConstrainedFit::constraintsAt(const Vector& v, std::vector<Constraint>& equ
     }
   }
   if (constraints_.maxCurvature) {
+    // At both ends and in the middle, and at a peak of |κ| between them. Three fixed places keep the bound smooth where the elastica is
+    // nearly a circle and has no definite peak.
+    static constexpr const char* kNames[] = {"the curvature bound at the start", "the curvature bound in the middle",
+                                             "the curvature bound at the end"};
     const double scale = std::exp(-v[3]) / *constraints_.maxCurvature;
-    for (std::size_t end = 0; end < 2; ++end) {
-      const double kappa = ends_.state(end).curvature;
+    double highest = 0;
+    for (int place = 0; place < 3; ++place) {
+      const auto end = static_cast<std::size_t>(place / 2);
+      const double kappa = place == 1 ? shape[0] : ends_.state(end).curvature;
       const double sign = kappa < 0 ? -1 : 1;
       Constraint c;
       c.value = std::abs(kappa) * scale - 1;
-      for (int j = 0; j < 3; ++j) c.slope[j] = sign * scale * ends_.curvatureDerivative(end, j);
+      for (int j = 0; j < 3; ++j) {
+        c.slope[j] = sign * scale * (place == 1 ? (j == 0 ? 1.0 : 0.0) : ends_.curvatureDerivative(end, j));
+      }
       c.slope[3] = -std::abs(kappa) * scale;
-      c.name = end == 0 ? "the curvature bound at the start" : "the curvature bound at the end";
+      c.name = kNames[place];
       bounds.push_back(c);
+      highest = std::max(highest, std::abs(kappa));
     }
-    // A peak of |κ| inside: κ' = f_n cos ψ − f_t sin ψ changes sign where the tangent runs with the force.
-    // Its height is known in closed form, κ_peak² = κ² + 2 (f − f_t).
+    // κ' = f_n cos ψ − f_t sin ψ changes sign where the tangent runs with the force. The height of the peak is known in closed form,
+    // κ_peak² = κ² + 2 (f − f_t).
     if (!nodes_.evaluate(shape, false)) return false;
     const double ft = shape[1];
     const double fn = shape[2];
@@ -178,7 +189,7 @@ bool ConstrainedFit::constraintsAt(const Vector& v, std::vector<Constraint>& equ
     }
     const double f = std::hypot(ft, fn);
     const double height = std::sqrt(std::max(0.0, shape[0] * shape[0] + 2 * (f - ft)));
-    if (peak && height > 0 && f > 0) {
+    if (peak && f > 0 && height > highest * (1 + kPeakExcess)) {
       Constraint c;
       c.value = height * scale - 1;
       c.slope[0] = scale * shape[0] / height;

@@ -18,6 +18,8 @@ using std::numbers::pi;
 // Below this root mean square (in lengths) the extent of the target in a direction is rounding, and the force
 // that it would tell is taken as zero.
 constexpr double kFlat = 1e-12;
+// A root mean square curvature below this (times the length) is rounding: the target is a line.
+constexpr double kStraight = 1e-10;
 // κ range within which R3 counts a point as inside, relative to the largest curvature: rounding on a circle.
 constexpr double kRangeSlack = 1e-9;
 // Samples of one period, and trial values of s0 in it, for the first search of (3.3).
@@ -88,6 +90,10 @@ AffineCurvature fitAffineCurvature(const FitTarget& target) {
     covariance += target.weight[i] * target.point[i] * target.point[i].transpose();
     law.alpha += target.weight[i] * target.curvature[i];
     squares += target.weight[i] * target.curvature[i] * target.curvature[i];
+  }
+  if (std::sqrt(squares) < kStraight) {
+    law.alpha = 0;
+    return law;
   }
   // (2.17) about the centroid: α is the mean curvature, and the gradient of κ follows along the two principal
   // axes separately.

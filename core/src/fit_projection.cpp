@@ -15,12 +15,17 @@ using Eigen::Vector2d;
 
 // Limits of one descent. Steps are relative to the scaled parameters; the cost is in squared lengths of the
 // target.
-constexpr int kMaxIterations = 100;
+constexpr int kMaxIterations = 60;
 constexpr double kStepTolerance = 1e-11;
 constexpr double kCostTolerance = 1e-30;
 constexpr double kGradientTolerance = 1e-15;
 // The descent hands over to Newton's method when its steps are shorter than this.
 constexpr double kCoarseStep = 3e-3;
+// A descent with a rival: its limit, the ratio of values beyond which it is given up, and the distance (scaled parameters) within which
+// it is taken to end at the rival.
+constexpr int kRivalIterations = 12;
+constexpr double kHopeless = 2;
+constexpr double kSamePlace = 0.02;
 constexpr int kMaxSecantSteps = 60;
 constexpr int kMaxRefusals = 8;
 // A step this short that does not lower the value any more is rounding.
@@ -79,7 +84,8 @@ bool ProjectedFit::project(const Shape& shape, bool derivatives, Linear& linear)
 bool ProjectedFit::operator()(const double* x, double* residuals, double* jacobian) const {
   const Shape shape = Eigen::Map<const Eigen::Vector3d>(x).cwiseQuotient(scale_);
   Linear linear;
-  if (!project(shape, jacobian != nullptr, linear)) {
+  // The solver asks for the residuals first and, if it takes the step, for the Jacobian at the same point: most steps are taken.
+  if (!project(shape, true, linear)) {
     // Far above any value of the objective, so that the step is refused.
     std::fill(residuals, residuals + 2 * rows_, 1e3);
     if (jacobian != nullptr) std::fill(jacobian, jacobian + 6 * rows_, 0.0);
@@ -183,7 +189,7 @@ bool ProjectedFit::polish(Eigen::Vector3d& x, int& steps) const {
   return false;
 }
 
-std::optional<ProjectedFit::Solution> ProjectedFit::solve(const Shape& start) {
+std::optional<ProjectedFit::Solution> ProjectedFit::solve(const Shape& start, const Placed* rival) {
   scale_.setOnes();
   residuals_.resize(NumResiduals());
   jacobian_.resize(NumResiduals(), 3);
@@ -191,7 +197,7 @@ std::optional<ProjectedFit::Solution> ProjectedFit::solve(const Shape& start) {
   const Eigen::Vector3d norms = jacobian_.colwise().norm();
   scale_ = norms.cwiseMax(kSmallestColumn);
   ceres::TinySolver<ProjectedFit> solver;
-  solver.options.max_num_iterations = kMaxIterations;
+  solver.options.max_num_iterations = rival != nullptr ? kRivalIterations : kMaxIterations;
   solver.options.parameter_tolerance = kCoarseStep;
   solver.options.function_tolerance = kCostTolerance;
   solver.options.gradient_tolerance = kGradientTolerance;
@@ -200,6 +206,11 @@ std::optional<ProjectedFit::Solution> ProjectedFit::solve(const Shape& start) {
   const auto& summary = solver.Solve(*this, &x);
   Solution solution;
   solution.iterations = summary.iterations;
+  if (rival != nullptr) {
+    const double value = 2 * summary.final_cost;
+    const double apart = (x - rival->placement.shape.cwiseProduct(scale_)).norm();
+    if (value > kHopeless * rival->value || (value > rival->value && apart < kSamePlace)) return std::nullopt;
+  }
   solution.limit = !polish(x, solution.iterations);
   const std::optional<Placed> placed = place(x.cwiseQuotient(scale_));
   if (!placed) return std::nullopt;

@@ -41,8 +41,9 @@ class ProjectedFit {
     int iterations = 0;
     bool limit = false;  ///< stopped by the limit of iterations
   };
-  /// Descends from `start`; empty if the start cannot be placed.
-  std::optional<Solution> solve(const Shape& start);
+  /// Descends from `start`; empty if the start cannot be placed. With a `rival`, the descent is given up (empty) as soon as it is
+  /// clear that it ends at the rival or at something much worse.
+  std::optional<Solution> solve(const Shape& start, const Placed* rival = nullptr);
 
  private:
   /// Finishes a descent by Gauss–Newton steps with a secant correction for the second derivatives that

@@ -16,7 +16,7 @@ using Eigen::Vector2d;
 
 // Shapes beyond these are no fits: 60 rad of turning at the middle's curvature, or some thirty periods.
 constexpr double kLargestCurvature = 60;
-constexpr double kLargestForce = 4e4;
+constexpr double kLargestForce = 2500;
 
 // The angle of `v` that is nearest to `reference`.
 double angleNear(const Vector2d& v, double reference) {
@@ -131,7 +131,10 @@ void ShapeEvaluator::walk(const Shape& shape) {
 bool ShapeEvaluator::evaluate(const Shape& shape, bool derivatives) {
   if (!shape.allFinite() || std::abs(shape[0]) > kLargestCurvature || shape.tail<2>().norm() > kLargestForce)
     return false;
+  if (known_ == shape && (knownDerivatives_ || !derivatives)) return true;
   derivatives ? walk<3>(shape) : walk<0>(shape);
+  known_ = shape;
+  knownDerivatives_ = derivatives;
   return true;
 }
 

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <vector>
 
 #include "bw/core/elastica.h"
@@ -67,7 +68,7 @@ class ShapeEvaluator {
   /// `s` ascending, within [−½, ½].
   explicit ShapeEvaluator(std::vector<double> s);
 
-  /// False if the shape is out of the range that makes sense.
+  /// False if the shape is out of the range that makes sense. Asking again for the same shape costs nothing.
   bool evaluate(const Shape& shape, bool derivatives);
 
   struct State {
@@ -89,6 +90,8 @@ class ShapeEvaluator {
   void walk(const Shape& shape);
 
   std::vector<double> s_;
+  std::optional<Shape> known_;      ///< the shape that `values_` belongs to
+  bool knownDerivatives_ = false;
   std::vector<Eigen::Matrix4d> values_;  ///< rows x, y, ψ, κ; columns: state, derivatives by κ, f_t, f_n
 };
 

@@ -377,7 +377,8 @@ void PlanarCurve::Data::addChainQuadrature() {
   for (std::size_t i = 0; i + 1 < poles.size(); ++i) {
     const double side = cellT[i + 1] - cellT[i];
     const double share = side / length;
-    const int nodes = share < 1.0 / 40 ? 1 : std::min(kCurveNodes, 2 + static_cast<int>(20 * share));
+    // Three nodes see the sagitta of a side; two would miss it, since they lie where it crosses its mean.
+    const int nodes = std::min(kCurveNodes, 3 + static_cast<int>(20 * share));
     const detail::GaussRule rule = detail::gaussRule(nodes);
     const Vector2d direction = (poles[i + 1] - poles[i]).normalized();
     for (int j = 0; j < nodes; ++j) {
