@@ -15,7 +15,7 @@ root="$(CDPATH= cd -- "$(dirname -- "$0")/../.." && pwd)"
 cd "$root"
 
 if ! command -v clang++ >/dev/null 2>&1; then
-  echo "the fuzzers need clang++ with libFuzzer (packages clang and libclang-rt-14-dev)" >&2
+  echo "the fuzzers need clang++ with libFuzzer (packages clang and libclang-rt-dev)" >&2
   exit 2
 fi
 cmake --preset fuzz >/dev/null
