@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iterator>
+#include <limits>
 #include <numbers>
 
 namespace bw::detail {
@@ -24,6 +26,8 @@ constexpr int kMaxIterations = 150;
 constexpr double kStepTolerance = 1e-11;
 // A step this short that does not lower the objective any more is rounding.
 constexpr double kRoundingStep = 1e-7;
+// Steps shorter than this are judged by the Lagrangian instead of the objective.
+constexpr double kLagrangianStep = 1e-3;
 // Newton's method onto the constraints stops when they hold to this, well below `kFeasible`.
 constexpr double kRestored = 1e-13;
 constexpr int kMaxRestorations = 40;
@@ -33,6 +37,8 @@ constexpr int kGradualSteps = 24;
 constexpr double kRank = 1e-9;
 // A bound counts as active if it holds with equality to this.
 constexpr double kActive = 1e-7;
+// Part of its diagonal that is added to the metric of the steps onto the constraints.
+constexpr double kMetricDiagonal = 1e-2;
 // A peak of the curvature that stands out by less than this part is covered by the fixed places.
 constexpr double kPeakExcess = 1e-11;
 // The longest step in the unknowns within one Newton step onto the constraints.
@@ -153,9 +159,10 @@ bool ConstrainedFit::constraintsAt(const Vector& v, std::vector<Constraint>& equ
     }
   }
   if (constraints_.maxCurvature) {
-    // At both ends and in the middle, and at a peak of |κ| between them. Three fixed places keep the bound smooth where the elastica is
-    // nearly a circle and has no definite peak.
-    static constexpr const char* kNames[] = {"the curvature bound at the start", "the curvature bound in the middle",
+    // At both ends and in the middle, and at a peak of |κ| between them. Three fixed places keep the bound
+    // smooth where the elastica is nearly a circle and has no definite peak.
+    static constexpr const char* kNames[] = {"the curvature bound at the start",
+                                             "the curvature bound in the middle",
                                              "the curvature bound at the end"};
     const double scale = std::exp(-v[3]) / *constraints_.maxCurvature;
     double highest = 0;
@@ -173,8 +180,8 @@ bool ConstrainedFit::constraintsAt(const Vector& v, std::vector<Constraint>& equ
       bounds.push_back(c);
       highest = std::max(highest, std::abs(kappa));
     }
-    // κ' = f_n cos ψ − f_t sin ψ changes sign where the tangent runs with the force. The height of the peak is known in closed form,
-    // κ_peak² = κ² + 2 (f − f_t).
+    // κ' = f_n cos ψ − f_t sin ψ changes sign where the tangent runs with the force. The height of the peak
+    // is known in closed form, κ_peak² = κ² + 2 (f − f_t).
     if (!nodes_.evaluate(shape, false)) return false;
     const double ft = shape[1];
     const double fn = shape[2];
@@ -244,8 +251,18 @@ double ConstrainedFit::violation(const Placement& placement, std::string* worst)
   return largest;
 }
 
-bool ConstrainedFit::restore(Vector& v, const std::vector<std::string>& hold, int& iterations) {
-  std::vector<Constraint> equalities;
+void ConstrainedFit::measureBy(const Matrix& gaussNewton) {
+  // Steps onto the constraints should move the curve as little as possible, not its numbers; the part of the
+  // diagonal keeps numbers that hardly move the curve (tension along a line) from running away.
+  Matrix metric = gaussNewton;
+  metric.diagonal() *= 1 + kMetricDiagonal;
+  metric.diagonal().array() += 1e-6 * kMetricDiagonal * gaussNewton.trace();
+  const Matrix lower = metric.llt().matrixL();
+  stretch_ = lower.transpose().triangularView<Eigen::Upper>().solve(Matrix::Identity());
+}
+
+bool ConstrainedFit::restore(Vector& v, int& iterations) {
+  std::vector<Constraint> missed;
   std::vector<Constraint> bounds;
   double before = 0;
   Vector from = v;
@@ -255,17 +272,15 @@ bool ConstrainedFit::restore(Vector& v, const std::vector<std::string>& hold, in
     double size = std::numeric_limits<double>::infinity();
     Rows slopes;
     Values values;
-    if (constraintsAt(v, equalities, bounds)) {
-      for (const Constraint& c : bounds) {
-        const bool held = std::find(hold.begin(), hold.end(), c.name) != hold.end();
-        if (held || c.value > 0) equalities.push_back(c);
-      }
-      const auto count = static_cast<Eigen::Index>(equalities.size());
+    if (constraintsAt(v, missed, bounds)) {
+      std::copy_if(bounds.begin(), bounds.end(), std::back_inserter(missed),
+                   [](const Constraint& c) { return c.value > 0; });
+      const auto count = static_cast<Eigen::Index>(missed.size());
       slopes.resize(count, 7);
       values.resize(count);
       for (Eigen::Index i = 0; i < count; ++i) {
-        slopes.row(i) = equalities[static_cast<std::size_t>(i)].slope.transpose();
-        values[i] = equalities[static_cast<std::size_t>(i)].value;
+        slopes.row(i) = missed[static_cast<std::size_t>(i)].slope.transpose() * stretch_;
+        values[i] = missed[static_cast<std::size_t>(i)].value;
       }
       size = count > 0 ? values.norm() : 0;
     }
@@ -288,7 +303,7 @@ bool ConstrainedFit::restore(Vector& v, const std::vector<std::string>& hold, in
     Eigen::CompleteOrthogonalDecomposition<Rows> solver;
     solver.setThreshold(kRank);
     solver.compute(slopes);
-    step = -solver.solve(values);
+    step = stretch_ * Vector(solver.solve(-values));
     if (!step.allFinite()) return false;
     if (step.norm() > kLongestRestoration) step *= kLongestRestoration / step.norm();
     v += step;
@@ -297,7 +312,7 @@ bool ConstrainedFit::restore(Vector& v, const std::vector<std::string>& hold, in
 }
 
 bool ConstrainedFit::restoreGradually(Vector& v, int& iterations) {
-  if (Vector direct = v; restore(direct, {}, iterations)) {
+  if (Vector direct = v; restore(direct, iterations)) {
     v = direct;
     return true;
   }
@@ -316,6 +331,7 @@ bool ConstrainedFit::restoreGradually(Vector& v, int& iterations) {
   const double fromStartAngle = v[4] + ends_.angle(0);
   const double fromEndAngle = v[4] + ends_.angle(1);
   const double fromLength = v[3];
+  path.stretch_ = stretch_;
   Vector x = v;
   for (int k = 1; k <= kGradualSteps; ++k) {
     const double part = static_cast<double>(k) / kGradualSteps;
@@ -325,10 +341,10 @@ bool ConstrainedFit::restoreGradually(Vector& v, int& iterations) {
     path.endAngle_ = fromEndAngle + part * (wantedEnd - fromEndAngle);
     if (wanted.length)
       path.constraints_.length = std::exp(fromLength + part * (std::log(*wanted.length) - fromLength));
-    if (!path.restore(x, {}, iterations)) return false;
+    if (!path.restore(x, iterations)) return false;
   }
   v = x;
-  return restore(v, {}, iterations);
+  return restore(v, iterations);
 }
 
 ConstrainedFit::Stationarity ConstrainedFit::stationarity(const Placement& placement) {
@@ -411,13 +427,15 @@ ConstrainedFit::Solution ConstrainedFit::solve(const Placement& start) {
     solution.feasible = feasible && solution.violation <= kFeasible;
     return solution;
   };
+  Linearised model;
+  double value = 0;
+  if (!objective(v, &model, value)) return finish(false);
+  measureBy(model.gaussNewton);
   if (!restoreGradually(v, solution.iterations)) return finish(false);
 
   double damping = 0;
   Matrix secant = Matrix::Zero();
   int refusals = 0;
-  Linearised model;
-  double value = 0;
   if (!objective(v, &model, value)) return finish(false);
   for (int n = 0; n < kMaxIterations; ++n) {
     std::vector<Constraint> equalities;
@@ -467,7 +485,7 @@ ConstrainedFit::Solution ConstrainedFit::solve(const Placement& start) {
         if (rank < 7) {
           const Eigen::Matrix<double, 7, Eigen::Dynamic> basis = q.rightCols(7 - rank);
           const Eigen::LLT<Eigen::MatrixXd> factor(basis.transpose() * h * basis);
-          if (factor.info() != Eigen::Success) return false;
+          if (factor.info() != Eigen::Success) continue;  // not convex without a bound that holds it
           d += basis * factor.solve(-(basis.transpose() * (model.half + h * d)));
         }
         bool right = d.allFinite();
@@ -507,19 +525,29 @@ ConstrainedFit::Solution ConstrainedFit::solve(const Placement& start) {
       solution.converged = true;
       return finish(true);
     }
-    std::vector<std::string> hold;
-    for (std::size_t i = 0; i < bounds.size(); ++i) {
-      if ((set >> i) & 1U) hold.emplace_back(bounds[i].name);
-    }
     ++solution.iterations;
     Vector next = v + d;
     int unused = 0;
     Linearised there;
     double valueThere = 0;
-    const bool evaluated =
-        d.norm() < 1e3 && restore(next, hold, unused) && objective(next, &there, valueThere);
-    const bool better =
-        evaluated && (valueThere < value || (valueThere <= value * (1 + 1e-12) && movement <= kRoundingStep));
+    const bool evaluated = d.norm() < 1e3 && restore(next, unused) && objective(next, &there, valueThere);
+    // A step may end a little inside of a bound, which costs its multiplier times the slack; the Lagrangian
+    // takes that out.
+    double gain = value - valueThere;
+    std::vector<Constraint> equalitiesThere;
+    std::vector<Constraint> boundsThere;
+    if (evaluated && movement <= kLagrangianStep && constraintsAt(next, equalitiesThere, boundsThere)) {
+      Eigen::Index index = static_cast<Eigen::Index>(eqCount);
+      for (std::size_t i = 0; i < bounds.size(); ++i) {
+        if (!((set >> i) & 1U)) continue;
+        const auto same = std::find_if(boundsThere.begin(), boundsThere.end(), [&](const Constraint& c) {
+          return std::strcmp(c.name, bounds[i].name) == 0;
+        });
+        if (same != boundsThere.end()) gain += 2 * multipliers[index] * (bounds[i].value - same->value);
+        ++index;
+      }
+    }
+    const bool better = evaluated && (gain > 0 || (gain >= -1e-12 * value && movement <= kRoundingStep));
     if (!better) {
       if (evaluated && movement <= kRoundingStep) {
         solution.converged = true;
@@ -535,8 +563,6 @@ ConstrainedFit::Solution ConstrainedFit::solve(const Placement& start) {
     }
     // Secant correction for the second derivatives of the curve and of the constraints, from the change of
     // the Lagrangian's slope.
-    std::vector<Constraint> equalitiesThere;
-    std::vector<Constraint> boundsThere;
     if (constraintsAt(next, equalitiesThere, boundsThere)) {
       Vector slope = there.half;
       Vector slopeBefore = model.half;
@@ -567,6 +593,7 @@ ConstrainedFit::Solution ConstrainedFit::solve(const Placement& start) {
     v = next;
     model = there;
     value = valueThere;
+    measureBy(model.gaussNewton);
   }
   return finish(true);
 }

@@ -78,9 +78,10 @@ class ConstrainedFit {
   void chooseBranch(const Placement& placement);
   bool objective(const Vector& v, Linearised* derivatives, double& value);
   bool constraintsAt(const Vector& v, std::vector<Constraint>& equalities, std::vector<Constraint>& bounds);
-  /// Newton's method with the shortest steps onto the constraints; bounds count where they are violated or in
-  /// `hold`.
-  bool restore(Vector& v, const std::vector<std::string>& hold, int& iterations);
+  /// Sets the metric of the steps of `restore`.
+  void measureBy(const Matrix& gaussNewton);
+  /// Newton's method with the shortest steps onto the equalities and the bounds that are violated.
+  bool restore(Vector& v, int& iterations);
   bool restoreGradually(Vector& v, int& iterations);
 
   const FitTarget& target_;
@@ -89,6 +90,7 @@ class ConstrainedFit {
   double startAngle_ = 0, endAngle_ = 0;
   ShapeEvaluator nodes_;
   ShapeEvaluator ends_;
+  Matrix stretch_ = Matrix::Identity();
 };
 
 }  // namespace bw::detail

@@ -17,6 +17,9 @@ static_assert((kHausdorffPoints - 1) % kStride == 0);
 // Between two points the distance exceeds the larger of theirs by about an eighth of the second difference;
 // this is four times as much.
 constexpr double kBulge = 0.5;
+// With more poles than this, or corners, the distance may wave between the points of the first pass: then
+// every gap is looked at.
+constexpr std::size_t kManyPoles = 40;
 // Gaps that could raise the result by less than this, in lengths of the curve, are left alone.
 constexpr double kNegligible = 1e-13;
 
@@ -74,8 +77,10 @@ double oneSidedHausdorff(const Elastica& elastica, const PlanarCurve& curve) {
     gaps.push_back({i, top + rise});
   }
   std::sort(gaps.begin(), gaps.end(), [](const Gap& a, const Gap& b) { return a.bound > b.bound; });
+  const bool wavy =
+      curve.kind() == PlanarCurve::Kind::points || curve.poles().size() > kManyPoles || curve.degree() == 1;
   for (const Gap& gap : gaps) {
-    if (gap.bound <= largest + kNegligible * curve.length()) break;
+    if (!wavy && gap.bound <= largest + kNegligible * curve.length()) break;
     std::array<double, kStride - 1> inner;
     std::array<Elastica::State, kStride - 1> between;
     for (int j = 1; j < kStride; ++j) {
