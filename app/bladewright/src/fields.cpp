@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "fields.h"
 
+#include <QHBoxLayout>
 #include <QLineEdit>
 #include <QToolButton>
 #include <QWheelEvent>
@@ -110,6 +111,22 @@ QLabel* FormColumn::add(const QString& label, QWidget* field, const QString& tip
   field->setFixedWidth(kFieldWidth);
   grid_->addWidget(text, row_, 0, Qt::AlignVCenter);
   grid_->addWidget(field, row_++, 1, Qt::AlignRight | Qt::AlignVCenter);
+  return text;
+}
+
+QLabel* FormColumn::addLong(const QString& label, QWidget* field, const QString& tip) {
+  auto* line = new QWidget(this);
+  auto* layout = new QHBoxLayout(line);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(kGroupGap);
+  auto* text = new QLabel(label, line);
+  text->setBuddy(field);
+  text->setToolTip(tip);
+  field->setToolTip(tip);
+  field->setAccessibleName(label);
+  layout->addWidget(text);
+  layout->addWidget(field, 1);
+  addWide(line);
   return text;
 }
 

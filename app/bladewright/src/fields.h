@@ -88,6 +88,8 @@ class FormColumn : public QWidget {
 
   /// A line with a label and a field of the common width. The field's tooltip becomes the label's too. Returns the label.
   QLabel* add(const QString& label, QWidget* field, const QString& tip = {});
+  /// The same with a field that takes all the width beside its label: for choices with long names.
+  QLabel* addLong(const QString& label, QWidget* field, const QString& tip = {});
   /// A line that takes the whole width.
   void addWide(QWidget* widget);
   /// A line of text with a value that cannot be edited; returns the value's label.

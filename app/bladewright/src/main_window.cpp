@@ -117,7 +117,8 @@ MainWindow::MainWindow(model::Settings& settings, Theme& theme, const std::files
   refreshState();
 }
 
-MainWindow::~MainWindow() = default;
+// The history outlives the commands that show its names.
+MainWindow::~MainWindow() { bench_.document().undoStack().disconnect(); }
 
 void MainWindow::makeCommands() {
   const auto add = [this](const char* id, const QString& text, const char* icon, const QString& tip,
@@ -317,7 +318,8 @@ void MainWindow::makeWorkspace() {
   tabs_->addTab(section_, tr("Section"));
   tabs_->addTab(motion_, tr("Motion"));
   tabs_->addTab(messages_, tr("Messages"));
-  auto* corner = new QWidget(tabs_);
+  auto* corner = new QFrame(tabs_);
+  corner->setObjectName("panel");
   auto* cornerLayout = new QHBoxLayout(corner);
   cornerLayout->setContentsMargins(0, 2, 12, 2);
   cornerLayout->setSpacing(kGap);

@@ -141,7 +141,7 @@ void Banner::paintEvent(QPaintEvent*) {
 
 void Banner::resizeEvent(QResizeEvent* event) {
   QFrame::resizeEvent(event);
-  label_->setMinimumHeight(label_->heightForWidth(label_->width()));
+  label_->setMinimumHeight(std::max(0, label_->heightForWidth(label_->width())));
 }
 
 }  // namespace bw::app

@@ -326,7 +326,7 @@ void SectionView::paintEvent(QPaintEvent*) {
   painter.setFont(small);
   const double limitRadius = bench_.sweep()->sweep.blade.minRadius();
   painter.drawText(QRectF(plot.left(), top - 2, plot.width(), textHeight), Qt::AlignLeft,
-                   metrics.elidedText(tr("Curvature along the blade, limit 1/%1").arg(lengthText(limitRadius)), Qt::ElideRight, int(plot.width())));
+                   metrics.elidedText(tr("Curvature along the blade, limit 1/%1").arg(radiusText(limitRadius)), Qt::ElideRight, int(plot.width())));
   if (plot.height() > 12) paintCurvature(painter, plot);
   if (hasFocus()) {
     painter.setOpacity(1);

@@ -82,6 +82,7 @@ StartPage::StartPage(Workbench& bench, const Theme& theme, QWidget* parent)
   setFocusPolicy(Qt::NoFocus);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* outer = new QWidget;
+  outer->setObjectName("start");
   auto* center = new QHBoxLayout(outer);
   center->setContentsMargins(kPageMargin, kPageMargin, kPageMargin, kPageMargin);
   page_ = new QWidget(outer);
@@ -133,13 +134,11 @@ StartPage::StartPage(Workbench& bench, const Theme& theme, QWidget* parent)
   auto* examples = new QLabel(tr("Examples"), page_);
   examples->setFont(Theme::titleFont());
   layout->addWidget(examples);
-  grid_ = new QGridLayout;
-  grid_->setSpacing(kCardGap);
-  grid_->setAlignment(Qt::AlignLeft);
-  layout->addLayout(grid_);
+  shelf_ = new QWidget(page_);
+  layout->addWidget(shelf_);
   for (const geometry::Example& example : geometry::exampleList()) {
     const QString name = QString::fromStdString(example.name);
-    auto* card = new ExampleCard(theme, name, QString::fromStdString(example.title), page_);
+    auto* card = new ExampleCard(theme, name, QString::fromStdString(example.title), shelf_);
     connect(card, &QAbstractButton::clicked, this, [this, name] { emit exampleRequested(name); });
     cards_.push_back(card);
   }
@@ -182,7 +181,10 @@ void StartPage::arrange() {
   const int columns = std::clamp((width + kCardGap) / (kCardWidth + kCardGap), 1, 4);
   if (columns == columns_) return;
   columns_ = columns;
-  for (std::size_t i = 0; i < cards_.size(); ++i) grid_->addWidget(cards_[i], int(i) / columns, int(i) % columns);
+  const int rows = (int(cards_.size()) + columns - 1) / columns;
+  shelf_->setFixedHeight(rows * kCardHeight + (rows - 1) * kCardGap);
+  for (std::size_t i = 0; i < cards_.size(); ++i)
+    cards_[i]->move(int(i) % columns * (kCardWidth + kCardGap), int(i) / columns * (kCardHeight + kCardGap));
 }
 
 void StartPage::resizeEvent(QResizeEvent* event) {

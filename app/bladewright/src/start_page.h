@@ -3,7 +3,6 @@
 #pragma once
 
 #include <QAbstractButton>
-#include <QGridLayout>
 #include <QLabel>
 #include <QScrollArea>
 #include <QVBoxLayout>
@@ -57,7 +56,7 @@ class StartPage : public QScrollArea {
   Workbench& bench_;
   const Theme& theme_;
   QWidget* page_;
-  QGridLayout* grid_;
+  QWidget* shelf_;
   std::vector<ExampleCard*> cards_;
   int columns_ = 0;
   QLabel* recentTitle_;

@@ -128,6 +128,7 @@ QStatusBar { background: @panel; border-top: 1px solid @line; color: @secondary;
 QStatusBar::item { border: none; }
 
 QDockWidget { titlebar-close-icon: none; }
+QWidget#start { background: @background; }
 QScrollArea, QScrollArea > QWidget > QWidget#page { background: @panel; border: none; }
 QFrame#panel { background: @panel; border: none; }
 QFrame#line { background: @line; border: none; min-height: 1px; max-height: 1px; }

@@ -123,7 +123,7 @@ BladeFields::BladeFields(Workbench& bench, FormColumn* column, FormColumn* detai
   for (const Blade& blade : presets_)
     preset_->addItem(QString::fromStdString(blade.title.empty() ? blade.name : blade.title));
   preset_->addItem(tr("Custom"));
-  column->add(tr("Blade"), preset_, tr("The tool: its section and material"));
+  column->addLong(tr("Blade"), preset_, tr("The tool: its section and material"));
   connect(preset_, &QComboBox::activated, this, [this](int index) {
     if (std::size_t(index) >= presets_.size()) {
       editBlade(tr("Customise blade"), [](Blade&) {});
@@ -436,7 +436,7 @@ QWidget* WorkflowPanel::makeOutput() {
     const Result<Cell> cell = loadCell(name);
     cell_->addItem(QString::fromStdString(cell && !cell->title.empty() ? cell->title : name));
   }
-  column->add(tr("Robot cell"), cell_, tr("Robots, tools and the place of the block"));
+  column->addLong(tr("Robot cell"), cell_, tr("Robots, tools and the place of the block"));
   connect(cell_, &QComboBox::activated, this, [this](int index) {
     bench_.editJob(tr("Choose robot cell"), [&](Job& job) { job.cell = cells_[std::size_t(index)]; });
   });

@@ -40,7 +40,7 @@ void addMesh(pipeline::Evaluation& evaluation) {
 
 EvaluationRunner::EvaluationRunner(QObject* parent) : QObject(parent) {
   patience_.setSingleShot(true);
-  connect(&patience_, &QTimer::timeout, this, &EvaluationRunner::stopRunningEvaluation);
+  connect(&patience_, &QTimer::timeout, this, &EvaluationRunner::stopOutdatedRun);
   thread_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
 }
 
@@ -67,11 +67,12 @@ void EvaluationRunner::evaluate(const std::shared_ptr<const Design>& design, boo
       }
     }
     waiting_.push_back({++lastNumber_, design, {}, {}, {}});
+    if (!live && runningIsEvaluation_) running_.request_stop();
   }
   open_ += 1 - superseded;
   wake_.notify_one();
   if (!live)
-    stopRunningEvaluation();
+    patience_.stop();
   else if (!patience_.isActive())
     patience_.start(int(std::clamp(1e3 * kLivePatience * lastSeconds_, kLeastPatience, kMostPatience)));
   if (!std::exchange(busy_, true)) {
@@ -95,10 +96,11 @@ void EvaluationRunner::submit(const QString& name, Task task, std::function<void
   }
 }
 
-void EvaluationRunner::stopRunningEvaluation() {
-  patience_.stop();
+void EvaluationRunner::stopOutdatedRun() {
   const std::lock_guard lock(mutex_);
-  if (runningIsEvaluation_) running_.request_stop();
+  const bool newerWaits =
+      std::any_of(waiting_.begin(), waiting_.end(), [](const Order& order) { return order.design != nullptr; });
+  if (newerWaits && runningIsEvaluation_) running_.request_stop();
 }
 
 void EvaluationRunner::cancel() {

@@ -37,7 +37,7 @@ void fillDone(StepStates& states, const pipeline::Evaluation& evaluation) {
   if (evaluation.setup.value) {
     const Eigen::Vector3d& size = evaluation.setup.value->block.size;
     states[int(Step::setup)] = {Kind::done, 0,
-                                QStringLiteral("Block %1 × %2 × %3 mm")
+                                QStringLiteral("%1 × %2 × %3 mm")
                                     .arg(lengthText(size.x()), lengthText(size.y()), lengthText(size.z()))};
   }
   if (evaluation.model.value && evaluation.target.value) {

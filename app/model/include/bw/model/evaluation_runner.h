@@ -84,7 +84,7 @@ class EvaluationRunner : public QObject {
   void noteProgress(std::uint64_t number, double fraction, const QString& step);
   void endOrder();
   void stopAll();
-  void stopRunningEvaluation();
+  void stopOutdatedRun();
 
   // Shared with the worker, guarded by mutex_.
   std::mutex mutex_;
