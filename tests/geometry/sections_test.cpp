@@ -1,0 +1,321 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include <algorithm>
+#include <cmath>
+
+#include "bw/core/units.h"
+#include "shapes.h"
+
+namespace bw::geometry::test {
+namespace {
+
+constexpr double kAccuracy = 1e-3;  // mm, as promised for the section curves
+
+bool hasIssue(const Issues& issues, const std::string& kind, int station) {
+  return std::any_of(issues.begin(), issues.end(),
+                     [&](const Issue& i) { return i.kind == kind && i.where.station == station; });
+}
+
+/// Largest distance of the sections from the target.
+double deviation(const Target& target, const std::vector<Section>& sections) {
+  const auto sampler = target.sampler();
+  double worst = 0;
+  for (const Section& s : sections) {
+    for (const Eigen::Vector2d& q : s.curve.sample(301)) {
+      worst = std::max(worst, sampler->closest(s.frame.toWorld(q), nullptr)->distance);
+    }
+  }
+  return worst;
+}
+
+TEST(Sections, OfASphereAreItsParallels) {
+  Job job;
+  job.stations = 21;
+  const Cut cut = cutOf(exampleTarget("sphere-cap"), job);
+  ASSERT_EQ(cut.sections.size(), 21u);
+  const Eigen::Vector3d center(0, 0, -std::sqrt(630000.0));
+  for (const Section& s : cut.sections) {
+    const Eigen::Vector3d local = s.frame.toLocal(center);
+    const double radius = std::sqrt(810000 - local.z() * local.z());
+    for (const Eigen::Vector2d& q : s.curve.sample(201)) EXPECT_NEAR((q - local.head<2>()).norm(), radius, kAccuracy);
+    // Seen along y with z up, x runs to the left.
+    EXPECT_NEAR(s.curve.value(s.curve.start()).x(), s.frame.toLocal({300, 0, 0}).x(), 1e-6);
+    EXPECT_NEAR(s.curve.value(s.curve.end()).x(), s.frame.toLocal({-300, 0, 0}).x(), 1e-6);
+    EXPECT_NEAR(s.curve.length(), 2 * radius * std::asin(300 / radius), 1e-3);
+  }
+}
+
+TEST(Sections, OfTheSaddleAreItsParabolas) {
+  Job job;
+  job.stations = 9;
+  for (const Section& s : cutOf(exampleTarget("saddle"), job).sections) {
+    for (const Eigen::Vector2d& q : s.curve.sample(101)) {
+      const Eigen::Vector3d p = s.frame.toWorld(q);
+      EXPECT_NEAR(p.z(), p.x() * p.x() / 1600 - p.y() * p.y() / 1200, kAccuracy);
+    }
+  }
+}
+
+TEST(Sections, KeepTheirAccuracyOnEveryExample) {
+  for (const Example& e : exampleList()) {
+    Job job;
+    job.stations = 12;
+    const Target target = exampleTarget(e.name);
+    EXPECT_LT(deviation(target, cutOf(target, job).sections), kAccuracy) << e.name;
+  }
+}
+
+TEST(Sections, OfThePanelHaveFewSpans) {
+  for (const Section& s : cutOf(exampleTarget("panel-600x670"), Job{}).sections) {
+    EXPECT_EQ(s.curve.degree(), 3);
+    EXPECT_LE(s.curve.poles().size(), 22u);
+    // No knot twice: the sections are smooth.
+    const auto& knots = s.curve.knots();
+    for (std::size_t i = 4; i + 4 < knots.size(); ++i) EXPECT_GT(knots[i], knots[i - 1]);
+  }
+}
+
+TEST(Sections, FramesAreParallelRightHandedAndOnTheirPlane) {
+  const Cut cut = cutOf(exampleTarget("panel-600x670"), Job{});
+  ASSERT_EQ(cut.sections.size(), 60u);
+  for (const Section& s : cut.sections) {
+    EXPECT_NEAR((s.frame.x + Eigen::Vector3d::UnitX()).norm(), 0, 1e-12);
+    EXPECT_NEAR((s.frame.y - Eigen::Vector3d::UnitZ()).norm(), 0, 1e-12);
+    EXPECT_NEAR((s.frame.x.cross(s.frame.y) - s.frame.normal).norm(), 0, 1e-12) << "normal is x × y";
+    EXPECT_NEAR((s.frame.normal - cut.setup.direction).norm(), 0, 1e-12);
+    EXPECT_NEAR((s.frame.origin - cut.setup.block.frame.origin).norm(), std::abs(s.travel), 1e-9);
+    EXPECT_GT(s.curve.value(s.curve.end()).x(), s.curve.value(s.curve.start()).x());
+  }
+}
+
+TEST(Sections, TravelRunsFromOneBorderToTheOtherInEqualSteps) {
+  const Cut cut = cutOf(exampleTarget("panel-600x670"), Job{});
+  EXPECT_GT(cut.sections.front().travel, 0);
+  EXPECT_LT(cut.sections.front().travel, 0.1);
+  EXPECT_LT(cut.sections.back().travel, 670);
+  EXPECT_GT(cut.sections.back().travel, 669.9);
+  const double step = (cut.sections.back().travel - cut.sections.front().travel) / 59;
+  for (int i = 0; i < 60; ++i) {
+    EXPECT_EQ(cut.sections[i].index, i);
+    EXPECT_NEAR(cut.sections[i].travel, cut.sections.front().travel + i * step, 1e-9);
+  }
+}
+
+TEST(Sections, SpacingGivesAtMostThatStep) {
+  Job job;
+  job.spacing = 25;
+  const Cut cut = cutOf(exampleTarget("panel-600x670"), job);
+  ASSERT_EQ(cut.sections.size(), 28u);  // 27 gaps of just under 25 mm
+  EXPECT_LE(cut.sections[1].travel - cut.sections[0].travel, 25);
+  EXPECT_GT(cut.sections[1].travel - cut.sections[0].travel, 24);
+}
+
+TEST(Sections, AgainstTheDirectionAreTheMirrorImage) {
+  const Target target = exampleTarget("panel-600x670");
+  Job job;
+  job.stations = 7;
+  const Cut there = cutOf(target, job);
+  job.direction = -there.setup.direction;
+  const Cut back = cutOf(target, job);
+  ASSERT_EQ(back.sections.size(), there.sections.size());
+  EXPECT_GT(back.sections.front().travel, 0);
+  for (std::size_t i = 0; i < there.sections.size(); ++i) {
+    const Section &a = there.sections[i], &b = back.sections[there.sections.size() - 1 - i];
+    EXPECT_NEAR((b.frame.y - a.frame.y).norm(), 0, 1e-12);
+    EXPECT_NEAR((b.frame.x + a.frame.x).norm(), 0, 1e-12);
+    EXPECT_NEAR(a.curve.length(), b.curve.length(), 2 * kAccuracy);
+    EXPECT_NEAR((a.frame.toWorld(a.curve.value(a.curve.start())) - b.frame.toWorld(b.curve.value(b.curve.end()))).norm(), 0, 1e-5);
+  }
+}
+
+TEST(Sections, MoveWithTheTarget) {
+  const auto surface = [](double u, double v) {
+    return Eigen::Vector3d(500 * u, 700 * v, 40 * std::sin(4 * u + v) + 30 * v * v);
+  };
+  const Eigen::Matrix3d R = Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, -2, 0.4).normalized()).toRotationMatrix();
+  const Eigen::Vector3d shift(1000, -2000, 500);
+  const Target a = targetOf(stepOf(surface));
+  const Target b = targetOf(stepOf([&](double u, double v) { return Eigen::Vector3d(R * surface(u, v) + shift); }));
+  Job job;
+  job.stations = 8;
+  Issues issues;
+  auto setup = resolveSetup(a, job, issues).value();
+  const auto first = cutSections(a, setup, job, {}, issues);
+  auto moved = setup;
+  moved.direction = R * setup.direction;
+  moved.block.frame.origin = R * setup.block.frame.origin + shift;
+  moved.block.frame.x = R * setup.block.frame.x;
+  moved.block.frame.y = R * setup.block.frame.y;
+  moved.block.frame.normal = R * setup.block.frame.normal;
+  const auto second = cutSections(b, moved, job, {}, issues);
+  ASSERT_TRUE(first && second);
+  ASSERT_EQ(first->size(), second->size());
+  for (std::size_t i = 0; i < first->size(); ++i) {
+    const auto p = (*first)[i].curve.sample(50), q = (*second)[i].curve.sample(50);
+    for (std::size_t k = 0; k < p.size(); ++k) EXPECT_NEAR((p[k] - q[k]).norm(), 0, 2 * kAccuracy);
+  }
+}
+
+TEST(Sections, AreTheSameForAnyNumberOfThreads) {
+  const Target target = exampleTarget("graph");
+  const Cut one = cutOf(target, Job{}, 1), four = cutOf(target, Job{}, 4);
+  ASSERT_EQ(one.sections.size(), four.sections.size());
+  for (std::size_t i = 0; i < one.sections.size(); ++i) {
+    EXPECT_EQ(one.sections[i].curve.knots(), four.sections[i].curve.knots());
+    EXPECT_EQ(one.sections[i].curve.poles(), four.sections[i].curve.poles());
+  }
+}
+
+TEST(Sections, ObliqueDirectionCutsTheWholeSurface) {
+  const Target target = exampleTarget("panel-600x670");
+  Job job;
+  job.direction = Eigen::Vector3d(1, 2, 0.2);
+  job.stations = 25;
+  const Cut cut = cutOf(target, job);
+  EXPECT_GE(cut.sections.size(), 23u);
+  EXPECT_LT(deviation(target, cut.sections), kAccuracy);
+  for (const Section& s : cut.sections) {
+    EXPECT_NEAR((s.frame.normal - Eigen::Vector3d(1, 2, 0.2).normalized()).norm(), 0, 1e-12);
+    EXPECT_GT(s.curve.value(s.curve.end()).x(), s.curve.value(s.curve.start()).x());
+  }
+}
+
+TEST(Sections, EndOnTheSidesOfTheBlock) {
+  const Target target = exampleTarget("wavy-wall");
+  Job job;
+  job.block = BlockPlacement{{1500, 300, -250}, {900, 700, 500}, {0, 0, 0}};
+  job.stations = 15;
+  const Cut cut = cutOf(target, job);
+  ASSERT_EQ(cut.sections.size(), 15u);
+  EXPECT_NEAR(cut.sections.front().travel, 0, 0.1);
+  EXPECT_NEAR(cut.sections.back().travel, 900, 0.1);
+  for (const Section& s : cut.sections) {
+    double low = 1e300, high = -1e300;
+    for (const double t : {s.curve.start(), s.curve.end()}) {
+      const double y = s.frame.toWorld(s.curve.value(t)).y();
+      low = std::min(low, y);
+      high = std::max(high, y);
+    }
+    EXPECT_NEAR(low, 300, 1e-5);
+    EXPECT_NEAR(high, 1000, 1e-5);
+  }
+  EXPECT_LT(deviation(target, cut.sections), kAccuracy);
+}
+
+TEST(Sections, EndOnTheSidesOfATurnedBlock) {
+  const Target target = exampleTarget("panel-600x670");
+  Job job;
+  job.block = BlockPlacement{{200, 150, 0}, {250, 300, 200}, {fromDegrees(4), fromDegrees(-3), fromDegrees(20)}};
+  job.stations = 11;
+  const Cut cut = cutOf(target, job);
+  ASSERT_EQ(cut.sections.size(), 11u);
+  for (const Section& s : cut.sections) {
+    for (const double t : {s.curve.start(), s.curve.end()}) {
+      const Eigen::Vector3d q = cut.setup.block.frame.toLocal(s.frame.toWorld(s.curve.value(t)));
+      EXPECT_NEAR(std::min(std::abs(q.x()), std::abs(q.x() - 250)), 0, 1e-5);
+    }
+  }
+}
+
+TEST(Sections, CurveThatLeavesThroughTheTopInBetweenIsReportedNotGuessed) {
+  // Two humps along x; the block's top cuts them off, so that three parts remain.
+  const Target target = targetOf(stepOf([](double u, double v) {
+    return Eigen::Vector3d(800 * u, 400 * v, 60 * std::cos(4 * kPi * u));
+  }, 5, 60));
+  Job job;
+  job.block = BlockPlacement{{0, 0, -100}, {800, 400, 130}, {0, 0, 0}};
+  job.direction = Eigen::Vector3d::UnitY();
+  job.stations = 5;
+  Issues issues;
+  const auto setup = resolveSetup(target, job, issues);
+  const auto sections = cutSections(target, *setup, job, {}, issues);
+  expectError(sections, ErrorCode::noSolution, "separate curves");
+  for (int i = 0; i < 5; ++i) EXPECT_TRUE(hasIssue(issues, "section-branches", i));
+}
+
+TEST(Sections, ClosedCurveIsReportedNotGuessed) {
+  const Target target = targetOf(stepOf([](double u, double v) {
+    return Eigen::Vector3d((100 + 20 * v) * std::cos(2 * kPi * u), (100 + 20 * v) * std::sin(2 * kPi * u), 300 * v);
+  }, 6, 80));
+  Job job;
+  job.direction = Eigen::Vector3d::UnitZ();
+  job.stations = 4;
+  Issues issues;
+  const auto setup = resolveSetup(target, job, issues);
+  ASSERT_TRUE(setup);
+  expectError(cutSections(target, *setup, job, {}, issues), ErrorCode::noSolution, "closed curve");
+  EXPECT_TRUE(hasIssue(issues, "section-closed", 0));
+}
+
+TEST(Sections, ClosedCurveOpensInABlockThatHoldsOneSideOfIt) {
+  const Target target = targetOf(stepOf([](double u, double v) {
+    return Eigen::Vector3d(150 * std::cos(2 * kPi * u), 150 * std::sin(2 * kPi * u), 300 * v);
+  }, 6, 200));
+  Job job;
+  job.direction = Eigen::Vector3d::UnitZ();
+  // The half with x > 0 holds the seam of the surface in its middle.
+  job.block = BlockPlacement{{30, -200, 50}, {200, 400, 200}, {0, 0, 0}};
+  job.stations = 4;
+  const Cut cut = cutOf(target, job);
+  ASSERT_EQ(cut.sections.size(), 4u);
+  for (const Section& s : cut.sections) EXPECT_NEAR(s.curve.length(), 2 * 150 * std::acos(30.0 / 150), 5e-3);
+}
+
+TEST(Sections, TouchingEndsAreLeftOutWithAnIssue) {
+  // A triangle-like sheet that runs out into a point.
+  const Target target = targetOf(stepOf([](double u, double v) {
+    return Eigen::Vector3d((u - 0.5) * 400 * (1 - v) * (1 - v), 600 * v, 20 * v * v);
+  }));
+  Job job;
+  job.direction = Eigen::Vector3d::UnitY();
+  job.stations = 40;
+  const Cut cut = cutOf(target, job);
+  EXPECT_LT(cut.sections.size(), 40u);
+  EXPECT_GT(cut.sections.size(), 33u);
+  EXPECT_TRUE(hasIssue(cut.issues, "section-short", 39));
+}
+
+TEST(Sections, RunOnOverACornerOfTheSurface) {
+  // A roof: two planes that meet at x = 250, one B-spline with a double corner line.
+  SplineSurface roof;
+  roof.degreeU = roof.degreeV = 1;
+  roof.knotsU = {0, 0, 0.5, 1, 1};
+  roof.knotsV = {0, 0, 1, 1};
+  roof.polesU = 3;
+  roof.polesV = 2;
+  roof.poles = {{0, 0, 0}, {250, 0, 150}, {500, 0, 0}, {0, 600, 0}, {250, 600, 150}, {500, 600, 0}};
+  const Target target = targetOf(stepText(roof, "roof").value());
+  Job job;
+  job.stations = 5;
+  const Cut cut = cutOf(target, job);
+  ASSERT_EQ(cut.sections.size(), 5u);
+  for (const Section& s : cut.sections) {
+    EXPECT_NEAR(s.curve.length(), 2 * std::hypot(250, 150), 1e-6);
+    double highest = -1e300;
+    for (const Eigen::Vector2d& q : s.curve.poles()) highest = std::max(highest, s.frame.toWorld(q).z());
+    EXPECT_NEAR(highest, 150, 1e-6) << "the ridge is kept sharp";
+  }
+  EXPECT_LT(deviation(target, cut.sections), kAccuracy);
+}
+
+TEST(Sections, PlaneAlongAKnotLineIsNoSpecialCase) {
+  // With 15 × 25 points every station falls on a row of the grid, and on knots of the spline.
+  const Target target = targetOf(stepOf([](double u, double v) {
+    return Eigen::Vector3d(480 * u, 700 * v, 25 * std::sin(5 * u) + 10 * v);
+  }, 15, 25));
+  Issues issues;
+  Job job;
+  job.stations = 15;
+  auto setup = resolveSetup(target, job, issues).value();
+  setup.block.frame.origin.y() += 50;  // from row 1 …
+  setup.block.size.y() = 600;          // … to row 13
+  job.stations = 13;
+  const auto sections = cutSections(target, setup, job, {}, issues);
+  ASSERT_TRUE(sections) << sections.error().message;
+  EXPECT_EQ(sections->size(), 13u);
+  EXPECT_LT(deviation(target, *sections), kAccuracy);
+}
+
+}  // namespace
+}  // namespace bw::geometry::test

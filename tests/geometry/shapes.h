@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include <functional>
+#include <string>
+
+#include "bw/core/spline_surface.h"
+#include "bw/geometry/cad_model.h"
+#include "bw/geometry/export.h"
+#include "bw/geometry/sections.h"
+
+namespace bw::geometry::test {
+
+/// A bi-cubic spline through a grid of points of `f` over [0, 1]², as STEP.
+inline std::string stepOf(const std::function<Eigen::Vector3d(double, double)>& f, int rows = 25, int columns = 25) {
+  SurfaceGrid grid;
+  grid.rows = rows;
+  grid.columns = columns;
+  std::vector<double> v;
+  for (int r = 0; r < rows; ++r) {
+    v.push_back(double(r) / (rows - 1));
+    for (int c = 0; c < columns; ++c) grid.points.push_back(f(double(c) / (columns - 1), v.back()));
+  }
+  const auto surface = interpolateGrid(grid, v);
+  EXPECT_TRUE(surface) << surface.error().message;
+  return stepText(*surface, "test").value();
+}
+
+inline CadModel modelOf(const std::string& step) {
+  auto model = CadModel::readBytes(step, "test.step");
+  EXPECT_TRUE(model) << model.error().message;
+  return std::move(*model);
+}
+
+inline Target targetOf(const std::string& step, const FaceChoice& choice = {}) {
+  auto target = Target::make(modelOf(step), choice);
+  EXPECT_TRUE(target) << target.error().message;
+  return std::move(*target);
+}
+
+inline Target exampleTarget(const std::string& name) { return targetOf(exampleStep(name).value()); }
+
+/// Sections of a target with a job's block, direction and stations; fails the test on an error.
+struct Cut {
+  Setup setup;
+  std::vector<Section> sections;
+  Issues issues;
+};
+
+inline Cut cutOf(const Target& target, const Job& job, int threads = 0) {
+  Cut cut;
+  auto setup = resolveSetup(target, job, cut.issues);
+  EXPECT_TRUE(setup) << setup.error().message;
+  cut.setup = *setup;
+  RunContext context;
+  context.threads = threads;
+  auto sections = cutSections(target, cut.setup, job, context, cut.issues);
+  EXPECT_TRUE(sections) << sections.error().message;
+  if (sections) cut.sections = std::move(*sections);
+  return cut;
+}
+
+/// Checks what is true of every error: it has the code, names what it must, and reads as one sentence.
+template <class T>
+void expectError(const Result<T>& result, ErrorCode code, const std::string& part) {
+  ASSERT_FALSE(result.has_value());
+  EXPECT_EQ(result.error().code, code) << result.error().message;
+  EXPECT_NE(result.error().message.find(part), std::string::npos) << result.error().message;
+  EXPECT_EQ(result.error().message.find('\n'), std::string::npos) << result.error().message;
+}
+
+}  // namespace bw::geometry::test

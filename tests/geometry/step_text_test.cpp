@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "bw/core/file_set.h"
+#include "shapes.h"
+
+namespace bw::geometry::test {
+namespace {
+
+SplineSurface wave() {
+  SurfaceGrid grid;
+  grid.rows = 7;
+  grid.columns = 9;
+  std::vector<double> v;
+  for (int r = 0; r < grid.rows; ++r) {
+    v.push_back(std::pow(r / 6.0, 1.3));
+    for (int c = 0; c < grid.columns; ++c) {
+      const double x = 80.0 * c + 0.1, y = 600 * v.back() - 1.0 / 3;
+      grid.points.push_back({x, y, 1e-9 * c + 37 * std::sin(x / 140) * std::cos(y / 230) - 1234.5});
+    }
+  }
+  return interpolateGrid(grid, v).value();
+}
+
+TEST(StepText, ReadsBackAsTheSameSurface) {
+  const SplineSurface surface = wave();
+  const auto sampler = targetOf(stepText(surface, "wave").value()).sampler();
+  double worst = 0;
+  for (int i = 0; i <= 40; ++i) {
+    for (int j = 0; j <= 40; ++j) {
+      const auto foot = sampler->closest(surface.value(i / 40.0, j / 40.0), nullptr);
+      ASSERT_TRUE(foot);
+      worst = std::max(worst, foot->distance);
+    }
+  }
+  EXPECT_LT(worst, 1e-6);
+}
+
+TEST(StepText, EqualInputGivesEqualBytesAndNoDate) {
+  const auto a = stepText(wave(), "wave"), b = stepText(wave(), "wave");
+  ASSERT_TRUE(a && b);
+  EXPECT_EQ(*a, *b);
+  EXPECT_NE(a->find("FILE_NAME('wave','',"), std::string::npos);
+  EXPECT_EQ(a->find('\r'), std::string::npos);
+}
+
+TEST(StepText, WritesNumbersTheWayTheStandardWants) {
+  SplineSurface s;
+  s.degreeU = s.degreeV = 1;
+  s.knotsU = s.knotsV = {0, 0, 1, 1};
+  s.polesU = s.polesV = 2;
+  s.poles = {{0, -0.0, 1e-20}, {1e21, 0, 0}, {0, 12, 0.1}, {1e21, 12, -2.5e-7}};
+  const std::string text = stepText(s, "numbers").value();
+  EXPECT_NE(text.find("(0.,0.,1.E-20)"), std::string::npos);
+  EXPECT_NE(text.find("(1.E+21,0.,0.)"), std::string::npos);
+  EXPECT_NE(text.find("(0.,12.,0.1)"), std::string::npos);
+  EXPECT_NE(text.find("(1.E+21,12.,-2.5E-07)"), std::string::npos);
+}
+
+TEST(StepText, NamesKeepQuotesAndForeignLetters) {
+  const std::string text = stepText(wave(), "it's \\ Ærø 𝄞").value();
+  EXPECT_NE(text.find("'it''s \\\\ \\X2\\00C6\\X0\\r\\X2\\00F8\\X0\\ \\X2\\D834DD1E\\X0\\'"), std::string::npos);
+  EXPECT_TRUE(CadModel::readBytes(text, "name.step"));
+}
+
+TEST(StepText, RefusesWhatIsNoSurface) {
+  SplineSurface s = wave();
+  s.poles[3].y() = std::numeric_limits<double>::infinity();
+  expectError(stepText(s, "bad"), ErrorCode::badInput, "pole 3");
+  s = wave();
+  s.poles.pop_back();
+  expectError(stepText(s, "bad"), ErrorCode::badInput, "poles");
+  s = wave();
+  s.knotsU.pop_back();
+  expectError(stepText(s, "bad"), ErrorCode::badInput, "knots");
+  s = wave();
+  std::swap(s.knotsV.front(), s.knotsV.back());
+  expectError(stepText(s, "bad"), ErrorCode::badInput, "ascending");
+  expectError(stepText(SplineSurface{}, "bad"), ErrorCode::badInput, "knots");
+}
+
+TEST(WriteStep, WritesTheTextOrSaysWhyNot) {
+  const std::filesystem::path folder = std::filesystem::path(BW_TEST_OUTPUT) / "geometry";
+  std::filesystem::create_directories(folder);
+  ASSERT_TRUE(writeStep(wave(), "wave", folder / "wave.step"));
+  EXPECT_EQ(readFile(folder / "wave.step").value(), stepText(wave(), "wave").value());
+  expectError(writeStep(wave(), "wave", "/proc/nowhere/wave.step"), ErrorCode::cannotWrite, "/proc/nowhere");
+}
+
+}  // namespace
+}  // namespace bw::geometry::test
