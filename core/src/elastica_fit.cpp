@@ -324,15 +324,21 @@ Result<FitResult> fitElastica(const PlanarCurve& curve, const FitOptions& option
     result.message =
         "No elastica was found that meets all conditions together; the hardest to meet was " + worst +
         ". Release one of them; the curve returned is the best without end conditions and bounds.";
-  } else if (violation > kHolds) {
-    result.status = FitStatus::iterationLimit;
-    result.message =
-        "The curve misses " + missed + " by " + shortText(violation) +
-        " (of its length, or rad): under this strong tension its numbers do not carry more digits.";
-  } else if (!chosen.converged || !(end.movement <= kConvergedMovement)) {
+  } else if (!chosen.converged) {
     result.status = FitStatus::iterationLimit;
     result.message = "The descent stopped after " + std::to_string(result.iterations) +
                      " iterations before it came to rest; the curve returned is the best so far.";
+  } else if (violation > kHolds) {
+    result.status = FitStatus::iterationLimit;
+    result.message = "The curve misses " + missed + " by " + shortText(violation) +
+                     " (of its length, or rad): so near to a line with sharp bends, the seven numbers of an "
+                     "elastica do not carry "
+                     "more digits.";
+  } else if (!(end.movement <= kConvergedMovement)) {
+    result.status = FitStatus::iterationLimit;
+    result.message = "The best curve is not met more exactly than " + shortText(end.movement) +
+                     " of its length: so near to a line with sharp bends, the seven numbers of an elastica "
+                     "do not carry more digits.";
   } else {
     result.status = boundActive ? FitStatus::constraintsActive : FitStatus::converged;
     if (boundActive)

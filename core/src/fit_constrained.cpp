@@ -26,8 +26,12 @@ constexpr int kMaxIterations = 150;
 constexpr double kStepTolerance = 1e-11;
 // A step this short that does not lower the objective any more is rounding.
 constexpr double kRoundingStep = 1e-7;
-// Steps shorter than this are judged by the Lagrangian instead of the objective.
-constexpr double kLagrangianStep = 1e-3;
+// An objective as small as this is zero (R4 of 1e-14).
+constexpr double kExact = 1e-28;
+// Relative rounding of the objective.
+constexpr double kValueRounding = 1e-12;
+// Steps shorter than this are led back exactly onto the bounds that press.
+constexpr double kHoldingStep = 1e-3;
 // Newton's method onto the constraints stops when they hold to this, well below `kFeasible`.
 constexpr double kRestored = 1e-13;
 constexpr int kMaxRestorations = 40;
@@ -61,13 +65,38 @@ Placement toPlacement(const Vector& v) {
 
 Shape shapeOf(const Vector& v) { return v.head<3>(); }
 
-// Periods within a segment of length 1; 0 where there is no period.
-double periodsOf(const Shape& shape) {
-  const Result<Elastica> elastica = Elastica::make(Vector2d::Zero(), 0, shape[0], shape.tail<2>(), 1);
-  if (!elastica) return 0;
-  const std::optional<double> period = elastica->period();
-  if (period) return 1 / *period;
-  return shape.tail<2>().norm() == 0 ? std::abs(shape[0]) / (2 * kPi) : 0;
+// Periods within a segment of length 1, and their derivatives with respect to the shape: agm(√f, √g) / 2π
+// with inflections, else agm(ω, √−g) / π, where ω² = κ²/4 + (f − f_t)/2 and g = f − ω². The mean is
+// differentiated along with its iteration.
+struct Periods {
+  double count = 0;
+  Eigen::Vector3d slope = Eigen::Vector3d::Zero();
+};
+
+Periods periodsOf(const Shape& shape) {
+  const double f = shape.tail<2>().norm();
+  const Eigen::Vector3d fSlope =
+      f > 0 ? Eigen::Vector3d(0, shape[1] / f, shape[2] / f) : Eigen::Vector3d::Zero();
+  const double squared = 0.25 * shape[0] * shape[0] + 0.5 * (f - shape[1]);
+  const Eigen::Vector3d squaredSlope = Eigen::Vector3d(0.5 * shape[0], -0.5, 0) + 0.5 * fSlope;
+  const double g = 0.5 * (f + shape[1]) - 0.25 * shape[0] * shape[0];
+  const bool inflectional = g >= 0;
+  const double larger = inflectional ? f : squared;
+  double a = std::sqrt(larger);
+  double b = std::sqrt(std::abs(g));
+  if (!(a > 0) || !(b > 0)) return {};
+  Eigen::Vector3d aSlope = (inflectional ? fSlope : squaredSlope) / (2 * a);
+  Eigen::Vector3d bSlope = (inflectional ? fSlope - squaredSlope : squaredSlope - fSlope) / (2 * b);
+  for (int i = 0; i < 40 && std::abs(a - b) > 1e-15 * a; ++i) {
+    const double root = std::sqrt(a * b);
+    const Eigen::Vector3d rootSlope = (b * aSlope + a * bSlope) / (2 * root);
+    aSlope = 0.5 * (aSlope + bSlope);
+    a = 0.5 * (a + b);
+    bSlope = rootSlope;
+    b = root;
+  }
+  const double factor = 1 / (inflectional ? 2 * kPi : kPi);
+  return {a * factor, aSlope * factor};
 }
 
 }  // namespace
@@ -208,20 +237,11 @@ bool ConstrainedFit::constraintsAt(const Vector& v, std::vector<Constraint>& equ
     }
   }
   if (constraints_.maxPeriods) {
-    const double periods = periodsOf(shape);
+    const Periods periods = periodsOf(shape);
     Constraint c;
-    c.value = periods / *constraints_.maxPeriods - 1;
+    c.value = periods.count / *constraints_.maxPeriods - 1;
+    c.slope.head<3>() = periods.slope / *constraints_.maxPeriods;
     c.name = "the number of periods";
-    if (c.value > -0.5) {
-      for (int j = 0; j < 3; ++j) {
-        const double h = 1e-5 * (1 + std::abs(shape[j]));
-        Shape low = shape;
-        Shape high = shape;
-        low[j] -= h;
-        high[j] += h;
-        c.slope[j] = (periodsOf(high) - periodsOf(low)) / (2 * h * *constraints_.maxPeriods);
-      }
-    }
     bounds.push_back(c);
   }
   return true;
@@ -261,7 +281,7 @@ void ConstrainedFit::measureBy(const Matrix& gaussNewton) {
   stretch_ = lower.transpose().triangularView<Eigen::Upper>().solve(Matrix::Identity());
 }
 
-bool ConstrainedFit::restore(Vector& v, int& iterations) {
+bool ConstrainedFit::restore(Vector& v, const std::vector<const char*>& hold, int& iterations) {
   std::vector<Constraint> missed;
   std::vector<Constraint> bounds;
   double before = 0;
@@ -273,8 +293,9 @@ bool ConstrainedFit::restore(Vector& v, int& iterations) {
     Rows slopes;
     Values values;
     if (constraintsAt(v, missed, bounds)) {
-      std::copy_if(bounds.begin(), bounds.end(), std::back_inserter(missed),
-                   [](const Constraint& c) { return c.value > 0; });
+      std::copy_if(bounds.begin(), bounds.end(), std::back_inserter(missed), [&](const Constraint& c) {
+        return c.value > 0 || std::find(hold.begin(), hold.end(), c.name) != hold.end();
+      });
       const auto count = static_cast<Eigen::Index>(missed.size());
       slopes.resize(count, 7);
       values.resize(count);
@@ -312,7 +333,7 @@ bool ConstrainedFit::restore(Vector& v, int& iterations) {
 }
 
 bool ConstrainedFit::restoreGradually(Vector& v, int& iterations) {
-  if (Vector direct = v; restore(direct, iterations)) {
+  if (Vector direct = v; restore(direct, {}, iterations)) {
     v = direct;
     return true;
   }
@@ -341,10 +362,10 @@ bool ConstrainedFit::restoreGradually(Vector& v, int& iterations) {
     path.endAngle_ = fromEndAngle + part * (wantedEnd - fromEndAngle);
     if (wanted.length)
       path.constraints_.length = std::exp(fromLength + part * (std::log(*wanted.length) - fromLength));
-    if (!path.restore(x, iterations)) return false;
+    if (!path.restore(x, {}, iterations)) return false;
   }
   v = x;
-  return restore(v, iterations);
+  return restore(v, {}, iterations);
 }
 
 ConstrainedFit::Stationarity ConstrainedFit::stationarity(const Placement& placement) {
@@ -521,35 +542,34 @@ ConstrainedFit::Solution ConstrainedFit::solve(const Placement& start) {
     if (!solved) return finish(true);
     const double movement = std::sqrt(std::max(0.0, d.dot(model.gaussNewton * d)));
     const double turn = d.head<5>().norm();
-    if (movement <= kStepTolerance && turn <= 1e-5) {
+    if ((movement <= kStepTolerance && turn <= 1e-5) || value <= kExact) {
       solution.converged = true;
       return finish(true);
     }
     ++solution.iterations;
-    Vector next = v + d;
     int unused = 0;
+    Vector next = v + d;
     Linearised there;
     double valueThere = 0;
-    const bool evaluated = d.norm() < 1e3 && restore(next, unused) && objective(next, &there, valueThere);
-    // A step may end a little inside of a bound, which costs its multiplier times the slack; the Lagrangian
-    // takes that out.
-    double gain = value - valueThere;
-    std::vector<Constraint> equalitiesThere;
-    std::vector<Constraint> boundsThere;
-    if (evaluated && movement <= kLagrangianStep && constraintsAt(next, equalitiesThere, boundsThere)) {
-      Eigen::Index index = static_cast<Eigen::Index>(eqCount);
-      for (std::size_t i = 0; i < bounds.size(); ++i) {
-        if (!((set >> i) & 1U)) continue;
-        const auto same = std::find_if(boundsThere.begin(), boundsThere.end(), [&](const Constraint& c) {
-          return std::strcmp(c.name, bounds[i].name) == 0;
-        });
-        if (same != boundsThere.end()) gain += 2 * multipliers[index] * (bounds[i].value - same->value);
-        ++index;
-      }
+    // The constraints hold only to kRestored, which the multipliers carry into the objective.
+    const double rounding = kValueRounding * value + 8 * kRestored * multipliers.lpNorm<1>();
+    const auto tryStep = [&](const std::vector<const char*>& hold) {
+      next = v + d;
+      const bool evaluated =
+          d.norm() < 1e3 && restore(next, hold, unused) && objective(next, &there, valueThere);
+      return evaluated &&
+             (valueThere < value || (valueThere <= value + rounding && movement <= kRoundingStep));
+    };
+    // Near the end the step is led back exactly onto the bounds that press, since the slack that it leaves
+    // costs more than it gains. Farther off that may be impossible: a peak of the curvature may have come in
+    // at an end.
+    std::vector<const char*> pressing;
+    for (std::size_t i = 0; i < bounds.size(); ++i) {
+      if (movement <= kHoldingStep && ((set >> i) & 1U)) pressing.push_back(bounds[i].name);
     }
-    const bool better = evaluated && (gain > 0 || (gain >= -1e-12 * value && movement <= kRoundingStep));
+    const bool better = tryStep(pressing) || (!pressing.empty() && tryStep({}));
     if (!better) {
-      if (evaluated && movement <= kRoundingStep) {
+      if (movement <= kRoundingStep) {
         solution.converged = true;
         return finish(true);
       }
@@ -563,6 +583,8 @@ ConstrainedFit::Solution ConstrainedFit::solve(const Placement& start) {
     }
     // Secant correction for the second derivatives of the curve and of the constraints, from the change of
     // the Lagrangian's slope.
+    std::vector<Constraint> equalitiesThere;
+    std::vector<Constraint> boundsThere;
     if (constraintsAt(next, equalitiesThere, boundsThere)) {
       Vector slope = there.half;
       Vector slopeBefore = model.half;

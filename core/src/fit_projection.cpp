@@ -21,8 +21,8 @@ constexpr double kCostTolerance = 1e-30;
 constexpr double kGradientTolerance = 1e-15;
 // The descent hands over to Newton's method when its steps are shorter than this.
 constexpr double kCoarseStep = 3e-3;
-// A descent with a rival: its limit, the ratio of values beyond which it is given up, and the distance (scaled parameters) within which
-// it is taken to end at the rival.
+// A descent with a rival: its limit, the ratio of values beyond which it is given up, and the distance
+// (scaled parameters) within which it is taken to end at the rival.
 constexpr int kRivalIterations = 12;
 constexpr double kHopeless = 2;
 constexpr double kSamePlace = 0.02;
@@ -84,7 +84,8 @@ bool ProjectedFit::project(const Shape& shape, bool derivatives, Linear& linear)
 bool ProjectedFit::operator()(const double* x, double* residuals, double* jacobian) const {
   const Shape shape = Eigen::Map<const Eigen::Vector3d>(x).cwiseQuotient(scale_);
   Linear linear;
-  // The solver asks for the residuals first and, if it takes the step, for the Jacobian at the same point: most steps are taken.
+  // The solver asks for the residuals first and, if it takes the step, for the Jacobian at the same point:
+  // most steps are taken.
   if (!project(shape, true, linear)) {
     // Far above any value of the objective, so that the step is refused.
     std::fill(residuals, residuals + 2 * rows_, 1e3);
@@ -151,11 +152,13 @@ bool ProjectedFit::polish(Eigen::Vector3d& x, int& steps) const {
   double damping = 0;
   int refusals = 0;
   for (int n = 0; n < kMaxSecantSteps; ++n) {
-    Eigen::LLT<Eigen::Matrix3d> factor(gaussNewton + secant + damping * Eigen::Matrix3d::Identity());
+    const Eigen::Matrix3d scale =
+        Eigen::Vector3d(gaussNewton.diagonal().array() + 1e-14 * gaussNewton.trace()).asDiagonal();
+    Eigen::LLT<Eigen::Matrix3d> factor(gaussNewton + secant + damping * scale);
     if (factor.info() != Eigen::Success) {
       secant.setZero();
-      damping = std::max(damping, 1e-12 * gaussNewton.trace());
-      factor.compute(gaussNewton + damping * Eigen::Matrix3d::Identity());
+      damping = std::max(damping, 1e-10);
+      factor.compute(gaussNewton + damping * scale);
       if (factor.info() != Eigen::Success) return false;
     }
     const Eigen::Vector3d step = factor.solve(-g);
@@ -172,7 +175,7 @@ bool ProjectedFit::polish(Eigen::Vector3d& x, int& steps) const {
       if (evaluated && step.norm() <= kRoundingStep) return true;
       if (++refusals > kMaxRefusals) return false;
       secant.setZero();
-      damping = std::max(10 * damping, 1e-2 * gaussNewton.trace());
+      damping = std::max(10 * damping, 1e-2);
       continue;
     }
     damping *= 0.1;

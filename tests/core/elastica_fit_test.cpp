@@ -146,14 +146,14 @@ TEST(ElasticaFit, CountingPiecesFindsTheElasticaItself) {
                                ? std::comp_ellint_1(k)
                                : std::comp_ellint_1(1 / k) / k;  // from apex to inflection, or half a period
     const double piece = k < 1 ? 2 * quarter : quarter;
-    for (const double first : {0.1, 1.1}) {
-      for (const double pieces : {0.8, 1.9, 3.1}) {
+    for (const double first : {0.2, 1.2}) {
+      for (const double pieces : {0.7, 1.6, 2.7}) {
         for (const double sense : {1.0, -1.0}) {
           ControlParameters p;
           p.k = k;
           p.S = 80;
           p.phi = 0.4;
-          p.s0 = first * piece;
+          p.s0 = (sense > 0 ? first : first + pieces) * piece;
           p.l = sense * pieces * piece;
           p.x = 12;
           p.y = -7;
@@ -401,7 +401,7 @@ TEST(ElasticaFit, ConstraintsHoldExactly) {
       options.tangents = kind.tangents;
       const FitResult r = fitElastica(c, options).value();
       const Elastica& e = r.elastica;
-      if (e.force().norm() * e.length() * e.length() > 400) {
+      if (e.force().norm() * e.length() * e.length() > 250) {
         // Under a tension like this the far end follows from the start only to exp(√f L) roundings, and the
         // status may say so.
         EXPECT_TRUE(r.status == FitStatus::converged || r.status == FitStatus::iterationLimit);
