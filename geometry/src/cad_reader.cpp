@@ -13,15 +13,19 @@
 #include <IGESControl_Reader.hxx>
 #include <IGESData_GlobalSection.hxx>
 #include <IGESData_IGESModel.hxx>
+#include <Interface_Check.hxx>
+#include <Interface_InterfaceModel.hxx>
 #include <Interface_Static.hxx>
 #include <STEPControl_Controller.hxx>
 #include <STEPControl_Reader.hxx>
 #include <ShapeFix_Shape.hxx>
+#include <TCollection_HAsciiString.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <XSControl_WorkSession.hxx>
 #include <unistd.h>
 
 #include <algorithm>
@@ -191,6 +195,16 @@ Result<ReadShape> readStep(const std::string& bytes, const std::string& name) {
   std::istringstream stream(bytes);
   if (reader.ReadStream(name.c_str(), stream) != IFSelect_RetDone) {
     return unreadable(name, "it is not valid STEP; export it again from the CAD program");
+  }
+  // OCCT's translators follow references without looking whether they lead anywhere, so damaged entities must be found first.
+  const Handle(Interface_InterfaceModel) model = reader.WS()->Model();
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    const std::string type = model->Value(i)->DynamicType()->Name();
+    if (type.rfind("StepGeom_", 0) != 0 && type.rfind("StepShape_", 0) != 0) continue;
+    const Handle(Interface_Check) check = model->Check(i, Standard_True);
+    if (check.IsNull() || !check->HasFailed()) continue;
+    return unreadable(name, "its entity " + std::string(model->StringLabel(model->Value(i))->ToCString()) +
+                                " is damaged (" + check->CFail(1) + "); copy or export it again");
   }
   ReadShape result;
   result.format = "STEP";

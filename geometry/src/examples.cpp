@@ -75,7 +75,7 @@ Eigen::Vector2d rampProfile(double u) {
 }
 
 constexpr double kRampHeight = 854.10, kRampWidth = 1400;
-constexpr double kRampShort = 855.65, kRampLong = 1001.60;  // runs whose profiles are 1342.6 and 1459.8 mm long
+constexpr double kRampShort = 855.11, kRampLong = 1001.38;  // runs whose profiles are 1342.6 and 1459.8 mm long
 
 Vector3d ramp(double u, double v, double runMiddle, double runEnd) {
   const double t = 2 * v - 1, run = runMiddle + (runEnd - runMiddle) * t * t;
@@ -112,11 +112,11 @@ const std::vector<Recipe>& recipes() {
        wavyWall, 5, 22, 5, 26},
       {{"ramp-corner-hollow", "Corner of a skater ramp, negative curvature",
         "x = r(v) X(u), y = 1400 v, z = 854.10 Z(u), (X, Z) the Bézier cubic (0,0) (0.5523,0) (1,0.4477) (1,1), "
-        "r(v) = 855.65 + 145.95 (2v − 1)²; mm, exact. Profiles are 1342.6 mm long in the middle and 1459.8 mm at the ends."},
+        "r(v) = 855.11 + 146.27 (2v − 1)²; mm, exact. Profiles are 1342.6 mm long in the middle and 1459.8 mm at the ends."},
        rampHollow, 3, 1, 2, 1},
       {{"ramp-corner-domed", "Corner of a skater ramp, positive curvature",
         "x = r(v) X(u), y = 1400 v, z = 854.10 Z(u), (X, Z) the Bézier cubic (0,0) (0.5523,0) (1,0.4477) (1,1), "
-        "r(v) = 1001.60 − 145.95 (2v − 1)²; mm, exact. Profiles are 1459.8 mm long in the middle and 1342.6 mm at the ends."},
+        "r(v) = 1001.38 − 146.27 (2v − 1)²; mm, exact. Profiles are 1459.8 mm long in the middle and 1342.6 mm at the ends."},
        rampDomed, 3, 1, 2, 1},
   };
   return list;

@@ -383,7 +383,12 @@ void PlaneCutter::split(int face, const std::vector<Root>& roots, double level, 
       if (raw.x() >= geometry.u0() && raw.x() <= geometry.u1() && raw.y() >= geometry.v0() && raw.y() <= geometry.v1()) {
         node.uv = raw;
       }
-      node.p = roots[r].p;
+      // The face's own point; the crossing on the shared edge differs from it by the file's tolerance.
+      const Eigen::Vector2d onBorder = node.uv;
+      if (!project(face, level, node) || (node.p - roots[r].p).norm() > 10 * target_.model->edges[trim.edge].tolerance + 1e-4) {
+        node.uv = onBorder;
+        node.p = roots[r].p;
+      }
       node.root = r;
       const Eigen::Vector2d q = node.uv.cwiseProduct(geometry.scale());
       double best = reach, where = 0;

@@ -282,6 +282,7 @@ class Sectioner {
       double length;
     };
     std::vector<Part> parts;
+    double speck = 0;
     for (const Branch& branch : branches) {
       std::size_t nodes = 0;
       for (const auto& part : branch.parts) nodes += part.piece->nodes.size();
@@ -290,9 +291,17 @@ class Sectioner {
       auto pieces = clip(cutter_, sampleBranch(cutter_, branch, level, division), branch.closed, level, window_, clipped);
       for (auto& piece : pieces) {
         const double length = lengthOf(piece);
-        if (length < kSpeck) continue;
+        if (length < kSpeck) {
+          speck = std::max(speck, length);
+          continue;
+        }
         parts.push_back({&branch, std::move(piece), branch.closed && !clipped, clipped, length});
       }
+    }
+    if (parts.empty() && speck > 0) {
+      issue(Severity::warning, "section-short",
+            "station " + std::to_string(station) + " is left out: its plane meets the target only in a point", frame.origin);
+      return outcome;
     }
     if (parts.empty()) {
       issue(Severity::warning, "section-missing",
@@ -396,7 +405,9 @@ class Sectioner {
       if (i > 0) {
         const double chord = (raw[i].p - raw[i - 1].p).norm();
         const double turn = std::acos(std::clamp(raw[i].t.dot(raw[i - 1].t), -1.0, 1.0));
-        if (raw[i].mark && chord <= kMeet) {  // the same point seen from the next face
+        const LevelNode &here = samples[i].node, &before = samples[i - 1].node;
+        const bool crossing = here.root >= 0 && here.root == before.root && samples[i].face != samples[i - 1].face;
+        if (raw[i].mark && (chord <= kMeet || crossing)) {  // the same point seen from the next face
           const bool corner = turn > kCorner;
           if (corner && runs.back().size() > 1) {
             CurveSample joint = runs.back().back();

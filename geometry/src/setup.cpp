@@ -157,7 +157,7 @@ Box autoBlock(const Target::Impl& target) {
 }  // namespace
 
 Result<Setup> resolveSetup(const Target& target, const Job& job, Issues& issues) {
-  if (job.direction && (!job.direction->allFinite() || job.direction->norm() < 1e-9)) {
+  if (job.direction && !(std::isfinite(job.direction->norm()) && job.direction->norm() > 1e-9)) {
     return fail(ErrorCode::badInput,
                 "the cutting direction is zero or not a number; give \"x\", \"y\", \"z\" or a vector such as [0, 1, 0]",
                 "direction", job.direction->norm());
@@ -191,7 +191,8 @@ Result<Setup> resolveSetup(const Target& target, const Job& job, Issues& issues)
     if (job.direction) {
       setup.direction = job.direction->normalized();
     } else {
-      setup.direction = setup.block.size.x() > setup.block.size.y() ? setup.block.frame.x : setup.block.frame.y;
+      const bool alongX = setup.block.size.x() > setup.block.size.y() * (1 + 1e-6);
+      setup.direction = alongX ? setup.block.frame.x : setup.block.frame.y;
     }
     const double flat = std::abs(setup.direction.dot(setup.block.frame.normal));
     if (flat > 0.7) {

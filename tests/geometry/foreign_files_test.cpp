@@ -58,7 +58,9 @@ class ForeignFiles : public testing::Test {
         EXPECT_FALSE(sections.error().message.empty());
         continue;
       }
-      EXPECT_LT(deviation(*target, *sections), 2e-3) << name << " face " << info.index;
+      // The borders of a large model meet only within its own tolerance (the hammer is 39 m long and sewn within 0.01 mm).
+      const double size = (m.info().bounds.max - m.info().bounds.min).norm();
+      EXPECT_LT(deviation(*target, *sections), std::max(2e-3, 1e-6 * size)) << name << " face " << info.index;
       ++good;
     }
     EXPECT_GE(good, least) << name;
