@@ -80,8 +80,9 @@ class ConstrainedFit {
   bool constraintsAt(const Vector& v, std::vector<Constraint>& equalities, std::vector<Constraint>& bounds);
   /// Sets the metric of the steps of `restore`.
   void measureBy(const Matrix& gaussNewton);
-  /// Newton's method with the shortest steps onto the equalities and the bounds that are violated.
-  bool restore(Vector& v, int& iterations);
+  /// Newton's method with the shortest steps onto the equalities, the bounds that are violated and those
+  /// named in `hold`.
+  bool restore(Vector& v, const std::vector<const char*>& hold, int& iterations);
   bool restoreGradually(Vector& v, int& iterations);
 
   const FitTarget& target_;

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// The whole path on the example panel, and what a change of one setting costs.
+
+#include <benchmark/benchmark.h>
+
+#include <filesystem>
+
+#include "bw/core/design.h"
+#include "bw/pipeline/pipeline.h"
+
+namespace bw::pipeline {
+
+namespace {
+
+Design panel(int stations) {
+  Design design;
+  design.source.path = std::string(BW_RESOURCES) + "/examples/panel-600x670.step";
+  if (Result<Job> job = parseJob("{}")) design.job = *job;
+  design.job.stations = stations;
+  return design;
+}
+
+void report(benchmark::State& state, const Seconds& sum) {
+  const double n = double(state.iterations());
+  state.counters["read_ms"] = 1e3 * sum.read / n;
+  state.counters["sections_ms"] = 1e3 * sum.sections / n;
+  state.counters["fit_ms"] = 1e3 * sum.fit / n;
+  state.counters["check_ms"] = 1e3 * sum.check / n;
+  state.counters["write_ms"] = 1e3 * sum.write / n;
+}
+
+void add(Seconds& sum, const Seconds& s) {
+  sum.read += s.read;
+  sum.sections += s.sections;
+  sum.fit += s.fit;
+  sum.check += s.check;
+  sum.write += s.write;
+}
+
+/// Budget: 1.5 s from reading STEP to all files written, of which the fits 25 ms.
+void panelFromStepToFiles(benchmark::State& state) {
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "bladewright-bench";
+  Seconds sum;
+  for (auto _ : state) {
+    Outcome outcome = evaluate(panel(60), nullptr, {});
+    if (outcome.error) return state.SkipWithError(outcome.error->message.c_str());
+    Result<FileSet> files = resultFiles(outcome.evaluation, {});
+    if (!files || !files->commit(folder)) return state.SkipWithError("the files could not be written");
+    add(sum, outcome.evaluation.seconds);
+  }
+  report(state, sum);
+  std::filesystem::remove_all(folder);
+}
+BENCHMARK(panelFromStepToFiles)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// Budget: the new picture within 0.4 s of a change of the station count; this is its computing part.
+void panelAfterStationChange(benchmark::State& state) {
+  Outcome outcome = evaluate(panel(60), nullptr, {});
+  Seconds sum;
+  int stations = 60;
+  for (auto _ : state) {
+    stations = stations == 60 ? 61 : 60;
+    outcome = evaluate(panel(stations), &outcome.evaluation, {});
+    if (outcome.error) return state.SkipWithError(outcome.error->message.c_str());
+    add(sum, outcome.evaluation.seconds);
+  }
+  report(state, sum);
+}
+BENCHMARK(panelAfterStationChange)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+}  // namespace
+
+}  // namespace bw::pipeline
