@@ -19,6 +19,14 @@ QString plainText(const QAction* action) {
   return text;
 }
 
+/// A letter, a digit, Space, Home or End alone or with Shift.
+bool isPlainKey(const QKeySequence& keys) {
+  const QKeyCombination first = keys[0];
+  const bool modified = first.keyboardModifiers() & ~Qt::KeyboardModifiers(Qt::ShiftModifier);
+  const bool plain = first.key() <= Qt::Key_AsciiTilde || first.key() == Qt::Key_Home || first.key() == Qt::Key_End;
+  return !modified && plain;
+}
+
 /// How well `text` fits what was typed: lower is better, −1 = not at all. Words may be typed in part and in any order.
 int rank(const QString& text, const QString& typed) {
   int total = 0;
@@ -44,6 +52,8 @@ QAction* Commands::add(const CommandInfo& info, std::function<void(bool)> run) {
   if (!info.icon.isEmpty()) action->setIcon(theme_.icon(info.icon));
   action->setCheckable(info.checkable);
   action->setShortcuts(info.shortcuts);
+  // Such a key stands in the menu, but is left to the widgets first: see pressKey.
+  if (!info.shortcuts.isEmpty() && isPlainKey(info.shortcuts.first())) action->setShortcutContext(Qt::WidgetShortcut);
   QString tip = info.tip.isEmpty() ? plainText(action) : info.tip;
   if (!info.shortcuts.isEmpty()) tip += QStringLiteral(" (%1)").arg(info.shortcuts.first().toString(QKeySequence::NativeText));
   action->setToolTip(tip);
@@ -59,6 +69,16 @@ QAction* Commands::operator[](const QString& id) const {
     if (action->objectName() == id) return action;
   BW_CHECK(!"an unknown command was asked for");
   return nullptr;
+}
+
+bool Commands::pressKey(const QKeyEvent* event) {
+  const QKeySequence pressed(QKeyCombination(event->modifiers() & ~Qt::KeypadModifier, Qt::Key(event->key())));
+  for (QAction* action : actions_)
+    if (action->shortcutContext() == Qt::WidgetShortcut && action->shortcuts().contains(pressed)) {
+      if (action->isEnabled()) action->trigger();
+      return true;
+    }
+  return false;
 }
 
 void Commands::refreshIcons() {

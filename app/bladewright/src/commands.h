@@ -4,6 +4,7 @@
 
 #include <QAction>
 #include <QDialog>
+#include <QKeyEvent>
 #include <QKeySequence>
 #include <QLineEdit>
 #include <QListWidget>
@@ -37,6 +38,9 @@ class Commands : public QObject {
   QAction* add(const CommandInfo& info, std::function<void(bool)> run);
   /// The command of that id; it must exist.
   QAction* operator[](const QString& id) const;
+  /// Runs the command of a key without modifiers that no widget wanted for itself: letters and Space belong to a focused field or button
+  /// first. False if there is none.
+  bool pressKey(const QKeyEvent* event);
   const std::vector<QAction*>& all() const { return actions_; }
 
  private:

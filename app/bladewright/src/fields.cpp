@@ -4,6 +4,7 @@
 
 #include <QHBoxLayout>
 #include <QLineEdit>
+#include <QMouseEvent>
 #include <QToolButton>
 #include <QWheelEvent>
 
@@ -82,10 +83,22 @@ HandSlider::HandSlider(QWidget* parent) : QSlider(Qt::Horizontal, parent) {
 }
 
 void HandSlider::show(int value) {
-  if (isSliderDown()) return;
+  if (held_) return;
   quiet_ = true;
   setValue(value);
   quiet_ = false;
+}
+
+void HandSlider::mousePressEvent(QMouseEvent* event) {
+  // Before the base class: a press beside the handle moves it at once.
+  held_ = event->button() == Qt::LeftButton;
+  if (held_) emit grabbed();
+  QSlider::mousePressEvent(event);
+}
+
+void HandSlider::mouseReleaseEvent(QMouseEvent* event) {
+  QSlider::mouseReleaseEvent(event);
+  held_ = false;
 }
 
 void HandSlider::wheelEvent(QWheelEvent* event) { event->ignore(); }

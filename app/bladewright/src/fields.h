@@ -60,7 +60,7 @@ class ChoiceField : public QComboBox {
   void wheelEvent(QWheelEvent* event) override;
 };
 
-/// A slider that tells moves of the hand only.
+/// A slider that tells moves of the hand only; `held()` is true from the press that grabs it to the release.
 class HandSlider : public QSlider {
   Q_OBJECT
 
@@ -68,15 +68,20 @@ class HandSlider : public QSlider {
   explicit HandSlider(QWidget* parent = nullptr);
   void show(int value);
   using QWidget::show;
+  bool held() const { return held_; }
 
  signals:
+  void grabbed();
   void moved(int value);
 
  protected:
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
 
  private:
   bool quiet_ = false;
+  bool held_ = false;
 };
 
 /// A column of controls, one a line: label left, field right.

@@ -326,7 +326,7 @@ void MainWindow::makeWorkspace() {
   auto* label = new QLabel(tr("Deviation drawn"), corner);
   label->setObjectName("secondary");
   auto* factor = new ChoiceField(corner);
-  factor->addItems({tr("1×"), tr("10×"), tr("50×")});
+  factor->addItems({tr("1×"), tr("5×"), tr("20×")});
   factor->setMinimumContentsLength(3);
   factor->setToolTip(tr("How many times larger than it is the distance between blade and target is drawn"));
   factor->setAccessibleName(tr("Deviation drawn"));
@@ -334,7 +334,7 @@ void MainWindow::makeWorkspace() {
   cornerLayout->addWidget(label);
   cornerLayout->addWidget(factor);
   tabs_->setCornerWidget(corner);
-  connect(factor, &QComboBox::activated, this, [this](int index) { section_->setExaggeration(index == 0 ? 1 : index == 1 ? 10 : 50); });
+  connect(factor, &QComboBox::activated, this, [this](int index) { section_->setExaggeration(index == 0 ? 1 : index == 1 ? 5 : 20); });
   connect(tabs_, &QTabWidget::currentChanged, corner, [this, corner] { corner->setVisible(tabs_->currentWidget() == section_); });
   middle_->addWidget(tabs_);
   middle_->setStretchFactor(0, 1);
@@ -756,6 +756,10 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   }
   storeLayout();
   event->accept();
+}
+
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+  if (!commands_.pressKey(event)) QMainWindow::keyPressEvent(event);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -3,6 +3,7 @@
 #include "motion_view.h"
 
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
 
@@ -132,7 +133,8 @@ void Timeline::paintEvent(QPaintEvent*) {
   for (double t = 0; t <= end_ + 1e-9; t += step) {
     const double x = xOf(t);
     painter.drawLine(QPointF(x, kTop + height), QPointF(x, kTop + height + 3));
-    painter.drawText(QRectF(x - 40, kTop + height + 3, 80, metrics.height()), Qt::AlignHCenter, timeText(t));
+    const QString text = step >= 1 ? timeText(t).chopped(2) : timeText(t);
+    painter.drawText(QRectF(x - 40, kTop + height + 3, 80, metrics.height()), Qt::AlignHCenter, text);
   }
   if (bench_.selection().station >= 0) {
     const double x = xOf(bench_.timeOfStation(bench_.selection().station));
@@ -161,6 +163,14 @@ void Timeline::mouseMoveEvent(QMouseEvent* event) {
   if (event->buttons() & Qt::LeftButton) bench_.setPlayTime(timeAt(event->position().x()));
 }
 
+bool Timeline::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride) {
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    if (key == Qt::Key_Left || key == Qt::Key_Right || key == Qt::Key_Home || key == Qt::Key_End) event->accept();
+  }
+  return QWidget::event(event);
+}
+
 void Timeline::keyPressEvent(QKeyEvent* event) {
   const int station = int(std::lround(bench_.stationAt(bench_.playTime())));
   if (event->key() == Qt::Key_Left || event->key() == Qt::Key_Right) {
@@ -179,6 +189,8 @@ void Timeline::keyPressEvent(QKeyEvent* event) {
 
 MotionView::MotionView(Workbench& bench, const Theme& theme, QWidget* parent)
     : QWidget(parent), bench_(bench), theme_(theme), timeline_(new Timeline(bench, theme, this)) {
+  setObjectName("panel");
+  setAttribute(Qt::WA_StyledBackground);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 4, 0, 0);
   layout->setSpacing(4);
@@ -187,7 +199,7 @@ MotionView::MotionView(Workbench& bench, const Theme& theme, QWidget* parent)
   bar->setSpacing(2);
   const auto button = [&](const char* icon, const QString& tip, const std::function<void()>& press) {
     auto* b = new QToolButton(this);
-    b->setProperty("icon", QString(icon));
+    b->setProperty("iconName", QString(icon));
     b->setToolTip(tip);
     b->setAccessibleName(tip);
     connect(b, &QToolButton::clicked, this, press);
@@ -269,7 +281,7 @@ void MotionView::refresh() {
   const bool there = bench_.playEnd() > 0;
   if (!there) timer_.stop();
   for (QToolButton* b : buttons_) {
-    const QString icon = b == play_ && playing() ? QStringLiteral("pause") : b->property("icon").toString();
+    const QString icon = b == play_ && playing() ? QStringLiteral("pause") : b->property("iconName").toString();
     if (b->property("shownIcon").toString() != icon + (theme_.dark() ? "d" : "l")) {
       b->setProperty("shownIcon", icon + (theme_.dark() ? "d" : "l"));
       b->setIcon(theme_.icon(icon));

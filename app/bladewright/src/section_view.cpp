@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "section_view.h"
 
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QToolTip>
@@ -357,6 +358,14 @@ void SectionView::mouseMoveEvent(QMouseEvent* event) {
 void SectionView::leaveEvent(QEvent*) {
   hovered_ = -1;
   update();
+}
+
+bool SectionView::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride) {
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    if ((key >= Qt::Key_Left && key <= Qt::Key_Down) || key == Qt::Key_Home || key == Qt::Key_End) event->accept();
+  }
+  return QWidget::event(event);
 }
 
 void SectionView::keyPressEvent(QKeyEvent* event) {

@@ -130,7 +130,7 @@ QStatusBar::item { border: none; }
 QDockWidget { titlebar-close-icon: none; }
 QWidget#start { background: @background; }
 QScrollArea, QScrollArea > QWidget > QWidget#page { background: @panel; border: none; }
-QFrame#panel { background: @panel; border: none; }
+QWidget#panel { background: @panel; border: none; }
 QFrame#line { background: @line; border: none; min-height: 1px; max-height: 1px; }
 QFrame#vline { background: @line; border: none; min-width: 1px; max-width: 1px; }
 

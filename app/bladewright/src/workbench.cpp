@@ -180,8 +180,8 @@ void Workbench::onFinished() {
     messages_.push_back(issue);
     Notice notice{Severity::error, QString::fromStdString(error->message), {}, {}};
     // The usual first obstacle has a usual remedy: a longer blade.
-    if (error->where.find("blade") != std::string::npos && error->limit && *error->limit > job().blade.length) {
-      const double length = std::ceil((*error->limit + 2 * job().clearance) / kBladeStep) * kBladeStep;
+    if (error->value == job().blade.length && error->limit && *error->limit > job().blade.length) {
+      const double length = std::ceil(*error->limit / kBladeStep) * kBladeStep;
       notice.action = tr("Use a blade of %1 mm").arg(length);
       notice.run = [this, length] {
         editJob(tr("Change blade length"), [length](Job& job) {

@@ -330,10 +330,10 @@ QWidget* WorkflowPanel::makeProcess() {
   stationSlider_->setAccessibleName(tr("Number of stations"));
   stationSlider_->setToolTip(tr("Number of stations"));
   column->addWide(stationSlider_);
-  connect(stationSlider_, &QSlider::sliderPressed, this, [this] { dragId_ = bench_.newMergeId(); });
+  connect(stationSlider_, &HandSlider::grabbed, this, [this] { dragId_ = bench_.newMergeId(); });
   connect(stationSlider_, &HandSlider::moved, this, [this](int value) {
     const int count = stationsOfSlider(value);
-    const bool dragging = stationSlider_->isSliderDown();
+    const bool dragging = stationSlider_->held();
     bench_.editJob(tr("Change stations"), [count](Job& job) { job.stations = count; }, dragging ? dragId_ : -1, dragging);
   });
   spacing_ = new NumberField({0.01, 10000, 2, 1, "mm"});
