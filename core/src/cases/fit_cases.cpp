@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "bw/core/elastica_fit.h"
+#include "cases/case_runner.h"
+#include "elastica/elastica_json.h"
+
+namespace bw {
+
+using namespace detail;
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+namespace {
+
+constexpr double kHuge = 1e15;
+
+Result<FitOptions> optionsFromJson(ObjectReader& reader) {
+  FitOptions options;
+  if (const json* length = reader.member("length")) {
+    if (length->is_number()) {
+      options.length = FitOptions::Length::given;
+      reader.number("length", options.givenLength, 1e-12, kHuge);
+    } else {
+      int word = 0;
+      reader.word("length", {"free", "exact"}, word);
+      options.length = word == 1 ? FitOptions::Length::exact : FitOptions::Length::free;
+    }
+  }
+  reader.boolean("endpoints", options.endpoints);
+  reader.boolean("tangents", options.tangents);
+  const auto optional = [&](const std::string& key, std::optional<double>& out, double min) {
+    const json* value = reader.member(key);
+    if (!value || value->is_null()) return;
+    double x = 0;
+    reader.number(key, x, min, kHuge);
+    out = x;
+  };
+  optional("max_curvature", options.maxCurvature, 0);
+  optional("max_periods", options.maxPeriods, 1e-6);
+  int norm = 0, guess = 0;
+  reader.word("norm", {"L2", "H1"}, norm);
+  reader.word("guess", {"length", "count"}, guess);
+  options.norm = FitOptions::Norm(norm);
+  options.guess = FitOptions::Guess(guess);
+  if (const json* initial = reader.member("initial"); initial && !initial->is_null()) {
+    const Result<Elastica> shape = elasticaFromJson(*initial, "initial");
+    if (!shape) return passOn(shape.error());
+    options.initial = *shape;
+  }
+  return options;
+}
+
+Result<ordered_json> fitCase(const json& object, bool& limited) {
+  ObjectReader reader(object, "case");
+  const json* shape = reader.member("curve");
+  if (!shape) reader.complain("curve", "the case needs the key curve");
+  const Result<FitOptions> options = optionsFromJson(reader);
+  if (!options) return passOn(options.error());
+  if (Result<void> ok = reader.finish(); !ok) return passOn(ok.error());
+  const Result<PlanarCurve> curve = curveFromJson(*shape, "curve");
+  if (!curve) return passOn(curve.error());
+  const Result<FitResult> fit = fitElastica(*curve, *options);
+  if (!fit) return passOn(fit.error());
+  if (fit->status == FitStatus::infeasible)
+    return fail(ErrorCode::noSolution,
+                fit->message.empty() ? "no elastica meets all the constraints" : fit->message, "constraints");
+  limited = fit->status == FitStatus::iterationLimit;
+  ordered_json result;
+  result["elastica"] = elasticaToJson(fit->elastica);
+  result["initial_elastica"] = elasticaToJson(fit->initial);
+  result["R1"] = fit->R1;
+  result["R2"] = fit->R2;
+  result["R3"] = fit->R3;
+  result["R3_star"] = fit->R3star;
+  result["R4_initial"] = fit->R4initial;
+  result["R4"] = fit->R4;
+  result["hausdorff"] = fit->hausdorff;
+  result["gradient_norm"] = fit->gradientNorm;
+  result["iterations"] = fit->iterations;
+  result["status"] = fitStatusName(fit->status);
+  result["message"] = fit->message;
+  result["seconds"] = fit->seconds;
+  return result;
+}
+
+}  // namespace
+
+Result<CaseAnswer> fitCases(std::string_view text, const RunContext& context) {
+  return runCases(text, context, fitCase);
+}
+
+Result<std::string> fitCaseFromCsv(std::string_view text) {
+  const Result<std::vector<Eigen::Vector2d>> points = pointsFromCsv(text);
+  if (!points) return passOn(points.error());
+  return json{{"curve", {{"type", "points"}, {"points", pointsToJson(*points)}}}}.dump();
+}
+
+}  // namespace bw

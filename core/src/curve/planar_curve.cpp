@@ -1,0 +1,398 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "bw/core/planar_curve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "bw/core/number_text.h"
+#include "curve/planar_curve_data.h"
+
+namespace bw {
+namespace {
+
+using Eigen::Vector2d;
+
+// Points closer than this fraction of the extent of a chain are one point.
+constexpr double kCoincident = 1e-12;
+// Sides of a chain that one bound of the nearest search covers.
+constexpr std::size_t kBlock = 16;
+
+bool finite(const Vector2d& p) { return std::isfinite(p.x()) && std::isfinite(p.y()); }
+
+std::string text(double value) {
+  if (std::isnan(value)) return "not a number";
+  if (std::isinf(value)) return value > 0 ? "infinite" : "minus infinite";
+  return shortText(value, 6);
+}
+
+// True if the points differ by no more than rounding.
+bool coincide(const std::vector<Vector2d>& points) {
+  double magnitude = 0;
+  double extent = 0;
+  for (const Vector2d& p : points) {
+    magnitude = std::max(magnitude, p.cwiseAbs().maxCoeff());
+    extent = std::max(extent, (p - points[0]).cwiseAbs().maxCoeff());
+  }
+  return extent <= 1e-14 * magnitude;
+}
+
+// The first pole that is not finite, as an error.
+std::optional<Error> checkPoints(const std::vector<Vector2d>& points, const char* what) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (finite(points[i])) continue;
+    const double bad = std::isfinite(points[i].x()) ? points[i].y() : points[i].x();
+    return Error{ErrorCode::badInput,
+                 std::string(what) + " " + std::to_string(i) + " of the curve has a coordinate that is " +
+                     text(bad) + "; give finite coordinates.",
+                 what + std::string(" ") + std::to_string(i), bad, std::nullopt};
+  }
+  return std::nullopt;
+}
+
+tl::unexpected<Error> zeroLength() {
+  return fail(ErrorCode::badInput,
+              "The curve has no length, or one too large for the computer: its points coincide or lie out of "
+              "range; give at "
+              "least two different points.",
+              "length", 0.0);
+}
+
+}  // namespace
+
+PlanarCurve::PlanarCurve(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
+
+Result<PlanarCurve> PlanarCurve::bezier(std::vector<Vector2d> poles) {
+  if (poles.size() < 2) {
+    return fail(ErrorCode::badInput,
+                "A Bézier curve needs at least 2 poles, but has " + std::to_string(poles.size()) + ".",
+                "poles", static_cast<double>(poles.size()), 2.0);
+  }
+  const int degree = static_cast<int>(std::min<std::size_t>(poles.size() - 1, 1000000));
+  if (degree > detail::kMaxDegree) {
+    return fail(ErrorCode::badInput,
+                "A Bézier curve of degree " + std::to_string(degree) + " is above the limit of " +
+                    std::to_string(detail::kMaxDegree) + "; divide it into a B-spline of lower degree.",
+                "degree", degree, detail::kMaxDegree);
+  }
+  if (auto error = checkPoints(poles, "pole")) return tl::unexpected<Error>(*std::move(error));
+  auto data = std::make_shared<Data>();
+  data->kind = Kind::bezier;
+  data->degree = degree;
+  data->knots.assign(poles.size(), 0.0);
+  data->knots.resize(2 * poles.size(), 1.0);
+  data->poles = std::move(poles);
+  if (coincide(data->poles) || !data->build()) return zeroLength();
+  return PlanarCurve(std::move(data));
+}
+
+Result<PlanarCurve> PlanarCurve::bspline(int degree, std::vector<double> knots, std::vector<Vector2d> poles,
+                                         std::vector<double> weights) {
+  if (degree < 1 || degree > detail::kMaxDegree) {
+    return fail(ErrorCode::badInput,
+                "The degree of a B-spline must be 1 to " + std::to_string(detail::kMaxDegree) + ", but is " +
+                    std::to_string(degree) + ".",
+                "degree", degree, degree < 1 ? 1 : detail::kMaxDegree);
+  }
+  const auto order = static_cast<std::size_t>(degree) + 1;
+  if (poles.size() < order) {
+    return fail(ErrorCode::badInput,
+                "A B-spline of degree " + std::to_string(degree) + " needs at least " +
+                    std::to_string(order) + " poles, but has " + std::to_string(poles.size()) + ".",
+                "poles", static_cast<double>(poles.size()), static_cast<double>(order));
+  }
+  if (knots.size() != poles.size() + order) {
+    return fail(ErrorCode::badInput,
+                "A B-spline with " + std::to_string(poles.size()) + " poles of degree " +
+                    std::to_string(degree) + " needs " + std::to_string(poles.size() + order) +
+                    " knots (repeated as often as their multiplicity), but has " +
+                    std::to_string(knots.size()) + ".",
+                "knots", static_cast<double>(knots.size()), static_cast<double>(poles.size() + order));
+  }
+  if (auto error = checkPoints(poles, "pole")) return tl::unexpected<Error>(*std::move(error));
+  std::size_t multiplicity = 0;
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    const std::string where = "knot " + std::to_string(i);
+    if (!std::isfinite(knots[i])) {
+      return fail(ErrorCode::badInput,
+                  "Knot " + std::to_string(i) + " is " + text(knots[i]) + "; give finite knots.", where,
+                  knots[i]);
+    }
+    if (i > 0 && knots[i] < knots[i - 1]) {
+      return fail(ErrorCode::badInput,
+                  "Knot " + std::to_string(i) + " (" + text(knots[i]) + ") is below the one before it (" +
+                      text(knots[i - 1]) + "); knots must not decrease.",
+                  where, knots[i], knots[i - 1]);
+    }
+    multiplicity = i > 0 && knots[i] == knots[i - 1] ? multiplicity + 1 : 1;
+    const bool inner = knots[i] > knots[order - 1] && knots[i] < knots[poles.size()];
+    const std::size_t most = inner ? order - 1 : order;
+    if (multiplicity > most) {
+      return fail(ErrorCode::badInput,
+                  "Knot " + std::to_string(i) + " (" + text(knots[i]) + ") is repeated more than " +
+                      std::to_string(most) +
+                      " times, which would tear the curve apart; lower its multiplicity.",
+                  where, static_cast<double>(multiplicity), static_cast<double>(most));
+    }
+  }
+  if (!(knots[order - 1] < knots[poles.size()]) || !std::isfinite(knots.back() - knots.front())) {
+    return fail(ErrorCode::badInput,
+                "The domain of the B-spline, knot " + std::to_string(degree) + " to knot " +
+                    std::to_string(poles.size()) + ", is empty or too large.",
+                "knots", knots[order - 1]);
+  }
+  if (!weights.empty() && weights.size() != poles.size()) {
+    return fail(ErrorCode::badInput,
+                "There are " + std::to_string(weights.size()) + " weights for " +
+                    std::to_string(poles.size()) + " poles; give one a pole, or none.",
+                "weights", static_cast<double>(weights.size()), static_cast<double>(poles.size()));
+  }
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    if (!std::isfinite(weights[i]) || !(weights[i] > 0)) {
+      return fail(ErrorCode::badInput,
+                  "Weight " + std::to_string(i) + " is " + text(weights[i]) +
+                      "; weights must be positive and finite.",
+                  "weight " + std::to_string(i), weights[i], 0.0);
+    }
+  }
+  auto data = std::make_shared<Data>();
+  data->kind = Kind::bspline;
+  data->degree = degree;
+  data->knots = std::move(knots);
+  data->poles = std::move(poles);
+  data->weights = std::move(weights);
+  if (coincide(data->poles) || !data->build()) return zeroLength();
+  return PlanarCurve(std::move(data));
+}
+
+Result<PlanarCurve> PlanarCurve::points(std::vector<Vector2d> points) {
+  if (points.size() < 2) {
+    return fail(ErrorCode::badInput,
+                "A curve of points needs at least 2 of them, but has " + std::to_string(points.size()) + ".",
+                "points", static_cast<double>(points.size()), 2.0);
+  }
+  if (auto error = checkPoints(points, "point")) return tl::unexpected<Error>(*std::move(error));
+  Vector2d low = points[0];
+  Vector2d high = points[0];
+  for (const Vector2d& p : points) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  const double merge = kCoincident * (high - low).norm();
+  auto data = std::make_shared<Data>();
+  data->kind = Kind::points;
+  data->degree = 1;
+  for (const Vector2d& p : points) {
+    if (data->poles.empty() || (p - data->poles.back()).norm() > merge) data->poles.push_back(p);
+  }
+  if (data->poles.size() < 2 || !data->build()) return zeroLength();
+  return PlanarCurve(std::move(data));
+}
+
+PlanarCurve::Kind PlanarCurve::kind() const { return data_->kind; }
+int PlanarCurve::degree() const { return data_->degree; }
+const std::vector<double>& PlanarCurve::knots() const { return data_->knots; }
+const std::vector<Vector2d>& PlanarCurve::poles() const { return data_->poles; }
+const std::vector<double>& PlanarCurve::weights() const { return data_->weights; }
+double PlanarCurve::start() const { return data_->start; }
+double PlanarCurve::end() const { return data_->end; }
+Vector2d PlanarCurve::value(double t) const { return data_->value(t); }
+PlanarCurve::Derivatives PlanarCurve::derivatives(double t) const { return data_->derivatives(t); }
+Vector2d PlanarCurve::tangent(double t) const { return data_->tangent(t); }
+double PlanarCurve::length() const { return data_->length; }
+double PlanarCurve::arcLength(double t) const { return data_->arcLength(t); }
+double PlanarCurve::parameterAt(double s) const { return data_->parameterAt(s); }
+const PlanarCurve::Quadrature& PlanarCurve::quadrature() const { return data_->quadrature; }
+
+double PlanarCurve::curvature(double t) const {
+  const Derivatives d = derivatives(t);
+  const double speed = d.first.norm();
+  const double kappa = (d.first.x() * d.second.y() - d.first.y() * d.second.x()) / (speed * speed * speed);
+  return std::isfinite(kappa) ? kappa : 0.0;
+}
+
+PlanarCurve PlanarCurve::reversed() const {
+  auto data = std::make_shared<Data>();
+  data->kind = data_->kind;
+  data->degree = data_->degree;
+  data->poles.assign(data_->poles.rbegin(), data_->poles.rend());
+  data->weights.assign(data_->weights.rbegin(), data_->weights.rend());
+  data->knots.reserve(data_->knots.size());
+  for (auto knot = data_->knots.rbegin(); knot != data_->knots.rend(); ++knot) {
+    data->knots.push_back(data_->start + (data_->end - *knot));
+  }
+  BW_CHECK(data->build());
+  return PlanarCurve(std::move(data));
+}
+
+Result<PlanarCurve> PlanarCurve::subCurve(double t0, double t1) const {
+  if (!std::isfinite(t0) || !std::isfinite(t1)) {
+    return fail(ErrorCode::badInput,
+                "The part of the curve from " + text(t0) + " to " + text(t1) + " is not a range.", "t0");
+  }
+  t0 = data_->clamp(t0);
+  t1 = data_->clamp(t1);
+  if (!(t1 - t0 > 1e-14 * (data_->end - data_->start))) {
+    return fail(ErrorCode::badInput,
+                "The part of the curve from " + text(t0) + " to " + text(t1) +
+                    " is empty; the first parameter must be below the second.",
+                "t0", t0, t1);
+  }
+  auto data = std::make_shared<Data>();
+  data->kind = data_->kind;
+  data->degree = data_->degree;
+  if (data_->kind == Kind::points) {
+    std::vector<Vector2d> kept{value(t0)};
+    for (std::size_t i = 0; i < data_->poles.size(); ++i) {
+      if (data_->cellT[i] > t0 && data_->cellT[i] < t1) kept.push_back(data_->poles[i]);
+    }
+    kept.push_back(value(t1));
+    return points(std::move(kept));
+  }
+  // Knots: both ends with full multiplicity, those between kept; the new poles are the blossom at consecutive
+  // knots.
+  const auto order = static_cast<std::size_t>(data_->degree) + 1;
+  std::vector<double> knots(order, t0);
+  for (const double knot : data_->knots) {
+    if (knot > t0 && knot < t1) knots.push_back(knot);
+  }
+  knots.insert(knots.end(), order, t1);
+  data->poles = data_->polesOver(t0, t1, knots, data->weights);
+  if (data_->kind == Kind::bezier) {
+    std::fill(knots.begin(), knots.begin() + static_cast<std::ptrdiff_t>(order), 0.0);
+    std::fill(knots.begin() + static_cast<std::ptrdiff_t>(order), knots.end(), 1.0);
+  }
+  data->knots = std::move(knots);
+  if (!data->build()) return zeroLength();
+  return PlanarCurve(std::move(data));
+}
+
+PlanarCurve PlanarCurve::transformed(double angle, double scale, const Vector2d& translation) const {
+  Eigen::Matrix2d rotation;
+  rotation << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
+  auto data = std::make_shared<Data>();
+  data->kind = data_->kind;
+  data->degree = data_->degree;
+  data->knots = data_->knots;
+  data->weights = data_->weights;
+  for (const Vector2d& pole : data_->poles) data->poles.push_back(scale * (rotation * pole) + translation);
+  BW_CHECK(data->build());
+  return PlanarCurve(std::move(data));
+}
+
+double PlanarCurve::nearestParameter(const Vector2d& p) const {
+  const Data& d = *data_;
+  double best = d.start;
+  double bestSquared = std::numeric_limits<double>::infinity();
+  const auto offer = [&](double t, const Vector2d& q) {
+    const double squared = (q - p).squaredNorm();
+    if (squared < bestSquared) {
+      bestSquared = squared;
+      best = t;
+    }
+  };
+  // A piece of length l between points at distances a and b from p is nowhere nearer than (a + b − l) / 2.
+  const auto hopeless = [&](double a, double b, double arc) {
+    const double bound = 0.5 * (a + b - arc * (1 + 1e-9));
+    return bound > 0 && bound * bound > bestSquared;
+  };
+  if (d.kind == Kind::points) {
+    const std::size_t sides = d.poles.size() - 1;
+    for (std::size_t i = 0; i <= sides; i += kBlock) offer(d.cellT[i], d.poles[i]);
+    for (std::size_t i = 0; i < sides; i += kBlock) {
+      const std::size_t last = std::min(i + kBlock, sides);
+      if (hopeless((d.poles[i] - p).norm(), (d.poles[last] - p).norm(), d.cellT[last] - d.cellT[i])) continue;
+      for (std::size_t j = i; j < last; ++j) {
+        const Vector2d side = d.poles[j + 1] - d.poles[j];
+        const double x = std::clamp((p - d.poles[j]).dot(side) / side.squaredNorm(), 0.0, 1.0);
+        offer(d.cellT[j] + x * (d.cellT[j + 1] - d.cellT[j]), d.poles[j] + x * side);
+      }
+    }
+    return best;
+  }
+  const std::size_t cells = d.cellSpan.size();
+  std::vector<double> distance(cells + 1);
+  for (std::size_t i = 0; i <= cells; ++i) {
+    const Vector2d q = d.value(d.cellT[i]);
+    offer(d.cellT[i], q);
+    distance[i] = (q - p).norm();
+  }
+  std::vector<double> candidates;
+  for (std::size_t i = 0; i < cells;) {
+    // A span is searched as a whole, unless every cell of it is out of reach.
+    const int span = d.cellSpan[i];
+    bool needed = false;
+    for (; i < cells && d.cellSpan[i] == span; ++i) {
+      needed = needed || !hopeless(distance[i], distance[i + 1], d.cellS[i + 1] - d.cellS[i]);
+    }
+    if (!needed) continue;
+    candidates.clear();
+    d.spans[static_cast<std::size_t>(span)].stationaryPoints(p, candidates);
+    for (const double t : candidates) offer(t, d.spans[static_cast<std::size_t>(span)].value(t));
+  }
+  return best;
+}
+
+double PlanarCurve::nearestParameter(const Vector2d& p, double seed) const {
+  const Data& d = *data_;
+  double t = d.clamp(seed);
+  if (d.kind == Kind::points) {
+    // Walk along the sides while the distance falls.
+    const std::size_t sides = d.poles.size() - 1;
+    const auto nearestOnSide = [&](std::size_t j) {
+      const Vector2d side = d.poles[j + 1] - d.poles[j];
+      return std::clamp((p - d.poles[j]).dot(side) / side.squaredNorm(), 0.0, 1.0);
+    };
+    std::size_t j = d.cellAt(t);
+    double x = nearestOnSide(j);
+    int direction = 0;
+    while (true) {
+      const int wanted = x >= 1 && j + 1 < sides ? 1 : x <= 0 && j > 0 ? -1 : 0;
+      if (wanted == 0 || wanted == -direction) break;
+      direction = wanted;
+      j = wanted > 0 ? j + 1 : j - 1;
+      x = nearestOnSide(j);
+    }
+    return d.cellT[j] + x * (d.cellT[j + 1] - d.cellT[j]);
+  }
+  // Newton on (r − p)·r', by the safe slope r'·r' where the true one would lead uphill; no step beyond a
+  // quarter of the curve.
+  const double longest = 0.25 * (d.end - d.start);
+  double bestT = t;
+  double bestSquared = std::numeric_limits<double>::infinity();
+  for (int step = 0; step < 20; ++step) {
+    const Derivatives r = d.derivatives(t);
+    const Vector2d away = r.value - p;
+    const double squared = away.squaredNorm();
+    if (squared <= bestSquared) {
+      bestSquared = squared;
+      bestT = t;
+    } else {
+      t = 0.5 * (t + bestT);
+      if (std::abs(t - bestT) <= 1e-12 * (d.end - d.start)) break;
+      continue;
+    }
+    const double speedSquared = r.first.squaredNorm();
+    double slope = speedSquared + away.dot(r.second);
+    if (!(slope > 0.1 * speedSquared)) slope = speedSquared;
+    if (!(slope > 0)) break;
+    const double next = d.clamp(t - std::clamp(away.dot(r.first) / slope, -longest, longest));
+    const double moved = std::abs(next - t);
+    t = next;
+    if (moved <= 1e-9 * (d.end - d.start))
+      break;  // the distance is then exact to 1e-18 of the length, relatively squared
+  }
+  return bestT;
+}
+
+std::vector<Vector2d> PlanarCurve::sample(int count) const {
+  count = std::max(count, 2);
+  std::vector<Vector2d> out;
+  out.reserve(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) out.push_back(value(parameterAt(length() * i / (count - 1))));
+  return out;
+}
+
+}  // namespace bw

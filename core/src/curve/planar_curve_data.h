@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "curve/bezier_span.h"
+#include "bw/core/planar_curve.h"
+
+namespace bw {
+
+/// What a curve is made of, and the tables that are computed once.
+struct PlanarCurve::Data {
+  Kind kind = Kind::bezier;
+  int degree = 1;
+  std::vector<double> knots;
+  std::vector<Eigen::Vector2d> poles;
+  std::vector<double> weights;
+  double start = 0, end = 1;
+
+  /// Splines: one piece a non-empty knot span. Chains: empty.
+  std::vector<detail::BezierSpan> spans;
+
+  /// Arc-length table: cell i runs over [cellT[i], cellT[i + 1]], inside one span, short enough for the inner
+  /// Gauss rule. Chains: the vertices.
+  std::vector<double> cellT, cellS;
+  std::vector<int> cellSpan;
+  double length = 0;
+
+  std::vector<double> vertexCurvature;  ///< chains: estimated from the turning angles
+
+  Quadrature quadrature;
+
+  std::size_t cellAt(double t) const;
+  const detail::BezierSpan& spanAt(double t) const;
+  double clamp(double t) const;
+  Eigen::Vector2d value(double t) const;
+  Derivatives derivatives(double t) const;
+  Eigen::Vector2d tangent(double t) const;
+  double arcLength(double t) const;
+  double parameterAt(double s) const;
+
+  /// Fills every table from kind, degree, knots, poles, weights. False if the length is zero or not finite.
+  bool build();
+
+  /// Poles (and weights, if rational) of the curve on the flat knot vector `newKnots`, which refines the
+  /// curve's own inside [a, b] and lies in that interval. Exact: knot insertion by blossoming.
+  std::vector<Eigen::Vector2d> polesOver(double a, double b, const std::vector<double>& newKnots,
+                                         std::vector<double>& newWeights) const;
+
+ private:
+  bool buildSpline();
+  bool buildChain();
+  void addCells(int span, double a, double b, double estimate, double tolerance, int depth);
+  void addSplineQuadrature();
+  void addChainQuadrature();
+};
+
+}  // namespace bw

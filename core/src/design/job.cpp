@@ -1,0 +1,303 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "bw/core/job.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "design/blade_json.h"
+#include "bw/core/number_text.h"
+#include "bw/core/units.h"
+#include "design/job_json.h"
+#include "base/json_reader.h"
+
+namespace bw {
+
+using nlohmann::json;
+
+namespace {
+
+constexpr double kMaxCoordinate = 1e7;  ///< mm; ten kilometres
+constexpr double kMaxBlock = 1e6;       ///< mm
+constexpr double kMaxLead = 1e4;        ///< mm
+const std::vector<std::string> kFormats = {"rapid", "csv", "json"};
+
+Result<void> readFace(ObjectReader& reader, FaceChoice& face) {
+  const json* value = reader.member("face");
+  if (!value) return {};
+  const auto index = [](const json& v) -> std::optional<int> {
+    if (!v.is_number_integer()) return std::nullopt;
+    const double x = v.get<double>();
+    if (x < 0 || x > 1e8) return std::nullopt;
+    return int(x);
+  };
+  const std::string help =
+      reader.path() + ".face must be \"largest\", \"all\", an index from 0 or a list of indices";
+  if (value->is_string()) {
+    const std::string word = value->get<std::string>();
+    if (word == "largest") {
+      face = {FaceChoice::Kind::largest, {}};
+    } else if (word == "all") {
+      face = {FaceChoice::Kind::all, {}};
+    } else {
+      reader.complain("face", help + ", not \"" + word + "\"");
+    }
+    return {};
+  }
+  std::vector<int> indices;
+  if (value->is_array()) {
+    for (const json& entry : *value) {
+      const std::optional<int> i = index(entry);
+      if (!i) {
+        reader.complain("face", help);
+        return {};
+      }
+      indices.push_back(*i);
+    }
+  } else if (const std::optional<int> i = index(*value)) {
+    indices.push_back(*i);
+  }
+  if (indices.empty()) {
+    reader.complain("face", help);
+    return {};
+  }
+  std::sort(indices.begin(), indices.end());
+  indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+  face = {FaceChoice::Kind::indices, std::move(indices)};
+  return {};
+}
+
+void readBlock(ObjectReader& reader, std::optional<BlockPlacement>& block) {
+  const json* value = reader.member("block");
+  if (!value) return;
+  if (value->is_string()) {
+    if (value->get<std::string>() == "auto")
+      block.reset();
+    else
+      reader.complain(
+          "block", reader.path() + ".block must be \"auto\" or an object with origin, size and rotation_deg");
+    return;
+  }
+  ObjectReader inner(*value, reader.path() + ".block");
+  BlockPlacement placement;
+  Eigen::Vector3d degrees = Eigen::Vector3d::Zero();
+  inner.vector3("origin", placement.origin, -kMaxCoordinate, kMaxCoordinate);
+  inner.vector3("size", placement.size, 1.0, kMaxBlock);
+  inner.vector3("rotation_deg", degrees, -360, 360);
+  placement.rotation = degrees * kDegree;
+  if (Result<void> ok = inner.finish(); !ok) {
+    reader.adopt(inner);
+    return;
+  }
+  block = placement;
+}
+
+void readDirection(ObjectReader& reader, std::optional<Eigen::Vector3d>& direction) {
+  const json* value = reader.member("direction");
+  if (!value) return;
+  if (value->is_string()) {
+    const std::string word = value->get<std::string>();
+    if (word == "auto") {
+      direction.reset();
+    } else if (word == "x" || word == "y" || word == "z") {
+      direction = Eigen::Vector3d::Unit(word[0] - 'x');
+    } else {
+      reader.complain("direction",
+                      reader.path() +
+                          ".direction must be \"auto\", \"x\", \"y\", \"z\" or three numbers, not \"" + word +
+                          "\"");
+    }
+    return;
+  }
+  Eigen::Vector3d v = Eigen::Vector3d::Zero();
+  reader.vector3("direction", v, -1e12, 1e12);
+  const double length = v.norm();
+  if (length < 1e-9) {
+    reader.complain("direction", reader.path() + ".direction has length zero; give the way the blade travels",
+                    length, 1e-9);
+    return;
+  }
+  direction = v / length;
+}
+
+void readStations(ObjectReader& reader, Job& job) {
+  const json* value = reader.member("stations");
+  if (!value) return;
+  if (value->is_object()) {
+    ObjectReader inner(*value, reader.path() + ".stations");
+    double spacing = 0;
+    inner.number("spacing", spacing, 0.01, 1e5);
+    if (!inner.has("spacing")) inner.complain("spacing", inner.path() + " needs the key spacing in mm");
+    if (Result<void> ok = inner.finish(); !ok) {
+      reader.adopt(inner);
+      return;
+    }
+    job.spacing = spacing;
+    return;
+  }
+  reader.integer("stations", job.stations, 2, Job::kMaxStations);
+  job.spacing.reset();
+}
+
+void readBlade(ObjectReader& reader, Blade& blade) {
+  const json* value = reader.member("blade");
+  if (!value) return;
+  const auto take = [&](const std::string& name) {
+    Result<Blade> preset = bladePreset(name);
+    if (preset)
+      blade = std::move(*preset);
+    else
+      reader.complain("blade", preset.error().message);
+    return preset.has_value();
+  };
+  if (value->is_string()) {
+    take(value->get<std::string>());
+    return;
+  }
+  if (!value->is_object()) {
+    reader.complain("blade", reader.path() + ".blade must be the word of a preset or an object");
+    return;
+  }
+  json own = *value;
+  if (own.contains("preset")) {
+    if (!own["preset"].is_string() || !take(own["preset"].get<std::string>())) {
+      reader.complain("blade", reader.path() + ".blade.preset must be the word of a preset");
+      return;
+    }
+    own.erase("preset");
+  } else if (!own.contains("name")) {
+    blade.name = "custom";
+    blade.title = "Own blade";
+  }
+  Result<Blade> read = bladeFromJson(own, reader.path() + ".blade", blade);
+  if (read)
+    blade = std::move(*read);
+  else
+    reader.complain("blade", read.error().message, read.error().value, read.error().limit);
+}
+
+void readFit(ObjectReader& reader, Job& job) {
+  const json* value = reader.member("fit");
+  if (!value) return;
+  ObjectReader inner(*value, reader.path() + ".fit");
+  int length = int(job.fitLength);
+  inner.word("length", {"free", "exact"}, length);
+  job.fitLength = FitOptions::Length(length);
+  inner.boolean("endpoints", job.fitEndpoints);
+  inner.boolean("tangents", job.fitTangents);
+  inner.number("max_periods", job.maxPeriods, 0.05, 10);
+  if (Result<void> ok = inner.finish(); !ok) reader.adopt(inner);
+}
+
+void readPrograms(ObjectReader& reader, std::vector<std::string>& programs) {
+  const json* value = reader.member("programs");
+  if (!value) return;
+  if (!value->is_array()) {
+    reader.complain("programs", reader.path() + ".programs must be a list such as [\"rapid\", \"csv\"]");
+    return;
+  }
+  std::vector<std::string> result;
+  for (const json& entry : *value) {
+    const std::string word = entry.is_string() ? entry.get<std::string>() : entry.dump();
+    if (!entry.is_string() || std::find(kFormats.begin(), kFormats.end(), word) == kFormats.end()) {
+      const std::string nearest = nearestWord(word, kFormats.data(), int(kFormats.size()));
+      reader.complain("programs", reader.path() + ".programs: the formats are rapid, csv and json, not " +
+                                      word + (nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?"));
+      return;
+    }
+    if (std::find(result.begin(), result.end(), word) == result.end()) result.push_back(word);
+  }
+  programs = std::move(result);
+}
+
+}  // namespace
+
+Box BlockPlacement::box() const {
+  const Eigen::Matrix3d r = rotationFromAngles(rotation);
+  return Box{Frame{origin, r.col(0), r.col(1), r.col(2)}, size};
+}
+
+Result<Job> jobFromJson(const json& object, const std::string& path) {
+  Job job;
+  if (Result<Blade> preset = bladePreset(job.blade.name)) job.blade = std::move(*preset);
+  ObjectReader reader(object, path);
+  if (Result<void> ok = readFace(reader, job.face); !ok) return tl::unexpected<Error>(ok.error());
+  readBlock(reader, job.block);
+  readDirection(reader, job.direction);
+  if (const json* planes = reader.member("planes")) {
+    ObjectReader inner(*planes, reader.path() + ".planes");
+    int type = 0;
+    inner.word("type", {"parallel"}, type);
+    if (Result<void> ok = inner.finish(); !ok) reader.adopt(inner);
+  }
+  readStations(reader, job);
+  reader.number("lead", job.lead, 0, kMaxLead);
+  readBlade(reader, job.blade);
+  readFit(reader, job);
+  reader.number("tolerance", job.tolerance, 1e-4, 1000);
+  reader.number("cutting_speed", job.cuttingSpeed, 0.01, 1000);
+  reader.number("clearance", job.clearance, 0, 10000);
+  readPrograms(reader, job.programs);
+  reader.text("cell", job.cell);
+  reader.integer("threads", job.threads, 0, 1024);
+  if (Result<void> ok = reader.finish(); !ok) return tl::unexpected<Error>(ok.error());
+  return job;
+}
+
+json jobToJsonObject(const Job& job) {
+  json object;
+  switch (job.face.kind) {
+    case FaceChoice::Kind::largest:
+      object["face"] = "largest";
+      break;
+    case FaceChoice::Kind::all:
+      object["face"] = "all";
+      break;
+    case FaceChoice::Kind::indices:
+      object["face"] = job.face.indices;
+      break;
+  }
+  const auto vector = [](const Eigen::Vector3d& v) { return json::array({v.x(), v.y(), v.z()}); };
+  if (job.block) {
+    object["block"] = {{"origin", vector(job.block->origin)},
+                       {"size", vector(job.block->size)},
+                       {"rotation_deg", vector(job.block->rotation / kDegree)}};
+  } else {
+    object["block"] = "auto";
+  }
+  if (job.direction)
+    object["direction"] = vector(*job.direction);
+  else
+    object["direction"] = "auto";
+  object["planes"] = {{"type", "parallel"}};
+  if (job.spacing)
+    object["stations"] = {{"spacing", *job.spacing}};
+  else
+    object["stations"] = job.stations;
+  object["lead"] = job.lead;
+  object["blade"] = bladeToJson(job.blade);
+  object["fit"] = {{"length", job.fitLength == FitOptions::Length::exact ? "exact" : "free"},
+                   {"endpoints", job.fitEndpoints},
+                   {"tangents", job.fitTangents},
+                   {"max_periods", job.maxPeriods}};
+  object["tolerance"] = job.tolerance;
+  object["cutting_speed"] = job.cuttingSpeed;
+  object["clearance"] = job.clearance;
+  object["programs"] = job.programs;
+  object["cell"] = job.cell;
+  object["threads"] = job.threads;
+  return object;
+}
+
+Result<Job> parseJob(std::string_view text) {
+  const Result<json> object = parseJsonText(text, "job");
+  if (!object) return tl::unexpected<Error>(object.error());
+  return jobFromJson(*object, "job");
+}
+
+std::string jobToJson(const Job& job) {
+  return jobToJsonObject(job).dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace bw

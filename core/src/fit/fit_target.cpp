@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "fit/fit_target.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "elastica/elastica_flow.h"
+#include "base/gauss_legendre.h"
+
+namespace bw::detail {
+namespace {
+
+using Eigen::Vector2d;
+
+// Shapes beyond these are no fits: 60 rad of turning at the middle's curvature, or some thirty periods.
+constexpr double kLargestCurvature = 60;
+constexpr double kLargestForce = 2500;
+
+// The angle of `v` that is nearest to `reference`.
+double angleNear(const Vector2d& v, double reference) {
+  return reference + std::remainder(std::atan2(v.y(), v.x()) - reference, 2 * std::numbers::pi);
+}
+
+}  // namespace
+
+FitTarget::FitTarget(const PlanarCurve& curve, int nodes) : length(curve.length()) {
+  PlanarCurve::Quadrature own;
+  if (nodes > 0) {
+    const GaussRule rule = gaussRule(nodes);
+    for (int i = 0; i < nodes; ++i) {
+      const double t = curve.parameterAt(rule.nodes[i] * length);
+      own.arc.push_back(rule.nodes[i] * length);
+      own.weight.push_back(rule.weights[i] * length);
+      own.point.push_back(curve.value(t));
+      own.tangent.push_back(curve.tangent(t));
+      own.curvature.push_back(curve.curvature(t));
+    }
+  }
+  const PlanarCurve::Quadrature& q = nodes > 0 ? own : curve.quadrature();
+  const std::size_t count = q.arc.size();
+  const Vector2d origin = q.point.front();
+  Vector2d mean = Vector2d::Zero();
+  for (std::size_t i = 0; i < count; ++i) mean += (q.weight[i] / length) * (q.point[i] - origin);
+  centre = origin + mean;
+  s.resize(count);
+  weight.resize(count);
+  point.resize(count);
+  curvature.resize(count);
+  angle.resize(count);
+  tangent = q.tangent;
+  const Vector2d startTangent = curve.tangent(curve.start());
+  startAngle = std::atan2(startTangent.y(), startTangent.x());
+  double reference = startAngle;
+  for (std::size_t i = 0; i < count; ++i) {
+    s[i] = q.arc[i] / length - 0.5;
+    weight[i] = q.weight[i] / length;
+    point[i] = ((q.point[i] - origin) - mean) / length;
+    curvature[i] = q.curvature[i] * length;
+    reference = angle[i] = angleNear(tangent[i], reference);
+  }
+  endAngle = angleNear(curve.tangent(curve.end()), reference);
+  start = ((curve.value(curve.start()) - origin) - mean) / length;
+  end = ((curve.value(curve.end()) - origin) - mean) / length;
+  const double half = curve.parameterAt(0.5 * length);
+  middle = ((curve.value(half) - origin) - mean) / length;
+  std::size_t before = 0;
+  while (before + 1 < count && s[before + 1] <= 0) ++before;
+  middleAngle = angleNear(curve.tangent(half), angle[before]);
+}
+
+Elastica toElastica(const Placement& placement, const FitTarget& target) {
+  const double unit = std::exp(placement.logLength) * target.length;
+  const Vector2d force =
+      turned(direction(placement.angle), {placement.shape[1], placement.shape[2]}) / unit / unit;
+  const Result<Elastica> middle = Elastica::make(target.centre + target.length * placement.middle,
+                                                 placement.angle, placement.shape[0] / unit, force, unit);
+  BW_CHECK(middle.has_value());
+  const Result<Elastica> whole = middle->segment(-0.5 * unit, 0.5 * unit);
+  BW_CHECK(whole.has_value());
+  return *whole;
+}
+
+Placement toPlacement(const Elastica& elastica, const FitTarget& target) {
+  const double length = elastica.length();
+  const Elastica::State state = elastica.at(0.5 * length);
+  Placement out;
+  const Vector2d force = turnedBack(direction(state.angle), elastica.force()) * length * length;
+  out.shape = {state.curvature * length, force.x(), force.y()};
+  out.logLength = std::log(length / target.length);
+  out.angle = state.angle;
+  out.middle = (state.point - target.centre) / target.length;
+  return out;
+}
+
+ShapeEvaluator::ShapeEvaluator(std::vector<double> s)
+    : s_(std::move(s)), values_(s_.size(), Eigen::Matrix4d::Zero()) {}
+
+template <int Directions>
+void ShapeEvaluator::walk(const Shape& shape) {
+  // In units in which the flow is tame; back by the powers of the rate.
+  const double rate = std::max({1.0, std::abs(shape[0]), std::sqrt(shape.tail<2>().norm())});
+  const FlowParameters parameters{shape[0] / rate, shape[1] / (rate * rate), shape[2] / (rate * rate)};
+  const double inverse = 1 / rate;
+  const Eigen::Array4d rows(inverse, inverse, 1, rate);
+  const Eigen::Array4d columns(1, inverse, inverse * inverse, inverse * inverse);
+  const auto store = [&](std::size_t i, const ElasticaFlow<Directions>& flow) {
+    const typename ElasticaFlow<Directions>::Block block = flow.at(s_[i] * rate);
+    for (int j = 0; j <= Directions; ++j) values_[i].col(j) = (block.col(j) * rows * columns[j]).matrix();
+  };
+  const std::size_t count = s_.size();
+  std::size_t middle = 0;
+  while (middle < count && s_[middle] < 0) ++middle;
+  const ElasticaInvariants known = invariants(parameters.curvature, parameters.tangential, parameters.normal);
+  ElasticaFlow<Directions> forward(parameters, known, 1);
+  std::size_t left = middle;  // the nodes below this one lie beyond the first piece
+  while (left > 0 && -s_[left - 1] * rate <= forward.end()) store(--left, forward);
+  for (std::size_t i = middle; i < count; ++i) {
+    forward.advanceTo(s_[i] * rate);
+    store(i, forward);
+  }
+  if (left == 0) return;
+  ElasticaFlow<Directions> backward(parameters, known, -1);
+  while (left > 0) {
+    backward.advanceTo(s_[--left] * rate);
+    store(left, backward);
+  }
+}
+
+bool ShapeEvaluator::evaluate(const Shape& shape, bool derivatives) {
+  if (!shape.allFinite() || std::abs(shape[0]) > kLargestCurvature || shape.tail<2>().norm() > kLargestForce)
+    return false;
+  if (known_ == shape && (knownDerivatives_ || !derivatives)) return true;
+  derivatives ? walk<3>(shape) : walk<0>(shape);
+  known_ = shape;
+  knownDerivatives_ = derivatives;
+  return true;
+}
+
+}  // namespace bw::detail
