@@ -37,6 +37,7 @@
 #include <string_view>
 
 #include "bw/core/number_text.h"
+#include "cad_format.h"
 #include "occt.h"
 
 namespace bw::geometry {
@@ -45,62 +46,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-enum class Format { step, iges, brep, unknown };
-
 constexpr double kSewTolerance = 0.01;      // mm; gaps between faces of one surface as CAD programs leave them
 constexpr int kCheckLimit = 2000;           // faces up to which a file is checked for faults: the check costs about 1 ms a face
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-  return result;
-}
-
-std::string_view trimmedRight(std::string_view text) {
-  while (!text.empty() && (std::isspace(static_cast<unsigned char>(text.back())) || text.back() == '\0')) {
-    text.remove_suffix(1);
-  }
-  return text;
-}
-
-std::string_view trimmedLeft(std::string_view text) {
-  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.front()))) text.remove_prefix(1);
-  return text;
-}
-
-Format formatOf(std::string_view bytes) {
-  const std::string_view head = trimmedLeft(bytes.substr(0, 4096));
-  if (head.substr(0, 12) == "ISO-10303-21") return Format::step;
-  if (head.substr(0, 19) == "DBRep_DrawableShape" || head.substr(0, 16) == "CASCADE Topology") return Format::brep;
-  // IGES has records of 80 columns with a section letter in column 73, the first section being S.
-  if (bytes.size() > 80 && bytes[72] == 'S' && std::isdigit(static_cast<unsigned char>(bytes[79]))) return Format::iges;
-  return Format::unknown;
-}
-
-Format formatOfSuffix(const std::string& name) {
-  const std::string suffix = lower(fs::path(name).extension().string());
-  if (suffix == ".step" || suffix == ".stp" || suffix == ".p21") return Format::step;
-  if (suffix == ".iges" || suffix == ".igs") return Format::iges;
-  if (suffix == ".brep" || suffix == ".brp" || suffix == ".rle") return Format::brep;
-  return Format::unknown;
-}
-
-const char* formatName(Format format) {
-  switch (format) {
-    case Format::step: return "STEP";
-    case Format::iges: return "IGES";
-    case Format::brep: return "BREP";
-    case Format::unknown: break;
-  }
-  return "CAD";
-}
 
 tl::unexpected<Error> unreadable(const std::string& name, const std::string& reason) {
   return fail(ErrorCode::cannotRead, "cannot read " + name + ": " + reason, name);
 }
 
 std::string unitName(std::string text) {
-  text = lower(text);
+  text = lowerCase(text);
   if (text.find("millimet") != std::string::npos || text == "mm") return "mm";
   if (text.find("centimet") != std::string::npos || text == "cm") return "cm";
   if (text.find("kilomet") != std::string::npos || text == "km") return "km";
@@ -111,49 +65,6 @@ std::string unitName(std::string text) {
   if (text.find("mil") == 0) return "mil";
   if (text.find("mi") == 0) return "mile";
   return text.empty() ? "mm (assumed)" : text;
-}
-
-/// The last words that a complete file of the format ends with.
-bool complete(std::string_view bytes, Format format) {
-  const std::string_view body = trimmedRight(bytes);
-  if (format == Format::step) {
-    const std::string_view tail = body.substr(body.size() > 400 ? body.size() - 400 : 0);
-    return tail.find("END-ISO-10303-21") != std::string_view::npos;
-  }
-  if (format == Format::iges) {
-    const std::size_t line = body.rfind('\n');
-    const std::string_view last = line == std::string_view::npos ? body : body.substr(line + 1);
-    return last.size() > 72 && last[72] == 'T';
-  }
-  return true;
-}
-
-/// A BREP text is complete if it names each of its tables, no table claims more entries than the file has room for, the last shape of its
-/// list is closed by '*', and a reference to a shape follows.
-bool brepSound(std::string_view text, std::string& reason) {
-  std::size_t at = 0;
-  for (const char* table : {"Locations", "Curve2ds", "Curves", "Polygon3D", "PolygonOnTriangulations", "Surfaces",
-                            "Triangulations", "TShapes"}) {
-    at = text.find(table, at);
-    if (at == std::string_view::npos) {
-      reason = std::string("its table of ") + table + " is missing; the file is cut short or not a BREP";
-      return false;
-    }
-    at += std::string_view(table).size();
-    const long count = std::strtol(std::string(text.substr(at, 24)).c_str(), nullptr, 10);
-    if (count < 0 || std::size_t(count) > text.size()) {
-      reason = std::string("its table of ") + table + " claims " + std::to_string(count) +
-               " entries, more than the file has room for";
-      return false;
-    }
-  }
-  const std::size_t star = text.rfind('*');
-  const std::string_view tail = star == std::string_view::npos || star < at ? "" : trimmedLeft(text.substr(star + 1));
-  if (tail.empty() || (tail.front() != '+' && tail.front() != '-') || tail.size() < 4) {
-    reason = "its list of shapes stops too early; the file is cut short";
-    return false;
-  }
-  return true;
 }
 
 /// A file of our own for the readers that take no stream; removed at the end of its life.
@@ -239,9 +150,7 @@ Result<ReadShape> readIges(const std::string& bytes, const std::string& name) {
   return result;
 }
 
-Result<ReadShape> readBrep(const std::string& bytes, const std::string& name) {
-  std::string reason;
-  if (!brepSound(bytes, reason)) return unreadable(name, reason);
+Result<ReadShape> readBrep(const std::string& bytes) {
   ReadShape result;
   result.format = "BREP";
   result.unit = "mm (assumed)";
@@ -313,26 +222,23 @@ Result<ReadShape> readShape(const std::string& bytes, const std::string& name, c
   if (trimmedRight(bytes).empty()) {
     return unreadable(name, "the file is empty; export it again from the CAD program");
   }
-  const Format content = formatOf(bytes), suffix = formatOfSuffix(name);
-  if (content == Format::unknown) {
-    if (suffix == Format::unknown) {
+  const CadFormat content = formatOfContent(bytes), suffix = formatOfSuffix(name);
+  if (content == CadFormat::unknown) {
+    if (suffix == CadFormat::unknown) {
       return unreadable(name, "it is neither STEP, IGES nor BREP; export the surface as STEP from the CAD program");
     }
     return unreadable(name, std::string("its content is not ") + formatName(suffix) +
                                 "; the file is damaged or of another kind: export it again from the CAD program");
   }
-  if (!complete(bytes, content)) {
-    return unreadable(name, std::string("the ") + formatName(content) +
-                                " file is cut short (its end mark is missing); copy or export it again");
-  }
+  if (const std::string fault = faultOf(bytes, content); !fault.empty()) return unreadable(name, fault);
   if (context.stopped()) return stoppedError();
   const std::lock_guard lock(exchangeMutex());
   const std::string doing = "cannot read " + name;
   auto read = guarded(ErrorCode::cannotRead, doing, [&]() -> Result<ReadShape> {
     switch (content) {
-      case Format::step: return readStep(bytes, name);
-      case Format::iges: return readIges(bytes, name);
-      default: return readBrep(bytes, name);
+      case CadFormat::step: return readStep(bytes, name);
+      case CadFormat::iges: return readIges(bytes, name);
+      default: return readBrep(bytes);
     }
   });
   if (!read) {

@@ -80,6 +80,28 @@ TEST(BadFile, DamagedStepNeverCrashes) {
   }
 }
 
+TEST(BadFile, StepEntitiesOfOneNumberAreRefused) {
+  std::string step = exampleStep("saddle").value();
+  const std::size_t at = step.find("#7=");
+  ASSERT_NE(at, std::string::npos);
+  step.replace(at, 3, "#6=");
+  expectError(CadModel::readBytes(step, "twice.step"), ErrorCode::cannotRead, "#6 is there twice");
+  step.replace(at, 3, "#0=");
+  expectError(CadModel::readBytes(step, "zero.step"), ErrorCode::cannotRead, "\"#0\"");
+  step.replace(at, 3, "#12345678901=");
+  expectError(CadModel::readBytes(step, "huge.step"), ErrorCode::cannotRead, "#12345678901");
+}
+
+TEST(BadFile, NumberSignsInTextsAndCommentsAreNoEntities) {
+  std::string step = exampleStep("saddle").value();
+  const std::size_t at = step.find("DATA;") + 5;
+  step.insert(at, "\n/* #1=, '#' */");
+  const std::size_t name = step.find("FILE_DESCRIPTION((''");
+  ASSERT_NE(name, std::string::npos);
+  step.insert(name + 19, "it''s #1=");
+  EXPECT_TRUE(CadModel::readBytes(step, "remarks.step"));
+}
+
 TEST(BadFile, BrepThatStopsEarlyIsRefused) {
   expectError(CadModel::readBytes("DBRep_DrawableShape\n\nCASCADE Topology V1, (c) Matra-Datavision\nLocations 0\nCurve2ds 4\n",
                                   "cut.brep"),

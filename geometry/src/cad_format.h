@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace bw::geometry {
+
+/// The kinds of CAD files that are read.
+enum class CadFormat { step, iges, brep, unknown };
+
+/// The kind that the content is of; unknown if none.
+CadFormat formatOfContent(std::string_view bytes);
+/// The kind that a file's suffix promises; unknown if none.
+CadFormat formatOfSuffix(const std::string& name);
+/// "STEP", "IGES", "BREP"; "CAD" for unknown.
+const char* formatName(CadFormat format);
+
+/// Why OCCT must not be given this text: cut short, tables that claim more than there is, entities of one number. OCCT reads on over such faults
+/// and may crash or never return. Empty if nothing is found.
+std::string faultOf(std::string_view bytes, CadFormat format);
+
+std::string lowerCase(std::string_view text);
+std::string_view trimmedLeft(std::string_view text);
+/// Without the blanks and zero bytes at its end.
+std::string_view trimmedRight(std::string_view text);
+
+}  // namespace bw::geometry
