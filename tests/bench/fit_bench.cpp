@@ -40,7 +40,8 @@ void fitCurve(benchmark::State& state) {
   std::optional<FitResult> last;
   for (auto _ : state) {
     last = bw::fitElastica(curve).value();
-    benchmark::DoNotOptimize(last->R4);
+    const double R4 = last->R4;
+    benchmark::DoNotOptimize(R4);
   }
   char text[120];
   std::snprintf(text, sizeof text, "%s: %s, R4 %.3g, %d iterations", name.c_str(),

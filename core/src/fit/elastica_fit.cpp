@@ -268,10 +268,10 @@ Result<FitResult> fitElastica(const PlanarCurve& curve, const FitOptions& option
   // End conditions, and bounds that the free fit breaks.
   bool infeasible = false;
   bool boundActive = false;
-  std::string worst;
+  const char* worst = "";
   ConstrainedFit constrained(full, constraints, tangentNorm);
   if (constraints.endpoints || constraints.tangents ||
-      (constraints.bounds() && constrained.violation(chosen.placement) > ConstrainedFit::kFeasible)) {
+      (constraints.bounds() && constrained.violation(chosen.placement) > detail::kFeasible)) {
     std::vector<Placement> places;
     if (options.initial) places.push_back(detail::toPlacement(*options.initial, full));
     places.push_back(chosen.placement);
@@ -311,8 +311,7 @@ Result<FitResult> fitElastica(const PlanarCurve& curve, const FitOptions& option
 
   result.elastica = detail::toElastica(chosen.placement, full);
   result.iterations = chosen.iterations;
-  const ConstrainedFit::Stationarity end =
-      constrained.stationarity(detail::toPlacement(result.elastica, full));
+  const detail::Stationarity end = constrained.stationarity(detail::toPlacement(result.elastica, full));
   result.gradientNorm = end.gradient;
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   result.R4 = std::sqrt(residualsOf(result.elastica, full).value);
@@ -322,8 +321,8 @@ Result<FitResult> fitElastica(const PlanarCurve& curve, const FitOptions& option
   if (infeasible) {
     result.status = FitStatus::infeasible;
     result.message =
-        "No elastica was found that meets all conditions together; the hardest to meet was " + worst +
-        ". Release one of them; the curve returned is the best without end conditions and bounds.";
+        std::string("No elastica was found that meets all conditions together; the hardest to meet was ") +
+        worst + ". Release one of them; the curve returned is the best without end conditions and bounds.";
   } else if (!chosen.converged) {
     result.status = FitStatus::iterationLimit;
     result.message = "The descent stopped after " + std::to_string(result.iterations) +

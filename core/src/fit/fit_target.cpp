@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "elastica/elastica_flow.h"
 #include "base/gauss_legendre.h"
+#include "elastica/elastica_flow.h"
 
 namespace bw::detail {
 namespace {
@@ -96,6 +96,13 @@ Placement toPlacement(const Elastica& elastica, const FitTarget& target) {
 
 ShapeEvaluator::ShapeEvaluator(std::vector<double> s)
     : s_(std::move(s)), values_(s_.size(), Eigen::Matrix4d::Zero()) {}
+
+void ShapeEvaluator::moveTo(std::vector<double> s) {
+  if (s == s_) return;
+  s_ = std::move(s);
+  values_.resize(s_.size());
+  known_.reset();
+}
 
 template <int Directions>
 void ShapeEvaluator::walk(const Shape& shape) {

@@ -65,8 +65,10 @@ Placement toPlacement(const Elastica& elastica, const FitTarget& target);
 /// start at the middle and to use the piece there for both sides.
 class ShapeEvaluator {
  public:
-  /// `s` ascending, within [−½, ½].
+  /// `s` ascending; [−½, ½] is the segment.
   explicit ShapeEvaluator(std::vector<double> s);
+  /// Evaluates at other arc lengths from now on.
+  void moveTo(std::vector<double> s);
 
   /// False if the shape is out of the range that makes sense. Asking again for the same shape costs nothing.
   bool evaluate(const Shape& shape, bool derivatives);
@@ -90,7 +92,7 @@ class ShapeEvaluator {
   void walk(const Shape& shape);
 
   std::vector<double> s_;
-  std::optional<Shape> known_;      ///< the shape that `values_` belongs to
+  std::optional<Shape> known_;  ///< the shape that `values_` belongs to
   bool knownDerivatives_ = false;
   std::vector<Eigen::Matrix4d> values_;  ///< rows x, y, ψ, κ; columns: state, derivatives by κ, f_t, f_n
 };
