@@ -4,7 +4,14 @@
 #include "bw/core/elastica_stability.h"
 
 #include <Eigen/LU>
+
 #include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "elastica/clamped_margin.h"
+#include "elastica/clamped_modes.h"
 
 namespace bw {
 
@@ -36,6 +43,57 @@ bool isClampedStable(const Elastica& blade) {
     if ((sign < 0) != (d < 0)) return false;
   }
   return true;
+}
+
+namespace detail {
+
+ClampedMargins clampedMargins(const Elastica& blade, double straight, std::optional<double> torsionRatio) {
+  const double length = blade.length();
+  const double bending = blade.maxCurvature() * length;
+  if (bending < straight) return {1, 1};
+  const double rootForce = std::sqrt(blade.force().norm()) * length;
+  const ClampedModes& modes = clampedModesFor(bending + rootForce);
+  const std::size_t count = std::size_t(modes.nodes.size());
+  std::vector<double> arcs(count);
+  for (std::size_t q = 0; q < count; ++q) arcs[q] = length * modes.nodes(Eigen::Index(q));
+  std::vector<Elastica::State> states(count);
+  blade.at(arcs, states);
+  // Sines against the mean direction, so that the constraint along the blade keeps its digits where it is
+  // nearly straight.
+  double mean = 0;
+  for (std::size_t q = 0; q < count; ++q) mean += modes.weights(Eigen::Index(q)) * states[q].angle;
+  std::vector<double> potential(count), along(count), across(count), outPotential(count), curvature(count);
+  const double unit = length * length;
+  for (std::size_t q = 0; q < count; ++q) {
+    along[q] = std::sin(states[q].angle - mean);
+    across[q] = std::cos(states[q].angle - mean);
+    potential[q] = unit * (blade.force().x() * std::cos(states[q].angle) +
+                           blade.force().y() * std::sin(states[q].angle));
+    curvature[q] = length * states[q].curvature;
+    outPotential[q] = potential[q] + curvature[q] * curvature[q];
+  }
+  constexpr double kStraightEigenvalue = 4 * std::numbers::pi * std::numbers::pi;
+  ClampedMargins result;
+  result.inPlane = smallestEigenvalue(modes, {.potential = potential, .constraints = {along, across}}) /
+                   kStraightEigenvalue;
+  if (torsionRatio) {
+    const std::vector<double> ones(count, 1.0);
+    result.outOfPlane = smallestEigenvalue(modes, {.potential = outPotential,
+                                                   .constraints = {ones, {}},
+                                                   .coupling = curvature,
+                                                   .couplingWeight = *torsionRatio}) /
+                        kStraightEigenvalue;
+  }
+  return result;
+}
+
+}  // namespace detail
+
+double stabilityMargin(const Elastica& blade) { return detail::clampedMargins(blade, kStraight, {}).inPlane; }
+
+double outOfPlaneMargin(const Elastica& blade, double torsionRatio) {
+  BW_CHECK(torsionRatio >= 0);
+  return detail::clampedMargins(blade, kStraight, torsionRatio).outOfPlane;
 }
 
 }  // namespace bw

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "elastica/clamped_modes.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "base/gauss_legendre.h"
+
+namespace bw::detail {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Values of the bubbles B_j = (P_{j+1} − P_{j−1}) / √(2 (2j + 1)), j = 1 … count, at x in [−1, 1].
+VectorXd bubbles(Index count, double x) {
+  VectorXd legendre(count + 2);
+  legendre(0) = 1;
+  legendre(1) = x;
+  for (Index k = 2; k < count + 2; ++k) {
+    const double n = double(k);
+    legendre(k) = ((2 * n - 1) * x * legendre(k - 1) - (n - 1) * legendre(k - 2)) / n;
+  }
+  VectorXd result(count);
+  for (Index j = 1; j <= count; ++j)
+    result(j - 1) = (legendre(j + 1) - legendre(j - 1)) / std::sqrt(2 * (2 * double(j) + 1));
+  return result;
+}
+
+ClampedModes make(Index count, int panels, int nodesPerPanel) {
+  // On [−1, 1] the bubbles have the stiffness 1 and this mass matrix; on [0, 1] twice and half of it.
+  MatrixXd mass = MatrixXd::Zero(count, count);
+  for (Index i = 0; i < count; ++i) {
+    const double j = double(i + 1);
+    mass(i, i) = (1 / (2 * j + 3) + 1 / (2 * j - 1)) / (2 * j + 1);
+    if (i + 2 < count)
+      mass(i, i + 2) = mass(i + 2, i) = -1 / (2 * j + 3) / std::sqrt((2 * j + 1) * (2 * j + 5));
+  }
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(0.5 * mass);
+  ClampedModes modes;
+  modes.stiffness = (2 * solver.eigenvalues().cwiseInverse()).reverse();
+  const MatrixXd vectors =
+      (solver.eigenvectors() * solver.eigenvalues().cwiseSqrt().cwiseInverse().asDiagonal())
+          .rowwise()
+          .reverse();
+  const GaussRule rule = gaussRule(nodesPerPanel);
+  const Index total = Index(panels) * nodesPerPanel;
+  modes.nodes.resize(total);
+  modes.weights.resize(total);
+  modes.values.resize(count, total);
+  for (int p = 0; p < panels; ++p)
+    for (int i = 0; i < nodesPerPanel; ++i) {
+      const Index q = Index(p) * nodesPerPanel + i;
+      modes.nodes(q) = (p + rule.nodes[std::size_t(i)]) / panels;
+      modes.weights(q) = rule.weights[std::size_t(i)] / panels;
+      modes.values.col(q) = vectors.transpose() * bubbles(count, 2 * modes.nodes(q) - 1);
+    }
+  return modes;
+}
+
+Eigen::Map<const VectorXd> asVector(std::span<const double> values) {
+  return {values.data(), Index(values.size())};
+}
+
+/// A constraint whose part apart from the others is smaller than this is one of them.
+constexpr double kSameConstraint = 1e-9;
+
+}  // namespace
+
+const ClampedModes& sketchModes() {
+  static const ClampedModes modes = make(12, 1, 22);
+  return modes;
+}
+
+const ClampedModes& clampedModesFor(double phase) {
+  static const ClampedModes few = make(16, 1, 26);
+  static const ClampedModes some = make(32, 2, 26);
+  static const ClampedModes many = make(64, 4, 26);
+  static const ClampedModes most = make(128, 8, 26);
+  if (phase < 14) return few;
+  if (phase < 40) return some;
+  return phase < 100 ? many : most;
+}
+
+double smallestEigenvalue(const ClampedModes& modes, const ClampedForm& form) {
+  const Index count = modes.count();
+  MatrixXd matrix = MatrixXd::Zero(count, count);
+  {
+    const MatrixXd weighted =
+        modes.values * modes.weights.cwiseProduct(asVector(form.potential)).asDiagonal();
+    matrix.noalias() -= weighted * modes.values.transpose();
+    matrix.diagonal() += modes.stiffness;
+  }
+  const auto moments = [&](std::span<const double> f) -> VectorXd {
+    return modes.values * modes.weights.cwiseProduct(asVector(f));
+  };
+  if (!form.coupling.empty()) {
+    const VectorXd b = moments(form.coupling);
+    matrix += form.couplingWeight * b * b.transpose();
+  }
+  // Reflections turn the constraints into the last coordinates, one by one.
+  Index free = count;
+  std::vector<VectorXd> taken;
+  for (const std::span<const double>& constraint : form.constraints) {
+    if (constraint.empty()) continue;
+    VectorXd u = moments(constraint);
+    const double size = u.norm();
+    for (const VectorXd& v : taken) u -= 2 * v.dot(u) * v;
+    u.tail(count - free).setZero();
+    const double rest = u.norm();
+    if (!(rest > kSameConstraint * std::max(size, 1e-3))) continue;
+    VectorXd v = u / rest;
+    v(free - 1) += v(free - 1) < 0 ? -1.0 : 1.0;
+    v.normalize();
+    const VectorXd row = matrix * v;
+    const double twice = 2 * v.dot(row);
+    matrix += 2 * (twice * v * v.transpose() - row * v.transpose() - v * row.transpose());
+    taken.push_back(v);
+    --free;
+  }
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(matrix.topLeftCorner(free, free),
+                                                       Eigen::EigenvaluesOnly);
+  return solver.eigenvalues()(0);
+}
+
+}  // namespace bw::detail

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include <span>
+
+namespace bw::detail {
+
+/// Polynomials φ_j on [0, 1] that vanish at both ends, with ∫ φ_i φ_j = δ_ij and ∫ φ_i' φ_j' = μ_j δ_ij,
+/// tabulated at Gauss nodes: what a clamped blade can add to its tangent angle. docs/mathematics.md, 5.
+struct ClampedModes {
+  Eigen::VectorXd nodes;      ///< in [0, 1], ascending
+  Eigen::VectorXd weights;    ///< sum 1
+  Eigen::VectorXd stiffness;  ///< μ_j, ascending
+  Eigen::MatrixXd values;     ///< φ_j at node q in (j, q)
+
+  Eigen::Index count() const { return stiffness.size(); }
+};
+
+/// The modes that resolve shapes of `phase` = (max |κ| + √|λ|) L, rad. Computed once; safe from several
+/// threads.
+const ClampedModes& clampedModesFor(double phase);
+
+/// The few modes of the first sketches.
+const ClampedModes& sketchModes();
+
+/// A quadratic form ∫ φ'² − V φ² + c (∫ b φ)² over the φ with ∫ u_i φ = 0; functions by their values at the
+/// nodes.
+struct ClampedForm {
+  std::span<const double> potential;                  ///< V
+  std::span<const double> constraints[2] = {{}, {}};  ///< u_i, empty where there is none
+  std::span<const double> coupling = {};              ///< b, empty if there is none
+  double couplingWeight = 0;                          ///< c
+};
+
+/// The smallest eigenvalue of the form against ∫ φ², constraints kept. Constraints that say the same count
+/// once.
+double smallestEigenvalue(const ClampedModes& modes, const ClampedForm& form);
+
+}  // namespace bw::detail
