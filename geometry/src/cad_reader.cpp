@@ -9,6 +9,7 @@
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <BinTools.hxx>
 #include <IGESControl_Controller.hxx>
 #include <IGESControl_Reader.hxx>
 #include <IGESData_GlobalSection.hxx>
@@ -26,7 +27,6 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <XSControl_WorkSession.hxx>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
@@ -38,6 +38,7 @@
 
 #include "bw/core/number_text.h"
 #include "cad_format.h"
+#include "isolated.h"
 #include "occt.h"
 
 namespace bw::geometry {
@@ -67,40 +68,7 @@ std::string unitName(std::string text) {
   return text.empty() ? "mm (assumed)" : text;
 }
 
-/// A file of our own for the readers that take no stream; removed at the end of its life.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(const std::string& bytes) {
-    std::error_code error;
-    std::string pattern = (fs::temp_directory_path(error) / "bladewright-XXXXXX").string();
-    const int fd = error ? -1 : ::mkstemp(pattern.data());
-    if (fd < 0) return;
-    path_ = pattern;
-    std::size_t done = 0;
-    while (done < bytes.size()) {
-      const ssize_t n = ::write(fd, bytes.data() + done, bytes.size() - done);
-      if (n <= 0) break;
-      done += std::size_t(n);
-    }
-    good_ = done == bytes.size();
-    ::close(fd);
-  }
-  ~TemporaryFile() {
-    if (!path_.empty()) ::unlink(path_.c_str());
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  bool good() const { return good_; }
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-  bool good_ = false;
-};
-
 Result<ReadShape> readStep(const std::string& bytes, const std::string& name) {
-  static const bool ready = (STEPControl_Controller::Init(), true);
-  static_cast<void>(ready);
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
   STEPControl_Reader reader;
   std::istringstream stream(bytes);
@@ -127,13 +95,9 @@ Result<ReadShape> readStep(const std::string& bytes, const std::string& name) {
 }
 
 Result<ReadShape> readIges(const std::string& bytes, const std::string& name) {
-  static const bool ready = (IGESControl_Controller::Init(), true);
-  static_cast<void>(ready);
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
-  const TemporaryFile file(bytes);
-  if (!file.good()) {
-    return unreadable(name, "the folder for temporary files cannot be written; set TMPDIR to a folder with space");
-  }
+  const MemoryFile file(bytes);
+  if (!file.good()) return unreadable(name, "the memory does not suffice for a copy of it");
   IGESControl_Reader reader;
   reader.SetReadVisible(false);
   if (reader.ReadFile(file.path().c_str()) != IFSelect_RetDone) {
@@ -215,6 +179,78 @@ void heal(ReadShape& read) {
   if (bare > 0) read.healing.push_back(std::to_string(bare) + " edges have no curve in space and are passed over");
 }
 
+/// Fills the static tables of OCCT's translators before the first process is forked that needs them.
+void prepareTranslators() {
+  static const bool ready = [] {
+    STEPControl_Controller::Init();
+    IGESControl_Controller::Init();
+    return true;
+  }();
+  static_cast<void>(ready);
+}
+
+Result<ReadShape> readAndHeal(const std::string& bytes, const std::string& name, CadFormat format) {
+  auto read = guarded(ErrorCode::cannotRead, "cannot read " + name, [&]() -> Result<ReadShape> {
+    auto raw = format == CadFormat::step ? readStep(bytes, name) : format == CadFormat::iges ? readIges(bytes, name) : readBrep(bytes);
+    if (!raw) return raw;
+    if (raw->shape.IsNull() || countOf(raw->shape, TopAbs_FACE) == 0) {
+      std::string what = "it holds no faces";
+      if (!raw->shape.IsNull() && countOf(raw->shape, TopAbs_EDGE) > 0) {
+        what += ", only " + std::to_string(countOf(raw->shape, TopAbs_EDGE)) + " edges";
+      }
+      return fail(ErrorCode::badInput,
+                  name + " cannot be used: " + what + "; export a surface or a solid, not curves or a mesh", name, 0, 1);
+    }
+    heal(*raw);
+    return raw;
+  });
+  if (!read) read.error().where = name;
+  return read;
+}
+
+/// A result as bytes: an error's code and texts, or the shape and what is known of it.
+std::string packed(const Result<ReadShape>& read) {
+  std::string bytes;
+  if (!read) {
+    const Error& error = read.error();
+    appendText(bytes, std::to_string(int(error.code)));
+    appendText(bytes, error.message);
+    return bytes;
+  }
+  appendText(bytes, "");
+  appendText(bytes, read->format);
+  appendText(bytes, read->unit);
+  appendText(bytes, std::to_string(read->healing.size()));
+  for (const std::string& line : read->healing) appendText(bytes, line);
+  std::ostringstream shape;
+  BinTools::Write(read->shape, shape);
+  appendText(bytes, shape.str());
+  return bytes;
+}
+
+Result<ReadShape> unpacked(std::string_view bytes, const std::string& name) {
+  const auto broken = [&] { return unreadable(name, "what was read of it is incomplete; the memory may not suffice"); };
+  std::string code, text, count;
+  if (!takeText(bytes, code)) return broken();
+  if (!code.empty()) {
+    if (!takeText(bytes, text)) return broken();
+    return fail(ErrorCode(std::stoi(code)), text, name);
+  }
+  ReadShape read;
+  if (!takeText(bytes, read.format) || !takeText(bytes, read.unit) || !takeText(bytes, count)) return broken();
+  read.healing.resize(std::stoul(count));
+  for (std::string& line : read.healing) {
+    if (!takeText(bytes, line)) return broken();
+  }
+  if (!takeText(bytes, text)) return broken();
+  return guarded(ErrorCode::cannotRead, "cannot read " + name, [&]() -> Result<ReadShape> {
+    std::istringstream shape(text);
+    BinTools::Read(read.shape, shape);
+    if (read.shape.IsNull()) return broken();
+    return std::move(read);
+  });
+}
+
 }  // namespace
 
 Result<ReadShape> readShape(const std::string& bytes, const std::string& name, const RunContext& context) {
@@ -232,34 +268,13 @@ Result<ReadShape> readShape(const std::string& bytes, const std::string& name, c
   }
   if (const std::string fault = faultOf(bytes, content); !fault.empty()) return unreadable(name, fault);
   if (context.stopped()) return stoppedError();
-  const std::lock_guard lock(exchangeMutex());
-  const std::string doing = "cannot read " + name;
-  auto read = guarded(ErrorCode::cannotRead, doing, [&]() -> Result<ReadShape> {
-    switch (content) {
-      case CadFormat::step: return readStep(bytes, name);
-      case CadFormat::iges: return readIges(bytes, name);
-      default: return readBrep(bytes);
-    }
-  });
-  if (!read) {
-    read.error().where = name;
-    return read;
+  prepareTranslators();
+  const auto bytesBack = runIsolated(context, [&] { return packed(readAndHeal(bytes, name, content)); });
+  if (!bytesBack) {
+    if (bytesBack.error().code != ErrorCode::cannotRead) return tl::unexpected(bytesBack.error());
+    return unreadable(name, bytesBack.error().message);
   }
-  if (context.stopped()) return stoppedError();
-  if (read->shape.IsNull() || countOf(read->shape, TopAbs_FACE) == 0) {
-    std::string what = "it holds no faces";
-    if (!read->shape.IsNull() && countOf(read->shape, TopAbs_EDGE) > 0) {
-      what += ", only " + std::to_string(countOf(read->shape, TopAbs_EDGE)) + " edges";
-    }
-    return fail(ErrorCode::badInput,
-                name + " cannot be used: " + what + "; export a surface or a solid, not curves or a mesh", name, 0, 1);
-  }
-  auto healed = guarded(ErrorCode::cannotRead, doing, [&]() -> Result<ReadShape> {
-    heal(*read);
-    return std::move(*read);
-  });
-  if (!healed) healed.error().where = name;
-  return healed;
+  return unpacked(*bytesBack, name);
 }
 
 }  // namespace bw::geometry

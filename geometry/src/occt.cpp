@@ -17,11 +17,6 @@ void silenceOcct() {
   static_cast<void>(done);
 }
 
-std::mutex& exchangeMutex() {
-  static std::mutex mutex;
-  return mutex;
-}
-
 std::string failureText(const Standard_Failure& failure) {
   std::string text = failure.DynamicType()->Name();
   const char* detail = failure.GetMessageString();

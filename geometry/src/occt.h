@@ -10,7 +10,6 @@
 #include <gp_Vec.hxx>
 
 #include <exception>
-#include <mutex>
 #include <new>
 #include <string>
 
@@ -24,9 +23,6 @@ inline Eigen::Vector3d toEigen(const gp_Vec& p) { return toEigen(p.XYZ()); }
 
 /// Stops OCCT from printing to the standard streams of the program.
 void silenceOcct();
-
-/// OCCT's readers share static tables and settings: one file at a time.
-std::mutex& exchangeMutex();
 
 /// The text of an OCCT exception for an error message.
 std::string failureText(const Standard_Failure& failure);

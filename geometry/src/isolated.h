@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "bw/core/result.h"
+#include "bw/core/run_context.h"
+
+namespace bw::geometry {
+
+/// Runs `work` in a process forked for it and returns the bytes that it made, so that a library which crashes on a damaged file takes only that
+/// process with it. A stop of the context ends the process within 0.05 s. `work` sees a copy of everything there is, but only its own thread:
+/// it must not wait for another one, nor throw.
+/// Errors: `cancelled`; `cannotRead` if the process broke down; `internal` if none could be made.
+Result<std::string> runIsolated(const RunContext& context, const std::function<std::string()>& work);
+
+/// Bytes as a file without a name on disk, for libraries that read only paths. Gone with its last user.
+class MemoryFile {
+ public:
+  explicit MemoryFile(const std::string& bytes);
+  ~MemoryFile();
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+  /// True if all bytes are there.
+  bool good() const { return good_; }
+  /// A path that this process and its children can open.
+  std::string path() const;
+
+ private:
+  int file_ = -1;
+  bool good_ = false;
+};
+
+/// Texts to one and back, each with its length before it.
+void appendText(std::string& bytes, std::string_view text);
+/// False if `bytes` ends too early. Takes what it read off the front of `bytes`.
+bool takeText(std::string_view& bytes, std::string& text);
+
+}  // namespace bw::geometry
