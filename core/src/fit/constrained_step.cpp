@@ -252,12 +252,12 @@ Stationarity stationarityOf(const LeastSquaresModel& model, const Conditions& co
         continue;
       }
     }
-    if (basis.cols() == 0) return {0, 0};
+    if (basis.cols() == 0) return {model.value, 0, 0};
     const VectorXd slope = basis.transpose() * model.half;
     MatrixXd hessian = basis.transpose() * (model.gaussNewton * basis);
     hessian.diagonal().array() += 1e-14 * hessian.trace();
     const VectorXd step = hessian.ldlt().solve(slope);
-    return {2 * slope.norm(), std::sqrt(std::max(0.0, slope.dot(step)))};
+    return {model.value, 2 * slope.norm(), std::sqrt(std::max(0.0, slope.dot(step)))};
   }
 }
 

@@ -51,6 +51,7 @@ std::optional<ConstrainedStep> constrainedStep(const Eigen::MatrixXd& hessian, c
 /// How far from stationary a place is. `gradient`: norm of the gradient, projected on the conditions that
 /// hold with equality and press; `movement`: root of the drop of the value by one more Gauss–Newton step.
 struct Stationarity {
+  double value = 0;  ///< of the function there
   double gradient = 0;
   double movement = 0;
 };

@@ -66,8 +66,8 @@ class FreeFit {
   std::vector<Shape> sorted(const std::vector<Shape>& starts) const {
     std::vector<std::pair<double, Shape>> order;
     for (const Shape& shape : starts) {
-      const auto placed = projected_.place(shape);
-      if (placed) order.emplace_back(placed->value, shape);
+      const std::optional<double> value = projected_.roughValue(shape);
+      if (value) order.emplace_back(*value, shape);
     }
     std::stable_sort(order.begin(), order.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -314,7 +314,7 @@ Result<FitResult> fitElastica(const PlanarCurve& curve, const FitOptions& option
   const detail::Stationarity end = constrained.stationarity(detail::toPlacement(result.elastica, full));
   result.gradientNorm = end.gradient;
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  result.R4 = std::sqrt(residualsOf(result.elastica, full).value);
+  result.R4 = std::sqrt(tangentNorm ? residualsOf(result.elastica, full).value : end.value);
   result.hausdorff = detail::oneSidedHausdorff(result.elastica, curve);
   std::string missed;
   const double violation = largestViolation(result.elastica, full, constraints, missed);

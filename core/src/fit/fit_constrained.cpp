@@ -277,6 +277,7 @@ bool ConstrainedFit::curvatureBounds(const VectorXd& v, Conditions& out) {
 
 bool ConstrainedFit::conditions(const VectorXd& v, Conditions& out) {
   out.clear(7);
+  if (!constraints_.equalities() && !constraints_.bounds()) return true;
   const Shape shape = v.head<3>();
   if (!v.allFinite() || std::abs(v[3]) > kLargestLogLength || !ends_.evaluate(shape, true)) return false;
   const bool tolerant = constraints_.lengthTolerance > 0;
@@ -319,7 +320,7 @@ Stationarity ConstrainedFit::stationarity(const Placement& placement) {
   LeastSquaresModel model;
   double value = 0;
   Conditions all;
-  if (!objective(v, &model, value) || !conditions(v, all)) return {1, 1};
+  if (!objective(v, &model, value) || !conditions(v, all)) return {1, 1, 1};
   return stationarityOf(model, all, kActive);
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace bw::detail {
@@ -63,6 +64,7 @@ double oneSidedHausdorff(const Elastica& elastica, const PlanarCurve& curve) {
   struct Gap {
     std::size_t first = 0;
     double bound = 0;
+    std::size_t states = 0;  ///< where its points are kept
   };
   std::vector<Gap> gaps;
   std::array<double, kCoarse> bend{};
@@ -74,22 +76,33 @@ double oneSidedHausdorff(const Elastica& elastica, const PlanarCurve& curve) {
   for (std::size_t i = 0; i + 1 < kCoarse; ++i) {
     const double top = std::max(coarse[i].distance, coarse[i + 1].distance);
     const double rise = std::min(kBulge * std::max(bend[i], bend[i + 1]), 0.5 * step * kStride);
-    gaps.push_back({i, top + rise});
+    gaps.push_back({i, top + rise, 0});
   }
   std::sort(gaps.begin(), gaps.end(), [](const Gap& a, const Gap& b) { return a.bound > b.bound; });
   const bool wavy =
       curve.kind() == PlanarCurve::Kind::points || curve.poles().size() > kManyPoles || curve.degree() == 1;
-  for (const Gap& gap : gaps) {
+  // All points of the gaps that count so far in one pass along the elastica.
+  std::size_t count = 0;
+  while (count < gaps.size() && (wavy || gaps[count].bound > largest + kNegligible * curve.length())) ++count;
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return gaps[a].first < gaps[b].first; });
+  std::vector<double> inner;
+  inner.reserve(count * (kStride - 1));
+  for (const std::size_t i : order) {
+    gaps[i].states = inner.size();
+    for (int j = 1; j < kStride; ++j)
+      inner.push_back(step * (kStride * static_cast<double>(gaps[i].first) + j));
+  }
+  std::vector<Elastica::State> between(inner.size());
+  elastica.at(inner, between);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Gap& gap = gaps[i];
     if (!wavy && gap.bound <= largest + kNegligible * curve.length()) break;
-    std::array<double, kStride - 1> inner;
-    std::array<Elastica::State, kStride - 1> between;
-    for (int j = 1; j < kStride; ++j) {
-      inner[static_cast<std::size_t>(j) - 1] = step * (kStride * static_cast<double>(gap.first) + j);
-    }
-    elastica.at(inner, between);
     double seed = coarse[gap.first].foot;
-    for (const Elastica::State& state : between) {
-      samples.push_back(measure(state.point, seed));
+    for (std::size_t j = 0; j + 1 < kStride; ++j) {
+      samples.push_back(measure(between[gap.states + j].point, seed));
       seed = samples.back().foot;
       largest = std::max(largest, samples.back().distance);
     }

@@ -25,6 +25,8 @@ constexpr double kRangeSlack = 1e-9;
 // Samples of one period, and trial values of s0 in it, for the first search of (3.3).
 constexpr int kPeriodSamples = 128;
 constexpr int kTrials = 64;
+// A Newton step on (3.3) shorter than this (periods) is the last one: its own error is of the second order.
+constexpr double kLastStep = 1e-5;
 // At most this many nodes take part in the first search.
 constexpr std::size_t kSearchNodes = 24;
 // The count of pieces says nothing about s0 where the modulus k² is beyond this (nearly a circle).
@@ -229,8 +231,12 @@ LengthGuess guessByLength(const FitTarget& target, const AffineCurvature& law) {
     for (int step = 0; step < 12; ++step) {
       if (!(f.second < 0)) break;
       const double next = std::clamp(s0 - f.first / f.second, origin - spacing, origin + spacing);
-      const double moved = std::abs(next - s0);
-      if (moved <= 1e-7 * period) break;
+      const double moved = next - s0;
+      if (std::abs(moved) <= kLastStep * period) {
+        s0 = next;
+        f.value += moved * (f.first + 0.5 * moved * f.second);
+        break;
+      }
       const Slope there = evaluate(next);
       if (there.value < f.value) break;
       s0 = next;

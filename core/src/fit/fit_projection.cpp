@@ -27,6 +27,8 @@ constexpr int kRivalIterations = 12;
 constexpr double kHopeless = 2;
 constexpr double kSamePlace = 0.02;
 constexpr int kMaxSecantSteps = 60;
+// Until its steps are shorter than this (scaled parameters), a descent works with nine digits.
+constexpr double kRoughStep = 1e-6;
 constexpr int kMaxRefusals = 8;
 // A step this short that does not lower the value any more is rounding.
 constexpr double kRoundingStep = 1e-7;
@@ -136,6 +138,14 @@ std::optional<ProjectedFit::Placed> ProjectedFit::place(const Shape& shape) cons
   return out;
 }
 
+std::optional<double> ProjectedFit::roughValue(const Shape& shape) const {
+  evaluator_.setCoarse(true);
+  const std::optional<Placed> placed = place(shape);
+  evaluator_.setCoarse(false);
+  if (!placed) return std::nullopt;
+  return placed->value;
+}
+
 bool ProjectedFit::gradient(const Eigen::Vector3d& x, Eigen::Vector3d& g, double& value) const {
   if (!(*this)(x.data(), residuals_.data(), jacobian_.data())) return false;
   g = jacobian_.transpose() * residuals_;
@@ -146,6 +156,7 @@ bool ProjectedFit::gradient(const Eigen::Vector3d& x, Eigen::Vector3d& g, double
 bool ProjectedFit::polish(Eigen::Vector3d& x, int& steps) const {
   Eigen::Vector3d g;
   double value = 0;
+  bool rough = true;
   if (!gradient(x, g, value)) return false;
   Eigen::Matrix3d gaussNewton = jacobian_.transpose() * jacobian_;
   Eigen::Matrix3d secant = Eigen::Matrix3d::Zero();
@@ -162,6 +173,12 @@ bool ProjectedFit::polish(Eigen::Vector3d& x, int& steps) const {
       if (factor.info() != Eigen::Success) return false;
     }
     const Eigen::Vector3d step = factor.solve(-g);
+    if (rough && step.norm() <= kRoughStep) {
+      rough = false;
+      evaluator_.setCoarse(false);
+      if (!gradient(x, g, value)) return false;
+      continue;
+    }
     if (step.norm() <= kStepTolerance) return true;
     const Eigen::Vector3d next = x + step;
     Eigen::Vector3d gNext;
@@ -172,7 +189,7 @@ bool ProjectedFit::polish(Eigen::Vector3d& x, int& steps) const {
     const bool better =
         evaluated && (valueNext < value || (valueNext <= value * (1 + 1e-12) && gNext.norm() < g.norm()));
     if (!better) {
-      if (evaluated && step.norm() <= kRoundingStep) return true;
+      if (evaluated && !rough && step.norm() <= kRoundingStep) return true;
       if (++refusals > kMaxRefusals) return false;
       secant.setZero();
       damping = std::max(10 * damping, 1e-2);
@@ -196,6 +213,13 @@ std::optional<ProjectedFit::Solution> ProjectedFit::solve(const Shape& start, co
   scale_.setOnes();
   residuals_.resize(NumResiduals());
   jacobian_.resize(NumResiduals(), 3);
+  // Far from the end nine digits are enough.
+  struct Coarsely {
+    ShapeEvaluator& evaluator;
+    explicit Coarsely(ShapeEvaluator& e) : evaluator(e) { evaluator.setCoarse(true); }
+    ~Coarsely() { evaluator.setCoarse(false); }
+  };
+  const Coarsely coarsely(evaluator_);
   if (!(*this)(start.data(), residuals_.data(), jacobian_.data())) return std::nullopt;
   const Eigen::Vector3d norms = jacobian_.colwise().norm();
   scale_ = norms.cwiseMax(kSmallestColumn);
@@ -215,6 +239,7 @@ std::optional<ProjectedFit::Solution> ProjectedFit::solve(const Shape& start, co
     if (value > kHopeless * rival->value || (value > rival->value && apart < kSamePlace)) return std::nullopt;
   }
   solution.limit = !polish(x, solution.iterations);
+  evaluator_.setCoarse(false);
   const std::optional<Placed> placed = place(x.cwiseQuotient(scale_));
   if (!placed) return std::nullopt;
   solution.placed = *placed;

@@ -104,7 +104,12 @@ void ShapeEvaluator::moveTo(std::vector<double> s) {
   known_.reset();
 }
 
-template <int Directions>
+void ShapeEvaluator::setCoarse(bool coarse) {
+  if (coarse_ && !coarse) known_.reset();
+  coarse_ = coarse;
+}
+
+template <int Directions, std::size_t Order>
 void ShapeEvaluator::walk(const Shape& shape) {
   // In units in which the flow is tame; back by the powers of the rate.
   const double rate = std::max({1.0, std::abs(shape[0]), std::sqrt(shape.tail<2>().norm())});
@@ -112,15 +117,15 @@ void ShapeEvaluator::walk(const Shape& shape) {
   const double inverse = 1 / rate;
   const Eigen::Array4d rows(inverse, inverse, 1, rate);
   const Eigen::Array4d columns(1, inverse, inverse * inverse, inverse * inverse);
-  const auto store = [&](std::size_t i, const ElasticaFlow<Directions>& flow) {
-    const typename ElasticaFlow<Directions>::Block block = flow.at(s_[i] * rate);
+  const auto store = [&](std::size_t i, const ElasticaFlow<Directions, Order>& flow) {
+    const typename ElasticaFlow<Directions, Order>::Block block = flow.at(s_[i] * rate);
     for (int j = 0; j <= Directions; ++j) values_[i].col(j) = (block.col(j) * rows * columns[j]).matrix();
   };
   const std::size_t count = s_.size();
   std::size_t middle = 0;
   while (middle < count && s_[middle] < 0) ++middle;
   const ElasticaInvariants known = invariants(parameters.curvature, parameters.tangential, parameters.normal);
-  ElasticaFlow<Directions> forward(parameters, known, 1);
+  ElasticaFlow<Directions, Order> forward(parameters, known, 1);
   std::size_t left = middle;  // the nodes below this one lie beyond the first piece
   while (left > 0 && -s_[left - 1] * rate <= forward.end()) store(--left, forward);
   for (std::size_t i = middle; i < count; ++i) {
@@ -128,7 +133,7 @@ void ShapeEvaluator::walk(const Shape& shape) {
     store(i, forward);
   }
   if (left == 0) return;
-  ElasticaFlow<Directions> backward(parameters, known, -1);
+  ElasticaFlow<Directions, Order> backward(parameters, known, -1);
   while (left > 0) {
     backward.advanceTo(s_[--left] * rate);
     store(left, backward);
@@ -139,7 +144,11 @@ bool ShapeEvaluator::evaluate(const Shape& shape, bool derivatives) {
   if (!shape.allFinite() || std::abs(shape[0]) > kLargestCurvature || shape.tail<2>().norm() > kLargestForce)
     return false;
   if (known_ == shape && (knownDerivatives_ || !derivatives)) return true;
-  derivatives ? walk<3>(shape) : walk<0>(shape);
+  if (coarse_) {
+    derivatives ? walk<3, 12>(shape) : walk<0, 12>(shape);
+  } else {
+    derivatives ? walk<3, 22>(shape) : walk<0, 22>(shape);
+  }
   known_ = shape;
   knownDerivatives_ = derivatives;
   return true;

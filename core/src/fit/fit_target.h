@@ -70,6 +70,9 @@ class ShapeEvaluator {
   /// Evaluates at other arc lengths from now on.
   void moveTo(std::vector<double> s);
 
+  /// From now on to about nine digits, faster, or to all of them.
+  void setCoarse(bool coarse);
+
   /// False if the shape is out of the range that makes sense. Asking again for the same shape costs nothing.
   bool evaluate(const Shape& shape, bool derivatives);
 
@@ -88,12 +91,13 @@ class ShapeEvaluator {
   double curvatureDerivative(std::size_t i, int j) const { return values_[i](3, 1 + j); }
 
  private:
-  template <int Directions>
+  template <int Directions, std::size_t Order>
   void walk(const Shape& shape);
 
   std::vector<double> s_;
   std::optional<Shape> known_;  ///< the shape that `values_` belongs to
   bool knownDerivatives_ = false;
+  bool coarse_ = false;
   std::vector<Eigen::Matrix4d> values_;  ///< rows x, y, ψ, κ; columns: state, derivatives by κ, f_t, f_n
 };
 
