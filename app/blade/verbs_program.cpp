@@ -22,8 +22,9 @@ int runExport(const Session& session, const std::string& path, const std::vector
   if (!cell) return session.complain(cell.error());
   const pipeline::Outcome outcome = pipeline::evaluate(*design, nullptr, session.context());
   if (outcome.error) return session.complain(*outcome.error);
-  Result<FileSet> files =
-      pipeline::programFiles(outcome.evaluation.sweep.value->motion, *cell, formats, "Blade");
+  const Motion& motion = outcome.evaluation.sweep.value->motion;
+  session.tell(robotio::checkPlacement(motion, *cell));
+  Result<FileSet> files = pipeline::programFiles(motion, *cell, formats, "Blade");
   if (!files) return session.complain(files.error());
   FileSet all;
   all.append(std::move(*files), "strip-0");

@@ -7,6 +7,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "bw/core/cell.h"
 #include "bw/core/design.h"
 #include "bw/core/number_text.h"
 #include "bw/core/units.h"
@@ -88,6 +89,10 @@ Result<Design> withEmbeddedSource(const Design& design) {
 }
 
 int runDesign(const Session& session, const Design& design, const std::string& out) {
+  if (!design.job.programs.empty()) {  // before the work, not after it
+    const Result<Cell> cell = loadCell(design.job.cell);
+    if (!cell) return session.complain(cell.error());
+  }
   pipeline::Outcome outcome = pipeline::evaluate(design, nullptr, session.context());
   session.tell(outcome.evaluation.issues());
   if (outcome.error) return session.complain(*outcome.error);

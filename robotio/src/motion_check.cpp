@@ -120,6 +120,8 @@ Issues checkPlacement(const Motion& motion, const Cell& cell) {
                       " mm from " + cell.tasks[nearest].name +
                       "; turn the block, the cutting direction or the work object of the cell";
       issue.where.text = instant == &motion.instants.front() ? "start of the cut" : "end of the cut";
+      const Eigen::Vector3d& p_B = instant->poses[end].position;
+      issue.where.point = motion.block.frame.toWorld(p_B.head<2>(), p_B.z());
       issues.push_back(std::move(issue));
       break;
     }

@@ -118,6 +118,47 @@ TEST(Rationalize, WritesWhatItsReportLists) {
   ASSERT_EQ(exported.status, 0) << exported.err;
 }
 
+TEST(Rationalize, EveryEndLiesOnTheSideOfItsRobot) {
+  const Folder folder;
+  const auto sideIssues = [&](const std::string& job, const std::string& out) {
+    const Finished run = blade({"rationalize", example("panel-600x670"), "--job",
+                                folder.write("job.json", job), "--out", folder / out});
+    EXPECT_LE(run.status, 1) << run.err;
+    const std::string left = slurp(folder / (out + "/programs/strip-0/T_ROB1/BladeLeft.mod"));
+    EXPECT_FALSE(left.empty());
+    int count = 0;
+    const json report = json::parse(slurp(folder / (out + "/report.json")));
+    for (const json& issue : report["issues"]) count += issue["kind"] == "cell-sides";
+    EXPECT_EQ(count > 0, left.find("! WARNING") != std::string::npos) << "program and report say the same";
+    EXPECT_EQ(count > 0, run.err.find("from its robot") != std::string::npos) << run.err;
+    return count;
+  };
+  EXPECT_EQ(sideIssues(R"({"stations": 8, "programs": ["rapid"]})", "usual"), 0);
+  EXPECT_EQ(sideIssues(R"({"stations": 8, "programs": ["rapid"], "direction": [0, -1, 0]})", "back"), 2);
+
+  // The same from the numbers: the left end in the block frame, moved by the work object, against both bases.
+  const json report = json::parse(slurp(folder / "usual/report.json"));
+  const json cell = json::parse(slurp(std::string(BW_RESOURCES) + "/cells/irb1600-pair.json"));
+  const json& object = cell["work_object"]["pose"];
+  ASSERT_EQ(object["quaternion"], json({0, 0, 0, 1})) << "half a turn about z: (x, y) becomes (-x, -y)";
+  for (const json& station : report["strips"][0]["stations"])
+    for (const char* end : {"left", "right"}) {
+      double own = 0, other = 0;
+      for (int i = 0; i < 3; ++i) {
+        double local = 0;
+        const char* axis = i == 0 ? "x" : i == 1 ? "y" : "z";
+        for (int k = 0; k < 3; ++k)
+          local += report["block"][axis][k].get<double>() * (station["blade"][end]["point"][k].get<double>() -
+                                                             report["block"]["origin"][k].get<double>());
+        const double world = object["position"][i].get<double>() + (i < 2 ? -local : local);
+        const int task = std::string(end) == "left" ? 0 : 1;
+        own += std::pow(world - cell["tasks"][task]["base"]["position"][i].get<double>(), 2);
+        other += std::pow(world - cell["tasks"][1 - task]["base"]["position"][i].get<double>(), 2);
+      }
+      EXPECT_LT(std::sqrt(own) + 300, std::sqrt(other)) << end;
+    }
+}
+
 TEST(Rationalize, ReadsItsOwnSurfaceBack) {
   const Folder folder;
   const std::string job = folder.write("job.json", R"({"stations": 20, "programs": [], "tolerance": 0.05})");

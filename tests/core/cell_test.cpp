@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "bw/core/units.h"
 
@@ -72,7 +73,17 @@ TEST(Cell, ThePairOfTheResourcesHoldsTheBladeByTheConvention) {
   const Eigen::Matrix3d right = cell->tasks[1].base.rotation * R_BF * cell->tasks[1].tool.rotation;
   EXPECT_NEAR((left.col(0) + right.col(0)).norm(), 0, 1e-9) << "tangents point at each other";
   EXPECT_NEAR((left.col(2) - right.col(2)).norm(), 0, 1e-9) << "one cutting direction";
-  EXPECT_NEAR(left.col(2).dot(Eigen::Vector3d::UnitY()), 1, 1e-9);
+  // The usual travel is along the block's +y with its z up. The start of the section curves, the left end,
+  // then lies on the block's +x side (docs/conventions.md), and that is where the first task stands.
+  const Eigen::Matrix3d R_WO = cell->workObject.rotation.toRotationMatrix();
+  EXPECT_NEAR(left.col(2).dot(R_WO.col(1)), 1, 1e-9);
+  EXPECT_NEAR(R_WO(2, 2), 1, 1e-9) << "the block stands upright";
+  EXPECT_NEAR(left.col(0).dot(R_WO.col(0)), -1, 1e-9) << "the left tangent points to the block's -x";
+  for (const auto& [task, side] : {std::pair{0, 1.0}, std::pair{1, -1.0}}) {
+    const Eigen::Vector3d p_O =
+        R_WO.transpose() * (cell->tasks[std::size_t(task)].base.position - cell->workObject.position);
+    EXPECT_GT(side * (p_O.x() - 300), 1000) << task << ": beside a block of 600 mm";
+  }
 }
 
 /// Forward kinematics of an IRB 1600-10/1.45: joint axes z y y x y x, lengths as in its product
@@ -105,10 +116,13 @@ TEST(Cell, HomeOfThePairHoldsAnOrdinaryBladeStraightAndSlack) {
   EXPECT_LT(chord.norm(), 799) << "an 800 mm blade is slack";
   EXPECT_NEAR(ends[0].linear().col(0).dot(chord.normalized()), 1, 1e-6) << "x points into the blade";
   EXPECT_NEAR(ends[1].linear().col(0).dot(chord.normalized()), -1, 1e-6);
-  EXPECT_NEAR(ends[0].linear().col(2).y(), 1, 1e-6) << "both z axes point across the block";
-  EXPECT_NEAR(ends[1].linear().col(2).y(), 1, 1e-6);
-  for (const auto& end : ends)
-    EXPECT_LT(end.translation().y(), cell->workObject.position.y() - 100) << "in front of the block";
+  const Eigen::Isometry3d X_OW =
+      (Eigen::Translation3d(cell->workObject.position) * cell->workObject.rotation).inverse();
+  for (const auto& end : ends) {
+    EXPECT_NEAR((X_OW.linear() * end.linear())(1, 2), 1, 1e-6) << "z points across the block";
+    EXPECT_LT((X_OW * end.translation()).y(), -100) << "in front of the block";
+  }
+  EXPECT_GT((X_OW * ends[0].translation()).x(), (X_OW * ends[1].translation()).x()) << "left at +x";
 }
 
 TEST(Cell, FaultsNameTheKeyAndTheRemedy) {

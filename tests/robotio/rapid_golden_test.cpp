@@ -50,9 +50,9 @@ Motion simpleMotion() {
     // Tilts by the angles of the Pythagorean triple 7, 24, 25.
     const double side = i % 2 == 0 ? 0 : 0.28, ahead = i % 2 == 0 ? 1 : 0.96;
     instant.poses.push_back(
-        sample::endPose({-90 + 0.5 * i, y, 100 + 4.0 * i}, {ahead, 0, side}, Eigen::Vector3d::UnitY()));
+        sample::endPose({690 - 0.5 * i, y, 100 + 4.0 * i}, {-ahead, 0, side}, Eigen::Vector3d::UnitY()));
     instant.poses.push_back(
-        sample::endPose({690 - 0.25 * i, y, 100}, {-ahead, 0, side}, Eigen::Vector3d::UnitY()));
+        sample::endPose({-90 + 0.25 * i, y, 100}, {ahead, 0, side}, Eigen::Vector3d::UnitY()));
     motion.instants.push_back(instant);
   }
   return motion;

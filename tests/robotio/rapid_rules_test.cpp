@@ -56,7 +56,7 @@ Mutation changeBoth(const std::string& kind, const std::string& from, const std:
 }
 
 std::vector<Mutation> mutations() {
-  const std::string wide = "[0.50000000,-0.50000000,-0.50000000,-0.50000000]";
+  const std::string wide = "[0.50000000,0.50000000,-0.50000000,0.50000000]";
   std::vector<Mutation> all = {
       // 1: names
       changeAll("rapid-rule-1", kLeft, "vCut", "while"),
@@ -119,14 +119,14 @@ std::vector<Mutation> mutations() {
       changeBoth("rapid-rule-9", "        MoveAbsJ jtHome,", "        ! MoveAbsJ jtHome,"),
       change("rapid-rule-9", kLeft, "z1,tBladeLeft\\WObj:=wBlock", "z1,tBladeLeft"),
       // 10: targets
-      change("rapid-rule-10", kLeft, "[0.67562952,", "[0.67563952,"),
-      change("rapid-rule-10", kLeft, "[0.67562952,-0.67562952,-0.20862588,-0.20862588]",
-             "[-0.67562952,0.67562952,0.20862588,0.20862588]"),
+      change("rapid-rule-10", kLeft, "[-0.20862588,", "[-0.20866588,"),
+      change("rapid-rule-10", kLeft, "[-0.20862588,0.20862588,0.67562952,0.67562952]",
+             "[0.20862588,-0.20862588,-0.67562952,-0.67562952]"),
       change("rapid-rule-10", kLeft, "[0,0,0,0],[9E+09,9E+09,9E+09,9E+09,9E+09,9E+09]",
              "[0,0,0,0],[0,9E+09,9E+09,9E+09,9E+09,9E+09]"),
       change("rapid-rule-10", kLeft, "38.8000],[9E+09", "38.8000],[9E+08"),
       change("rapid-rule-10", kLeft, "],[0,0,0,0],[", "],[0,0.5,0,0],["),
-      change("rapid-rule-10", kLeft, "[[-74.2469", "[[-174246.9"),
+      change("rapid-rule-10", kLeft, "[[674.2469", "[[174246.9"),
       change("rapid-rule-10", kLeft, "ConfL \\Off;", ""),
       change("rapid-rule-10", kLeft, "ConfL \\Off;", "ConfL \\On;"),
       // 11: singularities
@@ -146,9 +146,9 @@ std::vector<Mutation> mutations() {
       change("rapid-rule-14", kLeft, "[2.5,[", "[0,["),
       change("rapid-rule-14", kLeft, "[2.5,[", "[-1,["),
       change("rapid-rule-14", kLeft, "[TRUE,[[", "[FALSE,[["),
-      change("rapid-rule-14", kLeft, wide, "[0.6,-0.5,-0.5,-0.5]"),
+      change("rapid-rule-14", kLeft, wide, "[0.6,0.5,-0.5,0.5]"),
       change("rapid-rule-14", kLeft, "[FALSE,TRUE,", "[TRUE,TRUE,"),
-      change("rapid-rule-14", kRight, "[[1050.0000,", "[[1050.1000,"),
+      change("rapid-rule-14", kRight, "[[1650.0000,", "[[1650.1000,"),
       change("rapid-rule-14", kRight, "z1,tBladeRight\\WObj:=wBlock", "z1,tBladeRight\\WObj:=wobj0"),
       change("rapid-rule-14", kRight, "z1,tBladeRight", "z1,tool0"),
       change("rapid-rule-14", kLeft, "        WaitTime 8;\r\n", ""),
@@ -237,7 +237,7 @@ TEST(RapidRules, ABreachIsReportedAtItsLine) {
   expectAt("rapid-rule-1", kLeft, "CONST speeddata vCut", "CONST speeddata record");
   expectAt("rapid-rule-6", kRight, "\\ID:=40", "\\ID:=41");
   expectAt("rapid-rule-7", kRight, "\\ID:=50,vCut\\T:=8.3750", "\\ID:=50,vCut\\T:=8.5");
-  expectAt("rapid-rule-10", kLeft, "[0.67562952,", "[0.67563952,");
+  expectAt("rapid-rule-10", kLeft, "[-0.20862588,", "[-0.20866588,");
   expectAt("rapid-rule-11", kLeft, "SingArea \\Off", "SingArea \\Wrist");
   expectAt("rapid-rule-14", kLeft, "[2.5,[", "[0,[");
   expectAt("rapid-syntax", kLeft, "MoveL p0003", "MoveC p0003");

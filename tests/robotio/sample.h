@@ -22,7 +22,7 @@ inline Pose endPose(const Eigen::Vector3d& position, const Eigen::Vector3d& into
 }
 
 /// A made-up but smooth motion of both ends of a blade of 800 mm through a block of 600 × 670 × 200 mm: the
-/// blade travels along y and its ends tilt in the xz plane.
+/// blade travels along y and its ends tilt in the xz plane. By the convention the left end lies at +x.
 inline Motion motion(int instants = 5, double seconds = 33.5) {
   Motion result;
   result.block.frame.origin = {10.125, -20.5, 30.0625};
@@ -35,10 +35,10 @@ inline Motion motion(int instants = 5, double seconds = 33.5) {
     instant.time = seconds * t;
     instant.station = i == 0 || i + 1 == instants ? -1 : i - 1;
     const double y = -20 + 630 * t;  // slower than 20 mm/s at the ends
-    instant.poses.push_back(endPose({-80 + 12 * std::sin(2 * t), y, 120 + 25 * std::cos(3 * t)},
-                                    {std::cos(angle), 0, std::sin(angle)}, Eigen::Vector3d::UnitY()));
-    instant.poses.push_back(endPose({680 - 9 * t * t, y, 110 + 30 * std::sin(4 * t)},
-                                    {-std::cos(0.7 * angle), 0, std::sin(0.7 * angle)},
+    instant.poses.push_back(endPose({680 - 12 * std::sin(2 * t), y, 120 + 25 * std::cos(3 * t)},
+                                    {-std::cos(angle), 0, std::sin(angle)}, Eigen::Vector3d::UnitY()));
+    instant.poses.push_back(endPose({-80 + 9 * t * t, y, 110 + 30 * std::sin(4 * t)},
+                                    {std::cos(0.7 * angle), 0, std::sin(0.7 * angle)},
                                     Eigen::Vector3d::UnitY()));
     result.instants.push_back(instant);
   }

@@ -37,6 +37,12 @@ std::string sourceKey(const Source& source) {
          std::to_string(error ? 0 : time.time_since_epoch().count());
 }
 
+/// Identity of a cell: its word, or for a file its path, size and time of change.
+std::string cellKey(const std::string& nameOrPath) {
+  std::error_code error;
+  return fs::is_regular_file(nameOrPath, error) ? sourceKey(Source{nameOrPath, {}}) : nameOrPath;
+}
+
 /// The members of the job that a stage depends on, as text.
 class JobKeys {
  public:
@@ -92,7 +98,8 @@ Issues grouped(const Issues& issues) {
 
 Issues Evaluation::issues() const {
   Issues all;
-  for (const Issues* list : {&model.issues, &target.issues, &setup.issues, &sections.issues, &sweep.issues})
+  for (const Issues* list :
+       {&model.issues, &target.issues, &setup.issues, &sections.issues, &sweep.issues, &cell.issues})
     all.insert(all.end(), list->begin(), list->end());
   return grouped(all);
 }
@@ -189,6 +196,19 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
     e.seconds.check = secondsSince(checkStart);
   }
   if (run.stopped()) return stop(stoppedError().value());
+
+  // How the programs lie in their cell. A cell that cannot be read is a finding: the surface is judged
+  // without it.
+  key += keys({"programs"}) + "\ncell=" + cellKey(job.cell);
+  if (!job.programs.empty() && !reuse(e.cell, before(&Evaluation::cell), key)) {
+    Result<Cell> cell = loadCell(job.cell);
+    if (cell) {
+      e.cell.issues = robotio::checkPlacement(e.sweep.value->motion, *cell);
+      e.cell.value = std::make_shared<const Cell>(std::move(*cell));
+    } else {
+      e.cell.issues.push_back({Severity::error, "cell", cell.error().message, {}});
+    }
+  }
 
   if (!reuse(e.targetMesh, before(&Evaluation::targetMesh), targetKey)) {
     const auto meshStart = Clock::now();

@@ -17,6 +17,10 @@ double plain(double x) { return x == 0 ? 0.0 : x; }
 
 ordered_json vec(const Eigen::Vector3d& v) { return {plain(v.x()), plain(v.y()), plain(v.z())}; }
 
+ordered_json quaternion(const Eigen::Quaterniond& q) {
+  return {plain(q.w()), plain(q.x()), plain(q.y()), plain(q.z())};
+}
+
 ordered_json elasticaJson(const Elastica& e) {
   ordered_json object;
   object["start"] = {plain(e.start().x()), plain(e.start().y())};
@@ -110,6 +114,8 @@ std::string reportJson(const Evaluation& e, const std::vector<std::filesystem::p
     for (const Station& station : e.sweep.value->sweep.stations) stations.push_back(stationJson(station));
     report["strips"].push_back({{"index", 0}, {"stations", stations}});
     const SweepSummary& s = e.sweep.value->analysis.summary;
+    // A blade that is straight everywhere has no radius.
+    const ordered_json radius = s.minRadius > 0 ? ordered_json(s.minRadius) : ordered_json(nullptr);
     report["summary"] = {{"R4_max", s.R4Max},
                          {"R4_mean", s.R4Mean},
                          {"hausdorff_max_mm", s.hausdorffMax},
@@ -124,8 +130,14 @@ std::string reportJson(const Evaluation& e, const std::vector<std::filesystem::p
                          {"speed_ratio_min", s.speedRatioMin},
                          {"joint_gap_max_mm", 0.0},
                          {"joint_angle_max_deg", 0.0},
-                         {"min_radius_mm", s.minRadius},
+                         {"min_radius_mm", radius},
                          {"cutting_time_s", s.cuttingTime}};
+  }
+  if (e.cell.value) {
+    report["robots"] = ordered_json::array();
+    for (const CellTask& task : e.cell.value->tasks)
+      report["robots"].push_back(
+          {{"task", task.name}, {"tcp", {vec(task.tool.position), quaternion(task.tool.rotation)}}});
   }
   report["issues"] = ordered_json::array();
   for (const Issue& issue : e.issues()) {

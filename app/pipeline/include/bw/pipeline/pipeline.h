@@ -48,6 +48,8 @@ struct Evaluation {
   Stage<geometry::Setup> setup;
   Stage<std::vector<Section>> sections;
   Stage<SweepResult> sweep;
+  Stage<Cell>
+      cell;  ///< only where the job asks for programs; its issues tell how the motion lies in the cell
   Seconds seconds;
 
   Issues issues() const;  ///< of all stages in order
