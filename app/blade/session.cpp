@@ -88,7 +88,7 @@ Result<void> Session::writeFiles(const FileSet& files, const std::filesystem::pa
   for (const std::filesystem::path& path : files.paths()) std::cerr << "  " << path.generic_string() << "\n";
   const Interrupt::Commit commit;
   if (stop.stop_requested()) return stoppedError();
-  return files.commit(folder);
+  return files.commit(folder, context());
 }
 
 Result<Design> designOf(const std::string& path) {

@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: MIT
 
 #include <gtest/gtest.h>
+#include <sys/mount.h>
+#include <sys/resource.h>
 
-#include <cmath>
+#include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "process.h"
 
@@ -14,14 +18,64 @@ using nlohmann::json;
 
 namespace {
 
-/// Runs and expects that status, one line of text that holds `text`, and no output folder.
+/// Runs and expects that status and one line of text that holds `text`.
 void expectRefusal(const std::vector<std::string>& arguments, int status, const std::string& text,
                    const std::string& input = {}) {
   const Finished run = blade(arguments, input);
   EXPECT_EQ(run.status, status) << run.err;
   EXPECT_NE(run.err.find(text), std::string::npos) << run.err;
-  EXPECT_EQ(run.err.find("terminate"), std::string::npos) << run.err;
+  // One message, and nothing else but the list of the files that were to be written.
+  int messages = 0;
+  std::istringstream lines(run.err);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.rfind("blade: ", 0) == 0)
+      ++messages;
+    else
+      EXPECT_TRUE(line.rfind("writing ", 0) == 0 || line.rfind("  ", 0) == 0) << line;
+  }
+  EXPECT_EQ(messages, 1) << run.err;
 }
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+    text.replace(at, from.size(), to);
+  return text;
+}
+
+/// A tiny file system in memory, where that can be had (it takes the right to mount).
+class TinyDisk {
+ public:
+  TinyDisk(std::string folder, const char* size) : folder_(std::move(folder)) {
+    std::filesystem::create_directories(folder_);
+    mounted_ = ::mount("tmpfs", folder_.c_str(), "tmpfs", 0, (std::string("size=") + size).c_str()) == 0;
+  }
+  ~TinyDisk() {
+    if (mounted_) ::umount(folder_.c_str());
+  }
+  TinyDisk(const TinyDisk&) = delete;
+  TinyDisk& operator=(const TinyDisk&) = delete;
+  bool mounted() const { return mounted_; }
+
+ private:
+  std::string folder_;
+  bool mounted_ = false;
+};
+
+/// Lets no process started from here write a file beyond `bytes`.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() { ::setrlimit(RLIMIT_FSIZE, &before_); }
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+ private:
+  rlimit before_{};
+};
 
 }  // namespace
 
@@ -48,9 +102,8 @@ TEST(BadInput, CadFiles) {
     expectRefusal({"rationalize", noise, "--out", folder / "out"}, 4, std::string("noise.") + suffix);
   }
   const std::string cut = folder.write("cut.step", whole.substr(0, whole.size() / 2));
-  const Finished truncated = blade({"info", cut});
-  EXPECT_TRUE(truncated.status == 4 || truncated.status == 2) << truncated.status << truncated.err;
-  expectRefusal({"rationalize", folder / "", "--out", folder / "out"}, 4, "");
+  expectRefusal({"info", cut}, 4, "cut short");
+  expectRefusal({"rationalize", folder / "", "--out", folder / "out"}, 4, "Is a directory");
   EXPECT_FALSE(std::filesystem::exists(folder / "out"));
 }
 
@@ -59,6 +112,27 @@ TEST(BadInput, FileWithoutFacesSaysSo) {
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "occt-misc is not installed";
   const Folder folder;
   expectRefusal({"rationalize", file, "--out", folder / "out"}, 2, "no faces");
+}
+
+TEST(BadInput, FaceThinnerThanTheTolerance) {
+  const Folder folder;
+  // The saddle, flat and 0.004 mm wide.
+  std::string thin = slurp(example("saddle"));
+  for (const auto& [from, to] : std::map<std::string, std::string>{
+           {"(-300.,", "(-0.002,"}, {"(300.,", "(0.002,"}, {"77.083333", "0."}, {"189.583333", "0."}})
+    thin = replaced(thin, from, to);
+  expectRefusal({"rationalize", folder.write("thin.step", thin), "--out", folder / "out"}, 2,
+                "tolerance of 0.01 mm");
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+TEST(BadInput, PlanesThatMissTheSurface) {
+  const Folder folder;
+  // Inside the bounds of the saddle, but below it.
+  const std::string job =
+      folder.write("job.json", R"({"block": {"origin": [-50, -50, -120], "size": [100, 100, 50]}})");
+  expectRefusal({"rationalize", example("saddle"), "--job", job, "--out", folder / "out"}, 2, "block");
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
 }
 
 TEST(BadInput, JobsAndBlocks) {
@@ -74,17 +148,101 @@ TEST(BadInput, JobsAndBlocks) {
   refuse(R"({"face": 7})", 2, "7");
   refuse(R"({"block": {"origin": [9000, 9000, 9000], "size": [100, 100, 100]}})", 2, "block");
   refuse(R"({"cell": "irb1600-pear"})", 2, "did you mean \"irb1600-pair\"?");
+  refuse(R"({"cell": "nowhere.json"})", 4, "nowhere.json");
   refuse("not json", 2, "JSON");
+  refuse("", 2, "empty");
+}
+
+TEST(BadInput, NumbersThatNoJobCanMean) {
+  const Folder folder;
+  for (const char* job : {R"({"stations": 1e400})",
+                          R"({"stations": NaN})",
+                          R"({"stations": 1})",
+                          R"({"stations": 2.5})",
+                          R"({"stations": {"spacing": 0}})",
+                          R"({"stations": {"spacing": 1e-9}})",
+                          R"({"lead": -1})",
+                          R"({"lead": 1e300})",
+                          R"({"tolerance": 0})",
+                          R"({"cutting_speed": 1e308})",
+                          R"({"clearance": -1e300})",
+                          R"({"direction": [0, 0, 0]})",
+                          R"({"direction": [1e308, 1e308, 0]})",
+                          R"({"blade": {"length": 1e308}})",
+                          R"({"block": {"origin": [0, 0, 1e308], "size": [1, 1, 1]}})",
+                          R"({"block": {"origin": [0, 0, 0], "size": [0, 1, 1]}})",
+                          R"({"face": -1})",
+                          R"({"face": 1e99})",
+                          R"({"threads": 1e6})",
+                          R"({"fit": {"max_periods": 1e300}})"}) {
+    SCOPED_TRACE(job);
+    expectRefusal({"rationalize", example("panel-600x670"), "--job", folder.write("job.json", job), "--out",
+                   folder / "out"},
+                  2, "job");
+    EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+  }
+}
+
+TEST(BadInput, Designs) {
+  const Folder folder;
+  const auto refuse = [&](const std::string& text, int status, const std::string& words) {
+    SCOPED_TRACE(text);
+    const std::string file = folder.write("a.bladewright", text);
+    expectRefusal({"design", file, "--out", folder / "out"}, status, words);
+    expectRefusal({"export", file, "--out", folder / "out"}, status, words);
+    expectRefusal({"render", file, "--out", folder / "out/a.png"}, status, words);
+    EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+  };
+  refuse("", 2, "empty");
+  refuse("{", 2, "JSON");
+  refuse(R"({"bladewright_design": 999})", 2, "999");
+  refuse(R"({"bladewright_design": 1, "source": {"path": "gone.step"}})", 4, "gone.step");
+  expectRefusal({"export", folder / "", "--out", folder / "out"}, 4, "design.bladewright");
+}
+
+TEST(BadInput, Programs) {
+  const Folder folder;
+  expectRefusal({"check", folder / "gone"}, 4, "gone");
+  const Finished noise = blade({"check", folder.write("T_ROB1/A.mod", "\x01\x02 not a module")});
+  EXPECT_EQ(noise.status, 1) << noise.err;
+  EXPECT_NE(noise.out.find("rapid-syntax"), std::string::npos) << noise.out;
 }
 
 TEST(BadInput, UnwritableFolder) {
   const Folder folder;
   const std::string file = folder.write("file", "in the way");
-  const std::string job = folder.write("job.json", R"({"stations": 6, "programs": []})");
+  const std::string job = folder.write("job.json", R"({"stations": 6, "tolerance": 10, "programs": []})");
   expectRefusal({"rationalize", example("panel-600x670"), "--job", job, "--out", file}, 4, "file");
   expectRefusal({"rationalize", example("panel-600x670"), "--job", job, "--out", "/proc/nowhere/out"}, 4,
                 "/proc/nowhere");
   EXPECT_EQ(folder.files(), (std::vector<std::string>{"file", "job.json"}));
+}
+
+TEST(BadInput, FullDisk) {
+  const Folder folder;
+  const TinyDisk disk(folder / "disk", "256k");
+  if (!disk.mounted()) GTEST_SKIP() << "no right to mount a small file system; see FilesThatMayNotGrow";
+  expectRefusal({"rationalize", example("panel-600x670"), "--job",
+                 folder.write("job.json", R"({"stations": 12, "tolerance": 10, "programs": []})"), "--out",
+                 folder / "disk/out"},
+                4, "No space left on device; free some space");
+  EXPECT_EQ(folder.files(), std::vector<std::string>{"job.json"});
+  EXPECT_FALSE(std::filesystem::exists(folder / "disk/out"));
+}
+
+TEST(BadInput, FilesThatMayNotGrow) {
+  const Folder folder;
+  const std::string job = folder.write("job.json", R"({"stations": 12, "tolerance": 10, "programs": []})");
+  const FileSizeLimit limit(64 << 10);
+  expectRefusal({"rationalize", example("panel-600x670"), "--job", job, "--out", folder / "out"}, 4,
+                "File too large");
+  EXPECT_EQ(folder.files(), std::vector<std::string>{"job.json"});
+}
+
+TEST(BadInput, OutputIsADevice) {
+  if (!std::filesystem::is_character_file("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  expectRefusal({"example", "saddle", "--out", "/dev/full"}, 4, "No space left on device");
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/full")) << "written to, not replaced";
 }
 
 TEST(BadInput, ErrorsAsJson) {
@@ -99,22 +257,30 @@ TEST(BadInput, ErrorsAsJson) {
 
 TEST(BadInput, CurvesWithoutLengthOrNumbers) {
   expectRefusal({"fit"}, 2, "JSON", "{");
-  expectRefusal({"fit"}, 2, "", R"({"curve": {"type": "points", "points": [[1,1],[1,1]]}})");
-  expectRefusal({"fit"}, 2, "", R"({"curve": {"type": "bezier", "poles": [[0,0],[0,0],[0,0],[0,0]]}})");
+  expectRefusal({"fit"}, 2, "JSON", R"({"curve": {"type": "points", "points": [[0,0],[NaN,1]]}})");
+  expectRefusal({"fit"}, 2, "no length", R"({"curve": {"type": "points", "points": [[1,1],[1,1]]}})");
+  expectRefusal({"fit"}, 2, "no length",
+                R"({"curve": {"type": "bezier", "poles": [[0,0],[0,0],[0,0],[0,0]]}})");
+  const Folder folder;
+  expectRefusal({"fit", "--in", folder.write("a.csv", "1,2\nnan,3\n4,5\n")}, 2, "line 2");
   expectRefusal({"fit"}, 2, "too large", R"({"curve": {"type": "bezier", "poles": [[0,0],[1e999,0]]}})");
   expectRefusal(
       {"elastica"}, 2, "length",
       R"({"elastica": {"start": [0,0], "start_angle": 0, "start_curvature": 0, "force": [0,0]}, "at": []})");
 }
 
-TEST(Interrupt, LeavesNothingBehind) {
+TEST(Interrupt, LeavesNothingBehindWheneverItComes) {
   const Folder folder;
-  const std::string job = folder.write("job.json", R"({"stations": 4000, "blade": {"length": 6000}})");
-  const Finished run =
-      blade({"rationalize", example("wavy-wall"), "--job", job, "--out", folder / "out", "--progress"}, {},
-            "sections");
-  EXPECT_EQ(run.status, 130) << run.err;
-  EXPECT_EQ(folder.files(), std::vector<std::string>{"job.json"});
+  const std::string job = folder.write("job.json", R"({"stations": 1200, "blade": {"length": 6000}})");
+  for (const char* moment : {"reading", "sections", "fitting", "checking", "writing"}) {
+    SCOPED_TRACE(moment);
+    const Finished run =
+        blade({"rationalize", example("wavy-wall"), "--job", job, "--out", folder / "out", "--progress"}, {},
+              moment);
+    EXPECT_EQ(run.status, 130) << run.err;
+    EXPECT_EQ(folder.files(), std::vector<std::string>{"job.json"});
+    EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+  }
 }
 
 }  // namespace bw::test

@@ -77,6 +77,44 @@ TEST(FileSet, SaysThatTheDiskIsFull) {
   EXPECT_EQ(folder.count(), 0u);
 }
 
+TEST(FileSet, DevicesAreWrittenAndNotReplaced) {
+  ASSERT_TRUE(writeFile("/dev/null", "bytes"));
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+  if (fs::is_character_file("/dev/full")) {
+    const Result<void> full = writeFile("/dev/full", "bytes");
+    ASSERT_FALSE(full);
+    EXPECT_NE(full.error().message.find("cannot write /dev/full: No space left"), std::string::npos);
+    EXPECT_TRUE(fs::is_character_file("/dev/full"));
+  }
+}
+
+TEST(FileSet, FollowsSymbolicLinks) {
+  const Folder folder;
+  ASSERT_TRUE(writeFile(folder.path() / "real/x.txt", "old"));
+  fs::create_symlink("real/x.txt", folder.path() / "link.txt");
+  ASSERT_TRUE(writeFile(folder.path() / "link.txt", "new"));
+  EXPECT_TRUE(fs::is_symlink(folder.path() / "link.txt"));
+  EXPECT_EQ(*readFile(folder.path() / "real/x.txt"), "new");
+}
+
+TEST(FileSet, StopLeavesNothing) {
+  const Folder folder;
+  std::stop_source source;
+  source.request_stop();
+  FileSet set;
+  set.add("sub/a.txt", "one");
+  const Result<void> result = set.commit(folder.path(), RunContext{source.get_token()});
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::cancelled);
+  EXPECT_TRUE(fs::is_empty(folder.path()));
+}
+
+TEST(FileSet, MessagesNameTheFileItself) {
+  const Result<void> result = writeFile("/proc/nowhere.txt", "bytes");
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().message.find(".part-"), std::string::npos) << result.error().message;
+}
+
 TEST(FileSet, KeepsTheOldFileUntilTheNewOneIsWhole) {
   const Folder folder;
   ASSERT_TRUE(writeFile(folder.path() / "x.txt", "old"));

@@ -6,6 +6,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -20,38 +21,64 @@ namespace {
 tl::unexpected<Error> cannotWrite(const fs::path& path, int error) {
   std::string remedy;
   if (error == ENOSPC || error == EDQUOT) remedy = "; free some space or choose another folder";
+  if (error == EFBIG) remedy = "; the file system or a limit of your session allows no larger file";
   if (error == EACCES || error == EPERM || error == EROFS) remedy = "; choose a folder that you may write to";
   return fail(ErrorCode::cannotWrite, "cannot write " + path.string() + ": " + std::strerror(error) + remedy,
               path.string());
 }
 
-/// Writes and syncs one file; on failure it is removed again.
-Result<void> writePlain(const fs::path& path, const std::string& bytes) {
+constexpr std::size_t kChunk = std::size_t(1) << 20;  ///< bytes between two looks at the stop token
+
+/// Where a file is written and how it gets to its place.
+struct Destination {
+  fs::path target;  ///< its place, symbolic links followed
+  fs::path part;    ///< the temporary file beside it; empty for a device or pipe, which is written itself
+};
+
+Result<Destination> placeOf(const fs::path& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (fs::is_directory(status))
+    return fail(
+        ErrorCode::cannotWrite,
+        "cannot write " + path.string() + ": a folder of that name is in the way; choose another folder",
+        path.string());
+  Destination place{path, {}};
+  if (fs::exists(status) && !fs::is_regular_file(status)) return place;
+  if (fs::is_symlink(path, error)) {
+    const fs::path real = fs::weakly_canonical(path, error);
+    if (!error) place.target = real;
+  }
+  place.part = place.target.string() + ".part-" + std::to_string(::getpid());
+  return place;
+}
+
+/// Writes and syncs one file; on failure a temporary file is removed again. `shown` is the name for messages.
+Result<void> writePlain(const fs::path& path, const std::string& bytes, const fs::path& shown,
+                        const RunContext& context, bool temporary) {
   const int fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (fd < 0) return cannotWrite(path, errno);
+  if (fd < 0) return cannotWrite(shown, errno);
+  const auto giveUp = [&](tl::unexpected<Error> error) -> Result<void> {
+    ::close(fd);
+    if (temporary) ::unlink(path.c_str());
+    return error;
+  };
   std::size_t done = 0;
   while (done < bytes.size()) {
-    const ssize_t n = ::write(fd, bytes.data() + done, bytes.size() - done);
+    if (context.stopped()) return giveUp(stoppedError());
+    const ssize_t n = ::write(fd, bytes.data() + done, std::min(kChunk, bytes.size() - done));
     if (n < 0) {
       if (errno == EINTR) continue;
-      const int error = errno;
-      ::close(fd);
-      ::unlink(path.c_str());
-      return cannotWrite(path, error);
+      return giveUp(cannotWrite(shown, errno));
     }
     done += std::size_t(n);
   }
   // A file that lies on a device without sync (a pipe, some network shares) is written all the same.
-  if (::fsync(fd) != 0 && errno != EINVAL && errno != ENOTSUP) {
-    const int error = errno;
-    ::close(fd);
-    ::unlink(path.c_str());
-    return cannotWrite(path, error);
-  }
+  if (::fsync(fd) != 0 && errno != EINVAL && errno != ENOTSUP) return giveUp(cannotWrite(shown, errno));
   if (::close(fd) != 0) {
     const int error = errno;
-    ::unlink(path.c_str());
-    return cannotWrite(path, error);
+    if (temporary) ::unlink(path.c_str());
+    return cannotWrite(shown, error);
   }
   return {};
 }
@@ -68,12 +95,13 @@ void FileSet::append(FileSet other, const fs::path& folder) {
     add(folder / other.paths_[i], std::move(other.bytes_[i]));
 }
 
-Result<void> FileSet::commit(const fs::path& folder) const {
-  std::vector<fs::path> temporary;
+Result<void> FileSet::commit(const fs::path& folder, const RunContext& context) const {
+  std::vector<Destination> places;
   std::vector<fs::path> made;  // folders made here, outermost first
   const auto undo = [&] {
     std::error_code ignored;
-    for (const fs::path& path : temporary) fs::remove(path, ignored);
+    for (const Destination& place : places)
+      if (!place.part.empty()) fs::remove(place.part, ignored);
     for (auto it = made.rbegin(); it != made.rend(); ++it) fs::remove(*it, ignored);
   };
   const auto makeFolder = [&](const fs::path& path) -> Result<void> {
@@ -90,34 +118,33 @@ Result<void> FileSet::commit(const fs::path& folder) const {
                   path.string());
     return {};
   };
-  for (std::size_t i = 0; i < paths_.size(); ++i) {
-    const fs::path target = folder / paths_[i];
+  const auto prepare = [&](const fs::path& target, const std::string& bytes) -> Result<void> {
     const fs::path parent = target.parent_path();
-    if (Result<void> ok = makeFolder(parent.empty() ? fs::path(".") : parent); !ok) {
+    if (Result<void> ok = makeFolder(parent.empty() ? fs::path(".") : parent); !ok) return ok;
+    Result<Destination> place = placeOf(target);
+    if (!place) return tl::unexpected<Error>(place.error());
+    places.push_back(std::move(*place));
+    return places.back().part.empty() ? Result<void>()
+                                      : writePlain(places.back().part, bytes, target, context, true);
+  };
+  for (std::size_t i = 0; i < paths_.size(); ++i)
+    if (Result<void> ok = prepare(folder / paths_[i], bytes_[i]); !ok) {
       undo();
       return ok;
     }
-    const fs::path part = target.string() + ".part-" + std::to_string(::getpid());
-    if (Result<void> ok = writePlain(part, bytes_[i]); !ok) {
-      undo();
-      return ok;
-    }
-    temporary.push_back(part);
-    std::error_code error;
-    if (fs::is_directory(target, error)) {
-      undo();
-      return fail(
-          ErrorCode::cannotWrite,
-          "cannot write " + target.string() + ": a folder of that name is in the way; choose another folder",
-          target.string());
-    }
+  if (context.stopped()) {
+    undo();
+    return stoppedError();
   }
   for (std::size_t i = 0; i < paths_.size(); ++i) {
-    const fs::path target = folder / paths_[i];
-    if (::rename(temporary[i].c_str(), target.c_str()) != 0) {
-      const int error = errno;
+    Result<void> ok;
+    if (places[i].part.empty())
+      ok = writePlain(places[i].target, bytes_[i], folder / paths_[i], {}, false);
+    else if (::rename(places[i].part.c_str(), places[i].target.c_str()) != 0)
+      ok = cannotWrite(folder / paths_[i], errno);
+    if (!ok) {
       undo();
-      return cannotWrite(target, error);
+      return ok;
     }
   }
   return {};

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bw/core/result.h"
+#include "bw/core/run_context.h"
 
 namespace bw {
 
@@ -19,8 +20,9 @@ class FileSet {
   /// Adds all files of `other` below `folder`.
   void append(FileSet other, const std::filesystem::path& folder);
   const std::vector<std::filesystem::path>& paths() const { return paths_; }
-  /// Writes all below `folder`, which is made if missing.
-  Result<void> commit(const std::filesystem::path& folder) const;
+  /// Writes all below `folder`, which is made if missing. A symbolic link is followed; a device or pipe is written itself. A stop that is
+  /// asked for while the temporary files are written removes them again (`ErrorCode::cancelled`).
+  Result<void> commit(const std::filesystem::path& folder, const RunContext& context = {}) const;
 
  private:
   std::vector<std::filesystem::path> paths_;
