@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "bw/core/number_text.h"
+#include "sweep/station_fit.h"
 
 namespace bw {
 
@@ -16,43 +17,9 @@ namespace {
 
 /// Points of the blade at which the speed is compared; the speed varies smoothly along it.
 constexpr int kSpeedSamples = 41;
-/// A warm-started fit this much worse than its neighbour's is compared with a cold start.
-constexpr double kSuspiciousGrowth = 2.0;
-/// R4 below this is good whatever the neighbour says.
-constexpr double kGoodResidual = 1e-4;
 
 Eigen::Vector3d tangentAt(const Frame& frame, double angle) {
   return frame.directionToWorld({std::cos(angle), std::sin(angle)});
-}
-
-FitOptions fitOptions(const Job& job) {
-  FitOptions options;
-  options.length = job.fitLength;
-  options.endpoints = job.fitEndpoints;
-  options.tangents = job.fitTangents;
-  options.maxPeriods = job.maxPeriods;
-  return options;
-}
-
-bool usable(const FitResult& fit) { return fit.status != FitStatus::infeasible; }
-
-/// The fit from the neighbour's shape; where that looks like the wrong branch, also from scratch, and the
-/// better of the two.
-Result<FitResult> fitBesideNeighbour(const PlanarCurve& curve, FitOptions options,
-                                     const FitResult* neighbour) {
-  if (!neighbour) return fitElastica(curve, options);
-  options.initial = neighbour->elastica;
-  Result<FitResult> warm = fitElastica(curve, options);
-  if (warm && usable(*warm) && warm->status != FitStatus::iterationLimit &&
-      warm->R4 <= std::max(kGoodResidual, kSuspiciousGrowth * neighbour->R4))
-    return warm;
-  options.initial.reset();
-  Result<FitResult> cold = fitElastica(curve, options);
-  if (!warm) return cold;
-  if (!cold) return warm;
-  if (usable(*cold) != usable(*warm)) return usable(*cold) ? cold : warm;
-  // A slightly better minimum on another branch is not worth a jump of the blade.
-  return cold->R4 < 0.7 * warm->R4 ? cold : warm;
 }
 
 /// Pose of a blade end: x into the blade, z = n, y = z × x, in the block frame.
@@ -89,7 +56,6 @@ Result<Sweep> buildSweep(std::vector<Section> sections, const Job& job, const Bo
   const auto fitStart = Clock::now();
   Sweep sweep{block, direction, job.blade, job.lead, {}};
   sweep.stations.reserve(sections.size());
-  const FitOptions options = fitOptions(job);
   double longest = 0;
   int longestIndex = 0;
   for (std::size_t i = 0; i < sections.size(); ++i) {
@@ -97,7 +63,7 @@ Result<Sweep> buildSweep(std::vector<Section> sections, const Job& job, const Bo
     context.report(double(i) / double(sections.size()), "fitting");
     Section& section = sections[i];
     Result<FitResult> fit =
-        fitBesideNeighbour(section.curve, options, i == 0 ? nullptr : &sweep.stations.back().fit);
+        detail::fitStation(section.curve, job, i == 0 ? nullptr : &sweep.stations.back().fit);
     const std::string name = "station " + std::to_string(section.index);
     if (!fit) {
       Error error = fit.error();
@@ -134,11 +100,10 @@ Result<Sweep> buildSweep(std::vector<Section> sections, const Job& job, const Bo
   }
   for (Station& station : sweep.stations) {
     const double length = station.fit.elastica.length();
-    const double extra = 0.5 * (job.blade.length - length);
-    Result<Elastica> blade = station.fit.elastica.segment(-extra, length + extra);
+    const Result<Elastica> blade = detail::extendedBlade(station.fit.elastica, job.blade.length);
     if (!blade) return tl::unexpected<Error>(blade.error());
     station.blade = *blade;
-    station.extension = extra / length;
+    station.extension = 0.5 * (job.blade.length - length) / length;
   }
   if (fitSeconds) *fitSeconds = std::chrono::duration<double>(extendStart - fitStart).count();
   if (extendSeconds) *extendSeconds = std::chrono::duration<double>(Clock::now() - extendStart).count();
