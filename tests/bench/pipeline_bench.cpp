@@ -4,6 +4,7 @@
 // The whole path on the example panel, and what a change of one setting costs.
 
 #include <benchmark/benchmark.h>
+#include <sys/resource.h>
 
 #include <filesystem>
 
@@ -69,6 +70,28 @@ void panelAfterStationChange(benchmark::State& state) {
   report(state, sum);
 }
 BENCHMARK(panelAfterStationChange)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// Budget: 600 MB at most for the whole process; run it alone (--benchmark_filter=wall) to see its own peak.
+void wallWith1200Stations(benchmark::State& state) {
+  Design design = panel(1200);
+  design.source.path = std::string(BW_RESOURCES) + "/examples/wavy-wall.step";
+  design.job.blade.length = 3000;
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "bladewright-bench";
+  Seconds sum;
+  for (auto _ : state) {
+    Outcome outcome = evaluate(design, nullptr, {});
+    if (outcome.error) return state.SkipWithError(outcome.error->message.c_str());
+    Result<FileSet> files = resultFiles(outcome.evaluation, {});
+    if (!files || !files->commit(folder)) return state.SkipWithError("the files could not be written");
+    add(sum, outcome.evaluation.seconds);
+  }
+  report(state, sum);
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  state.counters["peak_MB"] = double(usage.ru_maxrss) / 1024;
+  std::filesystem::remove_all(folder);
+}
+BENCHMARK(wallWith1200Stations)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
 
 }  // namespace
 
