@@ -63,6 +63,7 @@ void addNumericVerbs(CLI::App& app, const Session& session, Work& work) {
           "echo '{\"curve\": {\"type\": \"bezier\", \"poles\": [[0,0],[200,150],[400,150],[600,0]]}}' | "
           "blade fit",
           fitCases, true);
+  addBiarcVerb(app, session, work);
 }
 
 }  // namespace bw::cli

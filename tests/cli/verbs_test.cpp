@@ -23,8 +23,8 @@ TEST(Blade, TellsItsVersionAndLibraries) {
 TEST(Blade, HelpOfEveryVerbHasAnExample) {
   const Finished help = blade({"--help"});
   EXPECT_EQ(help.status, 0);
-  for (const char* verb :
-       {"elastica", "fit", "info", "rationalize", "design", "render", "export", "check", "example"}) {
+  for (const char* verb : {"elastica", "fit", "biarc", "info", "rationalize", "design", "render", "export",
+                           "check", "example"}) {
     EXPECT_NE(help.out.find(verb), std::string::npos) << verb;
     const Finished run = blade({verb, "--help"});
     EXPECT_EQ(run.status, 0) << verb;
@@ -56,6 +56,26 @@ TEST(Blade, FitsPointsFromCsv) {
   const Finished run = blade({"fit", "--in", folder.write("arc.csv", text.str())});
   ASSERT_EQ(run.status, 0) << run.err;
   EXPECT_LT(json::parse(run.out)["hausdorff"].get<double>(), 0.05);
+}
+
+TEST(Blade, TurnsPointsIntoArcsAndDrawsThem) {
+  const Folder folder;
+  std::ostringstream text;
+  text << "# a half circle\n";
+  for (int i = 0; i <= 30; ++i) text << 100 * std::cos(i * 0.1) << " " << 100 * std::sin(i * 0.1) << "\n";
+  const std::string svg = folder / "arcs.svg";
+  const Finished run =
+      blade({"biarc", "--in", folder.write("arc.dat", text.str()), "--arcs", "2", "--svg", svg});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const json result = json::parse(run.out);
+  ASSERT_EQ(result["arcs"].size(), 2u);
+  EXPECT_NEAR(result["arcs"][1]["radius"].get<double>(), 100, 0.01);
+  EXPECT_EQ(slurp(svg).substr(0, 4), "<svg");
+  EXPECT_EQ(blade({"biarc", "--in", folder.write("arc.dat", text.str()), "--arcs", "3"}).status, 2);
+  EXPECT_EQ(
+      blade({"biarc", "--in", folder.write("arc.dat", text.str()), "--arcs", "2", "--tolerance", "1e-9"})
+          .status,
+      1);
 }
 
 namespace {

@@ -114,7 +114,7 @@ ordered_json pointsToJson(const std::vector<Eigen::Vector2d>& points) {
   return list;
 }
 
-Result<CaseAnswer> runCases(std::string_view text, const RunContext& context, CaseFunction run) {
+Result<CaseAnswer> runCases(std::string_view text, const RunContext& context, const CaseFunction& run) {
   const Result<json> input = parseJsonText(text, "the input");
   if (!input) return passOn(input.error());
   const bool many = input->is_object() && input->contains("cases");

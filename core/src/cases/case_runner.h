@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -18,10 +19,10 @@ namespace bw::detail {
 inline tl::unexpected<Error> passOn(const Error& error) { return tl::unexpected<Error>(error); }
 
 /// One case to its result. Sets the flag if a result is there but a stated bound or tolerance is not met.
-using CaseFunction = Result<nlohmann::ordered_json> (*)(const nlohmann::json& object, bool& limited);
+using CaseFunction = std::function<Result<nlohmann::ordered_json>(const nlohmann::json& object, bool& limited)>;
 
 /// Runs one case, or all of {"cases": […]} in parallel, each to a fixed slot.
-Result<CaseAnswer> runCases(std::string_view text, const RunContext& context, CaseFunction run);
+Result<CaseAnswer> runCases(std::string_view text, const RunContext& context, const CaseFunction& run);
 
 /// A list of finite numbers; `path` names it in errors. At most a million.
 Result<std::vector<double>> readNumbers(const nlohmann::json* value, const std::string& path);

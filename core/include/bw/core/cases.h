@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "bw/core/planar_curve.h"
 #include "bw/core/result.h"
@@ -26,6 +27,14 @@ Result<CaseAnswer> elasticaCases(std::string_view json, const RunContext& contex
 
 /// `blade fit`: cases {curve, options} to the fitted elastica and its residuals.
 Result<CaseAnswer> fitCases(std::string_view json, const RunContext& context);
+
+/// `blade biarc`: cases {points, arcs | points_kept | tolerance, options} to arcs and measures. If `pictures` is given it receives one SVG
+/// text a case, empty for a case that failed.
+Result<CaseAnswer> biarcCases(std::string_view json, const RunContext& context,
+                              std::vector<std::string>* pictures = nullptr);
+
+/// A `biarc` case for a chain of points, from such a text as `parseCurveCsv` takes.
+Result<std::string> biarcCaseFromCsv(std::string_view text);
 
 /// The curve object of a case, as JSON text: {"type": "bezier" | "bspline" | "points", …}.
 Result<PlanarCurve> parseCurveJson(std::string_view json);

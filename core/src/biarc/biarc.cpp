@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "biarc/biarc_formula.h"
+#include "bw/core/biarc.h"
+#include "bw/core/number_text.h"
+
+namespace bw {
+
+namespace {
+
+using std::numbers::pi;
+
+/// A piece that turns by less is straight: its rise is below 1e-13 of its length.
+constexpr double kStraightTurning = 1e-12;
+/// Arcs longer than this many chords are taken for the limit without a solution.
+constexpr double kLongestArc = 1e7;
+
+/// The biarc's data in the frame of its chord: α = angle of the chord against the start tangent, β = angle of
+/// the end tangent against the chord.
+struct ChordAngles {
+  double length = 0, direction = 0, alpha = 0, beta = 0;
+};
+
+Result<ChordAngles> chordAngles(const Eigen::Vector2d& start, double startAngle, const Eigen::Vector2d& end,
+                                double endAngle) {
+  if (!start.allFinite() || !end.allFinite() || !std::isfinite(startAngle) || !std::isfinite(endAngle))
+    return fail(ErrorCode::badInput, "a biarc needs finite points and tangent angles", "biarc");
+  const Eigen::Vector2d chord = end - start;
+  ChordAngles result;
+  result.length = chord.stableNorm();
+  if (!(result.length > 0) || !std::isfinite(result.length))
+    return fail(ErrorCode::badInput,
+                "the two points of a biarc coincide or are too far apart; drop one of them", "biarc",
+                result.length);
+  result.direction = std::atan2(chord.y(), chord.x());
+  result.alpha = detail::wrapAngle(result.direction - startAngle);
+  result.beta = detail::wrapAngle(endAngle - result.direction);
+  return result;
+}
+
+tl::unexpected<Error> noBiarc() {
+  return fail(ErrorCode::noSolution,
+              "no biarc joins two points whose tangents both point straight back along the chord; turn one "
+              "tangent",
+              "biarc");
+}
+
+Result<Biarc> fromShare(const Eigen::Vector2d& start, double startAngle, const ChordAngles& c, double share) {
+  const detail::BiarcShape<double> shape = detail::biarcShape(c.length, c.alpha, c.beta, share);
+  const auto good = [&](double length) { return length > 0 && length < kLongestArc * c.length; };
+  if (!good(shape.firstLength) || !good(shape.secondLength)) return noBiarc();
+  Biarc biarc;
+  biarc.first = {start, startAngle, shape.firstTurning, shape.firstLength};
+  const double direction = startAngle + shape.firstTurning / 2;
+  biarc.second = {start + shape.firstChord * Eigen::Vector2d(std::cos(direction), std::sin(direction)),
+                  startAngle + shape.firstTurning, shape.secondTurning, shape.secondLength};
+  for (CircularArc* arc : {&biarc.first, &biarc.second})
+    if (std::abs(arc->turning) < kStraightTurning) arc->turning = 0;
+  return biarc;
+}
+
+}  // namespace
+
+std::optional<double> CircularArc::radius() const {
+  if (straight()) return std::nullopt;
+  return length / turning;
+}
+
+Eigen::Vector2d CircularArc::pointAt(double s) const {
+  const double half = curvature() * s / 2;
+  const double chord = s * detail::sinc(half);
+  return start + chord * Eigen::Vector2d(std::cos(startAngle + half), std::sin(startAngle + half));
+}
+
+Result<BiarcRange> biarcRange(const Eigen::Vector2d& start, double startAngle, const Eigen::Vector2d& end,
+                              double endAngle) {
+  const Result<ChordAngles> c = chordAngles(start, startAngle, end, endAngle);
+  if (!c) return tl::unexpected<Error>(c.error());
+  if (std::abs(c->alpha) == pi && std::abs(c->beta) == pi) return noBiarc();
+  BiarcRange range;
+  range.total = c->alpha + c->beta;
+  // θ between 2α − W and 2α (positive chords), and both turnings below a whole turn (positive lengths).
+  range.lower = std::max(std::min(2 * c->alpha, c->alpha - c->beta), std::max(-2 * pi, range.total - 2 * pi));
+  range.upper = std::min(std::max(2 * c->alpha, c->alpha - c->beta), std::min(2 * pi, range.total + 2 * pi));
+  return range;
+}
+
+Result<Biarc> makeBiarc(const Eigen::Vector2d& start, double startAngle, const Eigen::Vector2d& end,
+                        double endAngle, double share) {
+  const Result<ChordAngles> c = chordAngles(start, startAngle, end, endAngle);
+  if (!c) return tl::unexpected<Error>(c.error());
+  if (!(share > 0 && share < 1))
+    return fail(ErrorCode::badInput, "the share of a biarc must lie between 0 and 1, not " + shortText(share),
+                "share", share, 1);
+  return fromShare(start, startAngle, *c, share);
+}
+
+Result<Biarc> makeBiarcOfTurning(const Eigen::Vector2d& start, double startAngle, const Eigen::Vector2d& end,
+                                 double endAngle, double theta) {
+  const Result<BiarcRange> range = biarcRange(start, startAngle, end, endAngle);
+  if (!range) return tl::unexpected<Error>(range.error());
+  const Result<ChordAngles> c = chordAngles(start, startAngle, end, endAngle);
+  constexpr double kSame = 1e-12;
+  if (std::abs(range->total) < kSame && std::abs(theta - 2 * c->alpha) < kSame)
+    return fromShare(start, startAngle, *c, 0.5);
+  if (!(theta > range->lower && theta < range->upper))
+    return fail(ErrorCode::badInput,
+                "the first arc of this biarc must turn by more than " + shortText(range->lower, 6) +
+                    " and less than " + shortText(range->upper, 6) + " rad, not by " + shortText(theta, 6),
+                "theta", theta, theta > range->lower ? range->upper : range->lower);
+  return fromShare(start, startAngle, *c, 1 - (2 * c->alpha - theta) / range->total);
+}
+
+Result<std::vector<double>> biarcTangents(const std::vector<Eigen::Vector2d>& points, bool closed) {
+  const std::size_t count = points.size();
+  if (count < (closed ? 3u : 2u))
+    return fail(ErrorCode::badInput,
+                std::string("tangents from neighbours need at least ") + (closed ? "3" : "2") +
+                    " points; there are " + std::to_string(count),
+                "points", double(count), closed ? 3 : 2);
+  std::vector<double> angles(count);
+  const auto edge = [&](std::size_t i) -> Eigen::Vector2d { return points[(i + 1) % count] - points[i]; };
+  for (std::size_t i = 0; i + (closed ? 0 : 1) < count; ++i)
+    if (const double length = edge(i).stableNorm(); !(length > 0) || !std::isfinite(length))
+      return fail(
+          ErrorCode::badInput,
+          "point " + std::to_string(i) + " and the next one coincide or are not finite; drop one of them",
+          "points[" + std::to_string(i) + "]");
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool first = !closed && i == 0, last = !closed && i + 1 == count;
+    const Eigen::Vector2d in = first ? edge(i) : edge((i + count - 1) % count);
+    const Eigen::Vector2d out = last ? in : edge(i);
+    Eigen::Vector2d along = in + out;
+    const Eigen::Vector2d u = in.stableNormalized(), v = out.stableNormalized();
+    constexpr double kReversal = -0.8660254037844386;  // cos 150°
+    if (u.dot(v) < kReversal) {
+      const double side = u.x() * v.y() - u.y() * v.x() < 0 ? -1 : 1;
+      along = side * Eigen::Vector2d(-(u - v).y(), (u - v).x());
+    }
+    angles[i] = std::atan2(along.y(), along.x());
+  }
+  return angles;
+}
+
+Result<BiarcCurve> biarcCurve(std::vector<Eigen::Vector2d> points, std::vector<double> tangents,
+                              std::vector<double> shares, bool closed) {
+  if (points.size() < 2 || tangents.size() != points.size())
+    return fail(ErrorCode::badInput,
+                "a curve of biarcs needs at least 2 points and one tangent angle for each; there are " +
+                    std::to_string(points.size()) + " points and " + std::to_string(tangents.size()) +
+                    " tangents",
+                "points");
+  const std::size_t count = closed ? points.size() : points.size() - 1;
+  if (shares.empty()) shares.assign(count, 0.5);
+  if (shares.size() != count)
+    return fail(ErrorCode::badInput, "a curve of biarcs needs one share for each biarc", "shares");
+  BiarcCurve curve{std::move(points), std::move(tangents), std::move(shares), {}, closed};
+  curve.arcs.reserve(2 * count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t next = (k + 1) % curve.points.size();
+    Result<Biarc> biarc = makeBiarc(curve.points[k], curve.tangents[k], curve.points[next],
+                                    curve.tangents[next], curve.shares[k]);
+    if (!biarc) {
+      biarc.error().message = "biarc " + std::to_string(k) + ": " + biarc.error().message;
+      return tl::unexpected<Error>(biarc.error());
+    }
+    curve.arcs.push_back(biarc->first);
+    curve.arcs.push_back(biarc->second);
+  }
+  return curve;
+}
+
+const char* biarcStatusName(BiarcStatus status) {
+  switch (status) {
+    case BiarcStatus::constructed:
+      return "constructed";
+    case BiarcStatus::converged:
+      return "converged";
+    case BiarcStatus::iterationLimit:
+      return "iteration-limit";
+    case BiarcStatus::toleranceExceeded:
+      return "tolerance-exceeded";
+  }
+  return "";
+}
+
+}  // namespace bw

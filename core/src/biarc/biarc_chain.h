@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+#include "bw/core/biarc.h"
+
+namespace bw::detail {
+
+/// What a curve of biarcs hangs on: for each chosen point x, y, the tangent angle, and the joint of the biarc
+/// that starts there, as logit of its share: λ = 1/(1 + e^{−z}).
+using BiarcNode = Eigen::Vector4d;
+
+/// How many unknowns a biarc has: x, y, τ, z of its first node and x, y, τ of its second.
+inline constexpr int kBiarcUnknowns = 7;
+using BiarcRow = Eigen::Matrix<double, kBiarcUnknowns, 1>;
+
+/// One arc with the derivatives of what describes it by the unknowns of its biarc.
+struct ArcDerivatives {
+  BiarcRow x, y, angle, curvature, turning, length;
+};
+
+/// A curve of biarcs as a function of its nodes.
+class BiarcChain {
+ public:
+  BiarcChain(std::vector<BiarcNode> nodes, bool closed);
+
+  /// False where a tangent points back along its chord (within kBackward) or two nodes coincide: no arcs
+  /// then.
+  bool valid() const { return valid_; }
+  /// The first biarc that is not valid.
+  int faulty() const { return faulty_; }
+  bool closed() const { return closed_; }
+  int biarcs() const { return closed_ ? int(nodes_.size()) : int(nodes_.size()) - 1; }
+  const std::vector<BiarcNode>& nodes() const { return nodes_; }
+  const std::vector<CircularArc>& arcs() const { return arcs_; }
+  /// Derivatives of both arcs of biarc k, by automatic differentiation of docs/mathematics.md, "Biarcs".
+  void derivatives(int biarc, ArcDerivatives& first, ArcDerivatives& second) const;
+
+  /// The share of biarc k.
+  double share(int biarc) const;
+
+ private:
+  std::vector<BiarcNode> nodes_;
+  std::vector<CircularArc> arcs_;
+  bool closed_ = false, valid_ = true;
+  int faulty_ = -1;
+};
+
+}  // namespace bw::detail

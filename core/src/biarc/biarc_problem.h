@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include <Eigen/SparseCore>
+#include <vector>
+
+#include "biarc/arc_tree.h"
+#include "biarc/biarc_chain.h"
+#include "bw/core/run_context.h"
+
+namespace bw::detail {
+
+/// A differentiable measure (docs/mathematics.md, "Biarcs"): distanceWeight · D + curvatureWeight · C.
+struct BiarcTerm {
+  enum class Distance {
+    smoothMean,  ///< mean of sqrt(d² + ε²)
+    power,       ///< (mean of d^p)^{1/p}
+  };
+  Distance distance = Distance::power;
+  double power = 2;
+  double epsilon = 0;
+  BiarcCurvature curvature = BiarcCurvature::energy;
+  double distanceWeight = 1, curvatureWeight = 0;
+};
+
+/// Which unknowns may change: x and y, τ and z of each node.
+struct BiarcFreedom {
+  bool points = true, tangents = true, joints = false;
+  bool keepEnds = false;
+};
+
+/// The measures of a chain against data.
+BiarcMeasures measuresOf(const std::vector<CircularArc>& arcs, bool closed,
+                         const std::vector<Eigen::Vector2d>& data);
+
+/// Where a descent ended.
+struct BiarcDescent {
+  std::vector<BiarcNode> nodes;
+  double value = 0;
+  int iterations = 0;
+  bool converged = false;
+};
+
+/// Data, and the descent of a term over the nodes of a chain: Levenberg–Marquardt on the generalised
+/// Gauss–Newton matrix, which is block tridiagonal (cyclic if closed).
+class BiarcProblem {
+ public:
+  BiarcProblem(const std::vector<Eigen::Vector2d>& data, bool closed, const BiarcFreedom& freedom);
+
+  struct Limits {
+    int iterations = 100;
+    double enough = -1;  ///< stop as soon as no distance is larger
+  };
+  /// From a valid chain downhill; every accepted step lowers the term.
+  BiarcDescent descend(const std::vector<BiarcNode>& start, const BiarcTerm& term, const Limits& limits,
+                       const RunContext& context) const;
+
+  /// The term's value; infinite for a chain that is not valid.
+  double value(const std::vector<BiarcNode>& nodes, const BiarcTerm& term) const;
+  /// The term's gradient by all unknowns, fixed ones 0. For the check against differences.
+  Eigen::VectorXd gradient(const std::vector<BiarcNode>& nodes, const BiarcTerm& term) const;
+
+ private:
+  struct State;
+  bool evaluate(State& state, const BiarcTerm& term) const;
+  void assemble(const State& state, const BiarcTerm& term, Eigen::SparseMatrix<double>& hessian,
+                Eigen::VectorXd& gradient) const;
+  bool freeUnknown(int node, int unknown, int count) const;
+
+  const std::vector<Eigen::Vector2d>& data_;
+  bool closed_;
+  BiarcFreedom freedom_;
+};
+
+}  // namespace bw::detail

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "biarc/biarc_select.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+
+namespace bw::detail {
+
+namespace {
+
+double distanceToSegment(const Eigen::Vector2d& p, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  const Eigen::Vector2d edge = b - a;
+  const double square = edge.squaredNorm();
+  const double t = square > 0 ? std::clamp((p - a).dot(edge) / square, 0.0, 1.0) : 0;
+  return (p - a - t * edge).norm();
+}
+
+/// Arc length of the chain at each point; one value more if closed.
+std::vector<double> lengthsOf(const Points& chain, bool closed) {
+  std::vector<double> lengths{0};
+  for (std::size_t i = 1; i < chain.size() + (closed ? 1 : 0); ++i)
+    lengths.push_back(lengths.back() + (chain[i % chain.size()] - chain[i - 1]).norm());
+  return lengths;
+}
+
+}  // namespace
+
+Points withoutRepeats(const Points& data, bool closed) {
+  Points chain;
+  for (const Eigen::Vector2d& p : data)
+    if (chain.empty() || p != chain.back()) chain.push_back(p);
+  while (closed && chain.size() > 1 && chain.back() == chain.front()) chain.pop_back();
+  return chain;
+}
+
+Points selectByMeasure(const Points& chain, bool closed, int count, const std::vector<double>& measure) {
+  Points result;
+  result.reserve(std::size_t(count));
+  std::size_t at = 0;
+  for (int i = 0; i < count; ++i) {
+    if (!closed && i + 1 == count) {
+      result.push_back(chain.back());
+      break;
+    }
+    const double goal = measure.back() * i / (closed ? count : count - 1);
+    while (at + 2 < measure.size() && measure[at + 1] <= goal) ++at;
+    const double step = measure[at + 1] - measure[at];
+    const double t = step > 0 ? std::clamp((goal - measure[at]) / step, 0.0, 1.0) : 0;
+    result.push_back((1 - t) * chain[at] + t * chain[(at + 1) % chain.size()]);
+  }
+  return result;
+}
+
+Points selectBySpacing(const Points& chain, bool closed, int count) {
+  return selectByMeasure(chain, closed, count, lengthsOf(chain, closed));
+}
+
+Points selectByIndex(const Points& chain, bool closed, int count) {
+  Points result;
+  const double last = closed ? double(chain.size()) : double(chain.size() - 1);
+  for (int i = 0; i < count; ++i)
+    result.push_back(chain[std::size_t(std::lround(last * i / (closed ? count : count - 1)))]);
+  return result;
+}
+
+Points selectByCurvature(const Points& chain, bool closed, int count) {
+  const std::vector<double> lengths = lengthsOf(chain, closed);
+  const std::size_t size = chain.size(), edges = lengths.size() - 1;
+  const auto edge = [&](std::size_t i) -> Eigen::Vector2d { return chain[(i + 1) % size] - chain[i % size]; };
+  // The turning at a point is spread over half of each edge beside it.
+  std::vector<double> turning(edges + 1, 0);
+  std::vector<double> atEdge(edges, 0);
+  for (std::size_t i = closed ? 0 : 1; i < (closed ? size : size - 1); ++i) {
+    const Eigen::Vector2d in = edge((i + size - 1) % size), out = edge(i);
+    const double turn = std::abs(std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out)));
+    atEdge[(i + edges - 1) % edges] += turn / 2;
+    atEdge[i] += turn / 2;
+  }
+  for (std::size_t i = 0; i < edges; ++i) turning[i + 1] = turning[i] + atEdge[i];
+  std::vector<double> measure(edges + 1);
+  for (std::size_t i = 0; i <= edges; ++i)
+    measure[i] = lengths[i] / lengths.back() + (turning.back() > 0 ? turning[i] / turning.back() : 0);
+  return selectByMeasure(chain, closed, count, measure);
+}
+
+Points selectByTube(const Points& chain, bool closed, int count, double epsilon) {
+  const int size = int(chain.size()), least = closed ? 3 : 2;
+  std::vector<int> before(chain.size()), after(chain.size()), version(chain.size(), 0);
+  for (int i = 0; i < size; ++i) {
+    before[std::size_t(i)] = (i + size - 1) % size;
+    after[std::size_t(i)] = (i + 1) % size;
+  }
+  const auto cost = [&](int i) {
+    const int a = before[std::size_t(i)], b = after[std::size_t(i)];
+    double worst = 0;
+    for (int j = (a + 1) % size; j != b; j = (j + 1) % size)
+      worst = std::max(
+          worst, distanceToSegment(chain[std::size_t(j)], chain[std::size_t(a)], chain[std::size_t(b)]));
+    return worst;
+  };
+  struct Candidate {
+    double cost;
+    int point, version;
+    bool operator<(const Candidate& other) const {
+      return cost != other.cost ? cost > other.cost : point > other.point;
+    }
+  };
+  std::priority_queue<Candidate> queue;
+  const auto offer = [&](int i) {
+    if (closed || (i != 0 && i != size - 1)) queue.push({cost(i), i, ++version[std::size_t(i)]});
+  };
+  for (int i = 0; i < size; ++i) offer(i);
+  int left = size;
+  const int stop = count > 0 ? std::max(count, 2) : least;
+  while (left > stop && !queue.empty()) {
+    const Candidate next = queue.top();
+    queue.pop();
+    const std::size_t i = std::size_t(next.point);
+    if (next.version != version[i]) continue;
+    if (count == 0 && next.cost > epsilon) break;
+    version[i] = -1;
+    --left;
+    const int a = before[i], b = after[i];
+    after[std::size_t(a)] = b;
+    before[std::size_t(b)] = a;
+    if (left > 2) {
+      offer(a);
+      offer(b);
+    }
+  }
+  Points result;
+  for (int i = 0; i < size; ++i)
+    if (version[std::size_t(i)] != -1) result.push_back(chain[std::size_t(i)]);
+  return result;
+}
+
+}  // namespace bw::detail
