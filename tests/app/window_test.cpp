@@ -84,6 +84,7 @@ class WindowTest : public ::testing::Test {
 
   /// The window as the user sees it, kept for the eye.
   QImage picture(const std::string& name) {
+    EXPECT_TRUE(QTest::qWaitFor([&] { return window_->onStartPage() || window_->sceneView().resting(); }, kPatience));
     QTest::qWait(0);
     const QImage image = window_->grab().toImage();
     fs::create_directories(BW_TEST_OUTPUT "/window");
@@ -393,6 +394,37 @@ TEST_F(WindowTest, HasATooltipAndAMenuEntryForEveryCommand) {
       keys[key] = action->objectName();
     }
   }
+}
+
+TEST_F(WindowTest, CutsTheSceneOpenAtTheSelectedStation) {
+  openPanel();
+  EXPECT_FALSE(window().sceneView().sceneStyle().section);
+  bench().selectStation(6);
+  QTest::keyClick(&window(), Qt::Key_X);
+  const auto section = window().sceneView().sceneStyle().section;
+  ASSERT_TRUE(section);
+  const Frame& frame = bench().sweep()->sweep.stations[6].frame;
+  EXPECT_NEAR((section->point - frame.origin).norm(), 0, 1e-9);
+  EXPECT_NEAR(std::abs(section->normal.dot(frame.normal)), 1, 1e-12);
+  EXPECT_GT((window().sceneView().camera().position - section->point).dot(section->normal), 0) << "the half behind the cut was taken away";
+  window().commands()["map.none"]->trigger();
+  picture("section");
+  bench().selectStation(12);
+  EXPECT_NEAR((window().sceneView().sceneStyle().section->point - bench().sweep()->sweep.stations[12].frame.origin).norm(), 0, 1e-9);
+  QTest::keyClick(&window(), Qt::Key_X, Qt::ShiftModifier);
+  EXPECT_LT(window().sceneView().sceneStyle().section->normal.dot(section->normal), 0);
+  QTest::keyClick(&window(), Qt::Key_X);
+  EXPECT_FALSE(window().sceneView().sceneStyle().section);
+}
+
+TEST_F(WindowTest, MovesNothingWhenItTellsSomething) {
+  openPanel();
+  const QRect before(window().sceneView().mapTo(&window(), QPoint()), window().sceneView().size());
+  bench().tell({Severity::warning, "A notice that is long enough to need a second line where the window is small, and then some more words", "Do it", [] {}});
+  QTest::qWait(0);
+  EXPECT_TRUE(window().banner().isVisible());
+  EXPECT_EQ(QRect(window().sceneView().mapTo(&window(), QPoint()), window().sceneView().size()), before);
+  EXPECT_TRUE(QRect(QPoint(), window().size()).contains(QRect(window().banner().mapTo(&window(), QPoint()), window().banner().size())));
 }
 
 TEST_F(WindowTest, FitsASmallScreen) {

@@ -17,6 +17,7 @@
 #include "legend_range.h"
 #include "mesh_edges.h"
 #include "polyline.h"
+#include "section_cap.h"
 
 namespace bw::scene {
 
@@ -24,7 +25,8 @@ namespace {
 
 constexpr int kTableColors = 2048;
 constexpr double kStaleKeep = 0.6;
-constexpr double kLeastSpacing = 7;  ///< device-independent pixels between stations
+constexpr double kLeastSpacing = 9;    ///< device-independent pixels between stations
+constexpr double kHatchShare = 0.016;  ///< distance of a section's hatching, in diagonals
 
 void setBox(vtkPolyData* data, const Box& box, bool edges) {
   const std::array<Eigen::Vector3d, 8> corners = box.corners();
@@ -56,10 +58,12 @@ void setBox(vtkPolyData* data, const Box& box, bool edges) {
 
 }  // namespace
 
-ContentActors::ContentActors() : table_(vtkSmartPointer<vtkLookupTable>::New()) {
+ContentActors::ContentActors()
+    : sectionPlane_(vtkSmartPointer<vtkPlane>::New()), table_(vtkSmartPointer<vtkLookupTable>::New()) {
   target_.setMatte(0.35, 0.65, 0.0);
-  for (Part* part : {&targetEdges_, &cutEdges_, &isolines_, &stations_, &selected_, &selectedDashes_,
-                     &bladesInside_, &bladeDashes_, &blockEdges_}) {
+  for (Part* part :
+       {&targetEdges_, &cutEdges_, &isolines_, &stations_, &selected_, &selectedDashes_, &bladesInside_,
+        &bladeDashes_, &blockEdges_, &capFill_, &capHatch_, &capCut_, &capOutline_}) {
     part->setFlat();
   }
   cut_.mapper()->SetInterpolateScalarsBeforeMapping(true);
@@ -75,7 +79,8 @@ ContentActors::ContentActors() : table_(vtkSmartPointer<vtkLookupTable>::New()) 
 }
 
 void ContentActors::addSolidTo(vtkRenderer* renderer) {
-  for (Part* part : {&cut_, &cutEdges_, &isolines_}) renderer->AddActor(part->actor());
+  for (Part* part : {&cut_, &cutEdges_, &isolines_, &capFill_, &capHatch_, &capOutline_, &capCut_})
+    renderer->AddActor(part->actor());
 }
 
 void ContentActors::addClearTo(vtkRenderer* renderer) {
@@ -142,7 +147,7 @@ void ContentActors::setContent(const Content& content, const TriangleMesh& cutMe
   } else {
     for (Part* part : {&blockBack_, &blockFront_, &blockEdges_}) part->clear();
   }
-  isolinesValid_ = linesValid_ = false;
+  isolinesValid_ = linesValid_ = sectionValid_ = false;
   selectedIndex_ = -1;
   for (Part* part : {&isolines_, &selected_, &selectedDashes_}) part->clear();
 }
@@ -285,12 +290,61 @@ void ContentActors::setStyle(const Content& content, const TriangleMesh& cutMesh
   blockEdges_.setVisible(blockShown);
   blockEdges_.setColor(colors.foamEdge);
   blockEdges_.setLineWidth(px);
+  setSection(content, cutMesh, style, background);
+}
+
+void ContentActors::setSection(const Content& content, const TriangleMesh& cutMesh, const Style& style,
+                               const Rgb& background) {
+  const bool changed = !sectionValid_ || section_ != style.section;
+  const bool switched = section_.has_value() != style.section.has_value();
+  section_ = style.section;
+  sectionValid_ = true;
+  if (switched) {
+    for (Part* part :
+         {&target_, &targetEdges_, &cut_, &cutEdges_, &isolines_, &stations_, &selected_, &selectedDashes_,
+          &bladesInside_, &bladeDashes_, &blockBack_, &blockFront_, &blockEdges_}) {
+      part->mapper()->RemoveAllClippingPlanes();
+      if (section_) part->mapper()->AddClippingPlane(sectionPlane_);
+    }
+  }
+  if (changed) {
+    for (Part* part : {&capFill_, &capHatch_, &capCut_, &capOutline_}) part->clear();
+    if (section_) {
+      // VTK keeps what its planes' normals point to.
+      const Eigen::Vector3d kept = -section_->normal;
+      sectionPlane_->SetOrigin(section_->point.data());
+      sectionPlane_->SetNormal(kept.data());
+      const SectionCap cap =
+          sectionCap(content.block.value_or(Box{}), cutMesh, *section_, kHatchShare * diagonal_);
+      if (content.block && cap.outline.size() >= 3) {
+        capFill_.setPolygon(cap.outline);
+        Polyline closed = cap.outline;
+        closed.push_back(closed.front());
+        capOutline_.setLines({closed});
+        capHatch_.setSegments(cap.hatch);
+      }
+      capCut_.setSegments(cap.cut);
+    }
+  }
+  if (!section_) return;
+  const Theme& colors = theme(style.dark);
+  const double keep = style.stale ? kStaleKeep : 1.0, px = style.pixelRatio;
+  const bool foamShown = style.showBlock && content.block.has_value();
+  for (Part* part : {&capFill_, &capHatch_, &capOutline_}) part->setVisible(foamShown);
+  capCut_.setVisible(style.showCut);
+  const Rgb fill = mix(background, colors.foam, style.dark ? 0.22 : 0.7);
+  capFill_.setColor(fill);
+  capHatch_.setColor(mix(fill, colors.secondary, 0.38));
+  capOutline_.setColor(colors.foamEdge);
+  capCut_.setColor(colors.text);
+  capHatch_.setLineWidth(px);
+  capOutline_.setLineWidth(px);
+  capCut_.setLineWidth(2 * px);
+  for (Part* part : {&capFill_, &capHatch_, &capCut_, &capOutline_}) part->setFade(keep, background);
 }
 
 double ContentActors::targetSetBack(const Style& style) const {
   if (!style.showCut || !hasCut_ || style.cutOpacity < 0.5) return 0;
-  // Without a map the two surfaces may interpenetrate visibly; only true coincidence is settled.
-  if (style.field == "none") return 0.0005 * diagonal_;
   return std::clamp(4 * deviationReach_, 0.004 * diagonal_, 0.1 * diagonal_);
 }
 
@@ -304,6 +358,8 @@ void ContentActors::update(const Content& content, const Style& style, double de
   isolines_.setDepthShift(-depthPerMillimetre * 1.2 * line);
   stations_.setDepthShift(-depthPerMillimetre * line);
   for (Part* part : {&selected_, &selectedDashes_}) part->setDepthShift(-depthPerMillimetre * 2 * line);
+  capHatch_.setDepthShift(-depthPerMillimetre * 0.5 * line);
+  for (Part* part : {&capCut_, &capOutline_}) part->setDepthShift(-depthPerMillimetre * line);
 
   // Dense lines must not become a veil over the map: every second, fifth, tenth station is drawn where they
   // would crowd.

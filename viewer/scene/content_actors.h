@@ -3,7 +3,10 @@
 #pragma once
 
 #include <vtkLookupTable.h>
+#include <vtkPlane.h>
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "bw/scene/scene.h"
@@ -28,6 +31,10 @@ class ContentActors {
   /// `map` colours the cut surface where `field` is one of its fields.
   void setStyle(const Content& content, const TriangleMesh& cutMesh, const Style& style, const Field* field,
                 const ColorMap& map, const Rgb& background);
+  /// What shades and is shaded.
+  vtkActor* solid() const { return cut_.actor(); }
+  /// Size of what is shown, mm.
+  double diagonal() const { return diagonal_; }
   /// Millimetres that the target is drawn behind its place, so that the map is not tinted where the two
   /// nearly coincide.
   double targetSetBack(const Style& style) const;
@@ -45,10 +52,16 @@ class ContentActors {
   void selectStation(const Content& content, int index);
   void addExtensions(const Content& content, std::size_t index, Extensions& extensions) const;
   void rebuildLines(const Content& content);
+  void setSection(const Content& content, const TriangleMesh& cutMesh, const Style& style,
+                  const Rgb& background);
 
   Part target_, targetEdges_, cut_, cutEdges_, isolines_, stations_, selected_, selectedDashes_,
       bladesInside_, bladeDashes_;
   Part blockBack_, blockFront_, blockEdges_;
+  Part capFill_, capHatch_, capCut_, capOutline_;
+  vtkSmartPointer<vtkPlane> sectionPlane_;
+  std::optional<SectionPlane> section_;  ///< that the cap was made for
+  bool sectionValid_ = false;
   vtkSmartPointer<vtkLookupTable> table_;
   ColorMap tableMap_;
   std::vector<Eigen::Vector3d> targetNormals_;

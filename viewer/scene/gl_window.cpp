@@ -5,8 +5,20 @@
 
 #include <vtkObject.h>
 #include <vtkObjectFactory.h>
+#include <vtkVersionMacros.h>
 
 namespace bw::scene {
+
+// From 9.4 on VTK takes the functions of GL from a loader that it is given and looks for no display.
+#define BW_VTK_TAKES_LOADER (VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0))
+
+#if BW_VTK_TAKES_LOADER
+
+namespace {
+using GlWindow = vtkGenericOpenGLRenderWindow;
+}
+
+#else
 
 namespace {
 
@@ -45,8 +57,14 @@ vtkStandardNewMacro(GlWindow);
 
 }  // namespace
 
-vtkSmartPointer<vtkGenericOpenGLRenderWindow> makeGlWindow() {
+#endif
+
+vtkSmartPointer<vtkGenericOpenGLRenderWindow> makeGlWindow([[maybe_unused]] GlLoader loader,
+                                                           [[maybe_unused]] void* context) {
   const auto window = vtkSmartPointer<GlWindow>::New();
+#if BW_VTK_TAKES_LOADER
+  window->SetOpenGLSymbolLoader(loader, context);
+#endif
   window->SetOwnContext(0);
   // Lines wider than a pixel are drawn by VTK's own shader: drivers differ in what they allow.
   window->SetForceMaximumHardwareLineWidth(1);

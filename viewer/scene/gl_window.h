@@ -19,8 +19,13 @@ class RenderTarget {
   virtual void doneCurrent() = 0;
 };
 
+/// Finds a function of GL by its name in a context; `context` is whatever the caller wants back.
+using GlFunction = void (*)();
+using GlLoader = GlFunction (*)(void* context, const char* name);
+
 /// A VTK window over a GL context (3.2 core or later) that is not its own. It answers WindowIsCurrentEvent
-/// and WindowMakeCurrentEvent through its observers.
-vtkSmartPointer<vtkGenericOpenGLRenderWindow> makeGlWindow();
+/// and WindowMakeCurrentEvent through its observers. VTK from 9.4 on finds GL through `loader`, earlier ones
+/// by themselves; `context` must live as long as the window.
+vtkSmartPointer<vtkGenericOpenGLRenderWindow> makeGlWindow(GlLoader loader, void* context);
 
 }  // namespace bw::scene

@@ -16,6 +16,8 @@ class MovingBlade {
  public:
   MovingBlade();
   void addSolidTo(vtkRenderer* renderer);
+  vtkActor* tube() const { return tube_.actor(); }
+  vtkActor* grips() const { return grips_.actor(); }
   void addGlowTo(vtkRenderer* renderer);
   void setLine(Polyline line);
   void setStyle(const Style& style, const Rgb& background);

@@ -72,7 +72,10 @@ Result<EglContext> makeContext() {
 
 class OffscreenTarget : public RenderTarget {
  public:
-  explicit OffscreenTarget(EglContext egl) : egl_(std::move(egl)), window_(makeGlWindow()) {
+  explicit OffscreenTarget(EglContext egl)
+      : egl_(std::move(egl)),
+        window_(makeGlWindow([](void*, const char* name) -> GlFunction { return eglGetProcAddress(name); },
+                             nullptr)) {
     const auto isCurrent = vtkSmartPointer<vtkCallbackCommand>::New();
     isCurrent->SetClientData(&egl_);
     isCurrent->SetCallback([](vtkObject*, unsigned long event, void* client, void* data) {

@@ -31,6 +31,8 @@ namespace bw::scene {
 namespace {
 
 constexpr double kLinePickPixels = 4;
+// Soft shadows: how far they reach in diagonals of the content, and how dark they are without and with a map.
+constexpr double kShadowReach = 0.06, kShadow = 1.0, kShadowUnderMap = 0.35;
 constexpr unsigned kGlLessOrEqual = 0x0203;  ///< GL_LEQUAL
 
 /// Drops what cannot be drawn, so that the rest can.
@@ -52,10 +54,11 @@ void cleanMesh(TriangleMesh& mesh) {
 
 /// Passes that draw clear things in the order in which they were added, into the multisampled picture itself:
 /// their edges are as smooth as those of solid things.
-vtkSmartPointer<vtkCameraPass> makePasses() {
+vtkSmartPointer<vtkCameraPass> makePasses(AmbientOcclusion* occlusion) {
   const auto passes = vtkSmartPointer<vtkRenderPassCollection>::New();
   passes->AddItem(vtkSmartPointer<vtkLightsPass>::New());
   passes->AddItem(vtkSmartPointer<vtkOpaquePass>::New());
+  passes->AddItem(occlusion);
   passes->AddItem(vtkSmartPointer<vtkTranslucentPass>::New());
   passes->AddItem(vtkSmartPointer<vtkOverlayPass>::New());
   const auto sequence = vtkSmartPointer<vtkSequencePass>::New();
@@ -96,9 +99,12 @@ Camera defaultCamera() {
 
 }  // namespace
 
-Scene::Impl::Impl() : camera(defaultCamera()), renderer_(vtkSmartPointer<vtkRenderer>::New()) {
+Scene::Impl::Impl()
+    : camera(defaultCamera()),
+      renderer_(vtkSmartPointer<vtkRenderer>::New()),
+      occlusion_(vtkSmartPointer<AmbientOcclusion>::New()) {
   addLights(renderer_);
-  static_cast<vtkOpenGLRenderer*>(renderer_.Get())->SetPass(makePasses());
+  static_cast<vtkOpenGLRenderer*>(renderer_.Get())->SetPass(makePasses(occlusion_));
   renderer_->GradientBackgroundOn();
   renderer_->InteractiveOff();
   grid_.addTo(renderer_);
@@ -109,6 +115,7 @@ Scene::Impl::Impl() : camera(defaultCamera()), renderer_(vtkSmartPointer<vtkRend
   actors_.addFrontTo(renderer_);
   legend_.addTo(renderer_);
   marker_.addTo(renderer_);
+  occlusion_->setSolids({actors_.solid(), blade_.tube(), blade_.grips()});
   setContent({});
 }
 
@@ -260,6 +267,8 @@ void Scene::Impl::renderFrame(int width, int height) {
 
   const double perMillimetre =
       camera.parallel ? 2 / (far - near) : 2 * far * near / ((far - near) * distance * distance);
+  occlusion_->setReach(kShadowReach * actors_.diagonal());
+  occlusion_->setStrength(style.softShadows && !draft_ ? (field ? kShadowUnderMap : kShadow) : 0);
   const double pixel = bw::scene::pixelSize(camera, height);
   actors_.update(content, style, perMillimetre, pixel);
   blade_.update(view, -perMillimetre * 2 * pixel * style.pixelRatio);
@@ -388,7 +397,30 @@ int Scene::Impl::nearestStation(const Eigen::Vector3d& point) const {
 std::optional<RayHit> Scene::Impl::blockedBy(const Ray& ray) const {
   if (!style.showCut || style.cutOpacity <= 0.05 || cutMesh.triangles.empty()) return std::nullopt;
   if (!cutTree_) cutTree_ = std::make_unique<TriangleTree>(cutMesh.points, cutMesh.triangles);
-  return cutTree_->firstHit(ray);
+  return firstHit(*cutTree_, ray);
+}
+
+bool Scene::Impl::cutAway(const Eigen::Vector3d& point) const {
+  return style.section && (point - style.section->point).dot(style.section->normal) > 0;
+}
+
+std::optional<RayHit> Scene::Impl::firstHit(const TriangleTree& tree, const Ray& ray) const {
+  if (!style.section) return tree.firstHit(ray);
+  const double slope = ray.direction.dot(style.section->normal);
+  const double height = (ray.origin - style.section->point).dot(style.section->normal);
+  Ray kept = ray;
+  double skipped = 0;
+  if (height > 0) {
+    // The ray begins where everything is taken away: it meets nothing before the plane.
+    if (slope >= 0) return std::nullopt;
+    skipped = -height / slope;
+    kept.origin = ray.at(skipped);
+  }
+  std::optional<RayHit> hit = tree.firstHit(kept);
+  if (!hit) return hit;
+  hit->t += skipped;
+  if (height <= 0 && slope > 0 && hit->t > -height / slope) return std::nullopt;
+  return hit;
 }
 
 Pick Scene::Impl::pick(double x, double y, int width, int height) const {
@@ -405,7 +437,7 @@ Pick Scene::Impl::pick(double x, double y, int width, int height) const {
   if (style.showTarget && style.targetOpacity > 0.05 && !content.target.triangles.empty()) {
     if (!targetTree_)
       targetTree_ = std::make_unique<TriangleTree>(content.target.points, content.target.triangles);
-    targetHit = targetTree_->firstHit(ray);
+    targetHit = firstHit(*targetTree_, ray);
   }
 
   // Lines: the nearest to the pixel that is not hidden.
@@ -434,6 +466,7 @@ Pick Scene::Impl::pick(double x, double y, int width, int height) const {
     }
   };
   const auto visible = [&](const Candidate& candidate) {
+    if (cutAway(candidate.point)) return false;
     const Eigen::Vector3d pixel = view.toPixel(candidate.point);
     Ray sight = view.ray(pixel.x(), pixel.y());
     if (camera.parallel)

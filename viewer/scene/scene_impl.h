@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 
+#include "ambient_occlusion.h"
 #include "bw/scene/scene.h"
 #include "content_actors.h"
 #include "gl_window.h"
@@ -32,6 +33,8 @@ struct Scene::Impl {
   void renderFrame(int width, int height);
   /// Reads the last frame.
   Picture readPicture() const;
+  /// Pictures in motion go without what costs time: soft shadows.
+  void setDraft(bool draft) { draft_ = draft; }
   /// The width of the pictures to come, for a fit that keeps clear of the legend.
   void expectWidth(int width) { lastWidth_ = width; }
   Projection projection(int width, int height) const;
@@ -54,9 +57,13 @@ struct Scene::Impl {
   void refreshField();
   void refreshBlade();
   std::optional<RayHit> blockedBy(const Ray& ray) const;
+  std::optional<RayHit> firstHit(const TriangleTree& tree, const Ray& ray) const;
+  bool cutAway(const Eigen::Vector3d& point) const;
   int nearestStation(const Eigen::Vector3d& point) const;
 
   vtkSmartPointer<vtkRenderer> renderer_;
+  vtkSmartPointer<AmbientOcclusion> occlusion_;
+  bool draft_ = false;
   ContentActors actors_;
   MovingBlade blade_;
   GroundGrid grid_;

@@ -104,6 +104,17 @@ void Part::setSegments(const Segments& segments) {
   data_->SetLines(cells);
 }
 
+void Part::setPolygon(const Polyline& corners) {
+  const auto points = vtkSmartPointer<vtkPoints>::New();
+  const auto cells = vtkSmartPointer<vtkCellArray>::New();
+  points->SetDataTypeToFloat();
+  cells->InsertNextCell(int(corners.size()));
+  for (const Eigen::Vector3d& p : corners) cells->InsertCellPoint(points->InsertNextPoint(p.data()));
+  data_->Initialize();
+  data_->SetPoints(points);
+  data_->SetPolys(cells);
+}
+
 void Part::clear() { data_->Initialize(); }
 
 namespace {

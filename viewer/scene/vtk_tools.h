@@ -45,6 +45,8 @@ class Part {
 
   void setLines(const std::vector<Polyline>& lines);
   void setSegments(const Segments& segments);
+  /// A flat polygon.
+  void setPolygon(const Polyline& corners);
   void clear();
 
  private:

@@ -239,6 +239,7 @@ const scene::Content& SceneView::content() const { return impl_->scene.content()
 const scene::Style& SceneView::sceneStyle() const { return impl_->given; }
 scene::Camera SceneView::camera() const { return impl_->scene.camera(); }
 Navigation SceneView::navigation() const { return impl_->navigation; }
+bool SceneView::resting() const { return !impl_->draft && !impl_->restTimer.isActive(); }
 bool SceneView::parallel() const { return impl_->goal().parallel; }
 std::optional<std::pair<double, double>> SceneView::legendRange() const { return impl_->scene.legendRange(); }
 scene::Pick SceneView::pickAt(const QPointF& position) const { return impl_->pick(position); }
@@ -266,6 +267,7 @@ QImage SceneView::picture(const QSize& pixels, double pixelRatio) {
   impl_->scene.setStyle(style);
   inside.target()->window()->SetFrameBlitModeToNoBlit();
   inside.target()->window()->SetMultiSamples(scene::kSamples);
+  inside.setDraft(false);
   inside.renderFrame(pixels.width(), pixels.height());
   const scene::Picture picture = inside.readPicture();
   inside.target()->window()->SetFrameBlitModeToBlitToCurrent();
@@ -363,6 +365,7 @@ void SceneView::paintGL() {
     emit cameraChanged();
   }
   inside.target()->window()->SetMultiSamples(impl_->draft ? 0 : scene::kSamples);
+  inside.setDraft(impl_->draft);
   inside.renderFrame(impl_->width(), impl_->height());
   // The window system blends by alpha, which VTK leaves at whatever was drawn last.
   QOpenGLFunctions* gl = context()->functions();

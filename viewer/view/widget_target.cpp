@@ -11,7 +11,13 @@
 namespace bw::view {
 
 WidgetTarget::WidgetTarget(QOpenGLWidget* widget)
-    : widget_(widget), context_(widget->context()), window_(scene::makeGlWindow()) {
+    : widget_(widget),
+      context_(widget->context()),
+      window_(scene::makeGlWindow(
+          [](void* held, const char* name) -> scene::GlFunction {
+            return static_cast<QOpenGLContext*>(held)->getProcAddress(name);
+          },
+          widget->context())) {
   const auto answers = vtkSmartPointer<vtkCallbackCommand>::New();
   answers->SetClientData(this);
   answers->SetCallback([](vtkObject*, unsigned long event, void* client, void* data) {

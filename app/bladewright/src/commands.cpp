@@ -3,6 +3,8 @@
 #include "commands.h"
 
 #include <QKeyEvent>
+#include <QPainter>
+#include <QStyledItemDelegate>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -38,6 +40,44 @@ int rank(const QString& text, const QString& typed) {
   }
   return total;
 }
+
+constexpr int kRowHeight = 34, kIconSize = 20, kTextLeft = 40;
+constexpr int kByTip = 1000;  // a command found by its tooltip only comes after those found by name
+constexpr int kKeysRole = Qt::UserRole + 1;
+
+/// A line of the palette: icon, name, and the keys at the right edge.
+class PaletteLine : public QStyledItemDelegate {
+ public:
+  PaletteLine(const Theme& theme, QObject* parent) : QStyledItemDelegate(parent), theme_(theme) {}
+
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const override {
+    return {option.rect.width(), kRowHeight};
+  }
+
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    QStyleOptionViewItem bare = option;
+    initStyleOption(&bare, index);
+    const QIcon icon = bare.icon;
+    bare.text.clear();
+    bare.icon = {};
+    bare.widget->style()->drawControl(QStyle::CE_ItemViewItem, &bare, painter, bare.widget);
+    const QRect row = option.rect.adjusted(kGap, 0, -kGap, 0);
+    icon.paint(painter, QRect(row.left(), row.center().y() - kIconSize / 2, kIconSize, kIconSize));
+    const QString keys = index.data(kKeysRole).toString();
+    painter->setFont(Theme::secondaryFont());
+    painter->setPen(theme_.colours().secondary);
+    painter->drawText(row, Qt::AlignRight | Qt::AlignVCenter, keys);
+    const int keysWidth = painter->fontMetrics().horizontalAdvance(keys) + 2 * kGap;
+    painter->setFont(Theme::bodyFont());
+    painter->setPen(theme_.colours().text);
+    const QRect text(row.left() + kTextLeft - kGap, row.top(), row.width() - kTextLeft + kGap - keysWidth, row.height());
+    painter->drawText(text, Qt::AlignLeft | Qt::AlignVCenter,
+                      painter->fontMetrics().elidedText(index.data().toString(), Qt::ElideRight, text.width()));
+  }
+
+ private:
+  const Theme& theme_;
+};
 
 }  // namespace
 
@@ -99,7 +139,7 @@ CommandPalette::CommandPalette(const Commands& commands, QWidget* parent)
   layout->addWidget(line_);
   layout->addWidget(list_);
   list_->setFocusPolicy(Qt::NoFocus);
-  list_->setIconSize({20, 20});
+  list_->setItemDelegate(new PaletteLine(commands.theme(), list_));
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   line_->installEventFilter(this);
   connect(line_, &QLineEdit::textChanged, this, &CommandPalette::filter);
@@ -134,13 +174,18 @@ void CommandPalette::filter(const QString& text) {
   std::vector<std::pair<int, QAction*>> found;
   for (QAction* action : commands_.all()) {
     if (!action->isEnabled() || action->objectName() == "edit.palette") continue;
-    if (const int fit = rank(plainText(action), text); fit >= 0) found.emplace_back(fit, action);
+    int fit = rank(plainText(action), text);
+    if (fit < 0) {
+      fit = rank(action->toolTip(), text);
+      if (fit >= 0) fit += kByTip;
+    }
+    if (fit >= 0) found.emplace_back(fit, action);
   }
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   list_->clear();
   for (const auto& [fit, action] : found) {
-    const QString keys = action->shortcut().toString(QKeySequence::NativeText);
-    auto* item = new QListWidgetItem(action->icon(), plainText(action) + (keys.isEmpty() ? QString() : "    " + keys), list_);
+    auto* item = new QListWidgetItem(action->icon(), plainText(action), list_);
+    item->setData(kKeysRole, action->shortcut().toString(QKeySequence::NativeText));
     item->setToolTip(action->toolTip());
     item->setData(Qt::UserRole, QVariant::fromValue<void*>(action));
   }

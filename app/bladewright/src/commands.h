@@ -42,6 +42,7 @@ class Commands : public QObject {
   /// first. False if there is none.
   bool pressKey(const QKeyEvent* event);
   const std::vector<QAction*>& all() const { return actions_; }
+  const Theme& theme() const { return theme_; }
 
  private:
   void refreshIcons();

@@ -71,6 +71,10 @@ int main(int argc, char** argv) {
   int status = 0;
   const auto finish = [&] {
     if (options->quitAfterFirstPicture) std::printf("first picture after %.2f s\n", secondsSinceProcessStart());
+    if (!options->screenshot.isEmpty()) {
+      // What moved is drawn smoothly once it rests.
+      while (!window.onStartPage() && !window.sceneView().resting()) QApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    }
     if (!options->screenshot.isEmpty() && !window.grab().save(options->screenshot, "PNG")) {
       std::fprintf(stderr, "bladewright: the picture could not be written to %s\n", qPrintable(options->screenshot));
       status = kCannotWrite;

@@ -51,10 +51,9 @@ MainWindow::MainWindow(model::Settings& settings, Theme& theme, const std::files
   auto* layout = new QVBoxLayout(central);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
-  banner_ = new Banner(theme, central);
-  layout->addWidget(banner_);
   stack_ = new QStackedWidget(central);
   layout->addWidget(stack_, 1);
+  banner_ = new Banner(theme, central);
   start_ = new StartPage(bench_, theme, stack_);
   stack_->addWidget(start_);
   makeWorkspace();
@@ -68,6 +67,9 @@ MainWindow::MainWindow(model::Settings& settings, Theme& theme, const std::files
   connect(start_, &StartPage::openRequested, this, &MainWindow::openFile);
   connect(start_, &StartPage::exampleRequested, this, &MainWindow::openExample);
 
+  start_->installEventFilter(this);
+  view_->installEventFilter(this);
+  connect(banner_, &Banner::told, this, &MainWindow::placeBanner);
   connect(&bench_, &Workbench::noticed, banner_, &Banner::tell);
   connect(&bench_, &Workbench::noticesOutdated, banner_, &Banner::outdate);
   connect(&bench_, &Workbench::resultChanged, this, &MainWindow::refreshContent);
@@ -198,6 +200,19 @@ void MainWindow::makeCommands() {
       refreshStyle();
     }, true);
   };
+  toggle("view.shadows", tr("S&oft shadows"), "eye", tr("Shade the surface where it is less open to the light"), {}, &scene::Style::softShadows);
+  add("view.section", tr("Se&ction through the scene"), "section", tr("Cut the scene open at the selected station or the moving blade"),
+      {QKeySequence("X")}, [this](bool on) {
+        sectioned_ = on;
+        // The half that the eye is on goes away.
+        if (const auto plane = sectionPlane(); plane && (view_->camera().position - plane->point).dot(plane->normal) < 0) sectionSide_ = -sectionSide_;
+        refreshStyle();
+        refreshState();
+      }, true);
+  add("view.sectionFlip", tr("Other half of the s&ection"), "", tr("Take the other half away"), {QKeySequence("Shift+X")}, [this](bool) {
+    sectionSide_ = -sectionSide_;
+    refreshStyle();
+  });
   toggle("view.isolines", tr("Is&olines"), "isolines", tr("Lines of equal value at the ticks of the legend"), {QKeySequence("I")}, &scene::Style::isolines);
   toggle("show.target", tr("Target surface"), "target", tr("Show the target surface"), {QKeySequence("Alt+T")}, &scene::Style::showTarget);
   toggle("show.cut", tr("Cut surface"), "cut", tr("Show the cut surface"), {QKeySequence("Alt+C")}, &scene::Style::showCut);
@@ -277,7 +292,7 @@ void MainWindow::makeMenus() {
   fill(menuBar()->addMenu(tr("&Edit")), {"edit.undo", "edit.redo", "", "edit.compute", "edit.cancel", "", "edit.palette"});
   QMenu* view = menuBar()->addMenu(tr("&View"));
   fill(view, {"view.iso", "view.top", "view.bottom", "view.front", "view.back", "view.left", "view.right", "", "view.fit", "view.fitSelection",
-              "view.parallel", ""});
+              "view.parallel", "", "view.section", "view.sectionFlip", "view.shadows", ""});
   fill(view->addMenu(tr("&Map")), {"map.deviation", "map.angle", "map.speed", "map.relative_speed", "map.curvature", "map.none", "", "view.isolines"});
   fill(view->addMenu(tr("S&how")), {"show.target", "show.cut", "show.stations", "show.blades", "show.block", "show.grid"});
   fill(view->addMenu(tr("Pa&nels")), {"panel.workflow", "panel.bottom", "panel.inspector", "", "tab.section", "tab.motion", "tab.messages"});
@@ -320,7 +335,11 @@ void MainWindow::makeWorkspace() {
   tabs_->addTab(messages_, tr("Messages"));
   auto* corner = new QFrame(tabs_);
   corner->setObjectName("panel");
-  auto* cornerLayout = new QHBoxLayout(corner);
+  auto* cornerContent = new QWidget(corner);
+  auto* cornerOuter = new QHBoxLayout(corner);
+  cornerOuter->setContentsMargins(0, 0, 0, 0);
+  cornerOuter->addWidget(cornerContent);
+  auto* cornerLayout = new QHBoxLayout(cornerContent);
   cornerLayout->setContentsMargins(0, 2, 12, 2);
   cornerLayout->setSpacing(kGap);
   auto* label = new QLabel(tr("Deviation drawn"), corner);
@@ -335,7 +354,11 @@ void MainWindow::makeWorkspace() {
   cornerLayout->addWidget(factor);
   tabs_->setCornerWidget(corner);
   connect(factor, &QComboBox::activated, this, [this](int index) { section_->setExaggeration(index == 0 ? 1 : index == 1 ? 5 : 20); });
-  connect(tabs_, &QTabWidget::currentChanged, corner, [this, corner] { corner->setVisible(tabs_->currentWidget() == section_); });
+  // The corner itself stays, or its place would change colour.
+  QSizePolicy keeping = cornerContent->sizePolicy();
+  keeping.setRetainSizeWhenHidden(true);
+  cornerContent->setSizePolicy(keeping);
+  connect(tabs_, &QTabWidget::currentChanged, cornerContent, [this, cornerContent] { cornerContent->setVisible(tabs_->currentWidget() == section_); });
   middle_->addWidget(tabs_);
   middle_->setStretchFactor(0, 1);
   columns_->addWidget(middle_);
@@ -544,6 +567,23 @@ void MainWindow::showWorkspace() {
   view_->setFocus();
   refreshTitle();
   refreshState();
+  placeBanner();
+}
+
+void MainWindow::placeBanner() {
+  if (onStartPage()) {
+    banner_->place({kGroupGap, kGroupGap}, banner_->parentWidget()->width() - 2 * kGroupGap);
+    return;
+  }
+  const QPoint corner = view_->mapTo(banner_->parentWidget(), QPoint(kGap, kGap));
+  const QRectF legend = view_->legendRect();
+  const double right = legend.isEmpty() ? view_->width() : legend.left();
+  banner_->place(corner, std::max(320, int(right) - 2 * kGap));
+}
+
+bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize || event->type() == QEvent::Show) QTimer::singleShot(0, this, &MainWindow::placeBanner);
+  return QMainWindow::eventFilter(watched, event);
 }
 
 void MainWindow::recover() {
@@ -599,6 +639,21 @@ void MainWindow::refreshContent() {
   }
 }
 
+std::optional<scene::SectionPlane> MainWindow::sectionPlane() const {
+  const pipeline::SweepResult* result = bench_.sweep();
+  if (!sectioned_ || !result || result->sweep.stations.empty()) return std::nullopt;
+  const auto& stations = result->sweep.stations;
+  // The moving blade leads while it plays, the selected station otherwise, the middle if there is neither.
+  const bool follow = bench_.moving() && (motion_->playing() || bench_.selection().station < 0);
+  const double at = follow ? bench_.stationAt(bench_.playTime())
+                           : bench_.selection().station >= 0 ? bench_.selection().station : 0.5 * double(stations.size() - 1);
+  const auto before = std::size_t(std::clamp(std::floor(at), 0.0, double(stations.size() - 1)));
+  const std::size_t after = std::min(before + 1, stations.size() - 1);
+  const double share = std::clamp(at - double(before), 0.0, 1.0);
+  const Frame &a = stations[before].frame, &b = stations[after].frame;
+  return scene::SectionPlane{(1 - share) * a.origin + share * b.origin, sectionSide_ * ((1 - share) * a.normal + share * b.normal).normalized()};
+}
+
 void MainWindow::refreshStyle() {
   scene::Style style = mapBar_->style();
   style.dark = theme_.dark();
@@ -606,13 +661,15 @@ void MainWindow::refreshStyle() {
   style.stale = staleShown_;
   style.selectedStation = bench_.selection().station;
   style.playhead = bench_.moving() ? bench_.stationAt(bench_.playTime()) : -1;
+  style.section = sectionPlane();
   view_->setStyle(style);
-  if (const auto range = view_->legendRange()) mapBar_->setRangeInUse(range->first, range->second);
+  mapBar_->setRangeInUse(view_->legendRange());
   static const std::pair<const char*, bool scene::Style::*> kToggles[] = {
-      {"view.isolines", &scene::Style::isolines},   {"show.target", &scene::Style::showTarget}, {"show.cut", &scene::Style::showCut},
+      {"view.isolines", &scene::Style::isolines}, {"view.shadows", &scene::Style::softShadows}, {"show.target", &scene::Style::showTarget}, {"show.cut", &scene::Style::showCut},
       {"show.stations", &scene::Style::showStations}, {"show.blades", &scene::Style::showBlades}, {"show.block", &scene::Style::showBlock},
       {"show.grid", &scene::Style::showGrid}};
   for (const auto& [id, member] : kToggles) commands_[id]->setChecked(style.*member);
+  commands_["view.section"]->setChecked(sectioned_);
 }
 
 void MainWindow::refreshState() {
@@ -636,11 +693,12 @@ void MainWindow::refreshState() {
   const bool ready = open && bench_.current() && !bench_.exporting();
   for (const char* id : {"file.export", "file.programs"}) commands_[id]->setEnabled(ready);
   for (const char* id : {"file.save", "file.saveAs", "file.picture", "file.close", "edit.compute", "view.fit", "view.fitSelection", "view.parallel",
-                         "view.isolines", "view.iso", "view.top", "view.bottom", "view.front", "view.back", "view.left", "view.right",
+                         "view.isolines", "view.shadows", "view.section", "view.iso", "view.top", "view.bottom", "view.front", "view.back", "view.left", "view.right",
                          "panel.workflow", "panel.bottom", "panel.inspector", "tab.section", "tab.motion", "tab.messages"})
     commands_[id]->setEnabled(open);
   for (const char* id : {"motion.play", "motion.start", "motion.end", "station.next", "station.previous", "station.none"})
     commands_[id]->setEnabled(open && bench_.sweep());
+  commands_["view.sectionFlip"]->setEnabled(open && sectioned_);
   commands_["edit.cancel"]->setEnabled(busy);
   refreshSummary();
 }

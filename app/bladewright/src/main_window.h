@@ -58,6 +58,8 @@ class MainWindow : public QMainWindow {
   QTabWidget& tabs() { return *tabs_; }
   Commands& commands() { return commands_; }
   Questions& questions() { return questions_; }
+  /// Whether the scene is cut open at the station or the moving blade.
+  bool sectioned() const { return sectioned_; }
   bool onStartPage() const { return stack_->currentWidget() == start_; }
   /// Seconds between the last change of the design and the picture of its result; 0 before the first.
   double pictureDelay() const { return pictureDelay_; }
@@ -80,6 +82,7 @@ class MainWindow : public QMainWindow {
   void pictureStands();
 
  protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -98,6 +101,8 @@ class MainWindow : public QMainWindow {
   void refreshStyle();
   void refreshState();
   void refreshSummary();
+  void placeBanner();
+  std::optional<scene::SectionPlane> sectionPlane() const;
   void refreshRecent();
   void onPicked(const scene::Pick& pick);
   void onHovered(const scene::Pick& pick);
@@ -136,6 +141,8 @@ class MainWindow : public QMainWindow {
 
   std::shared_ptr<const pipeline::Evaluation> shown_;
   bool fitNext_ = true;
+  bool sectioned_ = false;
+  double sectionSide_ = 1;  ///< of the station's normal: which half is taken away
   bool staleShown_ = false;
   QElapsedTimer editClock_;
   bool awaitingFrame_ = false;

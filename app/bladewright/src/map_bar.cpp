@@ -24,9 +24,26 @@ MapBar::MapBar(const Theme& theme, const Commands& commands, QWidget* parent) : 
     field_->addItem(title);
   field_->setToolTip(tr("What the colours of the cut surface show"));
   field_->setAccessibleName(tr("Map"));
-  field_->setMinimumWidth(136);
+  field_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   layout->addWidget(field_);
   layout->addSpacing(4);
+  const auto tool = [&](const QString& tip) {
+    auto* b = new QToolButton(this);
+    b->setToolTip(tip);
+    b->setAccessibleName(tip);
+    b->setFocusPolicy(Qt::StrongFocus);
+    layout->addWidget(b);
+    return b;
+  };
+  for (const char* id : {"view.isolines", "view.section"}) tool({})->setDefaultAction(commands[id]);
+  layers_ = tool(tr("What is shown, and how solid"));
+  layers_->setPopupMode(QToolButton::InstantPopup);
+  layersMenu_ = new QMenu(layers_);
+  auto* content = new QWidgetAction(layersMenu_);
+  content->setDefaultWidget(makeLayers());
+  layersMenu_->addAction(content);
+  layers_->setMenu(layersMenu_);
+  layout->addSpacing(kGap);
   const NumberRange range{-1e6, 1e6, 3, 0.1, {}};
   const auto number = [&](const QString& name, const QString& tip) {
     auto* n = new NumberField(range, this);
@@ -41,26 +58,9 @@ MapBar::MapBar(const Theme& theme, const Commands& commands, QWidget* parent) : 
   layout->addWidget(min_);
   layout->addWidget(to_);
   layout->addWidget(max_);
-  const auto tool = [&](const QString& tip) {
-    auto* b = new QToolButton(this);
-    b->setToolTip(tip);
-    b->setAccessibleName(tip);
-    b->setFocusPolicy(Qt::StrongFocus);
-    layout->addWidget(b);
-    return b;
-  };
   automatic_ = tool(tr("Range follows the data"));
   automatic_->setText(tr("Auto"));
   automatic_->setCheckable(true);
-  isolines_ = tool({});
-  isolines_->setDefaultAction(commands["view.isolines"]);
-  layers_ = tool(tr("What is shown, and how solid"));
-  layers_->setPopupMode(QToolButton::InstantPopup);
-  layersMenu_ = new QMenu(layers_);
-  auto* content = new QWidgetAction(layersMenu_);
-  content->setDefaultWidget(makeLayers());
-  layersMenu_->addAction(content);
-  layers_->setMenu(layersMenu_);
   layout->addStretch();
   for (const char* id : {"view.iso", "view.top"}) {
     auto* b = tool({});
@@ -163,11 +163,22 @@ void MapBar::setStyle(const scene::Style& style) {
   refresh();
 }
 
-void MapBar::setRangeInUse(double min, double max) {
-  for (NumberField* field : {min_, max_}) field->setSingleStep(std::max(0.001, (max - min) / 20));
-  if (style_.rangeMin) return;
-  min_->show(min);
-  max_->show(max);
+void MapBar::setRangeInUse(const std::optional<std::pair<double, double>>& range) {
+  mapped_ = range.has_value();
+  if (range) {
+    for (NumberField* field : {min_, max_}) field->setSingleStep(std::max(0.001, (range->second - range->first) / 20));
+    if (!style_.rangeMin) {
+      min_->show(range->first);
+      max_->show(range->second);
+    }
+  }
+  showRange();
+}
+
+void MapBar::showRange() {
+  // Without a map there is no range to tell.
+  for (QWidget* widget : {static_cast<QWidget*>(min_), static_cast<QWidget*>(max_), static_cast<QWidget*>(to_), static_cast<QWidget*>(automatic_)})
+    widget->setVisible(mapped_ && style_.field != "none");
 }
 
 void MapBar::editRange() {
@@ -179,9 +190,7 @@ void MapBar::refresh() {
   const auto& names = fieldNames();
   const auto found = std::find(names.begin(), names.end(), style_.field);
   field_->show(found == names.end() ? int(names.size()) - 1 : int(found - names.begin()));
-  const bool map = style_.field != "none";
-  for (QWidget* widget : {static_cast<QWidget*>(min_), static_cast<QWidget*>(max_), static_cast<QWidget*>(to_), static_cast<QWidget*>(automatic_)})
-    widget->setEnabled(map);
+  showRange();
   automatic_->setChecked(!style_.rangeMin && !style_.rangeMax);
   if (style_.rangeMin) min_->show(*style_.rangeMin);
   if (style_.rangeMax) max_->show(*style_.rangeMax);

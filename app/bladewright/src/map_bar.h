@@ -27,7 +27,7 @@ class MapBar : public QFrame {
   void setStyle(const scene::Style& style);
   using QWidget::setStyle;
   /// The legend's range in use, shown in the fields while it follows the data.
-  void setRangeInUse(double min, double max);
+  void setRangeInUse(const std::optional<std::pair<double, double>>& range);
   /// Puts the cursor into the range field.
   void editRange();
   ChoiceField& field() { return *field_; }
@@ -40,14 +40,16 @@ class MapBar : public QFrame {
 
  private:
   void refresh();
+  void showRange();
   QWidget* makeLayers();
 
   const Theme& theme_;
   scene::Style style_;
+  bool mapped_ = false;  ///< a field with a range is on the screen
   ChoiceField* field_;
   QLabel* to_;
   NumberField *min_, *max_;
-  QToolButton *automatic_, *isolines_, *layers_;
+  QToolButton *automatic_, *layers_;
   QMenu* layersMenu_;
   std::vector<std::pair<QCheckBox*, bool scene::Style::*>> shows_;
   std::vector<std::pair<HandSlider*, double scene::Style::*>> opacities_;

@@ -75,16 +75,14 @@ void MessageList::refresh() {
 Banner::Banner(const Theme& theme, QWidget* parent)
     : QFrame(parent), theme_(theme), icon_(new QLabel(this)), label_(new QLabel(this)), action_(new QPushButton(this)), close_(new QToolButton(this)) {
   auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(kGroupGap, 6, kGap, 6);
+  layout->setContentsMargins(kGroupGap, 8, kGap, 8);
   layout->setSpacing(kGap);
   icon_->setFixedSize(20, 20);
   layout->addWidget(icon_, 0, Qt::AlignTop);
   label_->setWordWrap(true);
   label_->setTextFormat(Qt::PlainText);
   label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Minimum);
-  policy.setHeightForWidth(true);
-  label_->setSizePolicy(policy);
+  label_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   layout->addWidget(label_, 1);
   layout->addWidget(action_, 0, Qt::AlignTop);
   close_->setToolTip(tr("Close this line"));
@@ -113,8 +111,19 @@ void Banner::tell(const Notice& notice) {
   action_->setVisible(!notice.action.isEmpty());
   refresh();
   show();
+  raise();
+  emit told();
   timer_.stop();
   if (notice.severity == Severity::info && notice.action.isEmpty()) timer_.start();
+}
+
+void Banner::place(const QPoint& corner, int width) {
+  constexpr int kWidest = 760;
+  const int others = kGroupGap + 20 + kGap + (action_->isHidden() ? 0 : action_->sizeHint().width() + kGap) + close_->sizeHint().width() + 2 * kGap;
+  const int wanted = label_->fontMetrics().horizontalAdvance(label_->text()) + others + 4;
+  const int taken = std::min({wanted, width, kWidest});
+  const int lines = label_->heightForWidth(taken - others);
+  setGeometry(corner.x(), corner.y(), taken, std::max({lines, action_->isHidden() ? 0 : action_->sizeHint().height(), 22}) + 16);
 }
 
 void Banner::outdate() {
@@ -132,16 +141,13 @@ void Banner::paintEvent(QPaintEvent*) {
   const Colours& c = theme_.colours();
   QPainter painter(this);
   painter.fillRect(rect(), c.panel);
-  QColor tint = severityColour(notice_.severity, c);
-  painter.fillRect(QRect(0, 0, kErrorBorder, height()), tint);
+  const QColor colour = severityColour(notice_.severity, c);
+  QColor tint = colour;
   tint.setAlphaF(0.07f);
   painter.fillRect(rect(), tint);
-  painter.fillRect(QRect(0, height() - 1, width(), 1), c.line);
-}
-
-void Banner::resizeEvent(QResizeEvent* event) {
-  QFrame::resizeEvent(event);
-  label_->setMinimumHeight(std::max(0, label_->heightForWidth(label_->width())));
+  painter.setPen(c.line);
+  painter.drawRect(rect().adjusted(0, 0, -1, -1));
+  painter.fillRect(QRect(0, 0, kErrorBorder, height()), colour);
 }
 
 }  // namespace bw::app

@@ -33,21 +33,26 @@ class MessageList : public QListWidget {
   Issues shown_;
 };
 
-/// A calm line over the picture: icon, text, at most one button, and a cross.
+/// A calm line that floats over the picture and moves nothing: icon, text, at most one button, and a cross.
 class Banner : public QFrame {
   Q_OBJECT
 
  public:
   explicit Banner(const Theme& theme, QWidget* parent = nullptr);
   void tell(const Notice& notice);
+  /// Stands at `corner` and takes as much of `width` as its words need.
+  void place(const QPoint& corner, int width);
   /// Takes the notice away, unless it tells of something that is done (information).
   void outdate();
   QString text() const { return label_->text(); }
   QPushButton* action() { return action_; }
 
+ signals:
+  /// Another text stands: the line may need another place.
+  void told();
+
  protected:
   void paintEvent(QPaintEvent* event) override;
-  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void refresh();

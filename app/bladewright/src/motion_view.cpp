@@ -17,7 +17,7 @@ namespace bw::app {
 
 namespace {
 
-constexpr int kLeft = 64, kRight = 16, kTop = 4, kAxis = 20;
+constexpr int kLeft = 64, kRight = 16, kTop = 12, kAxis = 20;
 constexpr int kFrameInterval = 16;  // ms
 constexpr std::array<double, 4> kPaces = {1, 4, 10, 30};
 
@@ -147,7 +147,8 @@ void Timeline::paintEvent(QPaintEvent*) {
   painter.drawLine(QPointF(x, kTop), QPointF(x, kTop + height));
   painter.setBrush(c.accent);
   painter.setPen(Qt::NoPen);
-  painter.drawPolygon(QPolygonF() << QPointF(x - 5, kTop + height + 7) << QPointF(x + 5, kTop + height + 7) << QPointF(x, kTop + height));
+  // Its handle stands above the plots, clear of the times below.
+  painter.drawPolygon(QPolygonF() << QPointF(x - 5, kTop - 10) << QPointF(x + 5, kTop - 10) << QPointF(x + 5, kTop - 5) << QPointF(x, kTop) << QPointF(x - 5, kTop - 5));
   if (hasFocus()) {
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(c.selection, 1));

@@ -59,6 +59,14 @@ QRectF boundsOf(std::initializer_list<const QPolygonF*> polygons) {
   return bounds;
 }
 
+/// As many words as there is room for.
+QString curvatureTitle(const QFontMetrics& metrics, double width, const QString& limit) {
+  for (const QString& text : {SectionView::tr("Curvature along the blade, limit 1/%1").arg(limit), SectionView::tr("Curvature, limit 1/%1").arg(limit),
+                              SectionView::tr("Curvature")})
+    if (metrics.horizontalAdvance(text) <= width) return text;
+  return {};
+}
+
 }  // namespace
 
 SectionView::SectionView(Workbench& bench, const Theme& theme, QWidget* parent)
@@ -245,6 +253,33 @@ void SectionView::paintSection(QPainter& painter, const QRectF& area) const {
   }
 }
 
+void SectionView::paintKey(QPainter& painter, const QRectF& area) const {
+  const Colours& c = theme_.colours();
+  QColor band = c.success;
+  band.setAlphaF(c.dark ? 0.4f : 0.3f);
+  struct Entry {
+    QString name;
+    QPen pen;
+  };
+  const Entry entries[] = {{tr("target"), QPen(c.selection, 2)},
+                           {tr("blade"), QPen(c.accent, 1.5)},
+                           {tr("tolerance"), QPen(band, 8, Qt::SolidLine, Qt::FlatCap)}};
+  constexpr double kLine = 18, kSpace = 6, kBetween = 14;
+  const QFontMetrics metrics(painter.font());
+  double width = -kBetween;
+  for (const Entry& entry : entries) width += kLine + kSpace + metrics.horizontalAdvance(entry.name) + kBetween;
+  if (width + 2 * kBetween > area.width()) return;
+  double x = area.right() - width;
+  for (const Entry& entry : entries) {
+    painter.setPen(entry.pen);
+    painter.drawLine(QPointF(x, area.center().y() + 1), QPointF(x + kLine, area.center().y() + 1));
+    painter.setPen(c.secondary);
+    x += kLine + kSpace;
+    painter.drawText(QRectF(x, area.top(), area.right() - x + kBetween, area.height()), Qt::AlignLeft, entry.name);
+    x += metrics.horizontalAdvance(entry.name) + kBetween;
+  }
+}
+
 void SectionView::paintCurvature(QPainter& painter, const QRectF& area) const {
   const Colours& c = theme_.colours();
   const double limit = bench_.sweep()->sweep.blade.maxCurvature();
@@ -316,6 +351,7 @@ void SectionView::paintEvent(QPaintEvent*) {
   const int factsLeft = kMargin + titleWidth + 12;
   painter.drawText(QRectF(factsLeft, top, width() - factsLeft - kMargin, textHeight), Qt::AlignLeft,
                    metrics.elidedText(facts, Qt::ElideRight, width() - factsLeft - kMargin));
+  paintKey(painter, QRectF(factsLeft + metrics.horizontalAdvance(facts), top, width() - kMargin - factsLeft - metrics.horizontalAdvance(facts), textHeight));
   top += textHeight + 4;
 
   // Side by side: the section takes what the curvature leaves.
@@ -327,7 +363,7 @@ void SectionView::paintEvent(QPaintEvent*) {
   painter.setFont(small);
   const double limitRadius = bench_.sweep()->sweep.blade.minRadius();
   painter.drawText(QRectF(plot.left(), top - 2, plot.width(), textHeight), Qt::AlignLeft,
-                   metrics.elidedText(tr("Curvature along the blade, limit 1/%1").arg(radiusText(limitRadius)), Qt::ElideRight, int(plot.width())));
+                   curvatureTitle(metrics, plot.width(), radiusText(limitRadius)));
   if (plot.height() > 12) paintCurvature(painter, plot);
   if (hasFocus()) {
     painter.setOpacity(1);

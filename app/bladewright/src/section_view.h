@@ -54,6 +54,8 @@ class SectionView : public QWidget {
   int stationAt(const QPointF& position) const;
   void paintBars(QPainter& painter) const;
   void paintSection(QPainter& painter, const QRectF& area) const;
+  /// Which line is what.
+  void paintKey(QPainter& painter, const QRectF& area) const;
   void paintCurvature(QPainter& painter, const QRectF& area) const;
   int shownStation() const;
 

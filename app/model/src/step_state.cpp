@@ -96,7 +96,7 @@ StepStates stepStates(const StepFacts& facts) {
     const int failed = int(failedStep(facts.evaluation.get()));
     states[std::size_t(failed)] = {Kind::error, 0, QStringLiteral("Failed")};
     if (failed != int(Step::process))
-      states[int(Step::process)] = {Kind::idle, 0, QStringLiteral("Waits for the steps before")};
+      states[int(Step::process)] = {Kind::idle, 0, QStringLiteral("Waits for the input")};
   }
   if (!current) {
     for (int i = 0; i < int(Step::output); ++i) {

@@ -25,6 +25,13 @@ struct Content {
   std::optional<Box> block;
 };
 
+/// A plane through the scene: what lies on the side that `normal` points to is taken away.
+struct SectionPlane {
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitX();
+  bool operator==(const SectionPlane&) const = default;
+};
+
 /// How it is shown.
 struct Style {
   std::string field = "none";  ///< "deviation", "angle", "speed", "relative_speed", "curvature" or "none"
@@ -39,6 +46,8 @@ struct Style {
        showGrid = true;
   double targetOpacity = 0.4, cutOpacity = 1.0, blockOpacity = 0.15;
   bool stale = false;  ///< results are out of date: drawn at 60 %
+  bool softShadows = true;  ///< ambient occlusion of solid things; weaker under a map, which keeps its colours
+  std::optional<SectionPlane> section;  ///< cuts the scene open; the foam met is hatched
   double pixelRatio = 1.0;
 };
 
