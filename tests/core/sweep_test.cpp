@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "analytic_surfaces.h"
+#include "bw/core/elastica_stability.h"
 #include "bw/core/units.h"
 
 namespace bw {
@@ -223,6 +224,64 @@ TEST(Motion, RefusesImpossibleSpeeds) {
   const Result<Sweep> sweep = sphereSweep(job, 4, issues);
   for (const double speed : {0.0, -1.0, double(NAN), double(INFINITY)})
     EXPECT_FALSE(buildMotion(*sweep, speed)) << speed;
+}
+
+namespace {
+
+/// Sections that are nearly lines and bend only towards their ends.
+std::vector<Section> nearlyStraightSections(double sag) {
+  std::vector<Section> sections;
+  for (int i = 0; i < 3; ++i) {
+    std::vector<Eigen::Vector2d> points;
+    for (int k = 0; k <= 120; ++k) {
+      const double x = -300 + 5.0 * k, u = x / 300;
+      points.emplace_back(x, sag * (1 - std::pow(u, 8)));
+    }
+    const double y = 20.0 * i;
+    sections.push_back(
+        {i, y,
+         Frame{{0, y, 0}, -Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitY()},
+         *PlanarCurve::points(points)});
+  }
+  return sections;
+}
+
+}  // namespace
+
+TEST(Sweep, BladeHoldsAlsoBeyondTheSection) {
+  // The profile 1 − u⁸ is flat in the middle and drops at its ends: in tension an elastica follows it
+  // closely, and curls up beyond the ends.
+  Job job;
+  job.tolerance = 2;
+  Issues issues;
+  const Result<Sweep> sweep =
+      buildSweep(nearlyStraightSections(0.6), job, sphereBlock(), Eigen::Vector3d::UnitY(), {}, issues);
+  ASSERT_TRUE(sweep) << sweep.error().message;
+  const Result<FitResult> free = fitElastica(sweep->stations.front().target);
+  ASSERT_TRUE(free);
+  const double extra = 0.5 * (job.blade.length - free->elastica.length());
+  EXPECT_GT(free->elastica.segment(-extra, free->elastica.length() + extra)->maxCurvature(),
+            job.blade.maxCurvature())
+      << "the best fit alone would curl up";
+  for (const Station& station : sweep->stations) {
+    EXPECT_LE(station.blade.maxCurvature(), job.blade.maxCurvature() * (1 + 1e-9));
+    EXPECT_GT(stabilityMargin(station.blade), 0);
+    EXPECT_LE(station.fit.hausdorff, 2 * job.tolerance);
+    EXPECT_EQ(station.fit.status, FitStatus::constraintsActive);
+  }
+}
+
+TEST(SweepAnalysis, MarginsAreThoseOfTheBlade) {
+  Job job;
+  Issues issues;
+  Result<Sweep> sweep = sphereSweep(job, 5, issues);
+  ASSERT_TRUE(sweep);
+  ASSERT_TRUE(analyzeSweep(*sweep, job, test::SphereSampler(kRadius), {}));
+  for (const Station& station : sweep->stations) {
+    EXPECT_EQ(station.stabilityMargin, stabilityMargin(station.blade));
+    EXPECT_EQ(station.outOfPlaneMargin, outOfPlaneMargin(station.blade)) << "the preset is a tube";
+    EXPECT_TRUE(station.stable);
+  }
 }
 
 }  // namespace bw

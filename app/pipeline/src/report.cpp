@@ -57,6 +57,8 @@ ordered_json stationJson(const Station& s) {
   object["min_radius_mm"] = curvature > 0 ? ordered_json(1 / curvature) : ordered_json(nullptr);
   object["inflections"] = int(s.fit.elastica.inflections().size());
   object["stable"] = s.stable;
+  object["stability_margin"] = s.stabilityMargin;
+  object["out_of_plane_margin"] = s.outOfPlaneMargin;
   object["angle_mean_deg"] = toDegrees(s.angleMean);
   object["angle_max_deg"] = toDegrees(s.angleMax);
   object["speed_ratio"] = s.speedRatio;

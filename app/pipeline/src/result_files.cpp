@@ -62,7 +62,8 @@ std::string stationsCsv(const Sweep& sweep) {
       "station,travel_mm,target_length_mm,elastica_length_mm,R4,hausdorff_mm,"
       "left_x_mm,left_y_mm,left_z_mm,left_tx,left_ty,left_tz,right_x_mm,right_y_mm,right_z_mm,right_tx,right_"
       "ty,right_tz,"
-      "min_radius_mm,inflections,stable,angle_mean_deg,angle_max_deg,speed_ratio,clearance_mm\n");
+      "min_radius_mm,inflections,stable,angle_mean_deg,angle_max_deg,speed_ratio,clearance_mm,"
+      "stability_margin\n");
   for (const Station& s : sweep.stations) {
     const double curvature = s.blade.maxCurvature();
     lines.integer(s.index)
@@ -83,7 +84,8 @@ std::string stationsCsv(const Sweep& sweep) {
         .fixed(toDegrees(s.angleMean), 4)
         .text(",")
         .fixed(toDegrees(s.angleMax), 4);
-    lines.text(",").fixed(s.speedRatio, 6).text(",").fixed(s.clearance, 3).text("\n");
+    lines.text(",").fixed(s.speedRatio, 6).text(",").fixed(s.clearance, 3);
+    lines.text(",").fixed(s.stabilityMargin, 6).text("\n");
   }
   return lines.take();
 }

@@ -52,7 +52,7 @@ Result<FitResult> fitBesideNeighbour(const PlanarCurve& section, FitOptions opti
 /// True if the blade that continues this fit keeps its radius and rests in its shape.
 bool bladeHolds(const FitResult& fit, const Blade& blade) {
   const Result<Elastica> whole = extendedBlade(fit.elastica, blade.length);
-  return whole && whole->maxCurvature() <= blade.maxCurvature() && isClampedStable(*whole);
+  return whole && whole->maxCurvature() <= blade.maxCurvature() && stabilityMargin(*whole) > 0;
 }
 
 }  // namespace

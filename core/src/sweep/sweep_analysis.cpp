@@ -11,6 +11,7 @@
 #include "bw/core/number_text.h"
 #include "bw/core/sweep.h"
 #include "bw/core/units.h"
+#include "sweep/station_findings.h"
 
 namespace bw {
 
@@ -22,12 +23,6 @@ constexpr int kColumns = 101;
 constexpr int kRowTarget = 240;
 /// Blocks of rows that share a sampler; fixed, so that the result does not depend on the number of threads.
 constexpr int kChunks = 16;
-/// A flat blade cuts only along its edge; a round one melts whichever way it goes, but drags.
-constexpr double kAngleLimitFlat = 45 * kDegree;
-constexpr double kAngleLimitRound = 60 * kDegree;
-/// Slower points of the blade melt more: below this ratio the kerf differs visibly along a station.
-constexpr double kSpeedRatioLimit = 0.3;
-
 /// Weights of the three-point derivative at t[i] for uneven spacing; one-sided at the ends
 /// (docs/mathematics.md, velocity).
 struct Stencil {
@@ -72,29 +67,6 @@ double boxDistance(const Box& box, const Eigen::Vector3d& p) {
   const Eigen::Vector3d q = (box.frame.toLocal(p) - half).cwiseAbs() - half;
   const double outside = q.cwiseMax(0.0).norm();
   return outside > 0 ? outside : q.maxCoeff();
-}
-
-/// Tells stretches of stations that break a rule as one issue each, with the worst station named.
-template <class Bad, class Worse, class Text>
-void reportStretches(const std::vector<Station>& stations, Severity severity, const char* kind, Bad bad,
-                     Worse worse, Text text, Issues& issues) {
-  for (std::size_t i = 0; i < stations.size(); ++i) {
-    if (!bad(stations[i])) continue;
-    std::size_t j = i, worst = i;
-    while (j + 1 < stations.size() && bad(stations[j + 1])) {
-      ++j;
-      if (worse(stations[j], stations[worst])) worst = j;
-    }
-    const Station& w = stations[worst];
-    const std::string place = i == j ? "station " + std::to_string(w.index)
-                                     : "stations " + std::to_string(stations[i].index) + " to " +
-                                           std::to_string(stations[j].index) +
-                                           " (worst: " + std::to_string(w.index) + ")";
-    const Eigen::Vector3d middle = w.frame.toWorld(w.fit.elastica.point(0.5 * w.fit.elastica.length()));
-    issues.push_back({severity, kind, place + ": " + text(w),
-                      Place{"station " + std::to_string(w.index), 0, w.index, middle}});
-    i = j;
-  }
 }
 
 struct Velocities {
@@ -190,7 +162,10 @@ Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const Job& job, const SurfaceSa
                                       Station& station = stations[std::size_t(i)];
                                       velocities[std::size_t(i)] =
                                           stationVelocities(stations, travel, i, job.cuttingSpeed);
-                                      station.stable = isClampedStable(station.blade);
+                                      station.stabilityMargin = stabilityMargin(station.blade);
+                                      station.stable = station.stabilityMargin > 0;
+                                      if (sweep.blade.section != Blade::Section::flat)
+                                        station.outOfPlaneMargin = outOfPlaneMargin(station.blade);
                                     });
       !ok)
     return tl::unexpected<Error>(ok.error());
@@ -308,73 +283,7 @@ Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const Job& job, const SurfaceSa
                           " % lies within); split the surface, turn the cutting direction, or allow more",
                       Place{"station " + std::to_string(index), 0, index, cut.points[worst]}});
   }
-  const double limit = sweep.blade.maxCurvature();
-  reportStretches(
-      stations, Severity::error, "curvature",
-      [&](const Station& s) { return s.blade.maxCurvature() > limit; },
-      [](const Station& a, const Station& b) { return a.blade.maxCurvature() > b.blade.maxCurvature(); },
-      [&](const Station& s) {
-        return "the blade must bend to a radius of " + shortText(1 / s.blade.maxCurvature()) +
-               " mm but keeps its shape only down to " + shortText(sweep.blade.minRadius()) +
-               " mm; take a thinner blade or a gentler surface";
-      },
-      issues);
-  reportStretches(
-      stations, Severity::warning, "inflections",
-      [](const Station& s) { return s.fit.elastica.inflections().size() > 2; },
-      [](const Station& a, const Station& b) { return a.fit.R4 > b.fit.R4; },
-      [](const Station& s) {
-        return "the blade would need " + std::to_string(s.fit.elastica.inflections().size()) +
-               " inflections; a stiff blade holds at most two, so split the surface across the blade";
-      },
-      issues);
-  reportStretches(
-      stations, Severity::warning, "stability", [](const Station& s) { return !s.stable; },
-      [](const Station& a, const Station& b) { return a.blade.maxCurvature() > b.blade.maxCurvature(); },
-      [](const Station&) {
-        return std::string(
-            "the blade would not rest in this shape but snap to another; shorten the blade or split the "
-            "surface");
-      },
-      issues);
-  reportStretches(
-      stations, Severity::error, "clearance", [](const Station& s) { return s.clearance < 0; },
-      [](const Station& a, const Station& b) { return a.clearance < b.clearance; },
-      [&](const Station& s) {
-        return "a grip would be " + shortText(-s.clearance) + " mm inside the block; the blade of " +
-               shortText(sweep.blade.length, 5) + " mm is too short for it";
-      },
-      issues);
-  reportStretches(
-      stations, Severity::warning, "clearance",
-      [&](const Station& s) { return s.clearance >= 0 && s.clearance < job.clearance; },
-      [](const Station& a, const Station& b) { return a.clearance < b.clearance; },
-      [&](const Station& s) {
-        return "a grip passes the block at " + shortText(s.clearance) + " mm, less than the clearance of " +
-               shortText(job.clearance) + " mm; a blade of at least " +
-               shortText(std::ceil(sweep.blade.length + 2 * (job.clearance - s.clearance)), 6) +
-               " mm keeps it";
-      },
-      issues);
-  const double angleLimit = sweep.blade.section == Blade::Section::flat ? kAngleLimitFlat : kAngleLimitRound;
-  reportStretches(
-      stations, Severity::warning, "angle", [&](const Station& s) { return s.angleMax > angleLimit; },
-      [](const Station& a, const Station& b) { return a.angleMax > b.angleMax; },
-      [&](const Station& s) {
-        return "the blade moves at " + fixedText(toDegrees(s.angleMax), 1) +
-               "° to the normal of its plane; above " + fixedText(toDegrees(angleLimit), 0) +
-               "° this blade drags instead of cutting";
-      },
-      issues);
-  reportStretches(
-      stations, Severity::warning, "speed", [](const Station& s) { return s.speedRatio < kSpeedRatioLimit; },
-      [](const Station& a, const Station& b) { return a.speedRatio < b.speedRatio; },
-      [](const Station& s) {
-        return "the slowest point of the blade moves at " + fixedText(100 * s.speedRatio, 0) +
-               " % of the fastest, so that it melts a wider kerf there; split the surface or turn the "
-               "cutting direction";
-      },
-      issues);
+  detail::addStationFindings(sweep, job, issues);
   return result;
 }
 

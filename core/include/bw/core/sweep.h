@@ -44,7 +44,9 @@ struct Station {
   double angleMean = 0, angleMax = 0;  ///< rad, velocity to plane normal
   double speedRatio = 1;   ///< slowest over fastest point of the fitted segment
   double clearance = 0;    ///< mm between the nearer grip and the block; negative inside it
-  bool stable = true;      ///< the clamped blade rests in this shape: no conjugate point before its end
+  double stabilityMargin = 1;    ///< of the clamped blade in its plane: 1 straight, 0 about to snap (`stabilityMargin`)
+  double outOfPlaneMargin = 1;   ///< of a round blade against leaving its plane; 1 for a flat one, which is stiff across it
+  bool stable = true;            ///< stabilityMargin > 0: the blade rests in this shape
 
   /// The ends of the blade in space: TCP origin and unit tangent in the direction of increasing arc length.
   Eigen::Vector3d leftPoint() const { return frame.toWorld(blade.start()); }

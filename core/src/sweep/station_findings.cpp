@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "sweep/station_findings.h"
+
+#include <cmath>
+
+#include "bw/core/number_text.h"
+#include "bw/core/units.h"
+
+namespace bw::detail {
+
+namespace {
+
+/// A flat blade cuts only along its edge; a round one melts whichever way it goes, but drags.
+constexpr double kAngleLimitFlat = 45 * kDegree;
+constexpr double kAngleLimitRound = 60 * kDegree;
+/// Slower points of the blade melt more: below this ratio the kerf differs visibly along a station.
+constexpr double kSpeedRatioLimit = 0.3;
+
+/// Tells stretches of stations that break a rule as one issue each, with the worst station named.
+template <class Bad, class Worse, class Text>
+void reportStretches(const std::vector<Station>& stations, Severity severity, const char* kind, Bad bad,
+                     Worse worse, Text text, Issues& issues) {
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    if (!bad(stations[i])) continue;
+    std::size_t j = i, worst = i;
+    while (j + 1 < stations.size() && bad(stations[j + 1])) {
+      ++j;
+      if (worse(stations[j], stations[worst])) worst = j;
+    }
+    const Station& w = stations[worst];
+    const std::string place = i == j ? "station " + std::to_string(w.index)
+                                     : "stations " + std::to_string(stations[i].index) + " to " +
+                                           std::to_string(stations[j].index) +
+                                           " (worst: " + std::to_string(w.index) + ")";
+    const Eigen::Vector3d middle = w.frame.toWorld(w.fit.elastica.point(0.5 * w.fit.elastica.length()));
+    issues.push_back({severity, kind, place + ": " + text(w),
+                      Place{"station " + std::to_string(w.index), 0, w.index, middle}});
+    i = j;
+  }
+}
+
+}  // namespace
+
+void addStationFindings(const Sweep& sweep, const Job& job, Issues& issues) {
+  const std::vector<Station>& stations = sweep.stations;
+  const double limit = sweep.blade.maxCurvature();
+  reportStretches(
+      stations, Severity::error, "curvature",
+      [&](const Station& s) { return s.blade.maxCurvature() > limit; },
+      [](const Station& a, const Station& b) { return a.blade.maxCurvature() > b.blade.maxCurvature(); },
+      [&](const Station& s) {
+        return "the blade must bend to a radius of " + shortText(1 / s.blade.maxCurvature()) +
+               " mm but keeps its shape only down to " + shortText(sweep.blade.minRadius()) +
+               " mm; take a thinner blade or a gentler surface";
+      },
+      issues);
+  reportStretches(
+      stations, Severity::warning, "inflections",
+      [](const Station& s) { return s.fit.elastica.inflections().size() > 2; },
+      [](const Station& a, const Station& b) { return a.fit.R4 > b.fit.R4; },
+      [](const Station& s) {
+        return "the blade would need " + std::to_string(s.fit.elastica.inflections().size()) +
+               " inflections; a stiff blade holds at most two, so split the surface across the blade";
+      },
+      issues);
+  reportStretches(
+      stations, Severity::warning, "stability", [](const Station& s) { return !s.stable; },
+      [](const Station& a, const Station& b) { return a.stabilityMargin < b.stabilityMargin; },
+      [](const Station&) {
+        return std::string(
+            "the blade would not rest in this shape but snap to another; shorten the blade or split the "
+            "surface");
+      },
+      issues);
+  reportStretches(
+      stations, Severity::info, "out-of-plane",
+      [](const Station& s) { return s.stable && s.outOfPlaneMargin <= 0; },
+      [](const Station& a, const Station& b) { return a.outOfPlaneMargin < b.outOfPlaneMargin; },
+      [](const Station&) {
+        return std::string(
+            "a round blade would rather twist out of its plane than rest in this shape; take a flat blade, "
+            "which is "
+            "stiff across its plane");
+      },
+      issues);
+  reportStretches(
+      stations, Severity::error, "clearance", [](const Station& s) { return s.clearance < 0; },
+      [](const Station& a, const Station& b) { return a.clearance < b.clearance; },
+      [&](const Station& s) {
+        return "a grip would be " + shortText(-s.clearance) + " mm inside the block; the blade of " +
+               shortText(sweep.blade.length, 5) + " mm is too short for it";
+      },
+      issues);
+  reportStretches(
+      stations, Severity::warning, "clearance",
+      [&](const Station& s) { return s.clearance >= 0 && s.clearance < job.clearance; },
+      [](const Station& a, const Station& b) { return a.clearance < b.clearance; },
+      [&](const Station& s) {
+        return "a grip passes the block at " + shortText(s.clearance) + " mm, less than the clearance of " +
+               shortText(job.clearance) + " mm; a blade of at least " +
+               shortText(std::ceil(sweep.blade.length + 2 * (job.clearance - s.clearance)), 6) +
+               " mm keeps it";
+      },
+      issues);
+  const double angleLimit = sweep.blade.section == Blade::Section::flat ? kAngleLimitFlat : kAngleLimitRound;
+  reportStretches(
+      stations, Severity::warning, "angle", [&](const Station& s) { return s.angleMax > angleLimit; },
+      [](const Station& a, const Station& b) { return a.angleMax > b.angleMax; },
+      [&](const Station& s) {
+        return "the blade moves at " + fixedText(toDegrees(s.angleMax), 1) +
+               "° to the normal of its plane; above " + fixedText(toDegrees(angleLimit), 0) +
+               "° this blade drags instead of cutting";
+      },
+      issues);
+  reportStretches(
+      stations, Severity::warning, "speed", [](const Station& s) { return s.speedRatio < kSpeedRatioLimit; },
+      [](const Station& a, const Station& b) { return a.speedRatio < b.speedRatio; },
+      [](const Station& s) {
+        return "the slowest point of the blade moves at " + fixedText(100 * s.speedRatio, 0) +
+               " % of the fastest, so that it melts a wider kerf there; split the surface or turn the "
+               "cutting direction";
+      },
+      issues);
+}
+
+}  // namespace bw::detail
