@@ -64,6 +64,8 @@ void addNumericVerbs(CLI::App& app, const Session& session, Work& work) {
           "blade fit",
           fitCases, true);
   addBiarcVerb(app, session, work);
+  addVerb(app, session, work, "length", "The length of a blade from how it sags between its ends",
+          "echo '{\"distance\": 600, \"height\": 120, \"angle\": 0.6}' | blade length", lengthCases, false);
 }
 
 }  // namespace bw::cli

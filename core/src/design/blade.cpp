@@ -55,6 +55,7 @@ Result<Blade> bladeFromJson(const json& object, const std::string& path, Blade b
   reader.number("young_modulus", blade.youngModulus, 1, 2e6);
   reader.number("yield_stress", blade.yieldStress, 1e-2, 1e5);
   reader.number("temperature", blade.temperature, -50, 1500);
+  reader.number("thermal_expansion", blade.thermalExpansion, 0, 1e-3);
   reader.number("safety", blade.safety, 1, 10);
   if (blade.section == Blade::Section::flat && !(blade.width > 0 && blade.thickness > 0))
     reader.complain("width", path + " is a flat blade and needs width and thickness greater than 0 mm");
@@ -76,6 +77,7 @@ json bladeToJson(const Blade& blade) {
                  {"young_modulus", blade.youngModulus},
                  {"yield_stress", blade.yieldStress},
                  {"temperature", blade.temperature},
+                 {"thermal_expansion", blade.thermalExpansion},
                  {"safety", blade.safety}};
   if (blade.section == Blade::Section::flat) {
     object["width"] = blade.width;
@@ -85,6 +87,43 @@ json bladeToJson(const Blade& blade) {
     if (blade.section == Blade::Section::tube) object["inner_diameter"] = blade.innerDiameter;
   }
   return object;
+}
+
+void readBlade(ObjectReader& reader, Blade& blade) {
+  const json* value = reader.member("blade");
+  if (!value) return;
+  const auto take = [&](const std::string& name) {
+    Result<Blade> preset = bladePreset(name);
+    if (preset)
+      blade = std::move(*preset);
+    else
+      reader.complain("blade", preset.error().message);
+    return preset.has_value();
+  };
+  if (value->is_string()) {
+    take(value->get<std::string>());
+    return;
+  }
+  if (!value->is_object()) {
+    reader.complain("blade", reader.path() + ".blade must be the word of a preset or an object");
+    return;
+  }
+  json own = *value;
+  if (own.contains("preset")) {
+    if (!own["preset"].is_string() || !take(own["preset"].get<std::string>())) {
+      reader.complain("blade", reader.path() + ".blade.preset must be the word of a preset");
+      return;
+    }
+    own.erase("preset");
+  } else if (!own.contains("name")) {
+    blade.name = "custom";
+    blade.title = "Own blade";
+  }
+  Result<Blade> read = bladeFromJson(own, reader.path() + ".blade", blade);
+  if (read)
+    blade = std::move(*read);
+  else
+    reader.complain("blade", read.error().message, read.error().value, read.error().limit);
 }
 
 Result<fs::path> resourceFolder() {

@@ -5,12 +5,15 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "base/json_reader.h"
 #include "bw/core/blade.h"
 
 namespace bw {
 
 /// Reads a blade object strictly over the values of `blade`.
 Result<Blade> bladeFromJson(const nlohmann::json& object, const std::string& path, Blade blade);
+/// The member "blade" of an object: the word of a preset, or an object over the values of `blade` or of its "preset".
+void readBlade(ObjectReader& reader, Blade& blade);
 nlohmann::json bladeToJson(const Blade& blade);
 
 }  // namespace bw

@@ -140,43 +140,6 @@ void readStations(ObjectReader& reader, Job& job) {
   job.spacing.reset();
 }
 
-void readBlade(ObjectReader& reader, Blade& blade) {
-  const json* value = reader.member("blade");
-  if (!value) return;
-  const auto take = [&](const std::string& name) {
-    Result<Blade> preset = bladePreset(name);
-    if (preset)
-      blade = std::move(*preset);
-    else
-      reader.complain("blade", preset.error().message);
-    return preset.has_value();
-  };
-  if (value->is_string()) {
-    take(value->get<std::string>());
-    return;
-  }
-  if (!value->is_object()) {
-    reader.complain("blade", reader.path() + ".blade must be the word of a preset or an object");
-    return;
-  }
-  json own = *value;
-  if (own.contains("preset")) {
-    if (!own["preset"].is_string() || !take(own["preset"].get<std::string>())) {
-      reader.complain("blade", reader.path() + ".blade.preset must be the word of a preset");
-      return;
-    }
-    own.erase("preset");
-  } else if (!own.contains("name")) {
-    blade.name = "custom";
-    blade.title = "Own blade";
-  }
-  Result<Blade> read = bladeFromJson(own, reader.path() + ".blade", blade);
-  if (read)
-    blade = std::move(*read);
-  else
-    reader.complain("blade", read.error().message, read.error().value, read.error().limit);
-}
-
 void readFit(ObjectReader& reader, Job& job) {
   const json* value = reader.member("fit");
   if (!value) return;

@@ -25,6 +25,7 @@ struct Blade {
   double youngModulus = 200000;            ///< at the working temperature, N/mm²
   double yieldStress = 500;                ///< at the working temperature, N/mm²
   double temperature = 350;                ///< °C at the cut
+  double thermalExpansion = 13e-6;         ///< mean linear expansion from 20 °C to the working temperature, 1/K
   double safety = 1.2;                     ///< yield stress is divided by this
 
   /// Distance of the outermost fibre from the neutral axis in the bending plane, mm.

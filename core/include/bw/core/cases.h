@@ -36,6 +36,9 @@ Result<CaseAnswer> biarcCases(std::string_view json, const RunContext& context,
 /// A `biarc` case for a chain of points, from such a text as `parseCurveCsv` takes.
 Result<std::string> biarcCaseFromCsv(std::string_view text);
 
+/// `blade length`: cases {distance, height, angle} to the blade's length, or {measurements, blade, …} to a calibrated one.
+Result<CaseAnswer> lengthCases(std::string_view json, const RunContext& context);
+
 /// The curve object of a case, as JSON text: {"type": "bezier" | "bspline" | "points", …}.
 Result<PlanarCurve> parseCurveJson(std::string_view json);
 
