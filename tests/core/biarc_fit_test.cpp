@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <random>
 
 #include "bw/core/biarc.h"
 #include "bw/core/cases.h"
@@ -59,6 +62,45 @@ double distanceTo(const BiarcCurve& curve, const Vector2d& p) {
     best = std::min(best, (arc.pointAt((a + b) / 2) - p).norm());
   }
   return best;
+}
+
+/// The simplex method of Nelder and Mead; returns the lowest value.
+double simplex(const std::vector<double>& start, double step, int iterations,
+               const std::function<double(const std::vector<double>&)>& f) {
+  using Vertex = std::pair<double, std::vector<double>>;
+  const std::size_t n = start.size();
+  std::vector<Vertex> all{{f(start), start}};
+  for (std::size_t i = 0; i < n; ++i) {
+    std::vector<double> u = start;
+    u[i] += step;
+    all.emplace_back(f(u), u);
+  }
+  for (int k = 0; k < iterations; ++k) {
+    std::sort(all.begin(), all.end());
+    std::vector<double> middle(n, 0);
+    for (std::size_t v = 0; v < n; ++v)
+      for (std::size_t i = 0; i < n; ++i) middle[i] += all[v].second[i] / double(n);
+    const auto along = [&](double t) {
+      std::vector<double> u(n);
+      for (std::size_t i = 0; i < n; ++i) u[i] = middle[i] + t * (all[n].second[i] - middle[i]);
+      return Vertex(f(u), u);
+    };
+    const Vertex mirrored = along(-1);
+    if (mirrored.first < all[0].first) {
+      all[n] = std::min(mirrored, along(-2));
+    } else if (mirrored.first < all[n - 1].first) {
+      all[n] = mirrored;
+    } else if (const Vertex inside = along(mirrored.first < all[n].first ? -0.5 : 0.5);
+               inside.first < std::min(mirrored.first, all[n].first)) {
+      all[n] = inside;
+    } else {
+      for (std::size_t v = 1; v <= n; ++v) {
+        for (std::size_t i = 0; i < n; ++i) all[v].second[i] = (all[v].second[i] + all[0].second[i]) / 2;
+        all[v].first = f(all[v].second);
+      }
+    }
+  }
+  return std::min_element(all.begin(), all.end())->first;
 }
 
 void expectSmooth(const BiarcCurve& curve) {
@@ -120,6 +162,150 @@ TEST(BiarcFit, EachMeasureIsSmallestWhereItIsTheGoal) {
       EXPECT_LE(results[2].measures.max, results[i].measures.max * (1 + 1e-3));
     }
   }
+}
+
+TEST(BiarcFit, NoSmallChangeLowersTheMeasure) {
+  std::mt19937 random(3);
+  std::normal_distribution<double> normal(0, 1);
+  for (const BiarcGoal goal : {BiarcGoal::distance, BiarcGoal::combined, BiarcGoal::curvature}) {
+    for (const BiarcCurvature kind : {BiarcCurvature::energy, BiarcCurvature::angle}) {
+      BiarcOptions options = throughOneFourSeven();
+      options.goal = goal;
+      options.weight = goal == BiarcGoal::combined ? 0.2 : 0;
+      options.curvature = kind;
+      options.keepEnds = true;
+      const BiarcResult r = fitBiarcs(kSeven, options).value();
+      EXPECT_EQ(r.status, BiarcStatus::converged);
+      for (int i = 0; i < 300; ++i) {
+        const double step = std::pow(10.0, -1 - 4.0 * i / 300);
+        Points points = r.curve.points;
+        std::vector<double> tangents = r.curve.tangents;
+        if (goal != BiarcGoal::curvature) points[1] += step * Vector2d(normal(random), normal(random));
+        for (double& angle : tangents) angle += step * normal(random);
+        const Result<BiarcCurve> curve = biarcCurve(points, tangents);
+        if (!curve) continue;
+        const BiarcMeasures m = measureBiarcs(*curve, kSeven).value();
+        const double bend = kind == BiarcCurvature::energy ? m.energy : m.angle;
+        const double value = goal == BiarcGoal::distance    ? m.rms
+                             : goal == BiarcGoal::curvature ? bend
+                                                            : 0.8 * m.rms + 0.2 * bend;
+        EXPECT_GT(value, r.objective * (1 - 1e-7)) << "goal " << int(goal) << " step " << step;
+      }
+    }
+  }
+}
+
+TEST(BiarcFit, IsNotBeatenByTheSimplexMethod) {
+  // The report's own way, from its own start: points and tangents are moved by the method of Nelder and Mead.
+  for (const int kind : {0, 1, 2}) {
+    BiarcOptions options = throughOneFourSeven();
+    options.distance = BiarcDistance(kind);
+    const auto value = [&](const std::vector<double>& u) {
+      const Result<BiarcCurve> curve =
+          biarcCurve({{u[0], u[1]}, {u[2], u[3]}, {u[4], u[5]}}, {u[6], u[7], u[8]});
+      if (!curve) return 1e9;
+      const BiarcMeasures m = measureBiarcs(*curve, kSeven).value();
+      return kind == 0 ? m.mean : kind == 1 ? m.rms : m.max;
+    };
+    const std::vector<double> start = {
+        1, 0, 2, 6, 5.5, 3, std::atan2(6, 1), std::atan2(3, 4.5), std::atan2(-3, 3.5)};
+    const double reached = simplex(start, 0.2, 4000, value);
+    const BiarcResult r = fitBiarcs(kSeven, options).value();
+    EXPECT_LT(r.objective, reached * (1 + 1e-3)) << kind;
+    EXPECT_LT(reached, 0.7 * value(start));
+  }
+}
+
+TEST(BiarcFit, MovesTurnsScalesAndReverses) {
+  Points data = lamp();
+  BiarcOptions options;
+  options.points = 4;
+  const BiarcResult r = fitBiarcs(data, options).value();
+  const double angle = 0.7, scale = 1e4;
+  Points moved;
+  for (const Vector2d& p : data)
+    moved.emplace_back(3e5 + scale * (std::cos(angle) * p.x() - std::sin(angle) * p.y()),
+                       -1e5 + scale * (std::sin(angle) * p.x() + std::cos(angle) * p.y()));
+  const BiarcResult m = fitBiarcs(moved, options).value();
+  EXPECT_NEAR(m.measures.rms / (scale * r.measures.rms), 1, 1e-6);
+  EXPECT_NEAR(m.measures.energy * scale / r.measures.energy, 1, 1e-3);
+  std::reverse(data.begin(), data.end());
+  EXPECT_NEAR(fitBiarcs(data, options)->measures.rms / r.measures.rms, 1, 1e-6);
+  for (Vector2d& p : data) p.y() = -p.y();
+  EXPECT_NEAR(fitBiarcs(data, options)->measures.rms / r.measures.rms, 1, 1e-6);
+}
+
+TEST(BiarcFit, ChoosesPointsInEveryWay) {
+  const Points data = lamp();
+  BiarcOptions options;
+  options.goal = BiarcGoal::nothing;
+  options.points = 6;
+  for (const BiarcSelect select :
+       {BiarcSelect::spacing, BiarcSelect::index, BiarcSelect::curvature, BiarcSelect::tube}) {
+    options.select = select;
+    const BiarcResult r = fitBiarcs(data, options).value();
+    ASSERT_EQ(r.curve.points.size(), 6u);
+    EXPECT_LT((r.curve.points.front() - data.front()).norm(), 1e-12);
+    EXPECT_LT((r.curve.points.back() - data.back()).norm(), 1e-12);
+  }
+  options.select = BiarcSelect::spacing;
+  const BiarcResult even = fitBiarcs({{0, 0}, {1, 0}, {1, 4}, {6, 4}}, options).value();
+  EXPECT_LT((even.curve.points[1] - Vector2d(1, 1)).norm(), 1e-12);
+  EXPECT_LT((even.curve.points[3] - Vector2d(2, 4)).norm(), 1e-12);
+  options.select = BiarcSelect::coordinates;
+  options.coordinates = {{0, 1}, {10, 5}, {38, -2}};
+  EXPECT_LT((fitBiarcs(data, options)->curve.points[1] - Vector2d(10, 5)).norm(), 1e-12);
+  // The tube: what is dropped lies within ε of the chain of the rest.
+  options.select = BiarcSelect::tube;
+  options.points = 0;
+  options.tube = 0.5;
+  const BiarcResult tube = fitBiarcs(data, options).value();
+  EXPECT_LT(tube.curve.points.size(), 15u);
+  for (const Vector2d& p : data) {
+    double near = 1e300;
+    for (std::size_t i = 1; i < tube.curve.points.size(); ++i) {
+      const Vector2d a = tube.curve.points[i - 1], edge = tube.curve.points[i] - a;
+      const double t = std::clamp((p - a).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
+      near = std::min(near, (p - a - t * edge).norm());
+    }
+    EXPECT_LE(near, 0.5 + 1e-12);
+  }
+}
+
+TEST(BiarcFit, EndsWhereTheDataEnd) {
+  for (const bool keep : {false, true}) {
+    BiarcOptions options;
+    options.points = 4;
+    options.keepEnds = keep;
+    const Points data = lamp();
+    const BiarcResult r = fitBiarcs(data, options).value();
+    const double most = keep ? 1e-12 : r.measures.max + 1e-9;
+    EXPECT_LT((r.curve.points.front() - data.front()).norm(), most);
+    EXPECT_LT((r.curve.points.back() - data.back()).norm(), most);
+    EXPECT_LT(r.measures.away, 0.7);
+  }
+}
+
+TEST(BiarcFit, MovingTheJointsLowersCurvatureFurther) {
+  BiarcOptions options = throughOneFourSeven();
+  options.goal = BiarcGoal::curvature;
+  const double fixed = fitBiarcs(kSeven, options)->objective;
+  options.moveJoints = true;
+  const BiarcResult r = fitBiarcs(kSeven, options).value();
+  EXPECT_LT(r.objective, fixed);
+  EXPECT_EQ(r.curve.points[1], Vector2d(2, 6));
+}
+
+TEST(BiarcFit, StopsOnRequest) {
+  std::stop_source stop;
+  stop.request_stop();
+  BiarcOptions options;
+  options.points = 4;
+  RunContext context;
+  context.stop = stop.get_token();
+  const Result<BiarcResult> r = fitBiarcs(lamp(), options, context);
+  ASSERT_FALSE(r);
+  EXPECT_EQ(r.error().code, ErrorCode::cancelled);
 }
 
 TEST(BiarcFit, RecoversTheArcsThatMadeTheData) {
@@ -238,6 +424,25 @@ TEST(BiarcCases, AnswersArcsAndAllMeasures) {
   ASSERT_EQ(pictures.size(), 4u);
   EXPECT_EQ(pictures[0].substr(0, 4), "<svg");
   EXPECT_TRUE(pictures[2].empty());
+}
+
+TEST(BiarcCases, DoNotDependOnTheNumberOfThreads) {
+  using nlohmann::json;
+  json cases = json::array();
+  for (int i = 0; i < 8; ++i) {
+    json points = json::array();
+    for (int j = 0; j <= 40; ++j) points.push_back({j, 5 * std::sin(0.1 * j * (1 + 0.1 * i))});
+    cases.push_back({{"points", points}, {"tolerance", 0.1}});
+  }
+  std::vector<std::string> outputs;
+  for (const int threads : {1, 3}) {
+    RunContext context;
+    context.threads = threads;
+    json parsed = json::parse(biarcCases(json{{"cases", cases}}.dump(), context)->json);
+    for (json& result : parsed["results"]) result.erase("seconds");
+    outputs.push_back(parsed.dump());
+  }
+  EXPECT_EQ(outputs[0], outputs[1]);
 }
 
 }  // namespace bw

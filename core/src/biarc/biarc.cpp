@@ -181,6 +181,8 @@ const char* biarcStatusName(BiarcStatus status) {
       return "constructed";
     case BiarcStatus::converged:
       return "converged";
+    case BiarcStatus::boundActive:
+      return "bound-active";
     case BiarcStatus::iterationLimit:
       return "iteration-limit";
     case BiarcStatus::toleranceExceeded:

@@ -5,8 +5,8 @@
 
 #include <ceres/jet.h>
 
+#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "biarc/biarc_formula.h"
 
@@ -15,10 +15,6 @@ namespace bw::detail {
 namespace {
 
 using Jet = ceres::Jet<double, kBiarcUnknowns>;
-
-/// A tangent nearer than this (rad) to straight back along its chord is refused: beyond, the angle would jump
-/// by a turn.
-constexpr double kBackward = 0.02;
 
 template <class T>
 struct Arcs {
@@ -48,7 +44,7 @@ Arcs<T> arcsOf(const T* u) {
 
 }  // namespace
 
-BiarcChain::BiarcChain(std::vector<BiarcNode> nodes, bool closed)
+BiarcChain::BiarcChain(std::vector<BiarcNode> nodes, bool closed, double steepest)
     : nodes_(std::move(nodes)), closed_(closed) {
   arcs_.reserve(std::size_t(2 * biarcs()));
   for (int k = 0; k < biarcs(); ++k) {
@@ -57,9 +53,9 @@ BiarcChain::BiarcChain(std::vector<BiarcNode> nodes, bool closed)
     const double u[kBiarcUnknowns] = {a[0], a[1], a[2], a[3], b[0], b[1], b[2]};
     const Arcs<double> arcs = arcsOf(u);
     const BiarcShape<double>& shape = arcs.shape;
-    const double most = std::numbers::pi - kBackward;
-    if (!(std::abs(arcs.alpha) < most && std::abs(arcs.beta) < most && shape.firstLength > 0 &&
-          shape.secondLength > 0 && std::isfinite(shape.firstLength + shape.secondLength))) {
+    steepest_ = std::max({steepest_, std::abs(arcs.alpha), std::abs(arcs.beta)});
+    if (!(steepest_ < steepest && shape.firstLength > 0 && shape.secondLength > 0 &&
+          std::isfinite(shape.firstLength + shape.secondLength))) {
       valid_ = false;
       faulty_ = k;
       return;

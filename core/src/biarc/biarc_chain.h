@@ -26,10 +26,14 @@ struct ArcDerivatives {
 /// A curve of biarcs as a function of its nodes.
 class BiarcChain {
  public:
-  BiarcChain(std::vector<BiarcNode> nodes, bool closed);
+  /// A tangent nearer than this (rad) to straight back along its chord is refused: beyond, the angle would
+  /// jump by a turn.
+  static constexpr double kSteepest = 3.12;
 
-  /// False where a tangent points back along its chord (within kBackward) or two nodes coincide: no arcs
-  /// then.
+  /// `steepest` bounds the angles between the tangents and their chords.
+  BiarcChain(std::vector<BiarcNode> nodes, bool closed, double steepest = kSteepest);
+
+  /// False where an angle exceeds its bound or two nodes coincide: no arcs then.
   bool valid() const { return valid_; }
   /// The first biarc that is not valid.
   int faulty() const { return faulty_; }
@@ -40,6 +44,8 @@ class BiarcChain {
   /// Derivatives of both arcs of biarc k, by automatic differentiation of docs/mathematics.md, "Biarcs".
   void derivatives(int biarc, ArcDerivatives& first, ArcDerivatives& second) const;
 
+  /// The largest angle between a tangent and its chord, rad.
+  double steepest() const { return steepest_; }
   /// The share of biarc k.
   double share(int biarc) const;
 
@@ -48,6 +54,7 @@ class BiarcChain {
   std::vector<CircularArc> arcs_;
   bool closed_ = false, valid_ = true;
   int faulty_ = -1;
+  double steepest_ = 0;
 };
 
 }  // namespace bw::detail

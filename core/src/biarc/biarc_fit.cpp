@@ -173,86 +173,15 @@ double objectiveOf(const BiarcMeasures& m, const BiarcOptions& o) {
   return 0;
 }
 
-BiarcSearch::BiarcSearch(const std::vector<Eigen::Vector2d>& data, const BiarcOptions& options, double size)
-    : data_(data), options_(options), size_(size) {
-  freedom_.points = options.movePoints && options.goal != BiarcGoal::curvature;
-  freedom_.tangents = options.turnTangents;
-  freedom_.joints = options.moveJoints;
-  freedom_.keepEnds = options.keepEnds;
-}
-
-BiarcTerm BiarcSearch::termOf(BiarcDistance distance) const {
-  BiarcTerm term;
-  term.distance =
-      distance == BiarcDistance::mean ? BiarcTerm::Distance::smoothMean : BiarcTerm::Distance::power;
-  term.curvature = options_.curvature;
-  const double w = options_.goal == BiarcGoal::distance    ? 0
-                   : options_.goal == BiarcGoal::curvature ? 1
-                                                           : options_.weight;
-  // In units of the data's size, a distance is 1/size and a curvature measure `size` times as large.
-  term.distanceWeight = 1 - w;
-  term.curvatureWeight = w / (size_ * size_);
-  return term;
-}
-
-double BiarcSearch::objective(const std::vector<BiarcNode>& nodes) const {
-  const BiarcChain chain(nodes, options_.closed);
-  if (!chain.valid()) return std::numeric_limits<double>::infinity();
-  BiarcMeasures m = measuresOf(chain.arcs(), options_.closed, data_);
-  m.energy /= size_ * size_;
-  m.angle /= size_ * size_;
-  return objectiveOf(m, options_);
-}
-
-BiarcDescent BiarcSearch::minimise(const std::vector<BiarcNode>& start, double enough,
-                                   const RunContext& context) const {
-  const BiarcProblem problem(data_, options_.closed, freedom_);
-  BiarcDescent best{start, objective(start), 0, true};
-  const BiarcProblem::Limits limits{options_.maxIterations, enough};
-  std::vector<BiarcNode> nodes = start;
-  const auto stage = [&](const BiarcTerm& term) {
-    const BiarcDescent end = problem.descend(nodes, term, limits, context);
-    nodes = end.nodes;
-    const double reached = objective(nodes);
-    best.iterations += end.iterations;
-    best.converged = end.converged;
-    if (reached < best.value) {
-      best.value = reached;
-      best.nodes = nodes;
-    }
-    return end;
-  };
-  const BiarcTerm smooth = termOf(BiarcDistance::rms);
-  stage(smooth);
-  if (smooth.distanceWeight == 0 || options_.distance == BiarcDistance::rms) return best;
-  const auto largest = [&] {
-    return measuresOf(BiarcChain(nodes, options_.closed).arcs(), options_.closed, data_).max;
-  };
-  if (options_.distance == BiarcDistance::mean) {
-    BiarcTerm term = termOf(BiarcDistance::mean);
-    const double scale = std::max(largest(), 1e-12);
-    for (const double part : {0.3, 0.03, 3e-3, 3e-4}) {
-      term.epsilon = part * scale;
-      stage(term);
-    }
-  } else {
-    BiarcTerm term = smooth;
-    for (const double power : {4.0, 8.0, 16.0, 32.0, 64.0, 128.0, 256.0}) {
-      if (context.stopped() || largest() <= enough) break;
-      term.power = power;
-      stage(term);
-    }
-  }
-  return best;
-}
-
 }  // namespace detail
 
 Result<BiarcMeasures> measureBiarcs(const BiarcCurve& curve, const std::vector<Eigen::Vector2d>& data) {
   if (curve.arcs.empty() || data.empty())
     return fail(ErrorCode::badInput, "measures need at least one arc and one data point", "points");
   if (Result<void> ok = checkData(data); !ok) return passOn(ok.error());
-  return measuresOf(curve.arcs, curve.closed, data);
+  BiarcMeasures measures = measuresOf(curve.arcs, curve.closed, data);
+  measures.away = awayFrom(curve.arcs, curve.closed, data);
+  return measures;
 }
 
 Result<BiarcResult> fitBiarcs(const std::vector<Eigen::Vector2d>& data, const BiarcOptions& options,
@@ -293,10 +222,10 @@ Result<BiarcResult> fitBiarcs(const std::vector<Eigen::Vector2d>& data, const Bi
     scaled.distance = BiarcDistance::max;
   }
   const Points small = shrink(data), chain = withoutRepeats(small, options.closed);
-  const BiarcSearch search(small, scaled, size);
+  const BiarcSearch search(small, chain, scaled, size);
 
   Result<BiarcOutcome> outcome =
-      options.tolerance && !chosen ? search.fewest(chain, context) : search.fixed(chain, context);
+      options.tolerance && !chosen ? search.fewest(context) : search.fixed(context);
   if (context.stopped()) return stoppedError();
   if (!outcome) return passOn(outcome.error());
 
@@ -316,8 +245,11 @@ Result<BiarcResult> fitBiarcs(const std::vector<Eigen::Vector2d>& data, const Bi
   if (!last) return passOn(last.error());
   BiarcResult result;
   result.curve = *last;
-  result.initial = measuresOf(first->arcs, options.closed, data);
-  result.measures = measuresOf(last->arcs, options.closed, data);
+  const Result<BiarcMeasures> before = measureBiarcs(*first, data), after = measureBiarcs(*last, data);
+  if (!before) return passOn(before.error());
+  if (!after) return passOn(after.error());
+  result.initial = *before;
+  result.measures = *after;
   result.objective = objectiveOf(result.measures, scaled);
   result.iterations = outcome->iterations;
   result.status = scaled.goal == BiarcGoal::nothing ? BiarcStatus::constructed

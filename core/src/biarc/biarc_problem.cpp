@@ -18,50 +18,39 @@ namespace {
 constexpr double kLargestLogit = 4;
 /// Longest step of an unknown, in units of the data's size and in rad.
 constexpr double kLongestStep = 0.3;
-/// A descent has settled when the term falls by less than this part in kQuietSteps steps running.
-constexpr double kQuiet = 1e-9;
 constexpr int kQuietSteps = 3;
+/// No tangent turns farther than this (rad) off its chord while something is made small: it keeps loops
+/// between the data points out. Curves of few biarcs may be steep; others as steep as they started, with a
+/// margin.
+constexpr double kSteep = 2.6, kSteepOfMany = 1.3, kSteepMargin = 0.5;
+constexpr int kFewBiarcs = 3;
+/// A descent whose tangent ends this near (rad) to its bound is held by it.
+constexpr double kNearBound = 0.02;
+/// No shorter step is tried.
+constexpr double kDampingLimit = 1e12;
+/// Makes a bounded unknown stay where it is for one step.
+constexpr double kHold = 1e30;
 
-double curvatureOf(const std::vector<CircularArc>& arcs, BiarcCurvature kind) {
-  double sum = 0;
-  for (const CircularArc& arc : arcs) {
-    const double bend = std::abs(arc.turning);
-    sum += kind == BiarcCurvature::energy ? bend * bend / arc.length
-                                          : bend * bend * bend / (arc.length * arc.length);
+/// Second derivatives of `curvatureSum` of one biarc, from central differences of its gradient.
+BiarcBlock curvatureHessian(const BiarcChain& chain, int biarc, BiarcCurvature kind) {
+  constexpr double kStep = 1e-5;
+  const std::vector<BiarcNode>& nodes = chain.nodes();
+  const BiarcNode a = nodes[std::size_t(biarc)], b = nodes[std::size_t(biarc + 1) % nodes.size()];
+  BiarcBlock block;
+  for (int i = 0; i < kBiarcUnknowns; ++i) {
+    BiarcRow sides[2];
+    for (const int side : {0, 1}) {
+      std::vector<BiarcNode> moved{a, b};
+      moved[i < 4 ? 0 : 1][i % 4] += side == 1 ? kStep : -kStep;
+      const BiarcChain near(std::move(moved), false, std::numeric_limits<double>::infinity());
+      sides[side] = near.valid() ? curvatureGradient(near, 0, kind) : curvatureGradient(chain, biarc, kind);
+    }
+    block.col(i) = (sides[1] - sides[0]) / (2 * kStep);
   }
-  return kind == BiarcCurvature::energy ? sum : std::sqrt(sum);
+  return 0.5 * (block + block.transpose());
 }
 
 }  // namespace
-
-BiarcMeasures measuresOf(const std::vector<CircularArc>& arcs, bool closed,
-                         const std::vector<Eigen::Vector2d>& data) {
-  BiarcMeasures m;
-  const ArcTree tree(arcs, closed);
-  int seed = 0;
-  for (std::size_t i = 0; i < data.size(); ++i) {
-    const ArcFoot foot = tree.nearest(data[i], seed);
-    seed = foot.arc;
-    m.mean += foot.distance;
-    m.rms += foot.distance * foot.distance;
-    if (foot.distance > m.max) {
-      m.max = foot.distance;
-      m.farthest = int(i);
-    }
-  }
-  m.mean /= double(data.size());
-  m.rms = std::sqrt(m.rms / double(data.size()));
-  m.energy = curvatureOf(arcs, BiarcCurvature::energy);
-  m.angle = curvatureOf(arcs, BiarcCurvature::angle);
-  for (std::size_t i = 0; i < arcs.size(); ++i) {
-    m.length += arcs[i].length;
-    m.turning += std::abs(arcs[i].turning);
-    if (i + 1 < arcs.size() || closed)
-      m.largestJump =
-          std::max(m.largestJump, std::abs(arcs[(i + 1) % arcs.size()].curvature() - arcs[i].curvature()));
-  }
-  return m;
-}
 
 struct BiarcProblem::State {
   BiarcChain chain;
@@ -112,72 +101,65 @@ bool BiarcProblem::evaluate(State& state, const BiarcTerm& term) const {
 }
 
 // Generalised Gauss–Newton: the outer powers enter by their first derivative alone.
+void BiarcProblem::addDistances(const State& state, const BiarcTerm& term, std::vector<BiarcBlock>& blocks,
+                                std::vector<BiarcRow>& rows) const {
+  std::vector<ArcDerivatives> arcs(2 * blocks.size());
+  for (std::size_t k = 0; k < blocks.size(); ++k)
+    state.chain.derivatives(int(k), arcs[2 * k], arcs[2 * k + 1]);
+  const bool power = term.distance == BiarcTerm::Distance::power;
+  const double p = term.power, count = double(data_.size());
+  const double outer = power
+                           ? term.distanceWeight * state.largest / p * std::pow(state.sum, 1 / p - 1) / count
+                           : term.distanceWeight / count;
+  for (std::size_t i = 0; i < data_.size(); ++i) {
+    const ArcFoot& foot = state.feet[i];
+    double slope = 0, bend = 0;  // first derivative of the summand, and its second or a bound of it
+    if (power) {
+      const double t = foot.distance / state.largest;
+      const double inner = p == 2 ? 1 : std::pow(t, p - 2);
+      slope = outer * p * inner * t / state.largest;
+      bend = outer * p * (p - 1) * inner / (state.largest * state.largest);
+    } else {
+      const double root = std::hypot(foot.distance, term.epsilon);
+      slope = outer * foot.distance / root;
+      bend = outer / root;
+    }
+    const std::size_t k = std::size_t(foot.arc / 2);
+    if (foot.end != 0) {
+      const int at = foot.end < 0 ? 0 : 4;
+      const BiarcNode& node = foot.end < 0 ? state.chain.nodes().front() : state.chain.nodes().back();
+      if (!(foot.distance > 0)) continue;
+      const Eigen::Vector2d away = (node.head<2>() - data_[i]) / foot.distance;
+      const double across = std::min(bend, slope / foot.distance);
+      rows[k].segment<2>(at) += slope * away;
+      blocks[k].block<2, 2>(at, at) +=
+          across * Eigen::Matrix2d::Identity() + (bend - across) * away * away.transpose();
+      continue;
+    }
+    const CircularArc& arc = state.chain.arcs()[std::size_t(foot.arc)];
+    const ArcDerivatives& d = arcs[std::size_t(foot.arc)];
+    const double turn = arc.curvature() * foot.s, angle = arc.startAngle + turn;
+    const double half = sinc(turn / 2);
+    const BiarcRow row = std::sin(angle) * d.x - std::cos(angle) * d.y - foot.s * sinc(turn) * d.angle -
+                         0.5 * foot.s * foot.s * half * half * d.curvature;
+    rows[k] += (foot.side < 0 ? -slope : slope) * row;
+    blocks[k].selfadjointView<Eigen::Lower>().rankUpdate(row, bend);
+  }
+}
+
 void BiarcProblem::assemble(const State& state, const BiarcTerm& term, Eigen::SparseMatrix<double>& hessian,
                             Eigen::VectorXd& gradient) const {
-  using Block = Eigen::Matrix<double, kBiarcUnknowns, kBiarcUnknowns>;
   const int biarcs = state.chain.biarcs(), nodes = int(state.chain.nodes().size());
-  std::vector<Block> blocks(std::size_t(biarcs), Block::Zero());
+  std::vector<BiarcBlock> blocks(std::size_t(biarcs), BiarcBlock::Zero());
   std::vector<BiarcRow> rows(std::size_t(biarcs), BiarcRow::Zero());
-  std::vector<ArcDerivatives> arcs(std::size_t(2 * biarcs));
-  for (int k = 0; k < biarcs; ++k)
-    state.chain.derivatives(k, arcs[std::size_t(2 * k)], arcs[std::size_t(2 * k + 1)]);
-
-  if (term.distanceWeight > 0 && state.largest > 0) {
-    const bool power = term.distance == BiarcTerm::Distance::power;
-    const double p = term.power, count = double(data_.size());
-    const double outer =
-        power ? term.distanceWeight * state.largest / p * std::pow(state.sum, 1 / p - 1) / count
-              : term.distanceWeight / count;
-    for (std::size_t i = 0; i < data_.size(); ++i) {
-      const ArcFoot& foot = state.feet[i];
-      double slope = 0, bend = 0;  // first derivative of the summand, and its second or a bound of it
-      if (power) {
-        const double t = foot.distance / state.largest;
-        const double inner = p == 2 ? 1 : std::pow(t, p - 2);
-        slope = outer * p * inner * t / state.largest;
-        bend = outer * p * (p - 1) * inner / (state.largest * state.largest);
-      } else {
-        const double root = std::hypot(foot.distance, term.epsilon);
-        slope = outer * foot.distance / root;
-        bend = outer / root;
-      }
-      const std::size_t k = std::size_t(foot.arc / 2);
-      if (foot.end != 0) {
-        const int at = foot.end < 0 ? 0 : 4;
-        const BiarcNode& node = foot.end < 0 ? state.chain.nodes().front() : state.chain.nodes().back();
-        if (!(foot.distance > 0)) continue;
-        const Eigen::Vector2d away = (node.head<2>() - data_[i]) / foot.distance;
-        const double across = std::min(bend, slope / foot.distance);
-        rows[k].segment<2>(at) += slope * away;
-        blocks[k].block<2, 2>(at, at) +=
-            across * Eigen::Matrix2d::Identity() + (bend - across) * away * away.transpose();
-        continue;
-      }
-      const CircularArc& arc = state.chain.arcs()[std::size_t(foot.arc)];
-      const ArcDerivatives& d = arcs[std::size_t(foot.arc)];
-      const double turn = arc.curvature() * foot.s, angle = arc.startAngle + turn;
-      const double half = sinc(turn / 2);
-      const BiarcRow row = std::sin(angle) * d.x - std::cos(angle) * d.y - foot.s * sinc(turn) * d.angle -
-                           0.5 * foot.s * foot.s * half * half * d.curvature;
-      rows[k] += (foot.side < 0 ? -slope : slope) * row;
-      blocks[k].selfadjointView<Eigen::Lower>().rankUpdate(row, bend);
-    }
-  }
+  if (term.distanceWeight > 0 && state.largest > 0) addDistances(state, term, blocks, rows);
   if (term.curvatureWeight > 0) {
-    const bool energy = term.curvature == BiarcCurvature::energy;
     const double whole = curvatureOf(state.chain.arcs(), term.curvature);
-    const double outer = term.curvatureWeight * (energy ? 1 : 0.5 / std::max(whole, 1e-8));
-    for (std::size_t a = 0; a < arcs.size(); ++a) {
-      const CircularArc& arc = state.chain.arcs()[a];
-      const double bend = std::abs(arc.turning), sign = arc.turning < 0 ? -1 : 1;
-      // Each measure is a sum of squares: of θ/√ℓ, and of |θ|^{3/2}/ℓ.
-      const double root = energy ? bend / std::sqrt(arc.length) : bend * std::sqrt(bend) / arc.length;
-      const BiarcRow row = energy ? BiarcRow(sign * arcs[a].turning / std::sqrt(arc.length) -
-                                             0.5 * root / arc.length * arcs[a].length)
-                                  : BiarcRow(1.5 * std::sqrt(bend) * sign / arc.length * arcs[a].turning -
-                                             root / arc.length * arcs[a].length);
-      rows[a / 2] += 2 * outer * root * row;
-      blocks[a / 2].selfadjointView<Eigen::Lower>().rankUpdate(row, 2 * outer);
+    const double outer =
+        term.curvatureWeight * (term.curvature == BiarcCurvature::energy ? 1 : 0.5 / std::max(whole, 1e-8));
+    for (int k = 0; k < biarcs; ++k) {
+      rows[std::size_t(k)] += outer * curvatureGradient(state.chain, k, term.curvature);
+      blocks[std::size_t(k)] += outer * curvatureHessian(state.chain, k, term.curvature);
     }
   }
 
@@ -205,15 +187,19 @@ void BiarcProblem::assemble(const State& state, const BiarcTerm& term, Eigen::Sp
 
 BiarcDescent BiarcProblem::descend(const std::vector<BiarcNode>& start, const BiarcTerm& term,
                                    const Limits& limits, const RunContext& context) const {
+  const BiarcChain first(start, closed_);
+  const double steepest = std::min(
+      BiarcChain::kSteepest,
+      std::max(first.biarcs() <= kFewBiarcs ? kSteep : kSteepOfMany, first.steepest() + kSteepMargin));
   State state{BiarcChain(start, closed_), {}};
-  BiarcDescent result{start, std::numeric_limits<double>::infinity(), 0, false};
+  BiarcDescent result{start, std::numeric_limits<double>::infinity(), 0, false, false};
   if (!evaluate(state, term)) return result;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver;
   Eigen::SparseMatrix<double> hessian;
   Eigen::VectorXd gradient;
   double damping = 1e-3, growth = 2;
   int quiet = 0;
-  bool fresh = true, analysed = false;
+  bool fresh = true, analysed = false, bounded = false;
   const int count = int(start.size());
   while (result.iterations < limits.iterations && !context.stopped()) {
     if (term.distanceWeight > 0 && state.largest <= limits.enough) {
@@ -233,15 +219,21 @@ BiarcDescent BiarcProblem::descend(const std::vector<BiarcNode>& start, const Bi
     const Eigen::VectorXd diagonal = hessian.diagonal();
     double mean[4] = {0, 0, 0, 0};
     for (int i = 0; i < 4 * count; ++i)
-      if (freeUnknown(i / 4, i % 4, count)) mean[i % 4] += diagonal[i] / count;
+      if (freeUnknown(i / 4, i % 4, count)) mean[i % 4] += std::abs(diagonal[i]) / count;
     for (int i = 0; i < 4 * count; ++i)
-      damped.coeffRef(i, i) += damping * (diagonal[i] + 1e-3 * mean[i % 4] + 1e-12);
+      damped.coeffRef(i, i) += damping * (std::abs(diagonal[i]) + 1e-3 * mean[i % 4] + 1e-12);
+    // A share at its bound that wants beyond stays.
+    for (int i = 3; i < 4 * count; i += 4) {
+      const double z = state.chain.nodes()[std::size_t(i / 4)][3];
+      if (std::abs(z) >= kLargestLogit && z * gradient[i] < 0) damped.coeffRef(i, i) += kHold;
+    }
     if (!analysed) solver.analyzePattern(damped);
     analysed = true;
     solver.factorize(damped);
     Eigen::VectorXd step;
-    if (solver.info() == Eigen::Success) step = -solver.solve(gradient);
-    const bool solved = solver.info() == Eigen::Success && step.allFinite();
+    const bool definite = solver.info() == Eigen::Success && solver.vectorD().minCoeff() > 0;
+    if (definite) step = -solver.solve(gradient);
+    const bool solved = definite && step.allFinite();
     bool accepted = false;
     if (solved) {
       const double longest = step.lpNorm<Eigen::Infinity>();
@@ -250,29 +242,34 @@ BiarcDescent BiarcProblem::descend(const std::vector<BiarcNode>& start, const Bi
       for (int i = 0; i < 4 * count; ++i)
         if (freeUnknown(i / 4, i % 4, count)) nodes[std::size_t(i / 4)][i % 4] += step[i];
       for (BiarcNode& node : nodes) node[3] = std::clamp(node[3], -kLargestLogit, kLargestLogit);
-      State trial{BiarcChain(std::move(nodes), closed_), state.feet};
-      if (evaluate(trial, term) && trial.value < state.value) {
+      State trial{BiarcChain(std::move(nodes), closed_, steepest), state.feet};
+      const bool good = evaluate(trial, term);
+      bounded = bounded || !good;
+      if (good && trial.value < state.value) {
         const double predicted =
             -gradient.dot(step) -
             0.5 * step.dot(Eigen::VectorXd(hessian.selfadjointView<Eigen::Lower>() * step));
         const double gain = state.value - trial.value;
-        quiet = gain < kQuiet * state.value ? quiet + 1 : 0;
+        quiet = gain < limits.quiet * state.value ? quiet + 1 : 0;
         const double ratio = predicted > 0 ? std::min(gain / predicted, 2.0) : 1;
         damping = std::max(1e-12, damping * std::max(1.0 / 5, 1 - std::pow(2 * ratio - 1, 3)));
         growth = 2;
         state = std::move(trial);
         fresh = accepted = true;
+        bounded = false;
       }
     }
     if (!accepted) {
       damping *= growth;
       growth *= 2;
     }
-    if (quiet >= kQuietSteps || damping > 1e12) {
+    if (quiet >= kQuietSteps || damping > kDampingLimit) {
       result.converged = true;
       break;
     }
   }
+  // Near the bound steps are refused until they are tiny, which looks like the end.
+  result.bounded = bounded || state.chain.steepest() > steepest - kNearBound;
   result.nodes = state.chain.nodes();
   result.value = state.value;
   return result;

@@ -36,12 +36,27 @@ struct BiarcFreedom {
 BiarcMeasures measuresOf(const std::vector<CircularArc>& arcs, bool closed,
                          const std::vector<Eigen::Vector2d>& data);
 
+/// How far the curve strays from the chain of its data: the largest distance of points on the arcs, at least
+/// 17 an arc and four a data point.
+double awayFrom(const std::vector<CircularArc>& arcs, bool closed, const std::vector<Eigen::Vector2d>& data);
+
+/// The curvature measure of a chain, and its value for the two arcs of one biarc: for `angle` the square of
+/// it.
+double curvatureOf(const std::vector<CircularArc>& arcs, BiarcCurvature kind);
+double curvatureSum(const std::vector<CircularArc>& arcs, BiarcCurvature kind);
+
+/// Gradient of `curvatureSum` of one biarc by its unknowns.
+BiarcRow curvatureGradient(const BiarcChain& chain, int biarc, BiarcCurvature kind);
+
+using BiarcBlock = Eigen::Matrix<double, kBiarcUnknowns, kBiarcUnknowns>;
+
 /// Where a descent ended.
 struct BiarcDescent {
   std::vector<BiarcNode> nodes;
   double value = 0;
   int iterations = 0;
   bool converged = false;
+  bool bounded = false;  ///< a tangent is at the bound of its angle to the chord
 };
 
 /// Data, and the descent of a term over the nodes of a chain: Levenberg–Marquardt on the generalised
@@ -52,7 +67,8 @@ class BiarcProblem {
 
   struct Limits {
     int iterations = 100;
-    double enough = -1;  ///< stop as soon as no distance is larger
+    double enough = -1;   ///< stop as soon as no distance is larger
+    double quiet = 1e-9;  ///< settled when the term falls by less than this part in three steps running
   };
   /// From a valid chain downhill; every accepted step lowers the term.
   BiarcDescent descend(const std::vector<BiarcNode>& start, const BiarcTerm& term, const Limits& limits,
@@ -66,6 +82,8 @@ class BiarcProblem {
  private:
   struct State;
   bool evaluate(State& state, const BiarcTerm& term) const;
+  void addDistances(const State& state, const BiarcTerm& term, std::vector<BiarcBlock>& blocks,
+                    std::vector<BiarcRow>& rows) const;
   void assemble(const State& state, const BiarcTerm& term, Eigen::SparseMatrix<double>& hessian,
                 Eigen::VectorXd& gradient) const;
   bool freeUnknown(int node, int unknown, int count) const;

@@ -5,58 +5,296 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "biarc/biarc_formula.h"
 
 namespace bw::detail {
 
-Result<BiarcOutcome> BiarcSearch::fixed(const Points& chain, const RunContext& context) const {
-  Result<std::vector<Points>> starts = chooseStarts(data_, chain, options_, options_.points);
+namespace {
+
+/// Starts are brought near on about this many of the data points.
+constexpr std::size_t kPart = 1500;
+/// With more data points than this only the best of several starts goes through all stages.
+constexpr std::size_t kMany = 1000;
+constexpr int kApproach = 80;  ///< iterations
+/// What stages before the last are settled to.
+constexpr double kRough = 1e-5;
+
+}  // namespace
+
+BiarcSearch::BiarcSearch(const std::vector<Eigen::Vector2d>& data, const Points& chain,
+                         const BiarcOptions& options, double size)
+    : data_(data), chain_(chain), options_(options), size_(size) {
+  freedom_.points = options.movePoints && options.goal != BiarcGoal::curvature;
+  freedom_.tangents = options.turnTangents;
+  freedom_.joints = options.moveJoints;
+  freedom_.keepEnds = options.keepEnds;
+  for (std::size_t i = 1; i < chain.size(); ++i) gap_ = std::max(gap_, (chain[i] - chain[i - 1]).norm());
+  if (options.closed) gap_ = std::max(gap_, (chain.front() - chain.back()).norm());
+  const std::size_t step = data.size() / kPart;
+  if (step > 1) {
+    for (std::size_t i = 0; i < data.size(); i += step) part_.push_back(data[i]);
+    part_.push_back(data.back());
+  }
+}
+
+BiarcTerm BiarcSearch::termOf(BiarcDistance distance) const {
+  BiarcTerm term;
+  term.distance =
+      distance == BiarcDistance::mean ? BiarcTerm::Distance::smoothMean : BiarcTerm::Distance::power;
+  term.curvature = options_.curvature;
+  const double w = options_.goal == BiarcGoal::distance    ? 0
+                   : options_.goal == BiarcGoal::curvature ? 1
+                                                           : options_.weight;
+  // In units of the data's size, a distance is 1/size and a curvature measure `size` times as large.
+  term.distanceWeight = 1 - w;
+  term.curvatureWeight = w / (size_ * size_);
+  return term;
+}
+
+double BiarcSearch::objective(const std::vector<BiarcNode>& nodes) const {
+  const BiarcChain chain(nodes, options_.closed);
+  if (!chain.valid()) return std::numeric_limits<double>::infinity();
+  BiarcMeasures m = measuresOf(chain.arcs(), options_.closed, data_);
+  m.energy /= size_ * size_;
+  m.angle /= size_ * size_;
+  return objectiveOf(m, options_);
+}
+
+bool BiarcSearch::strays(const std::vector<BiarcNode>& nodes) const {
+  const BiarcChain chain(nodes, options_.closed);
+  if (!chain.valid()) return true;
+  const double largest = measuresOf(chain.arcs(), options_.closed, data_).max;
+  return awayFrom(chain.arcs(), options_.closed, chain_) > largest + gap_ / 2;
+}
+
+std::vector<BiarcNode> BiarcSearch::trimmed(std::vector<BiarcNode> nodes) const {
+  if (options_.closed || options_.keepEnds || !freedom_.points) return nodes;
+  const BiarcChain chain(nodes, false);
+  if (!chain.valid()) return nodes;
+  const std::vector<CircularArc>& arcs = chain.arcs();
+  const ArcTree tree(arcs, false);
+  const int last = int(arcs.size()) - 1;
+  double from = std::numeric_limits<double>::infinity(), to = -from;
+  int seed = 0;
+  for (const Eigen::Vector2d& p : data_) {
+    const ArcFoot foot = tree.nearest(p, seed);
+    seed = foot.arc;
+    if (foot.arc == 0) from = std::min(from, foot.s);
+    if (foot.arc == last) to = std::max(to, foot.s);
+  }
+  // Shares that make the shortened arc and its neighbour a biarc again; kept from being extreme.
+  const auto logitOf = [&](const CircularArc& first, const CircularArc& second, double& z) {
+    const double chord = first.length * sinc(first.turning / 2);
+    const double l = (second.end() - first.start).norm(), total = first.turning + second.turning;
+    double share = 0.5;
+    for (int i = 0; i < 200; ++i) share = chord * sinc(total / 2) / (l * sinc(share * total / 2));
+    constexpr double kLeast = 0.02;
+    if (!(share > kLeast && share < 1 - kLeast)) return false;
+    z = std::log(share / (1 - share));
+    return true;
+  };
+  if (std::isfinite(from) && from > 0 && last > 1) {
+    CircularArc arc = arcs[0];
+    const double turn = arc.curvature() * from;
+    arc = {arc.pointAt(from), arc.startAngle + turn, arc.turning - turn, arc.length - from};
+    if (double z = 0; arc.length > 0 && logitOf(arc, arcs[1], z))
+      nodes.front() = {arc.start.x(), arc.start.y(), arc.startAngle, z};
+  }
+  if (to > 0 && to < arcs.back().length && last > 1) {
+    CircularArc arc = arcs.back();
+    arc = {arc.start, arc.startAngle, arc.curvature() * to, to};
+    double z = 0;
+    if (logitOf(arcs[std::size_t(last - 1)], arc, z)) {
+      nodes.back() = {arc.end().x(), arc.end().y(), arc.endAngle(), 0};
+      nodes[nodes.size() - 2][3] = z;
+    }
+  }
+  return nodes;
+}
+
+BiarcDescent BiarcSearch::approach(const std::vector<BiarcNode>& start, const RunContext& context) const {
+  const BiarcProblem problem(part_.empty() ? data_ : part_, options_.closed, freedom_);
+  BiarcProblem::Limits limits;
+  limits.iterations = std::min(options_.maxIterations, kApproach);
+  limits.quiet = kRough;
+  return problem.descend(start, termOf(BiarcDistance::rms), limits, context);
+}
+
+BiarcDescent BiarcSearch::minimise(const std::vector<BiarcNode>& start, double enough,
+                                   const RunContext& context) const {
+  const BiarcProblem problem(data_, options_.closed, freedom_);
+  BiarcDescent best{start, objective(start), 0, true, false};
+  std::vector<BiarcNode> nodes = start;
+  const auto stage = [&](const BiarcTerm& term, bool final) {
+    BiarcProblem::Limits limits{options_.maxIterations, enough};
+    if (!final) limits.quiet = kRough;
+    const BiarcDescent end = problem.descend(nodes, term, limits, context);
+    nodes = end.nodes;
+    const double reached = objective(nodes);
+    best.iterations += end.iterations;
+    best.converged = end.converged;
+    best.bounded = end.bounded;
+    if (reached < best.value) {
+      best.value = reached;
+      best.nodes = nodes;
+    }
+    return end.value;
+  };
+  const BiarcTerm smooth = termOf(BiarcDistance::rms);
+  const bool direct = smooth.distanceWeight == 0 || options_.distance == BiarcDistance::rms;
+  const double rms = stage(smooth, direct);
+  if (direct) return best;
+  const auto largest = [&] {
+    return measuresOf(BiarcChain(nodes, options_.closed).arcs(), options_.closed, data_).max;
+  };
+  BiarcTerm term = termOf(options_.distance);
+  if (options_.distance == BiarcDistance::mean) {
+    const double scale = std::max(largest(), 1e-12);
+    for (const double part : {0.1, 0.01, 1e-3, 1e-4}) {
+      term.epsilon = part * scale;
+      stage(term, part == 1e-4);
+    }
+  } else {
+    // A power mean is never larger than the maximum, so neither is its minimum.
+    double bound = rms;
+    for (const double power : {6.0, 16.0, 48.0, 144.0, 432.0}) {
+      if (context.stopped() || largest() <= enough || (enough > 0 && bound > enough)) break;
+      term.power = power;
+      bound = stage(term, power == 432.0);
+    }
+  }
+  return best;
+}
+
+Points BiarcSearch::balanced(const std::vector<BiarcNode>& nodes, int count) const {
+  const BiarcChain curve(nodes, options_.closed);
+  const ArcTree tree(curve.arcs(), options_.closed);
+  std::vector<double> errors(std::size_t(curve.biarcs()), 0);
+  std::vector<std::size_t> owner;
+  int seed = 0;
+  double largest = 0;
+  for (const Eigen::Vector2d& p : chain_) {
+    const ArcFoot foot = tree.nearest(p, seed);
+    seed = foot.arc;
+    owner.push_back(std::size_t(foot.arc / 2));
+    errors[owner.back()] = std::max(errors[owner.back()], foot.distance);
+    largest = std::max(largest, foot.distance);
+  }
+  // A biarc's error grows like the cube of its length.
+  std::vector<double> density(errors.size());
+  for (std::size_t k = 0; k < density.size(); ++k)
+    density[k] = std::cbrt(std::max(errors[k], 0.03 * largest)) /
+                 (curve.arcs()[2 * k].length + curve.arcs()[2 * k + 1].length);
+  std::vector<double> measure{0};
+  for (std::size_t i = 1; i < chain_.size() + (options_.closed ? 1 : 0); ++i)
+    measure.push_back(measure.back() +
+                      (chain_[i % chain_.size()] - chain_[i - 1]).norm() * density[owner[i - 1]]);
+  return selectByMeasure(chain_, options_.closed, count, measure);
+}
+
+Result<BiarcOutcome> BiarcSearch::fixed(const RunContext& context) const {
+  Result<std::vector<Points>> starts = chooseStarts(data_, chain_, options_, options_.points);
   if (!starts) return tl::unexpected<Error>(starts.error());
-  std::optional<BiarcOutcome> best;
+  struct Start {
+    std::vector<BiarcNode> initial, near;
+    double value;
+  };
+  std::vector<Start> list;
   std::optional<Error> error;
-  double reached = 0;
   int iterations = 0;
+  const bool filter = options_.goal != BiarcGoal::nothing && starts->size() > 1 && data_.size() > kMany;
   for (const Points& points : *starts) {
-    if (context.stopped()) return stoppedError();
     Result<std::vector<BiarcNode>> nodes = nodesOf(points, options_.tangents, options_.closed);
     if (!nodes) {
       error = error ? error : nodes.error();
       continue;
     }
-    BiarcOutcome outcome{*nodes, *nodes, 0, true, ""};
-    double value = objective(*nodes);
-    if (options_.goal != BiarcGoal::nothing) {
-      BiarcDescent end = minimise(*nodes, -1, context);
-      outcome.nodes = std::move(end.nodes);
-      outcome.converged = end.converged;
+    Start start{*nodes, *nodes, 0};
+    if (filter) {
+      BiarcDescent end = approach(*nodes, context);
       iterations += end.iterations;
-      value = end.value;
+      start.value = end.value;
+      start.near = std::move(end.nodes);
     }
-    if (best && !(value < reached)) continue;
+    list.push_back(std::move(start));
+  }
+  if (list.empty()) return tl::unexpected<Error>(*error);
+  if (filter) {
+    std::stable_sort(list.begin(), list.end(),
+                     [](const Start& a, const Start& b) { return a.value < b.value; });
+    list.resize(1);
+  }
+  std::optional<BiarcOutcome> best;
+  double reached = 0;
+  bool stray = false;
+  for (const Start& start : list) {
+    if (context.stopped()) return stoppedError();
+    BiarcOutcome outcome{start.initial, start.initial, 0, true, false, ""};
+    double value = objective(start.initial);
+    if (options_.goal != BiarcGoal::nothing) {
+      const BiarcDescent end = minimise(start.near, -1, context);
+      iterations += end.iterations;
+      if (end.value <= value) {
+        outcome.nodes = trimmed(end.nodes);
+        value = end.value;
+      }
+      outcome.converged = end.converged;
+      outcome.bounded = end.bounded;
+    }
+    const bool strange = strays(outcome.nodes);
+    if (best && (strange != stray ? strange : !(value < reached))) continue;
     best = std::move(outcome);
     reached = value;
+    stray = strange;
   }
-  if (!best) return tl::unexpected<Error>(*error);
   best->iterations = iterations;
-  if (!best->converged) best->message = "the limit of iterations was reached before the measure settled";
+  if (!best->converged)
+    best->message = "the limit of iterations was reached before the measure settled";
+  else if (best->bounded)
+    best->message = "a tangent is held where it points almost straight back; other points may do better";
   return *best;
 }
 
-Result<BiarcOutcome> BiarcSearch::fewest(const Points& chain, const RunContext& context) const {
+Result<BiarcOutcome> BiarcSearch::fewest(const RunContext& context) const {
   const double tolerance = *options_.tolerance;
-  const int most = std::max(2, std::min(int(chain.size()), options_.maxArcs / 2 + (options_.closed ? 0 : 1)));
+  const int most =
+      std::max(2, std::min(int(chain_.size()), options_.maxArcs / 2 + (options_.closed ? 0 : 1)));
   BiarcOutcome best;
   int iterations = 0;
+  bool met = false;
   const auto attempt = [&](int count) -> bool {
-    const Result<std::vector<Points>> starts = chooseStarts(data_, chain, options_, count);
+    Result<std::vector<Points>> starts = chooseStarts(data_, chain_, options_, count);
     if (!starts) return false;
+    if (!best.nodes.empty()) starts->push_back(balanced(best.nodes, count));
+    struct Start {
+      std::vector<BiarcNode> initial;
+      BiarcDescent near;
+    };
+    std::vector<Start> list;
     for (const Points& points : *starts) {
       const Result<std::vector<BiarcNode>> nodes = nodesOf(points, std::nullopt, options_.closed);
       if (!nodes || context.stopped()) continue;
-      const BiarcDescent end = minimise(*nodes, tolerance, context);
-      iterations += end.iterations;
-      const BiarcChain curve(end.nodes, options_.closed);
-      const bool enough = measuresOf(curve.arcs(), options_.closed, data_).max <= tolerance;
-      if (enough || best.nodes.empty()) best = {*nodes, end.nodes, 0, true, ""};
+      BiarcDescent near = approach(*nodes, context);
+      iterations += near.iterations;
+      // The rms is never larger than the maximum.
+      if (near.value <= tolerance || list.empty()) list.push_back({*nodes, std::move(near)});
+    }
+    std::stable_sort(list.begin(), list.end(),
+                     [](const Start& a, const Start& b) { return a.near.value < b.near.value; });
+    const std::size_t tries = data_.size() > kMany ? 2 : list.size();
+    for (std::size_t i = 0; i < std::min(tries, list.size()); ++i) {
+      std::vector<BiarcNode> nodes = list[i].near.nodes;
+      if (list[i].near.value <= tolerance) {
+        BiarcDescent end = minimise(nodes, tolerance, context);
+        iterations += end.iterations;
+        nodes = std::move(end.nodes);
+      }
+      nodes = trimmed(std::move(nodes));
+      const bool enough = objective(nodes) <= tolerance && !strays(nodes);
+      if (enough || (!met && i == 0)) best = {list[i].initial, nodes, 0, true, false, ""};
+      met = met || enough;
       if (enough) return true;
     }
     return false;
@@ -70,6 +308,8 @@ Result<BiarcOutcome> BiarcSearch::fewest(const Points& chain, const RunContext& 
     const int middle = (low + high) / 2;
     (attempt(middle) ? high : low) = middle;
   }
+  // What failed from the starts of the first search may go from the solution itself.
+  while (met && high > 2 && !context.stopped() && attempt(high - 1)) --high;
   best.iterations = iterations;
   if (best.nodes.empty())
     return fail(ErrorCode::noSolution,

@@ -27,33 +27,46 @@ double objectiveOf(const BiarcMeasures& measures, const BiarcOptions& options);
 struct BiarcOutcome {
   std::vector<BiarcNode> initial, nodes;
   int iterations = 0;
-  bool converged = true;
+  bool converged = true, bounded = false;
   std::string message;
 };
 
 /// The search for a curve, on data of size 1. Lengths in the options are in that unit too; `size` is the
-/// unit, which the weight needs.
+/// unit, which the weight needs. Refers to its arguments, which must outlive it.
 class BiarcSearch {
  public:
-  BiarcSearch(const std::vector<Eigen::Vector2d>& data, const BiarcOptions& options, double size);
+  /// `chain` is the data without repeats.
+  BiarcSearch(const std::vector<Eigen::Vector2d>& data, const Points& chain, const BiarcOptions& options,
+              double size);
 
   /// A curve with chosen points: the best of all starts.
-  Result<BiarcOutcome> fixed(const Points& chain, const RunContext& context) const;
+  Result<BiarcOutcome> fixed(const RunContext& context) const;
   /// The fewest biarcs that keep the tolerance.
-  Result<BiarcOutcome> fewest(const Points& chain, const RunContext& context) const;
+  Result<BiarcOutcome> fewest(const RunContext& context) const;
 
+ private:
+  /// The rms, on a part of the data if there are many: brings a start near.
+  BiarcDescent approach(const std::vector<BiarcNode>& start, const RunContext& context) const;
   /// Stages from the smooth measure to the asked one; the best curve by the asked one, never worse than the
-  /// start. Ends early when no distance is larger than `enough`.
+  /// start. Ends early when no distance is larger than `enough`, or when none of the curves near can reach
+  /// that.
   BiarcDescent minimise(const std::vector<BiarcNode>& start, double enough, const RunContext& context) const;
   /// The asked measure, in the data's unit and up to that factor; infinite for a chain that is not valid.
   double objective(const std::vector<BiarcNode>& nodes) const;
-
- private:
+  /// Whether the curve strays farther from the chain of the data than its distances and the gaps between data
+  /// points explain.
+  bool strays(const std::vector<BiarcNode>& nodes) const;
+  /// An open curve cut off where its end arcs run on beyond the data. No distance changes.
+  std::vector<BiarcNode> trimmed(std::vector<BiarcNode> nodes) const;
+  /// K points along the chain where the errors of a curve with other points would be equal.
+  Points balanced(const std::vector<BiarcNode>& nodes, int count) const;
   BiarcTerm termOf(BiarcDistance distance) const;
 
   const std::vector<Eigen::Vector2d>& data_;
+  const Points& chain_;
   const BiarcOptions& options_;
-  double size_;
+  double size_, gap_ = 0;
+  std::vector<Eigen::Vector2d> part_;
   BiarcFreedom freedom_;
 };
 

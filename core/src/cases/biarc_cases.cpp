@@ -160,7 +160,8 @@ ordered_json arcToJson(const CircularArc& arc) {
 }
 
 void addMeasures(ordered_json& object, const BiarcMeasures& m) {
-  object["distance"] = {{"mean", m.mean}, {"rms", m.rms}, {"max", m.max}, {"farthest", m.farthest}};
+  object["distance"] = {
+      {"mean", m.mean}, {"rms", m.rms}, {"max", m.max}, {"farthest", m.farthest}, {"away", m.away}};
   object["curvature"] = {{"energy", m.energy}, {"angle", m.angle}, {"largest_jump", m.largestJump}};
   object["length"] = m.length;
   object["turning"] = m.turning;

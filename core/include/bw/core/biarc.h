@@ -121,16 +121,18 @@ struct BiarcMeasures {
   double angle = 0;                   ///< sqrt(Σ|θ_i|/r_i²), 1/mm
   double length = 0;                  ///< of the curve, mm
   double turning = 0;                 ///< Σ|θ_i|, rad
-  double largestJump = 0;             ///< of the curvature between neighbouring arcs, 1/mm
+  double away = 0;         ///< largest distance of the curve, sampled, to the chain of the data points, mm
+  double largestJump = 0;  ///< of the curvature between neighbouring arcs, 1/mm
 };
 
 enum class BiarcStatus {
   constructed,        ///< nothing was to be minimised
   converged,          ///< a local minimum
+  boundActive,        ///< settled where a tangent is held from turning farther back against its chord
   iterationLimit,     ///< the best curve so far
   toleranceExceeded,  ///< the stated tolerance is not kept
 };
-/// "constructed", "converged", "iteration-limit", "tolerance-exceeded".
+/// "constructed", "converged", "bound-active", "iteration-limit", "tolerance-exceeded".
 const char* biarcStatusName(BiarcStatus status);
 
 struct BiarcCurve {
