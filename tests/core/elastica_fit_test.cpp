@@ -12,6 +12,7 @@
 #include <numbers>
 #include <random>
 
+#include "random_curves.h"
 #include "test_curves.h"
 
 namespace bw {
@@ -576,6 +577,110 @@ TEST(ElasticaFit, ContradictingConditionsAreInfeasible) {
   options.length = FitOptions::Length::exact;
   options.maxCurvature = 1e-5;  // too little to turn from one tangent to the other
   EXPECT_EQ(fitElastica(c, options)->status, FitStatus::infeasible);
+}
+
+TEST(ElasticaFit, ContradictionIsNamedByItsParts) {
+  const PlanarCurve c = PlanarCurve::bezier({{0, 0}, {200, 150}, {400, 150}, {600, 0}}).value();
+  FitOptions options;
+  options.endpoints = true;
+  options.maxPeriods = 1;
+  options.length = FitOptions::Length::given;
+  options.givenLength = 590;  // shorter than the chord; the bound on the periods has no part in it
+  EXPECT_EQ(fitElastica(c, options)->conflict, (std::vector<std::string>{"length", "endpoints"}));
+  options = {};
+  options.tangents = true;
+  options.simple = true;
+  options.length = FitOptions::Length::exact;
+  options.maxCurvature = 1e-5;
+  const FitResult r = fitElastica(c, options).value();
+  EXPECT_EQ(r.conflict, (std::vector<std::string>{"tangents", "max_curvature"}));
+  EXPECT_NE(r.message.find("the end tangents"), std::string::npos);
+}
+
+TEST(ElasticaFit, LengthMayBeMissedByTheTolerance) {
+  for (const auto& [name, c] : test::fitCurves()) {
+    SCOPED_TRACE(name);
+    FitOptions options;
+    options.length = FitOptions::Length::given;
+    options.givenLength = 1.05 * c.length();
+    const double exact = fitElastica(c, options)->R4;
+    options.lengthTolerance = 0.01 * c.length();
+    const FitResult r = fitElastica(c, options).value();
+    EXPECT_EQ(r.status, FitStatus::constraintsActive) << r.message;
+    EXPECT_NEAR(r.elastica.length(), 1.04 * c.length(), 1e-9 * c.length());
+    EXPECT_LT(r.R4, exact);
+  }
+}
+
+TEST(ElasticaFit, CurvatureBoundHoldsOverTheExtension) {
+  int bent = 0;
+  for (const auto& [name, c] : test::fitCurves()) {
+    SCOPED_TRACE(name);
+    const FitResult free = fitElastica(c).value();
+    if (free.elastica.maxCurvature() * c.length() < 1e-9) continue;  // a line
+    FitOptions options;
+    options.maxCurvature = 1.001 * free.elastica.maxCurvature();
+    options.curvatureRange = 1.5 * c.length();
+    const FitResult r = fitElastica(c, options).value();
+    ASSERT_TRUE(r.status == FitStatus::converged || r.status == FitStatus::constraintsActive) << r.message;
+    const double extra = 0.5 * (*options.curvatureRange - r.elastica.length());
+    const Elastica blade = r.elastica.segment(-extra, r.elastica.length() + extra).value();
+    EXPECT_LE(blade.maxCurvature(), *options.maxCurvature * (1 + 1e-9));
+    bent += r.status == FitStatus::constraintsActive ? 1 : 0;
+  }
+  EXPECT_GE(bent, 3);
+}
+
+TEST(ElasticaFit, SimpleCurvesDoNotMeetThemselves) {
+  int crossing = 0;
+  for (const auto& [name, c] : test::fitCurves()) {
+    SCOPED_TRACE(name);
+    const FitResult free = fitElastica(c).value();
+    crossing += free.elastica.selfIntersects() ? 1 : 0;
+    FitOptions options;
+    options.simple = true;
+    const FitResult r = fitElastica(c, options).value();
+    ASSERT_TRUE(r.status == FitStatus::converged || r.status == FitStatus::constraintsActive) << r.message;
+    EXPECT_FALSE(r.elastica.selfIntersects());
+    if (!free.elastica.selfIntersects()) {
+      EXPECT_EQ(r.R4, free.R4);
+    }
+  }
+  EXPECT_GE(crossing, 2);
+}
+
+TEST(ElasticaFit, AtMostSoManyInflections) {
+  for (const auto& [name, c] : test::fitCurves()) {
+    SCOPED_TRACE(name);
+    for (const int most : {0, 1, 2}) {
+      FitOptions options;
+      options.maxInflections = most;
+      const FitResult r = fitElastica(c, options).value();
+      if (r.status == FitStatus::infeasible) {
+        EXPECT_EQ(r.conflict, std::vector<std::string>{"max_inflections"});
+        ADD_FAILURE() << "an arc has no inflections";
+        continue;
+      }
+      EXPECT_LE(r.elastica.inflections().size(), static_cast<std::size_t>(most));
+    }
+  }
+}
+
+TEST(ElasticaFit, ForecastCoversNineInTen) {
+  // Another seed than that of the calibration.
+  int below = 0;
+  int within = 0;
+  const std::vector<PlanarCurve> curves = test::randomCurves(600, 77);
+  for (const PlanarCurve& c : curves) {
+    const FitResult r = fitElastica(c).value();
+    const FitForecast forecast = forecastFit(c);
+    EXPECT_NEAR(forecast.R4, r.forecast.R4, 0.1 * forecast.R4);  // the fit thins out many nodes
+    below += r.R4 < forecast.low ? 1 : 0;
+    within += r.R4 >= forecast.low && r.R4 <= forecast.high ? 1 : 0;
+  }
+  EXPECT_GE(within, 516);  // 86 %
+  EXPECT_LE(within, 564);  // 94 %
+  EXPECT_LE(below, 48);    // 8 %
 }
 
 TEST(ElasticaFit, BadOptionsAreNamed) {

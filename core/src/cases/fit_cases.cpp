@@ -27,7 +27,14 @@ Result<FitOptions> optionsFromJson(ObjectReader& reader) {
       options.length = word == 1 ? FitOptions::Length::exact : FitOptions::Length::free;
     }
   }
+  reader.number("length_tolerance", options.lengthTolerance, 0, kHuge);
   reader.boolean("endpoints", options.endpoints);
+  reader.boolean("simple", options.simple);
+  if (const json* inflections = reader.member("max_inflections"); inflections && !inflections->is_null()) {
+    int count = 0;
+    reader.integer("max_inflections", count, 0, 1000);
+    options.maxInflections = count;
+  }
   reader.boolean("tangents", options.tangents);
   const auto optional = [&](const std::string& key, std::optional<double>& out, double min) {
     const json* value = reader.member(key);
@@ -37,6 +44,7 @@ Result<FitOptions> optionsFromJson(ObjectReader& reader) {
     out = x;
   };
   optional("max_curvature", options.maxCurvature, 0);
+  optional("curvature_range", options.curvatureRange, 1e-12);
   optional("max_periods", options.maxPeriods, 1e-6);
   int norm = 0, guess = 0;
   reader.word("norm", {"L2", "H1"}, norm);
@@ -55,6 +63,8 @@ Result<ordered_json> fitCase(const json& object, bool& limited) {
   ObjectReader reader(object, "case");
   const json* shape = reader.member("curve");
   if (!shape) reader.complain("curve", "the case needs the key curve");
+  std::optional<double> epsilon;
+  if (reader.has("epsilon")) reader.number("epsilon", epsilon.emplace(0), 0, kHuge);
   const Result<FitOptions> options = optionsFromJson(reader);
   if (!options) return passOn(options.error());
   if (Result<void> ok = reader.finish(); !ok) return passOn(ok.error());
@@ -75,8 +85,17 @@ Result<ordered_json> fitCase(const json& object, bool& limited) {
   result["R3_star"] = fit->R3star;
   result["R4_initial"] = fit->R4initial;
   result["R4"] = fit->R4;
+  if (!options->initial) {
+    const FitForecast& forecast = fit->forecast;
+    result["R4_forecast"] = {{"R4", forecast.R4}, {"low", forecast.low}, {"high", forecast.high}};
+    if (epsilon) {
+      static constexpr const char* kVerdicts[] = {"yes", "no", "unsure"};
+      result["approximable"] = kVerdicts[static_cast<int>(forecast.within(*epsilon))];
+    }
+  }
   result["hausdorff"] = fit->hausdorff;
   result["gradient_norm"] = fit->gradientNorm;
+  result["violation"] = fit->violation;
   result["iterations"] = fit->iterations;
   result["status"] = fitStatusName(fit->status);
   result["message"] = fit->message;

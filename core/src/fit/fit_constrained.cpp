@@ -21,6 +21,19 @@ constexpr double kPeakExcess = 1e-11;
 constexpr double kLargestLogLength = 5;
 // Places between the ends of an extended range where the direction of the curve is looked at for a peak.
 constexpr int kRangePlaces = 33;
+// Places of peaks that are remembered.
+constexpr std::size_t kPeaks = 4;
+// Distance (lengths of the elastica) by which an end stays off another strand, and part of a bound by which
+// the other bounds against self-intersection and on the inflections are kept.
+constexpr double kClearance = 1e-6;
+// k² of the elastica whose neighbouring loops touch; k = 0.855092407720383.
+constexpr double kTouching = 0.855092407720383 * 0.855092407720383;
+constexpr int kFootSteps = 12;
+constexpr double kFootStep = 0.1;
+constexpr double kFootTolerance = 1e-14;
+// An elastica whose curvature varies by less than this part is so near to a circle that its peaks are not
+// definite.
+constexpr double kRound = 1e-3;
 // A range longer than this (lengths of the elastica) is no blade any more.
 constexpr double kLongestRange = 40;
 
@@ -36,7 +49,14 @@ enum Name {
   kCurvatureMiddle,
   kCurvatureEnd,
   kCurvaturePeak,
-  kPeriods
+  kPeriods,
+  kStrand,
+  kTurningLeft,
+  kTurningRight,
+  kLoops,
+  kStartSign,
+  kEndSign,
+  kPeakPlace  // and the next ones, one a place
 };
 
 const char* wordsFor(int name) {
@@ -64,8 +84,16 @@ const char* wordsFor(int name) {
       return "the curvature bound";
     case kPeriods:
       return "the number of periods";
+    case kStrand:
+    case kTurningLeft:
+    case kTurningRight:
+    case kLoops:
+      return "the absence of self-intersections";
+    case kStartSign:
+    case kEndSign:
+      return "the number of inflections";
     default:
-      return "a condition";
+      return name >= kPeakPlace ? "the curvature bound" : "a condition";
   }
 }
 
@@ -148,7 +176,8 @@ ConstrainedFit::ConstrainedFit(const FitTarget& target, const FitConstraints& co
       nodes_(target.s),
       ends_({-0.5, 0.5}),
       range_({-0.5, 0.5}),
-      between_({}) {}
+      between_({}),
+      foot_({0.0}) {}
 
 bool ConstrainedFit::objective(const VectorXd& v, LeastSquaresModel* model, double& value) {
   const Shape shape = v.head<3>();
@@ -256,12 +285,17 @@ bool ConstrainedFit::curvatureBounds(const VectorXd& v, Conditions& out) {
   ShapeEvaluator& between = extended ? between_ : nodes_;
   if (!between.evaluate(shape, false)) return false;
   double before = slopeAt(ends.angle(0));
+  double placeBefore = ends.arc(0);
   bool peak = false;
+  double peakPlace = 0;
   for (std::size_t i = 0; i <= between.size() && !peak; ++i) {
     const double angle = i < between.size() ? between.angle(i) : ends.angle(1);
+    const double place = i < between.size() ? between.arc(i) : ends.arc(1);
     const double here = slopeAt(angle);
     peak = before * here < 0 && ft * std::cos(angle) + fn * std::sin(angle) > 0;
+    if (peak) peakPlace = placeBefore + (place - placeBefore) * before / (before - here);
     before = here;
+    placeBefore = place;
   }
   const double f = std::hypot(ft, fn);
   const double height = std::sqrt(std::max(0.0, shape[0] * shape[0] + 2 * (f - ft)));
@@ -271,6 +305,87 @@ bool ConstrainedFit::curvatureBounds(const VectorXd& v, Conditions& out) {
     slope[1] = scale * (ft / f - 1) / height;
     slope[2] = scale * (fn / f) / height;
     slope[3] = -height * scale;
+    // On a circle there is no peak, but every small change may raise one. Where one was met on the way, the
+    // bound is kept from then on.
+    const double part = peakPlace / half;
+    if (height * scale > 1 &&
+        std::none_of(peaks_.begin(), peaks_.end(), [&](double p) { return std::abs(p - part) < 1e-9; })) {
+      if (peaks_.size() < kPeaks)
+        peaks_.push_back(part);
+      else
+        peaks_[nextPeak_++ % kPeaks] = part;
+    }
+  }
+  if (f * half > kRound * highest) return true;
+  for (std::size_t i = 0; i < peaks_.size(); ++i) {
+    foot_.moveTo({peaks_[i] * half});
+    if (!foot_.evaluate(shape, true)) return false;
+    const double kappa = foot_.state(0).curvature;
+    const double sign = kappa < 0 ? -1 : 1;
+    auto slope = out.slopes.col(out.add(std::abs(kappa) * scale - 1, kPeakPlace + static_cast<int>(i)));
+    for (int j = 0; j < 3; ++j) slope[j] = sign * scale * foot_.curvatureDerivative(0, j);
+    slope[3] = -std::abs(kappa) * scale;
+    if (extended) slope[3] -= sign * scale * slopeAt(foot_.angle(0)) * peaks_[i] * half;
+  }
+  return true;
+}
+
+// What keeps an elastica from meeting itself or from having too many inflections.
+bool ConstrainedFit::shapeBounds(const VectorXd& v, Conditions& out) {
+  const Shape shape = v.head<3>();
+  if (constraints_.strand) {
+    const FitConstraints::Strand& strand = *constraints_.strand;
+    const std::size_t end = strand.atStart ? 0 : 1;
+    // The foot of the end on the other strand, by Newton's method.
+    double place = strand.place;
+    for (int step = 0; step < kFootSteps; ++step) {
+      foot_.moveTo({place});
+      if (!foot_.evaluate(shape, false)) return false;
+      const Vector2d away = ends_.point(end) - foot_.point(0);
+      const Vector2d along = direction(foot_.angle(0));
+      const double slope = 1 - foot_.state(0).curvature * quarterTurn(along).dot(away);
+      const double move = std::clamp(away.dot(along) / std::max(slope, 0.3), -kFootStep, kFootStep);
+      place = std::clamp(place + move, -0.5, 0.5);
+      if (std::abs(move) < kFootTolerance) break;
+    }
+    foot_.moveTo({place});
+    if (!foot_.evaluate(shape, true)) return false;
+    const Vector2d normal = strand.side * quarterTurn(direction(foot_.angle(0)));
+    const Vector2d away = ends_.point(end) - foot_.point(0);
+    auto slope = out.slopes.col(out.add(kClearance - normal.dot(away), kStrand));
+    for (int j = 0; j < 3; ++j)
+      slope[j] = -normal.dot(ends_.pointDerivative(end, j) - foot_.pointDerivative(0, j));
+  }
+  if (constraints_.maxTurning) {
+    const double turning = ends_.angle(1) - ends_.angle(0);
+    for (const double sign : {1.0, -1.0}) {
+      const double value = sign * turning / *constraints_.maxTurning - 1 + kClearance;
+      auto slope = out.slopes.col(out.add(value, sign > 0 ? kTurningLeft : kTurningRight));
+      for (int j = 0; j < 3; ++j)
+        slope[j] =
+            sign * (ends_.angleDerivative(1, j) - ends_.angleDerivative(0, j)) / *constraints_.maxTurning;
+    }
+  }
+  if (constraints_.openLoops) {
+    // ω² ≤ k² f, in units in which it is of order one.
+    const double f = shape.tail<2>().norm();
+    const double bound = kTouching * (1 - kClearance);
+    const double size = 10;
+    auto slope = out.slopes.col(
+        out.add((0.25 * shape[0] * shape[0] + 0.5 * (f - shape[1]) - bound * f) / size, kLoops));
+    slope[0] = 0.5 * shape[0] / size;
+    slope[1] = -0.5 / size;
+    if (f > 0) {
+      slope[1] += (0.5 - bound) * shape[1] / f / size;
+      slope[2] += (0.5 - bound) * shape[2] / f / size;
+    }
+  }
+  for (std::size_t end = 0; end < 2; ++end) {
+    const double sign = end == 0 ? constraints_.startSign : constraints_.endSign;
+    if (sign == 0) continue;
+    auto slope = out.slopes.col(
+        out.add(kClearance - sign * ends_.state(end).curvature, end == 0 ? kStartSign : kEndSign));
+    for (int j = 0; j < 3; ++j) slope[j] = -sign * ends_.curvatureDerivative(end, j);
   }
   return true;
 }
@@ -297,7 +412,7 @@ bool ConstrainedFit::conditions(const VectorXd& v, Conditions& out) {
     auto slope = out.slopes.col(out.add(periods.count / *constraints_.maxPeriods - 1, kPeriods));
     slope.head<3>() = periods.slope / *constraints_.maxPeriods;
   }
-  return true;
+  return shapeBounds(v, out);
 }
 
 void ConstrainedFit::chooseBranch(const Placement& placement) {
@@ -314,8 +429,9 @@ double ConstrainedFit::violation(const Placement& placement) {
   return conditions(toVector(placement), all) ? largestViolation(all).size : 1;
 }
 
-Stationarity ConstrainedFit::stationarity(const Placement& placement) {
+Stationarity ConstrainedFit::stationarity(const Placement& placement, const std::vector<double>& peaks) {
   chooseBranch(placement);
+  peaks_ = peaks;
   const VectorXd v = toVector(placement);
   LeastSquaresModel model;
   double value = 0;
@@ -326,6 +442,8 @@ Stationarity ConstrainedFit::stationarity(const Placement& placement) {
 
 ConstrainedFit::Solution ConstrainedFit::solve(const Placement& start) {
   chooseBranch(start);
+  peaks_.clear();
+  nextPeak_ = 0;
   const Descent descent = descend(*this, toVector(start));
   Solution out;
   out.placement = toPlacement(descent.v);
@@ -336,6 +454,7 @@ ConstrainedFit::Solution ConstrainedFit::solve(const Placement& start) {
   out.boundActive = descent.boundActive;
   out.violation = descent.violation;
   out.worst = wordsFor(descent.worst);
+  out.peaks = peaks_;
   return out;
 }
 

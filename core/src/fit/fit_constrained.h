@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <optional>
+#include <vector>
 
 #include "fit/constrained_descent.h"
 #include "fit/fit_target.h"
@@ -22,8 +23,23 @@ struct FitConstraints {
       curvatureRange;  ///< length of the part about the middle with that bound; empty = the segment
   std::optional<double> maxPeriods;
 
+  /// The end stays on one side of another strand of the curve, near the arc length `place`; +1 is the left of
+  /// it.
+  struct Strand {
+    bool atStart = true;
+    double place = 0;  ///< in [−½, ½]
+    double side = 1;
+  };
+  std::optional<Strand> strand;
+  std::optional<double> maxTurning;   ///< between the ends, rad
+  bool openLoops = false;             ///< k below the value at which the loops of an elastica touch
+  double startSign = 0, endSign = 0;  ///< if not zero, the sign of the curvature at an end
+
   bool equalities() const { return (length && lengthTolerance == 0) || endpoints || tangents; }
-  bool bounds() const { return maxCurvature || maxPeriods || (length && lengthTolerance > 0); }
+  bool bounds() const {
+    return maxCurvature || maxPeriods || (length && lengthTolerance > 0) || strand || maxTurning ||
+           openLoops || startSign != 0 || endSign != 0;
+  }
 };
 
 /// The fit with all seven unknowns: objective, conditions, and their derivatives (docs/mathematics.md, 5.5).
@@ -45,13 +61,15 @@ class ConstrainedFit : public ConstrainedProblem {
     bool boundActive = false;
     double violation = 0;    ///< the largest, dimensionless
     const char* worst = "";  ///< the condition of the largest violation, in words
+    std::vector<double>
+        peaks;  ///< where the curvature was found to press on its bound besides the fixed places
   };
   /// Makes the start feasible, then descends along the conditions.
   Solution solve(const Placement& start);
 
   /// How far from stationary a placement is. `movement`: root mean square by which one more Gauss–Newton step
   /// would move the curve, in lengths.
-  Stationarity stationarity(const Placement& placement);
+  Stationarity stationarity(const Placement& placement, const std::vector<double>& peaks = {});
 
   /// Largest violation of any condition (dimensionless). Fixes the branch of the end angles nearest to the
   /// placement.
@@ -61,6 +79,7 @@ class ConstrainedFit : public ConstrainedProblem {
   void chooseBranch(const Placement& placement);
   void endConditions(const Eigen::VectorXd& v, Conditions& out);
   bool curvatureBounds(const Eigen::VectorXd& v, Conditions& out);
+  bool shapeBounds(const Eigen::VectorXd& v, Conditions& out);
 
   const FitTarget& target_;
   FitConstraints constraints_;
@@ -70,7 +89,15 @@ class ConstrainedFit : public ConstrainedProblem {
   ShapeEvaluator ends_;
   ShapeEvaluator range_;
   ShapeEvaluator between_;
+  ShapeEvaluator foot_;
+  std::vector<double> peaks_;  ///< places of peaks that were met, as parts of half the range
+  std::size_t nextPeak_ = 0;
 };
+
+/// By how much a curve misses the conditions (lengths of the target, rad; bounds: relatively), judged from
+/// its own seven numbers. Names the worst.
+double largestMiss(const Elastica& elastica, const FitTarget& target, const FitConstraints& constraints,
+                   const char*& name);
 
 Eigen::VectorXd toVector(const Placement& placement);
 Placement toPlacement(const Eigen::VectorXd& v);

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "fit/fit_free.h"
+
+#include <algorithm>
+
+namespace bw::detail {
+namespace {
+
+// A fit (R4) worse than this is compared with two S-shapes besides.
+constexpr double kPoor = 2e-2;
+
+// Fits without end conditions and bounds: three unknowns.
+class FreeFit {
+ public:
+  FreeFit(const FitTarget& target, const FitObjective& objective) : projected_(target, objective) {}
+
+  // Starts by how near they are to the target.
+  std::vector<Shape> sorted(const std::vector<Shape>& starts) const {
+    std::vector<std::pair<double, Shape>> order;
+    for (const Shape& shape : starts) {
+      const std::optional<double> value = projected_.roughValue(shape);
+      if (value) order.emplace_back(*value, shape);
+    }
+    std::stable_sort(order.begin(), order.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<Shape> out;
+    for (const auto& [value, shape] : order) out.push_back(shape);
+    return out;
+  }
+
+  // Descends from a start and keeps the result if it is better than the best so far.
+  void attempt(const Shape& start) {
+    const auto solution = projected_.solve(start, best_ ? &best_->placed : nullptr);
+    if (!solution) return;
+    iterations_ += solution->iterations;
+    if (!best_ || solution->placed.value < best_->placed.value * (1 - 1e-9)) best_ = solution;
+  }
+
+  bool worseThan(double R4) const { return !best_ || best_->placed.value > R4 * R4; }
+
+  std::optional<FreeFitResult> best() const {
+    if (!best_) return std::nullopt;
+    return FreeFitResult{best_->placed.placement, best_->placed.value, iterations_, !best_->limit};
+  }
+
+ private:
+  ProjectedFit projected_;
+  std::optional<ProjectedFit::Solution> best_;
+  int iterations_ = 0;
+};
+
+}  // namespace
+
+std::optional<FreeFitResult> freeFit(const FitTarget& full, const FitTarget& coarse,
+                                     const FitObjective& objective, const std::vector<Shape>& starts,
+                                     bool more) {
+  FreeFit free(coarse, objective);
+  if (!more) {
+    free.attempt(starts.front());
+    return free.best();
+  }
+  for (const Shape& start : free.sorted(starts)) {
+    free.attempt(start);
+    if (!free.worseThan(1)) break;
+  }
+  if (free.worseThan(kGoodFit)) {
+    free.attempt({coarse.endAngle - coarse.startAngle, 0, 0});
+    free.attempt({0, 0, 0});
+  }
+  if (free.worseThan(kPoor)) {
+    free.attempt({0, -10, 20});
+    free.attempt({0, -10, -20});
+  }
+  std::optional<FreeFitResult> best = free.best();
+  if (!best || &full == &coarse) return best;
+  FreeFit fine(full, objective);
+  fine.attempt(best->placement.shape);
+  if (const std::optional<FreeFitResult> refined = fine.best()) {
+    const int before = best->iterations;
+    best = refined;
+    best->iterations += before;
+  }
+  return best;
+}
+
+}  // namespace bw::detail

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fit/fit_constrained.h"
+
+namespace bw::detail {
+
+/// Demands that are met by holding one of several bounds (docs/mathematics.md, 5.6).
+struct FitDemands {
+  bool simple = false;
+  std::optional<int> maxInflections;
+  bool any() const { return simple || maxInflections; }
+};
+
+/// What became of a fit under conditions.
+struct ConditionedFit {
+  std::optional<ConstrainedFit::Solution> best;
+  FitConstraints constraints;  ///< those that the best one was found under
+  int iterations = 0;
+  const char* worst = "";  ///< if there is no solution: the condition that was hardest to meet
+};
+
+/// The fits under conditions of one target.
+class FitSearch {
+ public:
+  FitSearch(const FitTarget& target, bool tangentNorm) : target_(target), tangentNorm_(tangentNorm) {}
+
+  /// Descends from one start after the other until a minimum is met for the second time, or is good: a value
+  /// up to `enough`. With `first`, the first minimum is taken.
+  ConditionedFit conditioned(const FitConstraints& constraints, const std::vector<Placement>& starts,
+                             double enough, bool first) const;
+
+  /// True if a curve meets the demands.
+  bool meets(const Placement& placement, const FitDemands& demands) const;
+
+  /// From a curve that meets the conditions but not the demands to the best one that meets both.
+  ConditionedFit demanded(const FitConstraints& constraints, const FitDemands& demands,
+                          const std::vector<Placement>& starts, double enough) const;
+
+  /// Of conditions and demands that contradict each other, a part of which none can be left out.
+  std::vector<std::string> conflict(const FitConstraints& constraints, const FitDemands& demands,
+                                    const std::vector<Placement>& starts) const;
+
+ private:
+  std::vector<FitConstraints> variants(const FitConstraints& constraints, const FitDemands& demands,
+                                       const Placement& placement) const;
+
+  const FitTarget& target_;
+  bool tangentNorm_;
+};
+
+}  // namespace bw::detail
