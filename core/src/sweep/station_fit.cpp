@@ -68,6 +68,7 @@ Result<FitResult> fitStation(const PlanarCurve& section, const Job& job, const F
   const double allowed = kAllowance * job.tolerance;
   if (!best || !usable(*best) || best->hausdorff > allowed || bladeHolds(*best, job.blade)) return best;
   options.maxCurvature = job.blade.maxCurvature();
+  options.curvatureRange = job.blade.length;
   for (int k = 0; k < kPeriodBounds; ++k, *options.maxPeriods *= 0.5) {
     Result<FitResult> bounded = fitBesideNeighbour(section, options, neighbour ? neighbour : &*best);
     if (!bounded || !usable(*bounded) || bounded->hausdorff > allowed) break;
