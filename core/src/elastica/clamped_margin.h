@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <Eigen/Core>
+
 #include <optional>
 
-#include "bw/core/elastica.h"
+#include "elastica/clamped_modes.h"
 
 namespace bw::detail {
 
@@ -14,8 +16,14 @@ struct ClampedMargins {
   double outOfPlane = 1;
 };
 
-/// Both margins; that out of the plane only with a torsion ratio. Below max |κ| L = `straight` the blade
-/// counts as straight.
-ClampedMargins clampedMargins(const Elastica& blade, double straight, std::optional<double> torsionRatio);
+/// A blade of length 1 at the nodes of some modes.
+struct ClampedSamples {
+  Eigen::VectorXd angle, curvature;
+  Eigen::Vector2d force = Eigen::Vector2d::Zero();  ///< in the frame of the angles
+};
+
+/// Both margins; that out of the plane only with a torsion ratio.
+ClampedMargins clampedMargins(const ClampedModes& modes, const ClampedSamples& blade,
+                              std::optional<double> torsionRatio);
 
 }  // namespace bw::detail

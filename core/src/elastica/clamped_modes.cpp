@@ -33,6 +33,36 @@ VectorXd bubbles(Index count, double x) {
   return result;
 }
 
+/// Values at the nodes of equal panels to the integrals of their interpolants from 0 to each node: on one
+/// panel l_i = Σ_k (2k + 1) w_i P_k(x_i) P_k, and P_k integrates to (P_{k+1} − P_{k−1}) / (2k + 1).
+MatrixXd integralMatrix(int panels, const GaussRule& rule) {
+  const Index n = Index(rule.nodes.size());
+  MatrixXd legendre(n + 1, n);
+  for (Index i = 0; i < n; ++i) {
+    const double x = 2 * rule.nodes[std::size_t(i)] - 1;
+    legendre(0, i) = 1;
+    legendre(1, i) = x;
+    for (Index k = 2; k <= n; ++k)
+      legendre(k, i) =
+          ((2 * double(k) - 1) * x * legendre(k - 1, i) - (double(k) - 1) * legendre(k - 2, i)) / double(k);
+  }
+  MatrixXd panel = MatrixXd::Zero(n, n);
+  for (Index i = 0; i < n; ++i)
+    for (Index j = 0; j < n; ++j) {
+      double sum = 1 + legendre(1, i);
+      for (Index k = 1; k < n; ++k) sum += legendre(k, j) * (legendre(k + 1, i) - legendre(k - 1, i));
+      panel(i, j) = 0.5 * sum * rule.weights[std::size_t(j)] / panels;
+    }
+  MatrixXd result = MatrixXd::Zero(panels * n, panels * n);
+  for (Index p = 0; p < panels; ++p) {
+    result.block(p * n, p * n, n, n) = panel;
+    for (Index j = 0; j < n; ++j)
+      result.block((p + 1) * n, p * n + j, (panels - p - 1) * n, 1)
+          .setConstant(rule.weights[std::size_t(j)] / panels);
+  }
+  return result;
+}
+
 ClampedModes make(Index count, int panels, int nodesPerPanel) {
   // On [−1, 1] the bubbles have the stiffness 1 and this mass matrix; on [0, 1] twice and half of it.
   MatrixXd mass = MatrixXd::Zero(count, count);
@@ -61,11 +91,12 @@ ClampedModes make(Index count, int panels, int nodesPerPanel) {
       modes.weights(q) = rule.weights[std::size_t(i)] / panels;
       modes.values.col(q) = vectors.transpose() * bubbles(count, 2 * modes.nodes(q) - 1);
     }
+  modes.integral = integralMatrix(panels, rule);
+  // The slope of bubble j at the start is 2 √((2j + 1)/2) P_j(−1).
+  VectorXd slopes(count);
+  for (Index j = 1; j <= count; ++j) slopes(j - 1) = (j % 2 ? -2 : 2) * std::sqrt(0.5 * (2 * double(j) + 1));
+  modes.startSlope = vectors.transpose() * slopes;
   return modes;
-}
-
-Eigen::Map<const VectorXd> asVector(std::span<const double> values) {
-  return {values.data(), Index(values.size())};
 }
 
 /// A constraint whose part apart from the others is smaller than this is one of them.
@@ -74,7 +105,7 @@ constexpr double kSameConstraint = 1e-9;
 }  // namespace
 
 const ClampedModes& sketchModes() {
-  static const ClampedModes modes = make(12, 1, 22);
+  static const ClampedModes modes = make(10, 1, 18);
   return modes;
 }
 
@@ -92,24 +123,23 @@ double smallestEigenvalue(const ClampedModes& modes, const ClampedForm& form) {
   const Index count = modes.count();
   MatrixXd matrix = MatrixXd::Zero(count, count);
   {
-    const MatrixXd weighted =
-        modes.values * modes.weights.cwiseProduct(asVector(form.potential)).asDiagonal();
+    const MatrixXd weighted = modes.values * modes.weights.cwiseProduct(*form.potential).asDiagonal();
     matrix.noalias() -= weighted * modes.values.transpose();
     matrix.diagonal() += modes.stiffness;
   }
-  const auto moments = [&](std::span<const double> f) -> VectorXd {
-    return modes.values * modes.weights.cwiseProduct(asVector(f));
+  const auto moments = [&](const VectorXd& f) -> VectorXd {
+    return modes.values * modes.weights.cwiseProduct(f);
   };
-  if (!form.coupling.empty()) {
-    const VectorXd b = moments(form.coupling);
+  if (form.coupling) {
+    const VectorXd b = moments(*form.coupling);
     matrix += form.couplingWeight * b * b.transpose();
   }
   // Reflections turn the constraints into the last coordinates, one by one.
   Index free = count;
   std::vector<VectorXd> taken;
-  for (const std::span<const double>& constraint : form.constraints) {
-    if (constraint.empty()) continue;
-    VectorXd u = moments(constraint);
+  for (const VectorXd* constraint : form.constraints) {
+    if (!constraint) continue;
+    VectorXd u = moments(*constraint);
     const double size = u.norm();
     for (const VectorXd& v : taken) u -= 2 * v.dot(u) * v;
     u.tail(count - free).setZero();

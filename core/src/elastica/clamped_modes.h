@@ -4,17 +4,17 @@
 
 #include <Eigen/Core>
 
-#include <span>
-
 namespace bw::detail {
 
 /// Polynomials φ_j on [0, 1] that vanish at both ends, with ∫ φ_i φ_j = δ_ij and ∫ φ_i' φ_j' = μ_j δ_ij,
 /// tabulated at Gauss nodes: what a clamped blade can add to its tangent angle. docs/mathematics.md, 5.
 struct ClampedModes {
-  Eigen::VectorXd nodes;      ///< in [0, 1], ascending
-  Eigen::VectorXd weights;    ///< sum 1
-  Eigen::VectorXd stiffness;  ///< μ_j, ascending
-  Eigen::MatrixXd values;     ///< φ_j at node q in (j, q)
+  Eigen::VectorXd nodes;       ///< in [0, 1], ascending
+  Eigen::VectorXd weights;     ///< sum 1
+  Eigen::VectorXd stiffness;   ///< μ_j, ascending
+  Eigen::VectorXd startSlope;  ///< φ_j'(0)
+  Eigen::MatrixXd values;      ///< φ_j at node q in (j, q)
+  Eigen::MatrixXd integral;    ///< values at the nodes to their integral from 0 to each node
 
   Eigen::Index count() const { return stiffness.size(); }
 };
@@ -29,10 +29,10 @@ const ClampedModes& sketchModes();
 /// A quadratic form ∫ φ'² − V φ² + c (∫ b φ)² over the φ with ∫ u_i φ = 0; functions by their values at the
 /// nodes.
 struct ClampedForm {
-  std::span<const double> potential;                  ///< V
-  std::span<const double> constraints[2] = {{}, {}};  ///< u_i, empty where there is none
-  std::span<const double> coupling = {};              ///< b, empty if there is none
-  double couplingWeight = 0;                          ///< c
+  const Eigen::VectorXd* potential = nullptr;  ///< V
+  const Eigen::VectorXd* constraints[2] = {};  ///< u_i, null where there is none
+  const Eigen::VectorXd* coupling = nullptr;   ///< b, null if there is none
+  double couplingWeight = 0;                   ///< c
 };
 
 /// The smallest eigenvalue of the form against ∫ φ², constraints kept. Constraints that say the same count

@@ -47,40 +47,29 @@ bool isClampedStable(const Elastica& blade) {
 
 namespace detail {
 
-ClampedMargins clampedMargins(const Elastica& blade, double straight, std::optional<double> torsionRatio) {
-  const double length = blade.length();
-  const double bending = blade.maxCurvature() * length;
-  if (bending < straight) return {1, 1};
-  const double rootForce = std::sqrt(blade.force().norm()) * length;
-  const ClampedModes& modes = clampedModesFor(bending + rootForce);
-  const std::size_t count = std::size_t(modes.nodes.size());
-  std::vector<double> arcs(count);
-  for (std::size_t q = 0; q < count; ++q) arcs[q] = length * modes.nodes(Eigen::Index(q));
-  std::vector<Elastica::State> states(count);
-  blade.at(arcs, states);
+ClampedMargins clampedMargins(const ClampedModes& modes, const ClampedSamples& blade,
+                              std::optional<double> torsionRatio) {
+  using Eigen::ArrayXd;
+  using Eigen::VectorXd;
   // Sines against the mean direction, so that the constraint along the blade keeps its digits where it is
   // nearly straight.
-  double mean = 0;
-  for (std::size_t q = 0; q < count; ++q) mean += modes.weights(Eigen::Index(q)) * states[q].angle;
-  std::vector<double> potential(count), along(count), across(count), outPotential(count), curvature(count);
-  const double unit = length * length;
-  for (std::size_t q = 0; q < count; ++q) {
-    along[q] = std::sin(states[q].angle - mean);
-    across[q] = std::cos(states[q].angle - mean);
-    potential[q] = unit * (blade.force().x() * std::cos(states[q].angle) +
-                           blade.force().y() * std::sin(states[q].angle));
-    curvature[q] = length * states[q].curvature;
-    outPotential[q] = potential[q] + curvature[q] * curvature[q];
-  }
+  const double mean = modes.weights.dot(blade.angle);
+  const ArrayXd relative = blade.angle.array() - mean;
+  const VectorXd along = relative.sin();
+  const VectorXd across = relative.cos();
+  const double c = std::cos(mean), s = std::sin(mean);
+  const VectorXd potential = (c * blade.force.x() + s * blade.force.y()) * across +
+                             (c * blade.force.y() - s * blade.force.x()) * along;
   constexpr double kStraightEigenvalue = 4 * std::numbers::pi * std::numbers::pi;
   ClampedMargins result;
-  result.inPlane = smallestEigenvalue(modes, {.potential = potential, .constraints = {along, across}}) /
+  result.inPlane = smallestEigenvalue(modes, {.potential = &potential, .constraints = {&along, &across}}) /
                    kStraightEigenvalue;
   if (torsionRatio) {
-    const std::vector<double> ones(count, 1.0);
-    result.outOfPlane = smallestEigenvalue(modes, {.potential = outPotential,
-                                                   .constraints = {ones, {}},
-                                                   .coupling = curvature,
+    const VectorXd ones = VectorXd::Ones(along.size());
+    const VectorXd outOfPlane = potential + blade.curvature.cwiseAbs2();
+    result.outOfPlane = smallestEigenvalue(modes, {.potential = &outOfPlane,
+                                                   .constraints = {&ones, nullptr},
+                                                   .coupling = &blade.curvature,
                                                    .couplingWeight = *torsionRatio}) /
                         kStraightEigenvalue;
   }
@@ -89,11 +78,37 @@ ClampedMargins clampedMargins(const Elastica& blade, double straight, std::optio
 
 }  // namespace detail
 
-double stabilityMargin(const Elastica& blade) { return detail::clampedMargins(blade, kStraight, {}).inPlane; }
+namespace {
+
+detail::ClampedMargins marginsOf(const Elastica& blade, std::optional<double> torsionRatio) {
+  const double length = blade.length();
+  const double bending = blade.maxCurvature() * length;
+  if (bending < kStraight) return {1, 1};
+  const detail::ClampedModes& modes =
+      detail::clampedModesFor(bending + std::sqrt(blade.force().norm()) * length);
+  const std::size_t count = std::size_t(modes.nodes.size());
+  std::vector<double> arcs(count);
+  for (std::size_t q = 0; q < count; ++q) arcs[q] = length * modes.nodes(Eigen::Index(q));
+  std::vector<Elastica::State> states(count);
+  blade.at(arcs, states);
+  detail::ClampedSamples samples;
+  samples.angle.resize(modes.nodes.size());
+  samples.curvature.resize(modes.nodes.size());
+  for (std::size_t q = 0; q < count; ++q) {
+    samples.angle(Eigen::Index(q)) = states[q].angle;
+    samples.curvature(Eigen::Index(q)) = states[q].curvature * length;
+  }
+  samples.force = blade.force() * length * length;
+  return detail::clampedMargins(modes, samples, torsionRatio);
+}
+
+}  // namespace
+
+double stabilityMargin(const Elastica& blade) { return marginsOf(blade, {}).inPlane; }
 
 double outOfPlaneMargin(const Elastica& blade, double torsionRatio) {
   BW_CHECK(torsionRatio >= 0);
-  return detail::clampedMargins(blade, kStraight, torsionRatio).outOfPlane;
+  return marginsOf(blade, torsionRatio).outOfPlane;
 }
 
 }  // namespace bw

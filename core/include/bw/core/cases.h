@@ -39,6 +39,9 @@ Result<std::string> biarcCaseFromCsv(std::string_view text);
 /// `blade length`: cases {distance, height, angle} to the blade's length, or {measurements, blade, …} to a calibrated one.
 Result<CaseAnswer> lengthCases(std::string_view json, const RunContext& context);
 
+/// `blade bvp`: cases {start, end, start_angle, end_angle, length, options} to the equilibria of a clamped blade.
+Result<CaseAnswer> bvpCases(std::string_view json, const RunContext& context);
+
 /// The curve object of a case, as JSON text: {"type": "bezier" | "bspline" | "points", …}.
 Result<PlanarCurve> parseCurveJson(std::string_view json);
 

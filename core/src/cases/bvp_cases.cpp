@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include <chrono>
+#include <cmath>
+
+#include "bw/core/elastica_bvp.h"
+#include "bw/core/units.h"
+#include "cases/case_runner.h"
+#include "elastica/elastica_json.h"
+
+namespace bw {
+
+using namespace detail;
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+namespace {
+
+constexpr double kLargest = 1e9;
+/// An end that misses its grip by more than this part of the length is reported as a limit exceeded.
+constexpr double kEndTolerance = 1e-6;
+
+/// A number, or null where it is infinite.
+ordered_json finiteOrNull(double value) {
+  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
+}
+
+ordered_json solutionToJson(const ClampedSolution& solution) {
+  ordered_json result;
+  result["elastica"] = elasticaToJson(solution.elastica);
+  result["energy"] = solution.energy;
+  result["turning"] = solution.turning;
+  result["inflections"] = solution.inflections;
+  result["stable"] = solution.stable;
+  result["stability_margin"] = solution.stabilityMargin;
+  result["out_of_plane_margin"] = solution.outOfPlaneMargin;
+  result["sensitivity"] = {{"per_mm", finiteOrNull(solution.sensitivity.perMm)},
+                           {"per_deg", finiteOrNull(solution.sensitivity.perDegree)}};
+  result["self_intersects"] = solution.selfIntersects;
+  result["end_error"] = solution.endError;
+  return result;
+}
+
+Result<ordered_json> bvpCase(const json& object, bool& limited) {
+  ObjectReader reader(object, "case");
+  ClampedProblem problem;
+  ClampedOptions options;
+  for (const char* key : {"start", "end", "start_angle", "end_angle", "length"})
+    if (!reader.has(key)) reader.complain(key, std::string("the case needs the key ") + key);
+  const json* start = reader.member("start");
+  const json* end = reader.member("end");
+  reader.number("start_angle", problem.startAngle, -kLargest, kLargest);
+  reader.number("end_angle", problem.endAngle, -kLargest, kLargest);
+  reader.number("length", problem.length, 1 / kLargest, kLargest);
+  if (const json* turning = reader.member("turning"); turning && !turning->is_null()) {
+    double value = 0;
+    reader.number("turning", value, -8 * kPi, 8 * kPi);
+    problem.turning = value;
+  }
+  bool all = false;
+  reader.boolean("all", all);
+  reader.integer("max_inflections", options.maxInflections, 0, 12);
+  reader.number("max_turning", options.maxTurning, 0, 8 * kPi);
+  reader.number("torsion_ratio", options.torsionRatio, 0, 1e6);
+  const json* initial = reader.member("initial");
+  if (Result<void> ok = reader.finish(); !ok) return passOn(ok.error());
+  const Result<Eigen::Vector2d> from = readPoint(start, "start");
+  if (!from) return passOn(from.error());
+  const Result<Eigen::Vector2d> to = readPoint(end, "end");
+  if (!to) return passOn(to.error());
+  problem.start = *from;
+  problem.end = *to;
+  if (initial && !initial->is_null()) {
+    const Result<Elastica> blade = elasticaFromJson(*initial, "initial");
+    if (!blade) return passOn(blade.error());
+    options.initial = *blade;
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  const Result<ClampedAnswer> answer =
+      all ? solveAllClamped(problem, options) : solveClamped(problem, options);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  if (!answer) return passOn(answer.error());
+  ordered_json result;
+  result["solutions"] = ordered_json::array();
+  for (const ClampedSolution& solution : answer->solutions) {
+    result["solutions"].push_back(solutionToJson(solution));
+    limited = limited || solution.endError > kEndTolerance * problem.length;
+  }
+  result["case"] = clampedKindName(answer->kind);
+  result["snaps_at"] = answer->snapsAt ? ordered_json(*answer->snapsAt) : ordered_json(nullptr);
+  result["message"] = answer->message;
+  result["seconds"] = seconds;
+  return result;
+}
+
+}  // namespace
+
+Result<CaseAnswer> bvpCases(std::string_view text, const RunContext& context) {
+  return runCases(text, context, bvpCase);
+}
+
+}  // namespace bw

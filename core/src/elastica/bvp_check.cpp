@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "elastica/bvp_check.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bw/core/number_text.h"
+#include "bw/core/units.h"
+
+namespace bw::detail {
+
+namespace {
+
+/// Coordinates and angles beyond this are no blade's.
+constexpr double kLargest = 1e9;
+/// Length and distance are equal to within this part: rounding of the coordinates.
+constexpr double kEqual = 1e-12;
+/// Tangents are aligned to within this, rad.
+constexpr double kAligned = 1e-9;
+/// A given turning may miss the angles by this, rad.
+constexpr double kTurningTolerance = 1e-6;
+
+double wrapped(double angle) { return std::remainder(angle, 2 * kPi); }
+
+tl::unexpected<Error> bad(const char* name, double value, const std::string& remedy, double limit) {
+  return fail(ErrorCode::badInput,
+              std::string("The blade's ") + name + " is " + shortText(value) + "; " + remedy + ".", name,
+              value, limit);
+}
+
+}  // namespace
+
+Result<CheckedProblem> check(const ClampedProblem& problem) {
+  const struct {
+    const char* name;
+    double value;
+  } numbers[] = {{"start x", problem.start.x()},      {"start y", problem.start.y()},
+                 {"end x", problem.end.x()},          {"end y", problem.end.y()},
+                 {"start_angle", problem.startAngle}, {"end_angle", problem.endAngle},
+                 {"length", problem.length},          {"turning", problem.turning.value_or(0)}};
+  for (const auto& number : numbers)
+    if (!(std::abs(number.value) <= kLargest))
+      return bad(number.name, number.value, "give a finite number up to 1e9", kLargest);
+  if (!(problem.length >= 1 / kLargest)) return bad("length", problem.length, "give a length above 0 mm", 0);
+
+  CheckedProblem result;
+  const Eigen::Vector2d chord = problem.end - problem.start;
+  const double distance = chord.norm(), length = problem.length;
+  const double c = std::cos(problem.startAngle), s = std::sin(problem.startAngle);
+  result.end = Eigen::Vector2d(c * chord.x() + s * chord.y(), c * chord.y() - s * chord.x()) / length;
+  result.turning = wrapped(problem.endAngle - problem.startAngle);
+  if (problem.turning) {
+    const double miss = wrapped(*problem.turning - result.turning);
+    if (std::abs(miss) > kTurningTolerance)
+      return bad(
+          "turning", *problem.turning,
+          "it must equal end_angle − start_angle (" + shortText(result.turning) + " rad) up to whole turns",
+          result.turning);
+    if (std::abs(*problem.turning) > 8 * kPi)
+      return bad("turning", *problem.turning, "ask for at most four whole turns (8π)", 8 * kPi);
+    result.turning = *problem.turning - miss;
+    result.fixedTurning = true;
+  }
+  if (distance > length * (1 + kEqual))
+    return fail(ErrorCode::noSolution,
+                "The blade is " + shortText(length) + " mm long, but its ends are " + shortText(distance) +
+                    " mm apart; bring the grips " + shortText(distance - length) +
+                    " mm closer together or use a longer blade.",
+                "length", length, distance);
+  const double direction = distance > 0 ? std::atan2(result.end.y(), result.end.x()) : 0;
+  const bool startAligned = std::abs(wrapped(direction)) <= kAligned;
+  const bool endAligned = std::abs(wrapped(result.turning - direction)) <= kAligned;
+  if (distance >= length * (1 - kEqual)) {
+    const bool turns = std::abs(result.turning) > kAligned;
+    if (!startAligned || !endAligned || turns)
+      return fail(
+          ErrorCode::noSolution,
+          "The blade is just as long as its ends are apart (" + shortText(length) +
+              " mm), so that it can only be straight, but its end tangents are off the line between the "
+              "grips by " +
+              shortText(toDegrees(wrapped(-direction))) + "° and " +
+              shortText(toDegrees(wrapped(result.turning - direction))) + "° and turn by " +
+              shortText(toDegrees(result.turning)) + "°; align the grips, or bring them closer together.",
+          "end_angle",
+          toDegrees(std::max(std::abs(wrapped(direction)), std::abs(wrapped(result.turning - direction)))),
+          0);
+    result.kind = ClampedKind::straight;
+  } else if (distance > 0 && std::abs(std::remainder(direction, kPi)) <= kAligned &&
+             std::abs(std::remainder(result.turning, kPi)) <= kAligned &&
+             std::abs(result.turning) <= kAligned) {
+    result.kind = ClampedKind::buckling;
+  }
+  return result;
+}
+
+std::vector<double> CheckedProblem::turnings(double limit) const {
+  if (fixedTurning) return {turning};
+  std::vector<double> result;
+  const int most = int(limit / (2 * kPi)) + 1;
+  for (int turns = -most; turns <= most; ++turns) {
+    const double value = turning + 2 * kPi * turns;
+    if (std::abs(value) <= limit) result.push_back(value);
+  }
+  std::sort(result.begin(), result.end(), [](double a, double b) {
+    return std::abs(a) != std::abs(b) ? std::abs(a) < std::abs(b) : a > b;
+  });
+  if (result.empty()) result.push_back(turning);
+  return result;
+}
+
+Result<void> check(const ClampedOptions& options) {
+  if (options.maxInflections < 0 || options.maxInflections > 12)
+    return fail(
+        ErrorCode::badInput,
+        "max_inflections is " + std::to_string(options.maxInflections) + "; give a number from 0 to 12.",
+        "max_inflections", options.maxInflections, 12);
+  if (!(options.maxTurning >= 0 && options.maxTurning <= 8 * kPi))
+    return fail(
+        ErrorCode::badInput,
+        "The largest turning is " + shortText(options.maxTurning) + " rad; give a number from 0 to 8π.",
+        "max_turning", options.maxTurning, 8 * kPi);
+  if (!(options.torsionRatio >= 0 && options.torsionRatio <= 1e6))
+    return fail(
+        ErrorCode::badInput,
+        "The torsion ratio GJ/EI is " + shortText(options.torsionRatio) + "; give a number from 0 to 1e6.",
+        "torsion_ratio", options.torsionRatio, 1e6);
+  return {};
+}
+
+}  // namespace bw::detail

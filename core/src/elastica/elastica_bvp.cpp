@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "bw/core/elastica_bvp.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "bw/core/number_text.h"
+#include "elastica/bvp_check.h"
+#include "elastica/bvp_describe.h"
+#include "elastica/bvp_sheets.h"
+#include "elastica/bvp_sketch.h"
+
+namespace bw {
+
+using namespace detail;
+
+namespace {
+
+/// A blade at the end of this margin would snap at a breath: numerically neither stable nor unstable.
+constexpr double kOnTheFold = 1e-7;
+/// Energies closer than this part are the same.
+constexpr double kSameEnergy = 1e-9;
+
+/// A blade of locally least energy from each first sketch, the lowest one that proves stable.
+std::optional<UnitSolution> restFromSketches(const CheckedProblem& problem, double maxTurning) {
+  std::optional<UnitSolution> best;
+  double bestEnergy = std::numeric_limits<double>::infinity();
+  for (const double turning : problem.turnings(maxTurning)) {
+    // No blade turns so far with less energy than the circle.
+    if (0.5 * turning * turning >= bestEnergy) continue;
+    const UnitProblem unit{problem.end, turning};
+    std::vector<Sketch> sketches = firstSketches(unit);
+    std::erase_if(sketches, [&](Sketch& sketch) {
+      return !descend(unit, sketch) || sketch.energy > 1.02 * bestEnergy;
+    });
+    std::sort(sketches.begin(), sketches.end(),
+              [](const Sketch& a, const Sketch& b) { return a.energy < b.energy; });
+    for (const Sketch& sketch : sketches) {
+      const std::optional<UnitSolution> found = settle(unit, shapeOf(unit, sketch), 12);
+      if (!found) continue;
+      const SampledSolution sampled = sample(*found);
+      const double energy = energyOf(sampled);
+      if (energy >= bestEnergy * (1 - kSameEnergy)) continue;
+      if (!(clampedMargins(*sampled.modes, sampled.samples, {}).inPlane > kOnTheFold)) continue;
+      best = found;
+      bestEnergy = energy;
+    }
+  }
+  return best;
+}
+
+/// Inflections of the shapes among which a blade at rest is sought where the sketches find none.
+constexpr int kRestInflections = 3;
+
+/// All stable shapes, slower.
+std::vector<UnitSolution> allAtRest(const CheckedProblem& problem, double maxTurning) {
+  std::vector<UnitSolution> result;
+  for (const double turning : problem.turnings(maxTurning))
+    for (const UnitSolution& found : allShapes({problem.end, turning}, kRestInflections)) {
+      const SampledSolution sampled = sample(found);
+      if (clampedMargins(*sampled.modes, sampled.samples, {}).inPlane > kOnTheFold) result.push_back(found);
+    }
+  return result;
+}
+
+double energyOfShape(const UnitSolution& shape) { return energyOf(sample(shape)); }
+
+std::optional<UnitSolution> leastOf(const std::vector<UnitSolution>& shapes, const auto& measure) {
+  const auto least =
+      std::min_element(shapes.begin(), shapes.end(),
+                       [&](const UnitSolution& a, const UnitSolution& b) { return measure(a) < measure(b); });
+  return least == shapes.end() ? std::nullopt : std::optional(*least);
+}
+
+/// Mean square difference of the tangent angles against the chord's frame of the start.
+double difference(const UnitSolution& a, const UnitSolution& b) {
+  const SampledSolution first = sample(a), second = sample(b);
+  constexpr int kPoints = 33;
+  double sum = 0;
+  for (int i = 0; i < kPoints; ++i) {
+    const auto at = [&](const SampledSolution& s) {
+      const Eigen::VectorXd& nodes = s.modes->nodes;
+      const double x = double(i) / (kPoints - 1);
+      const Eigen::Index k = std::clamp<Eigen::Index>(
+          std::lower_bound(nodes.begin(), nodes.end(), x) - nodes.begin(), 1, nodes.size() - 1);
+      const double u = (x - nodes(k - 1)) / (nodes(k) - nodes(k - 1));
+      return s.samples.angle(k - 1) * (1 - u) + s.samples.angle(k) * u;
+    };
+    const double d = at(first) - at(second);
+    sum += d * d;
+  }
+  return sum / kPoints;
+}
+
+tl::unexpected<Error> noShape(const ClampedProblem& problem, const CheckedProblem& checked,
+                              const char* which) {
+  const double share = checked.end.norm();
+  return fail(ErrorCode::noSolution,
+              std::string("No ") + which + " shape of the blade was found for ends at " +
+                  shortText(100 * share) +
+                  " % of its length; use a longer blade, or allow more inflections or turning.",
+              "length", problem.length, problem.length * share);
+}
+
+/// The blade that `initial` becomes. The answer's solutions stay empty; the shape is returned.
+Result<UnitSolution> follow(const ClampedProblem& problem, const CheckedProblem& checked,
+                            const ClampedOptions& options, ClampedAnswer& answer) {
+  const double length = options.initial->length();
+  UnitSolution initial;
+  Result<ClampedBranch> branch = ClampedBranch::from(*options.initial);
+  if (!branch) return tl::unexpected<Error>(branch.error());
+  initial.shape = branch->shape();
+  const Elastica::State end = options.initial->at(length);
+  initial.turning = end.angle - options.initial->startAngle();
+  initial.back = backOf(initial.shape, initial.turning, end.curvature * length);
+  const Result<ClampedBranch::Move> move = branch->moveTo(problem);
+  if (!move) return tl::unexpected<Error>(move.error());
+  if (!move->snapped) {
+    const UnitProblem unit{
+        checked.end,
+        checked.fixedTurning
+            ? checked.turning
+            : initial.turning + std::remainder(checked.turning - initial.turning, 2 * std::numbers::pi)};
+    const std::optional<UnitSolution> found = settle(unit, branch->shape(), 4);
+    if (found) {
+      const SampledSolution sampled = sample(*found);
+      if (clampedMargins(*sampled.modes, sampled.samples, {}).inPlane > 0) return *found;
+      answer.message =
+          "The branch of the initial blade is not stable here; this is the stable blade nearest to it.";
+    }
+  } else {
+    answer.snapsAt = move->reached;
+    answer.message = "On its way from the initial blade the blade snaps at " +
+                     shortText(100 * move->reached) +
+                     " % of the way; this is the stable blade nearest to the initial one.";
+  }
+  const std::optional<UnitSolution> nearest =
+      leastOf(allAtRest(checked, std::max(options.maxTurning, std::abs(initial.turning))),
+              [&](const UnitSolution& shape) { return difference(shape, initial); });
+  if (!nearest) return noShape(problem, checked, "stable");
+  return *nearest;
+}
+
+ClampedAnswer straightAnswer(const ClampedProblem& problem) {
+  ClampedSolution solution;
+  solution.elastica = *Elastica::make(problem.start, problem.startAngle, 0, {0, 0}, problem.length);
+  solution.stable = true;
+  solution.stabilityMargin = solution.outOfPlaneMargin = 1;
+  solution.sensitivity = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  solution.endError = (solution.elastica.at(problem.length).point - problem.end).norm();
+  return {
+      {solution}, ClampedKind::straight, {}, "The blade is as long as its ends are apart: it is straight."};
+}
+
+const char* const kBucklingMessage =
+    "Pure buckling: both tangents lie along the chord, so that the mirror image of each shape in the chord "
+    "is as good.";
+
+}  // namespace
+
+const char* clampedKindName(ClampedKind kind) {
+  switch (kind) {
+    case ClampedKind::general:
+      return "general";
+    case ClampedKind::straight:
+      return "straight";
+    case ClampedKind::buckling:
+      return "buckling";
+  }
+  return "general";
+}
+
+Result<ClampedAnswer> solveClamped(const ClampedProblem& problem, const ClampedOptions& options) {
+  if (Result<void> ok = check(options); !ok) return tl::unexpected<Error>(ok.error());
+  const Result<CheckedProblem> checked = check(problem);
+  if (!checked) return tl::unexpected<Error>(checked.error());
+  if (checked->kind == ClampedKind::straight) return straightAnswer(problem);
+  ClampedAnswer answer;
+  answer.kind = checked->kind;
+  std::optional<UnitSolution> found;
+  if (options.initial) {
+    const Result<UnitSolution> followed = follow(problem, *checked, options, answer);
+    if (!followed) return tl::unexpected<Error>(followed.error());
+    found = *followed;
+  } else {
+    found = restFromSketches(*checked, options.maxTurning);
+    if (!found) found = leastOf(allAtRest(*checked, options.maxTurning), energyOfShape);
+    if (!found) return noShape(problem, *checked, "stable");
+    if (answer.kind == ClampedKind::buckling) answer.message = kBucklingMessage;
+  }
+  const Result<ClampedSolution> solution = describe(problem, *found, options.torsionRatio);
+  if (!solution) return tl::unexpected<Error>(solution.error());
+  answer.solutions.push_back(*solution);
+  return answer;
+}
+
+Result<ClampedAnswer> solveAllClamped(const ClampedProblem& problem, const ClampedOptions& options) {
+  if (Result<void> ok = check(options); !ok) return tl::unexpected<Error>(ok.error());
+  const Result<CheckedProblem> checked = check(problem);
+  if (!checked) return tl::unexpected<Error>(checked.error());
+  if (checked->kind == ClampedKind::straight) return straightAnswer(problem);
+  ClampedAnswer answer;
+  answer.kind = checked->kind;
+  if (answer.kind == ClampedKind::buckling) answer.message = kBucklingMessage;
+  for (const double turning : checked->turnings(options.maxTurning))
+    for (const UnitSolution& found : allShapes({checked->end, turning}, options.maxInflections)) {
+      const Result<ClampedSolution> solution = describe(problem, found, options.torsionRatio);
+      if (!solution) return tl::unexpected<Error>(solution.error());
+      if (int(solution->inflections.size()) > options.maxInflections) continue;
+      answer.solutions.push_back(*solution);
+    }
+  if (answer.solutions.empty()) return noShape(problem, *checked, "resting");
+  std::stable_sort(answer.solutions.begin(), answer.solutions.end(),
+                   [](const ClampedSolution& a, const ClampedSolution& b) { return a.energy < b.energy; });
+  return answer;
+}
+
+}  // namespace bw
