@@ -64,6 +64,10 @@ void addNumericVerbs(CLI::App& app, const Session& session, Work& work) {
           "blade fit",
           fitCases, true);
   addBiarcVerb(app, session, work);
+  addVerb(app, session, work, "spline",
+          "A spline through points: a chain of elastica (as through ducks), of cubic Béziers, or cubic",
+          "echo '{\"points\": [[0,0],[100,40],[220,30],[300,-20]], \"start_angle\": 0.6}' | blade spline",
+          splineCases, false);
   addVerb(app, session, work, "length", "The length of a blade from how it sags between its ends",
           "echo '{\"distance\": 600, \"height\": 120, \"angle\": 0.6}' | blade length", lengthCases, false);
   addVerb(app, session, work, "bvp",

@@ -23,7 +23,7 @@ TEST(Blade, TellsItsVersionAndLibraries) {
 TEST(Blade, HelpOfEveryVerbHasAnExample) {
   const Finished help = blade({"--help"});
   EXPECT_EQ(help.status, 0);
-  for (const char* verb : {"elastica", "fit", "biarc", "info", "rationalize", "design", "render", "export",
+  for (const char* verb : {"elastica", "fit", "biarc", "spline", "info", "rationalize", "design", "render", "export",
                            "check", "example"}) {
     EXPECT_NE(help.out.find(verb), std::string::npos) << verb;
     const Finished run = blade({verb, "--help"});

@@ -42,6 +42,10 @@ Result<CaseAnswer> lengthCases(std::string_view json, const RunContext& context)
 /// `blade bvp`: cases {start, end, start_angle, end_angle, length, options} to the equilibria of a clamped blade.
 Result<CaseAnswer> bvpCases(std::string_view json, const RunContext& context);
 
+/// `blade spline`: cases {points, kind, …} to an elastica chain, a cubic spline or a chain of Béziers, or {poles} to the elastica near a
+/// cubic Bézier.
+Result<CaseAnswer> splineCases(std::string_view json, const RunContext& context);
+
 /// The curve object of a case, as JSON text: {"type": "bezier" | "bspline" | "points", …}.
 Result<PlanarCurve> parseCurveJson(std::string_view json);
 

@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include <chrono>
+#include <tuple>
+
+#include "bw/core/elastica_stability.h"
+#include "bw/core/spline_constructions.h"
+#include "cases/case_runner.h"
+#include "elastica/elastica_json.h"
+
+namespace bw {
+
+using namespace detail;
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+namespace {
+
+constexpr double kHuge = 1e15;
+
+/// What all kinds of spline are made from.
+struct Input {
+  std::vector<Eigen::Vector2d> points;
+  DuckOptions options;
+};
+
+std::optional<double> optionalNumber(ObjectReader& reader, const std::string& key) {
+  const json* value = reader.member(key);
+  if (!value || value->is_null()) return std::nullopt;
+  double number = 0;
+  reader.number(key, number, -kHuge, kHuge);
+  return number;
+}
+
+ordered_json polesToJson(const CubicPoles& poles) { return pointsToJson({poles.begin(), poles.end()}); }
+
+ordered_json piecesToJson(const std::vector<Elastica>& pieces) {
+  ordered_json list = ordered_json::array();
+  for (const Elastica& piece : pieces) {
+    ordered_json object;
+    object["elastica"] = elasticaToJson(piece);
+    object["energy"] = piece.energy();
+    object["max_curvature"] = piece.maxCurvature();
+    object["stable"] = isClampedStable(piece);
+    list.push_back(std::move(object));
+  }
+  return list;
+}
+
+Result<ordered_json> proxyOf(const json* value) {
+  const Result<std::vector<Eigen::Vector2d>> poles = readPoints(value, "poles");
+  if (!poles) return passOn(poles.error());
+  if (poles->size() != 4)
+    return fail(ErrorCode::badInput, "poles must hold the 4 poles of a cubic Bézier curve", "poles",
+                double(poles->size()), 4);
+  const Result<BezierProxy> proxy = elasticaOfBezier({(*poles)[0], (*poles)[1], (*poles)[2], (*poles)[3]});
+  if (!proxy) return passOn(proxy.error());
+  ordered_json result;
+  result["elastica"] = elasticaToJson(proxy->elastica);
+  result["deviation"] = proxy->deviation;
+  result["predicted_deviation"] = proxy->predicted;
+  result["length"] = proxy->length;
+  result["energy"] = proxy->elastica.energy();
+  result["bezier_energy"] = proxy->bezierEnergy;
+  return result;
+}
+
+Result<ordered_json> bezierPieces(const Input& input) {
+  const Result<std::vector<CubicPoles>> chain = bezierChain(input.points, input.options.tangents);
+  if (!chain) return passOn(chain.error());
+  ordered_json result;
+  result["pieces"] = ordered_json::array();
+  for (const CubicPoles& poles : *chain) {
+    const Result<PlanarCurve> curve = PlanarCurve::bezier({poles.begin(), poles.end()});
+    if (!curve) return passOn(curve.error());
+    const Result<ProxyPrediction> prediction = predictElastica(*curve);
+    if (!prediction) return passOn(prediction.error());
+    ordered_json piece;
+    piece["poles"] = polesToJson(poles);
+    piece["length"] = curve->length();
+    piece["predicted_deviation"] = prediction->deviation;
+    result["pieces"].push_back(std::move(piece));
+  }
+  return result;
+}
+
+Result<ordered_json> cubicSpline(const Input& input) {
+  const Result<PlanarCurve> curve =
+      cubicSplineThrough(input.points, input.options.startAngle, input.options.endAngle);
+  if (!curve) return passOn(curve.error());
+  ordered_json result;
+  result["curve"] = {
+      {"type", "bspline"}, {"degree", 3}, {"knots", curve->knots()}, {"poles", pointsToJson(curve->poles())}};
+  result["length"] = curve->length();
+  return result;
+}
+
+Result<ordered_json> elasticSpline(const Input& input) {
+  const Result<DuckSpline> spline = splineThroughDucks(input.points, input.options);
+  if (!spline) return passOn(spline.error());
+  ordered_json result;
+  result["pieces"] = piecesToJson(spline->pieces);
+  result["length"] = spline->length;
+  result["energy"] = spline->energy;
+  result["largest_gap"] = spline->largestGap;
+  result["largest_kink"] = spline->largestKink;
+  result["largest_jump"] = spline->largestJump;
+  result["iterations"] = spline->iterations;
+  return result;
+}
+
+Result<ordered_json> splineCase(const json& object, bool&) {
+  ObjectReader reader(object, "case");
+  int kind = 0;
+  reader.word("kind", {"elastica", "cubic", "bezier"}, kind);
+  Input input;
+  const json* poles = reader.member("poles");
+  const json *points = nullptr, *tangents = nullptr, *lengths = nullptr;
+  if (poles) {
+    if (reader.has("kind"))
+      reader.complain("kind", "a case with poles is compared with its elastica; it takes no kind");
+  } else {
+    points = reader.member("points");
+    if (!points) reader.complain("points", "the case needs the key points, or poles of a Bézier curve");
+    tangents = kind != 1 ? reader.member("tangents") : nullptr;
+    if (kind != 2) {
+      input.options.startAngle = optionalNumber(reader, "start_angle");
+      input.options.endAngle = optionalNumber(reader, "end_angle");
+    }
+    if (kind == 0) {
+      lengths = reader.member("lengths");
+      if (const std::optional<double> total = optionalNumber(reader, "total_length")) {
+        input.options.mode = DuckOptions::Lengths::total;
+        input.options.totalLength = *total;
+        if (lengths) reader.complain("total_length", "give either lengths or total_length, not both");
+      }
+    }
+  }
+  if (Result<void> ok = reader.finish(); !ok) return passOn(ok.error());
+  const auto begin = std::chrono::steady_clock::now();
+  Result<ordered_json> result = ordered_json();
+  if (poles) {
+    result = proxyOf(poles);
+  } else {
+    Result<std::vector<Eigen::Vector2d>> list = readPoints(points, "points");
+    if (!list) return passOn(list.error());
+    input.points = std::move(*list);
+    for (const auto& [value, out, key] : {std::tuple(tangents, &input.options.tangents, "tangents"),
+                                          {lengths, &input.options.lengths, "lengths"}}) {
+      if (!value || value->is_null()) continue;
+      Result<std::vector<double>> numbers = readNumbers(value, key);
+      if (!numbers) return passOn(numbers.error());
+      *out = std::move(*numbers);
+      if (value == lengths) input.options.mode = DuckOptions::Lengths::given;
+    }
+    result = kind == 0 ? elasticSpline(input) : kind == 1 ? cubicSpline(input) : bezierPieces(input);
+  }
+  if (result)
+    (*result)["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return result;
+}
+
+}  // namespace
+
+Result<CaseAnswer> splineCases(std::string_view text, const RunContext& context) {
+  return runCases(text, context, splineCase);
+}
+
+}  // namespace bw

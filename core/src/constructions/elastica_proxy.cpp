@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "bw/core/elastica_fit.h"
+#include "bw/core/spline_constructions.h"
+
+namespace bw {
+
+Result<ProxyPrediction> predictElastica(const PlanarCurve& curve) {
+  const PlanarCurve::Quadrature& q = curve.quadrature();
+  const double length = curve.length();
+  // κ projected on 1, x, y over arc length, in units of the length from the middle of the samples.
+  Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+  for (std::size_t i = 0; i < q.point.size(); ++i) middle += q.weight[i] / length * q.point[i];
+  Eigen::Matrix3d gram = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  const auto rowOf = [&](const Eigen::Vector2d& p) -> Eigen::Vector3d {
+    return {1, (p.x() - middle.x()) / length, (p.y() - middle.y()) / length};
+  };
+  for (std::size_t i = 0; i < q.point.size(); ++i) {
+    const Eigen::Vector3d row = rowOf(q.point[i]);
+    gram += q.weight[i] / length * row * row.transpose();
+    right += q.weight[i] * q.curvature[i] * row;
+  }
+  // A straight curve has no extent across itself: the damping settles what it leaves open.
+  constexpr double kFlat = 1e-12;
+  gram.diagonal().array() += kFlat;
+  const Eigen::Vector3d c = gram.ldlt().solve(right);
+  // What is left of the curvature, integrated to an angle and then to a displacement.
+  double angle = 0, worst = 0, before = 0;
+  Eigen::Vector2d shift = Eigen::Vector2d::Zero();
+  for (std::size_t i = 0; i < q.point.size(); ++i) {
+    const double rest = c.dot(rowOf(q.point[i])) / length - q.curvature[i];
+    const double half = rest * q.weight[i] / 2;
+    const Eigen::Vector2d normal(-q.tangent[i].y(), q.tangent[i].x());
+    const double step = q.arc[i] - before;
+    shift += step * angle * normal;
+    angle += half;
+    worst = std::max(worst, std::abs(shift.dot(normal)));
+    angle += half;
+    before = q.arc[i];
+  }
+  const Eigen::Vector2d start = curve.value(curve.start());
+  const Eigen::Vector2d tangent = curve.tangent(curve.start());
+  const Eigen::Vector2d force(-c.z() / (length * length), c.y() / (length * length));
+  const Result<Elastica> guess = Elastica::make(start, std::atan2(tangent.y(), tangent.x()),
+                                                c.dot(rowOf(start)) / length, force, length);
+  if (!guess) return tl::unexpected<Error>(guess.error());
+  return ProxyPrediction{worst, *guess};
+}
+
+Result<BezierProxy> elasticaOfBezier(const CubicPoles& poles) {
+  const Result<PlanarCurve> curve = PlanarCurve::bezier({poles.begin(), poles.end()});
+  if (!curve) return tl::unexpected<Error>(curve.error());
+  const Result<ProxyPrediction> prediction = predictElastica(*curve);
+  if (!prediction) return tl::unexpected<Error>(prediction.error());
+  FitOptions options;
+  options.length = FitOptions::Length::exact;
+  options.endpoints = true;
+  options.tangents = true;
+  const Result<FitResult> fit = fitElastica(*curve, options);
+  if (!fit) return tl::unexpected<Error>(fit.error());
+  if (fit->status == FitStatus::infeasible)
+    return fail(
+        ErrorCode::noSolution,
+        "no elastica near this Bézier curve has its ends, end tangents and length; make the angles of its "
+        "control polygon less acute",
+        "poles");
+  BezierProxy proxy;
+  proxy.elastica = fit->elastica;
+  proxy.deviation = fit->hausdorff;
+  proxy.predicted = prediction->deviation;
+  proxy.length = curve->length();
+  const PlanarCurve::Quadrature& q = curve->quadrature();
+  for (std::size_t i = 0; i < q.weight.size(); ++i)
+    proxy.bezierEnergy += 0.5 * q.weight[i] * q.curvature[i] * q.curvature[i];
+  return proxy;
+}
+
+}  // namespace bw
