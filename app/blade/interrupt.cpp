@@ -18,6 +18,8 @@ std::atomic<int> commits = 0;
 std::atomic<bool> finished = false;
 
 constexpr int kInterrupted = 130;
+/// The promise is 0.2 s from the signal to the end of the process.
+constexpr std::chrono::milliseconds kPatience{120};
 
 sigset_t signals() {
   sigset_t set;
@@ -37,8 +39,10 @@ Interrupt::Interrupt() {
       const timespec wait{0, 50 * 1000 * 1000};
       if (sigtimedwait(&set, nullptr, &wait) < 0) continue;
       source_.request_stop();
-      std::this_thread::sleep_for(std::chrono::milliseconds(150));
-      while (commits > 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      // The work gets a moment to end by itself; what does not look at the token is left behind.
+      const auto patience = std::chrono::steady_clock::now() + kPatience;
+      while (!finished && (commits > 0 || std::chrono::steady_clock::now() < patience))
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
       if (!finished) ::_exit(kInterrupted);
     }
   });

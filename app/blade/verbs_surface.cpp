@@ -12,6 +12,7 @@
 #include "bw/core/number_text.h"
 #include "bw/core/units.h"
 #include "bw/geometry/export.h"
+#include "bw/pipeline/example_design.h"
 #include "bw/pipeline/pipeline.h"
 #include "bw/pipeline/scene_content.h"
 #include "interrupt.h"
@@ -70,6 +71,8 @@ int limitStatus(const pipeline::Evaluation& e) {
   const bool tolerance = e.sweep.value->analysis.summary.deviationMax > e.design.job.tolerance;
   return tolerance || hasErrors(issues) ? kLimitExceeded : kDone;
 }
+
+constexpr const char* kDesignSuffix = ".bladewright";
 
 /// A source up to this size is embedded there; a larger one is linked.
 constexpr std::uintmax_t kEmbedLimit = 8u << 20;
@@ -184,9 +187,16 @@ int runExample(const Session& session, const std::string& name, const std::strin
       std::cout << example.name << "\n  " << example.title << "\n  " << example.formula << "\n";
     return kDone;
   }
-  const Result<std::string> step = geometry::exampleStep(name);
-  if (!step) return session.complain(step.error());
-  const Result<void> ok = session.writeOutput(out, *step);
+  Result<std::string> bytes;
+  if (fs::path(out).extension() == kDesignSuffix) {
+    const Result<Design> design = pipeline::exampleDesign(name);
+    if (!design) return session.complain(design.error());
+    bytes = designToJson(*design);
+  } else {
+    bytes = geometry::exampleStep(name);
+    if (!bytes) return session.complain(bytes.error());
+  }
+  const Result<void> ok = session.writeOutput(out, *bytes);
   return ok ? int(kDone) : session.complain(ok.error());
 }
 
@@ -252,12 +262,19 @@ void addSurfaceVerbs(CLI::App& app, const Session& session, Work& work) {
         [&session, &work, options] { work = [&session, options] { return runRender(session, *options); }; });
   }
   {
-    CLI::App* verb = app.add_subcommand("example", "Write an example surface as STEP, or list them");
+    CLI::App* verb =
+        app.add_subcommand("example", "Write an example surface as STEP or as a design, or list them");
     const auto name = std::make_shared<std::string>();
     const auto out = std::make_shared<std::string>("-");
     verb->add_option("NAME", *name, "Name of the example; without it they are listed");
-    verb->add_option("--out", *out, "STEP file, - for standard output")->type_name("FILE");
-    verb->footer("Example:\n  blade example panel-600x670 --out panel.step");
+    verb->add_option(
+            "--out", *out,
+            "STEP file, - for standard output; a name that ends in .bladewright gives a design with a "
+            "blade and a block that suit the example")
+        ->type_name("FILE");
+    verb->footer(
+        "Example:\n  blade example panel-600x670 --out panel.step\n"
+        "  blade example wavy-wall --out wall.bladewright");
     verb->callback([&session, &work, name, out] {
       work = [&session, name, out] { return runExample(session, *name, *out); };
     });

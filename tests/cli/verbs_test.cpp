@@ -256,6 +256,23 @@ TEST(Rationalize, ReadsItsOwnSurfaceBack) {
   EXPECT_LT(comparable(folder / "b")["summary"]["R4_max"].get<double>(), 1e-4);
 }
 
+TEST(Example, EveryDesignCanBeCutAndItsProgramsKeepTheRules) {
+  const Folder folder;
+  std::istringstream list(blade({"example"}).out);
+  int count = 0;
+  for (std::string name; std::getline(list, name);) {
+    if (name.empty() || name[0] == ' ') continue;
+    SCOPED_TRACE(name);
+    ++count;
+    ASSERT_EQ(blade({"example", name, "--out", folder / (name + ".bladewright")}).status, 0);
+    const Finished run = blade({"design", folder / (name + ".bladewright"), "--out", folder / name});
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(run.err.find("error: "), std::string::npos) << run.err;
+    EXPECT_EQ(blade({"check", folder / (name + "/programs/strip-0")}).status, 0);
+  }
+  EXPECT_EQ(count, 8);
+}
+
 TEST(Rationalize, IsTheSameForAnyNumberOfThreads) {
   const Folder folder;
   const std::string job = folder.write("job.json", R"({"stations": 16})");

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "bw/pipeline/example_design.h"
+
+#include "bw/core/blade.h"
+#include "bw/core/file_set.h"
+#include "bw/geometry/export.h"
+
+namespace bw::pipeline {
+
+namespace {
+
+/// What an example needs besides the defaults.
+struct Setting {
+  const char* name;
+  double bladeLength;  ///< mm
+};
+
+/// The ramps' profiles are up to 1460 mm long; the other examples are 600 mm wide.
+constexpr Setting kSettings[] = {
+    {"wavy-wall", 900},
+    {"ramp-corner-hollow", 1700},
+    {"ramp-corner-domed", 1700},
+};
+
+/// A crest of the wall that runs along the travel: 600 mm wide, 900 mm long.
+BlockPlacement blockInWall() { return {{1800, 600, -200}, {600, 900, 400}, Eigen::Vector3d::Zero()}; }
+
+}  // namespace
+
+Result<Design> exampleDesign(const std::string& name) {
+  Design design;
+  Result<std::string> step;
+  if (const Result<std::filesystem::path> folder = resourceFolder())
+    step = readFile(*folder / "examples" / (name + ".step"));
+  if (!step) step = geometry::exampleStep(name);
+  if (!step) return tl::unexpected<Error>(step.error());
+  design.source.bytes = std::move(*step);
+  design.source.path = name + ".step";
+  for (const geometry::Example& example : geometry::exampleList())
+    if (example.name == name) design.name = example.title;
+  Result<Blade> blade = bladePreset(design.job.blade.name);
+  if (!blade) return tl::unexpected<Error>(blade.error());
+  design.job.blade = *blade;
+  for (const Setting& setting : kSettings)
+    if (name == setting.name) design.job.blade.length = setting.bladeLength;
+  if (name == "wavy-wall") {
+    design.job.block = blockInWall();
+    design.job.direction = Eigen::Vector3d::UnitY();
+  }
+  return design;
+}
+
+}  // namespace bw::pipeline
