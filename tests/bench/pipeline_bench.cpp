@@ -56,6 +56,20 @@ void panelFromStepToFiles(benchmark::State& state) {
 }
 BENCHMARK(panelFromStepToFiles)->Unit(benchmark::kMillisecond)->UseRealTime();
 
+/// Budget: 25 ms for 60 fits. All in one thread, so that the processor time tells it on a busy machine too.
+void panelFits(benchmark::State& state) {
+  const Outcome outcome = evaluate(panel(60), nullptr, {});
+  if (outcome.error) return state.SkipWithError(outcome.error->message.c_str());
+  const Evaluation& e = outcome.evaluation;
+  for (auto _ : state) {
+    Issues issues;
+    const Result<Sweep> sweep = buildSweep(*e.sections.value, e.design.job, e.setup.value->block,
+                                           e.setup.value->direction, {}, issues);
+    if (!sweep) return state.SkipWithError(sweep.error().message.c_str());
+  }
+}
+BENCHMARK(panelFits)->Unit(benchmark::kMillisecond);
+
 /// Budget: the new picture within 0.4 s of a change of the station count; this is its computing part.
 void panelAfterStationChange(benchmark::State& state) {
   Outcome outcome = evaluate(panel(60), nullptr, {});

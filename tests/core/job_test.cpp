@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include "bw/core/design.h"
 #include "bw/core/units.h"
 
@@ -95,6 +97,30 @@ TEST(Blade, PresetsHaveTheRadiiOfTheirSections) {
   const Result<Blade> tube = bladePreset("steel-tube-3-2.5");
   ASSERT_TRUE(tube);
   EXPECT_NEAR(tube->secondMoment(), kPi / 64 * (81 - 39.0625), 1e-9);
+}
+
+TEST(Job, AKeyThatStandsTwiceIsASlip) {
+  const Result<Job> job = parseJob(R"({"stations": 5, "blade": {"length": 900}, "stations": 6})");
+  ASSERT_FALSE(job);
+  EXPECT_NE(job.error().message.find("\"stations\" twice"), std::string::npos) << job.error().message;
+  EXPECT_TRUE(parseJob(R"({"blade": {"length": 900}, "stations": {"spacing": 5}})"))
+      << "one key in two objects";
+}
+
+TEST(Job, MissingPresetsAreToldAndNotReplacedByOtherNumbers) {
+  const std::string before = std::getenv("BLADEWRIGHT_RESOURCES") ? std::getenv("BLADEWRIGHT_RESOURCES") : "";
+  const std::string whole = jobToJson(*parseJob("{}"));
+  ::setenv("BLADEWRIGHT_RESOURCES", BW_TEST_DATA, 1);
+  const Result<Job> job = parseJob("{}");
+  const Result<Job> stored = parseJob(whole);
+  if (before.empty())
+    ::unsetenv("BLADEWRIGHT_RESOURCES");
+  else
+    ::setenv("BLADEWRIGHT_RESOURCES", before.c_str(), 1);
+  ASSERT_FALSE(job);
+  EXPECT_NE(job.error().message.find("no blade presets"), std::string::npos) << job.error().message;
+  ASSERT_TRUE(stored) << "a job that is written whole needs none: " << stored.error().message;
+  EXPECT_EQ(jobToJson(*stored), whole);
 }
 
 TEST(Design, RoundTripsWithAnEmbeddedSource) {

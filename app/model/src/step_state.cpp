@@ -75,7 +75,7 @@ Step stepOfIssue(const Issue& issue) {
     if (issue.kind == word) return Step::input;
   for (const char* word : {"block", "blade", "clearance"})
     if (issue.kind == word) return Step::setup;
-  for (const char* word : {"program", "cell", "file"})
+  for (const char* word : {"program", "cell", "cell-sides", "file"})
     if (issue.kind == word) return Step::output;
   return Step::process;
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "bw/core/number_text.h"
 
@@ -13,8 +14,26 @@ namespace bw {
 using nlohmann::json;
 
 Result<json> parseJsonText(std::string_view text, const std::string& what) {
+  // A key that is written twice is a slip: the parser alone would silently take the last.
+  std::vector<std::set<std::string>> keys;
+  std::string twice;
+  const auto watch = [&](int, json::parse_event_t event, json& parsed) {
+    if (event == json::parse_event_t::object_start) {
+      keys.emplace_back();
+    } else if (event == json::parse_event_t::object_end) {
+      keys.pop_back();
+    } else if (event == json::parse_event_t::key) {
+      const std::string& key = parsed.get_ref<const std::string&>();
+      if (!keys.back().insert(key).second && twice.empty()) twice = key;
+    }
+    return true;
+  };
   try {
-    return json::parse(text.begin(), text.end());
+    json value = json::parse(text.begin(), text.end(), watch);
+    if (!twice.empty())
+      return fail(ErrorCode::badInput,
+                  what + " holds the key \"" + twice + "\" twice in one object; remove one", twice);
+    return value;
   } catch (const json::parse_error& e) {
     const std::size_t at = std::min<std::size_t>(e.byte > 0 ? e.byte - 1 : 0, text.size());
     const auto line = 1 + std::count(text.begin(), text.begin() + std::ptrdiff_t(at), '\n');

@@ -14,7 +14,8 @@
 
 namespace bw {
 
-/// Parses JSON text; a syntax error tells line and column.
+/// Parses JSON text; a syntax error tells line and column. A key that stands twice in one object is an error
+/// too.
 Result<nlohmann::json> parseJsonText(std::string_view text, const std::string& what);
 
 /// Reads one JSON object strictly: each key is asked for by name with its type and range; `finish` rejects

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "design/blade_json.h"
+#include "base/json_reader.h"
 #include "bw/core/number_text.h"
 #include "bw/core/units.h"
+#include "design/blade_json.h"
 #include "design/job_json.h"
-#include "base/json_reader.h"
 
 namespace bw {
 
@@ -183,7 +183,13 @@ Box BlockPlacement::box() const {
 
 Result<Job> jobFromJson(const json& object, const std::string& path) {
   Job job;
-  if (Result<Blade> preset = bladePreset(job.blade.name)) job.blade = std::move(*preset);
+  // A blade that is written whole (as designs store it) needs no preset.
+  const bool wholeBlade = object.is_object() && object.contains("blade") && object["blade"].is_object() &&
+                          object["blade"].contains("name");
+  if (Result<Blade> preset = bladePreset(job.blade.name))
+    job.blade = std::move(*preset);
+  else if (!wholeBlade)
+    return tl::unexpected<Error>(preset.error());
   ObjectReader reader(object, path);
   if (Result<void> ok = readFace(reader, job.face); !ok) return tl::unexpected<Error>(ok.error());
   readBlock(reader, job.block);

@@ -18,26 +18,52 @@ constexpr double kAngleLimitRound = 60 * kDegree;
 /// Slower points of the blade melt more: below this ratio the kerf differs visibly along a station.
 constexpr double kSpeedRatioLimit = 0.3;
 
-/// Tells stretches of stations that break a rule as one issue each, with the worst station named.
+/// More stretches than this become one finding: a list of places is no message.
+constexpr std::size_t kMostStretches = 3;
+
+/// Stations that break a rule, from the first to the last, and the worst of them.
+struct Stretch {
+  std::size_t first, last, worst, count;
+};
+
+std::string placeOf(const std::vector<Station>& stations, const Stretch& stretch) {
+  const auto index = [&](std::size_t i) { return std::to_string(stations[i].index); };
+  if (stretch.first == stretch.last) return "station " + index(stretch.first);
+  const std::string range = index(stretch.first) + " to " + index(stretch.last);
+  const bool all = stretch.count == stretch.last - stretch.first + 1;
+  return (all ? "stations " + range + " ("
+              : std::to_string(stretch.count) + " of the stations " + range + " (") +
+         "worst: " + index(stretch.worst) + ")";
+}
+
+/// Tells each stretch of neighbouring stations that break a rule as one issue with the worst station named,
+/// or all stretches as one where they are many.
 template <class Bad, class Worse, class Text>
 void reportStretches(const std::vector<Station>& stations, Severity severity, const char* kind, Bad bad,
                      Worse worse, Text text, Issues& issues) {
+  std::vector<Stretch> stretches;
   for (std::size_t i = 0; i < stations.size(); ++i) {
     if (!bad(stations[i])) continue;
-    std::size_t j = i, worst = i;
-    while (j + 1 < stations.size() && bad(stations[j + 1])) {
-      ++j;
-      if (worse(stations[j], stations[worst])) worst = j;
+    if (stretches.empty() || stretches.back().last + 1 != i) stretches.push_back({i, i, i, 0});
+    Stretch& stretch = stretches.back();
+    stretch.last = i;
+    ++stretch.count;
+    if (worse(stations[i], stations[stretch.worst])) stretch.worst = i;
+  }
+  if (stretches.size() > kMostStretches) {
+    Stretch all = stretches.front();
+    for (std::size_t k = 1; k < stretches.size(); ++k) {
+      all.last = stretches[k].last;
+      all.count += stretches[k].count;
+      if (worse(stations[stretches[k].worst], stations[all.worst])) all.worst = stretches[k].worst;
     }
-    const Station& w = stations[worst];
-    const std::string place = i == j ? "station " + std::to_string(w.index)
-                                     : "stations " + std::to_string(stations[i].index) + " to " +
-                                           std::to_string(stations[j].index) +
-                                           " (worst: " + std::to_string(w.index) + ")";
+    stretches = {all};
+  }
+  for (const Stretch& stretch : stretches) {
+    const Station& w = stations[stretch.worst];
     const Eigen::Vector3d middle = w.frame.toWorld(w.fit.elastica.point(0.5 * w.fit.elastica.length()));
-    issues.push_back({severity, kind, place + ": " + text(w),
+    issues.push_back({severity, kind, placeOf(stations, stretch) + ": " + text(w),
                       Place{"station " + std::to_string(w.index), 0, w.index, middle}});
-    i = j;
   }
 }
 

@@ -17,17 +17,20 @@ constexpr double kSuspiciousGrowth = 2.0;
 constexpr double kGoodResidual = 1e-4;
 /// A slightly better minimum on another branch is not worth a jump of the blade.
 constexpr double kWorthAJump = 0.7;
+/// Periods that the whole blade may have: where it is much longer than the section, what it does beyond it
+/// would otherwise be left to rounding.
+constexpr double kBladePeriods = 2.0;
 /// How far beyond the tolerance a curve may lie for the sake of a blade that holds.
 constexpr double kAllowance = 2.0;
 /// Bounds on the periods that are tried with the blade's radius: 1, ½, ¼, … of the job's.
 constexpr int kPeriodBounds = 7;
 
-FitOptions fitOptions(const Job& job) {
+FitOptions fitOptions(const Job& job, double sectionLength) {
   FitOptions options;
   options.length = job.fitLength;
   options.endpoints = job.fitEndpoints;
   options.tangents = job.fitTangents;
-  options.maxPeriods = job.maxPeriods;
+  options.maxPeriods = std::min(job.maxPeriods, kBladePeriods * sectionLength / job.blade.length);
   return options;
 }
 
@@ -63,7 +66,7 @@ Result<Elastica> extendedBlade(const Elastica& fitted, double bladeLength) {
 }
 
 Result<FitResult> fitStation(const PlanarCurve& section, const Job& job, const FitResult* neighbour) {
-  FitOptions options = fitOptions(job);
+  FitOptions options = fitOptions(job, section.length());
   Result<FitResult> best = fitBesideNeighbour(section, options, neighbour);
   const double allowed = kAllowance * job.tolerance;
   if (!best || !usable(*best) || best->hausdorff > allowed || bladeHolds(*best, job.blade)) return best;
