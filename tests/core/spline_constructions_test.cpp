@@ -12,6 +12,7 @@
 #include <random>
 
 #include "bw/core/cases.h"
+#include "bw/core/elastica_bvp.h"
 
 namespace bw {
 
@@ -192,6 +193,52 @@ TEST(DuckSpline, KeepsGivenLengthsAndTangents) {
   for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(first.pieces[i].startAngle(), tangents.tangents[i], 1e-10);
   EXPECT_GT(first.largestJump, 1e-4);
   EXPECT_LT(first.largestKink, 1e-10);
+}
+
+TEST(DuckSpline, PiecesAreTheBladesThatRestBetweenTheirEnds) {
+  DuckOptions options = clamped();
+  options.mode = DuckOptions::Lengths::total;
+  options.totalLength = 470;
+  const DuckSpline spline = splineThroughDucks(kDucks, options).value();
+  EXPECT_TRUE(spline.stable);
+  for (const Elastica& piece : spline.pieces) {
+    const Elastica::State end = piece.at(piece.length());
+    const ClampedAnswer answer =
+        solveClamped({piece.start(), end.point, piece.startAngle(), end.angle, piece.length(), {}}).value();
+    EXPECT_NEAR(answer.solutions[0].energy, piece.energy(), 1e-7 * spline.energy);
+  }
+}
+
+TEST(DuckSpline, StableMeansThatOtherTangentsCostEnergy) {
+  for (const double stretch : {1.01, 1.06, 1.3}) {
+    DuckOptions options = clamped();
+    options.mode = DuckOptions::Lengths::given;
+    for (std::size_t i = 0; i + 1 < kDucks.size(); ++i)
+      options.lengths.push_back(stretch * (i % 2 == 0 ? 1 : 1.02) * (kDucks[i + 1] - kDucks[i]).norm());
+    const Result<DuckSpline> spline = splineThroughDucks(kDucks, options);
+    if (!spline) continue;
+    std::mt19937 random(5);
+    std::normal_distribution<double> normal(0, 1e-3);
+    bool lower = false;
+    int compared = 0;
+    for (int i = 0; i < 30; ++i) {
+      DuckOptions other = options;
+      other.tangents = {0.6};
+      for (std::size_t k = 1; k < 4; ++k)
+        other.tangents.push_back(spline->pieces[k].startAngle() + normal(random));
+      other.tangents.push_back(0.3);
+      const Result<DuckSpline> moved = splineThroughDucks(kDucks, other);
+      // Only neighbours on the same branch count.
+      if (!moved || std::abs(moved->energy / spline->energy - 1) > 0.01) continue;
+      ++compared;
+      lower = lower || moved->energy < spline->energy * (1 - 1e-12);
+    }
+    if (compared > 20) {
+      EXPECT_EQ(spline->stable, !lower) << stretch;
+    }
+  }
+  EXPECT_TRUE(splineThroughDucks(kDucks, clamped())->stable);
+  EXPECT_TRUE(splineThroughDucks({{0, 0}, {1, 0}, {2, 0}})->stable);
 }
 
 TEST(DuckSpline, TurnsAndScales) {

@@ -103,6 +103,7 @@ Result<ordered_json> elasticSpline(const Input& input) {
   result["pieces"] = piecesToJson(spline->pieces);
   result["length"] = spline->length;
   result["energy"] = spline->energy;
+  result["stable"] = spline->stable;
   result["largest_gap"] = spline->largestGap;
   result["largest_kink"] = spline->largestKink;
   result["largest_jump"] = spline->largestJump;

@@ -11,6 +11,7 @@
 #include "bw/core/number_text.h"
 #include "bw/core/spline_constructions.h"
 #include "constructions/duck_checks.h"
+#include "constructions/duck_stability.h"
 
 namespace bw {
 
@@ -290,6 +291,7 @@ Result<DuckSpline> splineThroughDucks(const std::vector<Eigen::Vector2d>& ducks,
                   "ducks");
   }
 
+  std::vector<Elastica> small;
   for (std::size_t i = 0; i < pieces; ++i) {
     const Eigen::Index k = Eigen::Index(i);
     const Result<Elastica> piece =
@@ -305,7 +307,12 @@ Result<DuckSpline> splineThroughDucks(const std::vector<Eigen::Vector2d>& ducks,
     if (i + 1 < pieces)
       result.largestJump = std::max(result.largestJump, std::abs(end.curvature - u[4 * (k + 1)] / unit));
     result.pieces.push_back(*piece);
+    small.push_back(piece->transformed(0, 1 / unit, Eigen::Vector2d::Zero()));
   }
+  std::vector<char> turns(ducks.size(), options.tangents.empty() ? 1 : 0);
+  if (options.startAngle) turns.front() = 0;
+  if (options.endAngle) turns.back() = 0;
+  result.stable = isChainStable(small, turns, options.mode);
   return result;
 }
 

@@ -78,6 +78,7 @@ struct DuckOptions {
 };
 
 struct DuckSpline {
+  bool stable = false;           ///< the spline rests so: a strict minimum of the energy under what holds it
   std::vector<Elastica> pieces;  ///< one between each two ducks
   double energy = 0;             ///< ½ ∫ κ² ds over all, 1/mm
   double length = 0;             ///< mm
@@ -87,9 +88,10 @@ struct DuckSpline {
   int iterations = 0;
 };
 
-/// The physical spline: an elastica chain through given points, a state of equilibrium near the cubic spline
-/// through them. With given tangents and free lengths each piece is its own free elastica. Gaps and kinks are
-/// below 1e-9 of the size. Fails on bad input, on a length shorter than the way between its ducks
+/// The physical spline: an elastica chain through given points, an equilibrium (stable or not: see the
+/// result) near the cubic spline through them. With given tangents and free lengths each piece is its own
+/// free elastica. Gaps and kinks are below 1e-9 of the size. Fails on bad input, on a length shorter than the
+/// way between its ducks
 /// (`noSolution`), and with `noSolution` where no equilibrium near is found: a spline that slides freely has
 /// none between ducks that turn too sharply, and one pressed along a straight line buckles to either side.
 [[nodiscard]] Result<DuckSpline> splineThroughDucks(const std::vector<Eigen::Vector2d>& ducks,
