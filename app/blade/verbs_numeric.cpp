@@ -63,6 +63,10 @@ void addNumericVerbs(CLI::App& app, const Session& session, Work& work) {
           "echo '{\"curve\": {\"type\": \"bezier\", \"poles\": [[0,0],[200,150],[400,150],[600,0]]}}' | "
           "blade fit",
           fitCases, true);
+  addVerb(app, session, work, "piecewise", "Approximate a plane curve by several elastica that meet smoothly",
+          "echo '{\"curve\": {\"type\": \"bezier\", \"poles\": [[0,0],[150,260],[300,-310],[450,270],[600,0]]},\n"
+          "    \"pieces\": 3, \"splits\": \"optimised\"}' | blade piecewise",
+          piecewiseCases, false);
   addBiarcVerb(app, session, work);
   addVerb(app, session, work, "spline",
           "A spline through points: a chain of elastica (as through ducks), of cubic Béziers, or cubic",

@@ -28,6 +28,9 @@ Result<CaseAnswer> elasticaCases(std::string_view json, const RunContext& contex
 /// `blade fit`: cases {curve, options} to the fitted elastica and its residuals.
 Result<CaseAnswer> fitCases(std::string_view json, const RunContext& context);
 
+/// `blade piecewise`: cases {curve, splits | pieces | tolerance, options} to a chain of elastica and its joints.
+Result<CaseAnswer> piecewiseCases(std::string_view json, const RunContext& context);
+
 /// `blade biarc`: cases {points, arcs | points_kept | tolerance, options} to arcs and measures. If `pictures` is given it receives one SVG
 /// text a case, empty for a case that failed.
 Result<CaseAnswer> biarcCases(std::string_view json, const RunContext& context,

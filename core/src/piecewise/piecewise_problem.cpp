@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "piecewise/piecewise_problem.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "fit/fit_guess.h"
+
+namespace bw::detail {
+namespace {
+
+using Eigen::Index;
+using Eigen::Vector2d;
+using Eigen::VectorXd;
+
+constexpr double kTurn = 2 * std::numbers::pi;
+// Pieces with more quadrature nodes than the first number are fitted on a Gauss rule with the second.
+constexpr std::size_t kManyPieceNodes = 48;
+constexpr int kPieceNodes = 24;
+
+// Tension at the middle of a piece (times its length squared) is bounded: beyond exp(√400) the far end of a
+// straight piece hangs on digits that the numbers of its start do not have.
+constexpr double kMostTension = 400;
+
+using Row = Eigen::Matrix<double, 7, 1>;
+
+}  // namespace
+
+std::shared_ptr<const Piece> makePiece(const PlanarCurve& curve, double from, double to) {
+  const Result<PlanarCurve> part = curve.subCurve(from, to);
+  if (!part) return nullptr;
+  // Smooth parts need few nodes; a chain of points keeps all of them for the end of its fit.
+  const bool many = part->quadrature().arc.size() > kManyPieceNodes;
+  const bool chain = part->kind() == PlanarCurve::Kind::points || part->degree() == 1;
+  FitTarget target = many && !chain ? FitTarget(*part, kPieceNodes) : FitTarget(*part);
+  std::optional<FitTarget> thinned;
+  if (many && chain) thinned.emplace(*part, kPieceNodes);
+  const FitTarget& coarse = thinned ? *thinned : target;
+  const AffineCurvature law = fitAffineCurvature(target);
+  const std::vector<Shape> starts{guessByLength(coarse, law).placement.shape, shapeFromLaw(coarse, law),
+                                  shapeFromAngles(coarse)};
+  const std::optional<FreeFitResult> free = freeFit(target, coarse, {}, starts, true);
+  if (!free) return nullptr;
+  return std::make_shared<Piece>(Piece{*part, std::move(target), *free});
+}
+
+// An end of a piece in the frame of the first piece's target, lengths in those of the curve, curvature in
+// pieces per length.
+struct PiecewiseProblem::End {
+  Vector2d point;
+  double angle = 0, curvature = 0;
+  Row slopeX = Row::Zero(), slopeY = Row::Zero(), slopeAngle = Row::Zero(), slopeCurvature = Row::Zero();
+};
+
+PiecewiseProblem::PiecewiseProblem(const std::vector<std::shared_ptr<const Piece>>& pieces, double length,
+                                   const PiecewiseOptions& options)
+    : pieces_(pieces), length_(length), options_(options), turns_(pieces.size(), 0.0) {
+  for (const auto& piece : pieces) {
+    fits_.emplace_back(piece->target, FitConstraints{}, false);
+    ends_.emplace_back(std::vector<double>{-0.5, 0.5});
+  }
+}
+
+VectorXd PiecewiseProblem::start() const {
+  VectorXd v(unknowns());
+  for (std::size_t i = 0; i < pieces_.size(); ++i)
+    v.segment(7 * static_cast<Index>(i), 7) = toVector(pieces_[i]->free.placement);
+  return v;
+}
+
+bool PiecewiseProblem::objective(const VectorXd& v, LeastSquaresModel* model, double& value) {
+  value = 0;
+  if (model != nullptr) {
+    model->half = VectorXd::Zero(unknowns());
+    model->gaussNewton = Eigen::MatrixXd::Zero(unknowns(), unknowns());
+  }
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    const Index at = 7 * static_cast<Index>(i);
+    double own = 0;
+    if (!fits_[i].objective(v.segment(at, 7), model != nullptr ? &part_ : nullptr, own)) return false;
+    const double scale = pieces_[i]->target.length / length_;
+    value += scale * scale * own;
+    if (model == nullptr) continue;
+    model->half.segment(at, 7) = scale * scale * part_.half;
+    model->gaussNewton.block(at, at, 7, 7) = scale * scale * part_.gaussNewton;
+  }
+  if (model != nullptr) model->value = value;
+  return std::isfinite(value);
+}
+
+PiecewiseProblem::End PiecewiseProblem::endOf(const VectorXd& all, std::size_t piece, bool atStart) {
+  const Index at = 7 * static_cast<Index>(piece);
+  const double* v = all.data() + at;
+  const FitTarget& target = pieces_[piece]->target;
+  const ShapeEvaluator& ends = ends_[piece];
+  const std::size_t end = atStart ? 0 : 1;
+  const double scale = target.length / length_;
+  const Vector2d factor = scale * std::exp(v[3]) * direction(v[4]);
+  const Vector2d placed = turned(factor, ends.point(end));
+  const Vector2d across = quarterTurn(placed);
+  End out;
+  out.point =
+      (target.centre - pieces_.front()->target.centre) / length_ + scale * Vector2d(v[5], v[6]) + placed;
+  out.angle = v[4] + ends.angle(end);
+  const double unit = 1 / (scale * static_cast<double>(pieces_.size()) * std::exp(v[3]));
+  out.curvature = ends.state(end).curvature * unit;
+  for (int j = 0; j < 3; ++j) {
+    const Vector2d slope = turned(factor, ends.pointDerivative(end, j));
+    out.slopeX[j] = slope.x();
+    out.slopeY[j] = slope.y();
+    out.slopeAngle[j] = ends.angleDerivative(end, j);
+    out.slopeCurvature[j] = ends.curvatureDerivative(end, j) * unit;
+  }
+  out.slopeX[3] = placed.x();
+  out.slopeY[3] = placed.y();
+  out.slopeX[4] = across.x();
+  out.slopeY[4] = across.y();
+  out.slopeX[5] = out.slopeY[6] = scale;
+  out.slopeAngle[4] = 1;
+  out.slopeCurvature[3] = -out.curvature;
+  return out;
+}
+
+void PiecewiseProblem::chooseBranches(const VectorXd& v) {
+  for (std::size_t i = 0; i < pieces_.size(); ++i)
+    ends_[i].evaluate(v.segment<3>(7 * static_cast<Index>(i)), false);
+  const auto angle = [&](std::size_t i, std::size_t end) {
+    return v[7 * static_cast<Index>(i) + 4] + ends_[i].angle(end);
+  };
+  for (std::size_t i = 0; i + 1 < pieces_.size(); ++i)
+    turns_[i] = kTurn * std::round((angle(i, 1) - angle(i + 1, 0)) / kTurn);
+  const std::size_t last = pieces_.size() - 1;
+  startTurn_ = kTurn * std::round((angle(0, 0) - pieces_.front()->target.startAngle) / kTurn);
+  endTurn_ = kTurn * std::round((angle(last, 1) - pieces_.back()->target.endAngle) / kTurn);
+}
+
+bool PiecewiseProblem::conditions(const VectorXd& v, Conditions& out) {
+  out.clear(unknowns());
+  if (!v.allFinite()) return false;
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    if (!ends_[i].evaluate(v.segment<3>(7 * static_cast<Index>(i)), true)) return false;
+  }
+  struct Meeting {
+    End left, right;
+  };
+  std::vector<Meeting> joints;
+  for (std::size_t i = 0; i + 1 < pieces_.size(); ++i)
+    joints.push_back({endOf(v, i, false), endOf(v, i + 1, true)});
+  int name = 0;
+  // A difference of the neighbours' ends: zero, or within a tolerance.
+  const auto meet = [&](std::size_t joint, double value, const Row& left, const Row& right, double sign) {
+    auto slope = out.slopes.col(out.add(value, name++));
+    slope.segment<7>(7 * static_cast<Index>(joint)) = sign * left;
+    slope.segment<7>(7 * static_cast<Index>(joint) + 7) = -sign * right;
+  };
+  const auto each = [&](auto&& take) {
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      const auto& [left, right] = joints[i];
+      const Vector2d gap = left.point - right.point;
+      const double position = options_.position / length_;
+      take(i, gap.x(), left.slopeX, right.slopeX, position);
+      take(i, gap.y(), left.slopeY, right.slopeY, position);
+      take(i, left.angle - right.angle - turns_[i], left.slopeAngle, right.slopeAngle, options_.angle);
+      if (options_.curvature)
+        take(i, left.curvature - right.curvature, left.slopeCurvature, right.slopeCurvature, 0.0);
+    }
+  };
+  each([&](std::size_t i, double value, const Row& left, const Row& right, double tolerance) {
+    if (tolerance == 0) meet(i, value, left, right, 1);
+  });
+  for (const bool atStart : {true, false}) {
+    if (!options_.endpoints && !options_.tangents) break;
+    const std::size_t piece = atStart ? 0 : pieces_.size() - 1;
+    const FitTarget& target = pieces_[piece]->target;
+    const End end = endOf(v, piece, atStart);
+    const Index at = 7 * static_cast<Index>(piece);
+    if (options_.endpoints) {
+      const Vector2d goal = (target.centre - pieces_.front()->target.centre +
+                             target.length * (atStart ? target.start : target.end)) /
+                            length_;
+      out.slopes.col(out.add(end.point.x() - goal.x(), name++)).segment<7>(at) = end.slopeX;
+      out.slopes.col(out.add(end.point.y() - goal.y(), name++)).segment<7>(at) = end.slopeY;
+    }
+    if (options_.tangents) {
+      const double goal = atStart ? target.startAngle + startTurn_ : target.endAngle + endTurn_;
+      out.slopes.col(out.add(end.angle - goal, name++)).segment<7>(at) = end.slopeAngle;
+    }
+  }
+  out.equalities = out.size();
+  each([&](std::size_t i, double value, const Row& left, const Row& right, double tolerance) {
+    if (tolerance == 0) return;
+    meet(i, value - tolerance, left, right, 1);
+    meet(i, -value - tolerance, left, right, -1);
+  });
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    const Index at = 7 * static_cast<Index>(i) + 1;
+    out.slopes(at, out.add(-v[at] / kMostTension - 1, name++)) = -1 / kMostTension;
+  }
+  return true;
+}
+
+}  // namespace bw::detail

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <vector>
+
+#include "bw/core/piecewise_fit.h"
+#include "fit/constrained_descent.h"
+#include "fit/fit_constrained.h"
+#include "fit/fit_free.h"
+
+namespace bw::detail {
+
+/// One part of the curve and its best elastica without regard to the neighbours.
+struct Piece {
+  PlanarCurve curve;
+  FitTarget target;
+  FreeFitResult free;
+};
+/// Empty if the part cannot be fitted.
+std::shared_ptr<const Piece> makePiece(const PlanarCurve& curve, double from, double to);
+
+/// A chain of elastica as one least-squares problem (docs/mathematics.md, 7): seven unknowns a piece, each in
+/// the frame of its own target; conditions where neighbours meet.
+class PiecewiseProblem : public ConstrainedProblem {
+ public:
+  /// `length` of the whole curve, mm.
+  PiecewiseProblem(const std::vector<std::shared_ptr<const Piece>>& pieces, double length,
+                   const PiecewiseOptions& options);
+
+  Eigen::Index unknowns() const override { return 7 * groups(); }
+  Eigen::Index groups() const override { return static_cast<Eigen::Index>(pieces_.size()); }
+  bool objective(const Eigen::VectorXd& v, LeastSquaresModel* model, double& value) override;
+  bool conditions(const Eigen::VectorXd& v, Conditions& out) override;
+
+  Eigen::VectorXd start() const;
+  /// Chooses the whole turns between the tangents at the joints.
+  void chooseBranches(const Eigen::VectorXd& v);
+
+ private:
+  struct End;
+  End endOf(const Eigen::VectorXd& v, std::size_t piece, bool atStart);
+
+  const std::vector<std::shared_ptr<const Piece>>& pieces_;
+  double length_;
+  const PiecewiseOptions& options_;
+  std::vector<ConstrainedFit> fits_;
+  std::vector<ShapeEvaluator> ends_;
+  std::vector<double> turns_;           ///< at the joints
+  double startTurn_ = 0, endTurn_ = 0;  ///< at the ends of the chain
+  LeastSquaresModel part_;
+};
+
+}  // namespace bw::detail
