@@ -10,7 +10,7 @@
 
 namespace bw::detail {
 
-/// A least-squares problem under conditions: what `descend` asks of it (docs/mathematics.md, 5.5). All
+/// A least-squares problem under conditions: what `descend` asks of it (docs/mathematics.md, 7.5). All
 /// quantities without dimension, of order one.
 class ConstrainedProblem {
  public:

@@ -245,9 +245,24 @@ Result<FitResult> fitElastica(const PlanarCurve& curve, const FitOptions& option
   }
 
   result.elastica = detail::toElastica(chosen.placement, full);
+  ConstrainedFit last(full, held, tangentNorm);
+  detail::Stationarity end = last.stationarity(detail::toPlacement(result.elastica, full), peaks);
+  if (!infeasible && (!chosen.converged || !(end.movement <= kConvergedMovement))) {
+    // The descent in three unknowns stalls where the shape hardly matters; all seven go on from there.
+    const ConstrainedFit::Solution finished = last.solve(chosen.placement);
+    chosen.iterations += finished.iterations;
+    if (finished.feasible && finished.value <= chosen.value * (1 + 1e-12)) {
+      const Elastica elastica = detail::toElastica(finished.placement, full);
+      const detail::Stationarity there =
+          last.stationarity(detail::toPlacement(elastica, full), finished.peaks);
+      if (finished.converged && (!chosen.converged || there.movement < end.movement)) {
+        chosen.converged = true;
+        result.elastica = elastica;
+        end = there;
+      }
+    }
+  }
   result.iterations = chosen.iterations;
-  const detail::Stationarity end =
-      ConstrainedFit(full, held, tangentNorm).stationarity(detail::toPlacement(result.elastica, full), peaks);
   result.gradientNorm = end.gradient;
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   result.R4 = std::sqrt(tangentNorm ? residualsOf(result.elastica, full).value : end.value);
@@ -255,8 +270,7 @@ Result<FitResult> fitElastica(const PlanarCurve& curve, const FitOptions& option
   const char* missed = "";
   result.violation = detail::largestMiss(result.elastica, full, constraints, missed);
   const std::string carried =
-      " (of its length, or rad): so near to a line with sharp bends, the seven numbers of an elastica do not "
-      "carry "
+      " (of its length, or rad): near a line with sharp bends the seven numbers of an elastica do not carry "
       "more digits.";
   if (infeasible) {
     result.status = FitStatus::infeasible;

@@ -42,7 +42,7 @@ struct FitConstraints {
   }
 };
 
-/// The fit with all seven unknowns: objective, conditions, and their derivatives (docs/mathematics.md, 5.5).
+/// The fit with all seven unknowns: objective, conditions, and their derivatives (docs/mathematics.md, 7.5).
 /// Unknowns in the order κ, f_t, f_n, ln length, angle, x, y of `Placement`.
 class ConstrainedFit : public ConstrainedProblem {
  public:

@@ -9,7 +9,7 @@
 
 namespace bw::detail {
 
-/// The affine law κ ≈ α + λ2 x − λ1 y of a target (thesis 2.4, 3.2; docs/mathematics.md, 5.2), in the frame
+/// The affine law κ ≈ α + λ2 x − λ1 y of a target (thesis 2.4, 3.2; docs/mathematics.md, 7.2), in the frame
 /// of the target.
 struct AffineCurvature {
   double alpha = 0;

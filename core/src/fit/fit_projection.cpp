@@ -157,6 +157,11 @@ bool ProjectedFit::polish(Eigen::Vector3d& x, int& steps) const {
   Eigen::Vector3d g;
   double value = 0;
   bool rough = true;
+  const auto toAllDigits = [&] {
+    rough = false;
+    evaluator_.setCoarse(false);
+    return gradient(x, g, value);
+  };
   if (!gradient(x, g, value)) return false;
   Eigen::Matrix3d gaussNewton = jacobian_.transpose() * jacobian_;
   Eigen::Matrix3d secant = Eigen::Matrix3d::Zero();
@@ -174,9 +179,7 @@ bool ProjectedFit::polish(Eigen::Vector3d& x, int& steps) const {
     }
     const Eigen::Vector3d step = factor.solve(-g);
     if (rough && step.norm() <= kRoughStep) {
-      rough = false;
-      evaluator_.setCoarse(false);
-      if (!gradient(x, g, value)) return false;
+      if (!toAllDigits()) return false;
       continue;
     }
     if (step.norm() <= kStepTolerance) return true;
@@ -190,7 +193,10 @@ bool ProjectedFit::polish(Eigen::Vector3d& x, int& steps) const {
         evaluated && (valueNext < value || (valueNext <= value * (1 + 1e-12) && gNext.norm() < g.norm()));
     if (!better) {
       if (evaluated && !rough && step.norm() <= kRoundingStep) return true;
-      if (++refusals > kMaxRefusals) return false;
+      if (++refusals > kMaxRefusals) {
+        if (!rough || !toAllDigits()) return false;
+        refusals = 0;
+      }
       secant.setZero();
       damping = std::max(10 * damping, 1e-2);
       continue;

@@ -15,7 +15,7 @@ struct FitObjective {
   std::optional<double> fixedLength;  ///< length of the elastica; empty = free
 };
 
-/// Variable projection (docs/mathematics.md, 5.4): for a given shape the best length, turn and place are a
+/// Variable projection (docs/mathematics.md, 7.4): for a given shape the best length, turn and place are a
 /// linear problem, so that only the three numbers of the shape are left. The residuals and Kaufman's Jacobian
 /// for Ceres' TinySolver.
 class ProjectedFit {

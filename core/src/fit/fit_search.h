@@ -10,7 +10,7 @@
 
 namespace bw::detail {
 
-/// Demands that are met by holding one of several bounds (docs/mathematics.md, 5.6).
+/// Demands that are met by holding one of several bounds (docs/mathematics.md, 7.6).
 struct FitDemands {
   bool simple = false;
   std::optional<int> maxInflections;

@@ -24,7 +24,7 @@ inline Eigen::Vector2d turnedBack(const Eigen::Vector2d& a, const Eigen::Vector2
 inline Eigen::Vector2d direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
 inline Eigen::Vector2d quarterTurn(const Eigen::Vector2d& v) { return {-v.y(), v.x()}; }
 
-/// The curve to approximate, moved to its centroid and scaled to length 1 (docs/mathematics.md, 5.1). Arc
+/// The curve to approximate, moved to its centroid and scaled to length 1 (docs/mathematics.md, 7.1). Arc
 /// length runs from −½ to ½.
 struct FitTarget {
   Eigen::Vector2d centre;  ///< of the curve, mm
@@ -46,7 +46,7 @@ struct FitTarget {
 };
 
 /// The shape of an elastica of length 1 in the frame of its middle: (κ, f_t, f_n) there
-/// (docs/mathematics.md, 5.1).
+/// (docs/mathematics.md, 7.1).
 using Shape = Eigen::Vector3d;
 
 /// The seven unknowns of a fit in the frame of the target: the shape, ln of the length, the tangent angle at

@@ -31,7 +31,7 @@ constexpr int kRounds = 2;
 constexpr int kTrials = 7;
 // Conditions that are met to this (lengths of the curve, rad) hold.
 constexpr double kHolds = 1e-6;
-// Neighbours that should be equal and are to this (lengths of the curve) in the given numbers need no word.
+// The golden section.
 constexpr double kGolden = 0.6180339887498949;
 
 tl::unexpected<Error> bad(const char* name, double value, const std::string& message) {

@@ -23,7 +23,7 @@ struct Piece {
 /// Empty if the part cannot be fitted.
 std::shared_ptr<const Piece> makePiece(const PlanarCurve& curve, double from, double to);
 
-/// A chain of elastica as one least-squares problem (docs/mathematics.md, 7): seven unknowns a piece, each in
+/// A chain of elastica as one least-squares problem (docs/mathematics.md, 8): seven unknowns a piece, each in
 /// the frame of its own target; conditions where neighbours meet.
 class PiecewiseProblem : public ConstrainedProblem {
  public:

@@ -48,7 +48,7 @@ enum class FitStatus {
 const char* fitStatusName(FitStatus status);
 
 /// What a free fit will come to, told by the residuals of the canonical guess alone: nine random curves in ten end within [low, high],
-/// one in twenty below and one in twenty above (docs/mathematics.md, 5.7).
+/// one in twenty below and one in twenty above (docs/mathematics.md, 7.7).
 struct FitForecast {
   double R4 = 0, low = 0, high = 0;
 
