@@ -272,7 +272,7 @@ class Sectioner {
     const Frame frame = frameAt(level);
     const auto issue = [&](Severity severity, const char* kind, const std::string& message,
                            const std::optional<Eigen::Vector3d>& point) {
-      outcome.issues.push_back({severity, kind, message, {"station " + std::to_string(station), {}, station, point}});
+      outcome.issues.push_back({severity, kind, message, {stationName(station), {}, station, point}});
     };
 
     struct Part {
@@ -300,18 +300,18 @@ class Sectioner {
     }
     if (parts.empty() && speck > 0) {
       issue(Severity::warning, "section-short",
-            "station " + std::to_string(station) + " is left out: its plane meets the target only in a point", frame.origin);
+            stationName(station) + " is left out: its plane meets the target only in a point", frame.origin);
       return outcome;
     }
     if (parts.empty()) {
       issue(Severity::warning, "section-missing",
-            "station " + std::to_string(station) + " is left out: its plane does not meet the target inside the block",
+            stationName(station) + " is left out: its plane does not meet the target inside the block",
             frame.origin);
       return outcome;
     }
     if (parts.size() > 1) {
       issue(Severity::warning, "section-branches",
-            "station " + std::to_string(station) + " is left out: its plane cuts the target in " +
+            stationName(station) + " is left out: its plane cuts the target in " +
                 std::to_string(parts.size()) +
                 " separate curves; place the block so that only one of them lies in it, choose another direction or fewer faces",
             parts.front().samples.front().node.p);
@@ -320,14 +320,14 @@ class Sectioner {
     Part& part = parts.front();
     if (part.closed) {
       issue(Severity::warning, "section-closed",
-            "station " + std::to_string(station) +
+            stationName(station) +
                 " is left out: its plane cuts the target in a closed curve, which no blade can follow; choose one side of the solid",
             part.samples.front().node.p);
       return outcome;
     }
     if (cut.doubtful) {
       issue(Severity::info, "section-border",
-            "station " + std::to_string(station) + ": a border of the target could not be matched with the section",
+            stationName(station) + ": a border of the target could not be matched with the section",
             part.samples.front().node.p);
     }
 
@@ -336,7 +336,7 @@ class Sectioner {
     for (int round = 0;; ++round) {
       auto fit = fitCurve(runsOf(part.samples, frame), kFitTolerance);
       if (!fit) {
-        issue(Severity::warning, "section-fit", "station " + std::to_string(station) + " is left out: " + fit.error().message,
+        issue(Severity::warning, "section-fit", stationName(station) + " is left out: " + fit.error().message,
               part.samples.front().node.p);
         return outcome;
       }
@@ -346,7 +346,7 @@ class Sectioner {
     }
     if (best->deviation > 1e-3) {
       issue(Severity::warning, "section-fit",
-            "station " + std::to_string(station) + ": the section is so rough that its spline keeps within " +
+            stationName(station) + ": the section is so rough that its spline keeps within " +
                 shortText(best->deviation) + " mm of it only",
             part.samples.front().node.p);
     }
@@ -581,10 +581,10 @@ Result<std::vector<Section>> cutSections(const Target& target, const Setup& give
       if (outcome.length < shortest) {
         const int station = outcome.section->index;
         issues.push_back({Severity::warning, "section-short",
-                          "station " + std::to_string(station) + " is left out: its section is only " +
+                          stationName(station) + " is left out: its section is only " +
                               shortText(outcome.length) + " mm long (less than " + shortText(shortest) +
                               " mm), too short to hold a blade to",
-                          {"station " + std::to_string(station), {}, station,
+                          {stationName(station), {}, station,
                            outcome.section->frame.toWorld(outcome.section->curve.value(outcome.section->curve.start()))}});
         continue;
       }

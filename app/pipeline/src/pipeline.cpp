@@ -68,7 +68,7 @@ bool reuse(Stage<T>& stage, const Stage<T>* before, const std::string& key) {
 /// What the message of a station says apart from its name, or empty if it is not about one station.
 std::string withoutStation(const Issue& issue) {
   if (!issue.where.station) return {};
-  const std::string name = "station " + std::to_string(*issue.where.station);
+  const std::string name = stationName(*issue.where.station);
   return issue.message.compare(0, name.size(), name) == 0 ? issue.message.substr(name.size()) : std::string();
 }
 
@@ -86,8 +86,8 @@ Issues grouped(const Issues& issues) {
     if (j > i) {
       std::string rest = text;
       if (rest.compare(0, 12, " is left out") == 0) rest.replace(0, 12, " are left out");
-      result.back().message = "stations " + std::to_string(*issues[i].where.station) + " to " +
-                              std::to_string(*issues[j].where.station) + rest;
+      result.back().message = "stations " + std::to_string(*issues[i].where.station + 1) + " to " +
+                              std::to_string(*issues[j].where.station + 1) + rest;
     }
     i = j;
   }

@@ -33,6 +33,8 @@ void checkFailed(const char* condition, const char* file, int line) {
   std::abort();
 }
 
+std::string stationName(int index) { return "station " + std::to_string(index + 1); }
+
 const char* severityName(Severity severity) {
   switch (severity) {
     case Severity::info:

@@ -8,6 +8,8 @@
 #include <array>
 #include <cmath>
 
+#include "bw/core/issue.h"
+
 namespace bw {
 
 namespace {
@@ -100,9 +102,9 @@ Result<SplineSurface> interpolateGrid(const SurfaceGrid& grid, const std::vector
   for (int r = 1; r < grid.rows; ++r)
     if (!(rowParameters[std::size_t(r)] > rowParameters[std::size_t(r - 1)]))
       return fail(ErrorCode::badInput,
-                  "stations " + std::to_string(r - 1) + " and " + std::to_string(r) +
+                  "stations " + std::to_string(r) + " and " + std::to_string(r + 1) +
                       " coincide, so no surface can be laid through them; use fewer stations",
-                  "station " + std::to_string(r));
+                  stationName(r));
   SplineSurface surface;
   surface.polesU = grid.columns;
   surface.polesV = grid.rows;

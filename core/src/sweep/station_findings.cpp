@@ -27,7 +27,7 @@ struct Stretch {
 };
 
 std::string placeOf(const std::vector<Station>& stations, const Stretch& stretch) {
-  const auto index = [&](std::size_t i) { return std::to_string(stations[i].index); };
+  const auto index = [&](std::size_t i) { return std::to_string(stations[i].index + 1); };
   if (stretch.first == stretch.last) return "station " + index(stretch.first);
   const std::string range = index(stretch.first) + " to " + index(stretch.last);
   const bool all = stretch.count == stretch.last - stretch.first + 1;
@@ -63,7 +63,7 @@ void reportStretches(const std::vector<Station>& stations, Severity severity, co
     const Station& w = stations[stretch.worst];
     const Eigen::Vector3d middle = w.frame.toWorld(w.fit.elastica.point(0.5 * w.fit.elastica.length()));
     issues.push_back({severity, kind, placeOf(stations, stretch) + ": " + text(w),
-                      Place{"station " + std::to_string(w.index), 0, w.index, middle}});
+                      Place{stationName(w.index), 0, w.index, middle}});
   }
 }
 

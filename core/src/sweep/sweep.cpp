@@ -64,7 +64,7 @@ Result<Sweep> buildSweep(std::vector<Section> sections, const Job& job, const Bo
     Section& section = sections[i];
     Result<FitResult> fit =
         detail::fitStation(section.curve, job, i == 0 ? nullptr : &sweep.stations.back().fit);
-    const std::string name = "station " + std::to_string(section.index);
+    const std::string name = stationName(section.index);
     if (!fit) {
       Error error = fit.error();
       error.message = name + ": " + error.message;
@@ -93,10 +93,10 @@ Result<Sweep> buildSweep(std::vector<Section> sections, const Job& job, const Bo
     const double needed = std::ceil(longest + 2 * job.clearance);
     return fail(ErrorCode::badInput,
                 "the blade of " + shortText(job.blade.length, 5) +
-                    " mm is shorter than the section of station " + std::to_string(longestIndex) + " (" +
+                    " mm is shorter than the section of " + stationName(longestIndex) + " (" +
                     shortText(longest, 6) + " mm); choose a blade of at least " + shortText(needed, 6) +
                     " mm, a smaller block, or another cutting direction",
-                "station " + std::to_string(longestIndex), job.blade.length, needed);
+                stationName(longestIndex), job.blade.length, needed);
   }
   for (Station& station : sweep.stations) {
     const double length = station.fit.elastica.length();

@@ -16,6 +16,9 @@ enum class Severity { info, warning, error };
 /// "info", "warning" or "error".
 const char* severityName(Severity severity);
 
+/// "station 8" for the index 7: texts for people count from 1, as the window does; indices in data count from 0.
+std::string stationName(int index);
+
 /// The place of a finding: everything that the window needs to select and frame it.
 struct Place {
   std::string text = {};                              ///< in words, for instance "station 12"
