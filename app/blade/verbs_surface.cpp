@@ -145,16 +145,17 @@ int runRender(const Session& session, const RenderOptions& options) {
     return session.complain(
         {ErrorCode::badInput,
          "--size must be WIDTHxHEIGHT with 64 to 8192 pixels each, not \"" + options.size + "\"", "size"});
-  const std::vector<std::string> fields = {"deviation",      "angle",     "speed",
-                                           "relative_speed", "curvature", "none"};
+  const std::vector<std::string> fields = {"deviation", "angle",  "speed", "relative_speed",
+                                           "curvature", "stress", "none"};
   std::string field = options.field;
   if (std::find(fields.begin(), fields.end(), field) == fields.end()) {
     const std::string nearest = nearestWord(field, fields.data(), int(fields.size()));
     return session.complain(
         {ErrorCode::badInput,
          "there is no field \"" + field + "\"" +
-             (nearest.empty() ? "; the fields are deviation, angle, speed, relative_speed, curvature and none"
-                              : "; did you mean \"" + nearest + "\"?"),
+             (nearest.empty()
+                  ? "; the fields are deviation, angle, speed, relative_speed, curvature, stress and none"
+                  : "; did you mean \"" + nearest + "\"?"),
          "field"});
   }
   const Result<Design> design = designOf(options.path);
@@ -248,7 +249,8 @@ void addSurfaceVerbs(CLI::App& app, const Session& session, Work& work) {
     CLI::App* verb = app.add_subcommand("render", "A picture of a result or a design, without a display");
     const auto options = std::make_shared<RenderOptions>();
     verb->add_option("PATH", options->path, "Folder of results, or a .bladewright file")->required();
-    verb->add_option("--field", options->field, "deviation, angle, speed, relative_speed, curvature or none")
+    verb->add_option("--field", options->field,
+                     "deviation, angle, speed, relative_speed, curvature, stress or none")
         ->type_name("NAME");
     verb->add_option("--view", options->view, "iso, top, bottom, front, back, left or right")
         ->type_name("NAME");

@@ -80,6 +80,11 @@ TEST(SweepAnalysis, FindsTheSphereAgain) {
   // The smallest radius is that of the outermost circle.
   EXPECT_NEAR(analysis->summary.minRadius, std::sqrt(kRadius * kRadius - 300.0 * 300.0), 1e-3);
   EXPECT_TRUE(analysis->issues.empty()) << analysis->issues.front().message;
+  // The middle station lies on a great circle: σ = E e / R everywhere.
+  const Field& stress = *analysis->cut.field("stress");
+  for (int c = 0; c <= 100; ++c)
+    EXPECT_NEAR(stress.values[std::size_t(analysis->stationRow[15]) * 101 + std::size_t(c)],
+                job.blade.youngModulus * job.blade.fibreDistance() / kRadius, 1e-6);
 }
 
 TEST(SweepAnalysis, VelocityFollowsTheMaterialPoints) {

@@ -90,12 +90,19 @@ std::string stationsCsv(const Sweep& sweep) {
   return lines.take();
 }
 
+const char* unitSuffix(const std::string& unit) {
+  if (unit == "°") return "_deg";
+  if (unit == "mm/s") return "_mm_s";
+  if (unit == "N/mm²") return "_N_mm2";
+  return "_mm";
+}
+
 std::string deviationCsv(const SurfaceGrid& cut) {
   Lines lines(cut.points.size() * 80);
   lines.text("row,column,x_mm,y_mm,z_mm");
   for (const Field& field : cut.fields) {
     lines.text(",").text(field.name);
-    if (!field.unit.empty()) lines.text(field.unit == "°" ? "_deg" : field.unit == "mm/s" ? "_mm_s" : "_mm");
+    if (!field.unit.empty()) lines.text(unitSuffix(field.unit));
   }
   lines.text("\n");
   std::size_t k = 0;

@@ -198,13 +198,12 @@ Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const Job& job, const SurfaceSa
   cut.columns = kColumns;
   cut.rows = (n - 1) * between + 1;
   cut.points.resize(std::size_t(cut.rows) * kColumns);
-  cut.fields = {{"deviation", "Deviation", "mm", {}},
-                {"angle", "Cutting angle", "°", {}},
-                {"speed", "Blade speed", "mm/s", {}},
-                {"relative_speed", "Relative speed", "", {}},
-                {"curvature", "Curvature / limit", "", {}}};
+  cut.fields = {{"deviation", "Deviation", "mm", {}},       {"angle", "Cutting angle", "°", {}},
+                {"speed", "Blade speed", "mm/s", {}},       {"relative_speed", "Relative speed", "", {}},
+                {"curvature", "Curvature / limit", "", {}}, {"stress", "Bending stress", "N/mm²", {}}};
   for (Field& field : cut.fields) field.values.resize(cut.points.size());
   for (int i = 0; i < n; ++i) result.stationRow.push_back(i * between);
+  const double stressAtLimit = sweep.blade.stress(sweep.blade.maxCurvature());
   std::mutex errorMutex;
   std::optional<Error> firstError;
   int firstErrorChunk = kChunks;
@@ -247,6 +246,7 @@ Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const Job& job, const SurfaceSa
         cut.fields[2].values[at] = blend(va.speed, vb.speed, c);
         cut.fields[3].values[at] = blend(va.relative, vb.relative, c);
         cut.fields[4].values[at] = blend(curvature[std::size_t(i)], curvature[std::size_t(i + 1)], c);
+        cut.fields[5].values[at] = stressAtLimit * cut.fields[4].values[at];
         feet[std::size_t(c)] = *foot;
       }
     }

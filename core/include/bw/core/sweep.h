@@ -82,7 +82,7 @@ struct SweepSummary {
 /// The cut surface with its fields, and what was found.
 struct SweepAnalysis {
   /// Sampled finely: every station and rows between. Fields "deviation" (mm, signed), "angle" (°), "speed" (mm/s),
-  /// "relative_speed" (0…1), "curvature" (|κ| over the limit).
+  /// "relative_speed" (0…1), "curvature" (|κ| over the limit), "stress" (N/mm², of bending in the outermost fibre).
   SurfaceGrid cut;
   SplineSurface surface;        ///< the smooth skin through the stations
   std::vector<int> stationRow;  ///< row of `cut` of each station
