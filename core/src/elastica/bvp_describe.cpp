@@ -46,12 +46,26 @@ SampledSolution sample(const UnitSolution& solution) {
   result.samples.angle.resize(count);
   result.samples.curvature.resize(count);
   result.samples.force = solution.shape.tail<2>();
-  walk(solution.shape, nodes.head(front), [&](Index i, double angle, double curvature) {
+  // Beyond this many decay lengths from its grips a taut blade is straight to 1e-10; what a walk finds there
+  // is rounding.
+  constexpr double kDecayed = 23;
+  const double root = std::sqrt(result.samples.force.norm());
+  const auto straight = [&](double arc) { return solution.straightAngle && arc * root > kDecayed; };
+  const VectorXd fromStart = nodes.head(front);
+  const VectorXd fromEnd = (1 - nodes.tail(count - front).array()).reverse();
+  const auto bent = [&](const VectorXd& arcs) {
+    return VectorXd(
+        arcs.head(std::count_if(arcs.begin(), arcs.end(), [&](double arc) { return !straight(arc); })));
+  };
+  if (solution.straightAngle) {
+    result.samples.angle.setConstant(*solution.straightAngle);
+    result.samples.curvature.setZero();
+  }
+  walk(solution.shape, bent(fromStart), [&](Index i, double angle, double curvature) {
     result.samples.angle(i) = angle;
     result.samples.curvature(i) = curvature;
   });
-  const VectorXd fromEnd = (1 - nodes.tail(count - front).array()).reverse();
-  walk(solution.back, fromEnd, [&](Index i, double angle, double curvature) {
+  walk(solution.back, bent(fromEnd), [&](Index i, double angle, double curvature) {
     result.samples.angle(count - 1 - i) = solution.turning + angle;
     result.samples.curvature(count - 1 - i) = -curvature;
   });
@@ -124,13 +138,12 @@ Result<Elastica> place(const ClampedProblem& problem, const UnitSolution& soluti
 }
 
 Result<ClampedSolution> describe(const ClampedProblem& problem, const UnitSolution& solution,
-                                 double torsionRatio) {
+                                 const SampledSolution& sampled, double torsionRatio) {
   const Result<Elastica> blade = place(problem, solution);
   if (!blade) return tl::unexpected<Error>(blade.error());
   ClampedSolution result;
   result.elastica = *blade;
   result.turning = solution.turning;
-  const SampledSolution sampled = sample(solution);
   result.energy = energyOf(sampled) / problem.length;
   const ClampedMargins margins = clampedMargins(*sampled.modes, sampled.samples, torsionRatio);
   result.stabilityMargin = margins.inPlane;
@@ -139,7 +152,19 @@ Result<ClampedSolution> describe(const ClampedProblem& problem, const UnitSoluti
   const ClampedSensitivity sensitivity = sensitivityOf(sampled);
   result.sensitivity.perMm = sensitivity.perMm;
   result.sensitivity.perDegree = sensitivity.perDegree * problem.length * kDegree;
-  result.selfIntersects = blade->selfIntersects();
+  result.selfIntersects = !solution.straightAngle && blade->selfIntersects();
+  if (solution.straightAngle) {
+    // The bends decay like tan ¼α exp(−√f s) from either grip; bent opposite ways, their curvatures cancel
+    // where they are equal.
+    if (solution.shape(0) * solution.back(0) > 0) {
+      const double first = std::tan(0.25 * std::abs(*solution.straightAngle));
+      const double second = std::tan(0.25 * std::abs(solution.turning - *solution.straightAngle));
+      const double root = std::sqrt(solution.shape.tail<2>().norm());
+      result.inflections = {problem.length * (0.5 + std::log(first / second) / (2 * root))};
+    }
+    result.endError = (blade->at(problem.length).point - problem.end).norm();
+    return result;
+  }
   // Each half from its own end.
   const Result<Elastica> front = Elastica::make({0, 0}, 0, solution.shape(0), solution.shape.tail<2>(), 0.5);
   const Result<Elastica> back = Elastica::make({0, 0}, 0, solution.back(0), solution.back.tail<2>(), 0.5);
@@ -147,9 +172,11 @@ Result<ClampedSolution> describe(const ClampedProblem& problem, const UnitSoluti
   for (const double s : front->inflections()) result.inflections.push_back(s * problem.length);
   std::vector<double> fromEnd = back->inflections();
   std::reverse(fromEnd.begin(), fromEnd.end());
+  // One in the middle is seen from both sides.
+  constexpr double kSameInflection = 1e-3;
   for (const double s : fromEnd)
-    if (result.inflections.empty() ||
-        (1 - s) * problem.length > result.inflections.back() + 1e-9 * problem.length)
+    if (result.inflections.empty() || s < 0.5 - kSameInflection ||
+        (1 - s) * problem.length > result.inflections.back() + kSameInflection * problem.length)
       result.inflections.push_back((1 - s) * problem.length);
   result.endError = (blade->at(problem.length).point - problem.end).norm();
   return result;

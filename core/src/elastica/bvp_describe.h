@@ -24,8 +24,8 @@ ClampedSensitivity sensitivityOf(const SampledSolution& sampled);
 /// The blade itself.
 Result<Elastica> place(const ClampedProblem& problem, const UnitSolution& solution);
 
-/// All that is said about a solution.
+/// All that is said about a solution, already sampled.
 Result<ClampedSolution> describe(const ClampedProblem& problem, const UnitSolution& solution,
-                                 double torsionRatio);
+                                 const SampledSolution& sampled, double torsionRatio);
 
 }  // namespace bw::detail

@@ -18,6 +18,12 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kTaut = 22;
 /// Solutions whose halves miss each other by more in the middle hang on digits that no number here has.
 constexpr double kLargestGap = 1e-4;
+/// A taut blade's tangents lie within this of its chord, rad.
+constexpr double kLargestBend = 2.4;
+/// √f L of a blade that counts as taut, and of one with a stretch that is straight to 1e-6 between its bends.
+constexpr double kLeastTaut = 12;
+constexpr double kStraightStretch = 30;
+constexpr double kSettledTaut = 1e-10;
 
 /// Carlson's R_F(x, y, z) and R_D(x, y, z) in one duplication.
 struct Carlson {
@@ -210,6 +216,35 @@ class Search {
       for (const int direction : {1, -1}) cells({n, direction}, false);
   }
 
+  /// See `tautShape`; the turning is not negative.
+  std::optional<UnitSolution> taut() const {
+    const double start = -std::atan2(problem_.end.y(), problem_.end.x());  // tangents against the chord
+    const double end = start + problem_.turning;
+    const double missing = 1 - problem_.end.norm();
+    if (!(std::abs(start) < kLargestBend && std::abs(end) < kLargestBend) || start * end == 0)
+      return std::nullopt;
+    // Each bend, a part of the single loop, is longer than its chord by 2 (1 − cos ½α) / √f.
+    const double root = 2 * (2 - std::cos(0.5 * start) - std::cos(0.5 * end)) / missing;
+    if (!(root > kLeastTaut)) return std::nullopt;
+    const bool oneWay = start * end < 0;
+    const Sheet sheet{oneWay ? 0 : 1, oneWay || start < 0 ? 1 : -1};
+    // Against the force, which pulls back along the chord.
+    const double a = start + (start > 0 || oneWay ? -kPi : kPi);
+    double low = 1e-3, high = 0.5 * root + 50;
+    for (int i = 0; i < 40 && high - low > 1e-3; ++i) {
+      const double t = 0.5 * (low + high);
+      (Sheets::image(node(oneWay, a, t), sheet).root < root ? low : high) = t;
+    }
+    std::optional<UnitSolution> found = settleTaut(sheet, oneWay, a, 0.5 * (low + high), true);
+    if (!found) return std::nullopt;
+    const double reached = std::sqrt(found->shape.tail<2>().norm());
+    if (found->error > kSettledTaut) return std::nullopt;
+    // Against the force's opposite, in the frame of the start.
+    if (reached > kStraightStretch)
+      found->straightAngle = std::remainder(std::atan2(-found->shape(2), -found->shape(1)), 2 * kPi);
+    return found;
+  }
+
   void oneWay() {
     if (!(problem_.turning > 1e-12)) return;
     constexpr int kAngles = 65;
@@ -276,7 +311,7 @@ class Search {
     const UnitShape shape = Sheets::shape(start, sheet);
     if (!shape.allFinite()) return;
     const std::optional<UnitSolution> found =
-        phaseOf(shape) < kTaut ? settle(problem_, shape, 14) : settleTaut(sheet, oneWay, a, t);
+        phaseOf(shape) < kTaut ? settle(problem_, shape, 14) : settleTaut(sheet, oneWay, a, t, false);
     if (!found) return;
     for (const UnitSolution& other : out_)
       if (sameShape(other.shape, found->shape)) return;
@@ -289,7 +324,8 @@ class Search {
 
   /// Newton's method in the sheet itself, where the force angle and the level keep their digits however taut
   /// the blade is.
-  std::optional<UnitSolution> settleTaut(const Sheet& sheet, bool oneWay, double a, double t) const {
+  std::optional<UnitSolution> settleTaut(const Sheet& sheet, bool oneWay, double a, double t,
+                                         bool keepUnsettled) const {
     const auto miss = [&](double angle, double level) {
       const Image image = Sheets::image(node(oneWay, angle, level), sheet);
       return Vector2d(image.x - problem_.end.x(), image.y - problem_.end.y());
@@ -336,7 +372,7 @@ class Search {
     if (const std::optional<UnitSolution> settled = settle(problem_, result.shape, 4);
         settled && sameShape(settled->shape, result.shape))
       return settled;
-    if (!(gapInTheMiddle(problem_, result) < kLargestGap)) return std::nullopt;
+    if (!keepUnsettled && !(gapInTheMiddle(problem_, result) < kLargestGap)) return std::nullopt;
     return result;
   }
 
@@ -356,6 +392,29 @@ class Search {
 
 }  // namespace
 
+namespace {
+
+UnitSolution mirrorOf(UnitSolution solution) {
+  solution.shape = mirrored(solution.shape);
+  solution.back = mirrored(solution.back);
+  solution.turning = -solution.turning;
+  if (solution.straightAngle) solution.straightAngle = -*solution.straightAngle;
+  // x, y, ψ by κ, f_t, f_n: what changes sign in the mirror.
+  const Eigen::Vector3d rows(1, -1, -1), columns(-1, 1, -1);
+  solution.jacobian = (rows.asDiagonal() * solution.jacobian * columns.asDiagonal()).eval();
+  return solution;
+}
+
+}  // namespace
+
+std::optional<UnitSolution> tautShape(const UnitProblem& problem) {
+  std::vector<UnitSolution> none;
+  if (problem.turning >= 0) return Search(problem, none).taut();
+  const UnitProblem turned = problem.mirrored();
+  const std::optional<UnitSolution> found = Search(turned, none).taut();
+  return found ? std::optional(mirrorOf(*found)) : std::nullopt;
+}
+
 std::vector<UnitSolution> allShapes(const UnitProblem& problem, int maxInflections) {
   const bool mirror = problem.turning < 0;
   const UnitProblem turned = mirror ? problem.mirrored() : problem;
@@ -364,14 +423,7 @@ std::vector<UnitSolution> allShapes(const UnitProblem& problem, int maxInflectio
   search.oneWay();
   search.swinging(maxInflections);
   if (mirror)
-    for (UnitSolution& solution : result) {
-      solution.shape = mirrored(solution.shape);
-      solution.back = mirrored(solution.back);
-      solution.turning = -solution.turning;
-      // x, y, ψ by κ, f_t, f_n: what changes sign in the mirror.
-      const Eigen::Vector3d rows(1, -1, -1), columns(-1, 1, -1);
-      solution.jacobian = (rows.asDiagonal() * solution.jacobian * columns.asDiagonal()).eval();
-    }
+    for (UnitSolution& solution : result) solution = mirrorOf(solution);
   return result;
 }
 

@@ -39,13 +39,65 @@ std::pair<typename ElasticaFlow<Directions>::Block, double> flowTo(const UnitSha
 
 }  // namespace
 
+namespace {
+
+/// Columns by which the derivatives in closed form differ less than this (of their lengths' product) lose too
+/// many digits.
+constexpr double kIndependent = 1e-4;
+
+/// ∂(x, y, ψ)(1)/∂(κ, f_t, f_n) from the end state alone, by scaling, by turning against sliding, and by the
+/// third variation (docs/mathematics.md, 6). False near circles and other places where the three say the
+/// same.
+bool closedJacobian(const UnitShape& q, const UnitShot& shot, Eigen::Matrix3d& jacobian) {
+  using Eigen::Vector2d;
+  using Eigen::Vector3d;
+  const double k0 = q(0), ft = q(1), fn = q(2), square = ft * ft + fn * fn;
+  if (!(square > 1)) return false;
+  const double k1 = shot.curvature;
+  const Vector2d p = shot.end.head<2>(), across(-p.y(), p.x());
+  const double c = std::cos(shot.end(2)), s = std::sin(shot.end(2));
+  const Vector2d t1(c, s), n1(-s, c), n0(0, 1), force(ft, fn), forceAcross(-fn, ft);
+  const double slope = fn * c - ft * s;      // κ'(1)
+  const double constant = k0 * k0 - 2 * ft;  // κ² − 2 λ·t
+  const double along = force.dot(p);
+
+  Eigen::Matrix3d change, response;
+  change.col(0) << k0, 2 * ft, 2 * fn;
+  response.col(0) << t1 - p, k1;
+  change.col(1) << -fn, -k0 * fn, k0 * ft;
+  response.col(1) << k0 * across - (t1 - Vector2d(1, 0)), k0 - k1;
+  change.col(2) << k0 * (k0 * k0 - 4 * ft), 4 * fn * fn, -4 * fn * ft;
+  const auto cubic = [&](double k) { return k * (k * k / 3 - constant); };
+  const Vector2d sixfold = (2 * (square - constant * along - (k1 * slope - k0 * fn)) / square) * force -
+                           (3 * (cubic(k1) - cubic(k0)) / square) * forceAcross;
+  const Vector2d place =
+      constant * t1 + 3 * constant * p + 2 * along * t1 + sixfold + 4 * (k1 * n1 - k0 * n0) - 4 * fn * across;
+  response.col(2) << place, constant * k1 + 2 * k1 * along + 4 * (slope - fn);
+
+  // In units in which curvatures and forces of this blade are about 1.
+  const double root = std::sqrt(std::sqrt(square));
+  const Vector3d unit(1 / root, 1 / (root * root), 1 / (root * root));
+  const Eigen::Matrix3d scaled = unit.asDiagonal() * change;
+  const double volume = std::abs(scaled.determinant());
+  if (!(volume > kIndependent * scaled.col(0).norm() * scaled.col(1).norm() * scaled.col(2).norm()))
+    return false;
+  jacobian = response * scaled.inverse() * unit.asDiagonal();
+  return true;
+}
+
+}  // namespace
+
 UnitShot shoot(const UnitShape& q) {
+  UnitShot shot;
+  {
+    const auto [block, unit] = flowTo<0>(q, 1);
+    shot.end = {block(0, 0) * unit, block(1, 0) * unit, block(2, 0)};
+    shot.curvature = block(3, 0) / unit;
+  }
+  if (closedJacobian(q, shot, shot.jacobian)) return shot;
   const auto [block, unit] = flowTo<3>(q, 1);
   const Eigen::Vector3d rows(unit, unit, 1), columns(unit, unit * unit, unit * unit);
-  UnitShot shot;
-  shot.end = block.col(0).head<3>().matrix().cwiseProduct(rows);
-  shot.jacobian = rows.asDiagonal() * block.block<3, 3>(0, 1).matrix() * columns.asDiagonal();
-  shot.curvature = block(3, 0) / unit;
+  shot.jacobian = rows.asDiagonal() * block.template block<3, 3>(0, 1).matrix() * columns.asDiagonal();
   return shot;
 }
 

@@ -44,6 +44,9 @@ struct UnitSolution {
   double turning = 0;
   Eigen::Matrix3d jacobian = Eigen::Matrix3d::Zero();
   double error = 0;  ///< largest of the end's misses, in lengths and rad
+  /// Tangent angle of the straight stretch between the bends at the grips, where the blade is so taut that
+  /// there is one.
+  std::optional<double> straightAngle = std::nullopt;
 };
 
 /// Newton's method from `shape`; empty if it does not settle within `iterations`.

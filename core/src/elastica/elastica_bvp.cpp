@@ -21,6 +21,8 @@ namespace {
 
 /// A blade at the end of this margin would snap at a breath: numerically neither stable nor unstable.
 constexpr double kOnTheFold = 1e-7;
+/// A sketch's energy is wrong by no more than this factor.
+constexpr double kSketchError = 1.01;
 /// Energies closer than this part are the same.
 constexpr double kSameEnergy = 1e-9;
 
@@ -28,25 +30,33 @@ constexpr double kSameEnergy = 1e-9;
 std::optional<UnitSolution> restFromSketches(const CheckedProblem& problem, double maxTurning) {
   std::optional<UnitSolution> best;
   double bestEnergy = std::numeric_limits<double>::infinity();
+  const auto consider = [&](const UnitSolution& found) {
+    const SampledSolution sampled = sample(found);
+    const double energy = energyOf(sampled);
+    if (energy >= bestEnergy * (1 - kSameEnergy)) return;
+    if (!(clampedMargins(*sampled.modes, sampled.samples, {}).inPlane > kOnTheFold)) return;
+    best = found;
+    bestEnergy = energy;
+  };
   for (const double turning : problem.turnings(maxTurning)) {
     // No blade turns so far with less energy than the circle.
     if (0.5 * turning * turning >= bestEnergy) continue;
     const UnitProblem unit{problem.end, turning};
+    if (const std::optional<UnitSolution> taut = tautShape(unit)) {
+      consider(*taut);
+      continue;
+    }
     std::vector<Sketch> sketches = firstSketches(unit);
     std::erase_if(sketches, [&](Sketch& sketch) {
-      return !descend(unit, sketch) || sketch.energy > 1.02 * bestEnergy;
+      return !descend(unit, sketch) || sketch.energy > kSketchError * bestEnergy;
     });
     std::sort(sketches.begin(), sketches.end(),
               [](const Sketch& a, const Sketch& b) { return a.energy < b.energy; });
     for (const Sketch& sketch : sketches) {
+      if (sketch.energy > kSketchError * bestEnergy) break;
       const std::optional<UnitSolution> found = settle(unit, shapeOf(unit, sketch), 12);
       if (!found) continue;
-      const SampledSolution sampled = sample(*found);
-      const double energy = energyOf(sampled);
-      if (energy >= bestEnergy * (1 - kSameEnergy)) continue;
-      if (!(clampedMargins(*sampled.modes, sampled.samples, {}).inPlane > kOnTheFold)) continue;
-      best = found;
-      bestEnergy = energy;
+      consider(*found);
     }
   }
   return best;
@@ -98,10 +108,15 @@ double difference(const UnitSolution& a, const UnitSolution& b) {
 tl::unexpected<Error> noShape(const ClampedProblem& problem, const CheckedProblem& checked,
                               const char* which) {
   const double share = checked.end.norm();
+  constexpr double kTautShare = 0.97;
+  const bool taut = share > kTautShare;
   return fail(ErrorCode::noSolution,
               std::string("No ") + which + " shape of the blade was found for ends at " +
-                  shortText(100 * share) +
-                  " % of its length; use a longer blade, or allow more inflections or turning.",
+                  shortText(100 * share) + " % of its length" +
+                  (taut ? ": it would be pulled too taut between grips that point away from each other; "
+                          "bring them closer "
+                          "together, or turn them towards the line between them."
+                        : "; move the grips apart, or allow more inflections or turning."),
               "length", problem.length, problem.length * share);
 }
 
@@ -191,7 +206,7 @@ Result<ClampedAnswer> solveClamped(const ClampedProblem& problem, const ClampedO
     if (!found) return noShape(problem, *checked, "stable");
     if (answer.kind == ClampedKind::buckling) answer.message = kBucklingMessage;
   }
-  const Result<ClampedSolution> solution = describe(problem, *found, options.torsionRatio);
+  const Result<ClampedSolution> solution = describe(problem, *found, sample(*found), options.torsionRatio);
   if (!solution) return tl::unexpected<Error>(solution.error());
   answer.solutions.push_back(*solution);
   return answer;
@@ -207,7 +222,7 @@ Result<ClampedAnswer> solveAllClamped(const ClampedProblem& problem, const Clamp
   if (answer.kind == ClampedKind::buckling) answer.message = kBucklingMessage;
   for (const double turning : checked->turnings(options.maxTurning))
     for (const UnitSolution& found : allShapes({checked->end, turning}, options.maxInflections)) {
-      const Result<ClampedSolution> solution = describe(problem, found, options.torsionRatio);
+      const Result<ClampedSolution> solution = describe(problem, found, sample(found), options.torsionRatio);
       if (!solution) return tl::unexpected<Error>(solution.error());
       if (int(solution->inflections.size()) > options.maxInflections) continue;
       answer.solutions.push_back(*solution);
