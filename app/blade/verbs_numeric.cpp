@@ -72,6 +72,14 @@ void addNumericVerbs(CLI::App& app, const Session& session, Work& work) {
           "A spline through points: a chain of elastica (as through ducks), of cubic Béziers, or cubic",
           "echo '{\"points\": [[0,0],[100,40],[220,30],[300,-20]], \"start_angle\": 0.6}' | blade spline",
           splineCases, false);
+  addVerb(app, session, work, "discrete", "A discrete elastica: the polyline of least bending between clamped ends",
+          "echo '{\"start\": [0,0], \"end\": [600,0], \"start_angle\": 0.6, \"end_angle\": -0.4, \"length\": 700,\n"
+          "    \"segments\": 200}' | blade discrete",
+          discreteCases, false);
+  addVerb(app, session, work, "relax", "The spline of least bending energy within a tolerance of a plane curve",
+          "echo '{\"curve\": {\"type\": \"bezier\", \"poles\": [[0,0],[200,150],[400,150],[600,0]]}, \"tolerance\": 5}' | "
+          "blade relax",
+          relaxCases, false);
   addVerb(app, session, work, "length", "The length of a blade from how it sags between its ends",
           "echo '{\"distance\": 600, \"height\": 120, \"angle\": 0.6}' | blade length", lengthCases, false);
   addVerb(app, session, work, "bvp",

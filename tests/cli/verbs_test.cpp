@@ -23,8 +23,8 @@ TEST(Blade, TellsItsVersionAndLibraries) {
 TEST(Blade, HelpOfEveryVerbHasAnExample) {
   const Finished help = blade({"--help"});
   EXPECT_EQ(help.status, 0);
-  for (const char* verb : {"elastica", "fit", "piecewise", "biarc", "spline", "info", "rationalize", "design",
-                           "render", "export", "check", "example"}) {
+  for (const char* verb : {"elastica", "fit", "piecewise", "biarc", "spline", "discrete", "relax", "length", "info",
+                           "rationalize", "design", "render", "export", "check", "example"}) {
     EXPECT_NE(help.out.find(verb), std::string::npos) << verb;
     const Finished run = blade({verb, "--help"});
     EXPECT_EQ(run.status, 0) << verb;
@@ -45,6 +45,26 @@ TEST(Blade, EvaluatesAndFitsThroughStandardInput) {
   const json result = json::parse(run.out);
   EXPECT_EQ(result["status"], "converged");
   EXPECT_LT(result["R4"].get<double>(), 2e-3);
+}
+
+TEST(Blade, MeasuresAndRelaxesThroughStandardInput) {
+  const Finished length = blade({"length"}, R"({"distance": 600, "height": 120, "angle": 0.6})");
+  ASSERT_EQ(length.status, 0) << length.err;
+  const json measured = json::parse(length.out);
+  EXPECT_GT(measured["length"].get<double>(), 600);
+  EXPECT_TRUE(measured["sensitivity"]["angle"].is_number());
+  EXPECT_EQ(blade({"length"}, R"({"distance": 600, "height": 9000, "angle": 0.6})").status, 3);
+  EXPECT_EQ(blade({"length"}, R"({"distance": 600, "height": 120, "angel": 0.6})").status, 2);
+  const Finished chain = blade(
+      {"discrete"},
+      R"({"start": [0, 0], "end": [600, 0], "start_angle": 0.6, "end_angle": -0.4, "length": 700, "segments": 40})");
+  ASSERT_EQ(chain.status, 0) << chain.err;
+  EXPECT_EQ(json::parse(chain.out)["vertices"].size(), 41u);
+  const Finished relaxed = blade(
+      {"relax"},
+      R"({"curve": {"type": "bezier", "poles": [[0,0],[200,150],[400,150],[600,0]]}, "tolerance": 5})");
+  ASSERT_EQ(relaxed.status, 0) << relaxed.err;
+  EXPECT_TRUE(json::parse(relaxed.out)["is_elastica"].is_boolean());
 }
 
 TEST(Blade, FitsPointsFromCsv) {

@@ -36,7 +36,7 @@ const char* bladeLengthCaseName(BladeLengthCase letter);
 
 /// A blade whose length follows from a measurement.
 struct BladeLength {
-  double length = 0;        ///< mm, relative accuracy 1e-13
+  double length = 0;        ///< mm, relative accuracy 1e-12
   double slack = 0;         ///< length − distance without cancellation, mm, relative accuracy 1e-12
   std::optional<double> k;  ///< the elliptic modulus; empty for a circle, where it is infinite
   BladeLengthCase letter = BladeLengthCase::A;

@@ -39,6 +39,12 @@ Result<CaseAnswer> biarcCases(std::string_view json, const RunContext& context,
 /// A `biarc` case for a chain of points, from such a text as `parseCurveCsv` takes.
 Result<std::string> biarcCaseFromCsv(std::string_view text);
 
+/// `blade discrete`: cases {start, end, start_angle, end_angle, length, segments, …} to a polyline of least bending.
+Result<CaseAnswer> discreteCases(std::string_view json, const RunContext& context);
+
+/// `blade relax`: cases {curve, tolerance, …} to the spline of least bending energy near the curve.
+Result<CaseAnswer> relaxCases(std::string_view json, const RunContext& context);
+
 /// `blade length`: cases {distance, height, angle} to the blade's length, or {measurements, blade, …} to a calibrated one.
 Result<CaseAnswer> lengthCases(std::string_view json, const RunContext& context);
 
