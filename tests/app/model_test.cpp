@@ -164,6 +164,34 @@ TEST(EvaluationRunner, UsesEarlierStagesAgain) {
   EXPECT_NE(runner.evaluation()->sweep.value, first->sweep.value);
 }
 
+TEST(EvaluationRunner, RecomputesOnlyWhatHangsOnTheSetting) {
+  EvaluationRunner runner;
+  const auto evaluate = [&runner](const Design& design) {
+    runner.evaluate(std::make_shared<const Design>(design));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !runner.busy(); }, kPatience));
+    return runner.evaluation();
+  };
+  Design design = panelDesign();
+  const auto first = evaluate(design);
+  ASSERT_TRUE(first && first->sweep.value);
+  design.job.cuttingSpeed *= 2;
+  const auto faster = evaluate(design);
+  EXPECT_EQ(faster->fits.value, first->fits.value);
+  EXPECT_NE(faster->sweep.value, first->sweep.value);
+  EXPECT_NEAR(faster->sweep.value->analysis.summary.cuttingTime, 0.5 * first->sweep.value->analysis.summary.cuttingTime, 1e-9);
+  design.job.tolerance *= 2;
+  const auto looser = evaluate(design);
+  EXPECT_EQ(looser->sections.value, faster->sections.value);
+  EXPECT_NE(looser->sweep.value, faster->sweep.value);
+  design.job.programs = {"csv"};
+  const auto other = evaluate(design);
+  EXPECT_EQ(other->sweep.value, looser->sweep.value);
+  design.job.face = {FaceChoice::Kind::all, {}};
+  const auto faces = evaluate(design);
+  EXPECT_EQ(faces->model.value, first->model.value);
+  EXPECT_NE(faces->target.value, first->target.value);
+}
+
 TEST(EvaluationRunner, ShowsOnlyTheNewestOfManyEdits) {
   EvaluationRunner runner;
   QSignalSpy finished(&runner, &EvaluationRunner::finished);

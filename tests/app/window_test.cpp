@@ -1,102 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
-#include <gtest/gtest.h>
-
-#include <QApplication>
-#include <QDropEvent>
-#include <QMimeData>
-#include <QPushButton>
-#include <QSettings>
-#include <QSignalSpy>
-#include <QTemporaryDir>
-#include <QTest>
-
-#include <filesystem>
-#include <fstream>
-
-#include "bw/core/file_set.h"
-#include "bw/geometry/export.h"
-#include "main_window.h"
-#include "options.h"
+#include "window_fixture.h"
 
 namespace bw::app {
 namespace {
-
-namespace fs = std::filesystem;
-
-constexpr int kPatience = 30000;  // ms: a bound against hanging, not a timing
-
-/// A window on settings of its own.
-class WindowTest : public ::testing::Test {
- protected:
-  void SetUp() override {
-    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder_.path());
-    settings_ = std::make_unique<model::Settings>();
-    settings_->setTheme(model::ThemeChoice::light);
-    theme().apply(model::ThemeChoice::light);
-    makeWindow({1440, 900});
-  }
-
-  void TearDown() override {
-    if (window_) window_->questions().unsaved = [](const QString&) { return Questions::Unsaved::discard; };
-  }
-
-  static Theme& theme() {
-    static Theme theme;
-    return theme;
-  }
-
-  void makeWindow(const QSize& size) {
-    window_ = std::make_unique<MainWindow>(*settings_, theme(), fs::path());
-    window_->resize(size);
-    window_->show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
-    // Shortcuts reach the active window only.
-    window_->activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(window_.get()));
-  }
-
-  MainWindow& window() { return *window_; }
-  Workbench& bench() { return window_->bench(); }
-  fs::path path(const std::string& name) const { return fs::path(folder_.path().toStdString()) / name; }
-
-  /// Waits until the result of the newest design stands.
-  bool settle() {
-    return QTest::qWaitFor([&] { return !bench().runner().busy(); }, kPatience);
-  }
-
-  void openPanel(int stations = 20) {
-    window().openExample("panel-600x670");
-    bench().editJob("Prepare", [stations](Job& job) { job.stations = stations; });
-    ASSERT_TRUE(settle());
-    ASSERT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
-    bench().document().undoStack().clear();
-  }
-
-  std::size_t stationCount() { return bench().sweep() ? bench().sweep()->sweep.stations.size() : 0; }
-
-  template <class T>
-  T* find(const QString& accessibleName) {
-    for (T* widget : window_->findChildren<T*>())
-      if (widget->accessibleName() == accessibleName && widget->isVisible()) return widget;
-    return nullptr;
-  }
-
-  /// The window as the user sees it, kept for the eye.
-  QImage picture(const std::string& name) {
-    EXPECT_TRUE(QTest::qWaitFor([&] { return window_->onStartPage() || window_->sceneView().resting(); }, kPatience));
-    QTest::qWait(0);
-    const QImage image = window_->grab().toImage();
-    fs::create_directories(BW_TEST_OUTPUT "/window");
-    const char* scale = qEnvironmentVariableIsSet("QT_SCALE_FACTOR") ? "-200" : "";
-    image.save(QString::fromStdString(BW_TEST_OUTPUT "/window/" + name + scale + ".png"));
-    return image;
-  }
-
-  QTemporaryDir folder_;
-  std::unique_ptr<model::Settings> settings_;
-  std::unique_ptr<MainWindow> window_;
-};
 
 TEST_F(WindowTest, OpensAnExampleWithOneClick) {
   ASSERT_TRUE(window().onStartPage());
@@ -208,15 +115,6 @@ TEST_F(WindowTest, ExportsEverythingToAFolder) {
   picture("exported");
 }
 
-TEST_F(WindowTest, TellsWhenTheFolderCannotBeWritten) {
-  openPanel();
-  window().questions().exportFolder = [] { return QString("/proc/no-place-here"); };
-  window().exportEverything();
-  ASSERT_TRUE(settle());
-  EXPECT_EQ(bench().stepStates()[int(model::Step::output)].kind, model::StepState::Kind::error);
-  EXPECT_TRUE(window().banner().text().contains("/proc/no-place-here")) << window().banner().text().toStdString();
-}
-
 TEST_F(WindowTest, SavesAndOpensAgain) {
   openPanel();
   bench().editJob("Change tolerance", [](Job& job) { job.tolerance = 0.75; });
@@ -235,38 +133,6 @@ TEST_F(WindowTest, SavesAndOpensAgain) {
   EXPECT_EQ(settings_->recentFiles().front(), fs::path(file.toStdString()));
 }
 
-TEST_F(WindowTest, AsksBeforeChangesAreLost) {
-  openPanel();
-  bench().editJob("Change tolerance", [](Job& job) { job.tolerance = 0.75; });
-  int asked = 0;
-  window().questions().unsaved = [&](const QString&) {
-    ++asked;
-    return Questions::Unsaved::cancel;
-  };
-  EXPECT_FALSE(window().close());
-  window().openExample("saddle");
-  EXPECT_EQ(asked, 2);
-  EXPECT_EQ(bench().job().tolerance, 0.75);
-  bench().document().undoStack().undo();
-  EXPECT_TRUE(window().close());
-  EXPECT_EQ(asked, 2);
-}
-
-TEST_F(WindowTest, TellsWhyABadFileDoesNotOpen) {
-  const fs::path file = path("garbage.step");
-  std::ofstream(file) << "ISO-10303-21; and then nothing";
-  window().openFile(QString::fromStdString(file.string()));
-  ASSERT_TRUE(settle());
-  EXPECT_TRUE(window().banner().isVisible());
-  EXPECT_FALSE(window().banner().text().isEmpty());
-  EXPECT_EQ(bench().stepStates()[int(model::Step::input)].kind, model::StepState::Kind::error);
-  EXPECT_EQ(window().messageList().count(), 1);
-  EXPECT_FALSE(window().commands()["file.export"]->isEnabled());
-  picture("bad-file");
-  window().openFile(QString::fromStdString(path("missing.step").string()));
-  EXPECT_TRUE(window().banner().text().contains("missing.step"));
-}
-
 TEST_F(WindowTest, OpensADroppedFile) {
   const fs::path file = path("saddle.step");
   ASSERT_TRUE(writeFile(file, geometry::exampleStep("saddle").value()));
@@ -280,33 +146,6 @@ TEST_F(WindowTest, OpensADroppedFile) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return !bench().document().empty(); }, kPatience));
   ASSERT_TRUE(settle());
   EXPECT_EQ(bench().document().design()->name, "saddle");
-}
-
-TEST_F(WindowTest, StopsTheComputationAndOffersToGoOn) {
-  openPanel();
-  bench().editJob("Change stations", [](Job& job) { job.stations = 4000; });
-  EXPECT_TRUE(bench().stale());
-  QTest::keyClick(&window(), Qt::Key_Escape);
-  ASSERT_TRUE(settle());
-  EXPECT_EQ(stationCount(), 20u) << "the earlier result vanished";
-  EXPECT_TRUE(bench().stale());
-  EXPECT_EQ(bench().stepStates()[int(model::Step::process)].kind, model::StepState::Kind::stale);
-  EXPECT_EQ(window().banner().action()->text(), "Compute");
-  ASSERT_TRUE(QTest::qWaitFor([&] { return window().sceneView().sceneStyle().stale; }, kPatience));
-  picture("stale");
-}
-
-TEST_F(WindowTest, OffersALongerBladeWhenItIsTooShort) {
-  openPanel();
-  bench().editJob("Change blade length", [](Job& job) { job.blade.length = 500; });
-  ASSERT_TRUE(settle());
-  ASSERT_TRUE(window().banner().isVisible());
-  picture("short-blade");
-  ASSERT_TRUE(window().banner().action()->isVisible()) << window().banner().text().toStdString();
-  QTest::mouseClick(window().banner().action(), Qt::LeftButton);
-  ASSERT_TRUE(settle());
-  EXPECT_TRUE(bench().current());
-  EXPECT_GT(bench().job().blade.length, 600);
 }
 
 TEST_F(WindowTest, SelectsThePlaceOfAMessage) {
@@ -323,25 +162,6 @@ TEST_F(WindowTest, SelectsThePlaceOfAMessage) {
   }
   EXPECT_GE(clicked, 0) << "no message leads to a station";
   picture("messages");
-}
-
-TEST_F(WindowTest, FindsCommandsByTyping) {
-  openPanel();
-  QTest::keyClick(&window(), Qt::Key_K, Qt::ControlModifier);
-  auto* palette = window().findChild<CommandPalette*>();
-  ASSERT_TRUE(palette->isVisible());
-  auto* line = palette->findChild<QLineEdit*>();
-  picture("palette-behind");
-  palette->grab().save(BW_TEST_OUTPUT "/window/palette.png");
-  QTest::keyClicks(line, "dark");
-  QTest::keyClick(line, Qt::Key_Return);
-  EXPECT_TRUE(theme().dark());
-  EXPECT_TRUE(window().sceneView().sceneStyle().dark);
-  bench().selectStation(10);
-  picture("dark");
-  window().commands()["tab.motion"]->trigger();
-  bench().setPlayTime(0.4 * bench().playEnd());
-  picture("dark-motion");
 }
 
 TEST_F(WindowTest, ChoosesMapsByKeyAndByChoice) {
@@ -381,19 +201,67 @@ TEST_F(WindowTest, WritesAPictureOfTheSizeAskedFor) {
   EXPECT_EQ(QImage(file).size(), QSize(900, 500));
 }
 
-TEST_F(WindowTest, HasATooltipAndAMenuEntryForEveryCommand) {
-  QSet<QAction*> inMenus;
-  for (QMenu* menu : window().findChildren<QMenu*>())
-    for (QAction* action : menu->actions()) inMenus << action;
-  QHash<QKeySequence, QString> keys;
-  for (QAction* action : window().commands().all()) {
-    EXPECT_FALSE(action->toolTip().isEmpty()) << action->objectName().toStdString();
-    EXPECT_TRUE(inMenus.contains(action)) << action->objectName().toStdString();
-    for (const QKeySequence& key : action->shortcuts()) {
-      EXPECT_FALSE(keys.contains(key)) << key.toString().toStdString() << " twice: " << action->objectName().toStdString();
-      keys[key] = action->objectName();
-    }
-  }
+TEST_F(WindowTest, UndoesByMenuAndTellsTheName) {
+  openPanel();
+  bench().editJob("Change tolerance", [](Job& job) { job.tolerance = 0.75; });
+  bench().editJob("Change clearance", [](Job& job) { job.clearance = 60; });
+  EXPECT_EQ(window().commands()["edit.undo"]->text(), "&Undo change clearance");
+  window().commands()["edit.undo"]->trigger();
+  window().commands()["edit.undo"]->trigger();
+  EXPECT_EQ(bench().job().tolerance, 2);
+  EXPECT_FALSE(window().commands()["edit.undo"]->isEnabled());
+  EXPECT_EQ(window().commands()["edit.redo"]->text(), "&Redo change tolerance");
+  QTest::keyClick(&window(), Qt::Key_Y, Qt::ControlModifier);
+  EXPECT_EQ(bench().job().tolerance, 0.75);
+  ASSERT_TRUE(settle());
+}
+
+TEST_F(WindowTest, KeepsTheGeometryInTheFileWhenAsked) {
+  const fs::path file = path("saddle.step");
+  ASSERT_TRUE(writeFile(file, geometry::exampleStep("saddle").value()));
+  window().openFile(QString::fromStdString(file.string()));
+  ASSERT_TRUE(settle());
+  QCheckBox* keep = nullptr;
+  for (QCheckBox* box : window().workflow().findChildren<QCheckBox*>())
+    if (box->text().startsWith("Keep the geometry")) keep = box;
+  ASSERT_TRUE(keep && keep->isEnabled());
+  window().workflow().ensureWidgetVisible(keep);
+  QTest::mouseClick(keep, Qt::LeftButton, {}, QPoint(8, keep->height() / 2));
+  EXPECT_FALSE(bench().document().design()->source.bytes.empty());
+  const QString design = QString::fromStdString(path("saddle.bladewright").string());
+  window().questions().saveDesign = [design](const QString&) { return design; };
+  ASSERT_TRUE(window().save());
+  fs::remove(file);
+  window().commands()["file.close"]->trigger();
+  window().openFile(design);
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().current()) << "the design needs the file that is gone";
+}
+
+TEST_F(WindowTest, PicksAStationInTheScene) {
+  openPanel();
+  view::SceneView& view = window().sceneView();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view.resting(); }, kPatience));
+  const Station& station = bench().sweep()->sweep.stations[9];
+  const double middle = 0.5 * station.fit.elastica.length();
+  const QPointF place = view.toWidget(station.frame.toWorld(station.fit.elastica.at(middle).point));
+  QTest::mouseMove(&view, place.toPoint());
+  QTest::mouseClick(&view, Qt::LeftButton, {}, place.toPoint());
+  EXPECT_EQ(bench().selection().kind, Selection::Kind::station);
+  EXPECT_EQ(bench().selection().station, 9);
+}
+
+TEST_F(WindowTest, FollowsTheMovingBladeWithTheSection) {
+  openPanel();
+  QTest::keyClick(&window(), Qt::Key_X);
+  QTest::keyClick(&window(), Qt::Key_Space);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return bench().playTime() > 0.3 * bench().playEnd(); }, kPatience));
+  const auto first = window().sceneView().sceneStyle().section;
+  picture("playing");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window().sceneView().sceneStyle().section != first; }, kPatience));
+  window().commands()["theme.dark"]->trigger();
+  QTest::keyClick(&window(), Qt::Key_Space);
+  picture("playing-dark");
 }
 
 TEST_F(WindowTest, CutsTheSceneOpenAtTheSelectedStation) {
@@ -415,39 +283,6 @@ TEST_F(WindowTest, CutsTheSceneOpenAtTheSelectedStation) {
   EXPECT_LT(window().sceneView().sceneStyle().section->normal.dot(section->normal), 0);
   QTest::keyClick(&window(), Qt::Key_X);
   EXPECT_FALSE(window().sceneView().sceneStyle().section);
-}
-
-TEST_F(WindowTest, MovesNothingWhenItTellsSomething) {
-  openPanel();
-  const QRect before(window().sceneView().mapTo(&window(), QPoint()), window().sceneView().size());
-  bench().tell({Severity::warning, "A notice that is long enough to need a second line where the window is small, and then some more words", "Do it", [] {}});
-  QTest::qWait(0);
-  EXPECT_TRUE(window().banner().isVisible());
-  EXPECT_EQ(QRect(window().sceneView().mapTo(&window(), QPoint()), window().sceneView().size()), before);
-  EXPECT_TRUE(QRect(QPoint(), window().size()).contains(QRect(window().banner().mapTo(&window(), QPoint()), window().banner().size())));
-}
-
-TEST_F(WindowTest, FitsASmallScreen) {
-  makeWindow({1280, 800});
-  openPanel();
-  bench().selectStation(12);
-  EXPECT_LE(window().minimumSizeHint().width(), 1280);
-  EXPECT_LE(window().minimumSizeHint().height(), 800);
-  EXPECT_EQ(window().size(), QSize(1280, 800));
-  picture("small");
-}
-
-TEST(Options, RefusesWhatItDoesNotKnow) {
-  QString problem;
-  EXPECT_FALSE(parseOptions({"--sceenshot", "a.png"}, &problem));
-  EXPECT_EQ(problem, "there is no option --sceenshot; did you mean --screenshot?");
-  EXPECT_FALSE(parseOptions({"--size", "12"}, &problem));
-  EXPECT_FALSE(parseOptions({"--screenshot"}, &problem));
-  EXPECT_FALSE(parseOptions({"a.step", "b.step"}, &problem));
-  const std::optional<Options> good = parseOptions({"a.step", "--size", "1280x800", "--screenshot", "b.png"}, &problem);
-  ASSERT_TRUE(good);
-  EXPECT_EQ(good->size, QSize(1280, 800));
-  EXPECT_EQ(good->file, "a.step");
 }
 
 }  // namespace

@@ -31,6 +31,7 @@ namespace {
 constexpr int kMoveMilliseconds = 200;
 constexpr int kHoverMilliseconds = 16;
 constexpr int kRestMilliseconds = 180;  ///< after which a picture counts as resting
+constexpr int kBusyRestMilliseconds = 1500;  ///< the same while another picture is awaited
 constexpr double kOrbitPerPixel = 0.4 * 3.14159265358979323846 / 180;  ///< rad
 constexpr double kZoomPerNotch = 1.15;
 constexpr double kZoomPerPixel = 1.008;
@@ -326,6 +327,13 @@ void SceneView::setCamera(const scene::Camera& camera, bool animate) {
 void SceneView::setParallel(bool on) {
   const scene::Camera goal = impl_->goal();
   if (goal.parallel != on) impl_->moveTo(scene::withProjection(goal, on), false);
+}
+
+void SceneView::setAwaiting(bool awaiting) {
+  const int interval = awaiting ? kBusyRestMilliseconds : kRestMilliseconds;
+  if (impl_->restTimer.interval() == interval) return;
+  impl_->restTimer.setInterval(interval);
+  if (impl_->restTimer.isActive()) impl_->restTimer.start();
 }
 
 void SceneView::setNavigation(Navigation navigation) { impl_->navigation = navigation; }

@@ -12,12 +12,13 @@
 #include <unistd.h>
 
 #include "bw/view/scene_view.h"
+#include "change_timer.h"
 #include "main_window.h"
 #include "options.h"
 
 namespace {
 
-constexpr int kBadUsage = 2, kCannotWrite = 4;
+constexpr int kBadUsage = 2, kNoResult = 3, kCannotWrite = 4;
 
 /// Seconds since the operating system started this process; negative if it does not tell.
 double secondsSinceProcessStart() {
@@ -63,23 +64,35 @@ int main(int argc, char** argv) {
   bw::model::Settings settings;
   bw::app::Theme theme;
   theme.apply(settings.theme());
-  const bool oneShot = !options->screenshot.isEmpty() || options->quitAfterFirstPicture;
+  const bool oneShot = !options->screenshot.isEmpty() || options->quitAfterFirstPicture || options->timeChanges > 0;
   // A run for a picture or a timing leaves nothing behind and recovers nothing.
   bw::app::MainWindow window(settings, theme, oneShot ? std::filesystem::path() : bw::model::Settings::recoveryFolder());
   if (options->size.isValid()) window.resize(options->size);
 
   int status = 0;
-  const auto finish = [&] {
-    if (options->quitAfterFirstPicture) std::printf("first picture after %.2f s\n", secondsSinceProcessStart());
+  bw::app::ChangeTimer changes(window, options->timeChanges);
+  const auto quit = [&] {
     if (!options->screenshot.isEmpty()) {
       // What moved is drawn smoothly once it rests.
       while (!window.onStartPage() && !window.sceneView().resting()) QApplication::processEvents(QEventLoop::WaitForMoreEvents);
-    }
-    if (!options->screenshot.isEmpty() && !window.grab().save(options->screenshot, "PNG")) {
-      std::fprintf(stderr, "bladewright: the picture could not be written to %s\n", qPrintable(options->screenshot));
-      status = kCannotWrite;
+      if (!window.grab().save(options->screenshot, "PNG")) {
+        std::fprintf(stderr, "bladewright: the picture could not be written to %s\n", qPrintable(options->screenshot));
+        status = kCannotWrite;
+      }
     }
     QApplication::exit(status);
+  };
+  QObject::connect(&changes, &bw::app::ChangeTimer::finished, &window, [&] {
+    std::printf("%s\n", qPrintable(bw::app::summaryOf(changes.seconds())));
+    if (int(changes.seconds().size()) < options->timeChanges) status = kNoResult;
+    quit();
+  });
+  const auto finish = [&] {
+    if (options->quitAfterFirstPicture) std::printf("first picture after %.2f s\n", secondsSinceProcessStart());
+    if (options->timeChanges > 0 && window.bench().current())
+      changes.start();
+    else
+      quit();
   };
   window.show();
   if (!options->file.isEmpty())

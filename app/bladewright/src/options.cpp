@@ -13,6 +13,7 @@ namespace bw::app {
 namespace {
 
 constexpr int kSmallest = 320, kLargest = 8192;
+constexpr int kMostChanges = 1000;
 
 }  // namespace
 
@@ -31,6 +32,15 @@ std::optional<Options> parseOptions(const QStringList& arguments, QString* probl
       options.version = true;
     } else if (word == "--quit-after-first-picture") {
       options.quitAfterFirstPicture = true;
+    } else if (word == "--time-changes") {
+      const auto text = value();
+      if (!text) return std::nullopt;
+      bool number = false;
+      options.timeChanges = text->toInt(&number);
+      if (!number || options.timeChanges < 1 || options.timeChanges > kMostChanges) {
+        *problem = QStringLiteral("--time-changes takes how many changes to time, from 1 to %1, but got \"%2\"").arg(kMostChanges).arg(*text);
+        return std::nullopt;
+      }
     } else if (word == "--screenshot") {
       const auto text = value();
       if (!text) return std::nullopt;
@@ -46,7 +56,7 @@ std::optional<Options> parseOptions(const QStringList& arguments, QString* probl
         return std::nullopt;
       }
     } else if (word.startsWith('-') && word.size() > 1) {
-      static const std::array<std::string, 5> kWords = {"--help", "--version", "--screenshot", "--size", "--quit-after-first-picture"};
+      static const std::array<std::string, 6> kWords = {"--help", "--version", "--screenshot", "--size", "--quit-after-first-picture", "--time-changes"};
       const std::string nearest = nearestWord(word.toStdString(), kWords.data(), int(kWords.size()));
       *problem = QStringLiteral("there is no option %1").arg(word) +
                  (nearest.empty() ? QStringLiteral("; see bladewright --help") : QStringLiteral("; did you mean %1?").arg(QString::fromStdString(nearest)));
@@ -70,6 +80,7 @@ QString helpText() {
       "  --screenshot PNG             write a picture of the window once the result stands, then quit\n"
       "  --size WxH                   size of the window in pixels\n"
       "  --quit-after-first-picture   print the seconds from process start to the first picture, then quit\n"
+      "  --time-changes N             print the seconds to the new picture of N changes of the station count, then quit\n"
       "  --version, --help\n");
 }
 

@@ -16,6 +16,7 @@ struct Options {
   QString screenshot;          ///< PNG of the window once the result stands, then quit
   QSize size;                  ///< of the window, if given
   bool quitAfterFirstPicture = false;
+  int timeChanges = 0;         ///< how many changes of the station count to time, then quit
   bool help = false, version = false;
 };
 

@@ -24,7 +24,9 @@ std::shared_ptr<const pipeline::Evaluation> withEarlierStages(pipeline::Evaluati
     if (!now.targetMesh.value) now.targetMesh = before->targetMesh;
     if (!now.setup.value) now.setup = before->setup;
     if (!now.sections.value) now.sections = before->sections;
+    if (!now.fits.value) now.fits = before->fits;
     if (!now.sweep.value) now.sweep = before->sweep;
+    if (!now.cell.value) now.cell = before->cell;
   }
   return std::make_shared<const pipeline::Evaluation>(std::move(now));
 }

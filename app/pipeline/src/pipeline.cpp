@@ -99,7 +99,7 @@ Issues grouped(const Issues& issues) {
 Issues Evaluation::issues() const {
   Issues all;
   for (const Issues* list :
-       {&model.issues, &target.issues, &setup.issues, &sections.issues, &sweep.issues, &cell.issues})
+       {&model.issues, &target.issues, &setup.issues, &sections.issues, &fits.issues, &sweep.issues, &cell.issues})
     all.insert(all.end(), list->begin(), list->end());
   return grouped(all);
 }
@@ -171,27 +171,33 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
   }
   if (run.stopped()) return stop(stoppedError().value());
 
-  // Elastica, checks and motion.
-  key += keys({"blade", "fit", "lead", "tolerance", "clearance", "cutting_speed"});
-  if (!reuse(e.sweep, before(&Evaluation::sweep), key)) {
+  // Elastica.
+  key += keys({"blade", "fit", "lead", "tolerance", "clearance"});
+  if (!reuse(e.fits, before(&Evaluation::fits), key)) {
     run.report(0.6, "fitting");
-    Issues& issues = e.sweep.issues;
     Result<Sweep> sweep = buildSweep(*e.sections.value, job, e.setup.value->block, e.setup.value->direction,
-                                     run.child(0.6, 0.75), issues, &e.seconds.fit, &e.seconds.extend);
+                                     run.child(0.6, 0.75), e.fits.issues, &e.seconds.fit, &e.seconds.extend);
     if (!sweep) return stop(sweep.error());
+    e.fits.value = std::make_shared<const Sweep>(std::move(*sweep));
+  }
+  if (run.stopped()) return stop(stoppedError().value());
+
+  // Checks and motion: the speed of the cut comes in here.
+  key += keys({"cutting_speed"});
+  if (!reuse(e.sweep, before(&Evaluation::sweep), key)) {
     run.report(0.75, "checking");
     const auto checkStart = Clock::now();
     auto result = std::make_shared<SweepResult>();
+    result->sweep = *e.fits.value;
     Result<SweepAnalysis> analysis =
-        analyzeSweep(*sweep, job, *e.target.value->sampler(), run.child(0.75, 0.95));
+        analyzeSweep(result->sweep, job, *e.target.value->sampler(), run.child(0.75, 0.95));
     if (!analysis) return stop(analysis.error());
-    Result<Motion> motion = buildMotion(*sweep, job.cuttingSpeed);
+    Result<Motion> motion = buildMotion(result->sweep, job.cuttingSpeed);
     if (!motion) return stop(motion.error());
-    result->sweep = std::move(*sweep);
     result->analysis = std::move(*analysis);
     result->motion = std::move(*motion);
     result->analysis.summary.cuttingTime = result->motion.instants.back().time;
-    issues.insert(issues.end(), result->analysis.issues.begin(), result->analysis.issues.end());
+    e.sweep.issues = result->analysis.issues;
     e.sweep.value = std::move(result);
     e.seconds.check = secondsSince(checkStart);
   }

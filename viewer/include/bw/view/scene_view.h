@@ -75,6 +75,8 @@ class SceneView : public QOpenGLWidget {
   void setCamera(const bw::scene::Camera& camera, bool animate = false);
   void setParallel(bool on);
   void setNavigation(bw::view::Navigation navigation);
+  /// Another picture is on its way: where smoothing costs time, the present one is smoothed later.
+  void setAwaiting(bool awaiting);
 
  signals:
   /// A station was clicked; −1 when the click met nothing.

@@ -47,6 +47,7 @@ struct Evaluation {
   Stage<TriangleMesh> targetMesh;
   Stage<geometry::Setup> setup;
   Stage<std::vector<Section>> sections;
+  Stage<Sweep> fits;  ///< the sweep before its checks
   Stage<SweepResult> sweep;
   Stage<Cell>
       cell;  ///< only where the job asks for programs; its issues tell how the motion lies in the cell

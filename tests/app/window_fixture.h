@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QDropEvent>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QStatusBar>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <filesystem>
+#include <fstream>
+
+#include "bw/core/file_set.h"
+#include "bw/geometry/export.h"
+#include "main_window.h"
+#include "options.h"
+
+namespace bw::app {
+
+namespace fs = std::filesystem;
+
+inline constexpr int kPatience = 30000;  // ms: a bound against hanging, not a timing
+
+/// A window on settings of its own.
+class WindowTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder_.path());
+    settings_ = std::make_unique<model::Settings>();
+    settings_->setTheme(model::ThemeChoice::light);
+    theme().apply(model::ThemeChoice::light);
+    makeWindow({1440, 900});
+  }
+
+  void TearDown() override {
+    if (window_) window_->questions().unsaved = [](const QString&) { return Questions::Unsaved::discard; };
+  }
+
+  static Theme& theme() {
+    static Theme theme;
+    return theme;
+  }
+
+  void makeWindow(const QSize& size) {
+    window_ = std::make_unique<MainWindow>(*settings_, theme(), fs::path());
+    window_->resize(size);
+    window_->show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
+    // Shortcuts reach the active window only.
+    window_->activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(window_.get()));
+  }
+
+  MainWindow& window() { return *window_; }
+  Workbench& bench() { return window_->bench(); }
+  fs::path path(const std::string& name) const { return fs::path(folder_.path().toStdString()) / name; }
+
+  /// Waits until the result of the newest design stands.
+  bool settle() {
+    return QTest::qWaitFor([&] { return !bench().runner().busy(); }, kPatience);
+  }
+
+  void openPanel(int stations = 20) {
+    window().openExample("panel-600x670");
+    bench().editJob("Prepare", [stations](Job& job) { job.stations = stations; });
+    ASSERT_TRUE(settle());
+    ASSERT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
+    bench().document().undoStack().clear();
+  }
+
+  std::size_t stationCount() { return bench().sweep() ? bench().sweep()->sweep.stations.size() : 0; }
+
+  template <class T>
+  T* find(const QString& accessibleName) {
+    for (T* widget : window_->findChildren<T*>())
+      if (widget->accessibleName() == accessibleName && widget->isVisible()) return widget;
+    return nullptr;
+  }
+
+  /// The window as the user sees it, kept for the eye.
+  QImage picture(const std::string& name) {
+    EXPECT_TRUE(QTest::qWaitFor([&] { return window_->onStartPage() || window_->sceneView().resting(); }, kPatience));
+    QTest::qWait(0);
+    const QImage image = window_->grab().toImage();
+    fs::create_directories(BW_TEST_OUTPUT "/window");
+    const char* scale = qEnvironmentVariableIsSet("QT_SCALE_FACTOR") ? "-200" : "";
+    image.save(QString::fromStdString(BW_TEST_OUTPUT "/window/" + name + scale + ".png"));
+    return image;
+  }
+
+  /// Runs something that opens a dialog and answers that dialog once it stands.
+  void answer(const std::function<void()>& open, const std::string& pictureName, const std::function<void(QDialog&)>& reply) {
+    QDialog* met = nullptr;
+    QTimer timer;
+    timer.setInterval(20);
+    QObject::connect(&timer, &QTimer::timeout, [&] {
+      auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+      if (!dialog || met || !dialog->isVisible()) return;
+      met = dialog;
+      fs::create_directories(BW_TEST_OUTPUT "/window");
+      const char* scale = qEnvironmentVariableIsSet("QT_SCALE_FACTOR") ? "-200" : "";
+      dialog->grab().save(QString::fromStdString(BW_TEST_OUTPUT "/window/" + pictureName + scale + ".png"));
+      reply(*dialog);
+    });
+    timer.start();
+    open();
+    EXPECT_TRUE(met) << "no dialog came";
+  }
+
+  QTemporaryDir folder_;
+  std::unique_ptr<model::Settings> settings_;
+  std::unique_ptr<MainWindow> window_;
+};
+
+}  // namespace bw::app
