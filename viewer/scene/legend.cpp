@@ -28,6 +28,9 @@ std::vector<double> histogram(const std::vector<double>& values, const std::pair
 }
 
 std::string spanText(const FieldSummary& summary, int decimals, bool sign, const std::string& unit) {
+  // Values far below the ticks keep a digit that counts.
+  const double largest = std::max(std::abs(summary.min), std::abs(summary.max));
+  if (largest > 0) decimals = std::max(decimals, std::min(6, int(std::ceil(-std::log10(largest)))));
   const std::string low = tickText(summary.min, decimals, sign), high = tickText(summary.max, decimals, sign);
   const std::string glue = unit.empty() || unit == "\u00b0" ? "" : " ";
   return low + " \u2026 " + high + glue + unit;

@@ -32,7 +32,7 @@ namespace {
 
 constexpr double kLinePickPixels = 4;
 // Soft shadows: how far they reach in diagonals of the content, and how dark they are without and with a map.
-constexpr double kShadowReach = 0.06, kShadow = 1.0, kShadowUnderMap = 0.35;
+constexpr double kShadowReach = 0.06, kShadow = 0.75, kShadowUnderMap = 0.3;
 constexpr unsigned kGlLessOrEqual = 0x0203;  ///< GL_LEQUAL
 
 /// Drops what cannot be drawn, so that the rest can.

@@ -5,7 +5,6 @@
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QFileInfo>
-#include <QMenuBar>
 #include <QMimeData>
 #include <QStatusBar>
 
@@ -340,9 +339,10 @@ void MainWindow::refreshSummary() {
   const double fastest = slowest;
   if (const Field* speed = result->analysis.cut.field("speed"); speed && !speed->values.empty())
     slowest = *std::min_element(speed->values.begin(), speed->values.end());
-  summary_->setText(tr("Unit mm   ·   deviation ≤ %1   ·   %2 within tolerance   ·   %3 to %4   ·   radius ≥ %5")
-                        .arg(lengthText(s.deviationMax), percentText(s.withinTolerance), QString::fromStdString(shortText(slowest, 3)),
-                             speedText(fastest), radiusText(s.minRadius)));
+  const QString low = QString::fromStdString(shortText(slowest, 3)), high = speedText(fastest);
+  const QString speeds = high.startsWith(low + " ") ? high : tr("%1 to %2").arg(low, high);
+  summary_->setText(tr("Unit mm   ·   deviation ≤ %1   ·   %2 within tolerance   ·   %3   ·   radius ≥ %4")
+                        .arg(lengthText(s.deviationMax), percentText(s.withinTolerance), speeds, radiusText(s.minRadius)));
 }
 
 void MainWindow::onPicked(const scene::Pick& pick) {

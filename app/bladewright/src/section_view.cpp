@@ -243,7 +243,7 @@ void SectionView::paintSection(QPainter& painter, const QRectF& area) const {
   // Scale bar: a round length of about a sixth of the width.
   const double bar = roundBelow(area.width() / 6 / scale);
   if (bar > 0) {
-    const QPointF left(area.left(), area.bottom() + 1);
+    const QPointF left(area.left(), area.bottom() + 9);
     painter.setPen(QPen(c.secondary, 1));
     painter.drawLine(left, left + QPointF(bar * scale, 0));
     painter.drawLine(left + QPointF(0, -3), left + QPointF(0, 3));
@@ -357,7 +357,8 @@ void SectionView::paintEvent(QPaintEvent*) {
   // Side by side: the section takes what the curvature leaves.
   const double bottom = height() - kMargin - 4;
   const double plotWidth = std::clamp(0.34 * width(), 180.0, 420.0);
-  paintSection(painter, QRectF(kMargin + 4, top, width() - plotWidth - 3 * kMargin - 4, bottom - top - 4));
+  // Below it the scale has a line of its own.
+  paintSection(painter, QRectF(kMargin + 4, top, width() - plotWidth - 3 * kMargin - 4, bottom - top - 12));
   const QRectF plot(width() - kMargin - plotWidth, top + textHeight, plotWidth, bottom - top - textHeight);
   painter.setPen(c.secondary);
   painter.setFont(small);

@@ -138,7 +138,7 @@ StartPage::StartPage(Workbench& bench, const Theme& theme, QWidget* parent)
   layout->addWidget(shelf_);
   for (const geometry::Example& example : geometry::exampleList()) {
     const QString name = QString::fromStdString(example.name);
-    auto* card = new ExampleCard(theme, name, QString::fromStdString(example.title).replace(" mm", QString(QChar(0xa0)) + "mm"), shelf_);
+    auto* card = new ExampleCard(theme, name, QString::fromStdString(example.title).replace(" mm", QString(QChar(0xa0)) + "mm").replace(" × ", QString(QChar(0xa0)) + "×" + QChar(0xa0)), shelf_);
     connect(card, &QAbstractButton::clicked, this, [this, name] { emit exampleRequested(name); });
     cards_.push_back(card);
   }

@@ -74,6 +74,8 @@ class Style : public QProxyStyle {
     switch (hint) {
       case SH_Slider_AbsoluteSetButtons:  // a click sets the slider there, as the hand expects
         return Qt::LeftButton;
+      case SH_DialogButtonBox_ButtonsHaveIcons:  // the system's pictures are of another hand
+        return 0;
       case SH_ToolTip_WakeUpDelay:
         return 500;
       default:

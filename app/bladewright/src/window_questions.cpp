@@ -56,6 +56,8 @@ void MainWindow::setDefaultQuestions() {
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, &dialog);
     auto* go = buttons->addButton(tr("Choose file…"), QDialogButtonBox::AcceptRole);
     go->setObjectName("primary");
+    go->style()->unpolish(go);  // the name came after the first polish
+    go->style()->polish(go);
     layout->addSpacing(kGap);
     layout->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
