@@ -196,11 +196,11 @@ TEST_F(SectionScene, SoftShadowsDarkenHollowsAndNothingElse) {
       darker += change < -12;
       brighter += change > 1;
       if (change >= -2) continue;
-      // The shadows are coarser than the picture: beside a border they may reach over it by three pixels.
+      // The shadows are coarser than the picture: beside a border they may reach over it by four pixels.
       const Pick pick = scene.pick(x + 0.5, y + 0.5, 1000, 640);
       if (pick.kind == Pick::Kind::none) {
         bool border = false;
-        for (const auto& [dx, dy] : {std::pair{-3, 0}, std::pair{3, 0}, std::pair{0, -3}, std::pair{0, 3}})
+        for (const auto& [dx, dy] : {std::pair{-4, 0}, std::pair{4, 0}, std::pair{0, -4}, std::pair{0, 4}})
           border = border || scene.pick(x + dx + 0.5, y + dy + 0.5, 1000, 640).kind != Pick::Kind::none;
         EXPECT_TRUE(border) << x << " " << y;
       } else if (std::abs(pick.point.y()) > 160 && std::abs(pick.point.y()) < 380) {

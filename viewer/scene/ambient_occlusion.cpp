@@ -88,6 +88,11 @@ uniform vec2 texel;
 void main()
 {
   float here = texture(depths, texCoord).r, slope = 4.0 * max(fwidth(here), 1e-6);
+  if (here >= 1.0)
+  {
+    gl_FragData[0] = vec4(1.0);  // no shadow reaches over a border into the background
+    return;
+  }
   float sum = 0.0, weight = 0.0;
   for (int y = -2; y < 2; ++y)
   {
