@@ -268,7 +268,9 @@ void Scene::Impl::renderFrame(int width, int height) {
   const double perMillimetre =
       camera.parallel ? 2 / (far - near) : 2 * far * near / ((far - near) * distance * distance);
   occlusion_->setReach(kShadowReach * actors_.diagonal());
-  occlusion_->setStrength(style.softShadows && !draft_ ? (field ? kShadowUnderMap : kShadow) : 0);
+  // What is out of date is faded, and its shadows with it.
+  const double shadow = (field ? kShadowUnderMap : kShadow) * (style.stale ? 0.6 : 1.0);
+  occlusion_->setStrength(style.softShadows && !draft_ ? shadow : 0);
   const double pixel = bw::scene::pixelSize(camera, height);
   actors_.update(content, style, perMillimetre, pixel);
   blade_.update(view, -perMillimetre * 2 * pixel * style.pixelRatio);
