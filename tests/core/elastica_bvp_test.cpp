@@ -184,6 +184,17 @@ TEST(ClampedBlade, RestsInTheStableShapeOfLowestEnergy) {
   }
 }
 
+TEST(ClampedBlade, AllShapesHoldTheOneAtRestAtTheEdgesOfTheSheets) {
+  // Inflections close to both grips, and a blade too taut for the cells.
+  for (const auto& [share, a, b] :
+       {std::tuple{0.7199, 1.0921, -0.8787}, {0.6239, -1.1221, 1.2256}, {0.974, 1.7024, -0.0629}}) {
+    const Result<ClampedAnswer> rest = solveClamped(across(share, a, b));
+    const Result<ClampedAnswer> all = solveAllClamped(across(share, a, b));
+    ASSERT_TRUE(rest && all) << share;
+    EXPECT_NEAR(all->solutions[0].energy, rest->solutions[0].energy, 1e-9 * rest->solutions[0].energy);
+  }
+}
+
 TEST(ClampedBlade, BothRoutesAgreeOnStability) {
   std::mt19937 engine(8);
   std::uniform_real_distribution<double> unit(-1, 1);

@@ -204,7 +204,7 @@ class Search {
   void swinging(int maxInflections) {
     const double width = 2 * kPi - problem_.turning;
     if (!(width > 1e-9)) return;
-    constexpr int kAngles = 48;
+    constexpr int kAngles = 49;  // odd: where both ends lie equally high the sheets have an edge
     const std::vector<double> ts = levels(0, 0.15, 3.0, 90.0);
     grid(kAngles, ts, [&](int i, double t) {
       // Denser towards the ends, where the pendulum starts or ends at the top.
@@ -424,6 +424,13 @@ std::vector<UnitSolution> allShapes(const UnitProblem& problem, int maxInflectio
   search.swinging(maxInflections);
   if (mirror)
     for (UnitSolution& solution : result) solution = mirrorOf(solution);
+  // So taut that the cells do not reach it.
+  if (const std::optional<UnitSolution> taut = tautShape(problem)) {
+    const bool known = std::any_of(result.begin(), result.end(), [&](const UnitSolution& other) {
+      return (other.shape - taut->shape).norm() < 1e-4 * taut->shape.norm();
+    });
+    if (!known) result.push_back(*taut);
+  }
   return result;
 }
 
