@@ -187,16 +187,16 @@ void Inspector::makeStation() {
   line->addWidget(arrow("chevron-left", tr("Station before"), -1));
   line->addWidget(arrow("chevron-right", tr("Next station"), 1));
   line->addStretch();
-  stationNumber_ = new NumberField({0, double(Job::kMaxStations), 0, 1, {}});
+  stationNumber_ = new NumberField({1, double(Job::kMaxStations), 0, 1, {}});
   stationNumber_->setAccessibleName(tr("Station"));
-  stationNumber_->setToolTip(tr("Counted from 0, as in messages, reports and programs"));
+  stationNumber_->setToolTip(tr("Counted from 1, as in messages; data files count from 0"));
   stationNumber_->setFixedWidth(96);
   connect(stationNumber_, &NumberField::edited, this, [this](double value) {
     // Stations that were left out have no place: the next one is taken.
     const pipeline::SweepResult* result = bench_.sweep();
     if (!result) return;
     const auto& stations = result->sweep.stations;
-    const auto found = std::find_if(stations.begin(), stations.end(), [value](const Station& s) { return s.index >= int(value); });
+    const auto found = std::find_if(stations.begin(), stations.end(), [value](const Station& s) { return s.index + 1 >= int(value); });
     bench_.selectStation(int(found - stations.begin()));
     refresh();
   });
@@ -269,13 +269,13 @@ void Inspector::refresh() {
   blockFields_->refresh();
   bladeFields_->refresh();
   if (const pipeline::SweepResult* result = bench_.sweep()) {
-    const int last = result->sweep.stations.empty() ? 0 : result->sweep.stations.back().index;
+    const int last = result->sweep.stations.empty() ? 1 : result->sweep.stations.back().index + 1;
     // A smaller sweep must not look like a choice of its last station.
     const QSignalBlocker quiet(stationNumber_);
     stationNumber_->setMaximum(last);
-    stationNumber_->setSuffix(tr(" of 0–%1").arg(last));
+    stationNumber_->setSuffix(tr(" of %1").arg(last));
   }
-  if (const Station* selected = station()) stationNumber_->show(selected->index);
+  if (const Station* selected = station()) stationNumber_->show(selected->index + 1);
 }
 
 }  // namespace bw::app

@@ -337,7 +337,7 @@ void SectionView::paintEvent(QPaintEvent*) {
   double top = kBarsHeight + 4;
   const StationNumbers& n = numbers_[std::size_t(drawing_.station)];
   const Station& station = bench_.sweep()->sweep.stations[std::size_t(drawing_.station)];
-  const QString title = tr("Station %1").arg(station.index);
+  const QString title = tr("Station %1").arg(station.index + 1);
   QFont bold = small;
   bold.setWeight(QFont::DemiBold);
   painter.setFont(bold);
@@ -387,7 +387,7 @@ void SectionView::mouseMoveEvent(QMouseEvent* event) {
     setCursor(station >= 0 ? Qt::PointingHandCursor : Qt::ArrowCursor);
     if (station >= 0)
       QToolTip::showText(event->globalPosition().toPoint(),
-                         tr("Station %1: deviation %2").arg(bench_.sweep()->sweep.stations[std::size_t(station)].index).arg(lengthText(numbers_[std::size_t(station)].deviation)), this);
+                         tr("Station %1: deviation %2").arg(bench_.sweep()->sweep.stations[std::size_t(station)].index + 1).arg(lengthText(numbers_[std::size_t(station)].deviation)), this);
     update();
   }
 }
