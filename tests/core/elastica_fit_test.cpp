@@ -309,7 +309,13 @@ TEST(ElasticaFit, FollowsMotionScaleMirrorAndReversal) {
 }
 
 TEST(ElasticaFit, HausdorffIsTheFarthestOfAThousandPoints) {
-  for (const auto& [name, c] : test::fitCurves()) {
+  // Also where points between two strands of the curve change from one to the other.
+  std::vector<test::NamedCurve> curves = test::fitCurves();
+  for (const PlanarCurve& c : test::randomCurves(600, 5)) {
+    curves.push_back({"random " + std::to_string(curves.size()), c});
+    if (curves.size() % 10 == 0) curves.push_back({"chain", PlanarCurve::points(c.sample(50)).value()});
+  }
+  for (const auto& [name, c] : curves) {
     SCOPED_TRACE(name);
     const FitResult r = fitElastica(c).value();
     double farthest = 0;

@@ -16,7 +16,6 @@ using Eigen::Vector2d;
 // Limits of one descent. Steps are relative to the scaled parameters; the cost is in squared lengths of the
 // target.
 constexpr int kMaxIterations = 60;
-constexpr double kStepTolerance = 1e-11;
 constexpr double kCostTolerance = 1e-30;
 constexpr double kGradientTolerance = 1e-15;
 // The descent hands over to Newton's method when its steps are shorter than this.
@@ -30,6 +29,8 @@ constexpr int kMaxSecantSteps = 60;
 // Until its steps are shorter than this (scaled parameters), a descent works with nine digits.
 constexpr double kRoughStep = 1e-6;
 constexpr int kMaxRefusals = 8;
+// A step this short is the last one: its own error is far smaller, and the result is judged afterwards.
+constexpr double kLastStep = 1e-9;
 // A step this short that does not lower the value any more is rounding.
 constexpr double kRoundingStep = 1e-7;
 // A shape that has to be shrunk or stretched beyond these factors has lost the target.
@@ -99,6 +100,11 @@ bool ProjectedFit::operator()(const double* x, double* residuals, double* jacobi
     row = turned(linear.factor, basis_[i]) - goal_[i];
   }
   if (jacobian == nullptr) return true;
+  if (rival_ != nullptr && (shape - rival_->placement.shape).cwiseProduct(scale_).norm() < kSamePlace &&
+      Eigen::Map<const Eigen::VectorXd>(residuals, NumResiduals()).squaredNorm() > rival_->value) {
+    std::fill(jacobian, jacobian + 6 * rows_, 0.0);  // ends the descent
+    return true;
+  }
   const std::size_t count = target_.size();
   for (int j = 0; j < 3; ++j) {
     Vector2d mean = Vector2d::Zero();
@@ -182,7 +188,10 @@ bool ProjectedFit::polish(Eigen::Vector3d& x, int& steps) const {
       if (!toAllDigits()) return false;
       continue;
     }
-    if (step.norm() <= kStepTolerance) return true;
+    if (step.norm() <= kLastStep) {
+      x += step;
+      return true;
+    }
     const Eigen::Vector3d next = x + step;
     Eigen::Vector3d gNext;
     double valueNext = 0;
@@ -236,7 +245,9 @@ std::optional<ProjectedFit::Solution> ProjectedFit::solve(const Shape& start, co
   solver.options.gradient_tolerance = kGradientTolerance;
   solver.options.cost_threshold = 1e-32;
   Eigen::Vector3d x = start.cwiseProduct(scale_);
+  rival_ = rival;
   const auto& summary = solver.Solve(*this, &x);
+  rival_ = nullptr;
   Solution solution;
   solution.iterations = summary.iterations;
   if (rival != nullptr) {

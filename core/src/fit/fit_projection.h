@@ -66,6 +66,7 @@ class ProjectedFit {
   FitObjective objective_;
   std::size_t rows_;
   Eigen::Vector3d scale_ = Eigen::Vector3d::Ones();
+  const Placed* rival_ = nullptr;  ///< of the descent at hand
   std::vector<double> rootWeight_;
   std::vector<Eigen::Vector2d> goal_;
   mutable ShapeEvaluator evaluator_;
