@@ -26,6 +26,31 @@ TEST(ElasticaCases, AnswersACircleExactly) {
   EXPECT_FALSE(result["self_intersects"].get<bool>());
 }
 
+TEST(ElasticaCases, AnAnchorHoldsBothEndsAndComesBackAsItIs) {
+  const std::string anchor =
+      R"("anchor": {"at": 31.25, "point": [1, 2], "angle": 0.5, "curvature": 0, "force": [-1, 1e-13]})";
+  const auto run = [](const std::string& elastica) {
+    const Result<CaseAnswer> answer =
+        elasticaCases(R"({"elastica": )" + elastica + R"(, "at": [0, 62.5]})", {});
+    EXPECT_TRUE(answer);
+    return json::parse(answer->json);
+  };
+  const json first = run("{" + anchor + R"(, "length": 62.5})");
+  ASSERT_TRUE(first.contains("points")) << first.dump();
+  // An inflection at the anchor: the ends lie opposite each other.
+  for (const int i : {0, 1})
+    EXPECT_NEAR(first["points"][0][i].get<double>() + first["points"][1][i].get<double>(), 2.0 * (1 + i),
+                1e-11);
+  EXPECT_GT(std::abs(first["angles"][0].get<double>() - 0.5), 0.5);
+  const json again = run(first["elastica"].dump());
+  EXPECT_EQ(again["points"], first["points"]);
+  EXPECT_EQ(again["elastica"], first["elastica"]);
+  json other = first["elastica"];
+  other["start_angle"] = 0.1;
+  EXPECT_EQ(run(other.dump())["error"]["code"], "bad-input");
+  EXPECT_EQ(run(R"({"anchor": {"at": 1}, "length": 5})")["error"]["code"], "bad-input");
+}
+
 TEST(ElasticaCases, OneFailingCaseNeverEndsTheOthers) {
   const Result<CaseAnswer> answer = elasticaCases(R"({"cases": [
     {"elastica": {"start": [0,0], "start_angle": 0, "start_curvature": 0, "force": [0,0], "length": 10}, "at": [5]},

@@ -32,10 +32,12 @@ constexpr double kLargestArcLength = 1e90;
 /// Beyond this many periods an arc length is led back into the first period, so that the cost is bounded.
 constexpr double kDirectPeriods = 4;
 
-/// One arc length to evaluate, in units of the flow: t = rest + periods · period, rest with the sign of t.
+/// One arc length to evaluate, in units of the flow: t = straight + rest + periods · period, rest with the
+/// sign of t.
 struct Item {
   double rest = 0;
   double periods = 0;
+  double straight = 0;  ///< the way along the straight stretch
   std::size_t index = 0;
 };
 
@@ -45,20 +47,20 @@ class Evaluation {
   using Flow = ElasticaFlow<Directions>;
   using Block = typename Flow::Block;
 
-  explicit Evaluation(const Elastica& elastica) : elastica_(elastica), scaled_(detail::scaled(elastica)) {}
+  explicit Evaluation(const Elastica& elastica) : scaled_(detail::scaled(elastica)) {}
 
   /// Calls sink(index, block) for every arc length, mm.
   template <class Sink>
   void run(std::span<const double> s, Sink&& sink) {
     if (s.size() == 1) {
-      Item item{toFlow(s[0]), 0, 0};
+      Item item = itemAt(s[0], 0);
       leadBack({&item, 1});
       walk({&item, 1}, sink);
       return;
     }
     std::vector<Item> items(s.size());
     for (std::size_t i = 0; i < s.size(); ++i) {
-      items[i] = Item{toFlow(s[i]), 0, i};
+      items[i] = itemAt(s[i], i);
     }
     leadBack(items);
     const auto byRest = [](const Item& a, const Item& b) { return a.rest < b.rest; };
@@ -73,9 +75,9 @@ class Evaluation {
     Elastica::State result;
     const double x = block(0, 0) * scaled_.unit;
     const double y = block(1, 0) * scaled_.unit;
-    result.point = elastica_.start() + Eigen::Vector2d(scaled_.cosine * x - scaled_.sine * y,
-                                                       scaled_.sine * x + scaled_.cosine * y);
-    result.angle = elastica_.startAngle() + block(2, 0);
+    result.point = scaled_.point + Eigen::Vector2d(scaled_.cosine * x - scaled_.sine * y,
+                                                   scaled_.sine * x + scaled_.cosine * y);
+    result.angle = scaled_.angle + block(2, 0);
     result.curvature = block(3, 0) / scaled_.unit;
     return result;
   }
@@ -109,9 +111,11 @@ class Evaluation {
   }
 
  private:
-  double toFlow(double s) const {
+  Item itemAt(double s, std::size_t index) const {
     BW_CHECK(std::isfinite(s));
-    return std::clamp(s / scaled_.unit, -kLargestArcLength, kLargestArcLength);
+    const double t = std::clamp((s - scaled_.at) / scaled_.unit, -kLargestArcLength, kLargestArcLength);
+    const double straight = std::clamp(t, -scaled_.straight, scaled_.straight);
+    return Item{t - straight, 0, straight, index};
   }
 
   /// Replaces far arc lengths by those in the first period.
@@ -169,21 +173,23 @@ class Evaluation {
       Flow flow(scaled_.flow, scaled_.known, 1);
       for (auto item = ahead; item != items.end(); ++item) {
         flow.advanceTo(item->rest);
-        sink(item->index, moved(flow.at(item->rest), item->periods));
+        sink(item->index, moved(flow.at(item->rest), *item));
       }
     }
     if (ahead != items.begin()) {
-      Flow flow(scaled_.flow, scaled_.known, -1);
+      Flow flow(scaled_.flowBack, scaled_.knownBack, -1);
       for (auto item = ahead; item != items.begin();) {
         --item;
         flow.advanceTo(item->rest);
-        sink(item->index, moved(flow.at(item->rest), item->periods));
+        sink(item->index, moved(flow.at(item->rest), *item));
       }
     }
   }
 
-  /// `block` moved on by whole periods.
-  Block moved(Block block, double periods) const {
+  /// `block` moved on by the straight stretch and by whole periods.
+  Block moved(Block block, const Item& item) const {
+    block(0, 0) += item.straight;
+    const double periods = item.periods;
     if (periods == 0) {
       return block;
     }
@@ -199,7 +205,6 @@ class Evaluation {
     return block + shift_ * periods;
   }
 
-  const Elastica& elastica_;
   ScaledElastica scaled_;
   Block shift_ = Block::Zero();  ///< what one period adds
   std::array<double, 3> periodDerivative_{};
@@ -273,16 +278,16 @@ std::vector<Eigen::Vector2d> Elastica::sample(int count) const {
 
 Elastica::State Elastica::at(double s, Jacobian& jacobian) const {
   State result;
-  Evaluation<3> evaluation(*this);
-  evaluation.run({&s, 1}, [&](std::size_t, const auto& block) {
-    result = evaluation.state(block);
-    jacobian = evaluation.jacobian(block);
-  });
+  at({&s, 1}, {&result, 1}, {&jacobian, 1});
   return result;
 }
 
 void Elastica::at(std::span<const double> s, std::span<State> out, std::span<Jacobian> jacobians) const {
   BW_CHECK(out.size() == s.size() && jacobians.size() == s.size());
+  if (anchor_) {
+    anchoredAt(s, out, jacobians);
+    return;
+  }
   Evaluation<3> evaluation(*this);
   evaluation.run(s, [&](std::size_t i, const auto& block) {
     out[i] = evaluation.state(block);
@@ -297,6 +302,11 @@ Result<Elastica> Elastica::segment(double s0, double s1) const {
   if (!(s0 < s1)) {
     return refuse("segment length", s1 - s0, "let the second arc length be larger than the first", 0);
   }
+  if (anchor_) {
+    Anchor anchor = *anchor_;
+    anchor.at -= s0;
+    return makeAnchored(anchor, s1 - s0);
+  }
   const State from = at(s0);
   return make(from.point, from.angle, from.curvature, force_, s1 - s0);
 }
@@ -309,6 +319,12 @@ Elastica Elastica::reversed() const {
   result.startCurvature_ = -end.curvature;
   result.force_ = -force_;
   result.length_ = length_;
+  if (anchor_) {
+    result.anchor_ = anchor_;
+    result.anchor_->at = length_ - anchor_->at;
+    result.anchor_->angle += result.startAngle_ - end.angle;
+    result.anchor_->curvature = -anchor_->curvature;
+  }
   return result;
 }
 
@@ -325,6 +341,14 @@ Elastica Elastica::transformed(double angle, double scale, const Eigen::Vector2d
   result.startCurvature_ = startCurvature_ / scale;
   result.force_ = turned(force_) / scale / scale;
   result.length_ = length_ * scale;
+  if (anchor_) {
+    result.anchor_ = Anchor{.at = anchor_->at * scale,
+                            .point = scale * turned(anchor_->point) + translation,
+                            .angle = anchor_->angle + angle,
+                            .curvature = anchor_->curvature / scale,
+                            .force = anchor_->force / scale / scale,
+                            .straight = anchor_->straight * scale};
+  }
   return result;
 }
 
@@ -334,6 +358,12 @@ Elastica Elastica::mirrored() const {
   result.startAngle_ = -startAngle_;
   result.startCurvature_ = -startCurvature_;
   result.force_.y() = -force_.y();
+  if (anchor_) {
+    result.anchor_->point.y() = -anchor_->point.y();
+    result.anchor_->angle = -anchor_->angle;
+    result.anchor_->curvature = -anchor_->curvature;
+    result.anchor_->force.y() = -anchor_->force.y();
+  }
   return result;
 }
 

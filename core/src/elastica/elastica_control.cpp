@@ -68,7 +68,7 @@ Result<Elastica> Elastica::fromControlParameters(const ControlParameters& p) {
 std::optional<ControlParameters> Elastica::controlParameters() const {
   const detail::ScaledElastica scaled = detail::scaled(*this);
   const detail::ElasticaInvariants& known = scaled.known;
-  if (known.isLine(scaled.length) || known.isCircle()) {
+  if (known.isLine(scaled.length) || known.isCircle() || scaled.straight > 0) {
     return std::nullopt;
   }
   const double omega = known.halfPeakCurvature;
@@ -81,7 +81,7 @@ std::optional<ControlParameters> Elastica::controlParameters() const {
     return backwards ? std::optional(runBackwards(*backwards)) : std::nullopt;
   }
 
-  // Arc length from the nearest apex to the start (docs/mathematics.md, 4).
+  // Arc length from the nearest apex to the origin, then to the start (docs/mathematics.md, 4).
   double fromApex = 0;
   if (inflectional) {
     const double sn = known.apexSine * rootForce / omega;
@@ -97,6 +97,7 @@ std::optional<ControlParameters> Elastica::controlParameters() const {
   if (!std::isfinite(fromApex)) {
     return std::nullopt;
   }
+  fromApex += scaled.first();
   ControlParameters p;
   p.k = omega / rootForce;
   // Near k = 1 rounding k already spoils the period, so that s0 must not hang on it.

@@ -16,6 +16,7 @@ ElasticaInvariants invariants(long double curvature, long double tangential, lon
   const Real f = std::hypot(tangential, normal);
   ElasticaInvariants result;
   result.force = static_cast<double>(f);
+  result.complementScale = result.force;
   Real forceSine = 0;    // √f |σ|
   Real forceCosine = 0;  // √f δ
   if (f > 0) {
@@ -40,7 +41,8 @@ double periodLength(const ElasticaInvariants& known) {
     return std::numeric_limits<double>::infinity();
   }
   constexpr double kSmallestModulus = 1e-16;  // complementary; below it the period has no certain digit
-  const double root = std::max(std::sqrt(std::abs(known.complement)), kSmallestModulus * scale);
+  const double root =
+      std::max(std::sqrt(std::abs(known.complement)), kSmallestModulus * std::sqrt(known.complementScale));
   const double quarters = known.hasInflections() ? 4 : 2;
   return quarters * 0.5 * std::numbers::pi / arithmeticGeometricMean(scale, root);
 }

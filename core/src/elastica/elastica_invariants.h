@@ -28,6 +28,7 @@ struct ElasticaInvariants {
   double force = 0;              ///< f = |(f_t, f_n)|
   double halfPeakCurvature = 0;  ///< ω = k √f: half the curvature at the apex
   double complement = 0;         ///< g = f (1 − k²): > 0 with inflections, < 0 without, 0 for k = 1
+  double complementScale = 0;    ///< g is known to rounding of this
   double apexSine = 0;           ///< σ = sin of half the start's tangent angle against the force
   double apexCosine = 1;         ///< δ = cos of the same, ≥ 0
 
@@ -36,7 +37,7 @@ struct ElasticaInvariants {
   /// The curvature is constant to rounding.
   bool isCircle() const { return force <= kRounding * halfPeakCurvature * halfPeakCurvature; }
   /// k = 1 to rounding.
-  bool isSingleLoop() const { return std::abs(complement) <= kRounding * force; }
+  bool isSingleLoop() const { return std::abs(complement) <= kRounding * complementScale; }
   bool hasInflections() const { return complement >= 0; }
 };
 

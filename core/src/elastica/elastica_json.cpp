@@ -3,6 +3,10 @@
 
 #include "elastica/elastica_json.h"
 
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
 #include "base/json_reader.h"
 
 namespace bw {
@@ -32,6 +36,13 @@ ordered_json elasticaToJson(const Elastica& e) {
   object["start_curvature"] = e.startCurvature();
   object["force"] = {e.force().x(), e.force().y()};
   object["length"] = e.length();
+  if (const std::optional<Elastica::Anchor>& a = e.anchor())
+    object["anchor"] = {{"at", a->at},
+                        {"point", {a->point.x(), a->point.y()}},
+                        {"angle", a->angle},
+                        {"curvature", a->curvature},
+                        {"force", {a->force.x(), a->force.y()}},
+                        {"straight", a->straight}};
   if (const std::optional<ControlParameters> p = e.controlParameters())
     object["control_parameters"] = {{"k", p->k},     {"s0", p->s0}, {"l", p->l}, {"S", p->S},
                                     {"phi", p->phi}, {"x", p->x},   {"y", p->y}};
@@ -40,22 +51,58 @@ ordered_json elasticaToJson(const Elastica& e) {
   return object;
 }
 
+namespace {
+
+Result<Elastica> anchoredFromJson(const json& object, double length, const std::string& path) {
+  ObjectReader reader(object, path);
+  Elastica::Anchor anchor;
+  for (const char* key : {"at", "point", "angle", "curvature", "force"})
+    if (!reader.has(key)) reader.complain(key, path + " needs the key " + key);
+  reader.number("at", anchor.at, -kHuge, kHuge);
+  readVector2(reader, "point", anchor.point);
+  reader.number("angle", anchor.angle, -kHuge, kHuge);
+  reader.number("curvature", anchor.curvature, -kHuge, kHuge);
+  readVector2(reader, "force", anchor.force);
+  reader.number("straight", anchor.straight, 0, kHuge);
+  if (Result<void> ok = reader.finish(); !ok) return tl::unexpected<Error>(ok.error());
+  return Elastica::makeAnchored(anchor, length);
+}
+
+}  // namespace
+
 Result<Elastica> elasticaFromJson(const json& object, const std::string& path) {
   ObjectReader reader(object, path);
   const json* control = reader.member("control_parameters");
+  const json* anchor = reader.member("anchor");
+  if (anchor && anchor->is_null()) anchor = nullptr;
   const bool regular = object.is_object() && object.contains("start");
   Eigen::Vector2d start = Eigen::Vector2d::Zero(), force = Eigen::Vector2d::Zero();
   double angle = 0, curvature = 0, length = 0;
-  if (regular || !control || control->is_null()) {
-    readVector2(reader, "start", start);
+  if (regular || anchor || !control || control->is_null()) {
+    if (regular || !anchor) readVector2(reader, "start", start);
     reader.number("start_angle", angle, -kHuge, kHuge);
     reader.number("start_curvature", curvature, -kHuge, kHuge);
-    readVector2(reader, "force", force);
+    if (regular || !anchor) readVector2(reader, "force", force);
     reader.number("length", length, 0, kHuge);
     for (const char* key : {"start_angle", "start_curvature", "length"})
-      if (!reader.has(key)) reader.complain(key, path + " needs the key " + key);
+      if (!reader.has(key) && (regular || !anchor || key == std::string_view("length")))
+        reader.complain(key, path + " needs the key " + key);
     if (Result<void> ok = reader.finish(); !ok) return tl::unexpected<Error>(ok.error());
-    return Elastica::make(start, angle, curvature, force, length);
+    if (!anchor) return Elastica::make(start, angle, curvature, force, length);
+    Result<Elastica> held = anchoredFromJson(*anchor, length, path + ".anchor");
+    if (!held || !regular) return held;
+    // What stands beside the anchor must tell the same curve.
+    constexpr double kSame = 1e-6;
+    const double miss =
+        std::max({(held->start() - start).norm() / length, std::abs(held->startAngle() - angle),
+                  std::abs(held->startCurvature() - curvature) * length / (1 + std::abs(curvature) * length),
+                  (held->force() - force).norm() / (1e-300 + force.norm())});
+    if (!(miss <= kSame))
+      return fail(ErrorCode::badInput,
+                  path + ".anchor tells another curve than " + path +
+                      ".start, start_angle, start_curvature and force; leave one of them out.",
+                  path + ".anchor", miss, kSame);
+    return held;
   }
   if (Result<void> ok = reader.finish(); !ok) return tl::unexpected<Error>(ok.error());
   ObjectReader inner(*control, path + ".control_parameters");

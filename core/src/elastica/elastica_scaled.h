@@ -7,15 +7,23 @@
 
 namespace bw::detail {
 
-/// An elastica in the frame of its start and in a unit of length that fits its shape (docs/mathematics.md,
-/// 1).
+/// An elastica in the frame of its origin, the anchor or else the start, and in a unit of length that fits
+/// its shape (docs/mathematics.md, 1).
 struct ScaledElastica {
-  FlowParameters flow;
-  ElasticaInvariants known;
-  double unit = 1;    ///< the unit of length, mm; a power of two, so that scaling does not round
-  double cosine = 1;  ///< of the start angle
-  double sine = 0;    ///< of the start angle
-  double length = 1;  ///< of the segment, in the unit
+  FlowParameters flow;           ///< from the origin, or the far end of the straight stretch, onwards
+  ElasticaInvariants known;      ///< of `flow`
+  FlowParameters flowBack;       ///< from the origin, or the near end of the straight stretch, backwards
+  ElasticaInvariants knownBack;  ///< of `flowBack`
+  double unit = 1;               ///< the unit of length, mm; a power of two, so that scaling does not round
+  double cosine = 1;             ///< of the origin's angle
+  double sine = 0;               ///< of the origin's angle
+  Eigen::Vector2d point{0, 0};   ///< the origin, mm
+  double angle = 0;              ///< its tangent angle
+  double at = 0;                 ///< its arc length, mm
+  double length = 1;             ///< of the segment, in the unit
+  double straight = 0;           ///< half the straight stretch about the origin, in the unit
+  double first() const { return -at / unit; }       ///< the segment's start, counted from the origin
+  double last() const { return first() + length; }  ///< the segment's end
 };
 ScaledElastica scaled(const Elastica& elastica);
 

@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "bw/core/elastica.h"
-#include "elastica/elastica_flow.h"
-#include "elastica/elastica_scaled.h"
+#include "elastica/elastica_pieces.h"
 
 namespace bw {
 
@@ -45,18 +44,15 @@ struct Arc {
 
 class CrossingSearch {
  public:
-  CrossingSearch(const detail::ScaledElastica& scaled, double force, double length)
-      : force_(force), tolerance_(kSamePoint * length) {
-    Flow flow(scaled.flow, scaled.known, 1);
-    for (double a = 0; a < length;) {
-      flows_.push_back(flow);
-      ends_.push_back(a = std::min(flow.end(), length));
-      flow.next();
-    }
-    double a = 0;
-    for (std::size_t i = 0; i < flows_.size(); ++i) {
-      addArcs(arc(flows_[i], node(flows_[i], a), node(flows_[i], ends_[i])));
-      a = ends_[i];
+  CrossingSearch(const detail::ScaledElastica& scaled, double force)
+      : force_(force), tolerance_(kSamePoint * scaled.length) {
+    // Between the bends of a taut blade any straight stretch tells the same: it is left out.
+    detail::forEachPiece(scaled, [&](const Flow& flow, double a, double b) {
+      pieces_.push_back({flow, std::min(a, b), std::max(a, b)});
+    });
+    std::sort(pieces_.begin(), pieces_.end(), [](const Piece& a, const Piece& b) { return a.from < b.from; });
+    for (const Piece& piece : pieces_) {
+      addArcs(arc(piece.flow, node(piece.flow, piece.from), node(piece.flow, piece.to)));
     }
   }
 
@@ -76,6 +72,11 @@ class CrossingSearch {
   }
 
  private:
+  struct Piece {
+    Flow flow;
+    double from, to;
+  };
+
   static Node node(const Flow& flow, double t) {
     const Flow::Block block = flow.at(t);
     return Node{t, Vector2d(block(0, 0), block(1, 0)), block(3, 0)};
@@ -163,21 +164,22 @@ class CrossingSearch {
   double force_;
   double tolerance_;
   int pairs_ = 0;
-  std::vector<Flow> flows_;
-  std::vector<double> ends_;
+  std::vector<Piece> pieces_;
   std::vector<Arc> arcs_;
 };
 
 }  // namespace
 
 bool Elastica::selfIntersects() const {
-  const detail::ScaledElastica scaled = detail::scaled(*this);
+  detail::ScaledElastica scaled = detail::scaled(*this);
   const detail::ElasticaInvariants& known = scaled.known;
-  const double length = std::min(scaled.length, kPeriodsToSearch * detail::periodLength(known));
-  if (2 * known.halfPeakCurvature * length < std::numbers::pi) {
+  if (!anchor_) {
+    scaled.length = std::min(scaled.length, kPeriodsToSearch * detail::periodLength(known));
+  }
+  if (2 * known.halfPeakCurvature * scaled.length < std::numbers::pi) {
     return false;
   }
-  return CrossingSearch(scaled, known.force, length).found();
+  return CrossingSearch(scaled, known.force).found();
 }
 
 }  // namespace bw

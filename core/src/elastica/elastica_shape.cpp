@@ -4,16 +4,16 @@
 #include <cmath>
 #include <numbers>
 
-#include "bw/core/elastica.h"
-#include "elastica/elastica_flow.h"
-#include "elastica/elastica_scaled.h"
 #include "base/gauss_legendre.h"
+#include "bw/core/elastica.h"
+#include "elastica/elastica_pieces.h"
 
 namespace bw {
 
 namespace {
 
 using detail::ElasticaInvariants;
+using detail::forEachPiece;
 using detail::ScaledElastica;
 using Flow = detail::ElasticaFlow<0>;
 using Block = Flow::Block;
@@ -22,26 +22,11 @@ using detail::kNegligible;
 
 double peakCurvature(const ElasticaInvariants& known) { return 2 * known.halfPeakCurvature; }
 
-/// Calls visit(flow, a, b) for the pieces of the flow over [0, length].
-template <class Visit>
-void forEachPiece(const ScaledElastica& scaled, double length, Visit&& visit) {
-  Flow flow(scaled.flow, scaled.known, 1);
-  for (double a = 0; a < length;) {
-    const double b = std::min(flow.end(), length);
-    visit(flow, a, b);
-    if (b == length) {
-      break;
-    }
-    a = b;
-    flow.next();
-  }
-}
-
 /// The root of the curvature in [a, b], where it changes sign.
 double curvatureRoot(const Flow& flow, double a, double b) {
-  double low = a;
-  double high = b;
-  const bool rising = flow.at(b)(3, 0) > flow.at(a)(3, 0);
+  double low = std::min(a, b);
+  double high = std::max(a, b);
+  const bool rising = flow.at(high)(3, 0) > flow.at(low)(3, 0);
   // Bisection halves the bracket to the last bit; secant steps inside it make ten rounds the common case.
   double t = 0.5 * (low + high);
   for (int i = 0; i < 60 && low < t && t < high; ++i) {
@@ -62,10 +47,10 @@ double Elastica::energy() const {
   constexpr int kNodes = 12;
   const detail::GaussRule rule = detail::gaussRule(kNodes);
   double sum = 0;
-  forEachPiece(scaled, scaled.length, [&](const Flow& flow, double a, double b) {
+  forEachPiece(scaled, [&](const Flow& flow, double a, double b) {
     for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
       const double curvature = flow.at(a + (b - a) * rule.nodes[i])(3, 0);
-      sum += (b - a) * rule.weights[i] * curvature * curvature;
+      sum += std::abs(b - a) * rule.weights[i] * curvature * curvature;
     }
   });
   return 0.5 * sum / scaled.unit;
@@ -76,24 +61,49 @@ std::vector<double> Elastica::inflections() const {
   const ScaledElastica scaled = detail::scaled(*this);
   const ElasticaInvariants& known = scaled.known;
   const double peak = peakCurvature(known);
-  if (!known.hasInflections() || known.isSingleLoop() || known.isLine(scaled.length)) {
+  const bool inflected =
+      scaled.straight > 0 ? anchor_->curvature == 0 : known.hasInflections() && !known.isSingleLoop();
+  if (!inflected || known.isLine(scaled.length)) {
     return result;
   }
   const double zero = kNegligible * peak;
-  double last = scaled.flow.curvature;
-  if (std::abs(last) <= zero) {
-    result.push_back(0);
-    last = scaled.flow.normal;
+  const double first = scaled.first();
+  const double last = scaled.last();
+  const auto add = [&](double t) { result.push_back(std::clamp((t - first) * scaled.unit, 0.0, length_)); };
+  // The walks go out from the origin, where the sign is told exactly; a curvature at an end that is zero to
+  // rounding counts.
+  const bool atOrigin = first <= 0 && last >= 0 &&
+                        (first == 0 || last == 0 ? std::abs(scaled.flow.curvature) <= zero
+                                                 : anchor_ && anchor_->curvature == 0);
+  if (atOrigin) {
+    add(0);
   }
-  forEachPiece(scaled, scaled.length, [&](const Flow& flow, double a, double b) {
+  double sign = 0;
+  double before = 0;
+  forEachPiece(scaled, [&](const Flow& flow, double a, double b) {
+    const double direction = b > a ? 1 : -1;
+    const double shift = direction * scaled.straight;
     const double next = flow.at(b)(3, 0);
-    if (b == scaled.length && std::abs(next) <= zero) {
-      result.push_back(length_);
-    } else if (next * last < 0) {
-      result.push_back(std::min(curvatureRoot(flow, a, b) * scaled.unit, length_));
+    if (direction != sign) {
+      sign = direction;
+      const Block start = flow.at(a);
+      before = start(3, 0);
+      if (std::abs(a) == 0 && atOrigin && scaled.straight == 0) {
+        before = direction * scaled.flow.normal;
+      } else if (std::abs(a) > 0 && std::abs(before) <= zero) {
+        add(a + shift);
+        before = 0;
+      }
     }
-    last = next != 0 ? next : -last;
+    const double end = direction > 0 ? last : first;
+    if (b == end - shift && std::abs(next) <= zero) {
+      add(end);
+    } else if (next * before < 0) {
+      add(curvatureRoot(flow, a, b) + shift);
+    }
+    before = next != 0 ? next : -before;
   });
+  std::sort(result.begin(), result.end());
   return result;
 }
 
@@ -103,11 +113,12 @@ double Elastica::maxCurvature() const {
   // |κ| is largest at an end or at an apex, where the tangent points along the force.
   const double forceAngle = std::atan2(scaled.flow.normal, scaled.flow.tangential);
   const auto turns = [&](double angle) { return std::floor((angle - forceAngle) / (2 * std::numbers::pi)); };
-  double largest = std::abs(scaled.flow.curvature);
-  forEachPiece(scaled, scaled.length, [&](const Flow& flow, double a, double b) {
+  double largest = 0;
+  forEachPiece(scaled, [&](const Flow& flow, double a, double b) {
+    const Block start = flow.at(a);
     const Block end = flow.at(b);
-    largest = std::max(largest, std::abs(end(3, 0)));
-    if (known.force > 0 && turns(flow.at(a)(2, 0)) != turns(end(2, 0))) {
+    largest = std::max({largest, std::abs(start(3, 0)), std::abs(end(3, 0))});
+    if (known.force > 0 && turns(start(2, 0)) != turns(end(2, 0))) {
       largest = std::max(largest, peakCurvature(known));
     }
   });
