@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bw/core/number_text.h"
+#include "fit/fit_clamped.h"
 #include "fit/fit_constrained.h"
 #include "fit/fit_distance.h"
 #include "fit/fit_free.h"
@@ -226,8 +227,18 @@ Result<FitResult> fitElastica(const PlanarCurve& curve, const FitOptions& option
     for (const Shape& shape : starts) {
       if (const auto placed = projected.place(shape)) places.push_back(placed->placement);
     }
-    detail::ConditionedFit found =
-        search.conditioned(constraints, places, enough, options.initial.has_value());
+    detail::ConditionedFit found;
+    if (constraints.clamped()) {
+      // Hardly any freedom is left: what lies near is good, or all there is is looked at.
+      found = search.nearest(constraints, demands, {places.front()});
+      if (!found.best || (!options.initial && found.best->value > enough)) {
+        detail::ConditionedFit other =
+            search.nearest(constraints, demands, detail::clampedPlacements(full, constraints, tangentNorm));
+        other.iterations += found.iterations;
+        if (other.best && !(found.best && found.best->value <= other.best->value)) found = other;
+      }
+    }
+    if (!found.best) found = search.conditioned(constraints, places, enough, options.initial.has_value());
     if (found.best && demands.any() && !search.meets(found.best->placement, demands))
       found = search.demanded(constraints, demands, places, enough);
     const int iterations = chosen.iterations + found.iterations;

@@ -35,6 +35,8 @@ struct FitConstraints {
   bool openLoops = false;             ///< k below the value at which the loops of an elastica touch
   double startSign = 0, endSign = 0;  ///< if not zero, the sign of the curvature at an end
 
+  /// Ends, tangents and length: what is left are the equilibria of a clamped blade.
+  bool clamped() const { return length && endpoints && tangents; }
   bool equalities() const { return (length && lengthTolerance == 0) || endpoints || tangents; }
   bool bounds() const {
     return maxCurvature || maxPeriods || (length && lengthTolerance > 0) || strand || maxTurning ||

@@ -19,6 +19,8 @@ constexpr double kSame = 1e-9;
 constexpr int kSides = 240;
 // By this part the periods stay below those that have one inflection more.
 constexpr double kFewer = 1e-6;
+// Under strong tension the seven numbers of an elastica miss its ends by more than this (lengths, rad).
+constexpr double kCarried = 1e-6;
 // Rounds in which another demand may be broken by meeting the first one.
 constexpr int kRounds = 3;
 
@@ -168,6 +170,25 @@ ConditionedFit FitSearch::demanded(const FitConstraints& constraints, const FitD
     open = std::move(next);
   }
   return met;
+}
+
+ConditionedFit FitSearch::nearest(const FitConstraints& constraints, const FitDemands& demands,
+                                  const std::vector<Placement>& starts) const {
+  ConstrainedFit fit(target_, constraints, tangentNorm_);
+  ConditionedFit out;
+  out.constraints = constraints;
+  for (const Placement& start : starts) {
+    const Solution solution = fit.solve(start);
+    out.iterations += solution.iterations;
+    if (!solution.feasible || (demands.any() && !meets(solution.placement, demands))) continue;
+    const char* missed = "";
+    const bool carried =
+        largestMiss(toElastica(solution.placement, target_), target_, constraints, missed) <= kCarried;
+    if (out.best && !(carried && solution.converged)) continue;
+    out.best = solution;
+    if (carried && solution.converged) break;
+  }
+  return out;
 }
 
 std::vector<std::string> FitSearch::conflict(const FitConstraints& constraints, const FitDemands& demands,

@@ -42,6 +42,11 @@ class FitSearch {
   ConditionedFit demanded(const FitConstraints& constraints, const FitDemands& demands,
                           const std::vector<Placement>& starts, double enough) const;
 
+  /// From the first of `starts` that can be led onto the conditions and meets the demands; a curve that its
+  /// seven numbers do not carry (strong tension) only if there is no other.
+  ConditionedFit nearest(const FitConstraints& constraints, const FitDemands& demands,
+                         const std::vector<Placement>& starts) const;
+
   /// Of conditions and demands that contradict each other, a part of which none can be left out.
   std::vector<std::string> conflict(const FitConstraints& constraints, const FitDemands& demands,
                                     const std::vector<Placement>& starts) const;
