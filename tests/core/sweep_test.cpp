@@ -6,7 +6,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <numbers>
 #include <numeric>
+#include <optional>
+#include <string>
 
 #include "analytic_surfaces.h"
 #include "bw/core/elastica_stability.h"
@@ -233,14 +237,15 @@ TEST(Motion, RefusesImpossibleSpeeds) {
 
 namespace {
 
-/// Sections that are nearly lines and bend only towards their ends.
-std::vector<Section> nearlyStraightSections(double sag) {
+/// Three equal sections of height `profile`(x) over x = -300 … 300.
+template <class Profile>
+std::vector<Section> equalSections(Profile profile) {
   std::vector<Section> sections;
   for (int i = 0; i < 3; ++i) {
     std::vector<Eigen::Vector2d> points;
     for (int k = 0; k <= 120; ++k) {
-      const double x = -300 + 5.0 * k, u = x / 300;
-      points.emplace_back(x, sag * (1 - std::pow(u, 8)));
+      const double x = -300 + 5.0 * k;
+      points.emplace_back(x, profile(x));
     }
     const double y = 20.0 * i;
     sections.push_back(
@@ -249,6 +254,16 @@ std::vector<Section> nearlyStraightSections(double sag) {
          *PlanarCurve::points(points)});
   }
   return sections;
+}
+
+/// Nearly lines that bend only towards their ends.
+std::vector<Section> nearlyStraightSections(double sag) {
+  return equalSections([sag](double x) { return sag * (1 - std::pow(x / 300, 8)); });
+}
+
+/// A bulge between two hollows.
+std::vector<Section> bulgeSections() {
+  return equalSections([](double x) { return 20 * std::cos(2 * std::numbers::pi * x / 700); });
 }
 
 }  // namespace
@@ -273,7 +288,45 @@ TEST(Sweep, BladeHoldsAlsoBeyondTheSection) {
     EXPECT_GT(stabilityMargin(station.blade), 0);
     EXPECT_LE(station.fit.hausdorff, 2 * job.tolerance);
     EXPECT_EQ(station.fit.status, FitStatus::constraintsActive);
+    EXPECT_TRUE(station.heldBack);
   }
+  Sweep analysed = *sweep;
+  const Result<SweepAnalysis> analysis = analyzeSweep(analysed, job, test::SphereSampler(kRadius), {});
+  ASSERT_TRUE(analysis);
+  EXPECT_TRUE(std::ranges::any_of(analysis->issues, [](const Issue& i) { return i.kind == "fit-bounded"; }));
+}
+
+TEST(SweepAnalysis, TellsHowLongARoundBladeStaysInItsPlane) {
+  // A bulge whose blade bends back towards its grips: the longer, the more it is pressed. The plane's normal
+  // is the way out of it for a tube.
+  Job job;
+  const auto worstLength = [&](double length, Blade::Section section) -> std::optional<std::string> {
+    job.blade.length = length;
+    job.blade.section = section;
+    job.blade.width = 5;
+    job.blade.thickness = 1;
+    Issues issues;
+    Result<Sweep> sweep =
+        buildSweep(bulgeSections(), job, sphereBlock(), Eigen::Vector3d::UnitY(), {}, issues);
+    EXPECT_TRUE(sweep);
+    const Result<SweepAnalysis> analysis = analyzeSweep(*sweep, job, test::SphereSampler(kRadius), {});
+    EXPECT_TRUE(analysis);
+    for (const Issue& issue : analysis->issues)
+      if (issue.kind == "out-of-plane") {
+        EXPECT_EQ(issue.severity, Severity::warning);
+        return issue.message;
+      }
+    return {};
+  };
+  const std::optional<std::string> message = worstLength(800, Blade::Section::tube);
+  ASSERT_TRUE(message);
+  const std::size_t at = message->find("one of ");
+  ASSERT_NE(at, std::string::npos) << *message;
+  const double longest = std::stod(message->substr(at + 7));
+  EXPECT_LT(longest, 800);
+  EXPECT_FALSE(worstLength(longest, Blade::Section::tube)) << *message;
+  EXPECT_TRUE(worstLength(longest + 2, Blade::Section::tube)) << *message;
+  EXPECT_FALSE(worstLength(800, Blade::Section::flat));
 }
 
 TEST(SweepAnalysis, MarginsAreThoseOfTheBlade) {

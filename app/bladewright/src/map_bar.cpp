@@ -20,7 +20,7 @@ MapBar::MapBar(const Theme& theme, const Commands& commands, QWidget* parent) : 
   layout->setContentsMargins(8, 5, 8, 5);
   layout->setSpacing(4);
   field_ = new ChoiceField(this);
-  for (const QString& title : {tr("Deviation"), tr("Cutting angle"), tr("Blade speed"), tr("Relative speed"), tr("Bending / limit"), tr("No map")})
+  for (const QString& title : {tr("Deviation"), tr("Cutting angle"), tr("Blade speed"), tr("Relative speed"), tr("Curvature / limit"), tr("No map")})
     field_->addItem(title);
   field_->setToolTip(tr("What the colours of the cut surface show"));
   field_->setAccessibleName(tr("Map"));

@@ -93,6 +93,14 @@ void ObjectReader::number(const std::string& key, double& out, double min, doubl
   out = x;
 }
 
+void ObjectReader::number(const std::string& key, std::optional<double>& out, double min, double max) {
+  const json* value = member(key);
+  if (!value || value->is_null()) return;
+  double x = NAN;
+  number(key, x, min, max);
+  if (!std::isnan(x)) out = x;
+}
+
 void ObjectReader::integer(const std::string& key, int& out, int min, int max) {
   const json* value = member(key);
   if (!value) return;

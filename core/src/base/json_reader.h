@@ -31,6 +31,8 @@ class ObjectReader {
   const nlohmann::json* member(const std::string& key);
   /// Each leaves `out` alone where the key is absent.
   void number(const std::string& key, double& out, double min, double max);
+  /// null counts as absent.
+  void number(const std::string& key, std::optional<double>& out, double min, double max);
   void integer(const std::string& key, int& out, int min, int max);
   void boolean(const std::string& key, bool& out);
   void text(const std::string& key, std::string& out);

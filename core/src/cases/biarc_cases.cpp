@@ -133,11 +133,7 @@ Result<BiarcOptions> optionsFromJson(ObjectReader& reader) {
         "vary", "points cannot vary while curvature alone is minimised: the curve would shrink to a line");
   reader.integer("max_iterations", options.maxIterations, 1, kMost);
   reader.integer("max_arcs", options.maxArcs, 2, 2 * kMost);
-  if (const json* value = reader.member("tolerance"); value && !value->is_null()) {
-    double tolerance = 0;
-    reader.number("tolerance", tolerance, 1e-12, kHuge);
-    options.tolerance = tolerance;
-  }
+  reader.number("tolerance", options.tolerance, 1e-12, kHuge);
   if (!options.tolerance && options.points == 0 && options.indices.empty() &&
       options.select != BiarcSelect::coordinates && !reader.has("tube"))
     reader.complain(

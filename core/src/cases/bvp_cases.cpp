@@ -53,11 +53,7 @@ Result<ordered_json> bvpCase(const json& object, bool& limited) {
   reader.number("start_angle", problem.startAngle, -kLargest, kLargest);
   reader.number("end_angle", problem.endAngle, -kLargest, kLargest);
   reader.number("length", problem.length, 1 / kLargest, kLargest);
-  if (const json* turning = reader.member("turning"); turning && !turning->is_null()) {
-    double value = 0;
-    reader.number("turning", value, -8 * kPi, 8 * kPi);
-    problem.turning = value;
-  }
+  reader.number("turning", problem.turning, -8 * kPi, 8 * kPi);
   bool all = false;
   reader.boolean("all", all);
   reader.integer("max_inflections", options.maxInflections, 0, 12);

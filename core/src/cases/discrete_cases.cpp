@@ -63,10 +63,7 @@ Result<ordered_json> discreteCase(const json& object, bool& limited) {
   int held = 0;
   reader.word("ends", {"tangent", "half"}, held);
   options.ends = DiscreteOptions::Ends(held);
-  if (const json* turning = reader.member("turning"); turning && !turning->is_null()) {
-    options.turning = 0;
-    reader.number("turning", *options.turning, -kHuge, kHuge);
-  }
+  reader.number("turning", options.turning, -kHuge, kHuge);
   if (Result<void> ok = reader.finish(); !ok) return passOn(ok.error());
   const auto start = std::chrono::steady_clock::now();
   const Result<DiscreteElastica> discrete = discreteElastica(ends, options);

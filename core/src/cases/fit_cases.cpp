@@ -36,16 +36,9 @@ Result<FitOptions> optionsFromJson(ObjectReader& reader) {
     options.maxInflections = count;
   }
   reader.boolean("tangents", options.tangents);
-  const auto optional = [&](const std::string& key, std::optional<double>& out, double min) {
-    const json* value = reader.member(key);
-    if (!value || value->is_null()) return;
-    double x = 0;
-    reader.number(key, x, min, kHuge);
-    out = x;
-  };
-  optional("max_curvature", options.maxCurvature, 0);
-  optional("curvature_range", options.curvatureRange, 1e-12);
-  optional("max_periods", options.maxPeriods, 1e-6);
+  reader.number("max_curvature", options.maxCurvature, 0, kHuge);
+  reader.number("curvature_range", options.curvatureRange, 1e-12, kHuge);
+  reader.number("max_periods", options.maxPeriods, 1e-6, kHuge);
   int norm = 0, guess = 0;
   reader.word("norm", {"L2", "H1"}, norm);
   reader.word("guess", {"length", "count"}, guess);
@@ -64,7 +57,7 @@ Result<ordered_json> fitCase(const json& object, bool& limited) {
   const json* shape = reader.member("curve");
   if (!shape) reader.complain("curve", "the case needs the key curve");
   std::optional<double> epsilon;
-  if (reader.has("epsilon")) reader.number("epsilon", epsilon.emplace(0), 0, kHuge);
+  reader.number("epsilon", epsilon, 0, kHuge);
   const Result<FitOptions> options = optionsFromJson(reader);
   if (!options) return passOn(options.error());
   if (Result<void> ok = reader.finish(); !ok) return passOn(ok.error());

@@ -25,14 +25,6 @@ struct Input {
   DuckOptions options;
 };
 
-std::optional<double> optionalNumber(ObjectReader& reader, const std::string& key) {
-  const json* value = reader.member(key);
-  if (!value || value->is_null()) return std::nullopt;
-  double number = 0;
-  reader.number(key, number, -kHuge, kHuge);
-  return number;
-}
-
 ordered_json polesToJson(const CubicPoles& poles) { return pointsToJson({poles.begin(), poles.end()}); }
 
 ordered_json piecesToJson(const std::vector<Elastica>& pieces) {
@@ -126,12 +118,14 @@ Result<ordered_json> splineCase(const json& object, bool&) {
     if (!points) reader.complain("points", "the case needs the key points, or poles of a Bézier curve");
     tangents = kind != 1 ? reader.member("tangents") : nullptr;
     if (kind != 2) {
-      input.options.startAngle = optionalNumber(reader, "start_angle");
-      input.options.endAngle = optionalNumber(reader, "end_angle");
+      reader.number("start_angle", input.options.startAngle, -kHuge, kHuge);
+      reader.number("end_angle", input.options.endAngle, -kHuge, kHuge);
     }
     if (kind == 0) {
       lengths = reader.member("lengths");
-      if (const std::optional<double> total = optionalNumber(reader, "total_length")) {
+      std::optional<double> total;
+      reader.number("total_length", total, -kHuge, kHuge);
+      if (total) {
         input.options.mode = DuckOptions::Lengths::total;
         input.options.totalLength = *total;
         if (lengths) reader.complain("total_length", "give either lengths or total_length, not both");

@@ -5,8 +5,10 @@
 
 #include <cmath>
 
+#include "bw/core/elastica_stability.h"
 #include "bw/core/number_text.h"
 #include "bw/core/units.h"
+#include "sweep/station_fit.h"
 
 namespace bw::detail {
 
@@ -67,6 +69,22 @@ void reportStretches(const std::vector<Station>& stations, Severity severity, co
   }
 }
 
+/// The longest blade, in mm, that a station's curve may be continued to before a round one leaves its plane;
+/// 0 where even the curve alone does.
+double longestInPlane(const Station& station) {
+  const auto stays = [&](double length) {
+    const Result<Elastica> blade = extendedBlade(station.fit.elastica, length);
+    return blade && outOfPlaneMargin(*blade) > 0;
+  };
+  double good = station.fit.elastica.length(), bad = station.blade.length();
+  if (!stays(good)) return 0;
+  while (bad - good > 0.5) {
+    const double middle = 0.5 * (good + bad);
+    (stays(middle) ? good : bad) = middle;
+  }
+  return good;
+}
+
 }  // namespace
 
 void addStationFindings(const Sweep& sweep, const Job& job, Issues& issues) {
@@ -101,14 +119,26 @@ void addStationFindings(const Sweep& sweep, const Job& job, Issues& issues) {
       },
       issues);
   reportStretches(
-      stations, Severity::info, "out-of-plane",
+      stations, Severity::warning, "out-of-plane",
       [](const Station& s) { return s.stable && s.outOfPlaneMargin <= 0; },
       [](const Station& a, const Station& b) { return a.outOfPlaneMargin < b.outOfPlaneMargin; },
-      [](const Station&) {
-        return std::string(
-            "a round blade would rather twist out of its plane than rest in this shape; take a flat blade, "
-            "which is "
-            "stiff across its plane");
+      [](const Station& s) {
+        const double longest = std::floor(longestInPlane(s));
+        return "a round blade would twist out of its plane rather than rest in this shape; " +
+               (longest >= s.fit.elastica.length()
+                    ? "one of " + shortText(longest, 5) + " mm or less stays in it, and so does a flat blade"
+                    : std::string(
+                          "take a flat blade, which is stiff across its plane, or split the surface"));
+      },
+      issues);
+  reportStretches(
+      stations, Severity::info, "fit-bounded", [](const Station& s) { return s.heldBack; },
+      [](const Station& a, const Station& b) { return a.fit.hausdorff > b.fit.hausdorff; },
+      [](const Station& s) {
+        return "continued to its grips, the nearest curve would overbend or buckle the blade; a curve "
+               "within " +
+               shortText(s.fit.hausdorff) +
+               " mm of the section, which the whole blade holds, takes its place";
       },
       issues);
   reportStretches(

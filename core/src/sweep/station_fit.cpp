@@ -65,19 +65,22 @@ Result<Elastica> extendedBlade(const Elastica& fitted, double bladeLength) {
   return extra > 0 ? fitted.segment(-extra, fitted.length() + extra) : Result<Elastica>(fitted);
 }
 
-Result<FitResult> fitStation(const PlanarCurve& section, const Job& job, const FitResult* neighbour) {
+Result<StationFit> fitStation(const PlanarCurve& section, const Job& job, const FitResult* neighbour) {
   FitOptions options = fitOptions(job, section.length());
   Result<FitResult> best = fitBesideNeighbour(section, options, neighbour);
   const double allowed = kAllowance * job.tolerance;
-  if (!best || !usable(*best) || best->hausdorff > allowed || bladeHolds(*best, job.blade)) return best;
+  if (!best) return tl::unexpected<Error>(best.error());
+  if (!usable(*best) || best->hausdorff > allowed || bladeHolds(*best, job.blade))
+    return StationFit{std::move(*best)};
   options.maxCurvature = job.blade.maxCurvature();
   options.curvatureRange = job.blade.length;
   for (int k = 0; k < kPeriodBounds; ++k, *options.maxPeriods *= 0.5) {
     Result<FitResult> bounded = fitBesideNeighbour(section, options, neighbour ? neighbour : &*best);
     if (!bounded || !usable(*bounded) || bounded->hausdorff > allowed) break;
-    if (bounded->status != FitStatus::iterationLimit && bladeHolds(*bounded, job.blade)) return bounded;
+    if (bounded->status != FitStatus::iterationLimit && bladeHolds(*bounded, job.blade))
+      return StationFit{std::move(*bounded), true};
   }
-  return best;
+  return StationFit{std::move(*best)};
 }
 
 }  // namespace bw::detail

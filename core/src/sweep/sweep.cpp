@@ -62,15 +62,16 @@ Result<Sweep> buildSweep(std::vector<Section> sections, const Job& job, const Bo
     if (context.stopped()) return stoppedError();
     context.report(double(i) / double(sections.size()), "fitting");
     Section& section = sections[i];
-    Result<FitResult> fit =
+    Result<detail::StationFit> fitted =
         detail::fitStation(section.curve, job, i == 0 ? nullptr : &sweep.stations.back().fit);
     const std::string name = stationName(section.index);
-    if (!fit) {
-      Error error = fit.error();
+    if (!fitted) {
+      Error error = fitted.error();
       error.message = name + ": " + error.message;
       error.where = name;
       return tl::unexpected<Error>(std::move(error));
     }
+    FitResult* fit = &fitted->fit;
     if (fit->status == FitStatus::iterationLimit || fit->status == FitStatus::infeasible) {
       issues.push_back({fit->status == FitStatus::infeasible ? Severity::error : Severity::warning, "fit",
                         name + ": the fit is " + fitStatusName(fit->status) + ": " + fit->message,
@@ -81,7 +82,8 @@ Result<Sweep> buildSweep(std::vector<Section> sections, const Job& job, const Bo
                     .frame = section.frame,
                     .target = section.curve,
                     .targetLength = section.curve.length(),
-                    .fit = std::move(*fit)};
+                    .fit = std::move(*fit),
+                    .heldBack = fitted->heldBack};
     if (station.fit.elastica.length() > longest) {
       longest = station.fit.elastica.length();
       longestIndex = station.index;
@@ -92,9 +94,9 @@ Result<Sweep> buildSweep(std::vector<Section> sections, const Job& job, const Bo
   if (longest > job.blade.length) {
     const double needed = std::ceil(longest + 2 * job.clearance);
     return fail(ErrorCode::badInput,
-                "the blade of " + shortText(job.blade.length, 5) +
-                    " mm is shorter than the section of " + stationName(longestIndex) + " (" +
-                    shortText(longest, 6) + " mm); choose a blade of at least " + shortText(needed, 6) +
+                "the blade of " + shortText(job.blade.length, 5) + " mm is shorter than the section of " +
+                    stationName(longestIndex) + " (" + shortText(longest, 6) +
+                    " mm); choose a blade of at least " + shortText(needed, 6) +
                     " mm, a smaller block, or another cutting direction",
                 stationName(longestIndex), job.blade.length, needed);
   }

@@ -277,9 +277,8 @@ Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const Job& job, const SurfaceSa
     const int index = stations[std::size_t(nearest)].index;
     issues.push_back({Severity::warning, "deviation",
                       "the cut surface is up to " + shortText(summary.deviationMax) +
-                          " mm from the target near " + stationName(index) +
-                          ", more than the tolerance of " + shortText(job.tolerance) + " mm (" +
-                          fixedText(100 * summary.withinTolerance, 1) +
+                          " mm from the target near " + stationName(index) + ", more than the tolerance of " +
+                          shortText(job.tolerance) + " mm (" + fixedText(100 * summary.withinTolerance, 1) +
                           " % lies within); split the surface, turn the cutting direction, or allow more",
                       Place{stationName(index), 0, index, cut.points[worst]}});
   }

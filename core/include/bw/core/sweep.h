@@ -39,6 +39,7 @@ struct Station {
   PlanarCurve target;      ///< in the plane of `frame`
   double targetLength = 0; ///< mm
   FitResult fit = {};      ///< fit.elastica is the part that cuts the target
+  bool heldBack = false;   ///< `fit` is not the nearest curve, but one whose blade keeps its radius and rests
   Elastica blade = {};     ///< fit.elastica extended at both ends to the blade's length
   double extension = 0;    ///< a: blade = parameters [−a, 1 + a] of the fitted segment, a ≥ 0; < 0 if the blade is too short
   double angleMean = 0, angleMax = 0;  ///< rad, velocity to plane normal
