@@ -223,6 +223,10 @@ TEST(Options, RefusesWhatItDoesNotKnow) {
   EXPECT_FALSE(parseOptions({"--time-changes", "many"}, &problem));
   EXPECT_EQ(problem, "--time-changes takes how many changes to time, from 1 to 1000, but got \"many\"");
   EXPECT_FALSE(parseOptions({"a.step", "b.step"}, &problem));
+  EXPECT_FALSE(parseOptions({"--example", "panel"}, &problem));
+  EXPECT_TRUE(problem.startsWith("there is no example \"panel\"")) << problem.toStdString();
+  EXPECT_FALSE(parseOptions({"--example", "saddle", "a.step"}, &problem));
+  EXPECT_EQ(parseOptions({"--example", "saddle"}, &problem)->example, "saddle");
   const std::optional<Options> good = parseOptions({"a.step", "--size", "1280x800", "--screenshot", "b.png"}, &problem);
   ASSERT_TRUE(good);
   EXPECT_EQ(good->size, QSize(1280, 800));

@@ -97,6 +97,8 @@ int main(int argc, char** argv) {
   window.show();
   if (!options->file.isEmpty())
     window.openFile(options->file);
+  else if (!options->example.isEmpty())
+    window.openExample(options->example);
   else if (!oneShot)
     window.recover();
   if (oneShot) {

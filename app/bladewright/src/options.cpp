@@ -4,9 +4,13 @@
 
 #include <QRegularExpression>
 
+#include <algorithm>
 #include <array>
+#include <string>
+#include <vector>
 
 #include "bw/core/number_text.h"
+#include "bw/geometry/export.h"
 
 namespace bw::app {
 
@@ -41,6 +45,19 @@ std::optional<Options> parseOptions(const QStringList& arguments, QString* probl
         *problem = QStringLiteral("--time-changes takes how many changes to time, from 1 to %1, but got \"%2\"").arg(kMostChanges).arg(*text);
         return std::nullopt;
       }
+    } else if (word == "--example") {
+      const auto text = value();
+      if (!text) return std::nullopt;
+      const std::vector<geometry::Example> list = geometry::exampleList();
+      std::vector<std::string> names;
+      for (const geometry::Example& example : list) names.push_back(example.name);
+      if (std::ranges::find(names, text->toStdString()) == names.end()) {
+        const std::string nearest = nearestWord(text->toStdString(), names.data(), int(names.size()));
+        *problem = QStringLiteral("there is no example \"%1\"; ").arg(*text) +
+                   QString::fromStdString(nearest.empty() ? "blade example lists them" : "did you mean \"" + nearest + "\"?");
+        return std::nullopt;
+      }
+      options.example = *text;
     } else if (word == "--screenshot") {
       const auto text = value();
       if (!text) return std::nullopt;
@@ -56,7 +73,7 @@ std::optional<Options> parseOptions(const QStringList& arguments, QString* probl
         return std::nullopt;
       }
     } else if (word.startsWith('-') && word.size() > 1) {
-      static const std::array<std::string, 6> kWords = {"--help", "--version", "--screenshot", "--size", "--quit-after-first-picture", "--time-changes"};
+      static const std::array<std::string, 7> kWords = {"--help", "--version", "--example", "--screenshot", "--size", "--quit-after-first-picture", "--time-changes"};
       const std::string nearest = nearestWord(word.toStdString(), kWords.data(), int(kWords.size()));
       *problem = QStringLiteral("there is no option %1").arg(word) +
                  (nearest.empty() ? QStringLiteral("; see bladewright --help") : QStringLiteral("; did you mean %1?").arg(QString::fromStdString(nearest)));
@@ -68,6 +85,10 @@ std::optional<Options> parseOptions(const QStringList& arguments, QString* probl
       return std::nullopt;
     }
   }
+  if (!options.file.isEmpty() && !options.example.isEmpty()) {
+    *problem = QStringLiteral("give either a file or --example, not both: %1 and %2 were given").arg(options.file, options.example);
+    return std::nullopt;
+  }
   return options;
 }
 
@@ -77,6 +98,7 @@ QString helpText() {
       "\n"
       "Opens the window on FILE, a CAD surface (STEP, IGES, BREP) or a design (.bladewright).\n"
       "\n"
+      "  --example NAME               open an example of the start page, such as panel-600x670\n"
       "  --screenshot PNG             write a picture of the window once the result stands, then quit\n"
       "  --size WxH                   size of the window in pixels\n"
       "  --quit-after-first-picture   print the seconds from process start to the first picture, then quit\n"

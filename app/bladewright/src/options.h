@@ -13,6 +13,7 @@ namespace bw::app {
 /// The command line of the window.
 struct Options {
   QString file;                ///< to open at the start; may be empty
+  QString example;             ///< name of an example to open at the start, instead of a file; may be empty
   QString screenshot;          ///< PNG of the window once the result stands, then quit
   QSize size;                  ///< of the window, if given
   bool quitAfterFirstPicture = false;

@@ -3,6 +3,9 @@
 
 #include "bw/pipeline/example_design.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "bw/core/blade.h"
 #include "bw/core/file_set.h"
 #include "bw/geometry/export.h"
@@ -14,14 +17,17 @@ namespace {
 /// What an example needs besides the defaults.
 struct Setting {
   const char* name;
+  const char* blade;   ///< preset
   double bladeLength;  ///< mm
 };
 
-/// The ramps' profiles are up to 1460 mm long; the other examples are 600 mm wide.
+/// The ramps' profiles are up to 1460 mm long; the other examples are 600 mm wide. A round blade of 800 mm would
+/// leave its plane on the panel.
 constexpr Setting kSettings[] = {
-    {"wavy-wall", 900},
-    {"ramp-corner-hollow", 1700},
-    {"ramp-corner-domed", 1700},
+    {"panel-600x670", "nicr-flat-5x1", 800},
+    {"wavy-wall", "steel-tube-3-2.5", 900},
+    {"ramp-corner-hollow", "steel-tube-3-2.5", 1700},
+    {"ramp-corner-domed", "steel-tube-3-2.5", 1700},
 };
 
 /// A crest of the wall that runs along the travel: 600 mm wide, 900 mm long.
@@ -40,11 +46,12 @@ Result<Design> exampleDesign(const std::string& name) {
   design.source.path = name + ".step";
   for (const geometry::Example& example : geometry::exampleList())
     if (example.name == name) design.name = example.title;
-  Result<Blade> blade = bladePreset(design.job.blade.name);
+  const Setting* setting = std::ranges::find_if(kSettings, [&](const Setting& s) { return name == s.name; });
+  const bool found = setting != std::end(kSettings);
+  Result<Blade> blade = bladePreset(found ? setting->blade : design.job.blade.name);
   if (!blade) return tl::unexpected<Error>(blade.error());
   design.job.blade = *blade;
-  for (const Setting& setting : kSettings)
-    if (name == setting.name) design.job.blade.length = setting.bladeLength;
+  if (found) design.job.blade.length = setting->bladeLength;
   if (name == "wavy-wall") {
     design.job.block = blockInWall();
     design.job.direction = Eigen::Vector3d::UnitY();
