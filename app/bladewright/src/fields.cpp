@@ -34,7 +34,7 @@ NumberField::NumberField(const NumberRange& range, QWidget* parent) : QDoubleSpi
   setRange(range.min, range.max);
   setSingleStep(range.step);
   if (!range.unit.isEmpty())
-    setSuffix(range.unit.startsWith(QChar(0xb0)) ? range.unit : QChar(' ') + range.unit);
+    setSuffix(range.unit == QChar(0xb0) ? range.unit : QChar(' ') + range.unit);
   setFocusPolicy(Qt::StrongFocus);
   setProperty("limits", QStringLiteral("%1 to %2%3").arg(textFromValue(range.min), textFromValue(range.max), suffix()));
   setToolTip(property("limits").toString());
@@ -193,6 +193,11 @@ FormColumn* FormColumn::addFold(const QString& title, const Theme& theme) {
   grid_->addWidget(head, row_++, 0, 1, 2, Qt::AlignLeft);
   addWide(body);
   return body;
+}
+
+void setLineVisible(QLabel* label, QWidget* field, bool visible) {
+  label->setVisible(visible);
+  field->setVisible(visible);
 }
 
 QWidget* makeLine(QWidget* parent) {

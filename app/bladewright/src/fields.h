@@ -110,6 +110,8 @@ class FormColumn : public QWidget {
   int row_ = 0;
 };
 
+/// Shows or hides a field together with its label.
+void setLineVisible(QLabel* label, QWidget* field, bool visible);
 /// A thin horizontal line.
 QWidget* makeLine(QWidget* parent = nullptr);
 /// 9 pt text in the secondary colour; wraps.

@@ -8,9 +8,10 @@
 #include <functional>
 #include <vector>
 
+#include "blade_fields.h"
+#include "block_fields.h"
 #include "fields.h"
 #include "workbench.h"
-#include "workflow_panel.h"
 
 namespace bw::app {
 
@@ -20,6 +21,8 @@ class Inspector : public QScrollArea {
 
  public:
   Inspector(Workbench& bench, const Theme& theme, QWidget* parent = nullptr);
+
+  const BladeFields* bladeFields() const { return bladeFields_; }
 
  private:
   /// A read-only line: its label and how its text follows from the result.

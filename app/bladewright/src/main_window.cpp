@@ -48,6 +48,8 @@ MainWindow::MainWindow(model::Settings& settings, Theme& theme, const std::files
   start_ = new StartPage(bench_, theme, stack_);
   stack_->addWidget(start_);
   makeWorkspace();
+  measure_ = new MeasurePage(bench_, theme, stack_);
+  stack_->addWidget(measure_);
   setCentralWidget(central);
   makeMenus();
   makeStatusBar();
@@ -57,6 +59,9 @@ MainWindow::MainWindow(model::Settings& settings, Theme& theme, const std::files
   connect(start_, &StartPage::openDesignRequested, commands_["file.openDesign"], &QAction::trigger);
   connect(start_, &StartPage::openRequested, this, &MainWindow::openFile);
   connect(start_, &StartPage::exampleRequested, this, &MainWindow::openExample);
+
+  connect(start_, &StartPage::measureRequested, commands_["blade.measure"], &QAction::trigger);
+  connect(measure_, &MeasurePage::left, this, &MainWindow::leaveMeasurePage);
 
   start_->installEventFilter(this);
   view_->installEventFilter(this);
@@ -194,6 +199,23 @@ void MainWindow::showWorkspace() {
   placeBanner();
 }
 
+void MainWindow::showMeasurePage() {
+  if (onMeasurePage()) return;
+  banner_->hide();
+  measure_->enter();
+  stack_->setCurrentWidget(measure_);
+  measure_->table().setFocus();
+  refreshTitle();
+  refreshState();
+}
+
+void MainWindow::leaveMeasurePage() {
+  if (!bench_.document().empty()) return showWorkspace();
+  stack_->setCurrentWidget(start_);
+  refreshTitle();
+  refreshState();
+}
+
 void MainWindow::placeBanner() {
   if (onStartPage()) {
     banner_->place({kGroupGap, kGroupGap}, banner_->parentWidget()->width() - 2 * kGroupGap);
@@ -219,7 +241,7 @@ void MainWindow::recover() {
 }
 
 void MainWindow::refreshTitle() {
-  if (onStartPage() || bench_.document().empty()) {
+  if (bench_.document().empty()) {
     setWindowModified(false);
     setWindowTitle(tr("Bladewright"));
     return;
@@ -314,10 +336,12 @@ void MainWindow::refreshState() {
   progress_->setValue(int(1000 * bench_.runner().progress()));
   for (QWidget* widget : {static_cast<QWidget*>(jobName_), static_cast<QWidget*>(progress_), static_cast<QWidget*>(cancel_)}) widget->setVisible(shown);
 
-  const bool open = !onStartPage();
+  const bool open = stack_->currentWidget() == columns_;
   const bool ready = open && bench_.current() && !bench_.exporting();
   for (const char* id : {"file.export", "file.programs"}) commands_[id]->setEnabled(ready);
-  for (const char* id : {"file.save", "file.saveAs", "file.picture", "file.close", "edit.compute", "view.fit", "view.fitSelection", "view.parallel",
+  for (const char* id : {"file.save", "file.saveAs", "file.close", "edit.compute"}) commands_[id]->setEnabled(!bench_.document().empty());
+  commands_["blade.measure"]->setEnabled(!onMeasurePage());
+  for (const char* id : {"file.picture", "view.fit", "view.fitSelection", "view.parallel",
                          "view.isolines", "view.shadows", "view.section", "view.iso", "view.top", "view.bottom", "view.front", "view.back", "view.left", "view.right",
                          "panel.workflow", "panel.bottom", "panel.inspector", "tab.section", "tab.motion", "tab.messages"})
     commands_[id]->setEnabled(open);
@@ -329,7 +353,8 @@ void MainWindow::refreshState() {
 }
 
 void MainWindow::refreshSummary() {
-  const pipeline::SweepResult* result = onStartPage() ? nullptr : bench_.sweep();
+  const bool picture = stack_->currentWidget() == columns_;
+  const pipeline::SweepResult* result = picture ? bench_.sweep() : nullptr;
   if (!result) {
     summary_->setText(onStartPage() ? QString() : tr("Unit mm"));
     return;

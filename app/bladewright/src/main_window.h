@@ -17,6 +17,7 @@
 #include "commands.h"
 #include "inspector.h"
 #include "map_bar.h"
+#include "measure_page.h"
 #include "messages.h"
 #include "motion_view.h"
 #include "section_view.h"
@@ -54,12 +55,14 @@ class MainWindow : public QMainWindow {
   MessageList& messageList() { return *messages_; }
   WorkflowPanel& workflow() { return *workflow_; }
   Banner& banner() { return *banner_; }
+  MeasurePage& measurePage() { return *measure_; }
   StartPage& startPage() { return *start_; }
   QTabWidget& tabs() { return *tabs_; }
   Commands& commands() { return commands_; }
   Questions& questions() { return questions_; }
   /// Whether the scene is cut open at the station or the moving blade.
   bool sectioned() const { return sectioned_; }
+  bool onMeasurePage() const { return stack_->currentWidget() == measure_; }
   bool onStartPage() const { return stack_->currentWidget() == start_; }
   /// Seconds between the last change of the design and the picture of its result; 0 before the first.
   double pictureDelay() const { return pictureDelay_; }
@@ -74,6 +77,8 @@ class MainWindow : public QMainWindow {
   void exportPrograms();
   void exportPicture();
   void showStartPage();
+  /// The page that finds the length of the mounted blade.
+  void showMeasurePage();
   /// Offers unsaved work that a crash left behind.
   void recover();
 
@@ -96,6 +101,7 @@ class MainWindow : public QMainWindow {
   void setDefaultQuestions();
   bool mayLeave();
   void showWorkspace();
+  void leaveMeasurePage();
   void refreshTitle();
   void refreshContent();
   void refreshStyle();
@@ -122,6 +128,7 @@ class MainWindow : public QMainWindow {
   Banner* banner_;
   QStackedWidget* stack_;
   StartPage* start_;
+  MeasurePage* measure_;
   QSplitter *columns_, *middle_;
   WorkflowPanel* workflow_;
   Inspector* inspector_;

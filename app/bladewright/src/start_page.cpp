@@ -116,6 +116,10 @@ StartPage::StartPage(Workbench& bench, const Theme& theme, QWidget* parent)
   connect(design, &QPushButton::clicked, this, &StartPage::openDesignRequested);
   buttons->addWidget(surface);
   buttons->addWidget(design);
+  auto* measure = new QPushButton(tr("Measure a blade…"), page_);
+  measure->setToolTip(tr("The length of a mounted blade from how far it sags"));
+  connect(measure, &QPushButton::clicked, this, &StartPage::measureRequested);
+  buttons->addWidget(measure);
   buttons->addSpacing(kGap);
   auto* drop = makeNote(tr("or drop a file here"), page_);
   drop->setWordWrap(false);

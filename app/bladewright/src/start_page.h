@@ -43,6 +43,7 @@ class StartPage : public QScrollArea {
  signals:
   void openSurfaceRequested();
   void openDesignRequested();
+  void measureRequested();
   void openRequested(const QString& file);
   void exampleRequested(const QString& name);
 

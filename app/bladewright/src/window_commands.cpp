@@ -54,6 +54,8 @@ void MainWindow::makeCommands() {
   add("edit.compute", tr("Compute &again"), "process", tr("Read the file again and compute everything"), {QKeySequence("F5")}, [this](bool) {
     if (!bench_.document().empty()) bench_.runner().evaluate(bench_.document().design());
   });
+  add("blade.measure", tr("&Measure blade length…"), "measure", tr("The length of the mounted blade from how far it sags"),
+      {QKeySequence("Ctrl+L")}, [this](bool) { showMeasurePage(); });
   add("edit.cancel", tr("&Stop computing"), "", tr("Stop the running job"), {QKeySequence("Esc")}, [this](bool) {
     if (bench_.runner().busy()) bench_.runner().cancel();
   });
@@ -180,7 +182,7 @@ void MainWindow::makeMenus() {
   fill(file, {"file.open", "file.openDesign"});
   recentMenu_ = file->addMenu(tr("Open &recent"));
   fill(file, {"", "file.save", "file.saveAs", "", "file.export", "file.programs", "file.picture", "", "file.close", "file.quit"});
-  fill(menuBar()->addMenu(tr("&Edit")), {"edit.undo", "edit.redo", "", "edit.compute", "edit.cancel", "", "edit.palette"});
+  fill(menuBar()->addMenu(tr("&Edit")), {"edit.undo", "edit.redo", "", "edit.compute", "edit.cancel", "", "blade.measure", "", "edit.palette"});
   QMenu* view = menuBar()->addMenu(tr("&View"));
   fill(view, {"view.iso", "view.top", "view.bottom", "view.front", "view.back", "view.left", "view.right", "", "view.fit", "view.fitSelection",
               "view.parallel", "", "view.section", "view.sectionFlip", "view.shadows", ""});

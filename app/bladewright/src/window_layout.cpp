@@ -77,6 +77,8 @@ void MainWindow::makeWorkspace() {
   connect(workflow_, &WorkflowPanel::exportRequested, this, &MainWindow::exportEverything);
   connect(workflow_, &WorkflowPanel::programsRequested, this, &MainWindow::exportPrograms);
   connect(workflow_, &WorkflowPanel::pictureRequested, this, &MainWindow::exportPicture);
+  for (const BladeFields* fields : {workflow_->bladeFields(), inspector_->bladeFields()})
+    connect(fields, &BladeFields::measureRequested, commands_["blade.measure"], &QAction::trigger);
   connect(mapBar_, &MapBar::styleEdited, this, &MainWindow::refreshStyle);
   connect(view_, &view::SceneView::picked, this, &MainWindow::onPicked);
   connect(view_, &view::SceneView::hovered, this, &MainWindow::onHovered);

@@ -9,50 +9,13 @@
 #include <array>
 #include <vector>
 
+#include "blade_fields.h"
+#include "block_fields.h"
 #include "fields.h"
 #include "step_section.h"
 #include "workbench.h"
 
 namespace bw::app {
-
-/// Fields of a block's place; edits go to the job.
-class BlockFields : public QObject {
-  Q_OBJECT
-
- public:
-  /// Adds its lines to `column`.
-  BlockFields(Workbench& bench, FormColumn* column, QObject* parent);
-  void refresh();
-
- private:
-  void editPlacement(const QString& text, const std::function<void(BlockPlacement&)>& change);
-  BlockPlacement placement() const;
-
-  Workbench& bench_;
-  QCheckBox* automatic_;
-  std::array<NumberField*, 3> origin_, size_, rotation_;
-};
-
-/// Fields of the blade; edits go to the job.
-class BladeFields : public QObject {
-  Q_OBJECT
-
- public:
-  /// Preset and length go to `column`, the rest to `details`.
-  BladeFields(Workbench& bench, FormColumn* column, FormColumn* details, QObject* parent);
-  void refresh();
-
- private:
-  void editBlade(const QString& text, const std::function<void(Blade&)>& change);
-
-  Workbench& bench_;
-  std::vector<Blade> presets_;
-  ChoiceField* preset_;
-  NumberField *length_, *young_, *yield_, *safety_, *temperature_;
-  NumberField *outer_, *inner_, *width_, *thickness_;
-  QLabel *outerLabel_, *innerLabel_, *widthLabel_, *thicknessLabel_;
-  QLabel* minRadius_;
-};
 
 /// The left panel: the four steps of the work with their state and their few essential controls.
 class WorkflowPanel : public QScrollArea {
@@ -61,6 +24,7 @@ class WorkflowPanel : public QScrollArea {
  public:
   WorkflowPanel(Workbench& bench, const Theme& theme, QWidget* parent = nullptr);
 
+  const BladeFields* bladeFields() const { return bladeFields_; }
   StepSection& section(model::Step step) { return *sections_[std::size_t(step)]; }
 
  signals:

@@ -111,8 +111,7 @@ Result<void> check(const std::vector<CalibrationMeasurement>& measurements,
 }
 
 Result<double> stretchOf(const Blade& blade, double temperature, std::size_t index) {
-  const auto growth = [&](double t) { return 1 + blade.thermalExpansion * (t - 20); };
-  const double stretch = growth(temperature) / growth(blade.temperature);
+  const double stretch = thermalStretch(blade, temperature);
   if (!(std::abs(stretch - 1) < kLargestExpansion))
     return fail(
         ErrorCode::badInput,
@@ -139,6 +138,11 @@ struct Spread {
 };
 
 }  // namespace
+
+double thermalStretch(const Blade& blade, double temperature) {
+  const auto growth = [&](double t) { return 1 + blade.thermalExpansion * (t - 20); };
+  return growth(temperature) / growth(blade.temperature);
+}
 
 Result<CalibrationResult> calibrateBlade(const std::vector<CalibrationMeasurement>& measurements,
                                          const Blade& blade, const CalibrationOptions& options) {
@@ -246,8 +250,7 @@ Result<CalibrationResult> calibrateBlade(const std::vector<CalibrationMeasuremen
   } else if (free > 0) {
     spread = {true, boost::math::quantile(boost::math::students_t(free), tail), result.sigma};
   }
-  const double reference = (1 + blade.thermalExpansion * (options.referenceTemperature - 20)) /
-                           (1 + blade.thermalExpansion * (blade.temperature - 20));
+  const double reference = thermalStretch(blade, options.referenceTemperature);
   result.length = spread.around(values[kLength], covariance(0, 0));
   result.reference = spread.around(values[kLength] * reference, covariance(0, 0) * reference * reference);
   for (std::size_t j = 1; j < n; ++j) {

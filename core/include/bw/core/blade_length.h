@@ -66,6 +66,9 @@ struct BladeHeight {
 };
 [[nodiscard]] Result<BladeHeight> bladeHeight(double length, const BladeMeasurement& measurement);
 
+/// The blade's length at a temperature (°C) over that at its working temperature.
+double thermalStretch(const Blade& blade, double temperature);
+
 /// One measurement among several, with what is known about its errors (standard deviations; 0 = unknown or
 /// none).
 struct CalibrationMeasurement {

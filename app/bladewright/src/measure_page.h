@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QWidget>
+
+#include "blade_measuring.h"
+#include "fields.h"
+#include "measure_drawing.h"
+#include "measure_table.h"
+#include "theme.h"
+#include "workbench.h"
+
+namespace bw::app {
+
+/// The length of the mounted blade from how far it sags between its grips; the answer follows while numbers
+/// are typed, and can be given to the design.
+class MeasurePage : public QWidget {
+  Q_OBJECT
+
+ public:
+  MeasurePage(Workbench& bench, const Theme& theme, QWidget* parent = nullptr);
+
+  /// Before it is shown: starts with a sensible way to hold the blade of the design.
+  void enter();
+  MeasureTable& table() { return *table_; }
+  MeasureDrawing& drawing() { return *drawing_; }
+  QPushButton* useButton() { return use_; }
+  const MeasurementOutcome& outcome() const { return outcome_; }
+  /// What the page tells in words: the problem, or a warning, or nothing.
+  QString message() const { return message_->text(); }
+
+ signals:
+  /// Done: back to where the user came from.
+  void left();
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  QWidget* makeInput();
+  QWidget* makeAnswer();
+  void refresh();
+  void refreshDrawing();
+  void refreshNumbers();
+  void tellProblem();
+  void use();
+  double storedLength() const;
+
+  Workbench& bench_;
+  const Theme& theme_;
+  MeasurementOutcome outcome_;
+  QLabel* blade_;
+  QScrollArea* scroll_;
+  ChoiceField* ends_;
+  MeasureTable* table_;
+  NumberField *heightError_, *angleError_, *distanceError_;
+  QCheckBox *heightOffset_, *angleOffset_;
+  MeasureDrawing* drawing_;
+  QLabel *length_, *interval_, *reference_, *fit_;
+  QLabel *one_, *case_, *byHeight_, *byAngle_, *byDistance_, *radius_;
+  QLabel *icon_, *message_, *useNote_;
+  QPushButton* use_;
+  bool entered_ = false;
+};
+
+}  // namespace bw::app
