@@ -4,6 +4,7 @@
 #include "constructions/duck_stability.h"
 
 #include <Eigen/LU>
+#include <Eigen/OrderingMethods>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
@@ -62,7 +63,9 @@ bool isChainStable(const std::vector<Elastica>& pieces, const std::vector<char>&
   if (total) entries.emplace_back(size, size, 0);
   Eigen::SparseMatrix<double> matrix(size + (total ? 1 : 0), size + (total ? 1 : 0));
   matrix.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
+  // In the order of the chain: the border's diagonal is zero and must come last.
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int>> solver(
+      matrix);
   if (solver.info() != Eigen::Success) return false;
   const Eigen::VectorXd pivots = solver.vectorD();
   return (pivots.array() == 0).count() == 0 && (pivots.array() < 0).count() == (total ? 1 : 0);

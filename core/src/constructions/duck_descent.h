@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <vector>
+
+#include "bw/core/elastica.h"
+#include "bw/core/spline_constructions.h"
+
+namespace bw::detail {
+
+/// A chain of blades that each rest between their ducks.
+struct ClampedChain {
+  std::vector<double> angles;  ///< at each duck, rad, without jumps along the chain
+  std::vector<Elastica> pieces;
+  double energy = 0;
+};
+
+/// Lets a spline of elastica slide into rest: from blades clamped at `angles` (one a duck) with `lengths`
+/// (one a piece) downhill in energy, by Newton's method with the curvatures of the energy taken positive,
+/// over the tangents of the ducks that turn (`turns`) and, where only the whole length is given, over the
+/// lengths. Empty where no blade fits the start.
+std::optional<ClampedChain> descendChain(const std::vector<Eigen::Vector2d>& ducks,
+                                         const std::vector<char>& turns, DuckOptions::Lengths mode,
+                                         std::vector<double> angles, std::vector<double> lengths);
+
+}  // namespace bw::detail
