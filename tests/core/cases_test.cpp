@@ -89,6 +89,35 @@ TEST(FitCases, IsTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(outputs[0], outputs[1]);
 }
 
+TEST(FitCases, NumericMethodIsTheRelaxation) {
+  const std::string curve = R"("curve": {"type": "bezier", "poles": [[0,0],[200,150],[400,150],[600,0]]})";
+  const auto answer = [&](CaseAnswer (*ask)(const std::string&), const std::string& rest) {
+    json parsed = json::parse(ask("{" + curve + rest + "}").json);
+    parsed.erase("seconds");
+    return parsed;
+  };
+  const auto fit = [](const std::string& text) { return fitCases(text, {}).value(); };
+  const auto relax = [](const std::string& text) { return relaxCases(text, {}).value(); };
+  json numeric = answer(fit, R"(, "method": "numeric", "tolerance": 5, "length": "exact")");
+  EXPECT_EQ(numeric["method"], "numeric");
+  numeric.erase("method");
+  EXPECT_EQ(numeric, answer(relax, R"(, "tolerance": 5, "length": "exact")"));
+  json analytic = answer(fit, R"(, "method": "analytic")");
+  EXPECT_EQ(analytic, answer(fit, ""));
+  // Keys of the other method are refused by name.
+  const auto where = [&](const std::string& rest) {
+    const CaseAnswer refused = fit("{" + curve + rest + "}");
+    return refused.first ? refused.first->where + ": " + refused.first->message : std::string();
+  };
+  EXPECT_NE(where(R"(, "method": "numeric", "tolerance": 5, "max_curvature": 0.01)").find("max_curvature"),
+            std::string::npos);
+  EXPECT_NE(where(R"(, "method": "numeric", "tolerance": 5, "initial": null)").find("analytic"),
+            std::string::npos);
+  EXPECT_NE(where(R"(, "tolerance": 5)").find("numeric"), std::string::npos);
+  EXPECT_NE(where(R"(, "method": "numeric")").find("tolerance"), std::string::npos);
+  EXPECT_NE(where(R"(, "method": "numerical")").find("did you mean"), std::string::npos);
+}
+
 TEST(FitCases, NamesWhatIsWrongWithACurve) {
   const auto message = [](const char* text) {
     const Result<CaseAnswer> answer = fitCases(text, {});

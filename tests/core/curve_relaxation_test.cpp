@@ -10,6 +10,7 @@
 
 #include "bw/core/cases.h"
 #include "bw/core/units.h"
+#include "test_curves.h"
 
 namespace bw {
 namespace {
@@ -180,6 +181,30 @@ TEST(CurveRelaxation, ReachesALengthOrSaysThatItCannot) {
   options.length = 590;
   EXPECT_FALSE(relaxCurve(curve, options) &&
                relaxCurve(curve, options)->status != RelaxStatus::iterationLimit);
+}
+
+TEST(CurveRelaxation, ComesToRestInWideTubes) {
+  for (const auto& [name, c] : test::fitCurves()) {
+    for (const double share : {0.01, 0.05, 0.2, 0.5}) {
+      SCOPED_TRACE(testing::Message() << name << " " << share);
+      RelaxOptions options;
+      options.tolerance = share * c.length();
+      const Result<RelaxResult> result = relaxCurve(c, options);
+      if (!result) {
+        EXPECT_EQ(result.error().code, ErrorCode::badInput);
+        continue;
+      }
+      EXPECT_NE(result->status, RelaxStatus::iterationLimit) << result->message;
+      EXPECT_LE(result->energy, result->targetEnergy * (1 + 1e-9));
+    }
+  }
+  // Into this one a first long step falls into a fold.
+  RelaxOptions options;
+  options.tolerance = 0.01;
+  options.endpoints = options.tangents = false;
+  const RelaxResult straight =
+      relaxed(*PlanarCurve::bezier({{0, 0}, {0.33, 0.02}, {0.66, 0.025}, {1, 0}}), options);
+  EXPECT_NE(straight.status, RelaxStatus::iterationLimit) << straight.message;
 }
 
 TEST(CurveRelaxation, RefusesWhatItCannotDo) {

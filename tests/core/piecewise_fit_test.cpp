@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "bw/core/cases.h"
@@ -165,6 +166,66 @@ TEST(PiecewiseFit, FollowsMotionAndScale) {
   }
 }
 
+TEST(PiecewiseFit, EveryPieceKeepsTheBoundOnItsCurvature) {
+  const auto sharpest = [](const PiecewiseResult& chain) {
+    double most = 0;
+    for (const Elastica& piece : chain.pieces) most = std::max(most, piece.maxCurvature());
+    return most;
+  };
+  for (const auto splits : {PiecewiseOptions::Splits::uniform, PiecewiseOptions::Splits::optimised}) {
+    PiecewiseOptions options;
+    options.splits = splits;
+    options.pieces = 4;
+    const PiecewiseResult free = fitPiecewise(wave(), options).value();
+    double before = free.totalR4;
+    for (const double part : {0.8, 0.5}) {
+      options.maxCurvature = part * sharpest(free);
+      const PiecewiseResult chain = fitPiecewise(wave(), options).value();
+      EXPECT_EQ(chain.status, FitStatus::constraintsActive) << chain.message;
+      EXPECT_LE(sharpest(chain), *options.maxCurvature * (1 + 1e-6));
+      for (const PiecewiseJoint& joint : chain.joints) {
+        EXPECT_LT(joint.gap, 1e-6);
+        EXPECT_LT(joint.angle, 1e-7);
+      }
+      EXPECT_GE(chain.totalR4, before * (1 - 1e-9));
+      before = chain.totalR4;
+    }
+    // One that nothing presses on changes nothing.
+    options.maxCurvature = 2 * sharpest(free);
+    EXPECT_NEAR(fitPiecewise(wave(), options)->totalR4, free.totalR4, 1e-9);
+  }
+  // A half circle's tangents cannot be kept at half its curvature and with its ends.
+  PiecewiseOptions options;
+  options.pieces = 2;
+  options.endpoints = options.tangents = true;
+  options.maxCurvature = 1e-4;
+  const PlanarCurve bend = PlanarCurve::bezier({{0, 0}, {0, 400}, {600, 400}, {600, 0}}).value();
+  const PiecewiseResult impossible = fitPiecewise(bend, options).value();
+  EXPECT_TRUE(impossible.status == FitStatus::infeasible) << fitStatusName(impossible.status);
+  EXPECT_NE(impossible.message.find("curvature"), std::string::npos);
+}
+
+TEST(PiecewiseFit, FollowsMirrorAndReversal) {
+  PiecewiseOptions options;
+  options.pieces = 3;
+  const PiecewiseResult a = fitPiecewise(wave(), options).value();
+  std::vector<Vector2d> poles = wave().poles();
+  for (Vector2d& p : poles) p.y() = -p.y();
+  const PiecewiseResult mirror =
+      fitPiecewise(PlanarCurve::bspline(3, wave().knots(), poles).value(), options).value();
+  const PiecewiseResult back = fitPiecewise(wave().reversed(), options).value();
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (const double part : {0.0, 0.5, 1.0}) {
+      const Elastica mirrored = a.pieces[i].mirrored();
+      const Elastica& other = mirror.pieces[i];
+      EXPECT_LT((mirrored.point(part * mirrored.length()) - other.point(part * other.length())).norm(), 1e-5);
+      const Elastica reversed = a.pieces[2 - i].reversed();
+      const Elastica& again = back.pieces[i];
+      EXPECT_LT((reversed.point(part * reversed.length()) - again.point(part * again.length())).norm(), 1e-5);
+    }
+  }
+}
+
 TEST(PiecewiseFit, EndsAreKeptOnRequest) {
   PiecewiseOptions options;
   options.pieces = 3;
@@ -195,8 +256,29 @@ TEST(PiecewiseFit, BadOptionsAreNamed) {
   options.position = -1;
   EXPECT_EQ(fitPiecewise(wave(), options).error().where, "position");
   options = {};
+  options.maxCurvature = 0;
+  EXPECT_EQ(fitPiecewise(wave(), options).error().where, "max_curvature");
+  options = {};
   options.tolerance = 0;
   EXPECT_EQ(fitPiecewise(wave(), options).error().where, "tolerance");
+}
+
+TEST(PiecewiseCases, AreTheSameForAnyNumberOfThreads) {
+  std::string text = R"({"cases": [)";
+  for (int i = 0; i < 8; ++i)
+    text += (i ? "," : "") + std::string(R"({"curve": {"type": "bezier", "poles": [[0,0],[150,260],[300,)") +
+            std::to_string(40 * i - 310) + R"(],[450,270],[600,0]]}, "splits": ")" +
+            (i % 2 ? "optimised" : "uniform") + R"(", "pieces": 3})";
+  text += "]}";
+  std::vector<std::string> outputs;
+  for (const int threads : {1, 4}) {
+    RunContext context;
+    context.threads = threads;
+    nlohmann::json parsed = nlohmann::json::parse(piecewiseCases(text, context)->json);
+    for (nlohmann::json& result : parsed["results"]) result.erase("seconds");
+    outputs.push_back(parsed.dump());
+  }
+  EXPECT_EQ(outputs[0], outputs[1]);
 }
 
 TEST(PiecewiseCases, AnswersWithPiecesAndJoints) {

@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: MIT
 
 #include "bw/core/elastica_fit.h"
+
+#include <span>
+
 #include "cases/case_runner.h"
+#include "cases/relax_case.h"
 #include "elastica/elastica_json.h"
 
 namespace bw {
@@ -52,8 +56,32 @@ Result<FitOptions> optionsFromJson(ObjectReader& reader) {
   return options;
 }
 
+// Keys that only one of the methods understands.
+constexpr const char* kAnalyticKeys[] = {
+    "max_curvature", "curvature_range", "max_periods", "max_inflections", "simple",
+    "norm",          "guess",           "initial",     "epsilon",         "length_tolerance"};
+constexpr const char* kNumericKeys[] = {"tolerance", "degree", "spans", "elastica_tolerance"};
+
+void refuse(ObjectReader& reader, std::span<const char* const> keys, const char* method, const char* other) {
+  for (const char* key : keys) {
+    if (reader.has(key))
+      reader.complain(key, std::string("the key ") + key + " belongs to the method \"" + other +
+                               "\" and means nothing to the method \"" + method +
+                               "\"; leave it out or change the method");
+  }
+}
+
 Result<ordered_json> fitCase(const json& object, bool& limited) {
   ObjectReader reader(object, "case");
+  int method = 0;
+  reader.word("method", {"analytic", "numeric"}, method);
+  if (method == 1) {
+    refuse(reader, kAnalyticKeys, "numeric", "analytic");
+    Result<ordered_json> result = answerRelaxation(reader, limited);
+    if (result) (*result)["method"] = "numeric";
+    return result;
+  }
+  refuse(reader, kNumericKeys, "analytic", "numeric");
   const json* shape = reader.member("curve");
   if (!shape) reader.complain("curve", "the case needs the key curve");
   std::optional<double> epsilon;
@@ -70,6 +98,7 @@ Result<ordered_json> fitCase(const json& object, bool& limited) {
                 fit->message.empty() ? "no elastica meets all the constraints" : fit->message, "constraints");
   limited = fit->status == FitStatus::iterationLimit;
   ordered_json result;
+  result["method"] = "analytic";
   result["elastica"] = elasticaToJson(fit->elastica);
   result["initial_elastica"] = elasticaToJson(fit->initial);
   result["R1"] = fit->R1;

@@ -51,6 +51,8 @@ Result<PiecewiseOptions> optionsFromJson(ObjectReader& reader, const PlanarCurve
   int continuity = 0;
   reader.word("continuity", {"G1", "G2"}, continuity);
   options.curvature = continuity == 1;
+  if (const json* bound = reader.member("max_curvature"); bound && !bound->is_null())
+    reader.number("max_curvature", options.maxCurvature.emplace(0), 0, kHuge);
   reader.boolean("endpoints", options.endpoints);
   reader.boolean("tangents", options.tangents);
   return options;
@@ -79,7 +81,8 @@ Result<ordered_json> piecewiseCase(const json& object, bool& limited) {
     result["elastica"].push_back(elasticaToJson(fit->pieces[i]));
     result["pieces"].push_back({{"parameters", {fit->splits[i], fit->splits[i + 1]}},
                                 {"R4", fit->R4[i]},
-                                {"hausdorff", fit->hausdorff[i]}});
+                                {"hausdorff", fit->hausdorff[i]},
+                                {"max_curvature", fit->pieces[i].maxCurvature()}});
   }
   result["splits"] = fit->splits;
   result["joints"] = json::array();

@@ -5,6 +5,7 @@
 
 #include "bw/core/curve_relaxation.h"
 #include "cases/case_runner.h"
+#include "cases/relax_case.h"
 #include "elastica/elastica_json.h"
 
 namespace bw {
@@ -17,8 +18,11 @@ namespace {
 
 constexpr double kHuge = 1e12;
 
-Result<ordered_json> relaxCase(const json& object, bool& limited) {
-  ObjectReader reader(object, "case");
+}  // namespace
+
+namespace detail {
+
+Result<ordered_json> answerRelaxation(ObjectReader& reader, bool& limited) {
   const json* shape = reader.member("curve");
   if (!shape) reader.complain("curve", "the case needs the key curve");
   RelaxOptions options;
@@ -70,6 +74,15 @@ Result<ordered_json> relaxCase(const json& object, bool& limited) {
   result["message"] = relaxed->message;
   result["seconds"] = seconds;
   return result;
+}
+
+}  // namespace detail
+
+namespace {
+
+Result<ordered_json> relaxCase(const json& object, bool& limited) {
+  ObjectReader reader(object, "case");
+  return answerRelaxation(reader, limited);
 }
 
 }  // namespace

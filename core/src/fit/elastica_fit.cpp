@@ -35,7 +35,7 @@ constexpr double kMuchWorse = 4;
 // lengths).
 constexpr double kConvergedMovement = 1e-8;
 // Conditions hold if the returned curve misses them by no more than this (lengths, rad). The solver meets
-// them to kFeasible, but along a line with sharp bends the seven numbers of an elastica do not carry all
+// them to kFeasible, but along a line with sharp bends the numbers of an elastica do not carry all
 // digits; misses above kNoted are told.
 constexpr double kHolds = 1e-6;
 constexpr double kNoted = 1e-9;
@@ -258,6 +258,9 @@ Result<FitResult> fitElastica(const PlanarCurve& curve, const FitOptions& option
   result.elastica = detail::toElastica(chosen.placement, full);
   ConstrainedFit last(full, held, tangentNorm);
   detail::Stationarity end = last.stationarity(detail::toPlacement(result.elastica, full), peaks);
+  // Where the conditions leave nothing to vary, only they can be missed.
+  if (!infeasible && constraints.clamped() && constraints.lengthTolerance == 0)
+    end.gradient = end.movement = 0;
   if (!infeasible && (!chosen.converged || !(end.movement <= kConvergedMovement))) {
     // The descent in three unknowns stalls where the shape hardly matters; all seven go on from there.
     const ConstrainedFit::Solution finished = last.solve(chosen.placement);
@@ -281,7 +284,7 @@ Result<FitResult> fitElastica(const PlanarCurve& curve, const FitOptions& option
   const char* missed = "";
   result.violation = detail::largestMiss(result.elastica, full, constraints, missed);
   const std::string carried =
-      " (of its length, or rad): near a line with sharp bends the seven numbers of an elastica do not carry "
+      " (of its length, or rad): near a line with sharp bends the numbers of an elastica do not carry "
       "more digits.";
   if (infeasible) {
     result.status = FitStatus::infeasible;

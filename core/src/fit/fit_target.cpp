@@ -17,6 +17,9 @@ using Eigen::Vector2d;
 // Shapes beyond these are no fits: 60 rad of turning at the middle's curvature, or some thirty periods.
 constexpr double kLargestCurvature = 60;
 constexpr double kLargestForce = 2500;
+// Beyond this force the start of an elastica loses digits of its end (like exp(√f)), and it is held at its
+// middle.
+constexpr double kTaut = 60;
 
 // The angle of `v` that is nearest to `reference`.
 double angleNear(const Vector2d& v, double reference) {
@@ -72,12 +75,19 @@ FitTarget::FitTarget(const PlanarCurve& curve, int nodes) : length(curve.length(
 
 Elastica toElastica(const Placement& placement, const FitTarget& target) {
   const double unit = std::exp(placement.logLength) * target.length;
-  const Vector2d force =
-      turned(direction(placement.angle), {placement.shape[1], placement.shape[2]}) / unit / unit;
-  const Result<Elastica> middle = Elastica::make(target.centre + target.length * placement.middle,
-                                                 placement.angle, placement.shape[0] / unit, force, unit);
-  BW_CHECK(middle.has_value());
-  const Result<Elastica> whole = middle->segment(-0.5 * unit, 0.5 * unit);
+  const Vector2d middle = target.centre + target.length * placement.middle;
+  const Vector2d own = placement.shape.tail<2>() / (unit * unit);
+  const double curvature = placement.shape[0] / unit;
+  if (placement.shape.tail<2>().norm() > kTaut) {
+    const Result<Elastica> held =
+        Elastica::makeAnchored({0.5 * unit, middle, placement.angle, curvature, own, 0}, unit);
+    BW_CHECK(held.has_value());
+    return *held;
+  }
+  const Result<Elastica> fromMiddle =
+      Elastica::make(middle, placement.angle, curvature, turned(direction(placement.angle), own), unit);
+  BW_CHECK(fromMiddle.has_value());
+  const Result<Elastica> whole = fromMiddle->segment(-0.5 * unit, 0.5 * unit);
   BW_CHECK(whole.has_value());
   return *whole;
 }
@@ -85,8 +95,12 @@ Elastica toElastica(const Placement& placement, const FitTarget& target) {
 Placement toPlacement(const Elastica& elastica, const FitTarget& target) {
   const double length = elastica.length();
   const Elastica::State state = elastica.at(0.5 * length);
+  const std::optional<Elastica::Anchor>& anchor = elastica.anchor();
   Placement out;
-  const Vector2d force = turnedBack(direction(state.angle), elastica.force()) * length * length;
+  // The force across the tangent has digits at the anchor that the force and the tangent do not have.
+  const Vector2d force = length * length *
+                         (anchor ? turnedBack(direction(state.angle - anchor->angle), anchor->force)
+                                 : turnedBack(direction(state.angle), elastica.force()));
   out.shape = {state.curvature * length, force.x(), force.y()};
   out.logLength = std::log(length / target.length);
   out.angle = state.angle;

@@ -29,7 +29,7 @@ constexpr int kCellsPerPiece = 4;
 // Rounds in which the splits are improved one after the other, and trials for each.
 constexpr int kRounds = 2;
 constexpr int kTrials = 7;
-// Conditions that are met to this (lengths of the curve, rad) hold.
+// Conditions that are met to this (lengths of the curve, rad; the curvature relatively) hold.
 constexpr double kHolds = 1e-6;
 // The golden section.
 constexpr double kGolden = 0.6180339887498949;
@@ -45,6 +45,9 @@ Result<void> check(const PlanarCurve& curve, const PiecewiseOptions& options) {
   };
   if (Result<void> ok = size("position", options.position); !ok) return ok;
   if (Result<void> ok = size("angle", options.angle); !ok) return ok;
+  if (options.maxCurvature && !(*options.maxCurvature > 0 && std::isfinite(*options.maxCurvature)))
+    return bad("max_curvature", *options.maxCurvature,
+               "The largest curvature of the pieces must be above 0 (1/mm), or left out.");
   if (options.tolerance && !(*options.tolerance > 0 && std::isfinite(*options.tolerance)))
     return bad("tolerance", *options.tolerance, "The tolerance of a chain of elastica must be above 0 mm.");
   if (options.splits == PiecewiseOptions::Splits::given) {
@@ -88,10 +91,11 @@ Chain fitChain(Pieces pieces, double length, const PiecewiseOptions& options) {
   return chain;
 }
 
-Pieces piecesOf(const PlanarCurve& curve, const std::vector<double>& splits) {
+Pieces piecesOf(const PlanarCurve& curve, const std::vector<double>& splits,
+                std::optional<double> maxCurvature) {
   Pieces pieces;
   for (std::size_t i = 0; i + 1 < splits.size(); ++i)
-    pieces.push_back(detail::makePiece(curve, splits[i], splits[i + 1]));
+    pieces.push_back(detail::makePiece(curve, splits[i], splits[i + 1], maxCurvature));
   return pieces;
 }
 
@@ -112,8 +116,8 @@ Chain improve(const PlanarCurve& curve, std::vector<double>& arcs, Chain best, d
         const auto at = [&](std::size_t i) {
           return i == 0 ? curve.start() : i + 1 == arcs.size() ? curve.end() : curve.parameterAt(arcs[i]);
         };
-        pieces[k - 1] = detail::makePiece(curve, at(k - 1), t);
-        pieces[k] = detail::makePiece(curve, t, at(k + 1));
+        pieces[k - 1] = detail::makePiece(curve, at(k - 1), t, options.maxCurvature);
+        pieces[k] = detail::makePiece(curve, t, at(k + 1), options.maxCurvature);
         return fitChain(std::move(pieces), length, options);
       };
       double low = std::max(arcs[k] - reach, arcs[k - 1] + 0.1 * cell);
@@ -203,11 +207,15 @@ void measure(const Chain& chain, const PlanarCurve& curve, const PiecewiseOption
     worst = std::max({worst, (gap.cwiseAbs().maxCoeff() - options.position) / length, angle - options.angle});
     if (options.curvature) worst = std::max(worst, out.joints.back().curvatureJump * length / 100);
   }
+  for (const Elastica& piece : out.pieces) {
+    if (options.maxCurvature) worst = std::max(worst, piece.maxCurvature() / *options.maxCurvature - 1);
+  }
   if (!chain.descent.feasible) {
     out.status = FitStatus::infeasible;
-    out.message =
-        "No chain of " + std::to_string(out.pieces.size()) +
-        " elastica was found whose pieces meet as demanded; allow larger gaps or angles, or other splits.";
+    out.message = "No chain of " + std::to_string(out.pieces.size()) +
+                  " elastica was found whose pieces meet as demanded; allow larger gaps or angles" +
+                  (options.maxCurvature ? std::string(", a larger curvature") : std::string()) +
+                  ", or other splits.";
   } else if (!chain.descent.converged || worst > kHolds) {
     out.status = FitStatus::iterationLimit;
     out.message = "The chain did not come to rest after " + std::to_string(out.iterations) +
@@ -230,14 +238,14 @@ Result<PiecewiseResult> fitPiecewise(const PlanarCurve& curve, const PiecewiseOp
   if (options.splits == PiecewiseOptions::Splits::given) {
     splits.insert(splits.end(), options.parameters.begin(), options.parameters.end());
     splits.push_back(curve.end());
-    chain = fitChain(piecesOf(curve, splits), length, options);
+    chain = fitChain(piecesOf(curve, splits, options.maxCurvature), length, options);
   } else if (options.splits == PiecewiseOptions::Splits::uniform && !options.tolerance) {
     for (int i = 1; i < options.pieces; ++i) splits.push_back(curve.parameterAt(length * i / options.pieces));
     splits.push_back(curve.end());
-    chain = fitChain(piecesOf(curve, splits), length, options);
+    chain = fitChain(piecesOf(curve, splits, options.maxCurvature), length, options);
   } else {
     const int cells = std::max(kGridCells, kCellsPerPiece * options.pieces);
-    PieceGrid grid(curve, cells);
+    PieceGrid grid(curve, cells, options.maxCurvature);
     std::vector<double> arcs;
     for (int n = options.tolerance ? 1 : options.pieces; n <= options.pieces; ++n) {
       if (context.stopped()) return stoppedError();

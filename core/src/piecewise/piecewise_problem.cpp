@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "fit/fit_guess.h"
+#include "fit/fit_projection.h"
 
 namespace bw::detail {
 namespace {
@@ -23,11 +24,39 @@ constexpr int kPieceNodes = 24;
 // straight piece hangs on digits that the numbers of its start do not have.
 constexpr double kMostTension = 400;
 
+// Names of the bounds on the curvature of a piece, beyond those of all other conditions: so many are kept for
+// each piece.
+constexpr int kFirstBoundName = 100000;
+constexpr int kBoundNames = 1000;
+
 using Row = Eigen::Matrix<double, 7, 1>;
+
+FitConstraints boundsOf(const FitTarget& target, std::optional<double> maxCurvature) {
+  FitConstraints constraints;
+  if (maxCurvature) constraints.maxCurvature = *maxCurvature * target.length;
+  return constraints;
+}
+
+// The best fit under the bound: from the free fit, or else from a line.
+std::optional<FreeFitResult> bounded(const FitTarget& target, const FitConstraints& constraints,
+                                     FreeFitResult free) {
+  ConstrainedFit fit(target, constraints, false);
+  if (fit.violation(free.placement) <= 0) return free;
+  std::vector<Placement> starts{free.placement};
+  if (const auto line = ProjectedFit(target, {}).place({0, 0, 0})) starts.push_back(line->placement);
+  for (const Placement& start : starts) {
+    const ConstrainedFit::Solution solution = fit.solve(start);
+    free.iterations += solution.iterations;
+    if (!solution.feasible) continue;
+    return FreeFitResult{solution.placement, solution.value, free.iterations, solution.converged};
+  }
+  return std::nullopt;
+}
 
 }  // namespace
 
-std::shared_ptr<const Piece> makePiece(const PlanarCurve& curve, double from, double to) {
+std::shared_ptr<const Piece> makePiece(const PlanarCurve& curve, double from, double to,
+                                       std::optional<double> maxCurvature) {
   const Result<PlanarCurve> part = curve.subCurve(from, to);
   if (!part) return nullptr;
   // Smooth parts need few nodes; a chain of points keeps all of them for the end of its fit.
@@ -40,7 +69,8 @@ std::shared_ptr<const Piece> makePiece(const PlanarCurve& curve, double from, do
   const AffineCurvature law = fitAffineCurvature(target);
   const std::vector<Shape> starts{guessByLength(coarse, law).placement.shape, shapeFromLaw(coarse, law),
                                   shapeFromAngles(coarse)};
-  const std::optional<FreeFitResult> free = freeFit(target, coarse, {}, starts, true);
+  std::optional<FreeFitResult> free = freeFit(target, coarse, {}, starts, true);
+  if (free && maxCurvature) free = bounded(target, boundsOf(target, maxCurvature), *free);
   if (!free) return nullptr;
   return std::make_shared<Piece>(Piece{*part, std::move(target), *free});
 }
@@ -57,7 +87,7 @@ PiecewiseProblem::PiecewiseProblem(const std::vector<std::shared_ptr<const Piece
                                    const PiecewiseOptions& options)
     : pieces_(pieces), length_(length), options_(options), turns_(pieces.size(), 0.0) {
   for (const auto& piece : pieces) {
-    fits_.emplace_back(piece->target, FitConstraints{}, false);
+    fits_.emplace_back(piece->target, boundsOf(piece->target, options.maxCurvature), false);
     ends_.emplace_back(std::vector<double>{-0.5, 0.5});
   }
 }
@@ -196,6 +226,15 @@ bool PiecewiseProblem::conditions(const VectorXd& v, Conditions& out) {
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const Index at = 7 * static_cast<Index>(i) + 1;
     out.slopes(at, out.add(-v[at] / kMostTension - 1, name++)) = -1 / kMostTension;
+  }
+  for (std::size_t i = 0; options_.maxCurvature && i < pieces_.size(); ++i) {
+    const Index at = 7 * static_cast<Index>(i);
+    if (!fits_[i].conditions(v.segment(at, 7), bounds_)) return false;
+    for (std::size_t k = 0; k < bounds_.size(); ++k) {
+      const int own = kFirstBoundName + kBoundNames * static_cast<int>(i) + bounds_.names[k];
+      out.slopes.col(out.add(bounds_.values[k], own)).segment<7>(at) =
+          bounds_.slopes.col(static_cast<Index>(k));
+    }
   }
   return true;
 }

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "bw/core/piecewise_fit.h"
@@ -14,14 +15,16 @@
 
 namespace bw::detail {
 
-/// One part of the curve and its best elastica without regard to the neighbours.
+/// One part of the curve and its best elastica (under the bound on its curvature, if there is one) without
+/// regard to the neighbours.
 struct Piece {
   PlanarCurve curve;
   FitTarget target;
   FreeFitResult free;
 };
-/// Empty if the part cannot be fitted.
-std::shared_ptr<const Piece> makePiece(const PlanarCurve& curve, double from, double to);
+/// Empty if the part cannot be fitted. `maxCurvature` in 1/mm.
+std::shared_ptr<const Piece> makePiece(const PlanarCurve& curve, double from, double to,
+                                       std::optional<double> maxCurvature);
 
 /// A chain of elastica as one least-squares problem (docs/mathematics.md, 8): seven unknowns a piece, each in
 /// the frame of its own target; conditions where neighbours meet.
@@ -49,6 +52,7 @@ class PiecewiseProblem : public ConstrainedProblem {
   const PiecewiseOptions& options_;
   std::vector<ConstrainedFit> fits_;
   std::vector<ShapeEvaluator> ends_;
+  Conditions bounds_;                   ///< of one piece
   std::vector<double> turns_;           ///< at the joints
   double startTurn_ = 0, endTurn_ = 0;  ///< at the ends of the chain
   LeastSquaresModel part_;

@@ -7,7 +7,8 @@
 
 namespace bw::detail {
 
-PieceGrid::PieceGrid(const PlanarCurve& curve, int cells) : curve_(curve), cells_(cells) {}
+PieceGrid::PieceGrid(const PlanarCurve& curve, int cells, std::optional<double> maxCurvature)
+    : curve_(curve), cells_(cells), maxCurvature_(maxCurvature) {}
 
 double PieceGrid::parameter(int place) const {
   if (place <= 0) return curve_.start();
@@ -19,7 +20,7 @@ std::shared_ptr<const Piece> PieceGrid::piece(int from, int to) {
   const auto key = std::pair(from, to);
   const auto found = known_.find(key);
   if (found != known_.end()) return found->second;
-  return known_.emplace(key, makePiece(curve_, parameter(from), parameter(to))).first->second;
+  return known_.emplace(key, makePiece(curve_, parameter(from), parameter(to), maxCurvature_)).first->second;
 }
 
 double PieceGrid::cost(int from, int to) {

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "piecewise/piecewise_problem.h"
@@ -13,8 +14,8 @@ namespace bw::detail {
 /// Parts of one curve between places on a grid of equal arc lengths, each fitted once.
 class PieceGrid {
  public:
-  /// `cells` ≥ 1.
-  PieceGrid(const PlanarCurve& curve, int cells);
+  /// `cells` ≥ 1; `maxCurvature` as for `makePiece`.
+  PieceGrid(const PlanarCurve& curve, int cells, std::optional<double> maxCurvature);
 
   int cells() const { return cells_; }
   double parameter(int place) const;
@@ -28,6 +29,7 @@ class PieceGrid {
  private:
   const PlanarCurve& curve_;
   int cells_;
+  std::optional<double> maxCurvature_;
   std::map<std::pair<int, int>, std::shared_ptr<const Piece>> known_;
 };
 

@@ -32,6 +32,8 @@ constexpr double kSlope = 1e-7;
 /// Of the length, relative.
 constexpr double kLength = 1e-9;
 constexpr int kMaxIterations = 400, kMaxMultiplierSteps = 40;
+/// Widths of the tubes on the way to a wide one.
+constexpr double kTubes[] = {0.03, 0.1, 0.3, 1};
 /// An end tangent's control point keeps at least this part of its distance.
 constexpr double kShortestHandle = 0.05;
 /// Total bending (∫ κ² times the length) below this is a line, which is an elastica.
@@ -208,8 +210,8 @@ struct Outcome {
   int iterations = 0;
 };
 
-Outcome minimise(const BendingProblem& problem, const Freedom& freedom, double size,
-                 std::optional<double> length) {
+Outcome descend(const BendingProblem& problem, const Freedom& freedom, double size,
+                std::optional<double> length, int maxIterations) {
   const double spreadWeight = kSpreadWeight * size;
   double multiplier = 0, penalty = length ? 100 * size : 0;
   const auto function = [&](const VectorXd& z, bool derivatives) {
@@ -238,16 +240,39 @@ Outcome minimise(const BendingProblem& problem, const Freedom& freedom, double s
   double before = 1e300;
   for (int round = 0; round < (length ? kMaxMultiplierSteps : 1); ++round) {
     outcome.minimum = detail::boundedNewton(function, z, freedom.low, freedom.high, kSlope * size,
-                                            kMaxIterations - outcome.iterations);
+                                            maxIterations - outcome.iterations);
     outcome.iterations += outcome.minimum.iterations;
     z = outcome.minimum.at;
     if (!length) break;
     outcome.lengthError = problem.evaluate(freedom.points(z), 0, false).length - *length;
-    if (std::abs(outcome.lengthError) < kLength || outcome.iterations >= kMaxIterations) break;
+    if (std::abs(outcome.lengthError) < kLength || outcome.iterations >= maxIterations) break;
     multiplier += penalty * outcome.lengthError;
     if (std::abs(outcome.lengthError) > 0.1 * before) penalty *= 5;
     before = std::abs(outcome.lengthError);
   }
+  return outcome;
+}
+
+/// Straight into the tube; where that does not come to rest, through narrower tubes, each from the curve in
+/// the one before: a wide tube has room for folds that a long step falls into.
+Outcome minimise(const BendingProblem& problem, const Freedom& freedom, double size,
+                 std::optional<double> length) {
+  Outcome outcome = descend(problem, freedom, size, length, kMaxIterations);
+  if (outcome.minimum.converged) return outcome;
+  int iterations = outcome.iterations;
+  Freedom tube = freedom;
+  for (const double share : kTubes) {
+    tube.low = freedom.start + share * (freedom.low - freedom.start);
+    tube.high = freedom.start + share * (freedom.high - freedom.start);
+    const Outcome next = descend(problem, tube, size, length, kMaxIterations);
+    iterations += next.iterations;
+    if (share == 1) {
+      if (next.minimum.converged) outcome = next;
+    } else {
+      tube.start = next.minimum.at;
+    }
+  }
+  outcome.iterations = iterations;
   return outcome;
 }
 

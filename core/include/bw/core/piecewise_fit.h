@@ -28,6 +28,7 @@ struct PiecewiseOptions {
   double position = 0;  ///< by which neighbours may miss each other at a joint, mm in each coordinate
   double angle = 0;     ///< by which their tangents may differ, rad
   bool curvature = false;  ///< equal curvature at the joints as well (G2)
+  std::optional<double> maxCurvature = std::nullopt;  ///< bound on |κ| over every piece, 1/mm
   bool endpoints = false;  ///< the ends of the whole curve are kept exactly
   bool tangents = false;   ///< its end tangents are kept exactly
 };
