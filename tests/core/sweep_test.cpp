@@ -237,14 +237,14 @@ TEST(Motion, RefusesImpossibleSpeeds) {
 
 namespace {
 
-/// Three equal sections of height `profile`(x) over x = -300 … 300.
+/// Three equal sections of height `profile`(x) over x = -half … half.
 template <class Profile>
-std::vector<Section> equalSections(Profile profile) {
+std::vector<Section> equalSections(Profile profile, double half = 300) {
   std::vector<Section> sections;
   for (int i = 0; i < 3; ++i) {
     std::vector<Eigen::Vector2d> points;
     for (int k = 0; k <= 120; ++k) {
-      const double x = -300 + 5.0 * k;
+      const double x = half * (k / 60.0 - 1);
       points.emplace_back(x, profile(x));
     }
     const double y = 20.0 * i;
@@ -294,6 +294,22 @@ TEST(Sweep, BladeHoldsAlsoBeyondTheSection) {
   const Result<SweepAnalysis> analysis = analyzeSweep(analysed, job, test::SphereSampler(kRadius), {});
   ASSERT_TRUE(analysis);
   EXPECT_TRUE(std::ranges::any_of(analysis->issues, [](const Issue& i) { return i.kind == "fit-bounded"; }));
+}
+
+TEST(Sweep, BladeHoldsOnSectionsMuchShorterThanItself) {
+  // A corner of the target: 20 mm of it between 1500 mm of blade.
+  Job job;
+  job.blade.length = 1500;
+  Issues issues;
+  const auto corner =
+      equalSections([](double x) { return 0.05 * std::sin(0.3 * x) + 0.1 * std::sin(0.1 * x); }, 10);
+  const Result<Sweep> sweep = buildSweep(corner, job, sphereBlock(), Eigen::Vector3d::UnitY(), {}, issues);
+  ASSERT_TRUE(sweep) << sweep.error().message;
+  for (const Station& station : sweep->stations) {
+    EXPECT_LE(station.blade.maxCurvature(), job.blade.maxCurvature() * (1 + 1e-9));
+    EXPECT_GT(stabilityMargin(station.blade), 0);
+    EXPECT_LE(station.fit.hausdorff, job.tolerance);
+  }
 }
 
 TEST(SweepAnalysis, TellsHowLongARoundBladeStaysInItsPlane) {

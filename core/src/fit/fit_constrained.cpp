@@ -35,7 +35,7 @@ constexpr double kFootTolerance = 1e-14;
 // definite.
 constexpr double kRound = 1e-3;
 // A range longer than this (lengths of the elastica) is no blade any more.
-constexpr double kLongestRange = 40;
+constexpr double kLongestRange = 1000;
 
 enum Name {
   kLength,

@@ -4,6 +4,7 @@
 #include "sweep/station_fit.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "bw/core/elastica_stability.h"
 
@@ -74,12 +75,15 @@ Result<StationFit> fitStation(const PlanarCurve& section, const Job& job, const 
     return StationFit{std::move(*best)};
   options.maxCurvature = job.blade.maxCurvature();
   options.curvatureRange = job.blade.length;
+  std::optional<FitResult> restless;
   for (int k = 0; k < kPeriodBounds; ++k, *options.maxPeriods *= 0.5) {
     Result<FitResult> bounded = fitBesideNeighbour(section, options, neighbour ? neighbour : &*best);
     if (!bounded || !usable(*bounded) || bounded->hausdorff > allowed) break;
-    if (bounded->status != FitStatus::iterationLimit && bladeHolds(*bounded, job.blade))
-      return StationFit{std::move(*bounded), true};
+    if (!bladeHolds(*bounded, job.blade)) continue;
+    if (bounded->status != FitStatus::iterationLimit) return StationFit{std::move(*bounded), true};
+    if (!restless) restless = std::move(*bounded);
   }
+  if (restless) return StationFit{std::move(*restless), true};
   return StationFit{std::move(*best)};
 }
 
