@@ -758,6 +758,12 @@ TEST(ElasticaFit, BadOptionsAreNamed) {
     options.maxPeriods = bad;
     EXPECT_FALSE(fitElastica(c, options).has_value());
   }
+  options = {};
+  options.maxCurvature = 1e-3;
+  options.curvatureRange = 501 * c.length();
+  const auto far = fitElastica(c, options);
+  ASSERT_FALSE(far.has_value());
+  EXPECT_NE(far.error().message.find("range of the curvature bound"), std::string::npos);
 }
 
 TEST(ElasticaFit, TinyAndHugeCurvesAreFittedAlike) {

@@ -29,6 +29,8 @@ using detail::Placement;
 using detail::ProjectedFit;
 using detail::Shape;
 
+// Lengths of the curve that the curvature bound may reach over.
+constexpr double kLongestRange = 500;
 // End conditions and bounds may make the fit worse by this factor (R4) before other starts are tried.
 constexpr double kMuchWorse = 4;
 // A fit has converged if one more Gauss–Newton step would move the curve by less than this (root mean square,
@@ -40,7 +42,7 @@ constexpr double kConvergedMovement = 1e-8;
 constexpr double kHolds = 1e-6;
 constexpr double kNoted = 1e-9;
 
-tl::unexpected<Error> badOption(const char* name, double value, const char* remedy, double limit) {
+tl::unexpected<Error> badOption(const char* name, double value, const std::string& remedy, double limit) {
   return fail(ErrorCode::badInput,
               std::string("The option ") + name + " of the fit is " +
                   (std::isfinite(value) ? shortText(value, 6) : std::string("not a finite number")) + "; " +
@@ -147,6 +149,10 @@ Result<FitResult> fitElastica(const PlanarCurve& curve, const FitOptions& option
   std::optional<FitTarget> thinned;
   if (full.size() > detail::kManyNodes && !options.initial) thinned.emplace(curve, detail::kCoarseNodes);
   const FitTarget& coarse = thinned ? *thinned : full;
+  if (options.curvatureRange && *options.curvatureRange > kLongestRange * full.length)
+    return badOption("range of the curvature bound", *options.curvatureRange,
+                     "give at most " + shortText(kLongestRange) + " times the length of the curve",
+                     kLongestRange * full.length);
 
   FitConstraints constraints;
   if (options.length == FitOptions::Length::exact) constraints.length = 1;
