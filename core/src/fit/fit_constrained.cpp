@@ -36,6 +36,10 @@ constexpr double kFootTolerance = 1e-14;
 constexpr double kRound = 1e-3;
 // A range longer than this (lengths of the elastica) is no blade any more.
 constexpr double kLongestRange = 1000;
+// Over a range of so many lengths and more no curve that winds on by more than this (rad) can keep the bound:
+// it would only cost time to follow it.
+constexpr double kLongRange = 10;
+constexpr double kMostWinding = 100;
 
 enum Name {
   kLength,
@@ -258,6 +262,8 @@ bool ConstrainedFit::curvatureBounds(const VectorXd& v, Conditions& out) {
   // Half the range, in lengths of the elastica.
   const double half = extended ? 0.5 * *constraints_.curvatureRange * std::exp(-v[3]) : 0.5;
   if (!(half <= 0.5 * kLongestRange)) return false;
+  if (half > 0.5 * kLongRange && half * (std::abs(shape[0]) + std::sqrt(std::hypot(ft, fn))) > kMostWinding)
+    return false;
   ShapeEvaluator& ends = extended ? range_ : ends_;
   if (extended) range_.moveTo({-half, half});
   if (!ends.evaluate(shape, true)) return false;
