@@ -38,8 +38,8 @@ Result<PiecewiseOptions> optionsFromJson(ObjectReader& reader, const PlanarCurve
     options.splits = word == 1 ? PiecewiseOptions::Splits::optimised : PiecewiseOptions::Splits::uniform;
     reader.integer("pieces", options.pieces, 1, kMostPieces);
   }
-  if (const json* tolerance = reader.member("tolerance"); tolerance && !tolerance->is_null()) {
-    reader.number("tolerance", options.tolerance.emplace(0), 1e-12, kHuge);
+  reader.number("tolerance", options.tolerance, 1e-12, kHuge);
+  if (options.tolerance) {
     if (!reader.has("pieces")) options.pieces = 20;
   } else if (!reader.has("pieces") && !(splits && splits->is_array())) {
     reader.complain("pieces", "the case needs splits, a number of pieces or a tolerance");
@@ -51,8 +51,7 @@ Result<PiecewiseOptions> optionsFromJson(ObjectReader& reader, const PlanarCurve
   int continuity = 0;
   reader.word("continuity", {"G1", "G2"}, continuity);
   options.curvature = continuity == 1;
-  if (const json* bound = reader.member("max_curvature"); bound && !bound->is_null())
-    reader.number("max_curvature", options.maxCurvature.emplace(0), 0, kHuge);
+  reader.number("max_curvature", options.maxCurvature, 0, kHuge);
   reader.boolean("endpoints", options.endpoints);
   reader.boolean("tangents", options.tangents);
   return options;
