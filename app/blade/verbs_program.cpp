@@ -23,8 +23,9 @@ int runExport(const Session& session, const std::string& path, const std::vector
   const pipeline::Outcome outcome = pipeline::evaluate(*design, nullptr, session.context());
   if (outcome.error) return session.complain(*outcome.error);
   const Motion& motion = outcome.evaluation.sweep.value->motion;
-  session.tell(robotio::checkPlacement(motion, *cell));
-  Result<FileSet> files = pipeline::programFiles(motion, *cell, formats, "Blade");
+  Issues findings = robotio::checkPlacement(motion, *cell);
+  Result<FileSet> files = pipeline::programFiles(motion, *cell, formats, "Blade", findings);
+  session.tell(findings);
   if (!files) return session.complain(files.error());
   FileSet all;
   all.append(std::move(*files), "strip-0");

@@ -100,6 +100,7 @@ int runDesign(const Session& session, const Design& design, const std::string& o
   session.tell(outcome.evaluation.issues());
   if (outcome.error) return session.complain(*outcome.error);
   Result<FileSet> files = pipeline::resultFiles(outcome.evaluation, session.context());
+  session.tell(outcome.evaluation.programs);
   if (!files) return session.complain(files.error());
   const Result<Design> stored = withEmbeddedSource(design);
   if (!stored) return session.complain(stored.error());

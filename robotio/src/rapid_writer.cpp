@@ -223,7 +223,8 @@ class TaskWriter {
 
 }  // namespace
 
-Result<Program> writeRapid(const Motion& motion, const Cell& cell, const RapidOptions& options) {
+Result<Program> writeRapid(const Motion& motion, const Cell& cell, const RapidOptions& options,
+                           Issues* warnings) {
   if (Result<void> ok = checkMotion(motion); !ok) return tl::unexpected<Error>(ok.error());
   const Result<Plan> plan = makePlan(motion, cell, options);
   if (!plan) return tl::unexpected<Error>(plan.error());
@@ -235,7 +236,10 @@ Result<Program> writeRapid(const Motion& motion, const Cell& cell, const RapidOp
   int count = 0;
   std::string where;
   for (const Issue& issue : checkRapid(program)) {
-    if (issue.severity != Severity::error) continue;
+    if (issue.severity != Severity::error) {
+      if (warnings) warnings->push_back(issue);
+      continue;
+    }
     if (++count == 1) where = issue.where.text;
     if (count <= 3) faults += "; " + issue.kind + " at " + issue.where.text + ": " + issue.message;
   }

@@ -307,6 +307,23 @@ TEST(Settings, RemembersTenFilesNewestFirst) {
   EXPECT_EQ(settings.recentFiles().size(), 9u);
 }
 
+TEST(Settings, RemembersNothingOnceToldToForget) {
+  QTemporaryDir folder;
+  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder.path());
+  const fs::path file = fs::path(folder.path().toStdString()) / "a.step";
+  std::ofstream(file) << "x";
+  Settings settings;
+  settings.setTheme(ThemeChoice::dark);
+  settings.forgetAll();
+  settings.addRecentFile(file);
+  settings.setTheme(ThemeChoice::light);
+  settings.setLayout("columns", "wide");
+  Settings next;
+  EXPECT_TRUE(next.recentFiles().empty());
+  EXPECT_EQ(next.theme(), ThemeChoice::dark);
+  EXPECT_TRUE(next.layout("columns").isEmpty());
+}
+
 }  // namespace
 }  // namespace bw::model
 

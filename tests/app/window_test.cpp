@@ -115,6 +115,29 @@ TEST_F(WindowTest, ExportsEverythingToAFolder) {
   picture("exported");
 }
 
+TEST_F(WindowTest, RepeatsWhatTheCheckOfTheProgramsWarnsOf) {
+  openPanel();
+  // Targets that follow each other faster than a controller takes them.
+  bench().editJob("Change stations", [](Job& job) {
+    job.stations = 120;
+    job.cuttingSpeed = 1000;
+  });
+  ASSERT_TRUE(settle());
+  const int before = window().messageList().count();
+  const QString folder = QString::fromStdString(path("programs").string());
+  window().questions().exportFolder = [folder] { return folder; };
+  window().commands()["file.programs"]->trigger();
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(fs::is_directory(path("programs") / "T_ROB1"));
+  EXPECT_TRUE(window().banner().text().contains("The check of the programs warns")) << window().banner().text().toStdString();
+  EXPECT_GT(window().messageList().count(), before);
+  picture("exported-warning");
+  // They hold for these programs only.
+  bench().editJob("Change cutting speed", [](Job& job) { job.cuttingSpeed = 10; });
+  ASSERT_TRUE(settle());
+  for (const Issue& issue : bench().messages()) EXPECT_EQ(issue.kind.find("rule"), std::string::npos) << issue.message;
+}
+
 TEST_F(WindowTest, SavesAndOpensAgain) {
   openPanel();
   bench().editJob("Change tolerance", [](Job& job) { job.tolerance = 0.75; });

@@ -185,6 +185,21 @@ TEST(RapidWriter, ZonesShrinkWithTheSegmentsAndStayOutOfFinePoints) {
   EXPECT_EQ((*tighter)[1].moves[2].zone, 0.05);
 }
 
+TEST(RapidWriter, TellsWhatTheCheckWarnsOf) {
+  Issues warnings;
+  ASSERT_TRUE(writeRapid(sample::motion(), sample::cell(), {}, &warnings));
+  EXPECT_TRUE(warnings.empty()) << warnings.front().message;
+  // Ten times as many targets a second as the sample has.
+  Motion hasty = sample::motion();
+  for (MotionInstant& instant : hasty.instants) instant.time *= 1e-3;
+  const auto program = writeRapid(hasty, sample::cell(), {}, &warnings);
+  ASSERT_TRUE(program) << program.error().message;
+  Issues expected = checkRapid(*program);
+  ASSERT_FALSE(expected.empty());
+  ASSERT_EQ(warnings.size(), expected.size());
+  for (std::size_t i = 0; i < warnings.size(); ++i) EXPECT_EQ(warnings[i].message, expected[i].message);
+}
+
 TEST(RapidWriter, EndsOnTheOtherRobotsSideAreWarnedOf) {
   const Cell cell = sample::cell();
   EXPECT_TRUE(checkPlacement(sample::motion(), cell).empty());

@@ -66,6 +66,7 @@ int main(int argc, char** argv) {
   theme.apply(settings.theme());
   const bool oneShot = !options->screenshot.isEmpty() || options->quitAfterFirstPicture || options->timeChanges > 0;
   // A run for a picture or a timing leaves nothing behind and recovers nothing.
+  if (oneShot) settings.forgetAll();
   bw::app::MainWindow window(settings, theme, oneShot ? std::filesystem::path() : bw::model::Settings::recoveryFolder());
   if (options->size.isValid()) window.resize(options->size);
 

@@ -40,6 +40,7 @@ MessageList::MessageList(Workbench& bench, const Theme& theme, QWidget* parent)
   connect(this, &QListWidget::itemClicked, this, show);
   connect(this, &QListWidget::itemActivated, this, show);
   connect(&bench, &Workbench::resultChanged, this, &MessageList::refresh);
+  connect(&bench, &Workbench::messagesChanged, this, &MessageList::refresh);
   connect(&theme, &Theme::changed, this, &MessageList::refresh);
   refresh();
 }

@@ -50,6 +50,7 @@ Workbench::Workbench(model::Settings& settings, const fs::path& recoveryFolder, 
     moving_ = false;
     sizeAsked_ = false;
     messages_.clear();
+    exportFindings_.clear();
     exported_.reset();
     exportProblem_.clear();
     emit noticesOutdated();
@@ -171,8 +172,15 @@ void Workbench::onDesignChanged() {
   emit stateChanged();
 }
 
+Issues Workbench::messages() const {
+  Issues all = messages_;
+  all.insert(all.end(), exportFindings_.begin(), exportFindings_.end());
+  return all;
+}
+
 void Workbench::onFinished() {
   messages_.clear();
+  exportFindings_.clear();
   emit noticesOutdated();
   if (const std::optional<Error>& error = runner_.error()) {
     Issue issue{Severity::error, errorCodeName(error->code), error->message, {}};
@@ -271,27 +279,29 @@ void Workbench::write(const fs::path& folder, const QString& name, bool everythi
   exporting_ = true;
   exportProblem_.clear();
   const std::shared_ptr<const Design> design = document_.design();
-  const auto task = [folder, everything](pipeline::Evaluation evaluation,
+  const auto findings = std::make_shared<Issues>();
+  const auto task = [folder, everything, findings](pipeline::Evaluation evaluation,
                                          const RunContext& context) -> Result<void> {
     Result<FileSet> files;
     if (everything) {
       files = pipeline::resultFiles(evaluation, context);
+      *findings = evaluation.programs;
     } else {
       const Result<Cell> cell = loadCell(evaluation.design.job.cell);
       if (!cell) return tl::unexpected<Error>(cell.error());
       files = pipeline::programFiles(evaluation.sweep.value->motion, *cell, evaluation.design.job.programs,
-                                     evaluation.design.name);
+                                     evaluation.design.name, *findings);
     }
     if (!files) return tl::unexpected<Error>(files.error());
     if (context.stopped()) return stoppedError();
     return files->commit(folder);
   };
-  runner_.submit(name, task, [this, folder, design](const Result<void>& done) {
+  runner_.submit(name, task, [this, folder, design, findings](const Result<void>& done) {
     exporting_ = false;
     if (done) {
       exported_ = design;
       exportFolder_ = folder;
-      tell({Severity::info, tr("Written to %1").arg(QString::fromStdString(folder.string())), {}, {}});
+      tellWritten(*findings);
     } else if (done.error().code == ErrorCode::cancelled) {
       tell({Severity::info, tr("The export was stopped; nothing was written."), {}, {}});
     } else {
@@ -301,6 +311,21 @@ void Workbench::write(const fs::path& folder, const QString& name, bool everythi
     emit stateChanged();
   });
   emit stateChanged();
+}
+
+void Workbench::tellWritten(const Issues& findings) {
+  const QString written = tr("Written to %1").arg(QString::fromStdString(exportFolder_.string()));
+  // A change that came while the files were written has findings of its own.
+  if (exported_ == document_.design()) {
+    exportFindings_ = findings;
+    emit messagesChanged();
+  }
+  if (findings.empty()) return tell({Severity::info, written, {}, {}});
+  QString first = QString::fromStdString(findings.front().message);
+  if (!first.isEmpty()) first[0] = first[0].toUpper();
+  const QString more =
+      findings.size() > 1 ? tr(" %1 more are among the messages.").arg(findings.size() - 1) : QString();
+  tell({Severity::warning, tr("%1. The check of the programs warns: %2.%3").arg(written, first, more), {}, {}});
 }
 
 void Workbench::exportAll(const fs::path& folder) { write(folder, tr("Writing files"), true); }

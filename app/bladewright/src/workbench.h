@@ -57,8 +57,8 @@ class Workbench : public QObject {
   /// True if the result on the screen is the whole result of the present design.
   bool current() const;
   model::StepStates stepStates() const;
-  /// All findings of the newest result, its error first.
-  const Issues& messages() const { return messages_; }
+  /// All findings of the newest result, its error first, and of the programs written from it.
+  Issues messages() const;
 
   const Selection& selection() const { return selection_; }
   void select(const Selection& selection);
@@ -98,6 +98,7 @@ class Workbench : public QObject {
 
  signals:
   void resultChanged();     ///< another result is on the screen
+  void messagesChanged();
   void stateChanged();      ///< step states, staleness or messages changed
   void progressed();
   void selectionChanged();
@@ -115,6 +116,7 @@ class Workbench : public QObject {
   void onDesignChanged();
   void onFinished();
   void write(const std::filesystem::path& folder, const QString& name, bool everything);
+  void tellWritten(const Issues& findings);
   void askAboutSize();
 
   model::Settings& settings_;
@@ -127,7 +129,8 @@ class Workbench : public QObject {
   bool exporting_ = false;
   bool sizeAsked_ = false;
   int lastMergeId_ = 0;
-  Issues messages_;
+  Issues messages_;        ///< of the newest result
+  Issues exportFindings_;  ///< of the programs written last from that result
   std::filesystem::path exportFolder_;
   std::shared_ptr<const Design> exported_;
   QString exportProblem_;

@@ -39,17 +39,21 @@ Settings::Settings(QObject* parent)
       store_(QSettings::IniFormat, QSettings::UserScope, QStringLiteral("bladewright"),
              QStringLiteral("bladewright")) {}
 
+void Settings::store(const QString& key, const QVariant& value) {
+  if (remembers_) store_.setValue(key, value);
+}
+
 ThemeChoice Settings::theme() const {
   return choiceFrom(store_.value("theme").toString(), themeWords(), ThemeChoice::system);
 }
 
-void Settings::setTheme(ThemeChoice theme) { store_.setValue("theme", themeWords()[int(theme)]); }
+void Settings::setTheme(ThemeChoice theme) { store("theme", themeWords()[int(theme)]); }
 
 MouseChoice Settings::mouse() const {
   return choiceFrom(store_.value("mouse").toString(), mouseWords(), MouseChoice::rhino);
 }
 
-void Settings::setMouse(MouseChoice mouse) { store_.setValue("mouse", mouseWords()[int(mouse)]); }
+void Settings::setMouse(MouseChoice mouse) { store("mouse", mouseWords()[int(mouse)]); }
 
 std::vector<fs::path> Settings::recentFiles() const {
   std::vector<fs::path> files;
@@ -66,12 +70,12 @@ void Settings::addRecentFile(const fs::path& file) {
   QStringList list = store_.value("recent").toStringList();
   list.removeAll(text);
   list.prepend(text);
-  store_.setValue("recent", list.mid(0, kRecentFiles));
+  store("recent", list.mid(0, kRecentFiles));
   emit recentFilesChanged();
 }
 
 void Settings::clearRecentFiles() {
-  store_.remove("recent");
+  if (remembers_) store_.remove("recent");
   emit recentFilesChanged();
 }
 
@@ -80,11 +84,11 @@ QString Settings::folder(const QString& use) const {
   return folder.isEmpty() || !QDir(folder).exists() ? QDir::homePath() : folder;
 }
 
-void Settings::setFolder(const QString& use, const QString& folder) { store_.setValue("folder/" + use, folder); }
+void Settings::setFolder(const QString& use, const QString& folder) { store("folder/" + use, folder); }
 
 QByteArray Settings::layout(const QString& part) const { return store_.value("layout/" + part).toByteArray(); }
 
-void Settings::setLayout(const QString& part, const QByteArray& state) { store_.setValue("layout/" + part, state); }
+void Settings::setLayout(const QString& part, const QByteArray& state) { store("layout/" + part, state); }
 
 fs::path Settings::recoveryFolder() {
   return fs::path(QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation).toStdString()) /

@@ -99,7 +99,8 @@ Issues grouped(const Issues& issues) {
 Issues Evaluation::issues() const {
   Issues all;
   for (const Issues* list :
-       {&model.issues, &target.issues, &setup.issues, &sections.issues, &fits.issues, &sweep.issues, &cell.issues})
+       {&model.issues, &target.issues, &setup.issues, &sections.issues, &fits.issues, &sweep.issues, &cell.issues,
+        &programs})
     all.insert(all.end(), list->begin(), list->end());
   return grouped(all);
 }
@@ -229,7 +230,7 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
 }
 
 Result<FileSet> programFiles(const Motion& motion, const Cell& cell, const std::vector<std::string>& formats,
-                             const std::string& name) {
+                             const std::string& name, Issues& warnings) {
   static const std::vector<std::string> kFormats = {"rapid", "csv", "json"};
   FileSet files;
   for (const std::string& format : formats) {
@@ -237,7 +238,7 @@ Result<FileSet> programFiles(const Motion& motion, const Cell& cell, const std::
     if (format == "rapid") {
       robotio::RapidOptions options;
       options.programName = name;
-      program = robotio::writeRapid(motion, cell, options);
+      program = robotio::writeRapid(motion, cell, options, &warnings);
     } else if (format == "csv") {
       program = robotio::writeCsv(motion);
     } else if (format == "json") {

@@ -163,7 +163,8 @@ Result<FileSet> resultFiles(Evaluation& e, const RunContext& context) {
   if (!e.design.job.programs.empty()) {
     Result<Cell> cell = loadCell(e.design.job.cell);
     if (!cell) return tl::unexpected<Error>(cell.error());
-    Result<FileSet> written = programFiles(result.motion, *cell, e.design.job.programs, "Blade");
+    e.programs.clear();
+    Result<FileSet> written = programFiles(result.motion, *cell, e.design.job.programs, "Blade", e.programs);
     if (!written) return tl::unexpected<Error>(written.error());
     programs = std::move(*written);
   }

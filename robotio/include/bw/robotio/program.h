@@ -28,8 +28,9 @@ struct RapidOptions {
 };
 
 /// ABB RAPID MultiMove program of a motion in a cell: one folder a task, one .mod (or .modx) and one .pgf each, by the rules in docs/robots.md.
-/// Checked by the project's own reader before it is returned: a program that breaks a rule is an error that lists it.
-Result<Program> writeRapid(const Motion& motion, const Cell& cell, const RapidOptions& options = {});
+/// Checked by the project's own reader before it is returned: a program that breaks a rule is an error that lists it; what the check only
+/// warns of is added to `warnings`.
+Result<Program> writeRapid(const Motion& motion, const Cell& cell, const RapidOptions& options = {}, Issues* warnings = nullptr);
 
 /// What can be said without the robots' kinematics about how a motion lies in a cell: warnings of kind "cell-sides" for an end of the
 /// blade that is nearer to another robot than to its own, at the first or the last instant. Empty if motion and cell do not fit each

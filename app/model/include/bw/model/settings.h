@@ -23,6 +23,10 @@ class Settings : public QObject {
  public:
   explicit Settings(QObject* parent = nullptr);
 
+  /// From now on nothing is written to the settings and files opened do not become recent ones: for a run that
+  /// must leave no trace.
+  void forgetAll() { remembers_ = false; }
+
   ThemeChoice theme() const;
   void setTheme(ThemeChoice theme);
   MouseChoice mouse() const;
@@ -47,7 +51,10 @@ class Settings : public QObject {
   void recentFilesChanged();
 
  private:
+  void store(const QString& key, const QVariant& value);
+
   QSettings store_;
+  bool remembers_ = true;
 };
 
 }  // namespace bw::model

@@ -51,9 +51,10 @@ struct Evaluation {
   Stage<SweepResult> sweep;
   Stage<Cell>
       cell;  ///< only where the job asks for programs; its issues tell how the motion lies in the cell
+  Issues programs;  ///< what the check of the programs warns of, once `resultFiles` made them
   Seconds seconds;
 
-  Issues issues() const;  ///< of all stages in order
+  Issues issues() const;  ///< of all stages in order, and of the programs
 };
 
 /// How far an evaluation got before it failed: the stages done stay usable, and the error names the step.
@@ -75,8 +76,8 @@ Result<FileSet> resultFiles(Evaluation& evaluation, const RunContext& context);
 std::string reportJson(const Evaluation& evaluation, const std::vector<std::filesystem::path>& files);
 
 /// Programs of a motion: formats "rapid", "csv", "json"; an unknown format is an error naming the nearest
-/// one.
+/// one. What their check warns of is added to `warnings`.
 Result<FileSet> programFiles(const Motion& motion, const Cell& cell, const std::vector<std::string>& formats,
-                             const std::string& name);
+                             const std::string& name, Issues& warnings);
 
 }  // namespace bw::pipeline
