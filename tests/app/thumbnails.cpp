@@ -20,6 +20,15 @@ int fail(const bw::Error& error) {
   return 1;
 }
 
+/// The isometric view, but the ramps stand with their hollow side away from it.
+bw::scene::Camera cameraFor(const std::string& example, const bw::scene::Scene& scene) {
+  const double aspect = double(kWidth) / kHeight;
+  bw::scene::Camera camera = scene.fitCamera(bw::scene::View::iso, aspect);
+  if (example.rfind("ramp", 0) != 0) return camera;
+  camera.position = camera.focus + (camera.position - camera.focus).norm() * Eigen::Vector3d(-1, -1, 0.9).normalized();
+  return scene.fitCamera(camera, aspect);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -41,12 +50,12 @@ int main(int argc, char** argv) {
       style.legend = false;
       style.showGrid = false;
       style.showStations = false;
-      style.showTarget = false;
+      style.showTarget = example.name == "wavy-wall";  // its block lies within it
       style.playhead = middle;
       style.pixelRatio = 2;
       scene.setContent(content);
       scene.setStyle(style);
-      scene.setCamera(scene.fitCamera(bw::scene::View::iso, double(kWidth) / kHeight));
+      scene.setCamera(cameraFor(example.name, scene));
       const bw::Result<bw::scene::Picture> picture = scene.render(kWidth, kHeight);
       if (!picture) return fail(picture.error());
       const bw::Result<std::string> png = bw::scene::pngBytes(*picture);

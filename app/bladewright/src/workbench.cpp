@@ -5,12 +5,9 @@
 #include <QStringList>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "bw/core/number_text.h"
-#include "bw/geometry/export.h"
-#include "examples.h"
 
 namespace bw::app {
 
@@ -23,12 +20,6 @@ constexpr double kSmallestPlausible = 40;
 constexpr double kLargestPlausible = 20000;
 // A blade is lengthened in steps of so many mm.
 constexpr double kBladeStep = 50;
-
-std::string lowerSuffix(const fs::path& file) {
-  std::string suffix = file.extension().string();
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-  return suffix;
-}
 
 Bounds around(const std::vector<Eigen::Vector3d>& points, double margin) {
   Bounds bounds;
@@ -232,105 +223,6 @@ void Workbench::askAboutSize() {
                  QString::fromStdString(evaluation->model.value->info().unit)),
         tr("Go on"), [] {}});
 }
-
-bool Workbench::openFile(const fs::path& file) {
-  if (lowerSuffix(file) == ".bladewright") {
-    if (Result<void> opened = document_.open(file); !opened) {
-      tell({Severity::error, QString::fromStdString(opened.error().message), {}, {}});
-      return false;
-    }
-  } else {
-    std::error_code error;
-    if (!fs::is_regular_file(file, error)) {
-      tell({Severity::error, tr("There is no file %1.").arg(QString::fromStdString(file.string())), {}, {}});
-      return false;
-    }
-    Design design;
-    const fs::path absolute = fs::absolute(file, error);
-    design.name = file.stem().string();
-    design.source.path = error ? file : absolute;
-    if (Result<Blade> blade = bladePreset(design.job.blade.name)) design.job.blade = *blade;
-    document_.start(std::move(design));
-  }
-  settings_.addRecentFile(file);
-  return true;
-}
-
-bool Workbench::openExample(const std::string& name) {
-  Result<Design> design = exampleDesign(name);
-  if (!design) {
-    tell({Severity::error, QString::fromStdString(design.error().message), {}, {}});
-    return false;
-  }
-  document_.start(std::move(*design));
-  return true;
-}
-
-bool Workbench::saveTo(const fs::path& file) {
-  if (Result<void> saved = document_.saveAs(file); !saved) {
-    tell({Severity::error, QString::fromStdString(saved.error().message), {}, {}});
-    return false;
-  }
-  settings_.addRecentFile(file);
-  return true;
-}
-
-void Workbench::write(const fs::path& folder, const QString& name, bool everything) {
-  exporting_ = true;
-  exportProblem_.clear();
-  const std::shared_ptr<const Design> design = document_.design();
-  const auto findings = std::make_shared<Issues>();
-  const auto task = [folder, everything, findings](pipeline::Evaluation evaluation,
-                                         const RunContext& context) -> Result<void> {
-    Result<FileSet> files;
-    if (everything) {
-      files = pipeline::resultFiles(evaluation, context);
-      *findings = evaluation.programs;
-    } else {
-      const Result<Cell> cell = loadCell(evaluation.design.job.cell);
-      if (!cell) return tl::unexpected<Error>(cell.error());
-      files = pipeline::programFiles(evaluation.sweep.value->motion, *cell, evaluation.design.job.programs,
-                                     evaluation.design.name, *findings);
-    }
-    if (!files) return tl::unexpected<Error>(files.error());
-    if (context.stopped()) return stoppedError();
-    return files->commit(folder);
-  };
-  runner_.submit(name, task, [this, folder, design, findings](const Result<void>& done) {
-    exporting_ = false;
-    if (done) {
-      exported_ = design;
-      exportFolder_ = folder;
-      tellWritten(*findings);
-    } else if (done.error().code == ErrorCode::cancelled) {
-      tell({Severity::info, tr("The export was stopped; nothing was written."), {}, {}});
-    } else {
-      exportProblem_ = QString::fromStdString(done.error().message);
-      tell({Severity::error, exportProblem_, {}, {}});
-    }
-    emit stateChanged();
-  });
-  emit stateChanged();
-}
-
-void Workbench::tellWritten(const Issues& findings) {
-  const QString written = tr("Written to %1").arg(QString::fromStdString(exportFolder_.string()));
-  // A change that came while the files were written has findings of its own.
-  if (exported_ == document_.design()) {
-    exportFindings_ = findings;
-    emit messagesChanged();
-  }
-  if (findings.empty()) return tell({Severity::info, written, {}, {}});
-  QString first = QString::fromStdString(findings.front().message);
-  if (!first.isEmpty()) first[0] = first[0].toUpper();
-  const QString more =
-      findings.size() > 1 ? tr(" %1 more are among the messages.").arg(findings.size() - 1) : QString();
-  tell({Severity::warning, tr("%1. The check of the programs warns: %2.%3").arg(written, first, more), {}, {}});
-}
-
-void Workbench::exportAll(const fs::path& folder) { write(folder, tr("Writing files"), true); }
-
-void Workbench::exportPrograms(const fs::path& folder) { write(folder, tr("Writing programs"), false); }
 
 void Workbench::tell(Notice notice) { emit noticed(notice); }
 
