@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <ctime>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "bw/core/elastica_fit.h"
+#include "random_curves.h"
 #include "test_curves.h"
 
 namespace {
@@ -157,5 +159,27 @@ void nearestGlobally(benchmark::State& state) {
   }
 }
 BENCHMARK(nearestGlobally)->Unit(benchmark::kMicrosecond);
+
+// Fits under demands, over the test curves and 300 random ones: −1 no self-intersection, else at most so many
+// inflections.
+void fitWithDemands(benchmark::State& state) {
+  std::vector<PlanarCurve> all = bw::test::randomCurves(300, 9);
+  for (const auto& [name, curve] : curves()) all.push_back(curve);
+  FitOptions options;
+  options.simple = state.range(0) < 0;
+  if (!options.simple) options.maxInflections = static_cast<int>(state.range(0));
+  std::vector<double> seconds(all.size(), 1e9);
+  for (auto _ : state) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const std::clock_t begin = std::clock();
+      benchmark::DoNotOptimize(bw::fitElastica(all[i], options).value().R4);
+      seconds[i] = std::min(seconds[i], static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+    }
+  }
+  std::sort(seconds.begin(), seconds.end());
+  state.SetLabel("median " + milliseconds(seconds[seconds.size() / 2]) + ", worst " +
+                 milliseconds(seconds.back()));
+}
+BENCHMARK(fitWithDemands)->DenseRange(-1, 2)->Iterations(1)->Unit(benchmark::kMillisecond);
 
 }  // namespace

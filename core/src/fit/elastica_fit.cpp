@@ -244,9 +244,17 @@ Result<FitResult> fitElastica(const PlanarCurve& curve, const FitOptions& option
         if (other.best && !(found.best && found.best->value <= other.best->value)) found = other;
       }
     }
+    if (!constraints.equalities() && !constraints.bounds() && chosen.converged) {
+      // The free fit is the fit under these conditions; only demands are broken.
+      ConstrainedFit::Solution& free = found.best.emplace();
+      free.placement = chosen.placement;
+      free.value = chosen.value;
+      free.feasible = free.converged = true;
+      found.constraints = constraints;
+    }
     if (!found.best) found = search.conditioned(constraints, places, enough, options.initial.has_value());
     if (found.best && demands.any() && !search.meets(found.best->placement, demands))
-      found = search.demanded(constraints, demands, places, enough);
+      found = search.demanded(found, demands, places, enough);
     const int iterations = chosen.iterations + found.iterations;
     if (found.best) {
       chosen = {found.best->placement, found.best->value, iterations, found.best->converged};

@@ -101,6 +101,13 @@ const char* wordsFor(int name) {
   }
 }
 
+std::vector<double> withEnds(const std::vector<double>& nodes) {
+  std::vector<double> all{-0.5};
+  all.insert(all.end(), nodes.begin(), nodes.end());
+  all.push_back(0.5);
+  return all;
+}
+
 // Adds up the model of a sum of squares, row by row.
 class Accumulator {
  public:
@@ -177,8 +184,7 @@ ConstrainedFit::ConstrainedFit(const FitTarget& target, const FitConstraints& co
     : target_(target),
       constraints_(constraints),
       tangentNorm_(tangentNorm),
-      nodes_(target.s),
-      ends_({-0.5, 0.5}),
+      nodes_(withEnds(target.s)),
       range_({-0.5, 0.5}),
       between_({}),
       foot_({0.0}) {}
@@ -193,12 +199,12 @@ bool ConstrainedFit::objective(const VectorXd& v, LeastSquaresModel* model, doub
   Accumulator sums;
   std::array<Vector2d, 7> rows;
   for (std::size_t i = 0; i < target_.size(); ++i) {
-    const Vector2d placed = turned(factor, nodes_.point(i));
+    const Vector2d placed = turned(factor, nodes_.point(i + 1));
     const Vector2d miss = placed + middle - target_.point[i];
     value += target_.weight[i] * miss.squaredNorm();
     if (model != nullptr) {
       for (int j = 0; j < 3; ++j)
-        rows[static_cast<std::size_t>(j)] = turned(factor, nodes_.pointDerivative(i, j));
+        rows[static_cast<std::size_t>(j)] = turned(factor, nodes_.pointDerivative(i + 1, j));
       rows[3] = placed;
       rows[4] = quarterTurn(placed);
       rows[5] = Vector2d(1, 0);
@@ -206,12 +212,12 @@ bool ConstrainedFit::objective(const VectorXd& v, LeastSquaresModel* model, doub
       sums.add(target_.weight[i], miss, rows);
     }
     if (!tangentNorm_) continue;
-    const Vector2d tangent = turned(factor, direction(nodes_.angle(i)));
+    const Vector2d tangent = turned(factor, direction(nodes_.angle(i + 1)));
     const Vector2d missed = tangent - target_.tangent[i];
     value += target_.weight[i] * missed.squaredNorm();
     if (model != nullptr) {
       for (int j = 0; j < 3; ++j)
-        rows[static_cast<std::size_t>(j)] = quarterTurn(tangent) * nodes_.angleDerivative(i, j);
+        rows[static_cast<std::size_t>(j)] = quarterTurn(tangent) * nodes_.angleDerivative(i + 1, j);
       rows[3] = tangent;
       rows[4] = quarterTurn(tangent);
       rows[5] = rows[6] = Vector2d::Zero();
@@ -229,21 +235,21 @@ void ConstrainedFit::endConditions(const VectorXd& v, Conditions& out) {
   const Vector2d factor = std::exp(v[3]) * direction(v[4]);
   for (std::size_t end = 0; end < 2; ++end) {
     if (constraints_.endpoints) {
-      const Vector2d placed = turned(factor, ends_.point(end));
+      const Vector2d placed = turned(factor, ends().point(end));
       const Vector2d miss = placed + v.tail<2>() - (end == 0 ? target_.start : target_.end);
       const Vector2d across = quarterTurn(placed);
       for (int k = 0; k < 2; ++k) {
         auto slope = out.slopes.col(out.add(miss[k], end == 0 ? kStartPoint : kEndPoint));
-        for (int j = 0; j < 3; ++j) slope[j] = turned(factor, ends_.pointDerivative(end, j))[k];
+        for (int j = 0; j < 3; ++j) slope[j] = turned(factor, ends().pointDerivative(end, j))[k];
         slope[3] = placed[k];
         slope[4] = across[k];
         slope[5 + k] = 1;
       }
     }
     if (constraints_.tangents) {
-      const double miss = v[4] + ends_.angle(end) - (end == 0 ? startAngle_ : endAngle_);
+      const double miss = v[4] + ends().angle(end) - (end == 0 ? startAngle_ : endAngle_);
       auto slope = out.slopes.col(out.add(miss, end == 0 ? kStartTangent : kEndTangent));
-      for (int j = 0; j < 3; ++j) slope[j] = ends_.angleDerivative(end, j);
+      for (int j = 0; j < 3; ++j) slope[j] = ends().angleDerivative(end, j);
       slope[4] = 1;
     }
   }
@@ -264,9 +270,10 @@ bool ConstrainedFit::curvatureBounds(const VectorXd& v, Conditions& out) {
   if (!(half <= 0.5 * kLongestRange)) return false;
   if (half > 0.5 * kLongRange && half * (std::abs(shape[0]) + std::sqrt(std::hypot(ft, fn))) > kMostWinding)
     return false;
-  ShapeEvaluator& ends = extended ? range_ : ends_;
+  ShapeEvaluator& whole = extended ? range_ : nodes_;
   if (extended) range_.moveTo({-half, half});
-  if (!ends.evaluate(shape, true)) return false;
+  if (!whole.evaluate(shape, true)) return false;
+  const ShapeEnds ends(whole);
   double highest = 0;
   for (int place = 0; place < 3; ++place) {
     const auto end = static_cast<std::size_t>(place / 2);
@@ -347,7 +354,7 @@ bool ConstrainedFit::shapeBounds(const VectorXd& v, Conditions& out) {
     for (int step = 0; step < kFootSteps; ++step) {
       foot_.moveTo({place});
       if (!foot_.evaluate(shape, false)) return false;
-      const Vector2d away = ends_.point(end) - foot_.point(0);
+      const Vector2d away = ends().point(end) - foot_.point(0);
       const Vector2d along = direction(foot_.angle(0));
       const double slope = 1 - foot_.state(0).curvature * quarterTurn(along).dot(away);
       const double move = std::clamp(away.dot(along) / std::max(slope, 0.3), -kFootStep, kFootStep);
@@ -357,19 +364,19 @@ bool ConstrainedFit::shapeBounds(const VectorXd& v, Conditions& out) {
     foot_.moveTo({place});
     if (!foot_.evaluate(shape, true)) return false;
     const Vector2d normal = strand.side * quarterTurn(direction(foot_.angle(0)));
-    const Vector2d away = ends_.point(end) - foot_.point(0);
+    const Vector2d away = ends().point(end) - foot_.point(0);
     auto slope = out.slopes.col(out.add(kClearance - normal.dot(away), kStrand));
     for (int j = 0; j < 3; ++j)
-      slope[j] = -normal.dot(ends_.pointDerivative(end, j) - foot_.pointDerivative(0, j));
+      slope[j] = -normal.dot(ends().pointDerivative(end, j) - foot_.pointDerivative(0, j));
   }
   if (constraints_.maxTurning) {
-    const double turning = ends_.angle(1) - ends_.angle(0);
+    const double turning = ends().angle(1) - ends().angle(0);
     for (const double sign : {1.0, -1.0}) {
       const double value = sign * turning / *constraints_.maxTurning - 1 + kClearance;
       auto slope = out.slopes.col(out.add(value, sign > 0 ? kTurningLeft : kTurningRight));
       for (int j = 0; j < 3; ++j)
         slope[j] =
-            sign * (ends_.angleDerivative(1, j) - ends_.angleDerivative(0, j)) / *constraints_.maxTurning;
+            sign * (ends().angleDerivative(1, j) - ends().angleDerivative(0, j)) / *constraints_.maxTurning;
     }
   }
   if (constraints_.openLoops) {
@@ -390,8 +397,8 @@ bool ConstrainedFit::shapeBounds(const VectorXd& v, Conditions& out) {
     const double sign = end == 0 ? constraints_.startSign : constraints_.endSign;
     if (sign == 0) continue;
     auto slope = out.slopes.col(
-        out.add(kClearance - sign * ends_.state(end).curvature, end == 0 ? kStartSign : kEndSign));
-    for (int j = 0; j < 3; ++j) slope[j] = -sign * ends_.curvatureDerivative(end, j);
+        out.add(kClearance - sign * ends().state(end).curvature, end == 0 ? kStartSign : kEndSign));
+    for (int j = 0; j < 3; ++j) slope[j] = -sign * ends().curvatureDerivative(end, j);
   }
   return true;
 }
@@ -400,7 +407,7 @@ bool ConstrainedFit::conditions(const VectorXd& v, Conditions& out) {
   out.clear(7);
   if (!constraints_.equalities() && !constraints_.bounds()) return true;
   const Shape shape = v.head<3>();
-  if (!v.allFinite() || std::abs(v[3]) > kLargestLogLength || !ends_.evaluate(shape, true)) return false;
+  if (!v.allFinite() || std::abs(v[3]) > kLargestLogLength || !nodes_.evaluate(shape, true)) return false;
   const bool tolerant = constraints_.lengthTolerance > 0;
   if (constraints_.length && !tolerant)
     out.slopes(3, out.add(v[3] - std::log(*constraints_.length), kLength)) = 1;
@@ -424,9 +431,9 @@ bool ConstrainedFit::conditions(const VectorXd& v, Conditions& out) {
 void ConstrainedFit::chooseBranch(const Placement& placement) {
   startAngle_ = target_.startAngle;
   endAngle_ = target_.endAngle;
-  if (!ends_.evaluate(placement.shape, false)) return;
-  startAngle_ += 2 * kPi * std::round((placement.angle + ends_.angle(0) - startAngle_) / (2 * kPi));
-  endAngle_ += 2 * kPi * std::round((placement.angle + ends_.angle(1) - endAngle_) / (2 * kPi));
+  if (!nodes_.evaluate(placement.shape, false)) return;
+  startAngle_ += 2 * kPi * std::round((placement.angle + ends().angle(0) - startAngle_) / (2 * kPi));
+  endAngle_ += 2 * kPi * std::round((placement.angle + ends().angle(1) - endAngle_) / (2 * kPi));
 }
 
 double ConstrainedFit::violation(const Placement& placement) {

@@ -78,6 +78,7 @@ class ConstrainedFit : public ConstrainedProblem {
   double violation(const Placement& placement);
 
  private:
+  ShapeEnds ends() const { return ShapeEnds(nodes_); }
   void chooseBranch(const Placement& placement);
   void endConditions(const Eigen::VectorXd& v, Conditions& out);
   bool curvatureBounds(const Eigen::VectorXd& v, Conditions& out);
@@ -87,8 +88,8 @@ class ConstrainedFit : public ConstrainedProblem {
   FitConstraints constraints_;
   bool tangentNorm_;
   double startAngle_ = 0, endAngle_ = 0;
-  ShapeEvaluator nodes_;
-  ShapeEvaluator ends_;
+  ShapeEvaluator
+      nodes_;  ///< the start, the nodes of the target, the end: one walk serves objective and conditions
   ShapeEvaluator range_;
   ShapeEvaluator between_;
   ShapeEvaluator foot_;

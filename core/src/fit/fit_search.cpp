@@ -21,6 +21,8 @@ constexpr int kSides = 240;
 constexpr double kFewer = 1e-6;
 // Under strong tension the seven numbers of an elastica miss its ends by more than this (lengths, rad).
 constexpr double kCarried = 1e-6;
+// The last so many starts are an arc and a line.
+constexpr std::size_t kFewStarts = 2;
 // Rounds in which another demand may be broken by meeting the first one.
 constexpr int kRounds = 3;
 
@@ -144,30 +146,41 @@ std::vector<FitConstraints> FitSearch::variants(const FitConstraints& constraint
 
 ConditionedFit FitSearch::demanded(const FitConstraints& constraints, const FitDemands& demands,
                                    const std::vector<Placement>& starts, double enough) const {
-  ConditionedFit out = conditioned(constraints, starts, enough, false);
+  const ConditionedFit out = conditioned(constraints, starts, enough, false);
   if (!out.best || meets(out.best->placement, demands)) return out;
-  std::vector<std::pair<FitConstraints, Placement>> open{{constraints, out.best->placement}};
+  return demanded(out, demands, starts, enough);
+}
+
+ConditionedFit FitSearch::demanded(const ConditionedFit& breaking, const FitDemands& demands,
+                                   const std::vector<Placement>& starts, double enough) const {
   ConditionedFit met;
-  met.iterations = out.iterations;
+  met.iterations = breaking.iterations;
   met.worst = demands.simple ? "the absence of self-intersections" : "the number of inflections";
-  for (int round = 0; round < kRounds && !open.empty() && !met.best; ++round) {
-    std::vector<std::pair<FitConstraints, Placement>> next;
-    for (const auto& [base, placement] : open) {
-      for (const FitConstraints& variant : variants(base, demands, placement)) {
-        std::vector<Placement> from{placement};
-        from.insert(from.end(), starts.begin(), starts.end());
-        const ConditionedFit fit = conditioned(variant, from, enough, true);
-        met.iterations += fit.iterations;
-        if (!fit.best) continue;
-        if (!meets(fit.best->placement, demands)) {
-          next.emplace_back(variant, fit.best->placement);
-        } else if (!met.best || fit.best->value < met.best->value) {
-          met.best = fit.best;
-          met.constraints = fit.constraints;
+  // From the curve that breaks the demands and the two simplest starts; from all of them only if these lead
+  // nowhere.
+  const std::size_t few = std::min(starts.size(), kFewStarts);
+  for (const std::size_t count : {few, starts.size()}) {
+    std::vector<std::pair<FitConstraints, Placement>> open{{breaking.constraints, breaking.best->placement}};
+    for (int round = 0; round < kRounds && !open.empty() && !met.best; ++round) {
+      std::vector<std::pair<FitConstraints, Placement>> next;
+      for (const auto& [base, placement] : open) {
+        for (const FitConstraints& variant : variants(base, demands, placement)) {
+          std::vector<Placement> from{placement};
+          from.insert(from.end(), starts.end() - static_cast<std::ptrdiff_t>(count), starts.end());
+          const ConditionedFit fit = conditioned(variant, from, enough, true);
+          met.iterations += fit.iterations;
+          if (!fit.best) continue;
+          if (!meets(fit.best->placement, demands)) {
+            next.emplace_back(variant, fit.best->placement);
+          } else if (!met.best || fit.best->value < met.best->value) {
+            met.best = fit.best;
+            met.constraints = fit.constraints;
+          }
         }
       }
+      open = std::move(next);
     }
-    open = std::move(next);
+    if (met.best || count == starts.size()) break;
   }
   return met;
 }

@@ -41,6 +41,9 @@ class FitSearch {
   /// From a curve that meets the conditions but not the demands to the best one that meets both.
   ConditionedFit demanded(const FitConstraints& constraints, const FitDemands& demands,
                           const std::vector<Placement>& starts, double enough) const;
+  /// The same from one that is known and breaks the demands. The simplest starts come last.
+  ConditionedFit demanded(const ConditionedFit& breaking, const FitDemands& demands,
+                          const std::vector<Placement>& starts, double enough) const;
 
   /// From the first of `starts` that can be led onto the conditions and meets the demands; a curve that its
   /// seven numbers do not carry (strong tension) only if there is no other.

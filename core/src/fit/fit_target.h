@@ -101,4 +101,23 @@ class ShapeEvaluator {
   std::vector<Eigen::Matrix4d> values_;  ///< rows x, y, ψ, κ; columns: state, derivatives by κ, f_t, f_n
 };
 
+/// The first and the last arc length of an evaluator: 0 and 1.
+class ShapeEnds {
+ public:
+  explicit ShapeEnds(const ShapeEvaluator& shapes) : shapes_(shapes) {}
+  double arc(std::size_t end) const { return shapes_.arc(at(end)); }
+  ShapeEvaluator::State state(std::size_t end) const { return shapes_.state(at(end)); }
+  Eigen::Vector2d point(std::size_t end) const { return shapes_.point(at(end)); }
+  double angle(std::size_t end) const { return shapes_.angle(at(end)); }
+  Eigen::Vector2d pointDerivative(std::size_t end, int j) const {
+    return shapes_.pointDerivative(at(end), j);
+  }
+  double angleDerivative(std::size_t end, int j) const { return shapes_.angleDerivative(at(end), j); }
+  double curvatureDerivative(std::size_t end, int j) const { return shapes_.curvatureDerivative(at(end), j); }
+
+ private:
+  std::size_t at(std::size_t end) const { return end == 0 ? 0 : shapes_.size() - 1; }
+  const ShapeEvaluator& shapes_;
+};
+
 }  // namespace bw::detail
