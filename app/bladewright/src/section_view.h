@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <QPainterPath>
-#include <QPolygonF>
-#include <QTransform>
 #include <QWidget>
 
 #include <vector>
 
 #include "numbers.h"
+#include "section_drawing.h"
 #include "theme.h"
 #include "workbench.h"
 
@@ -41,14 +39,6 @@ class SectionView : public QWidget {
   void wheelEvent(QWheelEvent* event) override;
 
  private:
-  /// The curves of one station in the coordinates of its plane, mm.
-  struct Drawing {
-    int station = -1;
-    QPolygonF target, elastica, blade, before, after, foam;
-    QPolygonF curvature;          ///< arc length (mm, 0 at the left grip), 1/mm
-    double cutFrom = 0, cutTo = 0;  ///< the part of the blade that cuts, as arc length
-    QRectF bounds;
-  };
   void rebuild();
   void rebuildDrawing();
   int stationAt(const QPointF& position) const;
@@ -62,7 +52,7 @@ class SectionView : public QWidget {
   Workbench& bench_;
   const Theme& theme_;
   std::vector<StationNumbers> numbers_;
-  Drawing drawing_;
+  SectionDrawing drawing_;
   double exaggeration_ = 1;
   double tolerance_ = 2;
   int hovered_ = -1;
