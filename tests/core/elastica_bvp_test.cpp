@@ -8,9 +8,13 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <iostream>
 #include <limits>
 #include <random>
+#include <sstream>
 #include <vector>
 
 #include "bw/core/units.h"
@@ -135,8 +139,6 @@ TEST(ClampedBlade, EverySolutionMeetsItsGrips) {
       EXPECT_GE(solution.energy, last);
       last = solution.energy;
       EXPECT_LE(solution.inflections.size(), 4u);
-      // Pulled so taut that start values no longer tell the end: the solution says so.
-      if (solution.endError > 1e-8) continue;
       expectSolves(solution, problem);
       EXPECT_NEAR(solution.energy, solution.elastica.energy(), 1e-8 * solution.energy);
     }
@@ -404,10 +406,30 @@ TEST(ClampedBlade, TautBladesKeepTheirEnergyAndRest) {
 
 namespace {
 
-/// Random problems of every kind, some closed, aligned or impossible: no crash, no NaN, and what comes back
-/// rests.
-void surviveWildProblems(int count) {
-  std::mt19937 engine(12);
+bool allFinite(const Elastica& e) {
+  if (const Elastica::Anchor* a = e.anchor())
+    if (!std::isfinite(a->at + a->angle + a->curvature + a->straight) || !a->point.allFinite() ||
+        !a->force.allFinite())
+      return false;
+  return e.start().allFinite() && e.force().allFinite() &&
+         std::isfinite(e.startAngle() + e.startCurvature() + e.length());
+}
+
+/// Sensitivities alone may be infinite, for a straight blade.
+bool allFinite(const ClampedSolution& s) {
+  return allFinite(s.elastica) && std::isfinite(s.energy) && std::isfinite(s.turning) &&
+         std::isfinite(s.stabilityMargin) && std::isfinite(s.outOfPlaneMargin) && std::isfinite(s.endError) &&
+         !std::isnan(s.sensitivity.perMm) && !std::isnan(s.sensitivity.perDegree) &&
+         std::all_of(s.inflections.begin(), s.inflections.end(),
+                     [&](double at) { return at >= 0 && at <= s.elastica.length(); });
+}
+
+constexpr int kWildBlock = 1000;
+
+/// Random problems of every kind, some closed, aligned or impossible: no crash, every number finite, and what
+/// comes back rests and ends where it should. A block has its own seed.
+void surviveWildProblems(int block, int count) {
+  std::mt19937 engine(unsigned(12 + block));
   std::uniform_real_distribution<double> unit(-1, 1);
   int solved = 0, refused = 0;
   for (int i = 0; i < count; ++i) {
@@ -429,11 +451,9 @@ void surviveWildProblems(int count) {
     }
     ++solved;
     const ClampedSolution& solution = answer->solutions[0];
-    ASSERT_TRUE(std::isfinite(solution.energy) && std::isfinite(solution.stabilityMargin) &&
-                std::isfinite(solution.outOfPlaneMargin) && std::isfinite(solution.endError) &&
-                !std::isnan(solution.sensitivity.perMm) && !std::isnan(solution.sensitivity.perDegree))
-        << i;
-    ASSERT_TRUE(solution.stable) << i;
+    ASSERT_TRUE(allFinite(solution)) << block << " " << i;
+    ASSERT_TRUE(solution.stable) << block << " " << i;
+    ASSERT_LE(solution.endError, 1e-6 * problem.length) << block << " " << i;
   }
   EXPECT_GT(solved, count * 9 / 10);
   EXPECT_GT(refused, 0);
@@ -441,10 +461,18 @@ void surviveWildProblems(int count) {
 
 }  // namespace
 
-TEST(ClampedBlade, SurvivesWildProblems) { surviveWildProblems(300); }
+TEST(ClampedBlade, SurvivesWildProblems) { surviveWildProblems(0, 300); }
 
-/// About an hour: run by --gtest_also_run_disabled_tests.
-TEST(ClampedBlade, DISABLED_SurvivesAMillionWildProblems) { surviveWildProblems(1000000); }
+/// About an hour: run by --gtest_also_run_disabled_tests. BW_WILD_BLOCKS="FIRST COUNT" runs a part of its
+/// 1000 blocks.
+TEST(ClampedBlade, DISABLED_SurvivesAMillionWildProblems) {
+  int first = 0, count = 1000;
+  if (const char* blocks = std::getenv("BW_WILD_BLOCKS")) std::istringstream(blocks) >> first >> count;
+  for (int block = first; block < first + count && !HasFatalFailure(); ++block) {
+    surviveWildProblems(block, kWildBlock);
+    std::cout << "block " << block << " done" << std::endl;
+  }
+}
 
 TEST(ClampedBlade, TautBladesAreStraightBetweenTheirBends) {
   // Each bend is longer than its chord by 2 (1 − cos ½α)/√λ and has the energy 2 √λ (1 − cos ½α); bent the

@@ -83,6 +83,14 @@ Result<ClampedBranch> ClampedBranch::from(const Elastica& blade) {
                     shortText(phase) + "); start from one with less than 60.",
                 "initial", phase, kLargestShot);
   const UnitShot shot = shoot(branch.shape_);
+  // Followed by its start values, which must tell its end.
+  constexpr double kSameEnd = 1e-6;
+  const double miss = std::abs(blade.at(length).angle - blade.startAngle() - shot.end(2));
+  if (blade.anchor() && !(miss < kSameEnd))
+    return fail(ErrorCode::noSolution,
+                "The blade is pulled too taut to be followed (√|λ| L = " +
+                    shortText(std::sqrt(force.norm())) + "); start from one that is held less taut.",
+                "initial", std::sqrt(force.norm()), kLargestShot);
   branch.end_ = shot.end;
   branch.jacobian_ = shot.jacobian;
   branch.determinant_ = shot.jacobian.determinant();
@@ -144,7 +152,7 @@ Result<ClampedBranch::Move> ClampedBranch::moveTo(const ClampedProblem& next) {
   move.reached = done;
   move.snapped = done < 1;
   // Where the branch ends, between the grips of `next` if it got there.
-  const UnitSolution solution{.shape = shape_, .back = shape_, .turning = end_(2), .jacobian = jacobian_};
+  const UnitSolution solution{.shape = shape_, .turning = end_(2), .jacobian = jacobian_};
   const Result<Elastica> blade = place(next, solution);
   if (!blade) return tl::unexpected<Error>(blade.error());
   blade_ = *blade;

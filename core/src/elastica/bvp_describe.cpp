@@ -8,8 +8,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "bw/core/units.h"
+#include "elastica/bvp_taut.h"
 #include "elastica/elastica_flow.h"
 
 namespace bw::detail {
@@ -20,6 +22,9 @@ using Eigen::Vector2d;
 using Eigen::VectorXd;
 
 namespace {
+
+/// √f L up to which the modes resolve the bends of a taut blade.
+constexpr double kLargestResolved = 400;
 
 /// Calls visit(index, ψ, κ) at ascending arc lengths in the unit frame.
 template <class Visit>
@@ -40,43 +45,49 @@ void walk(const UnitShape& q, const VectorXd& arcs, Visit&& visit) {
 
 SampledSolution sample(const UnitSolution& solution) {
   SampledSolution result;
-  result.modes = &clampedModesFor(std::min(phaseOf(solution.shape), phaseOf(solution.back)));
+  result.modes = &clampedModesFor(phaseOf(solution.shape));
+  if (solution.bends && solution.bends->root > kLargestResolved) result.bends = solution.bends;
   const VectorXd& nodes = result.modes->nodes;
-  const Index count = nodes.size(), front = count / 2;  // the nodes are symmetric and none is in the middle
-  result.samples.angle.resize(count);
-  result.samples.curvature.resize(count);
+  result.samples.angle.resize(nodes.size());
+  result.samples.curvature.resize(nodes.size());
   result.samples.force = solution.shape.tail<2>();
-  // Beyond this many decay lengths from its grips a taut blade is straight to 1e-10; what a walk finds there
-  // is rounding.
-  constexpr double kDecayed = 23;
-  const double root = std::sqrt(result.samples.force.norm());
-  const auto straight = [&](double arc) { return solution.straightAngle && arc * root > kDecayed; };
-  const VectorXd fromStart = nodes.head(front);
-  const VectorXd fromEnd = (1 - nodes.tail(count - front).array()).reverse();
-  const auto bent = [&](const VectorXd& arcs) {
-    return VectorXd(
-        arcs.head(std::count_if(arcs.begin(), arcs.end(), [&](double arc) { return !straight(arc); })));
-  };
-  if (solution.straightAngle) {
-    result.samples.angle.setConstant(*solution.straightAngle);
-    result.samples.curvature.setZero();
+  if (solution.anchor) {
+    if (const Result<Elastica> held = Elastica::makeAnchored(*solution.anchor, 1)) {
+      std::vector<Elastica::State> states(std::size_t(nodes.size()));
+      held->at({nodes.data(), states.size()}, states);
+      for (Index i = 0; i < nodes.size(); ++i) {
+        result.samples.angle(i) = states[std::size_t(i)].angle;
+        result.samples.curvature(i) = states[std::size_t(i)].curvature;
+      }
+      return result;
+    }
   }
-  walk(solution.shape, bent(fromStart), [&](Index i, double angle, double curvature) {
+  walk(solution.shape, nodes, [&](Index i, double angle, double curvature) {
     result.samples.angle(i) = angle;
     result.samples.curvature(i) = curvature;
-  });
-  walk(solution.back, bent(fromEnd), [&](Index i, double angle, double curvature) {
-    result.samples.angle(count - 1 - i) = solution.turning + angle;
-    result.samples.curvature(count - 1 - i) = -curvature;
   });
   return result;
 }
 
+bool isResolved(const UnitSolution& solution, const SampledSolution& sampled) {
+  constexpr double kSameEnergy = 1e-6;
+  if (!solution.anchor || sampled.bends) return true;
+  const Result<Elastica> held = Elastica::makeAnchored(*solution.anchor, 1);
+  return held && std::abs(energyOf(sampled) - held->energy()) <= kSameEnergy * held->energy();
+}
+
 double energyOf(const SampledSolution& sampled) {
+  if (sampled.bends) return tautEnergy(*sampled.bends);
   return 0.5 * sampled.modes->weights.dot(sampled.samples.curvature.cwiseAbs2());
 }
 
+ClampedMargins marginsOf(const SampledSolution& sampled, std::optional<double> torsionRatio) {
+  if (sampled.bends) return tautMargins(*sampled.bends);
+  return clampedMargins(*sampled.modes, sampled.samples, torsionRatio);
+}
+
 ClampedSensitivity sensitivityOf(const SampledSolution& sampled) {
+  if (sampled.bends) return tautSensitivity(*sampled.bends);
   const ClampedModes& modes = *sampled.modes;
   const Index n = modes.count(), nodes = modes.nodes.size();
   const VectorXd cosine = sampled.samples.angle.array().cos(), sine = sampled.samples.angle.array().sin();
@@ -131,6 +142,15 @@ ClampedSensitivity sensitivityOf(const SampledSolution& sampled) {
 
 Result<Elastica> place(const ClampedProblem& problem, const UnitSolution& solution) {
   const double length = problem.length;
+  if (solution.anchor) {
+    const Result<Elastica> held = Elastica::makeAnchored(*solution.anchor, 1);
+    if (!held) return held;
+    // Its start, which followed from the anchor, into the grip.
+    const Elastica turned =
+        held->transformed(problem.startAngle - held->startAngle(), length, Vector2d::Zero());
+    const Elastica moved = turned.transformed(0, 1, problem.start - turned.start());
+    return Elastica::makeAnchored(*moved.anchor(), length);
+  }
   const double c = std::cos(problem.startAngle), s = std::sin(problem.startAngle);
   const UnitShape& q = solution.shape;
   return Elastica::make(problem.start, problem.startAngle, q(0) / length,
@@ -144,40 +164,16 @@ Result<ClampedSolution> describe(const ClampedProblem& problem, const UnitSoluti
   ClampedSolution result;
   result.elastica = *blade;
   result.turning = solution.turning;
-  result.energy = energyOf(sampled) / problem.length;
-  const ClampedMargins margins = clampedMargins(*sampled.modes, sampled.samples, torsionRatio);
+  result.energy = blade->energy();
+  const ClampedMargins margins = marginsOf(sampled, torsionRatio);
   result.stabilityMargin = margins.inPlane;
   result.outOfPlaneMargin = margins.outOfPlane;
   result.stable = margins.inPlane > 0;
   const ClampedSensitivity sensitivity = sensitivityOf(sampled);
   result.sensitivity.perMm = sensitivity.perMm;
   result.sensitivity.perDegree = sensitivity.perDegree * problem.length * kDegree;
-  result.selfIntersects = !solution.straightAngle && blade->selfIntersects();
-  if (solution.straightAngle) {
-    // The bends decay like tan ¼α exp(−√f s) from either grip; bent opposite ways, their curvatures cancel
-    // where they are equal.
-    if (solution.shape(0) * solution.back(0) > 0) {
-      const double first = std::tan(0.25 * std::abs(*solution.straightAngle));
-      const double second = std::tan(0.25 * std::abs(solution.turning - *solution.straightAngle));
-      const double root = std::sqrt(solution.shape.tail<2>().norm());
-      result.inflections = {problem.length * (0.5 + std::log(first / second) / (2 * root))};
-    }
-    result.endError = (blade->at(problem.length).point - problem.end).norm();
-    return result;
-  }
-  // Each half from its own end.
-  const Result<Elastica> front = Elastica::make({0, 0}, 0, solution.shape(0), solution.shape.tail<2>(), 0.5);
-  const Result<Elastica> back = Elastica::make({0, 0}, 0, solution.back(0), solution.back.tail<2>(), 0.5);
-  if (!front || !back) return tl::unexpected<Error>((front ? back : front).error());
-  for (const double s : front->inflections()) result.inflections.push_back(s * problem.length);
-  std::vector<double> fromEnd = back->inflections();
-  std::reverse(fromEnd.begin(), fromEnd.end());
-  // One in the middle is seen from both sides.
-  constexpr double kSameInflection = 1e-3;
-  for (const double s : fromEnd)
-    if (result.inflections.empty() || s < 0.5 - kSameInflection ||
-        (1 - s) * problem.length > result.inflections.back() + kSameInflection * problem.length)
-      result.inflections.push_back((1 - s) * problem.length);
+  result.inflections = blade->inflections();
+  result.selfIntersects = blade->selfIntersects();
   result.endError = (blade->at(problem.length).point - problem.end).norm();
   return result;
 }

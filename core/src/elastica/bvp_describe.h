@@ -12,11 +12,20 @@ namespace bw::detail {
 struct SampledSolution {
   const ClampedModes* modes = nullptr;
   ClampedSamples samples;
+  /// Of a blade so taut that the modes do not resolve its bends.
+  std::optional<TautBends> bends = std::nullopt;
 };
 SampledSolution sample(const UnitSolution& solution);
 
+/// False if the modes do not resolve the shape, so that what they say of its stability means nothing: tight
+/// loops far from the grips.
+bool isResolved(const UnitSolution& solution, const SampledSolution& sampled);
+
 /// ½ ∫ κ² in units of 1/length.
 double energyOf(const SampledSolution& sampled);
+
+/// Both margins; that out of the plane only with a torsion ratio.
+ClampedMargins marginsOf(const SampledSolution& sampled, std::optional<double> torsionRatio);
 
 /// How far the curve moves with its grips: per length and per radian, in lengths.
 ClampedSensitivity sensitivityOf(const SampledSolution& sampled);

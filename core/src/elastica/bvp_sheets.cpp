@@ -8,22 +8,22 @@
 #include <cmath>
 #include <numbers>
 
+#include "elastica/bvp_taut.h"
+
 namespace bw::detail {
 
 namespace {
 
 using Eigen::Vector2d;
 constexpr double kPi = std::numbers::pi;
-/// Beyond this phase Newton's method on the start values loses the end.
-constexpr double kTaut = 22;
-/// Solutions whose halves miss each other by more in the middle hang on digits that no number here has.
-constexpr double kLargestGap = 1e-4;
+/// Beyond this phase the start values do not tell the end well.
+constexpr double kTaut = 14;
+/// Solutions that miss their ends by more, in lengths and rad, hang on digits that no number here has.
+constexpr double kLargestMiss = 1e-10;
 /// A taut blade's tangents lie within this of its chord, rad.
-constexpr double kLargestBend = 2.4;
-/// √f L of a blade that counts as taut, and of one with a stretch that is straight to 1e-6 between its bends.
+constexpr double kLargestBend = 3.0;
+/// √f L of a blade that counts as taut.
 constexpr double kLeastTaut = 12;
-constexpr double kStraightStretch = 30;
-constexpr double kSettledTaut = 1e-10;
 
 /// Carlson's R_F(x, y, z) and R_D(x, y, z) in one duplication.
 struct Carlson {
@@ -91,14 +91,17 @@ Integrals swing(const Modulus& k) {
   return {root * r.f, k.square * k.square * root * r.d / 3};
 }
 
+/// The integrals from 0 to π/2 for a pendulum that goes over (k > 1).
+Integrals overTop(const Modulus& k) {
+  const Carlson r = carlson(0, k.excess, k.square);
+  return {r.f, k.square * r.d / 3};
+}
+
 /// The integrals from 0 to any h for a pendulum that goes over (k > 1), or within its swing.
 Integrals upTo(const Modulus& k, double h) {
   const double turns = std::round(h / kPi);
   Integrals result = quarter(k, h - turns * kPi);
-  if (turns != 0) {
-    const Carlson r = carlson(0, k.excess, k.square);
-    result = result + Integrals{r.f, k.square * r.d / 3} * (2 * turns);
-  }
+  if (turns != 0) result = result + overTop(k) * (2 * turns);
   return result;
 }
 
@@ -114,6 +117,7 @@ struct Node {
   double a = 0, t = 0;
   Integrals start{}, end{}, whole{};
   double startRate = 0, endRate = 0;  ///< |κ|/√f at the ends
+  Modulus modulus;
 };
 
 struct Image {
@@ -136,7 +140,7 @@ class Sheets {
     Modulus k;
     k.excess = -left * sech * sech;
     k.square = 1 + k.excess;
-    Node node{.a = a, .t = t};
+    Node node{.a = a, .t = t, .modulus = k};
     node.start = quarter(k, 0.5 * a);
     node.end = quarter(k, 0.5 * b);
     node.whole = swing(k);
@@ -160,7 +164,7 @@ class Sheets {
     Modulus k;
     k.excess = gap - left;
     k.square = 1 + k.excess;
-    Node node{.a = a, .t = t};
+    Node node{.a = a, .t = t, .modulus = k};
     node.start = upTo(k, ha);
     node.end = upTo(k, hb);
     node.startRate = 2 * std::sqrt(gap + (ca * ca - left));
@@ -182,6 +186,39 @@ class Sheets {
     const double root = image(node, sheet).root;
     return {sheet.direction * node.startRate * root, root * root * std::cos(node.a),
             -root * root * std::sin(node.a)};
+  }
+
+  /// Holds the shape where it lies nearest to rest against the force: at an inflection, or where it points
+  /// along it; of these, where it is nearest to the middle.
+  static Elastica::Anchor anchor(const Node& node, const Sheet& sheet) {
+    const Modulus& k = node.modulus;
+    const double root = image(node, sheet).root, direction = sheet.direction;
+    const bool wave = k.excess <= 0;
+    const Integrals half = wave ? swing(k) : overTop(k);
+    const Integrals first = half - node.start * direction;  // the way to the first such place
+    const double turn = std::round((0.5 * root - first.time) / (2 * half.time));
+    // Swinging sheets have the inflections that they count; those that turn one way only may have them
+    // outside.
+    const double place = sheet.inflections > 0 ? std::clamp(turn, 0.0, sheet.inflections - 1.0)
+                         : wave                ? std::min(turn, 0.0)
+                                               : turn;
+    const Integrals way = first + half * (2 * std::max(place, wave ? -1.0 : place));
+    const double side = wave && std::fmod(std::abs(std::max(place, -1.0)), 2.0) == 1 ? -1 : 1;
+    const double delta =
+        std::sqrt(std::max(-k.excess, 0.0));  // cos of the half angle against the force there
+    const double angle =
+        wave ? direction * side * (kPi - 2 * std::asin(std::min(delta, 1.0))) : kPi * (1 + 2 * place);
+    const double rate = wave ? 0 : 2 * std::sqrt(k.excess);
+    const double along = way.time - 2 * way.square, across = direction * (node.startRate - rate);
+    const double c = std::cos(node.a), s = std::sin(node.a);
+    Elastica::Anchor result;
+    result.at = way.time / root;
+    result.point = {(c * along + s * across) / root, (c * across - s * along) / root};
+    result.angle = angle - node.a;
+    result.curvature = direction * rate * root;
+    const double sine = wave ? -direction * side * 2 * std::sqrt(k.square) * delta : 0;
+    result.force = {root * root * (wave ? 2 * delta * delta - 1 : -1), root * root * sine};
+    return result;
   }
 
  private:
@@ -223,9 +260,9 @@ class Search {
     const double missing = 1 - problem_.end.norm();
     if (!(std::abs(start) < kLargestBend && std::abs(end) < kLargestBend) || start * end == 0)
       return std::nullopt;
-    // Each bend, a part of the single loop, is longer than its chord by 2 (1 − cos ½α) / √f.
-    const double root = 2 * (2 - std::cos(0.5 * start) - std::cos(0.5 * end)) / missing;
+    const double root = tautRoot(start, end, missing);
     if (!(root > kLeastTaut)) return std::nullopt;
+    if (std::optional<UnitSolution> loose = looselyJoinedBends(problem_, start)) return loose;
     const bool oneWay = start * end < 0;
     const Sheet sheet{oneWay ? 0 : 1, oneWay || start < 0 ? 1 : -1};
     // Against the force, which pulls back along the chord.
@@ -235,14 +272,7 @@ class Search {
       const double t = 0.5 * (low + high);
       (Sheets::image(node(oneWay, a, t), sheet).root < root ? low : high) = t;
     }
-    std::optional<UnitSolution> found = settleTaut(sheet, oneWay, a, 0.5 * (low + high), true);
-    if (!found) return std::nullopt;
-    const double reached = std::sqrt(found->shape.tail<2>().norm());
-    if (found->error > kSettledTaut) return std::nullopt;
-    // Against the force's opposite, in the frame of the start.
-    if (reached > kStraightStretch)
-      found->straightAngle = std::remainder(std::atan2(-found->shape(2), -found->shape(1)), 2 * kPi);
-    return found;
+    return settleTaut(sheet, oneWay, a, 0.5 * (low + high));
   }
 
   void oneWay() {
@@ -311,7 +341,7 @@ class Search {
     const UnitShape shape = Sheets::shape(start, sheet);
     if (!shape.allFinite()) return;
     const std::optional<UnitSolution> found =
-        phaseOf(shape) < kTaut ? settle(problem_, shape, 14) : settleTaut(sheet, oneWay, a, t, false);
+        phaseOf(shape) < kTaut ? settle(problem_, shape, 14) : settleTaut(sheet, oneWay, a, t);
     if (!found) return;
     for (const UnitSolution& other : out_)
       if (sameShape(other.shape, found->shape)) return;
@@ -324,8 +354,7 @@ class Search {
 
   /// Newton's method in the sheet itself, where the force angle and the level keep their digits however taut
   /// the blade is.
-  std::optional<UnitSolution> settleTaut(const Sheet& sheet, bool oneWay, double a, double t,
-                                         bool keepUnsettled) const {
+  std::optional<UnitSolution> settleTaut(const Sheet& sheet, bool oneWay, double a, double t) const {
     const auto miss = [&](double angle, double level) {
       const Image image = Sheets::image(node(oneWay, angle, level), sheet);
       return Vector2d(image.x - problem_.end.x(), image.y - problem_.end.y());
@@ -362,18 +391,26 @@ class Search {
     const Node end = node(oneWay, a, t);
     UnitSolution result;
     result.shape = Sheets::shape(end, sheet);
-    const double root = Sheets::image(end, sheet).root;
-    const double parity = sheet.inflections % 2 ? -1 : 1;
-    const double b = a + problem_.turning;
-    result.back = {-sheet.direction * parity * end.endRate * root, root * root * std::cos(b),
-                   -root * root * std::sin(b)};
     result.turning = problem_.turning;
-    result.error = r.norm();
-    if (const std::optional<UnitSolution> settled = settle(problem_, result.shape, 4);
-        settled && sameShape(settled->shape, result.shape))
-      return settled;
-    if (!keepUnsettled && !(gapInTheMiddle(problem_, result) < kLargestGap)) return std::nullopt;
+    // Far from the single loop no stretch is so taut that the start would not tell the end.
+    constexpr double kNearLoop = 1e-3;
+    if (std::abs(end.modulus.excess) > kNearLoop)
+      if (const std::optional<UnitSolution> settled = settle(problem_, result.shape, 4);
+          settled && sameShape(settled->shape, result.shape))
+        return settled;
+    result.anchor = Sheets::anchor(end, sheet);
+    result.error = missOf(*result.anchor);
+    if (!(result.error < kLargestMiss)) return std::nullopt;
     return result;
+  }
+
+  /// How far the curve held there is from both grips.
+  double missOf(const Elastica::Anchor& anchor) const {
+    const Result<Elastica> held = Elastica::makeAnchored(anchor, 1);
+    if (!held) return INFINITY;
+    const Elastica::State end = held->at(1);
+    return std::max({held->start().norm(), std::abs(held->startAngle()), (end.point - problem_.end).norm(),
+                     std::abs(end.angle - problem_.turning)});
   }
 
   static bool sameShape(const UnitShape& a, const UnitShape& b) {
@@ -396,9 +433,17 @@ namespace {
 
 UnitSolution mirrorOf(UnitSolution solution) {
   solution.shape = mirrored(solution.shape);
-  solution.back = mirrored(solution.back);
   solution.turning = -solution.turning;
-  if (solution.straightAngle) solution.straightAngle = -*solution.straightAngle;
+  if (solution.anchor) {
+    solution.anchor->point.y() *= -1;
+    solution.anchor->angle *= -1;
+    solution.anchor->curvature *= -1;
+    solution.anchor->force.y() *= -1;
+  }
+  if (solution.bends) {
+    solution.bends->first *= -1;
+    solution.bends->second *= -1;
+  }
   // x, y, ψ by κ, f_t, f_n: what changes sign in the mirror.
   const Eigen::Vector3d rows(1, -1, -1), columns(-1, 1, -1);
   solution.jacobian = (rows.asDiagonal() * solution.jacobian * columns.asDiagonal()).eval();

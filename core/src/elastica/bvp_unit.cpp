@@ -101,23 +101,6 @@ UnitShot shoot(const UnitShape& q) {
   return shot;
 }
 
-UnitShape backOf(const UnitShape& q, double turning, double endCurvature) {
-  const double c = std::cos(turning), s = std::sin(turning);
-  return {-endCurvature, c * q(1) + s * q(2), c * q(2) - s * q(1)};
-}
-
-double gapInTheMiddle(const UnitProblem& problem, const UnitSolution& solution) {
-  const auto [front, frontUnit] = flowTo<0>(solution.shape, 0.5);
-  const auto [back, backUnit] = flowTo<0>(solution.back, 0.5);
-  // The back half starts at the end with the tangent turned about.
-  const double c = -std::cos(problem.turning), s = -std::sin(problem.turning);
-  const double x = problem.end.x() + backUnit * (c * back(0, 0) - s * back(1, 0));
-  const double y = problem.end.y() + backUnit * (s * back(0, 0) + c * back(1, 0));
-  const double gap = std::max({std::abs(front(0, 0) * frontUnit - x), std::abs(front(1, 0) * frontUnit - y),
-                               std::abs(front(2, 0) - problem.turning - back(2, 0))});
-  return std::isfinite(gap) ? gap : INFINITY;
-}
-
 double phaseOf(const UnitShape& q) {
   const double f = std::hypot(q(1), q(2));
   return std::sqrt(q(0) * q(0) + 2 * (f - q(1))) + std::sqrt(f);
@@ -135,8 +118,8 @@ std::optional<UnitSolution> settle(const UnitProblem& problem, UnitShape shape, 
     const double error = miss.cwiseAbs().maxCoeff();
     if (!(error < 1e3)) return std::nullopt;
     if (error < kSettled && (!best || error < best->error))
-      best = UnitSolution{shape, backOf(shape, problem.turning, shot.curvature), problem.turning,
-                          shot.jacobian, error};
+      best =
+          UnitSolution{.shape = shape, .turning = problem.turning, .jacobian = shot.jacobian, .error = error};
     if (error < kMet || (best && error >= 0.5 * last)) return best;
     last = error;
     UnitShape step = shot.jacobian.partialPivLu().solve(miss);

@@ -6,6 +6,8 @@
 
 #include <optional>
 
+#include "bw/core/elastica.h"
+
 namespace bw::detail {
 
 /// A boundary value problem in the frame of its start, the length its unit.
@@ -36,27 +38,24 @@ inline constexpr double kLargestShot = 60;
 
 UnitShot shoot(const UnitShape& shape);
 
-/// A shape that meets its problem, as seen from either end: a taut blade forgets its start on the way to its
-/// end.
+/// A blade pulled taut: a bend at each grip, against the straight stretch between them.
+struct TautBends {
+  double first = 0, second = 0;  ///< tangent angles at the grips against the stretch, rad
+  double root = 0;               ///< √f L
+};
+
+/// A shape that meets its problem.
 struct UnitSolution {
   UnitShape shape = UnitShape::Zero();
-  UnitShape back = UnitShape::Zero();  ///< of the same curve run backwards
   double turning = 0;
   Eigen::Matrix3d jacobian = Eigen::Matrix3d::Zero();
   double error = 0;  ///< largest of the end's misses, in lengths and rad
-  /// Tangent angle of the straight stretch between the bends at the grips, where the blade is so taut that
-  /// there is one.
-  std::optional<double> straightAngle = std::nullopt;
+  /// What holds the curve where the start does not, in the frame of the start with the length as unit.
+  std::optional<Elastica::Anchor> anchor = std::nullopt;
+  std::optional<TautBends> bends = std::nullopt;  ///< where they do not know of each other
 };
 
 /// Newton's method from `shape`; empty if it does not settle within `iterations`.
 [[nodiscard]] std::optional<UnitSolution> settle(const UnitProblem& problem, UnitShape shape, int iterations);
-
-/// The shape of the same curve run backwards, from what it has at its end.
-UnitShape backOf(const UnitShape& shape, double turning, double endCurvature);
-
-/// How far the halves of a solution, each shot from its own end, miss each other in the middle: lengths and
-/// rad.
-double gapInTheMiddle(const UnitProblem& problem, const UnitSolution& solution);
 
 }  // namespace bw::detail

@@ -284,7 +284,7 @@ Elastica::State Elastica::at(double s, Jacobian& jacobian) const {
 
 void Elastica::at(std::span<const double> s, std::span<State> out, std::span<Jacobian> jacobians) const {
   BW_CHECK(out.size() == s.size() && jacobians.size() == s.size());
-  if (anchor_) {
+  if (anchored_) {
     anchoredAt(s, out, jacobians);
     return;
   }
@@ -302,8 +302,8 @@ Result<Elastica> Elastica::segment(double s0, double s1) const {
   if (!(s0 < s1)) {
     return refuse("segment length", s1 - s0, "let the second arc length be larger than the first", 0);
   }
-  if (anchor_) {
-    Anchor anchor = *anchor_;
+  if (anchored_) {
+    Anchor anchor = anchor_;
     anchor.at -= s0;
     return makeAnchored(anchor, s1 - s0);
   }
@@ -319,11 +319,12 @@ Elastica Elastica::reversed() const {
   result.startCurvature_ = -end.curvature;
   result.force_ = -force_;
   result.length_ = length_;
-  if (anchor_) {
+  if (anchored_) {
+    result.anchored_ = true;
     result.anchor_ = anchor_;
-    result.anchor_->at = length_ - anchor_->at;
-    result.anchor_->angle += result.startAngle_ - end.angle;
-    result.anchor_->curvature = -anchor_->curvature;
+    result.anchor_.at = length_ - anchor_.at;
+    result.anchor_.angle += result.startAngle_ - end.angle;
+    result.anchor_.curvature = -anchor_.curvature;
   }
   return result;
 }
@@ -341,13 +342,14 @@ Elastica Elastica::transformed(double angle, double scale, const Eigen::Vector2d
   result.startCurvature_ = startCurvature_ / scale;
   result.force_ = turned(force_) / scale / scale;
   result.length_ = length_ * scale;
-  if (anchor_) {
-    result.anchor_ = Anchor{.at = anchor_->at * scale,
-                            .point = scale * turned(anchor_->point) + translation,
-                            .angle = anchor_->angle + angle,
-                            .curvature = anchor_->curvature / scale,
-                            .force = anchor_->force / scale / scale,
-                            .straight = anchor_->straight * scale};
+  if (anchored_) {
+    result.anchored_ = true;
+    result.anchor_ = Anchor{.at = anchor_.at * scale,
+                            .point = scale * turned(anchor_.point) + translation,
+                            .angle = anchor_.angle + angle,
+                            .curvature = anchor_.curvature / scale,
+                            .force = anchor_.force / scale / scale,
+                            .straight = anchor_.straight * scale};
   }
   return result;
 }
@@ -358,11 +360,11 @@ Elastica Elastica::mirrored() const {
   result.startAngle_ = -startAngle_;
   result.startCurvature_ = -startCurvature_;
   result.force_.y() = -force_.y();
-  if (anchor_) {
-    result.anchor_->point.y() = -anchor_->point.y();
-    result.anchor_->angle = -anchor_->angle;
-    result.anchor_->curvature = -anchor_->curvature;
-    result.anchor_->force.y() = -anchor_->force.y();
+  if (anchored_) {
+    result.anchor_.point.y() = -anchor_.point.y();
+    result.anchor_.angle = -anchor_.angle;
+    result.anchor_.curvature = -anchor_.curvature;
+    result.anchor_.force.y() = -anchor_.force.y();
   }
   return result;
 }

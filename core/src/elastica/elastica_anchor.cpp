@@ -65,6 +65,7 @@ Result<Elastica> Elastica::makeAnchored(const Anchor& anchor, double length) {
       return refuse("deviation from the straight stretch", deviation, "give one below 1e-9", kSmallDeviation);
     }
   }
+  result->anchored_ = true;
   result->anchor_ = anchor;
   const State start = result->at(0.0);
   result->start_ = start.point;

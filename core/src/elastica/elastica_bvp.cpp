@@ -34,7 +34,7 @@ std::optional<UnitSolution> restFromSketches(const CheckedProblem& problem, doub
     const SampledSolution sampled = sample(found);
     const double energy = energyOf(sampled);
     if (energy >= bestEnergy * (1 - kSameEnergy)) return;
-    if (!(clampedMargins(*sampled.modes, sampled.samples, {}).inPlane > kOnTheFold)) return;
+    if (!(marginsOf(sampled, {}).inPlane > kOnTheFold)) return;
     best = found;
     bestEnergy = energy;
   };
@@ -71,7 +71,7 @@ std::vector<UnitSolution> allAtRest(const CheckedProblem& problem, double maxTur
   for (const double turning : problem.turnings(maxTurning))
     for (const UnitSolution& found : allShapes({problem.end, turning}, kRestInflections)) {
       const SampledSolution sampled = sample(found);
-      if (clampedMargins(*sampled.modes, sampled.samples, {}).inPlane > kOnTheFold) result.push_back(found);
+      if (isResolved(found, sampled) && marginsOf(sampled, {}).inPlane > kOnTheFold) result.push_back(found);
     }
   return result;
 }
@@ -128,9 +128,7 @@ Result<UnitSolution> follow(const ClampedProblem& problem, const CheckedProblem&
   Result<ClampedBranch> branch = ClampedBranch::from(*options.initial);
   if (!branch) return tl::unexpected<Error>(branch.error());
   initial.shape = branch->shape();
-  const Elastica::State end = options.initial->at(length);
-  initial.turning = end.angle - options.initial->startAngle();
-  initial.back = backOf(initial.shape, initial.turning, end.curvature * length);
+  initial.turning = options.initial->at(length).angle - options.initial->startAngle();
   const Result<ClampedBranch::Move> move = branch->moveTo(problem);
   if (!move) return tl::unexpected<Error>(move.error());
   if (!move->snapped) {
@@ -142,7 +140,7 @@ Result<UnitSolution> follow(const ClampedProblem& problem, const CheckedProblem&
     const std::optional<UnitSolution> found = settle(unit, branch->shape(), 4);
     if (found) {
       const SampledSolution sampled = sample(*found);
-      if (clampedMargins(*sampled.modes, sampled.samples, {}).inPlane > 0) return *found;
+      if (marginsOf(sampled, {}).inPlane > 0) return *found;
       answer.message =
           "The branch of the initial blade is not stable here; this is the stable blade nearest to it.";
     }
@@ -222,7 +220,9 @@ Result<ClampedAnswer> solveAllClamped(const ClampedProblem& problem, const Clamp
   if (answer.kind == ClampedKind::buckling) answer.message = kBucklingMessage;
   for (const double turning : checked->turnings(options.maxTurning))
     for (const UnitSolution& found : allShapes({checked->end, turning}, options.maxInflections)) {
-      const Result<ClampedSolution> solution = describe(problem, found, sample(found), options.torsionRatio);
+      const SampledSolution sampled = sample(found);
+      if (!isResolved(found, sampled)) continue;
+      const Result<ClampedSolution> solution = describe(problem, found, sampled, options.torsionRatio);
       if (!solution) return tl::unexpected<Error>(solution.error());
       if (int(solution->inflections.size()) > options.maxInflections) continue;
       answer.solutions.push_back(*solution);

@@ -36,7 +36,7 @@ ordered_json elasticaToJson(const Elastica& e) {
   object["start_curvature"] = e.startCurvature();
   object["force"] = {e.force().x(), e.force().y()};
   object["length"] = e.length();
-  if (const std::optional<Elastica::Anchor>& a = e.anchor())
+  if (const Elastica::Anchor* a = e.anchor())
     object["anchor"] = {{"at", a->at},
                         {"point", {a->point.x(), a->point.y()}},
                         {"angle", a->angle},

@@ -9,7 +9,7 @@ namespace bw::detail {
 
 ScaledElastica scaled(const Elastica& elastica) {
   ScaledElastica result;
-  const std::optional<Elastica::Anchor>& anchor = elastica.anchor();
+  const Elastica::Anchor* anchor = elastica.anchor();
   result.point = anchor ? anchor->point : elastica.start();
   result.angle = anchor ? anchor->angle : elastica.startAngle();
   result.at = anchor ? anchor->at : 0;

@@ -173,7 +173,7 @@ class CrossingSearch {
 bool Elastica::selfIntersects() const {
   detail::ScaledElastica scaled = detail::scaled(*this);
   const detail::ElasticaInvariants& known = scaled.known;
-  if (!anchor_) {
+  if (!anchored_) {
     scaled.length = std::min(scaled.length, kPeriodsToSearch * detail::periodLength(known));
   }
   if (2 * known.halfPeakCurvature * scaled.length < std::numbers::pi) {

@@ -62,7 +62,7 @@ std::vector<double> Elastica::inflections() const {
   const ElasticaInvariants& known = scaled.known;
   const double peak = peakCurvature(known);
   const bool inflected =
-      scaled.straight > 0 ? anchor_->curvature == 0 : known.hasInflections() && !known.isSingleLoop();
+      scaled.straight > 0 ? anchor_.curvature == 0 : known.hasInflections() && !known.isSingleLoop();
   if (!inflected || known.isLine(scaled.length)) {
     return result;
   }
@@ -74,7 +74,7 @@ std::vector<double> Elastica::inflections() const {
   // rounding counts.
   const bool atOrigin = first <= 0 && last >= 0 &&
                         (first == 0 || last == 0 ? std::abs(scaled.flow.curvature) <= zero
-                                                 : anchor_ && anchor_->curvature == 0);
+                                                 : anchored_ && anchor_.curvature == 0);
   if (atOrigin) {
     add(0);
   }

@@ -60,8 +60,8 @@ class Elastica {
   double startCurvature() const { return startCurvature_; }
   const Eigen::Vector2d& force() const { return force_; }
   double length() const { return length_; }
-  /// Empty for a curve that its start holds.
-  const std::optional<Anchor>& anchor() const { return anchor_; }
+  /// Null for a curve that its start holds.
+  const Anchor* anchor() const { return anchored_ ? &anchor_ : nullptr; }
 
   /// The curve at one arc length.
   struct State {
@@ -118,7 +118,8 @@ class Elastica {
   double startCurvature_ = 0;
   Eigen::Vector2d force_ = Eigen::Vector2d::Zero();
   double length_ = 1;
-  std::optional<Anchor> anchor_;
+  bool anchored_ = false;
+  Anchor anchor_;
 
   void anchoredAt(std::span<const double> s, std::span<State> out, std::span<Jacobian> jacobians) const;
 };
