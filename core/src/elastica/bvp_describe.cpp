@@ -81,6 +81,12 @@ double energyOf(const SampledSolution& sampled) {
   return 0.5 * sampled.modes->weights.dot(sampled.samples.curvature.cwiseAbs2());
 }
 
+double certainMargin(const UnitSolution& solution) {
+  constexpr double kUncertain = 1e-3;  // of f, the margin of a taut blade without loops
+  return solution.anchor && !solution.bends ? kUncertain * solution.shape.tail<2>().norm() / (4 * kPi * kPi)
+                                            : 0;
+}
+
 ClampedMargins marginsOf(const SampledSolution& sampled, std::optional<double> torsionRatio) {
   if (sampled.bends) return tautMargins(*sampled.bends);
   return clampedMargins(*sampled.modes, sampled.samples, torsionRatio);
@@ -168,7 +174,7 @@ Result<ClampedSolution> describe(const ClampedProblem& problem, const UnitSoluti
   const ClampedMargins margins = marginsOf(sampled, torsionRatio);
   result.stabilityMargin = margins.inPlane;
   result.outOfPlaneMargin = margins.outOfPlane;
-  result.stable = margins.inPlane > 0;
+  result.stable = margins.inPlane > certainMargin(solution);
   const ClampedSensitivity sensitivity = sensitivityOf(sampled);
   result.sensitivity.perMm = sensitivity.perMm;
   result.sensitivity.perDegree = sensitivity.perDegree * problem.length * kDegree;

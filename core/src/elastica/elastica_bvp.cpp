@@ -26,6 +26,10 @@ constexpr double kSketchError = 1.01;
 /// Energies closer than this part are the same.
 constexpr double kSameEnergy = 1e-9;
 
+bool restsIn(const UnitSolution& found, const SampledSolution& sampled) {
+  return marginsOf(sampled, {}).inPlane > std::max(kOnTheFold, certainMargin(found));
+}
+
 /// A blade of locally least energy from each first sketch, the lowest one that proves stable.
 std::optional<UnitSolution> restFromSketches(const CheckedProblem& problem, double maxTurning) {
   std::optional<UnitSolution> best;
@@ -34,7 +38,7 @@ std::optional<UnitSolution> restFromSketches(const CheckedProblem& problem, doub
     const SampledSolution sampled = sample(found);
     const double energy = energyOf(sampled);
     if (energy >= bestEnergy * (1 - kSameEnergy)) return;
-    if (!(marginsOf(sampled, {}).inPlane > kOnTheFold)) return;
+    if (!restsIn(found, sampled)) return;
     best = found;
     bestEnergy = energy;
   };
@@ -71,7 +75,7 @@ std::vector<UnitSolution> allAtRest(const CheckedProblem& problem, double maxTur
   for (const double turning : problem.turnings(maxTurning))
     for (const UnitSolution& found : allShapes({problem.end, turning}, kRestInflections)) {
       const SampledSolution sampled = sample(found);
-      if (isResolved(found, sampled) && marginsOf(sampled, {}).inPlane > kOnTheFold) result.push_back(found);
+      if (isResolved(found, sampled) && restsIn(found, sampled)) result.push_back(found);
     }
   return result;
 }
@@ -128,6 +132,10 @@ Result<UnitSolution> follow(const ClampedProblem& problem, const CheckedProblem&
   Result<ClampedBranch> branch = ClampedBranch::from(*options.initial);
   if (!branch) return tl::unexpected<Error>(branch.error());
   initial.shape = branch->shape();
+  if (options.initial->anchor()) {
+    const Elastica unit = options.initial->transformed(-options.initial->startAngle(), 1 / length, {0, 0});
+    initial.anchor = *unit.transformed(0, 1, -unit.start()).anchor();
+  }
   initial.turning = options.initial->at(length).angle - options.initial->startAngle();
   const Result<ClampedBranch::Move> move = branch->moveTo(problem);
   if (!move) return tl::unexpected<Error>(move.error());
@@ -140,7 +148,7 @@ Result<UnitSolution> follow(const ClampedProblem& problem, const CheckedProblem&
     const std::optional<UnitSolution> found = settle(unit, branch->shape(), 4);
     if (found) {
       const SampledSolution sampled = sample(*found);
-      if (marginsOf(sampled, {}).inPlane > 0) return *found;
+      if (marginsOf(sampled, {}).inPlane > certainMargin(*found)) return *found;
       answer.message =
           "The branch of the initial blade is not stable here; this is the stable blade nearest to it.";
     }

@@ -45,6 +45,8 @@ std::vector<Placement> clampedPlacements(const FitTarget& target, const FitConst
   ConstrainedFit fit(target, constraints, tangentNorm);
   std::vector<std::pair<double, Placement>> order;
   for (const ClampedSolution& solution : answer->solutions) {
+    // The place of a loop between taut stretches hangs on last digits: no descent comes to rest there.
+    if (solution.elastica.anchor() && !solution.stable) continue;
     const Placement placement =
         toPlacement(solution.elastica.transformed(0, target.length, target.centre), target);
     double value = 0;

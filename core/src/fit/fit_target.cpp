@@ -95,7 +95,7 @@ Elastica toElastica(const Placement& placement, const FitTarget& target) {
 Placement toPlacement(const Elastica& elastica, const FitTarget& target) {
   const double length = elastica.length();
   const Elastica::State state = elastica.at(0.5 * length);
-  const std::optional<Elastica::Anchor>& anchor = elastica.anchor();
+  const Elastica::Anchor* anchor = elastica.anchor();
   Placement out;
   // The force across the tangent has digits at the anchor that the force and the tangent do not have.
   const Vector2d force = length * length *

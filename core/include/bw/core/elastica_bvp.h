@@ -50,13 +50,14 @@ struct ClampedSolution {
   double energy = 0;                ///< ½ ∫ κ² ds, 1/mm
   double turning = 0;               ///< total, rad
   std::vector<double> inflections;  ///< arc lengths, mm
-  bool stable = false;              ///< the blade rests in it, in its plane: the margin is above 0
-  double stabilityMargin = 0;       ///< see `stabilityMargin`
-  double outOfPlaneMargin = 0;      ///< see `outOfPlaneMargin`
+  /// The blade rests in it, in its plane: the margin is above 0. Loops between taut stretches slide along
+  /// them with hardly any resistance: they count as not stable.
+  bool stable = false;
+  double stabilityMargin = 0;   ///< see `stabilityMargin`
+  double outOfPlaneMargin = 0;  ///< see `outOfPlaneMargin`
   ClampedSensitivity sensitivity;
   bool selfIntersects = false;
-  /// How far the elastica's end misses the grip, mm. Rounding level, unless the blade is pulled so taut that
-  /// its start values in double precision no longer hold its end (√|λ| L > 20 or so).
+  /// How far the elastica's end misses the grip, mm: rounding level.
   double endError = 0;
 };
 
