@@ -12,29 +12,17 @@
 #include "bw/core/curve_relaxation.h"
 #include "bw/core/elastica_bvp.h"
 #include "bw/core/elastica_fit.h"
+#include "fit_samples.h"
 #include "test_curves.h"
 
 namespace bw {
 namespace {
 
 using Eigen::Vector2d;
+using test::apart;
+using test::mirrored;
 
 Elastica wavy() { return Elastica::make({10, 20}, 0.4, 0.006, {2e-5, 1e-5}, 600).value(); }
-
-double apart(const Elastica& a, const Elastica& b) {
-  double most = 0;
-  for (int i = 0; i <= 20; ++i)
-    most = std::max(most, (a.point(a.length() * i / 20) - b.point(b.length() * i / 20)).norm());
-  return most;
-}
-
-PlanarCurve mirrored(const PlanarCurve& c) {
-  std::vector<Vector2d> poles = c.poles();
-  for (Vector2d& p : poles) p.y() = -p.y();
-  if (c.kind() == PlanarCurve::Kind::points) return PlanarCurve::points(poles).value();
-  if (c.kind() == PlanarCurve::Kind::bezier) return PlanarCurve::bezier(poles).value();
-  return PlanarCurve::bspline(c.degree(), c.knots(), poles, c.weights()).value();
-}
 
 }  // namespace
 
