@@ -237,7 +237,11 @@ Result<Program> writeRapid(const Motion& motion, const Cell& cell, const RapidOp
   std::string where;
   for (const Issue& issue : checkRapid(program)) {
     if (issue.severity != Severity::error) {
-      if (warnings) warnings->push_back(issue);
+      // The tasks move together: what holds for one is not said again for the other.
+      const auto same = [&](const Issue& told) {
+        return told.kind == issue.kind && told.message == issue.message;
+      };
+      if (warnings && std::none_of(warnings->begin(), warnings->end(), same)) warnings->push_back(issue);
       continue;
     }
     if (++count == 1) where = issue.where.text;

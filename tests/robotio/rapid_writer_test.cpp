@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <set>
 
 #include "sample.h"
 
@@ -189,15 +190,16 @@ TEST(RapidWriter, TellsWhatTheCheckWarnsOf) {
   Issues warnings;
   ASSERT_TRUE(writeRapid(sample::motion(), sample::cell(), {}, &warnings));
   EXPECT_TRUE(warnings.empty()) << warnings.front().message;
-  // Ten times as many targets a second as the sample has.
+  // A thousand times as many targets a second as the sample has.
   Motion hasty = sample::motion();
   for (MotionInstant& instant : hasty.instants) instant.time *= 1e-3;
   const auto program = writeRapid(hasty, sample::cell(), {}, &warnings);
   ASSERT_TRUE(program) << program.error().message;
-  Issues expected = checkRapid(*program);
-  ASSERT_FALSE(expected.empty());
-  ASSERT_EQ(warnings.size(), expected.size());
-  for (std::size_t i = 0; i < warnings.size(); ++i) EXPECT_EQ(warnings[i].message, expected[i].message);
+  ASSERT_FALSE(warnings.empty());
+  std::set<std::string> told, found;
+  for (const Issue& issue : warnings) EXPECT_TRUE(told.insert(issue.message).second) << "twice: " << issue.message;
+  for (const Issue& issue : checkRapid(*program)) found.insert(issue.message);
+  EXPECT_EQ(told, found);
 }
 
 TEST(RapidWriter, EndsOnTheOtherRobotsSideAreWarnedOf) {

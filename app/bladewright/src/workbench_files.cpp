@@ -112,8 +112,7 @@ void Workbench::tellWritten(const Issues& findings) {
   if (findings.empty()) return tell({Severity::info, written, {}, {}});
   QString first = QString::fromStdString(findings.front().message);
   if (!first.isEmpty()) first[0] = first[0].toUpper();
-  const QString more =
-      findings.size() > 1 ? tr(" %1 more are among the messages.").arg(findings.size() - 1) : QString();
+  const QString more = findings.size() > 1 ? tr(" The messages hold all %1 findings.").arg(findings.size()) : QString();
   tell({Severity::warning, tr("%1. The check of the programs warns: %2.%3").arg(written, first, more), {}, {}});
 }
 

@@ -29,7 +29,7 @@ struct RapidOptions {
 
 /// ABB RAPID MultiMove program of a motion in a cell: one folder a task, one .mod (or .modx) and one .pgf each, by the rules in docs/robots.md.
 /// Checked by the project's own reader before it is returned: a program that breaks a rule is an error that lists it; what the check only
-/// warns of is added to `warnings`.
+/// warns of is added to `warnings`, once for all tasks.
 Result<Program> writeRapid(const Motion& motion, const Cell& cell, const RapidOptions& options = {}, Issues* warnings = nullptr);
 
 /// What can be said without the robots' kinematics about how a motion lies in a cell: warnings of kind "cell-sides" for an end of the
