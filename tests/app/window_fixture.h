@@ -28,7 +28,7 @@ namespace bw::app {
 
 namespace fs = std::filesystem;
 
-inline constexpr int kPatience = 30000;  // ms: a bound against hanging, not a timing
+inline constexpr int kPatience = 60000;  // ms: a bound against hanging, not a timing
 
 /// A window on settings of its own.
 class WindowTest : public ::testing::Test {

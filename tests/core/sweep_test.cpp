@@ -312,6 +312,28 @@ TEST(Sweep, BladeHoldsOnSectionsMuchShorterThanItself) {
   }
 }
 
+TEST(Sweep, BladesHeldBackComeToRestAtTheirRadius) {
+  // The end of a rod: no blade bends so far, and the nearest that one comes is the arc of its smallest
+  // radius.
+  Job job;
+  Issues issues;
+  std::vector<Section> round;
+  for (int i = 0; i < 8; ++i) {
+    const double half = 1.9 - 0.02 * i * (7 - i);
+    round.push_back(equalSections([](double x) { return std::sqrt(4 - x * x) + 0.1 * x; }, half).front());
+    round.back().index = i;
+  }
+  const Result<Sweep> sweep = buildSweep(round, job, sphereBlock(), Eigen::Vector3d::UnitY(), {}, issues);
+  ASSERT_TRUE(sweep) << sweep.error().message;
+  EXPECT_TRUE(issues.empty()) << issues.front().message;
+  for (const Station& station : sweep->stations) {
+    EXPECT_EQ(station.fit.status, FitStatus::constraintsActive);
+    EXPECT_TRUE(station.heldBack);
+    EXPECT_NEAR(station.blade.maxCurvature(), job.blade.maxCurvature(), 2e-6 * job.blade.maxCurvature());
+    EXPECT_LE(station.blade.maxCurvature(), job.blade.maxCurvature());
+  }
+}
+
 TEST(SweepAnalysis, TellsHowLongARoundBladeStaysInItsPlane) {
   // A bulge whose blade bends back towards its grips: the longer, the more it is pressed. The plane's normal
   // is the way out of it for a tube.

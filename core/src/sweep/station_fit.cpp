@@ -18,6 +18,8 @@ constexpr double kSuspiciousGrowth = 2.0;
 constexpr double kGoodResidual = 1e-4;
 /// A slightly better minimum on another branch is not worth a jump of the blade.
 constexpr double kWorthAJump = 0.7;
+/// A curve that came to rest is taken in place of one that did not, up to this part of its residual.
+constexpr double kSameResidual = 1 + 1e-6;
 /// Periods that the whole blade may have: where it is much longer than the section, what it does beyond it
 /// would otherwise be left to rounding.
 constexpr double kBladePeriods = 2.0;
@@ -25,6 +27,11 @@ constexpr double kBladePeriods = 2.0;
 constexpr double kAllowance = 2.0;
 /// Bounds on the periods that are tried with the blade's radius: 1, ½, ¼, … of the job's.
 constexpr int kPeriodBounds = 7;
+/// Part of the blade's largest curvature that a bounded fit keeps off it, so that rounding does not decide
+/// whether the blade holds.
+constexpr double kCurvatureReserve = 1e-6;
+/// A blade that bends to this part of its bound presses against it.
+constexpr double kPresses = 1 - 1e-4;
 
 FitOptions fitOptions(const Job& job, double sectionLength) {
   FitOptions options;
@@ -37,26 +44,41 @@ FitOptions fitOptions(const Job& job, double sectionLength) {
 
 bool usable(const FitResult& fit) { return fit.status != FitStatus::infeasible; }
 
+bool atRest(const FitResult& fit) { return usable(fit) && fit.status != FitStatus::iterationLimit; }
+
 Result<FitResult> fitBesideNeighbour(const PlanarCurve& section, FitOptions options,
                                      const FitResult* neighbour) {
   if (!neighbour) return fitElastica(section, options);
   options.initial = neighbour->elastica;
   Result<FitResult> warm = fitElastica(section, options);
-  if (warm && usable(*warm) && warm->status != FitStatus::iterationLimit &&
-      warm->R4 <= std::max(kGoodResidual, kSuspiciousGrowth * neighbour->R4))
+  if (warm && atRest(*warm) && warm->R4 <= std::max(kGoodResidual, kSuspiciousGrowth * neighbour->R4))
     return warm;
   options.initial.reset();
   Result<FitResult> cold = fitElastica(section, options);
   if (!warm) return cold;
   if (!cold) return warm;
   if (usable(*cold) != usable(*warm)) return usable(*cold) ? cold : warm;
-  return cold->R4 < kWorthAJump * warm->R4 ? cold : warm;
+  const double worth = atRest(*cold) && !atRest(*warm) ? kSameResidual : kWorthAJump;
+  return cold->R4 < worth * warm->R4 ? cold : warm;
+}
+
+/// How a section is fitted where the nearest curve does not do for the whole blade.
+FitOptions boundedOptions(FitOptions options, const Job& job) {
+  options.maxCurvature = (1 - kCurvatureReserve) * job.blade.maxCurvature();
+  options.curvatureRange = job.blade.length;
+  return options;
 }
 
 /// True if the blade that continues this fit keeps its radius and rests in its shape.
 bool bladeHolds(const FitResult& fit, const Blade& blade) {
   const Result<Elastica> whole = extendedBlade(fit.elastica, blade.length);
   return whole && whole->maxCurvature() <= blade.maxCurvature() && stabilityMargin(*whole) > 0;
+}
+
+/// True if the blade that continues this fit bends as far as it may: then the nearest curve bends farther.
+bool bladePresses(const FitResult& fit, const Blade& blade) {
+  const Result<Elastica> whole = extendedBlade(fit.elastica, blade.length);
+  return whole && whole->maxCurvature() >= kPresses * blade.maxCurvature();
 }
 
 }  // namespace
@@ -66,21 +88,29 @@ Result<Elastica> extendedBlade(const Elastica& fitted, double bladeLength) {
   return extra > 0 ? fitted.segment(-extra, fitted.length() + extra) : Result<Elastica>(fitted);
 }
 
-Result<StationFit> fitStation(const PlanarCurve& section, const Job& job, const FitResult* neighbour) {
-  FitOptions options = fitOptions(job, section.length());
-  Result<FitResult> best = fitBesideNeighbour(section, options, neighbour);
+Result<StationFit> fitStation(const PlanarCurve& section, const Job& job, const StationFit* neighbour) {
+  const FitOptions options = fitOptions(job, section.length());
+  const FitResult* start = neighbour ? &neighbour->fit : nullptr;
   const double allowed = kAllowance * job.tolerance;
+  if (neighbour && neighbour->heldBack) {
+    // Most likely this one is held back too, and the nearest curve, which may be far from any blade, need not
+    // be sought.
+    Result<FitResult> bounded = fitBesideNeighbour(section, boundedOptions(options, job), start);
+    if (bounded && atRest(*bounded) && bounded->hausdorff <= allowed && bladeHolds(*bounded, job.blade) &&
+        bladePresses(*bounded, job.blade))
+      return StationFit{std::move(*bounded), true};
+  }
+  Result<FitResult> best = fitBesideNeighbour(section, options, start);
   if (!best) return tl::unexpected<Error>(best.error());
   if (!usable(*best) || best->hausdorff > allowed || bladeHolds(*best, job.blade))
     return StationFit{std::move(*best)};
-  options.maxCurvature = job.blade.maxCurvature();
-  options.curvatureRange = job.blade.length;
+  FitOptions tighter = boundedOptions(options, job);
   std::optional<FitResult> restless;
-  for (int k = 0; k < kPeriodBounds; ++k, *options.maxPeriods *= 0.5) {
-    Result<FitResult> bounded = fitBesideNeighbour(section, options, neighbour ? neighbour : &*best);
+  for (int k = 0; k < kPeriodBounds; ++k, *tighter.maxPeriods *= 0.5) {
+    Result<FitResult> bounded = fitBesideNeighbour(section, tighter, start ? start : &*best);
     if (!bounded || !usable(*bounded) || bounded->hausdorff > allowed) break;
     if (!bladeHolds(*bounded, job.blade)) continue;
-    if (bounded->status != FitStatus::iterationLimit) return StationFit{std::move(*bounded), true};
+    if (atRest(*bounded)) return StationFit{std::move(*bounded), true};
     if (!restless) restless = std::move(*bounded);
   }
   if (restless) return StationFit{std::move(*restless), true};

@@ -17,11 +17,11 @@ struct StationFit {
 /// The fit of one section under the options of a job. It starts from the shape of the neighbour (null for the
 /// first section) and, where that looks like the wrong branch, from scratch as well. The blade as a whole has
 /// at most two periods. Where the blade that continues the best curve would bend below its radius or not
-/// rest, the curvature and the number of periods are bounded more and more tightly as long as the curve stays
-/// within twice the tolerance (docs/mathematics.md, sweep); the status then says that a bound is active. If
-/// no such curve is found, the best one.
+/// rest, the curvature, and with it more and more tightly the number of periods, are bounded as long as the
+/// curve stays within twice the tolerance (docs/mathematics.md, sweep); the status then says that a bound is
+/// active. If no such curve is found, the best one.
 [[nodiscard]] Result<StationFit> fitStation(const PlanarCurve& section, const Job& job,
-                                            const FitResult* neighbour);
+                                            const StationFit* neighbour);
 
 /// `fitted` continued at both ends to the length of the job's blade; itself where the blade is not longer.
 [[nodiscard]] Result<Elastica> extendedBlade(const Elastica& fitted, double bladeLength);

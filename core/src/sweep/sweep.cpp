@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 
 #include "bw/core/number_text.h"
 #include "sweep/station_fit.h"
@@ -58,12 +59,13 @@ Result<Sweep> buildSweep(std::vector<Section> sections, const Job& job, const Bo
   sweep.stations.reserve(sections.size());
   double longest = 0;
   int longestIndex = 0;
+  std::optional<detail::StationFit> neighbour;
   for (std::size_t i = 0; i < sections.size(); ++i) {
     if (context.stopped()) return stoppedError();
     context.report(double(i) / double(sections.size()), "fitting");
     Section& section = sections[i];
     Result<detail::StationFit> fitted =
-        detail::fitStation(section.curve, job, i == 0 ? nullptr : &sweep.stations.back().fit);
+        detail::fitStation(section.curve, job, neighbour ? &*neighbour : nullptr);
     const std::string name = stationName(section.index);
     if (!fitted) {
       Error error = fitted.error();
@@ -71,7 +73,8 @@ Result<Sweep> buildSweep(std::vector<Section> sections, const Job& job, const Bo
       error.where = name;
       return tl::unexpected<Error>(std::move(error));
     }
-    FitResult* fit = &fitted->fit;
+    neighbour = std::move(*fitted);
+    const FitResult* fit = &neighbour->fit;
     if (fit->status == FitStatus::iterationLimit || fit->status == FitStatus::infeasible) {
       issues.push_back({fit->status == FitStatus::infeasible ? Severity::error : Severity::warning, "fit",
                         name + ": the fit is " + fitStatusName(fit->status) + ": " + fit->message,
@@ -82,8 +85,8 @@ Result<Sweep> buildSweep(std::vector<Section> sections, const Job& job, const Bo
                     .frame = section.frame,
                     .target = section.curve,
                     .targetLength = section.curve.length(),
-                    .fit = std::move(*fit),
-                    .heldBack = fitted->heldBack};
+                    .fit = *fit,
+                    .heldBack = neighbour->heldBack};
     if (station.fit.elastica.length() > longest) {
       longest = station.fit.elastica.length();
       longestIndex = station.index;
