@@ -59,6 +59,9 @@ class Projection {
   Eigen::Vector3d toPixel(const Eigen::Vector3d& point) const;
   /// Millimetres that a pixel covers at that depth.
   double pixelSize(double depth) const { return parallel_ ? perPixel_ : perPixel_ * depth; }
+  /// Of the eye; where a parallel picture's camera stands tells only which way it looks.
+  const Eigen::Vector3d& position() const { return position_; }
+  bool parallel() const { return parallel_; }
   const Eigen::Vector3d& forward() const { return forward_; }
   const Eigen::Vector3d& right() const { return right_; }
   const Eigen::Vector3d& up() const { return up_; }

@@ -22,15 +22,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "bw/scene/navigation.h"
+#include "camera_fit.h"
 
 namespace bw::scene {
 
 namespace {
 
-constexpr double kLinePickPixels = 4;
 // Soft shadows: how far they reach in diagonals of the content, and how dark they are without and with a map.
 constexpr double kShadowReach = 0.06, kShadow = 0.75, kShadowUnderMap = 0.3;
 constexpr unsigned kGlLessOrEqual = 0x0203;  ///< GL_LEQUAL
@@ -139,8 +138,7 @@ void Scene::Impl::setContent(Content given) {
   const Content former = std::exchange(content, std::move(given));
   const TriangleMesh formerMesh = std::move(cutMesh);
   cutMesh = {};
-  cutTree_.reset();
-  targetTree_.reset();
+  picker_.reset();
   ++contentVersion_;
 
   cleanMesh(content.target);
@@ -238,31 +236,15 @@ void Scene::Impl::renderFrame(int width, int height) {
   eye->SetParallelProjection(camera.parallel);
   eye->SetParallelScale(camera.parallelScale);
 
-  // Everything between the nearest and the farthest corner; a perspective camera keeps a near plane in front
-  // of itself.
   Bounds all = contentBounds();
   for (const Bounds& more : {grid_.bounds(), bladeBounds_}) {
     if (!more.valid()) continue;
     all.add(more.min);
     all.add(more.max);
   }
-  double near = std::numeric_limits<double>::max(), far = -near;
   if (!all.valid()) all.add(camera.focus);
-  for (int i = 0; i < 8; ++i) {
-    const Eigen::Vector3d corner((i & 1 ? all.max : all.min).x(), (i & 2 ? all.max : all.min).y(),
-                                 (i & 4 ? all.max : all.min).z());
-    const double depth = (corner - camera.position).dot(view.forward());
-    near = std::min(near, depth);
-    far = std::max(far, depth);
-  }
-  const double distance = (camera.position - camera.focus).norm(),
-               slack = 0.02 * std::max(far - near, distance);
-  near -= slack;
-  far += slack;
-  if (!camera.parallel) {
-    far = std::max(far, 1e-2 * distance);
-    near = std::max(near, 2e-4 * far);
-  }
+  const double distance = (camera.position - camera.focus).norm();
+  const auto [near, far] = depthRange(view, all, distance);
   eye->SetClippingRange(near, far);
 
   const double perMillimetre =
@@ -326,205 +308,18 @@ Camera Scene::Impl::fit(Camera from, double aspect, const std::optional<Bounds>&
     bounds.add(Eigen::Vector3d::Constant(100));
   }
   if (!(aspect > 0) || !std::isfinite(aspect)) aspect = 1;
-  // Air around the content, and room for the legend.
-  const double air = 0.10, tangent = std::tan(from.viewAngle * std::acos(-1.0) / 360);
-  const double legend =
+  // Room for the legend.
+  const double margin =
       field && style.legend
           ? std::min(0.5, 2 * Legend::reservedWidth(style.pixelRatio) / (lastWidth_ > 0 ? lastWidth_ : 900))
           : 0.0;
-  const double up = tangent * (1 - air), left = tangent * aspect * (1 - air),
-               right = tangent * aspect * std::max(0.2, 1 - air - legend);
-
-  const Projection view(from.position, from.focus, from.up, from.viewAngle, from.parallel, from.parallelScale,
-                        1, 1);
-  const Eigen::Vector3d center = bounds.center();
-  double xLow = 1e300, xHigh = -1e300, yLow = 1e300, yHigh = -1e300;  // parallel: the extent seen
-  double a = -1e300, b = -1e300, c = -1e300, d = -1e300,
-         nearest = 1e300;  // perspective: each side plane touches a corner
-  for (int i = 0; i < 8; ++i) {
-    const Eigen::Vector3d p =
-        Eigen::Vector3d((i & 1 ? bounds.max : bounds.min).x(), (i & 2 ? bounds.max : bounds.min).y(),
-                        (i & 4 ? bounds.max : bounds.min).z()) -
-        center;
-    const double x = p.dot(view.right()), y = p.dot(view.up()), z = p.dot(view.forward());
-    xLow = std::min(xLow, x);
-    xHigh = std::max(xHigh, x);
-    yLow = std::min(yLow, y);
-    yHigh = std::max(yHigh, y);
-    nearest = std::min(nearest, z);
-    a = std::max(a, x - right * z);
-    b = std::max(b, -x - left * z);
-    c = std::max(c, y - up * z);
-    d = std::max(d, -y - up * z);
-  }
-  const double least = std::max(1e-3, 1e-3 * bounds.size().norm());
-  if (from.parallel) {
-    const double scale =
-        std::max({(xHigh - xLow) * tangent / (left + right), (yHigh - yLow) * tangent / (2 * up), least});
-    const double x = 0.5 * (xLow + xHigh) + 0.5 * scale * (left - right) / tangent, y = 0.5 * (yLow + yHigh);
-    const double distance = std::max(bounds.size().norm() * 1.5, scale / tangent);
-    from.parallelScale = scale;
-    from.focus = center + x * view.right() + y * view.up();
-    from.position = from.focus - distance * view.forward();
-    return from;
-  }
-  // The eye at (x, y, z): every corner lies within the four side planes.
-  const double z = std::min({-(a + b) / (left + right), -(c + d) / (2 * up), nearest - least});
-  const double x = 0.5 * ((a + right * z) - (b + left * z)), y = 0.5 * (c - d);
-  from.position = center + x * view.right() + y * view.up() + z * view.forward();
-  from.focus = from.position - z * view.forward();
-  from.parallelScale = -z * tangent;
-  return from;
-}
-
-int Scene::Impl::nearestStation(const Eigen::Vector3d& point) const {
-  int best = -1;
-  double least = std::numeric_limits<double>::max();
-  for (std::size_t i = 0; i < content.stations.size(); ++i) {
-    const Polyline& line = content.stations[i];
-    for (std::size_t k = 0; k + 1 < line.size(); ++k) {
-      const Eigen::Vector3d edge = line[k + 1] - line[k];
-      const double square = edge.squaredNorm();
-      const double t = square > 0 ? std::clamp((point - line[k]).dot(edge) / square, 0.0, 1.0) : 0.0;
-      const double distance = (line[k] + t * edge - point).squaredNorm();
-      if (distance < least) {
-        least = distance;
-        best = int(i);
-      }
-    }
-  }
-  return best;
-}
-
-std::optional<RayHit> Scene::Impl::blockedBy(const Ray& ray) const {
-  if (!style.showCut || style.cutOpacity <= 0.05 || cutMesh.triangles.empty()) return std::nullopt;
-  if (!cutTree_) cutTree_ = std::make_unique<TriangleTree>(cutMesh.points, cutMesh.triangles);
-  return firstHit(*cutTree_, ray);
-}
-
-bool Scene::Impl::cutAway(const Eigen::Vector3d& point) const {
-  return style.section && (point - style.section->point).dot(style.section->normal) > 0;
-}
-
-std::optional<RayHit> Scene::Impl::firstHit(const TriangleTree& tree, const Ray& ray) const {
-  if (!style.section) return tree.firstHit(ray);
-  const double slope = ray.direction.dot(style.section->normal);
-  const double height = (ray.origin - style.section->point).dot(style.section->normal);
-  Ray kept = ray;
-  double skipped = 0;
-  if (height > 0) {
-    // The ray begins where everything is taken away: it meets nothing before the plane.
-    if (slope >= 0) return std::nullopt;
-    skipped = -height / slope;
-    kept.origin = ray.at(skipped);
-  }
-  std::optional<RayHit> hit = tree.firstHit(kept);
-  if (!hit) return hit;
-  hit->t += skipped;
-  if (height <= 0 && slope > 0 && hit->t > -height / slope) return std::nullopt;
-  return hit;
+  return fitted(from, bounds, aspect, margin);
 }
 
 Pick Scene::Impl::pick(double x, double y, int width, int height) const {
-  Pick result;
-  const Projection view = projection(width, height);
-  Ray ray = view.ray(x, y);
-  // In a parallel picture the eye is nowhere: begin before everything.
-  const Bounds everything = contentBounds();
-  if (camera.parallel && everything.valid())
-    ray.origin -=
-        4 * (everything.size().norm() + (camera.position - everything.center()).norm()) * ray.direction;
-  const std::optional<RayHit> cutHit = blockedBy(ray);
-  std::optional<RayHit> targetHit;
-  if (style.showTarget && style.targetOpacity > 0.05 && !content.target.triangles.empty()) {
-    if (!targetTree_)
-      targetTree_ = std::make_unique<TriangleTree>(content.target.points, content.target.triangles);
-    targetHit = firstHit(*targetTree_, ray);
-  }
-
-  // Lines: the nearest to the pixel that is not hidden.
-  struct Candidate {
-    double pixels;
-    int station;
-    Eigen::Vector3d point;
-  };
-  const auto nearestOn = [&](const Polyline& line, int station, std::optional<Candidate>& best) {
-    Eigen::Vector3d before = Eigen::Vector3d::Zero();
-    for (std::size_t k = 0; k < line.size(); ++k) {
-      const Eigen::Vector3d now = view.toPixel(line[k]);
-      if (k > 0 && (camera.parallel || (before.z() > 0 && now.z() > 0))) {
-        const Eigen::Vector2d edge = (now - before).head<2>(),
-                              offset = Eigen::Vector2d(x, y) - before.head<2>();
-        const double square = edge.squaredNorm();
-        const double t = square > 0 ? std::clamp(offset.dot(edge) / square, 0.0, 1.0) : 0.0;
-        const double distance = (offset - t * edge).norm();
-        if (!best || distance < best->pixels) {
-          // Shares on the screen are not shares in space under perspective.
-          const double s = camera.parallel ? t : t * before.z() / (t * before.z() + (1 - t) * now.z());
-          best = Candidate{distance, station, line[k - 1] + s * (line[k] - line[k - 1])};
-        }
-      }
-      before = now;
-    }
-  };
-  const auto visible = [&](const Candidate& candidate) {
-    if (cutAway(candidate.point)) return false;
-    const Eigen::Vector3d pixel = view.toPixel(candidate.point);
-    Ray sight = view.ray(pixel.x(), pixel.y());
-    if (camera.parallel)
-      sight.origin += (ray.origin - view.ray(x, y).origin).dot(ray.direction) * ray.direction;
-    const std::optional<RayHit> hit = blockedBy(sight);
-    const double distance = (candidate.point - sight.origin).dot(sight.direction);
-    return !hit || hit->t > distance - 4 * view.pixelSize(pixel.z()) -
-                                0.002 * std::max(everything.valid() ? everything.size().norm() : 0.0, 1e-3);
-  };
-  const double reach = kLinePickPixels * style.pixelRatio;
-  std::optional<Candidate> onBlade, onStation;
-  if (blade_.line().size() >= 2) nearestOn(blade_.line(), -1, onBlade);
-  if (onBlade && onBlade->pixels <= reach + 1 && visible(*onBlade)) {
-    result.kind = Pick::Kind::blade;
-    result.point = onBlade->point;
-    result.station = std::clamp(int(std::lround(style.playhead)), 0, int(content.blades.size()) - 1);
-    return result;
-  }
-
-  const bool targetFirst = targetHit && (!cutHit || targetHit->t + actors_.targetSetBack(style) < cutHit->t);
-  if (cutHit && !targetFirst) {
-    result.kind = Pick::Kind::cut;
-    result.point = ray.at(cutHit->t);
-    if (field) {
-      const auto& corners = cutMesh.triangles[std::size_t(cutHit->triangle)];
-      double value = 0;
-      for (int k = 0; k < 3; ++k)
-        value += cutHit->weights[k] * field->values[std::size_t(corners[std::size_t(k)])];
-      if (std::isfinite(value)) result.value = value;
-    }
-  } else if (targetHit) {
-    result.kind = Pick::Kind::target;
-    result.point = ray.at(targetHit->t);
-  }
-  if (style.showStations) {
-    for (std::size_t i = 0; i < content.stations.size(); ++i)
-      nearestOn(content.stations[i], int(i), onStation);
-  }
-  if (onStation && onStation->pixels <= reach && visible(*onStation)) {
-    result.kind = Pick::Kind::station;
-    result.station = onStation->station;
-    // The value stays that of the surface below, if the cursor is over it.
-    if (!cutHit || targetFirst) result.point = onStation->point;
-    return result;
-  }
-  if (result.kind != Pick::Kind::none) {
-    result.station = nearestStation(result.point);
-    return result;
-  }
-  if (style.showBlock && content.block) {
-    if (const std::optional<double> t = rayMeetsBox(ray, *content.block)) {
-      result.kind = Pick::Kind::block;
-      result.point = ray.at(*t);
-    }
-  }
-  return result;
+  const ScenePicker::Shown shown{
+      content, cutMesh, style, field, blade_.line(), contentBounds(), actors_.targetSetBack(style)};
+  return picker_.pick(shown, projection(width, height), x, y);
 }
 
 }  // namespace bw::scene

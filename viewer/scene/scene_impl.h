@@ -17,6 +17,7 @@
 #include "moving_blade.h"
 #include "orientation_marker.h"
 #include "picking.h"
+#include "scene_picker.h"
 
 namespace bw::scene {
 
@@ -56,10 +57,6 @@ struct Scene::Impl {
  private:
   void refreshField();
   void refreshBlade();
-  std::optional<RayHit> blockedBy(const Ray& ray) const;
-  std::optional<RayHit> firstHit(const TriangleTree& tree, const Ray& ray) const;
-  bool cutAway(const Eigen::Vector3d& point) const;
-  int nearestStation(const Eigen::Vector3d& point) const;
 
   vtkSmartPointer<vtkRenderer> renderer_;
   vtkSmartPointer<AmbientOcclusion> occlusion_;
@@ -74,7 +71,7 @@ struct Scene::Impl {
   unsigned contentVersion_ = 0;
   std::string summaryKey_;
   int lastWidth_ = 0;
-  mutable std::unique_ptr<TriangleTree> cutTree_, targetTree_;
+  ScenePicker picker_;
 };
 
 }  // namespace bw::scene
