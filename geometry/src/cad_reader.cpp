@@ -260,6 +260,9 @@ Result<ReadShape> readShape(const std::string& bytes, const std::string& name, c
   }
   const CadFormat content = formatOfContent(bytes), suffix = formatOfSuffix(name);
   if (content == CadFormat::unknown) {
+    if (bytes.find("\"bladewright_design\"") != std::string::npos) {
+      return unreadable(name, "it is a design, whose surface and settings are in it; open it as one, with blade design or in the window");
+    }
     if (suffix == CadFormat::unknown) {
       return unreadable(name, "it is neither STEP, IGES nor BREP; export the surface as STEP from the CAD program");
     }

@@ -106,6 +106,8 @@ TEST(BadInput, CadFiles) {
   const std::string cut = folder.write("cut.step", whole.substr(0, whole.size() / 2));
   expectRefusal({"info", cut}, 4, "cut short");
   expectRefusal({"rationalize", folder / "", "--out", folder / "out"}, 4, "Is a directory");
+  const std::string design = folder.write("a.bladewright", R"({"bladewright_design": 1})");
+  expectRefusal({"rationalize", design, "--out", folder / "out"}, 4, "blade design");
   EXPECT_FALSE(std::filesystem::exists(folder / "out"));
 }
 
@@ -197,6 +199,7 @@ TEST(BadInput, Designs) {
   };
   refuse("", 2, "empty");
   refuse("{", 2, "JSON");
+  refuse("ISO-10303-21;", 2, "blade rationalize");
   refuse(R"({"bladewright_design": 999})", 2, "999");
   refuse(R"({"bladewright_design": 1, "source": {"path": "gone.step"}})", 4, "gone.step");
   expectRefusal({"export", folder / "", "--out", folder / "out"}, 4, "design.bladewright");

@@ -63,7 +63,11 @@ std::optional<std::string> fromBase64(const std::string& text) {
 
 Result<Design> parseDesign(std::string_view text) {
   const Result<json> object = parseJsonText(text, "design");
-  if (!object) return tl::unexpected<Error>(object.error());
+  if (!object) {
+    Error error = object.error();
+    error.message += "; a design is what Bladewright saved, a CAD file is a surface for blade rationalize";
+    return tl::unexpected<Error>(std::move(error));
+  }
   ObjectReader reader(*object, "design");
   Design design;
   int version = 0;
