@@ -16,17 +16,12 @@
 #include "isolines.h"
 #include "legend_range.h"
 #include "mesh_edges.h"
-#include "polyline.h"
-#include "section_cap.h"
 
 namespace bw::scene {
 
 namespace {
 
 constexpr int kTableColors = 2048;
-constexpr double kStaleKeep = 0.6;
-constexpr double kLeastSpacing = 9;    ///< device-independent pixels between stations
-constexpr double kHatchShare = 0.016;  ///< distance of a section's hatching, in diagonals
 
 void setBox(vtkPolyData* data, const Box& box, bool edges) {
   const std::array<Eigen::Vector3d, 8> corners = box.corners();
@@ -58,14 +53,9 @@ void setBox(vtkPolyData* data, const Box& box, bool edges) {
 
 }  // namespace
 
-ContentActors::ContentActors()
-    : sectionPlane_(vtkSmartPointer<vtkPlane>::New()), table_(vtkSmartPointer<vtkLookupTable>::New()) {
+ContentActors::ContentActors() : table_(vtkSmartPointer<vtkLookupTable>::New()) {
   target_.setMatte(0.35, 0.65, 0.0);
-  for (Part* part :
-       {&targetEdges_, &cutEdges_, &isolines_, &stations_, &selected_, &selectedDashes_, &bladesInside_,
-        &bladeDashes_, &blockEdges_, &capFill_, &capHatch_, &capCut_, &capOutline_}) {
-    part->setFlat();
-  }
+  for (Part* part : {&targetEdges_, &cutEdges_, &isolines_, &blockEdges_}) part->setFlat();
   cut_.mapper()->SetInterpolateScalarsBeforeMapping(true);
   cut_.mapper()->SetLookupTable(table_);
   cut_.mapper()->UseLookupTableScalarRangeOn();
@@ -79,15 +69,13 @@ ContentActors::ContentActors()
 }
 
 void ContentActors::addSolidTo(vtkRenderer* renderer) {
-  for (Part* part : {&cut_, &cutEdges_, &isolines_, &capFill_, &capHatch_, &capOutline_, &capCut_})
-    renderer->AddActor(part->actor());
+  for (Part* part : {&cut_, &cutEdges_, &isolines_}) renderer->AddActor(part->actor());
+  section_.addTo(renderer);
 }
 
 void ContentActors::addClearTo(vtkRenderer* renderer) {
-  for (Part* part : {&blockBack_, &target_, &targetEdges_, &stations_, &bladesInside_, &bladeDashes_,
-                     &selected_, &selectedDashes_}) {
-    renderer->AddActor(part->actor());
-  }
+  for (Part* part : {&blockBack_, &target_, &targetEdges_}) renderer->AddActor(part->actor());
+  stations_.addTo(renderer);
 }
 
 void ContentActors::addFrontTo(vtkRenderer* renderer) {
@@ -103,7 +91,6 @@ void ContentActors::setContent(const Content& content, const TriangleMesh& cutMe
     for (const Eigen::Vector3d& p : line) bounds.add(p);
   }
   diagonal_ = bounds.valid() ? std::max(1e-3, bounds.size().norm()) : 1;
-  dash_ = 0.008 * diagonal_;
 
   const bool given = content.target.normals.size() == content.target.points.size();
   targetNormals_ =
@@ -131,15 +118,6 @@ void ContentActors::setContent(const Content& content, const TriangleMesh& cutMe
   }
   cutEdges_.setSegments(boundaryEdges(cutMesh.points, cutMesh.triangles));
 
-  std::vector<Polyline> lines;
-  double travel = 0;
-  for (const Polyline& line : content.stations) {
-    if (!usable(line)) continue;
-    if (!lines.empty()) travel += (line[line.size() / 2] - lines.back()[lines.back().size() / 2]).norm();
-    lines.push_back(line);
-  }
-  stationSpacing_ = lines.size() > 1 ? travel / double(lines.size() - 1) : 0;
-
   if (content.block) {
     setBox(blockBack_.data(), *content.block, false);
     setBox(blockFront_.data(), *content.block, false);
@@ -147,60 +125,16 @@ void ContentActors::setContent(const Content& content, const TriangleMesh& cutMe
   } else {
     for (Part* part : {&blockBack_, &blockFront_, &blockEdges_}) part->clear();
   }
-  isolinesValid_ = linesValid_ = sectionValid_ = false;
-  selectedIndex_ = -1;
-  for (Part* part : {&isolines_, &selected_, &selectedDashes_}) part->clear();
-}
-
-void ContentActors::selectStation(const Content& content, int index) {
-  if (index == selectedIndex_) return;
-  selectedIndex_ = index;
-  selected_.clear();
-  selectedDashes_.clear();
-  if (index < 0 || index >= int(content.stations.size()) || !usable(content.stations[std::size_t(index)]))
-    return;
-  Extensions extensions;
-  if (index < int(content.blades.size())) addExtensions(content, std::size_t(index), extensions);
-  extensions.solid.push_back(content.stations[std::size_t(index)]);
-  selected_.setLines(extensions.solid);
-  selectedDashes_.setSegments(extensions.dashed);
-}
-
-void ContentActors::addExtensions(const Content& content, std::size_t index, Extensions& extensions) const {
-  const Polyline none, &station = index < content.stations.size() ? content.stations[index] : none;
-  for (const Polyline& extension : beyondStation(content.blades[index], station)) {
-    const std::vector<Polyline> outside =
-        content.block ? clipped(extension, *content.block, Side::outside) : std::vector<Polyline>{extension};
-    for (const Polyline& piece : outside) {
-      const Segments more = dashes(piece, dash_, 0.7 * dash_);
-      extensions.dashed.insert(extensions.dashed.end(), more.begin(), more.end());
-    }
-    if (!content.block) continue;
-    for (Polyline& piece : clipped(extension, *content.block, Side::inside))
-      extensions.solid.push_back(std::move(piece));
-  }
-}
-
-void ContentActors::rebuildLines(const Content& content) {
-  std::vector<Polyline> lines;
-  Extensions extensions;
-  const std::size_t count = std::max(content.stations.size(), content.blades.size());
-  for (std::size_t i = 0; i < count; ++i) {
-    // The first and the last are always there.
-    if (i % std::size_t(stride_) != 0 && i + 1 != count) continue;
-    if (i < content.stations.size() && usable(content.stations[i])) lines.push_back(content.stations[i]);
-    if (bladesShown_ && i < content.blades.size()) addExtensions(content, i, extensions);
-  }
-  stations_.setLines(lines);
-  bladesInside_.setLines(extensions.solid);
-  bladeDashes_.setSegments(extensions.dashed);
-  linesValid_ = true;
+  isolinesValid_ = false;
+  isolines_.clear();
+  stations_.setContent(content, diagonal_);
+  section_.invalidate();
 }
 
 void ContentActors::setStyle(const Content& content, const TriangleMesh& cutMesh, const Style& style,
                              const Field* field, const ColorMap& map, const Rgb& background) {
   const Theme& colors = theme(style.dark);
-  const double keep = style.stale ? kStaleKeep : 1.0, px = style.pixelRatio;
+  const double keep = keptColor(style.stale), px = style.pixelRatio;
   const bool cutShown = style.showCut && hasCut_ && style.cutOpacity > 0;
   const bool mapped = cutShown && field;
 
@@ -250,35 +184,12 @@ void ContentActors::setStyle(const Content& content, const TriangleMesh& cutMesh
       isolineLevels_ = ticks.values;
       isolines_.setSegments(isolines(cutMesh.points, cutMesh.triangles, field->values, ticks.values));
     }
-    isolines_.setColor(Rgb::hex(0x22252A));
+    isolines_.setColor(kLineOverSurface);
     isolines_.setLineWidth(px);
     isolines_.setFade(keep, background);
   }
 
-  stations_.setVisible(style.showStations);
-  stations_.setColor(cutShown ? Rgb::hex(0x22252A) : colors.station);
-  stations_.setLineWidth(px);
-  stations_.setFade(keep, background);
-  selectStation(content, style.selectedStation);
-  for (Part* part : {&selected_, &selectedDashes_}) {
-    part->setVisible(selectedIndex_ >= 0);
-    part->setColor(colors.selection);
-    part->setFade(keep, background);
-  }
-  selected_.setLineWidth(2.5 * px);
-  selectedDashes_.setLineWidth(1.5 * px);
-
-  if (style.showBlades != bladesShown_) {
-    bladesShown_ = style.showBlades;
-    linesValid_ = false;
-  }
-  for (Part* part : {&bladesInside_, &bladeDashes_}) {
-    part->setVisible(style.showBlades);
-    part->setColor(colors.station);
-    part->setLineWidth(px);
-    part->setOpacity(0.7);
-    part->setFade(keep, background);
-  }
+  stations_.setStyle(content, style, cutShown, background);
 
   const bool blockShown = style.showBlock && content.block.has_value();
   for (Part* part : {&blockBack_, &blockFront_}) {
@@ -290,57 +201,12 @@ void ContentActors::setStyle(const Content& content, const TriangleMesh& cutMesh
   blockEdges_.setVisible(blockShown);
   blockEdges_.setColor(colors.foamEdge);
   blockEdges_.setLineWidth(px);
-  setSection(content, cutMesh, style, background);
-}
 
-void ContentActors::setSection(const Content& content, const TriangleMesh& cutMesh, const Style& style,
-                               const Rgb& background) {
-  const bool changed = !sectionValid_ || section_ != style.section;
-  const bool switched = section_.has_value() != style.section.has_value();
-  section_ = style.section;
-  sectionValid_ = true;
-  if (switched) {
-    for (Part* part :
-         {&target_, &targetEdges_, &cut_, &cutEdges_, &isolines_, &stations_, &selected_, &selectedDashes_,
-          &bladesInside_, &bladeDashes_, &blockBack_, &blockFront_, &blockEdges_}) {
-      part->mapper()->RemoveAllClippingPlanes();
-      if (section_) part->mapper()->AddClippingPlane(sectionPlane_);
-    }
-  }
-  if (changed) {
-    for (Part* part : {&capFill_, &capHatch_, &capCut_, &capOutline_}) part->clear();
-    if (section_) {
-      // VTK keeps what its planes' normals point to.
-      const Eigen::Vector3d kept = -section_->normal;
-      sectionPlane_->SetOrigin(section_->point.data());
-      sectionPlane_->SetNormal(kept.data());
-      const SectionCap cap =
-          sectionCap(content.block.value_or(Box{}), cutMesh, *section_, kHatchShare * diagonal_);
-      if (content.block && cap.outline.size() >= 3) {
-        capFill_.setPolygon(cap.outline);
-        Polyline closed = cap.outline;
-        closed.push_back(closed.front());
-        capOutline_.setLines({closed});
-        capHatch_.setSegments(cap.hatch);
-      }
-      capCut_.setSegments(cap.cut);
-    }
-  }
-  if (!section_) return;
-  const Theme& colors = theme(style.dark);
-  const double keep = style.stale ? kStaleKeep : 1.0, px = style.pixelRatio;
-  const bool foamShown = style.showBlock && content.block.has_value();
-  for (Part* part : {&capFill_, &capHatch_, &capOutline_}) part->setVisible(foamShown);
-  capCut_.setVisible(style.showCut);
-  const Rgb fill = mix(background, colors.foam, style.dark ? 0.22 : 0.7);
-  capFill_.setColor(fill);
-  capHatch_.setColor(mix(fill, colors.secondary, 0.38));
-  capOutline_.setColor(colors.foamEdge);
-  capCut_.setColor(colors.text);
-  capHatch_.setLineWidth(px);
-  capOutline_.setLineWidth(px);
-  capCut_.setLineWidth(2 * px);
-  for (Part* part : {&capFill_, &capHatch_, &capCut_, &capOutline_}) part->setFade(keep, background);
+  std::vector<Part*> clipped = {&target_,   &targetEdges_, &cut_,        &cutEdges_,
+                                &isolines_, &blockBack_,   &blockFront_, &blockEdges_};
+  for (Part* part : stations_.parts()) clipped.push_back(part);
+  section_.setSection(content, cutMesh, style.section, clipped, diagonal_);
+  section_.setStyle(content, style, background);
 }
 
 double ContentActors::targetSetBack(const Style& style) const {
@@ -356,24 +222,8 @@ void ContentActors::update(const Content& content, const Style& style, double de
   targetEdges_.setDepthShift(depthPerMillimetre * (back - line));
   cutEdges_.setDepthShift(-depthPerMillimetre * line);
   isolines_.setDepthShift(-depthPerMillimetre * 1.2 * line);
-  stations_.setDepthShift(-depthPerMillimetre * line);
-  for (Part* part : {&selected_, &selectedDashes_}) part->setDepthShift(-depthPerMillimetre * 2 * line);
-  capHatch_.setDepthShift(-depthPerMillimetre * 0.5 * line);
-  for (Part* part : {&capCut_, &capOutline_}) part->setDepthShift(-depthPerMillimetre * line);
-
-  // Dense lines must not become a veil over the map: every second, fifth, tenth station is drawn where they
-  // would crowd.
-  stations_.setOpacity(style.showCut && hasCut_ ? 0.42 : 0.75);
-  const double spacing = stationSpacing_ / std::max(1e-12, millimetresPerPixel * style.pixelRatio);
-  int stride = 1;
-  for (const int candidate : {1, 2, 5, 10, 20, 50, 100, 200, 500}) {
-    stride = candidate;
-    if (spacing * candidate >= kLeastSpacing) break;
-  }
-  if (stride != stride_ || !linesValid_) {
-    stride_ = stride;
-    rebuildLines(content);
-  }
+  stations_.update(content, style, style.showCut && hasCut_, -depthPerMillimetre * line, millimetresPerPixel);
+  section_.update(-depthPerMillimetre * line);
 }
 
 }  // namespace bw::scene

@@ -3,14 +3,15 @@
 #pragma once
 
 #include <vtkLookupTable.h>
-#include <vtkPlane.h>
+#include <vtkSmartPointer.h>
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "bw/scene/scene.h"
 #include "color_map.h"
+#include "section_actors.h"
+#include "station_lines.h"
 #include "vtk_tools.h"
 
 class vtkRenderer;
@@ -44,35 +45,17 @@ class ContentActors {
               double millimetresPerPixel);
 
  private:
-  /// A blade beyond its station: solid in the foam, dashed outside.
-  struct Extensions {
-    std::vector<Polyline> solid;
-    Segments dashed;
-  };
-  void selectStation(const Content& content, int index);
-  void addExtensions(const Content& content, std::size_t index, Extensions& extensions) const;
-  void rebuildLines(const Content& content);
-  void setSection(const Content& content, const TriangleMesh& cutMesh, const Style& style,
-                  const Rgb& background);
-
-  Part target_, targetEdges_, cut_, cutEdges_, isolines_, stations_, selected_, selectedDashes_,
-      bladesInside_, bladeDashes_;
+  Part target_, targetEdges_, cut_, cutEdges_, isolines_;
   Part blockBack_, blockFront_, blockEdges_;
-  Part capFill_, capHatch_, capCut_, capOutline_;
-  vtkSmartPointer<vtkPlane> sectionPlane_;
-  std::optional<SectionPlane> section_;  ///< that the cap was made for
-  bool sectionValid_ = false;
+  StationLines stations_;
+  SectionActors section_;
   vtkSmartPointer<vtkLookupTable> table_;
   ColorMap tableMap_;
   std::vector<Eigen::Vector3d> targetNormals_;
   std::vector<double> isolineLevels_;
   std::string isolineField_;
-  bool isolinesValid_ = false, linesValid_ = false, bladesShown_ = false, hasCut_ = false;
-  int stride_ = 1;  ///< every how many-th station is drawn
-  int selectedIndex_ = -1;
-  double dash_ = 1;            ///< mm
+  bool isolinesValid_ = false, hasCut_ = false;
   double deviationReach_ = 0;  ///< mm, largest deviation
-  double stationSpacing_ = 0;  ///< mm, mean distance of neighbours
   double diagonal_ = 1;
 };
 

@@ -251,7 +251,7 @@ void Scene::Impl::renderFrame(int width, int height) {
       camera.parallel ? 2 / (far - near) : 2 * far * near / ((far - near) * distance * distance);
   occlusion_->setReach(kShadowReach * actors_.diagonal());
   // What is out of date is faded, and its shadows with it.
-  const double shadow = (field ? kShadowUnderMap : kShadow) * (style.stale ? 0.6 : 1.0);
+  const double shadow = (field ? kShadowUnderMap : kShadow) * keptColor(style.stale);
   occlusion_->setStrength(style.softShadows && !draft_ ? shadow : 0);
   const double pixel = bw::scene::pixelSize(camera, height);
   actors_.update(content, style, perMillimetre, pixel);

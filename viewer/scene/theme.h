@@ -78,6 +78,12 @@ inline constexpr Theme kDark{.top = Rgb::hex(0x2A2D32),
                              .axisY = Rgb::hex(0x74BD80),
                              .axisZ = Rgb::hex(0x6BAAEA)};
 
+/// Lines over a surface are dark in both themes.
+inline constexpr Rgb kLineOverSurface = Rgb::hex(0x22252A);
+
+/// How much of its colour a thing keeps over the background: less if it is out of date.
+constexpr double keptColor(bool stale) { return stale ? 0.6 : 1.0; }
+
 constexpr const Theme& theme(bool dark) { return dark ? kDark : kLight; }
 
 }  // namespace bw::scene
