@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "sectioner.h"
+
+#include <algorithm>
+
+#include "bw/core/number_text.h"
+#include "curve_fit.h"
+#include "section_branches.h"
+#include "section_runs.h"
+
+namespace bw::geometry {
+
+namespace {
+
+constexpr double kFitTolerance = 5e-4;  // mm between samples of a section and its spline; the promise is 1e-3
+constexpr double kSpeck = 0.01;         // mm: a part shorter than this is rounding, not a branch
+constexpr double kNudge = 1e-4;         // mm that a plane along a border or plane face is moved
+constexpr int kMinSamples = 96;         // of a section, before it is fitted
+constexpr int kMaxSamples = 12000;
+
+}  // namespace
+
+Sectioner::Sectioner(const Target::Impl& target, const Setup& setup)
+    : setup_(setup), cutter_(target, setup.direction, setup.block), window_{setup.block} {
+  frame_.normal = setup.direction;
+  const Frame& block = setup.block.frame;
+  // y: towards the side that the block is looked at from; where the blade travels that way, the block's
+  // own y.
+  Eigen::Vector3d up = block.normal - block.normal.dot(frame_.normal) * frame_.normal;
+  if (up.norm() < 1e-6) up = block.y - block.y.dot(frame_.normal) * frame_.normal;
+  frame_.y = up.normalized();
+  frame_.x = frame_.y.cross(frame_.normal);
+  entry_ = 1e300;
+  for (const Eigen::Vector3d& corner : setup.block.corners()) {
+    entry_ = std::min(entry_, setup.direction.dot(corner));
+    exit_ = std::max(exit_, setup.direction.dot(corner));
+  }
+}
+
+Frame Sectioner::frameAt(double level) const {
+  Frame frame = frame_;
+  const Eigen::Vector3d& corner = setup_.block.frame.origin;
+  frame.origin = corner + (level - setup_.direction.dot(corner)) * setup_.direction;
+  return frame;
+}
+
+bool Sectioner::hits(double level) const {
+  const PlaneCutter::Cut cut = cutter_.cut(level);
+  for (const LevelPiece& piece : cut.pieces) {
+    for (const LevelNode& node : piece.nodes) {
+      if (window_.outside(node.p) <= 0) return true;
+    }
+  }
+  return false;
+}
+
+SectionOutcome Sectioner::cut(double level, int station) const {
+  if (cutter_.grazes(level)) level += kNudge;
+  SectionOutcome outcome;
+  const PlaneCutter::Cut cut = cutter_.cut(level);
+  const std::vector<SectionBranch> branches = chainPieces(cut.pieces);
+  const Frame frame = frameAt(level);
+  const auto issue = [&](Severity severity, const char* kind, const std::string& message,
+                         const std::optional<Eigen::Vector3d>& point) {
+    outcome.issues.push_back({severity, kind, message, {stationName(station), {}, station, point}});
+  };
+
+  struct Part {
+    const SectionBranch* branch;
+    std::vector<SectionSample> samples;
+    bool closed, clipped;
+    double length;
+  };
+  std::vector<Part> parts;
+  double speck = 0;
+  for (const SectionBranch& branch : branches) {
+    std::size_t nodes = 0;
+    for (const auto& part : branch.parts) nodes += part.piece->nodes.size();
+    const int division = std::max(2, int((kMinSamples + nodes - 1) / nodes));
+    bool clipped = false;
+    auto pieces = clipToBlock(cutter_, sampleBranch(cutter_, branch, level, division), branch.closed, level,
+                              window_, clipped);
+    for (auto& piece : pieces) {
+      const double length = lengthOf(piece);
+      if (length < kSpeck) {
+        speck = std::max(speck, length);
+        continue;
+      }
+      parts.push_back({&branch, std::move(piece), branch.closed && !clipped, clipped, length});
+    }
+  }
+  if (parts.empty() && speck > 0) {
+    issue(Severity::warning, "section-short",
+          stationName(station) + " is left out: its plane meets the target only in a point", frame.origin);
+    return outcome;
+  }
+  if (parts.empty()) {
+    issue(Severity::warning, "section-missing",
+          stationName(station) + " is left out: its plane does not meet the target inside the block",
+          frame.origin);
+    return outcome;
+  }
+  if (parts.size() > 1) {
+    issue(Severity::warning, "section-branches",
+          stationName(station) + " is left out: its plane cuts the target in " +
+              std::to_string(parts.size()) +
+              " separate curves; place the block so that only one of them lies in it, choose another "
+              "direction or fewer faces",
+          parts.front().samples.front().node.p);
+    return outcome;
+  }
+  Part& part = parts.front();
+  if (part.closed) {
+    issue(Severity::warning, "section-closed",
+          stationName(station) +
+              " is left out: its plane cuts the target in a closed curve, which no blade can follow; choose "
+              "one side of the solid",
+          part.samples.front().node.p);
+    return outcome;
+  }
+  if (cut.doubtful) {
+    issue(Severity::info, "section-border",
+          stationName(station) + ": a border of the target could not be matched with the section",
+          part.samples.front().node.p);
+  }
+
+  // Fit, with more samples where the curve asks for more spans.
+  std::optional<CurveFit> best;
+  for (int round = 0;; ++round) {
+    auto fit = fitCurve(runsOf(cutter_, part.samples, frame), kFitTolerance);
+    if (!fit) {
+      issue(Severity::warning, "section-fit", stationName(station) + " is left out: " + fit.error().message,
+            part.samples.front().node.p);
+      return outcome;
+    }
+    if (!best || fit->deviation < best->deviation) best = std::move(*fit);
+    if (best->enough || int(part.samples.size()) > kMaxSamples / 3 || round == 8) break;
+    part.samples = refined(cutter_, part.samples, level, 3);
+  }
+  if (best->deviation > 1e-3) {
+    issue(Severity::warning, "section-fit",
+          stationName(station) + ": the section is so rough that its spline keeps within " +
+              shortText(best->deviation) + " mm of it only",
+          part.samples.front().node.p);
+  }
+  outcome.length = part.length;
+  outcome.section = Section{station, level - entry_, frame, std::move(best->curve)};
+  return outcome;
+}
+
+}  // namespace bw::geometry
