@@ -186,6 +186,7 @@ class StepChecker {
     int shortMoves = 0, timed = 0;
     double shortest = kShortMove;
     const Step* shortestStep = nullptr;
+    WideZones wide;
     double before = -1;  // length of the segment that ends at the step, −1 if unknown
     for (std::size_t i = 0; i < path.size(); ++i) {
       const Step& step = *path[i];
@@ -195,7 +196,7 @@ class StepChecker {
       const double after = i + 1 < path.size() && hasPose(step) && hasPose(*path[i + 1])
                                ? (poseOf(*path[i + 1]).position - poseOf(step).position).norm()
                                : -1;
-      checkZone(step, before, after);
+      noteZone(step, before, after, wide);
       const std::optional<double> seconds = durationOf(step, before);
       if (!seconds || !(*seconds > 0)) continue;
       ++timed;
@@ -211,6 +212,13 @@ class StepChecker {
            std::to_string(shortMoves) + " of " + std::to_string(timed) + " moves last less than " +
                shortText(kShortMove) + " s; the shortest, " + shortText(shortest) + " s, asks for " +
                shortText(1 / shortest) + " targets a second; take fewer targets or cut more slowly",
+           Severity::warning);
+    if (wide.step)
+      rule(13, *wide.step,
+           std::to_string(wide.count) + " of " + std::to_string(path.size()) +
+               " zones are larger than half of a segment beside them; the shortest segment, " +
+               shortText(wide.segment) + " mm, has a zone of " + shortText(wide.step->zone) +
+               " mm; the controller shrinks them, or take fewer targets",
            Severity::warning);
   }
 
@@ -250,16 +258,24 @@ class StepChecker {
            Severity::warning);
   }
 
-  void checkZone(const Step& step, double before, double after) {
-    if (!(step.zone > 0)) return;
+  /// The zones that are larger than half of a segment at their target.
+  struct WideZones {
+    int count = 0;
+    double segment = 0;          ///< the shortest such segment, mm
+    const Step* step = nullptr;  ///< where it is
+  };
+
+  static void noteZone(const Step& step, double before, double after, WideZones& wide) {
+    bool tooWide = false;
     for (const double length : {before, after}) {
-      if (length < kSameDistance || 2 * step.zone <= length + kZoneSlack) continue;
-      rule(13, step,
-           "the zone of " + shortText(step.zone) + " mm is larger than half of a segment of " +
-               shortText(length) + " mm; the controller shrinks it",
-           Severity::warning);
-      return;
+      if (!(step.zone > 0) || length < kSameDistance || 2 * step.zone <= length + kZoneSlack) continue;
+      tooWide = true;
+      if (!wide.step || length < wide.segment) {
+        wide.segment = length;
+        wide.step = &step;
+      }
     }
+    wide.count += tooWide;
   }
 
   const LinkedTask& task_;

@@ -23,8 +23,8 @@ TEST(Blade, TellsItsVersionAndLibraries) {
 TEST(Blade, HelpOfEveryVerbHasAnExample) {
   const Finished help = blade({"--help"});
   EXPECT_EQ(help.status, 0);
-  for (const char* verb : {"elastica", "fit", "piecewise", "biarc", "spline", "discrete", "relax", "length", "info",
-                           "rationalize", "design", "render", "export", "check", "example"}) {
+  for (const char* verb : {"elastica", "fit", "piecewise", "biarc", "spline", "discrete", "relax", "length",
+                           "bvp", "info", "rationalize", "design", "render", "export", "check", "example"}) {
     EXPECT_NE(help.out.find(verb), std::string::npos) << verb;
     const Finished run = blade({verb, "--help"});
     EXPECT_EQ(run.status, 0) << verb;
@@ -60,9 +60,9 @@ TEST(Blade, MeasuresAndRelaxesThroughStandardInput) {
       R"({"start": [0, 0], "end": [600, 0], "start_angle": 0.6, "end_angle": -0.4, "length": 700, "segments": 40})");
   ASSERT_EQ(chain.status, 0) << chain.err;
   EXPECT_EQ(json::parse(chain.out)["vertices"].size(), 41u);
-  const Finished relaxed = blade(
-      {"relax"},
-      R"({"curve": {"type": "bezier", "poles": [[0,0],[200,150],[400,150],[600,0]]}, "tolerance": 5})");
+  const Finished relaxed =
+      blade({"relax"},
+            R"({"curve": {"type": "bezier", "poles": [[0,0],[200,150],[400,150],[600,0]]}, "tolerance": 5})");
   ASSERT_EQ(relaxed.status, 0) << relaxed.err;
   EXPECT_TRUE(json::parse(relaxed.out)["is_elastica"].is_boolean());
 }
@@ -151,6 +151,23 @@ TEST(Rationalize, WritesWhatItsReportLists) {
   const Finished exported =
       blade({"export", out, "--format", "rapid,csv,json", "--out", folder / "programs"});
   ASSERT_EQ(exported.status, 0) << exported.err;
+}
+
+TEST(Export, RepeatsTheWarningsOfTheCheck) {
+  // Sixty stations in four millimetres: closer than the smallest zone.
+  const Folder folder;
+  const std::string job = folder.write(
+      "job.json",
+      R"({"block": {"origin": [-350, -2, -300], "size": [700, 4, 600]}, "direction": "y", "stations": 60, "lead": 0})");
+  const std::string warning = "zones are larger than half of a segment";
+  const Finished run =
+      blade({"rationalize", example("panel-600x670"), "--job", job, "--out", folder / "out"});
+  ASSERT_LE(run.status, 1) << run.err;
+  EXPECT_NE(run.err.find(warning), std::string::npos) << run.err;
+  const Finished exported = blade({"export", folder / "out", "--out", folder / "programs"});
+  ASSERT_EQ(exported.status, 0) << exported.err;
+  EXPECT_NE(exported.err.find(warning), std::string::npos) << exported.err;
+  EXPECT_NE(blade({"check", folder / "programs/strip-0"}).out.find(warning), std::string::npos);
 }
 
 TEST(Rationalize, ReportHoldsEveryKeyThatScriptsRelyOn) {
