@@ -7,9 +7,15 @@
 #include <vector>
 
 #include "bw/core/frame.h"
+#include "level_tables.h"
 #include "model_impl.h"
 
 namespace bw::geometry {
+
+/// A grid node this close (mm) counts as above the plane, so that rounding has no say.
+inline constexpr double kOnPlane = 1e-9;
+inline constexpr double kConverged = 1e-9;  ///< mm from the plane
+inline constexpr double kSameNode = 1e-7;   ///< mm: nodes closer than this are one
 
 /// A point of a section: on the face, and on the plane to 1e-8 mm.
 struct LevelNode {
@@ -28,9 +34,10 @@ struct LevelPiece {
 
 /// Cuts a target with planes of one normal.
 ///
-/// A section is the level set of g(u, v) = normal · S(u, v). The grid of each face shows its topology (marching squares, the ambiguous
-/// cell decided at its centre); every node is then found on the surface itself. Trimmed faces are cut where the section meets the curves of their
-/// borders, whose crossings are found on the space curves that neighbouring faces share. Immutable; cuts from several threads are safe.
+/// A section is the level set of g(u, v) = normal · S(u, v). The grid of each face shows its topology
+/// (marching squares, the ambiguous cell decided at its centre); every node is then found on the surface
+/// itself. Trimmed faces are cut where the section meets the curves of their borders, whose crossings are
+/// found on the space curves that neighbouring faces share. Immutable; cuts from several threads are safe.
 class PlaneCutter {
  public:
   /// `region`: only the neighbourhood of this box is looked at.
@@ -42,8 +49,10 @@ class PlaneCutter {
   };
   Cut cut(double level) const;
 
-  /// The point of the section between two nodes of a piece: `at` = 0…1 from a to b. False if the section cannot be followed there.
-  bool between(int face, const LevelNode& a, const LevelNode& b, double at, double level, LevelNode& node) const;
+  /// The point of the section between two nodes of a piece: `at` = 0…1 from a to b. False if the section
+  /// cannot be followed there.
+  bool between(int face, const LevelNode& a, const LevelNode& b, double at, double level,
+               LevelNode& node) const;
   /// Unit tangent of the section, either way; zero where the plane touches the face.
   Eigen::Vector3d tangent(int face, const LevelNode& node) const;
 
@@ -53,32 +62,27 @@ class PlaneCutter {
   const Eigen::Vector3d& normal() const { return normal_; }
 
  private:
-  struct EdgeLevels {
-    int edge;
-    std::vector<double> t, g;  ///< so close that g is monotone between neighbours
-    double low, high;
-  };
-  struct FaceLevels {
-    std::vector<double> g;      ///< on the grid
-    std::vector<char> active;   ///< cells near the region
-    std::vector<double> rowLow, rowHigh;  ///< range of g over the cells of a row
-    double low, high;
-    double extentU, extentV;
-  };
+  /// Where a border crosses the plane.
   struct Root {
-    int edge;
-    double t;
+    int edge;  ///< index of the model's edge
+    double t;  ///< parameter on it
     Eigen::Vector3d p;
   };
 
+  /// The crossings of all borders with the plane.
+  std::vector<Root> crossings(double level) const;
+  /// Adds the curves of the whole surface under a face, by marching squares over its grid.
   void march(int face, double level, std::vector<LevelPiece>& chains) const;
-  void split(int face, const std::vector<Root>& roots, double level, std::vector<LevelPiece>& chains, Cut& cut) const;
+  /// Cuts the curves of `march` at the borders and adds the parts inside to `cut`.
+  void split(int face, const std::vector<Root>& roots, double level, std::vector<LevelPiece>& chains,
+             Cut& cut) const;
+  /// Moves a node along the surface to the plane; false if it does not get there.
   bool project(int face, double level, LevelNode& node) const;
+  /// The node between two neighbours of the grid, one above and one below the plane.
   LevelNode crossing(int face, double level, double ua, double va, double ub, double vb) const;
 
   const Target::Impl& target_;
   Eigen::Vector3d normal_;
-  double size_;
   std::vector<EdgeLevels> edges_;
   std::vector<FaceLevels> faces_;
 };

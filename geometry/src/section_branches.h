@@ -8,7 +8,7 @@
 
 namespace bw::geometry {
 
-inline constexpr double kMeet = 1e-3;  // mm: ends of pieces this close are one point
+inline constexpr double kMeet = 1e-3;  ///< mm: ends of pieces this close are one point
 
 /// A chain of pieces over the faces: one connected curve of a section.
 struct SectionBranch {

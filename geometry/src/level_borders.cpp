@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+// Where the borders of faces cross a plane, and the curves cut there.
+
+#include <algorithm>
+#include <cmath>
+
+#include "bracketed_root.h"
+#include "level_curves.h"
+
+namespace bw::geometry {
+
+std::vector<PlaneCutter::Root> PlaneCutter::crossings(double level) const {
+  std::vector<Root> roots;
+  for (const EdgeLevels& e : edges_) {
+    if (level < e.low || level > e.high) continue;
+    const EdgeGeometry& edge = target_.model->edges[e.edge];
+    const auto f = [&](double t, double& slope) {
+      gp_Pnt p;
+      gp_Vec d;
+      edge.curve->D1(t, p, d);
+      slope = normal_.x() * d.X() + normal_.y() * d.Y() + normal_.z() * d.Z();
+      return normal_.x() * p.X() + normal_.y() * p.Y() + normal_.z() * p.Z() - level;
+    };
+    for (std::size_t i = 1; i < e.t.size(); ++i) {
+      const double fa = e.g[i - 1] - level, fb = e.g[i] - level;
+      if ((fa > -kOnPlane) == (fb > -kOnPlane)) continue;
+      double t = 0;
+      if ((fa < 0) != (fb < 0)) {
+        t = bracketedRoot(f, e.t[i - 1], fa, e.t[i], fb, 0.1 * kConverged);
+      } else {
+        t = std::abs(fa) < std::abs(fb) ? e.t[i - 1] : e.t[i];
+      }
+      roots.push_back({e.edge, t, edge.value(t)});
+    }
+  }
+  return roots;
+}
+
+void PlaneCutter::split(int face, const std::vector<Root>& roots, double level,
+                        std::vector<LevelPiece>& chains, Cut& cut) const {
+  const FaceGeometry& geometry = *target_.faces[face];
+  if (geometry.natural()) {
+    // The curves end on the borders by themselves; they only learn which crossing that is.
+    for (LevelPiece& chain : chains) {
+      if (!chain.closed) {
+        for (LevelNode* end : {&chain.nodes.front(), &chain.nodes.back()}) {
+          double best = 1e-5;
+          for (const TrimEdge& trim : geometry.trims()) {
+            if (trim.edge < 0 || target_.model->edges[trim.edge].degenerate()) continue;
+            for (int r = 0; r < int(roots.size()); ++r) {
+              if (roots[r].edge != trim.edge) continue;
+              const double d = (roots[r].p - end->p).norm();
+              if (d > best + target_.model->edges[trim.edge].tolerance) continue;
+              best = d;
+              end->root = r;
+            }
+          }
+        }
+      }
+      cut.pieces.push_back(std::move(chain));
+    }
+    return;
+  }
+
+  // Where the borders cross the curves: segment number + fraction along each chain.
+  struct Place {
+    double at;
+    LevelNode node;
+  };
+  std::vector<std::vector<Place>> places(chains.size());
+  const double reach = 0.25 * std::max(geometry.scale().x() * (geometry.u1() - geometry.u0()),
+                                       geometry.scale().y() * (geometry.v1() - geometry.v0()));
+  for (const TrimEdge& trim : geometry.trims()) {
+    for (int r = 0; r < int(roots.size()); ++r) {
+      if (roots[r].edge != trim.edge) continue;
+      LevelNode node;
+      node.uv = geometry.wrapped(trim.value(std::clamp(roots[r].t, trim.first, trim.last)));
+      // Of the two lines of a seam, `wrapped` may pick the wrong one.
+      node.uv = {std::clamp(node.uv.x(), geometry.u0(), geometry.u1()),
+                 std::clamp(node.uv.y(), geometry.v0(), geometry.v1())};
+      const Eigen::Vector2d raw = trim.value(std::clamp(roots[r].t, trim.first, trim.last));
+      if (raw.x() >= geometry.u0() && raw.x() <= geometry.u1() && raw.y() >= geometry.v0() &&
+          raw.y() <= geometry.v1()) {
+        node.uv = raw;
+      }
+      // The face's own point; the crossing on the shared edge differs from it by the file's tolerance.
+      const Eigen::Vector2d onBorder = node.uv;
+      if (!project(face, level, node) ||
+          (node.p - roots[r].p).norm() > 10 * target_.model->edges[trim.edge].tolerance + 1e-4) {
+        node.uv = onBorder;
+        node.p = roots[r].p;
+      }
+      node.root = r;
+      const Eigen::Vector2d q = node.uv.cwiseProduct(geometry.scale());
+      double best = reach, where = 0;
+      int chosen = -1;
+      for (int c = 0; c < int(chains.size()); ++c) {
+        const auto& nodes = chains[c].nodes;
+        const int segments = int(nodes.size()) - (chains[c].closed ? 0 : 1);
+        for (int k = 0; k < segments; ++k) {
+          const Eigen::Vector2d a = nodes[k].uv.cwiseProduct(geometry.scale());
+          const Eigen::Vector2d b = nodes[(k + 1) % nodes.size()].uv.cwiseProduct(geometry.scale());
+          const Eigen::Vector2d d = b - a;
+          const double length2 = d.squaredNorm();
+          const double s = length2 > 0 ? std::clamp((q - a).dot(d) / length2, 0.0, 1.0) : 0.0;
+          const double distance = (a + s * d - q).norm();
+          if (distance < best) {
+            best = distance;
+            where = k + s;
+            chosen = c;
+          }
+        }
+      }
+      if (chosen < 0) {
+        cut.doubtful = cut.doubtful || !chains.empty();
+        continue;
+      }
+      places[chosen].push_back({where, node});
+    }
+  }
+
+  const auto inside = [&](const LevelPiece& part) {
+    LevelNode middle;
+    const std::size_t k = (part.nodes.size() - 1) / 2;
+    if (part.nodes.size() % 2 == 1 && part.nodes.size() > 2) {
+      middle = part.nodes[part.nodes.size() / 2];
+    } else if (!between(face, part.nodes[k], part.nodes[k + 1], 0.5, level, middle)) {
+      middle.uv = 0.5 * (part.nodes[k].uv + part.nodes[k + 1].uv);
+    }
+    return geometry.contains(middle.uv);
+  };
+  for (std::size_t c = 0; c < chains.size(); ++c) {
+    LevelPiece& chain = chains[c];
+    auto& stops = places[c];
+    std::sort(stops.begin(), stops.end(), [](const Place& a, const Place& b) { return a.at < b.at; });
+    const int count = int(chain.nodes.size());
+    if (stops.empty()) {
+      if (inside(chain)) cut.pieces.push_back(std::move(chain));
+      continue;
+    }
+    const auto addPart = [&](LevelPiece part) {
+      std::vector<LevelNode> clean;
+      for (const LevelNode& node : part.nodes) {
+        if (!clean.empty() && (node.p - clean.back().p).norm() <= 10 * kSameNode) {
+          if (node.root >= 0) clean.back() = node;
+          continue;
+        }
+        clean.push_back(node);
+      }
+      part.nodes = std::move(clean);
+      if (part.nodes.size() >= 2 && inside(part)) cut.pieces.push_back(std::move(part));
+    };
+    const auto partFrom = [&](double from, const LevelNode* first, double to, const LevelNode* last) {
+      LevelPiece part;
+      part.face = face;
+      if (first) part.nodes.push_back(*first);
+      const int begin = first ? int(std::floor(from)) + 1 : 0;
+      const int end = last ? int(std::ceil(to)) - 1 : count - 1;
+      for (int k = begin; k <= end; ++k) part.nodes.push_back(chain.nodes[std::size_t(k % count)]);
+      if (last) part.nodes.push_back(*last);
+      return part;
+    };
+    if (!chain.closed) {
+      addPart(partFrom(0, nullptr, stops.front().at, &stops.front().node));
+      for (std::size_t k = 1; k < stops.size(); ++k) {
+        addPart(partFrom(stops[k - 1].at, &stops[k - 1].node, stops[k].at, &stops[k].node));
+      }
+      addPart(partFrom(stops.back().at, &stops.back().node, 0, nullptr));
+    } else {
+      for (std::size_t k = 0; k < stops.size(); ++k) {
+        const bool wraps = k + 1 == stops.size();
+        const Place& to = stops[wraps ? 0 : k + 1];
+        addPart(partFrom(stops[k].at, &stops[k].node, to.at + (wraps ? count : 0), &to.node));
+      }
+    }
+  }
+}
+
+}  // namespace bw::geometry
