@@ -3,51 +3,40 @@
 
 #include "bw/view/scene_view.h"
 
-#include <QApplication>
+#include <QEvent>
 #include <QGestureEvent>
 #include <QMouseEvent>
 #include <QNativeGestureEvent>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
-#include <QPinchGesture>
-#include <QPointer>
-#include <QPointingDevice>
 #include <QTimer>
-#include <QVariantAnimation>
 #include <QWheelEvent>
 
-#include <algorithm>
-#include <cmath>
-
 #include "bw/scene/navigation.h"
-#include "navigator.h"
+#include "camera_mover.h"
+#include "pointer_input.h"
 #include "scene/scene_impl.h"
+#include "viewport.h"
 #include "widget_target.h"
 
 namespace bw::view {
 
 namespace {
 
-constexpr int kMoveMilliseconds = 200;
-constexpr int kHoverMilliseconds = 16;
-constexpr int kRestMilliseconds = 180;  ///< after which a picture counts as resting
+constexpr int kRestMilliseconds = 180;       ///< after which a picture counts as resting
 constexpr int kBusyRestMilliseconds = 1500;  ///< the same while another picture is awaited
-constexpr double kOrbitPerPixel = 0.4 * 3.14159265358979323846 / 180;  ///< rad
-constexpr double kZoomPerNotch = 1.15;
-constexpr double kZoomPerPixel = 1.008;
-constexpr double kClickPixels = 3;
-/// Distances of the camera, in diagonals of the scene.
-constexpr double kNearest = 2e-3, kFarthest = 30;
 
 }  // namespace
 
 struct SceneView::Impl {
-  explicit Impl(SceneView* view) : self(view) {}
+  explicit Impl(SceneView* view) : self(view), viewport(view), mover(scene, viewport), input(mover, view) {}
 
   SceneView* self;
   scene::Scene scene;
+  Viewport viewport;
+  CameraMover mover;
+  PointerInput input;
   scene::Style given;
-  Navigation navigation = Navigation::rhino;
   QString problem;
   bool fitPending = false, everRendered = false;
 
@@ -56,25 +45,9 @@ struct SceneView::Impl {
   bool software = false, draft = false;
   QTimer restTimer;
 
-  QVariantAnimation motion;
-  scene::Camera from, to;
-  QTimer hoverTimer;
-  QPointF hoverPosition;
-
-  Drag drag = Drag::none;
-  Qt::MouseButton button = Qt::NoButton;
-  QPointF pressed, last;
-  bool moved = false;
-  Eigen::Vector3d pivot = Eigen::Vector3d::Zero();
-
-  double ratio() const { return self->devicePixelRatioF(); }
-  int width() const { return std::max(1, int(std::lround(self->width() * ratio()))); }
-  int height() const { return std::max(1, int(std::lround(self->height() * ratio()))); }
-  double aspect() const { return double(width()) / height(); }
-
   void applyStyle() {
     scene::Style style = given;
-    style.pixelRatio = ratio();
+    style.pixelRatio = viewport.ratio();
     scene.setStyle(style);
   }
 
@@ -87,72 +60,14 @@ struct SceneView::Impl {
     self->update();
   }
 
-  void take(const scene::Camera& camera) {
-    scene.setCamera(camera);
-    redraw();
-    emit self->cameraChanged();
-  }
-
+  /// Glides only where there is something to see of it.
   void moveTo(const scene::Camera& camera, bool animate) {
-    motion.stop();
-    if (!animate || !self->isVisible() || !everRendered) {
-      take(camera);
-      return;
-    }
-    from = scene.camera();
-    to = camera;
-    motion.start();
-  }
-
-  /// The camera where a running motion leads.
-  scene::Camera goal() const { return motion.state() == QAbstractAnimation::Running ? to : scene.camera(); }
-
-  scene::Pick pick(const QPointF& position) const {
-    return scene.pick(position.x() * ratio(), position.y() * ratio(), width(), height());
-  }
-
-  /// The surface point under the cursor, or the middle of the scene.
-  Eigen::Vector3d pivotAt(const QPointF& position) const {
-    const scene::Pick hit = pick(position);
-    if (hit.kind != scene::Pick::Kind::none && hit.kind != scene::Pick::Kind::block) return hit.point;
-    const Bounds bounds = scene.bounds();
-    return bounds.valid() ? bounds.center() : scene.camera().focus;
-  }
-
-  /// The point under the cursor on the plane through `through` that faces the camera.
-  Eigen::Vector3d pointAt(const QPointF& position, const Eigen::Vector3d& through) {
-    const scene::Projection view = scene.impl().projection(width(), height());
-    const scene::Ray ray = view.ray(position.x() * ratio(), position.y() * ratio());
-    const double depth = (through - ray.origin).dot(view.forward());
-    return ray.at(depth / ray.direction.dot(view.forward()));
-  }
-
-  /// What a zoom must leave in its place: the surface point under the cursor, or the point of the focal plane
-  /// there.
-  Eigen::Vector3d anchorAt(const QPointF& position) {
-    const scene::Pick hit = pick(position);
-    return hit.kind != scene::Pick::Kind::none ? hit.point : pointAt(position, scene.camera().focus);
-  }
-
-  void zoomAt(const Eigen::Vector3d& anchor, double factor) {
-    motion.stop();
-    const Bounds bounds = scene.bounds();
-    const double size = bounds.valid() ? std::max(1.0, bounds.size().norm()) : 1000;
-    take(scene::zoom(scene.camera(), anchor, factor, kNearest * size, kFarthest * size));
-  }
-
-  void orbitBy(const QPointF& pixels, const Eigen::Vector3d& about) {
-    motion.stop();
-    take(scene::orbit(scene.camera(), about, -kOrbitPerPixel * pixels.x(), kOrbitPerPixel * pixels.y()));
-  }
-
-  void panFromTo(const QPointF& before, const QPointF& after, const Eigen::Vector3d& through) {
-    motion.stop();
-    take(scene::pan(scene.camera(), pointAt(before, through), pointAt(after, through)));
+    mover.moveTo(camera, animate && self->isVisible() && everRendered);
   }
 
   std::optional<scene::View> markerAt(const QPointF& position) const {
-    return scene.markerView(position.x() * ratio(), position.y() * ratio(), width(), height());
+    return scene.markerView(position.x() * viewport.ratio(), position.y() * viewport.ratio(),
+                            viewport.width(), viewport.height());
   }
 
   bool onLegend(const QPointF& position) const { return self->legendRect().contains(position); }
@@ -163,30 +78,15 @@ struct SceneView::Impl {
       return;
     }
     if (onLegend(position)) return;
-    const scene::Pick hit = pick(position);
+    const scene::Pick hit = mover.pick(position);
     emit self->picked(hit);
     emit self->stationPicked(hit.station);
   }
 
-  void hover() {
-    const bool covered = markerAt(hoverPosition).has_value();
+  void hover(const QPointF& position) {
+    const bool covered = markerAt(position).has_value();
     self->setCursor(covered ? Qt::PointingHandCursor : Qt::ArrowCursor);
-    emit self->hovered(covered || onLegend(hoverPosition) ? scene::Pick{} : pick(hoverPosition));
-  }
-
-  bool gesture(QGestureEvent* event) {
-    auto* pinch = static_cast<QPinchGesture*>(event->gesture(Qt::PinchGesture));
-    if (!pinch) return false;
-    const QPointF center = self->mapFromGlobal(pinch->centerPoint().toPoint()),
-                  before = self->mapFromGlobal(pinch->lastCenterPoint().toPoint());
-    if (pinch->state() == Qt::GestureStarted) pivot = anchorAt(center);
-    if (pinch->changeFlags().testFlag(QPinchGesture::CenterPointChanged) &&
-        pinch->state() == Qt::GestureUpdated)
-      panFromTo(before, center, pivot);
-    if (pinch->changeFlags().testFlag(QPinchGesture::ScaleFactorChanged))
-      zoomAt(pointAt(center, pivot), pinch->scaleFactor());
-    event->accept(pinch);
-    return true;
+    emit self->hovered(covered || onLegend(position) ? scene::Pick{} : mover.pick(position));
   }
 };
 
@@ -195,30 +95,24 @@ SceneView::SceneView(QWidget* parent) : QOpenGLWidget(parent), impl_(std::make_u
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   grabGesture(Qt::PinchGesture);
-  impl_->motion.setDuration(kMoveMilliseconds);
-  impl_->motion.setStartValue(0.0);
-  impl_->motion.setEndValue(1.0);
-  connect(&impl_->motion, &QVariantAnimation::valueChanged, this, [this](const QVariant& value) {
-    if (impl_->motion.state() == QAbstractAnimation::Running) {
-      impl_->take(scene::between(impl_->from, impl_->to, scene::eased(value.toDouble())));
-    }
+  connect(&impl_->mover, &CameraMover::moved, this, [this] {
+    impl_->redraw();
+    emit cameraChanged();
   });
-  // The last step stands exactly where the motion leads.
-  connect(&impl_->motion, &QVariantAnimation::finished, this, [this] { impl_->take(impl_->to); });
+  connect(&impl_->input, &PointerInput::clicked, this, [this](const QPointF& at) { impl_->click(at); });
+  connect(&impl_->input, &PointerInput::hovered, this, [this](const QPointF& at) { impl_->hover(at); });
+  connect(&impl_->input, &PointerInput::fitRequested, this, [this] { fitAll(); });
   impl_->restTimer.setSingleShot(true);
   impl_->restTimer.setInterval(kRestMilliseconds);
   connect(&impl_->restTimer, &QTimer::timeout, this, [this] {
     impl_->draft = false;
     update();
   });
-  impl_->hoverTimer.setSingleShot(true);
-  impl_->hoverTimer.setInterval(kHoverMilliseconds);
-  connect(&impl_->hoverTimer, &QTimer::timeout, this, [this] { impl_->hover(); });
 }
 
 SceneView::~SceneView() {
-  impl_->motion.disconnect(this);
-  impl_->motion.stop();
+  impl_->mover.disconnect(this);
+  impl_->mover.stop();
   // VTK's buffers live in the widget's context, which ends after this, with the base class.
   if (context()) context()->disconnect(this);
   impl_->scene.impl().setTarget(nullptr);
@@ -239,24 +133,24 @@ QSurfaceFormat SceneView::surfaceFormat() {
 const scene::Content& SceneView::content() const { return impl_->scene.content(); }
 const scene::Style& SceneView::sceneStyle() const { return impl_->given; }
 scene::Camera SceneView::camera() const { return impl_->scene.camera(); }
-Navigation SceneView::navigation() const { return impl_->navigation; }
+Navigation SceneView::navigation() const { return impl_->input.navigation(); }
 bool SceneView::resting() const { return !impl_->draft && !impl_->restTimer.isActive(); }
-bool SceneView::parallel() const { return impl_->goal().parallel; }
+bool SceneView::parallel() const { return impl_->mover.goal().parallel; }
 std::optional<std::pair<double, double>> SceneView::legendRange() const { return impl_->scene.legendRange(); }
-scene::Pick SceneView::pickAt(const QPointF& position) const { return impl_->pick(position); }
+scene::Pick SceneView::pickAt(const QPointF& position) const { return impl_->mover.pick(position); }
 QString SceneView::problem() const { return impl_->problem; }
 
 QRectF SceneView::legendRect() const {
   const std::optional<scene::PixelRect>& card = impl_->scene.overlay().legend;
   if (!card) return {};
-  const double k = 1 / impl_->ratio();
+  const double k = 1 / impl_->viewport.ratio();
   return {card->x * k, card->y * k, card->width * k, card->height * k};
 }
 
 QPointF SceneView::toWidget(const Eigen::Vector3d& point) const {
   const Eigen::Vector3d pixel =
-      impl_->scene.impl().projection(impl_->width(), impl_->height()).toPixel(point);
-  return {pixel.x() / impl_->ratio(), pixel.y() / impl_->ratio()};
+      impl_->scene.impl().projection(impl_->viewport.width(), impl_->viewport.height()).toPixel(point);
+  return {pixel.x() / impl_->viewport.ratio(), pixel.y() / impl_->viewport.ratio()};
 }
 
 QImage SceneView::picture(const QSize& pixels, double pixelRatio) {
@@ -273,7 +167,7 @@ QImage SceneView::picture(const QSize& pixels, double pixelRatio) {
   const scene::Picture picture = inside.readPicture();
   inside.target()->window()->SetFrameBlitModeToBlitToCurrent();
   impl_->applyStyle();
-  inside.expectWidth(impl_->width());
+  inside.expectWidth(impl_->viewport.width());
   doneCurrent();
   update();
   if (picture.rgb.empty()) return {};
@@ -297,12 +191,12 @@ void SceneView::setStyle(const scene::Style& style) {
 
 void SceneView::setView(scene::View view, bool animate) {
   impl_->fitPending = false;
-  impl_->moveTo(impl_->scene.fitCamera(view, impl_->aspect()), animate);
+  impl_->moveTo(impl_->scene.fitCamera(view, impl_->viewport.aspect()), animate);
 }
 
 void SceneView::fitAll(bool animate) {
   impl_->fitPending = false;
-  impl_->moveTo(impl_->scene.fitCamera(impl_->goal(), impl_->aspect()), animate);
+  impl_->moveTo(impl_->scene.fitCamera(impl_->mover.goal(), impl_->viewport.aspect()), animate);
 }
 
 void SceneView::fitBounds(const Bounds& bounds, bool animate) {
@@ -316,7 +210,7 @@ void SceneView::fitBounds(const Bounds& bounds, bool animate) {
     wished.add(bounds.center() - Eigen::Vector3d::Constant(0.5 * least));
     wished.add(bounds.center() + Eigen::Vector3d::Constant(0.5 * least));
   }
-  impl_->moveTo(impl_->scene.fitCamera(impl_->goal(), impl_->aspect(), wished), animate);
+  impl_->moveTo(impl_->scene.fitCamera(impl_->mover.goal(), impl_->viewport.aspect(), wished), animate);
 }
 
 void SceneView::setCamera(const scene::Camera& camera, bool animate) {
@@ -325,7 +219,7 @@ void SceneView::setCamera(const scene::Camera& camera, bool animate) {
 }
 
 void SceneView::setParallel(bool on) {
-  const scene::Camera goal = impl_->goal();
+  const scene::Camera goal = impl_->mover.goal();
   if (goal.parallel != on) impl_->moveTo(scene::withProjection(goal, on), false);
 }
 
@@ -336,7 +230,7 @@ void SceneView::setAwaiting(bool awaiting) {
   if (impl_->restTimer.isActive()) impl_->restTimer.start();
 }
 
-void SceneView::setNavigation(Navigation navigation) { impl_->navigation = navigation; }
+void SceneView::setNavigation(Navigation navigation) { impl_->input.setNavigation(navigation); }
 
 void SceneView::initializeGL() {
   const auto [major, minor] = context()->format().version();
@@ -360,21 +254,21 @@ void SceneView::initializeGL() {
 
 void SceneView::resizeGL(int, int) {
   impl_->applyStyle();
-  impl_->scene.impl().expectWidth(impl_->width());
+  impl_->scene.impl().expectWidth(impl_->viewport.width());
 }
 
 void SceneView::paintGL() {
   scene::Scene::Impl& inside = impl_->scene.impl();
   if (!inside.target()) return;
-  if (inside.style.pixelRatio != impl_->ratio()) impl_->applyStyle();
+  if (inside.style.pixelRatio != impl_->viewport.ratio()) impl_->applyStyle();
   if (impl_->fitPending) {
     impl_->fitPending = false;
-    impl_->scene.setCamera(impl_->scene.fitCamera(scene::View::iso, impl_->aspect()));
+    impl_->scene.setCamera(impl_->scene.fitCamera(scene::View::iso, impl_->viewport.aspect()));
     emit cameraChanged();
   }
   inside.target()->window()->SetMultiSamples(impl_->draft ? 0 : scene::kSamples);
   inside.setDraft(impl_->draft);
-  inside.renderFrame(impl_->width(), impl_->height());
+  inside.renderFrame(impl_->viewport.width(), impl_->viewport.height());
   // The window system blends by alpha, which VTK leaves at whatever was drawn last.
   QOpenGLFunctions* gl = context()->functions();
   gl->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
@@ -390,69 +284,21 @@ void SceneView::paintGL() {
 }
 
 bool SceneView::event(QEvent* event) {
-  if (event->type() == QEvent::Gesture && impl_->gesture(static_cast<QGestureEvent*>(event))) return true;
-  if (event->type() == QEvent::NativeGesture) {
-    auto* gesture = static_cast<QNativeGestureEvent*>(event);
-    if (gesture->gestureType() == Qt::ZoomNativeGesture) {
-      impl_->zoomAt(impl_->anchorAt(gesture->position()), std::clamp(1 + gesture->value(), 0.2, 5.0));
-      return true;
-    }
-    if (gesture->gestureType() == Qt::SmartZoomNativeGesture) {
-      fitAll();
-      return true;
-    }
-  }
+  if (event->type() == QEvent::Gesture && impl_->input.gesture(*static_cast<QGestureEvent*>(event)))
+    return true;
+  if (event->type() == QEvent::NativeGesture &&
+      impl_->input.nativeGesture(*static_cast<QNativeGestureEvent*>(event)))
+    return true;
   return QOpenGLWidget::event(event);
 }
 
 void SceneView::mousePressEvent(QMouseEvent* event) {
-  if (impl_->button != Qt::NoButton) return;
-  impl_->motion.stop();
-  impl_->button = event->button();
-  impl_->pressed = impl_->last = event->position();
-  impl_->moved = false;
-  const bool covered = impl_->onLegend(event->position()) || impl_->markerAt(event->position()).has_value();
-  impl_->drag = covered ? Drag::none : dragFor(impl_->navigation, event->button(), event->modifiers());
-  if (impl_->drag == Drag::orbit) impl_->pivot = impl_->pivotAt(event->position());
-  if (impl_->drag == Drag::pan || impl_->drag == Drag::zoom)
-    impl_->pivot = impl_->anchorAt(event->position());
+  const QPointF position = event->position();
+  impl_->input.press(*event, impl_->onLegend(position) || impl_->markerAt(position).has_value());
 }
 
-void SceneView::mouseMoveEvent(QMouseEvent* event) {
-  if (impl_->button == Qt::NoButton) {
-    impl_->hoverPosition = event->position();
-    if (!impl_->hoverTimer.isActive()) impl_->hoverTimer.start();
-    return;
-  }
-  if (!impl_->moved) {
-    const QPointF way = event->position() - impl_->pressed;
-    if (std::hypot(way.x(), way.y()) <= kClickPixels) return;
-    impl_->moved = true;
-  }
-  const QPointF step = event->position() - impl_->last;
-  switch (impl_->drag) {
-    case Drag::orbit:
-      impl_->orbitBy(step, impl_->pivot);
-      break;
-    case Drag::pan:
-      impl_->panFromTo(impl_->last, event->position(), impl_->pivot);
-      break;
-    case Drag::zoom:
-      impl_->zoomAt(impl_->pivot, std::pow(kZoomPerPixel, -step.y()));
-      break;
-    case Drag::none:
-      break;
-  }
-  impl_->last = event->position();
-}
-
-void SceneView::mouseReleaseEvent(QMouseEvent* event) {
-  if (event->button() != impl_->button) return;
-  const bool clicked = !impl_->moved && impl_->button == Qt::LeftButton;
-  impl_->button = Qt::NoButton;
-  impl_->drag = Drag::none;
-  if (clicked) impl_->click(event->position());
-}
+void SceneView::mouseMoveEvent(QMouseEvent* event) { impl_->input.move(*event); }
+void SceneView::mouseReleaseEvent(QMouseEvent* event) { impl_->input.release(*event); }
 
 void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() == Qt::LeftButton && impl_->onLegend(event->position())) {
@@ -462,33 +308,10 @@ void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
   mousePressEvent(event);
 }
 
-void SceneView::wheelEvent(QWheelEvent* event) {
-  // A trackpad scrolls in small steps of both directions; a wheel in notches of one.
-  const bool pad = event->device() && event->device()->type() == QInputDevice::DeviceType::TouchPad;
-  const bool fine = pad || (event->phase() != Qt::NoScrollPhase && !event->pixelDelta().isNull());
-  if (fine && !event->modifiers().testFlag(Qt::ControlModifier)) {
-    const QPointF step =
-        !event->pixelDelta().isNull() ? QPointF(event->pixelDelta()) : QPointF(event->angleDelta()) / 4;
-    if (event->phase() == Qt::ScrollBegin || event->phase() == Qt::NoScrollPhase)
-      impl_->pivot = impl_->pivotAt(event->position());
-    if (event->modifiers().testFlag(Qt::ShiftModifier)) {
-      impl_->panFromTo(event->position(), event->position() + step, impl_->pivot);
-    } else {
-      impl_->orbitBy(step, impl_->pivot);
-    }
-  } else {
-    // Shift turns a wheel sideways on some systems.
-    const QPoint delta = event->angleDelta();
-    const double notches = (delta.y() != 0 ? delta.y() : delta.x()) / 120.0;
-    if (notches != 0)
-      impl_->zoomAt(impl_->anchorAt(event->position()),
-                    std::pow(kZoomPerNotch, std::clamp(notches, -10.0, 10.0)));
-  }
-  event->accept();
-}
+void SceneView::wheelEvent(QWheelEvent* event) { impl_->input.wheel(*event); }
 
 void SceneView::leaveEvent(QEvent* event) {
-  impl_->hoverTimer.stop();
+  impl_->input.leave();
   emit hovered(scene::Pick{});
   QOpenGLWidget::leaveEvent(event);
 }

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "camera_mover.h"
+
+#include <algorithm>
+
+#include "bw/scene/navigation.h"
+#include "scene/scene_impl.h"
+
+namespace bw::view {
+
+namespace {
+
+constexpr int kGlideMilliseconds = 200;
+constexpr double kOrbitPerPixel = 0.4 * 3.14159265358979323846 / 180;  ///< rad
+/// Distances of the camera, in diagonals of the scene.
+constexpr double kNearest = 2e-3, kFarthest = 30;
+
+}  // namespace
+
+CameraMover::CameraMover(scene::Scene& scene, const Viewport& viewport) : scene_(scene), viewport_(viewport) {
+  glide_.setDuration(kGlideMilliseconds);
+  glide_.setStartValue(0.0);
+  glide_.setEndValue(1.0);
+  connect(&glide_, &QVariantAnimation::valueChanged, this, [this](const QVariant& value) {
+    if (glide_.state() == QAbstractAnimation::Running)
+      take(scene::between(from_, to_, scene::eased(value.toDouble())));
+  });
+  // The last step stands exactly where the glide leads.
+  connect(&glide_, &QVariantAnimation::finished, this, [this] { take(to_); });
+}
+
+void CameraMover::take(const scene::Camera& camera) {
+  scene_.setCamera(camera);
+  emit moved();
+}
+
+void CameraMover::moveTo(const scene::Camera& camera, bool glide) {
+  glide_.stop();
+  if (!glide) {
+    take(camera);
+    return;
+  }
+  from_ = scene_.camera();
+  to_ = camera;
+  glide_.start();
+}
+
+void CameraMover::stop() { glide_.stop(); }
+
+scene::Camera CameraMover::goal() const {
+  return glide_.state() == QAbstractAnimation::Running ? to_ : scene_.camera();
+}
+
+scene::Pick CameraMover::pick(const QPointF& position) const {
+  const double ratio = viewport_.ratio();
+  return scene_.pick(position.x() * ratio, position.y() * ratio, viewport_.width(), viewport_.height());
+}
+
+Eigen::Vector3d CameraMover::pivotAt(const QPointF& position) const {
+  const scene::Pick hit = pick(position);
+  if (hit.kind != scene::Pick::Kind::none && hit.kind != scene::Pick::Kind::block) return hit.point;
+  const Bounds bounds = scene_.bounds();
+  return bounds.valid() ? bounds.center() : scene_.camera().focus;
+}
+
+Eigen::Vector3d CameraMover::anchorAt(const QPointF& position) const {
+  const scene::Pick hit = pick(position);
+  return hit.kind != scene::Pick::Kind::none ? hit.point : pointAt(position, scene_.camera().focus);
+}
+
+Eigen::Vector3d CameraMover::pointAt(const QPointF& position, const Eigen::Vector3d& through) const {
+  const scene::Projection view = scene_.impl().projection(viewport_.width(), viewport_.height());
+  const scene::Ray ray = view.ray(position.x() * viewport_.ratio(), position.y() * viewport_.ratio());
+  const double depth = (through - ray.origin).dot(view.forward());
+  return ray.at(depth / ray.direction.dot(view.forward()));
+}
+
+void CameraMover::zoomAt(const Eigen::Vector3d& anchor, double factor) {
+  stop();
+  const Bounds bounds = scene_.bounds();
+  const double size = bounds.valid() ? std::max(1.0, bounds.size().norm()) : 1000;
+  take(scene::zoom(scene_.camera(), anchor, factor, kNearest * size, kFarthest * size));
+}
+
+void CameraMover::orbitBy(const QPointF& pixels, const Eigen::Vector3d& about) {
+  stop();
+  take(scene::orbit(scene_.camera(), about, -kOrbitPerPixel * pixels.x(), kOrbitPerPixel * pixels.y()));
+}
+
+void CameraMover::panFromTo(const QPointF& before, const QPointF& after, const Eigen::Vector3d& through) {
+  stop();
+  take(scene::pan(scene_.camera(), pointAt(before, through), pointAt(after, through)));
+}
+
+}  // namespace bw::view
