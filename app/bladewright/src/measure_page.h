@@ -9,6 +9,7 @@
 
 #include "blade_measuring.h"
 #include "fields.h"
+#include "measure_answer.h"
 #include "measure_drawing.h"
 #include "measure_table.h"
 #include "theme.h"
@@ -28,10 +29,10 @@ class MeasurePage : public QWidget {
   void enter();
   MeasureTable& table() { return *table_; }
   MeasureDrawing& drawing() { return *drawing_; }
-  QPushButton* useButton() { return use_; }
+  QPushButton* useButton() { return answer_->useButton(); }
   const MeasurementOutcome& outcome() const { return outcome_; }
   /// What the page tells in words: the problem, or a warning, or nothing.
-  QString message() const { return message_->text(); }
+  QString message() const { return answer_->message(); }
 
  signals:
   /// Done: back to where the user came from.
@@ -42,13 +43,8 @@ class MeasurePage : public QWidget {
 
  private:
   QWidget* makeInput();
-  QWidget* makeAnswer();
   void refresh();
   void refreshDrawing();
-  void refreshNumbers();
-  void tellProblem();
-  void use();
-  double storedLength() const;
 
   Workbench& bench_;
   const Theme& theme_;
@@ -60,10 +56,7 @@ class MeasurePage : public QWidget {
   NumberField *heightError_, *angleError_, *distanceError_;
   QCheckBox *heightOffset_, *angleOffset_;
   MeasureDrawing* drawing_;
-  QLabel *length_, *interval_, *reference_, *fit_;
-  QLabel *one_, *case_, *byHeight_, *byAngle_, *byDistance_, *radius_;
-  QLabel *icon_, *message_, *useNote_;
-  QPushButton* use_;
+  MeasureAnswer* answer_;
   bool entered_ = false;
 };
 
