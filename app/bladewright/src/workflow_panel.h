@@ -2,16 +2,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <QPushButton>
 #include <QScrollArea>
 #include <QWidget>
 
 #include <array>
-#include <vector>
 
 #include "blade_fields.h"
 #include "block_fields.h"
 #include "fields.h"
+#include "input_fields.h"
+#include "output_fields.h"
+#include "process_fields.h"
 #include "step_section.h"
 #include "workbench.h"
 
@@ -45,31 +46,12 @@ class WorkflowPanel : public QScrollArea {
   const Theme& theme_;
   std::array<StepSection*, model::kStepCount> sections_{};
 
-  // Setup
   BladeFields* bladeFields_ = nullptr;
   BlockFields* blockFields_ = nullptr;
   NumberField *tolerance_ = nullptr, *clearance_ = nullptr;
-  // Input
-  QLabel *fileName_ = nullptr, *fileFacts_ = nullptr;
-  ChoiceField* faces_ = nullptr;
-  QLineEdit* faceList_ = nullptr;
-  QLabel* faceListLabel_ = nullptr;
-  QCheckBox* embed_ = nullptr;
-  // Process
-  ChoiceField *direction_ = nullptr, *stationMode_ = nullptr, *fitLength_ = nullptr;
-  std::array<NumberField*, 3> directionFields_{};
-  std::array<QLabel*, 3> directionLabels_{};
-  NumberField *stations_ = nullptr, *spacing_ = nullptr, *lead_ = nullptr, *speed_ = nullptr, *periods_ = nullptr;
-  QLabel *stationsLabel_ = nullptr, *spacingLabel_ = nullptr;
-  HandSlider* stationSlider_ = nullptr;
-  int dragId_ = -1;
-  QCheckBox *endpoints_ = nullptr, *tangents_ = nullptr;
-  // Output
-  std::array<QCheckBox*, 3> programs_{};
-  ChoiceField* cell_ = nullptr;
-  std::vector<std::string> cells_;
-  QPushButton *export_ = nullptr, *exportPrograms_ = nullptr;
-  QLabel* exported_ = nullptr;
+  InputFields* input_ = nullptr;
+  ProcessFields* process_ = nullptr;
+  OutputFields* output_ = nullptr;
 };
 
 }  // namespace bw::app
