@@ -13,8 +13,9 @@
 
 namespace bw::app {
 
-/// The selected station in its plane: target curve with the tolerance band, elastica, the blade's extensions (dashed) and grips, the foam,
-/// and the curvature below against the blade's limit. Over it a bar a station with its deviation: click or arrow keys choose.
+/// The selected station in its plane: target curve with the tolerance band, elastica, the blade's extensions
+/// (dashed) and grips, the foam, and the curvature below against the blade's limit. Over it a bar a station
+/// with its deviation: click or arrow keys choose.
 class SectionView : public QWidget {
   Q_OBJECT
 
@@ -43,10 +44,6 @@ class SectionView : public QWidget {
   void rebuildDrawing();
   int stationAt(const QPointF& position) const;
   void paintBars(QPainter& painter) const;
-  void paintSection(QPainter& painter, const QRectF& area) const;
-  /// Which line is what.
-  void paintKey(QPainter& painter, const QRectF& area) const;
-  void paintCurvature(QPainter& painter, const QRectF& area) const;
   int shownStation() const;
 
   Workbench& bench_;
