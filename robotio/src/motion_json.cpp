@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "bw/core/number_text.h"
 #include "bw/robotio/program.h"
@@ -87,9 +88,9 @@ class Reader {
     }
   }
 
-  static const json& at(const json& object, const std::string& path, const char* key) {
+  static const json& at(const json& object, std::string_view path, const char* key) {
     const auto it = object.find(key);
-    if (it == object.end()) wrong(path + " needs the key " + key, path + "." + key);
+    if (it == object.end()) wrong(std::string(path) + " needs the key " + key, std::string(path) + "." + key);
     return *it;
   }
 
