@@ -38,7 +38,8 @@ struct Questions {
   std::function<Unsaved(const QString& title)> unsaved;
 };
 
-/// The window: start page or workspace, with menus, status bar and the line of notices.
+/// The window: start page or workspace, with menus, status bar and the line of notices. The window_*.cpp files
+/// hold one side of it each: layout, commands, files, questions, scene, state.
 class MainWindow : public QMainWindow {
   Q_OBJECT
 
