@@ -168,6 +168,156 @@ TEST(SweepAnalysis, DeviationIsNegativeInside) {
   EXPECT_EQ(analysis->issues.front().kind, "deviation");
 }
 
+namespace {
+
+/// Straight sections across −Y at z = 0, 560 mm long, each moved by `shift`(travel) along x; the indices
+/// count steps of `step` mm.
+template <class Shift>
+std::vector<Section> straightSections(const std::vector<double>& travel, double step, Shift shift) {
+  std::vector<Section> sections;
+  for (const double t : travel) {
+    const Frame frame{
+        {shift(t), -t, 0}, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitZ(), -Eigen::Vector3d::UnitY()};
+    std::vector<Eigen::Vector2d> points;
+    for (int k = 0; k <= 20; ++k) points.emplace_back(-kHalfWidth + 2 * kHalfWidth * k / 20, 0);
+    sections.push_back(
+        {int(std::lround((t - travel.front()) / step)), t, frame, *PlanarCurve::points(points)});
+  }
+  return sections;
+}
+
+/// Travel from `first` to `last` in steps of `step`, behind what is there.
+void addTravel(std::vector<double>& travel, double first, double last, double step) {
+  for (double t = first; t <= last + 1e-9; t += step) travel.push_back(t);
+}
+
+struct Analysed {
+  Sweep sweep;
+  SweepAnalysis analysis;
+  const Issue* issue(const std::string& kind) const {
+    const auto found = std::ranges::find(analysis.issues, kind, &Issue::kind);
+    return found == analysis.issues.end() ? nullptr : &*found;
+  }
+};
+
+Analysed analysed(std::vector<Section> sections, const Job& job, const SurfaceSampler& target) {
+  Issues issues;
+  Result<Sweep> sweep =
+      buildSweep(std::move(sections), job, sphereBlock(), -Eigen::Vector3d::UnitY(), {}, issues);
+  EXPECT_TRUE(sweep) << sweep.error().message;
+  Result<SweepAnalysis> analysis = analyzeSweep(*sweep, job, target, {});
+  EXPECT_TRUE(analysis) << analysis.error().message;
+  return {std::move(*sweep), std::move(*analysis)};
+}
+
+}  // namespace
+
+TEST(SweepAnalysis, MeansAreOverTheAreaWhereverTheStationsLie) {
+  // d = 0.02 t on a plane that leans back, and an angle of atan(t/q) where the stations move by t²/2q along
+  // x: closed forms over [0, W], whether most of the stations lie at the start or not.
+  constexpr double kWidth = 600, kSlope = 0.02, kQ = 600;
+  Job job;
+  job.tolerance = 3.02;
+  const test::PlaneSampler leaning({0, kSlope, std::sqrt(1 - kSlope * kSlope)});
+  std::vector<double> travel;
+  addTravel(travel, 0, 99, 1);
+  addTravel(travel, 100, kWidth, 25);
+  const Analysed straight = analysed(straightSections(travel, 1, [](double) { return 0.0; }), job, leaning);
+  const double largest = kSlope * kWidth;
+  EXPECT_NEAR(straight.analysis.summary.deviationMax, largest, 1e-9);
+  EXPECT_NEAR(straight.analysis.summary.deviationMean, largest / 2, 1e-9);
+  EXPECT_NEAR(straight.analysis.summary.deviationRms, largest / std::sqrt(3), 1e-3);
+  // Rows lie 2.5 mm apart there, and each stands for half of that on either side.
+  EXPECT_NEAR(straight.analysis.summary.withinTolerance, job.tolerance / largest, 1.25 / kWidth);
+  EXPECT_NEAR(straight.analysis.summary.angleMean, 0, 1e-12);
+  const Analysed sheared =
+      analysed(straightSections(travel, 1, [](double t) { return t * t / (2 * kQ); }), job, leaning);
+  EXPECT_NEAR(sheared.analysis.summary.deviationMean, largest / 2, 1e-3);
+  EXPECT_NEAR(sheared.analysis.summary.angleMean,
+              std::atan(kWidth / kQ) - kQ / (2 * kWidth) * std::log1p(std::pow(kWidth / kQ, 2)), 1e-3);
+}
+
+TEST(SweepAnalysis, EvenStationsHaveEvenRows) {
+  for (const auto& [stations, between] : {std::pair{2, 64}, {9, 30}, {60, 4}, {200, 2}}) {
+    std::vector<double> travel;
+    addTravel(travel, 0, 0.7 * (stations - 1), 0.7);
+    const Analysed even = analysed(straightSections(travel, 0.7, [](double) { return 0.0; }), Job{},
+                                   test::PlaneSampler(Eigen::Vector3d::UnitZ()));
+    for (int i = 0; i < stations; ++i) EXPECT_EQ(even.analysis.stationRow[std::size_t(i)], i * between);
+  }
+}
+
+TEST(SweepAnalysis, GapInsideTheRowIsAnErrorAndItsDeviationCounts) {
+  // Two halves of a plane, 200 mm apart: between them every point is as far away as from the nearer border.
+  constexpr double kGap = 100;
+  std::vector<double> travel;
+  addTravel(travel, -300, -kGap, 10);
+  addTravel(travel, kGap, 300, 10);
+  const Job job;
+  const Analysed halves = analysed(straightSections(travel, 10, [](double) { return 0.0; }), job,
+                                   test::PlaneSampler(Eigen::Vector3d::UnitZ(), kGap));
+  const SweepSummary& summary = halves.analysis.summary;
+  EXPECT_NEAR(summary.deviationMax, kGap, 1);
+  EXPECT_NEAR(summary.deviationMean, kGap * kGap / 600, 0.1);
+  EXPECT_NEAR(summary.withinTolerance, (400 + 2 * job.tolerance) / 600, 0.01);
+  const Issue* gap = halves.issue("gap");
+  ASSERT_TRUE(gap);
+  EXPECT_EQ(gap->severity, Severity::error);
+  EXPECT_NE(gap->message.find("stations 22 to 40 are left out"), std::string::npos) << gap->message;
+  EXPECT_NE(gap->message.find("over 200 mm from station 21 to station 41"), std::string::npos)
+      << gap->message;
+  EXPECT_EQ(gap->where.station, 20);
+  EXPECT_LT(gap->where.point->norm(), 1e-9);
+  // More stations would not help: the deviation lies in the gap.
+  ASSERT_TRUE(halves.issue("deviation"));
+  EXPECT_NE(halves.issue("deviation")->message.find("close that gap"), std::string::npos)
+      << halves.issue("deviation")->message;
+}
+
+TEST(SweepAnalysis, StationsLeftOutAtTheEndsAreNoGap) {
+  std::vector<double> travel;
+  addTravel(travel, -100, 100, 10);
+  std::vector<Section> sections = straightSections(travel, 10, [](double) { return 0.0; });
+  for (Section& section : sections) section.index += 5;
+  EXPECT_FALSE(
+      analysed(std::move(sections), Job{}, test::PlaneSampler(Eigen::Vector3d::UnitZ())).issue("gap"));
+}
+
+TEST(SweepAnalysis, ManyGapsAreOneErrorAtTheWidest) {
+  std::vector<double> travel;
+  for (int i = 0; i < 40; ++i)
+    if (i % 5 != 3 && i != 22 && i != 24) travel.push_back(10.0 * i);
+  const Analysed gaps = analysed(straightSections(travel, 10, [](double) { return 0.0; }), Job{},
+                                 test::PlaneSampler(Eigen::Vector3d::UnitZ()));
+  EXPECT_EQ(std::ranges::count(gaps.analysis.issues, "gap", &Issue::kind), 1);
+  EXPECT_NE(gaps.issue("gap")->message.find("stations 23 to 25 are left out inside the row, and others in 7 "
+                                            "more places"),
+            std::string::npos)
+      << gaps.issue("gap")->message;
+}
+
+TEST(SweepAnalysis, TooFewStationsAskForMore) {
+  // The stations are arcs of the sphere to rounding; what lies between so few of them is not.
+  Job job;
+  job.tolerance = 0.1;
+  const test::SphereSampler sphere(kRadius);
+  const auto message = [&](int stations, const SurfaceSampler& target) {
+    const Analysed found =
+        analysed(test::sphereSections(kRadius, kHalfWidth, evenTravel(stations)), job, target);
+    const Issue* issue = found.issue("deviation");
+    return issue ? issue->message : std::string();
+  };
+  const std::string few = message(2, sphere);
+  EXPECT_NE(few.find("take more of them"), std::string::npos) << few;
+  EXPECT_NE(few.find("600 mm apart"), std::string::npos) << few;
+  EXPECT_EQ(few.find("split"), std::string::npos) << few;
+  EXPECT_EQ(message(31, sphere), "");
+  // Where the stations themselves are off, more of them do not help.
+  const std::string off = message(31, test::SphereSampler(kRadius + 1));
+  EXPECT_NE(off.find("split the surface"), std::string::npos) << off;
+  EXPECT_EQ(off.find("take more"), std::string::npos) << off;
+}
+
 TEST(SweepAnalysis, StopsOnRequest) {
   Job job;
   Issues issues;

@@ -30,6 +30,26 @@ class SphereSampler : public SurfaceSampler {
   double radius_;
 };
 
+/// The plane through the origin with that unit normal, without the strip |y| < `gap`.
+class PlaneSampler : public SurfaceSampler {
+ public:
+  explicit PlaneSampler(const Eigen::Vector3d& normal, double gap = 0) : normal_(normal), gap_(gap) {}
+  Result<Foot> closest(const Eigen::Vector3d& p, const Foot*) override {
+    Foot foot;
+    foot.normal = normal_;
+    foot.point = p - p.dot(normal_) * normal_;
+    foot.onBoundary = std::abs(foot.point.y()) < gap_;
+    if (foot.onBoundary) foot.point.y() = std::copysign(gap_, foot.point.y());
+    foot.distance = (p - foot.point).norm();
+    return foot;
+  }
+  std::unique_ptr<SurfaceSampler> clone() const override { return std::make_unique<PlaneSampler>(*this); }
+
+ private:
+  Eigen::Vector3d normal_;
+  double gap_;
+};
+
 /// A circular arc about `center` from angle a to b < a (clockwise, so that x grows) as a rational quadratic
 /// B-spline.
 inline PlanarCurve arc(const Eigen::Vector2d& center, double radius, double a, double b) {

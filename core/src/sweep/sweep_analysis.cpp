@@ -6,11 +6,13 @@
 #include <atomic>
 #include <cmath>
 #include <mutex>
+#include <numeric>
 
 #include "bw/core/elastica_stability.h"
-#include "bw/core/number_text.h"
 #include "bw/core/sweep.h"
 #include "bw/core/units.h"
+#include "sweep/cut_rows.h"
+#include "sweep/row_findings.h"
 #include "sweep/station_findings.h"
 
 namespace bw {
@@ -19,10 +21,9 @@ namespace {
 
 /// Points along the blade at each station: t = 0, 0.01, …, 1 as in the thesis's evaluation.
 constexpr int kColumns = 101;
-/// The cut surface is sampled in about this many rows, stations included.
-constexpr int kRowTarget = 240;
 /// Blocks of rows that share a sampler; fixed, so that the result does not depend on the number of threads.
 constexpr int kChunks = 16;
+
 /// Weights of the three-point derivative at t[i] for uneven spacing; one-sided at the ends
 /// (docs/mathematics.md, velocity).
 struct Stencil {
@@ -185,7 +186,6 @@ Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const Job& job, const SurfaceSa
     summary.hausdorffMax = std::max(summary.hausdorffMax, station.fit.hausdorff);
     summary.hausdorffMean += station.fit.hausdorff / n;
     summary.angleMax = std::max(summary.angleMax, station.angleMax);
-    summary.angleMean += station.angleMean / n;
     summary.angleStationMeanMax = std::max(summary.angleStationMeanMax, station.angleMean);
     summary.speedRatioMin = std::min(summary.speedRatioMin, station.speedRatio);
     largestCurvature = std::max(largestCurvature, station.blade.maxCurvature());
@@ -193,16 +193,16 @@ Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const Job& job, const SurfaceSa
   summary.minRadius = largestCurvature > 0 ? 1.0 / largestCurvature : 0.0;
 
   // The cut surface between the stations too: the skin, sampled finely, against the target itself.
-  const int between = std::clamp(kRowTarget / (n - 1), 2, 64);
+  result.stationRow = detail::stationRows(travel);
+  const std::vector<int>& rowOf = result.stationRow;
   SurfaceGrid& cut = result.cut;
   cut.columns = kColumns;
-  cut.rows = (n - 1) * between + 1;
+  cut.rows = rowOf.back() + 1;
   cut.points.resize(std::size_t(cut.rows) * kColumns);
   cut.fields = {{"deviation", "Deviation", "mm", {}},       {"angle", "Cutting angle", "°", {}},
                 {"speed", "Blade speed", "mm/s", {}},       {"relative_speed", "Relative speed", "", {}},
                 {"curvature", "Curvature / limit", "", {}}, {"stress", "Bending stress", "N/mm²", {}}};
   for (Field& field : cut.fields) field.values.resize(cut.points.size());
-  for (int i = 0; i < n; ++i) result.stationRow.push_back(i * between);
   const double stressAtLimit = sweep.blade.stress(sweep.blade.maxCurvature());
   std::mutex errorMutex;
   std::optional<Error> firstError;
@@ -215,13 +215,14 @@ Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const Job& job, const SurfaceSa
     std::vector<SurfaceSampler::Foot> feet(kColumns);
     for (int row = from; row < to; ++row) {
       if (context.stopped()) return;
-      const int i = std::min(row / between, n - 2);
-      const double f = double(row - i * between) / between;
-      const double v = chord[std::size_t(i)] + f * (chord[std::size_t(i + 1)] - chord[std::size_t(i)]);
+      const std::size_t i =
+          std::min(std::size_t(std::ranges::upper_bound(rowOf, row) - rowOf.begin()) - 1, std::size_t(n - 2));
+      const double f = double(row - rowOf[i]) / (rowOf[i + 1] - rowOf[i]);
+      const double v = chord[i] + f * (chord[i + 1] - chord[i]);
       const auto blend = [&](const std::vector<double>& a, const std::vector<double>& b, int c) {
         return (1 - f) * a[std::size_t(c)] + f * b[std::size_t(c)];
       };
-      const Velocities &va = velocities[std::size_t(i)], &vb = velocities[std::size_t(i + 1)];
+      const Velocities &va = velocities[i], &vb = velocities[i + 1];
       for (int c = 0; c < kColumns; ++c) {
         const std::size_t at = std::size_t(row) * kColumns + std::size_t(c);
         const Eigen::Vector3d p = result.surface.value(double(c) / (kColumns - 1), v);
@@ -245,7 +246,7 @@ Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const Job& job, const SurfaceSa
         cut.fields[1].values[at] = toDegrees(blend(va.angle, vb.angle, c));
         cut.fields[2].values[at] = blend(va.speed, vb.speed, c);
         cut.fields[3].values[at] = blend(va.relative, vb.relative, c);
-        cut.fields[4].values[at] = blend(curvature[std::size_t(i)], curvature[std::size_t(i + 1)], c);
+        cut.fields[4].values[at] = blend(curvature[i], curvature[i + 1], c);
         cut.fields[5].values[at] = stressAtLimit * cut.fields[4].values[at];
         feet[std::size_t(c)] = *foot;
       }
@@ -254,35 +255,31 @@ Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const Job& job, const SurfaceSa
   if (Result<void> ok = parallelFor(context, kChunks, chunkBody); !ok)
     return tl::unexpected<Error>(ok.error());
   if (firstError) return tl::unexpected<Error>(*firstError);
-  double within = 0;
+
+  // Each sample counts with the area that it stands for, so that wide intervals do not hide behind narrow
+  // ones (docs/mathematics.md, deviation).
+  const std::vector<double> areas = detail::pointAreas(cut);
+  const double whole = std::accumulate(areas.begin(), areas.end(), 0.0);
+  double squares = 0, beyond = 0, angles = 0;
   std::size_t worst = 0;
   const std::vector<double>& deviation = cut.fields[0].values;
   for (std::size_t k = 0; k < deviation.size(); ++k) {
-    const double d = std::abs(deviation[k]);
+    const double d = std::abs(deviation[k]),
+                 share = whole > 0 ? areas[k] / whole : 1.0 / double(areas.size());
     if (d > std::abs(deviation[worst])) worst = k;
-    summary.deviationMean += d;
-    summary.deviationRms += d * d;
-    if (d <= job.tolerance) within += 1;
+    summary.deviationMean += share * d;
+    squares += share * d * d;
+    angles += share * cut.fields[1].values[k];
+    if (d > job.tolerance) beyond += share;
   }
   summary.deviationMax = std::abs(deviation[worst]);
-  summary.deviationMean /= double(deviation.size());
-  summary.deviationRms = std::sqrt(summary.deviationRms / double(deviation.size()));
-  summary.withinTolerance = within / double(deviation.size());
+  summary.deviationRms = std::sqrt(squares);
+  summary.withinTolerance = std::max(0.0, 1 - beyond);
+  summary.angleMean = angles * kDegree;
 
   // What cannot be cut, and why.
-  Issues& issues = result.issues;
-  if (summary.deviationMax > job.tolerance) {
-    const int row = int(worst / kColumns);
-    const int nearest = std::min((row + between / 2) / between, n - 1);
-    const int index = stations[std::size_t(nearest)].index;
-    issues.push_back({Severity::warning, "deviation",
-                      "the cut surface is up to " + shortText(summary.deviationMax) +
-                          " mm from the target near " + stationName(index) + ", more than the tolerance of " +
-                          shortText(job.tolerance) + " mm (" + fixedText(100 * summary.withinTolerance, 1) +
-                          " % lies within); split the surface, turn the cutting direction, or allow more",
-                      Place{stationName(index), 0, index, cut.points[worst]}});
-  }
-  detail::addStationFindings(sweep, job, issues);
+  detail::addRowFindings(sweep, job, worst, result);
+  detail::addStationFindings(sweep, job, result.issues);
   return result;
 }
 

@@ -71,7 +71,8 @@ Result<Sweep> buildSweep(std::vector<Section> sections, const Job& job, const Bo
                          const Eigen::Vector3d& direction, const RunContext& context, Issues& issues,
                          double* fitSeconds = nullptr, double* extendSeconds = nullptr);
 
-/// Numbers over all stations, as in report.json (mm, rad).
+/// Numbers over all stations, as in report.json (mm, rad). Mean, rms and fraction of the deviation and the mean angle are over the area
+/// of the cut surface; those of R4 and Hausdorff distance over the stations.
 struct SweepSummary {
   double R4Max = 0, R4Mean = 0, hausdorffMax = 0, hausdorffMean = 0;
   double deviationMax = 0, deviationMean = 0, deviationRms = 0, withinTolerance = 1;  ///< |deviation|; fraction 0…1

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "bw/core/mesh.h"
+
+namespace bw::detail {
+
+/// The row of the sampled cut surface on which each station lies, from 0. `travel`: mm along the cutting
+/// direction of at least two stations, ascending. Wide intervals get more rows (docs/mathematics.md,
+/// deviation).
+[[nodiscard]] std::vector<int> stationRows(const std::vector<double>& travel);
+
+/// The area in mm² that each point of a grid stands for: a quarter of each cell that it is a corner of.
+[[nodiscard]] std::vector<double> pointAreas(const SurfaceGrid& grid);
+
+}  // namespace bw::detail
