@@ -12,19 +12,10 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Nodes of the rule inside one cell of the arc-length table.
-constexpr int kCellNodes = 10;
 // Allowed error of one cell, as a fraction of the length of the control polygons.
 constexpr double kCellTolerance = 1e-12;
 // Halvings of a span around a cusp; there the error falls by four each time.
 constexpr int kMaxCellDepth = 40;
-// Nodes for integrals along the whole curve, shared among the spans by their length; a span has at least two.
-constexpr int kCurveNodes = 24;
-// Allowed error of ∫ r ds and ∫ |r|² ds by the quadrature, in units of the length.
-constexpr double kMomentTolerance = 1e-8;
-// Allowed error of ∫ κ ds by the quadrature, rad; tried for twice the nodes only, since a near-cusp never
-// meets it.
-constexpr double kTurningTolerance = 0.02;
 // A derivative below this fraction of the control polygon counts as vanishing.
 constexpr double kVanishing = 1e-13;
 
@@ -35,70 +26,7 @@ double integrateSpeed(const detail::BezierSpan& span, double a, double b, int no
   return sum * (b - a);
 }
 
-// The piece of a B-spline over knot span `mu` evaluated as a symmetric multi-affine form (blossom):
-// `arguments` has `degree` entries. Homogeneous coordinates (w x, w y, w).
-Eigen::Vector3d blossom(int degree, const std::vector<double>& knots,
-                        const std::vector<Eigen::Vector3d>& poles, int mu, const double* arguments) {
-  std::vector<Eigen::Vector3d> d(static_cast<std::size_t>(degree) + 1);
-  for (int i = 0; i <= degree; ++i) d[i] = poles[mu - degree + i];
-  for (int r = 1; r <= degree; ++r) {
-    for (int i = degree; i >= r; --i) {
-      const double low = knots[mu - degree + i];
-      const double high = knots[mu + 1 + i - r];
-      const double alpha = (arguments[r - 1] - low) / (high - low);
-      d[i] = (1 - alpha) * d[i - 1] + alpha * d[i];
-    }
-  }
-  return d[degree];
-}
-
-std::vector<Eigen::Vector3d> homogeneous(const std::vector<Vector2d>& poles,
-                                         const std::vector<double>& weights) {
-  std::vector<Eigen::Vector3d> out(poles.size());
-  for (std::size_t i = 0; i < poles.size(); ++i) {
-    const double w = weights.empty() ? 1.0 : weights[i];
-    out[i] = {poles[i].x() * w, poles[i].y() * w, w};
-  }
-  return out;
-}
-
-struct Moments {
-  Vector2d first = Vector2d::Zero();
-  double second = 0;
-  double turning = 0;
-};
-
 }  // namespace
-
-std::vector<Vector2d> PlanarCurve::Data::polesOver(double a, double b, const std::vector<double>& newKnots,
-                                                   std::vector<double>& newWeights) const {
-  const std::vector<Eigen::Vector3d> points = homogeneous(poles, weights);
-  const std::size_t count = newKnots.size() - static_cast<std::size_t>(degree) - 1;
-  const bool rational = !weights.empty();
-  std::vector<Vector2d> out(count);
-  newWeights.assign(rational ? count : 0, 1.0);
-  const int last = static_cast<int>(poles.size());
-  for (std::size_t i = 0; i < count; ++i) {
-    // Any piece inside the support of the new pole gives the same value: take the one around the middle of
-    // its overlap with [a, b].
-    double low = a;
-    double high = b;
-    for (std::size_t j = i; j <= i + static_cast<std::size_t>(degree); ++j) {
-      if (newKnots[j] < newKnots[j + 1] && newKnots[j] >= a && newKnots[j + 1] <= b) {
-        low = newKnots[j];
-        high = newKnots[j + 1];
-        break;
-      }
-    }
-    const double middle = 0.5 * (low + high);
-    const auto above = std::upper_bound(knots.begin() + degree + 1, knots.begin() + last, middle);
-    const int mu = static_cast<int>(above - knots.begin()) - 1;
-    const Eigen::Vector3d pole = blossom(degree, knots, points, mu, &newKnots[i + 1]);
-    out[i] = rational ? Vector2d(pole.head<2>() / pole.z()) : Vector2d(pole.head<2>());
-    if (rational) newWeights[i] = pole.z();
-  }
-  return out;
-}
 
 std::size_t PlanarCurve::Data::cellAt(double t) const {
   const auto next = std::upper_bound(cellT.begin() + 1, cellT.end() - 1, t);
@@ -300,97 +228,6 @@ bool PlanarCurve::Data::buildChain() {
     vertexCurvature.back() = vertexCurvature[count - 2];
   }
   return true;
-}
-
-void PlanarCurve::Data::addSplineQuadrature() {
-  Quadrature& q = quadrature;
-  q = {};
-  std::size_t cell = 0;
-  const detail::GaussRule fine = detail::gaussRule(kCellNodes);
-  for (std::size_t i = 0; i < spans.size(); ++i) {
-    const detail::BezierSpan& span = spans[i];
-    const double s0 = cellS[cell];
-    const Vector2d origin = span.poles.front();
-    Moments exact;
-    while (cell < cellSpan.size() && static_cast<std::size_t>(cellSpan[cell]) == i) {
-      const double h = cellT[cell + 1] - cellT[cell];
-      for (int j = 0; j < kCellNodes; ++j) {
-        const detail::BezierSpan::Point p = span.at(cellT[cell] + fine.nodes[j] * h);
-        const double speed = p.first.norm();
-        const Vector2d d = p.value - origin;
-        const double w = fine.weights[j] * h * speed;
-        exact.first += w * d;
-        exact.second += w * d.squaredNorm();
-        if (speed > 0)
-          exact.turning += fine.weights[j] * h * (p.first.x() * p.second.y() - p.first.y() * p.second.x()) /
-                           (speed * speed);
-      }
-      ++cell;
-    }
-    const double s1 = cellS[cell];
-    if (!(s1 > s0)) continue;
-    // The Gauss rule is laid along the arc length, so that the weights sum to the length exactly and the
-    // nodes serve the elastica, which is regular in arc length, wherever the parameter of the curve crowds.
-    const int nodes =
-        std::clamp(static_cast<int>(std::ceil(2 + (kCurveNodes - 2) * (s1 - s0) / length)), 2, kCurveNodes);
-    const detail::GaussRule rule = detail::gaussRule(nodes);
-    const std::size_t before = q.arc.size();
-    for (int parts = 1; parts <= 8; parts *= 2) {
-      for (auto* values : {&q.parameter, &q.arc, &q.weight, &q.curvature}) values->resize(before);
-      q.point.resize(before);
-      q.tangent.resize(before);
-      Moments sum;
-      const double width = (s1 - s0) / parts;
-      for (int part = 0; part < parts; ++part) {
-        for (int j = 0; j < nodes; ++j) {
-          const double s = s0 + width * (part + rule.nodes[j]);
-          const double t = std::clamp(parameterAt(s), span.t0, span.t1);
-          const detail::BezierSpan::Point p = span.at(t);
-          const double speed = p.first.norm();
-          const double w = width * rule.weights[j];
-          const double kappa =
-              speed > 0 ? (p.first.x() * p.second.y() - p.first.y() * p.second.x()) / (speed * speed * speed)
-                        : 0.0;
-          q.parameter.push_back(t);
-          q.arc.push_back(s);
-          q.weight.push_back(w);
-          q.point.push_back(p.value);
-          q.tangent.push_back(speed > 0 ? Vector2d(p.first / speed) : tangent(t));
-          q.curvature.push_back(kappa);
-          const Vector2d d = p.value - origin;
-          sum.first += w * d;
-          sum.second += w * d.squaredNorm();
-          sum.turning += w * kappa;
-        }
-      }
-      const bool positions =
-          (sum.first - exact.first).norm() <= kMomentTolerance * length * length &&
-          std::abs(sum.second - exact.second) <= kMomentTolerance * length * length * length;
-      if (positions && (parts >= 2 || std::abs(sum.turning - exact.turning) <= kTurningTolerance)) break;
-    }
-  }
-}
-
-void PlanarCurve::Data::addChainQuadrature() {
-  Quadrature& q = quadrature;
-  q = {};
-  for (std::size_t i = 0; i + 1 < poles.size(); ++i) {
-    const double side = cellT[i + 1] - cellT[i];
-    const double share = side / length;
-    // Three nodes see the sagitta of a side; two would miss it, since they lie where it crosses its mean.
-    const int nodes = std::min(kCurveNodes, 3 + static_cast<int>(20 * share));
-    const detail::GaussRule rule = detail::gaussRule(nodes);
-    const Vector2d direction = (poles[i + 1] - poles[i]).normalized();
-    for (int j = 0; j < nodes; ++j) {
-      const double x = rule.nodes[j];
-      q.parameter.push_back(cellT[i] + x * side);
-      q.arc.push_back(cellT[i] + x * side);
-      q.weight.push_back(rule.weights[j] * side);
-      q.point.push_back(poles[i] + x * (poles[i + 1] - poles[i]));
-      q.tangent.push_back(direction);
-      q.curvature.push_back((1 - x) * vertexCurvature[i] + x * vertexCurvature[i + 1]);
-    }
-  }
 }
 
 }  // namespace bw

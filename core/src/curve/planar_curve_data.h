@@ -4,13 +4,16 @@
 
 #include <vector>
 
-#include "curve/bezier_span.h"
 #include "bw/core/planar_curve.h"
+#include "curve/bezier_span.h"
 
 namespace bw {
 
 /// What a curve is made of, and the tables that are computed once.
 struct PlanarCurve::Data {
+  /// Nodes of the rule inside one cell of the arc-length table.
+  static constexpr int kCellNodes = 10;
+
   Kind kind = Kind::bezier;
   int degree = 1;
   std::vector<double> knots;
@@ -52,6 +55,7 @@ struct PlanarCurve::Data {
   bool buildSpline();
   bool buildChain();
   void addCells(int span, double a, double b, double estimate, double tolerance, int depth);
+  /// In planar_curve_quadrature.cpp.
   void addSplineQuadrature();
   void addChainQuadrature();
 };

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+// Nodes and weights for integrals along a curve.
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/gauss_legendre.h"
+#include "curve/planar_curve_data.h"
+
+namespace bw {
+namespace {
+
+using Eigen::Vector2d;
+
+// Nodes for integrals along the whole curve, shared among the spans by their length; a span has at least two.
+constexpr int kCurveNodes = 24;
+// Allowed error of ∫ r ds and ∫ |r|² ds by the quadrature, in units of the length.
+constexpr double kMomentTolerance = 1e-8;
+// Allowed error of ∫ κ ds by the quadrature, rad; tried for twice the nodes only, since a near-cusp never
+// meets it.
+constexpr double kTurningTolerance = 0.02;
+
+// ∫ r ds, ∫ |r|² ds and ∫ κ ds, with r from the start of the piece.
+struct Moments {
+  Vector2d first = Vector2d::Zero();
+  double second = 0;
+  double turning = 0;
+};
+
+}  // namespace
+
+void PlanarCurve::Data::addSplineQuadrature() {
+  Quadrature& q = quadrature;
+  q = {};
+  std::size_t cell = 0;
+  const detail::GaussRule fine = detail::gaussRule(kCellNodes);
+  for (std::size_t i = 0; i < spans.size(); ++i) {
+    const detail::BezierSpan& span = spans[i];
+    const double s0 = cellS[cell];
+    const Vector2d origin = span.poles.front();
+    Moments exact;
+    while (cell < cellSpan.size() && static_cast<std::size_t>(cellSpan[cell]) == i) {
+      const double h = cellT[cell + 1] - cellT[cell];
+      for (int j = 0; j < kCellNodes; ++j) {
+        const detail::BezierSpan::Point p = span.at(cellT[cell] + fine.nodes[j] * h);
+        const double speed = p.first.norm();
+        const Vector2d d = p.value - origin;
+        const double w = fine.weights[j] * h * speed;
+        exact.first += w * d;
+        exact.second += w * d.squaredNorm();
+        if (speed > 0)
+          exact.turning += fine.weights[j] * h * (p.first.x() * p.second.y() - p.first.y() * p.second.x()) /
+                           (speed * speed);
+      }
+      ++cell;
+    }
+    const double s1 = cellS[cell];
+    if (!(s1 > s0)) continue;
+    // The Gauss rule is laid along the arc length, so that the weights sum to the length exactly and the
+    // nodes serve the elastica, which is regular in arc length, wherever the parameter of the curve crowds.
+    const int nodes =
+        std::clamp(static_cast<int>(std::ceil(2 + (kCurveNodes - 2) * (s1 - s0) / length)), 2, kCurveNodes);
+    const detail::GaussRule rule = detail::gaussRule(nodes);
+    const std::size_t before = q.arc.size();
+    for (int parts = 1; parts <= 8; parts *= 2) {
+      for (auto* values : {&q.parameter, &q.arc, &q.weight, &q.curvature}) values->resize(before);
+      q.point.resize(before);
+      q.tangent.resize(before);
+      Moments sum;
+      const double width = (s1 - s0) / parts;
+      for (int part = 0; part < parts; ++part) {
+        for (int j = 0; j < nodes; ++j) {
+          const double s = s0 + width * (part + rule.nodes[j]);
+          const double t = std::clamp(parameterAt(s), span.t0, span.t1);
+          const detail::BezierSpan::Point p = span.at(t);
+          const double speed = p.first.norm();
+          const double w = width * rule.weights[j];
+          const double kappa =
+              speed > 0 ? (p.first.x() * p.second.y() - p.first.y() * p.second.x()) / (speed * speed * speed)
+                        : 0.0;
+          q.parameter.push_back(t);
+          q.arc.push_back(s);
+          q.weight.push_back(w);
+          q.point.push_back(p.value);
+          q.tangent.push_back(speed > 0 ? Vector2d(p.first / speed) : tangent(t));
+          q.curvature.push_back(kappa);
+          const Vector2d d = p.value - origin;
+          sum.first += w * d;
+          sum.second += w * d.squaredNorm();
+          sum.turning += w * kappa;
+        }
+      }
+      const bool positions =
+          (sum.first - exact.first).norm() <= kMomentTolerance * length * length &&
+          std::abs(sum.second - exact.second) <= kMomentTolerance * length * length * length;
+      if (positions && (parts >= 2 || std::abs(sum.turning - exact.turning) <= kTurningTolerance)) break;
+    }
+  }
+}
+
+void PlanarCurve::Data::addChainQuadrature() {
+  Quadrature& q = quadrature;
+  q = {};
+  for (std::size_t i = 0; i + 1 < poles.size(); ++i) {
+    const double side = cellT[i + 1] - cellT[i];
+    const double share = side / length;
+    // Three nodes see the sagitta of a side; two would miss it, since they lie where it crosses its mean.
+    const int nodes = std::min(kCurveNodes, 3 + static_cast<int>(20 * share));
+    const detail::GaussRule rule = detail::gaussRule(nodes);
+    const Vector2d direction = (poles[i + 1] - poles[i]).normalized();
+    for (int j = 0; j < nodes; ++j) {
+      const double x = rule.nodes[j];
+      q.parameter.push_back(cellT[i] + x * side);
+      q.arc.push_back(cellT[i] + x * side);
+      q.weight.push_back(rule.weights[j] * side);
+      q.point.push_back(poles[i] + x * (poles[i + 1] - poles[i]));
+      q.tangent.push_back(direction);
+      q.curvature.push_back((1 - x) * vertexCurvature[i] + x * vertexCurvature[i + 1]);
+    }
+  }
+}
+
+}  // namespace bw
