@@ -2,19 +2,67 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
-#include <vector>
+#include <cmath>
 
 #include "elastica/bvp_unit.h"
+#include "elastica/pendulum_integrals.h"
 
 namespace bw::detail {
 
-/// All shapes with at most `maxInflections` inflections that meet the problem, each once, no order promised.
-/// docs/mathematics.md, 6. Some ms.
-std::vector<UnitSolution> allShapes(const UnitProblem& problem, int maxInflections);
+/// A shape in the sheets: swinging pendulums by inflections and first direction, and those that turn one way
+/// only.
+struct Sheet {
+  int inflections = 0;  ///< 0: one way only
+  int direction = 1;    ///< of the first swing
+};
 
-/// The shape of a taut blade: bends at the grips and a nearly straight stretch between them, which it crosses
-/// or touches once. Empty if the problem has no such shape, or none that is taut.
-std::optional<UnitSolution> tautShape(const UnitProblem& problem);
+/// What all swinging sheets share at one force angle a and one level t.
+struct SheetNode {
+  double a = 0, t = 0;
+  PendulumIntegrals start{}, end{}, whole{};
+  double startRate = 0, endRate = 0;  ///< |κ|/√f at the ends
+  Modulus modulus;
+};
+
+struct SheetImage {
+  double x = 0, y = 0;  ///< the end in the frame of the start, the length 1
+  double root = 0;      ///< √f
+};
+
+/// All elastica of length 1 that turn by a given angle, as sheets over force angle and level
+/// (docs/mathematics.md, 6). The pendulum's angle against the force is a at the start and a + turning at the
+/// end (half angles inside).
+class Sheets {
+ public:
+  /// `turning` from the start tangent to the end tangent, rad, not negative.
+  explicit Sheets(double turning) : turning_(turning) {}
+
+  /// What the swinging sheets share at force angle a, rad, and level t ≥ 0, which is 0 at the sheets' edges.
+  SheetNode swingingNode(double a, double t) const;
+
+  /// The same for the sheet that turns one way only, t > 0.
+  SheetNode oneWayNode(double a, double t) const;
+
+  /// Where a shape ends.
+  static SheetImage image(const SheetNode& node, const Sheet& sheet) {
+    const double parity = sheet.inflections % 2 ? -1 : 1;
+    const PendulumIntegrals whole =
+        (node.end * parity - node.start) * double(sheet.direction) + node.whole * (2.0 * sheet.inflections);
+    const double along = whole.time - 2 * whole.square;
+    const double across = sheet.direction * (node.startRate - parity * node.endRate);
+    const double c = std::cos(node.a), s = std::sin(node.a);
+    return {(c * along + s * across) / whole.time, (c * across - s * along) / whole.time, whole.time};
+  }
+
+  /// A shape by its numbers at the start.
+  static UnitShape shape(const SheetNode& node, const Sheet& sheet);
+
+  /// Holds the shape where it lies nearest to rest against the force: at an inflection, or where it points
+  /// along it; of these, where it is nearest to the middle.
+  static Elastica::Anchor anchor(const SheetNode& node, const Sheet& sheet);
+
+ private:
+  double turning_;
+};
 
 }  // namespace bw::detail

@@ -10,7 +10,7 @@
 #include "bw/core/number_text.h"
 #include "elastica/bvp_check.h"
 #include "elastica/bvp_describe.h"
-#include "elastica/bvp_sheets.h"
+#include "elastica/bvp_search.h"
 #include "elastica/bvp_sketch.h"
 
 namespace bw {

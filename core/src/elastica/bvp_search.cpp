@@ -1,0 +1,279 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "elastica/bvp_search.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "elastica/bvp_sheets.h"
+#include "elastica/bvp_taut.h"
+
+namespace bw::detail {
+
+namespace {
+
+using Eigen::Vector2d;
+constexpr double kPi = std::numbers::pi;
+/// Beyond this phase the start values do not tell the end well.
+constexpr double kTaut = 14;
+/// Solutions that miss their ends by more, in lengths and rad, hang on digits that no number here has.
+constexpr double kLargestMiss = 1e-10;
+/// A taut blade's tangents lie within this of its chord, rad.
+constexpr double kLargestBend = 3.0;
+/// √f L of a blade that counts as taut.
+constexpr double kLeastTaut = 12;
+
+std::vector<double> levels(double first, double step, double linear, double last) {
+  std::vector<double> result;
+  for (double t = first; t < linear; t += step) result.push_back(t);
+  for (double t = linear; t < last; t *= 1.3) result.push_back(t);
+  return result;
+}
+
+/// Collects roots by cells of a grid in (a, t).
+class Search {
+ public:
+  Search(const UnitProblem& problem, std::vector<UnitSolution>& out)
+      : problem_(problem), sheets_(problem.turning), out_(out) {}
+
+  void swinging(int maxInflections) {
+    const double width = 2 * kPi - problem_.turning;
+    if (!(width > 1e-9)) return;
+    constexpr int kAngles = 49;  // odd: where both ends lie equally high the sheets have an edge
+    const std::vector<double> ts = levels(0, 0.15, 3.0, 90.0);
+    grid(kAngles, ts, [&](int i, double t) {
+      // Denser towards the ends, where the pendulum starts or ends at the top.
+      const double u = double(i) / (kAngles - 1);
+      const double v = std::clamp(u - std::sin(2 * kPi * u) / (2 * kPi) * 0.8, 1e-6, 1 - 1e-6);
+      return sheets_.swingingNode(-kPi + v * width, t);
+    });
+    for (int n = 1; n <= maxInflections; ++n)
+      for (const int direction : {1, -1}) cells({n, direction}, false);
+  }
+
+  /// See `tautShape`; the turning is not negative.
+  std::optional<UnitSolution> taut() const {
+    const double start = -std::atan2(problem_.end.y(), problem_.end.x());  // tangents against the chord
+    const double end = start + problem_.turning;
+    const double missing = 1 - problem_.end.norm();
+    if (!(std::abs(start) < kLargestBend && std::abs(end) < kLargestBend) || start * end == 0)
+      return std::nullopt;
+    const double root = tautRoot(start, end, missing);
+    if (!(root > kLeastTaut)) return std::nullopt;
+    if (std::optional<UnitSolution> loose = looselyJoinedBends(problem_, start)) return loose;
+    const bool oneWay = start * end < 0;
+    const Sheet sheet{oneWay ? 0 : 1, oneWay || start < 0 ? 1 : -1};
+    // Against the force, which pulls back along the chord.
+    const double a = start + (start > 0 || oneWay ? -kPi : kPi);
+    double low = 1e-3, high = 0.5 * root + 50;
+    for (int i = 0; i < 40 && high - low > 1e-3; ++i) {
+      const double t = 0.5 * (low + high);
+      (Sheets::image(node(oneWay, a, t), sheet).root < root ? low : high) = t;
+    }
+    return settleTaut(sheet, oneWay, a, 0.5 * (low + high));
+  }
+
+  void oneWay() {
+    if (!(problem_.turning > 1e-12)) return;
+    constexpr int kAngles = 65;
+    std::vector<double> ts = levels(0.02, 0.2, 3.0, 90.0);
+    grid(kAngles, ts,
+         [&](int i, double t) { return sheets_.oneWayNode(-kPi + 2 * kPi * i / (kAngles - 1), t); });
+    cells({0, 1}, true);
+  }
+
+ private:
+  template <class Make>
+  void grid(int angles, const std::vector<double>& ts, Make&& make) {
+    columns_ = int(ts.size());
+    rows_ = angles;
+    nodes_.clear();
+    for (int i = 0; i < angles; ++i)
+      for (const double t : ts) nodes_.push_back(make(i, t));
+  }
+  const SheetNode& node(int i, int j) const { return nodes_[std::size_t(i * columns_ + j)]; }
+
+  void cells(const Sheet& sheet, bool oneWay) {
+    images_.resize(nodes_.size());
+    for (std::size_t i = 0; i < nodes_.size(); ++i) images_[i] = Sheets::image(nodes_[i], sheet);
+    for (int i = 0; i + 1 < rows_; ++i)
+      for (int j = 0; j + 1 < columns_; ++j) {
+        const std::size_t k = std::size_t(i * columns_ + j);
+        const SheetImage* corner[4] = {&images_[k], &images_[k + 1], &images_[k + std::size_t(columns_)],
+                                       &images_[k + std::size_t(columns_) + 1]};
+        double lowX = INFINITY, highX = -INFINITY, lowY = INFINITY, highY = -INFINITY;
+        for (const SheetImage* c : corner) {
+          lowX = std::min(lowX, c->x);
+          highX = std::max(highX, c->x);
+          lowY = std::min(lowY, c->y);
+          highY = std::max(highY, c->y);
+        }
+        const double margin = 0.3 * std::max(highX - lowX, highY - lowY) + 1e-9;
+        const double x = problem_.end.x(), y = problem_.end.y();
+        if (!(x > lowX - margin && x < highX + margin && y > lowY - margin && y < highY + margin)) continue;
+        for (const int half : {0, 1}) {
+          const SheetImage& o = half ? *corner[3] : *corner[0];
+          const SheetImage& p = half ? *corner[2] : *corner[1];  // along t
+          const SheetImage& q = half ? *corner[1] : *corner[2];  // along a
+          const double px = p.x - o.x, py = p.y - o.y, qx = q.x - o.x, qy = q.y - o.y;
+          const double det = px * qy - py * qx;
+          double u = ((x - o.x) * qy - (y - o.y) * qx) / det, v = (px * (y - o.y) - py * (x - o.x)) / det;
+          constexpr double kOutside = 0.8;
+          const double flat = 0.05 * (std::hypot(px, py) * std::hypot(qx, qy));
+          if (std::abs(det) > flat) {
+            if (u < -kOutside || v < -kOutside || u + v > 1 + kOutside) continue;
+          }
+          if (!std::isfinite(u) || !std::isfinite(v)) u = v = 0.3;
+          u = std::clamp(u, 0.0, 1.0);
+          v = std::clamp(v, 0.0, 1.0);
+          const double da = node(i + 1, j).a - node(i, j).a, dt = node(i, j + 1).t - node(i, j).t;
+          const double a = half ? node(i + 1, j).a - v * da : node(i, j).a + v * da;
+          const double t = half ? node(i, j + 1).t - u * dt : node(i, j).t + u * dt;
+          attempt(sheet, oneWay, a, t);
+        }
+      }
+  }
+
+  void attempt(const Sheet& sheet, bool oneWay, double a, double t) {
+    const SheetNode start = node(oneWay, a, t);
+    const UnitShape shape = Sheets::shape(start, sheet);
+    if (!shape.allFinite()) return;
+    const std::optional<UnitSolution> found =
+        phaseOf(shape) < kTaut ? settle(problem_, shape, 14) : settleTaut(sheet, oneWay, a, t);
+    if (!found) return;
+    for (const UnitSolution& other : out_)
+      if (sameShape(other.shape, found->shape)) return;
+    out_.push_back(*found);
+  }
+
+  SheetNode node(bool oneWay, double a, double t) const {
+    return oneWay ? sheets_.oneWayNode(a, t) : sheets_.swingingNode(a, t);
+  }
+
+  /// Newton's method in the sheet itself, where the force angle and the level keep their digits however taut
+  /// the blade is.
+  std::optional<UnitSolution> settleTaut(const Sheet& sheet, bool oneWay, double a, double t) const {
+    const auto miss = [&](double angle, double level) {
+      const SheetImage image = Sheets::image(node(oneWay, angle, level), sheet);
+      return Vector2d(image.x - problem_.end.x(), image.y - problem_.end.y());
+    };
+    constexpr int kRounds = 25;
+    constexpr double kDifference = 1e-6;
+    const double first = oneWay ? -1e9 : -kPi, last = oneWay ? 1e9 : kPi - problem_.turning;
+    Vector2d r = miss(a, t);
+    for (int round = 0; round < kRounds && r.allFinite(); ++round) {
+      if (r.norm() < 1e-12) break;
+      const double ha = a + kDifference < last ? kDifference : -kDifference;
+      const double ht = kDifference * (1 + t);
+      const Vector2d da = (miss(a + ha, t) - r) / ha, dt = (miss(a, t + ht) - r) / ht;
+      const double det = da.x() * dt.y() - da.y() * dt.x();
+      double stepA = -(r.x() * dt.y() - r.y() * dt.x()) / det;
+      double stepT = -(da.x() * r.y() - da.y() * r.x()) / det;
+      if (!std::isfinite(stepA) || !std::isfinite(stepT)) return std::nullopt;
+      const double scale = std::max({std::abs(stepA) / 0.3, std::abs(stepT) / (0.2 + 0.3 * t), 1.0});
+      stepA /= scale;
+      stepT /= scale;
+      const double oldA = a, oldT = t;
+      double share = 1;
+      Vector2d next = r;
+      for (int half = 0; half < 6; ++half, share *= 0.5) {
+        a = std::clamp(oldA + share * stepA, first + 1e-12, last - 1e-12);
+        t = std::clamp(oldT + share * stepT, 1e-9, 300.0);
+        next = miss(a, t);
+        if (next.norm() < r.norm()) break;
+      }
+      if (!(next.norm() < r.norm())) break;
+      r = next;
+    }
+    if (!(r.norm() < 1e-9)) return std::nullopt;
+    const SheetNode end = node(oneWay, a, t);
+    UnitSolution result;
+    result.shape = Sheets::shape(end, sheet);
+    result.turning = problem_.turning;
+    // Far from the single loop no stretch is so taut that the start would not tell the end.
+    constexpr double kNearLoop = 1e-3;
+    if (std::abs(end.modulus.excess) > kNearLoop)
+      if (const std::optional<UnitSolution> settled = settle(problem_, result.shape, 4);
+          settled && sameShape(settled->shape, result.shape))
+        return settled;
+    result.anchor = Sheets::anchor(end, sheet);
+    result.error = missOf(*result.anchor);
+    if (!(result.error < kLargestMiss)) return std::nullopt;
+    return result;
+  }
+
+  /// How far the curve held there is from both grips.
+  double missOf(const Elastica::Anchor& anchor) const {
+    const Result<Elastica> held = Elastica::makeAnchored(anchor, 1);
+    if (!held) return INFINITY;
+    const Elastica::State end = held->at(1);
+    return std::max({held->start().norm(), std::abs(held->startAngle()), (end.point - problem_.end).norm(),
+                     std::abs(end.angle - problem_.turning)});
+  }
+
+  static bool sameShape(const UnitShape& a, const UnitShape& b) {
+    constexpr double kSame = 1e-6;
+    const double size = 1 + std::abs(a(0)) + std::sqrt(std::hypot(a(1), a(2)));
+    return std::abs(a(0) - b(0)) < kSame * size && (a - b).tail<2>().norm() < kSame * size * size;
+  }
+
+  const UnitProblem& problem_;
+  Sheets sheets_;
+  std::vector<UnitSolution>& out_;
+  int rows_ = 0, columns_ = 0;
+  std::vector<SheetNode> nodes_;
+  std::vector<SheetImage> images_;
+};
+
+UnitSolution mirrorOf(UnitSolution solution) {
+  solution.shape = mirrored(solution.shape);
+  solution.turning = -solution.turning;
+  if (solution.anchor) {
+    solution.anchor->point.y() *= -1;
+    solution.anchor->angle *= -1;
+    solution.anchor->curvature *= -1;
+    solution.anchor->force.y() *= -1;
+  }
+  if (solution.bends) {
+    solution.bends->first *= -1;
+    solution.bends->second *= -1;
+  }
+  // x, y, ψ by κ, f_t, f_n: what changes sign in the mirror.
+  const Eigen::Vector3d rows(1, -1, -1), columns(-1, 1, -1);
+  solution.jacobian = (rows.asDiagonal() * solution.jacobian * columns.asDiagonal()).eval();
+  return solution;
+}
+
+}  // namespace
+
+std::optional<UnitSolution> tautShape(const UnitProblem& problem) {
+  std::vector<UnitSolution> none;
+  if (problem.turning >= 0) return Search(problem, none).taut();
+  const UnitProblem turned = problem.mirrored();
+  const std::optional<UnitSolution> found = Search(turned, none).taut();
+  return found ? std::optional(mirrorOf(*found)) : std::nullopt;
+}
+
+std::vector<UnitSolution> allShapes(const UnitProblem& problem, int maxInflections) {
+  const bool mirror = problem.turning < 0;
+  const UnitProblem turned = mirror ? problem.mirrored() : problem;
+  std::vector<UnitSolution> result;
+  Search search(turned, result);
+  search.oneWay();
+  search.swinging(maxInflections);
+  if (mirror)
+    for (UnitSolution& solution : result) solution = mirrorOf(solution);
+  // So taut that the cells do not reach it.
+  if (const std::optional<UnitSolution> taut = tautShape(problem)) {
+    const bool known = std::any_of(result.begin(), result.end(), [&](const UnitSolution& other) {
+      return (other.shape - taut->shape).norm() < 1e-4 * taut->shape.norm();
+    });
+    if (!known) result.push_back(*taut);
+  }
+  return result;
+}
+
+}  // namespace bw::detail
