@@ -81,7 +81,9 @@ class ConstrainedFit : public ConstrainedProblem {
   ShapeEnds ends() const { return ShapeEnds(nodes_); }
   void chooseBranch(const Placement& placement);
   void endConditions(const Eigen::VectorXd& v, Conditions& out);
+  /// In curvature_bounds.cpp. Remembers peaks of the curvature that were met on the way.
   bool curvatureBounds(const Eigen::VectorXd& v, Conditions& out);
+  /// In shape_bounds.cpp.
   bool shapeBounds(const Eigen::VectorXd& v, Conditions& out);
 
   const FitTarget& target_;

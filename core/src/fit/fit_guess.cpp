@@ -9,19 +9,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "fit/law_orbit.h"
+
 namespace bw::detail {
 namespace {
 
 using Eigen::Vector2d;
 using std::numbers::pi;
 
-// Below this root mean square (in lengths) the extent of the target in a direction is rounding, and the force
-// that it would tell is taken as zero.
-constexpr double kFlat = 1e-12;
-// A root mean square curvature below this (times the length) is rounding: the target is a line.
-constexpr double kStraight = 1e-10;
-// κ range within which R3 counts a point as inside, relative to the largest curvature: rounding on a circle.
-constexpr double kRangeSlack = 1e-9;
 // Samples of one period, and trial values of s0 in it, for the first search of (3.3).
 constexpr int kPeriodSamples = 128;
 constexpr int kTrials = 64;
@@ -29,134 +24,11 @@ constexpr int kTrials = 64;
 constexpr double kLastStep = 1e-5;
 // At most this many nodes take part in the first search.
 constexpr std::size_t kSearchNodes = 24;
-// The count of pieces says nothing about s0 where the modulus k² is beyond this (nearly a circle).
-constexpr double kNearCircle = 1e8;
-
-// Everything that the guesses need of the elastica of a law: f, ω and the sense of turning, in the frame of
-// the target.
-struct Orbit {
-  double force = 0;
-  double angle = 0;  ///< of the force: the tangent angle at the apex
-  double omega = 0;
-  double sense = 1;  ///< sign of the curvature, if it does not change
-  bool inflectional() const { return omega <= std::sqrt(force); }
-};
-
-Orbit orbitOf(const AffineCurvature& law) {
-  Orbit orbit;
-  orbit.force = law.force.norm();
-  orbit.angle = std::atan2(law.force.y(), law.force.x());
-  orbit.omega = law.omega;
-  orbit.sense = law.alpha < 0 ? -1 : 1;  // α is the mean curvature, since the origin is the centroid
-  return orbit;
-}
-
-double signedPeak(const Orbit& orbit) { return 2 * orbit.omega * (orbit.inflectional() ? 1 : orbit.sense); }
-
-// The elastica of an orbit from its apex, where the thesis has s = 0.
-Elastica fromApex(const Orbit& orbit) {
-  const Result<Elastica> elastica = Elastica::make(Vector2d::Zero(), orbit.angle, signedPeak(orbit),
-                                                   orbit.force * direction(orbit.angle), 1);
-  return elastica ? *elastica : Elastica();
-}
-
-// The placement of the part of an apex elastica that starts at arc length `from`, moved so that (2.25) holds.
-Placement placePart(const FitTarget& target, const Orbit& orbit, const Elastica& apex, double from,
-                    double length) {
-  std::vector<double> s(target.size() + 1);
-  for (std::size_t i = 0; i < target.size(); ++i) s[i] = from + (target.s[i] + 0.5) * length;
-  s.back() = from + 0.5 * length;
-  std::vector<Elastica::State> states(s.size());
-  apex.at(s, states);
-  Vector2d mean = Vector2d::Zero();
-  for (std::size_t i = 0; i < target.size(); ++i) mean += target.weight[i] * states[i].point;
-  const Elastica::State& middle = states.back();
-  Placement out;
-  out.logLength = std::log(length);
-  out.angle = middle.angle;
-  out.middle = middle.point - mean;
-  const Vector2d force =
-      turnedBack(direction(middle.angle), orbit.force * direction(orbit.angle)) * length * length;
-  out.shape = {middle.curvature * length, force.x(), force.y()};
-  return out;
-}
 
 }  // namespace
 
-AffineCurvature fitAffineCurvature(const FitTarget& target) {
-  AffineCurvature law;
-  const std::size_t count = target.size();
-  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
-  double squares = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    covariance += target.weight[i] * target.point[i] * target.point[i].transpose();
-    law.alpha += target.weight[i] * target.curvature[i];
-    squares += target.weight[i] * target.curvature[i] * target.curvature[i];
-  }
-  if (std::sqrt(squares) < kStraight) {
-    law.alpha = 0;
-    return law;
-  }
-  // (2.17) about the centroid: α is the mean curvature, and the gradient of κ follows along the two principal
-  // axes separately.
-  const double axis = 0.5 * std::atan2(2 * covariance(0, 1), covariance(0, 0) - covariance(1, 1));
-  Vector2d gradient = Vector2d::Zero();
-  for (int k = 0; k < 2; ++k) {
-    const Vector2d e = direction(axis + k * pi / 2);
-    double moment = 0;
-    double product = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-      const double x = e.dot(target.point[i]);
-      moment += target.weight[i] * x * x;
-      product += target.weight[i] * x * (target.curvature[i] - law.alpha);
-    }
-    if (moment > kFlat * kFlat) gradient += e * (product / moment);
-  }
-  law.force = {-gradient.y(), gradient.x()};
-
-  const double lambda = law.force.norm();
-  double missed = 0;
-  double beta = 0;
-  const auto sine = [&](std::size_t i) {
-    return lambda > 0 ? law.force.dot(target.tangent[i]) / lambda : 0.0;
-  };
-  // With κ̂ = λ u + α: ½ λ u² + α u = (κ̂² − α²) / (2 λ), which must not be formed where λ is small.
-  const auto parabola = [&](std::size_t i) {
-    const double u =
-        lambda > 0 ? (law.force.y() * target.point[i].x() - law.force.x() * target.point[i].y()) / lambda
-                   : 0.0;
-    return (0.5 * lambda * u + law.alpha) * u;
-  };
-  for (std::size_t i = 0; i < count; ++i) {
-    const double miss = target.curvature[i] - law.curvatureAt(target.point[i]);
-    missed += target.weight[i] * miss * miss;
-    beta += target.weight[i] * (sine(i) - parabola(i));
-  }
-  law.beta = beta;
-  law.R1 = squares > 0 ? std::sqrt(missed / squares) : 0.0;
-  double spread = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double miss = sine(i) - parabola(i) - beta;
-    spread += target.weight[i] * miss * miss;
-  }
-  law.R2 = std::sqrt(spread);
-  const double larger = std::sqrt(std::max(0.0, law.alpha * law.alpha - 2 * lambda * (beta - 1)));  // δ₋
-  law.omega = 0.5 * larger;
-  // u in [u_min, u_max] says that κ̂ lies between the curvatures which the elastica has.
-  const bool inflectional = law.omega * law.omega <= lambda;
-  const double smaller =
-      inflectional ? -larger : std::sqrt(std::max(0.0, larger * larger - 4 * lambda));  // δ₊
-  const double sense = inflectional || law.alpha >= 0 ? 1 : -1;
-  const double slack = kRangeSlack * larger;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double kappa = sense * law.curvatureAt(target.point[i]);
-    if (kappa > larger + slack || kappa < smaller - slack) law.R3 += target.weight[i];
-  }
-  return law;
-}
-
 LengthGuess guessByLength(const FitTarget& target, const AffineCurvature& law) {
-  Orbit orbit = orbitOf(law);
+  LawOrbit orbit = orbitOf(law);
   const std::size_t count = target.size();
   if (orbit.force == 0 && orbit.omega == 0) {
     // A line: its direction is all there is to choose.
@@ -251,87 +123,6 @@ LengthGuess guessByLength(const FitTarget& target, const AffineCurvature& law) {
   guess.placement = placePart(target, orbit, apex, best, 1);
   guess.R3star = 1 - bestValue;
   return guess;
-}
-
-std::optional<Placement> guessByCount(const FitTarget& target, const AffineCurvature& law) {
-  const Orbit orbit = orbitOf(law);
-  const double largest = 2 * orbit.omega;
-  if (!(orbit.omega > 0) || !(orbit.force > 0) || orbit.omega * orbit.omega > kNearCircle * orbit.force)
-    return std::nullopt;
-  const bool inflectional = orbit.inflectional();
-  const double sense = inflectional ? 1 : orbit.sense;
-  const double smallest =
-      inflectional ? -largest : std::sqrt(std::max(0.0, largest * largest - 4 * orbit.force));
-
-  // κ̂ = λ u + α stands for u. A piece counts only if it is higher than half the range.
-  std::vector<double> kappa;
-  kappa.push_back(sense * law.curvatureAt(target.start));
-  for (const Vector2d& p : target.point) kappa.push_back(sense * law.curvatureAt(p));
-  kappa.push_back(sense * law.curvatureAt(target.end));
-  const double height = 0.5 * (largest - smallest);
-  double low = kappa[0];
-  double high = kappa[0];
-  int pieces = 1;
-  int going = 0;  // +1 up, −1 down, 0 not known yet
-  int first = 0;
-  for (const double value : kappa) {
-    if (going >= 0) {
-      high = std::max(high, value);
-      if (high - value > height) {
-        pieces += going != 0 ? 1 : 0;
-        going = -1;
-        low = value;
-      }
-    }
-    if (going <= 0) {
-      low = std::min(low, value);
-      if (value - low > height) {
-        pieces += going != 0 ? 1 : 0;
-        going = 1;
-        high = value;
-      }
-    }
-    if (first == 0) first = going;
-  }
-  if (first == 0) first = kappa.back() >= kappa.front() ? 1 : -1;
-  const bool falling = first < 0;
-  const int n = pieces;
-
-  double arc[2];
-  for (int end = 0; end < 2; ++end) {
-    const double ratio =
-        std::clamp((end == 0 ? kappa.front() : kappa.back()) / largest, smallest / largest, 1.0);  // cn(s, k)
-    double phase = 0;
-    double modulus = 0;
-    double rate = 0;
-    // Within its piece the phase runs over π (k < 1) or π/2 (k ≥ 1); odd pieces run like the first.
-    double part = 0;
-    double width = 0;
-    if (inflectional) {
-      part = std::acos(ratio);
-      width = pi;
-      modulus = orbit.omega / std::sqrt(orbit.force);
-      rate = std::sqrt(orbit.force);
-    } else {
-      modulus = std::sqrt(orbit.force) / orbit.omega;
-      part = std::asin(std::min(1.0, std::sqrt(std::max(0.0, 1 - ratio * ratio)) / modulus));
-      width = pi / 2;
-      rate = orbit.omega;
-    }
-    const int piece = end == 0 ? 1 : n;
-    const bool pieceFalls = (piece % 2 == 1) == falling;
-    // A falling first piece starts at phase 0, a rising one at `width`.
-    const double base = (piece - 1 + (falling ? 0 : 1)) * width;
-    phase = pieceFalls ? base + part : base + width - part;
-    modulus = std::min(modulus, 1 - 1e-12);
-    // F(φ + m π) = F(φ) + 2 m K; the standard function wants |φ| ≤ π/2.
-    const double turns = std::round(phase / pi);
-    const double rest = phase - turns * pi;
-    arc[end] = (2 * turns * std::comp_ellint_1(modulus) + std::ellint_1(modulus, rest)) / rate;
-  }
-  const double length = arc[1] - arc[0];
-  if (!(length > 1e-3) || !(length < 20)) return std::nullopt;
-  return placePart(target, orbit, fromApex(orbit), arc[0], length);
 }
 
 Shape shapeFromLaw(const FitTarget& target, const AffineCurvature& law) {
