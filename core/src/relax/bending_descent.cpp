@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "relax/bending_descent.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bw::detail {
+namespace {
+
+using Eigen::VectorXd;
+
+/// Share of the even parametrisation in the objective, over the size of the energy: it only chooses among
+/// parametrisations of one curve.
+constexpr double kSpreadWeight = 1e-2;
+/// Of the gradient, over the size of the energy.
+constexpr double kSlope = 1e-7;
+constexpr int kMaxIterations = 400, kMaxMultiplierSteps = 40;
+/// Widths of the tubes on the way to a wide one.
+constexpr double kTubes[] = {0.03, 0.1, 0.3, 1};
+
+RelaxedPoints descend(const BendingProblem& problem, const PoleFreedom& freedom, double size,
+                      std::optional<double> length, int maxIterations) {
+  const double spreadWeight = kSpreadWeight * size;
+  double multiplier = 0, penalty = length ? 100 * size : 0;
+  const auto function = [&](const VectorXd& z, bool derivatives) {
+    const BendingProblem::Value v = problem.evaluate(freedom.points(z), spreadWeight, derivatives);
+    const double off = length ? v.length - *length : 0;
+    SmoothValue value;
+    value.value = v.energy + spreadWeight * v.spread + multiplier * off + 0.5 * penalty * off * off;
+    if (!derivatives) return value;
+    const double pull = multiplier + penalty * off;
+    VectorXd slope = v.energySlope;
+    Eigen::MatrixXd bend = v.energyBend;
+    if (length) {
+      slope += pull * v.lengthSlope;
+      bend += pull * v.lengthBend;
+    }
+    value.slope = freedom.lift.transpose() * slope;
+    value.bend = freedom.lift.transpose() * bend * freedom.lift;
+    if (length) {
+      const VectorXd stretch = freedom.lift.transpose() * v.lengthSlope;
+      value.bend += penalty * stretch * stretch.transpose();
+    }
+    return value;
+  };
+  RelaxedPoints outcome;
+  VectorXd z = freedom.start;
+  double before = 1e300;
+  for (int round = 0; round < (length ? kMaxMultiplierSteps : 1); ++round) {
+    outcome.minimum = boundedNewton(function, z, freedom.low, freedom.high, kSlope * size,
+                                    maxIterations - outcome.iterations);
+    outcome.iterations += outcome.minimum.iterations;
+    z = outcome.minimum.at;
+    if (!length) break;
+    outcome.lengthError = problem.evaluate(freedom.points(z), 0, false).length - *length;
+    if (std::abs(outcome.lengthError) < kLengthTolerance || outcome.iterations >= maxIterations) break;
+    multiplier += penalty * outcome.lengthError;
+    if (std::abs(outcome.lengthError) > 0.1 * before) penalty *= 5;
+    before = std::abs(outcome.lengthError);
+  }
+  return outcome;
+}
+
+}  // namespace
+
+RelaxedPoints minimise(const BendingProblem& problem, const PoleFreedom& freedom, double size,
+                       std::optional<double> length) {
+  RelaxedPoints outcome = descend(problem, freedom, size, length, kMaxIterations);
+  if (outcome.minimum.converged) return outcome;
+  int iterations = outcome.iterations;
+  PoleFreedom tube = freedom;
+  for (const double share : kTubes) {
+    tube.low = freedom.start + share * (freedom.low - freedom.start);
+    tube.high = freedom.start + share * (freedom.high - freedom.start);
+    const RelaxedPoints next = descend(problem, tube, size, length, kMaxIterations);
+    iterations += next.iterations;
+    if (share == 1) {
+      if (next.minimum.converged) outcome = next;
+    } else {
+      tube.start = next.minimum.at;
+    }
+  }
+  outcome.iterations = iterations;
+  return outcome;
+}
+
+}  // namespace bw::detail

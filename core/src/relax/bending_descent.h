@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "relax/bending_problem.h"
+#include "relax/bounded_newton.h"
+#include "relax/pole_freedom.h"
+
+namespace bw::detail {
+
+/// The length is met to this, relatively.
+inline constexpr double kLengthTolerance = 1e-9;
+
+/// Least energy, and the length by an augmented Lagrangian if one is asked for.
+struct RelaxedPoints {
+  BoundedMinimum minimum;
+  double lengthError = 0;  ///< relative to the target's length
+  int iterations = 0;
+};
+
+/// Straight into the tube; where that does not come to rest, through narrower tubes, each from the curve in
+/// the one before: a wide tube has room for folds that a long step falls into. `size` is that of the energy;
+/// `length` in lengths of the target.
+RelaxedPoints minimise(const BendingProblem& problem, const PoleFreedom& freedom, double size,
+                       std::optional<double> length);
+
+}  // namespace bw::detail

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include "bw/core/curve_relaxation.h"
+
+namespace bw::detail {
+
+/// Control points as an affine function of the unknowns between bounds.
+struct PoleFreedom {
+  Eigen::VectorXd base;
+  Eigen::MatrixXd lift;
+  Eigen::VectorXd start, low, high;
+
+  Eigen::VectorXd points(const Eigen::VectorXd& z) const { return base + lift * z; }
+};
+
+/// What the control points may do: stay within `epsilon` (lengths of the target) of `target` in both
+/// coordinates, with the ends and their tangents as `options` ask.
+PoleFreedom freedomOf(const Eigen::MatrixX2d& target, const RelaxOptions& options, double epsilon);
+
+}  // namespace bw::detail
