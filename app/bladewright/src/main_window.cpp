@@ -100,6 +100,7 @@ MainWindow::MainWindow(model::Settings& settings, Theme& theme, const std::files
   style.tolerance = bench_.job().tolerance;
   mapBar_->setStyle(style);
   setNavigation(settings.mouse());
+  tickTheme();
   refreshTitle();
   refreshRecent();
   refreshStyle();
@@ -163,10 +164,14 @@ void MainWindow::applyTheme(model::ThemeChoice choice) {
   settings_.setTheme(choice);
   theme_.apply(choice);
   refreshState();
-  for (const auto& [id, c] : {std::pair("theme.system", model::ThemeChoice::system),
-                              std::pair("theme.light", model::ThemeChoice::light),
-                              std::pair("theme.dark", model::ThemeChoice::dark)})
-    commands_[id]->setChecked(c == choice);
+  tickTheme();
+}
+
+void MainWindow::tickTheme() {
+  for (const auto& [id, choice] : {std::pair("theme.system", model::ThemeChoice::system),
+                                   std::pair("theme.light", model::ThemeChoice::light),
+                                   std::pair("theme.dark", model::ThemeChoice::dark)})
+    commands_[id]->setChecked(choice == settings_.theme());
 }
 
 void MainWindow::setNavigation(model::MouseChoice mouse) {
@@ -178,10 +183,6 @@ void MainWindow::setNavigation(model::MouseChoice mouse) {
                               std::pair("mouse.blender", model::MouseChoice::blender),
                               std::pair("mouse.solidworks", model::MouseChoice::solidworks)})
     commands_[id]->setChecked(m == mouse);
-  for (const auto& [id, c] : {std::pair("theme.system", model::ThemeChoice::system),
-                              std::pair("theme.light", model::ThemeChoice::light),
-                              std::pair("theme.dark", model::ThemeChoice::dark)})
-    commands_[id]->setChecked(c == settings_.theme());
 }
 
 void MainWindow::restoreLayout() {

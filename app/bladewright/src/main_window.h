@@ -115,6 +115,8 @@ class MainWindow : public QMainWindow {
   void onHovered(const scene::Pick& pick);
   void fitSelection();
   void applyTheme(model::ThemeChoice choice);
+  /// Ticks the command of the theme chosen in the settings.
+  void tickTheme();
   void setNavigation(model::MouseChoice mouse);
   void restoreLayout();
   void storeLayout();
