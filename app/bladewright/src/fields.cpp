@@ -3,12 +3,12 @@
 #include "fields.h"
 
 #include <QHBoxLayout>
-#include <QLineEdit>
 #include <QMouseEvent>
 #include <QToolButton>
 #include <QWheelEvent>
 
 #include "bw/core/number_text.h"
+#include "history_keys.h"
 
 namespace bw::app {
 
@@ -33,14 +33,15 @@ NumberField::NumberField(const NumberRange& range, QWidget* parent) : QDoubleSpi
   setDecimals(range.decimals);
   setRange(range.min, range.max);
   setSingleStep(range.step);
-  if (!range.unit.isEmpty())
-    setSuffix(range.unit == QChar(0xb0) ? range.unit : QChar(' ') + range.unit);
+  if (!range.unit.isEmpty()) setSuffix(range.unit == QChar(0xb0) ? range.unit : QChar(' ') + range.unit);
   setFocusPolicy(Qt::StrongFocus);
-  setProperty("limits", QStringLiteral("%1 to %2%3").arg(textFromValue(range.min), textFromValue(range.max), suffix()));
+  setProperty("limits",
+              QStringLiteral("%1 to %2%3").arg(textFromValue(range.min), textFromValue(range.max), suffix()));
   setToolTip(property("limits").toString());
   connect(this, &QDoubleSpinBox::valueChanged, this, [this](double value) {
     if (!quiet_) emit edited(value);
   });
+  connect(this, &QDoubleSpinBox::editingFinished, this, [this] { forgetTyping(*lineEdit()); });
 }
 
 void NumberField::show(double value) {
@@ -54,12 +55,31 @@ QString NumberField::textFromValue(double value) const {
   return withoutTrailingZeros(QString::fromStdString(fixedText(value, decimals())));
 }
 
+bool NumberField::event(QEvent* event) {
+  return takeHistoryKey(*lineEdit(), event) || QDoubleSpinBox::event(event);
+}
+
 void NumberField::wheelEvent(QWheelEvent* event) {
   if (hasFocus())
     QDoubleSpinBox::wheelEvent(event);
   else
     event->ignore();
 }
+
+TextField::TextField(QWidget* parent) : QLineEdit(parent) {
+  connect(this, &QLineEdit::editingFinished, this, [this] {
+    const bool changed = isModified();
+    forgetTyping(*this);
+    if (changed) emit edited(text());
+  });
+}
+
+void TextField::show(const QString& text) {
+  if ((hasFocus() && isModified()) || text == this->text()) return;
+  setText(text);
+}
+
+bool TextField::event(QEvent* event) { return takeHistoryKey(*this, event) || QLineEdit::event(event); }
 
 ChoiceField::ChoiceField(QWidget* parent) : QComboBox(parent) {
   setFocusPolicy(Qt::StrongFocus);
@@ -181,8 +201,8 @@ FormColumn* FormColumn::addFold(const QString& title, const Theme& theme) {
   auto* body = new FormColumn(this);
   body->hide();
   const auto paint = [head, &theme] {
-    head->setIcon(QIcon(theme.pixmap(head->isChecked() ? "chevron-down" : "chevron-right",
-                                     theme.colours().secondary, 14)));
+    head->setIcon(QIcon(
+        theme.pixmap(head->isChecked() ? "chevron-down" : "chevron-right", theme.colours().secondary, 14)));
   };
   paint();
   connect(head, &QToolButton::toggled, body, [body, paint](bool open) {

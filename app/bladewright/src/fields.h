@@ -8,6 +8,7 @@
 #include <QFormLayout>
 #include <QGridLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QSlider>
 #include <QVBoxLayout>
 #include <QWidget>
@@ -19,13 +20,13 @@ namespace bw::app {
 /// What a number field holds.
 struct NumberRange {
   double min = 0, max = 1;
-  int decimals = 2;        ///< at most; trailing zeros are not shown
-  double step = 1;         ///< of the arrow keys
-  QString unit;            ///< shown inside the field
+  int decimals = 2;  ///< at most; trailing zeros are not shown
+  double step = 1;   ///< of the arrow keys
+  QString unit;      ///< shown inside the field
 };
 
-/// One editable number with its unit inside the field. Tells an edit only when it is finished (Return, Tab, arrow key, wheel on the focused
-/// field), and its limits in the tooltip.
+/// One editable number with its unit inside the field. Tells an edit only when it is finished (Return, Tab,
+/// arrow key, wheel on the focused field), and its limits in the tooltip.
 class NumberField : public QDoubleSpinBox {
   Q_OBJECT
 
@@ -41,10 +42,28 @@ class NumberField : public QDoubleSpinBox {
   void edited(double value);
 
  protected:
+  bool event(QEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
 
  private:
   bool quiet_ = false;
+};
+
+/// One editable line of text. Tells an edit only when it is finished (Return, Tab).
+class TextField : public QLineEdit {
+  Q_OBJECT
+
+ public:
+  explicit TextField(QWidget* parent = nullptr);
+  /// Shows a text without telling it as an edit. A field that is being typed into keeps its text.
+  void show(const QString& text);
+  using QWidget::show;
+
+ signals:
+  void edited(const QString& text);
+
+ protected:
+  bool event(QEvent* event) override;
 };
 
 /// A choice that tells only what the user chose; the wheel scrolls the panel, not the choice.
@@ -91,7 +110,8 @@ class FormColumn : public QWidget {
  public:
   explicit FormColumn(QWidget* parent = nullptr);
 
-  /// A line with a label and a field of the common width. The field's tooltip becomes the label's too. Returns the label.
+  /// A line with a label and a field of the common width. The field's tooltip becomes the label's too.
+  /// Returns the label.
   QLabel* add(const QString& label, QWidget* field, const QString& tip = {});
   /// The same with a field that takes all the width beside its label: for choices with long names.
   QLabel* addLong(const QString& label, QWidget* field, const QString& tip = {});

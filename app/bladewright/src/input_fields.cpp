@@ -26,16 +26,13 @@ InputFields::InputFields(Workbench& bench, FormColumn* column, QObject* parent)
   faces_ = new ChoiceField;
   faces_->addItems({tr("Largest"), tr("All"), tr("By number")});
   column->add(tr("Faces"), faces_, tr("Which faces of the file are cut"));
-  faceList_ = new QLineEdit;
+  faceList_ = new TextField;
   faceList_->setAlignment(Qt::AlignRight);
   faceList_->setValidator(
       new QRegularExpressionValidator(QRegularExpression("\\d+(\\s*,\\s*\\d+)*"), faceList_));
   faceListLabel_ = column->add(tr("Face numbers"), faceList_, tr("Counted from 0, with commas: 0, 3, 5"));
   connect(faces_, &QComboBox::activated, this, &InputFields::applyFaces);
-  connect(faceList_, &QLineEdit::editingFinished, this, [this] {
-    if (faceList_->isModified()) applyFaces();
-    faceList_->setModified(false);
-  });
+  connect(faceList_, &TextField::edited, this, &InputFields::applyFaces);
   embed_ = new QCheckBox(tr("Keep the geometry in the design file"));
   embed_->setToolTip(tr("On: the saved design holds a copy of the CAD file. Off: it points to the file."));
   column->addWide(embed_);
@@ -90,11 +87,9 @@ void InputFields::refresh() {
   fileFacts_->setVisible(!facts.isEmpty());
   faces_->show(int(job.face.kind));
   setLineVisible(faceListLabel_, faceList_, job.face.kind == FaceChoice::Kind::indices);
-  if (!faceList_->hasFocus()) {
-    QStringList list;
-    for (int index : job.face.indices) list << QString::number(index);
-    faceList_->setText(list.join(", "));
-  }
+  QStringList list;
+  for (int index : job.face.indices) list << QString::number(index);
+  faceList_->show(list.join(", "));
   const bool embedded = !design.source.bytes.empty();
   embed_->setChecked(embedded);
   std::error_code ignored;

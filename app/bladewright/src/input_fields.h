@@ -4,7 +4,6 @@
 
 #include <QCheckBox>
 #include <QLabel>
-#include <QLineEdit>
 #include <QObject>
 
 #include "fields.h"
@@ -31,7 +30,7 @@ class InputFields : public QObject {
   Workbench& bench_;
   QLabel *fileName_, *fileFacts_;
   ChoiceField* faces_;
-  QLineEdit* faceList_;
+  TextField* faceList_;
   QLabel* faceListLabel_;
   QCheckBox* embed_;
 };

@@ -107,8 +107,12 @@ MainWindow::MainWindow(model::Settings& settings, Theme& theme, const std::files
   refreshState();
 }
 
-// The history outlives the commands that show its names.
-MainWindow::~MainWindow() { bench_.document().undoStack().disconnect(); }
+MainWindow::~MainWindow() {
+  // A field that is being typed into tells its number when it is hidden: now, while there is a design.
+  hide();
+  // The history outlives the commands that show its names.
+  bench_.document().undoStack().disconnect();
+}
 
 void MainWindow::showStartPage() {
   bench_.document().start(Design());

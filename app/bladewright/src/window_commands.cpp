@@ -9,6 +9,7 @@
 #include <array>
 #include <tuple>
 
+#include "history_keys.h"
 #include "main_window.h"
 
 namespace bw::app {
@@ -36,8 +37,8 @@ void MainWindow::makeCommands() {
   });
   add("file.quit", tr("&Quit"), "", {}, {QKeySequence("Ctrl+Q")}, [this](bool) { close(); });
 
-  add("edit.undo", tr("&Undo"), "undo", {}, {QKeySequence::Undo}, [this](bool) { bench_.document().undoStack().undo(); });
-  add("edit.redo", tr("&Redo"), "redo", {}, {QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")},
+  add("edit.undo", tr("&Undo"), "undo", {}, undoKeys(), [this](bool) { bench_.document().undoStack().undo(); });
+  add("edit.redo", tr("&Redo"), "redo", {}, redoKeys(),
       [this](bool) { bench_.document().undoStack().redo(); });
   QUndoStack& undo = bench_.document().undoStack();
   const auto undoText = [this](const char* id, const QString& word, const QString& text) {

@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// Undo and redo by key while the focus is in a field: of the typing, then of the design.
+#include "window_fixture.h"
+
+namespace bw::app {
+namespace {
+
+class HistoryKeys : public WindowTest {
+ protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    openPanel();
+    number_ = find<NumberField>("Number");
+    ASSERT_TRUE(number_);
+    number_->setFocus();
+    ASSERT_TRUE(number_->hasFocus());
+  }
+
+  void type(const QString& text) {
+    number_->selectAll();
+    QTest::keyClicks(number_, text);
+  }
+
+  static void undo(QWidget* field) { QTest::keyClick(field, Qt::Key_Z, Qt::ControlModifier); }
+  static void redo(QWidget* field) {
+    QTest::keyClick(field, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  }
+  static void redoByY(QWidget* field) { QTest::keyClick(field, Qt::Key_Y, Qt::ControlModifier); }
+
+  int changes() { return bench().document().undoStack().index(); }
+
+  NumberField* number_ = nullptr;
+};
+
+TEST_F(HistoryKeys, UndoAFinishedNumberWithTheFocusInItsField) {
+  type("5");
+  QTest::keyClick(number_, Qt::Key_Return);
+  ASSERT_EQ(bench().job().stations, 5);
+  EXPECT_TRUE(number_->hasFocus());
+  undo(number_);
+  EXPECT_EQ(bench().job().stations, 20);
+  EXPECT_EQ(number_->text(), "20");
+  redo(number_);
+  EXPECT_EQ(bench().job().stations, 5);
+  EXPECT_EQ(number_->text(), "5");
+  undo(number_);
+  redoByY(number_);
+  EXPECT_EQ(bench().job().stations, 5);
+  EXPECT_TRUE(number_->hasFocus());
+}
+
+TEST_F(HistoryKeys, UndoTheTypingBeforeTheDesign) {
+  type("5");
+  QTest::keyClick(number_, Qt::Key_Return);
+  type("7");
+  QTest::keyClicks(number_, "1");
+  undo(number_);
+  EXPECT_EQ(number_->text(), "5");
+  EXPECT_EQ(bench().job().stations, 5);
+  redoByY(number_);
+  EXPECT_EQ(number_->text(), "71");
+  undo(number_);
+  redo(number_);
+  EXPECT_EQ(number_->text(), "71");
+  EXPECT_EQ(changes(), 1);
+  undo(number_);
+  undo(number_);
+  EXPECT_EQ(bench().job().stations, 20);
+  EXPECT_EQ(number_->text(), "20");
+  // Last undone, first redone.
+  redo(number_);
+  EXPECT_EQ(bench().job().stations, 5);
+  EXPECT_EQ(number_->text(), "5");
+}
+
+TEST_F(HistoryKeys, LeaveTheDesignAloneWhileAFieldIsTypedIn) {
+  bench().editJob("Change clearance", [](Job& job) { job.clearance = 60; });
+  bench().document().undoStack().undo();
+  type("7");
+  redoByY(number_);
+  redo(number_);
+  EXPECT_EQ(changes(), 0);
+  EXPECT_EQ(number_->text(), "7");
+}
+
+TEST_F(HistoryKeys, UndoTheDesignFromAFieldThatWasLeftAndEnteredAgain) {
+  type("5");
+  QTest::keyClick(number_, Qt::Key_Tab);
+  ASSERT_EQ(bench().job().stations, 5);
+  number_->setFocus();
+  undo(number_);
+  EXPECT_EQ(bench().job().stations, 20);
+  EXPECT_EQ(number_->text(), "20");
+  // Nothing is left to undo, neither here nor there.
+  undo(number_);
+  EXPECT_EQ(number_->text(), "20");
+}
+
+TEST_F(HistoryKeys, UndoAStepOfTheArrowKeys) {
+  QTest::keyClick(number_, Qt::Key_Up);
+  ASSERT_EQ(bench().job().stations, 21);
+  undo(number_);
+  EXPECT_EQ(bench().job().stations, 20);
+  EXPECT_EQ(number_->text(), "20");
+}
+
+TEST_F(HistoryKeys, UndoAChoiceWithTheFocusInIt) {
+  auto* mode = find<ChoiceField>("Stations");
+  ASSERT_TRUE(mode);
+  mode->setFocus();
+  QTest::keyClick(mode, Qt::Key_Down);
+  ASSERT_TRUE(bench().job().spacing);
+  undo(mode);
+  EXPECT_FALSE(bench().job().spacing);
+  EXPECT_EQ(mode->currentIndex(), 0);
+  redoByY(mode);
+  EXPECT_TRUE(bench().job().spacing);
+  EXPECT_EQ(mode->currentIndex(), 1);
+}
+
+TEST_F(HistoryKeys, UndoTheNumbersOfFaces) {
+  bench().editJob("Choose faces", [](Job& job) { job.face = {FaceChoice::Kind::indices, {0}}; });
+  auto* faces = find<TextField>("Face numbers");
+  ASSERT_TRUE(faces);
+  faces->setFocus();
+  faces->selectAll();
+  QTest::keyClicks(faces, "0,1");
+  undo(faces);
+  EXPECT_EQ(faces->text(), "0");
+  redoByY(faces);
+  QTest::keyClick(faces, Qt::Key_Return);
+  ASSERT_EQ(bench().job().face.indices, (std::vector<int>{0, 1}));
+  EXPECT_EQ(faces->text(), "0, 1");
+  QTest::keyClicks(faces, ",2");
+  undo(faces);
+  EXPECT_EQ(faces->text(), "0, 1") << "what was finished is undone with the typing";
+  undo(faces);
+  EXPECT_EQ(bench().job().face.indices, std::vector<int>{0});
+  EXPECT_EQ(faces->text(), "0");
+  redo(faces);
+  EXPECT_EQ(faces->text(), "0, 1");
+}
+
+}  // namespace
+}  // namespace bw::app
