@@ -6,8 +6,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <random>
+#include <vector>
 
 #include "bw/core/elastica_bvp.h"
 #include "fit_samples.h"
@@ -138,6 +142,52 @@ TEST(ElasticaFit, TautCurvesAreFoundAndHeld) {
   EXPECT_NEAR(e.at(0).angle, std::atan2(0.01, 0.02), 1e-9);
   EXPECT_NEAR(e.at(e.length()).angle, std::atan2(1.37, 2.95), 1e-9);
   EXPECT_NEAR(r.R4, denseR4(e, c), 1e-3 * r.R4);
+}
+
+// Every pair of end conditions (ends 1, tangents 2, length 4) of which one has all of the other and more.
+void expectMoreConditionsNeverFitBetter(const PlanarCurve& c) {
+  std::array<FitResult, 8> results;
+  for (unsigned kind = 1; kind < 8; ++kind) {
+    FitOptions options;
+    options.endpoints = (kind & 1u) != 0;
+    options.tangents = (kind & 2u) != 0;
+    if ((kind & 4u) != 0) options.length = FitOptions::Length::exact;
+    results[kind] = fitElastica(c, options).value();
+  }
+  for (unsigned fewer = 1; fewer < 8; ++fewer) {
+    if (fewer == 4) continue;  // only free fits do not look at those with end conditions
+    for (unsigned more = fewer + 1; more < 8; ++more) {
+      if ((fewer & more) != fewer || results[more].status == FitStatus::infeasible) continue;
+      EXPECT_LE(results[fewer].R4, results[more].R4 * (1 + 1e-6)) << fewer << " < " << more;
+    }
+  }
+}
+
+TEST(ElasticaFit, AddedEndConditionsNeverFitBetter) {
+  const std::vector<std::vector<Vector2d>> found = {
+      {{-30.4, 55.4}, {143, 113.5}, {303.1, 106.5}, {461.7, -48.3}, {488.5, 53.8}},
+      {{-6.7, 52.1}, {66.2, -18.5}, {233.2, -96.3}, {497.4, 128.7}, {522, 24.8}},
+      {{57.8, 53.3}, {134.6, -62.2}, {406, 142.5}, {712.1, -26.2}},
+      {{-20, 10.2}, {124.9, -9.4}, {272.2, 44.6}, {488.3, -10.8}, {634.5, 26.7}}};
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    SCOPED_TRACE(testing::Message() << "curve " << i);
+    expectMoreConditionsNeverFitBetter(PlanarCurve::bezier(found[i]).value());
+  }
+}
+
+TEST(ElasticaFit, AddedEndConditionsNeverFitRandomCurvesBetter) {
+  std::mt19937_64 engine(20261122);
+  const auto uniform = [&] { return static_cast<double>(engine() >> 11) * 0x1p-53; };
+  const auto normal = [&] { return std::sqrt(-2 * std::log(1 - uniform())) * std::cos(2 * pi * uniform()); };
+  for (int i = 0; i < 24; ++i) {
+    SCOPED_TRACE(testing::Message() << "curve " << i);
+    const int poles = i % 2 == 0 ? 4 : 5;
+    const double spread = i % 3 == 0 ? 30 : i % 3 == 1 ? 80 : 150;
+    std::vector<Vector2d> points;
+    for (int k = 0; k < poles; ++k)
+      points.emplace_back(600.0 * k / (poles - 1) + spread * normal(), spread * normal());
+    expectMoreConditionsNeverFitBetter(PlanarCurve::bezier(points).value());
+  }
 }
 
 TEST(ElasticaFit, CurvatureBoundHolds) {

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "bw/core/number_text.h"
-#include "fit/fit_clamped.h"
 #include "fit/fit_constrained.h"
 #include "fit/fit_distance.h"
 #include "fit/fit_free.h"
 #include "fit/fit_guess.h"
+#include "fit/fit_nested.h"
 #include "fit/fit_projection.h"
 #include "fit/fit_search.h"
 #include "fit/fit_target.h"
@@ -31,8 +31,6 @@ using detail::Shape;
 
 // Lengths of the curve that the curvature bound may reach over.
 constexpr double kLongestRange = 500;
-// End conditions and bounds may make the fit worse by this factor (R4) before other starts are tried.
-constexpr double kMuchWorse = 4;
 // A fit has converged if one more Gauss–Newton step would move the curve by less than this (root mean square,
 // lengths).
 constexpr double kConvergedMovement = 1e-8;
@@ -222,39 +220,25 @@ Result<FitResult> fitElastica(const PlanarCurve& curve, const FitOptions& option
       (constraints.bounds() &&
        ConstrainedFit(full, constraints, tangentNorm).violation(chosen.placement) > detail::kFeasible) ||
       (demands.any() && !search.meets(chosen.placement, demands))) {
-    std::vector<Placement> places;
-    if (options.initial) places.push_back(detail::toPlacement(*options.initial, full));
-    places.push_back(chosen.placement);
-    const double enough =
-        std::max(detail::kGoodFit * detail::kGoodFit, kMuchWorse * kMuchWorse * chosen.value);
+    detail::FitStarts from;
+    from.freeValue = chosen.value;
+    from.warm = options.initial.has_value();
+    if (options.initial) from.places.push_back(detail::toPlacement(*options.initial, full));
+    from.places.push_back(chosen.placement);
+    if (chosen.converged) {
+      from.free.emplace();
+      from.free->placement = chosen.placement;
+      from.free->value = chosen.value;
+      from.free->feasible = from.free->converged = true;
+    }
     ProjectedFit projected(full, objective);
     starts.push_back({coarse.endAngle - coarse.startAngle, 0, 0});
     starts.push_back({0, 0, 0});
     for (const Shape& shape : starts) {
-      if (const auto placed = projected.place(shape)) places.push_back(placed->placement);
+      if (const auto placed = projected.place(shape)) from.places.push_back(placed->placement);
     }
-    detail::ConditionedFit found;
-    if (constraints.clamped()) {
-      // Hardly any freedom is left: what lies near is good, or all there is is looked at.
-      found = search.nearest(constraints, demands, {places.front()});
-      if (!found.best || (!options.initial && found.best->value > enough)) {
-        detail::ConditionedFit other =
-            search.nearest(constraints, demands, detail::clampedPlacements(full, constraints, tangentNorm));
-        other.iterations += found.iterations;
-        if (other.best && !(found.best && found.best->value <= other.best->value)) found = other;
-      }
-    }
-    if (!constraints.equalities() && !constraints.bounds() && chosen.converged) {
-      // The free fit is the fit under these conditions; only demands are broken.
-      ConstrainedFit::Solution& free = found.best.emplace();
-      free.placement = chosen.placement;
-      free.value = chosen.value;
-      free.feasible = free.converged = true;
-      found.constraints = constraints;
-    }
-    if (!found.best) found = search.conditioned(constraints, places, enough, options.initial.has_value());
-    if (found.best && demands.any() && !search.meets(found.best->placement, demands))
-      found = search.demanded(found, demands, places, enough);
+    const detail::ConditionedFit found =
+        detail::fitUnderEndConditions(full, constraints, demands, tangentNorm, from);
     const int iterations = chosen.iterations + found.iterations;
     if (found.best) {
       chosen = {found.best->placement, found.best->value, iterations, found.best->converged};
@@ -265,7 +249,7 @@ Result<FitResult> fitElastica(const PlanarCurve& curve, const FitOptions& option
       infeasible = true;
       worst = found.worst;
       chosen.iterations = iterations;
-      result.conflict = search.conflict(constraints, demands, places);
+      result.conflict = search.conflict(constraints, demands, from.places);
     }
   }
 
