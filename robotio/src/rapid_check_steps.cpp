@@ -15,6 +15,8 @@ namespace bw::robotio {
 
 namespace {
 
+/// A turn (degrees) of a tool within one move that is told.
+constexpr double kLargestTurn = 90;
 constexpr double kShortMove = 0.1;      ///< s; shorter moves starve the controller's planner, rule 13
 constexpr double kMaxId = 16777216;     ///< the largest whole number that RAPID's num counts by one
 constexpr double kSpeedSlack = 1.05;    ///< a stated speed may be exceeded by 5 % before it is reported
@@ -250,6 +252,12 @@ class StepChecker {
                shortText(to.speed) + " mm/s of its speeddata",
            Severity::warning);
     const double turn = toDegrees(2 * std::acos(std::min(1.0, std::abs(a.normalized().dot(b.normalized())))));
+    if (turn > kLargestTurn)
+      rule(10, to,
+           "the tool turns by " + fixedText(turn, 0) +
+               " degrees within one move, and near a half turn its sense is open; take more targets or a "
+               "steadier path",
+           Severity::warning);
     const double turnSpeed = to.speedData->numbers[1];
     if (turn / *seconds > kSpeedSlack * turnSpeed + 1e-2)
       rule(12, to,

@@ -142,6 +142,16 @@ void addStationFindings(const Sweep& sweep, const Job& job, Issues& issues) {
       },
       issues);
   reportStretches(
+      stations, Severity::info, "fit-steadied", [](const Station& s) { return s.steadied; },
+      [](const Station& a, const Station& b) { return a.fit.hausdorff > b.fit.hausdorff; },
+      [](const Station& s) {
+        return "the section is short and the nearest curve would swing the blade's ends about; a curve "
+               "within " +
+               shortText(s.fit.hausdorff) +
+               " mm of it, nearer to the shape of the neighbour, takes its place";
+      },
+      issues);
+  reportStretches(
       stations, Severity::error, "clearance", [](const Station& s) { return s.clearance < 0; },
       [](const Station& a, const Station& b) { return a.clearance < b.clearance; },
       [&](const Station& s) {

@@ -69,12 +69,6 @@ FitOptions boundedOptions(FitOptions options, const Job& job) {
   return options;
 }
 
-/// True if the blade that continues this fit keeps its radius and rests in its shape.
-bool bladeHolds(const FitResult& fit, const Blade& blade) {
-  const Result<Elastica> whole = extendedBlade(fit.elastica, blade.length);
-  return whole && whole->maxCurvature() <= blade.maxCurvature() && stabilityMargin(*whole) > 0;
-}
-
 /// True if the blade that continues this fit bends as far as it may: then the nearest curve bends farther.
 bool bladePresses(const FitResult& fit, const Blade& blade) {
   const Result<Elastica> whole = extendedBlade(fit.elastica, blade.length);
@@ -86,6 +80,11 @@ bool bladePresses(const FitResult& fit, const Blade& blade) {
 Result<Elastica> extendedBlade(const Elastica& fitted, double bladeLength) {
   const double extra = 0.5 * (bladeLength - fitted.length());
   return extra > 0 ? fitted.segment(-extra, fitted.length() + extra) : Result<Elastica>(fitted);
+}
+
+bool bladeHolds(const FitResult& fit, const Blade& blade) {
+  const Result<Elastica> whole = extendedBlade(fit.elastica, blade.length);
+  return whole && whole->maxCurvature() <= blade.maxCurvature() && stabilityMargin(*whole) > 0;
 }
 
 Result<StationFit> fitStation(const PlanarCurve& section, const Job& job, const StationFit* neighbour) {

@@ -12,6 +12,7 @@ namespace bw::detail {
 struct StationFit {
   FitResult fit;
   bool heldBack = false;  ///< not the nearest curve, but one whose whole blade holds
+  bool steadied = false;  ///< not the nearest curve, but one near the shape of its neighbour
 };
 
 /// The fit of one section under the options of a job. It starts from the shape of the neighbour (null for the
@@ -22,6 +23,9 @@ struct StationFit {
 /// active. If no such curve is found, the best one.
 [[nodiscard]] Result<StationFit> fitStation(const PlanarCurve& section, const Job& job,
                                             const StationFit* neighbour);
+
+/// True if the blade that continues this fit keeps its radius and rests in its shape.
+[[nodiscard]] bool bladeHolds(const FitResult& fit, const Blade& blade);
 
 /// `fitted` continued at both ends to the length of the job's blade; itself where the blade is not longer.
 [[nodiscard]] Result<Elastica> extendedBlade(const Elastica& fitted, double bladeLength);

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <optional>
 
 #include "bw/core/number_text.h"
+#include "sweep/station_continuity.h"
 #include "sweep/station_fit.h"
 
 namespace bw {
@@ -38,6 +38,36 @@ Pose endPose(const Box& block, const Eigen::Vector3d& point, const Eigen::Vector
   return pose;
 }
 
+/// One fit a section. The longest section tells most of the blade: the row starts from it and goes to both
+/// ends.
+Result<std::vector<detail::StationFit>> fitRow(const std::vector<Section>& sections, const Job& job,
+                                               const RunContext& context) {
+  const auto longer = [](const Section& a, const Section& b) { return a.curve.length() < b.curve.length(); };
+  const auto start =
+      std::size_t(std::max_element(sections.begin(), sections.end(), longer) - sections.begin());
+  std::vector<detail::StationFit> fits(sections.size());
+  std::size_t done = 0;
+  const auto fit = [&](std::size_t i, const detail::StationFit* neighbour) -> Result<void> {
+    if (context.stopped()) return stoppedError();
+    context.report(double(done++) / double(sections.size()), "fitting");
+    Result<detail::StationFit> fitted = detail::fitStation(sections[i].curve, job, neighbour);
+    if (!fitted) {
+      Error error = fitted.error();
+      error.where = stationName(sections[i].index);
+      error.message = error.where + ": " + error.message;
+      return tl::unexpected<Error>(std::move(error));
+    }
+    fits[i] = neighbour ? detail::besideNeighbour(std::move(*fitted), *neighbour, sections[i].curve, job)
+                        : std::move(*fitted);
+    return {};
+  };
+  Result<void> ok = fit(start, nullptr);
+  for (std::size_t i = start + 1; ok && i < sections.size(); ++i) ok = fit(i, &fits[i - 1]);
+  for (std::size_t i = start; ok && i > 0; --i) ok = fit(i - 1, &fits[i]);
+  if (!ok) return tl::unexpected<Error>(ok.error());
+  return fits;
+}
+
 }  // namespace
 
 Eigen::Vector3d Station::leftTangent() const { return tangentAt(frame, blade.startAngle()); }
@@ -57,38 +87,30 @@ Result<Sweep> buildSweep(std::vector<Section> sections, const Job& job, const Bo
   const auto fitStart = Clock::now();
   Sweep sweep{block, direction, job.blade, job.lead, {}};
   sweep.stations.reserve(sections.size());
+  const Result<std::vector<detail::StationFit>> fits = fitRow(sections, job, context);
+  if (!fits) return tl::unexpected<Error>(fits.error());
   double longest = 0;
   int longestIndex = 0;
-  std::optional<detail::StationFit> neighbour;
   for (std::size_t i = 0; i < sections.size(); ++i) {
-    if (context.stopped()) return stoppedError();
-    context.report(double(i) / double(sections.size()), "fitting");
     Section& section = sections[i];
-    Result<detail::StationFit> fitted =
-        detail::fitStation(section.curve, job, neighbour ? &*neighbour : nullptr);
-    const std::string name = stationName(section.index);
-    if (!fitted) {
-      Error error = fitted.error();
-      error.message = name + ": " + error.message;
-      error.where = name;
-      return tl::unexpected<Error>(std::move(error));
-    }
-    neighbour = std::move(*fitted);
-    const FitResult* fit = &neighbour->fit;
-    if (fit->status == FitStatus::iterationLimit || fit->status == FitStatus::infeasible) {
-      issues.push_back({fit->status == FitStatus::infeasible ? Severity::error : Severity::warning, "fit",
-                        name + ": the fit is " + fitStatusName(fit->status) + ": " + fit->message,
-                        Place{name, 0, section.index, section.frame.toWorld(fit->elastica.start())}});
+    const detail::StationFit& fitted = (*fits)[i];
+    const FitResult& fit = fitted.fit;
+    if (fit.status == FitStatus::iterationLimit || fit.status == FitStatus::infeasible) {
+      const std::string name = stationName(section.index);
+      issues.push_back({fit.status == FitStatus::infeasible ? Severity::error : Severity::warning, "fit",
+                        name + ": the fit is " + fitStatusName(fit.status) + ": " + fit.message,
+                        Place{name, 0, section.index, section.frame.toWorld(fit.elastica.start())}});
     }
     Station station{.index = section.index,
                     .travel = section.travel,
                     .frame = section.frame,
                     .target = section.curve,
                     .targetLength = section.curve.length(),
-                    .fit = *fit,
-                    .heldBack = neighbour->heldBack};
-    if (station.fit.elastica.length() > longest) {
-      longest = station.fit.elastica.length();
+                    .fit = fit,
+                    .heldBack = fitted.heldBack,
+                    .steadied = fitted.steadied};
+    if (fit.elastica.length() > longest) {
+      longest = fit.elastica.length();
       longestIndex = station.index;
     }
     sweep.stations.push_back(std::move(station));
@@ -110,6 +132,7 @@ Result<Sweep> buildSweep(std::vector<Section> sections, const Job& job, const Bo
     station.blade = *blade;
     station.extension = 0.5 * (job.blade.length - length) / length;
   }
+  detail::addSwingFindings(sweep, issues);
   if (fitSeconds) *fitSeconds = std::chrono::duration<double>(extendStart - fitStart).count();
   if (extendSeconds) *extendSeconds = std::chrono::duration<double>(Clock::now() - extendStart).count();
   return sweep;

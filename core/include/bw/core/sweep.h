@@ -40,6 +40,7 @@ struct Station {
   double targetLength = 0; ///< mm
   FitResult fit = {};      ///< fit.elastica is the part that cuts the target
   bool heldBack = false;   ///< `fit` is not the nearest curve, but one whose blade keeps its radius and rests
+  bool steadied = false;   ///< `fit` is not the nearest curve, but one near its neighbour's shape, within the tolerance
   Elastica blade = {};     ///< fit.elastica extended at both ends to the blade's length
   double extension = 0;    ///< a: blade = parameters [−a, 1 + a] of the fitted segment, a ≥ 0; < 0 if the blade is too short
   double angleMean = 0, angleMax = 0;  ///< rad, velocity to plane normal
@@ -65,7 +66,7 @@ struct Sweep {
   std::vector<Station> stations;
 };
 
-/// Fits one elastica a section, each warm-started from its neighbour, and extends it to the blade's length. `sections` in the order of
+/// Fits one elastica a section, from the longest section to both ends of the row, each beside its neighbour, and extends it to the blade's length. `sections` in the order of
 /// travel, all curves running the same way. A blade shorter than a section is an error.
 Result<Sweep> buildSweep(std::vector<Section> sections, const Job& job, const Box& block,
                          const Eigen::Vector3d& direction, const RunContext& context, Issues& issues,

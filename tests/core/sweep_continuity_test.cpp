@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// Blades much longer than their sections: what their ends do from station to station.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "bw/core/elastica_stability.h"
+#include "bw/core/sweep.h"
+#include "bw/core/units.h"
+
+namespace bw {
+
+namespace {
+
+/// A section y = height(x) over x = −half … half, the i-th of a row at distances of 20 mm.
+template <class Height>
+Section section(int i, Height height, double half) {
+  std::vector<Eigen::Vector2d> points;
+  for (int k = 0; k <= 80; ++k) {
+    const double x = half * (k / 40.0 - 1);
+    points.emplace_back(x, height(x));
+  }
+  const double y = 20.0 * i;
+  return {i, y,
+          Frame{{0, y, 0}, -Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitY()},
+          *PlanarCurve::points(points)};
+}
+
+Section parabola(int i, double bend, double half) {
+  return section(
+      i, [bend](double x) { return bend * x * x; }, half);
+}
+
+/// An arc that bulges to the side of `radius`.
+Section arc(int i, double radius, double half) {
+  return section(
+      i, [radius](double x) { return std::copysign(std::sqrt(radius * radius - x * x), radius); }, half);
+}
+
+Box block() {
+  return {Frame{{-150, 0, -50}, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ()},
+          {300, 300, 100}};
+}
+
+double largestSwing(const Sweep& sweep) {
+  double largest = 0;
+  for (std::size_t i = 1; i < sweep.stations.size(); ++i) {
+    const Station &a = sweep.stations[i - 1], &b = sweep.stations[i];
+    for (const double cosine : {a.leftTangent().dot(b.leftTangent()), a.rightTangent().dot(b.rightTangent())})
+      largest = std::max(largest, std::acos(std::clamp(cosine, -1.0, 1.0)));
+  }
+  return largest;
+}
+
+Result<Sweep> sweepOf(const std::vector<Section>& sections, const Job& job, Issues& issues) {
+  return buildSweep(sections, job, block(), Eigen::Vector3d::UnitY(), {}, issues);
+}
+
+const Issue* swingOf(const Issues& issues) {
+  const auto it = std::ranges::find_if(issues, [](const Issue& i) { return i.kind == "swing"; });
+  return it == issues.end() ? nullptr : &*it;
+}
+
+/// Hollows and bulges of 0.6 mm in turn: a blade of 1600 mm that followed them would fling its ends about.
+std::vector<Section> waves() {
+  std::vector<Section> sections;
+  for (int i = 0; i < 9; ++i) sections.push_back(parabola(i, i % 2 == 0 ? 0.00065 : -0.00065, 30 + i));
+  return sections;
+}
+
+}  // namespace
+
+TEST(SweepContinuity, EndsOfALongBladeKeepStillOverShortSections) {
+  Job job;
+  job.blade.length = 1600;
+  job.tolerance = 2;
+  Issues issues;
+  const Result<Sweep> sweep = sweepOf(waves(), job, issues);
+  ASSERT_TRUE(sweep) << sweep.error().message;
+  EXPECT_LT(largestSwing(*sweep), 16 * kDegree);
+  EXPECT_EQ(swingOf(issues), nullptr);
+  EXPECT_TRUE(std::ranges::any_of(sweep->stations, [](const Station& s) { return s.steadied; }));
+  for (const Station& station : sweep->stations) {
+    EXPECT_LE(station.fit.hausdorff, job.tolerance);
+    EXPECT_LE(station.blade.maxCurvature(), job.blade.maxCurvature());
+    EXPECT_GT(stabilityMargin(station.blade), 0);
+    EXPECT_TRUE(!station.steadied || station.fit.status == FitStatus::constraintsActive);
+  }
+}
+
+TEST(SweepContinuity, StepsAreWithinWhatTheToleranceAllows) {
+  // The finer the tolerance, the farther the ends must go along with the sections, and that is told.
+  Job job;
+  job.blade.length = 1600;
+  job.tolerance = 0.01;
+  Issues issues;
+  const Result<Sweep> sweep = sweepOf(waves(), job, issues);
+  ASSERT_TRUE(sweep) << sweep.error().message;
+  EXPECT_GT(largestSwing(*sweep), 45 * kDegree);
+  const Issue* swing = swingOf(issues);
+  ASSERT_NE(swing, nullptr);
+  EXPECT_NE(swing->message.find("° on 20 mm of travel"), std::string::npos) << swing->message;
+}
+
+TEST(SweepContinuity, EndsThatTheSectionsFlingAreAnError) {
+  Job job;
+  job.blade.length = 1000;
+  std::vector<Section> sections;
+  for (int i = 0; i < 4; ++i) sections.push_back(arc(i, i % 2 == 0 ? 400 : -400, 260));
+  Issues issues;
+  const Result<Sweep> sweep = sweepOf(sections, job, issues);
+  ASSERT_TRUE(sweep) << sweep.error().message;
+  EXPECT_GT(largestSwing(*sweep), 90 * kDegree);
+  const Issue* swing = swingOf(issues);
+  ASSERT_NE(swing, nullptr);
+  EXPECT_EQ(swing->severity, Severity::error);
+}
+
+TEST(SweepContinuity, SectionsThatTellTheBladeAreFollowed) {
+  // Sections of three quarters of the blade, each bent more than the one before.
+  Job job;
+  job.blade.length = 800;
+  job.tolerance = 5;
+  std::vector<Section> sections;
+  for (int i = 0; i < 6; ++i) sections.push_back(parabola(i, 0.00024 * (i - 2.5), 300));
+  Issues issues;
+  const Result<Sweep> sweep = sweepOf(sections, job, issues);
+  ASSERT_TRUE(sweep) << sweep.error().message;
+  for (const Station& station : sweep->stations) {
+    EXPECT_FALSE(station.steadied);
+    EXPECT_LT(station.fit.R4, 1e-3);
+  }
+}
+
+TEST(SweepContinuity, RunsFromItsLongestSection) {
+  // The same row run from either end gives the same blades.
+  Job job;
+  job.blade.length = 1600;
+  std::vector<Section> sections = waves();
+  Issues issues;
+  const Result<Sweep> there = sweepOf(sections, job, issues);
+  std::reverse(sections.begin(), sections.end());
+  const Result<Sweep> back = sweepOf(sections, job, issues);
+  ASSERT_TRUE(there && back);
+  for (std::size_t i = 0; i < sections.size(); ++i)
+    EXPECT_LT((there->stations[i].leftPoint() - back->stations[sections.size() - 1 - i].leftPoint()).norm(),
+              1e-9);
+}
+
+}  // namespace bw
