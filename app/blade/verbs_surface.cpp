@@ -65,12 +65,8 @@ void tellSummary(const pipeline::Evaluation& e) {
             << fixedText(e.seconds.total, 2) << " s\n";
 }
 
-/// 1 where a stated tolerance or a limit of the blade is exceeded.
-int limitStatus(const pipeline::Evaluation& e) {
-  const Issues issues = e.issues();
-  const bool tolerance = e.sweep.value->analysis.summary.deviationMax > e.design.job.tolerance;
-  return tolerance || hasErrors(issues) ? kLimitExceeded : kDone;
-}
+/// 1 where a limit that the job or the blade states is exceeded.
+int limitStatus(const pipeline::Evaluation& e) { return exceedsLimit(e.issues()) ? kLimitExceeded : kDone; }
 
 constexpr const char* kDesignSuffix = ".bladewright";
 

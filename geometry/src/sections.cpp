@@ -185,10 +185,10 @@ Result<std::vector<Section>> cutSections(const Target& target, const Setup& give
           sections.push_back(std::move(*outcome.section));
         }
         if (sections.empty()) {
-          const std::string why = issues.empty() ? "" : " (" + issues.back().message + ")";
           return fail(ErrorCode::noSolution,
                       "none of the " + std::to_string(count) +
-                          " planes cuts the target in one open curve inside the block" + why,
+                          " planes cuts the target in one open curve inside the block; choose another block, "
+                          "direction or face",
                       "sections");
         }
         orient(sections);

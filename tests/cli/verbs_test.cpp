@@ -332,4 +332,29 @@ TEST(Rationalize, ExceededToleranceIsStatusOne) {
   EXPECT_NE(run.err.find("more than the tolerance"), std::string::npos);
 }
 
+TEST(Rationalize, MissedClearanceIsStatusOne) {
+  const Folder folder;
+  for (const auto& [clearance, status] : {std::pair{"50", 0}, {"500", 1}}) {
+    const std::string job = folder.write(
+        "job.json", std::string(R"({"stations": 20, "programs": [], "clearance": )") + clearance + "}");
+    const Finished run = blade({"rationalize", example("saddle"), "--job", job, "--out", folder / clearance});
+    EXPECT_EQ(run.status, status) << run.err;
+    EXPECT_EQ(run.err.find("less than the clearance") != std::string::npos, status == 1) << run.err;
+  }
+}
+
+TEST(Rationalize, TellsOnceWhyAllStationsAreLeftOut) {
+  // A block below the top of the cap and above its border: each plane across it cuts the flanks on both sides.
+  const Folder folder;
+  const std::string job = folder.write(
+      "job.json",
+      R"({"stations": 5, "direction": "y", "block": {"origin": [-300, -50, 60], "size": [600, 100, 30]}})");
+  const Finished run = blade({"rationalize", example("sphere-cap"), "--job", job, "--out", folder / "out"});
+  EXPECT_EQ(run.status, 3) << run.err;
+  EXPECT_NE(run.err.find("stations 1 to 5 are left out: their planes cut the target in 2 separate curves each"), std::string::npos)
+      << run.err;
+  EXPECT_NE(run.err.find("none of the 5 planes"), std::string::npos) << run.err;
+  EXPECT_EQ(run.err.find("left out"), run.err.rfind("left out")) << run.err;
+}
+
 }  // namespace bw::test

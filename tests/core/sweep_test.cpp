@@ -318,6 +318,89 @@ TEST(SweepAnalysis, TooFewStationsAskForMore) {
   EXPECT_EQ(off.find("take more"), std::string::npos) << off;
 }
 
+TEST(SweepAnalysis, TellsTheBladeThatBringsItsGripsOutOfTheBlock) {
+  // A short straight section at one edge of the block (x from -300 to 300): the far grip comes out by 50 mm
+  // at x = 350, that is 600 mm from the middle of the section.
+  Job job;
+  job.blade.length = 300;
+  const auto sections = [] {
+    std::vector<Section> result = straightSections({0, 10, 20, 30}, 10, [](double) { return -250.0; });
+    for (Section& section : result)
+      section.curve = *PlanarCurve::points({{-50, 1300}, {0, 1300}, {50, 1300}});
+    return result;
+  };
+  const test::PlaneSampler plane(Eigen::Vector3d::UnitZ());
+  const Analysed shortBlade = analysed(sections(), job, plane);
+  const Issue* issue = shortBlade.issue("clearance");
+  ASSERT_TRUE(issue);
+  EXPECT_EQ(issue->severity, Severity::error);
+  EXPECT_NE(issue->message.find("a blade of at least 1200 mm keeps"), std::string::npos) << issue->message;
+  job.blade.length = 1200;
+  EXPECT_FALSE(analysed(sections(), job, plane).issue("clearance"));
+}
+
+TEST(SweepAnalysis, TellsNoLongerBladeWhereItCurlsBackIntoTheBlock) {
+  // A circle of radius 100 inside the block: however long the blade, its grips stay on it.
+  Job job;
+  job.blade.section = Blade::Section::rod;
+  job.blade.outerDiameter = 0.3;
+  job.blade.length = 300;
+  std::vector<Section> sections = straightSections({0, 10, 20, 30, 40}, 10, [](double) { return 0.0; });
+  for (Section& section : sections)
+    section.curve = test::arc({0, 1275}, 100, std::numbers::pi / 2 + 0.8, std::numbers::pi / 2 - 0.8);
+  const Analysed circles = analysed(sections, job, test::PlaneSampler(Eigen::Vector3d::UnitZ()));
+  ASSERT_TRUE(circles.issue("clearance"));
+  const std::string& inside = circles.issue("clearance")->message;
+  EXPECT_NE(inside.find("no longer blade"), std::string::npos) << inside;
+  EXPECT_NE(inside.find("smaller block"), std::string::npos) << inside;
+  EXPECT_EQ(inside.find("at least"), std::string::npos) << inside;
+}
+
+TEST(SweepAnalysis, BladeThatKeepsTheClearanceIsTrue) {
+  // Along a sphere the grips go down as well as out: 2 × the missing clearance is not enough.
+  Job job;
+  job.clearance = 500;
+  const auto issueOf = [&](double length) -> std::optional<Issue> {
+    job.blade.length = length;
+    const Analysed found =
+        analysed(test::sphereSections(kRadius, kHalfWidth, evenTravel(9)), job, test::SphereSampler(kRadius));
+    const Issue* issue = found.issue("clearance");
+    return issue ? std::optional(*issue) : std::nullopt;
+  };
+  const std::optional<Issue> missed = issueOf(800);
+  ASSERT_TRUE(missed);
+  EXPECT_EQ(missed->severity, Severity::warning);
+  const std::size_t at = missed->message.find("at least ");
+  ASSERT_NE(at, std::string::npos) << missed->message;
+  const double length = std::stod(missed->message.substr(at + 9));
+  EXPECT_FALSE(issueOf(length)) << missed->message;
+  EXPECT_TRUE(issueOf(0.98 * length)) << missed->message;
+}
+
+TEST(ExceedsLimit, CountsErrorsAndWarningsAboutStatedLimits) {
+  EXPECT_FALSE(exceedsLimit({}));
+  for (const char* kind : {"deviation", "clearance", "stability"}) {
+    EXPECT_TRUE(exceedsLimit({{Severity::warning, kind, ""}})) << kind;
+    EXPECT_FALSE(exceedsLimit({{Severity::info, kind, ""}})) << kind;
+  }
+  for (const char* kind : {"angle", "speed", "inflections", "fit", "section-missing", "cell-sides"}) {
+    EXPECT_FALSE(exceedsLimit({{Severity::warning, kind, ""}})) << kind;
+    EXPECT_TRUE(exceedsLimit({{Severity::warning, "angle", ""}, {Severity::error, kind, ""}})) << kind;
+  }
+}
+
+TEST(BladeInflections, CountOnlyWhereTheBladeBends) {
+  const Elastica sine = *Elastica::make({0, 0}, 0.1, 0, {1e-4, 0}, 800);
+  ASSERT_EQ(sine.inflections().size(), 3u);
+  EXPECT_EQ(bladeInflections(sine), int(sine.inflections().size()) - 1);
+  // Almost straight: waves of 0.01 µm.
+  const Elastica straight = *Elastica::make({0, 0}, 1e-7, 0, {1e-4, 0}, 800);
+  EXPECT_FALSE(straight.inflections().empty());
+  EXPECT_EQ(bladeInflections(straight), 0);
+  EXPECT_EQ(bladeInflections(*Elastica::make({0, 0}, 0, 0, {0, 0}, 800)), 0);
+  EXPECT_EQ(bladeInflections(*Elastica::make({0, 0}, 0, 1e-3, {0, 0}, 800)), 0);
+}
+
 TEST(SweepAnalysis, StopsOnRequest) {
   Job job;
   Issues issues;
@@ -515,6 +598,20 @@ TEST(SweepAnalysis, TellsHowLongARoundBladeStaysInItsPlane) {
   EXPECT_FALSE(worstLength(longest, Blade::Section::tube)) << *message;
   EXPECT_TRUE(worstLength(longest + 2, Blade::Section::tube)) << *message;
   EXPECT_FALSE(worstLength(800, Blade::Section::flat));
+}
+
+TEST(SweepAnalysis, TellsWhereALongerBladeWouldNotHold) {
+  // Continued to 300 mm beyond the block, a bulge becomes nearly two waves.
+  Job job;
+  job.blade.length = 640;
+  job.clearance = 300;
+  std::vector<Section> sections = bulgeSections();
+  for (Section& section : sections) section.frame.origin.z() = 1375;
+  const Analysed waves = analysed(std::move(sections), job, test::SphereSampler(kRadius));
+  ASSERT_TRUE(waves.issue("clearance"));
+  const std::string& message = waves.issue("clearance")->message;
+  EXPECT_NE(message.find("would not hold"), std::string::npos) << message;
+  EXPECT_NE(message.find("smaller block"), std::string::npos) << message;
 }
 
 TEST(SweepAnalysis, MarginsAreThoseOfTheBlade) {

@@ -230,7 +230,7 @@ TEST(Sections, CurveThatLeavesThroughTheTopInBetweenIsReportedNotGuessed) {
   Issues issues;
   const auto setup = resolveSetup(target, job, issues);
   const auto sections = cutSections(target, *setup, job, {}, issues);
-  expectError(sections, ErrorCode::noSolution, "separate curves");
+  expectError(sections, ErrorCode::noSolution, "in one open curve");
   for (int i = 0; i < 5; ++i) EXPECT_TRUE(hasIssue(issues, "section-branches", i));
 }
 
@@ -244,7 +244,7 @@ TEST(Sections, ClosedCurveIsReportedNotGuessed) {
   Issues issues;
   const auto setup = resolveSetup(target, job, issues);
   ASSERT_TRUE(setup);
-  expectError(cutSections(target, *setup, job, {}, issues), ErrorCode::noSolution, "closed curve");
+  expectError(cutSections(target, *setup, job, {}, issues), ErrorCode::noSolution, "in one open curve");
   EXPECT_TRUE(hasIssue(issues, "section-closed", 0));
 }
 

@@ -231,7 +231,7 @@ void Inspector::makeStation() {
     const double curvature = s.blade.maxCurvature();
     return radiusText(curvature > 0 ? 1 / curvature : 1e12);
   });
-  add(tr("Inflections"), tr("Changes of the bending direction along the blade"), [](const Station& s) { return QString::number(s.blade.inflections().size()); });
+  add(tr("Inflections"), tr("Changes of the bending direction along the blade"), [](const Station& s) { return QString::number(bladeInflections(s.blade)); });
   add(tr("Extension"), tr("Length of the blade beyond the surface, each side"), [](const Station& s) { return lengthText(s.extension * s.fit.elastica.length()); });
   add(tr("Clearance"), tr("Between the nearer grip and the block"), [](const Station& s) { return lengthText(s.clearance); });
   column->addHeading(tr("Motion"));

@@ -21,12 +21,11 @@ struct Setting {
   double bladeLength;  ///< mm
 };
 
-/// The ramps' profiles are up to 1460 mm long; the other examples are 600 mm wide. A round blade of 800 mm would
-/// leave its plane on the panel.
+/// The ramps' profiles are up to 1460 mm long; the other examples are 600 mm wide. A round blade of 800 mm
+/// would leave its plane on the panel, and one of any length on the torus.
 constexpr Setting kSettings[] = {
-    {"panel-600x670", "nicr-flat-5x1", 800},
-    {"wavy-wall", "steel-tube-3-2.5", 900},
-    {"ramp-corner-hollow", "steel-tube-3-2.5", 1700},
+    {"panel-600x670", "nicr-flat-5x1", 800},         {"torus-patch", "nicr-flat-5x1", 800},
+    {"wavy-wall", "steel-tube-3-2.5", 900},          {"ramp-corner-hollow", "steel-tube-3-2.5", 1700},
     {"ramp-corner-domed", "steel-tube-3-2.5", 1700},
 };
 

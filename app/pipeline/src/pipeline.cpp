@@ -5,9 +5,11 @@
 
 #include <chrono>
 #include <cmath>
+#include <cstring>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <system_error>
+#include <utility>
 
 #include "bw/core/number_text.h"
 #include "bw/robotio/program.h"
@@ -72,6 +74,22 @@ std::string withoutStation(const Issue& issue) {
   return issue.message.compare(0, name.size(), name) == 0 ? issue.message.substr(name.size()) : std::string();
 }
 
+/// What is said of one station, said of several.
+std::string inPlural(std::string text) {
+  static constexpr std::pair<const char*, const char*> kPlurals[] = {
+      {" is left out", " are left out"},
+      {"its plane cuts", "their planes cut"},
+      {"its plane meets", "their planes meet"},
+      {"its plane does not", "their planes do not"},
+      {"in a closed curve", "in closed curves"},
+      {"its section is", "their sections are"},
+      {" separate curves", " separate curves each"}};
+  for (const auto& [one, several] : kPlurals)
+    if (const std::size_t at = text.find(one); at != std::string::npos)
+      text.replace(at, std::strlen(one), several);
+  return text;
+}
+
 /// Neighbouring stations that say the same become one finding, placed at the first of them.
 Issues grouped(const Issues& issues) {
   Issues result;
@@ -84,10 +102,8 @@ Issues grouped(const Issues& issues) {
       ++j;
     result.push_back(issues[i]);
     if (j > i) {
-      std::string rest = text;
-      if (rest.compare(0, 12, " is left out") == 0) rest.replace(0, 12, " are left out");
       result.back().message = "stations " + std::to_string(*issues[i].where.station + 1) + " to " +
-                              std::to_string(*issues[j].where.station + 1) + rest;
+                              std::to_string(*issues[j].where.station + 1) + inPlural(text);
     }
     i = j;
   }
@@ -98,9 +114,8 @@ Issues grouped(const Issues& issues) {
 
 Issues Evaluation::issues() const {
   Issues all;
-  for (const Issues* list :
-       {&model.issues, &target.issues, &setup.issues, &sections.issues, &fits.issues, &sweep.issues, &cell.issues,
-        &programs})
+  for (const Issues* list : {&model.issues, &target.issues, &setup.issues, &sections.issues, &fits.issues,
+                             &sweep.issues, &cell.issues, &programs})
     all.insert(all.end(), list->begin(), list->end());
   return grouped(all);
 }

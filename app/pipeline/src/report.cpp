@@ -55,7 +55,7 @@ ordered_json stationJson(const Station& s) {
   const double curvature = s.blade.maxCurvature();
   object["max_curvature"] = curvature;
   object["min_radius_mm"] = curvature > 0 ? ordered_json(1 / curvature) : ordered_json(nullptr);
-  object["inflections"] = int(s.fit.elastica.inflections().size());
+  object["inflections"] = bladeInflections(s.fit.elastica);
   object["stable"] = s.stable;
   object["stability_margin"] = s.stabilityMargin;
   object["out_of_plane_margin"] = s.outOfPlaneMargin;

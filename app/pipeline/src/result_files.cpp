@@ -79,7 +79,7 @@ std::string stationsCsv(const Sweep& sweep) {
     lines.text(",")
         .text(curvature > 0 ? fixedText(1 / curvature, 3) : "")
         .text(",")
-        .integer((long long)(s.fit.elastica.inflections().size()));
+        .integer(bladeInflections(s.fit.elastica));
     lines.text(s.stable ? ",yes," : ",no,")
         .fixed(toDegrees(s.angleMean), 4)
         .text(",")

@@ -3,6 +3,7 @@
 
 #include "bw/core/result.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 
@@ -51,6 +52,15 @@ bool hasErrors(const Issues& issues) {
   for (const Issue& issue : issues)
     if (issue.severity == Severity::error) return true;
   return false;
+}
+
+bool exceedsLimit(const Issues& issues) {
+  const auto stated = [](const Issue& issue) {
+    for (const char* kind : {"deviation", "clearance", "stability"})
+      if (issue.kind == kind) return issue.severity == Severity::warning;
+    return false;
+  };
+  return hasErrors(issues) || std::any_of(issues.begin(), issues.end(), stated);
 }
 
 }  // namespace bw

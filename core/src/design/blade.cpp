@@ -10,11 +10,11 @@
 #include <cstdlib>
 #include <system_error>
 
-#include "design/blade_json.h"
+#include "base/json_reader.h"
 #include "bw/core/file_set.h"
 #include "bw/core/number_text.h"
 #include "bw/core/units.h"
-#include "base/json_reader.h"
+#include "design/blade_json.h"
 
 namespace bw {
 
@@ -47,7 +47,7 @@ Result<Blade> bladeFromJson(const json& object, const std::string& path, Blade b
   int section = int(blade.section);
   reader.word("section", {"flat", "tube", "rod"}, section);
   blade.section = Blade::Section(section);
-  reader.number("length", blade.length, 10, 20000);
+  reader.number("length", blade.length, 10, Blade::kLongest);
   reader.number("width", blade.width, 0, 200);
   reader.number("thickness", blade.thickness, 0, 50);
   reader.number("outer_diameter", blade.outerDiameter, 0, 100);

@@ -4,10 +4,12 @@
 #include "sweep/station_findings.h"
 
 #include <cmath>
+#include <span>
 
 #include "bw/core/elastica_stability.h"
 #include "bw/core/number_text.h"
 #include "bw/core/units.h"
+#include "sweep/grip_reach.h"
 #include "sweep/station_fit.h"
 
 namespace bw::detail {
@@ -64,7 +66,7 @@ void reportStretches(const std::vector<Station>& stations, Severity severity, co
   for (const Stretch& stretch : stretches) {
     const Station& w = stations[stretch.worst];
     const Eigen::Vector3d middle = w.frame.toWorld(w.fit.elastica.point(0.5 * w.fit.elastica.length()));
-    issues.push_back({severity, kind, placeOf(stations, stretch) + ": " + text(w),
+    issues.push_back({severity, kind, placeOf(stations, stretch) + ": " + text(w, stretch),
                       Place{stationName(w.index), 0, w.index, middle}});
   }
 }
@@ -85,6 +87,27 @@ double longestInPlane(const Station& station) {
   return good;
 }
 
+/// What keeps the grips of these stations clear of the block: a longer blade only where it does.
+std::string clearanceRemedy(const Sweep& sweep, const Job& job, const Stretch& stretch) {
+  const std::vector<Station>& stations = sweep.stations;
+  const GripReach reach =
+      lengthThatClears(sweep, std::span(stations).subspan(stretch.first, stretch.last - stretch.first + 1),
+                       stations[stretch.worst], job.clearance);
+  if (reach.length && reach.holds)
+    return "a blade of at least " + shortText(*reach.length, 6) + " mm keeps the clearance";
+  std::string why = "no longer blade of this shape keeps the clearance";
+  if (reach.length)
+    why =
+        "a blade that keeps the clearance (" + shortText(*reach.length, 6) + " mm) would not hold this shape";
+  std::string other = "choose a smaller block or another cutting direction";
+  const bool atStart = stretch.first == 0, atEnd = stretch.last + 1 == stations.size();
+  if (atStart != atEnd)
+    other = std::string("choose a block that ") + (atStart ? "begins after" : "ends before") +
+            (stretch.first == stretch.last ? " this station" : " these stations") +
+            ", one that is narrower along the blade, or another cutting direction";
+  return why + "; " + other;
+}
+
 }  // namespace
 
 void addStationFindings(const Sweep& sweep, const Job& job, Issues& issues) {
@@ -94,7 +117,7 @@ void addStationFindings(const Sweep& sweep, const Job& job, Issues& issues) {
       stations, Severity::error, "curvature",
       [&](const Station& s) { return s.blade.maxCurvature() > limit; },
       [](const Station& a, const Station& b) { return a.blade.maxCurvature() > b.blade.maxCurvature(); },
-      [&](const Station& s) {
+      [&](const Station& s, const Stretch&) {
         return "the blade must bend to a radius of " + shortText(1 / s.blade.maxCurvature()) +
                " mm but keeps its shape only down to " + shortText(sweep.blade.minRadius()) +
                " mm; take a thinner blade or a gentler surface";
@@ -102,17 +125,17 @@ void addStationFindings(const Sweep& sweep, const Job& job, Issues& issues) {
       issues);
   reportStretches(
       stations, Severity::warning, "inflections",
-      [](const Station& s) { return s.fit.elastica.inflections().size() > 2; },
+      [](const Station& s) { return bladeInflections(s.fit.elastica) > 2; },
       [](const Station& a, const Station& b) { return a.fit.R4 > b.fit.R4; },
-      [](const Station& s) {
-        return "the blade would need " + std::to_string(s.fit.elastica.inflections().size()) +
+      [](const Station& s, const Stretch&) {
+        return "the blade would need " + std::to_string(bladeInflections(s.fit.elastica)) +
                " inflections; a stiff blade holds at most two, so split the surface across the blade";
       },
       issues);
   reportStretches(
       stations, Severity::warning, "stability", [](const Station& s) { return !s.stable; },
       [](const Station& a, const Station& b) { return a.stabilityMargin < b.stabilityMargin; },
-      [](const Station&) {
+      [](const Station&, const Stretch&) {
         return std::string(
             "the blade would not rest in this shape but snap to another; shorten the blade or split the "
             "surface");
@@ -122,7 +145,7 @@ void addStationFindings(const Sweep& sweep, const Job& job, Issues& issues) {
       stations, Severity::warning, "out-of-plane",
       [](const Station& s) { return s.stable && s.outOfPlaneMargin <= 0; },
       [](const Station& a, const Station& b) { return a.outOfPlaneMargin < b.outOfPlaneMargin; },
-      [](const Station& s) {
+      [](const Station& s, const Stretch&) {
         const double longest = std::floor(longestInPlane(s));
         return "a round blade would twist out of its plane rather than rest in this shape; " +
                (longest >= s.fit.elastica.length()
@@ -134,7 +157,7 @@ void addStationFindings(const Sweep& sweep, const Job& job, Issues& issues) {
   reportStretches(
       stations, Severity::info, "fit-bounded", [](const Station& s) { return s.heldBack; },
       [](const Station& a, const Station& b) { return a.fit.hausdorff > b.fit.hausdorff; },
-      [](const Station& s) {
+      [](const Station& s, const Stretch&) {
         return "continued to its grips, the nearest curve would overbend or buckle the blade; a curve "
                "within " +
                shortText(s.fit.hausdorff) +
@@ -144,7 +167,7 @@ void addStationFindings(const Sweep& sweep, const Job& job, Issues& issues) {
   reportStretches(
       stations, Severity::info, "fit-steadied", [](const Station& s) { return s.steadied; },
       [](const Station& a, const Station& b) { return a.fit.hausdorff > b.fit.hausdorff; },
-      [](const Station& s) {
+      [](const Station& s, const Stretch&) {
         return "the section is short and the nearest curve would swing the blade's ends about; a curve "
                "within " +
                shortText(s.fit.hausdorff) +
@@ -154,27 +177,25 @@ void addStationFindings(const Sweep& sweep, const Job& job, Issues& issues) {
   reportStretches(
       stations, Severity::error, "clearance", [](const Station& s) { return s.clearance < 0; },
       [](const Station& a, const Station& b) { return a.clearance < b.clearance; },
-      [&](const Station& s) {
-        return "a grip would be " + shortText(-s.clearance) + " mm inside the block; the blade of " +
-               shortText(sweep.blade.length, 5) + " mm is too short for it";
+      [&](const Station& s, const Stretch& stretch) {
+        return "a grip would be " + shortText(-s.clearance) + " mm inside the block; " +
+               clearanceRemedy(sweep, job, stretch);
       },
       issues);
   reportStretches(
       stations, Severity::warning, "clearance",
       [&](const Station& s) { return s.clearance >= 0 && s.clearance < job.clearance; },
       [](const Station& a, const Station& b) { return a.clearance < b.clearance; },
-      [&](const Station& s) {
+      [&](const Station& s, const Stretch& stretch) {
         return "a grip passes the block at " + shortText(s.clearance) + " mm, less than the clearance of " +
-               shortText(job.clearance) + " mm; a blade of at least " +
-               shortText(std::ceil(sweep.blade.length + 2 * (job.clearance - s.clearance)), 6) +
-               " mm keeps it";
+               shortText(job.clearance) + " mm; " + clearanceRemedy(sweep, job, stretch);
       },
       issues);
   const double angleLimit = sweep.blade.section == Blade::Section::flat ? kAngleLimitFlat : kAngleLimitRound;
   reportStretches(
       stations, Severity::warning, "angle", [&](const Station& s) { return s.angleMax > angleLimit; },
       [](const Station& a, const Station& b) { return a.angleMax > b.angleMax; },
-      [&](const Station& s) {
+      [&](const Station& s, const Stretch&) {
         return "the blade moves at " + fixedText(toDegrees(s.angleMax), 1) +
                "° to the normal of its plane; above " + fixedText(toDegrees(angleLimit), 0) +
                "° this blade drags instead of cutting";
@@ -183,7 +204,7 @@ void addStationFindings(const Sweep& sweep, const Job& job, Issues& issues) {
   reportStretches(
       stations, Severity::warning, "speed", [](const Station& s) { return s.speedRatio < kSpeedRatioLimit; },
       [](const Station& a, const Station& b) { return a.speedRatio < b.speedRatio; },
-      [](const Station& s) {
+      [](const Station& s, const Stretch&) {
         return "the slowest point of the blade moves at " + fixedText(100 * s.speedRatio, 0) +
                " % of the fastest, so that it melts a wider kerf there; split the surface or turn the "
                "cutting direction";

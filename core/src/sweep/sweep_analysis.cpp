@@ -12,6 +12,7 @@
 #include "bw/core/sweep.h"
 #include "bw/core/units.h"
 #include "sweep/cut_rows.h"
+#include "sweep/grip_reach.h"
 #include "sweep/row_findings.h"
 #include "sweep/station_findings.h"
 
@@ -60,14 +61,6 @@ std::vector<Eigen::Vector3d> materialPoints(const Station& station, const std::v
   points.reserve(sigma.size());
   for (const Elastica::State& state : states) points.push_back(station.frame.toWorld(state.point));
   return points;
-}
-
-/// Signed distance of a point to a box: negative inside.
-double boxDistance(const Box& box, const Eigen::Vector3d& p) {
-  const Eigen::Vector3d half = 0.5 * box.size;
-  const Eigen::Vector3d q = (box.frame.toLocal(p) - half).cwiseAbs() - half;
-  const double outside = q.cwiseMax(0.0).norm();
-  return outside > 0 ? outside : q.maxCoeff();
 }
 
 struct Velocities {
@@ -179,8 +172,8 @@ Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const Job& job, const SurfaceSa
     station.angleMean = 0;
     for (double angle : v.angle) station.angleMean += angle / kColumns;
     station.speedRatio = *std::min_element(v.relative.begin(), v.relative.end());
-    station.clearance = std::min(boxDistance(sweep.block, station.leftPoint()),
-                                 boxDistance(sweep.block, station.rightPoint()));
+    station.clearance = std::min(detail::boxDistance(sweep.block, station.leftPoint()),
+                                 detail::boxDistance(sweep.block, station.rightPoint()));
     summary.R4Max = std::max(summary.R4Max, station.fit.R4);
     summary.R4Mean += station.fit.R4 / n;
     summary.hausdorffMax = std::max(summary.hausdorffMax, station.fit.hausdorff);

@@ -14,6 +14,7 @@ namespace bw {
 /// The tool: a thin heated blade or rod held at both ends.
 struct Blade {
   enum class Section { flat, tube, rod };
+  static constexpr double kLongest = 20000;  ///< mm: no job or design takes a longer blade
   std::string name = "steel-tube-3-2.5";   ///< preset word, or "custom"
   std::string title = {};                  ///< for people
   Section section = Section::tube;

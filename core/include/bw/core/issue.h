@@ -41,4 +41,9 @@ using Issues = std::vector<Issue>;
 /// True if any of `issues` is an error.
 bool hasErrors(const Issues& issues);
 
+/// True if any of `issues` says that a limit is exceeded: an error of any kind, or a warning about a limit that the job or the blade
+/// states, of kind "deviation" (tolerance), "clearance" or "stability" (the blade would not keep its shape). Warnings by rules of
+/// thumb ("angle", "speed", "inflections", …) do not count, nor does "out-of-plane", which hangs on how the grips hold the blade.
+bool exceedsLimit(const Issues& issues);
+
 }  // namespace bw

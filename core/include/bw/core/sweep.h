@@ -57,6 +57,10 @@ struct Station {
   Eigen::Vector3d rightTangent() const;
 };
 
+/// How often a blade in this shape changes the side to which it bends. Bends so slight that no blade shows them (|κ| times the length at
+/// most 1e-4), such as those of a straight section, do not count.
+[[nodiscard]] int bladeInflections(const Elastica& shape);
+
 /// One continuous motion of the blade.
 struct Sweep {
   Box block;
