@@ -14,23 +14,33 @@ namespace bw::cli {
 
 namespace {
 
-int runExport(const Session& session, const std::string& path, const std::vector<std::string>& formats,
-              const std::string& cellName, const std::string& out) {
-  const Result<Design> design = designOf(path);
+struct ExportOptions {
+  std::string path, cell, out;
+  std::vector<std::string> formats = {"rapid"};
+};
+
+int runExport(const Session& session, const ExportOptions& options, bool despiteErrors) {
+  Result<Design> design = designOf(options.path);
   if (!design) return session.complain(design.error());
-  const Result<Cell> cell = loadCell(cellName.empty() ? design->job.cell : cellName);
+  // What is exported is what the findings are about.
+  if (!options.cell.empty()) design->job.cell = options.cell;
+  design->job.programs = options.formats;
+  const Result<Cell> cell = loadCell(design->job.cell);
   if (!cell) return session.complain(cell.error());
   const pipeline::Outcome outcome = pipeline::evaluate(*design, nullptr, session.context());
+  session.tell(outcome.evaluation.issues());
   if (outcome.error) return session.complain(*outcome.error);
-  const Motion& motion = outcome.evaluation.sweep.value->motion;
-  Issues findings = robotio::checkPlacement(motion, *cell);
-  Result<FileSet> files = pipeline::programFiles(motion, *cell, formats, "Blade", findings);
+  Issues findings;
+  Result<FileSet> files = pipeline::programFiles(outcome.evaluation, *cell, options.formats, "Blade",
+                                                 programPolicy(despiteErrors), findings);
   session.tell(findings);
   if (!files) return session.complain(files.error());
-  FileSet all;
-  all.append(std::move(*files), "strip-0");
-  if (Result<void> ok = session.writeFiles(all, out); !ok) return session.complain(ok.error());
-  return kDone;
+  if (!files->paths().empty()) {
+    FileSet all;
+    all.append(std::move(*files), "strip-0");
+    if (Result<void> ok = session.writeFiles(all, options.out); !ok) return session.complain(ok.error());
+  }
+  return resultStatus(outcome.evaluation);
 }
 
 int runCheck(const Session& session, const std::vector<std::string>& paths) {
@@ -50,27 +60,34 @@ int runCheck(const Session& session, const std::vector<std::string>& paths) {
 
 }  // namespace
 
+std::shared_ptr<bool> addDespiteErrors(CLI::App& verb) {
+  const auto despite = std::make_shared<bool>(false);
+  verb.add_flag("--despite-errors", *despite,
+                "Write the robot programs of a design with errors too, marked as not safe to run");
+  return despite;
+}
+
+pipeline::ProgramPolicy programPolicy(bool despiteErrors) {
+  return {despiteErrors, ", or have it written and marked as not safe to run with --despite-errors"};
+}
+
 void addProgramVerbs(CLI::App& app, const Session& session, Work& work) {
   {
     CLI::App* verb =
         app.add_subcommand("export", "Robot programs of a result or a design, after their check");
-    const auto path = std::make_shared<std::string>();
-    const auto formats = std::make_shared<std::vector<std::string>>(std::vector<std::string>{"rapid"});
-    const auto cell = std::make_shared<std::string>();
-    const auto out = std::make_shared<std::string>();
-    verb->add_option("PATH", *path, "Folder of results, or a .bladewright file")->required();
-    verb->add_option("--format", *formats, "rapid, csv, json (several with commas)")
+    const auto options = std::make_shared<ExportOptions>();
+    verb->add_option("PATH", options->path, "Folder of results, or a .bladewright file")->required();
+    verb->add_option("--format", options->formats, "rapid, csv, json (several with commas)")
         ->delimiter(',')
         ->type_name("LIST");
-    verb->add_option("--cell", *cell, "Robot cell: a word or a JSON file; default: the design's")
+    verb->add_option("--cell", options->cell, "Robot cell: a word or a JSON file; default: the design's")
         ->type_name("CELL");
-    verb->add_option("--out", *out, "Folder for the programs")->type_name("DIR")->required();
+    verb->add_option("--out", options->out, "Folder for the programs")->type_name("DIR")->required();
+    const std::shared_ptr<bool> despite = addDespiteErrors(*verb);
     verb->footer(
         "Example:\n  blade export out/panel --format rapid,csv --cell irb1600-pair --out out/programs");
-    verb->callback([&session, &work, path, formats, cell, out] {
-      work = [&session, path, formats, cell, out] {
-        return runExport(session, *path, *formats, *cell, *out);
-      };
+    verb->callback([&session, &work, options, despite] {
+      work = [&session, options, despite] { return runExport(session, *options, *despite); };
     });
   }
   {

@@ -87,7 +87,7 @@ Result<Design> withEmbeddedSource(const Design& design) {
   return result;
 }
 
-int runDesign(const Session& session, const Design& design, const std::string& out) {
+int runDesign(const Session& session, const Design& design, const std::string& out, bool despiteErrors) {
   if (!design.job.programs.empty()) {  // before the work, not after it
     const Result<Cell> cell = loadCell(design.job.cell);
     if (!cell) return session.complain(cell.error());
@@ -95,7 +95,8 @@ int runDesign(const Session& session, const Design& design, const std::string& o
   pipeline::Outcome outcome = pipeline::evaluate(design, nullptr, session.context());
   session.tell(outcome.evaluation.issues());
   if (outcome.error) return session.complain(*outcome.error);
-  Result<FileSet> files = pipeline::resultFiles(outcome.evaluation, session.context());
+  Result<FileSet> files =
+      pipeline::resultFiles(outcome.evaluation, session.context(), programPolicy(despiteErrors));
   session.tell(outcome.evaluation.programs);
   if (!files) return session.complain(files.error());
   const Result<Design> stored = withEmbeddedSource(design);
@@ -107,7 +108,7 @@ int runDesign(const Session& session, const Design& design, const std::string& o
 }
 
 int runRationalize(const Session& session, const std::string& file, const std::string& jobFile,
-                   const std::string& out) {
+                   const std::string& out, bool despiteErrors) {
   Design design;
   std::string text = "{}";
   if (!jobFile.empty()) {
@@ -120,7 +121,7 @@ int runRationalize(const Session& session, const std::string& file, const std::s
   design.name = fs::path(file).stem().string();
   design.source.path = file;
   design.job = std::move(*job);
-  return runDesign(session, design, out);
+  return runDesign(session, design, out, despiteErrors);
 }
 
 struct RenderOptions {
@@ -200,6 +201,8 @@ int runExample(const Session& session, const std::string& name, const std::strin
 
 }  // namespace
 
+int resultStatus(const pipeline::Evaluation& evaluation) { return limitStatus(evaluation); }
+
 void addSurfaceVerbs(CLI::App& app, const Session& session, Work& work) {
   {
     CLI::App* verb =
@@ -223,9 +226,12 @@ void addSurfaceVerbs(CLI::App& app, const Session& session, Work& work) {
     verb->add_option("--job", *job, "Job file (JSON); every key is optional, - for standard input")
         ->type_name("JOB.json");
     verb->add_option("--out", *out, "Folder for the results")->type_name("DIR")->required();
+    const std::shared_ptr<bool> despite = addDespiteErrors(*verb);
     verb->footer("Example:\n  blade rationalize panel.step --job job.json --out out/panel");
-    verb->callback([&session, &work, file, job, out] {
-      work = [&session, file, job, out] { return runRationalize(session, *file, *job, *out); };
+    verb->callback([&session, &work, file, job, out, despite] {
+      work = [&session, file, job, out, despite] {
+        return runRationalize(session, *file, *job, *out, *despite);
+      };
     });
   }
   {
@@ -234,11 +240,12 @@ void addSurfaceVerbs(CLI::App& app, const Session& session, Work& work) {
     const auto out = std::make_shared<std::string>();
     verb->add_option("DESIGN", *file, "A .bladewright file")->required();
     verb->add_option("--out", *out, "Folder for the results")->type_name("DIR")->required();
+    const std::shared_ptr<bool> despite = addDespiteErrors(*verb);
     verb->footer("Example:\n  blade design panel.bladewright --out out/panel");
-    verb->callback([&session, &work, file, out] {
-      work = [&session, file, out] {
+    verb->callback([&session, &work, file, out, despite] {
+      work = [&session, file, out, despite] {
         const Result<Design> design = loadDesign(*file);
-        return design ? runDesign(session, *design, *out) : session.complain(design.error());
+        return design ? runDesign(session, *design, *out, *despite) : session.complain(design.error());
       };
     });
   }

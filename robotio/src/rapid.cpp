@@ -7,6 +7,7 @@
 
 #include "bw/robotio/program.h"
 #include "rapid_program.h"
+#include "unsafe_mark.h"
 
 namespace bw::robotio {
 
@@ -78,6 +79,7 @@ Issues checkRapid(const Program& program) {
     findings.add("rapid-rule-2", "program", 0,
                  "there is no RAPID module (.mod or .modx) to check; give the folder of a program");
   for (const LinkedProgram& strip : linked) {
+    checkMarks(strip, findings);
     checkFiles(strip, findings);
     bool readable = true;
     for (const LinkedTask& task : strip.tasks) {

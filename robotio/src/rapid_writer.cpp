@@ -13,6 +13,7 @@
 #include "bw/robotio/program.h"
 #include "motion_check.h"
 #include "rapid_plan.h"
+#include "unsafe_mark.h"
 
 namespace bw::robotio {
 
@@ -66,13 +67,15 @@ class TextBuilder {
 /// Writes the files of one task.
 class TaskWriter {
  public:
-  TaskWriter(const Plan& plan, const Motion& motion, const Cell& cell, std::size_t end, bool robotWare7)
+  TaskWriter(const Plan& plan, const Motion& motion, const Cell& cell, std::size_t end,
+             const RapidOptions& options)
       : plan_(plan),
         motion_(motion),
         cell_(cell),
         task_(cell.tasks[end]),
         end_(end),
-        robotWare7_(robotWare7) {
+        robotWare7_(options.robotWare7),
+        mark_(unsafeMark(options.errors)) {
     module_ = plan.modules[end];
     parts_ =
         plan.cutMoves > kTargetsPerModule ? (plan.cutMoves + kTargetsPerModule - 1) / kTargetsPerModule : 0;
@@ -104,7 +107,12 @@ class TaskWriter {
   std::string partName(std::size_t part) const { return module_ + "_" + threeDigits(part + 1); }
   static std::string partProcedure(std::size_t part) { return "cutPart" + threeDigits(part + 1); }
 
+  void mark(TextBuilder& out) const {
+    for (const std::string& line : mark_) out.line(1, line);
+  }
+
   void header(TextBuilder& out) const {
+    mark(out);
     out.line(1, "! Bladewright: the " + endName(end_) + " end of the blade, for " + ascii(task_.robot) +
                     " in the cell " + ascii(cell_.name) + ".");
     out.line(1, "! " + std::to_string(plan_.cutMoves) + " targets, " +
@@ -197,7 +205,8 @@ class TaskWriter {
     const std::size_t end = std::min(begin + kTargetsPerModule, plan_.firstCut + plan_.cutMoves);
     TextBuilder out;
     out.line(0, "MODULE " + partName(part));
-    out.line(1, "! Part " + std::to_string(part + 1) + " of " + std::to_string(parts_) +
+    mark(out);
+    out.line(1, "! Bladewright: part " + std::to_string(part + 1) + " of " + std::to_string(parts_) +
                     "; all tasks are split at the same place.");
     for (std::size_t i = begin; i < end; ++i) target(out, plan_.moves[i]);
     out.line(1, "PROC " + partProcedure(part) + "()");
@@ -217,6 +226,7 @@ class TaskWriter {
   const CellTask& task_;
   std::size_t end_;
   bool robotWare7_;
+  std::vector<std::string> mark_;
   std::string module_;
   std::size_t parts_ = 0;
 };
@@ -230,12 +240,13 @@ Result<Program> writeRapid(const Motion& motion, const Cell& cell, const RapidOp
   if (!plan) return tl::unexpected<Error>(plan.error());
   Program program;
   for (std::size_t end = 0; end < cell.tasks.size(); ++end)
-    TaskWriter(*plan, motion, cell, end, options.robotWare7).write(program);
+    TaskWriter(*plan, motion, cell, end, options).write(program);
 
   std::string faults;
   int count = 0;
   std::string where;
   for (const Issue& issue : checkRapid(program)) {
+    if (!options.errors.empty() && issue.kind == kMarkKind) continue;
     if (issue.severity != Severity::error) {
       // The tasks move together: what holds for one is not said again for the other.
       const auto same = [&](const Issue& told) {

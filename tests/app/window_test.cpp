@@ -77,7 +77,8 @@ TEST_F(WindowTest, ScrubsTheTimeline) {
   openPanel();
   window().commands()["tab.motion"]->trigger();
   Timeline& timeline = window().motionView().timeline();
-  const QPoint from(int(timeline.xOf(0.2 * bench().playEnd())), 40), to(int(timeline.xOf(0.5 * bench().playEnd())), 40);
+  const QPoint from(int(timeline.xOf(0.2 * bench().playEnd())), 40),
+      to(int(timeline.xOf(0.5 * bench().playEnd())), 40);
   QTest::mousePress(&timeline, Qt::LeftButton, {}, from);
   QTest::mouseMove(&timeline, to);
   QTest::mouseRelease(&timeline, Qt::LeftButton, {}, to);
@@ -107,7 +108,8 @@ TEST_F(WindowTest, ExportsEverythingToAFolder) {
   window().questions().exportFolder = [folder] { return folder; };
   QTest::keyClick(&window(), Qt::Key_E, Qt::ControlModifier);
   ASSERT_TRUE(settle());
-  for (const char* file : {"report.json", "sweep.json", "surface.step", "mesh.obj", "stations.csv", "deviation.csv"})
+  for (const char* file :
+       {"report.json", "sweep.json", "surface.step", "mesh.obj", "stations.csv", "deviation.csv"})
     EXPECT_TRUE(fs::is_regular_file(path("out") / file)) << file;
   EXPECT_TRUE(fs::is_directory(path("out") / "programs"));
   EXPECT_EQ(bench().stepStates()[int(model::Step::output)].kind, model::StepState::Kind::done);
@@ -129,7 +131,8 @@ TEST_F(WindowTest, RepeatsWhatTheCheckOfTheProgramsWarnsOf) {
   window().commands()["file.programs"]->trigger();
   ASSERT_TRUE(settle());
   EXPECT_TRUE(fs::is_directory(path("programs") / "T_ROB1"));
-  EXPECT_TRUE(window().banner().text().contains("The check of the programs warns")) << window().banner().text().toStdString();
+  EXPECT_TRUE(window().banner().text().contains("The check of the programs warns"))
+      << window().banner().text().toStdString();
   EXPECT_GT(bench().messages().size(), before);
   EXPECT_EQ(window().messageList().count(), int(bench().messages().size()));
   picture("exported-warning");
@@ -137,6 +140,37 @@ TEST_F(WindowTest, RepeatsWhatTheCheckOfTheProgramsWarnsOf) {
   bench().editJob("Change cutting speed", [](Job& job) { job.cuttingSpeed = 10; });
   ASSERT_TRUE(settle());
   EXPECT_EQ(bench().messages().size(), before);
+}
+
+TEST_F(WindowTest, WritesNoRobotProgramOfADesignWithErrors) {
+  openPanel();
+  // The block is wider than the blade is long.
+  bench().editJob("Change block", [](Job& job) {
+    job.direction = Eigen::Vector3d::UnitY();
+    job.block = BlockPlacement{{-150, 0, -300}, {900, 670, 600}, Eigen::Vector3d::Zero()};
+  });
+  ASSERT_TRUE(settle());
+  const QString folder = QString::fromStdString(path("out").string());
+  window().questions().exportFolder = [folder] { return folder; };
+  window().exportEverything();
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(fs::is_regular_file(path("out") / "report.json"));
+  EXPECT_FALSE(fs::exists(path("out") / "programs/strip-0/T_ROB1"));
+  EXPECT_TRUE(window().banner().text().contains("no RAPID program is written", Qt::CaseInsensitive))
+      << window().banner().text().toStdString();
+  EXPECT_FALSE(window().banner().text().contains("--"));
+  picture("export-without-programs");
+  // Where programs alone are asked for, motions remain, and without those nothing.
+  bench().editJob("Change programs", [](Job& job) { job.programs = {"rapid"}; });
+  ASSERT_TRUE(settle());
+  const QString alone = QString::fromStdString(path("alone").string());
+  window().questions().exportFolder = [alone] { return alone; };
+  window().exportPrograms();
+  ASSERT_TRUE(settle());
+  EXPECT_FALSE(fs::exists(path("alone")));
+  EXPECT_EQ(bench().stepStates()[int(model::Step::output)].kind, model::StepState::Kind::error);
+  EXPECT_TRUE(window().banner().text().contains("no RAPID program is written", Qt::CaseInsensitive))
+      << window().banner().text().toStdString();
 }
 
 TEST_F(WindowTest, SavesAndOpensAgain) {
@@ -300,11 +334,15 @@ TEST_F(WindowTest, CutsTheSceneOpenAtTheSelectedStation) {
   const Frame& frame = bench().sweep()->sweep.stations[6].frame;
   EXPECT_NEAR((section->point - frame.origin).norm(), 0, 1e-9);
   EXPECT_NEAR(std::abs(section->normal.dot(frame.normal)), 1, 1e-12);
-  EXPECT_GT((window().sceneView().camera().position - section->point).dot(section->normal), 0) << "the half behind the cut was taken away";
+  EXPECT_GT((window().sceneView().camera().position - section->point).dot(section->normal), 0)
+      << "the half behind the cut was taken away";
   window().commands()["map.none"]->trigger();
   picture("section");
   bench().selectStation(12);
-  EXPECT_NEAR((window().sceneView().sceneStyle().section->point - bench().sweep()->sweep.stations[12].frame.origin).norm(), 0, 1e-9);
+  EXPECT_NEAR(
+      (window().sceneView().sceneStyle().section->point - bench().sweep()->sweep.stations[12].frame.origin)
+          .norm(),
+      0, 1e-9);
   QTest::keyClick(&window(), Qt::Key_X, Qt::ShiftModifier);
   EXPECT_LT(window().sceneView().sceneStyle().section->normal.dot(section->normal), 0);
   QTest::keyClick(&window(), Qt::Key_X);

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -158,16 +160,119 @@ TEST(Export, RepeatsTheWarningsOfTheCheck) {
   const Folder folder;
   const std::string job = folder.write(
       "job.json",
-      R"({"block": {"origin": [-350, -2, -300], "size": [700, 4, 600]}, "direction": "y", "stations": 60, "lead": 0})");
+      R"({"block": {"origin": [-250, -2, -300], "size": [500, 4, 600]}, "direction": "y", "stations": 60, "lead": 0})");
   const std::string warning = "zones are larger than half of a segment";
   const Finished run =
       blade({"rationalize", example("panel-600x670"), "--job", job, "--out", folder / "out"});
   ASSERT_LE(run.status, 1) << run.err;
   EXPECT_NE(run.err.find(warning), std::string::npos) << run.err;
   const Finished exported = blade({"export", folder / "out", "--out", folder / "programs"});
-  ASSERT_EQ(exported.status, 0) << exported.err;
+  ASSERT_EQ(exported.status, run.status) << exported.err;
   EXPECT_NE(exported.err.find(warning), std::string::npos) << exported.err;
   EXPECT_NE(blade({"check", folder / "programs/strip-0"}).out.find(warning), std::string::npos);
+}
+
+namespace {
+
+/// A block that is wider than the blade of 800 mm is long: the grips would have to enter it.
+constexpr const char* kGripsInside =
+    R"({"stations": 12, "tolerance": 10, "direction": "y", "block": {"origin": [-150, 0, -300], "size": [900, 670, 600]}})";
+
+/// Names of files in a list that hold `text`.
+int countOf(const std::vector<std::string>& names, const std::string& text) {
+  return int(std::count_if(names.begin(), names.end(),
+                           [&](const std::string& name) { return name.find(text) != std::string::npos; }));
+}
+
+}  // namespace
+
+TEST(UnsafeDesign, HasNoRobotProgramWritten) {
+  const Folder folder;
+  const std::string job = folder.write("job.json", kGripsInside);
+  const Finished run =
+      blade({"rationalize", example("panel-600x670"), "--job", job, "--out", folder / "out"});
+  EXPECT_EQ(run.status, 1) << run.err;
+  EXPECT_NE(run.err.find("inside the block"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("no RAPID program is written, because the design has an error; mend it"), std::string::npos)
+      << run.err;
+  EXPECT_NE(run.err.find("--despite-errors"), std::string::npos) << run.err;
+  EXPECT_EQ(countOf(folder.files(), ".mod"), 0);
+  EXPECT_EQ(countOf(folder.files(), "motion."), 2) << "motions stay for inspection";
+  const json report = json::parse(slurp(folder / "out/report.json"));
+  std::vector<std::string> listed = {"design.bladewright"};
+  for (const json& file : report["files"]) listed.push_back(file);
+  for (std::string& file : listed) file = "out/" + file;
+  listed.emplace_back("job.json");
+  std::sort(listed.begin(), listed.end());
+  EXPECT_EQ(listed, folder.files());
+  EXPECT_NE(report["issues"].dump().find("no RAPID program is written"), std::string::npos);
+
+  // The saved design tells the same, and so does an export, which is left with nothing to write.
+  const std::string design = folder / "out/design.bladewright";
+  const Finished again = blade({"design", design, "--out", folder / "again"});
+  EXPECT_EQ(again.status, 1) << again.err;
+  EXPECT_EQ(countOf(folder.files(), ".mod"), 0);
+  for (const std::string& from : {design, folder / "out"}) {
+    const Finished refused = blade({"export", from, "--out", folder / "programs"});
+    EXPECT_EQ(refused.status, 1) << refused.err;
+    std::istringstream lines(run.err);
+    for (std::string line; std::getline(lines, line);) {
+      if (line.rfind("error: ", 0) != 0) continue;
+      EXPECT_NE(refused.err.find(line), std::string::npos) << refused.err;
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder / "programs"));
+  }
+  const Finished motions = blade({"export", design, "--format", "csv,rapid", "--out", folder / "programs"});
+  EXPECT_EQ(motions.status, 1) << motions.err;
+  EXPECT_EQ(countOf(folder.files(), "programs/strip-0/motion.csv"), 3) << "of all three runs";
+  EXPECT_EQ(countOf(folder.files(), ".mod"), 0);
+}
+
+TEST(UnsafeDesign, HasMarkedProgramsWrittenOnRequest) {
+  const Folder folder;
+  const std::string job = folder.write("job.json", kGripsInside);
+  const std::string panel = example("panel-600x670");
+  const Finished run =
+      blade({"rationalize", panel, "--job", job, "--out", folder / "out", "--despite-errors"});
+  EXPECT_EQ(run.status, 1) << run.err;
+  EXPECT_NE(run.err.find("marked as not safe to run"), std::string::npos) << run.err;
+  ASSERT_EQ(
+      blade({"design", folder / "out/design.bladewright", "--out", folder / "again", "--despite-errors"})
+          .status,
+      1);
+  ASSERT_EQ(blade({"export", folder / "out", "--out", folder / "programs", "--despite-errors"}).status, 1);
+  for (const char* strip : {"out/programs/strip-0", "again/programs/strip-0", "programs/strip-0"}) {
+    for (const char* module : {"/T_ROB1/BladeLeft.mod", "/T_ROB2/BladeRight.mod"}) {
+      const std::string text = slurp(folder / (std::string(strip) + module));
+      EXPECT_NE(text.find("! NOT SAFE TO RUN: stations 1 to 12"), std::string::npos) << strip << module;
+    }
+    const Finished check = blade({"check", folder / strip});
+    EXPECT_EQ(check.status, 1);
+    EXPECT_NE(check.out.find("choose a smaller block or another cutting direction [rapid-marked]"),
+              std::string::npos)
+        << check.out;
+    EXPECT_EQ(check.out.find("[rapid-rule"), std::string::npos) << check.out;
+  }
+}
+
+TEST(UnsafeDesign, SwitchChangesNothingOfASafeOne) {
+  const Folder folder;
+  const std::string job = folder.write("job.json", R"({"stations": 12, "tolerance": 10})");
+  ASSERT_EQ(blade({"rationalize", example("panel-600x670"), "--job", job, "--out", folder / "a"}).status, 0);
+  ASSERT_EQ(blade({"export", folder / "a", "--out", folder / "b", "--despite-errors"}).status, 0);
+  const std::string text = slurp(folder / "a/programs/strip-0/T_ROB1/BladeLeft.mod");
+  EXPECT_EQ(text.find("NOT SAFE"), std::string::npos);
+  EXPECT_EQ(text, slurp(folder / "b/strip-0/T_ROB1/BladeLeft.mod"));
+  EXPECT_EQ(blade({"check", folder / "b/strip-0"}).status, 0);
+}
+
+TEST(Export, TakesAFormatThatIsGivenTwice) {
+  const Folder folder;
+  ASSERT_EQ(blade({"example", "saddle", "--out", folder / "a.bladewright"}).status, 0);
+  const Finished run =
+      blade({"export", folder / "a.bladewright", "--format", "csv,csv", "--out", folder / "b"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(countOf(folder.files(), "motion.csv"), 1);
 }
 
 TEST(Rationalize, ReportHoldsEveryKeyThatScriptsRelyOn) {

@@ -197,7 +197,8 @@ TEST(RapidWriter, TellsWhatTheCheckWarnsOf) {
   ASSERT_TRUE(program) << program.error().message;
   ASSERT_FALSE(warnings.empty());
   std::set<std::string> told, found;
-  for (const Issue& issue : warnings) EXPECT_TRUE(told.insert(issue.message).second) << "twice: " << issue.message;
+  for (const Issue& issue : warnings)
+    EXPECT_TRUE(told.insert(issue.message).second) << "twice: " << issue.message;
   for (const Issue& issue : checkRapid(*program)) found.insert(issue.message);
   EXPECT_EQ(told, found);
 }
@@ -276,6 +277,51 @@ TEST(RapidWriter, RefusesCellsWhoseDataCannotStandInAProgram) {
                   c.tasks[1].tool.position.x() = std::numeric_limits<double>::quiet_NaN();
                 }),
                 "finite");
+}
+
+TEST(RapidWriter, MarksEveryModuleOfADesignWithErrors) {
+  RapidOptions options;
+  options.errors = {
+      "stations 1 to 12 (worst: 1): a grip would be 148 mm inside the block; the blade of 800 mm is too "
+      "short for it",
+      "the blade turns by 95° − more than it may", std::string(200, 'x')};
+  for (const int instants : {5, 4100}) {  // in one module and in several
+    const Result<Program> program =
+        writeRapid(sample::motion(instants, 10.0 * instants), sample::cell(), options);
+    ASSERT_TRUE(program) << program.error().message;
+    for (const ProgramFile& file : *program) {
+      if (file.path.ends_with(".pgf")) continue;
+      EXPECT_EQ(file.bytes.find("    ! NOT SAFE TO RUN: stations 1 to 12 (worst: 1): a grip"),
+                file.bytes.find("\r\n") + 2)
+          << file.path;
+      EXPECT_NE(file.bytes.find("! NOT SAFE TO RUN: the blade turns by 95 deg - more"), std::string::npos)
+          << file.path;
+      const std::string mark = file.bytes.substr(0, file.bytes.find("    ! Bladewright"));
+      for (std::size_t at = 0, end; (end = mark.find("\r\n", at)) != std::string::npos; at = end + 2)
+        EXPECT_LE(end - at, 80u) << mark.substr(at, end - at);
+    }
+    expectSameMotion(*program, sample::motion(instants, 10.0 * instants), 1);
+    // Each error once, whatever the number of modules, and nothing else.
+    const Issues issues = checkRapid(*program);
+    ASSERT_EQ(issues.size(), 3u);
+    for (const Issue& issue : issues) {
+      EXPECT_EQ(issue.severity, Severity::error);
+      EXPECT_EQ(issue.kind, "rapid-marked");
+    }
+    EXPECT_NE(issues[0].message.find(options.errors[0]), std::string::npos) << issues[0].message;
+    EXPECT_EQ(issues[0].where.text, "T_ROB1/BladeLeft.mod:2");
+  }
+}
+
+TEST(RapidWriter, MarksNoMoreErrorsThanAHeadCanHold) {
+  RapidOptions options;
+  for (int i = 0; i < 50; ++i) options.errors.push_back("error " + std::to_string(i));
+  const Result<Program> program = writeRapid(sample::motion(), sample::cell(), options);
+  ASSERT_TRUE(program) << program.error().message;
+  const std::string& bytes = program->front().bytes;
+  EXPECT_NE(bytes.find("! NOT SAFE TO RUN: error 19\r\n"), std::string::npos);
+  EXPECT_EQ(bytes.find("error 20"), std::string::npos);
+  EXPECT_NE(bytes.find("! NOT SAFE TO RUN: 30 more errors"), std::string::npos);
 }
 
 }  // namespace

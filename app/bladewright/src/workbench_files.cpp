@@ -16,7 +16,8 @@ namespace {
 
 std::string lowerSuffix(const fs::path& file) {
   std::string suffix = file.extension().string();
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
   return suffix;
 }
 
@@ -70,7 +71,7 @@ void Workbench::write(const fs::path& folder, const QString& name, bool everythi
   const std::shared_ptr<const Design> design = document_.design();
   const auto findings = std::make_shared<Issues>();
   const auto task = [folder, everything, findings](pipeline::Evaluation evaluation,
-                                         const RunContext& context) -> Result<void> {
+                                                   const RunContext& context) -> Result<void> {
     Result<FileSet> files;
     if (everything) {
       files = pipeline::resultFiles(evaluation, context);
@@ -78,8 +79,11 @@ void Workbench::write(const fs::path& folder, const QString& name, bool everythi
     } else {
       const Result<Cell> cell = loadCell(evaluation.design.job.cell);
       if (!cell) return tl::unexpected<Error>(cell.error());
-      files = pipeline::programFiles(evaluation.sweep.value->motion, *cell, evaluation.design.job.programs,
-                                     evaluation.design.name, *findings);
+      files = pipeline::programFiles(evaluation, *cell, evaluation.design.job.programs,
+                                     evaluation.design.name, {}, *findings);
+      // Nothing is left to write where the only program is refused.
+      if (files && files->paths().empty() && !findings->empty())
+        return fail(ErrorCode::badInput, findings->front().message, "programs");
     }
     if (!files) return tl::unexpected<Error>(files.error());
     if (context.stopped()) return stoppedError();
@@ -110,10 +114,20 @@ void Workbench::tellWritten(const Issues& findings) {
     emit messagesChanged();
   }
   if (findings.empty()) return tell({Severity::info, written, {}, {}});
+  if (findings.front().kind == pipeline::kProgramIssue) {
+    return tell({findings.front().severity,
+                 tr("%1, but %2.").arg(written, QString::fromStdString(findings.front().message)),
+                 {},
+                 {}});
+  }
   QString first = QString::fromStdString(findings.front().message);
   if (!first.isEmpty()) first[0] = first[0].toUpper();
-  const QString more = findings.size() > 1 ? tr(" The messages hold all %1 findings.").arg(findings.size()) : QString();
-  tell({Severity::warning, tr("%1. The check of the programs warns: %2.%3").arg(written, first, more), {}, {}});
+  const QString more =
+      findings.size() > 1 ? tr(" The messages hold all %1 findings.").arg(findings.size()) : QString();
+  tell({Severity::warning,
+        tr("%1. The check of the programs warns: %2.%3").arg(written, first, more),
+        {},
+        {}});
 }
 
 void Workbench::exportAll(const fs::path& folder) { write(folder, tr("Writing files"), true); }

@@ -11,7 +11,6 @@
 #include <system_error>
 #include <utility>
 
-#include "bw/core/number_text.h"
 #include "bw/robotio/program.h"
 
 namespace bw::pipeline {
@@ -242,34 +241,6 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
   run.report(1.0, "done");
   e.seconds.total = secondsSince(start);
   return outcome;
-}
-
-Result<FileSet> programFiles(const Motion& motion, const Cell& cell, const std::vector<std::string>& formats,
-                             const std::string& name, Issues& warnings) {
-  static const std::vector<std::string> kFormats = {"rapid", "csv", "json"};
-  FileSet files;
-  for (const std::string& format : formats) {
-    Result<robotio::Program> program;
-    if (format == "rapid") {
-      robotio::RapidOptions options;
-      options.programName = name;
-      program = robotio::writeRapid(motion, cell, options, &warnings);
-    } else if (format == "csv") {
-      program = robotio::writeCsv(motion);
-    } else if (format == "json") {
-      program = robotio::writeJson(motion, cell);
-    } else {
-      const std::string nearest = nearestWord(format, kFormats.data(), int(kFormats.size()));
-      return fail(ErrorCode::badInput,
-                  "there is no program format \"" + format + "\"" +
-                      (nearest.empty() ? "; the formats are rapid, csv and json"
-                                       : "; did you mean \"" + nearest + "\"?"),
-                  "format");
-    }
-    if (!program) return tl::unexpected<Error>(program.error());
-    for (robotio::ProgramFile& file : *program) files.add(file.path, std::move(file.bytes));
-  }
-  return files;
 }
 
 }  // namespace bw::pipeline

@@ -152,7 +152,7 @@ std::string sweepJson(const Evaluation& e) {
 
 }  // namespace
 
-Result<FileSet> resultFiles(Evaluation& e, const RunContext& context) {
+Result<FileSet> resultFiles(Evaluation& e, const RunContext& context, const ProgramPolicy& policy) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   if (!e.sweep.value)
@@ -164,7 +164,9 @@ Result<FileSet> resultFiles(Evaluation& e, const RunContext& context) {
     Result<Cell> cell = loadCell(e.design.job.cell);
     if (!cell) return tl::unexpected<Error>(cell.error());
     e.programs.clear();
-    Result<FileSet> written = programFiles(result.motion, *cell, e.design.job.programs, "Blade", e.programs);
+    Issues findings;
+    Result<FileSet> written = programFiles(e, *cell, e.design.job.programs, "Blade", policy, findings);
+    e.programs = std::move(findings);
     if (!written) return tl::unexpected<Error>(written.error());
     programs = std::move(*written);
   }

@@ -50,7 +50,7 @@ struct Evaluation {
   Stage<Sweep> fits;  ///< the sweep before its checks
   Stage<SweepResult> sweep;
   Stage<Cell>
-      cell;  ///< only where the job asks for programs; its issues tell how the motion lies in the cell
+      cell;         ///< only where the job asks for programs; its issues tell how the motion lies in the cell
   Issues programs;  ///< what the check of the programs warns of, once `resultFiles` made them
   Seconds seconds;
 
@@ -67,17 +67,31 @@ struct Outcome {
 /// recomputes only what depends on it.
 Outcome evaluate(const Design& design, const Evaluation* previous, const RunContext& context);
 
+/// What becomes of a robot program whose design has findings of severity error: by default it is not written.
+struct ProgramPolicy {
+  bool despiteErrors = false;  ///< written all the same, the errors in the head of each module
+  std::string remedy = {};     ///< how the caller offers that, to close the message of a refusal
+};
+
 /// report.json, sweep.json, surface.step, mesh.obj, stations.csv and deviation.csv of an evaluation, plus the
-/// programs of its job in programs/, as files to be written together. Program files that fail their check are
-/// an error.
-Result<FileSet> resultFiles(Evaluation& evaluation, const RunContext& context);
+/// programs of its job in programs/ as `programFiles` has them, as files to be written together. The report
+/// lists exactly these.
+Result<FileSet> resultFiles(Evaluation& evaluation, const RunContext& context,
+                            const ProgramPolicy& policy = {});
 
 /// report.json alone. `files` are listed in it.
 std::string reportJson(const Evaluation& evaluation, const std::vector<std::filesystem::path>& files);
 
-/// Programs of a motion: formats "rapid", "csv", "json"; an unknown format is an error naming the nearest
-/// one. What their check warns of is added to `warnings`.
-Result<FileSet> programFiles(const Motion& motion, const Cell& cell, const std::vector<std::string>& formats,
-                             const std::string& name, Issues& warnings);
+/// Kind of the finding that tells of a robot program not written, or written despite errors.
+inline constexpr const char* kProgramIssue = "program";
+
+/// Programs of an evaluated sweep in formats "rapid", "csv", "json"; an unknown format is an error naming the
+/// nearest one, and so is a program that fails its check. Where the evaluation has errors, RAPID is left out
+/// unless `policy` says otherwise; motions as CSV and JSON, which no robot runs, are written all the same.
+/// `findings` gets what the check warns of, after a finding of kind `kProgramIssue` where errors stand
+/// against the program: an error if it is left out, a warning if it is marked.
+Result<FileSet> programFiles(const Evaluation& evaluation, const Cell& cell,
+                             const std::vector<std::string>& formats, const std::string& name,
+                             const ProgramPolicy& policy, Issues& findings);
 
 }  // namespace bw::pipeline
