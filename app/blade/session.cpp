@@ -9,6 +9,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "bw/pipeline/earlier_files.h"
 #include "interrupt.h"
 
 namespace bw::cli {
@@ -84,11 +85,17 @@ Result<void> Session::writeOutput(const std::string& name, const std::string& by
 
 Result<void> Session::writeFiles(const FileSet& files, const std::filesystem::path& folder) const {
   endProgress();
-  std::cerr << "writing " << files.paths().size() << " files to " << folder.string() << ":\n";
+  const auto count = [](std::size_t n) { return std::to_string(n) + (n == 1 ? " file" : " files"); };
+  std::cerr << "writing " << count(files.paths().size()) << " to " << folder.string() << ":\n";
   for (const std::filesystem::path& path : files.paths()) std::cerr << "  " << path.generic_string() << "\n";
   const Interrupt::Commit commit;
   if (stop.stop_requested()) return stoppedError();
-  return files.commit(folder, context());
+  const Result<std::vector<std::filesystem::path>> removed = pipeline::commitAfresh(files, folder, context());
+  if (!removed) return tl::unexpected<Error>(removed.error());
+  if (removed->empty()) return {};
+  std::cerr << "removed " << count(removed->size()) << " of an earlier run:\n";
+  for (const std::filesystem::path& path : *removed) std::cerr << "  " << path.generic_string() << "\n";
+  return {};
 }
 
 Result<Design> designOf(const std::string& path) {

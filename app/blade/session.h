@@ -49,7 +49,8 @@ struct Session {
   Result<std::string> readInput(const std::string& name) const;
   /// Standard output for "-" or "", else the file, atomically.
   Result<void> writeOutput(const std::string& name, const std::string& bytes) const;
-  /// Tells the list of files on standard error, then writes them all or none.
+  /// Tells the list of files on standard error, then writes them all or none; last, removes what an earlier
+  /// run left there of programs, and tells that list too.
   Result<void> writeFiles(const FileSet& files, const std::filesystem::path& folder) const;
   /// Findings in words on standard error.
   void tell(const Issues& issues) const;

@@ -275,6 +275,114 @@ TEST(Export, TakesAFormatThatIsGivenTwice) {
   EXPECT_EQ(countOf(folder.files(), "motion.csv"), 1);
 }
 
+namespace {
+
+void expectNoFindings(const std::string& programs) {
+  const Finished check = blade({"check", programs});
+  EXPECT_EQ(check.status, 0) << check.out << check.err;
+  EXPECT_EQ(check.out.find("error"), std::string::npos) << check.out;
+}
+
+}  // namespace
+
+TEST(SecondRun, LeavesNoModuleOfTheFirst) {
+  const Folder folder;
+  const std::string panel = example("panel-600x670");
+  const auto run = [&](const std::string& job) {
+    const Finished finished =
+        blade({"rationalize", panel, "--job", folder.write("job.json", job), "--out", folder / "out"});
+    EXPECT_LE(finished.status, 1) << finished.err;
+    return finished.err;
+  };
+  const std::string first = run(R"({"stations": 2100, "tolerance": 10})");
+  EXPECT_EQ(first.find("removed"), std::string::npos) << first;
+  ASSERT_EQ(countOf(folder.files(), "_002.mod"), 2);
+  // What others put there stays, whatever its name.
+  const std::string own = "MODULE Own\r\nENDMODULE\r\n";
+  folder.write("out/programs/notes.txt", "mine");
+  folder.write("out/programs/strip-0/T_ROB3/Own.mod", own);
+  folder.write("out/mine.mod", slurp(folder / "out/programs/strip-0/T_ROB1/BladeLeft.mod"));
+  const std::string second = run(R"({"stations": 12, "tolerance": 10})");
+  EXPECT_NE(second.find("removed 4 files of an earlier run"), std::string::npos) << second;
+  EXPECT_EQ(countOf(folder.files(), "_002.mod"), 0);
+  EXPECT_EQ(slurp(folder / "out/programs/strip-0/T_ROB3/Own.mod"), own);
+  EXPECT_EQ(countOf(folder.files(), "out/mine.mod"), 1);
+  std::filesystem::remove_all(folder / "out/programs/strip-0/T_ROB3");
+  expectNoFindings(folder / "out/programs");
+  // No programs at all.
+  const std::string third = run(R"({"stations": 12, "tolerance": 10, "programs": []})");
+  EXPECT_NE(third.find("removed 6 files of an earlier run"), std::string::npos) << third;
+  EXPECT_FALSE(std::filesystem::exists(folder / "out/programs/strip-0"));
+  EXPECT_EQ(slurp(folder / "out/programs/notes.txt"), "mine");
+  // A program that is refused leaves no earlier one, which belongs to another surface, beside the new report.
+  run(R"({"stations": 12, "tolerance": 10})");
+  EXPECT_EQ(countOf(folder.files(), "programs/strip-0/T_ROB"), 4);
+  run(kGripsInside);
+  EXPECT_EQ(countOf(folder.files(), "programs/strip-0/T_ROB"), 0);
+}
+
+TEST(SecondRun, OfAnExportLeavesNoModuleOfTheFirst) {
+  const Folder folder;
+  ASSERT_EQ(blade({"example", "panel-600x670", "--out", folder / "a.bladewright"}).status, 0);
+  const auto withStations = [&](int stations) {
+    json design = json::parse(slurp(folder / "a.bladewright"));
+    design["job"]["stations"] = stations;
+    return folder.write("a.bladewright", design.dump());
+  };
+  const auto run = [&](int stations, const char* format) {
+    const Finished finished =
+        blade({"export", withStations(stations), "--format", format, "--out", folder / "out"});
+    EXPECT_LE(finished.status, 1) << finished.err;
+    return finished.err;
+  };
+  run(2100, "rapid,csv,json");
+  const std::string left = folder / "out/strip-0/T_ROB1/BladeLeft";
+  ASSERT_TRUE(std::filesystem::exists(left + "_001.mod"));
+  // A copy under a name of its own is not a module of ours any more, and a list that somebody made is theirs.
+  folder.write("out/strip-0/T_ROB1/Kept.mod", slurp(left + ".mod"));
+  folder.write("out/strip-0/T_ROB1/Kept.pgf", "<Program></Program>");
+  folder.write("out/strip-0/T_ROB1/Other_001.mod", "MODULE Other_001\r\nENDMODULE\r\n");
+  const std::string second = run(12, "rapid");
+  EXPECT_NE(second.find("removed 6 files of an earlier run"), std::string::npos) << second;
+  for (const char* name : {"Kept.mod", "Kept.pgf", "Other_001.mod"}) {
+    EXPECT_TRUE(std::filesystem::remove(folder / (std::string("out/strip-0/T_ROB1/") + name))) << name;
+  }
+  EXPECT_EQ(countOf(folder.files(), "out/"), 4);
+  expectNoFindings(folder / "out");
+  const std::string third = run(12, "csv");
+  EXPECT_NE(third.find("removed 4 files of an earlier run"), std::string::npos) << third;
+  EXPECT_EQ(countOf(folder.files(), "out/"), 1);
+}
+
+TEST(SecondRun, RemovesOnlyWhatLiesInItsPrograms) {
+  const Folder folder;
+  const std::string job = folder.write("job.json", R"({"stations": 6, "tolerance": 50, "programs": []})");
+  const std::string outside = folder.write("programs/a.mod", "not of that folder");
+  json files = {"../programs/a.mod",
+                "programs/../../programs/a.mod",
+                outside,
+                "job.mod",
+                "mine/a.mod",
+                "",
+                "programs/link/a.mod",
+                "programs",
+                "programs/.",
+                7,
+                "programs/notes.txt",
+                "programs/gone.mod"};
+  folder.write("out/report.json", json{{"bladewright_report", 1}, {"files", files}}.dump());
+  for (const char* name : {"out/job.mod", "out/mine/a.mod", "out/programs/notes.txt"})
+    folder.write(name, "mine");
+  std::filesystem::create_directory_symlink(folder / "programs", folder / "out/programs/link");
+  const Finished run =
+      blade({"rationalize", example("panel-600x670"), "--job", job, "--out", folder / "out"});
+  ASSERT_LE(run.status, 1) << run.err;
+  EXPECT_EQ(run.err.find("removed"), std::string::npos) << run.err;
+  EXPECT_EQ(slurp(outside), "not of that folder");
+  for (const char* name : {"out/job.mod", "out/mine/a.mod", "out/programs/notes.txt"})
+    EXPECT_EQ(slurp(folder / name), "mine");
+}
+
 TEST(Rationalize, ReportHoldsEveryKeyThatScriptsRelyOn) {
   const Folder folder;
   const std::string job = folder.write("job.json", R"({"stations": 60})");

@@ -116,7 +116,7 @@ class Workbench : public QObject {
   void onDesignChanged();
   void onFinished();
   void write(const std::filesystem::path& folder, const QString& name, bool everything);
-  void tellWritten(const Issues& findings);
+  void tellWritten(const Issues& findings, std::size_t removed);
   void askAboutSize();
 
   model::Settings& settings_;

@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "bw/geometry/export.h"
+#include "bw/pipeline/earlier_files.h"
 #include "examples.h"
 #include "workbench.h"
 
@@ -70,8 +71,9 @@ void Workbench::write(const fs::path& folder, const QString& name, bool everythi
   exportProblem_.clear();
   const std::shared_ptr<const Design> design = document_.design();
   const auto findings = std::make_shared<Issues>();
-  const auto task = [folder, everything, findings](pipeline::Evaluation evaluation,
-                                                   const RunContext& context) -> Result<void> {
+  const auto removals = std::make_shared<std::size_t>(0);
+  const auto task = [folder, everything, findings, removals](pipeline::Evaluation evaluation,
+                                                             const RunContext& context) -> Result<void> {
     Result<FileSet> files;
     if (everything) {
       files = pipeline::resultFiles(evaluation, context);
@@ -87,14 +89,17 @@ void Workbench::write(const fs::path& folder, const QString& name, bool everythi
     }
     if (!files) return tl::unexpected<Error>(files.error());
     if (context.stopped()) return stoppedError();
-    return files->commit(folder);
+    const Result<std::vector<fs::path>> removed = pipeline::commitAfresh(*files, folder);
+    if (!removed) return tl::unexpected<Error>(removed.error());
+    *removals = removed->size();
+    return {};
   };
-  runner_.submit(name, task, [this, folder, design, findings](const Result<void>& done) {
+  runner_.submit(name, task, [this, folder, design, findings, removals](const Result<void>& done) {
     exporting_ = false;
     if (done) {
       exported_ = design;
       exportFolder_ = folder;
-      tellWritten(*findings);
+      tellWritten(*findings, *removals);
     } else if (done.error().code == ErrorCode::cancelled) {
       tell({Severity::info, tr("The export was stopped; nothing was written."), {}, {}});
     } else {
@@ -106,8 +111,11 @@ void Workbench::write(const fs::path& folder, const QString& name, bool everythi
   emit stateChanged();
 }
 
-void Workbench::tellWritten(const Issues& findings) {
-  const QString written = tr("Written to %1").arg(QString::fromStdString(exportFolder_.string()));
+void Workbench::tellWritten(const Issues& findings, std::size_t removed) {
+  QString written = tr("Written to %1").arg(QString::fromStdString(exportFolder_.string()));
+  if (removed > 0)
+    written += removed == 1 ? tr(" (1 file of an earlier run was removed)")
+                            : tr(" (%1 files of an earlier run were removed)").arg(removed);
   // A change that came while the files were written has findings of its own.
   if (exported_ == document_.design()) {
     exportFindings_ = findings;
