@@ -21,10 +21,6 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kTaut = 14;
 /// Solutions that miss their ends by more, in lengths and rad, hang on digits that no number here has.
 constexpr double kLargestMiss = 1e-10;
-/// A taut blade's tangents lie within this of its chord, rad.
-constexpr double kLargestBend = 3.0;
-/// √f L of a blade that counts as taut.
-constexpr double kLeastTaut = 12;
 
 std::vector<double> levels(double first, double step, double linear, double last) {
   std::vector<double> result;
@@ -52,28 +48,6 @@ class Search {
     });
     for (int n = 1; n <= maxInflections; ++n)
       for (const int direction : {1, -1}) cells({n, direction}, false);
-  }
-
-  /// See `tautShape`; the turning is not negative.
-  std::optional<UnitSolution> taut() const {
-    const double start = -std::atan2(problem_.end.y(), problem_.end.x());  // tangents against the chord
-    const double end = start + problem_.turning;
-    const double missing = 1 - problem_.end.norm();
-    if (!(std::abs(start) < kLargestBend && std::abs(end) < kLargestBend) || start * end == 0)
-      return std::nullopt;
-    const double root = tautRoot(start, end, missing);
-    if (!(root > kLeastTaut)) return std::nullopt;
-    if (std::optional<UnitSolution> loose = looselyJoinedBends(problem_, start)) return loose;
-    const bool oneWay = start * end < 0;
-    const Sheet sheet{oneWay ? 0 : 1, oneWay || start < 0 ? 1 : -1};
-    // Against the force, which pulls back along the chord.
-    const double a = start + (start > 0 || oneWay ? -kPi : kPi);
-    double low = 1e-3, high = 0.5 * root + 50;
-    for (int i = 0; i < 40 && high - low > 1e-3; ++i) {
-      const double t = 0.5 * (low + high);
-      (Sheets::image(node(oneWay, a, t), sheet).root < root ? low : high) = t;
-    }
-    return settleTaut(sheet, oneWay, a, 0.5 * (low + high));
   }
 
   void oneWay() {
@@ -237,10 +211,6 @@ UnitSolution mirrorOf(UnitSolution solution) {
     solution.anchor->curvature *= -1;
     solution.anchor->force.y() *= -1;
   }
-  if (solution.bends) {
-    solution.bends->first *= -1;
-    solution.bends->second *= -1;
-  }
   // x, y, ψ by κ, f_t, f_n: what changes sign in the mirror.
   const Eigen::Vector3d rows(1, -1, -1), columns(-1, 1, -1);
   solution.jacobian = (rows.asDiagonal() * solution.jacobian * columns.asDiagonal()).eval();
@@ -248,14 +218,6 @@ UnitSolution mirrorOf(UnitSolution solution) {
 }
 
 }  // namespace
-
-std::optional<UnitSolution> tautShape(const UnitProblem& problem) {
-  std::vector<UnitSolution> none;
-  if (problem.turning >= 0) return Search(problem, none).taut();
-  const UnitProblem turned = problem.mirrored();
-  const std::optional<UnitSolution> found = Search(turned, none).taut();
-  return found ? std::optional(mirrorOf(*found)) : std::nullopt;
-}
 
 std::vector<UnitSolution> allShapes(const UnitProblem& problem, int maxInflections) {
   const bool mirror = problem.turning < 0;
@@ -267,7 +229,9 @@ std::vector<UnitSolution> allShapes(const UnitProblem& problem, int maxInflectio
   if (mirror)
     for (UnitSolution& solution : result) solution = mirrorOf(solution);
   // So taut that the cells do not reach it.
-  if (const std::optional<UnitSolution> taut = tautShape(problem)) {
+  for (const TautBends& bends : tautBends(problem)) {
+    const std::optional<UnitSolution> taut = tautShape(problem, bends);
+    if (!taut) continue;
     const bool known = std::any_of(result.begin(), result.end(), [&](const UnitSolution& other) {
       return (other.shape - taut->shape).norm() < 1e-4 * taut->shape.norm();
     });

@@ -14,8 +14,12 @@ namespace bw::detail {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-/// Logarithm of the deviation in the middle against the bends, below which they do not know of each other.
+/// √f L from which on a blade is taut.
+constexpr double kLeastTaut = 6;
+/// Logarithm of what is left of one bend at the other grip, rad, below which they do not know of each other.
 constexpr double kApart = -38;
+/// What may be left of a bend in the middle, rad, for the bends to be a start of Newton's method.
+constexpr double kLargestLeft = 0.5;
 /// Deviation at the ends of a straight stretch, its logarithm.
 constexpr double kStraight = -46;
 /// A bend below this counts as one of this: the blade is straight to its grip.
@@ -28,19 +32,18 @@ double share(double bend) { return 1 - std::cos(0.5 * bend); }
 
 }  // namespace
 
-double tautRoot(double first, double second, double missing) {
-  return 2 * (share(first) + share(second)) / missing;
-}
+namespace {
 
-std::optional<UnitSolution> looselyJoinedBends(const UnitProblem& problem, double startBend) {
+/// Newton's method on the bend at the start and on 1/√f: where the far grip lies along and across the
+/// stretch. `startBend` is that bend against the chord.
+std::optional<TautBends> joinedBends(const UnitProblem& problem, double startBend) {
   const double distance = problem.end.norm();
   const double missing = 1 - distance;
-  // Newton's method on the bend at the start and on 1/√f: where the far grip lies along and across the
-  // stretch.
-  double bend = startBend, inverse = 1 / tautRoot(bend, bend + problem.turning, missing);
+  double bend = startBend, inverse = 0.5 * missing / (share(bend) + share(bend + problem.turning));
+  constexpr double kLongest = 0.25;  // of 1/√f; the true one is below 1/kLeastTaut
+  if (!(inverse < kLongest)) return std::nullopt;
   constexpr int kRounds = 30;
-  bool met = false;
-  for (int round = 0; round < kRounds && !met; ++round) {
+  for (int round = 0; round < kRounds; ++round) {
     const double other = bend + problem.turning;
     const double s0 = std::sin(0.5 * bend), s1 = std::sin(0.5 * other);
     const double c0 = std::cos(0.5 * bend), c1 = std::cos(0.5 * other);
@@ -60,24 +63,27 @@ std::optional<UnitSolution> looselyJoinedBends(const UnitProblem& problem, doubl
         std::min({1.0, kLargestTurn / std::abs(step(0)), 0.5 * inverse / std::abs(step(1))});
     bend += shorter * step(0);
     inverse += shorter * step(1);
-    met = shorter == 1 && std::abs(step(0)) < 1e-15 && std::abs(step(1)) < 1e-15 * inverse;
+    bool met = shorter == 1 && std::abs(step(0)) < 1e-15 && std::abs(step(1)) < 1e-15 * inverse;
     // At rounding the steps no longer shrink.
     met = met ||
           (shorter == 1 && round > 8 && std::abs(step(0)) < 1e-13 && std::abs(step(1)) < 1e-11 * inverse);
+    if (met) return TautBends{bend, bend + problem.turning, 1 / inverse};
   }
-  const double root = 1 / inverse, other = bend + problem.turning;
-  if (!met || !(std::max(std::abs(bend), std::abs(other)) < kPi)) return std::nullopt;
+  return std::nullopt;
+}
+
+/// The blade so taut that its bends do not know of each other: two parts of the single loop and a straight
+/// stretch, to rounding an elastica.
+UnitSolution looselyJoined(const UnitProblem& problem, const TautBends& bends) {
+  const double bend = bends.first, other = bends.second, root = bends.root;
   const double t0 = std::max(std::tan(0.25 * std::abs(bend)), kSmallestBend);
   const double t1 = std::max(std::tan(0.25 * std::abs(other)), kSmallestBend);
   const double middle = 0.5 + std::log(t0 / t1) / (2 * root);
   const double size = std::log(4.0) + 0.5 * std::log(t0 * t1) - 0.5 * root;
-  if (!(size < 0.5 * kApart) || !(root < kLargestRoot)) return std::nullopt;
-
   UnitSolution result;
   result.turning = problem.turning;
   result.shape = {-2 * root * std::sin(0.5 * bend), -root * root * std::cos(bend),
                   root * root * std::sin(bend)};
-  result.bends = TautBends{bend, other, root};
   Elastica::Anchor anchor;
   anchor.at = middle;
   anchor.straight = std::max(0.0, kStraight - size) / root;
@@ -88,10 +94,45 @@ std::optional<UnitSolution> looselyJoinedBends(const UnitProblem& problem, doubl
   anchor.curvature = wave ? 0 : root * deviation;
   anchor.angle = -bend + (wave && anchor.straight == 0 ? deviation : 0);
   // From the start along the stretch, past the bend.
-  const double along = middle - 2 * inverse * share(bend), across = 2 * inverse * std::sin(0.5 * bend);
+  const double along = middle - 2 * share(bend) / root, across = 2 * std::sin(0.5 * bend) / root;
   anchor.point = {std::cos(bend) * along + std::sin(bend) * across,
                   std::cos(bend) * across - std::sin(bend) * along};
   result.anchor = anchor;
+  return result;
+}
+
+}  // namespace
+
+std::vector<TautBends> tautBends(const UnitProblem& problem) {
+  std::vector<TautBends> result;
+  const double start = -std::atan2(problem.end.y(), problem.end.x());  // tangents against the chord
+  for (const double turns : {0.0, -1.0, 1.0}) {
+    const double first = start + 2 * kPi * turns;
+    if (!(std::max(std::abs(first), std::abs(first + problem.turning)) < 2 * kPi)) continue;
+    const std::optional<TautBends> bends = joinedBends(problem, first);
+    if (bends && bends->root > kLeastTaut && bends->root < kLargestRoot &&
+        std::max(std::abs(bends->first), std::abs(bends->second)) < 2 * kPi)
+      result.push_back(*bends);
+  }
+  std::sort(result.begin(), result.end(),
+            [](const TautBends& a, const TautBends& b) { return tautEnergy(a) < tautEnergy(b); });
+  return result;
+}
+
+std::optional<UnitSolution> tautShape(const UnitProblem& problem, const TautBends& bends) {
+  const double root = bends.root, decay = std::exp(-0.5 * root);
+  const double t0 = std::tan(0.25 * bends.first), t1 = std::tan(0.25 * bends.second);
+  const double larger = 4 * std::max(std::abs(t0), std::abs(t1));
+  std::optional<UnitSolution> result;
+  if (std::log(larger) - root < kApart) {
+    result = looselyJoined(problem, bends);
+  } else if (larger * decay < kLargestLeft) {
+    // What is left of the bends in the middle, in angle and curvature.
+    const double angle = 4 * decay * (t0 + t1), curvature = 4 * root * decay * (t1 - t0);
+    result =
+        settleFromMiddle(problem, {curvature, -root * root * std::cos(angle), root * root * std::sin(angle)});
+  }
+  if (result) result->bends = bends;
   return result;
 }
 

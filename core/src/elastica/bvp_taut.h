@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "bw/core/elastica_bvp.h"
 #include "elastica/bvp_unit.h"
@@ -10,16 +11,16 @@
 
 namespace bw::detail {
 
-/// √f L of a taut blade whose bends at the angles `first` and `second` miss its length by `missing` of it.
-double tautRoot(double first, double second, double missing);
+/// The bends that taut blades of this turning would have, each less than a whole turn, by energy; most
+/// problems have one or none. True to the first order in exp(−√f L).
+std::vector<TautBends> tautBends(const UnitProblem& problem);
 
-/// The blade so taut that its bends do not know of each other: two parts of the single loop and a straight
-/// stretch, to rounding an elastica. `startBend` is the bend at the start against the chord. Empty unless the
-/// blade is that taut.
-std::optional<UnitSolution> looselyJoinedBends(const UnitProblem& problem, double startBend);
+/// The blade with such bends: parts of the single loop at the grips and a nearly straight stretch between
+/// them. Empty where the bends are wider than the blade, or too narrow for any number here.
+std::optional<UnitSolution> tautShape(const UnitProblem& problem, const TautBends& bends);
 
-/// What such a blade is like, the length its unit; of first order in 1/(√f L). Out of the plane, bends above
-/// 109° count without the resistance to twist: a lower bound.
+/// What a blade is like whose bends do not know of each other, the length its unit; of first order in 1/(√f
+/// L). Out of the plane, bends above 109° count without the resistance to twist: a lower bound.
 double tautEnergy(const TautBends& bends);
 ClampedMargins tautMargins(const TautBends& bends);
 ClampedSensitivity tautSensitivity(const TautBends& bends);

@@ -134,4 +134,70 @@ std::optional<UnitSolution> settle(const UnitProblem& problem, UnitShape shape, 
   return best;
 }
 
+namespace {
+
+/// Half a blade from its middle: where it ends, with the derivatives.
+struct HalfShot {
+  Eigen::Vector3d end;
+  Eigen::Matrix3d jacobian;
+  double curvature = 0;
+};
+
+HalfShot halfShot(const UnitShape& q) {
+  const auto [block, unit] = flowTo<3>(q, 0.5);
+  const Eigen::Vector3d rows(unit, unit, 1), columns(unit, unit * unit, unit * unit);
+  return {{block(0, 0) * unit, block(1, 0) * unit, block(2, 0)},
+          rows.asDiagonal() * block.template block<3, 3>(0, 1).matrix() * columns.asDiagonal(),
+          block(3, 0) / unit};
+}
+
+}  // namespace
+
+std::optional<UnitSolution> settleFromMiddle(const UnitProblem& problem, UnitShape middle) {
+  constexpr int kRounds = 12;
+  /// Ends missed by more hang on digits that no number here has.
+  constexpr double kLargestMiss = 1e-10;
+  std::optional<UnitSolution> best;
+  double last = INFINITY;
+  for (int round = 0; round < kRounds; ++round) {
+    if (!(sizeOf(middle) < kLargestShot)) return std::nullopt;
+    // Run backwards a blade has the opposite curvature, and the same force in the frame of its tangent.
+    const HalfShot ahead = halfShot(middle);
+    HalfShot back = halfShot({-middle(0), middle(1), middle(2)});
+    back.jacobian.col(0) *= -1;
+    const double c = std::cos(back.end(2)), s = std::sin(back.end(2));
+    // The chord in the frame of the middle: what the blade spans, and where the start tangent wants it.
+    const Eigen::Vector2d chord(c * problem.end.x() - s * problem.end.y(),
+                                s * problem.end.x() + c * problem.end.y());
+    Eigen::Vector3d miss = ahead.end;
+    miss.head<2>() += back.end.head<2>() - chord;
+    miss(2) -= back.end(2) + problem.turning;
+    const double error = miss.cwiseAbs().maxCoeff();
+    if (!(error < 1e3)) return std::nullopt;
+    if (error < kLargestMiss && (!best || error < best->error)) {
+      UnitSolution found;
+      found.shape = {-back.curvature, c * middle(1) + s * middle(2), c * middle(2) - s * middle(1)};
+      found.turning = problem.turning;
+      found.error = error;
+      found.anchor = Elastica::Anchor{};
+      found.anchor->at = 0.5;
+      found.anchor->point = {c * back.end.x() + s * back.end.y(), c * back.end.y() - s * back.end.x()};
+      found.anchor->angle = -back.end(2);
+      found.anchor->curvature = middle(0);
+      found.anchor->force = middle.tail<2>();
+      best = found;
+    }
+    if (error < kMet || (best && error >= 0.5 * last)) break;
+    last = error;
+    Eigen::Matrix3d slope = ahead.jacobian;
+    slope.topRows<2>() += back.jacobian.topRows<2>();
+    slope.topRows<2>() -= Eigen::Vector2d(-chord.y(), chord.x()) * back.jacobian.row(2);
+    slope.row(2) -= back.jacobian.row(2);
+    const UnitShape step = slope.partialPivLu().solve(miss);
+    if (!step.allFinite()) break;
+    middle -= step;
+  }
+  return best;
+}
+
 }  // namespace bw::detail

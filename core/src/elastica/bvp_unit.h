@@ -58,4 +58,8 @@ struct UnitSolution {
 /// Newton's method from `shape`; empty if it does not settle within `iterations`.
 [[nodiscard]] std::optional<UnitSolution> settle(const UnitProblem& problem, UnitShape shape, int iterations);
 
+/// The same on κ, f_t, f_n at the middle, from where both grips are aimed at: for blades so taut that their
+/// start does not tell their end. Held by an anchor there.
+[[nodiscard]] std::optional<UnitSolution> settleFromMiddle(const UnitProblem& problem, UnitShape middle);
+
 }  // namespace bw::detail

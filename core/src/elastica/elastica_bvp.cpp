@@ -12,6 +12,7 @@
 #include "elastica/bvp_describe.h"
 #include "elastica/bvp_search.h"
 #include "elastica/bvp_sketch.h"
+#include "elastica/bvp_taut.h"
 
 namespace bw {
 
@@ -30,38 +31,63 @@ bool restsIn(const UnitSolution& found, const SampledSolution& sampled) {
   return marginsOf(sampled, {}).inPlane > std::max(kOnTheFold, certainMargin(found));
 }
 
-/// A blade of locally least energy from each first sketch, the lowest one that proves stable.
-std::optional<UnitSolution> restFromSketches(const CheckedProblem& problem, double maxTurning) {
-  std::optional<UnitSolution> best;
-  double bestEnergy = std::numeric_limits<double>::infinity();
+/// True if no shape of the same turning has less energy: the bends are small, rad, or the blade is too taut,
+/// √f L, for anything else, and not both bends turn so far that they had better turn the other way.
+bool isTautAlone(const TautBends& bends) {
+  constexpr double kSmallBend = 1.5, kLargeBend = 3.0, kTaut = 12, kTautAlone = 60;
+  const double first = std::abs(bends.first), second = std::abs(bends.second);
+  const double larger = std::max(first, second);
+  return larger < kSmallBend || (larger < kLargeBend && bends.root > kTaut) ||
+         (first + second < 2 * std::numbers::pi && bends.root > kTautAlone);
+}
+
+/// A blade of locally least energy, the lowest one that proves stable.
+struct Rest {
+  std::optional<UnitSolution> shape;
+  double energy = std::numeric_limits<double>::infinity();
+  bool sure = true;  ///< false if it is taut, where the sketches of a smaller turning failed
+};
+
+/// From the bends of a taut blade, or each first sketch.
+Rest restFromSketches(const CheckedProblem& problem, double maxTurning) {
+  Rest best;
+  bool missed = false;
   const auto consider = [&](const UnitSolution& found) {
     const SampledSolution sampled = sample(found);
     const double energy = energyOf(sampled);
-    if (energy >= bestEnergy * (1 - kSameEnergy)) return;
+    if (energy >= best.energy * (1 - kSameEnergy)) return;
     if (!restsIn(found, sampled)) return;
-    best = found;
-    bestEnergy = energy;
+    best = {found, energy, !(missed && found.bends)};
   };
-  for (const double turning : problem.turnings(maxTurning)) {
-    // No blade turns so far with less energy than the circle.
-    if (0.5 * turning * turning >= bestEnergy) continue;
-    const UnitProblem unit{problem.end, turning};
-    if (const std::optional<UnitSolution> taut = tautShape(unit)) {
-      consider(*taut);
-      continue;
-    }
+  const auto considerSketches = [&](const UnitProblem& unit) {
     std::vector<Sketch> sketches = firstSketches(unit);
     std::erase_if(sketches, [&](Sketch& sketch) {
-      return !descend(unit, sketch) || sketch.energy > kSketchError * bestEnergy;
+      return !descend(unit, sketch) || sketch.energy > kSketchError * best.energy;
     });
     std::sort(sketches.begin(), sketches.end(),
               [](const Sketch& a, const Sketch& b) { return a.energy < b.energy; });
     for (const Sketch& sketch : sketches) {
-      if (sketch.energy > kSketchError * bestEnergy) break;
+      if (sketch.energy > kSketchError * best.energy) break;
       const std::optional<UnitSolution> found = settle(unit, shapeOf(unit, sketch), 12);
       if (!found) continue;
       consider(*found);
     }
+  };
+  for (const double turning : problem.turnings(maxTurning)) {
+    // No blade turns so far with less energy than the circle.
+    if (0.5 * turning * turning >= best.energy) continue;
+    const UnitProblem unit{problem.end, turning};
+    const std::vector<TautBends> bends = tautBends(unit);
+    const bool taut = !bends.empty() && isTautAlone(bends.front());
+    if (!taut) {
+      considerSketches(unit);
+      missed = missed || !best.shape;
+    }
+    for (const TautBends& pair : bends) {
+      if (tautEnergy(pair) > kSketchError * best.energy) break;
+      if (const std::optional<UnitSolution> found = tautShape(unit, pair)) consider(*found);
+    }
+    if (taut && !best.shape) considerSketches(unit);
   }
   return best;
 }
@@ -207,8 +233,13 @@ Result<ClampedAnswer> solveClamped(const ClampedProblem& problem, const ClampedO
     if (!followed) return tl::unexpected<Error>(followed.error());
     found = *followed;
   } else {
-    found = restFromSketches(*checked, options.maxTurning);
-    if (!found) found = leastOf(allAtRest(*checked, options.maxTurning), energyOfShape);
+    Rest rest = restFromSketches(*checked, options.maxTurning);
+    found = rest.shape;
+    if (!found || !rest.sure) {
+      std::vector<UnitSolution> shapes = allAtRest(*checked, options.maxTurning);
+      if (found) shapes.push_back(*found);
+      found = leastOf(shapes, energyOfShape);
+    }
     if (!found) return noShape(problem, *checked, "stable");
     if (answer.kind == ClampedKind::buckling) answer.message = kBucklingMessage;
   }
