@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "bw/core/number_text.h"
 #include "bw/geometry/sections.h"
@@ -20,6 +21,12 @@ namespace {
 constexpr double kMargin = 5.0;           // mm of foam below and above the target
 constexpr double kNearlyAsSmall = 1.5;   // an axis-parallel block up to this much larger is taken for its simplicity
 constexpr double kDirectedNormal = 0.2;   // mean normal shorter than this: the target bends round, no side is "outer"
+
+constexpr std::size_t kShadowPoints = 2000;  // more tell no more of the shadow
+constexpr double kFirstTilt = 0.07;      // rad, first and last steps in the search for the squarest shadow
+constexpr double kLastTilt = 3e-4;
+constexpr double kMostTilted = 0.9;      // cosine of the largest angle to the mean normal
+constexpr double kBetterFilled = 1e-5;   // part of the rectangle by which a direction is better
 
 using Points = std::vector<Eigen::Vector3d>;
 
@@ -88,6 +95,58 @@ Eigen::Vector2d smallestRectangle(const std::vector<Eigen::Vector2d>& hull) {
   return best;
 }
 
+/// A plane box seen along `z`: its sides and how much of its rectangle the shadow fills.
+struct Shadow {
+  Eigen::Vector3d x, y, z;
+  double filled = 0;
+};
+
+/// The smallest rectangle around the shadow of the points in the direction `z`.
+Shadow shadowAlong(const Points& points, const Eigen::Vector3d& z) {
+  const Eigen::Vector3d hint = std::abs(z.x()) < 0.9 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
+  const Eigen::Vector3d ox = (hint - hint.dot(z) * z).normalized(), oy = z.cross(ox);
+  std::vector<Eigen::Vector2d> flat;
+  flat.reserve(points.size());
+  for (const auto& p : points) flat.emplace_back((p - points.front()).dot(ox), (p - points.front()).dot(oy));
+  const std::vector<Eigen::Vector2d> hull = hullOf(std::move(flat));
+  const Eigen::Vector2d d = smallestRectangle(hull), n(-d.y(), d.x());
+  double area = 0, a0 = 1e300, a1 = -1e300, b0 = 1e300, b1 = -1e300;
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    const Eigen::Vector2d &p = hull[i], &q = hull[(i + 1) % hull.size()];
+    area += 0.5 * (p.x() * q.y() - p.y() * q.x());
+    a0 = std::min(a0, p.dot(d));
+    a1 = std::max(a1, p.dot(d));
+    b0 = std::min(b0, p.dot(n));
+    b1 = std::max(b1, p.dot(n));
+  }
+  const double rectangle = (a1 - a0) * (b1 - b0);
+  return {d.x() * ox + d.y() * oy, n.x() * ox + n.y() * oy, z, rectangle > 0 ? area / rectangle : 0};
+}
+
+/// The direction near `look` from which the target looks most like a rectangle. A panel that is one in its own frame, but bulges to one side,
+/// has a mean normal that leans, and a block along it would cut slivers off the corners.
+Shadow squarest(const Points& points, const Eigen::Vector3d& look) {
+  const std::size_t stride = std::max<std::size_t>(1, points.size() / kShadowPoints);
+  Points some;
+  for (std::size_t i = 0; i < points.size(); i += stride) some.push_back(points[i]);
+  Shadow best = shadowAlong(some, look);
+  for (double step = kFirstTilt; step > kLastTilt; step *= 0.5) {
+    for (bool moved = true; moved;) {
+      moved = false;
+      for (const auto& [axis, sign] : {std::pair(best.x, 1.0), {best.x, -1.0}, {best.y, 1.0}, {best.y, -1.0}}) {
+        const Eigen::Vector3d z = Eigen::AngleAxisd(sign * step, axis) * best.z;
+        if (z.dot(look) < kMostTilted) continue;
+        const Shadow there = shadowAlong(some, z.normalized());
+        if (there.filled < best.filled + kBetterFilled) continue;
+        best = there;
+        moved = true;
+        break;
+      }
+    }
+  }
+  return best;
+}
+
 /// The side with a positive component along world z, else y, else x.
 Eigen::Vector3d upward(const Eigen::Vector3d& d) {
   for (const int axis : {2, 1, 0}) {
@@ -137,20 +196,16 @@ Box autoBlock(const Target::Impl& target) {
   }
   const Box parallel = boxAround(target, x, y, z);
 
-  // Oriented: z is that side itself, x and y along the smallest rectangle around the shadow.
-  const Eigen::Vector3d hint = std::abs(look.x()) < 0.9 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
-  const Eigen::Vector3d ox = (hint - hint.dot(look) * look).normalized(), oy = look.cross(ox);
-  std::vector<Eigen::Vector2d> shadow;
-  for (const auto& p : points) shadow.emplace_back((p - center).dot(ox), (p - center).dot(oy));
-  const Eigen::Vector2d d = smallestRectangle(hullOf(std::move(shadow)));
-  Eigen::Vector3d u = d.x() * ox + d.y() * oy, v = look.cross(u);
+  // Oriented: z is near that side, x and y along the smallest rectangle around the shadow.
+  const Shadow shadow = squarest(points, look);
+  Eigen::Vector3d u = shadow.x, v = shadow.y;
   // The quarter turn nearest to the world's x.
   for (int k = 0; k < 3 && !(u.x() >= std::abs(v.x()) - 1e-9); ++k) {
     const Eigen::Vector3d t = u;
     u = v;
     v = -t;
   }
-  const Box oriented = boxAround(target, u, v, look);
+  const Box oriented = boxAround(target, u, v, shadow.z);
   return parallel.size.prod() <= kNearlyAsSmall * oriented.size.prod() ? parallel : oriented;
 }
 

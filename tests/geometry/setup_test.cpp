@@ -61,6 +61,21 @@ TEST(AutoBlock, TurnsWithATiltedSheet) {
   EXPECT_NEAR(setup.block.size.maxCoeff(), 700, 1);
 }
 
+TEST(AutoBlock, OfTheTurnedPanelIsThatOfThePanelTurned) {
+  // Its mean normal leans by some degrees: a block along it would cut slivers off the corners.
+  const auto level = setupOf(exampleTarget("panel-600x670"));
+  const Eigen::Matrix3d R =
+      (Eigen::AngleAxisd(fromDegrees(12), Eigen::Vector3d::UnitX()) * Eigen::AngleAxisd(fromDegrees(25), Eigen::Vector3d::UnitY()) *
+       Eigen::AngleAxisd(fromDegrees(40), Eigen::Vector3d::UnitZ())).toRotationMatrix();
+  const Target target = targetOf(stepOf([&](double u, double v) { return Eigen::Vector3d(R * examplePoint("panel-600x670", u, v).value()); }));
+  const auto setup = setupOf(target);
+  expectFrame(setup.block.frame);
+  EXPECT_GT(setup.block.frame.normal.dot(R.col(2)), std::cos(fromDegrees(0.5)));
+  EXPECT_GT(std::abs(setup.direction.dot(R * level.direction)), std::cos(fromDegrees(0.5)));
+  EXPECT_NEAR(setup.block.size.minCoeff(), level.block.size.minCoeff(), 6);
+  EXPECT_NEAR(setup.block.size.maxCoeff(), level.block.size.maxCoeff(), 6);
+}
+
 TEST(AutoBlock, LooksAtASheetFromAbove) {
   const Target target = targetOf(stepOf([](double u, double v) { return Eigen::Vector3d(400 * v, 500 * u, 20 * v * v); }));
   EXPECT_GT(setupOf(target).block.frame.normal.z(), 0.9);
