@@ -14,23 +14,6 @@
 
 namespace bw::cli {
 
-int statusOf(ErrorCode code) {
-  switch (code) {
-    case ErrorCode::badInput:
-      return kBadInput;
-    case ErrorCode::noSolution:
-      return kNoSolution;
-    case ErrorCode::cannotRead:
-    case ErrorCode::cannotWrite:
-      return kFileError;
-    case ErrorCode::cancelled:
-      return kInterrupted;
-    case ErrorCode::internal:
-      return kInternal;
-  }
-  return kInternal;
-}
-
 RunContext Session::context() const {
   RunContext context{stop, {}, threads};
   if (progress) {

@@ -11,22 +11,12 @@
 #include "bw/core/issue.h"
 #include "bw/core/result.h"
 #include "bw/core/run_context.h"
+#include "bw/pipeline/exit_status.h"
 
 namespace bw::cli {
 
-/// Exit statuses of the program; part of its contract.
-enum Status : int {
-  kDone = 0,
-  kLimitExceeded = 1,
-  kBadInput = 2,
-  kNoSolution = 3,
-  kFileError = 4,
-  kInternal = 5,
-  kInterrupted = 130
-};
-
-/// The exit status that stands for an error.
-int statusOf(ErrorCode code);
+using enum pipeline::ExitStatus;
+using pipeline::statusOf;
 
 /// The design file that lies beside the results, so that they can be shown and exported again.
 inline constexpr const char* kDesignFile = "design.bladewright";

@@ -11,6 +11,7 @@
 #include <limits>
 #include <set>
 
+#include "bw/scene/navigation.h"
 #include "bw/scene/scene.h"
 #include "scene_sample.h"
 
@@ -420,7 +421,8 @@ TEST_F(SceneTest, BladeGlowsInTheAccentColourBetweenItsGrips) {
 
 TEST_F(SceneTest, StaleIsDrawnAtSixtyPercentAndNeverVanishes) {
   Style style = mapped("deviation");
-  style.softShadows = false;  // they multiply colours, so that their share of a faded one is not quite the same
+  style.softShadows =
+      false;  // they multiply colours, so that their share of a faded one is not quite the same
   style.showGrid = style.showBlock = style.showTarget = style.showStations = false;
   const Picture fresh = draw(style, "fresh");
   style.stale = true;
@@ -619,6 +621,51 @@ TEST(SceneViews, NamesAreKnown) {
   EXPECT_EQ(viewFromName("bottom"), View::bottom);
   EXPECT_FALSE(viewFromName("Top"));
   EXPECT_FALSE(viewFromName(""));
+}
+
+/// The sample panel in a landscape a hundred times its size.
+Content landscape() {
+  Content content = test::sampleContent();
+  for (Eigen::Vector3d& p : content.target.points)
+    p.head<2>() = 100 * (p.head<2>() - Eigen::Vector2d(300, 335)) + Eigen::Vector2d(300, 335);
+  return content;
+}
+
+/// Height that a picture covers at the focus, mm.
+double heightSeen(const Camera& camera) { return 640 * pixelSize(camera, 640); }
+
+TEST_F(SceneTest, StandardViewsFrameTheBlockWithItsBladesInALargeTarget) {
+  const double blades = scene.workBounds().size().x();
+  scene.setContent(landscape());
+  const Bounds work = scene.workBounds();
+  for (const Eigen::Vector3d& corner : scene.content().block->corners())
+    EXPECT_TRUE((corner.array() >= work.min.array() - 1e-9).all() &&
+                (corner.array() <= work.max.array() + 1e-9).all());
+  EXPECT_NEAR(work.size().x(), blades, 1e-9);
+  EXPECT_LT(work.size().norm(), 1500);
+  EXPECT_GT(scene.bounds().size().norm(), 60000);
+  for (const View view : {View::iso, View::top, View::front, View::right}) {
+    const double height = heightSeen(scene.fitCamera(view, 1000.0 / 640));
+    EXPECT_LT(height, 2000);
+    EXPECT_GT(height, 200);
+  }
+  // Everything is still to be had.
+  EXPECT_GT(heightSeen(scene.fitCamera(scene.fitCamera(View::top, 1), 1)), 60000);
+  draw(mapped("deviation"), "landscape");
+  const Pick middle = scene.pick(0.5 * kWidth, 0.5 * kHeight, kWidth, kHeight);
+  EXPECT_TRUE(middle.kind == Pick::Kind::cut || middle.kind == Pick::Kind::station);
+}
+
+TEST_F(SceneTest, FramesATargetThatIsNotMuchLargerThanTheBlock) {
+  const Bounds work = scene.workBounds(), all = scene.bounds();
+  EXPECT_TRUE((work.min.array() <= all.min.array()).all() && (work.max.array() >= all.max.array()).all());
+  Content uncut = landscape();
+  uncut.cut = {};
+  uncut.stations.clear();
+  uncut.blades.clear();
+  scene.setContent(uncut);
+  EXPECT_EQ(scene.workBounds().size(), scene.bounds().size())
+      << "without a result the block alone says little";
 }
 
 }  // namespace

@@ -83,15 +83,8 @@ void ContentActors::addFrontTo(vtkRenderer* renderer) {
   renderer->AddActor(blockEdges_.actor());
 }
 
-void ContentActors::setContent(const Content& content, const TriangleMesh& cutMesh) {
-  Bounds bounds;
-  for (const Eigen::Vector3d& p : content.target.points) bounds.add(p);
-  for (const Eigen::Vector3d& p : cutMesh.points) bounds.add(p);
-  for (const Polyline& line : content.stations) {
-    for (const Eigen::Vector3d& p : line) bounds.add(p);
-  }
-  diagonal_ = bounds.valid() ? std::max(1e-3, bounds.size().norm()) : 1;
-
+void ContentActors::setContent(const Content& content, const TriangleMesh& cutMesh, double diagonal) {
+  diagonal_ = diagonal;
   const bool given = content.target.normals.size() == content.target.points.size();
   targetNormals_ =
       given ? std::vector<Eigen::Vector3d>{} : pointNormals(content.target.points, content.target.triangles);

@@ -28,13 +28,15 @@ class ContentActors {
   void addFrontTo(vtkRenderer* renderer);
 
   /// Shares the arrays of `content` and `cutMesh`, which must stay where they are until the next call.
-  void setContent(const Content& content, const TriangleMesh& cutMesh);
+  /// `diagonal` is the size of what the picture is about, mm, > 0: it gives shifts, dashes and hatching their
+  /// size.
+  void setContent(const Content& content, const TriangleMesh& cutMesh, double diagonal);
   /// `map` colours the cut surface where `field` is one of its fields.
   void setStyle(const Content& content, const TriangleMesh& cutMesh, const Style& style, const Field* field,
                 const ColorMap& map, const Rgb& background);
   /// What shades and is shaded.
   vtkActor* solid() const { return cut_.actor(); }
-  /// Size of what is shown, mm.
+  /// As given with the content.
   double diagonal() const { return diagonal_; }
   /// Millimetres that the target is drawn behind its place, so that the map is not tinted where the two
   /// nearly coincide.

@@ -72,14 +72,15 @@ Camera Scene::fitCamera(View view, double aspect, const std::optional<Bounds>& b
   Camera camera = lookAlong(view);
   camera.viewAngle = impl_->camera.viewAngle;
   camera.parallel = impl_->camera.parallel;
-  return impl_->fit(camera, aspect, bounds);
+  return impl_->fit(camera, aspect, bounds && bounds->valid() ? *bounds : workBounds());
 }
 
 Camera Scene::fitCamera(const Camera& from, double aspect, const std::optional<Bounds>& bounds) const {
-  return impl_->fit(from, aspect, bounds);
+  return impl_->fit(from, aspect, bounds && bounds->valid() ? *bounds : this->bounds());
 }
 
 Bounds Scene::bounds() const { return impl_->contentBounds(); }
+Bounds Scene::workBounds() const { return impl_->workBounds(); }
 
 void Scene::setCamera(const Camera& camera) {
   const Eigen::Vector3d forward = camera.focus - camera.position;

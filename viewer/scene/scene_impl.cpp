@@ -32,6 +32,9 @@ namespace {
 
 // Soft shadows: how far they reach in diagonals of the content, and how dark they are without and with a map.
 constexpr double kShadowReach = 0.06, kShadow = 0.75, kShadowUnderMap = 0.3;
+// A target with a diagonal so many times that of the block is the landscape around the work, not a part of
+// it.
+constexpr double kLargeTarget = 2;
 constexpr unsigned kGlLessOrEqual = 0x0203;  ///< GL_LEQUAL
 
 /// Drops what cannot be drawn, so that the rest can.
@@ -49,6 +52,14 @@ void cleanMesh(TriangleMesh& mesh) {
   }
   if (mesh.normals.size() != mesh.points.size()) mesh.normals.clear();
   if (mesh.triangles.empty()) mesh = {};
+}
+
+Bounds joined(Bounds a, const Bounds& b) {
+  if (b.valid()) {
+    a.add(b.min);
+    a.add(b.max);
+  }
+  return a;
 }
 
 /// Passes that draw clear things in the order in which they were added, into the multisampled picture itself:
@@ -152,11 +163,10 @@ void Scene::Impl::setContent(Content given) {
                          (content.block->size.array() > 0).all())) {
     content.block.reset();
   }
-  solidBounds_ = bladeBounds_ = {};
-  for (const TriangleMesh* mesh :
-       {static_cast<const TriangleMesh*>(&content.target), static_cast<const TriangleMesh*>(&cutMesh)}) {
-    for (const Eigen::Vector3d& p : mesh->points) solidBounds_.add(p);
-  }
+  Bounds cutBounds, blockBounds, targetBounds;
+  bladeBounds_ = {};
+  for (const Eigen::Vector3d& p : content.target.points) targetBounds.add(p);
+  for (const Eigen::Vector3d& p : cutMesh.points) cutBounds.add(p);
   const auto addLines = [](Bounds& bounds, const std::vector<Polyline>& lines) {
     for (const Polyline& line : lines) {
       for (const Eigen::Vector3d& p : line) {
@@ -164,13 +174,20 @@ void Scene::Impl::setContent(Content given) {
       }
     }
   };
-  addLines(solidBounds_, content.stations);
+  addLines(cutBounds, content.stations);
   addLines(bladeBounds_, content.blades);
   if (content.block) {
-    for (const Eigen::Vector3d& p : content.block->corners()) solidBounds_.add(p);
+    for (const Eigen::Vector3d& p : content.block->corners()) blockBounds.add(p);
   }
-  actors_.setContent(content, cutMesh);
-  grid_.setBounds(solidBounds_);
+  const Bounds cutInBlock = joined(cutBounds, blockBounds);
+  const bool afar = blockBounds.valid() && cutBounds.valid() && targetBounds.valid() &&
+                    targetBounds.size().norm() > kLargeTarget * cutInBlock.size().norm();
+  const Bounds surfaces = afar ? cutBounds : joined(cutBounds, targetBounds);
+  const Bounds solids = joined(surfaces, blockBounds);
+  solidBounds_ = joined(solids, targetBounds);
+  workBounds_ = joined(solids, bladeBounds_);
+  actors_.setContent(content, cutMesh, surfaces.valid() ? std::max(1e-3, surfaces.size().norm()) : 1);
+  grid_.setBounds(solids);
   summaryKey_.clear();
   setStyle(style);
 }
@@ -208,11 +225,7 @@ void Scene::Impl::setStyle(const Style& given) {
 }
 
 Bounds Scene::Impl::contentBounds() const {
-  Bounds bounds = solidBounds_;
-  if ((style.showBlades || style.playhead >= 0) && bladeBounds_.valid()) {
-    bounds.add(bladeBounds_.min);
-    bounds.add(bladeBounds_.max);
-  }
+  Bounds bounds = style.showBlades || style.playhead >= 0 ? joined(solidBounds_, bladeBounds_) : solidBounds_;
   if (style.selectedStation >= 0 && style.selectedStation < int(content.blades.size())) {
     for (const Eigen::Vector3d& p : content.blades[std::size_t(style.selectedStation)]) {
       if (p.allFinite()) bounds.add(p);
@@ -237,11 +250,7 @@ void Scene::Impl::renderFrame(int width, int height) {
   eye->SetParallelScale(camera.parallelScale);
 
   Bounds all = contentBounds();
-  for (const Bounds& more : {grid_.bounds(), bladeBounds_}) {
-    if (!more.valid()) continue;
-    all.add(more.min);
-    all.add(more.max);
-  }
+  for (const Bounds& more : {grid_.bounds(), bladeBounds_}) all = joined(all, more);
   if (!all.valid()) all.add(camera.focus);
   const double distance = (camera.position - camera.focus).norm();
   const auto [near, far] = depthRange(view, all, distance);
@@ -301,8 +310,7 @@ Picture Scene::Impl::readPicture() const {
   return picture;
 }
 
-Camera Scene::Impl::fit(Camera from, double aspect, const std::optional<Bounds>& wished) const {
-  Bounds bounds = wished && wished->valid() ? *wished : contentBounds();
+Camera Scene::Impl::fit(Camera from, double aspect, Bounds bounds) const {
   if (!bounds.valid()) {
     bounds.add(Eigen::Vector3d::Constant(-100));
     bounds.add(Eigen::Vector3d::Constant(100));

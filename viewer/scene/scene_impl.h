@@ -41,7 +41,9 @@ struct Scene::Impl {
   Projection projection(int width, int height) const;
   Pick pick(double x, double y, int width, int height) const;
   Bounds contentBounds() const;
-  Camera fit(Camera from, double aspect, const std::optional<Bounds>& wished) const;
+  const Bounds& workBounds() const { return workBounds_; }
+  /// Fits `bounds`, or a part of empty space if they are not valid.
+  Camera fit(Camera from, double aspect, Bounds bounds) const;
 
   RenderTarget* target() const { return target_.get(); }
 
@@ -67,7 +69,7 @@ struct Scene::Impl {
   OrientationMarker marker_;
   Legend legend_;
   std::unique_ptr<RenderTarget> target_;
-  Bounds solidBounds_, bladeBounds_;
+  Bounds solidBounds_, bladeBounds_, workBounds_;
   unsigned contentVersion_ = 0;
   std::string summaryKey_;
   int lastWidth_ = 0;

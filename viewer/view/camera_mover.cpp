@@ -61,7 +61,7 @@ scene::Pick CameraMover::pick(const QPointF& position) const {
 Eigen::Vector3d CameraMover::pivotAt(const QPointF& position) const {
   const scene::Pick hit = pick(position);
   if (hit.kind != scene::Pick::Kind::none && hit.kind != scene::Pick::Kind::block) return hit.point;
-  const Bounds bounds = scene_.bounds();
+  const Bounds bounds = scene_.workBounds();
   return bounds.valid() ? bounds.center() : scene_.camera().focus;
 }
 
@@ -79,9 +79,11 @@ Eigen::Vector3d CameraMover::pointAt(const QPointF& position, const Eigen::Vecto
 
 void CameraMover::zoomAt(const Eigen::Vector3d& anchor, double factor) {
   stop();
-  const Bounds bounds = scene_.bounds();
-  const double size = bounds.valid() ? std::max(1.0, bounds.size().norm()) : 1000;
-  take(scene::zoom(scene_.camera(), anchor, factor, kNearest * size, kFarthest * size));
+  const auto sizeOf = [](const Bounds& bounds) {
+    return bounds.valid() ? std::max(1.0, bounds.size().norm()) : 1000;
+  };
+  take(scene::zoom(scene_.camera(), anchor, factor, kNearest * sizeOf(scene_.workBounds()),
+                   kFarthest * sizeOf(scene_.bounds())));
 }
 
 void CameraMover::orbitBy(const QPointF& pixels, const Eigen::Vector3d& about) {

@@ -194,6 +194,8 @@ void SceneView::setView(scene::View view, bool animate) {
   impl_->moveTo(impl_->scene.fitCamera(view, impl_->viewport.aspect()), animate);
 }
 
+void SceneView::fitWork(bool animate) { fitBounds(impl_->scene.workBounds(), animate); }
+
 void SceneView::fitAll(bool animate) {
   impl_->fitPending = false;
   impl_->moveTo(impl_->scene.fitCamera(impl_->mover.goal(), impl_->viewport.aspect()), animate);
@@ -204,8 +206,8 @@ void SceneView::fitBounds(const Bounds& bounds, bool animate) {
   impl_->fitPending = false;
   // A point has no size to fit: leave some of its surroundings in sight.
   Bounds wished = bounds;
-  const Bounds all = impl_->scene.bounds();
-  const double least = all.valid() ? 0.05 * all.size().norm() : 1;
+  const Bounds work = impl_->scene.workBounds();
+  const double least = work.valid() ? 0.05 * work.size().norm() : 1;
   if (wished.size().norm() < least) {
     wished.add(bounds.center() - Eigen::Vector3d::Constant(0.5 * least));
     wished.add(bounds.center() + Eigen::Vector3d::Constant(0.5 * least));

@@ -11,6 +11,7 @@
 #include <string>
 #include <unistd.h>
 
+#include "bw/pipeline/exit_status.h"
 #include "bw/view/scene_view.h"
 #include "change_timer.h"
 #include "main_window.h"
@@ -18,7 +19,7 @@
 
 namespace {
 
-constexpr int kBadUsage = 2, kNoResult = 3, kCannotWrite = 4;
+using namespace bw::pipeline;  // the exit statuses
 
 /// Seconds since the operating system started this process; negative if it does not tell.
 double secondsSinceProcessStart() {
@@ -44,7 +45,7 @@ int main(int argc, char** argv) {
   const std::optional<bw::app::Options> options = bw::app::parseOptions(arguments, &problem);
   if (!options) {
     std::fprintf(stderr, "bladewright: %s\n", qPrintable(problem));
-    return kBadUsage;
+    return kBadInput;
   }
   if (options->help) {
     std::fputs(qPrintable(bw::app::helpText()), stdout);
@@ -78,14 +79,14 @@ int main(int argc, char** argv) {
       while (!window.onStartPage() && !window.sceneView().resting()) QApplication::processEvents(QEventLoop::WaitForMoreEvents);
       if (!window.grab().save(options->screenshot, "PNG")) {
         std::fprintf(stderr, "bladewright: the picture could not be written to %s\n", qPrintable(options->screenshot));
-        status = kCannotWrite;
+        status = kFileError;
       }
     }
     QApplication::exit(status);
   };
   QObject::connect(&changes, &bw::app::ChangeTimer::finished, &window, [&] {
     std::printf("%s\n", qPrintable(bw::app::summaryOf(changes.seconds())));
-    if (int(changes.seconds().size()) < options->timeChanges) status = kNoResult;
+    if (int(changes.seconds().size()) < options->timeChanges) status = kNoSolution;
     quit();
   });
   const auto finish = [&] {
@@ -95,21 +96,30 @@ int main(int argc, char** argv) {
     else
       quit();
   };
+  // Of a run for a picture: nobody may be there to read the notice.
+  const auto complain = [&](const bw::Error& error) {
+    std::fprintf(stderr, "bladewright: %s\n", error.message.c_str());
+    status = statusOf(error.code);
+  };
   window.show();
+  bw::Result<void> opened;
   if (!options->file.isEmpty())
-    window.openFile(options->file);
+    opened = window.openFile(options->file);
   else if (!options->example.isEmpty())
-    window.openExample(options->example);
+    opened = window.openExample(options->example);
   else if (!oneShot)
     window.recover();
   if (oneShot) {
+    if (!opened) complain(opened.error());
     if (window.onStartPage()) {
       QTimer::singleShot(0, &window, finish);
     } else {
       // The result's picture, or the notice that tells why there is none.
       QObject::connect(&window, &bw::app::MainWindow::pictureStands, &window, finish, static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection));
       QObject::connect(&window.bench().runner(), &bw::model::EvaluationRunner::finished, &window, [&] {
-        if (!window.bench().current()) QTimer::singleShot(0, &window, finish);
+        if (window.bench().current()) return;
+        if (const std::optional<bw::Error>& error = window.bench().runner().error()) complain(*error);
+        QTimer::singleShot(0, &window, finish);
       });
     }
   }

@@ -72,6 +72,7 @@ MainWindow::MainWindow(model::Settings& settings, Theme& theme, const std::files
   });
   connect(&bench_.document(), &model::Document::replaced, this, [this] {
     fitNext_ = true;
+    opening_.reset();
     staleShown_ = false;
   });
   connect(&bench_.settings(), &model::Settings::recentFilesChanged, this, &MainWindow::refreshRecent);
@@ -149,7 +150,9 @@ void MainWindow::leaveMeasurePage() {
 
 void MainWindow::placeBanner() {
   if (onStartPage()) {
-    banner_->place({kGroupGap, kGroupGap}, banner_->parentWidget()->width() - 2 * kGroupGap);
+    // At the lower edge: the title is above, and every button.
+    banner_->place({kGroupGap, 0}, banner_->parentWidget()->width() - 2 * kGroupGap);
+    banner_->move(kGroupGap, banner_->parentWidget()->height() - banner_->height() - kGroupGap);
     return;
   }
   const QPoint corner = view_->mapTo(banner_->parentWidget(), QPoint(kGap, kGap));

@@ -68,10 +68,11 @@ class MainWindow : public QMainWindow {
   /// Seconds between the last change of the design and the picture of its result; 0 before the first.
   double pictureDelay() const { return pictureDelay_; }
 
+  /// Opens a CAD file or a design, after asking about unsaved changes. A failure is told in the window too.
+  Result<void> openFile(const QString& file);
+  Result<void> openExample(const QString& name);
+
  public slots:
-  /// Opens a CAD file or a design, after asking about unsaved changes.
-  void openFile(const QString& file);
-  void openExample(const QString& name);
   bool save();
   bool saveAs();
   void exportEverything();
@@ -150,7 +151,8 @@ class MainWindow : public QMainWindow {
   QTimer staleTimer_, busyTimer_;
 
   std::shared_ptr<const pipeline::Evaluation> shown_;
-  bool fitNext_ = true;
+  bool fitNext_ = true;                   ///< no result of this design was in the picture yet
+  std::optional<scene::Camera> opening_;  ///< of the design's first picture
   bool sectioned_ = false;
   double sectionSide_ = 1;  ///< of the station's normal: which half is taken away
   bool staleShown_ = false;

@@ -80,8 +80,8 @@ void MainWindow::makeCommands() {
     plain.remove('&');
     add(id, tr(text), icon, tr("%1 view").arg(plain), {QKeySequence(QString::number(key++))}, [this, view = view](bool) { view_->setView(view); });
   }
-  add("view.fit", tr("&Fit all"), "fit", tr("Fit everything into the picture"), {QKeySequence("F")}, [this](bool) { view_->fitAll(); });
-  add("view.fitSelection", tr("Fit &selection"), "", tr("Fit the selected thing into the picture"), {QKeySequence("Shift+F")},
+  add("view.fit", tr("&Fit all"), "fit", tr("Fit everything into the picture"), {QKeySequence("Shift+F")}, [this](bool) { view_->fitAll(); });
+  add("view.fitSelection", tr("Fit &selection"), "", tr("Fit the selected thing into the picture, or the block with its blades"), {QKeySequence("F")},
       [this](bool) { fitSelection(); });
   add("view.parallel", tr("&Parallel view"), "parallel", tr("Parallel instead of perspective"), {QKeySequence("P")},
       [this](bool on) { view_->setParallel(on); }, true);

@@ -30,16 +30,20 @@ bool MainWindow::mayLeave() {
   return false;
 }
 
-void MainWindow::openFile(const QString& file) {
-  if (!mayLeave()) return;
+Result<void> MainWindow::openFile(const QString& file) {
+  if (!mayLeave()) return stoppedError();
   banner_->hide();
-  if (bench_.openFile(file.toStdString())) showWorkspace();
+  const Result<void> opened = bench_.openFile(file.toStdString());
+  if (opened) showWorkspace();
+  return opened;
 }
 
-void MainWindow::openExample(const QString& name) {
-  if (!mayLeave()) return;
+Result<void> MainWindow::openExample(const QString& name) {
+  if (!mayLeave()) return stoppedError();
   banner_->hide();
-  if (bench_.openExample(name.toStdString())) showWorkspace();
+  const Result<void> opened = bench_.openExample(name.toStdString());
+  if (opened) showWorkspace();
+  return opened;
 }
 
 bool MainWindow::save() {

@@ -16,9 +16,15 @@ void MainWindow::refreshContent() {
   if (evaluation != shown_ || !evaluation) {
     shown_ = evaluation;
     view_->setContent(evaluation ? pipeline::sceneContent(*evaluation) : scene::Content());
+    // The opening view is of the target until there is a first result, which leads to its block, unless the
+    // user has gone elsewhere meanwhile.
     if (evaluation && fitNext_) {
-      fitNext_ = false;
-      view_->setView(scene::View::iso, false);
+      const scene::Camera now = view_->camera();
+      if (!opening_ || (opening_->position == now.position && opening_->focus == now.focus)) {
+        view_->setView(scene::View::iso, false);
+        opening_ = view_->camera();
+      }
+      fitNext_ = !evaluation->sweep.value;
     }
   }
   staleTimer_.stop();
@@ -37,13 +43,15 @@ std::optional<scene::SectionPlane> MainWindow::sectionPlane() const {
   const auto& stations = result->sweep.stations;
   // The moving blade leads while it plays, the selected station otherwise, the middle if there is neither.
   const bool follow = bench_.moving() && (motion_->playing() || bench_.selection().station < 0);
-  const double at = follow ? bench_.stationAt(bench_.playTime())
-                           : bench_.selection().station >= 0 ? bench_.selection().station : 0.5 * double(stations.size() - 1);
+  const double at = follow                            ? bench_.stationAt(bench_.playTime())
+                    : bench_.selection().station >= 0 ? bench_.selection().station
+                                                      : 0.5 * double(stations.size() - 1);
   const auto before = std::size_t(std::clamp(std::floor(at), 0.0, double(stations.size() - 1)));
   const std::size_t after = std::min(before + 1, stations.size() - 1);
   const double share = std::clamp(at - double(before), 0.0, 1.0);
   const Frame &a = stations[before].frame, &b = stations[after].frame;
-  return scene::SectionPlane{(1 - share) * a.origin + share * b.origin, sectionSide_ * ((1 - share) * a.normal + share * b.normal).normalized()};
+  return scene::SectionPlane{(1 - share) * a.origin + share * b.origin,
+                             sectionSide_ * ((1 - share) * a.normal + share * b.normal).normalized()};
 }
 
 void MainWindow::refreshStyle() {
@@ -57,9 +65,10 @@ void MainWindow::refreshStyle() {
   view_->setStyle(style);
   mapBar_->setRangeInUse(view_->legendRange());
   static const std::pair<const char*, bool scene::Style::*> kToggles[] = {
-      {"view.isolines", &scene::Style::isolines}, {"view.shadows", &scene::Style::softShadows}, {"show.target", &scene::Style::showTarget}, {"show.cut", &scene::Style::showCut},
-      {"show.stations", &scene::Style::showStations}, {"show.blades", &scene::Style::showBlades}, {"show.block", &scene::Style::showBlock},
-      {"show.grid", &scene::Style::showGrid}};
+      {"view.isolines", &scene::Style::isolines},     {"view.shadows", &scene::Style::softShadows},
+      {"show.target", &scene::Style::showTarget},     {"show.cut", &scene::Style::showCut},
+      {"show.stations", &scene::Style::showStations}, {"show.blades", &scene::Style::showBlades},
+      {"show.block", &scene::Style::showBlock},       {"show.grid", &scene::Style::showGrid}};
   for (const auto& [id, member] : kToggles) commands_[id]->setChecked(style.*member);
   commands_["view.section"]->setChecked(sectioned_);
 }
@@ -93,7 +102,8 @@ void MainWindow::onHovered(const scene::Pick& pick) {
   QString text;
   const Field* field = view_->content().cut.field(view_->sceneStyle().field);
   if (pick.value && field) {
-    text = QString::fromStdString(field->title.empty() ? field->name : field->title) + " " + QString::fromStdString(shortText(*pick.value, 3));
+    text = QString::fromStdString(field->title.empty() ? field->name : field->title) + " " +
+           QString::fromStdString(shortText(*pick.value, 3));
     if (!field->unit.empty()) text += (field->unit == "°" ? "" : " ") + QString::fromStdString(field->unit);
   }
   probe_->setText(text);
@@ -115,7 +125,7 @@ void MainWindow::fitSelection() {
   if (bounds.valid())
     view_->fitBounds(bounds);
   else
-    view_->fitAll();
+    view_->fitWork();
 }
 
 }  // namespace bw::app

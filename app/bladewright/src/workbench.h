@@ -76,9 +76,9 @@ class Workbench : public QObject {
   bool moving() const { return moving_; }
   void setMoving(bool moving);
 
-  /// Opens a CAD file or a .bladewright file by its suffix. Failures become a notice.
-  bool openFile(const std::filesystem::path& file);
-  bool openExample(const std::string& name);
+  /// Opens a CAD file or a .bladewright file by its suffix. Failures become a notice too.
+  Result<void> openFile(const std::filesystem::path& file);
+  Result<void> openExample(const std::string& name);
   bool saveTo(const std::filesystem::path& file);
   /// Writes report, geometry, stations and programs to `folder` in the background.
   void exportAll(const std::filesystem::path& folder);

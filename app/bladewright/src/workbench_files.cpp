@@ -24,18 +24,19 @@ std::string lowerSuffix(const fs::path& file) {
 
 }  // namespace
 
-bool Workbench::openFile(const fs::path& file) {
+Result<void> Workbench::openFile(const fs::path& file) {
+  const auto refuse = [this](const Error& error) -> Result<void> {
+    tell({Severity::error, QString::fromStdString(error.message), {}, {}});
+    return tl::unexpected<Error>(error);
+  };
   if (lowerSuffix(file) == ".bladewright") {
-    if (Result<void> opened = document_.open(file); !opened) {
-      tell({Severity::error, QString::fromStdString(opened.error().message), {}, {}});
-      return false;
-    }
+    if (Result<void> opened = document_.open(file); !opened) return refuse(opened.error());
   } else {
     std::error_code error;
-    if (!fs::is_regular_file(file, error)) {
-      tell({Severity::error, tr("There is no file %1.").arg(QString::fromStdString(file.string())), {}, {}});
-      return false;
-    }
+    if (!fs::is_regular_file(file, error))
+      return refuse({ErrorCode::cannotRead,
+                     tr("there is no file %1").arg(QString::fromStdString(file.string())).toStdString(),
+                     file.string()});
     Design design;
     const fs::path absolute = fs::absolute(file, error);
     design.name = file.stem().string();
@@ -44,17 +45,17 @@ bool Workbench::openFile(const fs::path& file) {
     document_.start(std::move(design));
   }
   settings_.addRecentFile(file);
-  return true;
+  return {};
 }
 
-bool Workbench::openExample(const std::string& name) {
+Result<void> Workbench::openExample(const std::string& name) {
   Result<Design> design = exampleDesign(name);
   if (!design) {
     tell({Severity::error, QString::fromStdString(design.error().message), {}, {}});
-    return false;
+    return tl::unexpected<Error>(design.error());
   }
   document_.start(std::move(*design));
-  return true;
+  return {};
 }
 
 bool Workbench::saveTo(const fs::path& file) {

@@ -117,12 +117,16 @@ class Scene {
   /// The legend's range in use (after rounding), if a field is shown.
   std::optional<std::pair<double, double>> legendRange() const;
 
-  /// A camera that looks along a standard view and fits everything (or `bounds`) into the aspect ratio.
+  /// A camera that looks along a standard view and fits the work (or `bounds`) into the aspect ratio.
   Camera fitCamera(View view, double aspect, const std::optional<Bounds>& bounds = std::nullopt) const;
-  /// Fits keeping the present direction.
+  /// Fits everything (or `bounds`), keeping the present direction.
   Camera fitCamera(const Camera& from, double aspect,
                    const std::optional<Bounds>& bounds = std::nullopt) const;
+  /// Everything that is shown.
   Bounds bounds() const;
+  /// What the picture is about: block, cut surface and whole blades, and the target unless it is far larger
+  /// than the block. Without a cut or a block, all that there is.
+  Bounds workBounds() const;
   void setCamera(const Camera& camera);
   Camera camera() const;
 

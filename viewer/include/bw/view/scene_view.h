@@ -68,8 +68,10 @@ class SceneView : public QOpenGLWidget {
   /// Replaces the content; the camera stays, except that the first content that is not empty is fitted.
   void setContent(const bw::scene::Content& content);
   void setStyle(const bw::scene::Style& style);
-  /// Looks along a standard view and fits everything.
+  /// Looks along a standard view and fits the work (scene::Scene::workBounds()).
   void setView(bw::scene::View view, bool animate = true);
+  /// Fits the work, everything or a part, keeping the direction.
+  void fitWork(bool animate = true);
   void fitAll(bool animate = true);
   void fitBounds(const bw::Bounds& bounds, bool animate = true);
   void setCamera(const bw::scene::Camera& camera, bool animate = false);

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "bw/core/result.h"
+
+namespace bw::pipeline {
+
+/// Exit statuses of the programs; part of their contract.
+enum ExitStatus : int {
+  kDone = 0,
+  kLimitExceeded = 1,
+  kBadInput = 2,
+  kNoSolution = 3,
+  kFileError = 4,
+  kInternal = 5,
+  kInterrupted = 130
+};
+
+/// The exit status that stands for an error.
+int statusOf(ErrorCode code);
+
+}  // namespace bw::pipeline
