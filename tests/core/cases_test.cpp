@@ -195,4 +195,17 @@ TEST(BvpCases, StayOnTheBranchOfTheInitialBlade) {
   EXPECT_EQ(seen, 2);
 }
 
+TEST(FitCases, TheForecastDoesNotDependOnTheStart) {
+  const std::string curve =
+      R"("curve": {"type": "bezier", "poles": [[0, 0], [200, 150], [400, 150], [600, 0]]})";
+  const auto run = [&](const std::string& rest) {
+    return json::parse(fitCases("{" + curve + R"(, "epsilon": 0.01)" + rest + "}", {})->json);
+  };
+  const json cold = run("");
+  const json warm = run(R"(, "initial": )" + cold["elastica"].dump());
+  ASSERT_TRUE(warm.contains("R4_forecast")) << warm.dump();
+  EXPECT_EQ(warm["R4_forecast"], cold["R4_forecast"]);
+  EXPECT_EQ(warm["approximable"], cold["approximable"]);
+}
+
 }  // namespace bw

@@ -190,6 +190,43 @@ TEST(ElasticaFit, AddedEndConditionsNeverFitRandomCurvesBetter) {
   }
 }
 
+TEST(ElasticaFit, TautBladesAreAnswersUnderEndsTangentsAndLength) {
+  // √f L of 57, 183 and 204: beyond what the numbers at the middle carry.
+  const std::vector<std::vector<Vector2d>> taut = {
+      {{105.9, 41.9}, {36.5, 38.3}, {393.7, -5.4}, {667.6, 10.3}},
+      {{-57.5, 54.4}, {-79.4, 66.4}, {433.5, -22.4}, {866.7, 107.3}},
+      {{-105.3, -7.6}, {229, 26.3}, {250, -7.9}, {569.8, 80.1}, {535.4, 72.1}}};
+  for (std::size_t i = 0; i < taut.size(); ++i) {
+    SCOPED_TRACE(testing::Message() << "curve " << i);
+    const PlanarCurve c = PlanarCurve::bezier(taut[i]).value();
+    FitOptions options;
+    options.length = FitOptions::Length::exact;
+    options.endpoints = options.tangents = true;
+    const FitResult r = fitElastica(c, options).value();
+    ASSERT_EQ(r.status, FitStatus::converged) << r.message;
+    const Elastica& e = r.elastica;
+    EXPECT_TRUE(e.anchor());
+    EXPECT_NEAR(r.R4, denseR4(e, c), 1e-3 * r.R4);
+    const double L = c.length();
+    EXPECT_NEAR(e.length(), L, 1e-9 * L);
+    EXPECT_LT((e.point(0) - c.value(c.start())).norm(), 1e-9 * L);
+    EXPECT_LT((e.point(e.length()) - c.value(c.end())).norm(), 1e-9 * L);
+    const Vector2d t0 = c.tangent(c.start());
+    const Vector2d t1 = c.tangent(c.end());
+    EXPECT_NEAR(wrapped(e.at(0).angle - std::atan2(t0.y(), t0.x())), 0, 1e-9);
+    EXPECT_NEAR(wrapped(e.at(e.length()).angle - std::atan2(t1.y(), t1.x())), 0, 1e-9);
+    // The blade at rest between the same grips is one of those compared; given as a start it comes back.
+    const ClampedProblem problem{
+        c.value(c.start()), c.value(c.end()), std::atan2(t0.y(), t0.x()), std::atan2(t1.y(), t1.x()), L, {}};
+    const Elastica rest = solveClamped(problem)->solutions.front().elastica;
+    EXPECT_LE(r.R4, denseR4(rest, c) * (1 + 1e-3));
+    options.initial = rest;
+    const FitResult warm = fitElastica(c, options).value();
+    EXPECT_EQ(warm.status, FitStatus::converged) << warm.message;
+    EXPECT_LT(apart(warm.elastica, rest), 1e-8 * L);
+  }
+}
+
 TEST(ElasticaFit, CurvatureBoundHolds) {
   for (const auto& [name, c] : test::fitCurves()) {
     SCOPED_TRACE(name);

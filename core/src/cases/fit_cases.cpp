@@ -107,13 +107,12 @@ Result<ordered_json> fitCase(const json& object, bool& limited) {
   result["R3_star"] = fit->R3star;
   result["R4_initial"] = fit->R4initial;
   result["R4"] = fit->R4;
-  if (!options->initial) {
-    const FitForecast& forecast = fit->forecast;
-    result["R4_forecast"] = {{"R4", forecast.R4}, {"low", forecast.low}, {"high", forecast.high}};
-    if (epsilon) {
-      static constexpr const char* kVerdicts[] = {"yes", "no", "unsure"};
-      result["approximable"] = kVerdicts[static_cast<int>(forecast.within(*epsilon))];
-    }
+  // The guess alone tells it, also where the fit starts from elsewhere.
+  const FitForecast forecast = options->initial ? forecastFit(*curve) : fit->forecast;
+  result["R4_forecast"] = {{"R4", forecast.R4}, {"low", forecast.low}, {"high", forecast.high}};
+  if (epsilon) {
+    static constexpr const char* kVerdicts[] = {"yes", "no", "unsure"};
+    result["approximable"] = kVerdicts[static_cast<int>(forecast.within(*epsilon))];
   }
   result["hausdorff"] = fit->hausdorff;
   result["gradient_norm"] = fit->gradientNorm;

@@ -215,6 +215,7 @@ Result<FitResult> fitElastica(const PlanarCurve& curve, const FitOptions& option
   const char* worst = "";
   std::vector<double> peaks;
   FitConstraints held = constraints;
+  std::optional<Elastica> taut;
   const detail::FitSearch search(full, tangentNorm);
   if (constraints.endpoints || constraints.tangents ||
       (constraints.bounds() &&
@@ -224,6 +225,7 @@ Result<FitResult> fitElastica(const PlanarCurve& curve, const FitOptions& option
     from.freeValue = chosen.value;
     from.warm = options.initial.has_value();
     if (options.initial) from.places.push_back(detail::toPlacement(*options.initial, full));
+    from.blade = options.initial;
     from.places.push_back(chosen.placement);
     if (chosen.converged) {
       from.free.emplace();
@@ -245,6 +247,7 @@ Result<FitResult> fitElastica(const PlanarCurve& curve, const FitOptions& option
       boundActive = found.best->boundActive;
       peaks = found.best->peaks;
       held = found.constraints;
+      taut = found.best->taut;
     } else {
       infeasible = true;
       worst = found.worst;
@@ -253,13 +256,14 @@ Result<FitResult> fitElastica(const PlanarCurve& curve, const FitOptions& option
     }
   }
 
-  result.elastica = detail::toElastica(chosen.placement, full);
+  result.elastica = taut ? *taut : detail::toElastica(chosen.placement, full);
   ConstrainedFit last(full, held, tangentNorm);
-  detail::Stationarity end = last.stationarity(detail::toPlacement(result.elastica, full), peaks);
+  detail::Stationarity end{chosen.value, 0, 0};
+  if (!taut) end = last.stationarity(detail::toPlacement(result.elastica, full), peaks);
   // Where the conditions leave nothing to vary, only they can be missed.
   if (!infeasible && constraints.clamped() && constraints.lengthTolerance == 0)
     end.gradient = end.movement = 0;
-  if (!infeasible && (!chosen.converged || !(end.movement <= kConvergedMovement))) {
+  if (!infeasible && !taut && (!chosen.converged || !(end.movement <= kConvergedMovement))) {
     // The descent in three unknowns stalls where the shape hardly matters; all seven go on from there.
     const ConstrainedFit::Solution finished = last.solve(chosen.placement);
     chosen.iterations += finished.iterations;
@@ -295,7 +299,7 @@ Result<FitResult> fitElastica(const PlanarCurve& curve, const FitOptions& option
     result.status = FitStatus::iterationLimit;
     result.message =
         "The curve misses " + std::string(missed) + " by " + shortText(result.violation) + carried;
-  } else if (demands.any() && !search.meets(detail::toPlacement(result.elastica, full), demands)) {
+  } else if (demands.any() && !search.meets(result.elastica, demands)) {
     result.status = FitStatus::iterationLimit;
     result.message =
         "The curve meets itself or has more inflections than asked for, by rounding; loosen the other "

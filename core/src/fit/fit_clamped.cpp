@@ -30,8 +30,24 @@ int inflectionsOf(const FitTarget& target) {
 
 }  // namespace
 
-std::vector<Placement> clampedPlacements(const FitTarget& target, const FitConstraints& constraints,
-                                         bool tangentNorm) {
+double objectiveOf(const Elastica& elastica, const FitTarget& target, bool tangentNorm) {
+  std::vector<double> s;
+  for (const double place : target.s) s.push_back((place + 0.5) * elastica.length());
+  std::vector<Elastica::State> states(s.size());
+  elastica.at(s, states);
+  double value = 0;
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    double miss = ((states[i].point - target.centre) / target.length - target.point[i]).squaredNorm();
+    if (tangentNorm)
+      miss +=
+          (elastica.length() / target.length * direction(states[i].angle) - target.tangent[i]).squaredNorm();
+    value += target.weight[i] * miss;
+  }
+  return value;
+}
+
+std::vector<ClampedBlade> clampedBlades(const FitTarget& target, const FitConstraints& constraints,
+                                        bool tangentNorm) {
   if (!constraints.clamped()) return {};
   const ClampedProblem problem{target.start,    target.end,          target.startAngle,
                                target.endAngle, *constraints.length, std::nullopt};
@@ -42,21 +58,16 @@ std::vector<Placement> clampedPlacements(const FitTarget& target, const FitConst
       kMostTurning);
   const Result<ClampedAnswer> answer = solveAllClamped(problem, options);
   if (!answer) return {};
-  ConstrainedFit fit(target, constraints, tangentNorm);
-  std::vector<std::pair<double, Placement>> order;
+  std::vector<ClampedBlade> blades;
   for (const ClampedSolution& solution : answer->solutions) {
     // The place of a loop between taut stretches hangs on last digits: no descent comes to rest there.
     if (solution.elastica.anchor() && !solution.stable) continue;
-    const Placement placement =
-        toPlacement(solution.elastica.transformed(0, target.length, target.centre), target);
-    double value = 0;
-    if (fit.objective(toVector(placement), nullptr, value)) order.emplace_back(value, placement);
+    const Elastica blade = solution.elastica.transformed(0, target.length, target.centre);
+    blades.push_back({blade, objectiveOf(blade, target, tangentNorm)});
   }
-  std::stable_sort(order.begin(), order.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::vector<Placement> placements;
-  for (const auto& [value, placement] : order) placements.push_back(placement);
-  return placements;
+  std::stable_sort(blades.begin(), blades.end(),
+                   [](const ClampedBlade& a, const ClampedBlade& b) { return a.value < b.value; });
+  return blades;
 }
 
 }  // namespace bw::detail

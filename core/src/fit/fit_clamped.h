@@ -8,11 +8,20 @@
 
 namespace bw::detail {
 
+/// An equilibrium of a clamped blade, mm, and the objective there.
+struct ClampedBlade {
+  Elastica elastica;
+  double value = 0;
+};
+
 /// Ends, end tangents and an exact length leave isolated curves: the equilibria of a clamped blade. All of
 /// them (docs/mathematics.md, 6) with at most two inflections more than the target and a turn more than it
 /// turns, nearest to the target first. Empty if `constraints` leave out one of the three or there are none.
 /// Some ms.
-std::vector<Placement> clampedPlacements(const FitTarget& target, const FitConstraints& constraints,
-                                         bool tangentNorm);
+std::vector<ClampedBlade> clampedBlades(const FitTarget& target, const FitConstraints& constraints,
+                                        bool tangentNorm);
+
+/// The objective of any elastica.
+double objectiveOf(const Elastica& elastica, const FitTarget& target, bool tangentNorm);
 
 }  // namespace bw::detail

@@ -65,6 +65,7 @@ class ConstrainedFit : public ConstrainedProblem {
     const char* worst = "";  ///< the condition of the largest violation, in words
     std::vector<double>
         peaks;  ///< where the curvature was found to press on its bound besides the fixed places
+    std::optional<Elastica> taut;  ///< the curve, where the seven numbers at its middle do not carry it
   };
   /// Makes the start feasible, then descends along the conditions.
   Solution solve(const Placement& start);

@@ -21,6 +21,8 @@ constexpr double kWorse = 1.5;
 // fit by the second number.
 constexpr double kPoorEnds = 2e-2;
 constexpr double kMuchWorseEnds = 3;
+// Where the nearest clamped blade is taut, so many others are starts as well.
+constexpr std::size_t kSlackStarts = 2;
 // A fit is better than another if its value is lower by more than this part.
 constexpr double kSame = 1e-9;
 
@@ -43,7 +45,7 @@ class NestedFit {
     } else {
       found = constraints.bounds() ? bounded(constraints) : equalities(constraints, true);
     }
-    if (found.best && demands_.any() && !search_.meets(found.best->placement, demands_))
+    if (found.best && demands_.any() && !search_.meets(*found.best, demands_))
       found = search_.demanded(found, demands_, starts_.places, enough_);
     return found;
   }
@@ -63,19 +65,35 @@ class NestedFit {
 
   // Goes on from a fit under more conditions.
   void goOnFrom(ConditionedFit& kept, const ConditionedFit& more) const {
-    if (more.best && (!kept.best || more.best->value < kept.best->value))
-      keepBetter(kept, search_.conditioned(kept.constraints, {more.best->placement}, 0, true));
+    if (more.best && (!kept.best || more.best->value < kept.best->value)) {
+      const FitConstraints constraints = kept.constraints;
+      keepBetter(kept, search_.conditioned(constraints, {more.best->placement}, 0, true));
+      // From a taut curve a descent hardly gets on.
+      if (more.best->taut) keepBetter(kept, search_.conditioned(constraints, slackBlades_, 0, false));
+      ConditionedFit same = more;
+      same.iterations = 0;
+      same.best->converged = false;
+      keepBetter(kept, same);
+      kept.constraints = constraints;
+    }
     kept.iterations += more.iterations;
   }
 
   ConditionedFit clamped(const FitConstraints& constraints) {
     if (clamped_) return *clamped_;
+    ConditionedFit found;
+    if (starts_.blade)
+      found = search_.nearest(constraints, demands_,
+                              {{*starts_.blade, objectiveOf(*starts_.blade, target_, tangentNorm_)}});
     // Hardly any freedom is left: what lies near is good, or all there is is looked at.
-    ConditionedFit found = search_.nearest(constraints, demands_, {starts_.places.front()});
+    if (!found.best) keepBetter(found, search_.near(constraints, demands_, starts_.places.front()));
     if (!found.best || (!starts_.warm && found.best->value > enough_)) {
-      ConditionedFit other =
-          search_.nearest(constraints, demands_, clampedPlacements(target_, constraints, tangentNorm_));
-      keepBetter(found, std::move(other));
+      const std::vector<ClampedBlade> blades = clampedBlades(target_, constraints, tangentNorm_);
+      keepBetter(found, search_.nearest(constraints, demands_, blades));
+      for (const ClampedBlade& blade : blades) {
+        if (slackBlades_.size() < kSlackStarts && !FitSearch::taut(blade.elastica))
+          slackBlades_.push_back(toPlacement(blade.elastica, target_));
+      }
     }
     clamped_ = found;
     clamped_->iterations = 0;  // counted once
@@ -121,6 +139,7 @@ class NestedFit {
   const FitStarts& starts_;
   FitSearch search_;
   double enough_;
+  std::vector<Placement> slackBlades_;     ///< the nearest clamped blades that are not taut
   std::optional<ConditionedFit> clamped_;  ///< under ends, tangents and length; one length a run
 };
 

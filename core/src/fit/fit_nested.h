@@ -12,8 +12,9 @@ namespace bw::detail {
 /// A fit without conditions, and places to start from. The simplest ones come last.
 struct FitStarts {
   std::vector<Placement> places;
-  double freeValue = 0;  ///< of the objective, without end conditions
-  bool warm = false;     ///< the first place is the only start
+  double freeValue = 0;                          ///< of the objective, without end conditions
+  bool warm = false;                             ///< the first place is the only start
+  std::optional<Elastica> blade = std::nullopt;  ///< the warm start itself
   std::optional<ConstrainedFit::Solution> free =
       std::nullopt;  ///< the fit without conditions, if it came to rest
 };

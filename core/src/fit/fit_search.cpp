@@ -19,6 +19,10 @@ constexpr double kSame = 1e-9;
 constexpr int kSides = 240;
 // By this part the periods stay below those that have one inflection more.
 constexpr double kFewer = 1e-6;
+// A blade between its ends is taken as it is above this tension (force times length squared), if it meets the
+// conditions to kMet: descents in the numbers at its middle are slow there, and end at a force of 2500.
+constexpr double kTautBlade = 250;
+constexpr double kMet = 1e-9;
 // Under strong tension the seven numbers of an elastica miss its ends by more than this (lengths, rad).
 constexpr double kCarried = 1e-6;
 // The last so many starts are an arc and a line.
@@ -81,11 +85,22 @@ ConditionedFit FitSearch::conditioned(const FitConstraints& constraints, const s
   return out;
 }
 
-bool FitSearch::meets(const Placement& placement, const FitDemands& demands) const {
-  const Elastica elastica = toElastica(placement, target_);
+bool FitSearch::taut(const Elastica& elastica) {
+  return elastica.force().norm() * elastica.length() * elastica.length() > kTautBlade;
+}
+
+bool FitSearch::meets(const Elastica& elastica, const FitDemands& demands) const {
   if (demands.simple && elastica.selfIntersects()) return false;
   return !demands.maxInflections ||
          elastica.inflections().size() <= static_cast<std::size_t>(*demands.maxInflections);
+}
+
+bool FitSearch::meets(const Placement& placement, const FitDemands& demands) const {
+  return meets(toElastica(placement, target_), demands);
+}
+
+bool FitSearch::meets(const Solution& solution, const FitDemands& demands) const {
+  return solution.taut ? meets(*solution.taut, demands) : meets(solution.placement, demands);
 }
 
 // The bounds of which any one meets the demand that a curve breaks.
@@ -147,7 +162,7 @@ std::vector<FitConstraints> FitSearch::variants(const FitConstraints& constraint
 ConditionedFit FitSearch::demanded(const FitConstraints& constraints, const FitDemands& demands,
                                    const std::vector<Placement>& starts, double enough) const {
   const ConditionedFit out = conditioned(constraints, starts, enough, false);
-  if (!out.best || meets(out.best->placement, demands)) return out;
+  if (!out.best || meets(*out.best, demands)) return out;
   return demanded(out, demands, starts, enough);
 }
 
@@ -185,21 +200,38 @@ ConditionedFit FitSearch::demanded(const ConditionedFit& breaking, const FitDema
   return met;
 }
 
-ConditionedFit FitSearch::nearest(const FitConstraints& constraints, const FitDemands& demands,
-                                  const std::vector<Placement>& starts) const {
-  ConstrainedFit fit(target_, constraints, tangentNorm_);
+ConditionedFit FitSearch::near(const FitConstraints& constraints, const FitDemands& demands,
+                               const Placement& start) const {
   ConditionedFit out;
   out.constraints = constraints;
-  for (const Placement& start : starts) {
-    const Solution solution = fit.solve(start);
-    out.iterations += solution.iterations;
-    if (!solution.feasible || (demands.any() && !meets(solution.placement, demands))) continue;
-    const char* missed = "";
-    const bool carried =
-        largestMiss(toElastica(solution.placement, target_), target_, constraints, missed) <= kCarried;
-    if (out.best && !(carried && solution.converged)) continue;
+  const Solution solution = ConstrainedFit(target_, constraints, tangentNorm_).solve(start);
+  out.iterations = solution.iterations;
+  const char* missed = "";
+  if (solution.feasible && solution.converged && (!demands.any() || meets(solution.placement, demands)) &&
+      largestMiss(toElastica(solution.placement, target_), target_, constraints, missed) <= kCarried)
     out.best = solution;
-    if (carried && solution.converged) break;
+  return out;
+}
+
+ConditionedFit FitSearch::nearest(const FitConstraints& constraints, const FitDemands& demands,
+                                  const std::vector<ClampedBlade>& blades) const {
+  ConditionedFit out;
+  out.constraints = constraints;
+  for (const auto& [elastica, value] : blades) {
+    const char* missed = "";
+    const Placement placement = toPlacement(elastica, target_);
+    if (!taut(elastica)) {
+      ConditionedFit fit = near(constraints, demands, placement);
+      out.iterations += fit.iterations;
+      if (fit.best) out.best = fit.best;
+    } else if (largestMiss(elastica, target_, constraints, missed) <= kMet && meets(elastica, demands)) {
+      Solution& exact = out.best.emplace();
+      exact.placement = placement;
+      exact.value = value;
+      exact.feasible = exact.converged = true;
+      exact.taut = elastica;
+    }
+    if (out.best) break;
   }
   return out;
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "fit/fit_clamped.h"
 #include "fit/fit_constrained.h"
 
 namespace bw::detail {
@@ -35,8 +36,13 @@ class FitSearch {
   ConditionedFit conditioned(const FitConstraints& constraints, const std::vector<Placement>& starts,
                              double enough, bool first) const;
 
+  /// True if the numbers at the middle of a curve hardly carry its ends.
+  static bool taut(const Elastica& elastica);
+
   /// True if a curve meets the demands.
+  bool meets(const Elastica& elastica, const FitDemands& demands) const;
   bool meets(const Placement& placement, const FitDemands& demands) const;
+  bool meets(const ConstrainedFit::Solution& solution, const FitDemands& demands) const;
 
   /// From a curve that meets the conditions but not the demands to the best one that meets both.
   ConditionedFit demanded(const FitConstraints& constraints, const FitDemands& demands,
@@ -45,10 +51,13 @@ class FitSearch {
   ConditionedFit demanded(const ConditionedFit& breaking, const FitDemands& demands,
                           const std::vector<Placement>& starts, double enough) const;
 
-  /// From the first of `starts` that can be led onto the conditions and meets the demands; a curve that its
-  /// seven numbers do not carry (strong tension) only if there is no other.
+  /// From a start that can be led onto the conditions to a curve that meets the demands. Nothing if there is
+  /// none or its seven numbers do not carry it (strong tension).
+  ConditionedFit near(const FitConstraints& constraints, const FitDemands& demands,
+                      const Placement& start) const;
+  /// The first of some blades between the ends, exactly if it is taut, that meets bounds and demands.
   ConditionedFit nearest(const FitConstraints& constraints, const FitDemands& demands,
-                         const std::vector<Placement>& starts) const;
+                         const std::vector<ClampedBlade>& blades) const;
 
   /// Of conditions and demands that contradict each other, a part of which none can be left out.
   std::vector<std::string> conflict(const FitConstraints& constraints, const FitDemands& demands,
