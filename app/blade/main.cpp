@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <filesystem>
 #include <iostream>
 #include <vector>
 
@@ -24,6 +25,29 @@ std::string unknownVerbMessage(const CLI::App& app, const std::string& word) {
   message += "; the verbs are";
   for (std::size_t i = 0; i < names.size(); ++i) message += (i ? ", " : " ") + names[i];
   return message;
+}
+
+/// The files that the options of the chosen verb read. An option without a value is an error: it is a slip in
+/// a script, and would pass for the working folder or for one that was left out.
+bw::Result<std::vector<std::filesystem::path>> inputsOf(const CLI::App& verb) {
+  std::vector<std::filesystem::path> inputs;
+  for (const CLI::Option* option : verb.get_options()) {
+    const std::string name = option->get_name();
+    for (const std::string& value : option->results()) {
+      if (value.empty())
+        return bw::fail(bw::ErrorCode::badInput, name + " is empty; give it a value or leave it out", name);
+      std::error_code error;
+      if (name != "--out" && name != "--svg" && std::filesystem::is_regular_file(value, error))
+        inputs.emplace_back(value);
+    }
+  }
+  return inputs;
+}
+
+/// What was printed must have arrived.
+int flushed(const Session& session, int status) {
+  if ((std::cout << std::flush) || status > kLimitExceeded) return status;
+  return session.complain({bw::ErrorCode::cannotWrite, "cannot write to standard output", "standard output"});
 }
 
 int run(int argc, char** argv) {
@@ -60,7 +84,7 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& e) {
-    return app.exit(e);  // --help, --version
+    return flushed(session, app.exit(e));  // --help, --version
   } catch (const CLI::ParseError& e) {
     session.jsonErrors = session.jsonErrors || std::any_of(argv, argv + argc, [](const char* a) {
                            return std::string(a) == "--json-errors";
@@ -70,7 +94,10 @@ int run(int argc, char** argv) {
     return session.complain(
         {bw::ErrorCode::badInput, std::string(e.what()) + "; see blade" + verb + " --help", "usage"});
   }
-  return work ? work() : int(kBadInput);
+  bw::Result<std::vector<std::filesystem::path>> inputs = inputsOf(*app.get_subcommands().front());
+  if (!inputs) return session.complain(inputs.error());
+  session.inputs = std::move(*inputs);
+  return work ? flushed(session, work()) : int(kBadInput);
 }
 
 }  // namespace

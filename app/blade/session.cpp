@@ -57,7 +57,10 @@ Result<std::string> Session::readInput(const std::string& name) const {
 }
 
 Result<void> Session::writeOutput(const std::string& name, const std::string& bytes) const {
-  if (!name.empty() && name != "-") {
+  if (name != "-") {
+    for (const std::filesystem::path& input : inputs)
+      if (pipeline::sameFile(name, input))
+        return fail(ErrorCode::badInput, name + " is the input; choose another file for the output", name);
     const Interrupt::Commit commit;
     return writeFile(name, bytes);
   }
@@ -66,14 +69,19 @@ Result<void> Session::writeOutput(const std::string& name, const std::string& by
   return {};
 }
 
-Result<void> Session::writeFiles(const FileSet& files, const std::filesystem::path& folder) const {
+Result<void> Session::writeFiles(const FileSet& files, const std::filesystem::path& folder,
+                                 const std::filesystem::path& source) const {
   endProgress();
   const auto count = [](std::size_t n) { return std::to_string(n) + (n == 1 ? " file" : " files"); };
   std::cerr << "writing " << count(files.paths().size()) << " to " << folder.string() << ":\n";
   for (const std::filesystem::path& path : files.paths()) std::cerr << "  " << path.generic_string() << "\n";
   const Interrupt::Commit commit;
   if (stop.stop_requested()) return stoppedError();
-  const Result<std::vector<std::filesystem::path>> removed = pipeline::commitAfresh(files, folder, context());
+  std::vector<std::filesystem::path> kept = {source};
+  for (const std::filesystem::path& input : inputs)
+    if (input.extension() != kDesignSuffix) kept.push_back(input);  // a design is written as it was read
+  const Result<std::vector<std::filesystem::path>> removed =
+      pipeline::commitAfresh(files, folder, kept, context());
   if (!removed) return tl::unexpected<Error>(removed.error());
   if (removed->empty()) return {};
   std::cerr << "removed " << count(removed->size()) << " of an earlier run:\n";

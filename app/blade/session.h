@@ -21,6 +21,8 @@ using pipeline::statusOf;
 /// The design file that lies beside the results, so that they can be shown and exported again.
 inline constexpr const char* kDesignFile = "design.bladewright";
 
+inline constexpr const char* kDesignSuffix = ".bladewright";
+
 /// Reads a design file, or the one in a folder of results.
 Result<Design> designOf(const std::string& path);
 
@@ -30,6 +32,7 @@ struct Session {
   bool progress = false;
   int threads = 0;
   std::stop_token stop;
+  std::vector<std::filesystem::path> inputs;  ///< files that the options name: none is overwritten
 
   /// The context of a verb's work.
   RunContext context() const;
@@ -37,11 +40,12 @@ struct Session {
   int complain(const Error& error) const;
   /// Standard input for "-", else the file.
   Result<std::string> readInput(const std::string& name) const;
-  /// Standard output for "-" or "", else the file, atomically.
+  /// Standard output for "-", else the file, atomically; not one of `inputs`.
   Result<void> writeOutput(const std::string& name, const std::string& bytes) const;
-  /// Tells the list of files on standard error, then writes them all or none; last, removes what an earlier
-  /// run left there of programs, and tells that list too.
-  Result<void> writeFiles(const FileSet& files, const std::filesystem::path& folder) const;
+  /// Tells the list of files on standard error, then writes them all or none, and not over `inputs` or
+  /// `source`; last, removes what an earlier run left there of programs, and tells that list too.
+  Result<void> writeFiles(const FileSet& files, const std::filesystem::path& folder,
+                          const std::filesystem::path& source = {}) const;
   /// Findings in words on standard error.
   void tell(const Issues& issues) const;
   /// Removes the progress bar from the line.

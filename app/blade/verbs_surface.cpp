@@ -55,6 +55,23 @@ int runInfo(const Session& session, const std::string& file, const std::string& 
   return ok ? int(kDone) : session.complain(ok.error());
 }
 
+/// The suffix of a file's name in small letters, with its dot.
+std::string suffixOf(const fs::path& file) {
+  std::string suffix = file.extension().string();
+  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  return suffix;
+}
+
+/// True if a file's name says that it holds something else than one of `suffixes`. A name without a suffix
+/// says nothing, and a device or pipe takes what it gets.
+bool saysOtherwise(const fs::path& file, std::initializer_list<std::string_view> suffixes) {
+  std::error_code error;
+  const std::string suffix = suffixOf(file);
+  return !suffix.empty() && !(fs::exists(file, error) && !fs::is_regular_file(file, error)) &&
+         std::find(suffixes.begin(), suffixes.end(), suffix) == suffixes.end();
+}
+
 void tellSummary(const pipeline::Evaluation& e) {
   const SweepSummary& s = e.sweep.value->analysis.summary;
   std::cerr << e.sweep.value->sweep.stations.size() << " stations; deviation max "
@@ -67,8 +84,6 @@ void tellSummary(const pipeline::Evaluation& e) {
 
 /// 1 where a limit that the job or the blade states is exceeded.
 int limitStatus(const pipeline::Evaluation& e) { return exceedsLimit(e.issues()) ? kLimitExceeded : kDone; }
-
-constexpr const char* kDesignSuffix = ".bladewright";
 
 /// A source up to this size is embedded there; a larger one is linked.
 constexpr std::uintmax_t kEmbedLimit = 8u << 20;
@@ -102,7 +117,8 @@ int runDesign(const Session& session, const Design& design, const std::string& o
   const Result<Design> stored = withEmbeddedSource(design);
   if (!stored) return session.complain(stored.error());
   files->add(kDesignFile, designToJson(*stored));
-  if (Result<void> ok = session.writeFiles(*files, out); !ok) return session.complain(ok.error());
+  const fs::path source = design.source.bytes.empty() ? design.source.path : fs::path();
+  if (Result<void> ok = session.writeFiles(*files, out, source); !ok) return session.complain(ok.error());
   tellSummary(outcome.evaluation);
   return limitStatus(outcome.evaluation);
 }
@@ -156,6 +172,9 @@ int runRender(const Session& session, const RenderOptions& options) {
                   : "; did you mean \"" + nearest + "\"?"),
          "field"});
   }
+  if (saysOtherwise(options.out, {".png"}))
+    return session.complain(
+        {ErrorCode::badInput, "pictures are PNG; give --out a name that ends in .png, not " + options.out, "out"});
   const Result<Design> design = designOf(options.path);
   if (!design) return session.complain(design.error());
   const pipeline::Outcome outcome = pipeline::evaluate(*design, nullptr, session.context());
@@ -175,8 +194,7 @@ int runRender(const Session& session, const RenderOptions& options) {
   const Result<std::string> png = scene::pngBytes(*picture);
   if (!png) return session.complain(png.error());
   session.endProgress();
-  const Interrupt::Commit commit;
-  const Result<void> ok = writeFile(options.out, *png);
+  const Result<void> ok = session.writeOutput(options.out, *png);
   return ok ? int(kDone) : session.complain(ok.error());
 }
 
@@ -186,8 +204,13 @@ int runExample(const Session& session, const std::string& name, const std::strin
       std::cout << example.name << "\n  " << example.title << "\n  " << example.formula << "\n";
     return kDone;
   }
+  if (saysOtherwise(out, {kDesignSuffix, ".step", ".stp"}))
+    return session.complain({ErrorCode::badInput,
+                             "examples are written as STEP or as designs; give --out a name that ends in .step, .stp "
+                             "or .bladewright, not " + out,
+                             "out"});
   Result<std::string> bytes;
-  if (fs::path(out).extension() == kDesignSuffix) {
+  if (suffixOf(out) == kDesignSuffix) {
     const Result<Design> design = pipeline::exampleDesign(name);
     if (!design) return session.complain(design.error());
     bytes = designToJson(*design);

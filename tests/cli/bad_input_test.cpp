@@ -151,6 +151,9 @@ TEST(BadInput, JobsAndBlocks) {
   refuse(R"({"blade": {"length": 300}})", 2, "shorter than the section");
   refuse(R"({"face": 7})", 2, "7");
   refuse(R"({"block": {"origin": [9000, 9000, 9000], "size": [100, 100, 100]}})", 2, "block");
+  refuse(R"({"block": {"size": [600, 670, 300]}})", 2, "needs the key origin");
+  refuse(R"({"block": {"orgin": [0, 0, 0], "size": [600, 670, 300]}})", 2, "did you mean \"origin\"?");
+  refuse(R"({"stations": {"spacin": 10}})", 2, "did you mean \"spacing\"?");
   refuse(R"({"cell": "irb1600-pear"})", 2, "did you mean \"irb1600-pair\"?");
   refuse(R"({"cell": "nowhere.json"})", 4, "nowhere.json");
   refuse("not json", 2, "JSON");
@@ -248,6 +251,64 @@ TEST(BadInput, OutputIsADevice) {
   if (!std::filesystem::is_character_file("/dev/full")) GTEST_SKIP() << "no /dev/full here";
   expectRefusal({"example", "saddle", "--out", "/dev/full"}, 4, "No space left on device");
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/full")) << "written to, not replaced";
+}
+
+TEST(BadInput, OutputThatIsTheInput) {
+  const Folder folder;
+  const std::string text =
+      R"({"curve": {"type": "bezier", "poles": [[0,0],[200,150],[400,150],[600,0]]}, "points": [[0,0],[1,2],[3,4]]})";
+  const std::string in = folder.write("case.json", text);
+  expectRefusal({"fit", "--in", in, "--out", folder / "./case.json"}, 2, "is the input", "");
+  expectRefusal({"biarc", "--in", folder.write("p.dat", "0 0\n1 2\n3 1\n"), "--arcs", "2", "--svg", folder / "p.dat"}, 2,
+                "is the input");
+  EXPECT_EQ(slurp(in), text);
+  // Among the results is a surface.step.
+  const std::string step = slurp(example("saddle"));
+  const std::string surface = folder.write("surface.step", step);
+  const std::string job = folder.write("job.json", R"({"stations": 12, "tolerance": 10, "programs": []})");
+  expectRefusal({"rationalize", surface, "--job", job, "--out", folder / ""}, 2, "choose another folder");
+  EXPECT_EQ(slurp(surface), step);
+  EXPECT_EQ(folder.files(), (std::vector<std::string>{"case.json", "job.json", "p.dat", "surface.step"}));
+  const std::string design = folder.write("a.bladewright", R"({"bladewright_design": 1, "source": {"path": "surface.step"}})");
+  expectRefusal({"design", design, "--out", folder / ""}, 2, "choose another folder");
+  EXPECT_EQ(slurp(surface), step);
+}
+
+TEST(BadInput, OptionsWithoutAValue) {
+  const Folder folder;
+  const std::string panel = example("panel-600x670");
+  expectRefusal({"rationalize", panel, "--out", ""}, 2, "--out is empty");
+  expectRefusal({"rationalize", panel, "--job", "", "--out", folder / "out"}, 2, "--job is empty");
+  expectRefusal({"rationalize", "", "--out", folder / "out"}, 2, "FILE is empty");
+  expectRefusal({"fit", "--in", ""}, 2, "--in is empty");
+  expectRefusal({"check", ""}, 2, "PROGRAM is empty");
+  EXPECT_TRUE(folder.files().empty());
+}
+
+TEST(BadInput, NamesThatPromiseAnotherFormat) {
+  const Folder folder;
+  expectRefusal({"example", "saddle", "--out", folder / "a.iges"}, 2, "STEP");
+  expectRefusal({"render", folder / "a.bladewright", "--out", folder / "a.jpg"}, 2, "PNG");
+  EXPECT_TRUE(folder.files().empty());
+}
+
+TEST(BadInput, KeyThatIsASlipForOneThatIsNeeded) {
+  expectRefusal({"length"}, 2, "no key \"heigth\"; did you mean \"height\"?",
+                R"({"distance": 400, "heigth": 50, "angle": 0.3})");
+  expectRefusal({"bvp"}, 2, "no key \"ennd\"; did you mean \"end\"?",
+                R"({"start": [0,0], "ennd": [600,0], "start_angle": 0, "end_angle": 0, "length": 700})");
+  expectRefusal({"bvp"}, 2, "needs the key start_angle", R"({"start": [0,0], "end": [600,0], "end_angle": 0, "length": 700})");
+  expectRefusal({"piecewise"}, 2, "did you mean \"curve\"?", R"({"curv": {}, "pieces": 3})");
+  expectRefusal({"fit"}, 2, "did you mean \"type\"?", R"({"curve": {"typ": "bezier", "poles": [[0,0],[1,1]]}})");
+  expectRefusal({"fit"}, 2, "did you mean \"poles\"?", R"({"curve": {"type": "bezier", "pole": [[0,0],[1,1]]}})");
+}
+
+TEST(BadInput, StandardOutputThatIsFull) {
+  if (!std::filesystem::is_character_file("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  for (const char* arguments : {" --help", " --version", " example", " info "})
+    EXPECT_EQ(WEXITSTATUS(std::system((std::string(BW_BLADE) + arguments +
+                                       (arguments == std::string(" info ") ? example("saddle") : "") +
+                                       " > /dev/full 2> /dev/null").c_str())), 4) << arguments;
 }
 
 TEST(BadInput, ErrorsAsJson) {

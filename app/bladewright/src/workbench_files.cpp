@@ -90,7 +90,9 @@ void Workbench::write(const fs::path& folder, const QString& name, bool everythi
     }
     if (!files) return tl::unexpected<Error>(files.error());
     if (context.stopped()) return stoppedError();
-    const Result<std::vector<fs::path>> removed = pipeline::commitAfresh(*files, folder);
+    const Source& source = evaluation.design.source;
+    const Result<std::vector<fs::path>> removed = pipeline::commitAfresh(
+        *files, folder, source.bytes.empty() ? std::vector{source.path} : std::vector<fs::path>());
     if (!removed) return tl::unexpected<Error>(removed.error());
     *removals = removed->size();
     return {};

@@ -148,9 +148,20 @@ std::vector<fs::path> earlierFiles(const fs::path& folder, const FileSet& files)
   return earlier;
 }
 
+bool sameFile(const fs::path& a, const fs::path& b) {
+  std::error_code error;
+  return fs::is_regular_file(a, error) && fs::equivalent(a, b, error) && !error;
+}
+
 Result<std::vector<fs::path>> commitAfresh(const FileSet& files, const fs::path& folder,
-                                           const RunContext& context) {
+                                           const std::vector<fs::path>& inputs, const RunContext& context) {
   const fs::path place = folder.empty() ? fs::path(".") : folder;
+  for (const fs::path& path : files.paths())
+    for (const fs::path& input : inputs)
+      if (sameFile(place / path, input))
+        return fail(ErrorCode::badInput,
+                    (place / path).string() + " is what the results are made from; choose another folder",
+                    (place / path).string());
   std::vector<fs::path> earlier = earlierFiles(place, files);
   if (Result<void> ok = files.commit(place, context); !ok) return tl::unexpected<Error>(ok.error());
   std::vector<fs::path> removed;

@@ -66,6 +66,19 @@ const json* ObjectReader::member(const std::string& key) {
 
 bool ObjectReader::has(const std::string& key) { return member(key) != nullptr; }
 
+void ObjectReader::need(const std::string& key, const std::string& message) {
+  if (has(key)) return;
+  if (object_.is_object()) {
+    for (const auto& item : object_.items()) {
+      if (std::find(known_.begin(), known_.end(), item.key()) != known_.end()) continue;
+      if (nearestWord(item.key(), &key, 1).empty()) continue;
+      complain(item.key(), path_ + " has no key \"" + item.key() + "\"; did you mean \"" + key + "\"?");
+      return;
+    }
+  }
+  complain(key, message);
+}
+
 void ObjectReader::complain(const std::string& key, std::string message, std::optional<double> value,
                             std::optional<double> limit) {
   if (!error_) error_ = Error{ErrorCode::badInput, std::move(message), path_ + "." + key, value, limit};

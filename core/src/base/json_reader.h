@@ -27,6 +27,8 @@ class ObjectReader {
   ObjectReader(const nlohmann::json& object, std::string path);
 
   bool has(const std::string& key);
+  /// Complains with `message` if the key is absent, or names a key that looks like a slip for it.
+  void need(const std::string& key, const std::string& message);
   /// The member, or null if it is absent.
   const nlohmann::json* member(const std::string& key);
   /// Each leaves `out` alone where the key is absent.

@@ -92,8 +92,8 @@ void readChoice(ObjectReader& reader, BiarcOptions& options) {
   needs(!options.indices.empty(), BiarcSelect::index, "a list of indices");
   needs(coordinates, BiarcSelect::coordinates, "coordinates");
   needs(tube, BiarcSelect::tube, "tube");
-  if (options.select == BiarcSelect::coordinates && !coordinates)
-    reader.complain("coordinates", "select \"coordinates\" needs the key coordinates: a list of points");
+  if (options.select == BiarcSelect::coordinates)
+    reader.need("coordinates", "select \"coordinates\" needs the key coordinates: a list of points");
 }
 
 Result<BiarcOptions> optionsFromJson(ObjectReader& reader) {
@@ -123,9 +123,8 @@ Result<BiarcOptions> optionsFromJson(ObjectReader& reader) {
   options.goal = BiarcGoal(goal);
   if (reader.has("weight") && options.goal != BiarcGoal::combined)
     reader.complain("weight", "weight serves minimise \"combined\" only");
-  if (options.goal == BiarcGoal::combined && !reader.has("weight"))
-    reader.complain("weight",
-                    "minimise \"combined\" needs the key weight, from 0 (distance) to 1 (curvature)");
+  if (options.goal == BiarcGoal::combined)
+    reader.need("weight", "minimise \"combined\" needs the key weight, from 0 (distance) to 1 (curvature)");
   if (options.goal == BiarcGoal::curvature) options.movePoints = false;
   readVary(reader, options);
   if (options.goal == BiarcGoal::curvature && options.movePoints)
@@ -166,7 +165,7 @@ void addMeasures(ordered_json& object, const BiarcMeasures& m) {
 Result<ordered_json> biarcCase(const json& object, bool& limited, const RunContext& context, bool picture) {
   ObjectReader reader(object, "case");
   const json* list = reader.member("points");
-  if (!list) reader.complain("points", "the case needs the key points");
+  reader.need("points", "the case needs the key points");
   bool svg = false;
   reader.boolean("svg", svg);
   const Result<BiarcOptions> options = optionsFromJson(reader);

@@ -47,7 +47,7 @@ Result<ordered_json> bvpCase(const json& object, bool& limited) {
   ClampedProblem problem;
   ClampedOptions options;
   for (const char* key : {"start", "end", "start_angle", "end_angle", "length"})
-    if (!reader.has(key)) reader.complain(key, std::string("the case needs the key ") + key);
+    reader.need(key, std::string("the case needs the key ") + key);
   const json* start = reader.member("start");
   const json* end = reader.member("end");
   reader.number("start_angle", problem.startAngle, -kLargest, kLargest);

@@ -66,8 +66,7 @@ Result<PlanarCurve> curveFromJson(const json& object, const std::string& path) {
   ObjectReader reader(object, path);
   int type = -1;
   reader.word("type", {"bezier", "bspline", "points"}, type);
-  if (!reader.has("type"))
-    reader.complain("type", path + " needs the key type: \"bezier\", \"bspline\" or \"points\"");
+  reader.need("type", path + " needs the key type: \"bezier\", \"bspline\" or \"points\"");
   const json *poles = nullptr, *points = nullptr, *knots = nullptr, *weights = nullptr;
   int degree = 3;
   if (type == 0) poles = reader.member("poles");
@@ -76,7 +75,7 @@ Result<PlanarCurve> curveFromJson(const json& object, const std::string& path) {
     knots = reader.member("knots");
     weights = reader.member("weights");
     reader.integer("degree", degree, 1, 25);
-    if (!reader.has("degree")) reader.complain("degree", path + " needs the key degree");
+    reader.need("degree", path + " needs the key degree");
   }
   if (type == 2) points = reader.member("points");
   if (Result<void> ok = reader.finish(); !ok) return passOn(ok.error());

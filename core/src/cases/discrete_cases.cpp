@@ -19,7 +19,7 @@ constexpr double kHuge = 1e12;
 
 Result<void> readEnds(ObjectReader& reader, ClampedEnds& ends) {
   for (const char* key : {"start", "end", "start_angle", "end_angle", "length"})
-    if (!reader.has(key)) reader.complain(key, std::string("the case needs the key ") + key);
+    reader.need(key, std::string("the case needs the key ") + key);
   for (const auto& [key, point] : {std::pair{"start", &ends.start}, std::pair{"end", &ends.end}}) {
     const json* value = reader.member(key);
     if (!value) continue;

@@ -19,7 +19,7 @@ Result<ordered_json> elasticaCase(const json& object, bool&) {
   ObjectReader reader(object, "case");
   const json* shape = reader.member("elastica");
   const json* at = reader.member("at");
-  if (!shape) reader.complain("elastica", "the case needs the key elastica");
+  reader.need("elastica", "the case needs the key elastica");
   if (Result<void> ok = reader.finish(); !ok) return passOn(ok.error());
   const Result<Elastica> elastica = elasticaFromJson(*shape, "elastica");
   if (!elastica) return passOn(elastica.error());

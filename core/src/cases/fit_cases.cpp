@@ -83,7 +83,7 @@ Result<ordered_json> fitCase(const json& object, bool& limited) {
   }
   refuse(reader, kNumericKeys, "analytic", "numeric");
   const json* shape = reader.member("curve");
-  if (!shape) reader.complain("curve", "the case needs the key curve");
+  reader.need("curve", "the case needs the key curve");
   std::optional<double> epsilon;
   reader.number("epsilon", epsilon, 0, kHuge);
   const Result<FitOptions> options = optionsFromJson(reader);

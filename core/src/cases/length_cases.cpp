@@ -20,13 +20,11 @@ constexpr double kHuge = 1e12;
 
 void readMeasurement(ObjectReader& reader, BladeMeasurement& m) {
   for (const char* key : {"distance", "height"})
-    if (!reader.has(key)) reader.complain(key, reader.path() + " needs the key " + key + ", in mm");
+    reader.need(key, reader.path() + " needs the key " + key + ", in mm");
   reader.number("distance", m.distance, 1e-9, kHuge);
   reader.number("height", m.height, 0, kHuge);
-  if (!reader.has("angle")) {
-    reader.complain("angle",
-                    reader.path() + " needs the key angle, in rad, or null for ends that turn freely");
-  } else if (!reader.member("angle")->is_null()) {
+  reader.need("angle", reader.path() + " needs the key angle, in rad, or null for ends that turn freely");
+  if (const json* angle = reader.member("angle"); angle && !angle->is_null()) {
     m.angle = 0;
     reader.number("angle", *m.angle, 0, 3.1);
   }

@@ -60,10 +60,8 @@ Result<PiecewiseOptions> optionsFromJson(ObjectReader& reader, const PlanarCurve
 Result<ordered_json> piecewiseCase(const json& object, bool& limited) {
   ObjectReader reader(object, "case");
   const json* shape = reader.member("curve");
-  if (!shape) {
-    reader.complain("curve", "the case needs the key curve");
-    return passOn(reader.finish().error());
-  }
+  reader.need("curve", "the case needs the key curve");
+  if (!shape) return passOn(reader.finish().error());
   const Result<PlanarCurve> curve = curveFromJson(*shape, "curve");
   if (!curve) return passOn(curve.error());
   const Result<PiecewiseOptions> options = optionsFromJson(reader, *curve);

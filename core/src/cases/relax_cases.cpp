@@ -24,9 +24,9 @@ namespace detail {
 
 Result<ordered_json> answerRelaxation(ObjectReader& reader, bool& limited) {
   const json* shape = reader.member("curve");
-  if (!shape) reader.complain("curve", "the case needs the key curve");
+  reader.need("curve", "the case needs the key curve");
   RelaxOptions options;
-  if (!reader.has("tolerance")) reader.complain("tolerance", "the case needs the key tolerance, in mm");
+  reader.need("tolerance", "the case needs the key tolerance, in mm");
   reader.number("tolerance", options.tolerance, 1e-12, kHuge);
   reader.integer("degree", options.degree, 3, 5);
   reader.integer("spans", options.spans, 4, 200);

@@ -115,7 +115,7 @@ Result<ordered_json> splineCase(const json& object, bool&) {
       reader.complain("kind", "a case with poles is compared with its elastica; it takes no kind");
   } else {
     points = reader.member("points");
-    if (!points) reader.complain("points", "the case needs the key points, or poles of a Bézier curve");
+    reader.need("points", "the case needs the key points, or poles of a Bézier curve");
     tangents = kind != 1 ? reader.member("tangents") : nullptr;
     if (kind != 2) {
       reader.number("start_angle", input.options.startAngle, -kHuge, kHuge);

@@ -39,8 +39,7 @@ void identifier(ObjectReader& reader, const std::string& key, std::string& out) 
 }
 
 void require(ObjectReader& reader, const std::string& key, const char* example) {
-  if (!reader.has(key))
-    reader.complain(key, reader.path() + " needs the key " + key + ", for instance " + example);
+  reader.need(key, reader.path() + " needs the key " + key + ", for instance " + example);
 }
 
 /// A list of numbers; fails with the form that is wanted.

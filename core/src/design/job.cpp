@@ -82,6 +82,8 @@ void readBlock(ObjectReader& reader, std::optional<BlockPlacement>& block) {
   ObjectReader inner(*value, reader.path() + ".block");
   BlockPlacement placement;
   Eigen::Vector3d degrees = Eigen::Vector3d::Zero();
+  inner.need("origin", inner.path() + " needs the key origin: its corner [x, y, z] in the file's frame, in mm");
+  inner.need("size", inner.path() + " needs the key size: [dx, dy, dz] in mm");
   inner.vector3("origin", placement.origin, -kMaxCoordinate, kMaxCoordinate);
   inner.vector3("size", placement.size, 1.0, kMaxBlock);
   inner.vector3("rotation_deg", degrees, -360, 360);
@@ -128,7 +130,7 @@ void readStations(ObjectReader& reader, Job& job) {
     ObjectReader inner(*value, reader.path() + ".stations");
     double spacing = 0;
     inner.number("spacing", spacing, 0.01, 1e5);
-    if (!inner.has("spacing")) inner.complain("spacing", inner.path() + " needs the key spacing in mm");
+    inner.need("spacing", inner.path() + " needs the key spacing in mm");
     if (Result<void> ok = inner.finish(); !ok) {
       reader.adopt(inner);
       return;

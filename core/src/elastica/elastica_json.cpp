@@ -57,7 +57,7 @@ Result<Elastica> anchoredFromJson(const json& object, double length, const std::
   ObjectReader reader(object, path);
   Elastica::Anchor anchor;
   for (const char* key : {"at", "point", "angle", "curvature", "force"})
-    if (!reader.has(key)) reader.complain(key, path + " needs the key " + key);
+    reader.need(key, path + " needs the key " + key);
   reader.number("at", anchor.at, -kHuge, kHuge);
   readVector2(reader, "point", anchor.point);
   reader.number("angle", anchor.angle, -kHuge, kHuge);
@@ -85,8 +85,8 @@ Result<Elastica> elasticaFromJson(const json& object, const std::string& path) {
     if (regular || !anchor) readVector2(reader, "force", force);
     reader.number("length", length, 0, kHuge);
     for (const char* key : {"start_angle", "start_curvature", "length"})
-      if (!reader.has(key) && (regular || !anchor || key == std::string_view("length")))
-        reader.complain(key, path + " needs the key " + key);
+      if (regular || !anchor || key == std::string_view("length"))
+        reader.need(key, path + " needs the key " + key);
     if (Result<void> ok = reader.finish(); !ok) return tl::unexpected<Error>(ok.error());
     if (!anchor) return Elastica::make(start, angle, curvature, force, length);
     Result<Elastica> held = anchoredFromJson(*anchor, length, path + ".anchor");
@@ -111,7 +111,7 @@ Result<Elastica> elasticaFromJson(const json& object, const std::string& path) {
                                                      {"phi", &p.phi}, {"x", &p.x},   {"y", &p.y}};
   for (const auto& [key, out] : members) {
     inner.number(key, *out, -kHuge, kHuge);
-    if (!inner.has(key)) inner.complain(key, inner.path() + " needs the key " + key);
+    inner.need(key, inner.path() + " needs the key " + key);
   }
   if (Result<void> ok = inner.finish(); !ok) return tl::unexpected<Error>(ok.error());
   return Elastica::fromControlParameters(p);

@@ -19,10 +19,15 @@ namespace bw::pipeline {
 /// behind a symbolic link, nothing outside of the folder, nothing that others wrote.
 std::vector<std::filesystem::path> earlierFiles(const std::filesystem::path& folder, const FileSet& files);
 
+/// True if both name one file that exists.
+bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b);
+
 /// Writes `files` as `FileSet::commit` does and then, when all of them stand, removes `earlierFiles` and the
-/// folders that this leaves empty. What was removed.
+/// folders that this leaves empty. What was removed. Writes nothing if one of `files` would take the place of
+/// one of `inputs`, which they were made from (`ErrorCode::badInput`).
 Result<std::vector<std::filesystem::path>> commitAfresh(const FileSet& files,
                                                         const std::filesystem::path& folder,
+                                                        const std::vector<std::filesystem::path>& inputs = {},
                                                         const RunContext& context = {});
 
 }  // namespace bw::pipeline
