@@ -51,7 +51,7 @@ TEST(Job, WritesWhatItReads) {
   for (
       const char* text :
       {"{}",
-       R"({"face": "all", "block": {"origin": [0.1, 0.2, 0.3]}, "stations": {"spacing": 0.7}, "direction": "x"})",
+       R"({"face": "all", "block": {"origin": [0.1, 0.2, 0.3], "size": [400, 300.7, 200]}, "stations": {"spacing": 0.7}, "direction": "x"})",
        R"({"blade": "steel-rod-1", "face": 4, "programs": []})"}) {
     const Result<Job> job = parseJob(text);
     ASSERT_TRUE(job) << job.error().message;

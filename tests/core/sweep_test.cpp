@@ -614,6 +614,29 @@ TEST(SweepAnalysis, TellsWhereALongerBladeWouldNotHold) {
   EXPECT_NE(message.find("smaller block"), std::string::npos) << message;
 }
 
+TEST(SweepAnalysis, FitsThatDidNotComeToRestAreOneFindingAStretch) {
+  Job job;
+  Issues issues;
+  Result<Sweep> sweep = sphereSweep(job, 9, issues);
+  ASSERT_TRUE(sweep);
+  for (const int i : {2, 3, 4}) sweep->stations[std::size_t(i)].fit.status = FitStatus::iterationLimit;
+  sweep->stations[3].fit.hausdorff = 0.25;
+  sweep->stations[7].fit.status = FitStatus::infeasible;
+  sweep->stations[7].fit.message = "No elastica near the curve meets the length; release it.";
+  const Result<SweepAnalysis> analysis = analyzeSweep(*sweep, job, test::SphereSampler(kRadius), {});
+  ASSERT_TRUE(analysis);
+  std::vector<std::string> told;
+  for (const Issue& issue : analysis->issues)
+    if (issue.kind == "fit") told.push_back(severityName(issue.severity) + std::string(" ") + issue.message);
+  ASSERT_EQ(told.size(), 2u);
+  EXPECT_EQ(told[0],
+            "error station 8: no elastica near the curve meets the length; release it; the nearest curve without "
+            "conditions stands in for it");
+  EXPECT_EQ(told[1],
+            "warning stations 3 to 5 (worst: 4): the search for the nearest curve did not come to rest; the curve "
+            "taken is within 0.25 mm of the section");
+}
+
 TEST(SweepAnalysis, MarginsAreThoseOfTheBlade) {
   Job job;
   Issues issues;

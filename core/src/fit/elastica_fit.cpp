@@ -91,17 +91,15 @@ std::string describeConflict(const std::vector<std::string>& names, const char* 
   };
   if (names.empty()) {
     return std::string("No elastica was found that meets all conditions together; the hardest to meet was ") +
-           worst + ". Release one of them; the curve returned is the best without conditions.";
+           worst + ". Release one of them.";
   }
   std::string list;
   for (std::size_t i = 0; i < names.size(); ++i)
     list += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + words(names[i]);
   if (names.size() == 1) {
-    return "No elastica near the curve meets " + list +
-           "; release it. The curve returned is the best without conditions.";
+    return "No elastica near the curve meets " + list + "; release it.";
   }
-  return "No elastica was found that meets " + list +
-         " together; release one of them. The curve returned is the best without conditions.";
+  return "No elastica was found that meets " + list + " together; release one of them.";
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "sweep/station_findings.h"
 
+#include <cctype>
 #include <cmath>
 #include <span>
 
@@ -113,6 +114,27 @@ std::string clearanceRemedy(const Sweep& sweep, const Job& job, const Stretch& s
 void addStationFindings(const Sweep& sweep, const Job& job, Issues& issues) {
   const std::vector<Station>& stations = sweep.stations;
   const double limit = sweep.blade.maxCurvature();
+  const auto fartherFromSection = [](const Station& a, const Station& b) {
+    return a.fit.hausdorff > b.fit.hausdorff;
+  };
+  reportStretches(
+      stations, Severity::error, "fit",
+      [](const Station& s) { return s.fit.status == FitStatus::infeasible; }, fartherFromSection,
+      [](const Station& s, const Stretch&) {
+        std::string text = s.fit.message;
+        if (!text.empty()) text[0] = char(std::tolower(static_cast<unsigned char>(text[0])));
+        if (!text.empty() && text.back() == '.') text.pop_back();
+        return text + "; the nearest curve without conditions stands in for it";
+      },
+      issues);
+  reportStretches(
+      stations, Severity::warning, "fit",
+      [](const Station& s) { return s.fit.status == FitStatus::iterationLimit; }, fartherFromSection,
+      [](const Station& s, const Stretch&) {
+        return "the search for the nearest curve did not come to rest; the curve taken is within " +
+               shortText(s.fit.hausdorff) + " mm of the section";
+      },
+      issues);
   reportStretches(
       stations, Severity::error, "curvature",
       [&](const Station& s) { return s.blade.maxCurvature() > limit; },
@@ -156,7 +178,7 @@ void addStationFindings(const Sweep& sweep, const Job& job, Issues& issues) {
       issues);
   reportStretches(
       stations, Severity::info, "fit-bounded", [](const Station& s) { return s.heldBack; },
-      [](const Station& a, const Station& b) { return a.fit.hausdorff > b.fit.hausdorff; },
+      fartherFromSection,
       [](const Station& s, const Stretch&) {
         return "continued to its grips, the nearest curve would overbend or buckle the blade; a curve "
                "within " +
@@ -166,7 +188,7 @@ void addStationFindings(const Sweep& sweep, const Job& job, Issues& issues) {
       issues);
   reportStretches(
       stations, Severity::info, "fit-steadied", [](const Station& s) { return s.steadied; },
-      [](const Station& a, const Station& b) { return a.fit.hausdorff > b.fit.hausdorff; },
+      fartherFromSection,
       [](const Station& s, const Stretch&) {
         return "the section is short and the nearest curve would swing the blade's ends about; a curve "
                "within " +

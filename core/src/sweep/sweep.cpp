@@ -95,12 +95,6 @@ Result<Sweep> buildSweep(std::vector<Section> sections, const Job& job, const Bo
     Section& section = sections[i];
     const detail::StationFit& fitted = (*fits)[i];
     const FitResult& fit = fitted.fit;
-    if (fit.status == FitStatus::iterationLimit || fit.status == FitStatus::infeasible) {
-      const std::string name = stationName(section.index);
-      issues.push_back({fit.status == FitStatus::infeasible ? Severity::error : Severity::warning, "fit",
-                        name + ": the fit is " + fitStatusName(fit.status) + ": " + fit.message,
-                        Place{name, 0, section.index, section.frame.toWorld(fit.elastica.start())}});
-    }
     Station station{.index = section.index,
                     .travel = section.travel,
                     .frame = section.frame,

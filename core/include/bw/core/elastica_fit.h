@@ -41,7 +41,7 @@ enum class FitStatus {
   converged,          ///< a local minimum of the objective; constraints hold
   iterationLimit,     ///< the solver stopped at its limit; the best curve so far
   constraintsActive,  ///< converged with a bound (curvature or periods) active
-  infeasible,         ///< the constraints contradict each other; `conflict` and `message` say which
+  infeasible,         ///< the constraints contradict each other; `conflict` and `message` say which; the elastica is the best without them
 };
 
 /// The word of the status in JSON: "converged", "iteration-limit", "bound-active", "infeasible".
