@@ -292,6 +292,29 @@ TEST(ClampedBlade, SaysWhyThereIsNoSolution) {
   EXPECT_EQ(solveClamped(problem).error().code, ErrorCode::badInput);
 }
 
+TEST(ClampedBlade, ClosedCurvesThatSlideThroughTheirGripsAreOneEachAndNotStable) {
+  // Both grips in one place: the circle either way, and figures of eight that may start anywhere.
+  for (const double angle : {0.0, 1.3}) {
+    const ClampedProblem problem{{3, 4}, {3, 4}, angle, angle + 2 * kPi, 800, {}};
+    const Result<ClampedAnswer> answer = solveAllClamped(problem);
+    ASSERT_TRUE(answer) << answer.error().message;
+    ASSERT_EQ(answer->solutions.size(), 4u);
+    for (int i = 0; i < 2; ++i) {
+      EXPECT_TRUE(answer->solutions[i].stable);
+      EXPECT_NEAR(answer->solutions[i].energy, 2 * kPi * kPi / 800, 1e-9);
+    }
+    for (int i = 2; i < 4; ++i) {
+      const ClampedSolution& eight = answer->solutions[i];
+      EXPECT_EQ(eight.inflections.size(), i == 2 ? 2u : 4u);
+      EXPECT_FALSE(eight.stable) << eight.stabilityMargin;
+      EXPECT_NEAR(eight.turning, 0, 1e-9);
+    }
+    EXPECT_NEAR(answer->solutions[3].energy, 4 * answer->solutions[2].energy, 1e-9) << "half as large, twice";
+    EXPECT_NE(answer->message.find("slide"), std::string::npos);
+    EXPECT_TRUE(solveClamped(problem)->solutions[0].inflections.empty());
+  }
+}
+
 TEST(ClampedBlade, TurnsAsAsked) {
   for (const double turns : {-1.0, 0.0, 1.0}) {
     ClampedProblem problem = across(0.6, 0.4, -0.2);

@@ -83,8 +83,10 @@ double energyOf(const SampledSolution& sampled) {
 
 double certainMargin(const UnitSolution& solution) {
   constexpr double kUncertain = 1e-3;  // of f, the margin of a taut blade without loops
+  // On a fold, or in a family of shapes: numerically neither stable nor unstable.
+  constexpr double kOnTheFold = 1e-7;
   return solution.anchor && !solution.bends ? kUncertain * solution.shape.tail<2>().norm() / (4 * kPi * kPi)
-                                            : 0;
+                                            : kOnTheFold;
 }
 
 ClampedMargins marginsOf(const SampledSolution& sampled, std::optional<double> torsionRatio) {

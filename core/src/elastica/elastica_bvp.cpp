@@ -20,15 +20,13 @@ using namespace detail;
 
 namespace {
 
-/// A blade at the end of this margin would snap at a breath: numerically neither stable nor unstable.
-constexpr double kOnTheFold = 1e-7;
 /// A sketch's energy is wrong by no more than this factor.
 constexpr double kSketchError = 1.01;
 /// Energies closer than this part are the same.
 constexpr double kSameEnergy = 1e-9;
 
 bool restsIn(const UnitSolution& found, const SampledSolution& sampled) {
-  return marginsOf(sampled, {}).inPlane > std::max(kOnTheFold, certainMargin(found));
+  return marginsOf(sampled, {}).inPlane > certainMargin(found);
 }
 
 /// True if no shape of the same turning has less energy: the bends are small, rad, or the blade is too taut,
@@ -206,6 +204,31 @@ const char* const kBucklingMessage =
     "Pure buckling: both tangents lie along the chord, so that the mirror image of each shape in the chord "
     "is as good.";
 
+const char* const kSlidingMessage =
+    "Both grips are in one place and point the same way: shapes with inflections slide along themselves through "
+    "them without resistance, and one of each such family is given.";
+
+/// Shapes of a closed curve with inflections, lowest energy first: of those that turn into each other by
+/// sliding through the grips, the one that meets them best. True if there were others.
+bool keepOneOfAFamily(std::vector<ClampedSolution>& solutions) {
+  constexpr double kSameFamily = 1e-6;  // of the energy
+  std::vector<ClampedSolution> kept;
+  for (ClampedSolution& solution : solutions) {
+    const auto like = std::find_if(kept.begin(), kept.end(), [&](const ClampedSolution& other) {
+      return !other.inflections.empty() && other.inflections.size() == solution.inflections.size() &&
+             std::abs(other.turning - solution.turning) < kSameFamily &&
+             std::abs(other.energy - solution.energy) < kSameFamily * solution.energy;
+    });
+    if (like == kept.end())
+      kept.push_back(std::move(solution));
+    else if (solution.endError < like->endError)
+      *like = std::move(solution);
+  }
+  const bool several = kept.size() < solutions.size();
+  solutions = std::move(kept);
+  return several;
+}
+
 }  // namespace
 
 const char* clampedKindName(ClampedKind kind) {
@@ -269,6 +292,10 @@ Result<ClampedAnswer> solveAllClamped(const ClampedProblem& problem, const Clamp
   if (answer.solutions.empty()) return noShape(problem, *checked, "resting");
   std::stable_sort(answer.solutions.begin(), answer.solutions.end(),
                    [](const ClampedSolution& a, const ClampedSolution& b) { return a.energy < b.energy; });
+  constexpr double kClosed = 1e-9;  // lengths, rad
+  if (checked->end.norm() < kClosed && std::abs(std::remainder(checked->turning, 2 * std::numbers::pi)) < kClosed &&
+      keepOneOfAFamily(answer.solutions))
+    answer.message = kSlidingMessage;
   return answer;
 }
 
