@@ -272,6 +272,20 @@ TEST(BiarcFit, ChoosesPointsInEveryWay) {
   }
 }
 
+TEST(BiarcFit, MorePointsThanDataMeetAllData) {
+  for (const Points& data : {Points{{1, 0}, {0, 2}, {1, 4}, {2, 6}, {3, 5}, {4, 4}, {5.5, 3}}, lamp()})
+    for (const bool closed : {false, true})
+      for (const int count : {int(data.size()) + 1, 2 * int(data.size()) + 3, 501}) {
+        BiarcOptions options;
+        options.points = count;
+        options.closed = closed;
+        const Result<BiarcResult> fit = fitBiarcs(data, options);
+        ASSERT_TRUE(fit) << fit.error().message;
+        EXPECT_EQ(fit->curve.points.size(), std::size_t(count));
+        EXPECT_LT(fit->measures.max, 1e-9) << count << closed;
+      }
+}
+
 TEST(BiarcFit, EndsWhereTheDataEnd) {
   for (const bool keep : {false, true}) {
     BiarcOptions options;

@@ -115,6 +115,7 @@ Result<std::vector<Points>> chooseStarts(const std::vector<Eigen::Vector2d>& dat
   const bool all = o.select == BiarcSelect::automatic;
   if (all || o.select == BiarcSelect::spacing) starts.push_back(selectBySpacing(chain, o.closed, count));
   if (all || o.select == BiarcSelect::curvature) starts.push_back(selectByCurvature(chain, o.closed, count));
+  if (all && count > most) starts.push_back(selectAllAndBetween(chain, o.closed, count));
   if ((all && count <= most) || o.select == BiarcSelect::tube)
     starts.push_back(selectByTube(chain, o.closed, count, 0));
   if ((all && count <= most) || o.select == BiarcSelect::index)

@@ -59,6 +59,29 @@ Points selectBySpacing(const Points& chain, bool closed, int count) {
   return selectByMeasure(chain, closed, count, lengthsOf(chain, closed));
 }
 
+Points selectAllAndBetween(const Points& chain, bool closed, int count) {
+  const std::vector<double> lengths = lengthsOf(chain, closed);
+  const std::size_t edges = lengths.size() - 1;
+  // Each further point halves, thirds, … the edge with the longest parts.
+  std::vector<int> parts(edges, 1);
+  std::priority_queue<std::pair<double, std::size_t>> longest;
+  for (std::size_t i = 0; i < edges; ++i) longest.emplace(lengths[i + 1] - lengths[i], edges - i);
+  for (std::size_t left = std::size_t(count) - chain.size(); left > 0; --left) {
+    const std::size_t i = edges - longest.top().second;
+    longest.pop();
+    longest.emplace((lengths[i + 1] - lengths[i]) / ++parts[i], edges - i);
+  }
+  Points result;
+  result.reserve(std::size_t(count));
+  for (std::size_t i = 0; i < edges; ++i)
+    for (int k = 0; k < parts[i]; ++k) {
+      const double t = double(k) / parts[i];
+      result.push_back((1 - t) * chain[i] + t * chain[(i + 1) % chain.size()]);
+    }
+  if (!closed) result.push_back(chain.back());
+  return result;
+}
+
 Points selectByIndex(const Points& chain, bool closed, int count) {
   Points result;
   const double last = closed ? double(chain.size()) : double(chain.size() - 1);

@@ -15,6 +15,8 @@ Points withoutRepeats(const Points& data, bool closed);
 
 /// K points at equal intervals along the chain (report, section 4.1, way 4). An open chain keeps its ends.
 Points selectBySpacing(const Points& chain, bool closed, int count);
+/// More points than the chain has, at least as many: all of its own, and others evenly on its longest edges.
+Points selectAllAndBetween(const Points& chain, bool closed, int count);
 
 /// K data points at equal steps of the index (way 1).
 Points selectByIndex(const Points& chain, bool closed, int count);
