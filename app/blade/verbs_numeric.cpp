@@ -63,21 +63,26 @@ void addNumericVerbs(CLI::App& app, const Session& session, Work& work) {
           "echo '{\"curve\": {\"type\": \"bezier\", \"poles\": [[0,0],[200,150],[400,150],[600,0]]}}' | "
           "blade fit",
           fitCases, true);
-  addVerb(app, session, work, "piecewise", "Approximate a plane curve by several elastica that meet smoothly",
-          "echo '{\"curve\": {\"type\": \"bezier\", \"poles\": [[0,0],[150,260],[300,-310],[450,270],[600,0]]},\n"
-          "    \"pieces\": 3, \"splits\": \"optimised\"}' | blade piecewise",
-          piecewiseCases, false);
+  addVerb(
+      app, session, work, "piecewise", "Approximate a plane curve by several elastica that meet smoothly",
+      "echo '{\"curve\": {\"type\": \"bezier\", \"poles\": [[0,0],[150,260],[300,-310],[450,270],[600,0]]},\n"
+      "    \"pieces\": 3, \"splits\": \"optimised\"}' | blade piecewise",
+      piecewiseCases, false);
   addBiarcVerb(app, session, work);
   addVerb(app, session, work, "spline",
           "A spline through points: a chain of elastica (as through ducks), of cubic Béziers, or cubic",
           "echo '{\"points\": [[0,0],[100,40],[220,30],[300,-20]], \"start_angle\": 0.6}' | blade spline",
           splineCases, false);
-  addVerb(app, session, work, "discrete", "A discrete elastica: the polyline of least bending between clamped ends",
-          "echo '{\"start\": [0,0], \"end\": [600,0], \"start_angle\": 0.6, \"end_angle\": -0.4, \"length\": 700,\n"
+  addVerb(app, session, work, "discrete",
+          "A discrete elastica: the polyline of least bending between clamped ends",
+          "echo '{\"start\": [0,0], \"end\": [600,0], \"start_angle\": 0.6, \"end_angle\": -0.4, \"length\": "
+          "700,\n"
           "    \"segments\": 200}' | blade discrete",
           discreteCases, false);
-  addVerb(app, session, work, "relax", "The spline of least bending energy within a tolerance of a plane curve",
-          "echo '{\"curve\": {\"type\": \"bezier\", \"poles\": [[0,0],[200,150],[400,150],[600,0]]}, \"tolerance\": 5}' | "
+  addVerb(app, session, work, "relax",
+          "The spline of least bending energy within a tolerance of a plane curve",
+          "echo '{\"curve\": {\"type\": \"bezier\", \"poles\": [[0,0],[200,150],[400,150],[600,0]]}, "
+          "\"tolerance\": 5}' | "
           "blade relax",
           relaxCases, false);
   addVerb(app, session, work, "length", "The length of a blade from how it sags between its ends",

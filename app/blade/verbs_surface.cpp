@@ -173,8 +173,9 @@ int runRender(const Session& session, const RenderOptions& options) {
          "field"});
   }
   if (saysOtherwise(options.out, {".png"}))
-    return session.complain(
-        {ErrorCode::badInput, "pictures are PNG; give --out a name that ends in .png, not " + options.out, "out"});
+    return session.complain({ErrorCode::badInput,
+                             "pictures are PNG; give --out a name that ends in .png, not " + options.out,
+                             "out"});
   const Result<Design> design = designOf(options.path);
   if (!design) return session.complain(design.error());
   const pipeline::Outcome outcome = pipeline::evaluate(*design, nullptr, session.context());
@@ -205,10 +206,12 @@ int runExample(const Session& session, const std::string& name, const std::strin
     return kDone;
   }
   if (saysOtherwise(out, {kDesignSuffix, ".step", ".stp"}))
-    return session.complain({ErrorCode::badInput,
-                             "examples are written as STEP or as designs; give --out a name that ends in .step, .stp "
-                             "or .bladewright, not " + out,
-                             "out"});
+    return session.complain(
+        {ErrorCode::badInput,
+         "examples are written as STEP or as designs; give --out a name that ends in .step, .stp "
+         "or .bladewright, not " +
+             out,
+         "out"});
   Result<std::string> bytes;
   if (suffixOf(out) == kDesignSuffix) {
     const Result<Design> design = pipeline::exampleDesign(name);

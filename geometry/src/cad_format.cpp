@@ -53,23 +53,26 @@ std::string stepFault(std::string_view text) {
     const std::string_view digits = text.substr(at + 1, end - at - 1);
     while (end < text.size() && std::isspace(static_cast<unsigned char>(text[end]))) ++end;
     const bool defines = end < text.size() && text[end] == '=';
-    if (digits.empty() || digits.size() > kMaxStepDigits || digits.find_first_not_of('0') == std::string_view::npos) {
-      return "\"#" + std::string(digits) + "\" is not the number of an entity; the file is damaged: copy or export it again";
+    if (digits.empty() || digits.size() > kMaxStepDigits ||
+        digits.find_first_not_of('0') == std::string_view::npos) {
+      return "\"#" + std::string(digits) +
+             "\" is not the number of an entity; the file is damaged: copy or export it again";
     }
     if (defines) numbers.push_back(std::strtol(std::string(digits).c_str(), nullptr, 10));
   }
   std::sort(numbers.begin(), numbers.end());
   const auto twice = std::adjacent_find(numbers.begin(), numbers.end());
   if (twice == numbers.end()) return {};
-  return "its entity #" + std::to_string(*twice) + " is there twice; the file is damaged: copy or export it again";
+  return "its entity #" + std::to_string(*twice) +
+         " is there twice; the file is damaged: copy or export it again";
 }
 
-/// A BREP text is complete if it names each of its tables, no table claims more entries than the file has room for, the last shape of its
-/// list is closed by '*', and a reference to a shape follows.
+/// A BREP text is complete if it names each of its tables, no table claims more entries than the file has
+/// room for, the last shape of its list is closed by '*', and a reference to a shape follows.
 std::string brepFault(std::string_view text) {
   std::size_t at = 0;
-  for (const char* table : {"Locations", "Curve2ds", "Curves", "Polygon3D", "PolygonOnTriangulations", "Surfaces",
-                            "Triangulations", "TShapes"}) {
+  for (const char* table : {"Locations", "Curve2ds", "Curves", "Polygon3D", "PolygonOnTriangulations",
+                            "Surfaces", "Triangulations", "TShapes"}) {
     at = text.find(table, at);
     if (at == std::string_view::npos) {
       return std::string("its table of ") + table + " is missing; the file is cut short or not a BREP";
@@ -82,7 +85,8 @@ std::string brepFault(std::string_view text) {
     }
   }
   const std::size_t star = text.rfind('*');
-  const std::string_view tail = star == std::string_view::npos || star < at ? "" : trimmedLeft(text.substr(star + 1));
+  const std::string_view tail =
+      star == std::string_view::npos || star < at ? "" : trimmedLeft(text.substr(star + 1));
   if (tail.empty() || (tail.front() != '+' && tail.front() != '-') || tail.size() < 4) {
     return "its list of shapes stops too early; the file is cut short";
   }
@@ -93,7 +97,8 @@ std::string brepFault(std::string_view text) {
 
 std::string lowerCase(std::string_view text) {
   std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  std::transform(result.begin(), result.end(), result.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
   return result;
 }
 
@@ -112,9 +117,11 @@ std::string_view trimmedLeft(std::string_view text) {
 CadFormat formatOfContent(std::string_view bytes) {
   const std::string_view head = trimmedLeft(bytes.substr(0, 4096));
   if (head.substr(0, 12) == "ISO-10303-21") return CadFormat::step;
-  if (head.substr(0, 19) == "DBRep_DrawableShape" || head.substr(0, 16) == "CASCADE Topology") return CadFormat::brep;
+  if (head.substr(0, 19) == "DBRep_DrawableShape" || head.substr(0, 16) == "CASCADE Topology")
+    return CadFormat::brep;
   // IGES has records of 80 columns with a section letter in column 73, the first section being S.
-  if (bytes.size() > 80 && bytes[72] == 'S' && std::isdigit(static_cast<unsigned char>(bytes[79]))) return CadFormat::iges;
+  if (bytes.size() > 80 && bytes[72] == 'S' && std::isdigit(static_cast<unsigned char>(bytes[79])))
+    return CadFormat::iges;
   return CadFormat::unknown;
 }
 
@@ -128,17 +135,22 @@ CadFormat formatOfSuffix(const std::string& name) {
 
 const char* formatName(CadFormat format) {
   switch (format) {
-    case CadFormat::step: return "STEP";
-    case CadFormat::iges: return "IGES";
-    case CadFormat::brep: return "BREP";
-    case CadFormat::unknown: break;
+    case CadFormat::step:
+      return "STEP";
+    case CadFormat::iges:
+      return "IGES";
+    case CadFormat::brep:
+      return "BREP";
+    case CadFormat::unknown:
+      break;
   }
   return "CAD";
 }
 
 std::string faultOf(std::string_view bytes, CadFormat format) {
   if (!complete(bytes, format)) {
-    return std::string("the ") + formatName(format) + " file is cut short (its end mark is missing); copy or export it again";
+    return std::string("the ") + formatName(format) +
+           " file is cut short (its end mark is missing); copy or export it again";
   }
   if (format == CadFormat::step) return stepFault(bytes);
   if (format == CadFormat::brep) return brepFault(bytes);

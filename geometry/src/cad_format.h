@@ -17,8 +17,8 @@ CadFormat formatOfSuffix(const std::string& name);
 /// "STEP", "IGES", "BREP"; "CAD" for unknown.
 const char* formatName(CadFormat format);
 
-/// Why OCCT must not be given this text: cut short, tables that claim more than there is, entities of one number. OCCT reads on over such faults
-/// and may crash or never return. Empty if nothing is found.
+/// Why OCCT must not be given this text: cut short, tables that claim more than there is, entities of one
+/// number. OCCT reads on over such faults and may crash or never return. Empty if nothing is found.
 std::string faultOf(std::string_view bytes, CadFormat format);
 
 std::string lowerCase(std::string_view text);

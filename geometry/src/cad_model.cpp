@@ -20,7 +20,8 @@ namespace bw::geometry {
 
 namespace {
 
-constexpr double kThin = 0.01;  // mm; a face thinner than this cannot be cut, nor told from a fault of its file
+constexpr double kThin =
+    0.01;  // mm; a face thinner than this cannot be cut, nor told from a fault of its file
 
 /// The width of a face: its area over half its border.
 double widthOf(const FaceGeometry& face, const std::vector<EdgeGeometry>& edges) {
@@ -32,7 +33,8 @@ double widthOf(const FaceGeometry& face, const std::vector<EdgeGeometry>& edges)
   return border > 0 ? 2 * face.area() / border : std::sqrt(face.area());
 }
 
-Result<std::shared_ptr<const CadModel::Impl>> build(ReadShape read, const std::string& name, const RunContext& context) {
+Result<std::shared_ptr<const CadModel::Impl>> build(ReadShape read, const std::string& name,
+                                                    const RunContext& context) {
   auto impl = std::make_shared<CadModel::Impl>();
   impl->name = name;
   impl->shape = read.shape;
@@ -61,7 +63,8 @@ Result<std::shared_ptr<const CadModel::Impl>> build(ReadShape read, const std::s
   impl->faces.resize(std::size_t(count));
   impl->faceFault.resize(std::size_t(count));
   impl->inSolid.assign(std::size_t(count), false);
-  for (int i = 0; i < count; ++i) impl->inSolid[i] = solidOf.Contains(faces(i + 1)) && !solidOf.FindFromKey(faces(i + 1)).IsEmpty();
+  for (int i = 0; i < count; ++i)
+    impl->inSolid[i] = solidOf.Contains(faces(i + 1)) && !solidOf.FindFromKey(faces(i + 1)).IsEmpty();
   info.faceList.resize(std::size_t(count));
   const auto done = parallelFor(context, count, [&](int i) {
     FaceInfo& face = info.faceList[i];
@@ -108,7 +111,8 @@ Result<CadModel> CadModel::read(const std::filesystem::path& file, const RunCont
   return readBytes(*bytes, file.string(), context);
 }
 
-Result<CadModel> CadModel::readBytes(const std::string& bytes, const std::string& name, const RunContext& context) {
+Result<CadModel> CadModel::readBytes(const std::string& bytes, const std::string& name,
+                                     const RunContext& context) {
   auto read = readShape(bytes, name, context);
   if (!read) return tl::unexpected(read.error());
   return guarded(ErrorCode::cannotRead, "cannot read " + name, [&]() -> Result<CadModel> {
@@ -140,8 +144,8 @@ Result<std::vector<int>> CadModel::choose(const FaceChoice& choice) const {
   const auto usable = [&](int i) -> Result<void> {
     if (!impl_->faces[i]) {
       return fail(ErrorCode::badInput,
-                  "face " + std::to_string(i) + " of " + impl_->name + " cannot be used (" + impl_->faceFault[i] +
-                      "); choose another face",
+                  "face " + std::to_string(i) + " of " + impl_->name + " cannot be used (" +
+                      impl_->faceFault[i] + "); choose another face",
                   "face", i);
     }
     const double width = widthOf(*impl_->faces[i], impl_->edges);
@@ -160,7 +164,8 @@ Result<std::vector<int>> CadModel::choose(const FaceChoice& choice) const {
       if (!impl_->faces[i]) continue;
       if (best < 0 || impl_->faces[i]->area() > impl_->faces[best]->area()) best = i;
     }
-    if (best < 0) return fail(ErrorCode::badInput, impl_->name + " has no face that can be used", impl_->name);
+    if (best < 0)
+      return fail(ErrorCode::badInput, impl_->name + " has no face that can be used", impl_->name);
     if (auto ok = usable(best); !ok) {
       ok.error().message += "; it is the largest: check the unit of the file, read as " + impl_->info.unit;
       return tl::unexpected(ok.error());
@@ -181,13 +186,15 @@ Result<std::vector<int>> CadModel::choose(const FaceChoice& choice) const {
     return result;
   }
   if (choice.indices.empty()) {
-    return fail(ErrorCode::badInput, "no face is chosen; give an index from 0 to " + std::to_string(count - 1), "face");
+    return fail(ErrorCode::badInput,
+                "no face is chosen; give an index from 0 to " + std::to_string(count - 1), "face");
   }
   for (const int i : choice.indices) {
     if (i < 0 || i >= count) {
       return fail(ErrorCode::badInput,
                   "face " + std::to_string(i) + " does not exist: " + impl_->name + " has " +
-                      (count == 1 ? "one face, of index 0" : std::to_string(count) + " faces, 0 to " + std::to_string(count - 1)),
+                      (count == 1 ? "one face, of index 0"
+                                  : std::to_string(count) + " faces, 0 to " + std::to_string(count - 1)),
                   "face", i, count - 1);
     }
     if (auto ok = usable(i); !ok) return tl::unexpected(ok.error());

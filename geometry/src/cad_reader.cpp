@@ -20,8 +20,8 @@
 #include <STEPControl_Controller.hxx>
 #include <STEPControl_Reader.hxx>
 #include <ShapeFix_Shape.hxx>
-#include <TCollection_HAsciiString.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
+#include <TCollection_HAsciiString.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -47,8 +47,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kSewTolerance = 0.01;      // mm; gaps between faces of one surface as CAD programs leave them
-constexpr int kCheckLimit = 2000;           // faces up to which a file is checked for faults: the check costs about 1 ms a face
+constexpr double kSewTolerance = 0.01;  // mm; gaps between faces of one surface as CAD programs leave them
+constexpr int kCheckLimit =
+    2000;  // faces up to which a file is checked for faults: the check costs about 1 ms a face
 
 tl::unexpected<Error> unreadable(const std::string& name, const std::string& reason) {
   return fail(ErrorCode::cannotRead, "cannot read " + name + ": " + reason, name);
@@ -62,7 +63,8 @@ std::string unitName(std::string text) {
   if (text.find("micromet") != std::string::npos || text == "um") return "um";
   if (text == "metre" || text == "meter" || text == "m") return "m";
   if (text.find("inch") != std::string::npos || text == "in") return "inch";
-  if (text.find("foot") != std::string::npos || text.find("feet") != std::string::npos || text == "ft") return "foot";
+  if (text.find("foot") != std::string::npos || text.find("feet") != std::string::npos || text == "ft")
+    return "foot";
   if (text.find("mil") == 0) return "mil";
   if (text.find("mi") == 0) return "mile";
   return text.empty() ? "mm (assumed)" : text;
@@ -75,7 +77,8 @@ Result<ReadShape> readStep(const std::string& bytes, const std::string& name) {
   if (reader.ReadStream(name.c_str(), stream) != IFSelect_RetDone) {
     return unreadable(name, "it is not valid STEP; export it again from the CAD program");
   }
-  // OCCT's translators follow references without looking whether they lead anywhere, so damaged entities must be found first.
+  // OCCT's translators follow references without looking whether they lead anywhere, so damaged entities must
+  // be found first.
   const Handle(Interface_InterfaceModel) model = reader.WS()->Model();
   for (int i = 1; i <= model->NbEntities(); ++i) {
     const std::string type = model->Value(i)->DynamicType()->Name();
@@ -163,7 +166,8 @@ void heal(ReadShape& read) {
     const TopoDS_Shape sewn = sewing.SewedShape();
     if (!sewn.IsNull() && countOf(sewn, TopAbs_FACE) == faces && !loose(sewn)) {
       read.shape = sewn;
-      read.healing.push_back(std::to_string(faces) + " separate faces were sewn together where their edges meet within " +
+      read.healing.push_back(std::to_string(faces) +
+                             " separate faces were sewn together where their edges meet within " +
                              shortText(kSewTolerance) + " mm");
     }
   }
@@ -176,7 +180,8 @@ void heal(ReadShape& read) {
     double first = 0, last = 0;
     if (!BRep_Tool::Degenerated(edge) && BRep_Tool::Curve(edge, first, last).IsNull()) ++bare;
   }
-  if (bare > 0) read.healing.push_back(std::to_string(bare) + " edges have no curve in space and are passed over");
+  if (bare > 0)
+    read.healing.push_back(std::to_string(bare) + " edges have no curve in space and are passed over");
 }
 
 /// Fills the static tables of OCCT's translators before the first process is forked that needs them.
@@ -191,7 +196,9 @@ void prepareTranslators() {
 
 Result<ReadShape> readAndHeal(const std::string& bytes, const std::string& name, CadFormat format) {
   auto read = guarded(ErrorCode::cannotRead, "cannot read " + name, [&]() -> Result<ReadShape> {
-    auto raw = format == CadFormat::step ? readStep(bytes, name) : format == CadFormat::iges ? readIges(bytes, name) : readBrep(bytes);
+    auto raw = format == CadFormat::step   ? readStep(bytes, name)
+               : format == CadFormat::iges ? readIges(bytes, name)
+                                           : readBrep(bytes);
     if (!raw) return raw;
     if (raw->shape.IsNull() || countOf(raw->shape, TopAbs_FACE) == 0) {
       std::string what = "it holds no faces";
@@ -199,7 +206,8 @@ Result<ReadShape> readAndHeal(const std::string& bytes, const std::string& name,
         what += ", only " + std::to_string(countOf(raw->shape, TopAbs_EDGE)) + " edges";
       }
       return fail(ErrorCode::badInput,
-                  name + " cannot be used: " + what + "; export a surface or a solid, not curves or a mesh", name, 0, 1);
+                  name + " cannot be used: " + what + "; export a surface or a solid, not curves or a mesh",
+                  name, 0, 1);
     }
     heal(*raw);
     return raw;
@@ -229,7 +237,9 @@ std::string packed(const Result<ReadShape>& read) {
 }
 
 Result<ReadShape> unpacked(std::string_view bytes, const std::string& name) {
-  const auto broken = [&] { return unreadable(name, "what was read of it is incomplete; the memory may not suffice"); };
+  const auto broken = [&] {
+    return unreadable(name, "what was read of it is incomplete; the memory may not suffice");
+  };
   std::string code, text, count;
   if (!takeText(bytes, code)) return broken();
   if (!code.empty()) {
@@ -237,7 +247,8 @@ Result<ReadShape> unpacked(std::string_view bytes, const std::string& name) {
     return fail(ErrorCode(std::stoi(code)), text, name);
   }
   ReadShape read;
-  if (!takeText(bytes, read.format) || !takeText(bytes, read.unit) || !takeText(bytes, count)) return broken();
+  if (!takeText(bytes, read.format) || !takeText(bytes, read.unit) || !takeText(bytes, count))
+    return broken();
   read.healing.resize(std::stoul(count));
   for (std::string& line : read.healing) {
     if (!takeText(bytes, line)) return broken();
@@ -261,13 +272,17 @@ Result<ReadShape> readShape(const std::string& bytes, const std::string& name, c
   const CadFormat content = formatOfContent(bytes), suffix = formatOfSuffix(name);
   if (content == CadFormat::unknown) {
     if (bytes.find("\"bladewright_design\"") != std::string::npos) {
-      return unreadable(name, "it is a design, whose surface and settings are in it; open it as one, with blade design or in the window");
+      return unreadable(name,
+                        "it is a design, whose surface and settings are in it; open it as one, with blade "
+                        "design or in the window");
     }
     if (suffix == CadFormat::unknown) {
-      return unreadable(name, "it is neither STEP, IGES nor BREP; export the surface as STEP from the CAD program");
+      return unreadable(name,
+                        "it is neither STEP, IGES nor BREP; export the surface as STEP from the CAD program");
     }
-    return unreadable(name, std::string("its content is not ") + formatName(suffix) +
-                                "; the file is damaged or of another kind: export it again from the CAD program");
+    return unreadable(name,
+                      std::string("its content is not ") + formatName(suffix) +
+                          "; the file is damaged or of another kind: export it again from the CAD program");
   }
   if (const std::string fault = faultOf(bytes, content); !fault.empty()) return unreadable(name, fault);
   if (context.stopped()) return stoppedError();

@@ -20,7 +20,8 @@ struct ReadShape {
   std::vector<std::string> healing;
 };
 
-/// Reads a CAD file from its bytes. `name` serves the messages and the choice between formats that look alike.
+/// Reads a CAD file from its bytes. `name` serves the messages and the choice between formats that look
+/// alike.
 Result<ReadShape> readShape(const std::string& bytes, const std::string& name, const RunContext& context);
 
 }  // namespace bw::geometry

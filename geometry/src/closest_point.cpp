@@ -49,7 +49,8 @@ Eigen::Vector2d descend(const FaceGeometry& face, const Eigen::Vector3d& p, Eige
       su = -gu / (huu > 1e-6 * E ? huu : std::max(E, 1e-300));
     } else {
       double det = huu * hvv - huv * huv;
-      if (!(huu > 0) || !(det > 1e-9 * E * G)) {  // not convex here: the first fundamental form leads downhill
+      if (!(huu > 0) ||
+          !(det > 1e-9 * E * G)) {  // not convex here: the first fundamental form leads downhill
         huu = E * (1 + 1e-9) + 1e-300;
         huv = F;
         hvv = G * (1 + 1e-9) + 1e-300;
@@ -89,7 +90,8 @@ Eigen::Vector2d descend(const FaceGeometry& face, const Eigen::Vector3d& p, Eige
 }
 
 /// The parameter of the point of an edge nearest to `p`, if it is nearer than `limit`.
-bool footOnEdge(const EdgeGeometry& edge, const Eigen::Vector3d& p, double& limit, double& at, Eigen::Vector3d& point) {
+bool footOnEdge(const EdgeGeometry& edge, const Eigen::Vector3d& p, double& limit, double& at,
+                Eigen::Vector3d& point) {
   if (edge.degenerate() || edge.points.size() < 2) return false;
   const Eigen::Vector3d outside = (edge.bounds.min - p).cwiseMax(p - edge.bounds.max).cwiseMax(0.0);
   const double slack = 1e-3 * edge.bounds.size().norm();
@@ -127,8 +129,8 @@ bool footOnEdge(const EdgeGeometry& edge, const Eigen::Vector3d& p, double& limi
 
 }  // namespace
 
-FaceFoot footOnFace(const FaceGeometry& face, const std::vector<EdgeGeometry>& edges, const Eigen::Vector3d& p,
-                    const Eigen::Vector2d& start) {
+FaceFoot footOnFace(const FaceGeometry& face, const std::vector<EdgeGeometry>& edges,
+                    const Eigen::Vector3d& p, const Eigen::Vector2d& start) {
   FaceFoot foot;
   Jet jet;
   foot.uv = descend(face, p, start, jet);

@@ -19,8 +19,9 @@ struct FaceFoot {
   int edge = -1;          ///< the model's edge that does
 };
 
-/// The local minimum of the distance from `p` to the face that Newton's method finds from `start`; inside the borders. Accuracy 1e-7 mm.
-FaceFoot footOnFace(const FaceGeometry& face, const std::vector<EdgeGeometry>& edges, const Eigen::Vector3d& p,
-                    const Eigen::Vector2d& start);
+/// The local minimum of the distance from `p` to the face that Newton's method finds from `start`; inside the
+/// borders. Accuracy 1e-7 mm.
+FaceFoot footOnFace(const FaceGeometry& face, const std::vector<EdgeGeometry>& edges,
+                    const Eigen::Vector3d& p, const Eigen::Vector2d& start);
 
 }  // namespace bw::geometry

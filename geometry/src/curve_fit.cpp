@@ -45,8 +45,8 @@ struct RunFit {
 };
 
 /// Least squares with both ends kept; false if the samples do not determine the poles.
-bool solve(const std::vector<CurveSample>& samples, const std::vector<double>& breaks, std::vector<Eigen::Vector2d>& poles,
-           std::vector<double>& spanError) {
+bool solve(const std::vector<CurveSample>& samples, const std::vector<double>& breaks,
+           std::vector<Eigen::Vector2d>& poles, std::vector<double>& spanError) {
   const int spans = int(breaks.size()) - 1, count = spans + 3;
   std::vector<double> knots(3, breaks.front());
   knots.insert(knots.end(), breaks.begin(), breaks.end());
@@ -118,7 +118,8 @@ bool solve(const std::vector<CurveSample>& samples, const std::vector<double>& b
 }
 
 /// Breaks that give each of `breaks`' spans its share of `count` new ones.
-std::vector<double> redistributed(const std::vector<double>& breaks, const std::vector<double>& share, int count) {
+std::vector<double> redistributed(const std::vector<double>& breaks, const std::vector<double>& share,
+                                  int count) {
   double total = 0;
   for (const double s : share) total += s;
   std::vector<double> result = {breaks.front()};
@@ -136,7 +137,10 @@ std::vector<double> redistributed(const std::vector<double>& breaks, const std::
 RunFit fitRun(const std::vector<CurveSample>& samples, double tolerance) {
   const double from = samples.front().arc, to = samples.back().arc;
   const Eigen::Vector2d first = samples.front().point, last = samples.back().point;
-  RunFit fit{{from, to}, {first, first + (last - first) / 3, first + (last - first) * (2.0 / 3), last}, 1e300, false};
+  RunFit fit{{from, to},
+             {first, first + (last - first) / 3, first + (last - first) * (2.0 / 3), last},
+             1e300,
+             false};
   const auto arcLess = [](const CurveSample& s, double arc) { return s.arc < arc; };
   const auto samplesIn = [&](double a, double b) {
     return std::lower_bound(samples.begin(), samples.end(), b, arcLess) -
@@ -169,7 +173,8 @@ RunFit fitRun(const std::vector<CurveSample>& samples, double tolerance) {
     const std::vector<double> wanted = redistributed(breaks, share, count);
     std::vector<double> next = {wanted.front()};
     for (std::size_t k = 1; k + 1 < wanted.size(); ++k) {
-      if (samplesIn(next.back(), wanted[k]) >= kSamplesPerSpan && samplesIn(wanted[k], to) >= kSamplesPerSpan) {
+      if (samplesIn(next.back(), wanted[k]) >= kSamplesPerSpan &&
+          samplesIn(wanted[k], to) >= kSamplesPerSpan) {
         next.push_back(wanted[k]);
       }
     }

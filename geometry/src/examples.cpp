@@ -47,7 +47,8 @@ Vector3d saddle(double u, double v) {
 constexpr double kSphereRadius = 900, kSphereHalf = 300;
 
 Vector3d sphereCap(double u, double v) {
-  const double x = kSphereHalf * (2 * u - 1), y = kSphereHalf * (2 * v - 1), r2 = kSphereRadius * kSphereRadius;
+  const double x = kSphereHalf * (2 * u - 1), y = kSphereHalf * (2 * v - 1),
+               r2 = kSphereRadius * kSphereRadius;
   return {x, y, std::sqrt(r2 - x * x - y * y) - std::sqrt(r2 - 2 * kSphereHalf * kSphereHalf)};
 }
 
@@ -75,7 +76,8 @@ Eigen::Vector2d rampProfile(double u) {
 }
 
 constexpr double kRampHeight = 854.10, kRampWidth = 1400;
-constexpr double kRampShort = 855.11, kRampLong = 1001.38;  // runs whose profiles are 1342.6 and 1459.8 mm long
+constexpr double kRampShort = 855.11,
+                 kRampLong = 1001.38;  // runs whose profiles are 1342.6 and 1459.8 mm long
 
 Vector3d ramp(double u, double v, double runMiddle, double runEnd) {
   const double t = 2 * v - 1, run = runMiddle + (runEnd - runMiddle) * t * t;
@@ -92,32 +94,73 @@ const std::vector<Recipe>& recipes() {
         "x = 600 u, y = 670 v, a = 2π (x − 300)/1000, b = 2π (y − 335)/640, "
         "z = 100 + 46 sin b + 12 sin 2b + 22 cos(0.4 b) (cos a + 0.06 cos 3a) + 22 sin a sin b; mm. "
         "Gaussian curvature of both signs; sections across y have at most two inflections."},
-       panel, 5, 14, 5, 17},
+       panel,
+       5,
+       14,
+       5,
+       17},
       {{"graph", "Graph of a function",
-        "p ∈ [−π/2, π/2], q ∈ [−0.75, 0.75]: x = 200 (p + π/2), y = 600 (q + 0.75), z = 45 cos⁴(2 (π/2 − q)) sin p exp(−0.1 p²); mm. "
-        "The exponent 4 is read as that of the cosine, which then vanishes at q = ±π/4, just outside the domain."},
-       graph, 5, 8, 5, 14},
-      {{"saddle", "Saddle", "x ∈ [−300, 300], y ∈ [−400, 400], z = x²/1600 − y²/1200; mm. A hyperbolic paraboloid, exact."},
-       saddle, 2, 1, 2, 1},
+        "p ∈ [−π/2, π/2], q ∈ [−0.75, 0.75]: x = 200 (p + π/2), y = 600 (q + 0.75), z = 45 cos⁴(2 (π/2 − q)) "
+        "sin p exp(−0.1 p²); mm. "
+        "The exponent 4 is read as that of the cosine, which then vanishes at q = ±π/4, just outside the "
+        "domain."},
+       graph,
+       5,
+       8,
+       5,
+       14},
+      {{"saddle", "Saddle",
+        "x ∈ [−300, 300], y ∈ [−400, 400], z = x²/1600 − y²/1200; mm. A hyperbolic paraboloid, exact."},
+       saddle,
+       2,
+       1,
+       2,
+       1},
       {{"sphere-cap", "Cap of a sphere",
-        "x, y ∈ [−300, 300], z = √(900² − x² − y²) − √(900² − 2·300²); mm. A sphere of radius 900 over a square, exact."},
-       sphereCap, 0, 0, 0, 0},
+        "x, y ∈ [−300, 300], z = √(900² − x² − y²) − √(900² − 2·300²); mm. A sphere of radius 900 over a "
+        "square, exact."},
+       sphereCap,
+       0,
+       0,
+       0,
+       0},
       {{"torus-patch", "Patch of a torus",
-        "x ∈ [−300, 300], y ∈ [700, 1300], z = √(450² − (√(x² + y²) − 1000)²); mm. A torus of radii 1000 and 450 over a square, "
+        "x ∈ [−300, 300], y ∈ [700, 1300], z = √(450² − (√(x² + y²) − 1000)²); mm. A torus of radii 1000 and "
+        "450 over a square, "
         "exact: Gaussian curvature is negative on the near half and positive on the far half."},
-       torusPatch, 0, 0, 0, 0},
+       torusPatch,
+       0,
+       0,
+       0,
+       0},
       {{"wavy-wall", "Wavy wall 4200 × 2400 mm",
         "x = 4200 u, y = 2400 v, f = 2π y/1200 + 0.9 sin(2π x/4200), "
         "z = (110 + 50 cos(2π x/2800)) sin f + 60 cos(π x/4200); mm. Valleys and ridges wander along x."},
-       wavyWall, 5, 22, 5, 26},
+       wavyWall,
+       5,
+       22,
+       5,
+       26},
       {{"ramp-corner-hollow", "Corner of a skater ramp, negative curvature",
-        "x = r(v) X(u), y = 1400 v, z = 854.10 Z(u), (X, Z) the Bézier cubic (0,0) (0.5523,0) (1,0.4477) (1,1), "
-        "r(v) = 855.11 + 146.27 (2v − 1)²; mm, exact. Profiles are 1342.6 mm long in the middle and 1459.8 mm at the ends."},
-       rampHollow, 3, 1, 2, 1},
+        "x = r(v) X(u), y = 1400 v, z = 854.10 Z(u), (X, Z) the Bézier cubic (0,0) (0.5523,0) (1,0.4477) "
+        "(1,1), "
+        "r(v) = 855.11 + 146.27 (2v − 1)²; mm, exact. Profiles are 1342.6 mm long in the middle and 1459.8 "
+        "mm at the ends."},
+       rampHollow,
+       3,
+       1,
+       2,
+       1},
       {{"ramp-corner-domed", "Corner of a skater ramp, positive curvature",
-        "x = r(v) X(u), y = 1400 v, z = 854.10 Z(u), (X, Z) the Bézier cubic (0,0) (0.5523,0) (1,0.4477) (1,1), "
-        "r(v) = 1001.38 − 146.27 (2v − 1)²; mm, exact. Profiles are 1459.8 mm long in the middle and 1342.6 mm at the ends."},
-       rampDomed, 3, 1, 2, 1},
+        "x = r(v) X(u), y = 1400 v, z = 854.10 Z(u), (X, Z) the Bézier cubic (0,0) (0.5523,0) (1,0.4477) "
+        "(1,1), "
+        "r(v) = 1001.38 − 146.27 (2v − 1)²; mm, exact. Profiles are 1459.8 mm long in the middle and 1342.6 "
+        "mm at the ends."},
+       rampDomed,
+       3,
+       1,
+       2,
+       1},
   };
   return list;
 }
@@ -132,8 +175,8 @@ Result<const Recipe*> find(const std::string& name) {
   for (const std::string& n : names) all += (all.empty() ? "" : ", ") + n;
   const std::string near = nearestWord(name, names.data(), int(names.size()));
   return fail(ErrorCode::badInput,
-              "there is no example \"" + name + "\"" + (near.empty() ? "" : "; did you mean \"" + near + "\"?") +
-                  " The examples are " + all,
+              "there is no example \"" + name + "\"" +
+                  (near.empty() ? "" : "; did you mean \"" + near + "\"?") + " The examples are " + all,
               "example");
 }
 
@@ -208,11 +251,13 @@ SplineSurface interpolate(const Recipe& recipe) {
 
 std::string sphereCapStep(const std::string& title) {
   constexpr double h = kSphereHalf;
-  const double drop = std::sqrt(kSphereRadius * kSphereRadius - 2 * h * h), side = std::sqrt(kSphereRadius * kSphereRadius - h * h);
+  const double drop = std::sqrt(kSphereRadius * kSphereRadius - 2 * h * h),
+               side = std::sqrt(kSphereRadius * kSphereRadius - h * h);
   StepText text;
   // The poles lie to the left and right and the seam below, so that the face has neither.
   const int surface = text.sphere({0, 0, -drop}, Vector3d::UnitX(), -Vector3d::UnitZ(), kSphereRadius);
-  const int a = text.vertex({-h, -h, 0}), b = text.vertex({h, -h, 0}), c = text.vertex({h, h, 0}), d = text.vertex({-h, h, 0});
+  const int a = text.vertex({-h, -h, 0}), b = text.vertex({h, -h, 0}), c = text.vertex({h, h, 0}),
+            d = text.vertex({-h, h, 0});
   // Each circle runs counter-clockwise about its axis over the top.
   const int south = text.edge(a, b, text.circle({0, -h, -drop}, Vector3d::UnitY(), -Vector3d::UnitX(), side));
   const int east = text.edge(b, c, text.circle({h, 0, -drop}, -Vector3d::UnitX(), -Vector3d::UnitY(), side));
@@ -233,7 +278,8 @@ std::string torusPatchStep(const std::string& title) {
     const Eigen::MatrixXd solved = solver.solve(values);
     std::vector<Vector3d> poles;
     for (Eigen::Index i = 0; i < solved.rows(); ++i) {
-      poles.push_back(solved.row(i).transpose().unaryExpr([](double x) { return std::round(x * 1e9) / 1e9; }));
+      poles.push_back(
+          solved.row(i).transpose().unaryExpr([](double x) { return std::round(x * 1e9) / 1e9; }));
     }
     return std::pair(text.splineCurve(7, knots, poles), std::pair(poles.front(), poles.back()));
   };
@@ -268,8 +314,10 @@ Result<Eigen::Vector3d> examplePoint(const std::string& name, double u, double v
   const auto recipe = find(name);
   if (!recipe) return tl::unexpected(recipe.error());
   if (!(u >= 0 && u <= 1 && v >= 0 && v <= 1)) {
-    return fail(ErrorCode::badInput, "the parameters of an example lie in [0, 1], not (" + shortText(u) + ", " + shortText(v) + ")",
-                "parameters", u < 0 || u > 1 ? u : v);
+    return fail(
+        ErrorCode::badInput,
+        "the parameters of an example lie in [0, 1], not (" + shortText(u) + ", " + shortText(v) + ")",
+        "parameters", u < 0 || u > 1 ? u : v);
   }
   return (*recipe)->point(u, v);
 }

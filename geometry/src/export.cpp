@@ -17,8 +17,9 @@ Result<void> checkKnots(const char* which, int degree, const std::vector<double>
   const std::string where = std::string("knots") + which;
   if (degree < 1 || poles < degree + 1 || int(knots.size()) != poles + degree + 1) {
     return fail(ErrorCode::badInput,
-                std::string("the surface cannot be written: in ") + which + " it has degree " + std::to_string(degree) +
-                    ", " + std::to_string(poles) + " poles and " + std::to_string(knots.size()) +
+                std::string("the surface cannot be written: in ") + which + " it has degree " +
+                    std::to_string(degree) + ", " + std::to_string(poles) + " poles and " +
+                    std::to_string(knots.size()) +
                     " knots; there must be more poles than the degree, and poles + degree + 1 knots",
                 where, double(knots.size()), double(poles + degree + 1));
   }
@@ -43,22 +44,26 @@ Result<void> checkKnots(const char* which, int degree, const std::vector<double>
 }  // namespace
 
 Result<std::string> stepText(const SplineSurface& surface, const std::string& name) {
-  if (auto ok = checkKnots("u", surface.degreeU, surface.knotsU, surface.polesU); !ok) return tl::unexpected(ok.error());
-  if (auto ok = checkKnots("v", surface.degreeV, surface.knotsV, surface.polesV); !ok) return tl::unexpected(ok.error());
+  if (auto ok = checkKnots("u", surface.degreeU, surface.knotsU, surface.polesU); !ok)
+    return tl::unexpected(ok.error());
+  if (auto ok = checkKnots("v", surface.degreeV, surface.knotsV, surface.polesV); !ok)
+    return tl::unexpected(ok.error());
   const int nu = surface.polesU, nv = surface.polesV;
   if (surface.poles.size() != std::size_t(nu) * nv) {
     return fail(ErrorCode::badInput,
-                "the surface cannot be written: it has " + std::to_string(surface.poles.size()) + " poles instead of " +
-                    std::to_string(nu) + " × " + std::to_string(nv),
+                "the surface cannot be written: it has " + std::to_string(surface.poles.size()) +
+                    " poles instead of " + std::to_string(nu) + " × " + std::to_string(nv),
                 "poles", double(surface.poles.size()), double(nu) * nv);
   }
   for (std::size_t i = 0; i < surface.poles.size(); ++i) {
     if (!surface.poles[i].allFinite()) {
-      return fail(ErrorCode::badInput, "the surface cannot be written: its pole " + std::to_string(i) + " is not finite",
-                  "poles");
+      return fail(ErrorCode::badInput,
+                  "the surface cannot be written: its pole " + std::to_string(i) + " is not finite", "poles");
     }
   }
-  const auto pole = [&](int i, int j) -> const Eigen::Vector3d& { return surface.poles[std::size_t(j) * nu + i]; };
+  const auto pole = [&](int i, int j) -> const Eigen::Vector3d& {
+    return surface.poles[std::size_t(j) * nu + i];
+  };
   StepText text;
   const int id = text.splineSurface(surface);
   const int v00 = text.vertex(pole(0, 0)), v10 = text.vertex(pole(nu - 1, 0));
@@ -79,7 +84,8 @@ Result<std::string> stepText(const SplineSurface& surface, const std::string& na
   return text.file(id, {{s, true}, {e, true}, {n, false}, {w, false}}, name);
 }
 
-Result<void> writeStep(const SplineSurface& surface, const std::string& name, const std::filesystem::path& file) {
+Result<void> writeStep(const SplineSurface& surface, const std::string& name,
+                       const std::filesystem::path& file) {
   auto text = stepText(surface, name);
   if (!text) return tl::unexpected(text.error());
   return writeFile(file, *text);

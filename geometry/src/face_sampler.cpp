@@ -13,8 +13,9 @@ namespace bw::geometry {
 
 namespace {
 
-constexpr int kStarts = 8;                   // Newton starts of a global search at most
-constexpr double kSideRatio = 1e-3;          // of the distance: a foot leaning more than this over the border has no side
+constexpr int kStarts = 8;  // Newton starts of a global search at most
+constexpr double kSideRatio =
+    1e-3;  // of the distance: a foot leaning more than this over the border has no side
 
 class FaceSampler final : public SurfaceSampler {
  public:
@@ -38,16 +39,18 @@ class FaceSampler final : public SurfaceSampler {
       if (seed && seed->face >= 0 && seed->face < int(target_->faces.size()) && seed->uv.allFinite()) {
         attempt(seed->face, seed->uv);
       }
-      // The seed's foot stands if the nearest sample of the target is one of its own neighbours and no nearer than it; on a border another
-      // face may go on.
+      // The seed's foot stands if the nearest sample of the target is one of its own neighbours and no nearer
+      // than it; on a border another face may go on.
       const bool crosses = best.onBorder && target_->faces.size() > 1;
       double nearest = 0;
       const int sample = table_.tree.nearest(p, best.distance + table_.spacing, nearest);
-      const bool stands = bestFace >= 0 && !crosses &&
-                          (sample < 0 || (nearest >= best.distance &&
-                                          (point(sample) - best.point).norm() <= 2 * table_.samples[std::size_t(sample)].radius));
+      const bool stands =
+          bestFace >= 0 && !crosses &&
+          (sample < 0 || (nearest >= best.distance && (point(sample) - best.point).norm() <=
+                                                          2 * table_.samples[std::size_t(sample)].radius));
       if (!stands && sample >= 0) search(p, nearest, table_.samples[std::size_t(sample)].radius, attempt);
-      if (bestFace < 0) return fail(ErrorCode::internal, "the target has no point that could be the closest one");
+      if (bestFace < 0)
+        return fail(ErrorCode::internal, "the target has no point that could be the closest one");
       return finish(p, best, bestFace);
     });
   }
@@ -132,7 +135,8 @@ const SearchTable& Target::Impl::searchTable() const {
   std::call_once(tableOnce, [this] {
     auto made = std::make_unique<SearchTable>();
     std::vector<Eigen::Vector3d> points;
-    const auto add = [&](int face, int i, int j, double u, double v, const Eigen::Vector3d& p, double radius) {
+    const auto add = [&](int face, int i, int j, double u, double v, const Eigen::Vector3d& p,
+                         double radius) {
       made->samples.push_back({face, i, j, u, v, radius});
       made->spacing = std::max(made->spacing, radius);
       points.push_back(p);
@@ -145,7 +149,8 @@ const SearchTable& Target::Impl::searchTable() const {
           if (!face.gridInside(i, j)) continue;
           const Eigen::Vector3d& p = face.gridPoint(i, j);
           double radius2 = 0;
-          for (const auto& [a, b] : {std::pair(i - 1, j), std::pair(i + 1, j), std::pair(i, j - 1), std::pair(i, j + 1)}) {
+          for (const auto& [a, b] :
+               {std::pair(i - 1, j), std::pair(i + 1, j), std::pair(i, j - 1), std::pair(i, j + 1)}) {
             if (a >= 0 && b >= 0 && a < nu && b < nv) {
               radius2 = std::max(radius2, (face.gridPoint(a, b) - p).squaredNorm());
             }

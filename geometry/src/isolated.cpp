@@ -21,8 +21,8 @@ namespace bw::geometry {
 
 namespace {
 
-constexpr int kPollMilliseconds = 20;        // between looks at the stop token
-constexpr std::size_t kChunk = 1 << 20;      // bytes read at once
+constexpr int kPollMilliseconds = 20;    // between looks at the stop token
+constexpr std::size_t kChunk = 1 << 20;  // bytes read at once
 
 bool writeAll(int file, const char* data, std::size_t size) {
   while (size > 0) {
@@ -39,7 +39,8 @@ bool writeAll(int file, const char* data, std::size_t size) {
 [[noreturn]] void runChild(int pipe, pid_t parent, const std::function<std::string()>& work) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(2);
-  for (const int signal : {SIGINT, SIGTERM, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGPIPE}) ::signal(signal, SIG_DFL);
+  for (const int signal : {SIGINT, SIGTERM, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGPIPE})
+    ::signal(signal, SIG_DFL);
   sigset_t none;
   ::sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
@@ -54,7 +55,9 @@ bool writeAll(int file, const char* data, std::size_t size) {
 Result<std::string> runIsolated(const RunContext& context, const std::function<std::string()>& work) {
   int pipe[2];
   if (::pipe2(pipe, O_CLOEXEC) != 0) {
-    return fail(ErrorCode::internal, std::string("no pipe could be opened to the reading process: ") + std::strerror(errno), "read");
+    return fail(ErrorCode::internal,
+                std::string("no pipe could be opened to the reading process: ") + std::strerror(errno),
+                "read");
   }
   std::fflush(nullptr);
   const pid_t parent = ::getpid();
@@ -64,7 +67,9 @@ Result<std::string> runIsolated(const RunContext& context, const std::function<s
   ::close(pipe[1]);
   if (child < 0) {
     ::close(pipe[0]);
-    return fail(ErrorCode::internal, std::string("no process could be made to read the file: ") + std::strerror(forkError), "read");
+    return fail(ErrorCode::internal,
+                std::string("no process could be made to read the file: ") + std::strerror(forkError),
+                "read");
   }
   std::string bytes;
   bool stopped = false;
@@ -91,7 +96,8 @@ Result<std::string> runIsolated(const RunContext& context, const std::function<s
   if (stopped || signal == SIGINT || signal == SIGTERM) return stoppedError();
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
     return fail(ErrorCode::cannotRead,
-                "OpenCASCADE broke down while reading it; the file is damaged or holds something that cannot be read: export it again, "
+                "OpenCASCADE broke down while reading it; the file is damaged or holds something that cannot "
+                "be read: export it again, "
                 "best as STEP",
                 "read");
   }

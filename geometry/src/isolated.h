@@ -10,10 +10,10 @@
 
 namespace bw::geometry {
 
-/// Runs `work` in a process forked for it and returns the bytes that it made, so that a library which crashes on a damaged file takes only that
-/// process with it. A stop of the context ends the process within 0.05 s. `work` sees a copy of everything there is, but only its own thread:
-/// it must not wait for another one, nor throw.
-/// Errors: `cancelled`; `cannotRead` if the process broke down; `internal` if none could be made.
+/// Runs `work` in a process forked for it and returns the bytes that it made, so that a library which crashes
+/// on a damaged file takes only that process with it. A stop of the context ends the process within 0.05 s.
+/// `work` sees a copy of everything there is, but only its own thread: it must not wait for another one, nor
+/// throw. Errors: `cancelled`; `cannotRead` if the process broke down; `internal` if none could be made.
 Result<std::string> runIsolated(const RunContext& context, const std::function<std::string()>& work);
 
 /// Bytes as a file without a name on disk, for libraries that read only paths. Gone with its last user.

@@ -28,14 +28,14 @@ struct CadModel::Impl {
 struct SearchTable {
   struct Sample {
     int face;  ///< index in the target
-    int i, j;       ///< node of the face's grid; i = −1: a sample of its border number j
+    int i, j;  ///< node of the face's grid; i = −1: a sample of its border number j
     double u, v;
     double radius;  ///< mm to its furthest neighbour
   };
   PointTree tree;
   std::vector<Sample> samples;
   std::vector<Eigen::Vector3d> points;  ///< of the samples
-  double spacing = 0;  ///< the largest of the radii
+  double spacing = 0;                   ///< the largest of the radii
 };
 
 struct Target::Impl {
@@ -45,7 +45,8 @@ struct Target::Impl {
   std::vector<int> edgeUses;  ///< by model edge: how often the chosen faces are bounded by it
   bool flipped = false;       ///< the outer side is against that of the file: sheets are seen from above
   bool sheet = false;         ///< no solid gives the outer side
-  Eigen::Vector3d meanNormal = Eigen::Vector3d::Zero();  ///< area-weighted mean of the outer unit normals: length 1 for a plane, 0 for a closed surface
+  Eigen::Vector3d meanNormal = Eigen::Vector3d::Zero();  ///< area-weighted mean of the outer unit normals:
+                                                         ///< length 1 for a plane, 0 for a closed surface
   Bounds bounds;
   double area = 0;
 

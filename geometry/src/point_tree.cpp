@@ -79,7 +79,8 @@ int PointTree::nearest(const Eigen::Vector3d& p, double limit, double& distance)
   return order_[best];
 }
 
-void PointTree::collect(int from, int to, const Eigen::Vector3d& p, double radius2, std::vector<int>& found) const {
+void PointTree::collect(int from, int to, const Eigen::Vector3d& p, double radius2,
+                        std::vector<int>& found) const {
   if (to - from <= kLeaf) {
     for (int i = from; i < to; ++i) {
       if ((points_[i] - p).squaredNorm() <= radius2) found.push_back(order_[i]);

@@ -15,7 +15,8 @@ class PointTree {
   explicit PointTree(std::vector<Eigen::Vector3d> points);
 
   std::size_t size() const { return points_.size(); }
-  /// The index (as given to the constructor) of the point nearest to `p` that is closer than `limit` mm, or −1; `distance` is set when found.
+  /// The index (as given to the constructor) of the point nearest to `p` that is closer than `limit` mm, or
+  /// −1; `distance` is set when found.
   int nearest(const Eigen::Vector3d& p, double limit, double& distance) const;
   /// Appends the indices of all points within `radius` of `p`.
   void within(const Eigen::Vector3d& p, double radius, std::vector<int>& found) const;

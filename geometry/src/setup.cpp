@@ -18,15 +18,17 @@ namespace bw::geometry {
 
 namespace {
 
-constexpr double kMargin = 5.0;           // mm of foam below and above the target
-constexpr double kNearlyAsSmall = 1.5;   // an axis-parallel block up to this much larger is taken for its simplicity
-constexpr double kDirectedNormal = 0.2;   // mean normal shorter than this: the target bends round, no side is "outer"
+constexpr double kMargin = 5.0;  // mm of foam below and above the target
+constexpr double kNearlyAsSmall =
+    1.5;  // an axis-parallel block up to this much larger is taken for its simplicity
+constexpr double kDirectedNormal =
+    0.2;  // mean normal shorter than this: the target bends round, no side is "outer"
 
 constexpr std::size_t kShadowPoints = 2000;  // more tell no more of the shadow
-constexpr double kFirstTilt = 0.07;      // rad, first and last steps in the search for the squarest shadow
+constexpr double kFirstTilt = 0.07;  // rad, first and last steps in the search for the squarest shadow
 constexpr double kLastTilt = 3e-4;
-constexpr double kMostTilted = 0.9;      // cosine of the largest angle to the mean normal
-constexpr double kBetterFilled = 1e-5;   // part of the rectangle by which a direction is better
+constexpr double kMostTilted = 0.9;     // cosine of the largest angle to the mean normal
+constexpr double kBetterFilled = 1e-5;  // part of the rectangle by which a direction is better
 
 using Points = std::vector<Eigen::Vector3d>;
 
@@ -51,8 +53,9 @@ Points samplePoints(const Target::Impl& target) {
 
 /// Convex hull in the plane, counter-clockwise.
 std::vector<Eigen::Vector2d> hullOf(std::vector<Eigen::Vector2d> points) {
-  std::sort(points.begin(), points.end(),
-            [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
+  std::sort(points.begin(), points.end(), [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
+  });
   std::vector<Eigen::Vector2d> hull(2 * points.size());
   const auto turn = [](const Eigen::Vector2d& o, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return (a.x() - o.x()) * (b.y() - o.y()) - (a.y() - o.y()) * (b.x() - o.x());
@@ -123,8 +126,9 @@ Shadow shadowAlong(const Points& points, const Eigen::Vector3d& z) {
   return {d.x() * ox + d.y() * oy, n.x() * ox + n.y() * oy, z, rectangle > 0 ? area / rectangle : 0};
 }
 
-/// The direction near `look` from which the target looks most like a rectangle. A panel that is one in its own frame, but bulges to one side,
-/// has a mean normal that leans, and a block along it would cut slivers off the corners.
+/// The direction near `look` from which the target looks most like a rectangle. A panel that is one in its
+/// own frame, but bulges to one side, has a mean normal that leans, and a block along it would cut slivers
+/// off the corners.
 Shadow squarest(const Points& points, const Eigen::Vector3d& look) {
   const std::size_t stride = std::max<std::size_t>(1, points.size() / kShadowPoints);
   Points some;
@@ -133,7 +137,8 @@ Shadow squarest(const Points& points, const Eigen::Vector3d& look) {
   for (double step = kFirstTilt; step > kLastTilt; step *= 0.5) {
     for (bool moved = true; moved;) {
       moved = false;
-      for (const auto& [axis, sign] : {std::pair(best.x, 1.0), {best.x, -1.0}, {best.y, 1.0}, {best.y, -1.0}}) {
+      for (const auto& [axis, sign] :
+           {std::pair(best.x, 1.0), {best.x, -1.0}, {best.y, 1.0}, {best.y, -1.0}}) {
         const Eigen::Vector3d z = Eigen::AngleAxisd(sign * step, axis) * best.z;
         if (z.dot(look) < kMostTilted) continue;
         const Shadow there = shadowAlong(some, z.normalized());
@@ -156,7 +161,8 @@ Eigen::Vector3d upward(const Eigen::Vector3d& d) {
 }
 
 /// The box around the target along the given axes, with the margin along z.
-Box boxAround(const Target::Impl& target, const Eigen::Vector3d& x, const Eigen::Vector3d& y, const Eigen::Vector3d& z) {
+Box boxAround(const Target::Impl& target, const Eigen::Vector3d& x, const Eigen::Vector3d& y,
+              const Eigen::Vector3d& z) {
   const auto ex = target.extent(x), ey = target.extent(y), ez = target.extent(z);
   Box box;
   box.frame.x = x;
@@ -214,15 +220,17 @@ Box autoBlock(const Target::Impl& target) {
 Result<Setup> resolveSetup(const Target& target, const Job& job, Issues& issues) {
   if (job.direction && !(std::isfinite(job.direction->norm()) && job.direction->norm() > 1e-9)) {
     return fail(ErrorCode::badInput,
-                "the cutting direction is zero or not a number; give \"x\", \"y\", \"z\" or a vector such as [0, 1, 0]",
+                "the cutting direction is zero or not a number; give \"x\", \"y\", \"z\" or a vector such as "
+                "[0, 1, 0]",
                 "direction", job.direction->norm());
   }
   if (job.block) {
     const BlockPlacement& b = *job.block;
     if (!b.origin.allFinite() || !b.rotation.allFinite() || !b.size.allFinite() || !(b.size.minCoeff() > 0)) {
-      return fail(ErrorCode::badInput,
-                  "the block must have a finite place and rotation and a size above 0 mm in all three directions", "block",
-                  b.size.minCoeff(), 0.0);
+      return fail(
+          ErrorCode::badInput,
+          "the block must have a finite place and rotation and a size above 0 mm in all three directions",
+          "block", b.size.minCoeff(), 0.0);
     }
   }
   return guarded(ErrorCode::internal, "the block cannot be placed", [&]() -> Result<Setup> {
@@ -251,8 +259,10 @@ Result<Setup> resolveSetup(const Target& target, const Job& job, Issues& issues)
     }
     const double flat = std::abs(setup.direction.dot(setup.block.frame.normal));
     if (flat > 0.7) {
-      issues.push_back({Severity::info, "direction",
-                        "the blade travels across the surface rather than along it; a direction in the plane of the block is usual",
+      issues.push_back({Severity::info,
+                        "direction",
+                        "the blade travels across the surface rather than along it; a direction in the plane "
+                        "of the block is usual",
                         {}});
     }
     return setup;

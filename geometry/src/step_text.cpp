@@ -111,13 +111,12 @@ int StepText::add(const std::string& entity) {
   return count_;
 }
 
-int StepText::point(const Eigen::Vector3d& p) {
-  return add("CARTESIAN_POINT(''," + triple(p) + ")");
-}
+int StepText::point(const Eigen::Vector3d& p) { return add("CARTESIAN_POINT(''," + triple(p) + ")"); }
 
 int StepText::direction(const Eigen::Vector3d& d) { return add("DIRECTION(''," + triple(d) + ")"); }
 
-int StepText::placement(const Eigen::Vector3d& origin, const Eigen::Vector3d& axis, const Eigen::Vector3d& reference) {
+int StepText::placement(const Eigen::Vector3d& origin, const Eigen::Vector3d& axis,
+                        const Eigen::Vector3d& reference) {
   const int p = point(origin), a = direction(axis), r = direction(reference);
   return add("AXIS2_PLACEMENT_3D(''," + ref(p) + "," + ref(a) + "," + ref(r) + ")");
 }
@@ -127,18 +126,20 @@ int StepText::vertex(const Eigen::Vector3d& p) {
   return add("VERTEX_POINT(''," + ref(id) + ")");
 }
 
-int StepText::splineCurve(int degree, const std::vector<double>& knots, const std::vector<Eigen::Vector3d>& poles) {
+int StepText::splineCurve(int degree, const std::vector<double>& knots,
+                          const std::vector<Eigen::Vector3d>& poles) {
   std::vector<int> ids;
   for (const auto& p : poles) ids.push_back(point(p));
   std::vector<double> distinct;
   std::vector<int> counts;
   packKnots(knots, distinct, counts);
-  return add("B_SPLINE_CURVE_WITH_KNOTS(''," + integer(degree) + "," + list(ids, ref) + ",.UNSPECIFIED.,.F.,.F.," +
-             list(counts, integer) + "," + list(distinct, stepReal) + ",.UNSPECIFIED.)");
+  return add("B_SPLINE_CURVE_WITH_KNOTS(''," + integer(degree) + "," + list(ids, ref) +
+             ",.UNSPECIFIED.,.F.,.F.," + list(counts, integer) + "," + list(distinct, stepReal) +
+             ",.UNSPECIFIED.)");
 }
 
-int StepText::circle(const Eigen::Vector3d& center, const Eigen::Vector3d& axis, const Eigen::Vector3d& reference,
-                     double radius) {
+int StepText::circle(const Eigen::Vector3d& center, const Eigen::Vector3d& axis,
+                     const Eigen::Vector3d& reference, double radius) {
   const int place = placement(center, axis, reference);
   return add("CIRCLE(''," + ref(place) + "," + stepReal(radius) + ")");
 }
@@ -155,20 +156,21 @@ int StepText::splineSurface(const SplineSurface& surface) {
   packKnots(surface.knotsU, u, countsU);
   packKnots(surface.knotsV, v, countsV);
   const auto row = [](const std::vector<int>& r) { return list(r, ref); };
-  return add("B_SPLINE_SURFACE_WITH_KNOTS(''," + integer(surface.degreeU) + "," + integer(surface.degreeV) + "," +
-             list(ids, row) + ",.UNSPECIFIED.,.F.,.F.,.F.," + list(countsU, integer) + "," + list(countsV, integer) +
-             "," + list(u, stepReal) + "," + list(v, stepReal) + ",.UNSPECIFIED.)");
+  return add("B_SPLINE_SURFACE_WITH_KNOTS(''," + integer(surface.degreeU) + "," + integer(surface.degreeV) +
+             "," + list(ids, row) + ",.UNSPECIFIED.,.F.,.F.,.F.," + list(countsU, integer) + "," +
+             list(countsV, integer) + "," + list(u, stepReal) + "," + list(v, stepReal) + ",.UNSPECIFIED.)");
 }
 
-int StepText::sphere(const Eigen::Vector3d& center, const Eigen::Vector3d& axis, const Eigen::Vector3d& reference,
-                     double radius) {
+int StepText::sphere(const Eigen::Vector3d& center, const Eigen::Vector3d& axis,
+                     const Eigen::Vector3d& reference, double radius) {
   const int place = placement(center, axis, reference);
   return add("SPHERICAL_SURFACE(''," + ref(place) + "," + stepReal(radius) + ")");
 }
 
 int StepText::torus(const Eigen::Vector3d& center, double majorRadius, double minorRadius) {
   const int place = placement(center, Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitX());
-  return add("TOROIDAL_SURFACE(''," + ref(place) + "," + stepReal(majorRadius) + "," + stepReal(minorRadius) + ")");
+  return add("TOROIDAL_SURFACE(''," + ref(place) + "," + stepReal(majorRadius) + "," + stepReal(minorRadius) +
+             ")");
 }
 
 int StepText::edge(int start, int end, int curve) {
@@ -192,19 +194,21 @@ std::string StepText::file(int surface, const std::vector<Side>& border, const s
   const int solid = add("(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT())");
   const int accuracy = add("UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-07)," + ref(length) +
                            ",'distance_accuracy_value','largest gap at the borders')");
-  const int context = add("(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((" + ref(accuracy) +
-                          "))GLOBAL_UNIT_ASSIGNED_CONTEXT((" + ref(length) + "," + ref(angle) + "," + ref(solid) +
-                          "))REPRESENTATION_CONTEXT('',''))");
+  const int context = add("(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((" +
+                          ref(accuracy) + "))GLOBAL_UNIT_ASSIGNED_CONTEXT((" + ref(length) + "," +
+                          ref(angle) + "," + ref(solid) + "))REPRESENTATION_CONTEXT('',''))");
   const int place = placement(Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitX());
-  const int shape = add("MANIFOLD_SURFACE_SHAPE_REPRESENTATION(" + quoted + ",(" + ref(place) + "," + ref(model) + ")," +
-                        ref(context) + ")");
+  const int shape = add("MANIFOLD_SURFACE_SHAPE_REPRESENTATION(" + quoted + ",(" + ref(place) + "," +
+                        ref(model) + ")," + ref(context) + ")");
   const int application = add("APPLICATION_CONTEXT('core data for automotive mechanical design processes')");
-  add("APPLICATION_PROTOCOL_DEFINITION('international standard','automotive_design',2000," + ref(application) + ")");
+  add("APPLICATION_PROTOCOL_DEFINITION('international standard','automotive_design',2000," +
+      ref(application) + ")");
   const int productContext = add("PRODUCT_CONTEXT(''," + ref(application) + ",'mechanical')");
   const int product = add("PRODUCT(" + quoted + "," + quoted + ",'',(" + ref(productContext) + "))");
   add("PRODUCT_RELATED_PRODUCT_CATEGORY('part',$,(" + ref(product) + "))");
   const int formation = add("PRODUCT_DEFINITION_FORMATION('',''," + ref(product) + ")");
-  const int definitionContext = add("PRODUCT_DEFINITION_CONTEXT('part definition'," + ref(application) + ",'design')");
+  const int definitionContext =
+      add("PRODUCT_DEFINITION_CONTEXT('part definition'," + ref(application) + ",'design')");
   const int definition =
       add("PRODUCT_DEFINITION('design',''," + ref(formation) + "," + ref(definitionContext) + ")");
   const int definitionShape = add("PRODUCT_DEFINITION_SHAPE('',''," + ref(definition) + ")");

@@ -11,8 +11,9 @@
 
 namespace bw::geometry {
 
-/// Writes one face as ISO 10303-21 text of AP214, in mm. Own writer: OCCT's puts a date in the header and numbers its products by a
-/// count that lives as long as the program, so equal input would not give equal bytes.
+/// Writes one face as ISO 10303-21 text of AP214, in mm. Own writer: OCCT's puts a date in the header and
+/// numbers its products by a count that lives as long as the program, so equal input would not give equal
+/// bytes.
 class StepText {
  public:
   /// Adds an entity and returns its number.
@@ -24,9 +25,11 @@ class StepText {
   int vertex(const Eigen::Vector3d& p);
   /// A non-rational B-spline curve; flat knots.
   int splineCurve(int degree, const std::vector<double>& knots, const std::vector<Eigen::Vector3d>& poles);
-  int circle(const Eigen::Vector3d& center, const Eigen::Vector3d& axis, const Eigen::Vector3d& reference, double radius);
+  int circle(const Eigen::Vector3d& center, const Eigen::Vector3d& axis, const Eigen::Vector3d& reference,
+             double radius);
   int splineSurface(const SplineSurface& surface);
-  int sphere(const Eigen::Vector3d& center, const Eigen::Vector3d& axis, const Eigen::Vector3d& reference, double radius);
+  int sphere(const Eigen::Vector3d& center, const Eigen::Vector3d& axis, const Eigen::Vector3d& reference,
+             double radius);
   int torus(const Eigen::Vector3d& center, double majorRadius, double minorRadius);
   /// An edge along `curve` between two vertices.
   int edge(int start, int end, int curve);
@@ -36,7 +39,8 @@ class StepText {
     int edge;
     bool forward;
   };
-  /// The whole file: a face of `surface` bounded by `border`, counter-clockwise about the surface's normal du × dv.
+  /// The whole file: a face of `surface` bounded by `border`, counter-clockwise about the surface's normal du
+  /// × dv.
   std::string file(int surface, const std::vector<Side>& border, const std::string& name);
 
  private:
@@ -44,7 +48,8 @@ class StepText {
   int count_ = 0;
 };
 
-/// A number as the exchange structure wants it: with a decimal point, capital E; reads back as the same double.
+/// A number as the exchange structure wants it: with a decimal point, capital E; reads back as the same
+/// double.
 std::string stepReal(double value);
 
 /// The text in quotes; letters beyond ASCII as \X2\…\X0\.

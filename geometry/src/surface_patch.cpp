@@ -57,8 +57,10 @@ void basisFunctions(const std::vector<double>& knots, int degree, int span, doub
   // Derivatives by differences of the functions of lower degree, which stand in the columns of ndu.
   for (int r = 0; r <= degree; ++r) {
     const auto lower = [&](int i, int p) { return i < 0 || i > p ? 0.0 : ndu[i][p]; };
-    const auto gap = [&](int i, int p) { return ndu[p][i]; };  // knots[span + i + 1] − knots[span + 1 + i − p]
-    const auto ratio = [&](int i, int p) {                     // N_{i, p−1} over its knot difference
+    const auto gap = [&](int i, int p) {
+      return ndu[p][i];
+    };                                      // knots[span + i + 1] − knots[span + 1 + i − p]
+    const auto ratio = [&](int i, int p) {  // N_{i, p−1} over its knot difference
       return i < 0 || i > p - 1 ? 0.0 : lower(i, p - 1) / gap(i, p);
     };
     out[1][r] = degree * (ratio(r - 1, degree) - ratio(r, degree));
@@ -75,8 +77,8 @@ void basisFunctions(const std::vector<double>& knots, int degree, int span, doub
   }
 }
 
-/// The basis functions of `span` as polynomials in τ = (t − middle)/half, by the recurrence of de Boor on their coefficients: coefficient k of
-/// function j at [k (degree + 1) + j].
+/// The basis functions of `span` as polynomials in τ = (t − middle)/half, by the recurrence of de Boor on
+/// their coefficients: coefficient k of function j at [k (degree + 1) + j].
 void appendPolynomials(const std::vector<double>& knots, int degree, int span, std::vector<double>& out) {
   const double middle = 0.5 * (knots[span] + knots[span + 1]), half = 0.5 * (knots[span + 1] - knots[span]);
   using Polynomial = std::array<double, kTableDegree + 1>;
@@ -152,8 +154,8 @@ void makeTable(const std::vector<double>& knots, int degree, int poles, std::vec
   }
 }
 
-void basisAt(const std::vector<double>& knots, const std::vector<double>& table, int degree, int span, double t, int order,
-             Basis& out) {
+void basisAt(const std::vector<double>& knots, const std::vector<double>& table, int degree, int span,
+             double t, int order, Basis& out) {
   if (table.empty()) {
     basisFunctions(knots, degree, span, t, order, out);
     return;

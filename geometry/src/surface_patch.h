@@ -16,8 +16,9 @@ struct Jet {
   Eigen::Vector3d p, du, dv, duu, duv, dvv;
 };
 
-/// Evaluates the surface of a face. B-splines and Béziers are evaluated from tables of their own, because the live path asks for
-/// hundreds of thousands of points; other surfaces by OCCT. Calls with one object from several threads are safe.
+/// Evaluates the surface of a face. B-splines and Béziers are evaluated from tables of their own, because the
+/// live path asks for hundreds of thousands of points; other surfaces by OCCT. Calls with one object from
+/// several threads are safe.
 class SurfacePatch {
  public:
   explicit SurfacePatch(const Handle(Geom_Surface) & surface);

@@ -47,7 +47,8 @@ Eigen::Vector3d normalSum(const FaceGeometry& face) {
   return sum * (face.area() / area);
 }
 
-/// Parameters along one direction such that chords keep within `deflection` of the face. `u` tells which direction.
+/// Parameters along one direction such that chords keep within `deflection` of the face. `u` tells which
+/// direction.
 std::vector<double> meshLines(const FaceGeometry& face, bool u, double deflection) {
   const auto& along = u ? face.gridU() : face.gridV();
   const auto& across = u ? face.gridV() : face.gridU();
@@ -94,7 +95,8 @@ void meshNatural(const FaceGeometry& face, bool flipped, double deflection, Tria
     for (int j = 0; j + 1 < nv; ++j) {
       const int a = base + i * nv + j, b = a + nv, c = b + 1, d = a + 1;
       // The shorter diagonal follows the surface better.
-      if ((mesh.points[a] - mesh.points[c]).squaredNorm() <= (mesh.points[b] - mesh.points[d]).squaredNorm()) {
+      if ((mesh.points[a] - mesh.points[c]).squaredNorm() <=
+          (mesh.points[b] - mesh.points[d]).squaredNorm()) {
         add(a, b, c);
         add(a, c, d);
       } else {
@@ -106,7 +108,8 @@ void meshNatural(const FaceGeometry& face, bool flipped, double deflection, Tria
 }
 
 /// Triangles of OCCT's mesher for the faces with borders of their own.
-void meshTrimmed(const std::vector<const FaceGeometry*>& faces, bool flipped, double deflection, TriangleMesh& mesh) {
+void meshTrimmed(const std::vector<const FaceGeometry*>& faces, bool flipped, double deflection,
+                 TriangleMesh& mesh) {
   TopoDS_Compound compound;
   BRep_Builder builder;
   builder.MakeCompound(compound);
@@ -118,7 +121,8 @@ void meshTrimmed(const std::vector<const FaceGeometry*>& faces, bool flipped, do
   for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next(), ++at) {
     const FaceGeometry& face = *faces[at];
     TopLoc_Location location;
-    const Handle(Poly_Triangulation) triangulation = BRep_Tool::Triangulation(TopoDS::Face(it.Current()), location);
+    const Handle(Poly_Triangulation) triangulation =
+        BRep_Tool::Triangulation(TopoDS::Face(it.Current()), location);
     if (triangulation.IsNull()) continue;
     const bool flip = face.reversed() != flipped;
     const int base = int(mesh.points.size());
@@ -200,7 +204,8 @@ std::unique_ptr<SurfaceSampler> Target::sampler() const { return makeSampler(imp
 
 Result<TriangleMesh> Target::mesh(double deflection) const {
   if (!std::isfinite(deflection) || deflection < 0) {
-    return fail(ErrorCode::badInput, "the deflection of a mesh must be 0 or more mm", "deflection", deflection, 0.0);
+    return fail(ErrorCode::badInput, "the deflection of a mesh must be 0 or more mm", "deflection",
+                deflection, 0.0);
   }
   const double size = impl_->bounds.size().norm();
   if (deflection == 0) deflection = size * kDeflectionRatio;

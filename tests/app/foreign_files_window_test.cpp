@@ -43,7 +43,8 @@ class ForeignFilesInTheWindow : public WindowTest {
 };
 
 TEST_F(ForeignFilesInTheWindow, OpenOrTellWhyNot) {
-  for (const char* name : {"occ/terrain.brep", "occ/shell1.brep", "occ/asahi.brep", "iges/hammer.iges", "step/linkrods.step"}) {
+  for (const char* name :
+       {"occ/terrain.brep", "occ/shell1.brep", "occ/asahi.brep", "iges/hammer.iges", "step/linkrods.step"}) {
     SCOPED_TRACE(name);
     ASSERT_NO_FATAL_FAILURE(dropFile(name));
     expectResultOrReason(name);
@@ -56,7 +57,8 @@ TEST_F(ForeignFilesInTheWindow, OpenOrTellWhyNot) {
 TEST_F(ForeignFilesInTheWindow, SaysThatAFileHasNoFaces) {
   ASSERT_NO_FATAL_FAILURE(dropFile("occ/asahi.brep"));
   ASSERT_TRUE(bench().runner().error());
-  EXPECT_NE(bench().runner().error()->message.find("no face"), std::string::npos) << bench().runner().error()->message;
+  EXPECT_NE(bench().runner().error()->message.find("no face"), std::string::npos)
+      << bench().runner().error()->message;
 }
 
 TEST_F(ForeignFilesInTheWindow, CutsABlockOutOfALargeTerrain) {
@@ -80,7 +82,8 @@ TEST_F(ForeignFilesInTheWindow, CutsABlockOutOfALargeTerrain) {
   const view::SceneView& view = window().sceneView();
   QRectF seen;
   ASSERT_TRUE(view.content().block);
-  for (const Eigen::Vector3d& corner : view.content().block->corners()) seen |= QRectF(view.toWidget(corner), QSizeF(1, 1));
+  for (const Eigen::Vector3d& corner : view.content().block->corners())
+    seen |= QRectF(view.toWidget(corner), QSizeF(1, 1));
   EXPECT_TRUE(QRectF(view.rect()).contains(seen));
   EXPECT_GT(std::max(seen.width() / view.width(), seen.height() / view.height()), 0.4);
 }

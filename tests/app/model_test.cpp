@@ -141,7 +141,9 @@ TEST(EvaluationRunner, BringsTheResultToTheInterfaceThread) {
   EvaluationRunner runner;
   const auto design = std::make_shared<const Design>(panelDesign());
   QThread* thread = nullptr;
-  QObject::connect(&runner, &EvaluationRunner::finished, &runner, [&] { thread = QThread::currentThread(); }, Qt::DirectConnection);
+  QObject::connect(
+      &runner, &EvaluationRunner::finished, &runner, [&] { thread = QThread::currentThread(); },
+      Qt::DirectConnection);
   runner.evaluate(design);
   EXPECT_TRUE(runner.busy());
   ASSERT_TRUE(QTest::qWaitFor([&] { return !runner.busy(); }, kPatience));
@@ -178,7 +180,8 @@ TEST(EvaluationRunner, RecomputesOnlyWhatHangsOnTheSetting) {
   const auto faster = evaluate(design);
   EXPECT_EQ(faster->fits.value, first->fits.value);
   EXPECT_NE(faster->sweep.value, first->sweep.value);
-  EXPECT_NEAR(faster->sweep.value->analysis.summary.cuttingTime, 0.5 * first->sweep.value->analysis.summary.cuttingTime, 1e-9);
+  EXPECT_NEAR(faster->sweep.value->analysis.summary.cuttingTime,
+              0.5 * first->sweep.value->analysis.summary.cuttingTime, 1e-9);
   design.job.tolerance *= 2;
   const auto looser = evaluate(design);
   EXPECT_EQ(looser->sections.value, faster->sections.value);
@@ -246,8 +249,13 @@ TEST(EvaluationRunner, RefusesATaskWithoutAResult) {
   EvaluationRunner runner;
   bool ran = false;
   std::optional<Result<void>> outcome;
-  runner.submit("Writing", [&](pipeline::Evaluation, const RunContext&) -> Result<void> { ran = true; return {}; },
-                [&](const Result<void>& done) { outcome = done; });
+  runner.submit(
+      "Writing",
+      [&](pipeline::Evaluation, const RunContext&) -> Result<void> {
+        ran = true;
+        return {};
+      },
+      [&](const Result<void>& done) { outcome = done; });
   ASSERT_TRUE(QTest::qWaitFor([&] { return outcome.has_value(); }, kPatience));
   EXPECT_FALSE(ran);
   EXPECT_FALSE(*outcome);

@@ -25,7 +25,8 @@ class Program : public ::testing::Test {
     process.start(BW_WINDOW, arguments);
     EXPECT_TRUE(process.waitForFinished(60000)) << process.errorString().toStdString();
     if (process.state() != QProcess::NotRunning) process.kill();
-    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1, process.readAllStandardError().toStdString()};
+    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
+            process.readAllStandardError().toStdString()};
   }
 
   QString path(const QString& name) const { return folder_.filePath(name); }
@@ -36,7 +37,9 @@ class Program : public ::testing::Test {
 TEST_F(Program, TellsThatAFileIsMissing) {
   const Finished end = run({path("nofile.step"), "--screenshot", path("x.png")});
   EXPECT_EQ(end.status, 4);
-  EXPECT_NE(end.err.find("bladewright: there is no file " + path("nofile.step").toStdString()), std::string::npos) << end.err;
+  EXPECT_NE(end.err.find("bladewright: there is no file " + path("nofile.step").toStdString()),
+            std::string::npos)
+      << end.err;
 }
 
 TEST_F(Program, TellsThatADesignIsMissing) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
-// Draws the pictures of the start page: thumbnails FOLDER writes <example>.png and <example>-dark.png. Run by hand when an example or the
-// look of the scene changes; the pictures are kept in resources/icons/examples.
+// Draws the pictures of the start page: thumbnails FOLDER writes <example>.png and <example>-dark.png. Run by
+// hand when an example or the look of the scene changes; the pictures are kept in resources/icons/examples.
 #include <cstdio>
 #include <filesystem>
 
@@ -9,7 +9,7 @@
 #include "bw/geometry/export.h"
 #include "bw/pipeline/pipeline.h"
 #include "bw/pipeline/scene_content.h"
-#include "examples.h"
+#include "workbench/examples.h"
 
 namespace {
 
@@ -25,7 +25,8 @@ bw::scene::Camera cameraFor(const std::string& example, const bw::scene::Scene& 
   const double aspect = double(kWidth) / kHeight;
   bw::scene::Camera camera = scene.fitCamera(bw::scene::View::iso, aspect);
   if (example.rfind("ramp", 0) != 0) return camera;
-  camera.position = camera.focus + (camera.position - camera.focus).norm() * Eigen::Vector3d(-1, -1, 0.9).normalized();
+  camera.position =
+      camera.focus + (camera.position - camera.focus).norm() * Eigen::Vector3d(-1, -1, 0.9).normalized();
   return scene.fitCamera(camera, aspect);
 }
 
@@ -60,7 +61,8 @@ int main(int argc, char** argv) {
       if (!picture) return fail(picture.error());
       const bw::Result<std::string> png = bw::scene::pngBytes(*picture);
       if (!png) return fail(png.error());
-      const std::filesystem::path file = std::filesystem::path(argv[1]) / (example.name + (dark ? "-dark.png" : ".png"));
+      const std::filesystem::path file =
+          std::filesystem::path(argv[1]) / (example.name + (dark ? "-dark.png" : ".png"));
       if (const bw::Result<void> written = bw::writeFile(file, *png); !written) return fail(written.error());
     }
   }

@@ -21,8 +21,8 @@
 
 #include "bw/core/file_set.h"
 #include "bw/geometry/export.h"
-#include "main_window.h"
-#include "options.h"
+#include "window/main_window.h"
+#include "window/options.h"
 
 namespace bw::app {
 
@@ -88,7 +88,8 @@ class WindowTest : public ::testing::Test {
 
   /// The window as the user sees it, kept for the eye.
   QImage picture(const std::string& name) {
-    EXPECT_TRUE(QTest::qWaitFor([&] { return window_->onStartPage() || window_->sceneView().resting(); }, kPatience));
+    EXPECT_TRUE(
+        QTest::qWaitFor([&] { return window_->onStartPage() || window_->sceneView().resting(); }, kPatience));
     QTest::qWait(0);
     const QImage image = window_->grab().toImage();
     fs::create_directories(BW_TEST_OUTPUT "/window");
@@ -98,7 +99,8 @@ class WindowTest : public ::testing::Test {
   }
 
   /// Runs something that opens a dialog and answers that dialog once it stands.
-  void answer(const std::function<void()>& open, const std::string& pictureName, const std::function<void(QDialog&)>& reply) {
+  void answer(const std::function<void()>& open, const std::string& pictureName,
+              const std::function<void(QDialog&)>& reply) {
     QDialog* met = nullptr;
     QTimer timer;
     timer.setInterval(20);

@@ -11,7 +11,8 @@ TEST_F(WindowTest, TellsWhenTheFolderCannotBeWritten) {
   window().exportEverything();
   ASSERT_TRUE(settle());
   EXPECT_EQ(bench().stepStates()[int(model::Step::output)].kind, model::StepState::Kind::error);
-  EXPECT_TRUE(window().banner().text().contains("/proc/no-place-here")) << window().banner().text().toStdString();
+  EXPECT_TRUE(window().banner().text().contains("/proc/no-place-here"))
+      << window().banner().text().toStdString();
 }
 
 TEST_F(WindowTest, AsksBeforeChangesAreLost) {
@@ -95,17 +96,26 @@ TEST_F(WindowTest, FindsCommandsByTyping) {
 TEST_F(WindowTest, AsksForTheSizeOfAPicture) {
   openPanel();
   QSize size;
-  answer([&] { size = window().questions().pictureSize({1600, 1000}); }, "picture-size", [](QDialog& dialog) {
-    const auto fields = dialog.findChildren<NumberField*>();
-    ASSERT_EQ(fields.size(), 2);
-    fields[0]->setFocus();
-    fields[0]->selectAll();
-    QTest::keyClicks(fields[0], "2400");
-    QTest::keyClick(fields[0], Qt::Key_Tab);
-    dialog.accept();
-  });
+  answer(
+      [&] {
+        size = window().questions().pictureSize({1600, 1000});
+      },
+      "picture-size",
+      [](QDialog& dialog) {
+        const auto fields = dialog.findChildren<NumberField*>();
+        ASSERT_EQ(fields.size(), 2);
+        fields[0]->setFocus();
+        fields[0]->selectAll();
+        QTest::keyClicks(fields[0], "2400");
+        QTest::keyClick(fields[0], Qt::Key_Tab);
+        dialog.accept();
+      });
   EXPECT_EQ(size, QSize(2400, 1000));
-  answer([&] { size = window().questions().pictureSize({1600, 1000}); }, "picture-size", [](QDialog& dialog) { QTest::keyClick(&dialog, Qt::Key_Escape); });
+  answer(
+      [&] {
+        size = window().questions().pictureSize({1600, 1000});
+      },
+      "picture-size", [](QDialog& dialog) { QTest::keyClick(&dialog, Qt::Key_Escape); });
   EXPECT_TRUE(size.isEmpty());
 }
 
@@ -113,15 +123,17 @@ TEST_F(WindowTest, AsksWithButtonsThatSayWhatTheyDo) {
   openPanel();
   bench().editJob("Change tolerance", [](Job& job) { job.tolerance = 0.75; });
   using Unsaved = Questions::Unsaved;
-  const std::pair<QMessageBox::StandardButton, Unsaved> answers[] = {
-      {QMessageBox::Save, Unsaved::save}, {QMessageBox::Discard, Unsaved::discard}, {QMessageBox::Cancel, Unsaved::cancel}};
+  const std::pair<QMessageBox::StandardButton, Unsaved> answers[] = {{QMessageBox::Save, Unsaved::save},
+                                                                     {QMessageBox::Discard, Unsaved::discard},
+                                                                     {QMessageBox::Cancel, Unsaved::cancel}};
   for (const auto& [button, meaning] : answers) {
     auto got = Unsaved::cancel;
-    answer([&] { got = window().questions().unsaved("panel"); }, "unsaved", [button = button](QDialog& dialog) {
-      auto* box = qobject_cast<QMessageBox*>(&dialog);
-      ASSERT_TRUE(box);
-      QTest::mouseClick(box->button(button), Qt::LeftButton);
-    });
+    answer([&] { got = window().questions().unsaved("panel"); }, "unsaved",
+           [button = button](QDialog& dialog) {
+             auto* box = qobject_cast<QMessageBox*>(&dialog);
+             ASSERT_TRUE(box);
+             QTest::mouseClick(box->button(button), Qt::LeftButton);
+           });
     EXPECT_EQ(got, meaning);
   }
 }
@@ -129,15 +141,19 @@ TEST_F(WindowTest, AsksWithButtonsThatSayWhatTheyDo) {
 TEST_F(WindowTest, ChoosesAFolderAndAFileInDialogs) {
   openPanel();
   QString folder = "nothing yet";
-  answer([&] { folder = window().questions().exportFolder(); }, "export-folder", [](QDialog& dialog) { dialog.reject(); });
+  answer([&] { folder = window().questions().exportFolder(); }, "export-folder",
+         [](QDialog& dialog) { dialog.reject(); });
   EXPECT_TRUE(folder.isEmpty());
-  answer([&] { folder = window().questions().openSurface(); }, "open-surface", [](QDialog& dialog) { dialog.reject(); });
+  answer([&] { folder = window().questions().openSurface(); }, "open-surface",
+         [](QDialog& dialog) { dialog.reject(); });
   EXPECT_TRUE(folder.isEmpty());
-  answer([&] { window().commands()["help.about"]->trigger(); }, "about", [](QDialog& dialog) { dialog.accept(); });
+  answer([&] { window().commands()["help.about"]->trigger(); }, "about",
+         [](QDialog& dialog) { dialog.accept(); });
 }
 
 TEST_F(WindowTest, ShowsLongNamesAndRecentFiles) {
-  const std::string name = "a-facade-panel-with-a-very-long-name-from-the-office-server-revision-0017-approved-by-everyone.step";
+  const std::string name =
+      "a-facade-panel-with-a-very-long-name-from-the-office-server-revision-0017-approved-by-everyone.step";
   fs::create_directories(path("a folder with a long name/and another folder within it"));
   const fs::path file = path("a folder with a long name/and another folder within it") / name;
   ASSERT_TRUE(writeFile(file, geometry::exampleStep("saddle").value()));
@@ -149,7 +165,9 @@ TEST_F(WindowTest, ShowsLongNamesAndRecentFiles) {
   window().commands()["file.close"]->trigger();
   picture("start-recent");
   const auto buttons = window().startPage().findChildren<QToolButton*>();
-  const auto recent = std::find_if(buttons.begin(), buttons.end(), [&](QToolButton* b) { return b->toolTip().endsWith(QString::fromStdString(name)); });
+  const auto recent = std::find_if(buttons.begin(), buttons.end(), [&](QToolButton* b) {
+    return b->toolTip().endsWith(QString::fromStdString(name));
+  });
   ASSERT_NE(recent, buttons.end());
   EXPECT_LE((*recent)->mapTo(&window(), QPoint((*recent)->width(), 0)).x(), window().width());
   QTest::mouseClick(*recent, Qt::LeftButton);
@@ -161,11 +179,13 @@ TEST_F(WindowTest, ShowsWhatRunsAndStopsItByButton) {
   openPanel();
   bench().editJob("Change stations", [](Job& job) { job.stations = 3000; });
   QToolButton* stop = nullptr;
-  ASSERT_TRUE(QTest::qWaitFor([&] {
-    for (QToolButton* b : window().statusBar()->findChildren<QToolButton*>())
-      if (b->isVisible()) stop = b;
-    return stop != nullptr;
-  }, kPatience));
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        for (QToolButton* b : window().statusBar()->findChildren<QToolButton*>())
+          if (b->isVisible()) stop = b;
+        return stop != nullptr;
+      },
+      kPatience));
   EXPECT_EQ(bench().stepStates()[int(model::Step::process)].kind, model::StepState::Kind::running);
   window().grab().save(BW_TEST_OUTPUT "/window/running.png");
   QTest::mouseClick(stop, Qt::LeftButton);
@@ -188,7 +208,8 @@ TEST_F(WindowTest, HasATooltipAndAMenuEntryForEveryCommand) {
     EXPECT_FALSE(action->toolTip().isEmpty()) << action->objectName().toStdString();
     EXPECT_TRUE(inMenus.contains(action)) << action->objectName().toStdString();
     for (const QKeySequence& key : action->shortcuts()) {
-      EXPECT_FALSE(keys.contains(key)) << key.toString().toStdString() << " twice: " << action->objectName().toStdString();
+      EXPECT_FALSE(keys.contains(key))
+          << key.toString().toStdString() << " twice: " << action->objectName().toStdString();
       keys[key] = action->objectName();
     }
   }
@@ -197,11 +218,15 @@ TEST_F(WindowTest, HasATooltipAndAMenuEntryForEveryCommand) {
 TEST_F(WindowTest, MovesNothingWhenItTellsSomething) {
   openPanel();
   const QRect before(window().sceneView().mapTo(&window(), QPoint()), window().sceneView().size());
-  bench().tell({Severity::warning, "A notice that is long enough to need a second line where the window is small, and then some more words", "Do it", [] {}});
+  bench().tell({Severity::warning,
+                "A notice that is long enough to need a second line where the window is small, and then some "
+                "more words",
+                "Do it", [] {}});
   QTest::qWait(0);
   EXPECT_TRUE(window().banner().isVisible());
   EXPECT_EQ(QRect(window().sceneView().mapTo(&window(), QPoint()), window().sceneView().size()), before);
-  EXPECT_TRUE(QRect(QPoint(), window().size()).contains(QRect(window().banner().mapTo(&window(), QPoint()), window().banner().size())));
+  EXPECT_TRUE(QRect(QPoint(), window().size())
+                  .contains(QRect(window().banner().mapTo(&window(), QPoint()), window().banner().size())));
 }
 
 TEST_F(WindowTest, FitsASmallScreen) {
@@ -227,7 +252,8 @@ TEST(Options, RefusesWhatItDoesNotKnow) {
   EXPECT_TRUE(problem.startsWith("there is no example \"panel\"")) << problem.toStdString();
   EXPECT_FALSE(parseOptions({"--example", "saddle", "a.step"}, &problem));
   EXPECT_EQ(parseOptions({"--example", "saddle"}, &problem)->example, "saddle");
-  const std::optional<Options> good = parseOptions({"a.step", "--size", "1280x800", "--screenshot", "b.png"}, &problem);
+  const std::optional<Options> good =
+      parseOptions({"a.step", "--size", "1280x800", "--screenshot", "b.png"}, &problem);
   ASSERT_TRUE(good);
   EXPECT_EQ(good->size, QSize(1280, 800));
   EXPECT_EQ(good->file, "a.step");

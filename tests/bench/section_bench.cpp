@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 //
-// Sixty sections of one surface by two routes: ours, with the spline that approximates each, and OpenCASCADE's own section algorithm.
+// Sixty sections of one surface by two routes: ours, with the spline that approximates each, and
+// OpenCASCADE's own section algorithm.
+#include <benchmark/benchmark.h>
 #include <BRepAlgoAPI_Section.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <STEPControl_Reader.hxx>
-#include <benchmark/benchmark.h>
 #include <gp_Pln.hxx>
 
 #include <filesystem>
@@ -19,7 +20,8 @@ namespace {
 
 using namespace bw::geometry;
 
-const char* const kFiles[] = {BW_RESOURCES "/examples/panel-600x670.step", BW_RESOURCES "/examples/wavy-wall.step",
+const char* const kFiles[] = {BW_RESOURCES "/examples/panel-600x670.step",
+                              BW_RESOURCES "/examples/wavy-wall.step",
                               "/usr/share/opencascade/data/occ/terrain.brep"};
 
 bool isBrep(const std::string& file) { return std::filesystem::path(file).extension() == ".brep"; }
@@ -51,7 +53,8 @@ void oursSixtySections(benchmark::State& state) {
     if (!sections) return state.SkipWithError(sections.error().message.c_str());
     found = sections->size();
   }
-  state.SetLabel(std::filesystem::path(file).filename().string() + ", " + std::to_string(found) + " sections");
+  state.SetLabel(std::filesystem::path(file).filename().string() + ", " + std::to_string(found) +
+                 " sections");
 }
 BENCHMARK(oursSixtySections)->DenseRange(0, 2)->Unit(benchmark::kMillisecond);
 
@@ -63,14 +66,16 @@ void occtSixtySections(benchmark::State& state) {
     BRepTools::Read(shape, file.c_str(), builder);
   } else {
     STEPControl_Reader reader;
-    if (reader.ReadFile(file.c_str()) == IFSelect_RetDone && reader.TransferRoots() > 0) shape = reader.OneShape();
+    if (reader.ReadFile(file.c_str()) == IFSelect_RetDone && reader.TransferRoots() > 0)
+      shape = reader.OneShape();
   }
   if (shape.IsNull()) return state.SkipWithError("the file cannot be read");
   const Target target = Target::make(CadModel::read(file).value(), {bw::FaceChoice::Kind::all, {}}).value();
   const double from = target.bounds().min.y(), to = target.bounds().max.y();
   for (auto _ : state) {
     for (int i = 0; i < 60; ++i) {
-      BRepAlgoAPI_Section section(shape, gp_Pln(gp_Pnt(0, from + (to - from) * (i + 0.5) / 60, 0), gp_Dir(0, 1, 0)), Standard_False);
+      BRepAlgoAPI_Section section(
+          shape, gp_Pln(gp_Pnt(0, from + (to - from) * (i + 0.5) / 60, 0), gp_Dir(0, 1, 0)), Standard_False);
       section.Approximation(Standard_True);
       section.Build();
       benchmark::DoNotOptimize(section.IsDone());

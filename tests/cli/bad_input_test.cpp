@@ -24,15 +24,16 @@ void expectRefusal(const std::vector<std::string>& arguments, int status, const 
   const Finished run = blade(arguments, input);
   EXPECT_EQ(run.status, status) << run.err;
   EXPECT_NE(run.err.find(text), std::string::npos) << run.err;
-  // One message, and nothing else but what is found about the design and the list of the files that were to be written.
+  // One message, and nothing else but what is found about the design and the list of the files that were to
+  // be written.
   int messages = 0;
   std::istringstream lines(run.err);
   for (std::string line; std::getline(lines, line);) {
     if (line.rfind("blade: ", 0) == 0)
       ++messages;
     else
-      EXPECT_TRUE(line.rfind("writing ", 0) == 0 || line.rfind("  ", 0) == 0 || line.rfind("info: ", 0) == 0 ||
-                  line.rfind("warning: station", 0) == 0)
+      EXPECT_TRUE(line.rfind("writing ", 0) == 0 || line.rfind("  ", 0) == 0 ||
+                  line.rfind("info: ", 0) == 0 || line.rfind("warning: station", 0) == 0)
           << line;
   }
   EXPECT_EQ(messages, 1) << run.err;
@@ -259,8 +260,9 @@ TEST(BadInput, OutputThatIsTheInput) {
       R"({"curve": {"type": "bezier", "poles": [[0,0],[200,150],[400,150],[600,0]]}, "points": [[0,0],[1,2],[3,4]]})";
   const std::string in = folder.write("case.json", text);
   expectRefusal({"fit", "--in", in, "--out", folder / "./case.json"}, 2, "is the input", "");
-  expectRefusal({"biarc", "--in", folder.write("p.dat", "0 0\n1 2\n3 1\n"), "--arcs", "2", "--svg", folder / "p.dat"}, 2,
-                "is the input");
+  expectRefusal(
+      {"biarc", "--in", folder.write("p.dat", "0 0\n1 2\n3 1\n"), "--arcs", "2", "--svg", folder / "p.dat"},
+      2, "is the input");
   EXPECT_EQ(slurp(in), text);
   // Among the results is a surface.step.
   const std::string step = slurp(example("saddle"));
@@ -269,7 +271,8 @@ TEST(BadInput, OutputThatIsTheInput) {
   expectRefusal({"rationalize", surface, "--job", job, "--out", folder / ""}, 2, "choose another folder");
   EXPECT_EQ(slurp(surface), step);
   EXPECT_EQ(folder.files(), (std::vector<std::string>{"case.json", "job.json", "p.dat", "surface.step"}));
-  const std::string design = folder.write("a.bladewright", R"({"bladewright_design": 1, "source": {"path": "surface.step"}})");
+  const std::string design =
+      folder.write("a.bladewright", R"({"bladewright_design": 1, "source": {"path": "surface.step"}})");
   expectRefusal({"design", design, "--out", folder / ""}, 2, "choose another folder");
   EXPECT_EQ(slurp(surface), step);
 }
@@ -297,10 +300,13 @@ TEST(BadInput, KeyThatIsASlipForOneThatIsNeeded) {
                 R"({"distance": 400, "heigth": 50, "angle": 0.3})");
   expectRefusal({"bvp"}, 2, "no key \"ennd\"; did you mean \"end\"?",
                 R"({"start": [0,0], "ennd": [600,0], "start_angle": 0, "end_angle": 0, "length": 700})");
-  expectRefusal({"bvp"}, 2, "needs the key start_angle", R"({"start": [0,0], "end": [600,0], "end_angle": 0, "length": 700})");
+  expectRefusal({"bvp"}, 2, "needs the key start_angle",
+                R"({"start": [0,0], "end": [600,0], "end_angle": 0, "length": 700})");
   expectRefusal({"piecewise"}, 2, "did you mean \"curve\"?", R"({"curv": {}, "pieces": 3})");
-  expectRefusal({"fit"}, 2, "did you mean \"type\"?", R"({"curve": {"typ": "bezier", "poles": [[0,0],[1,1]]}})");
-  expectRefusal({"fit"}, 2, "did you mean \"poles\"?", R"({"curve": {"type": "bezier", "pole": [[0,0],[1,1]]}})");
+  expectRefusal({"fit"}, 2, "did you mean \"type\"?",
+                R"({"curve": {"typ": "bezier", "poles": [[0,0],[1,1]]}})");
+  expectRefusal({"fit"}, 2, "did you mean \"poles\"?",
+                R"({"curve": {"type": "bezier", "pole": [[0,0],[1,1]]}})");
 }
 
 TEST(BadInput, StandardOutputThatIsFull) {
@@ -308,7 +314,10 @@ TEST(BadInput, StandardOutputThatIsFull) {
   for (const char* arguments : {" --help", " --version", " example", " info "})
     EXPECT_EQ(WEXITSTATUS(std::system((std::string(BW_BLADE) + arguments +
                                        (arguments == std::string(" info ") ? example("saddle") : "") +
-                                       " > /dev/full 2> /dev/null").c_str())), 4) << arguments;
+                                       " > /dev/full 2> /dev/null")
+                                          .c_str())),
+              4)
+        << arguments;
 }
 
 TEST(BadInput, ErrorsAsJson) {

@@ -193,7 +193,8 @@ TEST(UnsafeDesign, HasNoRobotProgramWritten) {
       blade({"rationalize", example("panel-600x670"), "--job", job, "--out", folder / "out"});
   EXPECT_EQ(run.status, 1) << run.err;
   EXPECT_NE(run.err.find("inside the block"), std::string::npos) << run.err;
-  EXPECT_NE(run.err.find("no RAPID program is written, because the design has an error; mend it"), std::string::npos)
+  EXPECT_NE(run.err.find("no RAPID program is written, because the design has an error; mend it"),
+            std::string::npos)
       << run.err;
   EXPECT_NE(run.err.find("--despite-errors"), std::string::npos) << run.err;
   EXPECT_EQ(countOf(folder.files(), ".mod"), 0);
@@ -557,14 +558,17 @@ TEST(Rationalize, MissedClearanceIsStatusOne) {
 }
 
 TEST(Rationalize, TellsOnceWhyAllStationsAreLeftOut) {
-  // A block below the top of the cap and above its border: each plane across it cuts the flanks on both sides.
+  // A block below the top of the cap and above its border: each plane across it cuts the flanks on both
+  // sides.
   const Folder folder;
   const std::string job = folder.write(
       "job.json",
       R"({"stations": 5, "direction": "y", "block": {"origin": [-300, -50, 60], "size": [600, 100, 30]}})");
   const Finished run = blade({"rationalize", example("sphere-cap"), "--job", job, "--out", folder / "out"});
   EXPECT_EQ(run.status, 3) << run.err;
-  EXPECT_NE(run.err.find("stations 1 to 5 are left out: their planes cut the target in 2 separate curves each"), std::string::npos)
+  EXPECT_NE(
+      run.err.find("stations 1 to 5 are left out: their planes cut the target in 2 separate curves each"),
+      std::string::npos)
       << run.err;
   EXPECT_NE(run.err.find("none of the 5 planes"), std::string::npos) << run.err;
   EXPECT_EQ(run.err.find("left out"), run.err.rfind("left out")) << run.err;

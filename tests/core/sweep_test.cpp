@@ -629,12 +629,14 @@ TEST(SweepAnalysis, FitsThatDidNotComeToRestAreOneFindingAStretch) {
   for (const Issue& issue : analysis->issues)
     if (issue.kind == "fit") told.push_back(severityName(issue.severity) + std::string(" ") + issue.message);
   ASSERT_EQ(told.size(), 2u);
-  EXPECT_EQ(told[0],
-            "error station 8: no elastica near the curve meets the length; release it; the nearest curve without "
-            "conditions stands in for it");
-  EXPECT_EQ(told[1],
-            "warning stations 3 to 5 (worst: 4): the search for the nearest curve did not come to rest; the curve "
-            "taken is within 0.25 mm of the section");
+  EXPECT_EQ(
+      told[0],
+      "error station 8: no elastica near the curve meets the length; release it; the nearest curve without "
+      "conditions stands in for it");
+  EXPECT_EQ(
+      told[1],
+      "warning stations 3 to 5 (worst: 4): the search for the nearest curve did not come to rest; the curve "
+      "taken is within 0.25 mm of the section");
 }
 
 TEST(SweepAnalysis, MarginsAreThoseOfTheBlade) {

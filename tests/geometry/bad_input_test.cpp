@@ -46,13 +46,15 @@ TEST(BadFile, EveryTruncationOfAStepFileIsAnError) {
     ASSERT_FALSE(model) << length;
     EXPECT_EQ(model.error().code, ErrorCode::cannotRead);
   }
-  expectError(CadModel::readBytes(step.substr(0, step.size() / 2), "cut.step"), ErrorCode::cannotRead, "cut short");
+  expectError(CadModel::readBytes(step.substr(0, step.size() / 2), "cut.step"), ErrorCode::cannotRead,
+              "cut short");
 }
 
 TEST(BadFile, StepWithoutItsGeometryHoldsNoFaces) {
   const std::string step =
       "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('','',(''),(''),'','','');\n"
-      "FILE_SCHEMA(('AUTOMOTIVE_DESIGN'));\nENDSEC;\nDATA;\n#1=CARTESIAN_POINT('',(0.,0.,0.));\nENDSEC;\nEND-ISO-10303-21;\n";
+      "FILE_SCHEMA(('AUTOMOTIVE_DESIGN'));\nENDSEC;\nDATA;\n#1=CARTESIAN_POINT('',(0.,0.,0.));\nENDSEC;\nEND-"
+      "ISO-10303-21;\n";
   expectError(CadModel::readBytes(step, "points.step"), ErrorCode::badInput, "no faces");
 }
 
@@ -70,7 +72,8 @@ TEST(BadFile, DamagedStepNeverCrashes) {
   std::mt19937_64 engine(11);
   for (int round = 0; round < 200; ++round) {
     std::string damaged = step;
-    for (int k = 0; k < 3; ++k) damaged[std::size_t(engine() % (damaged.size() - 40))] = char('!' + engine() % 90);
+    for (int k = 0; k < 3; ++k)
+      damaged[std::size_t(engine() % (damaged.size() - 40))] = char('!' + engine() % 90);
     const auto model = CadModel::readBytes(damaged, "damaged.step");
     if (!model) {
       EXPECT_FALSE(model.error().message.empty());
@@ -103,10 +106,13 @@ TEST(BadFile, NumberSignsInTextsAndCommentsAreNoEntities) {
 }
 
 TEST(BadFile, BrepThatStopsEarlyIsRefused) {
-  expectError(CadModel::readBytes("DBRep_DrawableShape\n\nCASCADE Topology V1, (c) Matra-Datavision\nLocations 0\nCurve2ds 4\n",
-                                  "cut.brep"),
-              ErrorCode::cannotRead, "Curves");
-  expectError(CadModel::readBytes("CASCADE Topology V1\nLocations 99999999\n", "big.brep"), ErrorCode::cannotRead, "99999999");
+  expectError(
+      CadModel::readBytes(
+          "DBRep_DrawableShape\n\nCASCADE Topology V1, (c) Matra-Datavision\nLocations 0\nCurve2ds 4\n",
+          "cut.brep"),
+      ErrorCode::cannotRead, "Curves");
+  expectError(CadModel::readBytes("CASCADE Topology V1\nLocations 99999999\n", "big.brep"),
+              ErrorCode::cannotRead, "99999999");
 }
 
 TEST(BadFile, IgesWithoutItsEndIsRefused) {
@@ -121,7 +127,8 @@ TEST(BadChoice, FaceOutOfRangeTellsTheRange) {
     FaceChoice choice{FaceChoice::Kind::indices, {index}};
     const auto chosen = model.choose(choice);
     expectError(chosen, ErrorCode::badInput, "face " + std::to_string(index));
-    EXPECT_NE(chosen.error().message.find("one face, of index 0"), std::string::npos) << chosen.error().message;
+    EXPECT_NE(chosen.error().message.find("one face, of index 0"), std::string::npos)
+        << chosen.error().message;
     EXPECT_FALSE(Target::make(model, choice));
   }
   expectError(model.choose({FaceChoice::Kind::indices, {}}), ErrorCode::badInput, "no face");
@@ -143,7 +150,8 @@ TEST(BadChoice, FaceThinnerThanTheToleranceIsRefused) {
 
 TEST(BadSetup, ZeroOrInfiniteDirectionIsRefused) {
   const Target target = exampleTarget("saddle");
-  for (const Eigen::Vector3d& d : {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(0, kNaN, 0), Eigen::Vector3d(1e300, 1e300, 0)}) {
+  for (const Eigen::Vector3d& d :
+       {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(0, kNaN, 0), Eigen::Vector3d(1e300, 1e300, 0)}) {
     Job job;
     job.direction = d;
     Issues issues;
@@ -178,7 +186,8 @@ TEST(BadSetup, BlockBesideTheSurfaceHasNoSections) {
 TEST(BadSetup, BlockWithoutSizeIsRefused) {
   const Target target = exampleTarget("saddle");
   Issues issues;
-  for (const Eigen::Vector3d& size : {Eigen::Vector3d(0, 100, 100), Eigen::Vector3d(100, -1, 100), Eigen::Vector3d(100, kNaN, 100)}) {
+  for (const Eigen::Vector3d& size :
+       {Eigen::Vector3d(0, 100, 100), Eigen::Vector3d(100, -1, 100), Eigen::Vector3d(100, kNaN, 100)}) {
     Job job;
     job.block = BlockPlacement{{0, 0, 0}, size, {0, 0, 0}};
     expectError(resolveSetup(target, job, issues), ErrorCode::badInput, "block");
@@ -186,7 +195,8 @@ TEST(BadSetup, BlockWithoutSizeIsRefused) {
 }
 
 TEST(BadSetup, DirectionAcrossAPlaneHasNoSections) {
-  const Target target = targetOf(stepOf([](double u, double v) { return Eigen::Vector3d(500 * u, 400 * v, 0); }, 4, 4));
+  const Target target =
+      targetOf(stepOf([](double u, double v) { return Eigen::Vector3d(500 * u, 400 * v, 0); }, 4, 4));
   Job job;
   job.direction = Eigen::Vector3d::UnitZ();
   Issues issues;

@@ -13,8 +13,8 @@ namespace {
 class Examples : public testing::TestWithParam<std::string> {};
 
 INSTANTIATE_TEST_SUITE_P(All, Examples,
-                         testing::Values("panel-600x670", "graph", "saddle", "sphere-cap", "torus-patch", "wavy-wall",
-                                         "ramp-corner-hollow", "ramp-corner-domed"),
+                         testing::Values("panel-600x670", "graph", "saddle", "sphere-cap", "torus-patch",
+                                         "wavy-wall", "ramp-corner-hollow", "ramp-corner-domed"),
                          [](const auto& parameter) {
                            std::string name = parameter.param;
                            std::replace(name.begin(), name.end(), '-', '_');
@@ -25,10 +25,12 @@ INSTANTIATE_TEST_SUITE_P(All, Examples,
 double gaussian(const std::string& name, double u, double v) {
   const double h = 1e-3;
   const auto p = [&](double a, double b) { return examplePoint(name, a, b).value(); };
-  const Eigen::Vector3d su = (p(u + h, v) - p(u - h, v)) / (2 * h), sv = (p(u, v + h) - p(u, v - h)) / (2 * h);
+  const Eigen::Vector3d su = (p(u + h, v) - p(u - h, v)) / (2 * h),
+                        sv = (p(u, v + h) - p(u, v - h)) / (2 * h);
   const Eigen::Vector3d suu = (p(u + h, v) - 2 * p(u, v) + p(u - h, v)) / (h * h);
   const Eigen::Vector3d svv = (p(u, v + h) - 2 * p(u, v) + p(u, v - h)) / (h * h);
-  const Eigen::Vector3d suv = (p(u + h, v + h) - p(u - h, v + h) - p(u + h, v - h) + p(u - h, v - h)) / (4 * h * h);
+  const Eigen::Vector3d suv =
+      (p(u + h, v + h) - p(u - h, v + h) - p(u + h, v - h) + p(u - h, v - h)) / (4 * h * h);
   const Eigen::Vector3d n = su.cross(sv).normalized();
   const double metric = su.squaredNorm() * sv.squaredNorm() - std::pow(su.dot(sv), 2);
   return (suu.dot(n) * svv.dot(n) - std::pow(suv.dot(n), 2)) / metric;
@@ -79,8 +81,10 @@ TEST(ExampleList, UnknownNameSuggestsTheNearest) {
 }
 
 TEST(ExampleShapes, HaveTheSizesTheyAreNamedAfter) {
-  EXPECT_NEAR((exampleTarget("panel-600x670").bounds().size().head<2>() - Eigen::Vector2d(600, 670)).norm(), 0, 1e-6);
-  EXPECT_NEAR((exampleTarget("wavy-wall").bounds().size().head<2>() - Eigen::Vector2d(4200, 2400)).norm(), 0, 1e-6);
+  EXPECT_NEAR((exampleTarget("panel-600x670").bounds().size().head<2>() - Eigen::Vector2d(600, 670)).norm(),
+              0, 1e-6);
+  EXPECT_NEAR((exampleTarget("wavy-wall").bounds().size().head<2>() - Eigen::Vector2d(4200, 2400)).norm(), 0,
+              1e-6);
   EXPECT_NEAR(exampleTarget("ramp-corner-domed").bounds().size().z(), 854.10, 1e-6);
 }
 

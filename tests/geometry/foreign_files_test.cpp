@@ -17,7 +17,9 @@ class ForeignFiles : public testing::Test {
   void SetUp() override {
     if (!std::filesystem::exists(BW_FOREIGN_DATA)) GTEST_SKIP() << "occt-misc is not installed";
   }
-  static Result<CadModel> read(const std::string& name) { return CadModel::read(std::string(BW_FOREIGN_DATA) + "/" + name); }
+  static Result<CadModel> read(const std::string& name) {
+    return CadModel::read(std::string(BW_FOREIGN_DATA) + "/" + name);
+  }
   static CadModel model(const std::string& name) {
     auto result = read(name);
     EXPECT_TRUE(result) << result.error().message;
@@ -58,7 +60,8 @@ class ForeignFiles : public testing::Test {
         EXPECT_FALSE(sections.error().message.empty());
         continue;
       }
-      // The borders of a large model meet only within its own tolerance (the hammer is 39 m long and sewn within 0.01 mm).
+      // The borders of a large model meet only within its own tolerance (the hammer is 39 m long and sewn
+      // within 0.01 mm).
       const double size = (m.info().bounds.max - m.info().bounds.min).norm();
       EXPECT_LT(deviation(*target, *sections), std::max(2e-3, 1e-6 * size)) << name << " face " << info.index;
       ++good;
@@ -156,7 +159,8 @@ TEST_F(ForeignFiles, MeshesShowEveryFace) {
     ASSERT_TRUE(mesh) << mesh.error().message;
     double area = 0;
     for (const auto& t : mesh->triangles) {
-      area += 0.5 * (mesh->points[t[1]] - mesh->points[t[0]]).cross(mesh->points[t[2]] - mesh->points[t[0]]).norm();
+      area += 0.5 *
+              (mesh->points[t[1]] - mesh->points[t[0]]).cross(mesh->points[t[2]] - mesh->points[t[0]]).norm();
     }
     EXPECT_NEAR(area, target->area(), 0.01 * target->area()) << name;
   }

@@ -25,9 +25,11 @@ struct OcctSection {
   std::vector<Eigen::Vector3d> points;
 };
 
-OcctSection occtSection(const TopoDS_Shape& shape, const Eigen::Vector3d& origin, const Eigen::Vector3d& normal) {
-  BRepAlgoAPI_Section section(shape, gp_Pln(gp_Pnt(origin.x(), origin.y(), origin.z()), gp_Dir(normal.x(), normal.y(), normal.z())),
-                              Standard_False);
+OcctSection occtSection(const TopoDS_Shape& shape, const Eigen::Vector3d& origin,
+                        const Eigen::Vector3d& normal) {
+  BRepAlgoAPI_Section section(
+      shape, gp_Pln(gp_Pnt(origin.x(), origin.y(), origin.z()), gp_Dir(normal.x(), normal.y(), normal.z())),
+      Standard_False);
   section.Approximation(Standard_True);
   section.Build();
   OcctSection result;
@@ -35,7 +37,8 @@ OcctSection occtSection(const TopoDS_Shape& shape, const Eigen::Vector3d& origin
     const BRepAdaptor_Curve curve(TopoDS::Edge(it.Current()));
     result.length += GCPnts_AbscissaPoint::Length(curve, 1e-6);
     for (int i = 0; i <= 40; ++i) {
-      const gp_Pnt p = curve.Value(curve.FirstParameter() + (curve.LastParameter() - curve.FirstParameter()) * i / 40);
+      const gp_Pnt p =
+          curve.Value(curve.FirstParameter() + (curve.LastParameter() - curve.FirstParameter()) * i / 40);
       result.points.emplace_back(p.X(), p.Y(), p.Z());
     }
   }

@@ -41,7 +41,8 @@ TEST(CadModel, BoundsAreTight) {
 }
 
 TEST(CadModel, AreaOfASphericalZoneIsExact) {
-  // Over a square of half side h the area of z = sqrt(R² − x² − y²) is the integral of R/z, here by Simpson's rule.
+  // Over a square of half side h the area of z = sqrt(R² − x² − y²) is the integral of R/z, here by Simpson's
+  // rule.
   const double R = 900, h = 300;
   const int n = 400;
   const auto weight = [&](int i) { return i == 0 || i == n ? 1.0 : i % 2 ? 4.0 : 2.0; };
@@ -74,8 +75,7 @@ TEST(CadModel, ConvertsMetresAndInches) {
   EXPECT_EQ(metres.info().unit, "m");
   EXPECT_NEAR(metres.info().bounds.size().x(), 600e3, 1e-3);
   // An inch needs two more entities; their numbers follow the last of the file.
-  const std::string inch =
-      "(CONVERSION_BASED_UNIT('INCH',#9001)LENGTH_UNIT()NAMED_UNIT(#9003))";
+  const std::string inch = "(CONVERSION_BASED_UNIT('INCH',#9001)LENGTH_UNIT()NAMED_UNIT(#9003))";
   std::string inches = withUnit(step, inch);
   const std::size_t end = inches.rfind("ENDSEC;");
   inches.insert(end,
@@ -104,7 +104,8 @@ TEST(CadModel, ReadsAFileAndItsBytesAlike) {
 TEST(CadModel, StopsOnRequest) {
   std::stop_source source;
   source.request_stop();
-  const auto model = CadModel::readBytes(exampleStep("saddle").value(), "saddle.step", RunContext{source.get_token()});
+  const auto model =
+      CadModel::readBytes(exampleStep("saddle").value(), "saddle.step", RunContext{source.get_token()});
   ASSERT_FALSE(model);
   EXPECT_EQ(model.error().code, ErrorCode::cancelled);
 }

@@ -99,7 +99,8 @@ TEST(FaceSampler, SeedChangesTheTimeNotTheResult) {
   std::uniform_real_distribution<double> x(-10, 610), y(-10, 680), z(0, 200);
   std::optional<SurfaceSampler::Foot> seed;
   for (int i = 0; i < 2000; ++i) {
-    const Eigen::Vector3d p(x(engine), y(engine), z(engine));  // far from its predecessor: the seed is a bad one
+    const Eigen::Vector3d p(x(engine), y(engine),
+                            z(engine));  // far from its predecessor: the seed is a bad one
     const auto seeded = sampler->closest(p, seed ? &*seed : nullptr), fresh = sampler->closest(p, nullptr);
     ASSERT_TRUE(seeded && fresh);
     EXPECT_NEAR(seeded->distance, fresh->distance, kAccuracy);
@@ -127,7 +128,8 @@ TEST(FaceSampler, PointBesideTheFaceGoesToItsBorder) {
 
 TEST(FaceSampler, PointJustAboveTheBorderKeepsItsSide) {
   const auto sampler = exampleTarget("saddle").sampler();
-  const auto foot = sampler->closest(Eigen::Vector3d(300, 0, 300 * 300 / 1600.0) + 2 * Eigen::Vector3d(-0.375, 0, 1).normalized(), nullptr);
+  const auto foot = sampler->closest(
+      Eigen::Vector3d(300, 0, 300 * 300 / 1600.0) + 2 * Eigen::Vector3d(-0.375, 0, 1).normalized(), nullptr);
   ASSERT_TRUE(foot);
   EXPECT_FALSE(foot->onBoundary);
   EXPECT_NEAR(foot->distance, 2, 1e-5);

@@ -38,7 +38,8 @@ TEST(Sections, OfASphereAreItsParallels) {
   for (const Section& s : cut.sections) {
     const Eigen::Vector3d local = s.frame.toLocal(center);
     const double radius = std::sqrt(810000 - local.z() * local.z());
-    for (const Eigen::Vector2d& q : s.curve.sample(201)) EXPECT_NEAR((q - local.head<2>()).norm(), radius, kAccuracy);
+    for (const Eigen::Vector2d& q : s.curve.sample(201))
+      EXPECT_NEAR((q - local.head<2>()).norm(), radius, kAccuracy);
     // Seen along y with z up, x runs to the left.
     EXPECT_NEAR(s.curve.value(s.curve.start()).x(), s.frame.toLocal({300, 0, 0}).x(), 1e-6);
     EXPECT_NEAR(s.curve.value(s.curve.end()).x(), s.frame.toLocal({-300, 0, 0}).x(), 1e-6);
@@ -125,7 +126,10 @@ TEST(Sections, AgainstTheDirectionAreTheMirrorImage) {
     EXPECT_NEAR((b.frame.y - a.frame.y).norm(), 0, 1e-12);
     EXPECT_NEAR((b.frame.x + a.frame.x).norm(), 0, 1e-12);
     EXPECT_NEAR(a.curve.length(), b.curve.length(), 2 * kAccuracy);
-    EXPECT_NEAR((a.frame.toWorld(a.curve.value(a.curve.start())) - b.frame.toWorld(b.curve.value(b.curve.end()))).norm(), 0, 1e-5);
+    EXPECT_NEAR(
+        (a.frame.toWorld(a.curve.value(a.curve.start())) - b.frame.toWorld(b.curve.value(b.curve.end())))
+            .norm(),
+        0, 1e-5);
   }
 }
 
@@ -133,10 +137,12 @@ TEST(Sections, MoveWithTheTarget) {
   const auto surface = [](double u, double v) {
     return Eigen::Vector3d(500 * u, 700 * v, 40 * std::sin(4 * u + v) + 30 * v * v);
   };
-  const Eigen::Matrix3d R = Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, -2, 0.4).normalized()).toRotationMatrix();
+  const Eigen::Matrix3d R =
+      Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, -2, 0.4).normalized()).toRotationMatrix();
   const Eigen::Vector3d shift(1000, -2000, 500);
   const Target a = targetOf(stepOf(surface));
-  const Target b = targetOf(stepOf([&](double u, double v) { return Eigen::Vector3d(R * surface(u, v) + shift); }));
+  const Target b =
+      targetOf(stepOf([&](double u, double v) { return Eigen::Vector3d(R * surface(u, v) + shift); }));
   Job job;
   job.stations = 8;
   Issues issues;
@@ -206,7 +212,8 @@ TEST(Sections, EndOnTheSidesOfTheBlock) {
 TEST(Sections, EndOnTheSidesOfATurnedBlock) {
   const Target target = exampleTarget("panel-600x670");
   Job job;
-  job.block = BlockPlacement{{200, 150, 0}, {250, 300, 200}, {fromDegrees(4), fromDegrees(-3), fromDegrees(20)}};
+  job.block =
+      BlockPlacement{{200, 150, 0}, {250, 300, 200}, {fromDegrees(4), fromDegrees(-3), fromDegrees(20)}};
   job.stations = 11;
   const Cut cut = cutOf(target, job);
   ASSERT_EQ(cut.sections.size(), 11u);
@@ -220,9 +227,9 @@ TEST(Sections, EndOnTheSidesOfATurnedBlock) {
 
 TEST(Sections, CurveThatLeavesThroughTheTopInBetweenIsReportedNotGuessed) {
   // Two humps along x; the block's top cuts them off, so that three parts remain.
-  const Target target = targetOf(stepOf([](double u, double v) {
-    return Eigen::Vector3d(800 * u, 400 * v, 60 * std::cos(4 * kPi * u));
-  }, 5, 60));
+  const Target target = targetOf(
+      stepOf([](double u, double v) { return Eigen::Vector3d(800 * u, 400 * v, 60 * std::cos(4 * kPi * u)); },
+             5, 60));
   Job job;
   job.block = BlockPlacement{{0, 0, -100}, {800, 400, 130}, {0, 0, 0}};
   job.direction = Eigen::Vector3d::UnitY();
@@ -235,9 +242,12 @@ TEST(Sections, CurveThatLeavesThroughTheTopInBetweenIsReportedNotGuessed) {
 }
 
 TEST(Sections, ClosedCurveIsReportedNotGuessed) {
-  const Target target = targetOf(stepOf([](double u, double v) {
-    return Eigen::Vector3d((100 + 20 * v) * std::cos(2 * kPi * u), (100 + 20 * v) * std::sin(2 * kPi * u), 300 * v);
-  }, 6, 80));
+  const Target target = targetOf(stepOf(
+      [](double u, double v) {
+        return Eigen::Vector3d((100 + 20 * v) * std::cos(2 * kPi * u), (100 + 20 * v) * std::sin(2 * kPi * u),
+                               300 * v);
+      },
+      6, 80));
   Job job;
   job.direction = Eigen::Vector3d::UnitZ();
   job.stations = 4;
@@ -249,9 +259,11 @@ TEST(Sections, ClosedCurveIsReportedNotGuessed) {
 }
 
 TEST(Sections, ClosedCurveOpensInABlockThatHoldsOneSideOfIt) {
-  const Target target = targetOf(stepOf([](double u, double v) {
-    return Eigen::Vector3d(150 * std::cos(2 * kPi * u), 150 * std::sin(2 * kPi * u), 300 * v);
-  }, 6, 200));
+  const Target target = targetOf(stepOf(
+      [](double u, double v) {
+        return Eigen::Vector3d(150 * std::cos(2 * kPi * u), 150 * std::sin(2 * kPi * u), 300 * v);
+      },
+      6, 200));
   Job job;
   job.direction = Eigen::Vector3d::UnitZ();
   // The half with x > 0 holds the seam of the surface in its middle.
@@ -301,9 +313,9 @@ TEST(Sections, RunOnOverACornerOfTheSurface) {
 
 TEST(Sections, PlaneAlongAKnotLineIsNoSpecialCase) {
   // With 15 × 25 points every station falls on a row of the grid, and on knots of the spline.
-  const Target target = targetOf(stepOf([](double u, double v) {
-    return Eigen::Vector3d(480 * u, 700 * v, 25 * std::sin(5 * u) + 10 * v);
-  }, 15, 25));
+  const Target target = targetOf(stepOf(
+      [](double u, double v) { return Eigen::Vector3d(480 * u, 700 * v, 25 * std::sin(5 * u) + 10 * v); }, 15,
+      25));
   Issues issues;
   Job job;
   job.stations = 15;

@@ -48,11 +48,14 @@ TEST(AutoBlock, HoldsEveryExample) {
 }
 
 TEST(AutoBlock, TurnsWithATiltedSheet) {
-  // A shallow bowl over 700 × 500 mm, turned about a skew axis: an axis-parallel block would be several times as large.
-  const Eigen::Matrix3d R = Eigen::AngleAxisd(fromDegrees(38), Eigen::Vector3d(2, 1, 0.5).normalized()).toRotationMatrix();
+  // A shallow bowl over 700 × 500 mm, turned about a skew axis: an axis-parallel block would be several times
+  // as large.
+  const Eigen::Matrix3d R =
+      Eigen::AngleAxisd(fromDegrees(38), Eigen::Vector3d(2, 1, 0.5).normalized()).toRotationMatrix();
   const Target target = targetOf(stepOf([&](double u, double v) {
     const double x = 700 * u - 350, y = 500 * v - 250;
-    return Eigen::Vector3d(R * Eigen::Vector3d(x, y, 30 * std::cos(x / 300) * std::cos(y / 300)) + Eigen::Vector3d(5, 6, 7));
+    return Eigen::Vector3d(R * Eigen::Vector3d(x, y, 30 * std::cos(x / 300) * std::cos(y / 300)) +
+                           Eigen::Vector3d(5, 6, 7));
   }));
   const auto setup = setupOf(target);
   expectFrame(setup.block.frame);
@@ -64,10 +67,12 @@ TEST(AutoBlock, TurnsWithATiltedSheet) {
 TEST(AutoBlock, OfTheTurnedPanelIsThatOfThePanelTurned) {
   // Its mean normal leans by some degrees: a block along it would cut slivers off the corners.
   const auto level = setupOf(exampleTarget("panel-600x670"));
-  const Eigen::Matrix3d R =
-      (Eigen::AngleAxisd(fromDegrees(12), Eigen::Vector3d::UnitX()) * Eigen::AngleAxisd(fromDegrees(25), Eigen::Vector3d::UnitY()) *
-       Eigen::AngleAxisd(fromDegrees(40), Eigen::Vector3d::UnitZ())).toRotationMatrix();
-  const Target target = targetOf(stepOf([&](double u, double v) { return Eigen::Vector3d(R * examplePoint("panel-600x670", u, v).value()); }));
+  const Eigen::Matrix3d R = (Eigen::AngleAxisd(fromDegrees(12), Eigen::Vector3d::UnitX()) *
+                             Eigen::AngleAxisd(fromDegrees(25), Eigen::Vector3d::UnitY()) *
+                             Eigen::AngleAxisd(fromDegrees(40), Eigen::Vector3d::UnitZ()))
+                                .toRotationMatrix();
+  const Target target = targetOf(stepOf(
+      [&](double u, double v) { return Eigen::Vector3d(R * examplePoint("panel-600x670", u, v).value()); }));
   const auto setup = setupOf(target);
   expectFrame(setup.block.frame);
   EXPECT_GT(setup.block.frame.normal.dot(R.col(2)), std::cos(fromDegrees(0.5)));
@@ -77,7 +82,8 @@ TEST(AutoBlock, OfTheTurnedPanelIsThatOfThePanelTurned) {
 }
 
 TEST(AutoBlock, LooksAtASheetFromAbove) {
-  const Target target = targetOf(stepOf([](double u, double v) { return Eigen::Vector3d(400 * v, 500 * u, 20 * v * v); }));
+  const Target target =
+      targetOf(stepOf([](double u, double v) { return Eigen::Vector3d(400 * v, 500 * u, 20 * v * v); }));
   EXPECT_GT(setupOf(target).block.frame.normal.z(), 0.9);
 }
 
@@ -97,7 +103,9 @@ TEST(GivenBlock, IsTakenAsItStands) {
   job.block = BlockPlacement{{-100, -50, -60}, {150, 300, 200}, {0, 0, fromDegrees(30)}};
   const auto setup = setupOf(exampleTarget("saddle"), job);
   EXPECT_EQ(setup.block.size, job.block->size);
-  EXPECT_NEAR(setup.block.frame.x.dot(Eigen::Vector3d(std::cos(fromDegrees(30)), std::sin(fromDegrees(30)), 0)), 1, 1e-12);
+  EXPECT_NEAR(
+      setup.block.frame.x.dot(Eigen::Vector3d(std::cos(fromDegrees(30)), std::sin(fromDegrees(30)), 0)), 1,
+      1e-12);
   // "auto": along the longer side.
   EXPECT_NEAR((setup.direction - setup.block.frame.y).norm(), 0, 1e-12);
 }
@@ -105,7 +113,8 @@ TEST(GivenBlock, IsTakenAsItStands) {
 TEST(GivenDirection, IsNormalised) {
   Job job;
   job.direction = Eigen::Vector3d(3, 4, 0);
-  EXPECT_NEAR((setupOf(exampleTarget("saddle"), job).direction - Eigen::Vector3d(0.6, 0.8, 0)).norm(), 0, 1e-15);
+  EXPECT_NEAR((setupOf(exampleTarget("saddle"), job).direction - Eigen::Vector3d(0.6, 0.8, 0)).norm(), 0,
+              1e-15);
 }
 
 TEST(GivenDirection, ThroughTheSurfaceIsMentioned) {

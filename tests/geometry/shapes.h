@@ -17,7 +17,8 @@
 namespace bw::geometry::test {
 
 /// A bi-cubic spline through a grid of points of `f` over [0, 1]², as STEP.
-inline std::string stepOf(const std::function<Eigen::Vector3d(double, double)>& f, int rows = 25, int columns = 25) {
+inline std::string stepOf(const std::function<Eigen::Vector3d(double, double)>& f, int rows = 25,
+                          int columns = 25) {
   SurfaceGrid grid;
   grid.rows = rows;
   grid.columns = columns;

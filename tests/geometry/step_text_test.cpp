@@ -63,7 +63,8 @@ TEST(StepText, WritesNumbersTheWayTheStandardWants) {
 
 TEST(StepText, NamesKeepQuotesAndForeignLetters) {
   const std::string text = stepText(wave(), "it's \\ Ærø 𝄞").value();
-  EXPECT_NE(text.find("'it''s \\\\ \\X2\\00C6\\X0\\r\\X2\\00F8\\X0\\ \\X2\\D834DD1E\\X0\\'"), std::string::npos);
+  EXPECT_NE(text.find("'it''s \\\\ \\X2\\00C6\\X0\\r\\X2\\00F8\\X0\\ \\X2\\D834DD1E\\X0\\'"),
+            std::string::npos);
   EXPECT_TRUE(CadModel::readBytes(text, "name.step"));
 }
 

@@ -9,13 +9,13 @@
 #include <random>
 
 #include "bw/scene/navigation.h"
-#include "scene/color_map.h"
-#include "scene/isolines.h"
-#include "scene/legend_range.h"
-#include "scene/mesh_edges.h"
-#include "scene/picking.h"
-#include "scene/polyline.h"
-#include "scene/ticks.h"
+#include "scene/actors/isolines.h"
+#include "scene/actors/mesh_edges.h"
+#include "scene/actors/polyline.h"
+#include "scene/camera/picking.h"
+#include "scene/legend/color_map.h"
+#include "scene/legend/legend_range.h"
+#include "scene/legend/ticks.h"
 #include "scene_sample.h"
 
 namespace {

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <exception>
 
-#include "offscreen.h"
-#include "scene_impl.h"
+#include "scene/render/offscreen.h"
+#include "scene/scene_impl.h"
 
 namespace bw::scene {
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "scene_impl.h"
+#include "scene/scene_impl.h"
 
 #include <vtkAutoInit.h>
 #include <vtkCamera.h>
@@ -24,7 +24,7 @@
 #include <cmath>
 
 #include "bw/scene/navigation.h"
-#include "camera_fit.h"
+#include "scene/camera/camera_fit.h"
 
 namespace bw::scene {
 

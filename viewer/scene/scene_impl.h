@@ -8,16 +8,16 @@
 #include <memory>
 #include <optional>
 
-#include "ambient_occlusion.h"
 #include "bw/scene/scene.h"
-#include "content_actors.h"
-#include "gl_window.h"
-#include "ground_grid.h"
-#include "legend.h"
-#include "moving_blade.h"
-#include "orientation_marker.h"
-#include "picking.h"
-#include "scene_picker.h"
+#include "scene/actors/content_actors.h"
+#include "scene/actors/ground_grid.h"
+#include "scene/actors/moving_blade.h"
+#include "scene/actors/orientation_marker.h"
+#include "scene/camera/picking.h"
+#include "scene/camera/scene_picker.h"
+#include "scene/legend/legend.h"
+#include "scene/render/ambient_occlusion.h"
+#include "scene/render/gl_window.h"
 
 namespace bw::scene {
 

@@ -4,7 +4,7 @@
 
 #include <QOpenGLWidget>
 
-#include "scene/gl_window.h"
+#include "scene/render/gl_window.h"
 
 namespace bw::view {
 

@@ -4,18 +4,18 @@
 #include <QSurfaceFormat>
 #include <QTimer>
 
+#include <unistd.h>
 #include <cstdio>
 #include <ctime>
 #include <fstream>
 #include <sstream>
 #include <string>
-#include <unistd.h>
 
 #include "bw/pipeline/exit_status.h"
 #include "bw/view/scene_view.h"
-#include "change_timer.h"
-#include "main_window.h"
-#include "options.h"
+#include "window/main_window.h"
+#include "window/options.h"
+#include "workbench/change_timer.h"
 
 namespace {
 
@@ -65,10 +65,12 @@ int main(int argc, char** argv) {
   bw::model::Settings settings;
   bw::app::Theme theme;
   theme.apply(settings.theme());
-  const bool oneShot = !options->screenshot.isEmpty() || options->quitAfterFirstPicture || options->timeChanges > 0;
+  const bool oneShot =
+      !options->screenshot.isEmpty() || options->quitAfterFirstPicture || options->timeChanges > 0;
   // A run for a picture or a timing leaves nothing behind and recovers nothing.
   if (oneShot) settings.forgetAll();
-  bw::app::MainWindow window(settings, theme, oneShot ? std::filesystem::path() : bw::model::Settings::recoveryFolder());
+  bw::app::MainWindow window(settings, theme,
+                             oneShot ? std::filesystem::path() : bw::model::Settings::recoveryFolder());
   if (options->size.isValid()) window.resize(options->size);
 
   int status = 0;
@@ -76,9 +78,11 @@ int main(int argc, char** argv) {
   const auto quit = [&] {
     if (!options->screenshot.isEmpty()) {
       // What moved is drawn smoothly once it rests.
-      while (!window.onStartPage() && !window.sceneView().resting()) QApplication::processEvents(QEventLoop::WaitForMoreEvents);
+      while (!window.onStartPage() && !window.sceneView().resting())
+        QApplication::processEvents(QEventLoop::WaitForMoreEvents);
       if (!window.grab().save(options->screenshot, "PNG")) {
-        std::fprintf(stderr, "bladewright: the picture could not be written to %s\n", qPrintable(options->screenshot));
+        std::fprintf(stderr, "bladewright: the picture could not be written to %s\n",
+                     qPrintable(options->screenshot));
         status = kFileError;
       }
     }
@@ -90,7 +94,8 @@ int main(int argc, char** argv) {
     quit();
   });
   const auto finish = [&] {
-    if (options->quitAfterFirstPicture) std::printf("first picture after %.2f s\n", secondsSinceProcessStart());
+    if (options->quitAfterFirstPicture)
+      std::printf("first picture after %.2f s\n", secondsSinceProcessStart());
     if (options->timeChanges > 0 && window.bench().current())
       changes.start();
     else
@@ -115,7 +120,8 @@ int main(int argc, char** argv) {
       QTimer::singleShot(0, &window, finish);
     } else {
       // The result's picture, or the notice that tells why there is none.
-      QObject::connect(&window, &bw::app::MainWindow::pictureStands, &window, finish, static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection));
+      QObject::connect(&window, &bw::app::MainWindow::pictureStands, &window, finish,
+                       static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection));
       QObject::connect(&window.bench().runner(), &bw::model::EvaluationRunner::finished, &window, [&] {
         if (window.bench().current()) return;
         if (const std::optional<bw::Error>& error = window.bench().runner().error()) complain(*error);

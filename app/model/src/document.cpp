@@ -39,8 +39,7 @@ QString Document::title() const {
 
 void Document::edit(Design after, const QString& text, int mergeId) {
   if (sameDesign(*design_, after)) return;
-  undo_.push(
-      new EditDesign(*this, design_, std::make_shared<const Design>(std::move(after)), text, mergeId));
+  undo_.push(new EditDesign(*this, design_, std::make_shared<const Design>(std::move(after)), text, mergeId));
 }
 
 void Document::editJob(const QString& text, int mergeId, const std::function<void(Job&)>& change) {
@@ -104,7 +103,8 @@ void Document::autosaveNow(bool wait) {
   writer_.start([this, recovery = recovery_, design = design_, file = file_] {
     const Result<void> written = recovery->write(*design, file);
     const QString problem = written ? QString() : QString::fromStdString(written.error().message);
-    QMetaObject::invokeMethod(this, [this, problem] { noteAutosave(problem); }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        this, [this, problem] { noteAutosave(problem); }, Qt::QueuedConnection);
   });
   if (wait) writer_.waitForDone();
 }

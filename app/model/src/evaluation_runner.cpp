@@ -11,11 +11,13 @@ namespace bw::model {
 
 namespace {
 
-// While a slider is dragged a run may still take half as long again as the last one, within these bounds in ms.
+// While a slider is dragged a run may still take half as long again as the last one, within these bounds in
+// ms.
 constexpr double kLivePatience = 1.5, kLeastPatience = 250, kMostPatience = 1500;
 constexpr std::chrono::milliseconds kProgressInterval{30};
 
-/// `now` with the stages that it did not reach taken from `before`: their keys tell later whether they still hold.
+/// `now` with the stages that it did not reach taken from `before`: their keys tell later whether they still
+/// hold.
 std::shared_ptr<const pipeline::Evaluation> withEarlierStages(pipeline::Evaluation now,
                                                               const pipeline::Evaluation* before) {
   if (before) {
@@ -100,8 +102,8 @@ void EvaluationRunner::submit(const QString& name, Task task, std::function<void
 
 void EvaluationRunner::stopOutdatedRun() {
   const std::lock_guard lock(mutex_);
-  const bool newerWaits =
-      std::any_of(waiting_.begin(), waiting_.end(), [](const Order& order) { return order.design != nullptr; });
+  const bool newerWaits = std::any_of(waiting_.begin(), waiting_.end(),
+                                      [](const Order& order) { return order.design != nullptr; });
   if (newerWaits && runningIsEvaluation_) running_.request_stop();
 }
 
@@ -155,9 +157,8 @@ void EvaluationRunner::work(const std::stop_token& stop) {
       previous = previous_;
       newest = newest_;
     }
-    context.progress = [this, number = order.number,
-                        last = std::chrono::steady_clock::time_point()](double fraction,
-                                                                        std::string_view step) mutable {
+    context.progress = [this, number = order.number, last = std::chrono::steady_clock::time_point()](
+                           double fraction, std::string_view step) mutable {
       const auto now = std::chrono::steady_clock::now();
       if (now - last < kProgressInterval) return;
       last = now;

@@ -59,7 +59,8 @@ std::vector<fs::path> Settings::recentFiles() const {
   std::vector<fs::path> files;
   std::error_code ignored;
   for (const QString& text : store_.value("recent").toStringList())
-    if (fs::path file = text.toStdString(); fs::is_regular_file(file, ignored)) files.push_back(std::move(file));
+    if (fs::path file = text.toStdString(); fs::is_regular_file(file, ignored))
+      files.push_back(std::move(file));
   return files;
 }
 
@@ -86,7 +87,9 @@ QString Settings::folder(const QString& use) const {
 
 void Settings::setFolder(const QString& use, const QString& folder) { store("folder/" + use, folder); }
 
-QByteArray Settings::layout(const QString& part) const { return store_.value("layout/" + part).toByteArray(); }
+QByteArray Settings::layout(const QString& part) const {
+  return store_.value("layout/" + part).toByteArray();
+}
 
 void Settings::setLayout(const QString& part, const QByteArray& state) { store("layout/" + part, state); }
 

@@ -82,7 +82,8 @@ Step stepOfIssue(const Issue& issue) {
 
 StepStates stepStates(const StepFacts& facts) {
   StepStates states;
-  const bool empty = !facts.design || (facts.design->source.path.empty() && facts.design->source.bytes.empty());
+  const bool empty =
+      !facts.design || (facts.design->source.path.empty() && facts.design->source.bytes.empty());
   if (empty) {
     states[int(Step::input)].text = QStringLiteral("No surface yet");
     return states;
@@ -117,7 +118,8 @@ StepStates stepStates(const StepFacts& facts) {
     else if (facts.exported)
       output = {Kind::stale, 0, QStringLiteral("Older export")};
     else
-      output = {Kind::idle, 0, ready ? QStringLiteral("Ready to export") : QStringLiteral("Waits for the result")};
+      output = {Kind::idle, 0,
+                ready ? QStringLiteral("Ready to export") : QStringLiteral("Waits for the result")};
   }
   if (facts.busy && !facts.exporting) {
     const Step step = !facts.busyStep.isEmpty() ? stepOfWork(facts.busyStep)

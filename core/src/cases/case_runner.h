@@ -19,7 +19,8 @@ namespace bw::detail {
 inline tl::unexpected<Error> passOn(const Error& error) { return tl::unexpected<Error>(error); }
 
 /// One case to its result. Sets the flag if a result is there but a stated bound or tolerance is not met.
-using CaseFunction = std::function<Result<nlohmann::ordered_json>(const nlohmann::json& object, bool& limited)>;
+using CaseFunction =
+    std::function<Result<nlohmann::ordered_json>(const nlohmann::json& object, bool& limited)>;
 
 /// Runs one case, or all of {"cases": […]} in parallel, each to a fixed slot.
 Result<CaseAnswer> runCases(std::string_view text, const RunContext& context, const CaseFunction& run);

@@ -12,7 +12,8 @@ namespace bw {
 
 /// Reads a blade object strictly over the values of `blade`.
 Result<Blade> bladeFromJson(const nlohmann::json& object, const std::string& path, Blade blade);
-/// The member "blade" of an object: the word of a preset, or an object over the values of `blade` or of its "preset".
+/// The member "blade" of an object: the word of a preset, or an object over the values of `blade` or of its
+/// "preset".
 void readBlade(ObjectReader& reader, Blade& blade);
 nlohmann::json bladeToJson(const Blade& blade);
 

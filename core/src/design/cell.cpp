@@ -8,11 +8,11 @@
 #include <filesystem>
 #include <system_error>
 
+#include "base/json_reader.h"
 #include "bw/core/blade.h"
 #include "bw/core/file_set.h"
 #include "bw/core/number_text.h"
 #include "bw/core/units.h"
-#include "base/json_reader.h"
 
 namespace bw {
 

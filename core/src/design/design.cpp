@@ -6,9 +6,9 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "base/json_reader.h"
 #include "bw/core/file_set.h"
 #include "design/job_json.h"
-#include "base/json_reader.h"
 
 namespace bw {
 

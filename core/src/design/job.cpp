@@ -82,7 +82,8 @@ void readBlock(ObjectReader& reader, std::optional<BlockPlacement>& block) {
   ObjectReader inner(*value, reader.path() + ".block");
   BlockPlacement placement;
   Eigen::Vector3d degrees = Eigen::Vector3d::Zero();
-  inner.need("origin", inner.path() + " needs the key origin: its corner [x, y, z] in the file's frame, in mm");
+  inner.need("origin",
+             inner.path() + " needs the key origin: its corner [x, y, z] in the file's frame, in mm");
   inner.need("size", inner.path() + " needs the key size: [dx, dy, dz] in mm");
   inner.vector3("origin", placement.origin, -kMaxCoordinate, kMaxCoordinate);
   inner.vector3("size", placement.size, 1.0, kMaxBlock);

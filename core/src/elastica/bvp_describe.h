@@ -27,8 +27,8 @@ double energyOf(const SampledSolution& sampled);
 /// Both margins; that out of the plane only with a torsion ratio.
 ClampedMargins marginsOf(const SampledSolution& sampled, std::optional<double> torsionRatio);
 
-/// The least margin that proves a shape to be stable: 0 in general, but for rounding. A loop between taut stretches slides
-/// along them with hardly any resistance, and what the modes say of it is not certain.
+/// The least margin that proves a shape to be stable: 0 in general, but for rounding. A loop between taut
+/// stretches slides along them with hardly any resistance, and what the modes say of it is not certain.
 double certainMargin(const UnitSolution& solution);
 
 /// How far the curve moves with its grips: per length and per radian, in lengths.

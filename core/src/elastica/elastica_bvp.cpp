@@ -205,7 +205,8 @@ const char* const kBucklingMessage =
     "is as good.";
 
 const char* const kSlidingMessage =
-    "Both grips are in one place and point the same way: shapes with inflections slide along themselves through "
+    "Both grips are in one place and point the same way: shapes with inflections slide along themselves "
+    "through "
     "them without resistance, and one of each such family is given.";
 
 /// Shapes of a closed curve with inflections, lowest energy first: of those that turn into each other by
@@ -293,7 +294,8 @@ Result<ClampedAnswer> solveAllClamped(const ClampedProblem& problem, const Clamp
   std::stable_sort(answer.solutions.begin(), answer.solutions.end(),
                    [](const ClampedSolution& a, const ClampedSolution& b) { return a.energy < b.energy; });
   constexpr double kClosed = 1e-9;  // lengths, rad
-  if (checked->end.norm() < kClosed && std::abs(std::remainder(checked->turning, 2 * std::numbers::pi)) < kClosed &&
+  if (checked->end.norm() < kClosed &&
+      std::abs(std::remainder(checked->turning, 2 * std::numbers::pi)) < kClosed &&
       keepOneOfAFamily(answer.solutions))
     answer.message = kSlidingMessage;
   return answer;

@@ -15,9 +15,9 @@ namespace bw::detail {
 /// The elastica as a chain of power series in arc length, with the first derivatives with respect to the
 /// first `Directions` (0 or 3) of (κ, f_t, f_n). docs/mathematics.md, 3.
 ///
-/// A flow walks away from 0 in one direction; the piece at hand covers arc lengths up to `end()`. Series of order 22,
-/// the cheapest for full double accuracy (tests/bench/elastica_bench.cpp), carry all digits; those of order 12 about
-/// nine, at a third of the cost.
+/// A flow walks away from 0 in one direction; the piece at hand covers arc lengths up to `end()`. Series of
+/// order 22, the cheapest for full double accuracy (tests/bench/elastica_bench.cpp), carry all digits; those
+/// of order 12 about nine, at a third of the cost.
 template <int Directions, std::size_t Order = 22>
 class ElasticaFlow {
  public:

@@ -18,7 +18,8 @@ struct Source {
   bool operator==(const Source&) const = default;
 };
 
-/// A design: an immutable value that holds everything a result is made from. What the desktop program edits and saves.
+/// A design: an immutable value that holds everything a result is made from. What the desktop program edits
+/// and saves.
 struct Design {
   std::string name = "Untitled";
   Source source;
@@ -32,7 +33,8 @@ Result<Design> parseDesign(std::string_view json);
 /// The text of a .bladewright file (JSON, versioned; embedded geometry as base64).
 std::string designToJson(const Design& design);
 
-/// Reads and writes the file itself; a linked source is resolved against the file's folder. Writing is atomic.
+/// Reads and writes the file itself; a linked source is resolved against the file's folder. Writing is
+/// atomic.
 Result<Design> loadDesign(const std::filesystem::path& file);
 Result<void> saveDesign(const Design& design, const std::filesystem::path& file);
 

@@ -11,8 +11,9 @@
 
 namespace bw {
 
-/// Files that are written together: all or none. Each goes to a temporary file beside its place; only when every one is written and synced are
-/// they renamed. A failure (no folder, no right, disk full) removes the temporary files and says which path and why.
+/// Files that are written together: all or none. Each goes to a temporary file beside its place; only when
+/// every one is written and synced are they renamed. A failure (no folder, no right, disk full) removes the
+/// temporary files and says which path and why.
 class FileSet {
  public:
   /// Adds a file; `path` relative to the folder given to `commit`.
@@ -20,8 +21,9 @@ class FileSet {
   /// Adds all files of `other` below `folder`.
   void append(FileSet other, const std::filesystem::path& folder);
   const std::vector<std::filesystem::path>& paths() const { return paths_; }
-  /// Writes all below `folder`, which is made if missing. A symbolic link is followed; a device or pipe is written itself. A stop that is
-  /// asked for while the temporary files are written removes them again (`ErrorCode::cancelled`).
+  /// Writes all below `folder`, which is made if missing. A symbolic link is followed; a device or pipe is
+  /// written itself. A stop that is asked for while the temporary files are written removes them again
+  /// (`ErrorCode::cancelled`).
   Result<void> commit(const std::filesystem::path& folder, const RunContext& context = {}) const;
 
  private:

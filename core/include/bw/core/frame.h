@@ -10,8 +10,8 @@
 
 namespace bw {
 
-/// A right-handed orthonormal frame in the file's frame (mm). `normal` = x × y. For a station, x and y span the
-/// blade's plane and `normal` is the cutting direction.
+/// A right-handed orthonormal frame in the file's frame (mm). `normal` = x × y. For a station, x and y span
+/// the blade's plane and `normal` is the cutting direction.
 struct Frame {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   Eigen::Vector3d x = Eigen::Vector3d::UnitX();
@@ -56,15 +56,15 @@ struct Bounds {
   Eigen::Vector3d center() const { return 0.5 * (min + max); }
 };
 
-/// The rotation given by intrinsic X-Y'-Z'' angles (rad), columns = rotated axes: R = Rx(a) Ry(b) Rz(c). This is the
-/// meaning of `rotation_deg` of a block.
+/// The rotation given by intrinsic X-Y'-Z'' angles (rad), columns = rotated axes: R = Rx(a) Ry(b) Rz(c). This
+/// is the meaning of `rotation_deg` of a block.
 Eigen::Matrix3d rotationFromAngles(const Eigen::Vector3d& angles);
 
 /// The angles (rad) of `rotationFromAngles`.
 Eigen::Vector3d anglesFromRotation(const Eigen::Matrix3d& rotation);
 
-/// A right-handed frame with the given normal. x is the direction nearest to `xHint` in the plane; if that is parallel to the
-/// normal, a world axis is taken instead. Fails on a zero or non-finite normal.
+/// A right-handed frame with the given normal. x is the direction nearest to `xHint` in the plane; if that is
+/// parallel to the normal, a world axis is taken instead. Fails on a zero or non-finite normal.
 Result<Frame> frameFromNormal(const Eigen::Vector3d& origin, const Eigen::Vector3d& normal,
                               const Eigen::Vector3d& xHint);
 

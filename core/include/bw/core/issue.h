@@ -16,12 +16,13 @@ enum class Severity { info, warning, error };
 /// "info", "warning" or "error".
 const char* severityName(Severity severity);
 
-/// "station 8" for the index 7: texts for people count from 1, as the window does; indices in data count from 0.
+/// "station 8" for the index 7: texts for people count from 1, as the window does; indices in data count from
+/// 0.
 std::string stationName(int index);
 
 /// The place of a finding: everything that the window needs to select and frame it.
 struct Place {
-  std::string text = {};                              ///< in words, for instance "station 12"
+  std::string text = {};  ///< in words, for instance "station 12"
   std::optional<int> strip = std::nullopt;
   std::optional<int> station = std::nullopt;
   std::optional<Eigen::Vector3d> point = std::nullopt;  ///< in the file's frame, mm
@@ -41,9 +42,10 @@ using Issues = std::vector<Issue>;
 /// True if any of `issues` is an error.
 bool hasErrors(const Issues& issues);
 
-/// True if any of `issues` says that a limit is exceeded: an error of any kind, or a warning about a limit that the job or the blade
-/// states, of kind "deviation" (tolerance), "clearance" or "stability" (the blade would not keep its shape). Warnings by rules of
-/// thumb ("angle", "speed", "inflections", …) do not count, nor does "out-of-plane", which hangs on how the grips hold the blade.
+/// True if any of `issues` says that a limit is exceeded: an error of any kind, or a warning about a limit
+/// that the job or the blade states, of kind "deviation" (tolerance), "clearance" or "stability" (the blade
+/// would not keep its shape). Warnings by rules of thumb ("angle", "speed", "inflections", …) do not count,
+/// nor does "out-of-plane", which hangs on how the grips hold the blade.
 bool exceedsLimit(const Issues& issues);
 
 }  // namespace bw

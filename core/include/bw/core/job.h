@@ -34,22 +34,23 @@ struct BlockPlacement {
   Box box() const;
 };
 
-/// Everything that a rationalisation is asked to do: the JOB.json of the command line and the settings of a design.
+/// Everything that a rationalisation is asked to do: the JOB.json of the command line and the settings of a
+/// design.
 struct Job {
   FaceChoice face;
-  std::optional<BlockPlacement> block;             ///< empty = "auto": around the face
-  std::optional<Eigen::Vector3d> direction;        ///< cutting direction in the file's frame, unit; empty = "auto"
-  int stations = 60;                               ///< used unless `spacing` is set; ≥ 2, at most kMaxStations
-  std::optional<double> spacing;                   ///< mm between stations
-  double lead = 20;                                ///< mm of straight travel before and after the block
+  std::optional<BlockPlacement> block;       ///< empty = "auto": around the face
+  std::optional<Eigen::Vector3d> direction;  ///< cutting direction in the file's frame, unit; empty = "auto"
+  int stations = 60;                         ///< used unless `spacing` is set; ≥ 2, at most kMaxStations
+  std::optional<double> spacing;             ///< mm between stations
+  double lead = 20;                          ///< mm of straight travel before and after the block
   Blade blade;
   FitOptions::Length fitLength = FitOptions::Length::free;
   bool fitEndpoints = false;
   bool fitTangents = false;
   double maxPeriods = 1;
-  double tolerance = 2.0;                          ///< mm, deviation of the cut surface
-  double cuttingSpeed = 20.0;                      ///< mm/s of the fastest point
-  double clearance = 50.0;                         ///< mm between a grip and the block
+  double tolerance = 2.0;      ///< mm, deviation of the cut surface
+  double cuttingSpeed = 20.0;  ///< mm/s of the fastest point
+  double clearance = 50.0;     ///< mm between a grip and the block
   std::vector<std::string> programs = {"rapid", "csv", "json"};
   std::string cell = "irb1600-pair";
   int threads = 0;
@@ -57,8 +58,8 @@ struct Job {
   static constexpr int kMaxStations = 20000;
 };
 
-/// Reads JOB.json. Unknown keys, wrong types and values out of range are errors that name the key, the value and the remedy (the
-/// nearest known key is suggested). Every key is optional.
+/// Reads JOB.json. Unknown keys, wrong types and values out of range are errors that name the key, the value
+/// and the remedy (the nearest known key is suggested). Every key is optional.
 Result<Job> parseJob(std::string_view json);
 
 /// The job as JSON text that `parseJob` reads back to an equal job; every key written.

@@ -17,7 +17,8 @@ struct TriangleMesh {
   std::vector<std::array<int, 3>> triangles;
 };
 
-/// One scalar a point. `name` is the stable word ("deviation"), `title` what the legend says, `unit` its unit ("mm", "°", "").
+/// One scalar a point. `name` is the stable word ("deviation"), `title` what the legend says, `unit` its unit
+/// ("mm", "°", "").
 struct Field {
   std::string name;
   std::string title;
@@ -25,8 +26,8 @@ struct Field {
   std::vector<double> values;
 };
 
-/// A grid of points on a surface: `rows` × `columns`, row-major; a row runs along the blade, a column along the cutting
-/// direction.
+/// A grid of points on a surface: `rows` × `columns`, row-major; a row runs along the blade, a column along
+/// the cutting direction.
 struct SurfaceGrid {
   int rows = 0;
   int columns = 0;

@@ -21,8 +21,8 @@ std::string shortText(double value, int digits = 3);
 /// Reads a whole text as a finite double, independent of locale; empty if it is not one.
 std::optional<double> parseNumber(std::string_view text);
 
-/// The candidate nearest to `word` by edit distance, or empty if none is close (at most a third of the word differs,
-/// at least two letters allowed). Serves "did you mean …" messages.
+/// The candidate nearest to `word` by edit distance, or empty if none is close (at most a third of the word
+/// differs, at least two letters allowed). Serves "did you mean …" messages.
 std::string nearestWord(std::string_view word, const std::string* candidates, int count);
 
 }  // namespace bw

@@ -11,24 +11,26 @@
 
 namespace bw {
 
-/// A plane curve, immutable and cheap to copy: Bézier, B-spline (any knots, rational or not) or a chain of points.
-/// Parameters run over [start(), end()]; lengths in mm (any unit, consistently); curvature is positive counter-clockwise.
-/// Copies may be used from several threads at once.
+/// A plane curve, immutable and cheap to copy: Bézier, B-spline (any knots, rational or not) or a chain of
+/// points. Parameters run over [start(), end()]; lengths in mm (any unit, consistently); curvature is
+/// positive counter-clockwise. Copies may be used from several threads at once.
 class PlanarCurve {
  public:
   enum class Kind { bezier, bspline, points };
 
-  /// A Bézier curve over [0, 1] with 2 or more poles. Fails on fewer poles, non-finite numbers or zero length.
+  /// A Bézier curve over [0, 1] with 2 or more poles. Fails on fewer poles, non-finite numbers or zero
+  /// length.
   static Result<PlanarCurve> bezier(std::vector<Eigen::Vector2d> poles);
 
-  /// A B-spline of degree ≥ 1; `knots` flat with multiplicity (size = poles + degree + 1, non-decreasing, inner
-  /// multiplicity ≤ degree); the domain is [knots[degree], knots[poles]]. `weights` empty = not rational, else one > 0 a pole.
-  /// Fails with the offending index and value.
-  static Result<PlanarCurve> bspline(int degree, std::vector<double> knots, std::vector<Eigen::Vector2d> poles,
-                                     std::vector<double> weights = {});
+  /// A B-spline of degree ≥ 1; `knots` flat with multiplicity (size = poles + degree + 1, non-decreasing,
+  /// inner multiplicity ≤ degree); the domain is [knots[degree], knots[poles]]. `weights` empty = not
+  /// rational, else one > 0 a pole. Fails with the offending index and value.
+  static Result<PlanarCurve> bspline(int degree, std::vector<double> knots,
+                                     std::vector<Eigen::Vector2d> poles, std::vector<double> weights = {});
 
-  /// A chain of 2 or more points parameterised by its own arc length [0, L]. Coincident neighbours are merged;
-  /// value and tangent follow the polyline, curvature is estimated from the turning angles (thesis 4.2).
+  /// A chain of 2 or more points parameterised by its own arc length [0, L]. Coincident neighbours are
+  /// merged; value and tangent follow the polyline, curvature is estimated from the turning angles
+  /// (thesis 4.2).
   static Result<PlanarCurve> points(std::vector<Eigen::Vector2d> points);
 
   Kind kind() const;
@@ -62,8 +64,8 @@ class PlanarCurve {
   /// Samples for integrals over arc length: Gauss nodes of every knot span in order. ∫ f ds ≈ Σ weight_i f_i.
   struct Quadrature {
     std::vector<double> parameter;
-    std::vector<double> arc;        ///< arc length from the start
-    std::vector<double> weight;     ///< in arc length; sums to length()
+    std::vector<double> arc;     ///< arc length from the start
+    std::vector<double> weight;  ///< in arc length; sums to length()
     std::vector<Eigen::Vector2d> point;
     std::vector<Eigen::Vector2d> tangent;  ///< unit
     std::vector<double> curvature;
@@ -72,15 +74,16 @@ class PlanarCurve {
   const Quadrature& quadrature() const;
 
   PlanarCurve reversed() const;
-  /// The part between parameters t0 < t1, exact (knot insertion). A B-spline keeps its parameters; a part of a Bézier runs over
-  /// [0, 1], a part of a chain from 0. Fails if the part is empty.
+  /// The part between parameters t0 < t1, exact (knot insertion). A B-spline keeps its parameters; a part of
+  /// a Bézier runs over [0, 1], a part of a chain from 0. Fails if the part is empty.
   Result<PlanarCurve> subCurve(double t0, double t1) const;
   /// Rotated by `angle` about the origin, then scaled by `scale` > 0, then moved.
   PlanarCurve transformed(double angle, double scale, const Eigen::Vector2d& translation) const;
 
   /// The parameter of the point nearest to p, to 1e-9 of the length; global (all spans are searched).
   double nearestParameter(const Eigen::Vector2d& p) const;
-  /// The parameter of a point locally nearest to p, found downhill from `seed`; much faster than the global search.
+  /// The parameter of a point locally nearest to p, found downhill from `seed`; much faster than the global
+  /// search.
   double nearestParameter(const Eigen::Vector2d& p, double seed) const;
 
   /// `count` ≥ 2 points at equal arc length, ends included.

@@ -12,12 +12,12 @@ namespace bw {
 
 /// What went wrong, in the classes that a caller can act on. The command line maps them to exit statuses.
 enum class ErrorCode {
-  badInput,       ///< the input or the usage is wrong (exit status 2)
-  noSolution,     ///< the problem has no solution (3)
-  cannotRead,     ///< a file could not be read (4)
-  cannotWrite,    ///< a file could not be written (4)
-  cancelled,      ///< stopped on request (130)
-  internal,       ///< a fault of our own (5)
+  badInput,     ///< the input or the usage is wrong (exit status 2)
+  noSolution,   ///< the problem has no solution (3)
+  cannotRead,   ///< a file could not be read (4)
+  cannotWrite,  ///< a file could not be written (4)
+  cancelled,    ///< stopped on request (130)
+  internal,     ///< a fault of our own (5)
 };
 
 /// The name of `code` as it stands in JSON: "bad-input", "no-solution", "cannot-read", …
@@ -27,7 +27,7 @@ const char* errorCodeName(ErrorCode code);
 struct Error {
   ErrorCode code = ErrorCode::internal;
   std::string message;
-  std::string where = {};                    ///< the file, key, station or parameter concerned; may be empty
+  std::string where = {};  ///< the file, key, station or parameter concerned; may be empty
   std::optional<double> value = std::nullopt;  ///< the offending number, if there is one
   std::optional<double> limit = std::nullopt;  ///< the bound that it violates, if there is one
 };

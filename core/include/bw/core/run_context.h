@@ -33,8 +33,10 @@ struct RunContext {
   return fail(ErrorCode::cancelled, "stopped on request");
 }
 
-/// Runs `body(i)` for i in [0, count) on the context's threads; results must go to slots of their own, so that the
-/// outcome does not depend on the number of threads. Returns early, with `cancelled`, when the context is stopped.
-[[nodiscard]] Result<void> parallelFor(const RunContext& context, int count, const std::function<void(int)>& body);
+/// Runs `body(i)` for i in [0, count) on the context's threads; results must go to slots of their own, so
+/// that the outcome does not depend on the number of threads. Returns early, with `cancelled`, when the
+/// context is stopped.
+[[nodiscard]] Result<void> parallelFor(const RunContext& context, int count,
+                                       const std::function<void(int)>& body);
 
 }  // namespace bw

@@ -11,8 +11,9 @@
 
 namespace bw {
 
-/// A surface as core sees it: a point and derivatives by (face, u, v), and the closest point. CAD faces (OCCT), graphs
-/// z = f(x, y) and analytic test surfaces implement it. Objects are not safe to share between threads; `clone` one a thread.
+/// A surface as core sees it: a point and derivatives by (face, u, v), and the closest point. CAD faces
+/// (OCCT), graphs z = f(x, y) and analytic test surfaces implement it. Objects are not safe to share between
+/// threads; `clone` one a thread.
 class SurfaceSampler {
  public:
   virtual ~SurfaceSampler() = default;
@@ -24,12 +25,13 @@ class SurfaceSampler {
     Eigen::Vector3d point = Eigen::Vector3d::Zero();
     Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< unit, on the outer side of the face
     double distance = 0.0;                              ///< ≥ 0, mm, from the query point
-    bool onBoundary = false;  ///< the closest point lies on the border of the trimmed surface, so that the side is undefined
+    bool onBoundary = false;  ///< the closest point lies on the border of the trimmed surface, so that the
+                              ///< side is undefined
   };
 
-  /// The point of the surface (trimmed faces) closest to `p`. `seed`, a foot of a nearby query, makes it a few Newton steps;
-  /// the result does not rely on the seed being right: a foot that is worse than the seed's neighbourhood allows is searched
-  /// for globally. Accuracy 1e-6 mm.
+  /// The point of the surface (trimmed faces) closest to `p`. `seed`, a foot of a nearby query, makes it a
+  /// few Newton steps; the result does not rely on the seed being right: a foot that is worse than the seed's
+  /// neighbourhood allows is searched for globally. Accuracy 1e-6 mm.
   virtual Result<Foot> closest(const Eigen::Vector3d& p, const Foot* seed) = 0;
 
   /// An independent copy for another thread.

@@ -23,7 +23,8 @@
 
 namespace bw {
 
-/// A planar section of the target: the curve in the coordinates of `frame`. `travel` is the position (mm) along the cutting direction.
+/// A planar section of the target: the curve in the coordinates of `frame`. `travel` is the position (mm)
+/// along the cutting direction.
 struct Section {
   int index = 0;
   double travel = 0;
@@ -34,21 +35,25 @@ struct Section {
 /// One station of a sweep: the target section, the elastica that stands for it, and the blade that holds it.
 struct Station {
   int index = 0;
-  double travel = 0;       ///< mm along the cutting direction
+  double travel = 0;  ///< mm along the cutting direction
   Frame frame;
-  PlanarCurve target;      ///< in the plane of `frame`
-  double targetLength = 0; ///< mm
-  FitResult fit = {};      ///< fit.elastica is the part that cuts the target
-  bool heldBack = false;   ///< `fit` is not the nearest curve, but one whose blade keeps its radius and rests
-  bool steadied = false;   ///< `fit` is not the nearest curve, but one near its neighbour's shape, within the tolerance
-  Elastica blade = {};     ///< fit.elastica extended at both ends to the blade's length
-  double extension = 0;    ///< a: blade = parameters [−a, 1 + a] of the fitted segment, a ≥ 0; < 0 if the blade is too short
+  PlanarCurve target;       ///< in the plane of `frame`
+  double targetLength = 0;  ///< mm
+  FitResult fit = {};       ///< fit.elastica is the part that cuts the target
+  bool heldBack = false;  ///< `fit` is not the nearest curve, but one whose blade keeps its radius and rests
+  bool steadied =
+      false;  ///< `fit` is not the nearest curve, but one near its neighbour's shape, within the tolerance
+  Elastica blade = {};  ///< fit.elastica extended at both ends to the blade's length
+  double extension =
+      0;  ///< a: blade = parameters [−a, 1 + a] of the fitted segment, a ≥ 0; < 0 if the blade is too short
   double angleMean = 0, angleMax = 0;  ///< rad, velocity to plane normal
-  double speedRatio = 1;   ///< slowest over fastest point of the fitted segment
-  double clearance = 0;    ///< mm between the nearer grip and the block; negative inside it
-  double stabilityMargin = 1;    ///< of the clamped blade in its plane: 1 straight, 0 about to snap (`stabilityMargin`)
-  double outOfPlaneMargin = 1;   ///< of a round blade against leaving its plane; 1 for a flat one, which is stiff across it
-  bool stable = true;            ///< stabilityMargin > 0: the blade rests in this shape
+  double speedRatio = 1;               ///< slowest over fastest point of the fitted segment
+  double clearance = 0;                ///< mm between the nearer grip and the block; negative inside it
+  double stabilityMargin =
+      1;  ///< of the clamped blade in its plane: 1 straight, 0 about to snap (`stabilityMargin`)
+  double outOfPlaneMargin =
+      1;  ///< of a round blade against leaving its plane; 1 for a flat one, which is stiff across it
+  bool stable = true;  ///< stabilityMargin > 0: the blade rests in this shape
 
   /// The ends of the blade in space: TCP origin and unit tangent in the direction of increasing arc length.
   Eigen::Vector3d leftPoint() const { return frame.toWorld(blade.start()); }
@@ -57,8 +62,8 @@ struct Station {
   Eigen::Vector3d rightTangent() const;
 };
 
-/// How often a blade in this shape changes the side to which it bends. Bends so slight that no blade shows them (|κ| times the length at
-/// most 1e-4), such as those of a straight section, do not count.
+/// How often a blade in this shape changes the side to which it bends. Bends so slight that no blade shows
+/// them (|κ| times the length at most 1e-4), such as those of a straight section, do not count.
 [[nodiscard]] int bladeInflections(const Elastica& shape);
 
 /// One continuous motion of the blade.
@@ -66,30 +71,33 @@ struct Sweep {
   Box block;
   Eigen::Vector3d direction = Eigen::Vector3d::UnitY();  ///< unit, cutting direction
   Blade blade;
-  double lead = 0;   ///< mm of travel before the first and after the last station, with the shape held
+  double lead = 0;  ///< mm of travel before the first and after the last station, with the shape held
   std::vector<Station> stations;
 };
 
-/// Fits one elastica a section, from the longest section to both ends of the row, each beside its neighbour, and extends it to the blade's length. `sections` in the order of
-/// travel, all curves running the same way. A blade shorter than a section is an error.
+/// Fits one elastica a section, from the longest section to both ends of the row, each beside its neighbour,
+/// and extends it to the blade's length. `sections` in the order of travel, all curves running the same way.
+/// A blade shorter than a section is an error.
 Result<Sweep> buildSweep(std::vector<Section> sections, const Job& job, const Box& block,
                          const Eigen::Vector3d& direction, const RunContext& context, Issues& issues,
                          double* fitSeconds = nullptr, double* extendSeconds = nullptr);
 
-/// Numbers over all stations, as in report.json (mm, rad). Mean, rms and fraction of the deviation and the mean angle are over the area
-/// of the cut surface; those of R4 and Hausdorff distance over the stations.
+/// Numbers over all stations, as in report.json (mm, rad). Mean, rms and fraction of the deviation and the
+/// mean angle are over the area of the cut surface; those of R4 and Hausdorff distance over the stations.
 struct SweepSummary {
   double R4Max = 0, R4Mean = 0, hausdorffMax = 0, hausdorffMean = 0;
-  double deviationMax = 0, deviationMean = 0, deviationRms = 0, withinTolerance = 1;  ///< |deviation|; fraction 0…1
+  double deviationMax = 0, deviationMean = 0, deviationRms = 0,
+         withinTolerance = 1;  ///< |deviation|; fraction 0…1
   double angleMax = 0, angleMean = 0, angleStationMeanMax = 0, speedRatioMin = 1;
-  double minRadius = 0;      ///< mm, over the cut segments and their extensions
-  double cuttingTime = 0;    ///< s, lead included
+  double minRadius = 0;    ///< mm, over the cut segments and their extensions
+  double cuttingTime = 0;  ///< s, lead included
 };
 
 /// The cut surface with its fields, and what was found.
 struct SweepAnalysis {
-  /// Sampled finely: every station and rows between. Fields "deviation" (mm, signed), "angle" (°), "speed" (mm/s),
-  /// "relative_speed" (0…1), "curvature" (|κ| over the limit), "stress" (N/mm², of bending in the outermost fibre).
+  /// Sampled finely: every station and rows between. Fields "deviation" (mm, signed), "angle" (°), "speed"
+  /// (mm/s), "relative_speed" (0…1), "curvature" (|κ| over the limit), "stress" (N/mm², of bending in the
+  /// outermost fibre).
   SurfaceGrid cut;
   SplineSurface surface;        ///< the smooth skin through the stations
   std::vector<int> stationRow;  ///< row of `cut` of each station
@@ -97,13 +105,14 @@ struct SweepAnalysis {
   Issues issues;
 };
 
-/// Checks a sweep against the target: velocities (thesis 5.3, following the arc length from the blade's middle), curvature limit,
-/// inflections, clearance, and the deviation of the cut surface, also between stations. Fills angle, speed ratio and clearance of the
-/// stations of `sweep`.
-Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const Job& job, const SurfaceSampler& target, const RunContext& context);
+/// Checks a sweep against the target: velocities (thesis 5.3, following the arc length from the blade's
+/// middle), curvature limit, inflections, clearance, and the deviation of the cut surface, also between
+/// stations. Fills angle, speed ratio and clearance of the stations of `sweep`.
+Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const Job& job, const SurfaceSampler& target,
+                                   const RunContext& context);
 
-/// The pose of one blade end at one instant, in the block frame. The rotation's columns are x = unit tangent into the blade,
-/// z = cutting direction (both ends the same), y = z × x.
+/// The pose of one blade end at one instant, in the block frame. The rotation's columns are x = unit tangent
+/// into the blade, z = cutting direction (both ends the same), y = z × x.
 struct Pose {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
@@ -119,13 +128,13 @@ struct MotionInstant {
 /// A timed motion of the blade's ends in the frame of the block: what a robot program is written from.
 struct Motion {
   Box block;
-  double bladeLength = 0;    ///< mm
-  double cuttingSpeed = 0;   ///< mm/s of the fastest point of the blade
+  double bladeLength = 0;   ///< mm
+  double cuttingSpeed = 0;  ///< mm/s of the fastest point of the blade
   std::vector<MotionInstant> instants;
 };
 
-/// Times the stations so that the fastest point of the blade moves at `cuttingSpeed`, adds the leads, and puts the ends in the block
-/// frame. Quaternions keep one sign along the path.
+/// Times the stations so that the fastest point of the blade moves at `cuttingSpeed`, adds the leads, and
+/// puts the ends in the block frame. Quaternions keep one sign along the path.
 Result<Motion> buildMotion(const Sweep& sweep, double cuttingSpeed);
 
 }  // namespace bw

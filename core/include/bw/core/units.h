@@ -4,8 +4,8 @@
 
 #include <numbers>
 
-/// Units: lengths in mm, angles in rad, times in s, mass in kg, stress in N/mm² (MPa). Converted only in readers,
-/// writers and widgets.
+/// Units: lengths in mm, angles in rad, times in s, mass in kg, stress in N/mm² (MPa). Converted only in
+/// readers, writers and widgets.
 namespace bw {
 
 inline constexpr double kPi = std::numbers::pi;

@@ -19,20 +19,23 @@ namespace bw::geometry {
 
 /// How the target lies in its block, and which way the blade goes.
 struct Setup {
-  Box block;                                              ///< z (frame.normal) is the side from which the surface is looked at
-  Eigen::Vector3d direction = Eigen::Vector3d::UnitY();   ///< unit cutting direction
+  Box block;  ///< z (frame.normal) is the side from which the surface is looked at
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitY();  ///< unit cutting direction
 };
 
-/// Resolves "auto": the block around the target (oriented box of the part's frame, axis-parallel where that is nearly as small, with a few mm of margin below and
-/// above so that no cut runs along a face of the block) and the cutting direction (the longer side of the oriented box). A given direction
-/// is normalised; a zero one is an error.
+/// Resolves "auto": the block around the target (oriented box of the part's frame, axis-parallel where that
+/// is nearly as small, with a few mm of margin below and above so that no cut runs along a face of the block)
+/// and the cutting direction (the longer side of the oriented box). A given direction is normalised; a zero
+/// one is an error.
 Result<Setup> resolveSetup(const Target& target, const Job& job, Issues& issues);
 
-/// Intersects the target with parallel planes across `setup.direction`, from the first to the last place inside block and target.
-/// Each section is cleaned (tiny spurious oscillation, duplicate knots), chained over the faces, trimmed to the block, and converted to a
-/// planar curve; all run the same way (towards +x of their frames) and all frames are parallel (x: horizontal in the block where possible,
-/// y: towards the outer side of the target, normal: the cutting direction). Planes that miss, closed sections and sections with several branches are reported in
-/// `issues` with their station, never guessed: a station without exactly one open curve is left out, and none left at all is an error.
+/// Intersects the target with parallel planes across `setup.direction`, from the first to the last place
+/// inside block and target. Each section is cleaned (tiny spurious oscillation, duplicate knots), chained
+/// over the faces, trimmed to the block, and converted to a planar curve; all run the same way (towards +x of
+/// their frames) and all frames are parallel (x: horizontal in the block where possible, y: towards the outer
+/// side of the target, normal: the cutting direction). Planes that miss, closed sections and sections with
+/// several branches are reported in `issues` with their station, never guessed: a station without exactly one
+/// open curve is left out, and none left at all is an error.
 Result<std::vector<Section>> cutSections(const Target& target, const Setup& setup, const Job& job,
                                          const RunContext& context, Issues& issues);
 

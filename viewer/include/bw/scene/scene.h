@@ -46,7 +46,8 @@ struct Style {
        showGrid = true;
   double targetOpacity = 0.4, cutOpacity = 1.0, blockOpacity = 0.15;
   bool stale = false;  ///< results are out of date: drawn at 60 %
-  bool softShadows = true;  ///< ambient occlusion of solid things; weaker under a map, which keeps its colours
+  bool softShadows =
+      true;  ///< ambient occlusion of solid things; weaker under a map, which keeps its colours
   std::optional<SectionPlane> section;  ///< cuts the scene open; the foam met is hatched
   double pixelRatio = 1.0;
 };

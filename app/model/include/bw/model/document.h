@@ -18,8 +18,8 @@
 
 namespace bw::model {
 
-/// What the window works on: an immutable design that edits swap, the file it belongs to, and its undo history. Lives on the interface
-/// thread.
+/// What the window works on: an immutable design that edits swap, the file it belongs to, and its undo
+/// history. Lives on the interface thread.
 class Document : public QObject {
   Q_OBJECT
 
@@ -38,7 +38,8 @@ class Document : public QObject {
   QString title() const;
   QUndoStack& undoStack() { return undo_; }
 
-  /// Replaces the design as one undoable step named `text` ("Change stations"). Nothing happens if `after` equals the present design.
+  /// Replaces the design as one undoable step named `text` ("Change stations"). Nothing happens if `after`
+  /// equals the present design.
   void edit(Design after, const QString& text, int mergeId = -1);
   /// The same for the job alone.
   void editJob(const QString& text, int mergeId, const std::function<void(Job&)>& change);
@@ -52,7 +53,8 @@ class Document : public QObject {
   /// Saves to `file`, atomically; it becomes the document's file.
   Result<void> saveAs(const std::filesystem::path& file);
 
-  /// Writes the autosaved copy now instead of a few seconds after an edit; done in the background unless `wait`.
+  /// Writes the autosaved copy now instead of a few seconds after an edit; done in the background unless
+  /// `wait`.
   void autosaveNow(bool wait = false);
   /// Why the last autosave failed; empty if it did not.
   const QString& autosaveProblem() const { return autosaveProblem_; }
@@ -80,7 +82,7 @@ class Document : public QObject {
   void noteAutosave(const QString& problem);
 
   std::shared_ptr<RecoveryFile> recovery_;
-  QThreadPool writer_;   ///< one thread: copies are written in the order of the edits
+  QThreadPool writer_;  ///< one thread: copies are written in the order of the edits
   QTimer autosaveTimer_;
   QString autosaveProblem_;
 };

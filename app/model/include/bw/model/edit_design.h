@@ -12,8 +12,8 @@ namespace bw::model {
 
 class Document;
 
-/// The one undoable edit: exchanges the design of a document. Edits with the same `mergeId` ≥ 0 that follow each other (one drag of a
-/// slider) become one step.
+/// The one undoable edit: exchanges the design of a document. Edits with the same `mergeId` ≥ 0 that follow
+/// each other (one drag of a slider) become one step.
 class EditDesign : public QUndoCommand {
  public:
   EditDesign(Document& document, std::shared_ptr<const Design> before, std::shared_ptr<const Design> after,

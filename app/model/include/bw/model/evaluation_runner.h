@@ -23,8 +23,9 @@
 
 namespace bw::model {
 
-/// Runs the pipeline on one thread of its own, so that the window never waits. Use it from the interface thread; every signal is sent there.
-/// A newer design cancels the older run; results of earlier runs are handed on, so that only what changed is computed again.
+/// Runs the pipeline on one thread of its own, so that the window never waits. Use it from the interface
+/// thread; every signal is sent there. A newer design cancels the older run; results of earlier runs are
+/// handed on, so that only what changed is computed again.
 class EvaluationRunner : public QObject {
   Q_OBJECT
 
@@ -36,10 +37,12 @@ class EvaluationRunner : public QObject {
   /// Stops what runs and waits for it.
   ~EvaluationRunner() override;
 
-  /// Evaluates `design` as soon as possible. A running evaluation is stopped at once, or, if `live` (a slider is being dragged), allowed to
-  /// finish if it takes about as long as the last one, so that the picture follows the hand.
+  /// Evaluates `design` as soon as possible. A running evaluation is stopped at once, or, if `live` (a slider
+  /// is being dragged), allowed to finish if it takes about as long as the last one, so that the picture
+  /// follows the hand.
   void evaluate(const std::shared_ptr<const Design>& design, bool live = false);
-  /// Runs `task` on the newest result after the evaluations asked for so far. `done` is called on the interface thread.
+  /// Runs `task` on the newest result after the evaluations asked for so far. `done` is called on the
+  /// interface thread.
   void submit(const QString& name, Task task, std::function<void(const Result<void>&)> done);
   /// Stops whatever runs and forgets what waits.
   void cancel();

@@ -13,8 +13,8 @@
 
 namespace bw::model {
 
-/// The autosaved copy of one running window. It is locked as long as the program runs; a copy without a living owner was left by a
-/// crash.
+/// The autosaved copy of one running window. It is locked as long as the program runs; a copy without a
+/// living owner was left by a crash.
 class RecoveryFile {
  public:
   /// Takes an unused name in `folder`, which is made if missing. Nothing is written yet.
@@ -40,8 +40,8 @@ struct Recovered {
   std::filesystem::path file;  ///< where it was last saved; empty if never
 };
 
-/// Takes one copy that no running program owns out of `folder` (it is removed from it); the others wait for the next start. Unreadable copies are
-/// dropped.
+/// Takes one copy that no running program owns out of `folder` (it is removed from it); the others wait for
+/// the next start. Unreadable copies are dropped.
 std::optional<Recovered> takeRecovered(const std::filesystem::path& folder);
 
 }  // namespace bw::model

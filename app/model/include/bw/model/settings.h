@@ -23,8 +23,8 @@ class Settings : public QObject {
  public:
   explicit Settings(QObject* parent = nullptr);
 
-  /// From now on nothing is written to the settings and files opened do not become recent ones: for a run that
-  /// must leave no trace.
+  /// From now on nothing is written to the settings and files opened do not become recent ones: for a run
+  /// that must leave no trace.
   void forgetAll() { remembers_ = false; }
 
   ThemeChoice theme() const;

@@ -22,22 +22,22 @@ inline constexpr int kStepCount = 4;
 struct StepState {
   enum class Kind { idle, done, stale, running, warning, error };
   Kind kind = Kind::idle;
-  double progress = 0;   ///< in [0, 1] while running
-  QString text;          ///< the state in a few words, for instance "60 stations"
+  double progress = 0;  ///< in [0, 1] while running
+  QString text;         ///< the state in a few words, for instance "60 stations"
 };
 
 using StepStates = std::array<StepState, kStepCount>;
 
 /// What the states follow from.
 struct StepFacts {
-  std::shared_ptr<const Design> design;                     ///< the present design
-  std::shared_ptr<const Design> evaluated;                  ///< the design of `evaluation`
-  std::shared_ptr<const pipeline::Evaluation> evaluation;   ///< the newest result or null
-  std::optional<Error> error;                               ///< why it stopped short
+  std::shared_ptr<const Design> design;                    ///< the present design
+  std::shared_ptr<const Design> evaluated;                 ///< the design of `evaluation`
+  std::shared_ptr<const pipeline::Evaluation> evaluation;  ///< the newest result or null
+  std::optional<Error> error;                              ///< why it stopped short
   bool busy = false;
   double progress = 0;
-  QString busyStep;                                         ///< the pipeline's word for what runs
-  std::shared_ptr<const Design> exported;                   ///< the design written last, or null
+  QString busyStep;                        ///< the pipeline's word for what runs
+  std::shared_ptr<const Design> exported;  ///< the design written last, or null
   bool exporting = false;
   QString exportProblem;
 };

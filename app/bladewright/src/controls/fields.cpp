@@ -1,0 +1,237 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "controls/fields.h"
+
+#include <QHBoxLayout>
+#include <QMouseEvent>
+#include <QToolButton>
+#include <QWheelEvent>
+
+#include "bw/core/number_text.h"
+#include "window/history_keys.h"
+
+namespace bw::app {
+
+namespace {
+
+constexpr int kFieldWidth = 132;
+
+QString withoutTrailingZeros(QString text) {
+  if (!text.contains(QLatin1Char('.'))) return text;
+  while (text.endsWith(QLatin1Char('0'))) text.chop(1);
+  if (text.endsWith(QLatin1Char('.'))) text.chop(1);
+  return text;
+}
+
+}  // namespace
+
+NumberField::NumberField(const NumberRange& range, QWidget* parent) : QDoubleSpinBox(parent) {
+  setLocale(QLocale::c());
+  setButtonSymbols(QAbstractSpinBox::NoButtons);
+  setKeyboardTracking(false);
+  setAlignment(Qt::AlignRight);
+  setDecimals(range.decimals);
+  setRange(range.min, range.max);
+  setSingleStep(range.step);
+  if (!range.unit.isEmpty()) setSuffix(range.unit == QChar(0xb0) ? range.unit : QChar(' ') + range.unit);
+  setFocusPolicy(Qt::StrongFocus);
+  setProperty("limits",
+              QStringLiteral("%1 to %2%3").arg(textFromValue(range.min), textFromValue(range.max), suffix()));
+  setToolTip(property("limits").toString());
+  connect(this, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+    if (!quiet_) emit edited(value);
+  });
+  connect(this, &QDoubleSpinBox::editingFinished, this, [this] { forgetTyping(*lineEdit()); });
+}
+
+void NumberField::show(double value) {
+  if (lineEdit()->hasFocus() && lineEdit()->isModified()) return;
+  quiet_ = true;
+  setValue(value);
+  quiet_ = false;
+}
+
+QString NumberField::textFromValue(double value) const {
+  return withoutTrailingZeros(QString::fromStdString(fixedText(value, decimals())));
+}
+
+bool NumberField::event(QEvent* event) {
+  return takeHistoryKey(*lineEdit(), event) || QDoubleSpinBox::event(event);
+}
+
+void NumberField::wheelEvent(QWheelEvent* event) {
+  if (hasFocus())
+    QDoubleSpinBox::wheelEvent(event);
+  else
+    event->ignore();
+}
+
+TextField::TextField(QWidget* parent) : QLineEdit(parent) {
+  connect(this, &QLineEdit::editingFinished, this, [this] {
+    const bool changed = isModified();
+    forgetTyping(*this);
+    if (changed) emit edited(text());
+  });
+}
+
+void TextField::show(const QString& text) {
+  if ((hasFocus() && isModified()) || text == this->text()) return;
+  setText(text);
+}
+
+bool TextField::event(QEvent* event) { return takeHistoryKey(*this, event) || QLineEdit::event(event); }
+
+ChoiceField::ChoiceField(QWidget* parent) : QComboBox(parent) {
+  setFocusPolicy(Qt::StrongFocus);
+  setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  setMinimumContentsLength(6);
+}
+
+void ChoiceField::show(int index) {
+  const QSignalBlocker quiet(this);
+  setCurrentIndex(index);
+}
+
+void ChoiceField::wheelEvent(QWheelEvent* event) { event->ignore(); }
+
+HandSlider::HandSlider(QWidget* parent) : QSlider(Qt::Horizontal, parent) {
+  setMinimumHeight(20);
+  setFocusPolicy(Qt::StrongFocus);
+  connect(this, &QSlider::valueChanged, this, [this](int value) {
+    if (!quiet_) emit moved(value);
+  });
+}
+
+void HandSlider::show(int value) {
+  if (held_) return;
+  quiet_ = true;
+  setValue(value);
+  quiet_ = false;
+}
+
+void HandSlider::mousePressEvent(QMouseEvent* event) {
+  // Before the base class: a press beside the handle moves it at once.
+  held_ = event->button() == Qt::LeftButton;
+  if (held_) emit grabbed();
+  QSlider::mousePressEvent(event);
+}
+
+void HandSlider::mouseReleaseEvent(QMouseEvent* event) {
+  QSlider::mouseReleaseEvent(event);
+  held_ = false;
+}
+
+void HandSlider::wheelEvent(QWheelEvent* event) { event->ignore(); }
+
+FormColumn::FormColumn(QWidget* parent) : QWidget(parent), grid_(new QGridLayout(this)) {
+  grid_->setContentsMargins(0, 0, 0, 0);
+  grid_->setHorizontalSpacing(kGap);
+  grid_->setVerticalSpacing(6);
+  grid_->setColumnStretch(0, 1);
+}
+
+QLabel* FormColumn::add(const QString& label, QWidget* field, const QString& tip) {
+  auto* text = new QLabel(label, this);
+  text->setBuddy(field);
+  const QString limits = field->property("limits").toString();
+  QString whole = tip;
+  if (!limits.isEmpty()) whole += (whole.isEmpty() ? QString() : QStringLiteral("\n")) + limits;
+  if (!whole.isEmpty()) {
+    text->setToolTip(whole);
+    field->setToolTip(whole);
+  }
+  field->setAccessibleName(label);
+  field->setFixedWidth(kFieldWidth);
+  grid_->addWidget(text, row_, 0, Qt::AlignVCenter);
+  grid_->addWidget(field, row_++, 1, Qt::AlignRight | Qt::AlignVCenter);
+  return text;
+}
+
+QLabel* FormColumn::addLong(const QString& label, QWidget* field, const QString& tip) {
+  auto* line = new QWidget(this);
+  auto* layout = new QHBoxLayout(line);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(kGroupGap);
+  auto* text = new QLabel(label, line);
+  text->setBuddy(field);
+  text->setToolTip(tip);
+  field->setToolTip(tip);
+  field->setAccessibleName(label);
+  layout->addWidget(text);
+  layout->addWidget(field, 1);
+  addWide(line);
+  return text;
+}
+
+void FormColumn::addWide(QWidget* widget) { grid_->addWidget(widget, row_++, 0, 1, 2); }
+
+QLabel* FormColumn::addValue(const QString& label, const QString& tip) {
+  auto* name = new QLabel(label, this);
+  name->setObjectName("secondary");
+  auto* value = new QLabel(this);
+  value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  name->setToolTip(tip);
+  value->setToolTip(tip);
+  value->setAccessibleName(label);
+  grid_->addWidget(name, row_, 0);
+  grid_->addWidget(value, row_++, 1);
+  return value;
+}
+
+QLabel* FormColumn::addHeading(const QString& text) {
+  if (row_ > 0) addGap(kGap);
+  auto* label = new QLabel(text, this);
+  QFont font = Theme::bodyFont();
+  font.setWeight(QFont::DemiBold);
+  label->setFont(font);
+  addWide(label);
+  return label;
+}
+
+void FormColumn::addGap(int height) { grid_->setRowMinimumHeight(row_++, height); }
+
+FormColumn* FormColumn::addFold(const QString& title, const Theme& theme) {
+  auto* head = new QToolButton(this);
+  head->setText(title);
+  head->setCheckable(true);
+  head->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  head->setIconSize({14, 14});
+  head->setFont(Theme::secondaryFont());
+  auto* body = new FormColumn(this);
+  body->hide();
+  const auto paint = [head, &theme] {
+    head->setIcon(QIcon(
+        theme.pixmap(head->isChecked() ? "chevron-down" : "chevron-right", theme.colours().secondary, 14)));
+  };
+  paint();
+  connect(head, &QToolButton::toggled, body, [body, paint](bool open) {
+    paint();
+    body->setVisible(open);
+  });
+  connect(&theme, &Theme::changed, head, paint);
+  grid_->addWidget(head, row_++, 0, 1, 2, Qt::AlignLeft);
+  addWide(body);
+  return body;
+}
+
+void setLineVisible(QLabel* label, QWidget* field, bool visible) {
+  label->setVisible(visible);
+  field->setVisible(visible);
+}
+
+QWidget* makeLine(QWidget* parent) {
+  auto* line = new QFrame(parent);
+  line->setObjectName("line");
+  return line;
+}
+
+QLabel* makeNote(const QString& text, QWidget* parent) {
+  auto* label = new QLabel(text, parent);
+  label->setObjectName("secondary");
+  label->setFont(Theme::secondaryFont());
+  label->setWordWrap(true);
+  return label;
+}
+
+}  // namespace bw::app

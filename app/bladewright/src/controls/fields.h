@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSlider>
+#include <QVBoxLayout>
+#include <QWidget>
+
+#include "controls/theme.h"
+
+namespace bw::app {
+
+/// What a number field holds.
+struct NumberRange {
+  double min = 0, max = 1;
+  int decimals = 2;  ///< at most; trailing zeros are not shown
+  double step = 1;   ///< of the arrow keys
+  QString unit;      ///< shown inside the field
+};
+
+/// One editable number with its unit inside the field. Tells an edit only when it is finished (Return, Tab,
+/// arrow key, wheel on the focused field), and its limits in the tooltip.
+class NumberField : public QDoubleSpinBox {
+  Q_OBJECT
+
+ public:
+  explicit NumberField(const NumberRange& range, QWidget* parent = nullptr);
+  /// Shows a value without telling it as an edit. A field that is being typed into keeps its text.
+  void show(double value);
+  using QWidget::show;
+
+  QString textFromValue(double value) const override;
+
+ signals:
+  void edited(double value);
+
+ protected:
+  bool event(QEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+
+ private:
+  bool quiet_ = false;
+};
+
+/// One editable line of text. Tells an edit only when it is finished (Return, Tab).
+class TextField : public QLineEdit {
+  Q_OBJECT
+
+ public:
+  explicit TextField(QWidget* parent = nullptr);
+  /// Shows a text without telling it as an edit. A field that is being typed into keeps its text.
+  void show(const QString& text);
+  using QWidget::show;
+
+ signals:
+  void edited(const QString& text);
+
+ protected:
+  bool event(QEvent* event) override;
+};
+
+/// A choice that tells only what the user chose; the wheel scrolls the panel, not the choice.
+class ChoiceField : public QComboBox {
+  Q_OBJECT
+
+ public:
+  explicit ChoiceField(QWidget* parent = nullptr);
+  void show(int index);
+  using QWidget::show;
+
+ protected:
+  void wheelEvent(QWheelEvent* event) override;
+};
+
+/// A slider that tells moves of the hand only; `held()` is true from the press that grabs it to the release.
+class HandSlider : public QSlider {
+  Q_OBJECT
+
+ public:
+  explicit HandSlider(QWidget* parent = nullptr);
+  void show(int value);
+  using QWidget::show;
+  bool held() const { return held_; }
+
+ signals:
+  void grabbed();
+  void moved(int value);
+
+ protected:
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+
+ private:
+  bool quiet_ = false;
+  bool held_ = false;
+};
+
+/// A column of controls, one a line: label left, field right.
+class FormColumn : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit FormColumn(QWidget* parent = nullptr);
+
+  /// A line with a label and a field of the common width. The field's tooltip becomes the label's too.
+  /// Returns the label.
+  QLabel* add(const QString& label, QWidget* field, const QString& tip = {});
+  /// The same with a field that takes all the width beside its label: for choices with long names.
+  QLabel* addLong(const QString& label, QWidget* field, const QString& tip = {});
+  /// A line that takes the whole width.
+  void addWide(QWidget* widget);
+  /// A line of text with a value that cannot be edited; returns the value's label.
+  QLabel* addValue(const QString& label, const QString& tip = {});
+  /// A heading over the lines that follow.
+  QLabel* addHeading(const QString& text);
+  void addGap(int height = kGap);
+  /// A part that folds away under a line of text; returns its column.
+  FormColumn* addFold(const QString& title, const Theme& theme);
+
+ private:
+  QGridLayout* grid_;
+  int row_ = 0;
+};
+
+/// Shows or hides a field together with its label.
+void setLineVisible(QLabel* label, QWidget* field, bool visible);
+/// A thin horizontal line.
+QWidget* makeLine(QWidget* parent = nullptr);
+/// 9 pt text in the secondary colour; wraps.
+QLabel* makeNote(const QString& text = {}, QWidget* parent = nullptr);
+
+}  // namespace bw::app

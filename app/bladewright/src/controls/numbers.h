@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QString>
+
+#include <Eigen/Core>
+
+#include "bw/core/sweep.h"
+#include "bw/pipeline/pipeline.h"
+
+namespace bw::app {
+
+/// Numbers for people, with units and sensible digits.
+QString lengthText(double mm);          ///< "0.12 mm", "1.25 m" never: always mm
+QString radiusText(double mm);          ///< "straight" beyond 1 km
+QString angleText(double rad);          ///< "14.3°"
+QString speedText(double mmPerSecond);  ///< "2.4 mm/s"
+QString timeText(double seconds);       ///< "1:23.4"
+QString percentText(double fraction);   ///< "98.4 %", never rounded up to 100 %
+QString pointText(const Eigen::Vector3d& p);
+QString sizeText(const Eigen::Vector3d& size);
+
+/// Numbers of one station that follow from the cut surface's fields.
+struct StationNumbers {
+  double deviation = 0;               ///< the largest |deviation| of its row, mm
+  double speedMin = 0, speedMax = 0;  ///< mm/s
+  double maxCurvature = 0;            ///< of the whole blade, 1/mm
+  double stress = 0;                  ///< N/mm², bending stress there
+};
+
+/// One entry a station of the sweep.
+std::vector<StationNumbers> stationNumbers(const pipeline::SweepResult& result);
+
+}  // namespace bw::app

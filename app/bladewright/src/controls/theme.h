@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QColor>
+#include <QIcon>
+#include <QObject>
+#include <QPixmap>
+#include <QString>
+
+#include "bw/model/settings.h"
+
+namespace bw::app {
+
+/// The colours of the window, the same words in both themes.
+struct Colours {
+  QColor background, panel, line, field;
+  QColor text, secondary, disabled;
+  QColor accent;  ///< the glowing blade, the primary button and the playhead only
+  QColor selection;
+  QColor success, warning, error;
+  bool dark = false;
+};
+
+/// 8 px grid.
+inline constexpr int kGap = 8;
+inline constexpr int kGroupGap = 16;
+inline constexpr int kStepGap = 24;
+
+/// Light or dark look: palette, stylesheet and icons made from one set of colours. One object for the
+/// program, handed down to whoever paints.
+class Theme : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Theme(QObject* parent = nullptr);
+
+  const Colours& colours() const { return colours_; }
+  bool dark() const { return colours_.dark; }
+  /// Applies the look to the whole program. `system` follows the desktop's palette as it was at the start.
+  void apply(model::ThemeChoice choice);
+
+  /// A line icon of resources/icons in the theme's text colour (dimmed when disabled, selection colour when
+  /// checked).
+  QIcon icon(const QString& name) const;
+  /// The same as a pixmap of `size` device-independent pixels in any colour.
+  QPixmap pixmap(const QString& name, const QColor& colour, int size = 20, qreal pixelRatio = 2.0) const;
+
+  /// 9 pt secondary, 10 pt body, 12 pt semibold title; numbers in tabular figures.
+  static QFont secondaryFont();
+  static QFont bodyFont();
+  static QFont titleFont();
+
+ signals:
+  void changed();
+
+ private:
+  bool systemDark_ = false;
+  Colours colours_;
+};
+
+}  // namespace bw::app

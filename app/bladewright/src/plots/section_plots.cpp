@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "plots/section_plots.h"
+
+#include <QCoreApplication>
+#include <QPainter>
+#include <QTransform>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bw/core/number_text.h"
+#include "controls/paint.h"
+
+namespace bw::app {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("bw::app::SectionView", text); }
+
+/// A round length of about a sixth of the width, under `area`; `scale` in pixels a mm.
+void paintScale(QPainter& painter, const QRectF& area, double scale, const Colours& c) {
+  const double bar = roundBelow(area.width() / 6 / scale);
+  if (!(bar > 0)) return;
+  const QPointF left(area.left(), area.bottom() + 9);
+  painter.setPen(QPen(c.secondary, 1));
+  painter.drawLine(left, left + QPointF(bar * scale, 0));
+  painter.drawLine(left + QPointF(0, -3), left + QPointF(0, 3));
+  painter.drawLine(left + QPointF(bar * scale, -3), left + QPointF(bar * scale, 3));
+  painter.setFont(Theme::secondaryFont());
+  painter.drawText(left + QPointF(bar * scale + 6, 4), QString::fromStdString(shortText(bar, 3)) + " mm");
+}
+
+}  // namespace
+
+void paintSection(QPainter& painter, const QRectF& area, const SectionDrawing& drawing, double tolerance,
+                  double exaggeration, const Colours& c) {
+  const QRectF& b = drawing.bounds;
+  if (b.width() <= 0 || area.width() <= 0 || area.height() <= 0) return;
+  const double scale =
+      std::min(area.width() / b.width(), area.height() / std::max(b.height(), 1e-3 * b.width()));
+  QTransform toArea;
+  toArea.translate(area.center().x(), area.center().y());
+  toArea.scale(scale, -scale);
+  toArea.translate(-b.center().x(), -b.center().y());
+  const auto map = [&](const QPolygonF& polygon) { return toArea.map(polygon); };
+
+  painter.save();
+  painter.setClipRect(area.adjusted(-4, -4, 4, 4));
+  QColor foam = c.dark ? QColor(255, 255, 255, 14) : QColor(173, 181, 189, 46);
+  painter.setPen(QPen(c.line, 1));
+  painter.setBrush(foam);
+  painter.drawPolygon(map(drawing.foam));
+
+  // Tolerance band: a stroke of the target as wide as twice the tolerance (enlarged like the deviation).
+  QColor band = c.success;
+  band.setAlphaF(c.dark ? 0.28f : 0.16f);
+  const double width = 2 * tolerance * exaggeration * scale;
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(band, std::max(width, 1.0), Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
+  painter.drawPolyline(map(drawing.target));
+
+  painter.setPen(QPen(c.line, 1));
+  painter.drawPolyline(map(drawing.before));
+  painter.drawPolyline(map(drawing.after));
+
+  painter.setPen(QPen(c.selection, 2));
+  painter.drawPolyline(map(drawing.target));
+
+  // The blade: solid where it cuts, dashed beyond.
+  const double cell = drawing.curvature.back().x() / double(drawing.curvature.size() - 1);
+  const qsizetype from = qsizetype(std::ceil(drawing.cutFrom / cell)),
+                  to = qsizetype(std::floor(drawing.cutTo / cell));
+  painter.setPen(QPen(c.accent, 1.5, Qt::DashLine, Qt::FlatCap));
+  if (from > 0) painter.drawPolyline(map(drawing.blade.mid(0, from + 1)));
+  if (to + 1 < drawing.blade.size()) painter.drawPolyline(map(drawing.blade.mid(to)));
+  painter.setPen(QPen(c.accent, 1.5));
+  painter.drawPolyline(map(drawing.elastica));
+
+  // Grips.
+  const QPolygonF blade = map(drawing.blade);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(c.text);
+  for (const auto& [end, inner] :
+       {std::pair(blade.front(), blade.at(1)), std::pair(blade.back(), blade.at(blade.size() - 2))}) {
+    painter.save();
+    painter.translate(end);
+    painter.rotate(QLineF(end, inner).angle() * -1);
+    painter.drawRoundedRect(QRectF(-8, -4, 10, 8), 2, 2);
+    painter.restore();
+  }
+  painter.restore();
+
+  paintScale(painter, area, scale, c);
+}
+
+void paintSectionKey(QPainter& painter, const QRectF& area, const Colours& c) {
+  QColor band = c.success;
+  band.setAlphaF(c.dark ? 0.4f : 0.3f);
+  struct Entry {
+    QString name;
+    QPen pen;
+  };
+  const Entry entries[] = {{tr("target"), QPen(c.selection, 2)},
+                           {tr("blade"), QPen(c.accent, 1.5)},
+                           {tr("tolerance"), QPen(band, 8, Qt::SolidLine, Qt::FlatCap)}};
+  constexpr double kLine = 18, kSpace = 6, kBetween = 14;
+  const QFontMetrics metrics(painter.font());
+  double width = -kBetween;
+  for (const Entry& entry : entries)
+    width += kLine + kSpace + metrics.horizontalAdvance(entry.name) + kBetween;
+  if (width + 2 * kBetween > area.width()) return;
+  double x = area.right() - width;
+  for (const Entry& entry : entries) {
+    painter.setPen(entry.pen);
+    painter.drawLine(QPointF(x, area.center().y() + 1), QPointF(x + kLine, area.center().y() + 1));
+    painter.setPen(c.secondary);
+    x += kLine + kSpace;
+    painter.drawText(QRectF(x, area.top(), area.right() - x + kBetween, area.height()), Qt::AlignLeft,
+                     entry.name);
+    x += metrics.horizontalAdvance(entry.name) + kBetween;
+  }
+}
+
+void paintCurvature(QPainter& painter, const QRectF& area, const SectionDrawing& drawing, double limit,
+                    const Colours& c) {
+  double highest = 0;
+  for (const QPointF& p : drawing.curvature) highest = std::max(highest, std::abs(p.y()));
+  const bool over = highest > limit;
+  // The limit is drawn where it helps: beyond three times the use it stays out of the plot.
+  const bool limitShown = limit < 3 * highest;
+  const double range = std::max({highest * 1.15, limitShown ? limit * 1.1 : 0.0, 1e-9});
+  const double length = drawing.curvature.back().x();
+  const auto place = [&](double arc, double k) {
+    return QPointF(area.left() + area.width() * arc / length,
+                   area.center().y() - 0.5 * area.height() * k / range);
+  };
+  QColor cut = c.text;
+  cut.setAlphaF(0.045f);
+  painter.fillRect(QRectF(place(drawing.cutFrom, range), place(drawing.cutTo, -range)), cut);
+  painter.setPen(QPen(c.line, 1));
+  painter.drawLine(place(0, 0), place(length, 0));
+  if (limitShown) {
+    painter.setPen(QPen(over ? c.error : c.secondary, 1, Qt::DashLine));
+    for (double sign : {1.0, -1.0}) painter.drawLine(place(0, sign * limit), place(length, sign * limit));
+  }
+  QPolygonF line;
+  for (const QPointF& p : drawing.curvature) line << place(p.x(), p.y());
+  QPolygonF fill = line;
+  fill.prepend(place(0, 0));
+  fill << place(length, 0);
+  QColor shade = over ? c.error : c.selection;
+  shade.setAlphaF(0.12f);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(shade);
+  painter.drawPolygon(fill);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(over ? c.error : c.selection, 1.5));
+  painter.drawPolyline(line);
+}
+
+}  // namespace bw::app

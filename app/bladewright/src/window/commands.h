@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QAction>
+#include <QDialog>
+#include <QKeyEvent>
+#include <QKeySequence>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QObject>
+
+#include <functional>
+#include <vector>
+
+#include "controls/theme.h"
+
+namespace bw::app {
+
+/// What a command is made of.
+struct CommandInfo {
+  QString id;    ///< stable word, for instance "file.open"
+  QString text;  ///< for the menu, with the mnemonic
+  QString icon;  ///< may be empty
+  QString tip;
+  QList<QKeySequence> shortcuts;
+  bool checkable = false;
+};
+
+/// Every command of the window, once: menus, tool buttons, shortcuts and the palette all take it from here.
+class Commands : public QObject {
+  Q_OBJECT
+
+ public:
+  Commands(const Theme& theme, QWidget* window);
+
+  /// Adds a command; `run` gets the checked state.
+  QAction* add(const CommandInfo& info, std::function<void(bool)> run);
+  /// The command of that id; it must exist.
+  QAction* operator[](const QString& id) const;
+  /// Runs the command of a key without modifiers that no widget wanted for itself: letters and Space belong
+  /// to a focused field or button first. False if there is none.
+  bool pressKey(const QKeyEvent* event);
+  const std::vector<QAction*>& all() const { return actions_; }
+  const Theme& theme() const { return theme_; }
+
+ private:
+  void refreshIcons();
+
+  const Theme& theme_;
+  QWidget* window_;
+  std::vector<QAction*> actions_;
+};
+
+/// Finds a command by typing a part of its name.
+class CommandPalette : public QDialog {
+  Q_OBJECT
+
+ public:
+  CommandPalette(const Commands& commands, QWidget* parent);
+  void open() override;
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void filter(const QString& text);
+  void run();
+
+  const Commands& commands_;
+  QLineEdit* line_;
+  QListWidget* list_;
+};
+
+}  // namespace bw::app

@@ -1,0 +1,303 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "window/inspector.h"
+
+#include <QToolButton>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bw/core/number_text.h"
+#include "controls/numbers.h"
+
+namespace bw::app {
+
+Inspector::Inspector(Workbench& bench, const Theme& theme, QWidget* parent)
+    : QScrollArea(parent), bench_(bench), theme_(theme) {
+  setWidgetResizable(true);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setFrameShape(QFrame::NoFrame);
+  setFocusPolicy(Qt::NoFocus);
+  auto* page = new QWidget;
+  page->setObjectName("page");
+  auto* layout = new QVBoxLayout(page);
+  layout->setContentsMargins(kGroupGap, kGroupGap, kGroupGap, kGroupGap);
+  layout->setSpacing(kGroupGap);
+  kind_ = new ChoiceField(page);
+  kind_->setAccessibleName(tr("What the inspector shows"));
+  kind_->setToolTip(tr("What is inspected; a click into the picture selects too"));
+  for (const QString& name : {tr("Result"), tr("Surface"), tr("Block"), tr("Blade"), tr("Station")})
+    kind_->addItem(name);
+  layout->addWidget(kind_);
+  empty_ = makeNote(tr("The numbers stand here as soon as a result is there."), page);
+  layout->addWidget(empty_);
+  pages_ = new QStackedWidget(page);
+  layout->addWidget(pages_);
+  layout->addStretch();
+  makeResult();
+  makeSurface();
+  makeBlock();
+  makeBlade();
+  makeStation();
+  setWidget(page);
+
+  connect(kind_, &QComboBox::activated, this, [this](int index) {
+    const auto kind = Selection::Kind(index);
+    if (kind != Selection::Kind::station) {
+      bench_.select({kind, -1});
+    } else if (const double at = bench_.stationAt(bench_.playTime()); at >= 0) {
+      bench_.selectStation(int(std::lround(at)));
+    } else {
+      kind_->show(int(bench_.selection().kind));
+    }
+  });
+  connect(&bench, &Workbench::selectionChanged, this, &Inspector::refresh);
+  connect(&bench, &Workbench::resultChanged, this, &Inspector::refresh);
+  connect(&bench.document(), &model::Document::designChanged, this, &Inspector::refresh);
+  refresh();
+}
+
+FormColumn* Inspector::addPage(Selection::Kind) {
+  auto* holder = new QWidget;
+  auto* layout = new QVBoxLayout(holder);
+  layout->setContentsMargins(0, 0, 0, 0);
+  auto* column = new FormColumn;
+  layout->addWidget(column);
+  layout->addStretch();
+  pages_->addWidget(holder);
+  return column;
+}
+
+void Inspector::addValue(FormColumn* column, const QString& name, const QString& tip,
+                         std::function<QString()> text) {
+  values_.push_back({column->addValue(name, tip), std::move(text)});
+}
+
+const SweepSummary* Inspector::summary() const {
+  const pipeline::SweepResult* result = bench_.sweep();
+  return result ? &result->analysis.summary : nullptr;
+}
+
+const Station* Inspector::station() const {
+  const pipeline::SweepResult* result = bench_.sweep();
+  const int index = bench_.selection().station;
+  if (!result || index < 0 || std::size_t(index) >= result->sweep.stations.size()) return nullptr;
+  return &result->sweep.stations[std::size_t(index)];
+}
+
+void Inspector::makeResult() {
+  FormColumn* column = addPage(Selection::Kind::result);
+  const auto add = [&](const QString& name, const QString& tip, QString (*format)(double),
+                       double SweepSummary::*member) {
+    addValue(column, name, tip,
+             [this, format, member] { return summary() ? format(summary()->*member) : QString(); });
+  };
+  column->addHeading(tr("Deviation"));
+  add(tr("Largest"), tr("Of the cut surface from the target, also between stations"), lengthText,
+      &SweepSummary::deviationMax);
+  add(tr("Mean"), {}, lengthText, &SweepSummary::deviationMean);
+  add(tr("Root mean square"), {}, lengthText, &SweepSummary::deviationRms);
+  add(tr("Within tolerance"), tr("Part of the cut surface that lies within the tolerance"), percentText,
+      &SweepSummary::withinTolerance);
+  column->addHeading(tr("Blade"));
+  add(tr("Smallest radius"), tr("Over the whole blade at all stations"), radiusText,
+      &SweepSummary::minRadius);
+  addValue(column, tr("Limit of the blade"), tr("The tightest bend that leaves the blade elastic"),
+           [this] { return radiusText(bench_.job().blade.minRadius()); });
+  add(tr("Steepest cut"), tr("Largest angle between the blade's motion and its plane's normal"), angleText,
+      &SweepSummary::angleMax);
+  add(tr("Mean angle"), {}, angleText, &SweepSummary::angleMean);
+  column->addHeading(tr("Motion"));
+  addValue(column, tr("Fastest point"), {},
+           [this] { return summary() ? speedText(bench_.shown()->design.job.cuttingSpeed) : QString(); });
+  addValue(column, tr("Slowest / fastest"), tr("Along the blade, at its most uneven station"), [this] {
+    return summary() ? QString::fromStdString(fixedText(summary()->speedRatioMin, 2)) : QString();
+  });
+  add(tr("Cutting time"), tr("Minutes and seconds, leads included"), timeText, &SweepSummary::cuttingTime);
+  column->addHeading(tr("Fit"));
+  add(tr("Largest distance"), tr("Hausdorff distance between a section and its elastica"), lengthText,
+      &SweepSummary::hausdorffMax);
+  addValue(column, tr("Largest residual R4"), tr("Root mean square distance over the length"),
+           [this] { return summary() ? QString::fromStdString(shortText(summary()->R4Max, 3)) : QString(); });
+}
+
+void Inspector::makeSurface() {
+  FormColumn* column = addPage(Selection::Kind::surface);
+  const auto target = [this]() -> const geometry::Target* {
+    const auto shown = bench_.shown();
+    return shown ? shown->target.value.get() : nullptr;
+  };
+  column->addHeading(tr("Target surface"));
+  addValue(column, tr("Faces"), {},
+           [target] { return target() ? QString::number(target()->faces().size()) : QString(); });
+  addValue(column, tr("Area"), {}, [target] {
+    return target() ? QString::fromStdString(shortText(target()->area() * 1e-6, 4)) + " m²" : QString();
+  });
+  const std::array<const char*, 3> axes = {"X", "Y", "Z"};
+  for (int i = 0; i < 3; ++i)
+    addValue(column, tr("Extent %1").arg(axes[std::size_t(i)]), {},
+             [target, i] { return target() ? lengthText(target()->bounds().size()[i]) : QString(); });
+  column->addHeading(tr("Place"));
+  for (int i = 0; i < 3; ++i)
+    addValue(column, tr("Smallest %1").arg(axes[std::size_t(i)]), tr("In the frame of the file"),
+             [target, i] { return target() ? lengthText(target()->bounds().min[i]) : QString(); });
+}
+
+void Inspector::makeBlock() {
+  FormColumn* column = addPage(Selection::Kind::block);
+  column->addHeading(tr("Foam block"));
+  blockFields_ = new BlockFields(bench_, column, this);
+  addValue(column, tr("Volume"), {}, [this] {
+    const auto shown = bench_.shown();
+    return shown && shown->setup.value
+               ? QString::fromStdString(shortText(shown->setup.value->block.size.prod() * 1e-9, 3)) + " m³"
+               : QString();
+  });
+}
+
+void Inspector::makeBlade() {
+  FormColumn* column = addPage(Selection::Kind::blade);
+  auto* details = new FormColumn;
+  column->addHeading(tr("Blade"));
+  bladeFields_ = new BladeFields(bench_, column, details, this);
+  column->addHeading(tr("Section and material"));
+  column->addWide(details);
+  addValue(column, tr("Rigidity"), tr("Flexural rigidity E·I"), [this] {
+    return QString::fromStdString(shortText(bench_.job().blade.flexuralRigidity(), 3)) + " N·mm²";
+  });
+  column->addHeading(tr("Use"));
+  addValue(column, tr("Tightest bend"), tr("Smallest radius of the blade in this cut"),
+           [this] { return summary() ? radiusText(summary()->minRadius) : QString(); });
+  addValue(column, tr("Largest stress"), tr("Bending stress at the tightest bend, and the stress allowed"),
+           [this] {
+             if (!summary() || !(summary()->minRadius > 0)) return QString();
+             const Blade& blade = bench_.job().blade;
+             return tr("%1 of %2 N/mm²")
+                 .arg(std::lround(blade.stress(1 / summary()->minRadius)))
+                 .arg(std::lround(blade.yieldStress / blade.safety));
+           });
+}
+
+void Inspector::makeStation() {
+  FormColumn* column = addPage(Selection::Kind::station);
+  auto* row = new QWidget;
+  auto* line = new QHBoxLayout(row);
+  line->setContentsMargins(0, 0, 0, 0);
+  line->setSpacing(4);
+  const auto arrow = [&](const char* icon, const QString& tip, int step) {
+    auto* button = new QToolButton(row);
+    button->setIcon(theme_.icon(icon));
+    button->setToolTip(tip);
+    button->setAccessibleName(tip);
+    connect(&theme_, &Theme::changed, button, [this, button, icon] { button->setIcon(theme_.icon(icon)); });
+    connect(button, &QToolButton::clicked, this,
+            [this, step] { bench_.selectStation(bench_.selection().station + step); });
+    return button;
+  };
+  line->addWidget(arrow("chevron-left", tr("Station before"), -1));
+  line->addWidget(arrow("chevron-right", tr("Next station"), 1));
+  line->addStretch();
+  stationNumber_ = new NumberField({1, double(Job::kMaxStations), 0, 1, {}});
+  stationNumber_->setAccessibleName(tr("Station"));
+  stationNumber_->setToolTip(tr("Counted from 1, as in messages; data files count from 0"));
+  stationNumber_->setFixedWidth(96);
+  connect(stationNumber_, &NumberField::edited, this, [this](double value) {
+    // Stations that were left out have no place: the next one is taken.
+    const pipeline::SweepResult* result = bench_.sweep();
+    if (!result) return;
+    const auto& stations = result->sweep.stations;
+    const auto found = std::find_if(stations.begin(), stations.end(),
+                                    [value](const Station& s) { return s.index + 1 >= int(value); });
+    bench_.selectStation(int(found - stations.begin()));
+    refresh();
+  });
+  line->addWidget(stationNumber_);
+  column->addWide(row);
+  const auto add = [&](const QString& name, const QString& tip, std::function<QString(const Station&)> text) {
+    addValue(column, name, tip,
+             [this, text = std::move(text)] { return station() ? text(*station()) : QString(); });
+  };
+  add(tr("Travel"), tr("Position along the cutting direction"),
+      [](const Station& s) { return lengthText(s.travel); });
+  addValue(column, tr("Time"), tr("From the start of the motion"), [this] {
+    return station() ? timeText(bench_.timeOfStation(bench_.selection().station)) : QString();
+  });
+  column->addHeading(tr("Fit"));
+  add(tr("Section length"), {}, [](const Station& s) { return lengthText(s.targetLength); });
+  add(tr("Largest distance"), tr("Hausdorff distance between section and elastica"),
+      [](const Station& s) { return lengthText(s.fit.hausdorff); });
+  add(tr("Residual R4"), tr("Root mean square distance over the length"),
+      [](const Station& s) { return QString::fromStdString(shortText(s.fit.R4, 3)); });
+  add(tr("Status"), {}, [](const Station& s) {
+    switch (s.fit.status) {
+      case FitStatus::converged:
+        return tr("Converged");
+      case FitStatus::iterationLimit:
+        return tr("Stopped at the limit");
+      case FitStatus::constraintsActive:
+        return tr("At a bound");
+      case FitStatus::infeasible:
+        return tr("Not feasible");
+    }
+    return QString();
+  });
+  column->addHeading(tr("Blade"));
+  add(tr("Smallest radius"), tr("Of the whole blade"), [](const Station& s) {
+    const double curvature = s.blade.maxCurvature();
+    return radiusText(curvature > 0 ? 1 / curvature : 1e12);
+  });
+  add(tr("Inflections"), tr("Changes of the bending direction along the blade"),
+      [](const Station& s) { return QString::number(bladeInflections(s.blade)); });
+  add(tr("Extension"), tr("Length of the blade beyond the surface, each side"),
+      [](const Station& s) { return lengthText(s.extension * s.fit.elastica.length()); });
+  add(tr("Clearance"), tr("Between the nearer grip and the block"),
+      [](const Station& s) { return lengthText(s.clearance); });
+  column->addHeading(tr("Motion"));
+  add(tr("Largest angle"), tr("Between the blade's motion and the plane's normal"),
+      [](const Station& s) { return angleText(s.angleMax); });
+  add(tr("Mean angle"), {}, [](const Station& s) { return angleText(s.angleMean); });
+  add(tr("Slowest / fastest"), tr("Along the blade"),
+      [](const Station& s) { return QString::fromStdString(fixedText(s.speedRatio, 2)); });
+  column->addHeading(tr("Grips"));
+  const auto addGrip = [&](const QString& name, Eigen::Vector3d (Station::*end)() const) {
+    auto* heading = makeNote(name);
+    column->addWide(heading);
+    auto* place = new QLabel;
+    place->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    place->setAlignment(Qt::AlignRight);
+    place->setAccessibleName(name);
+    column->addWide(place);
+    values_.push_back(
+        {place, [this, end] { return station() ? pointText((station()->*end)()) + " mm" : QString(); }});
+  };
+  addGrip(tr("Left, in the frame of the file"), &Station::leftPoint);
+  addGrip(tr("Right, in the frame of the file"), &Station::rightPoint);
+}
+
+void Inspector::refresh() {
+  const Selection& selection = bench_.selection();
+  kind_->show(int(selection.kind));
+  pages_->setCurrentIndex(int(selection.kind));
+  const bool settings = selection.kind == Selection::Kind::block || selection.kind == Selection::Kind::blade;
+  const auto shown = bench_.shown();
+  const bool there = settings || bench_.sweep() ||
+                     (selection.kind == Selection::Kind::surface && shown && shown->target.value);
+  empty_->setVisible(!there);
+  pages_->setVisible(there);
+  for (const Value& value : values_) {
+    const QString text = value.text();
+    value.label->setText(text.isEmpty() ? QStringLiteral("–") : text);
+  }
+  blockFields_->refresh();
+  bladeFields_->refresh();
+  if (const pipeline::SweepResult* result = bench_.sweep()) {
+    const int last = result->sweep.stations.empty() ? 1 : result->sweep.stations.back().index + 1;
+    // A smaller sweep must not look like a choice of its last station.
+    const QSignalBlocker quiet(stationNumber_);
+    stationNumber_->setMaximum(last);
+    stationNumber_->setSuffix(tr(" of %1").arg(last));
+  }
+  if (const Station* selected = station()) stationNumber_->show(selected->index + 1);
+}
+
+}  // namespace bw::app

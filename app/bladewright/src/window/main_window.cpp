@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "window/main_window.h"
+
+#include <QCloseEvent>
+
+#include <algorithm>
+
+namespace bw::app {
+
+namespace {
+
+constexpr int kLeftWidth = 320, kRightWidth = 280, kBottomHeight = 220;
+constexpr int kStaleDelay = 150;  // ms: a quick answer needs no fading
+constexpr int kBusyDelay = 250;   // ms until progress is worth showing
+
+}  // namespace
+
+MainWindow::MainWindow(model::Settings& settings, Theme& theme, const std::filesystem::path& recoveryFolder)
+    : settings_(settings),
+      theme_(theme),
+      recoveryFolder_(recoveryFolder),
+      bench_(settings, recoveryFolder),
+      commands_(theme, this) {
+  setWindowIcon(QIcon(":/icons/bladewright.svg"));
+  setAcceptDrops(true);
+  setMinimumSize(960, 600);
+  setDefaultQuestions();
+  makeCommands();
+
+  auto* central = new QWidget(this);
+  auto* layout = new QVBoxLayout(central);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  stack_ = new QStackedWidget(central);
+  layout->addWidget(stack_, 1);
+  banner_ = new Banner(theme, central);
+  start_ = new StartPage(bench_, theme, stack_);
+  stack_->addWidget(start_);
+  makeWorkspace();
+  measure_ = new MeasurePage(bench_, theme, stack_);
+  stack_->addWidget(measure_);
+  setCentralWidget(central);
+  makeMenus();
+  makeStatusBar();
+  palette_ = new CommandPalette(commands_, this);
+
+  connect(start_, &StartPage::openSurfaceRequested, commands_["file.open"], &QAction::trigger);
+  connect(start_, &StartPage::openDesignRequested, commands_["file.openDesign"], &QAction::trigger);
+  connect(start_, &StartPage::openRequested, this, &MainWindow::openFile);
+  connect(start_, &StartPage::exampleRequested, this, &MainWindow::openExample);
+
+  connect(start_, &StartPage::measureRequested, commands_["blade.measure"], &QAction::trigger);
+  connect(measure_, &MeasurePage::left, this, &MainWindow::leaveMeasurePage);
+
+  start_->installEventFilter(this);
+  view_->installEventFilter(this);
+  connect(banner_, &Banner::told, this, &MainWindow::placeBanner);
+  connect(&bench_, &Workbench::noticed, banner_, &Banner::tell);
+  connect(&bench_, &Workbench::noticesOutdated, banner_, &Banner::outdate);
+  connect(&bench_, &Workbench::resultChanged, this, &MainWindow::refreshContent);
+  connect(&bench_, &Workbench::stateChanged, this, &MainWindow::refreshState);
+  connect(&bench_, &Workbench::progressed, this, &MainWindow::refreshState);
+  connect(&bench_, &Workbench::selectionChanged, this, &MainWindow::refreshStyle);
+  connect(&bench_, &Workbench::playTimeChanged, this, &MainWindow::refreshStyle);
+  connect(&bench_, &Workbench::frameRequested, this,
+          [this](const Bounds& bounds) { view_->fitBounds(bounds); });
+  connect(&bench_.document(), &model::Document::titleChanged, this, &MainWindow::refreshTitle);
+  connect(&bench_.document(), &model::Document::designChanged, this, [this] {
+    editClock_.start();
+    refreshTitle();
+  });
+  connect(&bench_.document(), &model::Document::replaced, this, [this] {
+    fitNext_ = true;
+    opening_.reset();
+    staleShown_ = false;
+  });
+  connect(&bench_.settings(), &model::Settings::recentFilesChanged, this, &MainWindow::refreshRecent);
+  connect(&theme, &Theme::changed, this, [this] {
+    scene::Style style = mapBar_->style();
+    style.dark = theme_.dark();
+    mapBar_->setStyle(style);
+    refreshStyle();
+  });
+
+  staleTimer_.setSingleShot(true);
+  staleTimer_.setInterval(kStaleDelay);
+  connect(&staleTimer_, &QTimer::timeout, this, [this] {
+    staleShown_ = bench_.stale();
+    refreshStyle();
+  });
+  busyTimer_.setSingleShot(true);
+  busyTimer_.setInterval(kBusyDelay);
+  connect(&busyTimer_, &QTimer::timeout, this, &MainWindow::refreshState);
+
+  resize(1440, 900);
+  restoreLayout();
+  scene::Style style;
+  style.field = "deviation";
+  style.dark = theme.dark();
+  style.tolerance = bench_.job().tolerance;
+  mapBar_->setStyle(style);
+  setNavigation(settings.mouse());
+  tickTheme();
+  refreshTitle();
+  refreshRecent();
+  refreshStyle();
+  refreshState();
+}
+
+MainWindow::~MainWindow() {
+  // A field that is being typed into tells its number when it is hidden: now, while there is a design.
+  hide();
+  // The history outlives the commands that show its names.
+  bench_.document().undoStack().disconnect();
+}
+
+void MainWindow::showStartPage() {
+  bench_.document().start(Design());
+  shown_.reset();
+  stack_->setCurrentWidget(start_);
+  refreshTitle();
+  refreshState();
+}
+
+void MainWindow::showWorkspace() {
+  stack_->setCurrentWidget(columns_);
+  view_->setFocus();
+  refreshTitle();
+  refreshState();
+  placeBanner();
+}
+
+void MainWindow::showMeasurePage() {
+  if (onMeasurePage()) return;
+  banner_->hide();
+  measure_->enter();
+  stack_->setCurrentWidget(measure_);
+  measure_->table().setFocus();
+  refreshTitle();
+  refreshState();
+}
+
+void MainWindow::leaveMeasurePage() {
+  if (!bench_.document().empty()) return showWorkspace();
+  stack_->setCurrentWidget(start_);
+  refreshTitle();
+  refreshState();
+}
+
+void MainWindow::placeBanner() {
+  if (onStartPage()) {
+    // At the lower edge: the title is above, and every button.
+    banner_->place({kGroupGap, 0}, banner_->parentWidget()->width() - 2 * kGroupGap);
+    banner_->move(kGroupGap, banner_->parentWidget()->height() - banner_->height() - kGroupGap);
+    return;
+  }
+  const QPoint corner = view_->mapTo(banner_->parentWidget(), QPoint(kGap, kGap));
+  const QRectF legend = view_->legendRect();
+  const double right = legend.isEmpty() ? view_->width() : legend.left();
+  banner_->place(corner, std::max(320, int(right) - 2 * kGap));
+}
+
+bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize || event->type() == QEvent::Show)
+    QTimer::singleShot(0, this, &MainWindow::placeBanner);
+  return QMainWindow::eventFilter(watched, event);
+}
+
+void MainWindow::applyTheme(model::ThemeChoice choice) {
+  settings_.setTheme(choice);
+  theme_.apply(choice);
+  refreshState();
+  tickTheme();
+}
+
+void MainWindow::tickTheme() {
+  for (const auto& [id, choice] : {std::pair("theme.system", model::ThemeChoice::system),
+                                   std::pair("theme.light", model::ThemeChoice::light),
+                                   std::pair("theme.dark", model::ThemeChoice::dark)})
+    commands_[id]->setChecked(choice == settings_.theme());
+}
+
+void MainWindow::setNavigation(model::MouseChoice mouse) {
+  settings_.setMouse(mouse);
+  view_->setNavigation(mouse == model::MouseChoice::blender      ? view::Navigation::blender
+                       : mouse == model::MouseChoice::solidworks ? view::Navigation::solidworks
+                                                                 : view::Navigation::rhino);
+  for (const auto& [id, m] : {std::pair("mouse.rhino", model::MouseChoice::rhino),
+                              std::pair("mouse.blender", model::MouseChoice::blender),
+                              std::pair("mouse.solidworks", model::MouseChoice::solidworks)})
+    commands_[id]->setChecked(m == mouse);
+}
+
+void MainWindow::restoreLayout() {
+  if (const QByteArray state = settings_.layout("window"); !state.isEmpty()) restoreGeometry(state);
+  if (!columns_->restoreState(settings_.layout("columns")))
+    columns_->setSizes({kLeftWidth, 1440 - kLeftWidth - kRightWidth, kRightWidth});
+  if (!middle_->restoreState(settings_.layout("middle"))) middle_->setSizes({600, kBottomHeight});
+}
+
+void MainWindow::storeLayout() {
+  settings_.setLayout("window", saveGeometry());
+  settings_.setLayout("columns", columns_->saveState());
+  settings_.setLayout("middle", middle_->saveState());
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!mayLeave()) {
+    event->ignore();
+    return;
+  }
+  storeLayout();
+  event->accept();
+}
+
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+  if (!commands_.pressKey(event)) QMainWindow::keyPressEvent(event);
+}
+
+}  // namespace bw::app

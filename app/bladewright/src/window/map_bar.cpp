@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "window/map_bar.h"
+
+#include <QHBoxLayout>
+#include <QWidgetAction>
+
+#include <algorithm>
+
+namespace bw::app {
+
+const std::vector<std::string>& MapBar::fieldNames() {
+  static const std::vector<std::string> names = {"deviation",      "angle",     "speed",
+                                                 "relative_speed", "curvature", "none"};
+  return names;
+}
+
+MapBar::MapBar(const Theme& theme, const Commands& commands, QWidget* parent)
+    : QFrame(parent), theme_(theme) {
+  setObjectName("panel");
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(8, 5, 8, 5);
+  layout->setSpacing(4);
+  field_ = new ChoiceField(this);
+  for (const QString& title : {tr("Deviation"), tr("Cutting angle"), tr("Blade speed"), tr("Relative speed"),
+                               tr("Curvature / limit"), tr("No map")})
+    field_->addItem(title);
+  field_->setToolTip(tr("What the colours of the cut surface show"));
+  field_->setAccessibleName(tr("Map"));
+  field_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  layout->addWidget(field_);
+  layout->addSpacing(4);
+  const auto tool = [&](const QString& tip) {
+    auto* b = new QToolButton(this);
+    b->setToolTip(tip);
+    b->setAccessibleName(tip);
+    b->setFocusPolicy(Qt::StrongFocus);
+    layout->addWidget(b);
+    return b;
+  };
+  for (const char* id : {"view.isolines", "view.section"}) tool({})->setDefaultAction(commands[id]);
+  layers_ = tool(tr("What is shown, and how solid"));
+  layers_->setPopupMode(QToolButton::InstantPopup);
+  layersMenu_ = new QMenu(layers_);
+  auto* content = new QWidgetAction(layersMenu_);
+  content->setDefaultWidget(makeLayers());
+  layersMenu_->addAction(content);
+  layers_->setMenu(layersMenu_);
+  layout->addSpacing(kGap);
+  const NumberRange range{-1e6, 1e6, 3, 0.1, {}};
+  const auto number = [&](const QString& name, const QString& tip) {
+    auto* n = new NumberField(range, this);
+    n->setFixedWidth(74);
+    n->setAccessibleName(name);
+    n->setToolTip(tip);
+    return n;
+  };
+  min_ = number(tr("Lower end of the legend"), tr("Lower end of the legend"));
+  max_ = number(tr("Upper end of the legend"), tr("Upper end of the legend"));
+  to_ = new QLabel(QStringLiteral("–"), this);
+  layout->addWidget(min_);
+  layout->addWidget(to_);
+  layout->addWidget(max_);
+  automatic_ = tool(tr("Range follows the data"));
+  automatic_->setText(tr("Auto"));
+  automatic_->setCheckable(true);
+  layout->addStretch();
+  for (const char* id : {"view.iso", "view.top"}) {
+    auto* b = tool({});
+    b->setDefaultAction(commands[id]);
+  }
+  auto* more = tool(tr("Standard views"));
+  more->setIcon(theme.icon("chevron-down"));
+  more->setIconSize({14, 14});
+  more->setPopupMode(QToolButton::InstantPopup);
+  auto* views = new QMenu(more);
+  for (const char* id :
+       {"view.iso", "view.top", "view.bottom", "view.front", "view.back", "view.left", "view.right"})
+    views->addAction(commands[id]);
+  more->setMenu(views);
+  for (const char* id : {"view.fit", "view.parallel"}) {
+    auto* b = tool({});
+    b->setDefaultAction(commands[id]);
+  }
+
+  connect(field_, &QComboBox::activated, this,
+          [this](int index) { chooseField(fieldNames()[std::size_t(index)]); });
+  const auto applyRange = [this] {
+    if (min_->value() >= max_->value()) return refresh();
+    style_.rangeMin = min_->value();
+    style_.rangeMax = max_->value();
+    refresh();
+    emit styleEdited(style_);
+  };
+  connect(min_, &NumberField::edited, this, applyRange);
+  connect(max_, &NumberField::edited, this, applyRange);
+  connect(automatic_, &QToolButton::clicked, this, [this](bool on) {
+    if (on) {
+      style_.rangeMin.reset();
+      style_.rangeMax.reset();
+    } else {
+      style_.rangeMin = min_->value();
+      style_.rangeMax = max_->value();
+    }
+    refresh();
+    emit styleEdited(style_);
+  });
+  const auto icons = [this, more] {
+    layers_->setIcon(theme_.icon("layers"));
+    more->setIcon(theme_.icon("chevron-down"));
+  };
+  connect(&theme, &Theme::changed, this, icons);
+  icons();
+  refresh();
+}
+
+QWidget* MapBar::makeLayers() {
+  auto* page = new QWidget;
+  auto* grid = new QGridLayout(page);
+  grid->setContentsMargins(kGap, kGap, kGap, kGap);
+  grid->setHorizontalSpacing(kGroupGap);
+  grid->setVerticalSpacing(4);
+  int row = 0;
+  const auto line = [&](const QString& name, bool scene::Style::*show, double scene::Style::*opacity) {
+    auto* box = new QCheckBox(name, page);
+    grid->addWidget(box, row, 0);
+    shows_.emplace_back(box, show);
+    connect(box, &QCheckBox::clicked, this, [this, show](bool on) {
+      style_.*show = on;
+      emit styleEdited(style_);
+    });
+    if (opacity) {
+      auto* slider = new HandSlider(page);
+      slider->setRange(5, 100);
+      slider->setFixedWidth(120);
+      slider->setToolTip(tr("Opacity"));
+      slider->setAccessibleName(tr("Opacity of %1").arg(name));
+      grid->addWidget(slider, row, 1);
+      opacities_.emplace_back(slider, opacity);
+      connect(slider, &HandSlider::moved, this, [this, opacity](int value) {
+        style_.*opacity = value / 100.0;
+        emit styleEdited(style_);
+      });
+    }
+    ++row;
+  };
+  line(tr("Target surface"), &scene::Style::showTarget, &scene::Style::targetOpacity);
+  line(tr("Cut surface"), &scene::Style::showCut, &scene::Style::cutOpacity);
+  line(tr("Block"), &scene::Style::showBlock, &scene::Style::blockOpacity);
+  line(tr("Stations"), &scene::Style::showStations, nullptr);
+  line(tr("Whole blades"), &scene::Style::showBlades, nullptr);
+  line(tr("Ground grid"), &scene::Style::showGrid, nullptr);
+  line(tr("Legend"), &scene::Style::legend, nullptr);
+  return page;
+}
+
+void MapBar::chooseField(const std::string& name) {
+  if (style_.field == name) return;
+  style_.field = name;
+  style_.rangeMin.reset();
+  style_.rangeMax.reset();
+  refresh();
+  emit styleEdited(style_);
+}
+
+void MapBar::setStyle(const scene::Style& style) {
+  style_ = style;
+  refresh();
+}
+
+void MapBar::setRangeInUse(const std::optional<std::pair<double, double>>& range) {
+  mapped_ = range.has_value();
+  if (range) {
+    for (NumberField* field : {min_, max_})
+      field->setSingleStep(std::max(0.001, (range->second - range->first) / 20));
+    if (!style_.rangeMin) {
+      min_->show(range->first);
+      max_->show(range->second);
+    }
+  }
+  showRange();
+}
+
+void MapBar::showRange() {
+  // Without a map there is no range to tell.
+  for (QWidget* widget : {static_cast<QWidget*>(min_), static_cast<QWidget*>(max_),
+                          static_cast<QWidget*>(to_), static_cast<QWidget*>(automatic_)})
+    widget->setVisible(mapped_ && style_.field != "none");
+}
+
+void MapBar::editRange() {
+  min_->setFocus();
+  min_->selectAll();
+}
+
+void MapBar::refresh() {
+  const auto& names = fieldNames();
+  const auto found = std::find(names.begin(), names.end(), style_.field);
+  field_->show(found == names.end() ? int(names.size()) - 1 : int(found - names.begin()));
+  showRange();
+  automatic_->setChecked(!style_.rangeMin && !style_.rangeMax);
+  if (style_.rangeMin) min_->show(*style_.rangeMin);
+  if (style_.rangeMax) max_->show(*style_.rangeMax);
+  for (const auto& [box, member] : shows_) box->setChecked(style_.*member);
+  for (const auto& [slider, member] : opacities_) slider->show(int(100 * (style_.*member) + 0.5));
+}
+
+}  // namespace bw::app

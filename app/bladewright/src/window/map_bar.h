@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QCheckBox>
+#include <QFrame>
+#include <QLabel>
+#include <QMenu>
+#include <QToolButton>
+
+#include "bw/scene/scene.h"
+#include "controls/fields.h"
+#include "controls/theme.h"
+#include "window/commands.h"
+
+namespace bw::app {
+
+/// The line over the picture: which map is shown, its range, isolines, what is visible, and the views.
+class MapBar : public QFrame {
+  Q_OBJECT
+
+ public:
+  MapBar(const Theme& theme, const Commands& commands, QWidget* parent = nullptr);
+
+  const scene::Style& style() const { return style_; }
+  /// Takes over a style that something else changed (theme, tolerance, playhead).
+  void setStyle(const scene::Style& style);
+  using QWidget::setStyle;
+  /// The legend's range in use, shown in the fields while it follows the data.
+  void setRangeInUse(const std::optional<std::pair<double, double>>& range);
+  /// Puts the cursor into the range field.
+  void editRange();
+  ChoiceField& field() { return *field_; }
+  void chooseField(const std::string& name);
+  /// The words of the maps in the order of the choice.
+  static const std::vector<std::string>& fieldNames();
+
+ signals:
+  void styleEdited(const bw::scene::Style& style);
+
+ private:
+  void refresh();
+  void showRange();
+  QWidget* makeLayers();
+
+  const Theme& theme_;
+  scene::Style style_;
+  bool mapped_ = false;  ///< a field with a range is on the screen
+  ChoiceField* field_;
+  QLabel* to_;
+  NumberField *min_, *max_;
+  QToolButton *automatic_, *layers_;
+  QMenu* layersMenu_;
+  std::vector<std::pair<QCheckBox*, bool scene::Style::*>> shows_;
+  std::vector<std::pair<HandSlider*, double scene::Style::*>> opacities_;
+};
+
+}  // namespace bw::app

@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "window/start_page.h"
+
+#include <QEvent>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QPainter>
+#include <QPainterPath>
+#include <QPushButton>
+#include <QToolButton>
+
+#include <algorithm>
+
+#include "bw/geometry/export.h"
+#include "controls/fields.h"
+
+namespace bw::app {
+
+namespace {
+
+constexpr int kCardWidth = 208, kPictureHeight = 132, kCardHeight = kPictureHeight + 48;
+constexpr int kCardGap = 16;
+constexpr int kPageWidth = 4 * kCardWidth + 3 * kCardGap;
+constexpr int kPageMargin = 40;
+constexpr int kRecentShown = 6;
+
+}  // namespace
+
+ExampleCard::ExampleCard(const Theme& theme, const QString& name, const QString& title, QWidget* parent)
+    : QAbstractButton(parent),
+      theme_(theme),
+      picture_(":/icons/examples/" + name + ".png"),
+      darkPicture_(":/icons/examples/" + name + "-dark.png") {
+  setObjectName("example." + name);
+  setText(title);
+  setAccessibleName(tr("Example: %1").arg(title));
+  setToolTip(tr("Open the example “%1”").arg(title));
+  setCursor(Qt::PointingHandCursor);
+  setFocusPolicy(Qt::StrongFocus);
+  setFixedSize(sizeHint());
+}
+
+QSize ExampleCard::sizeHint() const { return {kCardWidth, kCardHeight}; }
+
+bool ExampleCard::event(QEvent* event) {
+  if (event->type() == QEvent::Enter || event->type() == QEvent::Leave) update();
+  return QAbstractButton::event(event);
+}
+
+void ExampleCard::paintEvent(QPaintEvent*) {
+  const Colours& c = theme_.colours();
+  QPainter painter(this);
+  painter.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
+  const QRectF frame = QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5);
+  QPainterPath path;
+  path.addRoundedRect(frame, 6, 6);
+  painter.fillPath(path, c.panel);
+  painter.save();
+  painter.setClipPath(path);
+  const QRectF area(0, 0, width(), kPictureHeight);
+  painter.fillRect(area, c.dark ? QColor("#2A2D32") : QColor("#F3F4F4"));
+  if (const QPixmap& picture = c.dark ? darkPicture_ : picture_; !picture.isNull()) {
+    const double scale = std::max(area.width() / picture.width(), area.height() / picture.height());
+    const QSizeF size = QSizeF(picture.size()) * scale;
+    painter.drawPixmap(QRectF(area.center() - QPointF(size.width(), size.height()) / 2, size), picture,
+                       picture.rect());
+  } else {
+    painter.drawPixmap(QPointF(area.center() - QPointF(20, 20)), theme_.pixmap("surface", c.disabled, 40));
+  }
+  painter.restore();
+  const bool lit = underMouse() || hasFocus() || isDown();
+  painter.setPen(QPen(lit ? c.selection : c.line, 1));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawPath(path);
+  painter.setPen(c.text);
+  painter.setFont(Theme::bodyFont());
+  const QRect text(12, kPictureHeight + 4, width() - 24, kCardHeight - kPictureHeight - 8);
+  painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap, this->text());
+}
+
+StartPage::StartPage(Workbench& bench, const Theme& theme, QWidget* parent)
+    : QScrollArea(parent), bench_(bench), theme_(theme) {
+  setWidgetResizable(true);
+  setFrameShape(QFrame::NoFrame);
+  setFocusPolicy(Qt::NoFocus);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* outer = new QWidget;
+  outer->setObjectName("start");
+  auto* center = new QHBoxLayout(outer);
+  center->setContentsMargins(kPageMargin, kPageMargin, kPageMargin, kPageMargin);
+  page_ = new QWidget(outer);
+  page_->setMaximumWidth(kPageWidth);
+  center->addStretch();
+  center->addWidget(page_, 100);
+  center->addStretch();
+  auto* layout = new QVBoxLayout(page_);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(kGap);
+
+  auto* title = new QLabel(tr("Bladewright"), page_);
+  QFont big = Theme::bodyFont();
+  big.setPointSize(22);
+  big.setWeight(QFont::DemiBold);
+  title->setFont(big);
+  layout->addWidget(title);
+  auto* claim = new QLabel(
+      tr("Surfaces that a hot blade can cut from foam, and the robot programs that cut them."), page_);
+  claim->setObjectName("secondary");
+  claim->setWordWrap(true);
+  layout->addWidget(claim);
+  layout->addSpacing(kGroupGap);
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(kGap);
+  auto* surface = new QPushButton(tr("Open CAD surface…"), page_);
+  surface->setObjectName("primary");
+  surface->setToolTip(tr("A STEP, IGES or BREP file becomes a blade sweep"));
+  connect(surface, &QPushButton::clicked, this, &StartPage::openSurfaceRequested);
+  auto* design = new QPushButton(tr("Open design…"), page_);
+  design->setToolTip(tr("A .bladewright file saved before"));
+  connect(design, &QPushButton::clicked, this, &StartPage::openDesignRequested);
+  buttons->addWidget(surface);
+  buttons->addWidget(design);
+  auto* measure = new QPushButton(tr("Measure a blade…"), page_);
+  measure->setToolTip(tr("The length of a mounted blade from how far it sags"));
+  connect(measure, &QPushButton::clicked, this, &StartPage::measureRequested);
+  buttons->addWidget(measure);
+  buttons->addSpacing(kGap);
+  auto* drop = makeNote(tr("or drop a file here"), page_);
+  drop->setWordWrap(false);
+  buttons->addWidget(drop);
+  buttons->addStretch();
+  layout->addLayout(buttons);
+  layout->addSpacing(kStepGap);
+
+  recentTitle_ = new QLabel(tr("Recent"), page_);
+  recentTitle_->setFont(Theme::titleFont());
+  layout->addWidget(recentTitle_);
+  recent_ = new QVBoxLayout;
+  recent_->setSpacing(0);
+  layout->addLayout(recent_);
+
+  auto* examples = new QLabel(tr("Examples"), page_);
+  examples->setFont(Theme::titleFont());
+  layout->addWidget(examples);
+  shelf_ = new QWidget(page_);
+  layout->addWidget(shelf_);
+  for (const geometry::Example& example : geometry::exampleList()) {
+    const QString name = QString::fromStdString(example.name);
+    auto* card = new ExampleCard(theme, name,
+                                 QString::fromStdString(example.title)
+                                     .replace(" mm", QString(QChar(0xa0)) + "mm")
+                                     .replace(" × ", QString(QChar(0xa0)) + "×" + QChar(0xa0)),
+                                 shelf_);
+    connect(card, &QAbstractButton::clicked, this, [this, name] { emit exampleRequested(name); });
+    cards_.push_back(card);
+  }
+  layout->addStretch();
+  setWidget(outer);
+  viewport()->setAutoFillBackground(false);
+  outer->setAutoFillBackground(false);
+  connect(&bench.settings(), &model::Settings::recentFilesChanged, this, &StartPage::refreshRecent);
+  connect(&theme, &Theme::changed, this, &StartPage::refreshRecent);
+  refreshRecent();
+  arrange();
+}
+
+void StartPage::refreshRecent() {
+  while (QLayoutItem* item = recent_->takeAt(0)) {
+    if (QWidget* widget = item->widget()) {
+      widget->hide();
+      widget->deleteLater();
+    }
+    delete item;
+  }
+  const auto files = bench_.settings().recentFiles();
+  recentTitle_->setVisible(!files.empty());
+  for (std::size_t i = 0; i < files.size() && i < kRecentShown; ++i) {
+    const QString path = QString::fromStdString(files[i].string());
+    auto* button = new QToolButton(page_);
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setIcon(theme_.icon(path.endsWith(".bladewright") ? "sweep" : "surface"));
+    const QFileInfo info(path);
+    button->setText(QStringLiteral(" %1   –   %2")
+                        .arg(info.fileName(),
+                             QFontMetrics(Theme::bodyFont()).elidedText(info.path(), Qt::ElideMiddle, 480)));
+    button->setToolTip(path);
+    connect(button, &QToolButton::clicked, this, [this, path] { emit openRequested(path); });
+    recent_->addWidget(button, 0, Qt::AlignLeft);
+  }
+  if (!files.empty()) recent_->addSpacing(kGroupGap);
+}
+
+void StartPage::arrange() {
+  const int width = std::min(kPageWidth, viewport()->width() - 2 * kPageMargin);
+  const int columns = std::clamp((width + kCardGap) / (kCardWidth + kCardGap), 1, 4);
+  if (columns == columns_) return;
+  columns_ = columns;
+  const int rows = (int(cards_.size()) + columns - 1) / columns;
+  shelf_->setFixedHeight(rows * kCardHeight + (rows - 1) * kCardGap);
+  for (std::size_t i = 0; i < cards_.size(); ++i)
+    cards_[i]->move(int(i) % columns * (kCardWidth + kCardGap), int(i) / columns * (kCardHeight + kCardGap));
+}
+
+void StartPage::resizeEvent(QResizeEvent* event) {
+  QScrollArea::resizeEvent(event);
+  arrange();
+}
+
+}  // namespace bw::app

@@ -1,0 +1,258 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+// The commands of the window and the menus that hold them.
+#include <QApplication>
+#include <QMenuBar>
+#include <QMessageBox>
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+#include "window/history_keys.h"
+#include "window/main_window.h"
+
+namespace bw::app {
+
+void MainWindow::makeCommands() {
+  const auto add = [this](const char* id, const QString& text, const char* icon, const QString& tip,
+                          const QList<QKeySequence>& keys, std::function<void(bool)> run,
+                          bool checkable = false) {
+    return commands_.add({id, text, icon, tip, keys, checkable}, std::move(run));
+  };
+  add("file.open", tr("&Open CAD surface…"), "open", tr("A STEP, IGES or BREP file"), {QKeySequence::Open},
+      [this](bool) {
+        if (const QString file = questions_.openSurface(); !file.isEmpty()) openFile(file);
+      });
+  add("file.openDesign", tr("Open &design…"), "folder", tr("A .bladewright file"),
+      {QKeySequence("Ctrl+Shift+O")}, [this](bool) {
+        if (const QString file = questions_.openDesign(); !file.isEmpty()) openFile(file);
+      });
+  add("file.save", tr("&Save"), "save", tr("Save the design"), {QKeySequence::Save},
+      [this](bool) { save(); });
+  add("file.saveAs", tr("Save &as…"), "", tr("Save the design under another name"),
+      {QKeySequence("Ctrl+Shift+S")}, [this](bool) { saveAs(); });
+  add("file.export", tr("&Export everything…"), "export",
+      tr("Report, CAD surface, mesh, stations and programs into a folder"), {QKeySequence("Ctrl+E")},
+      [this](bool) { exportEverything(); });
+  add("file.programs", tr("Export &programs…"), "program", tr("The robot programs alone"), {},
+      [this](bool) { exportPrograms(); });
+  add("file.picture", tr("Export p&icture…"), "picture", tr("The view as PNG at any size"),
+      {QKeySequence("Ctrl+Shift+E")}, [this](bool) { exportPicture(); });
+  add("file.close", tr("&Close"), "close", tr("Back to the start page"), {QKeySequence("Ctrl+W")},
+      [this](bool) {
+        if (mayLeave()) showStartPage();
+      });
+  add("file.quit", tr("&Quit"), "", {}, {QKeySequence("Ctrl+Q")}, [this](bool) { close(); });
+
+  add("edit.undo", tr("&Undo"), "undo", {}, undoKeys(),
+      [this](bool) { bench_.document().undoStack().undo(); });
+  add("edit.redo", tr("&Redo"), "redo", {}, redoKeys(),
+      [this](bool) { bench_.document().undoStack().redo(); });
+  QUndoStack& undo = bench_.document().undoStack();
+  const auto undoText = [this](const char* id, const QString& word, const QString& text) {
+    commands_[id]->setText(text.isEmpty() ? word : word + " " + text);
+  };
+  connect(&undo, &QUndoStack::undoTextChanged, this,
+          [=, this](const QString& text) { undoText("edit.undo", tr("&Undo"), text.toLower()); });
+  connect(&undo, &QUndoStack::redoTextChanged, this,
+          [=, this](const QString& text) { undoText("edit.redo", tr("&Redo"), text.toLower()); });
+  connect(&undo, &QUndoStack::canUndoChanged, commands_["edit.undo"], &QAction::setEnabled);
+  connect(&undo, &QUndoStack::canRedoChanged, commands_["edit.redo"], &QAction::setEnabled);
+  commands_["edit.undo"]->setEnabled(false);
+  commands_["edit.redo"]->setEnabled(false);
+  add("edit.palette", tr("Find a &command…"), "search", tr("Every command by its name"),
+      {QKeySequence("Ctrl+K")}, [this](bool) { palette_->open(); });
+  add("edit.compute", tr("Compute &again"), "process", tr("Read the file again and compute everything"),
+      {QKeySequence("F5")}, [this](bool) {
+        if (!bench_.document().empty()) bench_.runner().evaluate(bench_.document().design());
+      });
+  add("blade.measure", tr("&Measure blade length…"), "measure",
+      tr("The length of the mounted blade from how far it sags"), {QKeySequence("Ctrl+L")},
+      [this](bool) { showMeasurePage(); });
+  add("edit.cancel", tr("&Stop computing"), "", tr("Stop the running job"), {QKeySequence("Esc")},
+      [this](bool) {
+        if (bench_.runner().busy()) bench_.runner().cancel();
+      });
+  for (const auto& [id, name, mouse] :
+       {std::tuple("mouse.rhino", tr("Mouse like &Rhino"), model::MouseChoice::rhino),
+        std::tuple("mouse.blender", tr("Mouse like &Blender"), model::MouseChoice::blender),
+        std::tuple("mouse.solidworks", tr("Mouse like &SolidWorks"), model::MouseChoice::solidworks)})
+    add(
+        id, name, "", tr("Which buttons turn, move and scale the view"), {},
+        [this, mouse = mouse](bool) { setNavigation(mouse); }, true);
+
+  static const std::array<std::tuple<const char*, const char*, const char*, scene::View>, 7> kViews = {
+      {{"view.iso", QT_TR_NOOP("&Isometric"), "view-iso", scene::View::iso},
+       {"view.top", QT_TR_NOOP("&Top"), "view-top", scene::View::top},
+       {"view.bottom", QT_TR_NOOP("B&ottom"), "", scene::View::bottom},
+       {"view.front", QT_TR_NOOP("&Front"), "", scene::View::front},
+       {"view.back", QT_TR_NOOP("&Back"), "", scene::View::back},
+       {"view.left", QT_TR_NOOP("&Left"), "", scene::View::left},
+       {"view.right", QT_TR_NOOP("&Right"), "", scene::View::right}}};
+  int key = 1;
+  for (const auto& [id, text, icon, view] : kViews) {
+    QString plain = tr(text);
+    plain.remove('&');
+    add(id, tr(text), icon, tr("%1 view").arg(plain), {QKeySequence(QString::number(key++))},
+        [this, view = view](bool) { view_->setView(view); });
+  }
+  add("view.fit", tr("&Fit all"), "fit", tr("Fit everything into the picture"), {QKeySequence("Shift+F")},
+      [this](bool) { view_->fitAll(); });
+  add("view.fitSelection", tr("Fit &selection"), "",
+      tr("Fit the selected thing into the picture, or the block with its blades"), {QKeySequence("F")},
+      [this](bool) { fitSelection(); });
+  add(
+      "view.parallel", tr("&Parallel view"), "parallel", tr("Parallel instead of perspective"),
+      {QKeySequence("P")}, [this](bool on) { view_->setParallel(on); }, true);
+  const auto toggle = [&](const char* id, const QString& text, const char* icon, const QString& tip,
+                          const QList<QKeySequence>& keys, bool scene::Style::*member) {
+    add(
+        id, text, icon, tip, keys,
+        [this, member](bool on) {
+          scene::Style style = mapBar_->style();
+          style.*member = on;
+          mapBar_->setStyle(style);
+          refreshStyle();
+        },
+        true);
+  };
+  toggle("view.shadows", tr("S&oft shadows"), "eye",
+         tr("Shade the surface where it is less open to the light"), {}, &scene::Style::softShadows);
+  add(
+      "view.section", tr("Se&ction through the scene"), "section",
+      tr("Cut the scene open at the selected station or the moving blade"), {QKeySequence("X")},
+      [this](bool on) {
+        sectioned_ = on;
+        // The half that the eye is on goes away.
+        if (const auto plane = sectionPlane();
+            plane && (view_->camera().position - plane->point).dot(plane->normal) < 0)
+          sectionSide_ = -sectionSide_;
+        refreshStyle();
+        refreshState();
+      },
+      true);
+  add("view.sectionFlip", tr("Other half of the s&ection"), "", tr("Take the other half away"),
+      {QKeySequence("Shift+X")}, [this](bool) {
+        sectionSide_ = -sectionSide_;
+        refreshStyle();
+      });
+  toggle("view.isolines", tr("Is&olines"), "isolines", tr("Lines of equal value at the ticks of the legend"),
+         {QKeySequence("I")}, &scene::Style::isolines);
+  toggle("show.target", tr("Target surface"), "target", tr("Show the target surface"),
+         {QKeySequence("Alt+T")}, &scene::Style::showTarget);
+  toggle("show.cut", tr("Cut surface"), "cut", tr("Show the cut surface"), {QKeySequence("Alt+C")},
+         &scene::Style::showCut);
+  toggle("show.stations", tr("Stations"), "station", tr("Show the stations"), {QKeySequence("Alt+S")},
+         &scene::Style::showStations);
+  toggle("show.blades", tr("Whole blades"), "blade", tr("Show the whole blade at every station"),
+         {QKeySequence("Alt+B")}, &scene::Style::showBlades);
+  toggle("show.block", tr("Block"), "block", tr("Show the foam block"), {QKeySequence("Alt+K")},
+         &scene::Style::showBlock);
+  toggle("show.grid", tr("Ground grid"), "grid", tr("Show the ground grid"), {QKeySequence("Alt+G")},
+         &scene::Style::showGrid);
+  static const std::array<std::tuple<const char*, const char*, const char*>, 6> kMaps = {
+      {{"deviation", QT_TR_NOOP("Map: &deviation"), "deviation"},
+       {"angle", QT_TR_NOOP("Map: cutting &angle"), "angle"},
+       {"speed", QT_TR_NOOP("Map: blade &speed"), "speed"},
+       {"relative_speed", QT_TR_NOOP("Map: &relative speed"), "relative-speed"},
+       {"curvature", QT_TR_NOOP("Map: &bending against the limit"), "curvature"},
+       {"none", QT_TR_NOOP("&No map"), "surface"}}};
+  key = 1;
+  for (const auto& [name, text, icon] : kMaps)
+    add((std::string("map.") + name).c_str(), tr(text), icon, tr("What the colours of the cut surface show"),
+        {QKeySequence("Alt+" + QString::number(key++))},
+        [this, name = std::string(name)](bool) { mapBar_->chooseField(name); });
+  add(
+      "panel.workflow", tr("&Workflow"), "setup", tr("Show the panel at the left"), {QKeySequence("Ctrl+1")},
+      [this](bool on) { workflow_->setVisible(on); }, true);
+  add(
+      "panel.bottom", tr("&Section, motion, messages"), "station", tr("Show the panel below"),
+      {QKeySequence("Ctrl+2")}, [this](bool on) { tabs_->setVisible(on); }, true);
+  add(
+      "panel.inspector", tr("&Inspector"), "measure", tr("Show the panel at the right"),
+      {QKeySequence("Ctrl+3")}, [this](bool on) { inspector_->setVisible(on); }, true);
+  for (const char* id : {"panel.workflow", "panel.bottom", "panel.inspector"})
+    commands_[id]->setChecked(true);
+  for (const auto& [id, text, choice] :
+       {std::tuple("theme.system", tr("Theme of the s&ystem"), model::ThemeChoice::system),
+        std::tuple("theme.light", tr("&Light theme"), model::ThemeChoice::light),
+        std::tuple("theme.dark", tr("&Dark theme"), model::ThemeChoice::dark)})
+    add(
+        id, text, "", tr("Colours of the window"), {}, [this, choice = choice](bool) { applyTheme(choice); },
+        true);
+
+  add("station.next", tr("&Next station"), "step-forward", tr("Select the next station"), {QKeySequence(".")},
+      [this](bool) {
+        bench_.selectStation(bench_.selection().station + 1);
+        tabs_->setCurrentWidget(section_);
+      });
+  add("station.previous", tr("Station &before"), "step-back", tr("Select the station before"),
+      {QKeySequence(",")}, [this](bool) {
+        bench_.selectStation(std::max(0, bench_.selection().station - 1));
+        tabs_->setCurrentWidget(section_);
+      });
+  add("station.none", tr("Select n&othing"), "", tr("Back to the numbers of the whole result"),
+      {QKeySequence("Ctrl+D")}, [this](bool) { bench_.select({}); });
+  add("motion.play", tr("&Play or pause"), "play", tr("Move the blade through the block"),
+      {QKeySequence("Space")}, [this](bool) {
+        tabs_->setCurrentWidget(motion_);
+        motion_->togglePlay();
+      });
+  add("motion.start", tr("To the &start"), "to-start", tr("Blade to the start of the motion"),
+      {QKeySequence("Home")}, [this](bool) { motion_->goTo(0); });
+  add("motion.end", tr("To the &end"), "to-end", tr("Blade to the end of the motion"), {QKeySequence("End")},
+      [this](bool) { motion_->goTo(bench_.playEnd()); });
+  add("tab.section", tr("Show se&ction"), "station", tr("The selected station in its plane"),
+      {QKeySequence("Ctrl+4")}, [this](bool) { tabs_->setCurrentWidget(section_); });
+  add("tab.motion", tr("Show &motion"), "speed", tr("The timeline"), {QKeySequence("Ctrl+5")},
+      [this](bool) { tabs_->setCurrentWidget(motion_); });
+  add("tab.messages", tr("Show m&essages"), "info", tr("All findings"), {QKeySequence("Ctrl+6")},
+      [this](bool) { tabs_->setCurrentWidget(messages_); });
+  add("help.about", tr("&About Bladewright"), "", {}, {}, [this](bool) {
+    QMessageBox box(QMessageBox::NoIcon, tr("About Bladewright"),
+                    tr("<b>Bladewright %1</b><br>Design of surfaces that a hot, flexible blade cuts from "
+                       "foam.<br>MIT licence.")
+                        .arg(QApplication::applicationVersion()),
+                    QMessageBox::Ok, this);
+    box.setIconPixmap(QIcon(":/icons/bladewright.svg").pixmap(64, 64));
+    box.exec();
+  });
+}
+
+void MainWindow::makeMenus() {
+  const auto fill = [this](QMenu* menu, std::initializer_list<const char*> ids) {
+    for (const char* id : ids) {
+      if (*id)
+        menu->addAction(commands_[id]);
+      else
+        menu->addSeparator();
+    }
+    menu->setToolTipsVisible(true);
+  };
+  QMenu* file = menuBar()->addMenu(tr("&File"));
+  fill(file, {"file.open", "file.openDesign"});
+  recentMenu_ = file->addMenu(tr("Open &recent"));
+  fill(file, {"", "file.save", "file.saveAs", "", "file.export", "file.programs", "file.picture", "",
+              "file.close", "file.quit"});
+  fill(menuBar()->addMenu(tr("&Edit")), {"edit.undo", "edit.redo", "", "edit.compute", "edit.cancel", "",
+                                         "blade.measure", "", "edit.palette"});
+  QMenu* view = menuBar()->addMenu(tr("&View"));
+  fill(view, {"view.iso", "view.top", "view.bottom", "view.front", "view.back", "view.left", "view.right", "",
+              "view.fit", "view.fitSelection", "view.parallel", "", "view.section", "view.sectionFlip",
+              "view.shadows", ""});
+  fill(view->addMenu(tr("&Map")), {"map.deviation", "map.angle", "map.speed", "map.relative_speed",
+                                   "map.curvature", "map.none", "", "view.isolines"});
+  fill(view->addMenu(tr("S&how")),
+       {"show.target", "show.cut", "show.stations", "show.blades", "show.block", "show.grid"});
+  fill(view->addMenu(tr("Pa&nels")), {"panel.workflow", "panel.bottom", "panel.inspector", "", "tab.section",
+                                      "tab.motion", "tab.messages"});
+  view->addSeparator();
+  fill(view->addMenu(tr("Th&eme")), {"theme.system", "theme.light", "theme.dark"});
+  fill(view->addMenu(tr("M&ouse")), {"mouse.rhino", "mouse.blender", "mouse.solidworks"});
+  fill(menuBar()->addMenu(tr("&Motion")),
+       {"motion.play", "motion.start", "motion.end", "", "station.previous", "station.next", "station.none"});
+  fill(menuBar()->addMenu(tr("&Help")), {"edit.palette", "help.about"});
+}
+
+}  // namespace bw::app

@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+// The widgets of the workspace, and how they talk to each other.
+#include <QStatusBar>
+
+#include "window/main_window.h"
+
+namespace bw::app {
+
+void MainWindow::makeWorkspace() {
+  columns_ = new QSplitter(Qt::Horizontal, stack_);
+  columns_->setHandleWidth(1);
+  columns_->setChildrenCollapsible(false);
+  workflow_ = new WorkflowPanel(bench_, theme_, columns_);
+  workflow_->setMinimumWidth(280);
+  columns_->addWidget(workflow_);
+
+  middle_ = new QSplitter(Qt::Vertical, columns_);
+  middle_->setHandleWidth(1);
+  middle_->setChildrenCollapsible(false);
+  auto* picture = new QWidget(middle_);
+  auto* layout = new QVBoxLayout(picture);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  mapBar_ = new MapBar(theme_, commands_, picture);
+  layout->addWidget(mapBar_);
+  layout->addWidget(makeLine(picture));
+  view_ = new view::SceneView(picture);
+  view_->setAccessibleName(tr("3D view"));
+  layout->addWidget(view_, 1);
+  middle_->addWidget(picture);
+  tabs_ = new QTabWidget(middle_);
+  tabs_->setDocumentMode(true);
+  section_ = new SectionView(bench_, theme_, tabs_);
+  motion_ = new MotionView(bench_, theme_, tabs_);
+  messages_ = new MessageList(bench_, theme_, tabs_);
+  tabs_->addTab(section_, tr("Section"));
+  tabs_->addTab(motion_, tr("Motion"));
+  tabs_->addTab(messages_, tr("Messages"));
+  auto* corner = new QFrame(tabs_);
+  corner->setObjectName("panel");
+  auto* cornerContent = new QWidget(corner);
+  auto* cornerOuter = new QHBoxLayout(corner);
+  cornerOuter->setContentsMargins(0, 0, 0, 0);
+  cornerOuter->addWidget(cornerContent);
+  auto* cornerLayout = new QHBoxLayout(cornerContent);
+  cornerLayout->setContentsMargins(0, 2, 12, 2);
+  cornerLayout->setSpacing(kGap);
+  auto* label = new QLabel(tr("Deviation drawn"), corner);
+  label->setObjectName("secondary");
+  auto* factor = new ChoiceField(corner);
+  factor->addItems({tr("1×"), tr("5×"), tr("20×")});
+  factor->setMinimumContentsLength(3);
+  factor->setToolTip(tr("How many times larger than it is the distance between blade and target is drawn"));
+  factor->setAccessibleName(tr("Deviation drawn"));
+  label->setBuddy(factor);
+  cornerLayout->addWidget(label);
+  cornerLayout->addWidget(factor);
+  tabs_->setCornerWidget(corner);
+  connect(factor, &QComboBox::activated, this, [this](int index) {
+    section_->setExaggeration(index == 0 ? 1 : index == 1 ? 5 : 20);
+  });
+  // The corner itself stays, or its place would change colour.
+  QSizePolicy keeping = cornerContent->sizePolicy();
+  keeping.setRetainSizeWhenHidden(true);
+  cornerContent->setSizePolicy(keeping);
+  connect(tabs_, &QTabWidget::currentChanged, cornerContent,
+          [this, cornerContent] { cornerContent->setVisible(tabs_->currentWidget() == section_); });
+  middle_->addWidget(tabs_);
+  middle_->setStretchFactor(0, 1);
+  columns_->addWidget(middle_);
+
+  inspector_ = new Inspector(bench_, theme_, columns_);
+  inspector_->setMinimumWidth(250);
+  columns_->addWidget(inspector_);
+  columns_->setStretchFactor(1, 1);
+  stack_->addWidget(columns_);
+
+  connect(workflow_, &WorkflowPanel::openRequested, commands_["file.open"], &QAction::trigger);
+  connect(workflow_, &WorkflowPanel::exportRequested, this, &MainWindow::exportEverything);
+  connect(workflow_, &WorkflowPanel::programsRequested, this, &MainWindow::exportPrograms);
+  connect(workflow_, &WorkflowPanel::pictureRequested, this, &MainWindow::exportPicture);
+  for (const BladeFields* fields : {workflow_->bladeFields(), inspector_->bladeFields()})
+    connect(fields, &BladeFields::measureRequested, commands_["blade.measure"], &QAction::trigger);
+  connect(mapBar_, &MapBar::styleEdited, this, &MainWindow::refreshStyle);
+  connect(view_, &view::SceneView::picked, this, &MainWindow::onPicked);
+  connect(view_, &view::SceneView::hovered, this, &MainWindow::onHovered);
+  connect(view_, &view::SceneView::legendActivated, mapBar_, &MapBar::editRange);
+  connect(view_, &QOpenGLWidget::frameSwapped, this, [this] {
+    if (!awaitingFrame_) return;
+    awaitingFrame_ = false;
+    pictureDelay_ = double(editClock_.nsecsElapsed()) * 1e-9;
+    emit pictureStands();
+  });
+  connect(view_, &view::SceneView::rendered, this, [this] {
+    if (const QString problem = view_->problem(); !problem.isEmpty())
+      bench_.tell({Severity::error, problem, {}, {}});
+  });
+  connect(messages_, &MessageList::counted, this, [this](int errors, int warnings) {
+    const int loud = errors + warnings;
+    tabs_->setTabText(tabs_->indexOf(messages_), loud ? tr("Messages (%1)").arg(loud) : tr("Messages"));
+  });
+}
+
+void MainWindow::makeStatusBar() {
+  QStatusBar* bar = statusBar();
+  bar->setSizeGripEnabled(false);
+  const auto label = [&](const QString& name) {
+    auto* l = new QLabel(bar);
+    l->setObjectName("secondary");
+    l->setFont(Theme::secondaryFont());
+    l->setAccessibleName(name);
+    return l;
+  };
+  cursor_ = label(tr("Coordinates under the cursor"));
+  cursor_->setMinimumWidth(190);
+  cursor_->setContentsMargins(kGap, 0, 0, 0);
+  probe_ = label(tr("Value under the cursor"));
+  probe_->setMinimumWidth(130);
+  jobName_ = label(tr("Running job"));
+  summary_ = label(tr("Summary of the result"));
+  progress_ = new QProgressBar(bar);
+  progress_->setTextVisible(false);
+  progress_->setRange(0, 1000);
+  progress_->setFixedWidth(96);
+  progress_->setAccessibleName(tr("Progress"));
+  cancel_ = new QToolButton(bar);
+  cancel_->setText(tr("Stop"));
+  cancel_->setToolTip(tr("Stop the running job (Esc)"));
+  cancel_->setFont(Theme::secondaryFont());
+  connect(cancel_, &QToolButton::clicked, commands_["edit.cancel"], &QAction::trigger);
+  bar->addWidget(cursor_);
+  bar->addWidget(probe_);
+  bar->addPermanentWidget(jobName_);
+  bar->addPermanentWidget(progress_);
+  bar->addPermanentWidget(cancel_);
+  bar->addPermanentWidget(summary_);
+  summary_->setContentsMargins(kGap, 0, kGap, 0);
+  bar->setMinimumHeight(28);
+}
+
+}  // namespace bw::app

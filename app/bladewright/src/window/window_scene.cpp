@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+// How the scene follows the workbench, and the workbench what is picked in the scene.
+#include <algorithm>
+#include <cmath>
+
+#include "bw/core/number_text.h"
+#include "bw/pipeline/scene_content.h"
+#include "controls/numbers.h"
+#include "window/main_window.h"
+
+namespace bw::app {
+
+void MainWindow::refreshContent() {
+  const auto evaluation = bench_.shown();
+  if (evaluation != shown_ || !evaluation) {
+    shown_ = evaluation;
+    view_->setContent(evaluation ? pipeline::sceneContent(*evaluation) : scene::Content());
+    // The opening view is of the target until there is a first result, which leads to its block, unless the
+    // user has gone elsewhere meanwhile.
+    if (evaluation && fitNext_) {
+      const scene::Camera now = view_->camera();
+      if (!opening_ || (opening_->position == now.position && opening_->focus == now.focus)) {
+        view_->setView(scene::View::iso, false);
+        opening_ = view_->camera();
+      }
+      fitNext_ = !evaluation->sweep.value;
+    }
+  }
+  staleTimer_.stop();
+  staleShown_ = false;
+  refreshStyle();
+  refreshSummary();
+  if (evaluation && bench_.current()) {
+    awaitingFrame_ = true;
+    view_->update();
+  }
+}
+
+std::optional<scene::SectionPlane> MainWindow::sectionPlane() const {
+  const pipeline::SweepResult* result = bench_.sweep();
+  if (!sectioned_ || !result || result->sweep.stations.empty()) return std::nullopt;
+  const auto& stations = result->sweep.stations;
+  // The moving blade leads while it plays, the selected station otherwise, the middle if there is neither.
+  const bool follow = bench_.moving() && (motion_->playing() || bench_.selection().station < 0);
+  const double at = follow                            ? bench_.stationAt(bench_.playTime())
+                    : bench_.selection().station >= 0 ? bench_.selection().station
+                                                      : 0.5 * double(stations.size() - 1);
+  const auto before = std::size_t(std::clamp(std::floor(at), 0.0, double(stations.size() - 1)));
+  const std::size_t after = std::min(before + 1, stations.size() - 1);
+  const double share = std::clamp(at - double(before), 0.0, 1.0);
+  const Frame &a = stations[before].frame, &b = stations[after].frame;
+  return scene::SectionPlane{(1 - share) * a.origin + share * b.origin,
+                             sectionSide_ * ((1 - share) * a.normal + share * b.normal).normalized()};
+}
+
+void MainWindow::refreshStyle() {
+  scene::Style style = mapBar_->style();
+  style.dark = theme_.dark();
+  style.tolerance = bench_.job().tolerance;
+  style.stale = staleShown_;
+  style.selectedStation = bench_.selection().station;
+  style.playhead = bench_.moving() ? bench_.stationAt(bench_.playTime()) : -1;
+  style.section = sectionPlane();
+  view_->setStyle(style);
+  mapBar_->setRangeInUse(view_->legendRange());
+  static const std::pair<const char*, bool scene::Style::*> kToggles[] = {
+      {"view.isolines", &scene::Style::isolines},     {"view.shadows", &scene::Style::softShadows},
+      {"show.target", &scene::Style::showTarget},     {"show.cut", &scene::Style::showCut},
+      {"show.stations", &scene::Style::showStations}, {"show.blades", &scene::Style::showBlades},
+      {"show.block", &scene::Style::showBlock},       {"show.grid", &scene::Style::showGrid}};
+  for (const auto& [id, member] : kToggles) commands_[id]->setChecked(style.*member);
+  commands_["view.section"]->setChecked(sectioned_);
+}
+
+void MainWindow::onPicked(const scene::Pick& pick) {
+  switch (pick.kind) {
+    case scene::Pick::Kind::station:
+      bench_.selectStation(pick.station);
+      break;
+    case scene::Pick::Kind::target:
+      bench_.select({Selection::Kind::surface, -1});
+      break;
+    case scene::Pick::Kind::blade:
+      bench_.select({Selection::Kind::blade, -1});
+      break;
+    case scene::Pick::Kind::block:
+      bench_.select({Selection::Kind::block, -1});
+      break;
+    default:
+      bench_.select({});
+  }
+}
+
+void MainWindow::onHovered(const scene::Pick& pick) {
+  if (pick.kind == scene::Pick::Kind::none) {
+    cursor_->clear();
+    probe_->clear();
+    return;
+  }
+  cursor_->setText(pointText(pick.point) + " mm");
+  QString text;
+  const Field* field = view_->content().cut.field(view_->sceneStyle().field);
+  if (pick.value && field) {
+    text = QString::fromStdString(field->title.empty() ? field->name : field->title) + " " +
+           QString::fromStdString(shortText(*pick.value, 3));
+    if (!field->unit.empty()) text += (field->unit == "°" ? "" : " ") + QString::fromStdString(field->unit);
+  }
+  probe_->setText(text);
+}
+
+void MainWindow::fitSelection() {
+  Bounds bounds;
+  const auto shown = bench_.shown();
+  if (!shown) return;
+  const Selection& selection = bench_.selection();
+  if (const pipeline::SweepResult* result = bench_.sweep(); result && selection.station >= 0) {
+    const Station& station = result->sweep.stations[std::size_t(selection.station)];
+    for (const Eigen::Vector2d& p : station.blade.sample(33)) bounds.add(station.frame.toWorld(p));
+  } else if (selection.kind == Selection::Kind::surface && shown->target.value) {
+    bounds = shown->target.value->bounds();
+  } else if (selection.kind == Selection::Kind::block && shown->setup.value) {
+    for (const Eigen::Vector3d& corner : shown->setup.value->block.corners()) bounds.add(corner);
+  }
+  if (bounds.valid())
+    view_->fitBounds(bounds);
+  else
+    view_->fitWork();
+}
+
+}  // namespace bw::app

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+// What the window tells of the state: its title, which commands there are, progress, and the summary of the
+// result.
+#include <algorithm>
+#include <utility>
+
+#include "bw/core/number_text.h"
+#include "controls/numbers.h"
+#include "window/main_window.h"
+
+namespace bw::app {
+
+void MainWindow::refreshTitle() {
+  if (bench_.document().empty()) {
+    setWindowModified(false);
+    setWindowTitle(tr("Bladewright"));
+    return;
+  }
+  setWindowTitle(tr("%1[*] – Bladewright").arg(bench_.document().title()));
+  setWindowModified(bench_.document().modified());
+}
+
+void MainWindow::refreshState() {
+  const bool busy = bench_.runner().busy();
+  view_->setAwaiting(busy);
+  if (bench_.stale()) {
+    if (!staleShown_ && !staleTimer_.isActive()) staleTimer_.start();
+  } else {
+    staleTimer_.stop();
+    if (std::exchange(staleShown_, false)) refreshStyle();
+  }
+  if (busy && !progress_->isVisible() && !busyTimer_.isActive() && sender() != &busyTimer_)
+    busyTimer_.start();
+  if (!busy) busyTimer_.stop();
+  const bool shown = busy && !busyTimer_.isActive();
+  QString word = bench_.runner().step();
+  if (!word.isEmpty()) word[0] = word[0].toUpper();
+  jobName_->setText(word.isEmpty() ? tr("Computing") : word);
+  progress_->setValue(int(1000 * bench_.runner().progress()));
+  for (QWidget* widget :
+       {static_cast<QWidget*>(jobName_), static_cast<QWidget*>(progress_), static_cast<QWidget*>(cancel_)})
+    widget->setVisible(shown);
+
+  const bool open = stack_->currentWidget() == columns_;
+  const bool ready = open && bench_.current() && !bench_.exporting();
+  for (const char* id : {"file.export", "file.programs"}) commands_[id]->setEnabled(ready);
+  for (const char* id : {"file.save", "file.saveAs", "file.close", "edit.compute"})
+    commands_[id]->setEnabled(!bench_.document().empty());
+  commands_["blade.measure"]->setEnabled(!onMeasurePage());
+  for (const char* id :
+       {"file.picture", "view.fit",        "view.fitSelection", "view.parallel", "view.isolines",
+        "view.shadows", "view.section",    "view.iso",          "view.top",      "view.bottom",
+        "view.front",   "view.back",       "view.left",         "view.right",    "panel.workflow",
+        "panel.bottom", "panel.inspector", "tab.section",       "tab.motion",    "tab.messages"})
+    commands_[id]->setEnabled(open);
+  for (const char* id :
+       {"motion.play", "motion.start", "motion.end", "station.next", "station.previous", "station.none"})
+    commands_[id]->setEnabled(open && bench_.sweep());
+  commands_["view.sectionFlip"]->setEnabled(open && sectioned_);
+  commands_["edit.cancel"]->setEnabled(busy);
+  refreshSummary();
+}
+
+void MainWindow::refreshSummary() {
+  const bool picture = stack_->currentWidget() == columns_;
+  const pipeline::SweepResult* result = picture ? bench_.sweep() : nullptr;
+  if (!result) {
+    summary_->setText(onStartPage() ? QString() : tr("Unit mm"));
+    return;
+  }
+  const SweepSummary& s = result->analysis.summary;
+  double slowest = bench_.shown()->design.job.cuttingSpeed;
+  const double fastest = slowest;
+  if (const Field* speed = result->analysis.cut.field("speed"); speed && !speed->values.empty())
+    slowest = *std::min_element(speed->values.begin(), speed->values.end());
+  const QString low = QString::fromStdString(shortText(slowest, 3)), high = speedText(fastest);
+  const QString speeds = high.startsWith(low + " ") ? high : tr("%1 to %2").arg(low, high);
+  const QString radius = radiusText(s.minRadius);
+  const QString bend = radius.endsWith("mm") ? tr("radius ≥ %1").arg(radius) : tr("straight blade");
+  summary_->setText(tr("Unit mm   ·   deviation ≤ %1   ·   %2 within tolerance   ·   %3   ·   %4")
+                        .arg(lengthText(s.deviationMax), percentText(s.withinTolerance), speeds, bend));
+}
+
+}  // namespace bw::app

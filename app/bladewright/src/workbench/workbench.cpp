@@ -1,0 +1,270 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "workbench/workbench.h"
+
+#include <QStringList>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bw/core/number_text.h"
+
+namespace bw::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// A surface outside these extents is more likely a mistaken unit than a job for a hot blade, mm.
+constexpr double kSmallestPlausible = 40;
+constexpr double kLargestPlausible = 20000;
+// A blade is lengthened in steps of so many mm.
+constexpr double kBladeStep = 50;
+
+Bounds around(const std::vector<Eigen::Vector3d>& points, double margin) {
+  Bounds bounds;
+  for (const Eigen::Vector3d& p : points) {
+    bounds.add(p - Eigen::Vector3d::Constant(margin));
+    bounds.add(p + Eigen::Vector3d::Constant(margin));
+  }
+  return bounds;
+}
+
+}  // namespace
+
+Workbench::Workbench(model::Settings& settings, const fs::path& recoveryFolder, QObject* parent)
+    : QObject(parent), settings_(settings), document_(recoveryFolder) {
+  connect(&document_, &model::Document::replaced, this, [this] {
+    runner_.clear();
+    selection_ = {};
+    playTime_ = 0;
+    moving_ = false;
+    sizeAsked_ = false;
+    messages_.clear();
+    exportFindings_.clear();
+    exported_.reset();
+    exportProblem_.clear();
+    emit noticesOutdated();
+    emit selectionChanged();
+    emit resultChanged();
+  });
+  connect(&document_, &model::Document::designChanged, this, &Workbench::onDesignChanged);
+  connect(&document_, &model::Document::autosaveFailed, this, [this](const QString& message) {
+    tell({Severity::warning, tr("The automatic copy could not be written: %1").arg(message), {}, {}});
+  });
+  connect(&runner_, &model::EvaluationRunner::finished, this, &Workbench::onFinished);
+  connect(&runner_, &model::EvaluationRunner::busyChanged, this, [this] {
+    emit stateChanged();
+    emit progressed();
+  });
+  connect(&runner_, &model::EvaluationRunner::progressed, this, [this] { emit progressed(); });
+  connect(&runner_, &model::EvaluationRunner::cancelled, this, [this] {
+    if (!current() && !document_.empty())
+      tell({Severity::info, tr("Stopped. The picture shows the result before the last change."),
+            tr("Compute"), [this] { runner_.evaluate(document_.design()); }});
+    emit stateChanged();
+  });
+}
+
+std::shared_ptr<const pipeline::Evaluation> Workbench::shown() const {
+  return runner_.lastComplete() ? runner_.lastComplete() : runner_.evaluation();
+}
+
+const pipeline::SweepResult* Workbench::sweep() const {
+  const auto& complete = runner_.lastComplete();
+  return complete ? complete->sweep.value.get() : nullptr;
+}
+
+bool Workbench::current() const {
+  return runner_.evaluation() && runner_.evaluation() == runner_.lastComplete() &&
+         runner_.evaluatedDesign() == document_.design();
+}
+
+bool Workbench::stale() const { return shown() && !document_.empty() && !current() && sweep(); }
+
+model::StepStates Workbench::stepStates() const {
+  model::StepFacts facts;
+  facts.design = document_.design();
+  facts.evaluated = runner_.evaluatedDesign();
+  facts.evaluation = runner_.evaluation();
+  facts.error = runner_.error();
+  facts.busy = runner_.busy();
+  facts.progress = runner_.progress();
+  facts.busyStep = runner_.step();
+  facts.exported = exported_;
+  facts.exporting = exporting_;
+  facts.exportProblem = exportProblem_;
+  return model::stepStates(facts);
+}
+
+void Workbench::select(const Selection& selection) {
+  Selection next = selection;
+  if (next.kind == Selection::Kind::station) {
+    const pipeline::SweepResult* result = sweep();
+    if (!result || result->sweep.stations.empty()) return;
+    next.station = std::clamp(next.station, 0, int(result->sweep.stations.size()) - 1);
+  } else {
+    next.station = -1;
+  }
+  if (next == selection_) return;
+  selection_ = next;
+  emit selectionChanged();
+}
+
+double Workbench::playEnd() const {
+  const pipeline::SweepResult* result = sweep();
+  return result && !result->motion.instants.empty() ? result->motion.instants.back().time : 0;
+}
+
+void Workbench::setPlayTime(double seconds) {
+  const double time = std::clamp(seconds, 0.0, playEnd());
+  if (time == playTime_ && moving_) return;
+  playTime_ = time;
+  moving_ = sweep() != nullptr;
+  emit playTimeChanged();
+}
+
+void Workbench::setMoving(bool moving) {
+  if (moving_ == moving) return;
+  moving_ = moving && sweep();
+  emit playTimeChanged();
+}
+
+double Workbench::timeOfStation(int station) const {
+  const pipeline::SweepResult* result = sweep();
+  if (!result || station < 0 || std::size_t(station) >= result->sweep.stations.size()) return 0;
+  const int index = result->sweep.stations[std::size_t(station)].index;
+  for (const MotionInstant& instant : result->motion.instants)
+    if (instant.station == index) return instant.time;
+  return 0;
+}
+
+double Workbench::stationAt(double seconds) const {
+  const pipeline::SweepResult* result = sweep();
+  if (!result || result->sweep.stations.empty()) return -1;
+  const std::size_t count = result->sweep.stations.size();
+  double before = -1;
+  std::size_t station = 0;
+  for (const MotionInstant& instant : result->motion.instants) {
+    if (instant.station < 0 || station >= count) continue;
+    if (instant.time >= seconds) {
+      if (station == 0) return 0;
+      const double span = instant.time - before;
+      return double(station - 1) + (span > 0 ? std::clamp((seconds - before) / span, 0.0, 1.0) : 1.0);
+    }
+    before = instant.time;
+    ++station;
+  }
+  return double(count) - 1;
+}
+
+void Workbench::onDesignChanged() {
+  if (!document_.empty()) runner_.evaluate(document_.design(), live_);
+  emit stateChanged();
+}
+
+Issues Workbench::messages() const {
+  Issues all = messages_;
+  all.insert(all.end(), exportFindings_.begin(), exportFindings_.end());
+  return all;
+}
+
+void Workbench::onFinished() {
+  messages_.clear();
+  exportFindings_.clear();
+  emit noticesOutdated();
+  if (const std::optional<Error>& error = runner_.error()) {
+    Issue issue{Severity::error, errorCodeName(error->code), error->message, {}};
+    issue.where.text = error->where;
+    messages_.push_back(issue);
+    Notice notice{Severity::error, QString::fromStdString(error->message), {}, {}};
+    // The usual first obstacle has a usual remedy: a longer blade.
+    if (error->value == job().blade.length && error->limit && *error->limit > job().blade.length) {
+      const double length = std::ceil(*error->limit / kBladeStep) * kBladeStep;
+      notice.action = tr("Use a blade of %1 mm").arg(length);
+      notice.run = [this, length] {
+        editJob(tr("Change blade length"), [length](Job& job) {
+          job.blade.length = length;
+          job.blade.name = "custom";
+        });
+      };
+    }
+    tell(std::move(notice));
+  }
+  if (runner_.evaluation()) {
+    const Issues found = runner_.evaluation()->issues();
+    messages_.insert(messages_.end(), found.begin(), found.end());
+  }
+  if (const pipeline::SweepResult* result = sweep()) {
+    const int count = int(result->sweep.stations.size());
+    if (selection_.kind == Selection::Kind::station && selection_.station >= count) {
+      selection_.station = count - 1;
+      emit selectionChanged();
+    }
+    playTime_ = std::min(playTime_, playEnd());
+  }
+  askAboutSize();
+  emit resultChanged();
+  emit stateChanged();
+}
+
+void Workbench::askAboutSize() {
+  const auto& evaluation = runner_.evaluation();
+  if (sizeAsked_ || !evaluation || !evaluation->target.value || !evaluation->model.value) return;
+  sizeAsked_ = true;
+  const Eigen::Vector3d size = evaluation->target.value->bounds().size();
+  const double largest = size.maxCoeff();
+  if (largest >= kSmallestPlausible && largest <= kLargestPlausible) return;
+  const auto text = [](double mm) { return QString::fromStdString(shortText(mm, 4)); };
+  tell({Severity::warning,
+        tr("Is the unit right? The surface measures %1 × %2 × %3 mm; the unit of the file is %4. Export it "
+           "again "
+           "in the unit meant, or go on.")
+            .arg(text(size.x()), text(size.y()), text(size.z()),
+                 QString::fromStdString(evaluation->model.value->info().unit)),
+        tr("Go on"), [] {}});
+}
+
+void Workbench::tell(Notice notice) { emit noticed(notice); }
+
+void Workbench::editJob(const QString& text, const std::function<void(Job&)>& change, int mergeId,
+                        bool live) {
+  live_ = live;
+  document_.editJob(text, mergeId, change);
+  live_ = false;
+}
+
+void Workbench::showPlace(const Issue& issue) {
+  const pipeline::SweepResult* result = sweep();
+  const Place& place = issue.where;
+  if (place.station && result) {
+    const auto& stations = result->sweep.stations;
+    const auto found = std::find_if(stations.begin(), stations.end(),
+                                    [&](const Station& s) { return s.index == *place.station; });
+    if (found != stations.end()) {
+      selectStation(int(found - stations.begin()));
+      if (!place.point) {
+        std::vector<Eigen::Vector3d> points;
+        for (const Eigen::Vector2d& p : found->fit.elastica.sample(9))
+          points.push_back(found->frame.toWorld(p));
+        emit frameRequested(around(points, 0.1 * found->targetLength));
+      }
+    }
+  }
+  if (place.point) emit frameRequested(around({*place.point}, 80));
+  if (!place.point && !place.station) {
+    static const std::pair<const char*, Selection::Kind> kPlaces[] = {
+        {"block", Selection::Kind::block},     {"blade", Selection::Kind::blade},
+        {"curvature", Selection::Kind::blade}, {"clearance", Selection::Kind::block},
+        {"healing", Selection::Kind::surface}, {"face", Selection::Kind::surface}};
+    for (const auto& [word, kind] : kPlaces)
+      if (issue.kind.find(word) != std::string::npos || place.text.find(word) != std::string::npos) {
+        select({kind, -1});
+        break;
+      }
+    if (const auto evaluation = shown(); evaluation && evaluation->target.value)
+      emit frameRequested(evaluation->target.value->bounds());
+  }
+}
+
+}  // namespace bw::app

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QObject>
+
+#include <functional>
+#include <vector>
+
+#include "controls/fields.h"
+#include "workbench/workbench.h"
+
+namespace bw::app {
+
+/// Fields of the blade; edits go to the job.
+class BladeFields : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Preset and length go to `column`, the rest to `details`.
+  BladeFields(Workbench& bench, FormColumn* column, FormColumn* details, QObject* parent);
+  void refresh();
+
+ signals:
+  /// The length is to be found from a measurement.
+  void measureRequested();
+
+ private:
+  void editBlade(const QString& text, const std::function<void(Blade&)>& change);
+
+  Workbench& bench_;
+  std::vector<Blade> presets_;
+  ChoiceField* preset_;
+  NumberField *length_, *young_, *yield_, *safety_, *temperature_, *expansion_;
+  NumberField *outer_, *inner_, *width_, *thickness_;
+  QLabel *outerLabel_, *innerLabel_, *widthLabel_, *thicknessLabel_;
+  QLabel* minRadius_;
+};
+
+}  // namespace bw::app

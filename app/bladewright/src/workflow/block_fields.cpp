@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "workflow/block_fields.h"
+
+#include "bw/core/units.h"
+
+namespace bw::app {
+
+namespace {
+
+constexpr std::array<const char*, 3> kAxes = {"X", "Y", "Z"};
+
+}  // namespace
+
+BlockFields::BlockFields(Workbench& bench, FormColumn* column, QObject* parent)
+    : QObject(parent), bench_(bench) {
+  automatic_ = new QCheckBox(tr("Block around the surface"));
+  automatic_->setToolTip(
+      tr("On: the block follows the surface. Off: place it by its corner, size and rotation."));
+  column->addWide(automatic_);
+  connect(automatic_, &QCheckBox::clicked, this, [this](bool on) {
+    const BlockPlacement now = placement();
+    bench_.editJob(on ? tr("Fit block to surface") : tr("Place block"), [on, now](Job& job) {
+      if (on)
+        job.block.reset();
+      else
+        job.block = now;
+    });
+  });
+  for (int i = 0; i < 3; ++i) {
+    const auto axis = std::size_t(i);
+    origin_[axis] = new NumberField({-1e6, 1e6, 3, 10, "mm"});
+    column->add(tr("Corner %1").arg(kAxes[axis]), origin_[axis],
+                tr("The corner of the block in the frame of the file"));
+    connect(origin_[axis], &NumberField::edited, this, [this, i](double value) {
+      editPlacement(tr("Move block"), [=](BlockPlacement& p) { p.origin[i] = value; });
+    });
+  }
+  for (int i = 0; i < 3; ++i) {
+    const auto axis = std::size_t(i);
+    size_[axis] = new NumberField({1, 1e5, 3, 10, "mm"});
+    column->add(tr("Size %1").arg(kAxes[axis]), size_[axis], tr("Edge length of the block"));
+    connect(size_[axis], &NumberField::edited, this, [this, i](double value) {
+      editPlacement(tr("Resize block"), [=](BlockPlacement& p) { p.size[i] = value; });
+    });
+  }
+  for (int i = 0; i < 3; ++i) {
+    const auto axis = std::size_t(i);
+    rotation_[axis] = new NumberField({-360, 360, 3, 5, QString(QChar(0xb0))});
+    column->add(tr("Rotation %1").arg(kAxes[axis]), rotation_[axis],
+                tr("Turned about X, then the new Y, then the new Z"));
+    connect(rotation_[axis], &NumberField::edited, this, [this, i](double value) {
+      editPlacement(tr("Rotate block"), [=](BlockPlacement& p) { p.rotation[i] = fromDegrees(value); });
+    });
+  }
+}
+
+BlockPlacement BlockFields::placement() const {
+  if (bench_.job().block) return *bench_.job().block;
+  BlockPlacement placement;
+  if (const auto shown = bench_.shown(); shown && shown->setup.value) {
+    const Box& box = shown->setup.value->block;
+    Eigen::Matrix3d rotation;
+    rotation << box.frame.x, box.frame.y, box.frame.normal;
+    placement.origin = box.frame.origin;
+    placement.size = box.size;
+    placement.rotation = anglesFromRotation(rotation);
+  }
+  return placement;
+}
+
+void BlockFields::editPlacement(const QString& text, const std::function<void(BlockPlacement&)>& change) {
+  BlockPlacement next = placement();
+  change(next);
+  bench_.editJob(text, [&](Job& job) { job.block = next; });
+}
+
+void BlockFields::refresh() {
+  const bool automatic = !bench_.job().block;
+  automatic_->setChecked(automatic);
+  const BlockPlacement now = placement();
+  for (int i = 0; i < 3; ++i) {
+    const auto axis = std::size_t(i);
+    origin_[axis]->show(now.origin[i]);
+    size_[axis]->show(now.size[i]);
+    rotation_[axis]->show(toDegrees(now.rotation[i]));
+    for (NumberField* field : {origin_[axis], size_[axis], rotation_[axis]}) field->setEnabled(!automatic);
+  }
+}
+
+}  // namespace bw::app

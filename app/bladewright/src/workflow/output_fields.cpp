@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "workflow/output_fields.h"
+
+#include <QDesktopServices>
+#include <QUrl>
+
+#include <algorithm>
+
+#include "bw/core/cell.h"
+
+namespace bw::app {
+
+namespace {
+
+constexpr std::array<const char*, 3> kFormats = {"rapid", "csv", "json"};
+
+}  // namespace
+
+OutputFields::OutputFields(Workbench& bench, FormColumn* column, QObject* parent)
+    : QObject(parent), bench_(bench) {
+  const std::array<std::pair<QString, QString>, 3> formats = {
+      {{tr("ABB RAPID"), tr("MultiMove program for two robots")},
+       {tr("CSV"), tr("One row an instant: position and rotation of both blade ends")},
+       {tr("JSON"), tr("The same with full precision, for scripts")}}};
+  for (std::size_t i = 0; i < formats.size(); ++i) {
+    programs_[i] = new QCheckBox(formats[i].first);
+    programs_[i]->setToolTip(formats[i].second);
+    column->addWide(programs_[i]);
+    connect(programs_[i], &QCheckBox::clicked, this, [this, i](bool on) {
+      bench_.editJob(tr("Choose programs"), [=](Job& job) {
+        std::vector<std::string> chosen;
+        for (std::size_t k = 0; k < kFormats.size(); ++k) {
+          const bool had =
+              std::find(job.programs.begin(), job.programs.end(), kFormats[k]) != job.programs.end();
+          if (k == i ? on : had) chosen.push_back(kFormats[k]);
+        }
+        job.programs = chosen;
+      });
+    });
+  }
+  cell_ = new ChoiceField;
+  if (Result<std::vector<std::string>> names = cellNames()) cells_ = std::move(*names);
+  for (const std::string& name : cells_) {
+    const Result<Cell> cell = loadCell(name);
+    cell_->addItem(QString::fromStdString(cell && !cell->title.empty() ? cell->title : name));
+  }
+  column->addLong(tr("Robot cell"), cell_, tr("Robots, tools and the place of the block"));
+  connect(cell_, &QComboBox::activated, this, [this](int index) {
+    bench_.editJob(tr("Choose robot cell"), [&](Job& job) { job.cell = cells_[std::size_t(index)]; });
+  });
+  column->addGap(2);
+  export_ = new QPushButton(tr("Export everything…"));
+  export_->setObjectName("primary");
+  export_->setToolTip(tr("Report, CAD surface, mesh, stations and programs into a folder (Ctrl+E)"));
+  column->addWide(export_);
+  connect(export_, &QPushButton::clicked, this, &OutputFields::exportRequested);
+  exportPrograms_ = new QPushButton(tr("Export programs…"));
+  exportPrograms_->setToolTip(tr("The robot programs alone"));
+  column->addWide(exportPrograms_);
+  connect(exportPrograms_, &QPushButton::clicked, this, &OutputFields::programsRequested);
+  auto* picture = new QPushButton(tr("Export picture…"));
+  picture->setToolTip(tr("The view as PNG (Ctrl+Shift+E)"));
+  column->addWide(picture);
+  connect(picture, &QPushButton::clicked, this, &OutputFields::pictureRequested);
+  exported_ = makeNote();
+  exported_->setTextInteractionFlags(Qt::TextBrowserInteraction);
+  exported_->setOpenExternalLinks(false);
+  connect(exported_, &QLabel::linkActivated, this,
+          [](const QString& link) { QDesktopServices::openUrl(QUrl(link)); });
+  column->addWide(exported_);
+}
+
+void OutputFields::refresh() {
+  const Job& job = bench_.job();
+  for (std::size_t i = 0; i < kFormats.size(); ++i)
+    programs_[i]->setChecked(std::find(job.programs.begin(), job.programs.end(), kFormats[i]) !=
+                             job.programs.end());
+  const auto cell = std::find(cells_.begin(), cells_.end(), job.cell);
+  cell_->show(cell == cells_.end() ? -1 : int(cell - cells_.begin()));
+}
+
+void OutputFields::refreshState() {
+  const bool ready = bench_.current() && !bench_.exporting();
+  export_->setEnabled(ready);
+  exportPrograms_->setEnabled(ready && !bench_.job().programs.empty());
+  const QString folder = QString::fromStdString(bench_.exportFolder().string());
+  exported_->setVisible(!folder.isEmpty());
+  if (!folder.isEmpty())
+    exported_->setText(tr("Last export: <a href=\"%1\">%2</a>")
+                           .arg(QUrl::fromLocalFile(folder).toString(), folder.toHtmlEscaped()));
+}
+
+}  // namespace bw::app

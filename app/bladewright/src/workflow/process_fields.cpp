@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "workflow/process_fields.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bw::app {
+
+namespace {
+
+constexpr std::array<const char*, 3> kAxes = {"X", "Y", "Z"};
+// The station slider is logarithmic: 2 … 1000 stations over its length.
+constexpr int kSliderSteps = 400;
+constexpr double kSliderMin = 2, kSliderMax = 1000;
+
+int stationsOfSlider(int value) {
+  return int(std::lround(kSliderMin * std::pow(kSliderMax / kSliderMin, double(value) / kSliderSteps)));
+}
+
+int sliderOfStations(int stations) {
+  const double t = std::log(stations / kSliderMin) / std::log(kSliderMax / kSliderMin);
+  return int(std::lround(kSliderSteps * std::clamp(t, 0.0, 1.0)));
+}
+
+}  // namespace
+
+ProcessFields::ProcessFields(Workbench& bench, FormColumn* column, const Theme& theme, QObject* parent)
+    : QObject(parent), bench_(bench) {
+  addStations(column);
+  addDirection(column);
+  speed_ = new NumberField({0.01, 1000, 2, 1, "mm/s"});
+  column->add(tr("Cutting speed"), speed_, tr("Of the fastest point of the blade"));
+  connect(speed_, &NumberField::edited, this, [this](double value) {
+    bench_.editJob(tr("Change cutting speed"), [value](Job& job) { job.cuttingSpeed = value; });
+  });
+  addFit(column->addFold(tr("Fit and lead"), theme));
+}
+
+void ProcessFields::addStations(FormColumn* column) {
+  stationMode_ = new ChoiceField;
+  stationMode_->addItems({tr("By number"), tr("By spacing")});
+  column->add(tr("Stations"), stationMode_, tr("Where the blade is fitted to the surface"));
+  connect(stationMode_, &QComboBox::activated, this, [this](int index) {
+    double spacing = 10;
+    if (const pipeline::SweepResult* result = bench_.sweep(); result && result->sweep.stations.size() > 1)
+      spacing = std::max(
+          0.1, std::round(10 * (result->sweep.stations[1].travel - result->sweep.stations[0].travel)) / 10);
+    bench_.editJob(tr("Change stations"), [=](Job& job) {
+      if (index == 0)
+        job.spacing.reset();
+      else
+        job.spacing = spacing;
+    });
+  });
+  stations_ = new NumberField({2, double(Job::kMaxStations), 0, 1, {}});
+  stationsLabel_ = column->add(tr("Number"), stations_, tr("Number of stations along the cut"));
+  connect(stations_, &NumberField::edited, this, [this](double value) {
+    bench_.editJob(tr("Change stations"), [value](Job& job) { job.stations = int(value); });
+  });
+  stationSlider_ = new HandSlider;
+  stationSlider_->setRange(0, kSliderSteps);
+  stationSlider_->setAccessibleName(tr("Number of stations"));
+  stationSlider_->setToolTip(tr("Number of stations"));
+  column->addWide(stationSlider_);
+  connect(stationSlider_, &HandSlider::grabbed, this, [this] { dragId_ = bench_.newMergeId(); });
+  connect(stationSlider_, &HandSlider::moved, this, [this](int value) {
+    const int count = stationsOfSlider(value);
+    const bool dragging = stationSlider_->held();
+    bench_.editJob(
+        tr("Change stations"), [count](Job& job) { job.stations = count; }, dragging ? dragId_ : -1,
+        dragging);
+  });
+  spacing_ = new NumberField({0.01, 10000, 2, 1, "mm"});
+  spacingLabel_ = column->add(tr("Spacing"), spacing_, tr("Distance between stations"));
+  connect(spacing_, &NumberField::edited, this, [this](double value) {
+    bench_.editJob(tr("Change spacing"), [value](Job& job) { job.spacing = value; });
+  });
+}
+
+void ProcessFields::addDirection(FormColumn* column) {
+  direction_ = new ChoiceField;
+  direction_->addItems({tr("Automatic"), "X", "Y", "Z", tr("Vector")});
+  column->add(tr("Direction"), direction_, tr("The way the blade travels; automatic: along the longer side"));
+  connect(direction_, &QComboBox::activated, this, [this](int index) {
+    Eigen::Vector3d now = Eigen::Vector3d::UnitY();
+    if (const auto shown = bench_.shown(); shown && shown->setup.value) now = shown->setup.value->direction;
+    if (bench_.job().direction) now = *bench_.job().direction;
+    if (index == 4) now = (now + Eigen::Vector3d(1e-3, 1e-3, 0)).normalized();
+    bench_.editJob(tr("Change direction"), [=](Job& job) {
+      if (index == 0)
+        job.direction.reset();
+      else
+        job.direction = index < 4 ? Eigen::Vector3d(Eigen::Vector3d::Unit(index - 1)) : now;
+    });
+  });
+  for (int i = 0; i < 3; ++i) {
+    const auto axis = std::size_t(i);
+    directionFields_[axis] = new NumberField({-1, 1, 4, 0.05, {}});
+    directionLabels_[axis] = column->add(tr("Direction %1").arg(kAxes[axis]), directionFields_[axis]);
+    connect(directionFields_[axis], &NumberField::edited, this, [this, i](double value) {
+      Eigen::Vector3d direction = bench_.job().direction.value_or(Eigen::Vector3d::UnitY());
+      direction[i] = value;
+      if (direction.norm() < 1e-6) {
+        refresh();
+        return;
+      }
+      bench_.editJob(tr("Change direction"), [&](Job& job) { job.direction = direction.normalized(); });
+    });
+  }
+}
+
+void ProcessFields::addFit(FormColumn* column) {
+  fitLength_ = new ChoiceField;
+  fitLength_->addItems({tr("Free"), tr("As the section")});
+  column->add(tr("Length"), fitLength_, tr("Length of the blade's part that cuts the surface"));
+  connect(fitLength_, &QComboBox::activated, this, [this](int index) {
+    bench_.editJob(tr("Change fit length"), [index](Job& job) {
+      job.fitLength = index == 0 ? FitOptions::Length::free : FitOptions::Length::exact;
+    });
+  });
+  endpoints_ = new QCheckBox(tr("Keep end points"));
+  endpoints_->setToolTip(tr("The ends of every section are met exactly"));
+  column->addWide(endpoints_);
+  connect(endpoints_, &QCheckBox::clicked, this, [this](bool on) {
+    bench_.editJob(on ? tr("Keep end points") : tr("Free end points"),
+                   [on](Job& job) { job.fitEndpoints = on; });
+  });
+  tangents_ = new QCheckBox(tr("Keep end tangents"));
+  tangents_->setToolTip(tr("The blade leaves the surface in the direction of every section's ends"));
+  column->addWide(tangents_);
+  connect(tangents_, &QCheckBox::clicked, this, [this](bool on) {
+    bench_.editJob(on ? tr("Keep end tangents") : tr("Free end tangents"),
+                   [on](Job& job) { job.fitTangents = on; });
+  });
+  periods_ = new NumberField({0.1, 10, 2, 0.1, {}});
+  column->add(tr("Most waves"), periods_,
+              tr("Periods of the elastica that the blade may span; more than one is hard to hold"));
+  connect(periods_, &NumberField::edited, this, [this](double value) {
+    bench_.editJob(tr("Change most waves"), [value](Job& job) { job.maxPeriods = value; });
+  });
+  lead_ = new NumberField({0, 10000, 2, 5, "mm"});
+  column->add(tr("Lead"), lead_, tr("Straight travel before and after the block"));
+  connect(lead_, &NumberField::edited, this, [this](double value) {
+    bench_.editJob(tr("Change lead"), [value](Job& job) { job.lead = value; });
+  });
+}
+
+void ProcessFields::refresh() {
+  const Job& job = bench_.job();
+  refreshStations(job);
+  refreshDirection(job);
+  speed_->show(job.cuttingSpeed);
+  fitLength_->show(job.fitLength == FitOptions::Length::free ? 0 : 1);
+  endpoints_->setChecked(job.fitEndpoints);
+  tangents_->setChecked(job.fitTangents);
+  periods_->show(job.maxPeriods);
+  lead_->show(job.lead);
+}
+
+void ProcessFields::refreshStations(const Job& job) {
+  stationMode_->show(job.spacing ? 1 : 0);
+  setLineVisible(stationsLabel_, stations_, !job.spacing);
+  stationSlider_->setVisible(!job.spacing);
+  setLineVisible(spacingLabel_, spacing_, job.spacing.has_value());
+  stations_->show(job.stations);
+  stationSlider_->show(sliderOfStations(job.stations));
+  if (job.spacing) spacing_->show(*job.spacing);
+}
+
+void ProcessFields::refreshDirection(const Job& job) {
+  int directionIndex = 0;
+  if (job.direction) {
+    directionIndex = 4;
+    for (int i = 0; i < 3; ++i)
+      if ((*job.direction - Eigen::Vector3d::Unit(i)).norm() < 1e-12) directionIndex = i + 1;
+  }
+  direction_->show(directionIndex);
+  for (int i = 0; i < 3; ++i) {
+    const auto axis = std::size_t(i);
+    setLineVisible(directionLabels_[axis], directionFields_[axis], directionIndex == 4);
+    if (job.direction) directionFields_[axis]->show((*job.direction)[i]);
+  }
+}
+
+}  // namespace bw::app

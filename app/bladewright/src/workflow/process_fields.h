@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QCheckBox>
+#include <QLabel>
+#include <QObject>
+
+#include <array>
+
+#include "controls/fields.h"
+#include "workbench/workbench.h"
+
+namespace bw::app {
+
+/// Fields of the way of cutting: stations, direction, speed, and how the blade is fitted; edits go to the
+/// job.
+class ProcessFields : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Adds its lines to `column`.
+  ProcessFields(Workbench& bench, FormColumn* column, const Theme& theme, QObject* parent);
+  void refresh();
+
+ private:
+  void addStations(FormColumn* column);
+  void addDirection(FormColumn* column);
+  void addFit(FormColumn* column);
+  void refreshStations(const Job& job);
+  void refreshDirection(const Job& job);
+
+  Workbench& bench_;
+  ChoiceField *stationMode_, *direction_, *fitLength_;
+  NumberField *stations_, *spacing_, *speed_, *periods_, *lead_;
+  QLabel *stationsLabel_, *spacingLabel_;
+  HandSlider* stationSlider_;
+  int dragId_ = -1;  ///< joins the moves of one drag of the slider
+  std::array<NumberField*, 3> directionFields_;
+  std::array<QLabel*, 3> directionLabels_;
+  QCheckBox *endpoints_, *tangents_;
+};
+
+}  // namespace bw::app

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "workflow/workflow_panel.h"
+
+namespace bw::app {
+
+WorkflowPanel::WorkflowPanel(Workbench& bench, const Theme& theme, QWidget* parent)
+    : QScrollArea(parent), bench_(bench), theme_(theme) {
+  setWidgetResizable(true);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setFrameShape(QFrame::NoFrame);
+  setFocusPolicy(Qt::NoFocus);
+  auto* page = new QWidget;
+  page->setObjectName("page");
+  auto* layout = new QVBoxLayout(page);
+  layout->setContentsMargins(0, kGap, 0, kGap);
+  layout->setSpacing(0);
+  const std::array<std::pair<const char*, QString>, model::kStepCount> heads = {
+      {{"setup", tr("Setup")}, {"input", tr("Input")}, {"process", tr("Process")}, {"output", tr("Output")}}};
+  const std::array<QWidget*, model::kStepCount> bodies = {makeSetup(), makeInput(), makeProcess(),
+                                                          makeOutput()};
+  for (std::size_t i = 0; i < sections_.size(); ++i) {
+    if (i > 0) layout->addWidget(makeLine(page));
+    sections_[i] = new StepSection(theme, heads[i].first, heads[i].second, bodies[i], page);
+    layout->addWidget(sections_[i]);
+  }
+  layout->addStretch();
+  setWidget(page);
+  connect(&bench, &Workbench::stateChanged, this, &WorkflowPanel::refreshStates);
+  connect(&bench, &Workbench::progressed, this, &WorkflowPanel::refreshStates);
+  connect(&bench, &Workbench::resultChanged, this, &WorkflowPanel::refresh);
+  connect(&bench.document(), &model::Document::designChanged, this, &WorkflowPanel::refresh);
+  refresh();
+  refreshStates();
+}
+
+QWidget* WorkflowPanel::makeSetup() {
+  auto* column = new FormColumn;
+  auto* details = new FormColumn;
+  bladeFields_ = new BladeFields(bench_, column, details, this);
+  FormColumn* bladeFold = column->addFold(tr("Section and material"), theme_);
+  bladeFold->addWide(details);
+  tolerance_ = new NumberField({0.001, 1000, 3, 0.1, "mm"});
+  column->add(tr("Tolerance"), tolerance_, tr("Largest deviation of the cut surface that is accepted"));
+  connect(tolerance_, &NumberField::edited, this, [this](double value) {
+    bench_.editJob(tr("Change tolerance"), [value](Job& job) { job.tolerance = value; });
+  });
+  clearance_ = new NumberField({0, 10000, 1, 5, "mm"});
+  column->add(tr("Clearance"), clearance_, tr("Between a grip of the blade and the block"));
+  connect(clearance_, &NumberField::edited, this, [this](double value) {
+    bench_.editJob(tr("Change clearance"), [value](Job& job) { job.clearance = value; });
+  });
+  FormColumn* block = column->addFold(tr("Block"), theme_);
+  blockFields_ = new BlockFields(bench_, block, this);
+  return column;
+}
+
+QWidget* WorkflowPanel::makeInput() {
+  auto* column = new FormColumn;
+  input_ = new InputFields(bench_, column, this);
+  connect(input_, &InputFields::openRequested, this, &WorkflowPanel::openRequested);
+  return column;
+}
+
+QWidget* WorkflowPanel::makeProcess() {
+  auto* column = new FormColumn;
+  process_ = new ProcessFields(bench_, column, theme_, this);
+  return column;
+}
+
+QWidget* WorkflowPanel::makeOutput() {
+  auto* column = new FormColumn;
+  output_ = new OutputFields(bench_, column, this);
+  connect(output_, &OutputFields::exportRequested, this, &WorkflowPanel::exportRequested);
+  connect(output_, &OutputFields::programsRequested, this, &WorkflowPanel::programsRequested);
+  connect(output_, &OutputFields::pictureRequested, this, &WorkflowPanel::pictureRequested);
+  return column;
+}
+
+void WorkflowPanel::refresh() {
+  const Job& job = bench_.job();
+  bladeFields_->refresh();
+  blockFields_->refresh();
+  tolerance_->show(job.tolerance);
+  clearance_->show(job.clearance);
+  input_->refresh();
+  process_->refresh();
+  output_->refresh();
+}
+
+void WorkflowPanel::refreshStates() {
+  const model::StepStates states = bench_.stepStates();
+  for (std::size_t i = 0; i < sections_.size(); ++i) sections_[i]->head().setState(states[i]);
+  output_->refreshState();
+}
+
+}  // namespace bw::app

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QScrollArea>
+#include <QWidget>
+
+#include <array>
+
+#include "controls/fields.h"
+#include "workbench/workbench.h"
+#include "workflow/blade_fields.h"
+#include "workflow/block_fields.h"
+#include "workflow/input_fields.h"
+#include "workflow/output_fields.h"
+#include "workflow/process_fields.h"
+#include "workflow/step_section.h"
+
+namespace bw::app {
+
+/// The left panel: the four steps of the work with their state and their few essential controls.
+class WorkflowPanel : public QScrollArea {
+  Q_OBJECT
+
+ public:
+  WorkflowPanel(Workbench& bench, const Theme& theme, QWidget* parent = nullptr);
+
+  const BladeFields* bladeFields() const { return bladeFields_; }
+  StepSection& section(model::Step step) { return *sections_[std::size_t(step)]; }
+
+ signals:
+  void openRequested();
+  void exportRequested();
+  void programsRequested();
+  void pictureRequested();
+
+ private:
+  QWidget* makeSetup();
+  QWidget* makeInput();
+  QWidget* makeProcess();
+  QWidget* makeOutput();
+  void refresh();
+  void refreshStates();
+
+  Workbench& bench_;
+  const Theme& theme_;
+  std::array<StepSection*, model::kStepCount> sections_{};
+
+  BladeFields* bladeFields_ = nullptr;
+  BlockFields* blockFields_ = nullptr;
+  NumberField *tolerance_ = nullptr, *clearance_ = nullptr;
+  InputFields* input_ = nullptr;
+  ProcessFields* process_ = nullptr;
+  OutputFields* output_ = nullptr;
+};
+
+}  // namespace bw::app

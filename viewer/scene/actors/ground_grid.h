@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "bw/scene/scene.h"
+#include "scene/camera/picking.h"
+#include "scene/render/canvas.h"
+#include "scene/render/vtk_tools.h"
+
+namespace bw::scene {
+
+/// The ground below the content: lines at round distances that fade outwards, with coordinates in mm along
+/// the two edges that face the camera.
+class GroundGrid {
+ public:
+  GroundGrid();
+  void addTo(vtkRenderer* renderer);
+  void setBounds(const Bounds& bounds);
+  void setStyle(const Style& style);
+  /// Places the labels for that view, clear of what is `taken`.
+  void update(const Projection& view, int width, int height, const std::vector<PixelRect>& taken);
+  std::vector<Overlay::Text> texts() const;
+  Bounds bounds() const;  ///< of the lines
+
+ private:
+  void rebuild();
+  void labelEdge(bool alongX, const Projection& view, int width, int height,
+                 std::vector<PixelRect>& occupied);
+
+  Part lines_;
+  Canvas labels_{true};
+  Bounds content_;
+  bool visible_ = true, dark_ = false;
+  double pixelRatio_ = 1;
+  double step_ = 100, x0_ = 0, x1_ = 0, y0_ = 0, y1_ = 0, z_ = 0, reach_ = 0;
+};
+
+}  // namespace bw::scene

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "scene/actors/polyline.h"
+
+namespace bw::scene {
+
+/// Where a field, linear on each triangle, takes one of `levels`. Triangles with a non-finite value are left
+/// out.
+Segments isolines(const std::vector<Eigen::Vector3d>& points,
+                  const std::vector<std::array<int, 3>>& triangles, const std::vector<double>& values,
+                  const std::vector<double>& levels);
+
+}  // namespace bw::scene

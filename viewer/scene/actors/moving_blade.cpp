@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "scene/actors/moving_blade.h"
+
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+namespace bw::scene {
+
+namespace {
+
+constexpr double kTubeWidth = 3;  ///< device-independent pixels
+constexpr double kGlowWidth = 18;
+constexpr double kGripWidth = 8;
+constexpr double kGripLength = 22;
+constexpr int kSides = 12;
+
+/// A closed tube along a line; `radius` by point. Sections turn with the line as little as possible.
+void buildTube(vtkPolyData* data, const std::vector<Polyline>& lines,
+               const std::function<double(const Eigen::Vector3d&)>& radius) {
+  const auto points = vtkSmartPointer<vtkPoints>::New();
+  const auto normals = vtkSmartPointer<vtkFloatArray>::New();
+  const auto cells = vtkSmartPointer<vtkCellArray>::New();
+  points->SetDataTypeToFloat();
+  normals->SetNumberOfComponents(3);
+  const auto triangle = [&](vtkIdType a, vtkIdType b, vtkIdType c) {
+    const vtkIdType corners[3] = {a, b, c};
+    cells->InsertNextCell(3, corners);
+  };
+  for (const Polyline& line : lines) {
+    if (line.size() < 2) continue;
+    const auto tangentAt = [&](std::size_t i) -> Eigen::Vector3d {
+      const Eigen::Vector3d d = line[std::min(i + 1, line.size() - 1)] - line[i > 0 ? i - 1 : 0];
+      const double length = d.norm();
+      return length > 0 ? Eigen::Vector3d(d / length) : Eigen::Vector3d::UnitX();
+    };
+    Eigen::Vector3d side = tangentAt(0).unitOrthogonal();
+    const vtkIdType first = points->GetNumberOfPoints();
+    const auto ring = [&](const Eigen::Vector3d& center, const Eigen::Vector3d& tangent, double r,
+                          const Eigen::Vector3d* capNormal) {
+      const Eigen::Vector3d other = tangent.cross(side);
+      for (int k = 0; k < kSides; ++k) {
+        const double angle = 2 * std::numbers::pi * k / kSides;
+        const Eigen::Vector3d n = std::cos(angle) * side + std::sin(angle) * other;
+        points->InsertNextPoint((center + r * n).eval().data());
+        normals->InsertNextTuple(capNormal ? capNormal->data() : n.data());
+      }
+    };
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      const Eigen::Vector3d tangent = tangentAt(i);
+      side = (side - side.dot(tangent) * tangent);
+      side = side.norm() > 1e-9 ? side.normalized() : tangent.unitOrthogonal();
+      ring(line[i], tangent, radius(line[i]), nullptr);
+      if (i == 0) continue;
+      const vtkIdType a = first + vtkIdType(i - 1) * kSides, b = a + kSides;
+      for (int k = 0; k < kSides; ++k) {
+        const int n = (k + 1) % kSides;
+        triangle(a + k, a + n, b + n);
+        triangle(a + k, b + n, b + k);
+      }
+    }
+    for (const bool end : {false, true}) {
+      const std::size_t i = end ? line.size() - 1 : 0;
+      const Eigen::Vector3d tangent = tangentAt(i), outward = end ? tangent : Eigen::Vector3d(-tangent);
+      side = (side - side.dot(tangent) * tangent).normalized();
+      const vtkIdType start = points->GetNumberOfPoints();
+      ring(line[i], tangent, radius(line[i]), &outward);
+      for (int k = 1; k + 1 < kSides; ++k) triangle(start, start + k, start + k + 1);
+    }
+  }
+  data->Initialize();
+  if (points->GetNumberOfPoints() == 0) return;
+  data->SetPoints(points);
+  data->SetPolys(cells);
+  data->GetPointData()->SetNormals(normals);
+}
+
+/// A strip that faces the camera, opaque along its middle and clear at its borders.
+void buildGlow(vtkPolyData* data, const Polyline& line, const Projection& view, double width,
+               const Rgb& color, double strength) {
+  const auto points = vtkSmartPointer<vtkPoints>::New();
+  const auto colors = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  const auto cells = vtkSmartPointer<vtkCellArray>::New();
+  points->SetDataTypeToFloat();
+  colors->SetNumberOfComponents(4);
+  constexpr int kColumns = 9;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const Eigen::Vector3d pixel = view.toPixel(line[i]);
+    const Eigen::Vector3d tangent = line[std::min(i + 1, line.size() - 1)] - line[i > 0 ? i - 1 : 0];
+    Eigen::Vector3d across = tangent.cross(view.ray(pixel.x(), pixel.y()).direction);
+    across = across.norm() > 1e-9 ? across.normalized() : view.right();
+    for (int k = 0; k < kColumns; ++k) {
+      const double x = 2.0 * k / (kColumns - 1) - 1, fall = (1 - x * x) * (1 - x * x);
+      points->InsertNextPoint((line[i] + 0.5 * x * width * view.pixelSize(pixel.z()) * across).eval().data());
+      colors->InsertNextTuple4(float(255 * color.r), float(255 * color.g), float(255 * color.b),
+                               float(255 * strength * fall));
+    }
+    if (i == 0) continue;
+    for (int k = 0; k + 1 < kColumns; ++k) {
+      const vtkIdType a = vtkIdType(i - 1) * kColumns + k, b = a + kColumns;
+      const vtkIdType corners[4] = {a, a + 1, b + 1, b};
+      cells->InsertNextCell(4, corners);
+    }
+  }
+  data->Initialize();
+  if (line.size() < 2) return;
+  data->SetPoints(points);
+  data->SetPolys(cells);
+  data->GetPointData()->SetScalars(colors);
+}
+
+}  // namespace
+
+MovingBlade::MovingBlade() {
+  tube_.setMatte(0.55, 0.5, 0.25);
+  grips_.setMatte(0.4, 0.6, 0.2);
+  glow_.setFlat();
+  glow_.mapper()->ScalarVisibilityOn();
+  glow_.mapper()->SetColorModeToDirectScalars();
+  glow_.actor()->ForceTranslucentOn();
+}
+
+void MovingBlade::addSolidTo(vtkRenderer* renderer) {
+  renderer->AddActor(tube_.actor());
+  renderer->AddActor(grips_.actor());
+}
+
+void MovingBlade::addGlowTo(vtkRenderer* renderer) { renderer->AddActor(glow_.actor()); }
+
+void MovingBlade::setLine(Polyline line) {
+  line_ = std::move(line);
+  for (Part* part : {&tube_, &grips_, &glow_}) part->setVisible(line_.size() >= 2);
+}
+
+void MovingBlade::setStyle(const Style& style, const Rgb& background) {
+  const Theme& colors = theme(style.dark);
+  pixelRatio_ = style.pixelRatio;
+  tube_.setColor(colors.accent);
+  grips_.setColor(colors.grip);
+  const double keep = style.stale ? 0.6 : 1.0;
+  for (Part* part : {&tube_, &grips_}) part->setFade(keep, background);
+  glow_.setOpacity(keep);
+  glow_.setColor(colors.accent);
+}
+
+void MovingBlade::update(const Projection& view, double depthShift) {
+  if (line_.size() < 2) return;
+  const auto pixels = [&](double count, const Eigen::Vector3d& p) {
+    return count * pixelRatio_ * view.pixelSize(std::max(1e-6, view.toPixel(p).z()));
+  };
+  buildTube(tube_.data(), {line_}, [&](const Eigen::Vector3d& p) { return 0.5 * pixels(kTubeWidth, p); });
+  const auto grip = [&](const Eigen::Vector3d& end, const Eigen::Vector3d& inner) {
+    const Eigen::Vector3d outward = (end - inner).normalized();
+    const double length = pixels(kGripLength, end);
+    return Polyline{end - 0.35 * length * outward, end + 0.65 * length * outward};
+  };
+  buildTube(grips_.data(), {grip(line_.front(), line_[1]), grip(line_.back(), line_[line_.size() - 2])},
+            [&](const Eigen::Vector3d& p) { return 0.5 * pixels(kGripWidth, p); });
+  double c[3];
+  tube_.property()->GetColor(c);
+  buildGlow(glow_.data(), line_, view, kGlowWidth * pixelRatio_, {c[0], c[1], c[2]}, 0.38);
+  tube_.setDepthShift(depthShift);
+  grips_.setDepthShift(depthShift);
+  glow_.setDepthShift(depthShift);
+}
+
+}  // namespace bw::scene

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "scene/camera/camera_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace bw::scene {
+
+Camera fitted(Camera from, const Bounds& bounds, double aspect, double rightMargin) {
+  const double air = 0.10, tangent = std::tan(from.viewAngle * std::acos(-1.0) / 360);
+  const double up = tangent * (1 - air), left = tangent * aspect * (1 - air),
+               right = tangent * aspect * std::max(0.2, 1 - air - rightMargin);
+
+  const Projection view(from.position, from.focus, from.up, from.viewAngle, from.parallel, from.parallelScale,
+                        1, 1);
+  const Eigen::Vector3d center = bounds.center();
+  double xLow = 1e300, xHigh = -1e300, yLow = 1e300, yHigh = -1e300;  // parallel: the extent seen
+  double a = -1e300, b = -1e300, c = -1e300, d = -1e300,
+         nearest = 1e300;  // perspective: each side plane touches a corner
+  for (int i = 0; i < 8; ++i) {
+    const Eigen::Vector3d p =
+        Eigen::Vector3d((i & 1 ? bounds.max : bounds.min).x(), (i & 2 ? bounds.max : bounds.min).y(),
+                        (i & 4 ? bounds.max : bounds.min).z()) -
+        center;
+    const double x = p.dot(view.right()), y = p.dot(view.up()), z = p.dot(view.forward());
+    xLow = std::min(xLow, x);
+    xHigh = std::max(xHigh, x);
+    yLow = std::min(yLow, y);
+    yHigh = std::max(yHigh, y);
+    nearest = std::min(nearest, z);
+    a = std::max(a, x - right * z);
+    b = std::max(b, -x - left * z);
+    c = std::max(c, y - up * z);
+    d = std::max(d, -y - up * z);
+  }
+  const double least = std::max(1e-3, 1e-3 * bounds.size().norm());
+  if (from.parallel) {
+    const double scale =
+        std::max({(xHigh - xLow) * tangent / (left + right), (yHigh - yLow) * tangent / (2 * up), least});
+    const double x = 0.5 * (xLow + xHigh) + 0.5 * scale * (left - right) / tangent, y = 0.5 * (yLow + yHigh);
+    const double distance = std::max(bounds.size().norm() * 1.5, scale / tangent);
+    from.parallelScale = scale;
+    from.focus = center + x * view.right() + y * view.up();
+    from.position = from.focus - distance * view.forward();
+    return from;
+  }
+  // The eye at (x, y, z): every corner lies within the four side planes.
+  const double z = std::min({-(a + b) / (left + right), -(c + d) / (2 * up), nearest - least});
+  const double x = 0.5 * ((a + right * z) - (b + left * z)), y = 0.5 * (c - d);
+  from.position = center + x * view.right() + y * view.up() + z * view.forward();
+  from.focus = from.position - z * view.forward();
+  from.parallelScale = -z * tangent;
+  return from;
+}
+
+DepthRange depthRange(const Projection& view, const Bounds& bounds, double distance) {
+  double near = std::numeric_limits<double>::max(), far = -near;
+  for (int i = 0; i < 8; ++i) {
+    const Eigen::Vector3d corner((i & 1 ? bounds.max : bounds.min).x(), (i & 2 ? bounds.max : bounds.min).y(),
+                                 (i & 4 ? bounds.max : bounds.min).z());
+    const double depth = (corner - view.position()).dot(view.forward());
+    near = std::min(near, depth);
+    far = std::max(far, depth);
+  }
+  const double slack = 0.02 * std::max(far - near, distance);
+  near -= slack;
+  far += slack;
+  if (!view.parallel()) {
+    far = std::max(far, 1e-2 * distance);
+    near = std::max(near, 2e-4 * far);
+  }
+  return {near, far};
+}
+
+}  // namespace bw::scene

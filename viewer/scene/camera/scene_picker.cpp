@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "scene/camera/scene_picker.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace bw::scene {
+
+namespace {
+
+constexpr double kLinePickPixels = 4;
+
+/// A place on a line, and how far from the cursor it appears.
+struct LinePlace {
+  double pixels;
+  int station;
+  Eigen::Vector3d point;
+};
+
+/// Puts the place of `line` that appears nearest to `cursor` into `best` if it is nearer.
+void nearestOn(const Polyline& line, int station, const Projection& view, const Eigen::Vector2d& cursor,
+               std::optional<LinePlace>& best) {
+  Eigen::Vector3d before = Eigen::Vector3d::Zero();
+  for (std::size_t k = 0; k < line.size(); ++k) {
+    const Eigen::Vector3d now = view.toPixel(line[k]);
+    if (k > 0 && (view.parallel() || (before.z() > 0 && now.z() > 0))) {
+      const Eigen::Vector2d edge = (now - before).head<2>(), offset = cursor - before.head<2>();
+      const double square = edge.squaredNorm();
+      const double t = square > 0 ? std::clamp(offset.dot(edge) / square, 0.0, 1.0) : 0.0;
+      const double distance = (offset - t * edge).norm();
+      if (!best || distance < best->pixels) {
+        // Shares on the screen are not shares in space under perspective.
+        const double s = view.parallel() ? t : t * before.z() / (t * before.z() + (1 - t) * now.z());
+        best = LinePlace{distance, station, line[k - 1] + s * (line[k] - line[k - 1])};
+      }
+    }
+    before = now;
+  }
+}
+
+/// The station that passes nearest to a point of space; −1 if there is none.
+int nearestStation(const std::vector<Polyline>& stations, const Eigen::Vector3d& point) {
+  int best = -1;
+  double least = std::numeric_limits<double>::max();
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    const Polyline& line = stations[i];
+    for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+      const Eigen::Vector3d edge = line[k + 1] - line[k];
+      const double square = edge.squaredNorm();
+      const double t = square > 0 ? std::clamp((point - line[k]).dot(edge) / square, 0.0, 1.0) : 0.0;
+      const double distance = (line[k] + t * edge - point).squaredNorm();
+      if (distance < least) {
+        least = distance;
+        best = int(i);
+      }
+    }
+  }
+  return best;
+}
+
+bool cutAway(const std::optional<SectionPlane>& section, const Eigen::Vector3d& point) {
+  return section && (point - section->point).dot(section->normal) > 0;
+}
+
+/// The first hit on what the section leaves.
+std::optional<RayHit> firstHit(const TriangleTree& tree, const std::optional<SectionPlane>& section,
+                               const Ray& ray) {
+  if (!section) return tree.firstHit(ray);
+  const double slope = ray.direction.dot(section->normal);
+  const double height = (ray.origin - section->point).dot(section->normal);
+  Ray kept = ray;
+  double skipped = 0;
+  if (height > 0) {
+    // The ray begins where everything is taken away: it meets nothing before the plane.
+    if (slope >= 0) return std::nullopt;
+    skipped = -height / slope;
+    kept.origin = ray.at(skipped);
+  }
+  std::optional<RayHit> hit = tree.firstHit(kept);
+  if (!hit) return hit;
+  hit->t += skipped;
+  if (height <= 0 && slope > 0 && hit->t > -height / slope) return std::nullopt;
+  return hit;
+}
+
+/// The field's value where a ray hits the cut surface; none where it is not a number.
+std::optional<double> valueAt(const Field& field, const TriangleMesh& mesh, const RayHit& hit) {
+  const auto& corners = mesh.triangles[std::size_t(hit.triangle)];
+  double value = 0;
+  for (int k = 0; k < 3; ++k) value += hit.weights[k] * field.values[std::size_t(corners[std::size_t(k)])];
+  if (!std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+void ScenePicker::reset() {
+  cutTree_.reset();
+  targetTree_.reset();
+}
+
+std::optional<RayHit> ScenePicker::cutHit(const Shown& shown, const Ray& ray) const {
+  const Style& style = shown.style;
+  if (!style.showCut || style.cutOpacity <= 0.05 || shown.cutMesh.triangles.empty()) return std::nullopt;
+  if (!cutTree_) cutTree_ = std::make_unique<TriangleTree>(shown.cutMesh.points, shown.cutMesh.triangles);
+  return firstHit(*cutTree_, style.section, ray);
+}
+
+std::optional<RayHit> ScenePicker::targetHit(const Shown& shown, const Ray& ray) const {
+  const Style& style = shown.style;
+  const TriangleMesh& target = shown.content.target;
+  if (!style.showTarget || style.targetOpacity <= 0.05 || target.triangles.empty()) return std::nullopt;
+  if (!targetTree_) targetTree_ = std::make_unique<TriangleTree>(target.points, target.triangles);
+  return firstHit(*targetTree_, style.section, ray);
+}
+
+Pick ScenePicker::pick(const Shown& shown, const Projection& view, double x, double y) const {
+  const Content& content = shown.content;
+  const Style& style = shown.style;
+  const Bounds& everything = shown.bounds;
+  const Eigen::Vector2d cursor(x, y);
+  Pick result;
+  Ray ray = view.ray(x, y);
+  // In a parallel picture the eye is nowhere: begin before everything.
+  if (view.parallel() && everything.valid())
+    ray.origin -=
+        4 * (everything.size().norm() + (view.position() - everything.center()).norm()) * ray.direction;
+  const std::optional<RayHit> onCut = cutHit(shown, ray), onTarget = targetHit(shown, ray);
+
+  // Lines: the nearest to the pixel that is not hidden.
+  const auto visible = [&](const LinePlace& place) {
+    if (cutAway(style.section, place.point)) return false;
+    const Eigen::Vector3d pixel = view.toPixel(place.point);
+    Ray sight = view.ray(pixel.x(), pixel.y());
+    if (view.parallel())
+      sight.origin += (ray.origin - view.ray(x, y).origin).dot(ray.direction) * ray.direction;
+    const std::optional<RayHit> hit = cutHit(shown, sight);
+    const double distance = (place.point - sight.origin).dot(sight.direction);
+    return !hit || hit->t > distance - 4 * view.pixelSize(pixel.z()) -
+                                0.002 * std::max(everything.valid() ? everything.size().norm() : 0.0, 1e-3);
+  };
+  const double reach = kLinePickPixels * style.pixelRatio;
+  std::optional<LinePlace> onBlade, onStation;
+  if (shown.movingBlade.size() >= 2) nearestOn(shown.movingBlade, -1, view, cursor, onBlade);
+  if (onBlade && onBlade->pixels <= reach + 1 && visible(*onBlade)) {
+    result.kind = Pick::Kind::blade;
+    result.point = onBlade->point;
+    result.station = std::clamp(int(std::lround(style.playhead)), 0, int(content.blades.size()) - 1);
+    return result;
+  }
+
+  const bool targetFirst = onTarget && (!onCut || onTarget->t + shown.targetSetBack < onCut->t);
+  if (onCut && !targetFirst) {
+    result.kind = Pick::Kind::cut;
+    result.point = ray.at(onCut->t);
+    if (shown.field) result.value = valueAt(*shown.field, shown.cutMesh, *onCut);
+  } else if (onTarget) {
+    result.kind = Pick::Kind::target;
+    result.point = ray.at(onTarget->t);
+  }
+  if (style.showStations) {
+    for (std::size_t i = 0; i < content.stations.size(); ++i)
+      nearestOn(content.stations[i], int(i), view, cursor, onStation);
+  }
+  if (onStation && onStation->pixels <= reach && visible(*onStation)) {
+    result.kind = Pick::Kind::station;
+    result.station = onStation->station;
+    // The value stays that of the surface below, if the cursor is over it.
+    if (!onCut || targetFirst) result.point = onStation->point;
+    return result;
+  }
+  if (result.kind != Pick::Kind::none) {
+    result.station = nearestStation(content.stations, result.point);
+    return result;
+  }
+  if (style.showBlock && content.block) {
+    if (const std::optional<double> t = rayMeetsBox(ray, *content.block)) {
+      result.kind = Pick::Kind::block;
+      result.point = ray.at(*t);
+    }
+  }
+  return result;
+}
+
+}  // namespace bw::scene

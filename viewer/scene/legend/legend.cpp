@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "scene/legend/legend.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bw/core/number_text.h"
+
+namespace bw::scene {
+
+namespace {
+
+constexpr int kBins = 64;
+constexpr double kMaxBar = 360;  ///< device-independent pixels
+constexpr double kMinBar = 60;
+
+std::vector<double> histogram(const std::vector<double>& values, const std::pair<double, double>& range,
+                              int bins) {
+  std::vector<double> count(std::size_t(bins), 0.0);
+  const double scale = bins / (range.second - range.first);
+  for (const double v : values) {
+    const double x = (v - range.first) * scale;
+    if (x >= 0 && x <= bins) count[std::size_t(std::min(int(x), bins - 1))] += 1;
+  }
+  return count;
+}
+
+std::string spanText(const FieldSummary& summary, int decimals, bool sign, const std::string& unit) {
+  // Values far below the ticks keep a digit that counts.
+  const double largest = std::max(std::abs(summary.min), std::abs(summary.max));
+  if (largest > 0) decimals = std::max(decimals, std::min(6, int(std::ceil(-std::log10(largest)))));
+  const std::string low = tickText(summary.min, decimals, sign), high = tickText(summary.max, decimals, sign);
+  const std::string glue = unit.empty() || unit == "\u00b0" ? "" : " ";
+  return low + " \u2026 " + high + glue + unit;
+}
+
+}  // namespace
+
+void Legend::update(int width, int height, const Style& style, const Field* field,
+                    const FieldSummary& summary, const ColorMap& map, unsigned contentVersion) {
+  const bool shown = field && style.legend && summary.count > 0;
+  if (!shown) {
+    key_.clear();
+    canvas_.begin(width, height);
+    canvas_.end();
+    card_ = bar_ = std::nullopt;
+    return;
+  }
+  std::string key;
+  for (const double v : {double(width), double(height), double(style.dark), style.pixelRatio, map.range.first,
+                         map.range.second, map.tolerance, double(contentVersion)}) {
+    key += roundTripText(v) + ' ';
+  }
+  key += field->name;
+  if (key == key_) return;
+  key_ = key;
+  draw(width, height, style, *field, summary, map);
+}
+
+void Legend::draw(int width, int height, const Style& style, const Field& field, const FieldSummary& summary,
+                  const ColorMap& map) {
+  const Theme& colors = theme(style.dark);
+  const double px = style.pixelRatio;
+  const auto pixels = [px](double v) { return std::round(v * px); };
+  const bool deviation = field.name == "deviation";
+  const bool limit = field.name == "curvature";
+  const Ticks ticks = legendTicks(map.range);
+  const TextLook title{13 * px, true, colors.text, 1}, label{12 * px, false, colors.text, 1},
+      small{11 * px, false, colors.secondary, 1};
+
+  // Texts below the bar: what the data span, and how much of them is good.
+  std::vector<std::string> notes{spanText(summary, ticks.decimals + 1, deviation, field.unit)};
+  if (deviation) {
+    const auto within = std::count_if(field.values.begin(), field.values.end(), [&](double v) {
+      return std::isfinite(v) && std::abs(v) <= map.tolerance;
+    });
+    // 100 % is said only where it is true.
+    const double share = 100.0 * double(within) / double(summary.count);
+    const double said = share < 100 ? std::min(share, 99.9) : 100;
+    notes.push_back(fixedText(said, said > 99 && said < 100 ? 1 : 0) + " % within \u00b1" +
+                    shortText(map.tolerance) + " mm");
+  }
+
+  const double margin = pixels(16), padding = pixels(12), gap = pixels(4), histogramWidth = pixels(44),
+               barWidth = pixels(14);
+  const double tick = pixels(5), labelGap = pixels(9);
+  double labelWidth = 0;
+  for (const double v : ticks.values)
+    labelWidth = std::max(labelWidth, Canvas::textWidth(tickText(v, ticks.decimals, deviation), label));
+  const std::string unitText = field.unit;
+  double inner = histogramWidth + gap + barWidth + labelGap + labelWidth;
+  const double titleWidth = Canvas::textWidth(field.title, title);
+  const double unitWidth = unitText.empty() ? 0 : pixels(6) + Canvas::textWidth(unitText, small);
+  inner = std::max(inner, titleWidth + unitWidth);
+  for (const std::string& note : notes) inner = std::max(inner, Canvas::textWidth(note, small));
+  inner = std::ceil(inner);
+
+  const double head = pixels(13) + pixels(20), noteStep = pixels(17),
+               foot = pixels(18) + noteStep * double(notes.size() - 1) + pixels(6);
+  const double cardWidth = inner + 2 * padding;
+  const double room = height - 2 * margin - 2 * padding - head - foot;
+  const double barHeight = std::floor(std::min(room, kMaxBar * px));
+  canvas_.begin(width, height);
+  if (barHeight < kMinBar * px || cardWidth + 2 * margin > width) {
+    canvas_.end();
+    card_ = bar_ = std::nullopt;
+    return;
+  }
+  const double cardHeight = head + barHeight + foot + 2 * padding;
+  const PixelRect card{width - margin - cardWidth, std::round(0.5 * (height - cardHeight)), cardWidth,
+                       cardHeight};
+  const PixelRect bar{card.x + padding + histogramWidth + gap, card.y + padding + head, barWidth, barHeight};
+  card_ = card;
+  bar_ = bar;
+
+  const double hair = std::max(1.0, pixels(1));
+  canvas_.roundedRect({card.x - hair, card.y - hair, card.width + 2 * hair, card.height + 2 * hair},
+                      pixels(7), colors.line, 0.55);
+  canvas_.roundedRect(card, pixels(6), colors.panel, 0.9);
+  canvas_.text(field.title, card.x + padding, card.y + padding + pixels(7), Align::left, title);
+  if (!unitText.empty()) {
+    canvas_.text(unitText, card.x + padding + titleWidth + pixels(6), card.y + padding + pixels(7),
+                 Align::left, small);
+  }
+
+  const auto [low, high] = map.range;
+  const auto yOf = [&](double v) { return bar.y + bar.height * (high - v) / (high - low); };
+
+  // The bar in strips of a pixel, so that a step in the map is a step here.
+  for (double y = 0; y < bar.height; y += 1) {
+    canvas_.rect({bar.x, bar.y + y, bar.width, 1}, map.at(high - (y + 0.5) / bar.height * (high - low)));
+  }
+  // Pointed ends say that the data go on beyond the range.
+  const double tip = pixels(7), middle = bar.x + 0.5 * bar.width;
+  if (summary.max > high) {
+    canvas_.triangle(bar.x, bar.y - hair, bar.x + bar.width, bar.y - hair, middle, bar.y - hair - tip,
+                     map.at(high));
+  }
+  if (summary.min < low) {
+    const double end = bar.y + bar.height + hair;
+    canvas_.triangle(bar.x, end, middle, end + tip, bar.x + bar.width, end, map.at(low));
+  }
+
+  // The histogram grows to the left of the bar.
+  const int bins = std::max(8, std::min(kBins, int(bar.height / (3 * px))));
+  const std::vector<double> count = histogram(field.values, map.range, bins);
+  const double most = *std::max_element(count.begin(), count.end());
+  for (int i = 0; i < bins && most > 0; ++i) {
+    const double share = count[std::size_t(i)] / most;
+    if (share <= 0) continue;
+    const double y0 = std::round(bar.y + bar.height * (1 - double(i + 1) / bins)),
+                 y1 = std::round(bar.y + bar.height * (1 - double(i) / bins));
+    const double length = std::max(hair, std::round(share * histogramWidth));
+    canvas_.rect({bar.x - gap - length, y0, length, std::max(hair, y1 - y0 - hair)}, colors.secondary, 0.5);
+  }
+
+  // Marks of what is allowed: across the bar and the histogram.
+  std::vector<double> marks;
+  if (deviation && map.tolerance > 0) marks = {-map.tolerance, map.tolerance};
+  if (limit) marks = {1.0};
+  const auto inside = [&](double v) { return v >= low && v <= high; };
+  for (const double v : marks) {
+    if (!inside(v)) continue;
+    const double y = std::clamp(std::round(yOf(v) - 0.5 * hair), bar.y, bar.y + bar.height - hair);
+    canvas_.rect({bar.x - gap - histogramWidth, y, histogramWidth + gap + bar.width + tick, hair},
+                 colors.text, 0.85);
+  }
+  for (const double v : ticks.values) {
+    const double y = std::clamp(std::round(yOf(v) - 0.5 * hair), bar.y, bar.y + bar.height - hair);
+    canvas_.rect({bar.x + bar.width, y, tick, hair}, colors.secondary, 0.9);
+    canvas_.text(tickText(v, ticks.decimals, deviation), bar.x + bar.width + labelGap + labelWidth, yOf(v),
+                 Align::right, label);
+  }
+  // Tolerances that are no round tick get a number of their own where there is room for it.
+  for (const double v : marks) {
+    const bool crowded = std::any_of(ticks.values.begin(), ticks.values.end(),
+                                     [&](double t) { return std::abs(yOf(t) - yOf(v)) < 13 * px; });
+    if (inside(v) && !crowded) {
+      canvas_.text(tickText(v, ticks.decimals + 1, deviation), bar.x + bar.width + labelGap + labelWidth,
+                   yOf(v), Align::right, small);
+    }
+  }
+  double y = bar.y + bar.height + pixels(18);
+  for (const std::string& note : notes) {
+    canvas_.text(note, card.x + padding, y, Align::left, small);
+    y += noteStep;
+  }
+  canvas_.end();
+}
+
+}  // namespace bw::scene

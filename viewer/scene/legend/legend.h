@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bw/scene/scene.h"
+#include "scene/legend/color_map.h"
+#include "scene/legend/legend_range.h"
+#include "scene/render/canvas.h"
+
+namespace bw::scene {
+
+/// The colour bar with title, unit, ticks, tolerance marks and histogram, on the right edge.
+class Legend {
+ public:
+  void addTo(vtkRenderer* renderer) { canvas_.addTo(renderer); }
+  /// Lays the legend out for a picture of that size; does nothing where nothing changed. `field` may be null:
+  /// then it is hidden.
+  void update(int width, int height, const Style& style, const Field* field, const FieldSummary& summary,
+              const ColorMap& map, unsigned contentVersion);
+  const std::optional<PixelRect>& card() const { return card_; }
+  const std::optional<PixelRect>& bar() const { return bar_; }
+  const std::vector<Overlay::Text>& texts() const { return canvas_.texts(); }
+  /// Width in pixels that the legend takes from the right edge of a picture, for a camera that must keep
+  /// clear of it.
+  static double reservedWidth(double pixelRatio) { return 150 * pixelRatio; }
+
+ private:
+  void draw(int width, int height, const Style& style, const Field& field, const FieldSummary& summary,
+            const ColorMap& map);
+
+  Canvas canvas_;
+  std::optional<PixelRect> card_, bar_;
+  std::string key_;
+};
+
+}  // namespace bw::scene

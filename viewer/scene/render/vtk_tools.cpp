@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "scene/render/vtk_tools.h"
+
+#include <vtkCellArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkProperty.h>
+#include <vtkShaderProperty.h>
+#include <vtkTypeInt32Array.h>
+#include <vtkUniforms.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cstdint>
+
+namespace bw::scene {
+
+Part::Part()
+    : actor_(vtkSmartPointer<vtkActor>::New()),
+      mapper_(vtkSmartPointer<vtkPolyDataMapper>::New()),
+      data_(vtkSmartPointer<vtkPolyData>::New()) {
+  mapper_->SetInputData(data_);
+  mapper_->ScalarVisibilityOff();
+  actor_->SetMapper(mapper_);
+  actor_->PickableOff();
+  vtkShaderProperty* shading = actor_->GetShaderProperty();
+  shading->AddVertexShaderReplacement(
+      "//VTK::PositionVC::Impl", true,
+      "//VTK::PositionVC::Impl\n  gl_Position.z += bwDepthShift * gl_Position.w;\n", false);
+  // After the colour map's texture, which VTK multiplies in after the light.
+  shading->AddFragmentShaderReplacement(
+      "//VTK::TCoord::Impl", true,
+      "//VTK::TCoord::Impl\n  gl_FragData[0].rgb = mix(bwFadeColor, gl_FragData[0].rgb, bwFadeKeep);\n",
+      false);
+  setDepthShift(0);
+  setFade(1, {});
+}
+
+vtkProperty* Part::property() const { return actor_->GetProperty(); }
+void Part::setVisible(bool on) { actor_->SetVisibility(on); }
+void Part::setColor(const Rgb& color) { property()->SetColor(color.r, color.g, color.b); }
+void Part::setOpacity(double opacity) { property()->SetOpacity(opacity); }
+void Part::setLineWidth(double pixels) {
+  // Above one pixel VTK draws lines as thin rectangles, which multisampling smooths; bare GL lines look
+  // dotted.
+  property()->SetLineWidth(float(std::max(1.2, pixels)));
+}
+void Part::setFlat() { property()->LightingOff(); }
+
+void Part::setMatte(double ambient, double diffuse, double specular) {
+  property()->SetAmbient(ambient);
+  property()->SetDiffuse(diffuse);
+  property()->SetSpecular(specular);
+  property()->SetSpecularPower(18);
+}
+
+void Part::setDepthShift(double ndc) {
+  actor_->GetShaderProperty()->GetVertexCustomUniforms()->SetUniformf("bwDepthShift", float(ndc));
+}
+
+void Part::setFade(double keep, const Rgb& background) {
+  vtkUniforms* uniforms = actor_->GetShaderProperty()->GetFragmentCustomUniforms();
+  const float color[3] = {float(background.r), float(background.g), float(background.b)};
+  uniforms->SetUniformf("bwFadeKeep", float(keep));
+  uniforms->SetUniform3f("bwFadeColor", color);
+}
+
+void Part::setLines(const std::vector<Polyline>& lines) {
+  const auto points = vtkSmartPointer<vtkPoints>::New();
+  const auto cells = vtkSmartPointer<vtkCellArray>::New();
+  vtkIdType total = 0;
+  for (const Polyline& line : lines) total += vtkIdType(line.size());
+  points->SetDataTypeToFloat();
+  points->Allocate(total);
+  cells->AllocateExact(vtkIdType(lines.size()), total);
+  for (const Polyline& line : lines) {
+    if (line.size() < 2) continue;
+    cells->InsertNextCell(int(line.size()));
+    for (const Eigen::Vector3d& p : line) cells->InsertCellPoint(points->InsertNextPoint(p.data()));
+  }
+  data_->Initialize();
+  data_->SetPoints(points);
+  data_->SetLines(cells);
+}
+
+void Part::setSegments(const Segments& segments) {
+  const auto points = vtkSmartPointer<vtkPoints>::New();
+  const auto cells = vtkSmartPointer<vtkCellArray>::New();
+  points->SetDataTypeToFloat();
+  points->Allocate(vtkIdType(2 * segments.size()));
+  cells->AllocateExact(vtkIdType(segments.size()), vtkIdType(2 * segments.size()));
+  for (const auto& [a, b] : segments) {
+    cells->InsertNextCell(2);
+    cells->InsertCellPoint(points->InsertNextPoint(a.data()));
+    cells->InsertCellPoint(points->InsertNextPoint(b.data()));
+  }
+  data_->Initialize();
+  data_->SetPoints(points);
+  data_->SetLines(cells);
+}
+
+void Part::setPolygon(const Polyline& corners) {
+  const auto points = vtkSmartPointer<vtkPoints>::New();
+  const auto cells = vtkSmartPointer<vtkCellArray>::New();
+  points->SetDataTypeToFloat();
+  cells->InsertNextCell(int(corners.size()));
+  for (const Eigen::Vector3d& p : corners) cells->InsertCellPoint(points->InsertNextPoint(p.data()));
+  data_->Initialize();
+  data_->SetPoints(points);
+  data_->SetPolys(cells);
+}
+
+void Part::clear() { data_->Initialize(); }
+
+namespace {
+
+vtkSmartPointer<vtkDoubleArray> sharedTriples(const std::vector<Eigen::Vector3d>& values, const char* name) {
+  const auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(3);
+  // VTK only reads through this pointer.
+  array->SetArray(const_cast<double*>(values.data()->data()), vtkIdType(3 * values.size()), 1);
+  return array;
+}
+
+}  // namespace
+
+void shareMesh(vtkPolyData* data, const std::vector<Eigen::Vector3d>& points,
+               const std::vector<Eigen::Vector3d>& normals,
+               const std::vector<std::array<int, 3>>& triangles) {
+  static_assert(sizeof(Eigen::Vector3d) == 3 * sizeof(double) &&
+                sizeof(std::array<int, 3>) == 3 * sizeof(vtkTypeInt32));
+  data->Initialize();
+  if (points.empty() || triangles.empty()) return;
+  const auto vtkPointsOfMesh = vtkSmartPointer<vtkPoints>::New();
+  vtkPointsOfMesh->SetData(sharedTriples(points, "points"));
+  const auto corners = vtkSmartPointer<vtkTypeInt32Array>::New();
+  corners->SetArray(const_cast<int*>(triangles.data()->data()), vtkIdType(3 * triangles.size()), 1);
+  const auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->SetData(3, corners);
+  data->SetPoints(vtkPointsOfMesh);
+  data->SetPolys(cells);
+  if (normals.size() == points.size()) data->GetPointData()->SetNormals(sharedTriples(normals, "normals"));
+}
+
+}  // namespace bw::scene
