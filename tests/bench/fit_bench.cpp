@@ -42,7 +42,7 @@ void fitCurve(benchmark::State& state) {
   std::optional<FitResult> last;
   for (auto _ : state) {
     last = bw::fitElastica(curve).value();
-    const double R4 = last->R4;
+    double R4 = last->R4;
     benchmark::DoNotOptimize(R4);
   }
   char text[120];

@@ -62,7 +62,7 @@ void piecewiseBestSplits(benchmark::State& state) {
   options.pieces = 5;
   options.splits = bw::PiecewiseOptions::Splits::optimised;
   for (auto _ : state) {
-    const double R4 = bw::fitPiecewise(section, options)->totalR4;
+    double R4 = bw::fitPiecewise(section, options)->totalR4;
     benchmark::DoNotOptimize(R4);
   }
 }
