@@ -147,6 +147,26 @@ TEST_F(SceneTest, SequentialMapRunsFromDarkToLight) {
   EXPECT_GT(fast / nFast, slow / nSlow + 20);
 }
 
+TEST_F(SceneTest, LegendCountsAreaAndNotPoints) {
+  // Nine tenths of the rows crowd in the last tenth of the way, and only there the deviation is too large.
+  Content content;
+  content.cut.rows = 101;
+  content.cut.columns = 3;
+  Field field{"deviation", "Deviation", "mm", {}};
+  for (int row = 0; row <= 100; ++row)
+    for (int column = 0; column < 3; ++column) {
+      const double x = row <= 10 ? 90.0 * row : 900 + 100.0 * (row - 10) / 90;
+      content.cut.points.emplace_back(x, 100.0 * column, 0);
+      field.values.push_back(x <= 900 ? 0.5 : 5.0);
+    }
+  content.cut.fields = {field};
+  scene.setContent(content);
+  draw(mapped("deviation"), "area");
+  const auto& texts = scene.overlay().texts;
+  EXPECT_TRUE(std::any_of(texts.begin(), texts.end(),
+                          [](const Overlay::Text& t) { return t.text.starts_with("90 % within"); }));
+}
+
 TEST_F(SceneTest, EveryFieldHasALegendWithTitleUnitAndNumbers) {
   for (const char* name : {"deviation", "angle", "speed", "relative_speed", "curvature"}) {
     const Picture picture = draw(mapped(name), name);

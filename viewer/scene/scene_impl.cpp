@@ -54,6 +54,19 @@ void cleanMesh(TriangleMesh& mesh) {
   if (mesh.triangles.empty()) mesh = {};
 }
 
+/// Of each point the third of the triangles around it.
+std::vector<double> pointAreas(const TriangleMesh& mesh) {
+  std::vector<double> areas(mesh.points.size(), 0.0);
+  for (const auto& triangle : mesh.triangles) {
+    const auto corner = [&](int i) -> const Eigen::Vector3d& {
+      return mesh.points[std::size_t(triangle[i])];
+    };
+    const double area = 0.5 * (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();
+    for (int i = 0; i < 3; ++i) areas[std::size_t(triangle[i])] += area / 3;
+  }
+  return areas;
+}
+
 Bounds joined(Bounds a, const Bounds& b) {
   if (b.valid()) {
     a.add(b.min);
@@ -188,6 +201,7 @@ void Scene::Impl::setContent(Content given) {
   workBounds_ = joined(solids, bladeBounds_);
   actors_.setContent(content, cutMesh, surfaces.valid() ? std::max(1e-3, surfaces.size().norm()) : 1);
   grid_.setBounds(solids);
+  legend_.setAreas(pointAreas(cutMesh));
   summaryKey_.clear();
   setStyle(style);
 }

@@ -16,13 +16,13 @@ constexpr int kBins = 64;
 constexpr double kMaxBar = 360;  ///< device-independent pixels
 constexpr double kMinBar = 60;
 
-std::vector<double> histogram(const std::vector<double>& values, const std::pair<double, double>& range,
-                              int bins) {
+std::vector<double> histogram(const std::vector<double>& values, const std::vector<double>& areas,
+                              const std::pair<double, double>& range, int bins) {
   std::vector<double> count(std::size_t(bins), 0.0);
   const double scale = bins / (range.second - range.first);
-  for (const double v : values) {
-    const double x = (v - range.first) * scale;
-    if (x >= 0 && x <= bins) count[std::size_t(std::min(int(x), bins - 1))] += 1;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double x = (values[i] - range.first) * scale;
+    if (x >= 0 && x <= bins) count[std::size_t(std::min(int(x), bins - 1))] += areas[i];
   }
   return count;
 }
@@ -73,12 +73,16 @@ void Legend::draw(int width, int height, const Style& style, const Field& field,
   // Texts below the bar: what the data span, and how much of them is good.
   std::vector<std::string> notes{spanText(summary, ticks.decimals + 1, deviation, field.unit)};
   if (deviation) {
-    const auto within = std::count_if(field.values.begin(), field.values.end(), [&](double v) {
-      return std::isfinite(v) && std::abs(v) <= map.tolerance;
-    });
+    double within = 0, whole = 0;
+    for (std::size_t i = 0; i < field.values.size(); ++i) {
+      if (!std::isfinite(field.values[i])) continue;
+      whole += areas_[i];
+      if (std::abs(field.values[i]) <= map.tolerance) within += areas_[i];
+    }
     // 100 % is said only where it is true.
-    const double share = 100.0 * double(within) / double(summary.count);
-    const double said = share < 100 ? std::min(share, 99.9) : 100;
+    const bool all = -map.tolerance <= summary.min && summary.max <= map.tolerance;
+    const double share = whole > 0 ? 100.0 * within / whole : 0;
+    const double said = all ? 100 : std::min(share, 99.9);
     notes.push_back(fixedText(said, said > 99 && said < 100 ? 1 : 0) + " % within \u00b1" +
                     shortText(map.tolerance) + " mm");
   }
@@ -145,7 +149,7 @@ void Legend::draw(int width, int height, const Style& style, const Field& field,
 
   // The histogram grows to the left of the bar.
   const int bins = std::max(8, std::min(kBins, int(bar.height / (3 * px))));
-  const std::vector<double> count = histogram(field.values, map.range, bins);
+  const std::vector<double> count = histogram(field.values, areas_, map.range, bins);
   const double most = *std::max_element(count.begin(), count.end());
   for (int i = 0; i < bins && most > 0; ++i) {
     const double share = count[std::size_t(i)] / most;

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bw/scene/scene.h"
@@ -17,6 +18,9 @@ namespace bw::scene {
 class Legend {
  public:
   void addTo(vtkRenderer* renderer) { canvas_.addTo(renderer); }
+  /// The area that each value of a field stands for, mm²: what the histogram and the share within tolerance
+  /// count.
+  void setAreas(std::vector<double> areas) { areas_ = std::move(areas); }
   /// Lays the legend out for a picture of that size; does nothing where nothing changed. `field` may be null:
   /// then it is hidden.
   void update(int width, int height, const Style& style, const Field* field, const FieldSummary& summary,
@@ -33,6 +37,7 @@ class Legend {
             const ColorMap& map);
 
   Canvas canvas_;
+  std::vector<double> areas_;
   std::optional<PixelRect> card_, bar_;
   std::string key_;
 };
