@@ -60,7 +60,7 @@ Result<void> writePictures(const Session& session, const std::string& name,
 int biarcs(const Session& session, const Options& options) {
   Result<std::string> text = session.readInput(options.in);
   if (!text) return session.complain(text.error());
-  const std::string extension = std::filesystem::path(options.in).extension().string();
+  const std::string extension = lowerSuffix(options.in);
   if (extension == ".csv" || extension == ".dat") text = biarcCaseFromCsv(*text);
   if (text) text = withOptions(*text, options);
   if (!text) return session.complain(text.error());

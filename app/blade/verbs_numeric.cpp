@@ -14,16 +14,13 @@ struct Options {
   std::string in = "-", out = "-";
 };
 
-bool endsWith(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
 using Cases = Result<CaseAnswer> (*)(std::string_view, const RunContext&);
 
 int answer(const Session& session, const Options& options, Cases cases, bool points) {
   Result<std::string> text = session.readInput(options.in);
   if (!text) return session.complain(text.error());
-  if (points && (endsWith(options.in, ".csv") || endsWith(options.in, ".dat"))) {
+  const std::string suffix = lowerSuffix(options.in);
+  if (points && (suffix == ".csv" || suffix == ".dat")) {
     text = fitCaseFromCsv(*text);
     if (!text) return session.complain(text.error());
   }

@@ -55,19 +55,11 @@ int runInfo(const Session& session, const std::string& file, const std::string& 
   return ok ? int(kDone) : session.complain(ok.error());
 }
 
-/// The suffix of a file's name in small letters, with its dot.
-std::string suffixOf(const fs::path& file) {
-  std::string suffix = file.extension().string();
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
-  return suffix;
-}
-
 /// True if a file's name says that it holds something else than one of `suffixes`. A name without a suffix
 /// says nothing, and a device or pipe takes what it gets.
 bool saysOtherwise(const fs::path& file, std::initializer_list<std::string_view> suffixes) {
   std::error_code error;
-  const std::string suffix = suffixOf(file);
+  const std::string suffix = lowerSuffix(file);
   return !suffix.empty() && !(fs::exists(file, error) && !fs::is_regular_file(file, error)) &&
          std::find(suffixes.begin(), suffixes.end(), suffix) == suffixes.end();
 }
@@ -81,9 +73,6 @@ void tellSummary(const pipeline::Evaluation& e) {
             << " mm; cutting time " << fixedText(s.cuttingTime, 0) << " s; computed in "
             << fixedText(e.seconds.total, 2) << " s\n";
 }
-
-/// 1 where a limit that the job or the blade states is exceeded.
-int limitStatus(const pipeline::Evaluation& e) { return exceedsLimit(e.issues()) ? kLimitExceeded : kDone; }
 
 /// A source up to this size is embedded there; a larger one is linked.
 constexpr std::uintmax_t kEmbedLimit = 8u << 20;
@@ -120,7 +109,7 @@ int runDesign(const Session& session, const Design& design, const std::string& o
   const fs::path source = design.source.bytes.empty() ? design.source.path : fs::path();
   if (Result<void> ok = session.writeFiles(*files, out, source); !ok) return session.complain(ok.error());
   tellSummary(outcome.evaluation);
-  return limitStatus(outcome.evaluation);
+  return resultStatus(outcome.evaluation);
 }
 
 int runRationalize(const Session& session, const std::string& file, const std::string& jobFile,
@@ -213,7 +202,7 @@ int runExample(const Session& session, const std::string& name, const std::strin
              out,
          "out"});
   Result<std::string> bytes;
-  if (suffixOf(out) == kDesignSuffix) {
+  if (lowerSuffix(out) == kDesignSuffix) {
     const Result<Design> design = pipeline::exampleDesign(name);
     if (!design) return session.complain(design.error());
     bytes = designToJson(*design);
@@ -227,7 +216,9 @@ int runExample(const Session& session, const std::string& name, const std::strin
 
 }  // namespace
 
-int resultStatus(const pipeline::Evaluation& evaluation) { return limitStatus(evaluation); }
+int resultStatus(const pipeline::Evaluation& evaluation) {
+  return exceedsLimit(evaluation.issues()) ? kLimitExceeded : kDone;
+}
 
 void addSurfaceVerbs(CLI::App& app, const Session& session, Work& work) {
   {

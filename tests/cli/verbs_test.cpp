@@ -77,6 +77,7 @@ TEST(Blade, FitsPointsFromCsv) {
     text << 600 * std::sin(0.01 * i) << "," << 600 * (1 - std::cos(0.01 * i)) << "\n";
   const Finished run = blade({"fit", "--in", folder.write("arc.csv", text.str())});
   ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(blade({"fit", "--in", folder.write("ARC.CSV", text.str())}).status, 0);
   EXPECT_LT(json::parse(run.out)["hausdorff"].get<double>(), 0.05);
 }
 

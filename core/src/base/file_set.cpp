@@ -5,6 +5,7 @@
 
 #include <fcntl.h>
 #include <unistd.h>
+#include <cctype>
 
 #include <algorithm>
 #include <array>
@@ -185,6 +186,13 @@ Result<std::string> readFile(const fs::path& file, std::size_t limit) {
   }
   ::close(fd);
   return bytes;
+}
+
+std::string lowerSuffix(const std::filesystem::path& file) {
+  std::string suffix = file.extension().string();
+  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  return suffix;
 }
 
 }  // namespace bw

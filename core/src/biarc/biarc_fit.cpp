@@ -86,7 +86,7 @@ namespace detail {
 
 Result<std::vector<Points>> chooseStarts(const std::vector<Eigen::Vector2d>& data, const Points& chain,
                                          const BiarcOptions& o, int count) {
-  const int least = o.closed ? 2 : 2;
+  constexpr int least = 2;
   const bool given =
       (o.select == BiarcSelect::index && !o.indices.empty()) || o.select == BiarcSelect::coordinates;
   if (given) {

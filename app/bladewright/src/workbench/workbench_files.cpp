@@ -1,9 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 // Designs, surfaces and results as files.
-#include <algorithm>
-#include <cctype>
-
 #include "bw/geometry/export.h"
 #include "bw/pipeline/earlier_files.h"
 #include "workbench/examples.h"
@@ -12,17 +9,6 @@
 namespace bw::app {
 
 namespace fs = std::filesystem;
-
-namespace {
-
-std::string lowerSuffix(const fs::path& file) {
-  std::string suffix = file.extension().string();
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
-  return suffix;
-}
-
-}  // namespace
 
 Result<void> Workbench::openFile(const fs::path& file) {
   const auto refuse = [this](const Error& error) -> Result<void> {

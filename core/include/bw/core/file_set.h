@@ -33,6 +33,8 @@ class FileSet {
 
 /// Writes one file atomically.
 Result<void> writeFile(const std::filesystem::path& file, const std::string& bytes);
+/// The suffix of a file's name in small letters, with its dot: ".step".
+std::string lowerSuffix(const std::filesystem::path& file);
 /// Reads a whole file, or says why not. Larger than `limit` bytes is an error.
 Result<std::string> readFile(const std::filesystem::path& file, std::size_t limit = std::size_t(1) << 31);
 
