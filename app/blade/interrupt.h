@@ -7,8 +7,8 @@
 
 namespace bw::cli {
 
-/// Turns Ctrl-C (SIGINT) and SIGTERM into a stop request. Work that does not come back within 0.12 s is ended
-/// there and then with exit status 130, except while files are being put in place, so that nothing
+/// Turns Ctrl-C (SIGINT), SIGTERM and SIGHUP into a stop request. Work that does not come back within 0.12 s
+/// is ended there and then with exit status 130, except while files are being put in place, so that nothing
 /// half-written is left.
 class Interrupt {
  public:

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bw/core/number_text.h"
+#include "bw/core/printable.h"
 #include "interrupt.h"
 #include "verbs.h"
 
@@ -70,6 +71,7 @@ int run(int argc, char** argv) {
   app.get_formatter()->column_width(34);
   Work work;
   addNumericVerbs(app, session, work);
+  addInfoVerb(app, session, work);
   addSurfaceVerbs(app, session, work);
   addProgramVerbs(app, session, work);
   addCommon(app);
@@ -105,10 +107,12 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   // A file that outgrows a limit is a failed write with a message, not a death by signal.
   std::signal(SIGXFSZ, SIG_IGN);
+  // So is a result for a reader that went away; a message that nobody reads is no reason to end a job.
+  std::signal(SIGPIPE, SIG_IGN);
   try {
     return run(argc, argv);
   } catch (const std::exception& e) {
-    std::cerr << "blade: an internal error: " << e.what() << "\n";
+    std::cerr << "blade: an internal error: " << bw::printable(e.what()) << "\n";
     return kInternal;
   }
 }

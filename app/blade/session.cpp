@@ -3,13 +3,16 @@
 
 #include "session.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "bw/pipeline/earlier_files.h"
+#include "bw/core/printable.h"
+#include "bw/pipeline/result_folder.h"
+#include "bw/pipeline/run_identity.h"
 #include "interrupt.h"
 
 namespace bw::cli {
@@ -45,15 +48,14 @@ int Session::complain(const Error& error) const {
                      -1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
               << "\n";
   } else {
-    std::cerr << "blade: " << error.message << "\n";
+    std::cerr << "blade: " << printable(error.message) << "\n";
   }
   return statusOf(error.code);
 }
 
 Result<std::string> Session::readInput(const std::string& name) const {
-  if (name != "-") return readFile(name);
-  std::string bytes((std::istreambuf_iterator<char>(std::cin)), std::istreambuf_iterator<char>());
-  return bytes;
+  return name == "-" ? readDescriptor(STDIN_FILENO, "standard input", kLargestText)
+                     : readFile(name, kLargestText);
 }
 
 Result<void> Session::writeOutput(const std::string& name, const std::string& bytes) const {
@@ -70,22 +72,25 @@ Result<void> Session::writeOutput(const std::string& name, const std::string& by
 }
 
 Result<void> Session::writeFiles(const FileSet& files, const std::filesystem::path& folder,
-                                 const std::filesystem::path& source) const {
+                                 const std::filesystem::path& source,
+                                 const std::optional<pipeline::FolderState>& seen) const {
   endProgress();
   const auto count = [](std::size_t n) { return std::to_string(n) + (n == 1 ? " file" : " files"); };
-  std::cerr << "writing " << count(files.paths().size()) << " to " << folder.string() << ":\n";
-  for (const std::filesystem::path& path : files.paths()) std::cerr << "  " << path.generic_string() << "\n";
+  std::cerr << "writing " << count(files.paths().size()) << " to " << printable(folder.string()) << ":\n";
+  for (const std::filesystem::path& path : files.paths())
+    std::cerr << "  " << printable(path.generic_string()) << "\n";
   const Interrupt::Commit commit;
   if (stop.stop_requested()) return stoppedError();
   std::vector<std::filesystem::path> kept = {source};
   for (const std::filesystem::path& input : inputs)
     if (input.extension() != kDesignSuffix) kept.push_back(input);  // a design is written as it was read
   const Result<std::vector<std::filesystem::path>> removed =
-      pipeline::commitAfresh(files, folder, kept, context());
+      pipeline::commitAfresh(files, folder, kept, context(), seen);
   if (!removed) return tl::unexpected<Error>(removed.error());
   if (removed->empty()) return {};
   std::cerr << "removed " << count(removed->size()) << " of an earlier run:\n";
-  for (const std::filesystem::path& path : *removed) std::cerr << "  " << path.generic_string() << "\n";
+  for (const std::filesystem::path& path : *removed)
+    std::cerr << "  " << printable(path.generic_string()) << "\n";
   return {};
 }
 
@@ -98,13 +103,15 @@ Result<Design> designOf(const std::string& path) {
         ErrorCode::cannotRead,
         path + " holds no " + kDesignFile + "; give a folder that blade rationalize wrote, or a design file",
         path);
+  if (Result<void> ok = pipeline::checkOneRun(path, kDesignFile); !ok)
+    return tl::unexpected<Error>(ok.error());
   return loadDesign(inside);
 }
 
 void Session::tell(const Issues& issues) const {
   endProgress();
   for (const Issue& issue : issues)
-    std::cerr << severityName(issue.severity) << ": " << issue.message << "\n";
+    std::cerr << severityName(issue.severity) << ": " << printable(issue.message) << "\n";
 }
 
 }  // namespace bw::cli

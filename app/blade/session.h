@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,18 +13,19 @@
 #include "bw/core/result.h"
 #include "bw/core/run_context.h"
 #include "bw/pipeline/exit_status.h"
+#include "bw/pipeline/pipeline.h"
+#include "bw/pipeline/result_folder.h"
 
 namespace bw::cli {
 
 using enum pipeline::ExitStatus;
 using pipeline::statusOf;
 
-/// The design file that lies beside the results, so that they can be shown and exported again.
-inline constexpr const char* kDesignFile = "design.bladewright";
+using pipeline::kDesignFile;
 
 inline constexpr const char* kDesignSuffix = ".bladewright";
 
-/// Reads a design file, or the one in a folder of results.
+/// Reads a design file, or the one in a folder of results, if that is of the run that its report.json is of.
 Result<Design> designOf(const std::string& path);
 
 /// What all verbs share: the options that every verb has, and how to speak.
@@ -43,9 +45,11 @@ struct Session {
   /// Standard output for "-", else the file, atomically; not one of `inputs`.
   Result<void> writeOutput(const std::string& name, const std::string& bytes) const;
   /// Tells the list of files on standard error, then writes them all or none, and not over `inputs` or
-  /// `source`; last, removes what an earlier run left there of programs, and tells that list too.
+  /// `source`, in place of what an earlier run left there of programs; tells that list too. With `seen`,
+  /// nothing if another run was put there since.
   Result<void> writeFiles(const FileSet& files, const std::filesystem::path& folder,
-                          const std::filesystem::path& source = {}) const;
+                          const std::filesystem::path& source = {},
+                          const std::optional<pipeline::FolderState>& seen = std::nullopt) const;
   /// Findings in words on standard error.
   void tell(const Issues& issues) const;
   /// Removes the progress bar from the line.

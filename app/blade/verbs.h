@@ -18,6 +18,7 @@ using Work = std::function<int()>;
 /// Each adds its verbs to `app`; the chosen one puts its work into `work`.
 void addBiarcVerb(CLI::App& app, const Session& session, Work& work);
 void addNumericVerbs(CLI::App& app, const Session& session, Work& work);
+void addInfoVerb(CLI::App& app, const Session& session, Work& work);
 void addSurfaceVerbs(CLI::App& app, const Session& session, Work& work);
 void addProgramVerbs(CLI::App& app, const Session& session, Work& work);
 

@@ -23,6 +23,9 @@ struct Options {
   bool closed = false;
 };
 
+/// Where a case with its options stands: {"cases": [{"points": [[x, y], …]}]}, and a little more.
+constexpr int kDeepest = 16;
+
 /// The keys of the command line enter every case of the input and win over its own.
 Result<std::string> withOptions(const std::string& text, const Options& options) {
   json keys = json::object();
@@ -33,8 +36,13 @@ Result<std::string> withOptions(const std::string& text, const Options& options)
   if (!options.distance.empty()) keys["distance"] = options.distance;
   if (options.closed) keys["closed"] = true;
   if (keys.empty()) return text;
-  json input = json::parse(text, nullptr, false);
-  if (!input.is_object()) return text;  // the verb says what is wrong with it
+  bool deep = false;
+  const auto watch = [&deep](int depth, json::parse_event_t, json&) {
+    deep = deep || depth > kDeepest;
+    return !deep;
+  };
+  json input = json::parse(text, watch, false);
+  if (deep || !input.is_object()) return text;  // the verb says what is wrong with it
   if (input.contains("cases") && input["cases"].is_array()) {
     for (json& object : input["cases"])
       if (object.is_object()) object.update(keys);

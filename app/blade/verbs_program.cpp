@@ -6,7 +6,9 @@
 
 #include "bw/core/cell.h"
 #include "bw/core/design.h"
+#include "bw/core/printable.h"
 #include "bw/pipeline/pipeline.h"
+#include "bw/pipeline/run_identity.h"
 #include "bw/robotio/program.h"
 #include "verbs.h"
 
@@ -27,6 +29,7 @@ int runExport(const Session& session, const ExportOptions& options, bool despite
   design->job.programs = options.formats;
   const Result<Cell> cell = loadCell(design->job.cell);
   if (!cell) return session.complain(cell.error());
+  const pipeline::FolderState before = pipeline::folderState(options.out);
   const pipeline::Outcome outcome = pipeline::evaluate(*design, nullptr, session.context());
   session.tell(outcome.evaluation.issues());
   if (outcome.error) return session.complain(*outcome.error);
@@ -38,22 +41,50 @@ int runExport(const Session& session, const ExportOptions& options, bool despite
   if (!files->paths().empty()) {
     FileSet all;
     all.append(std::move(*files), "strip-0");
-    if (Result<void> ok = session.writeFiles(all, options.out); !ok) return session.complain(ok.error());
+    if (Result<void> ok = session.writeFiles(all, options.out, {}, before); !ok)
+      return session.complain(ok.error());
   }
   return resultStatus(outcome.evaluation);
+}
+
+/// True if a folder holds modules, or lists of them, at any depth at which programs lie.
+bool holdsRapid(const std::filesystem::path& folder) {
+  std::error_code error;
+  for (std::filesystem::recursive_directory_iterator it(folder, error), end; !error && it != end;
+       it.increment(error)) {
+    const std::string suffix = lowerSuffix(it->path());
+    if (suffix == ".mod" || suffix == ".modx" || suffix == ".pgf") return true;
+    if (it.depth() >= 3) it.disable_recursion_pending();
+  }
+  return false;
+}
+
+/// What is found about one folder or file.
+Result<Issues> findingsOf(const std::filesystem::path& path) {
+  Issues issues = pipeline::compareWithReport(path);
+  std::error_code error;
+  const bool isResult = pipeline::isResultFolder(path);
+  if (isResult && !holdsRapid(path)) return issues;  // the design has none
+  const std::filesystem::path programs = path / "programs";
+  const Result<robotio::Program> program =
+      robotio::loadProgram(isResult && std::filesystem::is_directory(programs, error) ? programs : path);
+  if (!program) return tl::unexpected<Error>(program.error());
+  const Issues broken = robotio::checkRapid(*program);
+  issues.insert(issues.end(), broken.begin(), broken.end());
+  return issues;
 }
 
 int runCheck(const Session& session, const std::vector<std::string>& paths) {
   int status = kDone;
   for (const std::string& path : paths) {
-    const Result<robotio::Program> program = robotio::loadProgram(path);
-    if (!program) return session.complain(program.error());
-    const Issues issues = robotio::checkRapid(*program);
-    for (const Issue& issue : issues)
-      std::cout << path << ": " << severityName(issue.severity) << ": " << issue.where.text << ": "
-                << issue.message << " [" << issue.kind << "]\n";
-    if (hasErrors(issues)) status = kLimitExceeded;
-    if (issues.empty()) std::cout << path << ": no findings\n";
+    const Result<Issues> issues = findingsOf(path);
+    if (!issues) return session.complain(issues.error());
+    for (const Issue& issue : *issues)
+      std::cout << printable(path + ": " + severityName(issue.severity) + ": " + issue.where.text + ": " +
+                             issue.message + " [" + issue.kind + "]")
+                << "\n";
+    if (hasErrors(*issues)) status = kLimitExceeded;
+    if (issues->empty()) std::cout << printable(path) << ": no findings\n";
   }
   return status;
 }
@@ -91,12 +122,14 @@ void addProgramVerbs(CLI::App& app, const Session& session, Work& work) {
     });
   }
   {
-    CLI::App* verb =
-        app.add_subcommand("check", "Apply the rules for robot programs to a program folder or file");
+    CLI::App* verb = app.add_subcommand("check",
+                                        "Apply the rules for robot programs to results, a program folder or "
+                                        "a file; whether all is of one run");
     const auto paths = std::make_shared<std::vector<std::string>>();
-    verb->add_option("PROGRAM", *paths, "Folders with T_ROB1/, T_ROB2/, …, or single module files")
+    verb->add_option("PROGRAM", *paths,
+                     "Folders of results, folders with T_ROB1/, T_ROB2/, …, or single module files")
         ->required();
-    verb->footer("Example:\n  blade check out/panel/programs/strip-0");
+    verb->footer("Example:\n  blade check out/panel");
     verb->callback(
         [&session, &work, paths] { work = [&session, paths] { return runCheck(session, *paths); }; });
   }

@@ -9,6 +9,7 @@
 
 #include "bw/core/cell.h"
 #include "bw/core/design.h"
+#include "bw/core/maps.h"
 #include "bw/core/number_text.h"
 #include "bw/core/units.h"
 #include "bw/geometry/export.h"
@@ -25,34 +26,20 @@ using nlohmann::ordered_json;
 
 namespace {
 
-ordered_json vec(const Eigen::Vector3d& v) { return {v.x() + 0.0, v.y() + 0.0, v.z() + 0.0}; }
-
-ordered_json boundsJson(const Bounds& b) {
-  return b.valid() ? ordered_json{{"min", vec(b.min)}, {"max", vec(b.max)}} : ordered_json(nullptr);
+/// What `render --field` takes: the maps, and none of them.
+std::vector<std::string> fieldNames() {
+  std::vector<std::string> names;
+  for (const MapInfo& map : cutMaps()) names.push_back(map.name);
+  names.push_back("none");
+  return names;
 }
 
-int runInfo(const Session& session, const std::string& file, const std::string& out) {
-  const Result<geometry::CadModel> model = geometry::CadModel::read(file, session.context());
-  if (!model) return session.complain(model.error());
-  const geometry::CadInfo info = model->infoWithCurvatures();
-  ordered_json object = {{"file", file},           {"format", info.format},
-                         {"unit", info.unit},      {"solids", info.solids},
-                         {"shells", info.shells},  {"faces", info.faces},
-                         {"edges", info.edges},    {"bounds_mm", boundsJson(info.bounds)},
-                         {"healing", info.healing}};
-  ordered_json faces = ordered_json::array();
-  for (const geometry::FaceInfo& face : info.faceList)
-    faces.push_back({{"index", face.index},
-                     {"type", face.type},
-                     {"bounds_mm", boundsJson(face.bounds)},
-                     {"size_mm", vec(face.bounds.size())},
-                     {"area_mm2", face.area},
-                     {"curvature_range", {face.curvatureMin, face.curvatureMax}}});
-  object["face_list"] = faces;
-  session.endProgress();
-  const Result<void> ok =
-      session.writeOutput(out, object.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n");
-  return ok ? int(kDone) : session.complain(ok.error());
+/// The same in words, with `last` before the last.
+std::string fieldWords(const std::string& last) {
+  const std::vector<std::string> names = fieldNames();
+  std::string words = names.front();
+  for (std::size_t i = 1; i < names.size(); ++i) words += (i + 1 == names.size() ? last : ", ") + names[i];
+  return words;
 }
 
 /// True if a file's name says that it holds something else than one of `suffixes`. A name without a suffix
@@ -74,40 +61,26 @@ void tellSummary(const pipeline::Evaluation& e) {
             << fixedText(e.seconds.total, 2) << " s\n";
 }
 
-/// A source up to this size is embedded there; a larger one is linked.
-constexpr std::uintmax_t kEmbedLimit = 8u << 20;
-
-Result<Design> withEmbeddedSource(const Design& design) {
-  Design result = design;
-  std::error_code error;
-  if (result.source.bytes.empty() && fs::file_size(result.source.path, error) <= kEmbedLimit && !error) {
-    Result<std::string> bytes = readFile(result.source.path);
-    if (!bytes) return tl::unexpected<Error>(bytes.error());
-    result.source.bytes = std::move(*bytes);
-    result.source.path = result.source.path.filename();
-  } else if (result.source.bytes.empty()) {
-    result.source.path = fs::absolute(result.source.path, error);
-  }
-  return result;
-}
-
 int runDesign(const Session& session, const Design& design, const std::string& out, bool despiteErrors) {
   if (!design.job.programs.empty()) {  // before the work, not after it
     const Result<Cell> cell = loadCell(design.job.cell);
     if (!cell) return session.complain(cell.error());
   }
+  const pipeline::FolderState before = pipeline::folderState(out);
   pipeline::Outcome outcome = pipeline::evaluate(design, nullptr, session.context());
   session.tell(outcome.evaluation.issues());
   if (outcome.error) return session.complain(*outcome.error);
+  const Result<Design> stored = pipeline::storedDesign(design);
+  if (!stored) return session.complain(stored.error());
+  FileSet designFile;
+  designFile.add(kDesignFile, designToJson(*stored));
   Result<FileSet> files =
-      pipeline::resultFiles(outcome.evaluation, session.context(), programPolicy(despiteErrors));
+      pipeline::resultFiles(outcome.evaluation, session.context(), programPolicy(despiteErrors), designFile);
   session.tell(outcome.evaluation.programs);
   if (!files) return session.complain(files.error());
-  const Result<Design> stored = withEmbeddedSource(design);
-  if (!stored) return session.complain(stored.error());
-  files->add(kDesignFile, designToJson(*stored));
   const fs::path source = design.source.bytes.empty() ? design.source.path : fs::path();
-  if (Result<void> ok = session.writeFiles(*files, out, source); !ok) return session.complain(ok.error());
+  if (Result<void> ok = session.writeFiles(*files, out, source, before); !ok)
+    return session.complain(ok.error());
   tellSummary(outcome.evaluation);
   return resultStatus(outcome.evaluation);
 }
@@ -148,18 +121,15 @@ int runRender(const Session& session, const RenderOptions& options) {
     return session.complain(
         {ErrorCode::badInput,
          "--size must be WIDTHxHEIGHT with 64 to 8192 pixels each, not \"" + options.size + "\"", "size"});
-  const std::vector<std::string> fields = {"deviation", "angle",  "speed", "relative_speed",
-                                           "curvature", "stress", "none"};
+  const std::vector<std::string> fields = fieldNames();
   std::string field = options.field;
   if (std::find(fields.begin(), fields.end(), field) == fields.end()) {
     const std::string nearest = nearestWord(field, fields.data(), int(fields.size()));
-    return session.complain(
-        {ErrorCode::badInput,
-         "there is no field \"" + field + "\"" +
-             (nearest.empty()
-                  ? "; the fields are deviation, angle, speed, relative_speed, curvature, stress and none"
-                  : "; did you mean \"" + nearest + "\"?"),
-         "field"});
+    return session.complain({ErrorCode::badInput,
+                             "there is no field \"" + field + "\"" +
+                                 (nearest.empty() ? "; the fields are " + fieldWords(" and ")
+                                                  : "; did you mean \"" + nearest + "\"?"),
+                             "field"});
   }
   if (saysOtherwise(options.out, {".png"}))
     return session.complain({ErrorCode::badInput,
@@ -168,6 +138,7 @@ int runRender(const Session& session, const RenderOptions& options) {
   const Result<Design> design = designOf(options.path);
   if (!design) return session.complain(design.error());
   const pipeline::Outcome outcome = pipeline::evaluate(*design, nullptr, session.context());
+  session.tell(outcome.evaluation.source.issues);
   if (outcome.error) return session.complain(*outcome.error);
   scene::Scene scene;
   scene.setContent(pipeline::sceneContent(outcome.evaluation));
@@ -178,7 +149,8 @@ int runRender(const Session& session, const RenderOptions& options) {
   style.tolerance = design->job.tolerance;
   style.playhead = 0.5 * double(outcome.evaluation.sweep.value->sweep.stations.size() - 1);
   scene.setStyle(style);
-  scene.setCamera(scene.fitCamera(*view, double(width) / height));
+  scene.setCamera(
+      scene.fitFrom(scene::directionOf(*view), *view != scene::View::iso, double(width) / height));
   const Result<scene::Picture> picture = scene.render(width, height);
   if (!picture) return session.complain(picture.error());
   const Result<std::string> png = scene::pngBytes(*picture);
@@ -223,18 +195,6 @@ int resultStatus(const pipeline::Evaluation& evaluation) {
 void addSurfaceVerbs(CLI::App& app, const Session& session, Work& work) {
   {
     CLI::App* verb =
-        app.add_subcommand("info", "What a CAD file holds: unit, faces, sizes, curvature, healing");
-    const auto file = std::make_shared<std::string>();
-    const auto out = std::make_shared<std::string>("-");
-    verb->add_option("FILE", *file, "STEP, IGES or BREP file")->required();
-    verb->add_option("--out", *out, "Output file, - for standard output")->type_name("FILE");
-    verb->footer("Example:\n  blade info panel.step");
-    verb->callback([&session, &work, file, out] {
-      work = [&session, file, out] { return runInfo(session, *file, *out); };
-    });
-  }
-  {
-    CLI::App* verb =
         app.add_subcommand("rationalize", "From a CAD surface to a blade sweep, its report and its programs");
     const auto file = std::make_shared<std::string>();
     const auto job = std::make_shared<std::string>();
@@ -270,9 +230,7 @@ void addSurfaceVerbs(CLI::App& app, const Session& session, Work& work) {
     CLI::App* verb = app.add_subcommand("render", "A picture of a result or a design, without a display");
     const auto options = std::make_shared<RenderOptions>();
     verb->add_option("PATH", options->path, "Folder of results, or a .bladewright file")->required();
-    verb->add_option("--field", options->field,
-                     "deviation, angle, speed, relative_speed, curvature, stress or none")
-        ->type_name("NAME");
+    verb->add_option("--field", options->field, fieldWords(" or "))->type_name("NAME");
     verb->add_option("--view", options->view, "iso, top, bottom, front, back, left or right")
         ->type_name("NAME");
     verb->add_option("--size", options->size, "Size in pixels")->type_name("WxH");

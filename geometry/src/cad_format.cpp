@@ -7,13 +7,14 @@
 #include <cctype>
 #include <cstdlib>
 #include <filesystem>
-#include <vector>
+
+#include "step_scan.h"
 
 namespace bw::geometry {
 
 namespace {
 
-constexpr std::size_t kMaxStepDigits = 9;  // of an entity's number: OCCT keeps it in 32 bits
+constexpr char kEndOfFile = 0x1a;  // some programs close a text with it
 
 /// The last words that a complete file of the format ends with.
 bool complete(std::string_view bytes, CadFormat format) {
@@ -28,43 +29,6 @@ bool complete(std::string_view bytes, CadFormat format) {
     return last.size() > 72 && last[72] == 'T';
   }
   return true;
-}
-
-/// Passes over a string, comment or any other character of a STEP text; `at` must be inside it.
-std::size_t nextStepToken(std::string_view text, std::size_t at) {
-  if (text[at] == '\'') {
-    const std::size_t end = text.find('\'', at + 1);
-    return end == std::string_view::npos ? text.size() : end + 1;
-  }
-  if (text.compare(at, 2, "/*") == 0) {
-    const std::size_t end = text.find("*/", at + 2);
-    return end == std::string_view::npos ? text.size() : end + 2;
-  }
-  return at + 1;
-}
-
-/// Every entity of a STEP text has a number of its own, between 1 and 10⁹ − 1.
-std::string stepFault(std::string_view text) {
-  std::vector<long> numbers;
-  for (std::size_t at = 0; at < text.size(); at = nextStepToken(text, at)) {
-    if (text[at] != '#') continue;
-    std::size_t end = at + 1;
-    while (end < text.size() && std::isdigit(static_cast<unsigned char>(text[end]))) ++end;
-    const std::string_view digits = text.substr(at + 1, end - at - 1);
-    while (end < text.size() && std::isspace(static_cast<unsigned char>(text[end]))) ++end;
-    const bool defines = end < text.size() && text[end] == '=';
-    if (digits.empty() || digits.size() > kMaxStepDigits ||
-        digits.find_first_not_of('0') == std::string_view::npos) {
-      return "\"#" + std::string(digits) +
-             "\" is not the number of an entity; the file is damaged: copy or export it again";
-    }
-    if (defines) numbers.push_back(std::strtol(std::string(digits).c_str(), nullptr, 10));
-  }
-  std::sort(numbers.begin(), numbers.end());
-  const auto twice = std::adjacent_find(numbers.begin(), numbers.end());
-  if (twice == numbers.end()) return {};
-  return "its entity #" + std::to_string(*twice) +
-         " is there twice; the file is damaged: copy or export it again";
 }
 
 /// A BREP text is complete if it names each of its tables, no table claims more entries than the file has
@@ -93,6 +57,16 @@ std::string brepFault(std::string_view text) {
   return {};
 }
 
+/// Without the blanks and comments that a text begins with.
+std::string_view withoutComments(std::string_view text) {
+  text = trimmedLeft(text);
+  while (text.substr(0, 2) == "/*") {
+    const std::size_t end = text.find("*/", 2);
+    text = end == std::string_view::npos ? std::string_view() : trimmedLeft(text.substr(end + 2));
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string lowerCase(std::string_view text) {
@@ -103,7 +77,8 @@ std::string lowerCase(std::string_view text) {
 }
 
 std::string_view trimmedRight(std::string_view text) {
-  while (!text.empty() && (std::isspace(static_cast<unsigned char>(text.back())) || text.back() == '\0')) {
+  while (!text.empty() && (std::isspace(static_cast<unsigned char>(text.back())) || text.back() == '\0' ||
+                           text.back() == kEndOfFile)) {
     text.remove_suffix(1);
   }
   return text;
@@ -114,8 +89,12 @@ std::string_view trimmedLeft(std::string_view text) {
   return text;
 }
 
+std::string_view withoutMark(std::string_view text) {
+  return text.substr(0, 3) == "\xef\xbb\xbf" ? text.substr(3) : text;
+}
+
 CadFormat formatOfContent(std::string_view bytes) {
-  const std::string_view head = trimmedLeft(bytes.substr(0, 4096));
+  const std::string_view head = withoutComments(bytes.substr(0, 65536));
   if (head.substr(0, 12) == "ISO-10303-21") return CadFormat::step;
   if (head.substr(0, 19) == "DBRep_DrawableShape" || head.substr(0, 16) == "CASCADE Topology")
     return CadFormat::brep;
@@ -127,7 +106,7 @@ CadFormat formatOfContent(std::string_view bytes) {
 
 CadFormat formatOfSuffix(const std::string& name) {
   const std::string suffix = lowerCase(std::filesystem::path(name).extension().string());
-  if (suffix == ".step" || suffix == ".stp" || suffix == ".p21") return CadFormat::step;
+  if (suffix == ".step" || suffix == ".stp" || suffix == ".p21" || suffix == ".stpz") return CadFormat::step;
   if (suffix == ".iges" || suffix == ".igs") return CadFormat::iges;
   if (suffix == ".brep" || suffix == ".brp" || suffix == ".rle") return CadFormat::brep;
   return CadFormat::unknown;
@@ -152,7 +131,7 @@ std::string faultOf(std::string_view bytes, CadFormat format) {
     return std::string("the ") + formatName(format) +
            " file is cut short (its end mark is missing); copy or export it again";
   }
-  if (format == CadFormat::step) return stepFault(bytes);
+  if (format == CadFormat::step) return stepNumberFault(bytes);
   if (format == CadFormat::brep) return brepFault(bytes);
   return {};
 }

@@ -21,6 +21,8 @@ const char* formatName(CadFormat format);
 /// number. OCCT reads on over such faults and may crash or never return. Empty if nothing is found.
 std::string faultOf(std::string_view bytes, CadFormat format);
 
+/// Without the UTF-8 byte order mark that some programs put first.
+std::string_view withoutMark(std::string_view text);
 std::string lowerCase(std::string_view text);
 std::string_view trimmedLeft(std::string_view text);
 /// Without the blanks and zero bytes at its end.

@@ -8,11 +8,10 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 
-#include <algorithm>
-
 #include "bw/core/file_set.h"
-#include "bw/core/number_text.h"
 #include "cad_reader.h"
+#include "face_groups.h"
+#include "file_unit.h"
 #include "model_impl.h"
 #include "occt.h"
 
@@ -20,35 +19,27 @@ namespace bw::geometry {
 
 namespace {
 
-constexpr double kThin =
-    0.01;  // mm; a face thinner than this cannot be cut, nor told from a fault of its file
-
-/// The width of a face: its area over half its border.
-double widthOf(const FaceGeometry& face, const std::vector<EdgeGeometry>& edges) {
-  double border = 0;
-  for (const TrimEdge& trim : face.trims()) {
-    const auto& points = edges[trim.edge].points;
-    for (std::size_t i = 1; i < points.size(); ++i) border += (points[i] - points[i - 1]).norm();
-  }
-  return border > 0 ? 2 * face.area() / border : std::sqrt(face.area());
-}
-
 Result<std::shared_ptr<const CadModel::Impl>> build(ReadShape read, const std::string& name,
-                                                    const RunContext& context) {
+                                                    const RunContext& context, const ReadOptions& options) {
   auto impl = std::make_shared<CadModel::Impl>();
   impl->name = name;
   impl->shape = read.shape;
   CadInfo& info = impl->info;
   info.format = read.format;
   info.unit = read.unit;
+  info.readAs = options.unit ? lengthUnitName(*options.unit) : read.unit;
+  info.unitLength = unitLength(info.unit);
+  info.readAsLength = options.unit ? millimetres(*options.unit) : info.unitLength;
+  info.sewing = options.sewing;
   info.healing = read.healing;
+  info.leftOut = read.leftOut;
 
-  TopTools_IndexedMapOfShape faces, edges, shells, solids;
-  TopExp::MapShapes(read.shape, TopAbs_FACE, faces);
+  const std::vector<TopoDS_Shape>& faces = read.faces;
+  TopTools_IndexedMapOfShape edges, shells, solids;
   TopExp::MapShapes(read.shape, TopAbs_EDGE, edges);
   TopExp::MapShapes(read.shape, TopAbs_SHELL, shells);
   TopExp::MapShapes(read.shape, TopAbs_SOLID, solids);
-  info.faces = faces.Extent();
+  info.faces = int(faces.size());
   info.edges = edges.Extent();
   info.shells = shells.Extent();
   info.solids = solids.Extent();
@@ -59,19 +50,20 @@ Result<std::shared_ptr<const CadModel::Impl>> build(ReadShape read, const std::s
   impl->edges.reserve(std::size_t(edges.Extent()));
   for (int i = 1; i <= edges.Extent(); ++i) impl->edges.emplace_back(TopoDS::Edge(edges(i)));
 
-  const int count = faces.Extent();
+  const int count = int(faces.size());
   impl->faces.resize(std::size_t(count));
   impl->faceFault.resize(std::size_t(count));
   impl->inSolid.assign(std::size_t(count), false);
   for (int i = 0; i < count; ++i)
-    impl->inSolid[i] = solidOf.Contains(faces(i + 1)) && !solidOf.FindFromKey(faces(i + 1)).IsEmpty();
+    impl->inSolid[i] = solidOf.Contains(faces[i]) && !solidOf.FindFromKey(faces[i]).IsEmpty();
   info.faceList.resize(std::size_t(count));
   const auto done = parallelFor(context, count, [&](int i) {
     FaceInfo& face = info.faceList[i];
     face.index = i;
     face.type = "other";
+    face.name = read.names[i];
     try {
-      impl->faces[i] = FaceGeometry::make(TopoDS::Face(faces(i + 1)), i,
+      impl->faces[i] = FaceGeometry::make(TopoDS::Face(faces[i]), i,
                                           [&](const TopoDS_Edge& e) { return edges.FindIndex(e) - 1; });
       face.type = impl->faces[i]->patch().type();
       face.area = impl->faces[i]->area();
@@ -89,7 +81,7 @@ Result<std::shared_ptr<const CadModel::Impl>> build(ReadShape read, const std::s
   }
   for (int i = 0; i < count; ++i) {
     if (!impl->faces[i]) {
-      info.healing.push_back("face " + std::to_string(i) + " is left out: " + impl->faceFault[i]);
+      info.leftOut.push_back("face " + std::to_string(i) + " is left out: " + impl->faceFault[i]);
     }
   }
   if (!info.bounds.valid() || !info.bounds.min.allFinite() || !info.bounds.max.allFinite()) {
@@ -98,6 +90,10 @@ Result<std::shared_ptr<const CadModel::Impl>> build(ReadShape read, const std::s
                     " faces has finite bounds; trim the surface in the CAD program and export it again",
                 name);
   }
+  info.groups = smoothGroups(*impl);
+  for (const FaceGroup& group : info.groups) {
+    for (const int i : group.faces) info.faceList[i].group = group.index;
+  }
   return impl;
 }
 
@@ -105,102 +101,24 @@ Result<std::shared_ptr<const CadModel::Impl>> build(ReadShape read, const std::s
 
 CadModel::CadModel(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
 
-Result<CadModel> CadModel::read(const std::filesystem::path& file, const RunContext& context) {
+Result<CadModel> CadModel::read(const std::filesystem::path& file, const RunContext& context,
+                                const ReadOptions& options) {
   auto bytes = readFile(file);
   if (!bytes) return tl::unexpected(bytes.error());
-  return readBytes(*bytes, file.string(), context);
+  return readBytes(*bytes, file.string(), context, options);
 }
 
 Result<CadModel> CadModel::readBytes(const std::string& bytes, const std::string& name,
-                                     const RunContext& context) {
-  auto read = readShape(bytes, name, context);
+                                     const RunContext& context, const ReadOptions& options) {
+  auto read = readShape(bytes, name, options, context);
   if (!read) return tl::unexpected(read.error());
   return guarded(ErrorCode::cannotRead, "cannot read " + name, [&]() -> Result<CadModel> {
-    auto impl = build(std::move(*read), name, context);
+    auto impl = build(std::move(*read), name, context, options);
     if (!impl) return tl::unexpected(impl.error());
     return CadModel(std::move(*impl));
   });
 }
 
 const CadInfo& CadModel::info() const { return impl_->info; }
-
-CadInfo CadModel::infoWithCurvatures() const {
-  CadInfo info = impl_->info;
-  for (FaceInfo& face : info.faceList) {
-    if (!impl_->faces[face.index]) continue;
-    try {
-      const auto range = impl_->faces[face.index]->curvatureRange();
-      face.curvatureMin = range[0];
-      face.curvatureMax = range[1];
-    } catch (const Standard_Failure&) {
-      // A surface without second derivatives keeps a range of zero.
-    }
-  }
-  return info;
-}
-
-Result<std::vector<int>> CadModel::choose(const FaceChoice& choice) const {
-  const int count = int(impl_->faces.size());
-  const auto usable = [&](int i) -> Result<void> {
-    if (!impl_->faces[i]) {
-      return fail(ErrorCode::badInput,
-                  "face " + std::to_string(i) + " of " + impl_->name + " cannot be used (" +
-                      impl_->faceFault[i] + "); choose another face",
-                  "face", i);
-    }
-    const double width = widthOf(*impl_->faces[i], impl_->edges);
-    if (!(width >= kThin)) {
-      return fail(ErrorCode::badInput,
-                  "face " + std::to_string(i) + " of " + impl_->name + " is only " + shortText(width) +
-                      " mm wide, less than the tolerance of " + shortText(kThin) + " mm; choose another face",
-                  "face", width, kThin);
-    }
-    return {};
-  };
-  std::vector<int> result;
-  if (choice.kind == FaceChoice::Kind::largest) {
-    int best = -1;
-    for (int i = 0; i < count; ++i) {
-      if (!impl_->faces[i]) continue;
-      if (best < 0 || impl_->faces[i]->area() > impl_->faces[best]->area()) best = i;
-    }
-    if (best < 0)
-      return fail(ErrorCode::badInput, impl_->name + " has no face that can be used", impl_->name);
-    if (auto ok = usable(best); !ok) {
-      ok.error().message += "; it is the largest: check the unit of the file, read as " + impl_->info.unit;
-      return tl::unexpected(ok.error());
-    }
-    result.push_back(best);
-    return result;
-  }
-  if (choice.kind == FaceChoice::Kind::all) {
-    for (int i = 0; i < count; ++i) {
-      if (usable(i)) result.push_back(i);
-    }
-    if (result.empty()) {
-      return fail(ErrorCode::badInput,
-                  "all faces of " + impl_->name + " are thinner than the tolerance of " + shortText(kThin) +
-                      " mm; check the unit of the file",
-                  impl_->name, 0.0, kThin);
-    }
-    return result;
-  }
-  if (choice.indices.empty()) {
-    return fail(ErrorCode::badInput,
-                "no face is chosen; give an index from 0 to " + std::to_string(count - 1), "face");
-  }
-  for (const int i : choice.indices) {
-    if (i < 0 || i >= count) {
-      return fail(ErrorCode::badInput,
-                  "face " + std::to_string(i) + " does not exist: " + impl_->name + " has " +
-                      (count == 1 ? "one face, of index 0"
-                                  : std::to_string(count) + " faces, 0 to " + std::to_string(count - 1)),
-                  "face", i, count - 1);
-    }
-    if (auto ok = usable(i); !ok) return tl::unexpected(ok.error());
-    if (std::find(result.begin(), result.end(), i) == result.end()) result.push_back(i);
-  }
-  return result;
-}
 
 }  // namespace bw::geometry

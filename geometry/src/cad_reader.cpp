@@ -3,103 +3,47 @@
 
 #include "cad_reader.h"
 
-#include <BRepBuilderAPI_Sewing.hxx>
-#include <BRepCheck_Analyzer.hxx>
-#include <BRepLib.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
-#include <BRep_Tool.hxx>
 #include <BinTools.hxx>
 #include <IGESControl_Controller.hxx>
 #include <IGESControl_Reader.hxx>
 #include <IGESData_GlobalSection.hxx>
 #include <IGESData_IGESModel.hxx>
-#include <Interface_Check.hxx>
-#include <Interface_InterfaceModel.hxx>
 #include <Interface_Static.hxx>
 #include <STEPControl_Controller.hxx>
-#include <STEPControl_Reader.hxx>
-#include <ShapeFix_Shape.hxx>
-#include <TColStd_SequenceOfAsciiString.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TopExp.hxx>
-#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
-#include <TopoDS.hxx>
-#include <XSControl_WorkSession.hxx>
+#include <gp_Trsf.hxx>
 
-#include <algorithm>
-#include <cctype>
-#include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <sstream>
+#include <istream>
+#include <ostream>
 #include <string_view>
 
 #include "bw/core/number_text.h"
 #include "cad_format.h"
+#include "compressed.h"
+#include "file_unit.h"
+#include "healing.h"
 #include "isolated.h"
+#include "memory_stream.h"
 #include "occt.h"
+#include "step_reader.h"
 
 namespace bw::geometry {
 
 namespace {
 
-namespace fs = std::filesystem;
+constexpr std::size_t kMemoryLeast = std::size_t(2) << 30;  // bytes that reading may take of any file
+constexpr std::size_t kMemoryPerByte = 60;                  // and more for each byte of it
+constexpr int kSecondsLeast = 20;                           // of computing, likewise
+constexpr std::size_t kBytesPerSecond = 200000;
 
-constexpr double kSewTolerance = 0.01;  // mm; gaps between faces of one surface as CAD programs leave them
-constexpr int kCheckLimit =
-    2000;  // faces up to which a file is checked for faults: the check costs about 1 ms a face
-
-tl::unexpected<Error> unreadable(const std::string& name, const std::string& reason) {
-  return fail(ErrorCode::cannotRead, "cannot read " + name + ": " + reason, name);
-}
-
-std::string unitName(std::string text) {
-  text = lowerCase(text);
-  if (text.find("millimet") != std::string::npos || text == "mm") return "mm";
-  if (text.find("centimet") != std::string::npos || text == "cm") return "cm";
-  if (text.find("kilomet") != std::string::npos || text == "km") return "km";
-  if (text.find("micromet") != std::string::npos || text == "um") return "um";
-  if (text == "metre" || text == "meter" || text == "m") return "m";
-  if (text.find("inch") != std::string::npos || text == "in") return "inch";
-  if (text.find("foot") != std::string::npos || text.find("feet") != std::string::npos || text == "ft")
-    return "foot";
-  if (text.find("mil") == 0) return "mil";
-  if (text.find("mi") == 0) return "mile";
-  return text.empty() ? "mm (assumed)" : text;
-}
-
-Result<ReadShape> readStep(const std::string& bytes, const std::string& name) {
+Result<ReadShape> readIges(std::string_view text, const std::string& name) {
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
-  STEPControl_Reader reader;
-  std::istringstream stream(bytes);
-  if (reader.ReadStream(name.c_str(), stream) != IFSelect_RetDone) {
-    return unreadable(name, "it is not valid STEP; export it again from the CAD program");
-  }
-  // OCCT's translators follow references without looking whether they lead anywhere, so damaged entities must
-  // be found first.
-  const Handle(Interface_InterfaceModel) model = reader.WS()->Model();
-  for (int i = 1; i <= model->NbEntities(); ++i) {
-    const std::string type = model->Value(i)->DynamicType()->Name();
-    if (type.rfind("StepGeom_", 0) != 0 && type.rfind("StepShape_", 0) != 0) continue;
-    const Handle(Interface_Check) check = model->Check(i, Standard_True);
-    if (check.IsNull() || !check->HasFailed()) continue;
-    return unreadable(name, "its entity " + std::string(model->StringLabel(model->Value(i))->ToCString()) +
-                                " is damaged (" + check->CFail(1) + "); copy or export it again");
-  }
-  ReadShape result;
-  result.format = "STEP";
-  TColStd_SequenceOfAsciiString lengths, angles, solidAngles;
-  reader.FileUnits(lengths, angles, solidAngles);
-  result.unit = lengths.IsEmpty() ? "mm (assumed)" : unitName(lengths.First().ToCString());
-  if (reader.TransferRoots() > 0) result.shape = reader.OneShape();
-  return result;
-}
-
-Result<ReadShape> readIges(const std::string& bytes, const std::string& name) {
-  Interface_Static::SetCVal("xstep.cascade.unit", "MM");
-  const MemoryFile file(bytes);
+  const MemoryFile file(text);
   if (!file.good()) return unreadable(name, "the memory does not suffice for a copy of it");
   IGESControl_Reader reader;
   reader.SetReadVisible(false);
@@ -117,11 +61,12 @@ Result<ReadShape> readIges(const std::string& bytes, const std::string& name) {
   return result;
 }
 
-Result<ReadShape> readBrep(const std::string& bytes) {
+Result<ReadShape> readBrep(std::string_view text) {
   ReadShape result;
   result.format = "BREP";
   result.unit = "mm (assumed)";
-  std::istringstream stream(bytes);
+  BytesBuffer buffer(text);
+  std::istream stream(&buffer);
   BRep_Builder builder;
   BRepTools::Read(result.shape, stream, builder);
   return result;
@@ -133,55 +78,23 @@ int countOf(const TopoDS_Shape& shape, TopAbs_ShapeEnum type) {
   return map.Extent();
 }
 
-/// True if no two faces share an edge.
-bool loose(const TopoDS_Shape& shape) {
-  TopTools_IndexedDataMapOfShapeListOfShape faces;
-  TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, faces);
-  for (int i = 1; i <= faces.Extent(); ++i) {
-    const TopTools_ListOfShape& list = faces(i);
-    for (const TopoDS_Shape& face : list) {
-      if (!face.IsSame(list.First())) return false;
-    }
+/// Takes the numbers of the file as lengths in `unit`, whatever unit it states.
+Result<void> readAs(ReadShape& read, LengthUnit unit, const std::string& name) {
+  const double stated = unitLength(read.unit);
+  if (!(stated > 0)) {
+    return fail(ErrorCode::badInput,
+                name + " states its lengths in \"" + read.unit +
+                    "\", which cannot be read as another unit; leave out \"unit\" to read it as stated",
+                "unit");
   }
-  return true;
-}
-
-void heal(ReadShape& read) {
-  const int faces = countOf(read.shape, TopAbs_FACE);
-  if (faces <= kCheckLimit && !BRepCheck_Analyzer(read.shape).IsValid()) {
-    ShapeFix_Shape fixer(read.shape);
-    if (fixer.Perform()) {
-      read.shape = fixer.Shape();
-      read.healing.push_back(BRepCheck_Analyzer(read.shape).IsValid()
-                                 ? "faces or edges with faults were repaired"
-                                 : "faces or edges with faults were repaired in part; some faults remain");
-    } else {
-      read.healing.push_back("some faces or edges have faults that could not be repaired");
-    }
-  }
-  if (faces > 1 && loose(read.shape)) {
-    BRepBuilderAPI_Sewing sewing(kSewTolerance);
-    sewing.Add(read.shape);
-    sewing.Perform();
-    const TopoDS_Shape sewn = sewing.SewedShape();
-    if (!sewn.IsNull() && countOf(sewn, TopAbs_FACE) == faces && !loose(sewn)) {
-      read.shape = sewn;
-      read.healing.push_back(std::to_string(faces) +
-                             " separate faces were sewn together where their edges meet within " +
-                             shortText(kSewTolerance) + " mm");
-    }
-  }
-  BRepLib::BuildCurves3d(read.shape);
-  TopTools_IndexedMapOfShape edges;
-  TopExp::MapShapes(read.shape, TopAbs_EDGE, edges);
-  int bare = 0;
-  for (int i = 1; i <= edges.Extent(); ++i) {
-    const TopoDS_Edge edge = TopoDS::Edge(edges(i));
-    double first = 0, last = 0;
-    if (!BRep_Tool::Degenerated(edge) && BRep_Tool::Curve(edge, first, last).IsNull()) ++bare;
-  }
-  if (bare > 0)
-    read.healing.push_back(std::to_string(bare) + " edges have no curve in space and are passed over");
+  const double scale = millimetres(unit) / stated;
+  if (scale == 1) return {};
+  gp_Trsf larger;
+  larger.SetScaleFactor(scale);
+  BRepBuilderAPI_Transform transform(read.shape, larger, Standard_True);
+  for (TopoDS_Shape& face : read.faces) face = transform.ModifiedShape(face);
+  read.shape = transform.Shape();
+  return {};
 }
 
 /// Fills the static tables of OCCT's translators before the first process is forked that needs them.
@@ -194,13 +107,17 @@ void prepareTranslators() {
   static_cast<void>(ready);
 }
 
-Result<ReadShape> readAndHeal(const std::string& bytes, const std::string& name, CadFormat format) {
+Result<ReadShape> readAndHeal(std::string_view text, const std::string& name, CadFormat format,
+                              const ReadOptions& options) {
   auto read = guarded(ErrorCode::cannotRead, "cannot read " + name, [&]() -> Result<ReadShape> {
-    auto raw = format == CadFormat::step   ? readStep(bytes, name)
-               : format == CadFormat::iges ? readIges(bytes, name)
-                                           : readBrep(bytes);
+    auto raw = format == CadFormat::step   ? readStep(text, name)
+               : format == CadFormat::iges ? readIges(text, name)
+                                           : readBrep(text);
     if (!raw) return raw;
-    if (raw->shape.IsNull() || countOf(raw->shape, TopAbs_FACE) == 0) {
+    if (raw->faces.empty()) raw->faces = facesOf(raw->shape);
+    raw->names.resize(raw->faces.size());
+    if (raw->faces.empty()) {
+      if (!raw->leftOut.empty()) return unreadable(name, raw->leftOut.back());
       std::string what = "it holds no faces";
       if (!raw->shape.IsNull() && countOf(raw->shape, TopAbs_EDGE) > 0) {
         what += ", only " + std::to_string(countOf(raw->shape, TopAbs_EDGE)) + " edges";
@@ -209,14 +126,17 @@ Result<ReadShape> readAndHeal(const std::string& bytes, const std::string& name,
                   name + " cannot be used: " + what + "; export a surface or a solid, not curves or a mesh",
                   name, 0, 1);
     }
-    heal(*raw);
+    if (options.unit) {
+      if (auto ok = readAs(*raw, *options.unit, name); !ok) return tl::unexpected(ok.error());
+    }
+    heal(*raw, options.sewing);
     return raw;
   });
   if (!read) read.error().where = name;
   return read;
 }
 
-/// A result as bytes: an error's code and texts, or the shape and what is known of it.
+/// A result as bytes: an error's code and texts, or what is known of the shape and the shape itself.
 std::string packed(const Result<ReadShape>& read) {
   std::string bytes;
   if (!read) {
@@ -228,11 +148,21 @@ std::string packed(const Result<ReadShape>& read) {
   appendText(bytes, "");
   appendText(bytes, read->format);
   appendText(bytes, read->unit);
-  appendText(bytes, std::to_string(read->healing.size()));
-  for (const std::string& line : read->healing) appendText(bytes, line);
-  std::ostringstream shape;
-  BinTools::Write(read->shape, shape);
-  appendText(bytes, shape.str());
+  for (const auto* lines : {&read->healing, &read->leftOut}) {
+    appendText(bytes, std::to_string(lines->size()));
+    for (const std::string& line : *lines) appendText(bytes, line);
+  }
+  // Faces are told by their place among those that the shape is met in.
+  TopTools_IndexedMapOfShape met;
+  TopExp::MapShapes(read->shape, TopAbs_FACE, met);
+  appendText(bytes, std::to_string(read->faces.size()));
+  for (std::size_t i = 0; i < read->faces.size(); ++i) {
+    appendText(bytes, std::to_string(met.FindIndex(read->faces[i])));
+    appendText(bytes, read->names[i]);
+  }
+  AppendBuffer buffer(bytes);
+  std::ostream stream(&buffer);
+  BinTools::Write(read->shape, stream);
   return bytes;
 }
 
@@ -247,34 +177,46 @@ Result<ReadShape> unpacked(std::string_view bytes, const std::string& name) {
     return fail(ErrorCode(std::stoi(code)), text, name);
   }
   ReadShape read;
-  if (!takeText(bytes, read.format) || !takeText(bytes, read.unit) || !takeText(bytes, count))
-    return broken();
-  read.healing.resize(std::stoul(count));
-  for (std::string& line : read.healing) {
-    if (!takeText(bytes, line)) return broken();
+  if (!takeText(bytes, read.format) || !takeText(bytes, read.unit)) return broken();
+  for (auto* lines : {&read.healing, &read.leftOut}) {
+    if (!takeText(bytes, count)) return broken();
+    lines->resize(std::stoul(count));
+    for (std::string& line : *lines) {
+      if (!takeText(bytes, line)) return broken();
+    }
   }
-  if (!takeText(bytes, text)) return broken();
+  if (!takeText(bytes, count)) return broken();
+  std::vector<int> places(std::stoul(count));
+  read.names.resize(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (!takeText(bytes, text) || !takeText(bytes, read.names[i])) return broken();
+    places[i] = std::stoi(text);
+  }
   return guarded(ErrorCode::cannotRead, "cannot read " + name, [&]() -> Result<ReadShape> {
-    std::istringstream shape(text);
-    BinTools::Read(read.shape, shape);
-    if (read.shape.IsNull()) return broken();
+    BytesBuffer buffer(bytes);
+    std::istream stream(&buffer);
+    BinTools::Read(read.shape, stream);
+    const std::vector<TopoDS_Shape> met = facesOf(read.shape);
+    for (const int place : places) {
+      if (place < 1 || place > int(met.size())) return broken();
+      read.faces.push_back(met[std::size_t(place) - 1]);
+    }
     return std::move(read);
   });
 }
 
-}  // namespace
-
-Result<ReadShape> readShape(const std::string& bytes, const std::string& name, const RunContext& context) {
-  silenceOcct();
-  if (trimmedRight(bytes).empty()) {
+/// Reads a CAD text that is not packed.
+Result<ReadShape> readText(std::string_view text, const std::string& name, const ReadOptions& options,
+                           const RunContext& context) {
+  text = withoutMark(text);
+  if (trimmedRight(text).empty()) {
     return unreadable(name, "the file is empty; export it again from the CAD program");
   }
-  const CadFormat content = formatOfContent(bytes), suffix = formatOfSuffix(name);
+  const CadFormat content = formatOfContent(text), suffix = formatOfSuffix(name);
   if (content == CadFormat::unknown) {
-    if (bytes.find("\"bladewright_design\"") != std::string::npos) {
+    if (text.find("\"bladewright_design\"") != std::string::npos) {
       return unreadable(name,
-                        "it is a design, whose surface and settings are in it; open it as one, with blade "
-                        "design or in the window");
+                        "it is a design, whose surface and settings are in it; open it as a design");
     }
     if (suffix == CadFormat::unknown) {
       return unreadable(name,
@@ -284,15 +226,44 @@ Result<ReadShape> readShape(const std::string& bytes, const std::string& name, c
                       std::string("its content is not ") + formatName(suffix) +
                           "; the file is damaged or of another kind: export it again from the CAD program");
   }
-  if (const std::string fault = faultOf(bytes, content); !fault.empty()) return unreadable(name, fault);
+  if (const std::string fault = faultOf(text, content); !fault.empty()) return unreadable(name, fault);
   if (context.stopped()) return stoppedError();
   prepareTranslators();
-  const auto bytesBack = runIsolated(context, [&] { return packed(readAndHeal(bytes, name, content)); });
+  WorkLimits limits;
+  limits.memory = kMemoryLeast + kMemoryPerByte * text.size();
+  limits.cpuSeconds = kSecondsLeast + int(text.size() / kBytesPerSecond);
+  const auto bytesBack = runIsolated(
+      context, [&] { return packed(readAndHeal(text, name, content, options)); }, limits);
   if (!bytesBack) {
     if (bytesBack.error().code != ErrorCode::cannotRead) return tl::unexpected(bytesBack.error());
     return unreadable(name, bytesBack.error().message);
   }
   return unpacked(*bytesBack, name);
+}
+
+}  // namespace
+
+std::vector<TopoDS_Shape> facesOf(const TopoDS_Shape& shape) {
+  std::vector<TopoDS_Shape> faces;
+  if (shape.IsNull()) return faces;
+  TopTools_IndexedMapOfShape map;
+  TopExp::MapShapes(shape, TopAbs_FACE, map);
+  for (int i = 1; i <= map.Extent(); ++i) faces.push_back(map(i));
+  return faces;
+}
+
+tl::unexpected<Error> unreadable(const std::string& name, const std::string& reason) {
+  return fail(ErrorCode::cannotRead, "cannot read " + name + ": " + reason, name);
+}
+
+Result<ReadShape> readShape(const std::string& bytes, const std::string& name, const ReadOptions& options,
+                            const RunContext& context) {
+  silenceOcct();
+  if (!isCompressed(bytes)) return readText(bytes, name, options, context);
+  const auto text =
+      guarded(ErrorCode::cannotRead, "cannot read " + name, [&] { return decompressed(bytes, name); });
+  if (!text) return tl::unexpected(text.error());
+  return readText(*text, name, options, context);
 }
 
 }  // namespace bw::geometry

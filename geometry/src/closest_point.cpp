@@ -12,7 +12,9 @@ namespace {
 
 constexpr int kIterations = 40;
 constexpr int kHalvings = 12;
-constexpr double kSmallStep = 1e-7;  // mm; one more full Newton step leaves an error of about its square
+constexpr double kAccuracy = 1e-7;  // mm, of the foot
+constexpr double kLongestLast =
+    0.01;  // mm; a longer step is never the last: the jet tells no more of the surface
 
 struct Range {
   double low, high;
@@ -22,13 +24,33 @@ struct Range {
     const double period = high - low;
     return t - period * std::floor((t - low) / period);
   }
+  /// True if `clamp` leaves the place on the surface as it is.
+  bool reaches(double t) const { return wraps || (t >= low && t <= high); }
   /// True if the minimum is held back at an end of the range.
   bool holds(double t, double slope) const {
     return !wraps && ((t <= low && slope > 0) || (t >= high && slope < 0));
   }
 };
 
-/// Newton's method on |S(u, v) − p|² within the rectangle of the face, damped; `jet` is left at the foot.
+/// A step of Newton's method in parameters, and what it leaves.
+struct Step {
+  double u = 0, v = 0;
+  double error = 1e300;  ///< mm, about what is left after it; large where it is no step of Newton's
+};
+
+/// How far from the foot a full Newton step ends: the jet tells the third derivatives of |S − p|² but for
+/// those of S, and `convexity`, the smallest eigenvalue of its Hessian against the first fundamental form,
+/// divides them (docs/mathematics.md, closest points).
+double newtonError(const Jet& jet, const Step& step, double distance, double E, double G, double convexity) {
+  if (!(convexity > 0)) return 1e300;
+  const double length2 = E * step.u * step.u + G * step.v * step.v;
+  if (length2 > kLongestLast * kLongestLast) return 1e300;
+  const double bend = std::max({jet.duu.norm() / E, jet.dvv.norm() / G, jet.duv.norm() / std::sqrt(E * G)});
+  return 2 * bend * (1 + distance * bend) * length2 / convexity;
+}
+
+/// Newton's method on |S(u, v) − p|² within the rectangle of the face, damped; place and first derivatives of
+/// `jet` are left at the foot.
 Eigen::Vector2d descend(const FaceGeometry& face, const Eigen::Vector3d& p, Eigen::Vector2d uv, Jet& jet) {
   const SurfacePatch& patch = face.patch();
   const Range ru{face.u0(), face.u1(), face.wrapsU()}, rv{face.v0(), face.v1(), face.wrapsV()};
@@ -42,11 +64,14 @@ Eigen::Vector2d descend(const FaceGeometry& face, const Eigen::Vector3d& p, Eige
     double huu = E + r.dot(jet.duu), huv = F + r.dot(jet.duv), hvv = G + r.dot(jet.dvv);
     const bool holdU = ru.holds(uv.x(), gu), holdV = rv.holds(uv.y(), gv);
     if (holdU && holdV) break;
-    double su = 0, sv = 0;
+    Step step;
+    double convexity = 0;
     if (holdU) {
-      sv = -gv / (hvv > 1e-6 * G ? hvv : std::max(G, 1e-300));
+      convexity = hvv / G;
+      step.v = -gv / (hvv > 1e-6 * G ? hvv : std::max(G, 1e-300));
     } else if (holdV) {
-      su = -gu / (huu > 1e-6 * E ? huu : std::max(E, 1e-300));
+      convexity = huu / E;
+      step.u = -gu / (huu > 1e-6 * E ? huu : std::max(E, 1e-300));
     } else {
       double det = huu * hvv - huv * huv;
       if (!(huu > 0) ||
@@ -55,36 +80,47 @@ Eigen::Vector2d descend(const FaceGeometry& face, const Eigen::Vector3d& p, Eige
         huv = F;
         hvv = G * (1 + 1e-9) + 1e-300;
         det = huu * hvv - huv * huv;
+      } else {
+        convexity = det / (huu * G + hvv * E);  // below the smaller eigenvalue: product over sum
       }
-      su = -(hvv * gu - huv * gv) / det;
-      sv = -(huu * gv - huv * gu) / det;
+      step.u = -(hvv * gu - huv * gv) / det;
+      step.v = -(huu * gv - huv * gu) / det;
     }
     // No further than a third of the face at once.
-    const double longest = std::max(std::abs(su) / (ru.high - ru.low), std::abs(sv) / (rv.high - rv.low));
+    const double longest =
+        std::max(std::abs(step.u) / (ru.high - ru.low), std::abs(step.v) / (rv.high - rv.low));
     if (longest > 0.34) {
-      su *= 0.34 / longest;
-      sv *= 0.34 / longest;
+      step.u *= 0.34 / longest;
+      step.v *= 0.34 / longest;
     }
-    const bool last = (su * jet.du + sv * jet.dv).squaredNorm() < kSmallStep * kSmallStep;
-    bool moved = false;
-    for (int h = 0; h < (last ? 1 : kHalvings); ++h) {
-      const Eigen::Vector2d next(ru.clamp(uv.x() + su), rv.clamp(uv.y() + sv));
+    const bool tiny = (step.u * jet.du + step.v * jet.dv).squaredNorm() < kAccuracy * kAccuracy;
+    step.error = newtonError(jet, step, std::sqrt(f), E, G, convexity);
+    bool moved = false, arrived = tiny;
+    for (int h = 0; h < (tiny ? 1 : kHalvings); ++h) {
+      const Eigen::Vector2d next(ru.clamp(uv.x() + step.u), rv.clamp(uv.y() + step.v));
+      // A step that a border cuts short has not come to the foot.
+      const bool last =
+          h == 0 && step.error < kAccuracy && ru.reaches(uv.x() + step.u) && rv.reaches(uv.y() + step.v);
       Jet trial;
-      patch.second(next.x(), next.y(), trial);
+      if (last || tiny)
+        patch.first(next.x(), next.y(), trial);
+      else
+        patch.second(next.x(), next.y(), trial);
       const Eigen::Vector3d rt = trial.p - p;
       const double ft = rt.squaredNorm();
       if (ft <= f) {
         moved = next != uv;
+        arrived = arrived || last;
         uv = next;
         jet = trial;
         r = rt;
         f = ft;
         break;
       }
-      su *= 0.5;
-      sv *= 0.5;
+      step.u *= 0.5;
+      step.v *= 0.5;
     }
-    if (last || !moved) break;
+    if (arrived || !moved) break;
   }
   return uv;
 }
@@ -136,6 +172,7 @@ FaceFoot footOnFace(const FaceGeometry& face, const std::vector<EdgeGeometry>& e
   foot.uv = descend(face, p, start, jet);
   foot.point = jet.p;
   foot.distance = (jet.p - p).norm();
+  foot.normal = face.normal(jet);
   const bool low[2] = {foot.uv.x() <= face.u0(), foot.uv.y() <= face.v0()};
   const bool high[2] = {foot.uv.x() >= face.u1(), foot.uv.y() >= face.v1()};
   const bool wraps[2] = {face.wrapsU(), face.wrapsV()};

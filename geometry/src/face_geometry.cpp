@@ -161,6 +161,10 @@ void FaceGeometry::measureArea() {
 Eigen::Vector3d FaceGeometry::normal(double u, double v) const {
   Jet jet;
   patch_.first(u, v, jet);
+  return normal(jet);
+}
+
+Eigen::Vector3d FaceGeometry::normal(const Jet& jet) const {
   const Eigen::Vector3d n = jet.du.cross(jet.dv);
   const double length = n.norm();
   if (!(length > 1e-12 * jet.du.norm() * jet.dv.norm()) || length == 0) return Eigen::Vector3d::Zero();
@@ -239,8 +243,8 @@ Bounds FaceGeometry::bounds(const std::vector<EdgeGeometry>& edges) const {
   return result;
 }
 
-std::array<double, 2> FaceGeometry::curvatureRange() const {
-  double low = 1e300, high = -1e300;
+CurvatureRange FaceGeometry::curvatureRange() const {
+  double low = 1e300, high = -1e300, lesser = 0;
   const int nu = int(gridU_.size()), nv = int(gridV_.size());
   for (int i = 0; i < nu; ++i) {
     for (int j = 0; j < nv; ++j) {
@@ -259,10 +263,11 @@ std::array<double, 2> FaceGeometry::curvatureRange() const {
       const double root = std::sqrt(std::max(0.0, mean * mean - gauss));
       low = std::min(low, mean - root);
       high = std::max(high, mean + root);
+      lesser = std::max(lesser, std::min(std::abs(mean - root), std::abs(mean + root)));
     }
   }
-  if (low > high) return {0.0, 0.0};
-  return {low, high};
+  if (low > high) return {};
+  return {low, high, lesser};
 }
 
 }  // namespace bw::geometry

@@ -16,6 +16,12 @@
 
 namespace bw::geometry {
 
+/// Principal curvatures over the grid of a face, 1/mm, signed towards the outer side.
+struct CurvatureRange {
+  double min = 0, max = 0;
+  double lesser = 0;  ///< the largest absolute value of the flatter of the two: 0 for a developable face
+};
+
 /// A face ready for computing: its surface, its borders in parameters, and a grid of points fine enough to
 /// see its shape. Immutable; may be used from several threads at once.
 class FaceGeometry {
@@ -64,8 +70,9 @@ class FaceGeometry {
                                const std::vector<EdgeGeometry>& edges) const;
   /// Unit normal on the outer side; zero where the surface has none.
   Eigen::Vector3d normal(double u, double v) const;
-  /// Smallest and largest principal curvature over the grid, signed towards the outer side.
-  std::array<double, 2> curvatureRange() const;
+  /// The same where the first derivatives are known.
+  Eigen::Vector3d normal(const Jet& jet) const;
+  CurvatureRange curvatureRange() const;
 
  private:
   FaceGeometry(const TopoDS_Face& face, int index);

@@ -106,7 +106,7 @@ class FaceSampler final : public SurfaceSampler {
     foot.uv = best.uv;
     foot.point = best.point;
     foot.distance = best.distance;
-    foot.normal = face.normal(best.uv.x(), best.uv.y());
+    foot.normal = best.normal.squaredNorm() > 0.5 ? best.normal : face.normal(best.uv.x(), best.uv.y());
     if (foot.normal.squaredNorm() < 0.5) {
       // A pole has no normal of its own: take one a little towards the middle of the face.
       const Eigen::Vector2d middle(0.5 * (face.u0() + face.u1()), 0.5 * (face.v0() + face.v1()));

@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <fstream>
 
 namespace bw::geometry {
 
@@ -35,39 +36,60 @@ bool writeAll(int file, const char* data, std::size_t size) {
   return true;
 }
 
+/// Bytes of addresses that this process uses; 0 if that cannot be told.
+std::size_t addressSpace() {
+  std::size_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  return pages * std::size_t(::sysconf(_SC_PAGESIZE));
+}
+
 /// What the forked process does; never returns.
-[[noreturn]] void runChild(int pipe, pid_t parent, const std::function<std::string()>& work) {
+[[noreturn]] void runChild(int pipe, pid_t parent, const std::function<std::string()>& work,
+                           const WorkLimits& limits) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(2);
-  for (const int signal : {SIGINT, SIGTERM, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGPIPE})
+  for (const int signal : {SIGINT, SIGTERM, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGPIPE, SIGXCPU})
     ::signal(signal, SIG_DFL);
   sigset_t none;
   ::sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
+  // The library says its complaints to the standard streams, which belong to the program.
+  if (const int nowhere = ::open("/dev/null", O_RDWR | O_CLOEXEC); nowhere >= 0) {
+    ::dup2(nowhere, STDOUT_FILENO);
+    ::dup2(nowhere, STDERR_FILENO);
+  }
   const rlimit noCore{0, 0};
   ::setrlimit(RLIMIT_CORE, &noCore);
+  const rlim_t seconds = rlim_t(limits.cpuSeconds);
+  const rlimit time{seconds, seconds + 1};
+  ::setrlimit(RLIMIT_CPU, &time);
+  if (const std::size_t now = addressSpace(); now > 0) {
+    const rlimit space{now + limits.memory, now + limits.memory};
+    ::setrlimit(RLIMIT_AS, &space);
+  }
   const std::string bytes = work();
   ::_exit(writeAll(pipe, bytes.data(), bytes.size()) ? 0 : 2);
 }
 
 }  // namespace
 
-Result<std::string> runIsolated(const RunContext& context, const std::function<std::string()>& work) {
+Result<std::string> runIsolated(const RunContext& context, const std::function<std::string()>& work,
+                                const WorkLimits& limits) {
   int pipe[2];
   if (::pipe2(pipe, O_CLOEXEC) != 0) {
-    return fail(ErrorCode::internal,
+    return fail(ErrorCode::cannotRead,
                 std::string("no pipe could be opened to the reading process: ") + std::strerror(errno),
                 "read");
   }
   std::fflush(nullptr);
   const pid_t parent = ::getpid();
   const pid_t child = ::fork();
-  if (child == 0) runChild(pipe[1], parent, work);
+  if (child == 0) runChild(pipe[1], parent, work, limits);
   const int forkError = errno;
   ::close(pipe[1]);
   if (child < 0) {
     ::close(pipe[0]);
-    return fail(ErrorCode::internal,
+    return fail(ErrorCode::cannotRead,
                 std::string("no process could be made to read the file: ") + std::strerror(forkError),
                 "read");
   }
@@ -94,6 +116,13 @@ Result<std::string> runIsolated(const RunContext& context, const std::function<s
   }
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   if (stopped || signal == SIGINT || signal == SIGTERM) return stoppedError();
+  if (signal == SIGXCPU) {
+    return fail(ErrorCode::cannotRead,
+                "OpenCASCADE did not come to an end with it within " + std::to_string(limits.cpuSeconds) +
+                    " s of computing; the file is damaged, or too large to be read as one: export the faces "
+                    "that are needed alone, best as STEP",
+                "read", limits.cpuSeconds);
+  }
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
     return fail(ErrorCode::cannotRead,
                 "OpenCASCADE broke down while reading it; the file is damaged or holds something that cannot "
@@ -104,7 +133,7 @@ Result<std::string> runIsolated(const RunContext& context, const std::function<s
   return bytes;
 }
 
-MemoryFile::MemoryFile(const std::string& bytes) : file_(::memfd_create("cad", MFD_CLOEXEC)) {
+MemoryFile::MemoryFile(std::string_view bytes) : file_(::memfd_create("cad", MFD_CLOEXEC)) {
   good_ = file_ >= 0 && writeAll(file_, bytes.data(), bytes.size());
 }
 

@@ -2,24 +2,34 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
+#include <string_view>
 
 #include "bw/core/result.h"
 #include "bw/core/run_context.h"
 
 namespace bw::geometry {
 
+/// How much the work of an isolated process may take, so that a damaged file ends in an error.
+struct WorkLimits {
+  int cpuSeconds = 600;
+  std::size_t memory = std::size_t(4) << 30;  ///< bytes beyond what the program has when it forks
+};
+
 /// Runs `work` in a process forked for it and returns the bytes that it made, so that a library which crashes
-/// on a damaged file takes only that process with it. A stop of the context ends the process within 0.05 s.
-/// `work` sees a copy of everything there is, but only its own thread: it must not wait for another one, nor
-/// throw. Errors: `cancelled`; `cannotRead` if the process broke down; `internal` if none could be made.
-Result<std::string> runIsolated(const RunContext& context, const std::function<std::string()>& work);
+/// on a damaged file, or works on it without end, takes only that process with it. A stop of the context ends
+/// the process within 0.05 s. `work` sees a copy of everything there is, but only its own thread: it must not
+/// wait for another one, nor throw. Errors: `cancelled`; `cannotRead` if the process broke down, exceeded its
+/// time, or could not be made.
+Result<std::string> runIsolated(const RunContext& context, const std::function<std::string()>& work,
+                                const WorkLimits& limits = {});
 
 /// Bytes as a file without a name on disk, for libraries that read only paths. Gone with its last user.
 class MemoryFile {
  public:
-  explicit MemoryFile(const std::string& bytes);
+  explicit MemoryFile(std::string_view bytes);
   ~MemoryFile();
   MemoryFile(const MemoryFile&) = delete;
   MemoryFile& operator=(const MemoryFile&) = delete;

@@ -35,9 +35,9 @@ auto guarded(ErrorCode code, const std::string& what, Body&& body) -> decltype(b
   } catch (const Standard_Failure& failure) {
     return fail(code, what + ": " + failureText(failure));
   } catch (const std::bad_alloc&) {
-    return fail(ErrorCode::internal, what + ": out of memory");
+    return fail(code, what + ": the memory does not suffice");
   } catch (const std::exception& e) {
-    return fail(ErrorCode::internal, what + ": " + e.what());
+    return fail(code, what + ": " + e.what());
   }
 }
 

@@ -30,7 +30,7 @@ Result<std::array<double, 2>> rangeOf(const Target::Impl& target, const Setup& s
   const auto missed = [&]() {
     return fail(ErrorCode::badInput,
                 "no plane across the cutting direction meets the target inside the block; move or enlarge "
-                "the block, or choose \"auto\"",
+                "the block, or let it be placed around the target",
                 "block");
   };
   if (!(high > low)) {
@@ -115,7 +115,7 @@ Result<std::vector<Section>> cutSections(const Target& target, const Setup& give
   const double length = setup.direction.norm();
   if (!std::isfinite(length) || length < 1e-9) {
     return fail(ErrorCode::badInput,
-                "the cutting direction is zero or not a number; give a vector such as [0, 1, 0]",
+                "the cutting direction is zero or not a number; give a vector such as 0, 1, 0",
                 "direction");
   }
   setup.direction /= length;
@@ -150,7 +150,9 @@ Result<std::vector<Section>> cutSections(const Target& target, const Setup& give
             return fail(ErrorCode::badInput,
                         "a spacing of " + shortText(*job.spacing) + " mm makes more than " +
                             std::to_string(Job::kMaxStations) + " stations over " + shortText(last - first) +
-                            " mm; choose a larger spacing",
+                            " mm; choose " +
+                            shortText(std::ceil((last - first) / (Job::kMaxStations - 1) * 100) / 100, 8) +
+                            " mm or more",
                         "stations", gaps + 1, Job::kMaxStations);
           }
           count = std::max(2, int(gaps) + 1);

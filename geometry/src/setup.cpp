@@ -27,8 +27,9 @@ constexpr double kDirectedNormal =
 constexpr std::size_t kShadowPoints = 2000;  // more tell no more of the shadow
 constexpr double kFirstTilt = 0.07;  // rad, first and last steps in the search for the squarest shadow
 constexpr double kLastTilt = 3e-4;
-constexpr double kMostTilted = 0.9;     // cosine of the largest angle to the mean normal
-constexpr double kBetterFilled = 1e-5;  // part of the rectangle by which a direction is better
+constexpr double kMostTilted = 0.9;        // cosine of the largest angle to the mean normal
+constexpr double kBetterFilled = 1e-5;     // part of the rectangle by which a direction is better
+constexpr double kSameDirection = 0.9962;  // cosine of 5°
 
 using Points = std::vector<Eigen::Vector3d>;
 
@@ -215,13 +216,57 @@ Box autoBlock(const Target::Impl& target) {
   return parallel.size.prod() <= kNearlyAsSmall * oriented.size.prod() ? parallel : oriented;
 }
 
+/// The way along the longer side of a block's base; y of a square.
+Eigen::Vector3d longerSide(const Box& block) {
+  return block.size.x() > block.size.y() * (1 + 1e-6) ? block.frame.x : block.frame.y;
+}
+
+/// Of both ways along an axis the one on the positive side of the block's axis nearest to it.
+Eigen::Vector3d alongBlock(const Box& block, const Eigen::Vector3d& axis) {
+  Eigen::Matrix3d R_WB;
+  R_WB << block.frame.x, block.frame.y, block.frame.normal;
+  const Eigen::Vector3d local = R_WB.transpose() * axis;
+  int largest = 0;
+  local.cwiseAbs().maxCoeff(&largest);
+  return local[largest] < 0 ? Eigen::Vector3d(-axis) : axis;
+}
+
 }  // namespace
+
+std::vector<NamedDirection> directionsToTry(const Target& target, const Box& block) {
+  std::vector<NamedDirection> tries;
+  const auto add = [&](const char* name, const Eigen::Vector3d& axis) {
+    const Eigen::Vector3d direction = alongBlock(block, axis.normalized());
+    const bool known = std::any_of(tries.begin(), tries.end(), [&](const NamedDirection& t) {
+      return std::abs(t.direction.dot(direction)) > kSameDirection;
+    });
+    if (!known) tries.push_back({name, direction});
+  };
+  const Eigen::Vector3d longer = longerSide(block);
+  add("longer side of the block", longer);
+  add("shorter side of the block", block.frame.normal.cross(longer));
+  const Points points = samplePoints(target.impl());
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  for (const auto& p : points) center += p / double(points.size());
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const auto& p : points) spread += (p - center) * (p - center).transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
+  add("longest axis of the surface", axes.eigenvectors().col(2));
+  add("middle axis of the surface", axes.eigenvectors().col(1));
+  add("diagonal of the block", block.frame.x + block.frame.y);
+  add("other diagonal of the block", block.frame.x - block.frame.y);
+  add("x of the file", Eigen::Vector3d::UnitX());
+  add("y of the file", Eigen::Vector3d::UnitY());
+  add("z of the file", Eigen::Vector3d::UnitZ());
+  add("height of the block", block.frame.normal);
+  return tries;
+}
 
 Result<Setup> resolveSetup(const Target& target, const Job& job, Issues& issues) {
   if (job.direction && !(std::isfinite(job.direction->norm()) && job.direction->norm() > 1e-9)) {
     return fail(ErrorCode::badInput,
-                "the cutting direction is zero or not a number; give \"x\", \"y\", \"z\" or a vector such as "
-                "[0, 1, 0]",
+                "the cutting direction is zero or not a number; give a vector such as "
+                "0, 1, 0",
                 "direction", job.direction->norm());
   }
   if (job.block) {
@@ -245,7 +290,7 @@ Result<Setup> resolveSetup(const Target& target, const Job& job, Issues& issues)
       if (gap > 0.01 * local.size().norm()) {
         return fail(ErrorCode::badInput,
                     "the block misses the target by " + shortText(gap) +
-                        " mm or more; move it, or choose \"auto\" for a block around the target",
+                        " mm or more; move it, or let it be placed around the target",
                     "block", gap, 0.0);
       }
     } else {
@@ -254,8 +299,7 @@ Result<Setup> resolveSetup(const Target& target, const Job& job, Issues& issues)
     if (job.direction) {
       setup.direction = job.direction->normalized();
     } else {
-      const bool alongX = setup.block.size.x() > setup.block.size.y() * (1 + 1e-6);
-      setup.direction = alongX ? setup.block.frame.x : setup.block.frame.y;
+      setup.direction = longerSide(setup.block);
     }
     const double flat = std::abs(setup.direction.dot(setup.block.frame.normal));
     if (flat > 0.7) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <system_error>
 
+#include "bw/core/temporary_name.h"
 #include "bw/robotio/program.h"
 #include "rapid_program.h"
 
@@ -45,6 +46,7 @@ Result<void> collect(const fs::path& folder, const std::string& prefix, int dept
   if (!entries) return tl::unexpected<Error>(entries.error());
   for (const fs::path& entry : *entries) {
     std::error_code error;
+    if (isTemporaryName(entry.filename().string())) continue;
     const std::string path = prefix + entry.filename().string();
     if (fs::is_directory(entry, error)) {
       if (depth > 0)

@@ -7,6 +7,7 @@
 
 #include "bw/robotio/program.h"
 #include "rapid_program.h"
+#include "run_head.h"
 #include "unsafe_mark.h"
 
 namespace bw::robotio {
@@ -72,6 +73,8 @@ Result<std::vector<RapidTask>> readRapid(const Program& program) {
   return tasks;
 }
 
+std::string runOfModule(std::string_view module) { return readRunHead(module).run; }
+
 Issues checkRapid(const Program& program) {
   Findings findings;
   const std::vector<LinkedProgram> linked = linkProgram(program, findings);
@@ -80,14 +83,18 @@ Issues checkRapid(const Program& program) {
                  "there is no RAPID module (.mod or .modx) to check; give the folder of a program");
   for (const LinkedProgram& strip : linked) {
     checkMarks(strip, findings);
+    const double bladeLength = checkRuns(strip, findings);
     checkFiles(strip, findings);
     bool readable = true;
     for (const LinkedTask& task : strip.tasks) {
       readable = readable && task.readable;
       checkDeclarations(task, findings);
       checkSteps(task, findings);
+      checkLeaps(task, findings);
     }
-    if (readable) checkAcrossTasks(strip, findings);
+    if (!readable) continue;
+    checkAcrossTasks(strip, findings);
+    checkGrips(strip, bladeLength, findings);
   }
   return findings.take();
 }

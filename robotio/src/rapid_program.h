@@ -106,6 +106,11 @@ void checkFiles(const LinkedProgram& program, Findings& findings);
 void checkDeclarations(const LinkedTask& task, Findings& findings);
 /// The rules on what one task runs (5, 6, 9, 11, 12, 13, 14).
 void checkSteps(const LinkedTask& task, Findings& findings);
+/// The rule on the path of one task (17).
+void checkLeaps(const LinkedTask& task, Findings& findings);
+/// The rule on the distance of the two ends of a blade of that free length in mm (16); nothing where it is 0,
+/// or where the tasks are not two.
+void checkGrips(const LinkedProgram& program, double bladeLength, Findings& findings);
 /// The rules that tie the tasks together (3, 4, 6, 7, 13, 14).
 void checkAcrossTasks(const LinkedProgram& program, Findings& findings);
 

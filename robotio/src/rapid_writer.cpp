@@ -13,6 +13,7 @@
 #include "bw/robotio/program.h"
 #include "motion_check.h"
 #include "rapid_plan.h"
+#include "run_head.h"
 #include "unsafe_mark.h"
 
 namespace bw::robotio {
@@ -75,7 +76,8 @@ class TaskWriter {
         task_(cell.tasks[end]),
         end_(end),
         robotWare7_(options.robotWare7),
-        mark_(unsafeMark(options.errors)) {
+        mark_(unsafeMark(options.errors)),
+        run_(runLine(options.run, motion.bladeLength)) {
     module_ = plan.modules[end];
     parts_ =
         plan.cutMoves > kTargetsPerModule ? (plan.cutMoves + kTargetsPerModule - 1) / kTargetsPerModule : 0;
@@ -107,8 +109,10 @@ class TaskWriter {
   std::string partName(std::size_t part) const { return module_ + "_" + threeDigits(part + 1); }
   static std::string partProcedure(std::size_t part) { return "cutPart" + threeDigits(part + 1); }
 
+  /// What no reader of a module may miss: that it must not run, of which run it is, for which blade.
   void mark(TextBuilder& out) const {
     for (const std::string& line : mark_) out.line(1, line);
+    out.line(1, run_);
   }
 
   void header(TextBuilder& out) const {
@@ -227,6 +231,7 @@ class TaskWriter {
   std::size_t end_;
   bool robotWare7_;
   std::vector<std::string> mark_;
+  std::string run_;  ///< the line that tells the run and the blade
   std::string module_;
   std::size_t parts_ = 0;
 };

@@ -14,7 +14,6 @@
 #include "bw/geometry/export.h"
 #include "bw/model/document.h"
 #include "bw/model/evaluation_runner.h"
-#include "bw/model/recovery.h"
 #include "bw/model/settings.h"
 #include "bw/model/step_state.h"
 
@@ -100,41 +99,6 @@ TEST(Document, KeepsItsDesignWhenAFileCannotBeOpened) {
   EXPECT_FALSE(document.open(file));
   EXPECT_FALSE(document.open(file.string() + "-missing"));
   EXPECT_EQ(document.design(), before);
-}
-
-TEST(Recovery, FindsTheCopyOfAWindowThatCrashed) {
-  QTemporaryDir folder;
-  const fs::path recovery = fs::path(folder.path().toStdString());
-  // A crash leaves the copy without its lock: what a copied folder looks like too.
-  {
-    Document document(recovery);
-    document.start(panelDesign());
-    document.editJob("Change stations", -1, [](Job& job) { job.stations = 21; });
-    document.autosaveNow(true);
-    EXPECT_FALSE(takeRecovered(recovery)) << "the copy of a living window was taken";
-    fs::create_directories(recovery / "after");
-    for (const fs::directory_entry& entry : fs::directory_iterator(recovery))
-      if (entry.is_regular_file() && entry.path().extension() != ".lock")
-        fs::copy_file(entry.path(), recovery / "after" / entry.path().filename());
-  }
-  const std::optional<Recovered> found = takeRecovered(recovery / "after");
-  ASSERT_TRUE(found);
-  EXPECT_EQ(found->design.job.stations, 21);
-  EXPECT_TRUE(found->file.empty());
-  EXPECT_FALSE(takeRecovered(recovery / "after")) << "taken twice";
-  EXPECT_FALSE(takeRecovered(recovery)) << "a window that closed in order left a copy";
-}
-
-TEST(Recovery, TellsOnceWhenTheCopyCannotBeWritten) {
-  Document document("/proc/bladewright-has-no-place-here");
-  QSignalSpy failed(&document, &Document::autosaveFailed);
-  document.start(panelDesign());
-  document.editJob("Change stations", -1, [](Job& job) { job.stations = 21; });
-  document.autosaveNow(true);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return failed.count() == 1; }, kPatience));
-  document.autosaveNow(true);
-  QCoreApplication::processEvents();
-  EXPECT_EQ(failed.count(), 1);
 }
 
 TEST(EvaluationRunner, BringsTheResultToTheInterfaceThread) {

@@ -6,6 +6,8 @@
 
 #include <QImage>
 #include <QProcess>
+#include <QProcessEnvironment>
+#include <QStandardPaths>
 #include <QTemporaryDir>
 
 #include <filesystem>
@@ -20,13 +22,24 @@ struct Finished {
 
 class Program : public ::testing::Test {
  protected:
-  Finished run(const QStringList& arguments) {
+  Finished run(const QStringList& arguments, const QProcessEnvironment& environment = here(),
+               const QString& program = BW_WINDOW) {
     QProcess process;
-    process.start(BW_WINDOW, arguments);
+    process.setProcessEnvironment(environment);
+    process.start(program, arguments);
     EXPECT_TRUE(process.waitForFinished(60000)) << process.errorString().toStdString();
     if (process.state() != QProcess::NotRunning) process.kill();
     return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
             process.readAllStandardError().toStdString()};
+  }
+
+  /// The environment of this test, with settings of its own.
+  static QProcessEnvironment here() { return QProcessEnvironment::systemEnvironment(); }
+  QProcessEnvironment apart() const {
+    QProcessEnvironment environment = here();
+    for (const char* name : {"HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME"})
+      environment.insert(name, folder_.path());
+    return environment;
   }
 
   QString path(const QString& name) const { return folder_.filePath(name); }
@@ -67,6 +80,73 @@ TEST_F(Program, EndsWellWithThePictureOfAResult) {
   const Finished end = run({"--example", "saddle", "--screenshot", path("x.png"), "--size", "1280x800"});
   EXPECT_EQ(end.status, 0) << end.err;
   EXPECT_EQ(QImage(path("x.png")).size(), QSize(1280, 800));
+}
+
+// No display, or none that can draw: words and a status, never an abort or an empty window.
+
+TEST_F(Program, TellsThatThereIsNoDisplay) {
+  QProcessEnvironment environment = apart();
+  for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) environment.remove(name);
+  const Finished none = run({}, environment);
+  EXPECT_EQ(none.status, 6) << none.err;
+  EXPECT_NE(none.err.find("bladewright: no window can be opened: there is no display"), std::string::npos)
+      << none.err;
+  environment.insert("DISPLAY", ":4321");
+  const Finished wrong = run({}, environment);
+  EXPECT_EQ(wrong.status, 6) << wrong.err;
+  EXPECT_NE(wrong.err.find("bladewright: no window can be opened"), std::string::npos) << wrong.err;
+  environment.insert("QT_QPA_PLATFORM", "nonsense");
+  EXPECT_EQ(run({}, environment).status, 6);
+}
+
+TEST_F(Program, TellsThatThereIsNoOpenGl) {
+  QProcessEnvironment environment = apart();
+  for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY"}) environment.remove(name);
+  environment.insert("QT_QPA_PLATFORM", "offscreen");
+  const Finished offscreen = run({"--example", "saddle"}, environment);
+  EXPECT_EQ(offscreen.status, 6) << offscreen.err;
+  EXPECT_NE(offscreen.err.find("needs OpenGL"), std::string::npos) << offscreen.err;
+  // The platform that draws nowhere, on a display: it has OpenGL, but not for widgets.
+  environment = apart();
+  environment.insert("QT_QPA_PLATFORM", "offscreen");
+  const Finished nowhere = run({"--example", "saddle", "--screenshot", path("x.png")}, environment);
+  EXPECT_EQ(nowhere.status, 6) << nowhere.err;
+  EXPECT_NE(nowhere.err.find("needs OpenGL"), std::string::npos) << nowhere.err;
+  // A driver that is not there, on the display of this test.
+  environment = apart();
+  environment.insert("LIBGL_DRIVERS_PATH", "/nonexistent");
+  const Finished driver = run({"--example", "saddle", "--screenshot", path("x.png")}, environment);
+  EXPECT_EQ(driver.status, 6) << driver.err;
+  EXPECT_NE(driver.err.find("needs OpenGL 3.2"), std::string::npos) << driver.err;
+}
+
+TEST_F(Program, TellsThatTheDisplayHasNoOpenGl) {
+  const QString server = QStandardPaths::findExecutable("Xvfb");
+  if (server.isEmpty()) GTEST_SKIP() << "Xvfb is not installed";
+  QProcess display;
+  display.start(server,
+                {"-displayfd", "1", "-screen", "0", "1280x800x24", "-extension", "GLX", "-nolisten", "tcp"});
+  ASSERT_TRUE(display.waitForReadyRead(60000));
+  QProcessEnvironment environment = apart();
+  environment.insert("DISPLAY", ":" + QString::fromLatin1(display.readLine().trimmed()));
+  // Without GLX, EGL serves; without both there are words.
+  const Finished egl = run({"--example", "saddle", "--screenshot", path("egl.png")}, environment);
+  EXPECT_EQ(egl.status, 0) << egl.err;
+  environment.insert("QT_XCB_GL_INTEGRATION", "none");
+  const Finished end = run({"--example", "saddle", "--screenshot", path("x.png")}, environment);
+  EXPECT_EQ(end.status, 6) << end.err;
+  EXPECT_NE(end.err.find("needs OpenGL"), std::string::npos) << end.err;
+  display.terminate();
+  display.waitForFinished(60000);
+}
+
+TEST_F(Program, SurvivesALimitOnTheSizeOfFiles) {
+  const Finished end = run(
+      {"-c", QString("ulimit -f 8; exec %1 --example saddle --screenshot %2").arg(BW_WINDOW, path("x.png"))},
+      apart(), "/bin/bash");
+  EXPECT_EQ(end.status, 4) << end.err;
+  EXPECT_NE(end.err.find("no larger file"), std::string::npos) << end.err;
+  EXPECT_FALSE(std::filesystem::exists(path("x.png").toStdString()));
 }
 
 }  // namespace

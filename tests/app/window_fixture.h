@@ -52,6 +52,7 @@ class WindowTest : public ::testing::Test {
 
   void makeWindow(const QSize& size) {
     window_ = std::make_unique<MainWindow>(*settings_, theme(), fs::path());
+    window_->questions().showFolder = [](const QString&) {};
     window_->resize(size);
     window_->show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));

@@ -50,6 +50,7 @@ void biarcFit(benchmark::State& state) {
 BENCHMARK(biarcFit)
     ->ArgsProduct({{50, 1000, 10000}, {20}, {0, 1, 2}})
     ->Args({10000, 100, 1})
+    ->ArgsProduct({{200000}, {20}, {0, 1, 2}})
     ->Unit(benchmark::kMillisecond);
 
 // Data points and the tolerance in µm.
@@ -61,6 +62,7 @@ void biarcFewestArcs(benchmark::State& state) {
 }
 BENCHMARK(biarcFewestArcs)
     ->ArgsProduct({{1000, 10000}, {5000, 500, 50}})
+    ->Args({200000, 500})
     ->Unit(benchmark::kMillisecond)
     ->Iterations(1);
 

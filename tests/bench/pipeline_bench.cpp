@@ -6,9 +6,13 @@
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "bw/core/design.h"
+#include "bw/core/file_set.h"
+#include "bw/core/spline_surface.h"
+#include "bw/geometry/export.h"
 #include "bw/pipeline/pipeline.h"
 
 namespace bw::pipeline {
@@ -106,6 +110,60 @@ void wallWith1200Stations(benchmark::State& state) {
   std::filesystem::remove_all(folder);
 }
 BENCHMARK(wallWith1200Stations)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
+
+/// The checks of the panel alone: most of it is its map, 24 000 closest points.
+void panelCheck(benchmark::State& state) {
+  const Outcome outcome = evaluate(panel(60), nullptr, {});
+  if (outcome.error) return state.SkipWithError(outcome.error->message.c_str());
+  const Evaluation& e = outcome.evaluation;
+  RunContext one;
+  one.threads = 1;
+  for (auto _ : state) {
+    Sweep sweep = *e.fits.value;
+    if (!analyzeSweep(sweep, e.design.job, *e.target.value->sampler(), one))
+      return state.SkipWithError("the sweep could not be checked");
+  }
+}
+BENCHMARK(panelCheck)->Unit(benchmark::kMillisecond);
+
+/// An edit that changes nothing to compute, with a CAD file of 64 MB embedded.
+void editWithEmbeddedFile(benchmark::State& state) {
+  Design design = panel(60);
+  Result<std::string> bytes = readFile(design.source.path);
+  if (!bytes) return state.SkipWithError(bytes.error().message.c_str());
+  bytes->append(std::size_t(64) << 20, '\n');
+  design.source.bytes = std::move(*bytes);
+  Outcome outcome = evaluate(design, nullptr, {});
+  for (auto _ : state) {
+    design.name += "'";
+    outcome = evaluate(design, &outcome.evaluation, {});
+    if (outcome.error) return state.SkipWithError(outcome.error->message.c_str());
+  }
+}
+BENCHMARK(editWithEmbeddedFile)->Unit(benchmark::kMicrosecond)->UseRealTime();
+
+/// Budget: 1 s for the whole job on a surface whose curvature no blade of the presets follows, 60 stations.
+void tooTightSheet(benchmark::State& state) {
+  SurfaceGrid grid;
+  grid.rows = grid.columns = 41;
+  std::vector<double> v;
+  for (int r = 0; r < grid.rows; ++r) {
+    v.push_back(r / 40.0);
+    for (int c = 0; c < grid.columns; ++c) {
+      const double x = 5.0 * c, y = 5.0 * r;
+      grid.points.emplace_back(x, y, 40 * std::sin(x / 30) * std::cos(y / 60));
+    }
+  }
+  Design design = panel(60);
+  const Result<SplineSurface> surface = interpolateGrid(grid, v);
+  if (!surface) return state.SkipWithError("no surface");
+  design.source.bytes = geometry::stepText(*surface, "folds").value();
+  for (auto _ : state) {
+    const Outcome outcome = evaluate(design, nullptr, {});
+    if (outcome.error) return state.SkipWithError(outcome.error->message.c_str());
+  }
+}
+BENCHMARK(tooTightSheet)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 

@@ -108,7 +108,7 @@ TEST(BadInput, CadFiles) {
   expectRefusal({"info", cut}, 4, "cut short");
   expectRefusal({"rationalize", folder / "", "--out", folder / "out"}, 4, "Is a directory");
   const std::string design = folder.write("a.bladewright", R"({"bladewright_design": 1})");
-  expectRefusal({"rationalize", design, "--out", folder / "out"}, 4, "blade design");
+  expectRefusal({"rationalize", design, "--out", folder / "out"}, 4, "open it as a design");
   EXPECT_FALSE(std::filesystem::exists(folder / "out"));
 }
 
@@ -203,7 +203,7 @@ TEST(BadInput, Designs) {
   };
   refuse("", 2, "empty");
   refuse("{", 2, "JSON");
-  refuse("ISO-10303-21;", 2, "blade rationalize");
+  refuse("ISO-10303-21;", 2, "a CAD file is opened as a surface");
   refuse(R"({"bladewright_design": 999})", 2, "999");
   refuse(R"({"bladewright_design": 1, "source": {"path": "gone.step"}})", 4, "gone.step");
   expectRefusal({"export", folder / "", "--out", folder / "out"}, 4, "design.bladewright");
@@ -318,6 +318,41 @@ TEST(BadInput, StandardOutputThatIsFull) {
                                           .c_str())),
               4)
         << arguments;
+}
+
+TEST(BadInput, NamesWithControlCharactersAreEscaped) {
+  const Folder folder;
+  expectRefusal({"info", folder / "a\x1b[2J\nblade: done.step"}, 4, "a\\x1b[2J\\nblade: done.step");
+  expectRefusal({"fit"}, 2, "\\u202e", R"({"curve": {"type": "bezier", "\u202e": 1}})");
+  const Finished run = blade({"check", folder.write("T_ROB1/A\x1b.mod", "not a module")});
+  EXPECT_EQ(run.out.find('\x1b'), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("\\x1b"), std::string::npos) << run.out;
+}
+
+TEST(BadInput, EndlessStandardInputIsRefusedWhileReading) {
+  // A gigabyte would be read if nothing ended it; the pipe breaks instead.
+  const std::string command = "head -c 1000000000 /dev/zero | tr '\\0' ' ' | { ulimit -v 1500000; " +
+                              std::string(BW_BLADE) + " fit 2>&1; echo status $?; }";
+  std::string text;
+  FILE* pipe = ::popen(command.c_str(), "r");
+  ASSERT_NE(pipe, nullptr);
+  for (char c = 0; std::fread(&c, 1, 1, pipe) == 1;) text += c;
+  ::pclose(pipe);
+  EXPECT_NE(text.find("standard input is larger than 256 MB"), std::string::npos) << text;
+  EXPECT_NE(text.find("status 4"), std::string::npos) << text;
+}
+
+TEST(BadInput, NestingWithoutEndIsRefusedWithOptionsToo) {
+  const std::string deep = "{\"points\":" + std::string(300000, '[') + std::string(300000, ']') + "}";
+  expectRefusal({"biarc", "--arcs", "4"}, 2, "deep", deep);
+}
+
+TEST(BadInput, MoreThreadsThanCoresAreNoNews) {
+  const Finished run =
+      blade({"fit", "--threads", "1024"},
+            R"({"cases": [{"curve": {"type": "bezier", "poles": [[0,0],[200,150],[400,150],[600,0]]}}]})");
+  EXPECT_EQ(run.status, 0);
+  EXPECT_EQ(run.err, "");
 }
 
 TEST(BadInput, ErrorsAsJson) {

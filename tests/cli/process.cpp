@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 
@@ -20,7 +22,7 @@ namespace bw::test {
 namespace fs = std::filesystem;
 
 Finished blade(const std::vector<std::string>& arguments, const std::string& input,
-               const std::string& interruptWhen) {
+               const std::string& interruptWhen, int signal) {
   int in[2], out[2], err[2];
   if (::pipe(in) || ::pipe(out) || ::pipe(err)) return {};
   std::vector<std::string> words = {BW_BLADE};
@@ -61,12 +63,27 @@ Finished blade(const std::vector<std::string>& arguments, const std::string& inp
       }
     }
     if (!interrupted && run.err.find(interruptWhen) != std::string::npos) {
-      ::kill(child, SIGINT);
+      ::kill(child, signal);
       interrupted = true;
     }
   }
   int status = 0;
   ::waitpid(child, &status, 0);
+  run.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return run;
+}
+
+Finished shell(const std::string& line) {
+  ::setenv("BLADE", BW_BLADE, 1);
+  ::setenv("LINE", line.c_str(), 1);
+  Finished run;
+  ::signal(SIGPIPE, SIG_DFL);  // inherited; blade() ignores it
+  std::FILE* pipe = ::popen("exec bash -c \"$LINE\"", "r");
+  if (!pipe) return run;
+  std::array<char, 4096> buffer;
+  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe))
+    run.out.append(buffer.data(), n);
+  const int status = ::pclose(pipe);
   run.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   return run;
 }

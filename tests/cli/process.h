@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <csignal>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -15,10 +16,13 @@ struct Finished {
   std::string err;  ///< standard error
 };
 
-/// Runs `blade` with these arguments and this standard input. With `interruptWhen`, sends SIGINT once that
+/// Runs `blade` with these arguments and this standard input. With `interruptWhen`, sends `signal` once that
 /// text stands on standard error.
 Finished blade(const std::vector<std::string>& arguments, const std::string& input = {},
-               const std::string& interruptWhen = {});
+               const std::string& interruptWhen = {}, int signal = SIGINT);
+
+/// Runs a line of bash, in which $BLADE is the program; what it prints is `out`.
+Finished shell(const std::string& line);
 
 /// A new empty folder below the test output; removed again by the destructor.
 class Folder {

@@ -272,6 +272,84 @@ TEST(BiarcFit, ChoosesPointsInEveryWay) {
   }
 }
 
+TEST(BiarcFit, TheTubeDropsThePointsThatMatterLeast) {
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> noise(0, 0.3);
+  for (const bool closed : {false, true}) {
+    Points data;
+    for (int i = 0; i < 90; ++i) {
+      const double t = 2 * std::numbers::pi * i / 90;
+      data.push_back({40 * std::cos(t) + noise(random), 25 * std::sin(t) + noise(random)});
+    }
+    const auto gapOf = [&](const Points& kept) {
+      // How far the dropped points lie from the edge that bridges them.
+      double worst = 0;
+      std::size_t k = 0;
+      for (std::size_t i = 0; i < data.size(); ++i) {
+        if (k + 1 < kept.size() && (data[i] - kept[k + 1]).norm() < 1e-9) ++k;
+        const Vector2d a = kept[k], edge = kept[(k + 1) % kept.size()] - a;
+        const double t = std::clamp((data[i] - a).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
+        worst = std::max(worst, (data[i] - a - t * edge).norm());
+      }
+      return worst;
+    };
+    BiarcOptions options;
+    options.closed = closed;
+    options.goal = BiarcGoal::nothing;
+    options.select = BiarcSelect::tube;
+    options.tube = 1.2;
+    const Points tube = fitBiarcs(data, options).value().curve.points;
+    EXPECT_LE(closed ? 0 : gapOf(tube), options.tube + 1e-9);
+    // One fewer would not do, whichever is dropped.
+    for (std::size_t i = 1; !closed && i + 1 < tube.size(); ++i) {
+      Points fewer = tube;
+      fewer.erase(fewer.begin() + std::ptrdiff_t(i));
+      EXPECT_GT(gapOf(fewer), options.tube);
+    }
+    // Fewer points are among more.
+    options.tube = 0;
+    Points before;
+    for (const int count : {40, 20, 8, 4}) {
+      options.points = count;
+      const Points kept = fitBiarcs(data, options).value().curve.points;
+      ASSERT_EQ(kept.size(), std::size_t(count));
+      for (const Vector2d& p : kept) {
+        const Points& all = before.empty() ? data : before;
+        EXPECT_TRUE(
+            std::any_of(all.begin(), all.end(), [&](const Vector2d& q) { return (p - q).norm() < 1e-9; }));
+      }
+      before = kept;
+    }
+  }
+}
+
+TEST(BiarcFit, VeryManyPointsGiveTheArcsOfFewer) {
+  // The noise is fixed; ten times the points tell the same curve.
+  const auto data = [](int count) {
+    Points points;
+    for (int i = 0; i < count; ++i) {
+      const double t = double(i) / (count - 1);
+      points.push_back({1000 * t, 100 * std::sin(6 * t) + 0.01 * std::sin(1e4 * t)});
+    }
+    return points;
+  };
+  for (const BiarcDistance distance : {BiarcDistance::rms, BiarcDistance::mean, BiarcDistance::max}) {
+    SCOPED_TRACE(int(distance));
+    BiarcOptions options;
+    options.points = 6;
+    options.distance = distance;
+    const BiarcResult few = fitBiarcs(data(3000), options).value();
+    const BiarcResult many = fitBiarcs(data(30000), options).value();
+    EXPECT_NEAR(many.objective, few.objective, 0.1 * few.objective);
+  }
+  BiarcOptions options;
+  options.tolerance = 0.5;
+  const BiarcResult few = fitBiarcs(data(3000), options).value();
+  const BiarcResult many = fitBiarcs(data(30000), options).value();
+  EXPECT_LE(many.measures.max, 0.5 * (1 + 1e-9));
+  EXPECT_LE(many.curve.arcs.size(), few.curve.arcs.size() + 2);
+}
+
 TEST(BiarcFit, MorePointsThanDataMeetAllData) {
   for (const Points& data : {Points{{1, 0}, {0, 2}, {1, 4}, {2, 6}, {3, 5}, {4, 4}, {5.5, 3}}, lamp()})
     for (const bool closed : {false, true})

@@ -277,7 +277,7 @@ TEST(ClampedBlade, SaysWhyThereIsNoSolution) {
   const Result<ClampedAnswer> tooFar = solveClamped(across(1.01, 0, 0));
   ASSERT_FALSE(tooFar);
   EXPECT_EQ(tooFar.error().code, ErrorCode::noSolution);
-  EXPECT_NE(tooFar.error().message.find("closer"), std::string::npos);
+  EXPECT_NE(tooFar.error().message.find("nearer"), std::string::npos);
   EXPECT_EQ(tooFar.error().value, 800);
   const Result<ClampedAnswer> crooked = solveClamped(across(1, 0.2, 0));
   ASSERT_FALSE(crooked);

@@ -100,6 +100,26 @@ TEST(ElasticaFit, CountingPiecesFindsTheElasticaItself) {
   }
 }
 
+TEST(ElasticaFit, GuessByLengthIsNeverFarBehindTheCount) {
+  // Short, nearly straight pieces, where the tangents hardly tell the place on the elastica.
+  for (const double k : {0.3, 0.8, 1.5})
+    for (const double part : {0.02, 0.05, 0.2, 0.5})
+      for (const double from : {0.3, 0.8, 1.4}) {
+        ControlParameters p;
+        p.k = k;
+        p.S = 80;
+        p.s0 = from;
+        p.l = part;
+        const PlanarCurve c = splineOf(Elastica::fromControlParameters(p).value(), 10);
+        FitOptions options;
+        const FitResult byLength = fitElastica(c, options).value();
+        options.guess = FitOptions::Guess::count;
+        const FitResult byCount = fitElastica(c, options).value();
+        EXPECT_LE(byLength.R4initial, 10 * byCount.R4initial + 1e-12) << k << " " << part << " " << from;
+        EXPECT_LE(byLength.R4, byCount.R4 * (1 + 1e-6) + 1e-9) << k << " " << part << " " << from;
+      }
+}
+
 TEST(ElasticaFit, ResidualsAreThoseOfTheThesis) {
   // R1 and R2 from (2.17) and (2.20) as printed, solved about the origin with a fine midpoint rule.
   for (const auto& [name, c] : test::fitCurves()) {
@@ -372,6 +392,69 @@ TEST(ElasticaFit, H1NormBringsTheTangentsNearer) {
     EXPECT_GE(h1.R4, l2.R4 * (1 - 1e-6) - 1e-12);
     EXPECT_LE(tangentMiss(h1, c), tangentMiss(l2, c) * (1 + 1e-6) + 1e-12);
   }
+}
+
+TEST(ElasticaFit, H2NormBringsTheCurvaturesNearer) {
+  const auto miss = [](const Elastica& e, const PlanarCurve& c, int order) {
+    // ∫ |γ − r|² and, up to the order, that of the derivatives by the share of the length, in lengths of the
+    // curve.
+    const PlanarCurve::Quadrature& q = c.quadrature();
+    std::vector<double> s;
+    for (const double arc : q.arc) s.push_back(arc / c.length() * e.length());
+    std::vector<Elastica::State> states(s.size());
+    e.at(s, states);
+    const double length = e.length() / c.length();
+    double sum = 0;
+    for (std::size_t i = 0; i < s.size(); ++i) {
+      const Vector2d t = direction(states[i].angle), n(-t.y(), t.x());
+      const Vector2d normal(-q.tangent[i].y(), q.tangent[i].x());
+      const Vector2d apart[] = {
+          (states[i].point - q.point[i]) / c.length(), length * t - q.tangent[i],
+          length * e.length() * states[i].curvature * n - q.curvature[i] * c.length() * normal};
+      for (int k = 0; k <= order; ++k) sum += q.weight[i] / c.length() * apart[k].squaredNorm();
+    }
+    return sum;
+  };
+  int looked = 0;
+  for (const auto& [name, c] : test::fitCurves()) {
+    if (c.kind() == PlanarCurve::Kind::points) continue;
+    for (const bool endpoints : {false, true}) {
+      SCOPED_TRACE(testing::Message() << name << (endpoints ? ", with its ends" : ""));
+      FitOptions options;
+      options.endpoints = endpoints;
+      const FitResult l2 = fitElastica(c, options).value();
+      options.norm = FitOptions::Norm::H2;
+      const FitResult h2 = fitElastica(c, options).value();
+      // Where curves are near their elastica there is one minimum to find.
+      if (h2.status != FitStatus::converged || l2.R4 > 5e-3) continue;
+      ++looked;
+      EXPECT_LE(miss(h2.elastica, c, 2), miss(l2.elastica, c, 2) * (1 + 1e-6) + 1e-12);
+      EXPECT_GE(h2.R4, l2.R4 * (1 - 1e-6) - 1e-12);
+      if (endpoints) continue;
+      // At rest: no derivative by start, tangent, curvature, force or length is left, seen by central
+      // differences.
+      const auto moved = [&](int j, double step) {
+        const Elastica& e = h2.elastica;
+        const double unit = c.length();
+        double d[7] = {0, 0, 0, 0, 0, 0, 0};
+        d[j] = step;
+        return miss(Elastica::make(e.start() + unit * Vector2d(d[0], d[1]), e.startAngle() + d[2],
+                                   e.startCurvature() + d[3] / unit,
+                                   e.force() + Vector2d(d[4], d[5]) / (unit * unit), e.length() + d[6] * unit)
+                        .value(),
+                    c, 2);
+      };
+      if (h2.elastica.anchor()) continue;
+      constexpr double kStep = 1e-5;
+      for (int j = 0; j < 7; ++j) {
+        const double up = moved(j, kStep), down = moved(j, -kStep), here = moved(j, 0);
+        const double slope = (up - down) / (2 * kStep), bend = (up - 2 * here + down) / (kStep * kStep);
+        // In steps: a Newton step of this variable alone would be nothing.
+        EXPECT_LT(std::abs(slope), 1e-6 * (1 + bend)) << j;
+      }
+    }
+  }
+  EXPECT_GE(looked, 8);
 }
 
 TEST(ElasticaFit, ForecastCoversNineInTen) {

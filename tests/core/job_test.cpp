@@ -52,7 +52,9 @@ TEST(Job, WritesWhatItReads) {
       const char* text :
       {"{}",
        R"({"face": "all", "block": {"origin": [0.1, 0.2, 0.3], "size": [400, 300.7, 200]}, "stations": {"spacing": 0.7}, "direction": "x"})",
-       R"({"blade": "steel-rod-1", "face": 4, "programs": []})"}) {
+       R"({"blade": "steel-rod-1", "face": 4, "programs": []})",
+       R"({"unit": "cm", "sewing": 0.02, "near": [1, 2, 3]})", R"({"face": ["a", "b"]})",
+       R"({"face": {"group": 3}})"}) {
     const Result<Job> job = parseJob(text);
     ASSERT_TRUE(job) << job.error().message;
     const std::string once = jobToJson(*job);
@@ -60,6 +62,38 @@ TEST(Job, WritesWhatItReads) {
     ASSERT_TRUE(again) << again.error().message;
     EXPECT_EQ(jobToJson(*again), once);
   }
+}
+
+TEST(Job, ReadsUnitSewingAndTheWaysToChooseFaces) {
+  const Result<Job> job = parseJob(R"({"unit": "in", "sewing": 0.3, "near": [1, -2.5, 3]})");
+  ASSERT_TRUE(job) << job.error().message;
+  EXPECT_EQ(job->unit, LengthUnit::inch);
+  EXPECT_EQ(job->sewingTolerance(), 0.3);
+  EXPECT_EQ(job->face.kind, FaceChoice::Kind::nearest);
+  EXPECT_EQ(job->face.point, Eigen::Vector3d(1, -2.5, 3));
+  const auto face = [](const std::string& text) { return parseJob("{\"face\": " + text + "}").value().face; };
+  EXPECT_EQ(face("\"Roof\"").names, std::vector<std::string>{"Roof"});
+  EXPECT_EQ(face(R"(["Roof", "Wall"])").names.size(), 2u);
+  EXPECT_EQ(face(R"({"group": 2})").kind, FaceChoice::Kind::group);
+  EXPECT_EQ(face(R"({"group": 2})").group, 2);
+  EXPECT_EQ(face("\"largest\"").kind, FaceChoice::Kind::largest);
+}
+
+TEST(Job, SewsWithinATenthOfTheToleranceButAtMostATenthOfAMillimetre) {
+  EXPECT_EQ(parseJob("{}").value().sewingTolerance(), 0.1);
+  EXPECT_EQ(parseJob(R"({"tolerance": 0.5})").value().sewingTolerance(), 0.05);
+  EXPECT_EQ(parseJob(R"({"tolerance": 0.5, "sewing": 0})").value().sewingTolerance(), 0);
+  EXPECT_FALSE(parseJob("{}").value().unit);
+}
+
+TEST(Job, FacesAreChosenOnceAndInOneWay) {
+  EXPECT_NE(messageOf(R"({"face": 3, "near": [0, 0, 0]})").find("by face and by near"), std::string::npos);
+  EXPECT_NE(messageOf(R"({"near": [0, 0]})").find("near"), std::string::npos);
+  EXPECT_NE(messageOf(R"({"face": [1, "Roof"]})").find("a list of names"), std::string::npos);
+  EXPECT_NE(messageOf(R"({"face": {"gruop": 1}})").find("did you mean \"group\"?"), std::string::npos);
+  EXPECT_NE(messageOf(R"({"face": {"group": -1}})").find("group"), std::string::npos);
+  EXPECT_NE(messageOf(R"({"unit": "inch"})").find("\"in\""), std::string::npos);
+  EXPECT_NE(messageOf(R"({"sewing": -1})").find("-1"), std::string::npos);
 }
 
 TEST(Job, NamesTheNearestKeyOfATypo) {

@@ -99,10 +99,32 @@ TEST(PiecewiseFit, TolerancesAreUsedButKept) {
       << loose.message;
   for (std::size_t i = 0; i + 1 < loose.pieces.size(); ++i) {
     const Vector2d gap = loose.pieces[i].point(loose.pieces[i].length()) - loose.pieces[i + 1].start();
-    EXPECT_LE(gap.cwiseAbs().maxCoeff(), 0.1 * (1 + 1e-6));
+    EXPECT_LE(gap.norm(), 0.1 * (1 + 1e-6));
+    EXPECT_NEAR(gap.norm(), loose.joints[i].gap, 1e-12);
     EXPECT_LE(loose.joints[i].angle, pi / 180 * (1 + 1e-6));
   }
   EXPECT_LT(loose.totalR4, exact.totalR4);
+}
+
+TEST(PiecewiseFit, ThePositionToleranceIsADistanceWhicheverWayTheCurveLies) {
+  PiecewiseOptions options;
+  options.pieces = 3;
+  for (const double position : {0.02, 1.0, 20.0}) {
+    options.position = position;
+    const PiecewiseResult chain = fitPiecewise(wave(), options).value();
+    for (const double turn : {0.3, 0.8, 2.1}) {
+      SCOPED_TRACE(testing::Message() << position << " mm, turned by " << turn);
+      const PiecewiseResult turned =
+          fitPiecewise(wave().transformed(turn, 1, Vector2d(5, -3)), options).value();
+      ASSERT_TRUE(turned.status == FitStatus::converged || turned.status == FitStatus::constraintsActive)
+          << turned.message;
+      EXPECT_NEAR(turned.totalR4, chain.totalR4, 1e-4 * chain.totalR4);
+      for (std::size_t i = 0; i < chain.joints.size(); ++i) {
+        EXPECT_LE(turned.joints[i].gap, position * (1 + 1e-6));
+        EXPECT_NEAR(turned.joints[i].gap, chain.joints[i].gap, 1e-2 * position);
+      }
+    }
+  }
 }
 
 TEST(PiecewiseFit, JointsNeedNotLieOnTheCurve) {

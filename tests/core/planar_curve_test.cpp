@@ -322,6 +322,27 @@ TEST(PlanarCurve, BadInputNamesThePlaceAndTheNumber) {
   EXPECT_NE(message(PlanarCurve::points({{1, 1}, {2, kNan}})).find("point 1"), std::string::npos);
 }
 
+TEST(PlanarCurve, KnotsThatAreNeitherOneNorTwoAreRefused) {
+  const std::vector<Vector2d> poles{{0, 0}, {1, 1}, {2, 0}, {3, 1}};
+  for (const double knot : {1e-300, 1e-150, 1e-13, 1 - 1e-13})
+    EXPECT_FALSE(PlanarCurve::bspline(2, {0, 0, 0, knot, 1, 1, 1}, poles)) << knot;
+  for (const double knot : {1e-11, 1e-6, 1 - 1e-6})
+    EXPECT_TRUE(PlanarCurve::bspline(2, {0, 0, 0, knot, 1, 1, 1}, poles)) << knot;
+  // The same in another unit.
+  EXPECT_TRUE(PlanarCurve::bspline(2, {0, 0, 0, 1e-26, 1e-20, 1e-20, 1e-20}, poles));
+  EXPECT_FALSE(PlanarCurve::bspline(2, {5, 5, 5, 5 + 1e-13, 5 + 1e-12, 5 + 1e-12, 5 + 1e-12}, poles));
+}
+
+TEST(PlanarCurve, RationalCurvesFarFromTheOriginEndAndKeepTheirLength) {
+  const double half = std::sqrt(0.5);
+  for (const double away : {0.0, 1e6, 1e9}) {
+    const auto quarter = PlanarCurve::bspline(
+        2, {0, 0, 0, 1, 1, 1}, {{away + 1, away}, {away + 1, away + 1}, {away, away + 1}}, {1, half, 1});
+    ASSERT_TRUE(quarter);
+    EXPECT_NEAR(quarter->length(), std::numbers::pi / 2, 1e-10 + 1e-15 * away);
+  }
+}
+
 TEST(PlanarCurve, CurvatureIsPositiveCounterClockwise) {
   const PlanarCurve c = PlanarCurve::bezier({{0, 0}, {1, 0}, {1, 1}}).value();
   EXPECT_GT(c.curvature(0.5), 0);

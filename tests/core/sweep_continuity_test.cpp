@@ -110,6 +110,7 @@ TEST(SweepContinuity, StepsAreWithinWhatTheToleranceAllows) {
 TEST(SweepContinuity, EndsThatTheSectionsFlingAreAnError) {
   Job job;
   job.blade.length = 1000;
+  job.blade.yieldStress = 1000;  // bends to 360 mm
   std::vector<Section> sections;
   for (int i = 0; i < 4; ++i) sections.push_back(arc(i, i % 2 == 0 ? 400 : -400, 260));
   Issues issues;

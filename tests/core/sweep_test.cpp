@@ -314,7 +314,7 @@ TEST(SweepAnalysis, TooFewStationsAskForMore) {
   EXPECT_EQ(message(31, sphere), "");
   // Where the stations themselves are off, more of them do not help.
   const std::string off = message(31, test::SphereSampler(kRadius + 1));
-  EXPECT_NE(off.find("split the surface"), std::string::npos) << off;
+  EXPECT_NE(off.find("cut it in parts"), std::string::npos) << off;
   EXPECT_EQ(off.find("take more"), std::string::npos) << off;
 }
 

@@ -8,6 +8,8 @@
 
 #include <csignal>
 #include <fstream>
+#include <iostream>
+#include <new>
 #include <sstream>
 #include <thread>
 
@@ -36,6 +38,19 @@ TEST(Isolated, CrashEndsTheWorkAloneAndIsAnError) {
   }
 }
 
+TEST(Isolated, WhatTheWorkPrintsStaysOutOfTheProgramsStreams) {
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  const auto bytes = runIsolated({}, [] {
+    std::cout << "Not a TShape table" << std::endl;
+    std::cerr << "no such thing" << std::endl;
+    return std::string("done");
+  });
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_EQ(bytes.value(), "done");
+}
+
 TEST(Isolated, StopEndsEndlessWork) {
   std::stop_source source;
   RunContext context;
@@ -46,6 +61,46 @@ TEST(Isolated, StopEndsEndlessWork) {
   });
   ASSERT_FALSE(bytes);
   EXPECT_EQ(bytes.error().code, ErrorCode::cancelled);
+}
+
+TEST(Isolated, WorkWithoutEndIsAnErrorOfTheFile) {
+  WorkLimits limits;
+  limits.cpuSeconds = 1;
+  const auto bytes = runIsolated(
+      {},
+      []() -> std::string {
+        volatile bool end = false;
+        while (!end) {
+        }
+        return "never";
+      },
+      limits);
+  ASSERT_FALSE(bytes);
+  EXPECT_EQ(bytes.error().code, ErrorCode::cannotRead);
+  EXPECT_NE(bytes.error().message.find("within 1 s of computing"), std::string::npos)
+      << bytes.error().message;
+}
+
+TEST(Isolated, WorkGetsNoMoreMemoryThanItsLimit) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer ends a program that gets no memory";
+#endif
+  WorkLimits limits;
+  limits.memory = std::size_t(64) << 20;
+  const auto bytes = runIsolated(
+      {},
+      [] {
+        std::string taken;
+        try {
+          for (std::size_t size = 1 << 20; size < std::size_t(1) << 30; size *= 2) taken.assign(size, 1);
+        } catch (const std::bad_alloc&) {
+          return std::string("refused");
+        }
+        return std::string("had all");
+      },
+      limits);
+  ASSERT_TRUE(bytes);
+  EXPECT_EQ(*bytes, "refused");
 }
 
 TEST(Isolated, InterruptOfTheWorkIsAStop) {

@@ -58,13 +58,13 @@ TEST(CadModel, AreaOfASphericalZoneIsExact) {
 }
 
 TEST(CadModel, PrincipalCurvaturesOfASphereAreOneOverItsRadius) {
-  const CadInfo info = modelOf(exampleStep("sphere-cap").value()).infoWithCurvatures();
+  const CadInfo info = modelOf(exampleStep("sphere-cap").value()).infoInFull().value();
   EXPECT_NEAR(info.faceList[0].curvatureMin, -1.0 / 900, 1e-9);
   EXPECT_NEAR(info.faceList[0].curvatureMax, -1.0 / 900, 1e-9);
 }
 
 TEST(CadModel, PrincipalCurvaturesOfTheSaddleAreThoseOfItsVertex) {
-  const CadInfo info = modelOf(exampleStep("saddle").value()).infoWithCurvatures();
+  const CadInfo info = modelOf(exampleStep("saddle").value()).infoInFull().value();
   EXPECT_NEAR(info.faceList[0].curvatureMax, 2.0 / 1600, 1e-8);
   EXPECT_NEAR(info.faceList[0].curvatureMin, -2.0 / 1200, 1e-8);
 }

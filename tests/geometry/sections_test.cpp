@@ -329,5 +329,22 @@ TEST(Sections, PlaneAlongAKnotLineIsNoSpecialCase) {
   EXPECT_LT(deviation(target, *sections), kAccuracy);
 }
 
+TEST(Sections, SpacingThatIsAdvisedIsTaken) {
+  // The advice of the refusal, followed to the digit.
+  const Target target = exampleTarget("saddle");
+  Job job;
+  job.block = BlockPlacement{{-20, -20, -200}, {40, 40, 400}, {0, 0, 0}};
+  job.spacing = 1e-4;
+  Issues issues;
+  const auto setup = resolveSetup(target, job, issues).value();
+  const auto refused = cutSections(target, setup, job, {}, issues);
+  ASSERT_FALSE(refused);
+  const std::size_t at = refused.error().message.find("choose ");
+  ASSERT_NE(at, std::string::npos) << refused.error().message;
+  job.spacing = std::stod(refused.error().message.substr(at + 7));
+  EXPECT_GE(*job.spacing, 0.01);  // what a job takes
+  EXPECT_TRUE(cutSections(target, setup, job, {}, issues)) << refused.error().message;
+}
+
 }  // namespace
 }  // namespace bw::geometry::test

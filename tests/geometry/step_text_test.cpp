@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
+#include <unistd.h>
+
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -38,6 +40,42 @@ TEST(StepText, ReadsBackAsTheSameSurface) {
     }
   }
   EXPECT_LT(worst, 1e-6);
+}
+
+TEST(IgesText, ReadsBackAsTheSameSurfaceInMillimetres) {
+  const SplineSurface surface = wave();
+  const auto text = igesText(surface, "wave");
+  ASSERT_TRUE(text) << text.error().message;
+  const auto model = CadModel::readBytes(*text, "wave.iges");
+  ASSERT_TRUE(model) << model.error().message;
+  EXPECT_EQ(model->info().format, "IGES");
+  EXPECT_EQ(model->info().unit, "mm");
+  EXPECT_EQ(model->info().faces, 1);
+  const auto target = Target::make(*model, {});
+  ASSERT_TRUE(target) << target.error().message;
+  const auto sampler = target->sampler();
+  double worst = 0;
+  for (int i = 0; i <= 40; ++i)
+    for (int j = 0; j <= 40; ++j) {
+      const auto foot = sampler->closest(surface.value(i / 40.0, j / 40.0), nullptr);
+      ASSERT_TRUE(foot);
+      worst = std::max(worst, foot->distance);
+    }
+  EXPECT_LT(worst, 1e-6);
+}
+
+TEST(IgesText, EqualInputGivesEqualBytesWithoutDateOrMachine) {
+  const std::string a = igesText(wave(), "wave Ø").value();
+  EXPECT_EQ(a, igesText(wave(), "wave Ø").value());
+  EXPECT_NE(a.find("20000101.000000"), std::string::npos);
+  char host[256] = {};
+  ASSERT_EQ(::gethostname(host, sizeof(host) - 1), 0);
+  if (std::string(host).size() > 3) {
+    EXPECT_EQ(a.find(host), std::string::npos);
+  }
+  SplineSurface bad = wave();
+  bad.poles[3].x() = std::numeric_limits<double>::quiet_NaN();
+  expectError(igesText(bad, "bad"), ErrorCode::badInput, "pole 3");
 }
 
 TEST(StepText, EqualInputGivesEqualBytesAndNoDate) {

@@ -59,7 +59,9 @@ Motion simpleMotion() {
 }
 
 TEST(RapidGolden, ProgramOfFiveTargetsIsUnchanged) {
-  const auto program = writeRapid(simpleMotion(), sample::cell());
+  RapidOptions options;
+  options.run = "0123456789abcdef";
+  const auto program = writeRapid(simpleMotion(), sample::cell(), options);
   ASSERT_TRUE(program) << program.error().message;
   expectGolden(*program, "five-targets");
 }

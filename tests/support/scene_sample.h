@@ -55,11 +55,10 @@ inline scene::Content sampleContent(const SceneSample& sample = {}) {
   SurfaceGrid& cut = content.cut;
   cut.rows = (sample.stations - 1) * (sample.rowsBetween + 1) + 1;
   cut.columns = sample.columns;
-  cut.fields = {{"deviation", "Deviation", "mm", {}},
-                {"angle", "Cutting angle", "\u00b0", {}},
-                {"speed", "Blade speed", "mm/s", {}},
-                {"relative_speed", "Relative speed", "", {}},
-                {"curvature", "Curvature / limit", "", {}}};
+  cut.fields = {{"deviation", "Deviation", "mm", {}},       {"angle", "Cutting angle", "\u00b0", {}},
+                {"speed", "Blade speed", "mm/s", {}},       {"relative_speed", "Relative speed", "", {}},
+                {"curvature", "Curvature / limit", "", {}}, {"stress", "Bending stress", "N/mm²", {}}};
+  content.limits = {{"curvature", 1.0}, {"stress", 417.0}};
   for (int r = 0; r < cut.rows; ++r) {
     for (int c = 0; c < cut.columns; ++c) {
       const double x = kWidth * c / (cut.columns - 1), y = kDepth * r / (cut.rows - 1);
@@ -71,6 +70,7 @@ inline scene::Content sampleContent(const SceneSample& sample = {}) {
       cut.fields[3].values.push_back(cut.fields[2].values.back() / 2.6);
       cut.fields[4].values.push_back(0.15 + 0.65 * std::pow(std::sin(x * 0.0105 + 0.4), 2) *
                                                 (0.4 + 0.6 * y / kDepth));
+      cut.fields[5].values.push_back(417 * cut.fields[4].values.back());
     }
   }
   for (int s = 0; s < sample.stations; ++s) {

@@ -16,6 +16,7 @@
 #include "scene/legend/color_map.h"
 #include "scene/legend/legend_range.h"
 #include "scene/legend/ticks.h"
+#include "scene/render/text_wrap.h"
 #include "scene_sample.h"
 
 namespace {
@@ -50,27 +51,57 @@ TEST(ColorMaps, EndsAreThoseOfTheDefinition) {
   EXPECT_NEAR(viridis(std::nan("")).g, viridis(0).g, 1e-12);
 }
 
-TEST(ColorMaps, DeviationBandIsNeutralStepsAtTheToleranceAndSaturates) {
+TEST(ColorMaps, DeviationIsPaleWithinTheToleranceStepsThereAndSaturates) {
   for (const double sign : {-1.0, 1.0}) {
-    for (double v = 0; v <= 2; v += 0.1) EXPECT_LT(spread(deviationColor(sign * v, 2, 6)), 0.09);
-    EXPECT_GT(spread(deviationColor(sign * 2.001, 2, 6)), 0.25);
-    EXPECT_GT(spread(deviationColor(sign * 6, 2, 6)), 0.5);
+    EXPECT_LT(spread(deviationColor(0, 2, 6)), 0.02);
+    double before = spread(deviationColor(0, 2, 6));
+    for (double v = 0.2; v <= 2; v += 0.1) {
+      const Rgb c = deviationColor(sign * v, 2, 6);
+      EXPECT_GT(spread(c), before) << v;
+      EXPECT_GT(luminance(c), 0.5) << v;
+      before = spread(c);
+    }
+    // Half of the tolerance is seen on the screen: more than a tenth of the range of a channel.
+    EXPECT_GT(spread(deviationColor(sign * 1, 2, 6)), 0.1);
+    EXPECT_GT(spread(deviationColor(sign * 2.001, 2, 6)), before + 0.15);
+    EXPECT_LT(luminance(deviationColor(sign * 2.001, 2, 6)), 0.3);
     EXPECT_EQ(deviationColor(sign * 6, 2, 6).g, deviationColor(sign * 60, 2, 6).g);
-    double before = 2;
+    double bright = 2;
     for (double v = 2.01; v <= 6; v += 0.1) {
       const double now = luminance(deviationColor(sign * v, 2, 6));
-      EXPECT_LT(now, before);
-      before = now;
+      EXPECT_LT(now, bright);
+      bright = now;
     }
   }
   EXPECT_GT(deviationColor(3, 2, 6).r, deviationColor(3, 2, 6).b);
   EXPECT_GT(deviationColor(-3, 2, 6).b, deviationColor(-3, 2, 6).r);
+  EXPECT_GT(deviationColor(1, 2, 6).r, deviationColor(1, 2, 6).b);
+  EXPECT_GT(deviationColor(-1, 2, 6).b, deviationColor(-1, 2, 6).r);
 }
 
-TEST(ColorMaps, CurvatureBeyondTheLimitIsRed) {
-  const ColorMap map{"curvature", {0, 1.5}, 0};
+TEST(ColorMaps, ScaleThatEndsOrBeginsWithinTheToleranceShowsAllOfThePaleColours) {
+  EXPECT_NEAR(spread(deviationColor(0.3, 2, 0.3)), spread(deviationColor(2, 2, 6)), 1e-9);
+  const ColorMap aside{"deviation", {0.5, 0.6}, 2, {}};
+  EXPECT_LT(spread(aside.at(0.5)), 0.02);
+  EXPECT_GT(spread(aside.at(0.6)), 0.2);
+  const ColorMap below{"deviation", {-9, -5}, 2, {}};
+  EXPECT_GT(std::abs(luminance(below.at(-5)) - luminance(below.at(-9))), 0.1);
+}
+
+TEST(ColorMaps, BeyondTheLimitIsRedAndUpToItTheScaleStaysTheSame) {
+  const ColorMap map{"curvature", {0, 1.5}, 0, 1.0}, within{"curvature", {0, 1}, 0, 1.0};
   EXPECT_GT(map.at(1.01).r, map.at(1.01).b + 0.5);
   EXPECT_LT(spread(map.at(0.5)), 0.3);
+  EXPECT_EQ(map.at(0.5).g, within.at(0.5).g);
+  const ColorMap stress{"stress", {0, 500}, 0, 400.0};
+  EXPECT_GT(stress.at(401).r, stress.at(401).b + 0.5);
+}
+
+TEST(TextWrap, WrapsItsWordsAndEndsInAnEllipsis) {
+  EXPECT_EQ(wrapped("one two  three", 7, 4), (std::vector<std::string>{"one two", "three"}));
+  EXPECT_EQ(wrapped("one two three four", 7, 2), (std::vector<std::string>{"one two", "three \u2026"}));
+  EXPECT_EQ(wrapped("unbreakable", 4, 2), (std::vector<std::string>{"unbreakable"}));
+  EXPECT_TRUE(wrapped("", 4, 2).empty());
 }
 
 TEST(Ticks, StepsAreOneTwoOrFive) {
@@ -107,13 +138,63 @@ TEST(Ticks, TextsHaveATrueMinusAndAPlusWhereAsked) {
   EXPECT_EQ(tickText(-0.0001, 1, true), "0.0");
 }
 
-TEST(LegendRange, DeviationIsSymmetricAndShowsTwiceTheTolerance) {
+TEST(LegendRange, DeviationIsSymmetricAndFollowsTheDataDownToATenthOfTheTolerance) {
   Style style;
   style.tolerance = 2;
-  EXPECT_EQ(legendRangeOf("deviation", {-0.3, 0.5, 10}, style), std::make_pair(-4.0, 4.0));
-  EXPECT_EQ(legendRangeOf("deviation", {-13, 0.5, 10}, style), std::make_pair(-15.0, 15.0));
+  const auto range = [&](double min, double max) {
+    return legendRangeOf("deviation", {min, max, 10}, style);
+  };
+  EXPECT_EQ(range(-13, 0.5), std::make_pair(-15.0, 15.0));
+  EXPECT_EQ(range(-1.3, 0.5), std::make_pair(-2.0, 2.0));
+  EXPECT_EQ(range(-0.08, 0.03), std::make_pair(-0.2, 0.2));
+  EXPECT_EQ(range(-1e-9, 1e-12), std::make_pair(-0.2, 0.2));
+  EXPECT_NEAR(range(-0.35, 0.5).second, 0.6, 1e-12);
+  style.tolerance = 0;
+  EXPECT_GT(range(0, 0).second, 0);
+}
+
+TEST(LegendRange, LimitsRunFromZeroAndTheRelativeSpeedToOne) {
+  const Style style;
+  EXPECT_EQ(legendRangeOf("curvature", {0.31, 0.52, 10}, style, 1.0), std::make_pair(0.0, 1.0));
+  EXPECT_EQ(legendRangeOf("curvature", {0.31, 1.4, 10}, style, 1.0), std::make_pair(0.0, 7 * 0.2));
+  EXPECT_EQ(legendRangeOf("stress", {100, 130, 10}, style, 416.0), std::make_pair(0.0, 416.0));
+  EXPECT_EQ(legendRangeOf("relative_speed", {0.98, 1, 10}, style), std::make_pair(0.0, 1.0));
+}
+
+TEST(LegendRange, RoundingErrorsMakeNoPicture) {
+  const Style style;
   EXPECT_EQ(legendRangeOf("angle", {4, 28, 10}, style), std::make_pair(0.0, 30.0));
   EXPECT_EQ(legendRangeOf("angle", {24, 28, 10}, style), std::make_pair(24.0, 28.0));
+  for (const char* field : {"speed", "angle", "relative_speed", "unheard"}) {
+    for (const double level : {0.0, 1e-12, 0.3, 1.0, 20.0, 12345.0}) {
+      for (const double noise : {0.0, 1e-15, 1e-9}) {
+        const auto [low, high] = legendRangeOf(field, {level * (1 - noise), level, 10}, style);
+        EXPECT_GE(high - low, 0.0999 * level) << field << level;
+        EXPECT_GE(high - low, 1e-3) << field << level;
+        EXPECT_LE(low, level * (1 - noise));
+        EXPECT_GE(high, level * (1 - 1e-9));
+        EXPECT_GE(low, 0) << field << level;
+      }
+    }
+  }
+  EXPECT_EQ(legendRangeOf("speed", {19.9999994, 20, 10}, style), std::make_pair(18.0, 20.0));
+}
+
+TEST(LegendRange, WishedEndsKeepAScale) {
+  const FieldSummary angle{4, 28, 10};
+  const auto range = [&](std::optional<double> low, std::optional<double> high) {
+    Style style;
+    style.rangeMin = low;
+    style.rangeMax = high;
+    return legendRangeOf("angle", angle, style);
+  };
+  EXPECT_EQ(range(5, 17.5), std::make_pair(5.0, 17.5));
+  EXPECT_EQ(range(17.5, 5), std::make_pair(5.0, 17.5));
+  EXPECT_EQ(range(5, 5), std::make_pair(5.0, 35.0));
+  EXPECT_EQ(range(30, {}), std::make_pair(30.0, 60.0));
+  EXPECT_NEAR(range(29.999, {}).second, 59.999, 1e-9);
+  EXPECT_EQ(range({}, -5), std::make_pair(-35.0, -5.0));
+  EXPECT_EQ(range(0, 1e-7), std::make_pair(0.0, 1e-7));
 }
 
 TEST(Isolines, LieOnTheLevelsOfALinearField) {
@@ -147,6 +228,35 @@ TEST(Isolines, LieOnTheLevelsOfALinearField) {
     return (Eigen::Vector2d((level - 0.31 * yTop) / 0.7, yTop) - a).norm();
   };
   EXPECT_NEAR(length, inside(3) + inside(6), 1e-9);
+}
+
+TEST(Isolines, JoinToWholeLinesOpenAndClosed) {
+  std::vector<Eigen::Vector3d> points;
+  std::vector<std::array<int, 3>> triangles;
+  std::vector<double> radius;
+  const int n = 30;
+  for (int j = 0; j <= n; ++j) {
+    for (int i = 0; i <= n; ++i) {
+      points.emplace_back(i - 15.2, j - 14.7, 0);
+      radius.push_back(points.back().norm());
+      if (i == n || j == n) continue;
+      const int a = j * (n + 1) + i;
+      triangles.push_back({a, a + 1, a + n + 2});
+      triangles.push_back({a, a + n + 2, a + n + 1});
+    }
+  }
+  const std::vector<Isoline> lines = joinedIsolines(points, triangles, radius, {18, 5, 10});
+  // Two closed circles, and four arcs in the corners.
+  ASSERT_EQ(lines.size(), 6u);
+  for (const Isoline& isoline : lines) {
+    const bool closed = (isoline.line.front() - isoline.line.back()).norm() < 1e-12;
+    EXPECT_EQ(closed, isoline.level < 15) << isoline.level;
+    for (std::size_t i = 0; i + 1 < isoline.line.size(); ++i)
+      EXPECT_LT((isoline.line[i + 1] - isoline.line[i]).norm(), 1.5);
+    for (const Eigen::Vector3d& p : isoline.line) EXPECT_NEAR(p.norm(), isoline.level, 0.1);
+  }
+  EXPECT_EQ(lines[0].level, 5);
+  EXPECT_GT(lines[1].line.size(), 50u);
 }
 
 TEST(Isolines, LeaveOutTrianglesWithoutANumber) {

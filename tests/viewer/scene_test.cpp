@@ -107,28 +107,52 @@ TEST_F(SceneTest, FirstPictureSaysNothingToTheUser) {
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
 }
 
-TEST_F(SceneTest, DeviationIsNeutralWithinToleranceAndBlueOrRedBeyond) {
+TEST_F(SceneTest, DeviationIsPaleWithinTheToleranceAndBlueOrRedBeyond) {
   Style style = mapped("deviation");
   style.showStations = style.showBlock = false;
   const Picture picture = draw(style, "deviation");
-  int within = 0, above = 0, below = 0;
+  int small = 0, within = 0, above = 0, below = 0;
   everywhere(picture, [&](const Pick& pick, const Color& c, int, int) {
     if (pick.kind != Pick::Kind::cut || !pick.value) return;
-    if (std::abs(*pick.value) < 1.9) {
+    const double v = *pick.value;
+    if (std::abs(v) < 0.1) {
+      ++small;
+      EXPECT_LT(c.spread(), 22) << v;
+    } else if (std::abs(v) > 0.8 && std::abs(v) < 1.9) {
       ++within;
-      EXPECT_LT(c.spread(), 40) << *pick.value;
-      EXPECT_GT(c.light(), 170) << *pick.value;
-    } else if (*pick.value > 2.1) {
+      EXPECT_GT(v > 0 ? c.r - c.b : c.b - c.r, 12) << v;
+      EXPECT_LT(c.spread(), 90) << v;
+      EXPECT_GT(c.light(), 140) << v;
+    } else if (v > 2.1) {
       ++above;
-      EXPECT_GT(c.r, c.b + 40) << *pick.value;
-    } else if (*pick.value < -2.1) {
+      EXPECT_GT(c.r, c.b + 60) << v;
+    } else if (v < -2.1) {
       ++below;
-      EXPECT_GT(c.b, c.r + 40) << *pick.value;
+      EXPECT_GT(c.b, c.r + 60) << v;
     }
   });
+  EXPECT_GT(small, 30);
   EXPECT_GT(within, 300);
   EXPECT_GT(above, 200);
   EXPECT_GT(below, 200);
+}
+
+TEST_F(SceneTest, SmallErrorsOfAGoodCutShow) {
+  test::SceneSample good;
+  good.error = 0.15;
+  scene.setContent(test::sampleContent(good));
+  Style style = mapped("deviation");
+  style.showStations = style.showBlock = false;
+  const Picture picture = draw(style, "deviation-good");
+  EXPECT_EQ(*scene.legendRange(), std::make_pair(-0.2, 0.2));
+  int above = 0, below = 0;
+  everywhere(picture, [&](const Pick& pick, const Color& c, int, int) {
+    if (pick.kind != Pick::Kind::cut || !pick.value) return;
+    above += *pick.value > 0.1 && c.r > c.b + 15;
+    below += *pick.value < -0.1 && c.b > c.r + 15;
+  });
+  EXPECT_GT(above, 100);
+  EXPECT_GT(below, 100);
 }
 
 TEST_F(SceneTest, SequentialMapRunsFromDarkToLight) {
@@ -168,7 +192,7 @@ TEST_F(SceneTest, LegendCountsAreaAndNotPoints) {
 }
 
 TEST_F(SceneTest, EveryFieldHasALegendWithTitleUnitAndNumbers) {
-  for (const char* name : {"deviation", "angle", "speed", "relative_speed", "curvature"}) {
+  for (const char* name : {"deviation", "angle", "speed", "relative_speed", "curvature", "stress"}) {
     const Picture picture = draw(mapped(name), name);
     const Field* field = scene.content().cut.field(name);
     const Overlay& overlay = scene.overlay();
@@ -195,7 +219,10 @@ TEST_F(SceneTest, LegendOfDeviationIsSymmetricAndMarksTheTolerance) {
   };
   EXPECT_GT(barColor(3.8).r, barColor(3.8).b + 100);
   EXPECT_GT(barColor(-3.8).b, barColor(-3.8).r + 100);
-  for (const double v : {-1.5, -0.5, 0.5, 1.5}) EXPECT_LT(barColor(v).spread(), 30);
+  for (const double v : {-1.5, 1.5}) {
+    EXPECT_LT(barColor(v).spread(), 80);
+    EXPECT_GT(barColor(v).spread(), 25);
+  }
   // The marks cross the histogram at both tolerances: dark pixels left of the bar.
   for (const double v : {-2.0, 2.0}) {
     int darkest = 255;
@@ -292,7 +319,27 @@ TEST_F(SceneTest, WishedRangeIsTaken) {
   EXPECT_EQ(*scene.legendRange(), std::make_pair(0.0, 17.5));
   style.rangeMin = 30;
   scene.setStyle(style);
-  EXPECT_LT(scene.legendRange()->first, scene.legendRange()->second);
+  EXPECT_EQ(*scene.legendRange(), std::make_pair(17.5, 30.0));
+}
+
+TEST_F(SceneTest, LegendOfALimitRunsFromZeroToItsMark) {
+  for (const auto& [name, limit, text] : {std::tuple("curvature", 1.0, "100 % within the limit"),
+                                          std::tuple("stress", 417.0, "100 % within 417 N/mm²")}) {
+    const Picture picture = draw(mapped(name), (std::string("limit-") + name).c_str());
+    EXPECT_EQ(*scene.legendRange(), std::make_pair(0.0, limit));
+    const auto& texts = scene.overlay().texts;
+    EXPECT_TRUE(std::any_of(texts.begin(), texts.end(),
+                            [&, text = text](const Overlay::Text& t) { return t.text == text; }));
+    // The mark stands at the upper end, across the histogram.
+    const PixelRect bar = *scene.overlay().bar;
+    EXPECT_LT(at(picture, int(bar.x - 25), int(bar.y)).light(), 90);
+  }
+  Content over = test::sampleContent();
+  for (double& v : over.cut.fields[4].values) v *= 1.6;
+  scene.setContent(over);
+  const Picture picture = draw(mapped("curvature"), "limit-exceeded");
+  EXPECT_GT(scene.legendRange()->second, 1.2);
+  EXPECT_GT(count(picture, [](const Color& c) { return c.r > c.b + 90 && c.r > c.g + 70; }), 800);
 }
 
 TEST_F(SceneTest, IsolinesAreDrawnAtTheTicksOnly) {
@@ -309,6 +356,121 @@ TEST_F(SceneTest, IsolinesAreDrawnAtTheTicksOnly) {
     const double off = std::abs(*pick.value - std::round(*pick.value));
     EXPECT_FALSE(off > 0.3 && std::abs(*pick.value) < 2 && isDark(c)) << *pick.value;
   });
+}
+
+TEST_F(SceneTest, IsolinesCarryTheirValues) {
+  for (const View view : {View::iso, View::top}) {
+    Style style = mapped("deviation");
+    style.isolines = true;
+    style.showStations = style.showGrid = false;
+    draw(style, view == View::iso ? "isoline-values" : "isoline-values-top", view);
+    const Overlay& overlay = scene.overlay();
+    int values = 0, onCut = 0;
+    std::set<std::string> levels;
+    for (const Overlay::Text& text : overlay.texts) {
+      const double x = text.box.x + 0.5 * text.box.width, y = text.box.y + 0.5 * text.box.height;
+      if (overlay.legend->contains(x, y)) continue;
+      if (overlay.marker && overlay.marker->contains(x, y)) continue;
+      ++values;
+      levels.insert(text.text);
+      const Pick pick = scene.pick(x, y, kWidth, kHeight);
+      onCut += pick.value.has_value();
+      if (!pick.value) continue;
+      std::string plain = text.text;
+      if (plain.starts_with("\u2212")) plain.replace(0, 3, "-");
+      EXPECT_NEAR(*pick.value, std::stod(plain), 0.25) << text.text;
+    }
+    EXPECT_GE(values, 8);
+    EXPECT_GE(levels.size(), 5u);
+    EXPECT_GE(onCut, values - 1) << "only at the very border a value may stand half beside the cut";
+  }
+  Style style = mapped("deviation");
+  style.showGrid = false;
+  draw(style, "isolines-none");
+  for (const Overlay::Text& text : scene.overlay().texts)
+    EXPECT_TRUE(scene.overlay().legend->contains(text.box.x, text.box.y)) << text.text;
+}
+
+/// How many pixels of the target's colour are drawn where the cut lies under the pixel.
+TEST_F(SceneTest, NoShardOfTheTargetComesThroughTheCut) {
+  struct Case {
+    const char* name;
+    double scale;  ///< of the target's extent around the panel
+    double zoom;
+  };
+  for (const Case& c :
+       {Case{"near", 1, 1}, Case{"far", 1, 12}, Case{"landscape", 12, 1}, Case{"landscape-far", 12, 10}}) {
+    Content content = test::sampleContent();
+    if (c.scale > 1) {
+      // A landscape of the same heights whose coarse triangles miss them.
+      TriangleMesh wide;
+      const int n = 120;
+      for (int j = 0; j <= n; ++j) {
+        for (int i = 0; i <= n; ++i) {
+          const double x = 300 + 660 * c.scale * (double(i) / n - 0.5),
+                       y = 335 + 730 * c.scale * (double(j) / n - 0.5);
+          wide.points.emplace_back(x, y, test::panelHeight(x, y));
+          if (i == n || j == n) continue;
+          const int a = j * (n + 1) + i;
+          wide.triangles.push_back({a, a + 1, a + n + 2});
+          wide.triangles.push_back({a, a + n + 2, a + n + 1});
+        }
+      }
+      content.target = wide;
+    }
+    if (c.scale == 1) {
+      // Exactly as wide as the cut: nothing of it may be seen in front.
+      for (Eigen::Vector3d& p : content.target.points) {
+        p.x() = 600 * (p.x() + 30) / 660;
+        p.y() = 670 * (p.y() + 30) / 730;
+        p.z() = test::panelHeight(p.x(), p.y());
+      }
+      content.target.normals.clear();
+    }
+    for (const bool parallel : {false, true}) {
+      for (const double lift : {1.0, 0.25, 0.08}) {  // from well above to glancing
+        Style style;
+        style.showStations = style.showBlock = style.showGrid = style.softShadows = false;
+        style.targetOpacity = 1;
+        scene.setContent(content);
+        scene.setStyle(style);
+        Camera camera = scene.fitCamera(View::iso, double(kWidth) / kHeight);
+        const double distance = c.zoom * (camera.position - camera.focus).norm();
+        camera.position = camera.focus + distance * Eigen::Vector3d(0.6, -0.8, lift).normalized();
+        camera.up = Eigen::Vector3d::UnitZ();
+        camera.parallel = parallel;
+        camera.parallelScale *= c.zoom;
+        scene.setCamera(camera);
+        const std::string name =
+            std::string("shards-") + c.name + (parallel ? "-parallel-" : "-") + std::to_string(lift);
+        const Picture with = shot(name.c_str());
+        style.showTarget = false;
+        scene.setStyle(style);
+        const Picture without = shot("shards-none");
+        // Wherever the cut alone is drawn, the target changes nothing, but for its outline.
+        scene.setContent({});
+        const Picture empty = shot("shards-empty");
+        const auto apart = [](const Color& a, const Color& b) {
+          return std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b);
+        };
+        int cut = 0, changed = 0;
+        for (int y = 2; y + 2 < kHeight; ++y) {
+          for (int x = 2; x + 2 < kWidth; ++x) {
+            if (scene.overlay().marker && scene.overlay().marker->contains(x, y)) continue;
+            bool inside = true;  // not at its smoothed border
+            for (int dy = -2; dy <= 2 && inside; ++dy)
+              for (int dx = -2; dx <= 2 && inside; ++dx)
+                inside = apart(at(empty, x + dx, y + dy), at(without, x + dx, y + dy)) > 12;
+            if (!inside) continue;
+            ++cut;
+            changed += apart(at(with, x, y), at(without, x, y)) > 24;
+          }
+        }
+        EXPECT_GT(cut, 5) << name;
+        EXPECT_LE(changed, cut / 500) << name;
+      }
+    }
+  }
 }
 
 TEST_F(SceneTest, SelectedStationIsBlueAndPicked) {
@@ -501,22 +663,177 @@ TEST_F(SceneTest, GroundHasNumbersInMillimetres) {
 }
 
 TEST_F(SceneTest, CubeTellsItsFaces) {
-  const std::pair<View, View> expected[] = {{View::top, View::top},   {View::front, View::front},
-                                            {View::left, View::left}, {View::right, View::right},
-                                            {View::back, View::back}, {View::bottom, View::bottom}};
-  for (const auto& [view, face] : expected) {
+  const auto at = [&](double x, double y) { return scene.cubeDirection(x, y, kWidth, kHeight); };
+  for (const View view : {View::top, View::front, View::left, View::right, View::back, View::bottom}) {
     draw(Style{}, "cube", view);
     const PixelRect cube = *scene.overlay().marker;
-    EXPECT_EQ(scene.markerView(cube.x + cube.width / 2, cube.y + cube.height / 2, kWidth, kHeight), face);
-    EXPECT_FALSE(scene.markerView(kWidth / 2, kHeight / 2, kWidth, kHeight));
+    EXPECT_EQ(at(cube.x + cube.width / 2, cube.y + cube.height / 2), directionOf(view));
+    EXPECT_FALSE(at(kWidth / 2, kHeight / 2));
   }
   draw(Style{}, "cube", View::iso);
   const PixelRect cube = *scene.overlay().marker;
   const double x = cube.x + cube.width / 2, y = cube.y + cube.height / 2;
-  EXPECT_EQ(scene.markerView(x, y, kWidth, kHeight), View::iso);
-  EXPECT_EQ(scene.markerView(x, y - 30, kWidth, kHeight), View::top);
-  EXPECT_EQ(scene.markerView(x - 25, y + 14, kWidth, kHeight), View::front);
-  EXPECT_EQ(scene.markerView(x + 25, y + 14, kWidth, kHeight), View::right);
+  EXPECT_EQ(at(x, y), Eigen::Vector3d(1, -1, 1));
+  EXPECT_EQ(at(x, y - 22), directionOf(View::top));
+  EXPECT_EQ(at(x - 19, y + 11), directionOf(View::front));
+  EXPECT_EQ(at(x + 19, y + 11), directionOf(View::right));
+}
+
+TEST_F(SceneTest, CubeOffersTwentySixViews) {
+  std::set<std::array<int, 3>> met;
+  for (const View view :
+       {View::iso, View::top, View::front, View::left, View::right, View::back, View::bottom}) {
+    for (const double turn : {0.0, 0.4, 1.9, 3.5, 5.0}) {
+      scene.setCamera(orbit(scene.fitCamera(view, double(kWidth) / kHeight), {0, 0, 0}, turn, 0));
+      shot("cube-views");
+      const PixelRect cube = *scene.overlay().marker;
+      for (double y = cube.y; y < cube.y + cube.height; y += 2)
+        for (double x = cube.x; x < cube.x + cube.width; x += 2)
+          if (const auto d = scene.cubeDirection(x, y, kWidth, kHeight))
+            met.insert({int((*d)[0]), int((*d)[1]), int((*d)[2])});
+    }
+  }
+  EXPECT_EQ(met.size(), 26u);
+  EXPECT_FALSE(met.contains({0, 0, 0}));
+  // Each of them gives a level camera that looks from there.
+  for (const auto& [x, y, z] : met) {
+    const Eigen::Vector3d back = Eigen::Vector3d(x, y, z).normalized();
+    const Camera camera = scene.fitFrom(back, true, 1.5);
+    EXPECT_TRUE(camera.parallel);
+    EXPECT_LT(((camera.position - camera.focus).normalized() - back).norm(), 1e-9);
+    EXPECT_NEAR(camera.up.dot(back), 0, 1e-9);
+    if (x != 0 || y != 0) {
+      EXPECT_GT(camera.up.z(), 0);
+    }
+  }
+}
+
+/// A row of square plates, 100 mm wide, the last of which stands upright.
+std::shared_ptr<const FaceMesh> plates(int count) {
+  auto faces = std::make_shared<FaceMesh>();
+  for (int k = 0; k < count; ++k) {
+    const int base = int(faces->mesh.points.size());
+    for (const auto& [u, v] : {std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1)})
+      faces->mesh.points.emplace_back(110.0 * k + 100 * u, k + 1 == count ? 0 : 100.0 * v,
+                                      k + 1 == count ? 100.0 * v : 0);
+    faces->mesh.triangles.push_back({base, base + 1, base + 2});
+    faces->mesh.triangles.push_back({base, base + 2, base + 3});
+    faces->faces.insert(faces->faces.end(), {k, k});
+  }
+  return faces;
+}
+
+TEST_F(SceneTest, ChoosingShowsTheFacesPaleTheChosenOnesSolidAndTheHoveredOneLit) {
+  Content content = test::sampleContent();
+  content.faces = plates(4);
+  scene.setContent(content);
+  Style style = mapped("deviation");
+  style.showGrid = false;
+  style.chooseFaces = true;
+  style.chosenFaces = {1};
+  style.hoveredFace = 2;
+  const Picture picture = draw(style, "choose-faces", View::iso);
+  EXPECT_FALSE(scene.overlay().legend) << "the result steps aside";
+  std::array<std::vector<Color>, 4> seen;
+  everywhere(picture, [&](const Pick& pick, const Color& c, int, int) {
+    if (pick.kind != Pick::Kind::face) {
+      EXPECT_EQ(pick.kind, Pick::Kind::none);
+      return;
+    }
+    ASSERT_GE(pick.face, 0);
+    ASSERT_LT(pick.face, 4);
+    EXPECT_GE(pick.point.x(), 110 * pick.face - 0.1);
+    EXPECT_LE(pick.point.x(), 110 * pick.face + 100.1);
+    seen[std::size_t(pick.face)].push_back(c);
+  });
+  for (const auto& colors : seen) ASSERT_GT(colors.size(), 20u);
+  const auto mean = [](const std::vector<Color>& colors) -> Eigen::Vector3d {
+    double r = 0, g = 0, b = 0;
+    for (const Color& c : colors) r += c.r, g += c.g, b += c.b;
+    return Eigen::Vector3d(r, g, b) / double(colors.size());
+  };
+  const Eigen::Vector3d pale = mean(seen[0]), chosen = mean(seen[1]), lit = mean(seen[2]);
+  EXPECT_GT(pale.minCoeff(), 170);
+  EXPECT_GT(chosen.z() - chosen.x(), pale.z() - pale.x() + 30) << "solid and blue";
+  EXPECT_GT(lit.x() - lit.z(), 20) << "lit up warm";
+  // Out of choosing they are a faint surrounding that no pick finds.
+  style.chooseFaces = false;
+  const Picture around = draw(style, "faces-around", View::iso);
+  everywhere(around,
+             [&](const Pick& pick, const Color&, int, int) { EXPECT_NE(pick.kind, Pick::Kind::face); });
+  style.showFaces = false;
+  EXPECT_NE(draw(style, "faces-hidden", View::iso).rgb, around.rgb);
+}
+
+TEST_F(SceneTest, ChoosingEndsAsItBeganWhateverContentCame) {
+  Content content = test::sampleContent();
+  content.faces = plates(4);
+  const Style style = mapped("deviation");
+  scene.setContent(content);
+  draw(style, "chosen-before");  // the fit keeps clear of the legend of a picture of that width
+  const Picture before = draw(style, "chosen-before");
+  Style choosing = style;
+  choosing.chooseFaces = true;
+  scene.setStyle(choosing);
+  scene.setContent(content);
+  EXPECT_TRUE(scene.bounds().size().x() < 440);
+  const Picture after = draw(style, "chosen-after");
+  EXPECT_EQ(before.rgb, after.rgb);
+  // Without faces there is nothing to choose: the result stays.
+  content.faces.reset();
+  scene.setContent(content);
+  draw(choosing, "no-faces");
+  EXPECT_TRUE(scene.overlay().legend);
+  auto broken = std::make_shared<FaceMesh>(*plates(3));
+  broken->mesh.triangles[2] = {0, 1, 4000};
+  content.faces = broken;
+  scene.setContent(content);
+  draw(choosing, "broken-faces");
+  EXPECT_TRUE(scene.overlay().legend);
+}
+
+TEST_F(SceneTest, FindingHasItsRingAtThePointAndItsWordsBesideIt) {
+  for (const auto& [width, height, ratio, dark] :
+       {std::tuple(1000, 640, 1.0, false), std::tuple(520, 360, 1.0, true),
+        std::tuple(1600, 1000, 2.0, true)}) {
+    Style style = mapped("deviation");
+    style.pixelRatio = ratio;
+    style.dark = dark;
+    style.marker = Marker{scene.content().stations[12][40],
+                          "Station 13: the cut surface lies 3.94 mm above the target, 2 mm is the tolerance; "
+                          "more stations or a longer blade bring it nearer",
+                          Severity::error};
+    const Picture picture =
+        draw(style, ("marker-" + std::to_string(width)).c_str(), View::iso, width, height);
+    const Overlay& overlay = scene.overlay();
+    ASSERT_TRUE(overlay.place && overlay.label) << width;
+    const double x = overlay.place->x + 0.5 * overlay.place->width,
+                 y = overlay.place->y + 0.5 * overlay.place->height;
+    const Pick pick = scene.pick(x, y, width, height);
+    EXPECT_LT((pick.point - style.marker->point).norm(), 6);
+    const Color ring = at(picture, int(x + 7.5 * ratio), int(y));
+    EXPECT_GT(ring.r, ring.b + 60);
+    // The words are whole, inside the picture, and clear of legend and cube.
+    const PixelRect& card = *overlay.label;
+    EXPECT_GE(card.x, 0);
+    EXPECT_GE(card.y, 0);
+    EXPECT_LE(card.x + card.width, width);
+    EXPECT_LE(card.y + card.height, height);
+    std::string words;
+    for (const Overlay::Text& text : overlay.texts)
+      if (card.contains(text.box.x, text.box.y)) words += (words.empty() ? "" : " ") + text.text;
+    EXPECT_EQ(words, style.marker->text);
+    if (width >= 1000 && overlay.legend) {
+      EXPECT_FALSE(overlay.legend->contains(card.x + card.width, card.y));
+    }
+  }
+  Style style = mapped("deviation");
+  style.marker = Marker{Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()), "nowhere", {}};
+  draw(style, "marker-nowhere");
+  EXPECT_FALSE(scene.overlay().place);
+  style.marker = Marker{{1e6, 0, 0}, "far away", {}};
+  draw(style, "marker-outside");
+  EXPECT_FALSE(scene.overlay().place);
 }
 
 TEST_F(SceneTest, FitLeavesNothingOutsideAndKeepsClearOfTheLegend) {

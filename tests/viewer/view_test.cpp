@@ -13,6 +13,7 @@
 
 #include <cmath>
 
+#include "bw/scene/navigation.h"
 #include "bw/view/scene_view.h"
 #include "scene_sample.h"
 
@@ -189,8 +190,7 @@ TEST_F(SceneViewTest, PresetsMapTheButtons) {
     const bool turned =
         ((after.position - after.focus).normalized() - (before.position - before.focus).normalized()).norm() >
         1e-6;
-    const bool scaled =
-        std::abs((after.position - after.focus).norm() - (before.position - before.focus).norm()) > 1e-6;
+    const bool scaled = std::abs(after.parallelScale - before.parallelScale) > 1e-6;
     const bool shifted = (after.position - before.position).norm() > 1e-6;
     return turned ? 'o' : scaled ? 'z' : shifted ? 'p' : '-';
   };
@@ -230,6 +230,135 @@ TEST_F(SceneViewTest, ClickOnTheCubeTakesThatView) {
   QTest::mouseClick(&view, Qt::LeftButton, {}, QPoint(68, view.height() - 68 - 22));
   ASSERT_TRUE(QTest::qWaitFor(
       [&] { return (view.camera().position - view.camera().focus).normalized().z() > 1 - 1e-9; }, kPatience));
+}
+
+TEST_F(SceneViewTest, StandardViewsAreParallelAndADesignOpensInPerspective) {
+  EXPECT_FALSE(view.parallel());
+  for (const View standard :
+       {View::iso, View::top, View::bottom, View::front, View::back, View::left, View::right}) {
+    view.open();
+    EXPECT_FALSE(view.parallel());
+    view.setView(standard, false);
+    EXPECT_TRUE(view.parallel());
+    const Eigen::Vector3d back = (view.camera().position - view.camera().focus).normalized();
+    EXPECT_LT((back - bw::scene::directionOf(standard)).norm(), 1e-9);
+  }
+  // On the way there nothing jumps: sizes at the focus change evenly.
+  view.open();
+  const auto size = [&] { return bw::scene::pixelSize(view.camera(), view.height()); };
+  const double from = size();
+  std::vector<double> sizes{from};
+  QObject::connect(&view, &SceneView::cameraChanged, [&] { sizes.push_back(size()); });
+  view.setView(View::top, true);
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return (view.camera().position - view.camera().focus).normalized().z() > 1 - 1e-12; },
+      kPatience));
+  const double low = std::min(from, sizes.back()) * 0.99, high = std::max(from, sizes.back()) * 1.01;
+  for (const double s : sizes) {
+    EXPECT_GE(s, low);
+    EXPECT_LE(s, high);
+  }
+}
+
+TEST_F(SceneViewTest, ClickOnAnEdgeOfTheCubeLooksFromThere) {
+  // In the oblique view the edge between top and front runs up to the left of the middle of its square.
+  const QPoint edge(68 - 19, view.height() - 68 - 11);
+  send(view, QEvent::MouseMove, edge, Qt::NoButton, Qt::NoButton);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view.cursor().shape() == Qt::PointingHandCursor; }, kPatience));
+  save(view.grabFramebuffer(), "view-cube-edge.png");
+  QTest::mouseClick(&view, Qt::LeftButton, {}, edge);
+  const Eigen::Vector3d wanted = Eigen::Vector3d(0, -1, 1).normalized();
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return ((view.camera().position - view.camera().focus).normalized() - wanted).norm() < 1e-9; },
+      kPatience));
+  EXPECT_TRUE(view.parallel());
+}
+
+TEST_F(SceneViewTest, RefitsWhatLeftThePictureAndLeavesAloneWhatDidNot) {
+  const auto shifted = [](const Eigen::Vector3d& by, double scale) {
+    bw::scene::Content content = bw::test::sampleContent();
+    const auto move = [&](Eigen::Vector3d& p) { p = scale * p + by; };
+    for (auto& p : content.target.points) move(p);
+    for (auto& p : content.cut.points) move(p);
+    for (auto* lines : {&content.stations, &content.blades})
+      for (auto& line : *lines)
+        for (auto& p : line) move(p);
+    move(content.block->frame.origin);
+    content.block->size *= scale;
+    return content;
+  };
+  const auto settle = [&] {
+    Camera last = view.camera();
+    return QTest::qWaitFor(
+        [&] {
+          const Camera now = view.camera();
+          const bool still = (now.position - last.position).norm() < 1e-12;
+          last = now;
+          return still && view.resting();
+        },
+        kPatience);
+  };
+  const auto inSight = [&] {
+    const auto& block = *view.content().block;
+    return QRectF(view.rect())
+        .contains(view.toWidget(block.frame.toWorld(0.5 * block.size.head<2>(), 0.5 * block.size.z())));
+  };
+  const Camera before = view.camera();
+  view.setContent(shifted({5, -3, 2}, 1));
+  EXPECT_TRUE(settle());
+  EXPECT_EQ(view.camera().position, before.position) << "a small change moves no camera";
+  view.setContent(shifted({90000, 0, 500}, 1));
+  EXPECT_TRUE(QTest::qWaitFor(inSight, kPatience)) << "another place";
+  EXPECT_TRUE(settle());
+  view.setContent(shifted({0, 0, 0}, 25.4));
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] { return inSight() && view.toWidget(view.content().block->frame.origin).x() > 0; }, kPatience))
+      << "another unit";
+  EXPECT_TRUE(settle());
+  // Who looks at a detail keeps it while the rest changes a little.
+  bw::Bounds detail;
+  detail.add(view.content().stations[8][40]);
+  view.fitBounds(detail, false);
+  const Camera close = view.camera();
+  view.setContent(shifted({0, 0, 10}, 25.5));
+  EXPECT_TRUE(settle());
+  EXPECT_EQ(view.camera().position, close.position);
+}
+
+TEST_F(SceneViewTest, FacesAreClickedOnlyWhileTheyAreChosen) {
+  bw::scene::Content content = bw::test::sampleContent();
+  auto faces = std::make_shared<bw::FaceMesh>();
+  faces->mesh = content.target;
+  for (const auto& triangle : faces->mesh.triangles) {
+    const Eigen::Vector3d& p = faces->mesh.points[std::size_t(triangle[0])];
+    faces->faces.push_back(int(std::clamp((p.x() + 30) / 66, 0.0, 9.0)) +
+                           10 * int(std::clamp((p.y() + 30) / 36.5, 0.0, 19.0)));
+  }
+  content.faces = faces;
+  view.setContent(content);
+  std::vector<std::pair<int, Qt::KeyboardModifiers>> clicked;
+  QObject::connect(&view, &SceneView::faceClicked,
+                   [&](int face, Qt::KeyboardModifiers keys) { clicked.emplace_back(face, keys); });
+  QSignalSpy stations(&view, &SceneView::stationPicked);
+  const QPoint at = view.toWidget({300, 335, bw::test::panelHeight(300, 335)}).toPoint();
+  QTest::mouseClick(&view, Qt::LeftButton, {}, at);
+  EXPECT_TRUE(clicked.empty());
+  EXPECT_EQ(stations.count(), 1);
+  Style style = view.sceneStyle();
+  style.chooseFaces = true;
+  view.setStyle(style);
+  QTest::mouseClick(&view, Qt::LeftButton, {}, at);
+  QTest::mouseClick(&view, Qt::LeftButton, Qt::ControlModifier, at);
+  EXPECT_EQ(stations.count(), 1);
+  ASSERT_EQ(clicked.size(), 2u);
+  EXPECT_NEAR(clicked[0].first % 10, 5, 1);
+  EXPECT_EQ(clicked[1].second, Qt::ControlModifier);
+  // Hovering lights up one face of two hundred.
+  Pick last;
+  QObject::connect(&view, &SceneView::hovered, [&](const Pick& pick) { last = pick; });
+  send(view, QEvent::MouseMove, at, Qt::NoButton, Qt::NoButton);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return last.kind == Pick::Kind::face; }, kPatience));
+  EXPECT_EQ(last.face, clicked[0].first);
 }
 
 TEST_F(SceneViewTest, DoubleClickOnTheLegendAsksForItsRange) {

@@ -17,37 +17,17 @@ namespace {
 
 constexpr int kLargestSide = 16384;  ///< pixels; what common drivers allow
 
-Camera lookAlong(View view) {
-  Eigen::Vector3d back = Eigen::Vector3d(1, -1, 1).normalized(), up = Eigen::Vector3d::UnitZ();
-  switch (view) {
-    case View::iso:
-      up = Eigen::Vector3d(-1, 1, 2).normalized();
-      break;
-    case View::top:
-      back = Eigen::Vector3d::UnitZ();
-      up = Eigen::Vector3d::UnitY();
-      break;
-    case View::bottom:
-      back = -Eigen::Vector3d::UnitZ();
-      up = -Eigen::Vector3d::UnitY();
-      break;
-    case View::front:
-      back = -Eigen::Vector3d::UnitY();
-      break;
-    case View::back:
-      back = Eigen::Vector3d::UnitY();
-      break;
-    case View::left:
-      back = -Eigen::Vector3d::UnitX();
-      break;
-    case View::right:
-      back = Eigen::Vector3d::UnitX();
-      break;
-  }
+/// A level camera at the origin that looks from `back`; from straight above the top of the picture is +y,
+/// from below −y.
+Camera lookFrom(const Eigen::Vector3d& back) {
+  const Eigen::Vector3d direction = back.normalized();
+  const bool upright = direction.head<2>().norm() > 1e-9;
+  const Eigen::Vector3d hint =
+      upright ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d(0, direction.z() > 0 ? 1 : -1, 0);
   Camera camera;
   camera.focus = Eigen::Vector3d::Zero();
-  camera.position = 1000 * back;
-  camera.up = up;
+  camera.position = 1000 * direction;
+  camera.up = (hint - hint.dot(direction) * direction).normalized();
   return camera;
 }
 
@@ -69,9 +49,14 @@ std::optional<std::pair<double, double>> Scene::legendRange() const {
 }
 
 Camera Scene::fitCamera(View view, double aspect, const std::optional<Bounds>& bounds) const {
-  Camera camera = lookAlong(view);
+  return fitFrom(directionOf(view), impl_->camera.parallel, aspect, bounds);
+}
+
+Camera Scene::fitFrom(const Eigen::Vector3d& back, bool parallel, double aspect,
+                      const std::optional<Bounds>& bounds) const {
+  Camera camera = lookFrom(back.allFinite() && back.norm() > 0 ? back : directionOf(View::iso));
   camera.viewAngle = impl_->camera.viewAngle;
-  camera.parallel = impl_->camera.parallel;
+  camera.parallel = parallel;
   return impl_->fit(camera, aspect, bounds && bounds->valid() ? *bounds : workBounds());
 }
 
@@ -95,9 +80,9 @@ void Scene::setCamera(const Camera& camera) {
 Camera Scene::camera() const { return impl_->camera; }
 Pick Scene::pick(double x, double y, int width, int height) const { return impl_->pick(x, y, width, height); }
 
-std::optional<View> Scene::markerView(double x, double y, int width, int height) const {
-  return OrientationMarker::viewAt(x, y, impl_->projection(width, height), width, height,
-                                   impl_->style.pixelRatio);
+std::optional<Eigen::Vector3d> Scene::cubeDirection(double x, double y, int width, int height) const {
+  return OrientationMarker::directionAt(x, y, impl_->projection(width, height), width, height,
+                                        impl_->style.pixelRatio);
 }
 
 Eigen::Vector3d Scene::pointAtFocus(double x, double y, int width, int height) const {

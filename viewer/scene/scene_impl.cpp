@@ -5,17 +5,9 @@
 
 #include <vtkAutoInit.h>
 #include <vtkCamera.h>
-#include <vtkCameraPass.h>
-#include <vtkLight.h>
-#include <vtkLightsPass.h>
-#include <vtkOpaquePass.h>
 #include <vtkOpenGLRenderer.h>
 #include <vtkOpenGLState.h>
-#include <vtkOverlayPass.h>
-#include <vtkRenderPassCollection.h>
 #include <vtkRendererCollection.h>
-#include <vtkSequencePass.h>
-#include <vtkTranslucentPass.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <Eigen/Geometry>
@@ -25,6 +17,8 @@
 
 #include "bw/scene/navigation.h"
 #include "scene/camera/camera_fit.h"
+#include "scene/content_check.h"
+#include "scene/render/stage.h"
 
 namespace bw::scene {
 
@@ -37,78 +31,12 @@ constexpr double kShadowReach = 0.06, kShadow = 0.75, kShadowUnderMap = 0.3;
 constexpr double kLargeTarget = 2;
 constexpr unsigned kGlLessOrEqual = 0x0203;  ///< GL_LEQUAL
 
-/// Drops what cannot be drawn, so that the rest can.
-void cleanMesh(TriangleMesh& mesh) {
-  const int count = int(mesh.points.size());
-  std::erase_if(mesh.triangles, [&](const std::array<int, 3>& t) {
-    return std::any_of(t.begin(), t.end(), [&](int i) {
-      return i < 0 || i >= count || !mesh.points[std::size_t(i)].allFinite();
-    });
-  });
-  // Points that no triangle uses must still be numbers, for the bounds and for the graphics card.
-  for (Eigen::Vector3d& p : mesh.points) {
-    if (!p.allFinite())
-      p = mesh.triangles.empty() ? Eigen::Vector3d::Zero() : mesh.points[std::size_t(mesh.triangles[0][0])];
-  }
-  if (mesh.normals.size() != mesh.points.size()) mesh.normals.clear();
-  if (mesh.triangles.empty()) mesh = {};
-}
-
-/// Of each point the third of the triangles around it.
-std::vector<double> pointAreas(const TriangleMesh& mesh) {
-  std::vector<double> areas(mesh.points.size(), 0.0);
-  for (const auto& triangle : mesh.triangles) {
-    const auto corner = [&](int i) -> const Eigen::Vector3d& {
-      return mesh.points[std::size_t(triangle[i])];
-    };
-    const double area = 0.5 * (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();
-    for (int i = 0; i < 3; ++i) areas[std::size_t(triangle[i])] += area / 3;
-  }
-  return areas;
-}
-
 Bounds joined(Bounds a, const Bounds& b) {
   if (b.valid()) {
     a.add(b.min);
     a.add(b.max);
   }
   return a;
-}
-
-/// Passes that draw clear things in the order in which they were added, into the multisampled picture itself:
-/// their edges are as smooth as those of solid things.
-vtkSmartPointer<vtkCameraPass> makePasses(AmbientOcclusion* occlusion) {
-  const auto passes = vtkSmartPointer<vtkRenderPassCollection>::New();
-  passes->AddItem(vtkSmartPointer<vtkLightsPass>::New());
-  passes->AddItem(vtkSmartPointer<vtkOpaquePass>::New());
-  passes->AddItem(occlusion);
-  passes->AddItem(vtkSmartPointer<vtkTranslucentPass>::New());
-  passes->AddItem(vtkSmartPointer<vtkOverlayPass>::New());
-  const auto sequence = vtkSmartPointer<vtkSequencePass>::New();
-  sequence->SetPasses(passes);
-  const auto camera = vtkSmartPointer<vtkCameraPass>::New();
-  camera->SetDelegatePass(sequence);
-  return camera;
-}
-
-/// Key, fill and head light, fixed to the camera so that no side of the model is ever dark.
-void addLights(vtkRenderer* renderer) {
-  renderer->AutomaticLightCreationOff();
-  struct Lamp {
-    double x, y, z, strength;
-    Rgb color;
-  };
-  for (const Lamp& lamp :
-       {Lamp{-0.55, 0.85, 0.75, 0.66, Rgb::hex(0xFFFCF5)}, Lamp{0.95, 0.05, 0.55, 0.26, Rgb::hex(0xF2F6FF)},
-        Lamp{0, 0, 1, 0.40, Rgb::hex(0xFFFFFF)}}) {
-    const auto light = vtkSmartPointer<vtkLight>::New();
-    light->SetLightTypeToCameraLight();
-    light->SetPosition(lamp.x, lamp.y, lamp.z);
-    light->SetFocalPoint(0, 0, 0);
-    light->SetIntensity(lamp.strength);
-    light->SetColor(lamp.color.r, lamp.color.g, lamp.color.b);
-    renderer->AddLight(light);
-  }
 }
 
 Camera defaultCamera() {
@@ -136,8 +64,10 @@ Scene::Impl::Impl()
   actors_.addClearTo(renderer_);
   blade_.addGlowTo(renderer_);
   actors_.addFrontTo(renderer_);
+  actors_.isolineLabels().addTo(renderer_);
   legend_.addTo(renderer_);
   marker_.addTo(renderer_);
+  place_.addTo(renderer_);
   occlusion_->setSolids({actors_.solid(), blade_.tube(), blade_.grips()});
   setContent({});
 }
@@ -162,7 +92,7 @@ void Scene::Impl::setContent(Content given) {
   const Content former = std::exchange(content, std::move(given));
   const TriangleMesh formerMesh = std::move(cutMesh);
   cutMesh = {};
-  picker_.reset();
+  picker_.reset(content.faces != former.faces);
   ++contentVersion_;
 
   cleanMesh(content.target);
@@ -175,6 +105,12 @@ void Scene::Impl::setContent(Content given) {
   if (content.block && !(content.block->size.allFinite() && content.block->frame.origin.allFinite() &&
                          (content.block->size.array() > 0).all())) {
     content.block.reset();
+  }
+  if (content.faces != former.faces) {
+    if (content.faces && !sound(*content.faces)) content.faces.reset();
+    faceBounds_ = {};
+    if (content.faces)
+      for (const Eigen::Vector3d& p : content.faces->mesh.points) faceBounds_.add(p);
   }
   Bounds cutBounds, blockBounds, targetBounds;
   bladeBounds_ = {};
@@ -199,11 +135,12 @@ void Scene::Impl::setContent(Content given) {
   const Bounds solids = joined(surfaces, blockBounds);
   solidBounds_ = joined(solids, targetBounds);
   workBounds_ = joined(solids, bladeBounds_);
-  actors_.setContent(content, cutMesh, surfaces.valid() ? std::max(1e-3, surfaces.size().norm()) : 1);
+  cutBounds_ = cutBounds;
+  actors_.setContent(content, cutMesh, surfaces.valid() ? std::max(1e-3, surfaces.size().norm()) : 1, afar);
   grid_.setBounds(solids);
   legend_.setAreas(pointAreas(cutMesh));
   summaryKey_.clear();
-  setStyle(style);
+  setStyle(wished_);
 }
 
 void Scene::Impl::refreshField() {
@@ -216,7 +153,12 @@ void Scene::Impl::refreshField() {
     summary = field ? summarize(field->values) : FieldSummary{};
   }
   if (field && summary.count == 0) field = nullptr;
-  if (field) map = {field->name, legendRangeOf(field->name, summary, style), style.tolerance};
+  if (!field) return;
+  std::optional<double> limit;
+  if (const auto found = content.limits.find(field->name); found != content.limits.end()) {
+    if (found->second > 0 && std::isfinite(found->second)) limit = found->second;
+  }
+  map = {field->name, legendRangeOf(field->name, summary, style, limit), style.tolerance, limit};
 }
 
 void Scene::Impl::refreshBlade() {
@@ -224,7 +166,16 @@ void Scene::Impl::refreshBlade() {
 }
 
 void Scene::Impl::setStyle(const Style& given) {
-  style = given;
+  wished_ = style = given;
+  style.chooseFaces = style.chooseFaces && content.faces;
+  if (style.chooseFaces) {
+    // What was made of the faces steps aside.
+    style.field = "none";
+    style.showCut = style.showTarget = style.showStations = style.showBlades = style.showBlock = false;
+    style.selectedStation = -1;
+    style.playhead = -1;
+    style.section.reset();
+  }
   if (!(style.pixelRatio > 0) || !std::isfinite(style.pixelRatio)) style.pixelRatio = 1;
   if (!(style.tolerance >= 0) || !std::isfinite(style.tolerance)) style.tolerance = 0;
   refreshField();
@@ -238,14 +189,17 @@ void Scene::Impl::setStyle(const Style& given) {
   grid_.setStyle(style);
 }
 
+Bounds Scene::Impl::workBounds() const { return style.chooseFaces ? faceBounds_ : workBounds_; }
+
 Bounds Scene::Impl::contentBounds() const {
+  if (style.chooseFaces) return faceBounds_;
   Bounds bounds = style.showBlades || style.playhead >= 0 ? joined(solidBounds_, bladeBounds_) : solidBounds_;
   if (style.selectedStation >= 0 && style.selectedStation < int(content.blades.size())) {
     for (const Eigen::Vector3d& p : content.blades[std::size_t(style.selectedStation)]) {
       if (p.allFinite()) bounds.add(p);
     }
   }
-  return bounds;
+  return style.showFaces ? joined(bounds, faceBounds_) : bounds;
 }
 
 Projection Scene::Impl::projection(int width, int height) const {
@@ -267,7 +221,10 @@ void Scene::Impl::renderFrame(int width, int height) {
   for (const Bounds& more : {grid_.bounds(), bladeBounds_}) all = joined(all, more);
   if (!all.valid()) all.add(camera.focus);
   const double distance = (camera.position - camera.focus).norm();
-  const auto [near, far] = depthRange(view, all, distance);
+  const double back = actors_.targetSetBack(style);
+  auto [near, far] = depthRange(view, all, distance);
+  // Room for what is drawn behind its place.
+  if (std::isfinite(back)) far += 2 * back;
   eye->SetClippingRange(near, far);
 
   const double perMillimetre =
@@ -277,7 +234,10 @@ void Scene::Impl::renderFrame(int width, int height) {
   const double shadow = (field ? kShadowUnderMap : kShadow) * keptColor(style.stale);
   occlusion_->setStrength(style.softShadows && !draft_ ? shadow : 0);
   const double pixel = bw::scene::pixelSize(camera, height);
-  actors_.update(content, style, perMillimetre, pixel);
+  const double behind = back > 0 && cutBounds_.valid()
+                            ? shareBehind({near, far}, depthsOf(view, cutBounds_), back, camera.parallel)
+                            : 0;
+  actors_.update(content, style, perMillimetre, pixel, behind);
   blade_.update(view, -perMillimetre * 2 * pixel * style.pixelRatio);
   marker_.update(view, width, height, style);
   legend_.update(width, height, style, field, summary, map, contentVersion_);
@@ -285,6 +245,13 @@ void Scene::Impl::renderFrame(int width, int height) {
   if (legend_.card()) taken.push_back(*legend_.card());
   if (marker_.renderer()->GetDraw())
     taken.push_back(OrientationMarker::place(width, height, style.pixelRatio));
+  place_.update(view, width, height, style, taken);
+  if (place_.card()) taken.push_back(*place_.card());
+  const ScenePicker::Shown shown = this->shown();
+  actors_.isolineLabels().update(
+      view, width, height, style.pixelRatio, taken,
+      [&](const Eigen::Vector3d& point) { return picker_.sees(shown, view, point); });
+  for (const Overlay::Text& text : actors_.isolineLabels().texts()) taken.push_back(text.box);
   grid_.update(view, width, height, taken);
 
   overlay = {};
@@ -293,7 +260,14 @@ void Scene::Impl::renderFrame(int width, int height) {
   if (marker_.renderer()->GetDraw())
     overlay.marker = OrientationMarker::place(width, height, style.pixelRatio);
   overlay.texts = legend_.texts();
-  for (const Overlay::Text& text : grid_.texts()) overlay.texts.push_back(text);
+  const auto add = [this](const std::vector<Overlay::Text>& texts) {
+    overlay.texts.insert(overlay.texts.end(), texts.begin(), texts.end());
+  };
+  overlay.place = place_.ring();
+  overlay.label = place_.card();
+  add(actors_.isolineLabels().texts());
+  add(place_.texts());
+  add(grid_.texts());
 
   lastWidth_ = width;
   vtkGenericOpenGLRenderWindow* window = target_->window();
@@ -338,10 +312,12 @@ Camera Scene::Impl::fit(Camera from, double aspect, Bounds bounds) const {
   return fitted(from, bounds, aspect, margin);
 }
 
+ScenePicker::Shown Scene::Impl::shown() const {
+  return {content, cutMesh, style, field, blade_.line(), contentBounds(), actors_.targetSetBack(style)};
+}
+
 Pick Scene::Impl::pick(double x, double y, int width, int height) const {
-  const ScenePicker::Shown shown{
-      content, cutMesh, style, field, blade_.line(), contentBounds(), actors_.targetSetBack(style)};
-  return picker_.pick(shown, projection(width, height), x, y);
+  return picker_.pick(shown(), projection(width, height), x, y);
 }
 
 }  // namespace bw::scene

@@ -13,6 +13,7 @@
 #include "scene/actors/ground_grid.h"
 #include "scene/actors/moving_blade.h"
 #include "scene/actors/orientation_marker.h"
+#include "scene/actors/place_marker.h"
 #include "scene/camera/picking.h"
 #include "scene/camera/scene_picker.h"
 #include "scene/legend/legend.h"
@@ -32,6 +33,8 @@ struct Scene::Impl {
   void setTarget(std::unique_ptr<RenderTarget> given);
   /// Draws a frame of that size in the target, whose context must be current.
   void renderFrame(int width, int height);
+  /// Lights up a place of the orientation cube, or none.
+  void setCubeHovered(const std::optional<Eigen::Vector3d>& direction) { marker_.setHovered(direction); }
   /// Reads the last frame.
   Picture readPicture() const;
   /// Pictures in motion go without what costs time: soft shadows.
@@ -41,7 +44,7 @@ struct Scene::Impl {
   Projection projection(int width, int height) const;
   Pick pick(double x, double y, int width, int height) const;
   Bounds contentBounds() const;
-  const Bounds& workBounds() const { return workBounds_; }
+  Bounds workBounds() const;
   /// Fits `bounds`, or a part of empty space if they are not valid.
   Camera fit(Camera from, double aspect, Bounds bounds) const;
 
@@ -49,7 +52,7 @@ struct Scene::Impl {
 
   Content content;
   TriangleMesh cutMesh;  ///< of content.cut
-  Style style;
+  Style style;           ///< as it is drawn: while faces are chosen, without what was made of them
   Camera camera;
   const Field* field = nullptr;  ///< shown; points into `content`
   FieldSummary summary;          ///< of `field`
@@ -57,8 +60,10 @@ struct Scene::Impl {
   Overlay overlay;
 
  private:
+  Style wished_;
   void refreshField();
   void refreshBlade();
+  ScenePicker::Shown shown() const;
 
   vtkSmartPointer<vtkRenderer> renderer_;
   vtkSmartPointer<AmbientOcclusion> occlusion_;
@@ -68,8 +73,9 @@ struct Scene::Impl {
   GroundGrid grid_;
   OrientationMarker marker_;
   Legend legend_;
+  PlaceMarker place_;
   std::unique_ptr<RenderTarget> target_;
-  Bounds solidBounds_, bladeBounds_, workBounds_;
+  Bounds solidBounds_, cutBounds_, bladeBounds_, workBounds_, faceBounds_;
   unsigned contentVersion_ = 0;
   std::string summaryKey_;
   int lastWidth_ = 0;

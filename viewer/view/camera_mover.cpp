@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "bw/scene/navigation.h"
+#include "scene/camera/camera_fit.h"
 #include "scene/scene_impl.h"
 
 namespace bw::view {
@@ -16,6 +17,9 @@ constexpr int kGlideMilliseconds = 200;
 constexpr double kOrbitPerPixel = 0.4 * 3.14159265358979323846 / 180;  ///< rad
 /// Distances of the camera, in diagonals of the scene.
 constexpr double kNearest = 2e-3, kFarthest = 30;
+
+// When content has left the picture: shares of its box that are seen, and a change of its size.
+constexpr double kMostlySeen = 0.7, kAllSeen = 0.98, kOtherSize = 4;
 
 }  // namespace
 
@@ -42,7 +46,8 @@ void CameraMover::moveTo(const scene::Camera& camera, bool glide) {
     take(camera);
     return;
   }
-  from_ = scene_.camera();
+  // The projection changes at once, without a jump in size at the focus.
+  from_ = scene::withProjection(scene_.camera(), camera.parallel);
   to_ = camera;
   glide_.start();
 }
@@ -75,6 +80,17 @@ Eigen::Vector3d CameraMover::pointAt(const QPointF& position, const Eigen::Vecto
   const scene::Ray ray = view.ray(position.x() * viewport_.ratio(), position.y() * viewport_.ratio());
   const double depth = (through - ray.origin).dot(view.forward());
   return ray.at(depth / ray.direction.dot(view.forward()));
+}
+
+bool CameraMover::leftPicture(const Bounds& before, const Bounds& now) const {
+  if (!before.valid() || !now.valid() || (before.min == now.min && before.max == now.max)) return false;
+  const double ratio = std::max(now.size().norm(), 1e-9) / std::max(before.size().norm(), 1e-9);
+  if (ratio > kOtherSize || ratio < 1 / kOtherSize) return true;
+  const scene::Projection view = scene_.impl().projection(viewport_.width(), viewport_.height());
+  const double shareBefore = scene::seenShare(view, before, viewport_.width(), viewport_.height()),
+               shareNow = scene::seenShare(view, now, viewport_.width(), viewport_.height());
+  // Who has come close looks at a part on purpose.
+  return shareNow > 0 ? shareBefore > kAllSeen && shareNow < kMostlySeen : shareBefore > 0;
 }
 
 void CameraMover::zoomAt(const Eigen::Vector3d& anchor, double factor) {

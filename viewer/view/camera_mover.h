@@ -37,6 +37,10 @@ class CameraMover : public QObject {
   /// The point under the cursor on the plane through `through` that faces the camera.
   Eigen::Vector3d pointAt(const QPointF& position, const Eigen::Vector3d& through) const;
 
+  /// Whether content that lay in `before` and lies in `now` is out of sight where it was seen: it lies
+  /// elsewhere, or is of quite another size.
+  bool leftPicture(const Bounds& before, const Bounds& now) const;
+
   /// `factor` > 1 comes nearer.
   void zoomAt(const Eigen::Vector3d& anchor, double factor);
   void orbitBy(const QPointF& pixels, const Eigen::Vector3d& about);

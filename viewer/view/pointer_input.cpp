@@ -70,7 +70,7 @@ void PointerInput::release(const QMouseEvent& event) {
   const bool click = !moved_ && button_ == Qt::LeftButton;
   button_ = Qt::NoButton;
   drag_ = Drag::none;
-  if (click) emit clicked(event.position());
+  if (click) emit clicked(event.position(), event.modifiers());
 }
 
 void PointerInput::wheel(QWheelEvent& event) {

@@ -40,7 +40,7 @@ class PointerInput : public QObject {
   void leave() { hoverTimer_.stop(); }
 
  signals:
-  void clicked(const QPointF& position);
+  void clicked(const QPointF& position, Qt::KeyboardModifiers keys);
   /// Where the cursor is while no button is held; not more often than pictures follow each other.
   void hovered(const QPointF& position);
   /// A double tap with two fingers.

@@ -39,6 +39,7 @@ struct SceneView::Impl {
   scene::Style given;
   QString problem;
   bool fitPending = false, everRendered = false;
+  std::optional<Eigen::Vector3d> cubeLit;
 
   // Where the processor does the work of a graphics card, smoothing costs most of a frame: moving pictures go
   // without.
@@ -65,26 +66,39 @@ struct SceneView::Impl {
     mover.moveTo(camera, animate && self->isVisible() && everRendered);
   }
 
-  std::optional<scene::View> markerAt(const QPointF& position) const {
-    return scene.markerView(position.x() * viewport.ratio(), position.y() * viewport.ratio(),
-                            viewport.width(), viewport.height());
+  std::optional<Eigen::Vector3d> cubeAt(const QPointF& position) const {
+    return scene.cubeDirection(position.x() * viewport.ratio(), position.y() * viewport.ratio(),
+                               viewport.width(), viewport.height());
   }
 
   bool onLegend(const QPointF& position) const { return self->legendRect().contains(position); }
 
-  void click(const QPointF& position) {
-    if (const std::optional<scene::View> view = markerAt(position)) {
-      self->setView(*view, true);
+  void click(const QPointF& position, Qt::KeyboardModifiers keys) {
+    if (const std::optional<Eigen::Vector3d> direction = cubeAt(position)) {
+      self->lookFrom(*direction, true);
       return;
     }
     if (onLegend(position)) return;
     const scene::Pick hit = mover.pick(position);
+    if (given.chooseFaces) {
+      if (hit.kind == scene::Pick::Kind::face) emit self->faceClicked(hit.face, keys);
+      return;
+    }
     emit self->picked(hit);
     emit self->stationPicked(hit.station);
   }
 
+  void lightCube(const std::optional<Eigen::Vector3d>& direction) {
+    if (direction == cubeLit) return;
+    cubeLit = direction;
+    scene.impl().setCubeHovered(direction);
+    self->update();
+  }
+
   void hover(const QPointF& position) {
-    const bool covered = markerAt(position).has_value();
+    const std::optional<Eigen::Vector3d> onCube = cubeAt(position);
+    lightCube(onCube);
+    const bool covered = onCube.has_value();
     self->setCursor(covered ? Qt::PointingHandCursor : Qt::ArrowCursor);
     emit self->hovered(covered || onLegend(position) ? scene::Pick{} : mover.pick(position));
   }
@@ -99,7 +113,8 @@ SceneView::SceneView(QWidget* parent) : QOpenGLWidget(parent), impl_(std::make_u
     impl_->redraw();
     emit cameraChanged();
   });
-  connect(&impl_->input, &PointerInput::clicked, this, [this](const QPointF& at) { impl_->click(at); });
+  connect(&impl_->input, &PointerInput::clicked, this,
+          [this](const QPointF& at, Qt::KeyboardModifiers keys) { impl_->click(at, keys); });
   connect(&impl_->input, &PointerInput::hovered, this, [this](const QPointF& at) { impl_->hover(at); });
   connect(&impl_->input, &PointerInput::fitRequested, this, [this] { fitAll(); });
   impl_->restTimer.setSingleShot(true);
@@ -177,7 +192,10 @@ QImage SceneView::picture(const QSize& pixels, double pixelRatio) {
 
 void SceneView::setContent(const scene::Content& content) {
   const bool first = !impl_->scene.bounds().valid();
+  const Bounds before = impl_->scene.workBounds();
   impl_->scene.setContent(content);
+  if (!first && impl_->everRendered && impl_->mover.leftPicture(before, impl_->scene.workBounds()))
+    fitWork(true);
   // The size of the view may not be known yet: the fit waits for the frame.
   if (first && impl_->scene.bounds().valid()) impl_->fitPending = true;
   impl_->redraw();
@@ -189,9 +207,17 @@ void SceneView::setStyle(const scene::Style& style) {
   impl_->redraw();
 }
 
-void SceneView::setView(scene::View view, bool animate) {
+void SceneView::setView(scene::View view, bool animate) { lookFrom(scene::directionOf(view), animate); }
+
+void SceneView::lookFrom(const Eigen::Vector3d& back, bool animate) {
   impl_->fitPending = false;
-  impl_->moveTo(impl_->scene.fitCamera(view, impl_->viewport.aspect()), animate);
+  impl_->moveTo(impl_->scene.fitFrom(back, true, impl_->viewport.aspect()), animate);
+}
+
+void SceneView::open() {
+  impl_->fitPending = false;
+  impl_->moveTo(impl_->scene.fitFrom(scene::directionOf(scene::View::iso), false, impl_->viewport.aspect()),
+                false);
 }
 
 void SceneView::fitWork(bool animate) { fitBounds(impl_->scene.workBounds(), animate); }
@@ -296,7 +322,7 @@ bool SceneView::event(QEvent* event) {
 
 void SceneView::mousePressEvent(QMouseEvent* event) {
   const QPointF position = event->position();
-  impl_->input.press(*event, impl_->onLegend(position) || impl_->markerAt(position).has_value());
+  impl_->input.press(*event, impl_->onLegend(position) || impl_->cubeAt(position).has_value());
 }
 
 void SceneView::mouseMoveEvent(QMouseEvent* event) { impl_->input.move(*event); }
@@ -314,6 +340,7 @@ void SceneView::wheelEvent(QWheelEvent* event) { impl_->input.wheel(*event); }
 
 void SceneView::leaveEvent(QEvent* event) {
   impl_->input.leave();
+  impl_->lightCube({});
   emit hovered(scene::Pick{});
   QOpenGLWidget::leaveEvent(event);
 }

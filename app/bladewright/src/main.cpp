@@ -5,16 +5,21 @@
 #include <QTimer>
 
 #include <unistd.h>
+#include <csignal>
 #include <cstdio>
 #include <ctime>
 #include <fstream>
 #include <sstream>
 #include <string>
 
+#include "bw/core/printable.h"
 #include "bw/pipeline/exit_status.h"
 #include "bw/view/scene_view.h"
+#include "window/display_check.h"
+#include "window/end_of_session.h"
 #include "window/main_window.h"
 #include "window/options.h"
+#include "window/picture_file.h"
 #include "workbench/change_timer.h"
 
 namespace {
@@ -39,6 +44,8 @@ double secondsSinceProcessStart() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // A file that outgrows a limit is a failed write with a message, not a death by signal.
+  std::signal(SIGXFSZ, SIG_IGN);
   QStringList arguments;
   for (int i = 1; i < argc; ++i) arguments << QString::fromLocal8Bit(argv[i]);
   QString problem;
@@ -56,35 +63,44 @@ int main(int argc, char** argv) {
     return 0;
   }
 
+  bw::app::explainFatalErrors();
   QSurfaceFormat::setDefaultFormat(bw::view::SceneView::surfaceFormat());
   QApplication application(argc, argv);
   QApplication::setApplicationName("bladewright");
   QApplication::setApplicationDisplayName("Bladewright");
   QApplication::setApplicationVersion(BW_VERSION);
 
+  const bool oneShot =
+      !options->screenshot.isEmpty() || options->quitAfterFirstPicture || options->timeChanges > 0;
+  if (const QString lack = bw::app::openGlProblem(); !lack.isEmpty()) {
+    bw::app::tellOpenGlProblem(lack, !oneShot);
+    return kNoDisplay;
+  }
   bw::model::Settings settings;
   bw::app::Theme theme;
   theme.apply(settings.theme());
-  const bool oneShot =
-      !options->screenshot.isEmpty() || options->quitAfterFirstPicture || options->timeChanges > 0;
   // A run for a picture or a timing leaves nothing behind and recovers nothing.
   if (oneShot) settings.forgetAll();
   bw::app::MainWindow window(settings, theme,
                              oneShot ? std::filesystem::path() : bw::model::Settings::recoveryFolder());
+  const bw::app::EndOfSession ending(window);
   if (options->size.isValid()) window.resize(options->size);
 
   int status = 0;
+  // Of a run for a picture: nobody may be there to read the notice.
+  const auto complain = [&](const bw::Error& error) {
+    std::fprintf(stderr, "bladewright: %s\n", bw::printable(error.message).c_str());
+    status = statusOf(error.code);
+  };
   bw::app::ChangeTimer changes(window, options->timeChanges);
   const auto quit = [&] {
     if (!options->screenshot.isEmpty()) {
       // What moved is drawn smoothly once it rests.
       while (!window.onStartPage() && !window.sceneView().resting())
         QApplication::processEvents(QEventLoop::WaitForMoreEvents);
-      if (!window.grab().save(options->screenshot, "PNG")) {
-        std::fprintf(stderr, "bladewright: the picture could not be written to %s\n",
-                     qPrintable(options->screenshot));
-        status = kFileError;
-      }
+      const bw::Result<void> written =
+          bw::app::writePng(window.grab().toImage(), options->screenshot.toStdString());
+      if (!written) complain(written.error());
     }
     QApplication::exit(status);
   };
@@ -101,19 +117,13 @@ int main(int argc, char** argv) {
     else
       quit();
   };
-  // Of a run for a picture: nobody may be there to read the notice.
-  const auto complain = [&](const bw::Error& error) {
-    std::fprintf(stderr, "bladewright: %s\n", error.message.c_str());
-    status = statusOf(error.code);
-  };
   window.show();
   bw::Result<void> opened;
   if (!options->file.isEmpty())
     opened = window.openFile(options->file);
   else if (!options->example.isEmpty())
     opened = window.openExample(options->example);
-  else if (!oneShot)
-    window.recover();
+  if (!oneShot) window.recover();
   if (oneShot) {
     if (!opened) complain(opened.error());
     if (window.onStartPage()) {

@@ -11,10 +11,19 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kAutosaveDelay = 3000;  // ms after the last edit
-
 bool sameDesign(const Design& a, const Design& b) {
   return a.name == b.name && a.source == b.source && jobToJson(a.job) == jobToJson(b.job);
+}
+
+fs::path absolutePath(const fs::path& file) {
+  std::error_code error;
+  const fs::path absolute = file.empty() ? file : fs::absolute(file, error);
+  return error ? file : absolute;
+}
+
+std::optional<Fingerprint> fingerprintNow(const fs::path& file) {
+  const Result<Fingerprint> now = fingerprintOfFile(file);
+  return now ? std::optional(*now) : std::nullopt;
 }
 
 }  // namespace
@@ -33,6 +42,12 @@ Document::~Document() { writer_.waitForDone(); }
 
 bool Document::modified() const { return recovered_ || !undo_.isClean(); }
 
+bool Document::changedOnDisk() const {
+  if (file_.empty()) return false;
+  const std::optional<Fingerprint> now = fingerprintNow(file_);
+  return now && now != onDisk_;
+}
+
 QString Document::title() const {
   return QString::fromStdString(file_.empty() ? design_->name : file_.stem().string());
 }
@@ -49,16 +64,27 @@ void Document::editJob(const QString& text, int mergeId, const std::function<voi
 }
 
 void Document::exchange(const std::shared_ptr<const Design>& design) {
-  design_ = design;
-  if (recovery_) autosaveTimer_.start();
+  // A step of the history does not know what was saved since.
+  std::shared_ptr<const Design> next = design;
+  if (const Source& now = design_->source, &then = design->source;
+      now.path == then.path && now.bytes.empty() && then.bytes.empty() && now.saved != then.saved) {
+    auto known = std::make_shared<Design>(*design);
+    known->source.saved = now.saved;
+    next = std::move(known);
+  }
+  design_ = std::move(next);
+  // A clock that is running goes on: edits that never pause are copied too.
+  if (recovery_ && !autosaveTimer_.isActive()) autosaveTimer_.start();
   emit designChanged();
 }
 
-void Document::replace(Design design, const fs::path& file) {
+void Document::replace(Design design, const fs::path& file, std::shared_ptr<RecoveryFile> recovery) {
+  discardCopy();
+  if (recovery) recovery_ = std::move(recovery);
   design_ = std::make_shared<const Design>(std::move(design));
-  file_ = file;
+  file_ = absolutePath(file);
+  onDisk_ = file.empty() ? std::nullopt : fingerprintNow(file);
   recovered_ = false;
-  forgetAutosave();
   undo_.clear();
   emit replaced();
   emit designChanged();
@@ -67,31 +93,47 @@ void Document::replace(Design design, const fs::path& file) {
 
 void Document::start(Design design) { replace(std::move(design), {}); }
 
-void Document::recover(Design design, const fs::path& file) {
-  replace(std::move(design), file);
+Result<void> Document::recover(const fs::path& copy) {
+  Result<std::shared_ptr<RecoveryFile>> recovery = RecoveryFile::adopt(copy);
+  if (!recovery) return tl::unexpected<Error>(recovery.error());
+  Result<Design> design = loadDesign(copy);
+  if (!design) {
+    Error error = design.error();
+    error.message += "; the copy stays as it is: " + copy.string();
+    return tl::unexpected<Error>(std::move(error));
+  }
+  const Origin origin = (*recovery)->origin();
+  replace(std::move(*design), origin.file, std::move(*recovery));
+  onDisk_ = origin.onDisk;
   recovered_ = true;
-  autosaveNow();
   emit titleChanged();
+  return {};
 }
 
 Result<void> Document::open(const fs::path& file) {
-  Result<Design> design = loadDesign(file);
+  Result<Design> design = loadDesign(absolutePath(file));
   if (!design) return tl::unexpected<Error>(design.error());
   replace(std::move(*design), file);
   return {};
 }
 
 Result<void> Document::saveAs(const fs::path& file) {
-  if (Result<void> saved = saveDesign(*design_, file); !saved) return saved;
-  file_ = file;
+  auto stored = std::make_shared<Design>(*design_);
+  noteSource(*stored);
+  if (Result<void> saved = saveDesign(*stored, file); !saved) return saved;
+  const bool noted = stored->source.saved != design_->source.saved;
+  if (noted) design_ = std::move(stored);
+  file_ = absolutePath(file);
+  onDisk_ = fingerprintNow(file);
   recovered_ = false;
-  forgetAutosave();
+  discardCopy();
   undo_.setClean();
+  if (noted) emit designChanged();
   emit titleChanged();
   return {};
 }
 
-void Document::forgetAutosave() {
+void Document::discardCopy() {
   autosaveTimer_.stop();
   writer_.waitForDone();
   if (recovery_) recovery_->clear();
@@ -99,9 +141,12 @@ void Document::forgetAutosave() {
 
 void Document::autosaveNow(bool wait) {
   autosaveTimer_.stop();
-  if (!recovery_ || empty() || !modified()) return;
-  writer_.start([this, recovery = recovery_, design = design_, file = file_] {
-    const Result<void> written = recovery->write(*design, file);
+  if (!recovery_ || empty()) return;
+  if (!modified()) return discardCopy();  // undone: the design's own file has it all
+  if (!wait && writer_.activeThreadCount() > 0) return autosaveTimer_.start();  // a slow disk: one at a time
+  const QImage picture = pictureMaker_ ? pictureMaker_() : QImage();
+  writer_.start([this, recovery = recovery_, design = design_, origin = Origin{file_, onDisk_}, picture] {
+    const Result<void> written = recovery->write(*design, origin, picture);
     const QString problem = written ? QString() : QString::fromStdString(written.error().message);
     QMetaObject::invokeMethod(
         this, [this, problem] { noteAutosave(problem); }, Qt::QueuedConnection);
@@ -110,9 +155,12 @@ void Document::autosaveNow(bool wait) {
 }
 
 void Document::noteAutosave(const QString& problem) {
-  const bool isNew = !problem.isEmpty() && autosaveProblem_.isEmpty();
+  const bool failed = !problem.isEmpty(), failedBefore = !autosaveProblem_.isEmpty();
   autosaveProblem_ = problem;
-  if (isNew) emit autosaveFailed(problem);
+  // Space may come back without another edit.
+  if (failed && modified() && !autosaveTimer_.isActive()) autosaveTimer_.start();
+  if (failed && !failedBefore) emit autosaveFailed(problem);
+  if (!failed && failedBefore) emit autosaveMended();
 }
 
 }  // namespace bw::model

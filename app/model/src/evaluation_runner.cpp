@@ -21,9 +21,11 @@ constexpr std::chrono::milliseconds kProgressInterval{30};
 std::shared_ptr<const pipeline::Evaluation> withEarlierStages(pipeline::Evaluation now,
                                                               const pipeline::Evaluation* before) {
   if (before) {
+    if (!now.source.value) now.source = before->source;
     if (!now.model.value) now.model = before->model;
     if (!now.target.value) now.target = before->target;
     if (!now.targetMesh.value) now.targetMesh = before->targetMesh;
+    if (!now.faceMesh.value) now.faceMesh = before->faceMesh;
     if (!now.setup.value) now.setup = before->setup;
     if (!now.sections.value) now.sections = before->sections;
     if (!now.fits.value) now.fits = before->fits;
@@ -177,6 +179,8 @@ void EvaluationRunner::work(const std::stop_token& stop) {
         pipeline::Outcome outcome = pipeline::evaluate(*order.design, previous.get(), context);
         error = std::move(outcome.error);
         if (error && error->code != ErrorCode::cancelled) addMesh(outcome.evaluation);
+        if (!error || error->code != ErrorCode::cancelled)
+          pipeline::addFaceMesh(outcome.evaluation, previous.get(), context);
         evaluation = std::make_shared<const pipeline::Evaluation>(std::move(outcome.evaluation));
         const std::lock_guard lock(mutex_);
         newest_ = evaluation;

@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: MIT
 #include "bw/model/recovery.h"
 
-#include <QString>
+#include <QBuffer>
+#include <QFileInfo>
 #include <QUuid>
 
+#include <algorithm>
+#include <set>
 #include <system_error>
-#include <vector>
 
 #include "bw/core/file_set.h"
+#include "file_lock.h"
 
 namespace bw::model {
 
@@ -16,55 +19,132 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr const char* kCopy = ".bladewright";
+constexpr const char* kOrigin = ".origin";  ///< path of the design's own file, a zero byte, its fingerprint
+constexpr const char* kPicture = ".png";
+constexpr const char* kLock = ".lock";
+constexpr std::size_t kLongestOrigin = 1 << 16;
+
 fs::path withSuffix(const fs::path& base, const char* suffix) { return fs::path(base.string() + suffix); }
+
+fs::path baseOf(const fs::path& copy) { return fs::path(copy).replace_extension(); }
 
 void removeCopy(const fs::path& base) {
   std::error_code ignored;
-  fs::remove(withSuffix(base, ".bladewright"), ignored);
-  fs::remove(withSuffix(base, ".origin"), ignored);
+  for (const char* suffix : {kCopy, kOrigin, kPicture}) fs::remove(withSuffix(base, suffix), ignored);
 }
 
-std::unique_ptr<QLockFile> lockFor(const fs::path& base) {
-  auto lock = std::make_unique<QLockFile>(QString::fromStdString(withSuffix(base, ".lock").string()));
-  // The owner lives as long as its process, however long the program stays open.
-  lock->setStaleLockTime(0);
-  return lock;
+/// The name up to its first dot: what the files of one copy share, unfinished ones included.
+fs::path stemOf(const fs::path& file) {
+  const std::string name = file.filename().string();
+  return file.parent_path() / name.substr(0, name.find('.'));
+}
+
+Origin readOrigin(const fs::path& base) {
+  const Result<std::string> text = readFile(withSuffix(base, kOrigin), kLongestOrigin);
+  if (!text) return {};
+  const std::size_t end = std::min(text->find('\0'), text->size());
+  return {text->substr(0, end),
+          fingerprintFrom(std::string_view(*text).substr(std::min(end + 1, text->size())))};
+}
+
+RecoveryCopy readCopy(const fs::path& copy) {
+  RecoveryCopy listed;
+  listed.copy = copy;
+  const QFileInfo info(QString::fromStdString(copy.string()));
+  listed.time = info.lastModified();
+  listed.size = std::uintmax_t(info.size());
+  listed.file = readOrigin(baseOf(copy)).file;
+  listed.picture.load(QString::fromStdString(withSuffix(baseOf(copy), kPicture).string()));
+  if (const Result<Design> design = loadDesign(copy))
+    listed.name = QString::fromStdString(design->name);
+  else
+    listed.problem = QString::fromStdString(design.error().message);
+  return listed;
 }
 
 }  // namespace
 
-RecoveryFile::RecoveryFile(const fs::path& folder) {
-  std::error_code ignored;
-  fs::create_directories(folder, ignored);
+RecoveryFile::RecoveryFile() : lock_(std::make_unique<FileLock>()) {}
+
+RecoveryFile::RecoveryFile(const fs::path& folder) : RecoveryFile() {
   base_ = folder / QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString();
-  lock_ = lockFor(base_);
-  lock_->tryLock(0);
 }
 
-RecoveryFile::~RecoveryFile() { removeCopy(base_); }
+RecoveryFile::~RecoveryFile() = default;
 
-Result<void> RecoveryFile::write(const Design& design, const fs::path& file) {
-  if (Result<void> ok = writeFile(withSuffix(base_, ".origin"), file.string()); !ok) return ok;
-  return saveDesign(design, withSuffix(base_, ".bladewright"));
-}
-
-void RecoveryFile::clear() { removeCopy(base_); }
-
-std::optional<Recovered> takeRecovered(const fs::path& folder) {
+Result<std::shared_ptr<RecoveryFile>> RecoveryFile::adopt(const fs::path& copy) {
+  std::shared_ptr<RecoveryFile> file(new RecoveryFile);
+  file->base_ = baseOf(copy);
   std::error_code error;
-  std::vector<fs::path> copies;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
-    if (entry.path().extension() == ".bladewright") copies.push_back(entry.path());
-  for (const fs::path& copy : copies) {
-    const fs::path base = fs::path(copy).replace_extension();
-    const std::unique_ptr<QLockFile> lock = lockFor(base);
-    if (!lock->tryLock(0)) continue;
-    Result<Design> design = loadDesign(copy);
-    const Result<std::string> origin = readFile(withSuffix(base, ".origin"), 1 << 16);
-    removeCopy(base);
-    if (design) return Recovered{std::move(*design), origin ? fs::path(*origin) : fs::path()};
+  const bool held = file->lock_->take(withSuffix(file->base_, kLock));
+  if (!fs::is_regular_file(copy, error)) {
+    if (held) file->lock_->remove();
+    return fail(ErrorCode::cannotRead,
+                "the copy " + copy.string() + " is gone: it was recovered or discarded", copy.string());
   }
-  return std::nullopt;
+  if (!held)
+    return fail(ErrorCode::cannotRead, "another window works on " + copy.string() + "; go on there",
+                copy.string());
+  return file;
+}
+
+Result<void> RecoveryFile::write(const Design& design, const Origin& origin, const QImage& picture) {
+  std::error_code ignored;
+  fs::create_directories(base_.parent_path(), ignored);
+  if (!lock_->held()) lock_->take(withSuffix(base_, kLock));
+  std::string known = origin.file.string();
+  if (origin.onDisk) known += '\0' + fingerprintText(*origin.onDisk);
+  if (Result<void> ok = writeFile(withSuffix(base_, kOrigin), known); !ok) return ok;
+  if (Result<void> ok = saveDesign(design, withSuffix(base_, kCopy)); !ok) return ok;
+  if (!picture.isNull()) {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    if (buffer.open(QIODevice::WriteOnly) && picture.save(&buffer, "PNG"))
+      static_cast<void>(writeFile(withSuffix(base_, kPicture), bytes.toStdString()));
+  }
+  return {};
+}
+
+Origin RecoveryFile::origin() const { return readOrigin(base_); }
+
+void RecoveryFile::clear() {
+  removeCopy(base_);
+  lock_->remove();
+}
+
+std::vector<RecoveryCopy> listRecovery(const fs::path& folder) {
+  std::error_code error;
+  std::set<fs::path> bases;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
+    if (it->is_regular_file(error)) bases.insert(stemOf(it->path()));
+  std::vector<RecoveryCopy> copies;
+  for (const fs::path& base : bases) {
+    FileLock lock;
+    if (!lock.take(withSuffix(base, kLock))) continue;
+    const fs::path copy = withSuffix(base, kCopy);
+    for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+      const bool unfinished = it->path().filename().string().find(".part-") != std::string::npos;
+      if (unfinished && stemOf(it->path()) == base) fs::remove(it->path(), error);
+    }
+    if (fs::exists(copy, error))
+      copies.push_back(readCopy(copy));
+    else
+      removeCopy(base);
+    lock.remove();
+  }
+  std::sort(copies.begin(), copies.end(), [](const RecoveryCopy& a, const RecoveryCopy& b) {
+    return a.time != b.time ? a.time > b.time : a.copy < b.copy;
+  });
+  return copies;
+}
+
+bool discardRecovery(const fs::path& copy) {
+  FileLock lock;
+  if (!lock.take(withSuffix(baseOf(copy), kLock))) return false;
+  removeCopy(baseOf(copy));
+  lock.remove();
+  return true;
 }
 
 }  // namespace bw::model

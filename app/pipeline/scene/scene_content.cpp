@@ -26,8 +26,14 @@ std::vector<Eigen::Vector3d> curvePoints(const Frame& frame, const Elastica& ela
 scene::Content sceneContent(const Evaluation& evaluation) {
   scene::Content content;
   if (evaluation.targetMesh.value) content.target = *evaluation.targetMesh.value;
-  if (evaluation.setup.value) content.block = evaluation.setup.value->block;
+  content.faces = evaluation.faceMesh.value;
+  if (evaluation.setup.value)
+    content.block = evaluation.setup.value->block;
+  else if (evaluation.design.job.block)
+    content.block = evaluation.design.job.block->box();  // it misses the surface: shown where it was put
   if (evaluation.sweep.value) {
+    const Blade& blade = evaluation.sweep.value->sweep.blade;
+    content.limits = {{"curvature", 1.0}, {"stress", blade.stress(blade.maxCurvature())}};
     content.cut = evaluation.sweep.value->analysis.cut;
     for (const Station& station : evaluation.sweep.value->sweep.stations) {
       content.stations.push_back(curvePoints(station.frame, station.fit.elastica));

@@ -10,6 +10,8 @@
 #include <string>
 #include <system_error>
 
+#include "program_unit.h"
+
 namespace bw::pipeline {
 
 namespace fs = std::filesystem;
@@ -18,14 +20,6 @@ namespace {
 
 constexpr std::size_t kHead = 4096;  ///< bytes of a file in which it says who wrote it
 constexpr std::size_t kLargestReport = std::size_t(256) << 20;
-
-bool isModule(const fs::path& file) { return file.extension() == ".mod" || file.extension() == ".modx"; }
-bool isMotion(const fs::path& file) {
-  return file.filename() == "motion.csv" || file.filename() == "motion.json";
-}
-bool isProgramFile(const fs::path& file) {
-  return isModule(file) || file.extension() == ".pgf" || isMotion(file);
-}
 
 std::string headOf(const fs::path& file) {
   std::string head(kHead, '\0');
@@ -66,14 +60,14 @@ void addTask(const fs::path& folder, std::set<fs::path>& found) {
   const std::vector<fs::path> files = filesIn(folder);
   std::set<std::string> ours;  // stems of modules
   for (const fs::path& file : files)
-    if (isModule(file) && bearsItsName(file) && names(file, "! Bladewright: "))
+    if (isModuleFile(file) && bearsItsName(file) && names(file, "! Bladewright: "))
       ours.insert(file.stem().string());
   const auto isOurs = [&](const std::string& stem) {
     return std::any_of(ours.begin(), ours.end(),
                        [&](const std::string& o) { return stem == o || isPartOf(stem, o); });
   };
   for (const fs::path& file : files) {
-    if (isModule(file) && isOurs(file.stem().string()) && bearsItsName(file)) found.insert(file);
+    if (isModuleFile(file) && isOurs(file.stem().string()) && bearsItsName(file)) found.insert(file);
     if (file.extension() == ".pgf" && isOurs(file.stem().string()) &&
         names(file, "<Module>" + file.stem().string() + ".mod"))
       found.insert(file);
@@ -83,7 +77,7 @@ void addTask(const fs::path& folder, std::set<fs::path>& found) {
 /// The motions that we wrote into the folder of a strip.
 void addMotions(const fs::path& strip, std::set<fs::path>& found) {
   for (const fs::path& file : filesIn(strip))
-    if (isMotion(file) &&
+    if (isMotionFile(file) &&
         names(file, file.extension() == ".csv" ? "time_s,station," : "\"bladewright-motion\""))
       found.insert(file);
 }
@@ -132,8 +126,8 @@ std::vector<fs::path> earlierFiles(const fs::path& folder, const FileSet& files)
   std::set<fs::path> found, strips, tasks;
   for (const fs::path& path : files.paths()) {
     if (path == "report.json") addListed(folder, found);
-    if (isMotion(path)) strips.insert(path.parent_path());
-    if (!isModule(path)) continue;
+    if (isMotionFile(path)) strips.insert(path.parent_path());
+    if (!isModuleFile(path)) continue;
     tasks.insert(path.parent_path());
     strips.insert(path.parent_path().parent_path());
   }
@@ -146,39 +140,6 @@ std::vector<fs::path> earlierFiles(const fs::path& folder, const FileSet& files)
   std::vector<fs::path> earlier;
   for (const fs::path& file : found) earlier.push_back(file.lexically_relative(folder));
   return earlier;
-}
-
-bool sameFile(const fs::path& a, const fs::path& b) {
-  std::error_code error;
-  return fs::is_regular_file(a, error) && fs::equivalent(a, b, error) && !error;
-}
-
-Result<std::vector<fs::path>> commitAfresh(const FileSet& files, const fs::path& folder,
-                                           const std::vector<fs::path>& inputs, const RunContext& context) {
-  const fs::path place = folder.empty() ? fs::path(".") : folder;
-  for (const fs::path& path : files.paths())
-    for (const fs::path& input : inputs)
-      if (sameFile(place / path, input))
-        return fail(ErrorCode::badInput,
-                    (place / path).string() + " is what the results are made from; choose another folder",
-                    (place / path).string());
-  std::vector<fs::path> earlier = earlierFiles(place, files);
-  if (Result<void> ok = files.commit(place, context); !ok) return tl::unexpected<Error>(ok.error());
-  std::vector<fs::path> removed;
-  for (const fs::path& path : earlier) {
-    std::error_code error;
-    if (!fs::remove(place / path, error) || error)
-      return fail(
-          ErrorCode::cannotWrite,
-          "the new files stand, but " + (place / path).string() + " of an earlier run cannot be removed" +
-              (error ? ": " + error.message() : std::string()) + "; remove it before the folder is used",
-          (place / path).string());
-    removed.push_back(path);
-    // A folder that is left empty goes too; one that is not stays, because this does not remove it.
-    for (fs::path parent = path.parent_path(); !parent.empty(); parent = parent.parent_path())
-      if (!fs::remove(place / parent, error) || error) break;
-  }
-  return removed;
 }
 
 }  // namespace bw::pipeline

@@ -11,6 +11,8 @@
 #include <system_error>
 #include <utility>
 
+#include "bw/core/fingerprint.h"
+#include "bw/core/number_text.h"
 #include "bw/robotio/program.h"
 
 namespace bw::pipeline {
@@ -25,17 +27,26 @@ double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Identity of the source's bytes: for a linked file its path, size and time of change; for an embedded one a
-/// hash.
+/// Identity of the source's bytes: for a linked file its path, size and time of change; for an embedded one
+/// its hash.
 std::string sourceKey(const Source& source) {
   if (!source.bytes.empty())
-    return "embedded " + std::to_string(source.bytes.size()) + " " +
-           std::to_string(std::hash<std::string>{}(source.bytes));
+    return "embedded " + std::to_string(source.bytes.size()) + " " + std::to_string(source.bytes.hash());
   std::error_code error;
   const auto size = fs::file_size(source.path, error);
   const auto time = fs::last_write_time(source.path, error);
   return source.path.string() + " " + std::to_string(error ? 0 : size) + " " +
          std::to_string(error ? 0 : time.time_since_epoch().count());
+}
+
+/// The fingerprint of the bytes that were read; `then` is what `sourceKey` told before.
+Result<Fingerprint> fingerprintOfSource(const Source& source, const std::string& then) {
+  if (!source.bytes.empty()) return fingerprintOf(source.bytes.str());
+  Result<Fingerprint> fingerprint = fingerprintOfFile(source.path);
+  if (fingerprint && sourceKey(source) != then)
+    return fail(ErrorCode::cannotRead, source.path.string() + " was changed while it was read; run again",
+                source.path.string());
+  return fingerprint;
 }
 
 /// Identity of a cell: its word, or for a file its path, size and time of change.
@@ -109,12 +120,34 @@ Issues grouped(const Issues& issues) {
   return result;
 }
 
+/// Compares a linked source with what it was when the design was saved.
+void noteChangedSource(Evaluation& e, const Evaluation* previous) {
+  const Source& source = e.design.source;
+  if (!source.bytes.empty() || !source.saved) return;
+  const std::string key = sourceKey(source) + "\nsaved=" + fingerprintText(*source.saved);
+  if (reuse(e.source, previous ? &previous->source : nullptr, key)) return;
+  const Result<Fingerprint> now = fingerprintOfFile(source.path);
+  if (!now) return;
+  e.source.value = std::make_shared<const Fingerprint>(*now);
+  if (*now == *source.saved) return;
+  const std::string sizes =
+      now->size == source.saved->size
+          ? "as many bytes, others"
+          : std::to_string(source.saved->size) + " bytes then, " + std::to_string(now->size) + " now";
+  e.source.issues.push_back({Severity::warning,
+                             kSourceIssue,
+                             "the CAD file " + source.path.filename().string() +
+                                 " has changed since the design was saved (" + sizes +
+                                 "); look at the result, then save the design again",
+                             {}});
+}
+
 }  // namespace
 
 Issues Evaluation::issues() const {
   Issues all;
-  for (const Issues* list : {&model.issues, &target.issues, &setup.issues, &sections.issues, &fits.issues,
-                             &sweep.issues, &cell.issues, &programs})
+  for (const Issues* list : {&source.issues, &model.issues, &target.issues, &setup.issues, &directions.issues,
+                             &sections.issues, &fits.issues, &sweep.issues, &cell.issues, &programs})
     all.insert(all.end(), list->begin(), list->end());
   return grouped(all);
 }
@@ -136,31 +169,41 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
   const JobKeys keys(job);
 
   // Reading.
-  std::string key = sourceKey(design.source);
-  if (!reuse(e.model, before(&Evaluation::model), key)) {
+  const geometry::ReadOptions options{job.unit, job.sewingTolerance()};
+  std::string key = sourceKey(design.source) + keys({"unit"}) + "\nsewing=" + roundTripText(options.sewing);
+  if (reuse(e.model, before(&Evaluation::model), key)) {
+    e.read = previous->read;
+  } else {
     run.report(0.0, "reading");
     const auto readStart = Clock::now();
+    const std::string sourceThen = sourceKey(design.source);
     if (design.source.bytes.empty() && design.source.path.empty())
       return stop(
           Error{ErrorCode::badInput, "no CAD file is chosen; open one or drag it into the window", "source"});
     Result<geometry::CadModel> model =
         design.source.bytes.empty()
-            ? geometry::CadModel::read(design.source.path, run.child(0.0, 0.25))
+            ? geometry::CadModel::read(design.source.path, run.child(0.0, 0.25), options)
             : geometry::CadModel::readBytes(design.source.bytes, design.source.path.string(),
-                                            run.child(0.0, 0.25));
+                                            run.child(0.0, 0.25), options);
     if (!model) return stop(model.error());
+    const Result<Fingerprint> read = fingerprintOfSource(design.source, sourceThen);
+    if (!read) return stop(read.error());
+    e.read = *read;
+    for (const std::string& text : model->info().leftOut)
+      e.model.issues.push_back({Severity::warning, "left-out", text, {}});
     for (const std::string& text : model->info().healing)
       e.model.issues.push_back({Severity::info, "healing", text, {}});
     e.model.value = std::make_shared<const geometry::CadModel>(std::move(*model));
     e.seconds.read = secondsSince(readStart);
   }
+  noteChangedSource(e, previous);
   if (run.stopped()) return stop(stoppedError().value());
 
   // The faces to cut, and a mesh of them for pictures.
-  key += keys({"face"});
+  key += keys({"face", "near"});
   if (!reuse(e.target, before(&Evaluation::target), key)) {
     const auto targetStart = Clock::now();
-    Result<geometry::Target> target = geometry::Target::make(*e.model.value, job.face);
+    Result<geometry::Target> target = geometry::Target::make(*e.model.value, job.face, &e.target.issues);
     if (!target) return stop(target.error());
     e.target.value = std::make_shared<const geometry::Target>(std::move(*target));
     e.seconds.read += secondsSince(targetStart);
@@ -168,18 +211,38 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
   const std::string targetKey = key;
 
   // Block and direction.
-  const auto sectionsStart = Clock::now();
   key += keys({"block", "direction", "blade", "clearance"});
   if (!reuse(e.setup, before(&Evaluation::setup), key)) {
     Result<geometry::Setup> setup = geometry::resolveSetup(*e.target.value, job, e.setup.issues);
     if (!setup) return stop(setup.error());
     e.setup.value = std::make_shared<const geometry::Setup>(std::move(*setup));
   }
-  key = targetKey + keys({"block", "direction", "planes", "stations"});
+  // Where the direction is left to us, the best of some. Its key holds all that the trials hang on, but not
+  // the number of stations: their change is what people drag.
+  std::string along;
+  if (!job.direction) {
+    key = targetKey + keys({"block", "blade", "fit", "lead", "tolerance", "clearance"});
+    if (!reuse(e.directions, before(&Evaluation::directions), key)) {
+      run.report(0.25, "direction");
+      const auto directionStart = Clock::now();
+      Result<DirectionSearch> search = searchDirection(*e.target.value, *e.setup.value, job, run);
+      if (!search) return stop(search.error());
+      e.directions.value = std::make_shared<const DirectionSearch>(std::move(*search));
+      e.directions.issues = directionFindings(*e.directions.value);
+      e.seconds.direction = secondsSince(directionStart);
+    }
+    const Eigen::Vector3d& chosen = e.directions.value->trials[e.directions.value->chosen].direction;
+    e.setup.value = std::make_shared<const geometry::Setup>(geometry::Setup{e.setup.value->block, chosen});
+    for (int i = 0; i < 3; ++i) along += " " + roundTripText(chosen[i]);
+  }
+  if (run.stopped()) return stop(stoppedError().value());
+
+  const auto sectionsStart = Clock::now();
+  key = targetKey + keys({"block", "direction", "planes", "stations"}) + along;
   if (!reuse(e.sections, before(&Evaluation::sections), key)) {
-    run.report(0.25, "sections");
+    run.report(0.3, "sections");
     Result<std::vector<Section>> sections =
-        geometry::cutSections(*e.target.value, *e.setup.value, job, run.child(0.25, 0.6), e.sections.issues);
+        geometry::cutSections(*e.target.value, *e.setup.value, job, run.child(0.3, 0.6), e.sections.issues);
     if (!sections) return stop(sections.error());
     e.sections.value = std::make_shared<const std::vector<Section>>(std::move(*sections));
     e.seconds.sections = secondsSince(sectionsStart);

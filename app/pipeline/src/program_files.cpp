@@ -5,6 +5,7 @@
 
 #include "bw/core/number_text.h"
 #include "bw/pipeline/pipeline.h"
+#include "bw/pipeline/run_identity.h"
 #include "bw/robotio/program.h"
 
 namespace bw::pipeline {
@@ -58,6 +59,7 @@ Result<FileSet> programFiles(const Evaluation& e, const Cell& cell, const std::v
       robotio::RapidOptions options;
       options.programName = name;
       options.errors = errorsOf(e);
+      options.run = runId(e, &cell);
       if (!options.errors.empty()) {
         findings.push_back(policy.despiteErrors ? marking(options.errors) : refusal(options.errors, policy));
         if (!policy.despiteErrors) continue;

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "bw/core/fingerprint.h"
 #include "bw/core/units.h"
 #include "bw/pipeline/pipeline.h"
 
@@ -66,12 +67,26 @@ ordered_json stationJson(const Station& s) {
   return object;
 }
 
+ordered_json trialJson(const DirectionTrial& trial, bool chosen) {
+  ordered_json object = {{"name", trial.name},
+                         {"direction", vec(trial.direction)},
+                         {"chosen", chosen},
+                         {"stations", trial.stations},
+                         {"unusable", trial.unusable}};
+  const bool known = trial.failure.empty();
+  object["deviation_max_mm"] = known ? ordered_json(trial.deviationMax) : ordered_json(nullptr);
+  object["angle_max_deg"] = known ? ordered_json(toDegrees(trial.angleMax)) : ordered_json(nullptr);
+  if (!known) object["failure"] = trial.failure;
+  return object;
+}
+
 }  // namespace
 
-std::string reportJson(const Evaluation& e, const std::vector<std::filesystem::path>& files) {
+std::string reportJson(const Evaluation& e, const std::string& run, const FileSet& files) {
   ordered_json report;
   const Job& job = e.design.job;
   report["bladewright_report"] = 1;
+  report["run"] = run;
   if (e.target.value) {
     const Bounds b = e.target.value->bounds();
     const std::vector<int>& faces = e.target.value->faces();
@@ -106,10 +121,16 @@ std::string reportJson(const Evaluation& e, const std::vector<std::filesystem::p
                        {"y", vec(block.frame.y)},
                        {"z", vec(block.frame.normal)}};
   }
-  report["seconds"] = {{"read", e.seconds.read},   {"sections", e.seconds.sections},
-                       {"fit", e.seconds.fit},     {"extend", e.seconds.extend},
-                       {"check", e.seconds.check}, {"write", e.seconds.write},
-                       {"total", e.seconds.total}};
+  if (e.directions.value) {
+    const DirectionSearch& search = *e.directions.value;
+    report["directions"] = ordered_json::array();
+    for (std::size_t i = 0; i < search.trials.size(); ++i)
+      report["directions"].push_back(trialJson(search.trials[i], i == search.chosen));
+  }
+  report["seconds"] = {{"read", e.seconds.read},         {"direction", e.seconds.direction},
+                       {"sections", e.seconds.sections}, {"fit", e.seconds.fit},
+                       {"extend", e.seconds.extend},     {"check", e.seconds.check},
+                       {"write", e.seconds.write},       {"total", e.seconds.total}};
   report["strips"] = ordered_json::array();
   if (e.sweep.value) {
     ordered_json stations = ordered_json::array();
@@ -151,8 +172,13 @@ std::string reportJson(const Evaluation& e, const std::vector<std::filesystem::p
     if (issue.where.point) item["point"] = vec(*issue.where.point);
     report["issues"].push_back(item);
   }
-  report["files"] = ordered_json::array();
-  for (const std::filesystem::path& file : files) report["files"].push_back(file.generic_string());
+  report["files"] = ordered_json::array({"report.json"});
+  report["fingerprints"] = ordered_json::object();
+  for (std::size_t i = 0; i < files.paths().size(); ++i) {
+    const std::string name = files.paths()[i].generic_string();
+    report["files"].push_back(name);
+    report["fingerprints"][name] = fingerprintText(fingerprintOf(files.bytes()[i]));
+  }
   return report.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 

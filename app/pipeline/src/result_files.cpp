@@ -10,6 +10,7 @@
 #include "bw/core/units.h"
 #include "bw/geometry/export.h"
 #include "bw/pipeline/pipeline.h"
+#include "bw/pipeline/run_identity.h"
 
 namespace bw::pipeline {
 
@@ -115,7 +116,7 @@ std::string deviationCsv(const SurfaceGrid& cut) {
   return lines.take();
 }
 
-std::string sweepJson(const Evaluation& e) {
+std::string sweepJson(const Evaluation& e, const std::string& run) {
   using nlohmann::ordered_json;
   const Sweep& sweep = e.sweep.value->sweep;
   const auto vec = [](const Eigen::Vector3d& v) {
@@ -123,6 +124,7 @@ std::string sweepJson(const Evaluation& e) {
   };
   ordered_json object;
   object["bladewright_sweep"] = 1;
+  object["run"] = run;
   object["unit"] = "mm";
   object["points_per_station"] = kSweepPoints;
   object["blade_length"] = sweep.blade.length;
@@ -152,7 +154,8 @@ std::string sweepJson(const Evaluation& e) {
 
 }  // namespace
 
-Result<FileSet> resultFiles(Evaluation& e, const RunContext& context, const ProgramPolicy& policy) {
+Result<FileSet> resultFiles(Evaluation& e, const RunContext& context, const ProgramPolicy& policy,
+                            const FileSet& more) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   if (!e.sweep.value)
@@ -160,9 +163,12 @@ Result<FileSet> resultFiles(Evaluation& e, const RunContext& context, const Prog
                 "results");
   const SweepResult& result = *e.sweep.value;
   FileSet programs;
+  std::string run;
+  if (e.design.job.programs.empty()) run = runId(e, nullptr);
   if (!e.design.job.programs.empty()) {
     Result<Cell> cell = loadCell(e.design.job.cell);
     if (!cell) return tl::unexpected<Error>(cell.error());
+    run = runId(e, &*cell);
     e.programs.clear();
     Issues findings;
     Result<FileSet> written = programFiles(e, *cell, e.design.job.programs, "Blade", policy, findings);
@@ -193,7 +199,7 @@ Result<FileSet> resultFiles(Evaluation& e, const RunContext& context, const Prog
         texts[3] = stationsCsv(result.sweep);
         break;
       default:
-        texts[4] = sweepJson(e);
+        texts[4] = sweepJson(e, run);
         break;
     }
   };
@@ -206,11 +212,10 @@ Result<FileSet> resultFiles(Evaluation& e, const RunContext& context, const Prog
   files.add("stations.csv", std::move(texts[3]));
   files.add("deviation.csv", std::move(texts[2]));
   files.append(std::move(programs), "programs/strip-0");
-  std::vector<std::filesystem::path> names = files.paths();
-  names.insert(names.begin(), "report.json");
+  files.append(more, {});
   e.seconds.write = std::chrono::duration<double>(Clock::now() - start).count();
   e.seconds.total += e.seconds.write;
-  files.add("report.json", reportJson(e, names));
+  files.add("report.json", reportJson(e, run, files));
   return files;
 }
 

@@ -7,17 +7,49 @@
 #include <cmath>
 #include <set>
 
+#include "bw/core/file_set.h"
 #include "bw/core/number_text.h"
 
 namespace bw {
 
 using nlohmann::json;
 
+namespace {
+
+/// Lists within lists: what people and programs write has less than ten; a recursion over it must not end
+/// the stack.
+constexpr int kDeepest = 128;
+/// Numbers, texts, lists and objects of one text. A short text can hold many, at some 100 bytes each.
+constexpr std::size_t kMostValues = 20'000'000;
+
+/// Thrown through the parser by its watcher.
+struct TooMuch {
+  Error error;
+};
+
+}  // namespace
+
 Result<json> parseJsonText(std::string_view text, const std::string& what) {
+  if (text.size() > kLargestText)
+    return fail(ErrorCode::badInput,
+                what + " has " + std::to_string(text.size() >> 20) + " MB; at most " +
+                    std::to_string(kLargestText >> 20) + " MB are read",
+                what, double(text.size()), double(kLargestText));
   // A key that is written twice is a slip: the parser alone would silently take the last.
   std::vector<std::set<std::string>> keys;
   std::string twice;
-  const auto watch = [&](int, json::parse_event_t event, json& parsed) {
+  std::size_t values = 0;
+  const auto watch = [&](int depth, json::parse_event_t event, json& parsed) {
+    if (depth > kDeepest)
+      throw TooMuch{{ErrorCode::badInput,
+                     what + " holds lists or objects within each other more than " +
+                         std::to_string(kDeepest) + " deep; nothing that is read here goes so deep",
+                     what, double(depth), double(kDeepest)}};
+    if (event != json::parse_event_t::key && ++values > kMostValues)
+      throw TooMuch{{ErrorCode::badInput,
+                     what + " holds more than " + std::to_string(kMostValues / 1'000'000) +
+                         " million values; split it into several files",
+                     what, double(values), double(kMostValues)}};
     if (event == json::parse_event_t::object_start) {
       keys.emplace_back();
     } else if (event == json::parse_event_t::object_end) {
@@ -34,6 +66,8 @@ Result<json> parseJsonText(std::string_view text, const std::string& what) {
       return fail(ErrorCode::badInput,
                   what + " holds the key \"" + twice + "\" twice in one object; remove one", twice);
     return value;
+  } catch (const TooMuch& much) {
+    return tl::unexpected<Error>(much.error);
   } catch (const json::parse_error& e) {
     const std::size_t at = std::min<std::size_t>(e.byte > 0 ? e.byte - 1 : 0, text.size());
     const auto line = 1 + std::count(text.begin(), text.begin() + std::ptrdiff_t(at), '\n');
@@ -130,6 +164,17 @@ void ObjectReader::integer(const std::string& key, int& out, int min, int max) {
     return;
   }
   complain(key, path_ + "." + key + " must be a whole number, not " + value->type_name());
+}
+
+Result<void> ObjectReader::version(const std::string& key, int& out, int newest, int fallback) {
+  out = fallback;
+  integer(key, out, 1, 1'000'000);
+  if (out > newest)
+    return fail(ErrorCode::badInput,
+                "the " + path_ + " has version " + std::to_string(out) + " but this program reads up to " +
+                    std::to_string(newest) + "; open it with a newer Bladewright",
+                path_ + "." + key, double(out), double(newest));
+  return {};
 }
 
 void ObjectReader::boolean(const std::string& key, bool& out) {

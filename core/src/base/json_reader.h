@@ -15,7 +15,8 @@
 namespace bw {
 
 /// Parses JSON text; a syntax error tells line and column. A key that stands twice in one object is an error
-/// too.
+/// too, and so is a text that is larger, deeper or fuller than any use has need of (memory and stack are
+/// bounded).
 Result<nlohmann::json> parseJsonText(std::string_view text, const std::string& what);
 
 /// Reads one JSON object strictly: each key is asked for by name with its type and range; `finish` rejects
@@ -41,6 +42,10 @@ class ObjectReader {
   /// One of `words`; the index goes to `out`.
   void word(const std::string& key, const std::vector<std::string>& words, int& out);
   void vector3(const std::string& key, Eigen::Vector3d& out, double min, double max);
+
+  /// The version in `key`, needed if `fallback` is 0. One above `newest` is the error to return before
+  /// anything else is read: what a newer program writes has other keys and other meanings.
+  Result<void> version(const std::string& key, int& out, int newest, int fallback);
 
   void complain(const std::string& key, std::string message, std::optional<double> value = std::nullopt,
                 std::optional<double> limit = std::nullopt);

@@ -4,9 +4,11 @@
 #include "bw/core/run_context.h"
 
 #include <tbb/blocked_range.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <atomic>
 #include <exception>
 
@@ -37,7 +39,9 @@ Result<void> parallelFor(const RunContext& context, int count, const std::functi
     if (context.threads == 1) {
       for (int i = 0; i < count && !cancelled; ++i) run(i);
     } else {
-      tbb::task_arena arena(context.threads > 0 ? context.threads : tbb::task_arena::automatic);
+      // More workers than cores would have the library warn on standard error, and be no quicker.
+      const int cores = tbb::info::default_concurrency();
+      tbb::task_arena arena(context.threads > 0 ? std::min(context.threads, cores) : cores);
       arena.execute([&] { tbb::parallel_for(0, count, run); });
     }
   } catch (const std::exception& e) {

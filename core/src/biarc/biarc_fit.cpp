@@ -85,7 +85,7 @@ Result<Points> givenPoints(const std::vector<Eigen::Vector2d>& data, const Biarc
 namespace detail {
 
 Result<std::vector<Points>> chooseStarts(const std::vector<Eigen::Vector2d>& data, const Points& chain,
-                                         const BiarcOptions& o, int count) {
+                                         const BiarcOptions& o, int count, TubeOrder& tube) {
   constexpr int least = 2;
   const bool given =
       (o.select == BiarcSelect::index && !o.indices.empty()) || o.select == BiarcSelect::coordinates;
@@ -99,8 +99,7 @@ Result<std::vector<Points>> chooseStarts(const std::vector<Eigen::Vector2d>& dat
           "points", double(points->size()), least);
     return std::vector<Points>{std::move(*points)};
   }
-  if (o.select == BiarcSelect::tube && count == 0)
-    return std::vector<Points>{selectByTube(chain, o.closed, 0, o.tube)};
+  if (o.select == BiarcSelect::tube && count == 0) return std::vector<Points>{tube.within(o.tube)};
   if (count < least)
     return fail(ErrorCode::badInput, "say how many points to choose (at least 2), which ones, or a tolerance",
                 "points", double(count), least);
@@ -116,8 +115,7 @@ Result<std::vector<Points>> chooseStarts(const std::vector<Eigen::Vector2d>& dat
   if (all || o.select == BiarcSelect::spacing) starts.push_back(selectBySpacing(chain, o.closed, count));
   if (all || o.select == BiarcSelect::curvature) starts.push_back(selectByCurvature(chain, o.closed, count));
   if (all && count > most) starts.push_back(selectAllAndBetween(chain, o.closed, count));
-  if ((all && count <= most) || o.select == BiarcSelect::tube)
-    starts.push_back(selectByTube(chain, o.closed, count, 0));
+  if ((all && count <= most) || o.select == BiarcSelect::tube) starts.push_back(tube.last(count));
   if ((all && count <= most) || o.select == BiarcSelect::index)
     starts.push_back(selectByIndex(chain, o.closed, count));
   return starts;
@@ -181,7 +179,7 @@ Result<BiarcMeasures> measureBiarcs(const BiarcCurve& curve, const std::vector<E
     return fail(ErrorCode::badInput, "measures need at least one arc and one data point", "points");
   if (Result<void> ok = checkData(data); !ok) return passOn(ok.error());
   BiarcMeasures measures = measuresOf(curve.arcs, curve.closed, data);
-  measures.away = awayFrom(curve.arcs, curve.closed, data);
+  measures.away = ChainDistance(data, curve.closed).of(curve.arcs);
   return measures;
 }
 
@@ -223,7 +221,7 @@ Result<BiarcResult> fitBiarcs(const std::vector<Eigen::Vector2d>& data, const Bi
     scaled.distance = BiarcDistance::max;
   }
   const Points small = shrink(data), chain = withoutRepeats(small, options.closed);
-  const BiarcSearch search(small, chain, scaled, size);
+  BiarcSearch search(small, chain, scaled, size);
 
   Result<BiarcOutcome> outcome =
       options.tolerance && !chosen ? search.fewest(context) : search.fixed(context);

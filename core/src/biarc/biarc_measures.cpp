@@ -4,9 +4,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/work_meter.h"
 #include "biarc/biarc_problem.h"
 
 namespace bw::detail {
+
+namespace {
+
+/// Points on the arcs whose distance from a chain of very many data is looked at.
+constexpr std::size_t kMostSamples = 40000;
+/// Work (`WorkMeter`) of a nearest point.
+constexpr std::int64_t kFootWork = 3;
+
+}  // namespace
 
 double curvatureSum(const std::vector<CircularArc>& arcs, BiarcCurvature kind) {
   double sum = 0;
@@ -42,6 +52,7 @@ BiarcMeasures measuresOf(const std::vector<CircularArc>& arcs, bool closed,
                          const std::vector<Eigen::Vector2d>& data) {
   BiarcMeasures m;
   const ArcTree tree(arcs, closed);
+  chargeWork(kFootWork * std::ssize(data));
   int seed = 0;
   for (std::size_t i = 0; i < data.size(); ++i) {
     const ArcFoot foot = tree.nearest(data[i], seed);
@@ -67,21 +78,28 @@ BiarcMeasures measuresOf(const std::vector<CircularArc>& arcs, bool closed,
   return m;
 }
 
-double awayFrom(const std::vector<CircularArc>& arcs, bool closed, const std::vector<Eigen::Vector2d>& data) {
+ChainDistance::ChainDistance(const std::vector<Eigen::Vector2d>& data, bool closed)
+    : samples_(std::min(4 * data.size(), kMostSamples)) {
   std::vector<CircularArc> edges;
   for (std::size_t i = 0; i + (closed ? 0 : 1) < data.size(); ++i) {
     const Eigen::Vector2d edge = data[(i + 1) % data.size()] - data[i];
     const double length = edge.norm();
     if (length > 0) edges.push_back({data[i], std::atan2(edge.y(), edge.x()), 0, length});
   }
-  if (edges.empty()) return 0;
-  const ArcTree tree(edges, closed);
-  const int samples = std::max(16, int(4 * data.size() / std::max<std::size_t>(1, arcs.size())));
+  empty_ = edges.empty();
+  if (!empty_) tree_ = ArcTree(edges, closed);
+  chargeWork(kFootWork * std::ssize(edges));
+}
+
+double ChainDistance::of(const std::vector<CircularArc>& arcs) const {
+  if (empty_) return 0;
+  const int samples = std::max(16, int(samples_ / std::max<std::size_t>(1, arcs.size())));
+  chargeWork(kFootWork * (samples + 1) * std::ssize(arcs));
   double worst = 0;
   int seed = 0;
   for (const CircularArc& arc : arcs)
     for (int i = 0; i <= samples; ++i) {
-      const ArcFoot foot = tree.nearest(arc.pointAt(arc.length * i / samples), seed);
+      const ArcFoot foot = tree_.nearest(arc.pointAt(arc.length * i / samples), seed);
       seed = foot.arc;
       worst = std::max(worst, foot.distance);
     }

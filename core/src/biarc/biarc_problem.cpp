@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/work_meter.h"
 #include "biarc/biarc_formula.h"
 
 namespace bw::detail {
@@ -30,6 +31,8 @@ constexpr double kNearBound = 0.02;
 constexpr double kDampingLimit = 1e12;
 /// Makes a bounded unknown stay where it is for one step.
 constexpr double kHold = 1e30;
+/// Work (`WorkMeter`) of a data point's foot, and of a node in the solution for a step.
+constexpr std::int64_t kFootWork = 3, kNodeWork = 50;
 
 /// Second derivatives of `curvatureSum` of one biarc, from central differences of its gradient.
 BiarcBlock curvatureHessian(const BiarcChain& chain, int biarc, BiarcCurvature kind) {
@@ -76,6 +79,7 @@ bool BiarcProblem::evaluate(State& state, const BiarcTerm& term) const {
   state.value = 0;
   state.largest = 0;
   if (term.distanceWeight > 0) {
+    chargeWork(kFootWork * std::ssize(data_));
     const ArcTree tree(state.chain.arcs(), closed_);
     state.feet.resize(data_.size());
     int seed = 0;
@@ -201,7 +205,8 @@ BiarcDescent BiarcProblem::descend(const std::vector<BiarcNode>& start, const Bi
   int quiet = 0;
   bool fresh = true, analysed = false, bounded = false;
   const int count = int(start.size());
-  while (result.iterations < limits.iterations && !context.stopped()) {
+  while (result.iterations < limits.iterations && !context.stopped() && !workExhausted()) {
+    chargeWork(kNodeWork * count);
     if (term.distanceWeight > 0 && state.largest <= limits.enough) {
       result.converged = true;
       break;

@@ -36,9 +36,19 @@ struct BiarcFreedom {
 BiarcMeasures measuresOf(const std::vector<CircularArc>& arcs, bool closed,
                          const std::vector<Eigen::Vector2d>& data);
 
-/// How far the curve strays from the chain of its data: the largest distance of points on the arcs, at least
-/// 17 an arc and four a data point.
-double awayFrom(const std::vector<CircularArc>& arcs, bool closed, const std::vector<Eigen::Vector2d>& data);
+/// How far a curve strays from the chain of its data.
+class ChainDistance {
+ public:
+  ChainDistance(const std::vector<Eigen::Vector2d>& data, bool closed);
+  /// The largest distance of points on the arcs: at least 17 an arc and, up to 40,000 in all, four a data
+  /// point.
+  double of(const std::vector<CircularArc>& arcs) const;
+
+ private:
+  ArcTree tree_;
+  bool empty_;
+  std::size_t samples_;
+};
 
 /// The curvature measure of a chain, and its value for the two arcs of one biarc: for `angle` the square of
 /// it.

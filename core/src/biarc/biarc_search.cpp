@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/work_meter.h"
 #include "biarc/biarc_formula.h"
 
 namespace bw::detail {
@@ -18,25 +19,37 @@ constexpr std::size_t kPart = 1500;
 /// With more data points than this only the best of several starts goes through all stages.
 constexpr std::size_t kMany = 1000;
 constexpr int kApproach = 80;  ///< iterations
-/// What stages before the last are settled to.
-constexpr double kRough = 1e-5;
+/// With more than twice as many data points all stages but the end go on about so many of them.
+constexpr std::size_t kBody = 3000;
+
+/// About `count` of the points, or none if there are not many more.
+Points thinned(const Points& data, std::size_t count) {
+  Points part;
+  const std::size_t step = data.size() / count;
+  if (step <= 1) return part;
+  for (std::size_t i = 0; i < data.size(); i += step) part.push_back(data[i]);
+  part.push_back(data.back());
+  return part;
+}
 
 }  // namespace
 
 BiarcSearch::BiarcSearch(const std::vector<Eigen::Vector2d>& data, const Points& chain,
                          const BiarcOptions& options, double size)
-    : data_(data), chain_(chain), options_(options), size_(size) {
+    : data_(data),
+      chain_(chain),
+      options_(options),
+      size_(size),
+      away_(chain, options.closed),
+      tube_(chain, options.closed) {
   freedom_.points = options.movePoints && options.goal != BiarcGoal::curvature;
   freedom_.tangents = options.turnTangents;
   freedom_.joints = options.moveJoints;
   freedom_.keepEnds = options.keepEnds;
   for (std::size_t i = 1; i < chain.size(); ++i) gap_ = std::max(gap_, (chain[i] - chain[i - 1]).norm());
   if (options.closed) gap_ = std::max(gap_, (chain.front() - chain.back()).norm());
-  const std::size_t step = data.size() / kPart;
-  if (step > 1) {
-    for (std::size_t i = 0; i < data.size(); i += step) part_.push_back(data[i]);
-    part_.push_back(data.back());
-  }
+  part_ = thinned(data, kPart);
+  body_ = thinned(data, kBody);
 }
 
 BiarcTerm BiarcSearch::termOf(BiarcDistance distance) const {
@@ -53,10 +66,11 @@ BiarcTerm BiarcSearch::termOf(BiarcDistance distance) const {
   return term;
 }
 
-double BiarcSearch::objective(const std::vector<BiarcNode>& nodes) const {
+double BiarcSearch::objective(const std::vector<BiarcNode>& nodes, double* largest) const {
   const BiarcChain chain(nodes, options_.closed);
   if (!chain.valid()) return std::numeric_limits<double>::infinity();
   BiarcMeasures m = measuresOf(chain.arcs(), options_.closed, data_);
+  if (largest != nullptr) *largest = m.max;
   m.energy /= size_ * size_;
   m.angle /= size_ * size_;
   return objectiveOf(m, options_);
@@ -66,7 +80,7 @@ bool BiarcSearch::strays(const std::vector<BiarcNode>& nodes) const {
   const BiarcChain chain(nodes, options_.closed);
   if (!chain.valid()) return true;
   const double largest = measuresOf(chain.arcs(), options_.closed, data_).max;
-  return awayFrom(chain.arcs(), options_.closed, chain_) > largest + gap_ / 2;
+  return away_.of(chain.arcs()) > largest + gap_ / 2;
 }
 
 std::vector<BiarcNode> BiarcSearch::trimmed(std::vector<BiarcNode> nodes) const {
@@ -118,54 +132,8 @@ BiarcDescent BiarcSearch::approach(const std::vector<BiarcNode>& start, const Ru
   const BiarcProblem problem(part_.empty() ? data_ : part_, options_.closed, freedom_);
   BiarcProblem::Limits limits;
   limits.iterations = std::min(options_.maxIterations, kApproach);
-  limits.quiet = kRough;
+  limits.quiet = kRoughBiarcs;
   return problem.descend(start, termOf(BiarcDistance::rms), limits, context);
-}
-
-BiarcDescent BiarcSearch::minimise(const std::vector<BiarcNode>& start, double enough,
-                                   const RunContext& context) const {
-  const BiarcProblem problem(data_, options_.closed, freedom_);
-  BiarcDescent best{start, objective(start), 0, true, false};
-  std::vector<BiarcNode> nodes = start;
-  const auto stage = [&](const BiarcTerm& term, bool final) {
-    BiarcProblem::Limits limits{options_.maxIterations, enough};
-    if (!final) limits.quiet = kRough;
-    const BiarcDescent end = problem.descend(nodes, term, limits, context);
-    nodes = end.nodes;
-    const double reached = objective(nodes);
-    best.iterations += end.iterations;
-    best.converged = end.converged;
-    best.bounded = end.bounded;
-    if (reached < best.value) {
-      best.value = reached;
-      best.nodes = nodes;
-    }
-    return end.value;
-  };
-  const BiarcTerm smooth = termOf(BiarcDistance::rms);
-  const bool direct = smooth.distanceWeight == 0 || options_.distance == BiarcDistance::rms;
-  const double rms = stage(smooth, direct);
-  if (direct) return best;
-  const auto largest = [&] {
-    return measuresOf(BiarcChain(nodes, options_.closed).arcs(), options_.closed, data_).max;
-  };
-  BiarcTerm term = termOf(options_.distance);
-  if (options_.distance == BiarcDistance::mean) {
-    const double scale = std::max(largest(), 1e-12);
-    for (const double part : {0.1, 0.01, 1e-3, 1e-4}) {
-      term.epsilon = part * scale;
-      stage(term, part == 1e-4);
-    }
-  } else {
-    // A power mean is never larger than the maximum, so neither is its minimum.
-    double bound = rms;
-    for (const double power : {6.0, 16.0, 48.0, 144.0, 432.0}) {
-      if (context.stopped() || largest() <= enough || (enough > 0 && bound > enough)) break;
-      term.power = power;
-      bound = stage(term, power == 432.0);
-    }
-  }
-  return best;
 }
 
 Points BiarcSearch::balanced(const std::vector<BiarcNode>& nodes, int count) const {
@@ -194,8 +162,8 @@ Points BiarcSearch::balanced(const std::vector<BiarcNode>& nodes, int count) con
   return selectByMeasure(chain_, options_.closed, count, measure);
 }
 
-Result<BiarcOutcome> BiarcSearch::fixed(const RunContext& context) const {
-  Result<std::vector<Points>> starts = chooseStarts(data_, chain_, options_, options_.points);
+Result<BiarcOutcome> BiarcSearch::fixed(const RunContext& context) {
+  Result<std::vector<Points>> starts = chooseStarts(data_, chain_, options_, options_.points, tube_);
   if (!starts) return tl::unexpected<Error>(starts.error());
   struct Start {
     std::vector<BiarcNode> initial, near;
@@ -257,7 +225,7 @@ Result<BiarcOutcome> BiarcSearch::fixed(const RunContext& context) const {
   return *best;
 }
 
-Result<BiarcOutcome> BiarcSearch::fewest(const RunContext& context) const {
+Result<BiarcOutcome> BiarcSearch::fewest(const RunContext& context) {
   const double tolerance = *options_.tolerance;
   const int most =
       std::max(2, std::min(int(chain_.size()), options_.maxArcs / 2 + (options_.closed ? 0 : 1)));
@@ -265,7 +233,7 @@ Result<BiarcOutcome> BiarcSearch::fewest(const RunContext& context) const {
   int iterations = 0;
   bool met = false;
   const auto attempt = [&](int count) -> bool {
-    Result<std::vector<Points>> starts = chooseStarts(data_, chain_, options_, count);
+    Result<std::vector<Points>> starts = chooseStarts(data_, chain_, options_, count, tube_);
     if (!starts) return false;
     if (!best.nodes.empty()) starts->push_back(balanced(best.nodes, count));
     struct Start {
@@ -300,16 +268,17 @@ Result<BiarcOutcome> BiarcSearch::fewest(const RunContext& context) const {
     return false;
   };
   int low = 1, high = 2;  // the number of points: too few, enough
-  while (!attempt(high) && high < most && !context.stopped()) {
+  const auto ended = [&] { return context.stopped() || workExhausted(); };
+  while (!attempt(high) && high < most && !ended()) {
     low = high;
     high = std::min(most, 2 * high);
   }
-  while (high - low > 1 && !context.stopped()) {
+  while (high - low > 1 && !ended()) {
     const int middle = (low + high) / 2;
     (attempt(middle) ? high : low) = middle;
   }
   // What failed from the starts of the first search may go from the solution itself.
-  while (met && high > 2 && !context.stopped() && attempt(high - 1)) --high;
+  while (met && high > 2 && !ended() && attempt(high - 1)) --high;
   best.iterations = iterations;
   if (best.nodes.empty())
     return fail(ErrorCode::noSolution,

@@ -5,19 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <queue>
 
 namespace bw::detail {
 
 namespace {
-
-double distanceToSegment(const Eigen::Vector2d& p, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  const Eigen::Vector2d edge = b - a;
-  const double square = edge.squaredNorm();
-  const double t = square > 0 ? std::clamp((p - a).dot(edge) / square, 0.0, 1.0) : 0;
-  return (p - a - t * edge).norm();
-}
 
 /// Arc length of the chain at each point; one value more if closed.
 std::vector<double> lengthsOf(const Points& chain, bool closed) {
@@ -108,57 +100,6 @@ Points selectByCurvature(const Points& chain, bool closed, int count) {
   for (std::size_t i = 0; i <= edges; ++i)
     measure[i] = lengths[i] / lengths.back() + (turning.back() > 0 ? turning[i] / turning.back() : 0);
   return selectByMeasure(chain, closed, count, measure);
-}
-
-Points selectByTube(const Points& chain, bool closed, int count, double epsilon) {
-  const int size = int(chain.size()), least = closed ? 3 : 2;
-  std::vector<int> before(chain.size()), after(chain.size()), version(chain.size(), 0);
-  for (int i = 0; i < size; ++i) {
-    before[std::size_t(i)] = (i + size - 1) % size;
-    after[std::size_t(i)] = (i + 1) % size;
-  }
-  const auto cost = [&](int i) {
-    const int a = before[std::size_t(i)], b = after[std::size_t(i)];
-    double worst = 0;
-    for (int j = (a + 1) % size; j != b; j = (j + 1) % size)
-      worst = std::max(
-          worst, distanceToSegment(chain[std::size_t(j)], chain[std::size_t(a)], chain[std::size_t(b)]));
-    return worst;
-  };
-  struct Candidate {
-    double cost;
-    int point, version;
-    bool operator<(const Candidate& other) const {
-      return cost != other.cost ? cost > other.cost : point > other.point;
-    }
-  };
-  std::priority_queue<Candidate> queue;
-  const auto offer = [&](int i) {
-    if (closed || (i != 0 && i != size - 1)) queue.push({cost(i), i, ++version[std::size_t(i)]});
-  };
-  for (int i = 0; i < size; ++i) offer(i);
-  int left = size;
-  const int stop = count > 0 ? std::max(count, 2) : least;
-  while (left > stop && !queue.empty()) {
-    const Candidate next = queue.top();
-    queue.pop();
-    const std::size_t i = std::size_t(next.point);
-    if (next.version != version[i]) continue;
-    if (count == 0 && next.cost > epsilon) break;
-    version[i] = -1;
-    --left;
-    const int a = before[i], b = after[i];
-    after[std::size_t(a)] = b;
-    before[std::size_t(b)] = a;
-    if (left > 2) {
-      offer(a);
-      offer(b);
-    }
-  }
-  Points result;
-  for (int i = 0; i < size; ++i)
-    if (version[std::size_t(i)] != -1) result.push_back(chain[std::size_t(i)]);
-  return result;
 }
 
 }  // namespace bw::detail

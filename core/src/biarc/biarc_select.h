@@ -24,11 +24,6 @@ Points selectByIndex(const Points& chain, bool closed, int count);
 /// K points along the chain at equal steps of half the share of length and half the share of turning (way 2).
 Points selectByCurvature(const Points& chain, bool closed, int count);
 
-/// The data points that are left when always the one is dropped whose absence moves the dropped points least
-/// out of the chain of the rest, until `count` are left, or, with count 0, until the next would leave the
-/// tube of radius ε (way 3). No fewer than 2 are left, 3 if closed.
-Points selectByTube(const Points& chain, bool closed, int count, double epsilon);
-
 /// K points along the chain at equal steps of a measure given as its value at each point of the chain,
 /// non-decreasing; for a closed chain one value more, at the return to the first point.
 Points selectByMeasure(const Points& chain, bool closed, int count, const std::vector<double>& measure);

@@ -10,6 +10,7 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
+#include "base/work_meter.h"
 #include "bw/core/blade_length.h"
 #include "bw/core/number_text.h"
 #include "calibration/hang_blade.h"
@@ -52,6 +53,7 @@ class Residuals : public ceres::CostFunction {
     double values[kUnknowns] = {0, 0, 0};
     for (std::size_t j = 0; j < n; ++j) values[task_.unknowns[j]] = parameters[0][j];
     for (std::size_t i = 0; i < task_.measurements.size(); ++i) {
+      if (detail::workExhausted()) return false;
       const CalibrationMeasurement& m = task_.measurements[i];
       const Result<BladeHeight> hung =
           detail::hangBlade(values[kLength] * task_.stretch[i], corrected(m, values[kAngleOffset]), false);

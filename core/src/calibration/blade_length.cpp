@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 
+#include "base/work_meter.h"
 #include "bw/core/elastica_stability.h"
 #include "bw/core/number_text.h"
 #include "bw/core/units.h"
@@ -36,6 +37,8 @@ constexpr double kStraight = 1e-12;
 /// A curvature that is the same at the ends and in the middle to this part is that of a circle.
 constexpr double kCircle = 1e-13;
 constexpr std::uintmax_t kMaxIterations = 200;
+/// Work (`WorkMeter`) of one blade hung up.
+constexpr std::int64_t kHangWork = 200;
 
 /// The half blade over one unknown, the logarithm of its height (clamped ends) or of k (hinged), within
 /// limits.
@@ -220,6 +223,7 @@ Result<BladeLength> bladeLength(const BladeMeasurement& m) {
 }
 
 Result<BladeHeight> detail::hangBlade(double length, const BladeMeasurement& m, bool withStability) {
+  chargeWork(kHangWork);
   if (Result<void> ok = check(m, false); !ok) return tl::unexpected<Error>(ok.error());
   if (!(length >= kSmallest && length <= kLargest))
     return fail(ErrorCode::badInput, "the blade's length must be greater than 0 mm", "length", length,

@@ -18,6 +18,8 @@ namespace {
 
 constexpr double kHuge = 1e15;
 constexpr int kMost = 1000000;
+/// Chains of points are longer than anything that the other verbs take.
+constexpr std::int64_t kWork = 5 * kCaseWork / 2;
 
 /// Words in the order of the enumerations.
 const std::vector<std::string> kSelections = {"auto", "spacing", "index", "coordinates", "curvature", "tube"};
@@ -202,9 +204,10 @@ Result<CaseAnswer> biarcCases(std::string_view text, const RunContext& context,
                               std::vector<std::string>* pictures) {
   RunContext one = context;
   one.progress = {};
-  Result<CaseAnswer> answer = runCases(text, context, [&](const json& object, bool& limited) {
-    return biarcCase(object, limited, one, pictures != nullptr);
-  });
+  Result<CaseAnswer> answer = runCases(
+      text, context,
+      [&](const json& object, bool& limited) { return biarcCase(object, limited, one, pictures != nullptr); },
+      kWork);
   if (!answer || !pictures) return answer;
   // The pictures leave the answer, unless the case itself asked for them.
   ordered_json output = ordered_json::parse(answer->json);

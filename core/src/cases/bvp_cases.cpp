@@ -33,6 +33,7 @@ ordered_json solutionToJson(const ClampedSolution& solution) {
   result["turning"] = solution.turning;
   result["inflections"] = solution.inflections;
   result["stable"] = solution.stable;
+  result["sliding"] = solution.sliding;
   result["stability_margin"] = solution.stabilityMargin;
   result["out_of_plane_margin"] = solution.outOfPlaneMargin;
   result["sensitivity"] = {{"per_mm", finiteOrNull(solution.sensitivity.perMm)},
@@ -59,6 +60,8 @@ Result<ordered_json> bvpCase(const json& object, bool& limited) {
   reader.integer("max_inflections", options.maxInflections, 0, 12);
   reader.number("max_turning", options.maxTurning, 0, 8 * kPi);
   reader.number("torsion_ratio", options.torsionRatio, 0, 1e6);
+  options.others = true;
+  reader.boolean("others", options.others);
   const json* initial = reader.member("initial");
   if (Result<void> ok = reader.finish(); !ok) return passOn(ok.error());
   const Result<Eigen::Vector2d> from = readPoint(start, "start");
@@ -82,6 +85,12 @@ Result<ordered_json> bvpCase(const json& object, bool& limited) {
   for (const ClampedSolution& solution : answer->solutions) {
     result["solutions"].push_back(solutionToJson(solution));
     limited = limited || solution.endError > kEndTolerance * problem.length;
+  }
+  if (all || options.others) {
+    const ClampedOthers& others = answer->others;
+    result["other_stable"] = others.stable;
+    result["next_energy"] = others.stable > 0 ? ordered_json(others.energy) : ordered_json(nullptr);
+    result["next_turning"] = others.stable > 0 ? ordered_json(others.turning) : ordered_json(nullptr);
   }
   result["case"] = clampedKindName(answer->kind);
   result["snaps_at"] = answer->snapsAt ? ordered_json(*answer->snapsAt) : ordered_json(nullptr);

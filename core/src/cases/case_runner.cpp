@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "cases/case_guard.h"
 #include "elastica/elastica_json.h"
 
 namespace bw::detail {
@@ -113,7 +114,8 @@ ordered_json pointsToJson(const std::vector<Eigen::Vector2d>& points) {
   return list;
 }
 
-Result<CaseAnswer> runCases(std::string_view text, const RunContext& context, const CaseFunction& run) {
+Result<CaseAnswer> runCases(std::string_view text, const RunContext& context, const CaseFunction& run,
+                            std::int64_t work) {
   const Result<json> input = parseJsonText(text, "the input");
   if (!input) return passOn(input.error());
   const bool many = input->is_object() && input->contains("cases");
@@ -130,7 +132,7 @@ Result<CaseAnswer> runCases(std::string_view text, const RunContext& context, co
   const auto body = [&](int i) {
     const std::size_t k = std::size_t(i);
     bool limit = false;
-    Result<ordered_json> result = run(many ? (*input)["cases"][k] : *input, limit);
+    Result<ordered_json> result = runGuarded(run, many ? (*input)["cases"][k] : *input, limit, work);
     limited[k] = limit;
     if (result) {
       results[k] = std::move(*result);

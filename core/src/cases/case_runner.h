@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <cstdint>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -22,8 +23,13 @@ inline tl::unexpected<Error> passOn(const Error& error) { return tl::unexpected<
 using CaseFunction =
     std::function<Result<nlohmann::ordered_json>(const nlohmann::json& object, bool& limited)>;
 
-/// Runs one case, or all of {"cases": […]} in parallel, each to a fixed slot.
-Result<CaseAnswer> runCases(std::string_view text, const RunContext& context, const CaseFunction& run);
+/// The work that one case may cost, in units of `WorkMeter`: one to two seconds.
+inline constexpr std::int64_t kCaseWork = 12'000'000;
+
+/// Runs one case, or all of {"cases": […]} in parallel, each to a fixed slot and with its own share of
+/// `work`.
+Result<CaseAnswer> runCases(std::string_view text, const RunContext& context, const CaseFunction& run,
+                            std::int64_t work = kCaseWork);
 
 /// A list of finite numbers; `path` names it in errors. At most a million.
 Result<std::vector<double>> readNumbers(const nlohmann::json* value, const std::string& path);

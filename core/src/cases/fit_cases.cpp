@@ -44,7 +44,7 @@ Result<FitOptions> optionsFromJson(ObjectReader& reader) {
   reader.number("curvature_range", options.curvatureRange, 1e-12, kHuge);
   reader.number("max_periods", options.maxPeriods, 1e-6, kHuge);
   int norm = 0, guess = 0;
-  reader.word("norm", {"L2", "H1"}, norm);
+  reader.word("norm", {"L2", "H1", "H2"}, norm);
   reader.word("guess", {"length", "count"}, guess);
   options.norm = FitOptions::Norm(norm);
   options.guess = FitOptions::Guess(guess);

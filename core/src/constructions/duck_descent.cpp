@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/work_meter.h"
 #include "bw/core/elastica_bvp.h"
 #include "constructions/duck_stability.h"
 
@@ -22,6 +23,8 @@ constexpr double kAtRest = 1e-8;
 /// Curvatures of the energy below this part of the largest count as this.
 constexpr double kFlattest = 1e-6;
 constexpr int kHalvings = 20;
+/// Work (`WorkMeter`) of the eigenvalues, in cubes of the number of unknowns.
+constexpr std::int64_t kCubesPerUnit = 20;
 
 std::optional<ClampedChain> clampedChain(const std::vector<Eigen::Vector2d>& ducks,
                                          const std::vector<double>& angles,
@@ -29,6 +32,7 @@ std::optional<ClampedChain> clampedChain(const std::vector<Eigen::Vector2d>& duc
   ClampedChain chain;
   chain.angles = {angles.front()};
   for (std::size_t i = 0; i < lengths.size(); ++i) {
+    if (workExhausted()) return std::nullopt;
     const Result<ClampedAnswer> answer = solveClamped({.start = ducks[i],
                                                        .end = ducks[i + 1],
                                                        .startAngle = angles[i],
@@ -78,7 +82,11 @@ std::optional<ClampedChain> descendChain(const std::vector<Eigen::Vector2d>& duc
   Eigen::VectorXd whole = Eigen::VectorXd::Zero(Eigen::Index(moving.size()));
   for (std::size_t j = 0; j < moving.size(); ++j)
     if (moving[j] % 2 == 1) whole[Eigen::Index(j)] = 1 / std::sqrt(double(lengths.size()));
+  const std::int64_t unknowns = std::ssize(moving);
   for (int iteration = 0; iteration < kIterations; ++iteration) {
+    // Told before it is done, so that no single decomposition exceeds the limit.
+    chargeWork(unknowns * unknowns * unknowns / kCubesPerUnit);
+    if (workExhausted()) break;
     Eigen::VectorXd all;
     Eigen::MatrixXd allHessian;
     differentiate(*chain, all, allHessian);

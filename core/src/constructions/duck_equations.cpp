@@ -8,6 +8,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/work_meter.h"
+
 namespace bw::detail {
 
 namespace {
@@ -17,6 +19,8 @@ constexpr double kSolved = 1e-11;
 constexpr int kIterations = 100;
 /// Steps of the unknowns, in units of the mean chord and in rad.
 constexpr double kLongestStep = 0.5;
+/// Work (`WorkMeter`) of a solution, for each unknown.
+constexpr std::int64_t kUnknownWork = 20;
 
 }  // namespace
 
@@ -132,6 +136,8 @@ bool DuckEquations::solve(Eigen::VectorXd& u, int& iterations) const {
   double damping = 1e-3;
   for (int i = 0; i < kIterations; ++i) {
     if (f.lpNorm<Eigen::Infinity>() < kSolved) return true;
+    if (workExhausted()) break;
+    chargeWork(kUnknownWork * size());
     ++iterations;
     Eigen::SparseMatrix<double> normal = jacobian.transpose() * jacobian;
     for (Eigen::Index d = 0; d < normal.cols(); ++d) normal.coeffRef(d, d) += damping * f.norm();

@@ -135,7 +135,7 @@ BezierSpan::Point BezierSpan::at(double t) const {
   for (int i = 0; i <= p; ++i) {
     const auto k = static_cast<std::size_t>(i);
     w[k] = weights[k];
-    row[k] = poles[k] * w[k];
+    row[k] = (poles[k] - poles[0]) * w[k];  // far from the origin the digits would cancel
   }
   for (int level = p; level > 2; --level) {
     for (int i = 0; i < level; ++i) {
@@ -158,9 +158,10 @@ BezierSpan::Point BezierSpan::at(double t) const {
   const double w1 = (w[1] - w[0]) * (p / h);
   const double w0 = v * w[0] + u * w[1];
   Point out;
-  out.value = (v * row[0] + u * row[1]) / w0;
-  out.first = (n1 - w1 * out.value) / w0;
-  out.second = (n2 - 2 * w1 * out.first - w2 * out.value) / w0;
+  const Vector2d local = (v * row[0] + u * row[1]) / w0;
+  out.value = poles[0] + local;
+  out.first = (n1 - w1 * local) / w0;
+  out.second = (n2 - 2 * w1 * out.first - w2 * local) / w0;
   return out;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "bw/core/number_text.h"
+#include "curve/curve_checks.h"
 #include "curve/planar_curve_data.h"
 
 namespace bw {
@@ -14,46 +15,16 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Points closer than this fraction of the extent of a chain are one point.
-constexpr double kCoincident = 1e-12;
-
-bool finite(const Vector2d& p) { return std::isfinite(p.x()) && std::isfinite(p.y()); }
-
 std::string text(double value) {
   if (std::isnan(value)) return "not a number";
   if (std::isinf(value)) return value > 0 ? "infinite" : "minus infinite";
   return shortText(value, 6);
 }
 
-// True if the points differ by no more than rounding.
-bool coincide(const std::vector<Vector2d>& points) {
-  double magnitude = 0;
-  double extent = 0;
-  for (const Vector2d& p : points) {
-    magnitude = std::max(magnitude, p.cwiseAbs().maxCoeff());
-    extent = std::max(extent, (p - points[0]).cwiseAbs().maxCoeff());
-  }
-  return extent <= 1e-14 * magnitude;
-}
-
-// The first pole that is not finite, as an error.
-std::optional<Error> checkPoints(const std::vector<Vector2d>& points, const char* what) {
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (finite(points[i])) continue;
-    const double bad = std::isfinite(points[i].x()) ? points[i].y() : points[i].x();
-    return Error{ErrorCode::badInput,
-                 std::string(what) + " " + std::to_string(i) + " of the curve has a coordinate that is " +
-                     text(bad) + "; give finite coordinates.",
-                 what + std::string(" ") + std::to_string(i), bad, std::nullopt};
-  }
-  return std::nullopt;
-}
-
 tl::unexpected<Error> zeroLength() {
   return fail(ErrorCode::badInput,
-              "The curve has no length, or one too large for the computer: its points coincide or lie out of "
-              "range; give at "
-              "least two different points.",
+              "The curve has no length that the computer could tell: its points coincide; give at least two "
+              "different points.",
               "length", 0.0);
 }
 
@@ -74,93 +45,28 @@ Result<PlanarCurve> PlanarCurve::bezier(std::vector<Vector2d> poles) {
                     std::to_string(detail::kMaxDegree) + "; divide it into a B-spline of lower degree.",
                 "degree", degree, detail::kMaxDegree);
   }
-  if (auto error = checkPoints(poles, "pole")) return tl::unexpected<Error>(*std::move(error));
+  if (auto error = detail::checkPoints(poles, "pole")) return tl::unexpected<Error>(*std::move(error));
   auto data = std::make_shared<Data>();
   data->kind = Kind::bezier;
   data->degree = degree;
   data->knots.assign(poles.size(), 0.0);
   data->knots.resize(2 * poles.size(), 1.0);
   data->poles = std::move(poles);
-  if (coincide(data->poles) || !data->build()) return zeroLength();
+  if (detail::coincide(data->poles) || !data->build()) return zeroLength();
   return PlanarCurve(std::move(data));
 }
 
 Result<PlanarCurve> PlanarCurve::bspline(int degree, std::vector<double> knots, std::vector<Vector2d> poles,
                                          std::vector<double> weights) {
-  if (degree < 1 || degree > detail::kMaxDegree) {
-    return fail(ErrorCode::badInput,
-                "The degree of a B-spline must be 1 to " + std::to_string(detail::kMaxDegree) + ", but is " +
-                    std::to_string(degree) + ".",
-                "degree", degree, degree < 1 ? 1 : detail::kMaxDegree);
-  }
-  const auto order = static_cast<std::size_t>(degree) + 1;
-  if (poles.size() < order) {
-    return fail(ErrorCode::badInput,
-                "A B-spline of degree " + std::to_string(degree) + " needs at least " +
-                    std::to_string(order) + " poles, but has " + std::to_string(poles.size()) + ".",
-                "poles", static_cast<double>(poles.size()), static_cast<double>(order));
-  }
-  if (knots.size() != poles.size() + order) {
-    return fail(ErrorCode::badInput,
-                "A B-spline with " + std::to_string(poles.size()) + " poles of degree " +
-                    std::to_string(degree) + " needs " + std::to_string(poles.size() + order) +
-                    " knots (repeated as often as their multiplicity), but has " +
-                    std::to_string(knots.size()) + ".",
-                "knots", static_cast<double>(knots.size()), static_cast<double>(poles.size() + order));
-  }
-  if (auto error = checkPoints(poles, "pole")) return tl::unexpected<Error>(*std::move(error));
-  std::size_t multiplicity = 0;
-  for (std::size_t i = 0; i < knots.size(); ++i) {
-    const std::string where = "knot " + std::to_string(i);
-    if (!std::isfinite(knots[i])) {
-      return fail(ErrorCode::badInput,
-                  "Knot " + std::to_string(i) + " is " + text(knots[i]) + "; give finite knots.", where,
-                  knots[i]);
-    }
-    if (i > 0 && knots[i] < knots[i - 1]) {
-      return fail(ErrorCode::badInput,
-                  "Knot " + std::to_string(i) + " (" + text(knots[i]) + ") is below the one before it (" +
-                      text(knots[i - 1]) + "); knots must not decrease.",
-                  where, knots[i], knots[i - 1]);
-    }
-    multiplicity = i > 0 && knots[i] == knots[i - 1] ? multiplicity + 1 : 1;
-    const bool inner = knots[i] > knots[order - 1] && knots[i] < knots[poles.size()];
-    const std::size_t most = inner ? order - 1 : order;
-    if (multiplicity > most) {
-      return fail(ErrorCode::badInput,
-                  "Knot " + std::to_string(i) + " (" + text(knots[i]) + ") is repeated more than " +
-                      std::to_string(most) +
-                      " times, which would tear the curve apart; lower its multiplicity.",
-                  where, static_cast<double>(multiplicity), static_cast<double>(most));
-    }
-  }
-  if (!(knots[order - 1] < knots[poles.size()]) || !std::isfinite(knots.back() - knots.front())) {
-    return fail(ErrorCode::badInput,
-                "The domain of the B-spline, knot " + std::to_string(degree) + " to knot " +
-                    std::to_string(poles.size()) + ", is empty or too large.",
-                "knots", knots[order - 1]);
-  }
-  if (!weights.empty() && weights.size() != poles.size()) {
-    return fail(ErrorCode::badInput,
-                "There are " + std::to_string(weights.size()) + " weights for " +
-                    std::to_string(poles.size()) + " poles; give one a pole, or none.",
-                "weights", static_cast<double>(weights.size()), static_cast<double>(poles.size()));
-  }
-  for (std::size_t i = 0; i < weights.size(); ++i) {
-    if (!std::isfinite(weights[i]) || !(weights[i] > 0)) {
-      return fail(ErrorCode::badInput,
-                  "Weight " + std::to_string(i) + " is " + text(weights[i]) +
-                      "; weights must be positive and finite.",
-                  "weight " + std::to_string(i), weights[i], 0.0);
-    }
-  }
+  if (auto error = detail::checkSpline(degree, knots, poles, weights))
+    return tl::unexpected<Error>(*std::move(error));
   auto data = std::make_shared<Data>();
   data->kind = Kind::bspline;
   data->degree = degree;
   data->knots = std::move(knots);
   data->poles = std::move(poles);
   data->weights = std::move(weights);
-  if (coincide(data->poles) || !data->build()) return zeroLength();
+  if (detail::coincide(data->poles) || !data->build()) return zeroLength();
   return PlanarCurve(std::move(data));
 }
 
@@ -170,14 +76,9 @@ Result<PlanarCurve> PlanarCurve::points(std::vector<Vector2d> points) {
                 "A curve of points needs at least 2 of them, but has " + std::to_string(points.size()) + ".",
                 "points", static_cast<double>(points.size()), 2.0);
   }
-  if (auto error = checkPoints(points, "point")) return tl::unexpected<Error>(*std::move(error));
-  Vector2d low = points[0];
-  Vector2d high = points[0];
-  for (const Vector2d& p : points) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  const double merge = kCoincident * (high - low).norm();
+  if (auto error = detail::checkPoints(points, "point")) return tl::unexpected<Error>(*std::move(error));
+  if (detail::coincide(points)) return zeroLength();
+  const double merge = detail::mergeDistance(points);
   auto data = std::make_shared<Data>();
   data->kind = Kind::points;
   data->degree = 1;

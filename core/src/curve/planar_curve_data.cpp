@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/gauss_legendre.h"
+#include "base/work_meter.h"
 
 namespace bw {
 namespace {
@@ -16,8 +17,15 @@ using Eigen::Vector2d;
 constexpr double kCellTolerance = 1e-12;
 // Halvings of a span around a cusp; there the error falls by four each time.
 constexpr int kMaxCellDepth = 40;
+// Where rounding hides the tolerance, halving would not end: a curve has no more cells than this, and so many
+// more for each span.
+constexpr std::size_t kMostCells = 4000;
+constexpr std::size_t kMostCellsOfSpan = 20;
 // A derivative below this fraction of the control polygon counts as vanishing.
 constexpr double kVanishing = 1e-13;
+
+// Work (`WorkMeter`) of a cell with its nodes.
+constexpr std::int64_t kCellWork = 30;
 
 double integrateSpeed(const detail::BezierSpan& span, double a, double b, int nodes) {
   const detail::GaussRule rule = detail::gaussRule(nodes);
@@ -186,6 +194,7 @@ bool PlanarCurve::Data::buildSpline() {
              kCellTolerance * polygon, 0);
   }
   length = cellS.back();
+  detail::chargeWork(kCellWork * static_cast<std::int64_t>(cellSpan.size()));
   return std::isfinite(length) && length > 0;
 }
 
@@ -195,6 +204,7 @@ void PlanarCurve::Data::addCells(int span, double a, double b, double estimate, 
   const double left = integrateSpeed(piece, a, middle, kCellNodes);
   const double right = integrateSpeed(piece, middle, b, kCellNodes);
   if (std::abs(left + right - estimate) <= tolerance || depth >= kMaxCellDepth ||
+      cellSpan.size() >= kMostCells + kMostCellsOfSpan * spans.size() || !std::isfinite(estimate) ||
       !(middle > a && middle < b)) {
     cellT.push_back(b);
     cellS.push_back(cellS.back() + estimate);

@@ -58,6 +58,7 @@ struct PlanarCurve::Data {
   /// In planar_curve_quadrature.cpp.
   void addSplineQuadrature();
   void addChainQuadrature();
+  void addBlockQuadrature(std::size_t stride);
 };
 
 }  // namespace bw

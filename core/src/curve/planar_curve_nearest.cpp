@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/work_meter.h"
 #include "bw/core/planar_curve.h"
 #include "curve/planar_curve_data.h"
 
@@ -22,6 +23,8 @@ constexpr std::size_t kBlock = 16;
 
 double PlanarCurve::nearestParameter(const Vector2d& p) const {
   const Data& d = *data_;
+  detail::chargeWork(
+      static_cast<std::int64_t>(d.kind == Kind::points ? d.poles.size() / kBlock : 3 * d.cellSpan.size()));
   double best = d.start;
   double bestSquared = std::numeric_limits<double>::infinity();
   const auto offer = [&](double t, const Vector2d& q) {

@@ -16,6 +16,8 @@ using Eigen::Vector2d;
 
 // Nodes for integrals along the whole curve, shared among the spans by their length; a span has at least two.
 constexpr int kCurveNodes = 24;
+// A chain with more sides has one node for several of them: they are too short for the sagitta to count.
+constexpr std::size_t kMostSides = 20000;
 // Allowed error of ∫ r ds and ∫ |r|² ds by the quadrature, in units of the length.
 constexpr double kMomentTolerance = 1e-8;
 // Allowed error of ∫ κ ds by the quadrature, rad; tried for twice the nodes only, since a near-cusp never
@@ -77,9 +79,9 @@ void PlanarCurve::Data::addSplineQuadrature() {
           const detail::BezierSpan::Point p = span.at(t);
           const double speed = p.first.norm();
           const double w = width * rule.weights[j];
-          const double kappa =
-              speed > 0 ? (p.first.x() * p.second.y() - p.first.y() * p.second.x()) / (speed * speed * speed)
-                        : 0.0;
+          const double bend =
+              (p.first.x() * p.second.y() - p.first.y() * p.second.x()) / (speed * speed * speed);
+          const double kappa = std::isfinite(bend) ? bend : 0.0;
           q.parameter.push_back(t);
           q.arc.push_back(s);
           q.weight.push_back(w);
@@ -100,9 +102,35 @@ void PlanarCurve::Data::addSplineQuadrature() {
   }
 }
 
+// One node for several sides of a chain that has very many: at the middle of their arc length, with the
+// direction of their chord and the mean of their curvature.
+void PlanarCurve::Data::addBlockQuadrature(std::size_t stride) {
+  Quadrature& q = quadrature;
+  const std::size_t sides = poles.size() - 1;
+  for (std::size_t i = 0; i < sides; i += stride) {
+    const std::size_t last = std::min(i + stride, sides);
+    const double arc = cellT[last] - cellT[i];
+    const double middle = cellT[i] + 0.5 * arc;
+    const Vector2d chord = poles[last] - poles[i];
+    double turning = 0;
+    for (std::size_t j = i; j < last; ++j)
+      turning += 0.5 * (vertexCurvature[j] + vertexCurvature[j + 1]) * (cellT[j + 1] - cellT[j]);
+    q.parameter.push_back(middle);
+    q.arc.push_back(middle);
+    q.weight.push_back(arc);
+    q.point.push_back(value(middle));
+    q.tangent.push_back(chord.norm() > 0 ? Vector2d(chord.normalized()) : tangent(middle));
+    q.curvature.push_back(turning / arc);
+  }
+}
+
 void PlanarCurve::Data::addChainQuadrature() {
   Quadrature& q = quadrature;
   q = {};
+  if (const std::size_t stride = (poles.size() - 2) / kMostSides + 1; stride > 1) {
+    addBlockQuadrature(stride);
+    return;
+  }
   for (std::size_t i = 0; i + 1 < poles.size(); ++i) {
     const double side = cellT[i + 1] - cellT[i];
     const double share = side / length;

@@ -168,7 +168,8 @@ Result<Cell> parseCell(std::string_view text, const std::string& name) {
   cell.title = name;
   ObjectReader reader(*object, what);
   int version = kVersion;
-  reader.integer("version", version, 1, kVersion);
+  if (Result<void> ok = reader.version("version", version, kVersion, kVersion); !ok)
+    return tl::unexpected<Error>(ok.error());
   reader.text("title", cell.title);
   readTasks(reader, cell.tasks);
   require(reader, "work_object", "{\"name\": \"wBlock\", \"pose\": …}");

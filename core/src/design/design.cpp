@@ -65,34 +65,34 @@ Result<Design> parseDesign(std::string_view text) {
   const Result<json> object = parseJsonText(text, "design");
   if (!object) {
     Error error = object.error();
-    error.message += "; a design is what Bladewright saved, a CAD file is a surface for blade rationalize";
+    error.message += "; a design is what Bladewright saved, a CAD file is opened as a surface";
     return tl::unexpected<Error>(std::move(error));
   }
   ObjectReader reader(*object, "design");
   Design design;
   int version = 0;
-  reader.integer("bladewright_design", version, 1, 1000000);
-  if (version == 0) {
+  if (Result<void> ok = reader.version("bladewright_design", version, Design::kVersion, 0); !ok)
+    return tl::unexpected<Error>(ok.error());
+  if (version == 0)
     reader.complain(
         "bladewright_design",
         "this is not a Bladewright design: the key bladewright_design with the version is missing");
-  } else if (version > Design::kVersion) {
-    reader.complain("bladewright_design",
-                    "the design has version " + std::to_string(version) + " but this program reads up to " +
-                        std::to_string(Design::kVersion) + "; open it with a newer Bladewright",
-                    version, Design::kVersion);
-  }
   reader.text("name", design.name);
   if (const json* source = reader.member("source")) {
     ObjectReader inner(*source, "design.source");
-    std::string path, base64;
+    std::string path, base64, fingerprint;
     inner.text("path", path);
     inner.text("base64", base64);
+    inner.text("fingerprint", fingerprint);
     design.source.path = path;
     if (std::optional<std::string> bytes = fromBase64(base64))
       design.source.bytes = std::move(*bytes);
     else
       inner.complain("base64", "design.source.base64 is damaged; embed the CAD file again");
+    design.source.saved = fingerprintFrom(fingerprint);
+    if (!design.source.saved && !fingerprint.empty())
+      inner.complain("fingerprint",
+                     "design.source.fingerprint is damaged; remove it or save the design again");
     if (Result<void> ok = inner.finish(); !ok) reader.adopt(inner);
   }
   if (const json* job = reader.member("job")) {
@@ -110,12 +110,21 @@ std::string designToJson(const Design& design) {
   object["name"] = design.name;
   object["source"] = {{"path", design.source.path.generic_string()}};
   if (!design.source.bytes.empty()) object["source"]["base64"] = toBase64(design.source.bytes);
+  if (design.source.bytes.empty() && design.source.saved)
+    object["source"]["fingerprint"] = fingerprintText(*design.source.saved);
   object["job"] = jobToJsonObject(design.job);
   return object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
+void noteSource(Design& design) {
+  if (!design.source.bytes.empty())
+    design.source.saved.reset();
+  else if (const Result<Fingerprint> now = fingerprintOfFile(design.source.path))
+    design.source.saved = *now;
+}
+
 Result<Design> loadDesign(const fs::path& file) {
-  const Result<std::string> text = readFile(file);
+  const Result<std::string> text = readFile(file, kLargestText);
   if (!text) return tl::unexpected<Error>(text.error());
   Result<Design> design = parseDesign(*text);
   if (!design) {
@@ -136,7 +145,14 @@ Result<void> saveDesign(const Design& design, const fs::path& file) {
     const fs::path relative = stored.source.path.lexically_relative(folder);
     if (!relative.empty()) stored.source.path = relative;
   }
-  return writeFile(file, designToJson(stored));
+  const std::string text = designToJson(stored);
+  if (text.size() > kLargestText)
+    return fail(ErrorCode::cannotWrite,
+                file.string() + " would have " + std::to_string(text.size() >> 20) + " MB, but designs above " +
+                    std::to_string(kLargestText >> 20) + " MB cannot be opened again; link the CAD file (" +
+                    std::to_string(stored.source.bytes.size() >> 20) + " MB) instead of embedding it",
+                file.string(), double(text.size()), double(kLargestText));
+  return writeFile(file, text);
 }
 
 }  // namespace bw

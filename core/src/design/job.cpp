@@ -10,6 +10,7 @@
 #include "bw/core/number_text.h"
 #include "bw/core/units.h"
 #include "design/blade_json.h"
+#include "design/face_choice.h"
 #include "design/job_json.h"
 
 namespace bw {
@@ -19,53 +20,27 @@ using nlohmann::json;
 namespace {
 
 constexpr double kMaxCoordinate = 1e7;  ///< mm; ten kilometres
-constexpr double kMaxBlock = 1e6;       ///< mm
-constexpr double kMaxLead = 1e4;        ///< mm
+constexpr double kMaxSewing = 100;      ///< mm
+constexpr const char* kFileUnit = "file";
+constexpr double kMaxBlock = 1e6;  ///< mm
+constexpr double kMaxLead = 1e4;   ///< mm
 const std::vector<std::string> kFormats = {"rapid", "csv", "json"};
 
-Result<void> readFace(ObjectReader& reader, FaceChoice& face) {
-  const json* value = reader.member("face");
-  if (!value) return {};
-  const auto index = [](const json& v) -> std::optional<int> {
-    if (!v.is_number_integer()) return std::nullopt;
-    const double x = v.get<double>();
-    if (x < 0 || x > 1e8) return std::nullopt;
-    return int(x);
-  };
-  const std::string help =
-      reader.path() + ".face must be \"largest\", \"all\", an index from 0 or a list of indices";
-  if (value->is_string()) {
-    const std::string word = value->get<std::string>();
-    if (word == "largest") {
-      face = {FaceChoice::Kind::largest, {}};
-    } else if (word == "all") {
-      face = {FaceChoice::Kind::all, {}};
-    } else {
-      reader.complain("face", help + ", not \"" + word + "\"");
-    }
-    return {};
-  }
-  std::vector<int> indices;
-  if (value->is_array()) {
-    for (const json& entry : *value) {
-      const std::optional<int> i = index(entry);
-      if (!i) {
-        reader.complain("face", help);
-        return {};
-      }
-      indices.push_back(*i);
-    }
-  } else if (const std::optional<int> i = index(*value)) {
-    indices.push_back(*i);
-  }
-  if (indices.empty()) {
-    reader.complain("face", help);
-    return {};
-  }
-  std::sort(indices.begin(), indices.end());
-  indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
-  face = {FaceChoice::Kind::indices, std::move(indices)};
-  return {};
+void readUnit(ObjectReader& reader, std::optional<LengthUnit>& unit) {
+  std::vector<std::string> words = {kFileUnit};
+  for (const LengthUnit u : kLengthUnits) words.push_back(lengthUnitName(u));
+  int index = -1;
+  reader.word("unit", words, index);
+  if (index >= 0) unit = index == 0 ? std::nullopt : std::optional(kLengthUnits[std::size_t(index) - 1]);
+}
+
+void readSewing(ObjectReader& reader, std::optional<double>& sewing) {
+  const json* value = reader.member("sewing");
+  if (!value) return;
+  if (*value == "auto")
+    sewing.reset();
+  else
+    reader.number("sewing", sewing, 0, kMaxSewing);
 }
 
 void readBlock(ObjectReader& reader, std::optional<BlockPlacement>& block) {
@@ -179,6 +154,36 @@ void readPrograms(ObjectReader& reader, std::vector<std::string>& programs) {
 
 }  // namespace
 
+const char* lengthUnitName(LengthUnit unit) {
+  switch (unit) {
+    case LengthUnit::mm:
+      return "mm";
+    case LengthUnit::cm:
+      return "cm";
+    case LengthUnit::m:
+      return "m";
+    case LengthUnit::inch:
+      return "in";
+  }
+  return "";
+}
+
+double millimetres(LengthUnit unit) {
+  switch (unit) {
+    case LengthUnit::mm:
+      return 1;
+    case LengthUnit::cm:
+      return 10;
+    case LengthUnit::m:
+      return 1000;
+    case LengthUnit::inch:
+      return 25.4;
+  }
+  return 1;
+}
+
+double Job::sewingTolerance() const { return sewing.value_or(std::min(tolerance / 10, kMostSewing)); }
+
 Box BlockPlacement::box() const {
   const Eigen::Matrix3d r = rotationFromAngles(rotation);
   return Box{Frame{origin, r.col(0), r.col(1), r.col(2)}, size};
@@ -194,7 +199,9 @@ Result<Job> jobFromJson(const json& object, const std::string& path) {
   else if (!wholeBlade)
     return tl::unexpected<Error>(preset.error());
   ObjectReader reader(object, path);
-  if (Result<void> ok = readFace(reader, job.face); !ok) return tl::unexpected<Error>(ok.error());
+  readUnit(reader, job.unit);
+  readSewing(reader, job.sewing);
+  readFaceChoice(reader, job.face);
   readBlock(reader, job.block);
   readDirection(reader, job.direction);
   if (const json* planes = reader.member("planes")) {
@@ -219,17 +226,12 @@ Result<Job> jobFromJson(const json& object, const std::string& path) {
 
 json jobToJsonObject(const Job& job) {
   json object;
-  switch (job.face.kind) {
-    case FaceChoice::Kind::largest:
-      object["face"] = "largest";
-      break;
-    case FaceChoice::Kind::all:
-      object["face"] = "all";
-      break;
-    case FaceChoice::Kind::indices:
-      object["face"] = job.face.indices;
-      break;
-  }
+  object["unit"] = job.unit ? lengthUnitName(*job.unit) : kFileUnit;
+  if (job.sewing)
+    object["sewing"] = *job.sewing;
+  else
+    object["sewing"] = "auto";
+  writeFaceChoice(job.face, object);
   const auto vector = [](const Eigen::Vector3d& v) { return json::array({v.x(), v.y(), v.z()}); };
   if (job.block) {
     object["block"] = {{"origin", vector(job.block->origin)},

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/work_meter.h"
 #include "bw/core/units.h"
 
 namespace bw::detail {
@@ -32,6 +33,8 @@ constexpr double kDependent = 1e-13;
 /// Turn with which a straight chain leaves the undecided state, rad.
 constexpr double kBump = 0.05;
 constexpr double kClosed = 1e-11;
+/// Work (`WorkMeter`) of an iteration, for each segment.
+constexpr std::int64_t kSegmentWork = 3;
 
 /// The second variation with a shift, factorised, and the condition on the end eliminated.
 class Kkt {
@@ -181,7 +184,8 @@ ChainSolution solveChain(const AngleChain& chain, std::vector<double> angles) {
     bumped = true;
     problem.place(x);
   };
-  while (solution.iterations < kMaxIterations) {
+  while (solution.iterations < kMaxIterations && !workExhausted()) {
+    chargeWork(kSegmentWork * n);
     ++solution.iterations;
     const VectorXd slope = problem.gradient(x);
     double shift = 0;

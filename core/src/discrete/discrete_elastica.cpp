@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bw/core/elastica_bvp.h"
 #include "bw/core/number_text.h"
 #include "bw/core/units.h"
 #include "discrete/angle_chain.h"
@@ -93,14 +94,22 @@ std::vector<double> directions(const PlanarCurve& sketch, int segments, double s
   return angles;
 }
 
+/// Directions to start from, one a segment, and the tangents of the same curve at its ends.
+struct Guide {
+  std::vector<double> angles;
+  double start = 0, end = 0;
+};
+
 /// Turns a guide a little along its length so that it begins and ends with the angles wanted.
-void leadOnto(double startAngle, double endAngle, std::vector<double>& angles) {
-  const double atStart = startAngle - angles.front(), atEnd = endAngle - angles.back();
+std::vector<double> ledOnto(double startAngle, double endAngle, const Guide& guide) {
+  std::vector<double> angles = guide.angles;
+  const double atStart = startAngle - guide.start, atEnd = endAngle - guide.end;
   const double n = double(angles.size());
   for (std::size_t i = 0; i < angles.size(); ++i) {
     const double s = (double(i) + 0.5) / n;
     angles[i] += atStart + s * (atEnd - atStart);
   }
+  return angles;
 }
 
 /// Angles of a cubic Bézier curve with equal handles that has the length wanted, if there is one with the
@@ -154,6 +163,34 @@ ChainSolution bestOfStarts(const AngleChain& chain) {
   return best;
 }
 
+/// The directions of an elastica against `frame`, its start within half a turn of `startAngle`.
+Guide guideAlong(const Elastica& blade, int segments, double frame, double startAngle) {
+  const double own = blade.startAngle() - frame;
+  const double shift = frame + 2 * kPi * std::round((own - startAngle) / (2 * kPi));
+  Guide guide;
+  guide.angles = sampled(segments, [&](double s) { return blade.at(s * blade.length()).angle - shift; });
+  guide.start = blade.startAngle() - shift;
+  guide.end = blade.at(blade.length()).angle - shift;
+  return guide;
+}
+
+/// The blade at rest between the ends, or nothing where none was found. Of two mirror images the one to the
+/// left of the chord, whose direction is `frame`.
+std::optional<Guide> guideAtRest(const ClampedEnds& ends, const std::optional<double>& turning,
+                                 const AngleChain& chain, double frame) {
+  const Result<ClampedAnswer> rest =
+      solveClamped({ends.start, ends.end, ends.startAngle, ends.endAngle, ends.length, turning});
+  if (!rest || rest->kind == ClampedKind::straight) return std::nullopt;
+  Guide guide = guideAlong(rest->solutions.front().elastica, chain.segments, frame, chain.startAngle);
+  if (rest->kind == ClampedKind::buckling) {
+    double rise = 0;
+    for (std::size_t i = 0; i < guide.angles.size() / 2; ++i) rise += std::sin(guide.angles[i]);
+    if (rise < 0)
+      for (double& angle : guide.angles) angle = 2 * chain.startAngle - angle;
+  }
+  return guide;
+}
+
 DiscreteElastica assemble(const ClampedEnds& ends, const AngleChain& chain, double frame,
                           const ChainSolution& found) {
   DiscreteElastica result;
@@ -198,9 +235,9 @@ Result<DiscreteElastica> discreteElastica(const ClampedEnds& given, const Discre
   const double plain = ends.endAngle - ends.startAngle;
 
   // The guide, as angles against the chord, and the total turning.
-  std::vector<double> guide;
-  double turning = 0;
+  std::optional<Guide> guide;
   chain.startAngle = ends.startAngle - frame;
+  const bool guided = options.turningAngles || options.sketch || options.shape;
   if (options.turningAngles) {
     const std::size_t want = std::size_t(chain.segments + (chain.halfEnds ? 1 : -1));
     if (options.turningAngles->size() != want)
@@ -208,29 +245,32 @@ Result<DiscreteElastica> discreteElastica(const ClampedEnds& given, const Discre
                   std::to_string(chain.segments) + " segments held like this have " + std::to_string(want) +
                       " turning angles; " + std::to_string(options.turningAngles->size()) + " are given",
                   "initial", double(options.turningAngles->size()), double(want));
+    guide.emplace();
     double angle = chain.startAngle;
-    if (!chain.halfEnds) guide.push_back(angle);
+    if (!chain.halfEnds) guide->angles.push_back(angle);
     for (const double turn : *options.turningAngles) {
       if (!std::isfinite(turn))
         return fail(ErrorCode::badInput, "the initial turning angles must be finite numbers", "initial");
       angle += turn;
-      guide.push_back(angle);
+      guide->angles.push_back(angle);
     }
-    if (chain.halfEnds) guide.pop_back();
-    turning = plain + 2 * kPi * std::round((angle - chain.startAngle - plain) / (2 * kPi));
+    if (chain.halfEnds) guide->angles.pop_back();
+    guide->start = chain.startAngle;
+    guide->end = angle;
   } else if (options.sketch) {
-    guide = directions(options.sketch->transformed(-frame, 1, Vector2d::Zero()), chain.segments,
-                       chain.startAngle);
-    turning = plain + 2 * kPi * std::round((guide.back() - chain.startAngle - plain) / (2 * kPi));
+    guide.emplace();
+    guide->angles = directions(options.sketch->transformed(-frame, 1, Vector2d::Zero()), chain.segments,
+                               chain.startAngle);
+    guide->start = guide->angles.front();
+    guide->end = guide->angles.back();
   } else if (options.shape) {
-    guide = sampled(chain.segments,
-                    [&](double s) { return options.shape->at(s * options.shape->length()).angle - frame; });
-    const double turns = 2 * kPi * std::round((guide.front() - chain.startAngle) / (2 * kPi));
-    for (double& angle : guide) angle -= turns;
-    turning = plain + 2 * kPi * std::round((guide.back() - chain.startAngle - plain) / (2 * kPi));
+    guide = guideAlong(*options.shape, chain.segments, frame, chain.startAngle);
   } else {
-    turning = chord > 0 ? wrapped(ends.endAngle - frame) - wrapped(ends.startAngle - frame) : wrapped(plain);
+    guide = guideAtRest(ends, options.turning, chain, frame);
   }
+  double turning =
+      chord > 0 ? wrapped(ends.endAngle - frame) - wrapped(ends.startAngle - frame) : wrapped(plain);
+  if (guide) turning = plain + 2 * kPi * std::round((guide->end - chain.startAngle - plain) / (2 * kPi));
   if (options.turning) turning = *options.turning;
   chain.endAngle = chain.startAngle + turning;
   ends.endAngle = ends.startAngle + turning;
@@ -262,13 +302,13 @@ Result<DiscreteElastica> discreteElastica(const ClampedEnds& given, const Discre
   }
 
   ChainSolution found;
-  if (!guide.empty()) {
-    leadOnto(chain.startAngle, chain.endAngle, guide);
-    found = solveChain(chain, std::move(guide));
-  } else {
+  if (guide) found = solveChain(chain, ledOnto(chain.startAngle, chain.endAngle, *guide));
+  if (!guided && !(found.converged && found.minimum)) {
     AngleChain coarse = chain;
     coarse.segments = std::min(chain.segments, kCoarse);
+    const int spent = found.iterations;
     found = bestOfStarts(coarse);
+    found.iterations += spent;
     if (found.converged && coarse.segments < chain.segments) {
       const int before = found.iterations;
       found = solveChain(chain, resampled(coarse, found.angles, chain.segments));

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/work_meter.h"
 #include "bw/core/elastica_bvp.h"
 #include "bw/core/number_text.h"
 #include "bw/core/units.h"
@@ -114,7 +115,7 @@ Result<ClampedBranch::Move> ClampedBranch::moveTo(const ClampedProblem& next) {
   const GripPath path(end_, Vector3d(checked->end.x(), checked->end.y(), turning));
   Move move;
   double done = 0, step = 1;
-  for (int i = 0; i < kMaxSteps && done < 1; ++i) {
+  for (int i = 0; i < kMaxSteps && done < 1 && !workExhausted(); ++i) {
     const double to = done + step >= 1 ? 1 : done + step;
     const Vector3d end = path.at(to);
     Vector3d change = jacobian_.partialPivLu().solve(end - end_);

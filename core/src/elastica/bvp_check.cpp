@@ -18,6 +18,8 @@ constexpr double kLargest = 1e9;
 constexpr double kEqual = 1e-12;
 /// Tangents are aligned to within this, rad.
 constexpr double kAligned = 1e-9;
+/// Grips no farther apart than this part of the length leave a blade of any end tangents a shape.
+constexpr double kEasyShare = 0.99;
 /// A given turning may miss the angles by this, rad.
 constexpr double kTurningTolerance = 1e-6;
 
@@ -62,11 +64,13 @@ Result<CheckedProblem> check(const ClampedProblem& problem) {
     result.turning = *problem.turning - miss;
     result.fixedTurning = true;
   }
+  const std::string slack = "bring the grips to " + shortText(kEasyShare * length, 6) +
+                            " mm apart or nearer, or take a blade of at least " +
+                            shortText(distance / kEasyShare, 6) + " mm.";
   if (distance > length * (1 + kEqual))
     return fail(ErrorCode::noSolution,
-                "The blade is " + shortText(length) + " mm long, but its ends are " + shortText(distance) +
-                    " mm apart; bring the grips " + shortText(distance - length) +
-                    " mm closer together or use a longer blade.",
+                "The blade is " + shortText(length, 6) + " mm long, but its ends are " +
+                    shortText(distance, 6) + " mm apart; " + slack,
                 "length", length, distance);
   const double direction = distance > 0 ? std::atan2(result.end.y(), result.end.x()) : 0;
   const bool startAligned = std::abs(wrapped(direction)) <= kAligned;
@@ -81,7 +85,7 @@ Result<CheckedProblem> check(const ClampedProblem& problem) {
               "grips by " +
               shortText(toDegrees(wrapped(-direction))) + "° and " +
               shortText(toDegrees(wrapped(result.turning - direction))) + "° and turn by " +
-              shortText(toDegrees(result.turning)) + "°; align the grips, or bring them closer together.",
+              shortText(toDegrees(result.turning)) + "°; turn both grips along that line, " + slack,
           "end_angle",
           toDegrees(std::max(std::abs(wrapped(direction)), std::abs(wrapped(result.turning - direction)))),
           0);

@@ -81,6 +81,11 @@ double energyOf(const SampledSolution& sampled) {
   return 0.5 * sampled.modes->weights.dot(sampled.samples.curvature.cwiseAbs2());
 }
 
+bool isClosed(const UnitProblem& problem) {
+  constexpr double kClosed = 1e-9;  // lengths, rad
+  return problem.end.norm() < kClosed && std::abs(std::remainder(problem.turning, 2 * kPi)) < kClosed;
+}
+
 double certainMargin(const UnitSolution& solution) {
   constexpr double kUncertain = 1e-3;  // of f, the margin of a taut blade without loops
   // On a fold, or in a family of shapes: numerically neither stable nor unstable.
@@ -96,18 +101,21 @@ ClampedMargins marginsOf(const SampledSolution& sampled, std::optional<double> t
 
 ClampedSensitivity sensitivityOf(const SampledSolution& sampled) {
   if (sampled.bends) return tautSensitivity(*sampled.bends);
-  const ClampedModes& modes = *sampled.modes;
-  const Index n = modes.count(), nodes = modes.nodes.size();
-  const VectorXd cosine = sampled.samples.angle.array().cos(), sine = sampled.samples.angle.array().sin();
-  const VectorXd& w = modes.weights;
-  const VectorXd potential =
-      w.cwiseProduct(sampled.samples.force.x() * cosine + sampled.samples.force.y() * sine);
   // What a turned grip adds to the tangent angle before the blade settles: 1 − s and s.
-  MatrixXd lifts(nodes, 2);
-  lifts.col(0) = (1 - modes.nodes.array());
-  lifts.col(1) = modes.nodes;
+  MatrixXd lifts(sampled.modes->nodes.size(), 2);
+  lifts.col(0) = (1 - sampled.modes->nodes.array());
+  lifts.col(1) = sampled.modes->nodes;
+  return sensitivityOf(*sampled.modes, sampled.samples, lifts);
+}
 
-  MatrixXd system = MatrixXd::Zero(n + 2, n + 2), right = MatrixXd::Zero(n + 2, 4);
+ClampedSensitivity sensitivityOf(const ClampedModes& modes, const ClampedSamples& samples,
+                                 const MatrixXd& lifts) {
+  const Index n = modes.count(), nodes = modes.nodes.size(), grips = lifts.cols();
+  const VectorXd cosine = samples.angle.array().cos(), sine = samples.angle.array().sin();
+  const VectorXd& w = modes.weights;
+  const VectorXd potential = w.cwiseProduct(samples.force.x() * cosine + samples.force.y() * sine);
+
+  MatrixXd system = MatrixXd::Zero(n + 2, n + 2), right = MatrixXd::Zero(n + 2, 2 + grips);
   const MatrixXd weighted = modes.values * potential.asDiagonal();
   system.topLeftCorner(n, n).noalias() -= weighted * modes.values.transpose();
   system.diagonal().head(n) += modes.stiffness;
@@ -116,30 +124,31 @@ ClampedSensitivity sensitivityOf(const SampledSolution& sampled) {
   system.bottomLeftCorner(2, n) = system.topRightCorner(n, 2).transpose();
   right(n, 0) = 1;
   right(n + 1, 1) = 1;
-  right.topRightCorner(n, 2) = weighted * lifts;
-  for (Index k = 0; k < 2; ++k) {
+  right.topRightCorner(n, grips) = weighted * lifts;
+  for (Index k = 0; k < grips; ++k) {
     right(n, 2 + k) = w.cwiseProduct(sine).dot(lifts.col(k));
     right(n + 1, 2 + k) = -w.cwiseProduct(cosine).dot(lifts.col(k));
   }
   const MatrixXd solved = system.partialPivLu().solve(right);
   MatrixXd turn = modes.values.transpose() * solved.topRows(n);
-  turn.rightCols<2>() += lifts;
-  MatrixXd moved(2 * nodes, 4);
+  turn.rightCols(grips) += lifts;
+  MatrixXd moved(2 * nodes, 2 + grips);
   moved.topRows(nodes) = -(modes.integral * (sine.asDiagonal() * turn));
   moved.bottomRows(nodes) = modes.integral * (cosine.asDiagonal() * turn);
 
   Eigen::Matrix4d positions = Eigen::Matrix4d::Zero();
-  Eigen::Matrix2d angles = Eigen::Matrix2d::Zero();
+  MatrixXd angles = MatrixXd::Zero(grips, grips);
   for (Index q = 0; q < nodes; ++q) {
     Eigen::Matrix<double, 2, 4> both;
     both.rightCols<2>() << moved.row(q).leftCols<2>(), moved.row(nodes + q).leftCols<2>();
     both.leftCols<2>() = Eigen::Matrix2d::Identity() - both.rightCols<2>();
-    Eigen::Matrix2d turned;
-    turned << moved.row(q).rightCols<2>(), moved.row(nodes + q).rightCols<2>();
+    MatrixXd turned(2, grips);
+    turned << moved.row(q).rightCols(grips), moved.row(nodes + q).rightCols(grips);
     positions += w(q) * both.transpose() * both;
     angles += w(q) * turned.transpose() * turned;
   }
   const auto largest = [](const auto& gram) {
+    if (gram.rows() == 0) return 0.0;
     if (!gram.allFinite()) return std::numeric_limits<double>::infinity();
     using Matrix = std::decay_t<decltype(gram)>;
     const Eigen::SelfAdjointEigenSolver<Matrix> solver(gram, Eigen::EigenvaluesOnly);
@@ -176,7 +185,11 @@ Result<ClampedSolution> describe(const ClampedProblem& problem, const UnitSoluti
   const ClampedMargins margins = marginsOf(sampled, torsionRatio);
   result.stabilityMargin = margins.inPlane;
   result.outOfPlaneMargin = margins.outOfPlane;
-  result.stable = margins.inPlane > certainMargin(solution);
+  const double certain = certainMargin(solution);
+  result.stable = margins.inPlane > certain;
+  const bool loop = solution.anchor && !solution.bends;
+  const Vector2d chord = (problem.end - problem.start) / problem.length;
+  result.sliding = std::abs(margins.inPlane) <= certain && (loop || isClosed({chord, solution.turning}));
   const ClampedSensitivity sensitivity = sensitivityOf(sampled);
   result.sensitivity.perMm = sensitivity.perMm;
   result.sensitivity.perDegree = sensitivity.perDegree * problem.length * kDegree;

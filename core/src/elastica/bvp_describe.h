@@ -27,12 +27,19 @@ double energyOf(const SampledSolution& sampled);
 /// Both margins; that out of the plane only with a torsion ratio.
 ClampedMargins marginsOf(const SampledSolution& sampled, std::optional<double> torsionRatio);
 
+/// True if both grips are in one place and point the same way.
+bool isClosed(const UnitProblem& problem);
+
 /// The least margin that proves a shape to be stable: 0 in general, but for rounding. A loop between taut
 /// stretches slides along them with hardly any resistance, and what the modes say of it is not certain.
 double certainMargin(const UnitSolution& solution);
 
 /// How far the curve moves with its grips: per length and per radian, in lengths.
 ClampedSensitivity sensitivityOf(const SampledSolution& sampled);
+/// The same by any modes of its ends; `lifts`: what a turned grip adds to the tangent angle, one column a
+/// grip.
+ClampedSensitivity sensitivityOf(const ClampedModes& modes, const ClampedSamples& samples,
+                                 const Eigen::MatrixXd& lifts);
 
 /// The blade itself.
 Result<Elastica> place(const ClampedProblem& problem, const UnitSolution& solution);

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/work_meter.h"
 #include "elastica/bvp_sheets.h"
 #include "elastica/bvp_taut.h"
 
@@ -21,6 +22,8 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kTaut = 14;
 /// Solutions that miss their ends by more, in lengths and rad, hang on digits that no number here has.
 constexpr double kLargestMiss = 1e-10;
+/// Work (`WorkMeter`) of a node of a sheet, and of its image on one.
+constexpr std::int64_t kNodeWork = 20, kImageWork = 2;
 
 std::vector<double> levels(double first, double step, double linear, double last) {
   std::vector<double> result;
@@ -65,6 +68,7 @@ class Search {
     columns_ = int(ts.size());
     rows_ = angles;
     nodes_.clear();
+    chargeWork(kNodeWork * angles * std::ssize(ts));
     for (int i = 0; i < angles; ++i)
       for (const double t : ts) nodes_.push_back(make(i, t));
   }
@@ -72,6 +76,7 @@ class Search {
 
   void cells(const Sheet& sheet, bool oneWay) {
     images_.resize(nodes_.size());
+    chargeWork(kImageWork * std::ssize(nodes_));
     for (std::size_t i = 0; i < nodes_.size(); ++i) images_[i] = Sheets::image(nodes_[i], sheet);
     for (int i = 0; i + 1 < rows_; ++i)
       for (int j = 0; j + 1 < columns_; ++j) {
@@ -112,6 +117,7 @@ class Search {
   }
 
   void attempt(const Sheet& sheet, bool oneWay, double a, double t) {
+    if (workExhausted()) return;
     const SheetNode start = node(oneWay, a, t);
     const UnitShape shape = Sheets::shape(start, sheet);
     if (!shape.allFinite()) return;
@@ -131,6 +137,7 @@ class Search {
   /// the blade is.
   std::optional<UnitSolution> settleTaut(const Sheet& sheet, bool oneWay, double a, double t) const {
     const auto miss = [&](double angle, double level) {
+      chargeWork(kNodeWork);
       const SheetImage image = Sheets::image(node(oneWay, angle, level), sheet);
       return Vector2d(image.x - problem_.end.x(), image.y - problem_.end.y());
     };
@@ -220,6 +227,7 @@ UnitSolution mirrorOf(UnitSolution solution) {
 }  // namespace
 
 std::vector<UnitSolution> allShapes(const UnitProblem& problem, int maxInflections) {
+  if (workExhausted()) return {};
   const bool mirror = problem.turning < 0;
   const UnitProblem turned = mirror ? problem.mirrored() : problem;
   std::vector<UnitSolution> result;

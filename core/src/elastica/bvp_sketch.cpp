@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/work_meter.h"
 #include "elastica/clamped_modes.h"
 
 namespace bw::detail {
@@ -18,6 +19,8 @@ namespace {
 constexpr int kModes = kSketchModes;
 constexpr int kNodes = 18;
 constexpr int kMaxDescents = 25;
+/// Work (`WorkMeter`) of one round.
+constexpr std::int64_t kRoundWork = 40;
 /// A step turns no tangent by more than this, rad.
 constexpr double kLargestTurn = 0.8;
 /// The descent ends when its step is this small; Newton's method on the curve itself does the rest.
@@ -55,7 +58,8 @@ bool descend(const UnitProblem& problem, Sketch& sketch) {
   const Table& t = table();
   Coefficients& c = sketch.coefficients;
   Eigen::Vector2d& force = sketch.force;
-  for (int round = 0; round < kMaxDescents; ++round) {
+  for (int round = 0; round < kMaxDescents && !workExhausted(); ++round) {
+    chargeWork(kRoundWork);
     Eigen::Matrix<double, kNodes, 1> angle = t.values.transpose() * c + problem.turning * t.nodes;
     Eigen::Matrix<double, kNodes, 1> cosine, sine;
     for (int q = 0; q < kNodes; ++q) {

@@ -7,9 +7,12 @@
 #include <limits>
 #include <numbers>
 
+#include "base/work_meter.h"
 #include "bw/core/number_text.h"
 #include "elastica/bvp_check.h"
 #include "elastica/bvp_describe.h"
+#include "elastica/bvp_held.h"
+#include "elastica/bvp_others.h"
 #include "elastica/bvp_search.h"
 #include "elastica/bvp_sketch.h"
 #include "elastica/bvp_taut.h"
@@ -72,6 +75,7 @@ Rest restFromSketches(const CheckedProblem& problem, double maxTurning) {
     }
   };
   for (const double turning : problem.turnings(maxTurning)) {
+    if (workExhausted()) break;
     // No blade turns so far with less energy than the circle.
     if (0.5 * turning * turning >= best.energy) continue;
     const UnitProblem unit{problem.end, turning};
@@ -89,9 +93,6 @@ Rest restFromSketches(const CheckedProblem& problem, double maxTurning) {
   }
   return best;
 }
-
-/// Inflections of the shapes among which a blade at rest is sought where the sketches find none.
-constexpr int kRestInflections = 3;
 
 /// All stable shapes, slower.
 std::vector<UnitSolution> allAtRest(const CheckedProblem& problem, double maxTurning) {
@@ -151,36 +152,38 @@ tl::unexpected<Error> noShape(const ClampedProblem& problem, const CheckedProble
 /// The blade that `initial` becomes. The answer's solutions stay empty; the shape is returned.
 Result<UnitSolution> follow(const ClampedProblem& problem, const CheckedProblem& checked,
                             const ClampedOptions& options, ClampedAnswer& answer) {
-  const double length = options.initial->length();
+  const Elastica& blade = *options.initial;
+  const char* const kNotStable =
+      "The branch of the initial blade is not stable here; this is the stable blade nearest to it.";
+  const std::optional<UnitSolution> held = heldAlready(blade, problem, checked);
+  if (held && restsIn(*held, sample(*held))) return *held;
+  const Elastica unit = blade.transformed(-blade.startAngle(), 1 / blade.length(), {0, 0});
   UnitSolution initial;
-  Result<ClampedBranch> branch = ClampedBranch::from(*options.initial);
-  if (!branch) return tl::unexpected<Error>(branch.error());
-  initial.shape = branch->shape();
-  if (options.initial->anchor()) {
-    const Elastica unit = options.initial->transformed(-options.initial->startAngle(), 1 / length, {0, 0});
-    initial.anchor = *unit.transformed(0, 1, -unit.start()).anchor();
-  }
-  initial.turning = options.initial->at(length).angle - options.initial->startAngle();
-  const Result<ClampedBranch::Move> move = branch->moveTo(problem);
-  if (!move) return tl::unexpected<Error>(move.error());
-  if (!move->snapped) {
-    const UnitProblem unit{
-        checked.end,
-        checked.fixedTurning
-            ? checked.turning
-            : initial.turning + std::remainder(checked.turning - initial.turning, 2 * std::numbers::pi)};
-    const std::optional<UnitSolution> found = settle(unit, branch->shape(), 4);
-    if (found) {
-      const SampledSolution sampled = sample(*found);
-      if (marginsOf(sampled, {}).inPlane > certainMargin(*found)) return *found;
-      answer.message =
-          "The branch of the initial blade is not stable here; this is the stable blade nearest to it.";
-    }
+  initial.shape << unit.startCurvature(), unit.force();
+  if (unit.anchor()) initial.anchor = *unit.transformed(0, 1, -unit.start()).anchor();
+  initial.turning = blade.at(blade.length()).angle - blade.startAngle();
+  if (held) {
+    answer.message = kNotStable;
+  } else if (Result<ClampedBranch> branch = ClampedBranch::from(blade); !branch) {
+    answer.message = branch.error().message + " This is the stable blade nearest to it.";
   } else {
-    answer.snapsAt = move->reached;
-    answer.message = "On its way from the initial blade the blade snaps at " +
-                     shortText(100 * move->reached) +
-                     " % of the way; this is the stable blade nearest to the initial one.";
+    const Result<ClampedBranch::Move> move = branch->moveTo(problem);
+    if (!move) return tl::unexpected<Error>(move.error());
+    if (!move->snapped) {
+      const UnitProblem between{
+          checked.end,
+          checked.fixedTurning
+              ? checked.turning
+              : initial.turning + std::remainder(checked.turning - initial.turning, 2 * std::numbers::pi)};
+      const std::optional<UnitSolution> found = settle(between, branch->shape(), 4);
+      if (found && restsIn(*found, sample(*found))) return *found;
+      if (found) answer.message = kNotStable;
+    } else {
+      answer.snapsAt = move->reached;
+      answer.message = "On its way from the initial blade the blade snaps at " +
+                       shortText(100 * move->reached) +
+                       " % of the way; this is the stable blade nearest to the initial one.";
+    }
   }
   const std::optional<UnitSolution> nearest =
       leastOf(allAtRest(checked, std::max(options.maxTurning, std::abs(initial.turning))),
@@ -270,6 +273,11 @@ Result<ClampedAnswer> solveClamped(const ClampedProblem& problem, const ClampedO
   const Result<ClampedSolution> solution = describe(problem, *found, sample(*found), options.torsionRatio);
   if (!solution) return tl::unexpected<Error>(solution.error());
   answer.solutions.push_back(*solution);
+  if (options.others) {
+    const Result<ClampedOthers> others = othersBeside(answer.solutions[0], problem, *checked, options);
+    if (!others) return tl::unexpected<Error>(others.error());
+    answer.others = *others;
+  }
   return answer;
 }
 
@@ -293,11 +301,11 @@ Result<ClampedAnswer> solveAllClamped(const ClampedProblem& problem, const Clamp
   if (answer.solutions.empty()) return noShape(problem, *checked, "resting");
   std::stable_sort(answer.solutions.begin(), answer.solutions.end(),
                    [](const ClampedSolution& a, const ClampedSolution& b) { return a.energy < b.energy; });
-  constexpr double kClosed = 1e-9;  // lengths, rad
-  if (checked->end.norm() < kClosed &&
-      std::abs(std::remainder(checked->turning, 2 * std::numbers::pi)) < kClosed &&
-      keepOneOfAFamily(answer.solutions))
+  if (isClosed({checked->end, checked->turning}) && keepOneOfAFamily(answer.solutions))
     answer.message = kSlidingMessage;
+  const auto rests = std::find_if(answer.solutions.begin(), answer.solutions.end(),
+                                  [](const ClampedSolution& solution) { return solution.stable; });
+  answer.others = othersAmong(answer.solutions, std::size_t(rests - answer.solutions.begin()));
   return answer;
 }
 

@@ -50,6 +50,7 @@ class Evaluation {
   /// Calls sink(index, block) for every arc length, mm.
   template <class Sink>
   void run(std::span<const double> s, Sink&& sink) {
+    detail::chargeWork(static_cast<std::int64_t>(s.size()));
     if (s.size() == 1) {
       Item item = itemAt(s[0], 0);
       leadBack({&item, 1});

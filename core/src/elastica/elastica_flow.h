@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/work_meter.h"
 #include "elastica/elastica_invariants.h"
 
 namespace bw::detail {
@@ -81,6 +82,7 @@ class ElasticaFlow {
   /// (n + 1) z_{n+1} = i Σ_j κ_{n−j} z_j for z = e^{iψ}, and z_p = i ψ_p z for the derivatives: all are
   /// products of z with real series, κ for the first column and ψ_p for the others.
   void expand(const Block& initial) {
+    chargeWork((Order >= 22 ? 3 : 1) * (1 + Directions));
     using Factors = std::array<double, 1 + Directions>;
     const double ft = parameters_.tangential;
     const double fn = parameters_.normal;

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+
+#include "base/work_meter.h"
 
 namespace bw::detail {
 namespace {
@@ -51,6 +54,8 @@ class Descender {
   bool restoreGradually();
   void measureBy(const MatrixXd& gaussNewton);
   Descent finish(bool feasible);
+  void addBends(MatrixXd& hessian) const;
+  void noteMultipliers(const ConstrainedStep& step);
   void learn(const LeastSquaresModel& before, const LeastSquaresModel& after, const ConstrainedStep& step,
              const VectorXd& moved, const VectorXd& there, MatrixXd& secant);
 
@@ -59,6 +64,7 @@ class Descender {
   MatrixXd stretch_;
   Conditions here_;
   Conditions missed_;
+  std::vector<std::pair<int, double>> pressed_;  ///< names of the curved bounds and their last multipliers
 };
 
 void Descender::measureBy(const MatrixXd& gaussNewton) {
@@ -74,17 +80,18 @@ void Descender::measureBy(const MatrixXd& gaussNewton) {
 // in `hold`. With `relaxed`, onto equalities that are missed by as much, and bounds by `relaxedBounds`.
 bool Descender::restore(VectorXd& v, const std::vector<int>& hold, const std::vector<double>* relaxed,
                         double relaxedBounds) {
-  double before = 0;
+  double before = std::numeric_limits<double>::infinity();
   VectorXd from = v;
   VectorXd step = VectorXd::Zero(v.size());
   int halvings = 0;
   std::vector<std::size_t> used;
-  for (int n = 0; n < kMaxRestorations; ++n) {
+  for (int n = 0; n < kMaxRestorations && !workExhausted(); ++n) {
     double size = std::numeric_limits<double>::infinity();
     used.clear();
     VectorXd values;
     if (problem_.conditions(v, missed_)) {
       for (std::size_t i = 0; i < missed_.size(); ++i) {
+        if (missed_.names[i] < 0) continue;
         const bool equality = i < missed_.equalities;
         missed_.values[i] -= relaxed == nullptr ? 0 : equality ? (*relaxed)[i] : relaxedBounds;
         if (equality || missed_.values[i] > 0 ||
@@ -158,6 +165,24 @@ Descent Descender::finish(bool feasible) {
   return out_;
 }
 
+// What curved bounds add to the Lagrangian, with the multipliers of the step before.
+void Descender::addBends(MatrixXd& hessian) const {
+  for (const Conditions::Bend& bend : here_.bends) {
+    const auto last = std::find_if(pressed_.begin(), pressed_.end(), [&](const auto& pressed) {
+      return pressed.first == here_.names[bend.bound];
+    });
+    if (last != pressed_.end()) hessian += (last->second * bend.size) * bend.row * bend.row.transpose();
+  }
+}
+
+void Descender::noteMultipliers(const ConstrainedStep& step) {
+  pressed_.clear();
+  for (const Conditions::Bend& bend : here_.bends) {
+    const double multiplier = step.multipliers[static_cast<Index>(bend.bound)];
+    if (multiplier > 0) pressed_.emplace_back(here_.names[bend.bound], multiplier);
+  }
+}
+
 // Secant correction for the second derivatives of the curve and of the conditions, from the change of the
 // Lagrangian's slope, group by group.
 void Descender::learn(const LeastSquaresModel& before, const LeastSquaresModel& after,
@@ -173,6 +198,11 @@ void Descender::learn(const LeastSquaresModel& before, const LeastSquaresModel& 
     if (!same) return;  // a bound has come or gone: the slopes do not compare
     change += multiplier *
               (missed_.slopes.col(static_cast<Index>(*same)) - here_.slopes.col(static_cast<Index>(i)));
+  }
+  for (const Conditions::Bend& bend : here_.bends) {
+    const double multiplier = step.multipliers[static_cast<Index>(bend.bound)];
+    if (step.active[bend.bound] && multiplier > 0)
+      change -= multiplier * bend.size * bend.row.dot(moved) * bend.row;
   }
   const Index size = problem_.unknowns() / problem_.groups();
   for (Index at = 0; at < problem_.unknowns(); at += size) {
@@ -200,10 +230,11 @@ Descent Descender::run() {
   int refusals = 0;
   std::vector<char> guess;
   LeastSquaresModel there;
-  for (int n = 0; n < kMaxIterations; ++n) {
+  for (int n = 0; n < kMaxIterations && !workExhausted(); ++n) {
     if (!problem_.conditions(out_.v, here_)) return finish(false);
     const VectorXd scale = model.gaussNewton.diagonal().array() + 1e-12 * model.gaussNewton.trace();
     MatrixXd hessian = model.gaussNewton + secant;
+    addBends(hessian);
     hessian.diagonal() += damping * scale;
     if (guess.size() != here_.size()) guess.clear();
     std::optional<ConstrainedStep> step = constrainedStep(hessian, model.half, here_, guess);
@@ -211,11 +242,13 @@ Descent Descender::run() {
       secant.setZero();
       damping = std::max(damping, 1e-8);
       hessian = model.gaussNewton;
+      addBends(hessian);
       hessian.diagonal() += damping * scale;
       step = constrainedStep(hessian, model.half, here_, guess);
     }
     if (!step) return finish(true);
     guess = step->active;
+    noteMultipliers(*step);
     const VectorXd& d = step->d;
     const double movement = std::sqrt(std::max(0.0, d.dot(model.gaussNewton * d)));
     if ((movement <= kStepTolerance && d.norm() <= kStepOfUnknowns) || value <= kExact) {

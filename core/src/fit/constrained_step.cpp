@@ -9,6 +9,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/work_meter.h"
+
 namespace bw::detail {
 namespace {
 
@@ -23,6 +25,8 @@ constexpr double kMet = 1e-12;
 constexpr double kSign = 1e-14;
 // Changes of the set of active bounds that are tried before the set is found from scratch.
 constexpr int kChanges = 12;
+// Products of numbers in a unit of work (`WorkMeter`).
+constexpr Index kProductsPerUnit = 1500;
 
 // The affine space in which some rows hold.
 struct Space {
@@ -47,6 +51,7 @@ bool stepOn(const MatrixXd& hessian, const VectorXd& half, const Conditions& con
   const Index n = half.size();
   const Index count = std::count(step.active.begin(), step.active.end(), char(1));
   step.multipliers = VectorXd::Zero(static_cast<Index>(conditions.size()));
+  chargeWork(n * n * (n + 4 * count) / kProductsPerUnit);
   if (count == 0) {
     const Eigen::LLT<MatrixXd> factor(hessian);
     if (factor.info() != Eigen::Success) return false;
@@ -162,6 +167,7 @@ void Conditions::clear(Eigen::Index unknowns) {
   if (slopes.rows() != unknowns) slopes.resize(unknowns, 16);
   values.clear();
   names.clear();
+  bends.clear();
   equalities = 0;
 }
 

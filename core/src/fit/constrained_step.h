@@ -14,8 +14,16 @@ struct Conditions {
   Eigen::MatrixXd
       slopes;  ///< column i is the gradient of condition i; there may be more columns than conditions
   std::vector<double> values;
-  std::vector<int> names;  ///< tells a condition again at another place
+  std::vector<int> names;  ///< tells a condition again at another place; below 0: implied, limits steps only
   std::size_t equalities = 0;
+  /// A bound that is curved by nature: its second derivatives hold size · row · rowᵀ, size ≥ 0. What its
+  /// value curves besides is left to the secant correction.
+  struct Bend {
+    std::size_t bound = 0;
+    double size = 0;
+    Eigen::VectorXd row;
+  };
+  std::vector<Bend> bends;
 
   std::size_t size() const { return values.size(); }
   /// Empties the list, keeps the room.

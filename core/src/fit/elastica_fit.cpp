@@ -34,6 +34,8 @@ constexpr double kLongestRange = 500;
 // A fit has converged if one more Gauss–Newton step would move the curve by less than this (root mean square,
 // lengths).
 constexpr double kConvergedMovement = 1e-8;
+// The guess by count takes the place of that by length where its value is below this part of the other's.
+constexpr double kFarBetter = 1e-2;
 // Conditions hold if the returned curve misses them by no more than this (lengths, rad). The solver meets
 // them to kFeasible, but along a line with sharp bends the numbers of an elastica do not carry all
 // digits; misses above kNoted are told.
@@ -160,9 +162,9 @@ Result<FitResult> fitElastica(const PlanarCurve& curve, const FitOptions& option
   if (options.curvatureRange) constraints.curvatureRange = *options.curvatureRange / full.length;
   constraints.maxPeriods = options.maxPeriods;
   const detail::FitDemands demands{options.simple, options.maxInflections};
-  const bool tangentNorm = options.norm == FitOptions::Norm::H1;
+  const FitOptions::Norm norm = options.norm;
   const FitObjective objective{
-      tangentNorm, constraints.lengthTolerance > 0 ? std::optional<double>() : constraints.length};
+      norm, constraints.lengthTolerance > 0 ? std::optional<double>() : constraints.length};
 
   // The canonical guess and its residuals.
   FitResult result;
@@ -171,30 +173,36 @@ Result<FitResult> fitElastica(const PlanarCurve& curve, const FitOptions& option
   result.R2 = law.R2;
   result.R3 = law.R3;
   std::vector<Shape> starts;
+  double initialValue = 0;
   if (options.initial) {
     result.initial = *options.initial;
-    result.R3star = residualsOf(result.initial, full).tangents;
+    const Residuals residuals = residualsOf(result.initial, full);
+    result.R3star = residuals.tangents;
+    initialValue = residuals.value;
     starts.push_back(detail::toPlacement(*options.initial, full).shape);
   } else {
     const detail::LengthGuess guess = detail::guessByLength(coarse, law);
     const Elastica byLength = detail::toElastica(guess.placement, coarse);
-    result.R3star = thinned ? residualsOf(byLength, full).tangents : guess.R3star;
+    const Residuals lengthResiduals = residualsOf(byLength, full);
+    result.R3star = thinned ? lengthResiduals.tangents : guess.R3star;
     result.initial = byLength;
+    initialValue = lengthResiduals.value;
+    result.forecast = forecastFrom(law, std::sqrt(lengthResiduals.value));
     starts.push_back(guess.placement.shape);
-    if (options.guess == FitOptions::Guess::count) {
-      if (const std::optional<Placement> counted = detail::guessByCount(full, law)) {
-        result.initial = detail::toElastica(*counted, full);
+    // On short, nearly straight pieces the tangents hardly tell the place: counting does.
+    if (const std::optional<Placement> counted = detail::guessByCount(full, law)) {
+      const Elastica byCount = detail::toElastica(*counted, full);
+      const double value = residualsOf(byCount, full).value;
+      if (options.guess == FitOptions::Guess::count || value < kFarBetter * initialValue) {
+        result.initial = byCount;
+        initialValue = value;
         starts.push_back(counted->shape);
       }
     }
     starts.push_back(detail::shapeFromLaw(coarse, law));
     starts.push_back(detail::shapeFromAngles(coarse));
   }
-  result.R4initial = std::sqrt(residualsOf(result.initial, full).value);
-  if (!options.initial && options.guess == FitOptions::Guess::length)
-    result.forecast = forecastFrom(law, result.R4initial);
-  else if (!options.initial)
-    result.forecast = forecastFit(curve);
+  result.R4initial = std::sqrt(initialValue);
 
   // Descend without end conditions and bounds.
   const std::optional<detail::FreeFitResult> best =
@@ -214,10 +222,10 @@ Result<FitResult> fitElastica(const PlanarCurve& curve, const FitOptions& option
   std::vector<double> peaks;
   FitConstraints held = constraints;
   std::optional<Elastica> taut;
-  const detail::FitSearch search(full, tangentNorm);
+  const detail::FitSearch search(full, norm);
   if (constraints.endpoints || constraints.tangents ||
       (constraints.bounds() &&
-       ConstrainedFit(full, constraints, tangentNorm).violation(chosen.placement) > detail::kFeasible) ||
+       ConstrainedFit(full, constraints, norm).violation(chosen.placement) > detail::kFeasible) ||
       (demands.any() && !search.meets(chosen.placement, demands))) {
     detail::FitStarts from;
     from.freeValue = chosen.value;
@@ -238,7 +246,7 @@ Result<FitResult> fitElastica(const PlanarCurve& curve, const FitOptions& option
       if (const auto placed = projected.place(shape)) from.places.push_back(placed->placement);
     }
     const detail::ConditionedFit found =
-        detail::fitUnderEndConditions(full, constraints, demands, tangentNorm, from);
+        detail::fitUnderEndConditions(full, constraints, demands, norm, from);
     const int iterations = chosen.iterations + found.iterations;
     if (found.best) {
       chosen = {found.best->placement, found.best->value, iterations, found.best->converged};
@@ -255,7 +263,7 @@ Result<FitResult> fitElastica(const PlanarCurve& curve, const FitOptions& option
   }
 
   result.elastica = taut ? *taut : detail::toElastica(chosen.placement, full);
-  ConstrainedFit last(full, held, tangentNorm);
+  ConstrainedFit last(full, held, norm);
   detail::Stationarity end{chosen.value, 0, 0};
   if (!taut) end = last.stationarity(detail::toPlacement(result.elastica, full), peaks);
   // Where the conditions leave nothing to vary, only they can be missed.
@@ -279,7 +287,7 @@ Result<FitResult> fitElastica(const PlanarCurve& curve, const FitOptions& option
   result.iterations = chosen.iterations;
   result.gradientNorm = end.gradient;
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  result.R4 = std::sqrt(tangentNorm ? residualsOf(result.elastica, full).value : end.value);
+  result.R4 = std::sqrt(norm != FitOptions::Norm::L2 ? residualsOf(result.elastica, full).value : end.value);
   result.hausdorff = detail::oneSidedHausdorff(result.elastica, curve);
   const char* missed = "";
   result.violation = detail::largestMiss(result.elastica, full, constraints, missed);

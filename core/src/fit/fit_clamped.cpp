@@ -30,7 +30,7 @@ int inflectionsOf(const FitTarget& target) {
 
 }  // namespace
 
-double objectiveOf(const Elastica& elastica, const FitTarget& target, bool tangentNorm) {
+double objectiveOf(const Elastica& elastica, const FitTarget& target, FitNorm norm) {
   std::vector<double> s;
   for (const double place : target.s) s.push_back((place + 0.5) * elastica.length());
   std::vector<Elastica::State> states(s.size());
@@ -38,16 +38,19 @@ double objectiveOf(const Elastica& elastica, const FitTarget& target, bool tange
   double value = 0;
   for (std::size_t i = 0; i < s.size(); ++i) {
     double miss = ((states[i].point - target.centre) / target.length - target.point[i]).squaredNorm();
-    if (tangentNorm)
-      miss +=
-          (elastica.length() / target.length * direction(states[i].angle) - target.tangent[i]).squaredNorm();
+    const double length = elastica.length() / target.length;
+    if (norm != FitNorm::L2) miss += (length * direction(states[i].angle) - target.tangent[i]).squaredNorm();
+    if (norm == FitNorm::H2)
+      miss += (length * elastica.length() * states[i].curvature * quarterTurn(direction(states[i].angle)) -
+               target.curvature[i] * quarterTurn(target.tangent[i]))
+                  .squaredNorm();
     value += target.weight[i] * miss;
   }
   return value;
 }
 
 std::vector<ClampedBlade> clampedBlades(const FitTarget& target, const FitConstraints& constraints,
-                                        bool tangentNorm) {
+                                        FitNorm norm) {
   if (!constraints.clamped()) return {};
   const ClampedProblem problem{target.start,    target.end,          target.startAngle,
                                target.endAngle, *constraints.length, std::nullopt};
@@ -63,7 +66,7 @@ std::vector<ClampedBlade> clampedBlades(const FitTarget& target, const FitConstr
     // The place of a loop between taut stretches hangs on last digits: no descent comes to rest there.
     if (solution.elastica.anchor() && !solution.stable) continue;
     const Elastica blade = solution.elastica.transformed(0, target.length, target.centre);
-    blades.push_back({blade, objectiveOf(blade, target, tangentNorm)});
+    blades.push_back({blade, objectiveOf(blade, target, norm)});
   }
   std::stable_sort(blades.begin(), blades.end(),
                    [](const ClampedBlade& a, const ClampedBlade& b) { return a.value < b.value; });

@@ -19,9 +19,9 @@ struct ClampedBlade {
 /// turns, nearest to the target first. Empty if `constraints` leave out one of the three or there are none.
 /// Some ms.
 std::vector<ClampedBlade> clampedBlades(const FitTarget& target, const FitConstraints& constraints,
-                                        bool tangentNorm);
+                                        FitNorm norm);
 
 /// The objective of any elastica.
-double objectiveOf(const Elastica& elastica, const FitTarget& target, bool tangentNorm);
+double objectiveOf(const Elastica& elastica, const FitTarget& target, FitNorm norm);
 
 }  // namespace bw::detail

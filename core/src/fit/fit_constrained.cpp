@@ -71,10 +71,10 @@ Placement toPlacement(const VectorXd& v) {
   return p;
 }
 
-ConstrainedFit::ConstrainedFit(const FitTarget& target, const FitConstraints& constraints, bool tangentNorm)
+ConstrainedFit::ConstrainedFit(const FitTarget& target, const FitConstraints& constraints, FitNorm norm)
     : target_(target),
       constraints_(constraints),
-      tangentNorm_(tangentNorm),
+      norm_(norm),
       nodes_(withEnds(target.s)),
       range_({-0.5, 0.5}),
       between_({}),
@@ -102,7 +102,7 @@ bool ConstrainedFit::objective(const VectorXd& v, LeastSquaresModel* model, doub
       rows[6] = Vector2d(0, 1);
       sums.add(target_.weight[i], miss, rows);
     }
-    if (!tangentNorm_) continue;
+    if (norm_ == FitNorm::L2) continue;
     const Vector2d tangent = turned(factor, direction(nodes_.angle(i + 1)));
     const Vector2d missed = tangent - target_.tangent[i];
     value += target_.weight[i] * missed.squaredNorm();
@@ -113,6 +113,21 @@ bool ConstrainedFit::objective(const VectorXd& v, LeastSquaresModel* model, doub
       rows[4] = quarterTurn(tangent);
       rows[5] = rows[6] = Vector2d::Zero();
       sums.add(target_.weight[i], missed, rows);
+    }
+    if (norm_ != FitNorm::H2) continue;
+    // γ'' = a κ i e^{iψ}.
+    const Vector2d across = quarterTurn(tangent);
+    const Vector2d bend = nodes_.state(i + 1).curvature * across;
+    const Vector2d unbent = bend - target_.curvature[i] * quarterTurn(target_.tangent[i]);
+    value += target_.weight[i] * unbent.squaredNorm();
+    if (model != nullptr) {
+      for (int j = 0; j < 3; ++j)
+        rows[static_cast<std::size_t>(j)] = nodes_.curvatureDerivative(i + 1, j) * across +
+                                            nodes_.angleDerivative(i + 1, j) * quarterTurn(bend);
+      rows[3] = bend;
+      rows[4] = quarterTurn(bend);
+      rows[5] = rows[6] = Vector2d::Zero();
+      sums.add(target_.weight[i], unbent, rows);
     }
   }
   if (model != nullptr) {

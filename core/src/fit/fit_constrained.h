@@ -48,7 +48,7 @@ struct FitConstraints {
 /// Unknowns in the order κ, f_t, f_n, ln length, angle, x, y of `Placement`.
 class ConstrainedFit : public ConstrainedProblem {
  public:
-  ConstrainedFit(const FitTarget& target, const FitConstraints& constraints, bool tangentNorm);
+  ConstrainedFit(const FitTarget& target, const FitConstraints& constraints, FitNorm norm);
 
   Eigen::Index unknowns() const override { return 7; }
   bool objective(const Eigen::VectorXd& v, LeastSquaresModel* model, double& value) override;
@@ -89,7 +89,7 @@ class ConstrainedFit : public ConstrainedProblem {
 
   const FitTarget& target_;
   FitConstraints constraints_;
-  bool tangentNorm_;
+  FitNorm norm_;
   double startAngle_ = 0, endAngle_ = 0;
   ShapeEvaluator
       nodes_;  ///< the start, the nodes of the target, the end: one walk serves objective and conditions

@@ -24,6 +24,6 @@ struct FitStarts {
 /// equilibria of a clamped blade with the length of the target. From there a descent only gains, so that
 /// fewer conditions never fit worse. Without a length, ends and tangents: 0.2 to 0.5 ms, some ms if poor.
 ConditionedFit fitUnderEndConditions(const FitTarget& target, const FitConstraints& constraints,
-                                     const FitDemands& demands, bool tangentNorm, const FitStarts& starts);
+                                     const FitDemands& demands, FitNorm norm, const FitStarts& starts);
 
 }  // namespace bw::detail

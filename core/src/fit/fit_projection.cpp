@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/work_meter.h"
+
 namespace bw::detail {
 namespace {
 
@@ -45,7 +47,7 @@ constexpr double kSmallestColumn = 1e-7;
 ProjectedFit::ProjectedFit(const FitTarget& target, const FitObjective& objective)
     : target_(target),
       objective_(objective),
-      rows_(target.size() * (objective.tangents ? 2 : 1)),
+      rows_(target.size() * (1 + static_cast<std::size_t>(objective.norm))),
       evaluator_(target.s),
       basis_(rows_),
       column_(rows_) {
@@ -55,7 +57,9 @@ ProjectedFit::ProjectedFit(const FitTarget& target, const FitObjective& objectiv
   for (std::size_t i = 0; i < count; ++i) {
     rootWeight_[i] = std::sqrt(target.weight[i]);
     goal_[i] = rootWeight_[i] * target.point[i];
-    if (objective.tangents) goal_[count + i] = rootWeight_[i] * target.tangent[i];
+    if (objective.norm != FitNorm::L2) goal_[count + i] = rootWeight_[i] * target.tangent[i];
+    if (objective.norm == FitNorm::H2)
+      goal_[2 * count + i] = rootWeight_[i] * target.curvature[i] * quarterTurn(target.tangent[i]);
   }
 }
 
@@ -66,7 +70,9 @@ bool ProjectedFit::project(const Shape& shape, bool derivatives, Linear& linear)
   for (std::size_t i = 0; i < count; ++i) linear.mean += target_.weight[i] * evaluator_.point(i);
   for (std::size_t i = 0; i < count; ++i) {
     basis_[i] = rootWeight_[i] * (evaluator_.point(i) - linear.mean);
-    if (objective_.tangents) basis_[count + i] = rootWeight_[i] * direction(evaluator_.angle(i));
+    if (objective_.norm != FitNorm::L2) basis_[count + i] = rootWeight_[i] * direction(evaluator_.angle(i));
+    if (objective_.norm == FitNorm::H2)
+      basis_[2 * count + i] = evaluator_.state(i).curvature * quarterTurn(basis_[count + i]);
   }
   Vector2d product = Vector2d::Zero();
   linear.squares = 0;
@@ -105,6 +111,10 @@ bool ProjectedFit::operator()(const double* x, double* residuals, double* jacobi
     std::fill(jacobian, jacobian + 6 * rows_, 0.0);  // ends the descent
     return true;
   }
+  if (workExhausted()) {
+    std::fill(jacobian, jacobian + 6 * rows_, 0.0);
+    return true;
+  }
   const std::size_t count = target_.size();
   for (int j = 0; j < 3; ++j) {
     Vector2d mean = Vector2d::Zero();
@@ -114,10 +124,17 @@ bool ProjectedFit::operator()(const double* x, double* residuals, double* jacobi
       column_[i] = rootWeight_[i] * (evaluator_.pointDerivative(i, j) - mean);
       product += turnedBack(basis_[i], column_[i]);
     }
-    if (objective_.tangents) {
+    if (objective_.norm != FitNorm::L2) {
       for (std::size_t i = 0; i < count; ++i) {
         column_[count + i] = quarterTurn(basis_[count + i]) * evaluator_.angleDerivative(i, j);
         product += turnedBack(basis_[count + i], column_[count + i]);
+      }
+    }
+    if (objective_.norm == FitNorm::H2) {
+      for (std::size_t i = 0; i < count; ++i) {
+        column_[2 * count + i] = quarterTurn(basis_[2 * count + i]) * evaluator_.angleDerivative(i, j) +
+                                 quarterTurn(basis_[count + i]) * evaluator_.curvatureDerivative(i, j);
+        product += turnedBack(basis_[2 * count + i], column_[2 * count + i]);
       }
     }
     // Out goes what the linear unknowns can do: length and turn, or the turn alone if the length is fixed.
@@ -173,7 +190,7 @@ bool ProjectedFit::polish(Eigen::Vector3d& x, int& steps) const {
   Eigen::Matrix3d secant = Eigen::Matrix3d::Zero();
   double damping = 0;
   int refusals = 0;
-  for (int n = 0; n < kMaxSecantSteps; ++n) {
+  for (int n = 0; n < kMaxSecantSteps && !workExhausted(); ++n) {
     const Eigen::Matrix3d scale =
         Eigen::Vector3d(gaussNewton.diagonal().array() + 1e-14 * gaussNewton.trace()).asDiagonal();
     Eigen::LLT<Eigen::Matrix3d> factor(gaussNewton + secant + damping * scale);

@@ -11,7 +11,7 @@ namespace bw::detail {
 
 /// What a fit minimises, in units of the target's length.
 struct FitObjective {
-  bool tangents = false;              ///< H1: adds the integral of |γ' − r'|²
+  FitNorm norm = FitNorm::L2;
   std::optional<double> fixedLength;  ///< length of the elastica; empty = free
 };
 

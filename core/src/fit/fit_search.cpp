@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "base/work_meter.h"
+
 namespace bw::detail {
 namespace {
 
@@ -61,11 +63,12 @@ std::vector<Crossing> crossings(const Elastica& elastica) {
 
 ConditionedFit FitSearch::conditioned(const FitConstraints& constraints, const std::vector<Placement>& starts,
                                       double enough, bool first) const {
-  ConstrainedFit fit(target_, constraints, tangentNorm_);
+  ConstrainedFit fit(target_, constraints, norm_);
   ConditionedFit out;
   out.constraints = constraints;
   double least = std::numeric_limits<double>::infinity();
   for (const Placement& start : starts) {
+    if (workExhausted()) break;
     const Solution solution = fit.solve(start);
     out.iterations += solution.iterations;
     if (!solution.feasible) {
@@ -176,7 +179,7 @@ ConditionedFit FitSearch::demanded(const ConditionedFit& breaking, const FitDema
   const std::size_t few = std::min(starts.size(), kFewStarts);
   for (const std::size_t count : {few, starts.size()}) {
     std::vector<std::pair<FitConstraints, Placement>> open{{breaking.constraints, breaking.best->placement}};
-    for (int round = 0; round < kRounds && !open.empty() && !met.best; ++round) {
+    for (int round = 0; round < kRounds && !open.empty() && !met.best && !workExhausted(); ++round) {
       std::vector<std::pair<FitConstraints, Placement>> next;
       for (const auto& [base, placement] : open) {
         for (const FitConstraints& variant : variants(base, demands, placement)) {
@@ -204,7 +207,7 @@ ConditionedFit FitSearch::near(const FitConstraints& constraints, const FitDeman
                                const Placement& start) const {
   ConditionedFit out;
   out.constraints = constraints;
-  const Solution solution = ConstrainedFit(target_, constraints, tangentNorm_).solve(start);
+  const Solution solution = ConstrainedFit(target_, constraints, norm_).solve(start);
   out.iterations = solution.iterations;
   const char* missed = "";
   if (solution.feasible && solution.converged && (!demands.any() || meets(solution.placement, demands)) &&
@@ -265,6 +268,8 @@ std::vector<std::string> FitSearch::conflict(const FitConstraints& constraints, 
     FitDemands trialDemands = keptDemands;
     member.leaveOut(trial, trialDemands);
     const ConditionedFit fit = demanded(trial, trialDemands, starts, std::numeric_limits<double>::infinity());
+    // Not to have found one any more means nothing.
+    if (!fit.best && workExhausted()) return {};
     if (fit.best) {
       names.emplace_back(member.name);
     } else {

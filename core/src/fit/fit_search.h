@@ -29,7 +29,7 @@ struct ConditionedFit {
 /// The fits under conditions of one target.
 class FitSearch {
  public:
-  FitSearch(const FitTarget& target, bool tangentNorm) : target_(target), tangentNorm_(tangentNorm) {}
+  FitSearch(const FitTarget& target, FitNorm norm) : target_(target), norm_(norm) {}
 
   /// Descends from one start after the other until a minimum is met for the second time, or is good: a value
   /// up to `enough`. With `first`, the first minimum is taken.
@@ -68,7 +68,7 @@ class FitSearch {
                                        const Placement& placement) const;
 
   const FitTarget& target_;
-  bool tangentNorm_;
+  FitNorm norm_;
 };
 
 }  // namespace bw::detail

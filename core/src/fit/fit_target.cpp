@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/gauss_legendre.h"
+#include "base/work_meter.h"
 #include "elastica/elastica_flow.h"
 
 namespace bw::detail {
@@ -20,6 +21,10 @@ constexpr double kLargestForce = 2500;
 // Beyond this force the start of an elastica loses digits of its end (like exp(√f)), and it is held at its
 // middle.
 constexpr double kTaut = 60;
+
+// Curvatures (times the length) beyond this are those of a cusp: their squares would leave nothing of the
+// rest.
+constexpr double kCusp = 1e12;
 
 // The angle of `v` that is nearest to `reference`.
 double angleNear(const Vector2d& v, double reference) {
@@ -60,7 +65,7 @@ FitTarget::FitTarget(const PlanarCurve& curve, int nodes) : length(curve.length(
     s[i] = q.arc[i] / length - 0.5;
     weight[i] = q.weight[i] / length;
     point[i] = ((q.point[i] - origin) - mean) / length;
-    curvature[i] = q.curvature[i] * length;
+    curvature[i] = std::clamp(q.curvature[i] * length, -kCusp, kCusp);
     reference = angle[i] = angleNear(tangent[i], reference);
   }
   endAngle = angleNear(curve.tangent(curve.end()), reference);
@@ -73,7 +78,9 @@ FitTarget::FitTarget(const PlanarCurve& curve, int nodes) : length(curve.length(
   middleAngle = angleNear(curve.tangent(half), angle[before]);
 }
 
-Elastica toElastica(const Placement& placement, const FitTarget& target) {
+namespace {
+
+std::optional<Elastica> elasticaAt(const Placement& placement, const FitTarget& target) {
   const double unit = std::exp(placement.logLength) * target.length;
   const Vector2d middle = target.centre + target.length * placement.middle;
   const Vector2d own = placement.shape.tail<2>() / (unit * unit);
@@ -81,15 +88,23 @@ Elastica toElastica(const Placement& placement, const FitTarget& target) {
   if (placement.shape.tail<2>().norm() > kTaut) {
     const Result<Elastica> held =
         Elastica::makeAnchored({0.5 * unit, middle, placement.angle, curvature, own, 0}, unit);
-    BW_CHECK(held.has_value());
-    return *held;
+    return held ? std::optional(*held) : std::nullopt;
   }
   const Result<Elastica> fromMiddle =
       Elastica::make(middle, placement.angle, curvature, turned(direction(placement.angle), own), unit);
-  BW_CHECK(fromMiddle.has_value());
+  if (!fromMiddle) return std::nullopt;
   const Result<Elastica> whole = fromMiddle->segment(-0.5 * unit, 0.5 * unit);
-  BW_CHECK(whole.has_value());
-  return *whole;
+  return whole ? std::optional(*whole) : std::nullopt;
+}
+
+}  // namespace
+
+Elastica toElastica(const Placement& placement, const FitTarget& target) {
+  if (const std::optional<Elastica> elastica = elasticaAt(placement, target)) return *elastica;
+  const Result<Elastica> line = Elastica::make(target.centre + target.length * target.start,
+                                               target.startAngle, 0, {0, 0}, target.length);
+  BW_CHECK(line.has_value());
+  return *line;
 }
 
 Placement toPlacement(const Elastica& elastica, const FitTarget& target) {
@@ -158,6 +173,7 @@ bool ShapeEvaluator::evaluate(const Shape& shape, bool derivatives) {
   if (!shape.allFinite() || std::abs(shape[0]) > kLargestCurvature || shape.tail<2>().norm() > kLargestForce)
     return false;
   if (known_ == shape && (knownDerivatives_ || !derivatives)) return true;
+  chargeWork(static_cast<std::int64_t>(s_.size()) * (derivatives ? 2 : 1));
   if (coarse_) {
     derivatives ? walk<3, 12>(shape) : walk<0, 12>(shape);
   } else {

@@ -24,6 +24,8 @@ inline Eigen::Vector2d turnedBack(const Eigen::Vector2d& a, const Eigen::Vector2
 inline Eigen::Vector2d direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
 inline Eigen::Vector2d quarterTurn(const Eigen::Vector2d& v) { return {-v.y(), v.x()}; }
 
+using FitNorm = FitOptions::Norm;
+
 /// The curve to approximate, moved to its centroid and scaled to length 1 (docs/mathematics.md, 7.1). Arc
 /// length runs from −½ to ½.
 struct FitTarget {

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
+#include "base/work_meter.h"
 #include "bw/core/number_text.h"
 #include "fit/fit_distance.h"
 #include "piecewise/piecewise_problem.h"
@@ -19,6 +21,7 @@ using detail::Descent;
 using detail::Piece;
 using detail::PieceGrid;
 using detail::PiecewiseProblem;
+using detail::workExhausted;
 
 using Pieces = std::vector<std::shared_ptr<const Piece>>;
 
@@ -31,6 +34,11 @@ constexpr int kRounds = 2;
 constexpr int kTrials = 7;
 // Conditions that are met to this (lengths of the curve, rad; the curvature relatively) hold.
 constexpr double kHolds = 1e-6;
+// A chain whose splits lie on the grid and that misses the tolerance by more than this factor will not keep
+// it with better splits.
+constexpr double kHopeless = 8;
+// Cost of a chain whose pieces do not meet.
+constexpr double kImpossible = 1e300;
 // The golden section.
 constexpr double kGolden = 0.6180339887498949;
 
@@ -100,7 +108,7 @@ Pieces piecesOf(const PlanarCurve& curve, const std::vector<double>& splits,
 }
 
 double costOf(const Chain& chain) {
-  return chain.failed || !chain.descent.feasible ? 1e300 : chain.descent.value;
+  return chain.failed || !chain.descent.feasible ? kImpossible : chain.descent.value;
 }
 
 // Improves the splits one after the other by golden sections between the neighbours' grid places.
@@ -109,7 +117,7 @@ Chain improve(const PlanarCurve& curve, std::vector<double>& arcs, Chain best, d
   const double length = curve.length();
   double reach = cell;
   for (int round = 0; round < kRounds; ++round, reach *= 0.4) {
-    for (std::size_t k = 1; k + 1 < arcs.size(); ++k) {
+    for (std::size_t k = 1; k + 1 < arcs.size() && !workExhausted(); ++k) {
       const auto with = [&](double arc) {
         Pieces pieces = best.pieces;
         const double t = curve.parameterAt(arc);
@@ -127,7 +135,7 @@ Chain improve(const PlanarCurve& curve, std::vector<double>& arcs, Chain best, d
       double right = low + kGolden * (high - low);
       Chain atLeft = with(left);
       Chain atRight = with(right);
-      for (int trial = 2; trial < kTrials && !context.stopped(); ++trial) {
+      for (int trial = 2; trial < kTrials && !context.stopped() && !workExhausted(); ++trial) {
         const auto keep = [&](const Chain& chain, double arc) {
           if (costOf(chain) < costOf(best)) {
             best = chain;
@@ -204,7 +212,7 @@ void measure(const Chain& chain, const PlanarCurve& curve, const PiecewiseOption
     const Eigen::Vector2d gap = left.point - right.point;
     const double angle = std::abs(std::remainder(left.angle - right.angle, 2 * std::numbers::pi));
     out.joints.push_back({gap.norm(), angle, std::abs(left.curvature - right.curvature)});
-    worst = std::max({worst, (gap.cwiseAbs().maxCoeff() - options.position) / length, angle - options.angle});
+    worst = std::max({worst, (gap.norm() - options.position) / length, angle - options.angle});
     if (options.curvature) worst = std::max(worst, out.joints.back().curvatureJump * length / 100);
   }
   for (const Elastica& piece : out.pieces) {
@@ -247,6 +255,9 @@ Result<PiecewiseResult> fitPiecewise(const PlanarCurve& curve, const PiecewiseOp
     const int cells = std::max(kGridCells, kCellsPerPiece * options.pieces);
     PieceGrid grid(curve, cells, options.maxCurvature);
     std::vector<double> arcs;
+    Chain nearest;
+    std::vector<double> nearestArcs;
+    double distance = std::numeric_limits<double>::infinity();
     for (int n = options.tolerance ? 1 : options.pieces; n <= options.pieces; ++n) {
       if (context.stopped()) return stoppedError();
       const std::vector<int> places = grid.bestSplits(n);
@@ -257,12 +268,30 @@ Result<PiecewiseResult> fitPiecewise(const PlanarCurve& curve, const PiecewiseOp
         if (i > 0) pieces.push_back(grid.piece(places[i - 1], places[i]));
       }
       chain = fitChain(std::move(pieces), length, options);
-      const auto fits = [&] {
-        return options.tolerance && costOf(chain) < 1e300 && farthest(chain, curve) <= *options.tolerance;
+      if (!options.tolerance) {
+        chain = improve(curve, arcs, std::move(chain), length / cells, options, context);
+        break;
+      }
+      const auto measured = [&] {
+        if (costOf(chain) >= kImpossible) return true;
+        const double here = farthest(chain, curve);
+        if (here < distance) {
+          distance = here;
+          nearest = chain;
+          nearestArcs = arcs;
+        }
+        return here <= kHopeless * *options.tolerance || n == options.pieces;
       };
-      if (fits()) break;
-      chain = improve(curve, arcs, std::move(chain), length / cells, options, context);
-      if (fits()) break;
+      // Better splits do not bring a chain near that lies far off.
+      if (measured() && distance > *options.tolerance) {
+        chain = improve(curve, arcs, std::move(chain), length / cells, options, context);
+        measured();
+      }
+      if (distance <= *options.tolerance || workExhausted()) break;
+    }
+    if (options.tolerance && !nearest.pieces.empty()) {
+      chain = std::move(nearest);
+      arcs = std::move(nearestArcs);
     }
     splits.clear();
     for (const double arc : arcs)
@@ -284,7 +313,7 @@ Result<PiecewiseResult> fitPiecewise(const PlanarCurve& curve, const PiecewiseOp
     const double most = *std::max_element(out.hausdorff.begin(), out.hausdorff.end());
     out.withinTolerance = most <= *options.tolerance;
     if (!out.withinTolerance && out.message.empty())
-      out.message = std::to_string(options.pieces) + " pieces lie up to " + shortText(most) +
+      out.message = std::to_string(out.pieces.size()) + " pieces lie up to " + shortText(most) +
                     " mm from the curve; allow more pieces or a larger tolerance than " +
                     shortText(*options.tolerance) + " mm.";
   }

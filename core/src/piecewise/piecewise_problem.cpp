@@ -24,6 +24,10 @@ constexpr int kPieceNodes = 24;
 // straight piece hangs on digits that the numbers of its start do not have.
 constexpr double kMostTension = 400;
 
+// The gap at a joint lies in a disc. A box around it, larger by this factor, keeps steps from running along
+// the disc's edge as if it were straight.
+constexpr double kBox = 1.1;
+
 // Names of the bounds on the curvature of a piece, beyond those of all other conditions: so many are kept for
 // each piece.
 constexpr int kFirstBoundName = 100000;
@@ -40,7 +44,7 @@ FitConstraints boundsOf(const FitTarget& target, std::optional<double> maxCurvat
 // The best fit under the bound: from the free fit, or else from a line.
 std::optional<FreeFitResult> bounded(const FitTarget& target, const FitConstraints& constraints,
                                      FreeFitResult free) {
-  ConstrainedFit fit(target, constraints, false);
+  ConstrainedFit fit(target, constraints, FitNorm::L2);
   if (fit.violation(free.placement) <= 0) return free;
   std::vector<Placement> starts{free.placement};
   if (const auto line = ProjectedFit(target, {}).place({0, 0, 0})) starts.push_back(line->placement);
@@ -87,7 +91,7 @@ PiecewiseProblem::PiecewiseProblem(const std::vector<std::shared_ptr<const Piece
                                    const PiecewiseOptions& options)
     : pieces_(pieces), length_(length), options_(options), turns_(pieces.size(), 0.0) {
   for (const auto& piece : pieces) {
-    fits_.emplace_back(piece->target, boundsOf(piece->target, options.maxCurvature), false);
+    fits_.emplace_back(piece->target, boundsOf(piece->target, options.maxCurvature), FitNorm::L2);
     ends_.emplace_back(std::vector<double>{-0.5, 0.5});
   }
 }
@@ -179,18 +183,23 @@ bool PiecewiseProblem::conditions(const VectorXd& v, Conditions& out) {
     joints.push_back({endOf(v, i, false), endOf(v, i + 1, true)});
   int name = 0;
   // A difference of the neighbours' ends: zero, or within a tolerance.
-  const auto meet = [&](std::size_t joint, double value, const Row& left, const Row& right, double sign) {
-    auto slope = out.slopes.col(out.add(value, name++));
+  const auto addMeeting = [&](std::size_t joint, double value, const Row& left, const Row& right, double sign,
+                              int own) {
+    auto slope = out.slopes.col(out.add(value, own));
     slope.segment<7>(7 * static_cast<Index>(joint)) = sign * left;
     slope.segment<7>(7 * static_cast<Index>(joint) + 7) = -sign * right;
+  };
+  const auto meet = [&](std::size_t joint, double value, const Row& left, const Row& right, double sign) {
+    addMeeting(joint, value, left, right, sign, name++);
   };
   const auto each = [&](auto&& take) {
     for (std::size_t i = 0; i < joints.size(); ++i) {
       const auto& [left, right] = joints[i];
       const Vector2d gap = left.point - right.point;
-      const double position = options_.position / length_;
-      take(i, gap.x(), left.slopeX, right.slopeX, position);
-      take(i, gap.y(), left.slopeY, right.slopeY, position);
+      if (options_.position == 0) {
+        take(i, gap.x(), left.slopeX, right.slopeX, 0.0);
+        take(i, gap.y(), left.slopeY, right.slopeY, 0.0);
+      }
       take(i, left.angle - right.angle - turns_[i], left.slopeAngle, right.slopeAngle, options_.angle);
       if (options_.curvature)
         take(i, left.curvature - right.curvature, left.slopeCurvature, right.slopeCurvature, 0.0);
@@ -223,6 +232,29 @@ bool PiecewiseProblem::conditions(const VectorXd& v, Conditions& out) {
     meet(i, value - tolerance, left, right, 1);
     meet(i, -value - tolerance, left, right, -1);
   });
+  // The disc itself: across the gap the bound bends like its edge.
+  for (std::size_t i = 0; options_.position > 0 && i < joints.size(); ++i) {
+    const auto& [left, right] = joints[i];
+    const Vector2d gap = left.point - right.point;
+    const double size = gap.norm();
+    const Vector2d outward = size > 0 ? Vector2d(gap / size) : Vector2d::Zero();
+    meet(i, size - options_.position / length_, outward.x() * left.slopeX + outward.y() * left.slopeY,
+         outward.x() * right.slopeX + outward.y() * right.slopeY, 1);
+    const std::size_t disc = out.size() - 1;
+    // The box.
+    const double room = kBox * options_.position / length_;
+    for (const double sign : {1.0, -1.0}) {
+      const int names = -4 * static_cast<int>(i);
+      addMeeting(i, sign * gap.x() - room, left.slopeX, right.slopeX, sign, names - (sign > 0 ? 1 : 2));
+      addMeeting(i, sign * gap.y() - room, left.slopeY, right.slopeY, sign, names - (sign > 0 ? 3 : 4));
+    }
+    if (!(size > 0)) continue;
+    Conditions::Bend bend{disc, 1 / size, VectorXd::Zero(unknowns())};
+    const Index at = 7 * static_cast<Index>(i);
+    bend.row.segment<7>(at) = outward.x() * left.slopeY - outward.y() * left.slopeX;
+    bend.row.segment<7>(at + 7) = outward.y() * right.slopeX - outward.x() * right.slopeY;
+    out.bends.push_back(std::move(bend));
+  }
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const Index at = 7 * static_cast<Index>(i) + 1;
     out.slopes(at, out.add(-v[at] / kMostTension - 1, name++)) = -1 / kMostTension;

@@ -5,7 +5,16 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/work_meter.h"
+
 namespace bw::detail {
+
+namespace {
+
+// Of the work that is left: the splits may cost so much, the chain needs the rest.
+constexpr double kSearchShare = 0.5;
+
+}  // namespace
 
 PieceGrid::PieceGrid(const PlanarCurve& curve, int cells, std::optional<double> maxCurvature)
     : curve_(curve), cells_(cells), maxCurvature_(maxCurvature) {}
@@ -30,9 +39,16 @@ double PieceGrid::cost(int from, int to) {
   return part->free.value * length * length * length;
 }
 
+std::vector<int> PieceGrid::evenSplits(int pieces) const {
+  std::vector<int> places;
+  for (int i = 0; i <= pieces; ++i) places.push_back(cells_ * i / pieces);
+  return places;
+}
+
 std::vector<int> PieceGrid::bestSplits(int pieces) {
   pieces = std::min(pieces, cells_);
   if (pieces <= 1) return {0, cells_};
+  const WorkMeter meter = WorkMeter::share(kSearchShare);
   // least[n][j]: the least cost of n + 1 pieces up to place j; from[n][j]: where the last of them starts.
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   const auto width = static_cast<std::size_t>(cells_) + 1;
@@ -47,10 +63,15 @@ std::vector<int> PieceGrid::bestSplits(int pieces) {
         least[row][column] = cost(0, j);
         continue;
       }
-      for (int i = n; i < j; ++i) {
+      // From the shortest last piece on: a longer one costs no less, so that one which alone costs too much
+      // ends the search.
+      for (int i = j - 1; i >= n; --i) {
         const double before = least[row - 1][static_cast<std::size_t>(i)];
         if (!(before < least[row][column])) continue;
-        const double sum = before + cost(i, j);
+        if (workExhausted()) return evenSplits(pieces);
+        const double last = cost(i, j);
+        if (last >= least[row][column] && last < kInfinite) break;
+        const double sum = before + last;
         if (sum < least[row][column]) {
           least[row][column] = sum;
           from[row][column] = i;

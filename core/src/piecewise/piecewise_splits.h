@@ -23,10 +23,13 @@ class PieceGrid {
   double cost(int from, int to);
   std::shared_ptr<const Piece> piece(int from, int to);
 
-  /// The places (both ends included) that split the curve into so many pieces with the least sum of costs.
+  /// The places (both ends included) that split the curve into so many pieces with the least sum of costs;
+  /// evenly where the work (`WorkMeter`) does not suffice.
   std::vector<int> bestSplits(int pieces);
 
  private:
+  std::vector<int> evenSplits(int pieces) const;
+
   const PlanarCurve& curve_;
   int cells_;
   std::optional<double> maxCurvature_;

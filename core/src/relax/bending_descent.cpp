@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/work_meter.h"
+
 namespace bw::detail {
 namespace {
 
@@ -16,6 +18,9 @@ constexpr double kSpreadWeight = 1e-2;
 /// Of the gradient, over the size of the energy.
 constexpr double kSlope = 1e-7;
 constexpr int kMaxIterations = 400, kMaxMultiplierSteps = 40;
+/// A length that is missed by more than this part of the miss before, so often in a row, is out of reach.
+constexpr double kStuck = 0.99;
+constexpr int kMaxStuck = 3;
 /// Widths of the tubes on the way to a wide one.
 constexpr double kTubes[] = {0.03, 0.1, 0.3, 1};
 
@@ -37,7 +42,7 @@ RelaxedPoints descend(const BendingProblem& problem, const PoleFreedom& freedom,
       bend += pull * v.lengthBend;
     }
     value.slope = freedom.lift.transpose() * slope;
-    value.bend = freedom.lift.transpose() * bend * freedom.lift;
+    value.bend = freedom.lift.transpose() * (bend * freedom.lift);
     if (length) {
       const VectorXd stretch = freedom.lift.transpose() * v.lengthSlope;
       value.bend += penalty * stretch * stretch.transpose();
@@ -47,6 +52,7 @@ RelaxedPoints descend(const BendingProblem& problem, const PoleFreedom& freedom,
   RelaxedPoints outcome;
   VectorXd z = freedom.start;
   double before = 1e300;
+  int stuck = 0;
   for (int round = 0; round < (length ? kMaxMultiplierSteps : 1); ++round) {
     outcome.minimum = boundedNewton(function, z, freedom.low, freedom.high, kSlope * size,
                                     maxIterations - outcome.iterations);
@@ -55,6 +61,9 @@ RelaxedPoints descend(const BendingProblem& problem, const PoleFreedom& freedom,
     if (!length) break;
     outcome.lengthError = problem.evaluate(freedom.points(z), 0, false).length - *length;
     if (std::abs(outcome.lengthError) < kLengthTolerance || outcome.iterations >= maxIterations) break;
+    // Pressed harder and harder without coming nearer: the bounds hold the length.
+    stuck = std::abs(outcome.lengthError) > kStuck * before ? stuck + 1 : 0;
+    if (stuck >= kMaxStuck || workExhausted()) break;
     multiplier += penalty * outcome.lengthError;
     if (std::abs(outcome.lengthError) > 0.1 * before) penalty *= 5;
     before = std::abs(outcome.lengthError);
@@ -71,6 +80,7 @@ RelaxedPoints minimise(const BendingProblem& problem, const PoleFreedom& freedom
   int iterations = outcome.iterations;
   PoleFreedom tube = freedom;
   for (const double share : kTubes) {
+    if (workExhausted()) break;
     tube.low = freedom.start + share * (freedom.low - freedom.start);
     tube.high = freedom.start + share * (freedom.high - freedom.start);
     const RelaxedPoints next = descend(problem, tube, size, length, kMaxIterations);

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <vector>
 
+#include "base/work_meter.h"
+
 namespace bw::detail {
 namespace {
 
@@ -18,6 +20,8 @@ constexpr double kValueRounding = 1e-14;
 constexpr double kFirstShift = 1e-10, kShiftGrowth = 10, kLastShift = 1e3;
 /// A step below this part of the bounds' width is rounding.
 constexpr double kNoStep = 1e-13;
+/// Work (`WorkMeter`) of a step: in cubes of the number of unknowns, and for each of them.
+constexpr std::int64_t kCubesPerUnit = 1000, kUnknownWork = 100;
 
 Eigen::VectorXd newtonStep(const SmoothValue& now, const std::vector<int>& free) {
   const Eigen::MatrixXd bend = now.bend(free, free);
@@ -52,7 +56,9 @@ BoundedMinimum boundedNewton(const SmoothFunction& function, Eigen::VectorXd at,
     }
     result.active = int(at.size()) - int(free.size());
     result.converged = result.slope <= slopeTolerance;
-    if (result.converged || result.iterations >= maxIterations) break;
+    const std::int64_t size = at.size();
+    chargeWork(size * size * size / kCubesPerUnit + kUnknownWork * size);
+    if (result.converged || result.iterations >= maxIterations || workExhausted()) break;
     ++result.iterations;
     Eigen::VectorXd step = Eigen::VectorXd::Zero(at.size());
     step(free) = newtonStep(now, free);

@@ -65,6 +65,26 @@ Result<void> check(const RelaxOptions& options) {
 
 std::string mm(double x) { return shortText(x, 4) + " mm"; }
 
+/// No curve between its ends is shorter than their distance, and none longer than its control polygon, whose
+/// corners move by ε in both coordinates.
+Result<void> checkReach(const Eigen::MatrixX2d& poles, double unit, double epsilon,
+                        const RelaxOptions& options) {
+  const Eigen::Index n = poles.rows();
+  const double moved = 2 * std::sqrt(2.0) * epsilon;
+  const double least = (poles.row(n - 1) - poles.row(0)).norm() - (options.endpoints ? 0 : moved);
+  double most = 0;
+  for (Eigen::Index i = 1; i < n; ++i) most += (poles.row(i) - poles.row(i - 1)).norm() + moved;
+  constexpr double kRounding = 1e-9;
+  if (*options.length >= least * unit * (1 - kRounding) && *options.length <= most * unit * (1 + kRounding))
+    return {};
+  const bool shorter = *options.length < least * unit;
+  return fail(ErrorCode::noSolution,
+              "the length " + mm(*options.length) +
+                  " cannot be reached within the tolerance: no curve there is " +
+                  (shorter ? "shorter than " + mm(least * unit) : "longer than " + mm(most * unit)),
+              "length", *options.length, (shorter ? least : most) * unit);
+}
+
 }  // namespace
 
 const char* relaxStatusName(RelaxStatus status) {
@@ -91,6 +111,9 @@ Result<RelaxResult> relaxCurve(const PlanarCurve& target, const RelaxOptions& op
     return fail(ErrorCode::badInput, "the curve stands still at an end, so that it has no tangent there",
                 "curve");
 
+  if (options.length)
+    if (Result<void> ok = checkReach(refined.points, placed.unit, epsilon, options); !ok)
+      return tl::unexpected<Error>(ok.error());
   const BendingProblem problem(refined.space, refined.points);
   const detail::PoleFreedom freedom = detail::freedomOf(refined.points, options, epsilon);
   const BendingProblem::Value first = problem.evaluate(freedom.points(freedom.start), 0, false);

@@ -3,6 +3,7 @@
 #include "relax/pole_freedom.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace bw::detail {
@@ -20,19 +21,16 @@ PoleFreedom freedomOf(const Eigen::MatrixX2d& target, const RelaxOptions& option
   const Eigen::Index n = target.rows();
   PoleFreedom f;
   f.base = VectorXd::Zero(2 * n);
-  std::vector<VectorXd> columns;
+  std::vector<Eigen::Triplet<double>> entries;
   std::vector<double> start, low, high;
-  const auto add = [&](const VectorXd& column, double value, double width, double least) {
-    columns.push_back(column);
+  using Column = std::vector<std::pair<Eigen::Index, double>>;
+  const auto add = [&](const Column& column, double value, double width, double least) {
+    for (const auto& [row, share] : column) entries.emplace_back(row, Eigen::Index(start.size()), share);
     start.push_back(value);
     low.push_back(std::max(value - width, least));
     high.push_back(value + width);
   };
-  const auto unit = [&](Eigen::Index i, int c) {
-    VectorXd column = VectorXd::Zero(2 * n);
-    column[2 * i + c] = 1;
-    return column;
-  };
+  const auto unit = [](Eigen::Index i, int c) { return Column{{2 * i + c, 1}}; };
   const double none = -1e300;
   for (const bool atStart : {true, false}) {
     const Eigen::Index end = atStart ? 0 : n - 1, next = atStart ? 1 : n - 2;
@@ -44,24 +42,23 @@ PoleFreedom freedomOf(const Eigen::MatrixX2d& target, const RelaxOptions& option
         f.base[2 * end + c] = target(end, c);
         if (options.tangents) f.base[2 * next + c] = target(end, c);
       } else {
-        VectorXd column = unit(end, c);
-        if (options.tangents) column[2 * next + c] = 1;
+        Column column = unit(end, c);
+        if (options.tangents) column.emplace_back(2 * next + c, 1);
         add(column, target(end, c), share, none);
       }
     }
     if (options.tangents) {
       const Vector2d t = handle.normalized();
-      VectorXd column = VectorXd::Zero(2 * n);
-      column.segment<2>(2 * next) = t;
-      add(column, handle.norm(), share / t.cwiseAbs().maxCoeff(), kShortestHandle * handle.norm());
+      add({{2 * next, t.x()}, {2 * next + 1, t.y()}}, handle.norm(), share / t.cwiseAbs().maxCoeff(),
+          kShortestHandle * handle.norm());
     } else {
       for (int c = 0; c < 2; ++c) add(unit(next, c), target(next, c), epsilon, none);
     }
   }
   for (Eigen::Index i = 2; i + 2 < n; ++i)
     for (int c = 0; c < 2; ++c) add(unit(i, c), target(i, c), epsilon, none);
-  f.lift.resize(2 * n, Eigen::Index(columns.size()));
-  for (std::size_t j = 0; j < columns.size(); ++j) f.lift.col(Eigen::Index(j)) = columns[j];
+  f.lift.resize(2 * n, Eigen::Index(start.size()));
+  f.lift.setFromTriplets(entries.begin(), entries.end());
   f.start = Eigen::Map<VectorXd>(start.data(), Eigen::Index(start.size()));
   f.low = Eigen::Map<VectorXd>(low.data(), Eigen::Index(low.size()));
   f.high = Eigen::Map<VectorXd>(high.data(), Eigen::Index(high.size()));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 
 #include "bw/core/curve_relaxation.h"
 
@@ -11,7 +12,7 @@ namespace bw::detail {
 /// Control points as an affine function of the unknowns between bounds.
 struct PoleFreedom {
   Eigen::VectorXd base;
-  Eigen::MatrixXd lift;
+  Eigen::SparseMatrix<double> lift;
   Eigen::VectorXd start, low, high;
 
   Eigen::VectorXd points(const Eigen::VectorXd& z) const { return base + lift * z; }

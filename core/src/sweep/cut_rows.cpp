@@ -6,6 +6,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
 
 namespace bw::detail {
 
@@ -15,6 +17,8 @@ namespace {
 constexpr int kRowTarget = 240;
 /// Rows from station to station where these lie evenly, at least and at most.
 constexpr int kFewestBetween = 2, kMostBetween = 64;
+/// Rows that are kept of those for pictures and files: twice as many as a picture of the whole shows.
+constexpr int kMostRows = 2 * kRowTarget + 1;
 
 }  // namespace
 
@@ -28,6 +32,43 @@ std::vector<int> stationRows(const std::vector<double>& travel) {
     rows.push_back(rows.back() + std::max(kFewestBetween, int(std::lround(between * share))));
   }
   return rows;
+}
+
+std::vector<int> keptRows(int rows, int worst) {
+  std::vector<int> kept(std::size_t(std::min(rows, kMostRows)));
+  for (std::size_t k = 0; k < kept.size(); ++k)
+    kept[k] = kept.size() < 2 ? 0 : int(std::int64_t(k) * (rows - 1) / std::int64_t(kept.size() - 1));
+  // The nearest inner row gives way to the worst one.
+  const auto at = std::ranges::lower_bound(kept, worst);
+  if (at != kept.end() && *at != worst) {
+    const auto before = std::prev(at);
+    const bool lower =
+        std::next(at) == kept.end() || (before != kept.begin() && worst - *before < *at - worst);
+    *(lower ? before : at) = worst;
+  }
+  return kept;
+}
+
+void keepRows(std::size_t worst, SweepAnalysis& analysis) {
+  SurfaceGrid& cut = analysis.cut;
+  const auto columns = std::size_t(cut.columns);
+  const std::vector<int> kept = keptRows(cut.rows, int(worst / columns));
+  if (int(kept.size()) == cut.rows) return;
+  const auto thin = [&](auto& values) {
+    for (std::size_t k = 0; k < kept.size(); ++k)
+      std::copy_n(values.begin() + std::ptrdiff_t(std::size_t(kept[k]) * columns), columns,
+                  values.begin() + std::ptrdiff_t(k * columns));
+    values.resize(kept.size() * columns);
+    values.shrink_to_fit();
+  };
+  thin(cut.points);
+  for (Field& field : cut.fields) thin(field.values);
+  cut.rows = int(kept.size());
+  for (int& row : analysis.stationRow) {
+    const auto above = std::ranges::lower_bound(kept, row);
+    const bool lower = above != kept.begin() && row - *std::prev(above) < *above - row;
+    row = int(above - kept.begin()) - (lower ? 1 : 0);
+  }
 }
 
 std::vector<double> pointAreas(const SurfaceGrid& grid) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bw/core/mesh.h"
+#include "bw/core/sweep.h"
 
 namespace bw::detail {
 
@@ -12,6 +13,14 @@ namespace bw::detail {
 /// direction of at least two stations, ascending. Wide intervals get more rows (docs/mathematics.md,
 /// deviation).
 [[nodiscard]] std::vector<int> stationRows(const std::vector<double>& travel);
+
+/// The rows of `rows` that pictures and files keep: all where they are few, else at most 481, evenly spread,
+/// the first, the last and `worst` among them, ascending.
+[[nodiscard]] std::vector<int> keptRows(int rows, int worst);
+
+/// Leaves those rows in `analysis.cut`; `stationRow` is then the kept row nearest to each station. `worst` is
+/// the point that is farthest from the target.
+void keepRows(std::size_t worst, SweepAnalysis& analysis);
 
 /// The area in mm² that each point of a grid stands for: a quarter of each cell that it is a corner of.
 [[nodiscard]] std::vector<double> pointAreas(const SurfaceGrid& grid);

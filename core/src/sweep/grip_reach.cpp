@@ -53,8 +53,8 @@ double boxDistance(const Box& box, const Eigen::Vector3d& point) {
   return outside > 0 ? outside : q.maxCoeff();
 }
 
-GripReach lengthThatClears(const Sweep& sweep, std::span<const Station> stations, const Station& worst,
-                           double clearance) {
+GripReach lengthThatClears(const Sweep& sweep, const Station& worst, double clearance) {
+  const std::vector<Station>& stations = sweep.stations;
   std::optional<double> length = clearingLength(sweep, worst, sweep.blade.length, clearance);
   for (const Station& station : stations)
     if (length) length = clearingLength(sweep, station, *length, clearance);

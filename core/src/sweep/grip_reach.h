@@ -3,7 +3,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
 
 #include "bw/core/frame.h"
 #include "bw/core/sweep.h"
@@ -19,10 +18,9 @@ struct GripReach {
   bool holds = false;  ///< at that length, no blade bends below its radius, snaps or leaves its plane
 };
 
-/// The shortest blade, to a hundredth of its length, with which both grips of all `stations` keep `clearance`
+/// The shortest blade, to a hundredth of its length, with which both grips of all stations keep `clearance`
 /// mm to the block if their curves are continued as they are. `worst` is the station whose grip is deepest.
 /// Cost: some ten evaluations a station, and one of its stability.
-[[nodiscard]] GripReach lengthThatClears(const Sweep& sweep, std::span<const Station> stations,
-                                         const Station& worst, double clearance);
+[[nodiscard]] GripReach lengthThatClears(const Sweep& sweep, const Station& worst, double clearance);
 
 }  // namespace bw::detail

@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "bw/core/number_text.h"
+#include "sweep/remedies.h"
+#include "sweep/stretches.h"
 
 namespace bw::detail {
 
@@ -25,10 +27,6 @@ bool isGap(const std::vector<Station>& stations, std::size_t i) {
 
 double widthAfter(const std::vector<Station>& stations, std::size_t i) {
   return stations[i + 1].travel - stations[i].travel;
-}
-
-Eigen::Vector3d middleOf(const Station& station) {
-  return station.frame.toWorld(station.fit.elastica.point(0.5 * station.fit.elastica.length()));
 }
 
 /// The stations that are left out after the i-th of the row, with their verb: "station 8 is", "stations 8 to
@@ -71,14 +69,13 @@ std::string remedy(const std::vector<Station>& stations, std::size_t i, bool bet
     return "it arises between the stations, which are " + shortText(widthAfter(stations, i)) +
            " mm apart there; the stations themselves keep within " + shortText(own) +
            " mm, so take more of them";
-  return "split the surface, turn the cutting direction, or allow more";
+  return std::string(kInParts) + ", turn the cutting direction, or allow more";
 }
 
 void addDeviation(const std::vector<Station>& stations, const Job& job, std::size_t worst,
                   SweepAnalysis& analysis) {
   const SweepSummary& summary = analysis.summary;
   if (summary.deviationMax <= job.tolerance) return;
-  const std::vector<double>& deviation = analysis.cut.fields[0].values;
   const std::vector<int>& rows = analysis.stationRow;
   const std::size_t columns = std::size_t(analysis.cut.columns);
   const int row = int(worst / columns);
@@ -86,9 +83,7 @@ void addDeviation(const std::vector<Station>& stations, const Job& job, std::siz
       std::min(std::size_t(std::ranges::upper_bound(rows, row) - rows.begin()) - 1, stations.size() - 2);
   const bool nearNext = 2 * row >= rows[i] + rows[i + 1];
   double own = 0;
-  for (const int stationRow : rows)
-    for (std::size_t c = 0; c < columns; ++c)
-      own = std::max(own, std::abs(deviation[std::size_t(stationRow) * columns + c]));
+  for (const Station& station : stations) own = std::max(own, station.deviationMax);
   const int index = stations[nearNext ? i + 1 : i].index;
   const bool between = row != rows[i] && row != rows[i + 1];
   analysis.issues.push_back(

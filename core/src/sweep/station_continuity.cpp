@@ -4,6 +4,7 @@
 #include "sweep/station_continuity.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -14,6 +15,7 @@
 #include "bw/core/number_text.h"
 #include "bw/core/units.h"
 #include "fit/fit_distance.h"
+#include "sweep/laid_shape.h"
 
 namespace bw::detail {
 
@@ -32,8 +34,6 @@ constexpr double kTellsTheEnds = 0.5;
 constexpr double kForWholeness = 2;
 /// Steps between the neighbour's shape and the nearest one.
 constexpr int kShapeSteps = 20;
-/// Places along the cut at which a shape is laid onto the section and measured.
-constexpr int kPlaces = 101;
 /// A turn that is told, and one that no robot makes within a move: near a half turn its sense is open.
 constexpr double kToldSwing = 45 * kDegree;
 constexpr double kLargestSwing = 90 * kDegree;
@@ -67,47 +67,69 @@ Result<Elastica> aboutMiddle(const Middle& middle, double length) {
   return half ? half->segment(-0.5 * length, 0.5 * length) : half;
 }
 
-/// A section as points at equal arc length.
-struct Places {
-  std::vector<Vector2d> points;
-  Vector2d centre = Vector2d::Zero();
+/// The shapes on the way from the neighbour's to the nearest one, each laid onto the section and judged once.
+class ShapeSteps {
+ public:
+  struct Shape {
+    Elastica laid;
+    double turned = 0;                              ///< rad, what the blade's ends turn from the neighbour's
+    std::optional<double> distance = std::nullopt;  ///< mm, to the section, once it was asked for
+  };
 
-  explicit Places(std::vector<Vector2d> all) : points(std::move(all)) {
-    for (const Vector2d& p : points) centre += p / double(points.size());
+  ShapeSteps(const StationFit& nearest, const Middle& from, const Middle& to, const Elastica& neighbour,
+             const Places& places, const PlanarCurve& section, const Job& job)
+      : nearest_(nearest),
+        from_(from),
+        to_(to),
+        neighbour_(neighbour),
+        places_(places),
+        section_(section),
+        job_(job) {}
+
+  /// The k-th of kShapeSteps shapes, or null where no blade holds it.
+  const Shape* at(int k) {
+    std::optional<std::optional<Shape>>& shape = shapes_[std::size_t(k)];
+    if (!shape) shape = make(k);
+    return *shape ? &**shape : nullptr;
   }
+
+  /// mm from the section to a shape that `at` gives.
+  double distance(int k) {
+    Shape& shape = **shapes_[std::size_t(k)];
+    if (!shape.distance) shape.distance = oneSidedHausdorff(shape.laid, section_);
+    return *shape.distance;
+  }
+
+  StationFit fitOf(const Shape& shape) const {
+    StationFit result = nearest_;
+    result.fit.elastica = shape.laid;
+    result.fit.hausdorff = *shape.distance;
+    result.fit.R4 = places_.residual(shape.laid);
+    result.fit.status = FitStatus::constraintsActive;
+    result.fit.message = "kept near the shape of its neighbour";
+    result.steadied = true;
+    return result;
+  }
+
+ private:
+  std::optional<Shape> make(int k) const {
+    const Result<Elastica> free =
+        aboutMiddle(between(from_, to_, double(k) / kShapeSteps), nearest_.fit.elastica.length());
+    if (!free) return {};
+    StationFit fit = nearest_;
+    fit.fit.elastica = places_.laid(*free);
+    if (!bladeHolds(fit.fit, job_.blade)) return {};
+    return Shape{fit.fit.elastica, swing(neighbour_, *extendedBlade(fit.fit.elastica, job_.blade.length))};
+  }
+
+  const StationFit& nearest_;
+  Middle from_, to_;
+  const Elastica& neighbour_;
+  const Places& places_;
+  const PlanarCurve& section_;
+  const Job& job_;
+  std::array<std::optional<std::optional<Shape>>, kShapeSteps> shapes_;
 };
-
-/// Moves `elastica` to where its points lie nearest to those of the section, by least squares.
-Elastica laidOnto(const Places& section, const Elastica& elastica) {
-  const Places own(elastica.sample(kPlaces));
-  double along = 0, across = 0;
-  for (std::size_t i = 0; i < own.points.size(); ++i) {
-    const Vector2d p = own.points[i] - own.centre, q = section.points[i] - section.centre;
-    along += p.dot(q);
-    across += p.x() * q.y() - p.y() * q.x();
-  }
-  const double angle = std::atan2(across, along);
-  return elastica.transformed(angle, 1, section.centre - Eigen::Rotation2Dd(angle) * own.centre);
-}
-
-/// R4 of thesis (3.2) by the trapezoidal rule.
-double residual(const Places& section, const Elastica& elastica) {
-  const std::vector<Vector2d> points = elastica.sample(kPlaces);
-  double sum = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const double weight = i == 0 || i + 1 == points.size() ? 0.5 : 1;
-    sum += weight * (points[i] - section.points[i]).squaredNorm();
-  }
-  return std::sqrt(sum / (kPlaces - 1)) / elastica.length();
-}
-
-std::vector<Vector2d> atEqualLengths(const PlanarCurve& curve) {
-  std::vector<Vector2d> points;
-  points.reserve(kPlaces);
-  for (int i = 0; i < kPlaces; ++i)
-    points.push_back(curve.value(curve.parameterAt(curve.length() * i / (kPlaces - 1))));
-  return points;
-}
 
 }  // namespace
 
@@ -123,40 +145,29 @@ StationFit besideNeighbour(StationFit nearest, const StationFit& neighbour, cons
   const bool holds = bladeHolds(nearest.fit, job.blade);
   const bool told = section.length() > kTellsTheEnds * job.blade.length;
   if (holds && (told || wanted <= easy)) return nearest;
-  const Places places(atEqualLengths(section));
-  const double length = nearest.fit.elastica.length();
+  const Places places(section);
   const Middle a = middleOf(*from), b = middleOf(*to);
+  ShapeSteps steps(nearest, a, b, *from, places, section, job);
   // The largest step towards the nearest shape that turns the ends easily, or else that which turns them
   // least.
   const auto steadied = [&](double allowed) {
-    std::optional<StationFit> best;
+    const ShapeSteps::Shape* best = nullptr;
     double least = holds ? wanted : std::numeric_limits<double>::infinity();
     for (int k = kShapeSteps - 1; k >= 0 && least > easy; --k) {
-      const Result<Elastica> shape = aboutMiddle(between(a, b, double(k) / kShapeSteps), length);
-      if (!shape) continue;
-      StationFit laid = nearest;
-      laid.fit.elastica = laidOnto(places, *shape);
-      if (!bladeHolds(laid.fit, job.blade)) continue;
-      const double turned = swing(*from, *extendedBlade(laid.fit.elastica, job.blade.length));
-      if (turned >= least) continue;
-      laid.fit.hausdorff = oneSidedHausdorff(laid.fit.elastica, section);
-      if (laid.fit.hausdorff > allowed) continue;
-      laid.fit.R4 = residual(places, laid.fit.elastica);
-      laid.fit.status = FitStatus::constraintsActive;
-      laid.fit.message = "kept near the shape of its neighbour";
-      laid.steadied = true;
-      best = std::move(laid);
-      least = turned;
+      const ShapeSteps::Shape* shape = steps.at(k);
+      if (!shape || shape->turned >= least || steps.distance(k) > allowed) continue;
+      best = shape;
+      least = shape->turned;
     }
-    return std::pair(std::move(best), least);
+    return std::pair(best, least);
   };
   const double allowed = std::max(job.tolerance, nearest.fit.hausdorff);
   auto [best, least] = steadied(allowed);
   if (least > kToldSwing) {
     auto [farther, turned] = steadied(kForWholeness * allowed);
-    if (farther && turned < least) best = std::move(farther);
+    if (farther && turned < least) best = farther;
   }
-  return best ? std::move(*best) : nearest;
+  return best ? steps.fitOf(*best) : nearest;
 }
 
 void addSwingFindings(const Sweep& sweep, Issues& issues) {

@@ -5,95 +5,38 @@
 
 #include <cctype>
 #include <cmath>
+#include <functional>
 #include <span>
 
+#include "bw/core/cutting_limits.h"
 #include "bw/core/elastica_stability.h"
 #include "bw/core/number_text.h"
 #include "bw/core/units.h"
 #include "sweep/grip_reach.h"
-#include "sweep/station_fit.h"
+#include "sweep/remedies.h"
+#include "sweep/stretches.h"
+#include "sweep/tight_findings.h"
+
+namespace bw {
+
+double cuttingAngleLimit(const Blade& blade) {
+  // A flat blade cuts only along its edge; a round one melts whichever way it goes, but drags.
+  return (blade.section == Blade::Section::flat ? 45 : 60) * kDegree;
+}
+
+}  // namespace bw
 
 namespace bw::detail {
 
 namespace {
 
-/// A flat blade cuts only along its edge; a round one melts whichever way it goes, but drags.
-constexpr double kAngleLimitFlat = 45 * kDegree;
-constexpr double kAngleLimitRound = 60 * kDegree;
-/// Slower points of the blade melt more: below this ratio the kerf differs visibly along a station.
-constexpr double kSpeedRatioLimit = 0.3;
-
-/// More stretches than this become one finding: a list of places is no message.
-constexpr std::size_t kMostStretches = 3;
-
-/// Stations that break a rule, from the first to the last, and the worst of them.
-struct Stretch {
-  std::size_t first, last, worst, count;
-};
-
-std::string placeOf(const std::vector<Station>& stations, const Stretch& stretch) {
-  const auto index = [&](std::size_t i) { return std::to_string(stations[i].index + 1); };
-  if (stretch.first == stretch.last) return "station " + index(stretch.first);
-  const std::string range = index(stretch.first) + " to " + index(stretch.last);
-  const bool all = stretch.count == stretch.last - stretch.first + 1;
-  return (all ? "stations " + range + " ("
-              : std::to_string(stretch.count) + " of the stations " + range + " (") +
-         "worst: " + index(stretch.worst) + ")";
-}
-
-/// Tells each stretch of neighbouring stations that break a rule as one issue with the worst station named,
-/// or all stretches as one where they are many.
-template <class Bad, class Worse, class Text>
-void reportStretches(const std::vector<Station>& stations, Severity severity, const char* kind, Bad bad,
-                     Worse worse, Text text, Issues& issues) {
-  std::vector<Stretch> stretches;
-  for (std::size_t i = 0; i < stations.size(); ++i) {
-    if (!bad(stations[i])) continue;
-    if (stretches.empty() || stretches.back().last + 1 != i) stretches.push_back({i, i, i, 0});
-    Stretch& stretch = stretches.back();
-    stretch.last = i;
-    ++stretch.count;
-    if (worse(stations[i], stations[stretch.worst])) stretch.worst = i;
-  }
-  if (stretches.size() > kMostStretches) {
-    Stretch all = stretches.front();
-    for (std::size_t k = 1; k < stretches.size(); ++k) {
-      all.last = stretches[k].last;
-      all.count += stretches[k].count;
-      if (worse(stations[stretches[k].worst], stations[all.worst])) all.worst = stretches[k].worst;
-    }
-    stretches = {all};
-  }
-  for (const Stretch& stretch : stretches) {
-    const Station& w = stations[stretch.worst];
-    const Eigen::Vector3d middle = w.frame.toWorld(w.fit.elastica.point(0.5 * w.fit.elastica.length()));
-    issues.push_back({severity, kind, placeOf(stations, stretch) + ": " + text(w, stretch),
-                      Place{stationName(w.index), 0, w.index, middle}});
-  }
-}
-
-/// The longest blade, in mm, that a station's curve may be continued to before a round one leaves its plane;
-/// 0 where even the curve alone does.
-double longestInPlane(const Station& station) {
-  const auto stays = [&](double length) {
-    const Result<Elastica> blade = extendedBlade(station.fit.elastica, length);
-    return blade && outOfPlaneMargin(*blade) > 0;
-  };
-  double good = station.fit.elastica.length(), bad = station.blade.length();
-  if (!stays(good)) return 0;
-  while (bad - good > 0.5) {
-    const double middle = 0.5 * (good + bad);
-    (stays(middle) ? good : bad) = middle;
-  }
-  return good;
-}
+/// A radius is told in three digits, which may be the larger ones.
+constexpr double kRadiusReserve = 0.99;
 
 /// What keeps the grips of these stations clear of the block: a longer blade only where it does.
 std::string clearanceRemedy(const Sweep& sweep, const Job& job, const Stretch& stretch) {
   const std::vector<Station>& stations = sweep.stations;
-  const GripReach reach =
-      lengthThatClears(sweep, std::span(stations).subspan(stretch.first, stretch.last - stretch.first + 1),
-                       stations[stretch.worst], job.clearance);
+  const GripReach reach = lengthThatClears(sweep, stations[stretch.worst], job.clearance);
   if (reach.length && reach.holds)
     return "a blade of at least " + shortText(*reach.length, 6) + " mm keeps the clearance";
   std::string why = "no longer blade of this shape keeps the clearance";
@@ -109,10 +52,20 @@ std::string clearanceRemedy(const Sweep& sweep, const Job& job, const Stretch& s
   return why + "; " + other;
 }
 
+/// A blade that is shorter, where that helps these stations.
+std::string shortened(const Sweep& sweep, const Job& job, const Stretch& stretch, const char* does,
+                      const std::string& otherwise, const std::function<bool(const Elastica&)>& holds) {
+  const std::span<const Station> stations =
+      std::span(sweep.stations).subspan(stretch.first, stretch.last - stretch.first + 1);
+  const std::optional<double> length = shorterBlade(sweep, job, stations, holds);
+  return length ? "one of " + shortText(*length, 6) + " mm " + does : otherwise;
+}
+
 }  // namespace
 
 void addStationFindings(const Sweep& sweep, const Job& job, Issues& issues) {
   const std::vector<Station>& stations = sweep.stations;
+  const std::vector<char> tight = addTightFindings(sweep, job, issues);
   const double limit = sweep.blade.maxCurvature();
   const auto fartherFromSection = [](const Station& a, const Station& b) {
     return a.fit.hausdorff > b.fit.hausdorff;
@@ -137,12 +90,16 @@ void addStationFindings(const Sweep& sweep, const Job& job, Issues& issues) {
       issues);
   reportStretches(
       stations, Severity::error, "curvature",
-      [&](const Station& s) { return s.blade.maxCurvature() > limit; },
+      [&](const Station& s) {
+        return s.blade.maxCurvature() > limit && !tight[std::size_t(&s - stations.data())];
+      },
       [](const Station& a, const Station& b) { return a.blade.maxCurvature() > b.blade.maxCurvature(); },
-      [&](const Station& s, const Stretch&) {
-        return "the blade must bend to a radius of " + shortText(1 / s.blade.maxCurvature()) +
-               " mm but keeps its shape only down to " + shortText(sweep.blade.minRadius()) +
-               " mm; take a thinner blade or a gentler surface";
+      [&](const Station& s, const Stretch& stretch) {
+        const double radius = 1 / s.blade.maxCurvature();
+        return "the blade must bend to a radius of " + shortText(radius) +
+               " mm but keeps its shape only down to " + shortText(sweep.blade.minRadius()) + " mm; " +
+               shortened(sweep, job, stretch, "does", "it takes " + bladeThatBendsTo(kRadiusReserve * radius),
+                         [&](const Elastica& blade) { return blade.maxCurvature() <= limit; });
       },
       issues);
   reportStretches(
@@ -151,29 +108,27 @@ void addStationFindings(const Sweep& sweep, const Job& job, Issues& issues) {
       [](const Station& a, const Station& b) { return a.fit.R4 > b.fit.R4; },
       [](const Station& s, const Stretch&) {
         return "the blade would need " + std::to_string(bladeInflections(s.fit.elastica)) +
-               " inflections; a stiff blade holds at most two, so split the surface across the blade";
+               " inflections; a stiff blade holds at most two, so " + kInParts;
       },
       issues);
   reportStretches(
       stations, Severity::warning, "stability", [](const Station& s) { return !s.stable; },
       [](const Station& a, const Station& b) { return a.stabilityMargin < b.stabilityMargin; },
-      [](const Station&, const Stretch&) {
-        return std::string(
-            "the blade would not rest in this shape but snap to another; shorten the blade or split the "
-            "surface");
+      [&](const Station&, const Stretch& stretch) {
+        return "the blade would not rest in this shape but snap to another; " +
+               shortened(sweep, job, stretch, "rests in it", kInParts,
+                         [](const Elastica& blade) { return stabilityMargin(blade) > 0; });
       },
       issues);
   reportStretches(
       stations, Severity::warning, "out-of-plane",
       [](const Station& s) { return s.stable && s.outOfPlaneMargin <= 0; },
       [](const Station& a, const Station& b) { return a.outOfPlaneMargin < b.outOfPlaneMargin; },
-      [](const Station& s, const Stretch&) {
-        const double longest = std::floor(longestInPlane(s));
+      [&](const Station&, const Stretch& stretch) {
         return "a round blade would twist out of its plane rather than rest in this shape; " +
-               (longest >= s.fit.elastica.length()
-                    ? "one of " + shortText(longest, 5) + " mm or less stays in it, and so does a flat blade"
-                    : std::string(
-                          "take a flat blade, which is stiff across its plane, or split the surface"));
+               shortened(sweep, job, stretch, "stays in it, and so does a flat blade",
+                         "take a flat blade, which is stiff across its plane",
+                         [](const Elastica& blade) { return outOfPlaneMargin(blade) > 0; });
       },
       issues);
   reportStretches(
@@ -213,7 +168,7 @@ void addStationFindings(const Sweep& sweep, const Job& job, Issues& issues) {
                shortText(job.clearance) + " mm; " + clearanceRemedy(sweep, job, stretch);
       },
       issues);
-  const double angleLimit = sweep.blade.section == Blade::Section::flat ? kAngleLimitFlat : kAngleLimitRound;
+  const double angleLimit = cuttingAngleLimit(sweep.blade);
   reportStretches(
       stations, Severity::warning, "angle", [&](const Station& s) { return s.angleMax > angleLimit; },
       [](const Station& a, const Station& b) { return a.angleMax > b.angleMax; },
@@ -228,8 +183,8 @@ void addStationFindings(const Sweep& sweep, const Job& job, Issues& issues) {
       [](const Station& a, const Station& b) { return a.speedRatio < b.speedRatio; },
       [](const Station& s, const Stretch&) {
         return "the slowest point of the blade moves at " + fixedText(100 * s.speedRatio, 0) +
-               " % of the fastest, so that it melts a wider kerf there; split the surface or turn the "
-               "cutting direction";
+               " % of the fastest, so that it melts a wider kerf there; turn the cutting direction, or " +
+               kInParts;
       },
       issues);
 }

@@ -7,6 +7,9 @@
 #include <optional>
 
 #include "bw/core/elastica_stability.h"
+#include "fit/fit_distance.h"
+#include "sweep/laid_shape.h"
+#include "sweep/tight_section.h"
 
 namespace bw::detail {
 
@@ -23,8 +26,6 @@ constexpr double kSameResidual = 1 + 1e-6;
 /// Periods that the whole blade may have: where it is much longer than the section, what it does beyond it
 /// would otherwise be left to rounding.
 constexpr double kBladePeriods = 2.0;
-/// How far beyond the tolerance a curve may lie for the sake of a blade that holds.
-constexpr double kAllowance = 2.0;
 /// Bounds on the periods that are tried with the blade's radius: 1, ½, ¼, … of the job's.
 constexpr int kPeriodBounds = 7;
 /// Part of the blade's largest curvature that a bounded fit keeps off it, so that rounding does not decide
@@ -32,6 +33,10 @@ constexpr int kPeriodBounds = 7;
 constexpr double kCurvatureReserve = 1e-6;
 /// A blade that bends to this part of its bound presses against it.
 constexpr double kPresses = 1 - 1e-4;
+/// A section that bends to this part of the blade's radius is far beyond it.
+constexpr double kFarBeyond = 10;
+/// Part of its largest curvature to which a blade at its limit bends.
+constexpr double kAtLimit = 1 - kCurvatureReserve;
 
 FitOptions fitOptions(const Job& job, double sectionLength) {
   FitOptions options;
@@ -69,6 +74,35 @@ FitOptions boundedOptions(FitOptions options, const Job& job) {
   return options;
 }
 
+/// Where the curvature of the section alone keeps the blade farther off than is allowed, or is far beyond
+/// what it bends to, no search would find a better one than the straight blade or one at its radius. Empty
+/// elsewhere, or where these lie farther off than is allowed although the curvature does not ask for it.
+std::optional<StationFit> stiffFit(const PlanarCurve& section, const Job& job) {
+  const double limit = job.blade.maxCurvature(), allowed = kAllowance * job.tolerance;
+  if (!TightSection::bendsBeyond(section, job.blade.minRadius()) || job.fitEndpoints || job.fitTangents)
+    return {};
+  const TightSpot spot = TightSection(section).tightest(job.blade.minRadius());
+  const bool tooTight = spot.distance > allowed;
+  if (!tooTight && !(spot.distance > 0 && kFarBeyond * spot.radius * limit < 1)) return {};
+  const Places places(section);
+  std::optional<StationFit> best;
+  for (const double part : {0.0, kAtLimit, -kAtLimit}) {
+    const Result<Elastica> arc =
+        Elastica::make(Eigen::Vector2d::Zero(), 0, part * limit, Eigen::Vector2d::Zero(), section.length());
+    if (!arc) continue;
+    const Elastica laid = places.laid(*arc);
+    FitResult fit;
+    fit.elastica = fit.initial = laid;
+    fit.R4 = fit.R4initial = places.residual(laid);
+    if (best && best->fit.R4 <= fit.R4) continue;
+    fit.hausdorff = oneSidedHausdorff(laid, section);
+    fit.status = FitStatus::constraintsActive;
+    fit.message = "the blade at its smallest radius, or straight: the section is too tight for it";
+    if (bladeHolds(fit, job.blade)) best = StationFit{std::move(fit), true};
+  }
+  return best && (tooTight || best->fit.hausdorff <= allowed) ? std::move(best) : std::nullopt;
+}
+
 /// True if the blade that continues this fit bends as far as it may: then the nearest curve bends farther.
 bool bladePresses(const FitResult& fit, const Blade& blade) {
   const Result<Elastica> whole = extendedBlade(fit.elastica, blade.length);
@@ -88,16 +122,19 @@ bool bladeHolds(const FitResult& fit, const Blade& blade) {
 }
 
 Result<StationFit> fitStation(const PlanarCurve& section, const Job& job, const StationFit* neighbour) {
+  if (std::optional<StationFit> stiff = stiffFit(section, job)) return std::move(*stiff);
   const FitOptions options = fitOptions(job, section.length());
   const FitResult* start = neighbour ? &neighbour->fit : nullptr;
   const double allowed = kAllowance * job.tolerance;
+  std::optional<Result<FitResult>> tried;  // with the first of the bounds
   if (neighbour && neighbour->heldBack) {
     // Most likely this one is held back too, and the nearest curve, which may be far from any blade, need not
     // be sought.
-    Result<FitResult> bounded = fitBesideNeighbour(section, boundedOptions(options, job), start);
+    tried = fitBesideNeighbour(section, boundedOptions(options, job), start);
+    const Result<FitResult>& bounded = *tried;
     if (bounded && atRest(*bounded) && bounded->hausdorff <= allowed && bladeHolds(*bounded, job.blade) &&
         bladePresses(*bounded, job.blade))
-      return StationFit{std::move(*bounded), true};
+      return StationFit{*bounded, true};
   }
   Result<FitResult> best = fitBesideNeighbour(section, options, start);
   if (!best) return tl::unexpected<Error>(best.error());
@@ -106,7 +143,8 @@ Result<StationFit> fitStation(const PlanarCurve& section, const Job& job, const 
   FitOptions tighter = boundedOptions(options, job);
   std::optional<FitResult> restless;
   for (int k = 0; k < kPeriodBounds; ++k, *tighter.maxPeriods *= 0.5) {
-    Result<FitResult> bounded = fitBesideNeighbour(section, tighter, start ? start : &*best);
+    Result<FitResult> bounded =
+        k == 0 && tried ? std::move(*tried) : fitBesideNeighbour(section, tighter, start ? start : &*best);
     if (!bounded || !usable(*bounded) || bounded->hausdorff > allowed) break;
     if (!bladeHolds(*bounded, job.blade)) continue;
     if (atRest(*bounded)) return StationFit{std::move(*bounded), true};

@@ -9,6 +9,9 @@
 
 namespace bw::detail {
 
+/// How far beyond the tolerance a curve may lie for the sake of a blade that holds.
+inline constexpr double kAllowance = 2.0;
+
 struct StationFit {
   FitResult fit;
   bool heldBack = false;  ///< not the nearest curve, but one whose whole blade holds

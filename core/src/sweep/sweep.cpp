@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "bw/core/number_text.h"
+#include "sweep/remedies.h"
 #include "sweep/station_continuity.h"
 #include "sweep/station_fit.h"
 
@@ -111,13 +112,15 @@ Result<Sweep> buildSweep(std::vector<Section> sections, const Job& job, const Bo
   }
   const auto extendStart = Clock::now();
   if (longest > job.blade.length) {
-    const double needed = std::ceil(longest + 2 * job.clearance);
-    return fail(ErrorCode::badInput,
-                "the blade of " + shortText(job.blade.length, 5) + " mm is shorter than the section of " +
-                    stationName(longestIndex) + " (" + shortText(longest, 6) +
-                    " mm); choose a blade of at least " + shortText(needed, 6) +
-                    " mm, a smaller block, or another cutting direction",
-                stationName(longestIndex), job.blade.length, needed);
+    const std::optional<double> needed = detail::lengthFor(longest, job.clearance);
+    const std::string other = "a smaller block, or another cutting direction";
+    return fail(
+        ErrorCode::badInput,
+        "the blade of " + shortText(job.blade.length, 5) + " mm is shorter than the section of " +
+            stationName(longestIndex) + " (" + shortText(longest, 6) + " mm); choose " +
+            (needed ? "a blade of at least " + shortText(*needed, 6) + " mm, " + other
+                    : other + ": no blade may be longer than " + shortText(Blade::kLongest, 6) + " mm"),
+        stationName(longestIndex), job.blade.length, needed ? *needed : Blade::kLongest);
   }
   for (Station& station : sweep.stations) {
     const double length = station.fit.elastica.length();

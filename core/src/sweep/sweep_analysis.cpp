@@ -9,9 +9,11 @@
 #include <numeric>
 
 #include "bw/core/elastica_stability.h"
+#include "bw/core/maps.h"
 #include "bw/core/sweep.h"
 #include "bw/core/units.h"
 #include "sweep/cut_rows.h"
+#include "sweep/foot_trail.h"
 #include "sweep/grip_reach.h"
 #include "sweep/row_findings.h"
 #include "sweep/station_findings.h"
@@ -103,17 +105,58 @@ Velocities stationVelocities(const std::vector<Station>& stations, const std::ve
   return result;
 }
 
+constexpr std::size_t kFewestStations = 2;
+
+tl::unexpected<Error> tooFew(std::size_t count) {
+  return fail(
+      ErrorCode::badInput,
+      "a surface needs at least two stations that cut the target, but " + std::to_string(count) + " is left",
+      "stations", double(count), double(kFewestStations));
+}
+
+/// Fills what the stations tell by themselves, and returns their velocities. At least two stations.
+Result<std::vector<Velocities>> measureStations(Sweep& sweep, const Job& job, const RunContext& context) {
+  std::vector<Station>& stations = sweep.stations;
+  std::vector<double> travel;
+  for (const Station& station : stations) travel.push_back(station.travel);
+  std::vector<Velocities> velocities(stations.size());
+  const auto body = [&](int i) {
+    Station& station = stations[std::size_t(i)];
+    Velocities& v = velocities[std::size_t(i)];
+    v = stationVelocities(stations, travel, i, job.cuttingSpeed);
+    station.stabilityMargin = stabilityMargin(station.blade);
+    station.stable = station.stabilityMargin > 0;
+    if (sweep.blade.section != Blade::Section::flat)
+      station.outOfPlaneMargin = outOfPlaneMargin(station.blade);
+    station.angleMax = *std::max_element(v.angle.begin(), v.angle.end());
+    station.angleMean = 0;
+    for (double angle : v.angle) station.angleMean += angle / kColumns;
+    station.speedRatio = *std::min_element(v.relative.begin(), v.relative.end());
+    const auto [slowest, fastest] = std::minmax_element(v.speed.begin(), v.speed.end());
+    station.speedMin = *slowest;
+    station.speedMax = *fastest;
+    station.clearance = std::min(detail::boxDistance(sweep.block, station.leftPoint()),
+                                 detail::boxDistance(sweep.block, station.rightPoint()));
+  };
+  if (Result<void> ok = parallelFor(context, int(stations.size()), body); !ok)
+    return tl::unexpected<Error>(ok.error());
+  return velocities;
+}
+
 }  // namespace
+
+Result<void> measureSweep(Sweep& sweep, const Job& job, const RunContext& context) {
+  if (sweep.stations.size() < kFewestStations) return tooFew(sweep.stations.size());
+  if (const auto measured = measureStations(sweep, job, context); !measured)
+    return tl::unexpected<Error>(measured.error());
+  return {};
+}
 
 Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const Job& job, const SurfaceSampler& target,
                                    const RunContext& context) {
   std::vector<Station>& stations = sweep.stations;
   const int n = int(stations.size());
-  if (n < 2)
-    return fail(
-        ErrorCode::badInput,
-        "a surface needs at least two stations that cut the target, but " + std::to_string(n) + " is left",
-        "stations", double(n), 2.0);
+  if (stations.size() < kFewestStations) return tooFew(stations.size());
   SweepAnalysis result;
 
   // The skin through the stations.
@@ -149,31 +192,13 @@ Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const Job& job, const SurfaceSa
   if (!skin) return tl::unexpected<Error>(skin.error());
   result.surface = std::move(*skin);
 
-  // Velocities at the stations.
-  std::vector<Velocities> velocities(static_cast<std::size_t>(n));
-  if (Result<void> ok = parallelFor(context, n,
-                                    [&](int i) {
-                                      Station& station = stations[std::size_t(i)];
-                                      velocities[std::size_t(i)] =
-                                          stationVelocities(stations, travel, i, job.cuttingSpeed);
-                                      station.stabilityMargin = stabilityMargin(station.blade);
-                                      station.stable = station.stabilityMargin > 0;
-                                      if (sweep.blade.section != Blade::Section::flat)
-                                        station.outOfPlaneMargin = outOfPlaneMargin(station.blade);
-                                    });
-      !ok)
-    return tl::unexpected<Error>(ok.error());
+  const Result<std::vector<Velocities>> measured = measureStations(sweep, job, context);
+  if (!measured) return tl::unexpected<Error>(measured.error());
+  const std::vector<Velocities>& velocities = *measured;
   SweepSummary& summary = result.summary;
   double largestCurvature = 0;
   for (int i = 0; i < n; ++i) {
-    Station& station = stations[std::size_t(i)];
-    const Velocities& v = velocities[std::size_t(i)];
-    station.angleMax = *std::max_element(v.angle.begin(), v.angle.end());
-    station.angleMean = 0;
-    for (double angle : v.angle) station.angleMean += angle / kColumns;
-    station.speedRatio = *std::min_element(v.relative.begin(), v.relative.end());
-    station.clearance = std::min(detail::boxDistance(sweep.block, station.leftPoint()),
-                                 detail::boxDistance(sweep.block, station.rightPoint()));
+    const Station& station = stations[std::size_t(i)];
     summary.R4Max = std::max(summary.R4Max, station.fit.R4);
     summary.R4Mean += station.fit.R4 / n;
     summary.hausdorffMax = std::max(summary.hausdorffMax, station.fit.hausdorff);
@@ -192,10 +217,8 @@ Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const Job& job, const SurfaceSa
   cut.columns = kColumns;
   cut.rows = rowOf.back() + 1;
   cut.points.resize(std::size_t(cut.rows) * kColumns);
-  cut.fields = {{"deviation", "Deviation", "mm", {}},       {"angle", "Cutting angle", "°", {}},
-                {"speed", "Blade speed", "mm/s", {}},       {"relative_speed", "Relative speed", "", {}},
-                {"curvature", "Curvature / limit", "", {}}, {"stress", "Bending stress", "N/mm²", {}}};
-  for (Field& field : cut.fields) field.values.resize(cut.points.size());
+  for (const MapInfo& map : cutMaps())
+    cut.fields.push_back({map.name, map.title, map.unit, std::vector<double>(cut.points.size())});
   const double stressAtLimit = sweep.blade.stress(sweep.blade.maxCurvature());
   std::mutex errorMutex;
   std::optional<Error> firstError;
@@ -205,7 +228,7 @@ Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const Job& job, const SurfaceSa
               to = int(std::int64_t(cut.rows) * (chunk + 1) / kChunks);
     if (from == to) return;
     const std::unique_ptr<SurfaceSampler> sampler = target.clone();
-    std::vector<SurfaceSampler::Foot> feet(kColumns);
+    detail::FootTrail feet(kColumns);
     for (int row = from; row < to; ++row) {
       if (context.stopped()) return;
       const std::size_t i =
@@ -220,10 +243,7 @@ Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const Job& job, const SurfaceSa
         const std::size_t at = std::size_t(row) * kColumns + std::size_t(c);
         const Eigen::Vector3d p = result.surface.value(double(c) / (kColumns - 1), v);
         cut.points[at] = p;
-        const SurfaceSampler::Foot* seed = row > from ? &feet[std::size_t(c)]
-                                           : c > 0    ? &feet[std::size_t(c - 1)]
-                                                      : nullptr;
-        Result<SurfaceSampler::Foot> foot = sampler->closest(p, seed);
+        Result<SurfaceSampler::Foot> foot = sampler->closest(p, feet.seed());
         if (!foot) {
           const std::lock_guard lock(errorMutex);
           if (chunk < firstErrorChunk) {
@@ -241,7 +261,7 @@ Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const Job& job, const SurfaceSa
         cut.fields[3].values[at] = blend(va.relative, vb.relative, c);
         cut.fields[4].values[at] = blend(curvature[i], curvature[i + 1], c);
         cut.fields[5].values[at] = stressAtLimit * cut.fields[4].values[at];
-        feet[std::size_t(c)] = *foot;
+        feet.put(*foot);
       }
     }
   };
@@ -265,6 +285,13 @@ Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const Job& job, const SurfaceSa
     angles += share * cut.fields[1].values[k];
     if (d > job.tolerance) beyond += share;
   }
+  for (int i = 0; i < n; ++i) {
+    const auto row = deviation.begin() + std::ptrdiff_t(rowOf[std::size_t(i)]) * kColumns;
+    stations[std::size_t(i)].deviationMax = 0;
+    for (int c = 0; c < kColumns; ++c)
+      stations[std::size_t(i)].deviationMax =
+          std::max(stations[std::size_t(i)].deviationMax, std::abs(row[c]));
+  }
   summary.deviationMax = std::abs(deviation[worst]);
   summary.deviationRms = std::sqrt(squares);
   summary.withinTolerance = std::max(0.0, 1 - beyond);
@@ -273,6 +300,7 @@ Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const Job& job, const SurfaceSa
   // What cannot be cut, and why.
   detail::addRowFindings(sweep, job, worst, result);
   detail::addStationFindings(sweep, job, result.issues);
+  detail::keepRows(worst, result);
   return result;
 }
 

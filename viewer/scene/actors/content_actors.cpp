@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "scene/actors/isolines.h"
 #include "scene/actors/mesh_edges.h"
@@ -22,6 +23,9 @@ namespace bw::scene {
 namespace {
 
 constexpr int kTableColors = 2048;
+/// How far behind the cut the target is drawn, in diagonals: so much that even at a glancing sight, which
+/// stretches the distance of the two, no shard of it comes through.
+constexpr double kLeastSetBack = 0.1, kMostSetBack = 0.3;
 
 void setBox(vtkPolyData* data, const Box& box, bool edges) {
   const std::array<Eigen::Vector3d, 8> corners = box.corners();
@@ -74,7 +78,9 @@ void ContentActors::addSolidTo(vtkRenderer* renderer) {
 }
 
 void ContentActors::addClearTo(vtkRenderer* renderer) {
-  for (Part* part : {&blockBack_, &target_, &targetEdges_}) renderer->AddActor(part->actor());
+  renderer->AddActor(blockBack_.actor());
+  faces_.addTo(renderer);
+  for (Part* part : {&target_, &targetEdges_}) renderer->AddActor(part->actor());
   stations_.addTo(renderer);
 }
 
@@ -83,8 +89,10 @@ void ContentActors::addFrontTo(vtkRenderer* renderer) {
   renderer->AddActor(blockEdges_.actor());
 }
 
-void ContentActors::setContent(const Content& content, const TriangleMesh& cutMesh, double diagonal) {
+void ContentActors::setContent(const Content& content, const TriangleMesh& cutMesh, double diagonal,
+                               bool targetAfar) {
   diagonal_ = diagonal;
+  targetAfar_ = targetAfar;
   const bool given = content.target.normals.size() == content.target.points.size();
   targetNormals_ =
       given ? std::vector<Eigen::Vector3d>{} : pointNormals(content.target.points, content.target.triangles);
@@ -92,6 +100,7 @@ void ContentActors::setContent(const Content& content, const TriangleMesh& cutMe
             content.target.triangles);
   targetEdges_.setSegments(boundaryEdges(content.target.points, content.target.triangles));
 
+  faces_.setContent(content.faces);
   hasCut_ = !cutMesh.triangles.empty();
   shareMesh(cut_.data(), cutMesh.points, cutMesh.normals, cutMesh.triangles);
   deviationReach_ = 0;
@@ -169,19 +178,28 @@ void ContentActors::setStyle(const Content& content, const TriangleMesh& cutMesh
 
   const bool lined = mapped && style.isolines;
   isolines_.setVisible(lined);
+  isolineLabels_.setVisible(lined);
   if (lined) {
     const Ticks ticks = legendTicks(map.range);
     if (!isolinesValid_ || isolineField_ != field->name || isolineLevels_ != ticks.values) {
       isolinesValid_ = true;
       isolineField_ = field->name;
       isolineLevels_ = ticks.values;
-      isolines_.setSegments(isolines(cutMesh.points, cutMesh.triangles, field->values, ticks.values));
+      const std::vector<Isoline> lines =
+          joinedIsolines(cutMesh.points, cutMesh.triangles, field->values, ticks.values);
+      std::vector<Polyline> drawn;
+      for (const Isoline& isoline : lines) drawn.push_back(isoline.line);
+      isolines_.setLines(drawn);
+      const bool sign = field->name == "deviation";
+      isolineLabels_.setLines(
+          lines, [&](double level) { return tickText(level, ticks.decimals, sign); }, diagonal_);
     }
     isolines_.setColor(kLineOverSurface);
     isolines_.setLineWidth(px);
     isolines_.setFade(keep, background);
   }
 
+  faces_.setStyle(style, background);
   stations_.setStyle(content, style, cutShown, background);
 
   const bool blockShown = style.showBlock && content.block.has_value();
@@ -197,6 +215,7 @@ void ContentActors::setStyle(const Content& content, const TriangleMesh& cutMesh
 
   std::vector<Part*> clipped = {&target_,   &targetEdges_, &cut_,        &cutEdges_,
                                 &isolines_, &blockBack_,   &blockFront_, &blockEdges_};
+  for (Part* part : faces_.parts()) clipped.push_back(part);
   for (Part* part : stations_.parts()) clipped.push_back(part);
   section_.setSection(content, cutMesh, style.section, clipped, diagonal_);
   section_.setStyle(content, style, background);
@@ -204,15 +223,16 @@ void ContentActors::setStyle(const Content& content, const TriangleMesh& cutMesh
 
 double ContentActors::targetSetBack(const Style& style) const {
   if (!style.showCut || !hasCut_ || style.cutOpacity < 0.5) return 0;
-  return std::clamp(4 * deviationReach_, 0.004 * diagonal_, 0.1 * diagonal_);
+  if (targetAfar_) return std::numeric_limits<double>::infinity();
+  return std::clamp(8 * deviationReach_, kLeastSetBack * diagonal_, kMostSetBack * diagonal_);
 }
 
 void ContentActors::update(const Content& content, const Style& style, double depthPerMillimetre,
-                           double millimetresPerPixel) {
+                           double millimetresPerPixel, double targetBehind) {
   const double line = 1.5 * millimetresPerPixel * style.pixelRatio + 0.0004 * diagonal_;
-  const double back = targetSetBack(style);
-  target_.setDepthShift(depthPerMillimetre * back);
-  targetEdges_.setDepthShift(depthPerMillimetre * (back - line));
+  for (Part* part : {&target_, &targetEdges_}) part->setDepthBehind(targetBehind);
+  targetEdges_.setDepthShift(-depthPerMillimetre * line);
+  faces_.update(style, targetBehind, -depthPerMillimetre * line);
   cutEdges_.setDepthShift(-depthPerMillimetre * line);
   isolines_.setDepthShift(-depthPerMillimetre * 1.2 * line);
   stations_.update(content, style, style.showCut && hasCut_, -depthPerMillimetre * line, millimetresPerPixel);

@@ -15,4 +15,15 @@ Segments isolines(const std::vector<Eigen::Vector3d>& points,
                   const std::vector<std::array<int, 3>>& triangles, const std::vector<double>& values,
                   const std::vector<double>& levels);
 
+/// A line of equal value in one piece.
+struct Isoline {
+  double level = 0;
+  Polyline line;  ///< the first point again at the end where it is closed
+};
+
+/// The same joined to lines, longest first within each level, levels in the order given.
+std::vector<Isoline> joinedIsolines(const std::vector<Eigen::Vector3d>& points,
+                                    const std::vector<std::array<int, 3>>& triangles,
+                                    const std::vector<double>& values, const std::vector<double>& levels);
+
 }  // namespace bw::scene

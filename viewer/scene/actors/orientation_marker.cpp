@@ -28,8 +28,9 @@ namespace {
 
 constexpr double kSize = 116;  ///< device-independent pixels, of the square that holds the cube
 constexpr double kMargin = 10;
-constexpr double kReach = 2.15;  ///< half of the square, in half edges of the cube
-constexpr double kAxis = 1.0;    ///< how far the axes reach beyond the cube, in half edges
+constexpr double kReach = 2.15;   ///< half of the square, in half edges of the cube
+constexpr double kBorder = 0.42;  ///< of a half edge: the strips along the edges that stand for oblique views
+constexpr double kAxis = 1.0;     ///< how far the axes reach beyond the cube, in half edges
 
 struct Face {
   View view;
@@ -90,6 +91,11 @@ OrientationMarker::OrientationMarker() : renderer_(vtkSmartPointer<vtkRenderer>:
       }
     }
   }
+  hovered_.setFlat();
+  hovered_.setOpacity(0.45);
+  hovered_.setDepthShift(-0.002);
+  hovered_.setVisible(false);
+  renderer_->AddActor(hovered_.actor());
   edges_.setSegments(edges);
   edges_.setFlat();
   edges_.setDepthShift(-0.004);
@@ -170,6 +176,7 @@ void OrientationMarker::update(const Projection& view, int width, int height, co
     paintFaces(style.dark, style.pixelRatio);
     edges_.setColor(style.dark ? Rgb::hex(0x6C737C) : Rgb::hex(0xADB5BD));
     edges_.setLineWidth(style.pixelRatio);
+    hovered_.setColor(colors.selection);
     const std::array<Rgb, 3> axisColors{colors.axisX, colors.axisY, colors.axisZ};
     for (std::size_t k = 0; k < 3; ++k) {
       axes_[k].setColor(axisColors[k]);
@@ -202,8 +209,8 @@ void OrientationMarker::update(const Projection& view, int width, int height, co
   canvas_.end();
 }
 
-std::optional<View> OrientationMarker::viewAt(double x, double y, const Projection& view, int width,
-                                              int height, double pixelRatio) {
+std::optional<Eigen::Vector3d> OrientationMarker::directionAt(double x, double y, const Projection& view,
+                                                              int width, int height, double pixelRatio) {
   const PixelRect square = place(width, height, pixelRatio);
   if (width <= 2.5 * square.width || height <= 2 * square.height || !square.contains(x, y))
     return std::nullopt;
@@ -217,11 +224,37 @@ std::optional<View> OrientationMarker::viewAt(double x, double y, const Projecti
   const std::optional<double> t = rayMeetsBox({origin, view.forward()}, cube);
   if (!t) return std::nullopt;
   const Eigen::Vector3d hit = origin + *t * view.forward();
-  if ((hit - Eigen::Vector3d(1, -1, 1)).cwiseAbs().maxCoeff() < 0.6) return View::iso;
-  for (const Face& face : faces()) {
-    if (hit.dot(face.out) > 1 - 1e-9) return face.view;
+  Eigen::Vector3d direction = Eigen::Vector3d::Zero();
+  for (int axis = 0; axis < 3; ++axis)
+    if (std::abs(hit[axis]) > 1 - kBorder) direction[axis] = hit[axis] > 0 ? 1 : -1;
+  return direction;
+}
+
+void OrientationMarker::setHovered(const std::optional<Eigen::Vector3d>& direction) {
+  hovered_.setVisible(direction.has_value());
+  if (!direction) return;
+  // On each face that has a part of the place under the cursor: its square, strip or corner.
+  std::vector<Polyline> patches;
+  for (int axis = 0; axis < 3; ++axis) {
+    if ((*direction)[axis] == 0) continue;
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    const auto range = [&](int k) {
+      const double side = (*direction)[k];
+      return side == 0  ? std::pair(-1 + kBorder, 1 - kBorder)
+             : side > 0 ? std::pair(1 - kBorder, 1.0)
+                        : std::pair(-1.0, -1 + kBorder);
+    };
+    Polyline patch;
+    for (const auto& [a, b] : {std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1)}) {
+      Eigen::Vector3d p;
+      p[axis] = (*direction)[axis];
+      p[u] = a ? range(u).second : range(u).first;
+      p[v] = b ? range(v).second : range(v).first;
+      patch.push_back(p);
+    }
+    patches.push_back(patch);
   }
-  return std::nullopt;
+  hovered_.setPolygons(patches);
 }
 
 }  // namespace bw::scene

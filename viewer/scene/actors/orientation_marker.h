@@ -18,7 +18,8 @@ class vtkTexture;
 
 namespace bw::scene {
 
-/// The cube in the lower left corner that shows how the view is turned; a click on a face takes that view.
+/// The cube in the lower left corner that shows how the view is turned; a click on a face, an edge
+/// or a corner looks from there.
 class OrientationMarker {
  public:
   OrientationMarker();
@@ -27,9 +28,11 @@ class OrientationMarker {
   void update(const Projection& view, int width, int height, const Style& style);
 
   static PixelRect place(int width, int height, double pixelRatio);
-  /// The face under a pixel; its corner towards the viewer of the standard oblique view gives that view.
-  static std::optional<View> viewAt(double x, double y, const Projection& view, int width, int height,
-                                    double pixelRatio);
+  /// The direction to look from that lies under a pixel: a face, an edge or a corner (Scene::cubeDirection).
+  static std::optional<Eigen::Vector3d> directionAt(double x, double y, const Projection& view, int width,
+                                                    int height, double pixelRatio);
+  /// Lights up what stands for that direction, or nothing.
+  void setHovered(const std::optional<Eigen::Vector3d>& direction);
 
  private:
   void paintFaces(bool dark, double pixelRatio);
@@ -37,7 +40,7 @@ class OrientationMarker {
   vtkSmartPointer<vtkRenderer> renderer_;
   std::array<Part, 6> faces_;
   std::array<vtkSmartPointer<vtkTexture>, 6> textures_;
-  Part edges_;
+  Part edges_, hovered_;
   std::array<Part, 3> axes_;
   Canvas canvas_;
   std::optional<bool> dark_;

@@ -46,7 +46,7 @@ void SectionActors::setSection(const Content& content, const TriangleMesh& cutMe
       const SectionCap cap =
           sectionCap(content.block.value_or(Box{}), cutMesh, *section_, kHatchShare * diagonal);
       if (content.block && cap.outline.size() >= 3) {
-        fill_.setPolygon(cap.outline);
+        fill_.setPolygons({cap.outline});
         Polyline closed = cap.outline;
         closed.push_back(closed.front());
         outline_.setLines({closed});

@@ -63,6 +63,26 @@ std::optional<View> viewFromName(const std::string& name) {
   return std::nullopt;
 }
 
+Eigen::Vector3d directionOf(View view) {
+  switch (view) {
+    case View::top:
+      return Eigen::Vector3d::UnitZ();
+    case View::bottom:
+      return -Eigen::Vector3d::UnitZ();
+    case View::front:
+      return -Eigen::Vector3d::UnitY();
+    case View::back:
+      return Eigen::Vector3d::UnitY();
+    case View::left:
+      return -Eigen::Vector3d::UnitX();
+    case View::right:
+      return Eigen::Vector3d::UnitX();
+    case View::iso:
+      break;
+  }
+  return Eigen::Vector3d(1, -1, 1).normalized();
+}
+
 Camera orbit(const Camera& camera, const Eigen::Vector3d& pivot, double azimuth, double elevation) {
   const Direction before = directionOf(camera);
   const double limit = kHalfTurn / 2;

@@ -56,7 +56,7 @@ Camera fitted(Camera from, const Bounds& bounds, double aspect, double rightMarg
   return from;
 }
 
-DepthRange depthRange(const Projection& view, const Bounds& bounds, double distance) {
+DepthRange depthsOf(const Projection& view, const Bounds& bounds) {
   double near = std::numeric_limits<double>::max(), far = -near;
   for (int i = 0; i < 8; ++i) {
     const Eigen::Vector3d corner((i & 1 ? bounds.max : bounds.min).x(), (i & 2 ? bounds.max : bounds.min).y(),
@@ -65,6 +65,11 @@ DepthRange depthRange(const Projection& view, const Bounds& bounds, double dista
     near = std::min(near, depth);
     far = std::max(far, depth);
   }
+  return {near, far};
+}
+
+DepthRange depthRange(const Projection& view, const Bounds& bounds, double distance) {
+  auto [near, far] = depthsOf(view, bounds);
   const double slack = 0.02 * std::max(far - near, distance);
   near -= slack;
   far += slack;
@@ -73,6 +78,38 @@ DepthRange depthRange(const Projection& view, const Bounds& bounds, double dista
     near = std::max(near, 2e-4 * far);
   }
   return {near, far};
+}
+
+double seenShare(const Projection& view, const Bounds& bounds, int width, int height) {
+  double left = 1e300, right = -1e300, top = 1e300, bottom = -1e300;
+  for (int i = 0; i < 8; ++i) {
+    const Eigen::Vector3d pixel =
+        view.toPixel({(i & 1 ? bounds.max : bounds.min).x(), (i & 2 ? bounds.max : bounds.min).y(),
+                      (i & 4 ? bounds.max : bounds.min).z()});
+    if (!view.parallel() && pixel.z() <= 0) return 0;
+    left = std::min(left, pixel.x());
+    right = std::max(right, pixel.x());
+    top = std::min(top, pixel.y());
+    bottom = std::max(bottom, pixel.y());
+  }
+  const auto share = [](double from, double to, double size) {
+    const double inside = std::min(to, size) - std::max(from, 0.0);
+    return to > from ? std::clamp(inside / (to - from), 0.0, 1.0) : double(from >= 0 && from <= size);
+  };
+  return share(left, right, width) * share(top, bottom, height);
+}
+
+double shareBehind(const DepthRange& all, const DepthRange& part, double back, bool parallel) {
+  constexpr double kMost = 0.98;
+  if (!std::isfinite(back)) return kMost;
+  double share = 0;
+  for (const double end : {part.near, part.far}) {
+    const double depth = std::clamp(end, all.near, all.far), room = all.far - depth;
+    if (!(room > back)) return kMost;
+    // Depth in the picture runs as −1/d under perspective.
+    share = std::max(share, parallel ? back / room : back * all.far / ((depth + back) * room));
+  }
+  return std::min(share, kMost);
 }
 
 }  // namespace bw::scene

@@ -21,4 +21,16 @@ struct DepthRange {
 /// keeps the near one in front of itself. `distance` is that of the focus, mm.
 DepthRange depthRange(const Projection& view, const Bounds& bounds, double distance);
 
+/// The share of the rectangle that `bounds` (valid) take in a picture of that size which lies inside it; 0
+/// where a part of them is behind the eye of a perspective camera.
+double seenShare(const Projection& view, const Bounds& bounds, int width, int height);
+
+/// Depths of a part of the scene along the view, without slack.
+DepthRange depthsOf(const Projection& view, const Bounds& bounds);
+
+/// The share of the way to the far plane by which depths must move so that whatever lies at the depths of
+/// `part` gets at least `back` mm behind its place, as far as there is room before the far plane. `all` are
+/// the depths between which is drawn. In [0, 1); an infinite `back` gives the most that is possible.
+double shareBehind(const DepthRange& all, const DepthRange& part, double back, bool parallel);
+
 }  // namespace bw::scene

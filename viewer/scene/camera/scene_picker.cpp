@@ -97,11 +97,21 @@ std::optional<double> valueAt(const Field& field, const TriangleMesh& mesh, cons
   return value;
 }
 
+/// The ray through a pixel. In a parallel picture the eye is nowhere: it begins before everything.
+Ray sightThrough(const ScenePicker::Shown& shown, const Projection& view, double x, double y) {
+  Ray ray = view.ray(x, y);
+  const Bounds& all = shown.bounds;
+  if (view.parallel() && all.valid())
+    ray.origin -= 4 * (all.size().norm() + (view.position() - all.center()).norm()) * ray.direction;
+  return ray;
+}
+
 }  // namespace
 
-void ScenePicker::reset() {
+void ScenePicker::reset(bool facesToo) {
   cutTree_.reset();
   targetTree_.reset();
+  if (facesToo) faceTree_.reset();
 }
 
 std::optional<RayHit> ScenePicker::cutHit(const Shown& shown, const Ray& ray) const {
@@ -119,35 +129,42 @@ std::optional<RayHit> ScenePicker::targetHit(const Shown& shown, const Ray& ray)
   return firstHit(*targetTree_, style.section, ray);
 }
 
+Pick ScenePicker::pickFace(const Shown& shown, const Ray& ray) const {
+  const FaceMesh& faces = *shown.content.faces;
+  if (!faceTree_) faceTree_ = std::make_unique<TriangleTree>(faces.mesh.points, faces.mesh.triangles);
+  Pick result;
+  if (const std::optional<RayHit> hit = faceTree_->firstHit(ray)) {
+    result.kind = Pick::Kind::face;
+    result.face = faces.faces[std::size_t(hit->triangle)];
+    result.point = ray.at(hit->t);
+  }
+  return result;
+}
+
+bool ScenePicker::sees(const Shown& shown, const Projection& view, const Eigen::Vector3d& point) const {
+  if (cutAway(shown.style.section, point)) return false;
+  const Eigen::Vector3d pixel = view.toPixel(point);
+  const Ray sight = sightThrough(shown, view, pixel.x(), pixel.y());
+  const std::optional<RayHit> hit = cutHit(shown, sight);
+  const double distance = (point - sight.origin).dot(sight.direction);
+  const double size = shown.bounds.valid() ? shown.bounds.size().norm() : 0.0;
+  return !hit || hit->t > distance - 4 * view.pixelSize(pixel.z()) - 0.002 * std::max(size, 1e-3);
+}
+
 Pick ScenePicker::pick(const Shown& shown, const Projection& view, double x, double y) const {
   const Content& content = shown.content;
   const Style& style = shown.style;
-  const Bounds& everything = shown.bounds;
   const Eigen::Vector2d cursor(x, y);
   Pick result;
-  Ray ray = view.ray(x, y);
-  // In a parallel picture the eye is nowhere: begin before everything.
-  if (view.parallel() && everything.valid())
-    ray.origin -=
-        4 * (everything.size().norm() + (view.position() - everything.center()).norm()) * ray.direction;
+  const Ray ray = sightThrough(shown, view, x, y);
+  if (style.chooseFaces && content.faces) return pickFace(shown, ray);
   const std::optional<RayHit> onCut = cutHit(shown, ray), onTarget = targetHit(shown, ray);
 
   // Lines: the nearest to the pixel that is not hidden.
-  const auto visible = [&](const LinePlace& place) {
-    if (cutAway(style.section, place.point)) return false;
-    const Eigen::Vector3d pixel = view.toPixel(place.point);
-    Ray sight = view.ray(pixel.x(), pixel.y());
-    if (view.parallel())
-      sight.origin += (ray.origin - view.ray(x, y).origin).dot(ray.direction) * ray.direction;
-    const std::optional<RayHit> hit = cutHit(shown, sight);
-    const double distance = (place.point - sight.origin).dot(sight.direction);
-    return !hit || hit->t > distance - 4 * view.pixelSize(pixel.z()) -
-                                0.002 * std::max(everything.valid() ? everything.size().norm() : 0.0, 1e-3);
-  };
   const double reach = kLinePickPixels * style.pixelRatio;
   std::optional<LinePlace> onBlade, onStation;
   if (shown.movingBlade.size() >= 2) nearestOn(shown.movingBlade, -1, view, cursor, onBlade);
-  if (onBlade && onBlade->pixels <= reach + 1 && visible(*onBlade)) {
+  if (onBlade && onBlade->pixels <= reach + 1 && sees(shown, view, onBlade->point)) {
     result.kind = Pick::Kind::blade;
     result.point = onBlade->point;
     result.station = std::clamp(int(std::lround(style.playhead)), 0, int(content.blades.size()) - 1);
@@ -167,7 +184,7 @@ Pick ScenePicker::pick(const Shown& shown, const Projection& view, double x, dou
     for (std::size_t i = 0; i < content.stations.size(); ++i)
       nearestOn(content.stations[i], int(i), view, cursor, onStation);
   }
-  if (onStation && onStation->pixels <= reach && visible(*onStation)) {
+  if (onStation && onStation->pixels <= reach && sees(shown, view, onStation->point)) {
     result.kind = Pick::Kind::station;
     result.station = onStation->station;
     // The value stays that of the surface below, if the cursor is over it.

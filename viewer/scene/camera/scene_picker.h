@@ -27,17 +27,22 @@ class ScenePicker {
     double targetSetBack;         ///< mm that the target is drawn behind its place
   };
 
-  /// Forgets the surfaces it was asked about; call it when they change.
-  void reset();
+  /// Forgets the surfaces it was asked about; call it when they change. The faces of the file often stay.
+  void reset(bool facesToo);
   /// What lies at the pixel (x, y) from the upper left corner. The first call after a reset sorts the
   /// triangles of the surfaces.
   Pick pick(const Shown& shown, const Projection& view, double x, double y) const;
+  /// Whether a point of the cut surface, or of a line on it, is in sight: neither hidden by the surface nor
+  /// taken away by the section.
+  bool sees(const Shown& shown, const Projection& view, const Eigen::Vector3d& point) const;
 
  private:
   std::optional<RayHit> cutHit(const Shown& shown, const Ray& ray) const;
   std::optional<RayHit> targetHit(const Shown& shown, const Ray& ray) const;
 
-  mutable std::unique_ptr<TriangleTree> cutTree_, targetTree_;
+  Pick pickFace(const Shown& shown, const Ray& ray) const;
+
+  mutable std::unique_ptr<TriangleTree> cutTree_, targetTree_, faceTree_;
 };
 
 }  // namespace bw::scene

@@ -68,33 +68,39 @@ Rgb mixEvenly(const Rgb& a, const Rgb& b, double t) {
   return fromOklab({p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1]), p[2] + t * (q[2] - p[2])});
 }
 
-constexpr Rgb kNeutral = Rgb::hex(0xF7F7F5);
-constexpr Rgb kBelowNear = Rgb::hex(0x9CC4E8), kBelowFar = Rgb::hex(0x0B4A9E);
-constexpr Rgb kAboveNear = Rgb::hex(0xF6B5A0), kAboveFar = Rgb::hex(0xA8101F);
-constexpr double kBreath = 0.16;  ///< of the near colour, at the edge of the band
+constexpr Rgb kNeutral = Rgb::hex(0xFAFAF8);
+constexpr Rgb kBelowPale = Rgb::hex(0xA6CCF0), kBelowNear = Rgb::hex(0x3D86D4),
+              kBelowFar = Rgb::hex(0x0A3F8C);
+constexpr Rgb kAbovePale = Rgb::hex(0xF8BDAC), kAboveNear = Rgb::hex(0xE4553E),
+              kAboveFar = Rgb::hex(0x8F0D1C);
+constexpr Rgb kOverLimit = Rgb::hex(0xE8590C), kFarOverLimit = Rgb::hex(0xA8101F);
 
 }  // namespace
 
 Rgb viridis(double t) { return through(kViridis, t); }
 Rgb cividis(double t) { return through(kCividis, t); }
 
-Rgb deviationColor(double value, double tolerance, double end) {
+Rgb deviationColor(double value, double tolerance, double end, double start) {
   const double size = std::abs(value);
-  const Rgb& near = value < 0 ? kBelowNear : kAboveNear;
-  const Rgb& far = value < 0 ? kBelowFar : kAboveFar;
-  if (size <= tolerance) return mixEvenly(kNeutral, near, tolerance > 0 ? kBreath * size / tolerance : 0.0);
-  return mixEvenly(near, far, end > tolerance ? std::min(1.0, (size - tolerance) / (end - tolerance)) : 1.0);
+  const auto share = [&](double from, double to) {
+    return to > from ? std::clamp((size - from) / (to - from), 0.0, 1.0) : 1.0;
+  };
+  if (size <= tolerance)
+    return mixEvenly(kNeutral, value < 0 ? kBelowPale : kAbovePale,
+                     size > 0 ? share(start, std::min(tolerance, end)) : 0.0);
+  return mixEvenly(value < 0 ? kBelowNear : kAboveNear, value < 0 ? kBelowFar : kAboveFar,
+                   share(std::max(start, tolerance), end));
 }
 
 Rgb ColorMap::at(double value) const {
   const auto [low, high] = range;
-  if (field == "deviation") return deviationColor(value, tolerance, std::max(std::abs(low), std::abs(high)));
-  const double t = high > low ? (value - low) / (high - low) : 0.0;
-  // Above one the blade would be bent beyond its limit.
-  if (field == "curvature")
-    return value > 1 ? mix(Rgb::hex(0xE8590C), Rgb::hex(0xA8101F), std::clamp(value - 1, 0.0, 1.0))
-                     : cividis(t);
-  return viridis(t);
+  if (field == "deviation")
+    return deviationColor(value, tolerance, std::max(std::abs(low), std::abs(high)),
+                          std::max({low, -high, 0.0}));
+  if (!limit) return viridis(high > low ? (value - low) / (high - low) : 0.0);
+  if (value > *limit) return mixEvenly(kOverLimit, kFarOverLimit, std::clamp(value / *limit - 1, 0.0, 1.0));
+  const double top = std::min(high, *limit);
+  return cividis(top > low ? (value - low) / (top - low) : 1.0);
 }
 
 }  // namespace bw::scene

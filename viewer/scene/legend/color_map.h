@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -15,15 +16,18 @@ namespace bw::scene {
 Rgb viridis(double t);
 Rgb cividis(double t);
 
-/// Signed deviation: neutral within the tolerance band (a breath of the sign's colour at its edge), then a
-/// step to a clear blue (below) or red (above) that saturates at `end`. All in mm, end > tolerance ≥ 0.
-Rgb deviationColor(double value, double tolerance, double end);
+/// Signed deviation: white at nothing, through a pale blue (below) or red (above) at the edge of the
+/// tolerance band, then a step to a clear one that darkens up to `end`. Where the scale ends within the band,
+/// the pale colour is reached at its end; where it begins beside zero, at `start`, white stands there. All in
+/// mm, end > start ≥ 0, tolerance ≥ 0.
+Rgb deviationColor(double value, double tolerance, double end, double start = 0);
 
 /// How a field is coloured over its legend range.
 struct ColorMap {
   std::string field;
   std::pair<double, double> range{0, 1};
-  double tolerance = 0;  ///< mm; only "deviation" uses it
+  double tolerance = 0;         ///< mm; only "deviation" uses it
+  std::optional<double> limit;  ///< of the field: red beyond
 
   Rgb at(double value) const;
   bool operator==(const ColorMap&) const = default;

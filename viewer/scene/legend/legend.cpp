@@ -36,6 +36,21 @@ std::string spanText(const FieldSummary& summary, int decimals, bool sign, const
   return low + " \u2026 " + high + glue + unit;
 }
 
+/// How much of the area keeps within what is allowed. 100 % is said only where it is true.
+std::string shareText(const Field& field, const std::vector<double>& areas, const FieldSummary& summary,
+                      double low, double high) {
+  double within = 0, whole = 0;
+  for (std::size_t i = 0; i < field.values.size(); ++i) {
+    if (!std::isfinite(field.values[i])) continue;
+    whole += areas[i];
+    if (field.values[i] >= low && field.values[i] <= high) within += areas[i];
+  }
+  const bool all = low <= summary.min && summary.max <= high;
+  const double share = whole > 0 ? 100.0 * within / whole : 0;
+  const double said = all ? 100 : std::min(share, 99.9);
+  return fixedText(said, said > 99 && said < 100 ? 1 : 0) + " % within ";
+}
+
 }  // namespace
 
 void Legend::update(int width, int height, const Style& style, const Field* field,
@@ -50,7 +65,7 @@ void Legend::update(int width, int height, const Style& style, const Field* fiel
   }
   std::string key;
   for (const double v : {double(width), double(height), double(style.dark), style.pixelRatio, map.range.first,
-                         map.range.second, map.tolerance, double(contentVersion)}) {
+                         map.range.second, map.tolerance, map.limit.value_or(0), double(contentVersion)}) {
     key += roundTripText(v) + ' ';
   }
   key += field->name;
@@ -65,7 +80,6 @@ void Legend::draw(int width, int height, const Style& style, const Field& field,
   const double px = style.pixelRatio;
   const auto pixels = [px](double v) { return std::round(v * px); };
   const bool deviation = field.name == "deviation";
-  const bool limit = field.name == "curvature";
   const Ticks ticks = legendTicks(map.range);
   const TextLook title{13 * px, true, colors.text, 1}, label{12 * px, false, colors.text, 1},
       small{11 * px, false, colors.secondary, 1};
@@ -73,26 +87,24 @@ void Legend::draw(int width, int height, const Style& style, const Field& field,
   // Texts below the bar: what the data span, and how much of them is good.
   std::vector<std::string> notes{spanText(summary, ticks.decimals + 1, deviation, field.unit)};
   if (deviation) {
-    double within = 0, whole = 0;
-    for (std::size_t i = 0; i < field.values.size(); ++i) {
-      if (!std::isfinite(field.values[i])) continue;
-      whole += areas_[i];
-      if (std::abs(field.values[i]) <= map.tolerance) within += areas_[i];
-    }
-    // 100 % is said only where it is true.
-    const bool all = -map.tolerance <= summary.min && summary.max <= map.tolerance;
-    const double share = whole > 0 ? 100.0 * within / whole : 0;
-    const double said = all ? 100 : std::min(share, 99.9);
-    notes.push_back(fixedText(said, said > 99 && said < 100 ? 1 : 0) + " % within \u00b1" +
+    notes.push_back(shareText(field, areas_, summary, -map.tolerance, map.tolerance) + "\u00b1" +
                     shortText(map.tolerance) + " mm");
+  } else if (map.limit) {
+    notes.push_back(shareText(field, areas_, summary, 0, *map.limit) +
+                    (field.unit.empty() ? "the limit" : shortText(*map.limit, 3) + " " + field.unit));
   }
 
   const double margin = pixels(16), padding = pixels(12), gap = pixels(4), histogramWidth = pixels(44),
                barWidth = pixels(14);
   const double tick = pixels(5), labelGap = pixels(9);
+  std::vector<double> marks;
+  if (deviation && map.tolerance > 0) marks = {-map.tolerance, map.tolerance};
+  if (map.limit) marks = {*map.limit};
   double labelWidth = 0;
   for (const double v : ticks.values)
     labelWidth = std::max(labelWidth, Canvas::textWidth(tickText(v, ticks.decimals, deviation), label));
+  for (const double v : marks)
+    labelWidth = std::max(labelWidth, Canvas::textWidth(tickText(v, ticks.decimals + 1, deviation), small));
   const std::string unitText = field.unit;
   double inner = histogramWidth + gap + barWidth + labelGap + labelWidth;
   const double titleWidth = Canvas::textWidth(field.title, title);
@@ -161,9 +173,6 @@ void Legend::draw(int width, int height, const Style& style, const Field& field,
   }
 
   // Marks of what is allowed: across the bar and the histogram.
-  std::vector<double> marks;
-  if (deviation && map.tolerance > 0) marks = {-map.tolerance, map.tolerance};
-  if (limit) marks = {1.0};
   const auto inside = [&](double v) { return v >= low && v <= high; };
   for (const double v : marks) {
     if (!inside(v)) continue;

@@ -12,6 +12,33 @@ namespace bw::scene {
 namespace {
 
 constexpr int kTicks = 6;
+constexpr double kDeviationFloor = 0.1;  ///< of the tolerance
+constexpr double kNearTolerance = 0.5;   ///< of the tolerance: from here on the legend shows all of it
+constexpr double kSpanFloor = 0.1;       ///< of the largest value
+constexpr double kAngleFloor = 1;        ///< degrees
+constexpr double kLeastSpan = 1e-3;      ///< of anything else, in its unit
+
+std::pair<double, double> deviationRange(const FieldSummary& summary, double tolerance) {
+  const double reach = std::max(std::abs(summary.min), std::abs(summary.max));
+  double end = tolerance;
+  if (reach > tolerance || reach <= kNearTolerance * tolerance)
+    end = roundRange(0, std::max({reach, kDeviationFloor * tolerance, kLeastSpan}), kTicks / 2).second;
+  return {-end, end};
+}
+
+std::pair<double, double> plainRange(const std::string& field, const FieldSummary& summary) {
+  double low = summary.min, high = summary.max;
+  // A scale that begins near zero begins at zero.
+  if (low > 0 && low < 0.5 * high) low = 0;
+  const double size = std::max(std::abs(low), std::abs(high));
+  const double floor = std::max(kSpanFloor * size, field == "angle" ? kAngleFloor : kLeastSpan);
+  if (high - low < floor) {
+    // Room below the largest value, but not below zero where nothing is negative.
+    low = low >= 0 ? std::max(0.0, high - floor) : high - floor;
+    high = std::max(high, low + floor);
+  }
+  return roundRange(low, high, kTicks);
+}
 
 }  // namespace
 
@@ -28,22 +55,31 @@ FieldSummary summarize(const std::vector<double>& values) {
 }
 
 std::pair<double, double> legendRangeOf(const std::string& field, const FieldSummary& summary,
-                                        const Style& style) {
+                                        const Style& style, const std::optional<double>& limit) {
   std::pair<double, double> range;
   if (field == "deviation") {
-    const double reach = std::max({std::abs(summary.min), std::abs(summary.max), 2 * style.tolerance, 1e-3});
-    const double end = roundRange(0, reach, kTicks / 2).second;
-    range = {-end, end};
+    range = deviationRange(summary, style.tolerance);
+  } else if (limit) {
+    range = {0, summary.max > *limit ? roundRange(0, summary.max, kTicks).second : *limit};
+  } else if (field == "relative_speed") {
+    range = {0, std::max(1.0, summary.max)};
   } else {
-    // A scale that begins near zero begins at zero.
-    const double low = summary.min > 0 && summary.min < 0.5 * summary.max ? 0 : summary.min;
-    range = roundRange(low, summary.max, kTicks);
+    range = plainRange(field, summary);
   }
+  const double span = range.second - range.first;
   const auto finite = [](const std::optional<double>& v) { return v && std::isfinite(*v); };
-  if (finite(style.rangeMin)) range.first = *style.rangeMin;
-  if (finite(style.rangeMax)) range.second = *style.rangeMax;
-  if (!(range.second > range.first))
-    range.second = range.first + std::max(1e-6, 1e-6 * std::abs(range.first));
+  const bool lowGiven = finite(style.rangeMin), highGiven = finite(style.rangeMax);
+  if (lowGiven) range.first = *style.rangeMin;
+  if (highGiven) range.second = *style.rangeMax;
+  if (lowGiven && highGiven && range.second < range.first) std::swap(range.first, range.second);
+  if (range.second - range.first >= (lowGiven != highGiven ? kSpanFloor * span : 0) &&
+      range.second > range.first)
+    return range;
+  if (lowGiven) {
+    range.second = range.first + span;
+  } else {
+    range.first = range.second - span;
+  }
   return range;
 }
 

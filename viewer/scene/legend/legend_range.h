@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,10 +20,18 @@ struct FieldSummary {
 };
 FieldSummary summarize(const std::vector<double>& values);
 
-/// The legend's range for a field: as wished, or round numbers around the data. Deviation is symmetric and
-/// shows at least twice the tolerance, so that the band and both colours beyond it are there to read.
+/// The legend's range for a field: as wished, or round numbers around the data.
+///
+/// - Deviation is symmetric: it reaches the tolerance once the data come near it, and otherwise follows them
+///   down to a tenth of it, so that the small errors of a good cut show.
+/// - A field with a `limit` runs from 0 to the limit, further only if the data do; the relative speed from 0
+///   to 1.
+/// - Any other spans at least a tenth of its largest value, so that rounding errors make no picture.
+///
+/// A wished end that leaves nothing of the automatic range takes its span along; ends that are the wrong way
+/// round are exchanged.
 std::pair<double, double> legendRangeOf(const std::string& field, const FieldSummary& summary,
-                                        const Style& style);
+                                        const Style& style, const std::optional<double>& limit = {});
 
 /// The round numbers that stand at a legend, and the isolines at them.
 Ticks legendTicks(const std::pair<double, double>& range);

@@ -31,13 +31,16 @@ Part::Part()
   vtkShaderProperty* shading = actor_->GetShaderProperty();
   shading->AddVertexShaderReplacement(
       "//VTK::PositionVC::Impl", true,
-      "//VTK::PositionVC::Impl\n  gl_Position.z += bwDepthShift * gl_Position.w;\n", false);
+      "//VTK::PositionVC::Impl\n  gl_Position.z += bwDepthShift * gl_Position.w;\n"
+      "  gl_Position.z = mix(gl_Position.z, gl_Position.w, bwDepthBehind);\n",
+      false);
   // After the colour map's texture, which VTK multiplies in after the light.
   shading->AddFragmentShaderReplacement(
       "//VTK::TCoord::Impl", true,
       "//VTK::TCoord::Impl\n  gl_FragData[0].rgb = mix(bwFadeColor, gl_FragData[0].rgb, bwFadeKeep);\n",
       false);
   setDepthShift(0);
+  setDepthBehind(0);
   setFade(1, {});
 }
 
@@ -61,6 +64,10 @@ void Part::setMatte(double ambient, double diffuse, double specular) {
 
 void Part::setDepthShift(double ndc) {
   actor_->GetShaderProperty()->GetVertexCustomUniforms()->SetUniformf("bwDepthShift", float(ndc));
+}
+
+void Part::setDepthBehind(double share) {
+  actor_->GetShaderProperty()->GetVertexCustomUniforms()->SetUniformf("bwDepthBehind", float(share));
 }
 
 void Part::setFade(double keep, const Rgb& background) {
@@ -104,12 +111,14 @@ void Part::setSegments(const Segments& segments) {
   data_->SetLines(cells);
 }
 
-void Part::setPolygon(const Polyline& corners) {
+void Part::setPolygons(const std::vector<Polyline>& polygons) {
   const auto points = vtkSmartPointer<vtkPoints>::New();
   const auto cells = vtkSmartPointer<vtkCellArray>::New();
   points->SetDataTypeToFloat();
-  cells->InsertNextCell(int(corners.size()));
-  for (const Eigen::Vector3d& p : corners) cells->InsertCellPoint(points->InsertNextPoint(p.data()));
+  for (const Polyline& corners : polygons) {
+    cells->InsertNextCell(int(corners.size()));
+    for (const Eigen::Vector3d& p : corners) cells->InsertCellPoint(points->InsertNextPoint(p.data()));
+  }
   data_->Initialize();
   data_->SetPoints(points);
   data_->SetPolys(cells);

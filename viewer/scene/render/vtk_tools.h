@@ -40,13 +40,15 @@ class Part {
   /// Moves depths by that share of the depth range (in normalised device coordinates), towards the viewer if
   /// negative.
   void setDepthShift(double ndc);
+  /// Moves depths by that share (in [0, 1)) of their way to the far plane, beyond which nothing is drawn.
+  void setDepthBehind(double share);
   /// Mixes `keep` of the colour with 1 − `keep` of `background`.
   void setFade(double keep, const Rgb& background);
 
   void setLines(const std::vector<Polyline>& lines);
   void setSegments(const Segments& segments);
-  /// A flat polygon.
-  void setPolygon(const Polyline& corners);
+  /// Flat polygons.
+  void setPolygons(const std::vector<Polyline>& polygons);
   void clear();
 
  private:

@@ -3,12 +3,10 @@
 #include "controls/fields.h"
 
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QToolButton>
 #include <QWheelEvent>
-
-#include "bw/core/number_text.h"
-#include "window/history_keys.h"
 
 namespace bw::app {
 
@@ -16,70 +14,7 @@ namespace {
 
 constexpr int kFieldWidth = 132;
 
-QString withoutTrailingZeros(QString text) {
-  if (!text.contains(QLatin1Char('.'))) return text;
-  while (text.endsWith(QLatin1Char('0'))) text.chop(1);
-  if (text.endsWith(QLatin1Char('.'))) text.chop(1);
-  return text;
-}
-
 }  // namespace
-
-NumberField::NumberField(const NumberRange& range, QWidget* parent) : QDoubleSpinBox(parent) {
-  setLocale(QLocale::c());
-  setButtonSymbols(QAbstractSpinBox::NoButtons);
-  setKeyboardTracking(false);
-  setAlignment(Qt::AlignRight);
-  setDecimals(range.decimals);
-  setRange(range.min, range.max);
-  setSingleStep(range.step);
-  if (!range.unit.isEmpty()) setSuffix(range.unit == QChar(0xb0) ? range.unit : QChar(' ') + range.unit);
-  setFocusPolicy(Qt::StrongFocus);
-  setProperty("limits",
-              QStringLiteral("%1 to %2%3").arg(textFromValue(range.min), textFromValue(range.max), suffix()));
-  setToolTip(property("limits").toString());
-  connect(this, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-    if (!quiet_) emit edited(value);
-  });
-  connect(this, &QDoubleSpinBox::editingFinished, this, [this] { forgetTyping(*lineEdit()); });
-}
-
-void NumberField::show(double value) {
-  if (lineEdit()->hasFocus() && lineEdit()->isModified()) return;
-  quiet_ = true;
-  setValue(value);
-  quiet_ = false;
-}
-
-QString NumberField::textFromValue(double value) const {
-  return withoutTrailingZeros(QString::fromStdString(fixedText(value, decimals())));
-}
-
-bool NumberField::event(QEvent* event) {
-  return takeHistoryKey(*lineEdit(), event) || QDoubleSpinBox::event(event);
-}
-
-void NumberField::wheelEvent(QWheelEvent* event) {
-  if (hasFocus())
-    QDoubleSpinBox::wheelEvent(event);
-  else
-    event->ignore();
-}
-
-TextField::TextField(QWidget* parent) : QLineEdit(parent) {
-  connect(this, &QLineEdit::editingFinished, this, [this] {
-    const bool changed = isModified();
-    forgetTyping(*this);
-    if (changed) emit edited(text());
-  });
-}
-
-void TextField::show(const QString& text) {
-  if ((hasFocus() && isModified()) || text == this->text()) return;
-  setText(text);
-}
-
-bool TextField::event(QEvent* event) { return takeHistoryKey(*this, event) || QLineEdit::event(event); }
 
 ChoiceField::ChoiceField(QWidget* parent) : QComboBox(parent) {
   setFocusPolicy(Qt::StrongFocus);
@@ -90,6 +25,23 @@ ChoiceField::ChoiceField(QWidget* parent) : QComboBox(parent) {
 void ChoiceField::show(int index) {
   const QSignalBlocker quiet(this);
   setCurrentIndex(index);
+}
+
+void ChoiceField::hidePopup() {
+  QComboBox::hidePopup();
+  // After the popup has given the keyboard back to this field.
+  QMetaObject::invokeMethod(
+      this,
+      [this] {
+        if (hasFocus()) returnKeyboard(*this);
+      },
+      Qt::QueuedConnection);
+}
+
+void ChoiceField::keyPressEvent(QKeyEvent* event) {
+  const int key = event->key();
+  const bool leave = key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_Escape;
+  if (!leave || !returnKeyboard(*this)) QComboBox::keyPressEvent(event);
 }
 
 void ChoiceField::wheelEvent(QWheelEvent* event) { event->ignore(); }
@@ -165,12 +117,11 @@ QLabel* FormColumn::addLong(const QString& label, QWidget* field, const QString&
 
 void FormColumn::addWide(QWidget* widget) { grid_->addWidget(widget, row_++, 0, 1, 2); }
 
-QLabel* FormColumn::addValue(const QString& label, const QString& tip) {
+ValueLabel* FormColumn::addValue(const QString& label, const QString& tip) {
   auto* name = new QLabel(label, this);
   name->setObjectName("secondary");
-  auto* value = new QLabel(this);
+  auto* value = new ValueLabel(this);
   value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  value->setTextInteractionFlags(Qt::TextSelectableByMouse);
   name->setToolTip(tip);
   value->setToolTip(tip);
   value->setAccessibleName(label);

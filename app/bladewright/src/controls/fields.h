@@ -4,69 +4,22 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QGridLayout>
 #include <QLabel>
-#include <QLineEdit>
 #include <QSlider>
 #include <QVBoxLayout>
 #include <QWidget>
 
+#include "controls/list_field.h"
+#include "controls/number_field.h"
 #include "controls/theme.h"
+#include "controls/value_label.h"
 
 namespace bw::app {
 
-/// What a number field holds.
-struct NumberRange {
-  double min = 0, max = 1;
-  int decimals = 2;  ///< at most; trailing zeros are not shown
-  double step = 1;   ///< of the arrow keys
-  QString unit;      ///< shown inside the field
-};
-
-/// One editable number with its unit inside the field. Tells an edit only when it is finished (Return, Tab,
-/// arrow key, wheel on the focused field), and its limits in the tooltip.
-class NumberField : public QDoubleSpinBox {
-  Q_OBJECT
-
- public:
-  explicit NumberField(const NumberRange& range, QWidget* parent = nullptr);
-  /// Shows a value without telling it as an edit. A field that is being typed into keeps its text.
-  void show(double value);
-  using QWidget::show;
-
-  QString textFromValue(double value) const override;
-
- signals:
-  void edited(double value);
-
- protected:
-  bool event(QEvent* event) override;
-  void wheelEvent(QWheelEvent* event) override;
-
- private:
-  bool quiet_ = false;
-};
-
-/// One editable line of text. Tells an edit only when it is finished (Return, Tab).
-class TextField : public QLineEdit {
-  Q_OBJECT
-
- public:
-  explicit TextField(QWidget* parent = nullptr);
-  /// Shows a text without telling it as an edit. A field that is being typed into keeps its text.
-  void show(const QString& text);
-  using QWidget::show;
-
- signals:
-  void edited(const QString& text);
-
- protected:
-  bool event(QEvent* event) override;
-};
-
-/// A choice that tells only what the user chose; the wheel scrolls the panel, not the choice.
+/// A choice that tells only what the user chose; the wheel scrolls the panel, not the choice. Once chosen
+/// from its list, the keyboard belongs to the area again.
 class ChoiceField : public QComboBox {
   Q_OBJECT
 
@@ -74,8 +27,10 @@ class ChoiceField : public QComboBox {
   explicit ChoiceField(QWidget* parent = nullptr);
   void show(int index);
   using QWidget::show;
+  void hidePopup() override;
 
  protected:
+  void keyPressEvent(QKeyEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
 };
 
@@ -118,7 +73,7 @@ class FormColumn : public QWidget {
   /// A line that takes the whole width.
   void addWide(QWidget* widget);
   /// A line of text with a value that cannot be edited; returns the value's label.
-  QLabel* addValue(const QString& label, const QString& tip = {});
+  ValueLabel* addValue(const QString& label, const QString& tip = {});
   /// A heading over the lines that follow.
   QLabel* addHeading(const QString& text);
   void addGap(int height = kGap);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bw/core/cutting_limits.h"
 #include "bw/core/number_text.h"
 #include "bw/core/units.h"
 
@@ -57,28 +58,28 @@ QString sizeText(const Eigen::Vector3d& size) {
       .arg(shortNumber(size.x(), 4), shortNumber(size.y(), 4), shortNumber(size.z(), 4));
 }
 
+SweepLimits brokenLimits(const SweepSummary& summary, const Blade& blade, const Job& job) {
+  return {summary.deviationMax > job.tolerance,
+          summary.minRadius<blade.minRadius(), summary.angleMax> cuttingAngleLimit(blade),
+          summary.speedRatioMin < kSpeedRatioLimit, false};
+}
+
+SweepLimits brokenLimits(const Station& station, const Blade& blade, const Job& job) {
+  return {false, station.blade.maxCurvature() > blade.maxCurvature(),
+          station.angleMax > cuttingAngleLimit(blade), station.speedRatio < kSpeedRatioLimit,
+          station.clearance < job.clearance};
+}
+
 std::vector<StationNumbers> stationNumbers(const pipeline::SweepResult& result) {
   const auto& stations = result.sweep.stations;
-  const SweepAnalysis& analysis = result.analysis;
-  const Field* deviation = analysis.cut.field("deviation");
-  const Field* speed = analysis.cut.field("speed");
   std::vector<StationNumbers> numbers(stations.size());
   for (std::size_t i = 0; i < stations.size(); ++i) {
     StationNumbers& n = numbers[i];
     n.maxCurvature = stations[i].blade.maxCurvature();
     n.stress = result.sweep.blade.stress(n.maxCurvature);
-    if (i >= analysis.stationRow.size()) continue;
-    const std::size_t columns = std::size_t(analysis.cut.columns);
-    const std::size_t first = std::size_t(analysis.stationRow[i]) * columns;
-    if (deviation && first + columns <= deviation->values.size())
-      for (std::size_t k = 0; k < columns; ++k)
-        n.deviation = std::max(n.deviation, std::abs(deviation->values[first + k]));
-    if (speed && first + columns <= speed->values.size()) {
-      const auto [low, high] = std::minmax_element(speed->values.begin() + std::ptrdiff_t(first),
-                                                   speed->values.begin() + std::ptrdiff_t(first + columns));
-      n.speedMin = *low;
-      n.speedMax = *high;
-    }
+    n.deviation = stations[i].deviationMax;
+    n.speedMin = stations[i].speedMin;
+    n.speedMax = stations[i].speedMax;
   }
   return numbers;
 }

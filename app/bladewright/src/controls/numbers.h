@@ -21,6 +21,15 @@ QString percentText(double fraction);   ///< "98.4 %", never rounded up to 100 %
 QString pointText(const Eigen::Vector3d& p);
 QString sizeText(const Eigen::Vector3d& size);
 
+/// Which numbers of a result break their limits.
+struct SweepLimits {
+  bool deviation = false;  ///< beyond the tolerance
+  bool radius = false;     ///< and stress: beyond what leaves the blade elastic
+  bool angle = false, speed = false, clearance = false;
+};
+SweepLimits brokenLimits(const SweepSummary& summary, const Blade& blade, const Job& job);
+SweepLimits brokenLimits(const Station& station, const Blade& blade, const Job& job);
+
 /// Numbers of one station that follow from the cut surface's fields.
 struct StationNumbers {
   double deviation = 0;               ///< the largest |deviation| of its row, mm

@@ -12,11 +12,15 @@
 #include <QStyleHints>
 #include <QSvgRenderer>
 
+#include "controls/paint.h"
+#include "controls/style_sheet.h"
+
 namespace bw::app {
 
 namespace {
 
 constexpr double kDarkLuminance = 0.5;
+constexpr int kIconSize = 20, kTickSize = 10;
 
 Colours lightColours() {
   Colours c;
@@ -109,108 +113,25 @@ QPalette paletteOf(const Colours& c) {
   return p;
 }
 
-/// The rules of the stylesheet; @words are replaced by colours.
-constexpr char kSheet[] = R"(
-QMainWindow, QDialog { background: @background; }
-QMainWindow::separator { background: @line; width: 1px; height: 1px; }
-QMainWindow::separator:hover { background: @selection; }
-QToolTip { background: @panel; color: @text; border: 1px solid @line; padding: 4px 6px; }
-
-QMenuBar { background: @panel; border-bottom: 1px solid @line; padding: 2px 4px; }
-QMenuBar::item { padding: 4px 8px; border-radius: 4px; background: transparent; }
-QMenuBar::item:selected { background: @hover; }
-QMenu { background: @panel; border: 1px solid @line; padding: 4px; }
-QMenu::item { padding: 5px 24px 5px 8px; border-radius: 4px; }
-QMenu::item:selected { background: @hover; color: @text; }
-QMenu::item:disabled { color: @disabled; }
-QMenu::separator { height: 1px; background: @line; margin: 4px 8px; }
-QMenu::icon { padding-left: 4px; }
-
-QStatusBar { background: @panel; border-top: 1px solid @line; color: @secondary; }
-QStatusBar::item { border: none; }
-
-QDockWidget { titlebar-close-icon: none; }
-QWidget#start { background: @background; }
-QScrollArea, QScrollArea > QWidget > QWidget#page { background: @panel; border: none; }
-QWidget#panel { background: @panel; border: none; }
-QFrame#line { background: @line; border: none; min-height: 1px; max-height: 1px; }
-QFrame#vline { background: @line; border: none; min-width: 1px; max-width: 1px; }
-
-QLabel#secondary { color: @secondary; }
-QLabel#title { color: @text; }
-
-QAbstractSpinBox, QLineEdit, QComboBox {
-  background: @field; color: @text; border: 1px solid @line; border-radius: 4px; padding: 2px 6px; min-height: 22px;
-  selection-background-color: @selection; selection-color: @onSelection; }
-QAbstractSpinBox:hover, QLineEdit:hover, QComboBox:hover { border-color: @secondary; }
-QAbstractSpinBox:focus, QLineEdit:focus, QComboBox:focus { border-color: @selection; }
-QAbstractSpinBox:disabled, QLineEdit:disabled, QComboBox:disabled { color: @disabled; background: @background; }
-QComboBox { padding-right: 20px; }
-QComboBox::drop-down { border: none; width: 20px; }
-QComboBox::down-arrow { image: url(@chevron); width: 14px; height: 14px; }
-QComboBox QAbstractItemView { background: @panel; border: 1px solid @line; outline: none; padding: 4px;
-  selection-background-color: @hover; selection-color: @text; }
-
-QPushButton { background: @panel; color: @text; border: 1px solid @line; border-radius: 4px; padding: 4px 12px; min-height: 20px; }
-QPushButton:hover { border-color: @secondary; }
-QPushButton:focus { border-color: @selection; }
-QPushButton:pressed { background: @hover; }
-QPushButton:disabled { color: @disabled; }
-QPushButton#primary { background: @accent; color: @onAccent; border-color: @accent; font-weight: 600; }
-QPushButton#primary:hover { background: @accentHover; border-color: @accentHover; }
-QPushButton#primary:focus { border-color: @text; }
-QPushButton#primary:disabled { background: @background; color: @disabled; border-color: @line; }
-QToolButton { background: transparent; border: 1px solid transparent; border-radius: 4px; padding: 3px; color: @text; }
-QToolButton:hover { background: @hover; }
-QToolButton:focus { border-color: @selection; }
-QToolButton:checked { background: @checked; color: @text; }
-QToolButton:disabled { color: @disabled; }
-QToolButton::menu-indicator { image: none; }
-QToolButton#stepHead { border-radius: 0; padding: 8px 16px; text-align: left; }
-
-QCheckBox { spacing: 8px; }
-QCheckBox:disabled { color: @disabled; }
-QCheckBox::indicator { width: 16px; height: 16px; border: 1px solid @secondary; border-radius: 3px; background: @field; }
-QCheckBox::indicator:hover, QCheckBox:focus::indicator { border-color: @selection; }
-QCheckBox::indicator:checked { background: @selection; border-color: @selection; image: url(@tick); }
-QCheckBox::indicator:disabled { border-color: @line; }
-
-QSlider::groove:horizontal { height: 2px; background: @line; border-radius: 1px; }
-QSlider::sub-page:horizontal { background: @selection; border-radius: 1px; }
-QSlider::handle:horizontal { width: 12px; height: 12px; margin: -6px 0; border-radius: 7px; background: @panel; border: 1px solid @secondary; }
-QSlider::handle:horizontal:hover, QSlider:focus::handle:horizontal { border-color: @selection; }
-
-QProgressBar { background: @line; border: none; border-radius: 1px; min-height: 3px; max-height: 3px; }
-QProgressBar::chunk { background: @selection; border-radius: 1px; }
-
-QTabWidget::pane { border: none; border-top: 1px solid @line; background: @panel; }
-QTabWidget::tab-bar { left: 8px; }
-QTabBar { background: @panel; qproperty-drawBase: 0; }
-QTabBar::tab { background: transparent; color: @secondary; padding: 7px 12px; border: none; border-bottom: 2px solid transparent; }
-QTabBar::tab:hover { color: @text; }
-QTabBar::tab:selected { color: @text; border-bottom-color: @selection; }
-QTabBar::tab:focus { color: @selection; }
-
-QListWidget, QListView { background: @panel; border: none; outline: none; }
-QListView::item { padding: 6px 8px; border-bottom: 1px solid @line; color: @text; }
-QListView::item:hover { background: @hover; }
-QListView::item:selected { background: @checked; color: @text; }
-
-QScrollBar:vertical { background: transparent; width: 10px; margin: 0; }
-QScrollBar:horizontal { background: transparent; height: 10px; margin: 0; }
-QScrollBar::handle { background: @line; border-radius: 3px; margin: 2px; }
-QScrollBar::handle:vertical { min-height: 32px; }
-QScrollBar::handle:horizontal { min-width: 32px; }
-QScrollBar::handle:hover { background: @disabled; }
-QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
-QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
-QSplitter::handle { background: @line; }
-)";
-
 QColor mixed(const QColor& a, const QColor& b, double t) {
   return QColor::fromRgbF(float(a.redF() + t * (b.redF() - a.redF())),
                           float(a.greenF() + t * (b.greenF() - a.greenF())),
                           float(a.blueF() + t * (b.blueF() - a.blueF())));
+}
+
+/// The icon with a tick on a disc in its lower right corner.
+QPixmap ticked(QPixmap icon, const Colours& colours) {
+  const QRectF disc(kIconSize - kTickSize, kIconSize - kTickSize, kTickSize, kTickSize);
+  QPainter painter(&icon);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(colours.panel, 1));
+  painter.setBrush(colours.selection);
+  painter.drawEllipse(disc);
+  painter.setPen(QPen(colours.panel, 1.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  const QPointF corner = disc.topLeft();
+  painter.drawPolyline(
+      QPolygonF({corner + QPointF(2.8, 5.2), corner + QPointF(4.4, 6.8), corner + QPointF(7.3, 3.5)}));
+  return icon;
 }
 
 }  // namespace
@@ -228,7 +149,7 @@ void Theme::apply(model::ThemeChoice choice) {
   const Colours& c = colours_;
   QApplication::setPalette(paletteOf(c));
 
-  QString sheet = QString::fromLatin1(kSheet);
+  QString sheet = QString::fromLatin1(kStyleSheet);
   const auto put = [&](const char* word, const QColor& colour) {
     sheet.replace(QLatin1Char('@') + QLatin1String(word), colour.name());
   };
@@ -246,6 +167,9 @@ void Theme::apply(model::ThemeChoice choice) {
   put("panel", c.panel);
   put("hover", mixed(c.panel, c.text, 0.07));
   put("line", c.line);
+  put("errorPale", mixed(c.panel, c.error, kStaleOpacity));
+  put("pale", mixed(c.panel, c.text, kStaleOpacity));
+  put("error", c.error);
   put("text", c.text);
   sheet.replace("@chevron", dark ? ":/icons/chevron-down-dark.svg" : ":/icons/chevron-down-light.svg");
   sheet.replace("@tick", dark ? ":/icons/tick-dark.svg" : ":/icons/tick-light.svg");
@@ -253,7 +177,7 @@ void Theme::apply(model::ThemeChoice choice) {
   emit changed();
 }
 
-QPixmap Theme::pixmap(const QString& name, const QColor& colour, int size, qreal pixelRatio) const {
+QPixmap Theme::pixmap(const QString& name, const QColor& colour, int size, qreal pixelRatio) {
   QFile file(":/icons/" + name + ".svg");
   if (!file.open(QIODevice::ReadOnly)) return {};
   QByteArray svg = file.readAll();
@@ -270,9 +194,26 @@ QPixmap Theme::pixmap(const QString& name, const QColor& colour, int size, qreal
 QIcon Theme::icon(const QString& name) const {
   QIcon icon;
   for (qreal ratio : {1.0, 2.0}) {
-    icon.addPixmap(pixmap(name, colours_.text, 20, ratio), QIcon::Normal, QIcon::Off);
-    icon.addPixmap(pixmap(name, colours_.selection, 20, ratio), QIcon::Normal, QIcon::On);
-    icon.addPixmap(pixmap(name, colours_.disabled, 20, ratio), QIcon::Disabled, QIcon::Off);
+    icon.addPixmap(pixmap(name, colours_.text, kIconSize, ratio), QIcon::Normal, QIcon::Off);
+    icon.addPixmap(ticked(pixmap(name, colours_.selection, kIconSize, ratio), colours_), QIcon::Normal,
+                   QIcon::On);
+    icon.addPixmap(ticked(pixmap(name, colours_.disabled, kIconSize, ratio), colours_), QIcon::Disabled,
+                   QIcon::On);
+    icon.addPixmap(pixmap(name, colours_.disabled, kIconSize, ratio), QIcon::Disabled, QIcon::Off);
+  }
+  return icon;
+}
+
+QIcon Theme::tick() const {
+  QIcon icon;
+  for (qreal ratio : {1.0, 2.0}) {
+    QPixmap nothing(QSize(kIconSize, kIconSize) * ratio);
+    nothing.setDevicePixelRatio(ratio);
+    nothing.fill(Qt::transparent);
+    icon.addPixmap(nothing, QIcon::Normal, QIcon::Off);
+    icon.addPixmap(nothing, QIcon::Disabled, QIcon::Off);
+    icon.addPixmap(pixmap("check", colours_.selection, kIconSize, ratio), QIcon::Normal, QIcon::On);
+    icon.addPixmap(pixmap("check", colours_.disabled, kIconSize, ratio), QIcon::Disabled, QIcon::On);
   }
   return icon;
 }

@@ -40,11 +40,12 @@ class Theme : public QObject {
   /// Applies the look to the whole program. `system` follows the desktop's palette as it was at the start.
   void apply(model::ThemeChoice choice);
 
-  /// A line icon of resources/icons in the theme's text colour (dimmed when disabled, selection colour when
-  /// checked).
+  /// A line icon of resources/icons in the theme's text colour: dimmed when disabled, with a tick when on.
   QIcon icon(const QString& name) const;
+  /// A tick when on, and nothing when off.
+  QIcon tick() const;
   /// The same as a pixmap of `size` device-independent pixels in any colour.
-  QPixmap pixmap(const QString& name, const QColor& colour, int size = 20, qreal pixelRatio = 2.0) const;
+  static QPixmap pixmap(const QString& name, const QColor& colour, int size = 20, qreal pixelRatio = 2.0);
 
   /// 9 pt secondary, 10 pt body, 12 pt semibold title; numbers in tabular figures.
   static QFont secondaryFont();

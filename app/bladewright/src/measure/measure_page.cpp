@@ -123,8 +123,8 @@ QWidget* MeasurePage::makeInput() {
                   "tells how sure the length is.")));
   const auto error = [&](const QString& name, const NumberRange& range, const QString& tip) {
     auto* field = new NumberField(range);
-    field->setKeyboardTracking(true);
-    field->setSpecialValueText(tr("unknown"));
+    field->setLive(true);
+    field->setBlank(tr("unknown"));
     sure->add(name, field, tip);
     connect(field, &NumberField::edited, this, &MeasurePage::refresh);
     return field;

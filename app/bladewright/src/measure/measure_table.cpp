@@ -53,11 +53,13 @@ void MeasureTable::appendLine(const MeasurementRow& row) {
   Line line;
   line.number = new QToolButton(this);
   line.number->setCheckable(true);
-  line.number->setFixedWidth(26);
+  line.number->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  line.number->setIconSize({12, 12});
+  line.number->setFixedWidth(44);
   line.number->setToolTip(tr("Draw this measurement"));
   const auto field = [&](const NumberRange& range, double value, int width) {
     auto* number = new NumberField(range, this);
-    number->setKeyboardTracking(true);  // the length follows while it is typed
+    number->setLive(true);  // the length follows while it is typed
     number->setFixedWidth(width);
     number->show(value);
     number->installEventFilter(this);
@@ -67,7 +69,7 @@ void MeasureTable::appendLine(const MeasurementRow& row) {
   line.distance = field({1, kLargest, 2, 1, "mm"}, row.distance, 100);
   line.angle = field({0, kLargestAngle, 2, 1, QString(QChar(0xb0))}, toDegrees(row.angle), 70);
   line.height = field({0, kLargest, 2, 1, "mm"}, row.height, 100);
-  line.height->setSpecialValueText(tr("not yet"));
+  line.height->setBlank(tr("not yet"));
   line.temperature = field({-50, 1500, 1, 10, QString(QChar(0xb0)) + "C"}, row.temperature, 80);
   const auto value = [&](const QString& name) {
     auto* label = new QLabel(this);
@@ -126,8 +128,10 @@ void MeasureTable::arrange() {
 }
 
 void MeasureTable::refreshIcons() {
-  for (const Line& line : lines_)
+  for (const Line& line : lines_) {
+    line.number->setIcon(theme_.tick());
     line.remove->setIcon(QIcon(theme_.pixmap("close", theme_.colours().secondary)));
+  }
 }
 
 void MeasureTable::setRows(const std::vector<MeasurementRow>& rows) {

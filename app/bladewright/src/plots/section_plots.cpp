@@ -4,13 +4,9 @@
 
 #include <QCoreApplication>
 #include <QPainter>
-#include <QTransform>
 
 #include <algorithm>
 #include <cmath>
-
-#include "bw/core/number_text.h"
-#include "controls/paint.h"
 
 namespace bw::app {
 
@@ -18,35 +14,33 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("bw::app::SectionView", text); }
 
-/// A round length of about a sixth of the width, under `area`; `scale` in pixels a mm.
-void paintScale(QPainter& painter, const QRectF& area, double scale, const Colours& c) {
-  const double bar = roundBelow(area.width() / 6 / scale);
-  if (!(bar > 0)) return;
-  const QPointF left(area.left(), area.bottom() + 9);
-  painter.setPen(QPen(c.secondary, 1));
-  painter.drawLine(left, left + QPointF(bar * scale, 0));
-  painter.drawLine(left + QPointF(0, -3), left + QPointF(0, 3));
-  painter.drawLine(left + QPointF(bar * scale, -3), left + QPointF(bar * scale, 3));
-  painter.setFont(Theme::secondaryFont());
-  painter.drawText(left + QPointF(bar * scale + 6, 4), QString::fromStdString(shortText(bar, 3)) + " mm");
-}
-
 }  // namespace
 
-void paintSection(QPainter& painter, const QRectF& area, const SectionDrawing& drawing, double tolerance,
-                  double exaggeration, const Colours& c) {
-  const QRectF& b = drawing.bounds;
-  if (b.width() <= 0 || area.width() <= 0 || area.height() <= 0) return;
-  const double scale =
-      std::min(area.width() / b.width(), area.height() / std::max(b.height(), 1e-3 * b.width()));
-  QTransform toArea;
+SectionFrame::SectionFrame(const QRectF& place, const QRectF& window) : area(place) {
+  if (area.width() <= 0 || area.height() <= 0 || window.width() <= 0) return;
+  scale = std::min(area.width() / window.width(),
+                   area.height() / std::max(window.height(), 1e-3 * window.width()));
   toArea.translate(area.center().x(), area.center().y());
   toArea.scale(scale, -scale);
-  toArea.translate(-b.center().x(), -b.center().y());
-  const auto map = [&](const QPolygonF& polygon) { return toArea.map(polygon); };
+  toArea.translate(-window.center().x(), -window.center().y());
+  const QPointF low = toPlane(area.bottomLeft()), high = toPlane(area.topRight());
+  x = {low.x(), high.x()};
+  y = {low.y(), high.y()};
+}
+
+QPointF SectionFrame::toPlane(const QPointF& pixel) const { return toArea.inverted().map(pixel); }
+
+void paintSection(QPainter& painter, const SectionFrame& frame, const SectionDrawing& drawing,
+                  double tolerance, double exaggeration, const Colours& c) {
+  const QRectF& area = frame.area;
+  if (!(frame.x.span() > 0)) return;
+  const double scale = frame.scale;
+  const auto map = [&](const QPolygonF& polygon) { return frame.toArea.map(polygon); };
+  paintBottomAxis(painter, area, frame.x, tr("mm"), c, false);
+  paintLeftAxis(painter, area, frame.y, c, false);
 
   painter.save();
-  painter.setClipRect(area.adjusted(-4, -4, 4, 4));
+  painter.setClipRect(area.adjusted(0, -4, 4, 0));
   QColor foam = c.dark ? QColor(255, 255, 255, 14) : QColor(173, 181, 189, 46);
   painter.setPen(QPen(c.line, 1));
   painter.setBrush(foam);
@@ -90,8 +84,6 @@ void paintSection(QPainter& painter, const QRectF& area, const SectionDrawing& d
     painter.restore();
   }
   painter.restore();
-
-  paintScale(painter, area, scale, c);
 }
 
 void paintSectionKey(QPainter& painter, const QRectF& area, const Colours& c) {
@@ -122,8 +114,8 @@ void paintSectionKey(QPainter& painter, const QRectF& area, const Colours& c) {
   }
 }
 
-void paintCurvature(QPainter& painter, const QRectF& area, const SectionDrawing& drawing, double limit,
-                    const Colours& c) {
+void paintCurvature(QPainter& painter, const QRectF& area, const AxisRange& seen,
+                    const SectionDrawing& drawing, double limit, const Colours& c) {
   double highest = 0;
   for (const QPointF& p : drawing.curvature) highest = std::max(highest, std::abs(p.y()));
   const bool over = highest > limit;
@@ -132,9 +124,14 @@ void paintCurvature(QPainter& painter, const QRectF& area, const SectionDrawing&
   const double range = std::max({highest * 1.15, limitShown ? limit * 1.1 : 0.0, 1e-9});
   const double length = drawing.curvature.back().x();
   const auto place = [&](double arc, double k) {
-    return QPointF(area.left() + area.width() * arc / length,
+    return QPointF(area.left() + area.width() * (arc - seen.low) / seen.span(),
                    area.center().y() - 0.5 * area.height() * k / range);
   };
+  constexpr double kPerMetre = 1000;
+  paintBottomAxis(painter, area, seen, tr("mm"), c, false);
+  paintLeftAxis(painter, area, {-kPerMetre * range, kPerMetre * range}, c, false);
+  painter.save();
+  painter.setClipRect(area.adjusted(0, -1, 0, 1));
   QColor cut = c.text;
   cut.setAlphaF(0.045f);
   painter.fillRect(QRectF(place(drawing.cutFrom, range), place(drawing.cutTo, -range)), cut);
@@ -157,6 +154,7 @@ void paintCurvature(QPainter& painter, const QRectF& area, const SectionDrawing&
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(over ? c.error : c.selection, 1.5));
   painter.drawPolyline(line);
+  painter.restore();
 }
 
 }  // namespace bw::app

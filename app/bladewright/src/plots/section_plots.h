@@ -3,25 +3,39 @@
 #pragma once
 
 #include <QRectF>
+#include <QTransform>
 
 #include "controls/theme.h"
+#include "plots/plot_axes.h"
 #include "plots/section_drawing.h"
 
 class QPainter;
 
 namespace bw::app {
 
-/// Paints a station in its plane as large as `area` allows: foam, tolerance band, target, neighbours, and the
-/// blade with its grips, dashed where it does not cut. A scale stands in the line under `area`. `tolerance`
-/// in mm is enlarged by `exaggeration` as the drawing's deviation is.
-void paintSection(QPainter& painter, const QRectF& area, const SectionDrawing& drawing, double tolerance,
-                  double exaggeration, const Colours& colours);
+/// How the plane of a station (mm, y up) lies in an area of the widget: `window` as large as the area allows,
+/// both axes alike.
+struct SectionFrame {
+  SectionFrame(const QRectF& area, const QRectF& window);
+  QRectF area;
+  AxisRange x, y;    ///< mm seen along both edges
+  double scale = 1;  ///< pixels a mm
+  QTransform toArea;
+  QPointF toPlane(const QPointF& pixel) const;
+};
+
+/// Paints a station in its plane: axes, foam, tolerance band, target, neighbours, and the blade with its
+/// grips, dashed where it does not cut. `tolerance` in mm is enlarged by `exaggeration` as the drawing's
+/// deviation is.
+void paintSection(QPainter& painter, const SectionFrame& frame, const SectionDrawing& drawing,
+                  double tolerance, double exaggeration, const Colours& colours);
 
 /// Tells at the right of `area` which line of a section is what; nothing where there is no room for it.
 void paintSectionKey(QPainter& painter, const QRectF& area, const Colours& colours);
 
-/// Plots the curvature along the blade against its limit, 1/mm; red if it is beyond.
-void paintCurvature(QPainter& painter, const QRectF& area, const SectionDrawing& drawing, double limit,
-                    const Colours& colours);
+/// Plots the curvature along the part `seen` of the blade (arc length, mm) against its limit, 1/mm, with axes
+/// in mm and 1/m; red if it is beyond.
+void paintCurvature(QPainter& painter, const QRectF& area, const AxisRange& seen,
+                    const SectionDrawing& drawing, double limit, const Colours& colours);
 
 }  // namespace bw::app

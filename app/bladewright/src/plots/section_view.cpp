@@ -2,30 +2,27 @@
 // SPDX-License-Identifier: MIT
 #include "plots/section_view.h"
 
-#include <QKeyEvent>
-#include <QMouseEvent>
 #include <QPainter>
-#include <QToolTip>
 
 #include <algorithm>
 #include <cmath>
 
 #include "bw/core/number_text.h"
 #include "controls/paint.h"
-#include "plots/section_plots.h"
 
 namespace bw::app {
 
 namespace {
 
 constexpr int kMargin = 12;
-constexpr int kBarsHeight = 34;
+constexpr int kAxisLeft = 40;   ///< room for the numbers of a vertical axis
+constexpr int kAxisBelow = 16;  ///< and of a horizontal one
 
 /// As many words as there is room for.
 QString curvatureTitle(const QFontMetrics& metrics, double width, const QString& limit) {
   for (const QString& text :
-       {SectionView::tr("Curvature along the blade, limit 1/%1").arg(limit),
-        SectionView::tr("Curvature, limit 1/%1").arg(limit), SectionView::tr("Curvature")})
+       {SectionView::tr("Curvature along the blade in 1/m, limit 1/%1").arg(limit),
+        SectionView::tr("Curvature in 1/m, limit 1/%1").arg(limit), SectionView::tr("Curvature, 1/m")})
     if (metrics.horizontalAdvance(text) <= width) return text;
   return {};
 }
@@ -66,8 +63,70 @@ void SectionView::rebuild() {
 
 void SectionView::rebuildDrawing() {
   const pipeline::SweepResult* result = bench_.sweep();
+  const AxisRange before = wholeAlong();
   drawing_ = result ? makeSectionDrawing(result->sweep, shownStation(), exaggeration_) : SectionDrawing();
+  // The zoom stays from station to station, as long as there is something in it.
+  if (drawing_.station < 0 || !window_.intersects(drawing_.bounds)) window_ = {};
+  if (wholeAlong() != before) along_ = wholeAlong();
   update();
+}
+
+QRectF SectionView::sectionArea() const {
+  const QRectF plot = curvatureArea();
+  const double left = kMargin + kAxisLeft, right = plot.left() - kAxisLeft - kMargin;
+  return {left, plot.top(), right - left, plot.height()};
+}
+
+QRectF SectionView::curvatureArea() const {
+  const double line = QFontMetrics(Theme::secondaryFont()).height();
+  const double plotWidth = std::clamp(0.34 * width(), 180.0, 420.0) - kAxisLeft;
+  const double top = kBarsHeight + 8 + 2 * line, bottom = height() - kMargin - kAxisBelow;
+  return {width() - kMargin - plotWidth, top, plotWidth, std::max(0.0, bottom - top)};
+}
+
+SectionFrame SectionView::frame() const {
+  return {sectionArea(), window_.isNull() ? drawing_.bounds : window_};
+}
+
+AxisRange SectionView::wholeAlong() const {
+  return {0, drawing_.curvature.isEmpty() ? 0.0 : drawing_.curvature.back().x()};
+}
+
+QStringList SectionView::readout() const {
+  if (drawing_.station < 0 || cursor_.isNull()) return {};
+  if (sectionArea().contains(cursor_)) {
+    const QPointF p = frame().toPlane(cursor_);
+    const int decimals = frame().scale > 20 ? 2 : 1;
+    QStringList lines = {tr("%1, %2 mm").arg(axisText(p.x(), decimals), axisText(p.y(), decimals))};
+    const Station& station = bench_.sweep()->sweep.stations[std::size_t(drawing_.station)];
+    const Eigen::Vector2d at(p.x(), p.y());
+    const Eigen::Vector2d foot = station.target.value(station.target.nearestParameter(at));
+    lines << tr("%1 from the target").arg(lengthText((at - foot).norm()));
+    return lines;
+  }
+  if (curvatureArea().contains(cursor_)) {
+    const QRectF area = curvatureArea();
+    const double arc = along_.low + along_.span() * (cursor_.x() - area.left()) / area.width();
+    const double curvature =
+        bench_.sweep()->sweep.stations[std::size_t(drawing_.station)].blade.at(arc).curvature;
+    return {
+        tr("%1 along the blade").arg(lengthText(arc)),
+        tr("%1 1/m, radius %2")
+            .arg(axisText(1000 * curvature, 3), radiusText(curvature == 0 ? 1e12 : 1 / std::abs(curvature)))};
+  }
+  return {};
+}
+
+void SectionView::paintCursor(QPainter& painter) const {
+  const QStringList lines = readout();
+  if (lines.isEmpty() || !grabbed_.isNull()) return;
+  const Colours& c = theme_.colours();
+  painter.setPen(QPen(c.secondary, 1, Qt::DotLine));
+  const QRectF area = sectionArea().contains(cursor_) ? sectionArea() : curvatureArea();
+  painter.drawLine(QPointF(cursor_.x(), area.top()), QPointF(cursor_.x(), area.bottom()));
+  if (sectionArea().contains(cursor_))
+    painter.drawLine(QPointF(area.left(), cursor_.y()), QPointF(area.right(), cursor_.y()));
+  paintReadout(painter, cursor_, QRectF(rect()).adjusted(2, 2, -2, -2), lines, c);
 }
 
 QRectF SectionView::barRect(int station) const {
@@ -153,84 +212,23 @@ void SectionView::paintEvent(QPaintEvent*) {
   top += textHeight + 4;
 
   // Side by side: the section takes what the curvature leaves.
-  const double bottom = height() - kMargin - 4;
-  const double plotWidth = std::clamp(0.34 * width(), 180.0, 420.0);
-  // Below it the scale has a line of its own.
-  paintSection(painter, QRectF(kMargin + 4, top, width() - plotWidth - 3 * kMargin - 4, bottom - top - 12),
-               drawing_, tolerance_, exaggeration_, c);
-  const QRectF plot(width() - kMargin - plotWidth, top + textHeight, plotWidth, bottom - top - textHeight);
+  paintSection(painter, frame(), drawing_, tolerance_, exaggeration_, c);
+  const QRectF plot = curvatureArea();
   painter.setPen(c.secondary);
   painter.setFont(small);
   const double limitRadius = bench_.sweep()->sweep.blade.minRadius();
-  painter.drawText(QRectF(plot.left(), top - 2, plot.width(), textHeight), Qt::AlignLeft,
-                   curvatureTitle(metrics, plot.width(), radiusText(limitRadius)));
+  painter.drawText(QRectF(plot.left() - kAxisLeft, top - 2, plot.width() + kAxisLeft, textHeight),
+                   Qt::AlignLeft, curvatureTitle(metrics, plot.width() + kAxisLeft, radiusText(limitRadius)));
   if (plot.height() > 12)
-    paintCurvature(painter, plot, drawing_, bench_.sweep()->sweep.blade.maxCurvature(), c);
+    paintCurvature(painter, plot, along_, drawing_, bench_.sweep()->sweep.blade.maxCurvature(), c);
+  painter.setOpacity(1);
+  paintCursor(painter);
   if (hasFocus()) {
     painter.setOpacity(1);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(c.selection, 1));
     painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
   }
-}
-
-void SectionView::mousePressEvent(QMouseEvent* event) {
-  if (event->button() != Qt::LeftButton) return;
-  if (const int station = stationAt(event->position()); station >= 0) bench_.selectStation(station);
-}
-
-void SectionView::mouseMoveEvent(QMouseEvent* event) {
-  const int station = stationAt(event->position());
-  if (event->buttons() & Qt::LeftButton && station >= 0) bench_.selectStation(station);
-  if (station != hovered_) {
-    hovered_ = station;
-    setCursor(station >= 0 ? Qt::PointingHandCursor : Qt::ArrowCursor);
-    if (station >= 0)
-      QToolTip::showText(event->globalPosition().toPoint(),
-                         tr("Station %1: deviation %2")
-                             .arg(bench_.sweep()->sweep.stations[std::size_t(station)].index + 1)
-                             .arg(lengthText(numbers_[std::size_t(station)].deviation)),
-                         this);
-    update();
-  }
-}
-
-void SectionView::leaveEvent(QEvent*) {
-  hovered_ = -1;
-  update();
-}
-
-bool SectionView::event(QEvent* event) {
-  if (event->type() == QEvent::ShortcutOverride) {
-    const int key = static_cast<QKeyEvent*>(event)->key();
-    if ((key >= Qt::Key_Left && key <= Qt::Key_Down) || key == Qt::Key_Home || key == Qt::Key_End)
-      event->accept();
-  }
-  return QWidget::event(event);
-}
-
-void SectionView::keyPressEvent(QKeyEvent* event) {
-  const int now = drawing_.station;
-  switch (event->key()) {
-    case Qt::Key_Left:
-    case Qt::Key_Down:
-      return bench_.selectStation(now - 1);
-    case Qt::Key_Right:
-    case Qt::Key_Up:
-      return bench_.selectStation(now + 1);
-    case Qt::Key_Home:
-      return bench_.selectStation(0);
-    case Qt::Key_End:
-      return bench_.selectStation(int(numbers_.size()) - 1);
-    default:
-      QWidget::keyPressEvent(event);
-  }
-}
-
-void SectionView::wheelEvent(QWheelEvent* event) {
-  const int turns = event->angleDelta().y() / 120;
-  if (turns != 0 && drawing_.station >= 0) bench_.selectStation(drawing_.station - turns);
-  event->accept();
 }
 
 }  // namespace bw::app

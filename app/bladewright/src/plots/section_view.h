@@ -9,13 +9,15 @@
 #include "controls/numbers.h"
 #include "controls/theme.h"
 #include "plots/section_drawing.h"
+#include "plots/section_plots.h"
 #include "workbench/workbench.h"
 
 namespace bw::app {
 
 /// The selected station in its plane: target curve with the tolerance band, elastica, the blade's extensions
 /// (dashed) and grips, the foam, and the curvature below against the blade's limit. Over it a bar a station
-/// with its deviation: click or arrow keys choose.
+/// with its deviation: click, wheel or arrow keys choose. Over the plots the wheel zooms to the cursor,
+/// dragging moves, a double click shows all again; what lies under the cursor stands beside it.
 class SectionView : public QWidget {
   Q_OBJECT
 
@@ -27,6 +29,14 @@ class SectionView : public QWidget {
   double exaggeration() const { return exaggeration_; }
   /// Where the bar of a station stands, for tests and screen readers.
   QRectF barRect(int station) const;
+  /// Where the section and the curvature are plotted.
+  QRectF sectionArea() const;
+  QRectF curvatureArea() const;
+  /// What the section shows of its plane, and the curvature of the blade, mm.
+  AxisRange seenAcross() const { return frame().x; }
+  AxisRange seenAlong() const { return along_; }
+  /// What stands beside the cursor; empty if nothing does.
+  QStringList readout() const;
   QSize sizeHint() const override { return {680, 220}; }
   QSize minimumSizeHint() const override { return {320, 120}; }
 
@@ -34,16 +44,26 @@ class SectionView : public QWidget {
   void paintEvent(QPaintEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
   void leaveEvent(QEvent* event) override;
   bool event(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
 
  private:
+  static constexpr int kBarsHeight = 34;  ///< of the bars above, their room included
+
   void rebuild();
   void rebuildDrawing();
   int stationAt(const QPointF& position) const;
   void paintBars(QPainter& painter) const;
+  void paintCursor(QPainter& painter) const;
+  SectionFrame frame() const;
+  AxisRange wholeAlong() const;
+  /// Comes nearer to a place of the widget by a factor below 1, or goes away from it.
+  void zoomAt(const QPointF& position, double factor);
+  void showAll();
   int shownStation() const;
 
   Workbench& bench_;
@@ -53,6 +73,10 @@ class SectionView : public QWidget {
   double exaggeration_ = 1;
   double tolerance_ = 2;
   int hovered_ = -1;
+  QRectF window_;    ///< mm of the plane that is seen; null: all
+  AxisRange along_;  ///< mm of the blade that are seen
+  QPointF cursor_;   ///< in the widget; null outside
+  QPointF grabbed_;  ///< where the drag is, in the widget; null without one
 };
 
 }  // namespace bw::app

@@ -10,16 +10,11 @@
 #include <algorithm>
 
 #include "bw/core/result.h"
+#include "controls/typed_field.h"
 
 namespace bw::app {
 
 namespace {
-
-QString plainText(const QAction* action) {
-  QString text = action->text();
-  text.remove('&');
-  return text;
-}
 
 /// A letter, a digit, Space, Home or End alone or with Shift.
 bool isPlainKey(const QKeySequence& keys) {
@@ -85,6 +80,12 @@ class PaletteLine : public QStyledItemDelegate {
 
 }  // namespace
 
+QString commandText(const QAction& action) {
+  QString text = action.text();
+  text.remove('&');
+  return text;
+}
+
 Commands::Commands(const Theme& theme, QWidget* window) : QObject(window), theme_(theme), window_(window) {
   connect(&theme, &Theme::changed, this, &Commands::refreshIcons);
 }
@@ -93,18 +94,21 @@ QAction* Commands::add(const CommandInfo& info, std::function<void(bool)> run) {
   auto* action = new QAction(info.text, window_);
   action->setObjectName(info.id);
   action->setProperty("iconName", info.icon);
-  if (!info.icon.isEmpty()) action->setIcon(theme_.icon(info.icon));
   action->setCheckable(info.checkable);
+  setIcon(*action);
   action->setShortcuts(info.shortcuts);
   // Such a key stands in the menu, but is left to the widgets first: see pressKey.
   if (!info.shortcuts.isEmpty() && isPlainKey(info.shortcuts.first()))
     action->setShortcutContext(Qt::WidgetShortcut);
-  QString tip = info.tip.isEmpty() ? plainText(action) : info.tip;
+  QString tip = info.tip.isEmpty() ? commandText(*action) : info.tip;
   if (!info.shortcuts.isEmpty())
     tip += QStringLiteral(" (%1)").arg(info.shortcuts.first().toString(QKeySequence::NativeText));
   action->setToolTip(tip);
   action->setStatusTip(QString());
-  connect(action, &QAction::triggered, this, [run = std::move(run)](bool checked) { run(checked); });
+  connect(action, &QAction::triggered, this, [run = std::move(run)](bool checked) {
+    finishTyping();  // a command works on what is meant
+    run(checked);
+  });
   window_->addAction(action);
   actions_.push_back(action);
   return action;
@@ -129,9 +133,15 @@ bool Commands::pressKey(const QKeyEvent* event) {
 }
 
 void Commands::refreshIcons() {
-  for (QAction* action : actions_)
-    if (const QString name = action->property("iconName").toString(); !name.isEmpty())
-      action->setIcon(theme_.icon(name));
+  for (QAction* action : actions_) setIcon(*action);
+}
+
+void Commands::setIcon(QAction& action) const {
+  const QString name = action.property("iconName").toString();
+  if (!name.isEmpty())
+    action.setIcon(theme_.icon(name));
+  else if (action.isCheckable())
+    action.setIcon(theme_.tick());
 }
 
 CommandPalette::CommandPalette(const Commands& commands, QWidget* parent)
@@ -185,7 +195,7 @@ void CommandPalette::filter(const QString& text) {
   std::vector<std::pair<int, QAction*>> found;
   for (QAction* action : commands_.all()) {
     if (!action->isEnabled() || action->objectName() == "edit.palette") continue;
-    int fit = rank(plainText(action), text);
+    int fit = rank(commandText(*action), text);
     if (fit < 0) {
       fit = rank(action->toolTip(), text);
       if (fit >= 0) fit += kByTip;
@@ -196,7 +206,7 @@ void CommandPalette::filter(const QString& text) {
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   list_->clear();
   for (const auto& [fit, action] : found) {
-    auto* item = new QListWidgetItem(action->icon(), plainText(action), list_);
+    auto* item = new QListWidgetItem(action->icon(), commandText(*action), list_);
     item->setData(kKeysRole, action->shortcut().toString(QKeySequence::NativeText));
     item->setToolTip(action->toolTip());
     item->setData(Qt::UserRole, QVariant::fromValue<void*>(action));

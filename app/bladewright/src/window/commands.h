@@ -27,6 +27,9 @@ struct CommandInfo {
   bool checkable = false;
 };
 
+/// The name of a command without the mark of its mnemonic.
+QString commandText(const QAction& action);
+
 /// Every command of the window, once: menus, tool buttons, shortcuts and the palette all take it from here.
 class Commands : public QObject {
   Q_OBJECT
@@ -46,6 +49,7 @@ class Commands : public QObject {
 
  private:
   void refreshIcons();
+  void setIcon(QAction& action) const;
 
   const Theme& theme_;
   QWidget* window_;

@@ -2,15 +2,22 @@
 // SPDX-License-Identifier: MIT
 #include "window/inspector.h"
 
+#include <QScrollBar>
 #include <QToolButton>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "bw/core/number_text.h"
-#include "controls/numbers.h"
 
 namespace bw::app {
+
+namespace {
+
+constexpr int kLeastWidth = 250;
+
+}  // namespace
 
 Inspector::Inspector(Workbench& bench, const Theme& theme, QWidget* parent)
     : QScrollArea(parent), bench_(bench), theme_(theme) {
@@ -57,6 +64,12 @@ Inspector::Inspector(Workbench& bench, const Theme& theme, QWidget* parent)
   refresh();
 }
 
+QSize Inspector::minimumSizeHint() const {
+  const int bar = verticalScrollBar()->sizeHint().width();
+  return {std::max(kLeastWidth, widget()->minimumSizeHint().width() + bar),
+          QScrollArea::minimumSizeHint().height()};
+}
+
 FormColumn* Inspector::addPage(Selection::Kind) {
   auto* holder = new QWidget;
   auto* layout = new QVBoxLayout(holder);
@@ -69,13 +82,19 @@ FormColumn* Inspector::addPage(Selection::Kind) {
 }
 
 void Inspector::addValue(FormColumn* column, const QString& name, const QString& tip,
-                         std::function<QString()> text) {
-  values_.push_back({column->addValue(name, tip), std::move(text)});
+                         std::function<QString()> text, std::function<bool()> broken) {
+  values_.push_back({column->addValue(name, tip), std::move(text), std::move(broken)});
 }
 
 const SweepSummary* Inspector::summary() const {
   const pipeline::SweepResult* result = bench_.sweep();
   return result ? &result->analysis.summary : nullptr;
+}
+
+const Job& Inspector::shownJob() const { return bench_.shown()->design.job; }
+
+SweepLimits Inspector::limits() const {
+  return brokenLimits(bench_.sweep()->analysis.summary, bench_.sweep()->sweep.blade, shownJob());
 }
 
 const Station* Inspector::station() const {
@@ -88,31 +107,36 @@ const Station* Inspector::station() const {
 void Inspector::makeResult() {
   FormColumn* column = addPage(Selection::Kind::result);
   const auto add = [&](const QString& name, const QString& tip, QString (*format)(double),
-                       double SweepSummary::*member) {
-    addValue(column, name, tip,
-             [this, format, member] { return summary() ? format(summary()->*member) : QString(); });
+                       double SweepSummary::*member, bool SweepLimits::*broken = nullptr) {
+    addValue(
+        column, name, tip,
+        [this, format, member] { return summary() ? format(summary()->*member) : QString(); },
+        broken ? std::function<bool()>([this, broken] { return summary() && limits().*broken; }) : nullptr);
   };
   column->addHeading(tr("Deviation"));
   add(tr("Largest"), tr("Of the cut surface from the target, also between stations"), lengthText,
-      &SweepSummary::deviationMax);
+      &SweepSummary::deviationMax, &SweepLimits::deviation);
   add(tr("Mean"), {}, lengthText, &SweepSummary::deviationMean);
   add(tr("Root mean square"), {}, lengthText, &SweepSummary::deviationRms);
   add(tr("Within tolerance"), tr("Part of the cut surface that lies within the tolerance"), percentText,
-      &SweepSummary::withinTolerance);
+      &SweepSummary::withinTolerance, &SweepLimits::deviation);
   column->addHeading(tr("Blade"));
-  add(tr("Smallest radius"), tr("Over the whole blade at all stations"), radiusText,
-      &SweepSummary::minRadius);
+  add(tr("Smallest radius"), tr("Over the whole blade at all stations"), radiusText, &SweepSummary::minRadius,
+      &SweepLimits::radius);
   addValue(column, tr("Limit of the blade"), tr("The tightest bend that leaves the blade elastic"),
            [this] { return radiusText(bench_.job().blade.minRadius()); });
   add(tr("Steepest cut"), tr("Largest angle between the blade's motion and its plane's normal"), angleText,
-      &SweepSummary::angleMax);
+      &SweepSummary::angleMax, &SweepLimits::angle);
   add(tr("Mean angle"), {}, angleText, &SweepSummary::angleMean);
   column->addHeading(tr("Motion"));
   addValue(column, tr("Fastest point"), {},
            [this] { return summary() ? speedText(bench_.shown()->design.job.cuttingSpeed) : QString(); });
-  addValue(column, tr("Slowest / fastest"), tr("Along the blade, at its most uneven station"), [this] {
-    return summary() ? QString::fromStdString(fixedText(summary()->speedRatioMin, 2)) : QString();
-  });
+  addValue(
+      column, tr("Slowest / fastest"), tr("Along the blade, at its most uneven station"),
+      [this] {
+        return summary() ? QString::fromStdString(fixedText(summary()->speedRatioMin, 2)) : QString();
+      },
+      [this] { return summary() && limits().speed; });
   add(tr("Cutting time"), tr("Minutes and seconds, leads included"), timeText, &SweepSummary::cuttingTime);
   column->addHeading(tr("Fit"));
   add(tr("Largest distance"), tr("Hausdorff distance between a section and its elastica"), lengthText,
@@ -166,16 +190,20 @@ void Inspector::makeBlade() {
     return QString::fromStdString(shortText(bench_.job().blade.flexuralRigidity(), 3)) + " N·mm²";
   });
   column->addHeading(tr("Use"));
-  addValue(column, tr("Tightest bend"), tr("Smallest radius of the blade in this cut"),
-           [this] { return summary() ? radiusText(summary()->minRadius) : QString(); });
-  addValue(column, tr("Largest stress"), tr("Bending stress at the tightest bend, and the stress allowed"),
-           [this] {
-             if (!summary() || !(summary()->minRadius > 0)) return QString();
-             const Blade& blade = bench_.job().blade;
-             return tr("%1 of %2 N/mm²")
-                 .arg(std::lround(blade.stress(1 / summary()->minRadius)))
-                 .arg(std::lround(blade.yieldStress / blade.safety));
-           });
+  addValue(
+      column, tr("Tightest bend"), tr("Smallest radius of the blade in this cut"),
+      [this] { return summary() ? radiusText(summary()->minRadius) : QString(); },
+      [this] { return summary() && limits().radius; });
+  addValue(
+      column, tr("Largest stress"), tr("Bending stress at the tightest bend, and the stress allowed"),
+      [this] {
+        if (!summary() || !(summary()->minRadius > 0)) return QString();
+        const Blade& blade = bench_.job().blade;
+        return tr("%1 of %2 N/mm²")
+            .arg(std::lround(blade.stress(1 / summary()->minRadius)))
+            .arg(std::lround(blade.yieldStress / blade.safety));
+      },
+      [this] { return summary() && limits().radius; });
 }
 
 void Inspector::makeStation() {
@@ -202,7 +230,6 @@ void Inspector::makeStation() {
   stationNumber_->setToolTip(tr("Counted from 1, as in messages; data files count from 0"));
   stationNumber_->setFixedWidth(96);
   connect(stationNumber_, &NumberField::edited, this, [this](double value) {
-    // Stations that were left out have no place: the next one is taken.
     const pipeline::SweepResult* result = bench_.sweep();
     if (!result) return;
     const auto& stations = result->sweep.stations;
@@ -211,11 +238,25 @@ void Inspector::makeStation() {
     bench_.selectStation(int(found - stations.begin()));
     refresh();
   });
+  stationNumber_->setCheck([this](double value) {
+    const pipeline::SweepResult* result = bench_.sweep();
+    if (!result) return tr("There are no stations yet");
+    const auto& stations = result->sweep.stations;
+    const bool there = std::any_of(stations.begin(), stations.end(),
+                                   [value](const Station& s) { return s.index + 1 == int(value); });
+    return there ? QString() : tr("Station %1 was left out").arg(int(value));
+  });
   line->addWidget(stationNumber_);
   column->addWide(row);
-  const auto add = [&](const QString& name, const QString& tip, std::function<QString(const Station&)> text) {
-    addValue(column, name, tip,
-             [this, text = std::move(text)] { return station() ? text(*station()) : QString(); });
+  const auto add = [&](const QString& name, const QString& tip, std::function<QString(const Station&)> text,
+                       bool SweepLimits::*broken = nullptr) {
+    addValue(
+        column, name, tip,
+        [this, text = std::move(text)] { return station() ? text(*station()) : QString(); },
+        broken ? std::function<bool()>([this, broken] {
+          return station() && brokenLimits(*station(), bench_.sweep()->sweep.blade, shownJob()).*broken;
+        })
+               : nullptr);
   };
   add(tr("Travel"), tr("Position along the cutting direction"),
       [](const Station& s) { return lengthText(s.travel); });
@@ -242,36 +283,52 @@ void Inspector::makeStation() {
     return QString();
   });
   column->addHeading(tr("Blade"));
-  add(tr("Smallest radius"), tr("Of the whole blade"), [](const Station& s) {
-    const double curvature = s.blade.maxCurvature();
-    return radiusText(curvature > 0 ? 1 / curvature : 1e12);
-  });
+  add(
+      tr("Smallest radius"), tr("Of the whole blade"),
+      [](const Station& s) {
+        const double curvature = s.blade.maxCurvature();
+        return radiusText(curvature > 0 ? 1 / curvature : 1e12);
+      },
+      &SweepLimits::radius);
   add(tr("Inflections"), tr("Changes of the bending direction along the blade"),
       [](const Station& s) { return QString::number(bladeInflections(s.blade)); });
   add(tr("Extension"), tr("Length of the blade beyond the surface, each side"),
       [](const Station& s) { return lengthText(s.extension * s.fit.elastica.length()); });
-  add(tr("Clearance"), tr("Between the nearer grip and the block"),
-      [](const Station& s) { return lengthText(s.clearance); });
+  add(
+      tr("Clearance"), tr("Between the nearer grip and the block"),
+      [](const Station& s) { return lengthText(s.clearance); }, &SweepLimits::clearance);
   column->addHeading(tr("Motion"));
-  add(tr("Largest angle"), tr("Between the blade's motion and the plane's normal"),
-      [](const Station& s) { return angleText(s.angleMax); });
+  add(
+      tr("Largest angle"), tr("Between the blade's motion and the plane's normal"),
+      [](const Station& s) { return angleText(s.angleMax); }, &SweepLimits::angle);
   add(tr("Mean angle"), {}, [](const Station& s) { return angleText(s.angleMean); });
-  add(tr("Slowest / fastest"), tr("Along the blade"),
-      [](const Station& s) { return QString::fromStdString(fixedText(s.speedRatio, 2)); });
+  add(
+      tr("Slowest / fastest"), tr("Along the blade"),
+      [](const Station& s) { return QString::fromStdString(fixedText(s.speedRatio, 2)); },
+      &SweepLimits::speed);
   column->addHeading(tr("Grips"));
   const auto addGrip = [&](const QString& name, Eigen::Vector3d (Station::*end)() const) {
     auto* heading = makeNote(name);
     column->addWide(heading);
-    auto* place = new QLabel;
-    place->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    auto* place = new ValueLabel;
     place->setAlignment(Qt::AlignRight);
     place->setAccessibleName(name);
     column->addWide(place);
-    values_.push_back(
-        {place, [this, end] { return station() ? pointText((station()->*end)()) + " mm" : QString(); }});
+    values_.push_back({place,
+                       [this, end] { return station() ? pointText((station()->*end)()) + " mm" : QString(); },
+                       nullptr});
   };
   addGrip(tr("Left, in the frame of the file"), &Station::leftPoint);
   addGrip(tr("Right, in the frame of the file"), &Station::rightPoint);
+}
+
+void Inspector::setStale(bool stale) {
+  if (stale == std::exchange(stale_, stale)) return;
+  refreshStanding();
+}
+
+void Inspector::refreshStanding() {
+  for (const Value& value : values_) value.label->setStanding(value.broken && value.broken(), stale_);
 }
 
 void Inspector::refresh() {
@@ -288,14 +345,13 @@ void Inspector::refresh() {
     const QString text = value.text();
     value.label->setText(text.isEmpty() ? QStringLiteral("–") : text);
   }
+  refreshStanding();
   blockFields_->refresh();
   bladeFields_->refresh();
   if (const pipeline::SweepResult* result = bench_.sweep()) {
     const int last = result->sweep.stations.empty() ? 1 : result->sweep.stations.back().index + 1;
-    // A smaller sweep must not look like a choice of its last station.
-    const QSignalBlocker quiet(stationNumber_);
     stationNumber_->setMaximum(last);
-    stationNumber_->setSuffix(tr(" of %1").arg(last));
+    stationNumber_->setSuffix(tr("of %1").arg(last));
   }
   if (const Station* selected = station()) stationNumber_->show(selected->index + 1);
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "controls/fields.h"
+#include "controls/numbers.h"
 #include "workbench/workbench.h"
 #include "workflow/blade_fields.h"
 #include "workflow/block_fields.h"
@@ -23,15 +24,21 @@ class Inspector : public QScrollArea {
   Inspector(Workbench& bench, const Theme& theme, QWidget* parent = nullptr);
 
   const BladeFields* bladeFields() const { return bladeFields_; }
+  /// Results that are out of date are pale.
+  void setStale(bool stale);
+  /// As wide as its widest page needs, so that no number is cut off.
+  QSize minimumSizeHint() const override;
 
  private:
   /// A read-only line: its label and how its text follows from the result.
   struct Value {
-    QLabel* label;
+    ValueLabel* label;
     std::function<QString()> text;
+    std::function<bool()> broken;  ///< whether the number breaks its limit; null: it has none
   };
   FormColumn* addPage(Selection::Kind kind);
-  void addValue(FormColumn* column, const QString& name, const QString& tip, std::function<QString()> text);
+  void addValue(FormColumn* column, const QString& name, const QString& tip, std::function<QString()> text,
+                std::function<bool()> broken = {});
   void makeResult();
   void makeSurface();
   void makeBlock();
@@ -39,7 +46,11 @@ class Inspector : public QScrollArea {
   void makeStation();
   void refresh();
   const Station* station() const;
+  /// The job of the result on the screen; there must be one.
+  const Job& shownJob() const;
+  SweepLimits limits() const;
   const SweepSummary* summary() const;
+  void refreshStanding();
 
   Workbench& bench_;
   const Theme& theme_;
@@ -50,6 +61,7 @@ class Inspector : public QScrollArea {
   BlockFields* blockFields_ = nullptr;
   BladeFields* bladeFields_ = nullptr;
   NumberField* stationNumber_ = nullptr;
+  bool stale_ = false;
 };
 
 }  // namespace bw::app

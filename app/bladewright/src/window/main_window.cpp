@@ -2,15 +2,18 @@
 // SPDX-License-Identifier: MIT
 #include "window/main_window.h"
 
+#include <QApplication>
 #include <QCloseEvent>
 
 #include <algorithm>
+
+#include "window/recovery_list.h"
 
 namespace bw::app {
 
 namespace {
 
-constexpr int kLeftWidth = 320, kRightWidth = 280, kBottomHeight = 220;
+constexpr int kLeftWidth = 320, kRightWidth = 300, kBottomHeight = 220;
 constexpr int kStaleDelay = 150;  // ms: a quick answer needs no fading
 constexpr int kBusyDelay = 250;   // ms until progress is worth showing
 
@@ -37,6 +40,8 @@ MainWindow::MainWindow(model::Settings& settings, Theme& theme, const std::files
   banner_ = new Banner(theme, central);
   start_ = new StartPage(bench_, theme, stack_);
   stack_->addWidget(start_);
+  recovery_ = new RecoveryList(theme, recoveryFolder, start_);
+  start_->putAbove(recovery_);
   makeWorkspace();
   measure_ = new MeasurePage(bench_, theme, stack_);
   stack_->addWidget(measure_);
@@ -44,12 +49,19 @@ MainWindow::MainWindow(model::Settings& settings, Theme& theme, const std::files
   makeMenus();
   makeStatusBar();
   palette_ = new CommandPalette(commands_, this);
+  guide_ = new GuideWindow(commands_, this);
 
   connect(start_, &StartPage::openSurfaceRequested, commands_["file.open"], &QAction::trigger);
   connect(start_, &StartPage::openDesignRequested, commands_["file.openDesign"], &QAction::trigger);
   connect(start_, &StartPage::openRequested, this, &MainWindow::openFile);
   connect(start_, &StartPage::exampleRequested, this, &MainWindow::openExample);
 
+  connect(recovery_, &RecoveryList::openRequested, this, &MainWindow::goOnWith);
+  connect(recovery_, &RecoveryList::discardRequested, this, &MainWindow::discardUnsaved);
+  bench_.document().setPictureMaker([this] { return thumbnail(); });
+  bench_.setEarlierQuestion([this](const auto& folder, const auto& files, const auto& other) {
+    return questions_.earlierExport(folder, files, other);
+  });
   connect(start_, &StartPage::measureRequested, commands_["blade.measure"], &QAction::trigger);
   connect(measure_, &MeasurePage::left, this, &MainWindow::leaveMeasurePage);
 
@@ -58,21 +70,30 @@ MainWindow::MainWindow(model::Settings& settings, Theme& theme, const std::files
   connect(banner_, &Banner::told, this, &MainWindow::placeBanner);
   connect(&bench_, &Workbench::noticed, banner_, &Banner::tell);
   connect(&bench_, &Workbench::noticesOutdated, banner_, &Banner::outdate);
+  connect(&bench_, &Workbench::locateRequested, commands_["file.locate"], &QAction::trigger);
+  connect(qApp, &QGuiApplication::applicationStateChanged, this, [this](Qt::ApplicationState state) {
+    if (state == Qt::ApplicationActive) bench_.lookAtSource();
+  });
   connect(&bench_, &Workbench::resultChanged, this, &MainWindow::refreshContent);
   connect(&bench_, &Workbench::stateChanged, this, &MainWindow::refreshState);
   connect(&bench_, &Workbench::progressed, this, &MainWindow::refreshState);
-  connect(&bench_, &Workbench::selectionChanged, this, &MainWindow::refreshStyle);
+  connect(&bench_, &Workbench::selectionChanged, this, [this] {
+    marker_.reset();
+    refreshStyle();
+  });
   connect(&bench_, &Workbench::playTimeChanged, this, &MainWindow::refreshStyle);
-  connect(&bench_, &Workbench::frameRequested, this,
-          [this](const Bounds& bounds) { view_->fitBounds(bounds); });
+  connect(&bench_, &Workbench::spotShown, this, &MainWindow::showSpot);
   connect(&bench_.document(), &model::Document::titleChanged, this, &MainWindow::refreshTitle);
   connect(&bench_.document(), &model::Document::designChanged, this, [this] {
     editClock_.start();
     refreshTitle();
   });
   connect(&bench_.document(), &model::Document::replaced, this, [this] {
+    for (TypedField* field : columns_->findChildren<TypedField*>()) field->restore();
     fitNext_ = true;
     opening_.reset();
+    thumbnail_ = {};
+    pictured_.reset();
     staleShown_ = false;
   });
   connect(&bench_.settings(), &model::Settings::recentFilesChanged, this, &MainWindow::refreshRecent);
@@ -117,6 +138,7 @@ MainWindow::~MainWindow() {
 
 void MainWindow::showStartPage() {
   bench_.document().start(Design());
+  recovery_->refresh();
   shown_.reset();
   stack_->setCurrentWidget(start_);
   refreshTitle();
@@ -128,12 +150,13 @@ void MainWindow::showWorkspace() {
   view_->setFocus();
   refreshTitle();
   refreshState();
+  banner_->resume();
   placeBanner();
 }
 
 void MainWindow::showMeasurePage() {
   if (onMeasurePage()) return;
-  banner_->hide();
+  banner_->pause();
   measure_->enter();
   stack_->setCurrentWidget(measure_);
   measure_->table().setFocus();
@@ -146,6 +169,7 @@ void MainWindow::leaveMeasurePage() {
   stack_->setCurrentWidget(start_);
   refreshTitle();
   refreshState();
+  banner_->resume();
 }
 
 void MainWindow::placeBanner() {
@@ -211,6 +235,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     return;
   }
   storeLayout();
+  bench_.document().discardCopy();  // saved, or given up: the person was asked
   event->accept();
 }
 

@@ -18,11 +18,15 @@
 #include "measure/measure_page.h"
 #include "plots/motion_view.h"
 #include "plots/section_view.h"
+#include "window/banner.h"
 #include "window/commands.h"
+#include "window/face_chooser.h"
+#include "window/guide.h"
 #include "window/inspector.h"
 #include "window/map_bar.h"
 #include "window/messages.h"
 #include "window/start_page.h"
+#include "window/summary_line.h"
 #include "workbench/workbench.h"
 #include "workflow/workflow_panel.h"
 
@@ -31,12 +35,22 @@ namespace bw::app {
 /// Questions to the user that stop the window; replaced in tests. An empty path means that the user gave up.
 struct Questions {
   enum class Unsaved { save, discard, cancel };
+  enum class Changed { replace, otherName, cancel };
   std::function<QString()> openSurface, openDesign;
   std::function<QString(const QString&suggestion)> saveDesign, savePicture;
   std::function<QString()> exportFolder;
+  std::function<void(const QString& folder)> showFolder;  ///< no question: shows what was exported
   std::function<QSize(const QSize& suggestion)> pictureSize;
   std::function<Unsaved(const QString& title)> unsaved;
+  /// Somebody else wrote the file that is about to be saved to.
+  std::function<Changed(const QString& file)> changedOnDisk;
+  /// A file of that name is there, and no dialog has asked about it yet.
+  std::function<bool(const QString& file)> replaceFile;
+  std::function<bool(const QString& name)> discardCopy;
+  Workbench::EarlierQuestion earlierExport;
 };
+
+class RecoveryList;
 
 /// The window: start page or workspace, with menus, status bar and the line of notices. The window_*.cpp
 /// files hold one side of it each: layout, commands, files, questions, scene, state.
@@ -56,9 +70,14 @@ class MainWindow : public QMainWindow {
   MessageList& messageList() { return *messages_; }
   WorkflowPanel& workflow() { return *workflow_; }
   Banner& banner() { return *banner_; }
+  RecoveryList& recoveryList() { return *recovery_; }
+  GuideWindow& guide() { return *guide_; }
   MeasurePage& measurePage() { return *measure_; }
   StartPage& startPage() { return *start_; }
   QTabWidget& tabs() { return *tabs_; }
+  FaceChooser& faceChooser() { return *faces_; }
+  SummaryLine& summaryLine() { return *summary_; }
+  Inspector& inspector() { return *inspector_; }
   Commands& commands() { return commands_; }
   Questions& questions() { return questions_; }
   /// Whether the scene is cut open at the station or the moving blade.
@@ -78,11 +97,15 @@ class MainWindow : public QMainWindow {
   void exportEverything();
   void exportPrograms();
   void exportPicture();
+  /// Unsaved work of earlier sessions, in a dialog.
+  void showUnsaved();
   void showStartPage();
   /// The page that finds the length of the mounted blade.
   void showMeasurePage();
-  /// Offers unsaved work that a crash left behind.
+  /// Offers the unsaved work that crashes left behind: on the start page, else in a notice.
   void recover();
+  /// Copies unsaved work, what is being typed included, before the program ends; returns when it stands.
+  void keepWork();
 
  signals:
   /// The picture of the newest result stands.
@@ -102,9 +125,20 @@ class MainWindow : public QMainWindow {
   void makeStatusBar();
   void setDefaultQuestions();
   bool mayLeave();
+  /// What a report shows of the result, whatever the view shows now.
+  std::vector<ReportImage> reportPictures();
+  /// Asks for another CAD file under the same settings; the step is named `text`.
+  void replaceSurface(const QString& text);
+  /// Goes on with an autosaved copy, after asking about unsaved changes.
+  bool goOnWith(const QString& copy);
+  void discardUnsaved(const QString& copy, const QString& name);
+  QImage thumbnail();
+  /// False while a field holds a text that is refused; the field gets the keyboard, and it is told.
+  bool numbersStand();
   void showWorkspace();
   void leaveMeasurePage();
   void refreshTitle();
+  scene::Content sceneContent();
   void refreshContent();
   void refreshStyle();
   void refreshState();
@@ -115,6 +149,8 @@ class MainWindow : public QMainWindow {
   void onPicked(const scene::Pick& pick);
   void onHovered(const scene::Pick& pick);
   void fitSelection();
+  /// Frames the surroundings of a finding and marks its point.
+  void showSpot(const Spot& spot);
   void applyTheme(model::ThemeChoice choice);
   /// Ticks the command of the theme chosen in the settings.
   void tickTheme();
@@ -132,27 +168,34 @@ class MainWindow : public QMainWindow {
   Banner* banner_;
   QStackedWidget* stack_;
   StartPage* start_;
+  RecoveryList* recovery_;
   MeasurePage* measure_;
   QSplitter *columns_, *middle_;
   WorkflowPanel* workflow_;
   Inspector* inspector_;
   MapBar* mapBar_;
   view::SceneView* view_;
+  FaceChooser* faces_;
   QTabWidget* tabs_;
   SectionView* section_;
   MotionView* motion_;
   MessageList* messages_;
   QMenu* recentMenu_;
   CommandPalette* palette_;
+  GuideWindow* guide_;
 
-  QLabel *cursor_, *probe_, *summary_, *jobName_;
+  QLabel *cursor_, *probe_, *jobName_;
+  SummaryLine* summary_;
   QProgressBar* progress_;
   QToolButton* cancel_;
   QTimer staleTimer_, busyTimer_;
 
-  std::shared_ptr<const pipeline::Evaluation> shown_;
+  std::shared_ptr<const pipeline::Evaluation> shown_, newest_;
+  std::shared_ptr<const pipeline::Evaluation> pictured_;  ///< what `thumbnail_` shows
+  QImage thumbnail_;
   bool fitNext_ = true;                   ///< no result of this design was in the picture yet
   std::optional<scene::Camera> opening_;  ///< of the design's first picture
+  std::optional<scene::Marker> marker_;   ///< of the finding looked at, until something else is
   bool sectioned_ = false;
   double sectionSide_ = 1;  ///< of the station's normal: which half is taken away
   bool staleShown_ = false;

@@ -7,24 +7,46 @@
 
 #include <algorithm>
 
+#include "bw/core/maps.h"
+#include "controls/flow_layout.h"
+
 namespace bw::app {
 
+namespace {
+
+constexpr int kRangeWidth = 92;  // of an end of the legend, with its unit
+
+}  // namespace
+
 const std::vector<std::string>& MapBar::fieldNames() {
-  static const std::vector<std::string> names = {"deviation",      "angle",     "speed",
-                                                 "relative_speed", "curvature", "none"};
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const MapInfo& map : cutMaps()) all.push_back(map.name);
+    all.push_back("none");
+    return all;
+  }();
   return names;
 }
 
 MapBar::MapBar(const Theme& theme, const Commands& commands, QWidget* parent)
     : QFrame(parent), theme_(theme) {
   setObjectName("panel");
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(8, 5, 8, 5);
-  layout->setSpacing(4);
+  auto* rows = new FlowLayout(this);
+  rows->setContentsMargins(8, 5, 8, 5);
+  rows->setSpacing(kGap);
+  QHBoxLayout* layout = nullptr;
+  const auto addGroup = [&] {
+    auto* group = new QWidget(this);
+    layout = new QHBoxLayout(group);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    rows->addWidget(group);
+    return group;
+  };
+  addGroup();
   field_ = new ChoiceField(this);
-  for (const QString& title : {tr("Deviation"), tr("Cutting angle"), tr("Blade speed"), tr("Relative speed"),
-                               tr("Curvature / limit"), tr("No map")})
-    field_->addItem(title);
+  for (const MapInfo& map : cutMaps()) field_->addItem(QString::fromUtf8(map.title));
+  field_->addItem(tr("No map"));
   field_->setToolTip(tr("What the colours of the cut surface show"));
   field_->setAccessibleName(tr("Map"));
   field_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
@@ -46,25 +68,27 @@ MapBar::MapBar(const Theme& theme, const Commands& commands, QWidget* parent)
   content->setDefaultWidget(makeLayers());
   layersMenu_->addAction(content);
   layers_->setMenu(layersMenu_);
-  layout->addSpacing(kGap);
+  rangeGroup_ = addGroup();
   const NumberRange range{-1e6, 1e6, 3, 0.1, {}};
   const auto number = [&](const QString& name, const QString& tip) {
     auto* n = new NumberField(range, this);
-    n->setFixedWidth(74);
+    n->setFixedWidth(kRangeWidth);
     n->setAccessibleName(name);
     n->setToolTip(tip);
     return n;
   };
   min_ = number(tr("Lower end of the legend"), tr("Lower end of the legend"));
   max_ = number(tr("Upper end of the legend"), tr("Upper end of the legend"));
-  to_ = new QLabel(QStringLiteral("–"), this);
+  auto* to = new QLabel(QStringLiteral("–"), this);
   layout->addWidget(min_);
-  layout->addWidget(to_);
+  layout->addWidget(to);
   layout->addWidget(max_);
   automatic_ = tool(tr("Range follows the data"));
   automatic_->setText(tr("Auto"));
   automatic_->setCheckable(true);
-  layout->addStretch();
+  automatic_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  automatic_->setIconSize({14, 14});
+  addGroup();
   for (const char* id : {"view.iso", "view.top"}) {
     auto* b = tool({});
     b->setDefaultAction(commands[id]);
@@ -85,8 +109,13 @@ MapBar::MapBar(const Theme& theme, const Commands& commands, QWidget* parent)
 
   connect(field_, &QComboBox::activated, this,
           [this](int index) { chooseField(fieldNames()[std::size_t(index)]); });
+  min_->setCheck([this](double value) {
+    return value < max_->value() ? QString() : tr("The lower end must be below the upper");
+  });
+  max_->setCheck([this](double value) {
+    return value > min_->value() ? QString() : tr("The upper end must be above the lower");
+  });
   const auto applyRange = [this] {
-    if (min_->value() >= max_->value()) return refresh();
     style_.rangeMin = min_->value();
     style_.rangeMax = max_->value();
     refresh();
@@ -107,6 +136,7 @@ MapBar::MapBar(const Theme& theme, const Commands& commands, QWidget* parent)
   });
   const auto icons = [this, more] {
     layers_->setIcon(theme_.icon("layers"));
+    automatic_->setIcon(theme_.tick());
     more->setIcon(theme_.icon("chevron-down"));
   };
   connect(&theme, &Theme::changed, this, icons);
@@ -145,6 +175,7 @@ QWidget* MapBar::makeLayers() {
     ++row;
   };
   line(tr("Target surface"), &scene::Style::showTarget, &scene::Style::targetOpacity);
+  line(tr("Other faces of the file"), &scene::Style::showFaces, nullptr);
   line(tr("Cut surface"), &scene::Style::showCut, &scene::Style::cutOpacity);
   line(tr("Block"), &scene::Style::showBlock, &scene::Style::blockOpacity);
   line(tr("Stations"), &scene::Style::showStations, nullptr);
@@ -172,7 +203,7 @@ void MapBar::setRangeInUse(const std::optional<std::pair<double, double>>& range
   mapped_ = range.has_value();
   if (range) {
     for (NumberField* field : {min_, max_})
-      field->setSingleStep(std::max(0.001, (range->second - range->first) / 20));
+      field->setStep(std::max(0.001, (range->second - range->first) / 20));
     if (!style_.rangeMin) {
       min_->show(range->first);
       max_->show(range->second);
@@ -181,11 +212,14 @@ void MapBar::setRangeInUse(const std::optional<std::pair<double, double>>& range
   showRange();
 }
 
+void MapBar::setRangeUnit(const QString& unit) {
+  for (NumberField* field : {min_, max_})
+    if (field->range().unit != unit) field->setUnit(unit);
+}
+
 void MapBar::showRange() {
   // Without a map there is no range to tell.
-  for (QWidget* widget : {static_cast<QWidget*>(min_), static_cast<QWidget*>(max_),
-                          static_cast<QWidget*>(to_), static_cast<QWidget*>(automatic_)})
-    widget->setVisible(mapped_ && style_.field != "none");
+  rangeGroup_->setVisible(mapped_ && style_.field != "none");
 }
 
 void MapBar::editRange() {

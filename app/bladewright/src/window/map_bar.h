@@ -28,6 +28,8 @@ class MapBar : public QFrame {
   using QWidget::setStyle;
   /// The legend's range in use, shown in the fields while it follows the data.
   void setRangeInUse(const std::optional<std::pair<double, double>>& range);
+  /// The unit of the mapped field, in which the range is typed.
+  void setRangeUnit(const QString& unit);
   /// Puts the cursor into the range field.
   void editRange();
   ChoiceField& field() { return *field_; }
@@ -47,7 +49,7 @@ class MapBar : public QFrame {
   scene::Style style_;
   bool mapped_ = false;  ///< a field with a range is on the screen
   ChoiceField* field_;
-  QLabel* to_;
+  QWidget* rangeGroup_;
   NumberField *min_, *max_;
   QToolButton *automatic_, *layers_;
   QMenu* layersMenu_;

@@ -2,12 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <QFrame>
-#include <QLabel>
 #include <QListWidget>
-#include <QPushButton>
-#include <QTimer>
-#include <QToolButton>
 
 #include "controls/theme.h"
 #include "workbench/workbench.h"
@@ -31,38 +26,6 @@ class MessageList : public QListWidget {
   Workbench& bench_;
   const Theme& theme_;
   Issues shown_;
-};
-
-/// A calm line that floats over the picture and moves nothing: icon, text, at most one button, and a cross.
-class Banner : public QFrame {
-  Q_OBJECT
-
- public:
-  explicit Banner(const Theme& theme, QWidget* parent = nullptr);
-  void tell(const Notice& notice);
-  /// Stands at `corner` and takes as much of `width` as its words need.
-  void place(const QPoint& corner, int width);
-  /// Takes the notice away, unless it tells of something that is done (information).
-  void outdate();
-  QString text() const { return label_->text(); }
-  QPushButton* action() { return action_; }
-
- signals:
-  /// Another text stands: the line may need another place.
-  void told();
-
- protected:
-  void paintEvent(QPaintEvent* event) override;
-
- private:
-  void refresh();
-
-  const Theme& theme_;
-  Notice notice_;
-  QLabel *icon_, *label_;
-  QPushButton* action_;
-  QToolButton* close_;
-  QTimer timer_;
 };
 
 /// The colour and icon of a severity.

@@ -5,12 +5,14 @@
 #include <QEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QPainter>
 #include <QPainterPath>
 #include <QPushButton>
 #include <QToolButton>
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "bw/geometry/export.h"
 #include "controls/fields.h"
@@ -24,6 +26,7 @@ constexpr int kCardGap = 16;
 constexpr int kPageWidth = 4 * kCardWidth + 3 * kCardGap;
 constexpr int kPageMargin = 40;
 constexpr int kRecentShown = 6;
+constexpr int kOverlap = 4;  // px by which neighbours of a row may overlap
 
 }  // namespace
 
@@ -112,19 +115,22 @@ StartPage::StartPage(Workbench& bench, const Theme& theme, QWidget* parent)
   layout->addSpacing(kGroupGap);
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(kGap);
-  auto* surface = new QPushButton(tr("Open CAD surface…"), page_);
-  surface->setObjectName("primary");
-  surface->setToolTip(tr("A STEP, IGES or BREP file becomes a blade sweep"));
-  connect(surface, &QPushButton::clicked, this, &StartPage::openSurfaceRequested);
+  surface_ = new QPushButton(tr("Open CAD surface…"), page_);
+  surface_->setObjectName("primary");
+  surface_->setToolTip(tr("A STEP, IGES or BREP file becomes a blade sweep"));
+  connect(surface_, &QPushButton::clicked, this, &StartPage::openSurfaceRequested);
   auto* design = new QPushButton(tr("Open design…"), page_);
   design->setToolTip(tr("A .bladewright file saved before"));
   connect(design, &QPushButton::clicked, this, &StartPage::openDesignRequested);
-  buttons->addWidget(surface);
+  buttons->addWidget(surface_);
   buttons->addWidget(design);
   auto* measure = new QPushButton(tr("Measure a blade…"), page_);
   measure->setToolTip(tr("The length of a mounted blade from how far it sags"));
   connect(measure, &QPushButton::clicked, this, &StartPage::measureRequested);
   buttons->addWidget(measure);
+  for (QAbstractButton* button :
+       {surface_, static_cast<QAbstractButton*>(design), static_cast<QAbstractButton*>(measure)})
+    addTarget(button);
   buttons->addSpacing(kGap);
   auto* drop = makeNote(tr("or drop a file here"), page_);
   drop->setWordWrap(false);
@@ -133,6 +139,8 @@ StartPage::StartPage(Workbench& bench, const Theme& theme, QWidget* parent)
   layout->addLayout(buttons);
   layout->addSpacing(kStepGap);
 
+  above_ = new QVBoxLayout;
+  layout->addLayout(above_);
   recentTitle_ = new QLabel(tr("Recent"), page_);
   recentTitle_->setFont(Theme::titleFont());
   layout->addWidget(recentTitle_);
@@ -153,6 +161,7 @@ StartPage::StartPage(Workbench& bench, const Theme& theme, QWidget* parent)
                                      .replace(" × ", QString(QChar(0xa0)) + "×" + QChar(0xa0)),
                                  shelf_);
     connect(card, &QAbstractButton::clicked, this, [this, name] { emit exampleRequested(name); });
+    addTarget(card);
     cards_.push_back(card);
   }
   layout->addStretch();
@@ -164,6 +173,8 @@ StartPage::StartPage(Workbench& bench, const Theme& theme, QWidget* parent)
   refreshRecent();
   arrange();
 }
+
+void StartPage::putAbove(QWidget* widget) { above_->addWidget(widget); }
 
 void StartPage::refreshRecent() {
   while (QLayoutItem* item = recent_->takeAt(0)) {
@@ -186,6 +197,7 @@ void StartPage::refreshRecent() {
                              QFontMetrics(Theme::bodyFont()).elidedText(info.path(), Qt::ElideMiddle, 480)));
     button->setToolTip(path);
     connect(button, &QToolButton::clicked, this, [this, path] { emit openRequested(path); });
+    addTarget(button);
     recent_->addWidget(button, 0, Qt::AlignLeft);
   }
   if (!files.empty()) recent_->addSpacing(kGroupGap);
@@ -200,6 +212,66 @@ void StartPage::arrange() {
   shelf_->setFixedHeight(rows * kCardHeight + (rows - 1) * kCardGap);
   for (std::size_t i = 0; i < cards_.size(); ++i)
     cards_[i]->move(int(i) % columns * (kCardWidth + kCardGap), int(i) / columns * (kCardHeight + kCardGap));
+}
+
+void StartPage::addTarget(QAbstractButton* button) { button->installEventFilter(this); }
+
+bool StartPage::eventFilter(QObject* watched, QEvent* event) {
+  auto* button = qobject_cast<QAbstractButton*>(watched);
+  if (!button || event->type() != QEvent::KeyPress) return QScrollArea::eventFilter(watched, event);
+  switch (static_cast<QKeyEvent*>(event)->key()) {
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      button->click();
+      return true;
+    case Qt::Key_Left:
+      moveKeyboard(*button, {-1, 0});
+      return true;
+    case Qt::Key_Right:
+      moveKeyboard(*button, {1, 0});
+      return true;
+    case Qt::Key_Up:
+      moveKeyboard(*button, {0, -1});
+      return true;
+    case Qt::Key_Down:
+      moveKeyboard(*button, {0, 1});
+      return true;
+    default:
+      return QScrollArea::eventFilter(watched, event);
+  }
+}
+
+void StartPage::moveKeyboard(const QAbstractButton& from, const QPoint& direction) {
+  const auto place = [this](const QAbstractButton& button) {
+    return QRect(button.mapTo(widget(), QPoint()), button.size());
+  };
+  const QRect here = place(from);
+  QAbstractButton* nearest = nullptr;
+  int least = 0;
+  for (QAbstractButton* button : page_->findChildren<QAbstractButton*>()) {
+    if (button == &from || !button->isVisible()) continue;
+    const QRect there = place(*button);
+    const QPoint way = there.center() - here.center();
+    // How far along the direction from edge to edge, and how far beside it.
+    const bool across = direction.x() != 0;
+    const int along = QPoint::dotProduct(way, direction) -
+                      (across ? here.width() + there.width() : here.height() + there.height()) / 2;
+    const int beside = across ? std::max({0, there.top() - here.bottom(), here.top() - there.bottom()})
+                              : std::max({0, there.left() - here.right(), here.left() - there.right()});
+    if (along < -kOverlap || (across && beside > 0)) continue;
+    const int distance = 2 * (along + beside) + std::abs(across ? way.y() : way.x()) / 8;
+    if (nearest && distance >= least) continue;
+    nearest = button;
+    least = distance;
+  }
+  if (!nearest) return;
+  nearest->setFocus(Qt::TabFocusReason);
+  ensureWidgetVisible(nearest);
+}
+
+void StartPage::showEvent(QShowEvent* event) {
+  QScrollArea::showEvent(event);
+  if (!isAncestorOf(window()->focusWidget())) surface_->setFocus();
 }
 
 void StartPage::resizeEvent(QResizeEvent* event) {

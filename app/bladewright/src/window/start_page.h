@@ -32,13 +32,16 @@ class ExampleCard : public QAbstractButton {
   QPixmap picture_, darkPicture_;
 };
 
-/// What the window begins with: open a surface or a design, an example, or a recent file.
+/// What the window begins with: open a surface or a design, an example, or a recent file. Tab and the arrow
+/// keys go through it, Enter opens.
 class StartPage : public QScrollArea {
   Q_OBJECT
 
  public:
   StartPage(Workbench& bench, const Theme& theme, QWidget* parent = nullptr);
   const std::vector<ExampleCard*>& cards() const { return cards_; }
+  /// Puts `widget` above the recent files.
+  void putAbove(QWidget* widget);
 
  signals:
   void openSurfaceRequested();
@@ -48,16 +51,24 @@ class StartPage : public QScrollArea {
   void exampleRequested(const QString& name);
 
  protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void showEvent(QShowEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:
   void refreshRecent();
   void arrange();
+  /// A thing that the keys reach.
+  void addTarget(QAbstractButton* button);
+  /// To the nearest target in a direction of the page.
+  void moveKeyboard(const QAbstractButton& from, const QPoint& direction);
 
   Workbench& bench_;
   const Theme& theme_;
   QWidget* page_;
   QWidget* shelf_;
+  QVBoxLayout* above_;
+  QAbstractButton* surface_;
   std::vector<ExampleCard*> cards_;
   int columns_ = 0;
   QLabel* recentTitle_;

@@ -9,6 +9,7 @@
 #include <array>
 #include <tuple>
 
+#include "bw/core/maps.h"
 #include "window/history_keys.h"
 #include "window/main_window.h"
 
@@ -28,17 +29,25 @@ void MainWindow::makeCommands() {
       {QKeySequence("Ctrl+Shift+O")}, [this](bool) {
         if (const QString file = questions_.openDesign(); !file.isEmpty()) openFile(file);
       });
+  add("file.replace", tr("Replace s&urface…"), "", tr("Another CAD file under the same settings"), {},
+      [this](bool) { replaceSurface(tr("Replace surface")); });
+  add("file.reload", tr("Re&load surface"), "", tr("Read the CAD file again; settings and undo stay"),
+      {QKeySequence("Ctrl+R")}, [this](bool) { bench_.reloadSource(); });
+  add("file.locate", tr("Loca&te surface…"), "", tr("Say where the CAD file is now"), {},
+      [this](bool) { replaceSurface(tr("Locate surface")); });
   add("file.save", tr("&Save"), "save", tr("Save the design"), {QKeySequence::Save},
       [this](bool) { save(); });
   add("file.saveAs", tr("Save &as…"), "", tr("Save the design under another name"),
       {QKeySequence("Ctrl+Shift+S")}, [this](bool) { saveAs(); });
   add("file.export", tr("&Export everything…"), "export",
-      tr("Report, CAD surface, mesh, stations and programs into a folder"), {QKeySequence("Ctrl+E")},
+      tr("Report (HTML, PDF), CAD surface, mesh, stations, programs and pictures into a folder"), {QKeySequence("Ctrl+E")},
       [this](bool) { exportEverything(); });
   add("file.programs", tr("Export &programs…"), "program", tr("The robot programs alone"), {},
       [this](bool) { exportPrograms(); });
   add("file.picture", tr("Export p&icture…"), "picture", tr("The view as PNG at any size"),
       {QKeySequence("Ctrl+Shift+E")}, [this](bool) { exportPicture(); });
+  add("file.unsaved", tr("&Unsaved work…"), "", tr("Designs that an earlier session left unsaved"), {},
+      [this](bool) { showUnsaved(); });
   add("file.close", tr("&Close"), "close", tr("Back to the start page"), {QKeySequence("Ctrl+W")},
       [this](bool) {
         if (mayLeave()) showStartPage();
@@ -72,8 +81,15 @@ void MainWindow::makeCommands() {
       [this](bool) { showMeasurePage(); });
   add("edit.cancel", tr("&Stop computing"), "", tr("Stop the running job"), {QKeySequence("Esc")},
       [this](bool) {
-        if (bench_.runner().busy()) bench_.runner().cancel();
+        if (bench_.runner().busy())
+          bench_.runner().cancel();
+        else
+          faces_->setChoosing(false);
       });
+  add(
+      "input.chooseFaces", tr("C&hoose faces in the picture"), "surface",
+      tr("Click the faces of the file that are to be cut"), {QKeySequence("C")},
+      [this](bool on) { faces_->setChoosing(on); }, true);
   for (const auto& [id, name, mouse] :
        {std::tuple("mouse.rhino", tr("Mouse like &Rhino"), model::MouseChoice::rhino),
         std::tuple("mouse.blender", tr("Mouse like &Blender"), model::MouseChoice::blender),
@@ -151,18 +167,19 @@ void MainWindow::makeCommands() {
          &scene::Style::showBlock);
   toggle("show.grid", tr("Ground grid"), "grid", tr("Show the ground grid"), {QKeySequence("Alt+G")},
          &scene::Style::showGrid);
-  static const std::array<std::tuple<const char*, const char*, const char*>, 6> kMaps = {
-      {{"deviation", QT_TR_NOOP("Map: &deviation"), "deviation"},
-       {"angle", QT_TR_NOOP("Map: cutting &angle"), "angle"},
-       {"speed", QT_TR_NOOP("Map: blade &speed"), "speed"},
-       {"relative_speed", QT_TR_NOOP("Map: &relative speed"), "relative-speed"},
-       {"curvature", QT_TR_NOOP("Map: &bending against the limit"), "curvature"},
-       {"none", QT_TR_NOOP("&No map"), "surface"}}};
   key = 1;
-  for (const auto& [name, text, icon] : kMaps)
-    add((std::string("map.") + name).c_str(), tr(text), icon, tr("What the colours of the cut surface show"),
-        {QKeySequence("Alt+" + QString::number(key++))},
-        [this, name = std::string(name)](bool) { mapBar_->chooseField(name); });
+  const auto addMap = [&](const QString& name, const QString& text, const QString& icon) {
+    add(qUtf8Printable("map." + name), text, qUtf8Printable(icon),
+        tr("What the colours of the cut surface show"), {QKeySequence("Alt+" + QString::number(key++))},
+        [this, name = name.toStdString()](bool) {
+          mapBar_->chooseField(name);
+          refreshStyle();  // the map that is on keeps its tick
+        },
+        true);
+  };
+  for (const MapInfo& map : cutMaps())
+    addMap(map.name, tr("Map: %1").arg(QString::fromUtf8(map.title)), QString(map.name).replace('_', '-'));
+  addMap("none", tr("No map"), "surface");
   add(
       "panel.workflow", tr("&Workflow"), "setup", tr("Show the panel at the left"), {QKeySequence("Ctrl+1")},
       [this](bool on) { workflow_->setVisible(on); }, true);
@@ -209,6 +226,8 @@ void MainWindow::makeCommands() {
       [this](bool) { tabs_->setCurrentWidget(motion_); });
   add("tab.messages", tr("Show m&essages"), "info", tr("All findings"), {QKeySequence("Ctrl+6")},
       [this](bool) { tabs_->setCurrentWidget(messages_); });
+  add("help.guide", tr("&Guide and keys"), "info", tr("How the window works, and every key"),
+      {QKeySequence("F1")}, [this](bool) { guide_->open(); });
   add("help.about", tr("&About Bladewright"), "", {}, {}, [this](bool) {
     QMessageBox box(QMessageBox::NoIcon, tr("About Bladewright"),
                     tr("<b>Bladewright %1</b><br>Design of surfaces that a hot, flexible blade cuts from "
@@ -233,16 +252,19 @@ void MainWindow::makeMenus() {
   QMenu* file = menuBar()->addMenu(tr("&File"));
   fill(file, {"file.open", "file.openDesign"});
   recentMenu_ = file->addMenu(tr("Open &recent"));
-  fill(file, {"", "file.save", "file.saveAs", "", "file.export", "file.programs", "file.picture", "",
-              "file.close", "file.quit"});
+  fill(file,
+       {"file.unsaved", "", "file.save", "file.saveAs", "", "file.replace", "file.reload", "file.locate", "",
+        "file.export", "file.programs", "file.picture", "", "file.close", "file.quit"});
   fill(menuBar()->addMenu(tr("&Edit")), {"edit.undo", "edit.redo", "", "edit.compute", "edit.cancel", "",
-                                         "blade.measure", "", "edit.palette"});
+                                         "input.chooseFaces", "blade.measure", "", "edit.palette"});
   QMenu* view = menuBar()->addMenu(tr("&View"));
   fill(view, {"view.iso", "view.top", "view.bottom", "view.front", "view.back", "view.left", "view.right", "",
               "view.fit", "view.fitSelection", "view.parallel", "", "view.section", "view.sectionFlip",
               "view.shadows", ""});
-  fill(view->addMenu(tr("&Map")), {"map.deviation", "map.angle", "map.speed", "map.relative_speed",
-                                   "map.curvature", "map.none", "", "view.isolines"});
+  QMenu* maps = view->addMenu(tr("&Map"));
+  for (const std::string& name : MapBar::fieldNames())
+    fill(maps, {qUtf8Printable("map." + QString::fromStdString(name))});
+  fill(maps, {"", "view.isolines"});
   fill(view->addMenu(tr("S&how")),
        {"show.target", "show.cut", "show.stations", "show.blades", "show.block", "show.grid"});
   fill(view->addMenu(tr("Pa&nels")), {"panel.workflow", "panel.bottom", "panel.inspector", "", "tab.section",
@@ -252,7 +274,7 @@ void MainWindow::makeMenus() {
   fill(view->addMenu(tr("M&ouse")), {"mouse.rhino", "mouse.blender", "mouse.solidworks"});
   fill(menuBar()->addMenu(tr("&Motion")),
        {"motion.play", "motion.start", "motion.end", "", "station.previous", "station.next", "station.none"});
-  fill(menuBar()->addMenu(tr("&Help")), {"edit.palette", "help.about"});
+  fill(menuBar()->addMenu(tr("&Help")), {"help.guide", "edit.palette", "", "help.about"});
 }
 
 }  // namespace bw::app

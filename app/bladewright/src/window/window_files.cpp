@@ -2,22 +2,24 @@
 // SPDX-License-Identifier: MIT
 // Opening, saving, exporting: what the window does with files, after asking where and whether it may.
 #include <QDragEnterEvent>
-#include <QFile>
 #include <QMimeData>
 
 #include <algorithm>
 
 #include "window/main_window.h"
+#include "window/picture_file.h"
 
 namespace bw::app {
 
 namespace {
 
-constexpr int kPictureScale = 2;  ///< suggested pixels of a picture, by those of the view
+constexpr QSize kReportPicture(1280, 800);  ///< pixels
+constexpr int kPictureScale = 2;            ///< suggested pixels of a picture, by those of the view
 
 }  // namespace
 
 bool MainWindow::mayLeave() {
+  finishTyping();
   if (bench_.document().empty() || !bench_.document().modified()) return true;
   switch (questions_.unsaved(bench_.document().title())) {
     case Questions::Unsaved::save:
@@ -32,7 +34,6 @@ bool MainWindow::mayLeave() {
 
 Result<void> MainWindow::openFile(const QString& file) {
   if (!mayLeave()) return stoppedError();
-  banner_->hide();
   const Result<void> opened = bench_.openFile(file.toStdString());
   if (opened) showWorkspace();
   return opened;
@@ -40,16 +41,32 @@ Result<void> MainWindow::openFile(const QString& file) {
 
 Result<void> MainWindow::openExample(const QString& name) {
   if (!mayLeave()) return stoppedError();
-  banner_->hide();
   const Result<void> opened = bench_.openExample(name.toStdString());
   if (opened) showWorkspace();
   return opened;
 }
 
+void MainWindow::replaceSurface(const QString& text) {
+  const QString file = questions_.openSurface();
+  if (!file.isEmpty()) static_cast<void>(bench_.replaceSource(file.toStdString(), text));
+}
+
 bool MainWindow::save() {
+  finishTyping();
   if (bench_.document().empty()) return false;
-  if (bench_.document().file().empty()) return saveAs();
-  return bench_.saveTo(bench_.document().file());
+  const std::filesystem::path& file = bench_.document().file();
+  if (file.empty()) return saveAs();
+  if (bench_.document().changedOnDisk()) {
+    switch (questions_.changedOnDisk(QString::fromStdString(file.string()))) {
+      case Questions::Changed::replace:
+        break;
+      case Questions::Changed::otherName:
+        return saveAs();
+      case Questions::Changed::cancel:
+        return false;
+    }
+  }
+  return bench_.saveTo(file);
 }
 
 bool MainWindow::saveAs() {
@@ -58,14 +75,54 @@ bool MainWindow::saveAs() {
   return !file.isEmpty() && bench_.saveTo(file.toStdString());
 }
 
+bool MainWindow::numbersStand() {
+  finishTyping();
+  TypedField* field = refusedField(*columns_);
+  if (!field) return true;
+  field->setFocus();
+  bench_.tell(
+      {Severity::error,
+       tr("“%1” in the field %2 is not a number that the design has; correct it, or bring the old one back "
+          "with Esc.")
+           .arg(field->text(), field->accessibleName()),
+       {},
+       {}});
+  return false;
+}
+
 void MainWindow::exportEverything() {
-  if (!bench_.current()) return;
+  if (!numbersStand() || !bench_.current()) return;
   if (const QString folder = questions_.exportFolder(); !folder.isEmpty())
-    bench_.exportAll(folder.toStdString());
+    bench_.exportAll(folder.toStdString(), reportPictures());
+}
+
+std::vector<ReportImage> MainWindow::reportPictures() {
+  const scene::Camera camera = view_->camera();
+  const scene::Style style = view_->sceneStyle();
+  std::vector<ReportImage> pictures;
+  for (const auto& [name, title, field, view] :
+       {std::tuple("deviation", tr("Deviation of the cut surface from the target"), "deviation",
+                   scene::View::iso),
+        std::tuple("deviation-top", tr("Deviation, from above"), "deviation", scene::View::top),
+        std::tuple("angle", tr("Cutting angle"), "angle", scene::View::iso),
+        std::tuple("curvature", tr("Bending of the blade against its limit"), "curvature",
+                   scene::View::iso)}) {
+    // As on paper: light, with nothing chosen and no blade on its way.
+    scene::Style paper;
+    paper.field = field;
+    paper.tolerance = style.tolerance;
+    view_->setStyle(paper);
+    view_->setView(view, false);
+    const QImage image = view_->picture(kReportPicture);
+    if (!image.isNull()) pictures.push_back({name, title, image});
+  }
+  view_->setStyle(style);
+  view_->setCamera(camera, false);
+  return pictures;
 }
 
 void MainWindow::exportPrograms() {
-  if (!bench_.current()) return;
+  if (!numbersStand() || !bench_.current()) return;
   if (const QString folder = questions_.exportFolder(); !folder.isEmpty())
     bench_.exportPrograms(folder.toStdString());
 }
@@ -78,27 +135,10 @@ void MainWindow::exportPicture() {
   if (file.isEmpty()) return;
   const double ratio = std::max(1.0, double(size.width()) / std::max(1, view_->width()));
   const QImage image = view_->picture(size, ratio);
-  // Written beside its place first: a full disk leaves no half picture.
-  const QString part = file + ".part";
-  if (image.isNull() || !image.save(part, "PNG") || (QFile::exists(file) && !QFile::remove(file)) ||
-      !QFile::rename(part, file)) {
-    QFile::remove(part);
-    bench_.tell({Severity::error,
-                 tr("The picture could not be written to %1; choose another folder.").arg(file),
-                 {},
-                 {}});
-    return;
-  }
-  bench_.tell({Severity::info, tr("Picture written to %1").arg(file), {}, {}});
-}
-
-void MainWindow::recover() {
-  std::optional<model::Recovered> found = model::takeRecovered(recoveryFolder_);
-  if (!found) return;
-  bench_.document().recover(std::move(found->design), found->file);
-  showWorkspace();
-  bench_.tell({Severity::info, tr("Unsaved work on “%1” was recovered.").arg(bench_.document().title()),
-               tr("Discard it"), [this] { showStartPage(); }});
+  if (Result<void> written = writePng(image, file.toStdString()); !written)
+    return bench_.tell(
+        {Severity::error, QString::fromStdString(written.error().message), {}, {}, Topic::written});
+  bench_.tell({Severity::info, tr("Picture written to %1").arg(file), {}, {}, Topic::written});
 }
 
 void MainWindow::refreshRecent() {

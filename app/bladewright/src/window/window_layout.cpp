@@ -28,6 +28,7 @@ void MainWindow::makeWorkspace() {
   view_ = new view::SceneView(picture);
   view_->setAccessibleName(tr("3D view"));
   layout->addWidget(view_, 1);
+  faces_ = new FaceChooser(bench_, theme_, view_);
   middle_->addWidget(picture);
   tabs_ = new QTabWidget(middle_);
   tabs_->setDocumentMode(true);
@@ -71,20 +72,40 @@ void MainWindow::makeWorkspace() {
   columns_->addWidget(middle_);
 
   inspector_ = new Inspector(bench_, theme_, columns_);
-  inspector_->setMinimumWidth(250);
   columns_->addWidget(inspector_);
   columns_->setStretchFactor(1, 1);
   stack_->addWidget(columns_);
+  setKeyboardHome(*columns_, *view_);
 
   connect(workflow_, &WorkflowPanel::openRequested, commands_["file.open"], &QAction::trigger);
+  const InputFields* input = workflow_->inputFields();
+  connect(input, &InputFields::replaceRequested, commands_["file.replace"], &QAction::trigger);
+  connect(input, &InputFields::reloadRequested, commands_["file.reload"], &QAction::trigger);
+  connect(input, &InputFields::locateRequested, commands_["file.locate"], &QAction::trigger);
+  connect(workflow_, &WorkflowPanel::chooseFacesRequested, faces_, [this](bool on) {
+    faces_->setChoosing(on);
+    refreshState();
+  });
   connect(workflow_, &WorkflowPanel::exportRequested, this, &MainWindow::exportEverything);
   connect(workflow_, &WorkflowPanel::programsRequested, this, &MainWindow::exportPrograms);
   connect(workflow_, &WorkflowPanel::pictureRequested, this, &MainWindow::exportPicture);
   for (const BladeFields* fields : {workflow_->bladeFields(), inspector_->bladeFields()})
     connect(fields, &BladeFields::measureRequested, commands_["blade.measure"], &QAction::trigger);
+  connect(&bench_, &Workbench::exported, this,
+          [this](const QString& folder) { questions_.showFolder(folder); });
   connect(mapBar_, &MapBar::styleEdited, this, &MainWindow::refreshStyle);
   connect(view_, &view::SceneView::picked, this, &MainWindow::onPicked);
   connect(view_, &view::SceneView::hovered, this, &MainWindow::onHovered);
+  // By the picture, not by the camera: a view that glides becomes parallel at the end of its way.
+  connect(view_, &QOpenGLWidget::frameSwapped, this,
+          [this] { commands_["view.parallel"]->setChecked(view_->parallel()); });
+  connect(view_, &view::SceneView::faceClicked, faces_, &FaceChooser::click);
+  connect(faces_, &FaceChooser::changed, this, &MainWindow::refreshStyle);
+  connect(faces_, &FaceChooser::choosingChanged, this, [this](bool choosing) {
+    commands_["input.chooseFaces"]->setChecked(choosing);
+    refreshState();
+    view_->fitWork();
+  });
   connect(view_, &view::SceneView::legendActivated, mapBar_, &MapBar::editRange);
   connect(view_, &QOpenGLWidget::frameSwapped, this, [this] {
     if (!awaitingFrame_) return;
@@ -118,7 +139,8 @@ void MainWindow::makeStatusBar() {
   probe_ = label(tr("Value under the cursor"));
   probe_->setMinimumWidth(130);
   jobName_ = label(tr("Running job"));
-  summary_ = label(tr("Summary of the result"));
+  summary_ = new SummaryLine(bar);
+  summary_->setAccessibleName(tr("Summary of the result"));
   progress_ = new QProgressBar(bar);
   progress_->setTextVisible(false);
   progress_->setRange(0, 1000);
@@ -135,7 +157,6 @@ void MainWindow::makeStatusBar() {
   bar->addPermanentWidget(progress_);
   bar->addPermanentWidget(cancel_);
   bar->addPermanentWidget(summary_);
-  summary_->setContentsMargins(kGap, 0, kGap, 0);
   bar->setMinimumHeight(28);
 }
 

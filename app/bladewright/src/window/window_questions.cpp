@@ -1,10 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 // The questions of the window to its user, as dialogs.
+#include <QDesktopServices>
 #include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QLocale>
 #include <QMessageBox>
+#include <QPushButton>
+#include <QUrl>
 
 #include "window/main_window.h"
 
@@ -13,7 +17,7 @@ namespace bw::app {
 namespace {
 
 QString cadFilter() {
-  return MainWindow::tr("CAD surfaces (*.step *.stp *.iges *.igs *.brep *.brp);;All files (*)");
+  return MainWindow::tr("CAD surfaces (*.step *.stp *.stpz *.iges *.igs *.brep *.brp);;All files (*)");
 }
 QString designFilter() { return MainWindow::tr("Bladewright designs (*.bladewright)"); }
 
@@ -25,6 +29,12 @@ void MainWindow::setDefaultQuestions() {
       settings_.setFolder(use, QFileInfo(file).isDir() ? file : QFileInfo(file).absolutePath());
     return file;
   };
+  // The dialog asked about the name that was typed, not about the one with the suffix.
+  const auto completed = [this](const QString& file, const QString& suffix) {
+    if (file.isEmpty() || !QFileInfo(file).suffix().isEmpty()) return file;
+    return QFileInfo::exists(file + suffix) && !questions_.replaceFile(file + suffix) ? QString()
+                                                                                      : file + suffix;
+  };
   questions_.openSurface = [=, this] {
     return remember("open", QFileDialog::getOpenFileName(this, tr("Open CAD surface"),
                                                          settings_.folder("open"), cadFilter()));
@@ -34,20 +44,21 @@ void MainWindow::setDefaultQuestions() {
                                                            settings_.folder("design"), designFilter()));
   };
   questions_.saveDesign = [=, this](const QString& suggestion) {
-    QString file = QFileDialog::getSaveFileName(
+    const QString file = QFileDialog::getSaveFileName(
         this, tr("Save design"), settings_.folder("design") + "/" + suggestion, designFilter());
-    if (!file.isEmpty() && QFileInfo(file).suffix().isEmpty()) file += ".bladewright";
-    return remember("design", file);
+    return remember("design", completed(file, ".bladewright"));
   };
   questions_.savePicture = [=, this](const QString& suggestion) {
-    QString file = QFileDialog::getSaveFileName(
+    const QString file = QFileDialog::getSaveFileName(
         this, tr("Export picture"), settings_.folder("export") + "/" + suggestion, tr("PNG (*.png)"));
-    if (!file.isEmpty() && QFileInfo(file).suffix().isEmpty()) file += ".png";
-    return remember("export", file);
+    return remember("export", completed(file, ".png"));
   };
   questions_.exportFolder = [=, this] {
     return remember("export", QFileDialog::getExistingDirectory(this, tr("Folder for the files"),
                                                                 settings_.folder("export")));
+  };
+  questions_.showFolder = [](const QString& folder) {
+    QDesktopServices::openUrl(QUrl::fromLocalFile(folder));
   };
   questions_.pictureSize = [this](const QSize& suggestion) {
     QDialog dialog(this);
@@ -68,9 +79,66 @@ void MainWindow::setDefaultQuestions() {
     go->style()->polish(go);
     layout->addSpacing(kGap);
     layout->addWidget(buttons);
-    connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::accepted, &dialog, [&dialog] {
+      finishTyping();
+      if (TypedField* field = refusedField(dialog))
+        field->setFocus();
+      else
+        dialog.accept();
+    });
     connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
     return dialog.exec() == QDialog::Accepted ? QSize(int(width->value()), int(height->value())) : QSize();
+  };
+  questions_.changedOnDisk = [this](const QString& file) {
+    QMessageBox box(QMessageBox::NoIcon, tr("Changed on disk"),
+                    tr("Somebody else changed “%1” on %2, after it was opened here.")
+                        .arg(QFileInfo(file).fileName(),
+                             QLocale().toString(QFileInfo(file).lastModified(), QLocale::ShortFormat)),
+                    QMessageBox::Cancel, this);
+    box.setInformativeText(tr("Saving here would undo those changes."));
+    auto* other = box.addButton(tr("Save under another name…"), QMessageBox::AcceptRole);
+    auto* replace = box.addButton(tr("Replace"), QMessageBox::DestructiveRole);
+    box.setDefaultButton(other);
+    box.exec();
+    return box.clickedButton() == replace ? Questions::Changed::replace
+           : box.clickedButton() == other ? Questions::Changed::otherName
+                                          : Questions::Changed::cancel;
+  };
+  questions_.replaceFile = [this](const QString& file) {
+    QMessageBox box(QMessageBox::NoIcon, tr("Replace a file"), tr("“%1” exists already.").arg(file),
+                    QMessageBox::Cancel, this);
+    auto* replace = box.addButton(tr("Replace"), QMessageBox::DestructiveRole);
+    box.exec();
+    return box.clickedButton() == replace;
+  };
+  questions_.discardCopy = [this](const QString& name) {
+    QMessageBox box(QMessageBox::NoIcon, tr("Discard unsaved work"),
+                    tr("The unsaved changes of “%1” cannot be brought back.").arg(name), QMessageBox::Cancel,
+                    this);
+    auto* discard = box.addButton(tr("Discard"), QMessageBox::DestructiveRole);
+    box.setDefaultButton(QMessageBox::Cancel);
+    box.exec();
+    return box.clickedButton() == discard;
+  };
+  questions_.earlierExport = [this](const auto& folder, const auto& files, const auto& other) {
+    const QString name = QString::fromStdString(folder.filename().string());
+    QMessageBox box(
+        QMessageBox::NoIcon, tr("Earlier export"),
+        files.size() == 1
+            ? tr("“%1” holds a file that this export would replace.").arg(name)
+            : tr("“%1” holds %2 files that this export would replace.").arg(name).arg(files.size()),
+        QMessageBox::Cancel, this);
+    QStringList list;
+    for (const std::filesystem::path& file : files) list << QString::fromStdString(file.string());
+    box.setDetailedText(list.join("\n"));
+    auto* fresh = box.addButton(tr("Write to “%1”").arg(QString::fromStdString(other.filename().string())),
+                                QMessageBox::AcceptRole);
+    auto* replace = box.addButton(tr("Replace"), QMessageBox::DestructiveRole);
+    box.setDefaultButton(fresh);
+    box.exec();
+    return box.clickedButton() == replace ? Workbench::Earlier::replace
+           : box.clickedButton() == fresh ? Workbench::Earlier::newFolder
+                                          : Workbench::Earlier::cancel;
   };
   questions_.unsaved = [this](const QString& title) {
     QMessageBox box(QMessageBox::NoIcon, tr("Unsaved changes"),

@@ -11,17 +11,33 @@
 
 namespace bw::app {
 
+scene::Content MainWindow::sceneContent() {
+  const auto shown = bench_.shown();
+  if (!shown) return {};
+  scene::Content content = pipeline::sceneContent(*shown);
+  const auto& newest = bench_.runner().evaluation();
+  if (newest && newest != shown) {
+    // The block stands where it was put, and the file is the present one, even if nothing could be cut.
+    const scene::Content now = pipeline::sceneContent(*newest);
+    if (now.block) content.block = now.block;
+    content.faces = now.faces;
+  }
+  return content;
+}
+
 void MainWindow::refreshContent() {
   const auto evaluation = bench_.shown();
-  if (evaluation != shown_ || !evaluation) {
+  if (evaluation != shown_ || bench_.runner().evaluation() != newest_ || !evaluation) {
     shown_ = evaluation;
-    view_->setContent(evaluation ? pipeline::sceneContent(*evaluation) : scene::Content());
+    newest_ = bench_.runner().evaluation();
+    marker_.reset();
+    view_->setContent(sceneContent());
     // The opening view is of the target until there is a first result, which leads to its block, unless the
     // user has gone elsewhere meanwhile.
     if (evaluation && fitNext_) {
       const scene::Camera now = view_->camera();
       if (!opening_ || (opening_->position == now.position && opening_->focus == now.focus)) {
-        view_->setView(scene::View::iso, false);
+        view_->open();
         opening_ = view_->camera();
       }
       fitNext_ = !evaluation->sweep.value;
@@ -62,18 +78,48 @@ void MainWindow::refreshStyle() {
   style.selectedStation = bench_.selection().station;
   style.playhead = bench_.moving() ? bench_.stationAt(bench_.playTime()) : -1;
   style.section = sectionPlane();
+  style.marker = marker_;
+  faces_->applyTo(style);
   view_->setStyle(style);
+  const Field* mapped = view_->content().cut.field(style.field);
+  mapBar_->setRangeUnit(mapped ? QString::fromStdString(mapped->unit) : QString());
   mapBar_->setRangeInUse(view_->legendRange());
+  inspector_->setStale(staleShown_);
+  refreshSummary();
   static const std::pair<const char*, bool scene::Style::*> kToggles[] = {
       {"view.isolines", &scene::Style::isolines},     {"view.shadows", &scene::Style::softShadows},
       {"show.target", &scene::Style::showTarget},     {"show.cut", &scene::Style::showCut},
       {"show.stations", &scene::Style::showStations}, {"show.blades", &scene::Style::showBlades},
       {"show.block", &scene::Style::showBlock},       {"show.grid", &scene::Style::showGrid}};
   for (const auto& [id, member] : kToggles) commands_[id]->setChecked(style.*member);
+  for (const std::string& name : MapBar::fieldNames())
+    commands_[QString::fromStdString("map." + name)]->setChecked(style.field == name);
   commands_["view.section"]->setChecked(sectioned_);
 }
 
+void MainWindow::showSpot(const Spot& spot) {
+  faces_->setChoosing(false);
+  marker_.reset();
+  if (spot.point) {
+    QString text = QString::fromStdString(spot.issue.message);
+    const std::string& where = spot.issue.where.text;
+    if (!where.empty() && spot.issue.message.find(where) == std::string::npos)
+      text = QString::fromStdString(where) + ": " + text;
+    if (!text.isEmpty()) text[0] = text[0].toUpper();
+    marker_ = scene::Marker{*spot.point, text.toStdString(), spot.issue.severity};
+  }
+  refreshStyle();
+  if (spot.bounds.valid())
+    view_->fitBounds(spot.bounds);
+  else
+    view_->fitWork();
+}
+
 void MainWindow::onPicked(const scene::Pick& pick) {
+  if (marker_) {
+    marker_.reset();
+    refreshStyle();
+  }
   switch (pick.kind) {
     case scene::Pick::Kind::station:
       bench_.selectStation(pick.station);
@@ -93,6 +139,7 @@ void MainWindow::onPicked(const scene::Pick& pick) {
 }
 
 void MainWindow::onHovered(const scene::Pick& pick) {
+  faces_->hover(pick.face, view_->toWidget(pick.point));
   if (pick.kind == scene::Pick::Kind::none) {
     cursor_->clear();
     probe_->clear();

@@ -47,6 +47,9 @@ void MainWindow::refreshState() {
   for (const char* id : {"file.export", "file.programs"}) commands_[id]->setEnabled(ready);
   for (const char* id : {"file.save", "file.saveAs", "file.close", "edit.compute"})
     commands_[id]->setEnabled(!bench_.document().empty());
+  commands_["file.replace"]->setEnabled(!bench_.document().empty());
+  commands_["file.reload"]->setEnabled(bench_.canReload());
+  commands_["file.locate"]->setEnabled(bench_.sourceMissing());
   commands_["blade.measure"]->setEnabled(!onMeasurePage());
   for (const char* id :
        {"file.picture", "view.fit",        "view.fitSelection", "view.parallel", "view.isolines",
@@ -58,7 +61,9 @@ void MainWindow::refreshState() {
        {"motion.play", "motion.start", "motion.end", "station.next", "station.previous", "station.none"})
     commands_[id]->setEnabled(open && bench_.sweep());
   commands_["view.sectionFlip"]->setEnabled(open && sectioned_);
-  commands_["edit.cancel"]->setEnabled(busy);
+  commands_["edit.cancel"]->setEnabled(busy || faces_->choosing());
+  commands_["input.chooseFaces"]->setEnabled(open && faces_->possible());
+  workflow_->showFaceChoice(faces_->choosing(), faces_->possible());
   refreshSummary();
 }
 
@@ -66,7 +71,9 @@ void MainWindow::refreshSummary() {
   const bool picture = stack_->currentWidget() == columns_;
   const pipeline::SweepResult* result = picture ? bench_.sweep() : nullptr;
   if (!result) {
-    summary_->setText(onStartPage() ? QString() : tr("Unit mm"));
+    summary_->setParts(
+        onStartPage() ? std::vector<SummaryLine::Part>() : std::vector<SummaryLine::Part>{{tr("Unit mm")}},
+        false);
     return;
   }
   const SweepSummary& s = result->analysis.summary;
@@ -78,8 +85,13 @@ void MainWindow::refreshSummary() {
   const QString speeds = high.startsWith(low + " ") ? high : tr("%1 to %2").arg(low, high);
   const QString radius = radiusText(s.minRadius);
   const QString bend = radius.endsWith("mm") ? tr("radius ≥ %1").arg(radius) : tr("straight blade");
-  summary_->setText(tr("Unit mm   ·   deviation ≤ %1   ·   %2 within tolerance   ·   %3   ·   %4")
-                        .arg(lengthText(s.deviationMax), percentText(s.withinTolerance), speeds, bend));
+  const SweepLimits broken = brokenLimits(s, result->sweep.blade, bench_.shown()->design.job);
+  summary_->setParts({{tr("Unit mm")},
+                      {tr("deviation ≤ %1").arg(lengthText(s.deviationMax)), 4, broken.deviation},
+                      {tr("%1 within tolerance").arg(percentText(s.withinTolerance)), 3, broken.deviation},
+                      {speeds, 1, broken.speed},
+                      {bend, 2, broken.radius}},
+                     staleShown_);
 }
 
 }  // namespace bw::app

@@ -21,15 +21,6 @@ constexpr double kLargestPlausible = 20000;
 // A blade is lengthened in steps of so many mm.
 constexpr double kBladeStep = 50;
 
-Bounds around(const std::vector<Eigen::Vector3d>& points, double margin) {
-  Bounds bounds;
-  for (const Eigen::Vector3d& p : points) {
-    bounds.add(p - Eigen::Vector3d::Constant(margin));
-    bounds.add(p + Eigen::Vector3d::Constant(margin));
-  }
-  return bounds;
-}
-
 }  // namespace
 
 Workbench::Workbench(model::Settings& settings, const fs::path& recoveryFolder, QObject* parent)
@@ -40,18 +31,30 @@ Workbench::Workbench(model::Settings& settings, const fs::path& recoveryFolder, 
     playTime_ = 0;
     moving_ = false;
     sizeAsked_ = false;
+    sourceTold_ = false;
+    readModel_.reset();
     messages_.clear();
     exportFindings_.clear();
     exported_.reset();
     exportProblem_.clear();
-    emit noticesOutdated();
+    for (const Topic topic : {Topic::evaluation, Topic::source, Topic::unit, Topic::file})
+      emit noticesOutdated(topic);
     emit selectionChanged();
     emit resultChanged();
   });
   connect(&document_, &model::Document::designChanged, this, &Workbench::onDesignChanged);
+  connect(&document_, &model::Document::designChanged, this, &Workbench::followSource);
+  connect(&watch_, &model::SourceWatch::changed, this, &Workbench::tellSourceChanged);
+  connect(&watch_, &model::SourceWatch::gone, this, &Workbench::tellSourceGone);
   connect(&document_, &model::Document::autosaveFailed, this, [this](const QString& message) {
-    tell({Severity::warning, tr("The automatic copy could not be written: %1").arg(message), {}, {}});
+    tell({Severity::warning,
+          tr("The automatic copy could not be written: %1. Save the design.").arg(message),
+          {},
+          {},
+          Topic::autosave});
   });
+  connect(&document_, &model::Document::autosaveMended, this,
+          [this] { emit noticesOutdated(Topic::autosave); });
   connect(&runner_, &model::EvaluationRunner::finished, this, &Workbench::onFinished);
   connect(&runner_, &model::EvaluationRunner::busyChanged, this, [this] {
     emit stateChanged();
@@ -61,7 +64,7 @@ Workbench::Workbench(model::Settings& settings, const fs::path& recoveryFolder, 
   connect(&runner_, &model::EvaluationRunner::cancelled, this, [this] {
     if (!current() && !document_.empty())
       tell({Severity::info, tr("Stopped. The picture shows the result before the last change."),
-            tr("Compute"), [this] { runner_.evaluate(document_.design()); }});
+            tr("Compute"), [this] { runner_.evaluate(document_.design()); }, Topic::evaluation});
     emit stateChanged();
   });
 }
@@ -172,22 +175,22 @@ Issues Workbench::messages() const {
 void Workbench::onFinished() {
   messages_.clear();
   exportFindings_.clear();
-  emit noticesOutdated();
+  emit noticesOutdated(Topic::evaluation);
   if (const std::optional<Error>& error = runner_.error()) {
-    Issue issue{Severity::error, errorCodeName(error->code), error->message, {}};
-    issue.where.text = error->where;
-    messages_.push_back(issue);
-    Notice notice{Severity::error, QString::fromStdString(error->message), {}, {}};
+    // Where an error arose is a key, no word for people; the message names the thing.
+    messages_.push_back({Severity::error, error->where, error->message, {}});
+    Notice notice{Severity::error, QString::fromStdString(error->message), {}, {}, Topic::evaluation};
     // The usual first obstacle has a usual remedy: a longer blade.
     if (error->value == job().blade.length && error->limit && *error->limit > job().blade.length) {
       const double length = std::ceil(*error->limit / kBladeStep) * kBladeStep;
       notice.action = tr("Use a blade of %1 mm").arg(length);
       notice.run = [this, length] {
-        editJob(tr("Change blade length"), [length](Job& job) {
-          job.blade.length = length;
-          job.blade.name = "custom";
-        });
+        editJob(tr("Change blade length"), [length](Job& job) { job.blade.length = length; });
       };
+    }
+    if (sourceMissing()) {
+      notice.action = tr("Locate…");
+      notice.run = [this] { emit locateRequested(); };
     }
     tell(std::move(notice));
   }
@@ -203,6 +206,7 @@ void Workbench::onFinished() {
     }
     playTime_ = std::min(playTime_, playEnd());
   }
+  noteSourceRead();
   askAboutSize();
   emit resultChanged();
   emit stateChanged();
@@ -222,7 +226,7 @@ void Workbench::askAboutSize() {
            "in the unit meant, or go on.")
             .arg(text(size.x()), text(size.y()), text(size.z()),
                  QString::fromStdString(evaluation->model.value->info().unit)),
-        tr("Go on"), [] {}});
+        tr("Go on"), [] {}, Topic::unit});
 }
 
 void Workbench::tell(Notice notice) { emit noticed(notice); }
@@ -232,39 +236,6 @@ void Workbench::editJob(const QString& text, const std::function<void(Job&)>& ch
   live_ = live;
   document_.editJob(text, mergeId, change);
   live_ = false;
-}
-
-void Workbench::showPlace(const Issue& issue) {
-  const pipeline::SweepResult* result = sweep();
-  const Place& place = issue.where;
-  if (place.station && result) {
-    const auto& stations = result->sweep.stations;
-    const auto found = std::find_if(stations.begin(), stations.end(),
-                                    [&](const Station& s) { return s.index == *place.station; });
-    if (found != stations.end()) {
-      selectStation(int(found - stations.begin()));
-      if (!place.point) {
-        std::vector<Eigen::Vector3d> points;
-        for (const Eigen::Vector2d& p : found->fit.elastica.sample(9))
-          points.push_back(found->frame.toWorld(p));
-        emit frameRequested(around(points, 0.1 * found->targetLength));
-      }
-    }
-  }
-  if (place.point) emit frameRequested(around({*place.point}, 80));
-  if (!place.point && !place.station) {
-    static const std::pair<const char*, Selection::Kind> kPlaces[] = {
-        {"block", Selection::Kind::block},     {"blade", Selection::Kind::blade},
-        {"curvature", Selection::Kind::blade}, {"clearance", Selection::Kind::block},
-        {"healing", Selection::Kind::surface}, {"face", Selection::Kind::surface}};
-    for (const auto& [word, kind] : kPlaces)
-      if (issue.kind.find(word) != std::string::npos || place.text.find(word) != std::string::npos) {
-        select({kind, -1});
-        break;
-      }
-    if (const auto evaluation = shown(); evaluation && evaluation->target.value)
-      emit frameRequested(evaluation->target.value->bounds());
-  }
 }
 
 }  // namespace bw::app

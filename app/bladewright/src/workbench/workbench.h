@@ -14,8 +14,10 @@
 #include "bw/model/document.h"
 #include "bw/model/evaluation_runner.h"
 #include "bw/model/settings.h"
+#include "bw/model/source_watch.h"
 #include "bw/model/step_state.h"
 #include "bw/pipeline/pipeline.h"
+#include "workbench/handover.h"
 
 namespace bw::app {
 
@@ -27,13 +29,33 @@ struct Selection {
   bool operator==(const Selection&) const = default;
 };
 
-/// A line above the picture that tells something without asking for attention; `action` is the text of its
-/// button, if it has one.
+/// Where a finding is.
+struct Spot {
+  Issue issue;
+  std::optional<Eigen::Vector3d> point;  ///< in the file's frame; empty where it has no place of its own
+  Bounds bounds;  ///< its station's blade and the block: what shows it in its surroundings
+};
+
+/// What a notice is about. A new one takes the place of the last of its topic, except of `other`.
+enum class Topic {
+  evaluation,  ///< the newest result: outdated by the next
+  source,      ///< the CAD file of the open design: outdated when another design is opened
+  unit,        ///< whether its size can be meant: likewise
+  file,        ///< opening and saving the open design: likewise
+  autosave,    ///< outdated once autosave works again
+  recovery,
+  written,  ///< what an export wrote, or why it did not
+  other
+};
+
+/// A line above the picture that tells something; `action` is the text of its button, if it has one. It
+/// stands until it is answered or its topic is outdated.
 struct Notice {
   Severity severity = Severity::info;
   QString text;
   QString action;
   std::function<void()> run;
+  Topic topic = Topic::other;
 };
 
 /// The window's state without widgets: document, results, selection and playhead. Widgets read it and call
@@ -82,14 +104,42 @@ class Workbench : public QObject {
   /// Opens a CAD file or a .bladewright file by its suffix. Failures become a notice too.
   Result<void> openFile(const std::filesystem::path& file);
   Result<void> openExample(const std::string& name);
+  /// Goes on with an autosaved copy. Failures become a notice too, and the copy stays.
+  Result<void> recover(const std::filesystem::path& copy);
   bool saveTo(const std::filesystem::path& file);
-  /// Writes report, geometry, stations and programs to `folder` in the background.
-  void exportAll(const std::filesystem::path& folder);
+
+  /// The CAD file of the open design, embedded ones by the place they came from; empty if that is not known.
+  std::filesystem::path sourceFile() const;
+  /// True if the design is linked to a file that is not there.
+  bool sourceMissing() const;
+  bool canReload() const;
+  /// Another CAD file under the same settings, as one undoable step named `text`; it is embedded if the one
+  /// before was.
+  Result<void> replaceSource(const std::filesystem::path& file, const QString& text);
+  /// Reads the CAD file again; a copy in the design is replaced, as an undoable step.
+  void reloadSource();
+  /// Looks whether the CAD file changed, where no message about it comes (network drives).
+  void lookAtSource() { watch_.look(); }
+
+  /// What becomes of files of an earlier export in the folder chosen.
+  enum class Earlier { replace, newFolder, cancel };
+  using EarlierQuestion = std::function<Earlier(const std::filesystem::path& folder,
+                                                const std::vector<std::filesystem::path>& files,
+                                                const std::filesystem::path& newFolder)>;
+  /// Who is asked before an export replaces or removes `files` (relative to `folder`); without a question
+  /// they are kept, and the export goes to `newFolder`, a name beside it that is free.
+  void setEarlierQuestion(EarlierQuestion question) { earlierQuestion_ = std::move(question); }
+  /// Writes all that a colleague needs to understand the result without this program to `folder`, in the
+  /// background: report (HTML, PDF, JSON) with `pictures`, geometry (STEP, IGES, STL, OBJ), stations,
+  /// programs and the design.
+  void exportAll(const std::filesystem::path& folder, std::vector<ReportImage> pictures = {});
   /// Writes the robot programs alone.
   void exportPrograms(const std::filesystem::path& folder);
   bool exporting() const { return exporting_; }
   /// Where the last export went; empty before.
   const std::filesystem::path& exportFolder() const { return exportFolder_; }
+  /// What it wrote there, relative to it, in the order of writing.
+  const std::vector<WrittenFile>& exportedFiles() const { return exportedFiles_; }
 
   void tell(Notice notice);
 
@@ -108,9 +158,14 @@ class Workbench : public QObject {
   void selectionChanged();
   void playTimeChanged();
   void noticed(const bw::app::Notice& notice);
-  /// Notices of an earlier state no longer hold.
-  void noticesOutdated();
-  void frameRequested(const bw::Bounds& bounds);
+  /// Notices of that topic no longer hold.
+  void noticesOutdated(bw::app::Topic topic);
+  /// A finding is to be seen: frame its surroundings and mark its point.
+  void spotShown(const bw::app::Spot& spot);
+  /// An export stands in that folder.
+  void exported(const QString& folder);
+  /// The person wants to say where the CAD file is now.
+  void locateRequested();
 
  public slots:
   /// Selects and frames the place of a finding.
@@ -119,13 +174,25 @@ class Workbench : public QObject {
  private:
   void onDesignChanged();
   void onFinished();
-  void write(const std::filesystem::path& folder, const QString& name, bool everything);
+  struct Export;
+  using MakeFiles =
+      std::function<Result<FileSet>(pipeline::Evaluation&, const RunContext&, Issues& findings)>;
+  void write(const std::filesystem::path& folder, const QString& name, MakeFiles make);
+  void commit(const std::shared_ptr<Export>& files);
+  void finishExport(const Export& files, const Result<void>& done);
   void tellWritten(const Issues& findings, std::size_t removed);
   void askAboutSize();
+  void followSource();
+  void tellSourceChanged();
+  void tellSourceGone();
+  void noteSourceRead();
 
   model::Settings& settings_;
   model::Document document_;
   model::EvaluationRunner runner_;
+  model::SourceWatch watch_;
+  std::shared_ptr<const geometry::CadModel> readModel_;  ///< of the newest result that has one
+  bool sourceTold_ = false;  ///< that the source is another than when the design was saved
   Selection selection_;
   double playTime_ = 0;
   bool moving_ = false;
@@ -136,8 +203,10 @@ class Workbench : public QObject {
   Issues messages_;        ///< of the newest result
   Issues exportFindings_;  ///< of the programs written last from that result
   std::filesystem::path exportFolder_;
+  std::vector<WrittenFile> exportedFiles_;
   std::shared_ptr<const Design> exported_;
   QString exportProblem_;
+  EarlierQuestion earlierQuestion_;
 };
 
 }  // namespace bw::app

@@ -3,6 +3,7 @@
 // Designs, surfaces and results as files.
 #include "bw/geometry/export.h"
 #include "bw/pipeline/earlier_files.h"
+#include "bw/pipeline/result_folder.h"
 #include "workbench/examples.h"
 #include "workbench/workbench.h"
 
@@ -12,7 +13,7 @@ namespace fs = std::filesystem;
 
 Result<void> Workbench::openFile(const fs::path& file) {
   const auto refuse = [this](const Error& error) -> Result<void> {
-    tell({Severity::error, QString::fromStdString(error.message), {}, {}});
+    tell({Severity::error, QString::fromStdString(error.message), {}, {}, Topic::file});
     return tl::unexpected<Error>(error);
   };
   if (lowerSuffix(file) == ".bladewright") {
@@ -37,71 +38,147 @@ Result<void> Workbench::openFile(const fs::path& file) {
 Result<void> Workbench::openExample(const std::string& name) {
   Result<Design> design = exampleDesign(name);
   if (!design) {
-    tell({Severity::error, QString::fromStdString(design.error().message), {}, {}});
+    tell({Severity::error, QString::fromStdString(design.error().message), {}, {}, Topic::file});
     return tl::unexpected<Error>(design.error());
   }
   document_.start(std::move(*design));
   return {};
 }
 
+Result<void> Workbench::recover(const fs::path& copy) {
+  if (Result<void> recovered = document_.recover(copy); !recovered) {
+    tell({Severity::error, QString::fromStdString(recovered.error().message), {}, {}, Topic::recovery});
+    return recovered;
+  }
+  tell({Severity::info,
+        tr("Unsaved work on “%1” was recovered. It is not saved yet.").arg(document_.title()),
+        {},
+        {},
+        Topic::recovery});
+  return {};
+}
+
 bool Workbench::saveTo(const fs::path& file) {
   if (Result<void> saved = document_.saveAs(file); !saved) {
-    tell({Severity::error, QString::fromStdString(saved.error().message), {}, {}});
+    tell({Severity::error, QString::fromStdString(saved.error().message), {}, {}, Topic::file});
     return false;
   }
+  emit noticesOutdated(Topic::file);
   settings_.addRecentFile(file);
   return true;
 }
 
-void Workbench::write(const fs::path& folder, const QString& name, bool everything) {
+/// One export on its way: made first, then, if that replaces nothing or may, put in place.
+struct Workbench::Export {
+  fs::path folder;
+  QString name;
+  std::shared_ptr<const Design> design;
+  FileSet files;
+  Issues findings;
+  std::vector<fs::path> earlier;  ///< in the folder, which this one would replace or remove
+  std::size_t removed = 0;
+  bool stands = false;
+};
+
+namespace {
+
+/// Files in `folder` that `files` would replace or remove.
+std::vector<fs::path> earlierExport(const FileSet& files, const fs::path& folder) {
+  std::vector<fs::path> earlier = pipeline::earlierFiles(folder, files);
+  std::error_code ignored;
+  for (const fs::path& path : files.paths())
+    if (fs::exists(folder / path, ignored)) earlier.push_back(path);
+  return earlier;
+}
+
+/// A name like "out 2" beside `folder` that nothing has yet.
+fs::path freeFolder(const fs::path& folder) {
+  const fs::path whole = folder.has_filename() ? folder : folder.parent_path();
+  std::error_code ignored;
+  for (int number = 2;; ++number) {
+    const fs::path free = whole.string() + " " + std::to_string(number);
+    if (!fs::exists(fs::symlink_status(free, ignored))) return free;
+  }
+}
+
+Result<void> put(const FileSet& files, const fs::path& folder, const Source& source, std::size_t& removed) {
+  const Result<std::vector<fs::path>> gone = pipeline::commitAfresh(
+      files, folder, source.bytes.empty() ? std::vector{source.path} : std::vector<fs::path>());
+  if (!gone) return tl::unexpected<Error>(gone.error());
+  removed = gone->size();
+  return {};
+}
+
+}  // namespace
+
+void Workbench::write(const fs::path& folder, const QString& name, MakeFiles make) {
   exporting_ = true;
   exportProblem_.clear();
-  const std::shared_ptr<const Design> design = document_.design();
-  const auto findings = std::make_shared<Issues>();
-  const auto removals = std::make_shared<std::size_t>(0);
-  const auto task = [folder, everything, findings, removals](pipeline::Evaluation evaluation,
-                                                             const RunContext& context) -> Result<void> {
-    Result<FileSet> files;
-    if (everything) {
-      files = pipeline::resultFiles(evaluation, context);
-      *findings = evaluation.programs;
-    } else {
-      const Result<Cell> cell = loadCell(evaluation.design.job.cell);
-      if (!cell) return tl::unexpected<Error>(cell.error());
-      files = pipeline::programFiles(evaluation, *cell, evaluation.design.job.programs,
-                                     evaluation.design.name, {}, *findings);
-      // Nothing is left to write where the only program is refused.
-      if (files && files->paths().empty() && !findings->empty())
-        return fail(ErrorCode::badInput, findings->front().message, "programs");
-    }
+  const auto made = std::make_shared<Export>();
+  made->folder = folder;
+  made->name = name;
+  made->design = document_.design();
+  const auto task = [made, make = std::move(make)](pipeline::Evaluation evaluation,
+                                                   const RunContext& context) -> Result<void> {
+    Result<FileSet> files = make(evaluation, context, made->findings);
     if (!files) return tl::unexpected<Error>(files.error());
     if (context.stopped()) return stoppedError();
-    const Source& source = evaluation.design.source;
-    const Result<std::vector<fs::path>> removed = pipeline::commitAfresh(
-        *files, folder, source.bytes.empty() ? std::vector{source.path} : std::vector<fs::path>());
-    if (!removed) return tl::unexpected<Error>(removed.error());
-    *removals = removed->size();
-    return {};
+    made->files = std::move(*files);
+    made->earlier = earlierExport(made->files, made->folder);
+    if (!made->earlier.empty()) return {};
+    made->stands = true;
+    return put(made->files, made->folder, evaluation.design.source, made->removed);
   };
-  runner_.submit(name, task, [this, folder, design, findings, removals](const Result<void>& done) {
-    exporting_ = false;
-    if (done) {
-      exported_ = design;
-      exportFolder_ = folder;
-      tellWritten(*findings, *removals);
-    } else if (done.error().code == ErrorCode::cancelled) {
-      tell({Severity::info, tr("The export was stopped; nothing was written."), {}, {}});
-    } else {
-      exportProblem_ = QString::fromStdString(done.error().message);
-      tell({Severity::error, exportProblem_, {}, {}});
+  runner_.submit(name, task, [this, made](const Result<void>& done) {
+    if (!done || made->stands) return finishExport(*made, done);
+    const fs::path other = freeFolder(made->folder);
+    switch (earlierQuestion_ ? earlierQuestion_(made->folder, made->earlier, other) : Earlier::newFolder) {
+      case Earlier::replace:
+        return commit(made);
+      case Earlier::newFolder:
+        made->folder = other;
+        return commit(made);
+      case Earlier::cancel:
+        return finishExport(*made, stoppedError());
     }
-    emit stateChanged();
   });
   emit stateChanged();
 }
 
+void Workbench::commit(const std::shared_ptr<Export>& made) {
+  runner_.submit(
+      made->name,
+      [made](const pipeline::Evaluation&, const RunContext&) {
+        return put(made->files, made->folder, made->design->source, made->removed);
+      },
+      [this, made](const Result<void>& done) { finishExport(*made, done); });
+}
+
+void Workbench::finishExport(const Export& made, const Result<void>& done) {
+  exporting_ = false;
+  if (done) {
+    exported_ = made.design;
+    exportFolder_ = made.folder;
+    exportedFiles_ = writtenFiles(made.files);
+    tellWritten(made.findings, made.removed);
+    emit exported(QString::fromStdString(made.folder.string()));
+  } else if (done.error().code == ErrorCode::cancelled) {
+    tell({Severity::info, tr("The export was stopped; nothing was written."), {}, {}, Topic::written});
+  } else {
+    exportProblem_ = QString::fromStdString(done.error().message);
+    tell({Severity::error, exportProblem_, {}, {}, Topic::written});
+  }
+  emit stateChanged();
+}
+
 void Workbench::tellWritten(const Issues& findings, std::size_t removed) {
-  QString written = tr("Written to %1").arg(QString::fromStdString(exportFolder_.string()));
+  std::uintmax_t bytes = 0;
+  for (const WrittenFile& file : exportedFiles_) bytes += file.bytes;
+  QString written =
+      (exportedFiles_.size() == 1 ? tr("%1 file (%2) written to %3") : tr("%1 files (%2) written to %3"))
+          .arg(exportedFiles_.size())
+          .arg(QString::fromStdString(pipeline::sizeText(bytes)),
+               QString::fromStdString(exportFolder_.string()));
   if (removed > 0)
     written += removed == 1 ? tr(" (1 file of an earlier run was removed)")
                             : tr(" (%1 files of an earlier run were removed)").arg(removed);
@@ -110,12 +187,13 @@ void Workbench::tellWritten(const Issues& findings, std::size_t removed) {
     exportFindings_ = findings;
     emit messagesChanged();
   }
-  if (findings.empty()) return tell({Severity::info, written, {}, {}});
+  if (findings.empty()) return tell({Severity::info, written, {}, {}, Topic::written});
   if (findings.front().kind == pipeline::kProgramIssue) {
     return tell({findings.front().severity,
                  tr("%1, but %2.").arg(written, QString::fromStdString(findings.front().message)),
                  {},
-                 {}});
+                 {},
+                 Topic::written});
   }
   QString first = QString::fromStdString(findings.front().message);
   if (!first.isEmpty()) first[0] = first[0].toUpper();
@@ -124,11 +202,32 @@ void Workbench::tellWritten(const Issues& findings, std::size_t removed) {
   tell({Severity::warning,
         tr("%1. The check of the programs warns: %2.%3").arg(written, first, more),
         {},
-        {}});
+        {},
+        Topic::written});
 }
 
-void Workbench::exportAll(const fs::path& folder) { write(folder, tr("Writing files"), true); }
+void Workbench::exportAll(const fs::path& folder, std::vector<ReportImage> pictures) {
+  write(folder, tr("Writing files"),
+        [pictures = std::move(pictures)](pipeline::Evaluation& evaluation, const RunContext& context,
+                                         Issues& findings) {
+          Result<FileSet> files = handoverFiles(evaluation, pictures, context);
+          findings = evaluation.programs;
+          return files;
+        });
+}
 
-void Workbench::exportPrograms(const fs::path& folder) { write(folder, tr("Writing programs"), false); }
+void Workbench::exportPrograms(const fs::path& folder) {
+  write(folder, tr("Writing programs"),
+        [](pipeline::Evaluation& evaluation, const RunContext&, Issues& findings) -> Result<FileSet> {
+          const Result<Cell> cell = loadCell(evaluation.design.job.cell);
+          if (!cell) return tl::unexpected<Error>(cell.error());
+          Result<FileSet> files = pipeline::programFiles(evaluation, *cell, evaluation.design.job.programs,
+                                                         evaluation.design.name, {}, findings);
+          // Nothing is left to write where the only program is refused.
+          if (files && files->paths().empty() && !findings.empty())
+            return fail(ErrorCode::badInput, findings.front().message, "programs");
+          return files;
+        });
+}
 
 }  // namespace bw::app

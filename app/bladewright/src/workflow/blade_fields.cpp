@@ -6,6 +6,7 @@
 #include <QPushButton>
 
 #include <algorithm>
+#include <tuple>
 
 #include "bw/core/number_text.h"
 
@@ -14,6 +15,22 @@ namespace bw::app {
 namespace {
 
 constexpr double kPerMillion = 1e6;  // thermal expansion is shown in 10⁻⁶/K
+constexpr char kOwn[] = "custom";
+
+/// Whether two blades are the same but for length and name.
+bool sameTool(const Blade& a, const Blade& b) {
+  const auto numbers = [](const Blade& blade) {
+    return std::tuple(blade.section, blade.width, blade.thickness, blade.outerDiameter, blade.innerDiameter,
+                      blade.youngModulus, blade.yieldStress, blade.temperature, blade.thermalExpansion,
+                      blade.safety);
+  };
+  return numbers(a) == numbers(b);
+}
+
+void makeOwn(Blade& blade) {
+  blade.name = kOwn;
+  blade.title.clear();
+}
 
 }  // namespace
 
@@ -27,7 +44,7 @@ BladeFields::BladeFields(Workbench& bench, FormColumn* column, FormColumn* detai
   column->addLong(tr("Blade"), preset_, tr("The tool: its section and material"));
   connect(preset_, &QComboBox::activated, this, [this](int index) {
     if (std::size_t(index) >= presets_.size()) {
-      editBlade(tr("Customise blade"), [](Blade&) {});
+      bench_.editJob(tr("Customise blade"), [](Job& job) { makeOwn(job.blade); });
       return;
     }
     Blade blade = presets_[std::size_t(index)];
@@ -46,7 +63,7 @@ BladeFields::BladeFields(Workbench& bench, FormColumn* column, FormColumn* detai
     });
     return field;
   };
-  length_ = number(column, tr("Blade length"), {10, 20000, 2, 10, "mm"},
+  length_ = number(column, tr("Blade length"), {10, Blade::kLongest, 2, 10, "mm"},
                    tr("Free length between the two grips"), tr("Change blade length"), &Blade::length);
   auto* line = new QWidget;
   auto* layout = new QHBoxLayout(line);
@@ -86,21 +103,29 @@ BladeFields::BladeFields(Workbench& bench, FormColumn* column, FormColumn* detai
 
 void BladeFields::editBlade(const QString& text, const std::function<void(Blade&)>& change) {
   bench_.editJob(text, [&](Job& job) {
-    const double length = job.blade.length;
+    const Blade before = job.blade;
     change(job.blade);
-    // The length is the user's in any case; any other number makes it a blade of their own.
-    if (job.blade.length == length && job.blade.name != "custom") {
-      job.blade.name = "custom";
-      job.blade.title.clear();
+    // The length is the user's in any case; any other number makes it a blade of their own, until it is that
+    // of a preset again.
+    if (sameTool(job.blade, before)) return;
+    makeOwn(job.blade);
+    if (const Blade* preset = presetOf(job.blade)) {
+      job.blade.name = preset->name;
+      job.blade.title = preset->title;
     }
   });
 }
 
+const Blade* BladeFields::presetOf(const Blade& blade) const {
+  const auto found = std::find_if(presets_.begin(), presets_.end(),
+                                  [&](const Blade& preset) { return sameTool(preset, blade); });
+  return found == presets_.end() ? nullptr : &*found;
+}
+
 void BladeFields::refresh() {
   const Blade& blade = bench_.job().blade;
-  const auto found = std::find_if(presets_.begin(), presets_.end(),
-                                  [&](const Blade& preset) { return preset.name == blade.name; });
-  preset_->show(int(found - presets_.begin()));
+  const Blade* preset = blade.name == kOwn ? nullptr : presetOf(blade);
+  preset_->show(preset ? int(preset - presets_.data()) : int(presets_.size()));
   length_->show(blade.length);
   young_->show(blade.youngModulus);
   yield_->show(blade.yieldStress);

@@ -27,6 +27,8 @@ class BladeFields : public QObject {
 
  private:
   void editBlade(const QString& text, const std::function<void(Blade&)>& change);
+  /// The preset that this blade is, whatever its length; null for an own one.
+  const Blade* presetOf(const Blade& blade) const;
 
   Workbench& bench_;
   std::vector<Blade> presets_;

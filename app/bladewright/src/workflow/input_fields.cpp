@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "workflow/input_fields.h"
 
+#include <QHBoxLayout>
 #include <QPushButton>
-#include <QRegularExpression>
-#include <QRegularExpressionValidator>
+
+#include <algorithm>
 
 #include "bw/core/file_set.h"
 #include "controls/numbers.h"
@@ -20,40 +21,67 @@ InputFields::InputFields(Workbench& bench, FormColumn* column, QObject* parent)
   fileFacts_ = makeNote();
   column->addWide(fileFacts_);
   auto* open = new QPushButton(tr("Open CAD file…"));
-  open->setToolTip(tr("STEP, IGES or BREP; a file can also be dropped into the window"));
+  open->setToolTip(tr("STEP (also packed), IGES or BREP; a file can also be dropped into the window"));
   column->addWide(open);
   connect(open, &QPushButton::clicked, this, &InputFields::openRequested);
-  faces_ = new ChoiceField;
-  faces_->addItems({tr("Largest"), tr("All"), tr("By number")});
-  column->add(tr("Faces"), faces_, tr("Which faces of the file are cut"));
-  faceList_ = new TextField;
-  faceList_->setAlignment(Qt::AlignRight);
-  faceList_->setValidator(
-      new QRegularExpressionValidator(QRegularExpression("\\d+(\\s*,\\s*\\d+)*"), faceList_));
-  faceListLabel_ = column->add(tr("Face numbers"), faceList_, tr("Counted from 0, with commas: 0, 3, 5"));
-  connect(faces_, &QComboBox::activated, this, &InputFields::applyFaces);
-  connect(faceList_, &TextField::edited, this, &InputFields::applyFaces);
+  auto* row = new QWidget;
+  auto* buttons = new QHBoxLayout(row);
+  buttons->setContentsMargins(0, 0, 0, 0);
+  buttons->setSpacing(kGap);
+  replace_ = new QPushButton(tr("Replace…"), row);
+  replace_->setToolTip(tr("Another CAD file under the same settings"));
+  reload_ = new QPushButton(tr("Reload"), row);
+  reload_->setToolTip(tr("Read the CAD file again; settings and undo stay"));
+  locate_ = new QPushButton(tr("Locate…"), row);
+  locate_->setToolTip(tr("Say where the CAD file is now"));
+  for (QPushButton* button : {replace_, reload_, locate_}) buttons->addWidget(button);
+  column->addWide(row);
+  connect(replace_, &QPushButton::clicked, this, &InputFields::replaceRequested);
+  connect(reload_, &QPushButton::clicked, this, &InputFields::reloadRequested);
+  connect(locate_, &QPushButton::clicked, this, &InputFields::locateRequested);
+  unit_ = new ChoiceField;
+  unit_->addItem(tr("As stated"));
+  for (const LengthUnit unit : kLengthUnits) unit_->addItem(QString::fromLatin1(lengthUnitName(unit)));
+  column->addLong(
+      tr("Read as"), unit_,
+      tr("The unit that the numbers of the file are taken in, and the size that the surface then has"));
+  connect(unit_, &QComboBox::activated, this, &InputFields::applyUnit);
+  faces_ = new FaceFields(bench, column, this);
   embed_ = new QCheckBox(tr("Keep the geometry in the design file"));
   embed_->setToolTip(tr("On: the saved design holds a copy of the CAD file. Off: it points to the file."));
   column->addWide(embed_);
   connect(embed_, &QCheckBox::clicked, this, &InputFields::embed);
 }
 
-void InputFields::applyFaces() {
-  FaceChoice choice;
-  choice.kind = FaceChoice::Kind(faces_->currentIndex());
-  if (choice.kind == FaceChoice::Kind::indices) {
-    for (const QString& part : faceList_->text().split(',', Qt::SkipEmptyParts))
-      choice.indices.push_back(part.trimmed().toInt());
-    if (choice.indices.empty()) choice.indices = {0};
-  }
-  bench_.editJob(tr("Choose faces"), [&](Job& job) { job.face = choice; });
+void InputFields::applyUnit(int index) {
+  bench_.editJob(tr("Read the file in another unit"), [index](Job& job) {
+    job.unit = index == 0 ? std::nullopt : std::optional(kLengthUnits[std::size_t(index) - 1]);
+  });
+}
+
+void InputFields::showUnits(const geometry::CadInfo* info, const Eigen::Vector3d& size) {
+  const auto& unit = bench_.job().unit;
+  const int now =
+      unit ? 1 + int(std::find(kLengthUnits.begin(), kLengthUnits.end(), *unit) - kLengthUnits.begin()) : 0;
+  // Sizes follow from the one that was read; without it the words stand alone.
+  const auto sized = [&](const QString& words, double mm) {
+    return info && mm > 0 && info->readAsLength > 0 && size.norm() > 0
+               ? tr("%1: %2").arg(words, sizeText(size * (mm / info->readAsLength)))
+               : words;
+  };
+  unit_->setItemText(
+      0, info ? sized(tr("As stated, %1").arg(QString::fromStdString(info->unit)), info->unitLength)
+              : tr("As stated"));
+  for (std::size_t i = 0; i < kLengthUnits.size(); ++i)
+    unit_->setItemText(int(i) + 1, sized(QString::fromLatin1(lengthUnitName(kLengthUnits[i])),
+                                         millimetres(kLengthUnits[i])));
+  unit_->show(now);
 }
 
 void InputFields::embed(bool on) {
   Design design = *bench_.document().design();
   if (on) {
-    Result<std::string> bytes = readFile(design.source.path);
+    Result<std::string> bytes = readFile(bench_.sourceFile());
     if (!bytes) {
       bench_.tell({Severity::error, QString::fromStdString(bytes.error().message), {}, {}});
       refresh();
@@ -62,16 +90,20 @@ void InputFields::embed(bool on) {
     design.source.bytes = std::move(*bytes);
   } else {
     design.source.bytes.clear();
+    design.source.path = bench_.sourceFile();
   }
   bench_.document().edit(std::move(design), on ? tr("Embed geometry") : tr("Link geometry"));
 }
 
 void InputFields::refresh() {
   const Design& design = *bench_.document().design();
-  const Job& job = design.job;
   const std::string file = design.source.path.filename().string();
   fileName_->setText(file.empty() ? tr("No file") : QString::fromStdString(file));
   fileName_->setToolTip(QString::fromStdString(design.source.path.string()));
+  replace_->setEnabled(!bench_.document().empty());
+  reload_->setEnabled(bench_.canReload());
+  reload_->setVisible(!bench_.sourceMissing());
+  locate_->setVisible(bench_.sourceMissing());
   QString facts;
   const auto& newest = bench_.runner().evaluation();
   if (newest && newest->model.value) {
@@ -80,20 +112,21 @@ void InputFields::refresh() {
                 .arg(QString::fromStdString(info.format), QString::fromStdString(info.unit),
                      info.faces == 1 ? tr("1 face") : tr("%1 faces").arg(info.faces));
     if (newest->target.value) facts += "\n" + sizeText(newest->target.value->bounds().size());
+    for (const std::string& line : info.leftOut)
+      facts += "\n" + tr("Left out: %1").arg(QString::fromStdString(line));
     if (!info.healing.empty())
       facts += "\n" + tr("Repaired: %1").arg(QString::fromStdString(info.healing.front()));
   }
   fileFacts_->setText(facts);
   fileFacts_->setVisible(!facts.isEmpty());
-  faces_->show(int(job.face.kind));
-  setLineVisible(faceListLabel_, faceList_, job.face.kind == FaceChoice::Kind::indices);
-  QStringList list;
-  for (int index : job.face.indices) list << QString::number(index);
-  faceList_->show(list.join(", "));
+  const bool read = newest && newest->model.value;
+  showUnits(read ? &newest->model.value->info() : nullptr,
+            read && newest->target.value ? Eigen::Vector3d(newest->target.value->bounds().size())
+                                         : Eigen::Vector3d(Eigen::Vector3d::Zero()));
+  faces_->refresh();
   const bool embedded = !design.source.bytes.empty();
   embed_->setChecked(embedded);
-  std::error_code ignored;
-  embed_->setEnabled(!embedded || std::filesystem::is_regular_file(design.source.path, ignored));
+  embed_->setEnabled(!embedded || bench_.canReload());
 }
 
 }  // namespace bw::app

@@ -5,9 +5,11 @@
 #include <QCheckBox>
 #include <QLabel>
 #include <QObject>
+#include <QPushButton>
 
 #include "controls/fields.h"
 #include "workbench/workbench.h"
+#include "workflow/face_fields.h"
 
 namespace bw::app {
 
@@ -22,16 +24,21 @@ class InputFields : public QObject {
 
  signals:
   void openRequested();
+  void replaceRequested();
+  void reloadRequested();
+  void locateRequested();
 
  private:
-  void applyFaces();
+  void applyUnit(int index);
+  /// `size` of the target as it was read; zero if it was not.
+  void showUnits(const geometry::CadInfo* info, const Eigen::Vector3d& size);
   void embed(bool on);
 
   Workbench& bench_;
   QLabel *fileName_, *fileFacts_;
-  ChoiceField* faces_;
-  TextField* faceList_;
-  QLabel* faceListLabel_;
+  QPushButton *replace_, *reload_, *locate_;
+  ChoiceField* unit_;
+  FaceFields* faces_;
   QCheckBox* embed_;
 };
 

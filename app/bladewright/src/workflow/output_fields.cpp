@@ -52,7 +52,8 @@ OutputFields::OutputFields(Workbench& bench, FormColumn* column, QObject* parent
   column->addGap(2);
   export_ = new QPushButton(tr("Export everything…"));
   export_->setObjectName("primary");
-  export_->setToolTip(tr("Report, CAD surface, mesh, stations and programs into a folder (Ctrl+E)"));
+  export_->setToolTip(
+      tr("Report (HTML, PDF), CAD surface, mesh, stations, programs and pictures into a folder (Ctrl+E)"));
   column->addWide(export_);
   connect(export_, &QPushButton::clicked, this, &OutputFields::exportRequested);
   exportPrograms_ = new QPushButton(tr("Export programs…"));
@@ -86,9 +87,17 @@ void OutputFields::refreshState() {
   exportPrograms_->setEnabled(ready && !bench_.job().programs.empty());
   const QString folder = QString::fromStdString(bench_.exportFolder().string());
   exported_->setVisible(!folder.isEmpty());
-  if (!folder.isEmpty())
-    exported_->setText(tr("Last export: <a href=\"%1\">%2</a>")
-                           .arg(QUrl::fromLocalFile(folder).toString(), folder.toHtmlEscaped()));
+  if (folder.isEmpty()) return;
+  QString text = tr("Last export: <a href=\"%1\">%2</a>")
+                     .arg(QUrl::fromLocalFile(folder).toString(), folder.toHtmlEscaped());
+  for (const WrittenFile& file : bench_.exportedFiles()) {
+    const std::filesystem::path place = bench_.exportFolder() / file.path;
+    text += QStringLiteral("<br><a href=\"%1\">%2</a>&nbsp; %3")
+                .arg(QUrl::fromLocalFile(QString::fromStdString(place.string())).toString(),
+                     QString::fromStdString(file.path.generic_string()).toHtmlEscaped(),
+                     QString::fromStdString(pipeline::sizeText(file.bytes)));
+  }
+  exported_->setText(text);
 }
 
 }  // namespace bw::app

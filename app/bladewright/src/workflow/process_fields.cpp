@@ -13,6 +13,7 @@ constexpr std::array<const char*, 3> kAxes = {"X", "Y", "Z"};
 // The station slider is logarithmic: 2 … 1000 stations over its length.
 constexpr int kSliderSteps = 400;
 constexpr double kSliderMin = 2, kSliderMax = 1000;
+constexpr double kNoDirection = 1e-6;  // shorter vectors lead nowhere
 
 int stationsOfSlider(int value) {
   return int(std::lround(kSliderMin * std::pow(kSliderMax / kSliderMin, double(value) / kSliderSteps)));
@@ -86,26 +87,30 @@ void ProcessFields::addDirection(FormColumn* column) {
     Eigen::Vector3d now = Eigen::Vector3d::UnitY();
     if (const auto shown = bench_.shown(); shown && shown->setup.value) now = shown->setup.value->direction;
     if (bench_.job().direction) now = *bench_.job().direction;
-    if (index == 4) now = (now + Eigen::Vector3d(1e-3, 1e-3, 0)).normalized();
+    vectorChosen_ = index == 4;
     bench_.editJob(tr("Change direction"), [=](Job& job) {
       if (index == 0)
         job.direction.reset();
       else
         job.direction = index < 4 ? Eigen::Vector3d(Eigen::Vector3d::Unit(index - 1)) : now;
     });
+    refresh();  // the same direction may be an axis and a vector
   });
   for (int i = 0; i < 3; ++i) {
     const auto axis = std::size_t(i);
-    directionFields_[axis] = new NumberField({-1, 1, 4, 0.05, {}});
-    directionLabels_[axis] = column->add(tr("Direction %1").arg(kAxes[axis]), directionFields_[axis]);
-    connect(directionFields_[axis], &NumberField::edited, this, [this, i](double value) {
+    directionFields_[axis] = new NumberField({-1000, 1000, 4, 0.05, {}});
+    directionLabels_[axis] = column->add(tr("Direction %1").arg(kAxes[axis]), directionFields_[axis],
+                                         tr("Only the ratio of the three numbers counts"));
+    const auto with = [this, i](double value) {
       Eigen::Vector3d direction = bench_.job().direction.value_or(Eigen::Vector3d::UnitY());
       direction[i] = value;
-      if (direction.norm() < 1e-6) {
-        refresh();
-        return;
-      }
-      bench_.editJob(tr("Change direction"), [&](Job& job) { job.direction = direction.normalized(); });
+      return direction;
+    };
+    directionFields_[axis]->setCheck([with](double value) {
+      return with(value).norm() < kNoDirection ? tr("0, 0, 0 is no direction") : QString();
+    });
+    connect(directionFields_[axis], &NumberField::edited, this, [this, with](double value) {
+      bench_.editJob(tr("Change direction"), [&](Job& job) { job.direction = with(value); });
     });
   }
 }
@@ -172,7 +177,7 @@ void ProcessFields::refreshDirection(const Job& job) {
   int directionIndex = 0;
   if (job.direction) {
     directionIndex = 4;
-    for (int i = 0; i < 3; ++i)
+    for (int i = 0; i < 3 && !vectorChosen_; ++i)
       if ((*job.direction - Eigen::Vector3d::Unit(i)).norm() < 1e-12) directionIndex = i + 1;
   }
   direction_->show(directionIndex);

@@ -38,6 +38,7 @@ class ProcessFields : public QObject {
   int dragId_ = -1;  ///< joins the moves of one drag of the slider
   std::array<NumberField*, 3> directionFields_;
   std::array<QLabel*, 3> directionLabels_;
+  bool vectorChosen_ = false;  ///< the direction shows as numbers even where it is an axis
   QCheckBox *endpoints_, *tangents_;
 };
 

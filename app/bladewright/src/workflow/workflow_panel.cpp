@@ -59,6 +59,13 @@ QWidget* WorkflowPanel::makeInput() {
   auto* column = new FormColumn;
   input_ = new InputFields(bench_, column, this);
   connect(input_, &InputFields::openRequested, this, &WorkflowPanel::openRequested);
+  chooseFaces_ = new QPushButton(tr("Choose faces in the picture"));
+  chooseFaces_->setObjectName("chooseFaces");
+  chooseFaces_->setCheckable(true);
+  chooseFaces_->setToolTip(
+      tr("All faces of the file are shown; a click chooses, Ctrl+click adds or takes away (C)"));
+  column->addWide(chooseFaces_);
+  connect(chooseFaces_, &QPushButton::clicked, this, &WorkflowPanel::chooseFacesRequested);
   return column;
 }
 
@@ -86,6 +93,11 @@ void WorkflowPanel::refresh() {
   input_->refresh();
   process_->refresh();
   output_->refresh();
+}
+
+void WorkflowPanel::showFaceChoice(bool choosing, bool possible) {
+  chooseFaces_->setChecked(choosing);
+  chooseFaces_->setVisible(possible);
 }
 
 void WorkflowPanel::refreshStates() {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <QPushButton>
 #include <QScrollArea>
 #include <QWidget>
 
@@ -26,10 +27,14 @@ class WorkflowPanel : public QScrollArea {
   WorkflowPanel(Workbench& bench, const Theme& theme, QWidget* parent = nullptr);
 
   const BladeFields* bladeFields() const { return bladeFields_; }
+  const InputFields* inputFields() const { return input_; }
+  /// Shows whether faces are being chosen in the picture, and whether there are several.
+  void showFaceChoice(bool choosing, bool possible);
   StepSection& section(model::Step step) { return *sections_[std::size_t(step)]; }
 
  signals:
   void openRequested();
+  void chooseFacesRequested(bool on);
   void exportRequested();
   void programsRequested();
   void pictureRequested();
@@ -50,6 +55,7 @@ class WorkflowPanel : public QScrollArea {
   BlockFields* blockFields_ = nullptr;
   NumberField *tolerance_ = nullptr, *clearance_ = nullptr;
   InputFields* input_ = nullptr;
+  QPushButton* chooseFaces_ = nullptr;
   ProcessFields* process_ = nullptr;
   OutputFields* output_ = nullptr;
 };

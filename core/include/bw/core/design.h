@@ -3,18 +3,23 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include "bw/core/fingerprint.h"
 #include "bw/core/job.h"
 #include "bw/core/result.h"
+#include "bw/core/shared_bytes.h"
 
 namespace bw {
 
 /// Where the target of a design comes from.
 struct Source {
   std::filesystem::path path;  ///< of the CAD file; relative to the design file when stored
-  std::string bytes;           ///< the file itself if it is embedded, else empty
+  SharedBytes bytes;           ///< the file itself if it is embedded, else empty
+  /// What the linked file was when the design was last saved; nothing if never, or if it is embedded.
+  std::optional<Fingerprint> saved = std::nullopt;
   bool operator==(const Source&) const = default;
 };
 
@@ -32,6 +37,10 @@ struct Design {
 Result<Design> parseDesign(std::string_view json);
 /// The text of a .bladewright file (JSON, versioned; embedded geometry as base64).
 std::string designToJson(const Design& design);
+
+/// Fills `source.saved` from the linked file as it is now; leaves it empty for an embedded source, and as it
+/// was where the file cannot be read.
+void noteSource(Design& design);
 
 /// Reads and writes the file itself; a linked source is resolved against the file's folder. Writing is
 /// atomic.

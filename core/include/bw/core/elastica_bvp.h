@@ -14,6 +14,8 @@
 namespace bw {
 
 /// A blade held at both ends: where the grips are, which way they point, and how much blade is between them.
+/// Margins are those of the ends as they are held: over the eigenvalue of the straight blade between such
+/// ends.
 struct ClampedProblem {
   Eigen::Vector2d start = Eigen::Vector2d::Zero();  ///< mm
   Eigen::Vector2d end = Eigen::Vector2d::Zero();    ///< mm
@@ -32,6 +34,8 @@ struct ClampedOptions {
   double maxTurning = 9.5;
   /// The answer is the blade that this one becomes when its grips move evenly to where they should be.
   std::optional<Elastica> initial = std::nullopt;
+  /// Whether `solveClamped` looks for the other stable shapes as well: some ms.
+  bool others = false;
   /// GJ/EI for the margin out of the plane.
   double torsionRatio = kRoundTorsionRatio;
 };
@@ -50,15 +54,26 @@ struct ClampedSolution {
   double energy = 0;                ///< ½ ∫ κ² ds, 1/mm
   double turning = 0;               ///< total, rad
   std::vector<double> inflections;  ///< arc lengths, mm
-  /// The blade rests in it, in its plane: the margin is above 0. Loops between taut stretches slide along
-  /// them with hardly any resistance: they count as not stable.
+  /// The blade rests in it: in its plane, its ends held as they are, every small change of its shape costs
+  /// energy, as far as the numbers here can tell (the margin is above their uncertainty).
   bool stable = false;
+  /// The blade rests but for sliding along itself into other shapes of the same energy, which nothing holds
+  /// it from as far as the numbers here can tell: figures of eight whose grips are in one place, loops
+  /// between taut stretches. Never `stable`.
+  bool sliding = false;
   double stabilityMargin = 0;   ///< see `stabilityMargin`
   double outOfPlaneMargin = 0;  ///< see `outOfPlaneMargin`
   ClampedSensitivity sensitivity;
   bool selfIntersects = false;
   /// How far the elastica's end misses the grip, mm: rounding level.
   double endError = 0;
+};
+
+/// What else a blade may rest in between the same grips.
+struct ClampedOthers {
+  int stable = 0;      ///< how many other stable shapes there are
+  double energy = 0;   ///< the least of theirs, 1/mm; 0 if there are none
+  double turning = 0;  ///< total, rad, of that one; the blade can snap into it where it is that of the answer
 };
 
 /// What kind of problem it was.
@@ -76,6 +91,9 @@ struct ClampedAnswer {
   /// With `initial`: at which part (0, 1) of the way the blade snaps; empty if it never does.
   std::optional<double> snapsAt = std::nullopt;
   std::string message = {};  ///< what a user should know besides, or empty
+  /// Besides the answer, or besides the lowest stable one of all shapes, within the bounds of the options
+  /// (`solveClamped`: only if asked for).
+  ClampedOthers others = {};
 };
 
 /// The shape in which the blade rests: the stable one of lowest energy, or with `options.initial` the one on

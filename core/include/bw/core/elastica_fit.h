@@ -16,8 +16,9 @@ namespace bw {
 /// What a fit must respect.
 struct FitOptions {
   enum class Length { free, exact, given };
-  enum class Norm { L2, H1 };
-  enum class Guess { length, count };  ///< thesis 2.5 (stable) or 2.4
+  /// Distance alone; that of the derivatives by arc length over the length too; and of the second ones.
+  enum class Norm { L2, H1, H2 };
+  enum class Guess { length, count };  ///< thesis 2.5 (2.4 where far better), or 2.4
 
   Length length = Length::free;
   double givenLength = 0;                             ///< for Length::given, mm

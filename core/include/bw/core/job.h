@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,11 +18,30 @@
 
 namespace bw {
 
+/// A unit that the numbers of a CAD file can be taken in.
+enum class LengthUnit { mm, cm, m, inch };
+inline constexpr std::array<LengthUnit, 4> kLengthUnits = {LengthUnit::mm, LengthUnit::cm, LengthUnit::m,
+                                                           LengthUnit::inch};
+/// "mm", "cm", "m", "in".
+const char* lengthUnitName(LengthUnit unit);
+/// Its length in mm.
+double millimetres(LengthUnit unit);
+
 /// Which faces of the file are the target.
 struct FaceChoice {
-  enum class Kind { largest, all, indices };
+  enum class Kind {
+    largest,  ///< the largest that is bent in earnest: planes, cylinders and cones only where nothing else is
+    all,
+    indices,
+    named,   ///< every face of these names
+    group,   ///< faces that join smoothly, one side of a solid
+    nearest  ///< to a point
+  };
   Kind kind = Kind::largest;
-  std::vector<int> indices = {};  ///< for Kind::indices
+  std::vector<int> indices = {};                    ///< for Kind::indices
+  std::vector<std::string> names = {};              ///< for Kind::named
+  int group = 0;                                    ///< for Kind::group: 0 is the one of largest area
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< for Kind::nearest: in the file's frame, mm
   bool operator==(const FaceChoice&) const = default;
 };
 
@@ -37,6 +57,8 @@ struct BlockPlacement {
 /// Everything that a rationalisation is asked to do: the JOB.json of the command line and the settings of a
 /// design.
 struct Job {
+  std::optional<LengthUnit> unit;  ///< the numbers of the file are taken in it; empty = as the file states
+  std::optional<double> sewing;    ///< mm within which edges of faces are joined; empty = by the tolerance
   FaceChoice face;
   std::optional<BlockPlacement> block;       ///< empty = "auto": around the face
   std::optional<Eigen::Vector3d> direction;  ///< cutting direction in the file's frame, unit; empty = "auto"
@@ -55,6 +77,10 @@ struct Job {
   std::string cell = "irb1600-pair";
   int threads = 0;
 
+  /// mm: `sewing`, or else a tenth of the tolerance, at most kMostSewing.
+  double sewingTolerance() const;
+
+  static constexpr double kMostSewing = 0.1;  ///< mm, unless the job says more
   static constexpr int kMaxStations = 20000;
 };
 

@@ -26,7 +26,7 @@ struct PiecewiseOptions {
   /// most `pieces`; their splits are optimised. Not with Splits::given.
   std::optional<double> tolerance = std::nullopt;
 
-  double position = 0;     ///< by which neighbours may miss each other at a joint, mm in each coordinate
+  double position = 0;     ///< by which neighbours may miss each other at a joint: the distance, mm
   double angle = 0;        ///< by which their tangents may differ, rad
   bool curvature = false;  ///< equal curvature at the joints as well (G2)
   std::optional<double> maxCurvature = std::nullopt;  ///< bound on |κ| over every piece, 1/mm

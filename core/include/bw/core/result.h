@@ -45,11 +45,11 @@ using Result = tl::expected<T, Error>;
 
 }  // namespace bw
 
-/// Guards against faults of our own, never against bad input: prints the condition and ends the program.
+/// Guards against faults of our own, never against bad input: ends the program, or the case at hand.
 #define BW_CHECK(condition) \
   ((condition) ? static_cast<void>(0) : ::bw::checkFailed(#condition, __FILE__, __LINE__))
 
 namespace bw {
-/// Reports a failed BW_CHECK and aborts.
+/// Reports a failed BW_CHECK: aborts, or throws behind a barrier.
 [[noreturn]] void checkFailed(const char* condition, const char* file, int line);
 }  // namespace bw

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,28 @@
 #include "bw/core/result.h"
 #include "bw/core/run_context.h"
 #include "bw/core/surface_sampler.h"
+#include "bw/core/units.h"
 
 namespace bw::geometry {
+
+/// How the numbers of a file are taken and how its faces are joined.
+struct ReadOptions {
+  std::optional<LengthUnit> unit = std::nullopt;  ///< empty = as the file states
+  double sewing = Job::kMostSewing;               ///< mm within which open edges of faces are joined
+  bool operator==(const ReadOptions&) const = default;
+};
+
+/// Sections of a face across one of the main directions of its block.
+struct FaceSections {
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitY();  ///< unit; the blade would travel along it
+  double shortest = 0, longest = 0;                      ///< lengths, mm
+  double minRadius = 0;                                  ///< the tightest of all, mm; 0 = straight
+};
+
+/// The height in mm of an arc over a chord as long as the face up to which a curvature counts as none.
+inline constexpr double kCurvedTolerance = 0.1;
+/// The angle between the normals of two faces up to which they join smoothly, rad.
+inline constexpr double kSmoothJoin = 5 * kDegree;
 
 /// What is known of one face of a CAD file.
 struct FaceInfo {
@@ -26,18 +47,38 @@ struct FaceInfo {
                      ///< "extrusion", "offset", "other"
   Bounds bounds;     ///< tight, mm
   double area = 0;   ///< mm²
+  std::string name;  ///< as STEP names it, or its shell or solid; may be empty, or that of several faces
+  int group = -1;    ///< index in CadInfo::groups; −1 for a face that cannot be used
+  // These only from `infoInFull`.
   double curvatureMin = 0;  ///< smallest and largest principal curvature found by sampling, 1/mm, signed
   double curvatureMax = 0;
+  std::string curved;    ///< "flat", "singly" or "doubly", by kCurvedTolerance
+  double minRadius = 0;  ///< of the largest principal curvature, mm: a blade that bends to it can follow the
+                         ///< face in any direction; 0 = no curvature at all
+  std::vector<FaceSections> sections;  ///< none where no open sections exist
+};
+
+/// Faces that join smoothly: what could be one side of a solid.
+struct FaceGroup {
+  int index = 0;           ///< 0 has the largest area
+  std::vector<int> faces;  ///< ascending
+  double area = 0;         ///< mm²
+  Bounds bounds;           ///< mm
 };
 
 /// What a CAD file holds.
 struct CadInfo {
   std::string format;  ///< "STEP", "IGES", "BREP"
   std::string unit;    ///< of the file: "mm", "m", "inch", …; "mm (assumed)" where the format has none
+  std::string readAs;  ///< the unit that its numbers were taken in: `unit`, or that of the options
+  double unitLength = 0, readAsLength = 0;  ///< of `unit` and `readAs`, mm; 0 where it is not known
+  double sewing = 0;                        ///< mm, as asked for
   int solids = 0, shells = 0, faces = 0, edges = 0;
   Bounds bounds;
   std::vector<FaceInfo> faceList;
+  std::vector<FaceGroup> groups;     ///< largest area first
   std::vector<std::string> healing;  ///< what was repaired when reading, in words; empty = nothing was needed
+  std::vector<std::string> leftOut;  ///< what of the file could not be used, in words
 };
 
 /// A CAD file in memory, in mm, healed and oriented. Immutable; cheap to copy. Safe for reading from one
@@ -47,19 +88,20 @@ class CadModel {
   /// Reads STEP, IGES or BREP (told from the content, then from the suffix). Errors: missing, empty,
   /// truncated or garbage file
   /// (`cannotRead`), a file without faces (`badInput`), each with what to do.
-  static Result<CadModel> read(const std::filesystem::path& file, const RunContext& context = {});
+  static Result<CadModel> read(const std::filesystem::path& file, const RunContext& context = {},
+                               const ReadOptions& options = {});
   /// The same from bytes in memory (the source embedded in a design). `name` serves messages and the suffix.
   static Result<CadModel> readBytes(const std::string& bytes, const std::string& name,
-                                    const RunContext& context = {});
+                                    const RunContext& context = {}, const ReadOptions& options = {});
 
   const CadInfo& info() const;
-  /// Counts, types, areas and bounds are there at once; curvature ranges only after this (it samples every
-  /// face).
-  CadInfo infoWithCurvatures() const;
+  /// With curvatures and sections of each face too: a few ms a face. Error: `cancelled`.
+  Result<CadInfo> infoInFull(const RunContext& context = {}) const;
 
-  /// Indices of the faces chosen; an index out of range, or a face thinner than the tolerance, is an error
-  /// that tells the range.
-  Result<std::vector<int>> choose(const FaceChoice& choice) const;
+  /// Indices of the faces chosen. `findings` is told where the choice was left to the program. Errors
+  /// (`badInput`): an index, name or group that does not exist, each with those that do; a face thinner than
+  /// 0.01 mm.
+  Result<std::vector<int>> choose(const FaceChoice& choice, Issues* findings = nullptr) const;
 
   /// Opaque handle for this module's own functions.
   struct Impl;
@@ -74,7 +116,7 @@ class CadModel {
 /// The chosen faces as one target.
 class Target {
  public:
-  static Result<Target> make(const CadModel& model, const FaceChoice& choice);
+  static Result<Target> make(const CadModel& model, const FaceChoice& choice, Issues* findings = nullptr);
 
   Bounds bounds() const;  ///< tight, file frame, mm
   double area() const;    ///< mm²

@@ -18,6 +18,10 @@ namespace bw::geometry {
 /// name, so that equal input gives equal bytes.
 Result<std::string> stepText(const SplineSurface& surface, const std::string& name);
 
+/// The surface as IGES text in mm, one trimmed face; the head carries no date and no machine, as with STEP.
+/// `name` in ASCII, other characters become "_".
+Result<std::string> igesText(const SplineSurface& surface, const std::string& name);
+
 /// Writes the surface as STEP in mm: temporary file, then rename. `cannotWrite` names the path and the
 /// reason.
 Result<void> writeStep(const SplineSurface& surface, const std::string& name,

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "bw/core/frame.h"
@@ -25,9 +26,20 @@ struct Setup {
 
 /// Resolves "auto": the block around the target (oriented box of the part's frame, axis-parallel where that
 /// is nearly as small, with a few mm of margin below and above so that no cut runs along a face of the block)
-/// and the cutting direction (the longer side of the oriented box). A given direction is normalised; a zero
+/// and the cutting direction (the longer side of that box). A given direction is normalised; a zero
 /// one is an error.
 Result<Setup> resolveSetup(const Target& target, const Job& job, Issues& issues);
+
+/// A way that the blade could go, with the name of where it comes from.
+struct NamedDirection {
+  std::string name;
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitY();  ///< unit
+};
+
+/// Directions worth a try, each at least 5° from those before it: along the block's longer side (what
+/// `resolveSetup` takes) and its shorter one, the principal axes of the target, the diagonals of the block's
+/// base, the axes of the file, and the height of the block.
+std::vector<NamedDirection> directionsToTry(const Target& target, const Box& block);
 
 /// Intersects the target with parallel planes across `setup.direction`, from the first to the last place
 /// inside block and target. Each section is cleaned (tiny spurious oscillation, duplicate knots), chained

@@ -28,6 +28,9 @@ struct RapidOptions {
   /// Errors of the design that the program is written despite. The head of each module then lists them as "!
   /// NOT SAFE TO RUN: …".
   std::vector<std::string> errors = {};
+  /// Names the run that the program is of, 16 hexadecimal digits; stands in the head of each module. Empty if
+  /// there is none.
+  std::string run = {};
 };
 
 /// ABB RAPID MultiMove program of a motion in a cell: one folder a task, one .mod (or .modx) and one .pgf
@@ -79,10 +82,14 @@ Result<std::vector<RapidTask>> readRapid(const Program& program);
 /// Applies every rule that needs no robot kinematics (names, files, line ends, task lists, syncidents, IDs,
 /// durations, quaternions, zones, data) and reports each breach with file and line. Files that cannot be
 /// parsed are a finding too, never a crash. A mark of `RapidOptions::errors` is an error of kind
-/// "rapid-marked".
+/// "rapid-marked"; modules of different runs are one of kind "rapid-run".
 Issues checkRapid(const Program& program);
 
-/// Reads a program folder (…/T_ROB1/*.mod, *.pgf, …) or a single file.
+/// The run that the head of a module names, or empty.
+std::string runOfModule(std::string_view module);
+
+/// Reads a program folder (…/T_ROB1/*.mod, *.pgf, …) or a single file. What a writer has under way, or left
+/// when it was ended, is no part of a program.
 Result<Program> loadProgram(const std::filesystem::path& path);
 
 }  // namespace bw::robotio

@@ -5,12 +5,15 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "bw/core/face_mesh.h"
 #include "bw/core/frame.h"
+#include "bw/core/issue.h"
 #include "bw/core/mesh.h"
 #include "bw/core/result.h"
 
@@ -22,7 +25,9 @@ struct Content {
   SurfaceGrid cut;                                     ///< the cut surface with its fields; may be empty
   std::vector<std::vector<Eigen::Vector3d>> stations;  ///< the fitted part of each station
   std::vector<std::vector<Eigen::Vector3d>> blades;    ///< the whole blade of each station
+  std::shared_ptr<const FaceMesh> faces;  ///< all faces of the file, to choose among them; may be null
   std::optional<Box> block;
+  std::map<std::string, double> limits;  ///< of fields of the cut, > 0: the legend begins at 0 and marks them
 };
 
 /// A plane through the scene: what lies on the side that `normal` points to is taken away.
@@ -32,29 +37,45 @@ struct SectionPlane {
   bool operator==(const SectionPlane&) const = default;
 };
 
+/// The place of a finding: a ring at the point, with its words beside it.
+struct Marker {
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  std::string text;
+  Severity severity = Severity::info;
+  bool operator==(const Marker&) const = default;
+};
+
 /// How it is shown.
 struct Style {
-  std::string field = "none";  ///< "deviation", "angle", "speed", "relative_speed", "curvature" or "none"
+  std::string field = "none";  ///< a word of bw::cutMaps(), or "none"
   bool dark = false;
   bool isolines = false;
   bool legend = true;
-  double tolerance = 2.0;                    ///< mm: the neutral band of the deviation map
+  double tolerance = 2.0;                    ///< mm: the band of the deviation map that stays pale
   std::optional<double> rangeMin, rangeMax;  ///< of the legend; empty = round numbers around the data
   int selectedStation = -1;
   double playhead = -1;  ///< position of the moving blade in stations (fractional), −1 = none
   bool showTarget = true, showCut = true, showStations = true, showBlades = false, showBlock = true,
-       showGrid = true;
+       showGrid = true, showFaces = true;
   double targetOpacity = 0.4, cutOpacity = 1.0, blockOpacity = 0.15;
   bool stale = false;  ///< results are out of date: drawn at 60 %
   bool softShadows =
       true;  ///< ambient occlusion of solid things; weaker under a map, which keeps its colours
   std::optional<SectionPlane> section;  ///< cuts the scene open; the foam met is hatched
+  std::optional<Marker> marker;         ///< stands before everything
+  /// The faces of the file stand in for the result: `chosenFaces` solid, the others pale, and a pick finds
+  /// them.
+  bool chooseFaces = false;
+  std::vector<int> chosenFaces;  ///< indices of Content::faces
+  int hoveredFace = -1;          ///< lights up while faces are chosen
   double pixelRatio = 1.0;
 };
 
 /// Standard views.
 enum class View { iso, top, bottom, front, back, left, right };
 std::optional<View> viewFromName(const std::string& name);
+/// The direction from the focus to the camera, unit.
+Eigen::Vector3d directionOf(View view);
 
 /// Camera as numbers, to animate and to store.
 struct Camera {
@@ -66,9 +87,10 @@ struct Camera {
 
 /// What lies under a pixel.
 struct Pick {
-  enum class Kind { none, target, cut, station, blade, block };
+  enum class Kind { none, target, cut, station, blade, block, face };
   Kind kind = Kind::none;
   int station = -1;
+  int face = -1;  ///< index of Content::faces, for Kind::face
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
   std::optional<double> value;  ///< of the shown field
 };
@@ -90,7 +112,9 @@ struct Overlay {
   std::optional<PixelRect> legend;  ///< the whole card
   std::optional<PixelRect> bar;     ///< its colour bar; the upper edge is legendRange().second
   std::optional<PixelRect> marker;  ///< the orientation cube
-  std::vector<Text> texts;          ///< of the legend, then the labels of the ground grid
+  std::optional<PixelRect> place;   ///< the ring of Style::marker
+  std::optional<PixelRect> label;   ///< the card with its words
+  std::vector<Text> texts;  ///< of the legend, the isolines, the label and the ground grid, in this order
 };
 
 /// An RGB picture, row by row from the top.
@@ -120,6 +144,9 @@ class Scene {
 
   /// A camera that looks along a standard view and fits the work (or `bounds`) into the aspect ratio.
   Camera fitCamera(View view, double aspect, const std::optional<Bounds>& bounds = std::nullopt) const;
+  /// Looks from the direction `back` (focus to camera, not zero), level, and fits the work (or `bounds`).
+  Camera fitFrom(const Eigen::Vector3d& back, bool parallel, double aspect,
+                 const std::optional<Bounds>& bounds = std::nullopt) const;
   /// Fits everything (or `bounds`), keeping the present direction.
   Camera fitCamera(const Camera& from, double aspect,
                    const std::optional<Bounds>& bounds = std::nullopt) const;
@@ -136,8 +163,9 @@ class Scene {
   /// `station` is the nearest station wherever a surface or line is hit. Needs no GL. The first call after a
   /// new content builds a search tree.
   Pick pick(double x, double y, int width, int height) const;
-  /// The standard view whose face of the orientation cube lies under that pixel.
-  std::optional<View> markerView(double x, double y, int width, int height) const;
+  /// The direction to look from that the orientation cube offers under that pixel: each component −1, 0 or 1;
+  /// one of them differs from 0 on a face, two on an edge, three at a corner.
+  std::optional<Eigen::Vector3d> cubeDirection(double x, double y, int width, int height) const;
   /// The space point under that pixel on the plane through the camera's focus that faces the camera.
   Eigen::Vector3d pointAtFocus(double x, double y, int width, int height) const;
   /// Layout of the last rendered picture; empty before the first.

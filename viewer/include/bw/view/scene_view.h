@@ -65,11 +65,16 @@ class SceneView : public QOpenGLWidget {
   using QWidget::setStyle;
 
  public slots:
-  /// Replaces the content; the camera stays, except that the first content that is not empty is fitted.
+  /// Replaces the content. The camera stays, except that the first content that is not empty is fitted, and
+  /// that one which leaves the picture (it lies elsewhere, or is of quite another size) is fitted again.
   void setContent(const bw::scene::Content& content);
   void setStyle(const bw::scene::Style& style);
-  /// Looks along a standard view and fits the work (scene::Scene::workBounds()).
+  /// Looks along a standard view, in parallel, and fits the work (scene::Scene::workBounds()).
   void setView(bw::scene::View view, bool animate = true);
+  /// The same from any direction (from the focus to the camera).
+  void lookFrom(const Eigen::Vector3d& back, bool animate = true);
+  /// How a design is first seen: obliquely from above, in perspective, all of the work.
+  void open();
   /// Fits the work, everything or a part, keeping the direction.
   void fitWork(bool animate = true);
   void fitAll(bool animate = true);
@@ -85,6 +90,8 @@ class SceneView : public QOpenGLWidget {
   void stationPicked(int station);
   /// Anything was clicked (also sent with stationPicked).
   void picked(const bw::scene::Pick& pick);
+  /// A face was clicked while faces are chosen (scene::Style::chooseFaces); nothing else is picked then.
+  void faceClicked(int face, Qt::KeyboardModifiers keys);
   /// What lies under the resting or moving cursor; `kind` is none over empty space and when the cursor
   /// leaves.
   void hovered(const bw::scene::Pick& pick);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <QImage>
 #include <QObject>
 #include <QString>
 #include <QThreadPool>
@@ -11,6 +12,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "bw/core/design.h"
 #include "bw/core/result.h"
@@ -24,8 +26,12 @@ class Document : public QObject {
   Q_OBJECT
 
  public:
+  /// The copy stands at the latest so many ms after the first edit that it lacks, plus the time of writing.
+  static constexpr int kAutosaveDelay = 3000;
+
   /// `recoveryFolder` takes the autosaved copy; an empty path switches autosave off.
   explicit Document(const std::filesystem::path& recoveryFolder, QObject* parent = nullptr);
+  /// Leaves the autosaved copy as it is: only saving, discarding or another design take it away.
   ~Document() override;
 
   const std::shared_ptr<const Design>& design() const { return design_; }
@@ -34,6 +40,9 @@ class Document : public QObject {
   /// The .bladewright file; empty if never saved.
   const std::filesystem::path& file() const { return file_; }
   bool modified() const;
+  /// True if the file holds something else than what was opened from it or saved to it last: somebody else
+  /// wrote it. False where it is gone.
+  bool changedOnDisk() const;
   /// Name for the title bar: the design file's name, else the design's name.
   QString title() const;
   QUndoStack& undoStack() { return undo_; }
@@ -46,16 +55,21 @@ class Document : public QObject {
 
   /// Starts a design that has no file yet. The undo history is emptied.
   void start(Design design);
-  /// Puts back an autosaved design: it counts as modified. `file` is where it was last saved, or empty.
-  void recover(Design design, const std::filesystem::path& file);
+  /// Goes on with an autosaved copy that nobody owns (`RecoveryCopy::copy`): the design counts as modified,
+  /// the copy becomes this document's own. On failure nothing changes, and the copy stays.
+  Result<void> recover(const std::filesystem::path& copy);
   /// Opens a .bladewright file; on failure nothing changes.
   Result<void> open(const std::filesystem::path& file);
   /// Saves to `file`, atomically; it becomes the document's file.
   Result<void> saveAs(const std::filesystem::path& file);
 
+  /// Makes the picture that is kept beside the copy; called on the interface thread.
+  void setPictureMaker(std::function<QImage()> maker) { pictureMaker_ = std::move(maker); }
   /// Writes the autosaved copy now instead of a few seconds after an edit; done in the background unless
   /// `wait`.
   void autosaveNow(bool wait = false);
+  /// Removes the autosaved copy: the person gives the changes up.
+  void discardCopy();
   /// Why the last autosave failed; empty if it did not.
   const QString& autosaveProblem() const { return autosaveProblem_; }
 
@@ -68,20 +82,24 @@ class Document : public QObject {
   void titleChanged();
   /// Autosave failed for the first time since it last worked.
   void autosaveFailed(const QString& message);
+  /// Autosave works again.
+  void autosaveMended();
 
  private:
   friend class EditDesign;
   void exchange(const std::shared_ptr<const Design>& design);
-  void replace(Design design, const std::filesystem::path& file);
+  void replace(Design design, const std::filesystem::path& file,
+               std::shared_ptr<RecoveryFile> recovery = nullptr);
+  void noteAutosave(const QString& problem);
 
   std::shared_ptr<const Design> design_;
   std::filesystem::path file_;
+  std::optional<Fingerprint> onDisk_;  ///< of file_ when it was opened or saved
   QUndoStack undo_;
   bool recovered_ = false;
-  void forgetAutosave();
-  void noteAutosave(const QString& problem);
 
   std::shared_ptr<RecoveryFile> recovery_;
+  std::function<QImage()> pictureMaker_;
   QThreadPool writer_;  ///< one thread: copies are written in the order of the edits
   QTimer autosaveTimer_;
   QString autosaveProblem_;

@@ -2,46 +2,75 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <QLockFile>
+#include <QDateTime>
+#include <QImage>
+#include <QString>
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "bw/core/design.h"
 #include "bw/core/result.h"
 
 namespace bw::model {
 
+class FileLock;
+
+/// What a copy knows of the design's own file.
+struct Origin {
+  std::filesystem::path file;         ///< where the design was last saved; empty if never
+  std::optional<Fingerprint> onDisk;  ///< of that file when it was opened or saved
+};
+
 /// The autosaved copy of one running window. It is locked as long as the program runs; a copy without a
-/// living owner was left by a crash.
+/// living owner was left by a crash, by a kill or by the end of the session.
 class RecoveryFile {
  public:
-  /// Takes an unused name in `folder`, which is made if missing. Nothing is written yet.
+  /// Chooses an unused name in `folder`. Nothing is written yet.
   explicit RecoveryFile(const std::filesystem::path& folder);
-  /// Removes the copy: a window that closes in order needs no recovery.
+  /// Takes over a copy that nobody owns: from now on it is this one's. An error if it is gone or another
+  /// window works on it.
+  static Result<std::shared_ptr<RecoveryFile>> adopt(const std::filesystem::path& copy);
+  /// Lets go of the copy, which stays until somebody recovers or discards it.
   ~RecoveryFile();
   RecoveryFile(const RecoveryFile&) = delete;
   RecoveryFile& operator=(const RecoveryFile&) = delete;
 
-  /// Writes the copy, atomically; `file` is the design's own file or empty.
-  Result<void> write(const Design& design, const std::filesystem::path& file);
-  /// Forgets the copy (after a save).
+  /// Writes the copy, atomically. A `picture` that is not null is
+  /// kept beside it; that it cannot be written is no failure of the copy.
+  Result<void> write(const Design& design, const Origin& origin, const QImage& picture);
+  /// As it was written last; empty before.
+  Origin origin() const;
+  /// Removes the copy: the design was saved or discarded.
   void clear();
 
  private:
-  std::filesystem::path base_;
-  std::unique_ptr<QLockFile> lock_;
+  RecoveryFile();
+
+  std::filesystem::path base_;  ///< the copy's path without its suffix
+  std::unique_ptr<FileLock> lock_;
 };
 
-/// An autosaved design that a crash left behind.
-struct Recovered {
-  Design design;
-  std::filesystem::path file;  ///< where it was last saved; empty if never
+/// A copy without a living owner, as it is listed.
+struct RecoveryCopy {
+  std::filesystem::path copy;  ///< the file itself, in the folder of the copies
+  std::filesystem::path file;  ///< where the design was last saved; empty if never
+  QString name;                ///< of the design; empty where the copy cannot be read
+  QDateTime time;              ///< of the copy
+  std::uintmax_t size = 0;     ///< of the copy, bytes
+  QImage picture;              ///< null if there is none
+  QString problem;             ///< why the copy cannot be read; empty if it can
 };
 
-/// Takes one copy that no running program owns out of `folder` (it is removed from it); the others wait for
-/// the next start. Unreadable copies are dropped.
-std::optional<Recovered> takeRecovered(const std::filesystem::path& folder);
+/// All copies in `folder` that no running program owns, newest first, those that cannot be read too; none is
+/// removed. What dead owners left beside them goes: locks without a copy, unfinished files.
+std::vector<RecoveryCopy> listRecovery(const std::filesystem::path& folder);
+
+/// Removes a copy that nobody owns, with what belongs to it; the person said so. False if another window
+/// works on it.
+bool discardRecovery(const std::filesystem::path& copy);
 
 }  // namespace bw::model

@@ -6,8 +6,6 @@
 #include <vector>
 
 #include "bw/core/file_set.h"
-#include "bw/core/result.h"
-#include "bw/core/run_context.h"
 
 namespace bw::pipeline {
 
@@ -18,16 +16,5 @@ namespace bw::pipeline {
 /// at, or all where the strip's folder bears our name, "strip-N". Relative to `folder`, sorted. Nothing
 /// behind a symbolic link, nothing outside of the folder, nothing that others wrote.
 std::vector<std::filesystem::path> earlierFiles(const std::filesystem::path& folder, const FileSet& files);
-
-/// True if both name one file that exists.
-bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b);
-
-/// Writes `files` as `FileSet::commit` does and then, when all of them stand, removes `earlierFiles` and the
-/// folders that this leaves empty. What was removed. Writes nothing if one of `files` would take the place of
-/// one of `inputs`, which they were made from (`ErrorCode::badInput`).
-Result<std::vector<std::filesystem::path>> commitAfresh(const FileSet& files,
-                                                        const std::filesystem::path& folder,
-                                                        const std::vector<std::filesystem::path>& inputs = {},
-                                                        const RunContext& context = {});
 
 }  // namespace bw::pipeline

@@ -14,6 +14,7 @@ enum ExitStatus : int {
   kNoSolution = 3,
   kFileError = 4,
   kInternal = 5,
+  kNoDisplay = 6,  ///< of the window: no display, or one without OpenGL
   kInterrupted = 130
 };
 

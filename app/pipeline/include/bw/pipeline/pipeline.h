@@ -10,6 +10,7 @@
 
 #include "bw/core/cell.h"
 #include "bw/core/design.h"
+#include "bw/core/face_mesh.h"
 #include "bw/core/file_set.h"
 #include "bw/core/mesh.h"
 #include "bw/core/result.h"
@@ -17,12 +18,13 @@
 #include "bw/core/sweep.h"
 #include "bw/geometry/cad_model.h"
 #include "bw/geometry/sections.h"
+#include "bw/pipeline/direction_search.h"
 
 namespace bw::pipeline {
 
 /// Seconds that each step took; 0 where an earlier result was used again.
 struct Seconds {
-  double read = 0, sections = 0, fit = 0, extend = 0, check = 0, write = 0, total = 0;
+  double read = 0, direction = 0, sections = 0, fit = 0, extend = 0, check = 0, write = 0, total = 0;
 };
 
 /// A derived result with the key of all that it depends on. Results are never edited.
@@ -42,10 +44,14 @@ struct SweepResult {
 /// Everything that follows from a design. Stages that failed or were not reached are null.
 struct Evaluation {
   Design design;
+  Stage<Fingerprint> source;  ///< of a linked source; its issue tells that it is another than when saved
+  Fingerprint read;           ///< of the bytes of the CAD file that `model` was read from
   Stage<geometry::CadModel> model;
   Stage<geometry::Target> target;
   Stage<TriangleMesh> targetMesh;
-  Stage<geometry::Setup> setup;
+  Stage<FaceMesh> faceMesh;  ///< of all faces of the file; only from `addFaceMesh`
+  Stage<geometry::Setup> setup;       ///< with the direction that was chosen
+  Stage<DirectionSearch> directions;  ///< only where the job's direction is "auto"
   Stage<std::vector<Section>> sections;
   Stage<Sweep> fits;  ///< the sweep before its checks
   Stage<SweepResult> sweep;
@@ -63,9 +69,16 @@ struct Outcome {
   std::optional<Error> error = std::nullopt;
 };
 
+/// Kind of the finding that the linked source is another than when the design was saved.
+inline constexpr const char* kSourceIssue = "source";
+
 /// Evaluates a design. Stages of `previous` whose keys are unchanged are used again, so that a change
 /// recomputes only what depends on it.
 Outcome evaluate(const Design& design, const Evaluation* previous, const RunContext& context);
+
+/// Adds the triangles of all faces of the file, to choose among them, unless the file has one face only or
+/// was not read. Those of `previous` are used again where the file is the same. A stop leaves them out.
+void addFaceMesh(Evaluation& evaluation, const Evaluation* previous, const RunContext& context);
 
 /// What becomes of a robot program whose design has findings of severity error: by default it is not written.
 struct ProgramPolicy {
@@ -73,14 +86,21 @@ struct ProgramPolicy {
   std::string remedy = {};     ///< how the caller offers that, to close the message of a refusal
 };
 
-/// report.json, sweep.json, surface.step, mesh.obj, stations.csv and deviation.csv of an evaluation, plus the
-/// programs of its job in programs/ as `programFiles` has them, as files to be written together. The report
-/// lists exactly these.
-Result<FileSet> resultFiles(Evaluation& evaluation, const RunContext& context,
-                            const ProgramPolicy& policy = {});
+/// The design file that lies beside the results, so that they can be shown and exported again.
+inline constexpr const char* kDesignFile = "design.bladewright";
 
-/// report.json alone. `files` are listed in it.
-std::string reportJson(const Evaluation& evaluation, const std::vector<std::filesystem::path>& files);
+/// The design as it is stored beside its results: with the CAD file inside where that is small (8 MB), else
+/// linked by its whole path.
+Result<Design> storedDesign(const Design& design);
+
+/// sweep.json, surface.step, mesh.obj, stations.csv and deviation.csv of an evaluation, the programs of its
+/// job in programs/ as `programFiles` has them, `more` of the caller, and last report.json, as files to be
+/// written together. The report lists exactly these, with the fingerprint of each and the name of the run.
+Result<FileSet> resultFiles(Evaluation& evaluation, const RunContext& context,
+                            const ProgramPolicy& policy = {}, const FileSet& more = {});
+
+/// report.json alone, of the run of that name. `files` are listed in it.
+std::string reportJson(const Evaluation& evaluation, const std::string& run, const FileSet& files);
 
 /// Kind of the finding that tells of a robot program not written, or written despite errors.
 inline constexpr const char* kProgramIssue = "program";

@@ -7,7 +7,8 @@
 
 namespace bw::pipeline {
 
-/// What a picture of an evaluation shows; stages that are missing are left out.
+/// What a picture of an evaluation shows; stages that are missing are left out, but
+/// for a block that could not be used: it is shown where the job puts it.
 scene::Content sceneContent(const Evaluation& evaluation);
 
 }  // namespace bw::pipeline

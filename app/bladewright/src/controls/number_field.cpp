@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "controls/number_field.h"
+
+#include <QApplication>
+#include <QKeyEvent>
+#include <QPainter>
+#include <QStyle>
+#include <QStyleOptionFrame>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "bw/core/number_text.h"
+#include "bw/core/typed_number.h"
+
+namespace bw::app {
+
+namespace {
+
+constexpr int kDigits = 6;         // at least so many are shown of a number that has them
+constexpr int kMostDecimals = 12;  // the rest is rounding
+constexpr double kPage = 10;       // steps of the page keys
+constexpr int kUnitGap = 4;
+
+QString withoutTrailingZeros(QString text) {
+  if (!text.contains(QLatin1Char('.'))) return text;
+  while (text.endsWith(QLatin1Char('0'))) text.chop(1);
+  if (text.endsWith(QLatin1Char('.'))) text.chop(1);
+  return text == QStringLiteral("-0") ? QStringLiteral("0") : text;
+}
+
+}  // namespace
+
+NumberField::NumberField(const NumberRange& range, QWidget* parent)
+    : TypedField(parent), range_(range), value_(std::clamp(0.0, range.min, range.max)), before_(value_) {
+  setAlignment(Qt::AlignRight);
+  setUnit(range.unit);
+  setText(valueText());
+  connect(this, &QLineEdit::textEdited, this, &NumberField::follow);
+}
+
+void NumberField::show(double value) {
+  const bool changed = value != value_;
+  value_ = before_ = value;
+  showValue(changed);
+}
+
+void NumberField::setMaximum(double max) {
+  range_.max = max;
+  refreshLimits();
+}
+
+void NumberField::setUnit(const QString& unit) {
+  range_.unit = unit;
+  refreshLimits();
+  fitSuffix();
+}
+
+void NumberField::setSuffix(const QString& words) {
+  suffix_ = words;
+  fitSuffix();
+}
+
+void NumberField::fitSuffix() {
+  const QString& words = suffix_.isEmpty() ? range_.unit : suffix_;
+  setTextMargins(0, 0, words.isEmpty() ? 0 : fontMetrics().horizontalAdvance(words) + kUnitGap, 0);
+  update();
+}
+
+void NumberField::refreshLimits() {
+  const QString before = property("limits").toString(), limits = limitsText();
+  setProperty("limits", limits);
+  // The tip of a line ends with the limits.
+  QString tip = toolTip();
+  if (!before.isEmpty() && tip.endsWith(before)) tip.chop(before.size());
+  if (tip.isEmpty() || tip.endsWith('\n')) setToolTip(tip + limits);
+}
+
+void NumberField::setBlank(const QString& words) {
+  blank_ = words;
+  setPlaceholderText(words);
+  setText(valueText());
+}
+
+QString NumberField::limitsText() const {
+  const QString gap = range_.unit.isEmpty() || range_.unit == QChar(0xb0) ? QString() : QStringLiteral(" ");
+  return tr("%1 to %2%3").arg(textOf(range_.min), textOf(range_.max), gap + range_.unit);
+}
+
+QString NumberField::textOf(double value) const {
+  const double size = std::abs(value);
+  int decimals = range_.decimals;
+  if (size > std::pow(10.0, -kMostDecimals + 3))
+    decimals = std::clamp(kDigits - 1 - int(std::floor(std::log10(size))), decimals,
+                          std::max(decimals, kMostDecimals));
+  return withoutTrailingZeros(QString::fromStdString(fixedText(value, decimals)));
+}
+
+QString NumberField::valueText() const {
+  return !blank_.isEmpty() && value_ == range_.min ? QString() : textOf(value_);
+}
+
+QString NumberField::read(const QString& text, double* value) const {
+  if (!blank_.isEmpty() && text.trimmed().isEmpty()) {
+    *value = range_.min;
+    return {};
+  }
+  const NumberDemand demand{range_.unit.toStdString(), range_.min, range_.max, range_.decimals == 0};
+  const Result<double> read = readTypedNumber(text.toStdString(), demand);
+  if (!read) {
+    QString why = QString::fromStdString(read.error().message);
+    why[0] = why[0].toUpper();
+    return why;
+  }
+  *value = *read;
+  return check_ ? check_(*read) : QString();
+}
+
+QString NumberField::take(const QString& text) {
+  // What the field shows of a number is that number, though it may have more digits.
+  if (text == textOf(before_)) {
+    become(before_);
+    return {};
+  }
+  double value = 0;
+  if (QString why = read(text, &value); !why.isEmpty()) return why;
+  become(value);
+  before_ = value_;
+  return {};
+}
+
+void NumberField::become(double value) {
+  if (value == std::exchange(value_, value)) return;
+  emit edited(value);
+}
+
+void NumberField::follow(const QString& text) {
+  double value = 0;
+  if (live_ && read(text, &value).isEmpty()) become(value);
+}
+
+void NumberField::dropped() { become(before_); }
+
+void NumberField::step(double steps) {
+  if (!finish()) return;
+  const double wanted = value_ + steps * range_.step;
+  // 0.1 + 0.2 is 0.3 here.
+  const double tidy = parseNumber(shortText(wanted, kMostDecimals)).value_or(wanted);
+  const double value = std::clamp(tidy, range_.min, range_.max);
+  if (value == value_ || (check_ && !check_(value).isEmpty())) return;
+  become(value);
+  before_ = value_;
+  setText(valueText());
+  selectAll();
+}
+
+void NumberField::keyPressEvent(QKeyEvent* event) {
+  const int key = event->key();
+  const double steps = key == Qt::Key_Up         ? 1
+                       : key == Qt::Key_Down     ? -1
+                       : key == Qt::Key_PageUp   ? kPage
+                       : key == Qt::Key_PageDown ? -kPage
+                                                 : 0;
+  if (steps == 0 || event->modifiers() & ~Qt::KeyboardModifiers(Qt::KeypadModifier))
+    return TypedField::keyPressEvent(event);
+  step(steps);
+  event->accept();
+}
+
+bool NumberField::ownUnitTyped() const {
+  return std::any_of(text().begin(), text().end(),
+                     [](QChar c) { return c.isLetter() || c == QChar(0xb0) || c == QLatin1Char('"'); });
+}
+
+void NumberField::paintEvent(QPaintEvent* event) {
+  TypedField::paintEvent(event);
+  const QString& words = suffix_.isEmpty() ? range_.unit : suffix_;
+  if (words.isEmpty() || ownUnitTyped() || text().isEmpty()) return;
+  QStyleOptionFrame option;
+  initStyleOption(&option);
+  const QRect inside = style()->subElementRect(QStyle::SE_LineEditContents, &option, this);
+  QPainter painter(this);
+  const QPalette palette = QApplication::palette();
+  painter.setPen(isEnabled() ? palette.color(QPalette::PlaceholderText)
+                             : palette.color(QPalette::Disabled, QPalette::Text));
+  painter.drawText(inside.adjusted(0, 0, -2, 0), Qt::AlignRight | Qt::AlignVCenter, words);
+}
+
+}  // namespace bw::app

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+
+#include "controls/typed_field.h"
+
+namespace bw::app {
+
+/// What a number field holds.
+struct NumberRange {
+  double min = 0, max = 1;
+  int decimals = 2;  ///< shown at least, if they are not zeros; 0: whole numbers only
+  double step = 1;   ///< of the arrow keys
+  QString unit;      ///< shown inside the field
+};
+
+/// One editable number with its unit inside the field. Reads what a person means (`readTypedNumber`) and
+/// tells it when it is finished; arrow keys step.
+class NumberField : public TypedField {
+  Q_OBJECT
+
+ public:
+  explicit NumberField(const NumberRange& range, QWidget* parent = nullptr);
+
+  double value() const { return value_; }
+  /// Shows a value without telling it as an edit. A field that is being typed into keeps its text.
+  void show(double value);
+  using QWidget::show;
+
+  const NumberRange& range() const { return range_; }
+  void setMaximum(double max);
+  void setStep(double step) { range_.step = step; }
+  void setUnit(const QString& unit);
+  /// Words in the place of the unit that no one types: "of 20".
+  void setSuffix(const QString& words);
+  /// The smallest number means that there is none: it shows as `words`, and an empty field means it.
+  void setBlank(const QString& words);
+  /// Tells the number while it is typed, too, as soon as it can be read.
+  void setLive(bool live) { live_ = live; }
+  /// A further condition: why a number that is within the limits is refused, in one sentence, or nothing.
+  void setCheck(std::function<QString(double)> check) { check_ = std::move(check); }
+
+ signals:
+  void edited(double value);
+
+ protected:
+  QString take(const QString& text) override;
+  QString valueText() const override;
+  QString limitsText() const override;
+  void dropped() override;
+  void paintEvent(QPaintEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  /// The number that a text means, or why it means none.
+  QString read(const QString& text, double* value) const;
+  void become(double value);
+  void follow(const QString& text);
+  void step(double steps);
+  void refreshLimits();
+  QString textOf(double value) const;
+  bool ownUnitTyped() const;
+
+  void fitSuffix();
+
+  NumberRange range_;
+  QString suffix_;
+  double value_;
+  double before_;  ///< the value that Esc brings back
+  QString blank_;
+  bool live_ = false;
+  std::function<QString(double)> check_;
+};
+
+}  // namespace bw::app

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QColor>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPointer>
+
+namespace bw::app {
+
+/// A line that is typed into and means something. What is typed is taken when it is finished (Enter, Tab, a
+/// press elsewhere) and understood; otherwise the text stays, marked, with a sentence under the field. Esc
+/// brings the value back. After Enter and Esc the keyboard belongs to the field's area again.
+class TypedField : public QLineEdit {
+  Q_OBJECT
+  Q_PROPERTY(QColor errorColour READ errorColour WRITE setErrorColour)
+
+ public:
+  explicit TypedField(QWidget* parent = nullptr);
+
+  /// Takes what is typed, as Enter does; false if it was refused. True if nothing is typed.
+  bool finish();
+  /// Drops what is typed and shows the value.
+  void restore();
+  /// Something is typed that is not the value: unfinished, or refused.
+  bool typing() const { return isModified() || refused(); }
+  bool refused() const { return !refusal_.isEmpty(); }
+  /// Why the text is refused, and the limits; empty if it is not.
+  const QString& refusal() const { return refusal_; }
+  /// The sentence below the field; null before the first refusal.
+  const QLabel* note() const { return note_; }
+
+  QColor errorColour() const { return errorColour_; }
+  void setErrorColour(const QColor& colour);
+
+ protected:
+  /// Takes a text that was finished. Returns why it is refused, in one sentence; empty if it was taken.
+  virtual QString take(const QString& text) = 0;
+  /// The value as text.
+  virtual QString valueText() const = 0;
+  /// What the field takes, for the line under a refusal.
+  virtual QString limitsText() const { return {}; }
+  /// What was typed is given up, by Esc or as refused.
+  virtual void dropped() {}
+  /// Shows the value unless something else is being typed. Call when the value changed from outside.
+  void showValue(bool changed);
+
+  bool event(QEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+
+ private:
+  void mark(const QString& refusal);
+  void showNote();
+  bool placeNote();
+  void watch();
+  void leave(QKeyEvent* event);
+
+  QString refusal_;
+  QColor errorColour_;
+  QAction* icon_ = nullptr;
+  QPointer<QLabel> note_;
+  bool taking_ = false;
+  bool beside_ = false;  ///< the sentence stands beside the panel, where it hides no field
+};
+
+/// Takes what is typed in the field that has the keyboard; false if it was refused.
+bool finishTyping();
+/// The first visible field below `area` whose text is refused; null if there is none.
+TypedField* refusedField(const QWidget& area);
+
+/// Within `area` the keyboard belongs to `home`: fields give it back there.
+void setKeyboardHome(QWidget& area, QWidget& home);
+/// Gives the keyboard from `widget` to the home of its area; false if it has none.
+bool returnKeyboard(QWidget& widget);
+
+}  // namespace bw::app

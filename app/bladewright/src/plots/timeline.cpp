@@ -1,0 +1,273 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "plots/timeline.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+#include "controls/paint.h"
+
+namespace bw::app {
+
+namespace {
+
+constexpr int kLeft = 64, kRight = 16, kTop = 12, kAxis = 20;
+constexpr double kNotch = 0.8;  ///< zoom of one notch of the wheel
+
+}  // namespace
+
+Timeline::Timeline(Workbench& bench, const Theme& theme, QWidget* parent)
+    : QWidget(parent), bench_(bench), theme_(theme) {
+  setFocusPolicy(Qt::StrongFocus);
+  setMouseTracking(true);
+  setAccessibleName(tr("Timeline"));
+  setAccessibleDescription(
+      tr("Drag to move the blade, turn the wheel to zoom; arrow keys step from station to station"));
+  setCursor(Qt::SizeHorCursor);
+  connect(&bench, &Workbench::resultChanged, this, &Timeline::rebuild);
+  connect(&bench, &Workbench::playTimeChanged, this, &Timeline::follow);
+  connect(&bench, &Workbench::selectionChanged, this, qOverload<>(&QWidget::update));
+  connect(&bench, &Workbench::stateChanged, this, qOverload<>(&QWidget::update));
+  connect(&theme, &Theme::changed, this, qOverload<>(&QWidget::update));
+  rebuild();
+}
+
+void Timeline::rebuild() {
+  samples_.clear();
+  // A change of the design keeps what is looked at, as a part of the whole.
+  const double before = end_;
+  end_ = bench_.playEnd();
+  seen_ = before > 0 && end_ > 0 ? AxisRange{seen_.low * end_ / before, seen_.high * end_ / before}
+                                 : AxisRange{0, end_};
+  if (const pipeline::SweepResult* result = bench_.sweep()) {
+    const std::vector<StationNumbers> numbers = stationNumbers(*result);
+    samples_.reserve(numbers.size());
+    std::size_t i = 0;
+    // Instants with a station come in the order of the stations.
+    for (const MotionInstant& instant : result->motion.instants)
+      if (instant.station >= 0 && i < numbers.size()) {
+        samples_.push_back({instant.time, numbers[i].speedMin, numbers[i].speedMax, numbers[i].stress});
+        ++i;
+      }
+  }
+  update();
+}
+
+void Timeline::follow() {
+  const double time = bench_.playTime();
+  if (time < seen_.low || time > seen_.high)
+    seen_ = seen_.moved(time - 0.5 * (seen_.low + seen_.high), {0, end_});
+  update();
+}
+
+double Timeline::xOf(double seconds) const {
+  return kLeft + (width() - kLeft - kRight) * (seen_.span() > 0 ? (seconds - seen_.low) / seen_.span() : 0);
+}
+
+double Timeline::timeAt(double x) const {
+  return seen_.low + std::clamp((x - kLeft) / std::max(1, width() - kLeft - kRight), 0.0, 1.0) * seen_.span();
+}
+
+Timeline::Sample Timeline::at(double seconds) const {
+  const auto after = std::lower_bound(samples_.begin(), samples_.end(), seconds,
+                                      [](const Sample& s, double t) { return s.time < t; });
+  if (after == samples_.begin()) return samples_.front();
+  if (after == samples_.end()) return samples_.back();
+  const Sample &a = *(after - 1), &b = *after;
+  const double t = b.time > a.time ? (seconds - a.time) / (b.time - a.time) : 0;
+  return {seconds, std::lerp(a.speedMin, b.speedMin, t), std::lerp(a.speedMax, b.speedMax, t),
+          std::lerp(a.stress, b.stress, t)};
+}
+
+QStringList Timeline::readout() const {
+  if (cursor_ < kLeft || cursor_ > width() - kRight || samples_.size() < 2) return {};
+  const double time = timeAt(cursor_);
+  const Sample sample = at(time);
+  const double station = bench_.stationAt(time);
+  return {
+      station < 0 ? timeText(time) : tr("%1, station %2").arg(timeText(time)).arg(std::lround(station) + 1),
+      tr("%1 to %2").arg(speedText(sample.speedMin), speedText(sample.speedMax)),
+      tr("%1 N/mm²").arg(std::lround(sample.stress))};
+}
+
+void Timeline::zoom(double about, double factor) {
+  seen_ = seen_.zoomed(about, factor, {0, end_});
+  update();
+}
+
+void Timeline::paintPlot(QPainter& painter, const QRectF& area, const QString& title, double limit,
+                         const QString& limitText, double Sample::*low, double Sample::*high) const {
+  const Colours& c = theme_.colours();
+  double highest = 0;
+  for (const Sample& s : samples_) highest = std::max(highest, s.*high);
+  const bool limitShown = limit < 2.5 * highest;
+  const bool over = highest > limit * (1 + 1e-9);
+  const double range = std::max(1.12 * std::max(highest, limitShown ? limit : 0.0), 1e-9);
+  const auto y = [&](double v) { return area.bottom() - area.height() * v / range; };
+  paintLeftAxis(painter, area, {0, range}, c, true);
+  painter.setPen(QPen(c.line, 1));
+  painter.drawLine(area.bottomLeft(), area.bottomRight());
+  const QColor colour = over && limitShown ? c.error : c.selection;
+  QPolygonF upper, band;
+  for (const Sample& s : samples_) upper << QPointF(xOf(s.time), y(s.*high));
+  band = upper;
+  for (auto s = samples_.rbegin(); s != samples_.rend(); ++s)
+    band << QPointF(xOf(s->time), low ? y((*s).*low) : area.bottom());
+  QColor shade = colour;
+  shade.setAlphaF(0.14f);
+  painter.save();
+  painter.setClipRect(area.adjusted(0, -1, 0, 1));
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(shade);
+  painter.drawPolygon(band);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(colour, 1.5));
+  painter.drawPolyline(upper);
+  painter.restore();
+  const QFontMetrics metrics(painter.font());
+  if (limitShown) {
+    painter.setPen(QPen(over ? c.error : c.secondary, 1, Qt::DashLine));
+    painter.drawLine(QPointF(area.left(), y(limit)), QPointF(area.right(), y(limit)));
+    painter.setPen(over ? c.error : c.secondary);
+    painter.drawText(QRectF(area.left() + 4, y(limit) + 1, area.width() - 8, metrics.height()),
+                     Qt::AlignRight, limitText);
+  }
+  // On a card of its own, so that the grid does not run through it.
+  const QRectF name(area.left() + 3, area.top(), metrics.horizontalAdvance(title) + 6, metrics.height());
+  QColor card = c.panel;
+  card.setAlphaF(0.8f);
+  painter.fillRect(name, card);
+  painter.setPen(c.secondary);
+  painter.drawText(name, Qt::AlignCenter, title);
+}
+
+void Timeline::paintEvent(QPaintEvent*) {
+  const Colours& c = theme_.colours();
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.fillRect(rect(), c.panel);
+  painter.setFont(Theme::secondaryFont());
+  if (samples_.size() < 2 || end_ <= 0) {
+    painter.setPen(c.secondary);
+    painter.setFont(Theme::bodyFont());
+    painter.drawText(rect(), Qt::AlignCenter, tr("The motion stands here as soon as a result is there."));
+    return;
+  }
+  if (bench_.stale()) painter.setOpacity(kStaleOpacity);
+  const double height = this->height() - kTop - kAxis;
+  const double gap = 8;
+  const double half = (height - gap) / 2;
+  const double plotWidth = width() - kLeft - kRight;
+  const Blade& blade = bench_.sweep()->sweep.blade;
+  const double allowed = blade.yieldStress / blade.safety;
+  paintPlot(painter, {double(kLeft), double(kTop), plotWidth, half}, tr("Speed, mm/s"), 1e18, {},
+            &Sample::speedMin, &Sample::speedMax);
+  paintPlot(painter, {kLeft, kTop + half + gap, plotWidth, half}, tr("Stress, N/mm²"), allowed,
+            tr("limit %1").arg(std::lround(allowed)), nullptr, &Sample::stress);
+
+  // Time axis.
+  const QFontMetrics metrics(painter.font());
+  painter.setPen(c.secondary);
+  const double step = std::max(roundBelow(seen_.span() / 5), 0.1);
+  for (double t = step * std::ceil(seen_.low / step - 1e-9); t <= seen_.high + 1e-9; t += step) {
+    const double x = xOf(t);
+    painter.drawLine(QPointF(x, kTop + height), QPointF(x, kTop + height + 3));
+    const QString text = step >= 1 ? timeText(t).chopped(2) : timeText(t);
+    painter.drawText(QRectF(x - 40, kTop + height + 3, 80, metrics.height()), Qt::AlignHCenter, text);
+  }
+  painter.setClipRect(QRectF(kLeft - 6, 0, plotWidth + 12, kTop + height));
+  if (bench_.selection().station >= 0) {
+    const double x = xOf(bench_.timeOfStation(bench_.selection().station));
+    painter.setPen(QPen(c.selection, 1, Qt::DashLine));
+    painter.drawLine(QPointF(x, kTop), QPointF(x, kTop + height));
+  }
+  const double x = xOf(bench_.playTime());
+  painter.setOpacity(1);
+  painter.setPen(QPen(c.accent, 1.5));
+  painter.drawLine(QPointF(x, kTop), QPointF(x, kTop + height));
+  painter.setBrush(c.accent);
+  painter.setPen(Qt::NoPen);
+  // Its handle stands above the plots, clear of the times below.
+  painter.drawPolygon(QPolygonF() << QPointF(x - 5, kTop - 10) << QPointF(x + 5, kTop - 10)
+                                  << QPointF(x + 5, kTop - 5) << QPointF(x, kTop)
+                                  << QPointF(x - 5, kTop - 5));
+  painter.setClipping(false);
+  if (const QStringList lines = readout(); !lines.isEmpty()) {
+    painter.setPen(QPen(c.secondary, 1, Qt::DotLine));
+    painter.drawLine(QPointF(cursor_, kTop), QPointF(cursor_, kTop + height));
+    paintReadout(painter, {cursor_, kTop + half}, QRectF(rect()).adjusted(2, 2, -2, -2), lines, c);
+  }
+  if (hasFocus()) {
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(c.selection, 1));
+    painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
+  }
+}
+
+void Timeline::mousePressEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton) bench_.setPlayTime(timeAt(event->position().x()));
+}
+
+void Timeline::mouseMoveEvent(QMouseEvent* event) {
+  cursor_ = event->buttons() & Qt::LeftButton ? -1 : event->position().x();
+  if (event->buttons() & Qt::LeftButton) bench_.setPlayTime(timeAt(event->position().x()));
+  update();
+}
+
+void Timeline::mouseDoubleClickEvent(QMouseEvent*) {
+  seen_ = {0, end_};
+  update();
+}
+
+void Timeline::leaveEvent(QEvent*) {
+  cursor_ = -1;
+  update();
+}
+
+void Timeline::wheelEvent(QWheelEvent* event) {
+  event->accept();
+  // With Shift some platforms turn the wheel's way by themselves.
+  const double across = event->angleDelta().x() / 120.0, notches = event->angleDelta().y() / 120.0;
+  if (event->modifiers() & Qt::ShiftModifier || std::abs(across) > std::abs(notches)) {
+    seen_ = seen_.moved(-0.1 * (across + (across == 0 ? notches : 0)) * seen_.span(), {0, end_});
+    return update();
+  }
+  zoom(timeAt(event->position().x()), std::pow(kNotch, notches));
+}
+
+bool Timeline::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride) {
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    if (key == Qt::Key_Left || key == Qt::Key_Right || key == Qt::Key_Home || key == Qt::Key_End ||
+        key == Qt::Key_Plus || key == Qt::Key_Minus || key == Qt::Key_0)
+      event->accept();
+  }
+  return QWidget::event(event);
+}
+
+void Timeline::keyPressEvent(QKeyEvent* event) {
+  const int station = int(std::lround(bench_.stationAt(bench_.playTime())));
+  if (event->key() == Qt::Key_Left || event->key() == Qt::Key_Right) {
+    const pipeline::SweepResult* result = bench_.sweep();
+    if (!result) return;
+    const int next = std::clamp(station + (event->key() == Qt::Key_Right ? 1 : -1), 0,
+                                int(result->sweep.stations.size()) - 1);
+    bench_.setPlayTime(bench_.timeOfStation(next));
+  } else if (event->key() == Qt::Key_Home) {
+    bench_.setPlayTime(0);
+  } else if (event->key() == Qt::Key_End) {
+    bench_.setPlayTime(end_);
+  } else if (event->key() == Qt::Key_Plus || event->key() == Qt::Key_Minus) {
+    zoom(bench_.playTime(), event->key() == Qt::Key_Plus ? kNotch : 1 / kNotch);
+  } else if (event->key() == Qt::Key_0) {
+    zoom(0, 1e9);
+  } else {
+    QWidget::keyPressEvent(event);
+  }
+}
+
+}  // namespace bw::app

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QWidget>
+
+#include <vector>
+
+#include "controls/numbers.h"
+#include "controls/theme.h"
+#include "plots/plot_axes.h"
+#include "workbench/workbench.h"
+
+namespace bw::app {
+
+/// Speed (slowest to fastest point of the blade) and bending stress over time, with the playhead: drag to
+/// scrub. The wheel zooms to the time under the cursor, with Shift it moves, a double click shows all again;
+/// what lies under the cursor stands beside it.
+class Timeline : public QWidget {
+  Q_OBJECT
+
+ public:
+  Timeline(Workbench& bench, const Theme& theme, QWidget* parent = nullptr);
+
+  /// The x of a time, and the time of an x, in the widget.
+  double xOf(double seconds) const;
+  double timeAt(double x) const;
+  /// The seconds that are seen.
+  AxisRange seen() const { return seen_; }
+  /// What stands beside the cursor; empty if nothing does.
+  QStringList readout() const;
+  QSize sizeHint() const override { return {680, 150}; }
+  QSize minimumSizeHint() const override { return {320, 80}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  bool event(QEvent* event) override;
+
+ private:
+  struct Sample {
+    double time, speedMin, speedMax, stress;
+  };
+  void rebuild();
+  /// Keeps the playhead in sight.
+  void follow();
+  void paintPlot(QPainter& painter, const QRectF& area, const QString& title, double limit,
+                 const QString& limitText, double Sample::*low, double Sample::*high) const;
+  /// The numbers at a time, between the stations in proportion.
+  Sample at(double seconds) const;
+  void zoom(double about, double factor);
+
+  Workbench& bench_;
+  const Theme& theme_;
+  std::vector<Sample> samples_;
+  double end_ = 0;
+  AxisRange seen_;      ///< s
+  double cursor_ = -1;  ///< x in the widget; −1 outside
+};
+
+}  // namespace bw::app

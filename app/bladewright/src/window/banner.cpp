@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "window/banner.h"
+
+#include <QHBoxLayout>
+#include <QPainter>
+
+#include <algorithm>
+
+#include "bw/core/printable.h"
+#include "window/messages.h"
+
+namespace bw::app {
+
+namespace {
+
+constexpr int kBorder = 3;
+constexpr int kWidest = 760;
+constexpr int kLeastHeight = 22, kMargin = 8;
+
+}  // namespace
+
+Banner::Banner(const Theme& theme, QWidget* parent)
+    : QFrame(parent),
+      theme_(theme),
+      icon_(new QLabel(this)),
+      label_(new QLabel(this)),
+      more_(new QLabel(this)),
+      action_(new QPushButton(this)),
+      close_(new QToolButton(this)) {
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(kGroupGap, kMargin, kGap, kMargin);
+  layout->setSpacing(kGap);
+  icon_->setFixedSize(20, 20);
+  layout->addWidget(icon_, 0, Qt::AlignTop);
+  label_->setWordWrap(true);
+  label_->setTextFormat(Qt::PlainText);
+  label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  label_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  layout->addWidget(label_, 1);
+  layout->addWidget(action_, 0, Qt::AlignTop);
+  more_->setObjectName("secondary");
+  more_->setToolTip(tr("More lines stand behind this one: close it to read the next"));
+  layout->addWidget(more_, 0, Qt::AlignTop);
+  close_->setToolTip(tr("Close this line"));
+  close_->setAccessibleName(tr("Close this line"));
+  layout->addWidget(close_, 0, Qt::AlignTop);
+  connect(close_, &QToolButton::clicked, this, &Banner::answer);
+  connect(action_, &QPushButton::clicked, this, [this] {
+    if (const auto run = answer().run) run();
+  });
+  connect(&theme, &Theme::changed, this, &Banner::refresh);
+  hide();
+}
+
+void Banner::tell(const Notice& notice) {
+  std::erase_if(standing_, [&](const Notice& n) {
+    return n.text == notice.text || (n.topic == notice.topic && n.topic != Topic::other);
+  });
+  standing_.push_back(notice);
+  showFront();
+}
+
+void Banner::outdate(Topic topic) {
+  if (std::erase_if(standing_, [&](const Notice& n) { return n.topic == topic; }) == 0) return;
+  if (isVisible() || standing_.empty()) showFront();
+}
+
+void Banner::resume() {
+  if (!standing_.empty()) showFront();
+}
+
+Notice Banner::answer() {
+  if (standing_.empty()) return {};
+  Notice answered = std::move(standing_.back());
+  standing_.pop_back();
+  showFront();
+  return answered;
+}
+
+void Banner::showFront() {
+  if (standing_.empty()) return hide();
+  const Notice& notice = standing_.back();
+  // Names of files and entities come from outside.
+  QString text = QString::fromStdString(printable(notice.text.toStdString()));
+  if (!text.isEmpty()) text[0] = text[0].toUpper();
+  label_->setText(text);
+  action_->setText(notice.action);
+  action_->setVisible(!notice.action.isEmpty());
+  more_->setText(tr("1 of %1").arg(standing_.size()));
+  more_->setVisible(standing_.size() > 1);
+  refresh();
+  show();
+  raise();
+  emit told();
+}
+
+void Banner::place(const QPoint& corner, int width) {
+  const auto taken = [](const QWidget* widget) {
+    return widget->isHidden() ? 0 : widget->sizeHint().width() + kGap;
+  };
+  const int others = kGroupGap + 20 + kGap + taken(action_) + taken(more_) + taken(close_) + kGap;
+  const int wanted = label_->fontMetrics().horizontalAdvance(label_->text()) + others + 4;
+  const int given = std::min({wanted, width, kWidest});
+  const int lines = label_->heightForWidth(given - others);
+  setGeometry(
+      corner.x(), corner.y(), given,
+      std::max({lines, action_->isHidden() ? 0 : action_->sizeHint().height(), kLeastHeight}) + 2 * kMargin);
+}
+
+void Banner::refresh() {
+  const Severity severity = standing_.empty() ? Severity::info : standing_.back().severity;
+  icon_->setPixmap(theme_.pixmap(severityIcon(severity), severityColour(severity, theme_.colours())));
+  close_->setIcon(QIcon(theme_.pixmap("close", theme_.colours().secondary)));
+  close_->setIconSize({14, 14});
+  update();
+}
+
+void Banner::paintEvent(QPaintEvent*) {
+  if (standing_.empty()) return;
+  const Colours& c = theme_.colours();
+  QPainter painter(this);
+  painter.fillRect(rect(), c.panel);
+  const QColor colour = severityColour(standing_.back().severity, c);
+  QColor tint = colour;
+  tint.setAlphaF(0.07f);
+  painter.fillRect(rect(), tint);
+  painter.setPen(c.line);
+  painter.drawRect(rect().adjusted(0, 0, -1, -1));
+  painter.fillRect(QRect(0, 0, kBorder, height()), colour);
+}
+
+}  // namespace bw::app

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QFrame>
+#include <QLabel>
+#include <QPushButton>
+#include <QToolButton>
+
+#include <vector>
+
+#include "controls/theme.h"
+#include "workbench/workbench.h"
+
+namespace bw::app {
+
+/// A calm line that floats over the picture and moves nothing: icon, text, at most one button, and a cross.
+/// Notices stand behind each other, the newest in front, until they are answered (by their button or the
+/// cross) or no longer hold (`outdate`).
+class Banner : public QFrame {
+  Q_OBJECT
+
+ public:
+  explicit Banner(const Theme& theme, QWidget* parent = nullptr);
+  /// Puts a notice in front; it takes the place of an earlier one of its topic, or with its text.
+  void tell(const Notice& notice);
+  /// Takes the notices of a topic away.
+  void outdate(Topic topic);
+  /// Stands at `corner` and takes as much of `width` as its words need.
+  void place(const QPoint& corner, int width);
+  /// Out of sight while another page is shown; the next notice, or `resume`, brings it back.
+  void pause() { hide(); }
+  void resume();
+  QString text() const { return label_->text(); }
+  QPushButton* action() { return action_; }
+  QToolButton* cross() { return close_; }
+  /// All that stand, the one in front last.
+  const std::vector<Notice>& notices() const { return standing_; }
+
+ signals:
+  /// Another text stands: the line may need another place.
+  void told();
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void showFront();
+  void refresh();
+  /// Takes the front notice away and shows the next.
+  Notice answer();
+
+  const Theme& theme_;
+  std::vector<Notice> standing_;
+  QLabel *icon_, *label_, *more_;
+  QPushButton* action_;
+  QToolButton* close_;
+};
+
+}  // namespace bw::app

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QByteArray>
+#include <QImage>
+#include <QString>
+
+#include <string>
+#include <vector>
+
+#include "bw/pipeline/report_page.h"
+
+namespace bw::app {
+
+/// A picture that goes into a report.
+struct ReportImage {
+  std::string name;  ///< of its file, without suffix
+  QString title;     ///< what it shows
+  QImage image;
+};
+
+/// The report of a result as a page that holds its pictures itself, and the same on A4 as PDF with numbered
+/// pages. May run beside the window's thread.
+struct PrintedReport {
+  std::string html;
+  std::string pdf;
+};
+PrintedReport printReport(const pipeline::Evaluation& evaluation, const std::vector<ReportImage>& images);
+
+/// PNG bytes of a picture.
+QByteArray pngBytes(const QImage& image);
+
+}  // namespace bw::app

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+// The CAD file that the open design is made from: replaced, read again, looked for, watched.
+#include <system_error>
+
+#include "bw/core/file_set.h"
+#include "workbench/workbench.h"
+
+namespace bw::app {
+
+namespace fs = std::filesystem;
+
+fs::path Workbench::sourceFile() const {
+  const Source& source = document_.design()->source;
+  if (source.path.empty() || source.path.is_absolute()) return source.path;
+  // An embedded source keeps the name that it had; it may lie beside the design.
+  return document_.file().empty() ? fs::path() : document_.file().parent_path() / source.path;
+}
+
+bool Workbench::sourceMissing() const {
+  const Source& source = document_.design()->source;
+  std::error_code error;
+  return !document_.empty() && source.bytes.empty() && !fs::is_regular_file(source.path, error);
+}
+
+bool Workbench::canReload() const {
+  std::error_code error;
+  return !document_.empty() && fs::is_regular_file(sourceFile(), error);
+}
+
+Result<void> Workbench::replaceSource(const fs::path& file, const QString& text) {
+  const auto refuse = [this](const Error& error) -> Result<void> {
+    tell({Severity::error, QString::fromStdString(error.message), {}, {}, Topic::source});
+    return tl::unexpected<Error>(error);
+  };
+  std::error_code error;
+  if (!fs::is_regular_file(file, error))
+    return refuse({ErrorCode::cannotRead,
+                   tr("there is no file %1").arg(QString::fromStdString(file.string())).toStdString(),
+                   file.string()});
+  Design design = *document_.design();
+  const bool embedded = !design.source.bytes.empty();
+  const fs::path absolute = fs::absolute(file, error);
+  design.source = {error ? file : absolute, {}, std::nullopt};
+  if (embedded) {
+    Result<std::string> bytes = readFile(file);
+    if (!bytes) return refuse(bytes.error());
+    design.source.bytes = std::move(*bytes);
+  }
+  if (design.source.path == document_.design()->source.path)
+    design.source.saved = document_.design()->source.saved;
+  emit noticesOutdated(Topic::source);
+  emit noticesOutdated(Topic::unit);
+  sizeAsked_ = false;
+  document_.edit(std::move(design), text);
+  settings_.addRecentFile(file);
+  return {};
+}
+
+void Workbench::reloadSource() {
+  if (!canReload()) return;
+  emit noticesOutdated(Topic::source);
+  sizeAsked_ = false;
+  watch_.accept();
+  if (document_.design()->source.bytes.empty())
+    runner_.evaluate(document_.design());
+  else
+    static_cast<void>(replaceSource(sourceFile(), tr("Reload surface")));
+}
+
+void Workbench::followSource() { watch_.watch(document_.empty() ? fs::path() : sourceFile()); }
+
+void Workbench::tellSourceChanged() {
+  tell({Severity::warning,
+        tr("The CAD file %1 has changed on disk.")
+            .arg(QString::fromStdString(sourceFile().filename().string())),
+        tr("Reload"), [this] { reloadSource(); }, Topic::source});
+}
+
+void Workbench::tellSourceGone() {
+  if (!sourceMissing()) return;  // the design holds a copy
+  tell({Severity::warning,
+        tr("The CAD file %1 is no longer there; the design needs it to be computed again.")
+            .arg(QString::fromStdString(sourceFile().string())),
+        tr("Locate…"), [this] { emit locateRequested(); }, Topic::source});
+}
+
+void Workbench::noteSourceRead() {
+  const auto& evaluation = runner_.evaluation();
+  if (!evaluation) return;
+  // A change of a setting reads a file that has changed, too.
+  if (evaluation->model.value && evaluation->model.value != readModel_) {
+    readModel_ = evaluation->model.value;
+    if (evaluation->design.source.bytes.empty() && evaluation->design.source.path == watch_.file()) {
+      watch_.accept();
+      emit noticesOutdated(Topic::source);
+    }
+  }
+  if (evaluation->source.issues.empty() && sourceTold_) {
+    sourceTold_ = false;
+    emit noticesOutdated(Topic::source);
+  }
+  if (!evaluation->source.issues.empty() && !sourceTold_) {
+    sourceTold_ = true;
+    tell({Severity::warning,
+          QString::fromStdString(evaluation->source.issues.front().message),
+          {},
+          {},
+          Topic::source});
+  }
+}
+
+}  // namespace bw::app

@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "workflow/face_fields.h"
+
+#include <QStandardItemModel>
+
+#include "bw/core/number_text.h"
+
+namespace bw::app {
+
+namespace {
+
+using Kind = FaceChoice::Kind;
+
+constexpr int kUnknownCount = 100000;    // faces of a file that is not read yet
+constexpr std::size_t kSidesShown = 40;  // the largest; more are chosen by number
+
+QStringList namesOf(const geometry::CadInfo* info) {
+  QStringList names;
+  if (!info) return names;
+  for (const geometry::FaceInfo& face : info->faceList) {
+    const QString name = QString::fromStdString(face.name);
+    if (!name.isEmpty()) names << name;
+  }
+  names.removeDuplicates();
+  names.sort(Qt::CaseInsensitive);
+  return names;
+}
+
+QString areaText(double mm2) {
+  const bool large = mm2 >= 1e4;
+  return QStringLiteral("%1 %2").arg(QString::fromStdString(shortText(large ? mm2 * 1e-6 : mm2)),
+                                     large ? QStringLiteral("m²") : QStringLiteral("mm²"));
+}
+
+}  // namespace
+
+FaceFields::FaceFields(Workbench& bench, FormColumn* column, QObject* parent)
+    : QObject(parent), bench_(bench) {
+  kinds_ = new ChoiceField;
+  kinds_->addItems(
+      {tr("Largest"), tr("All"), tr("By number"), tr("By name"), tr("One side"), tr("Near a point")});
+  column->add(tr("Faces"), kinds_,
+              tr("Which faces of the file are cut. Largest: of those that are neither planes, cylinders nor "
+                 "cones, if there are such"));
+  connect(kinds_, &QComboBox::activated, this, &FaceFields::chooseKind);
+  numbers_ = new ListField(tr("face"));
+  numbersLabel_ = column->add(tr("Face numbers"), numbers_, tr("Counted from 0: 0, 3, 5-7"));
+  connect(numbers_, &ListField::edited, this, &FaceFields::chooseNumbers);
+  names_ = new ChoiceField;
+  namesLabel_ =
+      column->addLong(tr("Name"), names_, tr("Names that faces, or their solids, have in the file"));
+  connect(names_, &QComboBox::activated, this, [this] {
+    FaceChoice choice;
+    choice.kind = Kind::named;
+    for (const QString& name : names_->currentData().toStringList())
+      choice.names.push_back(name.toStdString());
+    this->choose(choice);
+  });
+  sides_ = new ChoiceField;
+  sidesLabel_ = column->addLong(tr("Side"), sides_, tr("Faces that join smoothly, the largest side first"));
+  connect(sides_, &QComboBox::activated, this, [this](int index) {
+    FaceChoice choice;
+    choice.kind = Kind::group;
+    choice.group = sides_->itemData(index).toInt();
+    this->choose(choice);
+  });
+  static const char* const kAxes[] = {"x", "y", "z"};
+  for (std::size_t axis = 0; axis < point_.size(); ++axis) {
+    point_[axis] = new NumberField({-1e7, 1e7, 3, 10, "mm"});
+    pointLabels_[axis] = column->add(tr("Point %1").arg(kAxes[axis]), point_[axis],
+                                     tr("The face nearest to this point of the file's frame is cut"));
+    connect(point_[axis], &NumberField::edited, this, [this, i = Eigen::Index(axis)](double value) {
+      FaceChoice choice = bench_.job().face;
+      choice.point[i] = value;
+      this->choose(choice);
+    });
+  }
+}
+
+void FaceFields::choose(const FaceChoice& choice) {
+  bench_.editJob(tr("Choose faces"), [&](Job& job) { job.face = choice; });
+}
+
+void FaceFields::chooseKind(int kind) {
+  FaceChoice choice;
+  choice.kind = Kind(kind);
+  const auto& newest = bench_.runner().evaluation();
+  const geometry::CadInfo* info = newest && newest->model.value ? &newest->model.value->info() : nullptr;
+  if (choice.kind == Kind::indices) {
+    choice.indices = newest && newest->target.value ? newest->target.value->faces() : std::vector<int>{0};
+  } else if (choice.kind == Kind::named) {
+    const QStringList names = namesOf(info);
+    if (names.isEmpty()) return refresh();
+    choice.names = {names.first().toStdString()};
+  } else if (choice.kind == Kind::nearest && newest && newest->target.value) {
+    choice.point = newest->target.value->bounds().center();
+  }
+  choose(choice);
+}
+
+void FaceFields::chooseNumbers(const std::vector<int>& numbers) {
+  FaceChoice choice;
+  choice.kind = Kind::indices;
+  choice.indices = numbers;
+  if (choice.indices.empty()) choice.indices = {0};
+  choose(choice);
+}
+
+void FaceFields::showNames(const FaceChoice& face, const geometry::CadInfo* info) {
+  QStringList chosen;
+  for (const std::string& name : face.names) chosen << QString::fromStdString(name);
+  const QStringList names = namesOf(info);
+  names_->clear();
+  for (const QString& name : names) names_->addItem(name, QStringList(name));
+  if (chosen.size() > 1 || (!chosen.isEmpty() && !names.contains(chosen.first())))
+    names_->addItem(chosen.join(", "), chosen);
+  names_->show(names_->findData(chosen));
+  auto* items = qobject_cast<QStandardItemModel*>(kinds_->model());
+  items->item(int(Kind::named))->setEnabled(!names.isEmpty());
+}
+
+void FaceFields::showSides(const FaceChoice& face, const geometry::CadInfo* info) {
+  sides_->clear();
+  const auto add = [&](const geometry::FaceGroup& group) {
+    const int faces = int(group.faces.size());
+    const geometry::FaceInfo& first = info->faceList[std::size_t(group.faces.front())];
+    const QString name =
+        first.name.empty() ? QString() : QStringLiteral(" (%1)").arg(QString::fromStdString(first.name));
+    sides_->addItem(tr("%1: %2%3, %4")
+                        .arg(group.index + 1)
+                        .arg(faces == 1 ? tr("face %1").arg(first.index) : tr("%1 faces").arg(faces), name,
+                             areaText(group.area)),
+                    group.index);
+  };
+  if (info) {
+    for (const geometry::FaceGroup& group : info->groups) {
+      if (std::size_t(group.index) < kSidesShown || group.index == face.group) add(group);
+    }
+  }
+  sides_->show(sides_->findData(face.group));
+}
+
+void FaceFields::refresh() {
+  const FaceChoice& face = bench_.job().face;
+  const auto& newest = bench_.runner().evaluation();
+  const geometry::CadInfo* info = newest && newest->model.value ? &newest->model.value->info() : nullptr;
+  kinds_->show(int(face.kind));
+  setLineVisible(numbersLabel_, numbers_, face.kind == Kind::indices);
+  setLineVisible(namesLabel_, names_, face.kind == Kind::named);
+  setLineVisible(sidesLabel_, sides_, face.kind == Kind::group);
+  numbers_->setCount(info ? info->faces : kUnknownCount);
+  numbers_->show(face.indices);
+  showNames(face, info);
+  showSides(face, info);
+  for (std::size_t axis = 0; axis < point_.size(); ++axis) {
+    setLineVisible(pointLabels_[axis], point_[axis], face.kind == Kind::nearest);
+    point_[axis]->show(face.point[Eigen::Index(axis)]);
+  }
+}
+
+}  // namespace bw::app

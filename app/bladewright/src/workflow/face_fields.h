@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QLabel>
+#include <QObject>
+
+#include <array>
+
+#include "controls/fields.h"
+#include "controls/list_field.h"
+#include "workbench/workbench.h"
+
+namespace bw::app {
+
+/// Fields that choose the faces of the file: the largest, all, by number, by name, one side, or the nearest
+/// to a point; edits go to the design.
+class FaceFields : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Adds its lines to `column`.
+  FaceFields(Workbench& bench, FormColumn* column, QObject* parent);
+  void refresh();
+
+ private:
+  void choose(const FaceChoice& choice);
+  /// Takes another way of choosing, with what it would begin with.
+  void chooseKind(int kind);
+  void chooseNumbers(const std::vector<int>& numbers);
+  void showNames(const FaceChoice& face, const geometry::CadInfo* info);
+  void showSides(const FaceChoice& face, const geometry::CadInfo* info);
+
+  Workbench& bench_;
+  ChoiceField *kinds_, *names_, *sides_;
+  ListField* numbers_;
+  QLabel *numbersLabel_, *namesLabel_, *sidesLabel_;
+  std::array<NumberField*, 3> point_;
+  std::array<QLabel*, 3> pointLabels_;
+};
+
+}  // namespace bw::app

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bw/core/file_set.h"
+#include "bw/core/result.h"
+#include "bw/core/run_context.h"
+
+namespace bw::pipeline {
+
+/// What a result folder held at some moment: enough to see whether another run was put there since.
+struct FolderState {
+  std::string text;
+  bool operator==(const FolderState&) const = default;
+};
+FolderState folderState(const std::filesystem::path& folder);
+
+/// True if both name one file that exists.
+bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b);
+
+/// Writes `files` into `folder` in place of what an earlier run of ours left there (`earlierFiles`): all or
+/// nothing, and at no moment, should the program be ended there, with the program of one robot from one run
+/// and that of the other from another (`Replacement`). The folder of a strip is exchanged as a whole, with
+/// what others put into it; where that cannot be (a link, a mount point, no hard links), its files take their
+/// places after those of the former run went away. The last of `files` comes last. Files and folders of dead
+/// writers are cleared away. Returns the earlier files that were removed.
+///
+/// Errors: another process is writing there, or with `seen` has written since (`ErrorCode::cannotWrite`); one
+/// of `files` would take the place of one of `inputs`, which they were made from (`ErrorCode::badInput`).
+Result<std::vector<std::filesystem::path>> commitAfresh(
+    const FileSet& files, const std::filesystem::path& folder,
+    const std::vector<std::filesystem::path>& inputs = {}, const RunContext& context = {},
+    const std::optional<FolderState>& seen = std::nullopt);
+
+}  // namespace bw::pipeline

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "bw/pipeline/direction_search.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "bw/core/number_text.h"
+#include "bw/core/sweep.h"
+#include "bw/core/units.h"
+
+namespace bw::pipeline {
+
+namespace {
+
+/// Stations of a trial: few, but enough for the angles to be of second order.
+constexpr int kStations = 9;
+/// Stations that may be left out at each end of the row: corners of a surface that lies askew.
+constexpr int kSparedAtAnEnd = 1;
+/// What is clearly better: a deviation of this part, an angle smaller by this much.
+constexpr double kSmallerDeviation = 0.8;
+constexpr double kSmallerAngle = 10 * kDegree;
+
+bool isUnusable(const Station& station, double curvatureLimit) {
+  return station.fit.status == FitStatus::infeasible || station.blade.maxCurvature() > curvatureLimit ||
+         station.clearance < 0;
+}
+
+/// Stations left out inside the row, or beyond those spared at its ends.
+int leftOut(const std::vector<Station>& stations) {
+  const int before = stations.front().index, after = kStations - 1 - stations.back().index;
+  const int inside = kStations - before - after - int(stations.size());
+  return inside + std::max(0, before - kSparedAtAnEnd) + std::max(0, after - kSparedAtAnEnd);
+}
+
+DirectionTrial tried(const geometry::Target& target, const geometry::Setup& setup, const Job& job,
+                     const geometry::NamedDirection& along, const RunContext& context) {
+  DirectionTrial trial{along.name, along.direction, kStations, kStations, 0, 0, {}};
+  const auto failed = [&](const Error& error) {
+    trial.failure = error.message;
+    return trial;
+  };
+  Issues ignored;
+  Result<std::vector<Section>> sections =
+      geometry::cutSections(target, {setup.block, along.direction}, job, context, ignored);
+  if (!sections) return failed(sections.error());
+  Result<Sweep> sweep = buildSweep(std::move(*sections), job, setup.block, along.direction, context, ignored);
+  if (!sweep) return failed(sweep.error());
+  if (const Result<void> measured = measureSweep(*sweep, job, context); !measured)
+    return failed(measured.error());
+  trial.unusable = leftOut(sweep->stations);
+  for (const Station& station : sweep->stations) {
+    if (isUnusable(station, sweep->blade.maxCurvature())) ++trial.unusable;
+    trial.deviationMax = std::max(trial.deviationMax, station.fit.hausdorff);
+    trial.angleMax = std::max(trial.angleMax, station.angleMax);
+  }
+  return trial;
+}
+
+std::string figures(const DirectionTrial& trial) {
+  if (!trial.failure.empty()) return "no sweep";
+  return "a cutting angle of up to " + fixedText(toDegrees(trial.angleMax), 1) + "°, sections met within " +
+         shortText(trial.deviationMax) + " mm, " + std::to_string(trial.unusable) + " of " +
+         std::to_string(trial.stations) + " stations unusable";
+}
+
+/// True if no trial whatsoever would be clearly better.
+bool cannotBeBeaten(const DirectionTrial& trial, double tolerance) {
+  return trial.unusable == 0 && trial.deviationMax <= tolerance && trial.angleMax <= kSmallerAngle;
+}
+
+}  // namespace
+
+bool clearlyBetter(const DirectionTrial& a, const DirectionTrial& b, double tolerance) {
+  if (a.unusable != b.unusable) return a.unusable < b.unusable;
+  if (!a.failure.empty() || !b.failure.empty()) return a.failure.empty() && !b.failure.empty();
+  const double da = std::max(a.deviationMax, tolerance), db = std::max(b.deviationMax, tolerance);
+  if (da < kSmallerDeviation * db) return true;
+  if (db < kSmallerDeviation * da) return false;
+  return a.angleMax < b.angleMax - kSmallerAngle;
+}
+
+Issues directionFindings(const DirectionSearch& search) {
+  if (search.chosen == 0) return {};
+  const DirectionTrial &usual = search.trials.front(), &chosen = search.trials[search.chosen];
+  return {{Severity::info,
+           "direction",
+           "the blade goes along the " + chosen.name + " (" + figures(chosen) + ") rather than the " +
+               usual.name + " (" + figures(usual) + ")",
+           {}}};
+}
+
+Result<DirectionSearch> searchDirection(const geometry::Target& target, const geometry::Setup& setup,
+                                        const Job& given, const RunContext& context) {
+  Job job = given;
+  job.stations = kStations;
+  job.spacing.reset();
+  const std::vector<geometry::NamedDirection> directions = geometry::directionsToTry(target, setup.block);
+  RunContext quiet;  // a trial tells no progress of its own, and shares its thread with nobody
+  quiet.stop = context.stop;
+  quiet.threads = 1;
+  DirectionSearch search;
+  search.trials.push_back(tried(target, setup, job, directions.front(), quiet));
+  if (context.stopped()) return stoppedError();
+  if (directions.size() < 2 || cannotBeBeaten(search.trials.front(), job.tolerance)) return search;
+  std::vector<DirectionTrial> others(directions.size() - 1);
+  const auto body = [&](int i) {
+    others[std::size_t(i)] = tried(target, setup, job, directions[std::size_t(i) + 1], quiet);
+  };
+  if (Result<void> ok = parallelFor(context, int(others.size()), body); !ok)
+    return tl::unexpected<Error>(ok.error());
+  for (DirectionTrial& trial : others) search.trials.push_back(std::move(trial));
+  for (std::size_t i = 1; i < search.trials.size(); ++i)
+    if (clearlyBetter(search.trials[i], search.trials[search.chosen], job.tolerance)) search.chosen = i;
+  return search;
+}
+
+}  // namespace bw::pipeline

@@ -1,0 +1,227 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "bw/pipeline/report_page.h"
+
+#include <algorithm>
+
+#include "bw/core/number_text.h"
+#include "bw/core/printable.h"
+#include "bw/core/units.h"
+
+namespace bw::pipeline {
+
+namespace {
+
+constexpr double kSteep = 45;  ///< degrees above which a flat blade drags; the limit of the finding `angle`
+
+/// Text from outside as text in a page.
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (const char c : printable(text)) {
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else if (c == '"')
+      out += "&quot;";
+    else
+      out += c;
+  }
+  return out;
+}
+
+std::string mm(double value) { return shortText(value, 3) + " mm"; }
+std::string degrees(double radians) { return fixedText(toDegrees(radians), 1) + "°"; }
+std::string position(const Eigen::Vector3d& v) {
+  return fixedText(v.x(), 1) + ", " + fixedText(v.y(), 1) + ", " + fixedText(v.z(), 1) + " mm";
+}
+std::string direction(const Eigen::Vector3d& v) {
+  return fixedText(v.x(), 4) + ", " + fixedText(v.y(), 4) + ", " + fixedText(v.z(), 4);
+}
+
+/// Builds the page table by table.
+class Page {
+ public:
+  void heading(const std::string& text) { out_ += "<h2>" + escaped(text) + "</h2>\n"; }
+  void paragraph(const std::string& text) { out_ += "<p>" + escaped(text) + "</p>\n"; }
+  void begin(const std::vector<std::string>& columns) {
+    out_ += "<table width=\"100%\" cellspacing=\"0\" cellpadding=\"4\">\n<tr>";
+    for (const std::string& column : columns)
+      out_ += "<th align=\"left\" bgcolor=\"#f1f1ee\">" + escaped(column) + "</th>";
+    out_ += "</tr>\n";
+  }
+  /// `mark` is the colour of the row's last cell, empty for none.
+  void row(const std::vector<std::string>& cells, const std::string& mark = {}) {
+    out_ += "<tr>";
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const bool last = i + 1 == cells.size() && !mark.empty();
+      out_ += "<td>" + (last ? "<font color=\"" + mark + "\">" : "") + escaped(cells[i]) +
+              (last ? "</font>" : "") + "</td>";
+    }
+    out_ += "</tr>\n";
+  }
+  void end() { out_ += "</table>\n"; }
+  /// A number beside its limit, told in words and colour.
+  void checked(const std::string& name, const std::string& value, const std::string& limit, bool holds) {
+    row({name, value, limit, holds ? "✓ holds" : "✗ exceeded"}, holds ? "#2b8a3e" : "#c92a2a");
+  }
+  void raw(const std::string& html) { out_ += html; }
+  std::string take() { return std::move(out_); }
+
+ private:
+  std::string out_;
+};
+
+std::string verdict(const Evaluation& e) {
+  if (!e.sweep.value) return "There is no result: the findings tell why.";
+  const Issues issues = e.issues();
+  if (hasErrors(issues))
+    return "This surface cannot be cut as designed: the findings marked as errors tell why.";
+  if (exceedsLimit(issues)) return "A stated limit is exceeded: see the table of limits and the findings.";
+  return "All stated limits hold.";
+}
+
+void limits(Page& page, const Evaluation& e) {
+  const SweepSummary& s = e.sweep.value->analysis.summary;
+  const Job& job = e.design.job;
+  double clearance = e.sweep.value->sweep.stations.empty() ? 0 : 1e300, margin = 1e300;
+  for (const Station& station : e.sweep.value->sweep.stations) {
+    clearance = std::min(clearance, station.clearance);
+    margin = std::min(margin, station.stabilityMargin);
+  }
+  page.heading("Limits");
+  page.begin({"Number", "Measured", "Limit", ""});
+  page.checked("Largest deviation", mm(s.deviationMax), "at most " + mm(job.tolerance),
+               s.deviationMax <= job.tolerance);
+  page.checked("Smallest radius of the blade", s.minRadius > 0 ? mm(s.minRadius) : "straight",
+               "at least " + mm(job.blade.minRadius()),
+               s.minRadius <= 0 || s.minRadius >= job.blade.minRadius());
+  page.checked("Smallest distance of a grip from the block", mm(clearance), "at least " + mm(job.clearance),
+               clearance >= job.clearance);
+  page.checked("Smallest margin against snapping", fixedText(margin, 2), "above 0", margin > 0);
+  page.end();
+  page.heading("Numbers");
+  page.begin({"Number", "Value"});
+  page.row({"Mean deviation", mm(s.deviationMean)});
+  page.row({"Root mean square of the deviation", mm(s.deviationRms)});
+  page.row({"Cut surface within tolerance", fixedText(100 * s.withinTolerance, 1) + " %"});
+  page.row({"Steepest cutting angle (a flat blade drags above " + fixedText(kSteep, 0) + "°)",
+            degrees(s.angleMax)});
+  page.row({"Mean cutting angle", degrees(s.angleMean)});
+  page.row({"Slowest over fastest point of the blade", fixedText(s.speedRatioMin, 2)});
+  page.row({"Cutting time, leads included", fixedText(s.cuttingTime, 0) + " s"});
+  page.end();
+}
+
+void parameters(Page& page, const Evaluation& e) {
+  const Job& job = e.design.job;
+  page.heading("Parameters");
+  page.begin({"Parameter", "Value"});
+  page.row({"CAD file", e.design.source.path.filename().string()});
+  if (e.target.value) {
+    std::string faces;
+    for (const int face : e.target.value->faces())
+      faces += (faces.empty() ? "" : ", ") + std::to_string(face);
+    page.row({"Faces (counted from 0)", faces});
+    page.row({"Area of the target", shortText(e.target.value->area() * 1e-6, 4) + " m²"});
+  }
+  page.row({"Blade", (job.blade.title.empty() ? job.blade.name : job.blade.title) + ", " +
+                         shortText(job.blade.length, 6) + " mm between the grips"});
+  page.row({"Smallest radius that the blade bears", mm(job.blade.minRadius())});
+  if (e.setup.value) {
+    const Box& block = e.setup.value->block;
+    page.row({"Block", shortText(block.size.x(), 5) + " × " + shortText(block.size.y(), 5) + " × " +
+                           shortText(block.size.z(), 5) + " mm"});
+    page.row({"Corner of the block, in the file's frame", position(block.frame.origin)});
+    page.row({"Edges of the block: x", direction(block.frame.x)});
+    page.row({"Edges of the block: y", direction(block.frame.y)});
+    page.row({"Cutting direction", direction(e.setup.value->direction)});
+  }
+  if (e.sweep.value) page.row({"Stations", std::to_string(e.sweep.value->sweep.stations.size())});
+  page.row({"Cutting speed of the fastest point", shortText(job.cuttingSpeed, 4) + " mm/s"});
+  page.row({"Lead before and after the block", mm(job.lead)});
+  page.row({"Tolerance", mm(job.tolerance)});
+  page.row({"Clearance", mm(job.clearance)});
+  page.row({"Robot cell", job.cell});
+  page.end();
+}
+
+void findings(Page& page, const Evaluation& e) {
+  page.heading("Findings");
+  const Issues issues = e.issues();
+  if (issues.empty()) return page.paragraph("None.");
+  page.begin({"", "Where", "What"});
+  for (const Issue& issue : issues) page.row({severityName(issue.severity), issue.where.text, issue.message});
+  page.end();
+}
+
+void stations(Page& page, const Evaluation& e) {
+  page.heading("Stations");
+  page.begin({"Station", "Travel", "Section", "Distance", "Radius", "Angle", "Grip to block", "Margin"});
+  for (const Station& s : e.sweep.value->sweep.stations) {
+    const double curvature = s.blade.maxCurvature();
+    page.row({std::to_string(s.index + 1), fixedText(s.travel, 1), fixedText(s.targetLength, 1),
+              fixedText(s.fit.hausdorff, 3), curvature > 0 ? fixedText(1 / curvature, 0) : "straight",
+              degrees(s.angleMax), fixedText(s.clearance, 0), fixedText(s.stabilityMargin, 2)});
+  }
+  page.end();
+  page.paragraph(
+      "Lengths in mm. Distance: between the section of the target and its elastica (Hausdorff). Margin: 1 "
+      "for "
+      "a straight blade, 0 where it is about to snap.");
+}
+
+void files(Page& page, const Evaluation& e) {
+  page.heading("Files beside this report");
+  page.begin({"File", "What it is"});
+  page.row(
+      {"surface.step, surface.iges", "The cut surface as one smooth face, mm, in the frame of the CAD file"});
+  page.row({"mesh.obj, mesh.stl", "The same as triangles"});
+  page.row(
+      {"stations.csv", "One row a station: where the blade's ends are, and the numbers of the table above"});
+  page.row({"deviation.csv", "Every point of the map with its values"});
+  page.row({"report.json, sweep.json", "All numbers for scripts"});
+  for (const std::string& format : e.design.job.programs)
+    page.row({"programs/", format == "rapid" ? "ABB RAPID programs, one folder a robot"
+                                             : "The motion of the blade's ends as " +
+                                                   std::string(format == "csv" ? "CSV" : "JSON")});
+  page.row({kDesignFile, "The design: opens in Bladewright, with all that can be changed"});
+  page.end();
+}
+
+}  // namespace
+
+std::string sizeText(std::uintmax_t bytes) {
+  if (bytes < 1000) return std::to_string(bytes) + (bytes == 1 ? " byte" : " bytes");
+  if (bytes < 1'000'000) return shortText(double(bytes) / 1e3, 3) + " kB";
+  return shortText(double(bytes) / 1e6, 3) + " MB";
+}
+
+std::string reportPage(const Evaluation& e, const std::vector<ReportPicture>& pictures,
+                       const std::string& program) {
+  Page page;
+  const std::string name = escaped(e.design.name);
+  page.raw("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + name +
+           "</title>\n<style>body{font-family:Inter,'Noto Sans','DejaVu Sans',sans-serif;font-size:10pt;"
+           "color:#22252a;max-width:900px;margin:24px auto}table{border-collapse:collapse;margin:8px 0}"
+           "td,th{border-bottom:1px solid #dadad6;font-variant-numeric:tabular-nums}h2{font-size:12pt;"
+           "margin-top:24px}</style></head>\n<body>\n<h1>" +
+           name + "</h1>\n");
+  page.paragraph(verdict(e));
+  for (const ReportPicture& picture : pictures)
+    page.raw("<p><img src=\"" + escaped(picture.source) + "\" alt=\"" + escaped(picture.title) +
+             "\" width=\"" + std::to_string(picture.width) + "\"><br>" + escaped(picture.title) + "</p>\n");
+  if (e.sweep.value) limits(page, e);
+  findings(page, e);
+  parameters(page, e);
+  if (e.sweep.value) stations(page, e);
+  files(page, e);
+  page.paragraph("Made by " + program + ".");
+  page.raw("</body></html>\n");
+  return page.take();
+}
+
+}  // namespace bw::pipeline

@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "bw/pipeline/result_folder.h"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <set>
+#include <system_error>
+
+#include "bw/core/folder_lock.h"
+#include "bw/core/replacement.h"
+#include "bw/core/temporary_name.h"
+#include "bw/pipeline/earlier_files.h"
+#include "program_unit.h"
+
+namespace bw::pipeline {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Clears away what dead writers left in the folders that are written to.
+void clearDead(const fs::path& folder, const FileSet& files) {
+  std::set<fs::path> folders = {folder};
+  for (const fs::path& path : files.paths())
+    for (fs::path parent = path.parent_path(); !parent.empty(); parent = parent.parent_path())
+      folders.insert(folder / parent);
+  std::error_code error;
+  for (const fs::path& place : folders) {
+    removeDeadFiles(place);
+    for (const fs::path& left : leftByDeadWriters(place))
+      if (fs::is_directory(fs::symlink_status(left, error))) dissolve(left, placeOfTemporary(left));
+  }
+}
+
+/// Prepares the new folder of a unit. False if what others put there cannot be in it.
+Result<bool> prepareUnit(Replacement& replacement, const fs::path& folder, const fs::path& unit,
+                         const FileSet& files, const std::vector<fs::path>& earlier) {
+  Result<fs::path> fresh = replacement.folder(folder / unit);
+  if (!fresh) return tl::unexpected<Error>(fresh.error());
+  std::set<fs::path> gone;
+  for (const fs::path& path : earlier)
+    if (liesWithin(path, unit)) gone.insert(path.lexically_relative(unit));
+  for (std::size_t i = 0; i < files.paths().size(); ++i) {
+    const fs::path& path = files.paths()[i];
+    if (!liesWithin(path, unit)) continue;
+    const fs::path inner = path.lexically_relative(unit);
+    gone.insert(inner);
+    if (Result<void> ok = replacement.fill(*fresh / inner, files.bytes()[i], folder / path); !ok)
+      return tl::unexpected<Error>(ok.error());
+  }
+  return linkOthers(folder / unit, *fresh, gone);
+}
+
+/// Puts all in place; with the folders of `units` as a whole. Nothing if those cannot be exchanged.
+Result<bool> replaceAll(const FileSet& files, const fs::path& folder, const std::vector<fs::path>& units,
+                        const std::vector<fs::path>& earlier, const RunContext& context) {
+  Replacement replacement(context);
+  const auto isInUnit = [&](const fs::path& path) {
+    return std::any_of(units.begin(), units.end(),
+                       [&](const fs::path& unit) { return liesWithin(path, unit); });
+  };
+  for (const fs::path& path : earlier)
+    if (!isInUnit(path)) replacement.removal(folder / path);
+  for (const fs::path& unit : units) {
+    const Result<bool> whole = prepareUnit(replacement, folder, unit, files, earlier);
+    if (!whole || !*whole) return whole;
+  }
+  for (std::size_t i = 0; i < files.paths().size(); ++i) {
+    const fs::path& path = files.paths()[i];
+    if (isInUnit(path)) continue;
+    if (Result<void> ok = replacement.file(folder / path, files.bytes()[i], isProgramFile(path)); !ok)
+      return tl::unexpected<Error>(ok.error());
+  }
+  if (Result<void> ok = replacement.commit(); !ok) return tl::unexpected<Error>(ok.error());
+  for (const auto& [former, live] : replacement.formerFolders()) dissolve(former, live);
+  return true;
+}
+
+}  // namespace
+
+FolderState folderState(const fs::path& folder) {
+  FolderState state;
+  for (const char* name : {"report.json", "programs/strip-0", "strip-0", "T_ROB1", "T_ROB2"}) {
+    struct stat entry {};
+    if (::stat((folder / name).c_str(), &entry) != 0) continue;
+    state.text += std::string(name) + " " + std::to_string(entry.st_ino) + " " +
+                  std::to_string(entry.st_ctim.tv_sec) + "." + std::to_string(entry.st_ctim.tv_nsec) + "\n";
+  }
+  return state;
+}
+
+bool sameFile(const fs::path& a, const fs::path& b) {
+  std::error_code error;
+  return fs::is_regular_file(a, error) && fs::equivalent(a, b, error) && !error;
+}
+
+Result<std::vector<fs::path>> commitAfresh(const FileSet& files, const fs::path& folder,
+                                           const std::vector<fs::path>& inputs, const RunContext& context,
+                                           const std::optional<FolderState>& seen) {
+  const fs::path place = folder.empty() ? fs::path(".") : folder;
+  for (const fs::path& path : files.paths())
+    for (const fs::path& input : inputs)
+      if (sameFile(place / path, input))
+        return fail(ErrorCode::badInput,
+                    (place / path).string() + " is what the results are made from; choose another folder",
+                    (place / path).string());
+  Replacement made;  // the folder itself goes away again if nothing comes of it
+  if (Result<void> ok = made.makeFolder(place); !ok) return tl::unexpected<Error>(ok.error());
+  const Result<FolderLock> lock = FolderLock::take(place);
+  if (!lock) return tl::unexpected<Error>(lock.error());
+  if (seen && folderState(place) != *seen)
+    return fail(ErrorCode::cannotWrite,
+                "nothing was written to " + place.string() +
+                    ", because another run was put there while this one was computed; choose another folder, "
+                    "or run again",
+                place.string());
+  clearDead(place, files);
+  const std::vector<fs::path> earlier = earlierFiles(place, files);
+  const std::vector<fs::path> units = programUnits(place, files);
+  Result<bool> done = replaceAll(files, place, units, earlier, context);
+  const bool stopped = !done && done.error().code == ErrorCode::cancelled;
+  if (!stopped && !units.empty() && (!done || !*done)) done = replaceAll(files, place, {}, earlier, context);
+  if (!done) return tl::unexpected<Error>(done.error());
+  if (Result<void> ok = made.commit(); !ok) return tl::unexpected<Error>(ok.error());
+  // A folder that is left empty goes too; one that is not stays, because this does not remove it.
+  std::error_code error;
+  for (const fs::path& path : earlier)
+    for (fs::path parent = path.parent_path(); !parent.empty(); parent = parent.parent_path())
+      if (!fs::remove(place / parent, error) || error) break;
+  return earlier;
+}
+
+}  // namespace bw::pipeline

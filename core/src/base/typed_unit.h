@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace bw {
+
+/// One name of a unit: value in the field's unit = factor · value + offset.
+struct TypedUnit {
+  std::string_view name;
+  double factor = 1, offset = 0;
+  bool listed = true;      ///< named to people who ask what is understood
+  bool exactCase = false;  ///< capitals matter, as in MPa
+};
+
+/// A kind of quantity and the names of its units; factors count from the first, the field's own.
+struct UnitKind {
+  std::string_view name;  ///< with its article: "a length"
+  std::span<const TypedUnit> units;
+};
+
+/// The kind whose own unit is `unit`; null if there is none.
+const UnitKind* unitKindOf(std::string_view unit);
+
+/// The unit of `kind` with the longest name that `text` begins with and that ends there; null if none does.
+const TypedUnit* unitAt(const UnitKind& kind, std::string_view text);
+
+/// The kind that has a unit of that whole name; null if none does.
+const UnitKind* kindOfName(std::string_view name);
+
+}  // namespace bw

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "biarc/biarc_select.h"
+
+namespace bw::detail {
+
+/// The order in which the points of a chain are dropped when always the one goes whose absence moves the
+/// dropped points least out of the chain of the rest (report, section 4.1, way 3). Found once for all
+/// numbers of points that are asked for, in O(n log n) for chains that are smooth between far points.
+class TubeOrder {
+ public:
+  /// `chain` must outlive the order; of a size near 1.
+  TubeOrder(const Points& chain, bool closed) : chain_(chain), closed_(closed) {}
+
+  /// The `count` points that are left last, at least 2.
+  Points last(int count);
+  /// The points that are left before the next one would leave the tube of radius ε; no fewer than 2, 3 if
+  /// closed.
+  Points within(double epsilon);
+
+ private:
+  struct Drop {
+    int point = 0;
+    double cost = 0;  ///< how far the dropped points then lie from the chain of the rest
+  };
+  void find();
+  Points without(std::size_t drops) const;
+
+  const Points& chain_;
+  bool closed_;
+  bool known_ = false;
+  std::vector<Drop> drops_;
+};
+
+}  // namespace bw::detail

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/json_reader.h"
+#include "bw/core/job.h"
+
+namespace bw {
+
+/// Reads the keys "face" and "near" of a job.
+void readFaceChoice(ObjectReader& reader, FaceChoice& face);
+
+/// Writes both keys.
+void writeFaceChoice(const FaceChoice& face, nlohmann::json& object);
+
+}  // namespace bw

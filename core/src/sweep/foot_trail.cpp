@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "sweep/foot_trail.h"
+
+#include <algorithm>
+
+namespace bw::detail {
+
+FootTrail::FootTrail(int columns) {
+  for (std::vector<Foot>& row : rows_) row.resize(std::size_t(columns));
+}
+
+const FootTrail::Foot* FootTrail::seed() {
+  const auto& [now, up, farUp] = rows_;
+  const std::size_t c = column_;
+  if (above_ == 0 && c == 0) return nullptr;
+  guess_ = above_ > 0 ? up[c] : now[c - 1];
+  // A step over to another face has no parameters in common; one around a closed face is a whole period,
+  // which the sampler takes back.
+  const auto moved = [&](const Foot& to, const Foot& from) {
+    if (to.face == guess_.face && from.face == guess_.face) guess_.uv += to.uv - from.uv;
+  };
+  if (above_ == 2) {
+    moved(up[c], farUp[c]);
+  } else if (above_ == 1) {
+    if (c > 0) moved(now[c - 1], up[c - 1]);
+  } else if (c > 1) {
+    moved(now[c - 1], now[c - 2]);
+  }
+  return &guess_;
+}
+
+void FootTrail::put(const Foot& foot) {
+  rows_[0][column_] = foot;
+  if (++column_ < rows_[0].size()) return;
+  column_ = 0;
+  above_ = std::min(above_ + 1, 2);
+  std::swap(rows_[1], rows_[2]);
+  std::swap(rows_[0], rows_[1]);
+}
+
+}  // namespace bw::detail

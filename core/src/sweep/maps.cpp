@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "bw/core/maps.h"
+
+#include <algorithm>
+#include <array>
+
+namespace bw {
+
+namespace {
+
+constexpr std::array<MapInfo, 6> kMaps = {{{"deviation", "Deviation", "mm"},
+                                           {"angle", "Cutting angle", "°"},
+                                           {"speed", "Blade speed", "mm/s"},
+                                           {"relative_speed", "Relative speed", ""},
+                                           {"curvature", "Curvature / limit", ""},
+                                           {"stress", "Bending stress", "N/mm²"}}};
+
+}  // namespace
+
+std::span<const MapInfo> cutMaps() { return kMaps; }
+
+const MapInfo* cutMap(std::string_view name) {
+  const auto found = std::ranges::find_if(kMaps, [&](const MapInfo& map) { return name == map.name; });
+  return found == kMaps.end() ? nullptr : &*found;
+}
+
+}  // namespace bw

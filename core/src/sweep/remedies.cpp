@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "sweep/remedies.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bw/core/number_text.h"
+#include "sweep/station_fit.h"
+
+namespace bw::detail {
+
+namespace {
+
+/// A fit beside another blade length may be longer by this part.
+constexpr double kLengthReserve = 1.02;
+/// A blade's length is not told more finely, mm.
+constexpr double kLengthStep = 0.5;
+/// Stations that a shorter blade is tried out on, lengths that are tried, and the part from one to the next.
+constexpr std::size_t kTriedStations = 8;
+constexpr int kTriedLengths = 5;
+constexpr double kShorter = 0.88;
+
+double longestCut(const Sweep& sweep) {
+  double longest = 0;
+  for (const Station& station : sweep.stations) longest = std::max(longest, station.fit.elastica.length());
+  return longest;
+}
+
+}  // namespace
+
+std::string bladeThatBendsTo(double radius) {
+  std::string text = "a blade that bends to " + shortText(radius) + " mm";
+  const Result<std::vector<Blade>> presets = bladePresets();
+  if (!presets) return text;
+  const auto byRadius = [](const Blade& a, const Blade& b) { return a.minRadius() < b.minRadius(); };
+  const Blade* does = nullptr;
+  for (const Blade& blade : *presets)
+    if (blade.minRadius() <= radius && (!does || byRadius(*does, blade))) does = &blade;
+  if (does) return text + ", such as the " + does->title + " (" + shortText(does->minRadius()) + " mm)";
+  const Blade& nearest = *std::ranges::min_element(*presets, byRadius);
+  return text + " (none of the presets does; the " + nearest.title + " bends farthest, to " +
+         shortText(nearest.minRadius()) + " mm)";
+}
+
+std::optional<double> lengthFor(double longest, double clearance) {
+  const double needed = std::ceil(kLengthReserve * longest + 2 * clearance);
+  return needed <= Blade::kLongest ? std::optional(needed) : std::nullopt;
+}
+
+std::optional<double> shorterBlade(const Sweep& sweep, const Job& job, std::span<const Station> stations,
+                                   const std::function<bool(const Elastica&)>& holds) {
+  const double least = kLengthReserve * longestCut(sweep);
+  const auto holdsAt = [&](const Station& station, double length) {
+    const Result<Elastica> blade = extendedBlade(station.fit.elastica, length);
+    return blade && holds(*blade);
+  };
+  double length = sweep.blade.length;
+  for (const Station& station : stations) {
+    if (holdsAt(station, length)) continue;
+    if (!(least < length) || !holdsAt(station, least)) return {};
+    double good = least;
+    while (length - good > kLengthStep) {
+      const double middle = 0.5 * (good + length);
+      (holdsAt(station, middle) ? good : length) = middle;
+    }
+    length = good;
+  }
+  // A shorter blade is fitted otherwise, so that the length is tried out.
+  const std::size_t stride = std::max<std::size_t>(1, stations.size() / kTriedStations);
+  Job tried = job;
+  for (int k = 0; k < kTriedLengths; ++k, length *= kShorter) {
+    tried.blade.length = std::floor(length);
+    if (tried.blade.length < least) return {};
+    bool all = tried.blade.length < sweep.blade.length;
+    for (std::size_t i = 0; all && i < stations.size(); i += stride) {
+      const Result<StationFit> fit = fitStation(stations[i].target, tried, nullptr);
+      const Result<Elastica> blade = fit ? extendedBlade(fit->fit.elastica, tried.blade.length)
+                                         : Result<Elastica>(tl::unexpected<Error>(fit.error()));
+      all = blade && holds(*blade);
+    }
+    if (all) return tried.blade.length;
+  }
+  return {};
+}
+
+}  // namespace bw::detail

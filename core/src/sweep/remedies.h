@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "bw/core/job.h"
+#include "bw/core/sweep.h"
+
+namespace bw::detail {
+
+/// What stands for cutting a surface in several goes: a design each.
+inline constexpr const char* kInParts = "cut it in parts, each with a narrower block of its own";
+
+/// "a blade that bends to 96 mm", with a preset that does, or the one that comes nearest. `radius` in mm.
+[[nodiscard]] std::string bladeThatBendsTo(double radius);
+
+/// The blade length to order for a longest cut of `longest` mm with grips `clearance` mm beyond it: whole mm,
+/// with a reserve, because another length bends the blade a little otherwise; empty above Blade::kLongest.
+[[nodiscard]] std::optional<double> lengthFor(double longest, double clearance);
+
+/// A blade shorter than the sweep's, whole mm, with which `holds` is true of the blade at all `stations`:
+/// about the longest to which their curves may be continued, tried out by new fits of some of them. Empty
+/// where none is found, or where a cut of the sweep would be too long for it.
+[[nodiscard]] std::optional<double> shorterBlade(const Sweep& sweep, const Job& job,
+                                                 std::span<const Station> stations,
+                                                 const std::function<bool(const Elastica&)>& holds);
+
+}  // namespace bw::detail

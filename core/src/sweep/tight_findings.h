@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "bw/core/issue.h"
+#include "bw/core/job.h"
+#include "bw/core/sweep.h"
+
+namespace bw::detail {
+
+/// Tells where the curvature of the sections alone keeps the job's blade farther off than the tolerance:
+/// place, radius, limit, and which blade or how large a surface would do. An error where the blade would have
+/// to overbend, else a warning. Only stations that miss their section or break the blade are looked at; a row
+/// without such costs nothing. Returns for each station whether it is among these.
+std::vector<char> addTightFindings(const Sweep& sweep, const Job& job, Issues& issues);
+
+}  // namespace bw::detail

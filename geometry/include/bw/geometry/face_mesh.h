@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "bw/core/face_mesh.h"
+#include "bw/core/result.h"
+#include "bw/core/run_context.h"
+#include "bw/geometry/cad_model.h"
+
+namespace bw::geometry {
+
+/// Triangles of all faces of a file that can be computed with, for choosing among them: coarser than those of
+/// a target, within 1/1000 of the file's size. Error: `cancelled`.
+Result<FaceMesh> faceMesh(const CadModel& model, const RunContext& context = {});
+
+}  // namespace bw::geometry

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <IGESControl_Controller.hxx>
+#include <IGESControl_Writer.hxx>
+#include <IGESData_GlobalSection.hxx>
+#include <IGESData_IGESModel.hxx>
+#include <Standard_Failure.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array2OfPnt.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <TopoDS_Face.hxx>
+#include <sstream>
+
+#include "bw/geometry/export.h"
+#include "occt.h"
+#include "spline_check.h"
+
+namespace bw::geometry {
+
+namespace {
+
+constexpr double kTolerance = 1e-6;               ///< mm, of the face's border on its surface
+constexpr const char* kDate = "20000101.000000";  ///< the same bytes on every day
+
+/// Flat knots as the kernel wants them: each once, and how often.
+struct Knots {
+  explicit Knots(const std::vector<double>& flat)
+      : values(1, int(distinct(flat))), counts(1, int(distinct(flat))) {
+    int n = 0;
+    for (std::size_t i = 0; i < flat.size(); ++i) {
+      if (i > 0 && flat[i] == flat[i - 1]) {
+        ++counts(n);
+      } else {
+        values(++n) = flat[i];
+        counts(n) = 1;
+      }
+    }
+  }
+  static std::size_t distinct(const std::vector<double>& flat) {
+    std::size_t n = flat.empty() ? 0 : 1;
+    for (std::size_t i = 1; i < flat.size(); ++i) n += flat[i] != flat[i - 1];
+    return n;
+  }
+  TColStd_Array1OfReal values;
+  TColStd_Array1OfInteger counts;
+};
+
+Handle(TCollection_HAsciiString) ascii(const std::string& text) {
+  std::string plain;
+  for (const char c : text) plain += c >= ' ' && c < 0x7f ? c : '_';
+  return new TCollection_HAsciiString(plain.c_str());
+}
+
+}  // namespace
+
+Result<std::string> igesText(const SplineSurface& surface, const std::string& name) {
+  if (Result<void> ok = checkSplineSurface(surface); !ok) return tl::unexpected<Error>(ok.error());
+  silenceOcct();
+  try {
+    TColgp_Array2OfPnt poles(1, surface.polesU, 1, surface.polesV);
+    for (int j = 0; j < surface.polesV; ++j)
+      for (int i = 0; i < surface.polesU; ++i) {
+        const Eigen::Vector3d& p = surface.poles[std::size_t(j) * surface.polesU + i];
+        poles(i + 1, j + 1) = gp_Pnt(p.x(), p.y(), p.z());
+      }
+    const Knots u(surface.knotsU), v(surface.knotsV);
+    const Handle(Geom_BSplineSurface) spline = new Geom_BSplineSurface(
+        poles, u.values, v.values, u.counts, v.counts, surface.degreeU, surface.degreeV);
+    IGESControl_Controller::Init();
+    IGESControl_Writer writer("MM", 0);  // 0: trimmed surfaces, which every modeller reads
+    if (!writer.AddShape(BRepBuilderAPI_MakeFace(spline, kTolerance).Face()))
+      return fail(ErrorCode::internal, "the surface could not be turned into IGES", "iges");
+    writer.ComputeModel();
+    const Handle(IGESData_IGESModel) model = writer.Model();
+    IGESData_GlobalSection section = model->GlobalSection();
+    for (const auto set : {&IGESData_GlobalSection::SetSendName, &IGESData_GlobalSection::SetFileName,
+                           &IGESData_GlobalSection::SetReceiveName})
+      (section.*set)(ascii(name));
+    section.SetSystemId(ascii("Bladewright"));
+    section.SetAuthorName(ascii("Bladewright"));
+    section.SetCompanyName(ascii(""));
+    section.SetDate(ascii(kDate));
+    section.SetLastChangeDate(ascii(kDate));
+    model->SetGlobalSection(section);
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    if (!writer.Write(text))
+      return fail(ErrorCode::internal, "the surface could not be written as IGES", "iges");
+    return text.str();
+  } catch (const Standard_Failure& failure) {
+    return fail(ErrorCode::internal, "the surface could not be written as IGES: " + failureText(failure),
+                "iges");
+  }
+}
+
+}  // namespace bw::geometry

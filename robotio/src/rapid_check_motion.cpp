@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// The rules on the motion itself: 16, the grips are never further apart than the blade is long, and 17, no
+// target leaps out of the path. Both find what is in no declaration wrong: a target that was moved, or that
+// belongs to another program.
+
+#include <algorithm>
+#include <cmath>
+
+#include "bw/core/number_text.h"
+#include "bw/core/units.h"
+#include "rapid_names.h"
+#include "rapid_program.h"
+
+namespace bw::robotio {
+
+namespace {
+
+constexpr double kLengthSlack = 1e-3;  ///< mm, rounding of printed positions
+constexpr double kSpeedLeap = 2;       ///< times its stated speed that a move may ask for by its \T
+constexpr double kRateLeap = 3;        ///< times what the slower moves of the block do
+constexpr double kTargetLeap = 2.5;    ///< times the moves beside them: both moves at a target
+constexpr double kLeastOffset = 5;     ///< mm that a target must be off its neighbours to be a leap
+constexpr double kLeastTurn = 5;       ///< degrees
+
+std::string nameOf(const Step& step) { return "\"" + std::string(step.statement->name.substr(0, 60)) + "\""; }
+bool hasPose(const Step& step) { return step.isLinear() && step.target; }
+Pose poseOf(const Step& step) { return poseAt(*step.target, kTargetPosition, kTargetRotation); }
+
+/// A move between two known targets.
+struct Segment {
+  bool known = false;
+  double length = 0;       ///< mm
+  double turn = 0;         ///< degrees
+  double seconds = 0;      ///< by \T, 0 if not stated
+  double speedExcess = 0;  ///< its speed by \T over that of its speeddata, 0 if unknown
+  double turnExcess = 0;
+};
+
+/// What a quarter of the values that are known stay below.
+double lowerQuartile(const std::vector<Segment>& segments, double Segment::*value) {
+  std::vector<double> known;
+  for (const Segment& s : segments)
+    if (s.*value > 0) known.push_back(s.*value);
+  if (known.empty()) return 0;
+  const auto at = known.begin() + std::ptrdiff_t((known.size() - 1) / 4);
+  std::nth_element(known.begin(), at, known.end());
+  return *at;
+}
+
+/// Checks the moves of one synchronised block of one task.
+class PathChecker {
+ public:
+  PathChecker(const std::vector<const Step*>& path, Findings& findings) : path_(path), findings_(findings) {
+    for (std::size_t i = 0; i < path.size(); ++i) segments_.push_back(segmentTo(i));
+  }
+
+  void run() {
+    const double speed = std::max(kSpeedLeap, kRateLeap * lowerQuartile(segments_, &Segment::speedExcess));
+    const double turn = std::max(kSpeedLeap, kRateLeap * lowerQuartile(segments_, &Segment::turnExcess));
+    for (std::size_t i = 1; i < path_.size(); ++i) {
+      const Segment& s = segments_[i];
+      const std::string move = "the move from " + nameOf(*path_[i - 1]) + " to " + nameOf(*path_[i]);
+      if (s.speedExcess > speed) {
+        leap(i, move + " goes " + shortText(s.length, 4) + " mm in " + shortText(s.seconds, 4) + " s, at " +
+                    shortText(s.speedExcess) + " times the " + shortText(path_[i]->speed, 4) +
+                    " mm/s of its speeddata; one of them leaps");
+      } else if (s.turnExcess > turn && s.turn > kLeastTurn) {
+        leap(i, move + " turns by " + shortText(s.turn) + " degrees in " + shortText(s.seconds, 4) +
+                    " s, at " + shortText(s.turnExcess) +
+                    " times the rate of its speeddata; one of them leaps");
+      } else {
+        checkTarget(i);
+      }
+    }
+  }
+
+ private:
+  Segment segmentTo(std::size_t i) const {
+    Segment s;
+    if (i == 0 || !hasPose(*path_[i]) || !hasPose(*path_[i - 1])) return s;
+    const Pose a = poseOf(*path_[i - 1]), b = poseOf(*path_[i]);
+    s.known = true;
+    s.length = (b.position - a.position).norm();
+    s.turn = toDegrees(
+        2 * std::acos(std::min(1.0, std::abs(a.rotation.normalized().dot(b.rotation.normalized())))));
+    s.seconds = std::max(0.0, path_[i]->statement->duration.value_or(0));
+    const DataDeclaration* speed = path_[i]->speedData;
+    if (!(s.seconds > 0) || !speed) return s;
+    if (speed->numbers[0] > 0) s.speedExcess = s.length / s.seconds / speed->numbers[0];
+    if (speed->numbers[1] > 0) s.turnExcess = s.turn / s.seconds / speed->numbers[1];
+    return s;
+  }
+
+  /// A target that the path goes out to and comes back from, in moves much quicker (or, where no times are
+  /// stated, longer) than those before and after.
+  void checkTarget(std::size_t i) {
+    if (i + 1 >= path_.size() || !segments_[i].known || !segments_[i + 1].known) return;
+    const Segment &to = segments_[i], &from = segments_[i + 1];
+    const bool timed = to.seconds > 0 && from.seconds > 0;
+    const auto rate = [&](const Segment& s) { return timed ? s.length / s.seconds : s.length; };
+    double beside = -1;
+    for (const std::size_t other : {i - 1, i + 2}) {
+      if (other >= path_.size() || !segments_[other].known || (timed && !(segments_[other].seconds > 0)))
+        continue;
+      // The approach runs at a speed of its own.
+      if (!sameName(path_[other]->statement->speed, path_[i]->statement->speed)) continue;
+      beside = std::max(beside, rate(segments_[other]));
+    }
+    if (beside < 0 || std::min(rate(to), rate(from)) <= kTargetLeap * beside) return;
+    const Eigen::Vector3d p = poseOf(*path_[i]).position, before = poseOf(*path_[i - 1]).position,
+                          after = poseOf(*path_[i + 1]).position;
+    if ((p - before).dot(after - p) >= 0) return;
+    const Eigen::Vector3d along = after - before;
+    const double share =
+        along.norm() > 0 ? std::clamp((p - before).dot(along) / along.squaredNorm(), 0.0, 1.0) : 0;
+    const double offset = (p - before - share * along).norm();
+    if (offset < kLeastOffset) return;
+    leap(i, "the target " + nameOf(*path_[i]) + " lies " + shortText(offset, 4) +
+                " mm off the way between its neighbours, which are " + shortText(along.norm(), 4) +
+                " mm apart; it leaps");
+  }
+
+  void leap(std::size_t i, std::string message) {
+    findings_.rule(17, path_[i]->module->path, path_[i]->statement->line, std::move(message));
+  }
+
+  const std::vector<const Step*>& path_;
+  Findings& findings_;
+  std::vector<Segment> segments_;
+};
+
+std::vector<const Step*> synchronisedMoves(const LinkedTask& task) {
+  std::vector<const Step*> moves;
+  for (const Step& step : task.steps)
+    if (step.synchronised && step.isMove()) moves.push_back(&step);
+  return moves;
+}
+
+}  // namespace
+
+void checkLeaps(const LinkedTask& task, Findings& findings) {
+  std::vector<const Step*> path;
+  for (const Step& step : task.steps) {
+    if (step.statement->kind == StatementKind::syncMoveOn) path.clear();
+    if (step.synchronised && step.isMove()) path.push_back(&step);
+    if (step.statement->kind == StatementKind::syncMoveOff && !path.empty())
+      PathChecker(path, findings).run();
+  }
+}
+
+void checkGrips(const LinkedProgram& program, double bladeLength, Findings& findings) {
+  if (!(bladeLength > 0) || program.tasks.size() != 2) return;
+  const std::vector<const Step*> left = synchronisedMoves(program.tasks[0]),
+                                 right = synchronisedMoves(program.tasks[1]);
+  for (std::size_t i = 0; i < std::min(left.size(), right.size()); ++i) {
+    if (!hasPose(*left[i]) || !hasPose(*right[i])) continue;
+    const double distance = (poseOf(*left[i]).position - poseOf(*right[i]).position).norm();
+    if (distance <= bladeLength + kLengthSlack) continue;
+    findings.rule(16, right[i]->module->path, right[i]->statement->line,
+                  "at " + nameOf(*right[i]) + " the grips are " + shortText(distance, 7) + " mm apart, " +
+                      shortText(distance - bladeLength) + " mm more than the blade of " +
+                      shortText(bladeLength, 7) + " mm is long; it would tear");
+  }
+}
+
+}  // namespace bw::robotio

@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// The cutting direction of a job that leaves it open.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "bw/core/spline_surface.h"
+#include "bw/core/units.h"
+#include "bw/geometry/export.h"
+#include "bw/pipeline/example_design.h"
+#include "bw/pipeline/pipeline.h"
+
+namespace bw::pipeline {
+namespace {
+
+Design designOf(const std::function<Eigen::Vector3d(double, double)>& f) {
+  SurfaceGrid grid;
+  grid.rows = grid.columns = 25;
+  std::vector<double> v;
+  for (int r = 0; r < grid.rows; ++r) {
+    v.push_back(double(r) / (grid.rows - 1));
+    for (int c = 0; c < grid.columns; ++c) grid.points.push_back(f(double(c) / (grid.columns - 1), v.back()));
+  }
+  Design design;
+  design.source.path = "test.step";
+  design.source.bytes = geometry::stepText(*interpolateGrid(grid, v), "test").value();
+  design.job.blade = *bladePreset("nicr-flat-5x1");
+  design.job.stations = 20;
+  return design;
+}
+
+/// Part of a cylinder of radius 400 mm about y, from 20° to 75° of slope and 300 mm wide: along its slope the
+/// longer way, along y a straight cut with one shape.
+Design chute() {
+  return designOf([](double u, double v) {
+    const double a = fromDegrees(20 + 55 * u);
+    return Eigen::Vector3d(400 * std::sin(a), 300 * v, 400 * (1 - std::cos(a)));
+  });
+}
+
+Evaluation evaluated(const Design& design, const Evaluation* previous = nullptr, int threads = 0) {
+  RunContext context;
+  context.threads = threads;
+  Outcome outcome = evaluate(design, previous, context);
+  EXPECT_FALSE(outcome.error) << outcome.error->message;
+  return std::move(outcome.evaluation);
+}
+
+TEST(DirectionSearch, TakesTheWayAlongWhichTheBladeKeepsItsShape) {
+  Design design = chute();
+  const Evaluation found = evaluated(design);
+  ASSERT_TRUE(found.directions.value);
+  const DirectionSearch& search = *found.directions.value;
+  EXPECT_GT(search.chosen, 0u);
+  EXPECT_NEAR(std::abs(found.setup.value->direction.y()), 1, 1e-9);
+  EXPECT_EQ(found.sweep.value->sweep.direction, search.trials[search.chosen].direction);
+  const double angle = found.sweep.value->analysis.summary.angleMax;
+  EXPECT_LT(angle, fromDegrees(1));
+  // The longer side, which was taken before, is worse as it was told to be.
+  design.job.direction = search.trials.front().direction;
+  const Evaluation usual = evaluated(design);
+  EXPECT_GT(usual.sweep.value->analysis.summary.angleMax, angle + fromDegrees(10));
+  EXPECT_NEAR(usual.sweep.value->analysis.summary.angleMax, search.trials.front().angleMax, fromDegrees(5));
+  EXPECT_FALSE(usual.directions.value);
+  // It is said.
+  const Issues issues = found.issues();
+  EXPECT_TRUE(std::ranges::any_of(issues, [](const Issue& i) {
+    return i.kind == "direction" &&
+           i.message.find("rather than the longer side of the block") != std::string::npos;
+  }));
+}
+
+TEST(DirectionSearch, LeavesTheExamplesAsTheyAreButForTheTorus) {
+  for (const geometry::Example& example : geometry::exampleList()) {
+    Design design = exampleDesign(example.name).value();
+    if (design.job.direction) continue;
+    const Evaluation found = evaluated(design);
+    ASSERT_TRUE(found.directions.value) << example.name;
+    const bool turned = example.name == "torus-patch";  // 0.03 mm and 14° in place of 0.4 mm and 47°
+    EXPECT_EQ(found.directions.value->chosen, turned ? 1u : 0u) << example.name;
+    if (turned) {
+      EXPECT_LT(found.sweep.value->analysis.summary.angleMax, fromDegrees(15));
+    }
+  }
+}
+
+TEST(DirectionSearch, DoesNotHangOnTheNumberOfThreads) {
+  const Evaluation one = evaluated(chute(), nullptr, 1), four = evaluated(chute(), nullptr, 4);
+  const std::vector<DirectionTrial>&a = one.directions.value->trials, &b = four.directions.value->trials;
+  ASSERT_EQ(a.size(), b.size());
+  EXPECT_EQ(one.directions.value->chosen, four.directions.value->chosen);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(a[i].direction, b[i].direction);
+    EXPECT_EQ(a[i].unusable, b[i].unusable);
+    EXPECT_EQ(a[i].deviationMax, b[i].deviationMax);
+    EXPECT_EQ(a[i].angleMax, b[i].angleMax);
+  }
+}
+
+TEST(DirectionSearch, IsNotDoneAgainForOtherStations) {
+  Design design = chute();
+  const Evaluation first = evaluated(design);
+  design.job.stations = 31;
+  design.job.cuttingSpeed = 12;
+  const Evaluation second = evaluated(design, &first);
+  EXPECT_EQ(second.directions.value, first.directions.value);
+  EXPECT_EQ(second.sections.value->size(), 31u);
+  // A given direction needs none, and comes into effect at once; so does leaving it open again.
+  design.job.direction = Eigen::Vector3d::UnitX();
+  const Evaluation given = evaluated(design, &second);
+  EXPECT_FALSE(given.directions.value);
+  EXPECT_EQ(given.sweep.value->sweep.direction, Eigen::Vector3d::UnitX());
+  design.job.direction.reset();
+  EXPECT_EQ(evaluated(design, &given).sweep.value->sweep.direction, first.sweep.value->sweep.direction);
+}
+
+TEST(DirectionSearch, ReportListsWhatWasTried) {
+  const Evaluation found = evaluated(chute());
+  const nlohmann::json report = nlohmann::json::parse(reportJson(found, "run", {}));
+  const nlohmann::json& list = report.at("directions");
+  ASSERT_EQ(list.size(), found.directions.value->trials.size());
+  int chosen = 0;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const DirectionTrial& trial = found.directions.value->trials[i];
+    EXPECT_EQ(list[i].at("name"), trial.name);
+    EXPECT_EQ(list[i].at("stations"), trial.stations);
+    EXPECT_EQ(list[i].at("unusable"), trial.unusable);
+    EXPECT_EQ(list[i].at("angle_max_deg").is_null(), !trial.failure.empty());
+    if (list[i].at("chosen").get<bool>()) {
+      ++chosen;
+      EXPECT_EQ(list[i].at("direction"), report.at("method").at("direction"));
+    }
+  }
+  EXPECT_EQ(chosen, 1);
+}
+
+TEST(DirectionSearch, CountsErrorsFirstThenDeviationThenAngle) {
+  const auto trial = [](int unusable, double deviation, double angle_deg) {
+    return DirectionTrial{"", Eigen::Vector3d::UnitX(), 9, unusable, deviation, fromDegrees(angle_deg), {}};
+  };
+  const auto better = [](const DirectionTrial& a, const DirectionTrial& b) {
+    return clearlyBetter(a, b, 2.0);
+  };
+  EXPECT_TRUE(better(trial(0, 9, 80), trial(1, 1, 0)));
+  EXPECT_FALSE(better(trial(1, 1, 0), trial(0, 9, 80)));
+  EXPECT_TRUE(better(trial(0, 3, 80), trial(0, 9, 0)));
+  EXPECT_FALSE(better(trial(0, 8, 0), trial(0, 9, 5)));  // as far off, and as straight, within the margins
+  EXPECT_FALSE(better(trial(0, 0.1, 5), trial(0, 1.9, 5)));  // within the tolerance nothing is nearer
+  EXPECT_TRUE(better(trial(0, 1.9, 5), trial(0, 0.1, 30)));
+  EXPECT_FALSE(better(trial(0, 1, 21), trial(0, 1, 30)));
+  DirectionTrial failed = trial(9, 0, 0);
+  failed.failure = "no section";
+  EXPECT_TRUE(better(trial(9, 5, 80), failed));
+  EXPECT_FALSE(better(failed, trial(9, 5, 80)));
+}
+
+TEST(DirectionSearch, StopsOnRequest) {
+  const Evaluation found = evaluated(chute());
+  std::stop_source source;
+  source.request_stop();
+  RunContext context;
+  context.stop = source.get_token();
+  const auto stopped = searchDirection(*found.target.value, *found.setup.value, found.design.job, context);
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().code, ErrorCode::cancelled);
+}
+
+}  // namespace
+}  // namespace bw::pipeline

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// Every field of the real window that is typed into, each in a state of the window in which it is seen.
+#pragma once
+
+#include <QScrollArea>
+#include <QSet>
+
+#include "window_fixture.h"
+
+namespace bw::app {
+
+class EveryFieldTest : public WindowTest {
+ protected:
+  /// Calls `visit` for every field, on a design that is the same for each, and requires that none was missed.
+  void visitFields(const std::function<void(TypedField&)>& visit) {
+    openPanel(4);
+    for (QToolButton* fold : window().findChildren<QToolButton*>())
+      if (fold->isCheckable() && fold->isVisible() && !fold->isChecked() &&
+          QStringList{"Section and material", "Block", "Fit and lead"}.contains(fold->text()))
+        fold->click();
+    const auto edit = [&](const std::function<void(Job&)>& change) { bench().editJob("Prepare", change); };
+    const auto inspect = [&](Selection::Kind kind) { bench().select({kind, 0}); };
+    // Stations by number, a vector, a block by numbers, faces by number, a tube; then what excludes these.
+    edit([](Job& job) {
+      job.direction = Eigen::Vector3d(0.1, 1, 0);
+      job.block = BlockPlacement{{-10, -10, -200}, {700, 700, 600}, {0.1, 0.2, 0.3}};
+      job.face = {FaceChoice::Kind::indices, {0}};
+    });
+    visitVisible(visit);
+    for (Selection::Kind kind : {Selection::Kind::block, Selection::Kind::blade, Selection::Kind::station}) {
+      bench().document().undoStack().setIndex(1);
+      inspect(kind);
+      visitVisible(visit);
+    }
+    edit([](Job& job) {
+      job.spacing = 25;
+      job.blade = bladePreset("nicr-flat-5x1").value_or(job.blade);
+      job.blade.length = 900;
+    });
+    base_ = 2;
+    inspect(Selection::Kind::blade);
+    visitVisible(visit);
+    window().showMeasurePage();
+    visitVisible(visit);
+    for (TypedField* field : window().findChildren<TypedField*>())
+      // Those of another kind of blade than the design has are not shown.
+      if (field->isVisibleTo(field->window())) {
+        EXPECT_TRUE(visited_.contains(field)) << "never seen: " << field->accessibleName().toStdString();
+      }
+  }
+
+  /// Back to the design before a field was tried.
+  void undoAll() { bench().document().undoStack().setIndex(base_); }
+
+  /// Types with key events, whatever the letters.
+  static void type(QWidget& field, const QString& text) {
+    for (QChar c : text)
+      QTest::sendKeyEvent(QTest::Click, &field,
+                          c.unicode() < 0x80 ? QTest::asciiToKey(char(c.unicode())) : Qt::Key_unknown,
+                          QString(c), Qt::NoModifier);
+  }
+
+  /// Gives the keyboard to a field and types over what it holds.
+  static void typeOver(TypedField& field, const QString& text) {
+    field.setFocus();
+    field.selectAll();
+    if (text.isEmpty())
+      QTest::keyClick(&field, Qt::Key_Delete);
+    else
+      type(field, text);
+  }
+
+  int base_ = 1;
+
+ private:
+  void visitVisible(const std::function<void(TypedField&)>& visit) {
+    for (TypedField* field : window().findChildren<TypedField*>()) {
+      if (!field->isVisible() || !field->isEnabled() || visited_.contains(field)) continue;
+      visited_ << field;
+      for (QWidget* at = field->parentWidget(); at; at = at->parentWidget())
+        if (auto* area = qobject_cast<QScrollArea*>(at)) area->ensureWidgetVisible(field);
+      SCOPED_TRACE(field->accessibleName().toStdString());
+      visit(*field);
+      undoAll();
+    }
+  }
+
+  QSet<TypedField*> visited_;
+};
+
+}  // namespace bw::app

@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// What the picture shows of a design, and what is done in it: faces, findings, blocks, maps, views.
+#include <cmath>
+
+#include "bw/core/maps.h"
+#include "step_merge.h"
+#include "window_fixture.h"
+
+namespace bw::app {
+namespace {
+
+class PictureTest : public WindowTest {
+ protected:
+  /// Opens a file of several example surfaces, which lie over each other.
+  void openFaces(const std::vector<std::string>& examples) {
+    std::vector<std::string> files;
+    for (const std::string& name : examples) files.push_back(geometry::exampleStep(name).value());
+    ASSERT_TRUE(writeFile(path("faces.step"), test::mergedStep(files)));
+    ASSERT_TRUE(window().openFile(QString::fromStdString(path("faces.step").string())));
+    bench().editJob("Prepare", [](Job& job) {
+      job.stations = 12;
+      job.blade.length = 2000;
+    });
+    ASSERT_TRUE(settle());
+    bench().document().undoStack().clear();
+  }
+
+  view::SceneView& view() { return window().sceneView(); }
+
+  /// A place of the picture where that face is in front; none if it is seen nowhere.
+  std::optional<QPoint> placeOf(int face) {
+    for (int y = 6; y < view().height(); y += 6)
+      for (int x = 6; x < view().width(); x += 6)
+        if (view().pickAt(QPointF(x, y)).face == face) return QPoint(x, y);
+    return std::nullopt;
+  }
+
+  bool inPicture(const Eigen::Vector3d& point) {
+    return QRectF(view().rect()).contains(view().toWidget(point));
+  }
+
+  bool still() {
+    Eigen::Vector3d last = Eigen::Vector3d::Constant(1e99);
+    return QTest::qWaitFor(
+        [&] {
+          const Eigen::Vector3d now = view().camera().position;
+          const bool same = (now - last).norm() == 0;
+          last = now;
+          return same && view().resting();
+        },
+        kPatience);
+  }
+};
+
+TEST_F(PictureTest, FacesAreChosenByClickAndUndone) {
+  openFaces({"saddle", "wavy-wall", "sphere-cap"});
+  ASSERT_TRUE(window().faceChooser().possible());
+  auto* button = window().findChild<WorkflowPanel*>()->findChild<QPushButton*>("chooseFaces");
+  ASSERT_TRUE(button && button->isVisibleTo(&window()));
+  window().workflow().ensureWidgetVisible(button);
+  QTest::mouseClick(button, Qt::LeftButton);
+  ASSERT_TRUE(window().faceChooser().choosing());
+  EXPECT_TRUE(window().commands()["input.chooseFaces"]->isChecked());
+  ASSERT_TRUE(still());
+  std::vector<int> seen;
+  for (int face = 0; face < 3; ++face)
+    if (placeOf(face)) seen.push_back(face);
+  ASSERT_GE(seen.size(), 2u);
+  const int first = seen[0], second = seen[1];
+
+  QTest::mouseMove(&view(), *placeOf(first));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view().sceneStyle().hoveredFace == first; }, kPatience));
+  EXPECT_TRUE(window().faceChooser().hint().contains(QString("Face %1").arg(first)));
+  EXPECT_TRUE(window().faceChooser().hint().contains("mm"));
+  picture("choose-faces");
+
+  QTest::mouseClick(&view(), Qt::LeftButton, {}, *placeOf(first));
+  EXPECT_EQ(bench().job().face.kind, FaceChoice::Kind::indices);
+  EXPECT_EQ(bench().job().face.indices, std::vector<int>{first});
+  EXPECT_EQ(view().sceneStyle().chosenFaces, std::vector<int>{first}) << "at once, before any result";
+  QTest::mouseClick(&view(), Qt::LeftButton, Qt::ControlModifier, *placeOf(second));
+  EXPECT_EQ(bench().job().face.indices, (std::vector<int>{first, second}));
+  QTest::mouseClick(&view(), Qt::LeftButton, Qt::ControlModifier, *placeOf(first));
+  EXPECT_EQ(bench().job().face.indices, std::vector<int>{second});
+  QTest::mouseClick(&view(), Qt::LeftButton, Qt::ControlModifier, *placeOf(second));
+  EXPECT_EQ(bench().job().face.indices, std::vector<int>{second}) << "one face stays";
+  const int edits = bench().document().undoStack().count();
+  EXPECT_EQ(edits, 3);
+  EXPECT_EQ(window().commands()["edit.undo"]->text(), "&Undo choose faces");
+  for (int i = 0; i < edits; ++i) bench().document().undoStack().undo();
+  EXPECT_EQ(bench().job().face.kind, FaceChoice::Kind::largest);
+  ASSERT_TRUE(settle());
+
+  // Out of choosing a click selects as before.
+  QTest::keyClick(&window(), Qt::Key_Escape);
+  EXPECT_FALSE(window().faceChooser().choosing());
+  EXPECT_FALSE(button->isChecked());
+  EXPECT_FALSE(view().sceneStyle().chooseFaces);
+  EXPECT_EQ(window().faceChooser().hint(), QString());
+  const FaceChoice before = bench().job().face;
+  QTest::mouseClick(&view(), Qt::LeftButton, {}, view().rect().center());
+  EXPECT_EQ(bench().job().face, before);
+}
+
+TEST_F(PictureTest, FacesCanBeChosenWhereNothingCouldBeCut) {
+  openFaces({"saddle", "wavy-wall"});
+  bench().editJob("Choose faces", [](Job& job) {
+    job.face.kind = FaceChoice::Kind::indices;
+    job.face.indices = {7};
+  });
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(bench().runner().error());
+  QTest::keyClick(&window(), Qt::Key_C);
+  ASSERT_TRUE(window().faceChooser().choosing());
+  ASSERT_TRUE(still());
+  const auto place = placeOf(1);
+  ASSERT_TRUE(place);
+  QTest::mouseClick(&view(), Qt::LeftButton, {}, *place);
+  ASSERT_TRUE(settle());
+  EXPECT_FALSE(bench().runner().error() && bench().runner().error()->where == "face");
+  EXPECT_EQ(bench().job().face.indices, std::vector<int>{1});
+}
+
+TEST_F(PictureTest, OneFaceLeavesNothingToChoose) {
+  openPanel();
+  EXPECT_FALSE(window().faceChooser().possible());
+  EXPECT_FALSE(window().commands()["input.chooseFaces"]->isEnabled());
+  EXPECT_FALSE(window().findChild<QPushButton*>("chooseFaces")->isVisible());
+  QTest::keyClick(&window(), Qt::Key_C);
+  EXPECT_FALSE(window().faceChooser().choosing());
+}
+
+TEST_F(PictureTest, FindingIsFramedAndMarkedWithItsWords) {
+  openPanel();
+  bench().editJob("Change tolerance", [](Job& job) {
+    job.tolerance = 0.001;
+    job.clearance = 400;
+  });
+  ASSERT_TRUE(settle());
+  window().commands()["tab.messages"]->trigger();
+  // Look elsewhere first: the finding must come into the picture from anywhere.
+  Bounds away;
+  away.add(Eigen::Vector3d(4e4, 4e4, 4e4));
+  int marked = 0;
+  MessageList& list = window().messageList();
+  for (int i = 0; i < list.count(); ++i) {
+    view().fitBounds(away, false);
+    list.scrollToItem(list.item(i));
+    QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, list.visualItemRect(list.item(i)).center());
+    ASSERT_TRUE(still());
+    const auto& marker = view().sceneStyle().marker;
+    const auto shown = bench().shown();
+    for (const Eigen::Vector3d& corner : shown->setup.value->block.corners())
+      EXPECT_TRUE(inPicture(corner)) << list.item(i)->text().toStdString();
+    if (!marker) continue;
+    ++marked;
+    EXPECT_TRUE(inPicture(marker->point));
+    EXPECT_EQ(QString::fromStdString(marker->text), list.item(i)->text());
+    if (bench().selection().kind == Selection::Kind::station) {
+      const Station& station = bench().sweep()->sweep.stations[std::size_t(bench().selection().station)];
+      EXPECT_TRUE(inPicture(station.leftPoint()));
+      EXPECT_TRUE(inPicture(station.rightPoint()));
+      // On the blade of that station, wherever along it.
+      double nearest = 1e300;
+      for (const Eigen::Vector2d& p : station.blade.sample(400))
+        nearest = std::min(nearest, (station.frame.toWorld(p) - marker->point).norm());
+      EXPECT_LT(nearest, 30) << marker->text;
+    }
+    if (marked == 1) picture("finding");
+  }
+  EXPECT_GE(marked, 2);
+  // It goes with the next selection, and with the next result.
+  bench().select({});
+  EXPECT_FALSE(view().sceneStyle().marker);
+}
+
+TEST_F(PictureTest, BlockThatMissesIsDrawnWhereItWasPut) {
+  openPanel();
+  const Box before = bench().shown()->setup.value->block;
+  bench().editJob("Move block", [&](Job& job) {
+    BlockPlacement block;
+    block.origin = {3000, 100, 50};
+    block.size = before.size;
+    job.block = block;
+  });
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(bench().runner().error());
+  EXPECT_TRUE(window().banner().text().contains("misses"));
+  ASSERT_TRUE(view().content().block);
+  EXPECT_NEAR(view().content().block->frame.origin.x(), 3000, 1e-9);
+  ASSERT_TRUE(still());
+  for (const Eigen::Vector3d& corner : view().content().block->corners()) EXPECT_TRUE(inPicture(corner));
+  picture("block-misses");
+  bench().document().undoStack().undo();
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().current());
+  EXPECT_NEAR((view().content().block->frame.origin - before.frame.origin).norm(), 0, 1e-9);
+}
+
+TEST_F(PictureTest, DesignWhoseBlockMissesOpensWithBlockAndSurface) {
+  Design design;
+  design.name = "astray";
+  design.source.path = "saddle.step";
+  design.source.bytes = geometry::exampleStep("saddle").value();
+  BlockPlacement block;
+  block.origin = {5000, 0, 0};
+  design.job.block = block;
+  bench().document().start(design);
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(bench().runner().error());
+  ASSERT_TRUE(view().content().block);
+  EXPECT_FALSE(view().content().target.triangles.empty());
+  EXPECT_NEAR(view().content().block->frame.origin.x(), 5000, 1e-9);
+}
+
+TEST_F(PictureTest, StandardViewsByKeyAreParallelAndTickTheCommand) {
+  openPanel();
+  ASSERT_TRUE(still());
+  EXPECT_FALSE(view().parallel());
+  for (const Qt::Key key : {Qt::Key_1, Qt::Key_2, Qt::Key_4, Qt::Key_7}) {
+    QTest::keyClick(&window(), key);
+    ASSERT_TRUE(still());
+    EXPECT_TRUE(view().parallel());
+    EXPECT_TRUE(window().commands()["view.parallel"]->isChecked());
+    QTest::keyClick(&window(), Qt::Key_P);
+    EXPECT_FALSE(view().parallel());
+    EXPECT_FALSE(window().commands()["view.parallel"]->isChecked());
+  }
+}
+
+TEST_F(PictureTest, EveryMapHasOneNameEverywhere) {
+  openPanel();
+  ASSERT_EQ(MapBar::fieldNames().size(), cutMaps().size() + 1);
+  for (std::size_t i = 0; i < cutMaps().size(); ++i) {
+    const MapInfo& map = cutMaps()[i];
+    const QString title = QString::fromUtf8(map.title);
+    EXPECT_EQ(MapBar::fieldNames()[i], map.name);
+    EXPECT_EQ(window().mapBar().field().itemText(int(i)), title);
+    const QAction* command = window().commands()["map." + QString(map.name)];
+    EXPECT_EQ(command->text(), "Map: " + title);
+    EXPECT_FALSE(command->icon().isNull());
+    const Field* field = bench().sweep()->analysis.cut.field(map.name);
+    ASSERT_TRUE(field) << map.name;
+    EXPECT_EQ(QString::fromStdString(field->title), title);
+    window().commands()["map." + QString(map.name)]->trigger();
+    EXPECT_TRUE(view().legendRange()) << map.name;
+  }
+  window().commands()["map.stress"]->trigger();
+  const Blade& blade = bench().job().blade;
+  EXPECT_EQ(view().legendRange()->first, 0);
+  EXPECT_NEAR(view().legendRange()->second, blade.stress(blade.maxCurvature()), 1e-9);
+}
+
+}  // namespace
+}  // namespace bw::app

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include <QWheelEvent>
+
+#include "window_fixture.h"
+
+namespace bw::app {
+
+namespace {
+
+void turnWheel(QWidget& widget, const QPointF& at, int notches, Qt::KeyboardModifiers keys = Qt::NoModifier) {
+  QWheelEvent event(at, widget.mapToGlobal(at), {}, {0, 120 * notches}, Qt::NoButton, keys, Qt::NoScrollPhase,
+                    false);
+  QApplication::sendEvent(&widget, &event);
+}
+
+/// Moves the pointer with no button held, whatever a test before pressed.
+void moveTo(QWidget& widget, const QPointF& at) {
+  QMouseEvent event(QEvent::MouseMove, at, widget.mapToGlobal(at), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+  QApplication::sendEvent(&widget, &event);
+}
+
+}  // namespace
+
+TEST(AxisRange, ZoomKeepsTheValueUnderTheCursorInsideTheWhole) {
+  const AxisRange whole{0, 100};
+  const AxisRange near = whole.zoomed(20, 0.5, whole);
+  EXPECT_DOUBLE_EQ(near.low, 10);
+  EXPECT_DOUBLE_EQ(near.high, 60);
+  EXPECT_EQ(near.zoomed(20, 2, whole), whole);
+  EXPECT_EQ(near.zoomed(20, 1e9, whole), whole) << "never farther than all";
+  EXPECT_DOUBLE_EQ(whole.zoomed(50, 1e-9, whole).span(), 0.1) << "never nearer than a thousandth";
+  EXPECT_DOUBLE_EQ(near.moved(1e9, whole).high, 100);
+  EXPECT_DOUBLE_EQ(near.moved(-1e9, whole).low, 0);
+}
+
+TEST(AxisTicks, AreRoundAndLieInTheRange) {
+  for (const AxisRange range : {AxisRange{0, 1}, {-3.2, 7.9}, {812.3, 812.9}, {-1e-4, 2e-4}, {0, 2e6}}) {
+    const AxisTicks ticks = axisTicks(range, 5);
+    ASSERT_GE(ticks.values.size(), 4u);
+    ASSERT_LE(ticks.values.size(), 14u);
+    for (const double value : ticks.values) {
+      EXPECT_GE(value, range.low - 1e-9 * range.span());
+      EXPECT_LE(value, range.high + 1e-9 * range.span());
+      EXPECT_NEAR(axisText(value, ticks.decimals).replace(QChar(0x2212), '-').toDouble(), value,
+                  1e-6 * range.span());
+    }
+  }
+  EXPECT_TRUE(axisTicks({3, 3}, 5).values.empty());
+}
+
+TEST_F(WindowTest, SectionZoomsToTheCursorAndTellsWhatLiesThere) {
+  openPanel();
+  bench().selectStation(7);
+  SectionView& section = window().sectionView();
+  window().tabs().setCurrentWidget(&section);
+  const AxisRange all = section.seenAcross();
+  const QPointF at(section.sectionArea().left() + 0.25 * section.sectionArea().width(),
+                   section.sectionArea().center().y());
+  const double under = all.low + 0.25 * all.span();
+  turnWheel(section, at, 5);
+  EXPECT_EQ(bench().selection().station, 7) << "the wheel over the section does not change the station";
+  const AxisRange near = section.seenAcross();
+  EXPECT_LT(near.span(), 0.5 * all.span());
+  EXPECT_NEAR(near.low + 0.25 * near.span(), under, 1e-6 * all.span());
+
+  moveTo(section, at);
+  ASSERT_EQ(section.readout().size(), 2);
+  EXPECT_TRUE(section.readout()[0].endsWith("mm")) << section.readout()[0].toStdString();
+
+  bench().selectStation(8);
+  EXPECT_NEAR(section.seenAcross().low, near.low, 1e-9 * all.span()) << "the zoom stays from station to station";
+  EXPECT_NEAR(section.seenAcross().high, near.high, 1e-9 * all.span());
+  const QPoint from = section.sectionArea().center().toPoint();
+  QTest::mousePress(&section, Qt::LeftButton, {}, from);
+  QTest::mouseMove(&section, from + QPoint(40, 0));
+  QTest::mouseRelease(&section, Qt::LeftButton, {}, from + QPoint(40, 0));
+  EXPECT_NEAR(section.seenAcross().low, near.low - 40 * near.span() / section.sectionArea().width(),
+              2 * near.span() / section.sectionArea().width());
+  QTest::mouseDClick(&section, Qt::LeftButton, {}, from);
+  const AxisRange whole = section.seenAcross();
+  EXPECT_NEAR(whole.span(), all.span(), 0.1 * all.span()) << "another station has other bounds";
+  turnWheel(section, from, -5);
+  EXPECT_EQ(section.seenAcross(), whole) << "no farther than all";
+
+  turnWheel(section, {section.barRect(8).center().x(), 10}, 1);
+  EXPECT_EQ(bench().selection().station, 7) << "over the bars it does";
+}
+
+TEST_F(WindowTest, CurvatureZoomsAlongTheBladeAndTellsTheRadius) {
+  openPanel();
+  bench().selectStation(3);
+  SectionView& section = window().sectionView();
+  window().tabs().setCurrentWidget(&section);
+  EXPECT_NEAR(section.seenAlong().span(), 800, 1e-6);
+  turnWheel(section, section.curvatureArea().center(), 3);
+  EXPECT_NEAR(section.seenAlong().span(), 800 * 0.512, 1e-6);
+  EXPECT_NEAR(section.seenAlong().low + 0.5 * section.seenAlong().span(), 400, 1);
+  moveTo(section, section.curvatureArea().center());
+  ASSERT_EQ(section.readout().size(), 2);
+  EXPECT_TRUE(section.readout()[1].contains("radius")) << section.readout()[1].toStdString();
+  section.setFocus();
+  QTest::keyClick(&section, Qt::Key_0);
+  EXPECT_NEAR(section.seenAlong().span(), 800, 1e-6);
+}
+
+TEST_F(WindowTest, TimelineZoomsToTheCursorAndKeepsThePlayheadInSight) {
+  openPanel();
+  Timeline& timeline = window().motionView().timeline();
+  window().tabs().setCurrentWidget(&window().motionView());
+  const double end = bench().playEnd();
+  ASSERT_GT(end, 0);
+  const double x = timeline.xOf(0.3 * end);
+  turnWheel(timeline, {x, 40}, 4);
+  EXPECT_LT(timeline.seen().span(), 0.5 * end);
+  EXPECT_NEAR(timeline.timeAt(x), 0.3 * end, 1e-6 * end);
+  moveTo(timeline, {x, 40});
+  ASSERT_EQ(timeline.readout().size(), 3);
+  EXPECT_TRUE(timeline.readout()[1].contains("mm/s")) << timeline.readout()[1].toStdString();
+  EXPECT_TRUE(timeline.readout()[2].contains("N/mm²"));
+  bench().setPlayTime(end);
+  EXPECT_GE(timeline.seen().high, end - 1e-9) << "the playhead is in sight";
+  turnWheel(timeline, {x, 40}, 3, Qt::ShiftModifier);
+  EXPECT_LT(timeline.seen().high, end) << "moved";
+  QTest::mouseDClick(&timeline, Qt::LeftButton, {}, QPoint(int(x), 40));
+  EXPECT_NEAR(timeline.seen().span(), end, 1e-9);
+}
+
+}  // namespace bw::app

@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// The CAD file of an open design: replaced, read again, moved away, changed by others.
+#include "window_fixture.h"
+
+namespace bw::app {
+namespace {
+
+class SourceFile : public WindowTest {
+ protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    ASSERT_TRUE(writeFile(source(), geometry::exampleStep("saddle").value()));
+    window().openFile(QString::fromStdString(source().string()));
+    bench().editJob("Change stations", [](Job& job) { job.stations = 17; });
+    ASSERT_TRUE(settle());
+    ASSERT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
+  }
+
+  fs::path source() const { return path("roof.step"); }
+
+  double width() { return bench().shown()->target.value->bounds().size().maxCoeff(); }
+
+  /// As a CAD program saves: another file renamed over the old one.
+  void saveByRename(const std::string& bytes) {
+    ASSERT_TRUE(writeFile(path("roof.step.tmp"), bytes));
+    fs::rename(path("roof.step.tmp"), source());
+  }
+
+  bool told(const QString& word) {
+    return QTest::qWaitFor(
+        [&] { return window().banner().isVisible() && window().banner().text().contains(word); }, kPatience);
+  }
+
+  QPushButton* inputButton(const QString& text) {
+    for (QPushButton* b : window().workflow().findChildren<QPushButton*>())
+      if (b->text() == text) return b;
+    return nullptr;
+  }
+};
+
+TEST_F(SourceFile, IsReplacedUnderTheSameSettings) {
+  const double before = width();
+  const fs::path other = path("other.step");
+  ASSERT_TRUE(writeFile(other, geometry::exampleStep("panel-600x670").value()));
+  window().questions().openSurface = [&] { return QString::fromStdString(other.string()); };
+  QPushButton* replace = inputButton("Replace…");
+  ASSERT_TRUE(replace && replace->isEnabled());
+  window().workflow().ensureWidgetVisible(replace);
+  picture("replace-surface");
+  QTest::mouseClick(replace, Qt::LeftButton);
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(bench().document().design()->source.path, other);
+  EXPECT_EQ(bench().job().stations, 17);
+  EXPECT_NE(width(), before);
+  EXPECT_EQ(window().commands()["edit.undo"]->text(), "&Undo replace surface");
+  bench().document().undoStack().undo();
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(width(), before);
+  bench().document().undoStack().undo();
+  EXPECT_NE(bench().job().stations, 17) << "the history before was lost";
+}
+
+TEST_F(SourceFile, ThatChangesIsNoticedAndReloaded) {
+  const double before = width();
+  ASSERT_NO_FATAL_FAILURE(saveByRename(geometry::exampleStep("panel-600x670").value()));
+  ASSERT_TRUE(told("roof.step has changed on disk"));
+  picture("source-changed");
+  QTest::mouseClick(window().banner().action(), Qt::LeftButton);
+  ASSERT_TRUE(settle());
+  EXPECT_NE(width(), before);
+  EXPECT_EQ(bench().job().stations, 17);
+  EXPECT_FALSE(window().banner().isVisible());
+  EXPECT_EQ(bench().document().undoStack().count(), 1);
+  // Again, written in place this time.
+  std::ofstream(source()) << geometry::exampleStep("saddle").value();
+  ASSERT_TRUE(told("roof.step has changed on disk"));
+  // An edit reads it too: the notice no longer holds.
+  bench().editJob("Change stations", [](Job& job) { job.stations = 18; });
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(width(), before);
+  EXPECT_FALSE(window().banner().isVisible());
+}
+
+TEST_F(SourceFile, ThatIsOnlyTouchedIsNotTold) {
+  model::SourceWatch watch;
+  QSignalSpy changed(&watch, &model::SourceWatch::changed);
+  watch.watch(source());
+  fs::last_write_time(source(), fs::file_time_type::clock::now() + std::chrono::hours(1));
+  watch.look();
+  ASSERT_FALSE(watch.resting());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return watch.resting(); }, kPatience));
+  EXPECT_EQ(changed.count(), 0);
+  ASSERT_NO_FATAL_FAILURE(saveByRename("ISO-10303-21; other"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return changed.count() > 0; }, kPatience));
+  QSignalSpy gone(&watch, &model::SourceWatch::gone);
+  fs::remove(source());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return gone.count() > 0; }, kPatience));
+}
+
+TEST_F(SourceFile, ThatMovedIsLocated) {
+  const fs::path design = path("roof.bladewright"), moved = path("moved.step");
+  window().questions().saveDesign = [&](const QString&) { return QString::fromStdString(design.string()); };
+  ASSERT_TRUE(window().save());
+  fs::rename(source(), moved);
+  ASSERT_TRUE(told("is no longer there"));
+  window().commands()["file.close"]->trigger();
+  window().openFile(QString::fromStdString(design.string()));
+  ASSERT_TRUE(settle());
+  ASSERT_EQ(window().banner().action()->text(), "Locate…") << window().banner().text().toStdString();
+  EXPECT_TRUE(inputButton("Locate…")->isVisible());
+  picture("locate-surface");
+  window().questions().openSurface = [&] { return QString::fromStdString(moved.string()); };
+  QTest::mouseClick(window().banner().action(), Qt::LeftButton);
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
+  EXPECT_EQ(bench().job().stations, 17);
+  EXPECT_EQ(bench().document().design()->source.path, moved);
+}
+
+TEST_F(SourceFile, ThatLiesElsewhereIsBroughtIntoThePicture) {
+  const view::SceneView& view = window().sceneView();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view.resting(); }, kPatience));
+  const scene::Camera before = view.camera();
+  ASSERT_NO_FATAL_FAILURE(saveByRename(geometry::exampleStep("saddle").value() + "\n"));
+  ASSERT_TRUE(told("roof.step has changed on disk"));
+  bench().reloadSource();
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(view.camera().position, before.position) << "a reload moved the camera without need";
+}
+
+TEST_F(SourceFile, ThatChangedSinceTheSaveIsToldOnOpening) {
+  const fs::path design = path("roof.bladewright");
+  window().questions().saveDesign = [&](const QString&) { return QString::fromStdString(design.string()); };
+  ASSERT_TRUE(window().save());
+  window().commands()["file.close"]->trigger();
+  window().openFile(QString::fromStdString(design.string()));
+  ASSERT_TRUE(settle());
+  EXPECT_FALSE(window().banner().isVisible()) << window().banner().text().toStdString();
+  window().commands()["file.close"]->trigger();
+  ASSERT_NO_FATAL_FAILURE(saveByRename(geometry::exampleStep("panel-600x670").value()));
+  window().openFile(QString::fromStdString(design.string()));
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(window().banner().text().contains("roof.step has changed since the design was saved"))
+      << window().banner().text().toStdString();
+  const auto tells = [&] {
+    for (const Issue& issue : bench().messages())
+      if (issue.kind == pipeline::kSourceIssue) return true;
+    return false;
+  };
+  EXPECT_TRUE(tells());
+  // Another evaluation takes neither away; a save does.
+  bench().editJob("Change stations", [](Job& job) { job.stations = 18; });
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(tells());
+  EXPECT_TRUE(window().banner().isVisible());
+  ASSERT_TRUE(window().save());
+  ASSERT_TRUE(settle());
+  EXPECT_FALSE(tells());
+  EXPECT_FALSE(window().banner().isVisible());
+}
+
+TEST_F(SourceFile, KeptInTheDesignIsReloadedAsAStep) {
+  QCheckBox* keep = nullptr;
+  for (QCheckBox* box : window().workflow().findChildren<QCheckBox*>())
+    if (box->text().startsWith("Keep the geometry")) keep = box;
+  ASSERT_TRUE(keep);
+  window().workflow().ensureWidgetVisible(keep);
+  QTest::mouseClick(keep, Qt::LeftButton, {}, QPoint(8, keep->height() / 2));
+  ASSERT_TRUE(settle());
+  const double before = width();
+  ASSERT_NO_FATAL_FAILURE(saveByRename(geometry::exampleStep("panel-600x670").value()));
+  ASSERT_TRUE(told("roof.step has changed on disk"));
+  QTest::keyClick(&window(), Qt::Key_R, Qt::ControlModifier);
+  ASSERT_TRUE(settle());
+  EXPECT_NE(width(), before);
+  EXPECT_FALSE(bench().document().design()->source.bytes.empty());
+  bench().document().undoStack().undo();
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(width(), before);
+}
+
+}  // namespace
+}  // namespace bw::app

@@ -1,0 +1,360 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// What is typed into any field of the window is meant, or is refused in words.
+#include <clocale>
+#include <numbers>
+
+#include "every_field.h"
+
+namespace bw::app {
+namespace {
+
+struct Typed {
+  QString text;
+  double value;
+};
+
+/// Texts that mean a number within the limits of a field, and that number.
+std::vector<Typed> meantTexts(const NumberField& field) {
+  const NumberRange& range = field.range();
+  const bool whole = range.decimals == 0;
+  double v = 0;
+  for (double candidate : {37.5, 3.25, 2.0, 0.75})
+    if (const double c = whole ? std::ceil(candidate) : candidate;
+        c > range.min && c < range.max && c != field.value()) {
+      v = c;
+      break;
+    }
+  const auto text = [](double value) { return QString::number(value, 'g', 15); };
+  const auto comma = [](QString t) { return t.replace('.', ','); };
+  std::vector<Typed> typed = {{text(v), v},
+                              {comma(text(v)), v},
+                              {"+" + comma(text(v)), v},
+                              {QString::number(v, 'e', 3), v},
+                              {comma(QString::number(v, 'E', 3)), v},
+                              {text(4 * v) + "/4", v},
+                              {"2*" + text(v / 4) + "+" + text(v / 2), v},
+                              {"(" + text(v + 2) + " - 2)", v},
+                              {"  " + text(v) + "  ", v}};
+  if (range.min <= -1) typed.push_back({"-1", -1}), typed.push_back({QString(QChar(0x2212)) + "1", -1});
+  if (range.min <= 0.5 && !whole) typed.push_back({"0,5", 0.5}), typed.push_back({"1/2", 0.5});
+  if (range.max >= 1000 && range.min <= 1000)
+    typed.push_back({"1e3", 1000}), typed.push_back({"1 000", 1000});
+  if (range.max >= 1234.5 && !whole)
+    typed.push_back({"1.234,5", 1234.5}), typed.push_back({"1,234.5", 1234.5});
+  if (range.unit == "mm") {
+    typed.insert(typed.end(), {{text(v / 10) + "cm", v},
+                               {comma(text(v / 1000)) + " m", v},
+                               {text(v / 25.4) + " in", v},
+                               {text(v / 25.4) + " IN", v},
+                               {text(4 * v / 10) + "/4 cm", v}});
+  } else if (range.unit == QChar(0xb0)) {
+    typed.insert(typed.end(), {{text(v * std::numbers::pi / 180) + " rad", v}, {text(v) + QChar(0xb0), v}});
+  } else if (range.unit == "mm/s") {
+    typed.insert(typed.end(), {{text(v / 10) + " cm/s", v}, {text(v * 0.06) + " m/min", v}});
+  }
+  return typed;
+}
+
+class TypedFields : public EveryFieldTest {
+ protected:
+  void expectTaken(NumberField& field, const Typed& typed) {
+    typeOver(field, typed.text);
+    ASSERT_EQ(field.text(), typed.text) << "the field dropped letters";
+    QTest::keyClick(&field, Qt::Key_Return);
+    EXPECT_FALSE(field.refused()) << typed.text.toStdString() << ": " << field.refusal().toStdString();
+    EXPECT_NEAR(field.value(), typed.value, 1e-9 * std::max(1.0, std::abs(typed.value)))
+        << typed.text.toStdString();
+    if (window().onMeasurePage()) return;
+    EXPECT_TRUE(window().sceneView().hasFocus()) << "the keyboard stayed in the field";
+  }
+
+  void expectRefused(TypedField& field, const QString& text) {
+    const QString before = field.text();
+    const int changes = bench().document().undoStack().index();
+    typeOver(field, text);
+    QTest::keyClick(&field, Qt::Key_Return);
+    EXPECT_TRUE(field.refused()) << text.toStdString() << " became " << field.text().toStdString();
+    EXPECT_EQ(field.text(), text) << "the text did not stay";
+    EXPECT_EQ(bench().document().undoStack().index(), changes) << text.toStdString() << " changed the design";
+    ASSERT_TRUE(field.note());
+    if (!field.visibleRegion().isEmpty()) {
+      EXPECT_TRUE(field.note()->isVisible());
+    }
+    EXPECT_TRUE(QRect(QPoint(), window().size()).contains(field.note()->geometry()));
+    EXPECT_TRUE(field.hasFocus());
+    QTest::keyClick(&field, Qt::Key_Escape);
+    EXPECT_FALSE(field.refused());
+    EXPECT_EQ(field.text(), before) << "Esc did not bring the value back";
+    EXPECT_FALSE(field.note()->isVisible());
+    EXPECT_TRUE(window().onMeasurePage() || window().sceneView().hasFocus());
+  }
+
+  void tryField(TypedField& typed) {
+    if (auto* field = qobject_cast<NumberField*>(&typed)) {
+      const double before = field->value();
+      // The ends of the legend give way to each other.
+      if (auto* other = find<NumberField>("Upper end of the legend");
+          other && field->accessibleName().startsWith("Lower"))
+        expectTaken(*other, {"1e5", 1e5});
+      if (auto* other = find<NumberField>("Lower end of the legend");
+          other && field->accessibleName().startsWith("Upper"))
+        expectTaken(*other, {"-1e5", -1e5});
+      for (const Typed& text : meantTexts(*field)) {
+        if (text.value < field->range().min || text.value > field->range().max) continue;
+        expectTaken(*field, text);
+      }
+      const bool limited = field->range().max < 1e12;
+      const QStringList nonsense = {
+          "abc", "5-",    "--3", "5 kg", "1,234", "12 34", "1.2.3", "5;", limited ? "1e12" : "x",
+          "1/0", "1e999", "nan", "0x10"};
+      for (const QString& text : nonsense) expectRefused(*field, text);
+      if (field->placeholderText().isEmpty()) expectRefused(*field, "");
+      EXPECT_FALSE(field->refused());
+      if (before != field->value()) typeOver(*field, QString::number(before, 'g', 17));
+      QTest::keyClick(field, Qt::Key_Return);
+    } else {
+      auto& list = dynamic_cast<ListField&>(typed);
+      list.setCount(8);
+      const std::pair<const char*, std::vector<int>> lists[] = {
+          {"5-7", {5, 6, 7}}, {"1, 3, 5-7", {1, 3, 5, 6, 7}}, {"0;2 4", {0, 2, 4}}, {"3", {3}}};
+      for (const auto& [text, numbers] : lists) {
+        list.setCount(8);
+        typeOver(list, text);
+        EXPECT_EQ(list.text(), text);
+        QTest::keyClick(&list, Qt::Key_Return);
+        EXPECT_EQ(bench().job().face.indices, numbers) << text;
+        EXPECT_TRUE(window().sceneView().hasFocus());
+      }
+      for (const char* text : {"", "abc", "7-5", "1.5", "-3", "0-99", "1,,2", "1,", "1e1"}) {
+        list.setCount(8);
+        expectRefused(list, text);
+      }
+    }
+  }
+};
+
+TEST_F(TypedFields, ReadWhatIsMeantAndRefuseTheRestInWords) {
+  visitFields([&](TypedField& f) { tryField(f); });
+}
+
+TEST_F(TypedFields, DoTheSameInGermany) {
+  const QLocale before;
+  QLocale::setDefault(QLocale("de_DE"));
+  std::setlocale(LC_ALL, "de_DE.UTF-8");
+  visitFields([&](TypedField& f) { tryField(f); });
+  std::setlocale(LC_ALL, "C");
+  QLocale::setDefault(before);
+}
+
+TEST_F(TypedFields, DoTheSameInTurkey) {
+  const QLocale before;
+  QLocale::setDefault(QLocale("tr_TR"));
+  std::setlocale(LC_ALL, "tr_TR.UTF-8");
+  visitFields([&](TypedField& f) { tryField(f); });
+  std::setlocale(LC_ALL, "C");
+  QLocale::setDefault(before);
+}
+
+TEST_F(TypedFields, GiveTheKeyboardBackAfterEnter) {
+  openPanel();
+  auto* clearance = find<NumberField>("Clearance");
+  ASSERT_TRUE(clearance);
+  typeOver(*clearance, "60");
+  QTest::keyClick(clearance, Qt::Key_Return);
+  EXPECT_EQ(bench().job().clearance, 60);
+  view::SceneView& scene = window().sceneView();
+  ASSERT_TRUE(scene.hasFocus());
+  const scene::Camera before = scene.camera();
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_2);
+  EXPECT_TRUE(
+      QTest::qWaitFor([&] { return (scene.camera().position - before.position).norm() > 1; }, kPatience))
+      << "2 is the top view again";
+  EXPECT_EQ(bench().job().clearance, 60);
+  EXPECT_EQ(clearance->text(), "60");
+}
+
+TEST_F(TypedFields, GiveTheKeyboardBackAfterAChoice) {
+  openPanel();
+  auto* mode = find<ChoiceField>("Stations");
+  ASSERT_TRUE(mode);
+  mode->setFocus();
+  mode->showPopup();
+  mode->hidePopup();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return window().sceneView().hasFocus(); }, kPatience));
+}
+
+TEST_F(TypedFields, TakeWhatIsTypedBeforeACommand) {
+  openPanel();
+  auto* tolerance = find<NumberField>("Tolerance");
+  typeOver(*tolerance, "0,5");
+  const QString file = QString::fromStdString(path("typed.bladewright").string());
+  window().questions().saveDesign = [file](const QString&) { return file; };
+  QTest::keyClick(tolerance, Qt::Key_S, Qt::ControlModifier);
+  EXPECT_EQ(bench().job().tolerance, 0.5);
+  EXPECT_FALSE(bench().document().modified()) << "what was typed is not in the file";
+  typeOver(*tolerance, "0,25");
+  // A press on something that takes no keyboard counts as leaving the field.
+  QTest::mouseClick(&window().sectionView(), Qt::LeftButton, {}, {5, 5});
+  EXPECT_EQ(bench().job().tolerance, 0.25);
+  typeOver(*tolerance, "0,75");
+  int asked = 0;
+  window().questions().unsaved = [&](const QString&) {
+    ++asked;
+    return Questions::Unsaved::cancel;
+  };
+  EXPECT_FALSE(window().close());
+  EXPECT_EQ(asked, 1);
+  EXPECT_EQ(bench().job().tolerance, 0.75);
+}
+
+TEST_F(TypedFields, ExportNothingWhileANumberIsRefused) {
+  openPanel();
+  bool asked = false;
+  window().questions().exportFolder = [&] {
+    asked = true;
+    return QString();
+  };
+  auto* tolerance = find<NumberField>("Tolerance");
+  typeOver(*tolerance, "1,234");
+  QTest::keyClick(tolerance, Qt::Key_E, Qt::ControlModifier);
+  EXPECT_FALSE(asked);
+  EXPECT_TRUE(tolerance->refused());
+  EXPECT_TRUE(window().banner().text().contains("Tolerance")) << window().banner().text().toStdString();
+  EXPECT_TRUE(tolerance->hasFocus());
+  picture("refused");
+  QTest::keyClick(tolerance, Qt::Key_Escape);
+  QTest::keyClick(&window(), Qt::Key_E, Qt::ControlModifier);
+  EXPECT_TRUE(asked);
+}
+
+TEST_F(TypedFields, KeepARefusedTextThatWasLeft) {
+  openPanel();
+  auto* tolerance = find<NumberField>("Tolerance");
+  typeOver(*tolerance, "1,234");
+  QTest::keyClick(tolerance, Qt::Key_Tab);
+  EXPECT_FALSE(tolerance->hasFocus());
+  EXPECT_EQ(tolerance->text(), "1,234");
+  EXPECT_TRUE(tolerance->refused());
+  EXPECT_TRUE(tolerance->note()->isVisible()) << "the sentence went with the keyboard";
+  bench().editJob("Change clearance", [](Job& job) { job.clearance = 60; });
+  EXPECT_EQ(tolerance->text(), "1,234") << "another change took the text away";
+  bench().editJob("Change tolerance", [](Job& job) { job.tolerance = 0.75; });
+  EXPECT_EQ(tolerance->text(), "0.75");
+  EXPECT_FALSE(tolerance->refused());
+  // Another design begins with its own numbers.
+  typeOver(*tolerance, "x");
+  QTest::keyClick(tolerance, Qt::Key_Tab);
+  window().questions().unsaved = [](const QString&) { return Questions::Unsaved::discard; };
+  window().openExample("saddle");
+  EXPECT_FALSE(tolerance->refused());
+  ASSERT_TRUE(settle());
+}
+
+TEST_F(TypedFields, DropTheTypingBeforeTheyStopTheComputation) {
+  openPanel();
+  bench().editJob("Change stations", [](Job& job) { job.stations = 3000; });
+  ASSERT_TRUE(bench().runner().busy());
+  auto* tolerance = find<NumberField>("Tolerance");
+  typeOver(*tolerance, "7");
+  QTest::keyClick(tolerance, Qt::Key_Escape);
+  EXPECT_EQ(tolerance->text(), "2");
+  EXPECT_TRUE(bench().runner().busy()) << "one Esc did two things";
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().stale());
+}
+
+TEST_F(TypedFields, ShowWhatTheyHold) {
+  openPanel();
+  auto* tolerance = find<NumberField>("Tolerance");
+  typeOver(*tolerance, "0,0015");
+  QTest::keyClick(tolerance, Qt::Key_Return);
+  EXPECT_EQ(bench().job().tolerance, 0.0015);
+  EXPECT_EQ(tolerance->text(), "0.0015");
+  auto* clearance = find<NumberField>("Clearance");
+  typeOver(*clearance, "12,34");
+  QTest::keyClick(clearance, Qt::Key_Return);
+  EXPECT_EQ(clearance->text(), "12.34");
+  // A number with more digits than are shown keeps them when it is confirmed.
+  bench().editJob("Change clearance", [](Job& job) { job.clearance = 100.0 / 3; });
+  typeOver(*clearance, clearance->text());
+  QTest::keyClick(clearance, Qt::Key_Return);
+  EXPECT_EQ(bench().job().clearance, 100.0 / 3);
+}
+
+TEST_F(TypedFields, KeepADirectionAsItWasTyped) {
+  openPanel();
+  bench().editJob("Change direction", [](Job& job) { job.direction = Eigen::Vector3d(0.5, 2, 0); });
+  auto* x = find<NumberField>("Direction X");
+  ASSERT_TRUE(x);
+  typeOver(*x, "1");
+  QTest::keyClick(x, Qt::Key_Return);
+  EXPECT_EQ(x->text(), "1");
+  EXPECT_EQ(find<NumberField>("Direction Y")->text(), "2");
+  typeOver(*x, "0");
+  QTest::keyClick(x, Qt::Key_Return);
+  auto* y = find<NumberField>("Direction Y");
+  typeOver(*y, "0");
+  QTest::keyClick(y, Qt::Key_Return);
+  EXPECT_TRUE(y->refused()) << "no way to travel";
+  EXPECT_EQ(bench().job().direction->y(), 2);
+}
+
+TEST_F(TypedFields, RefuseALegendThatRunsBackwards) {
+  openPanel();
+  auto* lower = find<NumberField>("Lower end of the legend");
+  auto* upper = find<NumberField>("Upper end of the legend");
+  typeOver(*upper, "5");
+  QTest::keyClick(upper, Qt::Key_Return);
+  typeOver(*lower, "7");
+  QTest::keyClick(lower, Qt::Key_Return);
+  EXPECT_TRUE(lower->refused());
+  EXPECT_EQ(lower->text(), "7");
+  EXPECT_EQ(*window().sceneView().sceneStyle().rangeMax, 5);
+}
+
+TEST_F(TypedFields, HoldUpADialogUntilItsNumbersStand) {
+  openPanel();
+  QSize size;
+  answer(
+      [&] {
+        size = window().questions().pictureSize({1600, 1000});
+      },
+      "picture-size-refused",
+      [](QDialog& dialog) {
+        const auto fields = dialog.findChildren<NumberField*>();
+        ASSERT_EQ(fields.size(), 2);
+        typeOver(*fields[0], "1,234");
+        QTest::keyClick(fields[0], Qt::Key_Return);
+        EXPECT_TRUE(dialog.isVisible()) << "Enter closed the dialog over a refused number";
+        for (QPushButton* button : dialog.findChildren<QPushButton*>())
+          if (button->objectName() == "primary") button->click();
+        EXPECT_TRUE(dialog.isVisible()) << "the button closed the dialog over a refused number";
+        QTest::keyClick(fields[0], Qt::Key_Escape);
+        EXPECT_TRUE(dialog.isVisible()) << "the first Esc belongs to the field";
+        typeOver(*fields[0], "4*600");
+        QTest::keyClick(fields[0], Qt::Key_Return);
+        EXPECT_FALSE(dialog.isVisible());
+        dialog.close();
+      });
+  EXPECT_EQ(size, QSize(2400, 1000));
+}
+
+TEST_F(TypedFields, FollowTheTypingOnThePageOfMeasurements) {
+  openPanel();
+  window().showMeasurePage();
+  auto* distance = find<NumberField>("Distance 1");
+  ASSERT_TRUE(distance);
+  const double before = distance->value();
+  typeOver(*distance, "600");
+  EXPECT_EQ(distance->value(), 600) << "the length follows while it is typed";
+  type(*distance, "kg");
+  QTest::keyClick(distance, Qt::Key_Tab);
+  EXPECT_TRUE(distance->refused());
+  EXPECT_EQ(distance->value(), before) << "a part of a refused text counts";
+}
+
+}  // namespace
+}  // namespace bw::app

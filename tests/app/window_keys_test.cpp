@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// Keys of the pages, the guide, what tells that something is on, that it is broken or old, and which words it
+// uses.
+#include <QComboBox>
+#include <QRegularExpression>
+#include <QTextBrowser>
+
+#include "window_fixture.h"
+
+namespace bw::app {
+namespace {
+
+class WindowKeys : public WindowTest {
+ protected:
+  static QString focusName() {
+    const QWidget* widget = QApplication::focusWidget();
+    return widget ? widget->objectName() : QString();
+  }
+  static void press(Qt::Key key) { QTest::keyClick(QApplication::focusWidget(), key); }
+};
+
+TEST_F(WindowKeys, LeadThroughTheStartPage) {
+  ASSERT_TRUE(window().onStartPage());
+  EXPECT_EQ(focusName(), "primary") << "the keyboard has no place on the first page";
+  const auto& cards = window().startPage().cards();
+  press(Qt::Key_Right);
+  EXPECT_EQ(qobject_cast<QPushButton*>(QApplication::focusWidget())->text(), "Open design…");
+  press(Qt::Key_Left);
+  press(Qt::Key_Down);
+  EXPECT_EQ(QApplication::focusWidget(), cards[0]);
+  press(Qt::Key_Right);
+  EXPECT_EQ(QApplication::focusWidget(), cards[1]);
+  press(Qt::Key_Down);
+  EXPECT_EQ(QApplication::focusWidget(), cards[5]) << "four in a row";
+  press(Qt::Key_Up);
+  press(Qt::Key_Left);
+  press(Qt::Key_Left);
+  EXPECT_EQ(QApplication::focusWidget(), cards[0]) << "the first of a row has none before it";
+  press(Qt::Key_Tab);
+  EXPECT_EQ(QApplication::focusWidget(), cards[1]);
+  picture("start-keys");
+  press(Qt::Key_Return);
+  EXPECT_FALSE(window().onStartPage());
+  EXPECT_TRUE(window().sceneView().hasFocus());
+  ASSERT_TRUE(settle());
+}
+
+TEST_F(WindowKeys, OpenTheQuestionForAFileByEnter) {
+  bool asked = false;
+  window().questions().openSurface = [&] {
+    asked = true;
+    return QString();
+  };
+  press(Qt::Key_Return);
+  EXPECT_TRUE(asked);
+}
+
+TEST_F(WindowKeys, OpenTheGuideAndTheListOfKeys) {
+  QTest::keyClick(&window(), Qt::Key_F1);
+  GuideWindow& guide = window().guide();
+  ASSERT_TRUE(guide.isVisible());
+  EXPECT_FALSE(guide.isModal()) << "it is read beside the work";
+  EXPECT_TRUE(guide.guide().toPlainText().contains("the workflow")) << "the guide is not in the program";
+  const QString keys = guide.keys().toPlainText();
+  for (const QAction* action : window().commands().all())
+    for (const QKeySequence& key : action->shortcuts()) {
+      EXPECT_TRUE(keys.contains(key.toString(QKeySequence::NativeText))) << key.toString().toStdString();
+      EXPECT_TRUE(keys.contains(commandText(*action))) << commandText(*action).toStdString();
+    }
+  QTest::qWait(0);
+  fs::create_directories(BW_TEST_OUTPUT "/window");
+  guide.grab().save(BW_TEST_OUTPUT "/window/guide.png");
+  guide.findChild<QTabWidget*>()->setCurrentIndex(1);
+  guide.grab().save(BW_TEST_OUTPUT "/window/keys.png");
+  guide.close();
+}
+
+TEST_F(WindowKeys, TickWhatIsOn) {
+  openPanel();
+  const auto grey = [](const QAction& action, QIcon::State state) {
+    return action.icon()
+        .pixmap({20, 20}, 1.0, QIcon::Normal, state)
+        .toImage()
+        .convertToFormat(QImage::Format_Alpha8);
+  };
+  for (const QAction* action : window().commands().all()) {
+    if (!action->isCheckable()) continue;
+    EXPECT_FALSE(action->icon().isNull()) << action->objectName().toStdString();
+    EXPECT_NE(grey(*action, QIcon::On), grey(*action, QIcon::Off))
+        << action->objectName().toStdString() << " tells by its colour alone whether it is on";
+  }
+  EXPECT_TRUE(window().commands()["map.deviation"]->isChecked());
+  window().commands()["map.angle"]->trigger();
+  EXPECT_FALSE(window().commands()["map.deviation"]->isChecked());
+  EXPECT_TRUE(window().commands()["map.angle"]->isChecked());
+  window().commands()["map.angle"]->trigger();
+  EXPECT_TRUE(window().commands()["map.angle"]->isChecked())
+      << "a map cannot be switched off by choosing it again";
+  for (QMenu* menu : window().findChildren<QMenu*>())
+    if (menu->title() == "Th&eme" || menu->title() == "&Map") {
+      menu->popup({100, 100});
+      menu->grab().save(
+          QString(BW_TEST_OUTPUT "/window/menu-%1.png").arg(QString(menu->title()).remove('&')));
+      menu->hide();
+    }
+}
+
+TEST_F(WindowKeys, LeaveAPresetItsNameWhenTheLengthChanges) {
+  openPanel();
+  auto* preset = find<ChoiceField>("Blade");
+  auto* length = find<NumberField>("Blade length");
+  ASSERT_TRUE(preset && length);
+  const int before = preset->currentIndex();
+  const std::string name = bench().job().blade.name;
+  ASSERT_NE(name, "custom");
+  length->setFocus();
+  length->selectAll();
+  QTest::keyClicks(length, "905");
+  QTest::keyClick(length, Qt::Key_Return);
+  EXPECT_EQ(bench().job().blade.length, 905);
+  EXPECT_EQ(preset->currentIndex(), before);
+  EXPECT_EQ(bench().job().blade.name, name);
+  // The remedy for a short blade changes no more than the length either.
+  bench().editJob("Change blade length", [](Job& job) { job.blade.length = 500; });
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(window().banner().action()->isVisible());
+  QTest::mouseClick(window().banner().action(), Qt::LeftButton);
+  EXPECT_EQ(preset->currentIndex(), before);
+  EXPECT_EQ(bench().job().blade.name, name);
+  // Another tool is no preset, whatever it calls itself.
+  bench().editJob("Change", [](Job& job) { job.blade.yieldStress *= 2; });
+  EXPECT_EQ(preset->currentText(), "Custom");
+  ASSERT_TRUE(settle());
+}
+
+TEST_F(WindowKeys, ShowBrokenNumbersInRedWithAnIconAndOldOnesPale) {
+  openPanel();
+  const auto valueOf = [&](const QString& name) {
+    for (ValueLabel* label : window().inspector().findChildren<ValueLabel*>())
+      if (label->accessibleName() == name && label->isVisible()) return label;
+    return static_cast<ValueLabel*>(nullptr);
+  };
+  ASSERT_TRUE(valueOf("Largest"));
+  EXPECT_FALSE(valueOf("Largest")->broken());
+  bench().editJob("Change tolerance", [](Job& job) { job.tolerance = 0.001; });
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(valueOf("Largest")->broken());
+  EXPECT_TRUE(valueOf("Within tolerance")->broken());
+  EXPECT_FALSE(valueOf("Steepest cut")->broken());
+  ASSERT_GE(window().summaryLine().labels().size(), 5u);
+  EXPECT_TRUE(window().summaryLine().labels()[1]->broken());
+  EXPECT_FALSE(window().summaryLine().labels()[4]->broken());
+  picture("broken-numbers");
+  bench().editJob("Change stations", [](Job& job) { job.stations = 4000; });
+  ASSERT_TRUE(QTest::qWaitFor([&] { return valueOf("Largest")->stale(); }, kPatience));
+  EXPECT_TRUE(window().summaryLine().labels()[1]->stale());
+  picture("stale-numbers");
+  bench().document().undoStack().setIndex(0);
+  ASSERT_TRUE(settle());
+  EXPECT_FALSE(valueOf("Largest")->stale());
+  EXPECT_FALSE(valueOf("Largest")->broken());
+}
+
+TEST_F(WindowKeys, SpeakNoWordOfTheCommandLine) {
+  openPanel();
+  bench().editJob("Change block", [](Job& job) {
+    job.block = BlockPlacement{{5000, 0, 0}, {100, 100, 100}, Eigen::Vector3d::Zero()};
+  });
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().runner().error());
+  QStringList texts = {window().banner().text()};
+  for (int i = 0; i < window().messageList().count(); ++i) texts << window().messageList().item(i)->text();
+  for (const QAction* action : window().commands().all()) texts << action->text() << action->toolTip();
+  for (const QWidget* widget : window().findChildren<QWidget*>()) {
+    texts << widget->toolTip() << widget->accessibleName() << widget->accessibleDescription();
+    if (const auto* label = qobject_cast<const QLabel*>(widget)) texts << label->text();
+    if (const auto* button = qobject_cast<const QAbstractButton*>(widget)) texts << button->text();
+    if (const auto* choice = qobject_cast<const QComboBox*>(widget))
+      for (int i = 0; i < choice->count(); ++i) texts << choice->itemText(i);
+  }
+  static const QRegularExpression code(
+      "(^|[ (])--[a-z]|[a-z]_[a-z]|\"auto\"|blade (check|render|export|rationalize)");
+  for (const QString& text : texts) EXPECT_FALSE(text.contains(code)) << text.toStdString();
+}
+
+}  // namespace
+}  // namespace bw::app

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "bw/core/folder_lock.h"
+
+#include <gtest/gtest.h>
+
+#include "bw/core/file_set.h"
+#include "bw/core/temporary_name.h"
+#include "file_folder.h"
+
+namespace bw {
+
+TEST(FolderLock, TellsTheSecondWriterWhoTheFirstIs) {
+  const Folder folder;
+  const Result<FolderLock> first = FolderLock::take(folder.path());
+  ASSERT_TRUE(first) << first.error().message;
+  const Result<FolderLock> second = FolderLock::take(folder.path());
+  ASSERT_FALSE(second);
+  EXPECT_EQ(second.error().code, ErrorCode::cannotWrite);
+  for (const std::string& text : {"process " + std::to_string(::getpid()), "on " + hostName(),
+                                  std::string("since 20"), std::string("choose another folder")})
+    EXPECT_NE(second.error().message.find(text), std::string::npos) << second.error().message;
+}
+
+TEST(FolderLock, IsFreeAgainAndLeavesNothing) {
+  const Folder folder;
+  for (int i = 0; i < 3; ++i) ASSERT_TRUE(FolderLock::take(folder.path()));
+  EXPECT_EQ(folder.count(), 0u);
+}
+
+TEST(FolderLock, OfADeadWriterIsTakenOver) {
+  const Folder folder;
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const Result<FolderLock> lock = FolderLock::take(folder.path());
+    ::kill(::getpid(), SIGKILL);
+  }
+  ::waitpid(child, nullptr, 0);
+  EXPECT_EQ(folder.count(), 1u) << "what the dead one left";
+  EXPECT_TRUE(FolderLock::take(folder.path()));
+  EXPECT_EQ(folder.count(), 0u);
+}
+
+TEST(FolderLock, NamesTheFolderItCannotBeTakenFor) {
+  const Result<FolderLock> lock = FolderLock::take("/proc/self");
+  ASSERT_FALSE(lock);
+  EXPECT_NE(lock.error().message.find("/proc/self"), std::string::npos);
+}
+
+TEST(TemporaryName, OfADeadWriterIsClearedAwayAndOfALivingOneIsNot) {
+  const Folder folder;
+  const std::filesystem::path mine = temporaryName(folder.path() / "a.txt");
+  std::string dead = mine.string();
+  const std::string own = std::to_string(::getpid());
+  dead.replace(dead.rfind("-" + own + "-") + 1, own.size(), std::to_string(deadProcess()));
+  // The dead one's last: writing another would clear it away.
+  for (const std::filesystem::path& file :
+       {mine, folder.path() / "b.part-1", folder.path() / "c.txt", std::filesystem::path(dead)})
+    ASSERT_TRUE(writeFile(file, "bytes"));
+  EXPECT_EQ(leftByDeadWriters(folder.path()), std::vector<std::filesystem::path>{dead});
+  EXPECT_EQ(placeOfTemporary(dead), folder.path() / "a.txt");
+  ASSERT_TRUE(writeFile(folder.path() / "d.txt", "bytes"));
+  EXPECT_FALSE(std::filesystem::exists(dead));
+  EXPECT_EQ(folder.count(), 4u);
+  EXPECT_TRUE(isTemporaryName(mine.filename().string()));
+  for (const char* name : {"b.part-1", ".part-1-0123456789ab-0", "a.part-x-0123456789ab-0",
+                           "a.part-1-0123456789ag-0", "a.part-1-0123456789ab-", "part", ""})
+    EXPECT_FALSE(isTemporaryName(name)) << name;
+}
+
+TEST(TemporaryName, OfAnotherMachineIsClearedAwayAfterADay) {
+  const Folder folder;
+  const std::filesystem::path file = folder.path() / "a.txt.part-1-000000000000-0";
+  ASSERT_TRUE(writeFile(file, "bytes"));
+  EXPECT_TRUE(leftByDeadWriters(folder.path()).empty());
+  std::filesystem::last_write_time(file,
+                                   std::filesystem::file_time_type::clock::now() - std::chrono::hours(25));
+  EXPECT_EQ(leftByDeadWriters(folder.path()).size(), 1u);
+}
+
+}  // namespace bw

@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// What the findings advise is followed, number by number: it must not be refused, and must mend what it was
+// said of.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "analytic_surfaces.h"
+#include "plane_sections.h"
+
+namespace bw {
+
+namespace {
+
+using test::findingOf;
+using test::numberAfter;
+
+struct Tried {
+  Result<Sweep> sweep = fail(ErrorCode::internal, "not run");
+  Issues issues;
+};
+
+/// Nine sections y = height(x), |x| ≤ half, 10 mm apart, and what is found of their sweep.
+template <class Height>
+Tried run(const Job& job, double half, Height height) {
+  Tried result;
+  const Box block = test::blockUnder(half, 80, -2 * half, 2 * half);
+  result.sweep = buildSweep(test::sectionsOf(9, 10, [&](int) { return test::graphCurve(half, height); }), job,
+                            block, -Eigen::Vector3d::UnitY(), {}, result.issues);
+  if (!result.sweep) return result;
+  const Result<SweepAnalysis> analysis =
+      analyzeSweep(*result.sweep, job, test::GraphSampler<Height>(half, height), {});
+  EXPECT_TRUE(analysis) << analysis.error().message;
+  if (analysis) result.issues.insert(result.issues.end(), analysis->issues.begin(), analysis->issues.end());
+  return result;
+}
+
+/// A sine of that amplitude over its whole length 2π · wave.
+auto sine(double amplitude, double wave) {
+  return [amplitude, wave](double x) { return amplitude * std::cos(x / wave); };
+}
+
+/// A blade that bends to `radius` mm, of the default steel.
+Blade bladeOfRadius(double radius, double length) {
+  Blade blade;
+  blade.name = "custom";
+  blade.section = Blade::Section::flat;
+  blade.width = 5;
+  blade.thickness = 1;
+  blade.thickness *= radius / blade.minRadius();
+  blade.length = length;
+  return blade;
+}
+
+/// True if the finding about sections that are too tight is among them.
+bool tooTight(const Issues& issues) {
+  return std::ranges::any_of(issues, [](const Issue& issue) {
+    return issue.message.find("the surface is too tight") != std::string::npos;
+  });
+}
+
+}  // namespace
+
+TEST(Advice, LengthForASectionThatIsLongerThanTheBladeIsEnough) {
+  for (const double clearance : {0.0, 50.0, 400.0})
+    for (const double half : {450.0, 1100.0}) {
+      Job job;
+      job.clearance = clearance;
+      job.blade = bladeOfRadius(100, 300);
+      const Tried refused = run(job, half, sine(20, half / 3));
+      ASSERT_FALSE(refused.sweep);
+      job.blade.length = numberAfter(refused.sweep.error().message, "a blade of at least ");
+      ASSERT_TRUE(std::isfinite(job.blade.length)) << refused.sweep.error().message;
+      EXPECT_EQ(*refused.sweep.error().limit, job.blade.length);
+      EXPECT_LE(job.blade.length, Blade::kLongest);
+      EXPECT_TRUE(run(job, half, sine(20, half / 3)).sweep) << job.blade.length;
+    }
+}
+
+TEST(Advice, NoBladeIsAdvisedThatIsLongerThanAJobTakes) {
+  Job job;
+  job.blade = bladeOfRadius(100, 800);
+  const Tried refused = run(job, 14'400, sine(500, 4000));
+  ASSERT_FALSE(refused.sweep);
+  const std::string& message = refused.sweep.error().message;
+  EXPECT_EQ(message.find("a blade of at least"), std::string::npos) << message;
+  EXPECT_NE(message.find("no blade may be longer than 20000 mm"), std::string::npos) << message;
+  EXPECT_NE(message.find("smaller block"), std::string::npos) << message;
+}
+
+TEST(Advice, TooTightIsSaidWithPlaceRadiusLimitAndRemedy) {
+  // Waves of 40 mm with radii down to 25 mm, for a blade that bends to 360 mm.
+  Job job;
+  job.blade = bladeOfRadius(360, 800);
+  const Tried tight = run(job, 250, sine(40, 31.6));
+  ASSERT_TRUE(tight.sweep) << tight.sweep.error().message;
+  ASSERT_TRUE(tooTight(tight.issues));
+  const Issue* issue = findingOf(tight.issues, "curvature");
+  ASSERT_TRUE(issue);
+  EXPECT_TRUE(issue->where.station);
+  ASSERT_TRUE(issue->where.point);
+  EXPECT_NEAR(issue->where.point->z(), sine(40, 31.6)(issue->where.point->x()), 1);
+  EXPECT_NE(issue->message.find("the blade only to 360 mm"), std::string::npos) << issue->message;
+  EXPECT_GT(numberAfter(issue->message, "it bends to a radius of "), 20) << issue->message;
+  EXPECT_LT(numberAfter(issue->message, "it bends to a radius of "), 90) << issue->message;
+  // What it says of the distance is true.
+  const double distance = numberAfter(issue->message, "so that it stays ");
+  EXPECT_GT(distance, 10) << issue->message;
+  EXPECT_NE(issue->message.find("Spring steel rod 1 mm bends farthest"), std::string::npos) << issue->message;
+  EXPECT_EQ(issue->message.find("split"), std::string::npos) << issue->message;
+}
+
+TEST(Advice, BladeThatBendsFarEnoughIsNotTooTightAnyMore) {
+  for (const double wave : {31.6, 100.0}) {
+    Job job;
+    job.blade = bladeOfRadius(360, 900);
+    const Tried tight = run(job, 250, sine(40, wave));
+    const Issue* issue = findingOf(tight.issues, "curvature");
+    ASSERT_TRUE(issue && tooTight(tight.issues)) << wave;
+    job.blade = bladeOfRadius(numberAfter(issue->message, "it takes a blade that bends to "), 900);
+    const Tried eased = run(job, 250, sine(40, wave));
+    ASSERT_TRUE(eased.sweep) << eased.sweep.error().message;
+    EXPECT_FALSE(tooTight(eased.issues)) << wave;
+    // A little less far, and it is.
+    job.blade = bladeOfRadius(1.1 * job.blade.minRadius(), 900);
+    EXPECT_TRUE(tooTight(run(job, 250, sine(40, wave)).issues)) << wave;
+  }
+}
+
+TEST(Advice, LargerSurfaceIsNotTooTightAnyMore) {
+  for (const double wave : {31.6, 80.0}) {
+    Job job;
+    job.blade = bladeOfRadius(360, 900);
+    const Tried tight = run(job, 250, sine(40, wave));
+    const Issue* issue = findingOf(tight.issues, "curvature");
+    ASSERT_TRUE(issue && tooTight(tight.issues)) << wave;
+    const double scale = numberAfter(issue->message, "or a surface ");
+    ASSERT_GT(scale, 1) << issue->message;
+    const double length = numberAfter(issue->message, "times as large with a blade of ");
+    if (std::isfinite(length)) job.blade.length = length;
+    EXPECT_LE(job.blade.length, Blade::kLongest);
+    const Tried larger = run(job, scale * 250, sine(scale * 40, scale * wave));
+    ASSERT_TRUE(larger.sweep) << larger.sweep.error().message;
+    EXPECT_FALSE(tooTight(larger.issues)) << issue->message;
+  }
+}
+
+TEST(Advice, GentleSectionsAreNeverTooTight) {
+  // Arcs at the limit of the blade, within it by 2 %, up to a third of a turn.
+  Job job;
+  job.blade = bladeOfRadius(200, 900);
+  for (const double turn : {0.2, 0.6, 1.0}) {
+    Issues issues;
+    const auto arc = [&](int) {
+      return test::arc({0, 0}, 204, std::numbers::pi / 2 + turn, std::numbers::pi / 2 - turn);
+    };
+    Result<Sweep> sweep = buildSweep(test::sectionsOf(9, 10, arc), job, test::blockUnder(204, 80, 0, 204),
+                                     -Eigen::Vector3d::UnitY(), {}, issues);
+    ASSERT_TRUE(sweep);
+    const Result<SweepAnalysis> analysis =
+        analyzeSweep(*sweep, job, test::PlaneSampler(Eigen::Vector3d::UnitZ()), {});
+    ASSERT_TRUE(analysis);
+    EXPECT_FALSE(tooTight(analysis->issues)) << turn;
+  }
+}
+
+TEST(Advice, NothingAdvisesToSplitTheSurface) {
+  // There is no such command.
+  Job job;
+  job.tolerance = 0.01;
+  for (const double radius : {5.0, 360.0})
+    for (const double wave : {31.6, 120.0}) {
+      job.blade = bladeOfRadius(radius, 1200);
+      for (const Issue& issue : run(job, 250, sine(40, wave)).issues)
+        EXPECT_EQ(issue.message.find("split"), std::string::npos) << issue.message;
+    }
+}
+
+TEST(Advice, ShorterBladeHoldsItsShape) {
+  // Blades that buckle, twist or overbend beyond a short section: the length that is told does, and is no
+  // refusal.
+  int followed = 0;
+  for (const auto section : {Blade::Section::flat, Blade::Section::rod})
+    for (const double amplitude : {6.0, 40.0})
+      for (const double length : {900.0, 1800.0}) {
+        Job job;
+        job.blade = bladeOfRadius(80, length);
+        if (section == Blade::Section::rod) {
+          job.blade.section = section;
+          job.blade.outerDiameter = job.blade.thickness;
+        }
+        const Tried before = run(job, 150, sine(amplitude, 60));
+        ASSERT_TRUE(before.sweep);
+        for (const Issue& issue : before.issues) {
+          const double advised = numberAfter(issue.message, "; one of ");
+          if (!std::isfinite(advised)) continue;
+          ++followed;
+          Job shorter = job;
+          shorter.blade.length = advised;
+          const Tried after = run(shorter, 150, sine(amplitude, 60));
+          EXPECT_TRUE(after.sweep) << issue.message;
+          EXPECT_FALSE(findingOf(after.issues, issue.kind)) << issue.message;
+        }
+      }
+  EXPECT_GT(followed, 0);
+}
+
+}  // namespace bw

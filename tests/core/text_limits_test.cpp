@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include <gtest/gtest.h>
+
+#include "bw/core/cases.h"
+#include "bw/core/cell.h"
+#include "bw/core/design.h"
+#include "bw/core/file_set.h"
+#include "bw/core/job.h"
+#include "bw/core/printable.h"
+
+namespace bw {
+
+TEST(Printable, LeavesWordsOfAnyLanguageAlone) {
+  for (const char* text :
+       {"", "a.step", "Größe 5°, Übermaß – naïve", "数值 \xf0\x9f\x94\xa5", "back\\slash \"quoted\""})
+    EXPECT_EQ(printable(text), text);
+}
+
+TEST(Printable, EscapesWhatActsInsteadOfBeingSeen) {
+  EXPECT_EQ(printable("a\nblade: done\r\t"), "a\\nblade: done\\r\\t");
+  EXPECT_EQ(printable("\x1b[2J\x07\x7f"), "\\x1b[2J\\x07\\x7f");
+  EXPECT_EQ(printable(std::string_view("\0end", 4)), "\\x00end");
+  EXPECT_EQ(printable("\xc2\x9b"
+                      "31m"),
+            "\\u009b31m")
+      << "the C1 form of the escape sequence";
+  EXPECT_EQ(printable("a\xe2\x80\xae"
+                      "b\xe2\x80\xa8"),
+            "a\\u202eb\\u2028");
+}
+
+TEST(Printable, EscapesBytesThatAreNoCharacter) {
+  EXPECT_EQ(printable("\xff\xfe"), "\\xff\\xfe");
+  EXPECT_EQ(printable("\xc0\x8a"), "\\xc0\\x8a") << "a line feed in too many bytes";
+  EXPECT_EQ(printable("\xed\xa0\x80"), "\\xed\\xa0\\x80") << "half a surrogate pair";
+  EXPECT_EQ(printable("\xe2\x82"), "\\xe2\\x82") << "cut short";
+  EXPECT_EQ(printable("\xf5\x80\x80\x80"), "\\xf5\\x80\\x80\\x80");
+}
+
+TEST(TextLimits, DepthIsBoundedWhereverJsonIsRead) {
+  const std::string deep = "{\"cases\":" + std::string(200000, '[') + std::string(200000, ']') + "}";
+  const auto refused = [](const auto& result) {
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, ErrorCode::badInput);
+    EXPECT_NE(result.error().message.find("128 deep"), std::string::npos) << result.error().message;
+  };
+  refused(fitCases(deep, {}));
+  refused(parseJob(deep));
+  refused(parseDesign(deep));
+  refused(parseCell(deep, "deep"));
+}
+
+TEST(TextLimits, ValuesAreCountedWhileReading) {
+  std::string many = "[";
+  for (int i = 0; i < 20'000'001; ++i) many += "0,";
+  many += "0]";
+  const Result<CaseAnswer> answer = fitCases(many, {});
+  ASSERT_FALSE(answer);
+  EXPECT_NE(answer.error().message.find("20 million values"), std::string::npos) << answer.error().message;
+}
+
+TEST(TextLimits, FilesAboveTheLimitAreRefusedByTheirSize) {
+  // A file with a hole: as large as it says, and no byte of it written.
+  const std::filesystem::path file = std::filesystem::path(BW_TEST_OUTPUT) / "vast.bladewright";
+  ASSERT_TRUE(writeFile(file, "{}"));
+  std::filesystem::resize_file(file, kLargestText + 1);
+  const Result<Design> design = loadDesign(file);
+  std::filesystem::remove(file);
+  ASSERT_FALSE(design);
+  EXPECT_EQ(design.error().code, ErrorCode::cannotRead);
+  EXPECT_NE(design.error().message.find("larger than 256 MB"), std::string::npos) << design.error().message;
+}
+
+TEST(TextLimits, ADesignThatCouldNotBeOpenedAgainIsNotSaved) {
+  Design design;
+  design.source.path = "large.step";
+  design.source.bytes = std::string(kLargestText / 4 * 3 + 1, 'x');
+  const std::filesystem::path file = std::filesystem::path(BW_TEST_OUTPUT) / "too-large.bladewright";
+  const Result<void> saved = saveDesign(design, file);
+  ASSERT_FALSE(saved);
+  EXPECT_NE(saved.error().message.find("link the CAD file"), std::string::npos) << saved.error().message;
+  EXPECT_FALSE(std::filesystem::exists(file));
+}
+
+TEST(Versions, ANewerOneIsToldBeforeWhateverElseItHolds) {
+  const auto told = [](const auto& result) {
+    ASSERT_FALSE(result);
+    EXPECT_NE(result.error().message.find("version 2 but this program reads up to 1"), std::string::npos)
+        << result.error().message;
+  };
+  told(parseDesign(R"({"blocks": [], "bladewright_design": 2, "job": {"cuts": 3}, "source": 7})"));
+  told(parseCell(R"({"robots": 4, "version": 2, "tasks": "none"})", "new"));
+}
+
+}  // namespace bw

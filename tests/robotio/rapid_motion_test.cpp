@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// Rules 16 and 17: no target tears the blade, none leaps.
+
+#include <gtest/gtest.h>
+
+#include "bw/core/number_text.h"
+#include "sample.h"
+
+namespace bw::robotio {
+namespace {
+
+/// A robtarget declaration of a module.
+struct Declared {
+  std::string name;
+  std::size_t at = 0, end = 0;  ///< of the three coordinates in the text
+  Eigen::Vector3d position;
+};
+
+std::vector<Declared> targetsOf(const std::string& module) {
+  std::vector<Declared> targets;
+  const std::string word = "CONST robtarget ";
+  for (std::size_t at = 0; (at = module.find(word, at)) != std::string::npos;) {
+    at += word.size();
+    Declared target;
+    target.name = module.substr(at, module.find(' ', at) - at);
+    target.at = module.find("[[", at) + 2;
+    target.end = module.find(']', target.at);
+    std::size_t from = target.at;
+    for (int i = 0; i < 3; ++i) {
+      const std::size_t to = std::min(module.find(',', from), target.end);
+      target.position[i] = parseNumber(module.substr(from, to - from)).value_or(NAN);
+      from = to + 1;
+    }
+    targets.push_back(target);
+  }
+  return targets;
+}
+
+Program moved(Program program, const std::string& path, const Declared& target, const Eigen::Vector3d& by) {
+  const Eigen::Vector3d p = target.position + by;
+  sample::file(program, path)
+      .replace(target.at, target.end - target.at,
+               fixedText(p.x(), 4) + "," + fixedText(p.y(), 4) + "," + fixedText(p.z(), 4));
+  return program;
+}
+
+Issues errorsOf(const Program& program) {
+  Issues errors;
+  for (const Issue& issue : checkRapid(program))
+    if (issue.severity == Severity::error) errors.push_back(issue);
+  return errors;
+}
+
+std::string listed(const Issues& issues) {
+  std::string text;
+  for (const Issue& issue : issues) text += "\n" + issue.kind + " " + issue.where.text + " " + issue.message;
+  return text;
+}
+
+constexpr const char* kModules[] = {"T_ROB1/BladeLeft.mod", "T_ROB2/BladeRight.mod"};
+
+}  // namespace
+
+TEST(RapidMotion, EveryTargetMovedByAMetreIsAnErrorThatNamesIt) {
+  int tried = 0;
+  for (const auto& [instants, seconds] :
+       {std::pair{5, 33.5}, {5, 600.0}, {60, 33.5}, {60, 1200.0}, {400, 600.0}}) {
+    const auto good = writeRapid(sample::motion(instants, seconds), sample::cell());
+    ASSERT_TRUE(good) << good.error().message;
+    ASSERT_TRUE(errorsOf(*good).empty()) << listed(errorsOf(*good));
+    for (const char* path : kModules) {
+      Program copy = *good;
+      const std::vector<Declared> targets = targetsOf(sample::file(copy, path));
+      ASSERT_EQ(targets.size(), std::size_t(instants) + 2);
+      for (std::size_t i = 0; i < targets.size(); i += std::size_t(std::max(1, instants / 30)))
+        for (const Eigen::Vector3d& way :
+             {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, 1, 0), Eigen::Vector3d(0, 0, 1)})
+          for (const double metre : {1000.0, -1000.0}) {
+            ++tried;
+            const Issues errors = errorsOf(moved(*good, path, targets[i], metre * way));
+            const bool named = std::any_of(errors.begin(), errors.end(), [&](const Issue& issue) {
+              return (issue.kind == "rapid-rule-16" || issue.kind == "rapid-rule-17") &&
+                     issue.message.find("\"" + targets[i].name + "\"") != std::string::npos;
+            });
+            EXPECT_TRUE(named) << path << " " << targets[i].name << " by " << (metre * way).transpose()
+                               << " of " << instants << " in " << seconds << " s" << listed(errors);
+          }
+    }
+  }
+  EXPECT_GT(tried, 1000);
+}
+
+TEST(RapidMotion, GripsFurtherApartThanTheBladeIsLongAreAnError) {
+  const auto good = writeRapid(sample::motion(60), sample::cell());
+  ASSERT_TRUE(good);
+  Program copy = *good;
+  const std::vector<Declared> left = targetsOf(sample::file(copy, kModules[0])),
+                              right = targetsOf(sample::file(copy, kModules[1]));
+  std::size_t farthest = 0;
+  const auto distance = [&](std::size_t i) { return (left[i].position - right[i].position).norm(); };
+  for (std::size_t i = 0; i < left.size(); ++i)
+    if (distance(i) > distance(farthest)) farthest = i;
+  const auto forBladeOf = [&](double length) {
+    Program program = *good;
+    for (ProgramFile& file : program)
+      sample::replaceAll(file.bytes, "length 800.0000 mm", "length " + fixedText(length, 4) + " mm");
+    return errorsOf(program);
+  };
+  EXPECT_TRUE(forBladeOf(distance(farthest) + 0.001).empty());
+  const Issues errors = forBladeOf(distance(farthest) - 0.5);
+  ASSERT_FALSE(errors.empty());
+  for (const Issue& issue : errors) EXPECT_EQ(issue.kind, "rapid-rule-16");
+  EXPECT_TRUE(std::any_of(errors.begin(), errors.end(), [&](const Issue& issue) {
+    return issue.message.find("at \"" + right[farthest].name + "\" the grips are ") == 0 &&
+           issue.message.find("0.5 mm more than the blade") != std::string::npos;
+  })) << listed(errors);
+}
+
+TEST(RapidMotion, AProgramThatTellsNoLengthIsCheckedForLeapsOnly) {
+  auto program = writeRapid(sample::motion(60), sample::cell());
+  ASSERT_TRUE(program);
+  for (ProgramFile& file : *program)
+    sample::replaceAll(file.bytes, "! Run none, free blade length 800.0000 mm", "! Run none");
+  const Declared target = targetsOf(sample::file(*program, kModules[1]))[30];
+  EXPECT_TRUE(errorsOf(moved(*program, kModules[1], target, {-15, 0, 0})).empty());
+  const Issues errors = errorsOf(moved(*program, kModules[1], target, {-1000, 0, 0}));
+  ASSERT_FALSE(errors.empty());
+  for (const Issue& issue : errors) EXPECT_EQ(issue.kind, "rapid-rule-17");
+}
+
+TEST(RapidMotion, ATargetThatTurnsAgainstTheRatesBesideItLeaps) {
+  const auto good = writeRapid(sample::motion(60), sample::cell());
+  ASSERT_TRUE(good);
+  Program program = *good;
+  std::string& module = sample::file(program, kModules[0]);
+  const Declared target = targetsOf(module)[30];
+  const std::size_t at = module.find('[', target.end), end = module.find(']', at);
+  module.replace(at, end - at, "[0.00000000,0.70710678,0.70710678,0.00000000");
+  const Issues errors = errorsOf(program);
+  ASSERT_FALSE(errors.empty());
+  EXPECT_TRUE(std::any_of(errors.begin(), errors.end(), [&](const Issue& issue) {
+    return issue.kind == "rapid-rule-17" &&
+           issue.message.find("\"" + target.name + "\" turns by") != std::string::npos;
+  })) << listed(errors);
+}
+
+TEST(RapidMotion, WithoutTimesALeapIsSeenInThePath) {
+  auto program = writeRapid(sample::motion(60), sample::cell());
+  ASSERT_TRUE(program);
+  for (ProgramFile& file : *program)
+    for (std::size_t at = 0; (at = file.bytes.find("\\T:=", at)) != std::string::npos;)
+      file.bytes.erase(at, file.bytes.find(',', at) - at);
+  const auto leaps = [&](const Program& p) {
+    const Issues errors = errorsOf(p);
+    return std::count_if(errors.begin(), errors.end(),
+                         [](const Issue& i) { return i.kind == "rapid-rule-17"; });
+  };
+  EXPECT_EQ(leaps(*program), 0);
+  const Declared target = targetsOf(sample::file(*program, kModules[0]))[30];
+  EXPECT_GE(leaps(moved(*program, kModules[0], target, {0, 0, -60})), 1);
+}
+
+}  // namespace bw::robotio
