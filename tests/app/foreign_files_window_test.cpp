@@ -85,7 +85,7 @@ TEST_F(ForeignFilesInTheWindow, CutsABlockOutOfALargeTerrain) {
   for (const Eigen::Vector3d& corner : view.content().block->corners())
     seen |= QRectF(view.toWidget(corner), QSizeF(1, 1));
   EXPECT_TRUE(QRectF(view.rect()).contains(seen));
-  EXPECT_GT(std::max(seen.width() / view.width(), seen.height() / view.height()), 0.35);
+  EXPECT_GT(std::max(seen.width() / view.width(), seen.height() / view.height()), 0.4);
 }
 
 }  // namespace

@@ -5,10 +5,14 @@
 #include <sys/resource.h>
 
 #include <QDialogButtonBox>
+#include <QSessionManager>
 
 #include <csignal>
+#include <cstddef>
 
 #include "bw/model/recovery.h"
+#include "window/display_check.h"
+#include "window/end_of_session.h"
 #include "window/recovery_list.h"
 #include "window_fixture.h"
 
@@ -48,6 +52,36 @@ class SavedWork : public WindowTest {
     return false;
   }
 };
+
+TEST_F(SavedWork, IsKeptWhenTheSessionEnds) {
+  makeKeepingWindow();
+  openPanel();
+  bench().editJob("Change tolerance", [](Job& job) { job.tolerance = 0.75; });
+  const EndOfSession ending(window());
+  // Only the desktop makes such a manager; what hears of it does not look into it.
+  alignas(QSessionManager) std::byte room[sizeof(QSessionManager)] = {};
+  emit qApp->commitDataRequest(reinterpret_cast<QSessionManager&>(room));
+  ASSERT_TRUE(fs::exists(recovery()));
+  EXPECT_FALSE(fs::is_empty(recovery()));
+  ASSERT_TRUE(settle());
+}
+
+TEST(DisplayCheck, TellsInABoxWhatIsMissing) {
+  bool told = false;
+  QTimer timer;
+  timer.setInterval(20);
+  QObject::connect(&timer, &QTimer::timeout, [&] {
+    auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    if (!box) return;
+    told = box->text() == "There is no OpenGL.";
+    box->accept();
+  });
+  timer.start();
+  testing::internal::CaptureStderr();
+  tellOpenGlProblem("There is no OpenGL.", true);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "bladewright: There is no OpenGL.\n");
+  EXPECT_TRUE(told);
+}
 
 TEST_F(SavedWork, IsListedAfterACrashAndGoneOnWith) {
   makeKeepingWindow();

@@ -128,6 +128,19 @@ TEST_F(SourceFile, ThatLiesElsewhereIsBroughtIntoThePicture) {
   bench().reloadSource();
   ASSERT_TRUE(settle());
   EXPECT_EQ(view.camera().position, before.position) << "a reload moved the camera without need";
+  // Another surface, while the picture shows nothing at all.
+  window().sceneView().fitBounds(Bounds{Eigen::Vector3d::Constant(1e5), Eigen::Vector3d::Constant(1.001e5)},
+                                 false);
+  ASSERT_NO_FATAL_FAILURE(saveByRename(geometry::exampleStep("panel-600x670").value()));
+  ASSERT_TRUE(told("roof.step has changed on disk"));
+  bench().reloadSource();
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] {
+        const QPointF middle = view.toWidget(bench().shown()->target.value->bounds().center());
+        return QRectF(view.rect()).contains(middle);
+      },
+      kPatience));
 }
 
 TEST_F(SourceFile, ThatChangedSinceTheSaveIsToldOnOpening) {

@@ -268,6 +268,12 @@ TEST_F(TypedFields, DropTheTypingBeforeTheyStopTheComputation) {
 
 TEST_F(TypedFields, ShowWhatTheyHold) {
   openPanel();
+  for (NumberField* field : window().findChildren<NumberField*>()) {
+    if (!field->isVisible() || field->range().unit.isEmpty()) continue;
+    const QLabel* unit = field->findChild<QLabel*>("unit");
+    EXPECT_TRUE(unit->isVisible()) << field->accessibleName().toStdString();
+    EXPECT_FALSE(unit->text().isEmpty());
+  }
   auto* tolerance = find<NumberField>("Tolerance");
   typeOver(*tolerance, "0,0015");
   QTest::keyClick(tolerance, Qt::Key_Return);

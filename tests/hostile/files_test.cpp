@@ -23,7 +23,7 @@
 namespace bw::geometry::test {
 namespace {
 
-constexpr int kRounds = 120;  // times BW_HOSTILE
+constexpr int kRounds = 30;  // times BW_HOSTILE
 
 using Engine = std::mt19937_64;
 

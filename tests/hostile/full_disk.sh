@@ -69,7 +69,7 @@ if [ "$(id -u)" -eq 0 ]; then
   chown -R 65534:65534 result
 fi
 if "${someone[@]}" test -w result; then
-  for part in result result/programs result/programs/strip-0/T_ROB2; do
+  for part in result result/programs/strip-0/T_ROB2; do
     chmod a-w "$part"
     status=$(status_of "${someone[@]}" "$blade" rationalize panel.step --job second.json --out result)
     chmod u+w "$part"
@@ -77,6 +77,14 @@ if "${someone[@]}" test -w result; then
     same_as_before "$part is read-only"
     denied=$((denied + 1))
   done
+  # A folder that holds only folders needs not be written to: each file in them is replaced.
+  chmod a-w result/programs
+  status=$(status_of "${someone[@]}" "$blade" rationalize panel.step --job second.json --out result)
+  chmod u+w result/programs
+  [ "$status" -le 1 ] || fail "result/programs is read-only: status $status"
+  "$blade" check result >check.txt 2>&1 || fail "result/programs is read-only: $(head -n 3 check.txt)"
+  [ -e result/notes.txt ] || fail "result/programs is read-only: a foreign file is gone"
+  denied=$((denied + 1))
 fi
 
-echo "hostile full disk: $refused runs with files that may not grow, $disks on a small disk, $devices on full devices, $denied into read-only folders: each that failed told it with status 4 and left the earlier result whole"
+echo "hostile full disk: $refused runs with files that may not grow, $disks on a small disk, $devices on full devices, $denied beside read-only folders: each that failed told it with status 4 and left the earlier result whole"

@@ -227,10 +227,3 @@ TEST_F(HostileTyping, NeverPutsAWrongNumberIntoAField) {
 
 }  // namespace
 }  // namespace bw::app
-
-int main(int argc, char** argv) {
-  ::testing::InitGoogleTest(&argc, argv);
-  QSurfaceFormat::setDefaultFormat(bw::view::SceneView::surfaceFormat());
-  QApplication application(argc, argv);
-  return RUN_ALL_TESTS();
-}

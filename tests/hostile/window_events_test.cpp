@@ -238,11 +238,3 @@ TEST_F(RandomEvents, NeitherCrashTheWindowNorSpoilTheDesign) {
 
 }  // namespace
 }  // namespace bw::app
-
-int main(int argc, char** argv) {
-  ::testing::InitGoogleTest(&argc, argv);
-  QSurfaceFormat::setDefaultFormat(bw::view::SceneView::surfaceFormat());
-  QApplication application(argc, argv);
-  QApplication::setApplicationVersion(BW_VERSION);
-  return RUN_ALL_TESTS();
-}

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <exception>
 
+#include "scene/camera/camera_fit.h"
 #include "scene/render/offscreen.h"
 #include "scene/scene_impl.h"
 
@@ -57,11 +58,16 @@ Camera Scene::fitFrom(const Eigen::Vector3d& back, bool parallel, double aspect,
   Camera camera = lookFrom(back.allFinite() && back.norm() > 0 ? back : directionOf(View::iso));
   camera.viewAngle = impl_->camera.viewAngle;
   camera.parallel = parallel;
-  return impl_->fit(camera, aspect, bounds && bounds->valid() ? *bounds : workBounds());
+  return impl_->fit(camera, aspect, bounds && bounds->valid() ? cornersOf(*bounds) : impl_->workPoints());
 }
 
 Camera Scene::fitCamera(const Camera& from, double aspect, const std::optional<Bounds>& bounds) const {
-  return impl_->fit(from, aspect, bounds && bounds->valid() ? *bounds : this->bounds());
+  const Bounds wished = bounds && bounds->valid() ? *bounds : this->bounds();
+  return impl_->fit(from, aspect, wished.valid() ? cornersOf(wished) : std::vector<Eigen::Vector3d>{});
+}
+
+Camera Scene::fitWork(const Camera& from, double aspect) const {
+  return impl_->fit(from, aspect, impl_->workPoints());
 }
 
 Bounds Scene::bounds() const { return impl_->contentBounds(); }

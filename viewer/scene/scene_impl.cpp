@@ -61,6 +61,7 @@ Scene::Impl::Impl()
   grid_.addTo(renderer_);
   actors_.addSolidTo(renderer_);
   blade_.addSolidTo(renderer_);
+  arrow_.addSolidTo(renderer_);
   actors_.addClearTo(renderer_);
   blade_.addGlowTo(renderer_);
   actors_.addFrontTo(renderer_);
@@ -134,10 +135,12 @@ void Scene::Impl::setContent(Content given) {
   const Bounds surfaces = afar ? cutBounds : joined(cutBounds, targetBounds);
   const Bounds solids = joined(surfaces, blockBounds);
   solidBounds_ = joined(solids, targetBounds);
+  surfaceBounds_ = surfaces;
   workBounds_ = joined(solids, bladeBounds_);
   cutBounds_ = cutBounds;
   actors_.setContent(content, cutMesh, surfaces.valid() ? std::max(1e-3, surfaces.size().norm()) : 1, afar);
   grid_.setBounds(solids);
+  arrow_.setContent(content);
   legend_.setAreas(pointAreas(cutMesh));
   summaryKey_.clear();
   setStyle(wished_);
@@ -186,6 +189,7 @@ void Scene::Impl::setStyle(const Style& given) {
   renderer_->SetBackground2(colors.top.r, colors.top.g, colors.top.b);
   actors_.setStyle(content, cutMesh, style, field, map, background);
   blade_.setStyle(style, background);
+  arrow_.setStyle(style, background);
   grid_.setStyle(style);
 }
 
@@ -218,7 +222,7 @@ void Scene::Impl::renderFrame(int width, int height) {
   eye->SetParallelScale(camera.parallelScale);
 
   Bounds all = contentBounds();
-  for (const Bounds& more : {grid_.bounds(), bladeBounds_}) all = joined(all, more);
+  for (const Bounds& more : {grid_.bounds(), bladeBounds_, arrow_.bounds()}) all = joined(all, more);
   if (!all.valid()) all.add(camera.focus);
   const double distance = (camera.position - camera.focus).norm();
   const double back = actors_.targetSetBack(style);
@@ -298,18 +302,29 @@ Picture Scene::Impl::readPicture() const {
   return picture;
 }
 
-Camera Scene::Impl::fit(Camera from, double aspect, Bounds bounds) const {
-  if (!bounds.valid()) {
-    bounds.add(Eigen::Vector3d::Constant(-100));
-    bounds.add(Eigen::Vector3d::Constant(100));
+std::vector<Eigen::Vector3d> Scene::Impl::workPoints() const {
+  std::vector<Eigen::Vector3d> points;
+  const auto add = [&](const auto& more) { points.insert(points.end(), more.begin(), more.end()); };
+  if (style.chooseFaces) {
+    if (faceBounds_.valid()) add(cornersOf(faceBounds_));
+    return points;
   }
+  if (surfaceBounds_.valid()) add(cornersOf(surfaceBounds_));
+  if (content.block) add(content.block->corners());
+  for (const Polyline& blade : content.blades)
+    if (usable(blade)) add(blade);
+  return points;
+}
+
+Camera Scene::Impl::fit(Camera from, double aspect, std::vector<Eigen::Vector3d> points) const {
+  if (points.empty()) points = {Eigen::Vector3d::Constant(-100), Eigen::Vector3d::Constant(100)};
   if (!(aspect > 0) || !std::isfinite(aspect)) aspect = 1;
   // Room for the legend.
   const double margin =
       field && style.legend
           ? std::min(0.5, 2 * Legend::reservedWidth(style.pixelRatio) / (lastWidth_ > 0 ? lastWidth_ : 900))
           : 0.0;
-  return fitted(from, bounds, aspect, margin);
+  return fitted(from, points, aspect, margin);
 }
 
 ScenePicker::Shown Scene::Impl::shown() const {

@@ -14,6 +14,7 @@
 #include "scene/actors/moving_blade.h"
 #include "scene/actors/orientation_marker.h"
 #include "scene/actors/place_marker.h"
+#include "scene/actors/travel_arrow.h"
 #include "scene/camera/picking.h"
 #include "scene/camera/scene_picker.h"
 #include "scene/legend/legend.h"
@@ -45,8 +46,10 @@ struct Scene::Impl {
   Pick pick(double x, double y, int width, int height) const;
   Bounds contentBounds() const;
   Bounds workBounds() const;
-  /// Fits `bounds`, or a part of empty space if they are not valid.
-  Camera fit(Camera from, double aspect, Bounds bounds) const;
+  /// Fits `points`, or a part of empty space if there are none.
+  Camera fit(Camera from, double aspect, std::vector<Eigen::Vector3d> points) const;
+  /// Points whose convex hull holds what `workBounds` bounds, and follows it more closely.
+  std::vector<Eigen::Vector3d> workPoints() const;
 
   RenderTarget* target() const { return target_.get(); }
 
@@ -70,12 +73,13 @@ struct Scene::Impl {
   bool draft_ = false;
   ContentActors actors_;
   MovingBlade blade_;
+  TravelArrow arrow_;
   GroundGrid grid_;
   OrientationMarker marker_;
   Legend legend_;
   PlaceMarker place_;
   std::unique_ptr<RenderTarget> target_;
-  Bounds solidBounds_, cutBounds_, bladeBounds_, workBounds_, faceBounds_;
+  Bounds solidBounds_, cutBounds_, bladeBounds_, surfaceBounds_, workBounds_, faceBounds_;
   unsigned contentVersion_ = 0;
   std::string summaryKey_;
   int lastWidth_ = 0;

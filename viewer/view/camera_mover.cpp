@@ -89,8 +89,8 @@ bool CameraMover::leftPicture(const Bounds& before, const Bounds& now) const {
   const scene::Projection view = scene_.impl().projection(viewport_.width(), viewport_.height());
   const double shareBefore = scene::seenShare(view, before, viewport_.width(), viewport_.height()),
                shareNow = scene::seenShare(view, now, viewport_.width(), viewport_.height());
-  // Who has come close looks at a part on purpose.
-  return shareNow > 0 ? shareBefore > kAllSeen && shareNow < kMostlySeen : shareBefore > 0;
+  // Who has come close looks at a part on purpose; nobody looks at nothing.
+  return shareNow <= 0 || (shareBefore > kAllSeen && shareNow < kMostlySeen);
 }
 
 void CameraMover::zoomAt(const Eigen::Vector3d& anchor, double factor) {

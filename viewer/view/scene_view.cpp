@@ -220,7 +220,11 @@ void SceneView::open() {
                 false);
 }
 
-void SceneView::fitWork(bool animate) { fitBounds(impl_->scene.workBounds(), animate); }
+void SceneView::fitWork(bool animate) {
+  if (!impl_->scene.workBounds().valid()) return;
+  impl_->fitPending = false;
+  impl_->moveTo(impl_->scene.fitWork(impl_->mover.goal(), impl_->viewport.aspect()), animate);
+}
 
 void SceneView::fitAll(bool animate) {
   impl_->fitPending = false;

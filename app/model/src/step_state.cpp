@@ -12,7 +12,7 @@ namespace {
 
 using Kind = StepState::Kind;
 
-QString lengthText(double mm, int digits = 4) { return QString::fromStdString(shortText(mm, digits)); }
+QString lengthText(double mm, int digits = 3) { return QString::fromStdString(shortText(mm, digits)); }
 
 /// The first step that the evaluation did not finish.
 Step failedStep(const pipeline::Evaluation* evaluation) {

@@ -31,6 +31,7 @@ scene::Content sceneContent(const Evaluation& evaluation) {
     content.block = evaluation.setup.value->block;
   else if (evaluation.design.job.block)
     content.block = evaluation.design.job.block->box();  // it misses the surface: shown where it was put
+  if (evaluation.setup.value) content.travel = evaluation.setup.value->direction;
   if (evaluation.sweep.value) {
     const Blade& blade = evaluation.sweep.value->sweep.blade;
     content.limits = {{"curvature", 1.0}, {"stress", blade.stress(blade.maxCurvature())}};

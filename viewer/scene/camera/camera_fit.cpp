@@ -9,7 +9,17 @@
 
 namespace bw::scene {
 
-Camera fitted(Camera from, const Bounds& bounds, double aspect, double rightMargin) {
+std::vector<Eigen::Vector3d> cornersOf(const Bounds& bounds) {
+  std::vector<Eigen::Vector3d> corners;
+  for (int i = 0; i < 8; ++i)
+    corners.emplace_back((i & 1 ? bounds.max : bounds.min).x(), (i & 2 ? bounds.max : bounds.min).y(),
+                         (i & 4 ? bounds.max : bounds.min).z());
+  return corners;
+}
+
+Camera fitted(Camera from, const std::vector<Eigen::Vector3d>& points, double aspect, double rightMargin) {
+  Bounds bounds;
+  for (const Eigen::Vector3d& point : points) bounds.add(point);
   const double air = 0.10, tangent = std::tan(from.viewAngle * std::acos(-1.0) / 360);
   const double up = tangent * (1 - air), left = tangent * aspect * (1 - air),
                right = tangent * aspect * std::max(0.2, 1 - air - rightMargin);
@@ -19,12 +29,9 @@ Camera fitted(Camera from, const Bounds& bounds, double aspect, double rightMarg
   const Eigen::Vector3d center = bounds.center();
   double xLow = 1e300, xHigh = -1e300, yLow = 1e300, yHigh = -1e300;  // parallel: the extent seen
   double a = -1e300, b = -1e300, c = -1e300, d = -1e300,
-         nearest = 1e300;  // perspective: each side plane touches a corner
-  for (int i = 0; i < 8; ++i) {
-    const Eigen::Vector3d p =
-        Eigen::Vector3d((i & 1 ? bounds.max : bounds.min).x(), (i & 2 ? bounds.max : bounds.min).y(),
-                        (i & 4 ? bounds.max : bounds.min).z()) -
-        center;
+         nearest = 1e300;  // perspective: each side plane touches a point
+  for (const Eigen::Vector3d& point : points) {
+    const Eigen::Vector3d p = point - center;
     const double x = p.dot(view.right()), y = p.dot(view.up()), z = p.dot(view.forward());
     xLow = std::min(xLow, x);
     xHigh = std::max(xHigh, x);
@@ -47,7 +54,7 @@ Camera fitted(Camera from, const Bounds& bounds, double aspect, double rightMarg
     from.position = from.focus - distance * view.forward();
     return from;
   }
-  // The eye at (x, y, z): every corner lies within the four side planes.
+  // The eye at (x, y, z): every point lies within the four side planes.
   const double z = std::min({-(a + b) / (left + right), -(c + d) / (2 * up), nearest - least});
   const double x = 0.5 * ((a + right * z) - (b + left * z)), y = 0.5 * (c - d);
   from.position = center + x * view.right() + y * view.up() + z * view.forward();
@@ -58,9 +65,7 @@ Camera fitted(Camera from, const Bounds& bounds, double aspect, double rightMarg
 
 DepthRange depthsOf(const Projection& view, const Bounds& bounds) {
   double near = std::numeric_limits<double>::max(), far = -near;
-  for (int i = 0; i < 8; ++i) {
-    const Eigen::Vector3d corner((i & 1 ? bounds.max : bounds.min).x(), (i & 2 ? bounds.max : bounds.min).y(),
-                                 (i & 4 ? bounds.max : bounds.min).z());
+  for (const Eigen::Vector3d& corner : cornersOf(bounds)) {
     const double depth = (corner - view.position()).dot(view.forward());
     near = std::min(near, depth);
     far = std::max(far, depth);
@@ -82,10 +87,8 @@ DepthRange depthRange(const Projection& view, const Bounds& bounds, double dista
 
 double seenShare(const Projection& view, const Bounds& bounds, int width, int height) {
   double left = 1e300, right = -1e300, top = 1e300, bottom = -1e300;
-  for (int i = 0; i < 8; ++i) {
-    const Eigen::Vector3d pixel =
-        view.toPixel({(i & 1 ? bounds.max : bounds.min).x(), (i & 2 ? bounds.max : bounds.min).y(),
-                      (i & 4 ? bounds.max : bounds.min).z()});
+  for (const Eigen::Vector3d& corner : cornersOf(bounds)) {
+    const Eigen::Vector3d pixel = view.toPixel(corner);
     if (!view.parallel() && pixel.z() <= 0) return 0;
     left = std::min(left, pixel.x());
     right = std::max(right, pixel.x());

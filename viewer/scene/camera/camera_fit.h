@@ -2,15 +2,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <vector>
+
 #include "bw/scene/scene.h"
 #include "scene/camera/picking.h"
 
 namespace bw::scene {
 
-/// The camera that looks the way `from` does and has `bounds` (valid) in the picture as large as possible,
-/// with some air around. `aspect` is the picture's width by its height, > 0; `rightMargin` is what stays free
-/// at the right, as a share of half the width.
-Camera fitted(Camera from, const Bounds& bounds, double aspect, double rightMargin);
+std::vector<Eigen::Vector3d> cornersOf(const Bounds& bounds);
+
+/// The camera that looks the way `from` does and has `points` (at least one) in the picture as large as
+/// possible, with some air around. `aspect` is the picture's width by its height, > 0; `rightMargin` is what
+/// stays free at the right, as a share of half the width.
+Camera fitted(Camera from, const std::vector<Eigen::Vector3d>& points, double aspect, double rightMargin);
 
 /// Depths along the view, mm.
 struct DepthRange {

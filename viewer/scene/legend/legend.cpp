@@ -15,6 +15,7 @@ namespace {
 constexpr int kBins = 64;
 constexpr double kMaxBar = 360;  ///< device-independent pixels
 constexpr double kMinBar = 60;
+constexpr double kTickLine = 14;  ///< between two numbers beside the bar
 
 std::vector<double> histogram(const std::vector<double>& values, const std::vector<double>& areas,
                               const std::pair<double, double>& range, int bins) {
@@ -180,19 +181,28 @@ void Legend::draw(int width, int height, const Style& style, const Field& field,
     canvas_.rect({bar.x - gap - histogramWidth, y, histogramWidth + gap + bar.width + tick, hair},
                  colors.text, 0.85);
   }
+  // A short bar has room for few numbers: every second, fifth … tick has one, zero among them.
+  const double lineHeight = pixels(kTickLine), spacing = ticks.step / (high - low) * bar.height;
+  long stride = 1;
+  for (const long next : {2, 5, 10, 20, 50, 100})
+    if (double(stride) * spacing < lineHeight) stride = next;
+  std::vector<double> numbered;
   for (const double v : ticks.values) {
     const double y = std::clamp(std::round(yOf(v) - 0.5 * hair), bar.y, bar.y + bar.height - hair);
     canvas_.rect({bar.x + bar.width, y, tick, hair}, colors.secondary, 0.9);
+    if (std::lround(v / ticks.step) % stride != 0) continue;
+    numbered.push_back(v);
     canvas_.text(tickText(v, ticks.decimals, deviation), bar.x + bar.width + labelGap + labelWidth, yOf(v),
                  Align::right, label);
   }
   // Tolerances that are no round tick get a number of their own where there is room for it.
   for (const double v : marks) {
-    const bool crowded = std::any_of(ticks.values.begin(), ticks.values.end(),
-                                     [&](double t) { return std::abs(yOf(t) - yOf(v)) < 13 * px; });
+    const bool crowded = std::any_of(numbered.begin(), numbered.end(),
+                                     [&](double t) { return std::abs(yOf(t) - yOf(v)) < lineHeight; });
     if (inside(v) && !crowded) {
       canvas_.text(tickText(v, ticks.decimals + 1, deviation), bar.x + bar.width + labelGap + labelWidth,
                    yOf(v), Align::right, small);
+      numbered.push_back(v);
     }
   }
   double y = bar.y + bar.height + pixels(18);

@@ -2,17 +2,25 @@
 // SPDX-License-Identifier: MIT
 #include "controls/fields.h"
 
+#include <QAbstractItemView>
 #include <QHBoxLayout>
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QScrollBar>
+#include <QStylePainter>
 #include <QToolButton>
+#include <QToolTip>
 #include <QWheelEvent>
+
+#include <algorithm>
 
 namespace bw::app {
 
 namespace {
 
 constexpr int kFieldWidth = 132;
+constexpr int kShortTextRole = Qt::UserRole + 100;
 
 }  // namespace
 
@@ -25,6 +33,44 @@ ChoiceField::ChoiceField(QWidget* parent) : QComboBox(parent) {
 void ChoiceField::show(int index) {
   const QSignalBlocker quiet(this);
   setCurrentIndex(index);
+}
+
+void ChoiceField::setShortText(int index, const QString& text) { setItemData(index, text, kShortTextRole); }
+
+QString ChoiceField::shownText() const {
+  const QVariant text = currentData(kShortTextRole);
+  return text.isValid() ? text.toString() : currentText();
+}
+
+int ChoiceField::textWidth() const {
+  QStyleOptionComboBox option;
+  initStyleOption(&option);
+  return style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, this).width();
+}
+
+void ChoiceField::showPopup() {
+  const int frame = 2 * kGap + view()->verticalScrollBar()->sizeHint().width();
+  view()->setMinimumWidth(std::max(width(), view()->sizeHintForColumn(0) + frame));
+  QComboBox::showPopup();
+}
+
+bool ChoiceField::event(QEvent* event) {
+  if (event->type() == QEvent::ToolTip && fontMetrics().horizontalAdvance(shownText()) > textWidth()) {
+    QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(),
+                       toolTip().isEmpty() ? currentText() : currentText() + "\n" + toolTip(), this);
+    return true;
+  }
+  return QComboBox::event(event);
+}
+
+void ChoiceField::paintEvent(QPaintEvent*) {
+  QStylePainter painter(this);
+  QStyleOptionComboBox option;
+  initStyleOption(&option);
+  option.currentText = fontMetrics().elidedText(shownText(), Qt::ElideRight, textWidth());
+  painter.setPen(palette().color(QPalette::Text));
+  painter.drawComplexControl(QStyle::CC_ComboBox, option);
+  painter.drawControl(QStyle::CE_ComboBoxLabel, option);
 }
 
 void ChoiceField::hidePopup() {
@@ -99,20 +145,33 @@ QLabel* FormColumn::add(const QString& label, QWidget* field, const QString& tip
   return text;
 }
 
-QLabel* FormColumn::addLong(const QString& label, QWidget* field, const QString& tip) {
+QLabel* FormColumn::addTogether(QLayout* layout, const QString& label, QWidget* field, const QString& tip) {
   auto* line = new QWidget(this);
-  auto* layout = new QHBoxLayout(line);
+  line->setLayout(layout);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(kGroupGap);
   auto* text = new QLabel(label, line);
   text->setBuddy(field);
   text->setToolTip(tip);
   field->setToolTip(tip);
   field->setAccessibleName(label);
   layout->addWidget(text);
-  layout->addWidget(field, 1);
+  layout->addWidget(field);
   addWide(line);
   return text;
+}
+
+QLabel* FormColumn::addLong(const QString& label, QWidget* field, const QString& tip) {
+  auto* layout = new QHBoxLayout;
+  layout->setSpacing(kGroupGap);
+  QLabel* text = addTogether(layout, label, field, tip);
+  layout->setStretchFactor(field, 1);
+  return text;
+}
+
+QLabel* FormColumn::addBelow(const QString& label, QWidget* field, const QString& tip) {
+  auto* layout = new QVBoxLayout;
+  layout->setSpacing(2);
+  return addTogether(layout, label, field, tip);
 }
 
 void FormColumn::addWide(QWidget* widget) { grid_->addWidget(widget, row_++, 0, 1, 2); }

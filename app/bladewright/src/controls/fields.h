@@ -19,7 +19,8 @@
 namespace bw::app {
 
 /// A choice that tells only what the user chose; the wheel scrolls the panel, not the choice. Once chosen
-/// from its list, the keyboard belongs to the area again.
+/// from its list, the keyboard belongs to the area again. The list is as wide as its texts; the closed field
+/// shortens one that is wider than itself, and tells the whole of it when the mouse rests on it.
 class ChoiceField : public QComboBox {
   Q_OBJECT
 
@@ -27,9 +28,18 @@ class ChoiceField : public QComboBox {
   explicit ChoiceField(QWidget* parent = nullptr);
   void show(int index);
   using QWidget::show;
+  /// What the closed field shows for an item whose text in the list tells more.
+  void setShortText(int index, const QString& text);
+  /// What the closed field shows, before it is shortened to its width.
+  QString shownText() const;
+  /// The room for it, in pixels.
+  int textWidth() const;
+  void showPopup() override;
   void hidePopup() override;
 
  protected:
+  bool event(QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
 };
@@ -70,6 +80,8 @@ class FormColumn : public QWidget {
   QLabel* add(const QString& label, QWidget* field, const QString& tip = {});
   /// The same with a field that takes all the width beside its label: for choices with long names.
   QLabel* addLong(const QString& label, QWidget* field, const QString& tip = {});
+  /// The same with a field that takes the whole width below its label: for choices whose names are sentences.
+  QLabel* addBelow(const QString& label, QWidget* field, const QString& tip = {});
   /// A line that takes the whole width.
   void addWide(QWidget* widget);
   /// A line of text with a value that cannot be edited; returns the value's label.
@@ -81,6 +93,8 @@ class FormColumn : public QWidget {
   FormColumn* addFold(const QString& title, const Theme& theme);
 
  private:
+  QLabel* addTogether(QLayout* layout, const QString& label, QWidget* field, const QString& tip);
+
   QGridLayout* grid_;
   int row_ = 0;
 };

@@ -2,11 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "controls/number_field.h"
 
-#include <QApplication>
 #include <QKeyEvent>
-#include <QPainter>
-#include <QStyle>
-#include <QStyleOptionFrame>
 
 #include <algorithm>
 #include <cmath>
@@ -19,10 +15,10 @@ namespace bw::app {
 
 namespace {
 
-constexpr int kDigits = 6;         // at least so many are shown of a number that has them
-constexpr int kMostDecimals = 12;  // the rest is rounding
-constexpr double kPage = 10;       // steps of the page keys
-constexpr int kUnitGap = 4;
+constexpr int kDigits = 6;                    // at least so many are shown of a number that has them
+constexpr int kMostDecimals = 12;             // the rest is rounding
+constexpr double kPage = 10;                  // steps of the page keys
+constexpr int kUnitGap = 4, kUnitMargin = 9;  // before the unit, and between it and the field's edge
 
 QString withoutTrailingZeros(QString text) {
   if (!text.contains(QLatin1Char('.'))) return text;
@@ -34,11 +30,19 @@ QString withoutTrailingZeros(QString text) {
 }  // namespace
 
 NumberField::NumberField(const NumberRange& range, QWidget* parent)
-    : TypedField(parent), range_(range), value_(std::clamp(0.0, range.min, range.max)), before_(value_) {
+    : TypedField(parent),
+      range_(range),
+      unit_(new QLabel(this)),
+      value_(std::clamp(0.0, range.min, range.max)),
+      before_(value_) {
+  unit_->setObjectName("unit");
+  unit_->setAttribute(Qt::WA_TransparentForMouseEvents);
   setAlignment(Qt::AlignRight);
   setUnit(range.unit);
   setText(valueText());
   connect(this, &QLineEdit::textEdited, this, &NumberField::follow);
+  connect(this, &QLineEdit::textChanged, this, &NumberField::refreshUnit);
+  refreshUnit();
 }
 
 void NumberField::show(double value) {
@@ -55,18 +59,26 @@ void NumberField::setMaximum(double max) {
 void NumberField::setUnit(const QString& unit) {
   range_.unit = unit;
   refreshLimits();
-  fitSuffix();
+  refreshUnit();
 }
 
 void NumberField::setSuffix(const QString& words) {
   suffix_ = words;
-  fitSuffix();
+  refreshUnit();
 }
 
-void NumberField::fitSuffix() {
+void NumberField::refreshUnit() {
   const QString& words = suffix_.isEmpty() ? range_.unit : suffix_;
-  setTextMargins(0, 0, words.isEmpty() ? 0 : fontMetrics().horizontalAdvance(words) + kUnitGap, 0);
-  update();
+  unit_->setText(words);
+  unit_->setVisible(!words.isEmpty() && !text().isEmpty() && !ownUnitTyped());
+  const int wide = unit_->sizeHint().width();
+  unit_->setGeometry(width() - kUnitMargin - wide, 0, wide, height());
+  setTextMargins(0, 0, words.isEmpty() ? 0 : wide + kUnitGap, 0);
+}
+
+void NumberField::resizeEvent(QResizeEvent* event) {
+  TypedField::resizeEvent(event);
+  refreshUnit();
 }
 
 void NumberField::refreshLimits() {
@@ -170,22 +182,9 @@ void NumberField::keyPressEvent(QKeyEvent* event) {
 }
 
 bool NumberField::ownUnitTyped() const {
-  return std::any_of(text().begin(), text().end(),
+  const QString typed = text();
+  return std::any_of(typed.begin(), typed.end(),
                      [](QChar c) { return c.isLetter() || c == QChar(0xb0) || c == QLatin1Char('"'); });
-}
-
-void NumberField::paintEvent(QPaintEvent* event) {
-  TypedField::paintEvent(event);
-  const QString& words = suffix_.isEmpty() ? range_.unit : suffix_;
-  if (words.isEmpty() || ownUnitTyped() || text().isEmpty()) return;
-  QStyleOptionFrame option;
-  initStyleOption(&option);
-  const QRect inside = style()->subElementRect(QStyle::SE_LineEditContents, &option, this);
-  QPainter painter(this);
-  const QPalette palette = QApplication::palette();
-  painter.setPen(isEnabled() ? palette.color(QPalette::PlaceholderText)
-                             : palette.color(QPalette::Disabled, QPalette::Text));
-  painter.drawText(inside.adjusted(0, 0, -2, 0), Qt::AlignRight | Qt::AlignVCenter, words);
 }
 
 }  // namespace bw::app

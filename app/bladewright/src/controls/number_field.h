@@ -50,7 +50,7 @@ class NumberField : public TypedField {
   QString valueText() const override;
   QString limitsText() const override;
   void dropped() override;
-  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
@@ -62,11 +62,12 @@ class NumberField : public TypedField {
   void refreshLimits();
   QString textOf(double value) const;
   bool ownUnitTyped() const;
-
-  void fitSuffix();
+  /// Shows the unit behind the number where none is typed.
+  void refreshUnit();
 
   NumberRange range_;
   QString suffix_;
+  QLabel* unit_;
   double value_;
   double before_;  ///< the value that Esc brings back
   QString blank_;

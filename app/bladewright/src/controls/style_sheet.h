@@ -47,8 +47,10 @@ QLineEdit:focus, QComboBox:focus { border-color: @selection; }
 QLineEdit:disabled, QComboBox:disabled { color: @disabled; background: @background; }
 bw--app--TypedField { qproperty-errorColour: @error; }
 QLineEdit[refused="true"], QLineEdit[refused="true"]:focus { border-color: @error; }
+QLabel#unit { color: @secondary; background: transparent; }
+QLabel#unit:disabled { color: @disabled; }
 QLabel#refusal { background: @panel; color: @error; border: 1px solid @error; border-radius: 4px; padding: 4px 8px; }
-QComboBox { padding-right: 20px; }
+QComboBox { padding-right: 2px; }
 QComboBox::drop-down { border: none; width: 20px; }
 QComboBox::down-arrow { image: url(@chevron); width: 14px; height: 14px; }
 QComboBox QAbstractItemView { background: @panel; border: 1px solid @line; outline: none; padding: 4px;

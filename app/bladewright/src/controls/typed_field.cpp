@@ -21,8 +21,8 @@ namespace {
 constexpr char kHome[] = "keyboardHome";
 constexpr int kNoteWidth = 300;
 
-/// Ctrl with a letter that every field knows. A line reads others, too, such as Ctrl+E for its end, which would
-/// keep the window's commands from being reached while a number is typed.
+/// Ctrl with a letter that every field knows. A line reads others, too, such as Ctrl+E for its end, which
+/// would keep the window's commands from being reached while a number is typed.
 bool isEditingKey(const QKeyEvent& key) {
   return key.matches(QKeySequence::Copy) || key.matches(QKeySequence::Cut) ||
          key.matches(QKeySequence::Paste) || key.matches(QKeySequence::SelectAll);

@@ -4,7 +4,6 @@
 
 #include <QHBoxLayout>
 #include <QKeyEvent>
-#include <QScrollArea>
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +11,7 @@
 #include "bw/core/number_text.h"
 #include "bw/core/units.h"
 #include "controls/numbers.h"
+#include "controls/side_panel.h"
 
 namespace bw::app {
 
@@ -49,13 +49,10 @@ MeasurePage::MeasurePage(Workbench& bench, const Theme& theme, QWidget* parent)
   auto* columns = new QHBoxLayout;
   columns->setContentsMargins(0, 0, 0, 0);
   columns->setSpacing(0);
-  scroll_ = new QScrollArea(this);
-  scroll_->setWidgetResizable(true);
-  scroll_->setFrameShape(QFrame::NoFrame);
-  scroll_->setFocusPolicy(Qt::NoFocus);
-  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll_->setWidget(makeInput());
-  columns->addWidget(scroll_);
+  auto* input = new SidePanel(0, this);
+  input->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
+  input->setWidget(makeInput());
+  columns->addWidget(input);
   auto* line = new QFrame(this);
   line->setObjectName("vline");
   columns->addWidget(line);
@@ -159,8 +156,6 @@ void MeasurePage::enter() {
     table_->setRows({{std::max(1.0, std::round(kFirstDistance * blade.length)), fromDegrees(kFirstAngle), 0,
                       blade.temperature}});
   }
-  constexpr int kScrollBar = 10;
-  scroll_->setFixedWidth(table_->minimumSizeHint().width() + 2 * kGroupGap + kScrollBar);
   refresh();
 }
 

@@ -4,7 +4,6 @@
 
 #include <QLabel>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QWidget>
 
 #include "controls/fields.h"
@@ -50,7 +49,6 @@ class MeasurePage : public QWidget {
   const Theme& theme_;
   MeasurementOutcome outcome_;
   QLabel* blade_;
-  QScrollArea* scroll_;
   ChoiceField* ends_;
   MeasureTable* table_;
   NumberField *heightError_, *angleError_, *distanceError_;

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kLargest = 100000;    // mm
 constexpr double kLargestAngle = 177;  // °, what the calibration takes
+constexpr int kTextWidth = 62;         // of a column that is only read
 constexpr double kCloser = 0.98;       // distance of a further measurement over the last
 enum Column { kNumber, kDistance, kAngle, kHeight, kTemperature, kExpected, kLength, kResidual, kRemove };
 
@@ -39,10 +40,9 @@ MeasureTable::MeasureTable(const Theme& theme, QWidget* parent)
   head(kTemperature, tr("Temperature"), tr("Temperature of the blade while it was measured"));
   head(kExpected, tr("Expected"), tr("The height at which the blade of the design would hang"));
   head(kLength, tr("Length"), tr("At the working temperature, from this measurement alone"));
-  head(kResidual, tr("Off by"), tr("Measured height less the height of the common length"));
+  residualHead_ = head(kResidual, tr("Off by"), tr("Measured height less the height of the common length"));
   grid_->setColumnStretch(kRemove, 1);
-  for (Column column : {kExpected, kLength, kResidual}) grid_->setColumnMinimumWidth(column, 62);
-  grid_->setColumnMinimumWidth(kRemove, 24);
+  for (Column column : {kExpected, kLength}) grid_->setColumnMinimumWidth(column, kTextWidth);
   add_ = new QPushButton(tr("Add measurement"), this);
   add_->setToolTip(tr("The same blade held otherwise: several measurements tell how sure the length is"));
   connect(add_, &QPushButton::clicked, this, &MeasureTable::addRow);
@@ -94,6 +94,10 @@ void MeasureTable::appendLine(const MeasurementRow& row) {
 }
 
 void MeasureTable::arrange() {
+  // One measurement agrees with itself, and is not taken away.
+  const bool several = lines_.size() > 1;
+  residualHead_->setVisible(several);
+  grid_->setColumnMinimumWidth(kResidual, several ? kTextWidth : 0);
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     const Line& line = lines_[i];
     const std::vector<QWidget*> widgets = line.widgets();
@@ -110,7 +114,8 @@ void MeasureTable::arrange() {
     line.height->setAccessibleName(tr("Height %1").arg(i + 1));
     line.temperature->setAccessibleName(tr("Temperature %1").arg(i + 1));
     line.remove->setAccessibleName(tr("Remove measurement %1").arg(i + 1));
-    line.remove->setVisible(lines_.size() > 1);
+    line.remove->setVisible(several);
+    line.residual->setVisible(several);
   }
   grid_->addWidget(add_, int(lines_.size()) + 1, kDistance, 1, 3, Qt::AlignLeft);
   add_->setEnabled(lines_.size() < std::size_t(kMostRows));

@@ -63,7 +63,7 @@ class MeasureTable : public QWidget {
   const Theme& theme_;
   QGridLayout* grid_;
   std::vector<Line> lines_;
-  QLabel* angleHead_ = nullptr;
+  QLabel *angleHead_ = nullptr, *residualHead_ = nullptr;
   QPushButton* add_;
   bool hinged_ = false;
   int chosen_ = 0;

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "controls/flow_layout.h"
+
 namespace bw::app {
 
 namespace {
@@ -24,9 +26,19 @@ MotionView::MotionView(Workbench& bench, const Theme& theme, QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 4, 0, 0);
   layout->setSpacing(4);
-  auto* bar = new QHBoxLayout;
-  bar->setContentsMargins(8, 0, 12, 0);
-  bar->setSpacing(2);
+  auto* controls = new QWidget(this);
+  auto* rows = new FlowLayout(controls);
+  rows->setContentsMargins(8, 0, 12, 0);
+  rows->setSpacing(kGap);
+  QHBoxLayout* bar = nullptr;
+  const auto addGroup = [&] {
+    auto* group = new QWidget(controls);
+    bar = new QHBoxLayout(group);
+    bar->setContentsMargins(0, 0, 0, 0);
+    bar->setSpacing(2);
+    rows->addWidget(group);
+  };
+  addGroup();
   const auto button = [&](const char* icon, const QString& tip, const std::function<void()>& press) {
     auto* b = new QToolButton(this);
     b->setProperty("iconName", QString(icon));
@@ -46,7 +58,7 @@ MotionView::MotionView(Workbench& bench, const Theme& theme, QWidget* parent)
   clock_ = new QLabel(this);
   clock_->setMinimumWidth(130);
   bar->addWidget(clock_);
-  bar->addStretch();
+  addGroup();
   blade_ = new QCheckBox(tr("Show the blade"), this);
   blade_->setToolTip(tr("The moving blade in the picture"));
   connect(blade_, &QCheckBox::clicked, &bench, &Workbench::setMoving);
@@ -64,7 +76,7 @@ MotionView::MotionView(Workbench& bench, const Theme& theme, QWidget* parent)
   pace_->setAccessibleName(tr("Pace"));
   paceLabel->setBuddy(pace_);
   bar->addWidget(pace_);
-  layout->addLayout(bar);
+  layout->addWidget(controls);
   layout->addWidget(timeline_, 1);
 
   timer_.setInterval(kFrameInterval);

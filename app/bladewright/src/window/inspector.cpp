@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "window/inspector.h"
 
-#include <QScrollBar>
 #include <QToolButton>
 
 #include <algorithm>
@@ -20,11 +19,7 @@ constexpr int kLeastWidth = 250;
 }  // namespace
 
 Inspector::Inspector(Workbench& bench, const Theme& theme, QWidget* parent)
-    : QScrollArea(parent), bench_(bench), theme_(theme) {
-  setWidgetResizable(true);
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  setFrameShape(QFrame::NoFrame);
-  setFocusPolicy(Qt::NoFocus);
+    : SidePanel(kLeastWidth, parent), bench_(bench), theme_(theme) {
   auto* page = new QWidget;
   page->setObjectName("page");
   auto* layout = new QVBoxLayout(page);
@@ -62,12 +57,6 @@ Inspector::Inspector(Workbench& bench, const Theme& theme, QWidget* parent)
   connect(&bench, &Workbench::resultChanged, this, &Inspector::refresh);
   connect(&bench.document(), &model::Document::designChanged, this, &Inspector::refresh);
   refresh();
-}
-
-QSize Inspector::minimumSizeHint() const {
-  const int bar = verticalScrollBar()->sizeHint().width();
-  return {std::max(kLeastWidth, widget()->minimumSizeHint().width() + bar),
-          QScrollArea::minimumSizeHint().height()};
 }
 
 FormColumn* Inspector::addPage(Selection::Kind) {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <QScrollArea>
 #include <QStackedWidget>
 
 #include <functional>
@@ -10,6 +9,7 @@
 
 #include "controls/fields.h"
 #include "controls/numbers.h"
+#include "controls/side_panel.h"
 #include "workbench/workbench.h"
 #include "workflow/blade_fields.h"
 #include "workflow/block_fields.h"
@@ -17,7 +17,7 @@
 namespace bw::app {
 
 /// The right panel: the numbers of what is selected, editable where they are settings.
-class Inspector : public QScrollArea {
+class Inspector : public SidePanel {
   Q_OBJECT
 
  public:
@@ -26,8 +26,6 @@ class Inspector : public QScrollArea {
   const BladeFields* bladeFields() const { return bladeFields_; }
   /// Results that are out of date are pale.
   void setStale(bool stale);
-  /// As wide as its widest page needs, so that no number is cut off.
-  QSize minimumSizeHint() const override;
 
  private:
   /// A read-only line: its label and how its text follows from the result.

@@ -14,8 +14,9 @@ namespace bw::app {
 namespace {
 
 constexpr int kLeftWidth = 320, kRightWidth = 300, kBottomHeight = 220;
-constexpr int kStaleDelay = 150;  // ms: a quick answer needs no fading
-constexpr int kBusyDelay = 250;   // ms until progress is worth showing
+constexpr int kLabelledTabs = 480;  // narrower tabs leave the label beside them out
+constexpr int kStaleDelay = 150;    // ms: a quick answer needs no fading
+constexpr int kBusyDelay = 250;     // ms until progress is worth showing
 
 }  // namespace
 
@@ -188,6 +189,8 @@ void MainWindow::placeBanner() {
 bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Resize || event->type() == QEvent::Show)
     QTimer::singleShot(0, this, &MainWindow::placeBanner);
+  if (watched == tabs_ && event->type() == QEvent::Resize)
+    drawnLabel_->setVisible(tabs_->width() >= kLabelledTabs);
   return QMainWindow::eventFilter(watched, event);
 }
 

@@ -177,6 +177,7 @@ class MainWindow : public QMainWindow {
   view::SceneView* view_;
   FaceChooser* faces_;
   QTabWidget* tabs_;
+  QLabel* drawnLabel_;  ///< before the choice beside the tabs, where there is room for it
   SectionView* section_;
   MotionView* motion_;
   MessageList* messages_;

@@ -14,7 +14,7 @@ namespace bw::app {
 
 namespace {
 
-constexpr int kRangeWidth = 92;  // of an end of the legend, with its unit
+constexpr int kRangeWidth = 70;  // of an end of the legend, without its unit
 
 }  // namespace
 
@@ -213,8 +213,11 @@ void MapBar::setRangeInUse(const std::optional<std::pair<double, double>>& range
 }
 
 void MapBar::setRangeUnit(const QString& unit) {
-  for (NumberField* field : {min_, max_})
-    if (field->range().unit != unit) field->setUnit(unit);
+  for (NumberField* field : {min_, max_}) {
+    if (field->range().unit == unit) continue;
+    field->setUnit(unit);
+    field->setFixedWidth(kRangeWidth + field->textMargins().right());
+  }
 }
 
 void MapBar::showRange() {

@@ -40,8 +40,8 @@ void MainWindow::makeCommands() {
   add("file.saveAs", tr("Save &as…"), "", tr("Save the design under another name"),
       {QKeySequence("Ctrl+Shift+S")}, [this](bool) { saveAs(); });
   add("file.export", tr("&Export everything…"), "export",
-      tr("Report (HTML, PDF), CAD surface, mesh, stations, programs and pictures into a folder"), {QKeySequence("Ctrl+E")},
-      [this](bool) { exportEverything(); });
+      tr("Report (HTML, PDF), CAD surface, mesh, stations, programs and pictures into a folder"),
+      {QKeySequence("Ctrl+E")}, [this](bool) { exportEverything(); });
   add("file.programs", tr("Export &programs…"), "program", tr("The robot programs alone"), {},
       [this](bool) { exportPrograms(); });
   add("file.picture", tr("Export p&icture…"), "picture", tr("The view as PNG at any size"),
@@ -169,7 +169,8 @@ void MainWindow::makeCommands() {
          &scene::Style::showGrid);
   key = 1;
   const auto addMap = [&](const QString& name, const QString& text, const QString& icon) {
-    add(qUtf8Printable("map." + name), text, qUtf8Printable(icon),
+    add(
+        qUtf8Printable("map." + name), text, qUtf8Printable(icon),
         tr("What the colours of the cut surface show"), {QKeySequence("Alt+" + QString::number(key++))},
         [this, name = name.toStdString()](bool) {
           mapBar_->chooseField(name);

@@ -7,12 +7,17 @@
 
 namespace bw::app {
 
+namespace {
+
+constexpr int kFactorWidth = 66;
+
+}  // namespace
+
 void MainWindow::makeWorkspace() {
   columns_ = new QSplitter(Qt::Horizontal, stack_);
   columns_->setHandleWidth(1);
   columns_->setChildrenCollapsible(false);
   workflow_ = new WorkflowPanel(bench_, theme_, columns_);
-  workflow_->setMinimumWidth(280);
   columns_->addWidget(workflow_);
 
   middle_ = new QSplitter(Qt::Vertical, columns_);
@@ -51,13 +56,15 @@ void MainWindow::makeWorkspace() {
   label->setObjectName("secondary");
   auto* factor = new ChoiceField(corner);
   factor->addItems({tr("1×"), tr("5×"), tr("20×")});
-  factor->setMinimumContentsLength(3);
+  factor->setFixedWidth(kFactorWidth);
   factor->setToolTip(tr("How many times larger than it is the distance between blade and target is drawn"));
   factor->setAccessibleName(tr("Deviation drawn"));
   label->setBuddy(factor);
   cornerLayout->addWidget(label);
   cornerLayout->addWidget(factor);
+  drawnLabel_ = label;
   tabs_->setCornerWidget(corner);
+  tabs_->installEventFilter(this);
   connect(factor, &QComboBox::activated, this, [this](int index) {
     section_->setExaggeration(index == 0 ? 1 : index == 1 ? 5 : 20);
   });

@@ -8,7 +8,8 @@ namespace bw::app {
 
 std::vector<WrittenFile> writtenFiles(const FileSet& files) {
   std::vector<WrittenFile> list;
-  for (std::size_t i = 0; i < files.paths().size(); ++i) list.push_back({files.paths()[i], files.bytes()[i].size()});
+  for (std::size_t i = 0; i < files.paths().size(); ++i)
+    list.push_back({files.paths()[i], files.bytes()[i].size()});
   return list;
 }
 

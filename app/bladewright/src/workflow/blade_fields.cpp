@@ -41,7 +41,7 @@ BladeFields::BladeFields(Workbench& bench, FormColumn* column, FormColumn* detai
   for (const Blade& blade : presets_)
     preset_->addItem(QString::fromStdString(blade.title.empty() ? blade.name : blade.title));
   preset_->addItem(tr("Custom"));
-  column->addLong(tr("Blade"), preset_, tr("The tool: its section and material"));
+  column->addBelow(tr("Blade"), preset_, tr("The tool: its section and material"));
   connect(preset_, &QComboBox::activated, this, [this](int index) {
     if (std::size_t(index) >= presets_.size()) {
       bench_.editJob(tr("Customise blade"), [](Job& job) { makeOwn(job.blade); });

@@ -44,6 +44,13 @@ FaceFields::FaceFields(Workbench& bench, FormColumn* column, QObject* parent)
               tr("Which faces of the file are cut. Largest: of those that are neither planes, cylinders nor "
                  "cones, if there are such"));
   connect(kinds_, &QComboBox::activated, this, &FaceFields::chooseKind);
+  inPicture_ = new QPushButton(tr("Choose in the picture"));
+  inPicture_->setObjectName("chooseFaces");
+  inPicture_->setCheckable(true);
+  inPicture_->setToolTip(
+      tr("All faces of the file are shown; a click chooses, Ctrl+click adds or takes away (C)"));
+  column->addWide(inPicture_);
+  connect(inPicture_, &QPushButton::clicked, this, &FaceFields::chooseInPictureRequested);
   numbers_ = new ListField(tr("face"));
   numbersLabel_ = column->add(tr("Face numbers"), numbers_, tr("Counted from 0: 0, 3, 5-7"));
   connect(numbers_, &ListField::edited, this, &FaceFields::chooseNumbers);
@@ -76,6 +83,11 @@ FaceFields::FaceFields(Workbench& bench, FormColumn* column, QObject* parent)
       this->choose(choice);
     });
   }
+}
+
+void FaceFields::showChoosing(bool choosing, bool possible) {
+  inPicture_->setChecked(choosing);
+  inPicture_->setVisible(possible);
 }
 
 void FaceFields::choose(const FaceChoice& choice) {

@@ -4,6 +4,7 @@
 
 #include <QLabel>
 #include <QObject>
+#include <QPushButton>
 
 #include <array>
 
@@ -22,6 +23,11 @@ class FaceFields : public QObject {
   /// Adds its lines to `column`.
   FaceFields(Workbench& bench, FormColumn* column, QObject* parent);
   void refresh();
+  /// Whether the faces are being chosen in the picture, and whether they can be.
+  void showChoosing(bool choosing, bool possible);
+
+ signals:
+  void chooseInPictureRequested(bool on);
 
  private:
   void choose(const FaceChoice& choice);
@@ -34,6 +40,7 @@ class FaceFields : public QObject {
   Workbench& bench_;
   ChoiceField *kinds_, *names_, *sides_;
   ListField* numbers_;
+  QPushButton* inPicture_;
   QLabel *numbersLabel_, *namesLabel_, *sidesLabel_;
   std::array<NumberField*, 3> point_;
   std::array<QLabel*, 3> pointLabels_;

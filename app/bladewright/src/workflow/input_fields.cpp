@@ -47,7 +47,7 @@ InputFields::InputFields(Workbench& bench, FormColumn* column, QObject* parent)
       tr("The unit that the numbers of the file are taken in, and the size that the surface then has"));
   connect(unit_, &QComboBox::activated, this, &InputFields::applyUnit);
   faces_ = new FaceFields(bench, column, this);
-  embed_ = new QCheckBox(tr("Keep the geometry in the design file"));
+  embed_ = new QCheckBox(tr("Keep the geometry in the design"));
   embed_->setToolTip(tr("On: the saved design holds a copy of the CAD file. Off: it points to the file."));
   column->addWide(embed_);
   connect(embed_, &QCheckBox::clicked, this, &InputFields::embed);
@@ -69,12 +69,15 @@ void InputFields::showUnits(const geometry::CadInfo* info, const Eigen::Vector3d
                ? tr("%1: %2").arg(words, sizeText(size * (mm / info->readAsLength)))
                : words;
   };
-  unit_->setItemText(
-      0, info ? sized(tr("As stated, %1").arg(QString::fromStdString(info->unit)), info->unitLength)
-              : tr("As stated"));
+  // The closed field names the unit; the size of the one that is read stands above with the file.
+  const auto label = [&](int index, const QString& words, double mm) {
+    unit_->setItemText(index, sized(words, mm));
+    unit_->setShortText(index, words);
+  };
+  label(0, info ? tr("As stated, %1").arg(QString::fromStdString(info->unit)) : tr("As stated"),
+        info ? info->unitLength : 0);
   for (std::size_t i = 0; i < kLengthUnits.size(); ++i)
-    unit_->setItemText(int(i) + 1, sized(QString::fromLatin1(lengthUnitName(kLengthUnits[i])),
-                                         millimetres(kLengthUnits[i])));
+    label(int(i) + 1, QString::fromLatin1(lengthUnitName(kLengthUnits[i])), millimetres(kLengthUnits[i]));
   unit_->show(now);
 }
 

@@ -21,6 +21,7 @@ class InputFields : public QObject {
   /// Adds its lines to `column`.
   InputFields(Workbench& bench, FormColumn* column, QObject* parent);
   void refresh();
+  FaceFields& faces() { return *faces_; }
 
  signals:
   void openRequested();

@@ -45,7 +45,7 @@ OutputFields::OutputFields(Workbench& bench, FormColumn* column, QObject* parent
     const Result<Cell> cell = loadCell(name);
     cell_->addItem(QString::fromStdString(cell && !cell->title.empty() ? cell->title : name));
   }
-  column->addLong(tr("Robot cell"), cell_, tr("Robots, tools and the place of the block"));
+  column->addBelow(tr("Robot cell"), cell_, tr("Robots, tools and the place of the block"));
   connect(cell_, &QComboBox::activated, this, [this](int index) {
     bench_.editJob(tr("Choose robot cell"), [&](Job& job) { job.cell = cells_[std::size_t(index)]; });
   });

@@ -42,6 +42,12 @@ QColor stateColour(Kind kind, const Colours& colours) {
   }
 }
 
+namespace {
+
+constexpr int kTitleX = kGap + 14 + 6 + 20 + kGap;  // after the chevron and the icon
+
+}  // namespace
+
 StepHead::StepHead(const Theme& theme, const QString& icon, const QString& title, QWidget* parent)
     : QAbstractButton(parent), theme_(theme), icon_(icon) {
   setText(title);
@@ -61,6 +67,11 @@ void StepHead::setState(const model::StepState& state) {
 }
 
 QSize StepHead::sizeHint() const { return {200, QFontMetrics(Theme::titleFont()).height() + 2 * 9}; }
+
+int StepHead::textWidth() const {
+  return kTitleX + QFontMetrics(Theme::titleFont()).horizontalAdvance(text()) + kGroupGap +
+         QFontMetrics(Theme::secondaryFont()).horizontalAdvance(state_.text) + 6 + 16 + kGroupGap;
+}
 
 bool StepHead::event(QEvent* event) {
   if (event->type() == QEvent::Enter || event->type() == QEvent::Leave) update();
@@ -87,7 +98,7 @@ void StepHead::paintEvent(QPaintEvent*) {
                      theme_.pixmap(isChecked() ? "chevron-down" : "chevron-right", c.secondary, 14, ratio));
   x += 14 + 6;
   painter.drawPixmap(x, middle - 10, theme_.pixmap(icon_, c.text, 20, ratio));
-  x += 20 + kGap;
+  x = kTitleX;
 
   const QFont title = Theme::titleFont();
   painter.setFont(title);

@@ -20,6 +20,8 @@ class StepHead : public QAbstractButton {
   void setState(const model::StepState& state);
   const model::StepState& state() const { return state_; }
   QSize sizeHint() const override;
+  /// The room that its words and icons need, in pixels.
+  int textWidth() const;
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -4,12 +4,14 @@
 
 namespace bw::app {
 
+namespace {
+
+constexpr int kLeastWidth = 304;
+
+}  // namespace
+
 WorkflowPanel::WorkflowPanel(Workbench& bench, const Theme& theme, QWidget* parent)
-    : QScrollArea(parent), bench_(bench), theme_(theme) {
-  setWidgetResizable(true);
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  setFrameShape(QFrame::NoFrame);
-  setFocusPolicy(Qt::NoFocus);
+    : SidePanel(kLeastWidth, parent), bench_(bench), theme_(theme) {
   auto* page = new QWidget;
   page->setObjectName("page");
   auto* layout = new QVBoxLayout(page);
@@ -59,13 +61,8 @@ QWidget* WorkflowPanel::makeInput() {
   auto* column = new FormColumn;
   input_ = new InputFields(bench_, column, this);
   connect(input_, &InputFields::openRequested, this, &WorkflowPanel::openRequested);
-  chooseFaces_ = new QPushButton(tr("Choose faces in the picture"));
-  chooseFaces_->setObjectName("chooseFaces");
-  chooseFaces_->setCheckable(true);
-  chooseFaces_->setToolTip(
-      tr("All faces of the file are shown; a click chooses, Ctrl+click adds or takes away (C)"));
-  column->addWide(chooseFaces_);
-  connect(chooseFaces_, &QPushButton::clicked, this, &WorkflowPanel::chooseFacesRequested);
+  connect(&input_->faces(), &FaceFields::chooseInPictureRequested, this,
+          &WorkflowPanel::chooseFacesRequested);
   return column;
 }
 
@@ -96,8 +93,7 @@ void WorkflowPanel::refresh() {
 }
 
 void WorkflowPanel::showFaceChoice(bool choosing, bool possible) {
-  chooseFaces_->setChecked(choosing);
-  chooseFaces_->setVisible(possible);
+  input_->faces().showChoosing(choosing, possible);
 }
 
 void WorkflowPanel::refreshStates() {

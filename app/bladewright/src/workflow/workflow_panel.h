@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <QPushButton>
-#include <QScrollArea>
 #include <QWidget>
 
 #include <array>
 
 #include "controls/fields.h"
+#include "controls/side_panel.h"
 #include "workbench/workbench.h"
 #include "workflow/blade_fields.h"
 #include "workflow/block_fields.h"
@@ -20,7 +19,7 @@
 namespace bw::app {
 
 /// The left panel: the four steps of the work with their state and their few essential controls.
-class WorkflowPanel : public QScrollArea {
+class WorkflowPanel : public SidePanel {
   Q_OBJECT
 
  public:
@@ -55,7 +54,6 @@ class WorkflowPanel : public QScrollArea {
   BlockFields* blockFields_ = nullptr;
   NumberField *tolerance_ = nullptr, *clearance_ = nullptr;
   InputFields* input_ = nullptr;
-  QPushButton* chooseFaces_ = nullptr;
   ProcessFields* process_ = nullptr;
   OutputFields* output_ = nullptr;
 };

@@ -27,6 +27,7 @@ struct Content {
   std::vector<std::vector<Eigen::Vector3d>> blades;    ///< the whole blade of each station
   std::shared_ptr<const FaceMesh> faces;  ///< all faces of the file, to choose among them; may be null
   std::optional<Box> block;
+  std::optional<Eigen::Vector3d> travel;  ///< the way the blade goes; an arrow beside the block shows it
   std::map<std::string, double> limits;  ///< of fields of the cut, > 0: the legend begins at 0 and marks them
 };
 
@@ -150,6 +151,8 @@ class Scene {
   /// Fits everything (or `bounds`), keeping the present direction.
   Camera fitCamera(const Camera& from, double aspect,
                    const std::optional<Bounds>& bounds = std::nullopt) const;
+  /// Fits the work, keeping the present direction.
+  Camera fitWork(const Camera& from, double aspect) const;
   /// Everything that is shown.
   Bounds bounds() const;
   /// What the picture is about: block, cut surface and whole blades, and the target unless it is far larger
