@@ -65,14 +65,14 @@ double leastOfRandomShots(const ClampedProblem& problem, double turning, int sho
     const double root = 7 + 6 * unit(engine), angle = kPi * unit(engine);
     Eigen::Vector3d q(2 * root * unit(engine), root * root * std::cos(angle), root * root * std::sin(angle));
     for (int k = 0; k < 25; ++k) {
-      const Result<Elastica> e = Elastica::make(problem.start, problem.startAngle, q(0) / length,
+      const Result<Elastica> e = Elastica::make(problem.start, *problem.startAngle, q(0) / length,
                                                 q.tail<2>() / length / length, length);
       if (!e || std::abs(q(0)) + q.tail<2>().norm() > 2000) break;
       Elastica::Jacobian jacobian;
       const Elastica::State end = e->at(length, jacobian);
       const Eigen::Vector3d miss((problem.end.x() - end.point.x()) / length,
                                  (problem.end.y() - end.point.y()) / length,
-                                 problem.startAngle + turning - end.angle);
+                                 *problem.startAngle + turning - end.angle);
       if (miss.norm() < 1e-10) {
         const double energy = e->energy();
         if (energy < least * (1 - 1e-9) && isClampedStable(*e) && stabilityMargin(*e) > 1e-6) least = energy;
@@ -106,7 +106,7 @@ void answersAgainstShots(benchmark::State& state, double degrees, double low, do
         continue;
       }
       const ClampedSolution& found = answer->solutions[0];
-      const double turning = problem.endAngle - problem.startAngle;
+      const double turning = *problem.endAngle - *problem.startAngle;
       double least = leastOfRandomShots(problem, turning, 60, engine);
       for (const double other : {turning - 2 * kPi, turning + 2 * kPi})
         if (0.5 * other * other / problem.length < std::min(least, found.energy))

@@ -10,10 +10,12 @@ namespace bw::detail {
 
 /// A solution at the nodes of the modes that resolve it.
 struct SampledSolution {
-  const ClampedModes* modes = nullptr;
+  const ClampedModes* modes = nullptr;    ///< of its ends
+  const ClampedModes* clamped = nullptr;  ///< of held ends at the same nodes
   ClampedSamples samples;
   /// Of a blade so taut that the modes do not resolve its bends.
   std::optional<TautBends> bends = std::nullopt;
+  bool loop = false;  ///< between taut stretches, along which it slides
 };
 SampledSolution sample(const UnitSolution& solution);
 
@@ -27,7 +29,7 @@ double energyOf(const SampledSolution& sampled);
 /// Both margins; that out of the plane only with a torsion ratio.
 ClampedMargins marginsOf(const SampledSolution& sampled, std::optional<double> torsionRatio);
 
-/// True if both grips are in one place and point the same way.
+/// True if both grips hold their tangents, are in one place and point the same way.
 bool isClosed(const UnitProblem& problem);
 
 /// The least margin that proves a shape to be stable: 0 in general, but for rounding. A loop between taut
@@ -36,12 +38,8 @@ double certainMargin(const UnitSolution& solution);
 
 /// How far the curve moves with its grips: per length and per radian, in lengths.
 ClampedSensitivity sensitivityOf(const SampledSolution& sampled);
-/// The same by any modes of its ends; `lifts`: what a turned grip adds to the tangent angle, one column a
-/// grip.
-ClampedSensitivity sensitivityOf(const ClampedModes& modes, const ClampedSamples& samples,
-                                 const Eigen::MatrixXd& lifts);
 
-/// The blade itself.
+/// The blade itself. Its start is not hinged alone.
 Result<Elastica> place(const ClampedProblem& problem, const UnitSolution& solution);
 
 /// All that is said about a solution, already sampled.
