@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -54,6 +55,19 @@ void restOfABlade(benchmark::State& state, double degrees, double low, double hi
 }
 BENCHMARK_CAPTURE(restOfABlade, blade_like, 45, 0.85, 0.995);
 BENCHMARK_CAPTURE(restOfABlade, moderate, 100, 0.5, 0.98);
+
+/// With the end hinged, or both.
+void restOfAHingedBlade(benchmark::State& state, bool both) {
+  std::vector<ClampedProblem> all = problems(45, 0.85, 0.995);
+  for (ClampedProblem& problem : all) {
+    problem.endAngle = std::nullopt;
+    if (both) problem.startAngle = std::nullopt;
+  }
+  std::size_t i = 0;
+  for (auto _ : state) benchmark::DoNotOptimize(solveClamped(all[i++ % all.size()]));
+}
+BENCHMARK_CAPTURE(restOfAHingedBlade, end, false);
+BENCHMARK_CAPTURE(restOfAHingedBlade, both, true);
 
 /// Least energy, 1/mm, of the stable shapes that Newton's method finds from random starts; infinite if there
 /// are none.

@@ -216,6 +216,19 @@ TEST(HingedBlade, TautBladesBendAtTheGripAlone) {
   }
 }
 
+TEST(HingedBlade, TautBladesTakeTheBendOfLeastEnergy) {
+  // √f L just below and above 400, from where on the bends alone tell all.
+  for (const auto& [missing, a] :
+       {std::pair{0.0025, 2.0}, {0.00117, 1.338}, {0.00326, 2.387}, {0.0022, 2.0}}) {
+    const Result<ClampedAnswer> answer = solveClamped(across(1 - missing, a, kHinged));
+    ASSERT_TRUE(answer);
+    const double share = 1 - std::cos(a / 2);
+    EXPECT_NEAR(answer->solutions[0].energy * kLength, 4 * share * share / missing,
+                0.04 * share * share / missing);
+    EXPECT_LT(std::abs(answer->solutions[0].turning), kPi);
+  }
+}
+
 TEST(HingedBlade, IsStraightWhereItIsAsLongAsItsChord) {
   const double turn = 0.4;
   const Vector2d end = kLength * Vector2d(std::cos(turn), std::sin(turn));

@@ -54,8 +54,7 @@ std::vector<double> inflectionsOf(const Elastica& blade, HeldEnds ends) {
 /// True if a blade near the single loop holds a whole loop: what lies between two places, hinges among them,
 /// where it is nearest to rest against the force.
 bool holdsLoop(const Elastica& blade, HeldEnds ends) {
-  const std::size_t hinges = ends == HeldEnds::both ? 0 : ends == HeldEnds::start ? 1 : 2;
-  const std::size_t inflections = inflectionsOf(blade, ends).size() + hinges;
+  const int inflections = int(inflectionsOf(blade, ends).size()) + hingesOf(ends);
   if (inflections > 0) return inflections > 1;
   const double force = std::atan2(blade.force().y(), blade.force().x());
   const auto turns = [&](double s) { return std::floor((blade.at(s).angle - force - kPi) / (2 * kPi)); };
@@ -95,7 +94,7 @@ SampledSolution sample(const UnitSolution& solution) {
 
 bool isResolved(const UnitSolution& solution, const SampledSolution& sampled) {
   constexpr double kSameEnergy = 1e-6;
-  if (!solution.anchor || sampled.bends) return true;
+  if (!solution.anchor || solution.bends) return true;
   const Result<Elastica> held = Elastica::makeAnchored(*solution.anchor, 1);
   return held && std::abs(energyOf(sampled) - held->energy()) <= kSameEnergy * held->energy();
 }

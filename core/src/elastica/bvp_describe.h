@@ -20,7 +20,7 @@ struct SampledSolution {
 SampledSolution sample(const UnitSolution& solution);
 
 /// False if the modes do not resolve the shape, so that what they say of its stability means nothing: tight
-/// loops far from the grips.
+/// loops far from the grips. What is bent at its grips alone they do resolve, or it is told by its bends.
 bool isResolved(const UnitSolution& solution, const SampledSolution& sampled);
 
 /// ½ ∫ κ² in units of 1/length.

@@ -44,7 +44,7 @@ ClampedOthers othersAmong(const std::vector<ClampedSolution>& solutions, std::si
 Result<ClampedOthers> othersBeside(const ClampedSolution& answer, const ClampedProblem& problem,
                                    const CheckedProblem& checked, const ClampedOptions& options) {
   ClampedOthers others;
-  const int inflections = std::max(kRestInflections, options.maxInflections);
+  const int inflections = kRestInflections - hingesOf(checked.ends);
   const double turning = std::max(options.maxTurning, std::abs(answer.turning));
   for (const UnitSolution& found : shapesOf(checked, turning, inflections)) {
     const SampledSolution sampled = sample(found);

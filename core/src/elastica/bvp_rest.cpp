@@ -96,7 +96,8 @@ double energyOfShape(const UnitSolution& shape) { return energyOf(sample(shape))
 
 std::optional<UnitSolution> leastAtRest(const CheckedProblem& problem, double maxTurning,
                                         const std::function<double(const UnitSolution&)>& measure) {
-  const std::vector<UnitSolution> shapes = shapesOf(problem, maxTurning, kRestInflections);
+  const std::vector<UnitSolution> shapes =
+      shapesOf(problem, maxTurning, kRestInflections - hingesOf(problem.ends));
   std::vector<std::pair<double, const UnitSolution*>> order;
   for (const UnitSolution& shape : shapes) order.emplace_back(measure(shape), &shape);
   std::stable_sort(order.begin(), order.end(),

@@ -54,6 +54,9 @@ class Sheets {
     const double parity = sheet.inflections % 2 ? -1 : 1;
     const PendulumIntegrals whole = (node.end * parity - node.start) * double(sheet.direction) +
                                     node.whole * double(2 * sheet.inflections - (node.hinged ? 1 : 0));
+    // From an inflection at once to the hinge: nothing but rounding is left of the blade, which is straight.
+    constexpr double kNoLength = 1e-12;
+    if (node.hinged && !(whole.time > kNoLength * node.whole.time)) return {1, 0, 0};
     const double along = whole.time - 2 * whole.square;
     const double across = sheet.direction * (node.startRate - parity * node.endRate);
     const double c = std::cos(node.a), s = std::sin(node.a);

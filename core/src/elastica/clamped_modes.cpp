@@ -99,7 +99,7 @@ MatrixXd integralMatrix(int panels, const GaussRule& rule) {
 }
 
 ClampedModes make(Index count, int panels, int nodesPerPanel, HeldEnds ends = HeldEnds::both) {
-  const Index hinges = ends == HeldEnds::both ? 0 : ends == HeldEnds::start ? 1 : 2;
+  const Index hinges = hingesOf(ends);
   const Gram gram = gramOf(count, hinges);
   // On [0, 1] masses are half and stiffnesses twice those on [−1, 1]. ν = 1/(μ + shift) keeps the digits of
   // small μ; with both ends hinged μ = 0 is among them.

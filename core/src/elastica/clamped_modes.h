@@ -10,6 +10,9 @@ namespace bw::detail {
 /// backwards before it gets here.
 enum class HeldEnds { both, start, none };
 
+/// How many of both are hinged.
+constexpr int hingesOf(HeldEnds ends) { return ends == HeldEnds::both ? 0 : ends == HeldEnds::start ? 1 : 2; }
+
 /// The smallest eigenvalue of the second variation of a straight blade of length 1 without force.
 double straightEigenvalue(HeldEnds ends);
 
