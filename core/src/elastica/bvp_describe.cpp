@@ -75,7 +75,11 @@ SampledSolution sample(const UnitSolution& solution) {
   result.samples.force = solution.shape.tail<2>();
   if (solution.anchor) {
     if (const Result<Elastica> held = Elastica::makeAnchored(*solution.anchor, 1)) {
-      result.loop = !solution.bends && holdsLoop(*held, solution.ends);
+      if (!solution.bends && holdsLoop(*held, solution.ends)) {
+        const Elastica::Anchor& rest = *held->anchor();
+        const double f = rest.force.norm();
+        result.loop = std::max(std::abs(rest.force.y()) / f, std::abs(rest.curvature) / std::sqrt(f));
+      }
       std::vector<Elastica::State> states(std::size_t(nodes.size()));
       held->at({nodes.data(), states.size()}, states);
       for (Index i = 0; i < nodes.size(); ++i) {
@@ -122,9 +126,10 @@ double certainMargin(const UnitSolution& solution) {
 ClampedMargins marginsOf(const SampledSolution& sampled, std::optional<double> torsionRatio) {
   if (sampled.bends) return tautMargins(*sampled.bends, sampled.modes->ends);
   ClampedMargins margins = clampedMargins(*sampled.modes, *sampled.clamped, sampled.samples, torsionRatio);
-  // κ on a whole loop alone changes the energy by no more than what is left of it at its ends; modes that do
-  // not resolve it say more.
-  if (sampled.loop) margins.inPlane = std::min(margins.inPlane, 0.0);
+  // κ on a whole loop alone changes the energy by no more than what is left of it at its ends, and nothing
+  // else lies lower; modes that do not resolve it say otherwise.
+  constexpr double kNothingLeft = 1e-3;
+  if (sampled.loop) margins.inPlane = *sampled.loop < kNothingLeft ? 0 : std::min(margins.inPlane, 0.0);
   return margins;
 }
 

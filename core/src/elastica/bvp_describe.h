@@ -15,7 +15,9 @@ struct SampledSolution {
   ClampedSamples samples;
   /// Of a blade so taut that the modes do not resolve its bends.
   std::optional<TautBends> bends = std::nullopt;
-  bool loop = false;  ///< between taut stretches, along which it slides
+  /// Of a whole loop between taut stretches, along which it slides: the tangent angle against the stretches,
+  /// rad, that is left where it ends.
+  std::optional<double> loop = std::nullopt;
 };
 SampledSolution sample(const UnitSolution& solution);
 
