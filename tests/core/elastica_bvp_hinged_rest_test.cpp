@@ -230,6 +230,25 @@ TEST(HingedBlade, ALoopBetweenAGripAndAHingeIsNeverStable) {
   EXPECT_GT(loops, 20);
 }
 
+TEST(HingedBlade, NearlyAWholeTurnAtTheGripRests) {
+  // Strongest away from the grip, but held by it: f (1 − cos² ½α) is about the least eigenvalue.
+  for (const auto& [share, a] : {std::pair{0.98, 0.15}, {0.966, 0.05}, {0.97, 0.1}, {0.93, 0.3}}) {
+    const Result<ClampedAnswer> all = solveAllClamped(across(share, a, kHinged));
+    ASSERT_TRUE(all);
+    int found = 0;
+    for (const ClampedSolution& s : all->solutions) {
+      if (s.turning < kPi || !s.inflections.empty()) continue;
+      ++found;
+      const double root = std::sqrt(s.elastica.force().norm()) * kLength;
+      const double least =
+          root * root * std::pow(std::sin(s.turning / 2), 2) / straightEigenvalue(across(share, a, kHinged));
+      EXPECT_TRUE(s.stable) << share << " " << s.stabilityMargin;
+      EXPECT_NEAR(s.stabilityMargin, least, 0.3 * least) << share;
+    }
+    EXPECT_EQ(found, 1) << share;
+  }
+}
+
 TEST(HingedBlade, RestsInTheLowestOfAllBladesHeldAtAnyAngle) {
   std::mt19937 engine(6);
   std::uniform_real_distribution<double> angle(-kPi, kPi), share(0.05, 0.99);

@@ -23,8 +23,13 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// √f L up to which the modes resolve the bends of a taut blade.
-constexpr double kLargestResolved = 400;
+/// True if the modes resolve the bends of a taut blade: up to √f L = 400, less for bends that turn so far
+/// that they are strongest away from the grip, at ln tan ¼α/√f.
+bool resolves(const TautBends& bends) {
+  constexpr double kLargestResolved = 400;
+  const double larger = std::max(std::abs(bends.first), std::abs(bends.second));
+  return bends.root * (1 + std::max(0.0, std::log(std::tan(0.25 * larger)))) <= kLargestResolved;
+}
 
 /// Calls visit(index, ψ, κ) at ascending arc lengths in the unit frame.
 template <class Visit>
@@ -68,7 +73,7 @@ SampledSolution sample(const UnitSolution& solution) {
   const double phase = phaseOf(solution.shape);
   result.modes = &clampedModesFor(phase, solution.ends);
   result.clamped = &clampedModesFor(phase);
-  if (solution.bends && solution.bends->root > kLargestResolved) result.bends = solution.bends;
+  if (solution.bends && !resolves(*solution.bends)) result.bends = solution.bends;
   const VectorXd& nodes = result.modes->nodes;
   result.samples.angle.resize(nodes.size());
   result.samples.curvature.resize(nodes.size());

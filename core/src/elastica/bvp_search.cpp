@@ -240,10 +240,13 @@ std::vector<UnitSolution> allShapes(const UnitProblem& problem, int maxInflectio
   for (const TautBends& bends : tautBends(problem)) {
     const std::optional<UnitSolution> taut = tautShape(problem, bends);
     if (!taut) continue;
-    const bool known = std::any_of(result.begin(), result.end(), [&](const UnitSolution& other) {
+    const auto known = std::find_if(result.begin(), result.end(), [&](const UnitSolution& other) {
       return (other.shape - taut->shape).norm() < 1e-4 * taut->shape.norm();
     });
-    if (!known) result.push_back(*taut);
+    if (known == result.end())
+      result.push_back(*taut);
+    else
+      known->bends = taut->bends;
   }
   return result;
 }
