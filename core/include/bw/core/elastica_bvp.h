@@ -76,9 +76,10 @@ struct ClampedSolution {
 
 /// What else a blade may rest in between the same grips.
 struct ClampedOthers {
-  int stable = 0;      ///< how many other stable shapes there are
-  double energy = 0;   ///< the least of theirs, 1/mm; 0 if there are none
-  double turning = 0;  ///< total, rad, of that one; the blade can snap into it where it is that of the answer
+  int stable = 0;     ///< how many other stable shapes there are
+  double energy = 0;  ///< the least of theirs, 1/mm; 0 if there are none
+  /// Total, rad, of that one. The blade can snap into it where it is that of the answer, or with a hinge.
+  double turning = 0;
 };
 
 /// What kind of problem it was.
