@@ -85,7 +85,7 @@ void addNumericVerbs(CLI::App& app, const Session& session, Work& work) {
   addVerb(app, session, work, "length", "The length of a blade from how it sags between its ends",
           "echo '{\"distance\": 600, \"height\": 120, \"angle\": 0.6}' | blade length", lengthCases, false);
   addVerb(app, session, work, "bvp",
-          "The shapes of a blade between two grips: points, tangent angles and length given",
+          "The shapes of a blade between two grips: points, length and tangent angles given (null: hinged)",
           "echo '{\"start\": [0,0], \"end\": [760,0], \"start_angle\": 0.4, \"end_angle\": -0.3,\n"
           "    \"length\": 800, \"all\": true}' | blade bvp",
           bvpCases, false);

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -55,6 +56,19 @@ void restOfABlade(benchmark::State& state, double degrees, double low, double hi
 BENCHMARK_CAPTURE(restOfABlade, blade_like, 45, 0.85, 0.995);
 BENCHMARK_CAPTURE(restOfABlade, moderate, 100, 0.5, 0.98);
 
+/// With the end hinged, or both.
+void restOfAHingedBlade(benchmark::State& state, bool both) {
+  std::vector<ClampedProblem> all = problems(45, 0.85, 0.995);
+  for (ClampedProblem& problem : all) {
+    problem.endAngle = std::nullopt;
+    if (both) problem.startAngle = std::nullopt;
+  }
+  std::size_t i = 0;
+  for (auto _ : state) benchmark::DoNotOptimize(solveClamped(all[i++ % all.size()]));
+}
+BENCHMARK_CAPTURE(restOfAHingedBlade, end, false);
+BENCHMARK_CAPTURE(restOfAHingedBlade, both, true);
+
 /// Least energy, 1/mm, of the stable shapes that Newton's method finds from random starts; infinite if there
 /// are none.
 double leastOfRandomShots(const ClampedProblem& problem, double turning, int shots, std::mt19937& engine) {
@@ -65,14 +79,14 @@ double leastOfRandomShots(const ClampedProblem& problem, double turning, int sho
     const double root = 7 + 6 * unit(engine), angle = kPi * unit(engine);
     Eigen::Vector3d q(2 * root * unit(engine), root * root * std::cos(angle), root * root * std::sin(angle));
     for (int k = 0; k < 25; ++k) {
-      const Result<Elastica> e = Elastica::make(problem.start, problem.startAngle, q(0) / length,
+      const Result<Elastica> e = Elastica::make(problem.start, *problem.startAngle, q(0) / length,
                                                 q.tail<2>() / length / length, length);
       if (!e || std::abs(q(0)) + q.tail<2>().norm() > 2000) break;
       Elastica::Jacobian jacobian;
       const Elastica::State end = e->at(length, jacobian);
       const Eigen::Vector3d miss((problem.end.x() - end.point.x()) / length,
                                  (problem.end.y() - end.point.y()) / length,
-                                 problem.startAngle + turning - end.angle);
+                                 *problem.startAngle + turning - end.angle);
       if (miss.norm() < 1e-10) {
         const double energy = e->energy();
         if (energy < least * (1 - 1e-9) && isClampedStable(*e) && stabilityMargin(*e) > 1e-6) least = energy;
@@ -106,7 +120,7 @@ void answersAgainstShots(benchmark::State& state, double degrees, double low, do
         continue;
       }
       const ClampedSolution& found = answer->solutions[0];
-      const double turning = problem.endAngle - problem.startAngle;
+      const double turning = *problem.endAngle - *problem.startAngle;
       double least = leastOfRandomShots(problem, turning, 60, engine);
       for (const double other : {turning - 2 * kPi, turning + 2 * kPi})
         if (0.5 * other * other / problem.length < std::min(least, found.energy))

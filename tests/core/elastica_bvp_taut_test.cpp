@@ -29,8 +29,8 @@ void expectSolves(const ClampedSolution& solution, const ClampedProblem& problem
   const Elastica::State end = e.at(e.length());
   EXPECT_NEAR((e.start() - problem.start).norm(), 0, 1e-9 * e.length());
   EXPECT_NEAR((end.point - problem.end).norm(), 0, 1e-9 * e.length());
-  EXPECT_NEAR(std::remainder(e.startAngle() - problem.startAngle, 2 * kPi), 0, 1e-9);
-  EXPECT_NEAR(std::remainder(end.angle - problem.endAngle, 2 * kPi), 0, 1e-9);
+  EXPECT_NEAR(std::remainder(e.startAngle() - *problem.startAngle, 2 * kPi), 0, 1e-9);
+  EXPECT_NEAR(std::remainder(end.angle - *problem.endAngle, 2 * kPi), 0, 1e-9);
 }
 
 /// E L and √f L of the lower of the ways in which two bends alone may meet their grips, by fixed points.
@@ -81,7 +81,7 @@ TEST(ClampedBlade, TautBladesChangeEvenlyAsAGripTurnsThroughTheStretch) {
       for (int i = -50; i <= 50; ++i) {
         const ClampedProblem problem = across(share, 1e-3 * i, b);
         const Result<ClampedAnswer> answer = solveClamped(problem);
-        ASSERT_TRUE(answer) << share << " " << b << " " << problem.startAngle;
+        ASSERT_TRUE(answer) << share << " " << b << " " << *problem.startAngle;
         expectSolves(answer->solutions[0], problem);
         const double energy = answer->solutions[0].energy * 800;
         if (last && slope) {
@@ -122,11 +122,11 @@ TEST(ClampedBlade, TautBladesWithAnyGripsRest) {
     ClampedProblem problem = across(1 - missing, kPi * unit(engine), kPi * unit(engine));
     if (i % 4 == 0) problem.startAngle = 0.05 * unit(engine);
     const Result<ClampedAnswer> answer = solveClamped(problem);
-    ASSERT_TRUE(answer) << i << " " << missing << " " << problem.startAngle << " " << problem.endAngle;
+    ASSERT_TRUE(answer) << i << " " << missing << " " << *problem.startAngle << " " << *problem.endAngle;
     const ClampedSolution& solution = answer->solutions[0];
     expectSolves(solution, problem);
     EXPECT_TRUE(solution.stable);
-    const auto [energy, root] = bendsAlone(1 - missing, problem.startAngle, problem.endAngle);
+    const auto [energy, root] = bendsAlone(1 - missing, *problem.startAngle, *problem.endAngle);
     if (root > 30) {
       EXPECT_NEAR(solution.energy * 800, energy, 1e-5 * energy) << i;
     }

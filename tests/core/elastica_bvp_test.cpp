@@ -52,8 +52,8 @@ void expectSolves(const ClampedSolution& solution, const ClampedProblem& problem
   EXPECT_EQ(e.length(), problem.length);
   EXPECT_NEAR((e.start() - problem.start).norm(), 0, 1e-9 * e.length());
   EXPECT_NEAR((end.point - problem.end).norm(), 0, 1e-9 * e.length());
-  EXPECT_NEAR(std::remainder(e.startAngle() - problem.startAngle, 2 * kPi), 0, 1e-9);
-  EXPECT_NEAR(std::remainder(end.angle - problem.endAngle, 2 * kPi), 0, 1e-9);
+  EXPECT_NEAR(std::remainder(e.startAngle() - *problem.startAngle, 2 * kPi), 0, 1e-9);
+  EXPECT_NEAR(std::remainder(end.angle - *problem.endAngle, 2 * kPi), 0, 1e-9);
 }
 
 /// An independent search: Newton's method from random start values.
@@ -66,14 +66,14 @@ std::vector<Elastica> shootAtRandom(const ClampedProblem& problem, double turnin
     const double root = 7 + 6 * unit(engine), angle = kPi * unit(engine);
     Eigen::Vector3d q(2 * root * unit(engine), root * root * std::cos(angle), root * root * std::sin(angle));
     for (int k = 0; k < 30; ++k) {
-      const Result<Elastica> e = Elastica::make(problem.start, problem.startAngle, q(0) / length,
+      const Result<Elastica> e = Elastica::make(problem.start, *problem.startAngle, q(0) / length,
                                                 q.tail<2>() / length / length, length);
       if (!e || std::abs(q(0)) + q.tail<2>().norm() > 2000) break;
       Elastica::Jacobian jacobian;
       const Elastica::State end = e->at(length, jacobian);
       const Eigen::Vector3d miss((problem.end.x() - end.point.x()) / length,
                                  (problem.end.y() - end.point.y()) / length,
-                                 problem.startAngle + turning - end.angle);
+                                 *problem.startAngle + turning - end.angle);
       if (miss.norm() < 1e-11) {
         found.push_back(*e);
         break;
@@ -115,7 +115,7 @@ TEST(ClampedBlade, WholePeriodsBetweenEqualAnglesHaveAKnownChord) {
     for (const double phase : {0.3, 1.1}) {
       const Elastica e = *Elastica::fromControlParameters({k, phase, period, 100, 0.4, 5, 6});
       const ClampedProblem problem = problemOf(e);
-      EXPECT_NEAR(std::remainder(problem.endAngle - problem.startAngle, 2 * kPi), 0, 1e-9);
+      EXPECT_NEAR(std::remainder(*problem.endAngle - *problem.startAngle, 2 * kPi), 0, 1e-9);
       const Result<ClampedAnswer> all = solveAllClamped(problem);
       ASSERT_TRUE(all);
       int hits = 0;
@@ -153,13 +153,13 @@ TEST(ClampedBlade, FindsWhatRandomShootingFinds) {
     const ClampedProblem problem = across(0.7 + 0.25 * unit(engine), 1.7 * unit(engine), 1.7 * unit(engine));
     const Result<ClampedAnswer> all = solveAllClamped(problem);
     ASSERT_TRUE(all);
-    for (const Elastica& shot : shootAtRandom(problem, problem.endAngle - problem.startAngle, 60, engine)) {
+    for (const Elastica& shot : shootAtRandom(problem, *problem.endAngle - *problem.startAngle, 60, engine)) {
       if (shot.inflections().size() > 4) continue;
       ++compared;
       bool found = false;
       for (const ClampedSolution& solution : all->solutions)
         found = found || same(solution.elastica, shot, 1e-6);
-      EXPECT_TRUE(found) << i << ": " << problem.startAngle << " " << problem.endAngle << " "
+      EXPECT_TRUE(found) << i << ": " << *problem.startAngle << " " << *problem.endAngle << " "
                          << problem.end.x();
     }
   }
@@ -345,7 +345,7 @@ TEST(ClampedBlade, SensitivityIsWhatMovedGripsDo) {
       else if (column < 4)
         other.end(column - 2) += change;
       else
-        (column == 4 ? other.startAngle : other.endAngle) += change * kDegree;
+        *(column == 4 ? other.startAngle : other.endAngle) += change * kDegree;
       const Result<ClampedAnswer> answer = solveClamped(other, near);
       ASSERT_TRUE(answer);
       for (int i = 0; i < points; ++i)
@@ -463,7 +463,7 @@ void surviveWildProblems(int block, int count) {
         problem.length * 1.02 * std::abs(unit(engine)) * Vector2d(std::cos(direction), std::sin(direction));
     problem.startAngle = 10 * unit(engine);
     problem.endAngle = 10 * unit(engine);
-    if (i % 10 == 0) problem.endAngle = problem.startAngle;
+    if (i % 10 == 0) problem.endAngle = *problem.startAngle;
     if (i % 17 == 0) problem.end = {0, 0};
     if (i % 31 == 0) problem.startAngle = problem.endAngle = direction;
     const Result<ClampedAnswer> answer = solveClamped(problem);

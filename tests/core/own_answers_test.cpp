@@ -62,6 +62,13 @@ json placed(json problem) {
   return problem;
 }
 
+/// The same with hinges, by turns: at the end, at the start, at both, at none.
+json hinged(int i, json problem) {
+  if (i % 4 == 0 || i % 4 == 2) problem["end_angle"] = nullptr;
+  if (i % 4 == 1 || i % 4 == 2) problem["start_angle"] = nullptr;
+  return problem;
+}
+
 json answerOf(const Result<CaseAnswer>& answer) {
   return answer ? json::parse(answer->json) : json{{"error", {{"message", answer.error().message}}}};
 }
@@ -75,9 +82,10 @@ double apart(const json& a, const json& b, const char* key) {
 TEST(OwnAnswers, OfBoundaryValuesLeadToThemselves) {
   std::mt19937 engine(5);
   int answered = 0;
-  const int count = rounds(400);
+  const int count = rounds(600);
   for (int i = 0; i < count; ++i) {
     json problem = placed(grips(i, engine));
+    if (i % 3 == 1) problem = hinged(i, problem);
     problem["others"] = false;
     const json first = answerOf(bvpCases(problem.dump(), {}));
     if (first.contains("error")) continue;
@@ -97,9 +105,10 @@ TEST(OwnAnswers, OfBoundaryValuesLeadToThemselves) {
 
 TEST(OwnAnswers, OfAllBoundaryValuesAreAccepted) {
   std::mt19937 engine(6);
-  const int count = rounds(40);
+  const int count = rounds(60);
   for (int i = 0; i < count; ++i) {
     json problem = placed(grips(i, engine));
+    if (i % 3 == 1) problem = hinged(i, problem);
     problem["all"] = true;
     const json all = answerOf(bvpCases(problem.dump(), {}));
     if (all.contains("error")) continue;

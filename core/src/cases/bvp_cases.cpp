@@ -48,9 +48,13 @@ Result<ordered_json> bvpCase(const json& object, bool& limited) {
   ClampedProblem problem;
   ClampedOptions options;
   for (const char* key : {"start", "end", "start_angle", "end_angle", "length"})
-    reader.need(key, std::string("the case needs the key ") + key);
+    reader.need(key,
+                std::string("the case needs the key ") + key +
+                    (std::string_view(key).ends_with("angle") ? ", in rad, or null for a hinged end" : ""));
   const json* start = reader.member("start");
   const json* end = reader.member("end");
+  // null: hinged.
+  problem.startAngle = problem.endAngle = std::nullopt;
   reader.number("start_angle", problem.startAngle, -kLargest, kLargest);
   reader.number("end_angle", problem.endAngle, -kLargest, kLargest);
   reader.number("length", problem.length, 1 / kLargest, kLargest);

@@ -41,11 +41,13 @@ double relativeSize(const Vector3d& change, const Vector3d& shape) {
                   std::hypot(change(1), change(2)) / (10 + force));
 }
 
-/// From one pair of grips to another, in the frame of the start: the distance, the direction of the chord and
-/// the turning change evenly, so that it does not matter how the whole is placed.
+/// From what one pair of grips holds to what another does (`heldAt`): the distance, the direction of the
+/// chord against a held start tangent, and the turning or the curvature at a hinge change evenly, so that it
+/// does not matter how the whole is placed.
 class GripPath {
  public:
-  GripPath(const Vector3d& from, const Vector3d& to) : from_(from), to_(to) {
+  GripPath(const Vector3d& from, const Vector3d& to, HeldEnds ends) : from_(from), to_(to), ends_(ends) {
+    if (ends == HeldEnds::none) return;
     constexpr double kNoChord = 1e-12;
     distance_ = {from.head<2>().norm(), to.head<2>().norm()};
     const double first = std::atan2(from(1), from(0)), second = std::atan2(to(1), to(0));
@@ -54,16 +56,19 @@ class GripPath {
   }
   Vector3d at(double t) const {
     if (t == 1) return to_;
+    if (ends_ == HeldEnds::none) return from_ + t * (to_ - from_);
     const double distance = distance_[0] + t * (distance_[1] - distance_[0]), angle = start_ + t * turn_;
     return {distance * std::cos(angle), distance * std::sin(angle), from_(2) + t * (to_(2) - from_(2))};
   }
   double size() const {
+    if (ends_ == HeldEnds::none) return (to_ - from_).cwiseAbs().maxCoeff();
     return std::max({std::abs(distance_[1] - distance_[0]), std::abs(turn_), std::abs(to_(2) - from_(2))});
   }
 
  private:
   Vector3d from_, to_;
-  std::array<double, 2> distance_;
+  HeldEnds ends_;
+  std::array<double, 2> distance_{};
   double start_ = 0, turn_ = 0;
 };
 
@@ -109,20 +114,27 @@ Result<ClampedBranch::Move> ClampedBranch::moveTo(const ClampedProblem& next) {
   if (checked->kind == ClampedKind::straight)
     return fail(ErrorCode::noSolution, "The grips pull the blade straight; every branch ends there.",
                 "length");
+  if (checked->backwards)
+    return fail(ErrorCode::badInput, "A branch starts at a held end; run the blade backwards.",
+                "start_angle");
+  const HeldEnds ends = checked->ends;
   const double turning = checked->fixedTurning
                              ? checked->turning
                              : end_(2) + std::remainder(checked->turning - end_(2), 2 * kPi);
-  const GripPath path(end_, Vector3d(checked->end.x(), checked->end.y(), turning));
+  Held held = heldAt(shape_, end_, jacobian_, ends);
+  const GripPath path(held.value, heldBy({checked->end, turning, ends}), ends);
   Move move;
   double done = 0, step = 1;
   for (int i = 0; i < kMaxSteps && done < 1 && !workExhausted(); ++i) {
     const double to = done + step >= 1 ? 1 : done + step;
-    const Vector3d end = path.at(to);
-    Vector3d change = jacobian_.partialPivLu().solve(end - end_);
+    const Vector3d target = path.at(to);
+    Vector3d change = held.slope.partialPivLu().solve(target - held.value);
     Vector3d shape = shape_ + change;
     bool trusted = change.allFinite() && relativeSize(change, shape_) < kLargestPrediction;
     double last = kLargestCorrection / kContraction;
     UnitShot shot;
+    Held now;
+    Vector3d correction = Vector3d::Zero();
     bool met = false;
     for (int k = 0; trusted && !met && k < kMaxShots; ++k) {
       if (!(phaseOf(shape) < kLargestShot)) {
@@ -130,19 +142,19 @@ Result<ClampedBranch::Move> ClampedBranch::moveTo(const ClampedProblem& next) {
         break;
       }
       shot = shoot(shape);
-      const Vector3d correction = shot.jacobian.partialPivLu().solve(end - shot.end);
+      now = heldAt(shape, shot.end, shot.jacobian, ends);
+      correction = now.slope.partialPivLu().solve(target - now.value);
       const double size = correction.allFinite() ? relativeSize(correction, shape) : INFINITY;
       trusted = size <= std::max(kContraction * last, kCorrected);
       shape += correction;
       last = size;
       met = trusted && size < kCorrected;
     }
-    const double determinant = shot.jacobian.determinant();
-    if (met && determinant * determinant_ > 0) {
+    if (met && now.slope.determinant() * held.slope.determinant() > 0) {
       shape_ = shape;
-      end_ = end;
+      end_ = shot.end + shot.jacobian * correction;
       jacobian_ = shot.jacobian;
-      determinant_ = determinant;
+      held = {target, now.slope};
       done = to;
       step *= 2;
     } else {
@@ -150,10 +162,11 @@ Result<ClampedBranch::Move> ClampedBranch::moveTo(const ClampedProblem& next) {
       if (step * path.size() < kSmallestStep) break;
     }
   }
+  determinant_ = jacobian_.determinant();
   move.reached = done;
   move.snapped = done < 1;
   // Where the branch ends, between the grips of `next` if it got there.
-  const UnitSolution solution{.shape = shape_, .turning = end_(2), .jacobian = jacobian_};
+  const UnitSolution solution{.shape = shape_, .turning = end_(2), .ends = ends};
   const Result<Elastica> blade = place(next, solution);
   if (!blade) return tl::unexpected<Error>(blade.error());
   blade_ = *blade;

@@ -20,6 +20,9 @@ constexpr double kEqual = 1e-12;
 constexpr double kAligned = 1e-9;
 /// Grips no farther apart than this part of the length leave a blade of any end tangents a shape.
 constexpr double kEasyShare = 0.99;
+/// Hinges nearer than this part of the length are in one place: what holds the blade's direction is their
+/// distance.
+constexpr double kOnePlace = 1e-6;
 /// A given turning may miss the angles by this, rad.
 constexpr double kTurningTolerance = 1e-6;
 
@@ -33,25 +36,75 @@ tl::unexpected<Error> bad(const char* name, double value, const std::string& rem
 
 }  // namespace
 
-Result<CheckedProblem> check(const ClampedProblem& problem) {
+ClampedProblem reversed(const ClampedProblem& problem) {
+  const auto turned = [](std::optional<double> angle) {
+    return angle ? std::optional(*angle > 0 ? *angle - kPi : *angle + kPi) : std::nullopt;
+  };
+  return {.start = problem.end,
+          .end = problem.start,
+          .startAngle = turned(problem.endAngle),
+          .endAngle = turned(problem.startAngle),
+          .length = problem.length,
+          .turning = problem.turning ? std::optional(-*problem.turning) : std::nullopt};
+}
+
+namespace {
+
+Result<void> checkNumbers(const ClampedProblem& problem) {
   const struct {
     const char* name;
     double value;
-  } numbers[] = {{"start x", problem.start.x()},      {"start y", problem.start.y()},
-                 {"end x", problem.end.x()},          {"end y", problem.end.y()},
-                 {"start_angle", problem.startAngle}, {"end_angle", problem.endAngle},
-                 {"length", problem.length},          {"turning", problem.turning.value_or(0)}};
+  } numbers[] = {{"start x", problem.start.x()},
+                 {"start y", problem.start.y()},
+                 {"end x", problem.end.x()},
+                 {"end y", problem.end.y()},
+                 {"start_angle", problem.startAngle.value_or(0)},
+                 {"end_angle", problem.endAngle.value_or(0)},
+                 {"length", problem.length},
+                 {"turning", problem.turning.value_or(0)}};
   for (const auto& number : numbers)
     if (!(std::abs(number.value) <= kLargest))
       return bad(number.name, number.value, "give a finite number up to 1e9", kLargest);
   if (!(problem.length >= 1 / kLargest)) return bad("length", problem.length, "give a length above 0 mm", 0);
+  if (problem.turning && !(problem.startAngle && problem.endAngle))
+    return bad("turning", *problem.turning, "an end that is hinged turns by itself: leave the turning out",
+               0);
+  return {};
+}
 
+/// A blade as long as its chord is straight, if the tangents that are held lie along the chord.
+tl::unexpected<Error> notStraight(const CheckedProblem& checked, double length, double direction,
+                                  const std::string& slack) {
+  const double atStart = wrapped(-direction), atEnd = wrapped(checked.turning - direction);
+  const bool both = checked.ends == HeldEnds::both;
+  return fail(
+      ErrorCode::noSolution,
+      "The blade is just as long as its ends are apart (" + shortText(length) +
+          " mm), so that it can only be straight, but " +
+          (both ? "its end tangents are off the line between the grips by " + shortText(toDegrees(atStart)) +
+                      "° and " + shortText(toDegrees(atEnd)) + "° and turn by " +
+                      shortText(toDegrees(checked.turning)) + "°; turn both grips along that line, "
+                : "the tangent that is held is off the line between the grips by " +
+                      shortText(toDegrees(atStart)) + "°; turn that grip along this line, ") +
+          slack,
+      checked.backwards || both ? "end_angle" : "start_angle",
+      toDegrees(both ? std::max(std::abs(atStart), std::abs(atEnd)) : std::abs(atStart)), 0);
+}
+
+/// Where the start holds its tangent, or no end does.
+Result<CheckedProblem> checkGeometry(const ClampedProblem& problem, bool backwards) {
   CheckedProblem result;
+  result.backwards = backwards;
+  result.ends = !problem.startAngle ? HeldEnds::none : !problem.endAngle ? HeldEnds::start : HeldEnds::both;
   const Eigen::Vector2d chord = problem.end - problem.start;
   const double distance = chord.norm(), length = problem.length;
-  const double c = std::cos(problem.startAngle), s = std::sin(problem.startAngle);
-  result.end = Eigen::Vector2d(c * chord.x() + s * chord.y(), c * chord.y() - s * chord.x()) / length;
-  result.turning = wrapped(problem.endAngle - problem.startAngle);
+  if (result.ends == HeldEnds::none) {
+    result.end = {distance / length, 0};
+  } else {
+    const double c = std::cos(*problem.startAngle), s = std::sin(*problem.startAngle);
+    result.end = Eigen::Vector2d(c * chord.x() + s * chord.y(), c * chord.y() - s * chord.x()) / length;
+  }
+  if (result.ends == HeldEnds::both) result.turning = wrapped(*problem.endAngle - *problem.startAngle);
   if (problem.turning) {
     const double miss = wrapped(*problem.turning - result.turning);
     if (std::abs(miss) > kTurningTolerance)
@@ -72,30 +125,32 @@ Result<CheckedProblem> check(const ClampedProblem& problem) {
                 "The blade is " + shortText(length, 6) + " mm long, but its ends are " +
                     shortText(distance, 6) + " mm apart; " + slack,
                 "length", length, distance);
+  if (result.ends == HeldEnds::none && !(distance > kOnePlace * length))
+    return fail(ErrorCode::noSolution,
+                "Both ends are hinged in one place, so that the blade turns about it as it likes; move the "
+                "hinges apart, or hold the tangent of one end.",
+                "end", distance, kOnePlace * length);
   const double direction = distance > 0 ? std::atan2(result.end.y(), result.end.x()) : 0;
   const bool startAligned = std::abs(wrapped(direction)) <= kAligned;
-  const bool endAligned = std::abs(wrapped(result.turning - direction)) <= kAligned;
+  const bool endAligned =
+      result.ends != HeldEnds::both || std::abs(wrapped(result.turning - direction)) <= kAligned;
   if (distance >= length * (1 - kEqual)) {
-    const bool turns = std::abs(result.turning) > kAligned;
-    if (!startAligned || !endAligned || turns)
-      return fail(
-          ErrorCode::noSolution,
-          "The blade is just as long as its ends are apart (" + shortText(length) +
-              " mm), so that it can only be straight, but its end tangents are off the line between the "
-              "grips by " +
-              shortText(toDegrees(wrapped(-direction))) + "° and " +
-              shortText(toDegrees(wrapped(result.turning - direction))) + "° and turn by " +
-              shortText(toDegrees(result.turning)) + "°; turn both grips along that line, " + slack,
-          "end_angle",
-          toDegrees(std::max(std::abs(wrapped(direction)), std::abs(wrapped(result.turning - direction)))),
-          0);
+    if (!startAligned || !endAligned || std::abs(result.turning) > kAligned)
+      return notStraight(result, length, direction, slack);
     result.kind = ClampedKind::straight;
   } else if (distance > 0 && std::abs(std::remainder(direction, kPi)) <= kAligned &&
-             std::abs(std::remainder(result.turning, kPi)) <= kAligned &&
              std::abs(result.turning) <= kAligned) {
     result.kind = ClampedKind::buckling;
   }
   return result;
+}
+
+}  // namespace
+
+Result<CheckedProblem> check(const ClampedProblem& problem) {
+  if (Result<void> ok = checkNumbers(problem); !ok) return tl::unexpected<Error>(ok.error());
+  const bool backwards = !problem.startAngle && problem.endAngle;
+  return checkGeometry(backwards ? reversed(problem) : problem, backwards);
 }
 
 std::vector<double> CheckedProblem::turnings(double limit) const {

@@ -23,8 +23,13 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// √f L up to which the modes resolve the bends of a taut blade.
-constexpr double kLargestResolved = 400;
+/// True if the modes resolve the bends of a taut blade: up to √f L = 400, less for bends that turn so far
+/// that they are strongest away from the grip, at ln tan ¼α/√f.
+bool resolves(const TautBends& bends) {
+  constexpr double kLargestResolved = 400;
+  const double larger = std::max(std::abs(bends.first), std::abs(bends.second));
+  return bends.root * (1 + std::max(0.0, std::log(std::tan(0.25 * larger)))) <= kLargestResolved;
+}
 
 /// Calls visit(index, ψ, κ) at ascending arc lengths in the unit frame.
 template <class Visit>
@@ -41,18 +46,45 @@ void walk(const UnitShape& q, const VectorXd& arcs, Visit&& visit) {
   }
 }
 
+/// Arc lengths; the curvature vanishes at a hinge too, but there the blade ends.
+std::vector<double> inflectionsOf(const Elastica& blade, HeldEnds ends) {
+  constexpr double kAtHinge = 1e-3;
+  const double first = ends == HeldEnds::none ? kAtHinge : 0, last = ends == HeldEnds::both ? 0 : kAtHinge;
+  std::vector<double> result = blade.inflections();
+  std::erase_if(result,
+                [&](double s) { return s < first * blade.length() || s > (1 - last) * blade.length(); });
+  return result;
+}
+
+/// True if a blade near the single loop holds a whole loop: what lies between two places, hinges among them,
+/// where it is nearest to rest against the force.
+bool holdsLoop(const Elastica& blade, HeldEnds ends) {
+  const int inflections = int(inflectionsOf(blade, ends).size()) + hingesOf(ends);
+  if (inflections > 0) return inflections > 1;
+  const double force = std::atan2(blade.force().y(), blade.force().x());
+  const auto turns = [&](double s) { return std::floor((blade.at(s).angle - force - kPi) / (2 * kPi)); };
+  return std::abs(turns(blade.length()) - turns(0)) > 1;
+}
+
 }  // namespace
 
 SampledSolution sample(const UnitSolution& solution) {
   SampledSolution result;
-  result.modes = &clampedModesFor(phaseOf(solution.shape));
-  if (solution.bends && solution.bends->root > kLargestResolved) result.bends = solution.bends;
+  const double phase = phaseOf(solution.shape);
+  result.modes = &clampedModesFor(phase, solution.ends);
+  result.clamped = &clampedModesFor(phase);
+  if (solution.bends && !resolves(*solution.bends)) result.bends = solution.bends;
   const VectorXd& nodes = result.modes->nodes;
   result.samples.angle.resize(nodes.size());
   result.samples.curvature.resize(nodes.size());
   result.samples.force = solution.shape.tail<2>();
   if (solution.anchor) {
     if (const Result<Elastica> held = Elastica::makeAnchored(*solution.anchor, 1)) {
+      if (!solution.bends && holdsLoop(*held, solution.ends)) {
+        const Elastica::Anchor& rest = *held->anchor();
+        const double f = rest.force.norm();
+        result.loop = std::max(std::abs(rest.force.y()) / f, std::abs(rest.curvature) / std::sqrt(f));
+      }
       std::vector<Elastica::State> states(std::size_t(nodes.size()));
       held->at({nodes.data(), states.size()}, states);
       for (Index i = 0; i < nodes.size(); ++i) {
@@ -71,7 +103,7 @@ SampledSolution sample(const UnitSolution& solution) {
 
 bool isResolved(const UnitSolution& solution, const SampledSolution& sampled) {
   constexpr double kSameEnergy = 1e-6;
-  if (!solution.anchor || sampled.bends) return true;
+  if (!solution.anchor || solution.bends) return true;
   const Result<Elastica> held = Elastica::makeAnchored(*solution.anchor, 1);
   return held && std::abs(energyOf(sampled) - held->energy()) <= kSameEnergy * held->energy();
 }
@@ -83,33 +115,57 @@ double energyOf(const SampledSolution& sampled) {
 
 bool isClosed(const UnitProblem& problem) {
   constexpr double kClosed = 1e-9;  // lengths, rad
-  return problem.end.norm() < kClosed && std::abs(std::remainder(problem.turning, 2 * kPi)) < kClosed;
+  return problem.ends == HeldEnds::both && problem.end.norm() < kClosed &&
+         std::abs(std::remainder(problem.turning, 2 * kPi)) < kClosed;
 }
 
 double certainMargin(const UnitSolution& solution) {
   constexpr double kUncertain = 1e-3;  // of f, the margin of a taut blade without loops
   // On a fold, or in a family of shapes: numerically neither stable nor unstable.
   constexpr double kOnTheFold = 1e-7;
-  return solution.anchor && !solution.bends ? kUncertain * solution.shape.tail<2>().norm() / (4 * kPi * kPi)
-                                            : kOnTheFold;
+  return solution.anchor && !solution.bends
+             ? kUncertain * solution.shape.tail<2>().norm() / straightEigenvalue(solution.ends)
+             : kOnTheFold;
 }
 
 ClampedMargins marginsOf(const SampledSolution& sampled, std::optional<double> torsionRatio) {
-  if (sampled.bends) return tautMargins(*sampled.bends);
-  return clampedMargins(*sampled.modes, sampled.samples, torsionRatio);
+  if (sampled.bends) return tautMargins(*sampled.bends, sampled.modes->ends);
+  ClampedMargins margins = clampedMargins(*sampled.modes, *sampled.clamped, sampled.samples, torsionRatio);
+  // κ on a whole loop alone changes the energy by no more than what is left of it at its ends, and nothing
+  // else lies lower; modes that do not resolve it say otherwise.
+  constexpr double kNothingLeft = 1e-3;
+  if (sampled.loop) margins.inPlane = *sampled.loop < kNothingLeft ? 0 : std::min(margins.inPlane, 0.0);
+  return margins;
 }
+
+namespace {
+
+/// What a turned grip adds to the tangent angle before the blade settles, one column a grip that holds its
+/// tangent: 1 − s and s, or a turn of the whole where the other end is hinged. Neither has a part in
+/// ∫ φ_j' φ'.
+MatrixXd liftsOf(const ClampedModes& modes) {
+  const Index nodes = modes.nodes.size();
+  switch (modes.ends) {
+    case HeldEnds::both:
+      break;
+    case HeldEnds::start:
+      return MatrixXd::Ones(nodes, 1);
+    case HeldEnds::none:
+      return MatrixXd(nodes, 0);
+  }
+  MatrixXd lifts(nodes, 2);
+  lifts.col(0) = (1 - modes.nodes.array());
+  lifts.col(1) = modes.nodes;
+  return lifts;
+}
+
+}  // namespace
 
 ClampedSensitivity sensitivityOf(const SampledSolution& sampled) {
-  if (sampled.bends) return tautSensitivity(*sampled.bends);
-  // What a turned grip adds to the tangent angle before the blade settles: 1 − s and s.
-  MatrixXd lifts(sampled.modes->nodes.size(), 2);
-  lifts.col(0) = (1 - sampled.modes->nodes.array());
-  lifts.col(1) = sampled.modes->nodes;
-  return sensitivityOf(*sampled.modes, sampled.samples, lifts);
-}
-
-ClampedSensitivity sensitivityOf(const ClampedModes& modes, const ClampedSamples& samples,
-                                 const MatrixXd& lifts) {
+  if (sampled.bends) return tautSensitivity(*sampled.bends, sampled.modes->ends);
+  const ClampedModes& modes = *sampled.modes;
+  const ClampedSamples& samples = sampled.samples;
+  const MatrixXd lifts = liftsOf(modes);
   const Index n = modes.count(), nodes = modes.nodes.size(), grips = lifts.cols();
   const VectorXd cosine = samples.angle.array().cos(), sine = samples.angle.array().sin();
   const VectorXd& w = modes.weights;
@@ -143,7 +199,8 @@ ClampedSensitivity sensitivityOf(const ClampedModes& modes, const ClampedSamples
     both.rightCols<2>() << moved.row(q).leftCols<2>(), moved.row(nodes + q).leftCols<2>();
     both.leftCols<2>() = Eigen::Matrix2d::Identity() - both.rightCols<2>();
     MatrixXd turned(2, grips);
-    turned << moved.row(q).rightCols(grips), moved.row(nodes + q).rightCols(grips);
+    turned.row(0) = moved.row(q).rightCols(grips);
+    turned.row(1) = moved.row(nodes + q).rightCols(grips);
     positions += w(q) * both.transpose() * both;
     angles += w(q) * turned.transpose() * turned;
   }
@@ -159,18 +216,27 @@ ClampedSensitivity sensitivityOf(const ClampedModes& modes, const ClampedSamples
 
 Result<Elastica> place(const ClampedProblem& problem, const UnitSolution& solution) {
   const double length = problem.length;
+  const UnitShape& q = solution.shape;
+  const Result<Elastica> unit = solution.anchor ? Elastica::makeAnchored(*solution.anchor, 1)
+                                                : Elastica::make(Vector2d::Zero(), 0, q(0), q.tail<2>(), 1);
+  if (!unit) return unit;
+  double angle = 0;
+  if (problem.startAngle) {
+    angle = *problem.startAngle;
+  } else {
+    // Turned until its chord is that of the hinges.
+    const Vector2d chord = problem.end - problem.start, own = unit->at(1).point - unit->start();
+    angle = unit->startAngle() +
+            std::remainder(std::atan2(chord.y(), chord.x()) - std::atan2(own.y(), own.x()), 2 * kPi);
+  }
   if (solution.anchor) {
-    const Result<Elastica> held = Elastica::makeAnchored(*solution.anchor, 1);
-    if (!held) return held;
     // Its start, which followed from the anchor, into the grip.
-    const Elastica turned =
-        held->transformed(problem.startAngle - held->startAngle(), length, Vector2d::Zero());
+    const Elastica turned = unit->transformed(angle - unit->startAngle(), length, Vector2d::Zero());
     const Elastica moved = turned.transformed(0, 1, problem.start - turned.start());
     return Elastica::makeAnchored(*moved.anchor(), length);
   }
-  const double c = std::cos(problem.startAngle), s = std::sin(problem.startAngle);
-  const UnitShape& q = solution.shape;
-  return Elastica::make(problem.start, problem.startAngle, q(0) / length,
+  const double c = std::cos(angle), s = std::sin(angle);
+  return Elastica::make(problem.start, angle, q(0) / length,
                         Vector2d(c * q(1) - s * q(2), s * q(1) + c * q(2)) / length / length, length);
 }
 
@@ -187,13 +253,13 @@ Result<ClampedSolution> describe(const ClampedProblem& problem, const UnitSoluti
   result.outOfPlaneMargin = margins.outOfPlane;
   const double certain = certainMargin(solution);
   result.stable = margins.inPlane > certain;
-  const bool loop = solution.anchor && !solution.bends;
   const Vector2d chord = (problem.end - problem.start) / problem.length;
-  result.sliding = std::abs(margins.inPlane) <= certain && (loop || isClosed({chord, solution.turning}));
+  result.sliding = std::abs(margins.inPlane) <= certain &&
+                   (sampled.loop || isClosed({chord, solution.turning, solution.ends}));
   const ClampedSensitivity sensitivity = sensitivityOf(sampled);
   result.sensitivity.perMm = sensitivity.perMm;
   result.sensitivity.perDegree = sensitivity.perDegree * problem.length * kDegree;
-  result.inflections = blade->inflections();
+  result.inflections = inflectionsOf(*blade, solution.ends);
   result.selfIntersects = blade->selfIntersects();
   result.endError = (blade->at(problem.length).point - problem.end).norm();
   return result;

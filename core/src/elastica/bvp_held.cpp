@@ -11,7 +11,8 @@ namespace bw::detail {
 
 namespace {
 
-/// A blade is between its grips if it misses them by no more than this, in lengths and rad.
+/// A blade is between its grips if it misses them by no more than this, in lengths and rad; at hinges, of the
+/// curvature against its size.
 constexpr double kBetween = 1e-7;
 /// A shape that moved by more than this, in parts of its size, is another one.
 constexpr double kSameShape = 1e-4;
@@ -28,21 +29,28 @@ std::optional<UnitSolution> heldAlready(const Elastica& blade, const ClampedProb
   const Elastica::State end = blade.at(length);
   const double turning = end.angle - blade.startAngle();
   const double turns = turning - checked.turning;
+  const double size = 1 / length + std::sqrt(blade.force().norm());
   const double misses[] = {length / problem.length - 1, (blade.start() - problem.start).norm() / length,
                            (end.point - problem.end).norm() / length,
-                           std::remainder(blade.startAngle() - problem.startAngle, 2 * kPi),
-                           checked.fixedTurning ? turns : std::remainder(turns, 2 * kPi)};
+                           problem.startAngle
+                               ? std::remainder(blade.startAngle() - *problem.startAngle, 2 * kPi)
+                               : blade.at(0).curvature / size,
+                           !problem.endAngle      ? end.curvature / size
+                           : checked.fixedTurning ? turns
+                                                  : std::remainder(turns, 2 * kPi)};
   for (const double miss : misses)
     if (!(std::abs(miss) <= kBetween)) return std::nullopt;
 
-  const UnitProblem unit{checked.end,
-                         checked.turning + 2 * kPi * std::round((turning - checked.turning) / (2 * kPi))};
+  const double whole = 2 * kPi * std::round((turning - checked.turning) / (2 * kPi));
+  const bool both = checked.ends == HeldEnds::both;
+  const UnitProblem unit{checked.end, both ? checked.turning + whole : 0, checked.ends};
   const Elastica scaled = blade.transformed(-blade.startAngle(), 1 / length, {0, 0});
   UnitSolution own;
   own.shape << scaled.startCurvature(), scaled.force();
-  own.turning = unit.turning;
+  own.turning = both ? unit.turning : turning;
+  own.ends = checked.ends;
   if (!blade.anchor()) return settle(unit, own.shape, 6);
-  for (const TautBends& bends : tautBends(unit))
+  for (const TautBends& bends : checked.ends == HeldEnds::none ? std::vector<TautBends>() : tautBends(unit))
     if (const std::optional<UnitSolution> taut = tautShape(unit, bends);
         taut && sameShape(taut->shape, own.shape))
       return taut;

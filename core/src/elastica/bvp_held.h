@@ -9,8 +9,8 @@
 
 namespace bw::detail {
 
-/// A blade that lies between the grips of `problem` already, as their solution; empty if it misses them. So
-/// an answer is its own start, however taut it is.
+/// A blade that lies between the grips of `problem` already, as their solution; empty if it misses them, or
+/// has a curvature at a hinge. So an answer is its own start, however taut it is.
 std::optional<UnitSolution> heldAlready(const Elastica& blade, const ClampedProblem& problem,
                                         const CheckedProblem& checked);
 

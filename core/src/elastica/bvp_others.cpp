@@ -6,7 +6,9 @@
 #include <cmath>
 
 #include "elastica/bvp_describe.h"
+#include "elastica/bvp_rest.h"
 #include "elastica/bvp_search.h"
+#include "elastica/bvp_shapes.h"
 
 namespace bw::detail {
 
@@ -42,16 +44,16 @@ ClampedOthers othersAmong(const std::vector<ClampedSolution>& solutions, std::si
 Result<ClampedOthers> othersBeside(const ClampedSolution& answer, const ClampedProblem& problem,
                                    const CheckedProblem& checked, const ClampedOptions& options) {
   ClampedOthers others;
-  const int inflections = std::max(kRestInflections, options.maxInflections);
-  for (const double turning : checked.turnings(std::max(options.maxTurning, std::abs(answer.turning))))
-    for (const UnitSolution& found : allShapes({checked.end, turning}, inflections)) {
-      const SampledSolution sampled = sample(found);
-      if (!isResolved(found, sampled) || !(marginsOf(sampled, {}).inPlane > certainMargin(found))) continue;
-      const Result<Elastica> blade = place(problem, found);
-      if (!blade) return tl::unexpected<Error>(blade.error());
-      if (sameBlade(*blade, answer.elastica)) continue;
-      add(others, blade->energy(), turning);
-    }
+  const int inflections = kRestInflections - hingesOf(checked.ends);
+  const double turning = std::max(options.maxTurning, std::abs(answer.turning));
+  for (const UnitSolution& found : shapesOf(checked, turning, inflections)) {
+    const SampledSolution sampled = sample(found);
+    if (!isResolved(found, sampled) || !restsIn(found, sampled)) continue;
+    const Result<Elastica> blade = place(problem, found);
+    if (!blade) return tl::unexpected<Error>(blade.error());
+    if (sameBlade(*blade, answer.elastica)) continue;
+    add(others, blade->energy(), found.turning);
+  }
   return others;
 }
 

@@ -36,10 +36,10 @@ std::vector<double> levels(double first, double step, double linear, double last
 class Search {
  public:
   Search(const UnitProblem& problem, std::vector<UnitSolution>& out)
-      : problem_(problem), sheets_(problem.turning), out_(out) {}
+      : problem_(problem), sheets_(problem), out_(out) {}
 
   void swinging(int maxInflections) {
-    const double width = 2 * kPi - problem_.turning;
+    const double width = 2 * kPi - sheets_.turning();
     if (!(width > 1e-9)) return;
     constexpr int kAngles = 49;  // odd: where both ends lie equally high the sheets have an edge
     const std::vector<double> ts = levels(0, 0.15, 3.0, 90.0);
@@ -49,12 +49,13 @@ class Search {
       const double v = std::clamp(u - std::sin(2 * kPi * u) / (2 * kPi) * 0.8, 1e-6, 1 - 1e-6);
       return sheets_.swingingNode(-kPi + v * width, t);
     });
-    for (int n = 1; n <= maxInflections; ++n)
+    const int most = maxInflections + (hinged() ? 1 : 0);
+    for (int n = 1; n <= most; ++n)
       for (const int direction : {1, -1}) cells({n, direction}, false);
   }
 
   void oneWay() {
-    if (!(problem_.turning > 1e-12)) return;
+    if (hinged() || !(problem_.turning > 1e-12)) return;
     constexpr int kAngles = 65;
     std::vector<double> ts = levels(0.02, 0.2, 3.0, 90.0);
     grid(kAngles, ts,
@@ -63,6 +64,8 @@ class Search {
   }
 
  private:
+  bool hinged() const { return problem_.ends == HeldEnds::start; }
+
   template <class Make>
   void grid(int angles, const std::vector<double>& ts, Make&& make) {
     columns_ = int(ts.size());
@@ -143,7 +146,7 @@ class Search {
     };
     constexpr int kRounds = 25;
     constexpr double kDifference = 1e-6;
-    const double first = oneWay ? -1e9 : -kPi, last = oneWay ? 1e9 : kPi - problem_.turning;
+    const double first = oneWay ? -1e9 : -kPi, last = oneWay ? 1e9 : kPi - sheets_.turning();
     Vector2d r = miss(a, t);
     for (int round = 0; round < kRounds && r.allFinite(); ++round) {
       if (r.norm() < 1e-12) break;
@@ -173,9 +176,8 @@ class Search {
     const SheetNode end = node(oneWay, a, t);
     UnitSolution result;
     result.shape = Sheets::shape(end, sheet);
-    result.turning = problem_.turning;
-    // Far from the single loop no stretch is so taut that the start would not tell the end.
-    constexpr double kNearLoop = 1e-3;
+    result.ends = problem_.ends;
+    result.turning = sheets_.turning(end, sheet);
     if (std::abs(end.modulus.excess) > kNearLoop)
       if (const std::optional<UnitSolution> settled = settle(problem_, result.shape, 4);
           settled && sameShape(settled->shape, result.shape))
@@ -191,8 +193,9 @@ class Search {
     const Result<Elastica> held = Elastica::makeAnchored(anchor, 1);
     if (!held) return INFINITY;
     const Elastica::State end = held->at(1);
+    const double tangent = hinged() ? end.curvature : end.angle - problem_.turning;
     return std::max({held->start().norm(), std::abs(held->startAngle()), (end.point - problem_.end).norm(),
-                     std::abs(end.angle - problem_.turning)});
+                     std::abs(tangent)});
   }
 
   static bool sameShape(const UnitShape& a, const UnitShape& b) {
@@ -218,9 +221,6 @@ UnitSolution mirrorOf(UnitSolution solution) {
     solution.anchor->curvature *= -1;
     solution.anchor->force.y() *= -1;
   }
-  // x, y, ψ by κ, f_t, f_n: what changes sign in the mirror.
-  const Eigen::Vector3d rows(1, -1, -1), columns(-1, 1, -1);
-  solution.jacobian = (rows.asDiagonal() * solution.jacobian * columns.asDiagonal()).eval();
   return solution;
 }
 
@@ -240,10 +240,13 @@ std::vector<UnitSolution> allShapes(const UnitProblem& problem, int maxInflectio
   for (const TautBends& bends : tautBends(problem)) {
     const std::optional<UnitSolution> taut = tautShape(problem, bends);
     if (!taut) continue;
-    const bool known = std::any_of(result.begin(), result.end(), [&](const UnitSolution& other) {
+    const auto known = std::find_if(result.begin(), result.end(), [&](const UnitSolution& other) {
       return (other.shape - taut->shape).norm() < 1e-4 * taut->shape.norm();
     });
-    if (!known) result.push_back(*taut);
+    if (known == result.end())
+      result.push_back(*taut);
+    else
+      known->bends = taut->bends;
   }
   return result;
 }

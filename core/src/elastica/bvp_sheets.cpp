@@ -26,12 +26,14 @@ SheetNode Sheets::swingingNode(double a, double t) const {
   k.square = 1 + k.excess;
   SheetNode node{.a = a, .t = t, .modulus = k};
   node.start = quarter(k, 0.5 * a);
-  node.end = quarter(k, 0.5 * b);
   node.whole = swing(k);
   const double tanh = std::tanh(t);
   const double gap = left * tanh * tanh;  // k² − k_min²
   node.startRate =
       2 * std::sqrt(std::max(gap + (std::abs(sa) >= std::abs(sb) ? 0.0 : sb * sb - sa * sa), 0.0));
+  node.hinged = hinged_;
+  if (hinged_) return node;
+  node.end = quarter(k, 0.5 * b);
   node.endRate = 2 * std::sqrt(std::max(gap + (std::abs(sb) >= std::abs(sa) ? 0.0 : sa * sa - sb * sb), 0.0));
   return node;
 }
@@ -59,6 +61,12 @@ UnitShape Sheets::shape(const SheetNode& node, const Sheet& sheet) {
   const double root = image(node, sheet).root;
   return {sheet.direction * node.startRate * root, root * root * std::cos(node.a),
           -root * root * std::sin(node.a)};
+}
+
+double Sheets::turning(const SheetNode& node, const Sheet& sheet) const {
+  if (!hinged_) return turning_;
+  const double side = sheet.inflections % 2 == 1 ? sheet.direction : -sheet.direction;
+  return side * (kPi - 2 * std::asin(std::sqrt(-node.modulus.excess))) - node.a;
 }
 
 Elastica::Anchor Sheets::anchor(const SheetNode& node, const Sheet& sheet) {

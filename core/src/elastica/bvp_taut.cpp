@@ -39,14 +39,17 @@ namespace {
 std::optional<TautBends> joinedBends(const UnitProblem& problem, double startBend) {
   const double distance = problem.end.norm();
   const double missing = 1 - distance;
-  double bend = startBend, inverse = 0.5 * missing / (share(bend) + share(bend + problem.turning));
+  // The bend at the end is the other one turned on; there is none at a hinge.
+  const double turns = problem.ends == HeldEnds::both ? 1 : 0;
+  const auto atEnd = [&](double first) { return turns * (first + problem.turning); };
+  double bend = startBend, inverse = 0.5 * missing / (share(bend) + share(atEnd(bend)));
   constexpr double kLongest = 0.25;  // of 1/√f; the true one is below 1/kLeastTaut
   if (!(inverse < kLongest)) return std::nullopt;
   constexpr int kRounds = 30;
   for (int round = 0; round < kRounds; ++round) {
-    const double other = bend + problem.turning;
+    const double other = atEnd(bend);
     const double s0 = std::sin(0.5 * bend), s1 = std::sin(0.5 * other);
-    const double c0 = std::cos(0.5 * bend), c1 = std::cos(0.5 * other);
+    const double c0 = std::cos(0.5 * bend), c1 = turns * std::cos(0.5 * other);
     const double tilt = bend - startBend;  // of the chord against the stretch
     // distance cos tilt = 1 − missing − 2 distance sin² ½tilt, so that nothing cancels.
     const double half = std::sin(0.5 * tilt);
@@ -67,7 +70,7 @@ std::optional<TautBends> joinedBends(const UnitProblem& problem, double startBen
     // At rounding the steps no longer shrink.
     met = met ||
           (shorter == 1 && round > 8 && std::abs(step(0)) < 1e-13 && std::abs(step(1)) < 1e-11 * inverse);
-    if (met) return TautBends{bend, bend + problem.turning, 1 / inverse};
+    if (met) return TautBends{bend, atEnd(bend), 1 / inverse};
   }
   return std::nullopt;
 }
@@ -119,7 +122,32 @@ std::vector<TautBends> tautBends(const UnitProblem& problem) {
   return result;
 }
 
+namespace {
+
+/// A blade with a hinged end is one half of a blade of twice the length that goes on beyond the hinge turned
+/// by a half turn about it, and ends in the same bend.
+std::optional<UnitSolution> hingedShape(const UnitProblem& problem, const TautBends& bends) {
+  std::optional<UnitSolution> result =
+      tautShape({problem.end, 0}, {bends.first, bends.first, 2 * bends.root});
+  if (!result) return std::nullopt;
+  result->shape = {0.5 * result->shape(0), 0.25 * result->shape(1), 0.25 * result->shape(2)};
+  Elastica::Anchor& hinge = *result->anchor;
+  hinge.at = 1;
+  hinge.point *= 2;
+  hinge.curvature = 0;
+  hinge.force /= 4;
+  hinge.straight *= 2;
+  result->turning = hinge.angle;
+  result->error *= 2;
+  result->ends = problem.ends;
+  result->bends = bends;
+  return result;
+}
+
+}  // namespace
+
 std::optional<UnitSolution> tautShape(const UnitProblem& problem, const TautBends& bends) {
+  if (problem.ends != HeldEnds::both) return hingedShape(problem, bends);
   const double root = bends.root, decay = std::exp(-0.5 * root);
   const double t0 = std::tan(0.25 * bends.first), t1 = std::tan(0.25 * bends.second);
   const double larger = 4 * std::max(std::abs(t0), std::abs(t1));
@@ -140,22 +168,25 @@ double tautEnergy(const TautBends& bends) {
   return 2 * bends.root * (share(bends.first) + share(bends.second));
 }
 
-ClampedMargins tautMargins(const TautBends& bends) {
-  const double straight = 4 * kPi * kPi, square = bends.root * bends.root;
+ClampedMargins tautMargins(const TautBends& bends, HeldEnds ends) {
+  const double straight = straightEigenvalue(HeldEnds::both), square = bends.root * bends.root;
+  const double straightInPlane = straightEigenvalue(ends);
   ClampedMargins result;
-  result.inPlane = result.outOfPlane = square / straight + 1;
+  result.inPlane = square / straightInPlane + 1;
+  result.outOfPlane = square / straight + 1;
   for (const double bend : {bends.first, bends.second}) {
     // A bound state exp(−q d) in the bend, if there is one.
     const double tau = std::cos(0.5 * bend);
     const double inPlane = -tau, outOfPlane = 0.5 * (std::sqrt(4 - 3 * tau * tau) - 3 * tau);
-    if (inPlane > 0) result.inPlane = std::min(result.inPlane, square * (1 - inPlane * inPlane) / straight);
+    if (inPlane > 0)
+      result.inPlane = std::min(result.inPlane, square * (1 - inPlane * inPlane) / straightInPlane);
     if (outOfPlane > 0)
       result.outOfPlane = std::min(result.outOfPlane, square * (1 - outOfPlane * outOfPlane) / straight);
   }
   return result;
 }
 
-ClampedSensitivity tautSensitivity(const TautBends& bends) {
+ClampedSensitivity tautSensitivity(const TautBends& bends, HeldEnds ends) {
   const double first = share(bends.first), second = share(bends.second), sum = first + second;
   // Pushed lengthwise the stretch slides by the part of the missing length that is not in the moved grip's
   // bend.
@@ -173,7 +204,8 @@ ClampedSensitivity tautSensitivity(const TautBends& bends) {
                                (atStart.transpose() * atEnd + atEnd.transpose() * atStart) / 6 +
                                along.transpose() * along;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(gram, Eigen::EigenvaluesOnly);
-  result.perDegree = std::sqrt(std::max(solver.eigenvalues().maxCoeff(), 0.0)) / bends.root;
+  const double largest = ends == HeldEnds::both ? solver.eigenvalues().maxCoeff() : gram(0, 0);
+  result.perDegree = std::sqrt(std::max(largest, 0.0)) / bends.root;
   return result;
 }
 

@@ -106,23 +106,57 @@ double phaseOf(const UnitShape& q) {
   return std::sqrt(q(0) * q(0) + 2 * (f - q(1))) + std::sqrt(f);
 }
 
+Held heldAt(const UnitShape& shape, const Eigen::Vector3d& end, const Eigen::Matrix3d& jacobian,
+            HeldEnds ends) {
+  Held held{end, jacobian};
+  if (ends == HeldEnds::both) return held;
+  // κ = κ0 + f_n x − f_t y.
+  held.value(2) = shape(0) + shape(2) * end.x() - shape(1) * end.y();
+  held.slope.row(2) =
+      Eigen::RowVector3d(1, -end.y(), end.x()) + shape(2) * jacobian.row(0) - shape(1) * jacobian.row(1);
+  if (ends == HeldEnds::start) return held;
+  const Eigen::Vector2d chord = end.head<2>();
+  held.value.head<2>() << chord.norm(), shape(0);
+  held.slope.row(0) = chord.normalized().transpose() * jacobian.topRows<2>();
+  held.slope.row(1) << 1, 0, 0;
+  return held;
+}
+
+Eigen::Vector3d heldBy(const UnitProblem& problem) {
+  switch (problem.ends) {
+    case HeldEnds::both:
+      break;
+    case HeldEnds::start:
+      return {problem.end.x(), problem.end.y(), 0};
+    case HeldEnds::none:
+      return {problem.end.norm(), 0, 0};
+  }
+  return {problem.end.x(), problem.end.y(), problem.turning};
+}
+
 std::optional<UnitSolution> settle(const UnitProblem& problem, UnitShape shape, int iterations) {
-  const Eigen::Vector3d target(problem.end.x(), problem.end.y(), problem.turning);
+  const Eigen::Vector3d target = heldBy(problem);
   std::optional<UnitSolution> best;
   double last = INFINITY;
-  for (int i = 0; i <= iterations; ++i) {
+  // Once it has settled, some more rounds leave the rounding.
+  for (int i = 0; i <= iterations + (best ? 2 : 0); ++i) {
     const double size = sizeOf(shape);
     if (!(size < kLargestShot)) return std::nullopt;
     const UnitShot shot = shoot(shape);
-    const Eigen::Vector3d miss = target - shot.end;
+    const Held held = heldAt(shape, shot.end, shot.jacobian, problem.ends);
+    const Eigen::Vector3d miss = target - held.value;
     const double error = miss.cwiseAbs().maxCoeff();
     if (!(error < 1e3)) return std::nullopt;
     if (error < kSettled && (!best || error < best->error))
-      best =
-          UnitSolution{.shape = shape, .turning = problem.turning, .jacobian = shot.jacobian, .error = error};
+      best = UnitSolution{
+          .shape = shape,
+          .turning = problem.ends == HeldEnds::both ? problem.turning : shot.end(2),
+          .error = error,
+          .ends = problem.ends,
+      };
     if (error < kMet || (best && error >= 0.5 * last)) return best;
     last = error;
-    UnitShape step = shot.jacobian.partialPivLu().solve(miss);
+    UnitShape step = held.slope.partialPivLu().solve(miss);
     if (!step.allFinite()) return best;
     // A step turns or bends the blade by no more than about a radian.
     const double limit = 1.5 + 0.25 * size;

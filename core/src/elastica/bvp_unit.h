@@ -7,15 +7,17 @@
 #include <optional>
 
 #include "bw/core/elastica.h"
+#include "elastica/clamped_modes.h"
 
 namespace bw::detail {
 
 /// A boundary value problem in the frame of its start, the length its unit.
 struct UnitProblem {
-  Eigen::Vector2d end;  ///< where the blade ends
-  double turning = 0;   ///< from the start tangent to the end tangent, rad
+  Eigen::Vector2d end;  ///< where the blade ends; if it holds no tangent, only the distance counts
+  double turning = 0;   ///< from the start tangent to the end tangent, rad, if both are held
+  HeldEnds ends = HeldEnds::both;
 
-  UnitProblem mirrored() const { return {{end.x(), -end.y()}, -turning}; }
+  UnitProblem mirrored() const { return {{end.x(), -end.y()}, -turning, ends}; }
 };
 
 /// κ, f_t, f_n at the start of a segment of length 1 (docs/mathematics.md, 1).
@@ -38,9 +40,22 @@ inline constexpr double kLargestShot = 60;
 
 UnitShot shoot(const UnitShape& shape);
 
+/// What the ends hold of a shape: x, y and ψ of its end; with a hinged end x, y and κ there; with both hinged
+/// the distance of the ends and κ at both.
+struct Held {
+  Eigen::Vector3d value;
+  Eigen::Matrix3d slope;  ///< by (κ, f_t, f_n)
+};
+
+/// Of a shape that ends at (x, y, ψ) with this Jacobian.
+Held heldAt(const UnitShape& shape, const Eigen::Vector3d& end, const Eigen::Matrix3d& jacobian,
+            HeldEnds ends);
+/// What the problem's ends hold.
+Eigen::Vector3d heldBy(const UnitProblem& problem);
+
 /// A blade pulled taut: a bend at each grip, against the straight stretch between them.
 struct TautBends {
-  double first = 0, second = 0;  ///< tangent angles at the grips against the stretch, rad
+  double first = 0, second = 0;  ///< tangent angles at the grips against the stretch, rad; 0 at a hinge
   double root = 0;               ///< √f L
 };
 
@@ -48,8 +63,8 @@ struct TautBends {
 struct UnitSolution {
   UnitShape shape = UnitShape::Zero();
   double turning = 0;
-  Eigen::Matrix3d jacobian = Eigen::Matrix3d::Zero();
   double error = 0;  ///< largest of the end's misses, in lengths and rad
+  HeldEnds ends = HeldEnds::both;
   /// What holds the curve where the start does not, in the frame of the start with the length as unit.
   std::optional<Elastica::Anchor> anchor = std::nullopt;
   std::optional<TautBends> bends = std::nullopt;  ///< where they do not know of each other
@@ -59,7 +74,7 @@ struct UnitSolution {
 [[nodiscard]] std::optional<UnitSolution> settle(const UnitProblem& problem, UnitShape shape, int iterations);
 
 /// The same on κ, f_t, f_n at the middle, from where both grips are aimed at: for blades so taut that their
-/// start does not tell their end. Held by an anchor there.
+/// start does not tell their end. Both tangents held; the curve is told by an anchor in the middle.
 [[nodiscard]] std::optional<UnitSolution> settleFromMiddle(const UnitProblem& problem, UnitShape middle);
 
 }  // namespace bw::detail

@@ -22,8 +22,9 @@ struct ClampedSamples {
   Eigen::Vector2d force = Eigen::Vector2d::Zero();  ///< in the frame of the angles
 };
 
-/// Both margins; that out of the plane only with a torsion ratio.
-ClampedMargins clampedMargins(const ClampedModes& modes, const ClampedSamples& blade,
-                              std::optional<double> torsionRatio);
+/// Both margins; that out of the plane only with a torsion ratio, and by `clamped`, the modes of held ends at
+/// the same nodes, since a hinge turns in the plane alone.
+ClampedMargins clampedMargins(const ClampedModes& modes, const ClampedModes& clamped,
+                              const ClampedSamples& blade, std::optional<double> torsionRatio);
 
 }  // namespace bw::detail

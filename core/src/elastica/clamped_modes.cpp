@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "base/gauss_legendre.h"
@@ -19,8 +20,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Values of the bubbles B_j = (P_{j+1} − P_{j−1}) / √(2 (2j + 1)), j = 1 … count, at x in [−1, 1].
-VectorXd bubbles(Index count, double x) {
+/// Values at x in [−1, 1] of the bubbles B_j = (P_{j+1} − P_{j−1}) / √(2 (2j + 1)), j = 1 … count, and of
+/// what hinged ends add to them: (1 + x)/2 for the end, (1 − x)/2 for the start.
+VectorXd basisAt(double x, Index count, Index hinges) {
   VectorXd legendre(count + 2);
   legendre(0) = 1;
   legendre(1) = x;
@@ -28,10 +30,42 @@ VectorXd bubbles(Index count, double x) {
     const double n = double(k);
     legendre(k) = ((2 * n - 1) * x * legendre(k - 1) - (n - 1) * legendre(k - 2)) / n;
   }
-  VectorXd result(count);
+  VectorXd result(count + hinges);
   for (Index j = 1; j <= count; ++j)
     result(j - 1) = (legendre(j + 1) - legendre(j - 1)) / std::sqrt(2 * (2 * double(j) + 1));
+  if (hinges > 0) result(count) = 0.5 * (1 + x);
+  if (hinges > 1) result(count + 1) = 0.5 * (1 - x);
   return result;
+}
+
+/// ∫ B_i B_j and ∫ B_i' B_j' over [−1, 1] in that basis.
+struct Gram {
+  MatrixXd mass, stiffness;
+};
+
+Gram gramOf(Index count, Index hinges) {
+  const Index all = count + hinges;
+  Gram gram{MatrixXd::Zero(all, all), MatrixXd::Identity(all, all)};
+  MatrixXd& mass = gram.mass;
+  for (Index i = 0; i < count; ++i) {
+    const double j = double(i + 1);
+    mass(i, i) = (1 / (2 * j + 3) + 1 / (2 * j - 1)) / (2 * j + 1);
+    if (i + 2 < count)
+      mass(i, i + 2) = mass(i + 2, i) = -1 / (2 * j + 3) / std::sqrt((2 * j + 1) * (2 * j + 5));
+  }
+  for (Index h = 0; h < hinges; ++h) {
+    const Index row = count + h;
+    const double side = h == 0 ? 1 : -1;
+    mass(row, row) = 2.0 / 3;
+    gram.stiffness(row, row) = 0.5;
+    mass(row, 0) = mass(0, row) = -1 / std::sqrt(6.0);
+    mass(row, 1) = mass(1, row) = -side / (3 * std::sqrt(10.0));
+  }
+  if (hinges > 1) {
+    mass(count, count + 1) = mass(count + 1, count) = 1.0 / 3;
+    gram.stiffness(count, count + 1) = gram.stiffness(count + 1, count) = -0.5;
+  }
+  return gram;
 }
 
 /// Values at the nodes of equal panels to the integrals of their interpolants from 0 to each node: on one
@@ -64,18 +98,17 @@ MatrixXd integralMatrix(int panels, const GaussRule& rule) {
   return result;
 }
 
-ClampedModes make(Index count, int panels, int nodesPerPanel) {
-  // On [−1, 1] the bubbles have the stiffness 1 and this mass matrix; on [0, 1] twice and half of it.
-  MatrixXd mass = MatrixXd::Zero(count, count);
-  for (Index i = 0; i < count; ++i) {
-    const double j = double(i + 1);
-    mass(i, i) = (1 / (2 * j + 3) + 1 / (2 * j - 1)) / (2 * j + 1);
-    if (i + 2 < count)
-      mass(i, i + 2) = mass(i + 2, i) = -1 / (2 * j + 3) / std::sqrt((2 * j + 1) * (2 * j + 5));
-  }
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(0.5 * mass);
+ClampedModes make(Index count, int panels, int nodesPerPanel, HeldEnds ends = HeldEnds::both) {
+  const Index hinges = hingesOf(ends);
+  const Gram gram = gramOf(count, hinges);
+  // On [0, 1] masses are half and stiffnesses twice those on [−1, 1]. ν = 1/(μ + shift) keeps the digits of
+  // small μ; with both ends hinged μ = 0 is among them.
+  const double shift = hinges > 1 ? 1 : 0;
+  const MatrixXd mass = 0.5 * gram.mass, shifted = 2 * gram.stiffness + shift * mass;
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(mass, shifted);
   ClampedModes modes;
-  modes.stiffness = (2 * solver.eigenvalues().cwiseInverse()).reverse();
+  modes.ends = ends;
+  modes.stiffness = (solver.eigenvalues().cwiseInverse().array() - shift).matrix().reverse();
   const MatrixXd vectors =
       (solver.eigenvectors() * solver.eigenvalues().cwiseSqrt().cwiseInverse().asDiagonal())
           .rowwise()
@@ -84,18 +117,19 @@ ClampedModes make(Index count, int panels, int nodesPerPanel) {
   const Index total = Index(panels) * nodesPerPanel;
   modes.nodes.resize(total);
   modes.weights.resize(total);
-  modes.values.resize(count, total);
+  modes.values.resize(count + hinges, total);
   for (int p = 0; p < panels; ++p)
     for (int i = 0; i < nodesPerPanel; ++i) {
       const Index q = Index(p) * nodesPerPanel + i;
       modes.nodes(q) = (p + rule.nodes[std::size_t(i)]) / panels;
       modes.weights(q) = rule.weights[std::size_t(i)] / panels;
-      modes.values.col(q) = vectors.transpose() * bubbles(count, 2 * modes.nodes(q) - 1);
+      modes.values.col(q) = vectors.transpose() * basisAt(2 * modes.nodes(q) - 1, count, hinges);
     }
   modes.integral = integralMatrix(panels, rule);
   // The slope of bubble j at the start is 2 √((2j + 1)/2) P_j(−1).
-  VectorXd slopes(count);
+  VectorXd slopes(count + hinges);
   for (Index j = 1; j <= count; ++j) slopes(j - 1) = (j % 2 ? -2 : 2) * std::sqrt(0.5 * (2 * double(j) + 1));
+  for (Index h = 0; h < hinges; ++h) slopes(count + h) = h == 0 ? 1 : -1;
   modes.startSlope = vectors.transpose() * slopes;
   return modes;
 }
@@ -110,14 +144,46 @@ const ClampedModes& sketchModes() {
   return modes;
 }
 
-const ClampedModes& clampedModesFor(double phase) {
-  static const ClampedModes few = make(16, 1, 26);
-  static const ClampedModes some = make(32, 2, 26);
-  static const ClampedModes many = make(64, 4, 26);
-  static const ClampedModes most = make(128, 8, 26);
+namespace {
+
+template <HeldEnds ends>
+const ClampedModes& modesFor(double phase) {
+  static const ClampedModes few = make(16, 1, 26, ends);
+  static const ClampedModes some = make(32, 2, 26, ends);
+  static const ClampedModes many = make(64, 4, 26, ends);
+  static const ClampedModes most = make(128, 8, 26, ends);
   if (phase < 14) return few;
   if (phase < 40) return some;
   return phase < 100 ? many : most;
+}
+
+}  // namespace
+
+const ClampedModes& clampedModesFor(double phase, HeldEnds ends) {
+  switch (ends) {
+    case HeldEnds::both:
+      break;
+    case HeldEnds::start:
+      return modesFor<HeldEnds::start>(phase);
+    case HeldEnds::none:
+      return modesFor<HeldEnds::none>(phase);
+  }
+  return modesFor<HeldEnds::both>(phase);
+}
+
+double straightEigenvalue(HeldEnds ends) {
+  // φ = sin 2πs; cos q(1 − s) − cos q with tan q = q, the blade held at one end; cos πs.
+  constexpr double kHalfHeld = 4.493409457909064;
+  constexpr double kPi = std::numbers::pi;
+  switch (ends) {
+    case HeldEnds::both:
+      break;
+    case HeldEnds::start:
+      return kHalfHeld * kHalfHeld;
+    case HeldEnds::none:
+      return kPi * kPi;
+  }
+  return 4 * kPi * kPi;
 }
 
 double smallestEigenvalue(const ClampedModes& modes, const ClampedForm& form) {

@@ -6,9 +6,20 @@
 
 namespace bw::detail {
 
-/// Polynomials φ_j on [0, 1] that vanish at both ends, with ∫ φ_i φ_j = δ_ij and ∫ φ_i' φ_j' = μ_j δ_ij,
-/// tabulated at Gauss nodes: what a clamped blade can add to its tangent angle. docs/mathematics.md, 5.
+/// Which ends of a blade hold its tangent; the others are hinged. A blade hinged at its start alone is run
+/// backwards before it gets here.
+enum class HeldEnds { both, start, none };
+
+/// How many of both are hinged.
+constexpr int hingesOf(HeldEnds ends) { return ends == HeldEnds::both ? 0 : ends == HeldEnds::start ? 1 : 2; }
+
+/// The smallest eigenvalue of the second variation of a straight blade of length 1 without force.
+double straightEigenvalue(HeldEnds ends);
+
+/// Polynomials φ_j on [0, 1] that vanish where an end is held, with ∫ φ_i φ_j = δ_ij and ∫ φ_i' φ_j' =
+/// μ_j δ_ij, tabulated at Gauss nodes: what a blade can add to its tangent angle. docs/mathematics.md, 5.
 struct ClampedModes {
+  HeldEnds ends = HeldEnds::both;
   Eigen::VectorXd nodes;       ///< in [0, 1], ascending
   Eigen::VectorXd weights;     ///< sum 1
   Eigen::VectorXd stiffness;   ///< μ_j, ascending
@@ -19,9 +30,9 @@ struct ClampedModes {
   Eigen::Index count() const { return stiffness.size(); }
 };
 
-/// The modes that resolve shapes of `phase` = (max |κ| + √|λ|) L, rad. Computed once; safe from several
-/// threads.
-const ClampedModes& clampedModesFor(double phase);
+/// The modes that resolve shapes of `phase` = (max |κ| + √|λ|) L, rad; the nodes depend on the phase alone.
+/// Computed once; safe from several threads.
+const ClampedModes& clampedModesFor(double phase, HeldEnds ends = HeldEnds::both);
 
 /// The few modes of the first sketches.
 const ClampedModes& sketchModes();

@@ -7,112 +7,20 @@
 #include <limits>
 #include <numbers>
 
-#include "base/work_meter.h"
 #include "bw/core/number_text.h"
 #include "elastica/bvp_check.h"
 #include "elastica/bvp_describe.h"
 #include "elastica/bvp_held.h"
+#include "elastica/bvp_hinged.h"
 #include "elastica/bvp_others.h"
-#include "elastica/bvp_search.h"
-#include "elastica/bvp_sketch.h"
-#include "elastica/bvp_taut.h"
+#include "elastica/bvp_rest.h"
+#include "elastica/bvp_shapes.h"
 
 namespace bw {
 
 using namespace detail;
 
 namespace {
-
-/// A sketch's energy is wrong by no more than this factor.
-constexpr double kSketchError = 1.01;
-/// Energies closer than this part are the same.
-constexpr double kSameEnergy = 1e-9;
-
-bool restsIn(const UnitSolution& found, const SampledSolution& sampled) {
-  return marginsOf(sampled, {}).inPlane > certainMargin(found);
-}
-
-/// True if no shape of the same turning has less energy: the bends are small, rad, or the blade is too taut,
-/// √f L, for anything else, and not both bends turn so far that they had better turn the other way.
-bool isTautAlone(const TautBends& bends) {
-  constexpr double kSmallBend = 1.5, kLargeBend = 3.0, kTaut = 12, kTautAlone = 60;
-  const double first = std::abs(bends.first), second = std::abs(bends.second);
-  const double larger = std::max(first, second);
-  return larger < kSmallBend || (larger < kLargeBend && bends.root > kTaut) ||
-         (first + second < 2 * std::numbers::pi && bends.root > kTautAlone);
-}
-
-/// A blade of locally least energy, the lowest one that proves stable.
-struct Rest {
-  std::optional<UnitSolution> shape;
-  double energy = std::numeric_limits<double>::infinity();
-  bool sure = true;  ///< false if it is taut, where the sketches of a smaller turning failed
-};
-
-/// From the bends of a taut blade, or each first sketch.
-Rest restFromSketches(const CheckedProblem& problem, double maxTurning) {
-  Rest best;
-  bool missed = false;
-  const auto consider = [&](const UnitSolution& found) {
-    const SampledSolution sampled = sample(found);
-    const double energy = energyOf(sampled);
-    if (energy >= best.energy * (1 - kSameEnergy)) return;
-    if (!restsIn(found, sampled)) return;
-    best = {found, energy, !(missed && found.bends)};
-  };
-  const auto considerSketches = [&](const UnitProblem& unit) {
-    std::vector<Sketch> sketches = firstSketches(unit);
-    std::erase_if(sketches, [&](Sketch& sketch) {
-      return !descend(unit, sketch) || sketch.energy > kSketchError * best.energy;
-    });
-    std::sort(sketches.begin(), sketches.end(),
-              [](const Sketch& a, const Sketch& b) { return a.energy < b.energy; });
-    for (const Sketch& sketch : sketches) {
-      if (sketch.energy > kSketchError * best.energy) break;
-      const std::optional<UnitSolution> found = settle(unit, shapeOf(unit, sketch), 12);
-      if (!found) continue;
-      consider(*found);
-    }
-  };
-  for (const double turning : problem.turnings(maxTurning)) {
-    if (workExhausted()) break;
-    // No blade turns so far with less energy than the circle.
-    if (0.5 * turning * turning >= best.energy) continue;
-    const UnitProblem unit{problem.end, turning};
-    const std::vector<TautBends> bends = tautBends(unit);
-    const bool taut = !bends.empty() && isTautAlone(bends.front());
-    if (!taut) {
-      considerSketches(unit);
-      missed = missed || !best.shape;
-    }
-    for (const TautBends& pair : bends) {
-      if (tautEnergy(pair) > kSketchError * best.energy) break;
-      if (const std::optional<UnitSolution> found = tautShape(unit, pair)) consider(*found);
-    }
-    if (taut && !best.shape) considerSketches(unit);
-  }
-  return best;
-}
-
-/// All stable shapes, slower.
-std::vector<UnitSolution> allAtRest(const CheckedProblem& problem, double maxTurning) {
-  std::vector<UnitSolution> result;
-  for (const double turning : problem.turnings(maxTurning))
-    for (const UnitSolution& found : allShapes({problem.end, turning}, kRestInflections)) {
-      const SampledSolution sampled = sample(found);
-      if (isResolved(found, sampled) && restsIn(found, sampled)) result.push_back(found);
-    }
-  return result;
-}
-
-double energyOfShape(const UnitSolution& shape) { return energyOf(sample(shape)); }
-
-std::optional<UnitSolution> leastOf(const std::vector<UnitSolution>& shapes, const auto& measure) {
-  const auto least =
-      std::min_element(shapes.begin(), shapes.end(),
-                       [&](const UnitSolution& a, const UnitSolution& b) { return measure(a) < measure(b); });
-  return least == shapes.end() ? std::nullopt : std::optional(*least);
-}
 
 /// Mean square difference of the tangent angles against the chord's frame of the start.
 double difference(const UnitSolution& a, const UnitSolution& b) {
@@ -174,7 +82,8 @@ Result<UnitSolution> follow(const ClampedProblem& problem, const CheckedProblem&
           checked.end,
           checked.fixedTurning
               ? checked.turning
-              : initial.turning + std::remainder(checked.turning - initial.turning, 2 * std::numbers::pi)};
+              : initial.turning + std::remainder(checked.turning - initial.turning, 2 * std::numbers::pi),
+          checked.ends};
       const std::optional<UnitSolution> found = settle(between, branch->shape(), 4);
       if (found && restsIn(*found, sample(*found))) return *found;
       if (found) answer.message = kNotStable;
@@ -186,15 +95,17 @@ Result<UnitSolution> follow(const ClampedProblem& problem, const CheckedProblem&
     }
   }
   const std::optional<UnitSolution> nearest =
-      leastOf(allAtRest(checked, std::max(options.maxTurning, std::abs(initial.turning))),
-              [&](const UnitSolution& shape) { return difference(shape, initial); });
+      leastAtRest(checked, std::max(options.maxTurning, std::abs(initial.turning)),
+                  [&](const UnitSolution& shape) { return difference(shape, initial); });
   if (!nearest) return noShape(problem, checked, "stable");
   return *nearest;
 }
 
 ClampedAnswer straightAnswer(const ClampedProblem& problem) {
   ClampedSolution solution;
-  solution.elastica = *Elastica::make(problem.start, problem.startAngle, 0, {0, 0}, problem.length);
+  const Eigen::Vector2d chord = problem.end - problem.start;
+  const double angle = problem.startAngle.value_or(std::atan2(chord.y(), chord.x()));
+  solution.elastica = *Elastica::make(problem.start, angle, 0, {0, 0}, problem.length);
   solution.stable = true;
   solution.stabilityMargin = solution.outOfPlaneMargin = 1;
   solution.sensitivity = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
@@ -203,9 +114,20 @@ ClampedAnswer straightAnswer(const ClampedProblem& problem) {
       {solution}, ClampedKind::straight, {}, "The blade is as long as its ends are apart: it is straight."};
 }
 
-const char* const kBucklingMessage =
-    "Pure buckling: both tangents lie along the chord, so that the mirror image of each shape in the chord "
-    "is as good.";
+const char* bucklingMessage(HeldEnds ends) {
+  switch (ends) {
+    case HeldEnds::both:
+      break;
+    case HeldEnds::start:
+      return "Pure buckling: the tangent that is held lies along the chord, so that the mirror image of each "
+             "shape in the chord is as good.";
+    case HeldEnds::none:
+      return "Pure buckling: no tangent is held, so that the mirror image of each shape in the chord is as "
+             "good.";
+  }
+  return "Pure buckling: both tangents lie along the chord, so that the mirror image of each shape in the "
+         "chord is as good.";
+}
 
 const char* const kSlidingMessage =
     "Both grips are in one place and point the same way: shapes with inflections slide along themselves "
@@ -247,66 +169,80 @@ const char* clampedKindName(ClampedKind kind) {
   return "general";
 }
 
-Result<ClampedAnswer> solveClamped(const ClampedProblem& problem, const ClampedOptions& options) {
-  if (Result<void> ok = check(options); !ok) return tl::unexpected<Error>(ok.error());
-  const Result<CheckedProblem> checked = check(problem);
-  if (!checked) return tl::unexpected<Error>(checked.error());
-  if (checked->kind == ClampedKind::straight) return straightAnswer(problem);
+namespace {
+
+Result<ClampedAnswer> solveOne(const ClampedProblem& problem, const CheckedProblem& checked,
+                               const ClampedOptions& options) {
   ClampedAnswer answer;
-  answer.kind = checked->kind;
+  answer.kind = checked.kind;
   std::optional<UnitSolution> found;
   if (options.initial) {
-    const Result<UnitSolution> followed = follow(problem, *checked, options, answer);
+    const Result<UnitSolution> followed = follow(problem, checked, options, answer);
     if (!followed) return tl::unexpected<Error>(followed.error());
     found = *followed;
   } else {
-    Rest rest = restFromSketches(*checked, options.maxTurning);
-    found = rest.shape;
-    if (!found || !rest.sure) {
-      std::vector<UnitSolution> shapes = allAtRest(*checked, options.maxTurning);
-      if (found) shapes.push_back(*found);
-      found = leastOf(shapes, energyOfShape);
-    }
-    if (!found) return noShape(problem, *checked, "stable");
-    if (answer.kind == ClampedKind::buckling) answer.message = kBucklingMessage;
+    found = atRest(checked, options.maxTurning);
+    if (!found) return noShape(problem, checked, "stable");
+    if (answer.kind == ClampedKind::buckling) answer.message = bucklingMessage(checked.ends);
   }
   const Result<ClampedSolution> solution = describe(problem, *found, sample(*found), options.torsionRatio);
   if (!solution) return tl::unexpected<Error>(solution.error());
   answer.solutions.push_back(*solution);
   if (options.others) {
-    const Result<ClampedOthers> others = othersBeside(answer.solutions[0], problem, *checked, options);
+    const Result<ClampedOthers> others = othersBeside(answer.solutions[0], problem, checked, options);
     if (!others) return tl::unexpected<Error>(others.error());
     answer.others = *others;
   }
   return answer;
 }
 
-Result<ClampedAnswer> solveAllClamped(const ClampedProblem& problem, const ClampedOptions& options) {
-  if (Result<void> ok = check(options); !ok) return tl::unexpected<Error>(ok.error());
-  const Result<CheckedProblem> checked = check(problem);
-  if (!checked) return tl::unexpected<Error>(checked.error());
-  if (checked->kind == ClampedKind::straight) return straightAnswer(problem);
+Result<ClampedAnswer> solveAll(const ClampedProblem& problem, const CheckedProblem& checked,
+                               const ClampedOptions& options) {
   ClampedAnswer answer;
-  answer.kind = checked->kind;
-  if (answer.kind == ClampedKind::buckling) answer.message = kBucklingMessage;
-  for (const double turning : checked->turnings(options.maxTurning))
-    for (const UnitSolution& found : allShapes({checked->end, turning}, options.maxInflections)) {
-      const SampledSolution sampled = sample(found);
-      if (!isResolved(found, sampled)) continue;
-      const Result<ClampedSolution> solution = describe(problem, found, sampled, options.torsionRatio);
-      if (!solution) return tl::unexpected<Error>(solution.error());
-      if (int(solution->inflections.size()) > options.maxInflections) continue;
-      answer.solutions.push_back(*solution);
-    }
-  if (answer.solutions.empty()) return noShape(problem, *checked, "resting");
+  answer.kind = checked.kind;
+  if (answer.kind == ClampedKind::buckling) answer.message = bucklingMessage(checked.ends);
+  for (const UnitSolution& found : shapesOf(checked, options.maxTurning, options.maxInflections)) {
+    const SampledSolution sampled = sample(found);
+    if (!isResolved(found, sampled)) continue;
+    const Result<ClampedSolution> solution = describe(problem, found, sampled, options.torsionRatio);
+    if (!solution) return tl::unexpected<Error>(solution.error());
+    if (int(solution->inflections.size()) > options.maxInflections) continue;
+    answer.solutions.push_back(*solution);
+  }
+  if (answer.solutions.empty()) return noShape(problem, checked, "resting");
   std::stable_sort(answer.solutions.begin(), answer.solutions.end(),
                    [](const ClampedSolution& a, const ClampedSolution& b) { return a.energy < b.energy; });
-  if (isClosed({checked->end, checked->turning}) && keepOneOfAFamily(answer.solutions))
+  if (isClosed({checked.end, checked.turning, checked.ends}) && keepOneOfAFamily(answer.solutions))
     answer.message = kSlidingMessage;
   const auto rests = std::find_if(answer.solutions.begin(), answer.solutions.end(),
                                   [](const ClampedSolution& solution) { return solution.stable; });
   answer.others = othersAmong(answer.solutions, std::size_t(rests - answer.solutions.begin()));
   return answer;
+}
+
+/// By `solve` on the problem, run backwards if its start alone is hinged.
+Result<ClampedAnswer> answerBy(const auto& solve, const ClampedProblem& problem,
+                               const ClampedOptions& options) {
+  if (Result<void> ok = check(options); !ok) return tl::unexpected<Error>(ok.error());
+  const Result<CheckedProblem> checked = check(problem);
+  if (!checked) return tl::unexpected<Error>(checked.error());
+  if (checked->kind == ClampedKind::straight) return straightAnswer(problem);
+  if (!checked->backwards) return solve(problem, *checked, options);
+  ClampedOptions turned = options;
+  if (turned.initial) turned.initial = turned.initial->reversed();
+  Result<ClampedAnswer> answer = solve(reversed(problem), *checked, turned);
+  if (answer) runBackwards(*answer, problem);
+  return answer;
+}
+
+}  // namespace
+
+Result<ClampedAnswer> solveClamped(const ClampedProblem& problem, const ClampedOptions& options) {
+  return answerBy(solveOne, problem, options);
+}
+
+Result<ClampedAnswer> solveAllClamped(const ClampedProblem& problem, const ClampedOptions& options) {
+  return answerBy(solveAll, problem, options);
 }
 
 }  // namespace bw

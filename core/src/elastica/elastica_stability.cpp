@@ -7,7 +7,6 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "elastica/clamped_margin.h"
@@ -47,8 +46,8 @@ bool isClampedStable(const Elastica& blade) {
 
 namespace detail {
 
-ClampedMargins clampedMargins(const ClampedModes& modes, const ClampedSamples& blade,
-                              std::optional<double> torsionRatio) {
+ClampedMargins clampedMargins(const ClampedModes& modes, const ClampedModes& clamped,
+                              const ClampedSamples& blade, std::optional<double> torsionRatio) {
   using Eigen::ArrayXd;
   using Eigen::VectorXd;
   // Sines against the mean direction, so that the constraint along the blade keeps its digits where it is
@@ -60,18 +59,17 @@ ClampedMargins clampedMargins(const ClampedModes& modes, const ClampedSamples& b
   const double c = std::cos(mean), s = std::sin(mean);
   const VectorXd potential = (c * blade.force.x() + s * blade.force.y()) * across +
                              (c * blade.force.y() - s * blade.force.x()) * along;
-  constexpr double kStraightEigenvalue = 4 * std::numbers::pi * std::numbers::pi;
   ClampedMargins result;
   result.inPlane = smallestEigenvalue(modes, {.potential = &potential, .constraints = {&along, &across}}) /
-                   kStraightEigenvalue;
+                   straightEigenvalue(modes.ends);
   if (torsionRatio) {
     const VectorXd ones = VectorXd::Ones(along.size());
     const VectorXd outOfPlane = potential + blade.curvature.cwiseAbs2();
-    result.outOfPlane = smallestEigenvalue(modes, {.potential = &outOfPlane,
-                                                   .constraints = {&ones, nullptr},
-                                                   .coupling = &blade.curvature,
-                                                   .couplingWeight = *torsionRatio}) /
-                        kStraightEigenvalue;
+    result.outOfPlane = smallestEigenvalue(clamped, {.potential = &outOfPlane,
+                                                     .constraints = {&ones, nullptr},
+                                                     .coupling = &blade.curvature,
+                                                     .couplingWeight = *torsionRatio}) /
+                        straightEigenvalue(clamped.ends);
   }
   return result;
 }
@@ -99,7 +97,7 @@ detail::ClampedMargins marginsOf(const Elastica& blade, std::optional<double> to
     samples.curvature(Eigen::Index(q)) = states[q].curvature * length;
   }
   samples.force = blade.force() * length * length;
-  return detail::clampedMargins(modes, samples, torsionRatio);
+  return detail::clampedMargins(modes, modes, samples, torsionRatio);
 }
 
 }  // namespace
