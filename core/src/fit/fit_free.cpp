@@ -4,11 +4,13 @@
 
 #include <algorithm>
 
+#include "fit/shape_atlas.h"
+
 namespace bw::detail {
 namespace {
 
-// A fit (R4) worse than this is compared with two S-shapes besides.
-constexpr double kPoor = 2e-2;
+// So many places of the atlas are starts of a poor fit.
+constexpr std::size_t kAtlasPlaces = 6;
 
 // Fits without end conditions and bounds: three unknowns.
 class FreeFit {
@@ -65,12 +67,10 @@ std::optional<FreeFitResult> freeFit(const FitTarget& full, const FitTarget& coa
     if (!free.worseThan(1)) break;
   }
   if (free.worseThan(kGoodFit)) {
-    free.attempt({coarse.endAngle - coarse.startAngle, 0, 0});
-    free.attempt({0, 0, 0});
-  }
-  if (free.worseThan(kPoor)) {
-    free.attempt({0, -10, 20});
-    free.attempt({0, -10, -20});
+    FitConstraints constraints;
+    constraints.length = objective.fixedLength;
+    for (const AtlasPlace& place : placesFromAtlas(coarse, constraints, kAtlasPlaces))
+      if (!free.best() || !hopeless(place, free.best()->value)) free.attempt(place.placement.shape);
   }
   std::optional<FreeFitResult> best = free.best();
   if (!best || &full == &coarse) return best;
