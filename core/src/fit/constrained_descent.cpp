@@ -33,9 +33,13 @@ constexpr double kLongestRestoration = 3;
 // Newton steps in which a start is led onto the conditions.
 constexpr int kMaxRestorations = 40;
 // A descent ends at a rival if it is above it and nearer than this part of the rival's own distance from the
-// target; it is given up if it is above one after so many evaluations.
+// target.
 constexpr double kSamePlace = 0.2;
+// It is given up if it is above a rival after so many evaluations, or would be after a gain of so many times
+// what the model promises for a step that is hardly damped.
 constexpr int kHopelessAfter = 40;
+constexpr double kMostGain = 2;
+constexpr double kLightDamping = 1e-2;
 constexpr double kLongestStep = 1e3;
 constexpr double kMostDamping = 1e12;
 
@@ -54,7 +58,8 @@ class Descender {
   bool restoreGradually();
   void measureBy(const MatrixXd& gaussNewton);
   Descent finish(bool feasible);
-  bool lostToRival(const MatrixXd& gaussNewton, double value) const;
+  bool aboveRival(double value) const;
+  bool endsAtRival(const MatrixXd& gaussNewton, double value) const;
   void addBends(MatrixXd& hessian) const;
   void noteMultipliers(const ConstrainedStep& step);
   void learn(const LeastSquaresModel& before, const LeastSquaresModel& after, const ConstrainedStep& step,
@@ -170,12 +175,15 @@ Descent Descender::finish(bool feasible) {
   return out_;
 }
 
-bool Descender::lostToRival(const MatrixXd& gaussNewton, double value) const {
+bool Descender::aboveRival(double value) const {
+  return std::any_of(limits_.rivals.begin(), limits_.rivals.end(),
+                     [&](const DescentRival& rival) { return value > rival.value; });
+}
+
+bool Descender::endsAtRival(const MatrixXd& gaussNewton, double value) const {
   return std::any_of(limits_.rivals.begin(), limits_.rivals.end(), [&](const DescentRival& rival) {
-    if (value <= rival.value) return false;
-    if (evaluations_ >= kHopelessAfter) return true;
     const VectorXd apart = out_.v - rival.v;
-    return apart.dot(gaussNewton * apart) < kSamePlace * kSamePlace * rival.value;
+    return value > rival.value && apart.dot(gaussNewton * apart) < kSamePlace * kSamePlace * rival.value;
   });
 }
 
@@ -246,7 +254,9 @@ Descent Descender::run() {
   std::vector<char> guess;
   LeastSquaresModel there;
   for (int n = 0; n < limits_.iterations && evaluations_ < limits_.evaluations && !workExhausted(); ++n) {
-    if (lostToRival(model.gaussNewton, value) || !problem_.conditions(out_.v, here_)) return finish(false);
+    if (endsAtRival(model.gaussNewton, value) || (evaluations_ >= kHopelessAfter && aboveRival(value)) ||
+        !problem_.conditions(out_.v, here_))
+      return finish(false);
     const VectorXd scale = model.gaussNewton.diagonal().array() + 1e-12 * model.gaussNewton.trace();
     MatrixXd hessian = model.gaussNewton + secant;
     addBends(hessian);
@@ -270,6 +280,8 @@ Descent Descender::run() {
       out_.converged = true;
       return finish(true);
     }
+    if (n > 0 && damping <= kLightDamping && aboveRival(value - kMostGain * movement * movement))
+      return finish(false);
     ++out_.iterations;
     VectorXd next;
     double valueThere = 0;

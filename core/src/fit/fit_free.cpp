@@ -9,8 +9,10 @@
 namespace bw::detail {
 namespace {
 
-// So many places of the atlas are starts of a poor fit.
-constexpr std::size_t kAtlasPlaces = 6;
+// So many places of the atlas are starts of a poor fit, and of one (R4) worse than this that waves more often
+// than the target.
+constexpr std::size_t kAtlasPlaces = 12;
+constexpr double kVeryGood = 1e-3;
 
 // Fits without end conditions and bounds: three unknowns.
 class FreeFit {
@@ -37,6 +39,11 @@ class FreeFit {
     if (!solution) return;
     iterations_ += solution->iterations;
     if (!best_ || solution->placed.value < best_->placed.value * (1 - 1e-9)) best_ = solution;
+  }
+
+  // True if the best so far has more half periods than this.
+  bool wavesMoreThan(int halfPeriods) const {
+    return best_ && 2 * periodsOf(best_->placed.placement.shape).count > halfPeriods;
   }
 
   bool worseThan(double R4) const { return !best_ || best_->placed.value > R4 * R4; }
@@ -66,7 +73,8 @@ std::optional<FreeFitResult> freeFit(const FitTarget& full, const FitTarget& coa
     free.attempt(start);
     if (!free.worseThan(1)) break;
   }
-  if (free.worseThan(kGoodFit)) {
+  if (free.worseThan(kGoodFit) ||
+      (free.worseThan(kVeryGood) && free.wavesMoreThan(coarse.inflections() + 1))) {
     FitConstraints constraints;
     constraints.length = objective.fixedLength;
     for (const AtlasPlace& place : placesFromAtlas(coarse, constraints, kAtlasPlaces))

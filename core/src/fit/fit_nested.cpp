@@ -135,7 +135,7 @@ class NestedFit {
   // the atlas.
   std::vector<ConstrainedFit::Solution> scouted(const FitConstraints& constraints) const {
     std::vector<ConstrainedFit::Solution> ends;
-    scouts_.scout(constraints, {{starts_.places.front(), 0}}, ends);
+    scouts_.scout(constraints, {{starts_.places.front(), 0, true}}, ends);
     const double good = std::max(kGoodHeld * kGoodHeld, kWorseHeld * kWorseHeld * starts_.freeValue);
     if (ends.empty() || !ends.front().converged || ends.front().value > good)
       scouts_.scout(constraints, placesFromAtlas(coarse_, constraints, kAtlasPlaces), ends);

@@ -13,11 +13,11 @@ namespace bw::detail {
 /// Pieces of elastica of all kinds over which a target was laid, and how near each came.
 struct AtlasPlace {
   Placement placement;
-  double value = 0;  ///< mean square distance, more where the conditions are missed
+  double value = 0;   ///< mean square distance, more where the conditions are missed
+  bool held = false;  ///< laid with ends or tangents
 };
 
-/// True if a descent from there does not come below a known value as far as experience tells: a descent
-/// gains at most a third of the distance and what the steps of the table leave.
+/// True if a descent from there does not come below a known value as far as experience tells.
 bool hopeless(const AtlasPlace& place, double knownValue);
 
 /// Where descents to a target may start so that none of the basins is left out: of a table of some thousand
