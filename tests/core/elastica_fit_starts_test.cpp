@@ -4,6 +4,7 @@
 // (tests/support/best_known_fit.h, tests/bench/fit_reference_bench.cpp).
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -96,6 +97,27 @@ TEST(ElasticaFit, WithALengthWavesComeToTheBestKnown) {
   options.endpoints = false;
   options.tangents = true;
   expectBestKnown(true, options, {{5, 169, 0.00352281}, {5, 219, 0.0143023}});
+}
+
+TEST(ElasticaFit, WithTangentsInTheNormSimpleShapesAreStartsToo) {
+  // The nearest places of the table lead to 1.43 times this.
+  const PlanarCurve wave = test::architectCurves(84, 31)[83];
+  FitOptions options;
+  options.norm = FitOptions::Norm::H1;
+  const FitResult r = fitElastica(wave, options).value();
+  const double length = wave.length();
+  constexpr int kParts = 400;
+  double value = 0;
+  for (int i = 0; i < kParts; ++i) {
+    const double part = (i + 0.5) / kParts;
+    const double t = wave.parameterAt(part * length);
+    const Elastica::State state = r.elastica.at(part * r.elastica.length());
+    const Eigen::Vector2d tangent =
+        r.elastica.length() / length * Eigen::Vector2d(std::cos(state.angle), std::sin(state.angle));
+    value +=
+        ((state.point - wave.value(t)) / length).squaredNorm() + (tangent - wave.tangent(t)).squaredNorm();
+  }
+  EXPECT_LE(std::sqrt(value / kParts), 1.001 * 0.1986043699);
 }
 
 TEST(ElasticaFit, ManyPointsComeToTheBestKnownToo) {

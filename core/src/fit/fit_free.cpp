@@ -73,6 +73,12 @@ std::optional<FreeFitResult> freeFit(const FitTarget& full, const FitTarget& coa
     free.attempt(start);
     if (!free.worseThan(1)) break;
   }
+  // The atlas compares points, not derivatives: an arc, a line and S-shapes besides.
+  if (objective.norm != FitNorm::L2 && free.worseThan(kGoodFit)) {
+    const Shape simple[] = {
+        {coarse.endAngle - coarse.startAngle, 0, 0}, {0, 0, 0}, {0, -10, 20}, {0, -10, -20}};
+    for (const Shape& shape : simple) free.attempt(shape);
+  }
   if (free.worseThan(kGoodFit) ||
       (free.worseThan(kVeryGood) && free.wavesMoreThan(coarse.inflections() + 1))) {
     FitConstraints constraints;

@@ -276,7 +276,8 @@ std::optional<ProjectedFit::Solution> ProjectedFit::solve(const Shape& start, co
     const double apart = (x - rival->placement.shape.cwiseProduct(scale_)).norm();
     if (value > kHopeless * rival->value || (value > rival->value && apart < kSamePlace)) return std::nullopt;
   }
-  const End end = polish(x, solution.iterations, rival);
+  // With derivatives in the objective the residuals are too large for the model to promise anything.
+  const End end = polish(x, solution.iterations, objective_.norm == FitNorm::L2 ? rival : nullptr);
   if (end == End::aboveRival) return std::nullopt;
   solution.limit = end == End::limit;
   evaluator_.setCoarse(false);
