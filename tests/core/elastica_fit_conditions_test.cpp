@@ -11,10 +11,8 @@
 #include <limits>
 #include <numbers>
 #include <random>
-#include <utility>
 #include <vector>
 
-#include "architect_curves.h"
 #include "bw/core/elastica_bvp.h"
 #include "fit_samples.h"
 #include "test_curves.h"
@@ -392,19 +390,4 @@ TEST(ElasticaFit, AtMostSoManyInflections) {
 }
 
 }  // namespace
-TEST(ElasticaFit, WavesLeadToTheBestKnownWithEndsAndTangents) {
-  // Curves on which the free fit leads to 1.07 to 2.7 times the best that brute force finds
-  // (tests/bench/fit_reference_bench.cpp).
-  const std::vector<PlanarCurve> curves = test::architectCurves(113, 1);
-  FitOptions options;
-  options.endpoints = options.tangents = true;
-  for (const auto& [index, best] : {std::pair{17, 0.015406},
-                                    {58, 0.066851},
-                                    {103, 0.013961},
-                                    {105, 0.041862},
-                                    {109, 0.0086611},
-                                    {112, 0.047499}})
-    EXPECT_LE(fitElastica(curves[std::size_t(index)], options)->R4, 1.01 * best) << index;
-}
-
 }  // namespace bw

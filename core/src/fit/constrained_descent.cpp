@@ -16,9 +16,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int kMaxIterations = 150;
-// A step that moves the curve by less than this (root mean square, lengths) ends the descent.
-constexpr double kStepTolerance = 1e-11;
 // A step this short that does not lower the objective any more is rounding.
 constexpr double kRoundingStep = 1e-7;
 // An objective as small as this is zero (R4 of 1e-14).
@@ -27,24 +24,31 @@ constexpr double kExact = 1e-28;
 constexpr double kValueRounding = 1e-12;
 // Steps shorter than this are led back exactly onto the bounds that press.
 constexpr double kHoldingStep = 1e-3;
-// Newton's method onto the conditions stops when they hold to this, well below `kFeasible`.
-constexpr double kRestored = 1e-13;
-constexpr int kMaxRestorations = 40;
 // Steps in which conditions that are far off are approached.
 constexpr int kGradualSteps = 24;
 // Part of its diagonal that is added to the metric of the steps onto the conditions.
 constexpr double kMetricDiagonal = 1e-2;
 // The longest step in the unknowns within one Newton step onto the conditions.
 constexpr double kLongestRestoration = 3;
-// A step to which the curve is not sensitive is not at its end while the unknowns still move by this.
-constexpr double kStepOfUnknowns = 1e-5;
+// Newton steps in which a start is led onto the conditions.
+constexpr int kMaxRestorations = 40;
+// A descent ends at a rival if it is above it and nearer than this part of the rival's own distance from the
+// target.
+constexpr double kSamePlace = 0.2;
+// It is given up if it is above a rival after so many evaluations, or would be after a gain of so many times
+// what the model promises for a step that is hardly damped.
+constexpr int kHopelessAfter = 40;
+constexpr double kMostGain = 2;
+constexpr double kLightDamping = 1e-2;
 constexpr double kLongestStep = 1e3;
-constexpr int kMaxRefusals = 30;
 constexpr double kMostDamping = 1e12;
 
 class Descender {
  public:
-  Descender(ConstrainedProblem& problem, const VectorXd& start) : problem_(problem) { out_.v = start; }
+  Descender(ConstrainedProblem& problem, const VectorXd& start, const DescentLimits& limits)
+      : problem_(problem), limits_(limits) {
+    out_.v = start;
+  }
 
   Descent run();
 
@@ -54,13 +58,18 @@ class Descender {
   bool restoreGradually();
   void measureBy(const MatrixXd& gaussNewton);
   Descent finish(bool feasible);
+  bool aboveRival(double value) const;
+  bool endsAtRival(const MatrixXd& gaussNewton, double value) const;
   void addBends(MatrixXd& hessian) const;
   void noteMultipliers(const ConstrainedStep& step);
   void learn(const LeastSquaresModel& before, const LeastSquaresModel& after, const ConstrainedStep& step,
              const VectorXd& moved, const VectorXd& there, MatrixXd& secant);
 
   ConstrainedProblem& problem_;
+  const DescentLimits& limits_;
   Descent out_;
+  int evaluations_ = 0;
+  int restorations_ = kMaxRestorations;  ///< allowed
   MatrixXd stretch_;
   Conditions here_;
   Conditions missed_;
@@ -85,7 +94,7 @@ bool Descender::restore(VectorXd& v, const std::vector<int>& hold, const std::ve
   VectorXd step = VectorXd::Zero(v.size());
   int halvings = 0;
   std::vector<std::size_t> used;
-  for (int n = 0; n < kMaxRestorations && !workExhausted(); ++n) {
+  for (int n = 0; n < restorations_ && evaluations_++ < limits_.evaluations && !workExhausted(); ++n) {
     double size = std::numeric_limits<double>::infinity();
     used.clear();
     VectorXd values;
@@ -102,7 +111,7 @@ bool Descender::restore(VectorXd& v, const std::vector<int>& hold, const std::ve
       for (std::size_t k = 0; k < used.size(); ++k) values[static_cast<Index>(k)] = missed_.values[used[k]];
       size = used.empty() ? 0 : values.norm();
     }
-    if (size <= kRestored) return true;
+    if (size <= limits_.restored) return true;
     if (n > 0 && !(size < before)) {
       // The step was too long, or nothing is left but rounding.
       if (before <= 0.1 * kFeasible && halvings >= 1) {
@@ -134,6 +143,7 @@ bool Descender::restore(VectorXd& v, const std::vector<int>& hold, const std::ve
 bool Descender::restoreGradually() {
   const VectorXd start = out_.v;
   if (restore(out_.v, {})) return true;
+  if (!limits_.gradual) return false;
   // Move the goals from where the curve is to where they should be, a little at a time.
   out_.v = start;
   if (!problem_.conditions(start, here_)) return false;
@@ -161,8 +171,20 @@ Descent Descender::finish(bool feasible) {
     for (std::size_t i = here_.equalities; i < here_.size(); ++i)
       out_.boundActive = out_.boundActive || here_.values[i] > -kActive;
   }
-  out_.feasible = feasible && out_.violation <= kFeasible;
+  out_.feasible = feasible && out_.violation <= std::max(kFeasible, limits_.restored);
   return out_;
+}
+
+bool Descender::aboveRival(double value) const {
+  return std::any_of(limits_.rivals.begin(), limits_.rivals.end(),
+                     [&](const DescentRival& rival) { return value > rival.value; });
+}
+
+bool Descender::endsAtRival(const MatrixXd& gaussNewton, double value) const {
+  return std::any_of(limits_.rivals.begin(), limits_.rivals.end(), [&](const DescentRival& rival) {
+    const VectorXd apart = out_.v - rival.v;
+    return value > rival.value && apart.dot(gaussNewton * apart) < kSamePlace * kSamePlace * rival.value;
+  });
 }
 
 // What curved bounds add to the Lagrangian, with the multipliers of the step before.
@@ -224,14 +246,17 @@ Descent Descender::run() {
   if (!restoreGradually()) return finish(false);
   if (!problem_.objective(out_.v, &model, value)) return finish(false);
 
+  restorations_ = limits_.restorations;
   const Index unknowns = problem_.unknowns();
   double damping = 0;
   MatrixXd secant = MatrixXd::Zero(unknowns, unknowns);
   int refusals = 0;
   std::vector<char> guess;
   LeastSquaresModel there;
-  for (int n = 0; n < kMaxIterations && !workExhausted(); ++n) {
-    if (!problem_.conditions(out_.v, here_)) return finish(false);
+  for (int n = 0; n < limits_.iterations && evaluations_ < limits_.evaluations && !workExhausted(); ++n) {
+    if (endsAtRival(model.gaussNewton, value) || (evaluations_ >= kHopelessAfter && aboveRival(value)) ||
+        !problem_.conditions(out_.v, here_))
+      return finish(false);
     const VectorXd scale = model.gaussNewton.diagonal().array() + 1e-12 * model.gaussNewton.trace();
     MatrixXd hessian = model.gaussNewton + secant;
     addBends(hessian);
@@ -251,15 +276,17 @@ Descent Descender::run() {
     noteMultipliers(*step);
     const VectorXd& d = step->d;
     const double movement = std::sqrt(std::max(0.0, d.dot(model.gaussNewton * d)));
-    if ((movement <= kStepTolerance && d.norm() <= kStepOfUnknowns) || value <= kExact) {
+    if ((movement <= limits_.movement && d.norm() <= limits_.unknowns) || value <= kExact) {
       out_.converged = true;
       return finish(true);
     }
+    if (n > 0 && damping <= kLightDamping && aboveRival(value - kMostGain * movement * movement))
+      return finish(false);
     ++out_.iterations;
     VectorXd next;
     double valueThere = 0;
-    // The conditions hold only to kRestored, which the multipliers carry into the objective.
-    const double rounding = kValueRounding * value + 8 * kRestored * step->multipliers.lpNorm<1>();
+    // The conditions hold only to `restored`, which the multipliers carry into the objective.
+    const double rounding = kValueRounding * value + 8 * limits_.restored * step->multipliers.lpNorm<1>();
     const auto tryStep = [&](const std::vector<int>& hold) {
       next = out_.v + d;
       const int counted = out_.iterations;
@@ -283,11 +310,11 @@ Descent Descender::run() {
       }
       secant.setZero();
       damping = std::max(10 * damping, 1e-3);
-      if (++refusals > kMaxRefusals || damping > kMostDamping) return finish(true);
+      if (++refusals > limits_.refusals || damping > kMostDamping) return finish(true);
       continue;
     }
     learn(model, there, *step, next - out_.v, next, secant);
-    damping *= 0.1;
+    damping *= limits_.easing;
     if (damping < 1e-12) damping = 0;
     out_.v = next;
     std::swap(model, there);
@@ -308,8 +335,21 @@ Violation largestViolation(const Conditions& conditions) {
   return largest;
 }
 
-Descent descend(ConstrainedProblem& problem, const VectorXd& start) {
-  return Descender(problem, start).run();
+DescentLimits DescentLimits::rough(std::vector<DescentRival> rivals) {
+  return {.iterations = 30,
+          .refusals = 12,
+          .restorations = 5,
+          .evaluations = 120,
+          .movement = 1e-4,
+          .unknowns = std::numeric_limits<double>::infinity(),
+          .restored = 1e-7,
+          .easing = 0.3,
+          .gradual = false,
+          .rivals = std::move(rivals)};
+}
+
+Descent descend(ConstrainedProblem& problem, const VectorXd& start, const DescentLimits& limits) {
+  return Descender(problem, start, limits).run();
 }
 
 }  // namespace bw::detail

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <limits>
 #include <vector>
 
 #include "fit/constrained_step.h"
@@ -41,8 +42,31 @@ struct Descent {
   int worst = -1;        ///< the name of the condition of the largest violation
 };
 
+/// Where another descent has ended: one that nears it from above is of no use.
+struct DescentRival {
+  Eigen::VectorXd v;
+  double value = 0;
+};
+
+/// How far a descent goes.
+struct DescentLimits {
+  int iterations = 150;
+  int refusals = 30;      ///< steps that do not get on
+  int restorations = 40;  ///< Newton steps with which a step is led back onto the conditions
+  int evaluations = std::numeric_limits<int>::max();  ///< of the conditions, in all
+  double movement = 1e-11;  ///< a step that moves the curve by less (root mean square, lengths) is the last
+  double unknowns = 1e-5;   ///< if the unknowns move by less, too
+  double restored = 1e-13;  ///< to which the conditions hold after a step
+  double easing = 0.1;      ///< of the damping after a step that gets on
+  bool gradual = true;      ///< a start that is far off is led onto the conditions little by little
+  std::vector<DescentRival> rivals = {};  ///< it ends early where it nears one from above, or stays above
+
+  /// Enough to tell where a descent leads, with conditions that are known to about nine digits.
+  static DescentLimits rough(std::vector<DescentRival> rivals);
+};
+
 /// Makes the start feasible, then descends along the conditions.
-Descent descend(ConstrainedProblem& problem, const Eigen::VectorXd& start);
+Descent descend(ConstrainedProblem& problem, const Eigen::VectorXd& start, const DescentLimits& limits = {});
 
 /// The largest violation of a condition, and its name.
 struct Violation {

@@ -246,7 +246,7 @@ Result<FitResult> fitElastica(const PlanarCurve& curve, const FitOptions& option
       if (const auto placed = projected.place(shape)) from.places.push_back(placed->placement);
     }
     const detail::ConditionedFit found =
-        detail::fitUnderEndConditions(full, constraints, demands, norm, from);
+        detail::fitUnderEndConditions(full, coarse, constraints, demands, norm, from);
     const int iterations = chosen.iterations + found.iterations;
     if (found.best) {
       chosen = {found.best->placement, found.best->value, iterations, found.best->converged};

@@ -14,19 +14,6 @@ namespace {
 // What the boundary value solver takes at most.
 constexpr int kMostInflections = 12;
 constexpr double kMostTurning = 8 * std::numbers::pi;
-// Curvature changes of the target below this (rad a length) are not counted as inflections.
-constexpr double kNoBend = 0.1;
-
-int inflectionsOf(const FitTarget& target) {
-  int count = 0;
-  double before = 0;
-  for (const double kappa : target.curvature) {
-    if (std::abs(kappa) < kNoBend) continue;
-    if (before * kappa < 0) ++count;
-    before = kappa;
-  }
-  return count;
-}
 
 }  // namespace
 
@@ -55,7 +42,7 @@ std::vector<ClampedBlade> clampedBlades(const FitTarget& target, const FitConstr
   const ClampedProblem problem{target.start,    target.end,          target.startAngle,
                                target.endAngle, *constraints.length, std::nullopt};
   ClampedOptions options;
-  options.maxInflections = std::clamp(inflectionsOf(target) + 2, options.maxInflections, kMostInflections);
+  options.maxInflections = std::clamp(target.inflections() + 2, options.maxInflections, kMostInflections);
   options.maxTurning = std::min(
       std::max(options.maxTurning, std::abs(target.endAngle - target.startAngle) + 2 * std::numbers::pi),
       kMostTurning);

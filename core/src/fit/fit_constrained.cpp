@@ -212,10 +212,23 @@ Stationarity ConstrainedFit::stationarity(const Placement& placement, const std:
 }
 
 ConstrainedFit::Solution ConstrainedFit::solve(const Placement& start) {
+  return solve(start, DescentLimits());
+}
+
+ConstrainedFit::Solution ConstrainedFit::scout(const Placement& start, const std::vector<Solution>& known) {
+  std::vector<DescentRival> rivals;
+  for (const Solution& end : known) rivals.push_back({toVector(end.placement), end.value});
+  nodes_.setCoarse(true);
+  const Solution out = solve(start, DescentLimits::rough(std::move(rivals)));
+  nodes_.setCoarse(false);
+  return out;
+}
+
+ConstrainedFit::Solution ConstrainedFit::solve(const Placement& start, const DescentLimits& limits) {
   chooseBranch(start);
   peaks_.clear();
   nextPeak_ = 0;
-  const Descent descent = descend(*this, toVector(start));
+  const Descent descent = descend(*this, toVector(start), limits);
   Solution out;
   out.placement = toPlacement(descent.v);
   out.value = descent.value;

@@ -69,6 +69,9 @@ class ConstrainedFit : public ConstrainedProblem {
   };
   /// Makes the start feasible, then descends along the conditions.
   Solution solve(const Placement& start);
+  /// The same with few digits and as far as is needed to tell where it leads. Not feasible if it leads to one
+  /// of the ends that are known, or does not come below them soon.
+  Solution scout(const Placement& start, const std::vector<Solution>& known);
 
   /// How far from stationary a placement is. `movement`: root mean square by which one more Gauss–Newton step
   /// would move the curve, in lengths.
@@ -79,6 +82,7 @@ class ConstrainedFit : public ConstrainedProblem {
   double violation(const Placement& placement);
 
  private:
+  Solution solve(const Placement& start, const DescentLimits& limits);
   ShapeEnds ends() const { return ShapeEnds(nodes_); }
   void chooseBranch(const Placement& placement);
   void endConditions(const Eigen::VectorXd& v, Conditions& out);

@@ -4,11 +4,15 @@
 
 #include <algorithm>
 
+#include "fit/shape_atlas.h"
+
 namespace bw::detail {
 namespace {
 
-// A fit (R4) worse than this is compared with two S-shapes besides.
-constexpr double kPoor = 2e-2;
+// So many places of the atlas are starts of a poor fit, and of one (R4) worse than this that waves more often
+// than the target.
+constexpr std::size_t kAtlasPlaces = 12;
+constexpr double kVeryGood = 1e-3;
 
 // Fits without end conditions and bounds: three unknowns.
 class FreeFit {
@@ -35,6 +39,11 @@ class FreeFit {
     if (!solution) return;
     iterations_ += solution->iterations;
     if (!best_ || solution->placed.value < best_->placed.value * (1 - 1e-9)) best_ = solution;
+  }
+
+  // True if the best so far has more half periods than this.
+  bool wavesMoreThan(int halfPeriods) const {
+    return best_ && 2 * periodsOf(best_->placed.placement.shape).count > halfPeriods;
   }
 
   bool worseThan(double R4) const { return !best_ || best_->placed.value > R4 * R4; }
@@ -64,13 +73,18 @@ std::optional<FreeFitResult> freeFit(const FitTarget& full, const FitTarget& coa
     free.attempt(start);
     if (!free.worseThan(1)) break;
   }
-  if (free.worseThan(kGoodFit)) {
-    free.attempt({coarse.endAngle - coarse.startAngle, 0, 0});
-    free.attempt({0, 0, 0});
+  // The atlas compares points, not derivatives: an arc, a line and S-shapes besides.
+  if (objective.norm != FitNorm::L2 && free.worseThan(kGoodFit)) {
+    const Shape simple[] = {
+        {coarse.endAngle - coarse.startAngle, 0, 0}, {0, 0, 0}, {0, -10, 20}, {0, -10, -20}};
+    for (const Shape& shape : simple) free.attempt(shape);
   }
-  if (free.worseThan(kPoor)) {
-    free.attempt({0, -10, 20});
-    free.attempt({0, -10, -20});
+  if (free.worseThan(kGoodFit) ||
+      (free.worseThan(kVeryGood) && free.wavesMoreThan(coarse.inflections() + 1))) {
+    FitConstraints constraints;
+    constraints.length = objective.fixedLength;
+    for (const AtlasPlace& place : placesFromAtlas(coarse, constraints, kAtlasPlaces))
+      if (!free.best() || !hopeless(place, free.best()->value)) free.attempt(place.placement.shape);
   }
   std::optional<FreeFitResult> best = free.best();
   if (!best || &full == &coarse) return best;

@@ -24,10 +24,6 @@ constexpr int kTrials = 64;
 constexpr double kLastStep = 1e-5;
 // At most this many nodes take part in the first search.
 constexpr std::size_t kSearchNodes = 24;
-// Rates ω of the waves, rad a length: the first, their step, and the changes of curvature up to which they
-// go.
-constexpr double kFirstRate = 2, kRateStep = 0.4;
-constexpr int kMostChanges = 12;
 
 }  // namespace
 
@@ -154,56 +150,6 @@ Shape shapeFromAngles(const FitTarget& target) {
   const Vector2d gradient(x[2], x[3]);
   const Vector2d force = turnedBack(direction(target.middleAngle), {-gradient.y(), gradient.x()});
   return {x[1] + gradient.dot(target.middle), force.x(), force.y()};
-}
-
-std::vector<Shape> shapesFromWaves(const FitTarget& target, std::size_t most) {
-  // A sine of s in the angle against its mean: ψ'' = −ω² ψ, the pendulum of small angles with the force ω²
-  // along the mean direction.
-  const std::size_t count = target.size();
-  int changes = 0;
-  double before = 0;
-  for (const double kappa : target.curvature) {
-    if (before * kappa < 0) ++changes;
-    if (kappa != 0) before = kappa;
-  }
-  struct Wave {
-    double rate = 0, left = 0;  ///< ω, and what the wave leaves of the angles
-    Eigen::Vector3d part = Eigen::Vector3d::Zero();
-  };
-  std::vector<Wave> waves;
-  const double last = (std::min(changes, kMostChanges) + 2) * pi;
-  for (double rate = kFirstRate; rate <= last; rate += kRateStep) {
-    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d right = Eigen::Vector3d::Zero();
-    double square = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-      const Eigen::Vector3d row(1, std::cos(rate * target.s[i]), std::sin(rate * target.s[i]));
-      const double angle = target.angle[i] - target.middleAngle;
-      normal += target.weight[i] * row * row.transpose();
-      right += target.weight[i] * angle * row;
-      square += target.weight[i] * angle * angle;
-    }
-    Wave wave;
-    wave.rate = rate;
-    wave.part = normal.ldlt().solve(right);
-    wave.left = square - wave.part.dot(right);
-    waves.push_back(wave);
-  }
-  std::vector<Wave> best;
-  for (std::size_t k = 0; k < waves.size(); ++k) {
-    const bool below = k == 0 || waves[k].left <= waves[k - 1].left;
-    const bool above = k + 1 == waves.size() || waves[k].left < waves[k + 1].left;
-    if (below && above) best.push_back(waves[k]);
-  }
-  std::stable_sort(best.begin(), best.end(), [](const Wave& a, const Wave& b) { return a.left < b.left; });
-  std::vector<Shape> shapes;
-  for (std::size_t k = 0; k < std::min(most, best.size()); ++k) {
-    const auto& [rate, left, part] = best[k];
-    // At the middle the angle against the force is part[1], its slope ω part[2].
-    const double force = rate * rate;
-    shapes.emplace_back(rate * part[2], force * std::cos(part[1]), -force * std::sin(part[1]));
-  }
-  return shapes;
 }
 
 }  // namespace bw::detail

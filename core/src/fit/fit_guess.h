@@ -3,7 +3,6 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
 #include "fit/affine_curvature.h"
 #include "fit/fit_target.h"
@@ -25,10 +24,5 @@ std::optional<Placement> guessByCount(const FitTarget& target, const AffineCurva
 /// law fitted to the tangent angles, which needs no curvature.
 Shape shapeFromLaw(const FitTarget& target, const AffineCurvature& law);
 Shape shapeFromAngles(const FitTarget& target);
-
-/// Waves: the tangent angles as a mean and one sine of s, in least squares for rates ω that grow in steps up
-/// to two half waves more than the target has changes of curvature. The best rates of all that are better
-/// than their neighbours, the nearest wave first, at most `most`.
-std::vector<Shape> shapesFromWaves(const FitTarget& target, std::size_t most);
 
 }  // namespace bw::detail

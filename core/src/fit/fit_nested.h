@@ -19,11 +19,13 @@ struct FitStarts {
       std::nullopt;  ///< the fit without conditions, if it came to rest
 };
 
-/// The fit under end conditions (docs/mathematics.md, 7.5). A curve that meets more conditions also meets
-/// fewer: where the result is poor, the fits with one condition more are starts as well, up to the
-/// equilibria of a clamped blade with the length of the target. From there a descent only gains, so that
-/// fewer conditions never fit worse. Without a length, ends and tangents: 0.2 to 0.5 ms, some ms if poor.
-ConditionedFit fitUnderEndConditions(const FitTarget& target, const FitConstraints& constraints,
-                                     const FitDemands& demands, FitNorm norm, const FitStarts& starts);
+/// The fit under end conditions (docs/mathematics.md, 7.5): rough descents on `coarse` from the free fit and,
+/// if that leads to nothing good, from the atlas; the best is finished on `target`. A curve that meets more
+/// conditions also meets fewer: where the result is very poor, the fits with one condition more are starts as
+/// well, up to the equilibria of a clamped blade with the length of the target. 0.3 to 3 ms, some tens if
+/// very poor or taut.
+ConditionedFit fitUnderEndConditions(const FitTarget& target, const FitTarget& coarse,
+                                     const FitConstraints& constraints, const FitDemands& demands,
+                                     FitNorm norm, const FitStarts& starts);
 
 }  // namespace bw::detail

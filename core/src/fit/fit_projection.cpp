@@ -27,6 +27,8 @@ constexpr double kCoarseStep = 3e-3;
 constexpr int kRivalIterations = 12;
 constexpr double kHopeless = 2;
 constexpr double kSamePlace = 0.02;
+// Later it is given up where a gain of so many times what the model promises leaves it above the rival.
+constexpr double kMostGain = 2;
 constexpr int kMaxSecantSteps = 60;
 // Until its steps are shorter than this (scaled parameters), a descent works with nine digits.
 constexpr double kRoughStep = 1e-6;
@@ -176,7 +178,7 @@ bool ProjectedFit::gradient(const Eigen::Vector3d& x, Eigen::Vector3d& g, double
   return true;
 }
 
-bool ProjectedFit::polish(Eigen::Vector3d& x, int& steps) const {
+ProjectedFit::End ProjectedFit::polish(Eigen::Vector3d& x, int& steps, const Placed* rival) const {
   Eigen::Vector3d g;
   double value = 0;
   bool rough = true;
@@ -185,7 +187,7 @@ bool ProjectedFit::polish(Eigen::Vector3d& x, int& steps) const {
     evaluator_.setCoarse(false);
     return gradient(x, g, value);
   };
-  if (!gradient(x, g, value)) return false;
+  if (!gradient(x, g, value)) return End::limit;
   Eigen::Matrix3d gaussNewton = jacobian_.transpose() * jacobian_;
   Eigen::Matrix3d secant = Eigen::Matrix3d::Zero();
   double damping = 0;
@@ -198,16 +200,18 @@ bool ProjectedFit::polish(Eigen::Vector3d& x, int& steps) const {
       secant.setZero();
       damping = std::max(damping, 1e-10);
       factor.compute(gaussNewton + damping * scale);
-      if (factor.info() != Eigen::Success) return false;
+      if (factor.info() != Eigen::Success) return End::limit;
     }
     const Eigen::Vector3d step = factor.solve(-g);
+    // The model promises a gain of −g·step.
+    if (rival != nullptr && value + kMostGain * g.dot(step) > rival->value) return End::aboveRival;
     if (rough && step.norm() <= kRoughStep) {
-      if (!toAllDigits()) return false;
+      if (!toAllDigits()) return End::limit;
       continue;
     }
     if (step.norm() <= kLastStep) {
       x += step;
-      return true;
+      return End::converged;
     }
     const Eigen::Vector3d next = x + step;
     Eigen::Vector3d gNext;
@@ -218,9 +222,9 @@ bool ProjectedFit::polish(Eigen::Vector3d& x, int& steps) const {
     const bool better =
         evaluated && (valueNext < value || (valueNext <= value * (1 + 1e-12) && gNext.norm() < g.norm()));
     if (!better) {
-      if (evaluated && !rough && step.norm() <= kRoundingStep) return true;
+      if (evaluated && !rough && step.norm() <= kRoundingStep) return End::converged;
       if (++refusals > kMaxRefusals) {
-        if (!rough || !toAllDigits()) return false;
+        if (!rough || !toAllDigits()) return End::limit;
         refusals = 0;
       }
       secant.setZero();
@@ -238,7 +242,7 @@ bool ProjectedFit::polish(Eigen::Vector3d& x, int& steps) const {
     g = gNext;
     value = valueNext;
   }
-  return false;
+  return End::limit;
 }
 
 std::optional<ProjectedFit::Solution> ProjectedFit::solve(const Shape& start, const Placed* rival) {
@@ -272,7 +276,10 @@ std::optional<ProjectedFit::Solution> ProjectedFit::solve(const Shape& start, co
     const double apart = (x - rival->placement.shape.cwiseProduct(scale_)).norm();
     if (value > kHopeless * rival->value || (value > rival->value && apart < kSamePlace)) return std::nullopt;
   }
-  solution.limit = !polish(x, solution.iterations);
+  // With derivatives in the objective the residuals are too large for the model to promise anything.
+  const End end = polish(x, solution.iterations, objective_.norm == FitNorm::L2 ? rival : nullptr);
+  if (end == End::aboveRival) return std::nullopt;
+  solution.limit = end == End::limit;
   evaluator_.setCoarse(false);
   const std::optional<Placed> placed = place(x.cwiseQuotient(scale_));
   if (!placed) return std::nullopt;

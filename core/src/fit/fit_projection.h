@@ -48,9 +48,10 @@ class ProjectedFit {
   std::optional<Solution> solve(const Shape& start, const Placed* rival = nullptr);
 
  private:
+  enum class End { converged, limit, aboveRival };
   /// Finishes a descent by Gauss–Newton steps with a secant correction for the second derivatives that
-  /// Gauss–Newton leaves out. Adds its steps to `steps`; true if it converged.
-  bool polish(Eigen::Vector3d& x, int& steps) const;
+  /// Gauss–Newton leaves out, unless it is clear that it stays above a rival. Adds its steps to `steps`.
+  End polish(Eigen::Vector3d& x, int& steps, const Placed* rival) const;
   /// Gradient of half the objective in the scaled parameters; false if the point cannot be evaluated.
   bool gradient(const Eigen::Vector3d& x, Eigen::Vector3d& g, double& value) const;
 

@@ -88,6 +88,20 @@ ConditionedFit FitSearch::conditioned(const FitConstraints& constraints, const s
   return out;
 }
 
+void FitSearch::scout(const FitConstraints& constraints, const std::vector<AtlasPlace>& starts,
+                      std::vector<Solution>& ends) const {
+  ConstrainedFit fit(target_, constraints, norm_);
+  for (const AtlasPlace& start : starts) {
+    if (workExhausted()) break;
+    if (!ends.empty() && hopeless(start, ends.front().value)) continue;
+    const Solution end = fit.scout(start.placement, ends);
+    if (!end.feasible) continue;
+    ends.insert(std::upper_bound(ends.begin(), ends.end(), end,
+                                 [](const Solution& a, const Solution& b) { return a.value < b.value; }),
+                end);
+  }
+}
+
 bool FitSearch::taut(const Elastica& elastica) {
   return elastica.force().norm() * elastica.length() * elastica.length() > kTautBlade;
 }

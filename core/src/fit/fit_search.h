@@ -8,6 +8,7 @@
 
 #include "fit/fit_clamped.h"
 #include "fit/fit_constrained.h"
+#include "fit/shape_atlas.h"
 
 namespace bw::detail {
 
@@ -35,6 +36,11 @@ class FitSearch {
   /// up to `enough`. With `first`, the first minimum is taken.
   ConditionedFit conditioned(const FitConstraints& constraints, const std::vector<Placement>& starts,
                              double enough, bool first) const;
+
+  /// Rough descents from places that may be worth it, in turn. Adds new ends to those that are known, the
+  /// lowest first.
+  void scout(const FitConstraints& constraints, const std::vector<AtlasPlace>& starts,
+             std::vector<ConstrainedFit::Solution>& ends) const;
 
   /// True if the numbers at the middle of a curve hardly carry its ends.
   static bool taut(const Elastica& elastica);

@@ -25,6 +25,8 @@ constexpr double kTaut = 60;
 // Curvatures (times the length) beyond this are those of a cusp: their squares would leave nothing of the
 // rest.
 constexpr double kCusp = 1e12;
+// Curvatures below this (rad a length) are not bent to either side.
+constexpr double kNoBend = 0.1;
 
 // The angle of `v` that is nearest to `reference`.
 double angleNear(const Vector2d& v, double reference) {
@@ -76,6 +78,17 @@ FitTarget::FitTarget(const PlanarCurve& curve, int nodes) : length(curve.length(
   std::size_t before = 0;
   while (before + 1 < count && s[before + 1] <= 0) ++before;
   middleAngle = angleNear(curve.tangent(half), angle[before]);
+}
+
+int FitTarget::inflections() const {
+  int count = 0;
+  double before = 0;
+  for (const double kappa : curvature) {
+    if (std::abs(kappa) < kNoBend) continue;
+    if (before * kappa < 0) ++count;
+    before = kappa;
+  }
+  return count;
 }
 
 namespace {

@@ -45,6 +45,8 @@ struct FitTarget {
   /// From the quadrature of the curve, or from one Gauss rule along the whole curve with `nodes` nodes.
   explicit FitTarget(const PlanarCurve& curve, int nodes = 0);
   std::size_t size() const { return s.size(); }
+  /// How often the curvature changes sign, seen at the nodes.
+  int inflections() const;
 };
 
 /// The shape of an elastica of length 1 in the frame of its middle: (κ, f_t, f_n) there
