@@ -61,7 +61,7 @@ struct Job {
   std::optional<double> sewing;    ///< mm within which edges of faces are joined; empty = by the tolerance
   FaceChoice face;
   std::optional<BlockPlacement> block;       ///< empty = "auto": around the face
-  std::optional<Eigen::Vector3d> direction;  ///< cutting direction in the file's frame, unit; empty = "auto"
+  std::optional<Eigen::Vector3d> direction;  ///< cutting direction in the file's frame, not zero; empty = "auto"
   int stations = 60;                         ///< used unless `spacing` is set; ≥ 2, at most kMaxStations
   std::optional<double> spacing;             ///< mm between stations
   double lead = 20;                          ///< mm of straight travel before and after the block
