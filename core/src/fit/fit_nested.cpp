@@ -16,8 +16,8 @@ namespace {
 // End conditions and bounds may make the fit worse by this factor (R4) before other starts are tried.
 constexpr double kMuchWorse = 4;
 // A fit (R4) better than the first or than the second times the free fit, which is a lower limit, is taken; a
-// worse one is compared with so many places of the atlas. Of 600 curves with 1 to 6 inflections, held at
-// their ends and tangents, all came to the best known within the first twelve.
+// worse one is compared with so many places of the atlas. Of 1500 curves with 1 to 6 inflections, held at
+// their ends and tangents, 2 ended above 1.01 of the best known.
 constexpr double kGoodHeld = 1e-3;
 constexpr double kWorseHeld = 1.01;
 constexpr std::size_t kAtlasPlaces = 12;

@@ -26,9 +26,9 @@ constexpr double kCoarseStep = 3e-3;
 // (scaled parameters) within which it is taken to end at the rival.
 constexpr int kRivalIterations = 12;
 constexpr double kHopeless = 2;
-constexpr double kSamePlace = 0.02;
+constexpr double kSamePlace = 0.006;
 // Later it is given up where a gain of so many times what the model promises leaves it above the rival.
-constexpr double kMostGain = 2;
+constexpr double kMostGain = 5;
 constexpr int kMaxSecantSteps = 60;
 // Until its steps are shorter than this (scaled parameters), a descent works with nine digits.
 constexpr double kRoughStep = 1e-6;
