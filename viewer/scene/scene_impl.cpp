@@ -311,6 +311,7 @@ std::vector<Eigen::Vector3d> Scene::Impl::workPoints() const {
   }
   if (surfaceBounds_.valid()) add(cornersOf(surfaceBounds_));
   if (content.block) add(content.block->corners());
+  if (arrow_.bounds().valid()) add(cornersOf(arrow_.bounds()));
   for (const Polyline& blade : content.blades)
     if (usable(blade)) add(blade);
   return points;

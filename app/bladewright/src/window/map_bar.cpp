@@ -8,13 +8,20 @@
 #include <algorithm>
 
 #include "bw/core/maps.h"
+#include "bw/core/number_text.h"
 #include "controls/flow_layout.h"
 
 namespace bw::app {
 
 namespace {
 
-constexpr int kRangeWidth = 70;  // of an end of the legend, without its unit
+constexpr int kRangeWidth = 66;  // of an end of the legend, without its unit
+
+/// A number with the digits that the legend has.
+double asRead(double value) {
+  constexpr int kDigits = 4;
+  return parseNumber(shortText(value, kDigits)).value_or(value);
+}
 
 }  // namespace
 
@@ -205,8 +212,8 @@ void MapBar::setRangeInUse(const std::optional<std::pair<double, double>>& range
     for (NumberField* field : {min_, max_})
       field->setStep(std::max(0.001, (range->second - range->first) / 20));
     if (!style_.rangeMin) {
-      min_->show(range->first);
-      max_->show(range->second);
+      min_->show(asRead(range->first));
+      max_->show(asRead(range->second));
     }
   }
   showRange();
