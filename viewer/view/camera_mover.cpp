@@ -87,9 +87,11 @@ bool CameraMover::leftPicture(const Bounds& before, const Bounds& now) const {
   const double ratio = std::max(now.size().norm(), 1e-9) / std::max(before.size().norm(), 1e-9);
   if (ratio > kOtherSize || ratio < 1 / kOtherSize) return true;
   const scene::Projection view = scene_.impl().projection(viewport_.width(), viewport_.height());
-  // An eye amidst the content sees a part of it.
-  const scene::DepthRange depths = scene::depthsOf(view, now);
-  if (!view.parallel() && depths.near <= 0 && depths.far > 0) return false;
+  const auto amidst = [&](const Bounds& bounds) {
+    const scene::DepthRange depths = scene::depthsOf(view, bounds);
+    return !view.parallel() && depths.near <= 0 && depths.far > 0;
+  };
+  if (amidst(before) && amidst(now)) return false;
   const double shareBefore = scene::seenShare(view, before, viewport_.width(), viewport_.height()),
                shareNow = scene::seenShare(view, now, viewport_.width(), viewport_.height());
   // Who has come close looks at a part on purpose; nobody looks at nothing.
