@@ -64,6 +64,8 @@ TEST_F(WindowTest, HandsOverAFolderThatAColleagueUnderstands) {
   EXPECT_NE(html.find("Largest deviation"), std::string::npos);
   EXPECT_NE(html.find(deviation.substr(0, deviation.find(' '))), std::string::npos) << deviation;
   EXPECT_NE(html.find("data:image/png;base64,"), std::string::npos);
+  EXPECT_NE(readFile(folder / "report.html").value().find("width=\"640\" height=\"400\""), std::string::npos)
+      << "pictures keep their shape, also where only one side would be taken";
   const std::string pdf = readFile(folder / "report.pdf").value();
   EXPECT_EQ(pdf.rfind("%PDF-", 0), 0u);
   EXPECT_GT(pdf.size(), 20000u) << "pictures are in it";

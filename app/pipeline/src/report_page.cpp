@@ -213,7 +213,8 @@ std::string reportPage(const Evaluation& e, const std::vector<ReportPicture>& pi
   page.paragraph(verdict(e));
   for (const ReportPicture& picture : pictures)
     page.raw("<p><img src=\"" + escaped(picture.source) + "\" alt=\"" + escaped(picture.title) +
-             "\" width=\"" + std::to_string(picture.width) + "\"><br>" + escaped(picture.title) + "</p>\n");
+             "\" width=\"" + std::to_string(picture.width) + "\" height=\"" + std::to_string(picture.height) +
+             "\"><br>" + escaped(picture.title) + "</p>\n");
   if (e.sweep.value) limits(page, e);
   findings(page, e);
   parameters(page, e);

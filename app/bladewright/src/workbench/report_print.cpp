@@ -27,8 +27,11 @@ constexpr const char* kProgram = "Bladewright " BW_VERSION;
 std::string pageWith(const pipeline::Evaluation& evaluation, const std::vector<ReportImage>& images,
                      const std::function<QString(std::size_t)>& source) {
   std::vector<pipeline::ReportPicture> pictures;
-  for (std::size_t i = 0; i < images.size(); ++i)
-    pictures.push_back({images[i].title.toStdString(), source(i).toStdString(), kWidth});
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    // Both sides: the layout of the printed page would take the other one from the file as it is.
+    const int height = images[i].image.scaledToWidth(kWidth).height();
+    pictures.push_back({images[i].title.toStdString(), source(i).toStdString(), kWidth, height});
+  }
   return pipeline::reportPage(evaluation, pictures, kProgram);
 }
 

@@ -15,7 +15,7 @@ struct ReportPicture {
   std::string title;  ///< what it shows, for people
   std::string
       source;     ///< what stands in the page's `src`: a data URL, or a name that the page's reader knows
-  int width = 0;  ///< pixels on the page
+  int width = 0, height = 0;  ///< pixels on the page
 };
 
 /// The report of a result for people, as one HTML page: verdict, pictures, numbers beside their limits, the
