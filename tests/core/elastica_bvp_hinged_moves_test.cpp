@@ -5,8 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -14,29 +12,15 @@
 #include <string>
 #include <vector>
 
+#include "blade_problems.h"
 #include "bw/core/elastica_bvp.h"
 #include "bw/core/units.h"
 
 namespace bw {
 
-namespace {
+using namespace test;
 
 using Eigen::Vector2d;
-
-constexpr double kLength = 800;
-const std::optional<double> kHinged = std::nullopt;
-
-ClampedProblem across(double share, std::optional<double> startAngle, std::optional<double> endAngle) {
-  return {{0, 0}, {share * kLength, 0}, startAngle, endAngle, kLength, {}};
-}
-
-ClampedOptions from(const Elastica& blade) {
-  ClampedOptions options;
-  options.initial = blade;
-  return options;
-}
-
-}  // namespace
 
 TEST(HingedBlade, OwnAnswersLeadToThemselves) {
   std::mt19937 engine(5);
@@ -75,13 +59,13 @@ TEST(HingedBlade, StaysOnItsSideWhileTheHingesMove) {
   ASSERT_TRUE(all);
   for (const int image : {0, 1}) {
     const Elastica& blade = all->solutions[std::size_t(image)].elastica;
-    const double side = blade.point(kLength / 2).y();
-    const ClampedProblem next{{50, -20}, {350, 380}, kHinged, kHinged, kLength, {}};
+    const double side = blade.point(kBlade / 2).y();
+    const ClampedProblem next{{50, -20}, {350, 380}, kHinged, kHinged, kBlade, {}};
     const Result<ClampedAnswer> answer = solveClamped(next, from(blade));
     ASSERT_TRUE(answer);
     EXPECT_FALSE(answer->snapsAt);
     const Vector2d chord = next.end - next.start;
-    const Vector2d middle = answer->solutions[0].elastica.point(kLength / 2) - next.start;
+    const Vector2d middle = answer->solutions[0].elastica.point(kBlade / 2) - next.start;
     EXPECT_GT((chord.x() * middle.y() - chord.y() * middle.x()) * side, 0);
     EXPECT_NEAR(answer->solutions[0].energy, solveClamped(next)->solutions[0].energy, 1e-12);
   }
@@ -130,8 +114,8 @@ TEST(HingedBlade, SnapsWhereItsMarginVanishes) {
     }
   }
   // The same seen from the other end.
-  const Result<ClampedAnswer> back = solveClamped(
-      {{0.7 * kLength, 0}, {0, 0}, kHinged, 2.5 + kPi, kLength, {}}, from(against->elastica.reversed()));
+  const Result<ClampedAnswer> back = solveClamped({{0.7 * kBlade, 0}, {0, 0}, kHinged, 2.5 + kPi, kBlade, {}},
+                                                  from(against->elastica.reversed()));
   ASSERT_TRUE(back && back->snapsAt);
   EXPECT_NEAR(*back->snapsAt, *gone->snapsAt, 1e-6);
   EXPECT_NEAR(back->solutions[0].energy, gone->solutions[0].energy, 1e-12);
@@ -147,7 +131,7 @@ TEST(HingedBlade, ABranchFollowsHingesAndGripsInTurn) {
     const Result<ClampedBranch::Move> move = branch->moveTo(next);
     ASSERT_TRUE(move) << move.error().message;
     EXPECT_FALSE(move->snapped);
-    EXPECT_NEAR((branch->blade().at(kLength).point - next.end).norm(), 0, 1e-8);
+    EXPECT_NEAR((branch->blade().at(kBlade).point - next.end).norm(), 0, 1e-8);
     EXPECT_NEAR(branch->blade().energy(), solveClamped(next)->solutions[0].energy, 1e-11);
   }
   const Result<ClampedBranch::Move> refused = branch->moveTo(across(0.9, kHinged, -0.3));
@@ -157,41 +141,8 @@ TEST(HingedBlade, ABranchFollowsHingesAndGripsInTurn) {
 
 TEST(HingedBlade, SensitivityIsWhatMovedEndsDo) {
   for (const ClampedProblem& problem :
-       {across(0.92, 0.5, kHinged), across(0.8, kHinged, -0.7), across(0.9, kHinged, kHinged)}) {
-    const ClampedSolution reference = solveClamped(problem)->solutions[0];
-    const ClampedOptions near = from(reference.elastica);
-    const bool held = problem.startAngle || problem.endAngle;
-    const int points = 400, columns = held ? 5 : 4;
-    Eigen::MatrixXd moved(2 * points, columns);
-    const double step = 1e-3;
-    for (int column = 0; column < columns; ++column) {
-      std::vector<Vector2d> side[2];
-      for (const int sign : {0, 1}) {
-        ClampedProblem other = problem;
-        const double change = sign ? step : -step;
-        if (column < 2)
-          other.start(column) += change;
-        else if (column < 4)
-          other.end(column - 2) += change;
-        else
-          *(problem.startAngle ? other.startAngle : other.endAngle) += change * kDegree;
-        const Result<ClampedAnswer> answer = solveClamped(other, near);
-        ASSERT_TRUE(answer);
-        for (int i = 0; i < points; ++i)
-          side[sign].push_back(answer->solutions[0].elastica.point(kLength * (i + 0.5) / points));
-      }
-      for (int i = 0; i < points; ++i)
-        moved.block<2, 1>(2 * i, column) = (side[1][std::size_t(i)] - side[0][std::size_t(i)]) / (2 * step);
-    }
-    const auto largest = [&](int first, int count) {
-      const Eigen::MatrixXd gram =
-          moved.middleCols(first, count).transpose() * moved.middleCols(first, count) / points;
-      return std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(gram).eigenvalues().maxCoeff());
-    };
-    EXPECT_NEAR(reference.sensitivity.perMm, largest(0, 4), 1e-4 * largest(0, 4));
-    const double turned = held ? largest(4, 1) : 0;
-    EXPECT_NEAR(reference.sensitivity.perDegree, turned, 1e-4 * turned);
-  }
+       {across(0.92, 0.5, kHinged), across(0.8, kHinged, -0.7), across(0.9, kHinged, kHinged)})
+    expectSensitivity(problem);
 }
 
 }  // namespace bw

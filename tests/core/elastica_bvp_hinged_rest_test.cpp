@@ -17,10 +17,13 @@
 #include <string>
 #include <vector>
 
+#include "blade_problems.h"
 #include "bw/core/elastica_bvp.h"
 #include "bw/core/units.h"
 
 namespace bw {
+
+using namespace test;
 
 namespace {
 
@@ -28,13 +31,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
-
-constexpr double kLength = 800;
-const std::optional<double> kHinged = std::nullopt;
-
-ClampedProblem across(double share, std::optional<double> startAngle, std::optional<double> endAngle) {
-  return {{0, 0}, {share * kLength, 0}, startAngle, endAngle, kLength, {}};
-}
 
 /// A rod of length 1 of straight segments with springs between them, and half as long ones to the tangents
 /// that are held; nothing at a hinge.
@@ -167,14 +163,14 @@ TEST(HingedBlade, ARodOfSegmentsIsAsStable) {
     const Result<ClampedAnswer> all = solveAllClamped(problem, options);
     ASSERT_TRUE(all);
     for (const ClampedSolution& solution : all->solutions) {
-      const double root = std::sqrt(solution.elastica.force().norm()) * kLength;
+      const double root = std::sqrt(solution.elastica.force().norm()) * kBlade;
       if (root > 12) continue;
-      SCOPED_TRACE(std::to_string(i) + " energy " + std::to_string(solution.energy * kLength));
+      SCOPED_TRACE(std::to_string(i) + " energy " + std::to_string(solution.energy * kBlade));
       Rod rod = rodOf(solution.elastica, problem, kSegments);
-      ASSERT_LT(rod.settle((problem.end - problem.start) / kLength), 1e-9);
+      ASSERT_LT(rod.settle((problem.end - problem.start) / kBlade), 1e-9);
       // Both errors are of second order in the segments' length.
       const double error = std::pow(root / kSegments, 2);
-      EXPECT_NEAR(rod.energy(), solution.energy * kLength, 2 * error * rod.energy());
+      EXPECT_NEAR(rod.energy(), solution.energy * kBlade, 2 * error * rod.energy());
       const double margin = rod.smallest() / straightEigenvalue(problem);
       EXPECT_NEAR(margin, solution.stabilityMargin, error * (1 + root * root / 10));
       if (std::abs(margin) > 0.02) {
@@ -218,10 +214,10 @@ TEST(HingedBlade, ALoopBetweenAGripAndAHingeIsNeverStable) {
       ASSERT_TRUE(all);
       for (const ClampedSolution& s : all->solutions) {
         EXPECT_FALSE(s.stable && s.sliding);
-        const double root = std::sqrt(s.elastica.force().norm()) * kLength;
+        const double root = std::sqrt(s.elastica.force().norm()) * kBlade;
         // A bend at the grip has the energy 2 √f (1 − cos ½α) < 4 √f, a loop 4 √f more.
-        if (root > 20 && s.energy * kLength > 4.01 * root) {
-          EXPECT_FALSE(s.stable) << share << " " << a << " " << s.energy * kLength;
+        if (root > 20 && s.energy * kBlade > 4.01 * root) {
+          EXPECT_FALSE(s.stable) << share << " " << a << " " << s.energy * kBlade;
           ++loops;
         }
       }
@@ -239,7 +235,7 @@ TEST(HingedBlade, NearlyAWholeTurnAtTheGripRests) {
     for (const ClampedSolution& s : all->solutions) {
       if (s.turning < kPi || !s.inflections.empty()) continue;
       ++found;
-      const double root = std::sqrt(s.elastica.force().norm()) * kLength;
+      const double root = std::sqrt(s.elastica.force().norm()) * kBlade;
       const double least =
           root * root * std::pow(std::sin(s.turning / 2), 2) / straightEigenvalue(across(share, a, kHinged));
       EXPECT_TRUE(s.stable) << share << " " << s.stabilityMargin;
@@ -295,9 +291,9 @@ TEST(HingedBlade, FindsWhatRandomShootingFinds) {
       for (int k = 0; k < 30 && q.norm() < 2000; ++k) {
         Elastica::Jacobian jacobian;
         const Elastica::State end = blade(q)->at(1, jacobian);
-        const Eigen::Vector3d miss(problem.end.x() / kLength - end.point.x(), -end.point.y(), -end.curvature);
+        const Eigen::Vector3d miss(problem.end.x() / kBlade - end.point.x(), -end.point.y(), -end.curvature);
         if (miss.norm() < 1e-10) {
-          const Elastica found = blade(q)->transformed(0, kLength, {0, 0});
+          const Elastica found = blade(q)->transformed(0, kBlade, {0, 0});
           if (std::abs(end.angle - *problem.startAngle) > 9.5 || found.inflections().size() > 7) break;
           ++shots;
           EXPECT_TRUE(std::any_of(all->solutions.begin(), all->solutions.end(),
@@ -305,7 +301,7 @@ TEST(HingedBlade, FindsWhatRandomShootingFinds) {
                                     return (s.elastica.point(300) - found.point(300)).norm() < 1e-4 &&
                                            (s.elastica.point(500) - found.point(500)).norm() < 1e-4;
                                   }))
-              << i << " " << found.energy() * kLength;
+              << i << " " << found.energy() * kBlade;
           break;
         }
         Eigen::Matrix3d slope;

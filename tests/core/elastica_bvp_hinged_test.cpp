@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "blade_problems.h"
 #include "bw/core/blade_length.h"
 #include "bw/core/cases.h"
 #include "bw/core/elastica_bvp.h"
@@ -18,48 +19,9 @@
 
 namespace bw {
 
-namespace {
+using namespace test;
 
 using Eigen::Vector2d;
-
-constexpr double kLength = 800;
-const std::optional<double> kHinged = std::nullopt;
-
-ClampedProblem across(double share, std::optional<double> startAngle, std::optional<double> endAngle) {
-  return {{0, 0}, {share * kLength, 0}, startAngle, endAngle, kLength, {}};
-}
-
-/// Ends to 1e-9 of the length, angles that are held to 1e-9, curvatures at hinges to 1e-8 of the blade's
-/// size.
-void expectSolves(const ClampedSolution& solution, const ClampedProblem& problem) {
-  const Elastica& e = solution.elastica;
-  const Elastica::State start = e.at(0), end = e.at(e.length());
-  EXPECT_EQ(e.length(), problem.length);
-  EXPECT_NEAR((start.point - problem.start).norm(), 0, 1e-9 * e.length());
-  EXPECT_NEAR((end.point - problem.end).norm(), 0, 1e-9 * e.length());
-  const double size = 1 / e.length() + std::sqrt(e.force().norm());
-  if (problem.startAngle) {
-    EXPECT_NEAR(std::remainder(start.angle - *problem.startAngle, 2 * kPi), 0, 1e-9);
-  } else {
-    EXPECT_NEAR(start.curvature, 0, 1e-8 * size);
-  }
-  if (problem.endAngle) {
-    EXPECT_NEAR(std::remainder(end.angle - *problem.endAngle, 2 * kPi), 0, 1e-9);
-  } else {
-    EXPECT_NEAR(end.curvature, 0, 1e-8 * size);
-  }
-  EXPECT_NEAR(solution.turning, end.angle - start.angle, 1e-9);
-}
-
-bool same(const Elastica& a, const Elastica& b, double tolerance) {
-  for (int i = 0; i <= 8; ++i) {
-    const double s = i / 8.0;
-    if ((a.point(s * a.length()) - b.point(s * b.length())).norm() > tolerance * a.length()) return false;
-  }
-  return true;
-}
-
-}  // namespace
 
 TEST(HingedBlade, BetweenHingesAreEqualHalfWavesAlongTheChord) {
   for (const double k : {0.05, 0.4, 0.8, 0.9, 0.93, 0.97}) {
@@ -70,7 +32,7 @@ TEST(HingedBlade, BetweenHingesAreEqualHalfWavesAlongTheChord) {
     ASSERT_TRUE(all) << all.error().message;
     EXPECT_EQ(all->kind, ClampedKind::buckling);
     for (int count = 1; count <= 5; ++count) {
-      const double energy = 8 * count * count * first * (second - (1 - k * k) * first) / kLength;
+      const double energy = 8 * count * count * first * (second - (1 - k * k) * first) / kBlade;
       int images = 0;
       double turnings = 0;
       for (const ClampedSolution& solution : all->solutions) {
@@ -79,7 +41,7 @@ TEST(HingedBlade, BetweenHingesAreEqualHalfWavesAlongTheChord) {
         turnings += solution.elastica.startAngle();
         expectSolves(solution, problem);
         EXPECT_EQ(int(solution.inflections.size()), count - 1);
-        EXPECT_NEAR(std::sqrt(solution.elastica.force().norm()) * kLength, 2 * count * first, 1e-8 * count);
+        EXPECT_NEAR(std::sqrt(solution.elastica.force().norm()) * kBlade, 2 * count * first, 1e-8 * count);
         EXPECT_NEAR(solution.elastica.force().y(), 0, 1e-9 * solution.elastica.force().norm());
         const double swing = 2 * std::asin(k), angle = along > 0 ? swing : kPi - swing;
         EXPECT_NEAR(std::abs(solution.elastica.startAngle()), angle, 1e-9);
@@ -99,7 +61,7 @@ TEST(HingedBlade, TheEndsMeetWhereTheMountedBladeMeetsItself) {
   const Result<ClampedAnswer> near = solveClamped(across(2e-6, kHinged, kHinged));
   ASSERT_TRUE(near);
   EXPECT_NEAR(std::sin(near->solutions[0].elastica.startAngle() / 2), kMeet, 2e-6);
-  const Result<ClampedAnswer> one = solveClamped({{3, 4}, {3, 4}, kHinged, kHinged, kLength, {}});
+  const Result<ClampedAnswer> one = solveClamped({{3, 4}, {3, 4}, kHinged, kHinged, kBlade, {}});
   ASSERT_FALSE(one);
   EXPECT_EQ(one.error().code, ErrorCode::noSolution);
   EXPECT_NE(one.error().message.find("hinged in one place"), std::string::npos) << one.error().message;
@@ -107,13 +69,13 @@ TEST(HingedBlade, TheEndsMeetWhereTheMountedBladeMeetsItself) {
 
 TEST(HingedBlade, AgreesWithTheMountedBladeOfHingedEnds) {
   for (const double share : {0.02, 0.3, 0.7, 0.95, 0.9999}) {
-    const Result<BladeHeight> mounted = bladeHeight(kLength, {share * kLength, 0, std::nullopt});
+    const Result<BladeHeight> mounted = bladeHeight(kBlade, {share * kBlade, 0, std::nullopt});
     ASSERT_TRUE(mounted) << mounted.error().message;
     const Result<ClampedAnswer> answer = solveClamped(across(share, kHinged, kHinged));
     ASSERT_TRUE(answer);
     const ClampedSolution& rest = answer->solutions[0];
     EXPECT_TRUE(rest.stable);
-    EXPECT_NEAR(rest.elastica.point(kLength / 2).y(), mounted->height, 1e-7);
+    EXPECT_NEAR(rest.elastica.point(kBlade / 2).y(), mounted->height, 1e-7);
     EXPECT_NEAR(rest.elastica.startAngle(), mounted->blade.angle, 1e-9);
     EXPECT_TRUE(same(rest.elastica.mirrored(), mounted->blade.elastica, 1e-9)) << share;
   }
@@ -169,9 +131,9 @@ TEST(HingedBlade, DoesNotChangeWithPlaceScaleMirrorOrDirection) {
     options.maxInflections = 2;
     const Result<ClampedAnswer> all = solveAllClamped(across(d, a, kHinged), options);
     ASSERT_TRUE(all);
-    const Vector2d place(17, -4), chord = scale * d * kLength * Vector2d(std::cos(turn), std::sin(turn));
-    const double length = scale * kLength;
-    const Vector2d mirrored = scale * d * kLength * Vector2d(std::cos(turn), -std::sin(turn));
+    const Vector2d place(17, -4), chord = scale * d * kBlade * Vector2d(std::cos(turn), std::sin(turn));
+    const double length = scale * kBlade;
+    const Vector2d mirrored = scale * d * kBlade * Vector2d(std::cos(turn), -std::sin(turn));
     const ClampedProblem others[] = {{place, place + chord, a + turn, kHinged, length, {}},
                                      {place, place + mirrored, -a - turn, kHinged, length, {}},
                                      {place + chord, place, kHinged, a + turn + kPi, length, {}}};
@@ -207,10 +169,10 @@ TEST(HingedBlade, TautBladesBendAtTheGripAlone) {
     const ClampedSolution& rest = answer->solutions[0];
     expectSolves(rest, problem);
     EXPECT_TRUE(rest.stable);
-    const double root = std::sqrt(rest.elastica.force().norm()) * kLength;
+    const double root = std::sqrt(rest.elastica.force().norm()) * kBlade;
     if (root < 25) continue;
-    const double bend = a - rest.elastica.at(kLength).angle;
-    EXPECT_NEAR(rest.energy * kLength, 2 * root * (1 - std::cos(bend / 2)), 1e-6 * root) << i;
+    const double bend = a - rest.elastica.at(kBlade).angle;
+    EXPECT_NEAR(rest.energy * kBlade, 2 * root * (1 - std::cos(bend / 2)), 1e-6 * root) << i;
     EXPECT_NEAR((1 - missing) * std::cos(a - bend), 1 - 2 / root * (1 - std::cos(bend / 2)), 1e-8) << i;
     EXPECT_GT(rest.stabilityMargin, 0.5 * root * root / 20.19 * (1 - std::pow(std::cos(bend / 2), 2)));
   }
@@ -223,7 +185,7 @@ TEST(HingedBlade, TautBladesTakeTheBendOfLeastEnergy) {
     const Result<ClampedAnswer> answer = solveClamped(across(1 - missing, a, kHinged));
     ASSERT_TRUE(answer);
     const double share = 1 - std::cos(a / 2);
-    EXPECT_NEAR(answer->solutions[0].energy * kLength, 4 * share * share / missing,
+    EXPECT_NEAR(answer->solutions[0].energy * kBlade, 4 * share * share / missing,
                 0.04 * share * share / missing);
     EXPECT_LT(std::abs(answer->solutions[0].turning), kPi);
   }
@@ -231,10 +193,10 @@ TEST(HingedBlade, TautBladesTakeTheBendOfLeastEnergy) {
 
 TEST(HingedBlade, IsStraightWhereItIsAsLongAsItsChord) {
   const double turn = 0.4;
-  const Vector2d end = kLength * Vector2d(std::cos(turn), std::sin(turn));
-  for (const ClampedProblem& problem : {ClampedProblem{{0, 0}, end, kHinged, kHinged, kLength, {}},
-                                        ClampedProblem{{0, 0}, end, turn, kHinged, kLength, {}},
-                                        ClampedProblem{{0, 0}, end, kHinged, turn, kLength, {}}}) {
+  const Vector2d end = kBlade * Vector2d(std::cos(turn), std::sin(turn));
+  for (const ClampedProblem& problem : {ClampedProblem{{0, 0}, end, kHinged, kHinged, kBlade, {}},
+                                        ClampedProblem{{0, 0}, end, turn, kHinged, kBlade, {}},
+                                        ClampedProblem{{0, 0}, end, kHinged, turn, kBlade, {}}}) {
     const Result<ClampedAnswer> answer = solveClamped(problem);
     ASSERT_TRUE(answer) << answer.error().message;
     EXPECT_EQ(answer->kind, ClampedKind::straight);

@@ -9,19 +9,14 @@
 
 #include <nlohmann/json.hpp>
 
+#include "blade_problems.h"
 #include "bw/core/cases.h"
 #include "bw/core/elastica_bvp.h"
 #include "bw/core/units.h"
 
 namespace bw {
 
-namespace {
-
-ClampedProblem across(double share, double startAngle, double endAngle, double length = 800) {
-  return {{0, 0}, {share * length, 0}, startAngle, endAngle, length, {}};
-}
-
-}  // namespace
+using namespace test;
 
 TEST(ClampedBlade, OtherStableShapesAreThoseAmongAll) {
   std::mt19937 engine(31);

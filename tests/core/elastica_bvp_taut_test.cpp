@@ -10,28 +10,17 @@
 #include <tuple>
 #include <utility>
 
+#include "blade_problems.h"
 #include "bw/core/elastica_bvp.h"
 #include "bw/core/units.h"
 
 namespace bw {
 
+using namespace test;
+
 namespace {
 
 using Eigen::Vector2d;
-
-ClampedProblem across(double share, double startAngle, double endAngle) {
-  return {{0, 0}, {share * 800, 0}, startAngle, endAngle, 800, {}};
-}
-
-/// Ends and angles to 1e-9.
-void expectSolves(const ClampedSolution& solution, const ClampedProblem& problem) {
-  const Elastica& e = solution.elastica;
-  const Elastica::State end = e.at(e.length());
-  EXPECT_NEAR((e.start() - problem.start).norm(), 0, 1e-9 * e.length());
-  EXPECT_NEAR((end.point - problem.end).norm(), 0, 1e-9 * e.length());
-  EXPECT_NEAR(std::remainder(e.startAngle() - *problem.startAngle, 2 * kPi), 0, 1e-9);
-  EXPECT_NEAR(std::remainder(end.angle - *problem.endAngle, 2 * kPi), 0, 1e-9);
-}
 
 /// E L and √f L of the lower of the ways in which two bends alone may meet their grips, by fixed points.
 std::pair<double, double> bendsAlone(double share, double start, double end) {
