@@ -82,8 +82,13 @@ std::uint32_t number(std::string_view bytes, std::size_t at, int size) {
 struct ZipEntry {
   std::string name;
   unsigned flags = 0, method = 0;
-  std::size_t packed = 0, head = 0;
+  std::size_t crc = 0, packed = 0, head = 0;
 };
+
+/// What the archiver of macOS keeps beside a file bears its name too.
+bool isBeside(const std::string& name) {
+  return name.rfind("__MACOSX/", 0) == 0 || name.substr(name.rfind('/') + 1).rfind("._", 0) == 0;
+}
 
 /// The CAD files that the table of a zip archive lists; none if the table is missing.
 std::vector<ZipEntry> cadEntries(std::string_view bytes) {
@@ -93,9 +98,13 @@ std::vector<ZipEntry> cadEntries(std::string_view bytes) {
   std::size_t at = number(bytes, end + 16, 4);
   while (at + 46 <= end && bytes.compare(at, kZipEntry.size(), kZipEntry) == 0) {
     const std::size_t nameSize = number(bytes, at + 28, 2);
-    const ZipEntry entry = {std::string(bytes.substr(at + 46, nameSize)), number(bytes, at + 8, 2),
-                            number(bytes, at + 10, 2), number(bytes, at + 20, 4), number(bytes, at + 42, 4)};
-    if (formatOfSuffix(entry.name) != CadFormat::unknown) entries.push_back(entry);
+    const ZipEntry entry = {std::string(bytes.substr(at + 46, nameSize)),
+                            number(bytes, at + 8, 2),
+                            number(bytes, at + 10, 2),
+                            number(bytes, at + 16, 4),
+                            number(bytes, at + 20, 4),
+                            number(bytes, at + 42, 4)};
+    if (formatOfSuffix(entry.name) != CadFormat::unknown && !isBeside(entry.name)) entries.push_back(entry);
     at += 46 + nameSize + number(bytes, at + 30, 2) + number(bytes, at + 32, 2);
   }
   return entries;
@@ -121,7 +130,11 @@ Result<std::string> unzipped(std::string_view bytes, const std::string& name) {
                       "open what it holds");
   }
   const std::string_view packed = bytes.substr(data, entry.packed);
-  return entry.method == 0 ? Result<std::string>(std::string(packed)) : inflated(packed, kRawWindow, name);
+  Result<std::string> text =
+      entry.method == 0 ? Result<std::string>(std::string(packed)) : inflated(packed, kRawWindow, name);
+  if (text && ::crc32_z(0, reinterpret_cast<const Bytef*>(text->data()), text->size()) != entry.crc)
+    return unreadable(name, "the packed file is damaged; copy or export it again");
+  return text;
 }
 
 }  // namespace

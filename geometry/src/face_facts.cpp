@@ -32,7 +32,7 @@ void addBending(const FaceGeometry& geometry, FaceInfo& face) {
 }
 
 /// Sections across the main directions of the block that the face alone would get.
-void addSections(const CadModel& model, FaceInfo& face) {
+void addSections(const CadModel& model, FaceInfo& face, const RunContext& context) {
   const auto target = Target::make(model, {FaceChoice::Kind::indices, {face.index}});
   if (!target) return;
   Job job;
@@ -41,6 +41,7 @@ void addSections(const CadModel& model, FaceInfo& face) {
   auto setup = resolveSetup(*target, job, ignored);
   if (!setup) return;
   RunContext alone;
+  alone.stop = context.stop;
   alone.threads = 1;
   for (const Eigen::Vector3d& direction : {setup->block.frame.x, setup->block.frame.y}) {
     setup->direction = direction;
@@ -74,7 +75,7 @@ Result<CadInfo> CadModel::infoInFull(const RunContext& context) const {
     if (!impl_->faces[i]) return;
     try {
       addBending(*impl_->faces[i], face);
-      addSections(*this, face);
+      addSections(*this, face, context);
     } catch (const Standard_Failure&) {
       // A surface without second derivatives keeps a range of zero.
     }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "bw/core/number_text.h"
 #include "bw/geometry/cad_model.h"
@@ -96,13 +97,23 @@ class Chooser {
   }
 
   Result<std::vector<int>> all() const {
+    std::vector<int> result(std::size_t(count_), 0);
+    std::iota(result.begin(), result.end(), 0);
+    return usableOf(result);
+  }
+
+  /// Those of some faces that are not too thin. An error if all are.
+  Result<std::vector<int>> usableOf(const std::vector<int>& indices) const {
     std::vector<int> result;
-    for (int i = 0; i < count_; ++i) {
+    for (const int i : indices) {
       if (usable(i)) result.push_back(i);
     }
+    if (const std::size_t thin = indices.size() - result.size(); thin > 0 && !result.empty())
+      tell((thin == 1 ? "1 face is" : std::to_string(thin) + " faces are") + " left out, thinner than " +
+           shortText(kThin) + " mm");
     if (result.empty()) {
       return fail(ErrorCode::badInput,
-                  "all faces of " + impl_.name + " are thinner than the tolerance of " + shortText(kThin) +
+                  "the faces of " + impl_.name + " are thinner than the tolerance of " + shortText(kThin) +
                       " mm; check the unit of the file",
                   impl_.name, 0.0, kThin);
     }
@@ -138,7 +149,7 @@ class Chooser {
       }
       if (indices.size() == before) return noSuchName(name);
     }
-    return listed(indices);
+    return usableOf(indices);
   }
 
   Result<std::vector<int>> group(int index) const {
@@ -152,7 +163,7 @@ class Chooser {
                    : std::to_string(groups.size()) + " groups, 0 to " + std::to_string(groups.size() - 1)),
           "face", index, double(groups.size()) - 1);
     }
-    return listed(groups[index].faces);
+    return usableOf(groups[index].faces);
   }
 
   Result<std::vector<int>> nearest(const Eigen::Vector3d& point) const {

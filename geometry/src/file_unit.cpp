@@ -17,7 +17,7 @@ std::string unitName(std::string text) {
   if (text.find("inch") != std::string::npos || text == "in") return "inch";
   if (text.find("foot") != std::string::npos || text.find("feet") != std::string::npos || text == "ft")
     return "foot";
-  if (text.find("mil") == 0) return "mil";
+  if (text == "mil" || text == "mils") return "mil";
   if (text.find("mi") == 0) return "mile";
   return text.empty() ? "mm (assumed)" : text;
 }

@@ -92,7 +92,7 @@ void repair(ReadShape& read) {
 }
 
 void sew(ReadShape& read, double tolerance) {
-  if (read.faces.size() < 2 || openEdgeCount(read.shape) < 2) return;
+  if (!(tolerance > 0) || read.faces.size() < 2 || openEdgeCount(read.shape) < 2) return;
   Gaps gaps = measureGaps(read.shape, read.faces, tolerance);
   if (gaps.within > 0) {
     const bool apart = loose(read.shape);

@@ -60,41 +60,39 @@ Handle(TCollection_HAsciiString) ascii(const std::string& text) {
 Result<std::string> igesText(const SplineSurface& surface, const std::string& name) {
   if (Result<void> ok = checkSplineSurface(surface); !ok) return tl::unexpected<Error>(ok.error());
   silenceOcct();
-  try {
-    TColgp_Array2OfPnt poles(1, surface.polesU, 1, surface.polesV);
-    for (int j = 0; j < surface.polesV; ++j)
-      for (int i = 0; i < surface.polesU; ++i) {
-        const Eigen::Vector3d& p = surface.poles[std::size_t(j) * surface.polesU + i];
-        poles(i + 1, j + 1) = gp_Pnt(p.x(), p.y(), p.z());
-      }
-    const Knots u(surface.knotsU), v(surface.knotsV);
-    const Handle(Geom_BSplineSurface) spline = new Geom_BSplineSurface(
-        poles, u.values, v.values, u.counts, v.counts, surface.degreeU, surface.degreeV);
-    IGESControl_Controller::Init();
-    IGESControl_Writer writer("MM", 0);  // 0: trimmed surfaces, which every modeller reads
-    if (!writer.AddShape(BRepBuilderAPI_MakeFace(spline, kTolerance).Face()))
-      return fail(ErrorCode::internal, "the surface could not be turned into IGES", "iges");
-    writer.ComputeModel();
-    const Handle(IGESData_IGESModel) model = writer.Model();
-    IGESData_GlobalSection section = model->GlobalSection();
-    for (const auto set : {&IGESData_GlobalSection::SetSendName, &IGESData_GlobalSection::SetFileName,
-                           &IGESData_GlobalSection::SetReceiveName})
-      (section.*set)(ascii(name));
-    section.SetSystemId(ascii("Bladewright"));
-    section.SetAuthorName(ascii("Bladewright"));
-    section.SetCompanyName(ascii(""));
-    section.SetDate(ascii(kDate));
-    section.SetLastChangeDate(ascii(kDate));
-    model->SetGlobalSection(section);
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    if (!writer.Write(text))
-      return fail(ErrorCode::internal, "the surface could not be written as IGES", "iges");
-    return text.str();
-  } catch (const Standard_Failure& failure) {
-    return fail(ErrorCode::internal, "the surface could not be written as IGES: " + failureText(failure),
-                "iges");
-  }
+  return guarded(
+      ErrorCode::internal, "the surface could not be written as IGES", [&]() -> Result<std::string> {
+        TColgp_Array2OfPnt poles(1, surface.polesU, 1, surface.polesV);
+        for (int j = 0; j < surface.polesV; ++j)
+          for (int i = 0; i < surface.polesU; ++i) {
+            const Eigen::Vector3d& p = surface.poles[std::size_t(j) * surface.polesU + i];
+            poles(i + 1, j + 1) = gp_Pnt(p.x(), p.y(), p.z());
+          }
+        const Knots u(surface.knotsU), v(surface.knotsV);
+        const Handle(Geom_BSplineSurface) spline = new Geom_BSplineSurface(
+            poles, u.values, v.values, u.counts, v.counts, surface.degreeU, surface.degreeV);
+        IGESControl_Controller::Init();
+        IGESControl_Writer writer("MM", 0);  // 0: trimmed surfaces, which every modeller reads
+        if (!writer.AddShape(BRepBuilderAPI_MakeFace(spline, kTolerance).Face()))
+          return fail(ErrorCode::internal, "the surface could not be turned into IGES", "iges");
+        writer.ComputeModel();
+        const Handle(IGESData_IGESModel) model = writer.Model();
+        IGESData_GlobalSection section = model->GlobalSection();
+        for (const auto set : {&IGESData_GlobalSection::SetSendName, &IGESData_GlobalSection::SetFileName,
+                               &IGESData_GlobalSection::SetReceiveName})
+          (section.*set)(ascii(name));
+        section.SetSystemId(ascii("Bladewright"));
+        section.SetAuthorName(ascii("Bladewright"));
+        section.SetCompanyName(ascii(""));
+        section.SetDate(ascii(kDate));
+        section.SetLastChangeDate(ascii(kDate));
+        model->SetGlobalSection(section);
+        std::ostringstream text;
+        text.imbue(std::locale::classic());
+        if (!writer.Write(text))
+          return fail(ErrorCode::internal, "the surface could not be written as IGES", "iges");
+        return text.str();
+      });
 }
 
 }  // namespace bw::geometry

@@ -24,6 +24,7 @@ namespace {
 
 constexpr int kPollMilliseconds = 20;    // between looks at the stop token
 constexpr std::size_t kChunk = 1 << 20;  // bytes read at once
+constexpr char kWhole = '.';             // follows the bytes: all are there
 
 bool writeAll(int file, const char* data, std::size_t size) {
   while (size > 0) {
@@ -43,9 +44,9 @@ std::size_t addressSpace() {
   return pages * std::size_t(::sysconf(_SC_PAGESIZE));
 }
 
-/// What the forked process does; never returns.
+/// What the forked process does; never returns: what `work` throws ends it.
 [[noreturn]] void runChild(int pipe, pid_t parent, const std::function<std::string()>& work,
-                           const WorkLimits& limits) {
+                           const WorkLimits& limits) noexcept {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(2);
   for (const int signal : {SIGINT, SIGTERM, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGPIPE, SIGXCPU})
@@ -67,7 +68,7 @@ std::size_t addressSpace() {
     const rlimit space{now + limits.memory, now + limits.memory};
     ::setrlimit(RLIMIT_AS, &space);
   }
-  const std::string bytes = work();
+  const std::string bytes = work() + kWhole;
   ::_exit(writeAll(pipe, bytes.data(), bytes.size()) ? 0 : 2);
 }
 
@@ -115,7 +116,7 @@ Result<std::string> runIsolated(const RunContext& context, const std::function<s
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-  if (stopped || signal == SIGINT || signal == SIGTERM) return stoppedError();
+  if (stopped || signal == SIGINT || signal == SIGTERM || signal == SIGHUP) return stoppedError();
   if (signal == SIGXCPU) {
     return fail(ErrorCode::cannotRead,
                 "OpenCASCADE did not come to an end with it within " + std::to_string(limits.cpuSeconds) +
@@ -123,13 +124,14 @@ Result<std::string> runIsolated(const RunContext& context, const std::function<s
                     "that are needed alone, best as STEP",
                 "read", limits.cpuSeconds);
   }
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+  if (bytes.empty() || bytes.back() != kWhole) {
     return fail(ErrorCode::cannotRead,
                 "OpenCASCADE broke down while reading it; the file is damaged or holds something that cannot "
                 "be read: export it again, "
                 "best as STEP",
                 "read");
   }
+  bytes.pop_back();
   return bytes;
 }
 

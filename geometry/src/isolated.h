@@ -21,8 +21,8 @@ struct WorkLimits {
 /// Runs `work` in a process forked for it and returns the bytes that it made, so that a library which crashes
 /// on a damaged file, or works on it without end, takes only that process with it. A stop of the context ends
 /// the process within 0.05 s. `work` sees a copy of everything there is, but only its own thread: it must not
-/// wait for another one, nor throw. Errors: `cancelled`; `cannotRead` if the process broke down, exceeded its
-/// time, or could not be made.
+/// wait for another one; what it throws counts as a crash. Errors: `cancelled`; `cannotRead` if the process
+/// broke down, exceeded its time, or could not be made.
 Result<std::string> runIsolated(const RunContext& context, const std::function<std::string()>& work,
                                 const WorkLimits& limits = {});
 

@@ -23,7 +23,8 @@ namespace {
 constexpr int kProbes = 9;        // points of an edge at which its gap is measured
 constexpr int kLeastSamples = 8;  // of an edge
 constexpr int kMostSamples = 200;
-constexpr double kLookAround = 10;  // times the limit: gaps up to this are told
+constexpr double kLookAround = 10;  // times the limit: gaps up to this are told,
+constexpr double kFarthest = 10;    // but none wider than this, mm, unless the limit is
 constexpr int kSteps = 12;          // of Newton's method, which is quick where the gap is small
 constexpr double kBow = 0.1;        // of a piece between samples: how far it may leave its chord
 
@@ -94,6 +95,7 @@ Gaps measureGaps(const TopoDS_Shape& shape, const std::vector<TopoDS_Shape>& fac
   Gaps gaps;
   std::vector<OpenEdge> edges = openEdges(shape, faces);
   if (edges.size() < 2) return gaps;
+  const double around = std::max(limit, std::min(kLookAround * limit, kFarthest));
   // Samples about evenly spaced over all edges, so that one long edge does not widen every search.
   std::vector<double> lengths;
   for (const OpenEdge& edge : edges) lengths.push_back(edge.length);
@@ -120,10 +122,10 @@ Gaps measureGaps(const TopoDS_Shape& shape, const std::vector<TopoDS_Shape>& fac
   for (const OpenEdge& edge : edges) {
     double widest = 0;
     int other = -1;
-    for (int k = 0; k < kProbes && widest <= kLookAround * limit; ++k) {
+    for (int k = 0; k < kProbes && widest <= around; ++k) {
       const Eigen::Vector3d p = edge.at(edge.first + edge.step * (edge.samples - 1) * k / (kProbes - 1));
       found.clear();
-      tree.within(p, reach + kLookAround * limit, found);
+      tree.within(p, reach + around, found);
       // By the chords first: few pieces are near enough to be looked at as curves.
       chords.clear();
       double least = 1e300;
@@ -151,7 +153,7 @@ Gaps measureGaps(const TopoDS_Shape& shape, const std::vector<TopoDS_Shape>& fac
     if (widest <= limit) {
       ++gaps.within;
       gaps.widestWithin = std::max(gaps.widestWithin, widest);
-    } else if (widest <= kLookAround * limit && (gaps.narrowestOpen == 0 || widest < gaps.narrowestOpen)) {
+    } else if (widest <= around && (gaps.narrowestOpen == 0 || widest < gaps.narrowestOpen)) {
       gaps.narrowestOpen = widest;
       gaps.faces[0] = std::min(edge.face, other);
       gaps.faces[1] = std::max(edge.face, other);

@@ -10,10 +10,12 @@
 #include <StepRepr_RepresentationItem.hxx>
 #include <StepRepr_RepresentationMap.hxx>
 #include <StepShape_ConnectedFaceSet.hxx>
+#include <StepShape_ContextDependentShapeRepresentation.hxx>
 #include <StepShape_Face.hxx>
 #include <StepShape_HArray1OfFace.hxx>
 #include <StepShape_HArray1OfShell.hxx>
 #include <StepShape_OrientedFace.hxx>
+#include <StepShape_ShapeDefinitionRepresentation.hxx>
 #include <StepShape_Shell.hxx>
 #include <StepShape_ShellBasedSurfaceModel.hxx>
 #include <TCollection_HAsciiString.hxx>
@@ -38,6 +40,12 @@ Handle(T) as(const Handle(Standard_Transient) & entity) {
 bool isShape(const Handle(Standard_Transient) & entity) {
   const std::string type = entity->DynamicType()->Name();
   return type.rfind("StepGeom_", 0) == 0 || type.rfind("StepShape_", 0) == 0;
+}
+
+/// True for what tells where shapes belong.
+bool placesShapes(const Handle(Standard_Transient) & entity) {
+  return !as<StepShape_ContextDependentShapeRepresentation>(entity).IsNull() ||
+         !as<StepShape_ShapeDefinitionRepresentation>(entity).IsNull();
 }
 
 bool isUnit(const Handle(Standard_Transient) & entity) {
@@ -102,6 +110,8 @@ class Salvager {
       if (!isShape(entity)) continue;
       const Handle(StepRepr_RepresentationItem) item = as<StepRepr_RepresentationItem>(entity);
       const Handle(StepRepr_Representation) shapes = as<StepRepr_Representation>(entity);
+      // No face hangs on the rest: dimensions and tolerances.
+      if (item.IsNull() && shapes.IsNull() && !placesShapes(entity)) continue;
       // The name is read first; a record of the wrong length is not read at all, which is another failure.
       if (fail.find("name)") != std::string::npos && !(item.IsNull() && shapes.IsNull())) {
         giveName(item);

@@ -45,8 +45,10 @@ std::string zip(const std::vector<Entry>& entries) {
   std::string bytes, table;
   for (const Entry& entry : entries) {
     const std::string data = entry.stored ? entry.text : deflated(entry.text, -15);
+    const auto crc =
+        std::uint32_t(::crc32(0, reinterpret_cast<const Bytef*>(entry.text.data()), uInt(entry.text.size())));
     const std::string facts = little(20, 2) + little(entry.flags, 2) + little(entry.stored ? 0 : 8, 2) +
-                              little(0, 8) + little(std::uint32_t(data.size()), 4) +
+                              little(0, 4) + little(crc, 4) + little(std::uint32_t(data.size()), 4) +
                               little(std::uint32_t(entry.text.size()), 4) +
                               little(std::uint32_t(entry.name.size()), 2) + little(0, 2);
     table += "PK\x01\x02" + little(20, 2) + facts + little(0, 10) + little(std::uint32_t(bytes.size()), 4) +
@@ -63,7 +65,8 @@ TEST(Packed, GzipAndZipAreReadLikeWhatTheyHold) {
   const Bounds bounds = modelOf(step).info().bounds;
   for (const std::string& bytes :
        {gzip(step), gzip("\xef\xbb\xbf" + step), zip({{"saddle.stp", step}}),
-        zip({{"saddle.STEP", step, true}}), zip({{"read me.txt", "hello"}, {"parts/saddle.step", step}})}) {
+        zip({{"saddle.STEP", step, true}}), zip({{"read me.txt", "hello"}, {"parts/saddle.step", step}}),
+        zip({{"saddle.step", step}, {"__MACOSX/._saddle.step", "resources"}, {"._saddle.step", "more"}})}) {
     const auto model = CadModel::readBytes(bytes, "saddle.stpz");
     ASSERT_TRUE(model) << model.error().message;
     EXPECT_EQ(model->info().format, "STEP");
@@ -98,6 +101,10 @@ TEST(Packed, DamageAndWhatIsNotThereAreToldWithTheFilesName) {
       }
     }
   }
+  std::string stored = zip({{"a.stp", step, true}});
+  const std::size_t coordinate = stored.find("CARTESIAN_POINT('',(") + 20;
+  stored[coordinate] = stored[coordinate] == '1' ? '2' : '1';
+  expectError(CadModel::readBytes(stored, "bit.stpz"), ErrorCode::cannotRead, "damaged");
   expectError(CadModel::readBytes(zip({{"a.txt", step}}), "none.stpz"), ErrorCode::cannotRead,
               "holds no STEP");
   expectError(CadModel::readBytes(zip({{"a.stp", step}, {"b.stp", step}}), "two.stpz"), ErrorCode::cannotRead,

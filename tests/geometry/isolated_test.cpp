@@ -38,6 +38,24 @@ TEST(Isolated, CrashEndsTheWorkAloneAndIsAnError) {
   }
 }
 
+TEST(Isolated, WhatTheWorkThrowsIsACrash) {
+  const auto bytes = runIsolated({}, []() -> std::string { throw std::bad_alloc(); });
+  ASSERT_FALSE(bytes);
+  EXPECT_EQ(bytes.error().code, ErrorCode::cannotRead);
+}
+
+TEST(Isolated, CrashIsToldWhereNobodyWaitsForChildren) {
+  const auto before = std::signal(SIGCHLD, SIG_IGN);
+  const auto bytes = runIsolated({}, [] {
+    ::raise(SIGSEGV);
+    return std::string("never");
+  });
+  const auto whole = runIsolated({}, [] { return std::string("done"); });
+  std::signal(SIGCHLD, before);
+  EXPECT_FALSE(bytes);
+  EXPECT_EQ(whole.value(), "done");
+}
+
 TEST(Isolated, WhatTheWorkPrintsStaysOutOfTheProgramsStreams) {
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
@@ -104,12 +122,14 @@ TEST(Isolated, WorkGetsNoMoreMemoryThanItsLimit) {
 }
 
 TEST(Isolated, InterruptOfTheWorkIsAStop) {
-  const auto bytes = runIsolated({}, [] {
-    ::raise(SIGINT);
-    return std::string("never");
-  });
-  ASSERT_FALSE(bytes);
-  EXPECT_EQ(bytes.error().code, ErrorCode::cancelled);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const auto bytes = runIsolated({}, [signal] {
+      ::raise(signal);
+      return std::string("never");
+    });
+    ASSERT_FALSE(bytes);
+    EXPECT_EQ(bytes.error().code, ErrorCode::cancelled);
+  }
 }
 
 TEST(MemoryFile, IsReadThroughItsPath) {

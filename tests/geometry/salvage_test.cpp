@@ -113,6 +113,15 @@ TEST(Salvage, DamagedUnitIsTold) {
       << model.info().leftOut[0];
 }
 
+TEST(Salvage, DamagedDimensionTakesNoFace) {
+  std::string text = exampleStep("saddle").value();
+  const int faces = modelOf(text).info().faces;
+  text.insert(text.find("#1="), "#99000=DIMENSIONAL_SIZE(#1,$);\n");
+  const auto model = CadModel::readBytes(text, "dimension.step");
+  ASSERT_TRUE(model) << model.error().message;
+  EXPECT_EQ(model->info().faces, faces);
+}
+
 TEST(Salvage, FileOfWhichNothingIsUsableIsUnreadable) {
   const std::string step = exampleStep("saddle").value();
   const auto model = CadModel::readBytes(

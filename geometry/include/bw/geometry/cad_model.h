@@ -81,13 +81,12 @@ struct CadInfo {
   std::vector<std::string> leftOut;  ///< what of the file could not be used, in words
 };
 
-/// A CAD file in memory, in mm, healed and oriented. Immutable; cheap to copy. Safe for reading from one
-/// thread at a time; samplers and sections made from it are independent.
+/// A CAD file in memory, in mm, healed and oriented. Immutable; cheap to copy. Targets, samplers and sections
+/// may be made from it on several threads at once; each sampler belongs to one thread.
 class CadModel {
  public:
   /// Reads STEP, IGES or BREP (told from the content, then from the suffix). Errors: missing, empty,
-  /// truncated or garbage file
-  /// (`cannotRead`), a file without faces (`badInput`), each with what to do.
+  /// truncated or garbage file (`cannotRead`), a file without faces (`badInput`), each with what to do.
   static Result<CadModel> read(const std::filesystem::path& file, const RunContext& context = {},
                                const ReadOptions& options = {});
   /// The same from bytes in memory (the source embedded in a design). `name` serves messages and the suffix.
@@ -116,6 +115,9 @@ class CadModel {
 /// The chosen faces as one target.
 class Target {
  public:
+  /// Takes the faces that `choice` names; what it took, and what it left out as too thin, goes to `findings`.
+  /// Error `badInput`: a number, name or group that does not exist, a point that is not finite, a chosen face
+  /// too thin to be cut, or no other.
   static Result<Target> make(const CadModel& model, const FaceChoice& choice, Issues* findings = nullptr);
 
   Bounds bounds() const;  ///< tight, file frame, mm

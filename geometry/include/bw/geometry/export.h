@@ -19,7 +19,8 @@ namespace bw::geometry {
 Result<std::string> stepText(const SplineSurface& surface, const std::string& name);
 
 /// The surface as IGES text in mm, one trimmed face; the head carries no date and no machine, as with STEP.
-/// `name` in ASCII, other characters become "_".
+/// `name` in ASCII, other characters become "_". Errors: a surface whose poles, knots and degrees do not fit
+/// (`badInput`); `internal` if OpenCASCADE fails.
 Result<std::string> igesText(const SplineSurface& surface, const std::string& name);
 
 /// Writes the surface as STEP in mm: temporary file, then rename. `cannotWrite` names the path and the

@@ -10,7 +10,8 @@
 namespace bw::geometry {
 
 /// Triangles of all faces of a file that can be computed with, for choosing among them: coarser than those of
-/// a target, within 1/1000 of the file's size. Error: `cancelled`.
+/// a target, within 1/1000 of the file's size. Errors: `cancelled`; `internal` if
+/// OpenCASCADE fails.
 Result<FaceMesh> faceMesh(const CadModel& model, const RunContext& context = {});
 
 }  // namespace bw::geometry
