@@ -45,7 +45,7 @@ int Session::complain(const Error& error) const {
     object["value"] = error.value ? nlohmann::ordered_json(*error.value) : nlohmann::ordered_json(nullptr);
     object["limit"] = error.limit ? nlohmann::ordered_json(*error.limit) : nlohmann::ordered_json(nullptr);
     std::cerr << nlohmann::ordered_json{{"error", object}}.dump(
-                     -1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
+                     -1, ' ', true, nlohmann::ordered_json::error_handler_t::replace)
               << "\n";
   } else {
     std::cerr << "blade: " << printable(error.message) << "\n";

@@ -47,7 +47,8 @@ int runExport(const Session& session, const ExportOptions& options, bool despite
   return resultStatus(outcome.evaluation);
 }
 
-/// True if a folder holds modules, or lists of them, at any depth at which programs lie.
+/// True if a folder holds modules, or lists of them, at any depth at which programs lie, or cannot be read as
+/// far as that.
 bool holdsRapid(const std::filesystem::path& folder) {
   std::error_code error;
   for (std::filesystem::recursive_directory_iterator it(folder, error), end; !error && it != end;
@@ -56,7 +57,7 @@ bool holdsRapid(const std::filesystem::path& folder) {
     if (suffix == ".mod" || suffix == ".modx" || suffix == ".pgf") return true;
     if (it.depth() >= 3) it.disable_recursion_pending();
   }
-  return false;
+  return bool(error);
 }
 
 /// What is found about one folder or file.

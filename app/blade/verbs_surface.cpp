@@ -70,10 +70,13 @@ int runDesign(const Session& session, const Design& design, const std::string& o
   pipeline::Outcome outcome = pipeline::evaluate(design, nullptr, session.context());
   session.tell(outcome.evaluation.issues());
   if (outcome.error) return session.complain(*outcome.error);
-  const Result<Design> stored = pipeline::storedDesign(design);
-  if (!stored) return session.complain(stored.error());
-  FileSet designFile;
-  designFile.add(kDesignFile, designToJson(*stored));
+  const auto designFile = [&](const std::vector<fs::path>&) -> Result<FileSet> {
+    const Result<Design> stored = pipeline::storedDesign(outcome.evaluation);
+    if (!stored) return tl::unexpected<Error>(stored.error());
+    FileSet file;
+    file.add(kDesignFile, designToJson(*stored));
+    return file;
+  };
   Result<FileSet> files =
       pipeline::resultFiles(outcome.evaluation, session.context(), programPolicy(despiteErrors), designFile);
   session.tell(outcome.evaluation.programs);

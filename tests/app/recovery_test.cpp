@@ -235,6 +235,30 @@ TEST_F(Recovery, KnowsThatAnotherWroteTheFile) {
   EXPECT_FALSE(document.changedOnDisk());
 }
 
+TEST_F(Recovery, ListsCopiesWhoseLocksCannotBeMade) {
+  crash("read-only", 21);
+  const fs::path copy = listRecovery(folder()).at(0).copy;
+  // As on a file system without the right to write.
+  fs::create_directory(fs::path(copy).replace_extension(".lock"));
+  const std::vector<RecoveryCopy> copies = listRecovery(folder());
+  ASSERT_EQ(copies.size(), 1u);
+  Document document(folder());
+  EXPECT_TRUE(document.recover(copies[0].copy));
+}
+
+TEST_F(Recovery, SavesWhichSourceTheResultsWereMadeFrom) {
+  const fs::path source = path("panel.step");
+  ASSERT_TRUE(writeFile(source, "ISO-10303-21; read"));
+  Design linked = design();
+  linked.source = {source, {}};
+  Document document({});
+  document.start(linked);
+  document.noteRead(source, fingerprintOf("ISO-10303-21; read"));
+  ASSERT_TRUE(writeFile(source, "ISO-10303-21; changed since"));
+  ASSERT_TRUE(document.saveAs(path("a.bladewright")));
+  EXPECT_EQ(document.design()->source.saved, fingerprintOf("ISO-10303-21; read"));
+}
+
 TEST_F(Recovery, RemembersWhatTheLinkedSourceWasWhenItSaves) {
   const fs::path source = path("panel.step"), file = path("a.bladewright");
   ASSERT_TRUE(writeFile(source, "ISO-10303-21; one"));

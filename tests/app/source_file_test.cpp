@@ -99,6 +99,36 @@ TEST_F(SourceFile, ThatIsOnlyTouchedIsNotTold) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return gone.count() > 0; }, kPatience));
 }
 
+TEST_F(SourceFile, ThatChangesWhileItIsReadIsTold) {
+  model::SourceWatch watch;
+  QSignalSpy changed(&watch, &model::SourceWatch::changed), back(&watch, &model::SourceWatch::back);
+  watch.watch(source());
+  const Fingerprint read = fingerprintOf(geometry::exampleStep("saddle").value());
+  watch.accept(read);
+  EXPECT_EQ(changed.count(), 0);
+  ASSERT_NO_FATAL_FAILURE(saveByRename("ISO-10303-21; other"));
+  watch.accept(read);
+  EXPECT_EQ(changed.count(), 1);
+  // A drive that goes and comes back.
+  watch.accept(fingerprintOf("ISO-10303-21; other"));
+  fs::rename(source(), path("away.step"));
+  QSignalSpy gone(&watch, &model::SourceWatch::gone);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return gone.count() > 0; }, kPatience));
+  fs::rename(path("away.step"), source());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return back.count() > 0; }, kPatience));
+  EXPECT_EQ(changed.count(), 1);
+}
+
+TEST_F(SourceFile, IsNotStoredBesideResultsOfAnother) {
+  const pipeline::Evaluation evaluation = *bench().shown();
+  EXPECT_TRUE(pipeline::storedDesign(evaluation));
+  ASSERT_NO_FATAL_FAILURE(saveByRename(geometry::exampleStep("panel-600x670").value()));
+  const Result<Design> stored = pipeline::storedDesign(evaluation);
+  ASSERT_FALSE(stored);
+  EXPECT_EQ(stored.error().code, ErrorCode::cannotRead);
+  EXPECT_NE(stored.error().message.find("was changed after"), std::string::npos) << stored.error().message;
+}
+
 TEST_F(SourceFile, ThatMovedIsLocated) {
   const fs::path design = path("roof.bladewright"), moved = path("moved.step");
   window().questions().saveDesign = [&](const QString&) { return QString::fromStdString(design.string()); };

@@ -135,6 +135,18 @@ TEST(ResultFolder, AFileOfAnotherRunIsTold) {
   EXPECT_NE(check.out.find("[rapid-run]"), std::string::npos) << check.out;
 }
 
+TEST(ResultFolder, NamesInAReportLeadOutOfNoFolder) {
+  const Folder folder;
+  rationalize(folder, kJobA, "out");
+  json report = json::parse(slurp(folder / "out/report.json"));
+  report["fingerprints"]["../elsewhere.txt"] = "1-0000000000000000";
+  report["fingerprints"]["/etc/hostname"] = "1-0000000000000000";
+  folder.write("out/report.json", report.dump());
+  const Finished check = blade({"check", folder / "out"});
+  EXPECT_EQ(check.out.find("elsewhere"), std::string::npos) << check.out;
+  EXPECT_EQ(check.out.find("hostname"), std::string::npos) << check.out;
+}
+
 TEST(ResultFolder, AModuleChangedByHandIsAWarning) {
   const Folder folder;
   rationalize(folder, kJobA, "out");

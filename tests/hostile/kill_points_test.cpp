@@ -84,18 +84,18 @@ void layOut(bool linked) {
   }
   // With a file that the next run lacks, or with the same names.
   ASSERT_TRUE(commitAfresh(filesOf(kRunA, linked), kFolder / "result"));
-  for (const char* name :
-       {"notes.txt", "programs/notes.txt", "programs/strip-0/notes.txt", "programs/strip-0/T_ROB2/notes.txt"})
+  for (const char* name : {"notes.txt", "programs/notes.txt", "programs/strip-0/notes.txt",
+                           "programs/strip-0/T_ROB2/notes.txt", "programs/strip-0/T_ROB2/MyHand.mod"})
     std::ofstream(kFolder / "result" / name) << "mine";
 }
 
-/// Writes run B and is killed before the call number `moment` (from 0). True if it came that far.
-bool killAt(int moment) {
+/// Writes files and is killed before the call number `moment` (from 0). True if it came that far.
+bool killAt(int moment, const FileSet& files) {
   const pid_t child = ::fork();
   if (child == 0) {
     ::ptrace(PTRACE_TRACEME, 0, nullptr, nullptr);
     ::raise(SIGSTOP);
-    const bool ok = commitAfresh(filesOf(kRunB, false), kFolder / "result").has_value();
+    const bool ok = commitAfresh(files, kFolder / "result").has_value();
     ::_exit(ok ? 0 : 1);
   }
   int status = 0;
@@ -124,7 +124,7 @@ std::set<std::string> runsOfPrograms() {
   std::error_code error;
   for (const char* task : {"T_ROB1", "T_ROB2"})
     for (const auto& entry : fs::directory_iterator(kFolder / "result/programs/strip-0" / task, error))
-      if (entry.path().extension() == ".mod")
+      if (entry.path().extension() == ".mod" && slurp(entry.path()) != "mine")
         runs.insert(slurp(entry.path()).find(kRunA) != std::string::npos ? kRunA : kRunB);
   return runs;
 }
@@ -137,7 +137,7 @@ void tryAll(bool linked, int stride, Counts& counts) {
   for (int moment = 0;; moment += stride) {
     SCOPED_TRACE((linked ? "linked, moment " : "moment ") + std::to_string(moment));
     layOut(linked);
-    if (!killAt(moment)) break;
+    if (!killAt(moment, filesOf(kRunB, false))) break;
     ++counts.moments;
     const fs::path result = kFolder / "result";
     ASSERT_LE(runsOfPrograms().size(), 1u) << "the robots' programs are of two runs";
@@ -161,11 +161,42 @@ void tryAll(bool linked, int stride, Counts& counts) {
          fs::recursive_directory_iterator(result, fs::directory_options::follow_directory_symlink))
       if (entry.is_regular_file()) names.insert(entry.path().lexically_relative(result).string());
     std::set<std::string> expected = {"notes.txt", "programs/notes.txt", "programs/strip-0/notes.txt",
-                                      "programs/strip-0/T_ROB2/notes.txt"};
+                                      "programs/strip-0/T_ROB2/notes.txt",
+                                      "programs/strip-0/T_ROB2/MyHand.mod"};
     const FileSet fresh = filesOf(kRunB, false);
     for (const fs::path& path : fresh.paths()) expected.insert(path.string());
     EXPECT_EQ(names, expected) << "after the next run: its files, and what a person put there";
   }
+}
+
+/// Exported programs: the folders of the tasks lie side by side, and cannot be exchanged as one.
+FileSet programsOf(const std::string& run) {
+  FileSet files;
+  for (const auto& [task, side] : {std::pair{"T_ROB1", "Left"}, {"T_ROB2", "Right"}})
+    files.add(fs::path(task) / ("Blade" + std::string(side) + ".mod"), module(side, run));
+  return files;
+}
+
+TEST(HostileKillPoints, NoMomentTakesTheModuleOfAPerson) {
+  const char* factor = std::getenv("BW_HOSTILE");
+  const int stride = factor && std::atoi(factor) > 1 ? 1 : 2;
+  const fs::path result = kFolder / "result";
+  int moments = 0;
+  for (int moment = 0;; moment += stride, ++moments) {
+    SCOPED_TRACE(moment);
+    fs::remove_all(kFolder);
+    fs::create_directories(result);
+    ASSERT_TRUE(commitAfresh(programsOf(kRunA), result));
+    std::ofstream(result / "T_ROB1/MyHand.mod") << "mine";
+    if (!killAt(moment, programsOf(kRunB))) break;
+    const auto next = commitAfresh(programsOf(kRunB), result);
+    ASSERT_TRUE(next) << next.error().message;
+    EXPECT_EQ(slurp(result / "T_ROB1/MyHand.mod"), "mine");
+    int files = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(result)) files += entry.is_regular_file();
+    EXPECT_EQ(files, 3);
+  }
+  EXPECT_GT(moments, 5);
 }
 
 TEST(HostileKillPoints, NoMomentLeavesAMixtureUntold) {

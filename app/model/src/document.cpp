@@ -78,12 +78,14 @@ void Document::exchange(const std::shared_ptr<const Design>& design) {
   emit designChanged();
 }
 
-void Document::replace(Design design, const fs::path& file, std::shared_ptr<RecoveryFile> recovery) {
+void Document::replace(Design design, const fs::path& file, const std::optional<Fingerprint>& onDisk,
+                       std::shared_ptr<RecoveryFile> recovery) {
   discardCopy();
   if (recovery) recovery_ = std::move(recovery);
   design_ = std::make_shared<const Design>(std::move(design));
   file_ = absolutePath(file);
-  onDisk_ = file.empty() ? std::nullopt : fingerprintNow(file);
+  onDisk_ = onDisk;
+  read_.reset();
   recovered_ = false;
   undo_.clear();
   emit replaced();
@@ -91,7 +93,7 @@ void Document::replace(Design design, const fs::path& file, std::shared_ptr<Reco
   emit titleChanged();
 }
 
-void Document::start(Design design) { replace(std::move(design), {}); }
+void Document::start(Design design) { replace(std::move(design), {}, std::nullopt); }
 
 Result<void> Document::recover(const fs::path& copy) {
   Result<std::shared_ptr<RecoveryFile>> recovery = RecoveryFile::adopt(copy);
@@ -103,23 +105,27 @@ Result<void> Document::recover(const fs::path& copy) {
     return tl::unexpected<Error>(std::move(error));
   }
   const Origin origin = (*recovery)->origin();
-  replace(std::move(*design), origin.file, std::move(*recovery));
-  onDisk_ = origin.onDisk;
+  replace(std::move(*design), origin.file, origin.onDisk, std::move(*recovery));
   recovered_ = true;
   emit titleChanged();
   return {};
 }
 
 Result<void> Document::open(const fs::path& file) {
+  // Looked at first: what another writes while it is read counts as a change.
+  const std::optional<Fingerprint> onDisk = fingerprintNow(file);
   Result<Design> design = loadDesign(absolutePath(file));
   if (!design) return tl::unexpected<Error>(design.error());
-  replace(std::move(*design), file);
+  replace(std::move(*design), file, onDisk);
   return {};
 }
 
 Result<void> Document::saveAs(const fs::path& file) {
   auto stored = std::make_shared<Design>(*design_);
-  noteSource(*stored);
+  if (read_ && read_->first == stored->source.path && stored->source.bytes.empty())
+    stored->source.saved = read_->second;
+  else
+    noteSource(*stored);
   if (Result<void> saved = saveDesign(*stored, file); !saved) return saved;
   const bool noted = stored->source.saved != design_->source.saved;
   if (noted) design_ = std::move(stored);

@@ -12,14 +12,20 @@
 
 namespace bw::model {
 
-bool FileLock::take(const std::filesystem::path& file) {
+namespace {
+
+constexpr int kTries = 100;  ///< the holder may remove the file between our opening and our locking it
+
+}  // namespace
+
+FileLock::Outcome FileLock::take(const std::filesystem::path& file) {
   release();
-  while (true) {
+  for (int i = 0; i < kTries; ++i) {
     const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
-    if (descriptor < 0) return false;
+    if (descriptor < 0) return Outcome::unavailable;
     if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
       ::close(descriptor);
-      return false;
+      return Outcome::busy;
     }
     // Whoever held it before may have removed the file meanwhile: then this is the lock of nothing.
     struct stat mine {
@@ -28,10 +34,11 @@ bool FileLock::take(const std::filesystem::path& file) {
         mine.st_dev == named.st_dev) {
       file_ = file;
       descriptor_ = descriptor;
-      return true;
+      return Outcome::held;
     }
     ::close(descriptor);
   }
+  return Outcome::busy;
 }
 
 void FileLock::remove() {

@@ -15,9 +15,14 @@ class FileLock {
   FileLock(const FileLock&) = delete;
   FileLock& operator=(const FileLock&) = delete;
 
-  /// Takes the lock of `file`, which is made if missing; true if it is held now. Where the file system knows
-  /// no locks it counts as held.
-  bool take(const std::filesystem::path& file);
+  enum class Outcome {
+    held,        ///< now; also where the file system knows no locks
+    busy,        ///< another holds it
+    unavailable  ///< the file cannot be made or opened
+  };
+
+  /// Takes the lock of `file`, which is made if missing.
+  Outcome take(const std::filesystem::path& file);
   bool held() const { return descriptor_ >= 0; }
   /// Lets go and removes the file.
   void remove();

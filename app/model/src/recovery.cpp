@@ -7,8 +7,10 @@
 #include <QUuid>
 
 #include <algorithm>
+#include <chrono>
 #include <set>
 #include <system_error>
+#include <thread>
 
 #include "bw/core/file_set.h"
 #include "file_lock.h"
@@ -24,6 +26,8 @@ constexpr const char* kOrigin = ".origin";  ///< path of the design's own file, 
 constexpr const char* kPicture = ".png";
 constexpr const char* kLock = ".lock";
 constexpr std::size_t kLongestOrigin = 1 << 16;
+constexpr int kLockTries = 20;
+constexpr std::chrono::milliseconds kLockPause{25};
 
 fs::path withSuffix(const fs::path& base, const char* suffix) { return fs::path(base.string() + suffix); }
 
@@ -77,13 +81,13 @@ Result<std::shared_ptr<RecoveryFile>> RecoveryFile::adopt(const fs::path& copy) 
   std::shared_ptr<RecoveryFile> file(new RecoveryFile);
   file->base_ = baseOf(copy);
   std::error_code error;
-  const bool held = file->lock_->take(withSuffix(file->base_, kLock));
+  const FileLock::Outcome outcome = file->lock_->take(withSuffix(file->base_, kLock));
   if (!fs::is_regular_file(copy, error)) {
-    if (held) file->lock_->remove();
+    file->lock_->remove();
     return fail(ErrorCode::cannotRead,
                 "the copy " + copy.string() + " is gone: it was recovered or discarded", copy.string());
   }
-  if (!held)
+  if (outcome == FileLock::Outcome::busy)
     return fail(ErrorCode::cannotRead, "another window works on " + copy.string() + "; go on there",
                 copy.string());
   return file;
@@ -92,7 +96,11 @@ Result<std::shared_ptr<RecoveryFile>> RecoveryFile::adopt(const fs::path& copy) 
 Result<void> RecoveryFile::write(const Design& design, const Origin& origin, const QImage& picture) {
   std::error_code ignored;
   fs::create_directories(base_.parent_path(), ignored);
-  if (!lock_->held()) lock_->take(withSuffix(base_, kLock));
+  // Who lists the copies holds each lock for a moment.
+  for (int i = 0; i < kLockTries && !lock_->held(); ++i) {
+    if (lock_->take(withSuffix(base_, kLock)) != FileLock::Outcome::busy) break;
+    std::this_thread::sleep_for(kLockPause);
+  }
   std::string known = origin.file.string();
   if (origin.onDisk) known += '\0' + fingerprintText(*origin.onDisk);
   if (Result<void> ok = writeFile(withSuffix(base_, kOrigin), known); !ok) return ok;
@@ -121,7 +129,7 @@ std::vector<RecoveryCopy> listRecovery(const fs::path& folder) {
   std::vector<RecoveryCopy> copies;
   for (const fs::path& base : bases) {
     FileLock lock;
-    if (!lock.take(withSuffix(base, kLock))) continue;
+    if (lock.take(withSuffix(base, kLock)) == FileLock::Outcome::busy) continue;
     const fs::path copy = withSuffix(base, kCopy);
     for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
       const bool unfinished = it->path().filename().string().find(".part-") != std::string::npos;
@@ -141,10 +149,11 @@ std::vector<RecoveryCopy> listRecovery(const fs::path& folder) {
 
 bool discardRecovery(const fs::path& copy) {
   FileLock lock;
-  if (!lock.take(withSuffix(baseOf(copy), kLock))) return false;
+  if (lock.take(withSuffix(baseOf(copy), kLock)) == FileLock::Outcome::busy) return false;
   removeCopy(baseOf(copy));
   lock.remove();
-  return true;
+  std::error_code error;
+  return !fs::exists(copy, error);
 }
 
 }  // namespace bw::model

@@ -43,15 +43,19 @@ void SourceWatch::watch(const std::filesystem::path& file) {
     watcher_.removePaths(all);
   file_ = file;
   settling_.stop();
-  accept();
+  known_ = seen_ = stampOf(file_);
+  knownContent_ = content();
   if (file_.empty()) return;
   watcher_.addPath(QString::fromStdString(file_.parent_path().string()));
   follow();
 }
 
-void SourceWatch::accept() {
+void SourceWatch::accept(const Fingerprint& read) {
+  settling_.stop();
   known_ = seen_ = stampOf(file_);
-  knownContent_ = content();
+  knownContent_ = read;
+  const std::optional<Fingerprint> now = content();
+  if (known_ && (known_->size != read.size || (now && *now != read))) emit changed();
 }
 
 void SourceWatch::follow() {
@@ -77,12 +81,16 @@ void SourceWatch::settle() {
     return settling_.start();
   }
   if (now == known_) return;
+  const bool wasGone = !known_;
   known_ = now;
   if (!now) return emit gone();
   const std::optional<Fingerprint> content = this->content();
   const bool same = content && content == knownContent_;
   knownContent_ = content;
-  if (!same) emit changed();
+  if (!same)
+    emit changed();
+  else if (wasGone)
+    emit back();
 }
 
 }  // namespace bw::model

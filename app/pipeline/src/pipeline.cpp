@@ -6,7 +6,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstring>
-#include <functional>
 #include <nlohmann/json.hpp>
 #include <system_error>
 #include <utility>
@@ -44,7 +43,7 @@ Result<Fingerprint> fingerprintOfSource(const Source& source, const std::string&
   if (!source.bytes.empty()) return fingerprintOf(source.bytes.str());
   Result<Fingerprint> fingerprint = fingerprintOfFile(source.path);
   if (fingerprint && sourceKey(source) != then)
-    return fail(ErrorCode::cannotRead, source.path.string() + " was changed while it was read; run again",
+    return fail(ErrorCode::cannotRead, source.path.string() + " was changed while it was read; read it again",
                 source.path.string());
   return fingerprint;
 }
@@ -120,26 +119,18 @@ Issues grouped(const Issues& issues) {
   return result;
 }
 
-/// Compares a linked source with what it was when the design was saved.
-void noteChangedSource(Evaluation& e, const Evaluation* previous) {
-  const Source& source = e.design.source;
-  if (!source.bytes.empty() || !source.saved) return;
-  const std::string key = sourceKey(source) + "\nsaved=" + fingerprintText(*source.saved);
-  if (reuse(e.source, previous ? &previous->source : nullptr, key)) return;
-  const Result<Fingerprint> now = fingerprintOfFile(source.path);
-  if (!now) return;
-  e.source.value = std::make_shared<const Fingerprint>(*now);
-  if (*now == *source.saved) return;
+/// Tells where a linked source that was read is another than when the design was saved.
+Issues changedSource(const Source& source, const Fingerprint& read) {
+  if (!source.bytes.empty() || !source.saved || read == *source.saved) return {};
   const std::string sizes =
-      now->size == source.saved->size
+      read.size == source.saved->size
           ? "as many bytes, others"
-          : std::to_string(source.saved->size) + " bytes then, " + std::to_string(now->size) + " now";
-  e.source.issues.push_back({Severity::warning,
-                             kSourceIssue,
-                             "the CAD file " + source.path.filename().string() +
-                                 " has changed since the design was saved (" + sizes +
-                                 "); look at the result, then save the design again",
-                             {}});
+          : std::to_string(source.saved->size) + " bytes then, " + std::to_string(read.size) + " now";
+  return {{Severity::warning,
+           kSourceIssue,
+           "the CAD file " + source.path.filename().string() + " has changed since the design was saved (" +
+               sizes + "); look at the result, then save the design again",
+           {}}};
 }
 
 }  // namespace
@@ -171,9 +162,8 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
   // Reading.
   const geometry::ReadOptions options{job.unit, job.sewingTolerance()};
   std::string key = sourceKey(design.source) + keys({"unit"}) + "\nsewing=" + roundTripText(options.sewing);
-  if (reuse(e.model, before(&Evaluation::model), key)) {
-    e.read = previous->read;
-  } else {
+  const bool known = reuse(e.source, before(&Evaluation::source), key);
+  if (!reuse(e.model, before(&Evaluation::model), key) || !known) {
     run.report(0.0, "reading");
     const auto readStart = Clock::now();
     const std::string sourceThen = sourceKey(design.source);
@@ -188,7 +178,7 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
     if (!model) return stop(model.error());
     const Result<Fingerprint> read = fingerprintOfSource(design.source, sourceThen);
     if (!read) return stop(read.error());
-    e.read = *read;
+    e.source.value = std::make_shared<const Fingerprint>(*read);
     for (const std::string& text : model->info().leftOut)
       e.model.issues.push_back({Severity::warning, "left-out", text, {}});
     for (const std::string& text : model->info().healing)
@@ -196,7 +186,7 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
     e.model.value = std::make_shared<const geometry::CadModel>(std::move(*model));
     e.seconds.read = secondsSince(readStart);
   }
-  noteChangedSource(e, previous);
+  e.source.issues = changedSource(design.source, *e.source.value);
   if (run.stopped()) return stop(stoppedError().value());
 
   // The faces to cut, and a mesh of them for pictures.

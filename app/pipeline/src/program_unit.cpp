@@ -7,6 +7,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <fstream>
 #include <system_error>
 
 #include "bw/core/temporary_name.h"
@@ -16,6 +18,8 @@ namespace bw::pipeline {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr std::size_t kHead = 4096;  ///< bytes of a file in which it says who wrote it
 
 /// True if all folders from `folder` down to `unit` are real and on one file system. A unit that is not there
 /// yet will be.
@@ -66,6 +70,40 @@ bool linkFolder(const fs::path& live, const fs::path& fresh, const fs::path& inn
   return true;
 }
 
+std::string headOf(const fs::path& file) {
+  std::string head(kHead, '\0');
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(head.data(), std::streamsize(head.size()));
+  head.resize(std::size_t(std::max<std::streamsize>(stream.gcount(), 0)));
+  return head;
+}
+
+bool names(const fs::path& file, const std::string& text) {
+  return headOf(file).find(text) != std::string::npos;
+}
+
+/// The regular files of a folder; none where it is not one or is reached through a link.
+std::vector<fs::path> filesIn(const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  if (!fs::is_directory(fs::symlink_status(folder, error))) return files;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
+    if (fs::is_regular_file(it->symlink_status(error))) files.push_back(it->path());
+  return files;
+}
+
+/// "Left_001" is the first part of "Left".
+bool isPartOf(const std::string& name, const std::string& whole) {
+  return name.size() > whole.size() + 1 && name.compare(0, whole.size(), whole) == 0 &&
+         name[whole.size()] == '_' &&
+         name.find_first_not_of("0123456789", whole.size() + 1) == std::string::npos;
+}
+
+/// True for a module under its own name; a copy that somebody saved under another is theirs.
+bool bearsItsName(const fs::path& module) {
+  return headOf(module).rfind("MODULE " + module.stem().string() + "\r\n", 0) == 0;
+}
+
 }  // namespace
 
 bool isModuleFile(const fs::path& file) { return file.extension() == ".mod" || file.extension() == ".modx"; }
@@ -76,6 +114,35 @@ bool isMotionFile(const fs::path& file) {
 
 bool isProgramFile(const fs::path& file) {
   return isModuleFile(file) || file.extension() == ".pgf" || isMotionFile(file);
+}
+
+std::set<fs::path> ownModules(const fs::path& folder) {
+  std::set<fs::path> found;
+  const std::vector<fs::path> files = filesIn(folder);
+  std::set<std::string> ours;  // stems of modules
+  for (const fs::path& file : files)
+    if (isModuleFile(file) && bearsItsName(file) && names(file, "! Bladewright: "))
+      ours.insert(file.stem().string());
+  const auto isOurs = [&](const std::string& stem) {
+    return std::any_of(ours.begin(), ours.end(),
+                       [&](const std::string& o) { return stem == o || isPartOf(stem, o); });
+  };
+  for (const fs::path& file : files) {
+    if (isModuleFile(file) && isOurs(file.stem().string()) && bearsItsName(file)) found.insert(file);
+    if (file.extension() == ".pgf" && isOurs(file.stem().string()) &&
+        names(file, "<Module>" + file.stem().string() + ".mod"))
+      found.insert(file);
+  }
+  return found;
+}
+
+std::set<fs::path> ownMotions(const fs::path& folder) {
+  std::set<fs::path> found;
+  for (const fs::path& file : filesIn(folder))
+    if (isMotionFile(file) &&
+        names(file, file.extension() == ".csv" ? "time_s,station," : "\"bladewright-motion\""))
+      found.insert(file);
+  return found;
 }
 
 std::vector<fs::path> programUnits(const fs::path& folder, const FileSet& files) {
@@ -102,16 +169,20 @@ bool linkOthers(const fs::path& live, const fs::path& fresh, const std::set<fs::
 
 void dissolve(const fs::path& former, const fs::path& live) {
   std::error_code error;
+  std::set<fs::path> ours = ownModules(former);
+  ours.merge(ownMotions(former));
   std::vector<fs::path> entries;
   for (fs::directory_iterator it(former, error), end; !error && it != end; it.increment(error))
     entries.push_back(it->path());
   for (const fs::path& entry : entries) {
     const fs::path twin = live / entry.filename();
+    const bool taken = fs::exists(fs::symlink_status(twin, error));
     if (fs::is_directory(fs::symlink_status(entry, error))) {
       dissolve(entry, twin);
-    } else if (isOneFile(entry, twin) || isProgramFile(entry) || isTemporaryName(entry.filename().string())) {
+    } else if (isOneFile(entry, twin) || ours.count(entry) > 0 || (taken && isProgramFile(entry)) ||
+               isTemporaryName(entry.filename().string())) {
       fs::remove(entry, error);
-    } else if (!fs::exists(fs::symlink_status(twin, error))) {
+    } else if (!taken) {
       fs::create_directories(live, error);
       fs::rename(entry, twin, error);
     }

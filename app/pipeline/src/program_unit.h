@@ -17,6 +17,11 @@ bool isModuleFile(const std::filesystem::path& file);
 bool isMotionFile(const std::filesystem::path& file);
 bool isProgramFile(const std::filesystem::path& file);
 
+/// The modules and lists of modules, or the motions, that we wrote straight into a folder, as their heads
+/// tell; none where it is reached through a link.
+std::set<std::filesystem::path> ownModules(const std::filesystem::path& folder);
+std::set<std::filesystem::path> ownMotions(const std::filesystem::path& folder);
+
 /// The folders below `folder` that hold only programs and can be exchanged as a whole, relative: those of
 /// strips, or of tasks where `folder` itself is the strip. None that is reached through a link or is a mount
 /// point.
@@ -31,8 +36,8 @@ bool linkOthers(const std::filesystem::path& live, const std::filesystem::path& 
                 const std::set<std::filesystem::path>& gone);
 
 /// Removes a folder that `live` took the place of, or that a dead writer prepared for it: what `live` holds
-/// too, and program files. Anything else, which somebody put there meanwhile, moves into `live`, or stays
-/// where the name is taken.
+/// too, programs of ours, and those whose names ours took. Anything else, which somebody put there, moves
+/// into `live`, or stays where the name is taken.
 void dissolve(const std::filesystem::path& former, const std::filesystem::path& live);
 
 }  // namespace bw::pipeline

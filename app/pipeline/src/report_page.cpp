@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "bw/core/cutting_limits.h"
 #include "bw/core/number_text.h"
 #include "bw/core/printable.h"
 #include "bw/core/units.h"
@@ -12,8 +13,6 @@
 namespace bw::pipeline {
 
 namespace {
-
-constexpr double kSteep = 45;  ///< degrees above which a flat blade drags; the limit of the finding `angle`
 
 /// Text from outside as text in a page.
 std::string escaped(std::string_view text) {
@@ -108,7 +107,8 @@ void limits(Page& page, const Evaluation& e) {
   page.row({"Mean deviation", mm(s.deviationMean)});
   page.row({"Root mean square of the deviation", mm(s.deviationRms)});
   page.row({"Cut surface within tolerance", fixedText(100 * s.withinTolerance, 1) + " %"});
-  page.row({"Steepest cutting angle (a flat blade drags above " + fixedText(kSteep, 0) + "°)",
+  page.row({"Steepest cutting angle (the blade drags above " +
+                fixedText(toDegrees(cuttingAngleLimit(e.design.job.blade)), 0) + "°)",
             degrees(s.angleMax)});
   page.row({"Mean cutting angle", degrees(s.angleMean)});
   page.row({"Slowest over fastest point of the blade", fixedText(s.speedRatioMin, 2)});
@@ -174,21 +174,39 @@ void stations(Page& page, const Evaluation& e) {
       "a straight blade, 0 where it is about to snap.");
 }
 
-void files(Page& page, const Evaluation& e) {
+/// Files that a report stands beside, and what they are.
+struct Kind {
+  std::vector<std::string>
+      names;  ///< within the folder; those that begin with a dot are suffixes of programs
+  const char* text;
+};
+
+void files(Page& page, const std::vector<std::filesystem::path>& made) {
+  static const Kind kKinds[] = {
+      {{"surface.step", "surface.iges"},
+       "The cut surface as one smooth face, mm, in the frame of the CAD file"},
+      {{"mesh.obj", "mesh.stl"}, "The same as triangles"},
+      {{"stations.csv"}, "One row a station: where the blade's ends are, and the numbers of the table above"},
+      {{"deviation.csv"}, "Every point of the map with its values"},
+      {{"report.json", "sweep.json"}, "All numbers for scripts"},
+      {{".mod"}, "ABB RAPID programs, one folder a robot"},
+      {{".csv"}, "The motion of the blade's ends as CSV"},
+      {{".json"}, "The motion of the blade's ends as JSON"},
+      {{kDesignFile}, "The design: opens in Bladewright, with all that can be changed"}};
+  const auto isThere = [&](const std::string& name) {
+    return name == "report.json" ||  // follows, and lists the others
+           std::any_of(made.begin(), made.end(), [&](const std::filesystem::path& file) {
+             return name[0] == '.' ? *file.begin() == "programs" && file.extension() == name : file == name;
+           });
+  };
   page.heading("Files beside this report");
   page.begin({"File", "What it is"});
-  page.row(
-      {"surface.step, surface.iges", "The cut surface as one smooth face, mm, in the frame of the CAD file"});
-  page.row({"mesh.obj, mesh.stl", "The same as triangles"});
-  page.row(
-      {"stations.csv", "One row a station: where the blade's ends are, and the numbers of the table above"});
-  page.row({"deviation.csv", "Every point of the map with its values"});
-  page.row({"report.json, sweep.json", "All numbers for scripts"});
-  for (const std::string& format : e.design.job.programs)
-    page.row({"programs/", format == "rapid" ? "ABB RAPID programs, one folder a robot"
-                                             : "The motion of the blade's ends as " +
-                                                   std::string(format == "csv" ? "CSV" : "JSON")});
-  page.row({kDesignFile, "The design: opens in Bladewright, with all that can be changed"});
+  for (const Kind& kind : kKinds) {
+    std::string names;
+    for (const std::string& name : kind.names)
+      if (isThere(name)) names += (names.empty() ? "" : ", ") + (name[0] == '.' ? "programs/" : name);
+    if (!names.empty()) page.row({names, kind.text});
+  }
   page.end();
 }
 
@@ -201,7 +219,7 @@ std::string sizeText(std::uintmax_t bytes) {
 }
 
 std::string reportPage(const Evaluation& e, const std::vector<ReportPicture>& pictures,
-                       const std::string& program) {
+                       const std::vector<std::filesystem::path>& made, const std::string& program) {
   Page page;
   const std::string name = escaped(e.design.name);
   page.raw("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + name +
@@ -219,7 +237,7 @@ std::string reportPage(const Evaluation& e, const std::vector<ReportPicture>& pi
   findings(page, e);
   parameters(page, e);
   if (e.sweep.value) stations(page, e);
-  files(page, e);
+  files(page, made);
   page.paragraph("Made by " + program + ".");
   page.raw("</body></html>\n");
   return page.take();

@@ -155,7 +155,7 @@ std::string sweepJson(const Evaluation& e, const std::string& run) {
 }  // namespace
 
 Result<FileSet> resultFiles(Evaluation& e, const RunContext& context, const ProgramPolicy& policy,
-                            const FileSet& more) {
+                            const MoreFiles& more) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   if (!e.sweep.value)
@@ -212,7 +212,11 @@ Result<FileSet> resultFiles(Evaluation& e, const RunContext& context, const Prog
   files.add("stations.csv", std::move(texts[3]));
   files.add("deviation.csv", std::move(texts[2]));
   files.append(std::move(programs), "programs/strip-0");
-  files.append(more, {});
+  if (more) {
+    Result<FileSet> further = more(files.paths());
+    if (!further) return tl::unexpected<Error>(further.error());
+    files.append(std::move(*further), {});
+  }
   e.seconds.write = std::chrono::duration<double>(Clock::now() - start).count();
   e.seconds.total += e.seconds.write;
   files.add("report.json", reportJson(e, run, files));

@@ -75,7 +75,14 @@ Result<bool> replaceAll(const FileSet& files, const fs::path& folder, const std:
       return tl::unexpected<Error>(ok.error());
   }
   if (Result<void> ok = replacement.commit(); !ok) return tl::unexpected<Error>(ok.error());
-  for (const auto& [former, live] : replacement.formerFolders()) dissolve(former, live);
+  std::error_code error;
+  for (const auto& [former, live] : replacement.formerFolders()) {
+    for (const fs::path& unit : units)
+      for (const fs::path& path : earlier)
+        if (liesWithin(path, unit) && fs::equivalent(folder / unit, live, error))
+          fs::remove(former / path.lexically_relative(unit), error);
+    dissolve(former, live);
+  }
   return true;
 }
 
@@ -83,11 +90,16 @@ Result<bool> replaceAll(const FileSet& files, const fs::path& folder, const std:
 
 FolderState folderState(const fs::path& folder) {
   FolderState state;
-  for (const char* name : {"report.json", "programs/strip-0", "strip-0", "T_ROB1", "T_ROB2"}) {
+  std::set<fs::path> files = {folder / "report.json"};
+  for (const char* strip : {"programs/strip-0", "strip-0", ""}) {
+    files.merge(ownMotions(folder / strip));
+    for (const char* task : {"T_ROB1", "T_ROB2"}) files.merge(ownModules(folder / strip / task));
+  }
+  for (const fs::path& file : files) {
     struct stat entry {};
-    if (::stat((folder / name).c_str(), &entry) != 0) continue;
-    state.text += std::string(name) + " " + std::to_string(entry.st_ino) + " " +
-                  std::to_string(entry.st_ctim.tv_sec) + "." + std::to_string(entry.st_ctim.tv_nsec) + "\n";
+    if (::stat(file.c_str(), &entry) != 0) continue;
+    state.text += file.string() + " " + std::to_string(entry.st_ino) + " " +
+                  std::to_string(entry.st_mtim.tv_sec) + "." + std::to_string(entry.st_mtim.tv_nsec) + "\n";
   }
   return state;
 }

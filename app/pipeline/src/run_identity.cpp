@@ -3,6 +3,7 @@
 
 #include "bw/pipeline/run_identity.h"
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -89,6 +90,11 @@ struct Record {
   std::map<std::string, std::string> fingerprints;  ///< by path within the folder
 };
 
+/// True for a path that leads out of no folder.
+bool staysInside(const fs::path& path) {
+  return !path.empty() && path.is_relative() && std::find(path.begin(), path.end(), "..") == path.end();
+}
+
 /// Nothing where there is no report, or one that names no run.
 Result<std::optional<Record>> recordOf(const fs::path& folder) {
   std::error_code error;
@@ -106,7 +112,7 @@ Result<std::optional<Record>> recordOf(const fs::path& folder) {
     return std::nullopt;
   Record record{folder, run->get<std::string>(), {}};
   for (const auto& [name, value] : files->items())
-    if (value.is_string()) record.fingerprints[name] = value.get<std::string>();
+    if (value.is_string() && staysInside(name)) record.fingerprints[name] = value.get<std::string>();
   return record;
 }
 
@@ -150,7 +156,7 @@ std::string runId(const Evaluation& e, const Cell* cell) {
   json job = json::parse(jobToJson(e.design.job));
   for (const char* output : {"programs", "threads", "cell"}) job.erase(output);
   Values f;
-  f.text(BW_VERSION).text(job.dump()).text(fingerprintText(e.read)).number(cell ? 1 : 0);
+  f.text(BW_VERSION).text(job.dump()).text(fingerprintText(*e.source.value)).number(cell ? 1 : 0);
   if (cell) add(f, *cell);
   add(f, e.sweep.value->motion);
   return f.name();

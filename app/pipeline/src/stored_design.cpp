@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "bw/core/file_set.h"
+#include "bw/core/fingerprint.h"
 #include "bw/pipeline/pipeline.h"
 
 namespace bw::pipeline {
@@ -15,17 +16,28 @@ constexpr std::uintmax_t kEmbedLimit = 8u << 20;
 
 }  // namespace
 
-Result<Design> storedDesign(const Design& design) {
-  Design result = design;
+Result<Design> storedDesign(const Evaluation& evaluation) {
+  Design result = evaluation.design;
+  const Fingerprint& read = *evaluation.source.value;
+  const auto changed = [&] {
+    return fail(ErrorCode::cannotRead,
+                result.source.path.string() +
+                    " was changed after the results were computed from it; compute them again",
+                result.source.path.string());
+  };
   std::error_code error;
   if (result.source.bytes.empty() && fs::file_size(result.source.path, error) <= kEmbedLimit && !error) {
     Result<std::string> bytes = readFile(result.source.path);
     if (!bytes) return tl::unexpected<Error>(bytes.error());
+    if (fingerprintOf(*bytes) != read) return changed();
     result.source.bytes = std::move(*bytes);
     result.source.path = result.source.path.filename();
   } else if (result.source.bytes.empty()) {
+    const Result<Fingerprint> now = fingerprintOfFile(result.source.path);
+    if (!now) return tl::unexpected<Error>(now.error());
+    if (*now != read) return changed();
     result.source.path = fs::absolute(result.source.path, error);
-    noteSource(result);
+    result.source.saved = read;
   }
   return result;
 }

@@ -7,10 +7,14 @@
 #include <QPageLayout>
 #include <QPainter>
 #include <QPdfWriter>
+#include <QTextBlock>
+#include <QTextCursor>
 #include <QTextDocument>
 #include <QThread>
 #include <QUrl>
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <memory>
 
@@ -18,21 +22,36 @@ namespace bw::app {
 
 namespace {
 
-constexpr int kWidth = 640;      ///< of a picture on the page, in its pixels of 1/96 inch
-constexpr int kResolution = 96;  ///< dots per inch that the page is laid out in
-constexpr double kMargin = 15;   ///< mm
-constexpr double kFooter = 24;   ///< height of the footer, in dots of the layout
+constexpr int kWidth = 640;          ///< of a picture on the page, in its pixels of 1/96 inch
+constexpr int kResolution = 96;      ///< dots per inch that the page is laid out in
+constexpr double kMargin = 15;       ///< mm
+constexpr double kFooter = 24;       ///< height of the footer, in dots of the layout
+constexpr double kHeadingRoom = 90;  ///< below a heading, in dots of the layout
 constexpr const char* kProgram = "Bladewright " BW_VERSION;
 
 std::string pageWith(const pipeline::Evaluation& evaluation, const std::vector<ReportImage>& images,
+                     const std::vector<std::filesystem::path>& files,
                      const std::function<QString(std::size_t)>& source) {
   std::vector<pipeline::ReportPicture> pictures;
   for (std::size_t i = 0; i < images.size(); ++i) {
     // Both sides: the layout of the printed page would take the other one from the file as it is.
-    const int height = images[i].image.scaledToWidth(kWidth).height();
-    pictures.push_back({images[i].title.toStdString(), source(i).toStdString(), kWidth, height});
+    const double height = double(kWidth) * images[i].image.height() / std::max(images[i].image.width(), 1);
+    pictures.push_back({images[i].title.toStdString(), source(i).toStdString(), kWidth, qRound(height)});
   }
-  return pipeline::reportPage(evaluation, pictures, kProgram);
+  return pipeline::reportPage(evaluation, pictures, files, kProgram);
+}
+
+/// A heading goes to the next page where less than some lines of its table would stand below it.
+void keepHeadingsWithTables(QTextDocument& document) {
+  const double page = document.pageSize().height();
+  for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
+    if (block.blockFormat().headingLevel() == 0) continue;
+    const double bottom = document.documentLayout()->blockBoundingRect(block).bottom();
+    if (std::ceil(bottom / page) * page - bottom > kHeadingRoom) continue;
+    QTextBlockFormat format = block.blockFormat();
+    format.setPageBreakPolicy(QTextFormat::PageBreak_AlwaysBefore);
+    QTextCursor(block).setBlockFormat(format);
+  }
 }
 
 std::string pdfOf(const QString& html, const QString& title, const std::vector<ReportImage>& images) {
@@ -58,6 +77,7 @@ std::string pdfOf(const QString& html, const QString& title, const std::vector<R
   document.setHtml(html);
   const QSizeF paper(writer.width(), writer.height() - kFooter);
   document.setPageSize(paper);
+  keepHeadingsWithTables(document);
 
   QPainter painter(&writer);
   const int pages = document.pageCount();
@@ -88,13 +108,14 @@ QByteArray pngBytes(const QImage& image) {
   return bytes;
 }
 
-PrintedReport printReport(const pipeline::Evaluation& evaluation, const std::vector<ReportImage>& images) {
+PrintedReport printReport(const pipeline::Evaluation& evaluation, const std::vector<ReportImage>& images,
+                          const std::vector<std::filesystem::path>& files) {
   PrintedReport report;
-  report.html = pageWith(evaluation, images, [&](std::size_t i) {
+  report.html = pageWith(evaluation, images, files, [&](std::size_t i) {
     return "data:image/png;base64," + QString::fromLatin1(pngBytes(images[i].image).toBase64());
   });
   const std::string plain =
-      pageWith(evaluation, images, [](std::size_t i) { return QString("picture-%1").arg(i); });
+      pageWith(evaluation, images, files, [](std::size_t i) { return QString("picture-%1").arg(i); });
   // Laying out text takes a thread of Qt, which the caller's need not be.
   const std::unique_ptr<QThread> printer(QThread::create([&] {
     report.pdf = pdfOf(QString::fromStdString(plain), QString::fromStdString(evaluation.design.name), images);

@@ -6,6 +6,7 @@
 #include <QImage>
 #include <QString>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -20,13 +21,14 @@ struct ReportImage {
   QImage image;
 };
 
-/// The report of a result as a page that holds its pictures itself, and the same on A4 as PDF with numbered
-/// pages. May run beside the window's thread.
+/// The report of a result and the files beside it as a page that holds its pictures itself, and the same on
+/// A4 as PDF with numbered pages. May run beside the window's thread.
 struct PrintedReport {
   std::string html;
   std::string pdf;
 };
-PrintedReport printReport(const pipeline::Evaluation& evaluation, const std::vector<ReportImage>& images);
+PrintedReport printReport(const pipeline::Evaluation& evaluation, const std::vector<ReportImage>& images,
+                          const std::vector<std::filesystem::path>& files);
 
 /// PNG bytes of a picture.
 QByteArray pngBytes(const QImage& image);

@@ -46,6 +46,7 @@ Workbench::Workbench(model::Settings& settings, const fs::path& recoveryFolder, 
   connect(&document_, &model::Document::designChanged, this, &Workbench::followSource);
   connect(&watch_, &model::SourceWatch::changed, this, &Workbench::tellSourceChanged);
   connect(&watch_, &model::SourceWatch::gone, this, &Workbench::tellSourceGone);
+  connect(&watch_, &model::SourceWatch::back, this, [this] { emit noticesOutdated(Topic::source); });
   connect(&document_, &model::Document::autosaveFailed, this, [this](const QString& message) {
     tell({Severity::warning,
           tr("The automatic copy could not be written: %1. Save the design.").arg(message),

@@ -61,7 +61,6 @@ void Workbench::reloadSource() {
   if (!canReload()) return;
   emit noticesOutdated(Topic::source);
   sizeAsked_ = false;
-  watch_.accept();
   if (document_.design()->source.bytes.empty())
     runner_.evaluate(document_.design());
   else
@@ -91,9 +90,10 @@ void Workbench::noteSourceRead() {
   // A change of a setting reads a file that has changed, too.
   if (evaluation->model.value && evaluation->model.value != readModel_) {
     readModel_ = evaluation->model.value;
+    document_.noteRead(evaluation->design.source.path, *evaluation->source.value);
     if (evaluation->design.source.bytes.empty() && evaluation->design.source.path == watch_.file()) {
-      watch_.accept();
       emit noticesOutdated(Topic::source);
+      watch_.accept(*evaluation->source.value);
     }
   }
   if (evaluation->source.issues.empty() && sourceTold_) {

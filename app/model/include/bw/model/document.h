@@ -60,6 +60,9 @@ class Document : public QObject {
   Result<void> recover(const std::filesystem::path& copy);
   /// Opens a .bladewright file; on failure nothing changes.
   Result<void> open(const std::filesystem::path& file);
+  /// Tells which content of a linked source the results were made from: saving records that one rather than
+  /// what the file holds by then.
+  void noteRead(const std::filesystem::path& source, const Fingerprint& read) { read_ = {source, read}; }
   /// Saves to `file`, atomically; it becomes the document's file.
   Result<void> saveAs(const std::filesystem::path& file);
 
@@ -88,13 +91,14 @@ class Document : public QObject {
  private:
   friend class EditDesign;
   void exchange(const std::shared_ptr<const Design>& design);
-  void replace(Design design, const std::filesystem::path& file,
+  void replace(Design design, const std::filesystem::path& file, const std::optional<Fingerprint>& onDisk,
                std::shared_ptr<RecoveryFile> recovery = nullptr);
   void noteAutosave(const QString& problem);
 
   std::shared_ptr<const Design> design_;
   std::filesystem::path file_;
   std::optional<Fingerprint> onDisk_;  ///< of file_ when it was opened or saved
+  std::optional<std::pair<std::filesystem::path, Fingerprint>> read_;  ///< a source as results know it
   QUndoStack undo_;
   bool recovered_ = false;
 

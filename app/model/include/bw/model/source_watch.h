@@ -15,7 +15,8 @@
 namespace bw::model {
 
 /// Tells when a file gets another content, once that rests: whether it is written in place or another file
-/// is renamed over it. A file that is only touched is not told.
+/// is renamed over it. A file that is only touched is not told, up to 64 MB; a larger one is not read for
+/// that.
 class SourceWatch : public QObject {
   Q_OBJECT
 
@@ -26,8 +27,8 @@ class SourceWatch : public QObject {
   /// to 64 MB whole, once.
   void watch(const std::filesystem::path& file);
   const std::filesystem::path& file() const { return file_; }
-  /// Takes the present content as known: it was read.
-  void accept();
+  /// Takes a content as known: it was read. Tells at once if the file has another one by now.
+  void accept(const Fingerprint& read);
   /// Looks now. Network drives tell of no changes by themselves: call it when the person comes back.
   void look();
   /// False while a change is waited out.
@@ -36,6 +37,8 @@ class SourceWatch : public QObject {
  signals:
   void changed();
   void gone();
+  /// It was gone, and is there again as it was.
+  void back();
 
  private:
   /// What the file system knows of a file.

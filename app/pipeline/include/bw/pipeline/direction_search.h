@@ -40,7 +40,8 @@ struct DirectionSearch {
 
 /// Tries the directions that geometry proposes on nine stations each, the first one first; where no other can
 /// be clearly better than that, the rest is not tried. The result does not depend on the number of threads.
-/// Fails only when stopped. Cost: for a panel some 3 ms a direction.
+/// Fails when stopped (`cancelled`), else only by a fault of our own. Cost: for a panel some 3 ms a
+/// direction.
 [[nodiscard]] Result<DirectionSearch> searchDirection(const geometry::Target& target,
                                                       const geometry::Setup& setup, const Job& job,
                                                       const RunContext& context);

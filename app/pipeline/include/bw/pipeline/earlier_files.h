@@ -14,7 +14,8 @@ namespace bw::pipeline {
 /// and in each folder of a strip that `files` writes to, motions as CSV and JSON, modules whose head names
 /// Bladewright, their parts and their .pgf. There only the folders of tasks that `files` writes to are looked
 /// at, or all where the strip's folder bears our name, "strip-N". Relative to `folder`, sorted. Nothing
-/// behind a symbolic link, nothing outside of the folder, nothing that others wrote.
+/// that is itself a symbolic link, nothing outside of the folder, nothing that others wrote; a link that
+/// leads to the folder of a strip, which `files` is written through too, is followed.
 std::vector<std::filesystem::path> earlierFiles(const std::filesystem::path& folder, const FileSet& files);
 
 }  // namespace bw::pipeline

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -44,12 +45,13 @@ struct SweepResult {
 /// Everything that follows from a design. Stages that failed or were not reached are null.
 struct Evaluation {
   Design design;
-  Stage<Fingerprint> source;  ///< of a linked source; its issue tells that it is another than when saved
-  Fingerprint read;           ///< of the bytes of the CAD file that `model` was read from
+  /// Of the bytes that `model` was read from; the issue tells that they are others than when the design was
+  /// saved.
+  Stage<Fingerprint> source;
   Stage<geometry::CadModel> model;
   Stage<geometry::Target> target;
   Stage<TriangleMesh> targetMesh;
-  Stage<FaceMesh> faceMesh;  ///< of all faces of the file; only from `addFaceMesh`
+  Stage<FaceMesh> faceMesh;           ///< of all faces of the file; only from `addFaceMesh`
   Stage<geometry::Setup> setup;       ///< with the direction that was chosen
   Stage<DirectionSearch> directions;  ///< only where the job's direction is "auto"
   Stage<std::vector<Section>> sections;
@@ -89,15 +91,22 @@ struct ProgramPolicy {
 /// The design file that lies beside the results, so that they can be shown and exported again.
 inline constexpr const char* kDesignFile = "design.bladewright";
 
-/// The design as it is stored beside its results: with the CAD file inside where that is small (8 MB), else
-/// linked by its whole path.
-Result<Design> storedDesign(const Design& design);
+/// The design of an evaluation as it is stored beside the results: with the CAD file inside where that is
+/// small (8 MB), else linked by its whole path. Error `cannotRead` where the file is not the one any more
+/// that the results were made from.
+Result<Design> storedDesign(const Evaluation& evaluation);
+
+/// Makes further files of the caller, when the findings of the programs are in the evaluation; `made` names
+/// the files that are there already, relative to the folder.
+using MoreFiles = std::function<Result<FileSet>(const std::vector<std::filesystem::path>& made)>;
 
 /// sweep.json, surface.step, mesh.obj, stations.csv and deviation.csv of an evaluation, the programs of its
 /// job in programs/ as `programFiles` has them, `more` of the caller, and last report.json, as files to be
 /// written together. The report lists exactly these, with the fingerprint of each and the name of the run.
+/// Errors: no sweep (`badInput`), a cell that cannot be read, a program that fails its check, `cancelled`,
+/// and those of `more`.
 Result<FileSet> resultFiles(Evaluation& evaluation, const RunContext& context,
-                            const ProgramPolicy& policy = {}, const FileSet& more = {});
+                            const ProgramPolicy& policy = {}, const MoreFiles& more = {});
 
 /// report.json alone, of the run of that name. `files` are listed in it.
 std::string reportJson(const Evaluation& evaluation, const std::string& run, const FileSet& files);

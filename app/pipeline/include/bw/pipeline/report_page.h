@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -14,16 +15,16 @@ namespace bw::pipeline {
 struct ReportPicture {
   std::string title;  ///< what it shows, for people
   std::string
-      source;     ///< what stands in the page's `src`: a data URL, or a name that the page's reader knows
+      source;  ///< what stands in the page's `src`: a data URL, or a name that the page's reader knows
   int width = 0, height = 0;  ///< pixels on the page
 };
 
 /// The report of a result for people, as one HTML page: verdict, pictures, numbers beside their limits, the
-/// parameters that made them, findings, stations, and what the files beside it are. Plain enough (tables, no
-/// scripts, no fonts from elsewhere) for a printer's simple engine. `program` is what made it, with its
-/// version. Equal input gives equal bytes. Without a sweep it tells the findings alone.
+/// parameters that made them, findings, stations, and what each of `files` beside it is. Plain enough
+/// (tables, no scripts, no fonts from elsewhere) for a printer's simple engine. `program` is what made it,
+/// with its version. Equal input gives equal bytes. Without a sweep it tells the findings alone.
 std::string reportPage(const Evaluation& evaluation, const std::vector<ReportPicture>& pictures,
-                       const std::string& program);
+                       const std::vector<std::filesystem::path>& files, const std::string& program);
 
 /// Bytes as text for people: "812 bytes", "48 kB", "3.1 MB".
 std::string sizeText(std::uintmax_t bytes);

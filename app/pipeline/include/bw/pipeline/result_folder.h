@@ -13,11 +13,13 @@
 
 namespace bw::pipeline {
 
-/// What a result folder held at some moment: enough to see whether another run was put there since.
+/// Which report, programs and motions of ours a result folder held at some moment: enough to see whether
+/// another run was put there since. What others keep there does not count.
 struct FolderState {
   std::string text;
   bool operator==(const FolderState&) const = default;
 };
+/// The state of a folder now; empty where it is not there.
 FolderState folderState(const std::filesystem::path& folder);
 
 /// True if both name one file that exists.
