@@ -229,6 +229,7 @@ std::string reportPage(const Evaluation& e, const std::vector<ReportPicture>& pi
            "margin-top:24px}</style></head>\n<body>\n<h1>" +
            name + "</h1>\n");
   page.paragraph(verdict(e));
+  page.paragraph("Made by " + program + ".");
   for (const ReportPicture& picture : pictures)
     page.raw("<p><img src=\"" + escaped(picture.source) + "\" alt=\"" + escaped(picture.title) +
              "\" width=\"" + std::to_string(picture.width) + "\" height=\"" + std::to_string(picture.height) +
@@ -238,7 +239,6 @@ std::string reportPage(const Evaluation& e, const std::vector<ReportPicture>& pi
   parameters(page, e);
   if (e.sweep.value) stations(page, e);
   files(page, made);
-  page.paragraph("Made by " + program + ".");
   page.raw("</body></html>\n");
   return page.take();
 }

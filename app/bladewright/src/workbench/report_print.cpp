@@ -26,7 +26,7 @@ constexpr int kWidth = 640;          ///< of a picture on the page, in its pixel
 constexpr int kResolution = 96;      ///< dots per inch that the page is laid out in
 constexpr double kMargin = 15;       ///< mm
 constexpr double kFooter = 24;       ///< height of the footer, in dots of the layout
-constexpr double kHeadingRoom = 90;  ///< below a heading, in dots of the layout
+constexpr double kHeadingRoom = 140;  ///< below a heading, in dots of the layout
 constexpr const char* kProgram = "Bladewright " BW_VERSION;
 
 std::string pageWith(const pipeline::Evaluation& evaluation, const std::vector<ReportImage>& images,
