@@ -101,6 +101,19 @@ TEST(CaseLimits, TooHardACaseStopsSaysSoAndStopsAtTheSamePlaceAgain) {
   EXPECT_EQ(untimed(json::parse(again->json)), untimed(result));
 }
 
+TEST(CaseLimits, PointsWhoseDistancesGrowAreDroppedAsFastAsOthers) {
+  // Dropped one after the other from the left, the farthest of them always the last.
+  json points = json::array();
+  for (int i = 0; i < 60000; ++i) points.push_back({i, (i % 2 ? -1e-6 : 1e-6) * i});
+  const json job = {{"points", points}, {"points_kept", 20}, {"select", "tube"}, {"minimise", "nothing"}};
+  const Result<CaseAnswer> answer = biarcCases(job.dump(), {});
+  ASSERT_TRUE(answer);
+  const json result = json::parse(answer->json);
+  EXPECT_EQ(result["status"], "constructed") << result["message"];
+  EXPECT_EQ(result["points"].size(), 20u);
+  EXPECT_LT(result["seconds"].get<double>(), 10);
+}
+
 TEST(CaseLimits, EachCaseHasItsOwnWork) {
   const std::string hard =
       R"({"curve": )" + std::string(kWave) + R"(, "tolerance": 5, "spans": 200, "length": 500})";

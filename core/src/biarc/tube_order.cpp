@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <queue>
+#include <utility>
 
 #include "base/work_meter.h"
 
@@ -17,8 +19,10 @@ namespace {
 constexpr int kLeaf = 8;
 /// Distances are told to this, in units of the chain's size: below is rounding.
 constexpr double kRounding = 1e-13;
-/// Work (`WorkMeter`) of the order, for each point.
-constexpr std::int64_t kPointWork = 15;
+/// Work (`WorkMeter`) of a question for a distance, the boxes and leaves looked at in one more unit, and the
+/// part of what is left that the order may take.
+constexpr std::int64_t kQueryWork = 4, kLooks = 4;
+constexpr double kShare = 0.5;
 
 double distanceToSegment(const Eigen::Vector2d& p, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   const Eigen::Vector2d edge = b - a;
@@ -27,9 +31,9 @@ double distanceToSegment(const Eigen::Vector2d& p, const Eigen::Vector2d& a, con
   return (p - a - t * edge).norm();
 }
 
-/// Boxes along the chords of a chain's parts. The distance to a segment is convex, so that none of the points
-/// in a box lies farther than the farthest of its corners; along a smooth chain the boxes are thin and this
-/// is near.
+/// Boxes along the principal axes of a chain's parts. The distance to a segment is convex, so that none of
+/// the points in a box lies farther than the farthest of its corners; along a smooth chain the boxes are thin
+/// and this is near.
 class ChordTree {
  public:
   explicit ChordTree(const Points& chain) : chain_(chain) {
@@ -39,17 +43,30 @@ class ChordTree {
     for (int node = 2 * leaves_ - 1; node >= 1; --node) boxes_[std::size_t(node)] = boxOf(node);
   }
 
-  /// The largest distance of the points first … last from the segment between `a` and `b`.
+  /// The largest distance of the points first … last from the segment between `a` and `b`; charges its work.
   double farthest(int first, int last, const Eigen::Vector2d& a, const Eigen::Vector2d& b) const {
-    double worst = 0;
-    if (first <= last) search(1, 0, leaves_ * kLeaf, first, last, a, b, worst);
-    return worst;
+    Query query{first, last, a, b};
+    int low = leaves_ + first / kLeaf, high = leaves_ + last / kLeaf, size = kLeaf;
+    for (; low < high; low /= 2, high /= 2) size *= 2;
+    const int begin = low * size - leaves_ * kLeaf;
+    if (first <= last) search({low, begin, begin + size}, std::numeric_limits<double>::max(), query);
+    chargeWork(kQueryWork + query.looks / kLooks);
+    return query.worst;
   }
 
  private:
   struct Box {
     Eigen::Vector2d corners[4];
     bool empty = true;
+  };
+  struct Node {
+    int index, begin, end;
+  };
+  struct Query {
+    int first, last;
+    Eigen::Vector2d a, b;
+    double worst = 0;
+    std::int64_t looks = 0;
   };
 
   Box boxOf(int node) const {
@@ -66,9 +83,16 @@ class ChordTree {
     if (from >= to) return box;
     box.empty = false;
     const Eigen::Vector2d origin = chain_[std::size_t(from)];
-    const Eigen::Vector2d chord = chain_[std::size_t(to - 1)] - origin;
-    const Eigen::Vector2d along = chord.norm() > 0 ? chord.normalized() : Eigen::Vector2d::UnitX();
-    const Eigen::Vector2d across(-along.y(), along.x());
+    Eigen::Vector2d sum(0, 0);
+    Eigen::Matrix2d moments = Eigen::Matrix2d::Zero();
+    for (auto i = from; i < to; ++i) {
+      const Eigen::Vector2d v = chain_[std::size_t(i)] - origin;
+      sum += v;
+      moments += v * v.transpose();
+    }
+    moments -= sum * sum.transpose() / double(to - from);
+    const double angle = 0.5 * std::atan2(2 * moments(0, 1), moments(0, 0) - moments(1, 1));
+    const Eigen::Vector2d along(std::cos(angle), std::sin(angle)), across(-along.y(), along.x());
     Eigen::Vector2d low(0, 0), high(0, 0);
     for (auto i = from; i < to; ++i) {
       const Eigen::Vector2d v = chain_[std::size_t(i)] - origin;
@@ -81,22 +105,36 @@ class ChordTree {
     return box;
   }
 
-  void search(int node, int begin, int end, int first, int last, const Eigen::Vector2d& a,
-              const Eigen::Vector2d& b, double& worst) const {
-    if (end <= first || begin > last || boxes_[std::size_t(node)].empty) return;
+  double boundOf(const Node& node, Query& query) const {
     double bound = 0;
-    for (const Eigen::Vector2d& corner : boxes_[std::size_t(node)].corners)
-      bound = std::max(bound, distanceToSegment(corner, a, b));
-    if (bound <= worst + kRounding) return;
-    if (end - begin <= kLeaf) {
-      const int stop = std::min({end - 1, last, int(chain_.size()) - 1});
-      for (int i = std::max(begin, first); i <= stop; ++i)
-        worst = std::max(worst, distanceToSegment(chain_[std::size_t(i)], a, b));
+    const Box& box = boxes_[std::size_t(node.index)];
+    if (node.end <= query.first || node.begin > query.last || box.empty) return bound;
+    ++query.looks;
+    for (const Eigen::Vector2d& corner : box.corners)
+      bound = std::max(bound, distanceToSegment(corner, query.a, query.b));
+    return bound;
+  }
+
+  /// The child that may hold the farther point goes first, so that the other is mostly passed over, to
+  /// whichever side the distances grow.
+  void search(const Node& node, double bound, Query& query) const {
+    if (bound <= query.worst + kRounding) return;
+    if (node.end - node.begin <= kLeaf) {
+      ++query.looks;
+      const int stop = std::min({node.end - 1, query.last, int(chain_.size()) - 1});
+      for (int i = std::max(node.begin, query.first); i <= stop; ++i)
+        query.worst = std::max(query.worst, distanceToSegment(chain_[std::size_t(i)], query.a, query.b));
       return;
     }
-    const int middle = (begin + end) / 2;
-    search(2 * node, begin, middle, first, last, a, b, worst);
-    search(2 * node + 1, middle, end, first, last, a, b, worst);
+    const int middle = (node.begin + node.end) / 2;
+    Node near{2 * node.index, node.begin, middle}, far{2 * node.index + 1, middle, node.end};
+    double nearBound = boundOf(near, query), farBound = boundOf(far, query);
+    if (nearBound > farBound) {
+      std::swap(near, far);
+      std::swap(nearBound, farBound);
+    }
+    search(far, farBound, query);
+    search(near, nearBound, query);
   }
 
   const Points& chain_;
@@ -110,7 +148,7 @@ void TubeOrder::find() {
   if (known_) return;
   known_ = true;
   const int size = int(chain_.size());
-  chargeWork(kPointWork * size);
+  const WorkMeter meter = WorkMeter::share(kShare);
   const ChordTree tree(chain_);
   std::vector<int> before(chain_.size()), after(chain_.size()), version(chain_.size(), 0);
   for (int i = 0; i < size; ++i) {
@@ -134,9 +172,9 @@ void TubeOrder::find() {
   const auto offer = [&](int i) {
     if (closed_ || (i != 0 && i != size - 1)) queue.push({cost(i), i, ++version[std::size_t(i)]});
   };
-  for (int i = 0; i < size; ++i) offer(i);
+  for (int i = 0; i < size && !workExhausted(); ++i) offer(i);
   int left = size;
-  while (left > 2 && !queue.empty()) {
+  while (left > 2 && !queue.empty() && !workExhausted()) {
     const Candidate next = queue.top();
     queue.pop();
     const std::size_t i = std::size_t(next.point);
@@ -166,7 +204,8 @@ Points TubeOrder::without(std::size_t drops) const {
 Points TubeOrder::last(int count) {
   find();
   const std::ptrdiff_t drops = std::ssize(chain_) - std::max(count, 2);
-  return without(std::size_t(std::clamp<std::ptrdiff_t>(drops, 0, std::ssize(drops_))));
+  const Points rest = without(std::size_t(std::clamp<std::ptrdiff_t>(drops, 0, std::ssize(drops_))));
+  return selectByIndex(rest, closed_, std::min(std::max(count, 2), int(rest.size())));
 }
 
 Points TubeOrder::within(double epsilon) {

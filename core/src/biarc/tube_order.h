@@ -11,13 +11,14 @@ namespace bw::detail {
 
 /// The order in which the points of a chain are dropped when always the one goes whose absence moves the
 /// dropped points least out of the chain of the rest (report, section 4.1, way 3). Found once for all
-/// numbers of points that are asked for, in O(n log n) for chains that are smooth between far points.
+/// numbers of points that are asked for, in O(n log n) for most chains. Where the work (`WorkMeter`) does not
+/// suffice, only the first of them are dropped so.
 class TubeOrder {
  public:
   /// `chain` must outlive the order; of a size near 1.
   TubeOrder(const Points& chain, bool closed) : chain_(chain), closed_(closed) {}
 
-  /// The `count` points that are left last, at least 2.
+  /// The `count` points that are left last, at least 2; where the order ended early, evenly of those left.
   Points last(int count);
   /// The points that are left before the next one would leave the tube of radius ε; no fewer than 2, 3 if
   /// closed.
