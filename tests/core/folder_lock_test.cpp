@@ -4,6 +4,7 @@
 #include "bw/core/folder_lock.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "bw/core/file_set.h"
 #include "bw/core/temporary_name.h"
@@ -42,6 +43,28 @@ TEST(FolderLock, OfADeadWriterIsTakenOver) {
   EXPECT_EQ(folder.count(), 0u);
 }
 
+TEST(FolderLock, OfADeadWriterWhoWasAnotherUserIsTakenOver) {
+  const Folder folder;
+  const std::filesystem::path file = folder.path() / FolderLock::kFile;
+  ASSERT_TRUE(writeFile(file, "process 1"));
+  ASSERT_EQ(::chmod(folder.path().c_str(), 0777), 0);
+  ASSERT_EQ(::chmod(file.c_str(), 0444), 0);
+  // To the superuser every file can be written.
+  const uid_t self = ::geteuid();
+  if (self == 0) {
+    ASSERT_EQ(::seteuid(65534), 0);
+  }
+  {
+    const Result<FolderLock> lock = FolderLock::take(folder.path());
+    EXPECT_TRUE(lock) << lock.error().message;
+    const Result<FolderLock> second = FolderLock::take(folder.path());
+    EXPECT_FALSE(second);
+    EXPECT_NE(second.error().message.find("process " + std::to_string(::getpid())), std::string::npos);
+  }
+  EXPECT_EQ(::seteuid(self), 0);
+  EXPECT_EQ(folder.count(), 0u);
+}
+
 TEST(FolderLock, NamesTheFolderItCannotBeTakenFor) {
   const Result<FolderLock> lock = FolderLock::take("/proc/self");
   ASSERT_FALSE(lock);
@@ -67,6 +90,19 @@ TEST(TemporaryName, OfADeadWriterIsClearedAwayAndOfALivingOneIsNot) {
   for (const char* name : {"b.part-1", ".part-1-0123456789ab-0", "a.part-x-0123456789ab-0",
                            "a.part-1-0123456789ag-0", "a.part-1-0123456789ab-", "part", ""})
     EXPECT_FALSE(isTemporaryName(name)) << name;
+}
+
+TEST(TemporaryName, IsOneWhereNothingIs) {
+  const Folder folder;
+  ASSERT_TRUE(writeFile(folder.path() / "b.txt", "bytes"));
+  const std::string first = temporaryName(folder.path() / "a.txt").string();
+  const std::size_t number = first.rfind('-') + 1;
+  // As after the start of a container in which a process of the same number was killed.
+  const std::string next = first.substr(0, number) + std::to_string(std::stoi(first.substr(number)) + 1);
+  std::filesystem::copy_file(folder.path() / "b.txt", next);
+  const std::string other = temporaryName(folder.path() / "a.txt").string();
+  EXPECT_NE(other, next);
+  EXPECT_FALSE(std::filesystem::exists(other));
 }
 
 TEST(TemporaryName, OfAnotherMachineIsClearedAwayAfterADay) {

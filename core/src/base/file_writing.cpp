@@ -42,6 +42,7 @@ Result<void> openAndWrite(const fs::path& path, int flags, const std::string& by
   if (fd < 0) return cannotWrite(shown, errno);
   Result<void> ok = writeAll(fd, bytes, shown, context);
   if (::close(fd) != 0 && ok) ok = cannotWrite(shown, errno);
+  if (!ok && (flags & O_CREAT) != 0) ::unlink(path.c_str());
   return ok;
 }
 
@@ -58,9 +59,7 @@ tl::unexpected<Error> cannotWrite(const fs::path& path, int error) {
 
 Result<void> writeSynced(const fs::path& path, const std::string& bytes, const fs::path& shown,
                          const RunContext& context) {
-  Result<void> ok = openAndWrite(path, O_CREAT | O_EXCL, bytes, shown, context);
-  if (!ok) ::unlink(path.c_str());
-  return ok;
+  return openAndWrite(path, O_CREAT | O_EXCL, bytes, shown, context);
 }
 
 Result<void> writeInto(const fs::path& path, const std::string& bytes) {

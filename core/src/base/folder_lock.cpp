@@ -52,8 +52,13 @@ bool isStill(const fs::path& file, int fd) {
 Result<FolderLock> FolderLock::take(const fs::path& folder) {
   const fs::path file = folder / kFile;
   for (int i = 0; i < kTries; ++i) {
-    const int fd = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
-    if (fd < 0) return cannotWrite(folder, errno);
+    constexpr int kFlags = O_CLOEXEC | O_NOFOLLOW;
+    int fd = ::open(file.c_str(), O_RDWR | O_CREAT | kFlags, 0666);
+    const int error = errno;
+    // Another user's file that may only be read can be locked all the same.
+    const bool foreign = fd < 0 && error == EACCES;
+    if (foreign) fd = ::open(file.c_str(), O_RDONLY | kFlags);
+    if (fd < 0) return cannotWrite(folder, error);
     FolderLock lock(file, fd);
     if (::flock(fd, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
       const std::string holder = holderOf(fd);
@@ -67,6 +72,9 @@ Result<FolderLock> FolderLock::take(const fs::path& folder) {
       ::close(std::exchange(lock.fd_, -1));
       continue;
     }
+    // Its writer is dead. Letting go of it removes it, so that the next try makes a file of our own; where a
+    // folder forbids that, the lock holds and the text stays the dead one's.
+    if (foreign && i == 0) continue;
     const std::string holder = holderText();
     // Without the text the lock still holds; the other is told less.
     if (::ftruncate(fd, 0) != 0 || ::pwrite(fd, holder.data(), holder.size(), 0) < 0) return lock;

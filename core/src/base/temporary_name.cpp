@@ -34,12 +34,14 @@ std::string digitsOf(const std::string& text) {
   return fingerprint.substr(fingerprint.size() - kTag);
 }
 
-/// Six digits for the machine, six for its start.
+/// Six digits for the machine, six for its start. Containers of one machine may share its name, but the
+/// numbers of processes count only within one namespace: each is a machine of its own.
 const std::string& machineTag() {
   static const std::string tag = [] {
     std::string boot;
     std::ifstream("/proc/sys/kernel/random/boot_id") >> boot;
-    return digitsOf(hostName()) + digitsOf(boot);
+    std::error_code none;
+    return digitsOf(hostName() + fs::read_symlink("/proc/self/ns/pid", none).string()) + digitsOf(boot);
   }();
   return tag;
 }
@@ -87,8 +89,14 @@ std::string hostName() {
 
 fs::path temporaryName(const fs::path& target) {
   static std::atomic<unsigned> counter = 0;
-  return target.string() + std::string(kMark) + std::to_string(::getpid()) + "-" + machineTag() + "-" +
-         std::to_string(counter++);
+  const std::string begin =
+      target.string() + std::string(kMark) + std::to_string(::getpid()) + "-" + machineTag() + "-";
+  fs::path name;
+  std::error_code error;
+  // A dead process may have had our number.
+  do name = begin + std::to_string(counter++);
+  while (fs::exists(fs::symlink_status(name, error)));
+  return name;
 }
 
 bool isTemporaryName(std::string_view name) { return writerOf(name).has_value(); }
