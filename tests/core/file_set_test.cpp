@@ -77,6 +77,17 @@ TEST(FileSet, FollowsSymbolicLinks) {
   EXPECT_EQ(*readFile(folder.path() / "real/x.txt"), "new");
 }
 
+TEST(FileSet, FollowsLinksToWhatIsNotThereYet) {
+  const Folder folder;
+  std::filesystem::create_directory(folder.path() / "below");
+  std::filesystem::create_symlink("below/second", folder.path() / "first");
+  std::filesystem::create_symlink("real", folder.path() / "below/second");
+  ASSERT_TRUE(writeFile(folder.path() / "first", "text"));
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "first"));
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "below/second"));
+  EXPECT_EQ(readFile(folder.path() / "below/real").value_or("(none)"), "text");
+}
+
 TEST(FileSet, StopLeavesNothing) {
   const Folder folder;
   std::stop_source source;

@@ -4,9 +4,30 @@
 #include "bw/core/replacement.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <cerrno>
 
 #include "bw/core/file_set.h"
 #include "file_folder.h"
+
+namespace {
+
+bool foldersFail = false;
+
+}  // namespace
+
+/// The system's, or a disk that fails when the names of a folder are to be written.
+extern "C" int fsync(int fd) {
+  struct stat status {};
+  if (foldersFail && ::fstat(fd, &status) == 0 && S_ISDIR(status.st_mode)) {
+    errno = EIO;
+    return -1;
+  }
+  return int(::syscall(SYS_fsync, fd));
+}
 
 namespace bw {
 
@@ -76,6 +97,40 @@ TEST(Replacement, LeavesEverythingAsItWasWhereOneStepFails) {
     EXPECT_EQ(textOf(folder.path() / "last/theirs"), "theirs");
     EXPECT_EQ(folder.count(), 5u);
   }
+}
+
+TEST(Replacement, LeavesEverythingAsItWasWhereTheDiskFailsLast) {
+  for (const bool exchange : {true, false}) {
+    const Folder folder;
+    for (const char* text : {"first", "second"}) {
+      Replacement replacement({}, exchange);
+      for (const char* name : {"sweep", "report"})
+        ASSERT_TRUE(replacement.file(folder.path() / name, text, true));
+      foldersFail = text == std::string("second");
+      EXPECT_NE(bool(replacement.commit()), foldersFail);
+      foldersFail = false;
+    }
+    for (const char* name : {"sweep", "report"}) EXPECT_EQ(textOf(folder.path() / name), "first");
+    EXPECT_EQ(folder.count(), 2u);
+  }
+  const Folder folder;
+  ASSERT_TRUE(writeFile(folder.path() / "design", "first"));
+  foldersFail = true;
+  EXPECT_FALSE(writeFile(folder.path() / "design", "second"));
+  EXPECT_FALSE(writeFile(folder.path() / "other", "second"));
+  foldersFail = false;
+  EXPECT_EQ(textOf(folder.path() / "design"), "first");
+  EXPECT_EQ(folder.count(), 1u);
+}
+
+TEST(Replacement, RemovesNoFileThatItDidNotMake) {
+  const Folder folder;
+  ASSERT_TRUE(writeFile(folder.path() / "theirs", "theirs"));
+  Replacement replacement;
+  const Result<void> ok = replacement.fill(folder.path() / "theirs", "ours", "theirs");
+  ASSERT_FALSE(ok);
+  EXPECT_EQ(ok.error().code, ErrorCode::cannotWrite);
+  EXPECT_EQ(textOf(folder.path() / "theirs"), "theirs");
 }
 
 TEST(Replacement, ThatIsNotCommittedLeavesNothing) {

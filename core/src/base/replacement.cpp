@@ -3,6 +3,7 @@
 
 #include "bw/core/replacement.h"
 
+#include <sys/stat.h>
 #include <cstdio>
 
 #include <algorithm>
@@ -18,6 +19,8 @@ namespace bw {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr int kMostLinks = 40;  ///< that lead to one another, as for the system
 
 bool isThere(const fs::path& path) {
   std::error_code error;
@@ -81,10 +84,8 @@ Result<void> Replacement::file(const fs::path& target, std::string bytes, bool t
     steps_.push_back(std::move(step));
     return {};
   }
-  if (fs::is_symlink(fs::symlink_status(target, error))) {
-    const fs::path real = fs::weakly_canonical(target, error);
-    if (!error) step.target = real;
-  }
+  for (int i = 0; i < kMostLinks && fs::is_symlink(fs::symlink_status(step.target, error)); ++i)
+    step.target = step.target.parent_path() / fs::read_symlink(step.target, error);
   step.part = temporaryName(step.target);
   steps_.push_back(step);
   return writeSynced(step.part, bytes, target, context_);
@@ -96,8 +97,8 @@ Result<fs::path> Replacement::folder(const fs::path& target) {
   step.target = target;
   step.part = temporaryName(target);
   step.isFolder = step.together = true;
+  if (::mkdir(step.part.c_str(), 0777) != 0) return cannotWrite(target, errno);
   std::error_code error;
-  if (!fs::create_directory(step.part, error) || error) return cannotWrite(target, error.value());
   if (const fs::perms mode = fs::status(target, error).permissions(); !error)
     fs::permissions(step.part, mode, error);
   steps_.push_back(step);
@@ -137,10 +138,6 @@ Result<void> Replacement::put(Step& step) {
   std::error_code error;
   if (fs::is_directory(fs::symlink_status(step.target, error)) != step.isFolder)
     return cannotWrite(step.target, step.isFolder ? ENOTDIR : EISDIR);
-  if (steps_.size() == 1 && !step.isFolder) {  // nothing else to undo it for
-    if (::rename(step.part.c_str(), step.target.c_str()) != 0) return cannotWrite(step.target, errno);
-    return {};
-  }
   if (exchange_) {
     if (::renameat2(AT_FDCWD, step.part.c_str(), AT_FDCWD, step.target.c_str(), RENAME_EXCHANGE) == 0) {
       moves_.push_back({step.part, step.target, true});
@@ -148,6 +145,10 @@ Result<void> Replacement::put(Step& step) {
       return {};
     }
     if (!hasNoExchange(errno)) return cannotWrite(step.target, errno);
+  }
+  if (steps_.size() == 1 && !step.isFolder) {  // nothing else to undo it for
+    if (::rename(step.part.c_str(), step.target.c_str()) != 0) return cannotWrite(step.target, errno);
+    return {};
   }
   if (Result<void> ok = takeAway(step); !ok) return ok;
   return rename(step.part, step.target, step.target);
@@ -198,6 +199,7 @@ Result<void> Replacement::commit() {
     if (!step.together)
       if (Result<void> ok = put(step); !ok) return failed(ok);
   }
+  if (Result<void> ok = syncFolders(); !ok) return failed(ok);
   settled_ = true;
   std::error_code ignored;
   for (const Step& step : steps_) {
@@ -207,7 +209,7 @@ Result<void> Replacement::commit() {
     else
       fs::remove(step.old, ignored);
   }
-  return syncFolders();
+  return {};
 }
 
 }  // namespace bw
