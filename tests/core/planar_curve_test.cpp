@@ -143,6 +143,30 @@ TEST(PlanarCurve, QuadratureIntegratesAlongTheArcLength) {
   }
 }
 
+TEST(PlanarCurve, ALongSideAmongManyShortOnesHasItsOwnNodes) {
+  constexpr int kShort = 30000;
+  for (const bool atEnd : {true, false}) {
+    // 10 mm in short sides of two lengths, and one side of 1000 mm.
+    std::vector<Vector2d> points;
+    for (int i = 0; i <= kShort; ++i) points.emplace_back(10.0 * (i + 0.3 * (i % 2)) / kShort, 0);
+    points.emplace_back(1010, 0);
+    if (!atEnd)
+      for (Vector2d& p : points) p.x() = 1010 - p.x();
+    const PlanarCurve c = PlanarCurve::points(points).value();
+    const PlanarCurve::Quadrature& q = c.quadrature();
+    double length = 0, second = 0, largest = 0;
+    for (std::size_t i = 0; i < q.arc.size(); ++i) {
+      length += q.weight[i];
+      second += q.weight[i] * q.point[i].x() * q.point[i].x();
+      largest = std::max(largest, q.weight[i]);
+    }
+    EXPECT_NEAR(length, 1010, 1e-9);
+    EXPECT_NEAR(second, std::pow(1010, 3) / 3, 1e-8 * std::pow(1010, 3));
+    EXPECT_LT(largest, 0.2 * 1010);
+    EXPECT_LT(q.arc.size(), 1000u);
+  }
+}
+
 TEST(PlanarCurve, SmoothBezierNeedsFewNodes) {
   const PlanarCurve c = PlanarCurve::bezier({{0, 0}, {200, 150}, {420, 110}, {600, 0}}).value();
   EXPECT_GE(c.quadrature().arc.size(), 20U);

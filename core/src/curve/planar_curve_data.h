@@ -58,7 +58,8 @@ struct PlanarCurve::Data {
   /// In planar_curve_quadrature.cpp.
   void addSplineQuadrature();
   void addChainQuadrature();
-  void addBlockQuadrature(std::size_t stride);
+  void addSideQuadrature(std::size_t i);
+  void addBlockQuadrature(std::size_t i, std::size_t last);
 };
 
 }  // namespace bw

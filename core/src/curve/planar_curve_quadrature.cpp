@@ -16,7 +16,8 @@ using Eigen::Vector2d;
 
 // Nodes for integrals along the whole curve, shared among the spans by their length; a span has at least two.
 constexpr int kCurveNodes = 24;
-// A chain with more sides has one node for several of them: they are too short for the sagitta to count.
+// A chain with more sides has one node for several of those that are shorter than this part of its length:
+// too short for the sagitta to count.
 constexpr std::size_t kMostSides = 20000;
 // Allowed error of ∫ r ds and ∫ |r|² ds by the quadrature, in units of the length.
 constexpr double kMomentTolerance = 1e-8;
@@ -102,51 +103,57 @@ void PlanarCurve::Data::addSplineQuadrature() {
   }
 }
 
-// One node for several sides of a chain that has very many: at the middle of their arc length, with the
-// direction of their chord and the mean of their curvature.
-void PlanarCurve::Data::addBlockQuadrature(std::size_t stride) {
+// One node for the sides i … last − 1: at the middle of their arc length, with the direction of their chord
+// and the mean of their curvature.
+void PlanarCurve::Data::addBlockQuadrature(std::size_t i, std::size_t last) {
   Quadrature& q = quadrature;
-  const std::size_t sides = poles.size() - 1;
-  for (std::size_t i = 0; i < sides; i += stride) {
-    const std::size_t last = std::min(i + stride, sides);
-    const double arc = cellT[last] - cellT[i];
-    const double middle = cellT[i] + 0.5 * arc;
-    const Vector2d chord = poles[last] - poles[i];
-    double turning = 0;
-    for (std::size_t j = i; j < last; ++j)
-      turning += 0.5 * (vertexCurvature[j] + vertexCurvature[j + 1]) * (cellT[j + 1] - cellT[j]);
-    q.parameter.push_back(middle);
-    q.arc.push_back(middle);
-    q.weight.push_back(arc);
-    q.point.push_back(value(middle));
-    q.tangent.push_back(chord.norm() > 0 ? Vector2d(chord.normalized()) : tangent(middle));
-    q.curvature.push_back(turning / arc);
+  const double arc = cellT[last] - cellT[i];
+  const double middle = cellT[i] + 0.5 * arc;
+  const Vector2d chord = poles[last] - poles[i];
+  double turning = 0;
+  for (std::size_t j = i; j < last; ++j)
+    turning += 0.5 * (vertexCurvature[j] + vertexCurvature[j + 1]) * (cellT[j + 1] - cellT[j]);
+  q.parameter.push_back(middle);
+  q.arc.push_back(middle);
+  q.weight.push_back(arc);
+  q.point.push_back(value(middle));
+  q.tangent.push_back(chord.norm() > 0 ? Vector2d(chord.normalized()) : tangent(middle));
+  q.curvature.push_back(turning / arc);
+}
+
+void PlanarCurve::Data::addSideQuadrature(std::size_t i) {
+  Quadrature& q = quadrature;
+  const double side = cellT[i + 1] - cellT[i];
+  const double share = side / length;
+  // Three nodes see the sagitta of a side; two would miss it, since they lie where it crosses its mean.
+  const int nodes = std::min(kCurveNodes, 3 + static_cast<int>(20 * share));
+  const detail::GaussRule rule = detail::gaussRule(nodes);
+  const Vector2d direction = (poles[i + 1] - poles[i]).normalized();
+  for (int j = 0; j < nodes; ++j) {
+    const double x = rule.nodes[j];
+    q.parameter.push_back(cellT[i] + x * side);
+    q.arc.push_back(cellT[i] + x * side);
+    q.weight.push_back(rule.weights[j] * side);
+    q.point.push_back(poles[i] + x * (poles[i + 1] - poles[i]));
+    q.tangent.push_back(direction);
+    q.curvature.push_back((1 - x) * vertexCurvature[i] + x * vertexCurvature[i + 1]);
   }
 }
 
 void PlanarCurve::Data::addChainQuadrature() {
-  Quadrature& q = quadrature;
-  q = {};
-  if (const std::size_t stride = (poles.size() - 2) / kMostSides + 1; stride > 1) {
-    addBlockQuadrature(stride);
-    return;
-  }
-  for (std::size_t i = 0; i + 1 < poles.size(); ++i) {
-    const double side = cellT[i + 1] - cellT[i];
-    const double share = side / length;
-    // Three nodes see the sagitta of a side; two would miss it, since they lie where it crosses its mean.
-    const int nodes = std::min(kCurveNodes, 3 + static_cast<int>(20 * share));
-    const detail::GaussRule rule = detail::gaussRule(nodes);
-    const Vector2d direction = (poles[i + 1] - poles[i]).normalized();
-    for (int j = 0; j < nodes; ++j) {
-      const double x = rule.nodes[j];
-      q.parameter.push_back(cellT[i] + x * side);
-      q.arc.push_back(cellT[i] + x * side);
-      q.weight.push_back(rule.weights[j] * side);
-      q.point.push_back(poles[i] + x * (poles[i + 1] - poles[i]));
-      q.tangent.push_back(direction);
-      q.curvature.push_back((1 - x) * vertexCurvature[i] + x * vertexCurvature[i + 1]);
+  quadrature = {};
+  const std::size_t sides = poles.size() - 1;
+  // Sides shorter than this share a node with their neighbours, until they are as long together.
+  const double least = sides > kMostSides ? length / kMostSides : 0;
+  const auto isShort = [&](std::size_t i) { return cellT[i + 1] - cellT[i] < least; };
+  for (std::size_t i = 0; i < sides;) {
+    if (!isShort(i)) {
+      addSideQuadrature(i++);
+      continue;
     }
+    const std::size_t first = i;
+    while (i < sides && isShort(i) && cellT[i] - cellT[first] < least) ++i;
+    addBlockQuadrature(first, i);
   }
 }
 
