@@ -113,6 +113,18 @@ TEST(Advice, TooTightIsSaidWithPlaceRadiusLimitAndRemedy) {
   EXPECT_EQ(issue->message.find("split"), std::string::npos) << issue->message;
 }
 
+TEST(Advice, ABladeThatHardlyBendsAtAllIsTold) {
+  Job job;
+  job.blade.section = Blade::Section::rod;
+  job.blade.outerDiameter = 30;
+  job.blade.yieldStress = 0.01;
+  job.blade.safety = 10;
+  ASSERT_GT(job.blade.minRadius(), 1e9);
+  const Tried tight = run(job, 250, sine(20, 80));
+  ASSERT_TRUE(tight.sweep) << tight.sweep.error().message;
+  EXPECT_TRUE(tooTight(tight.issues));
+}
+
 TEST(Advice, BladeThatBendsFarEnoughIsNotTooTightAnyMore) {
   for (const double wave : {31.6, 100.0}) {
     Job job;

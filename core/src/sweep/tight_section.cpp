@@ -62,7 +62,7 @@ TightSpot TightSection::tightest(double radius) const {
   TightSpot worst;
   int middle = 0, span = 0;
   if (gentlerThan(radius)) return worst;
-  const int longest = std::min((kPoints - 1) / 2, int(0.5 * kReach * radius / spacing_));
+  const int longest = int(std::min((kPoints - 1) / 2.0, 0.5 * kReach * radius / spacing_));
   for (int reach = 1; reach <= longest; reach = std::max(reach + 1, int(kGrowth * reach))) {
     for (int i = reach; i + reach < kPoints; ++i) {
       const Eigen::Vector2d &a = points_[std::size_t(i - reach)], &m = points_[std::size_t(i)],
