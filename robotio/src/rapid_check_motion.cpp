@@ -86,10 +86,10 @@ class PathChecker {
     s.turn = toDegrees(
         2 * std::acos(std::min(1.0, std::abs(a.rotation.normalized().dot(b.rotation.normalized())))));
     s.seconds = std::max(0.0, path_[i]->statement->duration.value_or(0));
-    const DataDeclaration* speed = path_[i]->speedData;
-    if (!(s.seconds > 0) || !speed) return s;
-    if (speed->numbers[0] > 0) s.speedExcess = s.length / s.seconds / speed->numbers[0];
-    if (speed->numbers[1] > 0) s.turnExcess = s.turn / s.seconds / speed->numbers[1];
+    if (!(s.seconds > 0)) return s;
+    if (path_[i]->speed > 0) s.speedExcess = s.length / s.seconds / path_[i]->speed;
+    if (const DataDeclaration* speed = path_[i]->speedData; speed && speed->numbers[1] > 0)
+      s.turnExcess = s.turn / s.seconds / speed->numbers[1];
     return s;
   }
 

@@ -130,6 +130,22 @@ TEST(RapidMotion, AProgramThatTellsNoLengthIsCheckedForLeapsOnly) {
   for (const Issue& issue : errors) EXPECT_EQ(issue.kind, "rapid-rule-17");
 }
 
+TEST(RapidMotion, ALeapIsSeenAtPredefinedSpeedsToo) {
+  auto program = writeRapid(sample::motion(60), sample::cell());
+  ASSERT_TRUE(program);
+  for (ProgramFile& file : *program) {
+    sample::replaceAll(file.bytes, "! Run none, free blade length 800.0000 mm", "! Run none");
+    sample::replaceAll(file.bytes, ",vCut\\T", ",v20\\T");
+    sample::replaceAll(file.bytes, ",vTravel\\T", ",v100\\T");
+  }
+  const std::size_t before = errorsOf(*program).size();
+  const Declared last = targetsOf(sample::file(*program, kModules[1])).back();
+  const Issues errors = errorsOf(moved(*program, kModules[1], last, {-1000, 0, 0}));
+  ASSERT_EQ(errors.size(), before + 1) << listed(errors);
+  EXPECT_EQ(errors.back().kind, "rapid-rule-17");
+  EXPECT_NE(errors.back().message.find("\"" + last.name + "\""), std::string::npos);
+}
+
 TEST(RapidMotion, ATargetThatTurnsAgainstTheRatesBesideItLeaps) {
   const auto good = writeRapid(sample::motion(60), sample::cell());
   ASSERT_TRUE(good);
