@@ -101,6 +101,14 @@ TEST(CaseLimits, TooHardACaseStopsSaysSoAndStopsAtTheSamePlaceAgain) {
   EXPECT_EQ(untimed(json::parse(again->json)), untimed(result));
 }
 
+TEST(CaseLimits, ALengthThatIsNotMetForLackOfWorkIsNotCalledOutOfReach) {
+  // 375 mm are within reach.
+  const json result = answerOf(
+      relaxCases, R"({"curve": )" + std::string(kWave) + R"(, "tolerance": 5, "spans": 185, "length": 370})");
+  ASSERT_FALSE(result.contains("error")) << result;
+  EXPECT_EQ(result["status"], "work-limit");
+}
+
 TEST(CaseLimits, PointsWhoseDistancesGrowAreDroppedAsFastAsOthers) {
   // Dropped one after the other from the left, the farthest of them always the last.
   json points = json::array();

@@ -19,7 +19,7 @@ namespace {
 
 constexpr const char* kBest =
     "The search was stopped at the work limit of a case; this is the best until then.";
-constexpr const char* kNothing = " The search was stopped at the work limit of a case.";
+constexpr const char* kNothing = "The search was stopped at the work limit of a case.";
 
 /// The path of the first number that is not finite.
 std::optional<std::string> notFinite(const ordered_json& value, const std::string& path) {
@@ -54,7 +54,9 @@ Result<ordered_json> runGuarded(const CaseFunction& run, const json& object, boo
   try {
     Result<ordered_json> result = run(object, limited);
     if (!result) {
-      if (meter.stopped() && result.error().code == ErrorCode::noSolution) result.error().message += kNothing;
+      if (std::string& text = result.error().message;
+          meter.stopped() && result.error().code == ErrorCode::noSolution)
+        text += (text.ends_with('.') ? " " : ". ") + std::string(kNothing);
       return result;
     }
     if (const std::optional<std::string> where = notFinite(*result, ""))

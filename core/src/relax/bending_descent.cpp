@@ -63,7 +63,8 @@ RelaxedPoints descend(const BendingProblem& problem, const PoleFreedom& freedom,
     if (std::abs(outcome.lengthError) < kLengthTolerance || outcome.iterations >= maxIterations) break;
     // Pressed harder and harder without coming nearer: the bounds hold the length.
     stuck = std::abs(outcome.lengthError) > kStuck * before ? stuck + 1 : 0;
-    if (stuck >= kMaxStuck || workExhausted()) break;
+    outcome.outOfReach = stuck >= kMaxStuck;
+    if (outcome.outOfReach || workExhausted()) break;
     multiplier += penalty * outcome.lengthError;
     if (std::abs(outcome.lengthError) > 0.1 * before) penalty *= 5;
     before = std::abs(outcome.lengthError);

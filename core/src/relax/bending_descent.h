@@ -16,7 +16,8 @@ inline constexpr double kLengthTolerance = 1e-9;
 /// Least energy, and the length by an augmented Lagrangian if one is asked for.
 struct RelaxedPoints {
   BoundedMinimum minimum;
-  double lengthError = 0;  ///< relative to the target's length
+  double lengthError = 0;   ///< relative to the target's length
+  bool outOfReach = false;  ///< the bounds hold the length where it is
   int iterations = 0;
 };
 

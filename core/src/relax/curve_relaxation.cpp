@@ -128,7 +128,8 @@ Result<RelaxResult> relaxCurve(const PlanarCurve& target, const RelaxOptions& op
   if (options.length) length = *options.length / placed.unit;
   const detail::RelaxedPoints outcome = detail::minimise(problem, freedom, size, length);
   const VectorXd points = freedom.points(outcome.minimum.at);
-  if (length && outcome.minimum.converged && std::abs(outcome.lengthError) > 1e3 * detail::kLengthTolerance)
+  if (outcome.outOfReach && outcome.minimum.converged &&
+      std::abs(outcome.lengthError) > 1e3 * detail::kLengthTolerance)
     return fail(ErrorCode::noSolution,
                 "the length " + mm(*options.length) +
                     " cannot be reached within the tolerance; the nearest is " +
