@@ -151,6 +151,11 @@ TEST(TypedNumber, CountsAUnitForTheWholeProduct) {
 TEST(TypedNumber, RefusesUnitsThatDoNotFit) {
   EXPECT_EQ(refusal("2*85 + 10 cm"), "one part of the sum has a unit and another has none");
   EXPECT_EQ(read("600 + 20 mm"), 620) << "the field's own unit changes nothing";
+  for (const char* text : {"5 + 2 cm", "2 cm + 5", "5 + 3 mm + 2 cm", "3 mm + 5 + 2 cm", "2 cm + (3 mm + 5)",
+                           "2*(5 + 3 mm) - 2 cm"})
+    EXPECT_EQ(refusal(text), "one part of the sum has a unit and another has none") << text;
+  EXPECT_EQ(read("5 + 3 mm"), 8);
+  EXPECT_EQ(read("(5 + 3) mm + 2*1 cm"), 28);
   EXPECT_EQ(refusal("2 cm * 3 cm"), "two units are multiplied");
   EXPECT_EQ(refusal("6 cm / 3 cm"), "one unit is divided by another");
   EXPECT_EQ(refusal("6/(3 cm)"), "a number is divided by one that has a unit");
@@ -161,6 +166,11 @@ TEST(TypedNumber, RefusesUnitsThatDoNotFit) {
             "\u201crad\u201d is the unit of an angle; here it is mm, cm, m, in, ft or \u00b5m");
   EXPECT_EQ(refusal("5 mm", {"", 0, 10}), "\u201cmm\u201d is not understood");
   EXPECT_EQ(refusal("pi/4", {"\u00b0", -360, 360}), "with pi an angle needs its unit, rad or \u00b0");
+  EXPECT_EQ(refusal("pi + 3\u00b0", {"\u00b0", -360, 360}), "with pi an angle needs its unit, rad or \u00b0");
+  EXPECT_EQ(read("5 + 2*(pi \u00b0)/pi", {"\u00b0", -360, 360}), 7);
+  EXPECT_EQ(refusal("a\xc2\x9b\xe2\x80\xae"
+                    "b"),
+            "\u201ca\\u009b\\u202eb\u201d is not understood; units here are mm, cm, m, in, ft and \u00b5m");
   EXPECT_EQ(refusal("20 \u00b0F + 5 \u00b0F", {"\u00b0C", -50, 1500}),
             "temperatures in K or \u00b0F stand alone");
   EXPECT_FALSE(refusal("5 mPa", {"N/mm\u00b2", 0, 10}).empty()) << "thousandths are not millions";
@@ -244,6 +254,7 @@ TEST(NumberList, RefusesInWords) {
   EXPECT_EQ(refusal("7-5"), "\u201c7-5\u201d runs backwards; write 5-7");
   EXPECT_EQ(refusal("3, 12"), "there is no face 12; they are numbered from 0 to 9");
   EXPECT_EQ(refusal("1", 1), "there is no face 1; the only one is 0");
+  EXPECT_EQ(refusal("0", 0), "there is no face to choose");
   EXPECT_EQ(refusal("3,"), "after the last comma a face number is missing");
   EXPECT_EQ(refusal("3-"), "a face number is missing at the end");
   EXPECT_EQ(refusal("0-99999999999999999999"),

@@ -88,6 +88,7 @@ class ListParser {
                            : Result<int>(refuseRest());
     const bool fits = digits.size() <= kMostDigits;
     const int value = fits ? std::stoi(std::string(digits)) : 0;
+    if (count_ <= 0) return refuse("there is no " + thing_ + " to choose");
     if (!fits || value >= count_)
       return refuse("there is no " + thing_ + " " + std::string(digits.substr(0, kMostDigits)) +
                     (fits ? "" : "\u2026") +

@@ -24,9 +24,10 @@ constexpr double kEqual = 1e-9;         // relative: what counts as whole, or as
 struct Part {
   double raw = 0, scale = 1, offset = 0;
   bool hasUnit = false;
+  bool bare = true;       ///< of a sum: a part without a unit
   bool foreign = false;   ///< in another unit than the field's
   bool sum = false;       ///< a bracket that holds units
-  bool hasPi = false;     ///< pi without a unit may mean radians
+  bool hasPi = false;     ///< pi without a unit, which may mean radians
   bool computed = false;  ///< not a single number as typed
   double value() const { return scale * raw + offset; }
 };
@@ -44,8 +45,7 @@ class Parser {
     if (!part) return tl::unexpected(part.error());
     skipSpaces();
     if (!rest_.empty()) return refuseRest();
-    if (part->hasPi && !part->hasUnit && kind_ == unitKindOf("°"))
-      return refuse("with pi an angle needs its unit, rad or °");
+    if (part->hasPi && kind_ == unitKindOf("°")) return refuse("with pi an angle needs its unit, rad or °");
     double value = part->value();
     if (!std::isfinite(value)) return refuse(quoted(text_) + " has no finite value");
     if (part->computed) value = parseNumber(shortText(value, kTidyDigits)).value_or(value);
@@ -112,12 +112,12 @@ class Parser {
       const Result<Part> next = product(depth);
       if (!next) return next;
       if (total.offset != 0 || next->offset != 0) return refuse("temperatures in K or °F stand alone");
-      if (total.hasUnit != next->hasUnit && (total.foreign || next->foreign))
-        return refuse("one part of the sum has a unit and another has none");
+      total.bare |= next->bare;
+      total.foreign |= next->foreign;
+      if (total.bare && total.foreign) return refuse("one part of the sum has a unit and another has none");
       total.raw = total.value() + (plus ? next->value() : -next->value());
       total.scale = 1;
       total.hasUnit |= next->hasUnit;
-      total.foreign |= next->foreign;
       total.sum |= total.hasUnit;
       total.hasPi |= next->hasPi;
       total.computed = true;
@@ -144,11 +144,16 @@ class Parser {
       if (!times && next->raw == 0) return refuse("this divides by zero");
       total.raw = times ? total.raw * next->raw : total.raw / next->raw;
       if (minus) total.raw = -total.raw;
-      if (next->hasUnit) total.scale = next->scale;
+      if (next->hasUnit) {
+        total.scale = next->scale;
+        total.bare = next->bare;
+        total.hasPi = next->hasPi;
+      } else if (!total.hasUnit) {
+        total.hasPi |= next->hasPi;
+      }
       total.hasUnit |= next->hasUnit;
       total.foreign |= next->foreign;
       total.sum |= next->sum;
-      total.hasPi |= next->hasPi;
       total.computed = true;
     }
   }
@@ -184,6 +189,7 @@ class Parser {
     part.scale = unit->factor;
     part.offset = unit->offset;
     part.hasUnit = true;
+    part.bare = part.hasPi = false;
     part.foreign = unit->factor != 1 || unit->offset != 0;
     return part;
   }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bw/core/number_text.h"
+#include "bw/core/printable.h"
 
 namespace bw {
 
@@ -111,9 +112,7 @@ std::string quoted(std::string_view text) {
   while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
   std::size_t size = std::min(text.size(), kQuotedBytes);
   while (size < text.size() && size > 0 && isContinuation(text[size])) --size;
-  std::string shown;
-  for (char c : text.substr(0, size)) shown += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
-  return "\u201c" + shown + (size < text.size() ? "\u2026" : "") + "\u201d";
+  return "\u201c" + printable(text.substr(0, size)) + (size < text.size() ? "\u2026" : "") + "\u201d";
 }
 
 std::string joined(const std::vector<std::string>& words, const char* last) {

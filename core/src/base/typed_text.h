@@ -14,7 +14,7 @@ namespace bw {
 /// one kind, ’ to ', º to °.
 std::string plainSigns(std::string_view text);
 
-/// What of the text is repeated in a message: shortened, without control characters, in “quotes”.
+/// What of the text is repeated in a message: shortened, as `printable` shows it, in “quotes”.
 std::string quoted(std::string_view text);
 
 /// "a, b or c" with the last word between the last two.

@@ -26,8 +26,9 @@ struct NumberDemand {
 /// A single comma before exactly three digits (1,234) could be either and is refused. Exponents (1e3),
 /// sums, products, quotients, brackets and pi are read. A number or bracket may carry a unit of the field's
 /// kind (mm, cm, m, in, ft, µm; °, rad, gon; mm/s, m/min, …): in a product or quotient it counts for the
-/// whole (600/4 cm = 1500 mm), in a sum every part needs one. What is left over, a number that is not whole
-/// where it must be, and one outside the limits are errors, `badInput`, whose message is one sentence.
+/// whole (600/4 cm = 1500 mm). In a sum every part needs one as soon as one part has another than the field's
+/// own. What is left over, a number that is not whole where it must be, and one outside the limits are
+/// errors, `badInput`, whose message is one sentence.
 Result<double> readTypedNumber(std::string_view text, const NumberDemand& demand);
 
 /// The names of units that a field of unit `unit` reads besides, the commonest first; empty for a bare
