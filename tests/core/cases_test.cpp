@@ -153,7 +153,8 @@ TEST(BvpCases, AnswerOneOrAllShapes) {
     {"start": [0,0], "end": [720,0], "start_angle": 0.4, "end_angle": -0.3, "length": 800, "all": true, "turning": null},
     {"start": [0,0], "end": [800,0], "start_angle": 0, "end_angle": 0, "length": 800},
     {"start": [0,0], "end": [810,0], "start_angle": 0, "end_angle": 0, "length": 800},
-    {"start": [0,0], "end": [720,0], "start_angle": 0.4, "end_angle": -0.3, "lenght": 800}]})",
+    {"start": [0,0], "end": [720,0], "start_angle": 0.4, "end_angle": -0.3, "lenght": 800},
+    {"start": [0,0], "end": [800,0], "start_angle": null, "end_angle": null, "length": 800}]})",
                                              {});
   ASSERT_TRUE(answer) << answer.error().message;
   const json results = json::parse(answer->json)["results"];
@@ -168,6 +169,9 @@ TEST(BvpCases, AnswerOneOrAllShapes) {
   EXPECT_TRUE(results[2]["solutions"][0]["sensitivity"]["per_mm"].is_null());
   EXPECT_EQ(results[3]["error"]["code"], "no-solution");
   EXPECT_EQ(results[4]["error"]["code"], "bad-input");
+  EXPECT_TRUE(results[2]["solutions"][0]["sensitivity"]["per_deg"].is_null());
+  EXPECT_EQ(results[5]["case"], "straight");
+  EXPECT_EQ(results[5]["solutions"][0]["sensitivity"]["per_deg"], 0.0) << "there is no angle to turn";
   EXPECT_EQ(answer->failed, 2);
 }
 

@@ -61,6 +61,15 @@ TEST(TextLimits, ValuesAreCountedWhileReading) {
   EXPECT_NE(answer.error().message.find("20 million values"), std::string::npos) << answer.error().message;
 }
 
+TEST(TextLimits, AListCountsOnce) {
+  std::string lists = "[";
+  for (int i = 0; i < 10'100'000; ++i) lists += "[],";
+  lists += "[]]";
+  const Result<CaseAnswer> answer = fitCases(lists, {});
+  ASSERT_FALSE(answer);
+  EXPECT_EQ(answer.error().message.find("million values"), std::string::npos) << answer.error().message;
+}
+
 TEST(TextLimits, FilesAboveTheLimitAreRefusedByTheirSize) {
   // A file with a hole: as large as it says, and no byte of it written.
   const std::filesystem::path file = std::filesystem::path(BW_TEST_OUTPUT) / "vast.bladewright";

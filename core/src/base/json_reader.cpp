@@ -45,7 +45,9 @@ Result<json> parseJsonText(std::string_view text, const std::string& what) {
                      what + " holds lists or objects within each other more than " +
                          std::to_string(kDeepest) + " deep; nothing that is read here goes so deep",
                      what, double(depth), double(kDeepest)}};
-    if (event != json::parse_event_t::key && ++values > kMostValues)
+    const bool begins = event == json::parse_event_t::value || event == json::parse_event_t::array_start ||
+                        event == json::parse_event_t::object_start;
+    if (begins && ++values > kMostValues)
       throw TooMuch{{ErrorCode::badInput,
                      what + " holds more than " + std::to_string(kMostValues / 1'000'000) +
                          " million values; split it into several files",

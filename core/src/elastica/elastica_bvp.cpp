@@ -108,7 +108,8 @@ ClampedAnswer straightAnswer(const ClampedProblem& problem) {
   solution.elastica = *Elastica::make(problem.start, angle, 0, {0, 0}, problem.length);
   solution.stable = true;
   solution.stabilityMargin = solution.outOfPlaneMargin = 1;
-  solution.sensitivity = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  solution.sensitivity = {kInfinity, problem.startAngle || problem.endAngle ? kInfinity : 0};
   solution.endError = (solution.elastica.at(problem.length).point - problem.end).norm();
   return {
       {solution}, ClampedKind::straight, {}, "The blade is as long as its ends are apart: it is straight."};
