@@ -182,7 +182,8 @@ Result<FitResult> fitElastica(const PlanarCurve& curve, const FitOptions& option
     starts.push_back(detail::toPlacement(*options.initial, full).shape);
   } else {
     const detail::LengthGuess guess = detail::guessByLength(coarse, law);
-    const Elastica byLength = detail::toElastica(guess.placement, coarse);
+    const Elastica byLength =
+        detail::toElastica(guess.placement, coarse).value_or(detail::straightGuess(coarse));
     const Residuals lengthResiduals = residualsOf(byLength, full);
     result.R3star = thinned ? lengthResiduals.tangents : guess.R3star;
     result.initial = byLength;
@@ -191,10 +192,10 @@ Result<FitResult> fitElastica(const PlanarCurve& curve, const FitOptions& option
     starts.push_back(guess.placement.shape);
     // On short, nearly straight pieces the tangents hardly tell the place: counting does.
     if (const std::optional<Placement> counted = detail::guessByCount(full, law)) {
-      const Elastica byCount = detail::toElastica(*counted, full);
-      const double value = residualsOf(byCount, full).value;
-      if (options.guess == FitOptions::Guess::count || value < kFarBetter * initialValue) {
-        result.initial = byCount;
+      const std::optional<Elastica> byCount = detail::toElastica(*counted, full);
+      const double value = byCount ? residualsOf(*byCount, full).value : 0;
+      if (byCount && (options.guess == FitOptions::Guess::count || value < kFarBetter * initialValue)) {
+        result.initial = *byCount;
         initialValue = value;
         starts.push_back(counted->shape);
       }
@@ -262,7 +263,13 @@ Result<FitResult> fitElastica(const PlanarCurve& curve, const FitOptions& option
     }
   }
 
-  result.elastica = taut ? *taut : detail::toElastica(chosen.placement, full);
+  const std::optional<Elastica> answer = taut ? taut : detail::toElastica(chosen.placement, full);
+  if (!answer)
+    return fail(ErrorCode::noSolution,
+                "The best curve that was found is beyond the numbers of an elastica; look for a slip in the "
+                "curve, or smooth it.",
+                "curve");
+  result.elastica = *answer;
   ConstrainedFit last(full, held, norm);
   detail::Stationarity end{chosen.value, 0, 0};
   if (!taut) end = last.stationarity(detail::toPlacement(result.elastica, full), peaks);
@@ -273,13 +280,13 @@ Result<FitResult> fitElastica(const PlanarCurve& curve, const FitOptions& option
     // The descent in three unknowns stalls where the shape hardly matters; all seven go on from there.
     const ConstrainedFit::Solution finished = last.solve(chosen.placement);
     chosen.iterations += finished.iterations;
-    if (finished.feasible && finished.value <= chosen.value * (1 + 1e-12)) {
-      const Elastica elastica = detail::toElastica(finished.placement, full);
+    const std::optional<Elastica> elastica = detail::toElastica(finished.placement, full);
+    if (finished.feasible && elastica && finished.value <= chosen.value * (1 + 1e-12)) {
       const detail::Stationarity there =
-          last.stationarity(detail::toPlacement(elastica, full), finished.peaks);
+          last.stationarity(detail::toPlacement(*elastica, full), finished.peaks);
       if (finished.converged && (!chosen.converged || there.movement < end.movement)) {
         chosen.converged = true;
-        result.elastica = elastica;
+        result.elastica = *elastica;
         end = there;
       }
     }
@@ -328,7 +335,9 @@ FitForecast forecastFit(const PlanarCurve& curve) {
   const FitTarget target(curve);
   const detail::AffineCurvature law = detail::fitAffineCurvature(target);
   const detail::LengthGuess guess = detail::guessByLength(target, law);
-  return forecastFrom(law, std::sqrt(residualsOf(detail::toElastica(guess.placement, target), target).value));
+  const Elastica initial =
+      detail::toElastica(guess.placement, target).value_or(detail::straightGuess(target));
+  return forecastFrom(law, std::sqrt(residualsOf(initial, target).value));
 }
 
 }  // namespace bw

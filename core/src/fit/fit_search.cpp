@@ -113,7 +113,8 @@ bool FitSearch::meets(const Elastica& elastica, const FitDemands& demands) const
 }
 
 bool FitSearch::meets(const Placement& placement, const FitDemands& demands) const {
-  return meets(toElastica(placement, target_), demands);
+  const std::optional<Elastica> elastica = toElastica(placement, target_);
+  return elastica && meets(*elastica, demands);
 }
 
 bool FitSearch::meets(const Solution& solution, const FitDemands& demands) const {
@@ -123,7 +124,9 @@ bool FitSearch::meets(const Solution& solution, const FitDemands& demands) const
 // The bounds of which any one meets the demand that a curve breaks.
 std::vector<FitConstraints> FitSearch::variants(const FitConstraints& constraints, const FitDemands& demands,
                                                 const Placement& placement) const {
-  const Elastica elastica = toElastica(placement, target_);
+  const std::optional<Elastica> curve = toElastica(placement, target_);
+  if (!curve) return {};
+  const Elastica& elastica = *curve;
   std::vector<FitConstraints> out;
   if (demands.maxInflections) {
     const std::vector<double> places = elastica.inflections();
@@ -224,8 +227,9 @@ ConditionedFit FitSearch::near(const FitConstraints& constraints, const FitDeman
   const Solution solution = ConstrainedFit(target_, constraints, norm_).solve(start);
   out.iterations = solution.iterations;
   const char* missed = "";
-  if (solution.feasible && solution.converged && (!demands.any() || meets(solution.placement, demands)) &&
-      largestMiss(toElastica(solution.placement, target_), target_, constraints, missed) <= kCarried)
+  const std::optional<Elastica> elastica = toElastica(solution.placement, target_);
+  if (solution.feasible && solution.converged && elastica && meets(*elastica, demands) &&
+      largestMiss(*elastica, target_, constraints, missed) <= kCarried)
     out.best = solution;
   return out;
 }

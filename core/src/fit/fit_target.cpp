@@ -91,9 +91,7 @@ int FitTarget::inflections() const {
   return count;
 }
 
-namespace {
-
-std::optional<Elastica> elasticaAt(const Placement& placement, const FitTarget& target) {
+std::optional<Elastica> toElastica(const Placement& placement, const FitTarget& target) {
   const double unit = std::exp(placement.logLength) * target.length;
   const Vector2d middle = target.centre + target.length * placement.middle;
   const Vector2d own = placement.shape.tail<2>() / (unit * unit);
@@ -110,10 +108,7 @@ std::optional<Elastica> elasticaAt(const Placement& placement, const FitTarget& 
   return whole ? std::optional(*whole) : std::nullopt;
 }
 
-}  // namespace
-
-Elastica toElastica(const Placement& placement, const FitTarget& target) {
-  if (const std::optional<Elastica> elastica = elasticaAt(placement, target)) return *elastica;
+Elastica straightGuess(const FitTarget& target) {
   const Result<Elastica> line = Elastica::make(target.centre + target.length * target.start,
                                                target.startAngle, 0, {0, 0}, target.length);
   BW_CHECK(line.has_value());

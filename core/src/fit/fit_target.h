@@ -62,7 +62,10 @@ struct Placement {
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();
 };
 
-Elastica toElastica(const Placement& placement, const FitTarget& target);
+/// Nothing if its numbers are beyond those of an elastica.
+std::optional<Elastica> toElastica(const Placement& placement, const FitTarget& target);
+/// The line along the target's tangent at its start: in place of a guess that is no elastica.
+Elastica straightGuess(const FitTarget& target);
 Placement toPlacement(const Elastica& elastica, const FitTarget& target);
 
 /// Evaluates shapes at fixed arc lengths; keeps its buffers. The power series of `ElasticaFlow`, told to

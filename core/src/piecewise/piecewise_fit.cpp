@@ -170,27 +170,37 @@ Chain improve(const PlanarCurve& curve, std::vector<double>& arcs, Chain best, d
   return best;
 }
 
+std::optional<Elastica> elasticaOf(const Chain& chain, std::size_t piece) {
+  return detail::toElastica(
+      detail::toPlacement(chain.descent.v.segment(7 * static_cast<Eigen::Index>(piece), 7)),
+      chain.pieces[piece]->target);
+}
+
 double farthest(const Chain& chain, const PlanarCurve& curve) {
   double most = 0;
   for (std::size_t i = 0; i < chain.pieces.size(); ++i) {
-    const Elastica elastica =
-        detail::toElastica(detail::toPlacement(chain.descent.v.segment(7 * static_cast<Eigen::Index>(i), 7)),
-                           chain.pieces[i]->target);
-    most = std::max(most, detail::oneSidedHausdorff(elastica, curve));
+    const std::optional<Elastica> elastica = elasticaOf(chain, i);
+    if (!elastica) return std::numeric_limits<double>::infinity();
+    most = std::max(most, detail::oneSidedHausdorff(*elastica, curve));
   }
   return most;
 }
 
 // What is told about a chain, measured on the elastica themselves.
-void measure(const Chain& chain, const PlanarCurve& curve, const PiecewiseOptions& options,
-             PiecewiseResult& out) {
+Result<void> measure(const Chain& chain, const PlanarCurve& curve, const PiecewiseOptions& options,
+                     PiecewiseResult& out) {
   const double length = curve.length();
   double squares = 0;
   for (std::size_t i = 0; i < chain.pieces.size(); ++i) {
     const Piece& piece = *chain.pieces[i];
-    const Elastica elastica = detail::toElastica(
-        detail::toPlacement(chain.descent.v.segment(7 * static_cast<Eigen::Index>(i), 7)), piece.target);
-    out.pieces.push_back(elastica);
+    const std::optional<Elastica> found = elasticaOf(chain, i);
+    if (!found)
+      return fail(
+          ErrorCode::noSolution,
+          "Piece " + std::to_string(i + 1) +
+              " is beyond the numbers of an elastica; move the splits, or look for a slip in the curve.",
+          "splits");
+    const Elastica& elastica = out.pieces.emplace_back(*found);
     const PlanarCurve::Quadrature& q = piece.curve.quadrature();
     const double own = piece.curve.length();
     std::vector<double> s(q.arc.size());
@@ -231,6 +241,7 @@ void measure(const Chain& chain, const PlanarCurve& curve, const PiecewiseOption
   } else {
     out.status = chain.descent.boundActive ? FitStatus::constraintsActive : FitStatus::converged;
   }
+  return {};
 }
 
 }  // namespace
@@ -272,20 +283,23 @@ Result<PiecewiseResult> fitPiecewise(const PlanarCurve& curve, const PiecewiseOp
         chain = improve(curve, arcs, std::move(chain), length / cells, options, context);
         break;
       }
-      const auto measured = [&] {
-        if (costOf(chain) >= kImpossible) return true;
+      // Takes the chain for the nearest if it is; its distance, nothing where it is no chain.
+      const auto keepIfNearest = [&]() -> std::optional<double> {
+        if (costOf(chain) >= kImpossible) return std::nullopt;
         const double here = farthest(chain, curve);
         if (here < distance) {
           distance = here;
           nearest = chain;
           nearestArcs = arcs;
         }
-        return here <= kHopeless * *options.tolerance || n == options.pieces;
+        return here;
       };
-      // Better splits do not bring a chain near that lies far off.
-      if (measured() && distance > *options.tolerance) {
+      // Better splits do not bring a chain near that lies far off; what is no chain may become one.
+      const std::optional<double> here = keepIfNearest();
+      const bool worthImproving = !here || *here <= kHopeless * *options.tolerance || n == options.pieces;
+      if (worthImproving && distance > *options.tolerance) {
         chain = improve(curve, arcs, std::move(chain), length / cells, options, context);
-        measured();
+        keepIfNearest();
       }
       if (distance <= *options.tolerance || workExhausted()) break;
     }
@@ -308,7 +322,7 @@ Result<PiecewiseResult> fitPiecewise(const PlanarCurve& curve, const PiecewiseOp
   for (const auto& piece : chain.pieces) out.iterations += piece->free.iterations;
   out.splits = splits;
   out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  measure(chain, curve, options, out);
+  if (Result<void> ok = measure(chain, curve, options, out); !ok) return tl::unexpected<Error>(ok.error());
   if (options.tolerance) {
     const double most = *std::max_element(out.hausdorff.begin(), out.hausdorff.end());
     out.withinTolerance = most <= *options.tolerance;

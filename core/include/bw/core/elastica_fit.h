@@ -16,7 +16,8 @@ namespace bw {
 /// What a fit must respect.
 struct FitOptions {
   enum class Length { free, exact, given };
-  /// Distance alone; that of the derivatives by arc length over the length too; and of the second ones.
+  /// What is integrated over σ from 0 to 1, of the target r and the elastica γ in lengths of the target: L2
+  /// |γ − r|²; H1 besides |γ' − r'|², the derivatives by σ; H2 besides |γ'' − r''|² (docs/mathematics.md, 7).
   enum class Norm { L2, H1, H2 };
   enum class Guess { length, count };  ///< thesis 2.5 (2.4 where far better), or 2.4
 
@@ -63,7 +64,8 @@ struct FitForecast {
 
 struct FitResult {
   Elastica elastica;
-  Elastica initial;                           ///< the canonical guess (or the warm start)
+  Elastica initial;  ///< the canonical guess (or the warm start); a line along the start tangent where the
+                     ///< guess is beyond the numbers of an elastica
   double R1 = 0, R2 = 0, R3 = 0, R3star = 0;  ///< residuals of the guess (thesis 3.2)
   double R4initial = 0;
   FitForecast forecast;     ///< of R4, from the canonical guess; zero with a warm start
@@ -79,8 +81,9 @@ struct FitResult {
   double seconds = 0;   ///< solver time alone
 };
 
-/// The elastica that minimises (3.2) of the thesis under the options. Cold start: canonical guess. Fails only
-/// on bad options; an unsatisfied constraint is a status.
+/// The elastica that minimises (3.2) of the thesis under the options. Cold start: canonical guess. Fails on
+/// bad options, and (`ErrorCode::noSolution`) where what was found is beyond the numbers of an elastica; an
+/// unsatisfied constraint is a status.
 [[nodiscard]] Result<FitResult> fitElastica(const PlanarCurve& curve, const FitOptions& options = {});
 
 /// The forecast of a fit without the fit: about a tenth of its cost.
