@@ -33,7 +33,6 @@ class WorkMeter {
   WorkMeter(const WorkMeter&) = delete;
   WorkMeter& operator=(const WorkMeter&) = delete;
 
-  std::int64_t spent() const { return spent_; }
   /// True once a search on this thread was told to end.
   bool stopped() const { return stopped_; }
 

@@ -29,12 +29,6 @@ constexpr double kLargestRatio = 1e12;
 // Poles that are evaluated one span after the other within a second.
 constexpr std::size_t kMostPoles = 100000;
 
-std::string text(double value) {
-  if (std::isnan(value)) return "not a number";
-  if (std::isinf(value)) return value > 0 ? "infinite" : "minus infinite";
-  return shortText(value, 6);
-}
-
 Error bad(std::string message, std::string where, std::optional<double> value = std::nullopt,
           std::optional<double> limit = std::nullopt) {
   return Error{ErrorCode::badInput, std::move(message), std::move(where), value, limit};
@@ -65,18 +59,18 @@ std::optional<Error> checkKnots(int degree, const std::vector<double>& knots, st
     const std::string name = "Knot " + std::to_string(i);
     const std::string where = "knot " + std::to_string(i);
     if (!(std::abs(knots[i]) <= kLargest))
-      return bad(name + " is " + text(knots[i]) + "; give finite knots below 1e40.", where, knots[i]);
+      return bad(name + " is " + valueText(knots[i]) + "; give finite knots below 1e40.", where, knots[i]);
     magnitude = std::max(magnitude, std::abs(knots[i]));
     if (i > 0 && knots[i] < knots[i - 1]) {
-      return bad(name + " (" + text(knots[i]) + ") is below the one before it (" + text(knots[i - 1]) +
-                     "); knots must not decrease.",
+      return bad(name + " (" + valueText(knots[i]) + ") is below the one before it (" +
+                     valueText(knots[i - 1]) + "); knots must not decrease.",
                  where, knots[i], knots[i - 1]);
     }
     multiplicity = i > 0 && knots[i] == knots[i - 1] ? multiplicity + 1 : 1;
     const bool inner = knots[i] > knots[order - 1] && knots[i] < knots[poles];
     const std::size_t most = inner ? order - 1 : order;
     if (multiplicity > most) {
-      return bad(name + " (" + text(knots[i]) + ") is repeated more than " + std::to_string(most) +
+      return bad(name + " (" + valueText(knots[i]) + ") is repeated more than " + std::to_string(most) +
                      " times, which would tear the curve apart; lower its multiplicity.",
                  where, static_cast<double>(multiplicity), static_cast<double>(most));
     }
@@ -92,7 +86,7 @@ std::optional<Error> checkKnots(int degree, const std::vector<double>& knots, st
     const double gap = knots[i] - knots[i - 1];
     if (gap == 0 || gap >= least) continue;
     return bad(
-        "Knot " + std::to_string(i) + " lies only " + text(gap) +
+        "Knot " + std::to_string(i) + " lies only " + valueText(gap) +
             " above the one before it, less than 1e-12 of the range or size of the knots; make the two "
             "equal or move them apart.",
         "knot " + std::to_string(i), gap, least);
@@ -109,13 +103,13 @@ std::optional<Error> checkWeights(const std::vector<double>& weights, std::size_
   }
   const double largest = *std::max_element(weights.begin(), weights.end());
   for (std::size_t i = 0; i < weights.size(); ++i) {
-    const std::string name = "Weight " + std::to_string(i) + " is " + text(weights[i]);
+    const std::string name = "Weight " + std::to_string(i) + " is " + valueText(weights[i]);
     const std::string where = "weight " + std::to_string(i);
     if (!(weights[i] >= 1 / kLargest && weights[i] <= kLargest))
       return bad(name + "; weights must be positive and finite, of a size near 1.", where, weights[i], 0.0);
     if (weights[i] * kLargestRatio < largest)
       return bad(
-          name + ", less than 1e-12 of the largest (" + text(largest) + "); bring the weights together.",
+          name + ", less than 1e-12 of the largest (" + valueText(largest) + "); bring the weights together.",
           where, weights[i], largest / kLargestRatio);
   }
   return std::nullopt;
@@ -123,12 +117,18 @@ std::optional<Error> checkWeights(const std::vector<double>& weights, std::size_
 
 }  // namespace
 
+std::string valueText(double value) {
+  if (std::isnan(value)) return "not a number";
+  if (std::isinf(value)) return value > 0 ? "infinite" : "minus infinite";
+  return shortText(value, 6);
+}
+
 std::optional<Error> checkPoints(const std::vector<Vector2d>& points, const char* what) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     for (const double x : {points[i].x(), points[i].y()}) {
       if (std::abs(x) <= kLargest) continue;
       const std::string name = std::string(what) + " " + std::to_string(i);
-      return bad(name + " of the curve has a coordinate that is " + text(x) +
+      return bad(name + " of the curve has a coordinate that is " + valueText(x) +
                      "; give finite coordinates below 1e40.",
                  name, x, kLargest);
     }

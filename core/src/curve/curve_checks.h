@@ -5,11 +5,15 @@
 #include <Eigen/Core>
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "bw/core/result.h"
 
 namespace bw::detail {
+
+/// A number as messages about curves tell it, also one that is not finite.
+std::string valueText(double value);
 
 /// The first of the poles or points (`what` names one) that no curve can have: not finite, or beyond 1e40, so
 /// that products of coordinates leave the numbers of the computer.

@@ -15,12 +15,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-std::string text(double value) {
-  if (std::isnan(value)) return "not a number";
-  if (std::isinf(value)) return value > 0 ? "infinite" : "minus infinite";
-  return shortText(value, 6);
-}
-
 tl::unexpected<Error> zeroLength() {
   return fail(ErrorCode::badInput,
               "The curve has no length that the computer could tell: its points coincide; give at least two "
@@ -128,13 +122,15 @@ PlanarCurve PlanarCurve::reversed() const {
 Result<PlanarCurve> PlanarCurve::subCurve(double t0, double t1) const {
   if (!std::isfinite(t0) || !std::isfinite(t1)) {
     return fail(ErrorCode::badInput,
-                "The part of the curve from " + text(t0) + " to " + text(t1) + " is not a range.", "t0");
+                "The part of the curve from " + detail::valueText(t0) + " to " + detail::valueText(t1) +
+                    " is not a range.",
+                "t0");
   }
   t0 = data_->clamp(t0);
   t1 = data_->clamp(t1);
   if (!(t1 - t0 > 1e-14 * (data_->end - data_->start))) {
     return fail(ErrorCode::badInput,
-                "The part of the curve from " + text(t0) + " to " + text(t1) +
+                "The part of the curve from " + detail::valueText(t0) + " to " + detail::valueText(t1) +
                     " is empty; the first parameter must be below the second.",
                 "t0", t0, t1);
   }

@@ -11,8 +11,6 @@ using nlohmann::json;
 
 namespace {
 
-constexpr double kMaxCoordinate = 1e7;  ///< mm; ten kilometres
-
 std::optional<int> indexOf(const json& value) {
   if (!value.is_number_integer()) return std::nullopt;
   const double x = value.get<double>();
@@ -83,7 +81,7 @@ void readFaceChoice(ObjectReader& reader, FaceChoice& face) {
     return;
   }
   face.kind = FaceChoice::Kind::nearest;
-  reader.vector3("near", face.point, -kMaxCoordinate, kMaxCoordinate);
+  reader.vector3("near", face.point, -kFarthest, kFarthest);
 }
 
 void writeFaceChoice(const FaceChoice& face, json& object) {

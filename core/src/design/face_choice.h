@@ -7,6 +7,9 @@
 
 namespace bw {
 
+/// Coordinates of jobs are at most this large, mm: ten kilometres.
+inline constexpr double kFarthest = 1e7;
+
 /// Reads the keys "face" and "near" of a job.
 void readFaceChoice(ObjectReader& reader, FaceChoice& face);
 

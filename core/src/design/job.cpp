@@ -19,8 +19,7 @@ using nlohmann::json;
 
 namespace {
 
-constexpr double kMaxCoordinate = 1e7;  ///< mm; ten kilometres
-constexpr double kMaxSewing = 100;      ///< mm
+constexpr double kMaxSewing = 100;  ///< mm
 constexpr const char* kFileUnit = "file";
 constexpr double kMaxBlock = 1e6;  ///< mm
 constexpr double kMaxLead = 1e4;   ///< mm
@@ -60,7 +59,7 @@ void readBlock(ObjectReader& reader, std::optional<BlockPlacement>& block) {
   inner.need("origin",
              inner.path() + " needs the key origin: its corner [x, y, z] in the file's frame, in mm");
   inner.need("size", inner.path() + " needs the key size: [dx, dy, dz] in mm");
-  inner.vector3("origin", placement.origin, -kMaxCoordinate, kMaxCoordinate);
+  inner.vector3("origin", placement.origin, -kFarthest, kFarthest);
   inner.vector3("size", placement.size, 1.0, kMaxBlock);
   inner.vector3("rotation_deg", degrees, -360, 360);
   placement.rotation = degrees * kDegree;

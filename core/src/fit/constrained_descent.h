@@ -53,7 +53,7 @@ struct DescentLimits {
   int iterations = 150;
   int refusals = 30;      ///< steps that do not get on
   int restorations = 40;  ///< Newton steps with which a step is led back onto the conditions
-  int evaluations = std::numeric_limits<int>::max();  ///< of the conditions, in all
+  int evaluations = std::numeric_limits<int>::max();  ///< of the conditions while steps are led back, in all
   double movement = 1e-11;  ///< a step that moves the curve by less (root mean square, lengths) is the last
   double unknowns = 1e-5;   ///< if the unknowns move by less, too
   double restored = 1e-13;  ///< to which the conditions hold after a step

@@ -24,9 +24,9 @@ struct FreeFitResult {
   bool converged = false;
 };
 
-/// The best of the descents from some starts, and from the nearest places of the atlas if `more` is set and
-/// the result is poor. Done on `coarse` and finished on `full`, if these are not the same. Empty if no start
-/// can be placed.
+/// The best of the descents from some starts; if `more` is set and the result is poor, also from the nearest
+/// places of the atlas, and under H1 and H2 from an arc, a line and two S-shapes. Done on `coarse` and
+/// finished on `full`, if these are not the same. Empty if no start can be placed.
 std::optional<FreeFitResult> freeFit(const FitTarget& full, const FitTarget& coarse,
                                      const FitObjective& objective, const std::vector<Shape>& starts,
                                      bool more);

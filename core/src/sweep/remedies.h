@@ -15,6 +15,9 @@ namespace bw::detail {
 /// What stands for cutting a surface in several goes: a design each.
 inline constexpr const char* kInParts = "cut it in parts, each with a narrower block of its own";
 
+/// A radius is told in three digits, which may be the larger ones.
+inline constexpr double kRadiusReserve = 0.99;
+
 /// "a blade that bends to 96 mm", with a preset that does, or the one that comes nearest. `radius` in mm.
 [[nodiscard]] std::string bladeThatBendsTo(double radius);
 

@@ -30,9 +30,6 @@ namespace bw::detail {
 
 namespace {
 
-/// A radius is told in three digits, which may be the larger ones.
-constexpr double kRadiusReserve = 0.99;
-
 /// What keeps the grips of these stations clear of the block: a longer blade only where it does.
 std::string clearanceRemedy(const Sweep& sweep, const Job& job, const Stretch& stretch) {
   const std::vector<Station>& stations = sweep.stations;

@@ -28,15 +28,13 @@ constexpr double kSameResidual = 1 + 1e-6;
 constexpr double kBladePeriods = 2.0;
 /// Bounds on the periods that are tried with the blade's radius: 1, ½, ¼, … of the job's.
 constexpr int kPeriodBounds = 7;
-/// Part of the blade's largest curvature that a bounded fit keeps off it, so that rounding does not decide
-/// whether the blade holds.
-constexpr double kCurvatureReserve = 1e-6;
+/// Part of its largest curvature to which a blade at its limit bends, and to which a fit is bounded: rounding
+/// does not decide whether the blade holds.
+constexpr double kAtLimit = 1 - 1e-6;
 /// A blade that bends to this part of its bound presses against it.
 constexpr double kPresses = 1 - 1e-4;
-/// A section that bends to this part of the blade's radius is far beyond it.
+/// A section with a radius so many times smaller than the blade's is far beyond it.
 constexpr double kFarBeyond = 10;
-/// Part of its largest curvature to which a blade at its limit bends.
-constexpr double kAtLimit = 1 - kCurvatureReserve;
 
 FitOptions fitOptions(const Job& job, double sectionLength) {
   FitOptions options;
@@ -69,7 +67,7 @@ Result<FitResult> fitBesideNeighbour(const PlanarCurve& section, FitOptions opti
 
 /// How a section is fitted where the nearest curve does not do for the whole blade.
 FitOptions boundedOptions(FitOptions options, const Job& job) {
-  options.maxCurvature = (1 - kCurvatureReserve) * job.blade.maxCurvature();
+  options.maxCurvature = kAtLimit * job.blade.maxCurvature();
   options.curvatureRange = job.blade.length;
   return options;
 }

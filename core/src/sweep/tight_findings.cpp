@@ -18,8 +18,6 @@ namespace bw::detail {
 
 namespace {
 
-/// A radius is told in three digits, which may be the larger ones.
-constexpr double kRadiusReserve = 0.99;
 /// Steps in which a larger surface is sought; its scale is told in tenths.
 constexpr double kScaleStep = 1.05;
 constexpr double kLargestScale = 1000;

@@ -21,7 +21,7 @@ struct Fingerprint {
 };
 
 Fingerprint fingerprintOf(std::string_view bytes);
-/// Reads the file in pieces; `ErrorCode::cannotRead` if that fails.
+/// Reads the file in pieces; `ErrorCode::cannotRead` if that fails, or it is a folder, device or pipe.
 Result<Fingerprint> fingerprintOfFile(const std::filesystem::path& file);
 
 /// "81233-995dc9bbdf1939fa": size in bytes and checksum in hexadecimal digits.

@@ -60,11 +60,12 @@ struct Job {
   std::optional<LengthUnit> unit;  ///< the numbers of the file are taken in it; empty = as the file states
   std::optional<double> sewing;    ///< mm within which edges of faces are joined; empty = by the tolerance
   FaceChoice face;
-  std::optional<BlockPlacement> block;       ///< empty = "auto": around the face
-  std::optional<Eigen::Vector3d> direction;  ///< cutting direction in the file's frame, not zero; empty = "auto"
-  int stations = 60;                         ///< used unless `spacing` is set; ≥ 2, at most kMaxStations
-  std::optional<double> spacing;             ///< mm between stations
-  double lead = 20;                          ///< mm of straight travel before and after the block
+  std::optional<BlockPlacement> block;  ///< empty = "auto": around the face
+  std::optional<Eigen::Vector3d>
+      direction;                  ///< cutting direction in the file's frame, not zero; empty = "auto"
+  int stations = 60;              ///< used unless `spacing` is set; ≥ 2, at most kMaxStations
+  std::optional<double> spacing;  ///< mm between stations
+  double lead = 20;               ///< mm of straight travel before and after the block
   Blade blade;
   FitOptions::Length fitLength = FitOptions::Length::free;
   bool fitEndpoints = false;

@@ -85,7 +85,8 @@ Result<Sweep> buildSweep(std::vector<Section> sections, const Job& job, const Bo
                          double* fitSeconds = nullptr, double* extendSeconds = nullptr);
 
 /// Fills what the stations tell by themselves, without the target: angles, speeds, margins and clearance. At
-/// least two stations. Cost: some 0.1 ms a station.
+/// least two stations, else `ErrorCode::badInput`; `ErrorCode::cancelled` on a stop. Cost: some 0.1 ms a
+/// station.
 [[nodiscard]] Result<void> measureSweep(Sweep& sweep, const Job& job, const RunContext& context);
 
 /// Numbers over all stations, as in report.json (mm, rad). Mean, rms and fraction of the deviation and the
