@@ -149,6 +149,29 @@ TEST_F(SourceFile, ThatMovedIsLocated) {
   EXPECT_EQ(bench().document().design()->source.path, moved);
 }
 
+TEST_F(SourceFile, ThatMovedIsLocatedByTheNoticeAlone) {
+  const fs::path moved = path("moved.step");
+  fs::rename(source(), moved);
+  ASSERT_TRUE(told("is no longer there"));
+  EXPECT_TRUE(inputButton("Locate…")->isVisible());
+  EXPECT_FALSE(inputButton("Reload")->isVisible());
+  EXPECT_TRUE(window().commands()["file.locate"]->isEnabled());
+  EXPECT_FALSE(window().commands()["file.reload"]->isEnabled());
+  int asked = 0;
+  window().questions().openSurface = [&] {
+    ++asked;
+    return QString::fromStdString(moved.string());
+  };
+  QTest::mouseClick(window().banner().action(), Qt::LeftButton);
+  EXPECT_EQ(asked, 1) << "the button of the notice does nothing";
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
+  EXPECT_EQ(bench().document().design()->source.path, moved);
+  EXPECT_FALSE(window().banner().isVisible()) << window().banner().text().toStdString();
+  EXPECT_FALSE(inputButton("Locate…")->isVisible());
+  EXPECT_TRUE(inputButton("Reload")->isEnabled());
+}
+
 TEST_F(SourceFile, ThatLiesElsewhereIsBroughtIntoThePicture) {
   const view::SceneView& view = window().sceneView();
   ASSERT_TRUE(QTest::qWaitFor([&] { return view.resting(); }, kPatience));

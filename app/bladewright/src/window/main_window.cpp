@@ -71,7 +71,7 @@ MainWindow::MainWindow(model::Settings& settings, Theme& theme, const std::files
   connect(banner_, &Banner::told, this, &MainWindow::placeBanner);
   connect(&bench_, &Workbench::noticed, banner_, &Banner::tell);
   connect(&bench_, &Workbench::noticesOutdated, banner_, &Banner::outdate);
-  connect(&bench_, &Workbench::locateRequested, commands_["file.locate"], &QAction::trigger);
+  connect(&bench_, &Workbench::locateRequested, this, &MainWindow::locateSurface);
   connect(qApp, &QGuiApplication::applicationStateChanged, this, [this](Qt::ApplicationState state) {
     if (state == Qt::ApplicationActive) bench_.lookAtSource();
   });

@@ -129,6 +129,8 @@ class MainWindow : public QMainWindow {
   std::vector<ReportImage> reportPictures();
   /// Asks for another CAD file under the same settings; the step is named `text`.
   void replaceSurface(const QString& text);
+  /// Asks where the CAD file is now.
+  void locateSurface() { replaceSurface(tr("Locate surface")); }
   /// Goes on with an autosaved copy, after asking about unsaved changes.
   bool goOnWith(const QString& copy);
   void discardUnsaved(const QString& copy, const QString& name);

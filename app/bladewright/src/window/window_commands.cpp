@@ -34,7 +34,7 @@ void MainWindow::makeCommands() {
   add("file.reload", tr("Re&load surface"), "", tr("Read the CAD file again; settings and undo stay"),
       {QKeySequence("Ctrl+R")}, [this](bool) { bench_.reloadSource(); });
   add("file.locate", tr("Loca&te surface…"), "", tr("Say where the CAD file is now"), {},
-      [this](bool) { replaceSurface(tr("Locate surface")); });
+      [this](bool) { locateSurface(); });
   add("file.save", tr("&Save"), "save", tr("Save the design"), {QKeySequence::Save},
       [this](bool) { save(); });
   add("file.saveAs", tr("Save &as…"), "", tr("Save the design under another name"),

@@ -88,7 +88,7 @@ void MainWindow::makeWorkspace() {
   const InputFields* input = workflow_->inputFields();
   connect(input, &InputFields::replaceRequested, commands_["file.replace"], &QAction::trigger);
   connect(input, &InputFields::reloadRequested, commands_["file.reload"], &QAction::trigger);
-  connect(input, &InputFields::locateRequested, commands_["file.locate"], &QAction::trigger);
+  connect(input, &InputFields::locateRequested, this, &MainWindow::locateSurface);
   connect(workflow_, &WorkflowPanel::chooseFacesRequested, faces_, [this](bool on) {
     faces_->setChoosing(on);
     refreshState();

@@ -47,6 +47,10 @@ Workbench::Workbench(model::Settings& settings, const fs::path& recoveryFolder, 
   connect(&watch_, &model::SourceWatch::changed, this, &Workbench::tellSourceChanged);
   connect(&watch_, &model::SourceWatch::gone, this, &Workbench::tellSourceGone);
   connect(&watch_, &model::SourceWatch::back, this, [this] { emit noticesOutdated(Topic::source); });
+  // Whether the file can be read again or is to be located follows from what lies on the disk.
+  for (const auto signal :
+       {&model::SourceWatch::changed, &model::SourceWatch::gone, &model::SourceWatch::back})
+    connect(&watch_, signal, this, &Workbench::stateChanged);
   connect(&document_, &model::Document::autosaveFailed, this, [this](const QString& message) {
     tell({Severity::warning,
           tr("The automatic copy could not be written: %1. Save the design.").arg(message),

@@ -153,7 +153,7 @@ class Workbench : public QObject {
  signals:
   void resultChanged();  ///< another result is on the screen
   void messagesChanged();
-  void stateChanged();  ///< step states, staleness or messages changed
+  void stateChanged();  ///< step states, staleness, messages or what became of the CAD file changed
   void progressed();
   void selectionChanged();
   void playTimeChanged();

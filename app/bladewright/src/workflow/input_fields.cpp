@@ -51,6 +51,7 @@ InputFields::InputFields(Workbench& bench, FormColumn* column, QObject* parent)
   embed_->setToolTip(tr("On: the saved design holds a copy of the CAD file. Off: it points to the file."));
   column->addWide(embed_);
   connect(embed_, &QCheckBox::clicked, this, &InputFields::embed);
+  connect(&bench, &Workbench::stateChanged, this, &InputFields::refreshState);
 }
 
 void InputFields::applyUnit(int index) {
@@ -103,10 +104,6 @@ void InputFields::refresh() {
   const std::string file = design.source.path.filename().string();
   fileName_->setText(file.empty() ? tr("No file") : QString::fromStdString(file));
   fileName_->setToolTip(QString::fromStdString(design.source.path.string()));
-  replace_->setEnabled(!bench_.document().empty());
-  reload_->setEnabled(bench_.canReload());
-  reload_->setVisible(!bench_.sourceMissing());
-  locate_->setVisible(bench_.sourceMissing());
   QString facts;
   const auto& newest = bench_.runner().evaluation();
   if (newest && newest->model.value) {
@@ -127,9 +124,17 @@ void InputFields::refresh() {
             read && newest->target.value ? Eigen::Vector3d(newest->target.value->bounds().size())
                                          : Eigen::Vector3d(Eigen::Vector3d::Zero()));
   faces_->refresh();
-  const bool embedded = !design.source.bytes.empty();
-  embed_->setChecked(embedded);
-  embed_->setEnabled(!embedded || bench_.canReload());
+  embed_->setChecked(!design.source.bytes.empty());
+  refreshState();
+}
+
+void InputFields::refreshState() {
+  const bool missing = bench_.sourceMissing(), there = bench_.canReload();
+  replace_->setEnabled(!bench_.document().empty());
+  reload_->setEnabled(there);
+  reload_->setVisible(!missing);
+  locate_->setVisible(missing);
+  embed_->setEnabled(!embed_->isChecked() || there);
 }
 
 }  // namespace bw::app

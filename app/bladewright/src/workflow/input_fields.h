@@ -34,6 +34,8 @@ class InputFields : public QObject {
   /// `size` of the target as it was read; zero if it was not.
   void showUnits(const geometry::CadInfo* info, const Eigen::Vector3d& size);
   void embed(bool on);
+  /// What can be done with the file as it lies on the disk now.
+  void refreshState();
 
   Workbench& bench_;
   QLabel *fileName_, *fileFacts_;
