@@ -46,11 +46,28 @@ class SavedWork : public WindowTest {
     return nullptr;
   }
 
+  /// Types over the number of stations, then gives the keyboard to another window without Enter.
+  void typeAndLookAway(const QString& text) {
+    auto* number = find<NumberField>("Number");
+    ASSERT_TRUE(number);
+    number->setFocus();
+    number->selectAll();
+    QTest::keyClicks(number, text);
+    other_.show();
+    other_.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&other_));
+    ASSERT_FALSE(number->hasFocus());
+    ASSERT_EQ(number->text(), text);
+    ASSERT_EQ(bench().job().stations, 20) << "a glance at another window takes nothing yet";
+  }
+
   bool stands(Topic topic) {
     for (const Notice& n : window().banner().notices())
       if (n.topic == topic) return true;
     return false;
   }
+
+  QWidget other_;
 };
 
 TEST_F(SavedWork, IsKeptWhenTheSessionEnds) {
@@ -174,6 +191,38 @@ TEST_F(SavedWork, KeepsWhatIsBeingTypedWhenTheProgramEnds) {
   const std::vector<model::RecoveryCopy> copies = model::listRecovery(recovery());
   ASSERT_EQ(copies.size(), 1u);
   EXPECT_EQ(loadDesign(copies[0].copy)->job.stations, 33);
+}
+
+TEST_F(SavedWork, KeepsWhatIsBeingTypedWhileAnotherProgramHasTheKeyboard) {
+  makeKeepingWindow();
+  openPanel();
+  typeAndLookAway("33");
+  window().keepWork();
+  window_.reset();
+  const std::vector<model::RecoveryCopy> copies = model::listRecovery(recovery());
+  ASSERT_EQ(copies.size(), 1u);
+  EXPECT_EQ(loadDesign(copies[0].copy)->job.stations, 33);
+}
+
+TEST_F(SavedWork, IsAskedForByAFileDroppedFromAnotherProgram) {
+  openPanel();
+  typeAndLookAway("33");
+  int asked = 0;
+  window().questions().unsaved = [&](const QString&) {
+    ++asked;
+    return Questions::Unsaved::cancel;
+  };
+  ASSERT_TRUE(writeFile(path("other.step"), geometry::exampleStep("saddle").value()));
+  QMimeData files;
+  files.setUrls({QUrl::fromLocalFile(QString::fromStdString(path("other.step").string()))});
+  QDragEnterEvent enter({300, 300}, Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&window(), &enter);
+  QDropEvent drop({300, 300}, Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&window(), &drop);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return asked > 0 || bench().document().title() == "other"; }, kPatience));
+  EXPECT_EQ(asked, 1) << "opened without a question";
+  EXPECT_EQ(bench().job().stations, 33);
+  ASSERT_TRUE(settle());
 }
 
 TEST_F(SavedWork, NamesACopyThatCannotBeRead) {

@@ -227,8 +227,9 @@ void TypedField::hideEvent(QHideEvent* event) {
   if (note_) note_->hide();
 }
 
-bool finishTyping() {
-  auto* field = qobject_cast<TypedField*>(QApplication::focusWidget());
+bool finishTyping(const QWidget& window) {
+  // Not the application's: it has none while another program has the keyboard.
+  auto* field = qobject_cast<TypedField*>(window.focusWidget());
   return !field || field->finish();
 }
 

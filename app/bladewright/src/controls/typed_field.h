@@ -68,8 +68,9 @@ class TypedField : public QLineEdit {
   bool beside_ = false;  ///< the sentence stands beside the panel, where it hides no field
 };
 
-/// Takes what is typed in the field that has the keyboard; false if it was refused.
-bool finishTyping();
+/// Takes what is typed in the field of `window` that has the keyboard, or will have it once the window is
+/// active again; false if it was refused.
+bool finishTyping(const QWidget& window);
 /// The first visible field below `area` whose text is refused; null if there is none.
 TypedField* refusedField(const QWidget& area);
 

@@ -105,8 +105,8 @@ QAction* Commands::add(const CommandInfo& info, std::function<void(bool)> run) {
     tip += QStringLiteral(" (%1)").arg(info.shortcuts.first().toString(QKeySequence::NativeText));
   action->setToolTip(tip);
   action->setStatusTip(QString());
-  connect(action, &QAction::triggered, this, [run = std::move(run)](bool checked) {
-    finishTyping();  // a command works on what is meant
+  connect(action, &QAction::triggered, this, [this, run = std::move(run)](bool checked) {
+    finishTyping(*window_);  // a command works on what is meant
     run(checked);
   });
   window_->addAction(action);

@@ -19,7 +19,7 @@ constexpr int kPictureScale = 2;            ///< suggested pixels of a picture, 
 }  // namespace
 
 bool MainWindow::mayLeave() {
-  finishTyping();
+  finishTyping(*this);
   if (bench_.document().empty() || !bench_.document().modified()) return true;
   switch (questions_.unsaved(bench_.document().title())) {
     case Questions::Unsaved::save:
@@ -52,7 +52,7 @@ void MainWindow::replaceSurface(const QString& text) {
 }
 
 bool MainWindow::save() {
-  finishTyping();
+  finishTyping(*this);
   if (bench_.document().empty()) return false;
   const std::filesystem::path& file = bench_.document().file();
   if (file.empty()) return saveAs();
@@ -76,7 +76,7 @@ bool MainWindow::saveAs() {
 }
 
 bool MainWindow::numbersStand() {
-  finishTyping();
+  finishTyping(*this);
   TypedField* field = refusedField(*columns_);
   if (!field) return true;
   field->setFocus();

@@ -80,7 +80,7 @@ void MainWindow::setDefaultQuestions() {
     layout->addSpacing(kGap);
     layout->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::accepted, &dialog, [&dialog] {
-      finishTyping();
+      finishTyping(dialog);
       if (TypedField* field = refusedField(dialog))
         field->setFocus();
       else

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 // Unsaved work: its picture, how it is kept when the program ends, and what a crash left behind.
-#include <QApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QScrollArea>
@@ -29,8 +28,7 @@ QImage MainWindow::thumbnail() {
 }
 
 void MainWindow::keepWork() {
-  // A field that is being typed into tells its number when the focus leaves it.
-  if (QWidget* typing = QApplication::focusWidget()) typing->clearFocus();
+  finishTyping(*this);
   bench_.document().autosaveNow(true);
 }
 
