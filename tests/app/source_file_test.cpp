@@ -83,6 +83,18 @@ TEST_F(SourceFile, ThatChangesIsNoticedAndReloaded) {
   EXPECT_FALSE(window().banner().isVisible());
 }
 
+TEST_F(SourceFile, ThatChangedIsReadWhereItIsChosenOnceMore) {
+  const double before = width();
+  window().questions().openSurface = [&] { return QString::fromStdString(source().string()); };
+  ASSERT_NO_FATAL_FAILURE(saveByRename(geometry::exampleStep("panel-600x670").value()));
+  ASSERT_TRUE(told("roof.step has changed on disk"));
+  QTest::mouseClick(inputButton("Replace…"), Qt::LeftButton);
+  ASSERT_TRUE(settle());
+  EXPECT_NE(width(), before) << "the warning went, the old surface stayed";
+  EXPECT_FALSE(window().banner().isVisible());
+  EXPECT_EQ(bench().document().undoStack().count(), 1) << "the design is the same";
+}
+
 TEST_F(SourceFile, ThatIsOnlyTouchedIsNotTold) {
   model::SourceWatch watch;
   QSignalSpy changed(&watch, &model::SourceWatch::changed);
@@ -216,7 +228,11 @@ TEST_F(SourceFile, ThatChangedSinceTheSaveIsToldOnOpening) {
     return false;
   };
   EXPECT_TRUE(tells());
-  // Another evaluation takes neither away; a save does.
+  // Another evaluation takes neither away, nor does a reload; a save does.
+  QTest::keyClick(&window(), Qt::Key_R, Qt::ControlModifier);
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(tells());
+  EXPECT_TRUE(window().banner().isVisible()) << "a reload took the notice away";
   bench().editJob("Change stations", [](Job& job) { job.stations = 18; });
   ASSERT_TRUE(settle());
   EXPECT_TRUE(tells());

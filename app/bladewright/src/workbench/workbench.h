@@ -186,6 +186,8 @@ class Workbench : public QObject {
   void tellSourceChanged();
   void tellSourceGone();
   void noteSourceRead();
+  /// What was told of the CAD file no longer holds; what does is told again.
+  void outdateSource();
 
   model::Settings& settings_;
   model::Document document_;

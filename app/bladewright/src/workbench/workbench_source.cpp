@@ -49,22 +49,26 @@ Result<void> Workbench::replaceSource(const fs::path& file, const QString& text)
   }
   if (design.source.path == document_.design()->source.path)
     design.source.saved = document_.design()->source.saved;
-  emit noticesOutdated(Topic::source);
+  outdateSource();
   emit noticesOutdated(Topic::unit);
   sizeAsked_ = false;
-  document_.edit(std::move(design), text);
+  // The same file under the same name is no step, but it may hold something else by now.
+  if (design.source == document_.design()->source)
+    runner_.evaluate(document_.design());
+  else
+    document_.edit(std::move(design), text);
   settings_.addRecentFile(file);
   return {};
 }
 
 void Workbench::reloadSource() {
   if (!canReload()) return;
+  static_cast<void>(replaceSource(sourceFile(), tr("Reload surface")));
+}
+
+void Workbench::outdateSource() {
+  sourceTold_ = false;
   emit noticesOutdated(Topic::source);
-  sizeAsked_ = false;
-  if (document_.design()->source.bytes.empty())
-    runner_.evaluate(document_.design());
-  else
-    static_cast<void>(replaceSource(sourceFile(), tr("Reload surface")));
 }
 
 void Workbench::followSource() { watch_.watch(document_.empty() ? fs::path() : sourceFile()); }
@@ -88,18 +92,15 @@ void Workbench::noteSourceRead() {
   const auto& evaluation = runner_.evaluation();
   if (!evaluation) return;
   // A change of a setting reads a file that has changed, too.
-  if (evaluation->model.value && evaluation->model.value != readModel_) {
+  const bool read = evaluation->model.value && evaluation->model.value != readModel_;
+  const bool watched =
+      evaluation->design.source.bytes.empty() && evaluation->design.source.path == watch_.file();
+  if (read) {
     readModel_ = evaluation->model.value;
     document_.noteRead(evaluation->design.source.path, *evaluation->source.value);
-    if (evaluation->design.source.bytes.empty() && evaluation->design.source.path == watch_.file()) {
-      emit noticesOutdated(Topic::source);
-      watch_.accept(*evaluation->source.value);
-    }
+    if (watched) outdateSource();
   }
-  if (evaluation->source.issues.empty() && sourceTold_) {
-    sourceTold_ = false;
-    emit noticesOutdated(Topic::source);
-  }
+  if (evaluation->source.issues.empty() && sourceTold_) outdateSource();
   if (!evaluation->source.issues.empty() && !sourceTold_) {
     sourceTold_ = true;
     tell({Severity::warning,
@@ -108,6 +109,8 @@ void Workbench::noteSourceRead() {
           {},
           Topic::source});
   }
+  // Last: it tells of a content that is newer still.
+  if (read && watched) watch_.accept(*evaluation->source.value);
 }
 
 }  // namespace bw::app
