@@ -18,6 +18,21 @@ class WindowKeys : public WindowTest {
     const QWidget* widget = QApplication::focusWidget();
     return widget ? widget->objectName() : QString();
   }
+  /// The colour of a label's letters: of the pixel that is least like the ground, its icon left out.
+  static QColor ink(QLabel& label) {
+    const QImage image = label.grab(label.contentsRect()).toImage();
+    const QColor ground = image.pixelColor(0, 0);
+    const auto contrast = [&](const QColor& c) {
+      return std::abs(c.red() - ground.red()) + std::abs(c.green() - ground.green()) +
+             std::abs(c.blue() - ground.blue());
+    };
+    QColor most = ground;
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x)
+        if (contrast(image.pixelColor(x, y)) > contrast(most)) most = image.pixelColor(x, y);
+    return most;
+  }
+  static bool red(const QColor& c) { return c.red() - std::max(c.green(), c.blue()) > 60; }
   static void press(Qt::Key key) { QTest::keyClick(QApplication::focusWidget(), key); }
 };
 
@@ -152,10 +167,18 @@ TEST_F(WindowKeys, ShowBrokenNumbersInRedWithAnIconAndOldOnesPale) {
   ASSERT_GE(window().summaryLine().labels().size(), 5u);
   EXPECT_TRUE(window().summaryLine().labels()[1]->broken());
   EXPECT_FALSE(window().summaryLine().labels()[4]->broken());
+  ValueLabel &deviation = *window().summaryLine().labels()[1], &bend = *window().summaryLine().labels()[4];
+  const QColor loud = ink(deviation), calm = ink(bend);
+  EXPECT_TRUE(red(loud)) << loud.name().toStdString();
+  EXPECT_FALSE(red(calm)) << calm.name().toStdString();
+  EXPECT_TRUE(red(ink(*valueOf("Largest")))) << ink(*valueOf("Largest")).name().toStdString();
   picture("broken-numbers");
   bench().editJob("Change stations", [](Job& job) { job.stations = 4000; });
   ASSERT_TRUE(QTest::qWaitFor([&] { return valueOf("Largest")->stale(); }, kPatience));
   EXPECT_TRUE(window().summaryLine().labels()[1]->stale());
+  EXPECT_TRUE(red(ink(deviation))) << ink(deviation).name().toStdString();
+  EXPECT_GT(ink(deviation).green(), loud.green() + 40) << "as loud as before";
+  EXPECT_GT(ink(bend).green(), calm.green() + 30) << "as dark as before";
   picture("stale-numbers");
   bench().document().undoStack().setIndex(0);
   ASSERT_TRUE(settle());

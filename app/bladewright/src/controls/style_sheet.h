@@ -21,7 +21,8 @@ QMenu::item:disabled { color: @disabled; }
 QMenu::separator { height: 1px; background: @line; margin: 4px 8px; }
 QMenu::icon { padding-left: 4px; }
 
-QStatusBar { background: @panel; border-top: 1px solid @line; color: @secondary; }
+QStatusBar { background: @panel; border-top: 1px solid @line; }
+QStatusBar QLabel { color: @secondary; }
 QStatusBar::item { border: none; }
 
 QDockWidget { titlebar-close-icon: none; }
@@ -37,6 +38,7 @@ QLabel#title { color: @text; }
 bw--app--ValueLabel { qproperty-errorColour: @error; }
 bw--app--ValueLabel[broken="true"] { color: @error; }
 bw--app--ValueLabel[stale="true"] { color: @pale; }
+QStatusBar bw--app--ValueLabel[stale="true"] { color: @secondaryPale; }
 bw--app--ValueLabel[broken="true"][stale="true"] { color: @errorPale; }
 
 QLineEdit, QComboBox {

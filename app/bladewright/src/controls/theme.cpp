@@ -158,6 +158,7 @@ void Theme::apply(model::ThemeChoice choice) {
   put("onAccent", dark ? QColor("#1E1206") : QColor("#FFFFFF"));
   put("onSelection", dark ? QColor("#0B1620") : QColor("#FFFFFF"));
   put("background", c.background);
+  put("secondaryPale", mixed(c.panel, c.secondary, kStaleOpacity));
   put("secondary", c.secondary);
   put("selection", c.selection);
   put("disabled", c.disabled);

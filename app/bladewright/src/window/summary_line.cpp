@@ -21,7 +21,6 @@ void SummaryLine::setParts(const std::vector<Part>& parts, bool stale) {
   }
   while (labels_.size() < parts.size()) {
     auto* label = new ValueLabel(this);
-    label->setObjectName("secondary");
     label->setFont(Theme::secondaryFont());
     labels_.push_back(label);
   }

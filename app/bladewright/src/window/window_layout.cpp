@@ -135,7 +135,6 @@ void MainWindow::makeStatusBar() {
   bar->setSizeGripEnabled(false);
   const auto label = [&](const QString& name) {
     auto* l = new QLabel(bar);
-    l->setObjectName("secondary");
     l->setFont(Theme::secondaryFont());
     l->setAccessibleName(name);
     return l;
