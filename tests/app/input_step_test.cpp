@@ -59,6 +59,32 @@ TEST_F(InputStep, TakesTheNumbersInAnotherUnitAndShowsTheSizes) {
   EXPECT_EQ(unit->currentIndex(), 0);
 }
 
+TEST_F(InputStep, AsksAboutTheUnitWhileTheSizeCannotBeMeant) {
+  openThree();
+  const auto question = [&] {
+    for (const Notice& notice : window().banner().notices())
+      if (notice.topic == Topic::unit) return notice.text;
+    return QString();
+  };
+  EXPECT_EQ(question(), QString());
+  choose("Read as", 3);
+  ASSERT_EQ(bench().job().unit, LengthUnit::m);
+  EXPECT_TRUE(question().contains("read in m")) << question().toStdString();
+  EXPECT_TRUE(question().contains("Input ▸ Read as")) << question().toStdString();
+  picture("unit-question");
+  choose("Read as", 2);
+  EXPECT_EQ(question(), QString()) << "6 × 8 m can be meant";
+  choose("Read as", 3);
+  EXPECT_NE(question(), QString()) << "asked once only";
+  // Answered is answered, whatever else changes.
+  const auto notices = window().banner().notices();
+  for (std::size_t i = 0; i < notices.size(); ++i)
+    QTest::mouseClick(window().banner().cross(), Qt::LeftButton);
+  bench().editJob("Change tolerance", [](Job& job) { job.tolerance = 0.75; });
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(question(), QString());
+}
+
 TEST_F(InputStep, ChoosesFacesByNameSideAndPoint) {
   openThree();
   EXPECT_EQ(cutFaces(), std::vector<int>{0});

@@ -61,12 +61,6 @@ class SavedWork : public WindowTest {
     ASSERT_EQ(bench().job().stations, 20) << "a glance at another window takes nothing yet";
   }
 
-  bool stands(Topic topic) {
-    for (const Notice& n : window().banner().notices())
-      if (n.topic == topic) return true;
-    return false;
-  }
-
   QWidget other_;
 };
 
@@ -123,12 +117,30 @@ TEST_F(SavedWork, IsListedAfterACrashAndGoneOnWith) {
   EXPECT_TRUE(window().isWindowModified());
   EXPECT_TRUE(list.copies().empty());
   ASSERT_TRUE(settle());
-  EXPECT_TRUE(stands(Topic::recovery)) << "the notice went with the evaluation";
+  EXPECT_TRUE(window().banner().text().contains("is not saved yet")) << "the notice went with the evaluation";
   picture("unsaved-recovered");
   const QString file = QString::fromStdString(path("panel.bladewright").string());
   window().questions().saveDesign = [file](const QString&) { return file; };
   ASSERT_TRUE(window().save());
   EXPECT_TRUE(fs::is_empty(recovery()));
+  EXPECT_FALSE(window().banner().isVisible()) << window().banner().text().toStdString();
+}
+
+TEST_F(SavedWork, IsToldAsRecoveredOfItsDesignOnly) {
+  makeKeepingWindow();
+  openPanel();
+  bench().editJob("Change tolerance", [](Job& job) { job.tolerance = 0.75; });
+  crash();
+  makeKeepingWindow();
+  window().recover();
+  auto* open = button(window().recoveryList(), "Go on with " + window().recoveryList().copies().at(0).name);
+  ASSERT_TRUE(open);
+  QTest::mouseClick(open, Qt::LeftButton);
+  EXPECT_TRUE(window().banner().text().contains("is not saved yet"));
+  window().questions().unsaved = [](const QString&) { return Questions::Unsaved::discard; };
+  window().openExample("saddle");
+  EXPECT_FALSE(window().banner().isVisible()) << window().banner().text().toStdString();
+  ASSERT_TRUE(settle());
 }
 
 TEST_F(SavedWork, IsToldWhenAFileWasNamedOnTheCommandLine) {

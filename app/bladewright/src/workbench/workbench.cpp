@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "bw/core/number_text.h"
 
@@ -30,7 +31,7 @@ Workbench::Workbench(model::Settings& settings, const fs::path& recoveryFolder, 
     selection_ = {};
     playTime_ = 0;
     moving_ = false;
-    sizeAsked_ = false;
+    judgedSize_.reset();
     sourceTold_ = false;
     readModel_.reset();
     messages_.clear();
@@ -212,26 +213,26 @@ void Workbench::onFinished() {
     playTime_ = std::min(playTime_, playEnd());
   }
   noteSourceRead();
-  askAboutSize();
+  judgeSize();
   emit resultChanged();
   emit stateChanged();
 }
 
-void Workbench::askAboutSize() {
+void Workbench::judgeSize() {
   const auto& evaluation = runner_.evaluation();
-  if (sizeAsked_ || !evaluation || !evaluation->target.value || !evaluation->model.value) return;
-  sizeAsked_ = true;
+  if (!evaluation || !evaluation->target.value || !evaluation->model.value) return;
   const Eigen::Vector3d size = evaluation->target.value->bounds().size();
+  if (std::exchange(judgedSize_, size) == size) return;
   const double largest = size.maxCoeff();
-  if (largest >= kSmallestPlausible && largest <= kLargestPlausible) return;
+  if (largest >= kSmallestPlausible && largest <= kLargestPlausible) return emit noticesOutdated(Topic::unit);
   const auto text = [](double mm) { return QString::fromStdString(shortText(mm, 4)); };
-  tell({Severity::warning,
-        tr("Is the unit right? The surface measures %1 × %2 × %3 mm; the unit of the file is %4. Export it "
-           "again "
-           "in the unit meant, or go on.")
-            .arg(text(size.x()), text(size.y()), text(size.z()),
-                 QString::fromStdString(evaluation->model.value->info().unit)),
-        tr("Go on"), [] {}, Topic::unit});
+  tell(
+      {Severity::warning,
+       tr("Is the unit right? The surface measures %1 × %2 × %3 mm, its file was read in %4. Choose the unit "
+          "meant under Input ▸ Read as, or go on.")
+           .arg(text(size.x()), text(size.y()), text(size.z()),
+                QString::fromStdString(evaluation->model.value->info().readAs)),
+       tr("Go on"), [] {}, Topic::unit});
 }
 
 void Workbench::tell(Notice notice) { emit noticed(notice); }

@@ -40,10 +40,10 @@ struct Spot {
 enum class Topic {
   evaluation,  ///< the newest result: outdated by the next
   source,      ///< the CAD file of the open design: outdated when another design is opened
-  unit,        ///< whether its size can be meant: likewise
-  file,        ///< opening and saving the open design: likewise
+  unit,        ///< whether its size can be meant: likewise, and by a size that can
+  file,        ///< opening, recovering and saving the open design: likewise, and by a save
   autosave,    ///< outdated once autosave works again
-  recovery,
+  recovery,    ///< what earlier sessions left: outdated when one of these is gone on with
   written,  ///< what an export wrote, or why it did not
   other
 };
@@ -181,7 +181,8 @@ class Workbench : public QObject {
   void commit(const std::shared_ptr<Export>& files);
   void finishExport(const Export& files, const Result<void>& done);
   void tellWritten(const Issues& findings, std::size_t removed);
-  void askAboutSize();
+  /// Asks whether the unit is right where the size of a target can hardly be meant.
+  void judgeSize();
   void followSource();
   void tellSourceChanged();
   void tellSourceGone();
@@ -200,7 +201,7 @@ class Workbench : public QObject {
   bool moving_ = false;
   bool live_ = false;
   bool exporting_ = false;
-  bool sizeAsked_ = false;
+  std::optional<Eigen::Vector3d> judgedSize_;  ///< of the target that the unit was judged by
   int lastMergeId_ = 0;
   Issues messages_;        ///< of the newest result
   Issues exportFindings_;  ///< of the programs written last from that result

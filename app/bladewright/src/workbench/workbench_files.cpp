@@ -50,11 +50,12 @@ Result<void> Workbench::recover(const fs::path& copy) {
     tell({Severity::error, QString::fromStdString(recovered.error().message), {}, {}, Topic::recovery});
     return recovered;
   }
+  emit noticesOutdated(Topic::recovery);
   tell({Severity::info,
         tr("Unsaved work on “%1” was recovered. It is not saved yet.").arg(document_.title()),
         {},
         {},
-        Topic::recovery});
+        Topic::file});
   return {};
 }
 

@@ -51,7 +51,7 @@ Result<void> Workbench::replaceSource(const fs::path& file, const QString& text)
     design.source.saved = document_.design()->source.saved;
   outdateSource();
   emit noticesOutdated(Topic::unit);
-  sizeAsked_ = false;
+  judgedSize_.reset();
   // The same file under the same name is no step, but it may hold something else by now.
   if (design.source == document_.design()->source)
     runner_.evaluate(document_.design());
