@@ -240,7 +240,7 @@ TEST(StepStates, FollowFromWhatIsThere) {
   EXPECT_EQ(states[int(Step::input)].kind, StepState::Kind::done);
   EXPECT_EQ(states[int(Step::output)].text, "Ready to export");
 
-  facts.exported = facts.design;
+  facts.exported = exportKey(*facts.evaluation);
   EXPECT_EQ(stepStates(facts)[int(Step::output)].kind, StepState::Kind::done);
   facts.design = std::make_shared<const Design>(panelDesign(20));
   states = stepStates(facts);

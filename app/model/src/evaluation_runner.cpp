@@ -88,10 +88,11 @@ void EvaluationRunner::evaluate(const std::shared_ptr<const Design>& design, boo
   }
 }
 
-void EvaluationRunner::submit(const QString& name, Task task, std::function<void(const Result<void>&)> done) {
+void EvaluationRunner::submit(const QString& name, Task task, std::function<void(const Result<void>&)> done,
+                              Needs needs) {
   {
     const std::lock_guard lock(mutex_);
-    waiting_.push_back({++lastNumber_, nullptr, std::move(task), std::move(done), name});
+    waiting_.push_back({++lastNumber_, nullptr, std::move(task), std::move(done), name, needs});
   }
   ++open_;
   wake_.notify_one();
@@ -185,10 +186,10 @@ void EvaluationRunner::work(const std::stop_token& stop) {
         const std::lock_guard lock(mutex_);
         newest_ = evaluation;
         previous_ = withEarlierStages(*evaluation, previous.get());
-      } else if (!newest || !newest->sweep.value) {
+      } else if (order.needs == Needs::result && (!newest || !newest->sweep.value)) {
         error = Error{ErrorCode::badInput,
                       "the design has no finished result; mend what stands under Messages first"};
-      } else if (Result<void> done = order.task(*newest, context); !done) {
+      } else if (Result<void> done = order.task(newest ? *newest : pipeline::Evaluation(), context); !done) {
         error = done.error();
       }
     } catch (const std::exception& exception) {

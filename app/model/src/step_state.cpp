@@ -80,6 +80,10 @@ Step stepOfIssue(const Issue& issue) {
   return Step::process;
 }
 
+std::string exportKey(const pipeline::Evaluation& evaluation) {
+  return evaluation.sweep.key + "\n" + evaluation.cell.key;
+}
+
 StepStates stepStates(const StepFacts& facts) {
   StepStates states;
   const bool empty =
@@ -113,9 +117,9 @@ StepStates stepStates(const StepFacts& facts) {
   } else if (!facts.exportProblem.isEmpty()) {
     output = {Kind::error, 0, QStringLiteral("Not written")};
   } else if (output.kind != Kind::warning && output.kind != Kind::error) {
-    if (facts.exported && facts.exported == facts.design)
+    if (ready && facts.exported == exportKey(*facts.evaluation))
       output = {Kind::done, 0, QStringLiteral("Exported")};
-    else if (facts.exported)
+    else if (!facts.exported.empty())
       output = {Kind::stale, 0, QStringLiteral("Older export")};
     else
       output = {Kind::idle, 0,

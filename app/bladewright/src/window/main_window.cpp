@@ -96,6 +96,7 @@ MainWindow::MainWindow(model::Settings& settings, Theme& theme, const std::files
     thumbnail_ = {};
     pictured_.reset();
     staleShown_ = false;
+    ordered_ = nullptr;
   });
   connect(&bench_.settings(), &model::Settings::recentFilesChanged, this, &MainWindow::refreshRecent);
   connect(&theme, &Theme::changed, this, [this] {

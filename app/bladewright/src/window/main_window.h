@@ -125,6 +125,9 @@ class MainWindow : public QMainWindow {
   void makeStatusBar();
   void setDefaultQuestions();
   bool mayLeave();
+  /// Asks for a folder and exports to it, or does so when the result that is being computed stands.
+  void order(const std::function<void(const std::filesystem::path& folder)>& write);
+  void runOrder();
   /// What a report shows of the result, whatever the view shows now.
   std::vector<ReportImage> reportPictures();
   /// Asks for another CAD file under the same settings; the step is named `text`.
@@ -202,6 +205,7 @@ class MainWindow : public QMainWindow {
   bool sectioned_ = false;
   double sectionSide_ = 1;  ///< of the station's normal: which half is taken away
   bool staleShown_ = false;
+  std::function<void()> ordered_;  ///< an export that waits for the result
   QElapsedTimer editClock_;
   bool awaitingFrame_ = false;
   double pictureDelay_ = 0;

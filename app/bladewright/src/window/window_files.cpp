@@ -5,6 +5,7 @@
 #include <QMimeData>
 
 #include <algorithm>
+#include <utility>
 
 #include "window/main_window.h"
 #include "window/picture_file.h"
@@ -91,9 +92,31 @@ bool MainWindow::numbersStand() {
 }
 
 void MainWindow::exportEverything() {
-  if (!numbersStand() || !bench_.current()) return;
-  if (const QString folder = questions_.exportFolder(); !folder.isEmpty())
-    bench_.exportAll(folder.toStdString(), reportPictures());
+  order([this](const std::filesystem::path& folder) { bench_.exportAll(folder, reportPictures()); });
+}
+
+void MainWindow::order(const std::function<void(const std::filesystem::path&)>& write) {
+  if (!numbersStand() || !bench_.canExport()) return;
+  const QString folder = questions_.exportFolder();
+  if (folder.isEmpty()) return;
+  ordered_ = [write, folder] { write(folder.toStdString()); };
+  if (!bench_.runner().busy()) return runOrder();
+  bench_.tell({Severity::info,
+               tr("The result is being computed; the files are written as soon as it stands."),
+               {},
+               {},
+               Topic::evaluation});
+}
+
+void MainWindow::runOrder() {
+  const auto write = std::exchange(ordered_, nullptr);
+  if (!write) return;
+  if (bench_.current()) return write();
+  bench_.tell({Severity::error,
+               tr("Nothing was exported, because the design has no finished result."),
+               {},
+               {},
+               Topic::written});
 }
 
 std::vector<ReportImage> MainWindow::reportPictures() {
@@ -122,9 +145,7 @@ std::vector<ReportImage> MainWindow::reportPictures() {
 }
 
 void MainWindow::exportPrograms() {
-  if (!numbersStand() || !bench_.current()) return;
-  if (const QString folder = questions_.exportFolder(); !folder.isEmpty())
-    bench_.exportPrograms(folder.toStdString());
+  order([this](const std::filesystem::path& folder) { bench_.exportPrograms(folder); });
 }
 
 void MainWindow::exportPicture() {

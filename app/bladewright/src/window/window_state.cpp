@@ -22,6 +22,7 @@ void MainWindow::refreshTitle() {
 }
 
 void MainWindow::refreshState() {
+  if (!bench_.runner().busy()) runOrder();
   const bool busy = bench_.runner().busy();
   view_->setAwaiting(busy);
   if (bench_.stale()) {
@@ -43,8 +44,8 @@ void MainWindow::refreshState() {
     widget->setVisible(shown);
 
   const bool open = stack_->currentWidget() == columns_;
-  const bool ready = open && bench_.current() && !bench_.exporting();
-  for (const char* id : {"file.export", "file.programs"}) commands_[id]->setEnabled(ready);
+  commands_["file.export"]->setEnabled(open && bench_.canExport());
+  commands_["file.programs"]->setEnabled(open && bench_.canExportPrograms());
   for (const char* id : {"file.save", "file.saveAs", "file.close", "edit.compute"})
     commands_[id]->setEnabled(!bench_.document().empty());
   commands_["file.replace"]->setEnabled(!bench_.document().empty());

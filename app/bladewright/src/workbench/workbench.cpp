@@ -27,6 +27,7 @@ constexpr double kBladeStep = 50;
 Workbench::Workbench(model::Settings& settings, const fs::path& recoveryFolder, QObject* parent)
     : QObject(parent), settings_(settings), document_(recoveryFolder) {
   connect(&document_, &model::Document::replaced, this, [this] {
+    ++opened_;
     runner_.clear();
     selection_ = {};
     playTime_ = 0;
@@ -36,7 +37,9 @@ Workbench::Workbench(model::Settings& settings, const fs::path& recoveryFolder, 
     readModel_.reset();
     messages_.clear();
     exportFindings_.clear();
-    exported_.reset();
+    exported_.clear();
+    exportFolder_.clear();
+    exportedFiles_.clear();
     exportProblem_.clear();
     for (const Topic topic : {Topic::evaluation, Topic::source, Topic::unit, Topic::file})
       emit noticesOutdated(topic);
@@ -174,13 +177,13 @@ void Workbench::onDesignChanged() {
 
 Issues Workbench::messages() const {
   Issues all = messages_;
-  all.insert(all.end(), exportFindings_.begin(), exportFindings_.end());
+  if (runner_.evaluation() && model::exportKey(*runner_.evaluation()) == exported_)
+    all.insert(all.end(), exportFindings_.begin(), exportFindings_.end());
   return all;
 }
 
 void Workbench::onFinished() {
   messages_.clear();
-  exportFindings_.clear();
   emit noticesOutdated(Topic::evaluation);
   if (const std::optional<Error>& error = runner_.error()) {
     // Where an error arose is a key, no word for people; the message names the thing.

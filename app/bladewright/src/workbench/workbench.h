@@ -135,8 +135,11 @@ class Workbench : public QObject {
   void exportAll(const std::filesystem::path& folder, std::vector<ReportImage> pictures = {});
   /// Writes the robot programs alone.
   void exportPrograms(const std::filesystem::path& folder);
+  /// True if an export can be ordered: the result of the present design stands or is being computed.
+  bool canExport() const { return !exporting_ && !document_.empty() && (current() || runner_.busy()); }
+  bool canExportPrograms() const { return canExport() && !job().programs.empty(); }
   bool exporting() const { return exporting_; }
-  /// Where the last export went; empty before.
+  /// Where the last export of the open design went; empty before.
   const std::filesystem::path& exportFolder() const { return exportFolder_; }
   /// What it wrote there, relative to it, in the order of writing.
   const std::vector<WrittenFile>& exportedFiles() const { return exportedFiles_; }
@@ -179,8 +182,8 @@ class Workbench : public QObject {
       std::function<Result<FileSet>(pipeline::Evaluation&, const RunContext&, Issues& findings)>;
   void write(const std::filesystem::path& folder, const QString& name, MakeFiles make);
   void commit(const std::shared_ptr<Export>& files);
-  void finishExport(const Export& files, const Result<void>& done);
-  void tellWritten(const Issues& findings, std::size_t removed);
+  void finishExport(const Export& made, const Result<void>& done);
+  void tellWritten(const Export& made);
   /// Asks whether the unit is right where the size of a target can hardly be meant.
   void judgeSize();
   void followSource();
@@ -204,10 +207,11 @@ class Workbench : public QObject {
   std::optional<Eigen::Vector3d> judgedSize_;  ///< of the target that the unit was judged by
   int lastMergeId_ = 0;
   Issues messages_;        ///< of the newest result
-  Issues exportFindings_;  ///< of the programs written last from that result
+  Issues exportFindings_;  ///< of the programs written last
   std::filesystem::path exportFolder_;
   std::vector<WrittenFile> exportedFiles_;
-  std::shared_ptr<const Design> exported_;
+  std::string exported_;  ///< `model::exportKey` of what was written last; empty: nothing
+  int opened_ = 0;        ///< designs so far: an export may end when its own is no longer open
   QString exportProblem_;
   EarlierQuestion earlierQuestion_;
 };

@@ -73,7 +73,9 @@ bool Workbench::saveTo(const fs::path& file) {
 struct Workbench::Export {
   fs::path folder;
   QString name;
-  std::shared_ptr<const Design> design;
+  int opened = 0;   ///< which design it is of
+  std::string key;  ///< `model::exportKey`
+  Source source;
   FileSet files;
   Issues findings;
   std::vector<fs::path> earlier;  ///< in the folder, which this one would replace or remove
@@ -118,9 +120,11 @@ void Workbench::write(const fs::path& folder, const QString& name, MakeFiles mak
   const auto made = std::make_shared<Export>();
   made->folder = folder;
   made->name = name;
-  made->design = document_.design();
+  made->opened = opened_;
   const auto task = [made, make = std::move(make)](pipeline::Evaluation evaluation,
                                                    const RunContext& context) -> Result<void> {
+    made->key = model::exportKey(evaluation);
+    made->source = evaluation.design.source;
     Result<FileSet> files = make(evaluation, context, made->findings);
     if (!files) return tl::unexpected<Error>(files.error());
     if (context.stopped()) return stoppedError();
@@ -128,10 +132,11 @@ void Workbench::write(const fs::path& folder, const QString& name, MakeFiles mak
     made->earlier = earlierExport(made->files, made->folder);
     if (!made->earlier.empty()) return {};
     made->stands = true;
-    return put(made->files, made->folder, evaluation.design.source, made->removed);
+    return put(made->files, made->folder, made->source, made->removed);
   };
   runner_.submit(name, task, [this, made](const Result<void>& done) {
     if (!done || made->stands) return finishExport(*made, done);
+    if (made->opened != opened_) return finishExport(*made, stoppedError());
     const fs::path other = freeFolder(made->folder);
     switch (earlierQuestion_ ? earlierQuestion_(made->folder, made->earlier, other) : Earlier::newFolder) {
       case Earlier::replace:
@@ -150,44 +155,47 @@ void Workbench::commit(const std::shared_ptr<Export>& made) {
   runner_.submit(
       made->name,
       [made](const pipeline::Evaluation&, const RunContext&) {
-        return put(made->files, made->folder, made->design->source, made->removed);
+        return put(made->files, made->folder, made->source, made->removed);
       },
-      [this, made](const Result<void>& done) { finishExport(*made, done); });
+      [this, made](const Result<void>& done) { finishExport(*made, done); },
+      model::EvaluationRunner::Needs::nothing);
 }
 
 void Workbench::finishExport(const Export& made, const Result<void>& done) {
   exporting_ = false;
+  const bool open = made.opened == opened_;
   if (done) {
-    exported_ = made.design;
-    exportFolder_ = made.folder;
-    exportedFiles_ = writtenFiles(made.files);
-    tellWritten(made.findings, made.removed);
+    if (open) {
+      exported_ = made.key;
+      exportFolder_ = made.folder;
+      exportedFiles_ = writtenFiles(made.files);
+      exportFindings_ = made.findings;
+      emit messagesChanged();
+    }
+    tellWritten(made);
     emit exported(QString::fromStdString(made.folder.string()));
   } else if (done.error().code == ErrorCode::cancelled) {
     tell({Severity::info, tr("The export was stopped; nothing was written."), {}, {}, Topic::written});
   } else {
-    exportProblem_ = QString::fromStdString(done.error().message);
-    tell({Severity::error, exportProblem_, {}, {}, Topic::written});
+    const QString problem = QString::fromStdString(done.error().message);
+    if (open) exportProblem_ = problem;
+    tell({Severity::error, problem, {}, {}, Topic::written});
   }
   emit stateChanged();
 }
 
-void Workbench::tellWritten(const Issues& findings, std::size_t removed) {
+void Workbench::tellWritten(const Export& made) {
+  const std::vector<WrittenFile> files = writtenFiles(made.files);
   std::uintmax_t bytes = 0;
-  for (const WrittenFile& file : exportedFiles_) bytes += file.bytes;
-  QString written =
-      (exportedFiles_.size() == 1 ? tr("%1 file (%2) written to %3") : tr("%1 files (%2) written to %3"))
-          .arg(exportedFiles_.size())
-          .arg(QString::fromStdString(pipeline::sizeText(bytes)),
-               QString::fromStdString(exportFolder_.string()));
-  if (removed > 0)
-    written += removed == 1 ? tr(" (1 file of an earlier run was removed)")
-                            : tr(" (%1 files of an earlier run were removed)").arg(removed);
-  // A change that came while the files were written has findings of its own.
-  if (exported_ == document_.design()) {
-    exportFindings_ = findings;
-    emit messagesChanged();
-  }
+  for (const WrittenFile& file : files) bytes += file.bytes;
+  QString written = (files.size() == 1 ? tr("%1 file (%2) written to %3") : tr("%1 files (%2) written to %3"))
+                        .arg(files.size())
+                        .arg(QString::fromStdString(pipeline::sizeText(bytes)),
+                             QString::fromStdString(made.folder.string()));
+  if (made.removed > 0)
+    written += made.removed == 1 ? tr(" (1 file of an earlier run was removed)")
+                                 : tr(" (%1 files of an earlier run were removed)").arg(made.removed);
+  const Issues& findings = made.findings;
   if (findings.empty()) return tell({Severity::info, written, {}, {}, Topic::written});
   if (findings.front().kind == pipeline::kProgramIssue) {
     return tell({findings.front().severity,

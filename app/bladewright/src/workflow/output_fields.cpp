@@ -82,9 +82,8 @@ void OutputFields::refresh() {
 }
 
 void OutputFields::refreshState() {
-  const bool ready = bench_.current() && !bench_.exporting();
-  export_->setEnabled(ready);
-  exportPrograms_->setEnabled(ready && !bench_.job().programs.empty());
+  export_->setEnabled(bench_.canExport());
+  exportPrograms_->setEnabled(bench_.canExportPrograms());
   const QString folder = QString::fromStdString(bench_.exportFolder().string());
   exported_->setVisible(!folder.isEmpty());
   if (folder.isEmpty()) return;

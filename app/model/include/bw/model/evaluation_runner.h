@@ -41,9 +41,11 @@ class EvaluationRunner : public QObject {
   /// is being dragged), allowed to finish if it takes about as long as the last one, so that the picture
   /// follows the hand.
   void evaluate(const std::shared_ptr<const Design>& design, bool live = false);
-  /// Runs `task` on the newest result after the evaluations asked for so far. `done` is called on the
-  /// interface thread.
-  void submit(const QString& name, Task task, std::function<void(const Result<void>&)> done);
+  /// Runs `task` on the newest result after the evaluations asked for so far; without one it is refused,
+  /// unless it needs none. `done` is called on the interface thread.
+  enum class Needs { result, nothing };
+  void submit(const QString& name, Task task, std::function<void(const Result<void>&)> done,
+              Needs needs = Needs::result);
   /// Stops whatever runs and forgets what waits.
   void cancel();
   /// Forgets the results (another design was opened).
@@ -79,6 +81,7 @@ class EvaluationRunner : public QObject {
     Task task;
     std::function<void(const Result<void>&)> done;
     QString name;
+    Needs needs = Needs::result;
   };
 
   void work(const std::stop_token& stop);

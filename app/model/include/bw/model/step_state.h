@@ -7,6 +7,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "bw/core/design.h"
 #include "bw/core/result.h"
@@ -36,11 +37,14 @@ struct StepFacts {
   std::optional<Error> error;                              ///< why it stopped short
   bool busy = false;
   double progress = 0;
-  QString busyStep;                        ///< the pipeline's word for what runs
-  std::shared_ptr<const Design> exported;  ///< the design written last, or null
+  QString busyStep;      ///< the pipeline's word for what runs
+  std::string exported;  ///< `exportKey` of the result written last; empty: none was
   bool exporting = false;
   QString exportProblem;
 };
+
+/// What the files of an export hang on: the same for equal results with the same programs for the same cell.
+std::string exportKey(const pipeline::Evaluation& evaluation);
 
 /// The states of the four steps. Which step failed follows from the first stage that is missing.
 StepStates stepStates(const StepFacts& facts);

@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// Exports: ordered at any time, of which result they are, and whose they are.
+#include "window_fixture.h"
+
+namespace bw::app {
+namespace {
+
+class Exports : public WindowTest {
+ protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    window().questions().exportFolder = [&] {
+      ++asked_;
+      return QString::fromStdString(folder().string());
+    };
+  }
+
+  /// A design that is linked to its file.
+  void openLinked() {
+    ASSERT_TRUE(writeFile(source(), geometry::exampleStep("panel-600x670").value()));
+    ASSERT_TRUE(window().openFile(QString::fromStdString(source().string())));
+    bench().editJob("Change stations", [](Job& job) { job.stations = 17; });
+    ASSERT_TRUE(settle());
+    ASSERT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
+  }
+
+  void exportAll() {
+    window().exportEverything();
+    ASSERT_TRUE(settle());
+    ASSERT_TRUE(fs::exists(folder() / "report.json"));
+  }
+
+  fs::path source() const { return path("roof.step"); }
+  fs::path folder() const { return path("out"); }
+  std::string outputState() { return bench().stepStates()[int(model::Step::output)].text.toStdString(); }
+
+  bool told(const QString& words) {
+    for (const Notice& notice : window().banner().notices())
+      if (notice.text.contains(words)) return true;
+    return false;
+  }
+
+  bool listsFiles() {
+    for (QLabel* label : window().workflow().findChildren<QLabel*>())
+      if (label->isVisible() && label->text().contains("Last export")) return true;
+    return false;
+  }
+
+  QPushButton* outputButton(const QString& text) {
+    for (QPushButton* b : window().workflow().findChildren<QPushButton*>())
+      if (b->text() == text) return b;
+    return nullptr;
+  }
+
+  void typeTolerance(const QString& text) {
+    auto* tolerance = find<NumberField>("Tolerance");
+    ASSERT_TRUE(tolerance);
+    tolerance->setFocus();
+    tolerance->selectAll();
+    QTest::keyClicks(tolerance, text);
+  }
+
+  int asked_ = 0;
+};
+
+TEST_F(Exports, AreWrittenWithWhatIsBeingTypedByKeyAndByMouse) {
+  openPanel();
+  ASSERT_NO_FATAL_FAILURE(typeTolerance("0.5"));
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_E, Qt::ControlModifier);
+  EXPECT_EQ(asked_, 1) << "the key did nothing";
+  EXPECT_TRUE(told("as soon as it stands"));
+  ASSERT_TRUE(settle());
+  const Result<Design> first = loadDesign(folder() / pipeline::kDesignFile);
+  ASSERT_TRUE(first) << first.error().message;
+  EXPECT_EQ(first->job.tolerance, 0.5);
+  EXPECT_EQ(outputState(), "Exported");
+  EXPECT_FALSE(told("as soon as it stands"));
+
+  window().questions().earlierExport = [](const auto&, const auto&, const auto&) {
+    return Workbench::Earlier::replace;
+  };
+  QPushButton* button = outputButton("Export everything…");
+  ASSERT_TRUE(button);
+  ASSERT_NO_FATAL_FAILURE(typeTolerance("0.75"));
+  window().workflow().ensureWidgetVisible(button);
+  QTest::mouseClick(button, Qt::LeftButton);
+  EXPECT_EQ(asked_, 2) << "the button did nothing";
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(loadDesign(folder() / pipeline::kDesignFile)->job.tolerance, 0.75);
+}
+
+TEST_F(Exports, TellThatNothingWasWrittenWhereNoResultComes) {
+  openPanel();
+  auto* length = find<NumberField>("Blade length");
+  ASSERT_TRUE(length);
+  length->setFocus();
+  length->selectAll();
+  QTest::keyClicks(length, "500");
+  QTest::keyClick(length, Qt::Key_E, Qt::ControlModifier);
+  EXPECT_EQ(asked_, 1);
+  ASSERT_TRUE(settle());
+  EXPECT_FALSE(bench().current());
+  EXPECT_TRUE(told("Nothing was exported"));
+  EXPECT_FALSE(fs::exists(folder()));
+  EXPECT_FALSE(window().commands()["file.export"]->isEnabled());
+  // It does not come later, with another result.
+  bench().document().undoStack().undo();
+  ASSERT_TRUE(settle());
+  EXPECT_FALSE(fs::exists(folder()));
+}
+
+TEST_F(Exports, StayThoseOfTheResultWhenItIsSaved) {
+  openLinked();
+  exportAll();
+  EXPECT_EQ(outputState(), "Exported");
+  const std::size_t findings = bench().messages().size();
+  window().questions().saveDesign = [&](const QString&) {
+    return QString::fromStdString(path("roof.bladewright").string());
+  };
+  QTest::keyClick(&window(), Qt::Key_S, Qt::ControlModifier);
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(outputState(), "Exported");
+  EXPECT_EQ(bench().messages().size(), findings) << "the findings of the programs went";
+  bench().editJob("Change tolerance", [](Job& job) { job.tolerance = 0.75; });
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(outputState(), "Older export");
+  bench().document().undoStack().undo();
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(outputState(), "Exported");
+  bench().editJob("Choose programs", [](Job& job) { job.programs = {"csv"}; });
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(outputState(), "Older export");
+}
+
+TEST_F(Exports, AreOlderThanASurfaceThatIsReadAgain) {
+  openLinked();
+  exportAll();
+  ASSERT_TRUE(writeFile(source(), geometry::exampleStep("saddle").value()));
+  QTest::keyClick(&window(), Qt::Key_R, Qt::ControlModifier);
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(bench().current());
+  EXPECT_EQ(outputState(), "Older export");
+}
+
+TEST_F(Exports, BelongToTheirDesign) {
+  openLinked();
+  exportAll();
+  EXPECT_TRUE(listsFiles());
+  window().questions().unsaved = [](const QString&) { return Questions::Unsaved::discard; };
+  window().openExample("saddle");
+  ASSERT_TRUE(settle());
+  EXPECT_FALSE(listsFiles()) << "the files of another design";
+  EXPECT_TRUE(bench().exportFolder().empty());
+
+  // One that ends when another design is open; nobody is asked about it.
+  int questions = 0;
+  window().questions().earlierExport = [&](const auto&, const auto&, const auto&) {
+    ++questions;
+    return Workbench::Earlier::replace;
+  };
+  window().exportEverything();
+  ASSERT_TRUE(bench().exporting());
+  window().openExample("sphere-cap");
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(questions, 0);
+  EXPECT_FALSE(bench().exporting());
+  EXPECT_FALSE(listsFiles());
+  EXPECT_NE(outputState(), "Exported");
+}
+
+TEST_F(Exports, ReplaceEvenIfTheDesignHasNoResultByThen) {
+  openPanel();
+  exportAll();
+  const std::string before = readFile(folder() / "report.json").value();
+  bench().editJob("Change tolerance", [](Job& job) { job.tolerance = 0.75; });
+  ASSERT_TRUE(settle());
+  window().questions().earlierExport = [](const auto&, const auto&, const auto&) {
+    return Workbench::Earlier::replace;
+  };
+  window().exportEverything();
+  bench().editJob("Change blade length", [](Job& job) { job.blade.length = 500; });
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().runner().error());
+  EXPECT_NE(readFile(folder() / "report.json").value(), before) << "the files were made, and given up";
+  EXPECT_FALSE(told("has no finished result"));
+}
+
+TEST_F(Exports, OfProgramsNeedAFormat) {
+  openPanel();
+  EXPECT_TRUE(window().commands()["file.programs"]->isEnabled());
+  bench().editJob("Choose programs", [](Job& job) { job.programs.clear(); });
+  ASSERT_TRUE(settle());
+  EXPECT_FALSE(window().commands()["file.programs"]->isEnabled());
+  EXPECT_FALSE(outputButton("Export programs…")->isEnabled());
+  EXPECT_TRUE(window().commands()["file.export"]->isEnabled());
+}
+
+}  // namespace
+}  // namespace bw::app
