@@ -187,6 +187,30 @@ TEST_F(Exports, ReplaceEvenIfTheDesignHasNoResultByThen) {
   EXPECT_FALSE(told("has no finished result"));
 }
 
+TEST_F(Exports, HaveTheSamePicturesHoweverTheWindowIsLaidOut) {
+  openPanel();
+  exportAll();
+  for (const char* panel : {"panel.workflow", "panel.inspector", "panel.bottom"})
+    window().commands()[panel]->trigger();
+  window().resize(1440, 640);
+  picture("wide-view");
+  const scene::Camera before = window().sceneView().camera();
+  window().questions().earlierExport = [](const auto&, const auto&, const auto&) {
+    return Workbench::Earlier::newFolder;
+  };
+  window().exportEverything();
+  ASSERT_TRUE(settle());
+  ASSERT_EQ(bench().exportFolder(), path("out 2"));
+  EXPECT_EQ(window().sceneView().camera().position, before.position);
+  for (const char* name : {"deviation.png", "deviation-top.png", "angle.png", "curvature.png"}) {
+    const QImage first(QString::fromStdString((folder() / "pictures" / name).string())),
+        second(QString::fromStdString((path("out 2") / "pictures" / name).string()));
+    ASSERT_EQ(first.size(), QSize(1280, 800));
+    EXPECT_EQ(first, second) << name;
+    second.save(QString(BW_TEST_OUTPUT "/window/report-%1").arg(name));
+  }
+}
+
 TEST_F(Exports, OfProgramsNeedAFormat) {
   openPanel();
   EXPECT_TRUE(window().commands()["file.programs"]->isEnabled());

@@ -168,13 +168,19 @@ QPointF SceneView::toWidget(const Eigen::Vector3d& point) const {
   return {pixel.x() / impl_->viewport.ratio(), pixel.y() / impl_->viewport.ratio()};
 }
 
-QImage SceneView::picture(const QSize& pixels, double pixelRatio) {
+QImage SceneView::picture(const QSize& pixels, double pixelRatio, std::optional<scene::View> view) {
   scene::Scene::Impl& inside = impl_->scene.impl();
   if (!inside.target() || pixels.isEmpty()) return {};
   makeCurrent();
   scene::Style style = impl_->given;
   style.pixelRatio = pixelRatio;
   impl_->scene.setStyle(style);
+  const scene::Camera before = impl_->scene.camera();
+  if (view) {
+    inside.expectWidth(pixels.width());
+    impl_->scene.setCamera(impl_->scene.fitFrom(scene::directionOf(*view), true,
+                                                double(pixels.width()) / std::max(1, pixels.height())));
+  }
   inside.target()->window()->SetFrameBlitModeToNoBlit();
   inside.target()->window()->SetMultiSamples(scene::kSamples);
   inside.setDraft(false);
@@ -182,6 +188,7 @@ QImage SceneView::picture(const QSize& pixels, double pixelRatio) {
   const scene::Picture picture = inside.readPicture();
   inside.target()->window()->SetFrameBlitModeToBlitToCurrent();
   impl_->applyStyle();
+  impl_->scene.setCamera(before);
   inside.expectWidth(impl_->viewport.width());
   doneCurrent();
   update();

@@ -120,7 +120,6 @@ void MainWindow::runOrder() {
 }
 
 std::vector<ReportImage> MainWindow::reportPictures() {
-  const scene::Camera camera = view_->camera();
   const scene::Style style = view_->sceneStyle();
   std::vector<ReportImage> pictures;
   for (const auto& [name, title, field, view] :
@@ -135,12 +134,10 @@ std::vector<ReportImage> MainWindow::reportPictures() {
     paper.field = field;
     paper.tolerance = style.tolerance;
     view_->setStyle(paper);
-    view_->setView(view, false);
-    const QImage image = view_->picture(kReportPicture);
+    const QImage image = view_->picture(kReportPicture, 1, view);
     if (!image.isNull()) pictures.push_back({name, title, image});
   }
   view_->setStyle(style);
-  view_->setCamera(camera, false);
   return pictures;
 }
 

@@ -53,9 +53,9 @@ class SceneView : public QOpenGLWidget {
   QRectF legendRect() const;
   /// Where a point of space appears in the widget, in device-independent pixels.
   QPointF toWidget(const Eigen::Vector3d& point) const;
-  /// A picture of the scene at any size in pixels, with the present camera; null if there is no GL context
-  /// yet.
-  QImage picture(const QSize& pixels, double pixelRatio = 1.0);
+  /// A picture of the scene at any size in pixels, with the present camera, or along a standard view, in
+  /// parallel, with the work fitted into that size; null if there is no GL context yet.
+  QImage picture(const QSize& pixels, double pixelRatio = 1.0, std::optional<scene::View> view = {});
   /// Empty while all is well; otherwise what the graphics driver lacks, in words for the user.
   QString problem() const;
 
