@@ -101,7 +101,7 @@ QStringList SectionView::readout() const {
     const Station& station = bench_.sweep()->sweep.stations[std::size_t(drawing_.station)];
     const Eigen::Vector2d at(p.x(), p.y());
     const Eigen::Vector2d foot = station.target.value(station.target.nearestParameter(at));
-    lines << tr("%1 from the target").arg(lengthText((at - foot).norm()));
+    lines << tr("%1 from the target").arg(lengthText((at - foot).norm() / exaggeration_));
     return lines;
   }
   if (curvatureArea().contains(cursor_)) {

@@ -15,9 +15,9 @@
 namespace bw::app {
 
 /// The selected station in its plane: target curve with the tolerance band, elastica, the blade's extensions
-/// (dashed) and grips, the foam, and the curvature below against the blade's limit. Over it a bar a station
-/// with its deviation: click, wheel or arrow keys choose. Over the plots the wheel zooms to the cursor,
-/// dragging moves, a double click shows all again; what lies under the cursor stands beside it.
+/// (dashed) and grips, the foam, and beside it the curvature against the blade's limit. Over it a bar a
+/// station with its deviation: click, wheel or arrow keys choose. Over the plots the wheel zooms to the
+/// cursor, dragging moves, a double click shows all again; what lies under the cursor stands beside it.
 class SectionView : public QWidget {
   Q_OBJECT
 
