@@ -322,6 +322,24 @@ TEST_F(SavedWork, AsksInWordsAndButtons) {
   EXPECT_FALSE(discard) << "Enter discards";
 }
 
+TEST_F(SavedWork, GetsItsSuffixWhateverPointsTheNameHas) {
+  openPanel();
+  const auto typed = [&](const QString& name) {
+    QString file;
+    answer([&] { file = window().questions().saveDesign("panel.bladewright"); }, "save-design",
+           [&](QDialog& dialog) {
+             auto* line = dialog.findChild<QLineEdit*>("fileNameEdit");
+             ASSERT_TRUE(line);
+             line->setText(QString::fromStdString(path(name.toStdString()).string()));
+             QTest::keyClick(line, Qt::Key_Return);
+           });
+    return QFileInfo(file).fileName();
+  };
+  EXPECT_EQ(typed("panel v1.2"), "panel v1.2.bladewright");
+  EXPECT_EQ(typed("panel"), "panel.bladewright");
+  EXPECT_EQ(typed("panel.bladewright"), "panel.bladewright");
+}
+
 TEST_F(SavedWork, KeepsEarlierExports) {
   openPanel();
   const fs::path folder = path("out");

@@ -31,7 +31,7 @@ void MainWindow::setDefaultQuestions() {
   };
   // The dialog asked about the name that was typed, not about the one with the suffix.
   const auto completed = [this](const QString& file, const QString& suffix) {
-    if (file.isEmpty() || !QFileInfo(file).suffix().isEmpty()) return file;
+    if (file.isEmpty() || file.endsWith(suffix, Qt::CaseInsensitive)) return file;
     return QFileInfo::exists(file + suffix) && !questions_.replaceFile(file + suffix) ? QString()
                                                                                       : file + suffix;
   };
