@@ -123,6 +123,20 @@ TEST_F(PictureTest, FacesCanBeChosenWhereNothingCouldBeCut) {
   EXPECT_EQ(bench().job().face.indices, std::vector<int>{1});
 }
 
+TEST_F(PictureTest, FacesAreNoLongerChosenWhereTheFileHasNoneLeft) {
+  openFaces({"saddle", "wavy-wall"});
+  QTest::keyClick(&window(), Qt::Key_C);
+  ASSERT_TRUE(window().faceChooser().choosing());
+  ASSERT_TRUE(writeFile(path("faces.step"), "ISO-10303-21; and then nothing"));
+  QTest::keyClick(&window(), Qt::Key_R, Qt::ControlModifier);
+  ASSERT_TRUE(settle());
+  ASSERT_FALSE(window().faceChooser().possible());
+  EXPECT_FALSE(window().faceChooser().choosing());
+  EXPECT_FALSE(window().faceChooser().isVisible());
+  EXPECT_FALSE(window().commands()["input.chooseFaces"]->isChecked());
+  EXPECT_FALSE(view().sceneStyle().chooseFaces);
+}
+
 TEST_F(PictureTest, OneFaceLeavesNothingToChoose) {
   openPanel();
   EXPECT_FALSE(window().faceChooser().possible());

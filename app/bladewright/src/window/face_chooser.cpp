@@ -143,6 +143,7 @@ void FaceChooser::click(int face, Qt::KeyboardModifiers keys) {
 }
 
 void FaceChooser::refresh() {
+  if (choosing_ && !possible()) return setChoosing(false);
   setVisible(choosing_);
   if (!choosing_) return;
   const std::size_t count = chosen().size();
