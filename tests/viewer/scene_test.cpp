@@ -327,5 +327,33 @@ TEST_F(SceneTest, AnArrowBesideTheBlockShowsTheTravel) {
       << "no block, no ground beside it";
 }
 
+TEST_F(SceneTest, AnArrowIsFittedWhileItIsShownAndOnlyThen) {
+  Content content = test::sampleContent();
+  content.blades.clear();  // they reach farther
+  Style style;
+  const auto show = [&](bool arrow) {
+    if (arrow)
+      content.travel = Eigen::Vector3d(0, 1, 0);
+    else
+      content.travel.reset();
+    scene.setContent(content);
+    scene.setStyle(style);
+  };
+  show(false);
+  const Bounds without = scene.bounds();
+  const Camera workWithout = scene.fitCamera(View::top, 1);
+  show(true);
+  EXPECT_GT(scene.bounds().size().x(), 1.01 * without.size().x()) << "everything leaves it out";
+  EXPECT_NE(scene.fitCamera(View::top, 1).position, workWithout.position);
+  style.showBlock = false;
+  show(false);
+  const Bounds hiddenWithout = scene.bounds();
+  const Camera hiddenWork = scene.fitCamera(View::top, 1);
+  show(true);
+  EXPECT_EQ(scene.bounds().max, hiddenWithout.max);
+  EXPECT_EQ(scene.fitCamera(View::top, 1).position, hiddenWork.position)
+      << "room is left for what is not there";
+}
+
 }  // namespace
 }  // namespace bw::scene

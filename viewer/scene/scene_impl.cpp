@@ -203,6 +203,7 @@ Bounds Scene::Impl::contentBounds() const {
       if (p.allFinite()) bounds.add(p);
     }
   }
+  bounds = joined(bounds, arrow_.bounds());
   return style.showFaces ? joined(bounds, faceBounds_) : bounds;
 }
 
@@ -222,7 +223,7 @@ void Scene::Impl::renderFrame(int width, int height) {
   eye->SetParallelScale(camera.parallelScale);
 
   Bounds all = contentBounds();
-  for (const Bounds& more : {grid_.bounds(), bladeBounds_, arrow_.bounds()}) all = joined(all, more);
+  for (const Bounds& more : {grid_.bounds(), bladeBounds_}) all = joined(all, more);
   if (!all.valid()) all.add(camera.focus);
   const double distance = (camera.position - camera.focus).norm();
   const double back = actors_.targetSetBack(style);

@@ -85,7 +85,8 @@ void TravelArrow::setContent(const Content& content) {
 }
 
 void TravelArrow::setStyle(const Style& style, const Rgb& background) {
-  part_.setVisible(style.showBlock && bounds_.valid());
+  visible_ = style.showBlock && bounds_.valid();
+  part_.setVisible(visible_);
   part_.setColor(theme(style.dark).accent);
   part_.setFade(keptColor(style.stale), background);
 }

@@ -17,11 +17,12 @@ class TravelArrow {
   void setContent(const Content& content);
   void setStyle(const Style& style, const Rgb& background);
   /// Where it lies; not valid while it is hidden.
-  const Bounds& bounds() const { return bounds_; }
+  Bounds bounds() const { return visible_ ? bounds_ : Bounds(); }
 
  private:
   Part part_;
-  Bounds bounds_;
+  Bounds bounds_;  ///< not valid where there is none
+  bool visible_ = false;
 };
 
 }  // namespace bw::scene
