@@ -229,6 +229,69 @@ TEST_F(TypedFields, ExportNothingWhileANumberIsRefused) {
   EXPECT_TRUE(asked);
 }
 
+TEST_F(TypedFields, HoldUpAnExportWhereTheyAreFoldedAwayToo) {
+  openPanel();
+  bool asked = false;
+  window().questions().exportFolder = [&] {
+    asked = true;
+    return QString();
+  };
+  QToolButton* fold = nullptr;
+  for (QToolButton* button : window().workflow().findChildren<QToolButton*>())
+    if (button->text() == "Fit and lead") fold = button;
+  ASSERT_TRUE(fold);
+  fold->click();
+  auto* lead = find<NumberField>("Lead");
+  ASSERT_TRUE(lead);
+  typeOver(*lead, "abc");
+  QTest::keyClick(lead, Qt::Key_Tab);
+  fold->click();
+  window().commands()["panel.workflow"]->trigger();
+  ASSERT_FALSE(lead->isVisible());
+  QTest::keyClick(&window(), Qt::Key_E, Qt::ControlModifier);
+  EXPECT_FALSE(asked) << "exported with the old number";
+  EXPECT_TRUE(lead->isVisible());
+  EXPECT_TRUE(lead->hasFocus());
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !lead->visibleRegion().isEmpty(); }, kPatience));
+  picture("refused-folded");
+  QTest::keyClick(lead, Qt::Key_Escape);
+  EXPECT_FALSE(window().banner().isVisible()) << window().banner().text().toStdString();
+  // On a page of the inspector that is not shown.
+  bench().select({Selection::Kind::blade, -1});
+  NumberField* length = nullptr;
+  for (NumberField* field : window().inspector().findChildren<NumberField*>())
+    if (field->accessibleName() == "Blade length" && field->isVisible()) length = field;
+  ASSERT_TRUE(length);
+  typeOver(*length, "abc");
+  QTest::keyClick(length, Qt::Key_Tab);
+  bench().select({});
+  QTest::keyClick(&window(), Qt::Key_E, Qt::ControlModifier);
+  EXPECT_FALSE(asked);
+  EXPECT_TRUE(length->isVisible() && length->hasFocus());
+  QTest::keyClick(length, Qt::Key_Escape);
+  QTest::keyClick(&window(), Qt::Key_E, Qt::ControlModifier);
+  EXPECT_TRUE(asked);
+}
+
+TEST_F(TypedFields, HoldUpNoExportWhereTheyAreNoNumberOfTheDesign) {
+  openPanel();
+  bench().selectStation(3);
+  int asked = 0;
+  window().questions().exportFolder = [&] {
+    ++asked;
+    return QString();
+  };
+  for (const char* name : {"Lower end of the legend", "Station"}) {
+    auto* field = find<NumberField>(name);
+    ASSERT_TRUE(field) << name;
+    typeOver(*field, "abc");
+    QTest::keyClick(field, Qt::Key_Tab);
+    ASSERT_TRUE(field->refused()) << name;
+  }
+  QTest::keyClick(&window(), Qt::Key_E, Qt::ControlModifier);
+  EXPECT_EQ(asked, 1);
+}
+
 TEST_F(TypedFields, KeepARefusedTextThatWasLeft) {
   openPanel();
   auto* tolerance = find<NumberField>("Tolerance");

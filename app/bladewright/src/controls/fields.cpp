@@ -19,6 +19,7 @@ namespace bw::app {
 
 namespace {
 
+constexpr char kHead[] = "foldHead";
 constexpr int kFieldWidth = 132;
 constexpr int kShortTextRole = Qt::UserRole + 100;
 
@@ -215,14 +216,22 @@ FormColumn* FormColumn::addFold(const QString& title, const Theme& theme) {
         theme.pixmap(head->isChecked() ? "chevron-down" : "chevron-right", theme.colours().secondary, 14)));
   };
   paint();
-  connect(head, &QToolButton::toggled, body, [body, paint](bool open) {
-    paint();
-    body->setVisible(open);
-  });
+  makeFolding(*head, *body);
+  connect(head, &QToolButton::toggled, body, paint);
   connect(&theme, &Theme::changed, head, paint);
   grid_->addWidget(head, row_++, 0, 1, 2, Qt::AlignLeft);
   addWide(body);
   return body;
+}
+
+void makeFolding(QAbstractButton& head, QWidget& body) {
+  body.setProperty(kHead, QVariant::fromValue(&head));
+  QObject::connect(&head, &QAbstractButton::toggled, &body, &QWidget::setVisible);
+}
+
+void unfold(QWidget& widget) {
+  for (QWidget* at = &widget; at; at = at->parentWidget())
+    if (auto* head = at->property(kHead).value<QAbstractButton*>()) head->setChecked(true);
 }
 
 void setLineVisible(QLabel* label, QWidget* field, bool visible) {

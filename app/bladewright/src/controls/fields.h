@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <QAbstractButton>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
@@ -99,6 +100,10 @@ class FormColumn : public QWidget {
   int row_ = 0;
 };
 
+/// `head` shows and hides `body`.
+void makeFolding(QAbstractButton& head, QWidget& body);
+/// Opens all that `widget` is folded away in.
+void unfold(QWidget& widget);
 /// Shows or hides a field together with its label.
 void setLineVisible(QLabel* label, QWidget* field, bool visible);
 /// A thin horizontal line.

@@ -235,7 +235,7 @@ bool finishTyping(const QWidget& window) {
 
 TypedField* refusedField(const QWidget& area) {
   for (TypedField* field : area.findChildren<TypedField*>())
-    if (field->refused() && field->isVisible()) return field;
+    if (field->refused() && !field->isHidden()) return field;
   return nullptr;
 }
 

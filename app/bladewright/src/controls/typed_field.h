@@ -71,7 +71,8 @@ class TypedField : public QLineEdit {
 /// Takes what is typed in the field of `window` that has the keyboard, or will have it once the window is
 /// active again; false if it was refused.
 bool finishTyping(const QWidget& window);
-/// The first visible field below `area` whose text is refused; null if there is none.
+/// The first field below `area` whose text is refused, seen or folded away; null if there is none. One that
+/// is hidden itself is out of use.
 TypedField* refusedField(const QWidget& area);
 
 /// Within `area` the keyboard belongs to `home`: fields give it back there.

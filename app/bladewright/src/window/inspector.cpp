@@ -311,6 +311,15 @@ void Inspector::makeStation() {
   addGrip(tr("Right, in the frame of the file"), &Station::rightPoint);
 }
 
+TypedField* Inspector::showRefused() {
+  for (const auto kind : {Selection::Kind::block, Selection::Kind::blade})
+    if (TypedField* field = refusedField(*pages_->widget(int(kind)))) {
+      bench_.select({kind, -1});
+      return field;
+    }
+  return nullptr;
+}
+
 void Inspector::setStale(bool stale) {
   if (stale == std::exchange(stale_, stale)) return;
   refreshStanding();

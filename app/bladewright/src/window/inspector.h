@@ -26,6 +26,8 @@ class Inspector : public SidePanel {
   const BladeFields* bladeFields() const { return bladeFields_; }
   /// Results that are out of date are pale.
   void setStale(bool stale);
+  /// The first number of the design whose text is refused, on its page; null if there is none.
+  TypedField* showRefused();
 
  private:
   /// A read-only line: its label and how its text follows from the result.

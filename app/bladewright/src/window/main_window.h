@@ -138,7 +138,8 @@ class MainWindow : public QMainWindow {
   bool goOnWith(const QString& copy);
   void discardUnsaved(const QString& copy, const QString& name);
   QImage thumbnail();
-  /// False while a field holds a text that is refused; the field gets the keyboard, and it is told.
+  /// False while the text of a number of the design is refused: its field is brought into sight and gets the
+  /// keyboard, and it is told.
   bool numbersStand();
   void showWorkspace();
   void leaveMeasurePage();

@@ -78,16 +78,28 @@ bool MainWindow::saveAs() {
 
 bool MainWindow::numbersStand() {
   finishTyping(*this);
-  TypedField* field = refusedField(*columns_);
+  TypedField* field = refusedField(*workflow_);
+  const bool left = field != nullptr;
+  if (!left) field = inspector_->showRefused();
   if (!field) return true;
+  if (QAction* panel = commands_[left ? "panel.workflow" : "panel.inspector"]; !panel->isChecked())
+    panel->trigger();
+  unfold(*field);
   field->setFocus();
-  bench_.tell(
-      {Severity::error,
-       tr("“%1” in the field %2 is not a number that the design has; correct it, or bring the old one back "
-          "with Esc.")
-           .arg(field->text(), field->accessibleName()),
-       {},
-       {}});
+  // When what was folded away has its place.
+  QTimer::singleShot(0, field, [field, area = left ? static_cast<QScrollArea*>(workflow_) : inspector_] {
+    area->ensureWidgetVisible(field);
+  });
+  bench_.tell({Severity::error,
+               tr("“%1” in the field %2 was not taken, so nothing was exported. Correct it, or bring the old "
+                  "one back with Esc.")
+                   .arg(field->text(), field->accessibleName()),
+               {},
+               {},
+               Topic::refusal});
+  connect(
+      field, &QLineEdit::textChanged, &bench_, [this] { emit bench_.noticesOutdated(Topic::refusal); },
+      Qt::SingleShotConnection);
   return false;
 }
 

@@ -44,7 +44,8 @@ enum class Topic {
   file,        ///< opening, recovering and saving the open design: likewise, and by a save
   autosave,    ///< outdated once autosave works again
   recovery,    ///< what earlier sessions left: outdated when one of these is gone on with
-  written,  ///< what an export wrote, or why it did not
+  written,     ///< what an export wrote, or why it did not
+  refusal,     ///< a text in a field that keeps an export from beginning: outdated when it changes
   other
 };
 

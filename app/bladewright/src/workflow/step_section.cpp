@@ -5,6 +5,8 @@
 #include <QEvent>
 #include <QPainter>
 
+#include "controls/fields.h"
+
 namespace bw::app {
 
 using Kind = model::StepState::Kind;
@@ -136,7 +138,7 @@ StepSection::StepSection(const Theme& theme, const QString& icon, const QString&
   inner->setContentsMargins(kGroupGap, 2, kGroupGap, kGroupGap);
   inner->addWidget(body);
   layout->addWidget(frame);
-  connect(head_, &QAbstractButton::toggled, frame, &QWidget::setVisible);
+  makeFolding(*head_, *frame);
 }
 
 }  // namespace bw::app
