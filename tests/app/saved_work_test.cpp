@@ -253,6 +253,39 @@ TEST_F(SavedWork, NamesACopyThatCannotBeRead) {
   EXPECT_EQ(window().recoveryList().copies().size(), 1u) << "it was not kept";
 }
 
+TEST_F(SavedWork, IsReachedByKeysPastACopyThatCannotBeRead) {
+  fs::create_directories(recovery());
+  makeKeepingWindow();
+  openPanel();
+  bench().editJob("Change tolerance", [](Job& job) { job.tolerance = 0.75; });
+  crash();
+  const fs::path damaged = recovery() / "6b4c7a0e-0d7c-4a0e-8f0e-1f2a3b4c5d6e.bladewright";
+  ASSERT_TRUE(writeFile(damaged, "{ half a desi"));
+  fs::last_write_time(damaged, fs::file_time_type::clock::now() + std::chrono::hours(1));
+  makeKeepingWindow();
+  window().recover();
+  picture("unsaved-keys");
+  RecoveryList& list = window().recoveryList();
+  ASSERT_EQ(list.copies().size(), 2u);
+  ASSERT_FALSE(list.copies()[0].problem.isEmpty()) << "the damaged one stands first";
+  auto* open = button(list, "Go on with " + list.copies()[1].name);
+  ASSERT_TRUE(open);
+  auto* discard = button(list, "Discard " + list.copies()[1].name);
+  ASSERT_TRUE(discard);
+  const auto press = [](Qt::Key key) { QTest::keyClick(QApplication::focusWidget(), key); };
+  discard->setFocus();
+  press(Qt::Key_Left);
+  ASSERT_TRUE(open->hasFocus()) << "the keys of the page lead through it";
+  press(Qt::Key_Up);
+  EXPECT_FALSE(open->hasFocus()) << "stuck below a button that is switched off";
+  EXPECT_TRUE(QApplication::focusWidget()->isEnabled());
+  open->setFocus();
+  press(Qt::Key_Return);
+  EXPECT_FALSE(window().onStartPage()) << "Enter does nothing";
+  EXPECT_EQ(bench().job().tolerance, 0.75);
+  ASSERT_TRUE(settle());
+}
+
 TEST_F(SavedWork, AsksBeforeItReplacesWhatAnotherWrote) {
   openPanel();
   const fs::path file = path("panel.bladewright"), other = path("mine.bladewright");

@@ -47,6 +47,7 @@ void RecoveryList::refresh() {
   }
   for (const model::RecoveryCopy& copy : copies_) rows_->addWidget(makeRow(copy));
   setVisible(!copies_.empty());
+  emit refreshed();
 }
 
 QWidget* RecoveryList::makeRow(const model::RecoveryCopy& copy) {

@@ -27,6 +27,8 @@ class RecoveryList : public QFrame {
  signals:
   void openRequested(const QString& copy);
   void discardRequested(const QString& copy, const QString& name);
+  /// It has other rows.
+  void refreshed();
 
  private:
   QWidget* makeRow(const model::RecoveryCopy& copy);

@@ -16,6 +16,7 @@
 
 #include "bw/geometry/export.h"
 #include "controls/fields.h"
+#include "window/recovery_list.h"
 
 namespace bw::app {
 
@@ -174,7 +175,14 @@ StartPage::StartPage(Workbench& bench, const Theme& theme, QWidget* parent)
   arrange();
 }
 
-void StartPage::putAbove(QWidget* widget) { above_->addWidget(widget); }
+void StartPage::putAbove(RecoveryList* list) {
+  above_->addWidget(list);
+  const auto addTargets = [this, list] {
+    for (QAbstractButton* button : list->findChildren<QAbstractButton*>()) addTarget(button);
+  };
+  addTargets();
+  connect(list, &RecoveryList::refreshed, this, addTargets);
+}
 
 void StartPage::refreshRecent() {
   while (QLayoutItem* item = recent_->takeAt(0)) {
@@ -249,7 +257,7 @@ void StartPage::moveKeyboard(const QAbstractButton& from, const QPoint& directio
   QAbstractButton* nearest = nullptr;
   int least = 0;
   for (QAbstractButton* button : page_->findChildren<QAbstractButton*>()) {
-    if (button == &from || !button->isVisible()) continue;
+    if (button == &from || !button->isVisible() || !button->isEnabled()) continue;
     const QRect there = place(*button);
     const QPoint way = there.center() - here.center();
     // How far along the direction from edge to edge, and how far beside it.

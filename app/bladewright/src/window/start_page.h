@@ -15,6 +15,8 @@
 
 namespace bw::app {
 
+class RecoveryList;
+
 /// One example: picture and title.
 class ExampleCard : public QAbstractButton {
   Q_OBJECT
@@ -40,8 +42,8 @@ class StartPage : public QScrollArea {
  public:
   StartPage(Workbench& bench, const Theme& theme, QWidget* parent = nullptr);
   const std::vector<ExampleCard*>& cards() const { return cards_; }
-  /// Puts `widget` above the recent files.
-  void putAbove(QWidget* widget);
+  /// Puts the unsaved work above the recent files.
+  void putAbove(RecoveryList* list);
 
  signals:
   void openSurfaceRequested();
