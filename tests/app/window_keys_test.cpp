@@ -186,6 +186,29 @@ TEST_F(WindowKeys, ShowBrokenNumbersInRedWithAnIconAndOldOnesPale) {
   EXPECT_FALSE(valueOf("Largest")->broken());
 }
 
+TEST_F(WindowKeys, TellTheStressOfTheBladeThatWasCutWith) {
+  openPanel();
+  bench().select({Selection::Kind::blade, -1});
+  const auto valueOf = [&](const QString& name) {
+    for (ValueLabel* label : window().inspector().findChildren<ValueLabel*>())
+      if (label->accessibleName() == name && label->isVisible()) return label;
+    return static_cast<ValueLabel*>(nullptr);
+  };
+  ASSERT_TRUE(valueOf("Largest stress") && valueOf("Rigidity"));
+  const QString stress = valueOf("Largest stress")->text(), rigidity = valueOf("Rigidity")->text();
+  bench().editJob("Change", [](Job& job) {
+    job.stations = 4000;
+    job.blade.youngModulus *= 2;
+    job.blade.yieldStress *= 2;
+  });
+  ASSERT_TRUE(QTest::qWaitFor([&] { return valueOf("Largest stress")->stale(); }, kPatience));
+  EXPECT_EQ(valueOf("Largest stress")->text(), stress) << "the radius of one blade, the strength of another";
+  EXPECT_NE(valueOf("Rigidity")->text(), rigidity);
+  EXPECT_FALSE(valueOf("Rigidity")->stale()) << "a number of the present design is never old";
+  bench().document().undoStack().setIndex(0);
+  ASSERT_TRUE(settle());
+}
+
 TEST_F(WindowKeys, SpeakNoWordOfTheCommandLine) {
   openPanel();
   bench().editJob("Change block", [](Job& job) {

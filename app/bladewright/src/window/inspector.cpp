@@ -114,6 +114,7 @@ void Inspector::makeResult() {
       &SweepLimits::radius);
   addValue(column, tr("Limit of the blade"), tr("The tightest bend that leaves the blade elastic"),
            [this] { return radiusText(bench_.job().blade.minRadius()); });
+  values_.back().ofDesign = true;
   add(tr("Steepest cut"), tr("Largest angle between the blade's motion and its plane's normal"), angleText,
       &SweepSummary::angleMax, &SweepLimits::angle);
   add(tr("Mean angle"), {}, angleText, &SweepSummary::angleMean);
@@ -178,6 +179,7 @@ void Inspector::makeBlade() {
   addValue(column, tr("Rigidity"), tr("Flexural rigidity E·I"), [this] {
     return QString::fromStdString(shortText(bench_.job().blade.flexuralRigidity(), 3)) + " N·mm²";
   });
+  values_.back().ofDesign = true;
   column->addHeading(tr("Use"));
   addValue(
       column, tr("Tightest bend"), tr("Smallest radius of the blade in this cut"),
@@ -187,7 +189,7 @@ void Inspector::makeBlade() {
       column, tr("Largest stress"), tr("Bending stress at the tightest bend, and the stress allowed"),
       [this] {
         if (!summary() || !(summary()->minRadius > 0)) return QString();
-        const Blade& blade = bench_.job().blade;
+        const Blade& blade = bench_.sweep()->sweep.blade;
         return tr("%1 of %2 N/mm²")
             .arg(std::lround(blade.stress(1 / summary()->minRadius)))
             .arg(std::lround(blade.yieldStress / blade.safety));
@@ -326,7 +328,8 @@ void Inspector::setStale(bool stale) {
 }
 
 void Inspector::refreshStanding() {
-  for (const Value& value : values_) value.label->setStanding(value.broken && value.broken(), stale_);
+  for (const Value& value : values_)
+    value.label->setStanding(value.broken && value.broken(), stale_ && !value.ofDesign);
 }
 
 void Inspector::refresh() {

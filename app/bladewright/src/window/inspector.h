@@ -35,6 +35,7 @@ class Inspector : public SidePanel {
     ValueLabel* label;
     std::function<QString()> text;
     std::function<bool()> broken;  ///< whether the number breaks its limit; null: it has none
+    bool ofDesign = false;         ///< of the present design, never of an earlier one
   };
   FormColumn* addPage(Selection::Kind kind);
   void addValue(FormColumn* column, const QString& name, const QString& tip, std::function<QString()> text,
