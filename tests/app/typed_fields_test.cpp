@@ -57,6 +57,23 @@ std::vector<Typed> meantTexts(const NumberField& field) {
   return typed;
 }
 
+TEST(NumberKeys, StepOverWhatIsLeftOut) {
+  NumberField field({1, 20, 0, 1, {}});
+  field.setCheck(
+      [](double v) { return v < 3 || (v > 5 && v < 8) ? QStringLiteral("It was left out") : QString(); });
+  field.show(5);
+  const auto after = [&](Qt::Key key) {
+    QTest::keyClick(&field, key);
+    return field.value();
+  };
+  EXPECT_EQ(after(Qt::Key_Up), 8);
+  EXPECT_EQ(after(Qt::Key_Down), 5);
+  EXPECT_EQ(after(Qt::Key_PageUp), 15);
+  EXPECT_EQ(after(Qt::Key_PageDown), 5);
+  EXPECT_EQ(after(Qt::Key_PageDown), 3) << "as far as there is something";
+  EXPECT_EQ(after(Qt::Key_Down), 3);
+}
+
 class TypedFields : public EveryFieldTest {
  protected:
   void expectTaken(NumberField& field, const Typed& typed) {

@@ -160,12 +160,24 @@ void NumberField::step(double steps) {
   const double wanted = value_ + steps * range_.step;
   // 0.1 + 0.2 is 0.3 here.
   const double tidy = parseNumber(shortText(wanted, kMostDecimals)).value_or(wanted);
-  const double value = std::clamp(tidy, range_.min, range_.max);
-  if (value == value_ || (check_ && !check_(value).isEmpty())) return;
+  const double value = nextTaken(std::clamp(tidy, range_.min, range_.max), steps);
+  if (value == value_) return;
   become(value);
   before_ = value_;
   setText(valueText());
   selectAll();
+}
+
+double NumberField::nextTaken(double value, double steps) const {
+  const auto taken = [this](double v) { return !check_ || check_(v).isEmpty(); };
+  if (taken(value)) return value;
+  if (range_.decimals > 0) return value_;
+  const double on = steps > 0 ? 1 : -1;
+  for (double v = value + on; v >= range_.min && v <= range_.max; v += on)
+    if (taken(v)) return v;
+  for (double v = value - on; (v - value_) * on > 0; v -= on)
+    if (taken(v)) return v;
+  return value_;
 }
 
 void NumberField::keyPressEvent(QKeyEvent* event) {

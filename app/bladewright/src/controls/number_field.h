@@ -59,6 +59,8 @@ class NumberField : public TypedField {
   void become(double value);
   void follow(const QString& text);
   void step(double steps);
+  /// `value`, or the whole number nearest to it that the check takes: beyond it first, else before it.
+  double nextTaken(double value, double steps) const;
   void refreshLimits();
   QString textOf(double value) const;
   bool ownUnitTyped() const;
