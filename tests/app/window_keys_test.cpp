@@ -229,6 +229,13 @@ TEST_F(WindowKeys, SpeakNoWordOfTheCommandLine) {
   static const QRegularExpression code(
       "(^|[ (])--[a-z]|[a-z]_[a-z]|\"auto\"|blade (check|render|export|rationalize)");
   for (const QString& text : texts) EXPECT_FALSE(text.contains(code)) << text.toStdString();
+  QTest::keyClick(&window(), Qt::Key_F1);
+  static const QRegularExpression inGuide("\"auto\"|SIG[A-Z]+|status [0-9]|blade [a-z]+ ?,.*render");
+  for (const QTextBrowser* page : window().guide().findChildren<QTextBrowser*>()) {
+    const auto found = inGuide.match(page->toPlainText());
+    EXPECT_FALSE(found.hasMatch()) << found.captured().toStdString();
+  }
+  window().guide().close();
 }
 
 }  // namespace

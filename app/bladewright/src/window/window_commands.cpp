@@ -72,8 +72,9 @@ void MainWindow::makeCommands() {
   commands_["edit.redo"]->setEnabled(false);
   add("edit.palette", tr("Find a &command…"), "search", tr("Every command by its name"),
       {QKeySequence("Ctrl+K")}, [this](bool) { palette_->open(); });
-  add("edit.compute", tr("Compute &again"), "process", tr("Read the file again and compute everything"),
-      {QKeySequence("F5")}, [this](bool) {
+  add("edit.compute", tr("Compute &again"), "process",
+      tr("Compute what has no result yet, from the CAD file as it is now"), {QKeySequence("F5")},
+      [this](bool) {
         if (!bench_.document().empty()) bench_.runner().evaluate(bench_.document().design());
       });
   add("blade.measure", tr("&Measure blade length…"), "measure",

@@ -82,7 +82,8 @@ void ProcessFields::addStations(FormColumn* column) {
 void ProcessFields::addDirection(FormColumn* column) {
   direction_ = new ChoiceField;
   direction_->addItems({tr("Automatic"), "X", "Y", "Z", tr("Vector")});
-  column->add(tr("Direction"), direction_, tr("The way the blade travels; automatic: along the longer side"));
+  column->add(tr("Direction"), direction_,
+              tr("The way the blade travels; automatic: the best of some that are tried"));
   connect(direction_, &QComboBox::activated, this, [this](int index) {
     Eigen::Vector3d now = Eigen::Vector3d::UnitY();
     if (const auto shown = bench_.shown(); shown && shown->setup.value) now = shown->setup.value->direction;
