@@ -37,7 +37,6 @@ struct SceneView::Impl {
   CameraMover mover;
   PointerInput input;
   scene::Style given;
-  QString problem;
   bool fitPending = false, everRendered = false;
   std::optional<Eigen::Vector3d> cubeLit;
 
@@ -153,7 +152,6 @@ bool SceneView::resting() const { return !impl_->draft && !impl_->restTimer.isAc
 bool SceneView::parallel() const { return impl_->mover.goal().parallel; }
 std::optional<std::pair<double, double>> SceneView::legendRange() const { return impl_->scene.legendRange(); }
 scene::Pick SceneView::pickAt(const QPointF& position) const { return impl_->mover.pick(position); }
-QString SceneView::problem() const { return impl_->problem; }
 
 QRectF SceneView::legendRect() const {
   const std::optional<scene::PixelRect>& card = impl_->scene.overlay().legend;
@@ -272,15 +270,6 @@ void SceneView::setAwaiting(bool awaiting) {
 void SceneView::setNavigation(Navigation navigation) { impl_->input.setNavigation(navigation); }
 
 void SceneView::initializeGL() {
-  const auto [major, minor] = context()->format().version();
-  if (context()->isOpenGLES() || major < 3 || (major == 3 && minor < 2)) {
-    impl_->problem =
-        tr("The 3D view needs OpenGL 3.2; this display offers %1.%2. Update the graphics driver.")
-            .arg(major)
-            .arg(minor);
-    return;
-  }
-  impl_->problem.clear();
   const auto* driver = reinterpret_cast<const char*>(context()->functions()->glGetString(GL_RENDERER));
   const QString name = QString::fromLatin1(driver ? driver : "");
   impl_->software = name.contains("llvmpipe") || name.contains("softpipe") || name.contains("swrast") ||

@@ -17,14 +17,6 @@
 
 namespace bw::scene {
 
-namespace {
-
-bool overlap(const PixelRect& a, const PixelRect& b) {
-  return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
-}
-
-}  // namespace
-
 GroundGrid::GroundGrid() {
   lines_.setFlat();
   lines_.mapper()->ScalarVisibilityOn();
@@ -170,7 +162,7 @@ void GroundGrid::labelEdge(bool alongX, const Projection& view, int width, int h
     const PixelRect box{x - half, y - reach, 2 * half, 2 * reach};
     const bool outside = box.x < 0 || box.y < 0 || box.x + box.width > width || box.y + box.height > height;
     if (outside ||
-        std::any_of(occupied.begin(), occupied.end(), [&](const PixelRect& o) { return overlap(box, o); }))
+        std::any_of(occupied.begin(), occupied.end(), [&](const PixelRect& o) { return box.overlaps(o); }))
       continue;
     occupied.push_back(box);
     unitSaid = true;

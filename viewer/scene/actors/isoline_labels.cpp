@@ -15,12 +15,6 @@ constexpr double kLong = 0.6;       ///< diagonals: a longer one carries several
 constexpr double kTextSize = 11, kHeight = 15, kPadding = 4, kAir = 10;  ///< device-independent pixels
 constexpr std::size_t kMost = 40;
 
-double lengthOf(const Polyline& line) {
-  double sum = 0;
-  for (std::size_t i = 0; i + 1 < line.size(); ++i) sum += (line[i + 1] - line[i]).norm();
-  return sum;
-}
-
 Eigen::Vector3d pointAt(const Polyline& line, double arc) {
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     const double step = (line[i + 1] - line[i]).norm();
@@ -28,10 +22,6 @@ Eigen::Vector3d pointAt(const Polyline& line, double arc) {
     arc -= step;
   }
   return line.back();
-}
-
-bool overlap(const PixelRect& a, const PixelRect& b) {
-  return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
 }
 
 }  // namespace
@@ -76,7 +66,7 @@ void IsolineLabels::update(const Projection& view, int width, int height, double
     const PixelRect box{pixel.x() - 0.5 * w, pixel.y() - 0.5 * h, w, h};
     const PixelRect wide{box.x - air, box.y - air, w + 2 * air, h + 2 * air};
     if (box.x < 0 || box.y < 0 || box.x + w > width || box.y + h > height) continue;
-    if (std::any_of(boxes.begin(), boxes.end(), [&](const PixelRect& b) { return overlap(b, wide); }))
+    if (std::any_of(boxes.begin(), boxes.end(), [&](const PixelRect& b) { return b.overlaps(wide); }))
       continue;
     if (!seen(place.point)) continue;
     boxes.push_back(box);

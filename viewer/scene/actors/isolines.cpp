@@ -55,12 +55,6 @@ std::vector<double> rising(std::vector<double> levels) {
   return levels;
 }
 
-double lengthOf(const Polyline& line) {
-  double sum = 0;
-  for (std::size_t i = 0; i + 1 < line.size(); ++i) sum += (line[i + 1] - line[i]).norm();
-  return sum;
-}
-
 /// Follows the pieces of one level from triangle to triangle.
 std::vector<Polyline> joined(const std::vector<Piece>& pieces) {
   std::unordered_map<EdgeKey, std::array<int, 2>> at;  // the two pieces that meet on an edge

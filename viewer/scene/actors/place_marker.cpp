@@ -17,10 +17,6 @@ namespace {
 constexpr double kRing = 9, kHole = 6, kDot = 3, kPadding = 9, kLine = 17, kAway = 34, kMargin = 8;
 constexpr std::size_t kColumns = 48, kLines = 4;
 
-bool overlap(const PixelRect& a, const PixelRect& b) {
-  return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
-}
-
 void drawLine(Canvas& canvas, const Eigen::Vector2d& a, const Eigen::Vector2d& b, double width,
               const Rgb& color) {
   const Eigen::Vector2d way = b - a;
@@ -71,8 +67,8 @@ void PlaceMarker::update(const Projection& view, int width, int height, const St
       best = {std::clamp(corner.x(), margin, width - margin - w),
               std::clamp(corner.y(), margin, height - margin - h), w, h};
       const bool free =
-          std::none_of(taken.begin(), taken.end(), [&](const PixelRect& t) { return overlap(t, best); }) &&
-          !overlap(best, *ring_);
+          std::none_of(taken.begin(), taken.end(), [&](const PixelRect& t) { return t.overlaps(best); }) &&
+          !best.overlaps(*ring_);
       if (free) break;
     }
     card_ = best;

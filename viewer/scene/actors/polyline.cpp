@@ -30,6 +30,12 @@ Polyline resampled(const Polyline& line, std::size_t count) {
 
 }  // namespace
 
+double lengthOf(const Polyline& line) {
+  double sum = 0;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) sum += (line[i + 1] - line[i]).norm();
+  return sum;
+}
+
 bool usable(const Polyline& line) {
   return line.size() >= 2 &&
          std::all_of(line.begin(), line.end(), [](const Eigen::Vector3d& p) { return p.allFinite(); });

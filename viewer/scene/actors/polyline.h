@@ -17,6 +17,9 @@ using Segments = std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>>;
 /// At least two points, all of them finite.
 bool usable(const Polyline& line);
 
+/// Along its points.
+double lengthOf(const Polyline& line);
+
 /// Cuts a polyline into dashes. Lengths in mm; it begins with a dash.
 Segments dashes(const Polyline& line, double dash, double gap);
 

@@ -13,7 +13,6 @@ namespace bw::app {
 
 namespace {
 
-constexpr double kNotch = 0.8;      ///< zoom of one notch of the wheel
 constexpr int kFrameInterval = 16;  // ms
 constexpr std::array<double, 4> kPaces = {1, 4, 10, 30};
 

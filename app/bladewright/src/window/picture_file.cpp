@@ -2,17 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "window/picture_file.h"
 
-#include <QBuffer>
-
 #include "bw/core/file_set.h"
+#include "workbench/report_print.h"
 
 namespace bw::app {
 
 Result<void> writePng(const QImage& image, const std::filesystem::path& file) {
-  QByteArray png;
-  QBuffer buffer(&png);
-  buffer.open(QIODevice::WriteOnly);
-  if (image.isNull() || !image.save(&buffer, "PNG"))
+  const QByteArray png = image.isNull() ? QByteArray() : pngBytes(image);
+  if (png.isEmpty())
     return fail(ErrorCode::noSolution, "no picture of this size can be made; choose a smaller one");
   return writeFile(file, png.toStdString());
 }

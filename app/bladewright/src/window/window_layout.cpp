@@ -120,10 +120,6 @@ void MainWindow::makeWorkspace() {
     pictureDelay_ = double(editClock_.nsecsElapsed()) * 1e-9;
     emit pictureStands();
   });
-  connect(view_, &view::SceneView::rendered, this, [this] {
-    if (const QString problem = view_->problem(); !problem.isEmpty())
-      bench_.tell({Severity::error, problem, {}, {}});
-  });
   connect(messages_, &MessageList::counted, this, [this](int errors, int warnings) {
     const int loud = errors + warnings;
     tabs_->setTabText(tabs_->indexOf(messages_), loud ? tr("Messages (%1)").arg(loud) : tr("Messages"));

@@ -102,6 +102,10 @@ struct PixelRect {
   bool contains(double px, double py) const {
     return px >= x && py >= y && px < x + width && py < y + height;
   }
+  bool overlaps(const PixelRect& other) const {
+    return x < other.x + other.width && other.x < x + width && y < other.y + other.height &&
+           other.y < y + height;
+  }
 };
 
 /// What lies over the scene in a picture: for hit tests and for checks that nothing is cut off.

@@ -56,8 +56,6 @@ class SceneView : public QOpenGLWidget {
   /// A picture of the scene at any size in pixels, with the present camera, or along a standard view, in
   /// parallel, with the work fitted into that size; null if there is no GL context yet.
   QImage picture(const QSize& pixels, double pixelRatio = 1.0, std::optional<scene::View> view = {});
-  /// Empty while all is well; otherwise what the graphics driver lacks, in words for the user.
-  QString problem() const;
 
   QSize sizeHint() const override { return {960, 640}; }
   QSize minimumSizeHint() const override { return {160, 120}; }
