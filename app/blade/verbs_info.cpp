@@ -18,7 +18,7 @@ namespace {
 
 struct InfoOptions {
   std::string file, unit, out = "-";
-  double sewing = Job::kMostSewing;
+  double sewing = ReadOptions::kMostSewing;
 };
 
 ordered_json vec(const Eigen::Vector3d& v) { return {v.x() + 0.0, v.y() + 0.0, v.z() + 0.0}; }
@@ -50,17 +50,17 @@ ordered_json faceJson(const geometry::FaceInfo& face) {
   return object;
 }
 
-Result<geometry::ReadOptions> readOptions(const InfoOptions& options) {
+Result<ReadOptions> readOptions(const InfoOptions& options) {
   // The words and limits are those of a job.
   ordered_json job = {{"sewing", options.sewing}};
   if (!options.unit.empty()) job["unit"] = options.unit;
   const Result<Job> parsed = parseJob(job.dump());
   if (!parsed) return tl::unexpected<Error>(parsed.error());
-  return geometry::ReadOptions{parsed->unit, parsed->sewingTolerance()};
+  return ReadOptions{parsed->unit, parsed->sewingTolerance()};
 }
 
 int runInfo(const Session& session, const InfoOptions& options) {
-  const Result<geometry::ReadOptions> how = readOptions(options);
+  const Result<ReadOptions> how = readOptions(options);
   if (!how) return session.complain(how.error());
   const Result<geometry::CadModel> model = geometry::CadModel::read(options.file, session.context(), *how);
   if (!model) return session.complain(model.error());

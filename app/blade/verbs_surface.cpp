@@ -141,7 +141,7 @@ int runRender(const Session& session, const RenderOptions& options) {
   const Result<Design> design = designOf(options.path);
   if (!design) return session.complain(design.error());
   const pipeline::Outcome outcome = pipeline::evaluate(*design, nullptr, session.context());
-  session.tell(outcome.evaluation.source.issues);
+  session.tell(outcome.evaluation.sourceIssues);
   if (outcome.error) return session.complain(*outcome.error);
   scene::Scene scene;
   scene.setContent(pipeline::sceneContent(outcome.evaluation));

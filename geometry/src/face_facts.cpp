@@ -35,17 +35,15 @@ void addBending(const FaceGeometry& geometry, FaceInfo& face) {
 void addSections(const CadModel& model, FaceInfo& face, const RunContext& context) {
   const auto target = Target::make(model, {FaceChoice::Kind::indices, {face.index}});
   if (!target) return;
-  Job job;
-  job.stations = kAcross;
   Issues ignored;
-  auto setup = resolveSetup(*target, job, ignored);
+  auto setup = resolveSetup(*target, {}, ignored);
   if (!setup) return;
   RunContext alone;
   alone.stop = context.stop;
   alone.threads = 1;
   for (const Eigen::Vector3d& direction : {setup->block.frame.x, setup->block.frame.y}) {
     setup->direction = direction;
-    const auto sections = cutSections(*target, *setup, job, alone, ignored);
+    const auto sections = cutSections(*target, *setup, {kAcross, {}}, alone, ignored);
     if (!sections || sections->empty()) continue;
     FaceSections facts;
     facts.direction = direction;

@@ -109,14 +109,14 @@ void orient(std::vector<Section>& sections) {
 
 }  // namespace
 
-Result<std::vector<Section>> cutSections(const Target& target, const Setup& given, const Job& job,
-                                         const RunContext& context, Issues& issues) {
+Result<std::vector<Section>> cutSections(const Target& target, const Setup& given,
+                                         const SectionRequest& request, const RunContext& context,
+                                         Issues& issues) {
   Setup setup = given;
   const double length = setup.direction.norm();
   if (!std::isfinite(length) || length < 1e-9) {
     return fail(ErrorCode::badInput,
-                "the cutting direction is zero or not a number; give a vector such as 0, 1, 0",
-                "direction");
+                "the cutting direction is zero or not a number; give a vector such as 0, 1, 0", "direction");
   }
   setup.direction /= length;
   if (!setup.block.size.allFinite() || !(setup.block.size.minCoeff() > 0) ||
@@ -126,15 +126,15 @@ Result<std::vector<Section>> cutSections(const Target& target, const Setup& give
                 "the block must have a finite place and a size above 0 mm in all three directions", "block",
                 setup.block.size.minCoeff(), 0.0);
   }
-  if (job.spacing && !(std::isfinite(*job.spacing) && *job.spacing > 0)) {
-    return fail(ErrorCode::badInput, "the spacing of stations must be above 0 mm", "stations", *job.spacing,
-                0.0);
+  if (request.spacing && !(std::isfinite(*request.spacing) && *request.spacing > 0)) {
+    return fail(ErrorCode::badInput, "the spacing of stations must be above 0 mm", "stations",
+                *request.spacing, 0.0);
   }
-  if (!job.spacing && (job.stations < 2 || job.stations > Job::kMaxStations)) {
+  if (!request.spacing && (request.stations < 2 || request.stations > SectionRequest::kMost)) {
     return fail(ErrorCode::badInput,
-                "the number of stations must be between 2 and " + std::to_string(Job::kMaxStations) +
-                    ", not " + std::to_string(job.stations),
-                "stations", job.stations, job.stations < 2 ? 2 : Job::kMaxStations);
+                "the number of stations must be between 2 and " + std::to_string(SectionRequest::kMost) +
+                    ", not " + std::to_string(request.stations),
+                "stations", request.stations, request.stations < 2 ? 2 : SectionRequest::kMost);
   }
   return guarded(
       ErrorCode::internal, "the sections cannot be computed", [&]() -> Result<std::vector<Section>> {
@@ -143,17 +143,18 @@ Result<std::vector<Section>> cutSections(const Target& target, const Setup& give
         auto range = rangeOf(target.impl(), setup, sectioner);
         if (!range) return tl::unexpected(range.error());
         const double first = (*range)[0], last = (*range)[1];
-        int count = job.stations;
-        if (job.spacing) {
-          const double gaps = std::ceil((last - first) / *job.spacing - 1e-9);
-          if (gaps + 1 > Job::kMaxStations) {
-            return fail(ErrorCode::badInput,
-                        "a spacing of " + shortText(*job.spacing) + " mm makes more than " +
-                            std::to_string(Job::kMaxStations) + " stations over " + shortText(last - first) +
-                            " mm; choose " +
-                            shortText(std::ceil((last - first) / (Job::kMaxStations - 1) * 100) / 100, 8) +
-                            " mm or more",
-                        "stations", gaps + 1, Job::kMaxStations);
+        int count = request.stations;
+        if (request.spacing) {
+          const double gaps = std::ceil((last - first) / *request.spacing - 1e-9);
+          if (gaps + 1 > SectionRequest::kMost) {
+            return fail(
+                ErrorCode::badInput,
+                "a spacing of " + shortText(*request.spacing) + " mm makes more than " +
+                    std::to_string(SectionRequest::kMost) + " stations over " + shortText(last - first) +
+                    " mm; choose " +
+                    shortText(std::ceil((last - first) / (SectionRequest::kMost - 1) * 100) / 100, 8) +
+                    " mm or more",
+                "stations", gaps + 1, SectionRequest::kMost);
           }
           count = std::max(2, int(gaps) + 1);
         }

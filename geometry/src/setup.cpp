@@ -262,15 +262,15 @@ std::vector<NamedDirection> directionsToTry(const Target& target, const Box& blo
   return tries;
 }
 
-Result<Setup> resolveSetup(const Target& target, const Job& job, Issues& issues) {
-  if (job.direction && !(std::isfinite(job.direction->norm()) && job.direction->norm() > 1e-9)) {
+Result<Setup> resolveSetup(const Target& target, const SetupRequest& request, Issues& issues) {
+  if (request.direction && !(std::isfinite(request.direction->norm()) && request.direction->norm() > 1e-9)) {
     return fail(ErrorCode::badInput,
                 "the cutting direction is zero or not a number; give a vector such as "
                 "0, 1, 0",
-                "direction", job.direction->norm());
+                "direction", request.direction->norm());
   }
-  if (job.block) {
-    const BlockPlacement& b = *job.block;
+  if (request.block) {
+    const BlockPlacement& b = *request.block;
     if (!b.origin.allFinite() || !b.rotation.allFinite() || !b.size.allFinite() || !(b.size.minCoeff() > 0)) {
       return fail(
           ErrorCode::badInput,
@@ -280,8 +280,8 @@ Result<Setup> resolveSetup(const Target& target, const Job& job, Issues& issues)
   }
   return guarded(ErrorCode::internal, "the block cannot be placed", [&]() -> Result<Setup> {
     Setup setup;
-    if (job.block) {
-      setup.block = job.block->box();
+    if (request.block) {
+      setup.block = request.block->box();
       // Bounds that lie apart from the block's: nothing can be cut.
       Bounds local;
       for (const Eigen::Vector3d& p : samplePoints(target.impl())) local.add(setup.block.frame.toLocal(p));
@@ -296,8 +296,8 @@ Result<Setup> resolveSetup(const Target& target, const Job& job, Issues& issues)
     } else {
       setup.block = autoBlock(target.impl());
     }
-    if (job.direction) {
-      setup.direction = job.direction->normalized();
+    if (request.direction) {
+      setup.direction = request.direction->normalized();
     } else {
       setup.direction = longerSide(setup.block);
     }

@@ -58,7 +58,7 @@ TEST(DirectionSearch, TakesTheWayAlongWhichTheBladeKeepsItsShape) {
   ASSERT_TRUE(found.directions.value);
   const DirectionSearch& search = *found.directions.value;
   EXPECT_GT(search.chosen, 0u);
-  EXPECT_NEAR(std::abs(found.setup.value->direction.y()), 1, 1e-9);
+  EXPECT_NEAR(std::abs(found.setup->direction.y()), 1, 1e-9);
   EXPECT_EQ(found.sweep.value->sweep.direction, search.trials[search.chosen].direction);
   const double angle = found.sweep.value->analysis.summary.angleMax;
   EXPECT_LT(angle, fromDegrees(1));
@@ -166,7 +166,7 @@ TEST(DirectionSearch, StopsOnRequest) {
   source.request_stop();
   RunContext context;
   context.stop = source.get_token();
-  const auto stopped = searchDirection(*found.target.value, *found.setup.value, found.design.job, context);
+  const auto stopped = searchDirection(*found.target.value, found.directions.request, context);
   ASSERT_FALSE(stopped);
   EXPECT_EQ(stopped.error().code, ErrorCode::cancelled);
 }

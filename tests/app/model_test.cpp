@@ -126,7 +126,7 @@ TEST(EvaluationRunner, UsesEarlierStagesAgain) {
   runner.evaluate(std::make_shared<const Design>(panelDesign(14)));
   ASSERT_TRUE(QTest::qWaitFor([&] { return !runner.busy(); }, kPatience));
   ASSERT_TRUE(first && runner.evaluation());
-  EXPECT_EQ(runner.evaluation()->model.value, first->model.value);
+  EXPECT_EQ(runner.evaluation()->source.value, first->source.value);
   EXPECT_NE(runner.evaluation()->sweep.value, first->sweep.value);
 }
 
@@ -155,7 +155,7 @@ TEST(EvaluationRunner, RecomputesOnlyWhatHangsOnTheSetting) {
   EXPECT_EQ(other->sweep.value, looser->sweep.value);
   design.job.face = {FaceChoice::Kind::all, {}};
   const auto faces = evaluate(design);
-  EXPECT_EQ(faces->model.value, first->model.value);
+  EXPECT_EQ(faces->source.value, first->source.value);
   EXPECT_NE(faces->target.value, first->target.value);
 }
 

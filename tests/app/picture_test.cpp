@@ -166,7 +166,7 @@ TEST_F(PictureTest, FindingIsFramedAndMarkedWithItsWords) {
     ASSERT_TRUE(still());
     const auto& marker = view().sceneStyle().marker;
     const auto shown = bench().shown();
-    for (const Eigen::Vector3d& corner : shown->setup.value->block.corners())
+    for (const Eigen::Vector3d& corner : shown->setup->block.corners())
       EXPECT_TRUE(inPicture(corner)) << list.item(i)->text().toStdString();
     if (!marker) continue;
     ++marked;
@@ -192,7 +192,7 @@ TEST_F(PictureTest, FindingIsFramedAndMarkedWithItsWords) {
 
 TEST_F(PictureTest, BlockThatMissesIsDrawnWhereItWasPut) {
   openPanel();
-  const Box before = bench().shown()->setup.value->block;
+  const Box before = bench().shown()->setup->block;
   bench().editJob("Move block", [&](Job& job) {
     BlockPlacement block;
     block.origin = {3000, 100, 50};

@@ -67,8 +67,8 @@ void panelFits(benchmark::State& state) {
   const Evaluation& e = outcome.evaluation;
   for (auto _ : state) {
     Issues issues;
-    const Result<Sweep> sweep = buildSweep(*e.sections.value, e.design.job, e.setup.value->block,
-                                           e.setup.value->direction, {}, issues);
+    const Result<Sweep> sweep =
+        buildSweep(*e.sections.value, e.fits.request.fit, e.setup->block, e.setup->direction, {}, issues);
     if (!sweep) return state.SkipWithError(sweep.error().message.c_str());
   }
 }
@@ -120,7 +120,7 @@ void panelCheck(benchmark::State& state) {
   one.threads = 1;
   for (auto _ : state) {
     Sweep sweep = *e.fits.value;
-    if (!analyzeSweep(sweep, e.design.job, *e.target.value->sampler(), one))
+    if (!analyzeSweep(sweep, e.sweep.request.check, *e.target.value->sampler(), one))
       return state.SkipWithError("the sweep could not be checked");
   }
 }

@@ -26,13 +26,10 @@ const char* const kFiles[] = {BW_RESOURCES "/examples/panel-600x670.step",
 
 bool isBrep(const std::string& file) { return std::filesystem::path(file).extension() == ".brep"; }
 
-bw::Job jobOf(bool terrain) {
-  bw::Job job;
-  job.stations = 60;
-  job.threads = 1;
-  job.direction = Eigen::Vector3d::UnitY();
-  if (terrain) job.block = bw::BlockPlacement{{-1e6, -1e6, -1e6}, {2e6, 2e6, 2e6}, {0, 0, 0}};
-  return job;
+SetupRequest setupOf(bool terrain) {
+  SetupRequest request{{}, Eigen::Vector3d::UnitY()};
+  if (terrain) request.block = bw::BlockPlacement{{-1e6, -1e6, -1e6}, {2e6, 2e6, 2e6}, {0, 0, 0}};
+  return request;
 }
 
 void oursSixtySections(benchmark::State& state) {
@@ -40,16 +37,15 @@ void oursSixtySections(benchmark::State& state) {
   const auto model = CadModel::read(file);
   if (!model) return state.SkipWithError(model.error().message.c_str());
   const Target target = Target::make(*model, {bw::FaceChoice::Kind::all, {}}).value();
-  const bw::Job job = jobOf(isBrep(file));
   bw::Issues issues;
-  const auto setup = resolveSetup(target, job, issues);
+  const auto setup = resolveSetup(target, setupOf(isBrep(file)), issues);
   if (!setup) return state.SkipWithError(setup.error().message.c_str());
   bw::RunContext context;
   context.threads = 1;
   std::size_t found = 0;
   for (auto _ : state) {
     issues.clear();
-    const auto sections = cutSections(target, *setup, job, context, issues);
+    const auto sections = cutSections(target, *setup, {60, {}}, context, issues);
     if (!sections) return state.SkipWithError(sections.error().message.c_str());
     found = sections->size();
   }

@@ -10,6 +10,7 @@
 
 #include "analytic_surfaces.h"
 #include "plane_sections.h"
+#include "row_settings.h"
 
 namespace bw {
 
@@ -25,14 +26,14 @@ struct Tried {
 
 /// Nine sections y = height(x), |x| ≤ half, 10 mm apart, and what is found of their sweep.
 template <class Height>
-Tried run(const Job& job, double half, Height height) {
+Tried run(const test::RowSettings& settings, double half, Height height) {
   Tried result;
   const Box block = test::blockUnder(half, 80, -2 * half, 2 * half);
-  result.sweep = buildSweep(test::sectionsOf(9, 10, [&](int) { return test::graphCurve(half, height); }), job,
-                            block, -Eigen::Vector3d::UnitY(), {}, result.issues);
+  result.sweep = buildSweep(test::sectionsOf(9, 10, [&](int) { return test::graphCurve(half, height); }),
+                            settings, block, -Eigen::Vector3d::UnitY(), {}, result.issues);
   if (!result.sweep) return result;
   const Result<SweepAnalysis> analysis =
-      analyzeSweep(*result.sweep, job, test::GraphSampler<Height>(half, height), {});
+      analyzeSweep(*result.sweep, settings, test::GraphSampler<Height>(half, height), {});
   EXPECT_TRUE(analysis) << analysis.error().message;
   if (analysis) result.issues.insert(result.issues.end(), analysis->issues.begin(), analysis->issues.end());
   return result;
@@ -67,23 +68,23 @@ bool tooTight(const Issues& issues) {
 TEST(Advice, LengthForASectionThatIsLongerThanTheBladeIsEnough) {
   for (const double clearance : {0.0, 50.0, 400.0})
     for (const double half : {450.0, 1100.0}) {
-      Job job;
-      job.clearance = clearance;
-      job.blade = bladeOfRadius(100, 300);
-      const Tried refused = run(job, half, sine(20, half / 3));
+      test::RowSettings settings;
+      settings.clearance = clearance;
+      settings.blade = bladeOfRadius(100, 300);
+      const Tried refused = run(settings, half, sine(20, half / 3));
       ASSERT_FALSE(refused.sweep);
-      job.blade.length = numberAfter(refused.sweep.error().message, "a blade of at least ");
-      ASSERT_TRUE(std::isfinite(job.blade.length)) << refused.sweep.error().message;
-      EXPECT_EQ(*refused.sweep.error().limit, job.blade.length);
-      EXPECT_LE(job.blade.length, Blade::kLongest);
-      EXPECT_TRUE(run(job, half, sine(20, half / 3)).sweep) << job.blade.length;
+      settings.blade.length = numberAfter(refused.sweep.error().message, "a blade of at least ");
+      ASSERT_TRUE(std::isfinite(settings.blade.length)) << refused.sweep.error().message;
+      EXPECT_EQ(*refused.sweep.error().limit, settings.blade.length);
+      EXPECT_LE(settings.blade.length, Blade::kLongest);
+      EXPECT_TRUE(run(settings, half, sine(20, half / 3)).sweep) << settings.blade.length;
     }
 }
 
 TEST(Advice, NoBladeIsAdvisedThatIsLongerThanAJobTakes) {
-  Job job;
-  job.blade = bladeOfRadius(100, 800);
-  const Tried refused = run(job, 14'400, sine(500, 4000));
+  test::RowSettings settings;
+  settings.blade = bladeOfRadius(100, 800);
+  const Tried refused = run(settings, 14'400, sine(500, 4000));
   ASSERT_FALSE(refused.sweep);
   const std::string& message = refused.sweep.error().message;
   EXPECT_EQ(message.find("a blade of at least"), std::string::npos) << message;
@@ -93,9 +94,9 @@ TEST(Advice, NoBladeIsAdvisedThatIsLongerThanAJobTakes) {
 
 TEST(Advice, TooTightIsSaidWithPlaceRadiusLimitAndRemedy) {
   // Waves of 40 mm with radii down to 25 mm, for a blade that bends to 360 mm.
-  Job job;
-  job.blade = bladeOfRadius(360, 800);
-  const Tried tight = run(job, 250, sine(40, 31.6));
+  test::RowSettings settings;
+  settings.blade = bladeOfRadius(360, 800);
+  const Tried tight = run(settings, 250, sine(40, 31.6));
   ASSERT_TRUE(tight.sweep) << tight.sweep.error().message;
   ASSERT_TRUE(tooTight(tight.issues));
   const Issue* issue = findingOf(tight.issues, "curvature");
@@ -114,47 +115,47 @@ TEST(Advice, TooTightIsSaidWithPlaceRadiusLimitAndRemedy) {
 }
 
 TEST(Advice, ABladeThatHardlyBendsAtAllIsTold) {
-  Job job;
-  job.blade.section = Blade::Section::rod;
-  job.blade.outerDiameter = 30;
-  job.blade.yieldStress = 0.01;
-  job.blade.safety = 10;
-  ASSERT_GT(job.blade.minRadius(), 1e9);
-  const Tried tight = run(job, 250, sine(20, 80));
+  test::RowSettings settings;
+  settings.blade.section = Blade::Section::rod;
+  settings.blade.outerDiameter = 30;
+  settings.blade.yieldStress = 0.01;
+  settings.blade.safety = 10;
+  ASSERT_GT(settings.blade.minRadius(), 1e9);
+  const Tried tight = run(settings, 250, sine(20, 80));
   ASSERT_TRUE(tight.sweep) << tight.sweep.error().message;
   EXPECT_TRUE(tooTight(tight.issues));
 }
 
 TEST(Advice, BladeThatBendsFarEnoughIsNotTooTightAnyMore) {
   for (const double wave : {31.6, 100.0}) {
-    Job job;
-    job.blade = bladeOfRadius(360, 900);
-    const Tried tight = run(job, 250, sine(40, wave));
+    test::RowSettings settings;
+    settings.blade = bladeOfRadius(360, 900);
+    const Tried tight = run(settings, 250, sine(40, wave));
     const Issue* issue = findingOf(tight.issues, "curvature");
     ASSERT_TRUE(issue && tooTight(tight.issues)) << wave;
-    job.blade = bladeOfRadius(numberAfter(issue->message, "it takes a blade that bends to "), 900);
-    const Tried eased = run(job, 250, sine(40, wave));
+    settings.blade = bladeOfRadius(numberAfter(issue->message, "it takes a blade that bends to "), 900);
+    const Tried eased = run(settings, 250, sine(40, wave));
     ASSERT_TRUE(eased.sweep) << eased.sweep.error().message;
     EXPECT_FALSE(tooTight(eased.issues)) << wave;
     // A little less far, and it is.
-    job.blade = bladeOfRadius(1.1 * job.blade.minRadius(), 900);
-    EXPECT_TRUE(tooTight(run(job, 250, sine(40, wave)).issues)) << wave;
+    settings.blade = bladeOfRadius(1.1 * settings.blade.minRadius(), 900);
+    EXPECT_TRUE(tooTight(run(settings, 250, sine(40, wave)).issues)) << wave;
   }
 }
 
 TEST(Advice, LargerSurfaceIsNotTooTightAnyMore) {
   for (const double wave : {31.6, 80.0}) {
-    Job job;
-    job.blade = bladeOfRadius(360, 900);
-    const Tried tight = run(job, 250, sine(40, wave));
+    test::RowSettings settings;
+    settings.blade = bladeOfRadius(360, 900);
+    const Tried tight = run(settings, 250, sine(40, wave));
     const Issue* issue = findingOf(tight.issues, "curvature");
     ASSERT_TRUE(issue && tooTight(tight.issues)) << wave;
     const double scale = numberAfter(issue->message, "or a surface ");
     ASSERT_GT(scale, 1) << issue->message;
     const double length = numberAfter(issue->message, "times as large with a blade of ");
-    if (std::isfinite(length)) job.blade.length = length;
-    EXPECT_LE(job.blade.length, Blade::kLongest);
-    const Tried larger = run(job, scale * 250, sine(scale * 40, scale * wave));
+    if (std::isfinite(length)) settings.blade.length = length;
+    EXPECT_LE(settings.blade.length, Blade::kLongest);
+    const Tried larger = run(settings, scale * 250, sine(scale * 40, scale * wave));
     ASSERT_TRUE(larger.sweep) << larger.sweep.error().message;
     EXPECT_FALSE(tooTight(larger.issues)) << issue->message;
   }
@@ -162,18 +163,19 @@ TEST(Advice, LargerSurfaceIsNotTooTightAnyMore) {
 
 TEST(Advice, GentleSectionsAreNeverTooTight) {
   // Arcs at the limit of the blade, within it by 2 %, up to a third of a turn.
-  Job job;
-  job.blade = bladeOfRadius(200, 900);
+  test::RowSettings settings;
+  settings.blade = bladeOfRadius(200, 900);
   for (const double turn : {0.2, 0.6, 1.0}) {
     Issues issues;
     const auto arc = [&](int) {
       return test::arc({0, 0}, 204, std::numbers::pi / 2 + turn, std::numbers::pi / 2 - turn);
     };
-    Result<Sweep> sweep = buildSweep(test::sectionsOf(9, 10, arc), job, test::blockUnder(204, 80, 0, 204),
-                                     -Eigen::Vector3d::UnitY(), {}, issues);
+    Result<Sweep> sweep =
+        buildSweep(test::sectionsOf(9, 10, arc), settings, test::blockUnder(204, 80, 0, 204),
+                   -Eigen::Vector3d::UnitY(), {}, issues);
     ASSERT_TRUE(sweep);
     const Result<SweepAnalysis> analysis =
-        analyzeSweep(*sweep, job, test::PlaneSampler(Eigen::Vector3d::UnitZ()), {});
+        analyzeSweep(*sweep, settings, test::PlaneSampler(Eigen::Vector3d::UnitZ()), {});
     ASSERT_TRUE(analysis);
     EXPECT_FALSE(tooTight(analysis->issues)) << turn;
   }
@@ -181,12 +183,12 @@ TEST(Advice, GentleSectionsAreNeverTooTight) {
 
 TEST(Advice, NothingAdvisesToSplitTheSurface) {
   // There is no such command.
-  Job job;
-  job.tolerance = 0.01;
+  test::RowSettings settings;
+  settings.tolerance = 0.01;
   for (const double radius : {5.0, 360.0})
     for (const double wave : {31.6, 120.0}) {
-      job.blade = bladeOfRadius(radius, 1200);
-      for (const Issue& issue : run(job, 250, sine(40, wave)).issues)
+      settings.blade = bladeOfRadius(radius, 1200);
+      for (const Issue& issue : run(settings, 250, sine(40, wave)).issues)
         EXPECT_EQ(issue.message.find("split"), std::string::npos) << issue.message;
     }
 }
@@ -198,19 +200,19 @@ TEST(Advice, ShorterBladeHoldsItsShape) {
   for (const auto section : {Blade::Section::flat, Blade::Section::rod})
     for (const double amplitude : {6.0, 40.0})
       for (const double length : {900.0, 1800.0}) {
-        Job job;
-        job.blade = bladeOfRadius(80, length);
+        test::RowSettings settings;
+        settings.blade = bladeOfRadius(80, length);
         if (section == Blade::Section::rod) {
-          job.blade.section = section;
-          job.blade.outerDiameter = job.blade.thickness;
+          settings.blade.section = section;
+          settings.blade.outerDiameter = settings.blade.thickness;
         }
-        const Tried before = run(job, 150, sine(amplitude, 60));
+        const Tried before = run(settings, 150, sine(amplitude, 60));
         ASSERT_TRUE(before.sweep);
         for (const Issue& issue : before.issues) {
           const double advised = numberAfter(issue.message, "; one of ");
           if (!std::isfinite(advised)) continue;
           ++followed;
-          Job shorter = job;
+          test::RowSettings shorter = settings;
           shorter.blade.length = advised;
           const Tried after = run(shorter, 150, sine(amplitude, 60));
           EXPECT_TRUE(after.sweep) << issue.message;

@@ -12,6 +12,7 @@
 #include "bw/core/elastica_stability.h"
 #include "bw/core/sweep.h"
 #include "bw/core/units.h"
+#include "row_settings.h"
 
 namespace bw {
 
@@ -57,8 +58,9 @@ double largestSwing(const Sweep& sweep) {
   return largest;
 }
 
-Result<Sweep> sweepOf(const std::vector<Section>& sections, const Job& job, Issues& issues) {
-  return buildSweep(sections, job, block(), Eigen::Vector3d::UnitY(), {}, issues);
+Result<Sweep> sweepOf(const std::vector<Section>& sections, const test::RowSettings& settings,
+                      Issues& issues) {
+  return buildSweep(sections, settings, block(), Eigen::Vector3d::UnitY(), {}, issues);
 }
 
 const Issue* swingOf(const Issues& issues) {
@@ -76,18 +78,18 @@ std::vector<Section> waves() {
 }  // namespace
 
 TEST(SweepContinuity, EndsOfALongBladeKeepStillOverShortSections) {
-  Job job;
-  job.blade.length = 1600;
-  job.tolerance = 2;
+  test::RowSettings settings;
+  settings.blade.length = 1600;
+  settings.tolerance = 2;
   Issues issues;
-  const Result<Sweep> sweep = sweepOf(waves(), job, issues);
+  const Result<Sweep> sweep = sweepOf(waves(), settings, issues);
   ASSERT_TRUE(sweep) << sweep.error().message;
   EXPECT_LT(largestSwing(*sweep), 16 * kDegree);
   EXPECT_EQ(swingOf(issues), nullptr);
   EXPECT_TRUE(std::ranges::any_of(sweep->stations, [](const Station& s) { return s.steadied; }));
   for (const Station& station : sweep->stations) {
-    EXPECT_LE(station.fit.hausdorff, job.tolerance);
-    EXPECT_LE(station.blade.maxCurvature(), job.blade.maxCurvature());
+    EXPECT_LE(station.fit.hausdorff, settings.tolerance);
+    EXPECT_LE(station.blade.maxCurvature(), settings.blade.maxCurvature());
     EXPECT_GT(stabilityMargin(station.blade), 0);
     EXPECT_TRUE(!station.steadied || station.fit.status == FitStatus::constraintsActive);
   }
@@ -95,11 +97,11 @@ TEST(SweepContinuity, EndsOfALongBladeKeepStillOverShortSections) {
 
 TEST(SweepContinuity, StepsAreWithinWhatTheToleranceAllows) {
   // The finer the tolerance, the farther the ends must go along with the sections, and that is told.
-  Job job;
-  job.blade.length = 1600;
-  job.tolerance = 0.01;
+  test::RowSettings settings;
+  settings.blade.length = 1600;
+  settings.tolerance = 0.01;
   Issues issues;
-  const Result<Sweep> sweep = sweepOf(waves(), job, issues);
+  const Result<Sweep> sweep = sweepOf(waves(), settings, issues);
   ASSERT_TRUE(sweep) << sweep.error().message;
   EXPECT_GT(largestSwing(*sweep), 45 * kDegree);
   const Issue* swing = swingOf(issues);
@@ -108,13 +110,13 @@ TEST(SweepContinuity, StepsAreWithinWhatTheToleranceAllows) {
 }
 
 TEST(SweepContinuity, EndsThatTheSectionsFlingAreAnError) {
-  Job job;
-  job.blade.length = 1000;
-  job.blade.yieldStress = 1000;  // bends to 360 mm
+  test::RowSettings settings;
+  settings.blade.length = 1000;
+  settings.blade.yieldStress = 1000;  // bends to 360 mm
   std::vector<Section> sections;
   for (int i = 0; i < 4; ++i) sections.push_back(arc(i, i % 2 == 0 ? 400 : -400, 260));
   Issues issues;
-  const Result<Sweep> sweep = sweepOf(sections, job, issues);
+  const Result<Sweep> sweep = sweepOf(sections, settings, issues);
   ASSERT_TRUE(sweep) << sweep.error().message;
   EXPECT_GT(largestSwing(*sweep), 90 * kDegree);
   const Issue* swing = swingOf(issues);
@@ -124,13 +126,13 @@ TEST(SweepContinuity, EndsThatTheSectionsFlingAreAnError) {
 
 TEST(SweepContinuity, SectionsThatTellTheBladeAreFollowed) {
   // Sections of three quarters of the blade, each bent more than the one before.
-  Job job;
-  job.blade.length = 800;
-  job.tolerance = 5;
+  test::RowSettings settings;
+  settings.blade.length = 800;
+  settings.tolerance = 5;
   std::vector<Section> sections;
   for (int i = 0; i < 6; ++i) sections.push_back(parabola(i, 0.00024 * (i - 2.5), 300));
   Issues issues;
-  const Result<Sweep> sweep = sweepOf(sections, job, issues);
+  const Result<Sweep> sweep = sweepOf(sections, settings, issues);
   ASSERT_TRUE(sweep) << sweep.error().message;
   for (const Station& station : sweep->stations) {
     EXPECT_FALSE(station.steadied);
@@ -140,13 +142,13 @@ TEST(SweepContinuity, SectionsThatTellTheBladeAreFollowed) {
 
 TEST(SweepContinuity, RunsFromItsLongestSection) {
   // The same row run from either end gives the same blades.
-  Job job;
-  job.blade.length = 1600;
+  test::RowSettings settings;
+  settings.blade.length = 1600;
   std::vector<Section> sections = waves();
   Issues issues;
-  const Result<Sweep> there = sweepOf(sections, job, issues);
+  const Result<Sweep> there = sweepOf(sections, settings, issues);
   std::reverse(sections.begin(), sections.end());
-  const Result<Sweep> back = sweepOf(sections, job, issues);
+  const Result<Sweep> back = sweepOf(sections, settings, issues);
   ASSERT_TRUE(there && back);
   for (std::size_t i = 0; i < sections.size(); ++i)
     EXPECT_LT((there->stations[i].leftPoint() - back->stations[sections.size() - 1 - i].leftPoint()).norm(),

@@ -8,6 +8,7 @@
 
 #include "analytic_surfaces.h"
 #include "plane_sections.h"
+#include "row_settings.h"
 
 namespace bw {
 
@@ -17,16 +18,16 @@ PlanarCurve level(double height) {
   return *PlanarCurve::points({{-200, height}, {0, height}, {200, height}});
 }
 
-SweepAnalysis analysed(Sweep& sweep, const Job& job, const SurfaceSampler& target) {
-  Result<SweepAnalysis> analysis = analyzeSweep(sweep, job, target, {});
+SweepAnalysis analysed(Sweep& sweep, const test::RowSettings& settings, const SurfaceSampler& target) {
+  Result<SweepAnalysis> analysis = analyzeSweep(sweep, settings, target, {});
   EXPECT_TRUE(analysis) << analysis.error().message;
   return std::move(*analysis);
 }
 
-Sweep planeSweep(int stations, const Job& job, const std::function<double(int)>& height) {
+Sweep planeSweep(int stations, const test::RowSettings& settings, const std::function<double(int)>& height) {
   Issues issues;
   Result<Sweep> sweep =
-      buildSweep(test::sectionsOf(stations, 1.0, [&](int i) { return level(height(i)); }), job,
+      buildSweep(test::sectionsOf(stations, 1.0, [&](int i) { return level(height(i)); }), settings,
                  test::blockUnder(200, stations, -50, 50), -Eigen::Vector3d::UnitY(), {}, issues);
   EXPECT_TRUE(sweep) << sweep.error().message;
   return std::move(*sweep);
@@ -65,20 +66,20 @@ class SeedRecorder : public SurfaceSampler {
 TEST(CutSurface, SearchStartsWhereTheFootWillBe) {
   // Evenly spaced points have their feet on straight lines: after the first two of a row and of a column the
   // start is the foot itself. A neighbour's foot would be 0.25 mm off at least.
-  Job job;
-  Sweep sweep = planeSweep(60, job, [](int) { return 1.0; });
+  test::RowSettings settings;
+  Sweep sweep = planeSweep(60, settings, [](int) { return 1.0; });
   SeedRecorder::Record record;
-  analysed(sweep, job, SeedRecorder(record));
+  analysed(sweep, settings, SeedRecorder(record));
   EXPECT_EQ(record.unseeded, 16);   // one a part
   EXPECT_LT(record.farthest, 4.1);  // the second point of a part starts at the first
   EXPECT_LT(record.sum / record.seeded, 0.01);
 }
 
 TEST(CutSurface, ManyStationsKeepTheBudgetOfRows) {
-  Job job;
+  test::RowSettings settings;
   for (const int stations : {2, 120, 241, 242, 1000, 2000}) {
-    Sweep sweep = planeSweep(stations, job, [](int) { return 0.0; });
-    const SweepAnalysis analysis = analysed(sweep, job, test::PlaneSampler(Eigen::Vector3d::UnitZ()));
+    Sweep sweep = planeSweep(stations, settings, [](int) { return 0.0; });
+    const SweepAnalysis analysis = analysed(sweep, settings, test::PlaneSampler(Eigen::Vector3d::UnitZ()));
     EXPECT_LE(analysis.cut.rows, 481) << stations;
     EXPECT_GE(analysis.cut.rows, std::min(2 * stations - 1, 65)) << stations;
     EXPECT_EQ(analysis.cut.points.size(), std::size_t(analysis.cut.rows * analysis.cut.columns));
@@ -95,11 +96,11 @@ TEST(CutSurface, ManyStationsKeepTheBudgetOfRows) {
 
 TEST(CutSurface, OneBadStationAmongManyIsFoundAndShown) {
   // Station 778 alone is 3 mm too high: thinned rows must neither hide it from the numbers nor from the map.
-  Job job;
-  job.tolerance = 0.5;
+  test::RowSettings settings;
+  settings.tolerance = 0.5;
   constexpr int kBad = 777;
-  Sweep sweep = planeSweep(1500, job, [](int i) { return i == kBad ? 3.0 : 0.0; });
-  const SweepAnalysis analysis = analysed(sweep, job, test::PlaneSampler(Eigen::Vector3d::UnitZ()));
+  Sweep sweep = planeSweep(1500, settings, [](int i) { return i == kBad ? 3.0 : 0.0; });
+  const SweepAnalysis analysis = analysed(sweep, settings, test::PlaneSampler(Eigen::Vector3d::UnitZ()));
   EXPECT_NEAR(analysis.summary.deviationMax, 3, 1e-6);
   EXPECT_NEAR(sweep.stations[kBad].deviationMax, 3, 1e-6);
   EXPECT_NEAR(sweep.stations[kBad + 5].deviationMax, 0, 0.05);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "bw/core/sweep.h"
+#include "row_settings.h"
 
 #include <gtest/gtest.h>
 
@@ -35,48 +36,49 @@ Box sphereBlock() {
       {600, 640, 350}};
 }
 
-Result<Sweep> sphereSweep(const Job& job, int stations, Issues& issues) {
-  return buildSweep(test::sphereSections(kRadius, kHalfWidth, evenTravel(stations)), job, sphereBlock(),
+Result<Sweep> sphereSweep(const test::RowSettings& settings, int stations, Issues& issues) {
+  return buildSweep(test::sphereSections(kRadius, kHalfWidth, evenTravel(stations)), settings, sphereBlock(),
                     -Eigen::Vector3d::UnitY(), {}, issues);
 }
 
 }  // namespace
 
 TEST(Sweep, BladeHasItsLengthAndLiesSymmetrically) {
-  Job job;
+  test::RowSettings settings;
   Issues issues;
-  const Result<Sweep> sweep = sphereSweep(job, 9, issues);
+  const Result<Sweep> sweep = sphereSweep(settings, 9, issues);
   ASSERT_TRUE(sweep) << sweep.error().message;
   for (const Station& station : sweep->stations) {
-    EXPECT_NEAR(station.blade.length(), job.blade.length, 1e-9);
+    EXPECT_NEAR(station.blade.length(), settings.blade.length, 1e-9);
     const double cut = station.fit.elastica.length();
-    EXPECT_NEAR(station.extension, 0.5 * (job.blade.length / cut - 1), 1e-12);
+    EXPECT_NEAR(station.extension, 0.5 * (settings.blade.length / cut - 1), 1e-12);
     // The fitted part lies in the middle of the blade.
-    EXPECT_LT((station.blade.point(0.5 * job.blade.length) - station.fit.elastica.point(0.5 * cut)).norm(),
-              1e-7);
+    EXPECT_LT(
+        (station.blade.point(0.5 * settings.blade.length) - station.fit.elastica.point(0.5 * cut)).norm(),
+        1e-7);
     EXPECT_TRUE(station.fit.R4 < 1e-9) << station.fit.R4;  // a circle is an elastica
   }
 }
 
 TEST(Sweep, ShortBladeIsAnErrorThatTellsTheLengthNeeded) {
-  Job job;
-  job.blade.length = 500;
+  test::RowSettings settings;
+  settings.blade.length = 500;
   Issues issues;
-  const Result<Sweep> sweep = sphereSweep(job, 5, issues);
+  const Result<Sweep> sweep = sphereSweep(settings, 5, issues);
   ASSERT_FALSE(sweep);
   EXPECT_EQ(sweep.error().code, ErrorCode::badInput);
   EXPECT_NE(sweep.error().message.find("shorter than the section"), std::string::npos);
   EXPECT_EQ(sweep.error().value, 500.0);
-  EXPECT_GT(*sweep.error().limit, 560 + 2 * job.clearance - 1);
+  EXPECT_GT(*sweep.error().limit, 560 + 2 * settings.clearance - 1);
 }
 
 TEST(SweepAnalysis, FindsTheSphereAgain) {
-  Job job;
+  test::RowSettings settings;
   Issues issues;
-  Result<Sweep> sweep = sphereSweep(job, 31, issues);
+  Result<Sweep> sweep = sphereSweep(settings, 31, issues);
   ASSERT_TRUE(sweep);
   const test::SphereSampler sphere(kRadius);
-  const Result<SweepAnalysis> analysis = analyzeSweep(*sweep, job, sphere, {});
+  const Result<SweepAnalysis> analysis = analyzeSweep(*sweep, settings, sphere, {});
   ASSERT_TRUE(analysis) << analysis.error().message;
   // Between the stations the cubic skin differs from the sphere in the fourth order only.
   EXPECT_LT(analysis->summary.deviationMax, 1e-3);
@@ -88,16 +90,16 @@ TEST(SweepAnalysis, FindsTheSphereAgain) {
   const Field& stress = *analysis->cut.field("stress");
   for (int c = 0; c <= 100; ++c)
     EXPECT_NEAR(stress.values[std::size_t(analysis->stationRow[15]) * 101 + std::size_t(c)],
-                job.blade.youngModulus * job.blade.fibreDistance() / kRadius, 1e-6);
+                settings.blade.youngModulus * settings.blade.fibreDistance() / kRadius, 1e-6);
 }
 
 TEST(SweepAnalysis, VelocityFollowsTheMaterialPoints) {
   // On the sphere the point at arc length σ from the middle is (ρ sin σ/ρ, y, ρ cos σ/ρ) with ρ² = R² − y².
-  Job job;
+  test::RowSettings settings;
   Issues issues;
   const auto worst = [&](int n) {
-    Result<Sweep> sweep = sphereSweep(job, n, issues);
-    const Result<SweepAnalysis> analysis = analyzeSweep(*sweep, job, test::SphereSampler(kRadius), {});
+    Result<Sweep> sweep = sphereSweep(settings, n, issues);
+    const Result<SweepAnalysis> analysis = analyzeSweep(*sweep, settings, test::SphereSampler(kRadius), {});
     double error = 0;
     const Field& angle = *analysis->cut.field("angle");
     for (std::size_t i = 0; i < sweep->stations.size(); ++i) {
@@ -123,13 +125,13 @@ TEST(SweepAnalysis, VelocityFollowsTheMaterialPoints) {
 }
 
 TEST(SweepAnalysis, TellsTooMuchCurvatureAndTooLittleClearance) {
-  Job job;
-  job.blade.yieldStress = 100;  // bends to 3600 mm only
-  job.blade.length = 620;
+  test::RowSettings settings;
+  settings.blade.yieldStress = 100;  // bends to 3600 mm only
+  settings.blade.length = 620;
   Issues issues;
-  Result<Sweep> sweep = sphereSweep(job, 7, issues);
+  Result<Sweep> sweep = sphereSweep(settings, 7, issues);
   ASSERT_TRUE(sweep);
-  const Result<SweepAnalysis> analysis = analyzeSweep(*sweep, job, test::SphereSampler(kRadius), {});
+  const Result<SweepAnalysis> analysis = analyzeSweep(*sweep, settings, test::SphereSampler(kRadius), {});
   ASSERT_TRUE(analysis);
   bool curvature = false, clearance = false;
   for (const Issue& issue : analysis->issues) {
@@ -142,15 +144,15 @@ TEST(SweepAnalysis, TellsTooMuchCurvatureAndTooLittleClearance) {
 }
 
 TEST(SweepAnalysis, IsTheSameForAnyNumberOfThreads) {
-  Job job;
+  test::RowSettings settings;
   Issues issues;
   std::vector<std::vector<double>> values;
   for (const int threads : {1, 2, 5}) {
-    Result<Sweep> sweep = sphereSweep(job, 12, issues);
+    Result<Sweep> sweep = sphereSweep(settings, 12, issues);
     RunContext context;
     context.threads = threads;
     const Result<SweepAnalysis> analysis =
-        analyzeSweep(*sweep, job, test::SphereSampler(kRadius + 1), context);
+        analyzeSweep(*sweep, settings, test::SphereSampler(kRadius + 1), context);
     ASSERT_TRUE(analysis);
     values.push_back(analysis->cut.field("deviation")->values);
   }
@@ -159,10 +161,10 @@ TEST(SweepAnalysis, IsTheSameForAnyNumberOfThreads) {
 }
 
 TEST(SweepAnalysis, DeviationIsNegativeInside) {
-  Job job;
+  test::RowSettings settings;
   Issues issues;
-  Result<Sweep> sweep = sphereSweep(job, 12, issues);
-  const Result<SweepAnalysis> analysis = analyzeSweep(*sweep, job, test::SphereSampler(kRadius + 3), {});
+  Result<Sweep> sweep = sphereSweep(settings, 12, issues);
+  const Result<SweepAnalysis> analysis = analyzeSweep(*sweep, settings, test::SphereSampler(kRadius + 3), {});
   ASSERT_TRUE(analysis);
   for (const double d : analysis->cut.field("deviation")->values) EXPECT_NEAR(d, -3, 1e-2);
   EXPECT_EQ(analysis->issues.front().kind, "deviation");
@@ -200,12 +202,13 @@ struct Analysed {
   }
 };
 
-Analysed analysed(std::vector<Section> sections, const Job& job, const SurfaceSampler& target) {
+Analysed analysed(std::vector<Section> sections, const test::RowSettings& settings,
+                  const SurfaceSampler& target) {
   Issues issues;
   Result<Sweep> sweep =
-      buildSweep(std::move(sections), job, sphereBlock(), -Eigen::Vector3d::UnitY(), {}, issues);
+      buildSweep(std::move(sections), settings, sphereBlock(), -Eigen::Vector3d::UnitY(), {}, issues);
   EXPECT_TRUE(sweep) << sweep.error().message;
-  Result<SweepAnalysis> analysis = analyzeSweep(*sweep, job, target, {});
+  Result<SweepAnalysis> analysis = analyzeSweep(*sweep, settings, target, {});
   EXPECT_TRUE(analysis) << analysis.error().message;
   return {std::move(*sweep), std::move(*analysis)};
 }
@@ -216,22 +219,23 @@ TEST(SweepAnalysis, MeansAreOverTheAreaWhereverTheStationsLie) {
   // d = 0.02 t on a plane that leans back, and an angle of atan(t/q) where the stations move by t²/2q along
   // x: closed forms over [0, W], whether most of the stations lie at the start or not.
   constexpr double kWidth = 600, kSlope = 0.02, kQ = 600;
-  Job job;
-  job.tolerance = 3.02;
+  test::RowSettings settings;
+  settings.tolerance = 3.02;
   const test::PlaneSampler leaning({0, kSlope, std::sqrt(1 - kSlope * kSlope)});
   std::vector<double> travel;
   addTravel(travel, 0, 99, 1);
   addTravel(travel, 100, kWidth, 25);
-  const Analysed straight = analysed(straightSections(travel, 1, [](double) { return 0.0; }), job, leaning);
+  const Analysed straight =
+      analysed(straightSections(travel, 1, [](double) { return 0.0; }), settings, leaning);
   const double largest = kSlope * kWidth;
   EXPECT_NEAR(straight.analysis.summary.deviationMax, largest, 1e-9);
   EXPECT_NEAR(straight.analysis.summary.deviationMean, largest / 2, 1e-9);
   EXPECT_NEAR(straight.analysis.summary.deviationRms, largest / std::sqrt(3), 1e-3);
   // Rows lie 2.5 mm apart there, and each stands for half of that on either side.
-  EXPECT_NEAR(straight.analysis.summary.withinTolerance, job.tolerance / largest, 1.25 / kWidth);
+  EXPECT_NEAR(straight.analysis.summary.withinTolerance, settings.tolerance / largest, 1.25 / kWidth);
   EXPECT_NEAR(straight.analysis.summary.angleMean, 0, 1e-12);
   const Analysed sheared =
-      analysed(straightSections(travel, 1, [](double t) { return t * t / (2 * kQ); }), job, leaning);
+      analysed(straightSections(travel, 1, [](double t) { return t * t / (2 * kQ); }), settings, leaning);
   EXPECT_NEAR(sheared.analysis.summary.deviationMean, largest / 2, 1e-3);
   EXPECT_NEAR(sheared.analysis.summary.angleMean,
               std::atan(kWidth / kQ) - kQ / (2 * kWidth) * std::log1p(std::pow(kWidth / kQ, 2)), 1e-3);
@@ -241,8 +245,8 @@ TEST(SweepAnalysis, EvenStationsHaveEvenRows) {
   for (const auto& [stations, between] : {std::pair{2, 64}, {9, 30}, {60, 4}, {200, 2}}) {
     std::vector<double> travel;
     addTravel(travel, 0, 0.7 * (stations - 1), 0.7);
-    const Analysed even = analysed(straightSections(travel, 0.7, [](double) { return 0.0; }), Job{},
-                                   test::PlaneSampler(Eigen::Vector3d::UnitZ()));
+    const Analysed even = analysed(straightSections(travel, 0.7, [](double) { return 0.0; }),
+                                   test::RowSettings{}, test::PlaneSampler(Eigen::Vector3d::UnitZ()));
     for (int i = 0; i < stations; ++i) EXPECT_EQ(even.analysis.stationRow[std::size_t(i)], i * between);
   }
 }
@@ -253,13 +257,13 @@ TEST(SweepAnalysis, GapInsideTheRowIsAnErrorAndItsDeviationCounts) {
   std::vector<double> travel;
   addTravel(travel, -300, -kGap, 10);
   addTravel(travel, kGap, 300, 10);
-  const Job job;
-  const Analysed halves = analysed(straightSections(travel, 10, [](double) { return 0.0; }), job,
+  const test::RowSettings settings;
+  const Analysed halves = analysed(straightSections(travel, 10, [](double) { return 0.0; }), settings,
                                    test::PlaneSampler(Eigen::Vector3d::UnitZ(), kGap));
   const SweepSummary& summary = halves.analysis.summary;
   EXPECT_NEAR(summary.deviationMax, kGap, 1);
   EXPECT_NEAR(summary.deviationMean, kGap * kGap / 600, 0.1);
-  EXPECT_NEAR(summary.withinTolerance, (400 + 2 * job.tolerance) / 600, 0.01);
+  EXPECT_NEAR(summary.withinTolerance, (400 + 2 * settings.tolerance) / 600, 0.01);
   const Issue* gap = halves.issue("gap");
   ASSERT_TRUE(gap);
   EXPECT_EQ(gap->severity, Severity::error);
@@ -280,15 +284,16 @@ TEST(SweepAnalysis, StationsLeftOutAtTheEndsAreNoGap) {
   std::vector<Section> sections = straightSections(travel, 10, [](double) { return 0.0; });
   for (Section& section : sections) section.index += 5;
   EXPECT_FALSE(
-      analysed(std::move(sections), Job{}, test::PlaneSampler(Eigen::Vector3d::UnitZ())).issue("gap"));
+      analysed(std::move(sections), test::RowSettings{}, test::PlaneSampler(Eigen::Vector3d::UnitZ()))
+          .issue("gap"));
 }
 
 TEST(SweepAnalysis, ManyGapsAreOneErrorAtTheWidest) {
   std::vector<double> travel;
   for (int i = 0; i < 40; ++i)
     if (i % 5 != 3 && i != 22 && i != 24) travel.push_back(10.0 * i);
-  const Analysed gaps = analysed(straightSections(travel, 10, [](double) { return 0.0; }), Job{},
-                                 test::PlaneSampler(Eigen::Vector3d::UnitZ()));
+  const Analysed gaps = analysed(straightSections(travel, 10, [](double) { return 0.0; }),
+                                 test::RowSettings{}, test::PlaneSampler(Eigen::Vector3d::UnitZ()));
   EXPECT_EQ(std::ranges::count(gaps.analysis.issues, "gap", &Issue::kind), 1);
   EXPECT_NE(gaps.issue("gap")->message.find("stations 23 to 25 are left out inside the row, and others in 7 "
                                             "more places"),
@@ -298,12 +303,12 @@ TEST(SweepAnalysis, ManyGapsAreOneErrorAtTheWidest) {
 
 TEST(SweepAnalysis, TooFewStationsAskForMore) {
   // The stations are arcs of the sphere to rounding; what lies between so few of them is not.
-  Job job;
-  job.tolerance = 0.1;
+  test::RowSettings settings;
+  settings.tolerance = 0.1;
   const test::SphereSampler sphere(kRadius);
   const auto message = [&](int stations, const SurfaceSampler& target) {
     const Analysed found =
-        analysed(test::sphereSections(kRadius, kHalfWidth, evenTravel(stations)), job, target);
+        analysed(test::sphereSections(kRadius, kHalfWidth, evenTravel(stations)), settings, target);
     const Issue* issue = found.issue("deviation");
     return issue ? issue->message : std::string();
   };
@@ -321,8 +326,8 @@ TEST(SweepAnalysis, TooFewStationsAskForMore) {
 TEST(SweepAnalysis, TellsTheBladeThatBringsItsGripsOutOfTheBlock) {
   // A short straight section at one edge of the block (x from -300 to 300): the far grip comes out by 50 mm
   // at x = 350, that is 600 mm from the middle of the section.
-  Job job;
-  job.blade.length = 300;
+  test::RowSettings settings;
+  settings.blade.length = 300;
   const auto sections = [] {
     std::vector<Section> result = straightSections({0, 10, 20, 30}, 10, [](double) { return -250.0; });
     for (Section& section : result)
@@ -330,25 +335,25 @@ TEST(SweepAnalysis, TellsTheBladeThatBringsItsGripsOutOfTheBlock) {
     return result;
   };
   const test::PlaneSampler plane(Eigen::Vector3d::UnitZ());
-  const Analysed shortBlade = analysed(sections(), job, plane);
+  const Analysed shortBlade = analysed(sections(), settings, plane);
   const Issue* issue = shortBlade.issue("clearance");
   ASSERT_TRUE(issue);
   EXPECT_EQ(issue->severity, Severity::error);
   EXPECT_NE(issue->message.find("a blade of at least 1200 mm keeps"), std::string::npos) << issue->message;
-  job.blade.length = 1200;
-  EXPECT_FALSE(analysed(sections(), job, plane).issue("clearance"));
+  settings.blade.length = 1200;
+  EXPECT_FALSE(analysed(sections(), settings, plane).issue("clearance"));
 }
 
 TEST(SweepAnalysis, TellsNoLongerBladeWhereItCurlsBackIntoTheBlock) {
   // A circle of radius 100 inside the block: however long the blade, its grips stay on it.
-  Job job;
-  job.blade.section = Blade::Section::rod;
-  job.blade.outerDiameter = 0.3;
-  job.blade.length = 300;
+  test::RowSettings settings;
+  settings.blade.section = Blade::Section::rod;
+  settings.blade.outerDiameter = 0.3;
+  settings.blade.length = 300;
   std::vector<Section> sections = straightSections({0, 10, 20, 30, 40}, 10, [](double) { return 0.0; });
   for (Section& section : sections)
     section.curve = test::arc({0, 1275}, 100, std::numbers::pi / 2 + 0.8, std::numbers::pi / 2 - 0.8);
-  const Analysed circles = analysed(sections, job, test::PlaneSampler(Eigen::Vector3d::UnitZ()));
+  const Analysed circles = analysed(sections, settings, test::PlaneSampler(Eigen::Vector3d::UnitZ()));
   ASSERT_TRUE(circles.issue("clearance"));
   const std::string& inside = circles.issue("clearance")->message;
   EXPECT_NE(inside.find("no longer blade"), std::string::npos) << inside;
@@ -358,12 +363,12 @@ TEST(SweepAnalysis, TellsNoLongerBladeWhereItCurlsBackIntoTheBlock) {
 
 TEST(SweepAnalysis, BladeThatKeepsTheClearanceIsTrue) {
   // Along a sphere the grips go down as well as out: 2 × the missing clearance is not enough.
-  Job job;
-  job.clearance = 500;
+  test::RowSettings settings;
+  settings.clearance = 500;
   const auto issueOf = [&](double length) -> std::optional<Issue> {
-    job.blade.length = length;
-    const Analysed found =
-        analysed(test::sphereSections(kRadius, kHalfWidth, evenTravel(9)), job, test::SphereSampler(kRadius));
+    settings.blade.length = length;
+    const Analysed found = analysed(test::sphereSections(kRadius, kHalfWidth, evenTravel(9)), settings,
+                                    test::SphereSampler(kRadius));
     const Issue* issue = found.issue("clearance");
     return issue ? std::optional(*issue) : std::nullopt;
   };
@@ -402,32 +407,33 @@ TEST(BladeInflections, CountOnlyWhereTheBladeBends) {
 }
 
 TEST(SweepAnalysis, StopsOnRequest) {
-  Job job;
+  test::RowSettings settings;
   Issues issues;
-  Result<Sweep> sweep = sphereSweep(job, 12, issues);
+  Result<Sweep> sweep = sphereSweep(settings, 12, issues);
   std::stop_source source;
   source.request_stop();
   RunContext context;
   context.stop = source.get_token();
-  const Result<SweepAnalysis> analysis = analyzeSweep(*sweep, job, test::SphereSampler(kRadius), context);
+  const Result<SweepAnalysis> analysis =
+      analyzeSweep(*sweep, settings, test::SphereSampler(kRadius), context);
   ASSERT_FALSE(analysis);
   EXPECT_EQ(analysis.error().code, ErrorCode::cancelled);
 }
 
 TEST(Motion, FastestPointMovesAtTheCuttingSpeed) {
-  Job job;
+  test::RowSettings settings;
   Issues issues;
-  const Result<Sweep> sweep = sphereSweep(job, 21, issues);
+  const Result<Sweep> sweep = sphereSweep(settings, 21, issues);
   ASSERT_TRUE(sweep);
-  const Result<Motion> motion = buildMotion(*sweep, 20);
+  const Result<Motion> motion = buildMotion(*sweep, settings);
   ASSERT_TRUE(motion) << motion.error().message;
   ASSERT_EQ(motion->instants.size(), 23u);
-  EXPECT_NEAR(motion->instants[1].time, job.lead / 20, 1e-12);
+  EXPECT_NEAR(motion->instants[1].time, settings.lead / 20, 1e-12);
   for (std::size_t i = 1; i + 1 < sweep->stations.size(); ++i) {
     const Station &a = sweep->stations[i], &b = sweep->stations[i + 1];
     double farthest = 0;
     for (int k = 0; k <= 400; ++k) {
-      const double s = job.blade.length * k / 400;
+      const double s = settings.blade.length * k / 400;
       farthest =
           std::max(farthest, (b.frame.toWorld(b.blade.point(s)) - a.frame.toWorld(a.blade.point(s))).norm());
     }
@@ -436,10 +442,10 @@ TEST(Motion, FastestPointMovesAtTheCuttingSpeed) {
 }
 
 TEST(Motion, EndsFollowTheTcpConvention) {
-  Job job;
+  test::RowSettings settings;
   Issues issues;
-  const Result<Sweep> sweep = sphereSweep(job, 9, issues);
-  const Result<Motion> motion = buildMotion(*sweep, 20);
+  const Result<Sweep> sweep = sphereSweep(settings, 9, issues);
+  const Result<Motion> motion = buildMotion(*sweep, settings);
   ASSERT_TRUE(motion);
   const Box block = sphereBlock();
   Eigen::Matrix3d R_WB;
@@ -461,11 +467,11 @@ TEST(Motion, EndsFollowTheTcpConvention) {
 }
 
 TEST(Motion, RefusesImpossibleSpeeds) {
-  Job job;
+  test::RowSettings settings;
   Issues issues;
-  const Result<Sweep> sweep = sphereSweep(job, 4, issues);
+  const Result<Sweep> sweep = sphereSweep(settings, 4, issues);
   for (const double speed : {0.0, -1.0, double(NAN), double(INFINITY)})
-    EXPECT_FALSE(buildMotion(*sweep, speed)) << speed;
+    EXPECT_FALSE(buildMotion(*sweep, {.cuttingSpeed = speed})) << speed;
 }
 
 namespace {
@@ -504,51 +510,52 @@ std::vector<Section> bulgeSections() {
 TEST(Sweep, BladeHoldsAlsoBeyondTheSection) {
   // The profile 1 − u⁸ is flat in the middle and drops at its ends: in tension an elastica follows it
   // closely, and curls up beyond the ends.
-  Job job;
-  job.tolerance = 2;
+  test::RowSettings settings;
+  settings.tolerance = 2;
   Issues issues;
   const Result<Sweep> sweep =
-      buildSweep(nearlyStraightSections(0.6), job, sphereBlock(), Eigen::Vector3d::UnitY(), {}, issues);
+      buildSweep(nearlyStraightSections(0.6), settings, sphereBlock(), Eigen::Vector3d::UnitY(), {}, issues);
   ASSERT_TRUE(sweep) << sweep.error().message;
   const Result<FitResult> free = fitElastica(sweep->stations.front().target);
   ASSERT_TRUE(free);
-  const double extra = 0.5 * (job.blade.length - free->elastica.length());
+  const double extra = 0.5 * (settings.blade.length - free->elastica.length());
   EXPECT_GT(free->elastica.segment(-extra, free->elastica.length() + extra)->maxCurvature(),
-            job.blade.maxCurvature())
+            settings.blade.maxCurvature())
       << "the best fit alone would curl up";
   for (const Station& station : sweep->stations) {
-    EXPECT_LE(station.blade.maxCurvature(), job.blade.maxCurvature() * (1 + 1e-9));
+    EXPECT_LE(station.blade.maxCurvature(), settings.blade.maxCurvature() * (1 + 1e-9));
     EXPECT_GT(stabilityMargin(station.blade), 0);
-    EXPECT_LE(station.fit.hausdorff, 2 * job.tolerance);
+    EXPECT_LE(station.fit.hausdorff, 2 * settings.tolerance);
     EXPECT_EQ(station.fit.status, FitStatus::constraintsActive);
     EXPECT_TRUE(station.heldBack);
   }
   Sweep analysed = *sweep;
-  const Result<SweepAnalysis> analysis = analyzeSweep(analysed, job, test::SphereSampler(kRadius), {});
+  const Result<SweepAnalysis> analysis = analyzeSweep(analysed, settings, test::SphereSampler(kRadius), {});
   ASSERT_TRUE(analysis);
   EXPECT_TRUE(std::ranges::any_of(analysis->issues, [](const Issue& i) { return i.kind == "fit-bounded"; }));
 }
 
 TEST(Sweep, BladeHoldsOnSectionsMuchShorterThanItself) {
   // A corner of the target: 20 mm of it between 1500 mm of blade.
-  Job job;
-  job.blade.length = 1500;
+  test::RowSettings settings;
+  settings.blade.length = 1500;
   Issues issues;
   const auto corner =
       equalSections([](double x) { return 0.05 * std::sin(0.3 * x) + 0.1 * std::sin(0.1 * x); }, 10);
-  const Result<Sweep> sweep = buildSweep(corner, job, sphereBlock(), Eigen::Vector3d::UnitY(), {}, issues);
+  const Result<Sweep> sweep =
+      buildSweep(corner, settings, sphereBlock(), Eigen::Vector3d::UnitY(), {}, issues);
   ASSERT_TRUE(sweep) << sweep.error().message;
   for (const Station& station : sweep->stations) {
-    EXPECT_LE(station.blade.maxCurvature(), job.blade.maxCurvature() * (1 + 1e-9));
+    EXPECT_LE(station.blade.maxCurvature(), settings.blade.maxCurvature() * (1 + 1e-9));
     EXPECT_GT(stabilityMargin(station.blade), 0);
-    EXPECT_LE(station.fit.hausdorff, job.tolerance);
+    EXPECT_LE(station.fit.hausdorff, settings.tolerance);
   }
 }
 
 TEST(Sweep, BladesHeldBackComeToRestAtTheirRadius) {
   // The end of a rod: no blade bends so far, and the nearest that one comes is the arc of its smallest
   // radius.
-  Job job;
+  test::RowSettings settings;
   Issues issues;
   std::vector<Section> round;
   for (int i = 0; i < 8; ++i) {
@@ -556,31 +563,33 @@ TEST(Sweep, BladesHeldBackComeToRestAtTheirRadius) {
     round.push_back(equalSections([](double x) { return std::sqrt(4 - x * x) + 0.1 * x; }, half).front());
     round.back().index = i;
   }
-  const Result<Sweep> sweep = buildSweep(round, job, sphereBlock(), Eigen::Vector3d::UnitY(), {}, issues);
+  const Result<Sweep> sweep =
+      buildSweep(round, settings, sphereBlock(), Eigen::Vector3d::UnitY(), {}, issues);
   ASSERT_TRUE(sweep) << sweep.error().message;
   EXPECT_TRUE(issues.empty()) << issues.front().message;
   for (const Station& station : sweep->stations) {
     EXPECT_EQ(station.fit.status, FitStatus::constraintsActive);
     EXPECT_TRUE(station.heldBack);
-    EXPECT_NEAR(station.blade.maxCurvature(), job.blade.maxCurvature(), 2e-6 * job.blade.maxCurvature());
-    EXPECT_LE(station.blade.maxCurvature(), job.blade.maxCurvature());
+    EXPECT_NEAR(station.blade.maxCurvature(), settings.blade.maxCurvature(),
+                2e-6 * settings.blade.maxCurvature());
+    EXPECT_LE(station.blade.maxCurvature(), settings.blade.maxCurvature());
   }
 }
 
 TEST(SweepAnalysis, TellsHowLongARoundBladeStaysInItsPlane) {
   // A bulge whose blade bends back towards its grips: the longer, the more it is pressed. The plane's normal
   // is the way out of it for a tube.
-  Job job;
+  test::RowSettings settings;
   const auto worstLength = [&](double length, Blade::Section section) -> std::optional<std::string> {
-    job.blade.length = length;
-    job.blade.section = section;
-    job.blade.width = 5;
-    job.blade.thickness = 1;
+    settings.blade.length = length;
+    settings.blade.section = section;
+    settings.blade.width = 5;
+    settings.blade.thickness = 1;
     Issues issues;
     Result<Sweep> sweep =
-        buildSweep(bulgeSections(), job, sphereBlock(), Eigen::Vector3d::UnitY(), {}, issues);
+        buildSweep(bulgeSections(), settings, sphereBlock(), Eigen::Vector3d::UnitY(), {}, issues);
     EXPECT_TRUE(sweep);
-    const Result<SweepAnalysis> analysis = analyzeSweep(*sweep, job, test::SphereSampler(kRadius), {});
+    const Result<SweepAnalysis> analysis = analyzeSweep(*sweep, settings, test::SphereSampler(kRadius), {});
     EXPECT_TRUE(analysis);
     for (const Issue& issue : analysis->issues)
       if (issue.kind == "out-of-plane") {
@@ -602,12 +611,12 @@ TEST(SweepAnalysis, TellsHowLongARoundBladeStaysInItsPlane) {
 
 TEST(SweepAnalysis, TellsWhereALongerBladeWouldNotHold) {
   // Continued to 300 mm beyond the block, a bulge becomes nearly two waves.
-  Job job;
-  job.blade.length = 640;
-  job.clearance = 300;
+  test::RowSettings settings;
+  settings.blade.length = 640;
+  settings.clearance = 300;
   std::vector<Section> sections = bulgeSections();
   for (Section& section : sections) section.frame.origin.z() = 1375;
-  const Analysed waves = analysed(std::move(sections), job, test::SphereSampler(kRadius));
+  const Analysed waves = analysed(std::move(sections), settings, test::SphereSampler(kRadius));
   ASSERT_TRUE(waves.issue("clearance"));
   const std::string& message = waves.issue("clearance")->message;
   EXPECT_NE(message.find("would not hold"), std::string::npos) << message;
@@ -615,15 +624,15 @@ TEST(SweepAnalysis, TellsWhereALongerBladeWouldNotHold) {
 }
 
 TEST(SweepAnalysis, FitsThatDidNotComeToRestAreOneFindingAStretch) {
-  Job job;
+  test::RowSettings settings;
   Issues issues;
-  Result<Sweep> sweep = sphereSweep(job, 9, issues);
+  Result<Sweep> sweep = sphereSweep(settings, 9, issues);
   ASSERT_TRUE(sweep);
   for (const int i : {2, 3, 4}) sweep->stations[std::size_t(i)].fit.status = FitStatus::iterationLimit;
   sweep->stations[3].fit.hausdorff = 0.25;
   sweep->stations[7].fit.status = FitStatus::infeasible;
   sweep->stations[7].fit.message = "No elastica near the curve meets the length; release it.";
-  const Result<SweepAnalysis> analysis = analyzeSweep(*sweep, job, test::SphereSampler(kRadius), {});
+  const Result<SweepAnalysis> analysis = analyzeSweep(*sweep, settings, test::SphereSampler(kRadius), {});
   ASSERT_TRUE(analysis);
   std::vector<std::string> told;
   for (const Issue& issue : analysis->issues)
@@ -640,11 +649,11 @@ TEST(SweepAnalysis, FitsThatDidNotComeToRestAreOneFindingAStretch) {
 }
 
 TEST(SweepAnalysis, MarginsAreThoseOfTheBlade) {
-  Job job;
+  test::RowSettings settings;
   Issues issues;
-  Result<Sweep> sweep = sphereSweep(job, 5, issues);
+  Result<Sweep> sweep = sphereSweep(settings, 5, issues);
   ASSERT_TRUE(sweep);
-  ASSERT_TRUE(analyzeSweep(*sweep, job, test::SphereSampler(kRadius), {}));
+  ASSERT_TRUE(analyzeSweep(*sweep, settings, test::SphereSampler(kRadius), {}));
   for (const Station& station : sweep->stations) {
     EXPECT_EQ(station.stabilityMargin, stabilityMargin(station.blade));
     EXPECT_EQ(station.outOfPlaneMargin, outOfPlaneMargin(station.blade)) << "the preset is a tube";

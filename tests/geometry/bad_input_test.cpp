@@ -152,22 +152,22 @@ TEST(BadSetup, ZeroOrInfiniteDirectionIsRefused) {
   const Target target = exampleTarget("saddle");
   for (const Eigen::Vector3d& d :
        {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(0, kNaN, 0), Eigen::Vector3d(1e300, 1e300, 0)}) {
-    Job job;
-    job.direction = d;
+    CutSettings settings;
+    settings.direction = d;
     Issues issues;
-    expectError(resolveSetup(target, job, issues), ErrorCode::badInput, "direction");
-    auto setup = resolveSetup(target, Job{}, issues).value();
+    expectError(resolveSetup(target, settings, issues), ErrorCode::badInput, "direction");
+    auto setup = resolveSetup(target, CutSettings{}, issues).value();
     setup.direction = d;
-    expectError(cutSections(target, setup, job, {}, issues), ErrorCode::badInput, "direction");
+    expectError(cutSections(target, setup, settings, {}, issues), ErrorCode::badInput, "direction");
   }
 }
 
 TEST(BadSetup, BlockThatMissesTheTargetTellsByHowMuch) {
   const Target target = exampleTarget("saddle");
-  Job job;
-  job.block = BlockPlacement{{1300, 0, 0}, {100, 100, 100}, {0, 0, 0}};
+  CutSettings settings;
+  settings.block = BlockPlacement{{1300, 0, 0}, {100, 100, 100}, {0, 0, 0}};
   Issues issues;
-  const auto setup = resolveSetup(target, job, issues);
+  const auto setup = resolveSetup(target, settings, issues);
   expectError(setup, ErrorCode::badInput, "misses the target by 1000 mm");
   EXPECT_EQ(setup.error().where, "block");
 }
@@ -175,12 +175,12 @@ TEST(BadSetup, BlockThatMissesTheTargetTellsByHowMuch) {
 TEST(BadSetup, BlockBesideTheSurfaceHasNoSections) {
   // Within the bounds of the saddle, but below it.
   const Target target = exampleTarget("saddle");
-  Job job;
-  job.block = BlockPlacement{{-50, -50, -120}, {100, 100, 50}, {0, 0, 0}};
+  CutSettings settings;
+  settings.block = BlockPlacement{{-50, -50, -120}, {100, 100, 50}, {0, 0, 0}};
   Issues issues;
-  const auto setup = resolveSetup(target, job, issues);
+  const auto setup = resolveSetup(target, settings, issues);
   ASSERT_TRUE(setup) << setup.error().message;
-  expectError(cutSections(target, *setup, job, {}, issues), ErrorCode::badInput, "block");
+  expectError(cutSections(target, *setup, settings, {}, issues), ErrorCode::badInput, "block");
 }
 
 TEST(BadSetup, BlockWithoutSizeIsRefused) {
@@ -188,46 +188,47 @@ TEST(BadSetup, BlockWithoutSizeIsRefused) {
   Issues issues;
   for (const Eigen::Vector3d& size :
        {Eigen::Vector3d(0, 100, 100), Eigen::Vector3d(100, -1, 100), Eigen::Vector3d(100, kNaN, 100)}) {
-    Job job;
-    job.block = BlockPlacement{{0, 0, 0}, size, {0, 0, 0}};
-    expectError(resolveSetup(target, job, issues), ErrorCode::badInput, "block");
+    CutSettings settings;
+    settings.block = BlockPlacement{{0, 0, 0}, size, {0, 0, 0}};
+    expectError(resolveSetup(target, settings, issues), ErrorCode::badInput, "block");
   }
 }
 
 TEST(BadSetup, DirectionAcrossAPlaneHasNoSections) {
   const Target target =
       targetOf(stepOf([](double u, double v) { return Eigen::Vector3d(500 * u, 400 * v, 0); }, 4, 4));
-  Job job;
-  job.direction = Eigen::Vector3d::UnitZ();
+  CutSettings settings;
+  settings.direction = Eigen::Vector3d::UnitZ();
   Issues issues;
-  const auto setup = resolveSetup(target, job, issues);
+  const auto setup = resolveSetup(target, settings, issues);
   ASSERT_TRUE(setup);
-  expectError(cutSections(target, *setup, job, {}, issues), ErrorCode::badInput, "direction");
+  expectError(cutSections(target, *setup, settings, {}, issues), ErrorCode::badInput, "direction");
 }
 
 TEST(BadSetup, StationsOutOfRangeAreRefused) {
   const Target target = exampleTarget("saddle");
   Issues issues;
-  auto setup = resolveSetup(target, Job{}, issues).value();
-  for (const int stations : {-3, 0, 1, Job::kMaxStations + 1}) {
-    Job job;
-    job.stations = stations;
-    expectError(cutSections(target, setup, job, {}, issues), ErrorCode::badInput, std::to_string(stations));
+  auto setup = resolveSetup(target, CutSettings{}, issues).value();
+  for (const int stations : {-3, 0, 1, SectionRequest::kMost + 1}) {
+    CutSettings settings;
+    settings.stations = stations;
+    expectError(cutSections(target, setup, settings, {}, issues), ErrorCode::badInput,
+                std::to_string(stations));
   }
   for (const double spacing : {0.0, -1.0, kNaN, 1e-4}) {
-    Job job;
-    job.spacing = spacing;
-    expectError(cutSections(target, setup, job, {}, issues), ErrorCode::badInput, "spacing");
+    CutSettings settings;
+    settings.spacing = spacing;
+    expectError(cutSections(target, setup, settings, {}, issues), ErrorCode::badInput, "spacing");
   }
 }
 
 TEST(BadSetup, SectionsStopOnRequest) {
   const Target target = exampleTarget("saddle");
   Issues issues;
-  auto setup = resolveSetup(target, Job{}, issues).value();
+  auto setup = resolveSetup(target, CutSettings{}, issues).value();
   std::stop_source source;
   source.request_stop();
-  const auto sections = cutSections(target, setup, Job{}, RunContext{source.get_token()}, issues);
+  const auto sections = cutSections(target, setup, CutSettings{}, RunContext{source.get_token()}, issues);
   ASSERT_FALSE(sections);
   EXPECT_EQ(sections.error().code, ErrorCode::cancelled);
 }

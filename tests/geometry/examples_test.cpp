@@ -56,9 +56,9 @@ TEST_P(Examples, CommittedFileIsTheGeneratorsOutput) {
 }
 
 TEST_P(Examples, GivesASectionAtEveryStation) {
-  Job job;
-  job.stations = 30;
-  const Cut cut = cutOf(exampleTarget(GetParam()), job);
+  CutSettings settings;
+  settings.stations = 30;
+  const Cut cut = cutOf(exampleTarget(GetParam()), settings);
   EXPECT_EQ(cut.sections.size(), 30u);
   EXPECT_TRUE(cut.issues.empty()) << cut.issues.front().message;
 }

@@ -50,12 +50,12 @@ class ForeignFiles : public testing::Test {
         EXPECT_FALSE(target.error().message.empty());
         continue;
       }
-      Job job;
-      job.stations = stations;
+      CutSettings settings;
+      settings.stations = stations;
       Issues issues;
-      const auto setup = resolveSetup(*target, job, issues);
+      const auto setup = resolveSetup(*target, settings, issues);
       ASSERT_TRUE(setup) << name << " face " << info.index << ": " << setup.error().message;
-      const auto sections = cutSections(*target, *setup, job, {}, issues);
+      const auto sections = cutSections(*target, *setup, settings, {}, issues);
       if (!sections) {
         EXPECT_FALSE(sections.error().message.empty());
         continue;
@@ -120,9 +120,9 @@ TEST_F(ForeignFiles, TruncatedOnesAreRefused) {
 
 TEST_F(ForeignFiles, TerrainThroughABlockPlacedInIt) {
   const Target target = face("occ/terrain.brep", 0);
-  Job job;
-  job.block = BlockPlacement{{84500, 84000, 10000}, {1200, 800, 500}, {0, 0, 0}};
-  const Cut cut = cutOf(target, job);
+  CutSettings settings;
+  settings.block = BlockPlacement{{84500, 84000, 10000}, {1200, 800, 500}, {0, 0, 0}};
+  const Cut cut = cutOf(target, settings);
   EXPECT_NEAR((cut.setup.direction - Eigen::Vector3d::UnitX()).norm(), 0, 1e-12);
   ASSERT_EQ(cut.sections.size(), 60u);
   EXPECT_NEAR(cut.sections.front().travel, 0.12, 1e-6);
@@ -139,9 +139,9 @@ TEST_F(ForeignFiles, TerrainThroughABlockPlacedInIt) {
 TEST_F(ForeignFiles, ShellIsCutAcrossAllItsFaces) {
   const auto target = Target::make(model("occ/shell1.brep"), {FaceChoice::Kind::all, {}});
   ASSERT_TRUE(target);
-  Job job;
-  job.stations = 20;
-  const Cut cut = cutOf(*target, job);
+  CutSettings settings;
+  settings.stations = 20;
+  const Cut cut = cutOf(*target, settings);
   EXPECT_EQ(cut.sections.size(), 20u);
   EXPECT_LT(deviation(*target, cut.sections), 1e-3);
 }

@@ -59,9 +59,9 @@ void compare(const std::string& file, int stations, double tolerance) {
   ASSERT_TRUE(model) << model.error().message;
   const auto target = Target::make(*model, {FaceChoice::Kind::all, {}});
   ASSERT_TRUE(target);
-  Job job;
-  job.stations = stations;
-  const Cut cut = cutOf(*target, job);
+  CutSettings settings;
+  settings.stations = stations;
+  const Cut cut = cutOf(*target, settings);
   ASSERT_GT(cut.sections.size(), 0u);
   for (const Section& s : cut.sections) {
     const OcctSection other = occtSection(shape, s.frame.origin, s.frame.normal);

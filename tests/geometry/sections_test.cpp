@@ -30,9 +30,9 @@ double deviation(const Target& target, const std::vector<Section>& sections) {
 }
 
 TEST(Sections, OfASphereAreItsParallels) {
-  Job job;
-  job.stations = 21;
-  const Cut cut = cutOf(exampleTarget("sphere-cap"), job);
+  CutSettings settings;
+  settings.stations = 21;
+  const Cut cut = cutOf(exampleTarget("sphere-cap"), settings);
   ASSERT_EQ(cut.sections.size(), 21u);
   const Eigen::Vector3d center(0, 0, -std::sqrt(630000.0));
   for (const Section& s : cut.sections) {
@@ -48,9 +48,9 @@ TEST(Sections, OfASphereAreItsParallels) {
 }
 
 TEST(Sections, OfTheSaddleAreItsParabolas) {
-  Job job;
-  job.stations = 9;
-  for (const Section& s : cutOf(exampleTarget("saddle"), job).sections) {
+  CutSettings settings;
+  settings.stations = 9;
+  for (const Section& s : cutOf(exampleTarget("saddle"), settings).sections) {
     for (const Eigen::Vector2d& q : s.curve.sample(101)) {
       const Eigen::Vector3d p = s.frame.toWorld(q);
       EXPECT_NEAR(p.z(), p.x() * p.x() / 1600 - p.y() * p.y() / 1200, kAccuracy);
@@ -60,15 +60,15 @@ TEST(Sections, OfTheSaddleAreItsParabolas) {
 
 TEST(Sections, KeepTheirAccuracyOnEveryExample) {
   for (const Example& e : exampleList()) {
-    Job job;
-    job.stations = 12;
+    CutSettings settings;
+    settings.stations = 12;
     const Target target = exampleTarget(e.name);
-    EXPECT_LT(deviation(target, cutOf(target, job).sections), kAccuracy) << e.name;
+    EXPECT_LT(deviation(target, cutOf(target, settings).sections), kAccuracy) << e.name;
   }
 }
 
 TEST(Sections, OfThePanelHaveFewSpans) {
-  for (const Section& s : cutOf(exampleTarget("panel-600x670"), Job{}).sections) {
+  for (const Section& s : cutOf(exampleTarget("panel-600x670"), CutSettings{}).sections) {
     EXPECT_EQ(s.curve.degree(), 3);
     EXPECT_LE(s.curve.poles().size(), 22u);
     // No knot twice: the sections are smooth.
@@ -78,7 +78,7 @@ TEST(Sections, OfThePanelHaveFewSpans) {
 }
 
 TEST(Sections, FramesAreParallelRightHandedAndOnTheirPlane) {
-  const Cut cut = cutOf(exampleTarget("panel-600x670"), Job{});
+  const Cut cut = cutOf(exampleTarget("panel-600x670"), CutSettings{});
   ASSERT_EQ(cut.sections.size(), 60u);
   for (const Section& s : cut.sections) {
     EXPECT_NEAR((s.frame.x + Eigen::Vector3d::UnitX()).norm(), 0, 1e-12);
@@ -91,7 +91,7 @@ TEST(Sections, FramesAreParallelRightHandedAndOnTheirPlane) {
 }
 
 TEST(Sections, TravelRunsFromOneBorderToTheOtherInEqualSteps) {
-  const Cut cut = cutOf(exampleTarget("panel-600x670"), Job{});
+  const Cut cut = cutOf(exampleTarget("panel-600x670"), CutSettings{});
   EXPECT_GT(cut.sections.front().travel, 0);
   EXPECT_LT(cut.sections.front().travel, 0.1);
   EXPECT_LT(cut.sections.back().travel, 670);
@@ -104,9 +104,9 @@ TEST(Sections, TravelRunsFromOneBorderToTheOtherInEqualSteps) {
 }
 
 TEST(Sections, SpacingGivesAtMostThatStep) {
-  Job job;
-  job.spacing = 25;
-  const Cut cut = cutOf(exampleTarget("panel-600x670"), job);
+  CutSettings settings;
+  settings.spacing = 25;
+  const Cut cut = cutOf(exampleTarget("panel-600x670"), settings);
   ASSERT_EQ(cut.sections.size(), 28u);  // 27 gaps of just under 25 mm
   EXPECT_LE(cut.sections[1].travel - cut.sections[0].travel, 25);
   EXPECT_GT(cut.sections[1].travel - cut.sections[0].travel, 24);
@@ -114,11 +114,11 @@ TEST(Sections, SpacingGivesAtMostThatStep) {
 
 TEST(Sections, AgainstTheDirectionAreTheMirrorImage) {
   const Target target = exampleTarget("panel-600x670");
-  Job job;
-  job.stations = 7;
-  const Cut there = cutOf(target, job);
-  job.direction = -there.setup.direction;
-  const Cut back = cutOf(target, job);
+  CutSettings settings;
+  settings.stations = 7;
+  const Cut there = cutOf(target, settings);
+  settings.direction = -there.setup.direction;
+  const Cut back = cutOf(target, settings);
   ASSERT_EQ(back.sections.size(), there.sections.size());
   EXPECT_GT(back.sections.front().travel, 0);
   for (std::size_t i = 0; i < there.sections.size(); ++i) {
@@ -143,18 +143,18 @@ TEST(Sections, MoveWithTheTarget) {
   const Target a = targetOf(stepOf(surface));
   const Target b =
       targetOf(stepOf([&](double u, double v) { return Eigen::Vector3d(R * surface(u, v) + shift); }));
-  Job job;
-  job.stations = 8;
+  CutSettings settings;
+  settings.stations = 8;
   Issues issues;
-  auto setup = resolveSetup(a, job, issues).value();
-  const auto first = cutSections(a, setup, job, {}, issues);
+  auto setup = resolveSetup(a, settings, issues).value();
+  const auto first = cutSections(a, setup, settings, {}, issues);
   auto moved = setup;
   moved.direction = R * setup.direction;
   moved.block.frame.origin = R * setup.block.frame.origin + shift;
   moved.block.frame.x = R * setup.block.frame.x;
   moved.block.frame.y = R * setup.block.frame.y;
   moved.block.frame.normal = R * setup.block.frame.normal;
-  const auto second = cutSections(b, moved, job, {}, issues);
+  const auto second = cutSections(b, moved, settings, {}, issues);
   ASSERT_TRUE(first && second);
   ASSERT_EQ(first->size(), second->size());
   for (std::size_t i = 0; i < first->size(); ++i) {
@@ -165,7 +165,7 @@ TEST(Sections, MoveWithTheTarget) {
 
 TEST(Sections, AreTheSameForAnyNumberOfThreads) {
   const Target target = exampleTarget("graph");
-  const Cut one = cutOf(target, Job{}, 1), four = cutOf(target, Job{}, 4);
+  const Cut one = cutOf(target, CutSettings{}, 1), four = cutOf(target, CutSettings{}, 4);
   ASSERT_EQ(one.sections.size(), four.sections.size());
   for (std::size_t i = 0; i < one.sections.size(); ++i) {
     EXPECT_EQ(one.sections[i].curve.knots(), four.sections[i].curve.knots());
@@ -175,10 +175,10 @@ TEST(Sections, AreTheSameForAnyNumberOfThreads) {
 
 TEST(Sections, ObliqueDirectionCutsTheWholeSurface) {
   const Target target = exampleTarget("panel-600x670");
-  Job job;
-  job.direction = Eigen::Vector3d(1, 2, 0.2);
-  job.stations = 25;
-  const Cut cut = cutOf(target, job);
+  CutSettings settings;
+  settings.direction = Eigen::Vector3d(1, 2, 0.2);
+  settings.stations = 25;
+  const Cut cut = cutOf(target, settings);
   EXPECT_GE(cut.sections.size(), 23u);
   EXPECT_LT(deviation(target, cut.sections), kAccuracy);
   for (const Section& s : cut.sections) {
@@ -189,10 +189,10 @@ TEST(Sections, ObliqueDirectionCutsTheWholeSurface) {
 
 TEST(Sections, EndOnTheSidesOfTheBlock) {
   const Target target = exampleTarget("wavy-wall");
-  Job job;
-  job.block = BlockPlacement{{1500, 300, -250}, {900, 700, 500}, {0, 0, 0}};
-  job.stations = 15;
-  const Cut cut = cutOf(target, job);
+  CutSettings settings;
+  settings.block = BlockPlacement{{1500, 300, -250}, {900, 700, 500}, {0, 0, 0}};
+  settings.stations = 15;
+  const Cut cut = cutOf(target, settings);
   ASSERT_EQ(cut.sections.size(), 15u);
   EXPECT_NEAR(cut.sections.front().travel, 0, 0.1);
   EXPECT_NEAR(cut.sections.back().travel, 900, 0.1);
@@ -211,11 +211,11 @@ TEST(Sections, EndOnTheSidesOfTheBlock) {
 
 TEST(Sections, EndOnTheSidesOfATurnedBlock) {
   const Target target = exampleTarget("panel-600x670");
-  Job job;
-  job.block =
+  CutSettings settings;
+  settings.block =
       BlockPlacement{{200, 150, 0}, {250, 300, 200}, {fromDegrees(4), fromDegrees(-3), fromDegrees(20)}};
-  job.stations = 11;
-  const Cut cut = cutOf(target, job);
+  settings.stations = 11;
+  const Cut cut = cutOf(target, settings);
   ASSERT_EQ(cut.sections.size(), 11u);
   for (const Section& s : cut.sections) {
     for (const double t : {s.curve.start(), s.curve.end()}) {
@@ -230,13 +230,13 @@ TEST(Sections, CurveThatLeavesThroughTheTopInBetweenIsReportedNotGuessed) {
   const Target target = targetOf(
       stepOf([](double u, double v) { return Eigen::Vector3d(800 * u, 400 * v, 60 * std::cos(4 * kPi * u)); },
              5, 60));
-  Job job;
-  job.block = BlockPlacement{{0, 0, -100}, {800, 400, 130}, {0, 0, 0}};
-  job.direction = Eigen::Vector3d::UnitY();
-  job.stations = 5;
+  CutSettings settings;
+  settings.block = BlockPlacement{{0, 0, -100}, {800, 400, 130}, {0, 0, 0}};
+  settings.direction = Eigen::Vector3d::UnitY();
+  settings.stations = 5;
   Issues issues;
-  const auto setup = resolveSetup(target, job, issues);
-  const auto sections = cutSections(target, *setup, job, {}, issues);
+  const auto setup = resolveSetup(target, settings, issues);
+  const auto sections = cutSections(target, *setup, settings, {}, issues);
   expectError(sections, ErrorCode::noSolution, "in one open curve");
   for (int i = 0; i < 5; ++i) EXPECT_TRUE(hasIssue(issues, "section-branches", i));
 }
@@ -248,13 +248,13 @@ TEST(Sections, ClosedCurveIsReportedNotGuessed) {
                                300 * v);
       },
       6, 80));
-  Job job;
-  job.direction = Eigen::Vector3d::UnitZ();
-  job.stations = 4;
+  CutSettings settings;
+  settings.direction = Eigen::Vector3d::UnitZ();
+  settings.stations = 4;
   Issues issues;
-  const auto setup = resolveSetup(target, job, issues);
+  const auto setup = resolveSetup(target, settings, issues);
   ASSERT_TRUE(setup);
-  expectError(cutSections(target, *setup, job, {}, issues), ErrorCode::noSolution, "in one open curve");
+  expectError(cutSections(target, *setup, settings, {}, issues), ErrorCode::noSolution, "in one open curve");
   EXPECT_TRUE(hasIssue(issues, "section-closed", 0));
 }
 
@@ -264,12 +264,12 @@ TEST(Sections, ClosedCurveOpensInABlockThatHoldsOneSideOfIt) {
         return Eigen::Vector3d(150 * std::cos(2 * kPi * u), 150 * std::sin(2 * kPi * u), 300 * v);
       },
       6, 200));
-  Job job;
-  job.direction = Eigen::Vector3d::UnitZ();
+  CutSettings settings;
+  settings.direction = Eigen::Vector3d::UnitZ();
   // The half with x > 0 holds the seam of the surface in its middle.
-  job.block = BlockPlacement{{30, -200, 50}, {200, 400, 200}, {0, 0, 0}};
-  job.stations = 4;
-  const Cut cut = cutOf(target, job);
+  settings.block = BlockPlacement{{30, -200, 50}, {200, 400, 200}, {0, 0, 0}};
+  settings.stations = 4;
+  const Cut cut = cutOf(target, settings);
   ASSERT_EQ(cut.sections.size(), 4u);
   for (const Section& s : cut.sections) EXPECT_NEAR(s.curve.length(), 2 * 150 * std::acos(30.0 / 150), 5e-3);
 }
@@ -279,10 +279,10 @@ TEST(Sections, TouchingEndsAreLeftOutWithAnIssue) {
   const Target target = targetOf(stepOf([](double u, double v) {
     return Eigen::Vector3d((u - 0.5) * 400 * (1 - v) * (1 - v), 600 * v, 20 * v * v);
   }));
-  Job job;
-  job.direction = Eigen::Vector3d::UnitY();
-  job.stations = 40;
-  const Cut cut = cutOf(target, job);
+  CutSettings settings;
+  settings.direction = Eigen::Vector3d::UnitY();
+  settings.stations = 40;
+  const Cut cut = cutOf(target, settings);
   EXPECT_LT(cut.sections.size(), 40u);
   EXPECT_GT(cut.sections.size(), 33u);
   EXPECT_TRUE(hasIssue(cut.issues, "section-short", 39));
@@ -298,9 +298,9 @@ TEST(Sections, RunOnOverACornerOfTheSurface) {
   roof.polesV = 2;
   roof.poles = {{0, 0, 0}, {250, 0, 150}, {500, 0, 0}, {0, 600, 0}, {250, 600, 150}, {500, 600, 0}};
   const Target target = targetOf(stepText(roof, "roof").value());
-  Job job;
-  job.stations = 5;
-  const Cut cut = cutOf(target, job);
+  CutSettings settings;
+  settings.stations = 5;
+  const Cut cut = cutOf(target, settings);
   ASSERT_EQ(cut.sections.size(), 5u);
   for (const Section& s : cut.sections) {
     EXPECT_NEAR(s.curve.length(), 2 * std::hypot(250, 150), 1e-6);
@@ -317,13 +317,13 @@ TEST(Sections, PlaneAlongAKnotLineIsNoSpecialCase) {
       [](double u, double v) { return Eigen::Vector3d(480 * u, 700 * v, 25 * std::sin(5 * u) + 10 * v); }, 15,
       25));
   Issues issues;
-  Job job;
-  job.stations = 15;
-  auto setup = resolveSetup(target, job, issues).value();
+  CutSettings settings;
+  settings.stations = 15;
+  auto setup = resolveSetup(target, settings, issues).value();
   setup.block.frame.origin.y() += 50;  // from row 1 …
   setup.block.size.y() = 600;          // … to row 13
-  job.stations = 13;
-  const auto sections = cutSections(target, setup, job, {}, issues);
+  settings.stations = 13;
+  const auto sections = cutSections(target, setup, settings, {}, issues);
   ASSERT_TRUE(sections) << sections.error().message;
   EXPECT_EQ(sections->size(), 13u);
   EXPECT_LT(deviation(target, *sections), kAccuracy);
@@ -332,18 +332,18 @@ TEST(Sections, PlaneAlongAKnotLineIsNoSpecialCase) {
 TEST(Sections, SpacingThatIsAdvisedIsTaken) {
   // The advice of the refusal, followed to the digit.
   const Target target = exampleTarget("saddle");
-  Job job;
-  job.block = BlockPlacement{{-20, -20, -200}, {40, 40, 400}, {0, 0, 0}};
-  job.spacing = 1e-4;
+  CutSettings settings;
+  settings.block = BlockPlacement{{-20, -20, -200}, {40, 40, 400}, {0, 0, 0}};
+  settings.spacing = 1e-4;
   Issues issues;
-  const auto setup = resolveSetup(target, job, issues).value();
-  const auto refused = cutSections(target, setup, job, {}, issues);
+  const auto setup = resolveSetup(target, settings, issues).value();
+  const auto refused = cutSections(target, setup, settings, {}, issues);
   ASSERT_FALSE(refused);
   const std::size_t at = refused.error().message.find("choose ");
   ASSERT_NE(at, std::string::npos) << refused.error().message;
-  job.spacing = std::stod(refused.error().message.substr(at + 7));
-  EXPECT_GE(*job.spacing, 0.01);  // what a job takes
-  EXPECT_TRUE(cutSections(target, setup, job, {}, issues)) << refused.error().message;
+  settings.spacing = std::stod(refused.error().message.substr(at + 7));
+  EXPECT_GE(*settings.spacing, 0.01);  // what a job takes
+  EXPECT_TRUE(cutSections(target, setup, settings, {}, issues)) << refused.error().message;
 }
 
 }  // namespace

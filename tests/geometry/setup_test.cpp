@@ -9,9 +9,9 @@
 namespace bw::geometry::test {
 namespace {
 
-Setup setupOf(const Target& target, const Job& job = {}) {
+Setup setupOf(const Target& target, const CutSettings& settings = {}) {
   Issues issues;
-  auto setup = resolveSetup(target, job, issues);
+  auto setup = resolveSetup(target, settings, issues);
   EXPECT_TRUE(setup) << setup.error().message;
   return *setup;
 }
@@ -99,10 +99,10 @@ TEST(AutoBlock, TakesAStripThatBendsRound) {
 }
 
 TEST(GivenBlock, IsTakenAsItStands) {
-  Job job;
-  job.block = BlockPlacement{{-100, -50, -60}, {150, 300, 200}, {0, 0, fromDegrees(30)}};
-  const auto setup = setupOf(exampleTarget("saddle"), job);
-  EXPECT_EQ(setup.block.size, job.block->size);
+  CutSettings settings;
+  settings.block = BlockPlacement{{-100, -50, -60}, {150, 300, 200}, {0, 0, fromDegrees(30)}};
+  const auto setup = setupOf(exampleTarget("saddle"), settings);
+  EXPECT_EQ(setup.block.size, settings.block->size);
   EXPECT_NEAR(
       setup.block.frame.x.dot(Eigen::Vector3d(std::cos(fromDegrees(30)), std::sin(fromDegrees(30)), 0)), 1,
       1e-12);
@@ -111,17 +111,17 @@ TEST(GivenBlock, IsTakenAsItStands) {
 }
 
 TEST(GivenDirection, IsNormalised) {
-  Job job;
-  job.direction = Eigen::Vector3d(3, 4, 0);
-  EXPECT_NEAR((setupOf(exampleTarget("saddle"), job).direction - Eigen::Vector3d(0.6, 0.8, 0)).norm(), 0,
+  CutSettings settings;
+  settings.direction = Eigen::Vector3d(3, 4, 0);
+  EXPECT_NEAR((setupOf(exampleTarget("saddle"), settings).direction - Eigen::Vector3d(0.6, 0.8, 0)).norm(), 0,
               1e-15);
 }
 
 TEST(GivenDirection, ThroughTheSurfaceIsMentioned) {
-  Job job;
-  job.direction = Eigen::Vector3d::UnitZ();
+  CutSettings settings;
+  settings.direction = Eigen::Vector3d::UnitZ();
   Issues issues;
-  ASSERT_TRUE(resolveSetup(exampleTarget("saddle"), job, issues));
+  ASSERT_TRUE(resolveSetup(exampleTarget("saddle"), settings, issues));
   ASSERT_EQ(issues.size(), 1u);
   EXPECT_EQ(issues[0].severity, Severity::info);
 }

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "bw/core/spline_surface.h"
@@ -46,21 +47,32 @@ inline Target targetOf(const std::string& step, const FaceChoice& choice = {}) {
 
 inline Target exampleTarget(const std::string& name) { return targetOf(exampleStep(name).value()); }
 
-/// Sections of a target with a job's block, direction and stations; fails the test on an error.
+/// What a test asks of the sections of a target.
+struct CutSettings {
+  std::optional<BlockPlacement> block;
+  std::optional<Eigen::Vector3d> direction;
+  int stations = 60;
+  std::optional<double> spacing;
+
+  operator SetupRequest() const { return {block, direction}; }     // NOLINT
+  operator SectionRequest() const { return {stations, spacing}; }  // NOLINT
+};
+
+/// Sections of a target; fails the test on an error.
 struct Cut {
   Setup setup;
   std::vector<Section> sections;
   Issues issues;
 };
 
-inline Cut cutOf(const Target& target, const Job& job, int threads = 0) {
+inline Cut cutOf(const Target& target, const CutSettings& settings, int threads = 0) {
   Cut cut;
-  auto setup = resolveSetup(target, job, cut.issues);
+  auto setup = resolveSetup(target, settings, cut.issues);
   EXPECT_TRUE(setup) << setup.error().message;
   cut.setup = *setup;
   RunContext context;
   context.threads = threads;
-  auto sections = cutSections(target, cut.setup, job, context, cut.issues);
+  auto sections = cutSections(target, cut.setup, settings, context, cut.issues);
   EXPECT_TRUE(sections) << sections.error().message;
   if (sections) cut.sections = std::move(*sections);
   return cut;

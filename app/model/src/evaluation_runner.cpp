@@ -21,11 +21,12 @@ constexpr std::chrono::milliseconds kProgressInterval{30};
 std::shared_ptr<const pipeline::Evaluation> withEarlierStages(pipeline::Evaluation now,
                                                               const pipeline::Evaluation* before) {
   if (before) {
-    if (!now.model.value) now.source = before->source, now.model = before->model;
+    if (!now.source.value) now.source = before->source;
     if (!now.target.value) now.target = before->target;
     if (!now.targetMesh.value) now.targetMesh = before->targetMesh;
     if (!now.faceMesh.value) now.faceMesh = before->faceMesh;
-    if (!now.setup.value) now.setup = before->setup;
+    if (!now.placed.value) now.placed = before->placed;
+    if (!now.setup) now.setup = before->setup;
     if (!now.directions.value) now.directions = before->directions;
     if (!now.sections.value) now.sections = before->sections;
     if (!now.fits.value) now.fits = before->fits;

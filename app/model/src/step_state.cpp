@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "bw/core/number_text.h"
+#include "bw/pipeline/run_identity.h"
 
 namespace bw::model {
 
@@ -16,8 +17,8 @@ QString lengthText(double mm, int digits = 3) { return QString::fromStdString(sh
 
 /// The first step that the evaluation did not finish.
 Step failedStep(const pipeline::Evaluation* evaluation) {
-  if (!evaluation || !evaluation->model.value || !evaluation->target.value) return Step::input;
-  if (!evaluation->setup.value) return Step::setup;
+  if (!evaluation || !evaluation->source.value || !evaluation->target.value) return Step::input;
+  if (!evaluation->setup) return Step::setup;
   return Step::process;
 }
 
@@ -34,15 +35,15 @@ QString countText(int count, const char* one, const char* many) {
 }
 
 void fillDone(StepStates& states, const pipeline::Evaluation& evaluation) {
-  if (evaluation.setup.value) {
-    const Eigen::Vector3d& size = evaluation.setup.value->block.size;
+  if (evaluation.setup) {
+    const Eigen::Vector3d& size = evaluation.setup->block.size;
     states[int(Step::setup)] = {Kind::done, 0,
                                 QStringLiteral("%1 × %2 × %3 mm")
                                     .arg(lengthText(size.x()), lengthText(size.y()), lengthText(size.z()))};
   }
-  if (evaluation.model.value && evaluation.target.value) {
+  if (evaluation.source.value && evaluation.target.value) {
     const int chosen = int(evaluation.target.value->faces().size());
-    const int all = evaluation.model.value->info().faces;
+    const int all = evaluation.source.value->model.info().faces;
     states[int(Step::input)] = {Kind::done, 0,
                                 chosen == all ? countText(all, "face", "faces")
                                               : QStringLiteral("%1 of %2 faces").arg(chosen).arg(all)};
@@ -81,7 +82,10 @@ Step stepOfIssue(const Issue& issue) {
 }
 
 std::string exportKey(const pipeline::Evaluation& evaluation) {
-  return evaluation.sweep.key + "\n" + evaluation.cell.key;
+  if (!evaluation.sweep.value) return {};
+  std::string key = pipeline::runId(evaluation, evaluation.cell.value.get());
+  for (const std::string& format : evaluation.design.job.programs) key += " " + format;
+  return key;
 }
 
 StepStates stepStates(const StepFacts& facts) {

@@ -27,13 +27,13 @@ scene::Content sceneContent(const Evaluation& evaluation) {
   scene::Content content;
   if (evaluation.targetMesh.value) content.target = *evaluation.targetMesh.value;
   content.faces = evaluation.faceMesh.value;
-  if (evaluation.setup.value)
-    content.block = evaluation.setup.value->block;
+  if (evaluation.setup)
+    content.block = evaluation.setup->block;
   else if (evaluation.design.job.block)
     content.block = evaluation.design.job.block->box();  // it misses the surface: shown where it was put
-  if (evaluation.setup.value) content.travel = evaluation.setup.value->direction;
+  if (evaluation.setup) content.travel = evaluation.setup->direction;
   if (evaluation.sweep.value) {
-    const Blade& blade = evaluation.sweep.value->sweep.blade;
+    const Blade& blade = evaluation.sweep.value->sweep.request.blade;
     content.limits = {{"curvature", 1.0}, {"stress", blade.stress(blade.maxCurvature())}};
     content.cut = evaluation.sweep.value->analysis.cut;
     for (const Station& station : evaluation.sweep.value->sweep.stations) {

@@ -34,24 +34,28 @@ int leftOut(const std::vector<Station>& stations) {
   return inside + std::max(0, before - kSparedAtAnEnd) + std::max(0, after - kSparedAtAnEnd);
 }
 
-DirectionTrial tried(const geometry::Target& target, const geometry::Setup& setup, const Job& job,
+DirectionTrial tried(const geometry::Target& target, const RowRequest& request,
                      const geometry::NamedDirection& along, const RunContext& context) {
   DirectionTrial trial{along.name, along.direction, kStations, kStations, 0, 0, {}};
   const auto failed = [&](const Error& error) {
     trial.failure = error.message;
     return trial;
   };
+  const Box& block = request.setup.block;
   Issues ignored;
   Result<std::vector<Section>> sections =
-      geometry::cutSections(target, {setup.block, along.direction}, job, context, ignored);
+      geometry::cutSections(target, {block, along.direction}, {kStations, {}}, context, ignored);
   if (!sections) return failed(sections.error());
-  Result<Sweep> sweep = buildSweep(std::move(*sections), job, setup.block, along.direction, context, ignored);
+  Result<Sweep> sweep =
+      buildSweep(std::move(*sections), request.fit, block, along.direction, context, ignored);
   if (!sweep) return failed(sweep.error());
-  if (const Result<void> measured = measureSweep(*sweep, job, context); !measured)
+  if (const Result<void> measured =
+          measureSweep(*sweep, {request.fit.tolerance, request.fit.clearance}, context);
+      !measured)
     return failed(measured.error());
   trial.unusable = leftOut(sweep->stations);
   for (const Station& station : sweep->stations) {
-    if (isUnusable(station, sweep->blade.maxCurvature())) ++trial.unusable;
+    if (isUnusable(station, sweep->request.blade.maxCurvature())) ++trial.unusable;
     trial.deviationMax = std::max(trial.deviationMax, station.fit.hausdorff);
     trial.angleMax = std::max(trial.angleMax, station.angleMax);
   }
@@ -91,28 +95,27 @@ Issues directionFindings(const DirectionSearch& search) {
            {}}};
 }
 
-Result<DirectionSearch> searchDirection(const geometry::Target& target, const geometry::Setup& setup,
-                                        const Job& given, const RunContext& context) {
-  Job job = given;
-  job.stations = kStations;
-  job.spacing.reset();
-  const std::vector<geometry::NamedDirection> directions = geometry::directionsToTry(target, setup.block);
+Result<DirectionSearch> searchDirection(const geometry::Target& target, const RowRequest& request,
+                                        const RunContext& context) {
+  const std::vector<geometry::NamedDirection> directions =
+      geometry::directionsToTry(target, request.setup.block);
   RunContext quiet;  // a trial tells no progress of its own, and shares its thread with nobody
   quiet.stop = context.stop;
   quiet.threads = 1;
   DirectionSearch search;
-  search.trials.push_back(tried(target, setup, job, directions.front(), quiet));
+  search.trials.push_back(tried(target, request, directions.front(), quiet));
   if (context.stopped()) return stoppedError();
-  if (directions.size() < 2 || cannotBeBeaten(search.trials.front(), job.tolerance)) return search;
+  if (directions.size() < 2 || cannotBeBeaten(search.trials.front(), request.fit.tolerance)) return search;
   std::vector<DirectionTrial> others(directions.size() - 1);
   const auto body = [&](int i) {
-    others[std::size_t(i)] = tried(target, setup, job, directions[std::size_t(i) + 1], quiet);
+    others[std::size_t(i)] = tried(target, request, directions[std::size_t(i) + 1], quiet);
   };
   if (Result<void> ok = parallelFor(context, int(others.size()), body); !ok)
     return tl::unexpected<Error>(ok.error());
   for (DirectionTrial& trial : others) search.trials.push_back(std::move(trial));
   for (std::size_t i = 1; i < search.trials.size(); ++i)
-    if (clearlyBetter(search.trials[i], search.trials[search.chosen], job.tolerance)) search.chosen = i;
+    if (clearlyBetter(search.trials[i], search.trials[search.chosen], request.fit.tolerance))
+      search.chosen = i;
   return search;
 }
 

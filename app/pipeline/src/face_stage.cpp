@@ -7,15 +7,15 @@
 namespace bw::pipeline {
 
 void addFaceMesh(Evaluation& evaluation, const Evaluation* previous, const RunContext& context) {
-  const auto& model = evaluation.model;
-  if (!model.value || model.value->info().faces < 2) return;
-  if (previous && previous->faceMesh.value && previous->faceMesh.key == model.key) {
+  const auto& source = evaluation.source.value;
+  if (!source || source->model.info().faces < 2) return;
+  if (previous && previous->faceMesh.value && previous->faceMesh.inputs == Inputs{source}) {
     evaluation.faceMesh = previous->faceMesh;
     return;
   }
   // A file whose faces make no triangles can still be cut: there is nothing to choose by eye then.
-  if (Result<FaceMesh> mesh = geometry::faceMesh(*model.value, context); mesh && !mesh->faces.empty())
-    evaluation.faceMesh = {model.key, std::make_shared<const FaceMesh>(std::move(*mesh))};
+  if (Result<FaceMesh> mesh = geometry::faceMesh(source->model, context); mesh && !mesh->faces.empty())
+    evaluation.faceMesh = {{}, {source}, std::make_shared<const FaceMesh>(std::move(*mesh))};
 }
 
 }  // namespace bw::pipeline

@@ -6,8 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstring>
-#include <nlohmann/json.hpp>
-#include <system_error>
+#include <type_traits>
 #include <utility>
 
 #include "bw/core/fingerprint.h"
@@ -16,9 +15,7 @@
 
 namespace bw::pipeline {
 
-namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
-using nlohmann::json;
 
 namespace {
 
@@ -26,54 +23,71 @@ double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Identity of the source's bytes: for a linked file its path, size and time of change; for an embedded one
-/// its hash.
-std::string sourceKey(const Source& source) {
-  if (!source.bytes.empty())
-    return "embedded " + std::to_string(source.bytes.size()) + " " + std::to_string(source.bytes.hash());
-  std::error_code error;
-  const auto size = fs::file_size(source.path, error);
-  const auto time = fs::last_write_time(source.path, error);
-  return source.path.string() + " " + std::to_string(error ? 0 : size) + " " +
-         std::to_string(error ? 0 : time.time_since_epoch().count());
-}
-
-/// The fingerprint of the bytes that were read; `then` is what `sourceKey` told before.
-Result<Fingerprint> fingerprintOfSource(const Source& source, const std::string& then) {
-  if (!source.bytes.empty()) return fingerprintOf(source.bytes.str());
-  Result<Fingerprint> fingerprint = fingerprintOfFile(source.path);
-  if (fingerprint && sourceKey(source) != then)
-    return fail(ErrorCode::cannotRead, source.path.string() + " was changed while it was read; read it again",
-                source.path.string());
-  return fingerprint;
-}
-
-/// Identity of a cell: its word, or for a file its path, size and time of change.
-std::string cellKey(const std::string& nameOrPath) {
-  std::error_code error;
-  return fs::is_regular_file(nameOrPath, error) ? sourceKey(Source{nameOrPath, {}}) : nameOrPath;
-}
-
-/// The members of the job that a stage depends on, as text.
-class JobKeys {
- public:
-  explicit JobKeys(const Job& job) : object_(json::parse(jobToJson(job))) {}
-  std::string operator()(std::initializer_list<const char*> names) const {
-    std::string key;
-    for (const char* name : names) key += "\n" + std::string(name) + "=" + object_.at(name).dump();
-    return key;
-  }
-
- private:
-  json object_;
-};
-
-template <class T>
-bool reuse(Stage<T>& stage, const Stage<T>* before, const std::string& key) {
-  stage.key = key;
-  if (!before || !before->value || before->key != key) return false;
+/// Where a stage is not to be made.
+template <class Request, class T>
+bool reuse(Stage<Request, T>& stage, const Stage<Request, T>* before) {
+  if (!before || !before->value || !(before->request == stage.request) || before->inputs != stage.inputs)
+    return false;
   stage = *before;
   return true;
+}
+
+/// A stage as it was before, where neither its request nor anything that it stands on changed; else `make`
+/// makes it of its request, and its time is added to `seconds`.
+template <class Request, class T, class Make>
+Result<void> settle(Stage<Request, T>& stage, const Stage<Request, T>* before,
+                    const std::type_identity_t<Request>& request, Inputs inputs, double& seconds,
+                    const Make& make) {
+  stage.request = request;
+  stage.inputs = std::move(inputs);
+  if (reuse(stage, before)) return {};
+  const auto start = Clock::now();
+  Result<T> made = make(stage.request, stage.issues);
+  if (!made) return tl::unexpected<Error>(made.error());
+  stage.value = std::make_shared<const T>(std::move(*made));
+  seconds += secondsSince(start);
+  return {};
+}
+
+SourceRequest sourceRequest(const Source& source, const ReadOptions& options) {
+  if (source.bytes.empty()) return {FileStamp::of(source.path), {}, options};
+  return {{source.path}, source.bytes, options};
+}
+
+Result<CadSource> readSource(const SourceRequest& request, const RunContext& context, Issues& issues) {
+  const std::filesystem::path& path = request.file.path;
+  if (request.bytes.empty() && path.empty())
+    return fail(ErrorCode::badInput, "no CAD file is chosen; open one or drag it into the window", "source");
+  Result<geometry::CadModel> model =
+      request.bytes.empty()
+          ? geometry::CadModel::read(path, context, request.options)
+          : geometry::CadModel::readBytes(request.bytes, path.string(), context, request.options);
+  if (!model) return tl::unexpected<Error>(model.error());
+  Result<Fingerprint> content =
+      request.bytes.empty() ? fingerprintOfFile(path) : fingerprintOf(request.bytes.str());
+  if (!content) return tl::unexpected<Error>(content.error());
+  if (request.bytes.empty() && FileStamp::of(path) != request.file)
+    return fail(ErrorCode::cannotRead, path.string() + " was changed while it was read; read it again",
+                path.string());
+  for (const std::string& text : model->info().leftOut)
+    issues.push_back({Severity::warning, "left-out", text, {}});
+  for (const std::string& text : model->info().healing)
+    issues.push_back({Severity::info, "healing", text, {}});
+  return CadSource{std::move(*model), *content};
+}
+
+Result<SweepResult> checkedSweep(const Sweep& fits, const ResultRequest& request,
+                                 const SurfaceSampler& target, const RunContext& context, Issues& issues) {
+  SweepResult result{fits, {}, {}};
+  Result<SweepAnalysis> analysis = analyzeSweep(result.sweep, request.check, target, context);
+  if (!analysis) return tl::unexpected<Error>(analysis.error());
+  Result<Motion> motion = buildMotion(result.sweep, request.motion);
+  if (!motion) return tl::unexpected<Error>(motion.error());
+  result.analysis = std::move(*analysis);
+  result.motion = std::move(*motion);
+  result.analysis.summary.cuttingTime = result.motion.instants.back().time;
+  issues = result.analysis.issues;
+  return result;
 }
 
 /// What the message of a station says apart from its name, or empty if it is not about one station.
@@ -137,8 +151,9 @@ Issues changedSource(const Source& source, const Fingerprint& read) {
 
 Issues Evaluation::issues() const {
   Issues all;
-  for (const Issues* list : {&source.issues, &model.issues, &target.issues, &setup.issues, &directions.issues,
-                             &sections.issues, &fits.issues, &sweep.issues, &cell.issues, &programs})
+  for (const Issues* list :
+       {&sourceIssues, &source.issues, &target.issues, &placed.issues, &directions.issues, &sections.issues,
+        &fits.issues, &sweep.issues, &cell.issues, &programs})
     all.insert(all.end(), list->begin(), list->end());
   return grouped(all);
 }
@@ -154,143 +169,96 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
     return outcome;
   };
   const auto before = [&](auto member) { return previous ? &(previous->*member) : nullptr; };
+  const Requests ask(design.job);
   RunContext run = context;
   run.threads = context.threads > 0 ? context.threads : design.job.threads;
-  const Job& job = design.job;
-  const JobKeys keys(job);
+  Result<void> ok;
 
-  // Reading.
-  const geometry::ReadOptions options{job.unit, job.sewingTolerance()};
-  std::string key = sourceKey(design.source) + keys({"unit"}) + "\nsewing=" + roundTripText(options.sewing);
-  const bool known = reuse(e.source, before(&Evaluation::source), key);
-  if (!reuse(e.model, before(&Evaluation::model), key) || !known) {
-    run.report(0.0, "reading");
-    const auto readStart = Clock::now();
-    const std::string sourceThen = sourceKey(design.source);
-    if (design.source.bytes.empty() && design.source.path.empty())
-      return stop(
-          Error{ErrorCode::badInput, "no CAD file is chosen; open one or drag it into the window", "source"});
-    Result<geometry::CadModel> model =
-        design.source.bytes.empty()
-            ? geometry::CadModel::read(design.source.path, run.child(0.0, 0.25), options)
-            : geometry::CadModel::readBytes(design.source.bytes, design.source.path.string(),
-                                            run.child(0.0, 0.25), options);
-    if (!model) return stop(model.error());
-    const Result<Fingerprint> read = fingerprintOfSource(design.source, sourceThen);
-    if (!read) return stop(read.error());
-    e.source.value = std::make_shared<const Fingerprint>(*read);
-    for (const std::string& text : model->info().leftOut)
-      e.model.issues.push_back({Severity::warning, "left-out", text, {}});
-    for (const std::string& text : model->info().healing)
-      e.model.issues.push_back({Severity::info, "healing", text, {}});
-    e.model.value = std::make_shared<const geometry::CadModel>(std::move(*model));
-    e.seconds.read = secondsSince(readStart);
-  }
-  e.source.issues = changedSource(design.source, *e.source.value);
+  ok = settle(e.source, before(&Evaluation::source), sourceRequest(design.source, ask.read), {},
+              e.seconds.read, [&run](const SourceRequest& request, Issues& issues) {
+                run.report(0.0, "reading");
+                return readSource(request, run.child(0.0, 0.25), issues);
+              });
+  if (!ok) return stop(ok.error());
   if (run.stopped()) return stop(stoppedError().value());
+  const CadSource& source = *e.source.value;
+  e.sourceIssues = changedSource(design.source, source.content);
 
-  // The faces to cut, and a mesh of them for pictures.
-  key += keys({"face", "near"});
-  if (!reuse(e.target, before(&Evaluation::target), key)) {
-    const auto targetStart = Clock::now();
-    Result<geometry::Target> target = geometry::Target::make(*e.model.value, job.face, &e.target.issues);
-    if (!target) return stop(target.error());
-    e.target.value = std::make_shared<const geometry::Target>(std::move(*target));
-    e.seconds.read += secondsSince(targetStart);
-  }
-  const std::string targetKey = key;
+  ok = settle(e.target, before(&Evaluation::target), ask.face, {e.source.value}, e.seconds.read,
+              [&source](const FaceChoice& face, Issues& issues) {
+                return geometry::Target::make(source.model, face, &issues);
+              });
+  if (!ok) return stop(ok.error());
+  const geometry::Target& target = *e.target.value;
 
-  // Block and direction.
-  key += keys({"block", "direction", "blade", "clearance"});
-  if (!reuse(e.setup, before(&Evaluation::setup), key)) {
-    Result<geometry::Setup> setup = geometry::resolveSetup(*e.target.value, job, e.setup.issues);
-    if (!setup) return stop(setup.error());
-    e.setup.value = std::make_shared<const geometry::Setup>(std::move(*setup));
-  }
-  // Where the direction is left to us, the best of some. Its key holds all that the trials hang on, but not
-  // the number of stations: their change is what people drag.
-  std::string along;
-  if (!job.direction) {
-    key = targetKey + keys({"block", "blade", "fit", "lead", "tolerance", "clearance"});
-    if (!reuse(e.directions, before(&Evaluation::directions), key)) {
-      run.report(0.25, "direction");
-      const auto directionStart = Clock::now();
-      Result<DirectionSearch> search = searchDirection(*e.target.value, *e.setup.value, job, run);
-      if (!search) return stop(search.error());
-      e.directions.value = std::make_shared<const DirectionSearch>(std::move(*search));
-      e.directions.issues = directionFindings(*e.directions.value);
-      e.seconds.direction = secondsSince(directionStart);
-    }
-    const Eigen::Vector3d& chosen = e.directions.value->trials[e.directions.value->chosen].direction;
-    e.setup.value = std::make_shared<const geometry::Setup>(geometry::Setup{e.setup.value->block, chosen});
-    for (int i = 0; i < 3; ++i) along += " " + roundTripText(chosen[i]);
+  // Block and direction; where the direction is left to us, the best of some. What the trials hang on does
+  // not hold the number of stations: its change is what people drag.
+  double none = 0;
+  ok = settle(e.placed, before(&Evaluation::placed), ask.setup, {e.target.value}, none,
+              [&target](const geometry::SetupRequest& request, Issues& issues) {
+                return geometry::resolveSetup(target, request, issues);
+              });
+  if (!ok) return stop(ok.error());
+  e.setup = e.placed.value;
+  if (!ask.setup.direction) {
+    ok = settle(e.directions, before(&Evaluation::directions), {*e.placed.value, ask.fit}, {e.target.value},
+                e.seconds.direction, [&run, &target](const RowRequest& request, Issues& issues) {
+                  run.report(0.25, "direction");
+                  Result<DirectionSearch> search = searchDirection(target, request, run);
+                  if (search) issues = directionFindings(*search);
+                  return search;
+                });
+    if (!ok) return stop(ok.error());
+    const DirectionSearch& search = *e.directions.value;
+    e.setup = std::make_shared<const geometry::Setup>(
+        geometry::Setup{e.placed.value->block, search.trials[search.chosen].direction});
   }
   if (run.stopped()) return stop(stoppedError().value());
 
-  const auto sectionsStart = Clock::now();
-  key = targetKey + keys({"block", "direction", "planes", "stations"}) + along;
-  if (!reuse(e.sections, before(&Evaluation::sections), key)) {
-    run.report(0.3, "sections");
-    Result<std::vector<Section>> sections =
-        geometry::cutSections(*e.target.value, *e.setup.value, job, run.child(0.3, 0.6), e.sections.issues);
-    if (!sections) return stop(sections.error());
-    e.sections.value = std::make_shared<const std::vector<Section>>(std::move(*sections));
-    e.seconds.sections = secondsSince(sectionsStart);
-  }
+  ok = settle(e.sections, before(&Evaluation::sections), {*e.setup, ask.sections}, {e.target.value},
+              e.seconds.sections, [&run, &target](const PlanesRequest& request, Issues& issues) {
+                run.report(0.3, "sections");
+                return geometry::cutSections(target, request.setup, request.sections, run.child(0.3, 0.6),
+                                             issues);
+              });
+  if (!ok) return stop(ok.error());
   if (run.stopped()) return stop(stoppedError().value());
 
-  // Elastica.
-  key += keys({"blade", "fit", "lead", "tolerance", "clearance"});
-  if (!reuse(e.fits, before(&Evaluation::fits), key)) {
-    run.report(0.6, "fitting");
-    Result<Sweep> sweep = buildSweep(*e.sections.value, job, e.setup.value->block, e.setup.value->direction,
-                                     run.child(0.6, 0.75), e.fits.issues, &e.seconds.fit, &e.seconds.extend);
-    if (!sweep) return stop(sweep.error());
-    e.fits.value = std::make_shared<const Sweep>(std::move(*sweep));
-  }
+  const std::vector<Section>& sections = *e.sections.value;
+  ok = settle(e.fits, before(&Evaluation::fits), {*e.setup, ask.fit}, {e.sections.value}, none,
+              [&run, &sections, &seconds = e.seconds](const RowRequest& request, Issues& issues) {
+                run.report(0.6, "fitting");
+                return buildSweep(sections, request.fit, request.setup.block, request.setup.direction,
+                                  run.child(0.6, 0.75), issues, &seconds.fit, &seconds.extend);
+              });
+  if (!ok) return stop(ok.error());
   if (run.stopped()) return stop(stoppedError().value());
 
-  // Checks and motion: the speed of the cut comes in here.
-  key += keys({"cutting_speed"});
-  if (!reuse(e.sweep, before(&Evaluation::sweep), key)) {
-    run.report(0.75, "checking");
-    const auto checkStart = Clock::now();
-    auto result = std::make_shared<SweepResult>();
-    result->sweep = *e.fits.value;
-    Result<SweepAnalysis> analysis =
-        analyzeSweep(result->sweep, job, *e.target.value->sampler(), run.child(0.75, 0.95));
-    if (!analysis) return stop(analysis.error());
-    Result<Motion> motion = buildMotion(result->sweep, job.cuttingSpeed);
-    if (!motion) return stop(motion.error());
-    result->analysis = std::move(*analysis);
-    result->motion = std::move(*motion);
-    result->analysis.summary.cuttingTime = result->motion.instants.back().time;
-    e.sweep.issues = result->analysis.issues;
-    e.sweep.value = std::move(result);
-    e.seconds.check = secondsSince(checkStart);
-  }
+  const Sweep& fits = *e.fits.value;
+  ok = settle(e.sweep, before(&Evaluation::sweep), {ask.check, ask.motion}, {e.fits.value, e.target.value},
+              e.seconds.check, [&run, &fits, &target](const ResultRequest& request, Issues& issues) {
+                run.report(0.75, "checking");
+                return checkedSweep(fits, request, *target.sampler(), run.child(0.75, 0.95), issues);
+              });
+  if (!ok) return stop(ok.error());
   if (run.stopped()) return stop(stoppedError().value());
 
   // How the programs lie in their cell. A cell that cannot be read is a finding: the surface is judged
   // without it.
-  key += keys({"programs"}) + "\ncell=" + cellKey(job.cell);
-  if (!job.programs.empty() && !reuse(e.cell, before(&Evaluation::cell), key)) {
-    Result<Cell> cell = loadCell(job.cell);
-    if (cell) {
-      e.cell.issues = robotio::checkPlacement(e.sweep.value->motion, *cell);
-      e.cell.value = std::make_shared<const Cell>(std::move(*cell));
-    } else {
-      e.cell.issues.push_back({Severity::error, "cell", cell.error().message, {}});
-    }
+  const SweepResult& sweep = *e.sweep.value;
+  if (!ask.programs.formats.empty()) {
+    ok = settle(e.cell, before(&Evaluation::cell), {ask.programs, FileStamp::of(ask.programs.cell)},
+                {e.sweep.value}, none, [&sweep](const CellRequest& request, Issues& issues) {
+                  Result<Cell> cell = loadCell(request.programs.cell);
+                  if (cell) issues = robotio::checkPlacement(sweep.motion, *cell);
+                  return cell;
+                });
+    if (!ok) e.cell.issues = {{Severity::error, "cell", ok.error().message, {}}};
   }
 
-  if (!reuse(e.targetMesh, before(&Evaluation::targetMesh), targetKey)) {
-    const auto meshStart = Clock::now();
-    Result<TriangleMesh> mesh = e.target.value->mesh();
-    if (!mesh) return stop(mesh.error());
-    e.targetMesh.value = std::make_shared<const TriangleMesh>(std::move(*mesh));
-    e.seconds.read += secondsSince(meshStart);
-  }
+  ok = settle(e.targetMesh, before(&Evaluation::targetMesh), {}, {e.target.value}, e.seconds.read,
+              [&target](const NoRequest&, Issues&) { return target.mesh(); });
+  if (!ok) return stop(ok.error());
   run.report(1.0, "done");
   e.seconds.total = secondsSince(start);
   return outcome;

@@ -102,7 +102,7 @@ std::string reportJson(const Evaluation& e, const std::string& run, const FileSe
                      {"flexural_rigidity_Nmm2", job.blade.flexuralRigidity()}};
   ordered_json method;
   method["planes"] = "parallel";
-  if (e.setup.value) method["direction"] = vec(e.setup.value->direction);
+  if (e.setup) method["direction"] = vec(e.setup->direction);
   method["fit"] = {{"length", job.fitLength == FitOptions::Length::exact ? "exact" : "free"},
                    {"endpoints", job.fitEndpoints},
                    {"tangents", job.fitTangents},
@@ -113,8 +113,8 @@ std::string reportJson(const Evaluation& e, const std::string& run, const FileSe
   method["clearance_mm"] = job.clearance;
   method["cell"] = job.cell;
   report["method"] = method;
-  if (e.setup.value) {
-    const Box& block = e.setup.value->block;
+  if (e.setup) {
+    const Box& block = e.setup->block;
     report["block"] = {{"origin", vec(block.frame.origin)},
                        {"size", vec(block.size)},
                        {"x", vec(block.frame.x)},

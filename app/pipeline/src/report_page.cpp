@@ -131,14 +131,14 @@ void parameters(Page& page, const Evaluation& e) {
   page.row({"Blade", (job.blade.title.empty() ? job.blade.name : job.blade.title) + ", " +
                          shortText(job.blade.length, 6) + " mm between the grips"});
   page.row({"Smallest radius that the blade bears", mm(job.blade.minRadius())});
-  if (e.setup.value) {
-    const Box& block = e.setup.value->block;
+  if (e.setup) {
+    const Box& block = e.setup->block;
     page.row({"Block", shortText(block.size.x(), 5) + " × " + shortText(block.size.y(), 5) + " × " +
                            shortText(block.size.z(), 5) + " mm"});
     page.row({"Corner of the block, in the file's frame", position(block.frame.origin)});
     page.row({"Edges of the block: x", direction(block.frame.x)});
     page.row({"Edges of the block: y", direction(block.frame.y)});
-    page.row({"Cutting direction", direction(e.setup.value->direction)});
+    page.row({"Cutting direction", direction(e.setup->direction)});
   }
   if (e.sweep.value) page.row({"Stations", std::to_string(e.sweep.value->sweep.stations.size())});
   page.row({"Cutting speed of the fastest point", shortText(job.cuttingSpeed, 4) + " mm/s"});

@@ -127,7 +127,7 @@ std::string sweepJson(const Evaluation& e, const std::string& run) {
   object["run"] = run;
   object["unit"] = "mm";
   object["points_per_station"] = kSweepPoints;
-  object["blade_length"] = sweep.blade.length;
+  object["blade_length"] = sweep.request.blade.length;
   object["direction"] = vec(sweep.direction);
   ordered_json stations = ordered_json::array();
   std::vector<double> arcs(kSweepPoints);

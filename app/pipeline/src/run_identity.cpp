@@ -156,7 +156,7 @@ std::string runId(const Evaluation& e, const Cell* cell) {
   json job = json::parse(jobToJson(e.design.job));
   for (const char* output : {"programs", "threads", "cell"}) job.erase(output);
   Values f;
-  f.text(BW_VERSION).text(job.dump()).text(fingerprintText(*e.source.value)).number(cell ? 1 : 0);
+  f.text(BW_VERSION).text(job.dump()).text(fingerprintText(e.source.value->content)).number(cell ? 1 : 0);
   if (cell) add(f, *cell);
   add(f, e.sweep.value->motion);
   return f.name();

@@ -18,7 +18,7 @@ constexpr std::uintmax_t kEmbedLimit = 8u << 20;
 
 Result<Design> storedDesign(const Evaluation& evaluation) {
   Design result = evaluation.design;
-  const Fingerprint& read = *evaluation.source.value;
+  const Fingerprint& read = evaluation.source.value->content;
   const auto changed = [&] {
     return fail(ErrorCode::cannotRead,
                 result.source.path.string() +

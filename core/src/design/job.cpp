@@ -113,7 +113,7 @@ void readStations(ObjectReader& reader, Job& job) {
     job.spacing = spacing;
     return;
   }
-  reader.integer("stations", job.stations, 2, Job::kMaxStations);
+  reader.integer("stations", job.stations, 2, SectionRequest::kMost);
   job.spacing.reset();
 }
 
@@ -181,7 +181,9 @@ double millimetres(LengthUnit unit) {
   return 1;
 }
 
-double Job::sewingTolerance() const { return sewing.value_or(std::min(tolerance / 10, kMostSewing)); }
+double Job::sewingTolerance() const {
+  return sewing.value_or(std::min(tolerance / 10, ReadOptions::kMostSewing));
+}
 
 Box BlockPlacement::box() const {
   const Eigen::Matrix3d r = rotationFromAngles(rotation);

@@ -40,8 +40,9 @@ std::optional<double> clearingLength(const Sweep& sweep, const Station& station,
 
 bool holdsAt(const Sweep& sweep, const Station& station, double length) {
   const Result<Elastica> blade = extendedBlade(station.fit.elastica, length);
-  return blade && blade->maxCurvature() <= sweep.blade.maxCurvature() && stabilityMargin(*blade) > 0 &&
-         (sweep.blade.section == Blade::Section::flat || outOfPlaneMargin(*blade) > 0);
+  return blade && blade->maxCurvature() <= sweep.request.blade.maxCurvature() &&
+         stabilityMargin(*blade) > 0 &&
+         (sweep.request.blade.section == Blade::Section::flat || outOfPlaneMargin(*blade) > 0);
 }
 
 }  // namespace
@@ -55,7 +56,7 @@ double boxDistance(const Box& box, const Eigen::Vector3d& point) {
 
 GripReach lengthThatClears(const Sweep& sweep, const Station& worst, double clearance) {
   const std::vector<Station>& stations = sweep.stations;
-  std::optional<double> length = clearingLength(sweep, worst, sweep.blade.length, clearance);
+  std::optional<double> length = clearingLength(sweep, worst, sweep.request.blade.length, clearance);
   for (const Station& station : stations)
     if (length) length = clearingLength(sweep, station, *length, clearance);
   // What cleared at a shorter length may have curled back since.

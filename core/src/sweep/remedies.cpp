@@ -49,14 +49,14 @@ std::optional<double> lengthFor(double longest, double clearance) {
   return needed <= Blade::kLongest ? std::optional(needed) : std::nullopt;
 }
 
-std::optional<double> shorterBlade(const Sweep& sweep, const Job& job, std::span<const Station> stations,
+std::optional<double> shorterBlade(const Sweep& sweep, std::span<const Station> stations,
                                    const std::function<bool(const Elastica&)>& holds) {
   const double least = kLengthReserve * longestCut(sweep);
   const auto holdsAt = [&](const Station& station, double length) {
     const Result<Elastica> blade = extendedBlade(station.fit.elastica, length);
     return blade && holds(*blade);
   };
-  double length = sweep.blade.length;
+  double length = sweep.request.blade.length;
   for (const Station& station : stations) {
     if (holdsAt(station, length)) continue;
     if (!(least < length) || !holdsAt(station, least)) return {};
@@ -69,11 +69,11 @@ std::optional<double> shorterBlade(const Sweep& sweep, const Job& job, std::span
   }
   // A shorter blade is fitted otherwise, so that the length is tried out.
   const std::size_t stride = std::max<std::size_t>(1, stations.size() / kTriedStations);
-  Job tried = job;
+  FitRequest tried = sweep.request;
   for (int k = 0; k < kTriedLengths; ++k, length *= kShorter) {
     tried.blade.length = std::floor(length);
     if (tried.blade.length < least) return {};
-    bool all = tried.blade.length < sweep.blade.length;
+    bool all = tried.blade.length < sweep.request.blade.length;
     for (std::size_t i = 0; all && i < stations.size(); i += stride) {
       const Result<StationFit> fit = fitStation(stations[i].target, tried, nullptr);
       const Result<Elastica> blade = fit ? extendedBlade(fit->fit.elastica, tried.blade.length)

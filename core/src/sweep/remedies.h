@@ -7,7 +7,6 @@
 #include <span>
 #include <string>
 
-#include "bw/core/job.h"
 #include "bw/core/sweep.h"
 
 namespace bw::detail {
@@ -28,8 +27,7 @@ inline constexpr double kRadiusReserve = 0.99;
 /// A blade shorter than the sweep's, whole mm, with which `holds` is true of the blade at all `stations`:
 /// about the longest to which their curves may be continued, tried out by new fits of some of them. Empty
 /// where none is found, or where a cut of the sweep would be too long for it.
-[[nodiscard]] std::optional<double> shorterBlade(const Sweep& sweep, const Job& job,
-                                                 std::span<const Station> stations,
+[[nodiscard]] std::optional<double> shorterBlade(const Sweep& sweep, std::span<const Station> stations,
                                                  const std::function<bool(const Elastica&)>& holds);
 
 }  // namespace bw::detail

@@ -72,10 +72,10 @@ std::string remedy(const std::vector<Station>& stations, std::size_t i, bool bet
   return std::string(kInParts) + ", turn the cutting direction, or allow more";
 }
 
-void addDeviation(const std::vector<Station>& stations, const Job& job, std::size_t worst,
+void addDeviation(const std::vector<Station>& stations, const CheckRequest& request, std::size_t worst,
                   SweepAnalysis& analysis) {
   const SweepSummary& summary = analysis.summary;
-  if (summary.deviationMax <= job.tolerance) return;
+  if (summary.deviationMax <= request.tolerance) return;
   const std::vector<int>& rows = analysis.stationRow;
   const std::size_t columns = std::size_t(analysis.cut.columns);
   const int row = int(worst / columns);
@@ -89,7 +89,7 @@ void addDeviation(const std::vector<Station>& stations, const Job& job, std::siz
   analysis.issues.push_back(
       {Severity::warning, "deviation",
        "the cut surface is up to " + shortText(summary.deviationMax) + " mm from the target near " +
-           stationName(index) + ", more than the tolerance of " + shortText(job.tolerance) + " mm (" +
+           stationName(index) + ", more than the tolerance of " + shortText(request.tolerance) + " mm (" +
            fixedText(std::min(99.9, 100 * summary.withinTolerance), 1) + " % of its area lies within); " +
            remedy(stations, i, between, summary.deviationMax, own),
        Place{stationName(index), 0, index, analysis.cut.points[worst]}});
@@ -97,9 +97,10 @@ void addDeviation(const std::vector<Station>& stations, const Job& job, std::siz
 
 }  // namespace
 
-void addRowFindings(const Sweep& sweep, const Job& job, std::size_t worst, SweepAnalysis& analysis) {
+void addRowFindings(const Sweep& sweep, const CheckRequest& request, std::size_t worst,
+                    SweepAnalysis& analysis) {
   addGaps(sweep.stations, analysis.issues);
-  addDeviation(sweep.stations, job, worst, analysis);
+  addDeviation(sweep.stations, request, worst, analysis);
 }
 
 }  // namespace bw::detail

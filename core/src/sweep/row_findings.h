@@ -3,15 +3,15 @@
 #pragma once
 
 #include "bw/core/issue.h"
-#include "bw/core/job.h"
 #include "bw/core/sweep.h"
 
 namespace bw::detail {
 
 /// Tells in words what is wrong between the stations of an analysed sweep: where stations inside the row are
-/// left out, and where the cut surface is farther from the target than the job's tolerance, which of the two,
+/// left out, and where the cut surface is farther from the target than the tolerance, which of the two,
 /// stations or what lies between them, is to blame. `worst` is the point of `analysis.cut` that is farthest
 /// from the target.
-void addRowFindings(const Sweep& sweep, const Job& job, std::size_t worst, SweepAnalysis& analysis);
+void addRowFindings(const Sweep& sweep, const CheckRequest& request, std::size_t worst,
+                    SweepAnalysis& analysis);
 
 }  // namespace bw::detail

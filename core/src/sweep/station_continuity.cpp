@@ -77,14 +77,14 @@ class ShapeSteps {
   };
 
   ShapeSteps(const StationFit& nearest, const Middle& from, const Middle& to, const Elastica& neighbour,
-             const Places& places, const PlanarCurve& section, const Job& job)
+             const Places& places, const PlanarCurve& section, const FitRequest& request)
       : nearest_(nearest),
         from_(from),
         to_(to),
         neighbour_(neighbour),
         places_(places),
         section_(section),
-        job_(job) {}
+        request_(request) {}
 
   /// The k-th of kShapeSteps shapes, or null where no blade holds it.
   const Shape* at(int k) {
@@ -118,8 +118,9 @@ class ShapeSteps {
     if (!free) return {};
     StationFit fit = nearest_;
     fit.fit.elastica = places_.laid(*free);
-    if (!bladeHolds(fit.fit, job_.blade)) return {};
-    return Shape{fit.fit.elastica, swing(neighbour_, *extendedBlade(fit.fit.elastica, job_.blade.length))};
+    if (!bladeHolds(fit.fit, request_.blade)) return {};
+    return Shape{fit.fit.elastica,
+                 swing(neighbour_, *extendedBlade(fit.fit.elastica, request_.blade.length))};
   }
 
   const StationFit& nearest_;
@@ -127,27 +128,28 @@ class ShapeSteps {
   const Elastica& neighbour_;
   const Places& places_;
   const PlanarCurve& section_;
-  const Job& job_;
+  const FitRequest& request_;
   std::array<std::optional<std::optional<Shape>>, kShapeSteps> shapes_;
 };
 
 }  // namespace
 
 StationFit besideNeighbour(StationFit nearest, const StationFit& neighbour, const PlanarCurve& section,
-                           const Job& job) {
+                           const FitRequest& request) {
   // Ends that are given leave no freedom.
-  if (job.fitEndpoints || job.fitTangents || nearest.fit.status == FitStatus::infeasible) return nearest;
-  const Result<Elastica> from = extendedBlade(neighbour.fit.elastica, job.blade.length);
-  const Result<Elastica> to = extendedBlade(nearest.fit.elastica, job.blade.length);
+  if (request.fitEndpoints || request.fitTangents || nearest.fit.status == FitStatus::infeasible)
+    return nearest;
+  const Result<Elastica> from = extendedBlade(neighbour.fit.elastica, request.blade.length);
+  const Result<Elastica> to = extendedBlade(nearest.fit.elastica, request.blade.length);
   if (!from || !to) return nearest;
   const double easy = std::max(kEasySwing, kLeverage * swing(neighbour.fit.elastica, nearest.fit.elastica));
   const double wanted = swing(*from, *to);
-  const bool holds = bladeHolds(nearest.fit, job.blade);
-  const bool told = section.length() > kTellsTheEnds * job.blade.length;
+  const bool holds = bladeHolds(nearest.fit, request.blade);
+  const bool told = section.length() > kTellsTheEnds * request.blade.length;
   if (holds && (told || wanted <= easy)) return nearest;
   const Places places(section);
   const Middle a = middleOf(*from), b = middleOf(*to);
-  ShapeSteps steps(nearest, a, b, *from, places, section, job);
+  ShapeSteps steps(nearest, a, b, *from, places, section, request);
   // The largest step towards the nearest shape that turns the ends easily, or else that which turns them
   // least.
   const auto steadied = [&](double allowed) {
@@ -161,7 +163,7 @@ StationFit besideNeighbour(StationFit nearest, const StationFit& neighbour, cons
     }
     return std::pair(best, least);
   };
-  const double allowed = std::max(job.tolerance, nearest.fit.hausdorff);
+  const double allowed = std::max(request.tolerance, nearest.fit.hausdorff);
   auto [best, least] = steadied(allowed);
   if (least > kToldSwing) {
     auto [farther, turned] = steadied(kForWholeness * allowed);

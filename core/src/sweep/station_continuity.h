@@ -3,7 +3,6 @@
 #pragma once
 
 #include "bw/core/issue.h"
-#include "bw/core/job.h"
 #include "bw/core/sweep.h"
 #include "sweep/station_fit.h"
 
@@ -15,7 +14,7 @@ namespace bw::detail {
 /// near as the nearest curve, where that is farther); its status then says that a bound is active. Otherwise
 /// `nearest` comes back as it is. docs/mathematics.md, sweep.
 [[nodiscard]] StationFit besideNeighbour(StationFit nearest, const StationFit& neighbour,
-                                         const PlanarCurve& section, const Job& job);
+                                         const PlanarCurve& section, const FitRequest& request);
 
 /// Tells where an end of the blade turns far between one station and the next.
 void addSwingFindings(const Sweep& sweep, Issues& issues);

@@ -31,9 +31,9 @@ namespace bw::detail {
 namespace {
 
 /// What keeps the grips of these stations clear of the block: a longer blade only where it does.
-std::string clearanceRemedy(const Sweep& sweep, const Job& job, const Stretch& stretch) {
+std::string clearanceRemedy(const Sweep& sweep, const CheckRequest& request, const Stretch& stretch) {
   const std::vector<Station>& stations = sweep.stations;
-  const GripReach reach = lengthThatClears(sweep, stations[stretch.worst], job.clearance);
+  const GripReach reach = lengthThatClears(sweep, stations[stretch.worst], request.clearance);
   if (reach.length && reach.holds)
     return "a blade of at least " + shortText(*reach.length, 6) + " mm keeps the clearance";
   std::string why = "no longer blade of this shape keeps the clearance";
@@ -50,20 +50,20 @@ std::string clearanceRemedy(const Sweep& sweep, const Job& job, const Stretch& s
 }
 
 /// A blade that is shorter, where that helps these stations.
-std::string shortened(const Sweep& sweep, const Job& job, const Stretch& stretch, const char* does,
+std::string shortened(const Sweep& sweep, const Stretch& stretch, const char* does,
                       const std::string& otherwise, const std::function<bool(const Elastica&)>& holds) {
   const std::span<const Station> stations =
       std::span(sweep.stations).subspan(stretch.first, stretch.last - stretch.first + 1);
-  const std::optional<double> length = shorterBlade(sweep, job, stations, holds);
+  const std::optional<double> length = shorterBlade(sweep, stations, holds);
   return length ? "one of " + shortText(*length, 6) + " mm " + does : otherwise;
 }
 
 }  // namespace
 
-void addStationFindings(const Sweep& sweep, const Job& job, Issues& issues) {
+void addStationFindings(const Sweep& sweep, const CheckRequest& request, Issues& issues) {
   const std::vector<Station>& stations = sweep.stations;
-  const std::vector<char> tight = addTightFindings(sweep, job, issues);
-  const double limit = sweep.blade.maxCurvature();
+  const std::vector<char> tight = addTightFindings(sweep, request, issues);
+  const double limit = sweep.request.blade.maxCurvature();
   const auto fartherFromSection = [](const Station& a, const Station& b) {
     return a.fit.hausdorff > b.fit.hausdorff;
   };
@@ -94,8 +94,9 @@ void addStationFindings(const Sweep& sweep, const Job& job, Issues& issues) {
       [&](const Station& s, const Stretch& stretch) {
         const double radius = 1 / s.blade.maxCurvature();
         return "the blade must bend to a radius of " + shortText(radius) +
-               " mm but keeps its shape only down to " + shortText(sweep.blade.minRadius()) + " mm; " +
-               shortened(sweep, job, stretch, "does", "it takes " + bladeThatBendsTo(kRadiusReserve * radius),
+               " mm but keeps its shape only down to " + shortText(sweep.request.blade.minRadius()) +
+               " mm; " +
+               shortened(sweep, stretch, "does", "it takes " + bladeThatBendsTo(kRadiusReserve * radius),
                          [&](const Elastica& blade) { return blade.maxCurvature() <= limit; });
       },
       issues);
@@ -113,7 +114,7 @@ void addStationFindings(const Sweep& sweep, const Job& job, Issues& issues) {
       [](const Station& a, const Station& b) { return a.stabilityMargin < b.stabilityMargin; },
       [&](const Station&, const Stretch& stretch) {
         return "the blade would not rest in this shape but snap to another; " +
-               shortened(sweep, job, stretch, "rests in it", kInParts,
+               shortened(sweep, stretch, "rests in it", kInParts,
                          [](const Elastica& blade) { return stabilityMargin(blade) > 0; });
       },
       issues);
@@ -123,7 +124,7 @@ void addStationFindings(const Sweep& sweep, const Job& job, Issues& issues) {
       [](const Station& a, const Station& b) { return a.outOfPlaneMargin < b.outOfPlaneMargin; },
       [&](const Station&, const Stretch& stretch) {
         return "a round blade would twist out of its plane rather than rest in this shape; " +
-               shortened(sweep, job, stretch, "stays in it, and so does a flat blade",
+               shortened(sweep, stretch, "stays in it, and so does a flat blade",
                          "take a flat blade, which is stiff across its plane",
                          [](const Elastica& blade) { return outOfPlaneMargin(blade) > 0; });
       },
@@ -153,19 +154,19 @@ void addStationFindings(const Sweep& sweep, const Job& job, Issues& issues) {
       [](const Station& a, const Station& b) { return a.clearance < b.clearance; },
       [&](const Station& s, const Stretch& stretch) {
         return "a grip would be " + shortText(-s.clearance) + " mm inside the block; " +
-               clearanceRemedy(sweep, job, stretch);
+               clearanceRemedy(sweep, request, stretch);
       },
       issues);
   reportStretches(
       stations, Severity::warning, "clearance",
-      [&](const Station& s) { return s.clearance >= 0 && s.clearance < job.clearance; },
+      [&](const Station& s) { return s.clearance >= 0 && s.clearance < request.clearance; },
       [](const Station& a, const Station& b) { return a.clearance < b.clearance; },
       [&](const Station& s, const Stretch& stretch) {
         return "a grip passes the block at " + shortText(s.clearance) + " mm, less than the clearance of " +
-               shortText(job.clearance) + " mm; " + clearanceRemedy(sweep, job, stretch);
+               shortText(request.clearance) + " mm; " + clearanceRemedy(sweep, request, stretch);
       },
       issues);
-  const double angleLimit = cuttingAngleLimit(sweep.blade);
+  const double angleLimit = cuttingAngleLimit(sweep.request.blade);
   reportStretches(
       stations, Severity::warning, "angle", [&](const Station& s) { return s.angleMax > angleLimit; },
       [](const Station& a, const Station& b) { return a.angleMax > b.angleMax; },

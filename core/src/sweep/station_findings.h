@@ -3,7 +3,6 @@
 #pragma once
 
 #include "bw/core/issue.h"
-#include "bw/core/job.h"
 #include "bw/core/sweep.h"
 
 namespace bw::detail {
@@ -11,6 +10,6 @@ namespace bw::detail {
 /// Tells in words which stations of an analysed sweep cannot be cut, or only badly, and why: curvature,
 /// inflections, stability, clearance, cutting angle, speed. Neighbouring stations that break the same rule
 /// become one finding at the worst of them.
-void addStationFindings(const Sweep& sweep, const Job& job, Issues& issues);
+void addStationFindings(const Sweep& sweep, const CheckRequest& request, Issues& issues);
 
 }  // namespace bw::detail

@@ -26,7 +26,7 @@ constexpr double kSameResidual = 1 + 1e-6;
 /// Periods that the whole blade may have: where it is much longer than the section, what it does beyond it
 /// would otherwise be left to rounding.
 constexpr double kBladePeriods = 2.0;
-/// Bounds on the periods that are tried with the blade's radius: 1, ½, ¼, … of the job's.
+/// Bounds on the periods that are tried with the blade's radius: 1, ½, ¼, … of those asked for.
 constexpr int kPeriodBounds = 7;
 /// Part of its largest curvature to which a blade at its limit bends, and to which a fit is bounded: rounding
 /// does not decide whether the blade holds.
@@ -36,12 +36,12 @@ constexpr double kPresses = 1 - 1e-4;
 /// A section with a radius so many times smaller than the blade's is far beyond it.
 constexpr double kFarBeyond = 10;
 
-FitOptions fitOptions(const Job& job, double sectionLength) {
+FitOptions fitOptions(const FitRequest& request, double sectionLength) {
   FitOptions options;
-  options.length = job.fitLength;
-  options.endpoints = job.fitEndpoints;
-  options.tangents = job.fitTangents;
-  options.maxPeriods = std::min(job.maxPeriods, kBladePeriods * sectionLength / job.blade.length);
+  options.length = request.fitLength;
+  options.endpoints = request.fitEndpoints;
+  options.tangents = request.fitTangents;
+  options.maxPeriods = std::min(request.maxPeriods, kBladePeriods * sectionLength / request.blade.length);
   return options;
 }
 
@@ -66,20 +66,21 @@ Result<FitResult> fitBesideNeighbour(const PlanarCurve& section, FitOptions opti
 }
 
 /// How a section is fitted where the nearest curve does not do for the whole blade.
-FitOptions boundedOptions(FitOptions options, const Job& job) {
-  options.maxCurvature = kAtLimit * job.blade.maxCurvature();
-  options.curvatureRange = job.blade.length;
+FitOptions boundedOptions(FitOptions options, const FitRequest& request) {
+  options.maxCurvature = kAtLimit * request.blade.maxCurvature();
+  options.curvatureRange = request.blade.length;
   return options;
 }
 
 /// Where the curvature of the section alone keeps the blade farther off than is allowed, or is far beyond
 /// what it bends to, no search would find a better one than the straight blade or one at its radius. Empty
 /// elsewhere, or where these lie farther off than is allowed although the curvature does not ask for it.
-std::optional<StationFit> stiffFit(const PlanarCurve& section, const Job& job) {
-  const double limit = job.blade.maxCurvature(), allowed = kAllowance * job.tolerance;
-  if (!TightSection::bendsBeyond(section, job.blade.minRadius()) || job.fitEndpoints || job.fitTangents)
+std::optional<StationFit> stiffFit(const PlanarCurve& section, const FitRequest& request) {
+  const double limit = request.blade.maxCurvature(), allowed = kAllowance * request.tolerance;
+  if (!TightSection::bendsBeyond(section, request.blade.minRadius()) || request.fitEndpoints ||
+      request.fitTangents)
     return {};
-  const TightSpot spot = TightSection(section).tightest(job.blade.minRadius());
+  const TightSpot spot = TightSection(section).tightest(request.blade.minRadius());
   const bool tooTight = spot.distance > allowed;
   if (!tooTight && !(spot.distance > 0 && kFarBeyond * spot.radius * limit < 1)) return {};
   const Places places(section);
@@ -96,7 +97,7 @@ std::optional<StationFit> stiffFit(const PlanarCurve& section, const Job& job) {
     fit.hausdorff = oneSidedHausdorff(laid, section);
     fit.status = FitStatus::constraintsActive;
     fit.message = "the blade at its smallest radius, or straight: the section is too tight for it";
-    if (bladeHolds(fit, job.blade)) best = StationFit{std::move(fit), true};
+    if (bladeHolds(fit, request.blade)) best = StationFit{std::move(fit), true};
   }
   return best && (tooTight || best->fit.hausdorff <= allowed) ? std::move(best) : std::nullopt;
 }
@@ -119,32 +120,33 @@ bool bladeHolds(const FitResult& fit, const Blade& blade) {
   return whole && whole->maxCurvature() <= blade.maxCurvature() && stabilityMargin(*whole) > 0;
 }
 
-Result<StationFit> fitStation(const PlanarCurve& section, const Job& job, const StationFit* neighbour) {
-  if (std::optional<StationFit> stiff = stiffFit(section, job)) return std::move(*stiff);
-  const FitOptions options = fitOptions(job, section.length());
+Result<StationFit> fitStation(const PlanarCurve& section, const FitRequest& request,
+                              const StationFit* neighbour) {
+  if (std::optional<StationFit> stiff = stiffFit(section, request)) return std::move(*stiff);
+  const FitOptions options = fitOptions(request, section.length());
   const FitResult* start = neighbour ? &neighbour->fit : nullptr;
-  const double allowed = kAllowance * job.tolerance;
+  const double allowed = kAllowance * request.tolerance;
   std::optional<Result<FitResult>> tried;  // with the first of the bounds
   if (neighbour && neighbour->heldBack) {
     // Most likely this one is held back too, and the nearest curve, which may be far from any blade, need not
     // be sought.
-    tried = fitBesideNeighbour(section, boundedOptions(options, job), start);
+    tried = fitBesideNeighbour(section, boundedOptions(options, request), start);
     const Result<FitResult>& bounded = *tried;
-    if (bounded && atRest(*bounded) && bounded->hausdorff <= allowed && bladeHolds(*bounded, job.blade) &&
-        bladePresses(*bounded, job.blade))
+    if (bounded && atRest(*bounded) && bounded->hausdorff <= allowed && bladeHolds(*bounded, request.blade) &&
+        bladePresses(*bounded, request.blade))
       return StationFit{*bounded, true};
   }
   Result<FitResult> best = fitBesideNeighbour(section, options, start);
   if (!best) return tl::unexpected<Error>(best.error());
-  if (!usable(*best) || best->hausdorff > allowed || bladeHolds(*best, job.blade))
+  if (!usable(*best) || best->hausdorff > allowed || bladeHolds(*best, request.blade))
     return StationFit{std::move(*best)};
-  FitOptions tighter = boundedOptions(options, job);
+  FitOptions tighter = boundedOptions(options, request);
   std::optional<FitResult> restless;
   for (int k = 0; k < kPeriodBounds; ++k, *tighter.maxPeriods *= 0.5) {
     Result<FitResult> bounded =
         k == 0 && tried ? std::move(*tried) : fitBesideNeighbour(section, tighter, start ? start : &*best);
     if (!bounded || !usable(*bounded) || bounded->hausdorff > allowed) break;
-    if (!bladeHolds(*bounded, job.blade)) continue;
+    if (!bladeHolds(*bounded, request.blade)) continue;
     if (atRest(*bounded)) return StationFit{std::move(*bounded), true};
     if (!restless) restless = std::move(*bounded);
   }

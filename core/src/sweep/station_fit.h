@@ -3,9 +3,9 @@
 #pragma once
 
 #include "bw/core/elastica_fit.h"
-#include "bw/core/job.h"
 #include "bw/core/planar_curve.h"
 #include "bw/core/result.h"
+#include "bw/core/sweep.h"
 
 namespace bw::detail {
 
@@ -18,19 +18,19 @@ struct StationFit {
   bool steadied = false;  ///< not the nearest curve, but one near the shape of its neighbour
 };
 
-/// The fit of one section under the options of a job. It starts from the shape of the neighbour (null for the
+/// The fit of one section under a request. It starts from the shape of the neighbour (null for the
 /// first section) and, where that looks like the wrong branch, from scratch as well. The blade as a whole has
 /// at most two periods. Where the blade that continues the best curve would bend below its radius or not
 /// rest, the curvature, and with it more and more tightly the number of periods, are bounded as long as the
 /// curve stays within twice the tolerance (docs/mathematics.md, sweep); the status then says that a bound is
 /// active. If no such curve is found, the best one.
-[[nodiscard]] Result<StationFit> fitStation(const PlanarCurve& section, const Job& job,
+[[nodiscard]] Result<StationFit> fitStation(const PlanarCurve& section, const FitRequest& request,
                                             const StationFit* neighbour);
 
 /// True if the blade that continues this fit keeps its radius and rests in its shape.
 [[nodiscard]] bool bladeHolds(const FitResult& fit, const Blade& blade);
 
-/// `fitted` continued at both ends to the length of the job's blade; itself where the blade is not longer.
+/// `fitted` continued at both ends to the length of the blade; itself where the blade is not longer.
 [[nodiscard]] Result<Elastica> extendedBlade(const Elastica& fitted, double bladeLength);
 
 }  // namespace bw::detail

@@ -41,8 +41,8 @@ Pose endPose(const Box& block, const Eigen::Vector3d& point, const Eigen::Vector
 
 /// One fit a section. The longest section tells most of the blade: the row starts from it and goes to both
 /// ends.
-Result<std::vector<detail::StationFit>> fitRow(const std::vector<Section>& sections, const Job& job,
-                                               const RunContext& context) {
+Result<std::vector<detail::StationFit>> fitRow(const std::vector<Section>& sections,
+                                               const FitRequest& request, const RunContext& context) {
   const auto longer = [](const Section& a, const Section& b) { return a.curve.length() < b.curve.length(); };
   const auto start =
       std::size_t(std::max_element(sections.begin(), sections.end(), longer) - sections.begin());
@@ -51,14 +51,14 @@ Result<std::vector<detail::StationFit>> fitRow(const std::vector<Section>& secti
   const auto fit = [&](std::size_t i, const detail::StationFit* neighbour) -> Result<void> {
     if (context.stopped()) return stoppedError();
     context.report(double(done++) / double(sections.size()), "fitting");
-    Result<detail::StationFit> fitted = detail::fitStation(sections[i].curve, job, neighbour);
+    Result<detail::StationFit> fitted = detail::fitStation(sections[i].curve, request, neighbour);
     if (!fitted) {
       Error error = fitted.error();
       error.where = stationName(sections[i].index);
       error.message = error.where + ": " + error.message;
       return tl::unexpected<Error>(std::move(error));
     }
-    fits[i] = neighbour ? detail::besideNeighbour(std::move(*fitted), *neighbour, sections[i].curve, job)
+    fits[i] = neighbour ? detail::besideNeighbour(std::move(*fitted), *neighbour, sections[i].curve, request)
                         : std::move(*fitted);
     return {};
   };
@@ -77,7 +77,7 @@ Eigen::Vector3d Station::rightPoint() const { return frame.toWorld(blade.at(blad
 
 Eigen::Vector3d Station::rightTangent() const { return tangentAt(frame, blade.at(blade.length()).angle); }
 
-Result<Sweep> buildSweep(std::vector<Section> sections, const Job& job, const Box& block,
+Result<Sweep> buildSweep(std::vector<Section> sections, const FitRequest& request, const Box& block,
                          const Eigen::Vector3d& direction, const RunContext& context, Issues& issues,
                          double* fitSeconds, double* extendSeconds) {
   using Clock = std::chrono::steady_clock;
@@ -86,9 +86,9 @@ Result<Sweep> buildSweep(std::vector<Section> sections, const Job& job, const Bo
                 "there are no sections to fit; place the block so that it meets the target", "sections", 0.0,
                 1.0);
   const auto fitStart = Clock::now();
-  Sweep sweep{block, direction, job.blade, job.lead, {}};
+  Sweep sweep{block, direction, request, {}};
   sweep.stations.reserve(sections.size());
-  const Result<std::vector<detail::StationFit>> fits = fitRow(sections, job, context);
+  const Result<std::vector<detail::StationFit>> fits = fitRow(sections, request, context);
   if (!fits) return tl::unexpected<Error>(fits.error());
   double longest = 0;
   int longestIndex = 0;
@@ -111,23 +111,23 @@ Result<Sweep> buildSweep(std::vector<Section> sections, const Job& job, const Bo
     sweep.stations.push_back(std::move(station));
   }
   const auto extendStart = Clock::now();
-  if (longest > job.blade.length) {
-    const std::optional<double> needed = detail::lengthFor(longest, job.clearance);
+  if (longest > request.blade.length) {
+    const std::optional<double> needed = detail::lengthFor(longest, request.clearance);
     const std::string other = "a smaller block, or another cutting direction";
     return fail(
         ErrorCode::badInput,
-        "the blade of " + shortText(job.blade.length, 5) + " mm is shorter than the section of " +
+        "the blade of " + shortText(request.blade.length, 5) + " mm is shorter than the section of " +
             stationName(longestIndex) + " (" + shortText(longest, 6) + " mm); choose " +
             (needed ? "a blade of at least " + shortText(*needed, 6) + " mm, " + other
                     : other + ": no blade may be longer than " + shortText(Blade::kLongest, 6) + " mm"),
-        stationName(longestIndex), job.blade.length, needed ? *needed : Blade::kLongest);
+        stationName(longestIndex), request.blade.length, needed ? *needed : Blade::kLongest);
   }
   for (Station& station : sweep.stations) {
     const double length = station.fit.elastica.length();
-    const Result<Elastica> blade = detail::extendedBlade(station.fit.elastica, job.blade.length);
+    const Result<Elastica> blade = detail::extendedBlade(station.fit.elastica, request.blade.length);
     if (!blade) return tl::unexpected<Error>(blade.error());
     station.blade = *blade;
-    station.extension = 0.5 * (job.blade.length - length) / length;
+    station.extension = 0.5 * (request.blade.length - length) / length;
   }
   detail::addSwingFindings(sweep, issues);
   if (fitSeconds) *fitSeconds = std::chrono::duration<double>(extendStart - fitStart).count();
@@ -135,16 +135,18 @@ Result<Sweep> buildSweep(std::vector<Section> sections, const Job& job, const Bo
   return sweep;
 }
 
-Result<Motion> buildMotion(const Sweep& sweep, double cuttingSpeed) {
+Result<Motion> buildMotion(const Sweep& sweep, const MotionRequest& request) {
+  const auto [cuttingSpeed, lead] = request;
   if (!(cuttingSpeed > 0) || !std::isfinite(cuttingSpeed))
     return fail(ErrorCode::badInput, "the cutting speed must be greater than 0 mm/s", "cutting_speed",
                 cuttingSpeed, 0.0);
   if (sweep.stations.size() < 2)
     return fail(ErrorCode::badInput, "a motion needs at least two stations", "stations",
                 double(sweep.stations.size()), 2.0);
-  Motion motion{sweep.block, sweep.blade.length, cuttingSpeed, {}};
+  Motion motion{sweep.block, sweep.request.blade.length, cuttingSpeed, {}};
   std::vector<double> arcs(kSpeedSamples);
-  for (int i = 0; i < kSpeedSamples; ++i) arcs[std::size_t(i)] = sweep.blade.length * i / (kSpeedSamples - 1);
+  for (int i = 0; i < kSpeedSamples; ++i)
+    arcs[std::size_t(i)] = sweep.request.blade.length * i / (kSpeedSamples - 1);
   const auto sample = [&](const Station& station) {
     std::vector<Elastica::State> states(kSpeedSamples);
     station.blade.at(arcs, states);
@@ -163,9 +165,9 @@ Result<Motion> buildMotion(const Sweep& sweep, double cuttingSpeed) {
     return result;
   };
   double time = 0;
-  if (sweep.lead > 0) {
-    motion.instants.push_back(instant(sweep.stations.front(), -sweep.lead, 0, -1));
-    time += sweep.lead / cuttingSpeed;
+  if (lead > 0) {
+    motion.instants.push_back(instant(sweep.stations.front(), -lead, 0, -1));
+    time += lead / cuttingSpeed;
   }
   std::vector<Eigen::Vector3d> before;
   for (const Station& station : sweep.stations) {
@@ -179,9 +181,9 @@ Result<Motion> buildMotion(const Sweep& sweep, double cuttingSpeed) {
     motion.instants.push_back(instant(station, 0, time, station.index));
     before = std::move(now);
   }
-  if (sweep.lead > 0) {
-    time += sweep.lead / cuttingSpeed;
-    motion.instants.push_back(instant(sweep.stations.back(), sweep.lead, time, -1));
+  if (lead > 0) {
+    time += lead / cuttingSpeed;
+    motion.instants.push_back(instant(sweep.stations.back(), lead, time, -1));
   }
   for (std::size_t i = 1; i < motion.instants.size(); ++i)
     for (std::size_t e = 0; e < motion.instants[i].poses.size(); ++e) {

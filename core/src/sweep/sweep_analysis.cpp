@@ -115,7 +115,8 @@ tl::unexpected<Error> tooFew(std::size_t count) {
 }
 
 /// Fills what the stations tell by themselves, and returns their velocities. At least two stations.
-Result<std::vector<Velocities>> measureStations(Sweep& sweep, const Job& job, const RunContext& context) {
+Result<std::vector<Velocities>> measureStations(Sweep& sweep, const CheckRequest& request,
+                                                const RunContext& context) {
   std::vector<Station>& stations = sweep.stations;
   std::vector<double> travel;
   for (const Station& station : stations) travel.push_back(station.travel);
@@ -123,10 +124,10 @@ Result<std::vector<Velocities>> measureStations(Sweep& sweep, const Job& job, co
   const auto body = [&](int i) {
     Station& station = stations[std::size_t(i)];
     Velocities& v = velocities[std::size_t(i)];
-    v = stationVelocities(stations, travel, i, job.cuttingSpeed);
+    v = stationVelocities(stations, travel, i, request.cuttingSpeed);
     station.stabilityMargin = stabilityMargin(station.blade);
     station.stable = station.stabilityMargin > 0;
-    if (sweep.blade.section != Blade::Section::flat)
+    if (sweep.request.blade.section != Blade::Section::flat)
       station.outOfPlaneMargin = outOfPlaneMargin(station.blade);
     station.angleMax = *std::max_element(v.angle.begin(), v.angle.end());
     station.angleMean = 0;
@@ -145,14 +146,14 @@ Result<std::vector<Velocities>> measureStations(Sweep& sweep, const Job& job, co
 
 }  // namespace
 
-Result<void> measureSweep(Sweep& sweep, const Job& job, const RunContext& context) {
+Result<void> measureSweep(Sweep& sweep, const CheckRequest& request, const RunContext& context) {
   if (sweep.stations.size() < kFewestStations) return tooFew(sweep.stations.size());
-  if (const auto measured = measureStations(sweep, job, context); !measured)
+  if (const auto measured = measureStations(sweep, request, context); !measured)
     return tl::unexpected<Error>(measured.error());
   return {};
 }
 
-Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const Job& job, const SurfaceSampler& target,
+Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const CheckRequest& request, const SurfaceSampler& target,
                                    const RunContext& context) {
   std::vector<Station>& stations = sweep.stations;
   const int n = int(stations.size());
@@ -177,7 +178,7 @@ Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const Job& job, const SurfaceSa
       station.fit.elastica.at(arcs, states);
       for (const Elastica::State& state : states) {
         grid.points.push_back(station.frame.toWorld(state.point));
-        curvature[std::size_t(i)].push_back(std::abs(state.curvature) / sweep.blade.maxCurvature());
+        curvature[std::size_t(i)].push_back(std::abs(state.curvature) / sweep.request.blade.maxCurvature());
       }
     }
   }
@@ -192,7 +193,7 @@ Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const Job& job, const SurfaceSa
   if (!skin) return tl::unexpected<Error>(skin.error());
   result.surface = std::move(*skin);
 
-  const Result<std::vector<Velocities>> measured = measureStations(sweep, job, context);
+  const Result<std::vector<Velocities>> measured = measureStations(sweep, request, context);
   if (!measured) return tl::unexpected<Error>(measured.error());
   const std::vector<Velocities>& velocities = *measured;
   SweepSummary& summary = result.summary;
@@ -219,7 +220,7 @@ Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const Job& job, const SurfaceSa
   cut.points.resize(std::size_t(cut.rows) * kColumns);
   for (const MapInfo& map : cutMaps())
     cut.fields.push_back({map.name, map.title, map.unit, std::vector<double>(cut.points.size())});
-  const double stressAtLimit = sweep.blade.stress(sweep.blade.maxCurvature());
+  const double stressAtLimit = sweep.request.blade.stress(sweep.request.blade.maxCurvature());
   std::mutex errorMutex;
   std::optional<Error> firstError;
   int firstErrorChunk = kChunks;
@@ -283,7 +284,7 @@ Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const Job& job, const SurfaceSa
     summary.deviationMean += share * d;
     squares += share * d * d;
     angles += share * cut.fields[1].values[k];
-    if (d > job.tolerance) beyond += share;
+    if (d > request.tolerance) beyond += share;
   }
   for (int i = 0; i < n; ++i) {
     const auto row = deviation.begin() + std::ptrdiff_t(rowOf[std::size_t(i)]) * kColumns;
@@ -298,8 +299,8 @@ Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const Job& job, const SurfaceSa
   summary.angleMean = angles * kDegree;
 
   // What cannot be cut, and why.
-  detail::addRowFindings(sweep, job, worst, result);
-  detail::addStationFindings(sweep, job, result.issues);
+  detail::addRowFindings(sweep, request, worst, result);
+  detail::addStationFindings(sweep, request, result.issues);
   detail::keepRows(worst, result);
   return result;
 }

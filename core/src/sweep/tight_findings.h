@@ -5,16 +5,15 @@
 #include <vector>
 
 #include "bw/core/issue.h"
-#include "bw/core/job.h"
 #include "bw/core/sweep.h"
 
 namespace bw::detail {
 
-/// Tells where the curvature of the sections alone keeps the job's blade farther off than the tolerance:
+/// Tells where the curvature of the sections alone keeps the blade farther off than the tolerance:
 /// place, radius, limit, and which blade or how large a surface would do. An error where the blade would have
 /// to overbend, or where that distance is beyond what a taken curve may miss (`kAllowance` tolerances), else
 /// a warning. Only stations that miss their section or break the blade are looked at; a row without such
 /// costs nothing. Returns for each station whether it is among these.
-std::vector<char> addTightFindings(const Sweep& sweep, const Job& job, Issues& issues);
+std::vector<char> addTightFindings(const Sweep& sweep, const CheckRequest& request, Issues& issues);
 
 }  // namespace bw::detail

@@ -76,7 +76,7 @@ std::vector<StationNumbers> stationNumbers(const pipeline::SweepResult& result) 
   for (std::size_t i = 0; i < stations.size(); ++i) {
     StationNumbers& n = numbers[i];
     n.maxCurvature = stations[i].blade.maxCurvature();
-    n.stress = result.sweep.blade.stress(n.maxCurvature);
+    n.stress = result.sweep.request.blade.stress(n.maxCurvature);
     n.deviation = stations[i].deviationMax;
     n.speedMin = stations[i].speedMin;
     n.speedMax = stations[i].speedMax;

@@ -216,11 +216,11 @@ void SectionView::paintEvent(QPaintEvent*) {
   const QRectF plot = curvatureArea();
   painter.setPen(c.secondary);
   painter.setFont(small);
-  const double limitRadius = bench_.sweep()->sweep.blade.minRadius();
+  const double limitRadius = bench_.sweep()->sweep.request.blade.minRadius();
   painter.drawText(QRectF(plot.left() - kAxisLeft, top - 2, plot.width() + kAxisLeft, textHeight),
                    Qt::AlignLeft, curvatureTitle(metrics, plot.width() + kAxisLeft, radiusText(limitRadius)));
   if (plot.height() > 12)
-    paintCurvature(painter, plot, along_, drawing_, bench_.sweep()->sweep.blade.maxCurvature(), c);
+    paintCurvature(painter, plot, along_, drawing_, bench_.sweep()->sweep.request.blade.maxCurvature(), c);
   painter.setOpacity(1);
   paintCursor(painter);
   if (hasFocus()) {

@@ -162,7 +162,7 @@ void Timeline::paintEvent(QPaintEvent*) {
   const double gap = 8;
   const double half = (height - gap) / 2;
   const double plotWidth = width() - kLeft - kRight;
-  const Blade& blade = bench_.sweep()->sweep.blade;
+  const Blade& blade = bench_.sweep()->sweep.request.blade;
   const double allowed = blade.yieldStress / blade.safety;
   paintPlot(painter, {double(kLeft), double(kTop), plotWidth, half}, tr("Speed, mm/s"), 1e18, {},
             &Sample::speedMin, &Sample::speedMax);

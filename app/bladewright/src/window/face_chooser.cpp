@@ -91,8 +91,8 @@ void FaceChooser::applyTo(scene::Style& style) const {
 
 QString FaceChooser::wordsFor(int face) const {
   const auto& newest = bench_.runner().evaluation();
-  if (!newest || !newest->model.value) return {};
-  const auto& list = newest->model.value->info().faceList;
+  if (!newest || !newest->source.value) return {};
+  const auto& list = newest->source.value->model.info().faceList;
   if (face < 0 || std::size_t(face) >= list.size()) return {};
   const geometry::FaceInfo& info = list[std::size_t(face)];
   const QString name =

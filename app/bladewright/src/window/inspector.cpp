@@ -83,7 +83,7 @@ const SweepSummary* Inspector::summary() const {
 const Job& Inspector::shownJob() const { return bench_.shown()->design.job; }
 
 SweepLimits Inspector::limits() const {
-  return brokenLimits(bench_.sweep()->analysis.summary, bench_.sweep()->sweep.blade, shownJob());
+  return brokenLimits(bench_.sweep()->analysis.summary, bench_.sweep()->sweep.request.blade, shownJob());
 }
 
 const Station* Inspector::station() const {
@@ -163,8 +163,8 @@ void Inspector::makeBlock() {
   blockFields_ = new BlockFields(bench_, column, this);
   addValue(column, tr("Volume"), {}, [this] {
     const auto shown = bench_.shown();
-    return shown && shown->setup.value
-               ? QString::fromStdString(shortText(shown->setup.value->block.size.prod() * 1e-9, 3)) + " m³"
+    return shown && shown->setup
+               ? QString::fromStdString(shortText(shown->setup->block.size.prod() * 1e-9, 3)) + " m³"
                : QString();
   });
 }
@@ -189,7 +189,7 @@ void Inspector::makeBlade() {
       column, tr("Largest stress"), tr("Bending stress at the tightest bend, and the stress allowed"),
       [this] {
         if (!summary() || !(summary()->minRadius > 0)) return QString();
-        const Blade& blade = bench_.sweep()->sweep.blade;
+        const Blade& blade = bench_.sweep()->sweep.request.blade;
         return tr("%1 of %2 N/mm²")
             .arg(std::lround(blade.stress(1 / summary()->minRadius)))
             .arg(std::lround(blade.yieldStress / blade.safety));
@@ -216,7 +216,7 @@ void Inspector::makeStation() {
   line->addWidget(arrow("chevron-left", tr("Station before"), -1));
   line->addWidget(arrow("chevron-right", tr("Next station"), 1));
   line->addStretch();
-  stationNumber_ = new NumberField({1, double(Job::kMaxStations), 0, 1, {}});
+  stationNumber_ = new NumberField({1, double(SectionRequest::kMost), 0, 1, {}});
   stationNumber_->setAccessibleName(tr("Station"));
   stationNumber_->setToolTip(tr("Counted from 1, as in messages; data files count from 0"));
   stationNumber_->setFixedWidth(96);
@@ -245,7 +245,8 @@ void Inspector::makeStation() {
         column, name, tip,
         [this, text = std::move(text)] { return station() ? text(*station()) : QString(); },
         broken ? std::function<bool()>([this, broken] {
-          return station() && brokenLimits(*station(), bench_.sweep()->sweep.blade, shownJob()).*broken;
+          return station() &&
+                 brokenLimits(*station(), bench_.sweep()->sweep.request.blade, shownJob()).*broken;
         })
                : nullptr);
   };

@@ -166,8 +166,8 @@ void MainWindow::fitSelection() {
     for (const Eigen::Vector2d& p : station.blade.sample(33)) bounds.add(station.frame.toWorld(p));
   } else if (selection.kind == Selection::Kind::surface && shown->target.value) {
     bounds = shown->target.value->bounds();
-  } else if (selection.kind == Selection::Kind::block && shown->setup.value) {
-    for (const Eigen::Vector3d& corner : shown->setup.value->block.corners()) bounds.add(corner);
+  } else if (selection.kind == Selection::Kind::block && shown->setup) {
+    for (const Eigen::Vector3d& corner : shown->setup->block.corners()) bounds.add(corner);
   }
   if (bounds.valid())
     view_->fitBounds(bounds);

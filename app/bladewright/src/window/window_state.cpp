@@ -86,7 +86,7 @@ void MainWindow::refreshSummary() {
   const QString speeds = high.startsWith(low + " ") ? high : tr("%1 to %2").arg(low, high);
   const QString radius = radiusText(s.minRadius);
   const QString bend = radius.endsWith("mm") ? tr("radius ≥ %1").arg(radius) : tr("straight blade");
-  const SweepLimits broken = brokenLimits(s, result->sweep.blade, bench_.shown()->design.job);
+  const SweepLimits broken = brokenLimits(s, result->sweep.request.blade, bench_.shown()->design.job);
   summary_->setParts({{tr("Unit mm")},
                       {tr("deviation ≤ %1").arg(lengthText(s.deviationMax)), 4, broken.deviation},
                       {tr("%1 within tolerance").arg(percentText(s.withinTolerance)), 3, broken.deviation},

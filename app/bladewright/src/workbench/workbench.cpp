@@ -34,7 +34,7 @@ Workbench::Workbench(model::Settings& settings, const fs::path& recoveryFolder, 
     moving_ = false;
     judgedSize_.reset();
     sourceTold_ = false;
-    readModel_.reset();
+    readSource_.reset();
     messages_.clear();
     exportFindings_.clear();
     exported_.clear();
@@ -223,7 +223,7 @@ void Workbench::onFinished() {
 
 void Workbench::judgeSize() {
   const auto& evaluation = runner_.evaluation();
-  if (!evaluation || !evaluation->target.value || !evaluation->model.value) return;
+  if (!evaluation || !evaluation->target.value || !evaluation->source.value) return;
   const Eigen::Vector3d size = evaluation->target.value->bounds().size();
   if (std::exchange(judgedSize_, size) == size) return;
   const double largest = size.maxCoeff();
@@ -234,7 +234,7 @@ void Workbench::judgeSize() {
        tr("Is the unit right? The surface measures %1 × %2 × %3 mm, its file was read in %4. Choose the unit "
           "meant under Input ▸ Read as, or go on.")
            .arg(text(size.x()), text(size.y()), text(size.z()),
-                QString::fromStdString(evaluation->model.value->info().readAs)),
+                QString::fromStdString(evaluation->source.value->model.info().readAs)),
        tr("Go on"), [] {}, Topic::unit});
 }
 

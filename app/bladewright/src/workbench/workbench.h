@@ -198,7 +198,7 @@ class Workbench : public QObject {
   model::Document document_;
   model::EvaluationRunner runner_;
   model::SourceWatch watch_;
-  std::shared_ptr<const geometry::CadModel> readModel_;  ///< of the newest result that has one
+  std::shared_ptr<const pipeline::CadSource> readSource_;  ///< of the newest result that has one
   bool sourceTold_ = false;  ///< that the source is another than when the design was saved
   Selection selection_;
   double playTime_ = 0;

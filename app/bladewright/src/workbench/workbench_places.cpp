@@ -85,8 +85,8 @@ void Workbench::showPlace(const Issue& issue) {
       const Box block = job().block->box();
       spot.point = block.frame.toWorld(0.5 * block.size.head<2>(), 0.5 * block.size.z());
     }
-  } else if (const auto evaluation = shown(); evaluation && evaluation->setup.value) {
-    add(evaluation->setup.value->block);
+  } else if (const auto evaluation = shown(); evaluation && evaluation->setup) {
+    add(evaluation->setup->block);
   }
   if (const auto evaluation = shown(); !station && evaluation && evaluation->target.value) {
     spot.bounds.add(evaluation->target.value->bounds().min);

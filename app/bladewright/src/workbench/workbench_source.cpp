@@ -92,25 +92,25 @@ void Workbench::noteSourceRead() {
   const auto& evaluation = runner_.evaluation();
   if (!evaluation) return;
   // A change of a setting reads a file that has changed, too.
-  const bool read = evaluation->model.value && evaluation->model.value != readModel_;
+  const bool read = evaluation->source.value && evaluation->source.value != readSource_;
   const bool watched =
       evaluation->design.source.bytes.empty() && evaluation->design.source.path == watch_.file();
   if (read) {
-    readModel_ = evaluation->model.value;
-    document_.noteRead(evaluation->design.source.path, *evaluation->source.value);
+    readSource_ = evaluation->source.value;
+    document_.noteRead(evaluation->design.source.path, evaluation->source.value->content);
     if (watched) outdateSource();
   }
-  if (evaluation->source.issues.empty() && sourceTold_) outdateSource();
-  if (!evaluation->source.issues.empty() && !sourceTold_) {
+  if (evaluation->sourceIssues.empty() && sourceTold_) outdateSource();
+  if (!evaluation->sourceIssues.empty() && !sourceTold_) {
     sourceTold_ = true;
     tell({Severity::warning,
-          QString::fromStdString(evaluation->source.issues.front().message),
+          QString::fromStdString(evaluation->sourceIssues.front().message),
           {},
           {},
           Topic::source});
   }
   // Last: it tells of a content that is newer still.
-  if (read && watched) watch_.accept(*evaluation->source.value);
+  if (read && watched) watch_.accept(evaluation->source.value->content);
 }
 
 }  // namespace bw::app

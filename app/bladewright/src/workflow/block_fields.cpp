@@ -58,8 +58,8 @@ BlockFields::BlockFields(Workbench& bench, FormColumn* column, QObject* parent)
 BlockPlacement BlockFields::placement() const {
   if (bench_.job().block) return *bench_.job().block;
   BlockPlacement placement;
-  if (const auto shown = bench_.shown(); shown && shown->setup.value) {
-    const Box& box = shown->setup.value->block;
+  if (const auto shown = bench_.shown(); shown && shown->setup) {
+    const Box& box = shown->setup->block;
     Eigen::Matrix3d rotation;
     rotation << box.frame.x, box.frame.y, box.frame.normal;
     placement.origin = box.frame.origin;

@@ -98,7 +98,8 @@ void FaceFields::chooseKind(int kind) {
   FaceChoice choice;
   choice.kind = Kind(kind);
   const auto& newest = bench_.runner().evaluation();
-  const geometry::CadInfo* info = newest && newest->model.value ? &newest->model.value->info() : nullptr;
+  const geometry::CadInfo* info =
+      newest && newest->source.value ? &newest->source.value->model.info() : nullptr;
   if (choice.kind == Kind::indices) {
     choice.indices = newest && newest->target.value ? newest->target.value->faces() : std::vector<int>{0};
   } else if (choice.kind == Kind::named) {
@@ -156,7 +157,8 @@ void FaceFields::showSides(const FaceChoice& face, const geometry::CadInfo* info
 void FaceFields::refresh() {
   const FaceChoice& face = bench_.job().face;
   const auto& newest = bench_.runner().evaluation();
-  const geometry::CadInfo* info = newest && newest->model.value ? &newest->model.value->info() : nullptr;
+  const geometry::CadInfo* info =
+      newest && newest->source.value ? &newest->source.value->model.info() : nullptr;
   kinds_->show(int(face.kind));
   setLineVisible(numbersLabel_, numbers_, face.kind == Kind::indices);
   setLineVisible(namesLabel_, names_, face.kind == Kind::named);

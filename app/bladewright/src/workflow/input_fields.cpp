@@ -106,8 +106,8 @@ void InputFields::refresh() {
   fileName_->setToolTip(QString::fromStdString(design.source.path.string()));
   QString facts;
   const auto& newest = bench_.runner().evaluation();
-  if (newest && newest->model.value) {
-    const geometry::CadInfo& info = newest->model.value->info();
+  if (newest && newest->source.value) {
+    const geometry::CadInfo& info = newest->source.value->model.info();
     facts = tr("%1, unit %2, %3")
                 .arg(QString::fromStdString(info.format), QString::fromStdString(info.unit),
                      info.faces == 1 ? tr("1 face") : tr("%1 faces").arg(info.faces));
@@ -119,8 +119,8 @@ void InputFields::refresh() {
   }
   fileFacts_->setText(facts);
   fileFacts_->setVisible(!facts.isEmpty());
-  const bool read = newest && newest->model.value;
-  showUnits(read ? &newest->model.value->info() : nullptr,
+  const bool read = newest && newest->source.value;
+  showUnits(read ? &newest->source.value->model.info() : nullptr,
             read && newest->target.value ? Eigen::Vector3d(newest->target.value->bounds().size())
                                          : Eigen::Vector3d(Eigen::Vector3d::Zero()));
   faces_->refresh();

@@ -54,7 +54,7 @@ void ProcessFields::addStations(FormColumn* column) {
         job.spacing = spacing;
     });
   });
-  stations_ = new NumberField({2, double(Job::kMaxStations), 0, 1, {}});
+  stations_ = new NumberField({2, double(SectionRequest::kMost), 0, 1, {}});
   stationsLabel_ = column->add(tr("Number"), stations_, tr("Number of stations along the cut"));
   connect(stations_, &NumberField::edited, this, [this](double value) {
     bench_.editJob(tr("Change stations"), [value](Job& job) { job.stations = int(value); });
@@ -86,7 +86,7 @@ void ProcessFields::addDirection(FormColumn* column) {
               tr("The way the blade travels; automatic: the best of some that are tried"));
   connect(direction_, &QComboBox::activated, this, [this](int index) {
     Eigen::Vector3d now = Eigen::Vector3d::UnitY();
-    if (const auto shown = bench_.shown(); shown && shown->setup.value) now = shown->setup.value->direction;
+    if (const auto shown = bench_.shown(); shown && shown->setup) now = shown->setup->direction;
     if (bench_.job().direction) now = *bench_.job().direction;
     vectorChosen_ = index == 4;
     bench_.editJob(tr("Change direction"), [=](Job& job) {

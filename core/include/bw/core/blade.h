@@ -40,6 +40,8 @@ struct Blade {
   double maxCurvature() const { return 1.0 / minRadius(); }
   /// Bending stress at a curvature (1/mm), N/mm².
   double stress(double curvature) const { return youngModulus * fibreDistance() * std::abs(curvature); }
+
+  bool operator==(const Blade&) const = default;
 };
 
 /// The presets in the resource folder, in the order of their file names. Fails if the folder cannot be read.

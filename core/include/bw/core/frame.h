@@ -29,6 +29,7 @@ struct Frame {
     const Eigen::Vector3d d = p - origin;
     return {d.dot(x), d.dot(y), d.dot(normal)};
   }
+  bool operator==(const Frame&) const = default;
 };
 
 /// A box in space: the foam block. `frame.origin` is a corner; the axes are frame.x, frame.y, frame.normal.
@@ -41,6 +42,7 @@ struct Box {
   Eigen::Vector3d center() const;
   /// True if `p` lies inside or within `tolerance` (mm) of the box.
   bool contains(const Eigen::Vector3d& p, double tolerance = 0.0) const;
+  bool operator==(const Box&) const = default;
 };
 
 /// Axis-parallel bounds in the file's frame.
@@ -67,5 +69,14 @@ Eigen::Vector3d anglesFromRotation(const Eigen::Matrix3d& rotation);
 /// parallel to the normal, a world axis is taken instead. Fails on a zero or non-finite normal.
 Result<Frame> frameFromNormal(const Eigen::Vector3d& origin, const Eigen::Vector3d& normal,
                               const Eigen::Vector3d& xHint);
+
+/// A block by its corner, mm in the file's frame, its size, mm, and its rotations about x, y and z, rad.
+struct BlockPlacement {
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  Eigen::Vector3d size = Eigen::Vector3d::Constant(500);
+  Eigen::Vector3d rotation = Eigen::Vector3d::Zero();
+  bool operator==(const BlockPlacement&) const = default;
+  Box box() const;
+};
 
 }  // namespace bw

@@ -13,7 +13,6 @@
 #include "bw/core/elastica_fit.h"
 #include "bw/core/frame.h"
 #include "bw/core/issue.h"
-#include "bw/core/job.h"
 #include "bw/core/mesh.h"
 #include "bw/core/planar_curve.h"
 #include "bw/core/result.h"
@@ -68,26 +67,52 @@ struct Station {
 /// them (|κ| times the length at most 1e-4), such as those of a straight section, do not count.
 [[nodiscard]] int bladeInflections(const Elastica& shape);
 
+/// How the blades of a row are found.
+struct FitRequest {
+  Blade blade;
+  FitOptions::Length fitLength = FitOptions::Length::free;
+  bool fitEndpoints = false, fitTangents = false;  ///< the segment meets those of its section
+  double maxPeriods = 1;                           ///< of the segment that is fitted
+  double tolerance =
+      2;  ///< mm within which a curve may stand for the nearest one, where the blade asks for it
+  double clearance = 50;  ///< mm between a grip and the block, which advice about lengths keeps
+  bool operator==(const FitRequest&) const = default;
+};
+
+/// What a row of blades is checked against.
+struct CheckRequest {
+  double tolerance = 2;      ///< mm, deviation of the cut surface
+  double clearance = 50;     ///< mm between a grip and the block
+  double cuttingSpeed = 20;  ///< mm/s of the fastest point
+  bool operator==(const CheckRequest&) const = default;
+};
+
+/// How the blades of a row follow each other.
+struct MotionRequest {
+  double cuttingSpeed = 20;  ///< mm/s of the fastest point
+  double lead = 20;  ///< mm of travel before the first and after the last station, with the shape held
+  bool operator==(const MotionRequest&) const = default;
+};
+
 /// One continuous motion of the blade.
 struct Sweep {
   Box block;
   Eigen::Vector3d direction = Eigen::Vector3d::UnitY();  ///< unit, cutting direction
-  Blade blade;
-  double lead = 0;  ///< mm of travel before the first and after the last station, with the shape held
+  FitRequest request;                                    ///< what `stations` answer
   std::vector<Station> stations;
 };
 
 /// Fits one elastica a section, from the longest section to both ends of the row, each beside its neighbour,
 /// and extends it to the blade's length. `sections` in the order of travel, all curves running the same way.
 /// A blade shorter than a section is an error.
-Result<Sweep> buildSweep(std::vector<Section> sections, const Job& job, const Box& block,
+Result<Sweep> buildSweep(std::vector<Section> sections, const FitRequest& request, const Box& block,
                          const Eigen::Vector3d& direction, const RunContext& context, Issues& issues,
                          double* fitSeconds = nullptr, double* extendSeconds = nullptr);
 
 /// Fills what the stations tell by themselves, without the target: angles, speeds, margins and clearance. At
 /// least two stations, else `ErrorCode::badInput`; `ErrorCode::cancelled` on a stop. Cost: some 0.1 ms a
 /// station.
-[[nodiscard]] Result<void> measureSweep(Sweep& sweep, const Job& job, const RunContext& context);
+[[nodiscard]] Result<void> measureSweep(Sweep& sweep, const CheckRequest& request, const RunContext& context);
 
 /// Numbers over all stations, as in report.json (mm, rad). Mean, rms and fraction of the deviation and the
 /// mean angle are over the area of the cut surface; those of R4 and Hausdorff distance over the stations.
@@ -116,7 +141,7 @@ struct SweepAnalysis {
 /// Checks a sweep against the target: velocities (thesis 5.3, following the arc length from the blade's
 /// middle), curvature limit, inflections, clearance, and the deviation of the cut surface, also between
 /// stations. Fills angles, speeds, deviation, margins and clearance of the stations of `sweep`.
-Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const Job& job, const SurfaceSampler& target,
+Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const CheckRequest& request, const SurfaceSampler& target,
                                    const RunContext& context);
 
 /// The pose of one blade end at one instant, in the block frame. The rotation's columns are x = unit tangent
@@ -141,8 +166,8 @@ struct Motion {
   std::vector<MotionInstant> instants;
 };
 
-/// Times the stations so that the fastest point of the blade moves at `cuttingSpeed`, adds the leads, and
+/// Times the stations so that the fastest point of the blade moves at the cutting speed, adds the leads, and
 /// puts the ends in the block frame. Quaternions keep one sign along the path.
-Result<Motion> buildMotion(const Sweep& sweep, double cuttingSpeed);
+Result<Motion> buildMotion(const Sweep& sweep, const MotionRequest& request);
 
 }  // namespace bw

@@ -10,23 +10,17 @@
 #include <string>
 #include <vector>
 
+#include "bw/core/face_choice.h"
 #include "bw/core/frame.h"
 #include "bw/core/issue.h"
-#include "bw/core/job.h"
 #include "bw/core/mesh.h"
+#include "bw/core/read_options.h"
 #include "bw/core/result.h"
 #include "bw/core/run_context.h"
 #include "bw/core/surface_sampler.h"
 #include "bw/core/units.h"
 
 namespace bw::geometry {
-
-/// How the numbers of a file are taken and how its faces are joined.
-struct ReadOptions {
-  std::optional<LengthUnit> unit = std::nullopt;  ///< empty = as the file states
-  double sewing = Job::kMostSewing;               ///< mm within which open edges of faces are joined
-  bool operator==(const ReadOptions&) const = default;
-};
 
 /// Sections of a face across one of the main directions of its block.
 struct FaceSections {

@@ -10,9 +10,9 @@
 
 #include "bw/core/frame.h"
 #include "bw/core/issue.h"
-#include "bw/core/job.h"
 #include "bw/core/result.h"
 #include "bw/core/run_context.h"
+#include "bw/core/section_request.h"
 #include "bw/core/sweep.h"
 #include "bw/geometry/cad_model.h"
 
@@ -22,13 +22,21 @@ namespace bw::geometry {
 struct Setup {
   Box block;  ///< z (frame.normal) is the side from which the surface is looked at
   Eigen::Vector3d direction = Eigen::Vector3d::UnitY();  ///< unit cutting direction
+  bool operator==(const Setup&) const = default;
 };
 
-/// Resolves "auto": the block around the target (oriented box of the part's frame, axis-parallel where that
-/// is nearly as small, with a few mm of margin below and above so that no cut runs along a face of the block)
-/// and the cutting direction (the longer side of that box). A given direction is normalised; a zero
-/// one is an error.
-Result<Setup> resolveSetup(const Target& target, const Job& job, Issues& issues);
+/// Where the block lies and which way the blade goes, as far as that is given.
+struct SetupRequest {
+  std::optional<BlockPlacement> block;       ///< empty: around the target
+  std::optional<Eigen::Vector3d> direction;  ///< in the file's frame, not zero; empty: along the block
+  bool operator==(const SetupRequest&) const = default;
+};
+
+/// Resolves what is not given: the block around the target (oriented box of the part's frame, axis-parallel
+/// where that is nearly as small, with a few mm of margin below and above so that no cut runs along a face of
+/// the block) and the cutting direction (the longer side of that box). A given direction is normalised; a
+/// zero one is an error.
+Result<Setup> resolveSetup(const Target& target, const SetupRequest& request, Issues& issues);
 
 /// A way that the blade could go, with the name of where it comes from.
 struct NamedDirection {
@@ -48,7 +56,8 @@ std::vector<NamedDirection> directionsToTry(const Target& target, const Box& blo
 /// side of the target, normal: the cutting direction). Planes that miss, closed sections and sections with
 /// several branches are reported in `issues` with their station, never guessed: a station without exactly one
 /// open curve is left out, and none left at all is an error.
-Result<std::vector<Section>> cutSections(const Target& target, const Setup& setup, const Job& job,
-                                         const RunContext& context, Issues& issues);
+Result<std::vector<Section>> cutSections(const Target& target, const Setup& setup,
+                                         const SectionRequest& request, const RunContext& context,
+                                         Issues& issues);
 
 }  // namespace bw::geometry

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "bw/core/issue.h"
-#include "bw/core/job.h"
 #include "bw/core/result.h"
 #include "bw/core/run_context.h"
 #include "bw/geometry/sections.h"
+#include "bw/pipeline/requests.h"
 
 namespace bw::pipeline {
 
@@ -43,8 +43,7 @@ struct DirectionSearch {
 /// Fails when stopped (`cancelled`), else only by a fault of our own. Cost: for a panel some 3 ms a
 /// direction.
 [[nodiscard]] Result<DirectionSearch> searchDirection(const geometry::Target& target,
-                                                      const geometry::Setup& setup, const Job& job,
-                                                      const RunContext& context);
+                                                      const RowRequest& request, const RunContext& context);
 
 /// Says which way was chosen where it is not the usual one, and why.
 [[nodiscard]] Issues directionFindings(const DirectionSearch& search);

@@ -20,6 +20,7 @@
 #include "bw/geometry/cad_model.h"
 #include "bw/geometry/sections.h"
 #include "bw/pipeline/direction_search.h"
+#include "bw/pipeline/requests.h"
 
 namespace bw::pipeline {
 
@@ -28,12 +29,23 @@ struct Seconds {
   double read = 0, direction = 0, sections = 0, fit = 0, extend = 0, check = 0, write = 0, total = 0;
 };
 
-/// A derived result with the key of all that it depends on. Results are never edited.
-template <class T>
+/// The results that another stands on, by identity.
+using Inputs = std::vector<std::shared_ptr<const void>>;
+
+/// A derived result, and what it was made from: a request, and the results that it stands on. Where both are
+/// as they were, so is the result. Results are never edited.
+template <class Request, class T>
 struct Stage {
-  std::string key;
-  std::shared_ptr<const T> value;
+  Request request = {};
+  Inputs inputs = {};
+  std::shared_ptr<const T> value = {};
   Issues issues = {};
+};
+
+/// A CAD file that was read.
+struct CadSource {
+  geometry::CadModel model;
+  Fingerprint content;  ///< of the bytes that were read
 };
 
 struct SweepResult {
@@ -45,21 +57,20 @@ struct SweepResult {
 /// Everything that follows from a design. Stages that failed or were not reached are null.
 struct Evaluation {
   Design design;
-  /// Of the bytes that `model` was read from; the issue tells that they are others than when the design was
-  /// saved.
-  Stage<Fingerprint> source;
-  Stage<geometry::CadModel> model;
-  Stage<geometry::Target> target;
-  Stage<TriangleMesh> targetMesh;
-  Stage<FaceMesh> faceMesh;           ///< of all faces of the file; only from `addFaceMesh`
-  Stage<geometry::Setup> setup;       ///< with the direction that was chosen
-  Stage<DirectionSearch> directions;  ///< only where the job's direction is "auto"
-  Stage<std::vector<Section>> sections;
-  Stage<Sweep> fits;  ///< the sweep before its checks
-  Stage<SweepResult> sweep;
-  Stage<Cell>
-      cell;         ///< only where the job asks for programs; its issues tell how the motion lies in the cell
-  Issues programs;  ///< what the check of the programs warns of, once `resultFiles` made them
+  Issues sourceIssues;  ///< whether the linked source is another than when the design was saved
+  Stage<SourceRequest, CadSource> source;
+  Stage<FaceChoice, geometry::Target> target;
+  Stage<NoRequest, TriangleMesh> targetMesh;
+  Stage<NoRequest, FaceMesh> faceMesh;  ///< of all faces of the file; only from `addFaceMesh`
+  Stage<geometry::SetupRequest, geometry::Setup> placed;
+  Stage<RowRequest, DirectionSearch> directions;  ///< only where the job's direction is "auto"
+  std::shared_ptr<const geometry::Setup> setup;   ///< `placed` with the direction that was chosen
+  Stage<PlanesRequest, std::vector<Section>> sections;
+  Stage<RowRequest, Sweep> fits;  ///< the sweep before its checks
+  Stage<ResultRequest, SweepResult> sweep;
+  Stage<CellRequest, Cell> cell;  ///< only where the job asks for programs; its issues tell how the motion
+                                  ///< lies in the cell
+  Issues programs;                ///< what the check of the programs warns of, once `resultFiles` made them
   Seconds seconds;
 
   Issues issues() const;  ///< of all stages in order, and of the programs
