@@ -35,10 +35,9 @@ constexpr int kMaxRestorations = 40;
 // A descent ends at a rival if it is above it and nearer than this part of the rival's own distance from the
 // target.
 constexpr double kSamePlace = 0.2;
-// It is given up if it is above a rival after so many evaluations, or would be after a gain of so many times
-// what the model promises for a step that is hardly damped.
-constexpr int kHopelessAfter = 40;
-constexpr double kMostGain = 2;
+// It is given up if it would be above a rival after a gain of so many times what the model promises for a
+// step that is hardly damped.
+constexpr double kMostGain = 3;
 constexpr double kLightDamping = 1e-2;
 constexpr double kLongestStep = 1e3;
 constexpr double kMostDamping = 1e12;
@@ -254,9 +253,7 @@ Descent Descender::run() {
   std::vector<char> guess;
   LeastSquaresModel there;
   for (int n = 0; n < limits_.iterations && evaluations_ < limits_.evaluations && !workExhausted(); ++n) {
-    if (endsAtRival(model.gaussNewton, value) || (evaluations_ >= kHopelessAfter && aboveRival(value)) ||
-        !problem_.conditions(out_.v, here_))
-      return finish(false);
+    if (endsAtRival(model.gaussNewton, value) || !problem_.conditions(out_.v, here_)) return finish(false);
     const VectorXd scale = model.gaussNewton.diagonal().array() + 1e-12 * model.gaussNewton.trace();
     MatrixXd hessian = model.gaussNewton + secant;
     addBends(hessian);

@@ -61,7 +61,7 @@ struct DescentLimits {
   bool gradual = true;      ///< a start that is far off is led onto the conditions little by little
   std::vector<DescentRival> rivals = {};  ///< it ends early where it nears one from above, or stays above
 
-  /// Enough to tell where a descent leads, with conditions that are known to about nine digits.
+  /// Enough to tell where a descent leads, with conditions that are known to about seven digits.
   static DescentLimits rough(std::vector<DescentRival> rivals);
 };
 

@@ -9,10 +9,11 @@
 namespace bw::detail {
 namespace {
 
-// So many places of the atlas are starts of a poor fit, and of one (R4) worse than this that waves more often
-// than the target.
-constexpr std::size_t kAtlasPlaces = 12;
+// So many places of the atlas are starts of a poor fit, and of one (R4) worse than this where the target has
+// more inflections than a cubic or the fit waves more often than the target.
+constexpr std::size_t kAtlasPlaces = 16;
 constexpr double kVeryGood = 1e-3;
+constexpr int kFewInflections = 2;
 
 // Fits without end conditions and bounds: three unknowns.
 class FreeFit {
@@ -80,7 +81,8 @@ std::optional<FreeFitResult> freeFit(const FitTarget& full, const FitTarget& coa
     for (const Shape& shape : simple) free.attempt(shape);
   }
   if (free.worseThan(kGoodFit) ||
-      (free.worseThan(kVeryGood) && free.wavesMoreThan(coarse.inflections() + 1))) {
+      (free.worseThan(kVeryGood) &&
+       (coarse.inflections() > kFewInflections || free.wavesMoreThan(coarse.inflections() + 1)))) {
     FitConstraints constraints;
     constraints.length = objective.fixedLength;
     for (const AtlasPlace& place : placesFromAtlas(coarse, constraints, kAtlasPlaces))

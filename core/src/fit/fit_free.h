@@ -13,7 +13,7 @@ namespace bw::detail {
 /// 1900 random curves: none better than 6.4e-3 was ever improved by another start.
 inline constexpr double kGoodFit = 5e-3;
 /// Curves with more quadrature nodes than this are first fitted on a coarser rule of kCoarseNodes.
-inline constexpr std::size_t kManyNodes = 128;
+inline constexpr std::size_t kManyNodes = 64;
 inline constexpr int kCoarseNodes = 32;
 
 /// A fit without end conditions and bounds.

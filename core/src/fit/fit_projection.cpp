@@ -30,7 +30,7 @@ constexpr double kSamePlace = 0.006;
 // Later it is given up where a gain of so many times what the model promises leaves it above the rival.
 constexpr double kMostGain = 5;
 constexpr int kMaxSecantSteps = 60;
-// Until its steps are shorter than this (scaled parameters), a descent works with nine digits.
+// Until its steps are shorter than this (scaled parameters), a descent works with seven digits.
 constexpr double kRoughStep = 1e-6;
 constexpr int kMaxRefusals = 8;
 // A step this short is the last one: its own error is far smaller, and the result is judged afterwards.
@@ -249,7 +249,7 @@ std::optional<ProjectedFit::Solution> ProjectedFit::solve(const Shape& start, co
   scale_.setOnes();
   residuals_.resize(NumResiduals());
   jacobian_.resize(NumResiduals(), 3);
-  // Far from the end nine digits are enough.
+  // Far from the end seven digits are enough.
   struct Coarsely {
     ShapeEvaluator& evaluator;
     explicit Coarsely(ShapeEvaluator& e) : evaluator(e) { evaluator.setCoarse(true); }

@@ -35,7 +35,7 @@ class ProjectedFit {
     double value = 0;
   };
   std::optional<Placed> place(const Shape& shape) const;
-  /// The objective there to about nine digits, at a third of the cost.
+  /// The objective there to about seven digits, at a quarter of the cost.
   std::optional<double> roughValue(const Shape& shape) const;
 
   struct Solution {

@@ -77,7 +77,7 @@ class ShapeEvaluator {
   /// Evaluates at other arc lengths from now on.
   void moveTo(std::vector<double> s);
 
-  /// From now on to about nine digits, faster, or to all of them.
+  /// From now on to about seven digits, faster, or to all of them.
   void setCoarse(bool coarse);
 
   /// False if the shape is out of the range that makes sense. Asking again for the same shape costs nothing.

@@ -89,8 +89,8 @@ ElasticaPiece pieceOf(const At& at, double force) {
           point(-0.5) - points.mean,
           point(0.5) - points.mean,
           -points.mean,
-          at(-0.5).angle - middle.angle,
-          at(0.5).angle - middle.angle};
+          direction(at(-0.5).angle - middle.angle),
+          direction(at(0.5).angle - middle.angle)};
 }
 
 ElasticaPiece cut(const Swing& swing, double phase, double periods, double sense) {
@@ -125,11 +125,20 @@ ElasticaPiece taut(double tension, double startBend, double endBend) {
       -tension * tension);
 }
 
+// Sheets from that one on differ in one number alone.
+void link(std::vector<PieceSheet>& table, std::size_t from) {
+  for (std::size_t i = from; i < table.size(); ++i) {
+    if (i > 0) table[i].first = table[i - 1].first + table[i - 1].pieces.size();
+    table[i].shorter = i > from;
+    table[i].longer = i + 1 < table.size();
+  }
+}
+
 template <class Moduli, class Lengths, class Modulus>
 void addSwinging(std::vector<PieceSheet>& table, const Moduli& moduli, const Lengths& lengths, double sense,
                  const Modulus& modulus) {
   const std::size_t first = table.size();
-  for (const double length : lengths) table.push_back({length, kPhases, true, {}});
+  for (const double length : lengths) table.push_back({length, kPhases, true});
   for (const double value : moduli) {
     const Swing swing(modulus(value));
     for (std::size_t sheet = first; sheet < table.size(); ++sheet)
@@ -137,14 +146,17 @@ void addSwinging(std::vector<PieceSheet>& table, const Moduli& moduli, const Len
         table[sheet].pieces.push_back(
             cut(swing, static_cast<double>(p) / kPhases, table[sheet].periods, sense));
   }
+  link(table, first);
 }
 
 void addTaut(std::vector<PieceSheet>& table) {
+  const std::size_t first = table.size();
   for (const double tension : kTensions) {
-    PieceSheet& sheet = table.emplace_back(PieceSheet{0, kBends.size(), false, {}});
+    PieceSheet& sheet = table.emplace_back(PieceSheet{0, kBends.size(), false});
     for (const double start : kBends)
       for (const double end : kBends) sheet.pieces.push_back(taut(tension, start, end));
   }
+  link(table, first);
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ struct ElasticaPiece {
   Shape shape;
   CurvePoints points;
   Eigen::Vector2d start, end, middle;
-  double startAngle, endAngle;
+  Eigen::Vector2d startTangent, endTangent;
 };
 
 /// Pieces of one kind and length: two other numbers vary, one by rows, one by columns.
@@ -52,7 +52,9 @@ struct PieceSheet {
   double periods = 0;  ///< length of the pieces; 0 for taut ones, which have no period to speak of
   std::size_t columns = 0;
   bool cyclic = false;  ///< the last column is the first one's neighbour
-  std::vector<ElasticaPiece> pieces;
+  std::vector<ElasticaPiece> pieces = {};
+  std::size_t first = 0;                 ///< pieces in the sheets before
+  bool shorter = false, longer = false;  ///< the sheet before or after differs in length (tension) alone
 };
 
 /// Elastica of all kinds up to seven periods: swinging by largest angle and phase, turning over by modulus

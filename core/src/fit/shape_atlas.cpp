@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "base/work_meter.h"
 #include "fit/piece_table.h"
@@ -14,11 +13,10 @@ namespace bw::detail {
 namespace {
 
 using Eigen::Vector2d;
-using std::numbers::pi;
 
-// What the squares of an angle that is missed at an end and of the logarithm of a missed length weigh against
-// squares of distances.
-constexpr double kAngleWeight = 0.01;
+// What the squares of a unit tangent that is missed at an end and of the logarithm of a missed length weigh
+// against squares of distances.
+constexpr double kTangentWeight = 0.01;
 constexpr double kLengthWeight = 0.1;
 // A place whose distance (root mean square) is larger than the first times a known one's and the second is
 // not tried: without ends, with ends or tangents. Of some thousand curves none was improved by a place
@@ -27,8 +25,12 @@ struct Reach {
   double factor, step;
 };
 constexpr Reach kFreeReach{1.15, 0.002}, kHeldReach{1.5, 0.01};
-// Pieces have up to two inflections more than the target, of which more than these do not count.
-constexpr int kMostInflections = 12;
+// Pieces have up to so many inflections more than the target: as a rule, and with ends and tangents, where
+// small waves may lie nearer than a taut blade.
+constexpr int kMoreInflections = 2, kMoreHeld = 7;
+// A place beside a nearer one of another length counts as so many times as far (squared): most often both
+// lead to the same end.
+constexpr double kBesideNearer = 1.5;
 // Pieces that a descent could not take up are left out: force, curvature at the middle, length, and chord
 // over length.
 constexpr double kLargestForce = 2000;
@@ -67,7 +69,11 @@ struct Laid {
 class Layer {
  public:
   Layer(const FitTarget& target, const FitConstraints& constraints)
-      : target_(target), constraints_(constraints), goal_(pointsOf(target)) {}
+      : target_(target),
+        constraints_(constraints),
+        goal_(pointsOf(target)),
+        start_(direction(target.startAngle)),
+        end_(direction(target.endAngle)) {}
 
   Laid lay(const ElasticaPiece& piece) const {
     Laid out;
@@ -96,19 +102,20 @@ class Layer {
       extra += kLengthWeight * miss * miss;
     }
     if (constraints_.tangents) {
-      const double angle = std::atan2(out.factor.y(), out.factor.x());
-      const double a = std::remainder(angle + piece.startAngle - target_.startAngle, 2 * pi);
-      const double b = std::remainder(angle + piece.endAngle - target_.endAngle, 2 * pi);
-      extra += kAngleWeight * (a * a + b * b);
+      const Vector2d turn = out.factor / std::sqrt(square);
+      extra += kTangentWeight * ((turned(turn, piece.startTangent) - start_).squaredNorm() +
+                                 (turned(turn, piece.endTangent) - end_).squaredNorm());
     }
     out.value = square * points.square + goal_.square - 2 * out.factor.dot(product) +
                 (out.offset - goal_.mean).squaredNorm() + extra;
     return out;
   }
 
-  AtlasPlace place(const ElasticaPiece& piece, const Laid& laid) const {
+  AtlasPlace place(const ElasticaPiece& piece, bool besideNearer) const {
+    const Laid laid = lay(piece);
     AtlasPlace out;
     out.value = laid.value;
+    out.order = besideNearer ? kBesideNearer * laid.value : laid.value;
     out.held = constraints_.endpoints || constraints_.tangents;
     out.placement.shape = piece.shape;
     out.placement.logLength = std::log(laid.factor.norm());
@@ -121,6 +128,7 @@ class Layer {
   const FitTarget& target_;
   const FitConstraints& constraints_;
   CurvePoints goal_;
+  Vector2d start_, end_;  ///< the target's tangents there
 };
 
 }  // namespace
@@ -133,30 +141,36 @@ bool hopeless(const AtlasPlace& place, double knownValue) {
 std::vector<AtlasPlace> placesFromAtlas(const FitTarget& target, const FitConstraints& constraints,
                                         std::size_t most) {
   const Layer layer(target, constraints);
-  const double longest = 0.5 * (std::min(target.inflections(), kMostInflections) + 2);
-  std::vector<AtlasPlace> places;
-  std::vector<Laid> laid;
-  for (const PieceSheet& sheet : pieceTable()) {
+  const bool held = constraints.endpoints && constraints.tangents;
+  const double longest = 0.5 * (target.inflections() + (held ? kMoreHeld : kMoreInflections));
+  const std::vector<PieceSheet>& table = pieceTable();
+  std::vector<double> values(table.back().first + table.back().pieces.size(),
+                             std::numeric_limits<double>::infinity());
+  for (const PieceSheet& sheet : table) {
     if (sheet.periods > longest + kSamePeriods) continue;
+    chargeWork(static_cast<std::int64_t>(sheet.pieces.size()) / kPiecesPerUnit);
+    for (std::size_t i = 0; i < sheet.pieces.size(); ++i)
+      values[sheet.first + i] = layer.lay(sheet.pieces[i]).value;
+  }
+  std::vector<AtlasPlace> places;
+  for (const PieceSheet& sheet : table) {
     const std::size_t count = sheet.pieces.size(), columns = sheet.columns;
-    chargeWork(static_cast<std::int64_t>(count) / kPiecesPerUnit);
-    laid.resize(count);
-    for (std::size_t i = 0; i < count; ++i) laid[i] = layer.lay(sheet.pieces[i]);
-    const auto nearer = [&](std::size_t i, std::size_t j) {
-      return laid[i].value < laid[j].value || (laid[i].value == laid[j].value && i < j);
-    };
     for (std::size_t i = 0; i < count; ++i) {
-      if (!std::isfinite(laid[i].value)) continue;
-      const std::size_t column = i % columns, row = i - column;
-      if (row > 0 && nearer(i - columns, i)) continue;
-      if (i + columns < count && nearer(i + columns, i)) continue;
-      if ((sheet.cyclic || column > 0) && nearer(row + (column + columns - 1) % columns, i)) continue;
-      if ((sheet.cyclic || column + 1 < columns) && nearer(row + (column + 1) % columns, i)) continue;
-      places.push_back(layer.place(sheet.pieces[i], laid[i]));
+      const std::size_t at = sheet.first + i, column = i % columns, row = at - column;
+      if (!std::isfinite(values[at])) continue;
+      const auto nearer = [&](std::size_t j) {
+        return values[j] < values[at] || (values[j] == values[at] && j < at);
+      };
+      if (i >= columns && nearer(at - columns)) continue;
+      if (i + columns < count && nearer(at + columns)) continue;
+      if ((sheet.cyclic || column > 0) && nearer(row + (column + columns - 1) % columns)) continue;
+      if ((sheet.cyclic || column + 1 < columns) && nearer(row + (column + 1) % columns)) continue;
+      const bool beside = (sheet.shorter && nearer(at - count)) || (sheet.longer && nearer(at + count));
+      places.push_back(layer.place(sheet.pieces[i], beside));
     }
   }
   std::stable_sort(places.begin(), places.end(),
-                   [](const AtlasPlace& a, const AtlasPlace& b) { return a.value < b.value; });
+                   [](const AtlasPlace& a, const AtlasPlace& b) { return a.order < b.order; });
   if (places.size() > most) places.resize(most);
   return places;
 }
