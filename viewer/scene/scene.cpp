@@ -91,12 +91,6 @@ std::optional<Eigen::Vector3d> Scene::cubeDirection(double x, double y, int widt
                                         impl_->style.pixelRatio);
 }
 
-Eigen::Vector3d Scene::pointAtFocus(double x, double y, int width, int height) const {
-  const Projection view = impl_->projection(width, height);
-  const Ray ray = view.ray(x, y);
-  return ray.at((impl_->camera.focus - ray.origin).dot(view.forward()) / ray.direction.dot(view.forward()));
-}
-
 const Overlay& Scene::overlay() const { return impl_->overlay; }
 
 Result<Picture> Scene::render(int width, int height) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "bw/model/document.h"
 
+#include <utility>
+
 #include "bw/core/job.h"
 #include "bw/model/edit_design.h"
 
@@ -161,8 +163,7 @@ void Document::autosaveNow(bool wait) {
 }
 
 void Document::noteAutosave(const QString& problem) {
-  const bool failed = !problem.isEmpty(), failedBefore = !autosaveProblem_.isEmpty();
-  autosaveProblem_ = problem;
+  const bool failed = !problem.isEmpty(), failedBefore = std::exchange(autosaveFails_, failed);
   // Space may come back without another edit.
   if (failed && modified() && !autosaveTimer_.isActive()) autosaveTimer_.start();
   if (failed && !failedBefore) emit autosaveFailed(problem);

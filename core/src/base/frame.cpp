@@ -40,20 +40,4 @@ Eigen::Vector3d anglesFromRotation(const Eigen::Matrix3d& r) {
   return {std::atan2(-r(1, 2), r(2, 2)), std::atan2(sb, cb), std::atan2(-r(0, 1), r(0, 0))};
 }
 
-Result<Frame> frameFromNormal(const Eigen::Vector3d& origin, const Eigen::Vector3d& normal,
-                              const Eigen::Vector3d& xHint) {
-  const double length = normal.norm();
-  if (!origin.allFinite() || !std::isfinite(length) || length < 1e-12)
-    return fail(ErrorCode::badInput, "a plane needs a normal that is finite and not zero", "normal", length);
-  const Eigen::Vector3d n = normal / length;
-  Eigen::Vector3d x = xHint - xHint.dot(n) * n;
-  if (!x.allFinite() || x.norm() < 1e-9 * std::max(1.0, xHint.norm())) {
-    int axis = 0;
-    n.cwiseAbs().minCoeff(&axis);
-    x = Eigen::Vector3d::Unit(axis) - n(axis) * n;
-  }
-  x.normalize();
-  return Frame{origin, x, n.cross(x), n};
-}
-
 }  // namespace bw

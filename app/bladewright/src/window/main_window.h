@@ -80,8 +80,6 @@ class MainWindow : public QMainWindow {
   Inspector& inspector() { return *inspector_; }
   Commands& commands() { return commands_; }
   Questions& questions() { return questions_; }
-  /// Whether the scene is cut open at the station or the moving blade.
-  bool sectioned() const { return sectioned_; }
   bool onMeasurePage() const { return stack_->currentWidget() == measure_; }
   bool onStartPage() const { return stack_->currentWidget() == start_; }
   /// Seconds between the last change of the design and the picture of its result; 0 before the first.
@@ -203,8 +201,8 @@ class MainWindow : public QMainWindow {
   bool fitNext_ = true;                   ///< no result of this design was in the picture yet
   std::optional<scene::Camera> opening_;  ///< of the design's first picture
   std::optional<scene::Marker> marker_;   ///< of the finding looked at, until something else is
-  bool sectioned_ = false;
-  double sectionSide_ = 1;  ///< of the station's normal: which half is taken away
+  bool sectioned_ = false;                ///< the scene is cut open at the station or the moving blade
+  double sectionSide_ = 1;                ///< of the station's normal: which half is taken away
   bool staleShown_ = false;
   std::function<void()> ordered_;  ///< an export that waits for the result
   QElapsedTimer editClock_;

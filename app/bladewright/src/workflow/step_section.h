@@ -41,8 +41,6 @@ class StepSection : public QWidget {
   StepSection(const Theme& theme, const QString& icon, const QString& title, QWidget* body,
               QWidget* parent = nullptr);
   StepHead& head() { return *head_; }
-  void setOpen(bool open) { head_->setChecked(open); }
-  bool isOpen() const { return head_->isChecked(); }
 
  private:
   StepHead* head_;

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "bw/core/motion.h"
 #include "bw/core/result.h"
-#include "bw/core/sweep.h"
 
 namespace bw {
 

@@ -6,8 +6,6 @@
 
 #include <array>
 
-#include "bw/core/result.h"
-
 namespace bw {
 
 /// A right-handed orthonormal frame in the file's frame (mm). `normal` = x × y. For a station, x and y span
@@ -64,11 +62,6 @@ Eigen::Matrix3d rotationFromAngles(const Eigen::Vector3d& angles);
 
 /// The angles (rad) of `rotationFromAngles`.
 Eigen::Vector3d anglesFromRotation(const Eigen::Matrix3d& rotation);
-
-/// A right-handed frame with the given normal. x is the direction nearest to `xHint` in the plane; if that is
-/// parallel to the normal, a world axis is taken instead. Fails on a zero or non-finite normal.
-Result<Frame> frameFromNormal(const Eigen::Vector3d& origin, const Eigen::Vector3d& normal,
-                              const Eigen::Vector3d& xHint);
 
 /// A block by its corner, mm in the file's frame, its size, mm, and its rotations about x, y and z, rad.
 struct BlockPlacement {

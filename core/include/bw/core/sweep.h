@@ -3,7 +3,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <string>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "bw/core/frame.h"
 #include "bw/core/issue.h"
 #include "bw/core/mesh.h"
+#include "bw/core/motion.h"
 #include "bw/core/planar_curve.h"
 #include "bw/core/result.h"
 #include "bw/core/run_context.h"
@@ -143,28 +143,6 @@ struct SweepAnalysis {
 /// stations. Fills angles, speeds, deviation, margins and clearance of the stations of `sweep`.
 Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const CheckRequest& request, const SurfaceSampler& target,
                                    const RunContext& context);
-
-/// The pose of one blade end at one instant, in the block frame. The rotation's columns are x = unit tangent
-/// into the blade, z = cutting direction (both ends the same), y = z × x.
-struct Pose {
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();
-  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
-};
-
-/// One instant of a synchronised motion: one pose a task, in the order left, right.
-struct MotionInstant {
-  double time = 0;   ///< s from the start of the cut
-  int station = -1;  ///< index of the station, −1 in the leads
-  std::vector<Pose> poses;
-};
-
-/// A timed motion of the blade's ends in the frame of the block: what a robot program is written from.
-struct Motion {
-  Box block;
-  double bladeLength = 0;   ///< mm
-  double cuttingSpeed = 0;  ///< mm/s of the fastest point of the blade
-  std::vector<MotionInstant> instants;
-};
 
 /// Times the stations so that the fastest point of the blade moves at the cutting speed, adds the leads, and
 /// puts the ends in the block frame. Quaternions keep one sign along the path.

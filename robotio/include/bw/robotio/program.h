@@ -10,8 +10,8 @@
 #include "bw/core/cell.h"
 #include "bw/core/file_set.h"
 #include "bw/core/issue.h"
+#include "bw/core/motion.h"
 #include "bw/core/result.h"
-#include "bw/core/sweep.h"
 
 namespace bw::robotio {
 

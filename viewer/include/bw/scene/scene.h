@@ -173,8 +173,6 @@ class Scene {
   /// The direction to look from that the orientation cube offers under that pixel: each component −1, 0 or 1;
   /// one of them differs from 0 on a face, two on an edge, three at a corner.
   std::optional<Eigen::Vector3d> cubeDirection(double x, double y, int width, int height) const;
-  /// The space point under that pixel on the plane through the camera's focus that faces the camera.
-  Eigen::Vector3d pointAtFocus(double x, double y, int width, int height) const;
   /// Layout of the last rendered picture; empty before the first.
   const Overlay& overlay() const;
 

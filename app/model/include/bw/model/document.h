@@ -73,8 +73,6 @@ class Document : public QObject {
   void autosaveNow(bool wait = false);
   /// Removes the autosaved copy: the person gives the changes up.
   void discardCopy();
-  /// Why the last autosave failed; empty if it did not.
-  const QString& autosaveProblem() const { return autosaveProblem_; }
 
  signals:
   /// The design was swapped (edit, undo, redo, open, start).
@@ -106,7 +104,7 @@ class Document : public QObject {
   std::function<QImage()> pictureMaker_;
   QThreadPool writer_;  ///< one thread: copies are written in the order of the edits
   QTimer autosaveTimer_;
-  QString autosaveProblem_;
+  bool autosaveFails_ = false;  ///< the last one did
 };
 
 }  // namespace bw::model

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "bw/core/motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bw/core/sweep.h"
+
+namespace bw {
+
+namespace {
+
+/// Points of the blade at which the speed is compared; the speed varies smoothly along it.
+constexpr int kSpeedSamples = 41;
+
+/// Pose of a blade end: x into the blade, z = n, y = z × x, in the block frame.
+Pose endPose(const Box& block, const Eigen::Vector3d& point, const Eigen::Vector3d& inward,
+             const Eigen::Vector3d& n) {
+  const Eigen::Vector3d x = inward.normalized();
+  const Eigen::Vector3d z = (n - n.dot(x) * x).normalized();
+  Eigen::Matrix3d R_WE;
+  R_WE << x, z.cross(x), z;
+  Eigen::Matrix3d R_WB;
+  R_WB << block.frame.x, block.frame.y, block.frame.normal;
+  Pose pose;
+  pose.position = block.frame.toLocal(point);
+  pose.rotation = Eigen::Quaterniond(Eigen::Matrix3d(R_WB.transpose() * R_WE)).normalized();
+  return pose;
+}
+
+}  // namespace
+
+Result<Motion> buildMotion(const Sweep& sweep, const MotionRequest& request) {
+  const auto [cuttingSpeed, lead] = request;
+  if (!(cuttingSpeed > 0) || !std::isfinite(cuttingSpeed))
+    return fail(ErrorCode::badInput, "the cutting speed must be greater than 0 mm/s", "cutting_speed",
+                cuttingSpeed, 0.0);
+  if (sweep.stations.size() < 2)
+    return fail(ErrorCode::badInput, "a motion needs at least two stations", "stations",
+                double(sweep.stations.size()), 2.0);
+  Motion motion{sweep.block, sweep.request.blade.length, cuttingSpeed, {}};
+  std::vector<double> arcs(kSpeedSamples);
+  for (int i = 0; i < kSpeedSamples; ++i)
+    arcs[std::size_t(i)] = sweep.request.blade.length * i / (kSpeedSamples - 1);
+  const auto sample = [&](const Station& station) {
+    std::vector<Elastica::State> states(kSpeedSamples);
+    station.blade.at(arcs, states);
+    std::vector<Eigen::Vector3d> points;
+    points.reserve(kSpeedSamples);
+    for (const Elastica::State& state : states) points.push_back(station.frame.toWorld(state.point));
+    return points;
+  };
+  const auto instant = [&](const Station& station, double shift, double time, int index) {
+    const Eigen::Vector3d move = shift * sweep.direction;
+    MotionInstant result{time, index, {}};
+    result.poses.push_back(
+        endPose(sweep.block, station.leftPoint() + move, station.leftTangent(), station.frame.normal));
+    result.poses.push_back(
+        endPose(sweep.block, station.rightPoint() + move, -station.rightTangent(), station.frame.normal));
+    return result;
+  };
+  double time = 0;
+  if (lead > 0) {
+    motion.instants.push_back(instant(sweep.stations.front(), -lead, 0, -1));
+    time += lead / cuttingSpeed;
+  }
+  std::vector<Eigen::Vector3d> before;
+  for (const Station& station : sweep.stations) {
+    std::vector<Eigen::Vector3d> now = sample(station);
+    if (!before.empty()) {
+      double farthest = 0;
+      for (int i = 0; i < kSpeedSamples; ++i)
+        farthest = std::max(farthest, (now[std::size_t(i)] - before[std::size_t(i)]).norm());
+      time += farthest / cuttingSpeed;
+    }
+    motion.instants.push_back(instant(station, 0, time, station.index));
+    before = std::move(now);
+  }
+  if (lead > 0) {
+    time += lead / cuttingSpeed;
+    motion.instants.push_back(instant(sweep.stations.back(), lead, time, -1));
+  }
+  for (std::size_t i = 1; i < motion.instants.size(); ++i)
+    for (std::size_t e = 0; e < motion.instants[i].poses.size(); ++e) {
+      Eigen::Quaterniond& q = motion.instants[i].poses[e].rotation;
+      if (q.dot(motion.instants[i - 1].poses[e].rotation) < 0) q.coeffs() = -q.coeffs();
+    }
+  return motion;
+}
+
+}  // namespace bw
