@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -51,6 +52,8 @@ ordered_json faceJson(const geometry::FaceInfo& face) {
 }
 
 Result<ReadOptions> readOptions(const InfoOptions& options) {
+  if (!std::isfinite(options.sewing))
+    return fail(ErrorCode::badInput, "--sewing is no number of mm; give one from 0 to 100", "sewing");
   // The words and limits are those of a job.
   ordered_json job = {{"sewing", options.sewing}};
   if (!options.unit.empty()) job["unit"] = options.unit;

@@ -65,6 +65,10 @@ Result<std::string> inflated(std::string_view bytes, int window, const std::stri
                       " MB, which is too much for a packed CAD file; unpack it and open what it holds",
                   name, double(text.size()), double(limit));
     }
+    // A file of several packed pieces holds their texts one after the other.
+    const std::string_view rest = bytes.substr(bytes.size() - left - stream.avail_in);
+    if (state == Z_STREAM_END && window == kGzipWindow && rest.substr(0, kGzip.size()) == kGzip)
+      state = inflateReset(&stream);
   }
   if (state == Z_BUF_ERROR) return unreadable(name, "the packed file is cut short; copy or export it again");
   if (state != Z_STREAM_END) return unreadable(name, "the packed file is damaged; copy or export it again");

@@ -174,10 +174,11 @@ Result<const Recipe*> find(const std::string& name) {
   std::string all;
   for (const std::string& n : names) all += (all.empty() ? "" : ", ") + n;
   const std::string near = nearestWord(name, names.data(), int(names.size()));
-  return fail(ErrorCode::badInput,
-              "there is no example \"" + name + "\"" +
-                  (near.empty() ? "" : "; did you mean \"" + near + "\"?") + " The examples are " + all,
-              "example");
+  return fail(
+      ErrorCode::badInput,
+      "there is no example \"" + name + "\"" +
+          (near.empty() ? "; the examples are " : "; did you mean \"" + near + "\"? The examples are ") + all,
+      "example");
 }
 
 std::vector<double> uniformKnots(int degree, int spans) {

@@ -31,18 +31,18 @@ Pose poseOf(const Step& step) { return poseAt(*step.target, kTargetPosition, kTa
 /// A move between two known targets.
 struct Segment {
   bool known = false;
-  double length = 0;       ///< mm
-  double turn = 0;         ///< degrees
-  double seconds = 0;      ///< by \T, 0 if not stated
-  double speedExcess = 0;  ///< its speed by \T over that of its speeddata, 0 if unknown
-  double turnExcess = 0;
+  double length = 0;        ///< mm
+  double turn = 0;          ///< degrees
+  double seconds = 0;       ///< by \T, 0 if not stated
+  double speedExcess = -1;  ///< its speed by \T over that of its speeddata, below 0 if unknown
+  double turnExcess = -1;
 };
 
 /// What a quarter of the values that are known stay below.
 double lowerQuartile(const std::vector<Segment>& segments, double Segment::*value) {
   std::vector<double> known;
   for (const Segment& s : segments)
-    if (s.*value > 0) known.push_back(s.*value);
+    if (s.*value >= 0) known.push_back(s.*value);
   if (known.empty()) return 0;
   const auto at = known.begin() + std::ptrdiff_t((known.size() - 1) / 4);
   std::nth_element(known.begin(), at, known.end());

@@ -162,6 +162,8 @@ TEST(BadInput, JobsAndBlocks) {
 }
 
 TEST(BadInput, NumbersThatNoJobCanMean) {
+  for (const char* text : {"nan", "inf", "1e999"})
+    expectRefusal({"info", example("saddle"), "--sewing", text}, 2, "--sewing");
   const Folder folder;
   for (const char* job : {R"({"stations": 1e400})",
                           R"({"stations": NaN})",

@@ -147,19 +147,25 @@ TEST(RapidMotion, ALeapIsSeenAtPredefinedSpeedsToo) {
 }
 
 TEST(RapidMotion, ATargetThatTurnsAgainstTheRatesBesideItLeaps) {
-  const auto good = writeRapid(sample::motion(60), sample::cell());
-  ASSERT_TRUE(good);
-  Program program = *good;
-  std::string& module = sample::file(program, kModules[0]);
-  const Declared target = targetsOf(module)[30];
-  const std::size_t at = module.find('[', target.end), end = module.find(']', at);
-  module.replace(at, end - at, "[0.00000000,0.70710678,0.70710678,0.00000000");
-  const Issues errors = errorsOf(program);
-  ASSERT_FALSE(errors.empty());
-  EXPECT_TRUE(std::any_of(errors.begin(), errors.end(), [&](const Issue& issue) {
-    return issue.kind == "rapid-rule-17" &&
-           issue.message.find("\"" + target.name + "\" turns by") != std::string::npos;
-  })) << listed(errors);
+  Motion still = sample::motion(60);  // no tool turns
+  for (MotionInstant& instant : still.instants)
+    for (std::size_t end = 0; end < instant.poses.size(); ++end)
+      instant.poses[end].rotation = still.instants[0].poses[end].rotation;
+  for (const Motion& motion : {sample::motion(60), still}) {
+    const auto good = writeRapid(motion, sample::cell());
+    ASSERT_TRUE(good);
+    Program program = *good;
+    std::string& module = sample::file(program, kModules[0]);
+    const Declared target = targetsOf(module)[30];
+    const std::size_t at = module.find('[', target.end), end = module.find(']', at);
+    module.replace(at, end - at, "[0.00000000,0.70710678,0.70710678,0.00000000");
+    const Issues errors = errorsOf(program);
+    ASSERT_FALSE(errors.empty());
+    EXPECT_TRUE(std::any_of(errors.begin(), errors.end(), [&](const Issue& issue) {
+      return issue.kind == "rapid-rule-17" &&
+             issue.message.find("\"" + target.name + "\" turns by") != std::string::npos;
+    })) << listed(errors);
+  }
 }
 
 TEST(RapidMotion, WithoutTimesALeapIsSeenInThePath) {
