@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 #include "bw/core/number_text.h"
 #include "bw/geometry/cad_model.h"
@@ -102,15 +103,20 @@ class Chooser {
     return usableOf(result);
   }
 
-  /// Those of some faces that are not too thin. An error if all are.
+  /// Those of some faces that can be used, each once; tells how many cannot. An error if none can.
   Result<std::vector<int>> usableOf(const std::vector<int>& indices) const {
     std::vector<int> result;
+    std::set<int> useless;
     for (const int i : indices) {
-      if (usable(i)) result.push_back(i);
+      if (!usable(i))
+        useless.insert(i);
+      else if (std::find(result.begin(), result.end(), i) == result.end())
+        result.push_back(i);
     }
-    if (const std::size_t thin = indices.size() - result.size(); thin > 0 && !result.empty())
-      tell((thin == 1 ? "1 face is" : std::to_string(thin) + " faces are") + " left out, thinner than " +
-           shortText(kThin) + " mm");
+    if (!useless.empty() && !result.empty())
+      tell((useless.size() == 1 ? "1 face is" : std::to_string(useless.size()) + " faces are") +
+           " left out, narrower than " + shortText(kThin) + " mm or damaged");
+    if (useless.size() == 1 && result.empty()) return tl::unexpected(usable(indices.front()).error());
     if (result.empty()) {
       return fail(ErrorCode::badInput,
                   "the faces of " + impl_.name + " are thinner than the tolerance of " + shortText(kThin) +

@@ -76,6 +76,15 @@ TEST(Sewing, ClosesGapsWithinItsToleranceAndNamesTheWidest) {
   EXPECT_EQ(model.info().groups.size(), 1u);
 }
 
+TEST(Sewing, OfZeroJoinsNothing) {
+  const auto half = [](double from) {
+    return patch("", [from](double u, double v) { return Eigen::Vector3d(from + 100 * u, 80 * v, 0); });
+  };
+  const std::string step = mergedStep({half(0), half(100)});
+  EXPECT_TRUE(read(step, {{}, 0}).info().healing.empty());
+  EXPECT_FALSE(read(step, {{}, 0.1}).info().healing.empty());
+}
+
 TEST(Sewing, LeavesWiderGapsOpenAndNamesThem) {
   const CadModel model = read(twoSheets(0.4), {{}, 0.1});
   EXPECT_EQ(model.info().edges, 8);
@@ -104,6 +113,24 @@ TEST(Choice, FacesAreChosenByName) {
   EXPECT_NE(wrong.error().message.find("did you mean \"gutter\"?"), std::string::npos);
   expectError(model.choose({.kind = FaceChoice::Kind::named, .names = {"larges"}}), ErrorCode::badInput,
               "did you mean \"largest\"?");
+}
+
+TEST(Choice, SliversOfANameAreLeftOutAndTold) {
+  const auto strip = [](double from, double width) {
+    return patch("side", [=](double u, double v) { return Eigen::Vector3d(from + width * u, 80 * v, 0); });
+  };
+  const CadModel model = modelOf(mergedStep({strip(0, 100), strip(200, 0.004)}));
+  FaceChoice choice{FaceChoice::Kind::named};
+  choice.names = {"side", "side"};
+  Issues findings;
+  const auto target = Target::make(model, choice, &findings);
+  ASSERT_TRUE(target) << target.error().message;
+  EXPECT_EQ(target->faces().size(), 1u) << "and each once";
+  ASSERT_FALSE(findings.empty());
+  EXPECT_NE(findings.back().message.find("1 face is left out, narrower than 0.01 mm"), std::string::npos)
+      << findings.back().message;
+  const CadModel sliver = modelOf(mergedStep({strip(0, 0.004)}));
+  expectError(Target::make(sliver, choice), ErrorCode::badInput, "face 0 of test.step is only");
 }
 
 TEST(Choice, NearestIsTheFaceNearestToThePointNotToItsBox) {

@@ -121,7 +121,7 @@ StepStates stepStates(const StepFacts& facts) {
   } else if (!facts.exportProblem.isEmpty()) {
     output = {Kind::error, 0, QStringLiteral("Not written")};
   } else if (output.kind != Kind::warning && output.kind != Kind::error) {
-    if (ready && facts.exported == exportKey(*facts.evaluation))
+    if (ready && !facts.exported.empty() && facts.exported == exportKey(*facts.evaluation))
       output = {Kind::done, 0, QStringLiteral("Exported")};
     else if (!facts.exported.empty())
       output = {Kind::stale, 0, QStringLiteral("Older export")};

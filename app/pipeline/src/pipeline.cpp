@@ -23,24 +23,18 @@ double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Where a stage is not to be made.
-template <class Request, class T>
-bool reuse(Stage<Request, T>& stage, const Stage<Request, T>* before) {
-  if (!before || !before->value || !(before->request == stage.request) || before->inputs != stage.inputs)
-    return false;
-  stage = *before;
-  return true;
-}
-
 /// A stage as it was before, where neither its request nor anything that it stands on changed; else `make`
 /// makes it of its request, and its time is added to `seconds`.
 template <class Request, class T, class Make>
 Result<void> settle(Stage<Request, T>& stage, const Stage<Request, T>* before,
                     const std::type_identity_t<Request>& request, Inputs inputs, double& seconds,
                     const Make& make) {
+  if (before && before->value && before->request == request && before->inputs == inputs) {
+    stage = *before;
+    return {};
+  }
   stage.request = request;
   stage.inputs = std::move(inputs);
-  if (reuse(stage, before)) return {};
   const auto start = Clock::now();
   Result<T> made = make(stage.request, stage.issues);
   if (!made) return tl::unexpected<Error>(made.error());

@@ -177,7 +177,8 @@ void Workbench::onDesignChanged() {
 
 Issues Workbench::messages() const {
   Issues all = messages_;
-  if (runner_.evaluation() && model::exportKey(*runner_.evaluation()) == exported_)
+  if (!exportFindings_.empty() && runner_.evaluation() &&
+      model::exportKey(*runner_.evaluation()) == exported_)
     all.insert(all.end(), exportFindings_.begin(), exportFindings_.end());
   return all;
 }
