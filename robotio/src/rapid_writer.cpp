@@ -77,7 +77,7 @@ class TaskWriter {
         end_(end),
         robotWare7_(options.robotWare7),
         mark_(unsafeMark(options.errors)),
-        run_(runLine(options.run, motion.bladeLength)) {
+        run_(runLine(options.run, task_.name, motion.bladeLength)) {
     module_ = plan.modules[end];
     parts_ =
         plan.cutMoves > kTargetsPerModule ? (plan.cutMoves + kTargetsPerModule - 1) / kTargetsPerModule : 0;
@@ -109,7 +109,7 @@ class TaskWriter {
   std::string partName(std::size_t part) const { return module_ + "_" + threeDigits(part + 1); }
   static std::string partProcedure(std::size_t part) { return "cutPart" + threeDigits(part + 1); }
 
-  /// What no reader of a module may miss: that it must not run, of which run it is, for which blade.
+  /// What no reader of a module may miss: that it must not run, of which run it is, for which task and blade.
   void mark(TextBuilder& out) const {
     for (const std::string& line : mark_) out.line(1, line);
     out.line(1, run_);
@@ -231,7 +231,7 @@ class TaskWriter {
   std::size_t end_;
   bool robotWare7_;
   std::vector<std::string> mark_;
-  std::string run_;  ///< the line that tells the run and the blade
+  std::string run_;  ///< the line that tells the run, the task and the blade
   std::string module_;
   std::size_t parts_ = 0;
 };

@@ -6,12 +6,14 @@
 #include <algorithm>
 
 #include "bw/core/number_text.h"
+#include "rapid_names.h"
 
 namespace bw::robotio {
 
 namespace {
 
-constexpr std::string_view kRun = "Run ", kNoRun = "none", kLength = ", free blade length ", kUnit = " mm";
+constexpr std::string_view kRun = "Run ", kNoRun = "none", kTask = ", task ",
+                           kLength = ", free blade length ", kUnit = " mm";
 constexpr std::string_view kOurs = "Bladewright: ";
 constexpr std::size_t kRunDigits = 16;
 constexpr int kLengthDecimals = 4;
@@ -32,6 +34,12 @@ bool readLine(std::string_view rest, RunHead& head) {
       return false;
     rest.remove_prefix(kRunDigits);
   }
+  if (rest.starts_with(kTask)) {
+    rest.remove_prefix(kTask.size());
+    head.task = rest.substr(0, rest.find(','));
+    if (!identifierFault(head.task).empty()) return false;
+    rest.remove_prefix(head.task.size());
+  }
   if (rest.empty()) return true;
   if (rest.size() < kLength.size() + kUnit.size() || !rest.starts_with(kLength) || !rest.ends_with(kUnit))
     return false;
@@ -49,8 +57,9 @@ std::string named(const std::string& run) {
 
 }  // namespace
 
-std::string runLine(const std::string& run, double bladeLength) {
+std::string runLine(const std::string& run, const std::string& task, double bladeLength) {
   std::string line = "! " + std::string(kRun) + (run.empty() ? std::string(kNoRun) : run);
+  line += std::string(kTask) + task;
   if (bladeLength > 0)
     line += std::string(kLength) + fixedText(bladeLength, kLengthDecimals) + std::string(kUnit);
   return line;
@@ -88,7 +97,11 @@ double checkRuns(const LinkedProgram& program, Findings& findings) {
       RunHead head = readRunHead(file->bytes);
       if (head.damaged)
         findings.add(kRunKind, file->path, head.line,
-                     "the line with the run and the blade is damaged; write the program anew");
+                     "the line with the run, the task and the blade is damaged; write the program anew");
+      else if (!head.task.empty() && !task.name.empty() && !sameName(head.task, task.name))
+        findings.rule(18, file->path, head.line,
+                      "the module was written for the task " + head.task + ", but lies in the folder of " +
+                          task.name.substr(0, 80) + "; the robot would move the other end of the blade");
       if (head.ours) ours.push_back({file, std::move(head)});
     }
   double length = 0;

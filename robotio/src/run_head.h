@@ -12,10 +12,10 @@ namespace bw::robotio {
 /// Kind of the finding that tells of files from different runs.
 inline constexpr const char* kRunKind = "rapid-run";
 
-/// The comment line in the head of each module that tells which run wrote it and the blade it is for: "! Run
-/// 0123456789abcdef, free blade length 800.0000 mm". "none" stands for an empty `run`; a length of 0 (mm,
-/// between the two TCP origins) is left out.
-std::string runLine(const std::string& run, double bladeLength);
+/// The comment line in the head of each module that tells which run wrote it, the task and the blade it is
+/// for: "! Run 0123456789abcdef, task T_ROB1, free blade length 800.0000 mm". "none" stands for an empty
+/// `run`; a length of 0 (mm, between the two TCP origins) is left out.
+std::string runLine(const std::string& run, const std::string& task, double bladeLength);
 
 /// What the head of a module tells.
 struct RunHead {
@@ -23,14 +23,15 @@ struct RunHead {
   int line = 0;            ///< of the line below, 0 if there is none
   bool damaged = false;    ///< the line is there but not as we write it
   std::string run;         ///< empty if not told
+  std::string task;        ///< empty if not told
   double bladeLength = 0;  ///< mm, 0 if not told
 };
 
 /// Reads the comments that follow the first line of a module; of somebody else's they tell nothing.
 RunHead readRunHead(std::string_view module);
 
-/// All modules of a strip are of one run and for one blade. Reports those that are not; returns the blade's
-/// length in mm, 0 where no module tells it.
+/// All modules of a strip are of one run and for one blade, and each lies in the folder of its task. Reports
+/// those that do not; returns the blade's length in mm, 0 where no module tells it.
 double checkRuns(const LinkedProgram& program, Findings& findings);
 
 }  // namespace bw::robotio

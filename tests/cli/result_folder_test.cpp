@@ -65,9 +65,7 @@ TEST(ResultFolder, NamesItsRunInReportSweepAndEveryModule) {
   for (const auto& entry : fs::recursive_directory_iterator(out))
     if (entry.path().extension() == ".mod") {
       ++modules;
-      EXPECT_NE(slurp(entry.path()).find("! Run " + run + ", free blade length 800.0000 mm\r\n"),
-                std::string::npos)
-          << entry.path();
+      EXPECT_NE(slurp(entry.path()).find("! Run " + run + ", task "), std::string::npos) << entry.path();
     }
   EXPECT_EQ(modules, 6);
   const Finished check = blade({"check", out});
@@ -133,6 +131,79 @@ TEST(ResultFolder, AFileOfAnotherRunIsTold) {
   const Finished check = blade({"check", folder / "stick"});
   EXPECT_EQ(check.status, 1);
   EXPECT_NE(check.out.find("[rapid-run]"), std::string::npos) << check.out;
+}
+
+TEST(ResultFolder, ProgramsOfTheTwoRobotsExchangedAreTold) {
+  const Folder folder;
+  rationalize(folder, kJobA, "a");
+  fs::create_directories(folder / "stick");
+  fs::copy(folder / "a/programs/strip-0/T_ROB1", folder / "stick/T_ROB2", fs::copy_options::recursive);
+  fs::copy(folder / "a/programs/strip-0/T_ROB2", folder / "stick/T_ROB1", fs::copy_options::recursive);
+  const Finished check = blade({"check", folder / "stick"});
+  EXPECT_EQ(check.status, 1) << check.out;
+  EXPECT_NE(check.out.find("[rapid-rule-18]"), std::string::npos) << check.out;
+}
+
+TEST(ResultFolder, AStripOfAnotherRunBesideTheRightOneIsTold) {
+  const Folder folder;
+  rationalize(folder, kJobA, "out");
+  rationalize(folder, kJobB, "b");
+  fs::copy(folder / "b/programs/strip-0", folder / "out/programs/strip-1", fs::copy_options::recursive);
+  for (const char* path : {"out", "out/programs", "out/programs/strip-1", "out/programs/strip-1/T_ROB2"}) {
+    const Finished check = blade({"check", folder / path});
+    EXPECT_EQ(check.status, 1) << path << check.out;
+    EXPECT_NE(check.out.find("does not name it"), std::string::npos) << path << check.out;
+    EXPECT_NE(check.out.find(runOf(folder / "b")), std::string::npos) << path << check.out;
+  }
+  EXPECT_EQ(blade({"check", folder / "out/programs/strip-0"}).status, 0);
+  // What a person keeps there is no run's.
+  fs::remove_all(folder / "out/programs/strip-1");
+  folder.write("out/programs/notes.txt", "strip 0 first");
+  EXPECT_EQ(blade({"check", folder / "out"}).status, 0);
+}
+
+TEST(ResultFolder, WithoutFingerprintsOrReportIsTold) {
+  const Folder folder;
+  rationalize(folder, kJobA, "out");
+  const json whole = json::parse(slurp(folder / "out/report.json"));
+  json one = whole, none = whole;
+  one["fingerprints"].erase("sweep.json");
+  none["fingerprints"] = json::object();
+  for (const json& report : {one, none}) {
+    folder.write("out/report.json", report.dump());
+    const Finished check = blade({"check", folder / "out"});
+    EXPECT_EQ(check.status, 1) << check.out;
+    EXPECT_NE(check.out.find("without its fingerprint"), std::string::npos) << check.out;
+    for (const std::vector<std::string>& verb :
+         {std::vector<std::string>{"render", folder / "out", "--size", "64x64", "--out", folder / "a.png"},
+          {"export", folder / "out", "--out", folder / "programs"}}) {
+      const Finished run = blade(verb);
+      EXPECT_EQ(run.status, 2) << run.err;
+      EXPECT_NE(run.err.find("without its fingerprint"), std::string::npos) << run.err;
+    }
+  }
+  json unnamed = whole;
+  unnamed["files"].erase(unnamed["files"].size() - 1);
+  unnamed["fingerprints"].erase("design.bladewright");
+  folder.write("out/report.json", unnamed.dump());
+  const Finished run = blade({"export", folder / "out", "--out", folder / "programs"});
+  EXPECT_EQ(run.status, 2) << run.err;
+  EXPECT_NE(run.err.find("does not name the design"), std::string::npos) << run.err;
+  EXPECT_FALSE(fs::exists(folder / "programs"));
+  // Of a version that named no run.
+  json old = whole;
+  old.erase("run");
+  folder.write("out/report.json", old.dump());
+  const Finished early = blade({"check", folder / "out"});
+  EXPECT_EQ(early.status, 0) << early.out;
+  EXPECT_NE(early.out.find("names no run"), std::string::npos) << early.out;
+
+  fs::remove(folder / "out/report.json");
+  const Finished check = blade({"check", folder / "out"});
+  EXPECT_EQ(check.status, 1) << check.out << check.err;
+  EXPECT_NE(check.out.find("report.json: it is missing"), std::string::npos) << check.out;
+  fs::remove_all(folder / "out/programs");
+  EXPECT_EQ(blade({"check", folder / "out"}).status, 1);
 }
 
 TEST(ResultFolder, NamesInAReportLeadOutOfNoFolder) {

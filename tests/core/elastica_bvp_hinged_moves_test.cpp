@@ -40,7 +40,7 @@ TEST(HingedBlade, OwnAnswersLeadToThemselves) {
       ASSERT_TRUE(again) << i << " " << again.error().message;
       const ClampedSolution& rest = again->solutions[0];
       EXPECT_TRUE(rest.stable);
-      EXPECT_FALSE(again->snapsAt);
+      EXPECT_EQ(again->snapsAt, solution.stable ? std::nullopt : std::optional<double>(0));
       if (!solution.stable) {
         EXPECT_NE(again->message.find("not stable here"), std::string::npos) << again->message;
         continue;
@@ -86,6 +86,37 @@ TEST(HingedBlade, AReleasedGripLetsTheBladeComeToRest) {
       EXPECT_GT(answer->solutions[0].elastica.point(400).y(), 0);
     }
   }
+}
+
+TEST(HingedBlade, SnapsAtOnceWhereOnlyTheGripsHeldIt) {
+  // Clamped in an S, which no pair of hinges holds.
+  const ClampedProblem grips = across(0.8, 1.2, 1.2);
+  const Result<ClampedAnswer> held = solveClamped(grips);
+  ASSERT_TRUE(held);
+  ASSERT_EQ(held->solutions[0].inflections.size() % 2, 1u) << "an S";
+  const Elastica& blade = held->solutions[0].elastica;
+  const Result<ClampedAnswer> released = solveClamped(across(0.8, kHinged, kHinged), from(blade));
+  ASSERT_TRUE(released);
+  ASSERT_TRUE(released->snapsAt);
+  EXPECT_EQ(*released->snapsAt, 0);
+  EXPECT_NE(released->message.find("snaps at once"), std::string::npos) << released->message;
+  EXPECT_TRUE(released->solutions[0].stable);
+  EXPECT_FALSE(solveClamped(grips, from(blade))->snapsAt) << "held, it stays";
+  // A shape that does not even rest between its own grips.
+  const ClampedProblem flat = across(0.8, 0.1, 0.1);
+  const Result<ClampedAnswer> all = solveAllClamped(flat);
+  ASSERT_TRUE(all);
+  int unstable = 0;
+  for (const ClampedSolution& solution : all->solutions) {
+    if (solution.stable || solution.sliding) continue;
+    ++unstable;
+    for (const ClampedProblem& next : {flat, across(0.79, 0.11, 0.09)}) {
+      const Result<ClampedAnswer> answer = solveClamped(next, from(solution.elastica));
+      ASSERT_TRUE(answer);
+      EXPECT_EQ(answer->snapsAt, std::optional<double>(0));
+    }
+  }
+  EXPECT_GT(unstable, 0);
 }
 
 TEST(HingedBlade, SnapsWhereItsMarginVanishes) {

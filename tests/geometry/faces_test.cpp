@@ -95,6 +95,14 @@ TEST(Sewing, LeavesWiderGapsOpenAndNamesThem) {
   EXPECT_EQ(read(twoSheets(0.06), {{}, 0}).info().edges, 8);
 }
 
+TEST(Sewing, NamesNoGapWiderThanTenMillimetres) {
+  const CadModel near = read(twoSheets(9), {{}, 2});
+  ASSERT_FALSE(near.info().healing.empty());
+  EXPECT_TRUE(tells(near.info().healing, "a gap of 9.18 mm between faces 0 and 1 stays open"))
+      << near.info().healing[0];
+  EXPECT_TRUE(read(twoSheets(11), {{}, 2}).info().healing.empty());
+}
+
 TEST(Names, AreThoseOfStepAndOfTheShellWhereAFaceHasNone) {
   std::string step = threeFaces();
   EXPECT_EQ(modelOf(step).info().faceList[1].name, "gutter");

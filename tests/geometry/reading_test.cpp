@@ -87,6 +87,22 @@ TEST(CadModel, ConvertsMetresAndInches) {
   EXPECT_NEAR(model.info().bounds.size().x(), 600 * 25.4, 1e-5);
 }
 
+TEST(CadModel, ReadsMilesAndTellsThemFromMils) {
+  for (const auto& [name, metres] : {std::pair("MILE", 1609.344), std::pair("MIL", 2.54e-5)}) {
+    std::string step =
+        withUnit(exampleStep("saddle").value(),
+                 "(CONVERSION_BASED_UNIT('" + std::string(name) + "',#9001)LENGTH_UNIT()NAMED_UNIT(#9003))");
+    step.insert(step.rfind("ENDSEC;"), "#9001=LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(" +
+                                           std::to_string(metres) +
+                                           "),#9002);\n"
+                                           "#9002=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT($,.METRE.));\n"
+                                           "#9003=DIMENSIONAL_EXPONENTS(1.,0.,0.,0.,0.,0.,0.);\n");
+    const CadModel model = modelOf(step);
+    EXPECT_EQ(model.info().unit, name == std::string("MILE") ? "mile" : "mil");
+    EXPECT_NEAR(model.info().bounds.size().x() / (600 * 1000 * metres), 1, 2e-2) << name;
+  }
+}
+
 TEST(CadModel, TellsTheFormatFromTheContentNotTheSuffix) {
   const auto model = CadModel::readBytes(exampleStep("saddle").value(), "saddle.iges");
   ASSERT_TRUE(model) << model.error().message;

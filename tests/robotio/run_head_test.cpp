@@ -44,7 +44,9 @@ TEST(RunHead, StandsInEveryModule) {
     if (!file.path.ends_with(".mod")) continue;
     ++modules;
     EXPECT_EQ(runOfModule(file.bytes), kRunA) << file.path;
-    EXPECT_NE(file.bytes.find("! Run " + kRunA + ", free blade length 800.0000 mm\r\n"), std::string::npos);
+    const std::string task = file.path.substr(0, file.path.find('/'));
+    EXPECT_NE(file.bytes.find("! Run " + kRunA + ", task " + task + ", free blade length 800.0000 mm\r\n"),
+              std::string::npos);
   }
   EXPECT_EQ(modules, 8);
 }
@@ -72,11 +74,11 @@ TEST(RunHead, OnePartOfAnotherRunIsAnError) {
 
 TEST(RunHead, AModuleOfAVersionThatNamedNoRunIsAnErrorBesideOneThatDoes) {
   Program mixed = programOf(kRunA);
-  ASSERT_TRUE(
-      replace(sample::file(mixed, kRight), "    ! Run " + kRunA + ", free blade length 800.0000 mm\r\n", ""));
+  ASSERT_TRUE(replace(sample::file(mixed, kRight),
+                      "    ! Run " + kRunA + ", task T_ROB2, free blade length 800.0000 mm\r\n", ""));
   EXPECT_EQ(count(mixed, "rapid-run", "does not name"), 1);
-  ASSERT_TRUE(
-      replace(sample::file(mixed, kLeft), "    ! Run " + kRunA + ", free blade length 800.0000 mm\r\n", ""));
+  ASSERT_TRUE(replace(sample::file(mixed, kLeft),
+                      "    ! Run " + kRunA + ", task T_ROB1, free blade length 800.0000 mm\r\n", ""));
   EXPECT_TRUE(checkRapid(mixed).empty()) << "a program of such a version is as good as it was";
 }
 
@@ -84,10 +86,11 @@ TEST(RunHead, ADamagedLineIsAnError) {
   for (const char* line :
        {"! Run 0011", "! Run 00112233445566ax", "! Run 00112233445566aa, free blade length x mm",
         "! Run 00112233445566aa, free blade length -1 mm", "! Run 00112233445566aa, free blade length mm",
-        "! Run 00112233445566aa; 800 mm", "! Run"}) {
+        "! Run 00112233445566aa; 800 mm", "! Run 00112233445566aa, task , free blade length 800.0000 mm",
+        "! Run 00112233445566aa, task T ROB, free blade length 800.0000 mm", "! Run"}) {
     Program program = programOf(kRunA);
-    ASSERT_TRUE(
-        replace(sample::file(program, kLeft), "! Run " + kRunA + ", free blade length 800.0000 mm", line));
+    ASSERT_TRUE(replace(sample::file(program, kLeft),
+                        "! Run " + kRunA + ", task T_ROB1, free blade length 800.0000 mm", line));
     EXPECT_GE(count(program, "rapid-run"), 1) << line;
   }
 }
@@ -95,12 +98,34 @@ TEST(RunHead, ADamagedLineIsAnError) {
 TEST(RunHead, OfSomebodyElseIsAComment) {
   Program program = programOf("");
   for (ProgramFile& file : program) {
-    sample::replaceAll(file.bytes, "! Run none, free blade length 800.0000 mm", "! Run only by day");
+    const std::string task = file.path.substr(0, file.path.find('/'));
+    sample::replaceAll(file.bytes, "! Run none, task " + task + ", free blade length 800.0000 mm",
+                       "! Run only by day");
     sample::replaceAll(file.bytes, "! Bladewright: ", "! Anna: ");
   }
   EXPECT_TRUE(checkRapid(program).empty());
   EXPECT_EQ(runOfModule("MODULE A\r\n"), "");
   EXPECT_EQ(runOfModule(""), "");
+}
+
+TEST(RunHead, TheProgramsOfTheTwoRobotsExchangedAreAnError) {
+  const Program program = programOf(kRunA);
+  Program swapped = program;
+  for (ProgramFile& file : swapped)
+    file.path = (file.path.starts_with("T_ROB1/") ? "T_ROB2" : "T_ROB1") + file.path.substr(6);
+  EXPECT_EQ(count(swapped, "rapid-rule-18", "written for the task T_ROB1"), 1);
+  EXPECT_EQ(count(swapped, "rapid-rule-18", "written for the task T_ROB2"), 1);
+  // RAPID's names do not distinguish case.
+  Program lower = program;
+  for (ProgramFile& file : lower)
+    file.path.replace(0, 6, file.path.starts_with("T_ROB1") ? "t_rob1" : "t_rob2");
+  EXPECT_EQ(count(lower, "rapid-rule-18"), 0);
+  // Programs of a version that named no task are as good as they were.
+  for (ProgramFile& file : swapped) {
+    sample::replaceAll(file.bytes, ", task T_ROB1", "");
+    sample::replaceAll(file.bytes, ", task T_ROB2", "");
+  }
+  EXPECT_TRUE(checkRapid(swapped).empty());
 }
 
 TEST(RunHead, BladesOfDifferentLengthsAreAnError) {

@@ -3,20 +3,18 @@
 
 #include "bw/pipeline/earlier_files.h"
 
-#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <system_error>
 
 #include "program_unit.h"
+#include "report_record.h"
 
 namespace bw::pipeline {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr std::size_t kLargestReport = std::size_t(256) << 20;
 
 /// The tasks of a strip whose folder is named by us: another cell may have had others.
 void addTasks(const fs::path& strip, std::set<fs::path>& found) {
@@ -42,18 +40,10 @@ bool isPlainProgramPath(const fs::path& folder, const fs::path& path) {
 
 /// The programs that the report of an earlier run lists.
 void addListed(const fs::path& folder, std::set<fs::path>& found) {
-  std::error_code error;
-  const fs::path file = folder / "report.json";
-  if (!fs::is_regular_file(file, error)) return;
-  const Result<std::string> text = readFile(file, kLargestReport);
-  if (!text) return;
-  const nlohmann::json report = nlohmann::json::parse(*text, nullptr, false);
-  if (!report.is_object() || !report.contains("bladewright_report") || !report.contains("files")) return;
-  for (const nlohmann::json& name : report["files"]) {
-    if (!name.is_string()) continue;
-    const fs::path path = name.get<std::string>();
-    if (isPlainProgramPath(folder, path)) found.insert(folder / path);
-  }
+  const Result<std::optional<ReportRecord>> record = readReportRecord(folder);
+  if (!record || !*record) return;
+  for (const std::string& name : (*record)->files)
+    if (isPlainProgramPath(folder, name)) found.insert(folder / name);
 }
 
 }  // namespace

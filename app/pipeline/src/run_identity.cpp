@@ -3,16 +3,17 @@
 
 #include "bw/pipeline/run_identity.h"
 
-#include <algorithm>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <system_error>
 
 #include "bw/core/fingerprint.h"
 #include "bw/core/number_text.h"
+#include "bw/core/temporary_name.h"
 #include "bw/robotio/program.h"
 #include "program_unit.h"
+#include "report_record.h"
 
 namespace bw::pipeline {
 
@@ -21,8 +22,9 @@ using nlohmann::json;
 
 namespace {
 
-constexpr std::size_t kLargestReport = std::size_t(256) << 20;
 constexpr std::size_t kLargestModule = std::size_t(64) << 20;
+constexpr const char* kProgramFolder = "programs";
+constexpr const char* kSweepFile = "sweep.json";
 constexpr int kLevels = 4;  ///< from a module up to its report: task, strip, programs, results
 
 /// Collects values, one after the other, into bytes that differ where one of them does.
@@ -83,39 +85,6 @@ void add(Values& f, const Motion& motion) {
   }
 }
 
-/// What a report says of its run.
-struct Record {
-  fs::path folder;
-  std::string run;
-  std::map<std::string, std::string> fingerprints;  ///< by path within the folder
-};
-
-/// True for a path that leads out of no folder.
-bool staysInside(const fs::path& path) {
-  return !path.empty() && path.is_relative() && std::find(path.begin(), path.end(), "..") == path.end();
-}
-
-/// Nothing where there is no report, or one that names no run.
-Result<std::optional<Record>> recordOf(const fs::path& folder) {
-  std::error_code error;
-  const fs::path file = folder / "report.json";
-  if (!fs::is_regular_file(file, error)) return std::nullopt;
-  const Result<std::string> text = readFile(file, kLargestReport);
-  if (!text) return tl::unexpected<Error>(text.error());
-  const json report = json::parse(*text, nullptr, false);
-  if (!report.is_object() && text->find("\"bladewright_report\"") != std::string::npos)
-    return fail(ErrorCode::badInput, file.string() + " is damaged; write the results anew", file.string());
-  if (!report.is_object()) return std::nullopt;  // somebody else's file of that name
-  const auto run = report.find("run"), files = report.find("fingerprints");
-  if (!report.contains("bladewright_report") || run == report.end() || !run->is_string() ||
-      files == report.end() || !files->is_object())
-    return std::nullopt;
-  Record record{folder, run->get<std::string>(), {}};
-  for (const auto& [name, value] : files->items())
-    if (value.is_string() && staysInside(name)) record.fingerprints[name] = value.get<std::string>();
-  return record;
-}
-
 Issue finding(Severity severity, const fs::path& file, std::string message) {
   Issue issue;
   issue.severity = severity;
@@ -125,8 +94,15 @@ Issue finding(Severity severity, const fs::path& file, std::string message) {
   return issue;
 }
 
+/// The names of all files that the report tells of.
+std::set<std::string> namesOf(const ReportRecord& record) {
+  std::set<std::string> names = record.files;
+  for (const auto& [name, fingerprint] : record.fingerprints) names.insert(name);
+  return names;
+}
+
 /// Compares one file that the report names.
-std::optional<Issue> compare(const Record& record, const std::string& name) {
+std::optional<Issue> compare(const ReportRecord& record, const std::string& name) {
   const fs::path file = record.folder / name;
   std::error_code error;
   if (!fs::exists(file, error))
@@ -135,7 +111,12 @@ std::optional<Issue> compare(const Record& record, const std::string& name) {
         "report.json of run " + record.run + " names the file, but it is missing; write the results anew");
   const Result<Fingerprint> fingerprint = fingerprintOfFile(file);
   if (!fingerprint) return finding(Severity::error, file, fingerprint.error().message);
-  if (fingerprintText(*fingerprint) == record.fingerprints.at(name)) return std::nullopt;
+  const auto told = record.fingerprints.find(name);
+  if (told == record.fingerprints.end())
+    return finding(Severity::error, file,
+                   "report.json of run " + record.run +
+                       " lists the file without its fingerprint; write the results anew");
+  if (fingerprintText(*fingerprint) == told->second) return std::nullopt;
   if (isModuleFile(file)) {
     const Result<std::string> bytes = readFile(file, kLargestModule);
     const std::string run = bytes ? robotio::runOfModule(*bytes) : std::string();
@@ -148,6 +129,58 @@ std::optional<Issue> compare(const Record& record, const std::string& name) {
   return finding(Severity::error, file,
                  "the file is of another run than report.json (run " + record.run +
                      ") or was changed since; write the results anew");
+}
+
+/// An error for each module of another run at `place`, a file or folder, which the report does not name.
+void addStrays(const ReportRecord& record, const fs::path& place, Issues& issues) {
+  const std::set<std::string> names = namesOf(record);
+  const auto look = [&](const fs::path& file) {
+    const std::string name = file.lexically_relative(record.folder).generic_string();
+    if (!isModuleFile(file) || names.count(name) > 0) return;
+    const Result<std::string> bytes = readFile(file, kLargestModule);
+    const std::string run = bytes ? robotio::runOfModule(*bytes) : std::string();
+    if (!run.empty() && run != record.run)
+      issues.push_back(finding(Severity::error, file,
+                               "the module is of run " + run + ", and report.json of run " + record.run +
+                                   " does not name it; remove it, or write the results anew"));
+  };
+  std::error_code error;
+  if (fs::is_regular_file(place, error)) look(place);
+  if (!fs::is_directory(place, error)) return;
+  for (fs::recursive_directory_iterator it(place, error), end; !error && it != end; it.increment(error)) {
+    // What a writer has under way, or left when it was ended, is no robot's.
+    const bool temporary = isTemporaryName(it->path().filename().string());
+    if (temporary || it.depth() >= kLevels) it.disable_recursion_pending();
+    if (std::error_code ignored; !temporary && it->is_regular_file(ignored)) look(it->path());
+  }
+}
+
+/// Compares what lies at `inside` of the record's folder.
+Issues compareInside(const ReportRecord& record, const fs::path& inside) {
+  Issues issues;
+  if (record.run.empty()) {
+    issues.push_back(finding(Severity::warning, record.folder / "report.json",
+                             "it names no run, so that nothing tells whether the files are of one run; write "
+                             "the results anew"));
+    return issues;
+  }
+  bool concerned = false;
+  for (const std::string& name : namesOf(record)) {
+    if (inside != "." && inside != name && !liesWithin(name, inside)) continue;
+    concerned = true;
+    if (std::optional<Issue> issue = compare(record, name)) issues.push_back(std::move(*issue));
+  }
+  const bool ofPrograms = !inside.empty() && *inside.begin() == kProgramFolder;
+  if (inside == "." || ofPrograms) {
+    const std::size_t before = issues.size();
+    addStrays(record, record.folder / (ofPrograms ? inside : fs::path(kProgramFolder)), issues);
+    concerned = concerned || issues.size() > before;
+  }
+  if (!concerned && ofPrograms)
+    issues.push_back(
+        finding(Severity::error, record.folder / inside,
+                "report.json of run " + record.run + " names no program here; write the results anew"));
+  return issues;
 }
 
 }  // namespace
@@ -163,53 +196,45 @@ std::string runId(const Evaluation& e, const Cell* cell) {
 }
 
 bool isResultFolder(const fs::path& folder) {
-  const Result<std::optional<Record>> record = recordOf(folder);
-  return record && record->has_value();
+  std::error_code error;
+  const Result<std::optional<ReportRecord>> record = readReportRecord(folder);
+  return !record || record->has_value() || fs::is_regular_file(folder / kSweepFile, error);
 }
 
 Issues compareWithReport(const fs::path& path) {
-  Issues issues;
   std::error_code error;
   const fs::path whole = fs::weakly_canonical(path, error);
-  if (error) return issues;
+  if (error) return {};
   fs::path folder = whole;
   for (int level = 0; level <= kLevels; ++level, folder = folder.parent_path()) {
-    const Result<std::optional<Record>> record = recordOf(folder);
-    if (!record) {
-      issues.push_back(finding(Severity::error, folder / "report.json", record.error().message));
-      return issues;
-    }
-    if (!*record) continue;
-    const fs::path inside = whole.lexically_relative(folder);
-    bool concerned = false;
-    for (const auto& [name, fingerprint] : (*record)->fingerprints) {
-      if (inside != "." && inside != name && !liesWithin(name, inside)) continue;
-      concerned = true;
-      if (std::optional<Issue> issue = compare(**record, name)) issues.push_back(std::move(*issue));
-    }
-    // Programs that the report does not name, in its own place for them.
-    if (!concerned && !inside.empty() && *inside.begin() == "programs")
-      issues.push_back(
-          finding(Severity::error, whole,
-                  "report.json of run " + (*record)->run + " names no program here; write the results anew"));
-    return issues;
+    const Result<std::optional<ReportRecord>> record = readReportRecord(folder);
+    if (!record) return {finding(Severity::error, folder / "report.json", record.error().message)};
+    if (*record) return compareInside(**record, whole.lexically_relative(folder));
   }
-  return issues;
+  if (!isResultFolder(whole)) return {};
+  return {
+      finding(Severity::error, whole / "report.json",
+              "it is missing, so that nothing tells whether the files beside it are of one run; write the "
+              "results anew")};
 }
 
 Result<void> checkOneRun(const fs::path& folder, const std::string& designFile) {
-  const Result<std::optional<Record>> record = recordOf(folder);
+  const Result<std::optional<ReportRecord>> record = readReportRecord(folder);
   if (!record) return tl::unexpected<Error>(record.error());
-  if (!*record) return {};
-  for (const std::string& name : {designFile, std::string("sweep.json")}) {
-    if ((*record)->fingerprints.count(name) == 0) continue;
-    const std::optional<Issue> issue = compare(**record, name);
-    if (!issue) continue;
-    const std::string file = (folder / designFile).string();
+  if (!*record || (*record)->run.empty()) return {};
+  const std::set<std::string> names = namesOf(**record);
+  const std::string file = (folder / designFile).string();
+  const std::string remedy =
+      " (blade design " + file + " --out " + folder.string() + "), or give " + file + " itself";
+  if (names.count(designFile) == 0)
     return fail(ErrorCode::badInput,
-                issue->where.text + ": " + issue->message + " (blade design " + file + " --out " +
-                    folder.string() + "), or give " + file + " itself",
-                issue->where.text);
+                file + ": report.json of run " + (*record)->run +
+                    " does not name the design; write the results anew" + remedy,
+                file);
+  for (const std::string& name : {designFile, std::string(kSweepFile)}) {
+    if (names.count(name) == 0) continue;
+    if (const std::optional<Issue> issue = compare(**record, name))
+      return fail(ErrorCode::badInput, issue->where.text + ": " + issue->message + remedy, issue->where.text);
   }
   return {};
 }

@@ -70,8 +70,18 @@ Result<UnitSolution> follow(const ClampedProblem& problem, const CheckedProblem&
   initial.shape << unit.startCurvature(), unit.force();
   if (unit.anchor()) initial.anchor = *unit.transformed(0, 1, -unit.start()).anchor();
   initial.turning = blade.at(blade.length()).angle - blade.startAngle();
+  // A grip that is released may have held it.
+  UnitSolution released = initial;
+  released.ends = checked.ends;
   if (held) {
+    answer.snapsAt = 0;
     answer.message = kNotStable;
+  } else if (!restsIn(released, sample(released))) {
+    answer.snapsAt = 0;
+    answer.message =
+        "The initial blade does not rest between ends that are held like these, so that it snaps at once; "
+        "this "
+        "is the stable blade nearest to it.";
   } else if (Result<ClampedBranch> branch = ClampedBranch::from(blade); !branch) {
     answer.message = branch.error().message + " This is the stable blade nearest to it.";
   } else {

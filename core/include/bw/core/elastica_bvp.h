@@ -94,8 +94,9 @@ const char* clampedKindName(ClampedKind kind);
 struct ClampedAnswer {
   std::vector<ClampedSolution> solutions;  ///< lowest energy first, never empty
   ClampedKind kind = ClampedKind::general;
-  /// With `initial`: at which part (0, 1) of the way the blade snaps; empty if it never does. On the way the
-  /// bending moment at a hinge goes evenly from what `initial` has there to zero.
+  /// With `initial`: at which part [0, 1) of the way the blade snaps, 0 if it does not rest in that shape to
+  /// begin with (a grip that is released may have held it); empty if it never does, or cannot be followed. On
+  /// the way the bending moment at a hinge goes evenly from what `initial` has there to zero.
   std::optional<double> snapsAt = std::nullopt;
   std::string message = {};  ///< what a user should know besides, or empty
   /// Besides the answer, or besides the lowest stable one of all shapes, within the bounds of the options

@@ -1,5 +1,5 @@
 MODULE BladeRight
-    ! Run 0123456789abcdef, free blade length 800.0000 mm
+    ! Run 0123456789abcdef, task T_ROB2, free blade length 800.0000 mm
     ! Bladewright: the right end of the blade, for irb1600-10-1.45 in the cell irb1600-pair.
     ! 5 targets, 22.0 s of cutting, blade length 800.00 mm.
     ! Start only with all robots at home: the first move is not synchronised.

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "report_record.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "bw/core/file_set.h"
+
+namespace bw::pipeline {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+constexpr std::size_t kLargestReport = std::size_t(256) << 20;  ///< bytes
+constexpr const char* kOurs = "bladewright_report";
+
+/// True for a path that leads out of no folder.
+bool staysInside(const fs::path& path) {
+  return !path.empty() && path.is_relative() && std::find(path.begin(), path.end(), "..") == path.end();
+}
+
+}  // namespace
+
+Result<std::optional<ReportRecord>> readReportRecord(const fs::path& folder) {
+  std::error_code error;
+  const fs::path file = folder / "report.json";
+  if (!fs::is_regular_file(file, error)) return std::nullopt;
+  const Result<std::string> text = readFile(file, kLargestReport);
+  if (!text) return tl::unexpected<Error>(text.error());
+  const json report = json::parse(*text, nullptr, false);
+  if (!report.is_object() && text->find("\"" + std::string(kOurs) + "\"") != std::string::npos)
+    return fail(ErrorCode::badInput, file.string() + " is damaged; write the results anew", file.string());
+  if (!report.is_object() || !report.contains(kOurs)) return std::nullopt;
+  ReportRecord record;
+  record.folder = folder;
+  if (const auto run = report.find("run"); run != report.end() && run->is_string())
+    record.run = run->get<std::string>();
+  if (const auto files = report.find("files"); files != report.end() && files->is_array())
+    for (const json& name : *files)
+      if (name.is_string() && staysInside(name.get<std::string>())) record.files.insert(name);
+  if (const auto prints = report.find("fingerprints"); prints != report.end() && prints->is_object())
+    for (const auto& [name, value] : prints->items())
+      if (value.is_string() && staysInside(name)) record.fingerprints[name] = value.get<std::string>();
+  record.files.erase("report.json");
+  return record;
+}
+
+}  // namespace bw::pipeline
