@@ -31,7 +31,7 @@ std::string gzip(const std::string& text) { return deflated(text, 15 + 16); }
 
 std::string little(std::uint32_t value, int size) {
   std::string bytes;
-  for (int i = 0; i < size; ++i) bytes += char(value >> (8 * i) & 255u);
+  for (int i = 0; i < size; ++i, value >>= 8) bytes += char(value & 255u);
   return bytes;
 }
 
