@@ -108,10 +108,11 @@ Result<Design> designOf(const std::string& path) {
   return loadDesign(inside);
 }
 
-void Session::tell(const Issues& issues) const {
+void Session::tell(const Findings& findings) const {
   endProgress();
-  for (const Issue& issue : issues)
-    std::cerr << severityName(issue.severity) << ": " << printable(issue.message) << "\n";
+  for (const Finding& finding : findings)
+    std::cerr << severityName(finding.severity) << ": "
+              << printable(words::sentence(finding, words::Reader::commandLine)) << "\n";
 }
 
 }  // namespace bw::cli

@@ -9,11 +9,11 @@
 
 #include "bw/core/design.h"
 #include "bw/core/file_set.h"
-#include "bw/core/issue.h"
+#include "bw/core/finding.h"
 #include "bw/core/result.h"
 #include "bw/core/run_context.h"
 #include "bw/pipeline/exit_status.h"
-#include "bw/pipeline/pipeline.h"
+#include "bw/pipeline/produce.h"
 #include "bw/pipeline/result_folder.h"
 
 namespace bw::cli {
@@ -51,7 +51,7 @@ struct Session {
                           const std::filesystem::path& source = {},
                           const std::optional<pipeline::FolderState>& seen = std::nullopt) const;
   /// Findings in words on standard error.
-  void tell(const Issues& issues) const;
+  void tell(const Findings& findings) const;
   /// Removes the progress bar from the line.
   void endProgress() const;
 };

@@ -24,10 +24,6 @@ void addProgramVerbs(CLI::App& app, const Session& session, Work& work);
 
 /// Adds the switch --despite-errors, which has robot programs of a design with errors written and marked.
 std::shared_ptr<bool> addDespiteErrors(CLI::App& verb);
-/// What the switch asks for; its remedy names it.
-pipeline::ProgramPolicy programPolicy(bool despiteErrors);
-/// 0, or 1 where a stated tolerance or a limit is exceeded.
-int resultStatus(const pipeline::Evaluation& evaluation);
 
 /// Name, version and the versions of the libraries.
 std::string versionText();

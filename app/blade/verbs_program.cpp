@@ -4,10 +4,9 @@
 #include <iostream>
 #include <memory>
 
-#include "bw/core/cell.h"
 #include "bw/core/design.h"
 #include "bw/core/printable.h"
-#include "bw/pipeline/pipeline.h"
+#include "bw/core/program_formats.h"
 #include "bw/pipeline/run_identity.h"
 #include "bw/robotio/program.h"
 #include "verbs.h"
@@ -27,24 +26,17 @@ int runExport(const Session& session, const ExportOptions& options, bool despite
   // What is exported is what the findings are about.
   if (!options.cell.empty()) design->job.cell = options.cell;
   design->job.programs = options.formats;
-  const Result<Cell> cell = loadCell(design->job.cell);
-  if (!cell) return session.complain(cell.error());
-  const pipeline::FolderState before = pipeline::folderState(options.out);
-  const pipeline::Outcome outcome = pipeline::evaluate(*design, nullptr, session.context());
-  session.tell(outcome.evaluation.issues());
-  if (outcome.error) return session.complain(*outcome.error);
-  Issues findings;
-  Result<FileSet> files = pipeline::programFiles(outcome.evaluation, *cell, options.formats, "Blade",
-                                                 programPolicy(despiteErrors), findings);
-  session.tell(findings);
-  if (!files) return session.complain(files.error());
-  if (!files->paths().empty()) {
-    FileSet all;
-    all.append(std::move(*files), "strip-0");
-    if (Result<void> ok = session.writeFiles(all, options.out, {}, before); !ok)
+  pipeline::Policy policy;
+  policy.contents = pipeline::Policy::Contents::programs;
+  policy.despiteErrors = despiteErrors;
+  policy.programFolder = "strip-0";
+  const pipeline::Product product = pipeline::produce(*design, options.out, policy, session.context());
+  session.tell(product.findings());
+  if (product.error) return session.complain(*product.error);
+  if (!product.files.paths().empty())
+    if (Result<void> ok = session.writeFiles(product.files, options.out, {}, product.seen); !ok)
       return session.complain(ok.error());
-  }
-  return resultStatus(outcome.evaluation);
+  return product.status();
 }
 
 /// True if a folder holds modules, or lists of them, at any depth at which programs lie, or cannot be read as
@@ -61,31 +53,32 @@ bool holdsRapid(const std::filesystem::path& folder) {
 }
 
 /// What is found about one folder or file.
-Result<Issues> findingsOf(const std::filesystem::path& path) {
-  Issues issues = pipeline::compareWithReport(path);
+Result<Findings> findingsOf(const std::filesystem::path& path) {
+  Findings findings = pipeline::compareWithReport(path);
   std::error_code error;
   const bool isResult = pipeline::isResultFolder(path);
-  if (isResult && !holdsRapid(path)) return issues;  // the design has none
+  if (isResult && !holdsRapid(path)) return findings;  // the design has none
   const std::filesystem::path programs = path / "programs";
   const Result<robotio::Program> program =
       robotio::loadProgram(isResult && std::filesystem::is_directory(programs, error) ? programs : path);
   if (!program) return tl::unexpected<Error>(program.error());
-  const Issues broken = robotio::checkRapid(*program);
-  issues.insert(issues.end(), broken.begin(), broken.end());
-  return issues;
+  const Findings broken = robotio::checkRapid(*program);
+  findings.insert(findings.end(), broken.begin(), broken.end());
+  return findings;
 }
 
 int runCheck(const Session& session, const std::vector<std::string>& paths) {
   int status = kDone;
   for (const std::string& path : paths) {
-    const Result<Issues> issues = findingsOf(path);
-    if (!issues) return session.complain(issues.error());
-    for (const Issue& issue : *issues)
-      std::cout << printable(path + ": " + severityName(issue.severity) + ": " + issue.where.text + ": " +
-                             issue.message + " [" + issue.kind + "]")
+    const Result<Findings> findings = findingsOf(path);
+    if (!findings) return session.complain(findings.error());
+    for (const Finding& finding : *findings)
+      std::cout << printable(path + ": " + severityName(finding.severity) + ": " + words::placeText(finding) +
+                             ": " + words::sentence(finding, words::Reader::commandLine) + " [" +
+                             words::kindWord(finding) + "]")
                 << "\n";
-    if (hasErrors(*issues)) status = kLimitExceeded;
-    if (issues->empty()) std::cout << printable(path) << ": no findings\n";
+    if (hasErrors(*findings)) status = kLimitExceeded;
+    if (findings->empty()) std::cout << printable(path) << ": no findings\n";
   }
   return status;
 }
@@ -99,17 +92,13 @@ std::shared_ptr<bool> addDespiteErrors(CLI::App& verb) {
   return despite;
 }
 
-pipeline::ProgramPolicy programPolicy(bool despiteErrors) {
-  return {despiteErrors, ", or have it written and marked as not safe to run with --despite-errors"};
-}
-
 void addProgramVerbs(CLI::App& app, const Session& session, Work& work) {
   {
     CLI::App* verb =
         app.add_subcommand("export", "Robot programs of a result or a design, after their check");
     const auto options = std::make_shared<ExportOptions>();
     verb->add_option("PATH", options->path, "Folder of results, or a .bladewright file")->required();
-    verb->add_option("--format", options->formats, "rapid, csv, json (several with commas)")
+    verb->add_option("--format", options->formats, programFormatWords(", ") + " (several with commas)")
         ->delimiter(',')
         ->type_name("LIST");
     verb->add_option("--cell", options->cell, "Robot cell: a word or a JSON file; default: the design's")

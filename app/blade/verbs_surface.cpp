@@ -7,14 +7,12 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "bw/core/cell.h"
 #include "bw/core/design.h"
 #include "bw/core/maps.h"
 #include "bw/core/number_text.h"
 #include "bw/core/units.h"
 #include "bw/geometry/export.h"
 #include "bw/pipeline/example_design.h"
-#include "bw/pipeline/pipeline.h"
 #include "bw/pipeline/scene_content.h"
 #include "interrupt.h"
 #include "verbs.h"
@@ -61,31 +59,19 @@ void tellSummary(const pipeline::Evaluation& e) {
             << fixedText(e.seconds.total, 2) << " s\n";
 }
 
-int runDesign(const Session& session, const Design& design, const std::string& out, bool despiteErrors) {
-  if (!design.job.programs.empty()) {  // before the work, not after it
-    const Result<Cell> cell = loadCell(design.job.cell);
-    if (!cell) return session.complain(cell.error());
-  }
-  const pipeline::FolderState before = pipeline::folderState(out);
-  pipeline::Outcome outcome = pipeline::evaluate(design, nullptr, session.context());
-  session.tell(outcome.evaluation.issues());
-  if (outcome.error) return session.complain(*outcome.error);
-  const auto designFile = [&](const std::vector<fs::path>&) -> Result<FileSet> {
-    const Result<Design> stored = pipeline::storedDesign(outcome.evaluation);
-    if (!stored) return tl::unexpected<Error>(stored.error());
-    FileSet file;
-    file.add(kDesignFile, designToJson(*stored));
-    return file;
-  };
-  Result<FileSet> files =
-      pipeline::resultFiles(outcome.evaluation, session.context(), programPolicy(despiteErrors), designFile);
-  session.tell(outcome.evaluation.programs);
-  if (!files) return session.complain(files.error());
+int runDesign(const Session& session, const Design& design, const std::string& out, bool despiteErrors,
+              int threads = 0) {
+  RunContext context = session.context();
+  if (context.threads == 0) context.threads = threads;
+  const pipeline::Product product =
+      pipeline::produce(design, out, {.despiteErrors = despiteErrors}, context);
+  session.tell(product.findings());
+  if (product.error) return session.complain(*product.error);
   const fs::path source = design.source.bytes.empty() ? design.source.path : fs::path();
-  if (Result<void> ok = session.writeFiles(*files, out, source, before); !ok)
+  if (Result<void> ok = session.writeFiles(product.files, out, source, product.seen); !ok)
     return session.complain(ok.error());
-  tellSummary(outcome.evaluation);
-  return resultStatus(outcome.evaluation);
+  tellSummary(product.evaluation);
+  return product.status();
 }
 
 int runRationalize(const Session& session, const std::string& file, const std::string& jobFile,
@@ -97,12 +83,13 @@ int runRationalize(const Session& session, const std::string& file, const std::s
     if (!read) return session.complain(read.error());
     text = std::move(*read);
   }
-  Result<Job> job = parseJob(text);
+  int threads = 0;
+  Result<Job> job = parseJob(text, &threads);
   if (!job) return session.complain(job.error());
   design.name = fs::path(file).stem().string();
   design.source.path = file;
   design.job = std::move(*job);
-  return runDesign(session, design, out, despiteErrors);
+  return runDesign(session, design, out, despiteErrors, threads);
 }
 
 struct RenderOptions {
@@ -140,17 +127,18 @@ int runRender(const Session& session, const RenderOptions& options) {
                              "out"});
   const Result<Design> design = designOf(options.path);
   if (!design) return session.complain(design.error());
-  const pipeline::Outcome outcome = pipeline::evaluate(*design, nullptr, session.context());
-  session.tell(outcome.evaluation.sourceIssues);
-  if (outcome.error) return session.complain(*outcome.error);
+  const pipeline::Product product = pipeline::produce(
+      *design, {}, {.contents = pipeline::Policy::Contents::evaluation}, session.context());
+  session.tell(product.evaluation.sourceFindings);
+  if (product.error) return session.complain(*product.error);
   scene::Scene scene;
-  scene.setContent(pipeline::sceneContent(outcome.evaluation));
+  scene.setContent(pipeline::sceneContent(product.evaluation));
   scene::Style style;
   style.field = field;
   style.dark = options.dark;
   style.isolines = options.isolines;
   style.tolerance = design->job.tolerance;
-  style.playhead = 0.5 * double(outcome.evaluation.sweep.value->sweep.stations.size() - 1);
+  style.playhead = 0.5 * double(product.evaluation.sweep.value->sweep.stations.size() - 1);
   scene.setStyle(style);
   scene.setCamera(
       scene.fitFrom(scene::directionOf(*view), *view != scene::View::iso, double(width) / height));
@@ -190,10 +178,6 @@ int runExample(const Session& session, const std::string& name, const std::strin
 }
 
 }  // namespace
-
-int resultStatus(const pipeline::Evaluation& evaluation) {
-  return exceedsLimit(evaluation.issues()) ? kLimitExceeded : kDone;
-}
 
 void addSurfaceVerbs(CLI::App& app, const Session& session, Work& work) {
   {

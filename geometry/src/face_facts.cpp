@@ -35,7 +35,7 @@ void addBending(const FaceGeometry& geometry, FaceInfo& face) {
 void addSections(const CadModel& model, FaceInfo& face, const RunContext& context) {
   const auto target = Target::make(model, {FaceChoice::Kind::indices, {face.index}});
   if (!target) return;
-  Issues ignored;
+  Findings ignored;
   auto setup = resolveSetup(*target, {}, ignored);
   if (!setup) return;
   RunContext alone;

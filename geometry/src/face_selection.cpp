@@ -31,14 +31,7 @@ double widthOf(const FaceGeometry& face, const std::vector<EdgeGeometry>& edges)
 /// Planes, cylinders and cones: what the sides, holes and roundings of a part mostly are.
 bool plain(const std::string& type) { return type == "plane" || type == "cylinder" || type == "cone"; }
 
-std::string areaText(double mm2) {
-  return mm2 >= 1e4 ? shortText(mm2 * 1e-6) + " m²" : shortText(mm2) + " mm²";
-}
-
-/// "face 3 (\"Roof\")".
-std::string faceName(const FaceInfo& face) {
-  return "face " + std::to_string(face.index) + (face.name.empty() ? "" : " (\"" + face.name + "\")");
-}
+FaceName nameOf(const FaceInfo& face) { return {face.index, face.name, face.type, face.area}; }
 
 double distanceToBounds(const Bounds& bounds, const Eigen::Vector3d& p) {
   return (p - p.cwiseMax(bounds.min).cwiseMin(bounds.max)).norm();
@@ -46,7 +39,7 @@ double distanceToBounds(const Bounds& bounds, const Eigen::Vector3d& p) {
 
 class Chooser {
  public:
-  Chooser(const CadModel& model, Issues* findings)
+  Chooser(const CadModel& model, Findings* findings)
       : model_(model), impl_(model.impl()), findings_(findings), count_(int(impl_.faces.size())) {}
 
   Result<void> usable(int i) const {
@@ -77,23 +70,14 @@ class Chooser {
     }
     if (widest < 0)
       return fail(ErrorCode::badInput, impl_.name + " has no face that can be used", impl_.name);
-    const bool bent = best >= 0;
-    if (!bent) best = widest;
+    if (best < 0) best = widest;
     if (auto ok = usable(best); !ok) {
       ok.error().message += "; it is the largest: check the unit of the file, read as " + impl_.info.readAs;
       return tl::unexpected(ok.error());
     }
-    if (count_ > 1) {
-      std::string text = faceName(info(best)) + " of " + std::to_string(count_) + " is cut, the largest";
-      if (bent && best != widest) {
-        text += " that is neither plane, cylinder nor cone: " + info(best).type + ", " +
-                areaText(info(best).area) + "; " + faceName(info(widest)) + ", a " + info(widest).type +
-                " of " + areaText(info(widest).area) + ", is larger";
-      } else {
-        text += ": " + info(best).type + ", " + areaText(info(best).area);
-      }
-      tell(text);
-    }
+    if (count_ > 1)
+      tell(LargestFace{nameOf(info(best)), count_,
+                       best != widest ? std::optional(nameOf(info(widest))) : std::nullopt});
     return std::vector<int>{best};
   }
 
@@ -113,9 +97,7 @@ class Chooser {
       else if (std::find(result.begin(), result.end(), i) == result.end())
         result.push_back(i);
     }
-    if (!useless.empty() && !result.empty())
-      tell((useless.size() == 1 ? "1 face is" : std::to_string(useless.size()) + " faces are") +
-           " left out, narrower than " + shortText(kThin) + " mm or damaged");
+    if (!useless.empty() && !result.empty()) tell(FacesLeftOut{int(useless.size()), kThin});
     if (useless.size() == 1 && result.empty()) return tl::unexpected(usable(indices.front()).error());
     if (result.empty()) {
       return fail(ErrorCode::badInput,
@@ -191,16 +173,15 @@ class Chooser {
       best = i;
     }
     if (best < 0) return fail(ErrorCode::badInput, impl_.name + " has no face that can be used", impl_.name);
-    tell(faceName(info(best)) + " is cut, the nearest to [" + shortText(point.x()) + ", " +
-         shortText(point.y()) + ", " + shortText(point.z()) + "], " + shortText(distance) + " mm away");
+    tell(NearestFace{nameOf(info(best)), point, distance});
     return std::vector<int>{best};
   }
 
  private:
   const FaceInfo& info(int i) const { return impl_.info.faceList[i]; }
 
-  void tell(std::string text) const {
-    if (findings_) findings_->push_back({Severity::info, "face", std::move(text), {}});
+  void tell(Cause cause) const {
+    if (findings_) findings_->push_back({Severity::info, std::move(cause), {}, {}});
   }
 
   tl::unexpected<Error> noSuchName(const std::string& name) const {
@@ -226,13 +207,13 @@ class Chooser {
 
   const CadModel& model_;
   const CadModel::Impl& impl_;
-  Issues* findings_;
+  Findings* findings_;
   int count_;
 };
 
 }  // namespace
 
-Result<std::vector<int>> CadModel::choose(const FaceChoice& choice, Issues* findings) const {
+Result<std::vector<int>> CadModel::choose(const FaceChoice& choice, Findings* findings) const {
   const Chooser chooser(*this, findings);
   switch (choice.kind) {
     case FaceChoice::Kind::largest:

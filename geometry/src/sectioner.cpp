@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "bw/core/number_text.h"
 #include "curve_fit.h"
 #include "section_branches.h"
 #include "section_runs.h"
@@ -61,9 +60,8 @@ SectionOutcome Sectioner::cut(double level, int station) const {
   const PlaneCutter::Cut cut = cutter_.cut(level);
   const std::vector<SectionBranch> branches = chainPieces(cut.pieces);
   const Frame frame = frameAt(level);
-  const auto issue = [&](Severity severity, const char* kind, const std::string& message,
-                         const std::optional<Eigen::Vector3d>& point) {
-    outcome.issues.push_back({severity, kind, message, {stationName(station), {}, station, point}});
+  const auto tell = [&](Severity severity, Cause cause, const Eigen::Vector3d& point) {
+    outcome.findings.push_back({severity, std::move(cause), {StationRange::of(station), point}, {}});
   };
 
   struct Part {
@@ -90,60 +88,35 @@ SectionOutcome Sectioner::cut(double level, int station) const {
       parts.push_back({&branch, std::move(piece), branch.closed && !clipped, clipped, length});
     }
   }
-  if (parts.empty() && speck > 0) {
-    issue(Severity::warning, "section-short",
-          stationName(station) + " is left out: its plane meets the target only in a point", frame.origin);
-    return outcome;
-  }
   if (parts.empty()) {
-    issue(Severity::warning, "section-missing",
-          stationName(station) + " is left out: its plane does not meet the target inside the block",
-          frame.origin);
+    tell(Severity::warning, speck > 0 ? Cause(SectionPoint{}) : Cause(SectionMissing{}), frame.origin);
     return outcome;
   }
+  const Eigen::Vector3d place = parts.front().samples.front().node.p;
   if (parts.size() > 1) {
-    issue(Severity::warning, "section-branches",
-          stationName(station) + " is left out: its plane cuts the target in " +
-              std::to_string(parts.size()) +
-              " separate curves; place the block so that only one of them lies in it, choose another "
-              "direction or fewer faces",
-          parts.front().samples.front().node.p);
+    tell(Severity::warning, SectionBranches{int(parts.size()), int(parts.size())}, place);
     return outcome;
   }
   Part& part = parts.front();
   if (part.closed) {
-    issue(Severity::warning, "section-closed",
-          stationName(station) +
-              " is left out: its plane cuts the target in a closed curve, which no blade can follow; choose "
-              "one side of the solid",
-          part.samples.front().node.p);
+    tell(Severity::warning, SectionClosed{}, place);
     return outcome;
   }
-  if (cut.doubtful) {
-    issue(Severity::info, "section-border",
-          stationName(station) + ": a border of the target could not be matched with the section",
-          part.samples.front().node.p);
-  }
+  if (cut.doubtful) tell(Severity::info, SectionBorder{}, place);
 
   // Fit, with more samples where the curve asks for more spans.
   std::optional<CurveFit> best;
   for (int round = 0;; ++round) {
     auto fit = fitCurve(runsOf(cutter_, part.samples, frame), kFitTolerance);
     if (!fit) {
-      issue(Severity::warning, "section-fit", stationName(station) + " is left out: " + fit.error().message,
-            part.samples.front().node.p);
+      tell(Severity::warning, SectionUnfit{fit.error().message}, place);
       return outcome;
     }
     if (!best || fit->deviation < best->deviation) best = std::move(*fit);
     if (best->enough || int(part.samples.size()) > kMaxSamples / 3 || round == 8) break;
     part.samples = refined(cutter_, part.samples, level, 3);
   }
-  if (best->deviation > 1e-3) {
-    issue(Severity::warning, "section-fit",
-          stationName(station) + ": the section is so rough that its spline keeps within " +
-              shortText(best->deviation) + " mm of it only",
-          part.samples.front().node.p);
-  }
+  if (best->deviation > 1e-3) tell(Severity::warning, SectionRough{best->deviation}, place);
   outcome.length = part.length;
   outcome.section = Section{station, level - entry_, frame, std::move(best->curve)};
   return outcome;

@@ -6,8 +6,8 @@
 
 #include <optional>
 
+#include "bw/core/finding.h"
 #include "bw/core/frame.h"
-#include "bw/core/issue.h"
 #include "bw/geometry/sections.h"
 #include "level_curves.h"
 #include "section_samples.h"
@@ -16,8 +16,8 @@ namespace bw::geometry {
 
 /// One section plane and what it found.
 struct SectionOutcome {
-  std::optional<Section> section;  ///< empty if the station is left out; `issues` then tell why
-  Issues issues;
+  std::optional<Section> section;  ///< empty if the station is left out; `findings` then tell why
+  Findings findings;
   double length = 0;  ///< of the section, mm
 };
 
@@ -39,7 +39,7 @@ class Sectioner {
   /// True if the plane meets the target within the block.
   bool hits(double level) const;
 
-  /// The section at `level`; `station` is its number, for the names in the issues.
+  /// The section at `level`; `station` is its number, for the findings.
   SectionOutcome cut(double level, int station) const;
 
  private:

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 #include "bw/core/number_text.h"
 #include "model_impl.h"
@@ -107,11 +108,64 @@ void orient(std::vector<Section>& sections) {
   for (int i = anchor - 1; i >= 0; --i) follow(i, i + 1);
 }
 
+/// True if the first of two causes of one kind is the worse.
+bool isWorse(const Cause& a, const Cause& b) {
+  if (const auto* branches = std::get_if<SectionBranches>(&a))
+    return branches->most > std::get<SectionBranches>(b).most;
+  if (const auto* shorter = std::get_if<SectionShort>(&a))
+    return shorter->length < std::get<SectionShort>(b).length;
+  if (const auto* rough = std::get_if<SectionRough>(&a))
+    return rough->distance > std::get<SectionRough>(b).distance;
+  return false;
+}
+
+/// Adds a later finding of the same kind of cause to `all`, which keeps the worse of both.
+void join(Finding& all, const Finding& one) {
+  StationRange& range = *all.where.stations;
+  const bool worse = isWorse(one.cause, all.cause);
+  range.last = one.where.stations->last;
+  range.count += one.where.stations->count;
+  if (auto* branches = std::get_if<SectionBranches>(&all.cause)) {
+    const auto& more = std::get<SectionBranches>(one.cause);
+    branches->least = std::min(branches->least, more.least);
+    branches->most = std::max(branches->most, more.most);
+  } else if (worse) {
+    all.cause = one.cause;
+  }
+  if (!worse) return;
+  range.worst = one.where.stations->worst;
+  all.where.point = one.where.point;
+}
+
+/// What is found about one station each, in the order of the row, as one finding a cause: for each stretch of
+/// neighbours, or where these are many for all of them.
+Findings gathered(const Findings& each) {
+  constexpr std::size_t kMostStretches = 3;
+  std::map<std::size_t, Findings> stretches;  // by the kind of cause
+  for (const Finding& one : each) {
+    Findings& known = stretches[one.cause.index()];
+    if (!known.empty() && known.back().where.stations->last + 1 == one.where.stations->first)
+      join(known.back(), one);
+    else
+      known.push_back(one);
+  }
+  Findings result;
+  for (auto& [index, known] : stretches) {
+    if (known.size() > kMostStretches) {
+      for (std::size_t i = 1; i < known.size(); ++i) join(known.front(), known[i]);
+      known.resize(1);
+    }
+    result.insert(result.end(), known.begin(), known.end());
+  }
+  std::ranges::stable_sort(result, {}, [](const Finding& f) { return f.where.stations->first; });
+  return result;
+}
+
 }  // namespace
 
 Result<std::vector<Section>> cutSections(const Target& target, const Setup& given,
                                          const SectionRequest& request, const RunContext& context,
-                                         Issues& issues) {
+                                         Findings& findings) {
   Setup setup = given;
   const double length = setup.direction.norm();
   if (!std::isfinite(length) || length < 1e-9) {
@@ -168,25 +222,22 @@ Result<std::vector<Section>> cutSections(const Target& target, const Setup& give
         for (const SectionOutcome& outcome : outcomes) longest = std::max(longest, outcome.length);
         const double shortest = std::max(kShort, kShortRatio * longest);
         std::vector<Section> sections;
+        Findings each;
         for (SectionOutcome& outcome : outcomes) {
-          issues.insert(issues.end(), outcome.issues.begin(), outcome.issues.end());
+          each.insert(each.end(), outcome.findings.begin(), outcome.findings.end());
           if (!outcome.section) continue;
           if (outcome.length < shortest) {
-            const int station = outcome.section->index;
-            issues.push_back({Severity::warning,
-                              "section-short",
-                              stationName(station) + " is left out: its section is only " +
-                                  shortText(outcome.length) + " mm long (less than " + shortText(shortest) +
-                                  " mm), too short to hold a blade to",
-                              {stationName(station),
-                               {},
-                               station,
-                               outcome.section->frame.toWorld(
-                                   outcome.section->curve.value(outcome.section->curve.start()))}});
+            const Section& section = *outcome.section;
+            each.push_back({Severity::warning,
+                            SectionShort{outcome.length, shortest},
+                            {StationRange::of(section.index),
+                             section.frame.toWorld(section.curve.value(section.curve.start()))},
+                            {}});
             continue;
           }
           sections.push_back(std::move(*outcome.section));
         }
+        for (Finding& finding : gathered(each)) findings.push_back(std::move(finding));
         if (sections.empty()) {
           return fail(ErrorCode::noSolution,
                       "none of the " + std::to_string(count) +

@@ -262,7 +262,7 @@ std::vector<NamedDirection> directionsToTry(const Target& target, const Box& blo
   return tries;
 }
 
-Result<Setup> resolveSetup(const Target& target, const SetupRequest& request, Issues& issues) {
+Result<Setup> resolveSetup(const Target& target, const SetupRequest& request, Findings& findings) {
   if (request.direction && !(std::isfinite(request.direction->norm()) && request.direction->norm() > 1e-9)) {
     return fail(ErrorCode::badInput,
                 "the cutting direction is zero or not a number; give a vector such as "
@@ -302,13 +302,7 @@ Result<Setup> resolveSetup(const Target& target, const SetupRequest& request, Is
       setup.direction = longerSide(setup.block);
     }
     const double flat = std::abs(setup.direction.dot(setup.block.frame.normal));
-    if (flat > 0.7) {
-      issues.push_back({Severity::info,
-                        "direction",
-                        "the blade travels across the surface rather than along it; a direction in the plane "
-                        "of the block is usual",
-                        {}});
-    }
+    if (flat > 0.7) findings.push_back({Severity::info, TravelAcross{}, {}, {TurnDirection{}}});
     return setup;
   });
 }

@@ -51,7 +51,7 @@ std::array<double, 2> Target::Impl::extent(const Eigen::Vector3d& direction) con
 
 Target::Target(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
 
-Result<Target> Target::make(const CadModel& model, const FaceChoice& choice, Issues* findings) {
+Result<Target> Target::make(const CadModel& model, const FaceChoice& choice, Findings* findings) {
   auto chosen = model.choose(choice, findings);
   if (!chosen) return tl::unexpected(chosen.error());
   return guarded(ErrorCode::internal, "cannot prepare the faces", [&]() -> Result<Target> {

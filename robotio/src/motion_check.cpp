@@ -94,9 +94,9 @@ Result<void> checkMotion(const Motion& motion) {
   return {};
 }
 
-Issues checkPlacement(const Motion& motion, const Cell& cell) {
-  Issues issues;
-  if (!checkMotion(motion) || motion.instants.front().poses.size() != cell.tasks.size()) return issues;
+Findings checkPlacement(const Motion& motion, const Cell& cell) {
+  Findings findings;
+  if (!checkMotion(motion) || motion.instants.front().poses.size() != cell.tasks.size()) return findings;
   for (std::size_t end = 0; end < cell.tasks.size(); ++end) {
     for (const MotionInstant* instant : {&motion.instants.front(), &motion.instants.back()}) {
       const Eigen::Vector3d p_W =
@@ -112,21 +112,16 @@ Issues checkPlacement(const Motion& motion, const Cell& cell) {
         }
       }
       if (nearest == end) continue;
-      Issue issue;
-      issue.severity = Severity::warning;
-      issue.kind = "cell-sides";
-      issue.message = "the " + endName(end) + " end of the blade lies " + fixedText(own, 0) +
-                      " mm from its robot " + cell.tasks[end].name + " but " + fixedText(least, 0) +
-                      " mm from " + cell.tasks[nearest].name +
-                      "; turn the block, the cutting direction or the work object of the cell";
-      issue.where.text = instant == &motion.instants.front() ? "start of the cut" : "end of the cut";
       const Eigen::Vector3d& p_B = instant->poses[end].position;
-      issue.where.point = motion.block.frame.toWorld(p_B.head<2>(), p_B.z());
-      issues.push_back(std::move(issue));
+      findings.push_back({Severity::warning,
+                          WrongSide{endName(end), cell.tasks[end].name, cell.tasks[nearest].name, own, least,
+                                    instant == &motion.instants.front()},
+                          {{}, motion.block.frame.toWorld(p_B.head<2>(), p_B.z())},
+                          {TurnDirection{}}});
       break;
     }
   }
-  return issues;
+  return findings;
 }
 
 }  // namespace bw::robotio

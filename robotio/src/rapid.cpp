@@ -53,8 +53,8 @@ RapidTask taskOf(const LinkedTask& linked) {
 }  // namespace
 
 Result<std::vector<RapidTask>> readRapid(const Program& program) {
-  Findings findings;
-  const std::vector<LinkedProgram> linked = linkProgram(program, findings);
+  Breaches breaches;
+  const std::vector<LinkedProgram> linked = linkProgram(program, breaches);
   if (linked.empty())
     return fail(ErrorCode::badInput,
                 "there is no RAPID module (.mod or .modx) to read; give the folder of a program");
@@ -63,10 +63,10 @@ Result<std::vector<RapidTask>> readRapid(const Program& program) {
                 "the files are of " + std::to_string(linked.size()) + " programs (\"" + linked[0].folder +
                     "\", \"" + linked[1].folder + "\", ...); read one at a time",
                 linked[1].folder);
-  const Issues issues = findings.take();
-  if (!issues.empty()) {
-    const Issue& first = issues.front();
-    return fail(ErrorCode::badInput, first.where.text + ": " + first.message, first.where.text);
+  const Findings findings = breaches.take();
+  if (!findings.empty()) {
+    const auto& first = std::get<ProgramBreach>(findings.front().cause);
+    return fail(ErrorCode::badInput, first.place + ": " + first.text, first.place);
   }
   std::vector<RapidTask> tasks;
   for (const LinkedTask& task : linked.front().tasks) tasks.push_back(taskOf(task));
@@ -75,28 +75,28 @@ Result<std::vector<RapidTask>> readRapid(const Program& program) {
 
 std::string runOfModule(std::string_view module) { return readRunHead(module).run; }
 
-Issues checkRapid(const Program& program) {
-  Findings findings;
-  const std::vector<LinkedProgram> linked = linkProgram(program, findings);
+Findings checkRapid(const Program& program) {
+  Breaches breaches;
+  const std::vector<LinkedProgram> linked = linkProgram(program, breaches);
   if (linked.empty())
-    findings.add("rapid-rule-2", "program", 0,
+    breaches.add("rapid-rule-2", "program", 0,
                  "there is no RAPID module (.mod or .modx) to check; give the folder of a program");
   for (const LinkedProgram& strip : linked) {
-    checkMarks(strip, findings);
-    const double bladeLength = checkRuns(strip, findings);
-    checkFiles(strip, findings);
+    checkMarks(strip, breaches);
+    const double bladeLength = checkRuns(strip, breaches);
+    checkFiles(strip, breaches);
     bool readable = true;
     for (const LinkedTask& task : strip.tasks) {
       readable = readable && task.readable;
-      checkDeclarations(task, findings);
-      checkSteps(task, findings);
-      checkLeaps(task, findings);
+      checkDeclarations(task, breaches);
+      checkSteps(task, breaches);
+      checkLeaps(task, breaches);
     }
     if (!readable) continue;
-    checkAcrossTasks(strip, findings);
-    checkGrips(strip, bladeLength, findings);
+    checkAcrossTasks(strip, breaches);
+    checkGrips(strip, bladeLength, breaches);
   }
-  return findings.take();
+  return breaches.take();
 }
 
 }  // namespace bw::robotio

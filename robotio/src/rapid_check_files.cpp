@@ -51,7 +51,7 @@ bool isUtf8(std::string_view bytes) {
   return true;
 }
 
-void checkLineEnds(const ProgramFile& file, Findings& findings) {
+void checkLineEnds(const ProgramFile& file, Breaches& breaches) {
   int line = 1, firstLine = 0, count = 0;
   const std::string& b = file.bytes;
   for (std::size_t i = 0; i < b.size(); ++i) {
@@ -61,28 +61,28 @@ void checkLineEnds(const ProgramFile& file, Findings& findings) {
     if (b[i] == '\n') ++line;
   }
   if (count > 0)
-    findings.rule(2, file.path, firstLine,
+    breaches.rule(2, file.path, firstLine,
                   std::to_string(count) + (count == 1 ? " line does" : " lines do") +
                       " not end in CR LF, as the controller wants");
   else if (b.size() < 2 || b.compare(b.size() - 2, 2, "\r\n") != 0)
-    findings.rule(2, file.path, line, "the last line does not end in CR LF");
+    breaches.rule(2, file.path, line, "the last line does not end in CR LF");
 }
 
-void checkCharacters(const ProgramFile& file, Findings& findings) {
+void checkCharacters(const ProgramFile& file, Breaches& breaches) {
   const std::string& b = file.bytes;
   if (b.compare(0, 3, "\xEF\xBB\xBF") == 0) {
-    findings.rule(2, file.path, 1, "the file begins with a byte order mark; save it without");
+    breaches.rule(2, file.path, 1, "the file begins with a byte order mark; save it without");
     return;
   }
   if (isRobotWare7(file.path)) {
-    if (!isUtf8(b)) findings.rule(2, file.path, 0, "the file is not valid UTF-8");
+    if (!isUtf8(b)) breaches.rule(2, file.path, 0, "the file is not valid UTF-8");
     return;
   }
   int line = 1;
   for (const char c : b) {
     const auto byte = static_cast<unsigned char>(c);
     if (byte >= 127 || (byte < 32 && c != '\t' && c != '\r' && c != '\n')) {
-      findings.rule(2, file.path, line,
+      breaches.rule(2, file.path, line,
                     "the file holds a character that is not ASCII (byte " + std::to_string(int(byte)) + ")");
       return;
     }
@@ -93,8 +93,8 @@ void checkCharacters(const ProgramFile& file, Findings& findings) {
 /// Reads the module list of a .pgf: exactly the form that the writer emits, white space apart.
 class ProgramFileReader {
  public:
-  ProgramFileReader(const ProgramFile& file, Findings& findings)
-      : file_(file), text_(file.bytes), findings_(findings) {}
+  ProgramFileReader(const ProgramFile& file, Breaches& breaches)
+      : file_(file), text_(file.bytes), breaches_(breaches) {}
 
   std::vector<std::string> run() {
     std::vector<std::string> modules;
@@ -130,16 +130,16 @@ class ProgramFileReader {
     at_ += word.size();
     return true;
   }
-  void fault(const std::string& message) { findings_.rule(2, file_.path, line_, message); }
+  void fault(const std::string& message) { breaches_.rule(2, file_.path, line_, message); }
 
   const ProgramFile& file_;
   std::string_view text_;
-  Findings& findings_;
+  Breaches& breaches_;
   std::size_t at_ = 0;
   int line_ = 1;
 };
 
-void checkModuleList(const LinkedTask& task, Findings& findings) {
+void checkModuleList(const LinkedTask& task, Breaches& breaches) {
   std::vector<const ProgramFile*> lists;
   std::vector<std::string> present;
   for (const ProgramFile* file : task.files) {
@@ -149,53 +149,53 @@ void checkModuleList(const LinkedTask& task, Findings& findings) {
       present.push_back(leafOf(file->path));
   }
   if (lists.size() != 1) {
-    findings.rule(2, task.folder.empty() ? task.files.front()->path : task.folder, 0,
+    breaches.rule(2, task.folder.empty() ? task.files.front()->path : task.folder, 0,
                   "the folder of a task holds exactly one .pgf, not " + std::to_string(lists.size()));
     return;
   }
-  std::vector<std::string> listed = ProgramFileReader(*lists[0], findings).run();
+  std::vector<std::string> listed = ProgramFileReader(*lists[0], breaches).run();
   std::sort(listed.begin(), listed.end());
   std::sort(present.begin(), present.end());
   if (const auto twice = std::adjacent_find(listed.begin(), listed.end()); twice != listed.end())
-    findings.rule(2, lists[0]->path, 0, "the module file \"" + twice->substr(0, 80) + "\" is listed twice");
+    breaches.rule(2, lists[0]->path, 0, "the module file \"" + twice->substr(0, 80) + "\" is listed twice");
   for (const std::string& name : listed)
     if (!std::binary_search(present.begin(), present.end(), name))
-      findings.rule(2, lists[0]->path, 0,
+      breaches.rule(2, lists[0]->path, 0,
                     "the module file \"" + name.substr(0, 80) + "\" is listed but not in the folder");
   for (const std::string& name : present)
     if (!std::binary_search(listed.begin(), listed.end(), name))
-      findings.rule(2, lists[0]->path, 0,
+      breaches.rule(2, lists[0]->path, 0,
                     "the module file \"" + name.substr(0, 80) + "\" is in the folder but not listed");
 }
 
 }  // namespace
 
-void checkFiles(const LinkedProgram& program, Findings& findings) {
+void checkFiles(const LinkedProgram& program, Breaches& breaches) {
   bool any6 = false, any7 = false;
   for (const LinkedTask& task : program.tasks) {
     if (task.name.empty())
-      findings.rule(2, task.files.front()->path, 0,
+      breaches.rule(2, task.files.front()->path, 0,
                     "the file lies in no folder; each task has a folder of its own, named as the task");
     else if (const std::string fault = identifierFault(task.name); !fault.empty())
-      findings.rule(1, task.folder, 0, "the task name \"" + task.name.substr(0, 80) + "\" " + fault);
+      breaches.rule(1, task.folder, 0, "the task name \"" + task.name.substr(0, 80) + "\" " + fault);
     for (const ProgramFile* file : task.files) {
-      checkLineEnds(*file, findings);
-      checkCharacters(*file, findings);
+      checkLineEnds(*file, breaches);
+      checkCharacters(*file, breaches);
       if (isModuleFile(file->path)) (isRobotWare7(file->path) ? any7 : any6) = true;
     }
-    checkModuleList(task, findings);
+    checkModuleList(task, breaches);
     for (const Module& module : task.modules) {
       if (!sameName(module.name, stemOf(module.path)))
-        findings.rule(2, module.path, module.line,
+        breaches.rule(2, module.path, module.line,
                       "the module is named \"" + std::string(module.name.substr(0, 60)) +
                           "\"; its file must have the same name");
       for (const int line : module.dataAfterRoutines)
-        findings.rule(2, module.path, line,
+        breaches.rule(2, module.path, line,
                       "a declaration stands behind a routine; data come first in a module");
     }
   }
   if (any6 && any7)
-    findings.rule(2, program.tasks.front().files.front()->path, 0,
+    breaches.rule(2, program.tasks.front().files.front()->path, 0,
                   "the program mixes .mod and .modx files; use one kind");
 }
 

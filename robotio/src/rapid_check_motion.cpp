@@ -52,7 +52,7 @@ double lowerQuartile(const std::vector<Segment>& segments, double Segment::*valu
 /// Checks the moves of one synchronised block of one task.
 class PathChecker {
  public:
-  PathChecker(const std::vector<const Step*>& path, Findings& findings) : path_(path), findings_(findings) {
+  PathChecker(const std::vector<const Step*>& path, Breaches& breaches) : path_(path), breaches_(breaches) {
     for (std::size_t i = 0; i < path.size(); ++i) segments_.push_back(segmentTo(i));
   }
 
@@ -123,11 +123,11 @@ class PathChecker {
   }
 
   void leap(std::size_t i, std::string message) {
-    findings_.rule(17, path_[i]->module->path, path_[i]->statement->line, std::move(message));
+    breaches_.rule(17, path_[i]->module->path, path_[i]->statement->line, std::move(message));
   }
 
   const std::vector<const Step*>& path_;
-  Findings& findings_;
+  Breaches& breaches_;
   std::vector<Segment> segments_;
 };
 
@@ -140,17 +140,17 @@ std::vector<const Step*> synchronisedMoves(const LinkedTask& task) {
 
 }  // namespace
 
-void checkLeaps(const LinkedTask& task, Findings& findings) {
+void checkLeaps(const LinkedTask& task, Breaches& breaches) {
   std::vector<const Step*> path;
   for (const Step& step : task.steps) {
     if (step.statement->kind == StatementKind::syncMoveOn) path.clear();
     if (step.synchronised && step.isMove()) path.push_back(&step);
     if (step.statement->kind == StatementKind::syncMoveOff && !path.empty())
-      PathChecker(path, findings).run();
+      PathChecker(path, breaches).run();
   }
 }
 
-void checkGrips(const LinkedProgram& program, double bladeLength, Findings& findings) {
+void checkGrips(const LinkedProgram& program, double bladeLength, Breaches& breaches) {
   if (!(bladeLength > 0) || program.tasks.size() != 2) return;
   const std::vector<const Step*> left = synchronisedMoves(program.tasks[0]),
                                  right = synchronisedMoves(program.tasks[1]);
@@ -158,7 +158,7 @@ void checkGrips(const LinkedProgram& program, double bladeLength, Findings& find
     if (!hasPose(*left[i]) || !hasPose(*right[i])) continue;
     const double distance = (poseOf(*left[i]).position - poseOf(*right[i]).position).norm();
     if (distance <= bladeLength + kLengthSlack) continue;
-    findings.rule(16, right[i]->module->path, right[i]->statement->line,
+    breaches.rule(16, right[i]->module->path, right[i]->statement->line,
                   "at " + nameOf(*right[i]) + " the grips are " + shortText(distance, 7) + " mm apart, " +
                       shortText(distance - bladeLength) + " mm more than the blade of " +
                       shortText(bladeLength, 7) + " mm is long; it would tear");

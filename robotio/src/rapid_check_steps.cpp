@@ -26,7 +26,7 @@ constexpr double kZoneSlack = 1e-3;     ///< mm, rounding of printed positions
 /// Checks one task statement by statement.
 class StepChecker {
  public:
-  StepChecker(const LinkedTask& task, Findings& findings) : task_(task), findings_(findings) {}
+  StepChecker(const LinkedTask& task, Breaches& breaches) : task_(task), breaches_(breaches) {}
 
   void run() {
     for (const Step& step : task_.steps) {
@@ -76,7 +76,7 @@ class StepChecker {
 
  private:
   void rule(int number, const Step& step, std::string message, Severity severity = Severity::error) {
-    findings_.rule(number, step.module->path, step.statement->line, std::move(message), severity);
+    breaches_.rule(number, step.module->path, step.statement->line, std::move(message), severity);
   }
 
   void checkMove(const Step& step) {
@@ -287,7 +287,7 @@ class StepChecker {
   }
 
   const LinkedTask& task_;
-  Findings& findings_;
+  Breaches& breaches_;
   const Step* previous_ = nullptr;
   const Step* lastMove_ = nullptr;
   const Step* block_ = nullptr;  ///< the SyncMoveOn that is open
@@ -298,6 +298,6 @@ class StepChecker {
 
 }  // namespace
 
-void checkSteps(const LinkedTask& task, Findings& findings) { StepChecker(task, findings).run(); }
+void checkSteps(const LinkedTask& task, Breaches& breaches) { StepChecker(task, breaches).run(); }
 
 }  // namespace bw::robotio

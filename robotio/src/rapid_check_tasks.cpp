@@ -36,7 +36,7 @@ std::string cut(std::string_view name) { return std::string(name.substr(0, 60));
 
 class TaskComparer {
  public:
-  TaskComparer(const LinkedProgram& program, Findings& findings) : program_(program), findings_(findings) {}
+  TaskComparer(const LinkedProgram& program, Breaches& breaches) : program_(program), breaches_(breaches) {}
 
   void run() {
     for (const LinkedTask& task : program_.tasks) checkTaskList(task);
@@ -53,7 +53,7 @@ class TaskComparer {
  private:
   const LinkedTask& first() const { return program_.tasks.front(); }
   void rule(int number, const Step& step, std::string message, Severity severity = Severity::error) {
-    findings_.rule(number, step.module->path, step.statement->line, std::move(message), severity);
+    breaches_.rule(number, step.module->path, step.statement->line, std::move(message), severity);
   }
   static std::string anyPath(const LinkedTask& task) {
     return task.modules.empty() ? task.files.front()->path : task.modules.front().path;
@@ -70,7 +70,7 @@ class TaskComparer {
     }
     if (!firstUse) {
       if (program_.tasks.size() > 1)
-        findings_.rule(4, anyPath(task), 0, "task " + task.name + " is not synchronised with the others");
+        breaches_.rule(4, anyPath(task), 0, "task " + task.name + " is not synchronised with the others");
       return;
     }
     const DataDeclaration& list = *firstUse->taskList;
@@ -102,7 +102,7 @@ class TaskComparer {
     for (const Module& module : task.modules)
       for (const DataDeclaration& data : module.data)
         if (data.type == DataType::syncident && used.find(lowerCase(data.name)) == used.end())
-          findings_.rule(4, module.path, data.line, "the syncident \"" + cut(data.name) + "\" is not used",
+          breaches_.rule(4, module.path, data.line, "the syncident \"" + cut(data.name) + "\" is not used",
                          Severity::warning);
   }
 
@@ -122,7 +122,7 @@ class TaskComparer {
       return;
     }
     if (left.size() != right.size())
-      findings_.rule(4, anyPath(b), 0,
+      breaches_.rule(4, anyPath(b), 0,
                      "task " + b.name + " has " + std::to_string(right.size()) + " synchronisation points, " +
                          a.name + " has " + std::to_string(left.size()));
   }
@@ -131,7 +131,7 @@ class TaskComparer {
   void compareMoves(const LinkedTask& a, const LinkedTask& b) {
     const std::vector<const Step*> left = movesOf(a), right = movesOf(b);
     if (left.size() != right.size())
-      findings_.rule(6, anyPath(b), 0,
+      breaches_.rule(6, anyPath(b), 0,
                      "task " + b.name + " has " + std::to_string(right.size()) + " synchronised moves, " +
                          a.name + " has " + std::to_string(left.size()));
     for (std::size_t i = 0; i < std::min(left.size(), right.size()); ++i) {
@@ -241,13 +241,13 @@ class TaskComparer {
   }
 
   const LinkedProgram& program_;
-  Findings& findings_;
+  Breaches& breaches_;
 };
 
 }  // namespace
 
-void checkAcrossTasks(const LinkedProgram& program, Findings& findings) {
-  if (!program.tasks.empty()) TaskComparer(program, findings).run();
+void checkAcrossTasks(const LinkedProgram& program, Breaches& breaches) {
+  if (!program.tasks.empty()) TaskComparer(program, breaches).run();
 }
 
 }  // namespace bw::robotio

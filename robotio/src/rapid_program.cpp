@@ -34,14 +34,14 @@ std::string leafOf(const std::string& path) { return path.substr(path.rfind('/')
 /// Turns the modules of one task into symbols and steps.
 class Linker {
  public:
-  Linker(LinkedTask& task, Findings& findings) : task_(task), findings_(findings) {}
+  Linker(LinkedTask& task, Breaches& breaches) : task_(task), breaches_(breaches) {}
 
   void run() {
     declareAll();
     const Symbol* main = find("main");
     if (!main || !main->procedure) {
       if (task_.modules.empty()) return;
-      findings_.rule(2, task_.modules.front().path, task_.modules.front().line,
+      breaches_.rule(2, task_.modules.front().path, task_.modules.front().line,
                      "task " + task_.name + " has no PROC main(); one of its modules must hold it");
       return;
     }
@@ -58,11 +58,11 @@ class Linker {
   void declare(std::string_view name, const Symbol& symbol, bool mayBeSystemName) {
     const std::string fault = identifierFault(name);
     if (!fault.empty() && !(mayBeSystemName && !isReservedWord(name) && isPredefinedName(name)))
-      findings_.rule(1, symbol.module->path, symbol.line,
+      breaches_.rule(1, symbol.module->path, symbol.line,
                      "the name \"" + std::string(name.substr(0, 60)) + "\" " + fault);
     const auto [it, isNew] = task_.symbols.emplace(lowerCase(name), symbol);
     if (!isNew)
-      findings_.rule(1, symbol.module->path, symbol.line,
+      breaches_.rule(1, symbol.module->path, symbol.line,
                      "the name \"" + std::string(name.substr(0, 60)) + "\" stands already at " +
                          placeText(it->second.module->path, it->second.line) +
                          "; RAPID does not distinguish case");
@@ -79,7 +79,7 @@ class Linker {
   }
 
   void nameFault(const Step& step, std::string message) {
-    findings_.add("rapid-name", step.module->path, step.statement->line, std::move(message));
+    breaches_.add("rapid-name", step.module->path, step.statement->line, std::move(message));
   }
 
   /// The declared data of a type, or null with a finding.
@@ -170,13 +170,13 @@ class Linker {
     for (const Module& module : task_.modules)
       for (const Procedure& procedure : module.procedures)
         if (!sameName(procedure.name, "main") && called_.find(&procedure) == called_.end())
-          findings_.add(
+          breaches_.add(
               "rapid-name", module.path, procedure.line,
               "the procedure \"" + std::string(procedure.name.substr(0, 60)) + "\" is never called");
   }
 
   LinkedTask& task_;
-  Findings& findings_;
+  Breaches& breaches_;
   std::unordered_map<const Procedure*, bool> called_;
   int parts_ = 0;
   bool synchronised_ = false;
@@ -184,35 +184,30 @@ class Linker {
 
 }  // namespace
 
-void Findings::rule(int rule, const std::string& path, int line, std::string message, Severity severity) {
+void Breaches::rule(int rule, const std::string& path, int line, std::string message, Severity severity) {
   add("rapid-rule-" + std::to_string(rule), path, line, std::move(message), severity);
 }
 
-void Findings::add(const std::string& kind, const std::string& path, int line, std::string message,
+void Breaches::add(const std::string& kind, const std::string& path, int line, std::string message,
                    Severity severity) {
   Count& count = counts_[{kind, path}];
   count.severity = std::max(count.severity, severity);
   if (++count.seen > kShownPerKind) return;
-  Issue issue;
-  issue.severity = severity;
-  issue.kind = kind;
-  issue.message = std::move(message);
-  issue.where.text = placeText(path, line);
-  issues_.push_back(std::move(issue));
+  findings_.push_back({severity, ProgramBreach{kind, placeText(path, line), std::move(message)}, {}, {}});
 }
 
-Issues Findings::take() {
+Findings Breaches::take() {
   for (const auto& [key, count] : counts_) {
     if (count.seen <= kShownPerKind) continue;
-    Issue issue;
-    issue.severity = count.severity;
-    issue.kind = key.first;
-    issue.message = std::to_string(count.seen - kShownPerKind) + " more findings of this kind in the file";
-    issue.where.text = key.second;
-    issues_.push_back(std::move(issue));
+    findings_.push_back({count.severity,
+                         ProgramBreach{key.first, key.second,
+                                       std::to_string(count.seen - kShownPerKind) +
+                                           " more findings of this kind in the file"},
+                         {},
+                         {}});
   }
   counts_.clear();
-  return std::exchange(issues_, {});
+  return std::exchange(findings_, {});
 }
 
 bool isModuleFile(const std::string& path) { return endsWith(path, ".mod") || endsWith(path, ".modx"); }
@@ -226,7 +221,7 @@ Pose poseAt(const DataDeclaration& data, std::size_t position, std::size_t rotat
   return pose;
 }
 
-std::vector<LinkedProgram> linkProgram(const Program& program, Findings& findings) {
+std::vector<LinkedProgram> linkProgram(const Program& program, Breaches& breaches) {
   std::map<std::string, std::map<std::string, std::vector<const ProgramFile*>>> strips;
   for (const ProgramFile& file : program)
     if (isModuleFile(file.path) || isProgramFile(file.path))
@@ -244,7 +239,7 @@ std::vector<LinkedProgram> linkProgram(const Program& program, Findings& finding
         if (!isModuleFile(file->path)) continue;
         ParsedModule parsed = parseModule(file->path, file->bytes);
         if (parsed.fault) {
-          findings.add("rapid-syntax", file->path, parsed.fault->line, parsed.fault->message);
+          breaches.add("rapid-syntax", file->path, parsed.fault->line, parsed.fault->message);
           task.readable = false;
         } else {
           task.modules.push_back(std::move(parsed.module));
@@ -257,7 +252,7 @@ std::vector<LinkedProgram> linkProgram(const Program& program, Findings& finding
   // Symbols and steps point into the modules, which must not move any more.
   for (LinkedProgram& strip : result)
     for (LinkedTask& task : strip.tasks)
-      if (task.readable) Linker(task, findings).run();
+      if (task.readable) Linker(task, breaches).run();
   return result;
 }
 

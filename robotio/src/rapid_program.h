@@ -7,14 +7,14 @@
 #include <unordered_map>
 #include <vector>
 
-#include "bw/core/issue.h"
+#include "bw/core/finding.h"
 #include "bw/robotio/program.h"
 #include "rapid_syntax.h"
 
 namespace bw::robotio {
 
 /// Collects findings with their place. Of each kind at most a handful a file is kept; the rest is counted.
-class Findings {
+class Breaches {
  public:
   /// A breach of rule `rule` of docs/robots.md.
   void rule(int rule, const std::string& path, int line, std::string message,
@@ -23,14 +23,14 @@ class Findings {
   void add(const std::string& kind, const std::string& path, int line, std::string message,
            Severity severity = Severity::error);
   /// All findings in the order of their discovery, closed by one line for each kind that was cut short.
-  Issues take();
+  Findings take();
 
  private:
   struct Count {
     int seen = 0;
     Severity severity = Severity::info;
   };
-  Issues issues_;
+  Findings findings_;
   std::map<std::pair<std::string, std::string>, Count> counts_;  // by kind and path
 };
 
@@ -83,7 +83,7 @@ struct LinkedProgram {
 /// Parses, resolves and flattens everything that stands in `program`, reporting to `findings`: kind
 /// "rapid-syntax" for text outside the subset, "rapid-name" for names that do not resolve, and breaches of
 /// rule 1 (names). Linear in the size of the text. The result points into `program`.
-std::vector<LinkedProgram> linkProgram(const Program& program, Findings& findings);
+std::vector<LinkedProgram> linkProgram(const Program& program, Breaches& breaches);
 
 /// True for .mod and .modx files, in any case.
 bool isModuleFile(const std::string& path);
@@ -102,16 +102,16 @@ inline constexpr std::size_t kJointExternal = 6;
 Pose poseAt(const DataDeclaration& data, std::size_t position, std::size_t rotation);
 
 /// The rules on the files themselves (2) and on declarations (1, 3, 8, 10, 12, 14).
-void checkFiles(const LinkedProgram& program, Findings& findings);
-void checkDeclarations(const LinkedTask& task, Findings& findings);
+void checkFiles(const LinkedProgram& program, Breaches& breaches);
+void checkDeclarations(const LinkedTask& task, Breaches& breaches);
 /// The rules on what one task runs (5, 6, 9, 11, 12, 13, 14).
-void checkSteps(const LinkedTask& task, Findings& findings);
+void checkSteps(const LinkedTask& task, Breaches& breaches);
 /// The rule on the path of one task (17).
-void checkLeaps(const LinkedTask& task, Findings& findings);
+void checkLeaps(const LinkedTask& task, Breaches& breaches);
 /// The rule on the distance of the two ends of a blade of that free length in mm (16); nothing where it is 0,
 /// or where the tasks are not two.
-void checkGrips(const LinkedProgram& program, double bladeLength, Findings& findings);
+void checkGrips(const LinkedProgram& program, double bladeLength, Breaches& breaches);
 /// The rules that tie the tasks together (3, 4, 6, 7, 13, 14).
-void checkAcrossTasks(const LinkedProgram& program, Findings& findings);
+void checkAcrossTasks(const LinkedProgram& program, Breaches& breaches);
 
 }  // namespace bw::robotio

@@ -77,6 +77,7 @@ class TaskWriter {
         end_(end),
         robotWare7_(options.robotWare7),
         mark_(unsafeMark(options.errors)),
+        warnings_(options.warnings),
         run_(runLine(options.run, task_.name, motion.bladeLength)) {
     module_ = plan.modules[end];
     parts_ =
@@ -125,8 +126,7 @@ class TaskWriter {
     out.line(1, "! Start only with all robots at home: the first move is not synchronised.");
     out.line(1, "! confdata is [0,0,0,0] and not verified (ConfL is off): check the axis");
     out.line(1, "! configuration, the reach and the way from home on the cell, slowly and cold.");
-    for (const Issue& issue : checkPlacement(motion_, cell_))
-      out.line(1, "! WARNING: " + ascii(issue.message) + ".");
+    for (const std::string& warning : warnings_) out.line(1, "! WARNING: " + ascii(warning) + ".");
   }
 
   void target(TextBuilder& out, const Move& move) const {
@@ -230,7 +230,7 @@ class TaskWriter {
   const CellTask& task_;
   std::size_t end_;
   bool robotWare7_;
-  std::vector<std::string> mark_;
+  std::vector<std::string> mark_, warnings_;
   std::string run_;  ///< the line that tells the run, the task and the blade
   std::string module_;
   std::size_t parts_ = 0;
@@ -239,7 +239,7 @@ class TaskWriter {
 }  // namespace
 
 Result<Program> writeRapid(const Motion& motion, const Cell& cell, const RapidOptions& options,
-                           Issues* warnings) {
+                           Findings* warnings) {
   if (Result<void> ok = checkMotion(motion); !ok) return tl::unexpected<Error>(ok.error());
   const Result<Plan> plan = makePlan(motion, cell, options);
   if (!plan) return tl::unexpected<Error>(plan.error());
@@ -250,18 +250,20 @@ Result<Program> writeRapid(const Motion& motion, const Cell& cell, const RapidOp
   std::string faults;
   int count = 0;
   std::string where;
-  for (const Issue& issue : checkRapid(program)) {
-    if (!options.errors.empty() && issue.kind == kMarkKind) continue;
-    if (issue.severity != Severity::error) {
+  for (const Finding& finding : checkRapid(program)) {
+    const auto& breach = std::get<ProgramBreach>(finding.cause);
+    if (!options.errors.empty() && breach.rule == kMarkKind) continue;
+    if (finding.severity != Severity::error) {
       // The tasks move together: what holds for one is not said again for the other.
-      const auto same = [&](const Issue& told) {
-        return told.kind == issue.kind && told.message == issue.message;
+      const auto same = [&](const Finding& told) {
+        const auto& other = std::get<ProgramBreach>(told.cause);
+        return other.rule == breach.rule && other.text == breach.text;
       };
-      if (warnings && std::none_of(warnings->begin(), warnings->end(), same)) warnings->push_back(issue);
+      if (warnings && std::none_of(warnings->begin(), warnings->end(), same)) warnings->push_back(finding);
       continue;
     }
-    if (++count == 1) where = issue.where.text;
-    if (count <= 3) faults += "; " + issue.kind + " at " + issue.where.text + ": " + issue.message;
+    if (++count == 1) where = breach.place;
+    if (count <= 3) faults += "; " + breach.rule + " at " + breach.place + ": " + breach.text;
   }
   if (count > 0)
     return fail(ErrorCode::badInput,

@@ -85,7 +85,7 @@ RunHead readRunHead(std::string_view module) {
   return head;
 }
 
-double checkRuns(const LinkedProgram& program, Findings& findings) {
+double checkRuns(const LinkedProgram& program, Breaches& breaches) {
   struct Told {
     const ProgramFile* file;
     RunHead head;
@@ -96,10 +96,10 @@ double checkRuns(const LinkedProgram& program, Findings& findings) {
       if (!isModuleFile(file->path)) continue;
       RunHead head = readRunHead(file->bytes);
       if (head.damaged)
-        findings.add(kRunKind, file->path, head.line,
+        breaches.add(kRunKind, file->path, head.line,
                      "the line with the run, the task and the blade is damaged; write the program anew");
       else if (!head.task.empty() && !task.name.empty() && !sameName(head.task, task.name))
-        findings.rule(18, file->path, head.line,
+        breaches.rule(18, file->path, head.line,
                       "the module was written for the task " + head.task + ", but lies in the folder of " +
                           task.name.substr(0, 80) + "; the robot would move the other end of the blade");
       if (head.ours) ours.push_back({file, std::move(head)});
@@ -114,11 +114,11 @@ double checkRuns(const LinkedProgram& program, Findings& findings) {
       continue;
     }
     if (told.head.run != first->head.run)
-      findings.add(kRunKind, told.file->path, told.head.line,
+      breaches.add(kRunKind, told.file->path, told.head.line,
                    "the module is of " + named(told.head.run) + ", but " + first->file->path + " is of " +
                        named(first->head.run) + "; write all modules anew, in one run");
     else if (told.head.bladeLength != length)
-      findings.rule(16, told.file->path, told.head.line,
+      breaches.rule(16, told.file->path, told.head.line,
                     "the module is for a blade of " + shortText(told.head.bladeLength, 7) + " mm, but " +
                         first->file->path + " for one of " + shortText(length, 7) + " mm");
   }

@@ -32,6 +32,6 @@ RunHead readRunHead(std::string_view module);
 
 /// All modules of a strip are of one run and for one blade, and each lies in the folder of its task. Reports
 /// those that do not; returns the blade's length in mm, 0 where no module tells it.
-double checkRuns(const LinkedProgram& program, Findings& findings);
+double checkRuns(const LinkedProgram& program, Breaches& breaches);
 
 }  // namespace bw::robotio

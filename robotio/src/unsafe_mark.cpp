@@ -65,7 +65,7 @@ std::vector<std::string> unsafeMark(const std::vector<std::string>& errors) {
   return lines;
 }
 
-void checkMarks(const LinkedProgram& program, Findings& findings) {
+void checkMarks(const LinkedProgram& program, Breaches& breaches) {
   std::set<std::string> told;
   for (const LinkedTask& task : program.tasks)
     for (const ProgramFile* file : task.files) {
@@ -74,7 +74,7 @@ void checkMarks(const LinkedProgram& program, Findings& findings) {
       int markLine = 0, number = 0;
       const auto finish = [&] {
         if (markLine > 0 && told.insert(text).second)
-          findings.add(kMarkKind, file->path, markLine,
+          breaches.add(kMarkKind, file->path, markLine,
                        "the program is marked as not safe to run, because its design has an error: " + text);
         markLine = 0;
       };

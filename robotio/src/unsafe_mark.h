@@ -18,6 +18,6 @@ inline constexpr const char* kMarkKind = "rapid-marked";
 std::vector<std::string> unsafeMark(const std::vector<std::string>& errors);
 
 /// Reports each mark in the program once, at the first module that bears it.
-void checkMarks(const LinkedProgram& program, Findings& findings);
+void checkMarks(const LinkedProgram& program, Breaches& breaches);
 
 }  // namespace bw::robotio

@@ -14,7 +14,7 @@
 #include "bw/core/units.h"
 #include "bw/geometry/export.h"
 #include "bw/pipeline/example_design.h"
-#include "bw/pipeline/pipeline.h"
+#include "bw/pipeline/produce.h"
 
 namespace bw::pipeline {
 namespace {
@@ -69,10 +69,11 @@ TEST(DirectionSearch, TakesTheWayAlongWhichTheBladeKeepsItsShape) {
   EXPECT_NEAR(usual.sweep.value->analysis.summary.angleMax, search.trials.front().angleMax, fromDegrees(5));
   EXPECT_FALSE(usual.directions.value);
   // It is said.
-  const Issues issues = found.issues();
-  EXPECT_TRUE(std::ranges::any_of(issues, [](const Issue& i) {
-    return i.kind == "direction" &&
-           i.message.find("rather than the longer side of the block") != std::string::npos;
+  const Findings findings = found.findings();
+  EXPECT_TRUE(std::ranges::any_of(findings, [](const Finding& f) {
+    return std::holds_alternative<ChosenDirection>(f.cause) &&
+           words::sentence(f, words::Reader::window).find("rather than the longer side of the block") !=
+               std::string::npos;
   }));
 }
 
@@ -122,7 +123,7 @@ TEST(DirectionSearch, IsNotDoneAgainForOtherStations) {
 
 TEST(DirectionSearch, ReportListsWhatWasTried) {
   const Evaluation found = evaluated(chute());
-  const nlohmann::json report = nlohmann::json::parse(reportJson(found, "run", {}));
+  const nlohmann::json report = nlohmann::json::parse(reportJson(found, "run", {}, words::Reader::window));
   const nlohmann::json& list = report.at("directions");
   ASSERT_EQ(list.size(), found.directions.value->trials.size());
   int chosen = 0;

@@ -223,8 +223,8 @@ TEST_F(SourceFile, ThatChangedSinceTheSaveIsToldOnOpening) {
   EXPECT_TRUE(window().banner().text().contains("roof.step has changed since the design was saved"))
       << window().banner().text().toStdString();
   const auto tells = [&] {
-    for (const Issue& issue : bench().messages())
-      if (issue.kind == pipeline::kSourceIssue) return true;
+    for (const Message& message : bench().messages())
+      if (message.finding && message.finding->kind() == FindingKind::source) return true;
     return false;
   };
   EXPECT_TRUE(tells());

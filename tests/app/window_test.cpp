@@ -222,6 +222,44 @@ TEST_F(WindowTest, SelectsThePlaceOfAMessage) {
   picture("messages");
 }
 
+TEST_F(WindowTest, DoesWhatAMessageAdvises) {
+  openPanel();
+  // The tolerance of the stations themselves; then grips too near to the block.
+  bench().editJob("Change tolerance", [](Job& job) { job.tolerance = 0.5; });
+  bench().editJob("Change clearance", [](Job& job) { job.clearance = 120; });
+  ASSERT_TRUE(settle());
+  window().commands()["tab.messages"]->trigger();
+  MessageList& list = window().messageList();
+  std::set<QString> seen;
+  const auto buttons = [&] { return list.parentWidget()->findChildren<QPushButton*>(); };
+  for (int round = 0; round < 6; ++round) {
+    bool done = true;
+    for (int i = 0; i < list.count() && done; ++i) {
+      QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, list.visualItemRect(list.item(i)).center());
+      QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+      for (QPushButton* button : buttons()) {
+        const QString text = button->text();
+        if (!button->isVisible() || text.startsWith("Search") || !seen.insert(text).second) continue;
+        picture("remedies");
+        const Job before = bench().job();
+        QTest::mouseClick(button, Qt::LeftButton);
+        EXPECT_FALSE(before == bench().job()) << text.toStdString() << " does nothing";
+        EXPECT_EQ(bench().document().undoStack().undoText(), text);
+        ASSERT_TRUE(settle());
+        EXPECT_FALSE(bench().runner().error()) << text.toStdString() << " leads to a refusal";
+        done = false;
+        break;
+      }
+    }
+    if (done) break;
+  }
+  EXPECT_FALSE(seen.empty());
+  const bool longer =
+      std::ranges::any_of(seen, [](const QString& text) { return text.startsWith("Use a blade of"); });
+  EXPECT_TRUE(longer);
+  EXPECT_GE(bench().sweep()->sweep.stations.front().clearance, 120);
+}
+
 TEST_F(WindowTest, ChoosesMapsByKeyAndByChoice) {
   openPanel();
   for (const std::string& name : MapBar::fieldNames()) {

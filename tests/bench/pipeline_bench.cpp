@@ -13,7 +13,7 @@
 #include "bw/core/file_set.h"
 #include "bw/core/spline_surface.h"
 #include "bw/geometry/export.h"
-#include "bw/pipeline/pipeline.h"
+#include "bw/pipeline/produce.h"
 
 namespace bw::pipeline {
 
@@ -49,11 +49,10 @@ void panelFromStepToFiles(benchmark::State& state) {
   const std::filesystem::path folder = std::filesystem::temp_directory_path() / "bladewright-bench";
   Seconds sum;
   for (auto _ : state) {
-    Outcome outcome = evaluate(panel(60), nullptr, {});
-    if (outcome.error) return state.SkipWithError(outcome.error->message.c_str());
-    Result<FileSet> files = resultFiles(outcome.evaluation, {});
-    if (!files || !files->commit(folder)) return state.SkipWithError("the files could not be written");
-    add(sum, outcome.evaluation.seconds);
+    const Product product = produce(panel(60), folder, {}, {});
+    if (product.error) return state.SkipWithError(product.error->message.c_str());
+    if (!product.files.commit(folder)) return state.SkipWithError("the files could not be written");
+    add(sum, product.evaluation.seconds);
   }
   report(state, sum);
   std::filesystem::remove_all(folder);
@@ -66,9 +65,9 @@ void panelFits(benchmark::State& state) {
   if (outcome.error) return state.SkipWithError(outcome.error->message.c_str());
   const Evaluation& e = outcome.evaluation;
   for (auto _ : state) {
-    Issues issues;
+    Findings findings;
     const Result<Sweep> sweep =
-        buildSweep(*e.sections.value, e.fits.request.fit, e.setup->block, e.setup->direction, {}, issues);
+        buildSweep(*e.sections.value, e.fits.request.fit, e.setup->block, e.setup->direction, {}, findings);
     if (!sweep) return state.SkipWithError(sweep.error().message.c_str());
   }
 }
@@ -97,11 +96,10 @@ void wallWith1200Stations(benchmark::State& state) {
   const std::filesystem::path folder = std::filesystem::temp_directory_path() / "bladewright-bench";
   Seconds sum;
   for (auto _ : state) {
-    Outcome outcome = evaluate(design, nullptr, {});
-    if (outcome.error) return state.SkipWithError(outcome.error->message.c_str());
-    Result<FileSet> files = resultFiles(outcome.evaluation, {});
-    if (!files || !files->commit(folder)) return state.SkipWithError("the files could not be written");
-    add(sum, outcome.evaluation.seconds);
+    const Product product = produce(design, folder, {}, {});
+    if (product.error) return state.SkipWithError(product.error->message.c_str());
+    if (!product.files.commit(folder)) return state.SkipWithError("the files could not be written");
+    add(sum, product.evaluation.seconds);
   }
   report(state, sum);
   rusage usage{};

@@ -37,15 +37,15 @@ void oursSixtySections(benchmark::State& state) {
   const auto model = CadModel::read(file);
   if (!model) return state.SkipWithError(model.error().message.c_str());
   const Target target = Target::make(*model, {bw::FaceChoice::Kind::all, {}}).value();
-  bw::Issues issues;
-  const auto setup = resolveSetup(target, setupOf(isBrep(file)), issues);
+  bw::Findings findings;
+  const auto setup = resolveSetup(target, setupOf(isBrep(file)), findings);
   if (!setup) return state.SkipWithError(setup.error().message.c_str());
   bw::RunContext context;
   context.threads = 1;
   std::size_t found = 0;
   for (auto _ : state) {
-    issues.clear();
-    const auto sections = cutSections(target, *setup, {60, {}}, context, issues);
+    findings.clear();
+    const auto sections = cutSections(target, *setup, {60, {}}, context, findings);
     if (!sections) return state.SkipWithError(sections.error().message.c_str());
     found = sections->size();
   }

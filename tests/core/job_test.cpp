@@ -31,12 +31,16 @@ TEST(Job, EveryKeyIsOptional) {
 }
 
 TEST(Job, ReadsEveryKeyOfTheContract) {
+  int threads = 0;
   const Result<Job> job = parseJob(R"({
     "face": [3, 1], "block": {"origin": [1, 2, 3], "size": [600, 670, 300], "rotation_deg": [0, 0, 90]},
     "direction": [0, 3, 4], "planes": {"type": "parallel"}, "stations": {"spacing": 5}, "lead": 30,
     "blade": {"preset": "nicr-flat-5x1", "length": 1000}, "fit": {"length": "exact", "endpoints": true, "tangents": true, "max_periods": 2},
-    "tolerance": 1.5, "cutting_speed": 12, "clearance": 40, "programs": ["csv", "rapid"], "cell": "irb1600-pair", "threads": 2})");
+    "tolerance": 1.5, "cutting_speed": 12, "clearance": 40, "programs": ["csv", "rapid"], "cell": "irb1600-pair", "threads": 2})",
+                                   &threads);
   ASSERT_TRUE(job) << job.error().message;
+  EXPECT_EQ(threads, 2);
+  EXPECT_EQ(jobToJson(*job).find("threads"), std::string::npos) << "a machine is no part of a job";
   EXPECT_EQ(job->face.indices, (std::vector<int>{1, 3}));
   EXPECT_NEAR(job->block->rotation.z(), kPi / 2, 1e-15);
   EXPECT_LT((*job->direction - Eigen::Vector3d(0, 0.6, 0.8)).norm(), 1e-15);

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "analytic_surfaces.h"
+#include "finding_of.h"
 #include "plane_sections.h"
 #include "row_settings.h"
 
@@ -21,7 +22,7 @@ using test::numberAfter;
 
 struct Tried {
   Result<Sweep> sweep = fail(ErrorCode::internal, "not run");
-  Issues issues;
+  Findings findings;
 };
 
 /// Nine sections y = height(x), |x| ≤ half, 10 mm apart, and what is found of their sweep.
@@ -30,12 +31,13 @@ Tried run(const test::RowSettings& settings, double half, Height height) {
   Tried result;
   const Box block = test::blockUnder(half, 80, -2 * half, 2 * half);
   result.sweep = buildSweep(test::sectionsOf(9, 10, [&](int) { return test::graphCurve(half, height); }),
-                            settings, block, -Eigen::Vector3d::UnitY(), {}, result.issues);
+                            settings, block, -Eigen::Vector3d::UnitY(), {}, result.findings);
   if (!result.sweep) return result;
   const Result<SweepAnalysis> analysis =
       analyzeSweep(*result.sweep, settings, test::GraphSampler<Height>(half, height), {});
   EXPECT_TRUE(analysis) << analysis.error().message;
-  if (analysis) result.issues.insert(result.issues.end(), analysis->issues.begin(), analysis->issues.end());
+  if (analysis)
+    result.findings.insert(result.findings.end(), analysis->findings.begin(), analysis->findings.end());
   return result;
 }
 
@@ -57,11 +59,7 @@ Blade bladeOfRadius(double radius, double length) {
 }
 
 /// True if the finding about sections that are too tight is among them.
-bool tooTight(const Issues& issues) {
-  return std::ranges::any_of(issues, [](const Issue& issue) {
-    return issue.message.find("the surface is too tight") != std::string::npos;
-  });
-}
+bool tooTight(const Findings& findings) { return findingOf<TooTight>(findings); }
 
 }  // namespace
 
@@ -73,8 +71,10 @@ TEST(Advice, LengthForASectionThatIsLongerThanTheBladeIsEnough) {
       settings.blade = bladeOfRadius(100, 300);
       const Tried refused = run(settings, half, sine(20, half / 3));
       ASSERT_FALSE(refused.sweep);
-      settings.blade.length = numberAfter(refused.sweep.error().message, "a blade of at least ");
-      ASSERT_TRUE(std::isfinite(settings.blade.length)) << refused.sweep.error().message;
+      const OtherLength* longer = remedyOf<OtherLength>(refused.sweep.error().remedies);
+      ASSERT_TRUE(longer) << refused.sweep.error().message;
+      settings.blade.length = longer->length;
+      EXPECT_EQ(numberAfter(refused.sweep.error().message, "a blade of at least "), longer->length);
       EXPECT_EQ(*refused.sweep.error().limit, settings.blade.length);
       EXPECT_LE(settings.blade.length, Blade::kLongest);
       EXPECT_TRUE(run(settings, half, sine(20, half / 3)).sweep) << settings.blade.length;
@@ -98,20 +98,21 @@ TEST(Advice, TooTightIsSaidWithPlaceRadiusLimitAndRemedy) {
   settings.blade = bladeOfRadius(360, 800);
   const Tried tight = run(settings, 250, sine(40, 31.6));
   ASSERT_TRUE(tight.sweep) << tight.sweep.error().message;
-  ASSERT_TRUE(tooTight(tight.issues));
-  const Issue* issue = findingOf(tight.issues, "curvature");
-  ASSERT_TRUE(issue);
-  EXPECT_TRUE(issue->where.station);
-  ASSERT_TRUE(issue->where.point);
-  EXPECT_NEAR(issue->where.point->z(), sine(40, 31.6)(issue->where.point->x()), 1);
-  EXPECT_NE(issue->message.find("the blade only to 360 mm"), std::string::npos) << issue->message;
-  EXPECT_GT(numberAfter(issue->message, "it bends to a radius of "), 20) << issue->message;
-  EXPECT_LT(numberAfter(issue->message, "it bends to a radius of "), 90) << issue->message;
+  ASSERT_TRUE(tooTight(tight.findings));
+  const Finding* finding = findingOf<TooTight>(tight.findings);
+  EXPECT_TRUE(finding->where.stations);
+  ASSERT_TRUE(finding->where.point);
+  EXPECT_NEAR(finding->where.point->z(), sine(40, 31.6)(finding->where.point->x()), 1);
+  const auto& cause = std::get<TooTight>(finding->cause);
+  EXPECT_NEAR(cause.limit, 360, 1e-9);
+  EXPECT_GT(cause.radius, 20);
+  EXPECT_LT(cause.radius, 90);
   // What it says of the distance is true.
-  const double distance = numberAfter(issue->message, "so that it stays ");
-  EXPECT_GT(distance, 10) << issue->message;
-  EXPECT_NE(issue->message.find("Spring steel rod 1 mm bends farthest"), std::string::npos) << issue->message;
-  EXPECT_EQ(issue->message.find("split"), std::string::npos) << issue->message;
+  EXPECT_GT(cause.distance, 10);
+  const BendingBlade* blade = remedyOf<BendingBlade>(finding->remedies);
+  ASSERT_TRUE(blade);
+  EXPECT_EQ(blade->title, "Spring steel rod 1 mm");
+  EXPECT_FALSE(blade->presetBends());
 }
 
 TEST(Advice, ABladeThatHardlyBendsAtAllIsTold) {
@@ -123,7 +124,7 @@ TEST(Advice, ABladeThatHardlyBendsAtAllIsTold) {
   ASSERT_GT(settings.blade.minRadius(), 1e9);
   const Tried tight = run(settings, 250, sine(20, 80));
   ASSERT_TRUE(tight.sweep) << tight.sweep.error().message;
-  EXPECT_TRUE(tooTight(tight.issues));
+  EXPECT_TRUE(tooTight(tight.findings));
 }
 
 TEST(Advice, BladeThatBendsFarEnoughIsNotTooTightAnyMore) {
@@ -131,15 +132,15 @@ TEST(Advice, BladeThatBendsFarEnoughIsNotTooTightAnyMore) {
     test::RowSettings settings;
     settings.blade = bladeOfRadius(360, 900);
     const Tried tight = run(settings, 250, sine(40, wave));
-    const Issue* issue = findingOf(tight.issues, "curvature");
-    ASSERT_TRUE(issue && tooTight(tight.issues)) << wave;
-    settings.blade = bladeOfRadius(numberAfter(issue->message, "it takes a blade that bends to "), 900);
+    const Finding* finding = findingOf<TooTight>(tight.findings);
+    ASSERT_TRUE(finding) << wave;
+    settings.blade = bladeOfRadius(remedyOf<BendingBlade>(finding->remedies)->radius, 900);
     const Tried eased = run(settings, 250, sine(40, wave));
     ASSERT_TRUE(eased.sweep) << eased.sweep.error().message;
-    EXPECT_FALSE(tooTight(eased.issues)) << wave;
+    EXPECT_FALSE(tooTight(eased.findings)) << wave;
     // A little less far, and it is.
     settings.blade = bladeOfRadius(1.1 * settings.blade.minRadius(), 900);
-    EXPECT_TRUE(tooTight(run(settings, 250, sine(40, wave)).issues)) << wave;
+    EXPECT_TRUE(tooTight(run(settings, 250, sine(40, wave)).findings)) << wave;
   }
 }
 
@@ -148,16 +149,17 @@ TEST(Advice, LargerSurfaceIsNotTooTightAnyMore) {
     test::RowSettings settings;
     settings.blade = bladeOfRadius(360, 900);
     const Tried tight = run(settings, 250, sine(40, wave));
-    const Issue* issue = findingOf(tight.issues, "curvature");
-    ASSERT_TRUE(issue && tooTight(tight.issues)) << wave;
-    const double scale = numberAfter(issue->message, "or a surface ");
-    ASSERT_GT(scale, 1) << issue->message;
-    const double length = numberAfter(issue->message, "times as large with a blade of ");
-    if (std::isfinite(length)) settings.blade.length = length;
+    const Finding* finding = findingOf<TooTight>(tight.findings);
+    ASSERT_TRUE(finding) << wave;
+    const LargerSurface* surface = remedyOf<LargerSurface>(finding->remedies);
+    ASSERT_TRUE(surface) << wave;
+    const double scale = surface->scale;
+    ASSERT_GT(scale, 1);
+    if (surface->bladeLength) settings.blade.length = *surface->bladeLength;
     EXPECT_LE(settings.blade.length, Blade::kLongest);
     const Tried larger = run(settings, scale * 250, sine(scale * 40, scale * wave));
     ASSERT_TRUE(larger.sweep) << larger.sweep.error().message;
-    EXPECT_FALSE(tooTight(larger.issues)) << issue->message;
+    EXPECT_FALSE(tooTight(larger.findings)) << scale;
   }
 }
 
@@ -166,31 +168,19 @@ TEST(Advice, GentleSectionsAreNeverTooTight) {
   test::RowSettings settings;
   settings.blade = bladeOfRadius(200, 900);
   for (const double turn : {0.2, 0.6, 1.0}) {
-    Issues issues;
+    Findings findings;
     const auto arc = [&](int) {
       return test::arc({0, 0}, 204, std::numbers::pi / 2 + turn, std::numbers::pi / 2 - turn);
     };
     Result<Sweep> sweep =
         buildSweep(test::sectionsOf(9, 10, arc), settings, test::blockUnder(204, 80, 0, 204),
-                   -Eigen::Vector3d::UnitY(), {}, issues);
+                   -Eigen::Vector3d::UnitY(), {}, findings);
     ASSERT_TRUE(sweep);
     const Result<SweepAnalysis> analysis =
         analyzeSweep(*sweep, settings, test::PlaneSampler(Eigen::Vector3d::UnitZ()), {});
     ASSERT_TRUE(analysis);
-    EXPECT_FALSE(tooTight(analysis->issues)) << turn;
+    EXPECT_FALSE(tooTight(analysis->findings)) << turn;
   }
-}
-
-TEST(Advice, NothingAdvisesToSplitTheSurface) {
-  // There is no such command.
-  test::RowSettings settings;
-  settings.tolerance = 0.01;
-  for (const double radius : {5.0, 360.0})
-    for (const double wave : {31.6, 120.0}) {
-      settings.blade = bladeOfRadius(radius, 1200);
-      for (const Issue& issue : run(settings, 250, sine(40, wave)).issues)
-        EXPECT_EQ(issue.message.find("split"), std::string::npos) << issue.message;
-    }
 }
 
 TEST(Advice, ShorterBladeHoldsItsShape) {
@@ -208,15 +198,15 @@ TEST(Advice, ShorterBladeHoldsItsShape) {
         }
         const Tried before = run(settings, 150, sine(amplitude, 60));
         ASSERT_TRUE(before.sweep);
-        for (const Issue& issue : before.issues) {
-          const double advised = numberAfter(issue.message, "; one of ");
-          if (!std::isfinite(advised)) continue;
+        for (const Finding& finding : before.findings) {
+          const OtherLength* advised = remedyOf<OtherLength>(finding.remedies);
+          if (!advised || finding.kind() == FindingKind::clearance) continue;
           ++followed;
           test::RowSettings shorter = settings;
-          shorter.blade.length = advised;
+          shorter.blade.length = advised->length;
           const Tried after = run(shorter, 150, sine(amplitude, 60));
-          EXPECT_TRUE(after.sweep) << issue.message;
-          EXPECT_FALSE(findingOf(after.issues, issue.kind)) << issue.message;
+          EXPECT_TRUE(after.sweep) << advised->length;
+          EXPECT_FALSE(findingOf(after.findings, finding.kind())) << advised->length;
         }
       }
   EXPECT_GT(followed, 0);

@@ -12,6 +12,7 @@
 #include "bw/core/elastica_stability.h"
 #include "bw/core/sweep.h"
 #include "bw/core/units.h"
+#include "finding_of.h"
 #include "row_settings.h"
 
 namespace bw {
@@ -59,14 +60,11 @@ double largestSwing(const Sweep& sweep) {
 }
 
 Result<Sweep> sweepOf(const std::vector<Section>& sections, const test::RowSettings& settings,
-                      Issues& issues) {
-  return buildSweep(sections, settings, block(), Eigen::Vector3d::UnitY(), {}, issues);
+                      Findings& findings) {
+  return buildSweep(sections, settings, block(), Eigen::Vector3d::UnitY(), {}, findings);
 }
 
-const Issue* swingOf(const Issues& issues) {
-  const auto it = std::ranges::find_if(issues, [](const Issue& i) { return i.kind == "swing"; });
-  return it == issues.end() ? nullptr : &*it;
-}
+const Finding* swingOf(const Findings& findings) { return test::findingOf<EndsSwing>(findings); }
 
 /// Hollows and bulges of 0.6 mm in turn: a blade of 1600 mm that followed them would fling its ends about.
 std::vector<Section> waves() {
@@ -81,11 +79,11 @@ TEST(SweepContinuity, EndsOfALongBladeKeepStillOverShortSections) {
   test::RowSettings settings;
   settings.blade.length = 1600;
   settings.tolerance = 2;
-  Issues issues;
-  const Result<Sweep> sweep = sweepOf(waves(), settings, issues);
+  Findings findings;
+  const Result<Sweep> sweep = sweepOf(waves(), settings, findings);
   ASSERT_TRUE(sweep) << sweep.error().message;
   EXPECT_LT(largestSwing(*sweep), 16 * kDegree);
-  EXPECT_EQ(swingOf(issues), nullptr);
+  EXPECT_EQ(swingOf(findings), nullptr);
   EXPECT_TRUE(std::ranges::any_of(sweep->stations, [](const Station& s) { return s.steadied; }));
   for (const Station& station : sweep->stations) {
     EXPECT_LE(station.fit.hausdorff, settings.tolerance);
@@ -100,13 +98,15 @@ TEST(SweepContinuity, StepsAreWithinWhatTheToleranceAllows) {
   test::RowSettings settings;
   settings.blade.length = 1600;
   settings.tolerance = 0.01;
-  Issues issues;
-  const Result<Sweep> sweep = sweepOf(waves(), settings, issues);
+  Findings findings;
+  const Result<Sweep> sweep = sweepOf(waves(), settings, findings);
   ASSERT_TRUE(sweep) << sweep.error().message;
   EXPECT_GT(largestSwing(*sweep), 45 * kDegree);
-  const Issue* swing = swingOf(issues);
+  const Finding* swing = swingOf(findings);
   ASSERT_NE(swing, nullptr);
-  EXPECT_NE(swing->message.find("° on 20 mm of travel"), std::string::npos) << swing->message;
+  EXPECT_NEAR(std::get<EndsSwing>(swing->cause).travel, 20, 1e-9);
+  EXPECT_NEAR(std::get<EndsSwing>(swing->cause).angle, largestSwing(*sweep), 1e-6);
+  EXPECT_TRUE(remedyOf<MoreStations>(swing->remedies));
 }
 
 TEST(SweepContinuity, EndsThatTheSectionsFlingAreAnError) {
@@ -115,11 +115,11 @@ TEST(SweepContinuity, EndsThatTheSectionsFlingAreAnError) {
   settings.blade.yieldStress = 1000;  // bends to 360 mm
   std::vector<Section> sections;
   for (int i = 0; i < 4; ++i) sections.push_back(arc(i, i % 2 == 0 ? 400 : -400, 260));
-  Issues issues;
-  const Result<Sweep> sweep = sweepOf(sections, settings, issues);
+  Findings findings;
+  const Result<Sweep> sweep = sweepOf(sections, settings, findings);
   ASSERT_TRUE(sweep) << sweep.error().message;
   EXPECT_GT(largestSwing(*sweep), 90 * kDegree);
-  const Issue* swing = swingOf(issues);
+  const Finding* swing = swingOf(findings);
   ASSERT_NE(swing, nullptr);
   EXPECT_EQ(swing->severity, Severity::error);
 }
@@ -131,8 +131,8 @@ TEST(SweepContinuity, SectionsThatTellTheBladeAreFollowed) {
   settings.tolerance = 5;
   std::vector<Section> sections;
   for (int i = 0; i < 6; ++i) sections.push_back(parabola(i, 0.00024 * (i - 2.5), 300));
-  Issues issues;
-  const Result<Sweep> sweep = sweepOf(sections, settings, issues);
+  Findings findings;
+  const Result<Sweep> sweep = sweepOf(sections, settings, findings);
   ASSERT_TRUE(sweep) << sweep.error().message;
   for (const Station& station : sweep->stations) {
     EXPECT_FALSE(station.steadied);
@@ -145,10 +145,10 @@ TEST(SweepContinuity, RunsFromItsLongestSection) {
   test::RowSettings settings;
   settings.blade.length = 1600;
   std::vector<Section> sections = waves();
-  Issues issues;
-  const Result<Sweep> there = sweepOf(sections, settings, issues);
+  Findings findings;
+  const Result<Sweep> there = sweepOf(sections, settings, findings);
   std::reverse(sections.begin(), sections.end());
-  const Result<Sweep> back = sweepOf(sections, settings, issues);
+  const Result<Sweep> back = sweepOf(sections, settings, findings);
   ASSERT_TRUE(there && back);
   for (std::size_t i = 0; i < sections.size(); ++i)
     EXPECT_LT((there->stations[i].leftPoint() - back->stations[sections.size() - 1 - i].leftPoint()).norm(),

@@ -7,6 +7,7 @@
 #include <mutex>
 
 #include "analytic_surfaces.h"
+#include "finding_of.h"
 #include "plane_sections.h"
 #include "row_settings.h"
 
@@ -25,10 +26,10 @@ SweepAnalysis analysed(Sweep& sweep, const test::RowSettings& settings, const Su
 }
 
 Sweep planeSweep(int stations, const test::RowSettings& settings, const std::function<double(int)>& height) {
-  Issues issues;
+  Findings findings;
   Result<Sweep> sweep =
       buildSweep(test::sectionsOf(stations, 1.0, [&](int i) { return level(height(i)); }), settings,
-                 test::blockUnder(200, stations, -50, 50), -Eigen::Vector3d::UnitY(), {}, issues);
+                 test::blockUnder(200, stations, -50, 50), -Eigen::Vector3d::UnitY(), {}, findings);
   EXPECT_TRUE(sweep) << sweep.error().message;
   return std::move(*sweep);
 }
@@ -107,9 +108,9 @@ TEST(CutSurface, OneBadStationAmongManyIsFoundAndShown) {
   const std::vector<double>& deviation = analysis.cut.field("deviation")->values;
   EXPECT_NEAR(*std::ranges::max_element(deviation), 3, 1e-6);
   EXPECT_LE(analysis.cut.rows, 481);
-  const Issue* issue = test::findingOf(analysis.issues, "deviation");
-  ASSERT_TRUE(issue);
-  EXPECT_EQ(issue->where.station, kBad);
+  const Finding* far = test::findingOf<TooFar>(analysis.findings);
+  ASSERT_TRUE(far);
+  EXPECT_EQ(far->where.stations->worst, kBad);
   // The area is that of all rows: the strips of about three stations of 1500 lie off.
   EXPECT_NEAR(1 - analysis.summary.withinTolerance, 3.0 / 1499, 2.0 / 1499);
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "bw/core/sweep.h"
+#include "finding_of.h"
 #include "row_settings.h"
 
 #include <gtest/gtest.h>
@@ -36,17 +37,17 @@ Box sphereBlock() {
       {600, 640, 350}};
 }
 
-Result<Sweep> sphereSweep(const test::RowSettings& settings, int stations, Issues& issues) {
+Result<Sweep> sphereSweep(const test::RowSettings& settings, int stations, Findings& findings) {
   return buildSweep(test::sphereSections(kRadius, kHalfWidth, evenTravel(stations)), settings, sphereBlock(),
-                    -Eigen::Vector3d::UnitY(), {}, issues);
+                    -Eigen::Vector3d::UnitY(), {}, findings);
 }
 
 }  // namespace
 
 TEST(Sweep, BladeHasItsLengthAndLiesSymmetrically) {
   test::RowSettings settings;
-  Issues issues;
-  const Result<Sweep> sweep = sphereSweep(settings, 9, issues);
+  Findings findings;
+  const Result<Sweep> sweep = sphereSweep(settings, 9, findings);
   ASSERT_TRUE(sweep) << sweep.error().message;
   for (const Station& station : sweep->stations) {
     EXPECT_NEAR(station.blade.length(), settings.blade.length, 1e-9);
@@ -63,8 +64,8 @@ TEST(Sweep, BladeHasItsLengthAndLiesSymmetrically) {
 TEST(Sweep, ShortBladeIsAnErrorThatTellsTheLengthNeeded) {
   test::RowSettings settings;
   settings.blade.length = 500;
-  Issues issues;
-  const Result<Sweep> sweep = sphereSweep(settings, 5, issues);
+  Findings findings;
+  const Result<Sweep> sweep = sphereSweep(settings, 5, findings);
   ASSERT_FALSE(sweep);
   EXPECT_EQ(sweep.error().code, ErrorCode::badInput);
   EXPECT_NE(sweep.error().message.find("shorter than the section"), std::string::npos);
@@ -74,8 +75,8 @@ TEST(Sweep, ShortBladeIsAnErrorThatTellsTheLengthNeeded) {
 
 TEST(SweepAnalysis, FindsTheSphereAgain) {
   test::RowSettings settings;
-  Issues issues;
-  Result<Sweep> sweep = sphereSweep(settings, 31, issues);
+  Findings findings;
+  Result<Sweep> sweep = sphereSweep(settings, 31, findings);
   ASSERT_TRUE(sweep);
   const test::SphereSampler sphere(kRadius);
   const Result<SweepAnalysis> analysis = analyzeSweep(*sweep, settings, sphere, {});
@@ -85,7 +86,7 @@ TEST(SweepAnalysis, FindsTheSphereAgain) {
   EXPECT_EQ(analysis->summary.withinTolerance, 1.0);
   // The smallest radius is that of the outermost circle.
   EXPECT_NEAR(analysis->summary.minRadius, std::sqrt(kRadius * kRadius - 300.0 * 300.0), 1e-3);
-  EXPECT_TRUE(analysis->issues.empty()) << analysis->issues.front().message;
+  EXPECT_TRUE(analysis->findings.empty());
   // The middle station lies on a great circle: σ = E e / R everywhere.
   const Field& stress = *analysis->cut.field("stress");
   for (int c = 0; c <= 100; ++c)
@@ -96,9 +97,9 @@ TEST(SweepAnalysis, FindsTheSphereAgain) {
 TEST(SweepAnalysis, VelocityFollowsTheMaterialPoints) {
   // On the sphere the point at arc length σ from the middle is (ρ sin σ/ρ, y, ρ cos σ/ρ) with ρ² = R² − y².
   test::RowSettings settings;
-  Issues issues;
+  Findings findings;
   const auto worst = [&](int n) {
-    Result<Sweep> sweep = sphereSweep(settings, n, issues);
+    Result<Sweep> sweep = sphereSweep(settings, n, findings);
     const Result<SweepAnalysis> analysis = analyzeSweep(*sweep, settings, test::SphereSampler(kRadius), {});
     double error = 0;
     const Field& angle = *analysis->cut.field("angle");
@@ -128,16 +129,17 @@ TEST(SweepAnalysis, TellsTooMuchCurvatureAndTooLittleClearance) {
   test::RowSettings settings;
   settings.blade.yieldStress = 100;  // bends to 3600 mm only
   settings.blade.length = 620;
-  Issues issues;
-  Result<Sweep> sweep = sphereSweep(settings, 7, issues);
+  Findings findings;
+  Result<Sweep> sweep = sphereSweep(settings, 7, findings);
   ASSERT_TRUE(sweep);
   const Result<SweepAnalysis> analysis = analyzeSweep(*sweep, settings, test::SphereSampler(kRadius), {});
   ASSERT_TRUE(analysis);
   bool curvature = false, clearance = false;
-  for (const Issue& issue : analysis->issues) {
-    curvature = curvature || (issue.kind == "curvature" && issue.severity == Severity::error);
-    clearance = clearance || issue.kind == "clearance";
-    EXPECT_TRUE(issue.where.station);
+  for (const Finding& finding : analysis->findings) {
+    curvature =
+        curvature || (finding.kind() == FindingKind::curvature && finding.severity == Severity::error);
+    clearance = clearance || finding.kind() == FindingKind::clearance;
+    EXPECT_TRUE(finding.where.stations);
   }
   EXPECT_TRUE(curvature);
   EXPECT_TRUE(clearance);
@@ -145,10 +147,10 @@ TEST(SweepAnalysis, TellsTooMuchCurvatureAndTooLittleClearance) {
 
 TEST(SweepAnalysis, IsTheSameForAnyNumberOfThreads) {
   test::RowSettings settings;
-  Issues issues;
+  Findings findings;
   std::vector<std::vector<double>> values;
   for (const int threads : {1, 2, 5}) {
-    Result<Sweep> sweep = sphereSweep(settings, 12, issues);
+    Result<Sweep> sweep = sphereSweep(settings, 12, findings);
     RunContext context;
     context.threads = threads;
     const Result<SweepAnalysis> analysis =
@@ -162,12 +164,12 @@ TEST(SweepAnalysis, IsTheSameForAnyNumberOfThreads) {
 
 TEST(SweepAnalysis, DeviationIsNegativeInside) {
   test::RowSettings settings;
-  Issues issues;
-  Result<Sweep> sweep = sphereSweep(settings, 12, issues);
+  Findings findings;
+  Result<Sweep> sweep = sphereSweep(settings, 12, findings);
   const Result<SweepAnalysis> analysis = analyzeSweep(*sweep, settings, test::SphereSampler(kRadius + 3), {});
   ASSERT_TRUE(analysis);
   for (const double d : analysis->cut.field("deviation")->values) EXPECT_NEAR(d, -3, 1e-2);
-  EXPECT_EQ(analysis->issues.front().kind, "deviation");
+  EXPECT_EQ(analysis->findings.front().kind(), FindingKind::deviation);
 }
 
 namespace {
@@ -196,17 +198,21 @@ void addTravel(std::vector<double>& travel, double first, double last, double st
 struct Analysed {
   Sweep sweep;
   SweepAnalysis analysis;
-  const Issue* issue(const std::string& kind) const {
-    const auto found = std::ranges::find(analysis.issues, kind, &Issue::kind);
-    return found == analysis.issues.end() ? nullptr : &*found;
+  template <class T>
+  const T* cause() const {
+    return test::causeOf<T>(analysis.findings);
+  }
+  template <class T>
+  const Finding* finding() const {
+    return test::findingOf<T>(analysis.findings);
   }
 };
 
 Analysed analysed(std::vector<Section> sections, const test::RowSettings& settings,
                   const SurfaceSampler& target) {
-  Issues issues;
+  Findings findings;
   Result<Sweep> sweep =
-      buildSweep(std::move(sections), settings, sphereBlock(), -Eigen::Vector3d::UnitY(), {}, issues);
+      buildSweep(std::move(sections), settings, sphereBlock(), -Eigen::Vector3d::UnitY(), {}, findings);
   EXPECT_TRUE(sweep) << sweep.error().message;
   Result<SweepAnalysis> analysis = analyzeSweep(*sweep, settings, target, {});
   EXPECT_TRUE(analysis) << analysis.error().message;
@@ -264,18 +270,21 @@ TEST(SweepAnalysis, GapInsideTheRowIsAnErrorAndItsDeviationCounts) {
   EXPECT_NEAR(summary.deviationMax, kGap, 1);
   EXPECT_NEAR(summary.deviationMean, kGap * kGap / 600, 0.1);
   EXPECT_NEAR(summary.withinTolerance, (400 + 2 * settings.tolerance) / 600, 0.01);
-  const Issue* gap = halves.issue("gap");
+  const Finding* gap = halves.finding<GapInRow>();
   ASSERT_TRUE(gap);
   EXPECT_EQ(gap->severity, Severity::error);
-  EXPECT_NE(gap->message.find("stations 22 to 40 are left out"), std::string::npos) << gap->message;
-  EXPECT_NE(gap->message.find("over 200 mm from station 21 to station 41"), std::string::npos)
-      << gap->message;
-  EXPECT_EQ(gap->where.station, 20);
+  EXPECT_EQ(gap->where.stations->first, 20);
+  EXPECT_EQ(gap->where.stations->last, 40);
+  EXPECT_EQ(gap->where.stations->worst, 20);
+  EXPECT_NEAR(halves.cause<GapInRow>()->width, 200, 1e-9);
   EXPECT_LT(gap->where.point->norm(), 1e-9);
   // More stations would not help: the deviation lies in the gap.
-  ASSERT_TRUE(halves.issue("deviation"));
-  EXPECT_NE(halves.issue("deviation")->message.find("close that gap"), std::string::npos)
-      << halves.issue("deviation")->message;
+  const TooFar* far = halves.cause<TooFar>();
+  ASSERT_TRUE(far);
+  EXPECT_EQ(far->source, TooFar::Source::gap);
+  EXPECT_EQ(far->leftFirst, 21);
+  EXPECT_EQ(far->leftLast, 39);
+  EXPECT_TRUE(halves.finding<TooFar>()->remedies.empty());
 }
 
 TEST(SweepAnalysis, StationsLeftOutAtTheEndsAreNoGap) {
@@ -285,7 +294,7 @@ TEST(SweepAnalysis, StationsLeftOutAtTheEndsAreNoGap) {
   for (Section& section : sections) section.index += 5;
   EXPECT_FALSE(
       analysed(std::move(sections), test::RowSettings{}, test::PlaneSampler(Eigen::Vector3d::UnitZ()))
-          .issue("gap"));
+          .finding<GapInRow>());
 }
 
 TEST(SweepAnalysis, ManyGapsAreOneErrorAtTheWidest) {
@@ -294,11 +303,10 @@ TEST(SweepAnalysis, ManyGapsAreOneErrorAtTheWidest) {
     if (i % 5 != 3 && i != 22 && i != 24) travel.push_back(10.0 * i);
   const Analysed gaps = analysed(straightSections(travel, 10, [](double) { return 0.0; }),
                                  test::RowSettings{}, test::PlaneSampler(Eigen::Vector3d::UnitZ()));
-  EXPECT_EQ(std::ranges::count(gaps.analysis.issues, "gap", &Issue::kind), 1);
-  EXPECT_NE(gaps.issue("gap")->message.find("stations 23 to 25 are left out inside the row, and others in 7 "
-                                            "more places"),
-            std::string::npos)
-      << gaps.issue("gap")->message;
+  EXPECT_EQ(std::ranges::count(gaps.analysis.findings, FindingKind::gap, &Finding::kind), 1);
+  EXPECT_EQ(gaps.finding<GapInRow>()->where.stations->first, 21);
+  EXPECT_EQ(gaps.finding<GapInRow>()->where.stations->last, 25);
+  EXPECT_EQ(gaps.cause<GapInRow>()->otherPlaces, 7);
 }
 
 TEST(SweepAnalysis, TooFewStationsAskForMore) {
@@ -306,21 +314,35 @@ TEST(SweepAnalysis, TooFewStationsAskForMore) {
   test::RowSettings settings;
   settings.tolerance = 0.1;
   const test::SphereSampler sphere(kRadius);
-  const auto message = [&](int stations, const SurfaceSampler& target) {
-    const Analysed found =
-        analysed(test::sphereSections(kRadius, kHalfWidth, evenTravel(stations)), settings, target);
-    const Issue* issue = found.issue("deviation");
-    return issue ? issue->message : std::string();
+  const auto found = [&](int stations, const SurfaceSampler& target) {
+    return analysed(test::sphereSections(kRadius, kHalfWidth, evenTravel(stations)), settings, target);
   };
-  const std::string few = message(2, sphere);
-  EXPECT_NE(few.find("take more of them"), std::string::npos) << few;
-  EXPECT_NE(few.find("600 mm apart"), std::string::npos) << few;
-  EXPECT_EQ(few.find("split"), std::string::npos) << few;
-  EXPECT_EQ(message(31, sphere), "");
+  const Analysed few = found(2, sphere);
+  ASSERT_TRUE(few.cause<TooFar>());
+  EXPECT_EQ(few.cause<TooFar>()->source, TooFar::Source::between);
+  EXPECT_NEAR(few.cause<TooFar>()->spacing, 600, 1e-9);
+  // The advice is followed until it holds.
+  int stations = 2;
+  for (int round = 0; round < 8; ++round) {
+    const Analysed now = found(stations, sphere);
+    const Finding* finding = now.finding<TooFar>();
+    if (!finding) break;
+    const MoreStations* more = remedyOf<MoreStations>(finding->remedies);
+    ASSERT_TRUE(more);
+    EXPECT_EQ(more->count, 2 * stations - 1);
+    stations = more->count;
+  }
+  EXPECT_FALSE(found(stations, sphere).finding<TooFar>()) << stations;
+  EXPECT_FALSE(found(31, sphere).finding<TooFar>());
   // Where the stations themselves are off, more of them do not help.
-  const std::string off = message(31, test::SphereSampler(kRadius + 1));
-  EXPECT_NE(off.find("cut it in parts"), std::string::npos) << off;
-  EXPECT_EQ(off.find("take more"), std::string::npos) << off;
+  const Analysed off = found(31, test::SphereSampler(kRadius + 1));
+  EXPECT_EQ(off.cause<TooFar>()->source, TooFar::Source::stations);
+  const Remedies& remedies = off.finding<TooFar>()->remedies;
+  EXPECT_TRUE(remedyOf<CutInParts>(remedies));
+  EXPECT_FALSE(remedyOf<MoreStations>(remedies));
+  ASSERT_TRUE(remedyOf<WiderTolerance>(remedies));
+  settings.tolerance = remedyOf<WiderTolerance>(remedies)->tolerance;
+  EXPECT_FALSE(found(31, test::SphereSampler(kRadius + 1)).finding<TooFar>()) << settings.tolerance;
 }
 
 TEST(SweepAnalysis, TellsTheBladeThatBringsItsGripsOutOfTheBlock) {
@@ -336,12 +358,13 @@ TEST(SweepAnalysis, TellsTheBladeThatBringsItsGripsOutOfTheBlock) {
   };
   const test::PlaneSampler plane(Eigen::Vector3d::UnitZ());
   const Analysed shortBlade = analysed(sections(), settings, plane);
-  const Issue* issue = shortBlade.issue("clearance");
-  ASSERT_TRUE(issue);
-  EXPECT_EQ(issue->severity, Severity::error);
-  EXPECT_NE(issue->message.find("a blade of at least 1200 mm keeps"), std::string::npos) << issue->message;
+  const Finding* grip = shortBlade.finding<GripTooNear>();
+  ASSERT_TRUE(grip);
+  EXPECT_EQ(grip->severity, Severity::error);
+  ASSERT_TRUE(remedyOf<OtherLength>(grip->remedies));
+  EXPECT_EQ(remedyOf<OtherLength>(grip->remedies)->length, 1200);
   settings.blade.length = 1200;
-  EXPECT_FALSE(analysed(sections(), settings, plane).issue("clearance"));
+  EXPECT_FALSE(analysed(sections(), settings, plane).finding<GripTooNear>());
 }
 
 TEST(SweepAnalysis, TellsNoLongerBladeWhereItCurlsBackIntoTheBlock) {
@@ -354,43 +377,43 @@ TEST(SweepAnalysis, TellsNoLongerBladeWhereItCurlsBackIntoTheBlock) {
   for (Section& section : sections)
     section.curve = test::arc({0, 1275}, 100, std::numbers::pi / 2 + 0.8, std::numbers::pi / 2 - 0.8);
   const Analysed circles = analysed(sections, settings, test::PlaneSampler(Eigen::Vector3d::UnitZ()));
-  ASSERT_TRUE(circles.issue("clearance"));
-  const std::string& inside = circles.issue("clearance")->message;
-  EXPECT_NE(inside.find("no longer blade"), std::string::npos) << inside;
-  EXPECT_NE(inside.find("smaller block"), std::string::npos) << inside;
-  EXPECT_EQ(inside.find("at least"), std::string::npos) << inside;
+  const Finding* grip = circles.finding<GripTooNear>();
+  ASSERT_TRUE(grip);
+  EXPECT_FALSE(circles.cause<GripTooNear>()->unheldLength);
+  EXPECT_TRUE(remedyOf<OtherBlock>(grip->remedies));
+  EXPECT_FALSE(remedyOf<OtherLength>(grip->remedies));
 }
 
 TEST(SweepAnalysis, BladeThatKeepsTheClearanceIsTrue) {
   // Along a sphere the grips go down as well as out: 2 × the missing clearance is not enough.
   test::RowSettings settings;
   settings.clearance = 500;
-  const auto issueOf = [&](double length) -> std::optional<Issue> {
+  const auto found = [&](double length) -> std::optional<Finding> {
     settings.blade.length = length;
-    const Analysed found = analysed(test::sphereSections(kRadius, kHalfWidth, evenTravel(9)), settings,
-                                    test::SphereSampler(kRadius));
-    const Issue* issue = found.issue("clearance");
-    return issue ? std::optional(*issue) : std::nullopt;
+    const Analysed row = analysed(test::sphereSections(kRadius, kHalfWidth, evenTravel(9)), settings,
+                                  test::SphereSampler(kRadius));
+    const Finding* finding = row.finding<GripTooNear>();
+    return finding ? std::optional(*finding) : std::nullopt;
   };
-  const std::optional<Issue> missed = issueOf(800);
+  const std::optional<Finding> missed = found(800);
   ASSERT_TRUE(missed);
   EXPECT_EQ(missed->severity, Severity::warning);
-  const std::size_t at = missed->message.find("at least ");
-  ASSERT_NE(at, std::string::npos) << missed->message;
-  const double length = std::stod(missed->message.substr(at + 9));
-  EXPECT_FALSE(issueOf(length)) << missed->message;
-  EXPECT_TRUE(issueOf(0.98 * length)) << missed->message;
+  const OtherLength* longer = remedyOf<OtherLength>(missed->remedies);
+  ASSERT_TRUE(longer);
+  EXPECT_FALSE(found(longer->length)) << longer->length;
+  EXPECT_TRUE(found(0.98 * longer->length)) << longer->length;
 }
 
 TEST(ExceedsLimit, CountsErrorsAndWarningsAboutStatedLimits) {
   EXPECT_FALSE(exceedsLimit({}));
-  for (const char* kind : {"deviation", "clearance", "stability"}) {
-    EXPECT_TRUE(exceedsLimit({{Severity::warning, kind, ""}})) << kind;
-    EXPECT_FALSE(exceedsLimit({{Severity::info, kind, ""}})) << kind;
+  for (const Cause& cause : {Cause(TooFar{}), Cause(GripTooNear{}), Cause(WouldSnap{})}) {
+    EXPECT_TRUE(exceedsLimit({{Severity::warning, cause}})) << cause.index();
+    EXPECT_FALSE(exceedsLimit({{Severity::info, cause}})) << cause.index();
   }
-  for (const char* kind : {"angle", "speed", "inflections", "fit", "section-missing", "cell-sides"}) {
-    EXPECT_FALSE(exceedsLimit({{Severity::warning, kind, ""}})) << kind;
-    EXPECT_TRUE(exceedsLimit({{Severity::warning, "angle", ""}, {Severity::error, kind, ""}})) << kind;
+  for (const Cause& cause : {Cause(SteepAngle{}), Cause(UnevenSpeed{}), Cause(ManyInflections{}),
+                             Cause(UnsettledFit{}), Cause(SectionMissing{}), Cause(WrongSide{})}) {
+    EXPECT_FALSE(exceedsLimit({{Severity::warning, cause}})) << cause.index();
+    EXPECT_TRUE(exceedsLimit({{Severity::warning, SteepAngle{}}, {Severity::error, cause}})) << cause.index();
   }
 }
 
@@ -408,8 +431,8 @@ TEST(BladeInflections, CountOnlyWhereTheBladeBends) {
 
 TEST(SweepAnalysis, StopsOnRequest) {
   test::RowSettings settings;
-  Issues issues;
-  Result<Sweep> sweep = sphereSweep(settings, 12, issues);
+  Findings findings;
+  Result<Sweep> sweep = sphereSweep(settings, 12, findings);
   std::stop_source source;
   source.request_stop();
   RunContext context;
@@ -422,8 +445,8 @@ TEST(SweepAnalysis, StopsOnRequest) {
 
 TEST(Motion, FastestPointMovesAtTheCuttingSpeed) {
   test::RowSettings settings;
-  Issues issues;
-  const Result<Sweep> sweep = sphereSweep(settings, 21, issues);
+  Findings findings;
+  const Result<Sweep> sweep = sphereSweep(settings, 21, findings);
   ASSERT_TRUE(sweep);
   const Result<Motion> motion = buildMotion(*sweep, settings);
   ASSERT_TRUE(motion) << motion.error().message;
@@ -443,8 +466,8 @@ TEST(Motion, FastestPointMovesAtTheCuttingSpeed) {
 
 TEST(Motion, EndsFollowTheTcpConvention) {
   test::RowSettings settings;
-  Issues issues;
-  const Result<Sweep> sweep = sphereSweep(settings, 9, issues);
+  Findings findings;
+  const Result<Sweep> sweep = sphereSweep(settings, 9, findings);
   const Result<Motion> motion = buildMotion(*sweep, settings);
   ASSERT_TRUE(motion);
   const Box block = sphereBlock();
@@ -468,8 +491,8 @@ TEST(Motion, EndsFollowTheTcpConvention) {
 
 TEST(Motion, RefusesImpossibleSpeeds) {
   test::RowSettings settings;
-  Issues issues;
-  const Result<Sweep> sweep = sphereSweep(settings, 4, issues);
+  Findings findings;
+  const Result<Sweep> sweep = sphereSweep(settings, 4, findings);
   for (const double speed : {0.0, -1.0, double(NAN), double(INFINITY)})
     EXPECT_FALSE(buildMotion(*sweep, {.cuttingSpeed = speed})) << speed;
 }
@@ -512,9 +535,9 @@ TEST(Sweep, BladeHoldsAlsoBeyondTheSection) {
   // closely, and curls up beyond the ends.
   test::RowSettings settings;
   settings.tolerance = 2;
-  Issues issues;
-  const Result<Sweep> sweep =
-      buildSweep(nearlyStraightSections(0.6), settings, sphereBlock(), Eigen::Vector3d::UnitY(), {}, issues);
+  Findings findings;
+  const Result<Sweep> sweep = buildSweep(nearlyStraightSections(0.6), settings, sphereBlock(),
+                                         Eigen::Vector3d::UnitY(), {}, findings);
   ASSERT_TRUE(sweep) << sweep.error().message;
   const Result<FitResult> free = fitElastica(sweep->stations.front().target);
   ASSERT_TRUE(free);
@@ -532,18 +555,18 @@ TEST(Sweep, BladeHoldsAlsoBeyondTheSection) {
   Sweep analysed = *sweep;
   const Result<SweepAnalysis> analysis = analyzeSweep(analysed, settings, test::SphereSampler(kRadius), {});
   ASSERT_TRUE(analysis);
-  EXPECT_TRUE(std::ranges::any_of(analysis->issues, [](const Issue& i) { return i.kind == "fit-bounded"; }));
+  EXPECT_TRUE(test::findingOf<HeldBackFit>(analysis->findings));
 }
 
 TEST(Sweep, BladeHoldsOnSectionsMuchShorterThanItself) {
   // A corner of the target: 20 mm of it between 1500 mm of blade.
   test::RowSettings settings;
   settings.blade.length = 1500;
-  Issues issues;
+  Findings findings;
   const auto corner =
       equalSections([](double x) { return 0.05 * std::sin(0.3 * x) + 0.1 * std::sin(0.1 * x); }, 10);
   const Result<Sweep> sweep =
-      buildSweep(corner, settings, sphereBlock(), Eigen::Vector3d::UnitY(), {}, issues);
+      buildSweep(corner, settings, sphereBlock(), Eigen::Vector3d::UnitY(), {}, findings);
   ASSERT_TRUE(sweep) << sweep.error().message;
   for (const Station& station : sweep->stations) {
     EXPECT_LE(station.blade.maxCurvature(), settings.blade.maxCurvature() * (1 + 1e-9));
@@ -556,7 +579,7 @@ TEST(Sweep, BladesHeldBackComeToRestAtTheirRadius) {
   // The end of a rod: no blade bends so far, and the nearest that one comes is the arc of its smallest
   // radius.
   test::RowSettings settings;
-  Issues issues;
+  Findings findings;
   std::vector<Section> round;
   for (int i = 0; i < 8; ++i) {
     const double half = 1.9 - 0.02 * i * (7 - i);
@@ -564,9 +587,9 @@ TEST(Sweep, BladesHeldBackComeToRestAtTheirRadius) {
     round.back().index = i;
   }
   const Result<Sweep> sweep =
-      buildSweep(round, settings, sphereBlock(), Eigen::Vector3d::UnitY(), {}, issues);
+      buildSweep(round, settings, sphereBlock(), Eigen::Vector3d::UnitY(), {}, findings);
   ASSERT_TRUE(sweep) << sweep.error().message;
-  EXPECT_TRUE(issues.empty()) << issues.front().message;
+  EXPECT_TRUE(findings.empty());
   for (const Station& station : sweep->stations) {
     EXPECT_EQ(station.fit.status, FitStatus::constraintsActive);
     EXPECT_TRUE(station.heldBack);
@@ -580,33 +603,29 @@ TEST(SweepAnalysis, TellsHowLongARoundBladeStaysInItsPlane) {
   // A bulge whose blade bends back towards its grips: the longer, the more it is pressed. The plane's normal
   // is the way out of it for a tube.
   test::RowSettings settings;
-  const auto worstLength = [&](double length, Blade::Section section) -> std::optional<std::string> {
+  const auto twist = [&](double length, Blade::Section section) -> std::optional<Finding> {
     settings.blade.length = length;
     settings.blade.section = section;
     settings.blade.width = 5;
     settings.blade.thickness = 1;
-    Issues issues;
+    Findings findings;
     Result<Sweep> sweep =
-        buildSweep(bulgeSections(), settings, sphereBlock(), Eigen::Vector3d::UnitY(), {}, issues);
+        buildSweep(bulgeSections(), settings, sphereBlock(), Eigen::Vector3d::UnitY(), {}, findings);
     EXPECT_TRUE(sweep);
     const Result<SweepAnalysis> analysis = analyzeSweep(*sweep, settings, test::SphereSampler(kRadius), {});
     EXPECT_TRUE(analysis);
-    for (const Issue& issue : analysis->issues)
-      if (issue.kind == "out-of-plane") {
-        EXPECT_EQ(issue.severity, Severity::warning);
-        return issue.message;
-      }
-    return {};
+    const Finding* finding = test::findingOf<WouldTwist>(analysis->findings);
+    return finding ? std::optional(*finding) : std::nullopt;
   };
-  const std::optional<std::string> message = worstLength(800, Blade::Section::tube);
-  ASSERT_TRUE(message);
-  const std::size_t at = message->find("one of ");
-  ASSERT_NE(at, std::string::npos) << *message;
-  const double longest = std::stod(message->substr(at + 7));
-  EXPECT_LT(longest, 800);
-  EXPECT_FALSE(worstLength(longest, Blade::Section::tube)) << *message;
-  EXPECT_TRUE(worstLength(longest + 2, Blade::Section::tube)) << *message;
-  EXPECT_FALSE(worstLength(800, Blade::Section::flat));
+  const std::optional<Finding> found = twist(800, Blade::Section::tube);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->severity, Severity::warning);
+  const OtherLength* shorter = remedyOf<OtherLength>(found->remedies);
+  ASSERT_TRUE(shorter);
+  EXPECT_LT(shorter->length, 800);
+  EXPECT_FALSE(twist(shorter->length, Blade::Section::tube)) << shorter->length;
+  EXPECT_TRUE(twist(shorter->length + 2, Blade::Section::tube)) << shorter->length;
+  EXPECT_FALSE(twist(800, Blade::Section::flat));
 }
 
 TEST(SweepAnalysis, TellsWhereALongerBladeWouldNotHold) {
@@ -617,41 +636,40 @@ TEST(SweepAnalysis, TellsWhereALongerBladeWouldNotHold) {
   std::vector<Section> sections = bulgeSections();
   for (Section& section : sections) section.frame.origin.z() = 1375;
   const Analysed waves = analysed(std::move(sections), settings, test::SphereSampler(kRadius));
-  ASSERT_TRUE(waves.issue("clearance"));
-  const std::string& message = waves.issue("clearance")->message;
-  EXPECT_NE(message.find("would not hold"), std::string::npos) << message;
-  EXPECT_NE(message.find("smaller block"), std::string::npos) << message;
+  const Finding* grip = waves.finding<GripTooNear>();
+  ASSERT_TRUE(grip);
+  EXPECT_TRUE(waves.cause<GripTooNear>()->unheldLength);
+  ASSERT_TRUE(remedyOf<OtherBlock>(grip->remedies));
+  EXPECT_EQ(remedyOf<OtherBlock>(grip->remedies)->how, OtherBlock::How::smaller);
 }
 
 TEST(SweepAnalysis, FitsThatDidNotComeToRestAreOneFindingAStretch) {
   test::RowSettings settings;
-  Issues issues;
-  Result<Sweep> sweep = sphereSweep(settings, 9, issues);
+  Findings findings;
+  Result<Sweep> sweep = sphereSweep(settings, 9, findings);
   ASSERT_TRUE(sweep);
   for (const int i : {2, 3, 4}) sweep->stations[std::size_t(i)].fit.status = FitStatus::iterationLimit;
   sweep->stations[3].fit.hausdorff = 0.25;
   sweep->stations[7].fit.status = FitStatus::infeasible;
-  sweep->stations[7].fit.message = "No elastica near the curve meets the length; release it.";
+  sweep->stations[7].fit.conflict = {"length"};
   const Result<SweepAnalysis> analysis = analyzeSweep(*sweep, settings, test::SphereSampler(kRadius), {});
   ASSERT_TRUE(analysis);
-  std::vector<std::string> told;
-  for (const Issue& issue : analysis->issues)
-    if (issue.kind == "fit") told.push_back(severityName(issue.severity) + std::string(" ") + issue.message);
-  ASSERT_EQ(told.size(), 2u);
-  EXPECT_EQ(
-      told[0],
-      "error station 8: no elastica near the curve meets the length; release it; the nearest curve without "
-      "conditions stands in for it");
-  EXPECT_EQ(
-      told[1],
-      "warning stations 3 to 5 (worst: 4): the search for the nearest curve did not come to rest; the curve "
-      "taken is within 0.25 mm of the section");
+  const Finding* unmet = test::findingOf<UnmetConditions>(analysis->findings);
+  ASSERT_TRUE(unmet);
+  EXPECT_EQ(unmet->severity, Severity::error);
+  EXPECT_EQ(*unmet->where.stations, StationRange::of(7));
+  EXPECT_EQ(std::get<UnmetConditions>(unmet->cause).conditions, std::vector<std::string>{"length"});
+  const Finding* unsettled = test::findingOf<UnsettledFit>(analysis->findings);
+  ASSERT_TRUE(unsettled);
+  EXPECT_EQ(unsettled->severity, Severity::warning);
+  EXPECT_EQ(*unsettled->where.stations, (StationRange{2, 4, 3, 3}));
+  EXPECT_EQ(std::get<UnsettledFit>(unsettled->cause).distance, 0.25);
 }
 
 TEST(SweepAnalysis, MarginsAreThoseOfTheBlade) {
   test::RowSettings settings;
-  Issues issues;
-  Result<Sweep> sweep = sphereSweep(settings, 5, issues);
+  Findings findings;
+  Result<Sweep> sweep = sphereSweep(settings, 5, findings);
   ASSERT_TRUE(sweep);
   ASSERT_TRUE(analyzeSweep(*sweep, settings, test::SphereSampler(kRadius), {}));
   for (const Station& station : sweep->stations) {

@@ -35,8 +35,11 @@ bw::robotio::Program split(std::string_view text) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const bw::robotio::Program program = split({reinterpret_cast<const char*>(data), size});
   const auto tasks = bw::robotio::readRapid(program);
-  const bw::Issues issues = bw::robotio::checkRapid(program);
-  for (const bw::Issue& issue : issues) FUZZ_REQUIRE(!issue.message.empty() && !issue.where.text.empty());
+  const bw::Findings findings = bw::robotio::checkRapid(program);
+  for (const bw::Finding& finding : findings) {
+    const auto& breach = std::get<bw::ProgramBreach>(finding.cause);
+    FUZZ_REQUIRE(!breach.text.empty() && !breach.place.empty());
+  }
   if (!tasks) {
     FUZZ_REQUIRE(!tasks.error().message.empty());
     return 0;

@@ -154,11 +154,11 @@ TEST(BadSetup, ZeroOrInfiniteDirectionIsRefused) {
        {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(0, kNaN, 0), Eigen::Vector3d(1e300, 1e300, 0)}) {
     CutSettings settings;
     settings.direction = d;
-    Issues issues;
-    expectError(resolveSetup(target, settings, issues), ErrorCode::badInput, "direction");
-    auto setup = resolveSetup(target, CutSettings{}, issues).value();
+    Findings findings;
+    expectError(resolveSetup(target, settings, findings), ErrorCode::badInput, "direction");
+    auto setup = resolveSetup(target, CutSettings{}, findings).value();
     setup.direction = d;
-    expectError(cutSections(target, setup, settings, {}, issues), ErrorCode::badInput, "direction");
+    expectError(cutSections(target, setup, settings, {}, findings), ErrorCode::badInput, "direction");
   }
 }
 
@@ -166,8 +166,8 @@ TEST(BadSetup, BlockThatMissesTheTargetTellsByHowMuch) {
   const Target target = exampleTarget("saddle");
   CutSettings settings;
   settings.block = BlockPlacement{{1300, 0, 0}, {100, 100, 100}, {0, 0, 0}};
-  Issues issues;
-  const auto setup = resolveSetup(target, settings, issues);
+  Findings findings;
+  const auto setup = resolveSetup(target, settings, findings);
   expectError(setup, ErrorCode::badInput, "misses the target by 1000 mm");
   EXPECT_EQ(setup.error().where, "block");
 }
@@ -177,20 +177,20 @@ TEST(BadSetup, BlockBesideTheSurfaceHasNoSections) {
   const Target target = exampleTarget("saddle");
   CutSettings settings;
   settings.block = BlockPlacement{{-50, -50, -120}, {100, 100, 50}, {0, 0, 0}};
-  Issues issues;
-  const auto setup = resolveSetup(target, settings, issues);
+  Findings findings;
+  const auto setup = resolveSetup(target, settings, findings);
   ASSERT_TRUE(setup) << setup.error().message;
-  expectError(cutSections(target, *setup, settings, {}, issues), ErrorCode::badInput, "block");
+  expectError(cutSections(target, *setup, settings, {}, findings), ErrorCode::badInput, "block");
 }
 
 TEST(BadSetup, BlockWithoutSizeIsRefused) {
   const Target target = exampleTarget("saddle");
-  Issues issues;
+  Findings findings;
   for (const Eigen::Vector3d& size :
        {Eigen::Vector3d(0, 100, 100), Eigen::Vector3d(100, -1, 100), Eigen::Vector3d(100, kNaN, 100)}) {
     CutSettings settings;
     settings.block = BlockPlacement{{0, 0, 0}, size, {0, 0, 0}};
-    expectError(resolveSetup(target, settings, issues), ErrorCode::badInput, "block");
+    expectError(resolveSetup(target, settings, findings), ErrorCode::badInput, "block");
   }
 }
 
@@ -199,36 +199,36 @@ TEST(BadSetup, DirectionAcrossAPlaneHasNoSections) {
       targetOf(stepOf([](double u, double v) { return Eigen::Vector3d(500 * u, 400 * v, 0); }, 4, 4));
   CutSettings settings;
   settings.direction = Eigen::Vector3d::UnitZ();
-  Issues issues;
-  const auto setup = resolveSetup(target, settings, issues);
+  Findings findings;
+  const auto setup = resolveSetup(target, settings, findings);
   ASSERT_TRUE(setup);
-  expectError(cutSections(target, *setup, settings, {}, issues), ErrorCode::badInput, "direction");
+  expectError(cutSections(target, *setup, settings, {}, findings), ErrorCode::badInput, "direction");
 }
 
 TEST(BadSetup, StationsOutOfRangeAreRefused) {
   const Target target = exampleTarget("saddle");
-  Issues issues;
-  auto setup = resolveSetup(target, CutSettings{}, issues).value();
+  Findings findings;
+  auto setup = resolveSetup(target, CutSettings{}, findings).value();
   for (const int stations : {-3, 0, 1, SectionRequest::kMost + 1}) {
     CutSettings settings;
     settings.stations = stations;
-    expectError(cutSections(target, setup, settings, {}, issues), ErrorCode::badInput,
+    expectError(cutSections(target, setup, settings, {}, findings), ErrorCode::badInput,
                 std::to_string(stations));
   }
   for (const double spacing : {0.0, -1.0, kNaN, 1e-4}) {
     CutSettings settings;
     settings.spacing = spacing;
-    expectError(cutSections(target, setup, settings, {}, issues), ErrorCode::badInput, "spacing");
+    expectError(cutSections(target, setup, settings, {}, findings), ErrorCode::badInput, "spacing");
   }
 }
 
 TEST(BadSetup, SectionsStopOnRequest) {
   const Target target = exampleTarget("saddle");
-  Issues issues;
-  auto setup = resolveSetup(target, CutSettings{}, issues).value();
+  Findings findings;
+  auto setup = resolveSetup(target, CutSettings{}, findings).value();
   std::stop_source source;
   source.request_stop();
-  const auto sections = cutSections(target, setup, CutSettings{}, RunContext{source.get_token()}, issues);
+  const auto sections = cutSections(target, setup, CutSettings{}, RunContext{source.get_token()}, findings);
   ASSERT_FALSE(sections);
   EXPECT_EQ(sections.error().code, ErrorCode::cancelled);
 }

@@ -130,13 +130,15 @@ TEST(Choice, SliversOfANameAreLeftOutAndTold) {
   const CadModel model = modelOf(mergedStep({strip(0, 100), strip(200, 0.004)}));
   FaceChoice choice{FaceChoice::Kind::named};
   choice.names = {"side", "side"};
-  Issues findings;
+  Findings findings;
   const auto target = Target::make(model, choice, &findings);
   ASSERT_TRUE(target) << target.error().message;
   EXPECT_EQ(target->faces().size(), 1u) << "and each once";
   ASSERT_FALSE(findings.empty());
-  EXPECT_NE(findings.back().message.find("1 face is left out, narrower than 0.01 mm"), std::string::npos)
-      << findings.back().message;
+  const auto* left = std::get_if<FacesLeftOut>(&findings.back().cause);
+  ASSERT_TRUE(left);
+  EXPECT_EQ(left->count, 1);
+  EXPECT_EQ(left->width, 0.01);
   const CadModel sliver = modelOf(mergedStep({strip(0, 0.004)}));
   expectError(Target::make(sliver, choice), ErrorCode::badInput, "face 0 of test.step is only");
 }
@@ -150,25 +152,31 @@ TEST(Choice, NearestIsTheFaceNearestToThePointNotToItsBox) {
   EXPECT_EQ(near({600, 150, -150}), (std::vector<int>{1}));
   EXPECT_EQ(near({450, 400, -490}), (std::vector<int>{2}));
   EXPECT_EQ(near({1e6, 1e6, -500}), (std::vector<int>{2}));
-  Issues findings;
+  Findings findings;
   ASSERT_TRUE(model.choose({.kind = FaceChoice::Kind::nearest, .point = {450, 400, -490}}, &findings));
   ASSERT_EQ(findings.size(), 1u);
   EXPECT_EQ(findings[0].severity, Severity::info);
-  EXPECT_NE(findings[0].message.find("face 2 (\"tile\")"), std::string::npos) << findings[0].message;
-  EXPECT_NE(findings[0].message.find("10 mm away"), std::string::npos) << findings[0].message;
+  const auto* nearest = std::get_if<NearestFace>(&findings[0].cause);
+  ASSERT_TRUE(nearest);
+  EXPECT_EQ(nearest->face.index, 2);
+  EXPECT_EQ(nearest->face.name, "tile");
+  EXPECT_NEAR(nearest->distance, 10, 1e-6);
 }
 
 TEST(Choice, LargestPrefersWhatIsBentAndSaysWhatItTook) {
-  Issues findings;
+  Findings findings;
   const CadModel model = modelOf(threeFaces());
   const auto faces = model.choose({}, &findings);
   ASSERT_TRUE(faces);
   EXPECT_EQ(*faces, (std::vector<int>{0}));
   ASSERT_EQ(findings.size(), 1u);
   EXPECT_EQ(findings[0].severity, Severity::info);
-  EXPECT_EQ(findings[0].kind, "face");
-  EXPECT_NE(findings[0].message.find("face 0 (\"hill\") of 3"), std::string::npos) << findings[0].message;
-  EXPECT_NE(findings[0].message.find("face 2 (\"tile\"), a plane"), std::string::npos) << findings[0].message;
+  const auto* largest = std::get_if<LargestFace>(&findings[0].cause);
+  ASSERT_TRUE(largest && largest->larger);
+  EXPECT_EQ(largest->face.name, "hill");
+  EXPECT_EQ(largest->faces, 3);
+  EXPECT_EQ(largest->larger->index, 2);
+  EXPECT_EQ(largest->larger->type, "plane");
   // Where there are planes alone, the largest is one; a file of one face says nothing.
   findings.clear();
   const auto planes =

@@ -52,10 +52,10 @@ class ForeignFiles : public testing::Test {
       }
       CutSettings settings;
       settings.stations = stations;
-      Issues issues;
-      const auto setup = resolveSetup(*target, settings, issues);
+      Findings findings;
+      const auto setup = resolveSetup(*target, settings, findings);
       ASSERT_TRUE(setup) << name << " face " << info.index << ": " << setup.error().message;
-      const auto sections = cutSections(*target, *setup, settings, {}, issues);
+      const auto sections = cutSections(*target, *setup, settings, {}, findings);
       if (!sections) {
         EXPECT_FALSE(sections.error().message.empty());
         continue;

@@ -12,9 +12,10 @@ namespace {
 
 constexpr double kAccuracy = 1e-3;  // mm, as promised for the section curves
 
-bool hasIssue(const Issues& issues, const std::string& kind, int station) {
-  return std::any_of(issues.begin(), issues.end(),
-                     [&](const Issue& i) { return i.kind == kind && i.where.station == station; });
+bool hasFinding(const Findings& findings, FindingKind kind, int station) {
+  return std::any_of(findings.begin(), findings.end(), [&](const Finding& f) {
+    return f.kind() == kind && f.where.stations->first <= station && station <= f.where.stations->last;
+  });
 }
 
 /// Largest distance of the sections from the target.
@@ -145,16 +146,16 @@ TEST(Sections, MoveWithTheTarget) {
       targetOf(stepOf([&](double u, double v) { return Eigen::Vector3d(R * surface(u, v) + shift); }));
   CutSettings settings;
   settings.stations = 8;
-  Issues issues;
-  auto setup = resolveSetup(a, settings, issues).value();
-  const auto first = cutSections(a, setup, settings, {}, issues);
+  Findings findings;
+  auto setup = resolveSetup(a, settings, findings).value();
+  const auto first = cutSections(a, setup, settings, {}, findings);
   auto moved = setup;
   moved.direction = R * setup.direction;
   moved.block.frame.origin = R * setup.block.frame.origin + shift;
   moved.block.frame.x = R * setup.block.frame.x;
   moved.block.frame.y = R * setup.block.frame.y;
   moved.block.frame.normal = R * setup.block.frame.normal;
-  const auto second = cutSections(b, moved, settings, {}, issues);
+  const auto second = cutSections(b, moved, settings, {}, findings);
   ASSERT_TRUE(first && second);
   ASSERT_EQ(first->size(), second->size());
   for (std::size_t i = 0; i < first->size(); ++i) {
@@ -234,11 +235,15 @@ TEST(Sections, CurveThatLeavesThroughTheTopInBetweenIsReportedNotGuessed) {
   settings.block = BlockPlacement{{0, 0, -100}, {800, 400, 130}, {0, 0, 0}};
   settings.direction = Eigen::Vector3d::UnitY();
   settings.stations = 5;
-  Issues issues;
-  const auto setup = resolveSetup(target, settings, issues);
-  const auto sections = cutSections(target, *setup, settings, {}, issues);
+  Findings findings;
+  const auto setup = resolveSetup(target, settings, findings);
+  const auto sections = cutSections(target, *setup, settings, {}, findings);
   expectError(sections, ErrorCode::noSolution, "in one open curve");
-  for (int i = 0; i < 5; ++i) EXPECT_TRUE(hasIssue(issues, "section-branches", i));
+  // One finding for all five, with the largest number of curves.
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_EQ(*findings[0].where.stations, (StationRange{0, 4, 0, 5}));
+  EXPECT_EQ(std::get<SectionBranches>(findings[0].cause).least, 2);
+  EXPECT_EQ(std::get<SectionBranches>(findings[0].cause).most, 2);
 }
 
 TEST(Sections, ClosedCurveIsReportedNotGuessed) {
@@ -251,11 +256,12 @@ TEST(Sections, ClosedCurveIsReportedNotGuessed) {
   CutSettings settings;
   settings.direction = Eigen::Vector3d::UnitZ();
   settings.stations = 4;
-  Issues issues;
-  const auto setup = resolveSetup(target, settings, issues);
+  Findings findings;
+  const auto setup = resolveSetup(target, settings, findings);
   ASSERT_TRUE(setup);
-  expectError(cutSections(target, *setup, settings, {}, issues), ErrorCode::noSolution, "in one open curve");
-  EXPECT_TRUE(hasIssue(issues, "section-closed", 0));
+  expectError(cutSections(target, *setup, settings, {}, findings), ErrorCode::noSolution,
+              "in one open curve");
+  EXPECT_TRUE(hasFinding(findings, FindingKind::sectionClosed, 0));
 }
 
 TEST(Sections, ClosedCurveOpensInABlockThatHoldsOneSideOfIt) {
@@ -274,7 +280,7 @@ TEST(Sections, ClosedCurveOpensInABlockThatHoldsOneSideOfIt) {
   for (const Section& s : cut.sections) EXPECT_NEAR(s.curve.length(), 2 * 150 * std::acos(30.0 / 150), 5e-3);
 }
 
-TEST(Sections, TouchingEndsAreLeftOutWithAnIssue) {
+TEST(Sections, TouchingEndsAreLeftOutWithAFinding) {
   // A triangle-like sheet that runs out into a point.
   const Target target = targetOf(stepOf([](double u, double v) {
     return Eigen::Vector3d((u - 0.5) * 400 * (1 - v) * (1 - v), 600 * v, 20 * v * v);
@@ -285,7 +291,7 @@ TEST(Sections, TouchingEndsAreLeftOutWithAnIssue) {
   const Cut cut = cutOf(target, settings);
   EXPECT_LT(cut.sections.size(), 40u);
   EXPECT_GT(cut.sections.size(), 33u);
-  EXPECT_TRUE(hasIssue(cut.issues, "section-short", 39));
+  EXPECT_TRUE(hasFinding(cut.findings, FindingKind::sectionShort, 39));
 }
 
 TEST(Sections, RunOnOverACornerOfTheSurface) {
@@ -316,14 +322,14 @@ TEST(Sections, PlaneAlongAKnotLineIsNoSpecialCase) {
   const Target target = targetOf(stepOf(
       [](double u, double v) { return Eigen::Vector3d(480 * u, 700 * v, 25 * std::sin(5 * u) + 10 * v); }, 15,
       25));
-  Issues issues;
+  Findings findings;
   CutSettings settings;
   settings.stations = 15;
-  auto setup = resolveSetup(target, settings, issues).value();
+  auto setup = resolveSetup(target, settings, findings).value();
   setup.block.frame.origin.y() += 50;  // from row 1 …
   setup.block.size.y() = 600;          // … to row 13
   settings.stations = 13;
-  const auto sections = cutSections(target, setup, settings, {}, issues);
+  const auto sections = cutSections(target, setup, settings, {}, findings);
   ASSERT_TRUE(sections) << sections.error().message;
   EXPECT_EQ(sections->size(), 13u);
   EXPECT_LT(deviation(target, *sections), kAccuracy);
@@ -335,15 +341,15 @@ TEST(Sections, SpacingThatIsAdvisedIsTaken) {
   CutSettings settings;
   settings.block = BlockPlacement{{-20, -20, -200}, {40, 40, 400}, {0, 0, 0}};
   settings.spacing = 1e-4;
-  Issues issues;
-  const auto setup = resolveSetup(target, settings, issues).value();
-  const auto refused = cutSections(target, setup, settings, {}, issues);
+  Findings findings;
+  const auto setup = resolveSetup(target, settings, findings).value();
+  const auto refused = cutSections(target, setup, settings, {}, findings);
   ASSERT_FALSE(refused);
   const std::size_t at = refused.error().message.find("choose ");
   ASSERT_NE(at, std::string::npos) << refused.error().message;
   settings.spacing = std::stod(refused.error().message.substr(at + 7));
   EXPECT_GE(*settings.spacing, 0.01);  // what a job takes
-  EXPECT_TRUE(cutSections(target, setup, settings, {}, issues)) << refused.error().message;
+  EXPECT_TRUE(cutSections(target, setup, settings, {}, findings)) << refused.error().message;
 }
 
 }  // namespace

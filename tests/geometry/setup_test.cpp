@@ -10,8 +10,8 @@ namespace bw::geometry::test {
 namespace {
 
 Setup setupOf(const Target& target, const CutSettings& settings = {}) {
-  Issues issues;
-  auto setup = resolveSetup(target, settings, issues);
+  Findings findings;
+  auto setup = resolveSetup(target, settings, findings);
   EXPECT_TRUE(setup) << setup.error().message;
   return *setup;
 }
@@ -120,10 +120,10 @@ TEST(GivenDirection, IsNormalised) {
 TEST(GivenDirection, ThroughTheSurfaceIsMentioned) {
   CutSettings settings;
   settings.direction = Eigen::Vector3d::UnitZ();
-  Issues issues;
-  ASSERT_TRUE(resolveSetup(exampleTarget("saddle"), settings, issues));
-  ASSERT_EQ(issues.size(), 1u);
-  EXPECT_EQ(issues[0].severity, Severity::info);
+  Findings findings;
+  ASSERT_TRUE(resolveSetup(exampleTarget("saddle"), settings, findings));
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_EQ(findings[0].severity, Severity::info);
 }
 
 }  // namespace

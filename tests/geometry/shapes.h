@@ -62,17 +62,17 @@ struct CutSettings {
 struct Cut {
   Setup setup;
   std::vector<Section> sections;
-  Issues issues;
+  Findings findings;
 };
 
 inline Cut cutOf(const Target& target, const CutSettings& settings, int threads = 0) {
   Cut cut;
-  auto setup = resolveSetup(target, settings, cut.issues);
+  auto setup = resolveSetup(target, settings, cut.findings);
   EXPECT_TRUE(setup) << setup.error().message;
   cut.setup = *setup;
   RunContext context;
   context.threads = threads;
-  auto sections = cutSections(target, cut.setup, settings, context, cut.issues);
+  auto sections = cutSections(target, cut.setup, settings, context, cut.findings);
   EXPECT_TRUE(sections) << sections.error().message;
   if (sections) cut.sections = std::move(*sections);
   return cut;

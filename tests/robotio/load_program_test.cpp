@@ -40,7 +40,7 @@ TEST(LoadProgram, AFolderGivesBackWhatWasWritten) {
     EXPECT_EQ((*loaded)[i].path, (*program)[i].path);
     EXPECT_EQ((*loaded)[i].bytes, (*program)[i].bytes);
   }
-  EXPECT_TRUE(checkRapid(*loaded).empty());
+  EXPECT_TRUE(sample::check(*loaded).empty());
 }
 
 TEST(LoadProgram, TheFolderOfOneTaskAndASingleModuleKeepTheTasksName) {
@@ -59,7 +59,7 @@ TEST(LoadProgram, TheFolderOfOneTaskAndASingleModuleKeepTheTasksName) {
   ASSERT_EQ(single->size(), 1u);
   EXPECT_EQ((*single)[0].path, "T_ROB2/BladeRight.mod");
   EXPECT_TRUE(readRapid(*single));
-  EXPECT_FALSE(checkRapid(*single).empty()) << "half a program is not a clean one";
+  EXPECT_FALSE(sample::check(*single).empty()) << "half a program is not a clean one";
 }
 
 TEST(LoadProgram, AParentOfStripsGivesThemAll) {
@@ -72,7 +72,7 @@ TEST(LoadProgram, AParentOfStripsGivesThemAll) {
   ASSERT_TRUE(loaded) << loaded.error().message;
   EXPECT_EQ(loaded->size(), 8u);
   EXPECT_EQ((*loaded)[4].path, "strip_2/T_ROB1/BladeLeft.mod");
-  EXPECT_TRUE(checkRapid(*loaded).empty());
+  EXPECT_TRUE(sample::check(*loaded).empty());
 }
 
 TEST(LoadProgram, AMotionFileIsLoadedUnderItsName) {

@@ -46,16 +46,17 @@ Program moved(Program program, const std::string& path, const Declared& target, 
   return program;
 }
 
-Issues errorsOf(const Program& program) {
-  Issues errors;
-  for (const Issue& issue : checkRapid(program))
+std::vector<sample::Told> errorsOf(const Program& program) {
+  std::vector<sample::Told> errors;
+  for (const sample::Told& issue : sample::check(program))
     if (issue.severity == Severity::error) errors.push_back(issue);
   return errors;
 }
 
-std::string listed(const Issues& issues) {
+std::string listed(const std::vector<sample::Told>& issues) {
   std::string text;
-  for (const Issue& issue : issues) text += "\n" + issue.kind + " " + issue.where.text + " " + issue.message;
+  for (const sample::Told& issue : issues)
+    text += "\n" + issue.kind + " " + issue.place + " " + issue.message;
   return text;
 }
 
@@ -79,8 +80,8 @@ TEST(RapidMotion, EveryTargetMovedByAMetreIsAnErrorThatNamesIt) {
              {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, 1, 0), Eigen::Vector3d(0, 0, 1)})
           for (const double metre : {1000.0, -1000.0}) {
             ++tried;
-            const Issues errors = errorsOf(moved(*good, path, targets[i], metre * way));
-            const bool named = std::any_of(errors.begin(), errors.end(), [&](const Issue& issue) {
+            const std::vector<sample::Told> errors = errorsOf(moved(*good, path, targets[i], metre * way));
+            const bool named = std::any_of(errors.begin(), errors.end(), [&](const sample::Told& issue) {
               return (issue.kind == "rapid-rule-16" || issue.kind == "rapid-rule-17") &&
                      issue.message.find("\"" + targets[i].name + "\"") != std::string::npos;
             });
@@ -109,10 +110,10 @@ TEST(RapidMotion, GripsFurtherApartThanTheBladeIsLongAreAnError) {
     return errorsOf(program);
   };
   EXPECT_TRUE(forBladeOf(distance(farthest) + 0.001).empty());
-  const Issues errors = forBladeOf(distance(farthest) - 0.5);
+  const std::vector<sample::Told> errors = forBladeOf(distance(farthest) - 0.5);
   ASSERT_FALSE(errors.empty());
-  for (const Issue& issue : errors) EXPECT_EQ(issue.kind, "rapid-rule-16");
-  EXPECT_TRUE(std::any_of(errors.begin(), errors.end(), [&](const Issue& issue) {
+  for (const sample::Told& issue : errors) EXPECT_EQ(issue.kind, "rapid-rule-16");
+  EXPECT_TRUE(std::any_of(errors.begin(), errors.end(), [&](const sample::Told& issue) {
     return issue.message.find("at \"" + right[farthest].name + "\" the grips are ") == 0 &&
            issue.message.find("0.5 mm more than the blade") != std::string::npos;
   })) << listed(errors);
@@ -124,9 +125,9 @@ TEST(RapidMotion, AProgramThatTellsNoLengthIsCheckedForLeapsOnly) {
   for (ProgramFile& file : *program) sample::replaceAll(file.bytes, ", free blade length 800.0000 mm", "");
   const Declared target = targetsOf(sample::file(*program, kModules[1]))[30];
   EXPECT_TRUE(errorsOf(moved(*program, kModules[1], target, {-15, 0, 0})).empty());
-  const Issues errors = errorsOf(moved(*program, kModules[1], target, {-1000, 0, 0}));
+  const std::vector<sample::Told> errors = errorsOf(moved(*program, kModules[1], target, {-1000, 0, 0}));
   ASSERT_FALSE(errors.empty());
-  for (const Issue& issue : errors) EXPECT_EQ(issue.kind, "rapid-rule-17");
+  for (const sample::Told& issue : errors) EXPECT_EQ(issue.kind, "rapid-rule-17");
 }
 
 TEST(RapidMotion, ALeapIsSeenAtPredefinedSpeedsToo) {
@@ -139,7 +140,7 @@ TEST(RapidMotion, ALeapIsSeenAtPredefinedSpeedsToo) {
   }
   const std::size_t before = errorsOf(*program).size();
   const Declared last = targetsOf(sample::file(*program, kModules[1])).back();
-  const Issues errors = errorsOf(moved(*program, kModules[1], last, {-1000, 0, 0}));
+  const std::vector<sample::Told> errors = errorsOf(moved(*program, kModules[1], last, {-1000, 0, 0}));
   ASSERT_EQ(errors.size(), before + 1) << listed(errors);
   EXPECT_EQ(errors.back().kind, "rapid-rule-17");
   EXPECT_NE(errors.back().message.find("\"" + last.name + "\""), std::string::npos);
@@ -158,9 +159,9 @@ TEST(RapidMotion, ATargetThatTurnsAgainstTheRatesBesideItLeaps) {
     const Declared target = targetsOf(module)[30];
     const std::size_t at = module.find('[', target.end), end = module.find(']', at);
     module.replace(at, end - at, "[0.00000000,0.70710678,0.70710678,0.00000000");
-    const Issues errors = errorsOf(program);
+    const std::vector<sample::Told> errors = errorsOf(program);
     ASSERT_FALSE(errors.empty());
-    EXPECT_TRUE(std::any_of(errors.begin(), errors.end(), [&](const Issue& issue) {
+    EXPECT_TRUE(std::any_of(errors.begin(), errors.end(), [&](const sample::Told& issue) {
       return issue.kind == "rapid-rule-17" &&
              issue.message.find("\"" + target.name + "\" turns by") != std::string::npos;
     })) << listed(errors);
@@ -174,9 +175,9 @@ TEST(RapidMotion, WithoutTimesALeapIsSeenInThePath) {
     for (std::size_t at = 0; (at = file.bytes.find("\\T:=", at)) != std::string::npos;)
       file.bytes.erase(at, file.bytes.find(',', at) - at);
   const auto leaps = [&](const Program& p) {
-    const Issues errors = errorsOf(p);
+    const std::vector<sample::Told> errors = errorsOf(p);
     return std::count_if(errors.begin(), errors.end(),
-                         [](const Issue& i) { return i.kind == "rapid-rule-17"; });
+                         [](const sample::Told& i) { return i.kind == "rapid-rule-17"; });
   };
   EXPECT_EQ(leaps(*program), 0);
   const Declared target = targetsOf(sample::file(*program, kModules[0]))[30];

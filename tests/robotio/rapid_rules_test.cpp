@@ -197,8 +197,8 @@ std::vector<Mutation> mutations() {
 TEST(RapidRules, AGoodProgramHasNoFindings) {
   const auto program = writeRapid(sample::motion(), sample::cell());
   ASSERT_TRUE(program) << program.error().message;
-  for (const Issue& issue : checkRapid(*program))
-    ADD_FAILURE() << issue.kind << " " << issue.where.text << " " << issue.message;
+  for (const sample::Told& issue : sample::check(*program))
+    ADD_FAILURE() << issue.kind << " " << issue.place << " " << issue.message;
 }
 
 TEST(RapidRules, EachMutationIsFoundAsABreachOfItsRule) {
@@ -207,13 +207,13 @@ TEST(RapidRules, EachMutationIsFoundAsABreachOfItsRule) {
   for (const Mutation& mutation : mutations()) {
     Program program = *good;
     ASSERT_TRUE(mutation.apply(program)) << mutation.title;
-    const Issues issues = checkRapid(program);
+    const std::vector<sample::Told> issues = sample::check(program);
     bool found = false;
     std::string seen;
-    for (const Issue& issue : issues) {
+    for (const sample::Told& issue : issues) {
       found = found || issue.kind == mutation.kind;
-      seen += "\n  " + issue.kind + " " + issue.where.text + " " + issue.message;
-      EXPECT_FALSE(issue.where.text.empty()) << issue.message;
+      seen += "\n  " + issue.kind + " " + issue.place + " " + issue.message;
+      EXPECT_FALSE(issue.place.empty()) << issue.message;
       EXPECT_FALSE(issue.message.empty());
     }
     EXPECT_TRUE(found) << mutation.kind << " " << mutation.title << seen;
@@ -229,9 +229,9 @@ TEST(RapidRules, ABreachIsReportedAtItsLine) {
     const int line = lineOf(sample::file(program, path), from);
     ASSERT_TRUE(replace(sample::file(program, path), from, to));
     const std::string place = path + ":" + std::to_string(line);
-    const Issues issues = checkRapid(program);
+    const std::vector<sample::Told> issues = sample::check(program);
     EXPECT_TRUE(std::any_of(issues.begin(), issues.end(),
-                            [&](const Issue& i) { return i.kind == kind && i.where.text == place; }))
+                            [&](const sample::Told& i) { return i.kind == kind && i.place == place; }))
         << kind << " at " << place;
   };
   expectAt("rapid-rule-1", kLeft, "CONST speeddata vCut", "CONST speeddata record");
@@ -255,7 +255,7 @@ TEST(RapidRules, TasksSplitAtDifferentPlacesAreFound) {
   const std::string line = first.substr(at, first.find("\r\n", at) + 2 - at);
   first.erase(at, line.size());
   ASSERT_TRUE(replace(second, "PROC cutPart002()\r\n", "PROC cutPart002()\r\n" + line));
-  const Issues issues = checkRapid(program);
+  const std::vector<sample::Told> issues = sample::check(program);
   ASSERT_EQ(issues.size(), 1u);
   EXPECT_EQ(issues[0].kind, "rapid-rule-3");
 }
@@ -263,9 +263,9 @@ TEST(RapidRules, TasksSplitAtDifferentPlacesAreFound) {
 TEST(RapidRules, SlowPlannersAreToldTheRateOfTargets) {
   const auto program = writeRapid(sample::motion(801, 33.5), sample::cell());
   ASSERT_TRUE(program) << "short moves are a warning, not an error";
-  const Issues issues = checkRapid(*program);
+  const std::vector<sample::Told> issues = sample::check(*program);
   ASSERT_FALSE(issues.empty());
-  for (const Issue& issue : issues) {
+  for (const sample::Told& issue : issues) {
     EXPECT_EQ(issue.kind, "rapid-rule-13");
     EXPECT_EQ(issue.severity, Severity::warning);
   }
@@ -278,15 +278,15 @@ TEST(RapidRules, FindingsOfOneKindAreCountedNotPiledUp) {
   ASSERT_TRUE(good);
   Program program = *good;
   replaceAll(sample::file(program, kRight), "9E+09]];", "0]];");
-  const Issues issues = checkRapid(program);
+  const std::vector<sample::Told> issues = sample::check(program);
   EXPECT_LT(issues.size(), 20u);
   ASSERT_FALSE(issues.empty());
   EXPECT_NE(issues.back().message.find("more findings"), std::string::npos);
 }
 
 TEST(RapidRules, NothingToCheckIsAFinding) {
-  EXPECT_FALSE(checkRapid({}).empty());
-  EXPECT_FALSE(checkRapid({{"motion.csv", "time_s"}}).empty());
+  EXPECT_FALSE(sample::check({}).empty());
+  EXPECT_FALSE(sample::check({{"motion.csv", "time_s"}}).empty());
 }
 
 TEST(RapidRules, SeveralStripsAreCheckedEachForItself) {
@@ -295,11 +295,11 @@ TEST(RapidRules, SeveralStripsAreCheckedEachForItself) {
   Program program;
   for (const char* strip : {"strip1/", "strip2/"})
     for (const ProgramFile& file : *good) program.push_back({strip + file.path, file.bytes});
-  EXPECT_TRUE(checkRapid(program).empty());
+  EXPECT_TRUE(sample::check(program).empty());
   ASSERT_TRUE(replace(program[4].bytes, "\\ID:=40", "\\ID:=41"));
-  const Issues issues = checkRapid(program);
+  const std::vector<sample::Told> issues = sample::check(program);
   ASSERT_FALSE(issues.empty());
-  EXPECT_EQ(issues[0].where.text.rfind("strip2/", 0), 0u) << issues[0].where.text;
+  EXPECT_EQ(issues[0].place.rfind("strip2/", 0), 0u) << issues[0].place;
   const auto tasks = readRapid(program);
   ASSERT_FALSE(tasks);
   EXPECT_NE(tasks.error().message.find("one at a time"), std::string::npos);

@@ -16,8 +16,8 @@ constexpr double kRotationAccuracy = 1e-6;  // of each number of a quaternion
 constexpr double kDurationAccuracy = 1e-3;  // s
 
 void expectNoFindings(const Program& program) {
-  for (const Issue& issue : checkRapid(program))
-    ADD_FAILURE() << issue.kind << " " << issue.where.text << " " << issue.message;
+  for (const sample::Told& issue : sample::check(program))
+    ADD_FAILURE() << issue.kind << " " << issue.place << " " << issue.message;
 }
 
 /// The cut of a program is its motion, in poses and times, with `extra` moves (approach, retreat) at either
@@ -187,9 +187,9 @@ TEST(RapidWriter, ZonesShrinkWithTheSegmentsAndStayOutOfFinePoints) {
 }
 
 TEST(RapidWriter, TellsWhatTheCheckWarnsOf) {
-  Issues warnings;
+  Findings warnings;
   ASSERT_TRUE(writeRapid(sample::motion(), sample::cell(), {}, &warnings));
-  EXPECT_TRUE(warnings.empty()) << warnings.front().message;
+  EXPECT_TRUE(warnings.empty());
   // A thousand times as many targets a second as the sample has.
   Motion hasty = sample::motion();
   for (MotionInstant& instant : hasty.instants) instant.time *= 1e-3;
@@ -197,9 +197,11 @@ TEST(RapidWriter, TellsWhatTheCheckWarnsOf) {
   ASSERT_TRUE(program) << program.error().message;
   ASSERT_FALSE(warnings.empty());
   std::set<std::string> told, found;
-  for (const Issue& issue : warnings)
-    EXPECT_TRUE(told.insert(issue.message).second) << "twice: " << issue.message;
-  for (const Issue& issue : checkRapid(*program)) found.insert(issue.message);
+  for (const Finding& finding : warnings) {
+    const std::string& text = std::get<ProgramBreach>(finding.cause).text;
+    EXPECT_TRUE(told.insert(text).second) << "twice: " << text;
+  }
+  for (const sample::Told& breach : sample::check(*program)) found.insert(breach.message);
   EXPECT_EQ(told, found);
 }
 
@@ -208,13 +210,23 @@ TEST(RapidWriter, EndsOnTheOtherRobotsSideAreWarnedOf) {
   EXPECT_TRUE(checkPlacement(sample::motion(), cell).empty());
   Motion crossed = sample::motion();
   for (MotionInstant& instant : crossed.instants) std::swap(instant.poses[0], instant.poses[1]);
-  const Issues issues = checkPlacement(crossed, cell);
-  ASSERT_EQ(issues.size(), 2u);
-  EXPECT_EQ(issues[0].kind, "cell-sides");
-  EXPECT_EQ(issues[0].severity, Severity::warning);
-  const auto program = writeRapid(crossed, cell);
+  const Findings findings = checkPlacement(crossed, cell);
+  ASSERT_EQ(findings.size(), 2u);
+  for (const Finding& finding : findings) {
+    EXPECT_EQ(finding.severity, Severity::warning);
+    EXPECT_TRUE(finding.where.point);
+    const auto& side = std::get<WrongSide>(finding.cause);
+    EXPECT_GT(side.distance, side.otherDistance);
+    EXPECT_NE(side.robot, side.other);
+  }
+  EXPECT_EQ(std::get<WrongSide>(findings[0].cause).end, "left");
+  RapidOptions options;
+  options.warnings = {"the left end is far", "so is the right"};
+  const auto program = writeRapid(crossed, cell, options);
   ASSERT_TRUE(program) << program.error().message;
-  EXPECT_NE(program->front().bytes.find("! WARNING: the left end"), std::string::npos);
+  EXPECT_NE(
+      program->front().bytes.find("! WARNING: the left end is far.\r\n    ! WARNING: so is the right.\r\n"),
+      std::string::npos);
   EXPECT_EQ(writeRapid(sample::motion(), cell)->front().bytes.find("WARNING"), std::string::npos);
 }
 
@@ -302,14 +314,14 @@ TEST(RapidWriter, MarksEveryModuleOfADesignWithErrors) {
     }
     expectSameMotion(*program, sample::motion(instants, 10.0 * instants), 1);
     // Each error once, whatever the number of modules, and nothing else.
-    const Issues issues = checkRapid(*program);
+    const std::vector<sample::Told> issues = sample::check(*program);
     ASSERT_EQ(issues.size(), 3u);
-    for (const Issue& issue : issues) {
+    for (const sample::Told& issue : issues) {
       EXPECT_EQ(issue.severity, Severity::error);
       EXPECT_EQ(issue.kind, "rapid-marked");
     }
     EXPECT_NE(issues[0].message.find(options.errors[0]), std::string::npos) << issues[0].message;
-    EXPECT_EQ(issues[0].where.text, "T_ROB1/BladeLeft.mod:2");
+    EXPECT_EQ(issues[0].place, "T_ROB1/BladeLeft.mod:2");
   }
 }
 

@@ -26,7 +26,7 @@ const std::string kRunA = "00112233445566aa", kRunB = "00112233445566bb";
 /// Findings of that kind and severity error whose message holds `text`.
 int count(const Program& program, const std::string& kind, const std::string& text = {}) {
   int n = 0;
-  for (const Issue& issue : checkRapid(program))
+  for (const sample::Told& issue : sample::check(program))
     n += issue.kind == kind && issue.severity == Severity::error &&
          issue.message.find(text) != std::string::npos;
   return n;
@@ -54,7 +54,7 @@ TEST(RunHead, StandsInEveryModule) {
 TEST(RunHead, OneSideOfAnotherRunIsAnError) {
   const Program a = programOf(kRunA);
   Program mixed = programOf(kRunB);
-  EXPECT_TRUE(checkRapid(mixed).empty());
+  EXPECT_TRUE(sample::check(mixed).empty());
   sample::file(mixed, kLeft) = a[0].bytes;
   EXPECT_EQ(count(mixed, "rapid-run", kRunA), 1);
   EXPECT_EQ(count(mixed, "rapid-run", kRunB), 1);
@@ -79,7 +79,7 @@ TEST(RunHead, AModuleOfAVersionThatNamedNoRunIsAnErrorBesideOneThatDoes) {
   EXPECT_EQ(count(mixed, "rapid-run", "does not name"), 1);
   ASSERT_TRUE(replace(sample::file(mixed, kLeft),
                       "    ! Run " + kRunA + ", task T_ROB1, free blade length 800.0000 mm\r\n", ""));
-  EXPECT_TRUE(checkRapid(mixed).empty()) << "a program of such a version is as good as it was";
+  EXPECT_TRUE(sample::check(mixed).empty()) << "a program of such a version is as good as it was";
 }
 
 TEST(RunHead, ADamagedLineIsAnError) {
@@ -103,7 +103,7 @@ TEST(RunHead, OfSomebodyElseIsAComment) {
                        "! Run only by day");
     sample::replaceAll(file.bytes, "! Bladewright: ", "! Anna: ");
   }
-  EXPECT_TRUE(checkRapid(program).empty());
+  EXPECT_TRUE(sample::check(program).empty());
   EXPECT_EQ(runOfModule("MODULE A\r\n"), "");
   EXPECT_EQ(runOfModule(""), "");
 }
@@ -125,7 +125,7 @@ TEST(RunHead, TheProgramsOfTheTwoRobotsExchangedAreAnError) {
     sample::replaceAll(file.bytes, ", task T_ROB1", "");
     sample::replaceAll(file.bytes, ", task T_ROB2", "");
   }
-  EXPECT_TRUE(checkRapid(swapped).empty());
+  EXPECT_TRUE(sample::check(swapped).empty());
 }
 
 TEST(RunHead, BladesOfDifferentLengthsAreAnError) {

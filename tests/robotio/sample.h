@@ -72,4 +72,18 @@ inline void replaceAll(std::string& text, const std::string& from, const std::st
     text.replace(at, from.size(), to);
 }
 
+/// What the check of a program found.
+struct Told {
+  Severity severity;
+  std::string kind, place, message;
+};
+inline std::vector<Told> check(const Program& program) {
+  std::vector<Told> told;
+  for (const Finding& finding : checkRapid(program)) {
+    const auto& breach = std::get<ProgramBreach>(finding.cause);
+    told.push_back({finding.severity, breach.rule, breach.place, breach.text});
+  }
+  return told;
+}
+
 }  // namespace bw::robotio::sample

@@ -67,12 +67,6 @@ class GraphSampler : public SurfaceSampler {
   Height height_;
 };
 
-/// The first finding of that kind, or null.
-inline const Issue* findingOf(const Issues& issues, const std::string& kind) {
-  const auto found = std::ranges::find(issues, kind, &Issue::kind);
-  return found == issues.end() ? nullptr : &*found;
-}
-
 /// The number in `text` that follows the first `before`; NaN if there is none.
 inline double numberAfter(const std::string& text, const std::string& before) {
   const std::size_t at = text.find(before);

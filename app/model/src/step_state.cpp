@@ -15,13 +15,6 @@ using Kind = StepState::Kind;
 
 QString lengthText(double mm, int digits = 3) { return QString::fromStdString(shortText(mm, digits)); }
 
-/// The first step that the evaluation did not finish.
-Step failedStep(const pipeline::Evaluation* evaluation) {
-  if (!evaluation || !evaluation->source.value || !evaluation->target.value) return Step::input;
-  if (!evaluation->setup) return Step::setup;
-  return Step::process;
-}
-
 Step stepOfWork(const QString& word) {
   for (const char* input : {"read", "open", "target", "mesh", "face"})
     if (word.contains(QLatin1String(input), Qt::CaseInsensitive)) return Step::input;
@@ -56,9 +49,9 @@ void fillDone(StepStates& states, const pipeline::Evaluation& evaluation) {
 /// Raises a step to the worst of its findings.
 void addFindings(StepStates& states, const pipeline::Evaluation& evaluation) {
   std::array<std::array<int, 2>, kStepCount> counts{};
-  for (const Issue& issue : evaluation.issues()) {
-    if (issue.severity == Severity::info) continue;
-    ++counts[std::size_t(stepOfIssue(issue))][issue.severity == Severity::error];
+  for (const Finding& finding : evaluation.findings()) {
+    if (finding.severity == Severity::info) continue;
+    ++counts[std::size_t(stepOf(finding.kind()))][finding.severity == Severity::error];
   }
   for (int i = 0; i < kStepCount; ++i) {
     StepState& state = states[std::size_t(i)];
@@ -71,14 +64,29 @@ void addFindings(StepStates& states, const pipeline::Evaluation& evaluation) {
 
 }  // namespace
 
-Step stepOfIssue(const Issue& issue) {
-  for (const char* word : {"healing", "face", "unit", "size", "target", "read"})
-    if (issue.kind == word) return Step::input;
-  for (const char* word : {"block", "blade", "clearance"})
-    if (issue.kind == word) return Step::setup;
-  for (const char* word : {"program", "cell", "cell-sides", "file"})
-    if (issue.kind == word) return Step::output;
+Step failedStep(const pipeline::Evaluation* evaluation) {
+  if (!evaluation || !evaluation->source.value || !evaluation->target.value) return Step::input;
+  if (!evaluation->setup) return Step::setup;
   return Step::process;
+}
+
+Step stepOf(FindingKind kind) {
+  switch (kind) {
+    case FindingKind::face:
+    case FindingKind::healing:
+    case FindingKind::leftOut:
+    case FindingKind::source:
+      return Step::input;
+    case FindingKind::clearance:
+      return Step::setup;
+    case FindingKind::program:
+    case FindingKind::programCheck:
+    case FindingKind::cell:
+    case FindingKind::cellSides:
+      return Step::output;
+    default:
+      return Step::process;
+  }
 }
 
 std::string exportKey(const pipeline::Evaluation& evaluation) {

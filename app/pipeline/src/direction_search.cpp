@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "bw/core/number_text.h"
 #include "bw/core/sweep.h"
 #include "bw/core/units.h"
 
@@ -42,7 +41,7 @@ DirectionTrial tried(const geometry::Target& target, const RowRequest& request,
     return trial;
   };
   const Box& block = request.setup.block;
-  Issues ignored;
+  Findings ignored;
   Result<std::vector<Section>> sections =
       geometry::cutSections(target, {block, along.direction}, {kStations, {}}, context, ignored);
   if (!sections) return failed(sections.error());
@@ -62,11 +61,9 @@ DirectionTrial tried(const geometry::Target& target, const RowRequest& request,
   return trial;
 }
 
-std::string figures(const DirectionTrial& trial) {
-  if (!trial.failure.empty()) return "no sweep";
-  return "a cutting angle of up to " + fixedText(toDegrees(trial.angleMax), 1) + "°, sections met within " +
-         shortText(trial.deviationMax) + " mm, " + std::to_string(trial.unusable) + " of " +
-         std::to_string(trial.stations) + " stations unusable";
+ChosenDirection::Trial told(const DirectionTrial& trial) {
+  return {trial.name,         !trial.failure.empty(), trial.angleMax,
+          trial.deviationMax, trial.unusable,         trial.stations};
 }
 
 /// True if no trial whatsoever would be clearly better.
@@ -85,13 +82,11 @@ bool clearlyBetter(const DirectionTrial& a, const DirectionTrial& b, double tole
   return a.angleMax < b.angleMax - kSmallerAngle;
 }
 
-Issues directionFindings(const DirectionSearch& search) {
+Findings directionFindings(const DirectionSearch& search) {
   if (search.chosen == 0) return {};
-  const DirectionTrial &usual = search.trials.front(), &chosen = search.trials[search.chosen];
   return {{Severity::info,
-           "direction",
-           "the blade goes along the " + chosen.name + " (" + figures(chosen) + ") rather than the " +
-               usual.name + " (" + figures(usual) + ")",
+           ChosenDirection{told(search.trials[search.chosen]), told(search.trials.front())},
+           {},
            {}}};
 }
 

@@ -5,12 +5,10 @@
 
 #include <chrono>
 #include <cmath>
-#include <cstring>
 #include <type_traits>
 #include <utility>
 
 #include "bw/core/fingerprint.h"
-#include "bw/core/number_text.h"
 #include "bw/robotio/program.h"
 
 namespace bw::pipeline {
@@ -36,7 +34,7 @@ Result<void> settle(Stage<Request, T>& stage, const Stage<Request, T>* before,
   stage.request = request;
   stage.inputs = std::move(inputs);
   const auto start = Clock::now();
-  Result<T> made = make(stage.request, stage.issues);
+  Result<T> made = make(stage.request, stage.findings);
   if (!made) return tl::unexpected<Error>(made.error());
   stage.value = std::make_shared<const T>(std::move(*made));
   seconds += secondsSince(start);
@@ -48,7 +46,7 @@ SourceRequest sourceRequest(const Source& source, const ReadOptions& options) {
   return {{source.path}, source.bytes, options};
 }
 
-Result<CadSource> readSource(const SourceRequest& request, const RunContext& context, Issues& issues) {
+Result<CadSource> readSource(const SourceRequest& request, const RunContext& context, Findings& findings) {
   const std::filesystem::path& path = request.file.path;
   if (request.bytes.empty() && path.empty())
     return fail(ErrorCode::badInput, "no CAD file is chosen; open one or drag it into the window", "source");
@@ -64,14 +62,15 @@ Result<CadSource> readSource(const SourceRequest& request, const RunContext& con
     return fail(ErrorCode::cannotRead, path.string() + " was changed while it was read; read it again",
                 path.string());
   for (const std::string& text : model->info().leftOut)
-    issues.push_back({Severity::warning, "left-out", text, {}});
+    findings.push_back({Severity::warning, LeftOutOfFile{text}, {}, {}});
   for (const std::string& text : model->info().healing)
-    issues.push_back({Severity::info, "healing", text, {}});
+    findings.push_back({Severity::info, Healed{text}, {}, {}});
   return CadSource{std::move(*model), *content};
 }
 
 Result<SweepResult> checkedSweep(const Sweep& fits, const ResultRequest& request,
-                                 const SurfaceSampler& target, const RunContext& context, Issues& issues) {
+                                 const SurfaceSampler& target, const RunContext& context,
+                                 Findings& findings) {
   SweepResult result{fits, {}, {}};
   Result<SweepAnalysis> analysis = analyzeSweep(result.sweep, request.check, target, context);
   if (!analysis) return tl::unexpected<Error>(analysis.error());
@@ -80,76 +79,28 @@ Result<SweepResult> checkedSweep(const Sweep& fits, const ResultRequest& request
   result.analysis = std::move(*analysis);
   result.motion = std::move(*motion);
   result.analysis.summary.cuttingTime = result.motion.instants.back().time;
-  issues = result.analysis.issues;
-  return result;
-}
-
-/// What the message of a station says apart from its name, or empty if it is not about one station.
-std::string withoutStation(const Issue& issue) {
-  if (!issue.where.station) return {};
-  const std::string name = stationName(*issue.where.station);
-  return issue.message.compare(0, name.size(), name) == 0 ? issue.message.substr(name.size()) : std::string();
-}
-
-/// What is said of one station, said of several.
-std::string inPlural(std::string text) {
-  static constexpr std::pair<const char*, const char*> kPlurals[] = {
-      {" is left out", " are left out"},
-      {"its plane cuts", "their planes cut"},
-      {"its plane meets", "their planes meet"},
-      {"its plane does not", "their planes do not"},
-      {"in a closed curve", "in closed curves"},
-      {"its section is", "their sections are"},
-      {" separate curves", " separate curves each"}};
-  for (const auto& [one, several] : kPlurals)
-    if (const std::size_t at = text.find(one); at != std::string::npos)
-      text.replace(at, std::strlen(one), several);
-  return text;
-}
-
-/// Neighbouring stations that say the same become one finding, placed at the first of them.
-Issues grouped(const Issues& issues) {
-  Issues result;
-  for (std::size_t i = 0; i < issues.size(); ++i) {
-    const std::string text = withoutStation(issues[i]);
-    std::size_t j = i;
-    while (!text.empty() && j + 1 < issues.size() && issues[j + 1].kind == issues[i].kind &&
-           issues[j + 1].severity == issues[i].severity && withoutStation(issues[j + 1]) == text &&
-           *issues[j + 1].where.station == *issues[j].where.station + 1)
-      ++j;
-    result.push_back(issues[i]);
-    if (j > i) {
-      result.back().message = "stations " + std::to_string(*issues[i].where.station + 1) + " to " +
-                              std::to_string(*issues[j].where.station + 1) + inPlural(text);
-    }
-    i = j;
-  }
+  findings = result.analysis.findings;
   return result;
 }
 
 /// Tells where a linked source that was read is another than when the design was saved.
-Issues changedSource(const Source& source, const Fingerprint& read) {
+Findings changedSource(const Source& source, const Fingerprint& read) {
   if (!source.bytes.empty() || !source.saved || read == *source.saved) return {};
-  const std::string sizes =
-      read.size == source.saved->size
-          ? "as many bytes, others"
-          : std::to_string(source.saved->size) + " bytes then, " + std::to_string(read.size) + " now";
   return {{Severity::warning,
-           kSourceIssue,
-           "the CAD file " + source.path.filename().string() + " has changed since the design was saved (" +
-               sizes + "); look at the result, then save the design again",
+           ChangedSource{source.path.filename().string(), source.saved->size, read.size},
+           {},
            {}}};
 }
 
 }  // namespace
 
-Issues Evaluation::issues() const {
-  Issues all;
-  for (const Issues* list :
-       {&sourceIssues, &source.issues, &target.issues, &placed.issues, &directions.issues, &sections.issues,
-        &fits.issues, &sweep.issues, &cell.issues, &programs})
+Findings Evaluation::findings() const {
+  Findings all;
+  for (const Findings* list :
+       {&sourceFindings, &source.findings, &target.findings, &placed.findings, &directions.findings,
+        &sections.findings, &fits.findings, &sweep.findings, &cell.findings, &programs})
     all.insert(all.end(), list->begin(), list->end());
-  return grouped(all);
+  return all;
 }
 
 Outcome evaluate(const Design& design, const Evaluation* previous, const RunContext& context) {
@@ -164,23 +115,21 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
   };
   const auto before = [&](auto member) { return previous ? &(previous->*member) : nullptr; };
   const Requests ask(design.job);
-  RunContext run = context;
-  run.threads = context.threads > 0 ? context.threads : design.job.threads;
   Result<void> ok;
 
   ok = settle(e.source, before(&Evaluation::source), sourceRequest(design.source, ask.read), {},
-              e.seconds.read, [&run](const SourceRequest& request, Issues& issues) {
-                run.report(0.0, "reading");
-                return readSource(request, run.child(0.0, 0.25), issues);
+              e.seconds.read, [&context](const SourceRequest& request, Findings& findings) {
+                context.report(0.0, "reading");
+                return readSource(request, context.child(0.0, 0.25), findings);
               });
   if (!ok) return stop(ok.error());
-  if (run.stopped()) return stop(stoppedError().value());
+  if (context.stopped()) return stop(stoppedError().value());
   const CadSource& source = *e.source.value;
-  e.sourceIssues = changedSource(design.source, source.content);
+  e.sourceFindings = changedSource(design.source, source.content);
 
   ok = settle(e.target, before(&Evaluation::target), ask.face, {e.source.value}, e.seconds.read,
-              [&source](const FaceChoice& face, Issues& issues) {
-                return geometry::Target::make(source.model, face, &issues);
+              [&source](const FaceChoice& face, Findings& findings) {
+                return geometry::Target::make(source.model, face, &findings);
               });
   if (!ok) return stop(ok.error());
   const geometry::Target& target = *e.target.value;
@@ -189,17 +138,17 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
   // not hold the number of stations: its change is what people drag.
   double none = 0;
   ok = settle(e.placed, before(&Evaluation::placed), ask.setup, {e.target.value}, none,
-              [&target](const geometry::SetupRequest& request, Issues& issues) {
-                return geometry::resolveSetup(target, request, issues);
+              [&target](const geometry::SetupRequest& request, Findings& findings) {
+                return geometry::resolveSetup(target, request, findings);
               });
   if (!ok) return stop(ok.error());
   e.setup = e.placed.value;
   if (!ask.setup.direction) {
     ok = settle(e.directions, before(&Evaluation::directions), {*e.placed.value, ask.fit}, {e.target.value},
-                e.seconds.direction, [&run, &target](const RowRequest& request, Issues& issues) {
-                  run.report(0.25, "direction");
-                  Result<DirectionSearch> search = searchDirection(target, request, run);
-                  if (search) issues = directionFindings(*search);
+                e.seconds.direction, [&context, &target](const RowRequest& request, Findings& findings) {
+                  context.report(0.25, "direction");
+                  Result<DirectionSearch> search = searchDirection(target, request, context);
+                  if (search) findings = directionFindings(*search);
                   return search;
                 });
     if (!ok) return stop(ok.error());
@@ -207,53 +156,53 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
     e.setup = std::make_shared<const geometry::Setup>(
         geometry::Setup{e.placed.value->block, search.trials[search.chosen].direction});
   }
-  if (run.stopped()) return stop(stoppedError().value());
+  if (context.stopped()) return stop(stoppedError().value());
 
   ok = settle(e.sections, before(&Evaluation::sections), {*e.setup, ask.sections}, {e.target.value},
-              e.seconds.sections, [&run, &target](const PlanesRequest& request, Issues& issues) {
-                run.report(0.3, "sections");
-                return geometry::cutSections(target, request.setup, request.sections, run.child(0.3, 0.6),
-                                             issues);
+              e.seconds.sections, [&context, &target](const PlanesRequest& request, Findings& findings) {
+                context.report(0.3, "sections");
+                return geometry::cutSections(target, request.setup, request.sections, context.child(0.3, 0.6),
+                                             findings);
               });
   if (!ok) return stop(ok.error());
-  if (run.stopped()) return stop(stoppedError().value());
+  if (context.stopped()) return stop(stoppedError().value());
 
   const std::vector<Section>& sections = *e.sections.value;
   ok = settle(e.fits, before(&Evaluation::fits), {*e.setup, ask.fit}, {e.sections.value}, none,
-              [&run, &sections, &seconds = e.seconds](const RowRequest& request, Issues& issues) {
-                run.report(0.6, "fitting");
+              [&context, &sections, &seconds = e.seconds](const RowRequest& request, Findings& findings) {
+                context.report(0.6, "fitting");
                 return buildSweep(sections, request.fit, request.setup.block, request.setup.direction,
-                                  run.child(0.6, 0.75), issues, &seconds.fit, &seconds.extend);
+                                  context.child(0.6, 0.75), findings, &seconds.fit, &seconds.extend);
               });
   if (!ok) return stop(ok.error());
-  if (run.stopped()) return stop(stoppedError().value());
+  if (context.stopped()) return stop(stoppedError().value());
 
   const Sweep& fits = *e.fits.value;
   ok = settle(e.sweep, before(&Evaluation::sweep), {ask.check, ask.motion}, {e.fits.value, e.target.value},
-              e.seconds.check, [&run, &fits, &target](const ResultRequest& request, Issues& issues) {
-                run.report(0.75, "checking");
-                return checkedSweep(fits, request, *target.sampler(), run.child(0.75, 0.95), issues);
+              e.seconds.check, [&context, &fits, &target](const ResultRequest& request, Findings& findings) {
+                context.report(0.75, "checking");
+                return checkedSweep(fits, request, *target.sampler(), context.child(0.75, 0.95), findings);
               });
   if (!ok) return stop(ok.error());
-  if (run.stopped()) return stop(stoppedError().value());
+  if (context.stopped()) return stop(stoppedError().value());
 
   // How the programs lie in their cell. A cell that cannot be read is a finding: the surface is judged
   // without it.
   const SweepResult& sweep = *e.sweep.value;
   if (!ask.programs.formats.empty()) {
     ok = settle(e.cell, before(&Evaluation::cell), {ask.programs, FileStamp::of(ask.programs.cell)},
-                {e.sweep.value}, none, [&sweep](const CellRequest& request, Issues& issues) {
+                {e.sweep.value}, none, [&sweep](const CellRequest& request, Findings& findings) {
                   Result<Cell> cell = loadCell(request.programs.cell);
-                  if (cell) issues = robotio::checkPlacement(sweep.motion, *cell);
+                  if (cell) findings = robotio::checkPlacement(sweep.motion, *cell);
                   return cell;
                 });
-    if (!ok) e.cell.issues = {{Severity::error, "cell", ok.error().message, {}}};
+    if (!ok) e.cell.findings = {{Severity::error, UnreadableCell{ok.error().message}, {}, {}}};
   }
 
   ok = settle(e.targetMesh, before(&Evaluation::targetMesh), {}, {e.target.value}, e.seconds.read,
-              [&target](const NoRequest&, Issues&) { return target.mesh(); });
+              [&target](const NoRequest&, Findings&) { return target.mesh(); });
   if (!ok) return stop(ok.error());
-  run.report(1.0, "done");
+  context.report(1.0, "done");
   e.seconds.total = secondsSince(start);
   return outcome;
 }

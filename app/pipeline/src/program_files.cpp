@@ -3,50 +3,17 @@
 
 #include <algorithm>
 
-#include "bw/core/number_text.h"
-#include "bw/pipeline/pipeline.h"
+#include "bw/core/program_formats.h"
 #include "bw/pipeline/run_identity.h"
 #include "bw/robotio/program.h"
+#include "make_files.h"
 
 namespace bw::pipeline {
 
-namespace {
-
-std::vector<std::string> errorsOf(const Evaluation& e) {
-  std::vector<std::string> errors;
-  for (const Issue& issue : e.issues())
-    if (issue.severity == Severity::error && issue.kind != kProgramIssue) errors.push_back(issue.message);
-  return errors;
-}
-
-std::string countText(const std::vector<std::string>& errors) {
-  return errors.size() == 1 ? "an error" : std::to_string(errors.size()) + " errors";
-}
-
-Issue refusal(const std::vector<std::string>& errors, const ProgramPolicy& policy) {
-  return {Severity::error,
-          kProgramIssue,
-          "no RAPID program is written, because the design has " + countText(errors) +
-              (errors.size() == 1 ? "; mend it" : "; mend them") + policy.remedy,
-          {}};
-}
-
-Issue marking(const std::vector<std::string>& errors) {
-  return {Severity::warning,
-          kProgramIssue,
-          "the RAPID program is written although the design has " + countText(errors) +
-              "; its modules are marked as not safe to run",
-          {}};
-}
-
-}  // namespace
-
-Result<FileSet> programFiles(const Evaluation& e, const Cell& cell, const std::vector<std::string>& formats,
-                             const std::string& name, const ProgramPolicy& policy, Issues& findings) {
-  static const std::vector<std::string> kFormats = {"rapid", "csv", "json"};
-  if (!e.sweep.value)
-    return fail(ErrorCode::badInput, "there is no result to write; mend what the messages say first",
-                "results");
+Result<FileSet> programFiles(Evaluation& e, const Cell& cell, const std::string& name, const Policy& policy) {
+  const std::vector<std::string>& formats = e.design.job.programs;
+  Findings& findings = e.programs;
+  findings.clear();
   const Motion& motion = e.sweep.value->motion;
   FileSet files;
   for (std::size_t i = 0; i < formats.size(); ++i) {
@@ -58,10 +25,15 @@ Result<FileSet> programFiles(const Evaluation& e, const Cell& cell, const std::v
     if (format == "rapid") {
       robotio::RapidOptions options;
       options.programName = name;
-      options.errors = errorsOf(e);
+      options.errors = words::errorsOf(e.findings(), policy.reader);
+      for (const Finding& finding : robotio::checkPlacement(motion, cell))
+        options.warnings.push_back(words::sentence(finding, policy.reader));
       options.run = runId(e, &cell);
       if (!options.errors.empty()) {
-        findings.push_back(policy.despiteErrors ? marking(options.errors) : refusal(options.errors, policy));
+        findings.push_back({policy.despiteErrors ? Severity::warning : Severity::error,
+                            ProgramDespiteErrors{int(options.errors.size()), policy.despiteErrors},
+                            {},
+                            {}});
         if (!policy.despiteErrors) continue;
       }
       program = robotio::writeRapid(motion, cell, options, &findings);
@@ -70,10 +42,10 @@ Result<FileSet> programFiles(const Evaluation& e, const Cell& cell, const std::v
     } else if (format == "json") {
       program = robotio::writeJson(motion, cell);
     } else {
-      const std::string nearest = nearestWord(format, kFormats.data(), int(kFormats.size()));
+      const std::string nearest = nearestProgramFormat(format);
       return fail(ErrorCode::badInput,
                   "there is no program format \"" + format + "\"" +
-                      (nearest.empty() ? "; the formats are rapid, csv and json"
+                      (nearest.empty() ? "; the formats are " + programFormatWords()
                                        : "; did you mean \"" + nearest + "\"?"),
                   "format");
     }

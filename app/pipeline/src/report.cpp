@@ -5,7 +5,7 @@
 
 #include "bw/core/fingerprint.h"
 #include "bw/core/units.h"
-#include "bw/pipeline/pipeline.h"
+#include "bw/pipeline/produce.h"
 
 namespace bw::pipeline {
 
@@ -82,7 +82,8 @@ ordered_json trialJson(const DirectionTrial& trial, bool chosen) {
 
 }  // namespace
 
-std::string reportJson(const Evaluation& e, const std::string& run, const FileSet& files) {
+std::string reportJson(const Evaluation& e, const std::string& run, const FileSet& files,
+                       words::Reader reader) {
   ordered_json report;
   const Job& job = e.design.job;
   report["bladewright_report"] = 1;
@@ -163,13 +164,13 @@ std::string reportJson(const Evaluation& e, const std::string& run, const FileSe
           {{"task", task.name}, {"tcp", {vec(task.tool.position), quaternion(task.tool.rotation)}}});
   }
   report["issues"] = ordered_json::array();
-  for (const Issue& issue : e.issues()) {
-    ordered_json item = {{"severity", severityName(issue.severity)},
-                         {"kind", issue.kind},
-                         {"message", issue.message},
-                         {"where", issue.where.text}};
-    if (issue.where.station) item["station"] = *issue.where.station;
-    if (issue.where.point) item["point"] = vec(*issue.where.point);
+  for (const Finding& finding : e.findings()) {
+    ordered_json item = {{"severity", severityName(finding.severity)},
+                         {"kind", words::kindWord(finding)},
+                         {"message", words::sentence(finding, reader)},
+                         {"where", words::placeText(finding)}};
+    if (finding.where.stations) item["station"] = finding.where.stations->worst;
+    if (finding.where.point) item["point"] = vec(*finding.where.point);
     report["issues"].push_back(item);
   }
   report["files"] = ordered_json::array({"report.json"});

@@ -9,6 +9,7 @@
 #include "bw/core/number_text.h"
 #include "bw/core/printable.h"
 #include "bw/core/units.h"
+#include "bw/pipeline/produce.h"
 
 namespace bw::pipeline {
 
@@ -76,10 +77,10 @@ class Page {
 
 std::string verdict(const Evaluation& e) {
   if (!e.sweep.value) return "There is no result: the findings tell why.";
-  const Issues issues = e.issues();
-  if (hasErrors(issues))
+  const Findings findings = e.findings();
+  if (hasErrors(findings))
     return "This surface cannot be cut as designed: the findings marked as errors tell why.";
-  if (exceedsLimit(issues)) return "A stated limit is exceeded: see the table of limits and the findings.";
+  if (exceedsLimit(findings)) return "A stated limit is exceeded: see the table of limits and the findings.";
   return "All stated limits hold.";
 }
 
@@ -151,10 +152,12 @@ void parameters(Page& page, const Evaluation& e) {
 
 void findings(Page& page, const Evaluation& e) {
   page.heading("Findings");
-  const Issues issues = e.issues();
-  if (issues.empty()) return page.paragraph("None.");
+  const Findings all = e.findings();
+  if (all.empty()) return page.paragraph("None.");
   page.begin({"", "Where", "What"});
-  for (const Issue& issue : issues) page.row({severityName(issue.severity), issue.where.text, issue.message});
+  for (const Finding& finding : all)
+    page.row({severityName(finding.severity), words::placeText(finding),
+              words::sentence(finding, words::Reader::window)});
   page.end();
 }
 

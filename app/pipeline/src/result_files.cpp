@@ -9,8 +9,8 @@
 #include "bw/core/number_text.h"
 #include "bw/core/units.h"
 #include "bw/geometry/export.h"
-#include "bw/pipeline/pipeline.h"
 #include "bw/pipeline/run_identity.h"
+#include "make_files.h"
 
 namespace bw::pipeline {
 
@@ -154,13 +154,9 @@ std::string sweepJson(const Evaluation& e, const std::string& run) {
 
 }  // namespace
 
-Result<FileSet> resultFiles(Evaluation& e, const RunContext& context, const ProgramPolicy& policy,
-                            const MoreFiles& more) {
+Result<FileSet> resultFiles(Evaluation& e, const RunContext& context, const Policy& policy) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
-  if (!e.sweep.value)
-    return fail(ErrorCode::badInput, "there is no result to write; mend what the messages say first",
-                "results");
   const SweepResult& result = *e.sweep.value;
   FileSet programs;
   std::string run;
@@ -169,10 +165,7 @@ Result<FileSet> resultFiles(Evaluation& e, const RunContext& context, const Prog
     Result<Cell> cell = loadCell(e.design.job.cell);
     if (!cell) return tl::unexpected<Error>(cell.error());
     run = runId(e, &*cell);
-    e.programs.clear();
-    Issues findings;
-    Result<FileSet> written = programFiles(e, *cell, e.design.job.programs, "Blade", policy, findings);
-    e.programs = std::move(findings);
+    Result<FileSet> written = programFiles(e, *cell, "Blade", policy);
     if (!written) return tl::unexpected<Error>(written.error());
     programs = std::move(*written);
   }
@@ -212,14 +205,17 @@ Result<FileSet> resultFiles(Evaluation& e, const RunContext& context, const Prog
   files.add("stations.csv", std::move(texts[3]));
   files.add("deviation.csv", std::move(texts[2]));
   files.append(std::move(programs), "programs/strip-0");
-  if (more) {
-    Result<FileSet> further = more(files.paths());
+  const Result<Design> stored = storedDesign(e);
+  if (!stored) return tl::unexpected<Error>(stored.error());
+  files.add(kDesignFile, designToJson(*stored));
+  if (policy.more) {
+    Result<FileSet> further = policy.more(e, files.paths());
     if (!further) return tl::unexpected<Error>(further.error());
     files.append(std::move(*further), {});
   }
   e.seconds.write = std::chrono::duration<double>(Clock::now() - start).count();
   e.seconds.total += e.seconds.write;
-  files.add("report.json", reportJson(e, run, files));
+  files.add("report.json", reportJson(e, run, files, policy.reader));
   return files;
 }
 

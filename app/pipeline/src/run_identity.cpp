@@ -12,6 +12,7 @@
 #include "bw/core/number_text.h"
 #include "bw/core/temporary_name.h"
 #include "bw/robotio/program.h"
+#include "bw/words/findings.h"
 #include "program_unit.h"
 #include "report_record.h"
 
@@ -85,13 +86,17 @@ void add(Values& f, const Motion& motion) {
   }
 }
 
-Issue finding(Severity severity, const fs::path& file, std::string message) {
-  Issue issue;
-  issue.severity = severity;
-  issue.kind = kRunIssue;
-  issue.message = std::move(message);
-  issue.where.text = file.string();
-  return issue;
+using What = RunMismatch::What;
+
+Finding finding(Severity severity, What what, const fs::path& file, const std::string& run = {},
+                const std::string& other = {}, const std::string& text = {}) {
+  return {severity, RunMismatch{what, file.string(), run, other, text}, {}, {}};
+}
+
+/// The run that a module names, or empty.
+std::string runOfFile(const fs::path& module) {
+  const Result<std::string> bytes = readFile(module, kLargestModule);
+  return bytes ? robotio::runOfModule(*bytes) : std::string();
 }
 
 /// The names of all files that the report tells of.
@@ -102,47 +107,32 @@ std::set<std::string> namesOf(const ReportRecord& record) {
 }
 
 /// Compares one file that the report names.
-std::optional<Issue> compare(const ReportRecord& record, const std::string& name) {
+std::optional<Finding> compare(const ReportRecord& record, const std::string& name) {
   const fs::path file = record.folder / name;
   std::error_code error;
-  if (!fs::exists(file, error))
-    return finding(
-        Severity::error, file,
-        "report.json of run " + record.run + " names the file, but it is missing; write the results anew");
+  if (!fs::exists(file, error)) return finding(Severity::error, What::missing, file, record.run);
   const Result<Fingerprint> fingerprint = fingerprintOfFile(file);
-  if (!fingerprint) return finding(Severity::error, file, fingerprint.error().message);
+  if (!fingerprint)
+    return finding(Severity::error, What::unreadable, file, record.run, {}, fingerprint.error().message);
   const auto told = record.fingerprints.find(name);
   if (told == record.fingerprints.end())
-    return finding(Severity::error, file,
-                   "report.json of run " + record.run +
-                       " lists the file without its fingerprint; write the results anew");
+    return finding(Severity::error, What::noFingerprint, file, record.run);
   if (fingerprintText(*fingerprint) == told->second) return std::nullopt;
-  if (isModuleFile(file)) {
-    const Result<std::string> bytes = readFile(file, kLargestModule);
-    const std::string run = bytes ? robotio::runOfModule(*bytes) : std::string();
-    if (run == record.run)
-      return finding(Severity::warning, file, "the module was changed since run " + run + " wrote it");
-    return finding(Severity::error, file,
-                   "the module is of " + (run.empty() ? "no run that it names" : "run " + run) +
-                       ", but report.json is of run " + record.run + "; write the results anew");
-  }
-  return finding(Severity::error, file,
-                 "the file is of another run than report.json (run " + record.run +
-                     ") or was changed since; write the results anew");
+  if (!isModuleFile(file)) return finding(Severity::error, What::otherFile, file, record.run);
+  const std::string run = runOfFile(file);
+  return run == record.run ? finding(Severity::warning, What::changedModule, file, run)
+                           : finding(Severity::error, What::moduleOfOther, file, record.run, run);
 }
 
 /// An error for each module of another run at `place`, a file or folder, which the report does not name.
-void addStrays(const ReportRecord& record, const fs::path& place, Issues& issues) {
+void addStrays(const ReportRecord& record, const fs::path& place, Findings& findings) {
   const std::set<std::string> names = namesOf(record);
   const auto look = [&](const fs::path& file) {
     const std::string name = file.lexically_relative(record.folder).generic_string();
     if (!isModuleFile(file) || names.count(name) > 0) return;
-    const Result<std::string> bytes = readFile(file, kLargestModule);
-    const std::string run = bytes ? robotio::runOfModule(*bytes) : std::string();
+    const std::string run = runOfFile(file);
     if (!run.empty() && run != record.run)
-      issues.push_back(finding(Severity::error, file,
-                               "the module is of run " + run + ", and report.json of run " + record.run +
-                                   " does not name it; remove it, or write the results anew"));
+      findings.push_back(finding(Severity::error, What::strayModule, file, record.run, run));
   };
   std::error_code error;
   if (fs::is_regular_file(place, error)) look(place);
@@ -156,38 +146,32 @@ void addStrays(const ReportRecord& record, const fs::path& place, Issues& issues
 }
 
 /// Compares what lies at `inside` of the record's folder.
-Issues compareInside(const ReportRecord& record, const fs::path& inside) {
-  Issues issues;
-  if (record.run.empty()) {
-    issues.push_back(finding(Severity::warning, record.folder / "report.json",
-                             "it names no run, so that nothing tells whether the files are of one run; write "
-                             "the results anew"));
-    return issues;
-  }
+Findings compareInside(const ReportRecord& record, const fs::path& inside) {
+  Findings findings;
+  if (record.run.empty())
+    return {finding(Severity::warning, What::reportNamesNoRun, record.folder / "report.json")};
   bool concerned = false;
   for (const std::string& name : namesOf(record)) {
     if (inside != "." && inside != name && !liesWithin(name, inside)) continue;
     concerned = true;
-    if (std::optional<Issue> issue = compare(record, name)) issues.push_back(std::move(*issue));
+    if (std::optional<Finding> found = compare(record, name)) findings.push_back(std::move(*found));
   }
   const bool ofPrograms = !inside.empty() && *inside.begin() == kProgramFolder;
   if (inside == "." || ofPrograms) {
-    const std::size_t before = issues.size();
-    addStrays(record, record.folder / (ofPrograms ? inside : fs::path(kProgramFolder)), issues);
-    concerned = concerned || issues.size() > before;
+    const std::size_t before = findings.size();
+    addStrays(record, record.folder / (ofPrograms ? inside : fs::path(kProgramFolder)), findings);
+    concerned = concerned || findings.size() > before;
   }
   if (!concerned && ofPrograms)
-    issues.push_back(
-        finding(Severity::error, record.folder / inside,
-                "report.json of run " + record.run + " names no program here; write the results anew"));
-  return issues;
+    findings.push_back(finding(Severity::error, What::noProgramHere, record.folder / inside, record.run));
+  return findings;
 }
 
 }  // namespace
 
 std::string runId(const Evaluation& e, const Cell* cell) {
   json job = json::parse(jobToJson(e.design.job));
-  for (const char* output : {"programs", "threads", "cell"}) job.erase(output);
+  for (const char* output : {"programs", "cell"}) job.erase(output);
   Values f;
   f.text(BW_VERSION).text(job.dump()).text(fingerprintText(e.source.value->content)).number(cell ? 1 : 0);
   if (cell) add(f, *cell);
@@ -201,21 +185,20 @@ bool isResultFolder(const fs::path& folder) {
   return !record || record->has_value() || fs::is_regular_file(folder / kSweepFile, error);
 }
 
-Issues compareWithReport(const fs::path& path) {
+Findings compareWithReport(const fs::path& path) {
   std::error_code error;
   const fs::path whole = fs::weakly_canonical(path, error);
   if (error) return {};
   fs::path folder = whole;
   for (int level = 0; level <= kLevels; ++level, folder = folder.parent_path()) {
     const Result<std::optional<ReportRecord>> record = readReportRecord(folder);
-    if (!record) return {finding(Severity::error, folder / "report.json", record.error().message)};
+    if (!record)
+      return {finding(Severity::error, What::reportDamaged, folder / "report.json", {}, {},
+                      record.error().message)};
     if (*record) return compareInside(**record, whole.lexically_relative(folder));
   }
   if (!isResultFolder(whole)) return {};
-  return {
-      finding(Severity::error, whole / "report.json",
-              "it is missing, so that nothing tells whether the files beside it are of one run; write the "
-              "results anew")};
+  return {finding(Severity::error, What::reportMissing, whole / "report.json")};
 }
 
 Result<void> checkOneRun(const fs::path& folder, const std::string& designFile) {
@@ -233,8 +216,11 @@ Result<void> checkOneRun(const fs::path& folder, const std::string& designFile) 
                 file);
   for (const std::string& name : {designFile, std::string(kSweepFile)}) {
     if (names.count(name) == 0) continue;
-    if (const std::optional<Issue> issue = compare(**record, name))
-      return fail(ErrorCode::badInput, issue->where.text + ": " + issue->message + remedy, issue->where.text);
+    if (const std::optional<Finding> found = compare(**record, name)) {
+      const std::string place = words::placeText(*found);
+      return fail(ErrorCode::badInput,
+                  place + ": " + words::sentence(*found, words::Reader::commandLine) + remedy, place);
+    }
   }
   return {};
 }

@@ -3,7 +3,7 @@
 
 #include "bw/core/file_set.h"
 #include "bw/core/fingerprint.h"
-#include "bw/pipeline/pipeline.h"
+#include "bw/pipeline/produce.h"
 
 namespace bw::pipeline {
 

@@ -46,6 +46,8 @@ std::string roundTripText(double value) {
   return std::string(buffer.data(), error == std::errc{} ? end : buffer.data());
 }
 
+std::string stationName(int index) { return "station " + std::to_string(index + 1); }
+
 std::string shortText(double value, int digits) {
   if (const char* text = nonFiniteText(value)) return text;
   const double magnitude = std::abs(value);

@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-#include "bw/core/issue.h"
+#include "bw/core/number_text.h"
 
 namespace bw {
 

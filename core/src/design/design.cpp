@@ -96,7 +96,8 @@ Result<Design> parseDesign(std::string_view text) {
     if (Result<void> ok = inner.finish(); !ok) reader.adopt(inner);
   }
   if (const json* job = reader.member("job")) {
-    Result<Job> read = jobFromJson(*job, "design.job");
+    int threads = 0;  // of the machine that it was saved on
+    Result<Job> read = jobFromJson(*job, "design.job", threads);
     if (!read) return tl::unexpected<Error>(read.error());
     design.job = std::move(*read);
   }
@@ -148,8 +149,9 @@ Result<void> saveDesign(const Design& design, const fs::path& file) {
   const std::string text = designToJson(stored);
   if (text.size() > kLargestText)
     return fail(ErrorCode::cannotWrite,
-                file.string() + " would have " + std::to_string(text.size() >> 20) + " MB, but designs above " +
-                    std::to_string(kLargestText >> 20) + " MB cannot be opened again; link the CAD file (" +
+                file.string() + " would have " + std::to_string(text.size() >> 20) +
+                    " MB, but designs above " + std::to_string(kLargestText >> 20) +
+                    " MB cannot be opened again; link the CAD file (" +
                     std::to_string(stored.source.bytes.size() >> 20) + " MB) instead of embedding it",
                 file.string(), double(text.size()), double(kLargestText));
   return writeFile(file, text);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "bw/core/job.h"
+#include "bw/core/program_formats.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +24,6 @@ constexpr double kMaxSewing = 100;  ///< mm
 constexpr const char* kFileUnit = "file";
 constexpr double kMaxBlock = 1e6;  ///< mm
 constexpr double kMaxLead = 1e4;   ///< mm
-const std::vector<std::string> kFormats = {"rapid", "csv", "json"};
 
 void readUnit(ObjectReader& reader, std::optional<LengthUnit>& unit) {
   std::vector<std::string> words = {kFileUnit};
@@ -140,10 +140,11 @@ void readPrograms(ObjectReader& reader, std::vector<std::string>& programs) {
   std::vector<std::string> result;
   for (const json& entry : *value) {
     const std::string word = entry.is_string() ? entry.get<std::string>() : entry.dump();
-    if (!entry.is_string() || std::find(kFormats.begin(), kFormats.end(), word) == kFormats.end()) {
-      const std::string nearest = nearestWord(word, kFormats.data(), int(kFormats.size()));
-      reader.complain("programs", reader.path() + ".programs: the formats are rapid, csv and json, not " +
-                                      word + (nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?"));
+    if (!entry.is_string() || !programFormat(word)) {
+      const std::string nearest = nearestProgramFormat(word);
+      reader.complain("programs", reader.path() + ".programs: the formats are " + programFormatWords() +
+                                      ", not " + word +
+                                      (nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?"));
       return;
     }
     if (std::find(result.begin(), result.end(), word) == result.end()) result.push_back(word);
@@ -190,7 +191,7 @@ Box BlockPlacement::box() const {
   return Box{Frame{origin, r.col(0), r.col(1), r.col(2)}, size};
 }
 
-Result<Job> jobFromJson(const json& object, const std::string& path) {
+Result<Job> jobFromJson(const json& object, const std::string& path, int& threads) {
   Job job;
   // A blade that is written whole (as designs store it) needs no preset.
   const bool wholeBlade = object.is_object() && object.contains("blade") && object["blade"].is_object() &&
@@ -220,7 +221,7 @@ Result<Job> jobFromJson(const json& object, const std::string& path) {
   reader.number("clearance", job.clearance, 0, 10000);
   readPrograms(reader, job.programs);
   reader.text("cell", job.cell);
-  reader.integer("threads", job.threads, 0, 1024);
+  reader.integer("threads", threads, 0, 1024);
   if (Result<void> ok = reader.finish(); !ok) return tl::unexpected<Error>(ok.error());
   return job;
 }
@@ -261,14 +262,14 @@ json jobToJsonObject(const Job& job) {
   object["clearance"] = job.clearance;
   object["programs"] = job.programs;
   object["cell"] = job.cell;
-  object["threads"] = job.threads;
   return object;
 }
 
-Result<Job> parseJob(std::string_view text) {
+Result<Job> parseJob(std::string_view text, int* threads) {
   const Result<json> object = parseJsonText(text, "job");
   if (!object) return tl::unexpected<Error>(object.error());
-  return jobFromJson(*object, "job");
+  int unused = 0;
+  return jobFromJson(*object, "job", threads ? *threads : unused);
 }
 
 std::string jobToJson(const Job& job) {

@@ -9,8 +9,8 @@
 
 namespace bw {
 
-/// Reads a job object strictly; `path` names it in messages.
-Result<Job> jobFromJson(const nlohmann::json& object, const std::string& path);
+/// Reads a job object strictly; `path` names it in messages. Designs that were written before have `threads`.
+Result<Job> jobFromJson(const nlohmann::json& object, const std::string& path, int& threads);
 nlohmann::json jobToJsonObject(const Job& job);
 
 }  // namespace bw

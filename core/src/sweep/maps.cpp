@@ -10,10 +10,10 @@ namespace bw {
 
 namespace {
 
-constexpr std::array<MapInfo, 6> kMaps = {{{"deviation", "Deviation", "mm"},
-                                           {"angle", "Cutting angle", "°"},
+constexpr std::array<MapInfo, 6> kMaps = {{{"deviation", "Deviation", "mm", MapRule::banded},
+                                           {"angle", "Cutting angle", "°", MapRule::plain, 1},
                                            {"speed", "Blade speed", "mm/s"},
-                                           {"relative_speed", "Relative speed", ""},
+                                           {"relative_speed", "Relative speed", "", MapRule::share},
                                            {"curvature", "Curvature / limit", ""},
                                            {"stress", "Bending stress", "N/mm²"}}};
 
@@ -24,6 +24,11 @@ std::span<const MapInfo> cutMaps() { return kMaps; }
 const MapInfo* cutMap(std::string_view name) {
   const auto found = std::ranges::find_if(kMaps, [&](const MapInfo& map) { return name == map.name; });
   return found == kMaps.end() ? nullptr : &*found;
+}
+
+MapRule mapRule(std::string_view name) {
+  const MapInfo* map = cutMap(name);
+  return map ? map->rule : MapRule::plain;
 }
 
 }  // namespace bw

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bw/core/number_text.h"
+#include "bw/core/section_request.h"
 #include "sweep/station_fit.h"
 
 namespace bw::detail {
@@ -30,18 +30,35 @@ double longestCut(const Sweep& sweep) {
 
 }  // namespace
 
-std::string bladeThatBendsTo(double radius) {
-  std::string text = "a blade that bends to " + shortText(radius) + " mm";
+BendingBlade bladeThatBendsTo(double radius) {
+  BendingBlade wanted{radius};
   const Result<std::vector<Blade>> presets = bladePresets();
-  if (!presets) return text;
+  if (!presets || presets->empty()) return wanted;
   const auto byRadius = [](const Blade& a, const Blade& b) { return a.minRadius() < b.minRadius(); };
   const Blade* does = nullptr;
   for (const Blade& blade : *presets)
     if (blade.minRadius() <= radius && (!does || byRadius(*does, blade))) does = &blade;
-  if (does) return text + ", such as the " + does->title + " (" + shortText(does->minRadius()) + " mm)";
-  const Blade& nearest = *std::ranges::min_element(*presets, byRadius);
-  return text + " (none of the presets does; the " + nearest.title + " bends farthest, to " +
-         shortText(nearest.minRadius()) + " mm)";
+  const Blade& named = does ? *does : *std::ranges::min_element(*presets, byRadius);
+  wanted.preset = named.name;
+  wanted.title = named.title;
+  wanted.presetRadius = named.minRadius();
+  return wanted;
+}
+
+FlatBlade flatBladeFor(const Sweep& sweep) {
+  double sharpest = 0;
+  for (const Station& station : sweep.stations) sharpest = std::max(sharpest, station.blade.maxCurvature());
+  const Result<std::vector<Blade>> presets = bladePresets();
+  if (!presets) return {};
+  for (const Blade& blade : *presets)
+    if (blade.section == Blade::Section::flat && blade.minRadius() * sharpest < 1)
+      return {blade.name, blade.title};
+  return {};
+}
+
+Remedies twiceAsMany(const Sweep& sweep) {
+  const int count = 2 * (sweep.stations.back().index - sweep.stations.front().index + 1) - 1;
+  return count <= SectionRequest::kMost ? Remedies{MoreStations{count}} : Remedies{};
 }
 
 std::optional<double> lengthFor(double longest, double clearance) {

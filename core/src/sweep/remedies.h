@@ -5,20 +5,22 @@
 #include <functional>
 #include <optional>
 #include <span>
-#include <string>
 
 #include "bw/core/sweep.h"
 
 namespace bw::detail {
 
-/// What stands for cutting a surface in several goes: a design each.
-inline constexpr const char* kInParts = "cut it in parts, each with a narrower block of its own";
-
 /// A radius is told in three digits, which may be the larger ones.
 inline constexpr double kRadiusReserve = 0.99;
 
-/// "a blade that bends to 96 mm", with a preset that does, or the one that comes nearest. `radius` in mm.
-[[nodiscard]] std::string bladeThatBendsTo(double radius);
+/// A blade that bends to `radius` mm.
+[[nodiscard]] BendingBlade bladeThatBendsTo(double radius);
+
+/// A flat preset that bends to all blades of the row.
+[[nodiscard]] FlatBlade flatBladeFor(const Sweep& sweep);
+
+/// Stations at half the spacing, where so many are possible.
+[[nodiscard]] Remedies twiceAsMany(const Sweep& sweep);
 
 /// The blade length to order for a longest cut of `longest` mm with grips `clearance` mm beyond it: whole mm,
 /// with a reserve, because another length bends the blade a little otherwise; empty above Blade::kLongest.

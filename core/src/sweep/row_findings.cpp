@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bw/core/number_text.h"
 #include "sweep/remedies.h"
 #include "sweep/stretches.h"
 
@@ -29,51 +28,35 @@ double widthAfter(const std::vector<Station>& stations, std::size_t i) {
   return stations[i + 1].travel - stations[i].travel;
 }
 
-/// The stations that are left out after the i-th of the row, with their verb: "station 8 is", "stations 8 to
-/// 11 are".
-std::string leftOutAfter(const std::vector<Station>& stations, std::size_t i) {
-  const int first = stations[i].index + 1, last = stations[i + 1].index - 1;
-  return first == last
-             ? stationName(first) + " is left out"
-             : "stations " + std::to_string(first + 1) + " to " + std::to_string(last + 1) + " are left out";
-}
-
-void addGaps(const std::vector<Station>& stations, Issues& issues) {
+void addGaps(const std::vector<Station>& stations, Findings& findings) {
   std::vector<std::size_t> gaps;
   for (std::size_t i = 0; i + 1 < stations.size(); ++i)
     if (isGap(stations, i)) gaps.push_back(i);
-  std::string more;
+  int others = 0;
   if (gaps.size() > kMostGaps) {
-    more = ", and others in " + std::to_string(gaps.size() - 1) + " more places";
+    others = int(gaps.size()) - 1;
     gaps = {*std::ranges::max_element(gaps, {}, [&](std::size_t i) { return widthAfter(stations, i); })};
   }
   for (const std::size_t i : gaps) {
-    const int before = stations[i].index;
-    issues.push_back(
-        {Severity::error, "gap",
-         leftOutAfter(stations, i) + " inside the row" + more +
-             ": with nothing to follow, the blade would cut straight on over " +
-             shortText(widthAfter(stations, i)) + " mm from " + stationName(before) + " to " +
-             stationName(stations[i + 1].index) +
-             "; choose a block on one side of the gap, one face without it, or another cutting direction",
-         Place{stationName(before), 0, before, 0.5 * (middleOf(stations[i]) + middleOf(stations[i + 1]))}});
+    const int before = stations[i].index, after = stations[i + 1].index;
+    findings.push_back(
+        {Severity::error,
+         GapInRow{widthAfter(stations, i), others},
+         {StationRange{before, after, before, 2}, 0.5 * (middleOf(stations[i]) + middleOf(stations[i + 1]))},
+         {TurnDirection{}}});
   }
 }
 
-/// What to do about a deviation that is largest after the i-th station; `own` is the largest at the stations.
-std::string remedy(const std::vector<Station>& stations, std::size_t i, bool between, double largest,
-                   double own) {
-  if (between && isGap(stations, i))
-    return "it arises where " + leftOutAfter(stations, i) + ": close that gap first";
-  if (between && own < kFromBetween * largest)
-    return "it arises between the stations, which are " + shortText(widthAfter(stations, i)) +
-           " mm apart there; the stations themselves keep within " + shortText(own) +
-           " mm, so take more of them";
-  return std::string(kInParts) + ", turn the cutting direction, or allow more";
+/// A tolerance that holds, in tenths of a mm; a job takes none above the widest.
+Remedies toleranceFor(double deviation) {
+  constexpr double kWidest = 1000;
+  const double tolerance = std::ceil(10 * deviation) / 10;
+  return tolerance <= kWidest ? Remedies{WiderTolerance{tolerance}} : Remedies{};
 }
 
-void addDeviation(const std::vector<Station>& stations, const CheckRequest& request, std::size_t worst,
+void addDeviation(const Sweep& sweep, const CheckRequest& request, std::size_t worst,
                   SweepAnalysis& analysis) {
+  const std::vector<Station>& stations = sweep.stations;
   const SweepSummary& summary = analysis.summary;
   if (summary.deviationMax <= request.tolerance) return;
   const std::vector<int>& rows = analysis.stationRow;
@@ -82,25 +65,33 @@ void addDeviation(const std::vector<Station>& stations, const CheckRequest& requ
   const std::size_t i =
       std::min(std::size_t(std::ranges::upper_bound(rows, row) - rows.begin()) - 1, stations.size() - 2);
   const bool nearNext = 2 * row >= rows[i] + rows[i + 1];
-  double own = 0;
-  for (const Station& station : stations) own = std::max(own, station.deviationMax);
-  const int index = stations[nearNext ? i + 1 : i].index;
+  TooFar cause{summary.deviationMax, request.tolerance, summary.withinTolerance};
+  for (const Station& station : stations) cause.own = std::max(cause.own, station.deviationMax);
+  cause.spacing = widthAfter(stations, i);
+  Remedies remedies;
   const bool between = row != rows[i] && row != rows[i + 1];
-  analysis.issues.push_back(
-      {Severity::warning, "deviation",
-       "the cut surface is up to " + shortText(summary.deviationMax) + " mm from the target near " +
-           stationName(index) + ", more than the tolerance of " + shortText(request.tolerance) + " mm (" +
-           fixedText(std::min(99.9, 100 * summary.withinTolerance), 1) + " % of its area lies within); " +
-           remedy(stations, i, between, summary.deviationMax, own),
-       Place{stationName(index), 0, index, analysis.cut.points[worst]}});
+  if (between && isGap(stations, i)) {
+    cause.source = TooFar::Source::gap;
+    cause.leftFirst = stations[i].index + 1;
+    cause.leftLast = stations[i + 1].index - 1;
+  } else if (between && cause.own < kFromBetween * cause.deviation) {
+    cause.source = TooFar::Source::between;
+    remedies = twiceAsMany(sweep);
+  } else {
+    remedies = toleranceFor(cause.deviation);
+    remedies.insert(remedies.begin(), {CutInParts{}, TurnDirection{}});
+  }
+  const int index = stations[nearNext ? i + 1 : i].index;
+  analysis.findings.push_back(
+      {Severity::warning, cause, {StationRange::of(index), analysis.cut.points[worst]}, remedies});
 }
 
 }  // namespace
 
 void addRowFindings(const Sweep& sweep, const CheckRequest& request, std::size_t worst,
                     SweepAnalysis& analysis) {
-  addGaps(sweep.stations, analysis.issues);
-  addDeviation(sweep.stations, request, worst, analysis);
+  addGaps(sweep.stations, analysis.findings);
+  addDeviation(sweep, request, worst, analysis);
 }
 
 }  // namespace bw::detail

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "bw/core/issue.h"
+#include "bw/core/finding.h"
 #include "bw/core/sweep.h"
 
 namespace bw::detail {
 
-/// Tells in words what is wrong between the stations of an analysed sweep: where stations inside the row are
+/// Tells what is wrong between the stations of an analysed sweep: where stations inside the row are
 /// left out, and where the cut surface is farther from the target than the tolerance, which of the two,
 /// stations or what lies between them, is to blame. `worst` is the point of `analysis.cut` that is farthest
 /// from the target.

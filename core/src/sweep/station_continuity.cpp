@@ -12,10 +12,10 @@
 #include <utility>
 
 #include "bw/core/elastica_stability.h"
-#include "bw/core/number_text.h"
 #include "bw/core/units.h"
 #include "fit/fit_distance.h"
 #include "sweep/laid_shape.h"
+#include "sweep/remedies.h"
 
 namespace bw::detail {
 
@@ -172,7 +172,7 @@ StationFit besideNeighbour(StationFit nearest, const StationFit& neighbour, cons
   return best ? steps.fitOf(*best) : nearest;
 }
 
-void addSwingFindings(const Sweep& sweep, Issues& issues) {
+void addSwingFindings(const Sweep& sweep, Findings& findings) {
   struct Swing {
     std::size_t station = 0;  ///< the second of the two
     double angle = 0;
@@ -192,15 +192,11 @@ void addSwingFindings(const Sweep& sweep, Issues& issues) {
   }
   if (count == 0) return;
   const Station &a = sweep.stations[worst.station - 1], &b = sweep.stations[worst.station];
-  const std::string pair = "stations " + std::to_string(a.index + 1) + " to " + std::to_string(b.index + 1);
-  issues.push_back({worst.angle > kLargestSwing ? Severity::error : Severity::warning, "swing",
-                    pair + ": an end of the blade turns by " + fixedText(toDegrees(worst.angle), 0) +
-                        "° on " + shortText(b.travel - a.travel) + " mm of travel" +
-                        (count > 1 ? " (more than " + fixedText(toDegrees(kToldSwing), 0) + "° at " +
-                                         std::to_string(count) + " places)"
-                                   : std::string()) +
-                        "; take more stations, a shorter blade, or a block in which the sections change less",
-                    Place{stationName(b.index), 0, b.index, b.leftPoint()}});
+  const Severity severity = worst.angle > kLargestSwing ? Severity::error : Severity::warning;
+  findings.push_back({severity,
+                      EndsSwing{worst.angle, b.travel - a.travel, kToldSwing, count},
+                      {StationRange{a.index, b.index, b.index, 2}, b.leftPoint()},
+                      twiceAsMany(sweep)});
 }
 
 }  // namespace bw::detail

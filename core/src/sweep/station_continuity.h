@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "bw/core/issue.h"
+#include "bw/core/finding.h"
 #include "bw/core/sweep.h"
 #include "sweep/station_fit.h"
 
@@ -17,6 +17,6 @@ namespace bw::detail {
                                          const PlanarCurve& section, const FitRequest& request);
 
 /// Tells where an end of the blade turns far between one station and the next.
-void addSwingFindings(const Sweep& sweep, Issues& issues);
+void addSwingFindings(const Sweep& sweep, Findings& findings);
 
 }  // namespace bw::detail

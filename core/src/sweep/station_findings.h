@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "bw/core/issue.h"
+#include "bw/core/finding.h"
 #include "bw/core/sweep.h"
 
 namespace bw::detail {
 
-/// Tells in words which stations of an analysed sweep cannot be cut, or only badly, and why: curvature,
+/// Tells which stations of an analysed sweep cannot be cut, or only badly, and why: curvature,
 /// inflections, stability, clearance, cutting angle, speed. Neighbouring stations that break the same rule
 /// become one finding at the worst of them.
-void addStationFindings(const Sweep& sweep, const CheckRequest& request, Issues& issues);
+void addStationFindings(const Sweep& sweep, const CheckRequest& request, Findings& findings);
 
 }  // namespace bw::detail

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string>
 #include <vector>
 
-#include "bw/core/issue.h"
+#include "bw/core/finding.h"
 #include "bw/core/sweep.h"
 
 namespace bw::detail {
@@ -16,8 +15,8 @@ struct Stretch {
   std::size_t first, last, worst, count;
 };
 
-/// "station 8", "stations 3 to 9 (worst: 7)" or "4 of the stations 3 to 9 (worst: 7)".
-[[nodiscard]] std::string placeOf(const std::vector<Station>& stations, const Stretch& stretch);
+/// Where that is; the point is the middle of the worst station's cut.
+[[nodiscard]] Place placeOf(const std::vector<Station>& stations, const Stretch& stretch);
 
 /// The middle of a station's cut in the file's frame, mm.
 [[nodiscard]] Eigen::Vector3d middleOf(const Station& station);
@@ -46,14 +45,15 @@ std::vector<Stretch> stretchesOf(const std::vector<Station>& stations, Bad bad, 
   return {all};
 }
 
-/// Tells each such stretch as one issue at its worst station; `text(station, stretch)` follows the place.
-template <class Bad, class Worse, class Text>
-void reportStretches(const std::vector<Station>& stations, Severity severity, const char* kind, Bad bad,
-                     Worse worse, Text text, Issues& issues) {
+/// Tells each such stretch as one finding at its worst station; `fill(station, stretch, finding)` gives it
+/// its cause, and remedies where there are some.
+template <class Bad, class Worse, class Fill>
+void reportStretches(const std::vector<Station>& stations, Severity severity, Bad bad, Worse worse, Fill fill,
+                     Findings& findings) {
   for (const Stretch& stretch : stretchesOf(stations, bad, worse)) {
-    const Station& w = stations[stretch.worst];
-    issues.push_back({severity, kind, placeOf(stations, stretch) + ": " + text(w, stretch),
-                      Place{stationName(w.index), 0, w.index, middleOf(w)}});
+    Finding finding{severity, {}, placeOf(stations, stretch), {}};
+    fill(stations[stretch.worst], stretch, finding);
+    findings.push_back(std::move(finding));
   }
 }
 

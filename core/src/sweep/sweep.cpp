@@ -60,7 +60,7 @@ Eigen::Vector3d Station::rightPoint() const { return frame.toWorld(blade.at(blad
 Eigen::Vector3d Station::rightTangent() const { return tangentAt(frame, blade.at(blade.length()).angle); }
 
 Result<Sweep> buildSweep(std::vector<Section> sections, const FitRequest& request, const Box& block,
-                         const Eigen::Vector3d& direction, const RunContext& context, Issues& issues,
+                         const Eigen::Vector3d& direction, const RunContext& context, Findings& findings,
                          double* fitSeconds, double* extendSeconds) {
   using Clock = std::chrono::steady_clock;
   if (sections.empty())
@@ -96,13 +96,15 @@ Result<Sweep> buildSweep(std::vector<Section> sections, const FitRequest& reques
   if (longest > request.blade.length) {
     const std::optional<double> needed = detail::lengthFor(longest, request.clearance);
     const std::string other = "a smaller block, or another cutting direction";
-    return fail(
+    Error error{
         ErrorCode::badInput,
         "the blade of " + shortText(request.blade.length, 5) + " mm is shorter than the section of " +
             stationName(longestIndex) + " (" + shortText(longest, 6) + " mm); choose " +
             (needed ? "a blade of at least " + shortText(*needed, 6) + " mm, " + other
                     : other + ": no blade may be longer than " + shortText(Blade::kLongest, 6) + " mm"),
-        stationName(longestIndex), request.blade.length, needed ? *needed : Blade::kLongest);
+        stationName(longestIndex), request.blade.length, needed ? *needed : Blade::kLongest};
+    if (needed) error.remedies = {OtherLength{*needed}};
+    return tl::unexpected<Error>(std::move(error));
   }
   for (Station& station : sweep.stations) {
     const double length = station.fit.elastica.length();
@@ -111,7 +113,7 @@ Result<Sweep> buildSweep(std::vector<Section> sections, const FitRequest& reques
     station.blade = *blade;
     station.extension = 0.5 * (request.blade.length - length) / length;
   }
-  detail::addSwingFindings(sweep, issues);
+  detail::addSwingFindings(sweep, findings);
   if (fitSeconds) *fitSeconds = std::chrono::duration<double>(extendStart - fitStart).count();
   if (extendSeconds) *extendSeconds = std::chrono::duration<double>(Clock::now() - extendStart).count();
   return sweep;

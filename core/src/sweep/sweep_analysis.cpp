@@ -300,7 +300,7 @@ Result<SweepAnalysis> analyzeSweep(Sweep& sweep, const CheckRequest& request, co
 
   // What cannot be cut, and why.
   detail::addRowFindings(sweep, request, worst, result);
-  detail::addStationFindings(sweep, request, result.issues);
+  detail::addStationFindings(sweep, request, result.findings);
   detail::keepRows(worst, result);
   return result;
 }

@@ -8,7 +8,6 @@
 #include <functional>
 #include <optional>
 
-#include "bw/core/number_text.h"
 #include "sweep/remedies.h"
 #include "sweep/station_fit.h"
 #include "sweep/stretches.h"
@@ -44,7 +43,7 @@ std::optional<double> scaleThatFits(const std::vector<const Tight*>& row, double
   return scale;
 }
 
-std::string remedyFor(const TightRow& row, const Sweep& sweep, const CheckRequest& request) {
+Remedies remediesFor(const TightRow& row, const Sweep& sweep, const CheckRequest& request) {
   std::vector<const Tight*> worstFirst;
   for (const std::optional<Tight>& tight : row)
     if (tight) worstFirst.push_back(&*tight);
@@ -55,19 +54,18 @@ std::string remedyFor(const TightRow& row, const Sweep& sweep, const CheckReques
       widest = kRadiusReserve * tight->section.widestRadius(request.tolerance);
   for (const Station& station : sweep.stations)
     longest = std::max({longest, station.targetLength, station.fit.elastica.length()});
-  std::string text = "it takes " + bladeThatBendsTo(widest);
+  Remedies remedies = {bladeThatBendsTo(widest)};
   if (const std::optional<double> scale =
           scaleThatFits(worstFirst, sweep.request.blade.minRadius(), request.tolerance))
     if (const std::optional<double> length = lengthFor(*scale * longest, request.clearance))
-      text += ", or a surface " + shortText(*scale, 4) + " times as large" +
-              (*length > sweep.request.blade.length ? " with a blade of " + shortText(*length, 6) + " mm"
-                                                    : std::string());
-  return text;
+      remedies.push_back(
+          LargerSurface{*scale, *length > sweep.request.blade.length ? length : std::optional<double>()});
+  return remedies;
 }
 
 }  // namespace
 
-std::vector<char> addTightFindings(const Sweep& sweep, const CheckRequest& request, Issues& issues) {
+std::vector<char> addTightFindings(const Sweep& sweep, const CheckRequest& request, Findings& findings) {
   const std::vector<Station>& stations = sweep.stations;
   const double limit = sweep.request.blade.maxCurvature(), radius = sweep.request.blade.minRadius();
   TightRow row(stations.size());
@@ -81,7 +79,7 @@ std::vector<char> addTightFindings(const Sweep& sweep, const CheckRequest& reque
     found[i] = 1;
   }
   if (std::ranges::none_of(found, [](char c) { return c != 0; })) return found;
-  const std::string remedy = remedyFor(row, sweep, request);
+  const Remedies remedies = remediesFor(row, sweep, request);
   const auto at = [&](const Station& s) -> const std::optional<Tight>& {
     return row[std::size_t(&s - stations.data())];
   };
@@ -95,12 +93,10 @@ std::vector<char> addTightFindings(const Sweep& sweep, const CheckRequest& reque
              [&](const Station&a, const Station&b) { return at(a)->spot.distance > at(b)->spot.distance; })) {
       const Station& w = stations[stretch.worst];
       const TightSpot& spot = at(w)->spot;
-      issues.push_back({error ? Severity::error : Severity::warning, "curvature",
-                        placeOf(stations, stretch) + ": the surface is too tight: it bends to a radius of " +
-                            shortText(spot.radius) + " mm, the blade only to " + shortText(radius) +
-                            " mm, so that it stays " + shortText(spot.distance) +
-                            " mm or more off (tolerance " + shortText(request.tolerance) + " mm); " + remedy,
-                        Place{stationName(w.index), 0, w.index, w.frame.toWorld(spot.point)}});
+      findings.push_back({error ? Severity::error : Severity::warning,
+                          TooTight{spot.radius, radius, spot.distance, request.tolerance},
+                          {placeOf(stations, stretch).stations, w.frame.toWorld(spot.point)},
+                          remedies});
     }
   return found;
 }

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <limits>
 
+#include "bw/core/maps.h"
 #include "scene/actors/isolines.h"
 #include "scene/actors/mesh_edges.h"
 #include "scene/legend/legend_range.h"
@@ -112,7 +113,7 @@ void ContentActors::setContent(const Content& content, const TriangleMesh& cutMe
       // VTK only reads through this pointer.
       array->SetArray(const_cast<double*>(field.values.data()), vtkIdType(field.values.size()), 1);
       cut_.data()->GetPointData()->AddArray(array);
-      if (field.name == "deviation") {
+      if (mapRule(field.name) == MapRule::banded) {
         const FieldSummary summary = summarize(field.values);
         deviationReach_ = std::max(std::abs(summary.min), std::abs(summary.max));
       }
@@ -190,7 +191,7 @@ void ContentActors::setStyle(const Content& content, const TriangleMesh& cutMesh
       std::vector<Polyline> drawn;
       for (const Isoline& isoline : lines) drawn.push_back(isoline.line);
       isolines_.setLines(drawn);
-      const bool sign = field->name == "deviation";
+      const bool sign = mapRule(field->name) == MapRule::banded;
       isolineLabels_.setLines(
           lines, [&](double level) { return tickText(level, ticks.decimals, sign); }, diagonal_);
     }

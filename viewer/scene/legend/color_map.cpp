@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 
+#include "bw/core/maps.h"
+
 namespace bw::scene {
 
 namespace {
@@ -94,7 +96,7 @@ Rgb deviationColor(double value, double tolerance, double end, double start) {
 
 Rgb ColorMap::at(double value) const {
   const auto [low, high] = range;
-  if (field == "deviation")
+  if (mapRule(field) == MapRule::banded)
     return deviationColor(value, tolerance, std::max(std::abs(low), std::abs(high)),
                           std::max({low, -high, 0.0}));
   if (!limit) return viridis(high > low ? (value - low) / (high - low) : 0.0);

@@ -26,7 +26,7 @@ Rgb deviationColor(double value, double tolerance, double end, double start = 0)
 struct ColorMap {
   std::string field;
   std::pair<double, double> range{0, 1};
-  double tolerance = 0;         ///< mm; only "deviation" uses it
+  double tolerance = 0;         ///< mm; only banded maps use it
   std::optional<double> limit;  ///< of the field: red beyond
 
   Rgb at(double value) const;

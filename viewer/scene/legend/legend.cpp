@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bw/core/maps.h"
 #include "bw/core/number_text.h"
 
 namespace bw::scene {
@@ -80,7 +81,7 @@ void Legend::draw(int width, int height, const Style& style, const Field& field,
   const Theme& colors = theme(style.dark);
   const double px = style.pixelRatio;
   const auto pixels = [px](double v) { return std::round(v * px); };
-  const bool deviation = field.name == "deviation";
+  const bool deviation = mapRule(field.name) == MapRule::banded;
   const Ticks ticks = legendTicks(map.range);
   const TextLook title{13 * px, true, colors.text, 1}, label{12 * px, false, colors.text, 1},
       small{11 * px, false, colors.secondary, 1};

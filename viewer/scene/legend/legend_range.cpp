@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "bw/core/maps.h"
+
 namespace bw::scene {
 
 namespace {
@@ -15,8 +17,7 @@ constexpr int kTicks = 6;
 constexpr double kDeviationFloor = 0.1;  ///< of the tolerance
 constexpr double kNearTolerance = 0.5;   ///< of the tolerance: from here on the legend shows all of it
 constexpr double kSpanFloor = 0.1;       ///< of the largest value
-constexpr double kAngleFloor = 1;        ///< degrees
-constexpr double kLeastSpan = 1e-3;      ///< of anything else, in its unit
+constexpr double kLeastSpan = 1e-3;      ///< of a deviation, mm, and of what is no map of ours
 
 std::pair<double, double> deviationRange(const FieldSummary& summary, double tolerance) {
   const double reach = std::max(std::abs(summary.min), std::abs(summary.max));
@@ -31,7 +32,8 @@ std::pair<double, double> plainRange(const std::string& field, const FieldSummar
   // A scale that begins near zero begins at zero.
   if (low > 0 && low < 0.5 * high) low = 0;
   const double size = std::max(std::abs(low), std::abs(high));
-  const double floor = std::max(kSpanFloor * size, field == "angle" ? kAngleFloor : kLeastSpan);
+  const MapInfo* map = cutMap(field);
+  const double floor = std::max(kSpanFloor * size, map ? map->leastSpan : kLeastSpan);
   if (high - low < floor) {
     // Room below the largest value, but not below zero where nothing is negative.
     low = low >= 0 ? std::max(0.0, high - floor) : high - floor;
@@ -57,11 +59,11 @@ FieldSummary summarize(const std::vector<double>& values) {
 std::pair<double, double> legendRangeOf(const std::string& field, const FieldSummary& summary,
                                         const Style& style, const std::optional<double>& limit) {
   std::pair<double, double> range;
-  if (field == "deviation") {
+  if (mapRule(field) == MapRule::banded) {
     range = deviationRange(summary, style.tolerance);
   } else if (limit) {
     range = {0, summary.max > *limit ? roundRange(0, summary.max, kTicks).second : *limit};
-  } else if (field == "relative_speed") {
+  } else if (mapRule(field) == MapRule::share) {
     range = {0, std::max(1.0, summary.max)};
   } else {
     range = plainRange(field, summary);

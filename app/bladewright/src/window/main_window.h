@@ -67,7 +67,7 @@ class MainWindow : public QMainWindow {
   MapBar& mapBar() { return *mapBar_; }
   SectionView& sectionView() { return *section_; }
   MotionView& motionView() { return *motion_; }
-  MessageList& messageList() { return *messages_; }
+  MessageList& messageList() { return messages_->list(); }
   WorkflowPanel& workflow() { return *workflow_; }
   Banner& banner() { return *banner_; }
   RecoveryList& recoveryList() { return *recovery_; }
@@ -184,7 +184,7 @@ class MainWindow : public QMainWindow {
   QLabel* drawnLabel_;  ///< before the choice beside the tabs, where there is room for it
   SectionView* section_;
   MotionView* motion_;
-  MessageList* messages_;
+  MessagePanel* messages_;
   QMenu* recentMenu_;
   CommandPalette* palette_;
   GuideWindow* guide_;

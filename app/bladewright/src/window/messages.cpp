@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "window/messages.h"
 
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QVBoxLayout>
+
 #include <algorithm>
 
-#include "bw/core/printable.h"
+#include "bw/words/findings.h"
 
 namespace bw::app {
 
@@ -29,7 +33,10 @@ MessageList::MessageList(Workbench& bench, const Theme& theme, QWidget* parent)
   setAccessibleName(tr("Messages"));
   const auto show = [this](QListWidgetItem* item) {
     const int i = item->data(Qt::UserRole).toInt();
-    if (i >= 0 && std::size_t(i) < shown_.size()) bench_.showPlace(shown_[std::size_t(i)]);
+    if (i < 0 || std::size_t(i) >= shown_.size()) return;
+    const Message message = shown_[std::size_t(i)];
+    bench_.showPlace(message);
+    emit chosen(message.remedies);
   };
   connect(this, &QListWidget::itemClicked, this, show);
   connect(this, &QListWidget::itemActivated, this, show);
@@ -42,23 +49,19 @@ MessageList::MessageList(Workbench& bench, const Theme& theme, QWidget* parent)
 void MessageList::refresh() {
   shown_ = bench_.messages();
   std::stable_sort(shown_.begin(), shown_.end(),
-                   [](const Issue& a, const Issue& b) { return int(a.severity) > int(b.severity); });
+                   [](const Message& a, const Message& b) { return int(a.severity) > int(b.severity); });
   clear();
   int errors = 0, warnings = 0;
   for (std::size_t i = 0; i < shown_.size(); ++i) {
-    const Issue& issue = shown_[i];
-    errors += issue.severity == Severity::error;
-    warnings += issue.severity == Severity::warning;
-    QString text = QString::fromStdString(printable(issue.message));
-    if (!issue.where.text.empty() && issue.message.find(issue.where.text) == std::string::npos)
-      text = QString::fromStdString(issue.where.text) + ": " + text;
-    if (!text.isEmpty()) text[0] = text[0].toUpper();
-    auto* item = new QListWidgetItem(text, this);
-    item->setIcon(QIcon(
-        theme_.pixmap(severityIcon(issue.severity), severityColour(issue.severity, theme_.colours()), 16)));
+    const Message& message = shown_[i];
+    errors += message.severity == Severity::error;
+    warnings += message.severity == Severity::warning;
+    auto* item = new QListWidgetItem(message.text, this);
+    item->setIcon(QIcon(theme_.pixmap(severityIcon(message.severity),
+                                      severityColour(message.severity, theme_.colours()), 16)));
     item->setData(Qt::UserRole, int(i));
     item->setToolTip(tr("Click to see the place"));
-    item->setData(Qt::AccessibleTextRole, QString(severityName(issue.severity)) + ": " + text);
+    item->setData(Qt::AccessibleTextRole, QString(severityName(message.severity)) + ": " + message.text);
   }
   if (shown_.empty()) {
     auto* item = new QListWidgetItem(
@@ -68,6 +71,39 @@ void MessageList::refresh() {
     item->setForeground(theme_.colours().secondary);
   }
   emit counted(errors, warnings);
+  emit chosen({});
+}
+
+MessagePanel::MessagePanel(Workbench& bench, const Theme& theme, QWidget* parent)
+    : QWidget(parent), bench_(bench) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  list_ = new MessageList(bench, theme, this);
+  column->addWidget(list_, 1);
+  row_ = new QWidget(this);
+  auto* row = new QHBoxLayout(row_);
+  row->setContentsMargins(kGap, kGap / 2, kGap, kGap / 2);
+  row->addStretch();
+  column->addWidget(row_);
+  row_->hide();
+  connect(list_, &MessageList::chosen, this, &MessagePanel::offer);
+}
+
+void MessagePanel::offer(const Remedies& remedies) {
+  auto* row = static_cast<QHBoxLayout*>(row_->layout());
+  while (row->count() > 1) {
+    const std::unique_ptr<QLayoutItem> item(row->takeAt(0));
+    item->widget()->hide();
+    item->widget()->deleteLater();
+  }
+  for (const Remedy& remedy : remedies) {
+    if (!bench_.canApply(remedy)) continue;
+    auto* button = new QPushButton(QString::fromStdString(words::action(remedy)), row_);
+    connect(button, &QPushButton::clicked, this, [this, remedy] { bench_.apply(remedy); });
+    row->insertWidget(row->count() - 1, button);
+  }
+  row_->setVisible(row->count() > 1);
 }
 
 }  // namespace bw::app

@@ -39,7 +39,7 @@ void MainWindow::makeWorkspace() {
   tabs_->setDocumentMode(true);
   section_ = new SectionView(bench_, theme_, tabs_);
   motion_ = new MotionView(bench_, theme_, tabs_);
-  messages_ = new MessageList(bench_, theme_, tabs_);
+  messages_ = new MessagePanel(bench_, theme_, tabs_);
   tabs_->addTab(section_, tr("Section"));
   tabs_->addTab(motion_, tr("Motion"));
   tabs_->addTab(messages_, tr("Messages"));
@@ -120,7 +120,7 @@ void MainWindow::makeWorkspace() {
     pictureDelay_ = double(editClock_.nsecsElapsed()) * 1e-9;
     emit pictureStands();
   });
-  connect(messages_, &MessageList::counted, this, [this](int errors, int warnings) {
+  connect(&messages_->list(), &MessageList::counted, this, [this](int errors, int warnings) {
     const int loud = errors + warnings;
     tabs_->setTabText(tabs_->indexOf(messages_), loud ? tr("Messages (%1)").arg(loud) : tr("Messages"));
   });

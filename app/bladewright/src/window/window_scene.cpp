@@ -101,12 +101,7 @@ void MainWindow::showSpot(const Spot& spot) {
   faces_->setChoosing(false);
   marker_.reset();
   if (spot.point) {
-    QString text = QString::fromStdString(spot.issue.message);
-    const std::string& where = spot.issue.where.text;
-    if (!where.empty() && spot.issue.message.find(where) == std::string::npos)
-      text = QString::fromStdString(where) + ": " + text;
-    if (!text.isEmpty()) text[0] = text[0].toUpper();
-    marker_ = scene::Marker{*spot.point, text.toStdString(), spot.issue.severity};
+    marker_ = scene::Marker{*spot.point, spot.text.toStdString(), spot.severity};
   }
   refreshStyle();
   if (spot.bounds.valid())

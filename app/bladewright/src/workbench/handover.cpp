@@ -19,9 +19,6 @@ Result<FileSet> filesBeside(const pipeline::Evaluation& evaluation, const std::v
   if (!iges) return tl::unexpected<Error>(iges.error());
   beside.add("surface.iges", std::move(*iges));
   beside.add("mesh.stl", pipeline::stlBytes(analysis.cut.triangles(), "Bladewright cut surface, mm"));
-  const Result<Design> stored = pipeline::storedDesign(evaluation);
-  if (!stored) return tl::unexpected<Error>(stored.error());
-  beside.add(pipeline::kDesignFile, designToJson(*stored));
   if (context.stopped()) return stoppedError();
   std::vector<std::filesystem::path> all = made;
   all.insert(all.end(), beside.paths().begin(), beside.paths().end());
@@ -40,15 +37,14 @@ std::vector<WrittenFile> writtenFiles(const FileSet& files) {
   return list;
 }
 
-Result<FileSet> handoverFiles(pipeline::Evaluation& evaluation, const std::vector<ReportImage>& pictures,
-                              const RunContext& context) {
-  if (!evaluation.sweep.value)
-    return fail(ErrorCode::badInput, "there is no result to write; mend what the messages say first",
-                "results");
-  const auto beside = [&](const std::vector<std::filesystem::path>& made) {
+pipeline::Policy handoverPolicy(std::vector<ReportImage> pictures, const RunContext& context) {
+  pipeline::Policy policy;
+  policy.reader = words::Reader::window;
+  policy.more = [pictures = std::move(pictures), context](const pipeline::Evaluation& evaluation,
+                                                          const std::vector<std::filesystem::path>& made) {
     return filesBeside(evaluation, pictures, made, context);
   };
-  return pipeline::resultFiles(evaluation, context, {}, beside);
+  return policy;
 }
 
 }  // namespace bw::app

@@ -8,16 +8,14 @@
 
 #include "bw/core/file_set.h"
 #include "bw/core/run_context.h"
+#include "bw/pipeline/produce.h"
 #include "workbench/report_print.h"
 
 namespace bw::app {
 
-/// All files of a result that make it understandable and usable without this program: those of
-/// `pipeline::resultFiles`, the design that they follow from, the surface as IGES, the mesh as STL, the
-/// report as HTML and PDF, and the pictures. What the check of the programs warns of goes to
-/// `evaluation.programs`.
-Result<FileSet> handoverFiles(pipeline::Evaluation& evaluation, const std::vector<ReportImage>& pictures,
-                              const RunContext& context);
+/// Has all files of a result made that let it be understood and used without this program: beside those of
+/// `Contents::results` the surface as IGES, the mesh as STL, the report as HTML and PDF, and the pictures.
+pipeline::Policy handoverPolicy(std::vector<ReportImage> pictures, const RunContext& context);
 
 /// A file that was written, relative to its folder.
 struct WrittenFile {

@@ -5,10 +5,12 @@
 #include <QStringList>
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "bw/core/number_text.h"
+#include "bw/core/printable.h"
+#include "bw/words/findings.h"
 
 namespace bw::app {
 
@@ -19,8 +21,6 @@ namespace {
 // A surface outside these extents is more likely a mistaken unit than a job for a hot blade, mm.
 constexpr double kSmallestPlausible = 40;
 constexpr double kLargestPlausible = 20000;
-// A blade is lengthened in steps of so many mm.
-constexpr double kBladeStep = 50;
 
 }  // namespace
 
@@ -175,11 +175,20 @@ void Workbench::onDesignChanged() {
   emit stateChanged();
 }
 
-Issues Workbench::messages() const {
-  Issues all = messages_;
+namespace {
+
+Message messageOf(const Finding& finding) {
+  return {finding.severity, QString::fromStdString(printable(words::listed(finding, words::Reader::window))),
+          finding, finding.remedies};
+}
+
+}  // namespace
+
+std::vector<Message> Workbench::messages() const {
+  std::vector<Message> all = messages_;
   if (!exportFindings_.empty() && runner_.evaluation() &&
       model::exportKey(*runner_.evaluation()) == exported_)
-    all.insert(all.end(), exportFindings_.begin(), exportFindings_.end());
+    std::ranges::transform(exportFindings_, std::back_inserter(all), messageOf);
   return all;
 }
 
@@ -187,16 +196,14 @@ void Workbench::onFinished() {
   messages_.clear();
   emit noticesOutdated(Topic::evaluation);
   if (const std::optional<Error>& error = runner_.error()) {
-    // Where an error arose is a key, no word for people; the message names the thing.
-    messages_.push_back({Severity::error, error->where, error->message, {}});
+    QString text = QString::fromStdString(printable(error->message));
+    if (!text.isEmpty()) text[0] = text[0].toUpper();
+    messages_.push_back({Severity::error, text, {}, error->remedies});
     Notice notice{Severity::error, QString::fromStdString(error->message), {}, {}, Topic::evaluation};
-    // The usual first obstacle has a usual remedy: a longer blade.
-    if (error->value == job().blade.length && error->limit && *error->limit > job().blade.length) {
-      const double length = std::ceil(*error->limit / kBladeStep) * kBladeStep;
-      notice.action = tr("Use a blade of %1 mm").arg(length);
-      notice.run = [this, length] {
-        editJob(tr("Change blade length"), [length](Job& job) { job.blade.length = length; });
-      };
+    for (const Remedy& remedy : error->remedies) {
+      if (!notice.action.isEmpty() || !canApply(remedy)) continue;
+      notice.action = QString::fromStdString(words::action(remedy));
+      notice.run = [this, remedy] { apply(remedy); };
     }
     if (sourceMissing()) {
       notice.action = tr("Locate…");
@@ -204,10 +211,8 @@ void Workbench::onFinished() {
     }
     tell(std::move(notice));
   }
-  if (runner_.evaluation()) {
-    const Issues found = runner_.evaluation()->issues();
-    messages_.insert(messages_.end(), found.begin(), found.end());
-  }
+  if (runner_.evaluation())
+    std::ranges::transform(runner_.evaluation()->findings(), std::back_inserter(messages_), messageOf);
   if (const pipeline::SweepResult* result = sweep()) {
     const int count = int(result->sweep.stations.size());
     if (selection_.kind == Selection::Kind::station && selection_.station >= count) {

@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "bw/core/issue.h"
+#include "bw/core/finding.h"
 #include "bw/model/document.h"
 #include "bw/model/evaluation_runner.h"
 #include "bw/model/settings.h"
@@ -29,9 +29,18 @@ struct Selection {
   bool operator==(const Selection&) const = default;
 };
 
-/// Where a finding is.
+/// One line of the messages: a finding, or why there is no result.
+struct Message {
+  Severity severity = Severity::info;
+  QString text;
+  std::optional<Finding> finding = std::nullopt;
+  Remedies remedies = {};
+};
+
+/// Where a message is about.
 struct Spot {
-  Issue issue;
+  Severity severity = Severity::info;
+  QString text;
   std::optional<Eigen::Vector3d> point;  ///< in the file's frame; empty where it has no place of its own
   Bounds bounds;  ///< its station's blade and the block: what shows it in its surroundings
 };
@@ -84,7 +93,11 @@ class Workbench : public QObject {
   bool current() const;
   model::StepStates stepStates() const;
   /// All findings of the newest result, its error first, and of the programs written from it.
-  Issues messages() const;
+  std::vector<Message> messages() const;
+  /// True if `apply` changes the design.
+  bool canApply(const Remedy& remedy) const;
+  /// Does what a remedy advises, as one undoable step.
+  void apply(const Remedy& remedy);
 
   const Selection& selection() const { return selection_; }
   void select(const Selection& selection);
@@ -172,16 +185,15 @@ class Workbench : public QObject {
   void locateRequested();
 
  public slots:
-  /// Selects and frames the place of a finding.
-  void showPlace(const bw::Issue& issue);
+  /// Selects and frames the place of a message.
+  void showPlace(const bw::app::Message& message);
 
  private:
   void onDesignChanged();
   void onFinished();
   struct Export;
-  using MakeFiles =
-      std::function<Result<FileSet>(pipeline::Evaluation&, const RunContext&, Issues& findings)>;
-  void write(const std::filesystem::path& folder, const QString& name, MakeFiles make);
+  using MakePolicy = std::function<pipeline::Policy(const RunContext&)>;
+  void write(const std::filesystem::path& folder, const QString& name, MakePolicy policy);
   void commit(const std::shared_ptr<Export>& files);
   void finishExport(const Export& made, const Result<void>& done);
   void tellWritten(const Export& made);
@@ -207,8 +219,8 @@ class Workbench : public QObject {
   bool exporting_ = false;
   std::optional<Eigen::Vector3d> judgedSize_;  ///< of the target that the unit was judged by
   int lastMergeId_ = 0;
-  Issues messages_;        ///< of the newest result
-  Issues exportFindings_;  ///< of the programs written last
+  std::vector<Message> messages_;  ///< of the newest result
+  Findings exportFindings_;        ///< of the programs written last
   std::filesystem::path exportFolder_;
   std::vector<WrittenFile> exportedFiles_;
   std::string exported_;  ///< `model::exportKey` of what was written last; empty: nothing

@@ -77,7 +77,7 @@ struct Workbench::Export {
   std::string key;  ///< `model::exportKey`
   Source source;
   FileSet files;
-  Issues findings;
+  Findings findings;
   std::vector<fs::path> earlier;  ///< in the folder, which this one would replace or remove
   std::size_t removed = 0;
   bool stands = false;
@@ -114,21 +114,27 @@ Result<void> put(const FileSet& files, const fs::path& folder, const Source& sou
 
 }  // namespace
 
-void Workbench::write(const fs::path& folder, const QString& name, MakeFiles make) {
+void Workbench::write(const fs::path& folder, const QString& name, MakePolicy policy) {
   exporting_ = true;
   exportProblem_.clear();
   const auto made = std::make_shared<Export>();
   made->folder = folder;
   made->name = name;
   made->opened = opened_;
-  const auto task = [made, make = std::move(make)](pipeline::Evaluation evaluation,
-                                                   const RunContext& context) -> Result<void> {
+  const auto task = [made, policy = std::move(policy)](pipeline::Evaluation evaluation,
+                                                       const RunContext& context) -> Result<void> {
     made->key = model::exportKey(evaluation);
     made->source = evaluation.design.source;
-    Result<FileSet> files = make(evaluation, context, made->findings);
-    if (!files) return tl::unexpected<Error>(files.error());
+    pipeline::Product product =
+        pipeline::produce(std::move(evaluation), made->folder, policy(context), context);
+    if (product.error) return tl::unexpected<Error>(*product.error);
     if (context.stopped()) return stoppedError();
-    made->files = std::move(*files);
+    made->files = std::move(product.files);
+    made->findings = product.evaluation.programs;
+    // Nothing is left to write where the only program is refused.
+    if (made->files.paths().empty() && !made->findings.empty())
+      return fail(ErrorCode::badInput, words::sentence(made->findings.front(), words::Reader::window),
+                  "programs");
     made->earlier = earlierExport(made->files, made->folder);
     if (!made->earlier.empty()) return {};
     made->stands = true;
@@ -195,48 +201,35 @@ void Workbench::tellWritten(const Export& made) {
   if (made.removed > 0)
     written += made.removed == 1 ? tr(" (1 file of an earlier run was removed)")
                                  : tr(" (%1 files of an earlier run were removed)").arg(made.removed);
-  const Issues& findings = made.findings;
+  const Findings& findings = made.findings;
   if (findings.empty()) return tell({Severity::info, written, {}, {}, Topic::written});
-  if (findings.front().kind == pipeline::kProgramIssue) {
-    return tell({findings.front().severity,
-                 tr("%1, but %2.").arg(written, QString::fromStdString(findings.front().message)),
-                 {},
-                 {},
-                 Topic::written});
-  }
-  QString first = QString::fromStdString(findings.front().message);
-  if (!first.isEmpty()) first[0] = first[0].toUpper();
+  const QString first = QString::fromStdString(words::sentence(findings.front(), words::Reader::window));
+  if (findings.front().kind() == FindingKind::program)
+    return tell({findings.front().severity, tr("%1, but %2.").arg(written, first), {}, {}, Topic::written});
   const QString more =
       findings.size() > 1 ? tr(" The messages hold all %1 findings.").arg(findings.size()) : QString();
   tell({Severity::warning,
-        tr("%1. The check of the programs warns: %2.%3").arg(written, first, more),
+        tr("%1. The check of the programs warns: %2.%3")
+            .arg(written, first.left(1).toUpper() + first.mid(1), more),
         {},
         {},
         Topic::written});
 }
 
 void Workbench::exportAll(const fs::path& folder, std::vector<ReportImage> pictures) {
-  write(folder, tr("Writing files"),
-        [pictures = std::move(pictures)](pipeline::Evaluation& evaluation, const RunContext& context,
-                                         Issues& findings) {
-          Result<FileSet> files = handoverFiles(evaluation, pictures, context);
-          findings = evaluation.programs;
-          return files;
-        });
+  write(folder, tr("Writing files"), [pictures = std::move(pictures)](const RunContext& context) {
+    return handoverPolicy(pictures, context);
+  });
 }
 
 void Workbench::exportPrograms(const fs::path& folder) {
-  write(folder, tr("Writing programs"),
-        [](pipeline::Evaluation& evaluation, const RunContext&, Issues& findings) -> Result<FileSet> {
-          const Result<Cell> cell = loadCell(evaluation.design.job.cell);
-          if (!cell) return tl::unexpected<Error>(cell.error());
-          Result<FileSet> files = pipeline::programFiles(evaluation, *cell, evaluation.design.job.programs,
-                                                         evaluation.design.name, {}, findings);
-          // Nothing is left to write where the only program is refused.
-          if (files && files->paths().empty() && !findings.empty())
-            return fail(ErrorCode::badInput, findings.front().message, "programs");
-          return files;
-        });
+  write(folder, tr("Writing programs"), [name = document_.design()->name](const RunContext&) {
+    pipeline::Policy policy;
+    policy.contents = pipeline::Policy::Contents::programs;
+    policy.reader = words::Reader::window;
+    policy.programName = name;
+    return policy;
+  });
 }
 
 }  // namespace bw::app

@@ -17,13 +17,13 @@ double depthIn(const Box& block, const Eigen::Vector3d& point) {
 }
 
 /// The point of a station that a finding of that kind is about.
-Eigen::Vector3d pointOf(const std::string& kind, const Station& station, const Box& block) {
-  if (kind == "clearance") {
+Eigen::Vector3d pointOf(FindingKind kind, const Station& station, const Box& block) {
+  if (kind == FindingKind::clearance) {
     const Eigen::Vector3d left = station.leftPoint(), right = station.rightPoint();
     return depthIn(block, left) >= depthIn(block, right) ? left : right;
   }
   const double length = station.fit.elastica.length();
-  if (kind == "curvature") {
+  if (kind == FindingKind::curvature) {
     // Where the blade bends most.
     constexpr int kSteps = 200;
     double arc = 0.5 * station.blade.length(), most = -1;
@@ -39,44 +39,52 @@ Eigen::Vector3d pointOf(const std::string& kind, const Station& station, const B
   return station.frame.toWorld(station.fit.elastica.point(0.5 * length));
 }
 
-Selection::Kind partOf(const Issue& issue) {
-  static const std::pair<const char*, Selection::Kind> kParts[] = {
-      {"block", Selection::Kind::block},     {"blade", Selection::Kind::blade},
-      {"curvature", Selection::Kind::blade}, {"clearance", Selection::Kind::block},
-      {"healing", Selection::Kind::surface}, {"face", Selection::Kind::surface}};
-  for (const auto& [word, kind] : kParts)
-    if (issue.kind.find(word) != std::string::npos || issue.where.text.find(word) != std::string::npos)
-      return kind;
-  return Selection::Kind::result;
+Selection::Kind partOf(FindingKind kind) {
+  switch (model::stepOf(kind)) {
+    case model::Step::input:
+      return Selection::Kind::surface;
+    case model::Step::setup:
+      return Selection::Kind::block;
+    default:
+      return kind == FindingKind::curvature ? Selection::Kind::blade : Selection::Kind::result;
+  }
 }
 
 }  // namespace
 
-void Workbench::showPlace(const Issue& issue) {
+void Workbench::showPlace(const Message& message) {
   const pipeline::SweepResult* result = sweep();
-  const Place& place = issue.where;
-  Spot spot{issue, {}, {}};
+  const Place place = message.finding ? message.finding->where : Place{};
+  Spot spot{message.severity, message.text, {}, {}};
   const auto add = [&](const Box& block) {
     for (const Eigen::Vector3d& corner : block.corners())
       if (corner.allFinite()) spot.bounds.add(corner);
   };
   if (place.point && place.point->allFinite()) spot.point = place.point;
   const Station* station = nullptr;
-  if (place.station && result) {
+  if (place.stations && result) {
     const auto& stations = result->sweep.stations;
     const auto found = std::find_if(stations.begin(), stations.end(),
-                                    [&](const Station& s) { return s.index == *place.station; });
+                                    [&](const Station& s) { return s.index == place.stations->worst; });
     if (found != stations.end()) {
       station = &*found;
       selectStation(int(found - stations.begin()));
     }
   }
   if (station) {
-    const bool middleOnly = issue.kind == "clearance" || issue.kind == "curvature";
-    if (!spot.point || middleOnly) spot.point = pointOf(issue.kind, *station, result->sweep.block);
+    const FindingKind kind = message.finding->kind();
+    const bool middleOnly =
+        kind == FindingKind::clearance || std::holds_alternative<Overbent>(message.finding->cause);
+    if (!spot.point || middleOnly) spot.point = pointOf(kind, *station, result->sweep.block);
     for (const Eigen::Vector2d& p : station->blade.sample(33)) spot.bounds.add(station->frame.toWorld(p));
-  } else if (!place.station) {
-    select({partOf(issue), -1});
+  } else if (!place.stations) {
+    // What failed lies in the step that was not finished; where no plane meets the target, in the block.
+    const model::Step failed = model::failedStep(runner_.evaluation().get());
+    select({message.finding                ? partOf(message.finding->kind())
+            : failed == model::Step::input ? Selection::Kind::surface
+            : job().block.has_value()      ? Selection::Kind::block
+                                           : Selection::Kind::result,
+            -1});
   }
   // The block as the person placed it, where no result has one.
   if (job().block) {

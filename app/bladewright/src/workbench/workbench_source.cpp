@@ -100,11 +100,11 @@ void Workbench::noteSourceRead() {
     document_.noteRead(evaluation->design.source.path, evaluation->source.value->content);
     if (watched) outdateSource();
   }
-  if (evaluation->sourceIssues.empty() && sourceTold_) outdateSource();
-  if (!evaluation->sourceIssues.empty() && !sourceTold_) {
+  if (evaluation->sourceFindings.empty() && sourceTold_) outdateSource();
+  if (!evaluation->sourceFindings.empty() && !sourceTold_) {
     sourceTold_ = true;
     tell({Severity::warning,
-          QString::fromStdString(evaluation->sourceIssues.front().message),
+          QString::fromStdString(words::sentence(evaluation->sourceFindings.front(), words::Reader::window)),
           {},
           {},
           Topic::source});

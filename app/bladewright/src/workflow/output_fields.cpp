@@ -8,33 +8,30 @@
 #include <algorithm>
 
 #include "bw/core/cell.h"
+#include "bw/core/program_formats.h"
 
 namespace bw::app {
 
 namespace {
 
-constexpr std::array<const char*, 3> kFormats = {"rapid", "csv", "json"};
+bool asked(const Job& job, const ProgramFormat& format) {
+  return std::ranges::find(job.programs, format.word) != job.programs.end();
+}
 
 }  // namespace
 
 OutputFields::OutputFields(Workbench& bench, FormColumn* column, QObject* parent)
     : QObject(parent), bench_(bench) {
-  const std::array<std::pair<QString, QString>, 3> formats = {
-      {{tr("ABB RAPID"), tr("MultiMove program for two robots")},
-       {tr("CSV"), tr("One row an instant: position and rotation of both blade ends")},
-       {tr("JSON"), tr("The same with full precision, for scripts")}}};
-  for (std::size_t i = 0; i < formats.size(); ++i) {
-    programs_[i] = new QCheckBox(formats[i].first);
-    programs_[i]->setToolTip(formats[i].second);
-    column->addWide(programs_[i]);
-    connect(programs_[i], &QCheckBox::clicked, this, [this, i](bool on) {
+  for (const ProgramFormat& format : programFormats()) {
+    auto* box = new QCheckBox(tr(format.title));
+    box->setToolTip(tr(format.about));
+    column->addWide(box);
+    programs_.push_back(box);
+    connect(box, &QCheckBox::clicked, this, [this, word = format.word](bool on) {
       bench_.editJob(tr("Choose programs"), [=](Job& job) {
         std::vector<std::string> chosen;
-        for (std::size_t k = 0; k < kFormats.size(); ++k) {
-          const bool had =
-              std::find(job.programs.begin(), job.programs.end(), kFormats[k]) != job.programs.end();
-          if (k == i ? on : had) chosen.push_back(kFormats[k]);
-        }
+        for (const ProgramFormat& each : programFormats())
+          if (each.word == word ? on : asked(job, each)) chosen.push_back(each.word);
         job.programs = chosen;
       });
     });
@@ -74,9 +71,8 @@ OutputFields::OutputFields(Workbench& bench, FormColumn* column, QObject* parent
 
 void OutputFields::refresh() {
   const Job& job = bench_.job();
-  for (std::size_t i = 0; i < kFormats.size(); ++i)
-    programs_[i]->setChecked(std::find(job.programs.begin(), job.programs.end(), kFormats[i]) !=
-                             job.programs.end());
+  for (std::size_t i = 0; i < programs_.size(); ++i)
+    programs_[i]->setChecked(asked(job, programFormats()[i]));
   const auto cell = std::find(cells_.begin(), cells_.end(), job.cell);
   cell_->show(cell == cells_.end() ? -1 : int(cell - cells_.begin()));
 }

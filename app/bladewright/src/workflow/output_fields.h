@@ -35,7 +35,7 @@ class OutputFields : public QObject {
 
  private:
   Workbench& bench_;
-  std::array<QCheckBox*, 3> programs_;
+  std::vector<QCheckBox*> programs_;  ///< one a format
   ChoiceField* cell_;
   std::vector<std::string> cells_;
   QPushButton *export_, *exportPrograms_;

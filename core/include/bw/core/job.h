@@ -41,15 +41,16 @@ struct Job {
   double clearance = 50.0;     ///< mm between a grip and the block
   std::vector<std::string> programs = {"rapid", "csv", "json"};
   std::string cell = "irb1600-pair";
-  int threads = 0;
 
   /// mm: `sewing`, or else a tenth of the tolerance, at most ReadOptions::kMostSewing.
   double sewingTolerance() const;
+  bool operator==(const Job&) const = default;
 };
 
 /// Reads JOB.json. Unknown keys, wrong types and values out of range are errors that name the key, the value
-/// and the remedy (the nearest known key is suggested). Every key is optional.
-Result<Job> parseJob(std::string_view json);
+/// and the remedy (the nearest known key is suggested). Every key is optional. What a machine takes is no
+/// part of a job: `threads` gets the number of worker threads that the text may ask for, 0 = all.
+Result<Job> parseJob(std::string_view json, int* threads = nullptr);
 
 /// The job as JSON text that `parseJob` reads back to an equal job; every key written.
 std::string jobToJson(const Job& job);

@@ -7,12 +7,22 @@
 
 namespace bw {
 
+/// How the numbers of a map are ranged and coloured. Where a map has a limit (`scene::Content::limits`), it
+/// runs from 0 to that, red beyond.
+enum class MapRule {
+  plain,   ///< over what the numbers span
+  banded,  ///< of both signs about 0, pale within the tolerance
+  share    ///< of a whole: from 0 to 1
+};
+
 /// A map of the cut surface: one number a point. Window, legend, command line, files and pages all take its
-/// words from here.
+/// words and rules from here.
 struct MapInfo {
   const char* name;   ///< the word in files and on the command line, "relative_speed"
   const char* title;  ///< for people, "Relative speed"
   const char* unit;   ///< "mm", "°", …; empty for a ratio
+  MapRule rule = MapRule::plain;
+  double leastSpan = 1e-3;  ///< of an automatic range, in its unit
 };
 
 /// All maps, in the order of the fields of `SweepAnalysis::cut` and of every list of them.
@@ -20,5 +30,7 @@ std::span<const MapInfo> cutMaps();
 
 /// The map of that name, or null.
 const MapInfo* cutMap(std::string_view name);
+/// Its rule; plain for a field that is no map of ours.
+MapRule mapRule(std::string_view name);
 
 }  // namespace bw

@@ -18,6 +18,10 @@ std::string roundTripText(double value);
 /// A number for people: `digits` significant digits, no trailing zeros, no exponent between 1e-4 and 1e7.
 std::string shortText(double value, int digits = 3);
 
+/// "station 8" for the index 7: texts for people count from 1, as the window does; indices in data count from
+/// 0.
+std::string stationName(int index);
+
 /// Reads a whole text as a finite double, independent of locale; empty if it is not one.
 std::optional<double> parseNumber(std::string_view text);
 

@@ -8,6 +8,8 @@
 
 #include <tl/expected.hpp>
 
+#include "bw/core/remedy.h"
+
 namespace bw {
 
 /// What went wrong, in the classes that a caller can act on. The command line maps them to exit statuses.
@@ -30,6 +32,7 @@ struct Error {
   std::string where = {};  ///< the file, key, station or parameter concerned; may be empty
   std::optional<double> value = std::nullopt;  ///< the offending number, if there is one
   std::optional<double> limit = std::nullopt;  ///< the bound that it violates, if there is one
+  Remedies remedies = {};                      ///< of what `message` advises, what can be done at once
 };
 
 /// The result of every function that can fail. No exception crosses a module.
@@ -40,7 +43,7 @@ using Result = tl::expected<T, Error>;
 [[nodiscard]] inline tl::unexpected<Error> fail(ErrorCode code, std::string message, std::string where = {},
                                                 std::optional<double> value = std::nullopt,
                                                 std::optional<double> limit = std::nullopt) {
-  return tl::unexpected<Error>(Error{code, std::move(message), std::move(where), value, limit});
+  return tl::unexpected<Error>(Error{code, std::move(message), std::move(where), value, limit, {}});
 }
 
 }  // namespace bw

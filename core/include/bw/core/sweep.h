@@ -10,8 +10,8 @@
 #include "bw/core/blade.h"
 #include "bw/core/elastica.h"
 #include "bw/core/elastica_fit.h"
+#include "bw/core/finding.h"
 #include "bw/core/frame.h"
-#include "bw/core/issue.h"
 #include "bw/core/mesh.h"
 #include "bw/core/motion.h"
 #include "bw/core/planar_curve.h"
@@ -106,7 +106,7 @@ struct Sweep {
 /// and extends it to the blade's length. `sections` in the order of travel, all curves running the same way.
 /// A blade shorter than a section is an error.
 Result<Sweep> buildSweep(std::vector<Section> sections, const FitRequest& request, const Box& block,
-                         const Eigen::Vector3d& direction, const RunContext& context, Issues& issues,
+                         const Eigen::Vector3d& direction, const RunContext& context, Findings& findings,
                          double* fitSeconds = nullptr, double* extendSeconds = nullptr);
 
 /// Fills what the stations tell by themselves, without the target: angles, speeds, margins and clearance. At
@@ -135,7 +135,7 @@ struct SweepAnalysis {
   SplineSurface surface;        ///< the smooth skin through the stations
   std::vector<int> stationRow;  ///< row of `cut` of each station, or nearest to it where rows are thinned
   SweepSummary summary;
-  Issues issues;
+  Findings findings;
 };
 
 /// Checks a sweep against the target: velocities (thesis 5.3, following the arc length from the blade's

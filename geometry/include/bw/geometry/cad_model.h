@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "bw/core/face_choice.h"
+#include "bw/core/finding.h"
 #include "bw/core/frame.h"
-#include "bw/core/issue.h"
 #include "bw/core/mesh.h"
 #include "bw/core/read_options.h"
 #include "bw/core/result.h"
@@ -94,7 +94,7 @@ class CadModel {
   /// Indices of the faces chosen. `findings` is told where the choice was left to the program. Errors
   /// (`badInput`): an index, name or group that does not exist, each with those that do; a face thinner than
   /// 0.01 mm.
-  Result<std::vector<int>> choose(const FaceChoice& choice, Issues* findings = nullptr) const;
+  Result<std::vector<int>> choose(const FaceChoice& choice, Findings* findings = nullptr) const;
 
   /// Opaque handle for this module's own functions.
   struct Impl;
@@ -112,7 +112,7 @@ class Target {
   /// Takes the faces that `choice` names; what it took, and what it left out as too thin, goes to `findings`.
   /// Error `badInput`: a number, name or group that does not exist, a point that is not finite, a chosen face
   /// too thin to be cut, or no other.
-  static Result<Target> make(const CadModel& model, const FaceChoice& choice, Issues* findings = nullptr);
+  static Result<Target> make(const CadModel& model, const FaceChoice& choice, Findings* findings = nullptr);
 
   Bounds bounds() const;  ///< tight, file frame, mm
   double area() const;    ///< mm²

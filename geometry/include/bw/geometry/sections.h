@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "bw/core/finding.h"
 #include "bw/core/frame.h"
-#include "bw/core/issue.h"
 #include "bw/core/result.h"
 #include "bw/core/run_context.h"
 #include "bw/core/section_request.h"
@@ -36,7 +36,7 @@ struct SetupRequest {
 /// where that is nearly as small, with a few mm of margin below and above so that no cut runs along a face of
 /// the block) and the cutting direction (the longer side of that box). A given direction is normalised; a
 /// zero one is an error.
-Result<Setup> resolveSetup(const Target& target, const SetupRequest& request, Issues& issues);
+Result<Setup> resolveSetup(const Target& target, const SetupRequest& request, Findings& findings);
 
 /// A way that the blade could go, with the name of where it comes from.
 struct NamedDirection {
@@ -58,6 +58,6 @@ std::vector<NamedDirection> directionsToTry(const Target& target, const Box& blo
 /// open curve is left out, and none left at all is an error.
 Result<std::vector<Section>> cutSections(const Target& target, const Setup& setup,
                                          const SectionRequest& request, const RunContext& context,
-                                         Issues& issues);
+                                         Findings& findings);
 
 }  // namespace bw::geometry

@@ -9,7 +9,7 @@
 
 #include "bw/core/cell.h"
 #include "bw/core/file_set.h"
-#include "bw/core/issue.h"
+#include "bw/core/finding.h"
 #include "bw/core/motion.h"
 #include "bw/core/result.h"
 
@@ -28,6 +28,8 @@ struct RapidOptions {
   /// Errors of the design that the program is written despite. The head of each module then lists them as "!
   /// NOT SAFE TO RUN: …".
   std::vector<std::string> errors = {};
+  /// What else the head of the main modules warns of: "! WARNING: …".
+  std::vector<std::string> warnings = {};
   /// Names the run that the program is of, 16 hexadecimal digits; stands in the head of each module. Empty if
   /// there is none.
   std::string run = {};
@@ -38,13 +40,13 @@ struct RapidOptions {
 /// that breaks a rule is an error that lists it; what the check only warns of is added to `warnings`, once
 /// for all tasks.
 Result<Program> writeRapid(const Motion& motion, const Cell& cell, const RapidOptions& options = {},
-                           Issues* warnings = nullptr);
+                           Findings* warnings = nullptr);
 
-/// What can be said without the robots' kinematics about how a motion lies in a cell: warnings of kind
-/// "cell-sides" for an end of the blade that is nearer to another robot than to its own, at the first or the
+/// What can be said without the robots' kinematics about how a motion lies in a cell: `WrongSide`, a warning
+/// for an end of the blade that is nearer to another robot than to its own, at the first or the
 /// last instant. Empty if motion and cell do not fit each other in their number of ends (`writeRapid` refuses
 /// those).
-Issues checkPlacement(const Motion& motion, const Cell& cell);
+Findings checkPlacement(const Motion& motion, const Cell& cell);
 
 /// CSV: header with units, one row an instant, positions and quaternions of every end.
 Result<Program> writeCsv(const Motion& motion);
@@ -80,10 +82,10 @@ struct RapidTask {
 Result<std::vector<RapidTask>> readRapid(const Program& program);
 
 /// Applies every rule that needs no robot kinematics (names, files, line ends, task lists, syncidents, IDs,
-/// durations, quaternions, zones, data) and reports each breach with file and line. Files that cannot be
-/// parsed are a finding too, never a crash. A mark of `RapidOptions::errors` is an error of kind
+/// durations, quaternions, zones, data) and reports each `ProgramBreach` with file and line. Files that
+/// cannot be parsed are a finding too, never a crash. A mark of `RapidOptions::errors` is an error of kind
 /// "rapid-marked"; modules of different runs are one of kind "rapid-run".
-Issues checkRapid(const Program& program);
+Findings checkRapid(const Program& program);
 
 /// The run that the head of a module names, or empty.
 std::string runOfModule(std::string_view module);

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "bw/core/face_mesh.h"
+#include "bw/core/finding.h"
 #include "bw/core/frame.h"
-#include "bw/core/issue.h"
 #include "bw/core/mesh.h"
 #include "bw/core/result.h"
 

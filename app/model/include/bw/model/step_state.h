@@ -49,7 +49,10 @@ std::string exportKey(const pipeline::Evaluation& evaluation);
 /// The states of the four steps. Which step failed follows from the first stage that is missing.
 StepStates stepStates(const StepFacts& facts);
 
+/// The first step that an evaluation did not finish.
+Step failedStep(const pipeline::Evaluation* evaluation);
+
 /// The step that a finding belongs to, by its kind.
-Step stepOfIssue(const Issue& issue);
+Step stepOf(FindingKind kind);
 
 }  // namespace bw::model

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "bw/core/issue.h"
+#include "bw/core/finding.h"
 #include "bw/core/result.h"
 #include "bw/core/run_context.h"
 #include "bw/geometry/sections.h"
@@ -46,6 +46,6 @@ struct DirectionSearch {
                                                       const RowRequest& request, const RunContext& context);
 
 /// Says which way was chosen where it is not the usual one, and why.
-[[nodiscard]] Issues directionFindings(const DirectionSearch& search);
+[[nodiscard]] Findings directionFindings(const DirectionSearch& search);
 
 }  // namespace bw::pipeline

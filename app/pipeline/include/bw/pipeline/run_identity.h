@@ -6,17 +6,14 @@
 #include <string>
 
 #include "bw/core/cell.h"
-#include "bw/core/issue.h"
+#include "bw/core/finding.h"
 #include "bw/core/result.h"
 #include "bw/pipeline/pipeline.h"
 
 namespace bw::pipeline {
 
-/// Kind of the finding that tells of files from different runs.
-inline constexpr const char* kRunIssue = "run";
-
 /// The name of a run: the fingerprint of all that its results depend on, which are the job without what only
-/// chooses among outputs (`programs`, `threads`), the bytes of the CAD file, the version of the program, the
+/// chooses among outputs (`programs`), the bytes of the CAD file, the version of the program, the
 /// cell if there are programs, and the motion that came out. Runs of equal input have equal names, for any
 /// number of threads. Needs a sweep.
 std::string runId(const Evaluation& evaluation, const Cell* cell);
@@ -29,7 +26,7 @@ bool isResultFolder(const std::filesystem::path& folder);
 /// or not as it was written, also for modules of other runs that it does not list; a warning for a module of
 /// the run that was changed since. An error too where results have no report; a warning where it names no
 /// run. Nothing for what is not among results.
-Issues compareWithReport(const std::filesystem::path& path);
+Findings compareWithReport(const std::filesystem::path& path);
 
 /// Refuses a folder of results whose design and sweep are not those of its report (`ErrorCode::badInput`).
 /// One without a report, or whose report names no run, passes: the design speaks for itself.

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "bw/pipeline/produce.h"
+
+#include "make_files.h"
+
+namespace bw::pipeline {
+
+namespace {
+
+using Contents = Policy::Contents;
+
+Result<FileSet> filesOf(Evaluation& evaluation, const Policy& policy, const RunContext& context) {
+  if (policy.contents == Contents::evaluation) return FileSet{};
+  if (!evaluation.sweep.value)
+    return fail(ErrorCode::badInput, "there is no result to write; mend what the messages say first",
+                "results");
+  if (policy.contents == Contents::results) return resultFiles(evaluation, context, policy);
+  const Result<Cell> cell = loadCell(evaluation.design.job.cell);
+  if (!cell) return tl::unexpected<Error>(cell.error());
+  Result<FileSet> programs = programFiles(evaluation, *cell, policy.programName, policy);
+  if (!programs) return programs;
+  FileSet files;
+  files.append(std::move(*programs), policy.programFolder);
+  return files;
+}
+
+void makeFiles(Product& product, const Policy& policy, const RunContext& context) {
+  Result<FileSet> files = filesOf(product.evaluation, policy, context);
+  if (files)
+    product.files = std::move(*files);
+  else
+    product.error = files.error();
+}
+
+}  // namespace
+
+int Product::status() const {
+  if (error) return statusOf(error->code);
+  return exceedsLimit(findings()) ? kLimitExceeded : kDone;
+}
+
+Product produce(const Design& design, const std::filesystem::path& folder, const Policy& policy,
+                const RunContext& context) {
+  Product product;
+  if (policy.contents != Contents::evaluation) {
+    product.seen = folderState(folder);
+    if (!design.job.programs.empty())
+      if (const Result<Cell> cell = loadCell(design.job.cell); !cell) {
+        product.error = cell.error();
+        return product;
+      }
+  }
+  Outcome outcome = evaluate(design, nullptr, context);
+  product.evaluation = std::move(outcome.evaluation);
+  product.error = outcome.error;
+  if (!product.error) makeFiles(product, policy, context);
+  return product;
+}
+
+Product produce(Evaluation evaluation, const std::filesystem::path& folder, const Policy& policy,
+                const RunContext& context) {
+  Product product;
+  product.seen = folderState(folder);
+  product.evaluation = std::move(evaluation);
+  makeFiles(product, policy, context);
+  return product;
+}
+
+}  // namespace bw::pipeline

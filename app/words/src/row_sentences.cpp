@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// What is said of blades and their rows.
+
+#include <algorithm>
+
+#include "bw/core/number_text.h"
+#include "bw/core/units.h"
+#include "sentences.h"
+
+namespace bw::words {
+
+namespace {
+
+std::string mm(double value, int digits = 3) { return shortText(value, digits) + " mm"; }
+
+std::string conditionText(const std::string& name) {
+  if (name == "length") return "the length";
+  if (name == "endpoints") return "the end points";
+  if (name == "tangents") return "the end tangents";
+  if (name == "max_curvature") return "the bound on the curvature";
+  if (name == "max_periods") return "the bound on the periods";
+  if (name == "max_inflections") return "the bound on the inflections";
+  return "the absence of self-intersections";
+}
+
+/// "one of 812 mm does", where the remedy is another length.
+std::string shorterText(const Finding& finding, const std::string& does, const std::string& otherwise) {
+  const OtherLength* blade = remedyOf<OtherLength>(finding.remedies);
+  return blade ? "one of " + mm(blade->length, 6) + " " + does : otherwise;
+}
+
+std::string takesText(const Finding& finding) {
+  const BendingBlade* blade = remedyOf<BendingBlade>(finding.remedies);
+  return blade ? "it takes " + bendingBladeText(*blade) : std::string(kInParts);
+}
+
+std::string otherBlockText(const Finding& finding, bool single) {
+  const OtherBlock* block = remedyOf<OtherBlock>(finding.remedies);
+  if (!block || block->how == OtherBlock::How::smaller)
+    return "choose a smaller block or another cutting direction";
+  return std::string("choose a block that ") +
+         (block->how == OtherBlock::How::beginsAfter ? "begins after" : "ends before") +
+         (single ? " this station" : " these stations") +
+         ", one that is narrower along the blade, or another cutting direction";
+}
+
+std::string leftOutText(int first, int last) {
+  return first == last
+             ? stationName(first) + " is left out"
+             : "stations " + std::to_string(first + 1) + " to " + std::to_string(last + 1) + " are left out";
+}
+
+}  // namespace
+
+std::string Sentences::operator()(const UnmetConditions& cause) const {
+  std::string list;
+  const std::size_t count = cause.conditions.size();
+  for (std::size_t i = 0; i < count; ++i)
+    list += (i == 0 ? "" : i + 1 == count ? " and " : ", ") + conditionText(cause.conditions[i]);
+  return at() + "no blade was found that meets " +
+         (count == 0   ? std::string("all conditions together; release one of them")
+          : count == 1 ? list + "; release it"
+                       : list + " together; release one of them") +
+         "; the nearest curve without conditions stands in for it";
+}
+
+std::string Sentences::operator()(const UnsettledFit& cause) const {
+  return at() + "the search for the nearest curve did not come to rest; the curve taken is within " +
+         mm(cause.distance) + " of the section";
+}
+
+std::string Sentences::operator()(const HeldBackFit& cause) const {
+  return at() +
+         "continued to its grips, the nearest curve would overbend or buckle the blade; a curve within " +
+         mm(cause.distance) + " of the section, which the whole blade holds, takes its place";
+}
+
+std::string Sentences::operator()(const SteadiedFit& cause) const {
+  return at() +
+         "the section is short and the nearest curve would swing the blade's ends about; a curve within " +
+         mm(cause.distance) + " of it, nearer to the shape of the neighbour, takes its place";
+}
+
+std::string Sentences::operator()(const Overbent& cause) const {
+  return at() + "the blade must bend to a radius of " + mm(cause.radius) +
+         " but keeps its shape only down to " + mm(cause.limit) + "; " +
+         shorterText(finding, "does", takesText(finding));
+}
+
+std::string Sentences::operator()(const TooTight& cause) const {
+  std::string text = at() + "the surface is too tight: it bends to a radius of " + mm(cause.radius) +
+                     ", the blade only to " + mm(cause.limit) + ", so that it stays " + mm(cause.distance) +
+                     " or more off (tolerance " + mm(cause.tolerance) + "); " + takesText(finding);
+  if (const LargerSurface* larger = remedyOf<LargerSurface>(finding.remedies))
+    text += ", or a surface " + shortText(larger->scale, 4) + " times as large" +
+            (larger->bladeLength ? " with a blade of " + mm(*larger->bladeLength, 6) : std::string());
+  return text;
+}
+
+std::string Sentences::operator()(const ManyInflections& cause) const {
+  return at() + "the blade would need " + std::to_string(cause.count) +
+         " inflections; a stiff blade holds at most two, so " + kInParts;
+}
+
+std::string Sentences::operator()(const WouldSnap&) const {
+  return at() + "the blade would not rest in this shape but snap to another; " +
+         shorterText(finding, "rests in it", kInParts);
+}
+
+std::string Sentences::operator()(const WouldTwist&) const {
+  return at() + "a round blade would twist out of its plane rather than rest in this shape; " +
+         shorterText(finding, "stays in it, and so does a flat blade",
+                     "take a flat blade, which is stiff across its plane");
+}
+
+std::string Sentences::operator()(const GripTooNear& cause) const {
+  std::string text =
+      at() + (cause.distance < 0 ? "a grip would be " + mm(-cause.distance) + " inside the block"
+                                 : "a grip passes the block at " + mm(cause.distance) +
+                                       ", less than the clearance of " + mm(cause.clearance));
+  if (const OtherLength* blade = remedyOf<OtherLength>(finding.remedies))
+    return text + "; a blade of at least " + mm(blade->length, 6) + " keeps the clearance";
+  text += cause.unheldLength ? "; a blade that keeps the clearance (" + mm(*cause.unheldLength, 6) +
+                                   ") would not hold this shape"
+                             : "; no longer blade of this shape keeps the clearance";
+  return text + "; " + otherBlockText(finding, finding.where.stations->first == finding.where.stations->last);
+}
+
+std::string Sentences::operator()(const SteepAngle& cause) const {
+  return at() + "the blade moves at " + fixedText(toDegrees(cause.angle), 1) +
+         "° to the normal of its plane; above " + fixedText(toDegrees(cause.limit), 0) +
+         "° this blade drags instead of cutting; turn the cutting direction";
+}
+
+std::string Sentences::operator()(const UnevenSpeed& cause) const {
+  return at() + "the slowest point of the blade moves at " + fixedText(100 * cause.ratio, 0) +
+         " % of the fastest, so that it melts a wider kerf there; turn the cutting direction, or " + kInParts;
+}
+
+std::string Sentences::operator()(const EndsSwing& cause) const {
+  return stationName(finding.where.stations->worst) + ": the blade's end turns " +
+         fixedText(toDegrees(cause.angle), 0) + "° within " + mm(cause.travel) + " of travel" +
+         (cause.places > 1 ? " (more than " + fixedText(toDegrees(cause.limit), 0) + "° at " +
+                                 std::to_string(cause.places) + " places)"
+                           : std::string()) +
+         "; take more stations, a shorter blade, or a block in which the sections change less";
+}
+
+std::string Sentences::operator()(const GapInRow& cause) const {
+  const StationRange& range = *finding.where.stations;
+  return leftOutText(range.first + 1, range.last - 1) + " inside the row" +
+         (cause.otherPlaces > 0 ? ", and others in " + std::to_string(cause.otherPlaces) + " more places"
+                                : std::string()) +
+         ": with nothing to follow, the blade would cut straight on over " + mm(cause.width) + " from " +
+         stationName(range.first) + " to " + stationName(range.last) +
+         "; choose a block on one side of the gap, one face without it, or another cutting direction";
+}
+
+std::string Sentences::operator()(const TooFar& cause) const {
+  std::string text = "the cut surface is up to " + mm(cause.deviation) + " from the target near " +
+                     placeText(finding) + ", more than the tolerance of " + mm(cause.tolerance) + " (" +
+                     fixedText(std::min(99.9, 100 * cause.within), 1) + " % of its area lies within); ";
+  switch (cause.source) {
+    case TooFar::Source::stations:
+      break;
+    case TooFar::Source::between:
+      return text + "it arises between the stations, which are " + mm(cause.spacing) +
+             " apart there; the stations themselves keep within " + mm(cause.own) + ", so take more of them";
+    case TooFar::Source::gap:
+      return text + "it arises where " + leftOutText(cause.leftFirst, cause.leftLast) +
+             ": close that gap first";
+  }
+  return text + kInParts + ", turn the cutting direction, or allow more";
+}
+
+}  // namespace bw::words

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "bw/core/finding.h"
+
+#include <algorithm>
+
+namespace bw {
+
+const char* severityName(Severity severity) {
+  switch (severity) {
+    case Severity::info:
+      return "info";
+    case Severity::warning:
+      return "warning";
+    case Severity::error:
+      return "error";
+  }
+  return "info";
+}
+
+FindingKind Finding::kind() const {
+  return std::visit([](const auto& value) { return value.kind; }, cause);
+}
+
+bool hasErrors(const Findings& findings) {
+  return std::ranges::any_of(findings, [](const Finding& f) { return f.severity == Severity::error; });
+}
+
+bool exceedsLimit(const Findings& findings) {
+  return std::ranges::any_of(findings, [](const Finding& f) {
+    if (f.severity != Severity::warning) return f.severity == Severity::error;
+    const FindingKind kind = f.kind();
+    return kind == FindingKind::deviation || kind == FindingKind::clearance || kind == FindingKind::stability;
+  });
+}
+
+}  // namespace bw

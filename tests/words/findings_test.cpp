@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// What findings say: one sentence each, in the words of who reads it.
+
+#include "bw/words/findings.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <utility>
+
+namespace bw::words {
+
+namespace {
+
+constexpr double kDegree = 0.017453292519943295;
+
+std::string said(Cause cause, std::optional<StationRange> stations = {}, Remedies remedies = {},
+                 Reader reader = Reader::window) {
+  return sentence({Severity::warning, std::move(cause), {stations, {}}, std::move(remedies)}, reader);
+}
+
+const StationRange kOne = StationRange::of(7), kAll{2, 8, 6, 7}, kSome{2, 8, 6, 4};
+
+/// Each cause once, by default values, with what its sentence needs.
+template <std::size_t... I>
+std::vector<Finding> oneOfEach(std::index_sequence<I...>) {
+  std::vector<Finding> all;
+  (all.push_back({Severity::warning, std::variant_alternative_t<I, Cause>{}, {}, {}}), ...);
+  for (Finding& finding : all) {
+    const FindingKind kind = finding.kind();
+    const bool ofFiles = kind >= FindingKind::face;
+    if (!ofFiles) finding.where.stations = kAll;
+  }
+  return all;
+}
+
+std::vector<Finding> everyCause() {
+  return oneOfEach(std::make_index_sequence<std::variant_size_v<Cause>>());
+}
+
+}  // namespace
+
+TEST(Findings, OneStationSeveralAndSomeOfThem) {
+  EXPECT_EQ(said(SectionMissing{}, kOne),
+            "station 8 is left out: its plane does not meet the target inside the block");
+  EXPECT_EQ(said(SectionMissing{}, kAll),
+            "stations 3 to 9 are left out: their planes do not meet the target inside the block");
+  EXPECT_EQ(said(SectionMissing{}, kSome),
+            "4 of the stations 3 to 9 are left out: their planes do not meet the target inside the block");
+  EXPECT_NE(said(SectionBranches{2, 2}, kAll).find("in 2 separate curves each; place"), std::string::npos);
+  EXPECT_NE(said(SectionBranches{2, 4}, kAll).find("in 2 to 4 separate curves; place"), std::string::npos);
+  EXPECT_NE(said(SectionBranches{2, 2}, kOne).find("in 2 separate curves; place"), std::string::npos);
+  EXPECT_EQ(
+      said(ManyInflections{3}, kAll),
+      "stations 3 to 9 (worst: 7): the blade would need 3 inflections; a stiff blade holds at most two, so "
+      "cut it in parts, each with a narrower block of its own");
+  EXPECT_EQ(
+      said(UnsettledFit{0.25}, StationRange{2, 4, 3, 3}),
+      "stations 3 to 5 (worst: 4): the search for the nearest curve did not come to rest; the curve taken "
+      "is within 0.25 mm of the section");
+}
+
+TEST(Findings, NameConditionsAndWhatToRelease) {
+  EXPECT_EQ(said(UnmetConditions{{"length"}}, kOne),
+            "station 8: no blade was found that meets the length; release it; the nearest curve without "
+            "conditions stands in for it");
+  EXPECT_NE(said(UnmetConditions{{"endpoints", "tangents", "length"}}, kOne)
+                .find("meets the end points, the end tangents and the length together; release one of them"),
+            std::string::npos);
+}
+
+TEST(Findings, SayTheSwingOfAnEndWhereItIs) {
+  EXPECT_EQ(
+      said(EndsSwing{120 * kDegree, 20, 45 * kDegree, 1}, StationRange{26, 27, 27, 2}),
+      "station 28: the blade's end turns 120° within 20 mm of travel; take more stations, a shorter blade, "
+      "or a block in which the sections change less");
+}
+
+TEST(Findings, TellTheRemediesTheyHold) {
+  EXPECT_NE(said(GripTooNear{-12, 50}, kOne, {OtherLength{1200}})
+                .find("12 mm inside the block; a blade of at least 1200 mm keeps the clearance"),
+            std::string::npos);
+  EXPECT_NE(
+      said(GripTooNear{-12, 50, 1500}, kOne, {OtherBlock{OtherBlock::How::endsBefore}})
+          .find("a blade that keeps the clearance (1500 mm) would not hold this shape; choose a block that "
+                "ends before this station"),
+      std::string::npos);
+  EXPECT_NE(said(GripTooNear{-12, 50}, kAll, {OtherBlock{}})
+                .find("no longer blade of this shape keeps the clearance; choose a smaller block"),
+            std::string::npos);
+  EXPECT_NE(said(GripTooNear{20, 50}, kOne, {OtherLength{900}})
+                .find("passes the block at 20 mm, less than the clearance of 50 mm"),
+            std::string::npos);
+  EXPECT_NE(said(Overbent{200, 360}, kOne, {OtherLength{700}}).find("; one of 700 mm does"),
+            std::string::npos);
+  EXPECT_NE(said(Overbent{200, 360}, kOne, {BendingBlade{198, "rod", "Rod", 150}})
+                .find("it takes a blade that bends to 198 mm, such as the Rod (150 mm)"),
+            std::string::npos);
+  EXPECT_NE(
+      said(TooTight{25, 360, 14, 2}, kOne, {BendingBlade{20, "rod", "Rod", 150}, LargerSurface{3.2, 2100}})
+          .find("(none of the presets does; the Rod bends farthest, to 150 mm), or a surface 3.2 times as "
+                "large with a blade of 2100 mm"),
+      std::string::npos);
+}
+
+TEST(Findings, SpeakToWhoReadsThem) {
+  const ProgramDespiteErrors refused{2, false};
+  EXPECT_NE(said(refused, {}, {}, Reader::commandLine).find("--despite-errors"), std::string::npos);
+  EXPECT_EQ(said(refused), "no RAPID program is written, because the design has 2 errors; mend them");
+  EXPECT_EQ(
+      said(ProgramDespiteErrors{1, true}),
+      "the RAPID program is written although the design has an error; its modules are marked as not safe "
+      "to run");
+}
+
+TEST(Findings, EveryCauseHasASentenceAndAWord) {
+  for (const Finding& finding : everyCause()) {
+    const bool foreign = std::holds_alternative<LeftOutOfFile>(finding.cause) ||
+                         std::holds_alternative<Healed>(finding.cause) ||
+                         std::holds_alternative<UnreadableCell>(finding.cause) ||
+                         std::holds_alternative<ProgramBreach>(finding.cause);
+    if (foreign) continue;  // says what it holds
+    for (const Reader reader : {Reader::commandLine, Reader::window}) {
+      const std::string text = sentence(finding, reader);
+      EXPECT_GT(text.size(), 20u) << finding.cause.index();
+      EXPECT_NE(text.back(), '.') << text;
+      EXPECT_EQ(text.find("split"), std::string::npos) << "there is no such command: " << text;
+    }
+    EXPECT_FALSE(kindWord(finding).empty());
+    EXPECT_EQ(sentence(finding, Reader::window).find("--"), std::string::npos);
+  }
+}
+
+TEST(Findings, KindsHaveWordsOfTheirOwn) {
+  std::set<std::pair<FindingKind, std::string>> kinds;
+  std::set<std::string> words;
+  for (const Finding& finding : everyCause()) {
+    if (std::holds_alternative<ProgramBreach>(finding.cause)) continue;
+    kinds.insert({finding.kind(), kindWord(finding)});
+    words.insert(kindWord(finding));
+  }
+  EXPECT_EQ(kinds.size(), words.size());
+}
+
+TEST(Findings, InAListStandWithTheirPlace) {
+  const Finding side{Severity::warning, WrongSide{"left", "T_ROB1", "T_ROB2", 900, 600, false}, {}, {}};
+  EXPECT_EQ(listed(side, Reader::window).substr(0, 40), "End of the cut: the left end of the blad");
+  const Finding row{Severity::warning, SectionPoint{}, {kAll, {}}, {}};
+  EXPECT_EQ(listed(row, Reader::window).substr(0, 26), "Stations 3 to 9 are left o") << "once, not twice";
+  EXPECT_EQ(placeText(row), "station 7");
+}
+
+TEST(Remedies, HaveAnActionWhereTheProgramCanDoThem) {
+  EXPECT_EQ(action(OtherLength{812}), "Use a blade of 812 mm");
+  EXPECT_EQ(action(BendingBlade{100, "rod", "Rod 1 mm", 90}), "Use Rod 1 mm");
+  EXPECT_EQ(action(BendingBlade{100, "rod", "Rod 1 mm", 110}), "") << "it does not bend so far";
+  EXPECT_EQ(action(MoreStations{119}), "Take 119 stations");
+  EXPECT_EQ(action(WiderTolerance{2.3}), "Allow 2.3 mm");
+  EXPECT_EQ(action(CutInParts{}), "");
+}
+
+}  // namespace bw::words
