@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "bw/core/blade.h"
+#include "bw/core/number_settings.h"
 
 #include <unistd.h>
 
@@ -47,16 +48,8 @@ Result<Blade> bladeFromJson(const json& object, const std::string& path, Blade b
   int section = int(blade.section);
   reader.word("section", {"flat", "tube", "rod"}, section);
   blade.section = Blade::Section(section);
-  reader.number("length", blade.length, 10, Blade::kLongest);
-  reader.number("width", blade.width, 0, 200);
-  reader.number("thickness", blade.thickness, 0, 50);
-  reader.number("outer_diameter", blade.outerDiameter, 0, 100);
-  reader.number("inner_diameter", blade.innerDiameter, 0, 100);
-  reader.number("young_modulus", blade.youngModulus, 1, 2e6);
-  reader.number("yield_stress", blade.yieldStress, 1e-2, 1e5);
-  reader.number("temperature", blade.temperature, -50, 1500);
-  reader.number("thermal_expansion", blade.thermalExpansion, 0, 1e-3);
-  reader.number("safety", blade.safety, 1, 10);
+  for (const BladeNumber& number : bladeNumbers())
+    reader.number(number.key, blade.*number.member, number.min, number.max);
   if (blade.section == Blade::Section::flat && !(blade.width > 0 && blade.thickness > 0))
     reader.complain("width", path + " is a flat blade and needs width and thickness greater than 0 mm");
   if (blade.section != Blade::Section::flat && !(blade.outerDiameter > 0))
@@ -70,22 +63,9 @@ Result<Blade> bladeFromJson(const json& object, const std::string& path, Blade b
 
 json bladeToJson(const Blade& blade) {
   static const char* const kSections[] = {"flat", "tube", "rod"};
-  json object = {{"name", blade.name},
-                 {"title", blade.title},
-                 {"section", kSections[int(blade.section)]},
-                 {"length", blade.length},
-                 {"young_modulus", blade.youngModulus},
-                 {"yield_stress", blade.yieldStress},
-                 {"temperature", blade.temperature},
-                 {"thermal_expansion", blade.thermalExpansion},
-                 {"safety", blade.safety}};
-  if (blade.section == Blade::Section::flat) {
-    object["width"] = blade.width;
-    object["thickness"] = blade.thickness;
-  } else {
-    object["outer_diameter"] = blade.outerDiameter;
-    if (blade.section == Blade::Section::tube) object["inner_diameter"] = blade.innerDiameter;
-  }
+  json object = {{"name", blade.name}, {"title", blade.title}, {"section", kSections[int(blade.section)]}};
+  for (const BladeNumber& number : bladeNumbers())
+    if (number.appliesTo(blade.section)) object[number.key] = blade.*number.member;
   return object;
 }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "base/json_reader.h"
+#include "bw/core/number_settings.h"
 #include "bw/core/number_text.h"
 #include "bw/core/units.h"
 #include "design/blade_json.h"
@@ -23,7 +24,6 @@ namespace {
 constexpr double kMaxSewing = 100;  ///< mm
 constexpr const char* kFileUnit = "file";
 constexpr double kMaxBlock = 1e6;  ///< mm
-constexpr double kMaxLead = 1e4;   ///< mm
 
 void readUnit(ObjectReader& reader, std::optional<LengthUnit>& unit) {
   std::vector<std::string> words = {kFileUnit};
@@ -126,7 +126,8 @@ void readFit(ObjectReader& reader, Job& job) {
   job.fitLength = FitOptions::Length(length);
   inner.boolean("endpoints", job.fitEndpoints);
   inner.boolean("tangents", job.fitTangents);
-  inner.number("max_periods", job.maxPeriods, 0.05, 10);
+  for (const JobNumber& number : jobNumbers())
+    if (number.ofFit) inner.number(number.key, job.*number.member, number.min, number.max);
   if (Result<void> ok = inner.finish(); !ok) reader.adopt(inner);
 }
 
@@ -213,12 +214,10 @@ Result<Job> jobFromJson(const json& object, const std::string& path, int& thread
     if (Result<void> ok = inner.finish(); !ok) reader.adopt(inner);
   }
   readStations(reader, job);
-  reader.number("lead", job.lead, 0, kMaxLead);
   readBlade(reader, job.blade);
   readFit(reader, job);
-  reader.number("tolerance", job.tolerance, 1e-4, 1000);
-  reader.number("cutting_speed", job.cuttingSpeed, 0.01, 1000);
-  reader.number("clearance", job.clearance, 0, 10000);
+  for (const JobNumber& number : jobNumbers())
+    if (!number.ofFit) reader.number(number.key, job.*number.member, number.min, number.max);
   readPrograms(reader, job.programs);
   reader.text("cell", job.cell);
   reader.integer("threads", threads, 0, 1024);
@@ -251,15 +250,12 @@ json jobToJsonObject(const Job& job) {
     object["stations"] = {{"spacing", *job.spacing}};
   else
     object["stations"] = job.stations;
-  object["lead"] = job.lead;
   object["blade"] = bladeToJson(job.blade);
   object["fit"] = {{"length", job.fitLength == FitOptions::Length::exact ? "exact" : "free"},
                    {"endpoints", job.fitEndpoints},
-                   {"tangents", job.fitTangents},
-                   {"max_periods", job.maxPeriods}};
-  object["tolerance"] = job.tolerance;
-  object["cutting_speed"] = job.cuttingSpeed;
-  object["clearance"] = job.clearance;
+                   {"tangents", job.fitTangents}};
+  for (const JobNumber& number : jobNumbers())
+    (number.ofFit ? object["fit"] : object)[number.key] = job.*number.member;
   object["programs"] = job.programs;
   object["cell"] = job.cell;
   return object;

@@ -9,6 +9,7 @@
 
 #include "controls/fields.h"
 #include "workbench/workbench.h"
+#include "workflow/number_lines.h"
 
 namespace bw::app {
 
@@ -33,9 +34,7 @@ class BladeFields : public QObject {
   Workbench& bench_;
   std::vector<Blade> presets_;
   ChoiceField* preset_;
-  NumberField *length_, *young_, *yield_, *safety_, *temperature_, *expansion_;
-  NumberField *outer_, *inner_, *width_, *thickness_;
-  QLabel *outerLabel_, *innerLabel_, *widthLabel_, *thicknessLabel_;
+  BladeLines numbers_;
   QLabel* minRadius_;
 };
 

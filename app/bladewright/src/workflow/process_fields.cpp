@@ -30,11 +30,7 @@ ProcessFields::ProcessFields(Workbench& bench, FormColumn* column, const Theme& 
     : QObject(parent), bench_(bench) {
   addStations(column);
   addDirection(column);
-  speed_ = new NumberField({0.01, 1000, 2, 1, "mm/s"});
-  column->add(tr("Cutting speed"), speed_, tr("Of the fastest point of the blade"));
-  connect(speed_, &NumberField::edited, this, [this](double value) {
-    bench_.editJob(tr("Change cutting speed"), [value](Job& job) { job.cuttingSpeed = value; });
-  });
+  addNumbers(column, JobPart::process);
   addFit(column->addFold(tr("Fit and lead"), theme));
 }
 
@@ -139,29 +135,22 @@ void ProcessFields::addFit(FormColumn* column) {
     bench_.editJob(on ? tr("Keep end tangents") : tr("Free end tangents"),
                    [on](Job& job) { job.fitTangents = on; });
   });
-  periods_ = new NumberField({0.1, 10, 2, 0.1, {}});
-  column->add(tr("Most waves"), periods_,
-              tr("Periods of the elastica that the blade may span; more than one is hard to hold"));
-  connect(periods_, &NumberField::edited, this, [this](double value) {
-    bench_.editJob(tr("Change most waves"), [value](Job& job) { job.maxPeriods = value; });
-  });
-  lead_ = new NumberField({0, 10000, 2, 5, "mm"});
-  column->add(tr("Lead"), lead_, tr("Straight travel before and after the block"));
-  connect(lead_, &NumberField::edited, this, [this](double value) {
-    bench_.editJob(tr("Change lead"), [value](Job& job) { job.lead = value; });
-  });
+  addNumbers(column, JobPart::details);
+}
+
+void ProcessFields::addNumbers(FormColumn* column, JobPart part) {
+  for (const JobNumber& number : jobNumbers())
+    if (number.part == part) addJobLine(numbers_, column, number, this, bench_);
 }
 
 void ProcessFields::refresh() {
   const Job& job = bench_.job();
   refreshStations(job);
   refreshDirection(job);
-  speed_->show(job.cuttingSpeed);
+  numbers_.refresh(job);
   fitLength_->show(job.fitLength == FitOptions::Length::free ? 0 : 1);
   endpoints_->setChecked(job.fitEndpoints);
   tangents_->setChecked(job.fitTangents);
-  periods_->show(job.maxPeriods);
-  lead_->show(job.lead);
 }
 
 void ProcessFields::refreshStations(const Job& job) {

@@ -10,6 +10,7 @@
 
 #include "controls/fields.h"
 #include "workbench/workbench.h"
+#include "workflow/number_lines.h"
 
 namespace bw::app {
 
@@ -27,12 +28,14 @@ class ProcessFields : public QObject {
   void addStations(FormColumn* column);
   void addDirection(FormColumn* column);
   void addFit(FormColumn* column);
+  void addNumbers(FormColumn* column, JobPart part);
   void refreshStations(const Job& job);
   void refreshDirection(const Job& job);
 
   Workbench& bench_;
   ChoiceField *stationMode_, *direction_, *fitLength_;
-  NumberField *stations_, *spacing_, *speed_, *periods_, *lead_;
+  NumberField *stations_, *spacing_;
+  JobLines numbers_;
   QLabel *stationsLabel_, *spacingLabel_;
   HandSlider* stationSlider_;
   int dragId_ = -1;  ///< joins the moves of one drag of the slider

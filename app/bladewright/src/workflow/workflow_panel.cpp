@@ -42,16 +42,8 @@ QWidget* WorkflowPanel::makeSetup() {
   bladeFields_ = new BladeFields(bench_, column, details, this);
   FormColumn* bladeFold = column->addFold(tr("Section and material"), theme_);
   bladeFold->addWide(details);
-  tolerance_ = new NumberField({0.001, 1000, 3, 0.1, "mm"});
-  column->add(tr("Tolerance"), tolerance_, tr("Largest deviation of the cut surface that is accepted"));
-  connect(tolerance_, &NumberField::edited, this, [this](double value) {
-    bench_.editJob(tr("Change tolerance"), [value](Job& job) { job.tolerance = value; });
-  });
-  clearance_ = new NumberField({0, 10000, 1, 5, "mm"});
-  column->add(tr("Clearance"), clearance_, tr("Between a grip of the blade and the block"));
-  connect(clearance_, &NumberField::edited, this, [this](double value) {
-    bench_.editJob(tr("Change clearance"), [value](Job& job) { job.clearance = value; });
-  });
+  for (const JobNumber& number : jobNumbers())
+    if (number.part == JobPart::setup) addJobLine(numbers_, column, number, this, bench_);
   FormColumn* block = column->addFold(tr("Block"), theme_);
   blockFields_ = new BlockFields(bench_, block, this);
   return column;
@@ -85,8 +77,7 @@ void WorkflowPanel::refresh() {
   const Job& job = bench_.job();
   bladeFields_->refresh();
   blockFields_->refresh();
-  tolerance_->show(job.tolerance);
-  clearance_->show(job.clearance);
+  numbers_.refresh(job);
   input_->refresh();
   process_->refresh();
   output_->refresh();

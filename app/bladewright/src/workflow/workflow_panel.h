@@ -12,6 +12,7 @@
 #include "workflow/blade_fields.h"
 #include "workflow/block_fields.h"
 #include "workflow/input_fields.h"
+#include "workflow/number_lines.h"
 #include "workflow/output_fields.h"
 #include "workflow/process_fields.h"
 #include "workflow/step_section.h"
@@ -52,7 +53,7 @@ class WorkflowPanel : public SidePanel {
 
   BladeFields* bladeFields_ = nullptr;
   BlockFields* blockFields_ = nullptr;
-  NumberField *tolerance_ = nullptr, *clearance_ = nullptr;
+  JobLines numbers_;
   InputFields* input_ = nullptr;
   ProcessFields* process_ = nullptr;
   OutputFields* output_ = nullptr;

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "bw/core/number_settings.h"
+#include "controls/fields.h"
+#include "controls/number_field.h"
+#include "workbench/workbench.h"
+
+namespace bw::app {
+
+/// Lines of a form for numbers of a design, made from their table.
+template <class Setting, class Owner>
+class NumberLines {
+ public:
+  /// `text` names the step of undo.
+  using Edit = std::function<void(const QString& text, const std::function<void(Owner&)>& change)>;
+
+  void add(FormColumn* column, const Setting& setting, QObject* context, const Edit& edit) {
+    auto* field = new NumberField({setting.scale * setting.typedMin, setting.scale * setting.max,
+                                   setting.decimals, setting.step, QString::fromUtf8(setting.unit)});
+    QLabel* label = column->add(QObject::tr(setting.title), field, QObject::tr(setting.help));
+    QObject::connect(field, &NumberField::edited, context, [&setting, edit](double value) {
+      edit(QObject::tr(setting.change),
+           [&setting, value](Owner& owner) { owner.*setting.member = value / setting.scale; });
+    });
+    lines_.push_back({&setting, field, label});
+  }
+
+  void refresh(const Owner& owner, const std::function<bool(const Setting&)>& shown = {}) {
+    for (const Line& line : lines_) {
+      line.field->show(line.setting->scale * owner.*line.setting->member);
+      if (shown) setLineVisible(line.label, line.field, shown(*line.setting));
+    }
+  }
+
+ private:
+  struct Line {
+    const Setting* setting;
+    NumberField* field;
+    QLabel* label;
+  };
+  std::vector<Line> lines_;
+};
+
+using JobLines = NumberLines<JobNumber, Job>;
+using BladeLines = NumberLines<BladeNumber, Blade>;
+
+inline void addJobLine(JobLines& lines, FormColumn* column, const JobNumber& number, QObject* context,
+                       Workbench& bench) {
+  lines.add(column, number, context, [&bench](const QString& text, const std::function<void(Job&)>& change) {
+    bench.editJob(text, change);
+  });
+}
+
+}  // namespace bw::app
