@@ -49,13 +49,19 @@ bool saysOtherwise(const fs::path& file, std::initializer_list<std::string_view>
          std::find(suffixes.begin(), suffixes.end(), suffix) == suffixes.end();
 }
 
+/// A blade that bends this little is straight, mm.
+std::string radiusText(double radius) {
+  constexpr double kStraight = 1e7;
+  return radius > 0 && radius < kStraight ? shortText(radius) + " mm" : "none, the blade is straight";
+}
+
 void tellSummary(const pipeline::Evaluation& e) {
   const SweepSummary& s = e.sweep.value->analysis.summary;
   std::cerr << e.sweep.value->sweep.stations.size() << " stations; deviation max "
             << shortText(s.deviationMax) << " mm, mean " << shortText(s.deviationMean) << " mm, "
             << fixedText(100 * s.withinTolerance, 1) << " % within tolerance; angle max "
-            << fixedText(toDegrees(s.angleMax), 1) << "°; smallest radius " << shortText(s.minRadius)
-            << " mm; cutting time " << fixedText(s.cuttingTime, 0) << " s; computed in "
+            << fixedText(toDegrees(s.angleMax), 1) << "°; smallest radius " << radiusText(s.minRadius)
+            << "; cutting time " << fixedText(s.cuttingTime, 0) << " s; computed in "
             << fixedText(e.seconds.total, 2) << " s\n";
 }
 
@@ -63,8 +69,7 @@ int runDesign(const Session& session, const Design& design, const std::string& o
               int threads = 0) {
   RunContext context = session.context();
   if (context.threads == 0) context.threads = threads;
-  const pipeline::Product product =
-      pipeline::produce(design, out, {.despiteErrors = despiteErrors}, context);
+  const pipeline::Product product = pipeline::produce(design, out, {.despiteErrors = despiteErrors}, context);
   session.tell(product.findings());
   if (product.error) return session.complain(*product.error);
   const fs::path source = design.source.bytes.empty() ? design.source.path : fs::path();
@@ -127,8 +132,8 @@ int runRender(const Session& session, const RenderOptions& options) {
                              "out"});
   const Result<Design> design = designOf(options.path);
   if (!design) return session.complain(design.error());
-  const pipeline::Product product = pipeline::produce(
-      *design, {}, {.contents = pipeline::Policy::Contents::evaluation}, session.context());
+  const pipeline::Product product =
+      pipeline::produce(*design, {}, {.contents = pipeline::Policy::Contents::evaluation}, session.context());
   session.tell(product.evaluation.sourceFindings);
   if (product.error) return session.complain(*product.error);
   scene::Scene scene;

@@ -120,7 +120,8 @@ Result<ReadShape> readAndHeal(std::string_view text, const std::string& name, Ca
       if (!raw->leftOut.empty()) return unreadable(name, raw->leftOut.back());
       std::string what = "it holds no faces";
       if (!raw->shape.IsNull() && countOf(raw->shape, TopAbs_EDGE) > 0) {
-        what += ", only " + std::to_string(countOf(raw->shape, TopAbs_EDGE)) + " edges";
+        const int edges = countOf(raw->shape, TopAbs_EDGE);
+        what += ", only " + std::to_string(edges) + (edges == 1 ? " edge" : " edges");
       }
       return fail(ErrorCode::badInput,
                   name + " cannot be used: " + what + "; export a surface or a solid, not curves or a mesh",
@@ -215,8 +216,7 @@ Result<ReadShape> readText(std::string_view text, const std::string& name, const
   const CadFormat content = formatOfContent(text), suffix = formatOfSuffix(name);
   if (content == CadFormat::unknown) {
     if (text.find("\"bladewright_design\"") != std::string::npos) {
-      return unreadable(name,
-                        "it is a design, whose surface and settings are in it; open it as a design");
+      return unreadable(name, "it is a design, whose surface and settings are in it; open it as a design");
     }
     if (suffix == CadFormat::unknown) {
       return unreadable(name,

@@ -156,6 +156,30 @@ TEST(ResultFolder, AStripOfAnotherRunBesideTheRightOneIsTold) {
     EXPECT_NE(check.out.find(runOf(folder / "b")), std::string::npos) << path << check.out;
   }
   EXPECT_EQ(blade({"check", folder / "out/programs/strip-0"}).status, 0);
+  // However its files are written, however deep they lie, and through a link.
+  const auto told = [&](const char* how) {
+    const Finished check = blade({"check", folder / "out"});
+    EXPECT_EQ(check.status, 1) << how << check.out;
+    EXPECT_NE(check.out.find("does not name it"), std::string::npos) << how << check.out;
+    fs::remove_all(folder / "out/programs/strip-1");
+  };
+  fs::rename(folder / "out/programs/strip-1/T_ROB1/BladeLeft.mod",
+             folder / "out/programs/strip-1/T_ROB1/BladeLeft.MOD");
+  fs::remove_all(folder / "out/programs/strip-1/T_ROB2");
+  told("upper case");
+  fs::create_directories(folder / "out/programs/strip-1/a/b/c");
+  fs::copy(folder / "b/programs/strip-0", folder / "out/programs/strip-1/a/b/c/d",
+           fs::copy_options::recursive);
+  told("deep");
+  fs::create_directory_symlink(folder / "b/programs/strip-0", folder / "out/programs/strip-1");
+  told("linked");
+  fs::copy(folder / "b/programs/strip-0", folder / "out/programs/strip-1", fs::copy_options::recursive);
+  for (const char* file : {"T_ROB1/BladeLeft.mod", "T_ROB2/BladeRight.mod"}) {
+    std::string text = slurp(folder / "out/programs/strip-1/" + file);
+    const std::size_t at = text.find("    ! Run ");
+    folder.write("out/programs/strip-1/" + std::string(file), text.erase(at, text.find('\n', at) + 1 - at));
+  }
+  told("without its run");
   // What a person keeps there is no run's.
   fs::remove_all(folder / "out/programs/strip-1");
   folder.write("out/programs/notes.txt", "strip 0 first");
@@ -195,9 +219,22 @@ TEST(ResultFolder, WithoutFingerprintsOrReportIsTold) {
   old.erase("run");
   folder.write("out/report.json", old.dump());
   const Finished early = blade({"check", folder / "out"});
-  EXPECT_EQ(early.status, 0) << early.out;
+  EXPECT_EQ(early.status, 1) << early.out;
   EXPECT_NE(early.out.find("names no run"), std::string::npos) << early.out;
 
+  // Whatever else stands in its place proves nothing either.
+  json other = whole, newer = whole;
+  other["run"] = "0000000000000000";
+  newer["bladewright_report"] = 2;
+  for (const std::string& text : {other.dump(), newer.dump(), std::string("{}"), std::string("[]"),
+                                  std::string(), whole.dump().substr(0, 900)}) {
+    folder.write("out/report.json", text);
+    EXPECT_EQ(blade({"check", folder / "out"}).status, 1) << text.substr(0, 60);
+    EXPECT_EQ(blade({"export", folder / "out", "--out", folder / "programs"}).status,
+              text == other.dump() ? 0 : 2)
+        << text.substr(0, 60);
+    fs::remove_all(folder / "programs");
+  }
   fs::remove(folder / "out/report.json");
   const Finished check = blade({"check", folder / "out"});
   EXPECT_EQ(check.status, 1) << check.out << check.err;

@@ -7,12 +7,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "blade_problems.h"
+#include "bw/core/cases.h"
 #include "bw/core/elastica_bvp.h"
 #include "bw/core/units.h"
 
@@ -21,6 +23,7 @@ namespace bw {
 using namespace test;
 
 using Eigen::Vector2d;
+using nlohmann::json;
 
 TEST(HingedBlade, OwnAnswersLeadToThemselves) {
   std::mt19937 engine(5);
@@ -117,6 +120,41 @@ TEST(HingedBlade, SnapsAtOnceWhereOnlyTheGripsHeldIt) {
     }
   }
   EXPECT_GT(unstable, 0);
+}
+
+TEST(HeldBlade, IsNotSaidToSnapWhereItIsPulledTaut) {
+  // Symmetric bows have no fold on their way to any taut chord; followed by its start the walk loses them.
+  for (const double angle : {0.6, 0.9, 1.2}) {
+    const Result<ClampedAnswer> bow = solveClamped(across(0.8, angle, -angle));
+    ASSERT_TRUE(bow);
+    for (const double share : {0.9, 0.95, 0.976, 0.985, 0.999}) {
+      const ClampedProblem taut = across(share, angle, -angle);
+      const Result<ClampedAnswer> pulled = solveClamped(taut, from(bow->solutions[0].elastica));
+      const Result<ClampedAnswer> rest = solveClamped(taut);
+      ASSERT_TRUE(pulled && rest) << angle << " " << share;
+      EXPECT_FALSE(pulled->snapsAt) << angle << " " << share << " " << pulled->message;
+      EXPECT_NEAR(pulled->solutions[0].energy, rest->solutions[0].energy, 1e-9 * rest->solutions[0].energy);
+    }
+  }
+}
+
+TEST(HeldBlade, TurnedOverFindsItsRestWithinTheWorkOfACase) {
+  for (const double angle : {1.0, 1.5, 2.0}) {
+    const json object = {{"start", {0, 0}},
+                         {"end", {80, 0}},
+                         {"start_angle", -angle},
+                         {"end_angle", angle},
+                         {"length", 100},
+                         {"initial",
+                          {{"start", {0, 0}},
+                           {"start_angle", 0.9},
+                           {"start_curvature", 0.0013437097792622541},
+                           {"force", {0.0011623964496133192, 0}},
+                           {"length", 100}}}};
+    const Result<CaseAnswer> answer = bvpCases(object.dump(), {});
+    ASSERT_TRUE(answer);
+    EXPECT_EQ(answer->failed, 0) << answer->json;
+  }
 }
 
 TEST(HingedBlade, SnapsWhereItsMarginVanishes) {

@@ -106,7 +106,10 @@ bool bearsItsName(const fs::path& module) {
 
 }  // namespace
 
-bool isModuleFile(const fs::path& file) { return file.extension() == ".mod" || file.extension() == ".modx"; }
+bool isModuleFile(const fs::path& file) {
+  const std::string suffix = lowerSuffix(file);
+  return suffix == ".mod" || suffix == ".modx";
+}
 
 bool isMotionFile(const fs::path& file) {
   return file.filename() == "motion.csv" || file.filename() == "motion.json";

@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::size_t kLargestReport = std::size_t(256) << 20;  ///< bytes
 constexpr const char* kOurs = "bladewright_report";
+constexpr int kFormat = 1;
 
 /// True for a path that leads out of no folder.
 bool staysInside(const fs::path& path) {
@@ -29,13 +30,19 @@ bool staysInside(const fs::path& path) {
 Result<std::optional<ReportRecord>> readReportRecord(const fs::path& folder) {
   std::error_code error;
   const fs::path file = folder / "report.json";
-  if (!fs::is_regular_file(file, error)) return std::nullopt;
+  if (!fs::exists(file, error)) return std::nullopt;
   const Result<std::string> text = readFile(file, kLargestReport);
-  if (!text) return tl::unexpected<Error>(text.error());
-  const json report = json::parse(*text, nullptr, false);
-  if (!report.is_object() && text->find("\"" + std::string(kOurs) + "\"") != std::string::npos)
-    return fail(ErrorCode::badInput, file.string() + " is damaged; write the results anew", file.string());
-  if (!report.is_object() || !report.contains(kOurs)) return std::nullopt;
+  const json report = text ? json::parse(*text, nullptr, false) : json();
+  const auto format = report.is_object() ? report.find(kOurs) : report.end();
+  if (format == report.end() || *format != kFormat) {
+    // Beside results of ours, or where it names us, it is no other program's.
+    const bool ours = format != report.end() || fs::exists(folder / "sweep.json", error) ||
+                      (text && text->find("\"" + std::string(kOurs) + "\"") != std::string::npos);
+    if (!ours) return std::nullopt;
+    return fail(ErrorCode::badInput,
+                file.string() + " is damaged, or of another version of the program; write the results anew",
+                file.string());
+  }
   ReportRecord record;
   record.folder = folder;
   if (const auto run = report.find("run"); run != report.end() && run->is_string())

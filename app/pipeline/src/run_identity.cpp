@@ -26,7 +26,8 @@ namespace {
 constexpr std::size_t kLargestModule = std::size_t(64) << 20;
 constexpr const char* kProgramFolder = "programs";
 constexpr const char* kSweepFile = "sweep.json";
-constexpr int kLevels = 4;  ///< from a module up to its report: task, strip, programs, results
+constexpr int kDeepest = 12;  ///< below programs/, where a link may lead back
+constexpr int kLevels = 4;    ///< from a module up to its report: task, strip, programs, results
 
 /// Collects values, one after the other, into bytes that differ where one of them does.
 class Values {
@@ -93,10 +94,16 @@ Finding finding(Severity severity, What what, const fs::path& file, const std::s
   return {severity, RunMismatch{what, file.string(), run, other, text}, {}, {}};
 }
 
-/// The run that a module names, or empty.
-std::string runOfFile(const fs::path& module) {
+struct ModuleHead {
+  std::string run;    ///< that it names, or empty
+  bool ours = false;  ///< a module of ours, under its own name
+};
+
+ModuleHead headOfFile(const fs::path& module) {
   const Result<std::string> bytes = readFile(module, kLargestModule);
-  return bytes ? robotio::runOfModule(*bytes) : std::string();
+  if (!bytes) return {};
+  return {robotio::runOfModule(*bytes), bytes->rfind("MODULE " + module.stem().string(), 0) == 0 &&
+                                            bytes->find("! Bladewright: ") != std::string::npos};
 }
 
 /// The names of all files that the report tells of.
@@ -117,9 +124,11 @@ std::optional<Finding> compare(const ReportRecord& record, const std::string& na
   const auto told = record.fingerprints.find(name);
   if (told == record.fingerprints.end())
     return finding(Severity::error, What::noFingerprint, file, record.run);
-  if (fingerprintText(*fingerprint) == told->second) return std::nullopt;
-  if (!isModuleFile(file)) return finding(Severity::error, What::otherFile, file, record.run);
-  const std::string run = runOfFile(file);
+  const bool same = fingerprintText(*fingerprint) == told->second;
+  if (!isModuleFile(file))
+    return same ? std::nullopt : std::optional(finding(Severity::error, What::otherFile, file, record.run));
+  const std::string run = headOfFile(file).run;
+  if (same && run == record.run) return std::nullopt;
   return run == record.run ? finding(Severity::warning, What::changedModule, file, run)
                            : finding(Severity::error, What::moduleOfOther, file, record.run, run);
 }
@@ -130,17 +139,19 @@ void addStrays(const ReportRecord& record, const fs::path& place, Findings& find
   const auto look = [&](const fs::path& file) {
     const std::string name = file.lexically_relative(record.folder).generic_string();
     if (!isModuleFile(file) || names.count(name) > 0) return;
-    const std::string run = runOfFile(file);
-    if (!run.empty() && run != record.run)
-      findings.push_back(finding(Severity::error, What::strayModule, file, record.run, run));
+    const ModuleHead head = headOfFile(file);
+    if ((head.ours || !head.run.empty()) && head.run != record.run)
+      findings.push_back(finding(Severity::error, What::strayModule, file, record.run, head.run));
   };
   std::error_code error;
   if (fs::is_regular_file(place, error)) look(place);
   if (!fs::is_directory(place, error)) return;
-  for (fs::recursive_directory_iterator it(place, error), end; !error && it != end; it.increment(error)) {
+  constexpr auto kFollow = fs::directory_options::follow_directory_symlink;
+  for (fs::recursive_directory_iterator it(place, kFollow, error), end; !error && it != end;
+       it.increment(error)) {
     // What a writer has under way, or left when it was ended, is no robot's.
     const bool temporary = isTemporaryName(it->path().filename().string());
-    if (temporary || it.depth() >= kLevels) it.disable_recursion_pending();
+    if (temporary || it.depth() >= kDeepest) it.disable_recursion_pending();
     if (std::error_code ignored; !temporary && it->is_regular_file(ignored)) look(it->path());
   }
 }
@@ -149,7 +160,7 @@ void addStrays(const ReportRecord& record, const fs::path& place, Findings& find
 Findings compareInside(const ReportRecord& record, const fs::path& inside) {
   Findings findings;
   if (record.run.empty())
-    return {finding(Severity::warning, What::reportNamesNoRun, record.folder / "report.json")};
+    return {finding(Severity::error, What::reportNamesNoRun, record.folder / "report.json")};
   bool concerned = false;
   for (const std::string& name : namesOf(record)) {
     if (inside != "." && inside != name && !liesWithin(name, inside)) continue;
@@ -182,7 +193,8 @@ std::string runId(const Evaluation& e, const Cell* cell) {
 bool isResultFolder(const fs::path& folder) {
   std::error_code error;
   const Result<std::optional<ReportRecord>> record = readReportRecord(folder);
-  return !record || record->has_value() || fs::is_regular_file(folder / kSweepFile, error);
+  return !record || record->has_value() || fs::is_regular_file(folder / kSweepFile, error) ||
+         fs::is_directory(folder / kProgramFolder, error);
 }
 
 Findings compareWithReport(const fs::path& path) {
@@ -192,9 +204,7 @@ Findings compareWithReport(const fs::path& path) {
   fs::path folder = whole;
   for (int level = 0; level <= kLevels; ++level, folder = folder.parent_path()) {
     const Result<std::optional<ReportRecord>> record = readReportRecord(folder);
-    if (!record)
-      return {finding(Severity::error, What::reportDamaged, folder / "report.json", {}, {},
-                      record.error().message)};
+    if (!record) return {finding(Severity::error, What::reportDamaged, folder / "report.json")};
     if (*record) return compareInside(**record, whole.lexically_relative(folder));
   }
   if (!isResultFolder(whole)) return {};

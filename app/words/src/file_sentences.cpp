@@ -49,7 +49,8 @@ std::string Sentences::operator()(const SectionShort& cause) const {
 std::string Sentences::operator()(const SectionBranches& cause) const {
   const bool same = cause.least == cause.most;
   const std::string rest = (same ? "" : std::to_string(cause.least) + " to ") + std::to_string(cause.most) +
-                           " separate curves" + (same && !single() ? " each" : "") + "; place the block so that only one of them lies in it, choose "
+                           " separate curves" + (same && !single() ? " each" : "") +
+                           "; place the block so that only one of them lies in it, choose "
                            "another direction or fewer faces";
   return leftOut("plane cuts the target in " + rest, "planes cut the target in " + rest);
 }
@@ -147,8 +148,9 @@ std::string Sentences::operator()(const RunMismatch& cause) const {
     case What::missing:
       return report + " names the file, but it is missing" + kAnew;
     case What::unreadable:
+      return std::string("it cannot be read") + kAnew;
     case What::reportDamaged:
-      return cause.text;
+      return std::string("it is damaged, or of another program") + kAnew;
     case What::noFingerprint:
       return report + " lists the file without its fingerprint" + kAnew;
     case What::changedModule:
@@ -160,8 +162,8 @@ std::string Sentences::operator()(const RunMismatch& cause) const {
       return "the file is of another run than report.json (run " + cause.run + ") or was changed since" +
              kAnew;
     case What::strayModule:
-      return "the module is of run " + cause.other + ", and " + report +
-             " does not name it; remove it, or write the results anew";
+      return "the module is of " + (cause.other.empty() ? "no run that it names" : "run " + cause.other) +
+             ", and " + report + " does not name it; remove it, or write the results anew";
     case What::noProgramHere:
       return report + " names no program here" + kAnew;
     case What::reportNamesNoRun:

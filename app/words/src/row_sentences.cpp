@@ -25,10 +25,10 @@ std::string conditionText(const std::string& name) {
   return "the absence of self-intersections";
 }
 
-/// "one of 812 mm does", where the remedy is another length.
-std::string shorterText(const Finding& finding, const std::string& does, const std::string& otherwise) {
+/// "try one of 812 mm": the length was tried at some stations, each for itself.
+std::string shorterText(const Finding& finding, const std::string& otherwise, const std::string& more = {}) {
   const OtherLength* blade = remedyOf<OtherLength>(finding.remedies);
-  return blade ? "one of " + mm(blade->length, 6) + " " + does : otherwise;
+  return blade ? "try one of " + mm(blade->length, 6) + more : otherwise;
 }
 
 std::string takesText(const Finding& finding) {
@@ -86,7 +86,7 @@ std::string Sentences::operator()(const SteadiedFit& cause) const {
 std::string Sentences::operator()(const Overbent& cause) const {
   return at() + "the blade must bend to a radius of " + mm(cause.radius) +
          " but keeps its shape only down to " + mm(cause.limit) + "; " +
-         shorterText(finding, "does", takesText(finding));
+         shorterText(finding, takesText(finding));
 }
 
 std::string Sentences::operator()(const TooTight& cause) const {
@@ -106,13 +106,12 @@ std::string Sentences::operator()(const ManyInflections& cause) const {
 
 std::string Sentences::operator()(const WouldSnap&) const {
   return at() + "the blade would not rest in this shape but snap to another; " +
-         shorterText(finding, "rests in it", kInParts);
+         shorterText(finding, kInParts);
 }
 
 std::string Sentences::operator()(const WouldTwist&) const {
   return at() + "a round blade would twist out of its plane rather than rest in this shape; " +
-         shorterText(finding, "stays in it, and so does a flat blade",
-                     "take a flat blade, which is stiff across its plane");
+         shorterText(finding, "take a flat blade, which is stiff across its plane", ", or a flat blade");
 }
 
 std::string Sentences::operator()(const GripTooNear& cause) const {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "base/work_meter.h"
 #include "bw/core/number_text.h"
 #include "elastica/bvp_check.h"
 #include "elastica/bvp_describe.h"
@@ -57,6 +58,21 @@ tl::unexpected<Error> noShape(const ClampedProblem& problem, const CheckedProble
               "length", problem.length, problem.length * share);
 }
 
+/// Part of the work of a case that following a branch may take: what is left finds the shapes at rest.
+constexpr double kWalk = 0.4;
+/// A blade whose branch ends has no margin left there; above this one, it was only lost.
+constexpr double kLostMargin = 0.05;
+
+Result<ClampedBranch::Move> walk(ClampedBranch& branch, const ClampedProblem& problem) {
+  const WorkMeter share = WorkMeter::share(kWalk);
+  return branch.moveTo(problem);
+}
+
+bool isLost(const ClampedBranch& branch, HeldEnds ends) {
+  const UnitSolution stopped{.shape = branch.shape(), .ends = ends};
+  return marginsOf(sample(stopped), {}).inPlane > kLostMargin;
+}
+
 /// The blade that `initial` becomes. The answer's solutions stay empty; the shape is returned.
 Result<UnitSolution> follow(const ClampedProblem& problem, const CheckedProblem& checked,
                             const ClampedOptions& options, ClampedAnswer& answer) {
@@ -85,9 +101,14 @@ Result<UnitSolution> follow(const ClampedProblem& problem, const CheckedProblem&
   } else if (Result<ClampedBranch> branch = ClampedBranch::from(blade); !branch) {
     answer.message = branch.error().message + " This is the stable blade nearest to it.";
   } else {
-    const Result<ClampedBranch::Move> move = branch->moveTo(problem);
+    const Result<ClampedBranch::Move> move = walk(*branch, problem);
     if (!move) return tl::unexpected<Error>(move.error());
-    if (!move->snapped) {
+    if (move->snapped && isLost(*branch, checked.ends)) {
+      answer.message =
+          "The blade could not be followed all the way, because its shape hangs too finely on its start "
+          "there. "
+          "This is the stable blade nearest to the initial one.";
+    } else if (!move->snapped) {
       const UnitProblem between{
           checked.end,
           checked.fixedTurning

@@ -74,7 +74,7 @@ void addDeviation(const Sweep& sweep, const CheckRequest& request, std::size_t w
     cause.source = TooFar::Source::gap;
     cause.leftFirst = stations[i].index + 1;
     cause.leftLast = stations[i + 1].index - 1;
-  } else if (between && cause.own < kFromBetween * cause.deviation) {
+  } else if (between && cause.own < kFromBetween * cause.deviation && cause.own <= request.tolerance) {
     cause.source = TooFar::Source::between;
     remedies = twiceAsMany(sweep);
   } else {

@@ -28,6 +28,9 @@ namespace bw::detail {
 
 namespace {
 
+/// A curve that lies no farther from its section, mm, took the place of none.
+constexpr double kSameCurve = 1e-6;
+
 /// What keeps the grips of these stations clear of the block: a longer blade only where it does.
 void addClearanceRemedies(const Sweep& sweep, const CheckRequest& request, const Stretch& stretch,
                           Finding& finding) {
@@ -116,7 +119,8 @@ void addStationFindings(const Sweep& sweep, const CheckRequest& request, Finding
                                      [](const Elastica& blade) { return outOfPlaneMargin(blade) > 0; });
       });
   report(
-      Severity::info, [](const Station& s) { return s.heldBack; }, fartherFromSection,
+      Severity::info, [](const Station& s) { return s.heldBack && s.fit.hausdorff > kSameCurve; },
+      fartherFromSection,
       [](const Station& s, const Stretch&, Finding& finding) {
         finding.cause = HeldBackFit{s.fit.hausdorff};
       });
