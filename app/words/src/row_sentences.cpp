@@ -46,6 +46,14 @@ std::string otherBlockText(const Finding& finding, bool single) {
          ", one that is narrower along the blade, or another cutting direction";
 }
 
+/// "take more stations", and what a longer section between them would need before.
+std::string moreStationsText(const Finding& finding, const std::string& take) {
+  const OtherLength* blade = remedyOf<OtherLength>(finding.remedies);
+  return take +
+         (blade ? " (a section between may need a blade of " + mm(blade->length, 6) + ": take that first)"
+                : std::string());
+}
+
 std::string leftOutText(int first, int last) {
   return first == last
              ? stationName(first) + " is left out"
@@ -144,7 +152,8 @@ std::string Sentences::operator()(const EndsSwing& cause) const {
          (cause.places > 1 ? " (more than " + fixedText(toDegrees(cause.limit), 0) + "° at " +
                                  std::to_string(cause.places) + " places)"
                            : std::string()) +
-         "; take more stations, a shorter blade, or a block in which the sections change less";
+         "; " + moreStationsText(finding, "take more stations") +
+         ", a shorter blade, or a block in which the sections change less";
 }
 
 std::string Sentences::operator()(const GapInRow& cause) const {
@@ -166,7 +175,8 @@ std::string Sentences::operator()(const TooFar& cause) const {
       break;
     case TooFar::Source::between:
       return text + "it arises between the stations, which are " + mm(cause.spacing) +
-             " apart there; the stations themselves keep within " + mm(cause.own) + ", so take more of them";
+             " apart there; the stations themselves keep within " + mm(cause.own) + ", so " +
+             moreStationsText(finding, "take more of them");
     case TooFar::Source::gap:
       return text + "it arises where " + leftOutText(cause.leftFirst, cause.leftLast) +
              ": close that gap first";

@@ -56,8 +56,19 @@ FlatBlade flatBladeFor(const Sweep& sweep) {
   return {};
 }
 
-Remedies twiceAsMany(const Sweep& sweep) {
-  const int count = 2 * (sweep.stations.back().index - sweep.stations.front().index + 1) - 1;
+Remedies twiceAsMany(const Sweep& sweep, double clearance) {
+  const std::vector<Station>& stations = sweep.stations;
+  // Beyond a station the lengths may go on as they came.
+  double longest = 0;
+  for (std::size_t i = 1; i < stations.size(); ++i) {
+    const double a = stations[i - 1].fit.elastica.length(), b = stations[i].fit.elastica.length();
+    longest = std::max(longest, std::max(a, b) + std::abs(b - a));
+  }
+  if (longest > sweep.request.blade.length) {
+    const std::optional<double> length = lengthFor(longest, clearance);
+    return length ? Remedies{OtherLength{*length}} : Remedies{};
+  }
+  const int count = 2 * (stations.back().index - stations.front().index + 1) - 1;
   return count <= SectionRequest::kMost ? Remedies{MoreStations{count}} : Remedies{};
 }
 

@@ -19,8 +19,9 @@ inline constexpr double kRadiusReserve = 0.99;
 /// A flat preset that bends to all blades of the row.
 [[nodiscard]] FlatBlade flatBladeFor(const Sweep& sweep);
 
-/// Stations at half the spacing, where so many are possible.
-[[nodiscard]] Remedies twiceAsMany(const Sweep& sweep);
+/// Stations at half the spacing, where so many are possible; or, where a section between these may be longer
+/// than the blade, first a blade for that, which keeps `clearance` mm.
+[[nodiscard]] Remedies twiceAsMany(const Sweep& sweep, double clearance);
 
 /// The blade length to order for a longest cut of `longest` mm with grips `clearance` mm beyond it: whole mm,
 /// with a reserve, because another length bends the blade a little otherwise; empty above Blade::kLongest.

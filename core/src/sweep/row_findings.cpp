@@ -76,7 +76,7 @@ void addDeviation(const Sweep& sweep, const CheckRequest& request, std::size_t w
     cause.leftLast = stations[i + 1].index - 1;
   } else if (between && cause.own < kFromBetween * cause.deviation && cause.own <= request.tolerance) {
     cause.source = TooFar::Source::between;
-    remedies = twiceAsMany(sweep);
+    remedies = twiceAsMany(sweep, request.clearance);
   } else {
     remedies = toleranceFor(cause.deviation);
     remedies.insert(remedies.begin(), {CutInParts{}, TurnDirection{}});

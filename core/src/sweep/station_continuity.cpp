@@ -196,7 +196,7 @@ void addSwingFindings(const Sweep& sweep, Findings& findings) {
   findings.push_back({severity,
                       EndsSwing{worst.angle, b.travel - a.travel, kToldSwing, count},
                       {StationRange{a.index, b.index, b.index, 2}, b.leftPoint()},
-                      twiceAsMany(sweep)});
+                      twiceAsMany(sweep, sweep.request.clearance)});
 }
 
 }  // namespace bw::detail
