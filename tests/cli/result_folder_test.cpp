@@ -221,6 +221,7 @@ TEST(ResultFolder, WithoutFingerprintsOrReportIsTold) {
   const Finished early = blade({"check", folder / "out"});
   EXPECT_EQ(early.status, 1) << early.out;
   EXPECT_NE(early.out.find("names no run"), std::string::npos) << early.out;
+  EXPECT_EQ(blade({"export", folder / "out", "--out", folder / "programs"}).status, 2);
 
   // Whatever else stands in its place proves nothing either.
   json other = whole, newer = whole;

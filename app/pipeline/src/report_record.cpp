@@ -32,12 +32,15 @@ Result<std::optional<ReportRecord>> readReportRecord(const fs::path& folder) {
   const fs::path file = folder / "report.json";
   if (!fs::exists(file, error)) return std::nullopt;
   const Result<std::string> text = readFile(file, kLargestReport);
-  const json report = text ? json::parse(*text, nullptr, false) : json();
+  // Beside results of ours, or where it names us, it is no other program's.
+  const bool amongOurs = fs::exists(folder / "sweep.json", error);
+  if (!text && amongOurs) return tl::unexpected<Error>(text.error());
+  if (!text) return std::nullopt;
+  const json report = json::parse(*text, nullptr, false);
   const auto format = report.is_object() ? report.find(kOurs) : report.end();
   if (format == report.end() || *format != kFormat) {
-    // Beside results of ours, or where it names us, it is no other program's.
-    const bool ours = format != report.end() || fs::exists(folder / "sweep.json", error) ||
-                      (text && text->find("\"" + std::string(kOurs) + "\"") != std::string::npos);
+    const bool ours = format != report.end() || amongOurs ||
+                      text->find("\"" + std::string(kOurs) + "\"") != std::string::npos;
     if (!ours) return std::nullopt;
     return fail(ErrorCode::badInput,
                 file.string() + " is damaged, or of another version of the program; write the results anew",

@@ -204,7 +204,11 @@ Findings compareWithReport(const fs::path& path) {
   fs::path folder = whole;
   for (int level = 0; level <= kLevels; ++level, folder = folder.parent_path()) {
     const Result<std::optional<ReportRecord>> record = readReportRecord(folder);
-    if (!record) return {finding(Severity::error, What::reportDamaged, folder / "report.json")};
+    if (!record) {
+      const bool unread = record.error().code == ErrorCode::cannotRead;
+      return {finding(Severity::error, unread ? What::unreadable : What::reportDamaged,
+                      folder / "report.json", {}, {}, record.error().message)};
+    }
     if (*record) return compareInside(**record, whole.lexically_relative(folder));
   }
   if (!isResultFolder(whole)) return {};
@@ -214,11 +218,14 @@ Findings compareWithReport(const fs::path& path) {
 Result<void> checkOneRun(const fs::path& folder, const std::string& designFile) {
   const Result<std::optional<ReportRecord>> record = readReportRecord(folder);
   if (!record) return tl::unexpected<Error>(record.error());
-  if (!*record || (*record)->run.empty()) return {};
+  if (!*record) return {};
   const std::set<std::string> names = namesOf(**record);
   const std::string file = (folder / designFile).string();
   const std::string remedy =
       " (blade design " + file + " --out " + folder.string() + "), or give " + file + " itself";
+  if ((*record)->run.empty())
+    return fail(ErrorCode::badInput,
+                (folder / "report.json").string() + " names no run; write the results anew" + remedy, file);
   if (names.count(designFile) == 0)
     return fail(ErrorCode::badInput,
                 file + ": report.json of run " + (*record)->run +

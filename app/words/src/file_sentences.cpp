@@ -148,7 +148,7 @@ std::string Sentences::operator()(const RunMismatch& cause) const {
     case What::missing:
       return report + " names the file, but it is missing" + kAnew;
     case What::unreadable:
-      return std::string("it cannot be read") + kAnew;
+      return cause.text + kAnew;
     case What::reportDamaged:
       return std::string("it is damaged, or of another program") + kAnew;
     case What::noFingerprint:

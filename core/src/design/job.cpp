@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 
 #include "bw/core/job.h"
-#include "bw/core/program_formats.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include "base/json_reader.h"
 #include "bw/core/number_settings.h"
 #include "bw/core/number_text.h"
+#include "bw/core/program_formats.h"
 #include "bw/core/units.h"
 #include "design/blade_json.h"
 #include "design/face_choice.h"

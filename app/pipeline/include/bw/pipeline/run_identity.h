@@ -18,18 +18,19 @@ namespace bw::pipeline {
 /// number of threads. Needs a sweep.
 std::string runId(const Evaluation& evaluation, const Cell* cell);
 
-/// True for a folder that holds results of ours, whole or not: a report.json of ours or a sweep.json.
+/// True for a folder that holds results of ours, whole or not: a report.json of ours, a
+/// sweep.json or a folder "programs".
 bool isResultFolder(const std::filesystem::path& folder);
 
 /// Compares files with the report.json of their run: `path` is a folder of results, or a folder or file of
 /// programs below one. An error for each file that is of another run, missing, listed without a fingerprint
 /// or not as it was written, also for modules of other runs that it does not list; a warning for a module of
-/// the run that was changed since. An error too where results have no report; a warning where it names no
-/// run. Nothing for what is not among results.
+/// the run that was changed since. An error too where results have no report; and where it is damaged or
+/// names no run. Nothing for what is not among results.
 Findings compareWithReport(const std::filesystem::path& path);
 
 /// Refuses a folder of results whose design and sweep are not those of its report (`ErrorCode::badInput`).
-/// One without a report, or whose report names no run, passes: the design speaks for itself.
+/// One without a report passes: the design speaks for itself.
 Result<void> checkOneRun(const std::filesystem::path& folder, const std::string& designFile);
 
 }  // namespace bw::pipeline
