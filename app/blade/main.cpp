@@ -7,8 +7,8 @@
 #include <iostream>
 #include <vector>
 
-#include "bw/core/number_text.h"
-#include "bw/core/printable.h"
+#include "bw/core/text/number_text.h"
+#include "bw/core/text/printable.h"
 #include "interrupt.h"
 #include "verbs.h"
 

@@ -10,7 +10,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "bw/core/printable.h"
+#include "bw/core/text/printable.h"
 #include "bw/pipeline/result_folder.h"
 #include "bw/pipeline/run_identity.h"
 #include "interrupt.h"

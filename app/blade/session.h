@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "bw/core/design.h"
-#include "bw/core/file_set.h"
-#include "bw/core/finding.h"
-#include "bw/core/result.h"
-#include "bw/core/run_context.h"
+#include "bw/core/base/finding.h"
+#include "bw/core/base/result.h"
+#include "bw/core/base/run_context.h"
+#include "bw/core/design/design.h"
+#include "bw/core/files/file_set.h"
 #include "bw/pipeline/exit_status.h"
 #include "bw/pipeline/produce.h"
 #include "bw/pipeline/result_folder.h"

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "bw/core/cases.h"
+#include "bw/core/cases/cases.h"
 #include "verbs.h"
 
 namespace bw::cli {

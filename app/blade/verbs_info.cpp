@@ -5,9 +5,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "bw/core/job.h"
-#include "bw/core/number_text.h"
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
+#include "bw/core/design/job.h"
+#include "bw/core/text/number_text.h"
 #include "bw/geometry/cad_model.h"
 #include "verbs.h"
 

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "bw/core/cases.h"
+#include "bw/core/cases/cases.h"
 #include "verbs.h"
 
 namespace bw::cli {

@@ -4,9 +4,9 @@
 #include <iostream>
 #include <memory>
 
-#include "bw/core/design.h"
-#include "bw/core/printable.h"
-#include "bw/core/program_formats.h"
+#include "bw/core/design/design.h"
+#include "bw/core/design/program_formats.h"
+#include "bw/core/text/printable.h"
 #include "bw/pipeline/run_identity.h"
 #include "bw/robotio/program.h"
 #include "verbs.h"

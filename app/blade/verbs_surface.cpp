@@ -7,10 +7,10 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "bw/core/design.h"
-#include "bw/core/maps.h"
-#include "bw/core/number_text.h"
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
+#include "bw/core/design/design.h"
+#include "bw/core/sweep/maps.h"
+#include "bw/core/text/number_text.h"
 #include "bw/geometry/export.h"
 #include "bw/pipeline/example_design.h"
 #include "bw/pipeline/scene_content.h"

@@ -8,7 +8,7 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 
-#include "bw/core/file_set.h"
+#include "bw/core/files/file_set.h"
 #include "cad_reader.h"
 #include "face_groups.h"
 #include "file_unit.h"

@@ -22,7 +22,7 @@
 #include <ostream>
 #include <string_view>
 
-#include "bw/core/number_text.h"
+#include "bw/core/text/number_text.h"
 #include "cad_format.h"
 #include "compressed.h"
 #include "file_unit.h"

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "bw/core/result.h"
-#include "bw/core/run_context.h"
+#include "bw/core/base/result.h"
+#include "bw/core/base/run_context.h"
 #include "bw/geometry/cad_model.h"
 
 namespace bw::geometry {

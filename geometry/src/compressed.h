@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "bw/core/result.h"
+#include "bw/core/base/result.h"
 
 namespace bw::geometry {
 

@@ -6,8 +6,8 @@
 
 #include <vector>
 
-#include "bw/core/planar_curve.h"
-#include "bw/core/result.h"
+#include "bw/core/base/result.h"
+#include "bw/core/curve/planar_curve.h"
 
 namespace bw::geometry {
 

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "bw/core/frame.h"
+#include "bw/core/base/frame.h"
 
 namespace bw::geometry {
 

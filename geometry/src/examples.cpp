@@ -7,8 +7,8 @@
 #include <cmath>
 #include <functional>
 
-#include "bw/core/number_text.h"
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
+#include "bw/core/text/number_text.h"
 #include "bw/geometry/export.h"
 #include "step_text.h"
 

@@ -3,7 +3,7 @@
 
 #include "bw/geometry/export.h"
 
-#include "bw/core/file_set.h"
+#include "bw/core/files/file_set.h"
 #include "spline_check.h"
 #include "step_text.h"
 

@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-#include "bw/core/frame.h"
+#include "bw/core/base/frame.h"
 #include "edge_geometry.h"
 #include "face_borders.h"
 #include "surface_patch.h"

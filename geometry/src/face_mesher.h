@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "bw/core/mesh.h"
+#include "bw/core/surface/mesh.h"
 #include "face_geometry.h"
 
 namespace bw::geometry {

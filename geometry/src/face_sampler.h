@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "bw/core/surface_sampler.h"
+#include "bw/core/surface/surface_sampler.h"
 #include "model_impl.h"
 
 namespace bw::geometry {

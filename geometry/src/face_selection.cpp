@@ -6,7 +6,7 @@
 #include <numeric>
 #include <set>
 
-#include "bw/core/number_text.h"
+#include "bw/core/text/number_text.h"
 #include "bw/geometry/cad_model.h"
 #include "model_impl.h"
 

@@ -15,7 +15,7 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 
-#include "bw/core/number_text.h"
+#include "bw/core/text/number_text.h"
 #include "open_edges.h"
 
 namespace bw::geometry {

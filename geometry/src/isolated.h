@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "bw/core/result.h"
-#include "bw/core/run_context.h"
+#include "bw/core/base/result.h"
+#include "bw/core/base/run_context.h"
 
 namespace bw::geometry {
 

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "bw/core/frame.h"
+#include "bw/core/base/frame.h"
 #include "level_tables.h"
 #include "model_impl.h"
 

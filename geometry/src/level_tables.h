@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "bw/core/frame.h"
+#include "bw/core/base/frame.h"
 #include "face_geometry.h"
 
 namespace bw::geometry {

@@ -13,7 +13,7 @@
 #include <new>
 #include <string>
 
-#include "bw/core/result.h"
+#include "bw/core/base/result.h"
 
 namespace bw::geometry {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "bw/core/frame.h"
+#include "bw/core/base/frame.h"
 #include "curve_fit.h"
 #include "section_samples.h"
 

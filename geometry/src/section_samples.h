@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "bw/core/frame.h"
+#include "bw/core/base/frame.h"
 #include "level_curves.h"
 #include "section_branches.h"
 

@@ -6,8 +6,8 @@
 
 #include <optional>
 
-#include "bw/core/finding.h"
-#include "bw/core/frame.h"
+#include "bw/core/base/finding.h"
+#include "bw/core/base/frame.h"
 #include "bw/geometry/sections.h"
 #include "level_curves.h"
 #include "section_samples.h"

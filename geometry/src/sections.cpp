@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-#include "bw/core/number_text.h"
+#include "bw/core/text/number_text.h"
 #include "model_impl.h"
 #include "occt.h"
 #include "sectioner.h"

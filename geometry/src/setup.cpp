@@ -9,7 +9,7 @@
 #include <cmath>
 #include <utility>
 
-#include "bw/core/number_text.h"
+#include "bw/core/text/number_text.h"
 #include "bw/geometry/sections.h"
 #include "model_impl.h"
 #include "occt.h"

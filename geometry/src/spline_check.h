@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "bw/core/result.h"
-#include "bw/core/spline_surface.h"
+#include "bw/core/base/result.h"
+#include "bw/core/surface/spline_surface.h"
 
 namespace bw::geometry {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "bw/core/spline_surface.h"
+#include "bw/core/surface/spline_surface.h"
 
 namespace bw::geometry {
 

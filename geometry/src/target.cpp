@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bw/core/number_text.h"
+#include "bw/core/text/number_text.h"
 #include "face_mesher.h"
 #include "face_sampler.h"
 #include "model_impl.h"

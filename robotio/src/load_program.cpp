@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <system_error>
 
-#include "bw/core/temporary_name.h"
+#include "bw/core/files/temporary_name.h"
 #include "bw/robotio/program.h"
 #include "rapid_program.h"
 

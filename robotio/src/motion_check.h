@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "bw/core/motion.h"
-#include "bw/core/result.h"
+#include "bw/core/base/result.h"
+#include "bw/core/motion/motion.h"
 
 namespace bw::robotio {
 

@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-#include "bw/core/number_text.h"
+#include "bw/core/text/number_text.h"
 #include "bw/robotio/program.h"
 #include "motion_check.h"
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "bw/core/number_text.h"
+#include "bw/core/text/number_text.h"
 #include "rapid_program.h"
 
 namespace bw::robotio {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bw/core/number_text.h"
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
+#include "bw/core/text/number_text.h"
 #include "rapid_names.h"
 #include "rapid_program.h"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-#include "bw/core/number_text.h"
+#include "bw/core/text/number_text.h"
 #include "rapid_names.h"
 #include "rapid_program.h"
 

@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "bw/core/finding.h"
+#include "bw/core/base/finding.h"
 #include "bw/robotio/program.h"
 #include "rapid_syntax.h"
 

@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "bw/core/number_text.h"
+#include "bw/core/text/number_text.h"
 
 namespace bw::robotio {
 

@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "bw/core/number_text.h"
+#include "bw/core/text/number_text.h"
 #include "rapid_names.h"
 #include "rapid_scanner.h"
 

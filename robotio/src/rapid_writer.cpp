@@ -8,8 +8,8 @@
 #include <array>
 #include <cmath>
 
-#include "bw/core/number_text.h"
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
+#include "bw/core/text/number_text.h"
 #include "bw/robotio/program.h"
 #include "motion_check.h"
 #include "rapid_plan.h"

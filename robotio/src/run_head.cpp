@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "bw/core/number_text.h"
+#include "bw/core/text/number_text.h"
 #include "rapid_names.h"
 
 namespace bw::robotio {

@@ -10,8 +10,8 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "bw/core/spline_surface.h"
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
+#include "bw/core/surface/spline_surface.h"
 #include "bw/geometry/export.h"
 #include "bw/pipeline/example_design.h"
 #include "bw/pipeline/produce.h"

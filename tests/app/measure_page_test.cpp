@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
 #include "window_fixture.h"
 
 namespace bw::app {

@@ -4,7 +4,7 @@
 // What the picture shows of a design, and what is done in it: faces, findings, blocks, maps, views.
 #include <cmath>
 
-#include "bw/core/maps.h"
+#include "bw/core/sweep/maps.h"
 #include "step_merge.h"
 #include "window_fixture.h"
 

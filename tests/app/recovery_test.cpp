@@ -15,7 +15,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "bw/core/file_set.h"
+#include "bw/core/files/file_set.h"
 #include "bw/model/document.h"
 #include "bw/model/recovery.h"
 

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "bw/core/file_set.h"
+#include "bw/core/files/file_set.h"
 #include "bw/geometry/export.h"
 #include "bw/pipeline/pipeline.h"
 #include "bw/pipeline/scene_content.h"

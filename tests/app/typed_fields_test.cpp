@@ -3,8 +3,8 @@
 //
 // What is typed into any field of the window is meant, or is refused in words.
 #include <clocale>
-#include <numbers>
 
+#include "bw/core/base/units.h"
 #include "every_field.h"
 
 namespace bw::app {
@@ -50,7 +50,7 @@ std::vector<Typed> meantTexts(const NumberField& field) {
                                {text(v / 25.4) + " IN", v},
                                {text(4 * v / 10) + "/4 cm", v}});
   } else if (range.unit == QChar(0xb0)) {
-    typed.insert(typed.end(), {{text(v * std::numbers::pi / 180) + " rad", v}, {text(v) + QChar(0xb0), v}});
+    typed.insert(typed.end(), {{text(v * kPi / 180) + " rad", v}, {text(v) + QChar(0xb0), v}});
   } else if (range.unit == "mm/s") {
     typed.insert(typed.end(), {{text(v / 10) + " cm/s", v}, {text(v * 0.06) + " m/min", v}});
   }

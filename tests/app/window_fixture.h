@@ -19,7 +19,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "bw/core/file_set.h"
+#include "bw/core/files/file_set.h"
 #include "bw/geometry/export.h"
 #include "window/main_window.h"
 #include "window/options.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "bw/core/biarc.h"
+#include "bw/core/biarc/biarc.h"
 
 namespace {
 

@@ -12,9 +12,9 @@
 #include <random>
 #include <vector>
 
-#include "bw/core/elastica_bvp.h"
-#include "bw/core/elastica_stability.h"
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
+#include "bw/core/elastica/elastica_bvp.h"
+#include "bw/core/elastica/elastica_stability.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "bw/core/blade_length.h"
+#include "bw/core/calibration/blade_length.h"
 
 namespace {
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <benchmark/benchmark.h>
 
-#include "bw/core/curve_relaxation.h"
-#include "bw/core/discrete_elastica.h"
+#include "bw/core/discrete/discrete_elastica.h"
+#include "bw/core/relax/curve_relaxation.h"
 
 namespace {
 

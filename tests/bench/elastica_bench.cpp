@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "bw/core/elastica.h"
+#include "bw/core/elastica/elastica.h"
 
 namespace {
 

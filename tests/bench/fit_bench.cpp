@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "bw/core/elastica_fit.h"
+#include "bw/core/fit/elastica_fit.h"
 #include "random_curves.h"
 #include "test_curves.h"
 

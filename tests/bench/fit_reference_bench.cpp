@@ -13,7 +13,7 @@
 
 #include "architect_curves.h"
 #include "best_known_fit.h"
-#include "bw/core/elastica_fit.h"
+#include "bw/core/fit/elastica_fit.h"
 #include "random_curves.h"
 
 namespace {

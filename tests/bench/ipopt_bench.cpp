@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "bw/core/elastica_fit.h"
+#include "bw/core/fit/elastica_fit.h"
 #include "ipopt_fit.h"
 #include "test_curves.h"
 

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "bw/core/elastica.h"
-#include "bw/core/planar_curve.h"
+#include "bw/core/curve/planar_curve.h"
+#include "bw/core/elastica/elastica.h"
 
 namespace bw::bench {
 

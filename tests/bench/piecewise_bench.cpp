@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "bw/core/piecewise_fit.h"
+#include "bw/core/piecewise/piecewise_fit.h"
 
 namespace {
 

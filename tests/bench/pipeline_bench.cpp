@@ -9,9 +9,9 @@
 #include <cmath>
 #include <filesystem>
 
-#include "bw/core/design.h"
-#include "bw/core/file_set.h"
-#include "bw/core/spline_surface.h"
+#include "bw/core/design/design.h"
+#include "bw/core/files/file_set.h"
+#include "bw/core/surface/spline_surface.h"
 #include "bw/geometry/export.h"
 #include "bw/pipeline/produce.h"
 

@@ -7,19 +7,18 @@
 #include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <random>
 
-#include "bw/core/biarc.h"
-#include "bw/core/cases.h"
-#include "bw/core/file_set.h"
+#include "bw/core/base/units.h"
+#include "bw/core/biarc/biarc.h"
+#include "bw/core/cases/cases.h"
+#include "bw/core/files/file_set.h"
 
 namespace bw {
 
 namespace {
 
 using Eigen::Vector2d;
-using std::numbers::pi;
 using Points = std::vector<Vector2d>;
 
 /// The example of the report, section 4.1.
@@ -37,7 +36,7 @@ Points lamp() { return parseCurveCsv(readFile(std::string(BW_TEST_DATA) + "/lamp
 Points ellipse(int count) {
   Points points;
   for (int i = 0; i < count; ++i)
-    points.emplace_back(100 * std::cos(2 * pi * i / count), 40 * std::sin(2 * pi * i / count));
+    points.emplace_back(100 * std::cos(2 * kPi * i / count), 40 * std::sin(2 * kPi * i / count));
   return points;
 }
 
@@ -109,7 +108,7 @@ void expectSmooth(const BiarcCurve& curve) {
   for (std::size_t i = 0; i + (curve.closed ? 0 : 1) < curve.arcs.size(); ++i) {
     const CircularArc &arc = curve.arcs[i], &next = curve.arcs[(i + 1) % curve.arcs.size()];
     EXPECT_LT((arc.end() - next.start).norm(), 1e-12 * size);
-    EXPECT_LT(std::abs(std::remainder(arc.endAngle() - next.startAngle, 2 * pi)), 1e-12);
+    EXPECT_LT(std::abs(std::remainder(arc.endAngle() - next.startAngle, 2 * kPi)), 1e-12);
     EXPECT_GT(arc.length, 0);
   }
 }
@@ -278,7 +277,7 @@ TEST(BiarcFit, TheTubeDropsThePointsThatMatterLeast) {
   for (const bool closed : {false, true}) {
     Points data;
     for (int i = 0; i < 90; ++i) {
-      const double t = 2 * std::numbers::pi * i / 90;
+      const double t = 2 * kPi * i / 90;
       data.push_back({40 * std::cos(t) + noise(random), 25 * std::sin(t) + noise(random)});
     }
     const auto gapOf = [&](const Points& kept) {
@@ -429,7 +428,7 @@ TEST(BiarcFit, AnswersStraightDataWithStraightPieces) {
 TEST(BiarcFit, ClosesCurves) {
   Points circle;
   for (int i = 0; i < 30; ++i)
-    circle.emplace_back(5 + 3 * std::cos(2 * pi * i / 30), 3 * std::sin(2 * pi * i / 30));
+    circle.emplace_back(5 + 3 * std::cos(2 * kPi * i / 30), 3 * std::sin(2 * kPi * i / 30));
   for (const int count : {2, 3, 5}) {
     BiarcOptions options;
     options.closed = true;
@@ -437,7 +436,7 @@ TEST(BiarcFit, ClosesCurves) {
     const BiarcResult r = fitBiarcs(circle, options).value();
     EXPECT_EQ(r.curve.arcs.size(), std::size_t(2 * count));
     EXPECT_LT(r.measures.max, 1e-6);
-    EXPECT_NEAR(r.measures.length, 6 * pi, 1e-5);
+    EXPECT_NEAR(r.measures.length, 6 * kPi, 1e-5);
     expectSmooth(r.curve);
   }
 }

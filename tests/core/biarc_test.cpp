@@ -1,22 +1,21 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "bw/core/biarc.h"
+#include "bw/core/biarc/biarc.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <random>
+#include "bw/core/base/units.h"
 
 namespace bw {
 
 namespace {
 
 using Eigen::Vector2d;
-using std::numbers::pi;
 
-double angleBetween(double a, double b) { return std::abs(std::remainder(a - b, 2 * pi)); }
+double angleBetween(double a, double b) { return std::abs(std::remainder(a - b, 2 * kPi)); }
 
 Vector2d turned(const Vector2d& p, double angle) {
   return {std::cos(angle) * p.x() - std::sin(angle) * p.y(),
@@ -39,10 +38,10 @@ void expectJoins(const Biarc& b, const Vector2d& start, double startAngle, const
 }  // namespace
 
 TEST(CircularArc, IsAQuarterOfTheUnitCircle) {
-  const CircularArc arc{{1, 0}, pi / 2, pi / 2, pi / 2};
+  const CircularArc arc{{1, 0}, kPi / 2, kPi / 2, kPi / 2};
   EXPECT_NEAR(*arc.radius(), 1, 1e-15);
   EXPECT_LT((arc.end() - Vector2d(0, 1)).norm(), 1e-15);
-  EXPECT_LT((arc.pointAt(pi / 4) - Vector2d(1, 1) / std::sqrt(2.0)).norm(), 1e-15);
+  EXPECT_LT((arc.pointAt(kPi / 4) - Vector2d(1, 1) / std::sqrt(2.0)).norm(), 1e-15);
   const CircularArc line{{1, 2}, 0, 0, 5};
   EXPECT_FALSE(line.radius());
   EXPECT_EQ(line.end(), Vector2d(6, 2));
@@ -50,7 +49,7 @@ TEST(CircularArc, IsAQuarterOfTheUnitCircle) {
 
 TEST(Biarc, JoinsAnyPointsAndTangentsForAnyShare) {
   std::mt19937 random(7);
-  std::uniform_real_distribution<double> place(-10, 10), angle(-pi, pi), share(0.02, 0.98);
+  std::uniform_real_distribution<double> place(-10, 10), angle(-kPi, kPi), share(0.02, 0.98);
   for (int i = 0; i < 20000; ++i) {
     const Vector2d a(place(random), place(random)), b(place(random), place(random));
     const double s = angle(random), e = angle(random);
@@ -105,10 +104,10 @@ TEST(Biarc, ParallelTangentsGiveOppositeRadii) {
 }
 
 TEST(Biarc, KnowsCirclesAndLines) {
-  const Biarc circle = makeBiarc({1, 0}, pi / 2, {0, 1}, pi).value();
+  const Biarc circle = makeBiarc({1, 0}, kPi / 2, {0, 1}, kPi).value();
   EXPECT_NEAR(*circle.first.radius(), 1, 1e-15);
   EXPECT_NEAR(*circle.second.radius(), 1, 1e-15);
-  const Biarc line = makeBiarc({1, 1}, pi / 4, {3, 3}, pi / 4).value();
+  const Biarc line = makeBiarc({1, 1}, kPi / 4, {3, 3}, kPi / 4).value();
   EXPECT_TRUE(line.first.straight());
   EXPECT_TRUE(line.second.straight());
   EXPECT_NEAR(line.first.length, std::sqrt(2.0), 1e-15);
@@ -139,11 +138,11 @@ TEST(Biarc, RefusesWhatHasNoSolution) {
   EXPECT_EQ(makeBiarc({1, 2}, 0, {1, 2}, 1).error().code, ErrorCode::badInput);
   EXPECT_EQ(makeBiarc({0, 0}, NAN, {1, 2}, 1).error().code, ErrorCode::badInput);
   EXPECT_EQ(makeBiarc({0, 0}, 0, {1, 2}, 1, 1).error().where, "share");
-  EXPECT_EQ(makeBiarc({0, 0}, pi, {1, 0}, pi).error().code, ErrorCode::noSolution);
+  EXPECT_EQ(makeBiarc({0, 0}, kPi, {1, 0}, kPi).error().code, ErrorCode::noSolution);
   // One tangent straight back is no obstacle.
-  const Result<Biarc> back = makeBiarc({0, 0}, pi, {1, 0}, 0.3);
+  const Result<Biarc> back = makeBiarc({0, 0}, kPi, {1, 0}, 0.3);
   ASSERT_TRUE(back);
-  expectJoins(*back, {0, 0}, pi, {1, 0}, 0.3, 1e-13);
+  expectJoins(*back, {0, 0}, kPi, {1, 0}, 0.3, 1e-13);
 }
 
 TEST(Biarc, MovesTurnsScalesMirrorsAndReverses) {
@@ -160,7 +159,7 @@ TEST(Biarc, MovesTurnsScalesMirrorsAndReverses) {
   EXPECT_LT((moved.second.start - (scale * turned(biarc.second.start, angle) + move)).norm(), 1e-11);
   const Biarc mirrored = makeBiarc({a.x(), -a.y()}, -s, {b.x(), -b.y()}, -e, share).value();
   EXPECT_NEAR(mirrored.first.turning, -biarc.first.turning, 1e-14);
-  const Biarc reversed = makeBiarc(b, e + pi, a, s + pi, 1 - share).value();
+  const Biarc reversed = makeBiarc(b, e + kPi, a, s + kPi, 1 - share).value();
   EXPECT_NEAR(reversed.first.turning, -biarc.second.turning, 1e-13);
   EXPECT_NEAR(reversed.second.length, biarc.first.length, 1e-13);
 }
@@ -171,10 +170,10 @@ TEST(BiarcTangents, FollowTheNeighbours) {
   EXPECT_NEAR(open[1], std::atan2(3, 4.5), 1e-15);
   EXPECT_NEAR(open[2], std::atan2(-3, 3.5), 1e-15);
   const std::vector<double> square = biarcTangents({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, true).value();
-  EXPECT_NEAR(square[0], -pi / 4, 1e-15);
+  EXPECT_NEAR(square[0], -kPi / 4, 1e-15);
   // A chain that turns straight back crosses its turning point at a right angle.
   const std::vector<double> back = biarcTangents({{0, 0}, {3, 0}, {1, 0}}).value();
-  EXPECT_NEAR(std::abs(back[1]), pi / 2, 1e-15);
+  EXPECT_NEAR(std::abs(back[1]), kPi / 2, 1e-15);
   EXPECT_FALSE(biarcTangents({{0, 0}}));
   EXPECT_EQ(biarcTangents({{0, 0}, {1, 1}, {1, 1}, {2, 0}}).error().where, "points[1]");
 }

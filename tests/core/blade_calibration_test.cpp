@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "bw/core/blade_length.h"
-#include "bw/core/cases.h"
+#include "bw/core/calibration/blade_length.h"
+#include "bw/core/cases/cases.h"
 
 namespace bw {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "bw/core/blade_length.h"
+#include "bw/core/calibration/blade_length.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
 #include <cmath>
 
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
 
 namespace bw {
 namespace {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "bw/core/cases.h"
+#include "bw/core/cases/cases.h"
 
 namespace bw {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "bw/core/cases.h"
+#include "bw/core/cases/cases.h"
 
 #include <gtest/gtest.h>
 

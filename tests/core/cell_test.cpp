@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "bw/core/cell.h"
+#include "bw/core/motion/cell.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <utility>
 
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
 
 namespace bw {
 namespace {

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "bw/core/curve_relaxation.h"
+#include "bw/core/relax/curve_relaxation.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "bw/core/cases.h"
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
+#include "bw/core/cases/cases.h"
 #include "test_curves.h"
 
 namespace bw {

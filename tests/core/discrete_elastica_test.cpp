@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "bw/core/discrete_elastica.h"
+#include "bw/core/discrete/discrete_elastica.h"
 
 #include <gtest/gtest.h>
 
@@ -14,8 +14,8 @@
 #include <numeric>
 #include <random>
 
-#include "bw/core/cases.h"
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
+#include "bw/core/cases/cases.h"
 
 namespace bw {
 namespace {

@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "blade_problems.h"
-#include "bw/core/cases.h"
-#include "bw/core/elastica_bvp.h"
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
+#include "bw/core/cases/cases.h"
+#include "bw/core/elastica/elastica_bvp.h"
 
 namespace bw {
 

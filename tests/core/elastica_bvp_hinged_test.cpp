@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "blade_problems.h"
-#include "bw/core/blade_length.h"
-#include "bw/core/cases.h"
-#include "bw/core/elastica_bvp.h"
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
+#include "bw/core/calibration/blade_length.h"
+#include "bw/core/cases/cases.h"
+#include "bw/core/elastica/elastica_bvp.h"
 
 namespace bw {
 

@@ -10,9 +10,9 @@
 #include <nlohmann/json.hpp>
 
 #include "blade_problems.h"
-#include "bw/core/cases.h"
-#include "bw/core/elastica_bvp.h"
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
+#include "bw/core/cases/cases.h"
+#include "bw/core/elastica/elastica_bvp.h"
 
 namespace bw {
 

@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "blade_problems.h"
-#include "bw/core/elastica_bvp.h"
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
+#include "bw/core/elastica/elastica_bvp.h"
 
 namespace bw {
 

@@ -7,16 +7,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
 
-#include "bw/core/elastica.h"
+#include "bw/core/base/units.h"
+#include "bw/core/elastica/elastica.h"
 
 namespace bw::test {
 
-inline constexpr double kPi = std::numbers::pi;
 /// The promised accuracy of a position, as a part of the length.
 inline constexpr double kPosition = 1e-10;
 /// The promised accuracy of a derivative, as a part of the largest of its row.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 // Fits under conditions: length, ends, tangents, bounds, and what contradicts itself.
-#include "bw/core/elastica_fit.h"
+#include "bw/core/fit/elastica_fit.h"
 
 #include <gtest/gtest.h>
 
@@ -9,11 +9,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <random>
 #include <vector>
 
-#include "bw/core/elastica_bvp.h"
+#include "bw/core/base/units.h"
+#include "bw/core/elastica/elastica_bvp.h"
 #include "fit_samples.h"
 #include "test_curves.h"
 
@@ -21,14 +21,13 @@ namespace bw {
 namespace {
 
 using Eigen::Vector2d;
-using std::numbers::pi;
 using test::apart;
 using test::denseR4;
 using test::direction;
 using test::someElastica;
 using test::splineOf;
 
-double wrapped(double angle) { return std::remainder(angle, 2 * pi); }
+double wrapped(double angle) { return std::remainder(angle, 2 * kPi); }
 
 TEST(ElasticaFit, ConstraintsHoldExactly) {
   using Length = FitOptions::Length;
@@ -178,7 +177,7 @@ TEST(ElasticaFit, AddedEndConditionsNeverFitBetter) {
 TEST(ElasticaFit, AddedEndConditionsNeverFitRandomCurvesBetter) {
   std::mt19937_64 engine(20261122);
   const auto uniform = [&] { return static_cast<double>(engine() >> 11) * 0x1p-53; };
-  const auto normal = [&] { return std::sqrt(-2 * std::log(1 - uniform())) * std::cos(2 * pi * uniform()); };
+  const auto normal = [&] { return std::sqrt(-2 * std::log(1 - uniform())) * std::cos(2 * kPi * uniform()); };
   for (int i = 0; i < 24; ++i) {
     SCOPED_TRACE(testing::Message() << "curve " << i);
     const int poles = i % 2 == 0 ? 4 : 5;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "architect_curves.h"
-#include "bw/core/elastica_fit.h"
+#include "bw/core/fit/elastica_fit.h"
 #include "random_curves.h"
 
 namespace bw {

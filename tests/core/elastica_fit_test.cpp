@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
-#include "bw/core/elastica_fit.h"
+#include "bw/core/fit/elastica_fit.h"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <random>
 
+#include "bw/core/base/units.h"
 #include "fit_samples.h"
 #include "random_curves.h"
 #include "test_curves.h"
@@ -20,7 +20,6 @@ namespace bw {
 namespace {
 
 using Eigen::Vector2d;
-using std::numbers::pi;
 using test::apart;
 using test::denseR4;
 using test::direction;
@@ -30,7 +29,7 @@ using test::splineOf;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-double wrapped(double angle) { return std::remainder(angle, 2 * pi); }
+double wrapped(double angle) { return std::remainder(angle, 2 * kPi); }
 
 TEST(ElasticaFit, RecoversElasticaFromItsOwnSamples) {
   for (const Elastica& e : someElastica()) {
@@ -298,7 +297,7 @@ TEST(ElasticaFit, StraightLineIsFittedByALine) {
 }
 
 TEST(ElasticaFit, CircularArcIsFittedByACircle) {
-  for (const double turn : {pi / 2, -pi / 2}) {
+  for (const double turn : {kPi / 2, -kPi / 2}) {
     const double side = turn > 0 ? 1 : -1;
     const PlanarCurve c =
         PlanarCurve::bspline(2, {0, 0, 0, 1, 1, 1}, {{250, 0}, {250, 250 * side}, {0, 250 * side}},

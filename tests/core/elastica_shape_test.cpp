@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 // Energy, inflections, self-intersection, motions, segments and control parameters.
-#include "bw/core/elastica.h"
+#include "bw/core/elastica/elastica.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "bw/core/elastica_stability.h"
+#include "bw/core/elastica/elastica_stability.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <Eigen/QR>
 #include <random>
 
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
 
 namespace bw {
 

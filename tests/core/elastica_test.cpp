@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
-#include "bw/core/elastica.h"
+#include "bw/core/elastica/elastica.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "bw/core/file_set.h"
+#include "bw/core/files/file_set.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

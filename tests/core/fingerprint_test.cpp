@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
-#include "bw/core/fingerprint.h"
+#include "bw/core/files/fingerprint.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 
 #include <filesystem>
 
-#include "bw/core/design.h"
-#include "bw/core/file_set.h"
+#include "bw/core/design/design.h"
+#include "bw/core/files/file_set.h"
 
 namespace bw {
 namespace {

@@ -7,8 +7,8 @@
 #include <random>
 #include <vector>
 
-#include "bw/core/elastica.h"
-#include "bw/core/planar_curve.h"
+#include "bw/core/curve/planar_curve.h"
+#include "bw/core/elastica/elastica.h"
 
 namespace bw::test {
 

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "bw/core/folder_lock.h"
+#include "bw/core/files/folder_lock.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include "bw/core/file_set.h"
-#include "bw/core/temporary_name.h"
+#include "bw/core/files/file_set.h"
+#include "bw/core/files/temporary_name.h"
 #include "file_folder.h"
 
 namespace bw {

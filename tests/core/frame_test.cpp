@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "bw/core/frame.h"
+#include "bw/core/base/frame.h"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <random>
 
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
 
 namespace bw {
 

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "bw/core/job.h"
+#include "bw/core/design/job.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 
-#include "bw/core/design.h"
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
+#include "bw/core/design/design.h"
 
 namespace bw {
 

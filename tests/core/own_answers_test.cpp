@@ -15,8 +15,8 @@
 #include <nlohmann/json.hpp>
 
 #include "architect_curves.h"
-#include "bw/core/cases.h"
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
+#include "bw/core/cases/cases.h"
 
 namespace bw {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
-#include "bw/core/piecewise_fit.h"
+#include "bw/core/piecewise/piecewise_fit.h"
 
 #include <gtest/gtest.h>
 
@@ -8,16 +8,15 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
-#include "bw/core/cases.h"
+#include "bw/core/base/units.h"
+#include "bw/core/cases/cases.h"
 #include "test_curves.h"
 
 namespace bw {
 namespace {
 
 using Eigen::Vector2d;
-using std::numbers::pi;
 
 PlanarCurve wave() {
   return PlanarCurve::bspline(
@@ -93,7 +92,7 @@ TEST(PiecewiseFit, TolerancesAreUsedButKept) {
   options.pieces = 3;
   const PiecewiseResult exact = fitPiecewise(wave(), options).value();
   options.position = 0.1;
-  options.angle = pi / 180;
+  options.angle = kPi / 180;
   const PiecewiseResult loose = fitPiecewise(wave(), options).value();
   ASSERT_TRUE(loose.status == FitStatus::converged || loose.status == FitStatus::constraintsActive)
       << loose.message;
@@ -101,7 +100,7 @@ TEST(PiecewiseFit, TolerancesAreUsedButKept) {
     const Vector2d gap = loose.pieces[i].point(loose.pieces[i].length()) - loose.pieces[i + 1].start();
     EXPECT_LE(gap.norm(), 0.1 * (1 + 1e-6));
     EXPECT_NEAR(gap.norm(), loose.joints[i].gap, 1e-12);
-    EXPECT_LE(loose.joints[i].angle, pi / 180 * (1 + 1e-6));
+    EXPECT_LE(loose.joints[i].angle, kPi / 180 * (1 + 1e-6));
   }
   EXPECT_LT(loose.totalR4, exact.totalR4);
 }
@@ -259,7 +258,7 @@ TEST(PiecewiseFit, EndsAreKeptOnRequest) {
   const Elastica& last = chain.pieces.back();
   EXPECT_LT((last.point(last.length()) - c.value(c.end())).norm(), 1e-6);
   const Vector2d t = c.tangent(c.start());
-  EXPECT_NEAR(std::remainder(chain.pieces.front().startAngle() - std::atan2(t.y(), t.x()), 2 * pi), 0, 1e-9);
+  EXPECT_NEAR(std::remainder(chain.pieces.front().startAngle() - std::atan2(t.y(), t.x()), 2 * kPi), 0, 1e-9);
 }
 
 TEST(PiecewiseFit, BadOptionsAreNamed) {

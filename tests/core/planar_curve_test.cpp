@@ -1,21 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
-#include "bw/core/planar_curve.h"
+#include "bw/core/curve/planar_curve.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <random>
 
+#include "bw/core/base/units.h"
 #include "test_curves.h"
 
 namespace bw {
 namespace {
 
 using Eigen::Vector2d;
-using std::numbers::pi;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
@@ -51,14 +50,14 @@ TEST(PlanarCurve, RationalQuarterCircleIsACircle) {
   const double r = 250;
   const PlanarCurve c =
       PlanarCurve::bspline(2, {0, 0, 0, 1, 1, 1}, {{r, 0}, {r, r}, {0, r}}, {1, std::sqrt(0.5), 1}).value();
-  EXPECT_NEAR(c.length(), r * pi / 2, 1e-10 * r);
+  EXPECT_NEAR(c.length(), r * kPi / 2, 1e-10 * r);
   for (const double t : {0.0, 0.1, 0.5, 0.77, 1.0}) {
     EXPECT_NEAR(c.value(t).norm(), r, 1e-12 * r);
     EXPECT_NEAR(c.curvature(t), 1 / r, 1e-12);
   }
   for (const double s : {0.1, 0.3, 0.9}) {
     const Vector2d p = c.value(c.parameterAt(s * c.length()));
-    EXPECT_NEAR(std::atan2(p.y(), p.x()), s * pi / 2, 1e-12);
+    EXPECT_NEAR(std::atan2(p.y(), p.x()), s * kPi / 2, 1e-12);
   }
 }
 
@@ -288,7 +287,7 @@ TEST(PlanarCurve, ChainRunsByItsOwnArcLength) {
   EXPECT_EQ(c.length(), 7);
   EXPECT_LT((c.value(5) - Vector2d(3, 2)).norm(), 1e-15);
   EXPECT_LT((c.tangent(1) - Vector2d(1, 0)).norm(), 1e-15);
-  EXPECT_NEAR(c.curvature(3), (pi / 2) / 3.5, 1e-14);
+  EXPECT_NEAR(c.curvature(3), (kPi / 2) / 3.5, 1e-14);
   EXPECT_NEAR(c.nearestParameter({4, 3}), 6, 1e-14);
   EXPECT_NEAR(c.nearestParameter({4, 3}, 0.1), 6, 1e-14);
 }
@@ -363,7 +362,7 @@ TEST(PlanarCurve, RationalCurvesFarFromTheOriginEndAndKeepTheirLength) {
     const auto quarter = PlanarCurve::bspline(
         2, {0, 0, 0, 1, 1, 1}, {{away + 1, away}, {away + 1, away + 1}, {away, away + 1}}, {1, half, 1});
     ASSERT_TRUE(quarter);
-    EXPECT_NEAR(quarter->length(), std::numbers::pi / 2, 1e-10 + 1e-15 * away);
+    EXPECT_NEAR(quarter->length(), kPi / 2, 1e-10 + 1e-15 * away);
   }
 }
 

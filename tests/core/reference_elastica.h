@@ -11,10 +11,10 @@
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 
 #include <cmath>
-#include <numbers>
 #include <vector>
 
-#include "bw/core/elastica.h"
+#include "bw/core/base/units.h"
+#include "bw/core/elastica/elastica.h"
 
 namespace bw::test {
 
@@ -98,11 +98,11 @@ inline Elastica::State basicElastica(double k, double s) {
     dn = std::sqrt((1 - modulus) * (1 + modulus) +
                    modulus * modulus * cn * cn);  // Boost's own is wrong at cn = 0
     const double turns = std::round(u / (4 * quarterPeriod(modulus)));
-    amplitude = std::atan2(sn, cn) + 2 * std::numbers::pi * turns;
-    if (amplitude - u * std::numbers::pi / (2 * quarterPeriod(modulus)) > std::numbers::pi) {
-      amplitude -= 2 * std::numbers::pi;
-    } else if (amplitude - u * std::numbers::pi / (2 * quarterPeriod(modulus)) < -std::numbers::pi) {
-      amplitude += 2 * std::numbers::pi;
+    amplitude = std::atan2(sn, cn) + 2 * kPi * turns;
+    if (amplitude - u * kPi / (2 * quarterPeriod(modulus)) > kPi) {
+      amplitude -= 2 * kPi;
+    } else if (amplitude - u * kPi / (2 * quarterPeriod(modulus)) < -kPi) {
+      amplitude += 2 * kPi;
     }
     integral = boost::math::ellint_2(modulus, amplitude);
   }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "bw/core/replacement.h"
+#include "bw/core/files/replacement.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -10,7 +10,7 @@
 
 #include <cerrno>
 
-#include "bw/core/file_set.h"
+#include "bw/core/files/file_set.h"
 #include "file_folder.h"
 
 namespace {

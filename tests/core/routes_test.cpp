@@ -8,10 +8,10 @@
 #include <cmath>
 #include <functional>
 
-#include "bw/core/biarc.h"
-#include "bw/core/curve_relaxation.h"
-#include "bw/core/elastica_bvp.h"
-#include "bw/core/elastica_fit.h"
+#include "bw/core/biarc/biarc.h"
+#include "bw/core/elastica/elastica_bvp.h"
+#include "bw/core/fit/elastica_fit.h"
+#include "bw/core/relax/curve_relaxation.h"
 #include "fit_samples.h"
 #include "test_curves.h"
 

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "bw/core/shared_bytes.h"
+#include "bw/core/files/shared_bytes.h"
 
 #include <gtest/gtest.h>
 
-#include "bw/core/design.h"
+#include "bw/core/design/design.h"
 
 namespace bw {
 

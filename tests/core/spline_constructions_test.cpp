@@ -1,25 +1,24 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "bw/core/spline_constructions.h"
+#include "bw/core/constructions/spline_constructions.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <random>
 
-#include "bw/core/cases.h"
-#include "bw/core/elastica_bvp.h"
+#include "bw/core/base/units.h"
+#include "bw/core/cases/cases.h"
+#include "bw/core/elastica/elastica_bvp.h"
 
 namespace bw {
 
 namespace {
 
 using Eigen::Vector2d;
-using std::numbers::pi;
 
 const std::vector<Vector2d> kDucks = {{0, 0}, {100, 40}, {220, 30}, {300, -20}, {420, 0}};
 
@@ -111,7 +110,7 @@ TEST(BezierChain, SharesTangentsAndStaysNearElastica) {
     EXPECT_LT(proxy.deviation, 5e-3 * proxy.length);
   }
   // A quarter circle to the accuracy of the best cubic, 3e-4 of the radius.
-  const CubicPoles quarter = bezierChain({{1, 0}, {0, 1}}, {pi / 2, pi}).value()[0];
+  const CubicPoles quarter = bezierChain({{1, 0}, {0, 1}}, {kPi / 2, kPi}).value()[0];
   const PlanarCurve curve = PlanarCurve::bezier({quarter.begin(), quarter.end()}).value();
   for (const Vector2d& p : curve.sample(50)) EXPECT_NEAR(p.norm(), 1, 4e-4);
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "bw/core/spline_surface.h"
+#include "bw/core/surface/spline_surface.h"
 
 #include <gtest/gtest.h>
 

@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "analytic_surfaces.h"
+#include "bw/core/base/units.h"
 #include "finding_of.h"
 #include "plane_sections.h"
 #include "row_settings.h"
@@ -169,9 +169,7 @@ TEST(Advice, GentleSectionsAreNeverTooTight) {
   settings.blade = bladeOfRadius(200, 900);
   for (const double turn : {0.2, 0.6, 1.0}) {
     Findings findings;
-    const auto arc = [&](int) {
-      return test::arc({0, 0}, 204, std::numbers::pi / 2 + turn, std::numbers::pi / 2 - turn);
-    };
+    const auto arc = [&](int) { return test::arc({0, 0}, 204, kPi / 2 + turn, kPi / 2 - turn); };
     Result<Sweep> sweep =
         buildSweep(test::sectionsOf(9, 10, arc), settings, test::blockUnder(204, 80, 0, 204),
                    -Eigen::Vector3d::UnitY(), {}, findings);

@@ -9,9 +9,9 @@
 #include <cmath>
 #include <vector>
 
-#include "bw/core/elastica_stability.h"
-#include "bw/core/sweep.h"
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
+#include "bw/core/elastica/elastica_stability.h"
+#include "bw/core/sweep/sweep.h"
 #include "finding_of.h"
 #include "row_settings.h"
 

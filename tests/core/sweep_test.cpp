@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "bw/core/sweep.h"
+#include "bw/core/sweep/sweep.h"
 #include "finding_of.h"
 #include "row_settings.h"
 
@@ -9,14 +9,13 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <numbers>
 #include <numeric>
 #include <optional>
 #include <string>
 
 #include "analytic_surfaces.h"
-#include "bw/core/elastica_stability.h"
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
+#include "bw/core/elastica/elastica_stability.h"
 
 namespace bw {
 
@@ -374,8 +373,7 @@ TEST(SweepAnalysis, TellsNoLongerBladeWhereItCurlsBackIntoTheBlock) {
   settings.blade.outerDiameter = 0.3;
   settings.blade.length = 300;
   std::vector<Section> sections = straightSections({0, 10, 20, 30, 40}, 10, [](double) { return 0.0; });
-  for (Section& section : sections)
-    section.curve = test::arc({0, 1275}, 100, std::numbers::pi / 2 + 0.8, std::numbers::pi / 2 - 0.8);
+  for (Section& section : sections) section.curve = test::arc({0, 1275}, 100, kPi / 2 + 0.8, kPi / 2 - 0.8);
   const Analysed circles = analysed(sections, settings, test::PlaneSampler(Eigen::Vector3d::UnitZ()));
   const Finding* grip = circles.finding<GripTooNear>();
   ASSERT_TRUE(grip);
@@ -525,7 +523,7 @@ std::vector<Section> nearlyStraightSections(double sag) {
 
 /// A bulge between two hollows.
 std::vector<Section> bulgeSections() {
-  return equalSections([](double x) { return 20 * std::cos(2 * std::numbers::pi * x / 700); });
+  return equalSections([](double x) { return 20 * std::cos(2 * kPi * x / 700); });
 }
 
 }  // namespace

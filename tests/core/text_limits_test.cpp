@@ -3,12 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include "bw/core/cases.h"
-#include "bw/core/cell.h"
-#include "bw/core/design.h"
-#include "bw/core/file_set.h"
-#include "bw/core/job.h"
-#include "bw/core/printable.h"
+#include "bw/core/cases/cases.h"
+#include "bw/core/design/design.h"
+#include "bw/core/design/job.h"
+#include "bw/core/files/file_set.h"
+#include "bw/core/motion/cell.h"
+#include "bw/core/text/printable.h"
 
 namespace bw {
 

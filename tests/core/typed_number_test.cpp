@@ -1,17 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "bw/core/typed_number.h"
+#include "bw/core/text/typed_number.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <clocale>
 #include <cmath>
-#include <numbers>
 #include <random>
 
-#include "bw/core/number_text.h"
+#include "bw/core/base/units.h"
+#include "bw/core/text/number_text.h"
 
 namespace bw {
 namespace {
@@ -99,7 +99,7 @@ TEST(TypedNumber, ReadsSimpleExpressions) {
   EXPECT_EQ(read("10-3-2"), 5);
   EXPECT_EQ(read("80/4/2"), 10);
   EXPECT_EQ(read("0,5+0.25"), 0.75);
-  EXPECT_NEAR(read("2*pi*85"), 2 * std::numbers::pi * 85, 1e-9);
+  EXPECT_NEAR(read("2*pi*85"), 2 * kPi * 85, 1e-9);
   EXPECT_EQ(refusal("1/0"), "this divides by zero");
   EXPECT_EQ(refusal("(1+2"), "a closing bracket is missing");
   EXPECT_EQ(refusal("1+"), "a number is missing at the end");
@@ -124,7 +124,7 @@ TEST(TypedNumber, ReadsUnitsOfItsKind) {
   EXPECT_EQ(read("45\u00b0", angle), 45);
   EXPECT_EQ(read("45\u00ba", angle), 45);
   EXPECT_EQ(read("100 gon", angle), 90);
-  EXPECT_NEAR(read("1 rad", angle), 180 / std::numbers::pi, 1e-9);
+  EXPECT_NEAR(read("1 rad", angle), 180 / kPi, 1e-9);
   EXPECT_EQ(read("pi/4 rad", angle), 45);
   EXPECT_EQ(read("12,5", {"mm/s", 0.01, 1000}), 12.5);
   EXPECT_EQ(read("1,5 m/min", {"mm/s", 0.01, 1000}), 25);

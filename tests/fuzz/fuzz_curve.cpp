@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "bw/core/cases.h"
+#include "bw/core/cases/cases.h"
 #include "bw/robotio/program.h"
 #include "require.h"
 

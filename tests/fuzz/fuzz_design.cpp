@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "bw/core/design.h"
+#include "bw/core/design/design.h"
 #include "require.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "bw/core/job.h"
+#include "bw/core/design/job.h"
 #include "require.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

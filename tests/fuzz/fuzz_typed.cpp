@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "bw/core/number_text.h"
-#include "bw/core/typed_number.h"
+#include "bw/core/text/number_text.h"
+#include "bw/core/text/typed_number.h"
 #include "require.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

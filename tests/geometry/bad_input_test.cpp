@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "bw/core/file_set.h"
+#include "bw/core/files/file_set.h"
 #include "shapes.h"
 
 namespace bw::geometry::test {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bw/core/file_set.h"
+#include "bw/core/files/file_set.h"
 #include "shapes.h"
 
 namespace bw::geometry::test {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "bw/core/file_set.h"
+#include "bw/core/files/file_set.h"
 #include "shapes.h"
 
 namespace bw::geometry::test {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
 #include "shapes.h"
 
 namespace bw::geometry::test {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
 #include "shapes.h"
 
 namespace bw::geometry::test {

@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-#include "bw/core/spline_surface.h"
+#include "bw/core/surface/spline_surface.h"
 #include "bw/geometry/cad_model.h"
 #include "bw/geometry/export.h"
 #include "bw/geometry/sections.h"

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <limits>
 
-#include "bw/core/file_set.h"
+#include "bw/core/files/file_set.h"
 #include "shapes.h"
 
 namespace bw::geometry::test {

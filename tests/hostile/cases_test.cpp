@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-#include "bw/core/cases.h"
+#include "bw/core/cases/cases.h"
 
 namespace bw {
 namespace {

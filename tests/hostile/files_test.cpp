@@ -15,7 +15,7 @@
 #include <iostream>
 #include <random>
 
-#include "bw/core/file_set.h"
+#include "bw/core/files/file_set.h"
 #include "bw/geometry/cad_model.h"
 #include "bw/geometry/export.h"
 #include "step_merge.h"

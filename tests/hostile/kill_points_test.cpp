@@ -18,8 +18,8 @@
 #include <set>
 #include <string>
 
-#include "bw/core/file_set.h"
-#include "bw/core/fingerprint.h"
+#include "bw/core/files/file_set.h"
+#include "bw/core/files/fingerprint.h"
 #include "bw/pipeline/result_folder.h"
 #include "bw/pipeline/run_identity.h"
 

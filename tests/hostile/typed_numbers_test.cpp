@@ -11,7 +11,7 @@
 #include <cstdlib>
 #include <random>
 
-#include "bw/core/typed_number.h"
+#include "bw/core/text/typed_number.h"
 #include "every_field.h"
 
 namespace bw::app {

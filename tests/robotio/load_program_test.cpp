@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "bw/core/file_set.h"
+#include "bw/core/files/file_set.h"
 #include "sample.h"
 
 namespace bw::robotio {

@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "bw/core/file_set.h"
+#include "bw/core/files/file_set.h"
 #include "sample.h"
 
 namespace bw::robotio {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "bw/core/number_text.h"
+#include "bw/core/text/number_text.h"
 #include "sample.h"
 
 namespace bw::robotio {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <string>
 
-#include "bw/core/cell.h"
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
+#include "bw/core/motion/cell.h"
 #include "bw/robotio/program.h"
 
 namespace bw::robotio::sample {

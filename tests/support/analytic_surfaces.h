@@ -7,9 +7,9 @@
 #include <memory>
 #include <vector>
 
-#include "bw/core/planar_curve.h"
-#include "bw/core/surface_sampler.h"
-#include "bw/core/sweep.h"
+#include "bw/core/curve/planar_curve.h"
+#include "bw/core/surface/surface_sampler.h"
+#include "bw/core/sweep/sweep.h"
 
 namespace bw::test {
 

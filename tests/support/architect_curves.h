@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-#include "bw/core/planar_curve.h"
+#include "bw/core/curve/planar_curve.h"
 
 namespace bw::test {
 

@@ -8,13 +8,13 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numbers>
 #include <utility>
 #include <vector>
 
-#include "bw/core/elastica_bvp.h"
-#include "bw/core/elastica_fit.h"
-#include "bw/core/planar_curve.h"
+#include "bw/core/base/units.h"
+#include "bw/core/curve/planar_curve.h"
+#include "bw/core/elastica/elastica_bvp.h"
+#include "bw/core/fit/elastica_fit.h"
 
 namespace bw::test {
 
@@ -72,7 +72,7 @@ inline double bestKnownFit(const PlanarCurve& curve, FitOptions options) {
     const double force = rate * rate / length / length;
     for (const double amplitude : {0.3, 0.9})
       for (int phase = 0; phase < 8; ++phase) {
-        const double at = phase * std::numbers::pi / 4;
+        const double at = phase * kPi / 4;
         const Result<Elastica> wave =
             Elastica::make(points.front(), along + amplitude * std::cos(at),
                            -amplitude * std::sin(at) * rate / length, force * direction, length);

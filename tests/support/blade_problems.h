@@ -10,8 +10,8 @@
 #include <optional>
 #include <vector>
 
-#include "bw/core/elastica_bvp.h"
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
+#include "bw/core/elastica/elastica_bvp.h"
 
 /// Boundary value problems of a blade, and what every answer to one must hold.
 namespace bw::test {

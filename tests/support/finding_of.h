@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "bw/core/finding.h"
+#include "bw/core/base/finding.h"
 
 namespace bw::test {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "bw/core/sweep.h"
+#include "bw/core/sweep/sweep.h"
 
 namespace bw::test {
 

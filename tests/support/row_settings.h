@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "bw/core/sweep.h"
+#include "bw/core/sweep/sweep.h"
 
 namespace bw::test {
 

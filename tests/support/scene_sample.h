@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "bw/core/base/units.h"
 #include "bw/scene/scene.h"
 
 namespace bw::test {
@@ -32,7 +33,7 @@ inline double panelMiss(double x, double y, double error) {
 /// A panel, its target 30 mm wider all around, stations, blades that run on straight beyond the foam, and the
 /// block.
 inline scene::Content sampleContent(const SceneSample& sample = {}) {
-  constexpr double kWidth = 600, kDepth = 670, kPi = 3.14159265358979;
+  constexpr double kWidth = 600, kDepth = 670;
   scene::Content content;
   const int nx = 90, ny = 100;
   for (int j = 0; j <= ny; ++j) {

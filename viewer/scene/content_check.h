@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "bw/core/face_mesh.h"
-#include "bw/core/mesh.h"
+#include "bw/core/surface/face_mesh.h"
+#include "bw/core/surface/mesh.h"
 
 namespace bw::scene {
 

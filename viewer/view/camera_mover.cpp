@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "bw/core/base/units.h"
 #include "bw/scene/navigation.h"
 #include "scene/camera/camera_fit.h"
 #include "scene/scene_impl.h"
@@ -14,7 +15,7 @@ namespace bw::view {
 namespace {
 
 constexpr int kGlideMilliseconds = 200;
-constexpr double kOrbitPerPixel = 0.4 * 3.14159265358979323846 / 180;  ///< rad
+constexpr double kOrbitPerPixel = 0.4 * kPi / 180;  ///< rad
 /// Distances of the camera, in diagonals of the scene.
 constexpr double kNearest = 2e-3, kFarthest = 30;
 

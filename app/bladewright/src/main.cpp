@@ -12,7 +12,7 @@
 #include <sstream>
 #include <string>
 
-#include "bw/core/printable.h"
+#include "bw/core/text/printable.h"
 #include "bw/pipeline/exit_status.h"
 #include "bw/view/scene_view.h"
 #include "window/display_check.h"

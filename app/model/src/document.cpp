@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "bw/core/job.h"
+#include "bw/core/design/job.h"
 #include "bw/model/edit_design.h"
 
 namespace bw::model {

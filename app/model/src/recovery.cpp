@@ -12,7 +12,7 @@
 #include <system_error>
 #include <thread>
 
-#include "bw/core/file_set.h"
+#include "bw/core/files/file_set.h"
 #include "file_lock.h"
 
 namespace bw::model {

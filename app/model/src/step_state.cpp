@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "bw/core/number_text.h"
+#include "bw/core/text/number_text.h"
 #include "bw/pipeline/run_identity.h"
 
 namespace bw::model {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "bw/core/sweep.h"
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
+#include "bw/core/sweep/sweep.h"
 
 namespace bw::pipeline {
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <iterator>
 
-#include "bw/core/blade.h"
-#include "bw/core/file_set.h"
+#include "bw/core/blade/blade.h"
+#include "bw/core/files/file_set.h"
 #include "bw/geometry/export.h"
 
 namespace bw::pipeline {

@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "bw/core/fingerprint.h"
+#include "bw/core/files/fingerprint.h"
 #include "bw/robotio/program.h"
 
 namespace bw::pipeline {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "bw/core/program_formats.h"
+#include "bw/core/design/program_formats.h"
 #include "bw/pipeline/run_identity.h"
 #include "bw/robotio/program.h"
 #include "make_files.h"

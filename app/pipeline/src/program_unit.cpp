@@ -11,7 +11,7 @@
 #include <fstream>
 #include <system_error>
 
-#include "bw/core/temporary_name.h"
+#include "bw/core/files/temporary_name.h"
 
 namespace bw::pipeline {
 

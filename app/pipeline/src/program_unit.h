@@ -6,9 +6,9 @@
 #include <set>
 #include <vector>
 
-#include "bw/core/file_set.h"
-#include "bw/core/replacement.h"
-#include "bw/core/result.h"
+#include "bw/core/base/result.h"
+#include "bw/core/files/file_set.h"
+#include "bw/core/files/replacement.h"
 
 namespace bw::pipeline {
 

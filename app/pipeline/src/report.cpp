@@ -3,8 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "bw/core/fingerprint.h"
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
+#include "bw/core/files/fingerprint.h"
 #include "bw/pipeline/produce.h"
 
 namespace bw::pipeline {

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
-#include "bw/core/cutting_limits.h"
-#include "bw/core/number_text.h"
-#include "bw/core/printable.h"
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
+#include "bw/core/blade/cutting_limits.h"
+#include "bw/core/text/number_text.h"
+#include "bw/core/text/printable.h"
 #include "bw/pipeline/produce.h"
 
 namespace bw::pipeline {

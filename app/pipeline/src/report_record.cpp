@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
-#include "bw/core/file_set.h"
+#include "bw/core/files/file_set.h"
 
 namespace bw::pipeline {
 

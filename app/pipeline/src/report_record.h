@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-#include "bw/core/result.h"
+#include "bw/core/base/result.h"
 
 namespace bw::pipeline {
 

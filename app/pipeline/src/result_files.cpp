@@ -6,8 +6,8 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
-#include "bw/core/number_text.h"
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
+#include "bw/core/text/number_text.h"
 #include "bw/geometry/export.h"
 #include "bw/pipeline/run_identity.h"
 #include "make_files.h"

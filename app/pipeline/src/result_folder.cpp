@@ -9,9 +9,9 @@
 #include <set>
 #include <system_error>
 
-#include "bw/core/folder_lock.h"
-#include "bw/core/replacement.h"
-#include "bw/core/temporary_name.h"
+#include "bw/core/files/folder_lock.h"
+#include "bw/core/files/replacement.h"
+#include "bw/core/files/temporary_name.h"
 #include "bw/pipeline/earlier_files.h"
 #include "program_unit.h"
 

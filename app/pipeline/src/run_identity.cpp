@@ -8,9 +8,9 @@
 #include <set>
 #include <system_error>
 
-#include "bw/core/fingerprint.h"
-#include "bw/core/number_text.h"
-#include "bw/core/temporary_name.h"
+#include "bw/core/files/fingerprint.h"
+#include "bw/core/files/temporary_name.h"
+#include "bw/core/text/number_text.h"
 #include "bw/robotio/program.h"
 #include "bw/words/findings.h"
 #include "program_unit.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "bw/core/file_set.h"
-#include "bw/core/fingerprint.h"
+#include "bw/core/files/file_set.h"
+#include "bw/core/files/fingerprint.h"
 #include "bw/pipeline/produce.h"
 
 namespace bw::pipeline {

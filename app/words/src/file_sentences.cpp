@@ -3,8 +3,8 @@
 //
 // What is said of surfaces, sections, files and programs.
 
-#include "bw/core/number_text.h"
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
+#include "bw/core/text/number_text.h"
 #include "sentences.h"
 
 namespace bw::words {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "bw/core/number_text.h"
+#include "bw/core/text/number_text.h"
 #include "sentences.h"
 
 namespace bw::words {

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "bw/core/number_text.h"
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
+#include "bw/core/text/number_text.h"
 #include "sentences.h"
 
 namespace bw::words {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "bw/core/finding.h"
+#include "bw/core/base/finding.h"
 
 #include <algorithm>
 

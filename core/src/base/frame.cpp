@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "bw/core/frame.h"
+#include "bw/core/base/frame.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

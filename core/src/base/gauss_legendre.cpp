@@ -4,9 +4,9 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
-#include "bw/core/result.h"
+#include "bw/core/base/result.h"
+#include "bw/core/base/units.h"
 
 namespace bw::detail {
 namespace {
@@ -23,7 +23,7 @@ struct Table {
       for (int i = 0; i < n; ++i) {
         // Newton on the Legendre polynomial from the usual cosine estimate; quadratic, so a few steps reach
         // rounding.
-        double x = std::cos(std::numbers::pi * (n - i - 0.25) / (n + 0.5));
+        double x = std::cos(kPi * (n - i - 0.25) / (n + 0.5));
         double slope = 1;
         for (int step = 0; step < 8; ++step) {
           double previous = 1;

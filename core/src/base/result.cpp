@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "bw/core/result.h"
+#include "bw/core/base/result.h"
 
 #include <cstdio>
 #include <cstdlib>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "bw/core/run_context.h"
+#include "bw/core/base/run_context.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/info.h>

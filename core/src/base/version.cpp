@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "bw/core/version.h"
+#include "bw/core/base/version.h"
 
 #include <ceres/version.h>
 #include <tbb/version.h>

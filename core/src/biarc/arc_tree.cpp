@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include "bw/core/base/units.h"
 
 namespace bw::detail {
 
@@ -29,7 +29,7 @@ ArcTree::ArcTree(const std::vector<CircularArc>& arcs, bool closed) : closed_(cl
     const Piece& piece = pieces_.back();
     Box box{piece.start.cwiseMin(piece.end), piece.start.cwiseMax(piece.end)};
     // The extreme points of an arc are its ends and those where the tangent is along an axis.
-    const double quarter = std::numbers::pi / 2;
+    const double quarter = kPi / 2;
     const double from = std::min(arc.startAngle, arc.endAngle());
     const double to = std::max(arc.startAngle, arc.endAngle());
     for (double angle = std::ceil(from / quarter) * quarter; angle < to && !arc.straight();
@@ -67,7 +67,7 @@ ArcFoot ArcTree::onPiece(int arc, const Eigen::Vector2d& p) const {
   double s = x;
   if (bend > 0) {
     double angle = std::atan2(bend * x, 1 - k * y);
-    if (angle < 0 && angle + 2 * std::numbers::pi <= std::abs(piece.turning)) angle += 2 * std::numbers::pi;
+    if (angle < 0 && angle + 2 * kPi <= std::abs(piece.turning)) angle += 2 * kPi;
     s = angle / bend;
   }
   ArcFoot foot;

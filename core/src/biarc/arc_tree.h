@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "bw/core/biarc.h"
+#include "bw/core/biarc/biarc.h"
 
 namespace bw::detail {
 

@@ -2,18 +2,16 @@
 // SPDX-License-Identifier: MIT
 
 #include <cmath>
-#include <numbers>
 #include <string>
 
 #include "biarc/biarc_formula.h"
-#include "bw/core/biarc.h"
-#include "bw/core/number_text.h"
+#include "bw/core/base/units.h"
+#include "bw/core/biarc/biarc.h"
+#include "bw/core/text/number_text.h"
 
 namespace bw {
 
 namespace {
-
-using std::numbers::pi;
 
 /// A piece that turns by less is straight: its rise is below 1e-13 of its length.
 constexpr double kStraightTurning = 1e-12;
@@ -81,12 +79,14 @@ Result<BiarcRange> biarcRange(const Eigen::Vector2d& start, double startAngle, c
                               double endAngle) {
   const Result<ChordAngles> c = chordAngles(start, startAngle, end, endAngle);
   if (!c) return tl::unexpected<Error>(c.error());
-  if (std::abs(c->alpha) == pi && std::abs(c->beta) == pi) return noBiarc();
+  if (std::abs(c->alpha) == kPi && std::abs(c->beta) == kPi) return noBiarc();
   BiarcRange range;
   range.total = c->alpha + c->beta;
   // θ between 2α − W and 2α (positive chords), and both turnings below a whole turn (positive lengths).
-  range.lower = std::max(std::min(2 * c->alpha, c->alpha - c->beta), std::max(-2 * pi, range.total - 2 * pi));
-  range.upper = std::min(std::max(2 * c->alpha, c->alpha - c->beta), std::min(2 * pi, range.total + 2 * pi));
+  range.lower =
+      std::max(std::min(2 * c->alpha, c->alpha - c->beta), std::max(-2 * kPi, range.total - 2 * kPi));
+  range.upper =
+      std::min(std::max(2 * c->alpha, c->alpha - c->beta), std::min(2 * kPi, range.total + 2 * kPi));
   return range;
 }
 

@@ -9,7 +9,8 @@
 
 #include "biarc/biarc_formula.h"
 #include "biarc/biarc_search.h"
-#include "bw/core/number_text.h"
+#include "bw/core/base/units.h"
+#include "bw/core/text/number_text.h"
 
 namespace bw {
 
@@ -134,8 +135,8 @@ Result<std::vector<BiarcNode>> nodesOf(const Points& points,
   } else if (closed && points.size() == 2) {
     // Two points of a closed curve: across their connection, so that both halves bulge alike.
     const Eigen::Vector2d chord = points[1] - points[0];
-    const double across = std::atan2(chord.y(), chord.x()) - std::numbers::pi / 2;
-    angles = std::vector<double>{across, across + std::numbers::pi};
+    const double across = std::atan2(chord.y(), chord.x()) - kPi / 2;
+    angles = std::vector<double>{across, across + kPi};
   } else {
     angles = biarcTangents(points, closed);
   }

@@ -3,15 +3,15 @@
 #pragma once
 
 #include <cmath>
-#include <numbers>
+#include "bw/core/base/units.h"
 
 namespace bw::detail {
 
 /// The angle less whole turns, in (−π, π].
 inline double wrapAngle(double angle) {
-  const double turn = 2 * std::numbers::pi;
+  const double turn = 2 * kPi;
   const double rest = std::remainder(angle, turn);
-  return rest <= -std::numbers::pi ? rest + turn : rest;
+  return rest <= -kPi ? rest + turn : rest;
 }
 
 /// sin(x)/x through x = 0, for numbers and for Ceres' Jets.

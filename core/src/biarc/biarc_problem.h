@@ -9,7 +9,7 @@
 
 #include "biarc/arc_tree.h"
 #include "biarc/biarc_chain.h"
-#include "bw/core/run_context.h"
+#include "bw/core/base/run_context.h"
 
 namespace bw::detail {
 

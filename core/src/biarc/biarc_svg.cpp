@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 
-#include "bw/core/biarc.h"
-#include "bw/core/number_text.h"
+#include "bw/core/base/units.h"
+#include "bw/core/biarc/biarc.h"
+#include "bw/core/text/number_text.h"
 
 namespace bw {
 
@@ -56,7 +56,7 @@ std::string pathOf(const CircularArc& arc, const Picture& picture, const char* c
   } else {
     const std::string radius = shortText(std::abs(*arc.radius()) * picture.scale(), kDigits);
     const char* sweep = arc.turning > 0 ? " 0 0 0 " : " 0 0 1 ";
-    const int parts = std::abs(arc.turning) > std::numbers::pi / 2 ? 4 : 1;
+    const int parts = std::abs(arc.turning) > kPi / 2 ? 4 : 1;
     for (int i = 1; i <= parts; ++i)
       path += "A" + radius + " " + radius + sweep + picture.text(arc.pointAt(arc.length * i / parts));
   }

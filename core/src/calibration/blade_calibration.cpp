@@ -11,8 +11,8 @@
 #include <cmath>
 
 #include "base/work_meter.h"
-#include "bw/core/blade_length.h"
-#include "bw/core/number_text.h"
+#include "bw/core/calibration/blade_length.h"
+#include "bw/core/text/number_text.h"
 #include "calibration/hang_blade.h"
 
 namespace bw {

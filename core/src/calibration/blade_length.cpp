@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
-#include "bw/core/blade_length.h"
+#include "bw/core/calibration/blade_length.h"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -9,9 +9,9 @@
 #include <functional>
 
 #include "base/work_meter.h"
-#include "bw/core/elastica_stability.h"
-#include "bw/core/number_text.h"
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
+#include "bw/core/elastica/elastica_stability.h"
+#include "bw/core/text/number_text.h"
 #include "calibration/hang_blade.h"
 #include "calibration/symmetric_arc.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "bw/core/blade_length.h"
+#include "bw/core/calibration/blade_length.h"
 
 namespace bw::detail {
 

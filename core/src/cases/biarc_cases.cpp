@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "bw/core/biarc.h"
+#include "bw/core/biarc/biarc.h"
 
 #include <algorithm>
 #include <cmath>

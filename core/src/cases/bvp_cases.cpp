@@ -4,8 +4,8 @@
 #include <chrono>
 #include <cmath>
 
-#include "bw/core/elastica_bvp.h"
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
+#include "bw/core/elastica/elastica_bvp.h"
 #include "cases/case_runner.h"
 #include "elastica/elastica_json.h"
 

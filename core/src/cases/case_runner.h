@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "base/json_reader.h"
-#include "bw/core/cases.h"
+#include "bw/core/cases/cases.h"
+#include "text/json_reader.h"
 
 namespace bw::detail {
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "bw/core/number_text.h"
+#include "bw/core/text/number_text.h"
 #include "cases/case_runner.h"
 
 namespace bw {

@@ -3,7 +3,7 @@
 
 #include <chrono>
 
-#include "bw/core/discrete_elastica.h"
+#include "bw/core/discrete/discrete_elastica.h"
 #include "cases/case_runner.h"
 #include "elastica/elastica_json.h"
 

@@ -3,7 +3,7 @@
 
 #include <chrono>
 
-#include "bw/core/elastica.h"
+#include "bw/core/elastica/elastica.h"
 #include "cases/case_runner.h"
 #include "elastica/elastica_json.h"
 

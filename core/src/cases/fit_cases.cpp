@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "bw/core/elastica_fit.h"
+#include "bw/core/fit/elastica_fit.h"
 
 #include <span>
 

@@ -3,9 +3,9 @@
 
 #include <chrono>
 
-#include "bw/core/blade_length.h"
+#include "blade/blade_json.h"
+#include "bw/core/calibration/blade_length.h"
 #include "cases/case_runner.h"
-#include "design/blade_json.h"
 #include "elastica/elastica_json.h"
 
 namespace bw {

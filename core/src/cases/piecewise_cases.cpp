@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "bw/core/piecewise_fit.h"
+#include "bw/core/piecewise/piecewise_fit.h"
 
 #include <algorithm>
 
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
 #include "cases/case_runner.h"
 #include "elastica/elastica_json.h"
 

@@ -3,7 +3,7 @@
 
 #include <chrono>
 
-#include "bw/core/curve_relaxation.h"
+#include "bw/core/relax/curve_relaxation.h"
 #include "cases/case_runner.h"
 #include "cases/relax_case.h"
 #include "elastica/elastica_json.h"

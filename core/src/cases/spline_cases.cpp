@@ -4,8 +4,8 @@
 #include <chrono>
 #include <tuple>
 
-#include "bw/core/elastica_stability.h"
-#include "bw/core/spline_constructions.h"
+#include "bw/core/constructions/spline_constructions.h"
+#include "bw/core/elastica/elastica_stability.h"
 #include "cases/case_runner.h"
 #include "elastica/elastica_json.h"
 

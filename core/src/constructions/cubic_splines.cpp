@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "bw/core/spline_constructions.h"
+#include "bw/core/constructions/spline_constructions.h"
 #include "constructions/duck_checks.h"
 
 namespace bw {

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "bw/core/result.h"
+#include "bw/core/base/result.h"
 
 namespace bw::detail {
 

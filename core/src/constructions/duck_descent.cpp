@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "base/work_meter.h"
-#include "bw/core/elastica_bvp.h"
+#include "bw/core/elastica/elastica_bvp.h"
 #include "constructions/duck_stability.h"
 
 namespace bw::detail {

@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "bw/core/elastica.h"
-#include "bw/core/spline_constructions.h"
+#include "bw/core/constructions/spline_constructions.h"
+#include "bw/core/elastica/elastica.h"
 
 namespace bw::detail {
 

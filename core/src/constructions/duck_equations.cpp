@@ -6,9 +6,9 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "base/work_meter.h"
+#include "bw/core/base/units.h"
 
 namespace bw::detail {
 
@@ -40,7 +40,7 @@ void DuckEquations::settleAngles(const Eigen::VectorXd& u) {
   for (std::size_t duck = 0; duck < given_.size(); ++duck) {
     const double here = u[angleAt(duck)];
     if (const std::optional<double> angle = askedAngle(duck))
-      given_[duck] = here + std::remainder(*angle - here, 2 * std::numbers::pi);
+      given_[duck] = here + std::remainder(*angle - here, 2 * kPi);
   }
 }
 

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <string>
 
-#include "bw/core/number_text.h"
-#include "bw/core/spline_constructions.h"
+#include "bw/core/base/units.h"
+#include "bw/core/constructions/spline_constructions.h"
+#include "bw/core/text/number_text.h"
 #include "constructions/duck_checks.h"
 #include "constructions/duck_descent.h"
 #include "constructions/duck_equations.h"
@@ -99,7 +99,7 @@ Result<Eigen::VectorXd> cubicStart(const DuckEquations& equations, const std::ve
     const PlanarCurve::Quadrature& q = piece->quadrature();
     for (std::size_t j = 0; j < q.weight.size(); ++j) turning += q.weight[j] * q.curvature[j];
     const double near = u[equations.angleAt(i)] + turning, exact = std::atan2(tangent.y(), tangent.x());
-    u[equations.angleAt(i + 1)] = near + std::remainder(exact - near, 2 * std::numbers::pi);
+    u[equations.angleAt(i + 1)] = near + std::remainder(exact - near, 2 * kPi);
     at = next;
   }
   return u;

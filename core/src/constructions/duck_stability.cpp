@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bw/core/elastica_stability.h"
+#include "bw/core/elastica/elastica_stability.h"
 
 namespace bw::detail {
 

@@ -6,8 +6,8 @@
 
 #include <vector>
 
-#include "bw/core/elastica.h"
-#include "bw/core/spline_constructions.h"
+#include "bw/core/constructions/spline_constructions.h"
+#include "bw/core/elastica/elastica.h"
 
 namespace bw::detail {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bw/core/elastica_fit.h"
-#include "bw/core/spline_constructions.h"
+#include "bw/core/constructions/spline_constructions.h"
+#include "bw/core/fit/elastica_fit.h"
 
 namespace bw {
 

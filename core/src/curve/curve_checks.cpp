@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "bw/core/number_text.h"
+#include "bw/core/text/number_text.h"
 #include "curve/bezier_span.h"
 
 namespace bw::detail {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "bw/core/result.h"
+#include "bw/core/base/result.h"
 
 namespace bw::detail {
 

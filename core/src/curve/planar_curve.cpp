@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
-#include "bw/core/planar_curve.h"
+#include "bw/core/curve/planar_curve.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
-#include "bw/core/number_text.h"
+#include "bw/core/text/number_text.h"
 #include "curve/curve_checks.h"
 #include "curve/planar_curve_data.h"
 

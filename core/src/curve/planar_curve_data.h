@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "bw/core/planar_curve.h"
+#include "bw/core/curve/planar_curve.h"
 #include "curve/bezier_span.h"
 
 namespace bw {

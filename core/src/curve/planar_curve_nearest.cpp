@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "base/work_meter.h"
-#include "bw/core/planar_curve.h"
+#include "bw/core/curve/planar_curve.h"
 #include "curve/planar_curve_data.h"
 
 namespace bw {

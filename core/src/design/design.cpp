@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "bw/core/design.h"
+#include "bw/core/design/design.h"
 
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "base/json_reader.h"
-#include "bw/core/file_set.h"
+#include "bw/core/files/file_set.h"
 #include "design/job_json.h"
+#include "text/json_reader.h"
 
 namespace bw {
 

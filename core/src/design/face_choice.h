@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "base/json_reader.h"
-#include "bw/core/job.h"
+#include "bw/core/design/job.h"
+#include "text/json_reader.h"
 
 namespace bw {
 

@@ -1,19 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "bw/core/job.h"
+#include "bw/core/design/job.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "base/json_reader.h"
-#include "bw/core/number_settings.h"
-#include "bw/core/number_text.h"
-#include "bw/core/program_formats.h"
-#include "bw/core/units.h"
-#include "design/blade_json.h"
+#include "blade/blade_json.h"
+#include "bw/core/base/units.h"
+#include "bw/core/design/job_numbers.h"
+#include "bw/core/design/program_formats.h"
+#include "bw/core/text/number_text.h"
 #include "design/face_choice.h"
 #include "design/job_json.h"
+#include "text/json_reader.h"
 
 namespace bw {
 

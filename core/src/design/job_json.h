@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "bw/core/job.h"
+#include "bw/core/design/job.h"
 
 namespace bw {
 

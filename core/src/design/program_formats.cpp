@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "bw/core/program_formats.h"
+#include "bw/core/design/program_formats.h"
 
 #include <algorithm>
 #include <array>
 #include <vector>
 
-#include "bw/core/number_text.h"
+#include "bw/core/text/number_text.h"
 
 namespace bw {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bw/core/discrete_elastica.h"
-#include "bw/core/number_text.h"
+#include "bw/core/discrete/discrete_elastica.h"
+#include "bw/core/text/number_text.h"
 
 namespace bw {
 namespace {

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "base/work_meter.h"
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
 
 namespace bw::detail {
 namespace {

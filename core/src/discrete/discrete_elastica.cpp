@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
-#include "bw/core/discrete_elastica.h"
+#include "bw/core/discrete/discrete_elastica.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "bw/core/elastica_bvp.h"
-#include "bw/core/number_text.h"
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
+#include "bw/core/elastica/elastica_bvp.h"
+#include "bw/core/text/number_text.h"
 #include "discrete/angle_chain.h"
 
 namespace bw {

@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "base/work_meter.h"
-#include "bw/core/elastica_bvp.h"
-#include "bw/core/number_text.h"
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
+#include "bw/core/elastica/elastica_bvp.h"
+#include "bw/core/text/number_text.h"
 #include "elastica/bvp_check.h"
 #include "elastica/bvp_describe.h"
 #include "elastica/bvp_unit.h"

@@ -10,7 +10,7 @@
 #include <limits>
 #include <vector>
 
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
 #include "elastica/bvp_taut.h"
 #include "elastica/elastica_flow.h"
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
 #include "elastica/bvp_taut.h"
 
 namespace bw::detail {

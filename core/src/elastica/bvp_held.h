@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "bw/core/elastica_bvp.h"
+#include "bw/core/elastica/elastica_bvp.h"
 #include "elastica/bvp_check.h"
 
 namespace bw::detail {

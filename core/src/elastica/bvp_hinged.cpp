@@ -4,17 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
+#include "bw/core/base/units.h"
 #include "elastica/bvp_search.h"
 #include "elastica/pendulum_integrals.h"
 
 namespace bw::detail {
 
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// 1 − k² = sech² t, so that k → 1 is far away.
 Modulus modulusAt(double t) {

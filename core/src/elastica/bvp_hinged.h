@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "bw/core/elastica_bvp.h"
+#include "bw/core/elastica/elastica_bvp.h"
 #include "elastica/bvp_unit.h"
 
 namespace bw::detail {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "bw/core/elastica_bvp.h"
+#include "bw/core/elastica/elastica_bvp.h"
 #include "elastica/bvp_check.h"
 
 namespace bw::detail {

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 #include <vector>
 
 #include "base/work_meter.h"
+#include "bw/core/base/units.h"
 #include "elastica/bvp_search.h"
 #include "elastica/bvp_shapes.h"
 #include "elastica/bvp_sketch.h"
@@ -35,7 +35,7 @@ bool isTautAlone(const TautBends& bends) {
   const double first = std::abs(bends.first), second = std::abs(bends.second);
   const double larger = std::max(first, second);
   return larger < kSmallBend || (larger < kLargeBend && bends.root > kTaut) ||
-         (first + second < 2 * std::numbers::pi && bends.root > kTautAlone);
+         (first + second < 2 * kPi && bends.root > kTautAlone);
 }
 
 /// A blade of locally least energy, the lowest one that proves stable. Both ends hold their tangents.

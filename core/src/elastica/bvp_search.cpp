@@ -6,9 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "base/work_meter.h"
+#include "bw/core/base/units.h"
 #include "elastica/bvp_sheets.h"
 #include "elastica/bvp_taut.h"
 
@@ -17,7 +17,6 @@ namespace bw::detail {
 namespace {
 
 using Eigen::Vector2d;
-constexpr double kPi = std::numbers::pi;
 /// Beyond this phase the start values do not tell the end well.
 constexpr double kTaut = 14;
 /// Solutions that miss their ends by more, in lengths and rad, hang on digits that no number here has.

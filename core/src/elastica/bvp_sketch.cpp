@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "base/work_meter.h"
+#include "bw/core/base/units.h"
 #include "elastica/clamped_modes.h"
 
 namespace bw::detail {
@@ -134,7 +135,7 @@ struct SmallAngles {
     const double direction = std::atan2(problem.end.y(), problem.end.x());
     // The chord as seen from the mean tangent: nearest to it of its turns.
     const double middle = 0.5 * problem.turning;
-    const double chord = direction + 2 * M_PI * std::round((middle - direction) / (2 * M_PI));
+    const double chord = direction + 2 * kPi * std::round((middle - direction) / (2 * kPi));
     line = problem.turning * t.ramp - chord * t.mean;
     offset = middle - chord;
     const double missing = std::max(1 - problem.end.norm(), 1e-9);

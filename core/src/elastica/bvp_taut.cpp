@@ -7,13 +7,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include "bw/core/base/units.h"
 
 namespace bw::detail {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 /// √f L from which on a blade is taut.
 constexpr double kLeastTaut = 6;
 /// Logarithm of what is left of one bend at the other grip, rad, below which they do not know of each other.

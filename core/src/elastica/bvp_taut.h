@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "bw/core/elastica_bvp.h"
+#include "bw/core/elastica/elastica_bvp.h"
 #include "elastica/bvp_unit.h"
 #include "elastica/clamped_margin.h"
 

@@ -6,7 +6,7 @@
 
 #include <optional>
 
-#include "bw/core/elastica.h"
+#include "bw/core/elastica/elastica.h"
 #include "elastica/clamped_modes.h"
 
 namespace bw::detail {

@@ -6,11 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "base/gauss_legendre.h"
 #include "base/work_meter.h"
+#include "bw/core/base/units.h"
 
 namespace bw::detail {
 
@@ -174,7 +174,6 @@ const ClampedModes& clampedModesFor(double phase, HeldEnds ends) {
 double straightEigenvalue(HeldEnds ends) {
   // φ = sin 2πs; cos q(1 − s) − cos q with tan q = q, the blade held at one end; cos πs.
   constexpr double kHalfHeld = 4.493409457909064;
-  constexpr double kPi = std::numbers::pi;
   switch (ends) {
     case HeldEnds::both:
       break;

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
-#include "bw/core/elastica.h"
+#include "bw/core/elastica/elastica.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 
-#include "bw/core/number_text.h"
+#include "bw/core/base/units.h"
+#include "bw/core/text/number_text.h"
 
 namespace bw {
 
@@ -81,7 +81,7 @@ Elastica Elastica::reversed() const {
   const State end = at(length_);
   Elastica result;
   result.start_ = end.point;
-  result.startAngle_ = end.angle > 0 ? end.angle - std::numbers::pi : end.angle + std::numbers::pi;
+  result.startAngle_ = end.angle > 0 ? end.angle - kPi : end.angle + kPi;
   result.startCurvature_ = -end.curvature;
   result.force_ = -force_;
   result.length_ = length_;

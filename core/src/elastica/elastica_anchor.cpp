@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "bw/core/elastica.h"
-#include "bw/core/number_text.h"
+#include "bw/core/elastica/elastica.h"
+#include "bw/core/text/number_text.h"
 
 namespace bw {
 

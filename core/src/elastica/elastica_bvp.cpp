@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
-#include "bw/core/elastica_bvp.h"
+#include "bw/core/elastica/elastica_bvp.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "base/work_meter.h"
-#include "bw/core/number_text.h"
+#include "bw/core/base/units.h"
+#include "bw/core/text/number_text.h"
 #include "elastica/bvp_check.h"
 #include "elastica/bvp_describe.h"
 #include "elastica/bvp_held.h"
@@ -111,9 +111,8 @@ Result<UnitSolution> follow(const ClampedProblem& problem, const CheckedProblem&
     } else if (!move->snapped) {
       const UnitProblem between{
           checked.end,
-          checked.fixedTurning
-              ? checked.turning
-              : initial.turning + std::remainder(checked.turning - initial.turning, 2 * std::numbers::pi),
+          checked.fixedTurning ? checked.turning
+                               : initial.turning + std::remainder(checked.turning - initial.turning, 2 * kPi),
           checked.ends};
       const std::optional<UnitSolution> found = settle(between, branch->shape(), 4);
       if (found && restsIn(*found, sample(*found))) return *found;

@@ -4,8 +4,8 @@
 #include <numbers>
 #include <string>
 
-#include "bw/core/elastica.h"
-#include "bw/core/number_text.h"
+#include "bw/core/elastica/elastica.h"
+#include "bw/core/text/number_text.h"
 #include "elastica/elastica_scaled.h"
 #include "elastica/jacobi.h"
 

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <span>
 #include <vector>
 
-#include "bw/core/elastica.h"
+#include "bw/core/base/units.h"
+#include "bw/core/elastica/elastica.h"
 #include "elastica/elastica_flow.h"
 #include "elastica/elastica_scaled.h"
 
@@ -125,7 +125,7 @@ class Evaluation {
     }
     // Half the peak curvature and √f are at most sqrt(5)/2 in units of the flow, so no period is shorter than
     // this.
-    constexpr double kShortestPeriod = 2 * std::numbers::pi / 2.2360679774997897;
+    constexpr double kShortestPeriod = 2 * kPi / 2.2360679774997897;
     if (farthest <= kDirectPeriods * kShortestPeriod) {
       return;
     }
@@ -144,8 +144,7 @@ class Evaluation {
     Flow flow(scaled_.flow, scaled_.known, 1);
     flow.advanceTo(period);
     shift_ = flow.at(period);
-    const double turning =
-        known.hasInflections() ? 0 : std::copysign(2 * std::numbers::pi, scaled_.flow.curvature);
+    const double turning = known.hasInflections() ? 0 : std::copysign(2 * kPi, scaled_.flow.curvature);
     shift_.col(0) = Eigen::Array4d(shift_(0, 0), shift_(1, 0), turning, 0);
     if constexpr (Directions > 0) {
       const double k = scaled_.flow.curvature;

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "bw/core/base/units.h"
 #include "elastica/jacobi.h"
 
 namespace bw::detail {
@@ -44,7 +44,7 @@ double periodLength(const ElasticaInvariants& known) {
   const double root =
       std::max(std::sqrt(std::abs(known.complement)), kSmallestModulus * std::sqrt(known.complementScale));
   const double quarters = known.hasInflections() ? 4 : 2;
-  return quarters * 0.5 * std::numbers::pi / arithmeticGeometricMean(scale, root);
+  return quarters * 0.5 * kPi / arithmeticGeometricMean(scale, root);
 }
 
 }  // namespace bw::detail

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "base/json_reader.h"
+#include "text/json_reader.h"
 
 namespace bw {
 

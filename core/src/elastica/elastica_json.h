@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "bw/core/elastica.h"
-#include "bw/core/result.h"
+#include "bw/core/base/result.h"
+#include "bw/core/elastica/elastica.h"
 
 namespace bw {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "bw/core/elastica.h"
+#include "bw/core/elastica/elastica.h"
 #include "elastica/elastica_invariants.h"
 
 namespace bw::detail {

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
-#include "bw/core/elastica.h"
+#include "bw/core/base/units.h"
+#include "bw/core/elastica/elastica.h"
 #include "elastica/elastica_pieces.h"
 
 namespace bw {
@@ -21,7 +21,7 @@ constexpr double kSamePoint = 1e-10;
 /// rounding.
 constexpr double kPeriodsToSearch = 2.5;
 /// Longest turning of an arc to start with.
-constexpr double kArcTurning = std::numbers::pi / 4;
+constexpr double kArcTurning = kPi / 4;
 /// Pairs of arcs to compare at most. Only curves that run along themselves within rounding come near it; they
 /// count as touching.
 constexpr int kMaxPairs = 200000;
@@ -63,7 +63,7 @@ class CrossingSearch {
       double turning = arcs_[j].turning;
       for (std::size_t i = j; i-- > 0;) {
         turning += arcs_[i].turning;
-        if (turning >= std::numbers::pi && meet(arcs_[i], arcs_[j])) {
+        if (turning >= kPi && meet(arcs_[i], arcs_[j])) {
           return true;
         }
       }
@@ -176,7 +176,7 @@ bool Elastica::selfIntersects() const {
   if (!anchored_) {
     scaled.length = std::min(scaled.length, kPeriodsToSearch * detail::periodLength(known));
   }
-  if (2 * known.halfPeakCurvature * scaled.length < std::numbers::pi) {
+  if (2 * known.halfPeakCurvature * scaled.length < kPi) {
     return false;
   }
   return CrossingSearch(scaled, known.force).found();

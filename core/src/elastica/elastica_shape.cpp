@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "base/gauss_legendre.h"
-#include "bw/core/elastica.h"
+#include "bw/core/base/units.h"
+#include "bw/core/elastica/elastica.h"
 #include "elastica/elastica_pieces.h"
 
 namespace bw {
@@ -112,7 +112,7 @@ double Elastica::maxCurvature() const {
   const ElasticaInvariants& known = scaled.known;
   // |κ| is largest at an end or at an apex, where the tangent points along the force.
   const double forceAngle = std::atan2(scaled.flow.normal, scaled.flow.tangential);
-  const auto turns = [&](double angle) { return std::floor((angle - forceAngle) / (2 * std::numbers::pi)); };
+  const auto turns = [&](double angle) { return std::floor((angle - forceAngle) / (2 * kPi)); };
   double largest = 0;
   forEachPiece(scaled, [&](const Flow& flow, double a, double b) {
     const Block start = flow.at(a);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "bw/core/elastica_stability.h"
+#include "bw/core/elastica/elastica_stability.h"
 
 #include <Eigen/LU>
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include "bw/core/base/units.h"
 
 namespace bw::detail {
 
@@ -51,8 +51,8 @@ inline PendulumIntegrals overTop(const Modulus& k) {
 
 /// The integrals from 0 to any h for a pendulum that goes over (k > 1), or within its swing.
 inline PendulumIntegrals upTo(const Modulus& k, double h) {
-  const double turns = std::round(h / std::numbers::pi);
-  PendulumIntegrals result = quarter(k, h - turns * std::numbers::pi);
+  const double turns = std::round(h / kPi);
+  PendulumIntegrals result = quarter(k, h - turns * kPi);
   if (turns != 0) result = result + overTop(k) * (2 * turns);
   return result;
 }

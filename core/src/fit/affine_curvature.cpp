@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include "bw/core/base/units.h"
 
 namespace bw::detail {
 namespace {
 
 using Eigen::Vector2d;
-using std::numbers::pi;
 
 // Below this root mean square (in lengths) the extent of the target in a direction is rounding, and the force
 // that it would tell is taken as zero.
@@ -41,7 +40,7 @@ AffineCurvature fitAffineCurvature(const FitTarget& target) {
   const double axis = 0.5 * std::atan2(2 * covariance(0, 1), covariance(0, 0) - covariance(1, 1));
   Vector2d gradient = Vector2d::Zero();
   for (int k = 0; k < 2; ++k) {
-    const Vector2d e = direction(axis + k * pi / 2);
+    const Vector2d e = direction(axis + k * kPi / 2);
     double moment = 0;
     double product = 0;
     for (std::size_t i = 0; i < count; ++i) {

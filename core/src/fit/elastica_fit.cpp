@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
-#include "bw/core/elastica_fit.h"
+#include "bw/core/fit/elastica_fit.h"
 
 #include <algorithm>
 #include <chrono>
@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "bw/core/number_text.h"
+#include "bw/core/text/number_text.h"
 #include "fit/fit_constrained.h"
 #include "fit/fit_distance.h"
 #include "fit/fit_free.h"

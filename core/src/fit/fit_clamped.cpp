@@ -4,16 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "bw/core/elastica_bvp.h"
+#include "bw/core/base/units.h"
+#include "bw/core/elastica/elastica_bvp.h"
 
 namespace bw::detail {
 namespace {
 
 // What the boundary value solver takes at most.
 constexpr int kMostInflections = 12;
-constexpr double kMostTurning = 8 * std::numbers::pi;
+constexpr double kMostTurning = 8 * kPi;
 
 }  // namespace
 
@@ -44,8 +44,7 @@ std::vector<ClampedBlade> clampedBlades(const FitTarget& target, const FitConstr
   ClampedOptions options;
   options.maxInflections = std::clamp(target.inflections() + 2, options.maxInflections, kMostInflections);
   options.maxTurning = std::min(
-      std::max(options.maxTurning, std::abs(target.endAngle - target.startAngle) + 2 * std::numbers::pi),
-      kMostTurning);
+      std::max(options.maxTurning, std::abs(target.endAngle - target.startAngle) + 2 * kPi), kMostTurning);
   const Result<ClampedAnswer> answer = solveAllClamped(problem, options);
   if (!answer) return {};
   std::vector<ClampedBlade> blades;

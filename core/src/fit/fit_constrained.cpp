@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "bw/core/base/units.h"
 #include "fit/condition_names.h"
 
 namespace bw::detail {
@@ -16,7 +16,6 @@ using Eigen::Index;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 
-constexpr double kPi = std::numbers::pi;
 // Logarithms of lengths beyond this are no fits.
 constexpr double kLargestLogLength = 5;
 

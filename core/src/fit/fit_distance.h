@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "bw/core/elastica.h"
-#include "bw/core/planar_curve.h"
+#include "bw/core/curve/planar_curve.h"
+#include "bw/core/elastica/elastica.h"
 
 namespace bw::detail {
 

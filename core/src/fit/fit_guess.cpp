@@ -7,15 +7,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "bw/core/base/units.h"
 #include "fit/law_orbit.h"
 
 namespace bw::detail {
 namespace {
 
 using Eigen::Vector2d;
-using std::numbers::pi;
 
 // Samples of one period, and trial values of s0 in it, for the first search of (3.3).
 constexpr int kPeriodSamples = 128;
@@ -37,7 +36,7 @@ LengthGuess guessByLength(const FitTarget& target, const AffineCurvature& law) {
     orbit.angle = std::atan2(sum.y(), sum.x());
   }
   const Elastica apex = fromApex(orbit);
-  const double period = apex.period().value_or(orbit.omega > 0 ? pi / orbit.omega : 1.0);
+  const double period = apex.period().value_or(orbit.omega > 0 ? kPi / orbit.omega : 1.0);
 
   // First search: the tangents of one period, looked up at the nodes for each trial s0.
   std::array<double, kPeriodSamples> arcs;

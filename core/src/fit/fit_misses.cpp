@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "bw/core/base/units.h"
 #include "fit/fit_constrained.h"
 
 namespace bw::detail {
@@ -30,8 +30,7 @@ double largestMiss(const Elastica& elastica, const FitTarget& target, const FitC
       }
       if (constraints.tangents) {
         const double miss = state.angle - (atStart ? target.startAngle : target.endAngle);
-        offer(std::abs(std::remainder(miss, 2 * std::numbers::pi)),
-              atStart ? "the start tangent" : "the end tangent");
+        offer(std::abs(std::remainder(miss, 2 * kPi)), atStart ? "the start tangent" : "the end tangent");
       }
     }
   }

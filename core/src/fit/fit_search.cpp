@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "base/work_meter.h"
+#include "bw/core/base/units.h"
 
 namespace bw::detail {
 namespace {
@@ -174,7 +174,7 @@ std::vector<FitConstraints> FitSearch::variants(const FitConstraints& constraint
   variant.openLoops = true;
   out.push_back(variant);
   variant = constraints;
-  variant.maxTurning = std::numbers::pi;
+  variant.maxTurning = kPi;
   out.push_back(variant);
   return out;
 }

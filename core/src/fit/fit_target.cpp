@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "base/gauss_legendre.h"
 #include "base/work_meter.h"
+#include "bw/core/base/units.h"
 #include "elastica/elastica_flow.h"
 
 namespace bw::detail {
@@ -30,7 +30,7 @@ constexpr double kNoBend = 0.1;
 
 // The angle of `v` that is nearest to `reference`.
 double angleNear(const Vector2d& v, double reference) {
-  return reference + std::remainder(std::atan2(v.y(), v.x()) - reference, 2 * std::numbers::pi);
+  return reference + std::remainder(std::atan2(v.y(), v.x()) - reference, 2 * kPi);
 }
 
 }  // namespace

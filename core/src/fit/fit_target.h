@@ -7,9 +7,9 @@
 #include <optional>
 #include <vector>
 
-#include "bw/core/elastica.h"
-#include "bw/core/elastica_fit.h"
-#include "bw/core/planar_curve.h"
+#include "bw/core/curve/planar_curve.h"
+#include "bw/core/elastica/elastica.h"
+#include "bw/core/fit/elastica_fit.h"
 
 namespace bw::detail {
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
+#include "bw/core/base/units.h"
 #include "fit/fit_guess.h"
 #include "fit/law_orbit.h"
 
@@ -12,7 +12,6 @@ namespace bw::detail {
 namespace {
 
 using Eigen::Vector2d;
-using std::numbers::pi;
 
 // The count of pieces says nothing about s0 where the modulus k² is beyond this (nearly a circle).
 constexpr double kNearCircle = 1e8;
@@ -75,13 +74,13 @@ std::optional<Placement> guessByCount(const FitTarget& target, const AffineCurva
     double width = 0;
     if (inflectional) {
       part = std::acos(ratio);
-      width = pi;
+      width = kPi;
       modulus = orbit.omega / std::sqrt(orbit.force);
       rate = std::sqrt(orbit.force);
     } else {
       modulus = std::sqrt(orbit.force) / orbit.omega;
       part = std::asin(std::min(1.0, std::sqrt(std::max(0.0, 1 - ratio * ratio)) / modulus));
-      width = pi / 2;
+      width = kPi / 2;
       rate = orbit.omega;
     }
     const int piece = end == 0 ? 1 : n;
@@ -91,8 +90,8 @@ std::optional<Placement> guessByCount(const FitTarget& target, const AffineCurva
     phase = pieceFalls ? base + part : base + width - part;
     modulus = std::min(modulus, 1 - 1e-12);
     // F(φ + m π) = F(φ) + 2 m K; the standard function wants |φ| ≤ π/2.
-    const double turns = std::round(phase / pi);
-    const double rest = phase - turns * pi;
+    const double turns = std::round(phase / kPi);
+    const double rest = phase - turns * kPi;
     arc[end] = (2 * turns * std::comp_ellint_1(modulus) + std::ellint_1(modulus, rest)) / rate;
   }
   const double length = arc[1] - arc[0];

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "bw/core/elastica.h"
+#include "bw/core/elastica/elastica.h"
 #include "fit/affine_curvature.h"
 #include "fit/fit_target.h"
 

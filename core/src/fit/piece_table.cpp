@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include "bw/core/base/units.h"
 
 namespace bw::detail {
 namespace {
 
 using Eigen::Vector2d;
-using std::numbers::pi;
 
 // Phases a period, and steps in which a period is integrated.
 constexpr std::size_t kPhases = 16;
@@ -43,7 +42,7 @@ struct Swing {
   explicit Swing(double k) {
     const bool over = k > 1;
     period = over ? 2 * std::comp_ellint_1(1 / k) / k : 4 * std::comp_ellint_1(k);
-    turn = over ? 2 * pi : 0;
+    turn = over ? 2 * kPi : 0;
     const double h = period / kSteps;
     State now{0, 2 * k, 0, 0};
     states[0] = now;

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "bw/core/base/units.h"
 #include "fit/condition_names.h"
 #include "fit/fit_constrained.h"
 
@@ -16,7 +16,6 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 
-constexpr double kPi = std::numbers::pi;
 // Distance (lengths of the elastica) by which an end stays off another strand, and part of a bound by which
 // the other bounds against self-intersection and on the inflections are kept.
 constexpr double kClearance = 1e-6;

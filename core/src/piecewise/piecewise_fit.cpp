@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
-#include "bw/core/piecewise_fit.h"
+#include "bw/core/piecewise/piecewise_fit.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "base/work_meter.h"
-#include "bw/core/number_text.h"
+#include "bw/core/base/units.h"
+#include "bw/core/text/number_text.h"
 #include "fit/fit_distance.h"
 #include "piecewise/piecewise_problem.h"
 #include "piecewise/piecewise_splits.h"
@@ -220,7 +220,7 @@ Result<void> measure(const Chain& chain, const PlanarCurve& curve, const Piecewi
     const Elastica::State left = out.pieces[i].at(out.pieces[i].length());
     const Elastica::State right = out.pieces[i + 1].at(0);
     const Eigen::Vector2d gap = left.point - right.point;
-    const double angle = std::abs(std::remainder(left.angle - right.angle, 2 * std::numbers::pi));
+    const double angle = std::abs(std::remainder(left.angle - right.angle, 2 * kPi));
     out.joints.push_back({gap.norm(), angle, std::abs(left.curvature - right.curvature)});
     worst = std::max({worst, (gap.norm() - options.position) / length, angle - options.angle});
     if (options.curvature) worst = std::max(worst, out.joints.back().curvatureJump * length / 100);

@@ -3,8 +3,8 @@
 #include "piecewise/piecewise_problem.h"
 
 #include <cmath>
-#include <numbers>
 
+#include "bw/core/base/units.h"
 #include "fit/fit_guess.h"
 #include "fit/fit_projection.h"
 
@@ -15,7 +15,7 @@ using Eigen::Index;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 
-constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kTurn = 2 * kPi;
 // Pieces with more quadrature nodes than the first number are fitted on a Gauss rule with the second.
 constexpr std::size_t kManyPieceNodes = 48;
 constexpr int kPieceNodes = 24;

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "bw/core/piecewise_fit.h"
+#include "bw/core/piecewise/piecewise_fit.h"
 #include "fit/constrained_descent.h"
 #include "fit/fit_constrained.h"
 #include "fit/fit_free.h"

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
-#include "bw/core/curve_relaxation.h"
+#include "bw/core/relax/curve_relaxation.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
-#include "bw/core/elastica_fit.h"
-#include "bw/core/number_text.h"
+#include "bw/core/fit/elastica_fit.h"
+#include "bw/core/text/number_text.h"
 #include "relax/bending_descent.h"
 #include "relax/bending_problem.h"
 #include "relax/pole_freedom.h"

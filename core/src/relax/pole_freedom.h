@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include "bw/core/curve_relaxation.h"
+#include "bw/core/relax/curve_relaxation.h"
 
 namespace bw::detail {
 

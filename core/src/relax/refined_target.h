@@ -5,8 +5,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "bw/core/curve_relaxation.h"
-#include "bw/core/planar_curve.h"
+#include "bw/core/curve/planar_curve.h"
+#include "bw/core/relax/curve_relaxation.h"
 #include "relax/spline_space.h"
 
 namespace bw::detail {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "bw/core/sweep.h"
+#include "bw/core/sweep/sweep.h"
 
 namespace bw {
 

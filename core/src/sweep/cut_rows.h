@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "bw/core/mesh.h"
-#include "bw/core/sweep.h"
+#include "bw/core/surface/mesh.h"
+#include "bw/core/sweep/sweep.h"
 
 namespace bw::detail {
 

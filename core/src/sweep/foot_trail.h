@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "bw/core/surface_sampler.h"
+#include "bw/core/surface/surface_sampler.h"
 
 namespace bw::detail {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bw/core/elastica_stability.h"
+#include "bw/core/elastica/elastica_stability.h"
 #include "sweep/station_fit.h"
 
 namespace bw::detail {

@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include "bw/core/frame.h"
-#include "bw/core/sweep.h"
+#include "bw/core/base/frame.h"
+#include "bw/core/sweep/sweep.h"
 
 namespace bw::detail {
 

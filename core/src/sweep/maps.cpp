@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "bw/core/maps.h"
+#include "bw/core/sweep/maps.h"
 
 #include <algorithm>
 #include <array>

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "bw/core/motion.h"
+#include "bw/core/motion/motion.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "bw/core/sweep.h"
+#include "bw/core/sweep/sweep.h"
 
 namespace bw {
 

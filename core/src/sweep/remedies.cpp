@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bw/core/section_request.h"
+#include "bw/core/sweep/section_request.h"
 #include "sweep/station_fit.h"
 
 namespace bw::detail {

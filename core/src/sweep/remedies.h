@@ -6,7 +6,7 @@
 #include <optional>
 #include <span>
 
-#include "bw/core/sweep.h"
+#include "bw/core/sweep/sweep.h"
 
 namespace bw::detail {
 

@@ -7,12 +7,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <utility>
 
-#include "bw/core/elastica_stability.h"
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
+#include "bw/core/elastica/elastica_stability.h"
 #include "fit/fit_distance.h"
 #include "sweep/laid_shape.h"
 #include "sweep/remedies.h"
@@ -38,7 +37,7 @@ constexpr int kShapeSteps = 20;
 constexpr double kToldSwing = 45 * kDegree;
 constexpr double kLargestSwing = 90 * kDegree;
 
-double turn(double from, double to) { return std::abs(std::remainder(to - from, 2 * std::numbers::pi)); }
+double turn(double from, double to) { return std::abs(std::remainder(to - from, 2 * kPi)); }
 
 double swing(const Elastica& from, const Elastica& to) {
   return std::max(turn(from.startAngle(), to.startAngle()),

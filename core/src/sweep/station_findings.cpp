@@ -7,9 +7,9 @@
 #include <functional>
 #include <span>
 
-#include "bw/core/cutting_limits.h"
-#include "bw/core/elastica_stability.h"
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
+#include "bw/core/blade/cutting_limits.h"
+#include "bw/core/elastica/elastica_stability.h"
 #include "sweep/grip_reach.h"
 #include "sweep/remedies.h"
 #include "sweep/stretches.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "bw/core/finding.h"
-#include "bw/core/sweep.h"
+#include "bw/core/base/finding.h"
+#include "bw/core/sweep/sweep.h"
 
 namespace bw::detail {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "bw/core/elastica_stability.h"
+#include "bw/core/elastica/elastica_stability.h"
 #include "fit/fit_distance.h"
 #include "sweep/laid_shape.h"
 #include "sweep/tight_section.h"

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "bw/core/elastica_fit.h"
-#include "bw/core/planar_curve.h"
-#include "bw/core/result.h"
-#include "bw/core/sweep.h"
+#include "bw/core/base/result.h"
+#include "bw/core/curve/planar_curve.h"
+#include "bw/core/fit/elastica_fit.h"
+#include "bw/core/sweep/sweep.h"
 
 namespace bw::detail {
 

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "bw/core/sweep.h"
+#include "bw/core/sweep/sweep.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 
-#include "bw/core/number_text.h"
+#include "bw/core/text/number_text.h"
 #include "sweep/remedies.h"
 #include "sweep/station_continuity.h"
 #include "sweep/station_fit.h"

@@ -8,10 +8,10 @@
 #include <mutex>
 #include <numeric>
 
-#include "bw/core/elastica_stability.h"
-#include "bw/core/maps.h"
-#include "bw/core/sweep.h"
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
+#include "bw/core/elastica/elastica_stability.h"
+#include "bw/core/sweep/maps.h"
+#include "bw/core/sweep/sweep.h"
 #include "sweep/cut_rows.h"
 #include "sweep/foot_trail.h"
 #include "sweep/grip_reach.h"

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "bw/core/finding.h"
-#include "bw/core/sweep.h"
+#include "bw/core/base/finding.h"
+#include "bw/core/sweep/sweep.h"
 
 namespace bw::detail {
 

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "bw/core/planar_curve.h"
+#include "bw/core/curve/planar_curve.h"
 
 namespace bw::detail {
 

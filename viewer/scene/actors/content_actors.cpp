@@ -14,7 +14,7 @@
 #include <cmath>
 #include <limits>
 
-#include "bw/core/maps.h"
+#include "bw/core/sweep/maps.h"
 #include "scene/actors/isolines.h"
 #include "scene/actors/mesh_edges.h"
 #include "scene/legend/legend_range.h"

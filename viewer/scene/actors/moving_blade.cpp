@@ -16,7 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numbers>
+#include "bw/core/base/units.h"
 
 namespace bw::scene {
 
@@ -53,7 +53,7 @@ void buildTube(vtkPolyData* data, const std::vector<Polyline>& lines,
                           const Eigen::Vector3d* capNormal) {
       const Eigen::Vector3d other = tangent.cross(side);
       for (int k = 0; k < kSides; ++k) {
-        const double angle = 2 * std::numbers::pi * k / kSides;
+        const double angle = 2 * kPi * k / kSides;
         const Eigen::Vector3d n = std::cos(angle) * side + std::sin(angle) * other;
         points->InsertNextPoint((center + r * n).eval().data());
         normals->InsertNextTuple(capNormal ? capNormal->data() : n.data());

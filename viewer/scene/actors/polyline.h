@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "bw/core/frame.h"
+#include "bw/core/base/frame.h"
 
 namespace bw::scene {
 

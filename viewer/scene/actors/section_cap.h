@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "bw/core/frame.h"
-#include "bw/core/mesh.h"
+#include "bw/core/base/frame.h"
+#include "bw/core/surface/mesh.h"
 #include "bw/scene/scene.h"
 #include "scene/actors/polyline.h"
 

@@ -10,7 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include "bw/core/base/units.h"
 
 namespace bw::scene {
 
@@ -28,7 +28,7 @@ std::vector<Polyline> arrow(const Eigen::Vector3d& tail, const Eigen::Vector3d& 
   const auto ring = [&](const Eigen::Vector3d& center, double radius) {
     Polyline points;
     for (int i = 0; i < kSides; ++i) {
-      const double angle = 2 * std::numbers::pi * i / kSides;
+      const double angle = 2 * kPi * i / kSides;
       points.push_back(center + radius * (std::cos(angle) * side + std::sin(angle) * up));
     }
     return points;

@@ -6,15 +6,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "bw/core/base/units.h"
 #include "bw/scene/navigation.h"
 
 namespace bw::scene {
 
 namespace {
 
-constexpr double kHalfTurn = std::numbers::pi;
+constexpr double kHalfTurn = kPi;
 
 /// The direction from the focus to the camera as angles; `azimuth` is also defined where the camera looks
 /// straight down.

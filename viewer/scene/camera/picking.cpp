@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <numeric>
+#include "bw/core/base/units.h"
 
 namespace bw::scene {
 
@@ -142,7 +142,7 @@ Projection::Projection(const Eigen::Vector3d& position, const Eigen::Vector3d& f
   forward_ = (focus - position).normalized();
   right_ = forward_.cross(up).normalized();
   up_ = right_.cross(forward_);
-  perPixel_ = (parallel ? parallelScale : std::tan(viewAngleDegrees * std::numbers::pi / 360)) / halfHeight_;
+  perPixel_ = (parallel ? parallelScale : std::tan(viewAngleDegrees * kPi / 360)) / halfHeight_;
 }
 
 Ray Projection::ray(double x, double y) const {

@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "bw/core/maps.h"
+#include "bw/core/sweep/maps.h"
 
 namespace bw::scene {
 

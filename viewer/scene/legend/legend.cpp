@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bw/core/maps.h"
-#include "bw/core/number_text.h"
+#include "bw/core/sweep/maps.h"
+#include "bw/core/text/number_text.h"
 
 namespace bw::scene {
 

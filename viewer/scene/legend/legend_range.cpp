@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "bw/core/maps.h"
+#include "bw/core/sweep/maps.h"
 
 namespace bw::scene {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bw/core/number_text.h"
+#include "bw/core/text/number_text.h"
 
 namespace bw::scene {
 

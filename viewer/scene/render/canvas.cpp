@@ -16,8 +16,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "bw/core/base/units.h"
 #include "scene/render/fonts.h"
 
 namespace bw::scene {
@@ -106,7 +106,7 @@ void Canvas::roundedRect(const PixelRect& r, double radius, const Rgb& color, do
                                                       {r.x + r.width - radius, r.y + r.height - radius}}};
   for (std::size_t corner = 0; corner < 4; ++corner) {
     for (int k = 0; k <= steps; ++k) {
-      const double angle = (double(corner) + double(k) / steps) * std::numbers::pi / 2;
+      const double angle = (double(corner) + double(k) / steps) * kPi / 2;
       vertex(centers[corner][0] + radius * std::cos(angle), centers[corner][1] - radius * std::sin(angle),
              color, opacity);
     }
@@ -126,7 +126,7 @@ void Canvas::triangle(double x0, double y0, double x1, double y1, double x2, dou
 void Canvas::disc(double x, double y, double radius, const Rgb& color, double opacity) {
   const int first = int(points_->GetNumberOfPoints()), steps = 24;
   for (int k = 0; k < steps; ++k) {
-    const double angle = 2 * std::numbers::pi * k / steps;
+    const double angle = 2 * kPi * k / steps;
     vertex(x + radius * std::cos(angle), y - radius * std::sin(angle), color, opacity);
   }
   fan(first, steps);

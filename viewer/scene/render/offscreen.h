@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "bw/core/result.h"
+#include "bw/core/base/result.h"
 #include "scene/render/gl_window.h"
 
 namespace bw::scene {

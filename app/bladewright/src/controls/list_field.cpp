@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "controls/list_field.h"
 
-#include "bw/core/typed_number.h"
+#include "bw/core/text/typed_number.h"
 
 namespace bw::app {
 

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <utility>
 
-#include "bw/core/number_text.h"
-#include "bw/core/typed_number.h"
+#include "bw/core/text/number_text.h"
+#include "bw/core/text/typed_number.h"
 
 namespace bw::app {
 

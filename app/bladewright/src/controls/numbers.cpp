@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bw/core/cutting_limits.h"
-#include "bw/core/number_text.h"
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
+#include "bw/core/blade/cutting_limits.h"
+#include "bw/core/text/number_text.h"
 
 namespace bw::app {
 

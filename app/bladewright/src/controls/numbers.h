@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "bw/core/sweep.h"
+#include "bw/core/sweep/sweep.h"
 #include "bw/pipeline/pipeline.h"
 
 namespace bw::app {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "bw/core/blade_length.h"
+#include "bw/core/calibration/blade_length.h"
 
 namespace bw::app {
 

@@ -7,8 +7,8 @@
 
 #include <cmath>
 
-#include "bw/core/number_text.h"
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
+#include "bw/core/text/number_text.h"
 #include "controls/fields.h"
 #include "controls/numbers.h"
 #include "window/messages.h"

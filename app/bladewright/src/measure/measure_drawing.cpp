@@ -10,7 +10,7 @@
 #include <array>
 #include <cmath>
 
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
 #include "controls/numbers.h"
 #include "controls/paint.h"
 

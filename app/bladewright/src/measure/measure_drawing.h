@@ -6,7 +6,7 @@
 
 #include <optional>
 
-#include "bw/core/blade_length.h"
+#include "bw/core/calibration/blade_length.h"
 #include "controls/theme.h"
 
 namespace bw::app {

@@ -5,7 +5,7 @@
 #include <QPolygonF>
 #include <QRectF>
 
-#include "bw/core/sweep.h"
+#include "bw/core/sweep/sweep.h"
 
 namespace bw::app {
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bw/core/number_text.h"
+#include "bw/core/text/number_text.h"
 #include "controls/paint.h"
 
 namespace bw::app {

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-#include "bw/core/printable.h"
+#include "bw/core/text/printable.h"
 #include "window/messages.h"
 
 namespace bw::app {

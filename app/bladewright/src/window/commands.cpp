@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-#include "bw/core/result.h"
+#include "bw/core/base/result.h"
 #include "controls/typed_field.h"
 
 namespace bw::app {

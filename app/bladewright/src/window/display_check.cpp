@@ -12,7 +12,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "bw/core/printable.h"
+#include "bw/core/text/printable.h"
 #include "bw/pipeline/exit_status.h"
 #include "bw/view/scene_view.h"
 

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-#include "bw/core/number_text.h"
+#include "bw/core/text/number_text.h"
 
 namespace bw::app {
 

@@ -7,8 +7,8 @@
 
 #include <algorithm>
 
-#include "bw/core/maps.h"
-#include "bw/core/number_text.h"
+#include "bw/core/sweep/maps.h"
+#include "bw/core/text/number_text.h"
 #include "controls/flow_layout.h"
 
 namespace bw::app {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "bw/core/number_text.h"
+#include "bw/core/text/number_text.h"
 #include "bw/geometry/export.h"
 
 namespace bw::app {

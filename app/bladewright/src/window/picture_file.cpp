@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "window/picture_file.h"
 
-#include "bw/core/file_set.h"
+#include "bw/core/files/file_set.h"
 #include "workbench/report_print.h"
 
 namespace bw::app {

@@ -6,7 +6,7 @@
 
 #include <filesystem>
 
-#include "bw/core/result.h"
+#include "bw/core/base/result.h"
 
 namespace bw::app {
 

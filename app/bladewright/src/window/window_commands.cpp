@@ -9,7 +9,7 @@
 #include <array>
 #include <tuple>
 
-#include "bw/core/maps.h"
+#include "bw/core/sweep/maps.h"
 #include "window/history_keys.h"
 #include "window/main_window.h"
 

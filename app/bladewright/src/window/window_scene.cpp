@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bw/core/number_text.h"
+#include "bw/core/text/number_text.h"
 #include "bw/pipeline/scene_content.h"
 #include "controls/numbers.h"
 #include "window/main_window.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "bw/core/number_text.h"
+#include "bw/core/text/number_text.h"
 #include "controls/numbers.h"
 #include "window/main_window.h"
 

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "bw/core/design.h"
-#include "bw/core/result.h"
+#include "bw/core/base/result.h"
+#include "bw/core/design/design.h"
 
 namespace bw::app {
 

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "bw/core/file_set.h"
-#include "bw/core/run_context.h"
+#include "bw/core/base/run_context.h"
+#include "bw/core/files/file_set.h"
 #include "bw/pipeline/produce.h"
 #include "workbench/report_print.h"
 

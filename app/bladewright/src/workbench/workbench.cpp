@@ -8,8 +8,8 @@
 #include <iterator>
 #include <utility>
 
-#include "bw/core/number_text.h"
-#include "bw/core/printable.h"
+#include "bw/core/text/number_text.h"
+#include "bw/core/text/printable.h"
 #include "bw/words/findings.h"
 
 namespace bw::app {

@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "bw/core/finding.h"
+#include "bw/core/base/finding.h"
 #include "bw/model/document.h"
 #include "bw/model/evaluation_runner.h"
 #include "bw/model/settings.h"

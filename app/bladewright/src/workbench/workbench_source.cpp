@@ -3,7 +3,7 @@
 // The CAD file that the open design is made from: replaced, read again, looked for, watched.
 #include <system_error>
 
-#include "bw/core/file_set.h"
+#include "bw/core/files/file_set.h"
 #include "workbench/workbench.h"
 
 namespace bw::app {

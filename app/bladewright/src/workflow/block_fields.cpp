@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "workflow/block_fields.h"
 
-#include "bw/core/units.h"
+#include "bw/core/base/units.h"
 
 namespace bw::app {
 

@@ -4,7 +4,7 @@
 
 #include <QStandardItemModel>
 
-#include "bw/core/number_text.h"
+#include "bw/core/text/number_text.h"
 
 namespace bw::app {
 

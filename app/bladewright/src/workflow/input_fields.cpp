@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-#include "bw/core/file_set.h"
+#include "bw/core/files/file_set.h"
 #include "controls/numbers.h"
 
 namespace bw::app {

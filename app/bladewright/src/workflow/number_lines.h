@@ -5,7 +5,8 @@
 #include <functional>
 #include <vector>
 
-#include "bw/core/number_settings.h"
+#include "bw/core/blade/blade_numbers.h"
+#include "bw/core/design/job_numbers.h"
 #include "controls/fields.h"
 #include "controls/number_field.h"
 #include "workbench/workbench.h"

@@ -7,8 +7,8 @@
 
 #include <algorithm>
 
-#include "bw/core/cell.h"
-#include "bw/core/program_formats.h"
+#include "bw/core/design/program_formats.h"
+#include "bw/core/motion/cell.h"
 
 namespace bw::app {
 

@@ -10,15 +10,15 @@
 #include <string>
 #include <vector>
 
-#include "bw/core/face_choice.h"
-#include "bw/core/finding.h"
-#include "bw/core/frame.h"
-#include "bw/core/mesh.h"
-#include "bw/core/read_options.h"
-#include "bw/core/result.h"
-#include "bw/core/run_context.h"
-#include "bw/core/surface_sampler.h"
-#include "bw/core/units.h"
+#include "bw/core/base/finding.h"
+#include "bw/core/base/frame.h"
+#include "bw/core/base/result.h"
+#include "bw/core/base/run_context.h"
+#include "bw/core/base/units.h"
+#include "bw/core/design/face_choice.h"
+#include "bw/core/design/read_options.h"
+#include "bw/core/surface/mesh.h"
+#include "bw/core/surface/surface_sampler.h"
 
 namespace bw::geometry {
 

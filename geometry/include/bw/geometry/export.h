@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "bw/core/mesh.h"
-#include "bw/core/result.h"
-#include "bw/core/spline_surface.h"
+#include "bw/core/base/result.h"
+#include "bw/core/surface/mesh.h"
+#include "bw/core/surface/spline_surface.h"
 
 namespace bw::geometry {
 

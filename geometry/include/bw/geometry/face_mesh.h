@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "bw/core/face_mesh.h"
-#include "bw/core/result.h"
-#include "bw/core/run_context.h"
+#include "bw/core/base/result.h"
+#include "bw/core/base/run_context.h"
+#include "bw/core/surface/face_mesh.h"
 #include "bw/geometry/cad_model.h"
 
 namespace bw::geometry {

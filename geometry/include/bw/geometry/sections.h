@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "bw/core/finding.h"
-#include "bw/core/frame.h"
-#include "bw/core/result.h"
-#include "bw/core/run_context.h"
-#include "bw/core/section_request.h"
-#include "bw/core/sweep.h"
+#include "bw/core/base/finding.h"
+#include "bw/core/base/frame.h"
+#include "bw/core/base/result.h"
+#include "bw/core/base/run_context.h"
+#include "bw/core/sweep/section_request.h"
+#include "bw/core/sweep/sweep.h"
 #include "bw/geometry/cad_model.h"
 
 namespace bw::geometry {

@@ -7,11 +7,11 @@
 #include <string_view>
 #include <vector>
 
-#include "bw/core/cell.h"
-#include "bw/core/file_set.h"
-#include "bw/core/finding.h"
-#include "bw/core/motion.h"
-#include "bw/core/result.h"
+#include "bw/core/base/finding.h"
+#include "bw/core/base/result.h"
+#include "bw/core/files/file_set.h"
+#include "bw/core/motion/cell.h"
+#include "bw/core/motion/motion.h"
 
 namespace bw::robotio {
 

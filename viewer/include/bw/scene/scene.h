@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
-#include "bw/core/face_mesh.h"
-#include "bw/core/finding.h"
-#include "bw/core/frame.h"
-#include "bw/core/mesh.h"
-#include "bw/core/result.h"
+#include "bw/core/base/finding.h"
+#include "bw/core/base/frame.h"
+#include "bw/core/base/result.h"
+#include "bw/core/surface/face_mesh.h"
+#include "bw/core/surface/mesh.h"
 
 namespace bw::scene {
 

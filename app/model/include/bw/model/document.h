@@ -14,8 +14,8 @@
 #include <memory>
 #include <optional>
 
-#include "bw/core/design.h"
-#include "bw/core/result.h"
+#include "bw/core/base/result.h"
+#include "bw/core/design/design.h"
 #include "bw/model/recovery.h"
 
 namespace bw::model {

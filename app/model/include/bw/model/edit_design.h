@@ -6,7 +6,7 @@
 
 #include <memory>
 
-#include "bw/core/design.h"
+#include "bw/core/design/design.h"
 
 namespace bw::model {
 

@@ -16,9 +16,9 @@
 #include <stop_token>
 #include <thread>
 
-#include "bw/core/design.h"
-#include "bw/core/result.h"
-#include "bw/core/run_context.h"
+#include "bw/core/base/result.h"
+#include "bw/core/base/run_context.h"
+#include "bw/core/design/design.h"
 #include "bw/pipeline/pipeline.h"
 
 namespace bw::model {

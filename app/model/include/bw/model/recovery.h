@@ -12,8 +12,8 @@
 #include <optional>
 #include <vector>
 
-#include "bw/core/design.h"
-#include "bw/core/result.h"
+#include "bw/core/base/result.h"
+#include "bw/core/design/design.h"
 
 namespace bw::model {
 

@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "bw/core/fingerprint.h"
+#include "bw/core/files/fingerprint.h"
 
 namespace bw::model {
 

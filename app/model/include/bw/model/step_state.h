@@ -9,8 +9,8 @@
 #include <optional>
 #include <string>
 
-#include "bw/core/design.h"
-#include "bw/core/result.h"
+#include "bw/core/base/result.h"
+#include "bw/core/design/design.h"
 #include "bw/pipeline/pipeline.h"
 
 namespace bw::model {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "bw/core/finding.h"
-#include "bw/core/result.h"
-#include "bw/core/run_context.h"
+#include "bw/core/base/finding.h"
+#include "bw/core/base/result.h"
+#include "bw/core/base/run_context.h"
 #include "bw/geometry/sections.h"
 #include "bw/pipeline/requests.h"
 

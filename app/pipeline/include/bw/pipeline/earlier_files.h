@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "bw/core/file_set.h"
+#include "bw/core/files/file_set.h"
 
 namespace bw::pipeline {
 

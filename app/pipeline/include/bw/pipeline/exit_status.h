@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "bw/core/result.h"
+#include "bw/core/base/result.h"
 
 namespace bw::pipeline {
 

@@ -9,13 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "bw/core/cell.h"
-#include "bw/core/design.h"
-#include "bw/core/face_mesh.h"
-#include "bw/core/mesh.h"
-#include "bw/core/result.h"
-#include "bw/core/run_context.h"
-#include "bw/core/sweep.h"
+#include "bw/core/base/result.h"
+#include "bw/core/base/run_context.h"
+#include "bw/core/design/design.h"
+#include "bw/core/motion/cell.h"
+#include "bw/core/surface/face_mesh.h"
+#include "bw/core/surface/mesh.h"
+#include "bw/core/sweep/sweep.h"
 #include "bw/geometry/cad_model.h"
 #include "bw/geometry/sections.h"
 #include "bw/pipeline/direction_search.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "bw/core/file_set.h"
+#include "bw/core/files/file_set.h"
 #include "bw/pipeline/exit_status.h"
 #include "bw/pipeline/pipeline.h"
 #include "bw/pipeline/result_folder.h"
@@ -54,7 +54,8 @@ struct Product {
 };
 
 /// Evaluates a design and makes its files for `folder`: the one way of every verb and of the window. Errors:
-/// those of `evaluate`; a cell that cannot be read, before the work; no sweep, or an unknown format of program
+/// those of `evaluate`; a cell that cannot be read, before the work; no sweep, or an unknown format of
+/// program
 /// (`badInput`); a program that fails its check; a CAD file that is not the one any more that was read
 /// (`cannotRead`); `cancelled`.
 Product produce(const Design& design, const std::filesystem::path& folder, const Policy& policy,

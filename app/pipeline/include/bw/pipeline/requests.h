@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "bw/core/face_choice.h"
-#include "bw/core/job.h"
-#include "bw/core/section_request.h"
-#include "bw/core/shared_bytes.h"
-#include "bw/core/sweep.h"
+#include "bw/core/design/face_choice.h"
+#include "bw/core/design/job.h"
+#include "bw/core/files/shared_bytes.h"
+#include "bw/core/sweep/section_request.h"
+#include "bw/core/sweep/sweep.h"
 #include "bw/geometry/cad_model.h"
 #include "bw/geometry/sections.h"
 

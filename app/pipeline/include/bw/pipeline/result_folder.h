@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "bw/core/file_set.h"
-#include "bw/core/result.h"
-#include "bw/core/run_context.h"
+#include "bw/core/base/result.h"
+#include "bw/core/base/run_context.h"
+#include "bw/core/files/file_set.h"
 
 namespace bw::pipeline {
 

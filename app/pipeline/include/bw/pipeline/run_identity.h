@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <string>
 
-#include "bw/core/cell.h"
-#include "bw/core/finding.h"
-#include "bw/core/result.h"
+#include "bw/core/base/finding.h"
+#include "bw/core/base/result.h"
+#include "bw/core/motion/cell.h"
 #include "bw/pipeline/pipeline.h"
 
 namespace bw::pipeline {

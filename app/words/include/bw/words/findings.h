@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "bw/core/finding.h"
+#include "bw/core/base/finding.h"
 
 namespace bw::words {
 

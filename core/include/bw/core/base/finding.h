@@ -1,0 +1,319 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "bw/core/base/remedy.h"
+
+namespace bw {
+
+/// How serious a finding is. An `error` means that the surface cannot be cut as designed.
+enum class Severity { info, warning, error };
+
+/// "info", "warning" or "error".
+const char* severityName(Severity severity);
+
+/// What findings are about; each has a stable word for scripts (`bw/words/findings.h`).
+enum class FindingKind {
+  fit,
+  fitBounded,
+  fitSteadied,
+  curvature,
+  inflections,
+  stability,
+  outOfPlane,
+  clearance,
+  angle,
+  speed,
+  swing,
+  gap,
+  deviation,
+  sectionShort,
+  sectionMissing,
+  sectionBranches,
+  sectionClosed,
+  sectionBorder,
+  sectionFit,
+  face,
+  direction,
+  leftOut,
+  healing,
+  source,
+  cell,
+  cellSides,
+  program,
+  programCheck,
+  run
+};
+
+// What was found, one value a cause. Lengths in mm, angles in rad, stations by their index.
+
+/// No curve meets these conditions of the fit together; the nearest curve without them stands in.
+struct UnmetConditions {
+  static constexpr FindingKind kind = FindingKind::fit;
+  std::vector<std::string> conditions;  ///< "length", "endpoints", "tangents", …: `FitResult::conflict`
+};
+/// The search for the nearest curve did not come to rest.
+struct UnsettledFit {
+  static constexpr FindingKind kind = FindingKind::fit;
+  double distance = 0;  ///< of the curve taken from the section
+};
+/// The nearest curve would break the blade beyond the section; another takes its place.
+struct HeldBackFit {
+  static constexpr FindingKind kind = FindingKind::fitBounded;
+  double distance = 0;
+};
+/// The nearest curve of a short section would swing the blade's ends; one nearer to its neighbour takes its
+/// place.
+struct SteadiedFit {
+  static constexpr FindingKind kind = FindingKind::fitSteadied;
+  double distance = 0;
+};
+/// The blade would bend below its radius.
+struct Overbent {
+  static constexpr FindingKind kind = FindingKind::curvature;
+  double radius = 0, limit = 0;
+};
+/// The section itself bends more than the blade can, and keeps it off by more than the tolerance.
+struct TooTight {
+  static constexpr FindingKind kind = FindingKind::curvature;
+  double radius = 0, limit = 0, distance = 0, tolerance = 0;
+};
+struct ManyInflections {
+  static constexpr FindingKind kind = FindingKind::inflections;
+  int count = 0;
+};
+/// The blade does not rest in the shape.
+struct WouldSnap {
+  static constexpr FindingKind kind = FindingKind::stability;
+};
+/// A round blade does not rest in its plane.
+struct WouldTwist {
+  static constexpr FindingKind kind = FindingKind::outOfPlane;
+};
+/// A grip comes too near to the block, or into it.
+struct GripTooNear {
+  static constexpr FindingKind kind = FindingKind::clearance;
+  double distance = 0;  ///< negative inside
+  double clearance = 0;
+  /// The blade that would clear the block, where it would not hold the shape.
+  std::optional<double> unheldLength = std::nullopt;
+};
+struct SteepAngle {
+  static constexpr FindingKind kind = FindingKind::angle;
+  double angle = 0, limit = 0;
+};
+struct UnevenSpeed {
+  static constexpr FindingKind kind = FindingKind::speed;
+  double ratio = 1;  ///< slowest over fastest point
+};
+/// An end of the blade turns much from the first station of the range to the second.
+struct EndsSwing {
+  static constexpr FindingKind kind = FindingKind::swing;
+  double angle = 0, travel = 0, limit = 0;
+  int places = 1;  ///< where it turns by more than the limit
+};
+/// Stations that are left out inside the row: the range is that of its neighbours.
+struct GapInRow {
+  static constexpr FindingKind kind = FindingKind::gap;
+  double width = 0;
+  int otherPlaces = 0;  ///< narrower gaps
+};
+/// The cut surface is too far from the target.
+struct TooFar {
+  static constexpr FindingKind kind = FindingKind::deviation;
+  /// Where the distance comes from.
+  enum class Source { stations, between, gap };
+  double deviation = 0, tolerance = 0;
+  double within = 1;  ///< part of the area within the tolerance
+  Source source = Source::stations;
+  double spacing = 0;               ///< of the stations there
+  double own = 0;                   ///< largest distance of the stations themselves
+  int leftFirst = 0, leftLast = 0;  ///< of the gap
+};
+
+/// The plane of a station does not meet the target in the block.
+struct SectionMissing {
+  static constexpr FindingKind kind = FindingKind::sectionMissing;
+};
+/// … meets it only in a point.
+struct SectionPoint {
+  static constexpr FindingKind kind = FindingKind::sectionShort;
+};
+struct SectionShort {
+  static constexpr FindingKind kind = FindingKind::sectionShort;
+  double length = 0, least = 0;
+};
+struct SectionBranches {
+  static constexpr FindingKind kind = FindingKind::sectionBranches;
+  int least = 0, most = 0;  ///< separate curves over the range
+};
+struct SectionClosed {
+  static constexpr FindingKind kind = FindingKind::sectionClosed;
+};
+/// A border of the target could not be matched with the section.
+struct SectionBorder {
+  static constexpr FindingKind kind = FindingKind::sectionBorder;
+};
+/// No curve could be laid through the section.
+struct SectionUnfit {
+  static constexpr FindingKind kind = FindingKind::sectionFit;
+  std::string why;
+};
+struct SectionRough {
+  static constexpr FindingKind kind = FindingKind::sectionFit;
+  double distance = 0;  ///< of its spline from it
+};
+
+/// A face of a CAD file.
+struct FaceName {
+  int index = 0;
+  std::string name = {}, type = {};
+  double area = 0;  ///< mm²
+};
+/// The largest face was taken, and which that was.
+struct LargestFace {
+  static constexpr FindingKind kind = FindingKind::face;
+  FaceName face;
+  int faces = 0;  ///< of the file
+  /// A plane, cylinder or cone that is larger.
+  std::optional<FaceName> larger = std::nullopt;
+};
+struct NearestFace {
+  static constexpr FindingKind kind = FindingKind::face;
+  FaceName face;
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  double distance = 0;
+};
+struct FacesLeftOut {
+  static constexpr FindingKind kind = FindingKind::face;
+  int count = 0;
+  double width = 0;  ///< narrower ones cannot be cut
+};
+/// The blade travels across the surface rather than along it.
+struct TravelAcross {
+  static constexpr FindingKind kind = FindingKind::direction;
+};
+/// The direction that was chosen rather than the usual one.
+struct ChosenDirection {
+  static constexpr FindingKind kind = FindingKind::direction;
+  struct Trial {
+    std::string name;
+    bool failed = false;
+    double angle = 0, deviation = 0;
+    int unusable = 0, stations = 0;
+  };
+  Trial chosen, usual;
+};
+
+/// What of a CAD file was left out or healed, as its reader says it.
+struct LeftOutOfFile {
+  static constexpr FindingKind kind = FindingKind::leftOut;
+  std::string text;
+};
+struct Healed {
+  static constexpr FindingKind kind = FindingKind::healing;
+  std::string text;
+};
+/// The linked CAD file is another than when the design was saved.
+struct ChangedSource {
+  static constexpr FindingKind kind = FindingKind::source;
+  std::string file;
+  std::uint64_t bytesThen = 0, bytesNow = 0;
+};
+struct UnreadableCell {
+  static constexpr FindingKind kind = FindingKind::cell;
+  std::string why;
+};
+/// An end of the blade lies nearer to another robot than to its own.
+struct WrongSide {
+  static constexpr FindingKind kind = FindingKind::cellSides;
+  std::string end, robot, other;
+  double distance = 0, otherDistance = 0;
+  bool atStart = true;  ///< of the cut, or at its end
+};
+/// No program is written, because of so many errors, or it is marked.
+struct ProgramDespiteErrors {
+  static constexpr FindingKind kind = FindingKind::program;
+  int errors = 0;
+  bool written = false;
+};
+/// What the check of a program says, in its words.
+struct ProgramBreach {
+  static constexpr FindingKind kind = FindingKind::programCheck;
+  std::string rule;  ///< "rapid-rule-13"
+  std::string place, text;
+};
+/// Files of different runs, or that nothing proves to be of one.
+struct RunMismatch {
+  static constexpr FindingKind kind = FindingKind::run;
+  enum class What {
+    missing,
+    unreadable,  ///< `text` says why
+    noFingerprint,
+    changedModule,  ///< of the run, edited since
+    moduleOfOther,  ///< `other` is its run, empty if it names none
+    otherFile,
+    strayModule,  ///< of the run `other`, not named by the report
+    noProgramHere,
+    reportNamesNoRun,
+    reportMissing,
+    reportDamaged  ///< `text` says it
+  };
+  What what = What::missing;
+  std::string file, run = {}, other = {}, text = {};
+};
+
+using Cause =
+    std::variant<UnmetConditions, UnsettledFit, HeldBackFit, SteadiedFit, Overbent, TooTight, ManyInflections,
+                 WouldSnap, WouldTwist, GripTooNear, SteepAngle, UnevenSpeed, EndsSwing, GapInRow, TooFar,
+                 SectionMissing, SectionPoint, SectionShort, SectionBranches, SectionClosed, SectionBorder,
+                 SectionUnfit, SectionRough, LargestFace, NearestFace, FacesLeftOut, TravelAcross,
+                 ChosenDirection, LeftOutOfFile, Healed, ChangedSource, UnreadableCell, WrongSide,
+                 ProgramDespiteErrors, ProgramBreach, RunMismatch>;
+
+/// Stations of a row by their index: from first to last, `count` of them concerned, the worst among them.
+struct StationRange {
+  int first = 0, last = 0, worst = 0, count = 1;
+  static StationRange of(int index) { return {index, index, index, 1}; }
+  bool operator==(const StationRange&) const = default;
+};
+
+/// Where a finding is: what the window needs to select and frame it.
+struct Place {
+  std::optional<StationRange> stations = std::nullopt;
+  std::optional<Eigen::Vector3d> point = std::nullopt;  ///< in the file's frame, mm
+
+  /// The station to look at.
+  std::optional<int> station() const { return stations ? std::optional(stations->worst) : std::nullopt; }
+};
+
+/// One finding of a check, as data; `bw/words/findings.h` says it in words.
+struct Finding {
+  Severity severity = Severity::info;
+  Cause cause;
+  Place where = {};
+  Remedies remedies = {};
+
+  FindingKind kind() const;
+};
+
+using Findings = std::vector<Finding>;
+
+/// True if any of `findings` is an error.
+bool hasErrors(const Findings& findings);
+
+/// True if any of `findings` says that a limit is exceeded: an error of any kind, or a warning about a limit
+/// that the job or the blade states: deviation (tolerance), clearance or stability (the blade would not keep
+/// its shape). Warnings by rules of thumb (angle, speed, inflections, …) do not count, nor does that a round
+/// blade may leave its plane, which hangs on how the grips hold it.
+bool exceedsLimit(const Findings& findings);
+
+}  // namespace bw

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "bw/core/base/result.h"
+
+namespace bw {
+
+/// The tool: a thin heated blade or rod held at both ends.
+struct Blade {
+  enum class Section { flat, tube, rod };
+  static constexpr double kLongest = 20000;  ///< mm: no job or design takes a longer blade
+  std::string name = "steel-tube-3-2.5";     ///< preset word, or "custom"
+  std::string title = {};                    ///< for people
+  Section section = Section::tube;
+  double length = 800;              ///< free length between the two TCP origins, mm
+  double width = 0;                 ///< flat: along the cutting direction, mm
+  double thickness = 0;             ///< flat: in the bending plane, mm
+  double outerDiameter = 3;         ///< tube and rod, mm
+  double innerDiameter = 2.5;       ///< tube, mm
+  double youngModulus = 200000;     ///< at the working temperature, N/mm²
+  double yieldStress = 500;         ///< at the working temperature, N/mm²
+  double temperature = 350;         ///< °C at the cut
+  double thermalExpansion = 13e-6;  ///< mean linear expansion from 20 °C to the working temperature, 1/K
+  double safety = 1.2;              ///< yield stress is divided by this
+
+  /// Distance of the outermost fibre from the neutral axis in the bending plane, mm.
+  double fibreDistance() const;
+  /// Second moment of area about the bending axis, mm⁴.
+  double secondMoment() const;
+  /// Flexural rigidity E I, N·mm².
+  double flexuralRigidity() const { return youngModulus * secondMoment(); }
+  /// The smallest radius (of the neutral axis) that stays elastic: E c · safety / yield, mm.
+  double minRadius() const;
+  double maxCurvature() const { return 1.0 / minRadius(); }
+  /// Bending stress at a curvature (1/mm), N/mm².
+  double stress(double curvature) const { return youngModulus * fibreDistance() * std::abs(curvature); }
+
+  bool operator==(const Blade&) const = default;
+};
+
+/// The presets in the resource folder, in the order of their file names. Fails if the folder cannot be read.
+Result<std::vector<Blade>> bladePresets();
+/// One preset by its word; an unknown word is an error that names the nearest one.
+Result<Blade> bladePreset(const std::string& name);
+
+/// The folder with blades/, cells/, examples/, …: the environment variable BLADEWRIGHT_RESOURCES, else
+/// ../share/bladewright beside the program, else the source tree that the program was built from.
+Result<std::filesystem::path> resourceFolder();
+
+}  // namespace bw

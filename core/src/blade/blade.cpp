@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "bw/core/blade/blade.h"
+#include "bw/core/blade/blade_numbers.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <system_error>
+
+#include "blade/blade_json.h"
+#include "bw/core/base/units.h"
+#include "bw/core/files/file_set.h"
+#include "bw/core/text/number_text.h"
+#include "text/json_reader.h"
+
+namespace bw {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+double Blade::fibreDistance() const {
+  return section == Section::flat ? 0.5 * thickness : 0.5 * outerDiameter;
+}
+
+double Blade::secondMoment() const {
+  const auto disc = [](double d) { return kPi * d * d * d * d / 64.0; };
+  switch (section) {
+    case Section::flat:
+      return width * thickness * thickness * thickness / 12.0;
+    case Section::tube:
+      return disc(outerDiameter) - disc(innerDiameter);
+    case Section::rod:
+      return disc(outerDiameter);
+  }
+  return 0;
+}
+
+double Blade::minRadius() const { return youngModulus * fibreDistance() * safety / yieldStress; }
+
+Result<Blade> bladeFromJson(const json& object, const std::string& path, Blade blade) {
+  ObjectReader reader(object, path);
+  reader.text("name", blade.name);
+  reader.text("title", blade.title);
+  int section = int(blade.section);
+  reader.word("section", {"flat", "tube", "rod"}, section);
+  blade.section = Blade::Section(section);
+  for (const BladeNumber& number : bladeNumbers())
+    reader.number(number.key, blade.*number.member, number.min, number.max);
+  if (blade.section == Blade::Section::flat && !(blade.width > 0 && blade.thickness > 0))
+    reader.complain("width", path + " is a flat blade and needs width and thickness greater than 0 mm");
+  if (blade.section != Blade::Section::flat && !(blade.outerDiameter > 0))
+    reader.complain("outer_diameter", path + " is round and needs outer_diameter greater than 0 mm");
+  if (blade.section == Blade::Section::tube && !(blade.innerDiameter < blade.outerDiameter))
+    reader.complain("inner_diameter", path + ".inner_diameter must be smaller than outer_diameter",
+                    blade.innerDiameter, blade.outerDiameter);
+  if (Result<void> ok = reader.finish(); !ok) return tl::unexpected<Error>(ok.error());
+  return blade;
+}
+
+json bladeToJson(const Blade& blade) {
+  static const char* const kSections[] = {"flat", "tube", "rod"};
+  json object = {{"name", blade.name}, {"title", blade.title}, {"section", kSections[int(blade.section)]}};
+  for (const BladeNumber& number : bladeNumbers())
+    if (number.appliesTo(blade.section)) object[number.key] = blade.*number.member;
+  return object;
+}
+
+void readBlade(ObjectReader& reader, Blade& blade) {
+  const json* value = reader.member("blade");
+  if (!value) return;
+  const auto take = [&](const std::string& name) {
+    Result<Blade> preset = bladePreset(name);
+    if (preset)
+      blade = std::move(*preset);
+    else
+      reader.complain("blade", preset.error().message);
+    return preset.has_value();
+  };
+  if (value->is_string()) {
+    take(value->get<std::string>());
+    return;
+  }
+  if (!value->is_object()) {
+    reader.complain("blade", reader.path() + ".blade must be the word of a preset or an object");
+    return;
+  }
+  json own = *value;
+  if (own.contains("preset")) {
+    if (!own["preset"].is_string() || !take(own["preset"].get<std::string>())) {
+      reader.complain("blade", reader.path() + ".blade.preset must be the word of a preset");
+      return;
+    }
+    own.erase("preset");
+  } else if (!own.contains("name")) {
+    blade.name = "custom";
+    blade.title = "Own blade";
+  }
+  Result<Blade> read = bladeFromJson(own, reader.path() + ".blade", blade);
+  if (read)
+    blade = std::move(*read);
+  else
+    reader.complain("blade", read.error().message, read.error().value, read.error().limit);
+}
+
+Result<fs::path> resourceFolder() {
+  std::error_code error;
+  if (const char* chosen = std::getenv("BLADEWRIGHT_RESOURCES"); chosen && *chosen) {
+    if (fs::is_directory(chosen, error)) return fs::path(chosen);
+    return fail(
+        ErrorCode::cannotRead,
+        std::string("BLADEWRIGHT_RESOURCES names ") + chosen + ", which is not a folder; correct or unset it",
+        chosen);
+  }
+  std::array<char, 4096> buffer;
+  const ssize_t n = ::readlink("/proc/self/exe", buffer.data(), buffer.size());
+  if (n > 0) {
+    const fs::path installed =
+        fs::path(std::string(buffer.data(), std::size_t(n))).parent_path().parent_path() / "share" /
+        "bladewright";
+    if (fs::is_directory(installed, error)) return installed;
+  }
+  const fs::path source = BW_SOURCE_RESOURCES;
+  if (fs::is_directory(source, error)) return source;
+  return fail(ErrorCode::cannotRead,
+              "the resource folder was not found beside the program or at " + source.string() +
+                  "; set BLADEWRIGHT_RESOURCES to it",
+              source.string());
+}
+
+Result<std::vector<Blade>> bladePresets() {
+  const Result<fs::path> root = resourceFolder();
+  if (!root) return tl::unexpected<Error>(root.error());
+  const fs::path folder = *root / "blades";
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+    if (entry.path().extension() == ".json") files.push_back(entry.path());
+  if (error || files.empty())
+    return fail(ErrorCode::cannotRead, "no blade presets in " + folder.string() + "; reinstall the resources",
+                folder.string());
+  std::sort(files.begin(), files.end());
+  std::vector<Blade> blades;
+  for (const fs::path& file : files) {
+    const Result<std::string> bytes = readFile(file, 1 << 20);
+    if (!bytes) return tl::unexpected<Error>(bytes.error());
+    const Result<json> object = parseJsonText(*bytes, file.filename().string());
+    if (!object) return tl::unexpected<Error>(object.error());
+    Blade blank;
+    blank.name = file.stem().string();
+    Result<Blade> blade = bladeFromJson(*object, file.filename().string(), blank);
+    if (!blade) return tl::unexpected<Error>(blade.error());
+    blades.push_back(std::move(*blade));
+  }
+  return blades;
+}
+
+Result<Blade> bladePreset(const std::string& name) {
+  const Result<std::vector<Blade>> presets = bladePresets();
+  if (!presets) return tl::unexpected<Error>(presets.error());
+  std::vector<std::string> names;
+  for (const Blade& blade : *presets) {
+    if (blade.name == name) return blade;
+    names.push_back(blade.name);
+  }
+  std::string message = "there is no blade preset \"" + name + "\"";
+  const std::string nearest = nearestWord(name, names.data(), int(names.size()));
+  if (!nearest.empty()) {
+    message += "; did you mean \"" + nearest + "\"?";
+  } else {
+    message += "; the presets are";
+    for (std::size_t i = 0; i < names.size(); ++i) message += (i ? ", " : " ") + names[i];
+  }
+  return fail(ErrorCode::badInput, message, "blade");
+}
+
+}  // namespace bw

@@ -1,0 +1,269 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "text/json_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "bw/core/files/file_set.h"
+#include "bw/core/text/number_text.h"
+
+namespace bw {
+
+using nlohmann::json;
+
+namespace {
+
+/// Lists within lists: what people and programs write has less than ten; a recursion over it must not end
+/// the stack.
+constexpr int kDeepest = 128;
+/// Numbers, texts, lists and objects of one text. A short text can hold many, at some 100 bytes each.
+constexpr std::size_t kMostValues = 20'000'000;
+
+/// Thrown through the parser by its watcher.
+struct TooMuch {
+  Error error;
+};
+
+}  // namespace
+
+Result<json> parseJsonText(std::string_view text, const std::string& what) {
+  if (text.size() > kLargestText)
+    return fail(ErrorCode::badInput,
+                what + " has " + std::to_string(text.size() >> 20) + " MB; at most " +
+                    std::to_string(kLargestText >> 20) + " MB are read",
+                what, double(text.size()), double(kLargestText));
+  // A key that is written twice is a slip: the parser alone would silently take the last.
+  std::vector<std::set<std::string>> keys;
+  std::string twice;
+  std::size_t values = 0;
+  const auto watch = [&](int depth, json::parse_event_t event, json& parsed) {
+    if (depth > kDeepest)
+      throw TooMuch{{ErrorCode::badInput,
+                     what + " holds lists or objects within each other more than " +
+                         std::to_string(kDeepest) + " deep; nothing that is read here goes so deep",
+                     what, double(depth), double(kDeepest)}};
+    const bool begins = event == json::parse_event_t::value || event == json::parse_event_t::array_start ||
+                        event == json::parse_event_t::object_start;
+    if (begins && ++values > kMostValues)
+      throw TooMuch{{ErrorCode::badInput,
+                     what + " holds more than " + std::to_string(kMostValues / 1'000'000) +
+                         " million values; split it into several files",
+                     what, double(values), double(kMostValues)}};
+    if (event == json::parse_event_t::object_start) {
+      keys.emplace_back();
+    } else if (event == json::parse_event_t::object_end) {
+      keys.pop_back();
+    } else if (event == json::parse_event_t::key) {
+      const std::string& key = parsed.get_ref<const std::string&>();
+      if (!keys.back().insert(key).second && twice.empty()) twice = key;
+    }
+    return true;
+  };
+  try {
+    json value = json::parse(text.begin(), text.end(), watch);
+    if (!twice.empty())
+      return fail(ErrorCode::badInput,
+                  what + " holds the key \"" + twice + "\" twice in one object; remove one", twice);
+    return value;
+  } catch (const TooMuch& much) {
+    return tl::unexpected<Error>(much.error);
+  } catch (const json::parse_error& e) {
+    const std::size_t at = std::min<std::size_t>(e.byte > 0 ? e.byte - 1 : 0, text.size());
+    const auto line = 1 + std::count(text.begin(), text.begin() + std::ptrdiff_t(at), '\n');
+    const std::size_t lineStart = at == 0 ? std::string_view::npos : text.rfind('\n', at - 1);
+    const std::size_t column = lineStart == std::string_view::npos ? at + 1 : at - lineStart;
+    if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
+      return fail(ErrorCode::badInput, what + " is empty; it must hold a JSON object", what);
+    return fail(
+        ErrorCode::badInput,
+        what + " is not valid JSON: line " + std::to_string(line) + ", column " + std::to_string(column),
+        what, double(line));
+  } catch (const json::out_of_range&) {
+    return fail(ErrorCode::badInput, what + " holds a number that is too large", what);
+  } catch (const std::exception& e) {
+    return fail(ErrorCode::badInput, what + " is not valid JSON: " + e.what(), what);
+  }
+}
+
+ObjectReader::ObjectReader(const json& object, std::string path) : object_(object), path_(std::move(path)) {
+  if (!object_.is_object())
+    error_ = Error{ErrorCode::badInput, path_ + " must be a JSON object, not " + object_.type_name(), path_};
+}
+
+const json* ObjectReader::member(const std::string& key) {
+  known_.push_back(key);
+  if (!object_.is_object()) return nullptr;
+  const auto it = object_.find(key);
+  return it == object_.end() ? nullptr : &*it;
+}
+
+bool ObjectReader::has(const std::string& key) { return member(key) != nullptr; }
+
+void ObjectReader::need(const std::string& key, const std::string& message) {
+  if (has(key)) return;
+  if (object_.is_object()) {
+    for (const auto& item : object_.items()) {
+      if (std::find(known_.begin(), known_.end(), item.key()) != known_.end()) continue;
+      if (nearestWord(item.key(), &key, 1).empty()) continue;
+      complain(item.key(), path_ + " has no key \"" + item.key() + "\"; did you mean \"" + key + "\"?");
+      return;
+    }
+  }
+  complain(key, message);
+}
+
+void ObjectReader::complain(const std::string& key, std::string message, std::optional<double> value,
+                            std::optional<double> limit) {
+  if (!error_) error_ = Error{ErrorCode::badInput, std::move(message), path_ + "." + key, value, limit};
+}
+
+void ObjectReader::adopt(const ObjectReader& inner) {
+  if (!error_ && inner.error_) error_ = inner.error_;
+}
+
+void ObjectReader::number(const std::string& key, double& out, double min, double max) {
+  const json* value = member(key);
+  if (!value) return;
+  if (!value->is_number()) {
+    complain(key, path_ + "." + key + " must be a number, not " + value->type_name());
+    return;
+  }
+  const double x = value->get<double>();
+  if (!std::isfinite(x) || x < min || x > max) {
+    complain(key,
+             path_ + "." + key + " is " + shortText(x, 6) + " but must lie between " + shortText(min, 6) +
+                 " and " + shortText(max, 6),
+             x, x < min ? min : max);
+    return;
+  }
+  out = x;
+}
+
+void ObjectReader::number(const std::string& key, std::optional<double>& out, double min, double max) {
+  const json* value = member(key);
+  if (!value || value->is_null()) return;
+  double x = NAN;
+  number(key, x, min, max);
+  if (!std::isnan(x)) out = x;
+}
+
+void ObjectReader::integer(const std::string& key, int& out, int min, int max) {
+  const json* value = member(key);
+  if (!value) return;
+  if (value->is_number()) {
+    const double x = value->get<double>();
+    if (std::isfinite(x) && x == std::floor(x) && x >= min && x <= max) {
+      out = int(x);
+      return;
+    }
+    complain(key,
+             path_ + "." + key + " is " + shortText(x, 9) + " but must be a whole number from " +
+                 std::to_string(min) + " to " + std::to_string(max),
+             x, x < min ? min : max);
+    return;
+  }
+  complain(key, path_ + "." + key + " must be a whole number, not " + value->type_name());
+}
+
+Result<void> ObjectReader::version(const std::string& key, int& out, int newest, int fallback) {
+  out = fallback;
+  integer(key, out, 1, 1'000'000);
+  if (out > newest)
+    return fail(ErrorCode::badInput,
+                "the " + path_ + " has version " + std::to_string(out) + " but this program reads up to " +
+                    std::to_string(newest) + "; open it with a newer Bladewright",
+                path_ + "." + key, double(out), double(newest));
+  return {};
+}
+
+void ObjectReader::boolean(const std::string& key, bool& out) {
+  const json* value = member(key);
+  if (!value) return;
+  if (value->is_boolean())
+    out = value->get<bool>();
+  else
+    complain(key, path_ + "." + key + " must be true or false, not " + value->type_name());
+}
+
+void ObjectReader::text(const std::string& key, std::string& out) {
+  const json* value = member(key);
+  if (!value) return;
+  if (value->is_string())
+    out = value->get<std::string>();
+  else
+    complain(key, path_ + "." + key + " must be a text, not " + value->type_name());
+}
+
+void ObjectReader::word(const std::string& key, const std::vector<std::string>& words, int& out) {
+  const json* value = member(key);
+  if (!value) return;
+  std::string all;
+  for (const std::string& word : words) all += (all.empty() ? "\"" : ", \"") + word + "\"";
+  if (!value->is_string()) {
+    complain(key, path_ + "." + key + " must be one of " + all);
+    return;
+  }
+  const std::string given = value->get<std::string>();
+  const auto it = std::find(words.begin(), words.end(), given);
+  if (it != words.end()) {
+    out = int(it - words.begin());
+    return;
+  }
+  const std::string nearest = nearestWord(given, words.data(), int(words.size()));
+  complain(key, path_ + "." + key + " is \"" + given + "\" but must be one of " + all +
+                    (nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?"));
+}
+
+void ObjectReader::vector3(const std::string& key, Eigen::Vector3d& out, double min, double max) {
+  const json* value = member(key);
+  if (!value) return;
+  if (!value->is_array() || value->size() != 3) {
+    complain(key, path_ + "." + key + " must be three numbers [x, y, z]");
+    return;
+  }
+  Eigen::Vector3d result;
+  for (int i = 0; i < 3; ++i) {
+    const json& entry = (*value)[std::size_t(i)];
+    if (!entry.is_number()) {
+      complain(key, path_ + "." + key + " must be three numbers [x, y, z]");
+      return;
+    }
+    result(i) = entry.get<double>();
+    if (!std::isfinite(result(i)) || result(i) < min || result(i) > max) {
+      complain(key,
+               path_ + "." + key + "[" + std::to_string(i) + "] is " + shortText(result(i), 6) +
+                   " but must lie between " + shortText(min, 6) + " and " + shortText(max, 6),
+               result(i), result(i) < min ? min : max);
+      return;
+    }
+  }
+  out = result;
+}
+
+Result<void> ObjectReader::finish() {
+  if (!error_ && object_.is_object()) {
+    for (const auto& item : object_.items()) {
+      if (std::find(known_.begin(), known_.end(), item.key()) != known_.end()) continue;
+      const std::string nearest = nearestWord(item.key(), known_.data(), int(known_.size()));
+      std::string message = path_ + " has no key \"" + item.key() + "\"";
+      if (!nearest.empty()) {
+        message += "; did you mean \"" + nearest + "\"?";
+      } else {
+        std::vector<std::string> sorted = known_;
+        std::sort(sorted.begin(), sorted.end());
+        sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+        message += "; it may have";
+        for (std::size_t i = 0; i < sorted.size(); ++i) message += (i ? ", " : " ") + sorted[i];
+      }
+      complain(item.key(), message);
+      break;
+    }
+  }
+  if (error_) return tl::unexpected<Error>(*error_);
+  return {};
+}
+
+}  // namespace bw

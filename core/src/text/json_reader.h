@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bw/core/base/result.h"
+
+namespace bw {
+
+/// Parses JSON text; a syntax error tells line and column. A key that stands twice in one object is an error
+/// too, and so is a text that is larger, deeper or fuller than any use has need of (memory and stack are
+/// bounded).
+Result<nlohmann::json> parseJsonText(std::string_view text, const std::string& what);
+
+/// Reads one JSON object strictly: each key is asked for by name with its type and range; `finish` rejects
+/// keys that nobody asked for and names the nearest one. The first error wins; reading goes on harmlessly
+/// after it.
+class ObjectReader {
+ public:
+  /// `path` is how messages name the object, for instance "job" or "job.block".
+  ObjectReader(const nlohmann::json& object, std::string path);
+
+  bool has(const std::string& key);
+  /// Complains with `message` if the key is absent, or names a key that looks like a slip for it.
+  void need(const std::string& key, const std::string& message);
+  /// The member, or null if it is absent.
+  const nlohmann::json* member(const std::string& key);
+  /// Each leaves `out` alone where the key is absent.
+  void number(const std::string& key, double& out, double min, double max);
+  /// null counts as absent.
+  void number(const std::string& key, std::optional<double>& out, double min, double max);
+  void integer(const std::string& key, int& out, int min, int max);
+  void boolean(const std::string& key, bool& out);
+  void text(const std::string& key, std::string& out);
+  /// One of `words`; the index goes to `out`.
+  void word(const std::string& key, const std::vector<std::string>& words, int& out);
+  void vector3(const std::string& key, Eigen::Vector3d& out, double min, double max);
+
+  /// The version in `key`, needed if `fallback` is 0. One above `newest` is the error to return before
+  /// anything else is read: what a newer program writes has other keys and other meanings.
+  Result<void> version(const std::string& key, int& out, int newest, int fallback);
+
+  void complain(const std::string& key, std::string message, std::optional<double> value = std::nullopt,
+                std::optional<double> limit = std::nullopt);
+  /// Takes over the error of a nested object's reader.
+  void adopt(const ObjectReader& inner);
+  /// After all keys were asked for: the first error, unknown keys included.
+  Result<void> finish();
+  const std::string& path() const { return path_; }
+
+ private:
+  const nlohmann::json& object_;
+  std::string path_;
+  std::vector<std::string> known_;
+  std::optional<Error> error_;
+};
+
+}  // namespace bw
