@@ -94,9 +94,17 @@ Result<void> Session::writeFiles(const FileSet& files, const std::filesystem::pa
   return {};
 }
 
-Result<Design> designOf(const std::string& path) {
+Result<Design> Session::openDesign(const std::filesystem::path& file) const {
+  int version = Design::kVersion;
+  Result<Design> design = loadDesign(file, &version);
+  if (design && version != Design::kVersion)
+    tell({{Severity::info, EarlierDesign{file.filename().string(), version, Design::kVersion}, {}, {}}});
+  return design;
+}
+
+Result<Design> Session::designOf(const std::string& path) const {
   std::error_code error;
-  if (!std::filesystem::is_directory(path, error)) return loadDesign(path);
+  if (!std::filesystem::is_directory(path, error)) return openDesign(path);
   const std::filesystem::path inside = std::filesystem::path(path) / kDesignFile;
   if (!std::filesystem::exists(inside, error))
     return fail(
@@ -105,7 +113,7 @@ Result<Design> designOf(const std::string& path) {
         path);
   if (Result<void> ok = pipeline::checkOneRun(path, kDesignFile); !ok)
     return tl::unexpected<Error>(ok.error());
-  return loadDesign(inside);
+  return openDesign(inside);
 }
 
 void Session::tell(const Findings& findings) const {

@@ -25,9 +25,6 @@ using pipeline::kDesignFile;
 
 inline constexpr const char* kDesignSuffix = ".bladewright";
 
-/// Reads a design file, or the one in a folder of results, if that is of the run that its report.json is of.
-Result<Design> designOf(const std::string& path);
-
 /// What all verbs share: the options that every verb has, and how to speak.
 struct Session {
   bool jsonErrors = false;
@@ -52,6 +49,10 @@ struct Session {
                           const std::optional<pipeline::FolderState>& seen = std::nullopt) const;
   /// Findings in words on standard error.
   void tell(const Findings& findings) const;
+  /// Reads a design file; tells where it is of an earlier version.
+  Result<Design> openDesign(const std::filesystem::path& file) const;
+  /// The same, or the one in a folder of results, if that is of the run that its report.json is of.
+  Result<Design> designOf(const std::string& path) const;
   /// Removes the progress bar from the line.
   void endProgress() const;
 };

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bw/core/base/units.h"
-#include "bw/core/design/job.h"
+#include "bw/core/design/design.h"
 #include "bw/core/text/number_text.h"
 #include "bw/geometry/cad_model.h"
 #include "verbs.h"
@@ -57,9 +57,9 @@ Result<ReadOptions> readOptions(const InfoOptions& options) {
   // The words and limits are those of a job.
   ordered_json job = {{"sewing", options.sewing}};
   if (!options.unit.empty()) job["unit"] = options.unit;
-  const Result<Job> parsed = parseJob(job.dump());
+  const Result<Design> parsed = parseJob(job.dump());
   if (!parsed) return tl::unexpected<Error>(parsed.error());
-  return ReadOptions{parsed->unit, parsed->sewingTolerance()};
+  return parsed->readOptions(parsed->source());
 }
 
 int runInfo(const Session& session, const InfoOptions& options) {

@@ -21,11 +21,11 @@ struct ExportOptions {
 };
 
 int runExport(const Session& session, const ExportOptions& options, bool despiteErrors) {
-  Result<Design> design = designOf(options.path);
+  Result<Design> design = session.designOf(options.path);
   if (!design) return session.complain(design.error());
   // What is exported is what the findings are about.
-  if (!options.cell.empty()) design->job.cell = options.cell;
-  design->job.programs = options.formats;
+  if (!options.cell.empty()) design->output.cell = options.cell;
+  design->output.programs = options.formats;
   pipeline::Policy policy;
   policy.contents = pipeline::Policy::Contents::programs;
   policy.despiteErrors = despiteErrors;

@@ -56,13 +56,14 @@ std::string radiusText(double radius) {
 }
 
 void tellSummary(const pipeline::Evaluation& e) {
-  const SweepSummary& s = e.sweep.value->analysis.summary;
-  std::cerr << e.sweep.value->sweep.stations.size() << " stations; deviation max "
-            << shortText(s.deviationMax) << " mm, mean " << shortText(s.deviationMean) << " mm, "
-            << fixedText(100 * s.withinTolerance, 1) << " % within tolerance; angle max "
-            << fixedText(toDegrees(s.angleMax), 1) << "°; smallest radius " << radiusText(s.minRadius)
-            << "; cutting time " << fixedText(s.cuttingTime, 0) << " s; computed in "
-            << fixedText(e.seconds.total, 2) << " s\n";
+  const pipeline::CutResult result = *e.result();
+  const SweepSummary& s = result.analysis.summary;
+  std::cerr << result.size() << " stations; deviation max " << shortText(s.deviationMax) << " mm, mean "
+            << shortText(s.deviationMean) << " mm, " << fixedText(100 * s.withinTolerance, 1)
+            << " % within tolerance; angle max " << fixedText(toDegrees(s.angleMax), 1)
+            << "°; smallest radius " << radiusText(s.minRadius) << "; cutting time "
+            << fixedText(result.motion.duration(), 0) << " s; computed in " << fixedText(e.seconds.total, 2)
+            << " s\n";
 }
 
 int runDesign(const Session& session, const Design& design, const std::string& out, bool despiteErrors,
@@ -72,7 +73,7 @@ int runDesign(const Session& session, const Design& design, const std::string& o
   const pipeline::Product product = pipeline::produce(design, out, {.despiteErrors = despiteErrors}, context);
   session.tell(product.findings());
   if (product.error) return session.complain(*product.error);
-  const fs::path source = design.source.bytes.empty() ? design.source.path : fs::path();
+  const fs::path source = design.source().bytes.empty() ? design.source().path : fs::path();
   if (Result<void> ok = session.writeFiles(product.files, out, source, product.seen); !ok)
     return session.complain(ok.error());
   tellSummary(product.evaluation);
@@ -81,7 +82,6 @@ int runDesign(const Session& session, const Design& design, const std::string& o
 
 int runRationalize(const Session& session, const std::string& file, const std::string& jobFile,
                    const std::string& out, bool despiteErrors) {
-  Design design;
   std::string text = "{}";
   if (!jobFile.empty()) {
     Result<std::string> read = session.readInput(jobFile);
@@ -89,12 +89,11 @@ int runRationalize(const Session& session, const std::string& file, const std::s
     text = std::move(*read);
   }
   int threads = 0;
-  Result<Job> job = parseJob(text, &threads);
-  if (!job) return session.complain(job.error());
-  design.name = fs::path(file).stem().string();
-  design.source.path = file;
-  design.job = std::move(*job);
-  return runDesign(session, design, out, despiteErrors, threads);
+  Result<Design> design = parseJob(text, &threads);
+  if (!design) return session.complain(design.error());
+  design->name = fs::path(file).stem().string();
+  design->source().path = file;
+  return runDesign(session, *design, out, despiteErrors, threads);
 }
 
 struct RenderOptions {
@@ -130,7 +129,7 @@ int runRender(const Session& session, const RenderOptions& options) {
     return session.complain({ErrorCode::badInput,
                              "pictures are PNG; give --out a name that ends in .png, not " + options.out,
                              "out"});
-  const Result<Design> design = designOf(options.path);
+  const Result<Design> design = session.designOf(options.path);
   if (!design) return session.complain(design.error());
   const pipeline::Product product =
       pipeline::produce(*design, {}, {.contents = pipeline::Policy::Contents::evaluation}, session.context());
@@ -142,8 +141,8 @@ int runRender(const Session& session, const RenderOptions& options) {
   style.field = field;
   style.dark = options.dark;
   style.isolines = options.isolines;
-  style.tolerance = design->job.tolerance;
-  style.playhead = 0.5 * double(product.evaluation.sweep.value->sweep.stations.size() - 1);
+  style.tolerance = design->process.tolerance;
+  style.playhead = 0.5 * double(product.evaluation.result()->size() - 1);
   scene.setStyle(style);
   scene.setCamera(
       scene.fitFrom(scene::directionOf(*view), *view != scene::View::iso, double(width) / height));
@@ -213,7 +212,7 @@ void addSurfaceVerbs(CLI::App& app, const Session& session, Work& work) {
     verb->footer("Example:\n  blade design panel.bladewright --out out/panel");
     verb->callback([&session, &work, file, out, despite] {
       work = [&session, file, out, despite] {
-        const Result<Design> design = loadDesign(*file);
+        const Result<Design> design = session.openDesign(*file);
         return design ? runDesign(session, *design, *out, *despite) : session.complain(design.error());
       };
     });

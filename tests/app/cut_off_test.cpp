@@ -112,11 +112,11 @@ class NothingIsCutOff : public WindowTest {
       bench().select({kind, kind == Selection::Kind::station ? 3 : -1});
       expectAllWhole(name);
     }
-    bench().editJob("Prepare", [](Job& job) {
-      job.direction = Eigen::Vector3d(0.1, 1, 0);
-      job.block = BlockPlacement{{-1234.5, -10, -200}, {1700, 1700, 600}, {0.1, 0.2, 0.3}};
-      job.face.kind = FaceChoice::Kind::nearest;
-      job.spacing = 25;
+    bench().editDesign("Prepare", [](Design& design) {
+      design.cut().direction = Eigen::Vector3d(0.1, 1, 0);
+      design.block().placement = BlockPlacement{{-1234.5, -10, -200}, {1700, 1700, 600}, {0.1, 0.2, 0.3}};
+      design.cut().face.kind = FaceChoice::Kind::nearest;
+      design.cut().sections.spacing = 25;
     });
     ASSERT_TRUE(settle());
     for (const char* tab : {"tab.section", "tab.motion", "tab.messages"}) {

@@ -28,10 +28,10 @@ Design designOf(const std::function<Eigen::Vector3d(double, double)>& f) {
     for (int c = 0; c < grid.columns; ++c) grid.points.push_back(f(double(c) / (grid.columns - 1), v.back()));
   }
   Design design;
-  design.source.path = "test.step";
-  design.source.bytes = geometry::stepText(*interpolateGrid(grid, v), "test").value();
-  design.job.blade = *bladePreset("nicr-flat-5x1");
-  design.job.stations = 20;
+  design.source().path = "test.step";
+  design.source().bytes = geometry::stepText(*interpolateGrid(grid, v), "test").value();
+  design.blade = *bladePreset("nicr-flat-5x1");
+  design.cut().sections.stations = 20;
   return design;
 }
 
@@ -55,19 +55,19 @@ Evaluation evaluated(const Design& design, const Evaluation* previous = nullptr,
 TEST(DirectionSearch, TakesTheWayAlongWhichTheBladeKeepsItsShape) {
   Design design = chute();
   const Evaluation found = evaluated(design);
-  ASSERT_TRUE(found.directions.value);
-  const DirectionSearch& search = *found.directions.value;
+  ASSERT_TRUE(found.cut().directions.value);
+  const DirectionSearch& search = *found.cut().directions.value;
   EXPECT_GT(search.chosen, 0u);
-  EXPECT_NEAR(std::abs(found.setup->direction.y()), 1, 1e-9);
-  EXPECT_EQ(found.sweep.value->sweep.direction, search.trials[search.chosen].direction);
-  const double angle = found.sweep.value->analysis.summary.angleMax;
+  EXPECT_NEAR(std::abs(found.cut().setup->direction.y()), 1, 1e-9);
+  EXPECT_EQ(found.cut().sweep.value->direction, search.trials[search.chosen].direction);
+  const double angle = found.cut().analysis.value->summary.angleMax;
   EXPECT_LT(angle, fromDegrees(1));
   // The longer side, which was taken before, is worse as it was told to be.
-  design.job.direction = search.trials.front().direction;
+  design.cut().direction = search.trials.front().direction;
   const Evaluation usual = evaluated(design);
-  EXPECT_GT(usual.sweep.value->analysis.summary.angleMax, angle + fromDegrees(10));
-  EXPECT_NEAR(usual.sweep.value->analysis.summary.angleMax, search.trials.front().angleMax, fromDegrees(5));
-  EXPECT_FALSE(usual.directions.value);
+  EXPECT_GT(usual.cut().analysis.value->summary.angleMax, angle + fromDegrees(10));
+  EXPECT_NEAR(usual.cut().analysis.value->summary.angleMax, search.trials.front().angleMax, fromDegrees(5));
+  EXPECT_FALSE(usual.cut().directions.value);
   // It is said.
   const Findings findings = found.findings();
   EXPECT_TRUE(std::ranges::any_of(findings, [](const Finding& f) {
@@ -80,13 +80,13 @@ TEST(DirectionSearch, TakesTheWayAlongWhichTheBladeKeepsItsShape) {
 TEST(DirectionSearch, LeavesTheExamplesAsTheyAreButForTheTorus) {
   for (const geometry::Example& example : geometry::exampleList()) {
     Design design = exampleDesign(example.name).value();
-    if (design.job.direction) continue;
+    if (design.cut().direction) continue;
     const Evaluation found = evaluated(design);
-    ASSERT_TRUE(found.directions.value) << example.name;
+    ASSERT_TRUE(found.cut().directions.value) << example.name;
     const bool turned = example.name == "torus-patch";  // 0.03 mm and 14° in place of 0.4 mm and 47°
-    EXPECT_EQ(found.directions.value->chosen, turned ? 1u : 0u) << example.name;
+    EXPECT_EQ(found.cut().directions.value->chosen, turned ? 1u : 0u) << example.name;
     if (turned) {
-      EXPECT_LT(found.sweep.value->analysis.summary.angleMax, fromDegrees(15));
+      EXPECT_LT(found.cut().analysis.value->summary.angleMax, fromDegrees(15));
     }
   }
 }
@@ -107,28 +107,28 @@ TEST(DirectionSearch, DoesNotHangOnTheNumberOfThreads) {
 TEST(DirectionSearch, IsNotDoneAgainForOtherStations) {
   Design design = chute();
   const Evaluation first = evaluated(design);
-  design.job.stations = 31;
-  design.job.cuttingSpeed = 12;
+  design.cut().sections.stations = 31;
+  design.process.cuttingSpeed = 12;
   const Evaluation second = evaluated(design, &first);
-  EXPECT_EQ(second.directions.value, first.directions.value);
+  EXPECT_EQ(second.directions.value, first.cut().directions.value);
   EXPECT_EQ(second.sections.value->size(), 31u);
   // A given direction needs none, and comes into effect at once; so does leaving it open again.
-  design.job.direction = Eigen::Vector3d::UnitX();
+  design.cut().direction = Eigen::Vector3d::UnitX();
   const Evaluation given = evaluated(design, &second);
-  EXPECT_FALSE(given.directions.value);
-  EXPECT_EQ(given.sweep.value->sweep.direction, Eigen::Vector3d::UnitX());
-  design.job.direction.reset();
-  EXPECT_EQ(evaluated(design, &given).sweep.value->sweep.direction, first.sweep.value->sweep.direction);
+  EXPECT_FALSE(given.cut().directions.value);
+  EXPECT_EQ(given.cut().sweep.value->direction, Eigen::Vector3d::UnitX());
+  design.cut().direction.reset();
+  EXPECT_EQ(evaluated(design, &given).cut().sweep.value->direction, first.cut().sweep.value->direction);
 }
 
 TEST(DirectionSearch, ReportListsWhatWasTried) {
   const Evaluation found = evaluated(chute());
   const nlohmann::json report = nlohmann::json::parse(reportJson(found, "run", {}, words::Reader::window));
   const nlohmann::json& list = report.at("directions");
-  ASSERT_EQ(list.size(), found.directions.value->trials.size());
+  ASSERT_EQ(list.size(), found.cut().directions.value->trials.size());
   int chosen = 0;
   for (std::size_t i = 0; i < list.size(); ++i) {
-    const DirectionTrial& trial = found.directions.value->trials[i];
+    const DirectionTrial& trial = found.cut().directions.value->trials[i];
     EXPECT_EQ(list[i].at("name"), trial.name);
     EXPECT_EQ(list[i].at("stations"), trial.stations);
     EXPECT_EQ(list[i].at("unusable"), trial.unusable);
@@ -167,7 +167,7 @@ TEST(DirectionSearch, StopsOnRequest) {
   source.request_stop();
   RunContext context;
   context.stop = source.get_token();
-  const auto stopped = searchDirection(*found.target.value, found.directions.request, context);
+  const auto stopped = searchDirection(*found.cut().target.value, found.directions.request, context);
   ASSERT_FALSE(stopped);
   EXPECT_EQ(stopped.error().code, ErrorCode::cancelled);
 }

@@ -20,13 +20,15 @@ class EveryFieldTest : public WindowTest {
       if (fold->isCheckable() && fold->isVisible() && !fold->isChecked() &&
           QStringList{"Section and material", "Block", "Fit and lead"}.contains(fold->text()))
         fold->click();
-    const auto edit = [&](const std::function<void(Job&)>& change) { bench().editJob("Prepare", change); };
+    const auto edit = [&](const std::function<void(Design&)>& change) {
+      bench().editDesign("Prepare", change);
+    };
     const auto inspect = [&](Selection::Kind kind) { bench().select({kind, 0}); };
     // Stations by number, a vector, a block by numbers, faces by number, a tube; then what excludes these.
-    edit([](Job& job) {
-      job.direction = Eigen::Vector3d(0.1, 1, 0);
-      job.block = BlockPlacement{{-10, -10, -200}, {700, 700, 600}, {0.1, 0.2, 0.3}};
-      job.face = {FaceChoice::Kind::indices, {0}};
+    edit([](Design& design) {
+      design.cut().direction = Eigen::Vector3d(0.1, 1, 0);
+      design.block().placement = BlockPlacement{{-10, -10, -200}, {700, 700, 600}, {0.1, 0.2, 0.3}};
+      design.cut().face = {FaceChoice::Kind::indices, {0}};
     });
     visitVisible(visit);
     for (Selection::Kind kind : {Selection::Kind::block, Selection::Kind::blade, Selection::Kind::station}) {
@@ -34,19 +36,19 @@ class EveryFieldTest : public WindowTest {
       inspect(kind);
       visitVisible(visit);
     }
-    edit([](Job& job) {
-      job.spacing = 25;
-      job.blade = bladePreset("nicr-flat-5x1").value_or(job.blade);
-      job.blade.length = 900;
+    edit([](Design& design) {
+      design.cut().sections.spacing = 25;
+      design.blade = bladePreset("nicr-flat-5x1").value_or(design.blade);
+      design.blade.length = 900;
     });
     base_ = 2;
     inspect(Selection::Kind::blade);
     visitVisible(visit);
-    edit([](Job& job) {
-      const double length = job.blade.length;
-      job.blade = bladePreset("steel-tube-3-2.5").value_or(job.blade);
-      job.blade.length = length;
-      job.face.kind = FaceChoice::Kind::nearest;
+    edit([](Design& design) {
+      const double length = design.blade.length;
+      design.blade = bladePreset("steel-tube-3-2.5").value_or(design.blade);
+      design.blade.length = length;
+      design.cut().face.kind = FaceChoice::Kind::nearest;
     });
     base_ = 3;
     inspect(Selection::Kind::blade);

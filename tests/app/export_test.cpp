@@ -21,7 +21,7 @@ class Exports : public WindowTest {
   void openLinked() {
     ASSERT_TRUE(writeFile(source(), geometry::exampleStep("panel-600x670").value()));
     ASSERT_TRUE(window().openFile(QString::fromStdString(source().string())));
-    bench().editJob("Change stations", [](Job& job) { job.stations = 17; });
+    bench().editDesign("Change stations", [](Design& design) { design.cut().sections.stations = 17; });
     ASSERT_TRUE(settle());
     ASSERT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
   }
@@ -74,7 +74,7 @@ TEST_F(Exports, AreWrittenWithWhatIsBeingTypedByKeyAndByMouse) {
   ASSERT_TRUE(settle());
   const Result<Design> first = loadDesign(folder() / pipeline::kDesignFile);
   ASSERT_TRUE(first) << first.error().message;
-  EXPECT_EQ(first->job.tolerance, 0.5);
+  EXPECT_EQ(first->process.tolerance, 0.5);
   EXPECT_EQ(outputState(), "Exported");
   EXPECT_FALSE(told("as soon as it stands"));
 
@@ -88,7 +88,7 @@ TEST_F(Exports, AreWrittenWithWhatIsBeingTypedByKeyAndByMouse) {
   QTest::mouseClick(button, Qt::LeftButton);
   EXPECT_EQ(asked_, 2) << "the button did nothing";
   ASSERT_TRUE(settle());
-  EXPECT_EQ(loadDesign(folder() / pipeline::kDesignFile)->job.tolerance, 0.75);
+  EXPECT_EQ(loadDesign(folder() / pipeline::kDesignFile)->process.tolerance, 0.75);
 }
 
 TEST_F(Exports, TellThatNothingWasWrittenWhereNoResultComes) {
@@ -123,13 +123,13 @@ TEST_F(Exports, StayThoseOfTheResultWhenItIsSaved) {
   ASSERT_TRUE(settle());
   EXPECT_EQ(outputState(), "Exported");
   EXPECT_EQ(bench().messages().size(), findings) << "the findings of the programs went";
-  bench().editJob("Change tolerance", [](Job& job) { job.tolerance = 0.75; });
+  bench().editDesign("Change tolerance", [](Design& design) { design.process.tolerance = 0.75; });
   ASSERT_TRUE(settle());
   EXPECT_EQ(outputState(), "Older export");
   bench().document().undoStack().undo();
   ASSERT_TRUE(settle());
   EXPECT_EQ(outputState(), "Exported");
-  bench().editJob("Choose programs", [](Job& job) { job.programs = {"csv"}; });
+  bench().editDesign("Choose programs", [](Design& design) { design.output.programs = {"csv"}; });
   ASSERT_TRUE(settle());
   EXPECT_EQ(outputState(), "Older export");
 }
@@ -174,13 +174,13 @@ TEST_F(Exports, ReplaceEvenIfTheDesignHasNoResultByThen) {
   openPanel();
   exportAll();
   const std::string before = readFile(folder() / "report.json").value();
-  bench().editJob("Change tolerance", [](Job& job) { job.tolerance = 0.75; });
+  bench().editDesign("Change tolerance", [](Design& design) { design.process.tolerance = 0.75; });
   ASSERT_TRUE(settle());
   window().questions().earlierExport = [](const auto&, const auto&, const auto&) {
     return Workbench::Earlier::replace;
   };
   window().exportEverything();
-  bench().editJob("Change blade length", [](Job& job) { job.blade.length = 500; });
+  bench().editDesign("Change blade length", [](Design& design) { design.blade.length = 500; });
   ASSERT_TRUE(settle());
   EXPECT_TRUE(bench().runner().error());
   EXPECT_NE(readFile(folder() / "report.json").value(), before) << "the files were made, and given up";
@@ -214,7 +214,7 @@ TEST_F(Exports, HaveTheSamePicturesHoweverTheWindowIsLaidOut) {
 TEST_F(Exports, OfProgramsNeedAFormat) {
   openPanel();
   EXPECT_TRUE(window().commands()["file.programs"]->isEnabled());
-  bench().editJob("Choose programs", [](Job& job) { job.programs.clear(); });
+  bench().editDesign("Choose programs", [](Design& design) { design.output.programs.clear(); });
   ASSERT_TRUE(settle());
   EXPECT_FALSE(window().commands()["file.programs"]->isEnabled());
   EXPECT_FALSE(outputButton("Export programs…")->isEnabled());

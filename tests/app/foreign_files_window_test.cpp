@@ -69,10 +69,10 @@ TEST_F(ForeignFilesInTheWindow, CutsABlockOutOfALargeTerrain) {
   const Bounds bounds = target->bounds();
   const Eigen::Vector3d size(1200, 800, 500),
       middle = target->sampler()->closest(0.5 * (bounds.min + bounds.max), nullptr)->point;
-  bench().editJob("Place block", [&](Job& job) {
-    job.block = BlockPlacement{middle - 0.5 * size, size, Eigen::Vector3d::Zero()};
-    job.blade.length = 1800;
-    job.stations = 24;
+  bench().editDesign("Place block", [&](Design& design) {
+    design.block().placement = BlockPlacement{middle - 0.5 * size, size, Eigen::Vector3d::Zero()};
+    design.blade.length = 1800;
+    design.cut().sections.stations = 24;
   });
   ASSERT_TRUE(settle());
   expectResultOrReason("terrain in a block");

@@ -38,18 +38,18 @@ class HistoryKeys : public WindowTest {
 TEST_F(HistoryKeys, UndoAFinishedNumberWithTheFocusInItsField) {
   type("5");
   QTest::keyClick(number_, Qt::Key_Return);
-  ASSERT_EQ(bench().job().stations, 5);
+  ASSERT_EQ(bench().design().cut().sections.stations, 5);
   EXPECT_FALSE(number_->hasFocus());
   number_->setFocus();
   undo(number_);
-  EXPECT_EQ(bench().job().stations, 20);
+  EXPECT_EQ(bench().design().cut().sections.stations, 20);
   EXPECT_EQ(number_->text(), "20");
   redo(number_);
-  EXPECT_EQ(bench().job().stations, 5);
+  EXPECT_EQ(bench().design().cut().sections.stations, 5);
   EXPECT_EQ(number_->text(), "5");
   undo(number_);
   redoByY(number_);
-  EXPECT_EQ(bench().job().stations, 5);
+  EXPECT_EQ(bench().design().cut().sections.stations, 5);
   EXPECT_TRUE(number_->hasFocus());
 }
 
@@ -60,7 +60,7 @@ TEST_F(HistoryKeys, UndoTheTypingBeforeTheDesign) {
   QTest::keyClicks(number_, "1");
   undo(number_);
   EXPECT_EQ(number_->text(), "5");
-  EXPECT_EQ(bench().job().stations, 5);
+  EXPECT_EQ(bench().design().cut().sections.stations, 5);
   redoByY(number_);
   EXPECT_EQ(number_->text(), "71");
   undo(number_);
@@ -69,16 +69,16 @@ TEST_F(HistoryKeys, UndoTheTypingBeforeTheDesign) {
   EXPECT_EQ(changes(), 1);
   undo(number_);
   undo(number_);
-  EXPECT_EQ(bench().job().stations, 20);
+  EXPECT_EQ(bench().design().cut().sections.stations, 20);
   EXPECT_EQ(number_->text(), "20");
   // Last undone, first redone.
   redo(number_);
-  EXPECT_EQ(bench().job().stations, 5);
+  EXPECT_EQ(bench().design().cut().sections.stations, 5);
   EXPECT_EQ(number_->text(), "5");
 }
 
 TEST_F(HistoryKeys, LeaveTheDesignAloneWhileAFieldIsTypedIn) {
-  bench().editJob("Change clearance", [](Job& job) { job.clearance = 60; });
+  bench().editDesign("Change clearance", [](Design& design) { design.process.clearance = 60; });
   bench().document().undoStack().undo();
   type("7");
   redoByY(number_);
@@ -90,10 +90,10 @@ TEST_F(HistoryKeys, LeaveTheDesignAloneWhileAFieldIsTypedIn) {
 TEST_F(HistoryKeys, UndoTheDesignFromAFieldThatWasLeftAndEnteredAgain) {
   type("5");
   QTest::keyClick(number_, Qt::Key_Tab);
-  ASSERT_EQ(bench().job().stations, 5);
+  ASSERT_EQ(bench().design().cut().sections.stations, 5);
   number_->setFocus();
   undo(number_);
-  EXPECT_EQ(bench().job().stations, 20);
+  EXPECT_EQ(bench().design().cut().sections.stations, 20);
   EXPECT_EQ(number_->text(), "20");
   // Nothing is left to undo, neither here nor there.
   undo(number_);
@@ -102,9 +102,9 @@ TEST_F(HistoryKeys, UndoTheDesignFromAFieldThatWasLeftAndEnteredAgain) {
 
 TEST_F(HistoryKeys, UndoAStepOfTheArrowKeys) {
   QTest::keyClick(number_, Qt::Key_Up);
-  ASSERT_EQ(bench().job().stations, 21);
+  ASSERT_EQ(bench().design().cut().sections.stations, 21);
   undo(number_);
-  EXPECT_EQ(bench().job().stations, 20);
+  EXPECT_EQ(bench().design().cut().sections.stations, 20);
   EXPECT_EQ(number_->text(), "20");
 }
 
@@ -113,22 +113,24 @@ TEST_F(HistoryKeys, UndoAChoiceWithTheFocusInIt) {
   ASSERT_TRUE(mode);
   mode->setFocus();
   QTest::keyClick(mode, Qt::Key_Down);
-  ASSERT_TRUE(bench().job().spacing);
+  ASSERT_TRUE(bench().design().cut().sections.spacing);
   undo(mode);
-  EXPECT_FALSE(bench().job().spacing);
+  EXPECT_FALSE(bench().design().cut().sections.spacing);
   EXPECT_EQ(mode->currentIndex(), 0);
   redoByY(mode);
-  EXPECT_TRUE(bench().job().spacing);
+  EXPECT_TRUE(bench().design().cut().sections.spacing);
   EXPECT_EQ(mode->currentIndex(), 1);
 }
 
 TEST_F(HistoryKeys, UndoTheNumbersOfFaces) {
   // Nobody knows how many faces a file has that is not there: any number may be typed.
   Design absent;
-  absent.source.path = path("absent.step");
+  absent.source().path = path("absent.step");
   bench().document().start(std::move(absent));
   ASSERT_TRUE(settle());
-  bench().editJob("Choose faces", [](Job& job) { job.face = {FaceChoice::Kind::indices, {0}}; });
+  bench().editDesign("Choose faces", [](Design& design) {
+    design.cut().face = {FaceChoice::Kind::indices, {0}};
+  });
   auto* faces = find<ListField>("Face numbers");
   ASSERT_TRUE(faces);
   faces->setFocus();
@@ -138,7 +140,7 @@ TEST_F(HistoryKeys, UndoTheNumbersOfFaces) {
   EXPECT_EQ(faces->text(), "0");
   redoByY(faces);
   QTest::keyClick(faces, Qt::Key_Return);
-  ASSERT_EQ(bench().job().face.indices, (std::vector<int>{0, 1}));
+  ASSERT_EQ(bench().design().cut().face.indices, (std::vector<int>{0, 1}));
   faces->setFocus();
   faces->end(false);
   EXPECT_EQ(faces->text(), "0, 1");
@@ -146,7 +148,7 @@ TEST_F(HistoryKeys, UndoTheNumbersOfFaces) {
   undo(faces);
   EXPECT_EQ(faces->text(), "0, 1") << "what was finished is undone with the typing";
   undo(faces);
-  EXPECT_EQ(bench().job().face.indices, std::vector<int>{0});
+  EXPECT_EQ(bench().design().cut().face.indices, std::vector<int>{0});
   EXPECT_EQ(faces->text(), "0");
   redo(faces);
   EXPECT_EQ(faces->text(), "0, 1");

@@ -19,7 +19,7 @@ class InputStep : public WindowTest {
       parts.push_back(geometry::exampleStep(name).value());
     std::ofstream(path("three.step"), std::ios::binary) << bw::test::mergedStep(parts);
     ASSERT_TRUE(window().openFile(QString::fromStdString(path("three.step").string())));
-    bench().editJob("Prepare", [](Job& job) { job.stations = 12; });
+    bench().editDesign("Prepare", [](Design& design) { design.cut().sections.stations = 12; });
     ASSERT_TRUE(settle());
     ASSERT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
   }
@@ -36,7 +36,8 @@ class InputStep : public WindowTest {
 
   std::vector<int> cutFaces() {
     const auto& evaluation = bench().runner().evaluation();
-    return evaluation && evaluation->target.value ? evaluation->target.value->faces() : std::vector<int>();
+    return evaluation && evaluation->cut().target.value ? evaluation->cut().target.value->faces()
+                                                        : std::vector<int>();
   }
 };
 
@@ -48,14 +49,14 @@ TEST_F(InputStep, TakesTheNumbersInAnotherUnitAndShowsTheSizes) {
   EXPECT_TRUE(unit->itemText(0).startsWith("As stated, mm: 600 × 800 ×")) << unit->itemText(0).toStdString();
   EXPECT_TRUE(unit->itemText(2).startsWith("cm: 6000 × 8000 ×")) << unit->itemText(2).toStdString();
   choose("Read as", 2);
-  EXPECT_EQ(bench().job().unit, LengthUnit::cm);
+  EXPECT_EQ(bench().design().source().unit, LengthUnit::cm);
   const auto& evaluation = bench().runner().evaluation();
-  ASSERT_TRUE(evaluation && evaluation->target.value);
-  EXPECT_NEAR(evaluation->target.value->bounds().size().x(), 6000, 1e-6);
+  ASSERT_TRUE(evaluation && evaluation->cut().target.value);
+  EXPECT_NEAR(evaluation->cut().target.value->bounds().size().x(), 6000, 1e-6);
   EXPECT_TRUE(find<ChoiceField>("Read as")->itemText(1).startsWith("mm: 600 × 800 ×"));
   bench().document().undoStack().undo();
   ASSERT_TRUE(settle());
-  EXPECT_FALSE(bench().job().unit);
+  EXPECT_FALSE(bench().design().source().unit);
   EXPECT_EQ(unit->currentIndex(), 0);
 }
 
@@ -68,7 +69,7 @@ TEST_F(InputStep, AsksAboutTheUnitWhileTheSizeCannotBeMeant) {
   };
   EXPECT_EQ(question(), QString());
   choose("Read as", 3);
-  ASSERT_EQ(bench().job().unit, LengthUnit::m);
+  ASSERT_EQ(bench().design().source().unit, LengthUnit::m);
   EXPECT_TRUE(question().contains("read in m")) << question().toStdString();
   EXPECT_TRUE(question().contains("Input ▸ Read as")) << question().toStdString();
   picture("unit-question");
@@ -80,7 +81,7 @@ TEST_F(InputStep, AsksAboutTheUnitWhileTheSizeCannotBeMeant) {
   const auto notices = window().banner().notices();
   for (std::size_t i = 0; i < notices.size(); ++i)
     QTest::mouseClick(window().banner().cross(), Qt::LeftButton);
-  bench().editJob("Change tolerance", [](Job& job) { job.tolerance = 0.75; });
+  bench().editDesign("Change tolerance", [](Design& design) { design.process.tolerance = 0.75; });
   ASSERT_TRUE(settle());
   EXPECT_EQ(question(), QString());
 }
@@ -102,13 +103,13 @@ TEST_F(InputStep, ChoosesFacesByNameSideAndPoint) {
   ASSERT_EQ(sides->count(), 3);
   EXPECT_TRUE(sides->itemText(0).startsWith("1: face 0 (saddle), 0.5")) << sides->itemText(0).toStdString();
   choose("Side", 1);
-  EXPECT_EQ(bench().job().face.group, 1);
+  EXPECT_EQ(bench().design().cut().face.group, 1);
   picture("input-one-side");
   choose("Faces", int(FaceChoice::Kind::nearest));
   EXPECT_EQ(cutFaces().size(), 1u);
   EXPECT_TRUE(find<NumberField>("Point z"));
   choose("Faces", int(FaceChoice::Kind::indices));
-  EXPECT_EQ(bench().job().face.indices, cutFaces()) << "it begins with what is cut";
+  EXPECT_EQ(bench().design().cut().face.indices, cutFaces()) << "it begins with what is cut";
 }
 
 }  // namespace

@@ -61,14 +61,14 @@ TEST_F(MeasurePageTest, MeasuresTheBladeOfTheDesignWhileTyping) {
   EXPECT_TRUE(page().message().isEmpty()) << page().message().toStdString();
   picture("measure");
 
-  const double before = bench().job().blade.length;
+  const double before = bench().design().blade.length;
   QTest::mouseClick(page().useButton(), Qt::LeftButton);
   EXPECT_FALSE(window().onMeasurePage());
-  EXPECT_NEAR(bench().job().blade.length, expected.length, 0.005 + 1e-9);
+  EXPECT_NEAR(bench().design().blade.length, expected.length, 0.005 + 1e-9);
   EXPECT_EQ(bench().document().undoStack().count(), 1);
   EXPECT_EQ(window().commands()["edit.undo"]->text(), "&Undo use measured blade length");
   QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(bench().job().blade.length, before);
+  EXPECT_EQ(bench().design().blade.length, before);
   ASSERT_TRUE(settle());
 }
 
@@ -139,7 +139,7 @@ TEST_F(MeasurePageTest, CorrectsTheTemperatureOfTheMeasurement) {
   typeMeasurement(1, 760, 25, 135);
   const double warm = page().outcome().length->length.value;
   type("Temperature 1", "20");
-  const Blade& blade = bench().job().blade;
+  const Blade& blade = bench().design().blade;
   const double growth = 1 + blade.thermalExpansion * (blade.temperature - 20);
   ASSERT_GT(growth, 1.001);
   EXPECT_NEAR(page().outcome().length->length.value, warm * growth, 1e-9 * warm);
@@ -217,7 +217,7 @@ TEST_F(MeasurePageTest, EditsTheThermalExpansion) {
   bench().select({Selection::Kind::blade, -1});
   type("Expansion", "17.5");
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
-  EXPECT_NEAR(bench().job().blade.thermalExpansion, 17.5e-6, 1e-12);
+  EXPECT_NEAR(bench().design().blade.thermalExpansion, 17.5e-6, 1e-12);
   EXPECT_EQ(window().commands()["edit.undo"]->text(), "&Undo change thermal expansion");
   picture("inspector-blade");
 }

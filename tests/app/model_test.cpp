@@ -28,50 +28,52 @@ constexpr int kPatience = 60000;  // ms: a bound against hanging, not a timing
 Design panelDesign(int stations = 12) {
   Design design;
   design.name = "Panel";
-  design.source.path = "panel.step";
-  design.source.bytes = geometry::exampleStep("panel-600x670").value();
-  design.job.stations = stations;
-  design.job.blade.length = 1000;
+  design.source().path = "panel.step";
+  design.source().bytes = geometry::exampleStep("panel-600x670").value();
+  design.cut().sections.stations = stations;
+  design.blade.length = 1000;
   return design;
 }
 
 Design noisyDesign() {
   Design design = panelDesign();
-  design.source.bytes = "this is not CAD";
+  design.source().bytes = "this is not CAD";
   return design;
 }
 
 TEST(Document, UndoesAndRedoesEditsByName) {
   Document document({});
   document.start(panelDesign());
-  document.editJob("Change stations", -1, [](Job& job) { job.stations = 30; });
-  document.editJob("Change tolerance", -1, [](Job& job) { job.tolerance = 0.5; });
+  document.editDesign("Change stations", -1, [](Design& design) { design.cut().sections.stations = 30; });
+  document.editDesign("Change tolerance", -1, [](Design& design) { design.process.tolerance = 0.5; });
   EXPECT_EQ(document.undoStack().undoText(), "Change tolerance");
   document.undoStack().undo();
-  EXPECT_EQ(document.design()->job.tolerance, Job().tolerance);
-  EXPECT_EQ(document.design()->job.stations, 30);
+  EXPECT_EQ(document.design()->process.tolerance, Process().tolerance);
+  EXPECT_EQ(document.design()->cut().sections.stations, 30);
   document.undoStack().undo();
-  EXPECT_EQ(document.design()->job.stations, 12);
+  EXPECT_EQ(document.design()->cut().sections.stations, 12);
   EXPECT_FALSE(document.modified());
   document.undoStack().redo();
-  EXPECT_EQ(document.design()->job.stations, 30);
+  EXPECT_EQ(document.design()->cut().sections.stations, 30);
   EXPECT_TRUE(document.modified());
 }
 
 TEST(Document, MergesTheMovesOfOneDrag) {
   Document document({});
   document.start(panelDesign());
-  for (int n = 13; n < 40; ++n) document.editJob("Change stations", 1, [n](Job& job) { job.stations = n; });
-  for (int n = 40; n < 50; ++n) document.editJob("Change stations", 2, [n](Job& job) { job.stations = n; });
+  for (int n = 13; n < 40; ++n)
+    document.editDesign("Change stations", 1, [n](Design& design) { design.cut().sections.stations = n; });
+  for (int n = 40; n < 50; ++n)
+    document.editDesign("Change stations", 2, [n](Design& design) { design.cut().sections.stations = n; });
   EXPECT_EQ(document.undoStack().count(), 2);
   document.undoStack().undo();
-  EXPECT_EQ(document.design()->job.stations, 39);
+  EXPECT_EQ(document.design()->cut().sections.stations, 39);
 }
 
 TEST(Document, DropsAnEditThatChangesNothing) {
   Document document({});
   document.start(panelDesign());
-  document.editJob("Change stations", -1, [](Job& job) { job.stations = 12; });
+  document.editDesign("Change stations", -1, [](Design& design) { design.cut().sections.stations = 12; });
   EXPECT_EQ(document.undoStack().count(), 0);
 }
 
@@ -80,7 +82,7 @@ TEST(Document, SavesAndOpensAgainTheSameDesign) {
   const fs::path file = fs::path(folder.path().toStdString()) / "a.bladewright";
   Document document({});
   document.start(panelDesign());
-  document.editJob("Change stations", -1, [](Job& job) { job.stations = 17; });
+  document.editDesign("Change stations", -1, [](Design& design) { design.cut().sections.stations = 17; });
   ASSERT_TRUE(document.saveAs(file));
   EXPECT_FALSE(document.modified());
   EXPECT_EQ(document.title(), "a");
@@ -113,8 +115,8 @@ TEST(EvaluationRunner, BringsTheResultToTheInterfaceThread) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return !runner.busy(); }, kPatience));
   EXPECT_EQ(thread, QThread::currentThread());
   ASSERT_FALSE(runner.error()) << runner.error()->message;
-  ASSERT_TRUE(runner.evaluation() && runner.evaluation()->sweep.value);
-  EXPECT_EQ(runner.evaluation()->sweep.value->sweep.stations.size(), 12u);
+  ASSERT_TRUE(runner.evaluation() && runner.evaluation()->cut().analysis.value);
+  EXPECT_EQ(runner.evaluation()->cut().sweep.value->poses.size(), 12u);
   EXPECT_EQ(runner.evaluatedDesign(), design);
 }
 
@@ -127,7 +129,7 @@ TEST(EvaluationRunner, UsesEarlierStagesAgain) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return !runner.busy(); }, kPatience));
   ASSERT_TRUE(first && runner.evaluation());
   EXPECT_EQ(runner.evaluation()->source.value, first->source.value);
-  EXPECT_NE(runner.evaluation()->sweep.value, first->sweep.value);
+  EXPECT_NE(runner.evaluation()->cut().analysis.value, first->cut().analysis.value);
 }
 
 TEST(EvaluationRunner, RecomputesOnlyWhatHangsOnTheSetting) {
@@ -139,24 +141,23 @@ TEST(EvaluationRunner, RecomputesOnlyWhatHangsOnTheSetting) {
   };
   Design design = panelDesign();
   const auto first = evaluate(design);
-  ASSERT_TRUE(first && first->sweep.value);
-  design.job.cuttingSpeed *= 2;
+  ASSERT_TRUE(first && first->cut().analysis.value);
+  design.process.cuttingSpeed *= 2;
   const auto faster = evaluate(design);
-  EXPECT_EQ(faster->fits.value, first->fits.value);
-  EXPECT_NE(faster->sweep.value, first->sweep.value);
-  EXPECT_NEAR(faster->sweep.value->analysis.summary.cuttingTime,
-              0.5 * first->sweep.value->analysis.summary.cuttingTime, 1e-9);
-  design.job.tolerance *= 2;
+  EXPECT_EQ(faster->cut().sweep.value, first->cut().sweep.value);
+  EXPECT_NE(faster->cut().analysis.value, first->cut().analysis.value);
+  EXPECT_NEAR(faster->cut().motion.value->duration(), 0.5 * first->cut().motion.value->duration(), 1e-9);
+  design.process.tolerance *= 2;
   const auto looser = evaluate(design);
-  EXPECT_EQ(looser->sections.value, faster->sections.value);
-  EXPECT_NE(looser->sweep.value, faster->sweep.value);
-  design.job.programs = {"csv"};
+  EXPECT_EQ(looser->cut().sections.value, faster->cut().sections.value);
+  EXPECT_NE(looser->cut().analysis.value, faster->cut().analysis.value);
+  design.output.programs = {"csv"};
   const auto other = evaluate(design);
-  EXPECT_EQ(other->sweep.value, looser->sweep.value);
-  design.job.face = {FaceChoice::Kind::all, {}};
+  EXPECT_EQ(other->cut().analysis.value, looser->cut().analysis.value);
+  design.cut().face = {FaceChoice::Kind::all, {}};
   const auto faces = evaluate(design);
   EXPECT_EQ(faces->source.value, first->source.value);
-  EXPECT_NE(faces->target.value, first->target.value);
+  EXPECT_NE(faces->cut().target.value, first->cut().target.value);
 }
 
 TEST(EvaluationRunner, ShowsOnlyTheNewestOfManyEdits) {
@@ -164,8 +165,8 @@ TEST(EvaluationRunner, ShowsOnlyTheNewestOfManyEdits) {
   QSignalSpy finished(&runner, &EvaluationRunner::finished);
   for (int n = 10; n <= 40; ++n) runner.evaluate(std::make_shared<const Design>(panelDesign(n)));
   ASSERT_TRUE(QTest::qWaitFor([&] { return !runner.busy(); }, kPatience));
-  ASSERT_TRUE(runner.evaluation() && runner.evaluation()->sweep.value);
-  EXPECT_EQ(runner.evaluation()->sweep.value->sweep.stations.size(), 40u);
+  ASSERT_TRUE(runner.evaluation() && runner.evaluation()->cut().analysis.value);
+  EXPECT_EQ(runner.evaluation()->cut().sweep.value->poses.size(), 40u);
   EXPECT_EQ(finished.count(), 1);
 }
 
@@ -185,7 +186,7 @@ TEST(EvaluationRunner, FollowsADragWithoutStarving) {
       kPatience);
   EXPECT_TRUE(followed) << "no result came before the drag ended";
   ASSERT_TRUE(QTest::qWaitFor([&] { return !runner.busy(); }, kPatience));
-  EXPECT_EQ(runner.evaluation()->sweep.value->sweep.stations.size(), std::size_t(stations));
+  EXPECT_EQ(runner.evaluation()->cut().sweep.value->poses.size(), std::size_t(stations));
 }
 
 TEST(EvaluationRunner, StopsOnRequest) {

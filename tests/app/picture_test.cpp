@@ -19,9 +19,9 @@ class PictureTest : public WindowTest {
     for (const std::string& name : examples) files.push_back(geometry::exampleStep(name).value());
     ASSERT_TRUE(writeFile(path("faces.step"), test::mergedStep(files)));
     ASSERT_TRUE(window().openFile(QString::fromStdString(path("faces.step").string())));
-    bench().editJob("Prepare", [](Job& job) {
-      job.stations = 12;
-      job.blade.length = 2000;
+    bench().editDesign("Prepare", [](Design& design) {
+      design.cut().sections.stations = 12;
+      design.blade.length = 2000;
     });
     ASSERT_TRUE(settle());
     bench().document().undoStack().clear();
@@ -77,20 +77,20 @@ TEST_F(PictureTest, FacesAreChosenByClickAndUndone) {
   picture("choose-faces");
 
   QTest::mouseClick(&view(), Qt::LeftButton, {}, *placeOf(first));
-  EXPECT_EQ(bench().job().face.kind, FaceChoice::Kind::indices);
-  EXPECT_EQ(bench().job().face.indices, std::vector<int>{first});
+  EXPECT_EQ(bench().design().cut().face.kind, FaceChoice::Kind::indices);
+  EXPECT_EQ(bench().design().cut().face.indices, std::vector<int>{first});
   EXPECT_EQ(view().sceneStyle().chosenFaces, std::vector<int>{first}) << "at once, before any result";
   QTest::mouseClick(&view(), Qt::LeftButton, Qt::ControlModifier, *placeOf(second));
-  EXPECT_EQ(bench().job().face.indices, (std::vector<int>{first, second}));
+  EXPECT_EQ(bench().design().cut().face.indices, (std::vector<int>{first, second}));
   QTest::mouseClick(&view(), Qt::LeftButton, Qt::ControlModifier, *placeOf(first));
-  EXPECT_EQ(bench().job().face.indices, std::vector<int>{second});
+  EXPECT_EQ(bench().design().cut().face.indices, std::vector<int>{second});
   QTest::mouseClick(&view(), Qt::LeftButton, Qt::ControlModifier, *placeOf(second));
-  EXPECT_EQ(bench().job().face.indices, std::vector<int>{second}) << "one face stays";
+  EXPECT_EQ(bench().design().cut().face.indices, std::vector<int>{second}) << "one face stays";
   const int edits = bench().document().undoStack().count();
   EXPECT_EQ(edits, 3);
   EXPECT_EQ(window().commands()["edit.undo"]->text(), "&Undo choose faces");
   for (int i = 0; i < edits; ++i) bench().document().undoStack().undo();
-  EXPECT_EQ(bench().job().face.kind, FaceChoice::Kind::largest);
+  EXPECT_EQ(bench().design().cut().face.kind, FaceChoice::Kind::largest);
   ASSERT_TRUE(settle());
 
   // Out of choosing a click selects as before.
@@ -99,16 +99,16 @@ TEST_F(PictureTest, FacesAreChosenByClickAndUndone) {
   EXPECT_FALSE(button->isChecked());
   EXPECT_FALSE(view().sceneStyle().chooseFaces);
   EXPECT_EQ(window().faceChooser().hint(), QString());
-  const FaceChoice before = bench().job().face;
+  const FaceChoice before = bench().design().cut().face;
   QTest::mouseClick(&view(), Qt::LeftButton, {}, view().rect().center());
-  EXPECT_EQ(bench().job().face, before);
+  EXPECT_EQ(bench().design().cut().face, before);
 }
 
 TEST_F(PictureTest, FacesCanBeChosenWhereNothingCouldBeCut) {
   openFaces({"saddle", "wavy-wall"});
-  bench().editJob("Choose faces", [](Job& job) {
-    job.face.kind = FaceChoice::Kind::indices;
-    job.face.indices = {7};
+  bench().editDesign("Choose faces", [](Design& design) {
+    design.cut().face.kind = FaceChoice::Kind::indices;
+    design.cut().face.indices = {7};
   });
   ASSERT_TRUE(settle());
   ASSERT_TRUE(bench().runner().error());
@@ -120,7 +120,7 @@ TEST_F(PictureTest, FacesCanBeChosenWhereNothingCouldBeCut) {
   QTest::mouseClick(&view(), Qt::LeftButton, {}, *place);
   ASSERT_TRUE(settle());
   EXPECT_FALSE(bench().runner().error() && bench().runner().error()->where == "face");
-  EXPECT_EQ(bench().job().face.indices, std::vector<int>{1});
+  EXPECT_EQ(bench().design().cut().face.indices, std::vector<int>{1});
 }
 
 TEST_F(PictureTest, FacesAreNoLongerChosenWhereTheFileHasNoneLeft) {
@@ -148,9 +148,9 @@ TEST_F(PictureTest, OneFaceLeavesNothingToChoose) {
 
 TEST_F(PictureTest, FindingIsFramedAndMarkedWithItsWords) {
   openPanel();
-  bench().editJob("Change tolerance", [](Job& job) {
-    job.tolerance = 0.001;
-    job.clearance = 400;
+  bench().editDesign("Change tolerance", [](Design& design) {
+    design.process.tolerance = 0.001;
+    design.process.clearance = 400;
   });
   ASSERT_TRUE(settle());
   window().commands()["tab.messages"]->trigger();
@@ -166,14 +166,14 @@ TEST_F(PictureTest, FindingIsFramedAndMarkedWithItsWords) {
     ASSERT_TRUE(still());
     const auto& marker = view().sceneStyle().marker;
     const auto shown = bench().shown();
-    for (const Eigen::Vector3d& corner : shown->setup->block.corners())
+    for (const Eigen::Vector3d& corner : shown->cut().setup->block.corners())
       EXPECT_TRUE(inPicture(corner)) << list.item(i)->text().toStdString();
     if (!marker) continue;
     ++marked;
     EXPECT_TRUE(inPicture(marker->point));
     EXPECT_EQ(QString::fromStdString(marker->text), list.item(i)->text());
     if (bench().selection().kind == Selection::Kind::station) {
-      const Station& station = bench().sweep()->sweep.stations[std::size_t(bench().selection().station)];
+      const BladePose& station = bench().sweep()->sweep.poses[std::size_t(bench().selection().station)];
       EXPECT_TRUE(inPicture(station.leftPoint()));
       EXPECT_TRUE(inPicture(station.rightPoint()));
       // On the blade of that station, wherever along it.
@@ -192,12 +192,12 @@ TEST_F(PictureTest, FindingIsFramedAndMarkedWithItsWords) {
 
 TEST_F(PictureTest, BlockThatMissesIsDrawnWhereItWasPut) {
   openPanel();
-  const Box before = bench().shown()->setup->block;
-  bench().editJob("Move block", [&](Job& job) {
+  const Box before = bench().shown()->cut().setup->block;
+  bench().editDesign("Move block", [&](Design& design) {
     BlockPlacement block;
     block.origin = {3000, 100, 50};
     block.size = before.size;
-    job.block = block;
+    design.block().placement = block;
   });
   ASSERT_TRUE(settle());
   ASSERT_TRUE(bench().runner().error());
@@ -216,11 +216,11 @@ TEST_F(PictureTest, BlockThatMissesIsDrawnWhereItWasPut) {
 TEST_F(PictureTest, DesignWhoseBlockMissesOpensWithBlockAndSurface) {
   Design design;
   design.name = "astray";
-  design.source.path = "saddle.step";
-  design.source.bytes = geometry::exampleStep("saddle").value();
+  design.source().path = "saddle.step";
+  design.source().bytes = geometry::exampleStep("saddle").value();
   BlockPlacement block;
   block.origin = {5000, 0, 0};
-  design.job.block = block;
+  design.block().placement = block;
   bench().document().start(design);
   ASSERT_TRUE(settle());
   ASSERT_TRUE(bench().runner().error());
@@ -262,7 +262,7 @@ TEST_F(PictureTest, EveryMapHasOneNameEverywhere) {
     EXPECT_TRUE(view().legendRange()) << map.name;
   }
   window().commands()["map.stress"]->trigger();
-  const Blade& blade = bench().job().blade;
+  const Blade& blade = bench().design().blade;
   EXPECT_EQ(view().legendRange()->first, 0);
   EXPECT_NEAR(view().legendRange()->second, blade.stress(blade.maxCurvature()), 1e-9);
 }

@@ -94,7 +94,7 @@ TEST_F(WindowTest, SectionTellsTheDeviationAsItIsHoweverLargeItIsDrawn) {
   bench().selectStation(7);
   SectionView& section = window().sectionView();
   window().tabs().setCurrentWidget(&section);
-  const PlanarCurve& target = bench().sweep()->sweep.stations[7].target;
+  const PlanarCurve& target = bench().sweep()->sweep.fits[7].target;
   auto* factor = find<ChoiceField>("Deviation drawn");
   ASSERT_TRUE(factor);
   for (const auto& [index, times] : {std::pair(0, 1), std::pair(1, 5), std::pair(2, 20)}) {

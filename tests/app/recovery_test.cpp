@@ -31,8 +31,8 @@ class Recovery : public ::testing::Test {
   static Design design(const std::string& name = "Panel") {
     Design design;
     design.name = name;
-    design.source.path = "panel.step";
-    design.source.bytes = "ISO-10303-21;";
+    design.source().path = "panel.step";
+    design.source().bytes = "ISO-10303-21;";
     return design;
   }
 
@@ -42,7 +42,7 @@ class Recovery : public ::testing::Test {
     if (child == 0) {
       RecoveryFile copy(folder());
       Design changed = design(name);
-      changed.job.stations = stations;
+      changed.cut().sections.stations = stations;
       QImage picture(48, 30, QImage::Format_RGB32);
       picture.fill(Qt::red);
       const bool written = copy.write(changed, {file, std::nullopt}, picture).has_value();
@@ -73,7 +73,8 @@ TEST_F(Recovery, CopiesEditsThatNeverPause) {
   // An edit at every turn of the event loop: no pause ever comes.
   ASSERT_TRUE(QTest::qWaitFor(
       [&] {
-        document.editJob("Change stations", 1, [&](Job& job) { job.stations = ++stations; });
+        document.editDesign("Change stations", 1,
+                            [&](Design& design) { design.cut().sections.stations = ++stations; });
         return filesLeft() > 0;
       },
       kPatience))
@@ -107,7 +108,7 @@ TEST_F(Recovery, ListsEveryCrashedDesignNewestFirst) {
 TEST_F(Recovery, ListsNoCopyOfALivingWindow) {
   Document document(folder());
   document.start(design());
-  document.editJob("Change stations", -1, [](Job& job) { job.stations = 21; });
+  document.editDesign("Change stations", -1, [](Design& design) { design.cut().sections.stations = 21; });
   document.autosaveNow(true);
   ASSERT_GT(filesLeft(), 0u);
   EXPECT_TRUE(listRecovery(folder()).empty());
@@ -121,7 +122,7 @@ TEST_F(Recovery, KeepsTheCopyUntilItsSuccessorStands) {
     Document document(folder());
     ASSERT_TRUE(document.recover(copies[0].copy));
     EXPECT_TRUE(document.modified());
-    EXPECT_EQ(document.design()->job.stations, 21);
+    EXPECT_EQ(document.design()->cut().sections.stations, 21);
     EXPECT_TRUE(listRecovery(folder()).empty()) << "two windows on one copy";
     EXPECT_FALSE(Document(folder()).recover(copies[0].copy));
     EXPECT_FALSE(discardRecovery(copies[0].copy));
@@ -146,7 +147,7 @@ TEST_F(Recovery, GoesWhenThePersonDiscardsIt) {
   EXPECT_EQ(filesLeft(), 0u);
   Document document(folder());
   document.start(design());
-  document.editJob("Change stations", -1, [](Job& job) { job.stations = 21; });
+  document.editDesign("Change stations", -1, [](Design& design) { design.cut().sections.stations = 21; });
   document.autosaveNow(true);
   document.discardCopy();
   EXPECT_EQ(filesLeft(), 0u);
@@ -155,7 +156,7 @@ TEST_F(Recovery, GoesWhenThePersonDiscardsIt) {
 TEST_F(Recovery, GoesWhenEverythingIsUndone) {
   Document document(folder());
   document.start(design());
-  document.editJob("Change stations", -1, [](Job& job) { job.stations = 21; });
+  document.editDesign("Change stations", -1, [](Design& design) { design.cut().sections.stations = 21; });
   document.autosaveNow(true);
   ASSERT_GT(filesLeft(), 0u);
   document.undoStack().undo();
@@ -198,7 +199,7 @@ TEST_F(Recovery, TellsOnceWhenTheCopyCannotBeWritten) {
   Document document("/proc/bladewright-has-no-place-here");
   QSignalSpy failed(&document, &Document::autosaveFailed);
   document.start(design());
-  document.editJob("Change stations", -1, [](Job& job) { job.stations = 21; });
+  document.editDesign("Change stations", -1, [](Design& design) { design.cut().sections.stations = 21; });
   document.autosaveNow(true);
   ASSERT_TRUE(QTest::qWaitFor([&] { return failed.count() == 1; }, kPatience));
   document.autosaveNow(true);
@@ -216,12 +217,12 @@ TEST_F(Recovery, KnowsThatAnotherWroteTheFile) {
   EXPECT_FALSE(document.changedOnDisk()) << "the same content under another time";
   Document other({});
   ASSERT_TRUE(other.open(file));
-  other.editJob("Change stations", -1, [](Job& job) { job.stations = 33; });
+  other.editDesign("Change stations", -1, [](Design& design) { design.cut().sections.stations = 33; });
   ASSERT_TRUE(other.saveAs(file));
   EXPECT_FALSE(other.changedOnDisk());
   EXPECT_TRUE(document.changedOnDisk());
   // A copy remembers what the file was, too.
-  document.editJob("Change stations", -1, [](Job& job) { job.stations = 44; });
+  document.editDesign("Change stations", -1, [](Design& design) { design.cut().sections.stations = 44; });
   document.autosaveNow(true);
   fs::create_directories(folder() / "after");
   for (const fs::directory_entry& entry : fs::directory_iterator(folder()))
@@ -250,33 +251,33 @@ TEST_F(Recovery, SavesWhichSourceTheResultsWereMadeFrom) {
   const fs::path source = path("panel.step");
   ASSERT_TRUE(writeFile(source, "ISO-10303-21; read"));
   Design linked = design();
-  linked.source = {source, {}};
+  linked.source().path = source;
   Document document({});
   document.start(linked);
   document.noteRead(source, fingerprintOf("ISO-10303-21; read"));
   ASSERT_TRUE(writeFile(source, "ISO-10303-21; changed since"));
   ASSERT_TRUE(document.saveAs(path("a.bladewright")));
-  EXPECT_EQ(document.design()->source.saved, fingerprintOf("ISO-10303-21; read"));
+  EXPECT_EQ(document.design()->source().saved, fingerprintOf("ISO-10303-21; read"));
 }
 
 TEST_F(Recovery, RemembersWhatTheLinkedSourceWasWhenItSaves) {
   const fs::path source = path("panel.step"), file = path("a.bladewright");
   ASSERT_TRUE(writeFile(source, "ISO-10303-21; one"));
   Design linked = design();
-  linked.source = {source, {}};
+  linked.source().path = source;
   Document document({});
   document.start(linked);
-  document.editJob("Change stations", -1, [](Job& job) { job.stations = 17; });
+  document.editDesign("Change stations", -1, [](Design& design) { design.cut().sections.stations = 17; });
   ASSERT_TRUE(document.saveAs(file));
-  EXPECT_EQ(document.design()->source.saved, fingerprintOf("ISO-10303-21; one"));
+  EXPECT_EQ(document.design()->source().saved, fingerprintOf("ISO-10303-21; one"));
   document.undoStack().undo();
-  EXPECT_EQ(document.design()->source.saved, fingerprintOf("ISO-10303-21; one")) << "a step back forgot it";
+  EXPECT_EQ(document.design()->source().saved, fingerprintOf("ISO-10303-21; one")) << "a step back forgot it";
   ASSERT_TRUE(writeFile(source, "ISO-10303-21; two"));
   Document other({});
   ASSERT_TRUE(other.open(file));
-  EXPECT_EQ(other.design()->source.saved, fingerprintOf("ISO-10303-21; one"));
+  EXPECT_EQ(other.design()->source().saved, fingerprintOf("ISO-10303-21; one"));
   ASSERT_TRUE(other.saveAs(file));
-  EXPECT_EQ(other.design()->source.saved, fingerprintOf("ISO-10303-21; two"));
+  EXPECT_EQ(other.design()->source().saved, fingerprintOf("ISO-10303-21; two"));
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ class SavedWork : public WindowTest {
     ASSERT_TRUE(QTest::qWaitForWindowActive(&other_));
     ASSERT_FALSE(number->hasFocus());
     ASSERT_EQ(number->text(), text);
-    ASSERT_EQ(bench().job().stations, 20) << "a glance at another window takes nothing yet";
+    ASSERT_EQ(bench().design().cut().sections.stations, 20) << "a glance at another window takes nothing yet";
   }
 
   QWidget other_;
@@ -67,7 +67,7 @@ class SavedWork : public WindowTest {
 TEST_F(SavedWork, IsKeptWhenTheSessionEnds) {
   makeKeepingWindow();
   openPanel();
-  bench().editJob("Change tolerance", [](Job& job) { job.tolerance = 0.75; });
+  bench().editDesign("Change tolerance", [](Design& design) { design.process.tolerance = 0.75; });
   const EndOfSession ending(window());
   // Only the desktop makes such a manager; what hears of it does not look into it.
   alignas(QSessionManager) std::byte room[sizeof(QSessionManager)] = {};
@@ -97,7 +97,7 @@ TEST(DisplayCheck, TellsInABoxWhatIsMissing) {
 TEST_F(SavedWork, IsListedAfterACrashAndGoneOnWith) {
   makeKeepingWindow();
   openPanel();
-  bench().editJob("Change tolerance", [](Job& job) { job.tolerance = 0.75; });
+  bench().editDesign("Change tolerance", [](Design& design) { design.process.tolerance = 0.75; });
   ASSERT_TRUE(settle());
   ASSERT_TRUE(QTest::qWaitFor([&] { return window().sceneView().resting(); }, kPatience));
   crash();
@@ -113,7 +113,7 @@ TEST_F(SavedWork, IsListedAfterACrashAndGoneOnWith) {
   ASSERT_TRUE(open);
   QTest::mouseClick(open, Qt::LeftButton);
   EXPECT_FALSE(window().onStartPage());
-  EXPECT_EQ(bench().job().tolerance, 0.75);
+  EXPECT_EQ(bench().design().process.tolerance, 0.75);
   EXPECT_TRUE(window().isWindowModified());
   EXPECT_TRUE(list.copies().empty());
   ASSERT_TRUE(settle());
@@ -129,7 +129,7 @@ TEST_F(SavedWork, IsListedAfterACrashAndGoneOnWith) {
 TEST_F(SavedWork, IsToldAsRecoveredOfItsDesignOnly) {
   makeKeepingWindow();
   openPanel();
-  bench().editJob("Change tolerance", [](Job& job) { job.tolerance = 0.75; });
+  bench().editDesign("Change tolerance", [](Design& design) { design.process.tolerance = 0.75; });
   crash();
   makeKeepingWindow();
   window().recover();
@@ -147,14 +147,14 @@ TEST_F(SavedWork, IsToldWhenAFileWasNamedOnTheCommandLine) {
   for (const char* name : {"saddle", "panel-600x670"}) {
     makeKeepingWindow();
     window().openExample(name);
-    bench().editJob("Change tolerance", [](Job& job) { job.tolerance = 0.75; });
+    bench().editDesign("Change tolerance", [](Design& design) { design.process.tolerance = 0.75; });
     crash();
   }
   makeKeepingWindow();
   openPanel();
   window().recover();
   EXPECT_EQ(window().banner().text(), "Earlier sessions left 2 unsaved designs.");
-  bench().editJob("Change tolerance", [](Job& job) { job.tolerance = 0.5; });
+  bench().editDesign("Change tolerance", [](Design& design) { design.process.tolerance = 0.5; });
   ASSERT_TRUE(settle());
   EXPECT_EQ(window().banner().text(), "Earlier sessions left 2 unsaved designs.");
   picture("unsaved-notice");
@@ -179,7 +179,7 @@ TEST_F(SavedWork, IsToldWhenAFileWasNamedOnTheCommandLine) {
 TEST_F(SavedWork, LeavesNoCopyWhereThePersonGaveItUp) {
   makeKeepingWindow();
   openPanel();
-  bench().editJob("Change tolerance", [](Job& job) { job.tolerance = 0.75; });
+  bench().editDesign("Change tolerance", [](Design& design) { design.process.tolerance = 0.75; });
   bench().document().autosaveNow(true);
   ASSERT_FALSE(fs::is_empty(recovery()));
   window().questions().unsaved = [](const QString&) { return Questions::Unsaved::cancel; };
@@ -202,7 +202,7 @@ TEST_F(SavedWork, KeepsWhatIsBeingTypedWhenTheProgramEnds) {
   window_.reset();
   const std::vector<model::RecoveryCopy> copies = model::listRecovery(recovery());
   ASSERT_EQ(copies.size(), 1u);
-  EXPECT_EQ(loadDesign(copies[0].copy)->job.stations, 33);
+  EXPECT_EQ(loadDesign(copies[0].copy)->cut().sections.stations, 33);
 }
 
 TEST_F(SavedWork, KeepsWhatIsBeingTypedWhileAnotherProgramHasTheKeyboard) {
@@ -213,7 +213,7 @@ TEST_F(SavedWork, KeepsWhatIsBeingTypedWhileAnotherProgramHasTheKeyboard) {
   window_.reset();
   const std::vector<model::RecoveryCopy> copies = model::listRecovery(recovery());
   ASSERT_EQ(copies.size(), 1u);
-  EXPECT_EQ(loadDesign(copies[0].copy)->job.stations, 33);
+  EXPECT_EQ(loadDesign(copies[0].copy)->cut().sections.stations, 33);
 }
 
 TEST_F(SavedWork, IsAskedForByAFileDroppedFromAnotherProgram) {
@@ -233,7 +233,7 @@ TEST_F(SavedWork, IsAskedForByAFileDroppedFromAnotherProgram) {
   QApplication::sendEvent(&window(), &drop);
   EXPECT_TRUE(QTest::qWaitFor([&] { return asked > 0 || bench().document().title() == "other"; }, kPatience));
   EXPECT_EQ(asked, 1) << "opened without a question";
-  EXPECT_EQ(bench().job().stations, 33);
+  EXPECT_EQ(bench().design().cut().sections.stations, 33);
   ASSERT_TRUE(settle());
 }
 
@@ -257,7 +257,7 @@ TEST_F(SavedWork, IsReachedByKeysPastACopyThatCannotBeRead) {
   fs::create_directories(recovery());
   makeKeepingWindow();
   openPanel();
-  bench().editJob("Change tolerance", [](Job& job) { job.tolerance = 0.75; });
+  bench().editDesign("Change tolerance", [](Design& design) { design.process.tolerance = 0.75; });
   crash();
   const fs::path damaged = recovery() / "6b4c7a0e-0d7c-4a0e-8f0e-1f2a3b4c5d6e.bladewright";
   ASSERT_TRUE(writeFile(damaged, "{ half a desi"));
@@ -282,7 +282,7 @@ TEST_F(SavedWork, IsReachedByKeysPastACopyThatCannotBeRead) {
   open->setFocus();
   press(Qt::Key_Return);
   EXPECT_FALSE(window().onStartPage()) << "Enter does nothing";
-  EXPECT_EQ(bench().job().tolerance, 0.75);
+  EXPECT_EQ(bench().design().process.tolerance, 0.75);
   ASSERT_TRUE(settle());
 }
 
@@ -292,9 +292,9 @@ TEST_F(SavedWork, AsksBeforeItReplacesWhatAnotherWrote) {
   window().questions().saveDesign = [&](const QString&) { return QString::fromStdString(file.string()); };
   ASSERT_TRUE(window().save());
   Design theirs = *loadDesign(file);
-  theirs.job.stations = 77;
+  theirs.cut().sections.stations = 77;
   ASSERT_TRUE(saveDesign(theirs, file));
-  bench().editJob("Change tolerance", [](Job& job) { job.tolerance = 0.75; });
+  bench().editDesign("Change tolerance", [](Design& design) { design.process.tolerance = 0.75; });
   using Changed = Questions::Changed;
   Changed reply = Changed::cancel;
   int asked = 0;
@@ -304,25 +304,25 @@ TEST_F(SavedWork, AsksBeforeItReplacesWhatAnotherWrote) {
   };
   QTest::keyClick(&window(), Qt::Key_S, Qt::ControlModifier);
   EXPECT_EQ(asked, 1);
-  EXPECT_EQ(loadDesign(file)->job.stations, 77);
+  EXPECT_EQ(loadDesign(file)->cut().sections.stations, 77);
   EXPECT_TRUE(window().isWindowModified());
   reply = Changed::otherName;
   window().questions().saveDesign = [&](const QString&) { return QString::fromStdString(other.string()); };
   QTest::keyClick(&window(), Qt::Key_S, Qt::ControlModifier);
-  EXPECT_EQ(loadDesign(file)->job.stations, 77);
-  EXPECT_EQ(loadDesign(other)->job.tolerance, 0.75);
+  EXPECT_EQ(loadDesign(file)->cut().sections.stations, 77);
+  EXPECT_EQ(loadDesign(other)->process.tolerance, 0.75);
   EXPECT_EQ(asked, 2);
   // Its own writing is no reason to ask.
-  bench().editJob("Change tolerance", [](Job& job) { job.tolerance = 0.6; });
+  bench().editDesign("Change tolerance", [](Design& design) { design.process.tolerance = 0.6; });
   QTest::keyClick(&window(), Qt::Key_S, Qt::ControlModifier);
   EXPECT_EQ(asked, 2);
-  EXPECT_EQ(loadDesign(other)->job.tolerance, 0.6);
+  EXPECT_EQ(loadDesign(other)->process.tolerance, 0.6);
   ASSERT_TRUE(saveDesign(theirs, other));
   reply = Changed::replace;
-  bench().editJob("Change tolerance", [](Job& job) { job.tolerance = 0.4; });
+  bench().editDesign("Change tolerance", [](Design& design) { design.process.tolerance = 0.4; });
   QTest::keyClick(&window(), Qt::Key_S, Qt::ControlModifier);
   EXPECT_EQ(asked, 3);
-  EXPECT_EQ(loadDesign(other)->job.tolerance, 0.4);
+  EXPECT_EQ(loadDesign(other)->process.tolerance, 0.4);
 }
 
 TEST_F(SavedWork, AsksInWordsAndButtons) {
@@ -381,7 +381,7 @@ TEST_F(SavedWork, KeepsEarlierExports) {
   ASSERT_TRUE(settle());
   const Result<std::string> before = readFile(folder / "report.json");
   ASSERT_TRUE(before);
-  bench().editJob("Change tolerance", [](Job& job) { job.tolerance = 0.75; });
+  bench().editDesign("Change tolerance", [](Design& design) { design.process.tolerance = 0.75; });
   ASSERT_TRUE(settle());
   using Earlier = Workbench::Earlier;
   Earlier reply = Earlier::cancel;
@@ -418,13 +418,13 @@ TEST_F(SavedWork, NoticesStayUntilTheyAreAnswered) {
   const QString failed = window().banner().text();
   EXPECT_TRUE(failed.contains("/proc/no-place-here")) << failed.toStdString();
   for (int stations : {12, 14}) {
-    bench().editJob("Change stations", [&](Job& job) { job.stations = stations; });
+    bench().editDesign("Change stations", [&](Design& design) { design.cut().sections.stations = stations; });
     ASSERT_TRUE(settle());
     EXPECT_EQ(window().banner().text(), failed);
     EXPECT_TRUE(window().banner().isVisible());
   }
   // What the evaluation tells stands before it, and goes with the next evaluation.
-  bench().editJob("Change blade length", [](Job& job) { job.blade.length = 500; });
+  bench().editDesign("Change blade length", [](Design& design) { design.blade.length = 500; });
   ASSERT_TRUE(settle());
   EXPECT_NE(window().banner().text(), failed);
   picture("two-notices");
@@ -453,7 +453,7 @@ TEST_F(SavedWork, SurvivesAFullDiskAndALimitOnTheSizeOfFiles) {
   window().questions().saveDesign = [&](const QString&) { return QString::fromStdString(file.string()); };
   ASSERT_TRUE(window().save());
   const std::string before = readFile(file).value();
-  bench().editJob("Change tolerance", [](Job& job) { job.tolerance = 0.75; });
+  bench().editDesign("Change tolerance", [](Design& design) { design.process.tolerance = 0.75; });
   bench().document().autosaveNow(true);
   rlimit limit{};
   ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &limit), 0);
@@ -474,7 +474,7 @@ TEST_F(SavedWork, SurvivesAFullDiskAndALimitOnTheSizeOfFiles) {
   EXPECT_TRUE(window().banner().text().contains("free some space")) << window().banner().text().toStdString();
   EXPECT_EQ(bench().document().file(), file);
   EXPECT_TRUE(window().save());
-  EXPECT_EQ(loadDesign(file)->job.tolerance, 0.75);
+  EXPECT_EQ(loadDesign(file)->process.tolerance, 0.75);
   EXPECT_FALSE(window().banner().isVisible());
 }
 
@@ -485,7 +485,7 @@ TEST_F(SavedWork, TellsWhatWasWrittenUntilItIsRead) {
   ASSERT_TRUE(settle());
   const QString written = window().banner().text();
   EXPECT_TRUE(written.contains(QString::fromStdString(path("out").string())));
-  bench().editJob("Change stations", [](Job& job) { job.stations = 14; });
+  bench().editDesign("Change stations", [](Design& design) { design.cut().sections.stations = 14; });
   ASSERT_TRUE(settle());
   EXPECT_EQ(window().banner().text(), written);
 }

@@ -13,14 +13,14 @@ class SourceFile : public WindowTest {
     WindowTest::SetUp();
     ASSERT_TRUE(writeFile(source(), geometry::exampleStep("saddle").value()));
     window().openFile(QString::fromStdString(source().string()));
-    bench().editJob("Change stations", [](Job& job) { job.stations = 17; });
+    bench().editDesign("Change stations", [](Design& design) { design.cut().sections.stations = 17; });
     ASSERT_TRUE(settle());
     ASSERT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
   }
 
   fs::path source() const { return path("roof.step"); }
 
-  double width() { return bench().shown()->target.value->bounds().size().maxCoeff(); }
+  double width() { return bench().shown()->cut().target.value->bounds().size().maxCoeff(); }
 
   /// As a CAD program saves: another file renamed over the old one.
   void saveByRename(const std::string& bytes) {
@@ -51,15 +51,15 @@ TEST_F(SourceFile, IsReplacedUnderTheSameSettings) {
   picture("replace-surface");
   QTest::mouseClick(replace, Qt::LeftButton);
   ASSERT_TRUE(settle());
-  EXPECT_EQ(bench().document().design()->source.path, other);
-  EXPECT_EQ(bench().job().stations, 17);
+  EXPECT_EQ(bench().document().design()->source().path, other);
+  EXPECT_EQ(bench().design().cut().sections.stations, 17);
   EXPECT_NE(width(), before);
   EXPECT_EQ(window().commands()["edit.undo"]->text(), "&Undo replace surface");
   bench().document().undoStack().undo();
   ASSERT_TRUE(settle());
   EXPECT_EQ(width(), before);
   bench().document().undoStack().undo();
-  EXPECT_NE(bench().job().stations, 17) << "the history before was lost";
+  EXPECT_NE(bench().design().cut().sections.stations, 17) << "the history before was lost";
 }
 
 TEST_F(SourceFile, ThatChangesIsNoticedAndReloaded) {
@@ -70,14 +70,14 @@ TEST_F(SourceFile, ThatChangesIsNoticedAndReloaded) {
   QTest::mouseClick(window().banner().action(), Qt::LeftButton);
   ASSERT_TRUE(settle());
   EXPECT_NE(width(), before);
-  EXPECT_EQ(bench().job().stations, 17);
+  EXPECT_EQ(bench().design().cut().sections.stations, 17);
   EXPECT_FALSE(window().banner().isVisible());
   EXPECT_EQ(bench().document().undoStack().count(), 1);
   // Again, written in place this time.
   std::ofstream(source()) << geometry::exampleStep("saddle").value();
   ASSERT_TRUE(told("roof.step has changed on disk"));
   // An edit reads it too: the notice no longer holds.
-  bench().editJob("Change stations", [](Job& job) { job.stations = 18; });
+  bench().editDesign("Change stations", [](Design& design) { design.cut().sections.stations = 18; });
   ASSERT_TRUE(settle());
   EXPECT_EQ(width(), before);
   EXPECT_FALSE(window().banner().isVisible());
@@ -157,8 +157,8 @@ TEST_F(SourceFile, ThatMovedIsLocated) {
   QTest::mouseClick(window().banner().action(), Qt::LeftButton);
   ASSERT_TRUE(settle());
   EXPECT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
-  EXPECT_EQ(bench().job().stations, 17);
-  EXPECT_EQ(bench().document().design()->source.path, moved);
+  EXPECT_EQ(bench().design().cut().sections.stations, 17);
+  EXPECT_EQ(bench().document().design()->source().path, moved);
 }
 
 TEST_F(SourceFile, ThatMovedIsLocatedByTheNoticeAlone) {
@@ -178,7 +178,7 @@ TEST_F(SourceFile, ThatMovedIsLocatedByTheNoticeAlone) {
   EXPECT_EQ(asked, 1) << "the button of the notice does nothing";
   ASSERT_TRUE(settle());
   EXPECT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
-  EXPECT_EQ(bench().document().design()->source.path, moved);
+  EXPECT_EQ(bench().document().design()->source().path, moved);
   EXPECT_FALSE(window().banner().isVisible()) << window().banner().text().toStdString();
   EXPECT_FALSE(inputButton("Locate…")->isVisible());
   EXPECT_TRUE(inputButton("Reload")->isEnabled());
@@ -202,7 +202,7 @@ TEST_F(SourceFile, ThatLiesElsewhereIsBroughtIntoThePicture) {
   ASSERT_TRUE(settle());
   EXPECT_TRUE(QTest::qWaitFor(
       [&] {
-        const QPointF middle = view.toWidget(bench().shown()->target.value->bounds().center());
+        const QPointF middle = view.toWidget(bench().shown()->cut().target.value->bounds().center());
         return QRectF(view.rect()).contains(middle);
       },
       kPatience));
@@ -233,7 +233,7 @@ TEST_F(SourceFile, ThatChangedSinceTheSaveIsToldOnOpening) {
   ASSERT_TRUE(settle());
   EXPECT_TRUE(tells());
   EXPECT_TRUE(window().banner().isVisible()) << "a reload took the notice away";
-  bench().editJob("Change stations", [](Job& job) { job.stations = 18; });
+  bench().editDesign("Change stations", [](Design& design) { design.cut().sections.stations = 18; });
   ASSERT_TRUE(settle());
   EXPECT_TRUE(tells());
   EXPECT_TRUE(window().banner().isVisible());
@@ -257,7 +257,7 @@ TEST_F(SourceFile, KeptInTheDesignIsReloadedAsAStep) {
   QTest::keyClick(&window(), Qt::Key_R, Qt::ControlModifier);
   ASSERT_TRUE(settle());
   EXPECT_NE(width(), before);
-  EXPECT_FALSE(bench().document().design()->source.bytes.empty());
+  EXPECT_FALSE(bench().document().design()->source().bytes.empty());
   bench().document().undoStack().undo();
   ASSERT_TRUE(settle());
   EXPECT_EQ(width(), before);

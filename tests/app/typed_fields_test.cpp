@@ -141,7 +141,7 @@ class TypedFields : public EveryFieldTest {
         typeOver(list, text);
         EXPECT_EQ(list.text(), text);
         QTest::keyClick(&list, Qt::Key_Return);
-        EXPECT_EQ(bench().job().face.indices, numbers) << text;
+        EXPECT_EQ(bench().design().cut().face.indices, numbers) << text;
         EXPECT_TRUE(window().sceneView().hasFocus());
       }
       for (const char* text : {"", "abc", "7-5", "1.5", "-3", "0-99", "1,,2", "1,", "1e1"}) {
@@ -180,7 +180,7 @@ TEST_F(TypedFields, GiveTheKeyboardBackAfterEnter) {
   ASSERT_TRUE(clearance);
   typeOver(*clearance, "60");
   QTest::keyClick(clearance, Qt::Key_Return);
-  EXPECT_EQ(bench().job().clearance, 60);
+  EXPECT_EQ(bench().design().process.clearance, 60);
   view::SceneView& scene = window().sceneView();
   ASSERT_TRUE(scene.hasFocus());
   const scene::Camera before = scene.camera();
@@ -188,7 +188,7 @@ TEST_F(TypedFields, GiveTheKeyboardBackAfterEnter) {
   EXPECT_TRUE(
       QTest::qWaitFor([&] { return (scene.camera().position - before.position).norm() > 1; }, kPatience))
       << "2 is the top view again";
-  EXPECT_EQ(bench().job().clearance, 60);
+  EXPECT_EQ(bench().design().process.clearance, 60);
   EXPECT_EQ(clearance->text(), "60");
 }
 
@@ -209,12 +209,12 @@ TEST_F(TypedFields, TakeWhatIsTypedBeforeACommand) {
   const QString file = QString::fromStdString(path("typed.bladewright").string());
   window().questions().saveDesign = [file](const QString&) { return file; };
   QTest::keyClick(tolerance, Qt::Key_S, Qt::ControlModifier);
-  EXPECT_EQ(bench().job().tolerance, 0.5);
+  EXPECT_EQ(bench().design().process.tolerance, 0.5);
   EXPECT_FALSE(bench().document().modified()) << "what was typed is not in the file";
   typeOver(*tolerance, "0,25");
   // A press on something that takes no keyboard counts as leaving the field.
   QTest::mouseClick(&window().sectionView(), Qt::LeftButton, {}, {5, 5});
-  EXPECT_EQ(bench().job().tolerance, 0.25);
+  EXPECT_EQ(bench().design().process.tolerance, 0.25);
   typeOver(*tolerance, "0,75");
   int asked = 0;
   window().questions().unsaved = [&](const QString&) {
@@ -223,7 +223,7 @@ TEST_F(TypedFields, TakeWhatIsTypedBeforeACommand) {
   };
   EXPECT_FALSE(window().close());
   EXPECT_EQ(asked, 1);
-  EXPECT_EQ(bench().job().tolerance, 0.75);
+  EXPECT_EQ(bench().design().process.tolerance, 0.75);
 }
 
 TEST_F(TypedFields, ExportNothingWhileANumberIsRefused) {
@@ -318,9 +318,9 @@ TEST_F(TypedFields, KeepARefusedTextThatWasLeft) {
   EXPECT_EQ(tolerance->text(), "1,234");
   EXPECT_TRUE(tolerance->refused());
   EXPECT_TRUE(tolerance->note()->isVisible()) << "the sentence went with the keyboard";
-  bench().editJob("Change clearance", [](Job& job) { job.clearance = 60; });
+  bench().editDesign("Change clearance", [](Design& design) { design.process.clearance = 60; });
   EXPECT_EQ(tolerance->text(), "1,234") << "another change took the text away";
-  bench().editJob("Change tolerance", [](Job& job) { job.tolerance = 0.75; });
+  bench().editDesign("Change tolerance", [](Design& design) { design.process.tolerance = 0.75; });
   EXPECT_EQ(tolerance->text(), "0.75");
   EXPECT_FALSE(tolerance->refused());
   // Another design begins with its own numbers.
@@ -334,7 +334,7 @@ TEST_F(TypedFields, KeepARefusedTextThatWasLeft) {
 
 TEST_F(TypedFields, DropTheTypingBeforeTheyStopTheComputation) {
   openPanel();
-  bench().editJob("Change stations", [](Job& job) { job.stations = 3000; });
+  bench().editDesign("Change stations", [](Design& design) { design.cut().sections.stations = 3000; });
   ASSERT_TRUE(bench().runner().busy());
   auto* tolerance = find<NumberField>("Tolerance");
   typeOver(*tolerance, "7");
@@ -357,22 +357,23 @@ TEST_F(TypedFields, ShowWhatTheyHold) {
   auto* tolerance = find<NumberField>("Tolerance");
   typeOver(*tolerance, "0,0015");
   QTest::keyClick(tolerance, Qt::Key_Return);
-  EXPECT_EQ(bench().job().tolerance, 0.0015);
+  EXPECT_EQ(bench().design().process.tolerance, 0.0015);
   EXPECT_EQ(tolerance->text(), "0.0015");
   auto* clearance = find<NumberField>("Clearance");
   typeOver(*clearance, "12,34");
   QTest::keyClick(clearance, Qt::Key_Return);
   EXPECT_EQ(clearance->text(), "12.34");
   // A number with more digits than are shown keeps them when it is confirmed.
-  bench().editJob("Change clearance", [](Job& job) { job.clearance = 100.0 / 3; });
+  bench().editDesign("Change clearance", [](Design& design) { design.process.clearance = 100.0 / 3; });
   typeOver(*clearance, clearance->text());
   QTest::keyClick(clearance, Qt::Key_Return);
-  EXPECT_EQ(bench().job().clearance, 100.0 / 3);
+  EXPECT_EQ(bench().design().process.clearance, 100.0 / 3);
 }
 
 TEST_F(TypedFields, KeepADirectionAsItWasTyped) {
   openPanel();
-  bench().editJob("Change direction", [](Job& job) { job.direction = Eigen::Vector3d(0.5, 2, 0); });
+  bench().editDesign("Change direction",
+                     [](Design& design) { design.cut().direction = Eigen::Vector3d(0.5, 2, 0); });
   auto* x = find<NumberField>("Direction X");
   ASSERT_TRUE(x);
   typeOver(*x, "1");
@@ -385,7 +386,7 @@ TEST_F(TypedFields, KeepADirectionAsItWasTyped) {
   typeOver(*y, "0");
   QTest::keyClick(y, Qt::Key_Return);
   EXPECT_TRUE(y->refused()) << "no way to travel";
-  EXPECT_EQ(bench().job().direction->y(), 2);
+  EXPECT_EQ(bench().design().cut().direction->y(), 2);
 }
 
 TEST_F(TypedFields, RefuseALegendThatRunsBackwards) {

@@ -72,13 +72,13 @@ class WindowTest : public ::testing::Test {
 
   void openPanel(int stations = 20) {
     window().openExample("panel-600x670");
-    bench().editJob("Prepare", [stations](Job& job) { job.stations = stations; });
+    bench().editDesign("Prepare", [stations](Design& design) { design.cut().sections.stations = stations; });
     ASSERT_TRUE(settle());
     ASSERT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
     bench().document().undoStack().clear();
   }
 
-  std::size_t stationCount() { return bench().sweep() ? bench().sweep()->sweep.stations.size() : 0; }
+  std::size_t stationCount() { return bench().sweep() ? bench().sweep()->sweep.poses.size() : 0; }
 
   template <class T>
   T* find(const QString& accessibleName) {

@@ -128,24 +128,24 @@ TEST_F(WindowKeys, LeaveAPresetItsNameWhenTheLengthChanges) {
   auto* length = find<NumberField>("Blade length");
   ASSERT_TRUE(preset && length);
   const int before = preset->currentIndex();
-  const std::string name = bench().job().blade.name;
+  const std::string name = bench().design().blade.name;
   ASSERT_NE(name, "custom");
   length->setFocus();
   length->selectAll();
   QTest::keyClicks(length, "905");
   QTest::keyClick(length, Qt::Key_Return);
-  EXPECT_EQ(bench().job().blade.length, 905);
+  EXPECT_EQ(bench().design().blade.length, 905);
   EXPECT_EQ(preset->currentIndex(), before);
-  EXPECT_EQ(bench().job().blade.name, name);
+  EXPECT_EQ(bench().design().blade.name, name);
   // The remedy for a short blade changes no more than the length either.
-  bench().editJob("Change blade length", [](Job& job) { job.blade.length = 500; });
+  bench().editDesign("Change blade length", [](Design& design) { design.blade.length = 500; });
   ASSERT_TRUE(settle());
   ASSERT_TRUE(window().banner().action()->isVisible());
   QTest::mouseClick(window().banner().action(), Qt::LeftButton);
   EXPECT_EQ(preset->currentIndex(), before);
-  EXPECT_EQ(bench().job().blade.name, name);
+  EXPECT_EQ(bench().design().blade.name, name);
   // Another tool is no preset, whatever it calls itself.
-  bench().editJob("Change", [](Job& job) { job.blade.yieldStress *= 2; });
+  bench().editDesign("Change", [](Design& design) { design.blade.yieldStress *= 2; });
   EXPECT_EQ(preset->currentText(), "Custom");
   ASSERT_TRUE(settle());
 }
@@ -159,7 +159,7 @@ TEST_F(WindowKeys, ShowBrokenNumbersInRedWithAnIconAndOldOnesPale) {
   };
   ASSERT_TRUE(valueOf("Largest"));
   EXPECT_FALSE(valueOf("Largest")->broken());
-  bench().editJob("Change tolerance", [](Job& job) { job.tolerance = 0.001; });
+  bench().editDesign("Change tolerance", [](Design& design) { design.process.tolerance = 0.001; });
   ASSERT_TRUE(settle());
   EXPECT_TRUE(valueOf("Largest")->broken());
   EXPECT_TRUE(valueOf("Within tolerance")->broken());
@@ -173,7 +173,7 @@ TEST_F(WindowKeys, ShowBrokenNumbersInRedWithAnIconAndOldOnesPale) {
   EXPECT_FALSE(red(calm)) << calm.name().toStdString();
   EXPECT_TRUE(red(ink(*valueOf("Largest")))) << ink(*valueOf("Largest")).name().toStdString();
   picture("broken-numbers");
-  bench().editJob("Change stations", [](Job& job) { job.stations = 4000; });
+  bench().editDesign("Change stations", [](Design& design) { design.cut().sections.stations = 4000; });
   ASSERT_TRUE(QTest::qWaitFor([&] { return valueOf("Largest")->stale(); }, kPatience));
   EXPECT_TRUE(window().summaryLine().labels()[1]->stale());
   EXPECT_TRUE(red(ink(deviation))) << ink(deviation).name().toStdString();
@@ -196,10 +196,10 @@ TEST_F(WindowKeys, TellTheStressOfTheBladeThatWasCutWith) {
   };
   ASSERT_TRUE(valueOf("Largest stress") && valueOf("Rigidity"));
   const QString stress = valueOf("Largest stress")->text(), rigidity = valueOf("Rigidity")->text();
-  bench().editJob("Change", [](Job& job) {
-    job.stations = 4000;
-    job.blade.youngModulus *= 2;
-    job.blade.yieldStress *= 2;
+  bench().editDesign("Change", [](Design& design) {
+    design.cut().sections.stations = 4000;
+    design.blade.youngModulus *= 2;
+    design.blade.yieldStress *= 2;
   });
   ASSERT_TRUE(QTest::qWaitFor([&] { return valueOf("Largest stress")->stale(); }, kPatience));
   EXPECT_EQ(valueOf("Largest stress")->text(), stress) << "the radius of one blade, the strength of another";
@@ -211,8 +211,8 @@ TEST_F(WindowKeys, TellTheStressOfTheBladeThatWasCutWith) {
 
 TEST_F(WindowKeys, SpeakNoWordOfTheCommandLine) {
   openPanel();
-  bench().editJob("Change block", [](Job& job) {
-    job.block = BlockPlacement{{5000, 0, 0}, {100, 100, 100}, Eigen::Vector3d::Zero()};
+  bench().editDesign("Change block", [](Design& design) {
+    design.block().placement = BlockPlacement{{5000, 0, 0}, {100, 100, 100}, Eigen::Vector3d::Zero()};
   });
   ASSERT_TRUE(settle());
   EXPECT_TRUE(bench().runner().error());

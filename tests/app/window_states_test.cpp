@@ -17,7 +17,7 @@ TEST_F(WindowTest, TellsWhenTheFolderCannotBeWritten) {
 
 TEST_F(WindowTest, AsksBeforeChangesAreLost) {
   openPanel();
-  bench().editJob("Change tolerance", [](Job& job) { job.tolerance = 0.75; });
+  bench().editDesign("Change tolerance", [](Design& design) { design.process.tolerance = 0.75; });
   int asked = 0;
   window().questions().unsaved = [&](const QString&) {
     ++asked;
@@ -26,7 +26,7 @@ TEST_F(WindowTest, AsksBeforeChangesAreLost) {
   EXPECT_FALSE(window().close());
   window().openExample("saddle");
   EXPECT_EQ(asked, 2);
-  EXPECT_EQ(bench().job().tolerance, 0.75);
+  EXPECT_EQ(bench().design().process.tolerance, 0.75);
   bench().document().undoStack().undo();
   EXPECT_TRUE(window().close());
   EXPECT_EQ(asked, 2);
@@ -49,7 +49,7 @@ TEST_F(WindowTest, TellsWhyABadFileDoesNotOpen) {
 
 TEST_F(WindowTest, StopsTheComputationAndOffersToGoOn) {
   openPanel();
-  bench().editJob("Change stations", [](Job& job) { job.stations = 4000; });
+  bench().editDesign("Change stations", [](Design& design) { design.cut().sections.stations = 4000; });
   EXPECT_TRUE(bench().stale());
   QTest::keyClick(&window(), Qt::Key_Escape);
   ASSERT_TRUE(settle());
@@ -63,7 +63,7 @@ TEST_F(WindowTest, StopsTheComputationAndOffersToGoOn) {
 
 TEST_F(WindowTest, OffersALongerBladeWhenItIsTooShort) {
   openPanel();
-  bench().editJob("Change blade length", [](Job& job) { job.blade.length = 500; });
+  bench().editDesign("Change blade length", [](Design& design) { design.blade.length = 500; });
   ASSERT_TRUE(settle());
   ASSERT_TRUE(window().banner().isVisible());
   picture("short-blade");
@@ -71,7 +71,7 @@ TEST_F(WindowTest, OffersALongerBladeWhenItIsTooShort) {
   QTest::mouseClick(window().banner().action(), Qt::LeftButton);
   ASSERT_TRUE(settle());
   EXPECT_TRUE(bench().current());
-  EXPECT_GT(bench().job().blade.length, 600);
+  EXPECT_GT(bench().design().blade.length, 600);
 }
 
 TEST_F(WindowTest, FindsCommandsByTyping) {
@@ -120,7 +120,7 @@ TEST_F(WindowTest, AsksForTheSizeOfAPicture) {
 
 TEST_F(WindowTest, AsksWithButtonsThatSayWhatTheyDo) {
   openPanel();
-  bench().editJob("Change tolerance", [](Job& job) { job.tolerance = 0.75; });
+  bench().editDesign("Change tolerance", [](Design& design) { design.process.tolerance = 0.75; });
   using Unsaved = Questions::Unsaved;
   const std::pair<QMessageBox::StandardButton, Unsaved> answers[] = {{QMessageBox::Save, Unsaved::save},
                                                                      {QMessageBox::Discard, Unsaved::discard},
@@ -176,7 +176,7 @@ TEST_F(WindowTest, ShowsLongNamesAndRecentFiles) {
 
 TEST_F(WindowTest, ShowsWhatRunsAndStopsItByButton) {
   openPanel();
-  bench().editJob("Change stations", [](Job& job) { job.stations = 3000; });
+  bench().editDesign("Change stations", [](Design& design) { design.cut().sections.stations = 3000; });
   QToolButton* stop = nullptr;
   ASSERT_TRUE(QTest::qWaitFor(
       [&] {
@@ -193,7 +193,7 @@ TEST_F(WindowTest, ShowsWhatRunsAndStopsItByButton) {
   EXPECT_EQ(stationCount(), 20u);
   window().banner().action()->click();
   EXPECT_TRUE(bench().runner().busy());
-  bench().editJob("Change stations", [](Job& job) { job.stations = 12; });
+  bench().editDesign("Change stations", [](Design& design) { design.cut().sections.stations = 12; });
   ASSERT_TRUE(settle());
   EXPECT_EQ(stationCount(), 12u) << "the newer change did not replace the older run";
 }

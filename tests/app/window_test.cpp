@@ -25,7 +25,7 @@ TEST_F(WindowTest, ChangesTheStationsByTyping) {
   number->selectAll();
   QTest::keyClicks(number, "33");
   QTest::keyClick(number, Qt::Key_Return);
-  EXPECT_EQ(bench().job().stations, 33);
+  EXPECT_EQ(bench().design().cut().sections.stations, 33);
   EXPECT_EQ(window().commands()["edit.undo"]->text(), "&Undo change stations");
   ASSERT_TRUE(settle());
   EXPECT_EQ(stationCount(), 33u);
@@ -40,13 +40,13 @@ TEST_F(WindowTest, FollowsTheStationSliderAndUndoesItAsOneStep) {
   QTest::mousePress(slider, Qt::LeftButton, {}, from);
   for (int i = 1; i <= 8; ++i) QTest::mouseMove(slider, from + QPoint(4 * i, 0));
   QTest::mouseRelease(slider, Qt::LeftButton, {}, from + QPoint(32, 0));
-  const int after = bench().job().stations;
+  const int after = bench().design().cut().sections.stations;
   EXPECT_NE(after, 20);
   ASSERT_TRUE(settle());
   EXPECT_EQ(stationCount(), std::size_t(after));
   EXPECT_EQ(bench().document().undoStack().count(), 1);
   QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(bench().job().stations, 20);
+  EXPECT_EQ(bench().design().cut().sections.stations, 20);
   ASSERT_TRUE(settle());
   EXPECT_EQ(stationCount(), 20u);
 }
@@ -120,9 +120,9 @@ TEST_F(WindowTest, ExportsEverythingToAFolder) {
 TEST_F(WindowTest, RepeatsWhatTheCheckOfTheProgramsWarnsOf) {
   openPanel();
   // Targets that follow each other faster than a controller takes them.
-  bench().editJob("Change stations", [](Job& job) {
-    job.stations = 120;
-    job.cuttingSpeed = 1000;
+  bench().editDesign("Change stations", [](Design& design) {
+    design.cut().sections.stations = 120;
+    design.process.cuttingSpeed = 1000;
   });
   ASSERT_TRUE(settle());
   const std::size_t before = bench().messages().size();
@@ -137,7 +137,7 @@ TEST_F(WindowTest, RepeatsWhatTheCheckOfTheProgramsWarnsOf) {
   EXPECT_EQ(window().messageList().count(), int(bench().messages().size()));
   picture("exported-warning");
   // They hold for these programs only.
-  bench().editJob("Change cutting speed", [](Job& job) { job.cuttingSpeed = 10; });
+  bench().editDesign("Change cutting speed", [](Design& design) { design.process.cuttingSpeed = 10; });
   ASSERT_TRUE(settle());
   EXPECT_EQ(bench().messages().size(), before);
 }
@@ -145,9 +145,9 @@ TEST_F(WindowTest, RepeatsWhatTheCheckOfTheProgramsWarnsOf) {
 TEST_F(WindowTest, WritesNoRobotProgramOfADesignWithErrors) {
   openPanel();
   // The block is wider than the blade is long.
-  bench().editJob("Change block", [](Job& job) {
-    job.direction = Eigen::Vector3d::UnitY();
-    job.block = BlockPlacement{{-150, 0, -300}, {900, 670, 600}, Eigen::Vector3d::Zero()};
+  bench().editDesign("Change block", [](Design& design) {
+    design.cut().direction = Eigen::Vector3d::UnitY();
+    design.block().placement = BlockPlacement{{-150, 0, -300}, {900, 670, 600}, Eigen::Vector3d::Zero()};
   });
   ASSERT_TRUE(settle());
   const QString folder = QString::fromStdString(path("out").string());
@@ -161,7 +161,7 @@ TEST_F(WindowTest, WritesNoRobotProgramOfADesignWithErrors) {
   EXPECT_FALSE(window().banner().text().contains("--"));
   picture("export-without-programs");
   // Where programs alone are asked for, motions remain, and without those nothing.
-  bench().editJob("Change programs", [](Job& job) { job.programs = {"rapid"}; });
+  bench().editDesign("Change programs", [](Design& design) { design.output.programs = {"rapid"}; });
   ASSERT_TRUE(settle());
   const QString alone = QString::fromStdString(path("alone").string());
   window().questions().exportFolder = [alone] { return alone; };
@@ -175,7 +175,7 @@ TEST_F(WindowTest, WritesNoRobotProgramOfADesignWithErrors) {
 
 TEST_F(WindowTest, SavesAndOpensAgain) {
   openPanel();
-  bench().editJob("Change tolerance", [](Job& job) { job.tolerance = 0.75; });
+  bench().editDesign("Change tolerance", [](Design& design) { design.process.tolerance = 0.75; });
   EXPECT_TRUE(window().isWindowModified());
   const QString file = QString::fromStdString(path("panel.bladewright").string());
   window().questions().saveDesign = [file](const QString&) { return file; };
@@ -186,7 +186,7 @@ TEST_F(WindowTest, SavesAndOpensAgain) {
   EXPECT_TRUE(window().onStartPage());
   window().openFile(file);
   ASSERT_TRUE(settle());
-  EXPECT_EQ(bench().job().tolerance, 0.75);
+  EXPECT_EQ(bench().design().process.tolerance, 0.75);
   EXPECT_EQ(stationCount(), 20u);
   EXPECT_EQ(settings_->recentFiles().front(), fs::path(file.toStdString()));
 }
@@ -208,7 +208,7 @@ TEST_F(WindowTest, OpensADroppedFile) {
 
 TEST_F(WindowTest, SelectsThePlaceOfAMessage) {
   openPanel();
-  bench().editJob("Change tolerance", [](Job& job) { job.tolerance = 0.001; });
+  bench().editDesign("Change tolerance", [](Design& design) { design.process.tolerance = 0.001; });
   ASSERT_TRUE(settle());
   MessageList& list = window().messageList();
   window().commands()["tab.messages"]->trigger();
@@ -225,8 +225,8 @@ TEST_F(WindowTest, SelectsThePlaceOfAMessage) {
 TEST_F(WindowTest, DoesWhatAMessageAdvises) {
   openPanel();
   // The tolerance of the stations themselves; then grips too near to the block.
-  bench().editJob("Change tolerance", [](Job& job) { job.tolerance = 0.5; });
-  bench().editJob("Change clearance", [](Job& job) { job.clearance = 120; });
+  bench().editDesign("Change tolerance", [](Design& design) { design.process.tolerance = 0.5; });
+  bench().editDesign("Change clearance", [](Design& design) { design.process.clearance = 120; });
   ASSERT_TRUE(settle());
   window().commands()["tab.messages"]->trigger();
   MessageList& list = window().messageList();
@@ -241,9 +241,9 @@ TEST_F(WindowTest, DoesWhatAMessageAdvises) {
         const QString text = button->text();
         if (!button->isVisible() || text.startsWith("Search") || !seen.insert(text).second) continue;
         picture("remedies");
-        const Job before = bench().job();
+        const Design before = bench().design();
         QTest::mouseClick(button, Qt::LeftButton);
-        EXPECT_FALSE(before == bench().job()) << text.toStdString() << " does nothing";
+        EXPECT_FALSE(before == bench().design()) << text.toStdString() << " does nothing";
         EXPECT_EQ(bench().document().undoStack().undoText(), text);
         ASSERT_TRUE(settle());
         EXPECT_FALSE(bench().runner().error()) << text.toStdString() << " leads to a refusal";
@@ -257,7 +257,7 @@ TEST_F(WindowTest, DoesWhatAMessageAdvises) {
   const bool longer =
       std::ranges::any_of(seen, [](const QString& text) { return text.startsWith("Use a blade of"); });
   EXPECT_TRUE(longer);
-  EXPECT_GE(bench().sweep()->sweep.stations.front().clearance, 120);
+  EXPECT_GE(bench().sweep()->check.stations.front().clearance, 120);
 }
 
 TEST_F(WindowTest, ChoosesMapsByKeyAndByChoice) {
@@ -299,16 +299,16 @@ TEST_F(WindowTest, WritesAPictureOfTheSizeAskedFor) {
 
 TEST_F(WindowTest, UndoesByMenuAndTellsTheName) {
   openPanel();
-  bench().editJob("Change tolerance", [](Job& job) { job.tolerance = 0.75; });
-  bench().editJob("Change clearance", [](Job& job) { job.clearance = 60; });
+  bench().editDesign("Change tolerance", [](Design& design) { design.process.tolerance = 0.75; });
+  bench().editDesign("Change clearance", [](Design& design) { design.process.clearance = 60; });
   EXPECT_EQ(window().commands()["edit.undo"]->text(), "&Undo change clearance");
   window().commands()["edit.undo"]->trigger();
   window().commands()["edit.undo"]->trigger();
-  EXPECT_EQ(bench().job().tolerance, 2);
+  EXPECT_EQ(bench().design().process.tolerance, 2);
   EXPECT_FALSE(window().commands()["edit.undo"]->isEnabled());
   EXPECT_EQ(window().commands()["edit.redo"]->text(), "&Redo change tolerance");
   QTest::keyClick(&window(), Qt::Key_Y, Qt::ControlModifier);
-  EXPECT_EQ(bench().job().tolerance, 0.75);
+  EXPECT_EQ(bench().design().process.tolerance, 0.75);
   ASSERT_TRUE(settle());
 }
 
@@ -323,7 +323,7 @@ TEST_F(WindowTest, KeepsTheGeometryInTheFileWhenAsked) {
   ASSERT_TRUE(keep && keep->isEnabled());
   window().workflow().ensureWidgetVisible(keep);
   QTest::mouseClick(keep, Qt::LeftButton, {}, QPoint(8, keep->height() / 2));
-  EXPECT_FALSE(bench().document().design()->source.bytes.empty());
+  EXPECT_FALSE(bench().document().design()->source().bytes.empty());
   const QString design = QString::fromStdString(path("saddle.bladewright").string());
   window().questions().saveDesign = [design](const QString&) { return design; };
   ASSERT_TRUE(window().save());
@@ -338,9 +338,9 @@ TEST_F(WindowTest, PicksAStationInTheScene) {
   openPanel();
   view::SceneView& view = window().sceneView();
   ASSERT_TRUE(QTest::qWaitFor([&] { return view.resting(); }, kPatience));
-  const Station& station = bench().sweep()->sweep.stations[9];
-  const double middle = 0.5 * station.fit.elastica.length();
-  const QPointF place = view.toWidget(station.frame.toWorld(station.fit.elastica.at(middle).point));
+  const BladePose& station = bench().sweep()->sweep.poses[9];
+  const double middle = 0.5 * station.cut.length();
+  const QPointF place = view.toWidget(station.frame.toWorld(station.cut.at(middle).point));
   QTest::mouseMove(&view, place.toPoint());
   QTest::mouseClick(&view, Qt::LeftButton, {}, place.toPoint());
   EXPECT_EQ(bench().selection().kind, Selection::Kind::station);
@@ -369,7 +369,7 @@ TEST_F(WindowTest, CutsTheSceneOpenAtTheSelectedStation) {
   QTest::keyClick(&window(), Qt::Key_X);
   const auto section = window().sceneView().sceneStyle().section;
   ASSERT_TRUE(section);
-  const Frame& frame = bench().sweep()->sweep.stations[6].frame;
+  const Frame& frame = bench().sweep()->sweep.poses[6].frame;
   EXPECT_NEAR((section->point - frame.origin).norm(), 0, 1e-9);
   EXPECT_NEAR(std::abs(section->normal.dot(frame.normal)), 1, 1e-12);
   EXPECT_GT((window().sceneView().camera().position - section->point).dot(section->normal), 0)
@@ -378,7 +378,7 @@ TEST_F(WindowTest, CutsTheSceneOpenAtTheSelectedStation) {
   picture("section");
   bench().selectStation(12);
   EXPECT_NEAR(
-      (window().sceneView().sceneStyle().section->point - bench().sweep()->sweep.stations[12].frame.origin)
+      (window().sceneView().sceneStyle().section->point - bench().sweep()->sweep.poses[12].frame.origin)
           .norm(),
       0, 1e-9);
   QTest::keyClick(&window(), Qt::Key_X, Qt::ShiftModifier);

@@ -20,10 +20,9 @@ namespace bw::pipeline {
 namespace {
 
 Design panel(int stations) {
-  Design design;
-  design.source.path = std::string(BW_RESOURCES) + "/examples/panel-600x670.step";
-  if (Result<Job> job = parseJob("{}")) design.job = *job;
-  design.job.stations = stations;
+  Design design = parseJob("{}").value_or(Design());
+  design.source().path = std::string(BW_RESOURCES) + "/examples/panel-600x670.step";
+  design.cut().sections.stations = stations;
   return design;
 }
 
@@ -66,8 +65,8 @@ void panelFits(benchmark::State& state) {
   const Evaluation& e = outcome.evaluation;
   for (auto _ : state) {
     Findings findings;
-    const Result<Sweep> sweep =
-        buildSweep(*e.sections.value, e.fits.request.fit, e.setup->block, e.setup->direction, {}, findings);
+    const Result<Sweep> sweep = buildSweep(*e.cut().sections.value, e.cut().sweep.request.fit,
+                                           e.cut().setup->block, e.cut().setup->direction, {}, findings);
     if (!sweep) return state.SkipWithError(sweep.error().message.c_str());
   }
 }
@@ -91,8 +90,8 @@ BENCHMARK(panelAfterStationChange)->Unit(benchmark::kMillisecond)->UseRealTime()
 /// Budget: 600 MB at most for the whole process; run it alone (--benchmark_filter=wall) to see its own peak.
 void wallWith1200Stations(benchmark::State& state) {
   Design design = panel(1200);
-  design.source.path = std::string(BW_RESOURCES) + "/examples/wavy-wall.step";
-  design.job.blade.length = 3000;
+  design.source().path = std::string(BW_RESOURCES) + "/examples/wavy-wall.step";
+  design.blade.length = 3000;
   const std::filesystem::path folder = std::filesystem::temp_directory_path() / "bladewright-bench";
   Seconds sum;
   for (auto _ : state) {
@@ -117,8 +116,9 @@ void panelCheck(benchmark::State& state) {
   RunContext one;
   one.threads = 1;
   for (auto _ : state) {
-    Sweep sweep = *e.fits.value;
-    if (!analyzeSweep(sweep, e.sweep.request.check, *e.target.value->sampler(), one))
+    const Result<SweepCheck> check = checkSweep(*e.cut().sweep.value, e.cut().check.request, one);
+    if (!check || !analyzeSweep(*e.cut().sweep.value, *check, e.cut().check.request,
+                                *e.cut().target.value->sampler(), one))
       return state.SkipWithError("the sweep could not be checked");
   }
 }
@@ -127,10 +127,10 @@ BENCHMARK(panelCheck)->Unit(benchmark::kMillisecond);
 /// An edit that changes nothing to compute, with a CAD file of 64 MB embedded.
 void editWithEmbeddedFile(benchmark::State& state) {
   Design design = panel(60);
-  Result<std::string> bytes = readFile(design.source.path);
+  Result<std::string> bytes = readFile(design.source().path);
   if (!bytes) return state.SkipWithError(bytes.error().message.c_str());
   bytes->append(std::size_t(64) << 20, '\n');
-  design.source.bytes = std::move(*bytes);
+  design.source().bytes = std::move(*bytes);
   Outcome outcome = evaluate(design, nullptr, {});
   for (auto _ : state) {
     design.name += "'";
@@ -155,7 +155,7 @@ void tooTightSheet(benchmark::State& state) {
   Design design = panel(60);
   const Result<SplineSurface> surface = interpolateGrid(grid, v);
   if (!surface) return state.SkipWithError("no surface");
-  design.source.bytes = geometry::stepText(*surface, "folds").value();
+  design.source().bytes = geometry::stepText(*surface, "folds").value();
   for (auto _ : state) {
     const Outcome outcome = evaluate(design, nullptr, {});
     if (outcome.error) return state.SkipWithError(outcome.error->message.c_str());

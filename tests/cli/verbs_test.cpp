@@ -328,7 +328,7 @@ TEST(SecondRun, OfAnExportLeavesNoModuleOfTheFirst) {
   ASSERT_EQ(blade({"example", "panel-600x670", "--out", folder / "a.bladewright"}).status, 0);
   const auto withStations = [&](int stations) {
     json design = json::parse(slurp(folder / "a.bladewright"));
-    design["job"]["stations"] = stations;
+    design["cuts"][0]["stations"] = stations;
     return folder.write("a.bladewright", design.dump());
   };
   const auto run = [&](int stations, const char* format) {
@@ -442,8 +442,7 @@ TEST(Rationalize, ReportHoldsEveryKeyThatScriptsRelyOn) {
   hasNumbers(has(report, "", "summary"), "summary",
              {"R4_max", "R4_mean", "hausdorff_max_mm", "hausdorff_mean_mm", "deviation_max_mm",
               "deviation_mean_mm", "deviation_rms_mm", "within_tolerance_percent", "angle_max_deg",
-              "angle_mean_deg", "angle_station_mean_max_deg", "speed_ratio_min", "joint_gap_max_mm",
-              "joint_angle_max_deg", "min_radius_mm"});
+              "angle_mean_deg", "angle_station_mean_max_deg", "speed_ratio_min", "min_radius_mm"});
   EXPECT_TRUE(has(report, "", "issues").is_array());
   for (const json& issue : report["issues"])
     for (const char* key : {"severity", "kind", "message", "where"})

@@ -47,12 +47,12 @@ TEST(Fingerprint, IsReadBackFromItsText) {
 
 TEST(Design, RemembersWhatItsLinkedSourceWas) {
   Design design;
-  design.source.path = "/x/panel.step";
-  design.source.saved = fingerprintOf("one");
+  design.source().path = "/x/panel.step";
+  design.source().saved = fingerprintOf("one");
   const Result<Design> read = parseDesign(designToJson(design));
   ASSERT_TRUE(read) << read.error().message;
-  EXPECT_EQ(read->source, design.source);
-  design.source.bytes = "two";
+  EXPECT_EQ(read->source(), design.source());
+  design.source().bytes = "two";
   EXPECT_EQ(designToJson(design).find("fingerprint"), std::string::npos)
       << "an embedded source cannot change";
   const Result<Design> damaged =

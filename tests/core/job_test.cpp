@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "bw/core/design/job.h"
+#include "bw/core/design/design.h"
 
 #include <gtest/gtest.h>
 
@@ -15,40 +15,40 @@ namespace bw {
 namespace {
 
 std::string messageOf(const char* text) {
-  const Result<Job> job = parseJob(text);
-  return job ? "accepted" : job.error().message;
+  const Result<Design> design = parseJob(text);
+  return design ? "accepted" : design.error().message;
 }
 
 }  // namespace
 
 TEST(Job, EveryKeyIsOptional) {
-  const Result<Job> job = parseJob("{}");
-  ASSERT_TRUE(job) << job.error().message;
-  EXPECT_EQ(job->stations, 60);
-  EXPECT_EQ(job->blade.name, "steel-tube-3-2.5");
-  EXPECT_FALSE(job->block);
-  EXPECT_FALSE(job->direction);
+  const Result<Design> design = parseJob("{}");
+  ASSERT_TRUE(design) << design.error().message;
+  EXPECT_EQ(design->cut().sections.stations, 60);
+  EXPECT_EQ(design->blade.name, "steel-tube-3-2.5");
+  EXPECT_FALSE(design->block().placement);
+  EXPECT_FALSE(design->cut().direction);
 }
 
 TEST(Job, ReadsEveryKeyOfTheContract) {
   int threads = 0;
-  const Result<Job> job = parseJob(R"({
+  const Result<Design> design = parseJob(R"({
     "face": [3, 1], "block": {"origin": [1, 2, 3], "size": [600, 670, 300], "rotation_deg": [0, 0, 90]},
     "direction": [0, 3, 4], "planes": {"type": "parallel"}, "stations": {"spacing": 5}, "lead": 30,
     "blade": {"preset": "nicr-flat-5x1", "length": 1000}, "fit": {"length": "exact", "endpoints": true, "tangents": true, "max_periods": 2},
     "tolerance": 1.5, "cutting_speed": 12, "clearance": 40, "programs": ["csv", "rapid"], "cell": "irb1600-pair", "threads": 2})",
-                                   &threads);
-  ASSERT_TRUE(job) << job.error().message;
+                                         &threads);
+  ASSERT_TRUE(design) << design.error().message;
   EXPECT_EQ(threads, 2);
-  EXPECT_EQ(jobToJson(*job).find("threads"), std::string::npos) << "a machine is no part of a job";
-  EXPECT_EQ(job->face.indices, (std::vector<int>{1, 3}));
-  EXPECT_NEAR(job->block->rotation.z(), kPi / 2, 1e-15);
-  EXPECT_LT((*job->direction - Eigen::Vector3d(0, 0.6, 0.8)).norm(), 1e-15);
-  EXPECT_EQ(job->spacing, 5.0);
-  EXPECT_EQ(job->blade.section, Blade::Section::flat);
-  EXPECT_EQ(job->blade.length, 1000);
-  EXPECT_EQ(job->fitLength, FitOptions::Length::exact);
-  EXPECT_EQ(job->programs, (std::vector<std::string>{"csv", "rapid"}));
+  EXPECT_EQ(designToJson(*design).find("threads"), std::string::npos) << "a machine is no part of a job";
+  EXPECT_EQ(design->cut().face.indices, (std::vector<int>{1, 3}));
+  EXPECT_NEAR(design->block().placement->rotation.z(), kPi / 2, 1e-15);
+  EXPECT_LT((*design->cut().direction - Eigen::Vector3d(0, 0.6, 0.8)).norm(), 1e-15);
+  EXPECT_EQ(design->cut().sections.spacing, 5.0);
+  EXPECT_EQ(design->blade.section, Blade::Section::flat);
+  EXPECT_EQ(design->blade.length, 1000);
+  EXPECT_EQ(design->process.fitLength, FitOptions::Length::exact);
+  EXPECT_EQ(design->output.programs, (std::vector<std::string>{"csv", "rapid"}));
 }
 
 TEST(Job, WritesWhatItReads) {
@@ -59,23 +59,27 @@ TEST(Job, WritesWhatItReads) {
        R"({"blade": "steel-rod-1", "face": 4, "programs": []})",
        R"({"unit": "cm", "sewing": 0.02, "near": [1, 2, 3]})", R"({"face": ["a", "b"]})",
        R"({"face": {"group": 3}})"}) {
-    const Result<Job> job = parseJob(text);
-    ASSERT_TRUE(job) << job.error().message;
-    const std::string once = jobToJson(*job);
-    const Result<Job> again = parseJob(once);
+    const Result<Design> design = parseJob(text);
+    ASSERT_TRUE(design) << design.error().message;
+    const std::string once = designToJson(*design);
+    int version = 0;
+    const Result<Design> again = parseDesign(once, &version);
     ASSERT_TRUE(again) << again.error().message;
-    EXPECT_EQ(jobToJson(*again), once);
+    EXPECT_EQ(version, Design::kVersion);
+    EXPECT_EQ(designToJson(*again), once);
   }
 }
 
 TEST(Job, ReadsUnitSewingAndTheWaysToChooseFaces) {
-  const Result<Job> job = parseJob(R"({"unit": "in", "sewing": 0.3, "near": [1, -2.5, 3]})");
-  ASSERT_TRUE(job) << job.error().message;
-  EXPECT_EQ(job->unit, LengthUnit::inch);
-  EXPECT_EQ(job->sewingTolerance(), 0.3);
-  EXPECT_EQ(job->face.kind, FaceChoice::Kind::nearest);
-  EXPECT_EQ(job->face.point, Eigen::Vector3d(1, -2.5, 3));
-  const auto face = [](const std::string& text) { return parseJob("{\"face\": " + text + "}").value().face; };
+  const Result<Design> design = parseJob(R"({"unit": "in", "sewing": 0.3, "near": [1, -2.5, 3]})");
+  ASSERT_TRUE(design) << design.error().message;
+  EXPECT_EQ(design->source().unit, LengthUnit::inch);
+  EXPECT_EQ(design->readOptions(design->source()).sewing, 0.3);
+  EXPECT_EQ(design->cut().face.kind, FaceChoice::Kind::nearest);
+  EXPECT_EQ(design->cut().face.point, Eigen::Vector3d(1, -2.5, 3));
+  const auto face = [](const std::string& text) {
+    return parseJob("{\"face\": " + text + "}").value().cut().face;
+  };
   EXPECT_EQ(face("\"Roof\"").names, std::vector<std::string>{"Roof"});
   EXPECT_EQ(face(R"(["Roof", "Wall"])").names.size(), 2u);
   EXPECT_EQ(face(R"({"group": 2})").kind, FaceChoice::Kind::group);
@@ -84,10 +88,14 @@ TEST(Job, ReadsUnitSewingAndTheWaysToChooseFaces) {
 }
 
 TEST(Job, SewsWithinATenthOfTheToleranceButAtMostATenthOfAMillimetre) {
-  EXPECT_EQ(parseJob("{}").value().sewingTolerance(), 0.1);
-  EXPECT_EQ(parseJob(R"({"tolerance": 0.5})").value().sewingTolerance(), 0.05);
-  EXPECT_EQ(parseJob(R"({"tolerance": 0.5, "sewing": 0})").value().sewingTolerance(), 0);
-  EXPECT_FALSE(parseJob("{}").value().unit);
+  const auto options = [](const char* text) {
+    const Design design = parseJob(text).value();
+    return design.readOptions(design.source());
+  };
+  EXPECT_EQ(options("{}").sewing, 0.1);
+  EXPECT_EQ(options(R"({"tolerance": 0.5})").sewing, 0.05);
+  EXPECT_EQ(options(R"({"tolerance": 0.5, "sewing": 0})").sewing, 0);
+  EXPECT_FALSE(options("{}").unit);
 }
 
 TEST(Job, FacesAreChosenOnceAndInOneWay) {
@@ -138,7 +146,7 @@ TEST(Blade, PresetsHaveTheRadiiOfTheirSections) {
 }
 
 TEST(Job, AKeyThatStandsTwiceIsASlip) {
-  const Result<Job> job = parseJob(R"({"stations": 5, "blade": {"length": 900}, "stations": 6})");
+  const Result<Design> job = parseJob(R"({"stations": 5, "blade": {"length": 900}, "stations": 6})");
   ASSERT_FALSE(job);
   EXPECT_NE(job.error().message.find("\"stations\" twice"), std::string::npos) << job.error().message;
   EXPECT_TRUE(parseJob(R"({"blade": {"length": 900}, "stations": {"spacing": 5}})"))
@@ -147,30 +155,30 @@ TEST(Job, AKeyThatStandsTwiceIsASlip) {
 
 TEST(Job, MissingPresetsAreToldAndNotReplacedByOtherNumbers) {
   const std::string before = std::getenv("BLADEWRIGHT_RESOURCES") ? std::getenv("BLADEWRIGHT_RESOURCES") : "";
-  const std::string whole = jobToJson(*parseJob("{}"));
+  const std::string whole = designToJson(*parseJob("{}"));
   ::setenv("BLADEWRIGHT_RESOURCES", BW_TEST_DATA, 1);
-  const Result<Job> job = parseJob("{}");
-  const Result<Job> stored = parseJob(whole);
+  const Result<Design> job = parseJob("{}");
+  const Result<Design> stored = parseDesign(whole);
   if (before.empty())
     ::unsetenv("BLADEWRIGHT_RESOURCES");
   else
     ::setenv("BLADEWRIGHT_RESOURCES", before.c_str(), 1);
   ASSERT_FALSE(job);
   EXPECT_NE(job.error().message.find("no blade presets"), std::string::npos) << job.error().message;
-  ASSERT_TRUE(stored) << "a job that is written whole needs none: " << stored.error().message;
-  EXPECT_EQ(jobToJson(*stored), whole);
+  ASSERT_TRUE(stored) << "a design that is written whole needs none: " << stored.error().message;
+  EXPECT_EQ(designToJson(*stored), whole);
 }
 
 TEST(Design, RoundTripsWithAnEmbeddedSource) {
   Design design;
   design.name = "Panel \"A\"";
-  design.source.path = "panel.step";
+  design.source().path = "panel.step";
   for (int length = 0; length < 6; ++length) {
-    design.source.bytes = std::string("\x00\xff\x10zyx", 6).substr(0, std::size_t(length));
+    design.source().bytes = std::string("\x00\xff\x10zyx", 6).substr(0, std::size_t(length));
     const std::string text = designToJson(design);
     const Result<Design> read = parseDesign(text);
     ASSERT_TRUE(read) << read.error().message;
-    EXPECT_EQ(read->source, design.source);
+    EXPECT_EQ(read->source(), design.source());
     EXPECT_EQ(read->name, design.name);
     EXPECT_EQ(designToJson(*read), text);
   }
@@ -183,6 +191,44 @@ TEST(Design, RefusesNewerVersionsAndOtherFiles) {
   EXPECT_FALSE(parseDesign("{}"));
   EXPECT_FALSE(parseDesign(R"({"bladewright_design": 1, "source": {"base64": "a"}})"));
   EXPECT_FALSE(parseDesign(R"({"bladewright_design": 1, "jop": {}})"));
+}
+
+TEST(Design, ReadsTheFirstVersionAndTellsIt) {
+  int version = 0;
+  const Result<Design> old = parseDesign(
+      R"({"bladewright_design": 1, "name": "Panel", "source": {"path": "a.step"},
+          "job": {"unit": "cm", "stations": 7, "direction": "x", "tolerance": 0.5, "cell": "c", "threads": 3}})",
+      &version);
+  ASSERT_TRUE(old) << old.error().message;
+  EXPECT_EQ(version, 1);
+  Design expected =
+      *parseJob(R"({"unit": "cm", "stations": 7, "direction": "x", "tolerance": 0.5, "cell": "c"})");
+  expected.name = "Panel";
+  expected.source().path = "a.step";
+  EXPECT_EQ(*old, expected);
+  EXPECT_EQ(*parseDesign(designToJson(*old)), expected);
+}
+
+TEST(Design, PartsNameEachOther) {
+  const auto told = [](const char* text, const char* what) {
+    const Result<Design> design = parseDesign(text);
+    ASSERT_FALSE(design) << text;
+    EXPECT_NE(design.error().message.find(what), std::string::npos) << design.error().message;
+  };
+  const Result<Design> named = parseDesign(
+      R"({"bladewright_design": 2, "sources": [{"id": "roof", "path": "a.step"}], "stock": [{"id": "B"}],
+          "cuts": [{"id": "top", "source": "roof", "block": "B", "stations": 9}], "process": {"lead": 3}})");
+  ASSERT_TRUE(named) << named.error().message;
+  EXPECT_EQ(named->cut().id, "top");
+  EXPECT_EQ(named->cut().sections.stations, 9);
+  EXPECT_EQ(named->process.lead, 3);
+  told(R"({"bladewright_design": 2, "cuts": [{"block": "block-2"}]})", "names \"block-2\"");
+  told(R"({"bladewright_design": 2, "cuts": [{"source": "wall"}]})", "names \"wall\"");
+  told(R"({"bladewright_design": 2, "cuts": [{}, {}]})", "must be a list of one entry, not of 2");
+  told(R"({"bladewright_design": 2, "stock": {}})", "must be a list of one entry");
+  told(R"({"bladewright_design": 2, "stock": [{"id": ""}], "cuts": [{"block": ""}]})", "is empty");
+  told(R"({"bladewright_design": 2, "cuts": [{"sations": 4}]})", "did you mean \"stations\"?");
+  told(R"({"bladewright_design": 2, "job": {}})", "job");
 }
 
 }  // namespace bw

@@ -11,10 +11,10 @@ namespace bw {
 
 TEST(SharedBytes, CopiesOfADesignShareItsEmbeddedFile) {
   Design design;
-  design.source.bytes = std::string(1 << 20, 'x');
+  design.source().bytes = std::string(1 << 20, 'x');
   const Design copy = design;
-  EXPECT_EQ(&copy.source.bytes.str(), &design.source.bytes.str());
-  EXPECT_EQ(copy.source, design.source);
+  EXPECT_EQ(&copy.source().bytes.str(), &design.source().bytes.str());
+  EXPECT_EQ(copy.source(), design.source());
 }
 
 TEST(SharedBytes, EqualBytesHaveEqualHashesAndDifferentOnesDoNot) {

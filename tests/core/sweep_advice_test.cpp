@@ -34,7 +34,7 @@ Tried run(const test::RowSettings& settings, double half, Height height) {
                             settings, block, -Eigen::Vector3d::UnitY(), {}, result.findings);
   if (!result.sweep) return result;
   const Result<SweepAnalysis> analysis =
-      analyzeSweep(*result.sweep, settings, test::GraphSampler<Height>(half, height), {});
+      test::analysisOf(*result.sweep, settings, test::GraphSampler<Height>(half, height), {});
   EXPECT_TRUE(analysis) << analysis.error().message;
   if (analysis)
     result.findings.insert(result.findings.end(), analysis->findings.begin(), analysis->findings.end());
@@ -175,7 +175,7 @@ TEST(Advice, GentleSectionsAreNeverTooTight) {
                    -Eigen::Vector3d::UnitY(), {}, findings);
     ASSERT_TRUE(sweep);
     const Result<SweepAnalysis> analysis =
-        analyzeSweep(*sweep, settings, test::PlaneSampler(Eigen::Vector3d::UnitZ()), {});
+        test::analysisOf(*sweep, settings, test::PlaneSampler(Eigen::Vector3d::UnitZ()), {});
     ASSERT_TRUE(analysis);
     EXPECT_FALSE(tooTight(analysis->findings)) << turn;
   }

@@ -11,7 +11,7 @@
 
 #include "bw/core/base/units.h"
 #include "bw/core/elastica/elastica_stability.h"
-#include "bw/core/sweep/sweep.h"
+#include "bw/core/sweep/sweep_check.h"
 #include "finding_of.h"
 #include "row_settings.h"
 
@@ -51,8 +51,8 @@ Box block() {
 
 double largestSwing(const Sweep& sweep) {
   double largest = 0;
-  for (std::size_t i = 1; i < sweep.stations.size(); ++i) {
-    const Station &a = sweep.stations[i - 1], &b = sweep.stations[i];
+  for (std::size_t i = 1; i < sweep.poses.size(); ++i) {
+    const BladePose &a = sweep.poses[i - 1], &b = sweep.poses[i];
     for (const double cosine : {a.leftTangent().dot(b.leftTangent()), a.rightTangent().dot(b.rightTangent())})
       largest = std::max(largest, std::acos(std::clamp(cosine, -1.0, 1.0)));
   }
@@ -84,12 +84,13 @@ TEST(SweepContinuity, EndsOfALongBladeKeepStillOverShortSections) {
   ASSERT_TRUE(sweep) << sweep.error().message;
   EXPECT_LT(largestSwing(*sweep), 16 * kDegree);
   EXPECT_EQ(swingOf(findings), nullptr);
-  EXPECT_TRUE(std::ranges::any_of(sweep->stations, [](const Station& s) { return s.steadied; }));
-  for (const Station& station : sweep->stations) {
-    EXPECT_LE(station.fit.hausdorff, settings.tolerance);
-    EXPECT_LE(station.blade.maxCurvature(), settings.blade.maxCurvature());
-    EXPECT_GT(stabilityMargin(station.blade), 0);
-    EXPECT_TRUE(!station.steadied || station.fit.status == FitStatus::constraintsActive);
+  EXPECT_TRUE(std::ranges::any_of(sweep->fits, [](const StationFit& fit) { return fit.steadied; }));
+  for (std::size_t i = 0; i < sweep->poses.size(); ++i) {
+    const StationFit& found = sweep->fits[i];
+    EXPECT_LE(found.fit.hausdorff, settings.tolerance);
+    EXPECT_LE(sweep->poses[i].blade.maxCurvature(), settings.blade.maxCurvature());
+    EXPECT_GT(stabilityMargin(sweep->poses[i].blade), 0);
+    EXPECT_TRUE(!found.steadied || found.fit.status == FitStatus::constraintsActive);
   }
 }
 
@@ -134,9 +135,9 @@ TEST(SweepContinuity, SectionsThatTellTheBladeAreFollowed) {
   Findings findings;
   const Result<Sweep> sweep = sweepOf(sections, settings, findings);
   ASSERT_TRUE(sweep) << sweep.error().message;
-  for (const Station& station : sweep->stations) {
-    EXPECT_FALSE(station.steadied);
-    EXPECT_LT(station.fit.R4, 1e-3);
+  for (const StationFit& found : sweep->fits) {
+    EXPECT_FALSE(found.steadied);
+    EXPECT_LT(found.fit.R4, 1e-3);
   }
 }
 
@@ -151,8 +152,7 @@ TEST(SweepContinuity, RunsFromItsLongestSection) {
   const Result<Sweep> back = sweepOf(sections, settings, findings);
   ASSERT_TRUE(there && back);
   for (std::size_t i = 0; i < sections.size(); ++i)
-    EXPECT_LT((there->stations[i].leftPoint() - back->stations[sections.size() - 1 - i].leftPoint()).norm(),
-              1e-9);
+    EXPECT_LT((there->poses[i].leftPoint() - back->poses[sections.size() - 1 - i].leftPoint()).norm(), 1e-9);
 }
 
 }  // namespace bw

@@ -19,8 +19,8 @@ PlanarCurve level(double height) {
   return *PlanarCurve::points({{-200, height}, {0, height}, {200, height}});
 }
 
-SweepAnalysis analysed(Sweep& sweep, const test::RowSettings& settings, const SurfaceSampler& target) {
-  Result<SweepAnalysis> analysis = analyzeSweep(sweep, settings, target, {});
+SweepAnalysis analysed(const Sweep& sweep, const test::RowSettings& settings, const SurfaceSampler& target) {
+  Result<SweepAnalysis> analysis = test::analysisOf(sweep, settings, target, {});
   EXPECT_TRUE(analysis) << analysis.error().message;
   return std::move(*analysis);
 }
@@ -103,8 +103,8 @@ TEST(CutSurface, OneBadStationAmongManyIsFoundAndShown) {
   Sweep sweep = planeSweep(1500, settings, [](int i) { return i == kBad ? 3.0 : 0.0; });
   const SweepAnalysis analysis = analysed(sweep, settings, test::PlaneSampler(Eigen::Vector3d::UnitZ()));
   EXPECT_NEAR(analysis.summary.deviationMax, 3, 1e-6);
-  EXPECT_NEAR(sweep.stations[kBad].deviationMax, 3, 1e-6);
-  EXPECT_NEAR(sweep.stations[kBad + 5].deviationMax, 0, 0.05);
+  EXPECT_NEAR(analysis.stationDeviation[kBad], 3, 1e-6);
+  EXPECT_NEAR(analysis.stationDeviation[kBad + 5], 0, 0.05);
   const std::vector<double>& deviation = analysis.cut.field("deviation")->values;
   EXPECT_NEAR(*std::ranges::max_element(deviation), 3, 1e-6);
   EXPECT_LE(analysis.cut.rows, 481);

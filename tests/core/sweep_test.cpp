@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "bw/core/sweep/sweep.h"
+#include "bw/core/sweep/sweep_check.h"
 #include "finding_of.h"
 #include "row_settings.h"
 
@@ -48,15 +48,14 @@ TEST(Sweep, BladeHasItsLengthAndLiesSymmetrically) {
   Findings findings;
   const Result<Sweep> sweep = sphereSweep(settings, 9, findings);
   ASSERT_TRUE(sweep) << sweep.error().message;
-  for (const Station& station : sweep->stations) {
-    EXPECT_NEAR(station.blade.length(), settings.blade.length, 1e-9);
-    const double cut = station.fit.elastica.length();
-    EXPECT_NEAR(station.extension, 0.5 * (settings.blade.length / cut - 1), 1e-12);
+  for (std::size_t i = 0; i < sweep->poses.size(); ++i) {
+    const BladePose& pose = sweep->poses[i];
+    EXPECT_NEAR(pose.blade.length(), settings.blade.length, 1e-9);
+    const double cut = pose.cut.length();
+    EXPECT_NEAR(pose.extension, 0.5 * (settings.blade.length / cut - 1), 1e-12);
     // The fitted part lies in the middle of the blade.
-    EXPECT_LT(
-        (station.blade.point(0.5 * settings.blade.length) - station.fit.elastica.point(0.5 * cut)).norm(),
-        1e-7);
-    EXPECT_TRUE(station.fit.R4 < 1e-9) << station.fit.R4;  // a circle is an elastica
+    EXPECT_LT((pose.blade.point(0.5 * settings.blade.length) - pose.cut.point(0.5 * cut)).norm(), 1e-7);
+    EXPECT_LT(sweep->fits[i].fit.R4, 1e-9);  // a circle is an elastica
   }
 }
 
@@ -78,7 +77,7 @@ TEST(SweepAnalysis, FindsTheSphereAgain) {
   Result<Sweep> sweep = sphereSweep(settings, 31, findings);
   ASSERT_TRUE(sweep);
   const test::SphereSampler sphere(kRadius);
-  const Result<SweepAnalysis> analysis = analyzeSweep(*sweep, settings, sphere, {});
+  const Result<SweepAnalysis> analysis = test::analysisOf(*sweep, settings, sphere, {});
   ASSERT_TRUE(analysis) << analysis.error().message;
   // Between the stations the cubic skin differs from the sphere in the fourth order only.
   EXPECT_LT(analysis->summary.deviationMax, 1e-3);
@@ -99,13 +98,14 @@ TEST(SweepAnalysis, VelocityFollowsTheMaterialPoints) {
   Findings findings;
   const auto worst = [&](int n) {
     Result<Sweep> sweep = sphereSweep(settings, n, findings);
-    const Result<SweepAnalysis> analysis = analyzeSweep(*sweep, settings, test::SphereSampler(kRadius), {});
+    const Result<SweepAnalysis> analysis =
+        test::analysisOf(*sweep, settings, test::SphereSampler(kRadius), {});
     double error = 0;
     const Field& angle = *analysis->cut.field("angle");
-    for (std::size_t i = 0; i < sweep->stations.size(); ++i) {
-      const double y = -sweep->stations[i].travel, rho = std::sqrt(kRadius * kRadius - y * y);
+    for (std::size_t i = 0; i < sweep->poses.size(); ++i) {
+      const double y = -sweep->poses[i].travel, rho = std::sqrt(kRadius * kRadius - y * y);
       const double slope = y / rho;  // dρ/dtravel
-      const double length = sweep->stations[i].fit.elastica.length();
+      const double length = sweep->poses[i].cut.length();
       for (int c = 0; c <= 100; c += 10) {
         const double sigma = (c / 100.0 - 0.5) * length, phi = sigma / rho,
                      dphi = -sigma * slope / (rho * rho);
@@ -131,7 +131,7 @@ TEST(SweepAnalysis, TellsTooMuchCurvatureAndTooLittleClearance) {
   Findings findings;
   Result<Sweep> sweep = sphereSweep(settings, 7, findings);
   ASSERT_TRUE(sweep);
-  const Result<SweepAnalysis> analysis = analyzeSweep(*sweep, settings, test::SphereSampler(kRadius), {});
+  const Result<SweepAnalysis> analysis = test::analysisOf(*sweep, settings, test::SphereSampler(kRadius), {});
   ASSERT_TRUE(analysis);
   bool curvature = false, clearance = false;
   for (const Finding& finding : analysis->findings) {
@@ -153,7 +153,7 @@ TEST(SweepAnalysis, IsTheSameForAnyNumberOfThreads) {
     RunContext context;
     context.threads = threads;
     const Result<SweepAnalysis> analysis =
-        analyzeSweep(*sweep, settings, test::SphereSampler(kRadius + 1), context);
+        test::analysisOf(*sweep, settings, test::SphereSampler(kRadius + 1), context);
     ASSERT_TRUE(analysis);
     values.push_back(analysis->cut.field("deviation")->values);
   }
@@ -165,7 +165,8 @@ TEST(SweepAnalysis, DeviationIsNegativeInside) {
   test::RowSettings settings;
   Findings findings;
   Result<Sweep> sweep = sphereSweep(settings, 12, findings);
-  const Result<SweepAnalysis> analysis = analyzeSweep(*sweep, settings, test::SphereSampler(kRadius + 3), {});
+  const Result<SweepAnalysis> analysis =
+      test::analysisOf(*sweep, settings, test::SphereSampler(kRadius + 3), {});
   ASSERT_TRUE(analysis);
   for (const double d : analysis->cut.field("deviation")->values) EXPECT_NEAR(d, -3, 1e-2);
   EXPECT_EQ(analysis->findings.front().kind(), FindingKind::deviation);
@@ -207,13 +208,13 @@ struct Analysed {
   }
 };
 
-Analysed analysed(std::vector<Section> sections, const test::RowSettings& settings,
+Analysed analysed(const std::vector<Section>& sections, const test::RowSettings& settings,
                   const SurfaceSampler& target) {
   Findings findings;
   Result<Sweep> sweep =
-      buildSweep(std::move(sections), settings, sphereBlock(), -Eigen::Vector3d::UnitY(), {}, findings);
+      buildSweep(sections, settings, sphereBlock(), -Eigen::Vector3d::UnitY(), {}, findings);
   EXPECT_TRUE(sweep) << sweep.error().message;
-  Result<SweepAnalysis> analysis = analyzeSweep(*sweep, settings, target, {});
+  Result<SweepAnalysis> analysis = test::analysisOf(*sweep, settings, target, {});
   EXPECT_TRUE(analysis) << analysis.error().message;
   return {std::move(*sweep), std::move(*analysis)};
 }
@@ -291,9 +292,8 @@ TEST(SweepAnalysis, StationsLeftOutAtTheEndsAreNoGap) {
   addTravel(travel, -100, 100, 10);
   std::vector<Section> sections = straightSections(travel, 10, [](double) { return 0.0; });
   for (Section& section : sections) section.index += 5;
-  EXPECT_FALSE(
-      analysed(std::move(sections), test::RowSettings{}, test::PlaneSampler(Eigen::Vector3d::UnitZ()))
-          .finding<GapInRow>());
+  EXPECT_FALSE(analysed(sections, test::RowSettings{}, test::PlaneSampler(Eigen::Vector3d::UnitZ()))
+                   .finding<GapInRow>());
 }
 
 TEST(SweepAnalysis, ManyGapsAreOneErrorAtTheWidest) {
@@ -436,7 +436,7 @@ TEST(SweepAnalysis, StopsOnRequest) {
   RunContext context;
   context.stop = source.get_token();
   const Result<SweepAnalysis> analysis =
-      analyzeSweep(*sweep, settings, test::SphereSampler(kRadius), context);
+      test::analysisOf(*sweep, settings, test::SphereSampler(kRadius), context);
   ASSERT_FALSE(analysis);
   EXPECT_EQ(analysis.error().code, ErrorCode::cancelled);
 }
@@ -450,8 +450,8 @@ TEST(Motion, FastestPointMovesAtTheCuttingSpeed) {
   ASSERT_TRUE(motion) << motion.error().message;
   ASSERT_EQ(motion->instants.size(), 23u);
   EXPECT_NEAR(motion->instants[1].time, settings.lead / 20, 1e-12);
-  for (std::size_t i = 1; i + 1 < sweep->stations.size(); ++i) {
-    const Station &a = sweep->stations[i], &b = sweep->stations[i + 1];
+  for (std::size_t i = 1; i + 1 < sweep->poses.size(); ++i) {
+    const BladePose &a = sweep->poses[i], &b = sweep->poses[i + 1];
     double farthest = 0;
     for (int k = 0; k <= 400; ++k) {
       const double s = settings.blade.length * k / 400;
@@ -472,7 +472,7 @@ TEST(Motion, EndsFollowTheTcpConvention) {
   Eigen::Matrix3d R_WB;
   R_WB << block.frame.x, block.frame.y, block.frame.normal;
   for (std::size_t i = 1; i + 1 < motion->instants.size(); ++i) {
-    const Station& station = sweep->stations[i - 1];
+    const BladePose& station = sweep->poses[i - 1];
     const Pose &left = motion->instants[i].poses[0], &right = motion->instants[i].poses[1];
     const Eigen::Matrix3d l = R_WB * left.rotation.toRotationMatrix(),
                           r = R_WB * right.rotation.toRotationMatrix();
@@ -537,21 +537,20 @@ TEST(Sweep, BladeHoldsAlsoBeyondTheSection) {
   const Result<Sweep> sweep = buildSweep(nearlyStraightSections(0.6), settings, sphereBlock(),
                                          Eigen::Vector3d::UnitY(), {}, findings);
   ASSERT_TRUE(sweep) << sweep.error().message;
-  const Result<FitResult> free = fitElastica(sweep->stations.front().target);
+  const Result<FitResult> free = fitElastica(sweep->fits.front().target);
   ASSERT_TRUE(free);
   const double extra = 0.5 * (settings.blade.length - free->elastica.length());
   EXPECT_GT(free->elastica.segment(-extra, free->elastica.length() + extra)->maxCurvature(),
             settings.blade.maxCurvature())
       << "the best fit alone would curl up";
-  for (const Station& station : sweep->stations) {
-    EXPECT_LE(station.blade.maxCurvature(), settings.blade.maxCurvature() * (1 + 1e-9));
-    EXPECT_GT(stabilityMargin(station.blade), 0);
-    EXPECT_LE(station.fit.hausdorff, 2 * settings.tolerance);
-    EXPECT_EQ(station.fit.status, FitStatus::constraintsActive);
-    EXPECT_TRUE(station.heldBack);
+  for (std::size_t i = 0; i < sweep->poses.size(); ++i) {
+    EXPECT_LE(sweep->poses[i].blade.maxCurvature(), settings.blade.maxCurvature() * (1 + 1e-9));
+    EXPECT_GT(stabilityMargin(sweep->poses[i].blade), 0);
+    EXPECT_LE(sweep->fits[i].fit.hausdorff, 2 * settings.tolerance);
+    EXPECT_EQ(sweep->fits[i].fit.status, FitStatus::constraintsActive);
+    EXPECT_TRUE(sweep->fits[i].heldBack);
   }
-  Sweep analysed = *sweep;
-  const Result<SweepAnalysis> analysis = analyzeSweep(analysed, settings, test::SphereSampler(kRadius), {});
+  const Result<SweepAnalysis> analysis = test::analysisOf(*sweep, settings, test::SphereSampler(kRadius), {});
   ASSERT_TRUE(analysis);
   EXPECT_TRUE(test::findingOf<HeldBackFit>(analysis->findings));
 }
@@ -566,10 +565,10 @@ TEST(Sweep, BladeHoldsOnSectionsMuchShorterThanItself) {
   const Result<Sweep> sweep =
       buildSweep(corner, settings, sphereBlock(), Eigen::Vector3d::UnitY(), {}, findings);
   ASSERT_TRUE(sweep) << sweep.error().message;
-  for (const Station& station : sweep->stations) {
-    EXPECT_LE(station.blade.maxCurvature(), settings.blade.maxCurvature() * (1 + 1e-9));
-    EXPECT_GT(stabilityMargin(station.blade), 0);
-    EXPECT_LE(station.fit.hausdorff, settings.tolerance);
+  for (std::size_t i = 0; i < sweep->poses.size(); ++i) {
+    EXPECT_LE(sweep->poses[i].blade.maxCurvature(), settings.blade.maxCurvature() * (1 + 1e-9));
+    EXPECT_GT(stabilityMargin(sweep->poses[i].blade), 0);
+    EXPECT_LE(sweep->fits[i].fit.hausdorff, settings.tolerance);
   }
 }
 
@@ -588,12 +587,12 @@ TEST(Sweep, BladesHeldBackComeToRestAtTheirRadius) {
       buildSweep(round, settings, sphereBlock(), Eigen::Vector3d::UnitY(), {}, findings);
   ASSERT_TRUE(sweep) << sweep.error().message;
   EXPECT_TRUE(findings.empty());
-  for (const Station& station : sweep->stations) {
-    EXPECT_EQ(station.fit.status, FitStatus::constraintsActive);
-    EXPECT_TRUE(station.heldBack);
-    EXPECT_NEAR(station.blade.maxCurvature(), settings.blade.maxCurvature(),
+  for (std::size_t i = 0; i < sweep->poses.size(); ++i) {
+    EXPECT_EQ(sweep->fits[i].fit.status, FitStatus::constraintsActive);
+    EXPECT_TRUE(sweep->fits[i].heldBack);
+    EXPECT_NEAR(sweep->poses[i].blade.maxCurvature(), settings.blade.maxCurvature(),
                 2e-6 * settings.blade.maxCurvature());
-    EXPECT_LE(station.blade.maxCurvature(), settings.blade.maxCurvature());
+    EXPECT_LE(sweep->poses[i].blade.maxCurvature(), settings.blade.maxCurvature());
   }
 }
 
@@ -610,7 +609,8 @@ TEST(SweepAnalysis, TellsHowLongARoundBladeStaysInItsPlane) {
     Result<Sweep> sweep =
         buildSweep(bulgeSections(), settings, sphereBlock(), Eigen::Vector3d::UnitY(), {}, findings);
     EXPECT_TRUE(sweep);
-    const Result<SweepAnalysis> analysis = analyzeSweep(*sweep, settings, test::SphereSampler(kRadius), {});
+    const Result<SweepAnalysis> analysis =
+        test::analysisOf(*sweep, settings, test::SphereSampler(kRadius), {});
     EXPECT_TRUE(analysis);
     const Finding* finding = test::findingOf<WouldTwist>(analysis->findings);
     return finding ? std::optional(*finding) : std::nullopt;
@@ -633,7 +633,7 @@ TEST(SweepAnalysis, TellsWhereALongerBladeWouldNotHold) {
   settings.clearance = 300;
   std::vector<Section> sections = bulgeSections();
   for (Section& section : sections) section.frame.origin.z() = 1375;
-  const Analysed waves = analysed(std::move(sections), settings, test::SphereSampler(kRadius));
+  const Analysed waves = analysed(sections, settings, test::SphereSampler(kRadius));
   const Finding* grip = waves.finding<GripTooNear>();
   ASSERT_TRUE(grip);
   EXPECT_TRUE(waves.cause<GripTooNear>()->unheldLength);
@@ -646,11 +646,11 @@ TEST(SweepAnalysis, FitsThatDidNotComeToRestAreOneFindingAStretch) {
   Findings findings;
   Result<Sweep> sweep = sphereSweep(settings, 9, findings);
   ASSERT_TRUE(sweep);
-  for (const int i : {2, 3, 4}) sweep->stations[std::size_t(i)].fit.status = FitStatus::iterationLimit;
-  sweep->stations[3].fit.hausdorff = 0.25;
-  sweep->stations[7].fit.status = FitStatus::infeasible;
-  sweep->stations[7].fit.conflict = {"length"};
-  const Result<SweepAnalysis> analysis = analyzeSweep(*sweep, settings, test::SphereSampler(kRadius), {});
+  for (const int i : {2, 3, 4}) sweep->fits[std::size_t(i)].fit.status = FitStatus::iterationLimit;
+  sweep->fits[3].fit.hausdorff = 0.25;
+  sweep->fits[7].fit.status = FitStatus::infeasible;
+  sweep->fits[7].fit.conflict = {"length"};
+  const Result<SweepAnalysis> analysis = test::analysisOf(*sweep, settings, test::SphereSampler(kRadius), {});
   ASSERT_TRUE(analysis);
   const Finding* unmet = test::findingOf<UnmetConditions>(analysis->findings);
   ASSERT_TRUE(unmet);
@@ -669,11 +669,13 @@ TEST(SweepAnalysis, MarginsAreThoseOfTheBlade) {
   Findings findings;
   Result<Sweep> sweep = sphereSweep(settings, 5, findings);
   ASSERT_TRUE(sweep);
-  ASSERT_TRUE(analyzeSweep(*sweep, settings, test::SphereSampler(kRadius), {}));
-  for (const Station& station : sweep->stations) {
-    EXPECT_EQ(station.stabilityMargin, stabilityMargin(station.blade));
-    EXPECT_EQ(station.outOfPlaneMargin, outOfPlaneMargin(station.blade)) << "the preset is a tube";
-    EXPECT_TRUE(station.stable);
+  const Result<SweepCheck> check = checkSweep(*sweep, settings, {});
+  ASSERT_TRUE(check);
+  for (std::size_t i = 0; i < sweep->poses.size(); ++i) {
+    EXPECT_EQ(check->stations[i].stabilityMargin, stabilityMargin(sweep->poses[i].blade));
+    EXPECT_EQ(check->stations[i].outOfPlaneMargin, outOfPlaneMargin(sweep->poses[i].blade))
+        << "the preset is a tube";
+    EXPECT_TRUE(check->stations[i].stable);
   }
 }
 

@@ -17,7 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   const bw::Result<bw::Design> again = bw::parseDesign(bw::designToJson(*design));
   FUZZ_REQUIRE(again);
-  FUZZ_REQUIRE(again->source.bytes == design->source.bytes);
-  FUZZ_REQUIRE(again->job.stations == design->job.stations);
+  FUZZ_REQUIRE(again->source().bytes == design->source().bytes);
+  FUZZ_REQUIRE(again->cut().sections == design->cut().sections);
   return 0;
 }

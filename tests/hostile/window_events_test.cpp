@@ -11,7 +11,7 @@
 #include <iostream>
 #include <random>
 
-#include "bw/core/design/job.h"
+#include "bw/core/design/design.h"
 #include "window_fixture.h"
 
 namespace bw::app {

@@ -42,7 +42,7 @@ int rounds() {
   return kRounds * std::max(1, text ? std::atoi(text) : 1);
 }
 
-int editOf(const Design& design) { return int(std::lround((design.job.tolerance - kFirst) / kStep)); }
+int editOf(const Design& design) { return int(std::lround((design.process.tolerance - kFirst) / kStep)); }
 
 /// One window in a process of its own, and when it made which edit.
 class EditedWindow {
@@ -168,8 +168,8 @@ int beEdited(const fs::path& recovery) {
   int number = 0;
   QObject::connect(&edits, &QTimer::timeout, [&] {
     ++number;
-    window.bench().editJob(
-        "Change tolerance", [&](Job& job) { job.tolerance = kFirst + kStep * number; }, 1);
+    window.bench().editDesign(
+        "Change tolerance", [&](Design& design) { design.process.tolerance = kFirst + kStep * number; }, 1);
     std::printf("%d\n", number);
     std::fflush(stdout);
   });

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "bw/core/sweep/sweep.h"
+#include "bw/core/sweep/sweep_check.h"
 
 namespace bw::test {
 
@@ -14,5 +14,13 @@ struct RowSettings : FitRequest {
   operator CheckRequest() const { return {tolerance, clearance, cuttingSpeed}; }  // NOLINT
   operator MotionRequest() const { return {cuttingSpeed, lead}; }                 // NOLINT
 };
+
+/// A sweep that is checked and then compared with its target.
+inline Result<SweepAnalysis> analysisOf(const Sweep& sweep, const CheckRequest& request,
+                                        const SurfaceSampler& target, const RunContext& context = {}) {
+  const Result<SweepCheck> check = checkSweep(sweep, request, context);
+  if (!check) return tl::unexpected<Error>(check.error());
+  return analyzeSweep(sweep, *check, request, target, context);
+}
 
 }  // namespace bw::test

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "bw/core/design/job.h"
+#include "bw/core/design/design.h"
 #include "bw/model/edit_design.h"
 
 namespace bw::model {
@@ -12,10 +12,6 @@ namespace bw::model {
 namespace fs = std::filesystem;
 
 namespace {
-
-bool sameDesign(const Design& a, const Design& b) {
-  return a.name == b.name && a.source == b.source && jobToJson(a.job) == jobToJson(b.job);
-}
 
 fs::path absolutePath(const fs::path& file) {
   std::error_code error;
@@ -55,23 +51,23 @@ QString Document::title() const {
 }
 
 void Document::edit(Design after, const QString& text, int mergeId) {
-  if (sameDesign(*design_, after)) return;
+  if (*design_ == after) return;
   undo_.push(new EditDesign(*this, design_, std::make_shared<const Design>(std::move(after)), text, mergeId));
 }
 
-void Document::editJob(const QString& text, int mergeId, const std::function<void(Job&)>& change) {
+void Document::editDesign(const QString& text, int mergeId, const std::function<void(Design&)>& change) {
   Design after = *design_;
-  change(after.job);
+  change(after);
   edit(std::move(after), text, mergeId);
 }
 
 void Document::exchange(const std::shared_ptr<const Design>& design) {
   // A step of the history does not know what was saved since.
   std::shared_ptr<const Design> next = design;
-  if (const Source& now = design_->source, &then = design->source;
+  if (const Source& now = design_->source(), &then = design->source();
       now.path == then.path && now.bytes.empty() && then.bytes.empty() && now.saved != then.saved) {
     auto known = std::make_shared<Design>(*design);
-    known->source.saved = now.saved;
+    known->source().saved = now.saved;
     next = std::move(known);
   }
   design_ = std::move(next);
@@ -113,10 +109,10 @@ Result<void> Document::recover(const fs::path& copy) {
   return {};
 }
 
-Result<void> Document::open(const fs::path& file) {
+Result<void> Document::open(const fs::path& file, int* version) {
   // Looked at first: what another writes while it is read counts as a change.
   const std::optional<Fingerprint> onDisk = fingerprintNow(file);
-  Result<Design> design = loadDesign(absolutePath(file));
+  Result<Design> design = loadDesign(absolutePath(file), version);
   if (!design) return tl::unexpected<Error>(design.error());
   replace(std::move(*design), file, onDisk);
   return {};
@@ -124,12 +120,12 @@ Result<void> Document::open(const fs::path& file) {
 
 Result<void> Document::saveAs(const fs::path& file) {
   auto stored = std::make_shared<Design>(*design_);
-  if (read_ && read_->first == stored->source.path && stored->source.bytes.empty())
-    stored->source.saved = read_->second;
+  if (read_ && read_->first == stored->source().path && stored->source().bytes.empty())
+    stored->source().saved = read_->second;
   else
-    noteSource(*stored);
+    noteSources(*stored);
   if (Result<void> saved = saveDesign(*stored, file); !saved) return saved;
-  const bool noted = stored->source.saved != design_->source.saved;
+  const bool noted = stored->source().saved != design_->source().saved;
   if (noted) design_ = std::move(stored);
   file_ = absolutePath(file);
   onDisk_ = fingerprintNow(file);

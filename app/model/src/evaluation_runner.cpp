@@ -20,27 +20,15 @@ constexpr std::chrono::milliseconds kProgressInterval{30};
 /// hold.
 std::shared_ptr<const pipeline::Evaluation> withEarlierStages(pipeline::Evaluation now,
                                                               const pipeline::Evaluation* before) {
-  if (before) {
-    if (!now.source.value) now.source = before->source;
-    if (!now.target.value) now.target = before->target;
-    if (!now.targetMesh.value) now.targetMesh = before->targetMesh;
-    if (!now.faceMesh.value) now.faceMesh = before->faceMesh;
-    if (!now.placed.value) now.placed = before->placed;
-    if (!now.setup) now.setup = before->setup;
-    if (!now.directions.value) now.directions = before->directions;
-    if (!now.sections.value) now.sections = before->sections;
-    if (!now.fits.value) now.fits = before->fits;
-    if (!now.sweep.value) now.sweep = before->sweep;
-    if (!now.cell.value) now.cell = before->cell;
-  }
+  if (before) now.takeMissing(*before);
   return std::make_shared<const pipeline::Evaluation>(std::move(now));
 }
 
-/// The target is shown even where a later step failed.
-void addMesh(pipeline::Evaluation& evaluation) {
-  if (!evaluation.target.value || evaluation.targetMesh.value) return;
-  if (Result<TriangleMesh> mesh = evaluation.target.value->mesh())
-    evaluation.targetMesh.value = std::make_shared<const TriangleMesh>(std::move(*mesh));
+/// The targets are shown even where a later step failed.
+void addMeshes(pipeline::Evaluation& evaluation) {
+  for (pipeline::BlockEvaluation& block : evaluation.blocks)
+    for (pipeline::CutEvaluation& cut : block.cuts)
+      (void)pipeline::meshTarget(cut, nullptr, evaluation.seconds.read);
 }
 
 }  // namespace
@@ -180,14 +168,14 @@ void EvaluationRunner::work(const std::stop_token& stop) {
       if (order.design) {
         pipeline::Outcome outcome = pipeline::evaluate(*order.design, previous.get(), context);
         error = std::move(outcome.error);
-        if (error && error->code != ErrorCode::cancelled) addMesh(outcome.evaluation);
+        if (error && error->code != ErrorCode::cancelled) addMeshes(outcome.evaluation);
         if (!error || error->code != ErrorCode::cancelled)
           pipeline::addFaceMesh(outcome.evaluation, previous.get(), context);
         evaluation = std::make_shared<const pipeline::Evaluation>(std::move(outcome.evaluation));
         const std::lock_guard lock(mutex_);
         newest_ = evaluation;
         previous_ = withEarlierStages(*evaluation, previous.get());
-      } else if (order.needs == Needs::result && (!newest || !newest->sweep.value)) {
+      } else if (order.needs == Needs::result && (!newest || !newest->result())) {
         error = Error{ErrorCode::badInput,
                       "the design has no finished result; mend what stands under Messages first"};
       } else if (Result<void> done = order.task(newest ? *newest : pipeline::Evaluation(), context); !done) {
@@ -222,7 +210,7 @@ void EvaluationRunner::deliver(const Order& order, std::shared_ptr<const pipelin
   if (order.design) {
     if (wanted && !stopped && evaluation) {
       // An older run that was allowed to finish while a slider moves is shown too: the newer follows.
-      if (evaluation->sweep.value) lastComplete_ = evaluation;
+      if (evaluation->result()) lastComplete_ = evaluation;
       lastSeconds_ = evaluation->seconds.total;
       evaluation_ = std::move(evaluation);
       evaluatedDesign_ = order.design;

@@ -28,22 +28,22 @@ QString countText(int count, const char* one, const char* many) {
 }
 
 void fillDone(StepStates& states, const pipeline::Evaluation& evaluation) {
-  if (evaluation.setup) {
-    const Eigen::Vector3d& size = evaluation.setup->block.size;
+  if (evaluation.cut().setup) {
+    const Eigen::Vector3d& size = evaluation.cut().setup->block.size;
     states[int(Step::setup)] = {Kind::done, 0,
                                 QStringLiteral("%1 × %2 × %3 mm")
                                     .arg(lengthText(size.x()), lengthText(size.y()), lengthText(size.z()))};
   }
-  if (evaluation.source.value && evaluation.target.value) {
-    const int chosen = int(evaluation.target.value->faces().size());
+  if (evaluation.source.value && evaluation.cut().target.value) {
+    const int chosen = int(evaluation.cut().target.value->faces().size());
     const int all = evaluation.source.value->model.info().faces;
     states[int(Step::input)] = {Kind::done, 0,
                                 chosen == all ? countText(all, "face", "faces")
                                               : QStringLiteral("%1 of %2 faces").arg(chosen).arg(all)};
   }
-  if (evaluation.sweep.value)
+  if (evaluation.result())
     states[int(Step::process)] = {
-        Kind::done, 0, countText(int(evaluation.sweep.value->sweep.stations.size()), "station", "stations")};
+        Kind::done, 0, countText(int(evaluation.cut().sweep.value->poses.size()), "station", "stations")};
 }
 
 /// Raises a step to the worst of its findings.
@@ -65,8 +65,8 @@ void addFindings(StepStates& states, const pipeline::Evaluation& evaluation) {
 }  // namespace
 
 Step failedStep(const pipeline::Evaluation* evaluation) {
-  if (!evaluation || !evaluation->source.value || !evaluation->target.value) return Step::input;
-  if (!evaluation->setup) return Step::setup;
+  if (!evaluation || !evaluation->source.value || !evaluation->cut().target.value) return Step::input;
+  if (!evaluation->cut().setup) return Step::setup;
   return Step::process;
 }
 
@@ -90,16 +90,16 @@ Step stepOf(FindingKind kind) {
 }
 
 std::string exportKey(const pipeline::Evaluation& evaluation) {
-  if (!evaluation.sweep.value) return {};
+  if (!evaluation.result()) return {};
   std::string key = pipeline::runId(evaluation, evaluation.cell.value.get());
-  for (const std::string& format : evaluation.design.job.programs) key += " " + format;
+  for (const std::string& format : evaluation.design.output.programs) key += " " + format;
   return key;
 }
 
 StepStates stepStates(const StepFacts& facts) {
   StepStates states;
   const bool empty =
-      !facts.design || (facts.design->source.path.empty() && facts.design->source.bytes.empty());
+      !facts.design || (facts.design->source().path.empty() && facts.design->source().bytes.empty());
   if (empty) {
     states[int(Step::input)].text = QStringLiteral("No surface yet");
     return states;
@@ -123,7 +123,7 @@ StepStates stepStates(const StepFacts& facts) {
     states[int(Step::process)].text = QStringLiteral("Out of date");
   }
   StepState& output = states[int(Step::output)];
-  const bool ready = current && facts.evaluation && facts.evaluation->sweep.value;
+  const bool ready = current && facts.evaluation && facts.evaluation->result();
   if (facts.exporting) {
     output = {Kind::running, facts.progress, QStringLiteral("Writing files")};
   } else if (!facts.exportProblem.isEmpty()) {

@@ -10,35 +10,26 @@ namespace {
 /// Points of a drawn curve; a blade bends gently.
 constexpr int kCurvePoints = 65;
 
-std::vector<Eigen::Vector3d> curvePoints(const Frame& frame, const Elastica& elastica) {
-  std::vector<double> arcs(kCurvePoints);
-  for (int i = 0; i < kCurvePoints; ++i) arcs[std::size_t(i)] = elastica.length() * i / (kCurvePoints - 1);
-  std::vector<Elastica::State> states(kCurvePoints);
-  elastica.at(arcs, states);
-  std::vector<Eigen::Vector3d> points;
-  points.reserve(kCurvePoints);
-  for (const Elastica::State& state : states) points.push_back(frame.toWorld(state.point));
-  return points;
-}
-
 }  // namespace
 
 scene::Content sceneContent(const Evaluation& evaluation) {
   scene::Content content;
-  if (evaluation.targetMesh.value) content.target = *evaluation.targetMesh.value;
+  const CutEvaluation& cut = evaluation.cut();
+  if (cut.targetMesh.value) content.target = *cut.targetMesh.value;
   content.faces = evaluation.faceMesh.value;
-  if (evaluation.setup)
-    content.block = evaluation.setup->block;
-  else if (evaluation.design.job.block)
-    content.block = evaluation.design.job.block->box();  // it misses the surface: shown where it was put
-  if (evaluation.setup) content.travel = evaluation.setup->direction;
-  if (evaluation.sweep.value) {
-    const Blade& blade = evaluation.sweep.value->sweep.request.blade;
+  if (cut.setup)
+    content.block = cut.setup->block;
+  else if (evaluation.design.block().placement)
+    content.block =
+        evaluation.design.block().placement->box();  // it misses the surface: shown where it was put
+  if (cut.setup) content.travel = cut.setup->direction;
+  if (const std::optional<CutResult> result = cut.result()) {
+    const Blade& blade = result->sweep.request.blade;
     content.limits = {{"curvature", 1.0}, {"stress", blade.stress(blade.maxCurvature())}};
-    content.cut = evaluation.sweep.value->analysis.cut;
-    for (const Station& station : evaluation.sweep.value->sweep.stations) {
-      content.stations.push_back(curvePoints(station.frame, station.fit.elastica));
-      content.blades.push_back(curvePoints(station.frame, station.blade));
+    content.cut = result->analysis.cut;
+    for (const BladePose& pose : result->sweep.poses) {
+      content.stations.push_back(pose.points(pose.cut, kCurvePoints));
+      content.blades.push_back(pose.points(pose.blade, kCurvePoints));
     }
   }
   return content;

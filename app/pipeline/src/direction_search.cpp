@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "bw/core/base/units.h"
-#include "bw/core/sweep/sweep.h"
+#include "bw/core/sweep/sweep_check.h"
 
 namespace bw::pipeline {
 
@@ -21,13 +21,8 @@ constexpr int kSparedAtAnEnd = 1;
 constexpr double kSmallerDeviation = 0.8;
 constexpr double kSmallerAngle = 10 * kDegree;
 
-bool isUnusable(const Station& station, double curvatureLimit) {
-  return station.fit.status == FitStatus::infeasible || station.blade.maxCurvature() > curvatureLimit ||
-         station.clearance < 0;
-}
-
 /// Stations left out inside the row, or beyond those spared at its ends.
-int leftOut(const std::vector<Station>& stations) {
+int leftOut(const std::vector<BladePose>& stations) {
   const int before = stations.front().index, after = kStations - 1 - stations.back().index;
   const int inside = kStations - before - after - int(stations.size());
   return inside + std::max(0, before - kSparedAtAnEnd) + std::max(0, after - kSparedAtAnEnd);
@@ -42,20 +37,23 @@ DirectionTrial tried(const geometry::Target& target, const RowRequest& request,
   };
   const Box& block = request.setup.block;
   Findings ignored;
-  Result<std::vector<Section>> sections =
+  const Result<std::vector<Section>> sections =
       geometry::cutSections(target, {block, along.direction}, {kStations, {}}, context, ignored);
   if (!sections) return failed(sections.error());
-  Result<Sweep> sweep =
-      buildSweep(std::move(*sections), request.fit, block, along.direction, context, ignored);
+  const Result<Sweep> sweep = buildSweep(*sections, request.fit, block, along.direction, context, ignored);
   if (!sweep) return failed(sweep.error());
-  if (const Result<void> measured =
-          measureSweep(*sweep, {request.fit.tolerance, request.fit.clearance}, context);
-      !measured)
-    return failed(measured.error());
-  trial.unusable = leftOut(sweep->stations);
-  for (const Station& station : sweep->stations) {
-    if (isUnusable(station, sweep->request.blade.maxCurvature())) ++trial.unusable;
-    trial.deviationMax = std::max(trial.deviationMax, station.fit.hausdorff);
+  const Result<SweepCheck> check =
+      checkSweep(*sweep, {request.fit.tolerance, request.fit.clearance}, context);
+  if (!check) return failed(check.error());
+  const double curvatureLimit = request.fit.blade.maxCurvature();
+  trial.unusable = leftOut(sweep->poses);
+  for (std::size_t i = 0; i < sweep->poses.size(); ++i) {
+    const FitResult& fit = sweep->fits[i].fit;
+    const StationCheck& station = check->stations[i];
+    if (fit.status == FitStatus::infeasible || sweep->poses[i].blade.maxCurvature() > curvatureLimit ||
+        station.clearance < 0)
+      ++trial.unusable;
+    trial.deviationMax = std::max(trial.deviationMax, fit.hausdorff);
     trial.angleMax = std::max(trial.angleMax, station.angleMax);
   }
   return trial;

@@ -41,19 +41,19 @@ Result<Design> exampleDesign(const std::string& name) {
     step = readFile(*folder / "examples" / (name + ".step"));
   if (!step) step = geometry::exampleStep(name);
   if (!step) return tl::unexpected<Error>(step.error());
-  design.source.bytes = std::move(*step);
-  design.source.path = name + ".step";
+  design.source().bytes = std::move(*step);
+  design.source().path = name + ".step";
   for (const geometry::Example& example : geometry::exampleList())
     if (example.name == name) design.name = example.title;
   const Setting* setting = std::ranges::find_if(kSettings, [&](const Setting& s) { return name == s.name; });
   const bool found = setting != std::end(kSettings);
-  Result<Blade> blade = bladePreset(found ? setting->blade : design.job.blade.name);
+  Result<Blade> blade = bladePreset(found ? setting->blade : design.blade.name);
   if (!blade) return tl::unexpected<Error>(blade.error());
-  design.job.blade = *blade;
-  if (found) design.job.blade.length = setting->bladeLength;
+  design.blade = *blade;
+  if (found) design.blade.length = setting->bladeLength;
   if (name == "wavy-wall") {
-    design.job.block = blockInWall();
-    design.job.direction = Eigen::Vector3d::UnitY();
+    design.block().placement = blockInWall();
+    design.cut().direction = Eigen::Vector3d::UnitY();
   }
   return design;
 }

@@ -3,8 +3,8 @@
 
 #include "bw/pipeline/pipeline.h"
 
+#include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <type_traits>
 #include <utility>
 
@@ -41,7 +41,9 @@ Result<void> settle(Stage<Request, T>& stage, const Stage<Request, T>* before,
   return {};
 }
 
-SourceRequest sourceRequest(const Source& source, const ReadOptions& options) {
+SourceRequest sourceRequest(const Design& design) {
+  const Source& source = design.source();
+  const ReadOptions options = design.readOptions(source);
   if (source.bytes.empty()) return {FileStamp::of(source.path), {}, options};
   return {{source.path}, source.bytes, options};
 }
@@ -68,21 +70,6 @@ Result<CadSource> readSource(const SourceRequest& request, const RunContext& con
   return CadSource{std::move(*model), *content};
 }
 
-Result<SweepResult> checkedSweep(const Sweep& fits, const ResultRequest& request,
-                                 const SurfaceSampler& target, const RunContext& context,
-                                 Findings& findings) {
-  SweepResult result{fits, {}, {}};
-  Result<SweepAnalysis> analysis = analyzeSweep(result.sweep, request.check, target, context);
-  if (!analysis) return tl::unexpected<Error>(analysis.error());
-  Result<Motion> motion = buildMotion(result.sweep, request.motion);
-  if (!motion) return tl::unexpected<Error>(motion.error());
-  result.analysis = std::move(*analysis);
-  result.motion = std::move(*motion);
-  result.analysis.summary.cuttingTime = result.motion.instants.back().time;
-  findings = result.analysis.findings;
-  return result;
-}
-
 /// Tells where a linked source that was read is another than when the design was saved.
 Findings changedSource(const Source& source, const Fingerprint& read) {
   if (!source.bytes.empty() || !source.saved || read == *source.saved) return {};
@@ -92,119 +79,248 @@ Findings changedSource(const Source& source, const Fingerprint& read) {
            {}}};
 }
 
+void append(Findings& all, const Findings& more) { all.insert(all.end(), more.begin(), more.end()); }
+
+/// The stages of one cut at work.
+struct CutWork {
+  const Design& design;
+  const Cut& cut;
+  CutEvaluation& e;
+  const CutEvaluation* previous;
+  Seconds& seconds;
+  const RunContext& context;
+
+  template <class Request, class T, class Make>
+  Result<void> settle(Stage<Request, T> CutEvaluation::*stage, const std::type_identity_t<Request>& request,
+                      Inputs inputs, double& time, const Make& make) const {
+    return pipeline::settle(e.*stage, previous ? &(previous->*stage) : nullptr, request, std::move(inputs),
+                            time, make);
+  }
+  Result<void> unlessStopped() const {
+    return context.stopped() ? Result<void>(stoppedError()) : Result<void>();
+  }
+};
+
+/// The surface; block and direction; where the direction is left to us, the best of some. What the trials
+/// hang on does not hold the number of stations: its change is what people drag.
+Result<void> place(const CutWork& work, const std::shared_ptr<const CadSource>& source,
+                   const std::optional<BlockPlacement>& placement) {
+  CutEvaluation& e = work.e;
+  Result<void> ok = work.settle(&CutEvaluation::target, work.cut.face, {source}, work.seconds.read,
+                                [&source](const FaceChoice& face, Findings& findings) {
+                                  return geometry::Target::make(source->model, face, &findings);
+                                });
+  if (!ok) return ok;
+  const geometry::Target& target = *e.target.value;
+  double none = 0;
+  ok = work.settle(&CutEvaluation::placed, {placement, work.cut.direction}, {e.target.value}, none,
+                   [&target](const geometry::SetupRequest& request, Findings& findings) {
+                     return geometry::resolveSetup(target, request, findings);
+                   });
+  if (!ok) return ok;
+  e.setup = e.placed.value;
+  if (work.cut.direction) return work.unlessStopped();
+  ok = work.settle(&CutEvaluation::directions, {*e.placed.value, fitRequest(work.design)}, {e.target.value},
+                   work.seconds.direction, [&work, &target](const RowRequest& request, Findings& findings) {
+                     work.context.report(0.25, "direction");
+                     Result<DirectionSearch> search = searchDirection(target, request, work.context);
+                     if (search) findings = directionFindings(*search);
+                     return search;
+                   });
+  if (!ok) return ok;
+  const DirectionSearch& search = *e.directions.value;
+  e.setup = std::make_shared<const geometry::Setup>(
+      geometry::Setup{e.placed.value->block, search.trials[search.chosen].direction});
+  return work.unlessStopped();
+}
+
+/// Sections, and the blades for them.
+Result<void> fit(const CutWork& work) {
+  CutEvaluation& e = work.e;
+  const geometry::Target& target = *e.target.value;
+  Result<void> ok =
+      work.settle(&CutEvaluation::sections, {*e.setup, work.cut.sections}, {e.target.value},
+                  work.seconds.sections, [&work, &target](const PlanesRequest& request, Findings& findings) {
+                    work.context.report(0.3, "sections");
+                    return geometry::cutSections(target, request.setup, request.sections,
+                                                 work.context.child(0.3, 0.6), findings);
+                  });
+  if (ok) ok = work.unlessStopped();
+  if (!ok) return ok;
+  const std::vector<Section>& sections = *e.sections.value;
+  double none = 0;
+  ok = work.settle(&CutEvaluation::sweep, {*e.setup, fitRequest(work.design)}, {e.sections.value}, none,
+                   [&work, &sections](const RowRequest& request, Findings& findings) {
+                     work.context.report(0.6, "fitting");
+                     return buildSweep(sections, request.fit, request.setup.block, request.setup.direction,
+                                       work.context.child(0.6, 0.75), findings, &work.seconds.fit,
+                                       &work.seconds.extend);
+                   });
+  return ok ? work.unlessStopped() : ok;
+}
+
+/// What the row tells by itself, its motion, and the cut surface against the target.
+Result<void> check(const CutWork& work) {
+  CutEvaluation& e = work.e;
+  const Sweep& sweep = *e.sweep.value;
+  Result<void> ok = work.settle(&CutEvaluation::check, checkRequest(work.design), {e.sweep.value},
+                                work.seconds.check, [&work, &sweep](const CheckRequest& request, Findings&) {
+                                  work.context.report(0.75, "checking");
+                                  return checkSweep(sweep, request, work.context);
+                                });
+  if (!ok) return ok;
+  ok = work.settle(&CutEvaluation::motion, motionRequest(work.design), {e.sweep.value}, work.seconds.check,
+                   [&sweep](const MotionRequest& request, Findings&) { return buildMotion(sweep, request); });
+  if (!ok) return ok;
+  ok = work.settle(&CutEvaluation::analysis, checkRequest(work.design), {e.check.value, e.target.value},
+                   work.seconds.check, [&work, &e, &sweep](const CheckRequest& request, Findings& findings) {
+                     Result<SweepAnalysis> analysis =
+                         analyzeSweep(sweep, *e.check.value, request, *e.target.value->sampler(),
+                                      work.context.child(0.75, 0.95));
+                     if (analysis) findings = analysis->findings;
+                     return analysis;
+                   });
+  return ok ? work.unlessStopped() : ok;
+}
+
+/// How the programs lie in their cell. A cell that cannot be read is a finding: the surface is judged without
+/// it.
+void judgeCell(Evaluation& e, const Evaluation* previous) {
+  const CellRequest request{e.design.output, FileStamp::of(e.design.output.cell)};
+  Inputs motions;
+  for (const BlockEvaluation& block : e.blocks)
+    for (const CutEvaluation& cut : block.cuts) motions.push_back(cut.motion.value);
+  double none = 0;
+  const Result<void> ok = settle(e.cell, previous ? &previous->cell : nullptr, request, motions, none,
+                                 [&e](const CellRequest& asked, Findings& findings) {
+                                   Result<Cell> cell = loadCell(asked.output.cell);
+                                   for (const BlockEvaluation& block : e.blocks)
+                                     for (const CutEvaluation& cut : block.cuts)
+                                       if (cell)
+                                         append(findings, robotio::checkPlacement(*cut.motion.value, *cell));
+                                   return cell;
+                                 });
+  if (!ok) e.cell.findings = {{Severity::error, UnreadableCell{ok.error().message}, {}, {}}};
+}
+
+/// That of an earlier evaluation, or null.
+const CutEvaluation* cutOf(const Evaluation* evaluation, const std::string& id) {
+  if (evaluation)
+    for (const BlockEvaluation& block : evaluation->blocks)
+      for (const CutEvaluation& cut : block.cuts)
+        if (cut.id == id) return &cut;
+  return nullptr;
+}
+
+/// The blocks of a design and their cuts, nothing of them evaluated.
+std::vector<BlockEvaluation> listed(const Design& design) {
+  std::vector<BlockEvaluation> blocks;
+  for (const StockBlock& block : design.stock) {
+    BlockEvaluation& list = blocks.emplace_back(BlockEvaluation{block.id, {}});
+    for (const Cut& cut : design.cuts)
+      if (cut.block == block.id) list.cuts.emplace_back().id = cut.id;
+  }
+  return blocks;
+}
+
+template <class Request, class T>
+void takeMissing(Stage<Request, T>& stage, const Stage<Request, T>& from) {
+  if (!stage.value) stage = from;
+}
+
 }  // namespace
 
-Findings Evaluation::findings() const {
+std::optional<CutResult> CutEvaluation::result() const {
+  if (!sweep.value || !check.value || !motion.value || !analysis.value) return std::nullopt;
+  return CutResult{*sweep.value, *check.value, *analysis.value, *motion.value};
+}
+
+Findings CutEvaluation::findings() const {
   Findings all;
-  for (const Findings* list :
-       {&sourceFindings, &source.findings, &target.findings, &placed.findings, &directions.findings,
-        &sections.findings, &fits.findings, &sweep.findings, &cell.findings, &programs})
-    all.insert(all.end(), list->begin(), list->end());
+  for (const Findings* list : {&target.findings, &placed.findings, &directions.findings, &sections.findings,
+                               &sweep.findings, &check.findings, &motion.findings, &analysis.findings})
+    append(all, *list);
   return all;
+}
+
+Findings Evaluation::findings() const {
+  Findings all = sourceFindings;
+  append(all, source.findings);
+  for (const BlockEvaluation& block : blocks)
+    for (const CutEvaluation& cut : block.cuts) append(all, cut.findings());
+  append(all, cell.findings);
+  append(all, programs);
+  return all;
+}
+
+void Evaluation::takeMissing(const Evaluation& before) {
+  using pipeline::takeMissing;
+  takeMissing(source, before.source);
+  takeMissing(faceMesh, before.faceMesh);
+  takeMissing(cell, before.cell);
+  for (BlockEvaluation& block : blocks)
+    for (CutEvaluation& cut : block.cuts) {
+      const CutEvaluation* from = cutOf(&before, cut.id);
+      if (!from) continue;
+      takeMissing(cut.target, from->target);
+      takeMissing(cut.targetMesh, from->targetMesh);
+      takeMissing(cut.placed, from->placed);
+      takeMissing(cut.directions, from->directions);
+      if (!cut.setup) cut.setup = from->setup;
+      takeMissing(cut.sections, from->sections);
+      takeMissing(cut.sweep, from->sweep);
+      takeMissing(cut.check, from->check);
+      takeMissing(cut.motion, from->motion);
+      takeMissing(cut.analysis, from->analysis);
+    }
 }
 
 Outcome evaluate(const Design& design, const Evaluation* previous, const RunContext& context) {
   Outcome outcome;
   Evaluation& e = outcome.evaluation;
   e.design = design;
+  e.blocks = listed(design);
   const auto start = Clock::now();
   const auto stop = [&](const Error& error) {
     outcome.error = error;
     e.seconds.total = secondsSince(start);
     return outcome;
   };
-  const auto before = [&](auto member) { return previous ? &(previous->*member) : nullptr; };
-  const Requests ask(design.job);
-  Result<void> ok;
-
-  ok = settle(e.source, before(&Evaluation::source), sourceRequest(design.source, ask.read), {},
-              e.seconds.read, [&context](const SourceRequest& request, Findings& findings) {
-                context.report(0.0, "reading");
-                return readSource(request, context.child(0.0, 0.25), findings);
-              });
+  Result<void> ok = settle(e.source, previous ? &previous->source : nullptr, sourceRequest(design), {},
+                           e.seconds.read, [&context](const SourceRequest& request, Findings& findings) {
+                             context.report(0.0, "reading");
+                             return readSource(request, context.child(0.0, 0.25), findings);
+                           });
   if (!ok) return stop(ok.error());
   if (context.stopped()) return stop(stoppedError().value());
-  const CadSource& source = *e.source.value;
-  e.sourceFindings = changedSource(design.source, source.content);
+  e.sourceFindings = changedSource(design.source(), e.source.value->content);
 
-  ok = settle(e.target, before(&Evaluation::target), ask.face, {e.source.value}, e.seconds.read,
-              [&source](const FaceChoice& face, Findings& findings) {
-                return geometry::Target::make(source.model, face, &findings);
-              });
-  if (!ok) return stop(ok.error());
-  const geometry::Target& target = *e.target.value;
-
-  // Block and direction; where the direction is left to us, the best of some. What the trials hang on does
-  // not hold the number of stations: its change is what people drag.
-  double none = 0;
-  ok = settle(e.placed, before(&Evaluation::placed), ask.setup, {e.target.value}, none,
-              [&target](const geometry::SetupRequest& request, Findings& findings) {
-                return geometry::resolveSetup(target, request, findings);
-              });
-  if (!ok) return stop(ok.error());
-  e.setup = e.placed.value;
-  if (!ask.setup.direction) {
-    ok = settle(e.directions, before(&Evaluation::directions), {*e.placed.value, ask.fit}, {e.target.value},
-                e.seconds.direction, [&context, &target](const RowRequest& request, Findings& findings) {
-                  context.report(0.25, "direction");
-                  Result<DirectionSearch> search = searchDirection(target, request, context);
-                  if (search) findings = directionFindings(*search);
-                  return search;
-                });
-    if (!ok) return stop(ok.error());
-    const DirectionSearch& search = *e.directions.value;
-    e.setup = std::make_shared<const geometry::Setup>(
-        geometry::Setup{e.placed.value->block, search.trials[search.chosen].direction});
+  for (std::size_t b = 0; b < e.blocks.size(); ++b) {
+    // A block that lies around what is cut of it first stays there for its other cuts.
+    std::optional<BlockPlacement> placement = design.stock[b].placement;
+    for (CutEvaluation& stages : e.blocks[b].cuts) {
+      const Cut& cut = *std::ranges::find(design.cuts, stages.id, &Cut::id);
+      const CutWork work{design, cut, stages, cutOf(previous, cut.id), e.seconds, context};
+      ok = place(work, e.source.value, placement);
+      if (ok) ok = fit(work);
+      if (ok) ok = check(work);
+      if (!ok) return stop(ok.error());
+      if (!placement) placement = placementOf(stages.setup->block);
+    }
   }
-  if (context.stopped()) return stop(stoppedError().value());
-
-  ok = settle(e.sections, before(&Evaluation::sections), {*e.setup, ask.sections}, {e.target.value},
-              e.seconds.sections, [&context, &target](const PlanesRequest& request, Findings& findings) {
-                context.report(0.3, "sections");
-                return geometry::cutSections(target, request.setup, request.sections, context.child(0.3, 0.6),
-                                             findings);
-              });
-  if (!ok) return stop(ok.error());
-  if (context.stopped()) return stop(stoppedError().value());
-
-  const std::vector<Section>& sections = *e.sections.value;
-  ok = settle(e.fits, before(&Evaluation::fits), {*e.setup, ask.fit}, {e.sections.value}, none,
-              [&context, &sections, &seconds = e.seconds](const RowRequest& request, Findings& findings) {
-                context.report(0.6, "fitting");
-                return buildSweep(sections, request.fit, request.setup.block, request.setup.direction,
-                                  context.child(0.6, 0.75), findings, &seconds.fit, &seconds.extend);
-              });
-  if (!ok) return stop(ok.error());
-  if (context.stopped()) return stop(stoppedError().value());
-
-  const Sweep& fits = *e.fits.value;
-  ok = settle(e.sweep, before(&Evaluation::sweep), {ask.check, ask.motion}, {e.fits.value, e.target.value},
-              e.seconds.check, [&context, &fits, &target](const ResultRequest& request, Findings& findings) {
-                context.report(0.75, "checking");
-                return checkedSweep(fits, request, *target.sampler(), context.child(0.75, 0.95), findings);
-              });
-  if (!ok) return stop(ok.error());
-  if (context.stopped()) return stop(stoppedError().value());
-
-  // How the programs lie in their cell. A cell that cannot be read is a finding: the surface is judged
-  // without it.
-  const SweepResult& sweep = *e.sweep.value;
-  if (!ask.programs.formats.empty()) {
-    ok = settle(e.cell, before(&Evaluation::cell), {ask.programs, FileStamp::of(ask.programs.cell)},
-                {e.sweep.value}, none, [&sweep](const CellRequest& request, Findings& findings) {
-                  Result<Cell> cell = loadCell(request.programs.cell);
-                  if (cell) findings = robotio::checkPlacement(sweep.motion, *cell);
-                  return cell;
-                });
-    if (!ok) e.cell.findings = {{Severity::error, UnreadableCell{ok.error().message}, {}, {}}};
-  }
-
-  ok = settle(e.targetMesh, before(&Evaluation::targetMesh), {}, {e.target.value}, e.seconds.read,
-              [&target](const NoRequest&, Findings&) { return target.mesh(); });
-  if (!ok) return stop(ok.error());
+  if (!design.output.programs.empty()) judgeCell(e, previous);
+  for (BlockEvaluation& block : e.blocks)
+    for (CutEvaluation& cut : block.cuts)
+      if (ok = meshTarget(cut, cutOf(previous, cut.id), e.seconds.read); !ok) return stop(ok.error());
   context.report(1.0, "done");
   e.seconds.total = secondsSince(start);
   return outcome;
+}
+
+Result<void> meshTarget(CutEvaluation& cut, const CutEvaluation* previous, double& seconds) {
+  if (!cut.target.value) return {};
+  return settle(cut.targetMesh, previous ? &previous->targetMesh : nullptr, {}, {cut.target.value}, seconds,
+                [&cut](const NoRequest&, Findings&) { return cut.target.value->mesh(); });
 }
 
 }  // namespace bw::pipeline

@@ -13,11 +13,13 @@ using Contents = Policy::Contents;
 
 Result<FileSet> filesOf(Evaluation& evaluation, const Policy& policy, const RunContext& context) {
   if (policy.contents == Contents::evaluation) return FileSet{};
-  if (!evaluation.sweep.value)
+  if (evaluation.blocks.size() != 1 || evaluation.blocks.front().cuts.size() != 1)
+    return fail(ErrorCode::badInput, "files are written of designs with one block and one cut", "results");
+  if (!evaluation.result())
     return fail(ErrorCode::badInput, "there is no result to write; mend what the messages say first",
                 "results");
   if (policy.contents == Contents::results) return resultFiles(evaluation, context, policy);
-  const Result<Cell> cell = loadCell(evaluation.design.job.cell);
+  const Result<Cell> cell = loadCell(evaluation.design.output.cell);
   if (!cell) return tl::unexpected<Error>(cell.error());
   Result<FileSet> programs = programFiles(evaluation, *cell, policy.programName, policy);
   if (!programs) return programs;
@@ -46,8 +48,8 @@ Product produce(const Design& design, const std::filesystem::path& folder, const
   Product product;
   if (policy.contents != Contents::evaluation) {
     product.seen = folderState(folder);
-    if (!design.job.programs.empty())
-      if (const Result<Cell> cell = loadCell(design.job.cell); !cell) {
+    if (!design.output.programs.empty())
+      if (const Result<Cell> cell = loadCell(design.output.cell); !cell) {
         product.error = cell.error();
         return product;
       }

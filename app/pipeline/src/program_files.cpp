@@ -11,10 +11,10 @@
 namespace bw::pipeline {
 
 Result<FileSet> programFiles(Evaluation& e, const Cell& cell, const std::string& name, const Policy& policy) {
-  const std::vector<std::string>& formats = e.design.job.programs;
+  const std::vector<std::string>& formats = e.design.output.programs;
   Findings& findings = e.programs;
   findings.clear();
-  const Motion& motion = e.sweep.value->motion;
+  const Motion& motion = *e.cut().motion.value;
   FileSet files;
   for (std::size_t i = 0; i < formats.size(); ++i) {
     const std::string& format = formats[i];

@@ -37,7 +37,10 @@ ordered_json elasticaJson(const Elastica& e) {
   return object;
 }
 
-ordered_json stationJson(const Station& s) {
+ordered_json stationJson(const StationView& station) {
+  const BladePose& s = station.pose;
+  const FitResult& fit = station.fit.fit;
+  const StationCheck& check = station.check;
   ordered_json object;
   object["index"] = s.index;
   object["travel"] = plain(s.travel);
@@ -45,25 +48,25 @@ ordered_json stationJson(const Station& s) {
                      {"x", vec(s.frame.x)},
                      {"y", vec(s.frame.y)},
                      {"normal", vec(s.frame.normal)}};
-  object["target_length"] = s.targetLength;
-  object["elastica"] = elasticaJson(s.fit.elastica);
-  object["fit_status"] = fitStatusName(s.fit.status);
-  object["R4"] = s.fit.R4;
-  object["hausdorff_mm"] = s.fit.hausdorff;
+  object["target_length"] = station.fit.target.length();
+  object["elastica"] = elasticaJson(s.cut);
+  object["fit_status"] = fitStatusName(fit.status);
+  object["R4"] = fit.R4;
+  object["hausdorff_mm"] = fit.hausdorff;
   object["blade"] = {{"left", {{"point", vec(s.leftPoint())}, {"tangent", vec(s.leftTangent())}}},
                      {"right", {{"point", vec(s.rightPoint())}, {"tangent", vec(s.rightTangent())}}},
                      {"parameter", {-s.extension, 1 + s.extension}}};
   const double curvature = s.blade.maxCurvature();
   object["max_curvature"] = curvature;
   object["min_radius_mm"] = curvature > 0 ? ordered_json(1 / curvature) : ordered_json(nullptr);
-  object["inflections"] = bladeInflections(s.fit.elastica);
-  object["stable"] = s.stable;
-  object["stability_margin"] = s.stabilityMargin;
-  object["out_of_plane_margin"] = s.outOfPlaneMargin;
-  object["angle_mean_deg"] = toDegrees(s.angleMean);
-  object["angle_max_deg"] = toDegrees(s.angleMax);
-  object["speed_ratio"] = s.speedRatio;
-  object["clearance_mm"] = s.clearance;
+  object["inflections"] = bladeInflections(s.cut);
+  object["stable"] = check.stable;
+  object["stability_margin"] = check.stabilityMargin;
+  object["out_of_plane_margin"] = check.outOfPlaneMargin;
+  object["angle_mean_deg"] = toDegrees(check.angleMean);
+  object["angle_max_deg"] = toDegrees(check.angleMax);
+  object["speed_ratio"] = check.speedRatio;
+  object["clearance_mm"] = check.clearance;
   return object;
 }
 
@@ -85,45 +88,46 @@ ordered_json trialJson(const DirectionTrial& trial, bool chosen) {
 std::string reportJson(const Evaluation& e, const std::string& run, const FileSet& files,
                        words::Reader reader) {
   ordered_json report;
-  const Job& job = e.design.job;
+  const Design& design = e.design;
+  const CutEvaluation& cut = e.cut();
   report["bladewright_report"] = 1;
   report["run"] = run;
-  if (e.target.value) {
-    const Bounds b = e.target.value->bounds();
-    const std::vector<int>& faces = e.target.value->faces();
-    report["target"] = {{"file", e.design.source.path.generic_string()},
+  if (cut.target.value) {
+    const Bounds b = cut.target.value->bounds();
+    const std::vector<int>& faces = cut.target.value->faces();
+    report["target"] = {{"file", design.source().path.generic_string()},
                         {"face", faces.size() == 1 ? ordered_json(faces[0]) : ordered_json(faces)},
                         {"bounds_mm", {vec(b.min), vec(b.max)}},
-                        {"area_mm2", e.target.value->area()}};
+                        {"area_mm2", cut.target.value->area()}};
   }
-  report["blade"] = {{"name", job.blade.name},
-                     {"title", job.blade.title},
-                     {"length", job.blade.length},
-                     {"min_radius_mm", job.blade.minRadius()},
-                     {"flexural_rigidity_Nmm2", job.blade.flexuralRigidity()}};
+  report["blade"] = {{"name", design.blade.name},
+                     {"title", design.blade.title},
+                     {"length", design.blade.length},
+                     {"min_radius_mm", design.blade.minRadius()},
+                     {"flexural_rigidity_Nmm2", design.blade.flexuralRigidity()}};
   ordered_json method;
   method["planes"] = "parallel";
-  if (e.setup) method["direction"] = vec(e.setup->direction);
-  method["fit"] = {{"length", job.fitLength == FitOptions::Length::exact ? "exact" : "free"},
-                   {"endpoints", job.fitEndpoints},
-                   {"tangents", job.fitTangents},
-                   {"max_periods", job.maxPeriods}};
-  method["lead_mm"] = job.lead;
-  method["tolerance_mm"] = job.tolerance;
-  method["cutting_speed_mm_s"] = job.cuttingSpeed;
-  method["clearance_mm"] = job.clearance;
-  method["cell"] = job.cell;
+  if (cut.setup) method["direction"] = vec(cut.setup->direction);
+  method["fit"] = {{"length", design.process.fitLength == FitOptions::Length::exact ? "exact" : "free"},
+                   {"endpoints", design.process.fitEndpoints},
+                   {"tangents", design.process.fitTangents},
+                   {"max_periods", design.process.maxPeriods}};
+  method["lead_mm"] = design.process.lead;
+  method["tolerance_mm"] = design.process.tolerance;
+  method["cutting_speed_mm_s"] = design.process.cuttingSpeed;
+  method["clearance_mm"] = design.process.clearance;
+  method["cell"] = design.output.cell;
   report["method"] = method;
-  if (e.setup) {
-    const Box& block = e.setup->block;
+  if (cut.setup) {
+    const Box& block = cut.setup->block;
     report["block"] = {{"origin", vec(block.frame.origin)},
                        {"size", vec(block.size)},
                        {"x", vec(block.frame.x)},
                        {"y", vec(block.frame.y)},
                        {"z", vec(block.frame.normal)}};
   }
-  if (e.directions.value) {
-    const DirectionSearch& search = *e.directions.value;
+  if (cut.directions.value) {
+    const DirectionSearch& search = *cut.directions.value;
     report["directions"] = ordered_json::array();
     for (std::size_t i = 0; i < search.trials.size(); ++i)
       report["directions"].push_back(trialJson(search.trials[i], i == search.chosen));
@@ -133,11 +137,26 @@ std::string reportJson(const Evaluation& e, const std::string& run, const FileSe
                        {"extend", e.seconds.extend},     {"check", e.seconds.check},
                        {"write", e.seconds.write},       {"total", e.seconds.total}};
   report["strips"] = ordered_json::array();
-  if (e.sweep.value) {
-    ordered_json stations = ordered_json::array();
-    for (const Station& station : e.sweep.value->sweep.stations) stations.push_back(stationJson(station));
-    report["strips"].push_back({{"index", 0}, {"stations", stations}});
-    const SweepSummary& s = e.sweep.value->analysis.summary;
+  report["blocks"] = ordered_json::array();
+  for (const BlockEvaluation& block : e.blocks) {
+    ordered_json cuts = ordered_json::array();
+    for (const CutEvaluation& each : block.cuts) {
+      ordered_json strips = ordered_json::array();
+      if (const std::optional<CutResult> result = each.result()) {
+        ordered_json stations = ordered_json::array();
+        for (std::size_t i = 0; i < result->size(); ++i) stations.push_back(stationJson(result->station(i)));
+        strips.push_back(report["strips"].size());
+        report["strips"].push_back({{"index", report["strips"].size()},
+                                    {"block", block.id},
+                                    {"cut", each.id},
+                                    {"stations", stations}});
+      }
+      cuts.push_back({{"id", each.id}, {"strips", strips}});
+    }
+    report["blocks"].push_back({{"id", block.id}, {"cuts", cuts}});
+  }
+  if (const std::optional<CutResult> result = e.result()) {
+    const SweepSummary& s = result->analysis.summary;
     // A blade that is straight everywhere has no radius.
     const ordered_json radius = s.minRadius > 0 ? ordered_json(s.minRadius) : ordered_json(nullptr);
     report["summary"] = {{"R4_max", s.R4Max},
@@ -152,10 +171,8 @@ std::string reportJson(const Evaluation& e, const std::string& run, const FileSe
                          {"angle_mean_deg", toDegrees(s.angleMean)},
                          {"angle_station_mean_max_deg", toDegrees(s.angleStationMeanMax)},
                          {"speed_ratio_min", s.speedRatioMin},
-                         {"joint_gap_max_mm", 0.0},
-                         {"joint_angle_max_deg", 0.0},
                          {"min_radius_mm", radius},
-                         {"cutting_time_s", s.cuttingTime}};
+                         {"cutting_time_s", result->motion.duration()}};
   }
   if (e.cell.value) {
     report["robots"] = ordered_json::array();

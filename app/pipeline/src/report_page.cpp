@@ -76,7 +76,7 @@ class Page {
 };
 
 std::string verdict(const Evaluation& e) {
-  if (!e.sweep.value) return "There is no result: the findings tell why.";
+  if (!e.cut().analysis.value) return "There is no result: the findings tell why.";
   const Findings findings = e.findings();
   if (hasErrors(findings))
     return "This surface cannot be cut as designed: the findings marked as errors tell why.";
@@ -85,22 +85,22 @@ std::string verdict(const Evaluation& e) {
 }
 
 void limits(Page& page, const Evaluation& e) {
-  const SweepSummary& s = e.sweep.value->analysis.summary;
-  const Job& job = e.design.job;
-  double clearance = e.sweep.value->sweep.stations.empty() ? 0 : 1e300, margin = 1e300;
-  for (const Station& station : e.sweep.value->sweep.stations) {
+  const SweepSummary& s = e.cut().analysis.value->summary;
+  const Design& design = e.design;
+  double clearance = 1e300, margin = 1e300;
+  for (const StationCheck& station : e.cut().check.value->stations) {
     clearance = std::min(clearance, station.clearance);
     margin = std::min(margin, station.stabilityMargin);
   }
   page.heading("Limits");
   page.begin({"Number", "Measured", "Limit", ""});
-  page.checked("Largest deviation", mm(s.deviationMax), "at most " + mm(job.tolerance),
-               s.deviationMax <= job.tolerance);
+  page.checked("Largest deviation", mm(s.deviationMax), "at most " + mm(design.process.tolerance),
+               s.deviationMax <= design.process.tolerance);
   page.checked("Smallest radius of the blade", s.minRadius > 0 ? mm(s.minRadius) : "straight",
-               "at least " + mm(job.blade.minRadius()),
-               s.minRadius <= 0 || s.minRadius >= job.blade.minRadius());
-  page.checked("Smallest distance of a grip from the block", mm(clearance), "at least " + mm(job.clearance),
-               clearance >= job.clearance);
+               "at least " + mm(design.blade.minRadius()),
+               s.minRadius <= 0 || s.minRadius >= design.blade.minRadius());
+  page.checked("Smallest distance of a grip from the block", mm(clearance),
+               "at least " + mm(design.process.clearance), clearance >= design.process.clearance);
   page.checked("Smallest margin against snapping", fixedText(margin, 2), "above 0", margin > 0);
   page.end();
   page.heading("Numbers");
@@ -109,44 +109,44 @@ void limits(Page& page, const Evaluation& e) {
   page.row({"Root mean square of the deviation", mm(s.deviationRms)});
   page.row({"Cut surface within tolerance", fixedText(100 * s.withinTolerance, 1) + " %"});
   page.row({"Steepest cutting angle (the blade drags above " +
-                fixedText(toDegrees(cuttingAngleLimit(e.design.job.blade)), 0) + "°)",
+                fixedText(toDegrees(cuttingAngleLimit(e.design.blade)), 0) + "°)",
             degrees(s.angleMax)});
   page.row({"Mean cutting angle", degrees(s.angleMean)});
   page.row({"Slowest over fastest point of the blade", fixedText(s.speedRatioMin, 2)});
-  page.row({"Cutting time, leads included", fixedText(s.cuttingTime, 0) + " s"});
+  page.row({"Cutting time, leads included", fixedText(e.cut().motion.value->duration(), 0) + " s"});
   page.end();
 }
 
 void parameters(Page& page, const Evaluation& e) {
-  const Job& job = e.design.job;
+  const Design& design = e.design;
   page.heading("Parameters");
   page.begin({"Parameter", "Value"});
-  page.row({"CAD file", e.design.source.path.filename().string()});
-  if (e.target.value) {
+  page.row({"CAD file", e.design.source().path.filename().string()});
+  if (e.cut().target.value) {
     std::string faces;
-    for (const int face : e.target.value->faces())
+    for (const int face : e.cut().target.value->faces())
       faces += (faces.empty() ? "" : ", ") + std::to_string(face);
     page.row({"Faces (counted from 0)", faces});
-    page.row({"Area of the target", shortText(e.target.value->area() * 1e-6, 4) + " m²"});
+    page.row({"Area of the target", shortText(e.cut().target.value->area() * 1e-6, 4) + " m²"});
   }
-  page.row({"Blade", (job.blade.title.empty() ? job.blade.name : job.blade.title) + ", " +
-                         shortText(job.blade.length, 6) + " mm between the grips"});
-  page.row({"Smallest radius that the blade bears", mm(job.blade.minRadius())});
-  if (e.setup) {
-    const Box& block = e.setup->block;
+  page.row({"Blade", (design.blade.title.empty() ? design.blade.name : design.blade.title) + ", " +
+                         shortText(design.blade.length, 6) + " mm between the grips"});
+  page.row({"Smallest radius that the blade bears", mm(design.blade.minRadius())});
+  if (e.cut().setup) {
+    const Box& block = e.cut().setup->block;
     page.row({"Block", shortText(block.size.x(), 5) + " × " + shortText(block.size.y(), 5) + " × " +
                            shortText(block.size.z(), 5) + " mm"});
     page.row({"Corner of the block, in the file's frame", position(block.frame.origin)});
     page.row({"Edges of the block: x", direction(block.frame.x)});
     page.row({"Edges of the block: y", direction(block.frame.y)});
-    page.row({"Cutting direction", direction(e.setup->direction)});
+    page.row({"Cutting direction", direction(e.cut().setup->direction)});
   }
-  if (e.sweep.value) page.row({"Stations", std::to_string(e.sweep.value->sweep.stations.size())});
-  page.row({"Cutting speed of the fastest point", shortText(job.cuttingSpeed, 4) + " mm/s"});
-  page.row({"Lead before and after the block", mm(job.lead)});
-  page.row({"Tolerance", mm(job.tolerance)});
-  page.row({"Clearance", mm(job.clearance)});
-  page.row({"Robot cell", job.cell});
+  if (e.cut().analysis.value) page.row({"Stations", std::to_string(e.cut().sweep.value->poses.size())});
+  page.row({"Cutting speed of the fastest point", shortText(design.process.cuttingSpeed, 4) + " mm/s"});
+  page.row({"Lead before and after the block", mm(design.process.lead)});
+  page.row({"Tolerance", mm(design.process.tolerance)});
+  page.row({"Clearance", mm(design.process.clearance)});
+  page.row({"Robot cell", design.output.cell});
   page.end();
 }
 
@@ -164,11 +164,14 @@ void findings(Page& page, const Evaluation& e) {
 void stations(Page& page, const Evaluation& e) {
   page.heading("Stations");
   page.begin({"Station", "Travel", "Section", "Distance", "Radius", "Angle", "Grip to block", "Margin"});
-  for (const Station& s : e.sweep.value->sweep.stations) {
-    const double curvature = s.blade.maxCurvature();
-    page.row({std::to_string(s.index + 1), fixedText(s.travel, 1), fixedText(s.targetLength, 1),
-              fixedText(s.fit.hausdorff, 3), curvature > 0 ? fixedText(1 / curvature, 0) : "straight",
-              degrees(s.angleMax), fixedText(s.clearance, 0), fixedText(s.stabilityMargin, 2)});
+  const CutResult result = *e.result();
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    const StationView s = result.station(i);
+    const double curvature = s.pose.blade.maxCurvature();
+    page.row({std::to_string(s.pose.index + 1), fixedText(s.pose.travel, 1),
+              fixedText(s.fit.target.length(), 1), fixedText(s.fit.fit.hausdorff, 3),
+              curvature > 0 ? fixedText(1 / curvature, 0) : "straight", degrees(s.check.angleMax),
+              fixedText(s.check.clearance, 0), fixedText(s.check.stabilityMargin, 2)});
   }
   page.end();
   page.paragraph(
@@ -237,10 +240,10 @@ std::string reportPage(const Evaluation& e, const std::vector<ReportPicture>& pi
     page.raw("<p><img src=\"" + escaped(picture.source) + "\" alt=\"" + escaped(picture.title) +
              "\" width=\"" + std::to_string(picture.width) + "\" height=\"" + std::to_string(picture.height) +
              "\"><br>" + escaped(picture.title) + "</p>\n");
-  if (e.sweep.value) limits(page, e);
+  if (e.cut().analysis.value) limits(page, e);
   findings(page, e);
   parameters(page, e);
-  if (e.sweep.value) stations(page, e);
+  if (e.cut().analysis.value) stations(page, e);
   files(page, made);
   page.raw("</body></html>\n");
   return page.take();

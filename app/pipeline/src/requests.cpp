@@ -7,16 +7,18 @@
 
 namespace bw::pipeline {
 
-Requests::Requests(const Job& job)
-    : read{job.unit, job.sewingTolerance()},
-      face(job.face),
-      setup{job.block, job.direction},
-      sections{job.stations, job.spacing},
-      fit{job.blade,      job.fitLength, job.fitEndpoints, job.fitTangents,
-          job.maxPeriods, job.tolerance, job.clearance},
-      check{job.tolerance, job.clearance, job.cuttingSpeed},
-      motion{job.cuttingSpeed, job.lead},
-      programs{job.programs, job.cell} {}
+FitRequest fitRequest(const Design& design) {
+  const Process& p = design.process;
+  return {design.blade, p.fitLength, p.fitEndpoints, p.fitTangents, p.maxPeriods, p.tolerance, p.clearance};
+}
+
+CheckRequest checkRequest(const Design& design) {
+  return {design.process.tolerance, design.process.clearance, design.process.cuttingSpeed};
+}
+
+MotionRequest motionRequest(const Design& design) {
+  return {design.process.cuttingSpeed, design.process.lead};
+}
 
 FileStamp FileStamp::of(const std::filesystem::path& file) {
   std::error_code error;

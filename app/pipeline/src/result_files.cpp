@@ -57,36 +57,27 @@ std::string objText(const SurfaceGrid& cut) {
   return lines.take();
 }
 
-std::string stationsCsv(const Sweep& sweep) {
-  Lines lines(sweep.stations.size() * 400 + 600);
+std::string stationsCsv(const CutResult& result) {
+  Lines lines(result.size() * 400 + 600);
   lines.text(
       "station,travel_mm,target_length_mm,elastica_length_mm,R4,hausdorff_mm,"
       "left_x_mm,left_y_mm,left_z_mm,left_tx,left_ty,left_tz,right_x_mm,right_y_mm,right_z_mm,right_tx,right_"
       "ty,right_tz,"
       "min_radius_mm,inflections,stable,angle_mean_deg,angle_max_deg,speed_ratio,clearance_mm,"
       "stability_margin\n");
-  for (const Station& s : sweep.stations) {
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    const auto& [s, found, check, deviation] = result.station(i);
     const double curvature = s.blade.maxCurvature();
-    lines.integer(s.index)
-        .text(",")
-        .fixed(s.travel, 4)
-        .text(",")
-        .fixed(s.targetLength, 4)
-        .text(",")
-        .fixed(s.fit.elastica.length(), 4);
-    lines.text(",").fixed(s.fit.R4, 9).text(",").fixed(s.fit.hausdorff, 6);
+    lines.integer(s.index).text(",").fixed(s.travel, 4).text(",").fixed(found.target.length(), 4);
+    lines.text(",").fixed(s.cut.length(), 4);
+    lines.text(",").fixed(found.fit.R4, 9).text(",").fixed(found.fit.hausdorff, 6);
     lines.text(",").vector(s.leftPoint(), 4, ',').text(",").vector(s.leftTangent(), 8, ',');
     lines.text(",").vector(s.rightPoint(), 4, ',').text(",").vector(s.rightTangent(), 8, ',');
-    lines.text(",")
-        .text(curvature > 0 ? fixedText(1 / curvature, 3) : "")
-        .text(",")
-        .integer(bladeInflections(s.fit.elastica));
-    lines.text(s.stable ? ",yes," : ",no,")
-        .fixed(toDegrees(s.angleMean), 4)
-        .text(",")
-        .fixed(toDegrees(s.angleMax), 4);
-    lines.text(",").fixed(s.speedRatio, 6).text(",").fixed(s.clearance, 3);
-    lines.text(",").fixed(s.stabilityMargin, 6).text("\n");
+    lines.text(",").text(curvature > 0 ? fixedText(1 / curvature, 3) : "");
+    lines.text(",").integer(bladeInflections(s.cut));
+    lines.text(check.stable ? ",yes," : ",no,").fixed(toDegrees(check.angleMean), 4);
+    lines.text(",").fixed(toDegrees(check.angleMax), 4).text(",").fixed(check.speedRatio, 6);
+    lines.text(",").fixed(check.clearance, 3).text(",").fixed(check.stabilityMargin, 6).text("\n");
   }
   return lines.take();
 }
@@ -118,7 +109,7 @@ std::string deviationCsv(const SurfaceGrid& cut) {
 
 std::string sweepJson(const Evaluation& e, const std::string& run) {
   using nlohmann::ordered_json;
-  const Sweep& sweep = e.sweep.value->sweep;
+  const CutResult result = *e.result();
   const auto vec = [](const Eigen::Vector3d& v) {
     return ordered_json{v.x() + 0.0, v.y() + 0.0, v.z() + 0.0};
   };
@@ -127,28 +118,24 @@ std::string sweepJson(const Evaluation& e, const std::string& run) {
   object["run"] = run;
   object["unit"] = "mm";
   object["points_per_station"] = kSweepPoints;
-  object["blade_length"] = sweep.request.blade.length;
-  object["direction"] = vec(sweep.direction);
+  object["blade_length"] = result.sweep.request.blade.length;
+  object["direction"] = vec(result.sweep.direction);
   ordered_json stations = ordered_json::array();
-  std::vector<double> arcs(kSweepPoints);
-  std::vector<Elastica::State> states(kSweepPoints);
-  const Motion& motion = e.sweep.value->motion;
+  const std::vector<MotionInstant>& instants = result.motion.instants;
   std::size_t at = 0;
-  for (const Station& s : sweep.stations) {
-    for (int i = 0; i < kSweepPoints; ++i)
-      arcs[std::size_t(i)] = s.fit.elastica.length() * i / (kSweepPoints - 1);
-    s.fit.elastica.at(arcs, states);
+  for (const BladePose& s : result.sweep.poses) {
     ordered_json points = ordered_json::array();
-    for (const Elastica::State& state : states) points.push_back(vec(s.frame.toWorld(state.point)));
-    while (at < motion.instants.size() && motion.instants[at].station != s.index) ++at;
-    stations.push_back({{"index", s.index},
-                        {"time", at < motion.instants.size() ? ordered_json(motion.instants[at].time)
-                                                             : ordered_json(nullptr)},
-                        {"points", points},
-                        {"left", {{"point", vec(s.leftPoint())}, {"tangent", vec(s.leftTangent())}}},
-                        {"right", {{"point", vec(s.rightPoint())}, {"tangent", vec(s.rightTangent())}}}});
+    for (const Eigen::Vector3d& p : s.points(s.cut, kSweepPoints)) points.push_back(vec(p));
+    while (at < instants.size() && instants[at].station != s.index) ++at;
+    stations.push_back(
+        {{"index", s.index},
+         {"time", at < instants.size() ? ordered_json(instants[at].time) : ordered_json(nullptr)},
+         {"points", points},
+         {"left", {{"point", vec(s.leftPoint())}, {"tangent", vec(s.leftTangent())}}},
+         {"right", {{"point", vec(s.rightPoint())}, {"tangent", vec(s.rightTangent())}}}});
   }
-  object["strips"] = ordered_json::array({{{"index", 0}, {"stations", stations}}});
+  object["strips"] = ordered_json::array(
+      {{{"index", 0}, {"block", e.blocks.front().id}, {"cut", e.cut().id}, {"stations", stations}}});
   return object.dump(-1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
@@ -157,12 +144,12 @@ std::string sweepJson(const Evaluation& e, const std::string& run) {
 Result<FileSet> resultFiles(Evaluation& e, const RunContext& context, const Policy& policy) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
-  const SweepResult& result = *e.sweep.value;
+  const CutResult result = *e.result();
   FileSet programs;
   std::string run;
-  if (e.design.job.programs.empty()) run = runId(e, nullptr);
-  if (!e.design.job.programs.empty()) {
-    Result<Cell> cell = loadCell(e.design.job.cell);
+  if (e.design.output.programs.empty()) run = runId(e, nullptr);
+  if (!e.design.output.programs.empty()) {
+    Result<Cell> cell = loadCell(e.design.output.cell);
     if (!cell) return tl::unexpected<Error>(cell.error());
     run = runId(e, &*cell);
     Result<FileSet> written = programFiles(e, *cell, "Blade", policy);
@@ -189,7 +176,7 @@ Result<FileSet> resultFiles(Evaluation& e, const RunContext& context, const Poli
         texts[2] = deviationCsv(result.analysis.cut);
         break;
       case 3:
-        texts[3] = stationsCsv(result.sweep);
+        texts[3] = stationsCsv(result);
         break;
       default:
         texts[4] = sweepJson(e, run);

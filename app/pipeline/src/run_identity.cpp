@@ -181,12 +181,20 @@ Findings compareInside(const ReportRecord& record, const fs::path& inside) {
 }  // namespace
 
 std::string runId(const Evaluation& e, const Cell* cell) {
-  json job = json::parse(jobToJson(e.design.job));
-  for (const char* output : {"programs", "cell"}) job.erase(output);
+  // All that the results depend on, and nothing that only names it or chooses among outputs.
+  Design inputs = e.design;
+  inputs.name.clear();
+  inputs.output = {{}, {}};
+  for (Source& source : inputs.sources) {
+    source.path.clear();
+    source.bytes.clear();
+    source.saved.reset();
+  }
   Values f;
-  f.text(BW_VERSION).text(job.dump()).text(fingerprintText(e.source.value->content)).number(cell ? 1 : 0);
+  f.text(BW_VERSION).text(designToJson(inputs)).text(fingerprintText(e.source.value->content));
+  f.number(cell ? 1 : 0);
   if (cell) add(f, *cell);
-  add(f, e.sweep.value->motion);
+  add(f, *e.cut().motion.value);
   return f.name();
 }
 

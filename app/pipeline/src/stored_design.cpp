@@ -21,23 +21,23 @@ Result<Design> storedDesign(const Evaluation& evaluation) {
   const Fingerprint& read = evaluation.source.value->content;
   const auto changed = [&] {
     return fail(ErrorCode::cannotRead,
-                result.source.path.string() +
+                result.source().path.string() +
                     " was changed after the results were computed from it; compute them again",
-                result.source.path.string());
+                result.source().path.string());
   };
   std::error_code error;
-  if (result.source.bytes.empty() && fs::file_size(result.source.path, error) <= kEmbedLimit && !error) {
-    Result<std::string> bytes = readFile(result.source.path);
+  if (result.source().bytes.empty() && fs::file_size(result.source().path, error) <= kEmbedLimit && !error) {
+    Result<std::string> bytes = readFile(result.source().path);
     if (!bytes) return tl::unexpected<Error>(bytes.error());
     if (fingerprintOf(*bytes) != read) return changed();
-    result.source.bytes = std::move(*bytes);
-    result.source.path = result.source.path.filename();
-  } else if (result.source.bytes.empty()) {
-    const Result<Fingerprint> now = fingerprintOfFile(result.source.path);
+    result.source().bytes = std::move(*bytes);
+    result.source().path = result.source().path.filename();
+  } else if (result.source().bytes.empty()) {
+    const Result<Fingerprint> now = fingerprintOfFile(result.source().path);
     if (!now) return tl::unexpected<Error>(now.error());
     if (*now != read) return changed();
-    result.source.path = fs::absolute(result.source.path, error);
-    result.source.saved = read;
+    result.source().path = fs::absolute(result.source().path, error);
+    result.source().saved = read;
   }
   return result;
 }

@@ -119,6 +119,11 @@ std::string Sentences::operator()(const ChangedSource& cause) const {
          "); look at the result, then save the design again";
 }
 
+std::string Sentences::operator()(const EarlierDesign& cause) const {
+  return cause.file + " is a design of version " + std::to_string(cause.version) +
+         " and was taken over as it is; this program writes version " + std::to_string(cause.present);
+}
+
 std::string Sentences::operator()(const UnreadableCell& cause) const { return cause.why; }
 
 std::string Sentences::operator()(const WrongSide& cause) const {

@@ -47,6 +47,7 @@ struct Sentences {
   std::string operator()(const Healed& cause) const;
   // Files and programs.
   std::string operator()(const ChangedSource& cause) const;
+  std::string operator()(const EarlierDesign& cause) const;
   std::string operator()(const UnreadableCell& cause) const;
   std::string operator()(const WrongSide& cause) const;
   std::string operator()(const ProgramDespiteErrors& cause) const;

@@ -40,4 +40,15 @@ Eigen::Vector3d anglesFromRotation(const Eigen::Matrix3d& r) {
   return {std::atan2(-r(1, 2), r(2, 2)), std::atan2(sb, cb), std::atan2(-r(0, 1), r(0, 0))};
 }
 
+Box BlockPlacement::box() const {
+  const Eigen::Matrix3d r = rotationFromAngles(rotation);
+  return Box{Frame{origin, r.col(0), r.col(1), r.col(2)}, size};
+}
+
+BlockPlacement placementOf(const Box& box) {
+  Eigen::Matrix3d axes;
+  axes << box.frame.x, box.frame.y, box.frame.normal;
+  return {box.frame.origin, box.size, anglesFromRotation(axes)};
+}
+
 }  // namespace bw

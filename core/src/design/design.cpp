@@ -3,12 +3,13 @@
 
 #include "bw/core/design/design.h"
 
+#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "blade/blade_json.h"
 #include "bw/core/files/file_set.h"
-#include "design/job_json.h"
-#include "text/json_reader.h"
+#include "design/design_keys.h"
 
 namespace bw {
 
@@ -59,9 +60,122 @@ std::optional<std::string> fromBase64(const std::string& text) {
   return bytes;
 }
 
+/// The file of a source, and what it was.
+void readFileKeys(ObjectReader& reader, Source& source) {
+  std::string path, base64, fingerprint;
+  reader.text("path", path);
+  reader.text("base64", base64);
+  reader.text("fingerprint", fingerprint);
+  source.path = path;
+  if (std::optional<std::string> bytes = fromBase64(base64))
+    source.bytes = std::move(*bytes);
+  else
+    reader.complain("base64", reader.path() + ".base64 is damaged; embed the CAD file again");
+  source.saved = fingerprintFrom(fingerprint);
+  if (!source.saved && !fingerprint.empty())
+    reader.complain("fingerprint",
+                    reader.path() + ".fingerprint is damaged; remove it or save the design again");
+}
+
+/// The settings of a design with one cut, in one object. Designs that were written before have `threads`.
+Result<Design> jobFromJson(const json& object, const std::string& path, int& threads) {
+  Design design;
+  ObjectReader reader(object, path);
+  detail::readSourceKeys(reader, design.source());
+  detail::readPlacement(reader, design.block());
+  detail::readCutKeys(reader, design.cut());
+  if (Result<void> ok = detail::readBladeKeys(reader, object, design.blade); !ok)
+    return tl::unexpected<Error>(ok.error());
+  detail::readProcessKeys(reader, design.process);
+  detail::readOutputKeys(reader, design.output);
+  reader.integer("threads", threads, 0, 1024);
+  if (Result<void> ok = reader.finish(); !ok) return tl::unexpected<Error>(ok.error());
+  return design;
+}
+
+/// A member that is an object, by its reader.
+template <class Read>
+void readPart(ObjectReader& reader, const char* key, const Read& read) {
+  const json* value = reader.member(key);
+  if (!value) return;
+  ObjectReader inner(*value, reader.path() + "." + key);
+  read(inner);
+  if (Result<void> ok = inner.finish(); !ok) reader.adopt(inner);
+}
+
+/// A member that is a list of one object. More is what a newer program may take.
+template <class Part, class Read>
+void readList(ObjectReader& reader, const char* key, std::vector<Part>& list, const Read& read) {
+  const json* value = reader.member(key);
+  if (!value) return;
+  const std::string path = reader.path() + "." + key;
+  if (!value->is_array() || value->size() != 1)
+    return reader.complain(key, path + " must be a list of one entry" +
+                                    (value->is_array() ? ", not of " + std::to_string(value->size()) +
+                                                             ": this version works on one block and one cut"
+                                                       : std::string()));
+  ObjectReader inner((*value)[0], path + "[0]");
+  inner.text("id", list.front().id);
+  read(inner, list.front());
+  if (list.front().id.empty()) inner.complain("id", path + "[0].id is empty; give it a name");
+  if (Result<void> ok = inner.finish(); !ok) reader.adopt(inner);
+}
+
+void readReference(ObjectReader& reader, const char* key, std::string& id, const std::string& there) {
+  reader.text(key, id);
+  if (id != there)
+    reader.complain(
+        key, reader.path() + "." + key + " names \"" + id + "\", but the design has \"" + there + "\"");
+}
+
+/// Version 1: one source, and a job.
+Result<Design> earlierDesign(ObjectReader& reader) {
+  Design design;
+  if (const json* job = reader.member("job")) {
+    int threads = 0;  // of the machine that it was saved on
+    Result<Design> read = jobFromJson(*job, "design.job", threads);
+    if (!read) return read;
+    design = std::move(*read);
+  }
+  readPart(reader, "source", [&](ObjectReader& inner) { readFileKeys(inner, design.source()); });
+  return design;
+}
+
+Result<Design> presentDesign(ObjectReader& reader, const json& object) {
+  Design design;
+  readList(reader, "sources", design.sources, [](ObjectReader& inner, Source& source) {
+    readFileKeys(inner, source);
+    detail::readSourceKeys(inner, source);
+  });
+  readList(reader, "stock", design.stock, detail::readPlacement);
+  readList(reader, "cuts", design.cuts, [&](ObjectReader& inner, Cut& cut) {
+    cut.source = design.source().id;
+    cut.block = design.block().id;
+    readReference(inner, "source", cut.source, design.source().id);
+    readReference(inner, "block", cut.block, design.block().id);
+    detail::readCutKeys(inner, cut);
+  });
+  if (Result<void> ok = detail::readBladeKeys(reader, object, design.blade); !ok)
+    return tl::unexpected<Error>(ok.error());
+  readPart(reader, "process", [&](ObjectReader& inner) { detail::readProcessKeys(inner, design.process); });
+  readPart(reader, "output", [&](ObjectReader& inner) { detail::readOutputKeys(inner, design.output); });
+  return design;
+}
+
 }  // namespace
 
-Result<Design> parseDesign(std::string_view text) {
+ReadOptions Design::readOptions(const Source& of) const {
+  return {of.unit, of.sewing.value_or(std::min(process.tolerance / 10, ReadOptions::kMostSewing))};
+}
+
+Result<Design> parseJob(std::string_view text, int* threads) {
+  const Result<json> object = parseJsonText(text, "job");
+  if (!object) return tl::unexpected<Error>(object.error());
+  int unused = 0;
+  return jobFromJson(*object, "job", threads ? *threads : unused);
+}
+
+Result<Design> parseDesign(std::string_view text, int* version) {
   const Result<json> object = parseJsonText(text, "design");
   if (!object) {
     Error error = object.error();
@@ -69,39 +183,18 @@ Result<Design> parseDesign(std::string_view text) {
     return tl::unexpected<Error>(std::move(error));
   }
   ObjectReader reader(*object, "design");
-  Design design;
-  int version = 0;
-  if (Result<void> ok = reader.version("bladewright_design", version, Design::kVersion, 0); !ok)
+  int found = 0;
+  if (Result<void> ok = reader.version("bladewright_design", found, Design::kVersion, 0); !ok)
     return tl::unexpected<Error>(ok.error());
-  if (version == 0)
+  if (found == 0)
     reader.complain(
         "bladewright_design",
         "this is not a Bladewright design: the key bladewright_design with the version is missing");
-  reader.text("name", design.name);
-  if (const json* source = reader.member("source")) {
-    ObjectReader inner(*source, "design.source");
-    std::string path, base64, fingerprint;
-    inner.text("path", path);
-    inner.text("base64", base64);
-    inner.text("fingerprint", fingerprint);
-    design.source.path = path;
-    if (std::optional<std::string> bytes = fromBase64(base64))
-      design.source.bytes = std::move(*bytes);
-    else
-      inner.complain("base64", "design.source.base64 is damaged; embed the CAD file again");
-    design.source.saved = fingerprintFrom(fingerprint);
-    if (!design.source.saved && !fingerprint.empty())
-      inner.complain("fingerprint",
-                     "design.source.fingerprint is damaged; remove it or save the design again");
-    if (Result<void> ok = inner.finish(); !ok) reader.adopt(inner);
-  }
-  if (const json* job = reader.member("job")) {
-    int threads = 0;  // of the machine that it was saved on
-    Result<Job> read = jobFromJson(*job, "design.job", threads);
-    if (!read) return tl::unexpected<Error>(read.error());
-    design.job = std::move(*read);
-  }
+  Result<Design> design = found == 1 ? earlierDesign(reader) : presentDesign(reader, *object);
+  if (!design) return design;
+  reader.text("name", design->name);
   if (Result<void> ok = reader.finish(); !ok) return tl::unexpected<Error>(ok.error());
+  if (version) *version = found;
   return design;
 }
 
@@ -109,50 +202,76 @@ std::string designToJson(const Design& design) {
   nlohmann::ordered_json object;
   object["bladewright_design"] = Design::kVersion;
   object["name"] = design.name;
-  object["source"] = {{"path", design.source.path.generic_string()}};
-  if (!design.source.bytes.empty()) object["source"]["base64"] = toBase64(design.source.bytes);
-  if (design.source.bytes.empty() && design.source.saved)
-    object["source"]["fingerprint"] = fingerprintText(*design.source.saved);
-  object["job"] = jobToJsonObject(design.job);
+  json sources = json::array(), stock = json::array(), cuts = json::array();
+  for (const Source& source : design.sources) {
+    json part = {{"id", source.id}, {"path", source.path.generic_string()}};
+    if (!source.bytes.empty()) part["base64"] = toBase64(source.bytes);
+    if (source.bytes.empty() && source.saved) part["fingerprint"] = fingerprintText(*source.saved);
+    detail::writeSourceKeys(source, part);
+    sources.push_back(std::move(part));
+  }
+  for (const StockBlock& block : design.stock) {
+    json part = {{"id", block.id}};
+    detail::writePlacement(block, part);
+    stock.push_back(std::move(part));
+  }
+  for (const Cut& cut : design.cuts) {
+    json part = {{"id", cut.id}, {"source", cut.source}, {"block", cut.block}};
+    detail::writeCutKeys(cut, part);
+    cuts.push_back(std::move(part));
+  }
+  object["sources"] = std::move(sources);
+  object["stock"] = std::move(stock);
+  object["cuts"] = std::move(cuts);
+  object["blade"] = bladeToJson(design.blade);
+  json process;
+  detail::writeProcessKeys(design.process, process);
+  object["process"] = std::move(process);
+  object["output"] = {{"programs", design.output.programs}, {"cell", design.output.cell}};
   return object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
-void noteSource(Design& design) {
-  if (!design.source.bytes.empty())
-    design.source.saved.reset();
-  else if (const Result<Fingerprint> now = fingerprintOfFile(design.source.path))
-    design.source.saved = *now;
+void noteSources(Design& design) {
+  for (Source& source : design.sources)
+    if (!source.bytes.empty())
+      source.saved.reset();
+    else if (const Result<Fingerprint> now = fingerprintOfFile(source.path))
+      source.saved = *now;
 }
 
-Result<Design> loadDesign(const fs::path& file) {
+Result<Design> loadDesign(const fs::path& file, int* version) {
   const Result<std::string> text = readFile(file, kLargestText);
   if (!text) return tl::unexpected<Error>(text.error());
-  Result<Design> design = parseDesign(*text);
+  Result<Design> design = parseDesign(*text, version);
   if (!design) {
     Error error = design.error();
     error.message = file.filename().string() + ": " + error.message;
     return tl::unexpected<Error>(std::move(error));
   }
-  if (design->source.bytes.empty() && !design->source.path.empty() && design->source.path.is_relative())
-    design->source.path = (file.parent_path() / design->source.path).lexically_normal();
+  for (Source& source : design->sources)
+    if (source.bytes.empty() && !source.path.empty() && source.path.is_relative())
+      source.path = (file.parent_path() / source.path).lexically_normal();
   return design;
 }
 
 Result<void> saveDesign(const Design& design, const fs::path& file) {
   Design stored = design;
-  if (stored.source.bytes.empty() && stored.source.path.is_absolute()) {
+  std::size_t embedded = 0;
+  for (Source& source : stored.sources) {
+    embedded += source.bytes.str().size();
+    if (!source.bytes.empty() || !source.path.is_absolute()) continue;
     std::error_code error;
     const fs::path folder = fs::absolute(file, error).parent_path();
-    const fs::path relative = stored.source.path.lexically_relative(folder);
-    if (!relative.empty()) stored.source.path = relative;
+    const fs::path relative = source.path.lexically_relative(folder);
+    if (!relative.empty()) source.path = relative;
   }
   const std::string text = designToJson(stored);
   if (text.size() > kLargestText)
     return fail(ErrorCode::cannotWrite,
                 file.string() + " would have " + std::to_string(text.size() >> 20) +
                     " MB, but designs above " + std::to_string(kLargestText >> 20) +
-                    " MB cannot be opened again; link the CAD file (" +
-                    std::to_string(stored.source.bytes.size() >> 20) + " MB) instead of embedding it",
+                    " MB cannot be opened again; link the CAD file (" + std::to_string(embedded >> 20) +
+                    " MB) instead of embedding it",
                 file.string(), double(text.size()), double(kLargestText));
   return writeFile(file, text);
 }

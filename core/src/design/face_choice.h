@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "bw/core/design/job.h"
+#include "bw/core/design/face_choice.h"
 #include "text/json_reader.h"
 
 namespace bw {
 
-/// Coordinates of jobs are at most this large, mm: ten kilometres.
+/// Coordinates of designs are at most this large, mm: ten kilometres.
 inline constexpr double kFarthest = 1e7;
 
-/// Reads the keys "face" and "near" of a job.
+/// Reads the keys "face" and "near".
 void readFaceChoice(ObjectReader& reader, FaceChoice& face);
 
 /// Writes both keys.

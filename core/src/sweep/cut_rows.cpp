@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <string>
 
 namespace bw::detail {
 
@@ -20,7 +21,18 @@ constexpr int kFewestBetween = 2, kMostBetween = 64;
 /// Rows that are kept of those for pictures and files: twice as many as a picture of the whole shows.
 constexpr int kMostRows = 2 * kRowTarget + 1;
 
+constexpr std::size_t kFewestStations = 2;
+
 }  // namespace
+
+Result<void> enoughStations(const Sweep& sweep) {
+  const std::size_t count = sweep.poses.size();
+  if (count >= kFewestStations) return {};
+  return fail(
+      ErrorCode::badInput,
+      "a surface needs at least two stations that cut the target, but " + std::to_string(count) + " is left",
+      "stations", double(count), double(kFewestStations));
+}
 
 std::vector<int> stationRows(const std::vector<double>& travel) {
   const int intervals = int(travel.size()) - 1;

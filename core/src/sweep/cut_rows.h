@@ -5,9 +5,15 @@
 #include <vector>
 
 #include "bw/core/surface/mesh.h"
-#include "bw/core/sweep/sweep.h"
+#include "bw/core/sweep/sweep_check.h"
 
 namespace bw::detail {
+
+/// Points along the blade at each station: t = 0, 0.01, …, 1 as in the thesis's evaluation.
+inline constexpr int kColumns = 101;
+
+/// An error where a sweep has fewer stations than a surface takes.
+[[nodiscard]] Result<void> enoughStations(const Sweep& sweep);
 
 /// The row of the sampled cut surface on which each station lies, from 0. `travel`: mm along the cutting
 /// direction of at least two stations, ascending. Wide intervals get more rows (docs/mathematics.md,

@@ -18,28 +18,27 @@ constexpr double kLeastStep = 0.01;
 
 /// By how much the nearer grip misses the clearance if the station's curve is continued to this length; a
 /// grip moves by half of what the blade grows at most, so no blade longer by less than twice the miss does.
-double miss(const Sweep& sweep, const Station& station, double length, double clearance) {
-  const Elastica& cut = station.fit.elastica;
+double miss(const Sweep& sweep, const BladePose& pose, double length, double clearance) {
+  const Elastica& cut = pose.cut;
   const double extra = 0.5 * (length - cut.length());
-  double nearest = boxDistance(sweep.block, station.frame.toWorld(cut.point(-extra)));
-  nearest =
-      std::min(nearest, boxDistance(sweep.block, station.frame.toWorld(cut.point(cut.length() + extra))));
+  double nearest = boxDistance(sweep.block, pose.frame.toWorld(cut.point(-extra)));
+  nearest = std::min(nearest, boxDistance(sweep.block, pose.frame.toWorld(cut.point(cut.length() + extra))));
   return clearance - nearest;
 }
 
 /// The first whole length from `length` on that clears, or empty.
-std::optional<double> clearingLength(const Sweep& sweep, const Station& station, double length,
+std::optional<double> clearingLength(const Sweep& sweep, const BladePose& pose, double length,
                                      double clearance) {
   for (length = std::ceil(length); length <= Blade::kLongest;) {
-    const double missing = miss(sweep, station, length, clearance);
+    const double missing = miss(sweep, pose, length, clearance);
     if (missing <= 0) return length;
     length = std::ceil(length + std::max(2 * missing, kLeastStep * length));
   }
   return {};
 }
 
-bool holdsAt(const Sweep& sweep, const Station& station, double length) {
-  const Result<Elastica> blade = extendedBlade(station.fit.elastica, length);
+bool holdsAt(const Sweep& sweep, const BladePose& pose, double length) {
+  const Result<Elastica> blade = extendedBlade(pose.cut, length);
   return blade && blade->maxCurvature() <= sweep.request.blade.maxCurvature() &&
          stabilityMargin(*blade) > 0 &&
          (sweep.request.blade.section == Blade::Section::flat || outOfPlaneMargin(*blade) > 0);
@@ -54,17 +53,16 @@ double boxDistance(const Box& box, const Eigen::Vector3d& point) {
   return outside > 0 ? outside : q.maxCoeff();
 }
 
-GripReach lengthThatClears(const Sweep& sweep, const Station& worst, double clearance) {
-  const std::vector<Station>& stations = sweep.stations;
+GripReach lengthThatClears(const Sweep& sweep, const BladePose& worst, double clearance) {
+  const std::vector<BladePose>& poses = sweep.poses;
   std::optional<double> length = clearingLength(sweep, worst, sweep.request.blade.length, clearance);
-  for (const Station& station : stations)
-    if (length) length = clearingLength(sweep, station, *length, clearance);
+  for (const BladePose& pose : poses)
+    if (length) length = clearingLength(sweep, pose, *length, clearance);
   // What cleared at a shorter length may have curled back since.
   if (!length ||
-      std::ranges::any_of(stations, [&](const Station& s) { return miss(sweep, s, *length, clearance) > 0; }))
+      std::ranges::any_of(poses, [&](const BladePose& s) { return miss(sweep, s, *length, clearance) > 0; }))
     return {};
-  return {length,
-          std::ranges::all_of(stations, [&](const Station& s) { return holdsAt(sweep, s, *length); })};
+  return {length, std::ranges::all_of(poses, [&](const BladePose& s) { return holdsAt(sweep, s, *length); })};
 }
 
 }  // namespace bw::detail

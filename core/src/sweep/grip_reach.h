@@ -21,6 +21,6 @@ struct GripReach {
 /// The shortest blade, to a hundredth of its length, with which both grips of all stations keep `clearance`
 /// mm to the block if their curves are continued as they are. `worst` is the station whose grip is deepest.
 /// Cost: some ten evaluations a station, and one of its stability.
-[[nodiscard]] GripReach lengthThatClears(const Sweep& sweep, const Station& worst, double clearance);
+[[nodiscard]] GripReach lengthThatClears(const Sweep& sweep, const BladePose& worst, double clearance);
 
 }  // namespace bw::detail

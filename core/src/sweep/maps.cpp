@@ -6,16 +6,21 @@
 #include <algorithm>
 #include <array>
 
+#include "bw/core/base/units.h"
+
 namespace bw {
 
 namespace {
 
-constexpr std::array<MapInfo, 6> kMaps = {{{"deviation", "Deviation", "mm", MapRule::banded},
-                                           {"angle", "Cutting angle", "°", MapRule::plain, 1},
-                                           {"speed", "Blade speed", "mm/s"},
-                                           {"relative_speed", "Relative speed", "", MapRule::share},
-                                           {"curvature", "Curvature / limit", ""},
-                                           {"stress", "Bending stress", "N/mm²"}}};
+constexpr std::array<MapInfo, 6> kMaps = {
+    {{"deviation", "Deviation", "mm", [](const CutSample& s) { return s.deviation; }, MapRule::banded},
+     {"angle", "Cutting angle", "°", [](const CutSample& s) { return toDegrees(s.angle); }, MapRule::plain,
+      1},
+     {"speed", "Blade speed", "mm/s", [](const CutSample& s) { return s.speed; }},
+     {"relative_speed", "Relative speed", "", [](const CutSample& s) { return s.relativeSpeed; },
+      MapRule::share},
+     {"curvature", "Curvature / limit", "", [](const CutSample& s) { return s.curvature; }},
+     {"stress", "Bending stress", "N/mm²", [](const CutSample& s) { return s.stress; }}}};
 
 }  // namespace
 

@@ -37,50 +37,43 @@ Result<Motion> buildMotion(const Sweep& sweep, const MotionRequest& request) {
   if (!(cuttingSpeed > 0) || !std::isfinite(cuttingSpeed))
     return fail(ErrorCode::badInput, "the cutting speed must be greater than 0 mm/s", "cutting_speed",
                 cuttingSpeed, 0.0);
-  if (sweep.stations.size() < 2)
+  if (sweep.poses.size() < 2)
     return fail(ErrorCode::badInput, "a motion needs at least two stations", "stations",
-                double(sweep.stations.size()), 2.0);
+                double(sweep.poses.size()), 2.0);
   Motion motion{sweep.block, sweep.request.blade.length, cuttingSpeed, {}};
   std::vector<double> arcs(kSpeedSamples);
   for (int i = 0; i < kSpeedSamples; ++i)
     arcs[std::size_t(i)] = sweep.request.blade.length * i / (kSpeedSamples - 1);
-  const auto sample = [&](const Station& station) {
-    std::vector<Elastica::State> states(kSpeedSamples);
-    station.blade.at(arcs, states);
-    std::vector<Eigen::Vector3d> points;
-    points.reserve(kSpeedSamples);
-    for (const Elastica::State& state : states) points.push_back(station.frame.toWorld(state.point));
-    return points;
-  };
-  const auto instant = [&](const Station& station, double shift, double time, int index) {
+  const auto sample = [&](const BladePose& pose) { return pose.points(pose.blade, arcs); };
+  const auto instant = [&](const BladePose& pose, double shift, double time, int index) {
     const Eigen::Vector3d move = shift * sweep.direction;
     MotionInstant result{time, index, {}};
     result.poses.push_back(
-        endPose(sweep.block, station.leftPoint() + move, station.leftTangent(), station.frame.normal));
+        endPose(sweep.block, pose.leftPoint() + move, pose.leftTangent(), pose.frame.normal));
     result.poses.push_back(
-        endPose(sweep.block, station.rightPoint() + move, -station.rightTangent(), station.frame.normal));
+        endPose(sweep.block, pose.rightPoint() + move, -pose.rightTangent(), pose.frame.normal));
     return result;
   };
   double time = 0;
   if (lead > 0) {
-    motion.instants.push_back(instant(sweep.stations.front(), -lead, 0, -1));
+    motion.instants.push_back(instant(sweep.poses.front(), -lead, 0, -1));
     time += lead / cuttingSpeed;
   }
   std::vector<Eigen::Vector3d> before;
-  for (const Station& station : sweep.stations) {
-    std::vector<Eigen::Vector3d> now = sample(station);
+  for (const BladePose& pose : sweep.poses) {
+    std::vector<Eigen::Vector3d> now = sample(pose);
     if (!before.empty()) {
       double farthest = 0;
       for (int i = 0; i < kSpeedSamples; ++i)
         farthest = std::max(farthest, (now[std::size_t(i)] - before[std::size_t(i)]).norm());
       time += farthest / cuttingSpeed;
     }
-    motion.instants.push_back(instant(station, 0, time, station.index));
+    motion.instants.push_back(instant(pose, 0, time, pose.index));
     before = std::move(now);
   }
   if (lead > 0) {
     time += lead / cuttingSpeed;
-    motion.instants.push_back(instant(sweep.stations.back(), lead, time, -1));
+    motion.instants.push_back(instant(sweep.poses.back(), lead, time, -1));
   }
   for (std::size_t i = 1; i < motion.instants.size(); ++i)
     for (std::size_t e = 0; e < motion.instants[i].poses.size(); ++e) {

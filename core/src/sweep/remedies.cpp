@@ -24,7 +24,7 @@ constexpr double kShorter = 0.88;
 
 double longestCut(const Sweep& sweep) {
   double longest = 0;
-  for (const Station& station : sweep.stations) longest = std::max(longest, station.fit.elastica.length());
+  for (const BladePose& pose : sweep.poses) longest = std::max(longest, pose.cut.length());
   return longest;
 }
 
@@ -47,7 +47,7 @@ BendingBlade bladeThatBendsTo(double radius) {
 
 FlatBlade flatBladeFor(const Sweep& sweep) {
   double sharpest = 0;
-  for (const Station& station : sweep.stations) sharpest = std::max(sharpest, station.blade.maxCurvature());
+  for (const BladePose& pose : sweep.poses) sharpest = std::max(sharpest, pose.blade.maxCurvature());
   const Result<std::vector<Blade>> presets = bladePresets();
   if (!presets) return {};
   for (const Blade& blade : *presets)
@@ -57,18 +57,18 @@ FlatBlade flatBladeFor(const Sweep& sweep) {
 }
 
 Remedies twiceAsMany(const Sweep& sweep, double clearance) {
-  const std::vector<Station>& stations = sweep.stations;
+  const std::vector<BladePose>& poses = sweep.poses;
   // Beyond a station the lengths may go on as they came.
   double longest = 0;
-  for (std::size_t i = 1; i < stations.size(); ++i) {
-    const double a = stations[i - 1].fit.elastica.length(), b = stations[i].fit.elastica.length();
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    const double a = poses[i - 1].cut.length(), b = poses[i].cut.length();
     longest = std::max(longest, std::max(a, b) + std::abs(b - a));
   }
   if (longest > sweep.request.blade.length) {
     const std::optional<double> length = lengthFor(longest, clearance);
     return length ? Remedies{OtherLength{*length}} : Remedies{};
   }
-  const int count = 2 * (stations.back().index - stations.front().index + 1) - 1;
+  const int count = 2 * (poses.back().index - poses.front().index + 1) - 1;
   return count <= SectionRequest::kMost ? Remedies{MoreStations{count}} : Remedies{};
 }
 
@@ -77,33 +77,34 @@ std::optional<double> lengthFor(double longest, double clearance) {
   return needed <= Blade::kLongest ? std::optional(needed) : std::nullopt;
 }
 
-std::optional<double> shorterBlade(const Sweep& sweep, std::span<const Station> stations,
+std::optional<double> shorterBlade(const Sweep& sweep, std::size_t first, std::size_t last,
                                    const std::function<bool(const Elastica&)>& holds) {
   const double least = kLengthReserve * longestCut(sweep);
-  const auto holdsAt = [&](const Station& station, double length) {
-    const Result<Elastica> blade = extendedBlade(station.fit.elastica, length);
+  const auto holdsAt = [&](const BladePose& pose, double length) {
+    const Result<Elastica> blade = extendedBlade(pose.cut, length);
     return blade && holds(*blade);
   };
   double length = sweep.request.blade.length;
-  for (const Station& station : stations) {
-    if (holdsAt(station, length)) continue;
-    if (!(least < length) || !holdsAt(station, least)) return {};
+  for (std::size_t i = first; i <= last; ++i) {
+    const BladePose& pose = sweep.poses[i];
+    if (holdsAt(pose, length)) continue;
+    if (!(least < length) || !holdsAt(pose, least)) return {};
     double good = least;
     while (length - good > kLengthStep) {
       const double middle = 0.5 * (good + length);
-      (holdsAt(station, middle) ? good : length) = middle;
+      (holdsAt(pose, middle) ? good : length) = middle;
     }
     length = good;
   }
   // A shorter blade is fitted otherwise, so that the length is tried out.
-  const std::size_t stride = std::max<std::size_t>(1, stations.size() / kTriedStations);
+  const std::size_t stride = std::max<std::size_t>(1, (last - first + 1) / kTriedStations);
   FitRequest tried = sweep.request;
   for (int k = 0; k < kTriedLengths; ++k, length *= kShorter) {
     tried.blade.length = std::floor(length);
     if (tried.blade.length < least) return {};
     bool all = tried.blade.length < sweep.request.blade.length;
-    for (std::size_t i = 0; all && i < stations.size(); i += stride) {
-      const Result<StationFit> fit = fitStation(stations[i].target, tried, nullptr);
+    for (std::size_t i = first; all && i <= last; i += stride) {
+      const Result<StationFit> fit = fitStation(sweep.fits[i].target, tried, nullptr);
       const Result<Elastica> blade = fit ? extendedBlade(fit->fit.elastica, tried.blade.length)
                                          : Result<Elastica>(tl::unexpected<Error>(fit.error()));
       all = blade && holds(*blade);

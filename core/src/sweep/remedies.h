@@ -4,7 +4,6 @@
 
 #include <functional>
 #include <optional>
-#include <span>
 
 #include "bw/core/sweep/sweep.h"
 
@@ -27,10 +26,10 @@ inline constexpr double kRadiusReserve = 0.99;
 /// with a reserve, because another length bends the blade a little otherwise; empty above Blade::kLongest.
 [[nodiscard]] std::optional<double> lengthFor(double longest, double clearance);
 
-/// A blade shorter than the sweep's, whole mm, with which `holds` is true of the blade at all `stations`:
-/// about the longest to which their curves may be continued, tried out by new fits of some of them. Empty
-/// where none is found, or where a cut of the sweep would be too long for it.
-[[nodiscard]] std::optional<double> shorterBlade(const Sweep& sweep, std::span<const Station> stations,
+/// A blade shorter than the sweep's, whole mm, with which `holds` is true of the blade at all stations from
+/// `first` to `last`: about the longest to which their curves may be continued, tried out by new fits of some
+/// of them. Empty where none is found, or where a cut of the sweep would be too long for it.
+[[nodiscard]] std::optional<double> shorterBlade(const Sweep& sweep, std::size_t first, std::size_t last,
                                                  const std::function<bool(const Elastica&)>& holds);
 
 }  // namespace bw::detail

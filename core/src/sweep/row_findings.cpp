@@ -20,29 +20,29 @@ constexpr double kFromBetween = 0.5;
 constexpr std::size_t kMostGaps = 3;
 
 /// True if stations are left out between this one of the row and the next.
-bool isGap(const std::vector<Station>& stations, std::size_t i) {
-  return stations[i + 1].index > stations[i].index + 1;
+bool isGap(const std::vector<BladePose>& poses, std::size_t i) {
+  return poses[i + 1].index > poses[i].index + 1;
 }
 
-double widthAfter(const std::vector<Station>& stations, std::size_t i) {
-  return stations[i + 1].travel - stations[i].travel;
+double widthAfter(const std::vector<BladePose>& poses, std::size_t i) {
+  return poses[i + 1].travel - poses[i].travel;
 }
 
-void addGaps(const std::vector<Station>& stations, Findings& findings) {
+void addGaps(const std::vector<BladePose>& poses, Findings& findings) {
   std::vector<std::size_t> gaps;
-  for (std::size_t i = 0; i + 1 < stations.size(); ++i)
-    if (isGap(stations, i)) gaps.push_back(i);
+  for (std::size_t i = 0; i + 1 < poses.size(); ++i)
+    if (isGap(poses, i)) gaps.push_back(i);
   int others = 0;
   if (gaps.size() > kMostGaps) {
     others = int(gaps.size()) - 1;
-    gaps = {*std::ranges::max_element(gaps, {}, [&](std::size_t i) { return widthAfter(stations, i); })};
+    gaps = {*std::ranges::max_element(gaps, {}, [&](std::size_t i) { return widthAfter(poses, i); })};
   }
   for (const std::size_t i : gaps) {
-    const int before = stations[i].index, after = stations[i + 1].index;
+    const int before = poses[i].index, after = poses[i + 1].index;
     findings.push_back(
         {Severity::error,
-         GapInRow{widthAfter(stations, i), others},
-         {StationRange{before, after, before, 2}, 0.5 * (middleOf(stations[i]) + middleOf(stations[i + 1]))},
+         GapInRow{widthAfter(poses, i), others},
+         {StationRange{before, after, before, 2}, 0.5 * (middleOf(poses[i]) + middleOf(poses[i + 1]))},
          {TurnDirection{}}});
   }
 }
@@ -56,24 +56,24 @@ Remedies toleranceFor(double deviation) {
 
 void addDeviation(const Sweep& sweep, const CheckRequest& request, std::size_t worst,
                   SweepAnalysis& analysis) {
-  const std::vector<Station>& stations = sweep.stations;
+  const std::vector<BladePose>& poses = sweep.poses;
   const SweepSummary& summary = analysis.summary;
   if (summary.deviationMax <= request.tolerance) return;
   const std::vector<int>& rows = analysis.stationRow;
   const std::size_t columns = std::size_t(analysis.cut.columns);
   const int row = int(worst / columns);
   const std::size_t i =
-      std::min(std::size_t(std::ranges::upper_bound(rows, row) - rows.begin()) - 1, stations.size() - 2);
+      std::min(std::size_t(std::ranges::upper_bound(rows, row) - rows.begin()) - 1, poses.size() - 2);
   const bool nearNext = 2 * row >= rows[i] + rows[i + 1];
   TooFar cause{summary.deviationMax, request.tolerance, summary.withinTolerance};
-  for (const Station& station : stations) cause.own = std::max(cause.own, station.deviationMax);
-  cause.spacing = widthAfter(stations, i);
+  for (const double own : analysis.stationDeviation) cause.own = std::max(cause.own, own);
+  cause.spacing = widthAfter(poses, i);
   Remedies remedies;
   const bool between = row != rows[i] && row != rows[i + 1];
-  if (between && isGap(stations, i)) {
+  if (between && isGap(poses, i)) {
     cause.source = TooFar::Source::gap;
-    cause.leftFirst = stations[i].index + 1;
-    cause.leftLast = stations[i + 1].index - 1;
+    cause.leftFirst = poses[i].index + 1;
+    cause.leftLast = poses[i + 1].index - 1;
   } else if (between && cause.own < kFromBetween * cause.deviation && cause.own <= request.tolerance) {
     cause.source = TooFar::Source::between;
     remedies = twiceAsMany(sweep, request.clearance);
@@ -81,7 +81,7 @@ void addDeviation(const Sweep& sweep, const CheckRequest& request, std::size_t w
     remedies = toleranceFor(cause.deviation);
     remedies.insert(remedies.begin(), {CutInParts{}, TurnDirection{}});
   }
-  const int index = stations[nearNext ? i + 1 : i].index;
+  const int index = poses[nearNext ? i + 1 : i].index;
   analysis.findings.push_back(
       {Severity::warning, cause, {StationRange::of(index), analysis.cut.points[worst]}, remedies});
 }
@@ -90,7 +90,7 @@ void addDeviation(const Sweep& sweep, const CheckRequest& request, std::size_t w
 
 void addRowFindings(const Sweep& sweep, const CheckRequest& request, std::size_t worst,
                     SweepAnalysis& analysis) {
-  addGaps(sweep.stations, analysis.findings);
+  addGaps(sweep.poses, analysis.findings);
   addDeviation(sweep, request, worst, analysis);
 }
 

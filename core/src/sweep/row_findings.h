@@ -3,7 +3,7 @@
 #pragma once
 
 #include "bw/core/base/finding.h"
-#include "bw/core/sweep/sweep.h"
+#include "bw/core/sweep/sweep_check.h"
 
 namespace bw::detail {
 

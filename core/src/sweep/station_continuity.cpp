@@ -115,11 +115,9 @@ class ShapeSteps {
     const Result<Elastica> free =
         aboutMiddle(between(from_, to_, double(k) / kShapeSteps), nearest_.fit.elastica.length());
     if (!free) return {};
-    StationFit fit = nearest_;
-    fit.fit.elastica = places_.laid(*free);
-    if (!bladeHolds(fit.fit, request_.blade)) return {};
-    return Shape{fit.fit.elastica,
-                 swing(neighbour_, *extendedBlade(fit.fit.elastica, request_.blade.length))};
+    const Elastica laid = places_.laid(*free);
+    if (!bladeHolds(laid, request_.blade)) return {};
+    return Shape{laid, swing(neighbour_, *extendedBlade(laid, request_.blade.length))};
   }
 
   const StationFit& nearest_;
@@ -143,7 +141,7 @@ StationFit besideNeighbour(StationFit nearest, const StationFit& neighbour, cons
   if (!from || !to) return nearest;
   const double easy = std::max(kEasySwing, kLeverage * swing(neighbour.fit.elastica, nearest.fit.elastica));
   const double wanted = swing(*from, *to);
-  const bool holds = bladeHolds(nearest.fit, request.blade);
+  const bool holds = bladeHolds(nearest.fit.elastica, request.blade);
   const bool told = section.length() > kTellsTheEnds * request.blade.length;
   if (holds && (told || wanted <= easy)) return nearest;
   const Places places(section);
@@ -178,8 +176,8 @@ void addSwingFindings(const Sweep& sweep, Findings& findings) {
   };
   Swing worst;
   int count = 0;
-  for (std::size_t i = 1; i < sweep.stations.size(); ++i) {
-    const Station &a = sweep.stations[i - 1], &b = sweep.stations[i];
+  for (std::size_t i = 1; i < sweep.poses.size(); ++i) {
+    const BladePose &a = sweep.poses[i - 1], &b = sweep.poses[i];
     const auto angle = [](const Eigen::Vector3d& u, const Eigen::Vector3d& v) {
       return std::atan2(u.cross(v).norm(), u.dot(v));
     };
@@ -190,7 +188,7 @@ void addSwingFindings(const Sweep& sweep, Findings& findings) {
     if (larger > worst.angle) worst = {i, larger};
   }
   if (count == 0) return;
-  const Station &a = sweep.stations[worst.station - 1], &b = sweep.stations[worst.station];
+  const BladePose &a = sweep.poses[worst.station - 1], &b = sweep.poses[worst.station];
   const Severity severity = worst.angle > kLargestSwing ? Severity::error : Severity::warning;
   findings.push_back({severity,
                       EndsSwing{worst.angle, b.travel - a.travel, kToldSwing, count},

@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <functional>
-#include <span>
 
 #include "bw/core/base/units.h"
 #include "bw/core/blade/cutting_limits.h"
@@ -32,16 +31,15 @@ namespace {
 constexpr double kSameCurve = 1e-6;
 
 /// What keeps the grips of these stations clear of the block: a longer blade only where it does.
-void addClearanceRemedies(const Sweep& sweep, const CheckRequest& request, const Stretch& stretch,
-                          Finding& finding) {
-  const std::vector<Station>& stations = sweep.stations;
-  const GripReach reach = lengthThatClears(sweep, stations[stretch.worst], request.clearance);
-  GripTooNear cause{stations[stretch.worst].clearance, request.clearance};
+void addClearanceRemedies(const Sweep& sweep, double clearance, const CheckRequest& request,
+                          const Stretch& stretch, Finding& finding) {
+  const GripReach reach = lengthThatClears(sweep, sweep.poses[stretch.worst], request.clearance);
+  GripTooNear cause{clearance, request.clearance};
   if (reach.length && reach.holds) {
     finding.remedies = {OtherLength{*reach.length}};
   } else {
     cause.unheldLength = reach.length;
-    const bool atStart = stretch.first == 0, atEnd = stretch.last + 1 == stations.size();
+    const bool atStart = stretch.first == 0, atEnd = stretch.last + 1 == sweep.poses.size();
     finding.remedies = {OtherBlock{atStart == atEnd ? OtherBlock::How::smaller
                                    : atStart        ? OtherBlock::How::beginsAfter
                                                     : OtherBlock::How::endsBefore},
@@ -53,104 +51,105 @@ void addClearanceRemedies(const Sweep& sweep, const CheckRequest& request, const
 /// A blade that is shorter, where that helps these stations, or else another remedy.
 Remedies shorterOr(const Sweep& sweep, const Stretch& stretch, Remedy otherwise,
                    const std::function<bool(const Elastica&)>& holds) {
-  const std::span<const Station> stations =
-      std::span(sweep.stations).subspan(stretch.first, stretch.last - stretch.first + 1);
-  const std::optional<double> length = shorterBlade(sweep, stations, holds);
+  const std::optional<double> length = shorterBlade(sweep, stretch.first, stretch.last, holds);
   return {length ? Remedy(OtherLength{*length}) : std::move(otherwise)};
 }
 
 }  // namespace
 
-void addStationFindings(const Sweep& sweep, const CheckRequest& request, Findings& findings) {
-  const std::vector<Station>& stations = sweep.stations;
-  const std::vector<char> tight = addTightFindings(sweep, request, findings);
+void addStationFindings(const Sweep& sweep, const SweepCheck& check, const CheckRequest& request,
+                        SweepAnalysis& analysis) {
+  const std::vector<BladePose>& poses = sweep.poses;
+  const std::vector<StationFit>& fits = sweep.fits;
+  const std::vector<StationCheck>& seen = check.stations;
+  const std::vector<char> tight = addTightFindings(sweep, request, analysis);
   const double limit = sweep.request.blade.maxCurvature();
   const auto report = [&](Severity severity, auto bad, auto worse, auto fill) {
-    reportStretches(stations, severity, bad, worse, fill, findings);
+    reportStretches(poses, severity, bad, worse, fill, analysis.findings);
   };
-  const auto fartherFromSection = [](const Station& a, const Station& b) {
-    return a.fit.hausdorff > b.fit.hausdorff;
+  using Index = std::size_t;
+  const auto bend = [&](Index i) { return poses[i].blade.maxCurvature(); };
+  const auto fartherFromSection = [&](Index a, Index b) {
+    return fits[a].fit.hausdorff > fits[b].fit.hausdorff;
   };
   report(
-      Severity::error, [](const Station& s) { return s.fit.status == FitStatus::infeasible; },
+      Severity::error, [&](Index i) { return fits[i].fit.status == FitStatus::infeasible; },
       fartherFromSection,
-      [](const Station& s, const Stretch&, Finding& finding) {
-        finding.cause = UnmetConditions{s.fit.conflict};
+      [&](const Stretch& at, Finding& finding) {
+        finding.cause = UnmetConditions{fits[at.worst].fit.conflict};
       });
   report(
-      Severity::warning, [](const Station& s) { return s.fit.status == FitStatus::iterationLimit; },
+      Severity::warning, [&](Index i) { return fits[i].fit.status == FitStatus::iterationLimit; },
       fartherFromSection,
-      [](const Station& s, const Stretch&, Finding& finding) {
-        finding.cause = UnsettledFit{s.fit.hausdorff};
+      [&](const Stretch& at, Finding& finding) {
+        finding.cause = UnsettledFit{fits[at.worst].fit.hausdorff};
       });
   report(
-      Severity::error,
-      [&](const Station& s) {
-        return s.blade.maxCurvature() > limit && !tight[std::size_t(&s - stations.data())];
-      },
-      [](const Station& a, const Station& b) { return a.blade.maxCurvature() > b.blade.maxCurvature(); },
-      [&](const Station& s, const Stretch& stretch, Finding& finding) {
-        const double radius = 1 / s.blade.maxCurvature();
+      Severity::error, [&](Index i) { return bend(i) > limit && !tight[i]; },
+      [&](Index a, Index b) { return bend(a) > bend(b); },
+      [&](const Stretch& at, Finding& finding) {
+        const double radius = 1 / bend(at.worst);
         finding.cause = Overbent{radius, sweep.request.blade.minRadius()};
-        finding.remedies = shorterOr(sweep, stretch, bladeThatBendsTo(kRadiusReserve * radius),
+        finding.remedies = shorterOr(sweep, at, bladeThatBendsTo(kRadiusReserve * radius),
                                      [&](const Elastica& blade) { return blade.maxCurvature() <= limit; });
       });
   report(
-      Severity::warning, [](const Station& s) { return bladeInflections(s.fit.elastica) > 2; },
-      [](const Station& a, const Station& b) { return a.fit.R4 > b.fit.R4; },
-      [](const Station& s, const Stretch&, Finding& finding) {
-        finding.cause = ManyInflections{bladeInflections(s.fit.elastica)};
+      Severity::warning, [&](Index i) { return bladeInflections(poses[i].cut) > 2; },
+      [&](Index a, Index b) { return fits[a].fit.R4 > fits[b].fit.R4; },
+      [&](const Stretch& at, Finding& finding) {
+        finding.cause = ManyInflections{bladeInflections(poses[at.worst].cut)};
         finding.remedies = {CutInParts{}};
       });
   report(
-      Severity::warning, [](const Station& s) { return !s.stable; },
-      [](const Station& a, const Station& b) { return a.stabilityMargin < b.stabilityMargin; },
-      [&](const Station&, const Stretch& stretch, Finding& finding) {
+      Severity::warning, [&](Index i) { return !seen[i].stable; },
+      [&](Index a, Index b) { return seen[a].stabilityMargin < seen[b].stabilityMargin; },
+      [&](const Stretch& at, Finding& finding) {
         finding.cause = WouldSnap{};
-        finding.remedies = shorterOr(sweep, stretch, CutInParts{},
+        finding.remedies = shorterOr(sweep, at, CutInParts{},
                                      [](const Elastica& blade) { return stabilityMargin(blade) > 0; });
       });
   report(
-      Severity::warning, [](const Station& s) { return s.stable && s.outOfPlaneMargin <= 0; },
-      [](const Station& a, const Station& b) { return a.outOfPlaneMargin < b.outOfPlaneMargin; },
-      [&](const Station&, const Stretch& stretch, Finding& finding) {
+      Severity::warning, [&](Index i) { return seen[i].stable && seen[i].outOfPlaneMargin <= 0; },
+      [&](Index a, Index b) { return seen[a].outOfPlaneMargin < seen[b].outOfPlaneMargin; },
+      [&](const Stretch& at, Finding& finding) {
         finding.cause = WouldTwist{};
-        finding.remedies = shorterOr(sweep, stretch, flatBladeFor(sweep),
+        finding.remedies = shorterOr(sweep, at, flatBladeFor(sweep),
                                      [](const Elastica& blade) { return outOfPlaneMargin(blade) > 0; });
       });
   report(
-      Severity::info, [](const Station& s) { return s.heldBack && s.fit.hausdorff > kSameCurve; },
+      Severity::info, [&](Index i) { return fits[i].heldBack && fits[i].fit.hausdorff > kSameCurve; },
       fartherFromSection,
-      [](const Station& s, const Stretch&, Finding& finding) {
-        finding.cause = HeldBackFit{s.fit.hausdorff};
+      [&](const Stretch& at, Finding& finding) {
+        finding.cause = HeldBackFit{fits[at.worst].fit.hausdorff};
       });
   report(
-      Severity::info, [](const Station& s) { return s.steadied; }, fartherFromSection,
-      [](const Station& s, const Stretch&, Finding& finding) {
-        finding.cause = SteadiedFit{s.fit.hausdorff};
+      Severity::info, [&](Index i) { return fits[i].steadied; }, fartherFromSection,
+      [&](const Stretch& at, Finding& finding) {
+        finding.cause = SteadiedFit{fits[at.worst].fit.hausdorff};
       });
-  const auto nearer = [](const Station& a, const Station& b) { return a.clearance < b.clearance; };
-  const auto clear = [&](const Station&, const Stretch& stretch, Finding& finding) {
-    addClearanceRemedies(sweep, request, stretch, finding);
+  const auto nearer = [&](Index a, Index b) { return seen[a].clearance < seen[b].clearance; };
+  const auto clear = [&](const Stretch& at, Finding& finding) {
+    addClearanceRemedies(sweep, seen[at.worst].clearance, request, at, finding);
   };
   report(
-      Severity::error, [](const Station& s) { return s.clearance < 0; }, nearer, clear);
+      Severity::error, [&](Index i) { return seen[i].clearance < 0; }, nearer, clear);
   report(
       Severity::warning,
-      [&](const Station& s) { return s.clearance >= 0 && s.clearance < request.clearance; }, nearer, clear);
+      [&](Index i) { return seen[i].clearance >= 0 && seen[i].clearance < request.clearance; }, nearer,
+      clear);
   const double angleLimit = cuttingAngleLimit(sweep.request.blade);
   report(
-      Severity::warning, [&](const Station& s) { return s.angleMax > angleLimit; },
-      [](const Station& a, const Station& b) { return a.angleMax > b.angleMax; },
-      [&](const Station& s, const Stretch&, Finding& finding) {
-        finding.cause = SteepAngle{s.angleMax, angleLimit};
+      Severity::warning, [&](Index i) { return seen[i].angleMax > angleLimit; },
+      [&](Index a, Index b) { return seen[a].angleMax > seen[b].angleMax; },
+      [&](const Stretch& at, Finding& finding) {
+        finding.cause = SteepAngle{seen[at.worst].angleMax, angleLimit};
         finding.remedies = {TurnDirection{}};
       });
   report(
-      Severity::warning, [](const Station& s) { return s.speedRatio < kSpeedRatioLimit; },
-      [](const Station& a, const Station& b) { return a.speedRatio < b.speedRatio; },
-      [](const Station& s, const Stretch&, Finding& finding) {
-        finding.cause = UnevenSpeed{s.speedRatio};
+      Severity::warning, [&](Index i) { return seen[i].speedRatio < kSpeedRatioLimit; },
+      [&](Index a, Index b) { return seen[a].speedRatio < seen[b].speedRatio; },
+      [&](const Stretch& at, Finding& finding) {
+        finding.cause = UnevenSpeed{seen[at.worst].speedRatio};
         finding.remedies = {TurnDirection{}, CutInParts{}};
       });
 }

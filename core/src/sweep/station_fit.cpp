@@ -97,7 +97,7 @@ std::optional<StationFit> stiffFit(const PlanarCurve& section, const FitRequest&
     fit.hausdorff = oneSidedHausdorff(laid, section);
     fit.status = FitStatus::constraintsActive;
     fit.message = "the blade at its smallest radius, or straight: the section is too tight for it";
-    if (bladeHolds(fit, request.blade)) best = StationFit{std::move(fit), true};
+    if (bladeHolds(fit.elastica, request.blade)) best = StationFit{section, std::move(fit), true};
   }
   return best && (tooTight || best->fit.hausdorff <= allowed) ? std::move(best) : std::nullopt;
 }
@@ -115,8 +115,8 @@ Result<Elastica> extendedBlade(const Elastica& fitted, double bladeLength) {
   return extra > 0 ? fitted.segment(-extra, fitted.length() + extra) : Result<Elastica>(fitted);
 }
 
-bool bladeHolds(const FitResult& fit, const Blade& blade) {
-  const Result<Elastica> whole = extendedBlade(fit.elastica, blade.length);
+bool bladeHolds(const Elastica& cut, const Blade& blade) {
+  const Result<Elastica> whole = extendedBlade(cut, blade.length);
   return whole && whole->maxCurvature() <= blade.maxCurvature() && stabilityMargin(*whole) > 0;
 }
 
@@ -132,26 +132,26 @@ Result<StationFit> fitStation(const PlanarCurve& section, const FitRequest& requ
     // be sought.
     tried = fitBesideNeighbour(section, boundedOptions(options, request), start);
     const Result<FitResult>& bounded = *tried;
-    if (bounded && atRest(*bounded) && bounded->hausdorff <= allowed && bladeHolds(*bounded, request.blade) &&
-        bladePresses(*bounded, request.blade))
-      return StationFit{*bounded, true};
+    if (bounded && atRest(*bounded) && bounded->hausdorff <= allowed &&
+        bladeHolds(bounded->elastica, request.blade) && bladePresses(*bounded, request.blade))
+      return StationFit{section, *bounded, true};
   }
   Result<FitResult> best = fitBesideNeighbour(section, options, start);
   if (!best) return tl::unexpected<Error>(best.error());
-  if (!usable(*best) || best->hausdorff > allowed || bladeHolds(*best, request.blade))
-    return StationFit{std::move(*best)};
+  if (!usable(*best) || best->hausdorff > allowed || bladeHolds(best->elastica, request.blade))
+    return StationFit{section, std::move(*best)};
   FitOptions tighter = boundedOptions(options, request);
   std::optional<FitResult> restless;
   for (int k = 0; k < kPeriodBounds; ++k, *tighter.maxPeriods *= 0.5) {
     Result<FitResult> bounded =
         k == 0 && tried ? std::move(*tried) : fitBesideNeighbour(section, tighter, start ? start : &*best);
     if (!bounded || !usable(*bounded) || bounded->hausdorff > allowed) break;
-    if (!bladeHolds(*bounded, request.blade)) continue;
-    if (atRest(*bounded)) return StationFit{std::move(*bounded), true};
+    if (!bladeHolds(bounded->elastica, request.blade)) continue;
+    if (atRest(*bounded)) return StationFit{section, std::move(*bounded), true};
     if (!restless) restless = std::move(*bounded);
   }
-  if (restless) return StationFit{std::move(*restless), true};
-  return StationFit{std::move(*best)};
+  if (restless) return StationFit{section, std::move(*restless), true};
+  return StationFit{section, std::move(*best)};
 }
 
 }  // namespace bw::detail

@@ -12,12 +12,6 @@ namespace bw::detail {
 /// How far beyond the tolerance a curve may lie for the sake of a blade that holds.
 inline constexpr double kAllowance = 2.0;
 
-struct StationFit {
-  FitResult fit;
-  bool heldBack = false;  ///< not the nearest curve, but one whose whole blade holds
-  bool steadied = false;  ///< not the nearest curve, but one near the shape of its neighbour
-};
-
 /// The fit of one section under a request. It starts from the shape of the neighbour (null for the
 /// first section) and, where that looks like the wrong branch, from scratch as well. The blade as a whole has
 /// at most two periods. Where the blade that continues the best curve would bend below its radius or not
@@ -27,8 +21,8 @@ struct StationFit {
 [[nodiscard]] Result<StationFit> fitStation(const PlanarCurve& section, const FitRequest& request,
                                             const StationFit* neighbour);
 
-/// True if the blade that continues this fit keeps its radius and rests in its shape.
-[[nodiscard]] bool bladeHolds(const FitResult& fit, const Blade& blade);
+/// True if the blade that continues this curve keeps its radius and rests in its shape.
+[[nodiscard]] bool bladeHolds(const Elastica& cut, const Blade& blade);
 
 /// `fitted` continued at both ends to the length of the blade; itself where the blade is not longer.
 [[nodiscard]] Result<Elastica> extendedBlade(const Elastica& fitted, double bladeLength);

@@ -5,15 +5,15 @@
 
 namespace bw::detail {
 
-Place placeOf(const std::vector<Station>& stations, const Stretch& stretch) {
-  const Station& worst = stations[stretch.worst];
-  return {StationRange{stations[stretch.first].index, stations[stretch.last].index, worst.index,
-                       int(stretch.count)},
-          middleOf(worst)};
+Place placeOf(const std::vector<BladePose>& poses, const Stretch& stretch) {
+  const BladePose& worst = poses[stretch.worst];
+  return {
+      StationRange{poses[stretch.first].index, poses[stretch.last].index, worst.index, int(stretch.count)},
+      middleOf(worst)};
 }
 
-Eigen::Vector3d middleOf(const Station& station) {
-  return station.frame.toWorld(station.fit.elastica.point(0.5 * station.fit.elastica.length()));
+Eigen::Vector3d middleOf(const BladePose& pose) {
+  return pose.frame.toWorld(pose.cut.point(0.5 * pose.cut.length()));
 }
 
 }  // namespace bw::detail

@@ -16,43 +16,43 @@ struct Stretch {
 };
 
 /// Where that is; the point is the middle of the worst station's cut.
-[[nodiscard]] Place placeOf(const std::vector<Station>& stations, const Stretch& stretch);
+[[nodiscard]] Place placeOf(const std::vector<BladePose>& poses, const Stretch& stretch);
 
 /// The middle of a station's cut in the file's frame, mm.
-[[nodiscard]] Eigen::Vector3d middleOf(const Station& station);
+[[nodiscard]] Eigen::Vector3d middleOf(const BladePose& pose);
 
-/// The stretches of neighbouring stations for which `bad(station)` holds, `worse(a, b)` telling the worst, or
-/// all of them as one stretch where they are many: a list of places is no message.
+/// The stretches of neighbouring ones of `count` stations for which `bad(i)` holds, `worse(i, j)` telling the
+/// worst, or all of them as one stretch where they are many: a list of places is no message.
 template <class Bad, class Worse>
-std::vector<Stretch> stretchesOf(const std::vector<Station>& stations, Bad bad, Worse worse) {
+std::vector<Stretch> stretchesOf(std::size_t count, Bad bad, Worse worse) {
   constexpr std::size_t kMostStretches = 3;
   std::vector<Stretch> stretches;
-  for (std::size_t i = 0; i < stations.size(); ++i) {
-    if (!bad(stations[i])) continue;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!bad(i)) continue;
     if (stretches.empty() || stretches.back().last + 1 != i) stretches.push_back({i, i, i, 0});
     Stretch& stretch = stretches.back();
     stretch.last = i;
     ++stretch.count;
-    if (worse(stations[i], stations[stretch.worst])) stretch.worst = i;
+    if (worse(i, stretch.worst)) stretch.worst = i;
   }
   if (stretches.size() <= kMostStretches) return stretches;
   Stretch all = stretches.front();
   for (std::size_t k = 1; k < stretches.size(); ++k) {
     all.last = stretches[k].last;
     all.count += stretches[k].count;
-    if (worse(stations[stretches[k].worst], stations[all.worst])) all.worst = stretches[k].worst;
+    if (worse(stretches[k].worst, all.worst)) all.worst = stretches[k].worst;
   }
   return {all};
 }
 
-/// Tells each such stretch as one finding at its worst station; `fill(station, stretch, finding)` gives it
-/// its cause, and remedies where there are some.
+/// Tells each such stretch as one finding at its worst station; `fill(stretch, finding)` gives it its cause,
+/// and remedies where there are some.
 template <class Bad, class Worse, class Fill>
-void reportStretches(const std::vector<Station>& stations, Severity severity, Bad bad, Worse worse, Fill fill,
+void reportStretches(const std::vector<BladePose>& poses, Severity severity, Bad bad, Worse worse, Fill fill,
                      Findings& findings) {
-  for (const Stretch& stretch : stretchesOf(stations, bad, worse)) {
-    Finding finding{severity, {}, placeOf(stations, stretch), {}};
-    fill(stations[stretch.worst], stretch, finding);
+  for (const Stretch& stretch : stretchesOf(poses.size(), bad, worse)) {
+    Finding finding{severity, {}, placeOf(poses, stretch), {}};
+    fill(stretch, finding);
     findings.push_back(std::move(finding));
   }
 }

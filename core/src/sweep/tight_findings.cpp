@@ -52,8 +52,8 @@ Remedies remediesFor(const TightRow& row, const Sweep& sweep, const CheckRequest
   for (const Tight* tight : worstFirst)
     if (tight->section.tightest(widest).distance > request.tolerance)
       widest = kRadiusReserve * tight->section.widestRadius(request.tolerance);
-  for (const Station& station : sweep.stations)
-    longest = std::max({longest, station.targetLength, station.fit.elastica.length()});
+  for (const StationFit& fit : sweep.fits)
+    longest = std::max({longest, fit.target.length(), fit.fit.elastica.length()});
   Remedies remedies = {bladeThatBendsTo(widest)};
   if (const std::optional<double> scale =
           scaleThatFits(worstFirst, sweep.request.blade.minRadius(), request.tolerance))
@@ -65,14 +65,15 @@ Remedies remediesFor(const TightRow& row, const Sweep& sweep, const CheckRequest
 
 }  // namespace
 
-std::vector<char> addTightFindings(const Sweep& sweep, const CheckRequest& request, Findings& findings) {
-  const std::vector<Station>& stations = sweep.stations;
+std::vector<char> addTightFindings(const Sweep& sweep, const CheckRequest& request, SweepAnalysis& analysis) {
+  const std::vector<BladePose>& poses = sweep.poses;
   const double limit = sweep.request.blade.maxCurvature(), radius = sweep.request.blade.minRadius();
-  TightRow row(stations.size());
-  std::vector<char> found(stations.size(), 0);
-  for (std::size_t i = 0; i < stations.size(); ++i) {
-    if (stations[i].blade.maxCurvature() <= limit && stations[i].deviationMax <= request.tolerance) continue;
-    TightSection section(stations[i].target);
+  TightRow row(poses.size());
+  std::vector<char> found(poses.size(), 0);
+  const auto overbent = [&](std::size_t i) { return poses[i].blade.maxCurvature() > limit; };
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    if (!overbent(i) && analysis.stationDeviation[i] <= request.tolerance) continue;
+    TightSection section(sweep.fits[i].target);
     const TightSpot spot = section.tightest(radius);
     if (spot.distance <= request.tolerance) continue;
     row[i] = Tight{std::move(section), spot};
@@ -80,23 +81,20 @@ std::vector<char> addTightFindings(const Sweep& sweep, const CheckRequest& reque
   }
   if (std::ranges::none_of(found, [](char c) { return c != 0; })) return found;
   const Remedies remedies = remediesFor(row, sweep, request);
-  const auto at = [&](const Station& s) -> const std::optional<Tight>& {
-    return row[std::size_t(&s - stations.data())];
-  };
   // Between once and twice the tolerance a curve may be taken that the blade holds.
-  const auto hopeless = [&](const Station& s) {
-    return s.blade.maxCurvature() > limit || at(s)->spot.distance > kAllowance * request.tolerance;
+  const auto hopeless = [&](std::size_t i) {
+    return overbent(i) || row[i]->spot.distance > kAllowance * request.tolerance;
   };
   for (const bool error : {true, false})
     for (const Stretch& stretch : stretchesOf(
-             stations, [&](const Station&s) { return at(s) && hopeless(s) == error; },
-             [&](const Station&a, const Station&b) { return at(a)->spot.distance > at(b)->spot.distance; })) {
-      const Station& w = stations[stretch.worst];
-      const TightSpot& spot = at(w)->spot;
-      findings.push_back({error ? Severity::error : Severity::warning,
-                          TooTight{spot.radius, radius, spot.distance, request.tolerance},
-                          {placeOf(stations, stretch).stations, w.frame.toWorld(spot.point)},
-                          remedies});
+             poses.size(), [&](std::size_t i) { return row[i] && hopeless(i) == error; },
+             [&](std::size_t a, std::size_t b) { return row[a]->spot.distance > row[b]->spot.distance; })) {
+      const TightSpot& spot = row[stretch.worst]->spot;
+      analysis.findings.push_back(
+          {error ? Severity::error : Severity::warning,
+           TooTight{spot.radius, radius, spot.distance, request.tolerance},
+           {placeOf(poses, stretch).stations, poses[stretch.worst].frame.toWorld(spot.point)},
+           remedies});
     }
   return found;
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bw/core/base/finding.h"
-#include "bw/core/sweep/sweep.h"
+#include "bw/core/sweep/sweep_check.h"
 
 namespace bw::detail {
 
@@ -14,6 +14,6 @@ namespace bw::detail {
 /// to overbend, or where that distance is beyond what a taken curve may miss (`kAllowance` tolerances), else
 /// a warning. Only stations that miss their section or break the blade are looked at; a row without such
 /// costs nothing. Returns for each station whether it is among these.
-std::vector<char> addTightFindings(const Sweep& sweep, const CheckRequest& request, Findings& findings);
+std::vector<char> addTightFindings(const Sweep& sweep, const CheckRequest& request, SweepAnalysis& analysis);
 
 }  // namespace bw::detail

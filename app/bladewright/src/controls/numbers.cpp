@@ -58,28 +58,28 @@ QString sizeText(const Eigen::Vector3d& size) {
       .arg(shortNumber(size.x(), 4), shortNumber(size.y(), 4), shortNumber(size.z(), 4));
 }
 
-SweepLimits brokenLimits(const SweepSummary& summary, const Blade& blade, const Job& job) {
-  return {summary.deviationMax > job.tolerance,
-          summary.minRadius<blade.minRadius(), summary.angleMax> cuttingAngleLimit(blade),
+SweepLimits brokenLimits(const SweepSummary& summary, const Design& design) {
+  return {summary.deviationMax > design.process.tolerance,
+          summary.minRadius<design.blade.minRadius(), summary.angleMax> cuttingAngleLimit(design.blade),
           summary.speedRatioMin < kSpeedRatioLimit, false};
 }
 
-SweepLimits brokenLimits(const Station& station, const Blade& blade, const Job& job) {
-  return {false, station.blade.maxCurvature() > blade.maxCurvature(),
-          station.angleMax > cuttingAngleLimit(blade), station.speedRatio < kSpeedRatioLimit,
-          station.clearance < job.clearance};
+SweepLimits brokenLimits(const pipeline::StationView& station, const Design& design) {
+  return {false, station.pose.blade.maxCurvature() > design.blade.maxCurvature(),
+          station.check.angleMax > cuttingAngleLimit(design.blade),
+          station.check.speedRatio < kSpeedRatioLimit, station.check.clearance < design.process.clearance};
 }
 
-std::vector<StationNumbers> stationNumbers(const pipeline::SweepResult& result) {
-  const auto& stations = result.sweep.stations;
-  std::vector<StationNumbers> numbers(stations.size());
-  for (std::size_t i = 0; i < stations.size(); ++i) {
+std::vector<StationNumbers> stationNumbers(const pipeline::CutResult& result) {
+  std::vector<StationNumbers> numbers(result.size());
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
     StationNumbers& n = numbers[i];
-    n.maxCurvature = stations[i].blade.maxCurvature();
+    const pipeline::StationView station = result.station(i);
+    n.maxCurvature = station.pose.blade.maxCurvature();
     n.stress = result.sweep.request.blade.stress(n.maxCurvature);
-    n.deviation = stations[i].deviationMax;
-    n.speedMin = stations[i].speedMin;
-    n.speedMax = stations[i].speedMax;
+    n.deviation = station.deviation;
+    n.speedMin = station.check.speedMin;
+    n.speedMax = station.check.speedMax;
   }
   return numbers;
 }

@@ -27,8 +27,8 @@ struct SweepLimits {
   bool radius = false;     ///< and stress: beyond what leaves the blade elastic
   bool angle = false, speed = false, clearance = false;
 };
-SweepLimits brokenLimits(const SweepSummary& summary, const Blade& blade, const Job& job);
-SweepLimits brokenLimits(const Station& station, const Blade& blade, const Job& job);
+SweepLimits brokenLimits(const SweepSummary& summary, const Design& design);
+SweepLimits brokenLimits(const pipeline::StationView& station, const Design& design);
 
 /// Numbers of one station that follow from the cut surface's fields.
 struct StationNumbers {
@@ -39,6 +39,6 @@ struct StationNumbers {
 };
 
 /// One entry a station of the sweep.
-std::vector<StationNumbers> stationNumbers(const pipeline::SweepResult& result);
+std::vector<StationNumbers> stationNumbers(const pipeline::CutResult& result);
 
 }  // namespace bw::app

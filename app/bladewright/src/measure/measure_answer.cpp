@@ -176,10 +176,10 @@ void MeasureAnswer::refreshUse() {
     useNote_->setText(tr("Open a surface or a design to use the length there."));
   else if (length && !fits)
     useNote_->setText(tr("A design takes blades of %1 to %2 mm.").arg(kShortest).arg(kLongest));
-  else if (length && storedLength() != bench_.job().blade.length)
+  else if (length && storedLength() != bench_.design().blade.length)
     useNote_->setText(tr("Makes the blade %1 %2.")
-                          .arg(lengthText(std::abs(storedLength() - bench_.job().blade.length)),
-                               storedLength() > bench_.job().blade.length ? tr("longer") : tr("shorter")));
+                          .arg(lengthText(std::abs(storedLength() - bench_.design().blade.length)),
+                               storedLength() > bench_.design().blade.length ? tr("longer") : tr("shorter")));
   else
     useNote_->setText(length ? tr("The design has this length.") : QString());
 }
@@ -199,7 +199,7 @@ void MeasureAnswer::refreshSingle(int chosen, bool hinged) {
 void MeasureAnswer::tellProblem() {
   Severity severity = Severity::warning;
   QString text;
-  const double limit = bench_.job().blade.minRadius();
+  const double limit = bench_.design().blade.minRadius();
   if (!outcome_.problem.isEmpty()) {
     severity = Severity::error;
     text = outcome_.problem;
@@ -230,9 +230,10 @@ void MeasureAnswer::tellProblem() {
 
 void MeasureAnswer::use() {
   if (!outcome_.length || bench_.document().empty()) return;
-  const double length = storedLength(), before = bench_.job().blade.length;
+  const double length = storedLength(), before = bench_.design().blade.length;
   if (length != before) {
-    bench_.editJob(tr("Use measured blade length"), [length](Job& job) { job.blade.length = length; });
+    bench_.editDesign(tr("Use measured blade length"),
+                      [length](Design& design) { design.blade.length = length; });
     bench_.tell(
         {Severity::info,
          tr("The blade is now %1 mm long; it was %2 mm.")

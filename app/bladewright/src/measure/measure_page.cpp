@@ -152,7 +152,7 @@ QWidget* MeasurePage::makeInput() {
 void MeasurePage::enter() {
   if (!entered_) {
     entered_ = true;
-    const Blade& blade = bench_.job().blade;
+    const Blade& blade = bench_.design().blade;
     table_->setRows({{std::max(1.0, std::round(kFirstDistance * blade.length)), fromDegrees(kFirstAngle), 0,
                       blade.temperature}});
   }
@@ -170,7 +170,7 @@ void MeasurePage::refresh() {
   sheet.angleOffset = angleOffset_->isChecked();
   angleError_->setEnabled(!sheet.hinged);
   angleOffset_->setEnabled(!sheet.hinged);
-  const Blade& blade = bench_.job().blade;
+  const Blade& blade = bench_.design().blade;
   outcome_ = evaluateSheet(sheet, blade);
   table_->setOutcome(outcome_);
   blade_->setText(tr("%1, %2 long, %3 °C at the cut, expands %4·10⁻⁶/K")

@@ -107,11 +107,11 @@ void MotionView::tick() {
 }
 
 void MotionView::stepStation(int by) {
-  const pipeline::SweepResult* result = bench_.sweep();
+  const auto result = bench_.sweep();
   if (!result) return;
   const double at = bench_.stationAt(bench_.playTime());
   const int from = by > 0 ? int(std::floor(at + 1e-6)) : int(std::ceil(at - 1e-6));
-  goTo(bench_.timeOfStation(std::clamp(from + by, 0, int(result->sweep.stations.size()) - 1)));
+  goTo(bench_.timeOfStation(std::clamp(from + by, 0, int(result->sweep.poses.size()) - 1)));
 }
 
 void MotionView::goTo(double seconds) {

@@ -57,19 +57,20 @@ QRectF boundsOf(std::initializer_list<const QPolygonF*> polygons) {
 
 SectionDrawing makeSectionDrawing(const Sweep& sweep, int index, double exaggeration) {
   SectionDrawing drawing;
-  const auto& stations = sweep.stations;
+  const auto& stations = sweep.poses;
   if (index < 0 || std::size_t(index) >= stations.size()) return drawing;
-  const Station& station = stations[std::size_t(index)];
+  const BladePose& station = stations[std::size_t(index)];
+  const PlanarCurve& target = sweep.fits[std::size_t(index)].target;
   drawing.station = index;
-  drawing.target = toPolygon(station.target.sample(kSamples));
-  drawing.elastica = toPolygon(station.fit.elastica.sample(kSamples));
+  drawing.target = toPolygon(target.sample(kSamples));
+  drawing.elastica = toPolygon(station.cut.sample(kSamples));
   drawing.blade = toPolygon(station.blade.sample(kSamples));
   // The same frame axes for all stations: neighbours are drawn as they lie in the plane of this one.
   const auto neighbour = [&](int i) {
     QPolygonF polygon;
     if (i < 0 || std::size_t(i) >= stations.size()) return polygon;
-    const Station& other = stations[std::size_t(i)];
-    for (const Eigen::Vector2d& p : other.fit.elastica.sample(65))
+    const BladePose& other = stations[std::size_t(i)];
+    for (const Eigen::Vector2d& p : other.cut.sample(65))
       polygon << toPoint(station.frame.toLocal(other.frame.toWorld(p)).head<2>());
     return polygon;
   };
@@ -79,7 +80,7 @@ SectionDrawing makeSectionDrawing(const Sweep& sweep, int index, double exaggera
   if (exaggeration != 1) {
     for (QPointF& p : drawing.elastica) {
       const Eigen::Vector2d q(p.x(), p.y());
-      const Eigen::Vector2d foot = station.target.value(station.target.nearestParameter(q));
+      const Eigen::Vector2d foot = target.value(target.nearestParameter(q));
       p = toPoint(foot + exaggeration * (q - foot));
     }
   }
@@ -90,7 +91,7 @@ SectionDrawing makeSectionDrawing(const Sweep& sweep, int index, double exaggera
   station.blade.at(arcs, states);
   for (int i = 0; i < kSamples; ++i)
     drawing.curvature << QPointF(arcs[std::size_t(i)], states[std::size_t(i)].curvature);
-  const double overhang = std::max(0.0, station.extension) * station.fit.elastica.length();
+  const double overhang = station.extension * station.cut.length();
   drawing.cutFrom = overhang;
   drawing.cutTo = length - overhang;
   drawing.bounds = boundsOf({&drawing.target, &drawing.elastica, &drawing.blade, &drawing.foam});

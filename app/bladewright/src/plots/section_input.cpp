@@ -88,7 +88,7 @@ void SectionView::mouseMoveEvent(QMouseEvent* event) {
     if (station >= 0)
       QToolTip::showText(event->globalPosition().toPoint(),
                          tr("Station %1: deviation %2")
-                             .arg(bench_.sweep()->sweep.stations[std::size_t(station)].index + 1)
+                             .arg(bench_.sweep()->sweep.poses[std::size_t(station)].index + 1)
                              .arg(lengthText(numbers_[std::size_t(station)].deviation)),
                          this);
   }

@@ -54,15 +54,15 @@ int SectionView::shownStation() const {
 }
 
 void SectionView::rebuild() {
-  const pipeline::SweepResult* result = bench_.sweep();
+  const auto result = bench_.sweep();
   numbers_ = result ? stationNumbers(*result) : std::vector<StationNumbers>();
-  tolerance_ = bench_.job().tolerance;
+  tolerance_ = bench_.design().process.tolerance;
   drawing_.station = -1;
   rebuildDrawing();
 }
 
 void SectionView::rebuildDrawing() {
-  const pipeline::SweepResult* result = bench_.sweep();
+  const auto result = bench_.sweep();
   const AxisRange before = wholeAlong();
   drawing_ = result ? makeSectionDrawing(result->sweep, shownStation(), exaggeration_) : SectionDrawing();
   // The zoom stays from station to station, as long as there is something in it.
@@ -98,7 +98,7 @@ QStringList SectionView::readout() const {
     const QPointF p = frame().toPlane(cursor_);
     const int decimals = frame().scale > 20 ? 2 : 1;
     QStringList lines = {tr("%1, %2 mm").arg(axisText(p.x(), decimals), axisText(p.y(), decimals))};
-    const Station& station = bench_.sweep()->sweep.stations[std::size_t(drawing_.station)];
+    const BladePose& station = bench_.sweep()->sweep.poses[std::size_t(drawing_.station)];
     const Eigen::Vector2d at(p.x(), p.y());
     const Eigen::Vector2d foot = station.target.value(station.target.nearestParameter(at));
     lines << tr("%1 from the target").arg(lengthText((at - foot).norm() / exaggeration_));
@@ -108,7 +108,7 @@ QStringList SectionView::readout() const {
     const QRectF area = curvatureArea();
     const double arc = along_.low + along_.span() * (cursor_.x() - area.left()) / area.width();
     const double curvature =
-        bench_.sweep()->sweep.stations[std::size_t(drawing_.station)].blade.at(arc).curvature;
+        bench_.sweep()->sweep.poses[std::size_t(drawing_.station)].blade.at(arc).curvature;
     return {
         tr("%1 along the blade").arg(lengthText(arc)),
         tr("%1 1/m, radius %2")
@@ -188,7 +188,7 @@ void SectionView::paintEvent(QPaintEvent*) {
   painter.setFont(small);
   double top = kBarsHeight + 4;
   const StationNumbers& n = numbers_[std::size_t(drawing_.station)];
-  const Station& station = bench_.sweep()->sweep.stations[std::size_t(drawing_.station)];
+  const BladePose& station = bench_.sweep()->sweep.poses[std::size_t(drawing_.station)];
   const QString title = tr("Station %1").arg(station.index + 1);
   QFont bold = small;
   bold.setWeight(QFont::DemiBold);

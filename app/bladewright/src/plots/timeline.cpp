@@ -43,7 +43,7 @@ void Timeline::rebuild() {
   end_ = bench_.playEnd();
   seen_ = before > 0 && end_ > 0 ? AxisRange{seen_.low * end_ / before, seen_.high * end_ / before}
                                  : AxisRange{0, end_};
-  if (const pipeline::SweepResult* result = bench_.sweep()) {
+  if (const auto result = bench_.sweep()) {
     const std::vector<StationNumbers> numbers = stationNumbers(*result);
     samples_.reserve(numbers.size());
     std::size_t i = 0;
@@ -252,10 +252,10 @@ bool Timeline::event(QEvent* event) {
 void Timeline::keyPressEvent(QKeyEvent* event) {
   const int station = int(std::lround(bench_.stationAt(bench_.playTime())));
   if (event->key() == Qt::Key_Left || event->key() == Qt::Key_Right) {
-    const pipeline::SweepResult* result = bench_.sweep();
+    const auto result = bench_.sweep();
     if (!result) return;
     const int next = std::clamp(station + (event->key() == Qt::Key_Right ? 1 : -1), 0,
-                                int(result->sweep.stations.size()) - 1);
+                                int(result->sweep.poses.size()) - 1);
     bench_.setPlayTime(bench_.timeOfStation(next));
   } else if (event->key() == Qt::Key_Home) {
     bench_.setPlayTime(0);

@@ -77,10 +77,10 @@ void FaceChooser::setChoosing(bool on) {
 }
 
 std::vector<int> FaceChooser::chosen() const {
-  const FaceChoice& choice = bench_.job().face;
+  const FaceChoice& choice = bench_.design().cut().face;
   if (choice.kind == FaceChoice::Kind::indices) return choice.indices;
   const auto& newest = bench_.runner().evaluation();
-  return newest && newest->target.value ? newest->target.value->faces() : std::vector<int>();
+  return newest && newest->cut().target.value ? newest->cut().target.value->faces() : std::vector<int>();
 }
 
 void FaceChooser::applyTo(scene::Style& style) const {
@@ -135,11 +135,13 @@ void FaceChooser::click(int face, Qt::KeyboardModifiers keys) {
     }
     std::sort(faces.begin(), faces.end());
   }
-  if (bench_.job().face.kind == FaceChoice::Kind::indices && bench_.job().face.indices == faces) return;
+  if (bench_.design().cut().face.kind == FaceChoice::Kind::indices &&
+      bench_.design().cut().face.indices == faces)
+    return;
   FaceChoice choice;
   choice.kind = FaceChoice::Kind::indices;
   choice.indices = faces;
-  bench_.editJob(tr("Choose faces"), [&](Job& job) { job.face = choice; });
+  bench_.editDesign(tr("Choose faces"), [&](Design& design) { design.cut().face = choice; });
 }
 
 void FaceChooser::refresh() {

@@ -12,6 +12,8 @@
 
 namespace bw::app {
 
+using pipeline::StationView;
+
 namespace {
 
 constexpr int kLeastWidth = 250;
@@ -76,21 +78,21 @@ void Inspector::addValue(FormColumn* column, const QString& name, const QString&
 }
 
 const SweepSummary* Inspector::summary() const {
-  const pipeline::SweepResult* result = bench_.sweep();
+  const auto result = bench_.sweep();
   return result ? &result->analysis.summary : nullptr;
 }
 
-const Job& Inspector::shownJob() const { return bench_.shown()->design.job; }
+const Design& Inspector::shownDesign() const { return bench_.shown()->design; }
 
 SweepLimits Inspector::limits() const {
-  return brokenLimits(bench_.sweep()->analysis.summary, bench_.sweep()->sweep.request.blade, shownJob());
+  return brokenLimits(bench_.sweep()->analysis.summary, shownDesign());
 }
 
-const Station* Inspector::station() const {
-  const pipeline::SweepResult* result = bench_.sweep();
+std::optional<pipeline::StationView> Inspector::station() const {
+  const auto result = bench_.sweep();
   const int index = bench_.selection().station;
-  if (!result || index < 0 || std::size_t(index) >= result->sweep.stations.size()) return nullptr;
-  return &result->sweep.stations[std::size_t(index)];
+  if (!result || index < 0 || std::size_t(index) >= result->size()) return std::nullopt;
+  return result->station(std::size_t(index));
 }
 
 void Inspector::makeResult() {
@@ -113,21 +115,22 @@ void Inspector::makeResult() {
   add(tr("Smallest radius"), tr("Over the whole blade at all stations"), radiusText, &SweepSummary::minRadius,
       &SweepLimits::radius);
   addValue(column, tr("Limit of the blade"), tr("The tightest bend that leaves the blade elastic"),
-           [this] { return radiusText(bench_.job().blade.minRadius()); });
+           [this] { return radiusText(bench_.design().blade.minRadius()); });
   values_.back().ofDesign = true;
   add(tr("Steepest cut"), tr("Largest angle between the blade's motion and its plane's normal"), angleText,
       &SweepSummary::angleMax, &SweepLimits::angle);
   add(tr("Mean angle"), {}, angleText, &SweepSummary::angleMean);
   column->addHeading(tr("Motion"));
   addValue(column, tr("Fastest point"), {},
-           [this] { return summary() ? speedText(bench_.shown()->design.job.cuttingSpeed) : QString(); });
+           [this] { return summary() ? speedText(bench_.shown()->design.process.cuttingSpeed) : QString(); });
   addValue(
       column, tr("Slowest / fastest"), tr("Along the blade, at its most uneven station"),
       [this] {
         return summary() ? QString::fromStdString(fixedText(summary()->speedRatioMin, 2)) : QString();
       },
       [this] { return summary() && limits().speed; });
-  add(tr("Cutting time"), tr("Minutes and seconds, leads included"), timeText, &SweepSummary::cuttingTime);
+  addValue(column, tr("Cutting time"), tr("Minutes and seconds, leads included"),
+           [this] { return summary() ? timeText(bench_.sweep()->motion.duration()) : QString(); });
   column->addHeading(tr("Fit"));
   add(tr("Largest distance"), tr("Hausdorff distance between a section and its elastica"), lengthText,
       &SweepSummary::hausdorffMax);
@@ -139,7 +142,7 @@ void Inspector::makeSurface() {
   FormColumn* column = addPage(Selection::Kind::surface);
   const auto target = [this]() -> const geometry::Target* {
     const auto shown = bench_.shown();
-    return shown ? shown->target.value.get() : nullptr;
+    return shown ? shown->cut().target.value.get() : nullptr;
   };
   column->addHeading(tr("Target surface"));
   addValue(column, tr("Faces"), {},
@@ -163,8 +166,8 @@ void Inspector::makeBlock() {
   blockFields_ = new BlockFields(bench_, column, this);
   addValue(column, tr("Volume"), {}, [this] {
     const auto shown = bench_.shown();
-    return shown && shown->setup
-               ? QString::fromStdString(shortText(shown->setup->block.size.prod() * 1e-9, 3)) + " m³"
+    return shown && shown->cut().setup
+               ? QString::fromStdString(shortText(shown->cut().setup->block.size.prod() * 1e-9, 3)) + " m³"
                : QString();
   });
 }
@@ -177,7 +180,7 @@ void Inspector::makeBlade() {
   column->addHeading(tr("Section and material"));
   column->addWide(details);
   addValue(column, tr("Rigidity"), tr("Flexural rigidity E·I"), [this] {
-    return QString::fromStdString(shortText(bench_.job().blade.flexuralRigidity(), 3)) + " N·mm²";
+    return QString::fromStdString(shortText(bench_.design().blade.flexuralRigidity(), 3)) + " N·mm²";
   });
   values_.back().ofDesign = true;
   column->addHeading(tr("Use"));
@@ -221,48 +224,46 @@ void Inspector::makeStation() {
   stationNumber_->setToolTip(tr("Counted from 1, as in messages; data files count from 0"));
   stationNumber_->setFixedWidth(96);
   connect(stationNumber_, &NumberField::edited, this, [this](double value) {
-    const pipeline::SweepResult* result = bench_.sweep();
+    const auto result = bench_.sweep();
     if (!result) return;
-    const auto& stations = result->sweep.stations;
+    const auto& stations = result->sweep.poses;
     const auto found = std::find_if(stations.begin(), stations.end(),
-                                    [value](const Station& s) { return s.index + 1 >= int(value); });
+                                    [value](const BladePose& s) { return s.index + 1 >= int(value); });
     bench_.selectStation(int(found - stations.begin()));
     refresh();
   });
   stationNumber_->setCheck([this](double value) {
-    const pipeline::SweepResult* result = bench_.sweep();
+    const auto result = bench_.sweep();
     if (!result) return tr("There are no stations yet");
-    const auto& stations = result->sweep.stations;
+    const auto& stations = result->sweep.poses;
     const bool there = std::any_of(stations.begin(), stations.end(),
-                                   [value](const Station& s) { return s.index + 1 == int(value); });
+                                   [value](const BladePose& s) { return s.index + 1 == int(value); });
     return there ? QString() : tr("Station %1 was left out").arg(int(value));
   });
   line->addWidget(stationNumber_);
   column->addWide(row);
-  const auto add = [&](const QString& name, const QString& tip, std::function<QString(const Station&)> text,
-                       bool SweepLimits::*broken = nullptr) {
+  const auto add = [&](const QString& name, const QString& tip,
+                       std::function<QString(const StationView&)> text, bool SweepLimits::*broken = nullptr) {
     addValue(
         column, name, tip,
         [this, text = std::move(text)] { return station() ? text(*station()) : QString(); },
-        broken ? std::function<bool()>([this, broken] {
-          return station() &&
-                 brokenLimits(*station(), bench_.sweep()->sweep.request.blade, shownJob()).*broken;
-        })
+        broken ? std::function<bool()>(
+                     [this, broken] { return station() && brokenLimits(*station(), shownDesign()).*broken; })
                : nullptr);
   };
   add(tr("Travel"), tr("Position along the cutting direction"),
-      [](const Station& s) { return lengthText(s.travel); });
+      [](const StationView& s) { return lengthText(s.pose.travel); });
   addValue(column, tr("Time"), tr("From the start of the motion"), [this] {
     return station() ? timeText(bench_.timeOfStation(bench_.selection().station)) : QString();
   });
   column->addHeading(tr("Fit"));
-  add(tr("Section length"), {}, [](const Station& s) { return lengthText(s.targetLength); });
+  add(tr("Section length"), {}, [](const StationView& s) { return lengthText(s.fit.target.length()); });
   add(tr("Largest distance"), tr("Hausdorff distance between section and elastica"),
-      [](const Station& s) { return lengthText(s.fit.hausdorff); });
+      [](const StationView& s) { return lengthText(s.fit.fit.hausdorff); });
   add(tr("Residual R4"), tr("Root mean square distance over the length"),
-      [](const Station& s) { return QString::fromStdString(shortText(s.fit.R4, 3)); });
-  add(tr("Status"), {}, [](const Station& s) {
-    switch (s.fit.status) {
+      [](const StationView& s) { return QString::fromStdString(shortText(s.fit.fit.R4, 3)); });
+  add(tr("Status"), {}, [](const StationView& s) {
+    switch (s.fit.fit.status) {
       case FitStatus::converged:
         return tr("Converged");
       case FitStatus::iterationLimit:
@@ -277,41 +278,41 @@ void Inspector::makeStation() {
   column->addHeading(tr("Blade"));
   add(
       tr("Smallest radius"), tr("Of the whole blade"),
-      [](const Station& s) {
-        const double curvature = s.blade.maxCurvature();
+      [](const StationView& s) {
+        const double curvature = s.pose.blade.maxCurvature();
         return radiusText(curvature > 0 ? 1 / curvature : 1e12);
       },
       &SweepLimits::radius);
   add(tr("Inflections"), tr("Changes of the bending direction along the blade"),
-      [](const Station& s) { return QString::number(bladeInflections(s.blade)); });
+      [](const StationView& s) { return QString::number(bladeInflections(s.pose.blade)); });
   add(tr("Extension"), tr("Length of the blade beyond the surface, each side"),
-      [](const Station& s) { return lengthText(s.extension * s.fit.elastica.length()); });
+      [](const StationView& s) { return lengthText(s.pose.extension * s.pose.cut.length()); });
   add(
       tr("Clearance"), tr("Between the nearer grip and the block"),
-      [](const Station& s) { return lengthText(s.clearance); }, &SweepLimits::clearance);
+      [](const StationView& s) { return lengthText(s.check.clearance); }, &SweepLimits::clearance);
   column->addHeading(tr("Motion"));
   add(
       tr("Largest angle"), tr("Between the blade's motion and the plane's normal"),
-      [](const Station& s) { return angleText(s.angleMax); }, &SweepLimits::angle);
-  add(tr("Mean angle"), {}, [](const Station& s) { return angleText(s.angleMean); });
+      [](const StationView& s) { return angleText(s.check.angleMax); }, &SweepLimits::angle);
+  add(tr("Mean angle"), {}, [](const StationView& s) { return angleText(s.check.angleMean); });
   add(
       tr("Slowest / fastest"), tr("Along the blade"),
-      [](const Station& s) { return QString::fromStdString(fixedText(s.speedRatio, 2)); },
+      [](const StationView& s) { return QString::fromStdString(fixedText(s.speedRatio, 2)); },
       &SweepLimits::speed);
   column->addHeading(tr("Grips"));
-  const auto addGrip = [&](const QString& name, Eigen::Vector3d (Station::*end)() const) {
+  const auto addGrip = [&](const QString& name, Eigen::Vector3d (BladePose::*end)() const) {
     auto* heading = makeNote(name);
     column->addWide(heading);
     auto* place = new ValueLabel;
     place->setAlignment(Qt::AlignRight);
     place->setAccessibleName(name);
     column->addWide(place);
-    values_.push_back({place,
-                       [this, end] { return station() ? pointText((station()->*end)()) + " mm" : QString(); },
-                       nullptr});
+    values_.push_back(
+        {place, [this, end] { return station() ? pointText((station()->pose.*end)()) + " mm" : QString(); },
+         nullptr});
   };
-  addGrip(tr("Left, in the frame of the file"), &Station::leftPoint);
-  addGrip(tr("Right, in the frame of the file"), &Station::rightPoint);
+  addGrip(tr("Left, in the frame of the file"), &BladePose::leftPoint);
+  addGrip(tr("Right, in the frame of the file"), &BladePose::rightPoint);
 }
 
 TypedField* Inspector::showRefused() {
@@ -340,7 +341,7 @@ void Inspector::refresh() {
   const bool settings = selection.kind == Selection::Kind::block || selection.kind == Selection::Kind::blade;
   const auto shown = bench_.shown();
   const bool there = settings || bench_.sweep() ||
-                     (selection.kind == Selection::Kind::surface && shown && shown->target.value);
+                     (selection.kind == Selection::Kind::surface && shown && shown->cut().target.value);
   empty_->setVisible(!there);
   pages_->setVisible(there);
   for (const Value& value : values_) {
@@ -350,12 +351,12 @@ void Inspector::refresh() {
   refreshStanding();
   blockFields_->refresh();
   bladeFields_->refresh();
-  if (const pipeline::SweepResult* result = bench_.sweep()) {
-    const int last = result->sweep.stations.empty() ? 1 : result->sweep.stations.back().index + 1;
+  if (const auto result = bench_.sweep()) {
+    const int last = result->sweep.poses.empty() ? 1 : result->sweep.poses.back().index + 1;
     stationNumber_->setMaximum(last);
     stationNumber_->setSuffix(tr("of %1").arg(last));
   }
-  if (const Station* selected = station()) stationNumber_->show(selected->index + 1);
+  if (const auto selected = station()) stationNumber_->show(selected->pose.index + 1);
 }
 
 }  // namespace bw::app

@@ -46,9 +46,9 @@ class Inspector : public SidePanel {
   void makeBlade();
   void makeStation();
   void refresh();
-  const Station* station() const;
+  std::optional<pipeline::StationView> station() const;
   /// The job of the result on the screen; there must be one.
-  const Job& shownJob() const;
+  const Design& shownDesign() const;
   SweepLimits limits() const;
   const SweepSummary* summary() const;
   void refreshStanding();

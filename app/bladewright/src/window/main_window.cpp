@@ -121,7 +121,7 @@ MainWindow::MainWindow(model::Settings& settings, Theme& theme, const std::files
   scene::Style style;
   style.field = "deviation";
   style.dark = theme.dark();
-  style.tolerance = bench_.job().tolerance;
+  style.tolerance = bench_.design().process.tolerance;
   mapBar_->setStyle(style);
   setNavigation(settings.mouse());
   tickTheme();

@@ -40,7 +40,7 @@ void MainWindow::refreshContent() {
         view_->open();
         opening_ = view_->camera();
       }
-      fitNext_ = !evaluation->sweep.value;
+      fitNext_ = !evaluation->result();
     }
   }
   staleTimer_.stop();
@@ -54,9 +54,9 @@ void MainWindow::refreshContent() {
 }
 
 std::optional<scene::SectionPlane> MainWindow::sectionPlane() const {
-  const pipeline::SweepResult* result = bench_.sweep();
-  if (!sectioned_ || !result || result->sweep.stations.empty()) return std::nullopt;
-  const auto& stations = result->sweep.stations;
+  const auto result = bench_.sweep();
+  if (!sectioned_ || !result || result->sweep.poses.empty()) return std::nullopt;
+  const auto& stations = result->sweep.poses;
   // The moving blade leads while it plays, the selected station otherwise, the middle if there is neither.
   const bool follow = bench_.moving() && (motion_->playing() || bench_.selection().station < 0);
   const double at = follow                            ? bench_.stationAt(bench_.playTime())
@@ -73,7 +73,7 @@ std::optional<scene::SectionPlane> MainWindow::sectionPlane() const {
 void MainWindow::refreshStyle() {
   scene::Style style = mapBar_->style();
   style.dark = theme_.dark();
-  style.tolerance = bench_.job().tolerance;
+  style.tolerance = bench_.design().process.tolerance;
   style.stale = staleShown_;
   style.selectedStation = bench_.selection().station;
   style.playhead = bench_.moving() ? bench_.stationAt(bench_.playTime()) : -1;
@@ -156,13 +156,13 @@ void MainWindow::fitSelection() {
   const auto shown = bench_.shown();
   if (!shown) return;
   const Selection& selection = bench_.selection();
-  if (const pipeline::SweepResult* result = bench_.sweep(); result && selection.station >= 0) {
-    const Station& station = result->sweep.stations[std::size_t(selection.station)];
+  if (const auto result = bench_.sweep(); result && selection.station >= 0) {
+    const BladePose& station = result->sweep.poses[std::size_t(selection.station)];
     for (const Eigen::Vector2d& p : station.blade.sample(33)) bounds.add(station.frame.toWorld(p));
-  } else if (selection.kind == Selection::Kind::surface && shown->target.value) {
-    bounds = shown->target.value->bounds();
-  } else if (selection.kind == Selection::Kind::block && shown->setup) {
-    for (const Eigen::Vector3d& corner : shown->setup->block.corners()) bounds.add(corner);
+  } else if (selection.kind == Selection::Kind::surface && shown->cut().target.value) {
+    bounds = shown->cut().target.value->bounds();
+  } else if (selection.kind == Selection::Kind::block && shown->cut().setup) {
+    for (const Eigen::Vector3d& corner : shown->cut().setup->block.corners()) bounds.add(corner);
   }
   if (bounds.valid())
     view_->fitBounds(bounds);

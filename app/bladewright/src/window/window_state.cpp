@@ -70,7 +70,7 @@ void MainWindow::refreshState() {
 
 void MainWindow::refreshSummary() {
   const bool picture = stack_->currentWidget() == columns_;
-  const pipeline::SweepResult* result = picture ? bench_.sweep() : nullptr;
+  const auto result = picture ? bench_.sweep() : std::nullopt;
   if (!result) {
     summary_->setParts(
         onStartPage() ? std::vector<SummaryLine::Part>() : std::vector<SummaryLine::Part>{{tr("Unit mm")}},
@@ -78,7 +78,7 @@ void MainWindow::refreshSummary() {
     return;
   }
   const SweepSummary& s = result->analysis.summary;
-  double slowest = bench_.shown()->design.job.cuttingSpeed;
+  double slowest = bench_.shown()->design.process.cuttingSpeed;
   const double fastest = slowest;
   if (const Field* speed = result->analysis.cut.field("speed"); speed && !speed->values.empty())
     slowest = *std::min_element(speed->values.begin(), speed->values.end());
@@ -86,7 +86,7 @@ void MainWindow::refreshSummary() {
   const QString speeds = high.startsWith(low + " ") ? high : tr("%1 to %2").arg(low, high);
   const QString radius = radiusText(s.minRadius);
   const QString bend = radius.endsWith("mm") ? tr("radius ≥ %1").arg(radius) : tr("straight blade");
-  const SweepLimits broken = brokenLimits(s, result->sweep.request.blade, bench_.shown()->design.job);
+  const SweepLimits broken = brokenLimits(s, bench_.shown()->design);
   summary_->setParts({{tr("Unit mm")},
                       {tr("deviation ≤ %1").arg(lengthText(s.deviationMax)), 4, broken.deviation},
                       {tr("%1 within tolerance").arg(percentText(s.withinTolerance)), 3, broken.deviation},

@@ -11,7 +11,7 @@ namespace {
 /// Pictures, report, design and surface for others, beside the files that are made already.
 Result<FileSet> filesBeside(const pipeline::Evaluation& evaluation, const std::vector<ReportImage>& pictures,
                             const std::vector<std::filesystem::path>& made, const RunContext& context) {
-  const SweepAnalysis& analysis = evaluation.sweep.value->analysis;
+  const SweepAnalysis& analysis = *evaluation.cut().analysis.value;
   FileSet beside;
   for (const ReportImage& picture : pictures)
     beside.add("pictures/" + picture.name + ".png", pngBytes(picture.image).toStdString());

@@ -82,9 +82,9 @@ std::shared_ptr<const pipeline::Evaluation> Workbench::shown() const {
   return runner_.lastComplete() ? runner_.lastComplete() : runner_.evaluation();
 }
 
-const pipeline::SweepResult* Workbench::sweep() const {
+std::optional<pipeline::CutResult> Workbench::sweep() const {
   const auto& complete = runner_.lastComplete();
-  return complete ? complete->sweep.value.get() : nullptr;
+  return complete ? complete->result() : std::nullopt;
 }
 
 bool Workbench::current() const {
@@ -112,9 +112,9 @@ model::StepStates Workbench::stepStates() const {
 void Workbench::select(const Selection& selection) {
   Selection next = selection;
   if (next.kind == Selection::Kind::station) {
-    const pipeline::SweepResult* result = sweep();
-    if (!result || result->sweep.stations.empty()) return;
-    next.station = std::clamp(next.station, 0, int(result->sweep.stations.size()) - 1);
+    const auto result = sweep();
+    if (!result || result->sweep.poses.empty()) return;
+    next.station = std::clamp(next.station, 0, int(result->sweep.poses.size()) - 1);
   } else {
     next.station = -1;
   }
@@ -124,15 +124,15 @@ void Workbench::select(const Selection& selection) {
 }
 
 double Workbench::playEnd() const {
-  const pipeline::SweepResult* result = sweep();
-  return result && !result->motion.instants.empty() ? result->motion.instants.back().time : 0;
+  const auto result = sweep();
+  return result ? result->motion.duration() : 0;
 }
 
 void Workbench::setPlayTime(double seconds) {
   const double time = std::clamp(seconds, 0.0, playEnd());
   if (time == playTime_ && moving_) return;
   playTime_ = time;
-  moving_ = sweep() != nullptr;
+  moving_ = sweep().has_value();
   emit playTimeChanged();
 }
 
@@ -143,18 +143,18 @@ void Workbench::setMoving(bool moving) {
 }
 
 double Workbench::timeOfStation(int station) const {
-  const pipeline::SweepResult* result = sweep();
-  if (!result || station < 0 || std::size_t(station) >= result->sweep.stations.size()) return 0;
-  const int index = result->sweep.stations[std::size_t(station)].index;
+  const auto result = sweep();
+  if (!result || station < 0 || std::size_t(station) >= result->sweep.poses.size()) return 0;
+  const int index = result->sweep.poses[std::size_t(station)].index;
   for (const MotionInstant& instant : result->motion.instants)
     if (instant.station == index) return instant.time;
   return 0;
 }
 
 double Workbench::stationAt(double seconds) const {
-  const pipeline::SweepResult* result = sweep();
-  if (!result || result->sweep.stations.empty()) return -1;
-  const std::size_t count = result->sweep.stations.size();
+  const auto result = sweep();
+  if (!result || result->sweep.poses.empty()) return -1;
+  const std::size_t count = result->sweep.poses.size();
   double before = -1;
   std::size_t station = 0;
   for (const MotionInstant& instant : result->motion.instants) {
@@ -213,8 +213,8 @@ void Workbench::onFinished() {
   }
   if (runner_.evaluation())
     std::ranges::transform(runner_.evaluation()->findings(), std::back_inserter(messages_), messageOf);
-  if (const pipeline::SweepResult* result = sweep()) {
-    const int count = int(result->sweep.stations.size());
+  if (const auto result = sweep()) {
+    const int count = int(result->sweep.poses.size());
     if (selection_.kind == Selection::Kind::station && selection_.station >= count) {
       selection_.station = count - 1;
       emit selectionChanged();
@@ -229,8 +229,8 @@ void Workbench::onFinished() {
 
 void Workbench::judgeSize() {
   const auto& evaluation = runner_.evaluation();
-  if (!evaluation || !evaluation->target.value || !evaluation->source.value) return;
-  const Eigen::Vector3d size = evaluation->target.value->bounds().size();
+  if (!evaluation || !evaluation->cut().target.value || !evaluation->source.value) return;
+  const Eigen::Vector3d size = evaluation->cut().target.value->bounds().size();
   if (std::exchange(judgedSize_, size) == size) return;
   const double largest = size.maxCoeff();
   if (largest >= kSmallestPlausible && largest <= kLargestPlausible) return emit noticesOutdated(Topic::unit);
@@ -246,10 +246,10 @@ void Workbench::judgeSize() {
 
 void Workbench::tell(Notice notice) { emit noticed(notice); }
 
-void Workbench::editJob(const QString& text, const std::function<void(Job&)>& change, int mergeId,
-                        bool live) {
+void Workbench::editDesign(const QString& text, const std::function<void(Design&)>& change, int mergeId,
+                           bool live) {
   live_ = live;
-  document_.editJob(text, mergeId, change);
+  document_.editDesign(text, mergeId, change);
   live_ = false;
 }
 

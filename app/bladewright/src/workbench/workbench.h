@@ -81,12 +81,12 @@ class Workbench : public QObject {
   model::Settings& settings() { return settings_; }
   model::Document& document() { return document_; }
   model::EvaluationRunner& runner() { return runner_; }
-  const Job& job() const { return document_.design()->job; }
+  const Design& design() const { return *document_.design(); }
 
   /// The result on the screen: the newest one that has a sweep, or the newest without; null before the first.
   std::shared_ptr<const pipeline::Evaluation> shown() const;
   /// The sweep on the screen or null.
-  const pipeline::SweepResult* sweep() const;
+  std::optional<pipeline::CutResult> sweep() const;
   /// True while the result on the screen belongs to an older design.
   bool stale() const;
   /// True if the result on the screen is the whole result of the present design.
@@ -151,7 +151,7 @@ class Workbench : public QObject {
   void exportPrograms(const std::filesystem::path& folder);
   /// True if an export can be ordered: the result of the present design stands or is being computed.
   bool canExport() const { return !exporting_ && !document_.empty() && (current() || runner_.busy()); }
-  bool canExportPrograms() const { return canExport() && !job().programs.empty(); }
+  bool canExportPrograms() const { return canExport() && !design().output.programs.empty(); }
   bool exporting() const { return exporting_; }
   /// Where the last export of the open design went; empty before.
   const std::filesystem::path& exportFolder() const { return exportFolder_; }
@@ -162,8 +162,8 @@ class Workbench : public QObject {
 
   /// Edits the job as one undoable step; `mergeId` ≥ 0 joins the moves of one drag, `live` while the mouse
   /// still holds the handle.
-  void editJob(const QString& text, const std::function<void(Job&)>& change, int mergeId = -1,
-               bool live = false);
+  void editDesign(const QString& text, const std::function<void(Design&)>& change, int mergeId = -1,
+                  bool live = false);
   /// A number for the moves of one drag.
   int newMergeId() { return ++lastMergeId_; }
 

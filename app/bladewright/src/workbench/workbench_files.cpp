@@ -17,7 +17,16 @@ Result<void> Workbench::openFile(const fs::path& file) {
     return tl::unexpected<Error>(error);
   };
   if (lowerSuffix(file) == ".bladewright") {
-    if (Result<void> opened = document_.open(file); !opened) return refuse(opened.error());
+    int version = Design::kVersion;
+    if (Result<void> opened = document_.open(file, &version); !opened) return refuse(opened.error());
+    if (version != Design::kVersion)
+      tell({Severity::info,
+            QString::fromStdString(words::sentence(
+                {Severity::info, EarlierDesign{file.filename().string(), version, Design::kVersion}, {}, {}},
+                words::Reader::window)),
+            {},
+            {},
+            Topic::file});
   } else {
     std::error_code error;
     if (!fs::is_regular_file(file, error))
@@ -27,8 +36,8 @@ Result<void> Workbench::openFile(const fs::path& file) {
     Design design;
     const fs::path absolute = fs::absolute(file, error);
     design.name = file.stem().string();
-    design.source.path = error ? file : absolute;
-    if (Result<Blade> blade = bladePreset(design.job.blade.name)) design.job.blade = *blade;
+    design.source().path = error ? file : absolute;
+    if (Result<Blade> blade = bladePreset(design.blade.name)) design.blade = *blade;
     document_.start(std::move(design));
   }
   settings_.addRecentFile(file);

@@ -17,12 +17,11 @@ double depthIn(const Box& block, const Eigen::Vector3d& point) {
 }
 
 /// The point of a station that a finding of that kind is about.
-Eigen::Vector3d pointOf(FindingKind kind, const Station& station, const Box& block) {
+Eigen::Vector3d pointOf(FindingKind kind, const BladePose& station, const Box& block) {
   if (kind == FindingKind::clearance) {
     const Eigen::Vector3d left = station.leftPoint(), right = station.rightPoint();
     return depthIn(block, left) >= depthIn(block, right) ? left : right;
   }
-  const double length = station.fit.elastica.length();
   if (kind == FindingKind::curvature) {
     // Where the blade bends most.
     constexpr int kSteps = 200;
@@ -36,7 +35,7 @@ Eigen::Vector3d pointOf(FindingKind kind, const Station& station, const Box& blo
     }
     return station.frame.toWorld(station.blade.point(arc));
   }
-  return station.frame.toWorld(station.fit.elastica.point(0.5 * length));
+  return station.frame.toWorld(station.cut.point(0.5 * station.cut.length()));
 }
 
 Selection::Kind partOf(FindingKind kind) {
@@ -53,7 +52,7 @@ Selection::Kind partOf(FindingKind kind) {
 }  // namespace
 
 void Workbench::showPlace(const Message& message) {
-  const pipeline::SweepResult* result = sweep();
+  const auto result = sweep();
   const Place place = message.finding ? message.finding->where : Place{};
   Spot spot{message.severity, message.text, {}, {}};
   const auto add = [&](const Box& block) {
@@ -61,11 +60,11 @@ void Workbench::showPlace(const Message& message) {
       if (corner.allFinite()) spot.bounds.add(corner);
   };
   if (place.point && place.point->allFinite()) spot.point = place.point;
-  const Station* station = nullptr;
+  const BladePose* station = nullptr;
   if (place.stations && result) {
-    const auto& stations = result->sweep.stations;
+    const auto& stations = result->sweep.poses;
     const auto found = std::find_if(stations.begin(), stations.end(),
-                                    [&](const Station& s) { return s.index == place.stations->worst; });
+                                    [&](const BladePose& s) { return s.index == place.stations->worst; });
     if (found != stations.end()) {
       station = &*found;
       selectStation(int(found - stations.begin()));
@@ -80,25 +79,25 @@ void Workbench::showPlace(const Message& message) {
   } else if (!place.stations) {
     // What failed lies in the step that was not finished; where no plane meets the target, in the block.
     const model::Step failed = model::failedStep(runner_.evaluation().get());
-    select({message.finding                ? partOf(message.finding->kind())
-            : failed == model::Step::input ? Selection::Kind::surface
-            : job().block.has_value()      ? Selection::Kind::block
-                                           : Selection::Kind::result,
+    select({message.finding                          ? partOf(message.finding->kind())
+            : failed == model::Step::input           ? Selection::Kind::surface
+            : design().block().placement.has_value() ? Selection::Kind::block
+                                                     : Selection::Kind::result,
             -1});
   }
   // The block as the person placed it, where no result has one.
-  if (job().block) {
-    add(job().block->box());
+  if (design().block().placement) {
+    add(design().block().placement->box());
     if (!spot.point && selection_.kind == Selection::Kind::block) {
-      const Box block = job().block->box();
+      const Box block = design().block().placement->box();
       spot.point = block.frame.toWorld(0.5 * block.size.head<2>(), 0.5 * block.size.z());
     }
-  } else if (const auto evaluation = shown(); evaluation && evaluation->setup) {
-    add(evaluation->setup->block);
+  } else if (const auto evaluation = shown(); evaluation && evaluation->cut().setup) {
+    add(evaluation->cut().setup->block);
   }
-  if (const auto evaluation = shown(); !station && evaluation && evaluation->target.value) {
-    spot.bounds.add(evaluation->target.value->bounds().min);
-    spot.bounds.add(evaluation->target.value->bounds().max);
+  if (const auto evaluation = shown(); !station && evaluation && evaluation->cut().target.value) {
+    spot.bounds.add(evaluation->cut().target.value->bounds().min);
+    spot.bounds.add(evaluation->cut().target.value->bounds().max);
   }
   if (spot.point) spot.bounds.add(*spot.point);
   emit spotShown(spot);

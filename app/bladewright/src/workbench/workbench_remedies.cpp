@@ -8,18 +8,18 @@ namespace bw::app {
 
 namespace {
 
-void takePreset(Job& job, const std::string& name) {
+void takePreset(Design& design, const std::string& name) {
   Result<Blade> blade = bladePreset(name);
   if (!blade) return;
-  blade->length = job.blade.length;
-  job.blade = std::move(*blade);
+  blade->length = design.blade.length;
+  design.blade = std::move(*blade);
 }
 
 /// An overload for each remedy; those that only a person can do change nothing.
 struct Change {
-  Job& job;
+  Design& design;
 
-  void operator()(const OtherLength& remedy) const { job.blade.length = remedy.length; }
+  void operator()(const OtherLength& remedy) const { design.blade.length = remedy.length; }
   void operator()(const BendingBlade& remedy) const {
     if (remedy.presetBends()) takePreset(job, remedy.preset);
   }
@@ -30,23 +30,24 @@ struct Change {
   void operator()(const OtherBlock&) const {}
   void operator()(const CutInParts&) const {}
   void operator()(const MoreStations& remedy) const {
-    job.stations = remedy.count;
-    job.spacing.reset();
+    design.cut().sections.stations = remedy.count;
+    design.cut().sections.spacing.reset();
   }
-  void operator()(const TurnDirection&) const { job.direction.reset(); }
-  void operator()(const WiderTolerance& remedy) const { job.tolerance = remedy.tolerance; }
+  void operator()(const TurnDirection&) const { design.cut().direction.reset(); }
+  void operator()(const WiderTolerance& remedy) const { design.process.tolerance = remedy.tolerance; }
 };
 
 }  // namespace
 
 bool Workbench::canApply(const Remedy& remedy) const {
-  Job changed = job();
+  Design changed = design();
   std::visit(Change{changed}, remedy);
-  return !(changed == job());
+  return changed != design();
 }
 
 void Workbench::apply(const Remedy& remedy) {
-  editJob(QString::fromStdString(words::action(remedy)), [&](Job& job) { std::visit(Change{job}, remedy); });
+  editDesign(QString::fromStdString(words::action(remedy)),
+             [&](Design& design) { std::visit(Change{design}, remedy); });
 }
 
 }  // namespace bw::app

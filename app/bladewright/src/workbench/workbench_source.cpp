@@ -39,16 +39,16 @@ Result<void> Workbench::replaceSource(const fs::path& file, const QString& text)
                    tr("there is no file %1").arg(QString::fromStdString(file.string())).toStdString(),
                    file.string()});
   Design design = *document_.design();
-  const bool embedded = !design.source.bytes.empty();
+  const bool embedded = !design.source().bytes.empty();
   const fs::path absolute = fs::absolute(file, error);
   design.source = {error ? file : absolute, {}, std::nullopt};
   if (embedded) {
     Result<std::string> bytes = readFile(file);
     if (!bytes) return refuse(bytes.error());
-    design.source.bytes = std::move(*bytes);
+    design.source().bytes = std::move(*bytes);
   }
-  if (design.source.path == document_.design()->source.path)
-    design.source.saved = document_.design()->source.saved;
+  if (design.source().path == document_.design()->source().path)
+    design.source().saved = document_.design()->source().saved;
   outdateSource();
   emit noticesOutdated(Topic::unit);
   judgedSize_.reset();
@@ -94,10 +94,10 @@ void Workbench::noteSourceRead() {
   // A change of a setting reads a file that has changed, too.
   const bool read = evaluation->source.value && evaluation->source.value != readSource_;
   const bool watched =
-      evaluation->design.source.bytes.empty() && evaluation->design.source.path == watch_.file();
+      evaluation->design.source().bytes.empty() && evaluation->design.source().path == watch_.file();
   if (read) {
     readSource_ = evaluation->source.value;
-    document_.noteRead(evaluation->design.source.path, evaluation->source.value->content);
+    document_.noteRead(evaluation->design.source().path, evaluation->source.value->content);
     if (watched) outdateSource();
   }
   if (evaluation->sourceFindings.empty() && sourceTold_) outdateSource();

@@ -43,12 +43,12 @@ BladeFields::BladeFields(Workbench& bench, FormColumn* column, FormColumn* detai
   column->addBelow(tr("Blade"), preset_, tr("The tool: its section and material"));
   connect(preset_, &QComboBox::activated, this, [this](int index) {
     if (std::size_t(index) >= presets_.size()) {
-      bench_.editJob(tr("Customise blade"), [](Job& job) { makeOwn(job.blade); });
+      bench_.editDesign(tr("Customise blade"), [](Design& design) { makeOwn(design.blade); });
       return;
     }
     Blade blade = presets_[std::size_t(index)];
-    blade.length = bench_.job().blade.length;
-    bench_.editJob(tr("Choose blade"), [&](Job& job) { job.blade = blade; });
+    blade.length = bench_.design().blade.length;
+    bench_.editDesign(tr("Choose blade"), [&](Design& design) { design.blade = blade; });
   });
 
   const auto edit = [this](const QString& text, const std::function<void(Blade&)>& change) {
@@ -71,16 +71,16 @@ BladeFields::BladeFields(Workbench& bench, FormColumn* column, FormColumn* detai
 }
 
 void BladeFields::editBlade(const QString& text, const std::function<void(Blade&)>& change) {
-  bench_.editJob(text, [&](Job& job) {
-    const Blade before = job.blade;
-    change(job.blade);
+  bench_.editDesign(text, [&](Design& design) {
+    const Blade before = design.blade;
+    change(design.blade);
     // The length is the user's in any case; any other number makes it a blade of their own, until it is that
     // of a preset again.
-    if (sameTool(job.blade, before)) return;
-    makeOwn(job.blade);
-    if (const Blade* preset = presetOf(job.blade)) {
-      job.blade.name = preset->name;
-      job.blade.title = preset->title;
+    if (sameTool(design.blade, before)) return;
+    makeOwn(design.blade);
+    if (const Blade* preset = presetOf(design.blade)) {
+      design.blade.name = preset->name;
+      design.blade.title = preset->title;
     }
   });
 }
@@ -92,7 +92,7 @@ const Blade* BladeFields::presetOf(const Blade& blade) const {
 }
 
 void BladeFields::refresh() {
-  const Blade& blade = bench_.job().blade;
+  const Blade& blade = bench_.design().blade;
   const Blade* preset = blade.name == kOwn ? nullptr : presetOf(blade);
   preset_->show(preset ? int(preset - presets_.data()) : int(presets_.size()));
   numbers_.refresh(blade, [&](const BladeNumber& number) { return number.appliesTo(blade.section); });

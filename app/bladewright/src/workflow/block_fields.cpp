@@ -20,11 +20,11 @@ BlockFields::BlockFields(Workbench& bench, FormColumn* column, QObject* parent)
   column->addWide(automatic_);
   connect(automatic_, &QCheckBox::clicked, this, [this](bool on) {
     const BlockPlacement now = placement();
-    bench_.editJob(on ? tr("Fit block to surface") : tr("Place block"), [on, now](Job& job) {
+    bench_.editDesign(on ? tr("Fit block to surface") : tr("Place block"), [on, now](Design& design) {
       if (on)
-        job.block.reset();
+        design.block().placement.reset();
       else
-        job.block = now;
+        design.block().placement = now;
     });
   });
   for (int i = 0; i < 3; ++i) {
@@ -56,27 +56,20 @@ BlockFields::BlockFields(Workbench& bench, FormColumn* column, QObject* parent)
 }
 
 BlockPlacement BlockFields::placement() const {
-  if (bench_.job().block) return *bench_.job().block;
-  BlockPlacement placement;
-  if (const auto shown = bench_.shown(); shown && shown->setup) {
-    const Box& box = shown->setup->block;
-    Eigen::Matrix3d rotation;
-    rotation << box.frame.x, box.frame.y, box.frame.normal;
-    placement.origin = box.frame.origin;
-    placement.size = box.size;
-    placement.rotation = anglesFromRotation(rotation);
-  }
-  return placement;
+  if (bench_.design().block().placement) return *bench_.design().block().placement;
+  if (const auto shown = bench_.shown(); shown && shown->cut().setup)
+    return placementOf(shown->cut().setup->block);
+  return {};
 }
 
 void BlockFields::editPlacement(const QString& text, const std::function<void(BlockPlacement&)>& change) {
   BlockPlacement next = placement();
   change(next);
-  bench_.editJob(text, [&](Job& job) { job.block = next; });
+  bench_.editDesign(text, [&](Design& design) { design.block().placement = next; });
 }
 
 void BlockFields::refresh() {
-  const bool automatic = !bench_.job().block;
+  const bool automatic = !bench_.design().block().placement;
   automatic_->setChecked(automatic);
   const BlockPlacement now = placement();
   for (int i = 0; i < 3; ++i) {

@@ -78,7 +78,7 @@ FaceFields::FaceFields(Workbench& bench, FormColumn* column, QObject* parent)
     pointLabels_[axis] = column->add(tr("Point %1").arg(kAxes[axis]), point_[axis],
                                      tr("The face nearest to this point of the file's frame is cut"));
     connect(point_[axis], &NumberField::edited, this, [this, i = Eigen::Index(axis)](double value) {
-      FaceChoice choice = bench_.job().face;
+      FaceChoice choice = bench_.design().cut().face;
       choice.point[i] = value;
       this->choose(choice);
     });
@@ -91,7 +91,7 @@ void FaceFields::showChoosing(bool choosing, bool possible) {
 }
 
 void FaceFields::choose(const FaceChoice& choice) {
-  bench_.editJob(tr("Choose faces"), [&](Job& job) { job.face = choice; });
+  bench_.editDesign(tr("Choose faces"), [&](Design& design) { design.cut().face = choice; });
 }
 
 void FaceFields::chooseKind(int kind) {
@@ -101,13 +101,14 @@ void FaceFields::chooseKind(int kind) {
   const geometry::CadInfo* info =
       newest && newest->source.value ? &newest->source.value->model.info() : nullptr;
   if (choice.kind == Kind::indices) {
-    choice.indices = newest && newest->target.value ? newest->target.value->faces() : std::vector<int>{0};
+    choice.indices =
+        newest && newest->cut().target.value ? newest->cut().target.value->faces() : std::vector<int>{0};
   } else if (choice.kind == Kind::named) {
     const QStringList names = namesOf(info);
     if (names.isEmpty()) return refresh();
     choice.names = {names.first().toStdString()};
-  } else if (choice.kind == Kind::nearest && newest && newest->target.value) {
-    choice.point = newest->target.value->bounds().center();
+  } else if (choice.kind == Kind::nearest && newest && newest->cut().target.value) {
+    choice.point = newest->cut().target.value->bounds().center();
   }
   choose(choice);
 }
@@ -155,7 +156,7 @@ void FaceFields::showSides(const FaceChoice& face, const geometry::CadInfo* info
 }
 
 void FaceFields::refresh() {
-  const FaceChoice& face = bench_.job().face;
+  const FaceChoice& face = bench_.design().cut().face;
   const auto& newest = bench_.runner().evaluation();
   const geometry::CadInfo* info =
       newest && newest->source.value ? &newest->source.value->model.info() : nullptr;

@@ -55,13 +55,13 @@ InputFields::InputFields(Workbench& bench, FormColumn* column, QObject* parent)
 }
 
 void InputFields::applyUnit(int index) {
-  bench_.editJob(tr("Read the file in another unit"), [index](Job& job) {
-    job.unit = index == 0 ? std::nullopt : std::optional(kLengthUnits[std::size_t(index) - 1]);
+  bench_.editDesign(tr("Read the file in another unit"), [index](Design& design) {
+    design.source().unit = index == 0 ? std::nullopt : std::optional(kLengthUnits[std::size_t(index) - 1]);
   });
 }
 
 void InputFields::showUnits(const geometry::CadInfo* info, const Eigen::Vector3d& size) {
-  const auto& unit = bench_.job().unit;
+  const auto& unit = bench_.design().source().unit;
   const int now =
       unit ? 1 + int(std::find(kLengthUnits.begin(), kLengthUnits.end(), *unit) - kLengthUnits.begin()) : 0;
   // Sizes follow from the one that was read; without it the words stand alone.
@@ -91,19 +91,19 @@ void InputFields::embed(bool on) {
       refresh();
       return;
     }
-    design.source.bytes = std::move(*bytes);
+    design.source().bytes = std::move(*bytes);
   } else {
-    design.source.bytes.clear();
-    design.source.path = bench_.sourceFile();
+    design.source().bytes.clear();
+    design.source().path = bench_.sourceFile();
   }
   bench_.document().edit(std::move(design), on ? tr("Embed geometry") : tr("Link geometry"));
 }
 
 void InputFields::refresh() {
   const Design& design = *bench_.document().design();
-  const std::string file = design.source.path.filename().string();
+  const std::string file = design.source().path.filename().string();
   fileName_->setText(file.empty() ? tr("No file") : QString::fromStdString(file));
-  fileName_->setToolTip(QString::fromStdString(design.source.path.string()));
+  fileName_->setToolTip(QString::fromStdString(design.source().path.string()));
   QString facts;
   const auto& newest = bench_.runner().evaluation();
   if (newest && newest->source.value) {
@@ -111,7 +111,7 @@ void InputFields::refresh() {
     facts = tr("%1, unit %2, %3")
                 .arg(QString::fromStdString(info.format), QString::fromStdString(info.unit),
                      info.faces == 1 ? tr("1 face") : tr("%1 faces").arg(info.faces));
-    if (newest->target.value) facts += "\n" + sizeText(newest->target.value->bounds().size());
+    if (newest->cut().target.value) facts += "\n" + sizeText(newest->cut().target.value->bounds().size());
     for (const std::string& line : info.leftOut)
       facts += "\n" + tr("Left out: %1").arg(QString::fromStdString(line));
     if (!info.healing.empty())
@@ -121,10 +121,10 @@ void InputFields::refresh() {
   fileFacts_->setVisible(!facts.isEmpty());
   const bool read = newest && newest->source.value;
   showUnits(read ? &newest->source.value->model.info() : nullptr,
-            read && newest->target.value ? Eigen::Vector3d(newest->target.value->bounds().size())
-                                         : Eigen::Vector3d(Eigen::Vector3d::Zero()));
+            read && newest->cut().target.value ? Eigen::Vector3d(newest->cut().target.value->bounds().size())
+                                               : Eigen::Vector3d(Eigen::Vector3d::Zero()));
   faces_->refresh();
-  embed_->setChecked(!design.source.bytes.empty());
+  embed_->setChecked(!design.source().bytes.empty());
   refreshState();
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bw/core/blade/blade_numbers.h"
-#include "bw/core/design/job_numbers.h"
+#include "bw/core/design/process_numbers.h"
 #include "controls/fields.h"
 #include "controls/number_field.h"
 #include "workbench/workbench.h"
@@ -47,14 +47,15 @@ class NumberLines {
   std::vector<Line> lines_;
 };
 
-using JobLines = NumberLines<JobNumber, Job>;
+using ProcessLines = NumberLines<ProcessNumber, Process>;
 using BladeLines = NumberLines<BladeNumber, Blade>;
 
-inline void addJobLine(JobLines& lines, FormColumn* column, const JobNumber& number, QObject* context,
-                       Workbench& bench) {
-  lines.add(column, number, context, [&bench](const QString& text, const std::function<void(Job&)>& change) {
-    bench.editJob(text, change);
-  });
+inline void addProcessLine(ProcessLines& lines, FormColumn* column, const ProcessNumber& number,
+                           QObject* context, Workbench& bench) {
+  lines.add(column, number, context,
+            [&bench](const QString& text, const std::function<void(Process&)>& change) {
+              bench.editDesign(text, [&change](Design& design) { change(design.process); });
+            });
 }
 
 }  // namespace bw::app

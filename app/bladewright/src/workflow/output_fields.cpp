@@ -14,8 +14,8 @@ namespace bw::app {
 
 namespace {
 
-bool asked(const Job& job, const ProgramFormat& format) {
-  return std::ranges::find(job.programs, format.word) != job.programs.end();
+bool asked(const Design& design, const ProgramFormat& format) {
+  return std::ranges::find(design.output.programs, format.word) != design.output.programs.end();
 }
 
 }  // namespace
@@ -28,11 +28,11 @@ OutputFields::OutputFields(Workbench& bench, FormColumn* column, QObject* parent
     column->addWide(box);
     programs_.push_back(box);
     connect(box, &QCheckBox::clicked, this, [this, word = format.word](bool on) {
-      bench_.editJob(tr("Choose programs"), [=](Job& job) {
+      bench_.editDesign(tr("Choose programs"), [=](Design& design) {
         std::vector<std::string> chosen;
         for (const ProgramFormat& each : programFormats())
-          if (each.word == word ? on : asked(job, each)) chosen.push_back(each.word);
-        job.programs = chosen;
+          if (each.word == word ? on : asked(design, each)) chosen.push_back(each.word);
+        design.output.programs = chosen;
       });
     });
   }
@@ -44,7 +44,8 @@ OutputFields::OutputFields(Workbench& bench, FormColumn* column, QObject* parent
   }
   column->addBelow(tr("Robot cell"), cell_, tr("Robots, tools and the place of the block"));
   connect(cell_, &QComboBox::activated, this, [this](int index) {
-    bench_.editJob(tr("Choose robot cell"), [&](Job& job) { job.cell = cells_[std::size_t(index)]; });
+    bench_.editDesign(tr("Choose robot cell"),
+                      [&](Design& design) { design.output.cell = cells_[std::size_t(index)]; });
   });
   column->addGap(2);
   export_ = new QPushButton(tr("Export everything…"));
@@ -70,10 +71,10 @@ OutputFields::OutputFields(Workbench& bench, FormColumn* column, QObject* parent
 }
 
 void OutputFields::refresh() {
-  const Job& job = bench_.job();
+  const Design& design = bench_.design();
   for (std::size_t i = 0; i < programs_.size(); ++i)
-    programs_[i]->setChecked(asked(job, programFormats()[i]));
-  const auto cell = std::find(cells_.begin(), cells_.end(), job.cell);
+    programs_[i]->setChecked(asked(design, programFormats()[i]));
+  const auto cell = std::find(cells_.begin(), cells_.end(), design.output.cell);
   cell_->show(cell == cells_.end() ? -1 : int(cell - cells_.begin()));
 }
 

@@ -30,7 +30,7 @@ ProcessFields::ProcessFields(Workbench& bench, FormColumn* column, const Theme& 
     : QObject(parent), bench_(bench) {
   addStations(column);
   addDirection(column);
-  addNumbers(column, JobPart::process);
+  addNumbers(column, ProcessPart::process);
   addFit(column->addFold(tr("Fit and lead"), theme));
 }
 
@@ -40,20 +40,21 @@ void ProcessFields::addStations(FormColumn* column) {
   column->add(tr("Stations"), stationMode_, tr("Where the blade is fitted to the surface"));
   connect(stationMode_, &QComboBox::activated, this, [this](int index) {
     double spacing = 10;
-    if (const pipeline::SweepResult* result = bench_.sweep(); result && result->sweep.stations.size() > 1)
+    if (const auto result = bench_.sweep(); result && result->sweep.poses.size() > 1)
       spacing = std::max(
-          0.1, std::round(10 * (result->sweep.stations[1].travel - result->sweep.stations[0].travel)) / 10);
-    bench_.editJob(tr("Change stations"), [=](Job& job) {
+          0.1, std::round(10 * (result->sweep.poses[1].travel - result->sweep.poses[0].travel)) / 10);
+    bench_.editDesign(tr("Change stations"), [=](Design& design) {
       if (index == 0)
-        job.spacing.reset();
+        design.cut().sections.spacing.reset();
       else
-        job.spacing = spacing;
+        design.cut().sections.spacing = spacing;
     });
   });
   stations_ = new NumberField({2, double(SectionRequest::kMost), 0, 1, {}});
   stationsLabel_ = column->add(tr("Number"), stations_, tr("Number of stations along the cut"));
   connect(stations_, &NumberField::edited, this, [this](double value) {
-    bench_.editJob(tr("Change stations"), [value](Job& job) { job.stations = int(value); });
+    bench_.editDesign(tr("Change stations"),
+                      [value](Design& design) { design.cut().sections.stations = int(value); });
   });
   stationSlider_ = new HandSlider;
   stationSlider_->setRange(0, kSliderSteps);
@@ -64,14 +65,15 @@ void ProcessFields::addStations(FormColumn* column) {
   connect(stationSlider_, &HandSlider::moved, this, [this](int value) {
     const int count = stationsOfSlider(value);
     const bool dragging = stationSlider_->held();
-    bench_.editJob(
-        tr("Change stations"), [count](Job& job) { job.stations = count; }, dragging ? dragId_ : -1,
-        dragging);
+    bench_.editDesign(
+        tr("Change stations"), [count](Design& design) { design.cut().sections.stations = count; },
+        dragging ? dragId_ : -1, dragging);
   });
   spacing_ = new NumberField({0.01, 10000, 2, 1, "mm"});
   spacingLabel_ = column->add(tr("Spacing"), spacing_, tr("Distance between stations"));
   connect(spacing_, &NumberField::edited, this, [this](double value) {
-    bench_.editJob(tr("Change spacing"), [value](Job& job) { job.spacing = value; });
+    bench_.editDesign(tr("Change spacing"),
+                      [value](Design& design) { design.cut().sections.spacing = value; });
   });
 }
 
@@ -82,14 +84,14 @@ void ProcessFields::addDirection(FormColumn* column) {
               tr("The way the blade travels; automatic: the best of some that are tried"));
   connect(direction_, &QComboBox::activated, this, [this](int index) {
     Eigen::Vector3d now = Eigen::Vector3d::UnitY();
-    if (const auto shown = bench_.shown(); shown && shown->setup) now = shown->setup->direction;
-    if (bench_.job().direction) now = *bench_.job().direction;
+    if (const auto shown = bench_.shown(); shown && shown->cut().setup) now = shown->cut().setup->direction;
+    if (bench_.design().cut().direction) now = *bench_.design().cut().direction;
     vectorChosen_ = index == 4;
-    bench_.editJob(tr("Change direction"), [=](Job& job) {
+    bench_.editDesign(tr("Change direction"), [=](Design& design) {
       if (index == 0)
-        job.direction.reset();
+        design.cut().direction.reset();
       else
-        job.direction = index < 4 ? Eigen::Vector3d(Eigen::Vector3d::Unit(index - 1)) : now;
+        design.cut().direction = index < 4 ? Eigen::Vector3d(Eigen::Vector3d::Unit(index - 1)) : now;
     });
     refresh();  // the same direction may be an axis and a vector
   });
@@ -99,7 +101,7 @@ void ProcessFields::addDirection(FormColumn* column) {
     directionLabels_[axis] = column->add(tr("Direction %1").arg(kAxes[axis]), directionFields_[axis],
                                          tr("Only the ratio of the three numbers counts"));
     const auto with = [this, i](double value) {
-      Eigen::Vector3d direction = bench_.job().direction.value_or(Eigen::Vector3d::UnitY());
+      Eigen::Vector3d direction = bench_.design().cut().direction.value_or(Eigen::Vector3d::UnitY());
       direction[i] = value;
       return direction;
     };
@@ -107,7 +109,8 @@ void ProcessFields::addDirection(FormColumn* column) {
       return with(value).norm() < kNoDirection ? tr("0, 0, 0 is no direction") : QString();
     });
     connect(directionFields_[axis], &NumberField::edited, this, [this, with](double value) {
-      bench_.editJob(tr("Change direction"), [&](Job& job) { job.direction = with(value); });
+      bench_.editDesign(tr("Change direction"),
+                        [&](Design& design) { design.cut().direction = with(value); });
     });
   }
 }
@@ -117,64 +120,64 @@ void ProcessFields::addFit(FormColumn* column) {
   fitLength_->addItems({tr("Free"), tr("As the section")});
   column->add(tr("Length"), fitLength_, tr("Length of the blade's part that cuts the surface"));
   connect(fitLength_, &QComboBox::activated, this, [this](int index) {
-    bench_.editJob(tr("Change fit length"), [index](Job& job) {
-      job.fitLength = index == 0 ? FitOptions::Length::free : FitOptions::Length::exact;
+    bench_.editDesign(tr("Change fit length"), [index](Design& design) {
+      design.process.fitLength = index == 0 ? FitOptions::Length::free : FitOptions::Length::exact;
     });
   });
   endpoints_ = new QCheckBox(tr("Keep end points"));
   endpoints_->setToolTip(tr("The ends of every section are met exactly"));
   column->addWide(endpoints_);
   connect(endpoints_, &QCheckBox::clicked, this, [this](bool on) {
-    bench_.editJob(on ? tr("Keep end points") : tr("Free end points"),
-                   [on](Job& job) { job.fitEndpoints = on; });
+    bench_.editDesign(on ? tr("Keep end points") : tr("Free end points"),
+                      [on](Design& design) { design.process.fitEndpoints = on; });
   });
   tangents_ = new QCheckBox(tr("Keep end tangents"));
   tangents_->setToolTip(tr("The blade leaves the surface in the direction of every section's ends"));
   column->addWide(tangents_);
   connect(tangents_, &QCheckBox::clicked, this, [this](bool on) {
-    bench_.editJob(on ? tr("Keep end tangents") : tr("Free end tangents"),
-                   [on](Job& job) { job.fitTangents = on; });
+    bench_.editDesign(on ? tr("Keep end tangents") : tr("Free end tangents"),
+                      [on](Design& design) { design.process.fitTangents = on; });
   });
-  addNumbers(column, JobPart::details);
+  addNumbers(column, ProcessPart::details);
 }
 
-void ProcessFields::addNumbers(FormColumn* column, JobPart part) {
-  for (const JobNumber& number : jobNumbers())
-    if (number.part == part) addJobLine(numbers_, column, number, this, bench_);
+void ProcessFields::addNumbers(FormColumn* column, ProcessPart part) {
+  for (const ProcessNumber& number : processNumbers())
+    if (number.part == part) addProcessLine(numbers_, column, number, this, bench_);
 }
 
 void ProcessFields::refresh() {
-  const Job& job = bench_.job();
-  refreshStations(job);
-  refreshDirection(job);
-  numbers_.refresh(job);
-  fitLength_->show(job.fitLength == FitOptions::Length::free ? 0 : 1);
-  endpoints_->setChecked(job.fitEndpoints);
-  tangents_->setChecked(job.fitTangents);
+  const Design& design = bench_.design();
+  refreshStations(design);
+  refreshDirection(design);
+  numbers_.refresh(design.process);
+  fitLength_->show(design.process.fitLength == FitOptions::Length::free ? 0 : 1);
+  endpoints_->setChecked(design.process.fitEndpoints);
+  tangents_->setChecked(design.process.fitTangents);
 }
 
-void ProcessFields::refreshStations(const Job& job) {
-  stationMode_->show(job.spacing ? 1 : 0);
-  setLineVisible(stationsLabel_, stations_, !job.spacing);
-  stationSlider_->setVisible(!job.spacing);
-  setLineVisible(spacingLabel_, spacing_, job.spacing.has_value());
-  stations_->show(job.stations);
-  stationSlider_->show(sliderOfStations(job.stations));
-  if (job.spacing) spacing_->show(*job.spacing);
+void ProcessFields::refreshStations(const Design& design) {
+  stationMode_->show(design.cut().sections.spacing ? 1 : 0);
+  setLineVisible(stationsLabel_, stations_, !design.cut().sections.spacing);
+  stationSlider_->setVisible(!design.cut().sections.spacing);
+  setLineVisible(spacingLabel_, spacing_, design.cut().sections.spacing.has_value());
+  stations_->show(design.cut().sections.stations);
+  stationSlider_->show(sliderOfStations(design.cut().sections.stations));
+  if (design.cut().sections.spacing) spacing_->show(*design.cut().sections.spacing);
 }
 
-void ProcessFields::refreshDirection(const Job& job) {
+void ProcessFields::refreshDirection(const Design& design) {
   int directionIndex = 0;
-  if (job.direction) {
+  if (design.cut().direction) {
     directionIndex = 4;
     for (int i = 0; i < 3 && !vectorChosen_; ++i)
-      if ((*job.direction - Eigen::Vector3d::Unit(i)).norm() < 1e-12) directionIndex = i + 1;
+      if ((*design.cut().direction - Eigen::Vector3d::Unit(i)).norm() < 1e-12) directionIndex = i + 1;
   }
   direction_->show(directionIndex);
   for (int i = 0; i < 3; ++i) {
     const auto axis = std::size_t(i);
     setLineVisible(directionLabels_[axis], directionFields_[axis], directionIndex == 4);
-    if (job.direction) directionFields_[axis]->show((*job.direction)[i]);
+    if (design.cut().direction) directionFields_[axis]->show((*design.cut().direction)[i]);
   }
 }
 

@@ -28,14 +28,14 @@ class ProcessFields : public QObject {
   void addStations(FormColumn* column);
   void addDirection(FormColumn* column);
   void addFit(FormColumn* column);
-  void addNumbers(FormColumn* column, JobPart part);
-  void refreshStations(const Job& job);
-  void refreshDirection(const Job& job);
+  void addNumbers(FormColumn* column, ProcessPart part);
+  void refreshStations(const Design& design);
+  void refreshDirection(const Design& design);
 
   Workbench& bench_;
   ChoiceField *stationMode_, *direction_, *fitLength_;
   NumberField *stations_, *spacing_;
-  JobLines numbers_;
+  ProcessLines numbers_;
   QLabel *stationsLabel_, *spacingLabel_;
   HandSlider* stationSlider_;
   int dragId_ = -1;  ///< joins the moves of one drag of the slider

@@ -42,8 +42,8 @@ QWidget* WorkflowPanel::makeSetup() {
   bladeFields_ = new BladeFields(bench_, column, details, this);
   FormColumn* bladeFold = column->addFold(tr("Section and material"), theme_);
   bladeFold->addWide(details);
-  for (const JobNumber& number : jobNumbers())
-    if (number.part == JobPart::setup) addJobLine(numbers_, column, number, this, bench_);
+  for (const ProcessNumber& number : processNumbers())
+    if (number.part == ProcessPart::setup) addProcessLine(numbers_, column, number, this, bench_);
   FormColumn* block = column->addFold(tr("Block"), theme_);
   blockFields_ = new BlockFields(bench_, block, this);
   return column;
@@ -74,10 +74,10 @@ QWidget* WorkflowPanel::makeOutput() {
 }
 
 void WorkflowPanel::refresh() {
-  const Job& job = bench_.job();
+  const Design& design = bench_.design();
   bladeFields_->refresh();
   blockFields_->refresh();
-  numbers_.refresh(job);
+  numbers_.refresh(design.process);
   input_->refresh();
   process_->refresh();
   output_->refresh();

@@ -53,7 +53,7 @@ class WorkflowPanel : public SidePanel {
 
   BladeFields* bladeFields_ = nullptr;
   BlockFields* blockFields_ = nullptr;
-  JobLines numbers_;
+  ProcessLines numbers_;
   InputFields* input_ = nullptr;
   ProcessFields* process_ = nullptr;
   OutputFields* output_ = nullptr;

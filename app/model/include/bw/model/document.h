@@ -36,7 +36,7 @@ class Document : public QObject {
 
   const std::shared_ptr<const Design>& design() const { return design_; }
   /// True until a CAD file or a design was opened.
-  bool empty() const { return design_->source.path.empty() && design_->source.bytes.empty(); }
+  bool empty() const { return design_->source().path.empty() && design_->source().bytes.empty(); }
   /// The .bladewright file; empty if never saved.
   const std::filesystem::path& file() const { return file_; }
   bool modified() const;
@@ -50,16 +50,16 @@ class Document : public QObject {
   /// Replaces the design as one undoable step named `text` ("Change stations"). Nothing happens if `after`
   /// equals the present design.
   void edit(Design after, const QString& text, int mergeId = -1);
-  /// The same for the job alone.
-  void editJob(const QString& text, int mergeId, const std::function<void(Job&)>& change);
+  /// The same by changing it.
+  void editDesign(const QString& text, int mergeId, const std::function<void(Design&)>& change);
 
   /// Starts a design that has no file yet. The undo history is emptied.
   void start(Design design);
   /// Goes on with an autosaved copy that nobody owns (`RecoveryCopy::copy`): the design counts as modified,
   /// the copy becomes this document's own. On failure nothing changes, and the copy stays.
   Result<void> recover(const std::filesystem::path& copy);
-  /// Opens a .bladewright file; on failure nothing changes.
-  Result<void> open(const std::filesystem::path& file);
+  /// Opens a .bladewright file; on failure nothing changes. `version` gets that of the file's form.
+  Result<void> open(const std::filesystem::path& file, int* version = nullptr);
   /// Tells which content of a linked source the results were made from: saving records that one rather than
   /// what the file holds by then.
   void noteRead(const std::filesystem::path& source, const Fingerprint& read) { read_ = {source, read}; }

@@ -15,7 +15,7 @@
 #include "bw/core/motion/cell.h"
 #include "bw/core/surface/face_mesh.h"
 #include "bw/core/surface/mesh.h"
-#include "bw/core/sweep/sweep.h"
+#include "bw/core/sweep/sweep_check.h"
 #include "bw/geometry/cad_model.h"
 #include "bw/geometry/sections.h"
 #include "bw/pipeline/direction_search.h"
@@ -47,32 +47,72 @@ struct CadSource {
   Fingerprint content;  ///< of the bytes that were read
 };
 
-struct SweepResult {
-  Sweep sweep;  ///< with the checks' numbers filled in
-  SweepAnalysis analysis;
-  Motion motion;
+/// One station of a cut, with all that is known of it.
+struct StationView {
+  const BladePose& pose;
+  const StationFit& fit;
+  const StationCheck& check;
+  double deviation;  ///< mm, the largest distance of its cut from the target
 };
 
-/// Everything that follows from a design. Stages that failed or were not reached are null.
+/// What a cut came to, once all of its stages are done: views of their results.
+struct CutResult {
+  const Sweep& sweep;
+  const SweepCheck& check;
+  const SweepAnalysis& analysis;
+  const Motion& motion;
+
+  std::size_t size() const { return sweep.poses.size(); }
+  StationView station(std::size_t i) const {
+    return {sweep.poses[i], sweep.fits[i], check.stations[i], analysis.stationDeviation[i]};
+  }
+};
+
+/// One cut of a block: its stages, in the order in which they stand on each other. Those that failed or were
+/// not reached are null.
+struct CutEvaluation {
+  std::string id;  ///< of the design's cut
+  Stage<FaceChoice, geometry::Target> target;
+  Stage<NoRequest, TriangleMesh> targetMesh;
+  Stage<geometry::SetupRequest, geometry::Setup> placed;
+  Stage<RowRequest, DirectionSearch> directions;  ///< only where the cut's direction is "auto"
+  std::shared_ptr<const geometry::Setup> setup;   ///< `placed` with the direction that was chosen
+  Stage<PlanesRequest, std::vector<Section>> sections;
+  Stage<RowRequest, Sweep> sweep;         ///< blades and poses
+  Stage<CheckRequest, SweepCheck> check;  ///< velocities, margins, clearance
+  Stage<MotionRequest, Motion> motion;
+  Stage<CheckRequest, SweepAnalysis> analysis;  ///< the cut surface against the target, and what was found
+
+  std::optional<CutResult> result() const;  ///< empty until all stages are done
+  Findings findings() const;                ///< of all stages in order
+};
+
+/// One block of foam, and what is cut of it in this order.
+struct BlockEvaluation {
+  std::string id;  ///< of the design's block
+  std::vector<CutEvaluation> cuts = std::vector<CutEvaluation>(1);
+};
+
+/// Everything that follows from a design: a list of blocks, of each a list of cuts, of each the stages.
 struct Evaluation {
   Design design;
   Findings sourceFindings;  ///< whether the linked source is another than when the design was saved
   Stage<SourceRequest, CadSource> source;
-  Stage<FaceChoice, geometry::Target> target;
-  Stage<NoRequest, TriangleMesh> targetMesh;
   Stage<NoRequest, FaceMesh> faceMesh;  ///< of all faces of the file; only from `addFaceMesh`
-  Stage<geometry::SetupRequest, geometry::Setup> placed;
-  Stage<RowRequest, DirectionSearch> directions;  ///< only where the job's direction is "auto"
-  std::shared_ptr<const geometry::Setup> setup;   ///< `placed` with the direction that was chosen
-  Stage<PlanesRequest, std::vector<Section>> sections;
-  Stage<RowRequest, Sweep> fits;  ///< the sweep before its checks
-  Stage<ResultRequest, SweepResult> sweep;
-  Stage<CellRequest, Cell> cell;  ///< only where the job asks for programs; its findings tell how the motion
-                                  ///< lies in the cell
+  std::vector<BlockEvaluation> blocks = std::vector<BlockEvaluation>(1);
+  Stage<CellRequest, Cell> cell;  ///< only where the design asks for programs; its findings tell how the
+                                  ///< motions lie in the cell
   Findings programs;              ///< what the check of the programs warns of, once `produce` made them
   Seconds seconds;
 
+  /// The case of one: the first cut of the first block.
+  const CutEvaluation& cut() const { return blocks.front().cuts.front(); }
+  CutEvaluation& cut() { return blocks.front().cuts.front(); }
+  /// Its result.
+  std::optional<CutResult> result() const { return cut().result(); }
   Findings findings() const;  ///< of all stages in order, and of the programs
+  /// Takes the stages that are missing here, of the same cuts, from an evaluation that came farther.
+  void takeMissing(const Evaluation& before);
 };
 
 /// How far an evaluation got before it failed: the stages done stay usable, and the error names the step.
@@ -84,6 +124,10 @@ struct Outcome {
 /// Evaluates a design. Stages of `previous` whose keys are unchanged are used again, so that a change
 /// recomputes only what depends on it.
 Outcome evaluate(const Design& design, const Evaluation* previous, const RunContext& context);
+
+/// The triangles of a cut's surface, to be shown also where a later stage failed; `seconds` grows by the
+/// time.
+Result<void> meshTarget(CutEvaluation& cut, const CutEvaluation* previous, double& seconds);
 
 /// Adds the triangles of all faces of the file, to choose among them, unless the file has one face only or
 /// was not read. Those of `previous` are used again where the file is the same. A stop leaves them out.

@@ -7,36 +7,14 @@
 #include <string>
 #include <vector>
 
-#include "bw/core/design/face_choice.h"
-#include "bw/core/design/job.h"
+#include "bw/core/design/design.h"
 #include "bw/core/files/shared_bytes.h"
 #include "bw/core/sweep/section_request.h"
-#include "bw/core/sweep/sweep.h"
+#include "bw/core/sweep/sweep_check.h"
 #include "bw/geometry/cad_model.h"
 #include "bw/geometry/sections.h"
 
 namespace bw::pipeline {
-
-/// Which robot programs, and for which cell.
-struct ProgramRequest {
-  std::vector<std::string> formats;  ///< "rapid", "csv", "json"; none: no programs
-  std::string cell;                  ///< its word, or the path of its file
-  bool operator==(const ProgramRequest&) const = default;
-};
-
-/// What a job asks of each stage: nothing else of it reaches them.
-struct Requests {
-  explicit Requests(const Job& job);
-
-  ReadOptions read;
-  FaceChoice face;
-  geometry::SetupRequest setup;
-  SectionRequest sections;
-  FitRequest fit;
-  CheckRequest check;
-  MotionRequest motion;
-  ProgramRequest programs;
-};
 
 /// A file at some moment, as far as that tells whether it was written since.
 struct FileStamp {
@@ -70,16 +48,14 @@ struct RowRequest {
   bool operator==(const RowRequest&) const = default;
 };
 
-/// Checks and timing of a row.
-struct ResultRequest {
-  CheckRequest check;
-  MotionRequest motion;
-  bool operator==(const ResultRequest&) const = default;
-};
+/// What a design asks of the stages of a cut: nothing else of it reaches them.
+FitRequest fitRequest(const Design& design);
+CheckRequest checkRequest(const Design& design);
+MotionRequest motionRequest(const Design& design);
 
 /// A cell for programs.
 struct CellRequest {
-  ProgramRequest programs;
+  Output output;
   FileStamp file;  ///< of the cell, where it is a file
   bool operator==(const CellRequest&) const = default;
 };

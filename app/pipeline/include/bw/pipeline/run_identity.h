@@ -12,10 +12,10 @@
 
 namespace bw::pipeline {
 
-/// The name of a run: the fingerprint of all that its results depend on, which are the job without what only
-/// chooses among outputs (`programs`), the bytes of the CAD file, the version of the program, the
-/// cell if there are programs, and the motion that came out. Runs of equal input have equal names, for any
-/// number of threads. Needs a sweep.
+/// The name of a run: the fingerprint of all that its results depend on, which are the design without its
+/// names and what only chooses among outputs, the bytes of the CAD file, the version of the program, the cell
+/// if there are programs, and the motion that came out. Runs of equal input have equal names, for any number
+/// of threads. Needs a sweep.
 std::string runId(const Evaluation& evaluation, const Cell* cell);
 
 /// True for a folder that holds results of ours, whole or not: a report.json of ours, a

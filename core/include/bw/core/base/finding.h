@@ -228,6 +228,12 @@ struct ChangedSource {
   std::string file;
   std::uint64_t bytesThen = 0, bytesNow = 0;
 };
+/// The design was written by an earlier version of the program; saving it writes the present form.
+struct EarlierDesign {
+  static constexpr FindingKind kind = FindingKind::source;
+  std::string file;
+  int version = 1, present = 1;  ///< of the form of design files
+};
 struct UnreadableCell {
   static constexpr FindingKind kind = FindingKind::cell;
   std::string why;
@@ -276,8 +282,8 @@ using Cause =
                  WouldSnap, WouldTwist, GripTooNear, SteepAngle, UnevenSpeed, EndsSwing, GapInRow, TooFar,
                  SectionMissing, SectionPoint, SectionShort, SectionBranches, SectionClosed, SectionBorder,
                  SectionUnfit, SectionRough, LargestFace, NearestFace, FacesLeftOut, TravelAcross,
-                 ChosenDirection, LeftOutOfFile, Healed, ChangedSource, UnreadableCell, WrongSide,
-                 ProgramDespiteErrors, ProgramBreach, RunMismatch>;
+                 ChosenDirection, LeftOutOfFile, Healed, ChangedSource, EarlierDesign, UnreadableCell,
+                 WrongSide, ProgramDespiteErrors, ProgramBreach, RunMismatch>;
 
 /// Stations of a row by their index: from first to last, `count` of them concerned, the worst among them.
 struct StationRange {

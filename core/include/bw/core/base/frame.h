@@ -71,5 +71,7 @@ struct BlockPlacement {
   bool operator==(const BlockPlacement&) const = default;
   Box box() const;
 };
+/// The placement whose box that is.
+BlockPlacement placementOf(const Box& box);
 
 }  // namespace bw

@@ -2,49 +2,125 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <Eigen/Core>
+
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "bw/core/base/frame.h"
 #include "bw/core/base/result.h"
-#include "bw/core/design/job.h"
+#include "bw/core/blade/blade.h"
+#include "bw/core/design/face_choice.h"
+#include "bw/core/design/read_options.h"
 #include "bw/core/files/fingerprint.h"
 #include "bw/core/files/shared_bytes.h"
+#include "bw/core/fit/elastica_fit.h"
+#include "bw/core/sweep/section_request.h"
 
 namespace bw {
 
-/// Where the target of a design comes from.
+/// A CAD file that surfaces of a design come from, and how it is read.
 struct Source {
-  std::filesystem::path path;  ///< of the CAD file; relative to the design file when stored
-  SharedBytes bytes;           ///< the file itself if it is embedded, else empty
+  std::string id = "source-1";
+  std::filesystem::path path = {};  ///< of the CAD file; relative to the design file when stored
+  SharedBytes bytes = {};           ///< the file itself if it is embedded, else empty
   /// What the linked file was when the design was last saved; nothing if never, or if it is embedded.
   std::optional<Fingerprint> saved = std::nullopt;
+  std::optional<LengthUnit> unit =
+      std::nullopt;  ///< the file's numbers are in it; empty = as the file states
+  std::optional<double> sewing =
+      std::nullopt;  ///< mm within which edges of faces are joined; empty = by the tolerance
   bool operator==(const Source&) const = default;
 };
 
-/// A design: an immutable value that holds everything a result is made from. What the desktop program edits
-/// and saves.
-struct Design {
-  std::string name = "Untitled";
-  Source source;
-  Job job;
-
-  static constexpr int kVersion = 1;
+/// A block of foam.
+struct StockBlock {
+  std::string id = "block-1";
+  std::optional<BlockPlacement> placement = std::nullopt;  ///< empty = "auto": around the surface that is cut
+  bool operator==(const StockBlock&) const = default;
 };
 
+/// A cut of a block along a surface. The cuts of a block are made in the order of the design.
+struct Cut {
+  std::string id = "cut-1";
+  std::string source = "source-1", block = "block-1";  ///< ids
+  FaceChoice face = {};                                ///< which faces of the source are the surface
+  std::optional<Eigen::Vector3d> direction =
+      std::nullopt;  ///< of travel, in the file's frame, not zero; empty = "auto"
+  SectionRequest sections = {};
+  bool operator==(const Cut&) const = default;
+};
+
+/// How blades are found, driven and judged.
+struct Process {
+  FitOptions::Length fitLength = FitOptions::Length::free;
+  bool fitEndpoints = false;
+  bool fitTangents = false;
+  double maxPeriods = 1;
+  double tolerance = 2.0;      ///< mm, deviation of the cut surface
+  double cuttingSpeed = 20.0;  ///< mm/s of the fastest point of the blade
+  double clearance = 50.0;     ///< mm between a grip and the block
+  double lead = 20;            ///< mm of straight travel before and after the block
+  bool operator==(const Process&) const = default;
+};
+
+/// What is written for the robots.
+struct Output {
+  std::vector<std::string> programs = {"rapid", "csv", "json"};  ///< words of `programFormats`
+  std::string cell = "irb1600-pair";                             ///< its word, or the path of its file
+  bool operator==(const Output&) const = default;
+};
+
+/// A design: an immutable value that holds everything a result is made from. What the desktop program edits
+/// and saves. It has at least one source, one block and one cut, and each cut names a source and a block of
+/// it; `parseDesign` takes exactly one of each so far.
+struct Design {
+  std::string name = "Untitled";
+  std::vector<Source> sources = {{}};
+  std::vector<StockBlock> stock = {{}};
+  std::vector<Cut> cuts = {{}};
+  Blade blade;
+  Process process;
+  Output output;
+
+  /// The first of each: the case of one.
+  const Source& source() const { return sources.front(); }
+  const StockBlock& block() const { return stock.front(); }
+  const Cut& cut() const { return cuts.front(); }
+  Source& source() { return sources.front(); }
+  StockBlock& block() { return stock.front(); }
+  Cut& cut() { return cuts.front(); }
+
+  /// How a source of it is read: edges are joined within a tenth of the tolerance, at most
+  /// ReadOptions::kMostSewing, unless the source says more.
+  ReadOptions readOptions(const Source& of) const;
+
+  static constexpr int kVersion = 2;
+  bool operator==(const Design&) const = default;
+};
+
+/// Reads JOB.json, the settings of a design with one block and one cut, without its source. Unknown keys,
+/// wrong types and values out of range are errors that name the key, the value and the remedy (the nearest
+/// known key is suggested). Every key is optional. What a machine takes is no part of it: `threads` gets the
+/// number of worker threads that the text may ask for, 0 = all.
+Result<Design> parseJob(std::string_view json, int* threads = nullptr);
+
 /// Reads a .bladewright file's text. A newer version, unknown keys and wrong types are errors that name them.
-Result<Design> parseDesign(std::string_view json);
+/// Older versions are read too; `version` gets that of the text.
+Result<Design> parseDesign(std::string_view json, int* version = nullptr);
 /// The text of a .bladewright file (JSON, versioned; embedded geometry as base64).
 std::string designToJson(const Design& design);
 
-/// Fills `source.saved` from the linked file as it is now; leaves it empty for an embedded source, and as it
-/// was where the file cannot be read.
-void noteSource(Design& design);
+/// Fills `saved` of each source from the linked file as it is now; leaves it empty for an embedded source,
+/// and as it was where the file cannot be read.
+void noteSources(Design& design);
 
 /// Reads and writes the file itself; a linked source is resolved against the file's folder. Writing is
 /// atomic.
-Result<Design> loadDesign(const std::filesystem::path& file);
+Result<Design> loadDesign(const std::filesystem::path& file, int* version = nullptr);
 Result<void> saveDesign(const Design& design, const std::filesystem::path& file);
 
 }  // namespace bw

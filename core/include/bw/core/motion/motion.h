@@ -31,6 +31,9 @@ struct Motion {
   double bladeLength = 0;   ///< mm
   double cuttingSpeed = 0;  ///< mm/s of the fastest point of the blade
   std::vector<MotionInstant> instants;
+
+  /// s, leads included.
+  double duration() const { return instants.empty() ? 0.0 : instants.back().time; }
 };
 
 }  // namespace bw

@@ -15,12 +15,23 @@ enum class MapRule {
   share    ///< of a whole: from 0 to 1
 };
 
+/// What is known at one point of the cut surface.
+struct CutSample {
+  double deviation = 0;      ///< mm, signed
+  double angle = 0;          ///< rad, velocity to the plane normal
+  double speed = 0;          ///< mm/s
+  double relativeSpeed = 1;  ///< over the fastest point of the station
+  double curvature = 0;      ///< |κ| over the limit of the blade
+  double stress = 0;         ///< N/mm², of bending in the outermost fibre
+};
+
 /// A map of the cut surface: one number a point. Window, legend, command line, files and pages all take its
 /// words and rules from here.
 struct MapInfo {
-  const char* name;   ///< the word in files and on the command line, "relative_speed"
-  const char* title;  ///< for people, "Relative speed"
-  const char* unit;   ///< "mm", "°", …; empty for a ratio
+  const char* name;                          ///< the word in files and on the command line, "relative_speed"
+  const char* title;                         ///< for people, "Relative speed"
+  const char* unit;                          ///< "mm", "°", …; empty for a ratio
+  double (*value)(const CutSample& sample);  ///< in that unit
   MapRule rule = MapRule::plain;
   double leastSpan = 1e-3;  ///< of an automatic range, in its unit
 };

@@ -1,21 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "bw/core/design/job.h"
+#include "design/design_keys.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "blade/blade_json.h"
 #include "bw/core/base/units.h"
-#include "bw/core/design/job_numbers.h"
+#include "bw/core/design/process_numbers.h"
 #include "bw/core/design/program_formats.h"
-#include "bw/core/text/number_text.h"
 #include "design/face_choice.h"
-#include "design/job_json.h"
-#include "text/json_reader.h"
 
-namespace bw {
+namespace bw::detail {
 
 using nlohmann::json;
 
@@ -98,7 +94,7 @@ void readDirection(ObjectReader& reader, std::optional<Eigen::Vector3d>& directi
   direction = v / length;
 }
 
-void readStations(ObjectReader& reader, Job& job) {
+void readStations(ObjectReader& reader, SectionRequest& sections) {
   const json* value = reader.member("stations");
   if (!value) return;
   if (value->is_object()) {
@@ -110,24 +106,24 @@ void readStations(ObjectReader& reader, Job& job) {
       reader.adopt(inner);
       return;
     }
-    job.spacing = spacing;
+    sections.spacing = spacing;
     return;
   }
-  reader.integer("stations", job.stations, 2, SectionRequest::kMost);
-  job.spacing.reset();
+  reader.integer("stations", sections.stations, 2, SectionRequest::kMost);
+  sections.spacing.reset();
 }
 
-void readFit(ObjectReader& reader, Job& job) {
+void readFit(ObjectReader& reader, Process& process) {
   const json* value = reader.member("fit");
   if (!value) return;
   ObjectReader inner(*value, reader.path() + ".fit");
-  int length = int(job.fitLength);
+  int length = int(process.fitLength);
   inner.word("length", {"free", "exact"}, length);
-  job.fitLength = FitOptions::Length(length);
-  inner.boolean("endpoints", job.fitEndpoints);
-  inner.boolean("tangents", job.fitTangents);
-  for (const JobNumber& number : jobNumbers())
-    if (number.ofFit) inner.number(number.key, job.*number.member, number.min, number.max);
+  process.fitLength = FitOptions::Length(length);
+  inner.boolean("endpoints", process.fitEndpoints);
+  inner.boolean("tangents", process.fitTangents);
+  for (const ProcessNumber& number : processNumbers())
+    if (number.ofFit) inner.number(number.key, process.*number.member, number.min, number.max);
   if (Result<void> ok = inner.finish(); !ok) reader.adopt(inner);
 }
 
@@ -153,123 +149,83 @@ void readPrograms(ObjectReader& reader, std::vector<std::string>& programs) {
   programs = std::move(result);
 }
 
+void readPlanes(ObjectReader& reader) {
+  const json* planes = reader.member("planes");
+  if (!planes) return;
+  ObjectReader inner(*planes, reader.path() + ".planes");
+  int type = 0;
+  inner.word("type", {"parallel"}, type);
+  if (Result<void> ok = inner.finish(); !ok) reader.adopt(inner);
+}
+
+json vectorJson(const Eigen::Vector3d& v) { return json::array({v.x(), v.y(), v.z()}); }
+
 }  // namespace
 
-const char* lengthUnitName(LengthUnit unit) {
-  switch (unit) {
-    case LengthUnit::mm:
-      return "mm";
-    case LengthUnit::cm:
-      return "cm";
-    case LengthUnit::m:
-      return "m";
-    case LengthUnit::inch:
-      return "in";
-  }
-  return "";
+void readSourceKeys(ObjectReader& reader, Source& source) {
+  readUnit(reader, source.unit);
+  readSewing(reader, source.sewing);
 }
 
-double millimetres(LengthUnit unit) {
-  switch (unit) {
-    case LengthUnit::mm:
-      return 1;
-    case LengthUnit::cm:
-      return 10;
-    case LengthUnit::m:
-      return 1000;
-    case LengthUnit::inch:
-      return 25.4;
-  }
-  return 1;
+void readPlacement(ObjectReader& reader, StockBlock& block) { readBlock(reader, block.placement); }
+
+void readCutKeys(ObjectReader& reader, Cut& cut) {
+  readFaceChoice(reader, cut.face);
+  readDirection(reader, cut.direction);
+  readPlanes(reader);
+  readStations(reader, cut.sections);
 }
 
-double Job::sewingTolerance() const {
-  return sewing.value_or(std::min(tolerance / 10, ReadOptions::kMostSewing));
+void readProcessKeys(ObjectReader& reader, Process& process) {
+  readFit(reader, process);
+  for (const ProcessNumber& number : processNumbers())
+    if (!number.ofFit) reader.number(number.key, process.*number.member, number.min, number.max);
 }
 
-Box BlockPlacement::box() const {
-  const Eigen::Matrix3d r = rotationFromAngles(rotation);
-  return Box{Frame{origin, r.col(0), r.col(1), r.col(2)}, size};
+void readOutputKeys(ObjectReader& reader, Output& output) {
+  readPrograms(reader, output.programs);
+  reader.text("cell", output.cell);
 }
 
-Result<Job> jobFromJson(const json& object, const std::string& path, int& threads) {
-  Job job;
+Result<void> readBladeKeys(ObjectReader& reader, const json& object, Blade& blade) {
   // A blade that is written whole (as designs store it) needs no preset.
-  const bool wholeBlade = object.is_object() && object.contains("blade") && object["blade"].is_object() &&
-                          object["blade"].contains("name");
-  if (Result<Blade> preset = bladePreset(job.blade.name))
-    job.blade = std::move(*preset);
-  else if (!wholeBlade)
+  const bool whole = object.is_object() && object.contains("blade") && object["blade"].is_object() &&
+                     object["blade"].contains("name");
+  if (Result<Blade> preset = bladePreset(blade.name))
+    blade = std::move(*preset);
+  else if (!whole)
     return tl::unexpected<Error>(preset.error());
-  ObjectReader reader(object, path);
-  readUnit(reader, job.unit);
-  readSewing(reader, job.sewing);
-  readFaceChoice(reader, job.face);
-  readBlock(reader, job.block);
-  readDirection(reader, job.direction);
-  if (const json* planes = reader.member("planes")) {
-    ObjectReader inner(*planes, reader.path() + ".planes");
-    int type = 0;
-    inner.word("type", {"parallel"}, type);
-    if (Result<void> ok = inner.finish(); !ok) reader.adopt(inner);
-  }
-  readStations(reader, job);
-  readBlade(reader, job.blade);
-  readFit(reader, job);
-  for (const JobNumber& number : jobNumbers())
-    if (!number.ofFit) reader.number(number.key, job.*number.member, number.min, number.max);
-  readPrograms(reader, job.programs);
-  reader.text("cell", job.cell);
-  reader.integer("threads", threads, 0, 1024);
-  if (Result<void> ok = reader.finish(); !ok) return tl::unexpected<Error>(ok.error());
-  return job;
+  readBlade(reader, blade);
+  return {};
 }
 
-json jobToJsonObject(const Job& job) {
-  json object;
-  object["unit"] = job.unit ? lengthUnitName(*job.unit) : kFileUnit;
-  if (job.sewing)
-    object["sewing"] = *job.sewing;
-  else
-    object["sewing"] = "auto";
-  writeFaceChoice(job.face, object);
-  const auto vector = [](const Eigen::Vector3d& v) { return json::array({v.x(), v.y(), v.z()}); };
-  if (job.block) {
-    object["block"] = {{"origin", vector(job.block->origin)},
-                       {"size", vector(job.block->size)},
-                       {"rotation_deg", vector(job.block->rotation / kDegree)}};
-  } else {
-    object["block"] = "auto";
-  }
-  if (job.direction)
-    object["direction"] = vector(*job.direction);
-  else
-    object["direction"] = "auto";
+void writeSourceKeys(const Source& source, json& object) {
+  object["unit"] = source.unit ? lengthUnitName(*source.unit) : kFileUnit;
+  object["sewing"] = source.sewing ? json(*source.sewing) : json("auto");
+}
+
+void writePlacement(const StockBlock& block, json& object) {
+  object["block"] = "auto";
+  if (block.placement)
+    object["block"] = {{"origin", vectorJson(block.placement->origin)},
+                       {"size", vectorJson(block.placement->size)},
+                       {"rotation_deg", vectorJson(block.placement->rotation / kDegree)}};
+}
+
+void writeCutKeys(const Cut& cut, json& object) {
+  writeFaceChoice(cut.face, object);
+  object["direction"] = cut.direction ? vectorJson(*cut.direction) : json("auto");
   object["planes"] = {{"type", "parallel"}};
-  if (job.spacing)
-    object["stations"] = {{"spacing", *job.spacing}};
-  else
-    object["stations"] = job.stations;
-  object["blade"] = bladeToJson(job.blade);
-  object["fit"] = {{"length", job.fitLength == FitOptions::Length::exact ? "exact" : "free"},
-                   {"endpoints", job.fitEndpoints},
-                   {"tangents", job.fitTangents}};
-  for (const JobNumber& number : jobNumbers())
-    (number.ofFit ? object["fit"] : object)[number.key] = job.*number.member;
-  object["programs"] = job.programs;
-  object["cell"] = job.cell;
-  return object;
+  object["stations"] =
+      cut.sections.spacing ? json{{"spacing", *cut.sections.spacing}} : json(cut.sections.stations);
 }
 
-Result<Job> parseJob(std::string_view text, int* threads) {
-  const Result<json> object = parseJsonText(text, "job");
-  if (!object) return tl::unexpected<Error>(object.error());
-  int unused = 0;
-  return jobFromJson(*object, "job", threads ? *threads : unused);
+void writeProcessKeys(const Process& process, json& object) {
+  object["fit"] = {{"length", process.fitLength == FitOptions::Length::exact ? "exact" : "free"},
+                   {"endpoints", process.fitEndpoints},
+                   {"tangents", process.fitTangents}};
+  for (const ProcessNumber& number : processNumbers())
+    (number.ofFit ? object["fit"] : object)[number.key] = process.*number.member;
 }
 
-std::string jobToJson(const Job& job) {
-  return jobToJsonObject(job).dump(2, ' ', false, json::error_handler_t::replace) + "\n";
-}
-
-}  // namespace bw
+}  // namespace bw::detail

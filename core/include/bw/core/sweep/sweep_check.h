@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "bw/core/base/finding.h"
+#include "bw/core/base/result.h"
+#include "bw/core/base/run_context.h"
+#include "bw/core/surface/mesh.h"
+#include "bw/core/surface/spline_surface.h"
+#include "bw/core/surface/surface_sampler.h"
+#include "bw/core/sweep/sweep.h"
+
+namespace bw {
+
+/// What a row of blades is checked against.
+struct CheckRequest {
+  double tolerance = 2;      ///< mm, deviation of the cut surface
+  double clearance = 50;     ///< mm between a grip and the block
+  double cuttingSpeed = 20;  ///< mm/s of the fastest point
+  bool operator==(const CheckRequest&) const = default;
+};
+
+/// What was seen at one station without looking at the target.
+struct StationCheck {
+  double angleMean = 0, angleMax = 0;  ///< rad, velocity to plane normal
+  double speedRatio = 1;               ///< slowest over fastest point of the part that cuts
+  double speedMin = 0, speedMax = 0;   ///< mm/s, of the points that cut
+  double clearance = 0;                ///< mm between the nearer grip and the block; negative inside it
+  double stabilityMargin =
+      1;  ///< of the clamped blade in its plane: 1 straight, 0 about to snap (`stabilityMargin`)
+  double outOfPlaneMargin =
+      1;  ///< of a round blade against leaving its plane; 1 for a flat one, which is stiff across it
+  bool stable = true;  ///< stabilityMargin > 0: the blade rests in this shape
+};
+
+/// Velocity of the cut of one station, at points of equal shares of its length (docs/mathematics.md,
+/// velocity).
+struct StationVelocity {
+  std::vector<double> angle;     ///< rad, to the plane normal
+  std::vector<double> relative;  ///< speed over that of the fastest of them
+  std::vector<double> speed;     ///< mm/s
+};
+
+/// What a row of blades tells by itself: one entry a pose in each list.
+struct SweepCheck {
+  std::vector<StationCheck> stations;
+  std::vector<StationVelocity> velocities;
+};
+
+/// Velocities (thesis 5.3, following the arc length from the blade's middle), margins and clearance of a
+/// sweep. At least two stations, else `ErrorCode::badInput`; `ErrorCode::cancelled` on a stop. Cost: some
+/// 0.1 ms a station.
+[[nodiscard]] Result<SweepCheck> checkSweep(const Sweep& sweep, const CheckRequest& request,
+                                            const RunContext& context);
+
+/// Numbers over all stations, as in report.json (mm, rad). Mean, rms and fraction of the deviation and the
+/// mean angle are over the area of the cut surface; those of R4 and Hausdorff distance over the stations.
+struct SweepSummary {
+  double R4Max = 0, R4Mean = 0, hausdorffMax = 0, hausdorffMean = 0;
+  double deviationMax = 0, deviationMean = 0, deviationRms = 0,
+         withinTolerance = 1;  ///< |deviation|; fraction 0…1
+  double angleMax = 0, angleMean = 0, angleStationMeanMax = 0, speedRatioMin = 1;
+  double minRadius = 0;  ///< mm, over the cut segments and their extensions
+};
+
+/// The cut surface with its fields, and what was found.
+struct SweepAnalysis {
+  /// Sampled finely: every station and rows between, thinned to 481 rows where they are more (the summary and
+  /// the findings are those of all). Fields "deviation" (mm, signed), "angle" (°), "speed"
+  /// (mm/s), "relative_speed" (0…1), "curvature" (|κ| over the limit), "stress" (N/mm², of bending in the
+  /// outermost fibre).
+  SurfaceGrid cut;
+  SplineSurface surface;        ///< the smooth skin through the stations
+  std::vector<int> stationRow;  ///< row of `cut` of each station, or nearest to it where rows are thinned
+  std::vector<double> stationDeviation;  ///< mm, the largest distance of each station's cut from the target
+  SweepSummary summary;
+  Findings findings;
+};
+
+/// Checks a sweep against the target: the deviation of the cut surface, also between stations, and from it
+/// and the numbers of `checkSweep` what cannot be cut, and why.
+[[nodiscard]] Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const SweepCheck& check,
+                                                 const CheckRequest& request, const SurfaceSampler& target,
+                                                 const RunContext& context);
+
+}  // namespace bw

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "bw/core/design/design.h"
+#include "text/json_reader.h"
+
+namespace bw::detail {
+
+// The keys of each part of a design: a job has them all in one object, a design those of each part in one of
+// its own.
+
+void readSourceKeys(ObjectReader& reader, Source& source);     ///< unit, sewing
+void readPlacement(ObjectReader& reader, StockBlock& block);   ///< block
+void readCutKeys(ObjectReader& reader, Cut& cut);              ///< face, near, direction, planes, stations
+void readProcessKeys(ObjectReader& reader, Process& process);  ///< fit, and the table of its numbers
+void readOutputKeys(ObjectReader& reader, Output& output);     ///< programs, cell
+/// blade: an error where the default preset is needed and not there. `object` is that of the reader.
+Result<void> readBladeKeys(ObjectReader& reader, const nlohmann::json& object, Blade& blade);
+
+void writeSourceKeys(const Source& source, nlohmann::json& object);
+void writePlacement(const StockBlock& block, nlohmann::json& object);
+void writeCutKeys(const Cut& cut, nlohmann::json& object);
+void writeProcessKeys(const Process& process, nlohmann::json& object);
+
+}  // namespace bw::detail

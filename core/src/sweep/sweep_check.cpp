@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "bw/core/sweep/sweep_check.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "bw/core/elastica/elastica_stability.h"
+#include "sweep/cut_rows.h"
+#include "sweep/grip_reach.h"
+
+namespace bw {
+
+namespace {
+
+using detail::kColumns;
+
+/// Weights of the three-point derivative at t[i] for uneven spacing; one-sided at the ends
+/// (docs/mathematics.md, velocity).
+struct Stencil {
+  int first = 0, count = 0;
+  double weight[3] = {0, 0, 0};
+};
+
+Stencil derivativeStencil(const std::vector<double>& t, int i) {
+  const int n = int(t.size());
+  Stencil s;
+  if (n == 2) {
+    const double h = t[1] - t[0];
+    s = {0, 2, {-1 / h, 1 / h, 0}};
+    return s;
+  }
+  s.first = std::clamp(i - 1, 0, n - 3);
+  s.count = 3;
+  const double a = t[std::size_t(s.first)], b = t[std::size_t(s.first + 1)], c = t[std::size_t(s.first + 2)];
+  const double x = t[std::size_t(i)];
+  s.weight[0] = (2 * x - b - c) / ((a - b) * (a - c));
+  s.weight[1] = (2 * x - a - c) / ((b - a) * (b - c));
+  s.weight[2] = (2 * x - a - b) / ((c - a) * (c - b));
+  return s;
+}
+
+/// Points of a station at material coordinates σ measured from the blade's middle, in space.
+std::vector<Eigen::Vector3d> materialPoints(const BladePose& pose, const std::vector<double>& sigma) {
+  std::vector<double> arcs(sigma.size());
+  const double middle = 0.5 * pose.blade.length();
+  for (std::size_t i = 0; i < sigma.size(); ++i) arcs[i] = middle + sigma[i];
+  return pose.points(pose.blade, arcs);
+}
+
+/// Thesis 5.3 at one station, with the blade's own material points.
+StationVelocity stationVelocity(const std::vector<BladePose>& poses, const std::vector<double>& travel, int i,
+                                double cuttingSpeed) {
+  const BladePose& pose = poses[std::size_t(i)];
+  const Stencil stencil = derivativeStencil(travel, i);
+  const double length = pose.cut.length();
+  std::vector<double> sigma;
+  sigma.reserve(kColumns + 21);
+  for (int c = 0; c < kColumns; ++c) sigma.push_back((double(c) / (kColumns - 1) - 0.5) * length);
+  for (int c = 0; c <= 20; ++c) sigma.push_back((c / 20.0 - 0.5) * pose.blade.length());
+  std::vector<Eigen::Vector3d> velocity(sigma.size(), Eigen::Vector3d::Zero());
+  for (int k = 0; k < stencil.count; ++k) {
+    const std::vector<Eigen::Vector3d> points = materialPoints(poses[std::size_t(stencil.first + k)], sigma);
+    for (std::size_t c = 0; c < sigma.size(); ++c) velocity[c] += stencil.weight[k] * points[c];
+  }
+  double fastestBlade = 0, fastest = 0;
+  for (std::size_t c = 0; c < sigma.size(); ++c) {
+    const double speed = velocity[c].norm();
+    fastestBlade = std::max(fastestBlade, speed);
+    if (c < kColumns) fastest = std::max(fastest, speed);
+  }
+  StationVelocity result;
+  for (int c = 0; c < kColumns; ++c) {
+    const double speed = velocity[std::size_t(c)].norm();
+    const double along = velocity[std::size_t(c)].dot(pose.frame.normal);
+    const double across = velocity[std::size_t(c)].cross(pose.frame.normal).norm();
+    result.angle.push_back(std::atan2(across, along));
+    result.relative.push_back(fastest > 0 ? speed / fastest : 1.0);
+    result.speed.push_back(fastestBlade > 0 ? speed / fastestBlade * cuttingSpeed : cuttingSpeed);
+  }
+  return result;
+}
+
+}  // namespace
+
+Result<SweepCheck> checkSweep(const Sweep& sweep, const CheckRequest& request, const RunContext& context) {
+  const std::vector<BladePose>& poses = sweep.poses;
+  if (Result<void> ok = detail::enoughStations(sweep); !ok) return tl::unexpected<Error>(ok.error());
+  std::vector<double> travel;
+  for (const BladePose& pose : poses) travel.push_back(pose.travel);
+  SweepCheck result{std::vector<StationCheck>(poses.size()), std::vector<StationVelocity>(poses.size())};
+  const auto body = [&](int i) {
+    const BladePose& pose = poses[std::size_t(i)];
+    StationVelocity& v = result.velocities[std::size_t(i)];
+    v = stationVelocity(poses, travel, i, request.cuttingSpeed);
+    StationCheck& check = result.stations[std::size_t(i)];
+    check.stabilityMargin = stabilityMargin(pose.blade);
+    check.stable = check.stabilityMargin > 0;
+    if (sweep.request.blade.section != Blade::Section::flat)
+      check.outOfPlaneMargin = outOfPlaneMargin(pose.blade);
+    check.angleMax = *std::max_element(v.angle.begin(), v.angle.end());
+    check.angleMean = 0;
+    for (double angle : v.angle) check.angleMean += angle / kColumns;
+    check.speedRatio = *std::min_element(v.relative.begin(), v.relative.end());
+    const auto [slowest, fastest] = std::minmax_element(v.speed.begin(), v.speed.end());
+    check.speedMin = *slowest;
+    check.speedMax = *fastest;
+    check.clearance = std::min(detail::boxDistance(sweep.block, pose.leftPoint()),
+                               detail::boxDistance(sweep.block, pose.rightPoint()));
+  };
+  if (Result<void> ok = parallelFor(context, int(poses.size()), body); !ok)
+    return tl::unexpected<Error>(ok.error());
+  return result;
+}
+
+}  // namespace bw
