@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "bw/core/files/file_set.h"
+#include "bw/core/text/json_reader.h"
 #include "design/job_json.h"
-#include "text/json_reader.h"
 
 namespace bw {
 

@@ -6,14 +6,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "blade/blade_json.h"
 #include "bw/core/base/units.h"
+#include "bw/core/blade/blade_json.h"
 #include "bw/core/design/job_numbers.h"
 #include "bw/core/design/program_formats.h"
+#include "bw/core/text/json_reader.h"
 #include "bw/core/text/number_text.h"
 #include "design/face_choice.h"
 #include "design/job_json.h"
-#include "text/json_reader.h"
 
 namespace bw {
 
