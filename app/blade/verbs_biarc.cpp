@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "bw/core/cases/cases.h"
+#include "bw/cases/cases.h"
 #include "verbs.h"
 
 namespace bw::cli {
@@ -69,12 +69,12 @@ int biarcs(const Session& session, const Options& options) {
   Result<std::string> text = session.readInput(options.in);
   if (!text) return session.complain(text.error());
   const std::string extension = lowerSuffix(options.in);
-  if (extension == ".csv" || extension == ".dat") text = biarcCaseFromCsv(*text);
+  if (extension == ".csv" || extension == ".dat") text = cases::biarcCaseFromCsv(*text);
   if (text) text = withOptions(*text, options);
   if (!text) return session.complain(text.error());
   std::vector<std::string> pictures;
-  const Result<CaseAnswer> result =
-      biarcCases(*text, session.context(), options.svg.empty() ? nullptr : &pictures);
+  const Result<cases::CaseAnswer> result =
+      cases::biarcCases(*text, session.context(), options.svg.empty() ? nullptr : &pictures);
   if (!result) return session.complain(result.error());
   session.endProgress();
   if (!options.svg.empty())

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "bw/core/cases/cases.h"
+#include "bw/cases/cases.h"
 #include "verbs.h"
 
 namespace bw::cli {
@@ -14,17 +14,17 @@ struct Options {
   std::string in = "-", out = "-";
 };
 
-using Cases = Result<CaseAnswer> (*)(std::string_view, const RunContext&);
+using Cases = Result<cases::CaseAnswer> (*)(std::string_view, const RunContext&);
 
 int answer(const Session& session, const Options& options, Cases cases, bool points) {
   Result<std::string> text = session.readInput(options.in);
   if (!text) return session.complain(text.error());
   const std::string suffix = lowerSuffix(options.in);
   if (points && (suffix == ".csv" || suffix == ".dat")) {
-    text = fitCaseFromCsv(*text);
+    text = cases::fitCaseFromCsv(*text);
     if (!text) return session.complain(text.error());
   }
-  const Result<CaseAnswer> result = cases(*text, session.context());
+  const Result<cases::CaseAnswer> result = cases(*text, session.context());
   if (!result) return session.complain(result.error());
   session.endProgress();
   if (Result<void> ok = session.writeOutput(options.out, result->json); !ok)
@@ -55,40 +55,41 @@ void addNumericVerbs(CLI::App& app, const Session& session, Work& work) {
           "Evaluate elastica: points, angles, curvatures, energy, inflections",
           "echo '{\"elastica\": {\"start\": [0,0], \"start_angle\": 0.5, \"start_curvature\": -0.002,\n"
           "    \"force\": [0,0], \"length\": 800}, \"at\": [0, 400, 800]}' | blade elastica",
-          elasticaCases, false);
+          cases::elasticaCases, false);
   addVerb(app, session, work, "fit", "Fit an elastica to a plane curve (JSON cases, or points as .csv/.dat)",
           "echo '{\"curve\": {\"type\": \"bezier\", \"poles\": [[0,0],[200,150],[400,150],[600,0]]}}' | "
           "blade fit",
-          fitCases, true);
+          cases::fitCases, true);
   addVerb(
       app, session, work, "piecewise", "Approximate a plane curve by several elastica that meet smoothly",
       "echo '{\"curve\": {\"type\": \"bezier\", \"poles\": [[0,0],[150,260],[300,-310],[450,270],[600,0]]},\n"
       "    \"pieces\": 3, \"splits\": \"optimised\"}' | blade piecewise",
-      piecewiseCases, false);
+      cases::piecewiseCases, false);
   addBiarcVerb(app, session, work);
   addVerb(app, session, work, "spline",
           "A spline through points: a chain of elastica (as through ducks), of cubic Béziers, or cubic",
           "echo '{\"points\": [[0,0],[100,40],[220,30],[300,-20]], \"start_angle\": 0.6}' | blade spline",
-          splineCases, false);
+          cases::splineCases, false);
   addVerb(app, session, work, "discrete",
           "A discrete elastica: the polyline of least bending between clamped ends",
           "echo '{\"start\": [0,0], \"end\": [600,0], \"start_angle\": 0.6, \"end_angle\": -0.4, \"length\": "
           "700,\n"
           "    \"segments\": 200}' | blade discrete",
-          discreteCases, false);
+          cases::discreteCases, false);
   addVerb(app, session, work, "relax",
           "The spline of least bending energy within a tolerance of a plane curve",
           "echo '{\"curve\": {\"type\": \"bezier\", \"poles\": [[0,0],[200,150],[400,150],[600,0]]}, "
           "\"tolerance\": 5}' | "
           "blade relax",
-          relaxCases, false);
+          cases::relaxCases, false);
   addVerb(app, session, work, "length", "The length of a blade from how it sags between its ends",
-          "echo '{\"distance\": 600, \"height\": 120, \"angle\": 0.6}' | blade length", lengthCases, false);
+          "echo '{\"distance\": 600, \"height\": 120, \"angle\": 0.6}' | blade length", cases::lengthCases,
+          false);
   addVerb(app, session, work, "bvp",
           "The shapes of a blade between two grips: points, length and tangent angles given (null: hinged)",
           "echo '{\"start\": [0,0], \"end\": [760,0], \"start_angle\": 0.4, \"end_angle\": -0.3,\n"
           "    \"length\": 800, \"all\": true}' | blade bvp",
-          bvpCases, false);
+          cases::bvpCases, false);
 }
 
 }  // namespace bw::cli

@@ -4,11 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <random>
 
 #include "bw/core/calibration/blade_length.h"
-#include "bw/core/cases/cases.h"
 
 namespace bw {
 namespace {
@@ -138,26 +136,6 @@ TEST(BladeCalibration, SaysWhatIsMissing) {
   EXPECT_NE(twice.error().message.find("cannot tell"), std::string::npos);
   options.confidence = 1;
   EXPECT_FALSE(calibrateBlade(measured(800), steel(), options));
-}
-
-TEST(LengthCases, AnswersOneMeasurementAndMany) {
-  const Result<CaseAnswer> one = lengthCases(R"({"distance": 600, "height": 120, "angle": 0.6})", {});
-  ASSERT_TRUE(one) << one.error().message;
-  const nlohmann::json single = nlohmann::json::parse(one->json);
-  EXPECT_NEAR(single["length"].get<double>(), bladeLength({600, 120, 0.6})->length, 1e-12);
-  EXPECT_TRUE(single["sensitivity"]["height"].is_number());
-  const Result<CaseAnswer> many = lengthCases(
-      R"({"measurements": [{"distance": 600, "height": 120, "angle": 0.6}, {"distance": 620, "height": 104, "angle": 0.6,
-          "temperature": 20}], "blade": "nicr-flat-5x1"})",
-      {});
-  ASSERT_TRUE(many) << many.error().message;
-  const nlohmann::json calibrated = nlohmann::json::parse(many->json);
-  EXPECT_EQ(calibrated["measurements"].size(), 2u);
-  EXPECT_TRUE(calibrated["interval"]["low"].is_number());
-  EXPECT_NEAR(calibrated["reference_length"]["value"].get<double>(),
-              calibrated["length"].get<double>() / (1 + 1.55e-5 * 330), 1e-9);
-  EXPECT_EQ(lengthCases(R"({"distance": 600, "height": 120})", {})->failed, 1);
-  EXPECT_EQ(lengthCases(R"({"distance": 600, "height": 120, "angel": 0.6, "angle": null})", {})->failed, 1);
 }
 
 }  // namespace bw

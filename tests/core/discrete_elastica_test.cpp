@@ -10,12 +10,10 @@
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/ellint_2.hpp>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <numeric>
 #include <random>
 
 #include "bw/core/base/units.h"
-#include "bw/core/cases/cases.h"
 
 namespace bw {
 namespace {
@@ -258,22 +256,6 @@ TEST(DiscreteElastica, SaysWhatIsWrong) {
   EXPECT_EQ(code(good, options), ErrorCode::badInput);
   // Steep tangents, long segments: the inner ones cannot reach.
   EXPECT_EQ(code({{0, 0}, {390, 0}, 1.5, -1.5, 400}, {4}), ErrorCode::noSolution);
-}
-
-TEST(DiscreteCases, AnswersLikeTheLibrary) {
-  const Result<CaseAnswer> answer = discreteCases(
-      R"({"start": [0, 0], "end": [300, 0], "start_angle": 0.4, "end_angle": -0.4, "length": 400, "segments": 50,
-          "sketch": {"type": "bezier", "poles": [[0,0],[150,200],[300,0]]}})",
-      {});
-  ASSERT_TRUE(answer) << answer.error().message;
-  const nlohmann::json result = nlohmann::json::parse(answer->json);
-  EXPECT_EQ(result["vertices"].size(), 51u);
-  EXPECT_EQ(result["turning_angles"].size(), 49u);
-  EXPECT_TRUE(result["stable"].get<bool>());
-  EXPECT_NEAR(result["elastica"]["length"].get<double>(), 400, 1e-12);
-  EXPECT_EQ(
-      discreteCases(R"({"start": [0, 0], "end": [300, 0], "start_angle": 0.4, "end_angle": 0})", {})->failed,
-      1);
 }
 
 }  // namespace bw

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <random>
 #include <string>
@@ -15,7 +14,6 @@
 
 #include "blade_problems.h"
 #include "bw/core/base/units.h"
-#include "bw/core/cases/cases.h"
 #include "bw/core/elastica/elastica_bvp.h"
 
 namespace bw {
@@ -23,7 +21,6 @@ namespace bw {
 using namespace test;
 
 using Eigen::Vector2d;
-using nlohmann::json;
 
 TEST(HingedBlade, OwnAnswersLeadToThemselves) {
   std::mt19937 engine(5);
@@ -135,25 +132,6 @@ TEST(HeldBlade, IsNotSaidToSnapWhereItIsPulledTaut) {
       EXPECT_FALSE(pulled->snapsAt) << angle << " " << share << " " << pulled->message;
       EXPECT_NEAR(pulled->solutions[0].energy, rest->solutions[0].energy, 1e-9 * rest->solutions[0].energy);
     }
-  }
-}
-
-TEST(HeldBlade, TurnedOverFindsItsRestWithinTheWorkOfACase) {
-  for (const double angle : {1.0, 1.5, 2.0}) {
-    const json object = {{"start", {0, 0}},
-                         {"end", {80, 0}},
-                         {"start_angle", -angle},
-                         {"end_angle", angle},
-                         {"length", 100},
-                         {"initial",
-                          {{"start", {0, 0}},
-                           {"start_angle", 0.9},
-                           {"start_curvature", 0.0013437097792622541},
-                           {"force", {0.0011623964496133192, 0}},
-                           {"length", 100}}}};
-    const Result<CaseAnswer> answer = bvpCases(object.dump(), {});
-    ASSERT_TRUE(answer);
-    EXPECT_EQ(answer->failed, 0) << answer->json;
   }
 }
 

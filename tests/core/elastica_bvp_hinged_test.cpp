@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <random>
 #include <string>
@@ -14,7 +13,6 @@
 #include "blade_problems.h"
 #include "bw/core/base/units.h"
 #include "bw/core/calibration/blade_length.h"
-#include "bw/core/cases/cases.h"
 #include "bw/core/elastica/elastica_bvp.h"
 
 namespace bw {
@@ -259,28 +257,6 @@ TEST(HingedBlade, SurvivesWildProblems) {
   }
   EXPECT_GT(solved, 130);
   EXPECT_GT(refused, 0);
-}
-
-TEST(BvpCases, NullAnglesAreHinges) {
-  const auto answer = [](const std::string& angles) {
-    const Result<CaseAnswer> result =
-        bvpCases(R"({"start": [0, 0], "end": [600, 0], "length": 800, )" + angles + "}", {});
-    EXPECT_TRUE(result);
-    return nlohmann::json::parse(result->json);
-  };
-  const nlohmann::json both = answer(R"("start_angle": null, "end_angle": null, "all": true)");
-  EXPECT_EQ(both["case"], "buckling");
-  EXPECT_GE(both["solutions"].size(), 10u);
-  EXPECT_EQ(both["other_stable"], 1);
-  EXPECT_EQ(both["solutions"][0]["sensitivity"]["per_deg"], 0.0);
-  EXPECT_TRUE(both["solutions"][0]["inflections"].empty());
-  const nlohmann::json one = answer(R"("start_angle": 0.3, "end_angle": null)");
-  EXPECT_EQ(one["case"], "general");
-  EXPECT_TRUE(one["solutions"][0]["stable"]);
-  EXPECT_GT(one["solutions"][0]["sensitivity"]["per_deg"], 0.1);
-  EXPECT_NEAR(one["solutions"][0]["elastica"]["start_angle"], 0.3, 1e-12);
-  const nlohmann::json missing = answer(R"("start_angle": null)");
-  EXPECT_NE(missing["error"]["message"].get<std::string>().find("null for a hinged end"), std::string::npos);
 }
 
 }  // namespace bw

@@ -7,11 +7,8 @@
 #include <cmath>
 #include <random>
 
-#include <nlohmann/json.hpp>
-
 #include "blade_problems.h"
 #include "bw/core/base/units.h"
-#include "bw/core/cases/cases.h"
 #include "bw/core/elastica/elastica_bvp.h"
 
 namespace bw {
@@ -79,25 +76,6 @@ TEST(ClampedBlade, WhatSlidesIsNeverStable) {
       }
     }
   }
-}
-
-TEST(BvpCases, TellOtherStableShapesAndSliding) {
-  const auto answer = [](const char* text) {
-    const Result<CaseAnswer> result = bvpCases(text, {});
-    EXPECT_TRUE(result);
-    return result ? nlohmann::json::parse(result->json) : nlohmann::json();
-  };
-  const nlohmann::json one = answer(
-      R"({"start": [0, 0], "end": [720, 0], "start_angle": 0.1, "end_angle": -0.1, "length": 800, "max_turning": 3})");
-  EXPECT_EQ(one["solutions"].size(), 1u);
-  EXPECT_EQ(one["solutions"][0]["sliding"], false);
-  EXPECT_EQ(one["other_stable"], 1);
-  EXPECT_GT(one["next_energy"].get<double>(), one["solutions"][0]["energy"].get<double>());
-  EXPECT_NEAR(one["next_turning"].get<double>(), -0.2, 1e-12);
-  const nlohmann::json alone = answer(
-      R"({"start": [0, 0], "end": [780, 0], "start_angle": 1, "end_angle": -1, "length": 800, "max_turning": 3})");
-  EXPECT_EQ(alone["other_stable"], 0);
-  EXPECT_TRUE(alone["next_energy"].is_null());
 }
 
 TEST(ClampedBlade, AdviceOnGripsTooFarApartHelps) {

@@ -34,13 +34,15 @@ TEST(Frame, AnglesRoundTripThroughTheRotation) {
   }
 }
 
-TEST(Box, ContainsItsCornersAndNothingBeyond) {
+TEST(Box, SpansItsCornersAboutItsCenter) {
   const Box box{
       Frame{{10, 0, 0}, Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitX()},
       {1, 2, 3}};
-  for (const Eigen::Vector3d& corner : box.corners()) EXPECT_TRUE(box.contains(corner, 1e-12));
-  EXPECT_FALSE(box.contains(box.center() + Eigen::Vector3d(1.6, 0, 0)));
-  EXPECT_TRUE(box.contains(box.center() + Eigen::Vector3d(1.4, 0, 0)));
+  // The axes are exchanged: the first edge lies along y, the second along z, the third along x.
+  const Eigen::Vector3d half(1.5, 0.5, 1);
+  for (const Eigen::Vector3d& corner : box.corners())
+    EXPECT_LT(((corner - box.center()).cwiseAbs() - half).norm(), 1e-12);
+  EXPECT_LT((box.center() - Eigen::Vector3d(11.5, 0.5, 1)).norm(), 1e-12);
 }
 
 }  // namespace bw

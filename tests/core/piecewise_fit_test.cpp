@@ -7,10 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 #include "bw/core/base/units.h"
-#include "bw/core/cases/cases.h"
 #include "test_curves.h"
 
 namespace bw {
@@ -282,37 +280,6 @@ TEST(PiecewiseFit, BadOptionsAreNamed) {
   options = {};
   options.tolerance = 0;
   EXPECT_EQ(fitPiecewise(wave(), options).error().where, "tolerance");
-}
-
-TEST(PiecewiseCases, AreTheSameForAnyNumberOfThreads) {
-  std::string text = R"({"cases": [)";
-  for (int i = 0; i < 8; ++i)
-    text += (i ? "," : "") + std::string(R"({"curve": {"type": "bezier", "poles": [[0,0],[150,260],[300,)") +
-            std::to_string(40 * i - 310) + R"(],[450,270],[600,0]]}, "splits": ")" +
-            (i % 2 ? "optimised" : "uniform") + R"(", "pieces": 3})";
-  text += "]}";
-  std::vector<std::string> outputs;
-  for (const int threads : {1, 4}) {
-    RunContext context;
-    context.threads = threads;
-    nlohmann::json parsed = nlohmann::json::parse(piecewiseCases(text, context)->json);
-    for (nlohmann::json& result : parsed["results"]) result.erase("seconds");
-    outputs.push_back(parsed.dump());
-  }
-  EXPECT_EQ(outputs[0], outputs[1]);
-}
-
-TEST(PiecewiseCases, AnswersWithPiecesAndJoints) {
-  const std::string curve =
-      R"("curve": {"type": "bezier", "poles": [[0,0],[150,260],[300,-310],[450,270],[600,0]]})";
-  const CaseAnswer answer =
-      piecewiseCases("{" + curve + R"(, "pieces": 3, "position": 0.1, "angle_deg": 1})", {}).value();
-  EXPECT_EQ(answer.failed, 0);
-  for (const char* key :
-       {"\"elastica\"", "\"joints\"", "\"angle_deg\"", "\"splits\"", "\"R4\"", "\"hausdorff\"", "\"status\""})
-    EXPECT_NE(answer.json.find(key), std::string::npos) << key;
-  EXPECT_EQ(piecewiseCases("{" + curve + R"(, "splits": [0.3, 0.3]})", {})->failed, 1);
-  EXPECT_EQ(piecewiseCases("{" + curve + "}", {})->failed, 1);
 }
 
 }  // namespace bw

@@ -7,11 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <random>
 
 #include "bw/core/base/units.h"
-#include "bw/core/cases/cases.h"
 #include "bw/core/elastica/elastica_bvp.h"
 
 namespace bw {
@@ -318,23 +316,6 @@ TEST(DuckSpline, SaysWhatIsWrong) {
   options.mode = DuckOptions::Lengths::given;
   EXPECT_EQ(splineThroughDucks(kDucks, options).error().where, "lengths");
   EXPECT_NEAR(splineThroughDucks({{0, 0}, {1, 0}, {2, 0}})->energy, 0, 1e-20);
-}
-
-TEST(SplineCases, AnswersAllKinds) {
-  using nlohmann::json;
-  const Result<CaseAnswer> answer = splineCases(R"({"cases": [
-    {"points": [[0,0],[100,40],[220,30]]}, {"kind": "cubic", "points": [[0,0],[100,40],[220,30]], "start_angle": 1},
-    {"kind": "bezier", "points": [[0,0],[100,40],[220,30]]}, {"poles": [[0,0],[200,150],[400,150],[600,0]]},
-    {"points": [[0,0],[100,40]], "lengths": [90]}]})",
-                                                {});
-  ASSERT_TRUE(answer) << answer.error().message;
-  const json results = json::parse(answer->json)["results"];
-  EXPECT_EQ(results[0]["pieces"].size(), 2u);
-  EXPECT_EQ(results[1]["curve"]["poles"].size(), 5u);
-  EXPECT_EQ(results[2]["pieces"][0]["poles"].size(), 4u);
-  EXPECT_LT(results[3]["deviation"].get<double>(), 5);
-  EXPECT_EQ(results[4]["error"]["code"], "no-solution");
-  EXPECT_EQ(answer->failed, 1);
 }
 
 }  // namespace bw

@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include "bw/core/cases/cases.h"
+#include <nlohmann/json.hpp>
+
 #include "bw/core/design/design.h"
 #include "bw/core/files/file_set.h"
 #include "bw/core/motion/cell.h"
+#include "bw/core/text/json_reader.h"
 #include "bw/core/text/printable.h"
 
 namespace bw {
@@ -45,7 +47,7 @@ TEST(TextLimits, DepthIsBoundedWhereverJsonIsRead) {
     EXPECT_EQ(result.error().code, ErrorCode::badInput);
     EXPECT_NE(result.error().message.find("128 deep"), std::string::npos) << result.error().message;
   };
-  refused(fitCases(deep, {}));
+  refused(parseJsonText(deep, "the input"));
   refused(parseJob(deep));
   refused(parseDesign(deep));
   refused(parseCell(deep, "deep"));
@@ -55,18 +57,16 @@ TEST(TextLimits, ValuesAreCountedWhileReading) {
   std::string many = "[";
   for (int i = 0; i < 20'000'001; ++i) many += "0,";
   many += "0]";
-  const Result<CaseAnswer> answer = fitCases(many, {});
-  ASSERT_FALSE(answer);
-  EXPECT_NE(answer.error().message.find("20 million values"), std::string::npos) << answer.error().message;
+  const Result<nlohmann::json> read = parseJsonText(many, "the input");
+  ASSERT_FALSE(read);
+  EXPECT_NE(read.error().message.find("20 million values"), std::string::npos) << read.error().message;
 }
 
 TEST(TextLimits, AListCountsOnce) {
   std::string lists = "[";
   for (int i = 0; i < 10'100'000; ++i) lists += "[],";
   lists += "[]]";
-  const Result<CaseAnswer> answer = fitCases(lists, {});
-  ASSERT_FALSE(answer);
-  EXPECT_EQ(answer.error().message.find("million values"), std::string::npos) << answer.error().message;
+  EXPECT_TRUE(parseJsonText(lists, "the input"));
 }
 
 TEST(TextLimits, FilesAboveTheLimitAreRefusedByTheirSize) {

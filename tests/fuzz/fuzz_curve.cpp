@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "bw/core/cases/cases.h"
 #include "bw/robotio/program.h"
+#include "case_runner.h"
 #include "require.h"
 
 namespace {
@@ -29,8 +29,9 @@ void checkMotion(const bw::Result<bw::Motion>& motion) {
   FUZZ_REQUIRE(bw::robotio::writeCsv(*fromJson)->front().bytes == csv->front().bytes);
 }
 
-void checkCurve(const bw::Result<bw::PlanarCurve>& curve) {
-  if (!curve) FUZZ_REQUIRE(!curve.error().message.empty());
+template <typename Value>
+void checkError(const bw::Result<Value>& result) {
+  if (!result) FUZZ_REQUIRE(!result.error().message.empty());
 }
 
 }  // namespace
@@ -39,7 +40,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   checkMotion(bw::robotio::readCsv(text));
   checkMotion(bw::robotio::readJson(text));
-  checkCurve(bw::parseCurveJson(text));
-  checkCurve(bw::parseCurveCsv(text));
+  const auto json = bw::parseJsonText(text, "the curve");
+  checkError(json);
+  if (json) checkError(bw::cases::curveFromJson(*json, "curve"));
+  const auto points = bw::cases::pointsFromCsv(text);
+  checkError(points);
+  if (points) checkError(bw::PlanarCurve::points(*points));
   return 0;
 }

@@ -40,7 +40,9 @@ TEST(AutoBlock, HoldsEveryExample) {
     expectFrame(setup.block.frame);
     for (int i = 0; i <= 20; ++i) {
       for (int j = 0; j <= 20; ++j) {
-        EXPECT_TRUE(setup.block.contains(examplePoint(e.name, i / 20.0, j / 20.0).value(), 1e-3)) << e.name;
+        const Eigen::Vector3d p = examplePoint(e.name, i / 20.0, j / 20.0).value();
+        const Eigen::Array3d half = 0.5 * setup.block.size;
+        EXPECT_TRUE(((setup.block.frame.toLocal(p).array() - half).abs() <= half + 1e-3).all()) << e.name;
       }
     }
     EXPECT_NEAR(setup.direction.norm(), 1, 1e-12);

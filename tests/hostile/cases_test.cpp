@@ -19,9 +19,9 @@
 #include <string>
 #include <vector>
 
-#include "bw/core/cases/cases.h"
+#include "bw/cases/cases.h"
 
-namespace bw {
+namespace bw::cases {
 namespace {
 
 using nlohmann::json;
@@ -303,4 +303,4 @@ TEST(HostileCases, EachIsAnsweredFinitelyOrRefused) {
 }
 
 }  // namespace
-}  // namespace bw
+}  // namespace bw::cases

@@ -213,9 +213,10 @@ Findings compareWithReport(const fs::path& path) {
   for (int level = 0; level <= kLevels; ++level, folder = folder.parent_path()) {
     const Result<std::optional<ReportRecord>> record = readReportRecord(folder);
     if (!record) {
-      const bool unread = record.error().code == ErrorCode::cannotRead;
-      return {finding(Severity::error, unread ? What::unreadable : What::reportDamaged,
-                      folder / "report.json", {}, {}, record.error().message)};
+      if (record.error().code != ErrorCode::cannotRead)
+        return {finding(Severity::error, What::reportDamaged, folder / "report.json")};
+      return {
+          finding(Severity::error, What::unreadable, folder / "report.json", {}, {}, record.error().message)};
     }
     if (*record) return compareInside(**record, whole.lexically_relative(folder));
   }

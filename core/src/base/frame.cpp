@@ -20,11 +20,6 @@ Eigen::Vector3d Box::center() const {
   return frame.toWorld({0.5 * size.x(), 0.5 * size.y()}, 0.5 * size.z());
 }
 
-bool Box::contains(const Eigen::Vector3d& p, double tolerance) const {
-  const Eigen::Vector3d local = frame.toLocal(p);
-  return (local.array() >= -tolerance).all() && (local.array() <= size.array() + tolerance).all();
-}
-
 Eigen::Matrix3d rotationFromAngles(const Eigen::Vector3d& angles) {
   return (Eigen::AngleAxisd(angles.x(), Eigen::Vector3d::UnitX()) *
           Eigen::AngleAxisd(angles.y(), Eigen::Vector3d::UnitY()) *

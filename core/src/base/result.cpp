@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "base/fault_barrier.h"
+#include "bw/core/base/fault_barrier.h"
 
 namespace bw {
 
@@ -29,8 +29,8 @@ const char* errorCodeName(ErrorCode code) {
 }
 
 void checkFailed(const char* condition, const char* file, int line) {
-  if (detail::FaultBarrier::raised())
-    throw detail::Fault(std::string(condition) + " (" + file + ":" + std::to_string(line) + ")");
+  if (FaultBarrier::raised())
+    throw Fault(std::string(condition) + " (" + file + ":" + std::to_string(line) + ")");
   std::fprintf(stderr, "Bladewright found a fault of its own: %s (%s:%d)\n", condition, file, line);
   std::abort();
 }

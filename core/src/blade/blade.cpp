@@ -9,13 +9,13 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <system_error>
 
-#include "blade/blade_json.h"
 #include "bw/core/base/units.h"
+#include "bw/core/blade/blade_json.h"
 #include "bw/core/files/file_set.h"
 #include "bw/core/text/number_text.h"
-#include "text/json_reader.h"
 
 namespace bw {
 
@@ -41,6 +41,9 @@ double Blade::secondMoment() const {
 
 double Blade::minRadius() const { return youngModulus * fibreDistance() * safety / yieldStress; }
 
+namespace {
+
+/// Reads a blade object strictly over the values of `blade`.
 Result<Blade> bladeFromJson(const json& object, const std::string& path, Blade blade) {
   ObjectReader reader(object, path);
   reader.text("name", blade.name);
@@ -60,6 +63,8 @@ Result<Blade> bladeFromJson(const json& object, const std::string& path, Blade b
   if (Result<void> ok = reader.finish(); !ok) return tl::unexpected<Error>(ok.error());
   return blade;
 }
+
+}  // namespace
 
 json bladeToJson(const Blade& blade) {
   static const char* const kSections[] = {"flat", "tube", "rod"};

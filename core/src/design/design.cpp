@@ -7,7 +7,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "blade/blade_json.h"
+#include "bw/core/blade/blade_json.h"
 #include "bw/core/files/file_set.h"
 #include "design/design_keys.h"
 

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "blade/blade_json.h"
 #include "bw/core/base/units.h"
+#include "bw/core/blade/blade_json.h"
 #include "bw/core/design/process_numbers.h"
 #include "bw/core/design/program_formats.h"
 #include "design/face_choice.h"

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bw/core/design/design.h"
-#include "text/json_reader.h"
+#include "bw/core/text/json_reader.h"
 
 namespace bw::detail {
 

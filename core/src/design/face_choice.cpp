@@ -4,6 +4,7 @@
 #include "design/face_choice.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 namespace bw {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "bw/core/design/face_choice.h"
-#include "text/json_reader.h"
+#include "bw/core/text/json_reader.h"
 
 namespace bw {
 

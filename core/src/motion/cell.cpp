@@ -6,13 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "bw/core/base/units.h"
 #include "bw/core/blade/blade.h"
 #include "bw/core/files/file_set.h"
+#include "bw/core/text/json_reader.h"
 #include "bw/core/text/number_text.h"
-#include "text/json_reader.h"
 
 namespace bw {
 

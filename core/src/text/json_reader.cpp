@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "text/json_reader.h"
+#include "bw/core/text/json_reader.h"
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "bw/core/files/file_set.h"

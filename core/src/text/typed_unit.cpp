@@ -6,7 +6,6 @@
 #include <array>
 
 #include "bw/core/base/units.h"
-#include "bw/core/text/typed_number.h"
 
 namespace bw {
 

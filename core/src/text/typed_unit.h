@@ -3,7 +3,9 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace bw {
 
@@ -29,5 +31,9 @@ const TypedUnit* unitAt(const UnitKind& kind, std::string_view text);
 
 /// The kind that has a unit of that whole name; null if none does.
 const UnitKind* kindOfName(std::string_view name);
+
+/// The names of units that a field of unit `unit` reads besides, the commonest first; empty for a bare
+/// number.
+std::vector<std::string> typedUnitNames(std::string_view unit);
 
 }  // namespace bw

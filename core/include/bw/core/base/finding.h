@@ -271,7 +271,7 @@ struct RunMismatch {
     noProgramHere,
     reportNamesNoRun,
     reportMissing,
-    reportDamaged  ///< `text` says it
+    reportDamaged  ///< or of another program
   };
   What what = What::missing;
   std::string file, run = {}, other = {}, text = {};
@@ -296,9 +296,6 @@ struct StationRange {
 struct Place {
   std::optional<StationRange> stations = std::nullopt;
   std::optional<Eigen::Vector3d> point = std::nullopt;  ///< in the file's frame, mm
-
-  /// The station to look at.
-  std::optional<int> station() const { return stations ? std::optional(stations->worst) : std::nullopt; }
 };
 
 /// One finding of a check, as data; `bw/words/findings.h` says it in words.

@@ -38,8 +38,6 @@ struct Box {
   /// The eight corners, x fastest.
   std::array<Eigen::Vector3d, 8> corners() const;
   Eigen::Vector3d center() const;
-  /// True if `p` lies inside or within `tolerance` (mm) of the box.
-  bool contains(const Eigen::Vector3d& p, double tolerance = 0.0) const;
   bool operator==(const Box&) const = default;
 };
 

@@ -20,8 +20,6 @@ class SharedBytes {
   std::size_t size() const { return str().size(); }
   const std::string& str() const;
   operator const std::string&() const { return str(); }  // NOLINT
-  /// Equal bytes have equal hashes, within one run of the program. O(1).
-  std::size_t hash() const { return hash_; }
   void clear() { *this = SharedBytes(); }
 
   /// O(1) between copies and where hashes differ.

@@ -31,10 +31,6 @@ struct NumberDemand {
 /// errors, `badInput`, whose message is one sentence.
 Result<double> readTypedNumber(std::string_view text, const NumberDemand& demand);
 
-/// The names of units that a field of unit `unit` reads besides, the commonest first; empty for a bare
-/// number.
-std::vector<std::string> typedUnitNames(std::string_view unit);
-
 /// The numbers from 0 that a person means by a list such as "1, 3, 5-7", without repetitions, in the order
 /// given. `count`: how many things there are to number, each number must be less. Anything else is an error,
 /// `badInput`, whose message is one sentence about a `thing` ("face").

@@ -6,12 +6,11 @@
 
 #include "bw/core/constructions/spline_constructions.h"
 #include "bw/core/elastica/elastica_stability.h"
-#include "cases/case_runner.h"
-#include "elastica/elastica_json.h"
+#include "case_runner.h"
+#include "elastica_json.h"
 
-namespace bw {
+namespace bw::cases {
 
-using namespace detail;
 using nlohmann::json;
 using nlohmann::ordered_json;
 
@@ -162,4 +161,4 @@ Result<CaseAnswer> splineCases(std::string_view text, const RunContext& context)
   return runCases(text, context, splineCase);
 }
 
-}  // namespace bw
+}  // namespace bw::cases

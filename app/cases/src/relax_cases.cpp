@@ -4,13 +4,12 @@
 #include <chrono>
 
 #include "bw/core/relax/curve_relaxation.h"
-#include "cases/case_runner.h"
-#include "cases/relax_case.h"
-#include "elastica/elastica_json.h"
+#include "case_runner.h"
+#include "elastica_json.h"
+#include "relax_case.h"
 
-namespace bw {
+namespace bw::cases {
 
-using namespace detail;
 using nlohmann::json;
 using nlohmann::ordered_json;
 
@@ -19,8 +18,6 @@ namespace {
 constexpr double kHuge = 1e12;
 
 }  // namespace
-
-namespace detail {
 
 Result<ordered_json> answerRelaxation(ObjectReader& reader, bool& limited) {
   const json* shape = reader.member("curve");
@@ -76,8 +73,6 @@ Result<ordered_json> answerRelaxation(ObjectReader& reader, bool& limited) {
   return result;
 }
 
-}  // namespace detail
-
 namespace {
 
 Result<ordered_json> relaxCase(const json& object, bool& limited) {
@@ -91,4 +86,4 @@ Result<CaseAnswer> relaxCases(std::string_view text, const RunContext& context) 
   return runCases(text, context, relaxCase);
 }
 
-}  // namespace bw
+}  // namespace bw::cases

@@ -6,12 +6,11 @@
 
 #include "bw/core/base/units.h"
 #include "bw/core/elastica/elastica_bvp.h"
-#include "cases/case_runner.h"
-#include "elastica/elastica_json.h"
+#include "case_runner.h"
+#include "elastica_json.h"
 
-namespace bw {
+namespace bw::cases {
 
-using namespace detail;
 using nlohmann::json;
 using nlohmann::ordered_json;
 
@@ -109,4 +108,4 @@ Result<CaseAnswer> bvpCases(std::string_view text, const RunContext& context) {
   return runCases(text, context, bvpCase);
 }
 
-}  // namespace bw
+}  // namespace bw::cases

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "cases/case_runner.h"
+#include "case_runner.h"
 
-namespace bw::detail {
+namespace bw::cases {
 
 /// Runs one case so that it can harm no other: its work is bounded, a fault of our own and numbers that are
 /// not finite become its error. Where the work ended a search, the result says so in its `status` and
@@ -12,4 +12,4 @@ namespace bw::detail {
 Result<nlohmann::ordered_json> runGuarded(const CaseFunction& run, const nlohmann::json& object,
                                           bool& limited, std::int64_t work);
 
-}  // namespace bw::detail
+}  // namespace bw::cases

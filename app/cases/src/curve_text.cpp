@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: MIT
 
 #include "bw/core/text/number_text.h"
-#include "cases/case_runner.h"
+#include "case_runner.h"
 
-namespace bw {
-
-namespace detail {
+namespace bw::cases {
 
 Result<std::vector<Eigen::Vector2d>> pointsFromCsv(std::string_view text) {
   std::vector<Eigen::Vector2d> points;
@@ -41,18 +39,4 @@ Result<std::vector<Eigen::Vector2d>> pointsFromCsv(std::string_view text) {
   return points;
 }
 
-}  // namespace detail
-
-Result<PlanarCurve> parseCurveJson(std::string_view text) {
-  const Result<nlohmann::json> object = parseJsonText(text, "the curve");
-  if (!object) return detail::passOn(object.error());
-  return detail::curveFromJson(*object, "curve");
-}
-
-Result<PlanarCurve> parseCurveCsv(std::string_view text) {
-  Result<std::vector<Eigen::Vector2d>> points = detail::pointsFromCsv(text);
-  if (!points) return detail::passOn(points.error());
-  return PlanarCurve::points(std::move(*points));
-}
-
-}  // namespace bw
+}  // namespace bw::cases

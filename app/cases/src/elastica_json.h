@@ -8,7 +8,7 @@
 #include "bw/core/base/result.h"
 #include "bw/core/elastica/elastica.h"
 
-namespace bw {
+namespace bw::cases {
 
 /// An elastica object as the command line writes it: the regular form, and the thesis's control parameters or
 /// null.
@@ -18,4 +18,4 @@ Result<Elastica> elasticaFromJson(const nlohmann::json& object, const std::strin
 /// {"error": {...}} of a case.
 nlohmann::ordered_json errorToJson(const Error& error);
 
-}  // namespace bw
+}  // namespace bw::cases

@@ -11,10 +11,11 @@
 #include <string_view>
 #include <vector>
 
-#include "bw/core/cases/cases.h"
-#include "text/json_reader.h"
+#include "bw/cases/cases.h"
+#include "bw/core/curve/planar_curve.h"
+#include "bw/core/text/json_reader.h"
 
-namespace bw::detail {
+namespace bw::cases {
 
 /// An error's value to return from a function of any result.
 inline tl::unexpected<Error> passOn(const Error& error) { return tl::unexpected<Error>(error); }
@@ -46,7 +47,7 @@ Result<PlanarCurve> curveFromJson(const nlohmann::json& object, const std::strin
 /// A list of points as [[x, y], …].
 nlohmann::ordered_json pointsToJson(const std::vector<Eigen::Vector2d>& points);
 
-/// Points as text, two numbers a line: see `parseCurveCsv`.
+/// Points as text, two numbers a line as `fitCaseFromCsv` takes them.
 Result<std::vector<Eigen::Vector2d>> pointsFromCsv(std::string_view text);
 
-}  // namespace bw::detail
+}  // namespace bw::cases

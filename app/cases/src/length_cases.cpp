@@ -3,14 +3,13 @@
 
 #include <chrono>
 
-#include "blade/blade_json.h"
+#include "bw/core/blade/blade_json.h"
 #include "bw/core/calibration/blade_length.h"
-#include "cases/case_runner.h"
-#include "elastica/elastica_json.h"
+#include "case_runner.h"
+#include "elastica_json.h"
 
-namespace bw {
+namespace bw::cases {
 
-using namespace detail;
 using nlohmann::json;
 using nlohmann::ordered_json;
 
@@ -142,4 +141,4 @@ Result<CaseAnswer> lengthCases(std::string_view text, const RunContext& context)
   return runCases(text, context, lengthCase);
 }
 
-}  // namespace bw
+}  // namespace bw::cases

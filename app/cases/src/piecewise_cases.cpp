@@ -6,12 +6,11 @@
 #include <algorithm>
 
 #include "bw/core/base/units.h"
-#include "cases/case_runner.h"
-#include "elastica/elastica_json.h"
+#include "case_runner.h"
+#include "elastica_json.h"
 
-namespace bw {
+namespace bw::cases {
 
-using namespace detail;
 using nlohmann::json;
 using nlohmann::ordered_json;
 
@@ -101,4 +100,4 @@ Result<CaseAnswer> piecewiseCases(std::string_view text, const RunContext& conte
   return runCases(text, context, piecewiseCase);
 }
 
-}  // namespace bw
+}  // namespace bw::cases

@@ -4,12 +4,11 @@
 #include <chrono>
 
 #include "bw/core/discrete/discrete_elastica.h"
-#include "cases/case_runner.h"
-#include "elastica/elastica_json.h"
+#include "case_runner.h"
+#include "elastica_json.h"
 
-namespace bw {
+namespace bw::cases {
 
-using namespace detail;
 using nlohmann::json;
 using nlohmann::ordered_json;
 
@@ -94,4 +93,4 @@ Result<CaseAnswer> discreteCases(std::string_view text, const RunContext& contex
   return runCases(text, context, discreteCase);
 }
 
-}  // namespace bw
+}  // namespace bw::cases

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "bw/core/cases/cases.h"
+#include "bw/cases/cases.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,9 @@
 
 #include <nlohmann/json.hpp>
 
-namespace bw {
+#include "case_runner.h"
+
+namespace bw::cases {
 
 using nlohmann::json;
 
@@ -138,65 +140,13 @@ TEST(FitCases, NamesWhatIsWrongWithACurve) {
 }
 
 TEST(CurveCsv, ReadsPointsWithHeaderAndComments) {
-  const Result<PlanarCurve> curve = parseCurveCsv("x,y\n# a comment\n0, 0\n3;4\n\n6\t8 # the end\r\n");
-  ASSERT_TRUE(curve) << curve.error().message;
-  EXPECT_NEAR(curve->length(), 10, 1e-12);
-  const Result<PlanarCurve> bad = parseCurveCsv("0,0\n1,nonsense\n");
+  const auto points = pointsFromCsv("x,y\n# a comment\n0, 0\n3;4\n\n6\t8 # the end\r\n");
+  ASSERT_TRUE(points) << points.error().message;
+  EXPECT_EQ(*points, (std::vector<Eigen::Vector2d>{{0, 0}, {3, 4}, {6, 8}}));
+  const auto bad = pointsFromCsv("0,0\n1,nonsense\n");
   ASSERT_FALSE(bad);
   EXPECT_NE(bad.error().message.find("line 2"), std::string::npos);
-  EXPECT_FALSE(parseCurveCsv(""));
-}
-
-TEST(BvpCases, AnswerOneOrAllShapes) {
-  const Result<CaseAnswer> answer = bvpCases(R"({"cases": [
-    {"start": [0,0], "end": [720,0], "start_angle": 0.4, "end_angle": -0.3, "length": 800},
-    {"start": [0,0], "end": [720,0], "start_angle": 0.4, "end_angle": -0.3, "length": 800, "all": true, "turning": null},
-    {"start": [0,0], "end": [800,0], "start_angle": 0, "end_angle": 0, "length": 800},
-    {"start": [0,0], "end": [810,0], "start_angle": 0, "end_angle": 0, "length": 800},
-    {"start": [0,0], "end": [720,0], "start_angle": 0.4, "end_angle": -0.3, "lenght": 800},
-    {"start": [0,0], "end": [800,0], "start_angle": null, "end_angle": null, "length": 800}]})",
-                                             {});
-  ASSERT_TRUE(answer) << answer.error().message;
-  const json results = json::parse(answer->json)["results"];
-  ASSERT_EQ(results[0]["solutions"].size(), 1u);
-  const json& best = results[0]["solutions"][0];
-  EXPECT_TRUE(best["stable"].get<bool>());
-  EXPECT_GT(best["stability_margin"].get<double>(), 0);
-  EXPECT_GT(best["sensitivity"]["per_mm"].get<double>(), 0.5);
-  EXPECT_GT(results[1]["solutions"].size(), 2u);
-  EXPECT_NEAR(results[1]["solutions"][0]["energy"].get<double>(), best["energy"].get<double>(), 1e-12);
-  EXPECT_EQ(results[2]["case"], "straight");
-  EXPECT_TRUE(results[2]["solutions"][0]["sensitivity"]["per_mm"].is_null());
-  EXPECT_EQ(results[3]["error"]["code"], "no-solution");
-  EXPECT_EQ(results[4]["error"]["code"], "bad-input");
-  EXPECT_TRUE(results[2]["solutions"][0]["sensitivity"]["per_deg"].is_null());
-  EXPECT_EQ(results[5]["case"], "straight");
-  EXPECT_EQ(results[5]["solutions"][0]["sensitivity"]["per_deg"], 0.0) << "there is no angle to turn";
-  EXPECT_EQ(answer->failed, 2);
-}
-
-TEST(BvpCases, StayOnTheBranchOfTheInitialBlade) {
-  // Bowed down on purpose: of the two buckled shapes the one that is asked for.
-  const Result<CaseAnswer> answer = bvpCases(
-      R"({"start": [0,0], "end": [720,0], "start_angle": 0, "end_angle": 0, "length": 800, "all": true})",
-      {});
-  ASSERT_TRUE(answer);
-  const json all = json::parse(answer->json);
-  int seen = 0;
-  for (const json& solution : all["solutions"]) {
-    if (!solution["stable"].get<bool>() || std::abs(solution["turning"].get<double>()) > 1) continue;
-    json object = {{"start", {0, 0}},   {"end", {725, 3}}, {"start_angle", 0.02},
-                   {"end_angle", 0.01}, {"length", 800},   {"initial", solution["elastica"]}};
-    const Result<CaseAnswer> moved = bvpCases(object.dump(), {});
-    ASSERT_TRUE(moved && moved->failed == 0) << moved->first->message;
-    const json result = json::parse(moved->json);
-    EXPECT_TRUE(result["snaps_at"].is_null());
-    EXPECT_GT(result["solutions"][0]["elastica"]["start_curvature"].get<double>() *
-                  solution["elastica"]["start_curvature"].get<double>(),
-              0);
-    ++seen;
-  }
-  EXPECT_EQ(seen, 2);
+  EXPECT_EQ(fitCases(fitCaseFromCsv("").value(), {})->failed, 1);
 }
 
 TEST(FitCases, TheForecastDoesNotDependOnTheStart) {
@@ -212,4 +162,4 @@ TEST(FitCases, TheForecastDoesNotDependOnTheStart) {
   EXPECT_EQ(warm["approximable"], cold["approximable"]);
 }
 
-}  // namespace bw
+}  // namespace bw::cases

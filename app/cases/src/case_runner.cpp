@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "cases/case_runner.h"
+#include "case_runner.h"
 
 #include <cmath>
 #include <optional>
 
-#include "cases/case_guard.h"
-#include "elastica/elastica_json.h"
+#include "case_guard.h"
+#include "elastica_json.h"
 
-namespace bw::detail {
+namespace bw::cases {
 
 using nlohmann::json;
 using nlohmann::ordered_json;
@@ -154,4 +154,4 @@ Result<CaseAnswer> runCases(std::string_view text, const RunContext& context, co
   return answer;
 }
 
-}  // namespace bw::detail
+}  // namespace bw::cases

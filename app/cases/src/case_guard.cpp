@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "cases/case_guard.h"
+#include "case_guard.h"
 
 #include <cmath>
 #include <exception>
 #include <optional>
 
-#include "base/fault_barrier.h"
-#include "base/work_meter.h"
+#include "bw/core/base/fault_barrier.h"
+#include "bw/core/base/work_meter.h"
 
-namespace bw::detail {
+namespace bw::cases {
 
 using nlohmann::json;
 using nlohmann::ordered_json;
@@ -79,4 +79,4 @@ Result<ordered_json> runGuarded(const CaseFunction& run, const json& object, boo
   }
 }
 
-}  // namespace bw::detail
+}  // namespace bw::cases

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "elastica/elastica_json.h"
+#include "elastica_json.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string_view>
 
-#include "text/json_reader.h"
+#include "bw/core/text/json_reader.h"
 
-namespace bw {
+namespace bw::cases {
 
 using nlohmann::json;
 using nlohmann::ordered_json;
@@ -125,4 +125,4 @@ ordered_json errorToJson(const Error& error) {
   return {{"error", object}};
 }
 
-}  // namespace bw
+}  // namespace bw::cases

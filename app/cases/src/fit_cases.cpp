@@ -5,13 +5,12 @@
 
 #include <span>
 
-#include "cases/case_runner.h"
-#include "cases/relax_case.h"
-#include "elastica/elastica_json.h"
+#include "case_runner.h"
+#include "elastica_json.h"
+#include "relax_case.h"
 
-namespace bw {
+namespace bw::cases {
 
-using namespace detail;
 using nlohmann::json;
 using nlohmann::ordered_json;
 
@@ -136,4 +135,4 @@ Result<std::string> fitCaseFromCsv(std::string_view text) {
   return json{{"curve", {{"type", "points"}, {"points", pointsToJson(*points)}}}}.dump();
 }
 
-}  // namespace bw
+}  // namespace bw::cases

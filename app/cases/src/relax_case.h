@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "cases/case_runner.h"
+#include "case_runner.h"
 
-namespace bw::detail {
+namespace bw::cases {
 
 /// The spline of least bending energy near a curve: reads the rest of a case and answers it
 /// (docs/command-line.md, `relax`).
 Result<nlohmann::ordered_json> answerRelaxation(ObjectReader& reader, bool& limited);
 
-}  // namespace bw::detail
+}  // namespace bw::cases

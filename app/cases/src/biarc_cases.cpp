@@ -6,11 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cases/case_runner.h"
+#include "case_runner.h"
 
-namespace bw {
+namespace bw::cases {
 
-using namespace detail;
 using nlohmann::json;
 using nlohmann::ordered_json;
 
@@ -230,4 +229,4 @@ Result<std::string> biarcCaseFromCsv(std::string_view text) {
   return json{{"points", pointsToJson(*points)}}.dump();
 }
 
-}  // namespace bw
+}  // namespace bw::cases

@@ -4,12 +4,11 @@
 #include <chrono>
 
 #include "bw/core/elastica/elastica.h"
-#include "cases/case_runner.h"
-#include "elastica/elastica_json.h"
+#include "case_runner.h"
+#include "elastica_json.h"
 
-namespace bw {
+namespace bw::cases {
 
-using namespace detail;
 using nlohmann::json;
 using nlohmann::ordered_json;
 
@@ -63,4 +62,4 @@ Result<CaseAnswer> elasticaCases(std::string_view text, const RunContext& contex
   return runCases(text, context, elasticaCase);
 }
 
-}  // namespace bw
+}  // namespace bw::cases

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "bw/core/cases/cases.h"
+#include "bw/cases/cases.h"
 
-namespace bw {
+namespace bw::cases {
 namespace {
 
 using nlohmann::json;
@@ -132,4 +132,4 @@ TEST(CaseLimits, EachCaseHasItsOwnWork) {
 }
 
 }  // namespace
-}  // namespace bw
+}  // namespace bw::cases

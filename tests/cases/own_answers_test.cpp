@@ -15,10 +15,10 @@
 #include <nlohmann/json.hpp>
 
 #include "architect_curves.h"
+#include "bw/cases/cases.h"
 #include "bw/core/base/units.h"
-#include "bw/core/cases/cases.h"
 
-namespace bw {
+namespace bw::cases {
 
 namespace {
 
@@ -181,4 +181,4 @@ TEST(OwnAnswers, OfFitsLeadToThemselves) {
   }
 }
 
-}  // namespace bw
+}  // namespace bw::cases

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-namespace bw::detail {
+namespace bw {
 
 /// What a failed BW_CHECK throws behind a barrier.
 class Fault : public std::logic_error {
@@ -26,4 +26,4 @@ class FaultBarrier {
   static inline constinit thread_local int raised_ = 0;
 };
 
-}  // namespace bw::detail
+}  // namespace bw

@@ -9,9 +9,8 @@
 
 #include "bw/core/base/result.h"
 #include "bw/core/base/run_context.h"
-#include "bw/core/curve/planar_curve.h"
 
-namespace bw {
+namespace bw::cases {
 
 /// What a numeric verb of the command line answers.
 struct CaseAnswer {
@@ -29,6 +28,10 @@ Result<CaseAnswer> elasticaCases(std::string_view json, const RunContext& contex
 /// `blade fit`: cases {curve, options} to the fitted elastica and its residuals.
 Result<CaseAnswer> fitCases(std::string_view json, const RunContext& context);
 
+/// A `fit` case for a chain of points as text: two numbers a line, separated by comma, semicolon, tab or
+/// blank; '#' starts a comment; one header line is skipped. Errors name the line.
+Result<std::string> fitCaseFromCsv(std::string_view text);
+
 /// `blade piecewise`: cases {curve, splits | pieces | tolerance, options} to a chain of elastica and its
 /// joints.
 Result<CaseAnswer> piecewiseCases(std::string_view json, const RunContext& context);
@@ -38,7 +41,7 @@ Result<CaseAnswer> piecewiseCases(std::string_view json, const RunContext& conte
 Result<CaseAnswer> biarcCases(std::string_view json, const RunContext& context,
                               std::vector<std::string>* pictures = nullptr);
 
-/// A `biarc` case for a chain of points, from such a text as `parseCurveCsv` takes.
+/// A `biarc` case for a chain of points, from such a text as `fitCaseFromCsv` takes.
 Result<std::string> biarcCaseFromCsv(std::string_view text);
 
 /// `blade discrete`: cases {start, end, start_angle, end_angle, length, segments, …} to a polyline of least
@@ -60,14 +63,4 @@ Result<CaseAnswer> bvpCases(std::string_view json, const RunContext& context);
 /// {poles} to the elastica near a cubic Bézier.
 Result<CaseAnswer> splineCases(std::string_view json, const RunContext& context);
 
-/// The curve object of a case, as JSON text: {"type": "bezier" | "bspline" | "points", …}.
-Result<PlanarCurve> parseCurveJson(std::string_view json);
-
-/// A chain of points as text, two numbers a line separated by comma, semicolon, tab or blank; '#' starts a
-/// comment; one header line is skipped. Errors name the line.
-Result<PlanarCurve> parseCurveCsv(std::string_view text);
-
-/// A `fit` case for a chain of points, from such a text.
-Result<std::string> fitCaseFromCsv(std::string_view text);
-
-}  // namespace bw
+}  // namespace bw::cases
