@@ -67,6 +67,7 @@ int main(int argc, char** argv) {
   QSurfaceFormat::setDefaultFormat(bw::view::SceneView::surfaceFormat());
   QApplication application(argc, argv);
   QApplication::setApplicationName("bladewright");
+  QApplication::setDesktopFileName("bladewright");  // whose icon a Wayland desktop shows
   QApplication::setApplicationDisplayName("Bladewright");
   QApplication::setApplicationVersion(BW_VERSION);
 
