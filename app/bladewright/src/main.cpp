@@ -15,12 +15,12 @@
 #include "bw/core/text/printable.h"
 #include "bw/pipeline/exit_status.h"
 #include "bw/view/scene_view.h"
+#include "window/change_timer.h"
 #include "window/display_check.h"
 #include "window/end_of_session.h"
 #include "window/main_window.h"
 #include "window/options.h"
 #include "window/picture_file.h"
-#include "workbench/change_timer.h"
 
 namespace {
 
@@ -67,6 +67,7 @@ int main(int argc, char** argv) {
   QSurfaceFormat::setDefaultFormat(bw::view::SceneView::surfaceFormat());
   QApplication application(argc, argv);
   QApplication::setApplicationName("bladewright");
+  QApplication::setDesktopFileName("bladewright");  // whose icon a Wayland desktop shows
   QApplication::setApplicationDisplayName("Bladewright");
   QApplication::setApplicationVersion(BW_VERSION);
 

@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <thread>
+#include <vector>
 
 namespace bw {
 
@@ -41,8 +43,20 @@ Result<void> parallelFor(const RunContext& context, int count, const std::functi
     } else {
       // More workers than cores would have the library warn on standard error, and be no quicker.
       const int cores = tbb::info::default_concurrency();
-      tbb::task_arena arena(context.threads > 0 ? std::min(context.threads, cores) : cores);
+      const int workers = context.threads > 0 ? std::min(context.threads, cores) : cores;
+#ifdef __SANITIZE_THREAD__
+      // The library is not built with the sanitizer, which would not see what its workers hand to each other.
+      std::atomic<int> next = 0;
+      std::vector<std::jthread> threads;
+      for (int k = 0; k < workers; ++k)
+        threads.emplace_back([&] {
+          for (int i = next++; i < count; i = next++) run(i);
+        });
+      threads.clear();
+#else
+      tbb::task_arena arena(workers);
       arena.execute([&] { tbb::parallel_for(0, count, run); });
+#endif
     }
   } catch (const std::exception& e) {
     return fail(ErrorCode::internal, std::string("a parallel step failed: ") + e.what());

@@ -128,12 +128,10 @@ Result<fs::path> resourceFolder() {
         "bladewright";
     if (fs::is_directory(installed, error)) return installed;
   }
-  const fs::path source = BW_SOURCE_RESOURCES;
-  if (fs::is_directory(source, error)) return source;
-  return fail(ErrorCode::cannotRead,
-              "the resource folder was not found beside the program or at " + source.string() +
-                  "; set BLADEWRIGHT_RESOURCES to it",
-              source.string());
+  return fail(
+      ErrorCode::cannotRead,
+      "the resource folder share/bladewright was not found beside the folder of the program; install the "
+      "program whole, or set BLADEWRIGHT_RESOURCES to its resources");
 }
 
 Result<std::vector<Blade>> bladePresets() {

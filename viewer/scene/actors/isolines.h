@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "scene/actors/polyline.h"
+#include "scene/render/polyline.h"
 
 namespace bw::scene {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "bw/scene/scene.h"
-#include "scene/actors/polyline.h"
 #include "scene/camera/picking.h"
+#include "scene/render/polyline.h"
 #include "scene/render/vtk_tools.h"
 
 namespace bw::scene {

@@ -5,7 +5,7 @@
 #include "bw/core/base/frame.h"
 #include "bw/core/surface/mesh.h"
 #include "bw/scene/scene.h"
-#include "scene/actors/polyline.h"
+#include "scene/render/polyline.h"
 
 namespace bw::scene {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bw/scene/scene.h"
-#include "scene/actors/polyline.h"
+#include "scene/render/polyline.h"
 #include "scene/render/vtk_tools.h"
 
 class vtkRenderer;

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "bw/scene/scene.h"
-#include "scene/actors/polyline.h"
 #include "scene/camera/picking.h"
+#include "scene/render/polyline.h"
 
 namespace bw::scene {
 

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "scene/actors/polyline.h"
+#include "scene/render/polyline.h"
 #include "scene/theme.h"
 
 namespace bw::scene {

@@ -11,8 +11,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "controls/history_keys.h"
 #include "controls/theme.h"
-#include "window/history_keys.h"
 
 namespace bw::app {
 

@@ -11,7 +11,7 @@
 #include "bw/core/text/number_text.h"
 #include "controls/fields.h"
 #include "controls/numbers.h"
-#include "window/messages.h"
+#include "controls/severity.h"
 
 namespace bw::app {
 

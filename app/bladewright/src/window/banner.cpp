@@ -8,7 +8,7 @@
 #include <algorithm>
 
 #include "bw/core/text/printable.h"
-#include "window/messages.h"
+#include "controls/severity.h"
 
 namespace bw::app {
 

@@ -9,18 +9,9 @@
 #include <algorithm>
 
 #include "bw/words/findings.h"
+#include "controls/severity.h"
 
 namespace bw::app {
-
-QColor severityColour(Severity severity, const Colours& colours) {
-  return severity == Severity::error     ? colours.error
-         : severity == Severity::warning ? colours.warning
-                                         : colours.selection;
-}
-
-QString severityIcon(Severity severity) {
-  return severity == Severity::error ? "error" : severity == Severity::warning ? "warning" : "info";
-}
 
 MessageList::MessageList(Workbench& bench, const Theme& theme, QWidget* parent)
     : QListWidget(parent), bench_(bench), theme_(theme) {

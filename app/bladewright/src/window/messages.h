@@ -47,8 +47,4 @@ class MessagePanel : public QWidget {
   QWidget* row_;
 };
 
-/// The colour and icon of a severity.
-QColor severityColour(Severity severity, const Colours& colours);
-QString severityIcon(Severity severity);
-
 }  // namespace bw::app

@@ -22,10 +22,10 @@ namespace bw::app {
 
 namespace {
 
-constexpr int kWidth = 640;          ///< of a picture on the page, in its pixels of 1/96 inch
-constexpr int kResolution = 96;      ///< dots per inch that the page is laid out in
-constexpr double kMargin = 15;       ///< mm
-constexpr double kFooter = 24;       ///< height of the footer, in dots of the layout
+constexpr int kWidth = 640;           ///< of a picture on the page, in its pixels of 1/96 inch
+constexpr int kResolution = 96;       ///< dots per inch that the page is laid out in
+constexpr double kMargin = 15;        ///< mm
+constexpr double kFooter = 24;        ///< height of the footer, in dots of the layout
 constexpr double kHeadingRoom = 140;  ///< below a heading, in dots of the layout
 constexpr const char* kProgram = "Bladewright " BW_VERSION;
 

@@ -50,7 +50,7 @@ Result<std::vector<Blade>> bladePresets();
 Result<Blade> bladePreset(const std::string& name);
 
 /// The folder with blades/, cells/, examples/, …: the environment variable BLADEWRIGHT_RESOURCES, else
-/// ../share/bladewright beside the program, else the source tree that the program was built from.
+/// ../share/bladewright as seen from the folder of the program (in a build tree a link to the sources).
 Result<std::filesystem::path> resourceFolder();
 
 }  // namespace bw

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
-#include "window/history_keys.h"
+#include "controls/history_keys.h"
 
 #include <QKeyEvent>
 

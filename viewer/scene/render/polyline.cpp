@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "scene/actors/polyline.h"
+#include "scene/render/polyline.h"
 
 #include <algorithm>
 #include <cmath>

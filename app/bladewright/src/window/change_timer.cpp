@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
-#include "workbench/change_timer.h"
+#include "window/change_timer.h"
 
 #include <algorithm>
 
