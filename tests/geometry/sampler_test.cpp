@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "example_shapes.h"
 #include "shapes.h"
 
 namespace bw::geometry::test {
@@ -77,7 +78,7 @@ TEST(FaceSampler, NoSampleOfTheSurfaceIsNearerThanTheFoot) {
   const auto sampler = exampleTarget(name).sampler();
   std::vector<Eigen::Vector3d> samples;
   for (int i = 0; i <= 210; ++i) {
-    for (int j = 0; j <= 120; ++j) samples.push_back(examplePoint(name, i / 210.0, j / 120.0).value());
+    for (int j = 0; j <= 120; ++j) samples.push_back(examplePoint(name, i / 210.0, j / 120.0));
   }
   std::mt19937_64 engine(6);
   std::uniform_real_distribution<double> x(-200, 4400), y(-200, 2600), z(-600, 600);
@@ -118,7 +119,7 @@ TEST(FaceSampler, PointBesideTheFaceGoesToItsBorder) {
     ASSERT_TRUE(foot);
     EXPECT_TRUE(foot->onBoundary) << name;
     EXPECT_NEAR(foot->point.x(), b.max.x(), kAccuracy) << name;
-    const Eigen::Vector3d corner(b.max.x(), b.max.y(), examplePoint(name, 1, 1)->z());
+    const Eigen::Vector3d corner(b.max.x(), b.max.y(), examplePoint(name, 1, 1).z());
     const auto atCorner = sampler->closest(corner + Eigen::Vector3d(50, 50, 0), nullptr);
     ASSERT_TRUE(atCorner);
     EXPECT_NEAR((atCorner->point - corner).norm(), 0, 1e-5) << name;
