@@ -98,12 +98,14 @@ Findings Evaluation::findings() const {
   Findings all;
   for (const Findings* list :
        {&sourceFindings, &source.findings, &target.findings, &placed.findings, &directions.findings,
-        &sections.findings, &fits.findings, &sweep.findings, &cell.findings, &programs})
+        confirmed.value ? &confirmed.findings : &sections.findings, &fits.findings, &sweep.findings,
+        &cell.findings, &programs})
     all.insert(all.end(), list->begin(), list->end());
   return all;
 }
 
-Outcome evaluate(const Design& design, const Evaluation* previous, const RunContext& context) {
+Outcome evaluate(const Design& design, const Evaluation* previous, const RunContext& context,
+                 Purpose purpose) {
   Outcome outcome;
   Evaluation& e = outcome.evaluation;
   e.design = design;
@@ -167,8 +169,21 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
   if (!ok) return stop(ok.error());
   if (context.stopped()) return stop(stoppedError().value());
 
-  const std::vector<Section>& sections = *e.sections.value;
-  ok = settle(e.fits, before(&Evaluation::fits), {*e.setup, ask.fit}, {e.sections.value}, none,
+  std::shared_ptr<const std::vector<Section>> row = e.sections.value;
+  if (purpose == Purpose::files && ask.sections.route == SectionRoute::automatic) {
+    ok = settle(
+        e.confirmed, before(&Evaluation::confirmed), {*e.setup, ask.sections}, {e.sections.value},
+        e.seconds.sections,
+        [&context, &target, &traced = e.sections.findings](const PlanesRequest& request, Findings& findings) {
+          findings = traced;
+          return geometry::confirmSections(target, request.setup, request.sections, context, findings);
+        });
+    if (!ok) return stop(ok.error());
+    if (e.confirmed.value->has_value()) row = {e.confirmed.value, &**e.confirmed.value};
+  }
+
+  const std::vector<Section>& sections = *row;
+  ok = settle(e.fits, before(&Evaluation::fits), {*e.setup, ask.fit}, {row}, none,
               [&context, &sections, &seconds = e.seconds](const RowRequest& request, Findings& findings) {
                 context.report(0.6, "fitting");
                 return buildSweep(sections, request.fit, request.setup.block, request.setup.direction,

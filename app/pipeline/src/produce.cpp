@@ -26,6 +26,20 @@ Result<FileSet> filesOf(Evaluation& evaluation, const Policy& policy, const RunC
   return files;
 }
 
+/// Has OpenCASCADE confirm the sections of an evaluation that was looked at, and makes anew what hangs on
+/// those that it takes over. A source that is another by now is left to `storedDesign`, which says so.
+void confirm(Product& product, const RunContext& context) {
+  Evaluation& standing = product.evaluation;
+  if (!standing.sweep.value || standing.confirmed.value) return;
+  Outcome outcome = evaluate(standing.design, &standing, context, Purpose::files);
+  if (outcome.evaluation.source.value != standing.source.value) return;
+  product.error = outcome.error;
+  standing.confirmed = std::move(outcome.evaluation.confirmed);
+  standing.fits = std::move(outcome.evaluation.fits);
+  standing.sweep = std::move(outcome.evaluation.sweep);
+  standing.cell = std::move(outcome.evaluation.cell);
+}
+
 void makeFiles(Product& product, const Policy& policy, const RunContext& context) {
   Result<FileSet> files = filesOf(product.evaluation, policy, context);
   if (files)
@@ -52,7 +66,8 @@ Product produce(const Design& design, const std::filesystem::path& folder, const
         return product;
       }
   }
-  Outcome outcome = evaluate(design, nullptr, context);
+  const Purpose purpose = policy.contents == Contents::evaluation ? Purpose::live : Purpose::files;
+  Outcome outcome = evaluate(design, nullptr, context, purpose);
   product.evaluation = std::move(outcome.evaluation);
   product.error = outcome.error;
   if (!product.error) makeFiles(product, policy, context);
@@ -64,7 +79,8 @@ Product produce(Evaluation evaluation, const std::filesystem::path& folder, cons
   Product product;
   product.seen = folderState(folder);
   product.evaluation = std::move(evaluation);
-  makeFiles(product, policy, context);
+  confirm(product, context);
+  if (!product.error) makeFiles(product, policy, context);
   return product;
 }
 

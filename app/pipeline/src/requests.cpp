@@ -11,7 +11,7 @@ Requests::Requests(const Job& job)
     : read{job.unit, job.sewingTolerance()},
       face(job.face),
       setup{job.block, job.direction},
-      sections{job.stations, job.spacing},
+      sections{job.stations, job.spacing, job.sections},
       fit{job.blade,      job.fitLength, job.fitEndpoints, job.fitTangents,
           job.maxPeriods, job.tolerance, job.clearance},
       check{job.tolerance, job.clearance, job.cuttingSpeed},

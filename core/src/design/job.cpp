@@ -214,6 +214,9 @@ Result<Job> jobFromJson(const json& object, const std::string& path, int& thread
     if (Result<void> ok = inner.finish(); !ok) reader.adopt(inner);
   }
   readStations(reader, job);
+  int route = int(job.sections);
+  reader.word("sections", {kSectionRoutes.begin(), kSectionRoutes.end()}, route);
+  job.sections = SectionRoute(route);
   readBlade(reader, job.blade);
   readFit(reader, job);
   for (const JobNumber& number : jobNumbers())
@@ -250,6 +253,7 @@ json jobToJsonObject(const Job& job) {
     object["stations"] = {{"spacing", *job.spacing}};
   else
     object["stations"] = job.stations;
+  object["sections"] = kSectionRoutes[std::size_t(job.sections)];
   object["blade"] = bladeToJson(job.blade);
   object["fit"] = {{"length", job.fitLength == FitOptions::Length::exact ? "exact" : "free"},
                    {"endpoints", job.fitEndpoints},

@@ -65,6 +65,8 @@ struct Evaluation {
   Stage<RowRequest, DirectionSearch> directions;  ///< only where the job's direction is "auto"
   std::shared_ptr<const geometry::Setup> setup;   ///< `placed` with the direction that was chosen
   Stage<PlanesRequest, std::vector<Section>> sections;
+  /// Only for files: what OpenCASCADE takes over of the traced sections, and the findings in their place.
+  Stage<PlanesRequest, std::optional<std::vector<Section>>> confirmed;
   Stage<RowRequest, Sweep> fits;  ///< the sweep before its checks
   Stage<ResultRequest, SweepResult> sweep;
   Stage<CellRequest, Cell> cell;  ///< only where the job asks for programs; its findings tell how the motion
@@ -81,9 +83,14 @@ struct Outcome {
   std::optional<Error> error = std::nullopt;
 };
 
+/// What an evaluation is for: to be seen while its design changes, or to be written. Sections that were
+/// traced are confirmed by OpenCASCADE only for files.
+enum class Purpose { live, files };
+
 /// Evaluates a design. Stages of `previous` whose keys are unchanged are used again, so that a change
 /// recomputes only what depends on it.
-Outcome evaluate(const Design& design, const Evaluation* previous, const RunContext& context);
+Outcome evaluate(const Design& design, const Evaluation* previous, const RunContext& context,
+                 Purpose purpose = Purpose::live);
 
 /// Adds the triangles of all faces of the file, to choose among them, unless the file has one face only or
 /// was not read. Those of `previous` are used again where the file is the same. A stop leaves them out.

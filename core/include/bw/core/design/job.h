@@ -30,7 +30,8 @@ struct Job {
       direction;                  ///< cutting direction in the file's frame, not zero; empty = "auto"
   int stations = 60;              ///< used unless `spacing` is set; ≥ 2, at most SectionRequest::kMost
   std::optional<double> spacing;  ///< mm between stations
-  double lead = 20;               ///< mm of straight travel before and after the block
+  SectionRoute sections = SectionRoute::automatic;
+  double lead = 20;  ///< mm of straight travel before and after the block
   Blade blade;
   FitOptions::Length fitLength = FitOptions::Length::free;
   bool fitEndpoints = false;
