@@ -8,6 +8,7 @@
 namespace bw::geometry {
 
 inline constexpr int kRootIterations = 60;
+inline constexpr double kBracketed = 1e-15;  ///< relative: a narrower bracket holds one double
 
 /// A root of f in [a, b], where it changes sign: Newton's method, kept within the bracket by bisection. `f(t,
 /// slope)` gives the value and sets the slope; `fa`, `fb` are its values at the ends. Ends where |f| falls
@@ -30,7 +31,7 @@ double bracketedRoot(const Function& f, double a, double fa, double b, double fb
     }
     double next = slope != 0 ? t - ft / slope : a;
     if (!(next > std::min(a, b) && next < std::max(a, b))) next = 0.5 * (a + b);
-    if (next == t || std::abs(b - a) <= 1e-15 * (std::abs(a) + std::abs(b))) break;
+    if (next == t || std::abs(b - a) <= kBracketed * (std::abs(a) + std::abs(b))) break;
     t = next;
   }
   return t;

@@ -6,13 +6,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tolerances.h"
+
 namespace bw::geometry {
 
 namespace {
 
 constexpr int kIterations = 40;
 constexpr int kHalvings = 12;
-constexpr double kAccuracy = 1e-7;  // mm, of the foot
+constexpr double kAccuracy = 1e-7;    // mm, of the foot
+constexpr double kConvexBoth = 1e-9;  // of E G: a smaller determinant of the Hessian is rounding
+constexpr double kBow = 1e-3;         // of an edge's size: so far it may leave the chords of its samples
 constexpr double kLongestLast =
     0.01;  // mm; a longer step is never the last: the jet tells no more of the surface
 
@@ -68,17 +72,17 @@ Eigen::Vector2d descend(const FaceGeometry& face, const Eigen::Vector3d& p, Eige
     double convexity = 0;
     if (holdU) {
       convexity = hvv / G;
-      step.v = -gv / (hvv > 1e-6 * G ? hvv : std::max(G, 1e-300));
+      step.v = -gv / (hvv > kConvex * G ? hvv : std::max(G, kVanishing));
     } else if (holdV) {
       convexity = huu / E;
-      step.u = -gu / (huu > 1e-6 * E ? huu : std::max(E, 1e-300));
+      step.u = -gu / (huu > kConvex * E ? huu : std::max(E, kVanishing));
     } else {
       double det = huu * hvv - huv * huv;
       if (!(huu > 0) ||
-          !(det > 1e-9 * E * G)) {  // not convex here: the first fundamental form leads downhill
-        huu = E * (1 + 1e-9) + 1e-300;
+          !(det > kConvexBoth * E * G)) {  // not convex here: the first fundamental form leads downhill
+        huu = E * (1 + kConvexBoth) + kVanishing;
         huv = F;
-        hvv = G * (1 + 1e-9) + 1e-300;
+        hvv = G * (1 + kConvexBoth) + kVanishing;
         det = huu * hvv - huv * huv;
       } else {
         convexity = det / (huu * G + hvv * E);  // below the smaller eigenvalue: product over sum
@@ -130,7 +134,7 @@ bool footOnEdge(const EdgeGeometry& edge, const Eigen::Vector3d& p, double& limi
                 Eigen::Vector3d& point) {
   if (edge.degenerate() || edge.points.size() < 2) return false;
   const Eigen::Vector3d outside = (edge.bounds.min - p).cwiseMax(p - edge.bounds.max).cwiseMax(0.0);
-  const double slack = 1e-3 * edge.bounds.size().norm();
+  const double slack = kBow * edge.bounds.size().norm();
   if (outside.norm() > limit + slack) return false;
   double best2 = 1e300;
   for (std::size_t i = 1; i < edge.points.size(); ++i) {
@@ -150,11 +154,11 @@ bool footOnEdge(const EdgeGeometry& edge, const Eigen::Vector3d& p, double& limi
     const Eigen::Vector3d r = point - p;
     const double speed2 = d1.squaredNorm();
     const double bend = speed2 + r.dot(d2);
-    const double step = -r.dot(d1) / (bend > 1e-6 * speed2 ? bend : std::max(speed2, 1e-300));
+    const double step = -r.dot(d1) / (bend > kConvex * speed2 ? bend : std::max(speed2, kVanishing));
     const double next = std::clamp(at + step, edge.first, edge.last);
     const double moved = std::abs(next - at) * std::sqrt(speed2);
     at = next;
-    if (moved < 1e-9) break;
+    if (moved < kNoLength) break;
   }
   point = edge.value(at);
   const double distance = (point - p).norm();

@@ -11,6 +11,7 @@ namespace bw::geometry {
 
 namespace {
 
+constexpr double kSingular = 1e-14;  // of a diagonal entry: what is left of it is rounding
 constexpr int kFirstSpans = 4;
 constexpr int kRounds = 12;
 constexpr int kSamplesPerSpan = 4;
@@ -90,7 +91,7 @@ bool solve(const std::vector<CurveSample>& samples, const std::vector<double>& b
       if (d > 0) {
         band[i][d] = sum / band[j][0];
       } else {
-        if (!(sum > 1e-14 * band[i][0]) || !(sum > 0)) return false;
+        if (!(sum > kSingular * band[i][0]) || !(sum > 0)) return false;
         band[i][0] = std::sqrt(sum);
       }
     }

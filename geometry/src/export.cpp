@@ -3,7 +3,6 @@
 
 #include "bw/geometry/export.h"
 
-#include "bw/core/files/file_set.h"
 #include "spline_check.h"
 #include "step_text.h"
 
@@ -33,13 +32,6 @@ Result<std::string> stepText(const SplineSurface& surface, const std::string& na
   const int n = text.edge(v01, v11, text.splineCurve(surface.degreeU, surface.knotsU, north));
   const int w = text.edge(v00, v01, text.splineCurve(surface.degreeV, surface.knotsV, west));
   return text.file(id, {{s, true}, {e, true}, {n, false}, {w, false}}, name);
-}
-
-Result<void> writeStep(const SplineSurface& surface, const std::string& name,
-                       const std::filesystem::path& file) {
-  auto text = stepText(surface, name);
-  if (!text) return tl::unexpected(text.error());
-  return writeFile(file, *text);
 }
 
 }  // namespace bw::geometry

@@ -11,12 +11,20 @@
 #include <cmath>
 
 #include "curve_sampling.h"
+#include "tolerances.h"
 
 namespace bw::geometry {
 
 namespace {
 
-constexpr int kBins = 64;  // slices of v for the inside test
+constexpr int kBins = 64;           // slices of v for the inside test
+constexpr double kSameLine = 1e-7;  // of a range: parameters so near are one
+constexpr double kCovered = 1e-6;   // of a side of the rectangle that borders may leave open or cover twice
+constexpr double kLeastScale = 1e-12;  // mm of a unit of u or v, so that it can be divided by
+constexpr double kSnap = 1e-6;         // of the face's size: ends of borders so near are one corner
+constexpr double kBeside = 1e-4;       // of the face's size: so far from a border its sides are looked at
+constexpr double kFootStep = 1e-10;    // mm of a step along a border that changes nothing any more
+constexpr double kOnBorder = 1e-7;     // mm from a border that count as on it
 
 double segmentDistance(const Eigen::Vector2d& p, const Eigen::Vector2d& a, const Eigen::Vector2d& b,
                        double& at) {
@@ -27,7 +35,7 @@ double segmentDistance(const Eigen::Vector2d& p, const Eigen::Vector2d& a, const
 }
 
 /// Whether two parameters are one, against the range that they lie in.
-bool near(double a, double b, double range) { return std::abs(a - b) <= 1e-7 * range; }
+bool near(double a, double b, double range) { return std::abs(a - b) <= kSameLine * range; }
 
 }  // namespace
 
@@ -93,7 +101,7 @@ void FaceBorders::findNatural() {
       covered[side] += side < 2 ? std::abs(s.b.y() - s.a.y()) / rv : std::abs(s.b.x() - s.a.x()) / ru;
   }
   natural_ = along;
-  for (const double c : covered) natural_ = natural_ && std::abs(c - 1) < 1e-6;
+  for (const double c : covered) natural_ = natural_ && std::abs(c - 1) < kCovered;
 }
 
 void FaceBorders::findWraps(const SurfacePatch& patch) {
@@ -109,7 +117,7 @@ void FaceBorders::findWraps(const SurfacePatch& patch) {
             u ? patch.value(range_.u0, range_.v0 + t * rv) : patch.value(range_.u0 + t * ru, range_.v0);
         const Eigen::Vector3d b =
             u ? patch.value(range_.u1, range_.v0 + t * rv) : patch.value(range_.u0 + t * ru, range_.v1);
-        if ((a - b).norm() > 1e-6) return false;
+        if ((a - b).norm() > kSlack) return false;
       }
       return true;
     };
@@ -129,7 +137,7 @@ void FaceBorders::findScale(const SurfacePatch& patch) {
       sum += Eigen::Vector2d(jet.du.norm(), jet.dv.norm());
     }
   }
-  scale_ = (sum / 9).cwiseMax(1e-12);
+  scale_ = (sum / 9).cwiseMax(kLeastScale);
   band_ = 3 * kChordRatio * std::max(scale_.x() * ru, scale_.y() * rv);
 }
 
@@ -148,7 +156,7 @@ void FaceBorders::closeLoops() {
   };
   const double size = std::max(scale_.x() * range_.width(), scale_.y() * range_.height());
   for (std::size_t k = 0; k < segments_.size(); ++k) {
-    const double reach = std::max(1e-6 * size, 2 * BRep_Tool::Tolerance(trimShapes_[segments_[k].trim]));
+    const double reach = std::max(kSnap * size, 2 * BRep_Tool::Tolerance(trimShapes_[segments_[k].trim]));
     if (k == 0 || segments_[k - 1].trim != segments_[k].trim) snap(segments_[k].a, reach);
     if (k + 1 == segments_.size() || segments_[k + 1].trim != segments_[k].trim) snap(segments_[k].b, reach);
   }
@@ -167,7 +175,7 @@ void FaceBorders::fillBins() {
 
 void FaceBorders::findInnerSides() {
   // Files whose loops run the wrong way exist: look on which side of each border the face lies.
-  const double step = 1e-4 * std::min(range_.width() * scale_.x(), range_.height() * scale_.y());
+  const double step = kBeside * std::min(range_.width() * scale_.x(), range_.height() * scale_.y());
   for (std::size_t k = 0; k < segments_.size(); ++k) {
     if (k > 0 && segments_[k].trim == segments_[k - 1].trim) continue;
     TrimEdge& trim = trims_[segments_[k].trim];
@@ -183,7 +191,7 @@ void FaceBorders::findInnerSides() {
 }
 
 bool FaceBorders::evenOdd(const Eigen::Vector2d& uv) const {
-  if (uv.y() < range_.v0 - 1e-9 * range_.height() || uv.y() > range_.v1 + 1e-9 * range_.height())
+  if (uv.y() < range_.v0 - kSameSize * range_.height() || uv.y() > range_.v1 + kSameSize * range_.height())
     return false;
   const int bin = std::clamp(int((uv.y() - range_.v0) / range_.height() * kBins), 0, kBins - 1);
   bool inside = false;
@@ -198,7 +206,7 @@ bool FaceBorders::evenOdd(const Eigen::Vector2d& uv) const {
 
 bool FaceBorders::contains(const Eigen::Vector2d& uv) const {
   if (natural_) {
-    const double eu = 1e-9 * range_.width(), ev = 1e-9 * range_.height();
+    const double eu = kSameSize * range_.width(), ev = kSameSize * range_.height();
     return uv.x() >= range_.u0 - eu && uv.x() <= range_.u1 + eu && uv.y() >= range_.v0 - ev &&
            uv.y() <= range_.v1 + ev;
   }
@@ -234,16 +242,17 @@ bool FaceBorders::contains(const Eigen::Vector2d& uv) const {
     tangent = Eigen::Vector2d(d1.X(), d1.Y()).cwiseProduct(scale_);
     const Eigen::Vector2d bend = Eigen::Vector2d(d2.X(), d2.Y()).cwiseProduct(scale_);
     const double slope = tangent.squaredNorm() + delta.dot(bend);
-    const double step = -delta.dot(tangent) / (slope > 0 ? slope : std::max(tangent.squaredNorm(), 1e-300));
+    const double step =
+        -delta.dot(tangent) / (slope > 0 ? slope : std::max(tangent.squaredNorm(), kVanishing));
     const double next = std::clamp(t + step, trim.first, trim.last);
-    if (std::abs(next - t) * tangent.norm() < 1e-10) break;
+    if (std::abs(next - t) * tangent.norm() < kFootStep) break;
     t = next;
   }
   // At a corner the foot of neither border is perpendicular; the polygon is exact there.
   const bool atEnd = t <= trim.first || t >= trim.last;
-  if (atEnd && std::abs(delta.dot(tangent)) > 1e-6 * delta.norm() * tangent.norm()) return evenOdd(uv);
+  if (atEnd && std::abs(delta.dot(tangent)) > kParallel * delta.norm() * tangent.norm()) return evenOdd(uv);
   const double side = tangent.x() * -delta.y() - tangent.y() * -delta.x();
-  if (std::abs(side) <= 1e-7 * tangent.norm()) return true;
+  if (std::abs(side) <= kOnBorder * tangent.norm()) return true;
   return (side > 0) == trim.leftInside;
 }
 

@@ -12,12 +12,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tolerances.h"
+
 namespace bw::geometry {
 
 namespace {
 
-constexpr int kGridTarget = 24;   // intervals a direction that show the shape of a face
-constexpr int kGridLimit = 1500;  // intervals a direction at most
+constexpr int kGridTarget = 24;      // intervals a direction that show the shape of a face
+constexpr int kGridLimit = 1500;     // intervals a direction at most
+constexpr double kAreaError = 1e-5;  // of the area of a trimmed face
+constexpr double kExtremum = 1e-10;  // of the range: a shorter step has come to the extremum
+constexpr double kPole = 1e-9;       // of the usual length of a derivative: a shorter one is rounding
 
 /// The range of a face's parameters, within that of its surface. Throws Standard_DomainError if there is
 /// none.
@@ -101,7 +106,7 @@ void FaceGeometry::makeGrid() {
     }
     std::vector<double> inner;
     for (const double b : breaks) {
-      if (b > t0 + 1e-9 * (t1 - t0) && b < t1 - 1e-9 * (t1 - t0)) inner.push_back(b);
+      if (b > t0 + kSameSize * (t1 - t0) && b < t1 - kSameSize * (t1 - t0)) inner.push_back(b);
     }
     inner.push_back(t1);
     const int spans = int(inner.size());
@@ -135,7 +140,7 @@ void FaceGeometry::makeGrid() {
 void FaceGeometry::measureArea() {
   if (!natural()) {
     GProp_GProps properties;
-    BRepGProp::SurfaceProperties(face_, properties, 1e-5);
+    BRepGProp::SurfaceProperties(face_, properties, kAreaError);
     area_ = std::abs(properties.Mass());
     return;
   }
@@ -165,10 +170,11 @@ Eigen::Vector3d FaceGeometry::normal(double u, double v) const {
 }
 
 Eigen::Vector3d FaceGeometry::normal(const Jet& jet) const {
-  const Eigen::Vector3d n = jet.du.cross(jet.dv);
-  const double length = n.norm();
-  if (!(length > 1e-12 * jet.du.norm() * jet.dv.norm()) || length == 0) return Eigen::Vector3d::Zero();
-  return (reversed_ ? -1.0 : 1.0) / length * n;
+  return (reversed_ ? -1.0 : 1.0) * normalOf(jet);
+}
+
+bool FaceGeometry::pole(const Jet& jet) const {
+  return !(jet.du.norm() > kPole * scale().x() && jet.dv.norm() > kPole * scale().y());
 }
 
 std::array<double, 2> FaceGeometry::extent(const Eigen::Vector3d& direction,
@@ -226,7 +232,7 @@ std::array<double, 2> FaceGeometry::extent(const Eigen::Vector3d& direction,
       if (std::abs(su) > du || std::abs(sv) > dv) break;
       u = std::clamp(u + su, range_.u0, range_.u1);
       v = std::clamp(v + sv, range_.v0, range_.v1);
-      if (std::abs(su) < 1e-10 * range_.width() && std::abs(sv) < 1e-10 * range_.height()) break;
+      if (std::abs(su) < kExtremum * range_.width() && std::abs(sv) < kExtremum * range_.height()) break;
     }
     if (contains({u, v})) take(direction.dot(patch_.value(u, v)));
   }
@@ -251,10 +257,8 @@ CurvatureRange FaceGeometry::curvatureRange() const {
       if (!gridInside(i, j)) continue;
       Jet s;
       patch_.second(gridU_[i], gridV_[j], s);
-      const Eigen::Vector3d cross = s.du.cross(s.dv);
-      const double length = cross.norm();
-      if (!(length > 1e-12 * s.du.norm() * s.dv.norm()) || length == 0) continue;
-      const Eigen::Vector3d n = (reversed_ ? -1.0 : 1.0) / length * cross;
+      const Eigen::Vector3d n = normal(s);
+      if (n.isZero()) continue;
       const double E = s.du.dot(s.du), F = s.du.dot(s.dv), G = s.dv.dot(s.dv);
       const double L = s.duu.dot(n), M = s.duv.dot(n), N = s.dvv.dot(n);
       const double metric = E * G - F * F;

@@ -72,6 +72,8 @@ class FaceGeometry {
   Eigen::Vector3d normal(double u, double v) const;
   /// The same where the first derivatives are known.
   Eigen::Vector3d normal(const Jet& jet) const;
+  /// True where the lines of one parameter run together, so that nothing can be said by their derivatives.
+  bool pole(const Jet& jet) const;
   CurvatureRange curvatureRange() const;
 
  private:

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "closest_point.h"
 #include "occt.h"
+#include "tolerances.h"
 
 namespace bw::geometry {
 
@@ -16,6 +18,7 @@ namespace {
 constexpr int kStarts = 8;  // Newton starts of a global search at most
 constexpr double kSideRatio =
     1e-3;  // of the distance: a foot leaning more than this over the border has no side
+constexpr double kInwards = 1e-4;  // of the way from a pole to the middle of its face: there it has a normal
 
 class FaceSampler final : public SurfaceSampler {
  public:
@@ -52,6 +55,30 @@ class FaceSampler final : public SurfaceSampler {
       if (bestFace < 0)
         return fail(ErrorCode::internal, "the target has no point that could be the closest one");
       return finish(p, best, bestFace);
+    });
+  }
+
+  Result<SurfaceJet> at(int faceIndex, const Eigen::Vector2d& uv) const override {
+    if (faceIndex < 0 || faceIndex >= int(target_->faces.size()))
+      return fail(ErrorCode::badInput,
+                  "the target has no face " + std::to_string(faceIndex) + " to evaluate, only " +
+                      std::to_string(target_->faces.size()),
+                  "face", faceIndex, double(target_->faces.size()) - 1);
+    const FaceGeometry& face = *target_->faces[std::size_t(faceIndex)];
+    const Eigen::Vector2d place = uv.allFinite() ? face.wrapped(uv) : uv;
+    const Eigen::AlignedBox2d range(Eigen::Vector2d(face.u0(), face.v0()),
+                                    Eigen::Vector2d(face.u1(), face.v1()));
+    const Eigen::Vector2d inside = place.cwiseMax(range.min()).cwiseMin(range.max());
+    if (!((place - inside).cwiseAbs().array() <= kSameSize * range.sizes().array()).all())
+      return fail(ErrorCode::badInput, "the parameters of a point lie outside those of its face", "uv");
+    return guarded(ErrorCode::internal, "the surface cannot be evaluated", [&]() -> Result<SurfaceJet> {
+      SurfaceJet jet;
+      face.patch().second(inside.x(), inside.y(), jet);
+      jet.normal = (target_->flipped ? -1.0 : 1.0) * face.normal(jet);
+      if (jet.normal.isZero() || face.pole(jet))
+        return fail(ErrorCode::noSolution,
+                    "the surface has no tangent plane at this point, such as at a pole", "uv");
+      return jet;
     });
   }
 
@@ -110,7 +137,7 @@ class FaceSampler final : public SurfaceSampler {
     if (foot.normal.squaredNorm() < 0.5) {
       // A pole has no normal of its own: take one a little towards the middle of the face.
       const Eigen::Vector2d middle(0.5 * (face.u0() + face.u1()), 0.5 * (face.v0() + face.v1()));
-      const Eigen::Vector2d inner = best.uv + 1e-4 * (middle - best.uv);
+      const Eigen::Vector2d inner = best.uv + kInwards * (middle - best.uv);
       foot.normal = face.normal(inner.x(), inner.y());
       if (foot.normal.squaredNorm() < 0.5) foot.normal = Eigen::Vector3d::UnitZ();
     }
@@ -118,7 +145,7 @@ class FaceSampler final : public SurfaceSampler {
     if (best.onBorder && (best.edge < 0 || target_->freeEdge(best.edge))) {
       const Eigen::Vector3d r = p - best.point;
       const double lean = (r - r.dot(foot.normal) * foot.normal).norm();
-      foot.onBoundary = lean > kSideRatio * best.distance + 1e-6;
+      foot.onBoundary = lean > kSideRatio * best.distance + kSlack;
     }
     return foot;
   }

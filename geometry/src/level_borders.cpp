@@ -11,6 +11,14 @@
 
 namespace bw::geometry {
 
+namespace {
+
+constexpr double kOnCrossing =
+    1e-5;  // mm from the crossing of a border at which a curve ends, besides the edge's tolerance
+constexpr double kOffBorder = 1e-4;  // mm between that crossing and the face, besides ten times the tolerance
+
+}  // namespace
+
 std::vector<PlaneCutter::Root> PlaneCutter::crossings(double level) const {
   std::vector<Root> roots;
   for (const EdgeLevels& e : edges_) {
@@ -46,7 +54,7 @@ void PlaneCutter::split(int face, const std::vector<Root>& roots, double level,
     for (LevelPiece& chain : chains) {
       if (!chain.closed) {
         for (LevelNode* end : {&chain.nodes.front(), &chain.nodes.back()}) {
-          double best = 1e-5;
+          double best = kOnCrossing;
           for (const TrimEdge& trim : geometry.trims()) {
             if (trim.edge < 0 || target_.model->edges[trim.edge].degenerate()) continue;
             for (int r = 0; r < int(roots.size()); ++r) {
@@ -88,7 +96,7 @@ void PlaneCutter::split(int face, const std::vector<Root>& roots, double level,
       // The face's own point; the crossing on the shared edge differs from it by the file's tolerance.
       const Eigen::Vector2d onBorder = node.uv;
       if (!project(face, level, node) ||
-          (node.p - roots[r].p).norm() > 10 * target_.model->edges[trim.edge].tolerance + 1e-4) {
+          (node.p - roots[r].p).norm() > 10 * target_.model->edges[trim.edge].tolerance + kOffBorder) {
         node.uv = onBorder;
         node.p = roots[r].p;
       }

@@ -5,11 +5,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tolerances.h"
+
 namespace bw::geometry {
 
 namespace {
 
-constexpr double kGraze = 1e-7;  // mm: a border all of whose samples are this close runs along the plane
+constexpr double kFlatMetric =
+    1e-14;  // of E G: a smaller determinant of the first fundamental form is rounding
+constexpr double kTouching = 1e-12;  // squared sine of the angle between face and plane: below it they touch
+constexpr double kNoTangent = 1e-8;  // sine of that angle below which the section has no tangent
+constexpr double kGraze = 1e-7;      // mm: a border all of whose samples are this close runs along the plane
 
 }  // namespace
 
@@ -32,12 +38,15 @@ bool PlaneCutter::grazes(double level) const {
          std::any_of(faces_.begin(), faces_.end(), [&](const FaceLevels& f) { return close(f.low, f.high); });
 }
 
-PlaneCutter::Cut PlaneCutter::cut(double level) const {
+PlaneCutter::Cut PlaneCutter::cut(double level, bool byKernel) const {
   const std::vector<Root> roots = crossings(level);
   Cut result;
   for (int face = 0; face < int(faces_.size()); ++face) {
     std::vector<LevelPiece> chains;
-    march(face, level, chains);
+    if (byKernel)
+      intersect(face, level, chains);
+    else
+      march(face, level, chains);
     split(face, roots, level, chains, result);
   }
   return result;
@@ -55,17 +64,17 @@ bool PlaneCutter::project(int face, double level, LevelNode& node) const {
     const double gu = normal_.dot(jet.du), gv = normal_.dot(jet.dv);
     const double E = jet.du.squaredNorm(), F = jet.du.dot(jet.dv), G = jet.dv.squaredNorm();
     const double det = E * G - F * F;
-    if (!(det > 1e-14 * E * G) || det == 0) return false;
+    if (!(det > kFlatMetric * E * G) || det == 0) return false;
     const double hu = (G * gu - F * gv) / det, hv = (E * gv - F * gu) / det;
     const double slope = gu * hu + gv * hv;
-    if (!(slope > 1e-12)) return false;
+    if (!(slope > kTouching)) return false;
     node.uv -= (f / slope) * Eigen::Vector2d(hu, hv);
     if (geometry.patch().isSpline()) {
       node.uv.x() = std::clamp(node.uv.x(), geometry.u0(), geometry.u1());
       node.uv.y() = std::clamp(node.uv.y(), geometry.v0(), geometry.v1());
     }
   }
-  return std::abs(normal_.dot(node.p) - level) < 1e-6;
+  return std::abs(normal_.dot(node.p) - level) < kSlack;
 }
 
 bool PlaneCutter::between(int face, const LevelNode& a, const LevelNode& b, double at, double level,
@@ -75,7 +84,7 @@ bool PlaneCutter::between(int face, const LevelNode& a, const LevelNode& b, doub
   if (!project(face, level, node)) return false;
   // A foot far from the chord belongs to another branch.
   const double chord = (b.p - a.p).norm();
-  return (node.p - (a.p + at * (b.p - a.p))).norm() <= chord + 1e-6;
+  return (node.p - (a.p + at * (b.p - a.p))).norm() <= chord + kSlack;
 }
 
 Eigen::Vector3d PlaneCutter::tangent(int face, const LevelNode& node) const {
@@ -84,7 +93,7 @@ Eigen::Vector3d PlaneCutter::tangent(int face, const LevelNode& node) const {
   const Eigen::Vector3d n = jet.du.cross(jet.dv);
   const Eigen::Vector3d t = normal_.cross(n);
   const double length = t.norm();
-  if (!(length > 1e-8 * n.norm()) || length == 0) return Eigen::Vector3d::Zero();
+  if (!(length > kNoTangent * n.norm()) || length == 0) return Eigen::Vector3d::Zero();
   return t / length;
 }
 

@@ -36,8 +36,9 @@ struct LevelPiece {
 ///
 /// A section is the level set of g(u, v) = normal · S(u, v). The grid of each face shows its topology
 /// (marching squares, the ambiguous cell decided at its centre); every node is then found on the surface
-/// itself. Trimmed faces are cut where the section meets the curves of their borders, whose crossings are
-/// found on the space curves that neighbouring faces share. Immutable; cuts from several threads are safe.
+/// itself. OpenCASCADE's intersection is the other way to the same curves. Trimmed faces are cut where the
+/// section meets the curves of their borders, whose crossings are found on the space curves that neighbouring
+/// faces share. Immutable; cuts from several threads are safe.
 class PlaneCutter {
  public:
   /// `region`: only the neighbourhood of this box is looked at.
@@ -47,7 +48,9 @@ class PlaneCutter {
     std::vector<LevelPiece> pieces;
     bool doubtful = false;  ///< a crossing of a border belongs to no curve that was found
   };
-  Cut cut(double level) const;
+  /// `byKernel`: the curves on each surface are those that OpenCASCADE's intersection finds, which takes some
+  /// hundred times as long; the borders cut them alike. Throws Standard_Failure where that fails.
+  Cut cut(double level, bool byKernel = false) const;
 
   /// The point of the section between two nodes of a piece: `at` = 0…1 from a to b. False if the section
   /// cannot be followed there.
@@ -73,7 +76,14 @@ class PlaneCutter {
   std::vector<Root> crossings(double level) const;
   /// Adds the curves of the whole surface under a face, by marching squares over its grid.
   void march(int face, double level, std::vector<LevelPiece>& chains) const;
-  /// Cuts the curves of `march` at the borders and adds the parts inside to `cut`.
+  /// The same curves by OpenCASCADE.
+  void intersect(int face, double level, std::vector<LevelPiece>& chains) const;
+  /// Adds the curve that leads over these parameters, parted at seams and with a node on each crease.
+  void follow(int face, double level, std::vector<Eigen::Vector2d> places,
+              std::vector<LevelPiece>& chains) const;
+  /// Moves a node along the line of the other parameter to the plane; `along` is 0 for u, 1 for v.
+  void slide(int face, double level, int along, LevelNode& node) const;
+  /// Cuts these curves at the borders and adds the parts inside to `cut`.
   void split(int face, const std::vector<Root>& roots, double level, std::vector<LevelPiece>& chains,
              Cut& cut) const;
   /// Moves a node along the surface to the plane; false if it does not get there.

@@ -4,7 +4,15 @@
 
 #include <algorithm>
 
+#include "tolerances.h"
+
 namespace bw::geometry {
+
+namespace {
+
+constexpr double kExtremum = 1e-12;  // of an edge's range: the place of an extremum is known so well
+
+}  // namespace
 
 EdgeLevels levelsOf(const EdgeGeometry& edge, int index, const Eigen::Vector3d& normal) {
   EdgeLevels levels;
@@ -20,7 +28,7 @@ EdgeLevels levelsOf(const EdgeGeometry& edge, int index, const Eigen::Vector3d& 
     if (before * after >= 0) continue;
     const bool peak = before > 0;
     double a = levels.t[i - 1], b = levels.t[i + 1];
-    for (int k = 0; k < 50 && b - a > 1e-12 * (edge.last - edge.first); ++k) {
+    for (int k = 0; k < 50 && b - a > kExtremum * (edge.last - edge.first); ++k) {
       const double x1 = a + 0.382 * (b - a), x2 = b - 0.382 * (b - a);
       if ((g(x1) > g(x2)) == peak) {
         b = x2;
@@ -67,7 +75,7 @@ FaceLevels levelsOf(const FaceGeometry& face, const Eigen::Vector3d& normal, con
           local.add(region.frame.toLocal(p));
         }
       }
-      const double slack = 0.5 * cell.size().norm() + 1e-6;
+      const double slack = 0.5 * cell.size().norm() + kSlack;
       const bool far = ((local.min.array() - slack) > region.size.array()).any() ||
                        ((local.max.array() + slack) < 0).any();
       if (far) {

@@ -26,6 +26,7 @@ constexpr int kMostSamples = 200;
 constexpr double kLookAround = 10;  // times the limit: gaps up to this are told,
 constexpr double kFarthest = 10;    // but none wider than this, mm, unless the limit is
 constexpr int kSteps = 12;          // of Newton's method, which is quick where the gap is small
+constexpr double kAtRest = 1e-10;   // of the interval: a shorter step changes nothing
 constexpr double kBow = 0.1;        // of a piece between samples: how far it may leave its chord
 
 struct OpenEdge {
@@ -51,7 +52,7 @@ double distanceNear(const OpenEdge& edge, int i, const Eigen::Vector3d& p) {
     const double speed2 = along.squaredNorm();
     if (!(speed2 > 0)) break;
     const double next = std::clamp(t - away.dot(along) / speed2, a, b);
-    if (std::abs(next - t) <= 1e-10 * (b - a)) break;
+    if (std::abs(next - t) <= kAtRest * (b - a)) break;
     t = next;
   }
   return best;

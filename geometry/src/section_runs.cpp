@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tolerances.h"
+
 namespace bw::geometry {
 
 namespace {
@@ -60,7 +62,7 @@ std::vector<std::vector<CurveSample>> runsOf(const PlaneCutter& cutter,
         }
         continue;
       }
-      if (chord < 1e-9) continue;
+      if (chord < kNoLength) continue;
       // Within a smooth part the arc exceeds its chord by the square of the turn over 24.
       arc += chord * (1 + (turn < 0.5 ? turn * turn / 24 : 0.0));
     }

@@ -4,6 +4,13 @@
 
 namespace bw::geometry {
 
+namespace {
+
+constexpr double kBisected = 1e-12;  // relative: places so near differ by rounding
+constexpr double kOnSide = 1e-8;     // mm along a section within which it leaves the block
+
+}  // namespace
+
 std::vector<SectionSample> sampleBranch(const PlaneCutter& cutter, const SectionBranch& branch, double level,
                                         int parts) {
   std::vector<SectionSample> samples;
@@ -57,7 +64,7 @@ std::vector<std::vector<SectionSample>> clipToBlock(const PlaneCutter& cutter,
     best.node.crease = false;
     best.node.root = -1;
     if (in.face != out.face) return best;
-    for (int k = 0; k < 50 && b - a > 1e-12; ++k) {
+    for (int k = 0; k < 50 && b - a > kBisected; ++k) {
       const double m = 0.5 * (a + b);
       LevelNode node;
       if (!cutter.between(in.face, in.node, out.node, m, level, node)) break;
@@ -67,7 +74,7 @@ std::vector<std::vector<SectionSample>> clipToBlock(const PlaneCutter& cutter,
       } else {
         b = m;
       }
-      if ((out.node.p - in.node.p).norm() * (b - a) < 1e-8) break;
+      if ((out.node.p - in.node.p).norm() * (b - a) < kOnSide) break;
     }
     return best;
   };
@@ -75,12 +82,12 @@ std::vector<std::vector<SectionSample>> clipToBlock(const PlaneCutter& cutter,
     const bool in = h[i] <= 0;
     if (in && i > 0 && h[i - 1] > 0) {
       const SectionSample first = border(samples[i], samples[i - 1]);
-      if ((first.node.p - samples[i].node.p).norm() > 1e-7) current.push_back(first);
+      if ((first.node.p - samples[i].node.p).norm() > kSameNode) current.push_back(first);
     }
     if (in) current.push_back(samples[i]);
     if (!in && i > 0 && h[i - 1] <= 0) {
       const SectionSample last = border(samples[i - 1], samples[i]);
-      if ((last.node.p - samples[i - 1].node.p).norm() > 1e-7) current.push_back(last);
+      if ((last.node.p - samples[i - 1].node.p).norm() > kSameNode) current.push_back(last);
       result.push_back(std::move(current));
       current.clear();
     }
@@ -94,7 +101,7 @@ std::vector<SectionSample> refined(const PlaneCutter& cutter, const std::vector<
   std::vector<SectionSample> result;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (i > 0 && samples[i].face == samples[i - 1].face &&
-        !samples[i].node.p.isApprox(samples[i - 1].node.p, 1e-12)) {
+        !samples[i].node.p.isApprox(samples[i - 1].node.p, kBisected)) {
       for (int m = 1; m < division; ++m) {
         LevelNode node;
         if (cutter.between(samples[i].face, samples[i - 1].node, samples[i].node, double(m) / division, level,

@@ -5,14 +5,17 @@
 #include <algorithm>
 
 #include "curve_fit.h"
+#include "occt.h"
 #include "section_branches.h"
 #include "section_runs.h"
+#include "tolerances.h"
 
 namespace bw::geometry {
 
 namespace {
 
-constexpr double kFitTolerance = 5e-4;  // mm between samples of a section and its spline; the promise is 1e-3
+constexpr double kPromised = 1e-3;      // mm between a section and its spline
+constexpr double kFitTolerance = 5e-4;  // mm between samples of a section and its spline
 constexpr double kSpeck = 0.01;         // mm: a part shorter than this is rounding, not a branch
 constexpr double kNudge = 1e-4;         // mm that a plane along a border or plane face is moved
 constexpr int kMinSamples = 96;         // of a section, before it is fitted
@@ -27,7 +30,7 @@ Sectioner::Sectioner(const Target::Impl& target, const Setup& setup)
   // y: towards the side that the block is looked at from; where the blade travels that way, the block's
   // own y.
   Eigen::Vector3d up = block.normal - block.normal.dot(frame_.normal) * frame_.normal;
-  if (up.norm() < 1e-6) up = block.y - block.y.dot(frame_.normal) * frame_.normal;
+  if (up.norm() < kParallel) up = block.y - block.y.dot(frame_.normal) * frame_.normal;
   frame_.y = up.normalized();
   frame_.x = frame_.y.cross(frame_.normal);
   entry_ = 1e300;
@@ -54,15 +57,21 @@ bool Sectioner::hits(double level) const {
   return false;
 }
 
-SectionOutcome Sectioner::cut(double level, int station) const {
-  if (cutter_.grazes(level)) level += kNudge;
+SectionOutcome Sectioner::cut(double level, int station, bool byKernel) const {
+  if (grazes(level)) level += kNudge;
   SectionOutcome outcome;
-  const PlaneCutter::Cut cut = cutter_.cut(level);
-  const std::vector<SectionBranch> branches = chainPieces(cut.pieces);
   const Frame frame = frameAt(level);
   const auto tell = [&](Severity severity, Cause cause, const Eigen::Vector3d& point) {
     outcome.findings.push_back({severity, std::move(cause), {StationRange::of(station), point}, {}});
   };
+
+  const auto cut = guarded(ErrorCode::internal, "OpenCASCADE finds no section",
+                           [&]() -> Result<PlaneCutter::Cut> { return cutter_.cut(level, byKernel); });
+  if (!cut) {
+    tell(Severity::warning, SectionUnfit{cut.error().message}, frame.origin);
+    return outcome;
+  }
+  const std::vector<SectionBranch> branches = chainPieces(cut->pieces);
 
   struct Part {
     const SectionBranch* branch;
@@ -85,9 +94,11 @@ SectionOutcome Sectioner::cut(double level, int station) const {
         speck = std::max(speck, length);
         continue;
       }
+      outcome.found += length;
       parts.push_back({&branch, std::move(piece), branch.closed && !clipped, clipped, length});
     }
   }
+  outcome.curves = int(parts.size());
   if (parts.empty()) {
     tell(Severity::warning, speck > 0 ? Cause(SectionPoint{}) : Cause(SectionMissing{}), frame.origin);
     return outcome;
@@ -102,7 +113,7 @@ SectionOutcome Sectioner::cut(double level, int station) const {
     tell(Severity::warning, SectionClosed{}, place);
     return outcome;
   }
-  if (cut.doubtful) tell(Severity::info, SectionBorder{}, place);
+  if (cut->doubtful) tell(Severity::info, SectionBorder{}, place);
 
   // Fit, with more samples where the curve asks for more spans.
   std::optional<CurveFit> best;
@@ -116,7 +127,7 @@ SectionOutcome Sectioner::cut(double level, int station) const {
     if (best->enough || int(part.samples.size()) > kMaxSamples / 3 || round == 8) break;
     part.samples = refined(cutter_, part.samples, level, 3);
   }
-  if (best->deviation > 1e-3) tell(Severity::warning, SectionRough{best->deviation}, place);
+  if (best->deviation > kPromised) tell(Severity::warning, SectionRough{best->deviation}, place);
   outcome.length = part.length;
   outcome.section = Section{station, level - entry_, frame, std::move(best->curve)};
   return outcome;

@@ -19,6 +19,8 @@ struct SectionOutcome {
   std::optional<Section> section;  ///< empty if the station is left out; `findings` then tell why
   Findings findings;
   double length = 0;  ///< of the section, mm
+  int curves = 0;     ///< found inside the block
+  double found = 0;   ///< mm of all of these together
 };
 
 /// Cuts a target with the planes across one cutting direction, each to one open spline inside the block.
@@ -39,8 +41,12 @@ class Sectioner {
   /// True if the plane meets the target within the block.
   bool hits(double level) const;
 
-  /// The section at `level`; `station` is its number, for the findings.
-  SectionOutcome cut(double level, int station) const;
+  /// True if the plane runs along a border or a plane face; `cut` then moves it a little.
+  bool grazes(double level) const { return cutter_.grazes(level); }
+
+  /// The section at `level`; `station` is its number, for the findings. `byKernel`: OpenCASCADE's curves
+  /// rather than traced ones.
+  SectionOutcome cut(double level, int station, bool byKernel) const;
 
  private:
   const Setup& setup_;

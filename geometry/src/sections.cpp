@@ -3,176 +3,31 @@
 #include "bw/geometry/sections.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
+#include <set>
 
-#include "bw/core/text/number_text.h"
-#include "model_impl.h"
 #include "occt.h"
-#include "sectioner.h"
+#include "section_row.h"
+#include "tolerances.h"
 
 namespace bw::geometry {
 
 namespace {
 
-constexpr double kInsetRatio = 1e-4;  // of the range: the first and last plane keep off the very border
-constexpr double kInset = 0.01;       // mm, at least
-constexpr double kShortRatio = 0.01;  // of the longest section: shorter ones carry no shape
-constexpr double kShort = 0.1;        // mm, likewise
-constexpr int kProbePlanes = 64;      // tried when no sample of the target lies in the block
-constexpr int kBisections = 16;  // halvings of the distance between a plane that hits and one that misses
+constexpr int kConfirmed = 3;      // stations at which the kernel looks whatever was traced: ends and middle
+constexpr int kMostDoubtful = 12;  // further ones where tracing may have erred
+constexpr double kSameSection = 0.01;  // mm: sections of both routes this close are the same
+constexpr double kSameLength = 1e-3;   // of the length: likewise, as polygons of different points tell it
+constexpr int kComparedPoints = 33;    // of each of two sections
 
-/// The first and last place along the direction where the target lies in the block.
-Result<std::array<double, 2>> rangeOf(const Target::Impl& target, const Setup& setup,
-                                      const Sectioner& sectioner) {
-  const auto extent = target.extent(setup.direction);
-  const double low = std::max(extent[0], sectioner.entry()), high = std::min(extent[1], sectioner.exit());
-  const auto missed = [&]() {
-    return fail(ErrorCode::badInput,
-                "no plane across the cutting direction meets the target inside the block; move or enlarge "
-                "the block, or let it be placed around the target",
-                "block");
-  };
-  if (!(high > low)) {
-    if (extent[1] - extent[0] < 1e-6 && extent[0] > sectioner.entry() && extent[0] < sectioner.exit()) {
-      return fail(ErrorCode::badInput,
-                  "the target has no extent along the cutting direction; choose a direction that runs along "
-                  "the surface",
-                  "direction", extent[1] - extent[0]);
-    }
-    return missed();
-  }
-  if (high - low < 4 * kInset) {
-    return fail(ErrorCode::badInput,
-                "the target extends only " + shortText(high - low) +
-                    " mm along the cutting direction inside the block; choose a direction that runs along "
-                    "the surface",
-                "direction", high - low, 4 * kInset);
-  }
-  const double inset = std::max(kInset, kInsetRatio * (high - low));
-  double first = low + inset, last = high - inset;
-  if (sectioner.hits(first) && sectioner.hits(last)) return std::array<double, 2>{first, last};
-
-  // The target leaves the block by another side, or a border is ragged: look where it begins and ends.
-  double a = 1e300, b = -1e300;
-  for (int k = 0; k <= kProbePlanes; ++k) {
-    const double level = first + (last - first) * k / kProbePlanes;
-    if (!sectioner.hits(level)) continue;
-    a = std::min(a, level);
-    b = std::max(b, level);
-  }
-  if (a > b) return missed();
-  const auto bisect = [&](double hit, double miss) {
-    for (int k = 0; k < kBisections && std::abs(miss - hit) > 0.5 * inset; ++k) {
-      const double middle = 0.5 * (hit + miss);
-      (sectioner.hits(middle) ? hit : miss) = middle;
-    }
-    return hit;
-  };
-  if (a > first) a = bisect(a, std::max(first, a - (last - first) / kProbePlanes));
-  if (b < last) b = bisect(b, std::min(last, b + (last - first) / kProbePlanes));
-  if (!(b > a)) return missed();
-  return std::array<double, 2>{a, b};
-}
-
-/// Makes all curves run the same way: towards +x where that is clear, else like their neighbours.
-void orient(std::vector<Section>& sections) {
-  constexpr double kClear = 0.05;  // of the chord
-  const auto chord = [](const PlanarCurve& c) -> Eigen::Vector2d {
-    return c.value(c.end()) - c.value(c.start());
-  };
-  int anchor = -1;
-  for (int i = 0; i < int(sections.size()); ++i) {
-    const Eigen::Vector2d d = chord(sections[i].curve);
-    if (std::abs(d.x()) <= kClear * d.norm()) continue;
-    if (d.x() < 0) sections[i].curve = sections[i].curve.reversed();
-    if (anchor < 0) anchor = i;
-  }
-  if (anchor < 0 && !sections.empty()) {
-    anchor = 0;
-    if (chord(sections[0].curve).y() < 0) sections[0].curve = sections[0].curve.reversed();
-  }
-  const auto follow = [&](int i, int neighbour) {
-    const Eigen::Vector2d d = chord(sections[i].curve);
-    if (std::abs(d.x()) > kClear * d.norm()) return;
-    const PlanarCurve& c = sections[i].curve;
-    const PlanarCurve& n = sections[neighbour].curve;
-    const Eigen::Vector2d a = c.value(c.start()), b = c.value(c.end()), na = n.value(n.start()),
-                          nb = n.value(n.end());
-    if ((a - na).squaredNorm() + (b - nb).squaredNorm() > (b - na).squaredNorm() + (a - nb).squaredNorm()) {
-      sections[i].curve = c.reversed();
-    }
-  };
-  for (int i = anchor + 1; i < int(sections.size()); ++i) follow(i, i - 1);
-  for (int i = anchor - 1; i >= 0; --i) follow(i, i + 1);
-}
-
-/// True if the first of two causes of one kind is the worse.
-bool isWorse(const Cause& a, const Cause& b) {
-  if (const auto* branches = std::get_if<SectionBranches>(&a))
-    return branches->most > std::get<SectionBranches>(b).most;
-  if (const auto* shorter = std::get_if<SectionShort>(&a))
-    return shorter->length < std::get<SectionShort>(b).length;
-  if (const auto* rough = std::get_if<SectionRough>(&a))
-    return rough->distance > std::get<SectionRough>(b).distance;
-  return false;
-}
-
-/// Adds a later finding of the same kind of cause to `all`, which keeps the worse of both.
-void join(Finding& all, const Finding& one) {
-  StationRange& range = *all.where.stations;
-  const bool worse = isWorse(one.cause, all.cause);
-  range.last = one.where.stations->last;
-  range.count += one.where.stations->count;
-  if (auto* branches = std::get_if<SectionBranches>(&all.cause)) {
-    const auto& more = std::get<SectionBranches>(one.cause);
-    branches->least = std::min(branches->least, more.least);
-    branches->most = std::max(branches->most, more.most);
-  } else if (worse) {
-    all.cause = one.cause;
-  }
-  if (!worse) return;
-  range.worst = one.where.stations->worst;
-  all.where.point = one.where.point;
-}
-
-/// What is found about one station each, in the order of the row, as one finding a cause: for each stretch of
-/// neighbours, or where these are many for all of them.
-Findings gathered(const Findings& each) {
-  constexpr std::size_t kMostStretches = 3;
-  std::map<std::size_t, Findings> stretches;  // by the kind of cause
-  for (const Finding& one : each) {
-    Findings& known = stretches[one.cause.index()];
-    if (!known.empty() && known.back().where.stations->last + 1 == one.where.stations->first)
-      join(known.back(), one);
-    else
-      known.push_back(one);
-  }
-  Findings result;
-  for (auto& [index, known] : stretches) {
-    if (known.size() > kMostStretches) {
-      for (std::size_t i = 1; i < known.size(); ++i) join(known.front(), known[i]);
-      known.resize(1);
-    }
-    result.insert(result.end(), known.begin(), known.end());
-  }
-  std::ranges::stable_sort(result, {}, [](const Finding& f) { return f.where.stations->first; });
-  return result;
-}
-
-}  // namespace
-
-Result<std::vector<Section>> cutSections(const Target& target, const Setup& given,
-                                         const SectionRequest& request, const RunContext& context,
-                                         Findings& findings) {
-  Setup setup = given;
+/// Whether setup and request can be followed at all.
+Result<void> checkInput(const Setup& setup, const SectionRequest& request) {
   const double length = setup.direction.norm();
-  if (!std::isfinite(length) || length < 1e-9) {
+  if (!std::isfinite(length) || length < kNoLength) {
     return fail(ErrorCode::badInput,
                 "the cutting direction is zero or not a number; give a vector such as 0, 1, 0", "direction");
   }
-  setup.direction /= length;
   if (!setup.block.size.allFinite() || !(setup.block.size.minCoeff() > 0) ||
       !setup.block.frame.origin.allFinite() || !setup.block.frame.x.allFinite() ||
       !setup.block.frame.y.allFinite() || !setup.block.frame.normal.allFinite()) {
@@ -190,65 +45,123 @@ Result<std::vector<Section>> cutSections(const Target& target, const Setup& give
                     ", not " + std::to_string(request.stations),
                 "stations", request.stations, request.stations < 2 ? 2 : SectionRequest::kMost);
   }
-  return guarded(
-      ErrorCode::internal, "the sections cannot be computed", [&]() -> Result<std::vector<Section>> {
-        context.report(0.0, "sections");
-        const Sectioner sectioner(target.impl(), setup);
-        auto range = rangeOf(target.impl(), setup, sectioner);
-        if (!range) return tl::unexpected(range.error());
-        const double first = (*range)[0], last = (*range)[1];
-        int count = request.stations;
-        if (request.spacing) {
-          const double gaps = std::ceil((last - first) / *request.spacing - 1e-9);
-          if (gaps + 1 > SectionRequest::kMost) {
-            return fail(
-                ErrorCode::badInput,
-                "a spacing of " + shortText(*request.spacing) + " mm makes more than " +
-                    std::to_string(SectionRequest::kMost) + " stations over " + shortText(last - first) +
-                    " mm; choose " +
-                    shortText(std::ceil((last - first) / (SectionRequest::kMost - 1) * 100) / 100, 8) +
-                    " mm or more",
-                "stations", gaps + 1, SectionRequest::kMost);
-          }
-          count = std::max(2, int(gaps) + 1);
-        }
-        std::vector<SectionOutcome> outcomes(std::size_t(count), SectionOutcome{});
-        const auto done = parallelFor(context, count, [&](int i) {
-          outcomes[i] = sectioner.cut(i + 1 == count ? last : first + (last - first) * i / (count - 1), i);
-        });
-        if (!done) return tl::unexpected(done.error());
+  return {};
+}
 
-        double longest = 0;
-        for (const SectionOutcome& outcome : outcomes) longest = std::max(longest, outcome.length);
-        const double shortest = std::max(kShort, kShortRatio * longest);
-        std::vector<Section> sections;
-        Findings each;
-        for (SectionOutcome& outcome : outcomes) {
-          each.insert(each.end(), outcome.findings.begin(), outcome.findings.end());
-          if (!outcome.section) continue;
-          if (outcome.length < shortest) {
-            const Section& section = *outcome.section;
-            each.push_back({Severity::warning,
-                            SectionShort{outcome.length, shortest},
-                            {StationRange::of(section.index),
-                             section.frame.toWorld(section.curve.value(section.curve.start()))},
-                            {}});
-            continue;
-          }
-          sections.push_back(std::move(*outcome.section));
-        }
-        for (Finding& finding : gathered(each)) findings.push_back(std::move(finding));
-        if (sections.empty()) {
-          return fail(ErrorCode::noSolution,
-                      "none of the " + std::to_string(count) +
-                          " planes cuts the target in one open curve inside the block; choose another block, "
-                          "direction or face",
-                      "sections");
-        }
-        orient(sections);
-        context.report(1.0, "sections");
-        return sections;
+/// The largest distance of the places of each curve from the other one, mm.
+double apart(const PlanarCurve& a, const PlanarCurve& b) {
+  double worst = 0;
+  for (const auto& [from, to] : {std::pair(&a, &b), std::pair(&b, &a)})
+    for (const Eigen::Vector2d& p : from->sample(kComparedPoints))
+      worst = std::max(worst, (to->value(to->nearestParameter(p)) - p).norm());
+  return worst;
+}
+
+/// How the two routes differ at a station, if they do.
+std::optional<SectionDiffers> difference(const SectionOutcome& traced, const SectionOutcome& kernel) {
+  SectionDiffers cause{traced.curves, kernel.curves, 0, kernel.found >= (1 - kSameLength) * traced.found};
+  if (traced.section && kernel.section) cause.distance = apart(traced.section->curve, kernel.section->curve);
+  const bool same = traced.curves == kernel.curves && !traced.section == !kernel.section &&
+                    std::abs(traced.found - kernel.found) <= kSameLength * traced.found &&
+                    cause.distance <= kSameSection;
+  return same ? std::nullopt : std::optional(cause);
+}
+
+/// The stations at which the kernel looks first: some of all, those whose plane runs along a border or a
+/// plane face, and of each finding of the tracer the ends and the worst, with the neighbours outside.
+std::set<int> stationsToConfirm(const SectionRow& row, const Findings& traced) {
+  std::set<int> doubtful;
+  for (int i = 0; i < row.count(); ++i)
+    if (row.grazes(i)) doubtful.insert(i);
+  for (const Finding& finding : traced) {
+    if (!finding.where.stations) continue;
+    const StationRange& range = *finding.where.stations;
+    for (const int i : {range.first - 1, range.first, range.worst, range.last, range.last + 1})
+      if (i >= 0 && i < row.count()) doubtful.insert(i);
+  }
+  std::set<int> chosen;
+  for (int k = 0; k < kConfirmed; ++k) chosen.insert(k * (row.count() - 1) / (kConfirmed - 1));
+  const std::vector<int> list(doubtful.begin(), doubtful.end());
+  const std::size_t stride = std::max<std::size_t>(1, (list.size() + kMostDoubtful - 1) / kMostDoubtful);
+  for (std::size_t k = 0; k < list.size(); k += stride) chosen.insert(list[k]);
+  return chosen;
+}
+
+}  // namespace
+
+Result<std::vector<Section>> cutSections(const Target& target, const Setup& setup,
+                                         const SectionRequest& request, const RunContext& context,
+                                         Findings& findings) {
+  if (auto ok = checkInput(setup, request); !ok) return tl::unexpected(ok.error());
+  return guarded(ErrorCode::internal, "the sections cannot be computed",
+                 [&]() -> Result<std::vector<Section>> {
+                   context.report(0.0, "sections");
+                   SectionRow row(target, setup);
+                   if (auto ok = row.place(target, request); !ok) return tl::unexpected(ok.error());
+                   auto outcomes = row.cutAll(request.route == SectionRoute::kernel, context);
+                   if (!outcomes) return tl::unexpected(outcomes.error());
+                   auto sections = row.finish(std::move(*outcomes), findings);
+                   if (sections) context.report(1.0, "sections");
+                   return sections;
+                 });
+}
+
+Result<std::optional<std::vector<Section>>> confirmSections(const Target& target, const Setup& setup,
+                                                            const SectionRequest& request,
+                                                            const RunContext& context, Findings& findings) {
+  using Anew = std::optional<std::vector<Section>>;
+  if (auto ok = checkInput(setup, request); !ok) return tl::unexpected(ok.error());
+  return guarded(ErrorCode::internal, "the sections cannot be confirmed", [&]() -> Result<Anew> {
+    SectionRow row(target, setup);
+    if (auto ok = row.place(target, request); !ok) return tl::unexpected(ok.error());
+    struct Look {
+      int station = 0;
+      SectionOutcome kernel = {};
+      std::optional<SectionDiffers> differs = {};
+    };
+    std::map<int, Look> looks;
+    for (std::set<int> next = stationsToConfirm(row, findings); !next.empty();) {
+      std::vector<Look> now;
+      for (const int i : next) now.push_back({i});
+      const auto done = parallelFor(context, int(now.size()), [&](int k) {
+        Look& look = now[std::size_t(k)];
+        look.kernel = row.cut(look.station, true);
+        look.differs = difference(row.cut(look.station, false), look.kernel);
       });
+      if (!done) return tl::unexpected(done.error());
+      next.clear();
+      for (Look& look : now) {
+        const int i = look.station;
+        if (look.differs && i > 0) next.insert(i - 1);
+        if (look.differs && i + 1 < row.count()) next.insert(i + 1);
+        looks.emplace(i, std::move(look));
+      }
+      std::erase_if(next, [&](int i) { return looks.contains(i); });
+    }
+
+    Findings each;
+    bool takesOver = false;
+    for (const auto& [i, look] : looks) {
+      if (!look.differs) continue;
+      const bool taken = look.differs->taken;
+      takesOver = takesOver || taken;
+      each.push_back(
+          {taken ? Severity::warning : Severity::info, *look.differs, {StationRange::of(i), {}}, {}});
+    }
+    Anew anew;
+    if (takesOver) {
+      auto outcomes = row.cutAll(false, context);
+      if (!outcomes) return tl::unexpected(outcomes.error());
+      for (auto& [i, look] : looks)
+        if (look.differs && look.differs->taken) (*outcomes)[std::size_t(i)] = std::move(look.kernel);
+      findings.clear();
+      auto sections = row.finish(std::move(*outcomes), findings);
+      if (!sections) return tl::unexpected(sections.error());
+      anew = std::move(*sections);
+    }
+    for (Finding& finding : gathered(each)) findings.push_back(std::move(finding));
+    return anew;
+  });
 }
 
 }  // namespace bw::geometry

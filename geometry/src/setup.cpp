@@ -13,12 +13,15 @@
 #include "bw/geometry/sections.h"
 #include "model_impl.h"
 #include "occt.h"
+#include "tolerances.h"
 
 namespace bw::geometry {
 
 namespace {
 
-constexpr double kMargin = 5.0;  // mm of foam below and above the target
+constexpr double kThinnest = 1e-3;  // mm of a block's sides
+constexpr double kAsLong = 1e-6;    // of a side: one longer by less is as long
+constexpr double kMargin = 5.0;     // mm of foam below and above the target
 constexpr double kNearlyAsSmall =
     1.5;  // an axis-parallel block up to this much larger is taken for its simplicity
 constexpr double kDirectedNormal =
@@ -81,7 +84,7 @@ Eigen::Vector2d smallestRectangle(const std::vector<Eigen::Vector2d>& hull) {
   double smallest = 1e300;
   for (std::size_t i = 0; i < hull.size(); ++i) {
     const Eigen::Vector2d side = hull[(i + 1) % hull.size()] - hull[i];
-    if (!(side.norm() > 1e-9)) continue;
+    if (!(side.norm() > kNoLength)) continue;
     const Eigen::Vector2d d = side.normalized(), n(-d.y(), d.x());
     double a0 = 1e300, a1 = -1e300, b0 = 1e300, b1 = -1e300;
     for (const Eigen::Vector2d& p : hull) {
@@ -91,7 +94,7 @@ Eigen::Vector2d smallestRectangle(const std::vector<Eigen::Vector2d>& hull) {
       b1 = std::max(b1, p.dot(n));
     }
     const double area = (a1 - a0) * (b1 - b0);
-    if (area < smallest * (1 - 1e-9)) {
+    if (area < smallest * (1 - kSameSize)) {
       smallest = area;
       best = d;
     }
@@ -156,7 +159,7 @@ Shadow squarest(const Points& points, const Eigen::Vector3d& look) {
 /// The side with a positive component along world z, else y, else x.
 Eigen::Vector3d upward(const Eigen::Vector3d& d) {
   for (const int axis : {2, 1, 0}) {
-    if (std::abs(d[axis]) > 1e-6) return d[axis] < 0 ? Eigen::Vector3d(-d) : d;
+    if (std::abs(d[axis]) > kParallel) return d[axis] < 0 ? Eigen::Vector3d(-d) : d;
   }
   return d;
 }
@@ -171,7 +174,8 @@ Box boxAround(const Target::Impl& target, const Eigen::Vector3d& x, const Eigen:
   box.frame.normal = z;
   box.frame.origin = ex[0] * x + ey[0] * y + (ez[0] - kMargin) * z;
   // A plane sheet that stands on edge would give a block without width.
-  box.size = {std::max(ex[1] - ex[0], 1e-3), std::max(ey[1] - ey[0], 1e-3), ez[1] - ez[0] + 2 * kMargin};
+  box.size = {std::max(ex[1] - ex[0], kThinnest), std::max(ey[1] - ey[0], kThinnest),
+              ez[1] - ez[0] + 2 * kMargin};
   return box;
 }
 
@@ -218,7 +222,7 @@ Box autoBlock(const Target::Impl& target) {
 
 /// The way along the longer side of a block's base; y of a square.
 Eigen::Vector3d longerSide(const Box& block) {
-  return block.size.x() > block.size.y() * (1 + 1e-6) ? block.frame.x : block.frame.y;
+  return block.size.x() > block.size.y() * (1 + kAsLong) ? block.frame.x : block.frame.y;
 }
 
 /// Of both ways along an axis the one on the positive side of the block's axis nearest to it.
@@ -263,7 +267,8 @@ std::vector<NamedDirection> directionsToTry(const Target& target, const Box& blo
 }
 
 Result<Setup> resolveSetup(const Target& target, const SetupRequest& request, Findings& findings) {
-  if (request.direction && !(std::isfinite(request.direction->norm()) && request.direction->norm() > 1e-9)) {
+  if (request.direction &&
+      !(std::isfinite(request.direction->norm()) && request.direction->norm() > kNoLength)) {
     return fail(ErrorCode::badInput,
                 "the cutting direction is zero or not a number; give a vector such as "
                 "0, 1, 0",

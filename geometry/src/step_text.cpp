@@ -138,12 +138,6 @@ int StepText::splineCurve(int degree, const std::vector<double>& knots,
              ",.UNSPECIFIED.)");
 }
 
-int StepText::circle(const Eigen::Vector3d& center, const Eigen::Vector3d& axis,
-                     const Eigen::Vector3d& reference, double radius) {
-  const int place = placement(center, axis, reference);
-  return add("CIRCLE(''," + ref(place) + "," + stepReal(radius) + ")");
-}
-
 int StepText::splineSurface(const SplineSurface& surface) {
   std::vector<std::vector<int>> ids(std::size_t(surface.polesU));
   for (int i = 0; i < surface.polesU; ++i) {
@@ -159,18 +153,6 @@ int StepText::splineSurface(const SplineSurface& surface) {
   return add("B_SPLINE_SURFACE_WITH_KNOTS(''," + integer(surface.degreeU) + "," + integer(surface.degreeV) +
              "," + list(ids, row) + ",.UNSPECIFIED.,.F.,.F.,.F.," + list(countsU, integer) + "," +
              list(countsV, integer) + "," + list(u, stepReal) + "," + list(v, stepReal) + ",.UNSPECIFIED.)");
-}
-
-int StepText::sphere(const Eigen::Vector3d& center, const Eigen::Vector3d& axis,
-                     const Eigen::Vector3d& reference, double radius) {
-  const int place = placement(center, axis, reference);
-  return add("SPHERICAL_SURFACE(''," + ref(place) + "," + stepReal(radius) + ")");
-}
-
-int StepText::torus(const Eigen::Vector3d& center, double majorRadius, double minorRadius) {
-  const int place = placement(center, Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitX());
-  return add("TOROIDAL_SURFACE(''," + ref(place) + "," + stepReal(majorRadius) + "," + stepReal(minorRadius) +
-             ")");
 }
 
 int StepText::edge(int start, int end, int curve) {

@@ -25,12 +25,7 @@ class StepText {
   int vertex(const Eigen::Vector3d& p);
   /// A non-rational B-spline curve; flat knots.
   int splineCurve(int degree, const std::vector<double>& knots, const std::vector<Eigen::Vector3d>& poles);
-  int circle(const Eigen::Vector3d& center, const Eigen::Vector3d& axis, const Eigen::Vector3d& reference,
-             double radius);
   int splineSurface(const SplineSurface& surface);
-  int sphere(const Eigen::Vector3d& center, const Eigen::Vector3d& axis, const Eigen::Vector3d& reference,
-             double radius);
-  int torus(const Eigen::Vector3d& center, double majorRadius, double minorRadius);
   /// An edge along `curve` between two vertices.
   int edge(int start, int end, int curve);
 

@@ -291,7 +291,7 @@ void SurfacePatch::second(double u, double v, Jet& jet) const {
     gp_Pnt p;
     gp_Vec du, dv, duu, dvv, duv;
     surface_->D2(u, v, p, du, dv, duu, dvv, duv);
-    jet = {toEigen(p), toEigen(du), toEigen(dv), toEigen(duu), toEigen(duv), toEigen(dvv)};
+    jet = {toEigen(p), toEigen(du), toEigen(dv), toEigen(duu), toEigen(duv), toEigen(dvv), jet.normal};
     return;
   }
   evaluate(u, v, 2, jet);

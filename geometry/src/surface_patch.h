@@ -9,12 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "bw/core/surface/surface_jet.h"
+
 namespace bw::geometry {
 
-/// A point of a surface with its partial derivatives.
-struct Jet {
-  Eigen::Vector3d p, du, dv, duu, duv, dvv;
-};
+using Jet = SurfaceJet;
 
 /// Evaluates the surface of a face. B-splines and Béziers are evaluated from tables of their own, because the
 /// live path asks for hundreds of thousands of points; other surfaces by OCCT. Calls with one object from
@@ -24,11 +23,13 @@ class SurfacePatch {
   explicit SurfacePatch(const Handle(Geom_Surface) & surface);
 
   Eigen::Vector3d value(double u, double v) const;
-  /// Fills p, du, dv.
+  /// Fills p, du, dv of the jet.
   void first(double u, double v, Jet& jet) const;
-  /// Fills all of the jet.
+  /// Fills all derivatives; the normal is left to whoever knows the outer side.
   void second(double u, double v, Jet& jet) const;
 
+  /// Without the rectangle that a file may have trimmed it to.
+  const Handle(Geom_Surface) & surface() const { return surface_; }
   /// "plane", "cylinder", … as in FaceInfo.
   const std::string& type() const { return type_; }
   bool isSpline() const { return degreeU_ > 0; }

@@ -14,6 +14,8 @@ namespace bw::geometry {
 
 namespace {
 
+constexpr double kFinestMesh = 1e-6;             // of the size: no finer deflection
+constexpr double kUpright = 1e-3;                // of a unit normal: a smaller part points nowhere
 constexpr double kDeflectionRatio = 1.0 / 2000;  // of the size, for display
 
 /// Area-weighted mean of the outer normals, and the area it was summed over.
@@ -79,7 +81,7 @@ Result<Target> Target::make(const CadModel& model, const FaceChoice& choice, Fin
     if (impl->sheet) {
       // A sheet has no inside: it is seen from above, or else from the positive side of y or x.
       const Eigen::Vector3d& m = impl->meanNormal;
-      const int axis = std::abs(m.z()) > 1e-3 ? 2 : std::abs(m.y()) > 1e-3 ? 1 : 0;
+      const int axis = std::abs(m.z()) > kUpright ? 2 : std::abs(m.y()) > kUpright ? 1 : 0;
       impl->flipped = m[axis] < 0;
       if (impl->flipped) impl->meanNormal = -impl->meanNormal;
     }
@@ -102,7 +104,7 @@ Result<TriangleMesh> Target::mesh(double deflection) const {
   }
   const double size = impl_->bounds.size().norm();
   if (deflection == 0) deflection = size * kDeflectionRatio;
-  deflection = std::max(deflection, 1e-6 * size);
+  deflection = std::max(deflection, kFinestMesh * size);
   return guarded(ErrorCode::internal, "cannot make triangles of the target", [&]() -> Result<TriangleMesh> {
     TriangleMesh mesh;
     std::vector<const FaceGeometry*> faces;

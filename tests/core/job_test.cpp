@@ -58,7 +58,7 @@ TEST(Job, WritesWhatItReads) {
        R"({"face": "all", "block": {"origin": [0.1, 0.2, 0.3], "size": [400, 300.7, 200]}, "stations": {"spacing": 0.7}, "direction": "x"})",
        R"({"blade": "steel-rod-1", "face": 4, "programs": []})",
        R"({"unit": "cm", "sewing": 0.02, "near": [1, 2, 3]})", R"({"face": ["a", "b"]})",
-       R"({"face": {"group": 3}})"}) {
+       R"({"face": {"group": 3}})", R"({"sections": "kernel"})"}) {
     const Result<Design> design = parseJob(text);
     ASSERT_TRUE(design) << design.error().message;
     const std::string once = designToJson(*design);
@@ -96,6 +96,14 @@ TEST(Job, SewsWithinATenthOfTheToleranceButAtMostATenthOfAMillimetre) {
   EXPECT_EQ(options(R"({"tolerance": 0.5})").sewing, 0.05);
   EXPECT_EQ(options(R"({"tolerance": 0.5, "sewing": 0})").sewing, 0);
   EXPECT_FALSE(options("{}").unit);
+}
+
+TEST(Job, ReadsByWhichRouteSectionsAreFound) {
+  EXPECT_EQ(parseJob("{}").value().sections, SectionRoute::automatic);
+  EXPECT_EQ(parseJob(R"({"sections": "auto"})").value().sections, SectionRoute::automatic);
+  EXPECT_EQ(parseJob(R"({"sections": "kernel"})").value().sections, SectionRoute::kernel);
+  EXPECT_EQ(parseJob(R"({"sections": "traced"})").value().sections, SectionRoute::traced);
+  EXPECT_NE(messageOf(R"({"sections": "occt"})").find("kernel"), std::string::npos);
 }
 
 TEST(Job, FacesAreChosenOnceAndInOneWay) {

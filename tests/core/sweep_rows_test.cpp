@@ -35,14 +35,14 @@ Sweep planeSweep(int stations, const test::RowSettings& settings, const std::fun
 }
 
 /// Tells how far the starts of the search lie from the feet, in parameters (x, y) of the plane z = 0.
-class SeedRecorder : public SurfaceSampler {
+class SeedRecorder : public test::PlaneSampler {
  public:
   struct Record {
     std::mutex mutex;
     double farthest = 0, sum = 0;
     int seeded = 0, unseeded = 0;
   };
-  explicit SeedRecorder(Record& record) : record_(record) {}
+  explicit SeedRecorder(Record& record) : PlaneSampler(Eigen::Vector3d::UnitZ()), record_(record) {}
   Result<Foot> closest(const Eigen::Vector3d& p, const Foot* seed) override {
     const Foot foot{0, {p.x(), p.y()}, {p.x(), p.y(), 0}, Eigen::Vector3d::UnitZ(), std::abs(p.z()), false};
     const std::lock_guard lock(record_.mutex);

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "bw/core/files/file_set.h"
+#include "example_shapes.h"
 #include "shapes.h"
 
 namespace bw::geometry::test {
@@ -24,7 +26,7 @@ INSTANTIATE_TEST_SUITE_P(All, Examples,
 /// The sign of the Gaussian curvature of the formula by central differences.
 double gaussian(const std::string& name, double u, double v) {
   const double h = 1e-3;
-  const auto p = [&](double a, double b) { return examplePoint(name, a, b).value(); };
+  const auto p = [&](double a, double b) { return examplePoint(name, a, b); };
   const Eigen::Vector3d su = (p(u + h, v) - p(u - h, v)) / (2 * h),
                         sv = (p(u, v + h) - p(u, v - h)) / (2 * h);
   const Eigen::Vector3d suu = (p(u + h, v) - 2 * p(u, v) + p(u - h, v)) / (h * h);
@@ -41,7 +43,7 @@ TEST_P(Examples, SurfaceIsItsFormulaWithinAThousandth) {
   double worst = 0;
   for (int i = 0; i <= 61; ++i) {
     for (int j = 0; j <= 61; ++j) {
-      const auto foot = sampler->closest(examplePoint(GetParam(), i / 61.0, j / 61.0).value(), nullptr);
+      const auto foot = sampler->closest(examplePoint(GetParam(), i / 61.0, j / 61.0), nullptr);
       ASSERT_TRUE(foot);
       worst = std::max(worst, foot->distance);
     }
@@ -52,7 +54,12 @@ TEST_P(Examples, SurfaceIsItsFormulaWithinAThousandth) {
 TEST_P(Examples, CommittedFileIsTheGeneratorsOutput) {
   const auto file = readFile(std::string(BW_EXAMPLES) + "/" + GetParam() + ".step");
   ASSERT_TRUE(file) << file.error().message;
-  EXPECT_TRUE(*file == exampleStep(GetParam()).value()) << "write it anew with: blade example " << GetParam();
+  if (std::getenv("BW_WRITE_EXAMPLES")) {
+    ASSERT_TRUE(writeFile(std::string(BW_EXAMPLES) + "/" + GetParam() + ".step", generatedStep(GetParam())));
+    GTEST_SKIP() << "written anew";
+  }
+  EXPECT_TRUE(*file == generatedStep(GetParam())) << "BW_WRITE_EXAMPLES=1 writes it anew";
+  EXPECT_TRUE(*file == exampleStep(GetParam()).value());
 }
 
 TEST_P(Examples, GivesASectionAtEveryStation) {
@@ -76,8 +83,6 @@ TEST(ExampleList, NamesEachExampleOnce) {
 
 TEST(ExampleList, UnknownNameSuggestsTheNearest) {
   expectError(exampleStep("panel-600x760"), ErrorCode::badInput, "\"panel-600x670\"");
-  expectError(examplePoint("sadle", 0, 0), ErrorCode::badInput, "\"saddle\"");
-  expectError(examplePoint("saddle", 1.5, 0), ErrorCode::badInput, "[0, 1]");
 }
 
 TEST(ExampleShapes, HaveTheSizesTheyAreNamedAfter) {
@@ -110,7 +115,7 @@ TEST(ExampleShapes, RampProfilesHaveTheReportedLengths) {
     for (const double v : {0.0, 0.5, 1.0}) {
       std::vector<Eigen::Vector2d> profile;
       for (int i = 0; i <= 2000; ++i) {
-        const Eigen::Vector3d p = examplePoint(name, i / 2000.0, v).value();
+        const Eigen::Vector3d p = examplePoint(name, i / 2000.0, v);
         profile.push_back({p.x(), p.z()});
       }
       const double length = PlanarCurve::points(profile)->length();

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 
 #include <cmath>
+#include <filesystem>
 #include <random>
 
+#include "example_shapes.h"
 #include "shapes.h"
 
 namespace bw::geometry::test {
@@ -77,7 +79,7 @@ TEST(FaceSampler, NoSampleOfTheSurfaceIsNearerThanTheFoot) {
   const auto sampler = exampleTarget(name).sampler();
   std::vector<Eigen::Vector3d> samples;
   for (int i = 0; i <= 210; ++i) {
-    for (int j = 0; j <= 120; ++j) samples.push_back(examplePoint(name, i / 210.0, j / 120.0).value());
+    for (int j = 0; j <= 120; ++j) samples.push_back(examplePoint(name, i / 210.0, j / 120.0));
   }
   std::mt19937_64 engine(6);
   std::uniform_real_distribution<double> x(-200, 4400), y(-200, 2600), z(-600, 600);
@@ -118,7 +120,7 @@ TEST(FaceSampler, PointBesideTheFaceGoesToItsBorder) {
     ASSERT_TRUE(foot);
     EXPECT_TRUE(foot->onBoundary) << name;
     EXPECT_NEAR(foot->point.x(), b.max.x(), kAccuracy) << name;
-    const Eigen::Vector3d corner(b.max.x(), b.max.y(), examplePoint(name, 1, 1)->z());
+    const Eigen::Vector3d corner(b.max.x(), b.max.y(), examplePoint(name, 1, 1).z());
     const auto atCorner = sampler->closest(corner + Eigen::Vector3d(50, 50, 0), nullptr);
     ASSERT_TRUE(atCorner);
     EXPECT_NEAR((atCorner->point - corner).norm(), 0, 1e-5) << name;
@@ -133,6 +135,86 @@ TEST(FaceSampler, PointJustAboveTheBorderKeepsItsSide) {
   ASSERT_TRUE(foot);
   EXPECT_FALSE(foot->onBoundary);
   EXPECT_NEAR(foot->distance, 2, 1e-5);
+}
+
+TEST(FaceSampler, TellsTheCurvaturesOfKnownSurfaces) {
+  struct Known {
+    const char* name;
+    Eigen::Vector3d near;
+    double min, max;
+  };
+  // Seen from above: a ball and the outer half of a torus bend away, the saddle z = x²/1600 − y²/1200 both
+  // ways.
+  for (const Known& k : {Known{"sphere-cap", {50, 80, 0}, -1 / 900.0, -1 / 900.0},
+                         Known{"torus-patch", {0, 1000, 450}, -1 / 450.0, 0.0},
+                         Known{"saddle", {0, 0, 0}, -1 / 600.0, 1 / 800.0}}) {
+    const auto sampler = exampleTarget(k.name).sampler();
+    const auto foot = sampler->closest(k.near, nullptr);
+    ASSERT_TRUE(foot);
+    const auto jet = sampler->at(foot->face, foot->uv);
+    ASSERT_TRUE(jet) << jet.error().message;
+    EXPECT_NEAR((jet->p - foot->point).norm(), 0, 1e-9);
+    EXPECT_NEAR((jet->normal - foot->normal).norm(), 0, 1e-9);
+    EXPECT_GT(jet->normal.z(), 0) << k.name;
+    const auto curvature = curvatureOf(*jet);
+    ASSERT_TRUE(curvature);
+    EXPECT_NEAR(curvature->min, k.min, 1e-6) << k.name;
+    EXPECT_NEAR(curvature->max, k.max, 1e-6) << k.name;
+  }
+}
+
+TEST(FaceSampler, DerivativesAreThoseOfDifferences) {
+  for (const Example& example : exampleList()) {
+    const Target target = exampleTarget(example.name);
+    const auto sampler = target.sampler();
+    // Off the lines of knots, where second derivatives jump.
+    const Eigen::Vector3d near = target.bounds().center() + Eigen::Vector3d(7.3, -11.9, 0);
+    const auto foot = sampler->closest(near, nullptr);
+    ASSERT_TRUE(foot);
+    const auto jet = sampler->at(foot->face, foot->uv);
+    ASSERT_TRUE(jet) << example.name;
+    // A step of about 0.1 mm.
+    const double hu = 0.1 / jet->du.norm(), hv = 0.1 / jet->dv.norm();
+    const auto at = [&](double a, double b) {
+      return sampler->at(foot->face, foot->uv + Eigen::Vector2d(a * hu, b * hv)).value();
+    };
+    const auto east = at(1, 0), west = at(-1, 0), north = at(0, 1), south = at(0, -1);
+    const auto close = [&](const Eigen::Vector3d& exact, const Eigen::Vector3d& difference, double unit) {
+      EXPECT_NEAR((exact - difference).norm() / unit, 0, 1e-6) << example.name;
+    };
+    close(jet->du, (east.p - west.p) / (2 * hu), jet->du.norm());
+    close(jet->dv, (north.p - south.p) / (2 * hv), jet->dv.norm());
+    close(jet->duu, (east.du - west.du) / (2 * hu), jet->du.squaredNorm());
+    close(jet->duv, (north.du - south.du) / (2 * hv), jet->du.norm() * jet->dv.norm());
+    close(jet->dvv, (north.dv - south.dv) / (2 * hv), jet->dv.squaredNorm());
+  }
+}
+
+TEST(FaceSampler, SaysWhereItTellsNoDerivatives) {
+  const auto sampler = exampleTarget("saddle").sampler();
+  expectError(sampler->at(1, {0, 0}), ErrorCode::badInput, "has no face 1");
+  expectError(sampler->at(-1, {0, 0}), ErrorCode::badInput, "has no face -1");
+  expectError(sampler->at(0, {5, 0.5}), ErrorCode::badInput, "lie outside");
+  expectError(sampler->at(0, {std::nan(""), 0.5}), ErrorCode::badInput, "lie outside");
+}
+
+TEST(FaceSampler, PoleOfASphereHasNoCurvature) {
+  if (!std::filesystem::exists(BW_FOREIGN_DATA)) GTEST_SKIP() << "occt-misc is not installed";
+  const auto model = CadModel::read(std::string(BW_FOREIGN_DATA) + "/occ/Ball.brep");
+  ASSERT_TRUE(model) << model.error().message;
+  const auto target = Target::make(*model, {FaceChoice::Kind::all, {}});
+  ASSERT_TRUE(target) << target.error().message;
+  const auto sampler = target->sampler();
+  int poles = 0;
+  for (int face = 0; face < int(model->info().faceList.size()); ++face) {
+    if (model->info().faceList[std::size_t(face)].type != "sphere") continue;
+    const auto below = sampler->at(face, {0.5, M_PI / 2 - 1e-3}), pole = sampler->at(face, {0.5, M_PI / 2});
+    if (!below) continue;
+    EXPECT_TRUE(curvatureOf(*below));
+    expectError(pole, ErrorCode::noSolution, "no tangent plane");
+    ++poles;
+  }
+  EXPECT_GT(poles, 0);
 }
 
 TEST(FaceSampler, CloneAnswersAlike) {

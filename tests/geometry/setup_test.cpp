@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bw/core/base/units.h"
+#include "example_shapes.h"
 #include "shapes.h"
 
 namespace bw::geometry::test {
@@ -40,7 +41,7 @@ TEST(AutoBlock, HoldsEveryExample) {
     expectFrame(setup.block.frame);
     for (int i = 0; i <= 20; ++i) {
       for (int j = 0; j <= 20; ++j) {
-        const Eigen::Vector3d p = examplePoint(e.name, i / 20.0, j / 20.0).value();
+        const Eigen::Vector3d p = examplePoint(e.name, i / 20.0, j / 20.0);
         const Eigen::Array3d half = 0.5 * setup.block.size;
         EXPECT_TRUE(((setup.block.frame.toLocal(p).array() - half).abs() <= half + 1e-3).all()) << e.name;
       }
@@ -73,8 +74,8 @@ TEST(AutoBlock, OfTheTurnedPanelIsThatOfThePanelTurned) {
                              Eigen::AngleAxisd(fromDegrees(25), Eigen::Vector3d::UnitY()) *
                              Eigen::AngleAxisd(fromDegrees(40), Eigen::Vector3d::UnitZ()))
                                 .toRotationMatrix();
-  const Target target = targetOf(stepOf(
-      [&](double u, double v) { return Eigen::Vector3d(R * examplePoint("panel-600x670", u, v).value()); }));
+  const Target target = targetOf(
+      stepOf([&](double u, double v) { return Eigen::Vector3d(R * examplePoint("panel-600x670", u, v)); }));
   const auto setup = setupOf(target);
   expectFrame(setup.block.frame);
   EXPECT_GT(setup.block.frame.normal.dot(R.col(2)), std::cos(fromDegrees(0.5)));

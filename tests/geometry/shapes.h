@@ -53,9 +53,10 @@ struct CutSettings {
   std::optional<Eigen::Vector3d> direction;
   int stations = 60;
   std::optional<double> spacing;
+  SectionRoute route = SectionRoute::automatic;
 
-  operator SetupRequest() const { return {block, direction}; }     // NOLINT
-  operator SectionRequest() const { return {stations, spacing}; }  // NOLINT
+  operator SetupRequest() const { return {block, direction}; }            // NOLINT
+  operator SectionRequest() const { return {stations, spacing, route}; }  // NOLINT
 };
 
 /// Sections of a target; fails the test on an error.

@@ -122,13 +122,5 @@ TEST(StepText, RefusesWhatIsNoSurface) {
   expectError(stepText(SplineSurface{}, "bad"), ErrorCode::badInput, "knots");
 }
 
-TEST(WriteStep, WritesTheTextOrSaysWhyNot) {
-  const std::filesystem::path folder = std::filesystem::path(BW_TEST_OUTPUT) / "geometry";
-  std::filesystem::create_directories(folder);
-  ASSERT_TRUE(writeStep(wave(), "wave", folder / "wave.step"));
-  EXPECT_EQ(readFile(folder / "wave.step").value(), stepText(wave(), "wave").value());
-  expectError(writeStep(wave(), "wave", "/proc/nowhere/wave.step"), ErrorCode::cannotWrite, "/proc/nowhere");
-}
-
 }  // namespace
 }  // namespace bw::geometry::test

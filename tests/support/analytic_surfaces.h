@@ -13,16 +13,30 @@
 
 namespace bw::test {
 
-/// A whole sphere about the origin: the closest point is known in closed form.
+/// A whole sphere about the origin: the closest point is known in closed form. u is the longitude, v the
+/// latitude.
 class SphereSampler : public SurfaceSampler {
  public:
   explicit SphereSampler(double radius) : radius_(radius) {}
   Result<Foot> closest(const Eigen::Vector3d& p, const Foot*) override {
     Foot foot;
     foot.normal = p.normalized();
+    foot.uv = {std::atan2(foot.normal.y(), foot.normal.x()), std::asin(foot.normal.z())};
     foot.point = radius_ * foot.normal;
     foot.distance = std::abs(p.norm() - radius_);
     return foot;
+  }
+  Result<SurfaceJet> at(int, const Eigen::Vector2d& uv) const override {
+    const double cu = std::cos(uv.x()), su = std::sin(uv.x()), cv = std::cos(uv.y()), sv = std::sin(uv.y());
+    const Eigen::Vector3d out(cu * cv, su * cv, sv);
+    if (std::abs(cv) < 1e-9) return fail(ErrorCode::noSolution, "a pole of the sphere", "uv");
+    return SurfaceJet{radius_ * out,
+                      radius_ * Eigen::Vector3d(-su * cv, cu * cv, 0),
+                      radius_ * Eigen::Vector3d(-cu * sv, -su * sv, cv),
+                      radius_ * Eigen::Vector3d(-cu * cv, -su * cv, 0),
+                      radius_ * Eigen::Vector3d(su * sv, -cu * sv, 0),
+                      -radius_ * out,
+                      out};
   }
   std::unique_ptr<SurfaceSampler> clone() const override { return std::make_unique<SphereSampler>(*this); }
 
@@ -30,7 +44,7 @@ class SphereSampler : public SurfaceSampler {
   double radius_;
 };
 
-/// The plane through the origin with that unit normal, without the strip |y| < `gap`.
+/// The plane through the origin with that unit normal, without the strip |y| < `gap`. u and v are lengths.
 class PlaneSampler : public SurfaceSampler {
  public:
   explicit PlaneSampler(const Eigen::Vector3d& normal, double gap = 0) : normal_(normal), gap_(gap) {}
@@ -40,12 +54,20 @@ class PlaneSampler : public SurfaceSampler {
     foot.point = p - p.dot(normal_) * normal_;
     foot.onBoundary = std::abs(foot.point.y()) < gap_;
     if (foot.onBoundary) foot.point.y() = std::copysign(gap_, foot.point.y());
+    foot.uv = {foot.point.dot(x()), foot.point.dot(y())};
     foot.distance = (p - foot.point).norm();
     return foot;
+  }
+  Result<SurfaceJet> at(int, const Eigen::Vector2d& uv) const override {
+    const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
+    return SurfaceJet{uv.x() * x() + uv.y() * y(), x(), y(), zero, zero, zero, normal_};
   }
   std::unique_ptr<SurfaceSampler> clone() const override { return std::make_unique<PlaneSampler>(*this); }
 
  private:
+  Eigen::Vector3d x() const { return normal_.unitOrthogonal(); }
+  Eigen::Vector3d y() const { return normal_.cross(x()); }
+
   Eigen::Vector3d normal_;
   double gap_;
 };

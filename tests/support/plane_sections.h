@@ -60,6 +60,18 @@ class GraphSampler : public SurfaceSampler {
     }
     return foot;
   }
+  Result<SurfaceJet> at(int, const Eigen::Vector2d& uv) const override {
+    const double h = 1e-3 * half_, x = uv.x();
+    const double slope = (height_(x + h) - height_(x - h)) / (2 * h);
+    const double bend = (height_(x + h) - 2 * height_(x) + height_(x - h)) / (h * h);
+    return SurfaceJet{{x, uv.y(), height_(x)},
+                      {1, 0, slope},
+                      {0, 1, 0},
+                      {0, 0, bend},
+                      Eigen::Vector3d::Zero(),
+                      Eigen::Vector3d::Zero(),
+                      Eigen::Vector3d(-slope, 0, 1).normalized()};
+  }
   std::unique_ptr<SurfaceSampler> clone() const override { return std::make_unique<GraphSampler>(*this); }
 
  private:

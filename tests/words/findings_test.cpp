@@ -62,6 +62,18 @@ TEST(Findings, OneStationSeveralAndSomeOfThem) {
       "is within 0.25 mm of the section");
 }
 
+TEST(Findings, SayWhereTheRoutesOfSectionsDiffer) {
+  EXPECT_EQ(said(SectionDiffers{1, 3, 0, true}, kOne),
+            "station 8: OpenCASCADE finds 3 curves where tracing finds 1; what it finds is taken");
+  EXPECT_EQ(
+      said(SectionDiffers{1, 1, 0.25, true}, StationRange{2, 4, 3, 3}),
+      "stations 3 to 5 (worst: 4): OpenCASCADE finds the section up to 0.25 mm from where it was traced; "
+      "what it finds is taken");
+  EXPECT_EQ(
+      said(SectionDiffers{2, 1, 0, false}, kOne),
+      "station 8: OpenCASCADE finds 1 curve where tracing finds 2; what was traced is longer and stays");
+}
+
 TEST(Findings, NameConditionsAndWhatToRelease) {
   EXPECT_EQ(said(UnmetConditions{{"length"}}, kOne),
             "station 8: no blade was found that meets the length; release it; the nearest curve without "

@@ -7,7 +7,6 @@
 #include <iterator>
 
 #include "bw/core/blade/blade.h"
-#include "bw/core/files/file_set.h"
 #include "bw/geometry/export.h"
 
 namespace bw::pipeline {
@@ -36,10 +35,7 @@ BlockPlacement blockInWall() { return {{1800, 600, -200}, {600, 900, 400}, Eigen
 
 Result<Design> exampleDesign(const std::string& name) {
   Design design;
-  Result<std::string> step;
-  if (const Result<std::filesystem::path> folder = resourceFolder())
-    step = readFile(*folder / "examples" / (name + ".step"));
-  if (!step) step = geometry::exampleStep(name);
+  Result<std::string> step = geometry::exampleStep(name);
   if (!step) return tl::unexpected<Error>(step.error());
   design.source().bytes = std::move(*step);
   design.source().path = name + ".step";

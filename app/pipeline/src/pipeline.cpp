@@ -89,6 +89,7 @@ struct CutWork {
   const CutEvaluation* previous;
   Seconds& seconds;
   const RunContext& context;
+  Purpose purpose;
 
   template <class Request, class T, class Make>
   Result<void> settle(Stage<Request, T> CutEvaluation::*stage, const std::type_identity_t<Request>& request,
@@ -147,9 +148,20 @@ Result<void> fit(const CutWork& work) {
                   });
   if (ok) ok = work.unlessStopped();
   if (!ok) return ok;
-  const std::vector<Section>& sections = *e.sections.value;
+  std::shared_ptr<const std::vector<Section>> row = e.sections.value;
+  if (work.purpose == Purpose::files && work.cut.sections.route == SectionRoute::automatic) {
+    ok = work.settle(
+        &CutEvaluation::confirmed, {*e.setup, work.cut.sections}, {e.sections.value}, work.seconds.sections,
+        [&work, &target, &e](const PlanesRequest& request, Findings& findings) {
+          findings = e.sections.findings;
+          return geometry::confirmSections(target, request.setup, request.sections, work.context, findings);
+        });
+    if (!ok) return ok;
+    if (e.confirmed.value->has_value()) row = {e.confirmed.value, &**e.confirmed.value};
+  }
+  const std::vector<Section>& sections = *row;
   double none = 0;
-  ok = work.settle(&CutEvaluation::sweep, {*e.setup, fitRequest(work.design)}, {e.sections.value}, none,
+  ok = work.settle(&CutEvaluation::sweep, {*e.setup, fitRequest(work.design)}, {row}, none,
                    [&work, &sections](const RowRequest& request, Findings& findings) {
                      work.context.report(0.6, "fitting");
                      return buildSweep(sections, request.fit, request.setup.block, request.setup.direction,
@@ -237,8 +249,9 @@ std::optional<CutResult> CutEvaluation::result() const {
 
 Findings CutEvaluation::findings() const {
   Findings all;
-  for (const Findings* list : {&target.findings, &placed.findings, &directions.findings, &sections.findings,
-                               &sweep.findings, &check.findings, &motion.findings, &analysis.findings})
+  for (const Findings* list : {&target.findings, &placed.findings, &directions.findings,
+                               confirmed.value ? &confirmed.findings : &sections.findings, &sweep.findings,
+                               &check.findings, &motion.findings, &analysis.findings})
     append(all, *list);
   return all;
 }
@@ -268,6 +281,7 @@ void Evaluation::takeMissing(const Evaluation& before) {
       takeMissing(cut.directions, from->directions);
       if (!cut.setup) cut.setup = from->setup;
       takeMissing(cut.sections, from->sections);
+      takeMissing(cut.confirmed, from->confirmed);
       takeMissing(cut.sweep, from->sweep);
       takeMissing(cut.check, from->check);
       takeMissing(cut.motion, from->motion);
@@ -275,7 +289,8 @@ void Evaluation::takeMissing(const Evaluation& before) {
     }
 }
 
-Outcome evaluate(const Design& design, const Evaluation* previous, const RunContext& context) {
+Outcome evaluate(const Design& design, const Evaluation* previous, const RunContext& context,
+                 Purpose purpose) {
   Outcome outcome;
   Evaluation& e = outcome.evaluation;
   e.design = design;
@@ -300,7 +315,7 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
     std::optional<BlockPlacement> placement = design.stock[b].placement;
     for (CutEvaluation& stages : e.blocks[b].cuts) {
       const Cut& cut = *std::ranges::find(design.cuts, stages.id, &Cut::id);
-      const CutWork work{design, cut, stages, cutOf(previous, cut.id), e.seconds, context};
+      const CutWork work{design, cut, stages, cutOf(previous, cut.id), e.seconds, context, purpose};
       ok = place(work, e.source.value, placement);
       if (ok) ok = fit(work);
       if (ok) ok = check(work);

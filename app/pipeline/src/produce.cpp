@@ -28,6 +28,19 @@ Result<FileSet> filesOf(Evaluation& evaluation, const Policy& policy, const RunC
   return files;
 }
 
+/// Has OpenCASCADE confirm the sections of an evaluation that was looked at, and makes anew what hangs on
+/// those that it takes over. A source that is another by now is left to `storedDesign`, which says so.
+void confirm(Product& product, const RunContext& context) {
+  Evaluation& standing = product.evaluation;
+  if (!standing.result() || standing.cut().confirmed.value) return;
+  Outcome outcome = evaluate(standing.design, &standing, context, Purpose::files);
+  if (outcome.evaluation.source.value != standing.source.value) return;
+  product.error = outcome.error;
+  if (product.error) return;
+  standing.blocks = std::move(outcome.evaluation.blocks);
+  standing.cell = std::move(outcome.evaluation.cell);
+}
+
 void makeFiles(Product& product, const Policy& policy, const RunContext& context) {
   Result<FileSet> files = filesOf(product.evaluation, policy, context);
   if (files)
@@ -54,7 +67,8 @@ Product produce(const Design& design, const std::filesystem::path& folder, const
         return product;
       }
   }
-  Outcome outcome = evaluate(design, nullptr, context);
+  const Purpose purpose = policy.contents == Contents::evaluation ? Purpose::live : Purpose::files;
+  Outcome outcome = evaluate(design, nullptr, context, purpose);
   product.evaluation = std::move(outcome.evaluation);
   product.error = outcome.error;
   if (!product.error) makeFiles(product, policy, context);
@@ -66,7 +80,8 @@ Product produce(Evaluation evaluation, const std::filesystem::path& folder, cons
   Product product;
   product.seen = folderState(folder);
   product.evaluation = std::move(evaluation);
-  makeFiles(product, policy, context);
+  confirm(product, context);
+  if (!product.error) makeFiles(product, policy, context);
   return product;
 }
 

@@ -75,6 +75,17 @@ std::string Sentences::operator()(const SectionRough& cause) const {
          " mm of it only";
 }
 
+std::string Sentences::operator()(const SectionDiffers& cause) const {
+  const auto curves = [](int n) { return n == 1 ? std::string("1 curve") : std::to_string(n) + " curves"; };
+  return at() + "OpenCASCADE finds " +
+         (cause.traced != cause.kernel
+              ? curves(cause.kernel) + " where tracing finds " + std::to_string(cause.traced)
+          : cause.distance > 0
+              ? "the section up to " + shortText(cause.distance) + " mm from where it was traced"
+              : std::string("as many curves as tracing, of other lengths")) +
+         (cause.taken ? "; what it finds is taken" : "; what was traced is longer and stays");
+}
+
 std::string Sentences::operator()(const LargestFace& cause) const {
   const std::string text =
       faceText(cause.face) + " of " + std::to_string(cause.faces) + " is cut, the largest";

@@ -53,6 +53,8 @@ const char* wordOf(FindingKind kind) {
       return "section-border";
     case FindingKind::sectionFit:
       return "section-fit";
+    case FindingKind::sectionRoute:
+      return "section-route";
     case FindingKind::face:
       return "face";
     case FindingKind::direction:

@@ -38,6 +38,7 @@ struct Sentences {
   std::string operator()(const SectionBorder& cause) const;
   std::string operator()(const SectionUnfit& cause) const;
   std::string operator()(const SectionRough& cause) const;
+  std::string operator()(const SectionDiffers& cause) const;
   std::string operator()(const LargestFace& cause) const;
   std::string operator()(const NearestFace& cause) const;
   std::string operator()(const FacesLeftOut& cause) const;

@@ -174,6 +174,9 @@ void readCutKeys(ObjectReader& reader, Cut& cut) {
   readDirection(reader, cut.direction);
   readPlanes(reader);
   readStations(reader, cut.sections);
+  int route = int(cut.sections.route);
+  reader.word("sections", {kSectionRoutes.begin(), kSectionRoutes.end()}, route);
+  cut.sections.route = SectionRoute(route);
 }
 
 void readProcessKeys(ObjectReader& reader, Process& process) {
@@ -218,6 +221,7 @@ void writeCutKeys(const Cut& cut, json& object) {
   object["planes"] = {{"type", "parallel"}};
   object["stations"] =
       cut.sections.spacing ? json{{"spacing", *cut.sections.spacing}} : json(cut.sections.stations);
+  object["sections"] = kSectionRoutes[std::size_t(cut.sections.route)];
 }
 
 void writeProcessKeys(const Process& process, json& object) {

@@ -12,9 +12,9 @@ namespace bw::detail {
 // The keys of each part of a design: a job has them all in one object, a design those of each part in one of
 // its own.
 
-void readSourceKeys(ObjectReader& reader, Source& source);     ///< unit, sewing
-void readPlacement(ObjectReader& reader, StockBlock& block);   ///< block
-void readCutKeys(ObjectReader& reader, Cut& cut);              ///< face, near, direction, planes, stations
+void readSourceKeys(ObjectReader& reader, Source& source);    ///< unit, sewing
+void readPlacement(ObjectReader& reader, StockBlock& block);  ///< block
+void readCutKeys(ObjectReader& reader, Cut& cut);  ///< face, near, direction, planes, stations, sections
 void readProcessKeys(ObjectReader& reader, Process& process);  ///< fit, and the table of its numbers
 void readOutputKeys(ObjectReader& reader, Output& output);     ///< programs, cell
 /// blade: an error where the default preset is needed and not there. `object` is that of the reader.

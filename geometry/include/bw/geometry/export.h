@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
-
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -23,11 +20,6 @@ Result<std::string> stepText(const SplineSurface& surface, const std::string& na
 /// (`badInput`); `internal` if OpenCASCADE fails.
 Result<std::string> igesText(const SplineSurface& surface, const std::string& name);
 
-/// Writes the surface as STEP in mm: temporary file, then rename. `cannotWrite` names the path and the
-/// reason.
-Result<void> writeStep(const SplineSurface& surface, const std::string& name,
-                       const std::filesystem::path& file);
-
 /// The example surfaces with known formulas, in the order of the start page.
 struct Example {
   std::string name;     ///< file stem: "panel-600x670", "graph", "saddle", "sphere-cap", "torus-patch",
@@ -35,13 +27,11 @@ struct Example {
   std::string title;    ///< for people
   std::string formula;  ///< the exact formula, in words and symbols
 };
-std::vector<Example> exampleList();
+const std::vector<Example>& exampleList();
 
-/// Makes the example of that name as STEP text (mm). The B-spline differs from the formula by less than 0.001
-/// mm (spheres and tori are exact).
+/// The example of that name as STEP text (mm), from the resources. The B-spline differs from the formula by
+/// less than 0.001 mm (spheres and tori are exact). Errors: an unknown name (`badInput`, with the nearest);
+/// those of `resourceFolder` and `readFile`.
 Result<std::string> exampleStep(const std::string& name);
-
-/// The formula itself at parameters (u, v) in [0, 1]², for tests: a point of the exact surface, mm.
-Result<Eigen::Vector3d> examplePoint(const std::string& name, double u, double v);
 
 }  // namespace bw::geometry

@@ -55,9 +55,20 @@ std::vector<NamedDirection> directionsToTry(const Target& target, const Box& blo
 /// their frames) and all frames are parallel (x: horizontal in the block where possible, y: towards the outer
 /// side of the target, normal: the cutting direction). Planes that miss, closed sections and sections with
 /// several branches are reported in `issues` with their station, never guessed: a station without exactly one
-/// open curve is left out, and none left at all is an error.
+/// open curve is left out, and none left at all is an error. `request.route` `kernel` takes OpenCASCADE's
+/// intersection of each face, the others the own tracer.
 Result<std::vector<Section>> cutSections(const Target& target, const Setup& setup,
                                          const SectionRequest& request, const RunContext& context,
                                          Findings& findings);
+
+/// Looks with OpenCASCADE's intersection at some of the stations that `cutSections` traced with `request`:
+/// the first, the last, the middle one, and those on which `findings`, what it found, casts doubt. Where the
+/// two routes differ by more than 0.01 mm or in their number of curves, the neighbours are looked at too, on
+/// and on, and OpenCASCADE's section is taken unless it is the shorter one: what was traced lies on surface
+/// and plane, so it cannot be too much. Returns the sections anew, nothing where none was taken; `findings`
+/// then tells of those, and of every difference. Errors: those of `cutSections`.
+Result<std::optional<std::vector<Section>>> confirmSections(const Target& target, const Setup& setup,
+                                                            const SectionRequest& request,
+                                                            const RunContext& context, Findings& findings);
 
 }  // namespace bw::geometry

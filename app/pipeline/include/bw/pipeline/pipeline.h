@@ -78,6 +78,8 @@ struct CutEvaluation {
   Stage<RowRequest, DirectionSearch> directions;  ///< only where the cut's direction is "auto"
   std::shared_ptr<const geometry::Setup> setup;   ///< `placed` with the direction that was chosen
   Stage<PlanesRequest, std::vector<Section>> sections;
+  /// Only for files: what OpenCASCADE takes over of the traced sections, and the findings in their place.
+  Stage<PlanesRequest, std::optional<std::vector<Section>>> confirmed;
   Stage<RowRequest, Sweep> sweep;         ///< blades and poses
   Stage<CheckRequest, SweepCheck> check;  ///< velocities, margins, clearance
   Stage<MotionRequest, Motion> motion;
@@ -121,9 +123,14 @@ struct Outcome {
   std::optional<Error> error = std::nullopt;
 };
 
+/// What an evaluation is for: to be seen while its design changes, or to be written. Sections that were
+/// traced are confirmed by OpenCASCADE only for files.
+enum class Purpose { live, files };
+
 /// Evaluates a design. Stages of `previous` whose keys are unchanged are used again, so that a change
 /// recomputes only what depends on it.
-Outcome evaluate(const Design& design, const Evaluation* previous, const RunContext& context);
+Outcome evaluate(const Design& design, const Evaluation* previous, const RunContext& context,
+                 Purpose purpose = Purpose::live);
 
 /// The triangles of a cut's surface, to be shown also where a later stage failed; `seconds` grows by the
 /// time.

@@ -41,6 +41,7 @@ enum class FindingKind {
   sectionClosed,
   sectionBorder,
   sectionFit,
+  sectionRoute,
   face,
   direction,
   leftOut,
@@ -171,6 +172,13 @@ struct SectionRough {
   static constexpr FindingKind kind = FindingKind::sectionFit;
   double distance = 0;  ///< of its spline from it
 };
+/// OpenCASCADE finds another section than the tracer.
+struct SectionDiffers {
+  static constexpr FindingKind kind = FindingKind::sectionRoute;
+  int traced = 0, kernel = 0;  ///< curves that each finds
+  double distance = 0;         ///< between them, where each finds one
+  bool taken = false;          ///< OpenCASCADE's takes the place of the traced one
+};
 
 /// A face of a CAD file.
 struct FaceName {
@@ -281,9 +289,9 @@ using Cause =
     std::variant<UnmetConditions, UnsettledFit, HeldBackFit, SteadiedFit, Overbent, TooTight, ManyInflections,
                  WouldSnap, WouldTwist, GripTooNear, SteepAngle, UnevenSpeed, EndsSwing, GapInRow, TooFar,
                  SectionMissing, SectionPoint, SectionShort, SectionBranches, SectionClosed, SectionBorder,
-                 SectionUnfit, SectionRough, LargestFace, NearestFace, FacesLeftOut, TravelAcross,
-                 ChosenDirection, LeftOutOfFile, Healed, ChangedSource, EarlierDesign, UnreadableCell,
-                 WrongSide, ProgramDespiteErrors, ProgramBreach, RunMismatch>;
+                 SectionUnfit, SectionRough, SectionDiffers, LargestFace, NearestFace, FacesLeftOut,
+                 TravelAcross, ChosenDirection, LeftOutOfFile, Healed, ChangedSource, EarlierDesign,
+                 UnreadableCell, WrongSide, ProgramDespiteErrors, ProgramBreach, RunMismatch>;
 
 /// Stations of a row by their index: from first to last, `count` of them concerned, the worst among them.
 struct StationRange {

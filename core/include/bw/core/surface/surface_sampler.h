@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "bw/core/base/result.h"
+#include "bw/core/surface/surface_jet.h"
 
 namespace bw {
 
@@ -33,6 +34,13 @@ class SurfaceSampler {
   /// few Newton steps; the result does not rely on the seed being right: a foot that is worse than the seed's
   /// neighbourhood allows is searched for globally. Accuracy 1e-6 mm.
   virtual Result<Foot> closest(const Eigen::Vector3d& p, const Foot* seed) = 0;
+
+  /// The surface under a face at parameters as `Foot` tells them, its derivatives and its outer side; where
+  /// the face is trimmed away too. `curvatureOf` (bw/core/surface/surface_jet.h) makes curvatures of it.
+  /// Errors: `badInput` for a face that there is not and parameters that are not finite or lie outside the
+  /// rectangle of the face; `noSolution` where the surface has no tangent plane, such as the pole of a
+  /// sphere.
+  virtual Result<SurfaceJet> at(int face, const Eigen::Vector2d& uv) const = 0;
 
   /// An independent copy for another thread.
   virtual std::unique_ptr<SurfaceSampler> clone() const = 0;

@@ -2,14 +2,23 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <optional>
 
 namespace bw {
 
-/// How many planes cut the target.
+/// Who finds the curves in which a plane cuts the target: the own tracer, which keeps up with dragging;
+/// OpenCASCADE's intersection, the kernel; or the tracer, which the kernel confirms before results are
+/// written.
+enum class SectionRoute { automatic, kernel, traced };
+/// Their words in a job, by value.
+inline constexpr std::array<const char*, 3> kSectionRoutes = {"auto", "kernel", "traced"};
+
+/// How many planes cut the target, and by which route.
 struct SectionRequest {
-  int stations = 60;              ///< used unless `spacing` is set; 2 to kMost
-  std::optional<double> spacing;  ///< mm between stations, above 0
+  int stations = 60;                   ///< used unless `spacing` is set; 2 to kMost
+  std::optional<double> spacing = {};  ///< mm between stations, above 0
+  SectionRoute route = SectionRoute::automatic;
 
   static constexpr int kMost = 20000;
   bool operator==(const SectionRequest&) const = default;

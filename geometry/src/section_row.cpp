@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "section_row.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "bw/core/text/number_text.h"
+#include "model_impl.h"
+#include "tolerances.h"
+
+namespace bw::geometry {
+
+namespace {
+
+constexpr double kInsetRatio = 1e-4;  // of the range: the first and last plane keep off the very border
+constexpr double kInset = 0.01;       // mm, at least
+constexpr double kShortRatio = 0.01;  // of the longest section: shorter ones carry no shape
+constexpr double kShort = 0.1;        // mm, likewise
+constexpr int kProbePlanes = 64;      // tried when no sample of the target lies in the block
+constexpr int kBisections = 16;  // halvings of the distance between a plane that hits and one that misses
+
+/// The first and last place along the direction where the target lies in the block.
+Result<std::array<double, 2>> rangeOf(const Target::Impl& target, const Setup& setup,
+                                      const Sectioner& sectioner) {
+  const auto extent = target.extent(setup.direction);
+  const double low = std::max(extent[0], sectioner.entry()), high = std::min(extent[1], sectioner.exit());
+  const auto missed = [&]() {
+    return fail(ErrorCode::badInput,
+                "no plane across the cutting direction meets the target inside the block; move or enlarge "
+                "the block, or let it be placed around the target",
+                "block");
+  };
+  if (!(high > low)) {
+    if (extent[1] - extent[0] < kSlack && extent[0] > sectioner.entry() && extent[0] < sectioner.exit()) {
+      return fail(ErrorCode::badInput,
+                  "the target has no extent along the cutting direction; choose a direction that runs along "
+                  "the surface",
+                  "direction", extent[1] - extent[0]);
+    }
+    return missed();
+  }
+  if (high - low < 4 * kInset) {
+    return fail(ErrorCode::badInput,
+                "the target extends only " + shortText(high - low) +
+                    " mm along the cutting direction inside the block; choose a direction that runs along "
+                    "the surface",
+                "direction", high - low, 4 * kInset);
+  }
+  const double inset = std::max(kInset, kInsetRatio * (high - low));
+  double first = low + inset, last = high - inset;
+  if (sectioner.hits(first) && sectioner.hits(last)) return std::array<double, 2>{first, last};
+
+  // The target leaves the block by another side, or a border is ragged: look where it begins and ends.
+  double a = 1e300, b = -1e300;
+  for (int k = 0; k <= kProbePlanes; ++k) {
+    const double level = first + (last - first) * k / kProbePlanes;
+    if (!sectioner.hits(level)) continue;
+    a = std::min(a, level);
+    b = std::max(b, level);
+  }
+  if (a > b) return missed();
+  const auto bisect = [&](double hit, double miss) {
+    for (int k = 0; k < kBisections && std::abs(miss - hit) > 0.5 * inset; ++k) {
+      const double middle = 0.5 * (hit + miss);
+      (sectioner.hits(middle) ? hit : miss) = middle;
+    }
+    return hit;
+  };
+  if (a > first) a = bisect(a, std::max(first, a - (last - first) / kProbePlanes));
+  if (b < last) b = bisect(b, std::min(last, b + (last - first) / kProbePlanes));
+  if (!(b > a)) return missed();
+  return std::array<double, 2>{a, b};
+}
+
+/// Makes all curves run the same way: towards +x where that is clear, else like their neighbours.
+void orient(std::vector<Section>& sections) {
+  constexpr double kClear = 0.05;  // of the chord
+  const auto chord = [](const PlanarCurve& c) -> Eigen::Vector2d {
+    return c.value(c.end()) - c.value(c.start());
+  };
+  int anchor = -1;
+  for (int i = 0; i < int(sections.size()); ++i) {
+    const Eigen::Vector2d d = chord(sections[i].curve);
+    if (std::abs(d.x()) <= kClear * d.norm()) continue;
+    if (d.x() < 0) sections[i].curve = sections[i].curve.reversed();
+    if (anchor < 0) anchor = i;
+  }
+  if (anchor < 0 && !sections.empty()) {
+    anchor = 0;
+    if (chord(sections[0].curve).y() < 0) sections[0].curve = sections[0].curve.reversed();
+  }
+  const auto follow = [&](int i, int neighbour) {
+    const Eigen::Vector2d d = chord(sections[i].curve);
+    if (std::abs(d.x()) > kClear * d.norm()) return;
+    const PlanarCurve& c = sections[i].curve;
+    const PlanarCurve& n = sections[neighbour].curve;
+    const Eigen::Vector2d a = c.value(c.start()), b = c.value(c.end()), na = n.value(n.start()),
+                          nb = n.value(n.end());
+    if ((a - na).squaredNorm() + (b - nb).squaredNorm() > (b - na).squaredNorm() + (a - nb).squaredNorm()) {
+      sections[i].curve = c.reversed();
+    }
+  };
+  for (int i = anchor + 1; i < int(sections.size()); ++i) follow(i, i - 1);
+  for (int i = anchor - 1; i >= 0; --i) follow(i, i + 1);
+}
+
+/// True if the first of two causes of one kind is the worse.
+bool isWorse(const Cause& a, const Cause& b) {
+  if (const auto* branches = std::get_if<SectionBranches>(&a))
+    return branches->most > std::get<SectionBranches>(b).most;
+  if (const auto* shorter = std::get_if<SectionShort>(&a))
+    return shorter->length < std::get<SectionShort>(b).length;
+  if (const auto* rough = std::get_if<SectionRough>(&a))
+    return rough->distance > std::get<SectionRough>(b).distance;
+  if (const auto* differs = std::get_if<SectionDiffers>(&a))
+    return differs->distance > std::get<SectionDiffers>(b).distance;
+  return false;
+}
+
+/// Adds a later finding of the same kind of cause to `all`, which keeps the worse of both.
+void join(Finding& all, const Finding& one) {
+  StationRange& range = *all.where.stations;
+  const bool worse = isWorse(one.cause, all.cause);
+  range.last = one.where.stations->last;
+  range.count += one.where.stations->count;
+  if (auto* branches = std::get_if<SectionBranches>(&all.cause)) {
+    const auto& more = std::get<SectionBranches>(one.cause);
+    branches->least = std::min(branches->least, more.least);
+    branches->most = std::max(branches->most, more.most);
+  } else if (worse) {
+    all.cause = one.cause;
+  }
+  if (!worse) return;
+  range.worst = one.where.stations->worst;
+  all.where.point = one.where.point;
+}
+
+}  // namespace
+
+Findings gathered(const Findings& each) {
+  constexpr std::size_t kMostStretches = 3;
+  std::map<std::pair<std::size_t, bool>, Findings> stretches;  // by the kind of cause
+  for (const Finding& one : each) {
+    const auto* differs = std::get_if<SectionDiffers>(&one.cause);
+    Findings& known = stretches[{one.cause.index(), differs && differs->taken}];
+    if (!known.empty() && known.back().where.stations->last + 1 == one.where.stations->first)
+      join(known.back(), one);
+    else
+      known.push_back(one);
+  }
+  Findings result;
+  for (auto& [index, known] : stretches) {
+    if (known.size() > kMostStretches) {
+      for (std::size_t i = 1; i < known.size(); ++i) join(known.front(), known[i]);
+      known.resize(1);
+    }
+    result.insert(result.end(), known.begin(), known.end());
+  }
+  std::ranges::stable_sort(result, {}, [](const Finding& f) { return f.where.stations->first; });
+  return result;
+}
+
+Result<void> SectionRow::place(const Target& target, const SectionRequest& request) {
+  const auto range = rangeOf(target.impl(), setup_, sectioner_);
+  if (!range) return tl::unexpected(range.error());
+  first_ = (*range)[0];
+  last_ = (*range)[1];
+  count_ = request.stations;
+  if (!request.spacing) return {};
+  const double gaps = std::ceil((last_ - first_) / *request.spacing - kSameSize);
+  if (gaps + 1 > SectionRequest::kMost) {
+    return fail(ErrorCode::badInput,
+                "a spacing of " + shortText(*request.spacing) + " mm makes more than " +
+                    std::to_string(SectionRequest::kMost) + " stations over " + shortText(last_ - first_) +
+                    " mm; choose " +
+                    shortText(std::ceil((last_ - first_) / (SectionRequest::kMost - 1) * 100) / 100, 8) +
+                    " mm or more",
+                "stations", gaps + 1, SectionRequest::kMost);
+  }
+  count_ = std::max(2, int(gaps) + 1);
+  return {};
+}
+
+Result<std::vector<Section>> SectionRow::finish(std::vector<SectionOutcome> outcomes,
+                                                Findings& findings) const {
+  double longest = 0;
+  for (const SectionOutcome& outcome : outcomes) longest = std::max(longest, outcome.length);
+  const double shortest = std::max(kShort, kShortRatio * longest);
+  std::vector<Section> sections;
+  Findings each;
+  for (SectionOutcome& outcome : outcomes) {
+    each.insert(each.end(), outcome.findings.begin(), outcome.findings.end());
+    if (!outcome.section) continue;
+    if (outcome.length < shortest) {
+      const Section& section = *outcome.section;
+      each.push_back({Severity::warning,
+                      SectionShort{outcome.length, shortest},
+                      {StationRange::of(section.index),
+                       section.frame.toWorld(section.curve.value(section.curve.start()))},
+                      {}});
+      continue;
+    }
+    sections.push_back(std::move(*outcome.section));
+  }
+  for (Finding& finding : gathered(each)) findings.push_back(std::move(finding));
+  if (sections.empty()) {
+    return fail(ErrorCode::noSolution,
+                "none of the " + std::to_string(count_) +
+                    " planes cuts the target in one open curve inside the block; choose another block, "
+                    "direction or face",
+                "sections");
+  }
+  orient(sections);
+  return sections;
+}
+
+}  // namespace bw::geometry
