@@ -8,7 +8,7 @@
 #include <cstdint>
 
 #include "bw/core/cases/cases.h"
-#include "bw/robotio/program.h"
+#include "bw/robotio/text/motion_text.h"
 #include "require.h"
 
 namespace {
