@@ -8,7 +8,7 @@
 #include "bw/core/design/program_formats.h"
 #include "bw/core/text/printable.h"
 #include "bw/pipeline/run_identity.h"
-#include "bw/robotio/program.h"
+#include "bw/robotio/dialects.h"
 #include "verbs.h"
 
 namespace bw::cli {
@@ -39,14 +39,14 @@ int runExport(const Session& session, const ExportOptions& options, bool despite
   return product.status();
 }
 
-/// True if a folder holds modules, or lists of them, at any depth at which programs lie, or cannot be read as
-/// far as that.
-bool holdsRapid(const std::filesystem::path& folder) {
+/// True if a folder holds what robots run at any depth at which programs lie, or cannot be read as far as
+/// that.
+bool holdsPrograms(const std::filesystem::path& folder) {
   std::error_code error;
   for (std::filesystem::recursive_directory_iterator it(folder, error), end; !error && it != end;
        it.increment(error)) {
-    const std::string suffix = lowerSuffix(it->path());
-    if (suffix == ".mod" || suffix == ".modx" || suffix == ".pgf") return true;
+    const robotio::Dialect* dialect = robotio::dialectOfFile(it->path().string());
+    if (dialect && dialect->check) return true;
     if (it.depth() >= 3) it.disable_recursion_pending();
   }
   return bool(error);
@@ -57,12 +57,12 @@ Result<Findings> findingsOf(const std::filesystem::path& path) {
   Findings findings = pipeline::compareWithReport(path);
   std::error_code error;
   const bool isResult = pipeline::isResultFolder(path);
-  if (isResult && !holdsRapid(path)) return findings;  // the design has none
+  if (isResult && !holdsPrograms(path)) return findings;  // the design has none
   const std::filesystem::path programs = path / "programs";
   const Result<robotio::Program> program =
       robotio::loadProgram(isResult && std::filesystem::is_directory(programs, error) ? programs : path);
   if (!program) return tl::unexpected<Error>(program.error());
-  const Findings broken = robotio::checkRapid(*program);
+  const Findings broken = robotio::checkProgram(*program);
   findings.insert(findings.end(), broken.begin(), broken.end());
   return findings;
 }

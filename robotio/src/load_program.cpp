@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <system_error>
 
+#include "bw/core/files/file_set.h"
 #include "bw/core/files/temporary_name.h"
-#include "bw/robotio/program.h"
-#include "rapid_program.h"
+#include "bw/robotio/dialects.h"
 
 namespace bw::robotio {
 
@@ -23,8 +23,20 @@ struct Found {
   std::string path;  ///< within the program
 };
 
-bool belongsToRapid(const fs::path& file) {
-  return isModuleFile(file.string()) || isProgramFile(file.string());
+/// True for the files of programs that robots run.
+bool belongsToRobots(const fs::path& file) {
+  const Dialect* of = dialectOfFile(file.string());
+  return of && of->check;
+}
+
+/// ".mod, .modx or .pgf".
+std::string filesOfRobots() {
+  std::vector<std::string> names;
+  for (const Dialect& d : dialects())
+    if (d.check) names.insert(names.end(), d.files.begin(), d.files.end());
+  std::string text = names.front();
+  for (std::size_t i = 1; i < names.size(); ++i) text += (i + 1 < names.size() ? ", " : " or ") + names[i];
+  return text;
 }
 
 Result<std::vector<fs::path>> entriesOf(const fs::path& folder) {
@@ -39,7 +51,7 @@ Result<std::vector<fs::path>> entriesOf(const fs::path& folder) {
   return entries;
 }
 
-/// Adds the RAPID files of `folder` and of its folders, at most `depth` levels down.
+/// Adds the program files of `folder` and of its folders, at most `depth` levels down.
 Result<void> collect(const fs::path& folder, const std::string& prefix, int depth,
                      std::vector<Found>& found) {
   const Result<std::vector<fs::path>> entries = entriesOf(folder);
@@ -51,7 +63,7 @@ Result<void> collect(const fs::path& folder, const std::string& prefix, int dept
     if (fs::is_directory(entry, error)) {
       if (depth > 0)
         if (Result<void> ok = collect(entry, path + "/", depth - 1, found); !ok) return ok;
-    } else if (belongsToRapid(entry) && fs::is_regular_file(entry, error)) {
+    } else if (belongsToRobots(entry) && fs::is_regular_file(entry, error)) {
       found.push_back(Found{entry, path});
       if (found.size() > kMaxFiles)
         return fail(ErrorCode::cannotRead,
@@ -88,7 +100,7 @@ Result<Program> loadProgram(const fs::path& path) {
     if (Result<void> ok = collect(path, "", 2, found); !ok) return tl::unexpected<Error>(ok.error());
     if (found.empty())
       return fail(ErrorCode::cannotRead,
-                  "there are no .mod, .modx or .pgf files in " + path.string() +
+                  "there are no " + filesOfRobots() + " files in " + path.string() +
                       " or the folders of its tasks; give a program's folder",
                   path.string());
     // The folder of one task: its modules belong to the task that it names.
@@ -96,7 +108,7 @@ Result<Program> loadProgram(const fs::path& path) {
       if (file.path.find('/') == std::string::npos) file.path = folderName(path) + "/" + file.path;
   } else {
     const std::string name = path.filename().string();
-    found.push_back(Found{path, belongsToRapid(path) ? folderName(path.parent_path()) + "/" + name : name});
+    found.push_back(Found{path, belongsToRobots(path) ? folderName(path.parent_path()) + "/" + name : name});
   }
   Program program;
   std::size_t total = 0;

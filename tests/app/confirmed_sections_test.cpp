@@ -18,7 +18,7 @@ const std::filesystem::path kFolder = "nothing-is-written-there";
 Design saddle(SectionRoute route) {
   Design design = exampleDesign("saddle").value();
   design.cut().sections.stations = 12;
-  design.job.sections = route;
+  design.cut().sections.route = route;
   return design;
 }
 
@@ -47,8 +47,8 @@ TEST(ConfirmedSections, LeaveWhatStandsWhereTheyAgree) {
   const Product product = produce(seen, kFolder, {}, {});
   ASSERT_FALSE(product.error) << product.error->message;
   EXPECT_TRUE(product.evaluation.confirmed.value);
-  EXPECT_EQ(product.evaluation.cut().sweep.value, seen.fits.value);
-  EXPECT_EQ(product.evaluation.cut().analysis.value, seen.sweep.value);
+  EXPECT_EQ(product.evaluation.cut().sweep.value, seen.cut().sweep.value);
+  EXPECT_EQ(product.evaluation.cut().analysis.value, seen.cut().analysis.value);
 }
 
 TEST(ConfirmedSections, AreNotAskedForWhereTheRouteIsGiven) {

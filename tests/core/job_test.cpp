@@ -99,10 +99,10 @@ TEST(Job, SewsWithinATenthOfTheToleranceButAtMostATenthOfAMillimetre) {
 }
 
 TEST(Job, ReadsByWhichRouteSectionsAreFound) {
-  EXPECT_EQ(parseJob("{}").value().sections, SectionRoute::automatic);
-  EXPECT_EQ(parseJob(R"({"sections": "auto"})").value().sections, SectionRoute::automatic);
-  EXPECT_EQ(parseJob(R"({"sections": "kernel"})").value().sections, SectionRoute::kernel);
-  EXPECT_EQ(parseJob(R"({"sections": "traced"})").value().sections, SectionRoute::traced);
+  EXPECT_EQ(parseJob("{}").value().cut().sections.route, SectionRoute::automatic);
+  EXPECT_EQ(parseJob(R"({"sections": "auto"})").value().cut().sections.route, SectionRoute::automatic);
+  EXPECT_EQ(parseJob(R"({"sections": "kernel"})").value().cut().sections.route, SectionRoute::kernel);
+  EXPECT_EQ(parseJob(R"({"sections": "traced"})").value().cut().sections.route, SectionRoute::traced);
   EXPECT_NE(messageOf(R"({"sections": "occt"})").find("kernel"), std::string::npos);
 }
 

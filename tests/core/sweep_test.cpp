@@ -485,6 +485,9 @@ TEST(Motion, EndsFollowTheTcpConvention) {
     EXPECT_NEAR(l.determinant(), 1, 1e-12);
     EXPECT_GE(left.rotation.dot(motion->instants[i - 1].poses[0].rotation), 0);
   }
+  ASSERT_TRUE(motion->approach && motion->retreat);
+  EXPECT_LT((R_WB * *motion->approach - sweep->direction).norm(), 1e-12) << "in the block frame";
+  EXPECT_LT((R_WB * *motion->retreat - sweep->direction).norm(), 1e-12);
 }
 
 TEST(Motion, RefusesImpossibleSpeeds) {

@@ -7,7 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "bw/robotio/program.h"
+#include "bw/robotio/rapid/rapid.h"
+#include "bw/robotio/text/motion_text.h"
 #include "require.h"
 
 namespace {
@@ -34,17 +35,12 @@ bw::robotio::Program split(std::string_view text) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const bw::robotio::Program program = split({reinterpret_cast<const char*>(data), size});
-  const auto tasks = bw::robotio::readRapid(program);
+  const bw::Result<bw::Motion> motion = bw::robotio::readRapid(program);
   const bw::Findings findings = bw::robotio::checkRapid(program);
   for (const bw::Finding& finding : findings) {
     const auto& breach = std::get<bw::ProgramBreach>(finding.cause);
     FUZZ_REQUIRE(!breach.text.empty() && !breach.place.empty());
   }
-  if (!tasks) {
-    FUZZ_REQUIRE(!tasks.error().message.empty());
-    return 0;
-  }
-  for (const auto& task : *tasks)
-    for (const auto& move : task.moves) FUZZ_REQUIRE(move.line > 0 && move.pose.position.allFinite());
+  FUZZ_REQUIRE(motion ? bw::robotio::writeCsv(*motion).has_value() : !motion.error().message.empty());
   return 0;
 }

@@ -6,6 +6,8 @@
 #include <filesystem>
 
 #include "bw/core/files/file_set.h"
+#include "bw/robotio/dialects.h"
+#include "bw/robotio/text/motion_text.h"
 #include "sample.h"
 
 namespace bw::robotio {
@@ -28,7 +30,7 @@ void store(const Program& program, const fs::path& folder) {
 }
 
 TEST(LoadProgram, AFolderGivesBackWhatWasWritten) {
-  const auto program = writeRapid(sample::motion(), sample::cell());
+  const auto program = sample::rapid();
   ASSERT_TRUE(program);
   const fs::path folder = freshFolder("whole");
   store(*program, folder);
@@ -44,7 +46,7 @@ TEST(LoadProgram, AFolderGivesBackWhatWasWritten) {
 }
 
 TEST(LoadProgram, TheFolderOfOneTaskAndASingleModuleKeepTheTasksName) {
-  const auto program = writeRapid(sample::motion(), sample::cell());
+  const auto program = sample::rapid();
   ASSERT_TRUE(program);
   const fs::path folder = freshFolder("task");
   store(*program, folder);
@@ -63,7 +65,7 @@ TEST(LoadProgram, TheFolderOfOneTaskAndASingleModuleKeepTheTasksName) {
 }
 
 TEST(LoadProgram, AParentOfStripsGivesThemAll) {
-  const auto program = writeRapid(sample::motion(), sample::cell());
+  const auto program = sample::rapid();
   ASSERT_TRUE(program);
   const fs::path folder = freshFolder("strips");
   store(*program, folder / "strip_1");

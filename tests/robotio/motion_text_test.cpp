@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "bw/robotio/text/motion_text.h"
 #include "sample.h"
 
 namespace bw::robotio {
@@ -56,7 +57,28 @@ TEST(MotionJson, RoundTripsExactly) {
     const auto read = readJson(program->front().bytes);
     ASSERT_TRUE(read) << read.error().message;
     expectEqual(*read, motion);
+    EXPECT_EQ(read->approach, motion.approach);
+    EXPECT_EQ(read->retreat, motion.retreat);
   }
+}
+
+TEST(MotionJson, AnOlderTextIsReadAndLacksTheWaysOnlyWhereAProgramIsMade) {
+  Motion motion = sample::motion();
+  motion.approach = {0.6, 0, 0.8};
+  std::string text = writeJson(motion, sample::cell())->front().bytes;
+  ASSERT_TRUE(sample::replace(text, "  \"approach\": [0.6, 0, 0.8],\n  \"retreat\": [0, 1, 0],\n", ""));
+  const auto read = readJson(text);
+  ASSERT_TRUE(read) << read.error().message;
+  expectEqual(*read, motion);
+  EXPECT_FALSE(read->approach);
+  EXPECT_FALSE(read->retreat);
+  EXPECT_EQ(writeJson(*read, sample::cell())->front().bytes, text) << "what is not known is not made up";
+  const auto plan = planProgram(*read, sample::cell());
+  ASSERT_FALSE(plan);
+  EXPECT_NE(plan.error().message.find("approach, retreat"), std::string::npos) << plan.error().message;
+  Cell at = sample::cell();
+  at.approach = 0;
+  EXPECT_TRUE(planProgram(*read, at)) << "nothing is travelled outside of the motion";
 }
 
 TEST(MotionCsv, HeaderNamesColumnsWithUnits) {
@@ -128,6 +150,9 @@ TEST(MotionJson, FaultsNameTheKey) {
   expectJsonFault(changed("\"blade_length\"", "\"blade_lenght\""), "did you mean \"blade_length\"");
   expectJsonFault(changed("\"time\": 8.375", "\"time\": \"late\""), "motion.instants[1].time");
   expectJsonFault(changed("\"quaternion\": [0.7", "\"quaternion\": [9.7"), "norm");
+  expectJsonFault(changed("\"approach\": [0, 1, 0]", "\"approach\": [0, 1]"), "motion.approach");
+  expectJsonFault(changed("\"retreat\": [0, 1, 0]", "\"retreat\": [0, 2, 0]"),
+                  "retreat is not a unit vector");
   expectJsonFault(changed("\"size\": [600, 670, 200]", "\"size\": [600, 670]"), "motion.block.size");
   expectJsonFault(std::string(200000, '['), "line 1");
 }

@@ -42,6 +42,7 @@ Motion simpleMotion() {
   motion.block.size = {600, 400, 200};
   motion.bladeLength = 800;
   motion.cuttingSpeed = 20;
+  motion.approach = motion.retreat = Eigen::Vector3d::UnitY();
   for (int i = 0; i < 5; ++i) {
     MotionInstant instant;
     instant.time = 5.5 * i;
@@ -59,9 +60,9 @@ Motion simpleMotion() {
 }
 
 TEST(RapidGolden, ProgramOfFiveTargetsIsUnchanged) {
-  RapidOptions options;
+  ProgramNotes options;
   options.run = "0123456789abcdef";
-  const auto program = writeRapid(simpleMotion(), sample::cell(), options);
+  const auto program = sample::rapid(simpleMotion(), sample::cell(), options);
   ASSERT_TRUE(program) << program.error().message;
   expectGolden(*program, "five-targets");
 }

@@ -68,7 +68,7 @@ TEST(RapidMotion, EveryTargetMovedByAMetreIsAnErrorThatNamesIt) {
   int tried = 0;
   for (const auto& [instants, seconds] :
        {std::pair{5, 33.5}, {5, 600.0}, {60, 33.5}, {60, 1200.0}, {400, 600.0}}) {
-    const auto good = writeRapid(sample::motion(instants, seconds), sample::cell());
+    const auto good = sample::rapid(sample::motion(instants, seconds), sample::cell());
     ASSERT_TRUE(good) << good.error().message;
     ASSERT_TRUE(errorsOf(*good).empty()) << listed(errorsOf(*good));
     for (const char* path : kModules) {
@@ -94,7 +94,7 @@ TEST(RapidMotion, EveryTargetMovedByAMetreIsAnErrorThatNamesIt) {
 }
 
 TEST(RapidMotion, GripsFurtherApartThanTheBladeIsLongAreAnError) {
-  const auto good = writeRapid(sample::motion(60), sample::cell());
+  const auto good = sample::rapid(sample::motion(60), sample::cell());
   ASSERT_TRUE(good);
   Program copy = *good;
   const std::vector<Declared> left = targetsOf(sample::file(copy, kModules[0])),
@@ -120,7 +120,7 @@ TEST(RapidMotion, GripsFurtherApartThanTheBladeIsLongAreAnError) {
 }
 
 TEST(RapidMotion, AProgramThatTellsNoLengthIsCheckedForLeapsOnly) {
-  auto program = writeRapid(sample::motion(60), sample::cell());
+  auto program = sample::rapid(sample::motion(60), sample::cell());
   ASSERT_TRUE(program);
   for (ProgramFile& file : *program) sample::replaceAll(file.bytes, ", free blade length 800.0000 mm", "");
   const Declared target = targetsOf(sample::file(*program, kModules[1]))[30];
@@ -131,7 +131,7 @@ TEST(RapidMotion, AProgramThatTellsNoLengthIsCheckedForLeapsOnly) {
 }
 
 TEST(RapidMotion, ALeapIsSeenAtPredefinedSpeedsToo) {
-  auto program = writeRapid(sample::motion(60), sample::cell());
+  auto program = sample::rapid(sample::motion(60), sample::cell());
   ASSERT_TRUE(program);
   for (ProgramFile& file : *program) {
     sample::replaceAll(file.bytes, ", free blade length 800.0000 mm", "");
@@ -152,7 +152,7 @@ TEST(RapidMotion, ATargetThatTurnsAgainstTheRatesBesideItLeaps) {
     for (std::size_t end = 0; end < instant.poses.size(); ++end)
       instant.poses[end].rotation = still.instants[0].poses[end].rotation;
   for (const Motion& motion : {sample::motion(60), still}) {
-    const auto good = writeRapid(motion, sample::cell());
+    const auto good = sample::rapid(motion, sample::cell());
     ASSERT_TRUE(good);
     Program program = *good;
     std::string& module = sample::file(program, kModules[0]);
@@ -169,7 +169,7 @@ TEST(RapidMotion, ATargetThatTurnsAgainstTheRatesBesideItLeaps) {
 }
 
 TEST(RapidMotion, WithoutTimesALeapIsSeenInThePath) {
-  auto program = writeRapid(sample::motion(60), sample::cell());
+  auto program = sample::rapid(sample::motion(60), sample::cell());
   ASSERT_TRUE(program);
   for (ProgramFile& file : *program)
     for (std::size_t at = 0; (at = file.bytes.find("\\T:=", at)) != std::string::npos;)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "rapid_names.h"
+#include "rapid/names.h"
 
 #include <gtest/gtest.h>
 
@@ -50,6 +50,9 @@ TEST(RapidNames, SystemSpeedsAndZonesHaveTheirValues) {
   EXPECT_EQ(predefinedZone("z0"), 0.3);
   EXPECT_EQ(predefinedZone("z5"), 5.0);
   EXPECT_EQ(predefinedZone("z2"), std::nullopt);
+  for (const char* zone : {"fine", "z0", "z1", "z200"})
+    EXPECT_EQ(predefinedZoneName(std::max(0.0, *predefinedZone(zone))), zone);
+  EXPECT_EQ(predefinedZoneName(0.05), "");
 }
 
 }  // namespace

@@ -22,6 +22,9 @@ const char* const kByHand =
     "    const jointtarget jtStart := [[0,-20,30,0,50,0],[9E+09,9E+09,9E9,9E+09,9E+09,9E+09]];\r\n"
     "    CONST RobTarget p0001 := [[ 0 ,-400, "
     "+0.5],[0.70710678,0,0.70710678,0],[0,0,-1,0],[9E+09,9E+09,9E+09,9E+09,9E+09,9E+09]]; ! here\r\n"
+    "    CONST robtarget p0002 := "
+    "[[0,-360,0.5],[0.70710678,0,0.70710678,0],[0,0,-1,0],[9E+09,9E+09,9E+09,9E+09,"
+    "9E+09,9E+09]];\r\n"
     "    PROC main()\r\n"
     "        ConfL \\Off;\r\n"
     "        SingArea \\Off;\r\n"
@@ -29,40 +32,55 @@ const char* const kByHand =
     "        WaitSyncTask syncAtStart,taskList;\r\n"
     "        SyncMoveOn syncOn,taskList;\r\n"
     "        movel P0001\\ID:=10,v20,fine,TBLADE\\WObj:=wBlock;\r\n"
+    "        MoveL p0002\\ID:=20,v20,fine,tBlade\\WObj:=wBlock;\r\n"
     "        SyncMoveOff syncOff;\r\n"
     "        MoveAbsJ jtStart,v200,fine,tBlade\\WObj:=wobj0;\r\n"
     "    ENDPROC\r\n"
     "ENDMODULE\r\n";
 
 TEST(RapidReader, ReadsAProgramWrittenByHand) {
-  const auto tasks = readRapid({{"T_ROB1/BladeLeft.mod", kByHand}});
-  ASSERT_TRUE(tasks) << tasks.error().message;
-  ASSERT_EQ(tasks->size(), 1u);
-  const RapidTask& task = tasks->front();
-  EXPECT_EQ(task.name, "T_ROB1");
-  EXPECT_EQ(task.modules, std::vector<std::string>{"BladeLeft"});
-  EXPECT_EQ(task.toolMass, 2.5);
-  EXPECT_EQ(task.tool.position, Eigen::Vector3d(0, 0, 120));
-  EXPECT_EQ(task.workObject.position, Eigen::Vector3d(1200, 0, 610)) << "user and object frame are chained";
-  ASSERT_EQ(task.moves.size(), 1u) << "moves outside of the synchronised block are not listed";
-  const RapidMove& move = task.moves[0];
-  EXPECT_EQ(move.id, 10);
-  EXPECT_EQ(move.instruction, "MoveL");
-  EXPECT_EQ(move.pose.position, Eigen::Vector3d(0, -400, 0.5));
-  EXPECT_EQ(move.pose.rotation.w(), 0.70710678);
-  EXPECT_EQ(move.duration, 0);
-  EXPECT_EQ(move.speed, 20);
+  const Program program = {{"T_ROB1/BladeLeft.mod", kByHand}};
+  const auto motion = readRapid(program);
+  ASSERT_TRUE(motion) << motion.error().message;
+  EXPECT_EQ(motion->bladeLength, 0) << "nothing tells it";
+  EXPECT_FALSE(motion->approach || motion->retreat);
+  EXPECT_EQ(motion->cuttingSpeed, 20);
+  ASSERT_EQ(motion->instants.size(), 2u) << "moves outside of the synchronised block are not listed";
+  ASSERT_EQ(motion->instants[0].poses.size(), 1u);
+  EXPECT_EQ(motion->instants[0].poses[0].position, Eigen::Vector3d(0, -400, 0.5));
+  EXPECT_EQ(motion->instants[0].poses[0].rotation.w(), 0.70710678);
+  EXPECT_EQ(motion->instants[1].time, 2) << "40 mm at 20 mm/s";
+  const sample::Moves moves(program);
+  ASSERT_EQ(moves.tasks.size(), 1u);
+  EXPECT_EQ(moves.linked[0].tasks[0].name, "T_ROB1");
+  EXPECT_EQ(moves.linked[0].tasks[0].modules[0].name, "BladeLeft");
+  const Step& move = *moves.tasks[0][0];
+  EXPECT_EQ(move.tool->numbers[kToolMass], 2.5);
+  EXPECT_EQ(poseAt(*move.tool, kToolPosition, kToolRotation).position, Eigen::Vector3d(0, 0, 120));
+  EXPECT_EQ(move.statement->id, 10);
+  EXPECT_FALSE(move.statement->duration);
   EXPECT_EQ(move.zone, -1);
-  EXPECT_EQ(move.line, 16);
+  EXPECT_EQ(move.statement->line, 17);
+}
+
+TEST(RapidReader, TasksThatDoNotMoveTogetherAreNoProgram) {
+  Program program = *sample::rapid();
+  std::string& right = sample::file(program, "T_ROB2/BladeRight.mod");
+  const std::size_t at = right.find("        MoveL p0002");
+  right.erase(at, right.find('\n', at) + 1 - at);
+  const auto plan = readRapid(program);
+  ASSERT_FALSE(plan);
+  EXPECT_NE(plan.error().message.find("task T_ROB2 are not 7 linear ones"), std::string::npos)
+      << plan.error().message;
 }
 
 /// Expects the reader to refuse a text at a line, with words in the message.
 void expectFault(const std::string& text, int line, const std::string& words) {
-  const auto tasks = readRapid({{"T_ROB1/M.mod", text}});
-  ASSERT_FALSE(tasks) << text;
-  EXPECT_EQ(tasks.error().code, ErrorCode::badInput);
-  EXPECT_EQ(tasks.error().where, "T_ROB1/M.mod:" + std::to_string(line)) << tasks.error().message;
-  EXPECT_NE(tasks.error().message.find(words), std::string::npos) << tasks.error().message;
+  const auto plan = readRapid({{"T_ROB1/M.mod", text}});
+  ASSERT_FALSE(plan) << text;
+  EXPECT_EQ(plan.error().code, ErrorCode::badInput);
+  EXPECT_EQ(plan.error().where, "T_ROB1/M.mod:" + std::to_string(line)) << plan.error().message;
+  EXPECT_NE(plan.error().message.find(words), std::string::npos) << plan.error().message;
 }
 
 TEST(RapidReader, TellsFileLineAndTextOfWhatItDoesNotKnow) {
@@ -117,7 +135,7 @@ TEST(RapidReader, SurvivesDeepNestingAndEndlessTokens) {
 
 /// Whatever bytes a good program is spoilt with, reader and checker answer.
 TEST(RapidReader, SurvivesSpoiltPrograms) {
-  const auto good = writeRapid(sample::motion(), sample::cell());
+  const auto good = sample::rapid();
   ASSERT_TRUE(good);
   std::mt19937 random(7);
   int refused = 0;

@@ -195,14 +195,14 @@ std::vector<Mutation> mutations() {
 }
 
 TEST(RapidRules, AGoodProgramHasNoFindings) {
-  const auto program = writeRapid(sample::motion(), sample::cell());
+  const auto program = sample::rapid();
   ASSERT_TRUE(program) << program.error().message;
   for (const sample::Told& issue : sample::check(*program))
     ADD_FAILURE() << issue.kind << " " << issue.place << " " << issue.message;
 }
 
 TEST(RapidRules, EachMutationIsFoundAsABreachOfItsRule) {
-  const auto good = writeRapid(sample::motion(), sample::cell());
+  const auto good = sample::rapid();
   ASSERT_TRUE(good) << good.error().message;
   for (const Mutation& mutation : mutations()) {
     Program program = *good;
@@ -221,7 +221,7 @@ TEST(RapidRules, EachMutationIsFoundAsABreachOfItsRule) {
 }
 
 TEST(RapidRules, ABreachIsReportedAtItsLine) {
-  const auto good = writeRapid(sample::motion(), sample::cell());
+  const auto good = sample::rapid();
   ASSERT_TRUE(good);
   const auto expectAt = [&](const std::string& kind, const std::string& path, const std::string& from,
                             const std::string& to) {
@@ -245,7 +245,7 @@ TEST(RapidRules, ABreachIsReportedAtItsLine) {
 }
 
 TEST(RapidRules, TasksSplitAtDifferentPlacesAreFound) {
-  const auto good = writeRapid(sample::motion(4100, 600), sample::cell());
+  const auto good = sample::rapid(sample::motion(4100, 600), sample::cell());
   ASSERT_TRUE(good) << good.error().message;
   Program program = *good;
   std::string& first = sample::file(program, "T_ROB2/BladeRight_001.mod");
@@ -261,7 +261,7 @@ TEST(RapidRules, TasksSplitAtDifferentPlacesAreFound) {
 }
 
 TEST(RapidRules, SlowPlannersAreToldTheRateOfTargets) {
-  const auto program = writeRapid(sample::motion(801, 33.5), sample::cell());
+  const auto program = sample::rapid(sample::motion(801, 33.5), sample::cell());
   ASSERT_TRUE(program) << "short moves are a warning, not an error";
   const std::vector<sample::Told> issues = sample::check(*program);
   ASSERT_FALSE(issues.empty());
@@ -274,7 +274,7 @@ TEST(RapidRules, SlowPlannersAreToldTheRateOfTargets) {
 }
 
 TEST(RapidRules, FindingsOfOneKindAreCountedNotPiledUp) {
-  const auto good = writeRapid(sample::motion(1000, 600), sample::cell());
+  const auto good = sample::rapid(sample::motion(1000, 600), sample::cell());
   ASSERT_TRUE(good);
   Program program = *good;
   replaceAll(sample::file(program, kRight), "9E+09]];", "0]];");
@@ -290,7 +290,7 @@ TEST(RapidRules, NothingToCheckIsAFinding) {
 }
 
 TEST(RapidRules, SeveralStripsAreCheckedEachForItself) {
-  const auto good = writeRapid(sample::motion(), sample::cell());
+  const auto good = sample::rapid();
   ASSERT_TRUE(good);
   Program program;
   for (const char* strip : {"strip1/", "strip2/"})
@@ -300,9 +300,9 @@ TEST(RapidRules, SeveralStripsAreCheckedEachForItself) {
   const std::vector<sample::Told> issues = sample::check(program);
   ASSERT_FALSE(issues.empty());
   EXPECT_EQ(issues[0].place.rfind("strip2/", 0), 0u) << issues[0].place;
-  const auto tasks = readRapid(program);
-  ASSERT_FALSE(tasks);
-  EXPECT_NE(tasks.error().message.find("one at a time"), std::string::npos);
+  const auto plan = readRapid(program);
+  ASSERT_FALSE(plan);
+  EXPECT_NE(plan.error().message.find("one at a time"), std::string::npos);
 }
 
 }  // namespace

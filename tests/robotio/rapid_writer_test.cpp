@@ -6,6 +6,7 @@
 #include <limits>
 #include <set>
 
+#include "bw/robotio/cell/placement.h"
 #include "sample.h"
 
 namespace bw::robotio {
@@ -23,26 +24,24 @@ void expectNoFindings(const Program& program) {
 /// The cut of a program is its motion, in poses and times, with `extra` moves (approach, retreat) at either
 /// end.
 void expectSameMotion(const Program& program, const Motion& motion, std::size_t extra) {
-  const auto tasks = readRapid(program);
-  ASSERT_TRUE(tasks) << tasks.error().message;
-  ASSERT_EQ(tasks->size(), motion.instants[0].poses.size());
-  for (std::size_t end = 0; end < tasks->size(); ++end) {
-    const std::vector<RapidMove>& moves = (*tasks)[end].moves;
-    ASSERT_EQ(moves.size(), motion.instants.size() + 2 * extra);
-    double time = motion.instants[0].time;
-    for (std::size_t i = 0; i < motion.instants.size(); ++i) {
-      const RapidMove& move = moves[i + extra];
-      const Pose& pose = motion.instants[i].poses[end];
-      EXPECT_LE((move.pose.position - pose.position).cwiseAbs().maxCoeff(), kPositionAccuracy);
-      const Eigen::Quaterniond q = move.pose.rotation.dot(pose.rotation) < 0
-                                       ? Eigen::Quaterniond(-pose.rotation.coeffs())
-                                       : pose.rotation;
-      EXPECT_LE((move.pose.rotation.coeffs() - q.coeffs()).cwiseAbs().maxCoeff(), kRotationAccuracy);
-      if (i == 0) continue;
-      EXPECT_NEAR(move.duration, motion.instants[i].time - motion.instants[i - 1].time, kDurationAccuracy);
-      time += move.duration;
-      EXPECT_NEAR(time, motion.instants[i].time, kDurationAccuracy)
-          << "rounding errors of durations must not add up";
+  const auto read = readRapid(program);
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(sample::Moves(program).tasks[0].size(), motion.instants.size() + 2 * extra);
+  EXPECT_EQ(read->approach.has_value(), extra > 0);
+  EXPECT_EQ(read->retreat.has_value(), extra > 0);
+  EXPECT_EQ(read->bladeLength, motion.bladeLength);
+  ASSERT_EQ(read->instants.size(), motion.instants.size());
+  for (std::size_t i = 0; i < motion.instants.size(); ++i) {
+    const MotionInstant &a = read->instants[i], &b = motion.instants[i];
+    EXPECT_NEAR(a.time, b.time - motion.instants[0].time, kDurationAccuracy)
+        << "rounding errors of durations must not add up";
+    ASSERT_EQ(a.poses.size(), b.poses.size());
+    for (std::size_t end = 0; end < a.poses.size(); ++end) {
+      const Pose &p = a.poses[end], &pose = b.poses[end];
+      EXPECT_LE((p.position - pose.position).cwiseAbs().maxCoeff(), kPositionAccuracy);
+      const Eigen::Quaterniond q =
+          p.rotation.dot(pose.rotation) < 0 ? Eigen::Quaterniond(-pose.rotation.coeffs()) : pose.rotation;
+      EXPECT_LE((p.rotation.coeffs() - q.coeffs()).cwiseAbs().maxCoeff(), kRotationAccuracy);
     }
   }
 }
@@ -50,7 +49,7 @@ void expectSameMotion(const Program& program, const Motion& motion, std::size_t 
 TEST(RapidWriter, ReadsBackAsTheMotionItWasWrittenFrom) {
   for (const int instants : {2, 5, 61, 400}) {
     const Motion motion = sample::motion(instants, 60);
-    const auto program = writeRapid(motion, sample::cell());
+    const auto program = sample::rapid(motion, sample::cell());
     ASSERT_TRUE(program) << program.error().message;
     expectSameMotion(*program, motion, 1);
     expectNoFindings(*program);
@@ -60,7 +59,7 @@ TEST(RapidWriter, ReadsBackAsTheMotionItWasWrittenFrom) {
 TEST(RapidWriter, TimesThatAreNotRoundDoNotDriftApart) {
   Motion motion = sample::motion(400, 60);
   for (std::size_t i = 0; i < motion.instants.size(); ++i) motion.instants[i].time = double(i) * 0.123456789;
-  const auto program = writeRapid(motion, sample::cell());
+  const auto program = sample::rapid(motion, sample::cell());
   ASSERT_TRUE(program) << program.error().message;
   expectSameMotion(*program, motion, 1);
 }
@@ -69,7 +68,7 @@ TEST(RapidWriter, KeepsOneSignOfTheQuaternionsAlongThePath) {
   Motion motion = sample::motion(9);
   for (const std::size_t i : {2, 3, 7}) motion.instants[i].poses[0].rotation.coeffs() *= -1;
   motion.instants[5].poses[1].rotation.coeffs() *= -1;
-  const auto program = writeRapid(motion, sample::cell());
+  const auto program = sample::rapid(motion, sample::cell());
   ASSERT_TRUE(program) << program.error().message;
   expectSameMotion(*program, motion, 1);
   expectNoFindings(*program);
@@ -78,25 +77,24 @@ TEST(RapidWriter, KeepsOneSignOfTheQuaternionsAlongThePath) {
 TEST(RapidWriter, ApproachesAndRetreatsAlongTheCuttingDirectionWithTheShapeHeld) {
   const Motion motion = sample::motion();
   const Cell cell = sample::cell();
-  const auto tasks = readRapid(*writeRapid(motion, cell));
-  ASSERT_TRUE(tasks) << tasks.error().message;
-  for (const RapidTask& task : *tasks) {
-    const auto& m = task.moves;
-    EXPECT_NEAR((m[1].pose.position - m[0].pose.position - cell.approach * Eigen::Vector3d::UnitY()).norm(),
-                0, 2e-4);
-    EXPECT_NEAR((m[m.size() - 1].pose.position - m[m.size() - 2].pose.position -
-                 cell.approach * Eigen::Vector3d::UnitY())
-                    .norm(),
-                0, 2e-4);
-    EXPECT_EQ(m[0].pose.rotation.coeffs(), m[1].pose.rotation.coeffs());
-    EXPECT_NEAR(m[1].duration, cell.approach / cell.travelSpeed, 1e-4);
-    EXPECT_EQ(m.front().zone, -1);
-    EXPECT_EQ(m[m.size() - 2].zone, -1) << "the cut ends in a fine point";
-    EXPECT_EQ(m.back().zone, -1);
+  const auto written = sample::rapid(motion, cell);
+  ASSERT_TRUE(written) << written.error().message;
+  const sample::Moves moves(*written);
+  for (const std::vector<const Step*>& m : moves.tasks) {
+    const Step &before = *m[0], &first = *m[1], &last = *m[m.size() - 2], &after = *m.back();
+    const Eigen::Vector3d way = cell.approach * Eigen::Vector3d::UnitY();
+    EXPECT_NEAR((poseOf(first).position - poseOf(before).position - way).norm(), 0, 2e-4);
+    EXPECT_NEAR((poseOf(after).position - poseOf(last).position - way).norm(), 0, 2e-4);
+    EXPECT_EQ(poseOf(before).rotation.coeffs(), poseOf(first).rotation.coeffs());
+    EXPECT_NEAR(*first.statement->duration, cell.approach / cell.travelSpeed, 1e-4);
+    for (const Step* step : {&before, &first, &after}) EXPECT_EQ(step->speed, cell.travelSpeed);
+    EXPECT_EQ(before.zone, -1);
+    EXPECT_EQ(last.zone, -1) << "the cut ends in a fine point";
+    EXPECT_EQ(after.zone, -1);
   }
   Cell noApproach = cell;
   noApproach.approach = 0;
-  const auto program = writeRapid(motion, noApproach);
+  const auto program = sample::rapid(motion, noApproach);
   ASSERT_TRUE(program) << program.error().message;
   expectSameMotion(*program, motion, 0);
   expectNoFindings(*program);
@@ -104,22 +102,27 @@ TEST(RapidWriter, ApproachesAndRetreatsAlongTheCuttingDirectionWithTheShapeHeld)
 
 TEST(RapidWriter, ToolAndWorkObjectAreThoseOfTheCell) {
   const Cell cell = sample::cell();
-  const auto tasks = readRapid(*writeRapid(sample::motion(), cell));
-  ASSERT_TRUE(tasks);
-  ASSERT_EQ(tasks->size(), 2u);
+  const auto written = sample::rapid();
+  ASSERT_TRUE(written);
+  const sample::Moves moves(*written);
+  ASSERT_EQ(moves.tasks.size(), 2u);
   for (std::size_t end = 0; end < 2; ++end) {
-    const RapidTask& task = (*tasks)[end];
-    EXPECT_EQ(task.name, cell.tasks[end].name);
-    EXPECT_EQ(task.toolMass, cell.tasks[end].toolMass);
-    EXPECT_LE((task.tool.position - cell.tasks[end].tool.position).norm(), 1e-4);
-    EXPECT_LE((task.tool.rotation.coeffs() - cell.tasks[end].tool.rotation.coeffs()).norm(), 1e-7);
-    EXPECT_LE((task.workObject.position - cell.workObject.position).norm(), 1e-4);
+    EXPECT_EQ(moves.linked[0].tasks[end].name, cell.tasks[end].name);
+    const DataDeclaration &tool = *moves.tasks[end][0]->tool, &object = *moves.tasks[end][0]->workObject;
+    EXPECT_EQ(tool.name, cell.tasks[end].toolName);
+    EXPECT_EQ(tool.numbers[kToolMass], cell.tasks[end].toolMass);
+    const Pose pose = poseAt(tool, kToolPosition, kToolRotation);
+    EXPECT_LE((pose.position - cell.tasks[end].tool.position).norm(), 1e-4);
+    EXPECT_LE((pose.rotation.coeffs() - cell.tasks[end].tool.rotation.coeffs()).norm(), 1e-7);
+    EXPECT_EQ(object.name, cell.workObjectName);
+    EXPECT_LE((poseAt(object, kObjectPosition, kObjectRotation).position - cell.workObject.position).norm(),
+              1e-4);
   }
 }
 
 TEST(RapidWriter, LongProgramsAreSplitAtTheSamePlaceInAllTasks) {
   const Motion motion = sample::motion(4100, 600);
-  const auto program = writeRapid(motion, sample::cell());
+  const auto program = sample::rapid(motion, sample::cell());
   ASSERT_TRUE(program) << program.error().message;
   ASSERT_EQ(program->size(), 10u) << "per task: main, three parts, one .pgf";
   EXPECT_EQ((*program)[1].path, "T_ROB1/BladeLeft_001.mod");
@@ -128,7 +131,7 @@ TEST(RapidWriter, LongProgramsAreSplitAtTheSamePlaceInAllTasks) {
 }
 
 TEST(RapidWriter, RobotWare7GetsModxFiles) {
-  const auto program = writeRapid(sample::motion(), sample::cell(), RapidOptions{"Blade", true});
+  const auto program = sample::rapid(sample::motion(), sample::cell(), {}, nullptr, true);
   ASSERT_TRUE(program);
   EXPECT_EQ((*program)[0].path, "T_ROB1/BladeLeft.modx");
   EXPECT_NE((*program)[1].bytes.find("<Module>BladeLeft.modx</Module>"), std::string::npos);
@@ -140,7 +143,7 @@ TEST(RapidWriter, AnyProgramNameGivesValidNames) {
                            "Fassade S\xC3\xBC"
                            "d / Nord",
                            "2", "a very long name of a very long wall that never ends", "tBlade", "p000"}) {
-    const auto program = writeRapid(sample::motion(), sample::cell(), RapidOptions{name, false});
+    const auto program = sample::rapid(sample::motion(), sample::cell(), ProgramNotes{name});
     ASSERT_TRUE(program) << name << ": " << program.error().message;
     expectNoFindings(*program);
   }
@@ -159,7 +162,7 @@ TEST(RapidWriter, OneAndThreeTasksAreWrittenToo) {
       cell.tasks.resize(1);
       for (MotionInstant& instant : motion.instants) instant.poses.resize(1);
     }
-    const auto program = writeRapid(motion, cell);
+    const auto program = sample::rapid(motion, cell);
     ASSERT_TRUE(program) << program.error().message;
     expectSameMotion(*program, motion, 1);
     expectNoFindings(*program);
@@ -172,29 +175,32 @@ TEST(RapidWriter, ZonesShrinkWithTheSegmentsAndStayOutOfFinePoints) {
   for (std::size_t end = 0; end < 2; ++end)
     motion.instants[2].poses[end].position =
         motion.instants[1].poses[end].position + Eigen::Vector3d(0, 0.7, 0);
-  const auto program = writeRapid(motion, sample::cell());
+  const auto program = sample::rapid(motion, sample::cell());
   ASSERT_TRUE(program) << program.error().message;
-  const auto tasks = readRapid(*program);
-  ASSERT_TRUE(tasks);
-  EXPECT_EQ((*tasks)[0].moves[2].zone, 0.3);
-  EXPECT_EQ((*tasks)[0].moves[3].zone, 0.3);
-  EXPECT_EQ((*tasks)[0].moves[4].zone, 1.0);
+  const sample::Moves moves(*program);
+  EXPECT_EQ(moves.tasks[0][2]->zone, 0.3);
+  EXPECT_EQ(moves.tasks[0][3]->zone, 0.3);
+  EXPECT_EQ(moves.tasks[0][4]->zone, 1.0);
   motion.instants[2].poses[1].position = motion.instants[1].poses[1].position + Eigen::Vector3d(0, 0.2, 0);
-  const auto tighter = readRapid(*writeRapid(motion, sample::cell()));
-  ASSERT_TRUE(tighter);
-  EXPECT_EQ((*tighter)[0].moves[2].zone, 0.05) << "one ID has one zone in all tasks";
-  EXPECT_EQ((*tighter)[1].moves[2].zone, 0.05);
+  const auto tight = sample::rapid(motion, sample::cell());
+  ASSERT_TRUE(tight) << tight.error().message;
+  const sample::Moves tighter(*tight);
+  EXPECT_EQ(tighter.tasks[0][2]->zone, 0.05) << "one ID has one zone in all tasks";
+  EXPECT_EQ(tighter.tasks[1][2]->zone, 0.05);
 }
 
 TEST(RapidWriter, TellsWhatTheCheckWarnsOf) {
   Findings warnings;
-  ASSERT_TRUE(writeRapid(sample::motion(), sample::cell(), {}, &warnings));
+  ASSERT_TRUE(sample::rapid(sample::motion(), sample::cell(), {}, &warnings));
   EXPECT_TRUE(warnings.empty());
   // A thousand times as many targets a second as the sample has.
   Motion hasty = sample::motion();
   for (MotionInstant& instant : hasty.instants) instant.time *= 1e-3;
-  const auto program = writeRapid(hasty, sample::cell(), {}, &warnings);
+  warnings.push_back({Severity::warning, ProgramDespiteErrors{1, true}, {}, {}});
+  const auto program = sample::rapid(hasty, sample::cell(), {}, &warnings);
   ASSERT_TRUE(program) << program.error().message;
+  ASSERT_TRUE(std::holds_alternative<ProgramDespiteErrors>(warnings.front().cause)) << "it stays";
+  warnings.erase(warnings.begin());
   ASSERT_FALSE(warnings.empty());
   std::set<std::string> told, found;
   for (const Finding& finding : warnings) {
@@ -220,19 +226,19 @@ TEST(RapidWriter, EndsOnTheOtherRobotsSideAreWarnedOf) {
     EXPECT_NE(side.robot, side.other);
   }
   EXPECT_EQ(std::get<WrongSide>(findings[0].cause).end, "left");
-  RapidOptions options;
+  ProgramNotes options;
   options.warnings = {"the left end is far", "so is the right"};
-  const auto program = writeRapid(crossed, cell, options);
+  const auto program = sample::rapid(crossed, cell, options);
   ASSERT_TRUE(program) << program.error().message;
   EXPECT_NE(
       program->front().bytes.find("! WARNING: the left end is far.\r\n    ! WARNING: so is the right.\r\n"),
       std::string::npos);
-  EXPECT_EQ(writeRapid(sample::motion(), cell)->front().bytes.find("WARNING"), std::string::npos);
+  EXPECT_EQ(sample::rapid(sample::motion(), cell)->front().bytes.find("WARNING"), std::string::npos);
 }
 
 TEST(RapidWriter, SameInputGivesTheSameBytes) {
-  const auto a = writeRapid(sample::motion(50), sample::cell()),
-             b = writeRapid(sample::motion(50), sample::cell());
+  const auto a = sample::rapid(sample::motion(50), sample::cell()),
+             b = sample::rapid(sample::motion(50), sample::cell());
   ASSERT_TRUE(a && b);
   ASSERT_EQ(a->size(), b->size());
   for (std::size_t i = 0; i < a->size(); ++i) EXPECT_EQ((*a)[i].bytes, (*b)[i].bytes);
@@ -240,7 +246,7 @@ TEST(RapidWriter, SameInputGivesTheSameBytes) {
 
 /// Writes and expects an error whose message holds `words`.
 void expectRefused(const Motion& motion, const Cell& cell, const std::string& words) {
-  const auto program = writeRapid(motion, cell);
+  const auto program = sample::rapid(motion, cell);
   ASSERT_FALSE(program) << words;
   EXPECT_EQ(program.error().code, ErrorCode::badInput);
   EXPECT_NE(program.error().message.find(words), std::string::npos) << program.error().message;
@@ -256,6 +262,8 @@ TEST(RapidWriter, RefusesMotionsThatCannotBeRun) {
   expectRefused(Motion{}, cell, "0 instants");
   expectRefused(broken([](Motion& m) { m.instants[2].time = std::numeric_limits<double>::quiet_NaN(); }),
                 cell, "instant 2");
+  expectRefused(broken([](Motion& m) { m.retreat.reset(); }), cell, "approach, retreat");
+  expectRefused(broken([](Motion& m) { m.approach = {0, 1.1, 0}; }), cell, "unit vector");
   expectRefused(broken([](Motion& m) { m.instants[2].time = m.instants[1].time; }), cell, "not after");
   expectRefused(broken([](Motion& m) { m.instants[2].time = m.instants[1].time + 1e-6; }), cell, "0.1 ms");
   expectRefused(broken([](Motion& m) {
@@ -292,14 +300,14 @@ TEST(RapidWriter, RefusesCellsWhoseDataCannotStandInAProgram) {
 }
 
 TEST(RapidWriter, MarksEveryModuleOfADesignWithErrors) {
-  RapidOptions options;
+  ProgramNotes options;
   options.errors = {
       "stations 1 to 12 (worst: 1): a grip would be 148 mm inside the block; the blade of 800 mm is too "
       "short for it",
       "the blade turns by 95° − more than it may", std::string(200, 'x')};
   for (const int instants : {5, 4100}) {  // in one module and in several
     const Result<Program> program =
-        writeRapid(sample::motion(instants, 10.0 * instants), sample::cell(), options);
+        sample::rapid(sample::motion(instants, 10.0 * instants), sample::cell(), options);
     ASSERT_TRUE(program) << program.error().message;
     for (const ProgramFile& file : *program) {
       if (file.path.ends_with(".pgf")) continue;
@@ -326,9 +334,9 @@ TEST(RapidWriter, MarksEveryModuleOfADesignWithErrors) {
 }
 
 TEST(RapidWriter, MarksNoMoreErrorsThanAHeadCanHold) {
-  RapidOptions options;
+  ProgramNotes options;
   for (int i = 0; i < 50; ++i) options.errors.push_back("error " + std::to_string(i));
-  const Result<Program> program = writeRapid(sample::motion(), sample::cell(), options);
+  const Result<Program> program = sample::rapid(sample::motion(), sample::cell(), options);
   ASSERT_TRUE(program) << program.error().message;
   const std::string& bytes = program->front().bytes;
   EXPECT_NE(bytes.find("! NOT SAFE TO RUN: error 19\r\n"), std::string::npos);

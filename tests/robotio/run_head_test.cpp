@@ -15,9 +15,9 @@ using sample::replace;
 const std::string kLeft = "T_ROB1/BladeLeft.mod", kRight = "T_ROB2/BladeRight.mod";
 
 Program programOf(const std::string& run, int instants = 5) {
-  RapidOptions options;
+  ProgramNotes options;
   options.run = run;
-  Result<Program> program = writeRapid(sample::motion(instants), sample::cell(), options);
+  Result<Program> program = sample::rapid(sample::motion(instants), sample::cell(), options);
   return program ? *program : Program{};
 }
 
@@ -35,9 +35,9 @@ int count(const Program& program, const std::string& kind, const std::string& te
 }  // namespace
 
 TEST(RunHead, StandsInEveryModule) {
-  RapidOptions options;
+  ProgramNotes options;
   options.run = kRunA;
-  const auto program = writeRapid(sample::motion(4100, 600), sample::cell(), options);
+  const auto program = sample::rapid(sample::motion(4100, 600), sample::cell(), options);
   ASSERT_TRUE(program) << program.error().message;
   int modules = 0;
   for (const ProgramFile& file : *program) {
@@ -61,11 +61,11 @@ TEST(RunHead, OneSideOfAnotherRunIsAnError) {
 }
 
 TEST(RunHead, OnePartOfAnotherRunIsAnError) {
-  RapidOptions a, b;
+  ProgramNotes a, b;
   a.run = kRunA;
   b.run = kRunB;
-  const auto first = writeRapid(sample::motion(4100, 600), sample::cell(), a);
-  auto mixed = writeRapid(sample::motion(4100, 600), sample::cell(), b);
+  const auto first = sample::rapid(sample::motion(4100, 600), sample::cell(), a);
+  auto mixed = sample::rapid(sample::motion(4100, 600), sample::cell(), b);
   ASSERT_TRUE(first && mixed);
   Program one = *first;
   sample::file(*mixed, "T_ROB2/BladeRight_002.mod") = sample::file(one, "T_ROB2/BladeRight_002.mod");

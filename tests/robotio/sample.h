@@ -7,7 +7,9 @@
 
 #include "bw/core/base/units.h"
 #include "bw/core/motion/cell.h"
-#include "bw/robotio/program.h"
+#include "bw/robotio/motion/program_plan.h"
+#include "bw/robotio/rapid/rapid.h"
+#include "rapid/linked_program.h"
 
 namespace bw::robotio::sample {
 
@@ -29,6 +31,7 @@ inline Motion motion(int instants = 5, double seconds = 33.5) {
   result.block.size = {600, 670, 200};
   result.bladeLength = 800;
   result.cuttingSpeed = 20;
+  result.approach = result.retreat = Eigen::Vector3d::UnitY();
   for (int i = 0; i < instants; ++i) {
     const double t = double(i) / (instants - 1), angle = 0.4 * std::sin(3 * t) + 0.2;
     MotionInstant instant;
@@ -49,6 +52,26 @@ inline Cell cell() {
   Result<Cell> cell = loadCell("irb1600-pair");
   return cell ? *cell : Cell{};
 }
+
+/// The RAPID text of a motion in a cell.
+inline Result<Program> rapid(const Motion& motion = sample::motion(), const Cell& cell = sample::cell(),
+                             const ProgramNotes& notes = {}, Findings* warnings = nullptr,
+                             bool robotWare7 = false) {
+  const Result<ProgramPlan> plan = planProgram(motion, cell);
+  if (!plan) return tl::unexpected<Error>(plan.error());
+  return writeRapid(*plan, notes, warnings, robotWare7);
+}
+
+/// The synchronised moves of each task as the reader resolves them. They point into what this holds and into
+/// `program`.
+struct Moves {
+  explicit Moves(const Program& program) : linked(linkProgram(program, breaches)) {
+    for (const LinkedTask& task : linked.front().tasks) tasks.push_back(synchronisedMoves(task));
+  }
+  Breaches breaches;
+  std::vector<LinkedProgram> linked;
+  std::vector<std::vector<const Step*>> tasks;
+};
 
 /// The bytes of a file of a program, to look at or to change; fails the caller by returning an empty static
 /// text if it is not there.

@@ -52,10 +52,10 @@ std::vector<fs::path> earlierFiles(const fs::path& folder, const FileSet& files)
   std::set<fs::path> found, strips, tasks;
   for (const fs::path& path : files.paths()) {
     if (path == "report.json") addListed(folder, found);
-    if (isMotionFile(path)) strips.insert(path.parent_path());
-    if (!isModuleFile(path)) continue;
-    tasks.insert(path.parent_path());
-    strips.insert(path.parent_path().parent_path());
+    if (!isProgramFile(path)) continue;
+    const fs::path inside = path.parent_path();
+    strips.insert(isRobotFile(path) ? inside.parent_path() : inside);
+    if (isRobotFile(path)) tasks.insert(inside);
   }
   for (const fs::path& strip : strips) {
     found.merge(ownMotions(strip.empty() ? folder : folder / strip));

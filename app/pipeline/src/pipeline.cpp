@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "bw/core/files/fingerprint.h"
-#include "bw/robotio/program.h"
+#include "bw/robotio/cell/placement.h"
 
 namespace bw::pipeline {
 

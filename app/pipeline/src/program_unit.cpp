@@ -12,6 +12,7 @@
 #include <system_error>
 
 #include "bw/core/files/temporary_name.h"
+#include "bw/robotio/dialects.h"
 
 namespace bw::pipeline {
 
@@ -78,82 +79,41 @@ std::string headOf(const fs::path& file) {
   return head;
 }
 
-bool names(const fs::path& file, const std::string& text) {
-  return headOf(file).find(text) != std::string::npos;
-}
-
-/// The regular files of a folder; none where it is not one or is reached through a link.
-std::vector<fs::path> filesIn(const fs::path& folder) {
-  std::vector<fs::path> files;
+/// Those of the programs straight in a folder that we wrote: of the dialects that robots run, or of the
+/// others. None where the folder is reached through a link.
+std::set<fs::path> ownFiles(const fs::path& folder, bool ofRobots) {
+  std::set<fs::path> found;
   std::error_code error;
-  if (!fs::is_directory(fs::symlink_status(folder, error))) return files;
+  if (!fs::is_directory(fs::symlink_status(folder, error))) return found;
+  robotio::Program heads;
   for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
-    if (fs::is_regular_file(it->symlink_status(error))) files.push_back(it->path());
-  return files;
-}
-
-/// "Left_001" is the first part of "Left".
-bool isPartOf(const std::string& name, const std::string& whole) {
-  return name.size() > whole.size() + 1 && name.compare(0, whole.size(), whole) == 0 &&
-         name[whole.size()] == '_' &&
-         name.find_first_not_of("0123456789", whole.size() + 1) == std::string::npos;
-}
-
-/// True for a module under its own name; a copy that somebody saved under another is theirs.
-bool bearsItsName(const fs::path& module) {
-  return headOf(module).rfind("MODULE " + module.stem().string() + "\r\n", 0) == 0;
+    if (fs::is_regular_file(it->symlink_status(error)) && isProgramFile(it->path()))
+      heads.push_back({it->path().filename().string(), headOf(it->path())});
+  for (const robotio::Dialect& dialect : robotio::dialects())
+    if ((dialect.check != nullptr) == ofRobots)
+      for (const robotio::ProgramFile& file : dialect.own(robotio::filesOf(dialect, heads)))
+        found.insert(folder / file.path);
+  return found;
 }
 
 }  // namespace
 
-bool isModuleFile(const fs::path& file) {
-  const std::string suffix = lowerSuffix(file);
-  return suffix == ".mod" || suffix == ".modx";
+bool isRobotFile(const fs::path& file) {
+  const robotio::Dialect* dialect = robotio::dialectOfFile(file.string());
+  return dialect && dialect->check;
 }
 
-bool isMotionFile(const fs::path& file) {
-  return file.filename() == "motion.csv" || file.filename() == "motion.json";
-}
+bool isProgramFile(const fs::path& file) { return robotio::dialectOfFile(file.string()) != nullptr; }
 
-bool isProgramFile(const fs::path& file) {
-  return isModuleFile(file) || file.extension() == ".pgf" || isMotionFile(file);
-}
-
-std::set<fs::path> ownModules(const fs::path& folder) {
-  std::set<fs::path> found;
-  const std::vector<fs::path> files = filesIn(folder);
-  std::set<std::string> ours;  // stems of modules
-  for (const fs::path& file : files)
-    if (isModuleFile(file) && bearsItsName(file) && names(file, "! Bladewright: "))
-      ours.insert(file.stem().string());
-  const auto isOurs = [&](const std::string& stem) {
-    return std::any_of(ours.begin(), ours.end(),
-                       [&](const std::string& o) { return stem == o || isPartOf(stem, o); });
-  };
-  for (const fs::path& file : files) {
-    if (isModuleFile(file) && isOurs(file.stem().string()) && bearsItsName(file)) found.insert(file);
-    if (file.extension() == ".pgf" && isOurs(file.stem().string()) &&
-        names(file, "<Module>" + file.stem().string() + ".mod"))
-      found.insert(file);
-  }
-  return found;
-}
-
-std::set<fs::path> ownMotions(const fs::path& folder) {
-  std::set<fs::path> found;
-  for (const fs::path& file : filesIn(folder))
-    if (isMotionFile(file) &&
-        names(file, file.extension() == ".csv" ? "time_s,station," : "\"bladewright-motion\""))
-      found.insert(file);
-  return found;
-}
+std::set<fs::path> ownModules(const fs::path& folder) { return ownFiles(folder, true); }
+std::set<fs::path> ownMotions(const fs::path& folder) { return ownFiles(folder, false); }
 
 std::vector<fs::path> programUnits(const fs::path& folder, const FileSet& files) {
   std::set<fs::path> units;
   for (const fs::path& path : files.paths()) {
     if (!isProgramFile(path)) continue;
     const fs::path inside = path.parent_path();
-    const fs::path strip = isMotionFile(path) ? inside : inside.parent_path();
+    const fs::path strip = isRobotFile(path) ? inside.parent_path() : inside;
     const fs::path& unit = strip.empty() ? inside : strip;
     if (!unit.empty() && canBeExchanged(folder, unit)) units.insert(unit);
   }

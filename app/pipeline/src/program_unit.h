@@ -12,13 +12,13 @@
 
 namespace bw::pipeline {
 
-/// Modules, lists of modules and motions: what programs are made of.
-bool isModuleFile(const std::filesystem::path& file);
-bool isMotionFile(const std::filesystem::path& file);
+/// What programs are made of, by the names of their files: what robots run, which lies in the folder of a
+/// task, and motions, which lie in that of a strip.
 bool isProgramFile(const std::filesystem::path& file);
+bool isRobotFile(const std::filesystem::path& file);
 
-/// The modules and lists of modules, or the motions, that we wrote straight into a folder, as their heads
-/// tell; none where it is reached through a link.
+/// What robots run, or the motions, that we wrote straight into a folder, as their heads tell; none where it
+/// is reached through a link.
 std::set<std::filesystem::path> ownModules(const std::filesystem::path& folder);
 std::set<std::filesystem::path> ownMotions(const std::filesystem::path& folder);
 

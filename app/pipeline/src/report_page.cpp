@@ -7,9 +7,11 @@
 
 #include "bw/core/base/units.h"
 #include "bw/core/blade/cutting_limits.h"
+#include "bw/core/design/program_formats.h"
 #include "bw/core/text/number_text.h"
 #include "bw/core/text/printable.h"
 #include "bw/pipeline/produce.h"
+#include "bw/robotio/dialects.h"
 
 namespace bw::pipeline {
 
@@ -182,8 +184,7 @@ void stations(Page& page, const Evaluation& e) {
 
 /// Files that a report stands beside, and what they are.
 struct Kind {
-  std::vector<std::string>
-      names;  ///< within the folder; those that begin with a dot are suffixes of programs
+  std::vector<std::string> names;  ///< within the folder
   const char* text;
 };
 
@@ -194,25 +195,29 @@ void files(Page& page, const std::vector<std::filesystem::path>& made) {
       {{"mesh.obj", "mesh.stl"}, "The same as triangles"},
       {{"stations.csv"}, "One row a station: where the blade's ends are, and the numbers of the table above"},
       {{"deviation.csv"}, "Every point of the map with its values"},
-      {{"report.json", "sweep.json"}, "All numbers for scripts"},
-      {{".mod"}, "ABB RAPID programs, one folder a robot"},
-      {{".csv"}, "The motion of the blade's ends as CSV"},
-      {{".json"}, "The motion of the blade's ends as JSON"},
-      {{kDesignFile}, "The design: opens in Bladewright, with all that can be changed"}};
+      {{"report.json", "sweep.json"}, "All numbers for scripts"}};
   const auto isThere = [&](const std::string& name) {
-    return name == "report.json" ||  // follows, and lists the others
-           std::any_of(made.begin(), made.end(), [&](const std::filesystem::path& file) {
-             return name[0] == '.' ? *file.begin() == "programs" && file.extension() == name : file == name;
-           });
+    // The report follows, and lists the others.
+    return name == "report.json" || std::find(made.begin(), made.end(), name) != made.end();
   };
   page.heading("Files beside this report");
   page.begin({"File", "What it is"});
   for (const Kind& kind : kKinds) {
     std::string names;
     for (const std::string& name : kind.names)
-      if (isThere(name)) names += (names.empty() ? "" : ", ") + (name[0] == '.' ? "programs/" : name);
+      if (isThere(name)) names += (names.empty() ? "" : ", ") + name;
     if (!names.empty()) page.row({names, kind.text});
   }
+  for (const robotio::Dialect& dialect : robotio::dialects()) {
+    const std::string title = programFormat(dialect.word)->title;
+    if (std::ranges::any_of(made, [&](const std::filesystem::path& file) {
+          return *file.begin() == "programs" && robotio::dialectOfFile(file.string()) == &dialect;
+        }))
+      page.row({"programs/", dialect.check ? title + " programs, one folder a robot"
+                                           : "The motion of the blade's ends as " + title});
+  }
+  if (isThere(kDesignFile))
+    page.row({kDesignFile, "The design: opens in Bladewright, with all that can be changed"});
   page.end();
 }
 

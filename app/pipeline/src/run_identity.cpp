@@ -11,7 +11,7 @@
 #include "bw/core/files/fingerprint.h"
 #include "bw/core/files/temporary_name.h"
 #include "bw/core/text/number_text.h"
-#include "bw/robotio/program.h"
+#include "bw/robotio/rapid/rapid.h"
 #include "bw/words/findings.h"
 #include "program_unit.h"
 #include "report_record.h"
@@ -125,7 +125,7 @@ std::optional<Finding> compare(const ReportRecord& record, const std::string& na
   if (told == record.fingerprints.end())
     return finding(Severity::error, What::noFingerprint, file, record.run);
   const bool same = fingerprintText(*fingerprint) == told->second;
-  if (!isModuleFile(file))
+  if (!robotio::isModuleFile(file.string()))
     return same ? std::nullopt : std::optional(finding(Severity::error, What::otherFile, file, record.run));
   const std::string run = headOfFile(file).run;
   if (same && run == record.run) return std::nullopt;
@@ -138,7 +138,7 @@ void addStrays(const ReportRecord& record, const fs::path& place, Findings& find
   const std::set<std::string> names = namesOf(record);
   const auto look = [&](const fs::path& file) {
     const std::string name = file.lexically_relative(record.folder).generic_string();
-    if (!isModuleFile(file) || names.count(name) > 0) return;
+    if (!robotio::isModuleFile(file.string()) || names.count(name) > 0) return;
     const ModuleHead head = headOfFile(file);
     if ((head.ours || !head.run.empty()) && head.run != record.run)
       findings.push_back(finding(Severity::error, What::strayModule, file, record.run, head.run));

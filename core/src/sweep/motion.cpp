@@ -40,13 +40,16 @@ Result<Motion> buildMotion(const Sweep& sweep, const MotionRequest& request) {
   if (sweep.poses.size() < 2)
     return fail(ErrorCode::badInput, "a motion needs at least two stations", "stations",
                 double(sweep.poses.size()), 2.0);
-  Motion motion{sweep.block, sweep.request.blade.length, cuttingSpeed, {}};
+  const Frame& frame = sweep.block.frame;
+  const Eigen::Vector3d& d = sweep.direction;
+  const Eigen::Vector3d ahead(d.dot(frame.x), d.dot(frame.y), d.dot(frame.normal));
+  Motion motion{sweep.block, sweep.request.blade.length, cuttingSpeed, ahead, ahead};
   std::vector<double> arcs(kSpeedSamples);
   for (int i = 0; i < kSpeedSamples; ++i)
     arcs[std::size_t(i)] = sweep.request.blade.length * i / (kSpeedSamples - 1);
   const auto sample = [&](const BladePose& pose) { return pose.points(pose.blade, arcs); };
   const auto instant = [&](const BladePose& pose, double shift, double time, int index) {
-    const Eigen::Vector3d move = shift * sweep.direction;
+    const Eigen::Vector3d move = shift * d;
     MotionInstant result{time, index, {}};
     result.poses.push_back(
         endPose(sweep.block, pose.leftPoint() + move, pose.leftTangent(), pose.frame.normal));

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bw/core/base/result.h"
-#include "bw/core/motion/motion.h"
+#include "bw/core/motion/pose.h"
 
 namespace bw {
 

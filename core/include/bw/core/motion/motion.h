@@ -3,20 +3,14 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 
+#include <optional>
 #include <vector>
 
 #include "bw/core/base/frame.h"
+#include "bw/core/motion/pose.h"
 
 namespace bw {
-
-/// The pose of one blade end at one instant, in the block frame. The rotation's columns are x = unit tangent
-/// into the blade, z = cutting direction (both ends the same), y = z × x.
-struct Pose {
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();
-  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
-};
 
 /// One instant of a synchronised motion: one pose a task, in the order left, right.
 struct MotionInstant {
@@ -30,7 +24,10 @@ struct Motion {
   Box block;
   double bladeLength = 0;   ///< mm
   double cuttingSpeed = 0;  ///< mm/s of the fastest point of the blade
-  std::vector<MotionInstant> instants;
+  /// How the blade travels outside of the foam with its shape held: up to the first instant, and onward from
+  /// the last. Unit, in the block frame; none where a text did not tell.
+  std::optional<Eigen::Vector3d> approach = std::nullopt, retreat = std::nullopt;
+  std::vector<MotionInstant> instants = {};
 
   /// s, leads included.
   double duration() const { return instants.empty() ? 0.0 : instants.back().time; }

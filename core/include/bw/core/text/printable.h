@@ -13,4 +13,7 @@ namespace bw {
 /// hides a word or feigns a second message. All else stays, byte for byte. O(n).
 std::string printable(std::string_view text);
 
+/// True for well-formed UTF-8: no overlong forms, no surrogates.
+bool isUtf8(std::string_view text);
+
 }  // namespace bw

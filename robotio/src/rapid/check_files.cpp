@@ -5,8 +5,9 @@
 
 #include <algorithm>
 
-#include "rapid_names.h"
-#include "rapid_program.h"
+#include "bw/core/text/printable.h"
+#include "rapid/linked_program.h"
+#include "rapid/names.h"
 
 namespace bw::robotio {
 
@@ -18,38 +19,6 @@ std::string stemOf(const std::string& path) {
   return leaf.substr(0, leaf.rfind('.'));
 }
 bool isRobotWare7(const std::string& path) { return lowerCase(path).ends_with(".modx"); }
-
-/// True if `bytes` are well-formed UTF-8 (no overlong forms, no surrogates).
-bool isUtf8(std::string_view bytes) {
-  for (std::size_t i = 0; i < bytes.size();) {
-    const auto c = static_cast<unsigned char>(bytes[i]);
-    std::size_t more = 0;
-    unsigned low = 0x80, high = 0xBF;
-    if (c < 0x80) {
-      ++i;
-      continue;
-    }
-    if (c >= 0xC2 && c <= 0xDF)
-      more = 1;
-    else if (c >= 0xE0 && c <= 0xEF)
-      more = 2;
-    else if (c >= 0xF0 && c <= 0xF4)
-      more = 3;
-    else
-      return false;
-    if (c == 0xE0) low = 0xA0;
-    if (c == 0xED) high = 0x9F;
-    if (c == 0xF0) low = 0x90;
-    if (c == 0xF4) high = 0x8F;
-    if (i + more >= bytes.size()) return false;
-    for (std::size_t k = 1; k <= more; ++k) {
-      const auto d = static_cast<unsigned char>(bytes[i + k]);
-      if (d < (k == 1 ? low : 0x80U) || d > (k == 1 ? high : 0xBFU)) return false;
-    }
-    i += more + 1;
-  }
-  return true;
-}
 
 void checkLineEnds(const ProgramFile& file, Breaches& breaches) {
   int line = 1, firstLine = 0, count = 0;
@@ -187,8 +156,7 @@ void checkFiles(const LinkedProgram& program, Breaches& breaches) {
     for (const Module& module : task.modules) {
       if (!sameName(module.name, stemOf(module.path)))
         breaches.rule(2, module.path, module.line,
-                      "the module is named \"" + std::string(module.name.substr(0, 60)) +
-                          "\"; its file must have the same name");
+                      "the module is named " + quoted(module.name) + "; its file must have the same name");
       for (const int line : module.dataAfterRoutines)
         breaches.rule(2, module.path, line,
                       "a declaration stands behind a routine; data come first in a module");

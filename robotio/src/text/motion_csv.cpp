@@ -10,8 +10,8 @@
 #include <cmath>
 
 #include "bw/core/text/number_text.h"
-#include "bw/robotio/program.h"
-#include "motion_check.h"
+#include "bw/robotio/text/motion_text.h"
+#include "motion/motion_check.h"
 
 namespace bw::robotio {
 
@@ -34,37 +34,27 @@ std::vector<std::string> columnNames(std::size_t ends) {
   return names;
 }
 
-std::array<double, kMotionColumns.size()> motionValues(const Motion& motion) {
-  const Frame& f = motion.block.frame;
-  const Eigen::Vector3d& s = motion.block.size;
-  return {motion.bladeLength,
-          motion.cuttingSpeed,
-          f.origin.x(),
-          f.origin.y(),
-          f.origin.z(),
-          s.x(),
-          s.y(),
-          s.z(),
-          f.x.x(),
-          f.x.y(),
-          f.x.z(),
-          f.y.x(),
-          f.y.y(),
-          f.y.z(),
-          f.normal.x(),
-          f.normal.y(),
-          f.normal.z()};
-}
-
-void setMotionValues(const std::array<double, kMotionColumns.size()>& v, Motion& motion) {
-  motion.bladeLength = v[0];
-  motion.cuttingSpeed = v[1];
-  Frame& f = motion.block.frame;
-  f.origin = {v[2], v[3], v[4]};
-  motion.block.size = {v[5], v[6], v[7]};
-  f.x = {v[8], v[9], v[10]};
-  f.y = {v[11], v[12], v[13]};
-  f.normal = {v[14], v[15], v[16]};
+/// Where a motion keeps the values of kMotionColumns.
+auto motionValues(auto& motion) {
+  auto& [origin, x, y, z] = motion.block.frame;
+  auto& size = motion.block.size;
+  return std::array{&motion.bladeLength,
+                    &motion.cuttingSpeed,
+                    &origin[0],
+                    &origin[1],
+                    &origin[2],
+                    &size[0],
+                    &size[1],
+                    &size[2],
+                    &x[0],
+                    &x[1],
+                    &x[2],
+                    &y[0],
+                    &y[1],
+                    &y[2],
+                    &z[0],
+                    &z[1],
+                    &z[2]};
 }
 
 std::string joined(const std::vector<std::string>& cells) {
@@ -184,17 +174,16 @@ class CsvReader {
   }
 
   Result<void> readMotionColumns(const std::vector<std::string_view>& cells, Motion& motion) {
-    std::array<double, kMotionColumns.size()> values = motionValues(motion);
     const bool first = motion.instants.empty();
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const std::size_t column = kFirstPose + ends_ * kPoseColumns.size() + i;
-      if (cells[column].empty() && !first) continue;
-      const Result<double> value = number(cells[column], column);
+    std::size_t column = kFirstPose + ends_ * kPoseColumns.size();
+    for (double* known : motionValues(motion)) {
+      const std::size_t at = column++;
+      if (cells[at].empty() && !first) continue;
+      const Result<double> value = number(cells[at], at);
       if (!value) return tl::unexpected<Error>(value.error());
-      if (!first && *value != values[i]) return wrong(names_[column] + " must be the same in all rows");
-      values[i] = *value;
+      if (!first && *value != *known) return wrong(names_[at] + " must be the same in all rows");
+      *known = *value;
     }
-    if (first) setMotionValues(values, motion);
     return {};
   }
 
@@ -217,7 +206,7 @@ Result<Program> writeCsv(const Motion& motion) {
            {pose.position.x(), pose.position.y(), pose.position.z(), q.w(), q.x(), q.y(), q.z()})
         cells.push_back(roundTripText(v));
     }
-    for (const double v : motionValues(motion)) cells.push_back(i == 0 ? roundTripText(v) : std::string());
+    for (const double* v : motionValues(motion)) cells.push_back(i == 0 ? roundTripText(*v) : std::string());
     text += joined(cells);
   }
   return Program{ProgramFile{"motion.csv", std::move(text)}};

@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "bw/core/text/number_text.h"
-#include "bw/robotio/program.h"
-#include "motion_check.h"
+#include "bw/robotio/text/motion_text.h"
+#include "motion/motion_check.h"
 
 namespace bw::robotio {
 
@@ -42,8 +42,8 @@ class Reader {
  public:
   static Motion motion(const json& root) {
     keys(root, "motion",
-         {"schema", "version", "units", "frame", "cell", "blade_length", "cutting_speed", "block", "ends",
-          "instants"});
+         {"schema", "version", "units", "frame", "cell", "blade_length", "cutting_speed", "approach",
+          "retreat", "block", "ends", "instants"});
     if (const json& schema = at(root, "motion", "schema");
         !schema.is_string() || schema.get<std::string>() != kSchema)
       wrong("motion.schema must be \"" + std::string(kSchema) + "\"; this is another kind of file",
@@ -56,6 +56,8 @@ class Reader {
     Motion result;
     result.bladeLength = number(at(root, "motion", "blade_length"), "motion.blade_length");
     result.cuttingSpeed = number(at(root, "motion", "cutting_speed"), "motion.cutting_speed");
+    if (root.contains("approach")) result.approach = vector(root["approach"], "motion.approach");
+    if (root.contains("retreat")) result.retreat = vector(root["retreat"], "motion.retreat");
     const json& block = at(root, "motion", "block");
     keys(block, "motion.block", {"origin", "size", "x", "y", "z"});
     result.block.frame.origin = vector(at(block, "motion.block", "origin"), "motion.block.origin");
@@ -143,16 +145,19 @@ Result<Program> writeJson(const Motion& motion, const Cell& cell) {
   for (const CellTask& task : cell.tasks) tasks += (tasks.empty() ? "" : ", ") + quoted(task.name);
   for (std::size_t i = 0; i < motion.instants.front().poses.size(); ++i)
     ends += (ends.empty() ? "" : ", ") + quoted(endName(i));
+  const auto way = [](const char* key, const std::optional<Eigen::Vector3d>& direction) {
+    return direction ? ",\n  \"" + std::string(key) + "\": " + vector3(*direction) : std::string();
+  };
   const Frame& f = motion.block.frame;
   std::string text =
       "{\n  \"schema\": \"" + std::string(kSchema) + "\",\n  \"version\": " + std::to_string(kVersion) +
       ",\n  \"units\": \"mm, s; quaternions w first\",\n  \"frame\": \"block\",\n  \"cell\": {\"name\": " +
       quoted(cell.name) + ", \"tasks\": [" + tasks + "], \"work_object\": " + poseText(cell.workObject) +
       "},\n  \"blade_length\": " + roundTripText(motion.bladeLength) +
-      ",\n  \"cutting_speed\": " + roundTripText(motion.cuttingSpeed) +
-      ",\n  \"block\": {\"origin\": " + vector3(f.origin) + ", \"size\": " + vector3(motion.block.size) +
-      ", \"x\": " + vector3(f.x) + ", \"y\": " + vector3(f.y) + ", \"z\": " + vector3(f.normal) +
-      "},\n  \"ends\": [" + ends + "],\n  \"instants\": [\n";
+      ",\n  \"cutting_speed\": " + roundTripText(motion.cuttingSpeed) + way("approach", motion.approach) +
+      way("retreat", motion.retreat) + ",\n  \"block\": {\"origin\": " + vector3(f.origin) +
+      ", \"size\": " + vector3(motion.block.size) + ", \"x\": " + vector3(f.x) + ", \"y\": " + vector3(f.y) +
+      ", \"z\": " + vector3(f.normal) + "},\n  \"ends\": [" + ends + "],\n  \"instants\": [\n";
   for (std::size_t i = 0; i < motion.instants.size(); ++i) {
     const MotionInstant& instant = motion.instants[i];
     text += "    {\"time\": " + roundTripText(instant.time) +

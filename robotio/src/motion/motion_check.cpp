@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "motion_check.h"
+#include "motion/motion_check.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "bw/core/text/number_text.h"
-#include "bw/robotio/program.h"
 
 namespace bw::robotio {
 
@@ -56,6 +57,13 @@ std::string endName(std::size_t end) {
   return end == 0 ? "left" : end == 1 ? "right" : "end" + std::to_string(end + 1);
 }
 
+double farthest(const std::vector<Pose>& from, const std::vector<Pose>& to) {
+  double length = 0;
+  for (std::size_t end = 0; end < from.size(); ++end)
+    length = std::max(length, (to[end].position - from[end].position).norm());
+  return length;
+}
+
 Result<void> checkMotion(const Motion& motion) {
   if (motion.instants.size() < 2 || motion.instants.size() > kMaxInstants)
     return wrong("it has " + std::to_string(motion.instants.size()) + " instants; 2 to " +
@@ -66,6 +74,9 @@ Result<void> checkMotion(const Motion& motion) {
     return wrong("its blade length is " + shortText(motion.bladeLength) + " mm", "blade_length");
   if (!std::isfinite(motion.cuttingSpeed) || motion.cuttingSpeed < 0)
     return wrong("its cutting speed is " + shortText(motion.cuttingSpeed) + " mm/s", "cutting_speed");
+  for (const auto& [way, key] : {std::pair{motion.approach, "approach"}, {motion.retreat, "retreat"}})
+    if (way && !(std::abs(way->norm() - 1) <= kNormTolerance))
+      return wrong(std::string("the direction of its ") + key + " is not a unit vector", key);
   const std::size_t ends = motion.instants.front().poses.size();
   if (ends < 1 || ends > kMaxEnds)
     return wrong("its first instant has " + std::to_string(ends) + " poses; 1 to " +
@@ -92,36 +103,6 @@ Result<void> checkMotion(const Motion& motion) {
       if (Result<void> ok = checkPose(instant.poses[end], where + " " + endName(end)); !ok) return ok;
   }
   return {};
-}
-
-Findings checkPlacement(const Motion& motion, const Cell& cell) {
-  Findings findings;
-  if (!checkMotion(motion) || motion.instants.front().poses.size() != cell.tasks.size()) return findings;
-  for (std::size_t end = 0; end < cell.tasks.size(); ++end) {
-    for (const MotionInstant* instant : {&motion.instants.front(), &motion.instants.back()}) {
-      const Eigen::Vector3d p_W =
-          cell.workObject.position + cell.workObject.rotation * instant->poses[end].position;
-      const double own = (p_W - cell.tasks[end].base.position).norm();
-      std::size_t nearest = end;
-      double least = own;
-      for (std::size_t other = 0; other < cell.tasks.size(); ++other) {
-        const double distance = (p_W - cell.tasks[other].base.position).norm();
-        if (distance < least) {
-          nearest = other;
-          least = distance;
-        }
-      }
-      if (nearest == end) continue;
-      const Eigen::Vector3d& p_B = instant->poses[end].position;
-      findings.push_back({Severity::warning,
-                          WrongSide{endName(end), cell.tasks[end].name, cell.tasks[nearest].name, own, least,
-                                    instant == &motion.instants.front()},
-                          {{}, motion.block.frame.toWorld(p_B.head<2>(), p_B.z())},
-                          {TurnDirection{}}});
-      break;
-    }
-  }
-  return findings;
 }
 
 }  // namespace bw::robotio

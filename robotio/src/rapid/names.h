@@ -10,6 +10,9 @@ namespace bw::robotio {
 
 inline constexpr std::size_t kMaxIdentifier = 32;  ///< characters, rule 1
 
+/// Our targets outside of the foam.
+inline constexpr std::string_view kApproachTarget = "pApproach", kRetreatTarget = "pRetreat";
+
 /// ASCII lower case: RAPID's names do not distinguish case.
 std::string lowerCase(std::string_view text);
 /// True if both are the same name for RAPID.
@@ -28,5 +31,7 @@ std::string makeIdentifier(std::string_view text, std::size_t length);
 std::optional<double> predefinedSpeed(std::string_view name);
 /// Zone radius (mm) of a predefined zonedata such as z1; −1 for `fine`.
 std::optional<double> predefinedZone(std::string_view name);
+/// The predefined zonedata of a radius in mm, `fine` for 0; empty if there is none.
+std::string predefinedZoneName(double radius);
 
 }  // namespace bw::robotio

@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "rapid_names.h"
+#include "rapid/names.h"
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 namespace bw::robotio {
 
@@ -39,20 +38,9 @@ constexpr std::array<std::string_view, 44> kSystemNames = {
 constexpr std::array<int, 25> kSpeeds = {5,    10,   20,   30,   40,   50,   60,  80,   100,
                                          150,  200,  300,  400,  500,  600,  800, 1000, 1500,
                                          2000, 2500, 3000, 4000, 5000, 6000, 7000};
-constexpr std::array<std::pair<int, double>, 14> kZones = {{{0, 0.3},
-                                                            {1, 1},
-                                                            {5, 5},
-                                                            {10, 10},
-                                                            {15, 15},
-                                                            {20, 20},
-                                                            {30, 30},
-                                                            {40, 40},
-                                                            {50, 50},
-                                                            {60, 60},
-                                                            {80, 80},
-                                                            {100, 100},
-                                                            {150, 150},
-                                                            {200, 200}}};
+constexpr std::array<int, 14> kZones = {0, 1, 5, 10, 15, 20, 30, 40, 50, 60, 80, 100, 150, 200};
+/// A zone's number is its radius in mm, but for z0.
+constexpr double zoneRadius(int number) { return number == 0 ? 0.3 : number; }
 
 /// The whole number after a one-letter prefix ("v200" → 200); leading zeros are not the system's names.
 std::optional<int> numberAfter(char prefix, std::string_view name) {
@@ -132,10 +120,14 @@ std::optional<double> predefinedSpeed(std::string_view name) {
 std::optional<double> predefinedZone(std::string_view name) {
   if (sameName(name, "fine")) return -1.0;
   const std::optional<int> value = numberAfter('z', name);
-  if (!value) return std::nullopt;
-  for (const auto& [word, radius] : kZones)
-    if (word == *value) return radius;
-  return std::nullopt;
+  if (!value || std::ranges::find(kZones, *value) == kZones.end()) return std::nullopt;
+  return zoneRadius(*value);
+}
+
+std::string predefinedZoneName(double radius) {
+  if (radius == 0) return "fine";
+  const auto zone = std::ranges::find(kZones, radius, zoneRadius);
+  return zone == kZones.end() ? std::string() : "z" + std::to_string(*zone);
 }
 
 }  // namespace bw::robotio

@@ -4,10 +4,14 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "rapid_program.h"
+#include "rapid/linked_program.h"
 
 namespace bw::robotio {
+
+/// Printable ASCII, for comments and strings: any other character is a question mark.
+std::string ascii(std::string_view text);
 
 /// Kind of the finding that tells of files from different runs.
 inline constexpr const char* kRunKind = "rapid-run";
@@ -33,5 +37,16 @@ RunHead readRunHead(std::string_view module);
 /// All modules of a strip are of one run and for one blade, and each lies in the folder of its task. Reports
 /// those that do not; returns the blade's length in mm, 0 where no module tells it.
 double checkRuns(const LinkedProgram& program, Breaches& breaches);
+
+/// Kind of the finding that stands for a mark.
+inline constexpr const char* kMarkKind = "rapid-marked";
+
+/// Comment lines for the head of a module that must not run as it is, one "! NOT SAFE TO RUN: " for each of
+/// `errors`, continued on lines that begin with "!   ". ASCII, at most 76 characters each, at most a score of
+/// errors, and their number if there are more.
+std::vector<std::string> unsafeMark(const std::vector<std::string>& errors);
+
+/// Reports each mark in the program once, at the first module that bears it.
+void checkMarks(const LinkedProgram& program, Breaches& breaches);
 
 }  // namespace bw::robotio

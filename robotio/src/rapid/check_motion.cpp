@@ -10,8 +10,8 @@
 
 #include "bw/core/base/units.h"
 #include "bw/core/text/number_text.h"
-#include "rapid_names.h"
-#include "rapid_program.h"
+#include "rapid/linked_program.h"
+#include "rapid/names.h"
 
 namespace bw::robotio {
 
@@ -24,9 +24,7 @@ constexpr double kTargetLeap = 2.5;    ///< times the moves beside them: both mo
 constexpr double kLeastOffset = 5;     ///< mm that a target must be off its neighbours to be a leap
 constexpr double kLeastTurn = 5;       ///< degrees
 
-std::string nameOf(const Step& step) { return "\"" + std::string(step.statement->name.substr(0, 60)) + "\""; }
-bool hasPose(const Step& step) { return step.isLinear() && step.target; }
-Pose poseOf(const Step& step) { return poseAt(*step.target, kTargetPosition, kTargetRotation); }
+std::string nameOf(const Step& step) { return quoted(step.statement->name); }
 
 /// A move between two known targets.
 struct Segment {
@@ -131,23 +129,10 @@ class PathChecker {
   std::vector<Segment> segments_;
 };
 
-std::vector<const Step*> synchronisedMoves(const LinkedTask& task) {
-  std::vector<const Step*> moves;
-  for (const Step& step : task.steps)
-    if (step.synchronised && step.isMove()) moves.push_back(&step);
-  return moves;
-}
-
 }  // namespace
 
 void checkLeaps(const LinkedTask& task, Breaches& breaches) {
-  std::vector<const Step*> path;
-  for (const Step& step : task.steps) {
-    if (step.statement->kind == StatementKind::syncMoveOn) path.clear();
-    if (step.synchronised && step.isMove()) path.push_back(&step);
-    if (step.statement->kind == StatementKind::syncMoveOff && !path.empty())
-      PathChecker(path, breaches).run();
-  }
+  for (const std::vector<const Step*>& path : synchronisedBlocks(task)) PathChecker(path, breaches).run();
 }
 
 void checkGrips(const LinkedProgram& program, double bladeLength, Breaches& breaches) {

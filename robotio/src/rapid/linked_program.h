@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "bw/core/base/finding.h"
-#include "bw/robotio/program.h"
-#include "rapid_syntax.h"
+#include "bw/robotio/rapid/rapid.h"
+#include "rapid/syntax.h"
 
 namespace bw::robotio {
 
@@ -85,10 +85,8 @@ struct LinkedProgram {
 /// rule 1 (names). Linear in the size of the text. The result points into `program`.
 std::vector<LinkedProgram> linkProgram(const Program& program, Breaches& breaches);
 
-/// True for .mod and .modx files, in any case.
-bool isModuleFile(const std::string& path);
 /// True for .pgf files, in any case.
-bool isProgramFile(const std::string& path);
+bool isProgramFile(std::string_view path);
 
 // Where the parts of a value stand among DataDeclaration::numbers.
 inline constexpr std::size_t kTargetPosition = 0, kTargetRotation = 3, kTargetConf = 7, kTargetExternal = 11;
@@ -100,6 +98,15 @@ inline constexpr std::size_t kJointExternal = 6;
 
 /// Position (three numbers) and quaternion (four, w first) of a value; the quaternion is not normalised.
 Pose poseAt(const DataDeclaration& data, std::size_t position, std::size_t rotation);
+/// Whether a step is a move to a known pose, and that pose.
+bool hasPose(const Step& step);
+Pose poseOf(const Step& step);
+/// The moves of a task inside of its synchronised blocks, and of each block that ends.
+std::vector<const Step*> synchronisedMoves(const LinkedTask& task);
+std::vector<std::vector<const Step*>> synchronisedBlocks(const LinkedTask& task);
+/// A name of the text, shortened, for messages; `quoted` in quotation marks.
+std::string shortName(std::string_view name);
+std::string quoted(std::string_view name);
 
 /// The rules on the files themselves (2) and on declarations (1, 3, 8, 10, 12, 14).
 void checkFiles(const LinkedProgram& program, Breaches& breaches);

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "rapid_syntax.h"
+#include "rapid/syntax.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "bw/core/text/number_text.h"
-#include "rapid_names.h"
-#include "rapid_scanner.h"
+#include "rapid/names.h"
+#include "rapid/scanner.h"
 
 namespace bw::robotio {
 
@@ -210,12 +210,9 @@ class Parser {
         case ']':
           if (!symbol("]")) return false;
           break;
-        case 'n': {
-          double value = 0;
-          if (!number(value, "a number")) return false;
-          data.numbers.push_back(value);
+        case 'n':
+          if (!number(data.numbers.emplace_back(), "a number")) return false;
           break;
-        }
         case 'b':
           if (!isWord("TRUE") && !isWord("FALSE")) return unexpected("TRUE or FALSE");
           data.numbers.push_back(isWord("TRUE") ? 1 : 0);
@@ -284,12 +281,8 @@ class Parser {
       case StatementKind::setSignal:
       case StatementKind::resetSignal:
         return name(s.name, "the name of a signal");
-      case StatementKind::waitTime: {
-        double seconds = 0;
-        if (!number(seconds, "a time in s")) return false;
-        s.duration = seconds;
-        return true;
-      }
+      case StatementKind::waitTime:
+        return number(s.duration.emplace(), "a time in s");
       case StatementKind::message:
         if (token_.kind != TokenKind::text) return unexpected("a string in quotes");
         advance();
@@ -300,27 +293,21 @@ class Parser {
     return true;
   }
 
-  /// target [\ID:=n] , speed [\T:=t] , zone , tool [\WObj:=w]
-  bool parseMove(Statement& s) {
-    double value = 0;
-    if (!name(s.name, "the name of a target")) return false;
-    if (isSymbol("\\")) {
-      advance();
-      if (!word("ID") || !symbol(":=") || !number(value, "the number of the ID")) return false;
-      s.id = value;
-    }
-    if (!symbol(",") || !name(s.speed, "the name of a speeddata")) return false;
-    if (isSymbol("\\")) {
-      advance();
-      if (!word("T") || !symbol(":=") || !number(value, "a time in s")) return false;
-      s.duration = value;
-    }
-    if (!symbol(",") || !name(s.zone, "the name of a zonedata") || !symbol(",") ||
-        !name(s.tool, "the name of a tooldata"))
-      return false;
+  /// `\key:=n`, which may be missing.
+  bool option(std::string_view key, std::optional<double>& out, std::string_view what) {
     if (!isSymbol("\\")) return true;
     advance();
-    return word("WObj") && symbol(":=") && name(s.workObject, "the name of a wobjdata");
+    return word(key) && symbol(":=") && number(out.emplace(), what);
+  }
+
+  /// target [\ID:=n] , speed [\T:=t] , zone , tool [\WObj:=w]
+  bool parseMove(Statement& s) {
+    return name(s.name, "the name of a target") && option("ID", s.id, "the number of the ID") &&
+           symbol(",") && name(s.speed, "the name of a speeddata") &&
+           option("T", s.duration, "a time in s") && symbol(",") && name(s.zone, "the name of a zonedata") &&
+           symbol(",") && name(s.tool, "the name of a tooldata") &&
+           (!isSymbol("\\") ||
+            (symbol("\\") && word("WObj") && symbol(":=") && name(s.workObject, "the name of a wobjdata")));
   }
 
   Scanner scanner_;

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "bw/core/text/number_text.h"
-#include "rapid_program.h"
+#include "rapid/linked_program.h"
 
 namespace bw::robotio {
 
@@ -24,8 +24,8 @@ void checkRotation(const DataDeclaration& data, std::size_t at, int rule, const 
   const double norm = Eigen::Vector4d(n[at], n[at + 1], n[at + 2], n[at + 3]).norm();
   if (!(std::abs(norm - 1) <= kNormTolerance))
     breaches.rule(rule, path, data.line,
-                  "a quaternion of \"" + std::string(data.name.substr(0, 60)) + "\" has norm " +
-                      fixedText(norm, 7) + "; it must be 1 within 1e-6");
+                  "a quaternion of " + quoted(data.name) + " has norm " + fixedText(norm, 7) +
+                      "; it must be 1 within 1e-6");
 }
 
 void checkPosition(const DataDeclaration& data, std::size_t at, int rule, const std::string& path,
@@ -34,7 +34,7 @@ void checkPosition(const DataDeclaration& data, std::size_t at, int rule, const 
   for (std::size_t i = at; i < at + 3; ++i) {
     if (std::abs(n[i]) <= kMaxCoordinate) continue;
     breaches.rule(rule, path, data.line,
-                  "\"" + std::string(data.name.substr(0, 60)) + "\" lies at " + shortText(n[i], 6) +
+                  quoted(data.name) + " lies at " + shortText(n[i], 6) +
                       " mm; coordinates beyond 100 m are a wrong unit");
     return;
   }
@@ -45,15 +45,15 @@ void checkExternalAxes(const DataDeclaration& data, std::size_t at, const std::s
   for (std::size_t i = at; i < at + 6; ++i) {
     if (data.numbers[i] == kUnusedAxis) continue;
     breaches.rule(10, path, data.line,
-                  "an external axis of \"" + std::string(data.name.substr(0, 60)) + "\" is " +
-                      shortText(data.numbers[i], 6) + "; an axis that is not used is written 9E+09");
+                  "an external axis of " + quoted(data.name) + " is " + shortText(data.numbers[i], 6) +
+                      "; an axis that is not used is written 9E+09");
     return;
   }
 }
 
 /// Which storage a type may have: what one task alone uses must not be shared by its name (rule 8).
 void checkStorage(const DataDeclaration& data, const std::string& path, Breaches& breaches) {
-  const std::string name = "\"" + std::string(data.name.substr(0, 60)) + "\"";
+  const std::string name = quoted(data.name);
   switch (data.type) {
     case DataType::tasks:
       if (data.storage != Storage::persistent)
@@ -80,7 +80,7 @@ void checkStorage(const DataDeclaration& data, const std::string& path, Breaches
 
 void checkValue(const DataDeclaration& data, const std::string& path, Breaches& breaches) {
   const std::vector<double>& n = data.numbers;
-  const std::string name = "\"" + std::string(data.name.substr(0, 60)) + "\"";
+  const std::string name = quoted(data.name);
   switch (data.type) {
     case DataType::robtarget:
       checkPosition(data, kTargetPosition, 10, path, breaches);

@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "run_head.h"
+#include "rapid/module_head.h"
 
 #include <algorithm>
+#include <array>
+#include <set>
 
 #include "bw/core/text/number_text.h"
-#include "rapid_names.h"
+#include "rapid/names.h"
 
 namespace bw::robotio {
 
@@ -18,10 +20,25 @@ constexpr std::string_view kOurs = "Bladewright: ";
 constexpr std::size_t kRunDigits = 16;
 constexpr int kLengthDecimals = 4;
 
+constexpr std::string_view kMark = "! NOT SAFE TO RUN: ";
+constexpr std::string_view kMore = "!   ";
+constexpr std::size_t kLineLength = 76;  ///< 80 with the indent of a module
+constexpr std::size_t kShownErrors = 20;
+
 std::string_view trimmed(std::string_view line) {
   const std::size_t begin = line.find_first_not_of(" \t");
-  return begin == std::string_view::npos ? std::string_view()
-                                         : line.substr(begin, line.find_last_not_of(" \t\r") + 1 - begin);
+  if (begin == std::string_view::npos) return {};
+  return line.substr(begin, line.find_last_not_of(" \t\r") + 1 - begin);
+}
+
+/// The characters of messages that ASCII lacks, in words that a controller shows.
+std::string plainAscii(std::string text) {
+  static constexpr std::array<std::array<std::string_view, 2>, 7> kWords = {
+      {{"°", " deg"}, {"−", "-"}, {"–", "-"}, {"…", "..."}, {"×", "x"}, {"²", "2"}, {"\"", "'"}}};
+  for (const auto& [from, to] : kWords)
+    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+      text.replace(at, from.size(), to);
+  return ascii(text);
 }
 
 /// Reads what follows "Run " in a line that `runLine` wrote. False if it is not one.
@@ -56,6 +73,12 @@ std::string named(const std::string& run) {
 }
 
 }  // namespace
+
+std::string ascii(std::string_view text) {
+  std::string result;
+  for (const char c : text) result += c >= ' ' && c < 127 && c != '"' ? c : '?';
+  return result;
+}
 
 std::string runLine(const std::string& run, const std::string& task, double bladeLength) {
   std::string line = "! " + std::string(kRun) + (run.empty() ? std::string(kNoRun) : run);
@@ -123,6 +146,59 @@ double checkRuns(const LinkedProgram& program, Breaches& breaches) {
                         first->file->path + " for one of " + shortText(length, 7) + " mm");
   }
   return length;
+}
+
+std::vector<std::string> unsafeMark(const std::vector<std::string>& errors) {
+  std::vector<std::string> lines;
+  const auto add = [&](const std::string& error) {
+    std::string line(kMark), rest = plainAscii(error);
+    while (line.size() + rest.size() > kLineLength) {
+      const std::size_t room = kLineLength - line.size();
+      std::size_t cut = rest.rfind(' ', room);
+      if (cut == std::string::npos || cut == 0) cut = room;
+      lines.push_back(line + rest.substr(0, cut));
+      rest.erase(0, std::min(rest.size(), rest[cut] == ' ' ? cut + 1 : cut));
+      line = kMore;
+    }
+    lines.push_back(line + rest);
+  };
+  for (std::size_t i = 0; i < std::min(errors.size(), kShownErrors); ++i) add(errors[i]);
+  if (errors.size() > kShownErrors)
+    add(std::to_string(errors.size() - kShownErrors) + " more errors, which the report of the design lists");
+  return lines;
+}
+
+void checkMarks(const LinkedProgram& program, Breaches& breaches) {
+  std::set<std::string> told;
+  for (const LinkedTask& task : program.tasks)
+    for (const ProgramFile* file : task.files) {
+      if (!isModuleFile(file->path)) continue;
+      std::string text;  // of the mark that is being read
+      int markLine = 0, number = 0;
+      const auto finish = [&] {
+        if (markLine > 0 && told.insert(text).second)
+          breaches.add(kMarkKind, file->path, markLine,
+                       "the program is marked as not safe to run, because its design has an error: " + text);
+        markLine = 0;
+      };
+      for (std::string_view rest = file->bytes; !rest.empty();) {
+        const std::size_t end = std::min(rest.find('\n'), rest.size() - 1);
+        const std::string_view line = trimmed(rest.substr(0, end));
+        rest.remove_prefix(end + 1);
+        ++number;
+        if (markLine > 0 && line.starts_with(kMore)) {
+          text += ' ';
+          text += line.substr(kMore.size());
+          continue;
+        }
+        finish();
+        if (line.starts_with(trimmed(kMark))) {
+          text = line.substr(std::min(line.size(), kMark.size()));
+          markLine = number;
+        }
+      }
+      finish();
+    }
 }
 
 }  // namespace bw::robotio

@@ -8,8 +8,8 @@
 #include <set>
 
 #include "bw/core/text/number_text.h"
-#include "rapid_names.h"
-#include "rapid_program.h"
+#include "rapid/linked_program.h"
+#include "rapid/names.h"
 
 namespace bw::robotio {
 
@@ -25,14 +25,12 @@ bool isSync(StatementKind kind) {
          kind == StatementKind::syncMoveOff;
 }
 
-std::vector<const Step*> movesOf(const LinkedTask& task) {
-  std::vector<const Step*> moves;
+std::vector<const Step*> syncsOf(const LinkedTask& task) {
+  std::vector<const Step*> syncs;
   for (const Step& step : task.steps)
-    if (step.synchronised && step.isMove()) moves.push_back(&step);
-  return moves;
+    if (isSync(step.statement->kind)) syncs.push_back(&step);
+  return syncs;
 }
-
-std::string cut(std::string_view name) { return std::string(name.substr(0, 60)); }
 
 class TaskComparer {
  public:
@@ -77,48 +75,46 @@ class TaskComparer {
     for (const LinkedTask& other : program_.tasks)
       if (std::none_of(list.texts.begin(), list.texts.end(),
                        [&](std::string_view name) { return sameName(name, other.name); }))
-        rule(4, *firstUse, "the task list \"" + cut(list.name) + "\" does not name " + other.name);
+        rule(4, *firstUse, "the task list " + quoted(list.name) + " does not name " + other.name);
     for (const std::string_view name : list.texts)
       if (std::none_of(program_.tasks.begin(), program_.tasks.end(),
                        [&](const LinkedTask& other) { return sameName(name, other.name); }))
         rule(4, *firstUse,
-             "the task list \"" + cut(list.name) + "\" names " + cut(name) + ", whose folder is not there");
+             "the task list " + quoted(list.name) + " names " + shortName(name) +
+                 ", whose folder is not there");
     const DataDeclaration* reference = nullptr;
     for (const Step& step : first().steps)
       if (step.taskList && !reference) reference = step.taskList;
     if (reference && reference != &list &&
         (!sameName(reference->name, list.name) || reference->texts != list.texts))
       rule(4, *firstUse,
-           "the task list \"" + cut(list.name) + "\" differs from that of " + first().name +
+           "the task list " + quoted(list.name) + " differs from that of " + first().name +
                "; it must be identical in all tasks");
   }
 
   /// Rule 4: each syncident is used at one place.
   void checkSyncidents(const LinkedTask& task) {
     std::set<std::string> used;
-    for (const Step& step : task.steps)
-      if (isSync(step.statement->kind) && !used.insert(lowerCase(step.statement->name)).second)
-        rule(4, step, "the syncident \"" + cut(step.statement->name) + "\" is used at more than one place");
+    for (const Step* step : syncsOf(task))
+      if (!used.insert(lowerCase(step->statement->name)).second)
+        rule(4, *step, "the syncident " + quoted(step->statement->name) + " is used at more than one place");
     for (const Module& module : task.modules)
       for (const DataDeclaration& data : module.data)
         if (data.type == DataType::syncident && used.find(lowerCase(data.name)) == used.end())
-          breaches_.rule(4, module.path, data.line, "the syncident \"" + cut(data.name) + "\" is not used",
+          breaches_.rule(4, module.path, data.line, "the syncident " + quoted(data.name) + " is not used",
                          Severity::warning);
   }
 
   /// Rule 4: the same synchronisation points in the same order.
   void compareSyncs(const LinkedTask& a, const LinkedTask& b) {
-    std::vector<const Step*> left, right;
-    for (const Step& step : a.steps)
-      if (isSync(step.statement->kind)) left.push_back(&step);
-    for (const Step& step : b.steps)
-      if (isSync(step.statement->kind)) right.push_back(&step);
+    const std::vector<const Step*> left = syncsOf(a), right = syncsOf(b);
     for (std::size_t i = 0; i < std::min(left.size(), right.size()); ++i) {
       const Statement &l = *left[i]->statement, &r = *right[i]->statement;
       if (l.kind == r.kind && sameName(l.name, r.name)) continue;
       rule(4, *right[i],
-           std::string(statementName(r.kind)) + " " + cut(r.name) + " meets " + statementName(l.kind) + " " +
-               cut(l.name) + " of " + a.name + "; all tasks pass the same syncidents in the same order");
+           std::string(statementName(r.kind)) + " " + shortName(r.name) + " meets " + statementName(l.kind) +
+               " " + shortName(l.name) + " of " + a.name +
+               "; all tasks pass the same syncidents in the same order");
       return;
     }
     if (left.size() != right.size())
@@ -129,7 +125,7 @@ class TaskComparer {
 
   /// Rules 3, 6 and 7: same IDs in the same order, same kind of end, same durations, same split.
   void compareMoves(const LinkedTask& a, const LinkedTask& b) {
-    const std::vector<const Step*> left = movesOf(a), right = movesOf(b);
+    const std::vector<const Step*> left = synchronisedMoves(a), right = synchronisedMoves(b);
     if (left.size() != right.size())
       breaches_.rule(6, anyPath(b), 0,
                      "task " + b.name + " has " + std::to_string(right.size()) + " synchronised moves, " +
@@ -175,23 +171,19 @@ class TaskComparer {
   }
 
   static std::optional<double> durationBySpeed(const Step& from, const Step& to) {
-    if (!from.isLinear() || !to.isLinear() || !from.target || !to.target || !(to.speed > 0))
-      return std::nullopt;
-    return (poseAt(*to.target, kTargetPosition, kTargetRotation).position -
-            poseAt(*from.target, kTargetPosition, kTargetRotation).position)
-               .norm() /
-           to.speed;
+    if (!hasPose(from) || !hasPose(to) || !(to.speed > 0)) return std::nullopt;
+    return (poseOf(to).position - poseOf(from).position).norm() / to.speed;
   }
 
   /// Rule 14: one frame in the world for all tasks.
   void compareWorkObjects(const LinkedTask& a, const LinkedTask& b) {
     const DataDeclaration* reference = nullptr;
-    for (const Step* step : movesOf(a))
+    for (const Step* step : synchronisedMoves(a))
       if (step->workObject && !reference) reference = step->workObject;
-    for (const Step* step : movesOf(b)) {
+    for (const Step* step : synchronisedMoves(b)) {
       if (!reference || !step->workObject || step->workObject->numbers == reference->numbers) continue;
       rule(14, *step,
-           "the work object \"" + cut(step->workObject->name) + "\" differs from that of " + a.name +
+           "the work object " + quoted(step->workObject->name) + " differs from that of " + a.name +
                "; all tasks work in the same frame of the world");
       return;
     }
@@ -200,8 +192,7 @@ class TaskComparer {
   static bool sameTarget(const Step& a, const Step& b) {
     if (!a.target || !b.target || a.target->type != b.target->type) return false;
     if (!a.isLinear()) return a.target->numbers == b.target->numbers;
-    const Pose p = poseAt(*a.target, kTargetPosition, kTargetRotation),
-               q = poseAt(*b.target, kTargetPosition, kTargetRotation);
+    const Pose p = poseOf(a), q = poseOf(b);
     return (p.position - q.position).norm() < kSameDistance &&
            1 - std::abs(p.rotation.dot(q.rotation)) < kSameTurn;
   }
@@ -209,16 +200,16 @@ class TaskComparer {
   /// Rule 13: two targets in one place in all tasks leave the hot blade standing in the foam.
   void checkStandstill() {
     std::vector<std::vector<const Step*>> moves;
-    for (const LinkedTask& task : program_.tasks) moves.push_back(movesOf(task));
+    for (const LinkedTask& task : program_.tasks) moves.push_back(synchronisedMoves(task));
     for (std::size_t i = 1; i < moves[0].size(); ++i) {
       const bool still = std::all_of(moves.begin(), moves.end(), [&](const std::vector<const Step*>& m) {
         return i < m.size() && sameTarget(*m[i - 1], *m[i]);
       });
       if (still)
         rule(13, *moves[0][i],
-             "the targets \"" + cut(moves[0][i - 1]->statement->name) + "\" and \"" +
-                 cut(moves[0][i]->statement->name) +
-                 "\" coincide in all tasks; the hot blade would stand still");
+             "the targets " + quoted(moves[0][i - 1]->statement->name) + " and " +
+                 quoted(moves[0][i]->statement->name) +
+                 " coincide in all tasks; the hot blade would stand still");
     }
   }
 

@@ -8,8 +8,8 @@
 
 #include "bw/core/base/units.h"
 #include "bw/core/text/number_text.h"
-#include "rapid_names.h"
-#include "rapid_program.h"
+#include "rapid/linked_program.h"
+#include "rapid/names.h"
 
 namespace bw::robotio {
 
@@ -71,7 +71,7 @@ class StepChecker {
     }
     if (block_) rule(5, *block_, "SyncMoveOn is never followed by SyncMoveOff");
     checkHeat();
-    checkPath();
+    for (const std::vector<const Step*>& path : synchronisedBlocks(task_)) checkBlockPath(path);
   }
 
  private:
@@ -166,24 +166,10 @@ class StepChecker {
         rule(14, *on, "no WaitTime lets the blade heat up before the synchronised block");
       }
     }
-    if (on)
-      rule(14, *on,
-           "the heat \"" + std::string(on->statement->name.substr(0, 60)) + "\" is never switched off");
+    if (on) rule(14, *on, "the heat " + quoted(on->statement->name) + " is never switched off");
   }
 
-  /// Speeds, zones, signs and times along the synchronised targets.
-  void checkPath() {
-    std::vector<const Step*> path;
-    for (const Step& step : task_.steps) {
-      if (step.statement->kind == StatementKind::syncMoveOn) path.clear();
-      if (step.synchronised && step.isMove()) path.push_back(&step);
-      if (step.statement->kind == StatementKind::syncMoveOff) checkBlockPath(path);
-    }
-  }
-
-  static bool hasPose(const Step& step) { return step.isLinear() && step.target; }
-  static Pose poseOf(const Step& step) { return poseAt(*step.target, kTargetPosition, kTargetRotation); }
-
+  /// Speeds, zones, signs and times along the targets of a block.
   void checkBlockPath(const std::vector<const Step*>& path) {
     int shortMoves = 0, timed = 0;
     double shortest = kShortMove;
@@ -234,12 +220,12 @@ class StepChecker {
     const Eigen::Quaterniond a = poseOf(from).rotation, b = poseOf(to).rotation;
     if (a.dot(b) < 0)
       rule(10, to,
-           "the quaternion of \"" + std::string(to.statement->name.substr(0, 60)) +
-               "\" has the other sign than the one before; keep one sign along the path");
+           "the quaternion of " + quoted(to.statement->name) +
+               " has the other sign than the one before; keep one sign along the path");
     if (!to.speedData) {
       rule(12, to,
-           "a synchronised move uses the controller's \"" + std::string(to.statement->speed.substr(0, 60)) +
-               "\"; give it a speeddata of its own",
+           "a synchronised move uses the controller's " + quoted(to.statement->speed) +
+               "; give it a speeddata of its own",
            Severity::warning);
       return;
     }

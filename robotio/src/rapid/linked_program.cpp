@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "rapid_program.h"
+#include "rapid/linked_program.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "rapid_names.h"
+#include "rapid/names.h"
 
 namespace bw::robotio {
 
@@ -18,10 +18,8 @@ std::string placeText(const std::string& path, int line) {
   return line > 0 ? path + ":" + std::to_string(line) : path;
 }
 
-bool endsWith(const std::string& path, const char* extension) {
-  const std::string low = lowerCase(path);
-  const std::string end = extension;
-  return low.size() >= end.size() && low.compare(low.size() - end.size(), end.size(), end) == 0;
+bool endsWith(std::string_view path, std::string_view extension) {
+  return path.size() >= extension.size() && sameName(path.substr(path.size() - extension.size()), extension);
 }
 
 std::string parentOf(const std::string& path) {
@@ -55,26 +53,25 @@ class Linker {
     return it == task_.symbols.end() ? nullptr : &it->second;
   }
 
-  void declare(std::string_view name, const Symbol& symbol, bool mayBeSystemName) {
+  void declare(std::string_view name, const Symbol& symbol) {
     const std::string fault = identifierFault(name);
-    if (!fault.empty() && !(mayBeSystemName && !isReservedWord(name) && isPredefinedName(name)))
-      breaches_.rule(1, symbol.module->path, symbol.line,
-                     "the name \"" + std::string(name.substr(0, 60)) + "\" " + fault);
+    if (!fault.empty())
+      breaches_.rule(1, symbol.module->path, symbol.line, "the name " + quoted(name) + " " + fault);
     const auto [it, isNew] = task_.symbols.emplace(lowerCase(name), symbol);
     if (!isNew)
       breaches_.rule(1, symbol.module->path, symbol.line,
-                     "the name \"" + std::string(name.substr(0, 60)) + "\" stands already at " +
+                     "the name " + quoted(name) + " stands already at " +
                          placeText(it->second.module->path, it->second.line) +
                          "; RAPID does not distinguish case");
   }
 
   void declareAll() {
     for (const Module& module : task_.modules) {
-      declare(module.name, Symbol{&module, nullptr, nullptr, module.line}, false);
+      declare(module.name, Symbol{&module, nullptr, nullptr, module.line});
       for (const DataDeclaration& data : module.data)
-        declare(data.name, Symbol{&module, &data, nullptr, data.line}, false);
+        declare(data.name, Symbol{&module, &data, nullptr, data.line});
       for (const Procedure& procedure : module.procedures)
-        declare(procedure.name, Symbol{&module, nullptr, &procedure, procedure.line}, false);
+        declare(procedure.name, Symbol{&module, nullptr, &procedure, procedure.line});
     }
   }
 
@@ -86,7 +83,7 @@ class Linker {
   const DataDeclaration* resolve(const Step& step, std::string_view name, DataType type) {
     const Symbol* symbol = find(name);
     if (symbol && symbol->data && symbol->data->type == type) return symbol->data;
-    nameFault(step, "\"" + std::string(name.substr(0, 60)) + "\" is not a declared " + dataTypeName(type));
+    nameFault(step, quoted(name) + " is not a declared " + dataTypeName(type));
     return nullptr;
   }
 
@@ -143,13 +140,12 @@ class Linker {
       call.module = main.module;
       const Symbol* called = find(statement.name);
       if (!called || !called->procedure) {
-        nameFault(call,
-                  "\"" + std::string(statement.name.substr(0, 60)) + "\" is not a procedure of this task");
+        nameFault(call, quoted(statement.name) + " is not a procedure of this task");
         continue;
       }
       if (called->procedure == main.procedure || !called_.emplace(called->procedure, true).second) {
-        nameFault(call, "the procedure \"" + std::string(statement.name.substr(0, 60)) +
-                            "\" is called twice; this reader follows each procedure once");
+        nameFault(call, "the procedure " + quoted(statement.name) +
+                            " is called twice; this reader follows each procedure once");
         continue;
       }
       ++parts_;
@@ -157,8 +153,7 @@ class Linker {
         if (inner.kind == StatementKind::call) {
           call.statement = &inner;
           call.module = called->module;
-          nameFault(call, "only main may call procedures, not \"" +
-                              std::string(called->procedure->name.substr(0, 60)) + "\"");
+          nameFault(call, "only main may call procedures, not " + quoted(called->procedure->name));
         } else {
           addStep(inner, *called->module, parts_);
         }
@@ -170,9 +165,8 @@ class Linker {
     for (const Module& module : task_.modules)
       for (const Procedure& procedure : module.procedures)
         if (!sameName(procedure.name, "main") && called_.find(&procedure) == called_.end())
-          breaches_.add(
-              "rapid-name", module.path, procedure.line,
-              "the procedure \"" + std::string(procedure.name.substr(0, 60)) + "\" is never called");
+          breaches_.add("rapid-name", module.path, procedure.line,
+                        "the procedure " + quoted(procedure.name) + " is never called");
   }
 
   LinkedTask& task_;
@@ -210,8 +204,8 @@ Findings Breaches::take() {
   return std::exchange(findings_, {});
 }
 
-bool isModuleFile(const std::string& path) { return endsWith(path, ".mod") || endsWith(path, ".modx"); }
-bool isProgramFile(const std::string& path) { return endsWith(path, ".pgf"); }
+bool isModuleFile(std::string_view path) { return endsWith(path, ".mod") || endsWith(path, ".modx"); }
+bool isProgramFile(std::string_view path) { return endsWith(path, ".pgf"); }
 
 Pose poseAt(const DataDeclaration& data, std::size_t position, std::size_t rotation) {
   const std::vector<double>& n = data.numbers;
@@ -220,6 +214,30 @@ Pose poseAt(const DataDeclaration& data, std::size_t position, std::size_t rotat
   pose.rotation = Eigen::Quaterniond(n[rotation], n[rotation + 1], n[rotation + 2], n[rotation + 3]);
   return pose;
 }
+
+bool hasPose(const Step& step) { return step.isLinear() && step.target; }
+Pose poseOf(const Step& step) { return poseAt(*step.target, kTargetPosition, kTargetRotation); }
+
+std::vector<const Step*> synchronisedMoves(const LinkedTask& task) {
+  std::vector<const Step*> moves;
+  for (const Step& step : task.steps)
+    if (step.synchronised && step.isMove()) moves.push_back(&step);
+  return moves;
+}
+
+std::vector<std::vector<const Step*>> synchronisedBlocks(const LinkedTask& task) {
+  std::vector<std::vector<const Step*>> blocks;
+  std::vector<const Step*> moves;
+  for (const Step& step : task.steps) {
+    if (step.statement->kind == StatementKind::syncMoveOn) moves.clear();
+    if (step.synchronised && step.isMove()) moves.push_back(&step);
+    if (step.statement->kind == StatementKind::syncMoveOff && !moves.empty()) blocks.push_back(moves);
+  }
+  return blocks;
+}
+
+std::string shortName(std::string_view name) { return std::string(name.substr(0, 60)); }
+std::string quoted(std::string_view name) { return "\"" + shortName(name) + "\""; }
 
 std::vector<LinkedProgram> linkProgram(const Program& program, Breaches& breaches) {
   std::map<std::string, std::map<std::string, std::vector<const ProgramFile*>>> strips;

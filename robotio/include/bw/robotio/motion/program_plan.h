@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bw/core/base/result.h"
+#include "bw/core/motion/cell.h"
+#include "bw/core/motion/motion.h"
+
+namespace bw::robotio {
+
+/// What a move is for.
+enum class MoveRole {
+  home,      ///< each robot by itself to the joint angles of its home
+  approach,  ///< outside of the foam, up to the first instant of the motion
+  cut,
+  retreat  ///< onward from the last instant
+};
+
+/// One move of all tasks, straight to a pose for each in the work object; home has none.
+struct ProgramMove {
+  MoveRole role = MoveRole::cut;
+  int instant = -1;         ///< of the motion, which the move ends at; −1 if at none
+  double duration = 0;      ///< s, a multiple of 0.1 ms; 0: as long as it takes
+  double speed = 0;         ///< mm/s that no end exceeds
+  double turnSpeed = 0;     ///< rad/s that no end exceeds
+  double zone = 0;          ///< mm before the target where the next move may begin; 0: the ends come to rest
+  std::vector<Pose> poses;  ///< one a task
+};
+
+/// A robot program that is not text yet, in no dialect. It runs so: all tasks go home and wait for each
+/// other; the first switches the heat on and waits for the dwell; all wait for each other again, and run the
+/// other moves synchronised, each with one duration for all; the heat goes off, and the robots stay where
+/// they are.
+struct ProgramPlan {
+  Cell cell;               ///< tasks with their tools and homes, work object, heat
+  double bladeLength = 0;  ///< mm, free, between the two TCP origins; 0 if not known
+  double cuttingTime = 0;  ///< s, from the first instant to the last
+  std::vector<ProgramMove> moves;
+};
+
+/// Decides the moves of a program: home, approach, cut, retreat, with their times, speeds and zones. Fails on
+/// a motion or a cell with data that no program can state, a motion of another number of ends than the cell
+/// has tasks, one without the directions along which the cell wants the blade to come and go, and instants
+/// that are less than 0.1 ms apart.
+Result<ProgramPlan> planProgram(const Motion& motion, const Cell& cell);
+
+}  // namespace bw::robotio

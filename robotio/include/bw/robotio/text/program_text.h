@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace bw::robotio {
+
+/// The text of one file of a program, path relative to the program's folder ("T_ROB1/BladeLeft.mod").
+struct ProgramFile {
+  std::string path;
+  std::string bytes;
+};
+using Program = std::vector<ProgramFile>;
+
+/// What the text of a program says beside the motion.
+struct ProgramNotes {
+  std::string name = "Blade";  ///< identifiers and file names are made from it
+  /// Errors of the design that the program is written despite. The head of each of its files then lists them,
+  /// and says that it is not safe to run.
+  std::vector<std::string> errors = {};
+  /// What else the head of the main files warns of.
+  std::vector<std::string> warnings = {};
+  /// Names the run that the program is of, 16 hexadecimal digits; stands in the head of each file. Empty if
+  /// there is none.
+  std::string run = {};
+};
+
+}  // namespace bw::robotio

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "bw/robotio/motion/program_plan.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "bw/core/base/units.h"
+#include "bw/core/text/number_text.h"
+#include "motion/motion_check.h"
+
+namespace bw::robotio {
+
+namespace {
+
+constexpr double kTimeUnit = 1e-4;               ///< s, of the durations
+constexpr double kTravelTurn = fromDegrees(30);  ///< rad/s outside of the foam
+constexpr double kLeastTurn = 10;                ///< degrees/s of the cut, so that it is never what limits
+constexpr double kTurnMargin = 1.5;              ///< on the fastest turn of the cut
+constexpr double kLeastHomeTime = 5;             ///< s from home to the first target
+constexpr double kLeastTravelTime = 0.5;         ///< s of the approach and of the retreat
+constexpr double kLeastLength = 1e-3;            ///< mm; shorter segments only turn
+constexpr std::array kZones = {1.0, 0.3, 0.05};  ///< mm; controllers know the first two by name
+
+/// Quaternions of unit length with one sign along the path.
+std::vector<MotionInstant> smoothSigns(std::vector<MotionInstant> instants) {
+  for (std::size_t i = 0; i < instants.size(); ++i)
+    for (std::size_t end = 0; end < instants[i].poses.size(); ++end) {
+      Eigen::Quaterniond& q = instants[i].poses[end].rotation;
+      q.normalize();
+      if (i > 0 && q.dot(instants[i - 1].poses[end].rotation) < 0) q.coeffs() = -q.coeffs();
+    }
+  return instants;
+}
+
+double turnDegrees(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
+  return toDegrees(2 * std::acos(std::min(1.0, std::abs(a.dot(b)))));
+}
+
+std::vector<Pose> shifted(std::vector<Pose> poses, const Eigen::Vector3d& by) {
+  for (Pose& pose : poses) pose.position += by;
+  return poses;
+}
+
+Result<void> checkCell(const Cell& cell, std::size_t ends) {
+  if (cell.tasks.size() != ends)
+    return fail(ErrorCode::badInput,
+                "the motion has " + std::to_string(ends) + " blade ends but the cell \"" + cell.name +
+                    "\" has " + std::to_string(cell.tasks.size()) + " tasks; choose another cell",
+                "cell");
+  const auto isFinite = [](const Pose& pose) {
+    return pose.position.allFinite() && pose.rotation.coeffs().allFinite();
+  };
+  for (const CellTask& task : cell.tasks) {
+    const bool finite =
+        std::all_of(task.home.begin(), task.home.end(), [](double a) { return std::isfinite(a); }) &&
+        isFinite(task.base) && isFinite(task.tool) && task.toolCenter.allFinite() &&
+        std::isfinite(task.toolMass);
+    if (!finite)
+      return fail(ErrorCode::badInput,
+                  "the data of " + task.name + " in the cell hold a number that is not finite", task.name);
+    if (!(task.toolMass > 0))
+      return fail(
+          ErrorCode::badInput,
+          "the tool of " + task.name + " has a mass of " + shortText(task.toolMass) + " kg; it must be > 0",
+          task.name, task.toolMass, 0.0);
+  }
+  if (!isFinite(cell.workObject))
+    return fail(ErrorCode::badInput, "the work object of the cell holds a number that is not finite", "cell");
+  if (!(cell.travelSpeed > 0) || !std::isfinite(cell.travelSpeed) || !(cell.approach >= 0) ||
+      !std::isfinite(cell.approach) || !(cell.heatDwell >= 0) || !std::isfinite(cell.heatDwell))
+    return fail(ErrorCode::badInput,
+                "the cell's travel speed must be > 0 mm/s, its approach >= 0 mm and its heat dwell >= 0 s",
+                "cell");
+  return {};
+}
+
+/// The zone of each instant: none larger than half of the shorter of its two segments at any end (rule 13),
+/// and at most 1 mm, since a zone cuts the corner of the path.
+double zoneFor(const std::vector<MotionInstant>& instants, std::size_t i) {
+  double room = 2 * kZones.front();
+  for (std::size_t end = 0; end < instants[i].poses.size(); ++end)
+    for (const std::size_t other : {i - 1, i + 1}) {
+      const double length = (instants[other].poses[end].position - instants[i].poses[end].position).norm();
+      if (length >= kLeastLength) room = std::min(room, length);
+    }
+  for (const double zone : kZones)
+    if (0.5 * room >= zone) return zone;
+  return kZones.back();
+}
+
+/// Time from home to the first target. Where home lies in space is not known without the robot's kinematics;
+/// no home that is nearer to its base than the target is farther away than twice the target's distance, so
+/// that the travel speed is kept.
+double homeTime(const Cell& cell, const std::vector<Pose>& first) {
+  double longest = 0;
+  for (std::size_t end = 0; end < first.size(); ++end) {
+    const Eigen::Vector3d p_W = cell.workObject.position + cell.workObject.rotation * first[end].position;
+    longest = std::max(longest, 2 * (p_W - cell.tasks[end].base.position).norm());
+  }
+  return std::max(kLeastHomeTime, std::ceil(10 * longest / cell.travelSpeed) / 10);
+}
+
+}  // namespace
+
+Result<ProgramPlan> planProgram(const Motion& motion, const Cell& cell) {
+  if (Result<void> ok = checkMotion(motion); !ok) return tl::unexpected<Error>(ok.error());
+  const std::vector<MotionInstant> instants = smoothSigns(motion.instants);
+  const std::vector<Pose>&first = instants.front().poses, &last = instants.back().poses;
+  if (Result<void> ok = checkCell(cell, first.size()); !ok) return tl::unexpected<Error>(ok.error());
+  const bool approaches = cell.approach > 0;
+  if (approaches && (!motion.approach || !motion.retreat))
+    return fail(ErrorCode::badInput,
+                "the motion does not tell along which direction the blade comes to the foam and leaves it "
+                "(approach, retreat): CSV has no place for them and an older JSON file lacks them; write the "
+                "motion anew as JSON, or choose a cell whose approach is 0 mm",
+                "motion.approach");
+  ProgramPlan plan{cell, motion.bladeLength, instants.back().time - instants.front().time, {}};
+  const auto travel = [&](MoveRole role, int instant, double duration, std::vector<Pose> poses) {
+    plan.moves.push_back({role, instant, duration, cell.travelSpeed, kTravelTurn, 0, std::move(poses)});
+  };
+  const double travelTime = std::max(kLeastTravelTime, cell.approach / cell.travelSpeed);
+  travel(MoveRole::home, -1, 0, {});
+  if (approaches) {
+    const std::vector<Pose> poses = shifted(first, -cell.approach * *motion.approach);
+    travel(MoveRole::approach, -1, homeTime(cell, poses), poses);
+  }
+  travel(MoveRole::approach, 0, approaches ? travelTime : homeTime(cell, first), first);
+  double speed = motion.cuttingSpeed, turn = 0;  // mm/s and degrees/s of the fastest end
+  for (std::size_t i = 1; i < instants.size(); ++i) {
+    const std::vector<Pose>&from = instants[i - 1].poses, &to = instants[i].poses;
+    // Rounded on the time axis, so that the errors of the durations do not add up.
+    const double duration =
+        kTimeUnit * (std::round(instants[i].time / kTimeUnit) - std::round(instants[i - 1].time / kTimeUnit));
+    if (duration < 0.5 * kTimeUnit)
+      return fail(ErrorCode::badInput,
+                  "instants " + std::to_string(i - 1) + " and " + std::to_string(i) +
+                      " are less than 0.1 ms apart; take fewer stations or cut more slowly",
+                  "instant " + std::to_string(i), instants[i].time - instants[i - 1].time, kTimeUnit);
+    speed = std::max(speed, farthest(from, to) / duration);
+    for (std::size_t end = 0; end < to.size(); ++end)
+      turn = std::max(turn, turnDegrees(from[end].rotation, to[end].rotation) / duration);
+    const double zone = i + 1 < instants.size() ? zoneFor(instants, i) : 0;
+    plan.moves.push_back({MoveRole::cut, int(i), duration, 0, 0, zone, to});
+  }
+  turn = std::max(kLeastTurn, std::ceil(kTurnMargin * turn));
+  for (ProgramMove& move : plan.moves) {
+    if (move.role != MoveRole::cut) continue;
+    move.speed = speed;
+    move.turnSpeed = fromDegrees(turn);
+  }
+  if (approaches) travel(MoveRole::retreat, -1, travelTime, shifted(last, cell.approach * *motion.retreat));
+  return plan;
+}
+
+}  // namespace bw::robotio
