@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "bw/core/base/units.h"
+#include "bw/core/fit/elastica_fit.h"
 #include "bw/core/text/number_text.h"
 #include "sentences.h"
 
@@ -14,16 +15,6 @@ namespace bw::words {
 namespace {
 
 std::string mm(double value, int digits = 3) { return shortText(value, digits) + " mm"; }
-
-std::string conditionText(const std::string& name) {
-  if (name == "length") return "the length";
-  if (name == "endpoints") return "the end points";
-  if (name == "tangents") return "the end tangents";
-  if (name == "max_curvature") return "the bound on the curvature";
-  if (name == "max_periods") return "the bound on the periods";
-  if (name == "max_inflections") return "the bound on the inflections";
-  return "the absence of self-intersections";
-}
 
 /// "try one of 812 mm": the length was tried at some stations, each for itself.
 std::string shorterText(const Finding& finding, const std::string& otherwise, const std::string& more = {}) {
@@ -63,10 +54,8 @@ std::string leftOutText(int first, int last) {
 }  // namespace
 
 std::string Sentences::operator()(const UnmetConditions& cause) const {
-  std::string list;
+  const std::string list = conditionsInWords(cause.conditions);
   const std::size_t count = cause.conditions.size();
-  for (std::size_t i = 0; i < count; ++i)
-    list += (i == 0 ? "" : i + 1 == count ? " and " : ", ") + conditionText(cause.conditions[i]);
   return at() + "no blade was found that meets " +
          (count == 0   ? std::string("all conditions together; release one of them")
           : count == 1 ? list + "; release it"

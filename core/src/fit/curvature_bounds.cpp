@@ -6,10 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fit/condition_names.h"
 #include "fit/fit_constrained.h"
 
-namespace bw::detail {
+namespace bw::fit {
 namespace {
 
 using Eigen::VectorXd;
@@ -20,6 +19,8 @@ constexpr double kPeakExcess = 1e-11;
 constexpr int kRangePlaces = 33;
 // Places of peaks that are remembered.
 constexpr std::size_t kPeaks = 4;
+// Peaks nearer than this (parts of half the range) are one.
+constexpr double kSamePeak = 1e-9;
 // An elastica whose curvature varies by less than this part is so near to a circle that its peaks are not
 // definite.
 constexpr double kRound = 1e-3;
@@ -32,14 +33,11 @@ constexpr double kMostWinding = 100;
 
 }  // namespace
 
-bool ConstrainedFit::curvatureBounds(const VectorXd& v, Conditions& out) {
-  // At both ends and in the middle, and at a peak of |κ| between them. Three fixed places keep the bound
-  // smooth where the elastica is nearly a circle and has no definite peak.
-  static constexpr int kPlaces[] = {kCurvatureStart, kCurvatureMiddle, kCurvatureEnd};
+bool ConstrainedFit::curvatureBounds(const VectorXd& v, optimise::Constraints& out) {
   const Shape shape = v.head<3>();
   const double ft = shape[1];
   const double fn = shape[2];
-  const auto slopeAt = [&](double angle) { return fn * std::cos(angle) - ft * std::sin(angle); };
+  const auto curvatureRateAt = [&](double angle) { return fn * std::cos(angle) - ft * std::sin(angle); };
   const double scale = std::exp(-v[3]) / *constraints_.maxCurvature;
   const bool extended = constraints_.curvatureRange.has_value();
   // Half the range, in lengths of the elastica.
@@ -50,21 +48,24 @@ bool ConstrainedFit::curvatureBounds(const VectorXd& v, Conditions& out) {
   ShapeEvaluator& whole = extended ? range_ : nodes_;
   if (extended) range_.moveTo({-half, half});
   if (!whole.evaluate(shape, true)) return false;
-  const ShapeEnds ends(whole);
+  const std::size_t first = whole.end(0), last = whole.end(1);
   double highest = 0;
-  for (int place = 0; place < 3; ++place) {
-    const auto end = static_cast<std::size_t>(place / 2);
-    const double kappa = place == 1 ? shape[0] : ends.state(end).curvature;
+  // The bound at a place, `part` of half the range from the middle.
+  const auto hold = [&](int name, double kappa, const Eigen::Vector3d& derivative, double angle,
+                        double part) {
     const double sign = kappa < 0 ? -1 : 1;
-    auto slope = out.slopes.col(out.add(std::abs(kappa) * scale - 1, kPlaces[place]));
-    for (int j = 0; j < 3; ++j)
-      slope[j] = sign * scale * (place == 1 ? (j == 0 ? 1.0 : 0.0) : ends.curvatureDerivative(end, j));
-    slope[3] = -std::abs(kappa) * scale;
+    auto gradient = out.add(std::abs(kappa) * scale - 1, name);
+    gradient.head<3>() = sign * scale * derivative;
+    gradient[3] = -std::abs(kappa) * scale;
     // A range of fixed length covers less of a longer elastica.
-    if (extended && place != 1)
-      slope[3] += sign * scale * slopeAt(ends.angle(end)) * (place == 0 ? half : -half);
+    if (extended) gradient[3] -= sign * scale * curvatureRateAt(angle) * part * half;
     highest = std::max(highest, std::abs(kappa));
-  }
+  };
+  // At both ends and in the middle, and at a peak of |κ| between them. Three fixed places keep the bound
+  // smooth where the elastica is nearly a circle and has no definite peak.
+  hold(kCurvatureStart, whole.curvature(first), whole.curvatureGradient(first), whole.angle(first), -1);
+  hold(kCurvatureMiddle, shape[0], Eigen::Vector3d::UnitX(), 0, 0);
+  hold(kCurvatureEnd, whole.curvature(last), whole.curvatureGradient(last), whole.angle(last), 1);
   // κ' = f_n cos ψ − f_t sin ψ changes sign where the tangent runs with the force. The height of the peak is
   // known in closed form, κ_peak² = κ² + 2 (f − f_t).
   if (extended) {
@@ -74,14 +75,14 @@ bool ConstrainedFit::curvatureBounds(const VectorXd& v, Conditions& out) {
   }
   ShapeEvaluator& between = extended ? between_ : nodes_;
   if (!between.evaluate(shape, false)) return false;
-  double before = slopeAt(ends.angle(0));
-  double placeBefore = ends.arc(0);
+  double before = curvatureRateAt(whole.angle(first));
+  double placeBefore = whole.arc(first);
   bool peak = false;
   double peakPlace = 0;
   for (std::size_t i = 0; i <= between.size() && !peak; ++i) {
-    const double angle = i < between.size() ? between.angle(i) : ends.angle(1);
-    const double place = i < between.size() ? between.arc(i) : ends.arc(1);
-    const double here = slopeAt(angle);
+    const double angle = i < between.size() ? between.angle(i) : whole.angle(last);
+    const double place = i < between.size() ? between.arc(i) : whole.arc(last);
+    const double here = curvatureRateAt(angle);
     peak = before * here < 0 && ft * std::cos(angle) + fn * std::sin(angle) > 0;
     if (peak) peakPlace = placeBefore + (place - placeBefore) * before / (before - here);
     before = here;
@@ -90,16 +91,13 @@ bool ConstrainedFit::curvatureBounds(const VectorXd& v, Conditions& out) {
   const double f = std::hypot(ft, fn);
   const double height = std::sqrt(std::max(0.0, shape[0] * shape[0] + 2 * (f - ft)));
   if (peak && f > 0 && height > highest * (1 + kPeakExcess)) {
-    auto slope = out.slopes.col(out.add(height * scale - 1, kCurvaturePeak));
-    slope[0] = scale * shape[0] / height;
-    slope[1] = scale * (ft / f - 1) / height;
-    slope[2] = scale * (fn / f) / height;
-    slope[3] = -height * scale;
+    out.add(height * scale - 1, kCurvaturePeak).head<4>() << scale * shape[0] / height,
+        scale * (ft / f - 1) / height, scale * (fn / f) / height, -height * scale;
     // On a circle there is no peak, but every small change may raise one. Where one was met on the way, the
     // bound is kept from then on.
     const double part = peakPlace / half;
-    if (height * scale > 1 &&
-        std::none_of(peaks_.begin(), peaks_.end(), [&](double p) { return std::abs(p - part) < 1e-9; })) {
+    if (height * scale > 1 && std::none_of(peaks_.begin(), peaks_.end(),
+                                           [&](double p) { return std::abs(p - part) < kSamePeak; })) {
       if (peaks_.size() < kPeaks)
         peaks_.push_back(part);
       else
@@ -110,14 +108,10 @@ bool ConstrainedFit::curvatureBounds(const VectorXd& v, Conditions& out) {
   for (std::size_t i = 0; i < peaks_.size(); ++i) {
     foot_.moveTo({peaks_[i] * half});
     if (!foot_.evaluate(shape, true)) return false;
-    const double kappa = foot_.state(0).curvature;
-    const double sign = kappa < 0 ? -1 : 1;
-    auto slope = out.slopes.col(out.add(std::abs(kappa) * scale - 1, kPeakPlace + static_cast<int>(i)));
-    for (int j = 0; j < 3; ++j) slope[j] = sign * scale * foot_.curvatureDerivative(0, j);
-    slope[3] = -std::abs(kappa) * scale;
-    if (extended) slope[3] -= sign * scale * slopeAt(foot_.angle(0)) * peaks_[i] * half;
+    hold(kPeakPlace + static_cast<int>(i), foot_.curvature(0), foot_.curvatureGradient(0), foot_.angle(0),
+         peaks_[i]);
   }
   return true;
 }
 
-}  // namespace bw::detail
+}  // namespace bw::fit

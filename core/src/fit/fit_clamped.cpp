@@ -8,7 +8,7 @@
 #include "bw/core/base/units.h"
 #include "bw/core/elastica/elastica_bvp.h"
 
-namespace bw::detail {
+namespace bw::fit {
 namespace {
 
 // What the boundary value solver takes at most.
@@ -16,25 +16,6 @@ constexpr int kMostInflections = 12;
 constexpr double kMostTurning = 8 * kPi;
 
 }  // namespace
-
-double objectiveOf(const Elastica& elastica, const FitTarget& target, FitNorm norm) {
-  std::vector<double> s;
-  for (const double place : target.s) s.push_back((place + 0.5) * elastica.length());
-  std::vector<Elastica::State> states(s.size());
-  elastica.at(s, states);
-  double value = 0;
-  for (std::size_t i = 0; i < s.size(); ++i) {
-    double miss = ((states[i].point - target.centre) / target.length - target.point[i]).squaredNorm();
-    const double length = elastica.length() / target.length;
-    if (norm != FitNorm::L2) miss += (length * direction(states[i].angle) - target.tangent[i]).squaredNorm();
-    if (norm == FitNorm::H2)
-      miss += (length * elastica.length() * states[i].curvature * quarterTurn(direction(states[i].angle)) -
-               target.curvature[i] * quarterTurn(target.tangent[i]))
-                  .squaredNorm();
-    value += target.weight[i] * miss;
-  }
-  return value;
-}
 
 std::vector<ClampedBlade> clampedBlades(const FitTarget& target, const FitConstraints& constraints,
                                         FitNorm norm) {
@@ -59,4 +40,4 @@ std::vector<ClampedBlade> clampedBlades(const FitTarget& target, const FitConstr
   return blades;
 }
 
-}  // namespace bw::detail
+}  // namespace bw::fit

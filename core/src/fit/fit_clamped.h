@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "fit/fit_constrained.h"
+#include "fit/fit_constraints.h"
 
-namespace bw::detail {
+namespace bw::fit {
 
 /// An equilibrium of a clamped blade, mm, and the objective there.
 struct ClampedBlade {
@@ -21,7 +21,4 @@ struct ClampedBlade {
 std::vector<ClampedBlade> clampedBlades(const FitTarget& target, const FitConstraints& constraints,
                                         FitNorm norm);
 
-/// The objective of any elastica.
-double objectiveOf(const Elastica& elastica, const FitTarget& target, FitNorm norm);
-
-}  // namespace bw::detail
+}  // namespace bw::fit

@@ -2,19 +2,16 @@
 // SPDX-License-Identifier: MIT
 #include "fit/fit_constrained.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "bw/core/base/units.h"
-#include "fit/condition_names.h"
 
-namespace bw::detail {
+namespace bw::fit {
 namespace {
 
-using Eigen::Index;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
+using optimise::Constraints;
 
 // Logarithms of lengths beyond this are no fits.
 constexpr double kLargestLogLength = 5;
@@ -26,31 +23,26 @@ std::vector<double> withEnds(const std::vector<double>& nodes) {
   return all;
 }
 
-// Adds up the model of a sum of squares, row by row.
+// Adds up the model of a sum of squares, miss by miss, each with its derivatives by the unknowns as columns.
 class Accumulator {
  public:
-  void add(double weight, const Vector2d& miss, const std::array<Vector2d, 7>& rows) {
-    for (std::size_t i = 0; i < 7; ++i) {
-      const Vector2d weighted = weight * rows[i];
+  using Rows = Eigen::Matrix<double, 2, 7>;
+
+  void add(double weight, const Vector2d& miss, const Rows& rows) {
+    for (int i = 0; i < 7; ++i) {
+      const Vector2d weighted = weight * rows.col(i);
       half_[i] += weighted.dot(miss);
-      for (std::size_t j = 0; j <= i; ++j) products_[i][j] += weighted.dot(rows[j]);
+      for (int j = 0; j <= i; ++j) products_(i, j) += weighted.dot(rows.col(j));
     }
   }
-  void give(LeastSquaresModel& model) const {
-    model.half.resize(7);
-    model.gaussNewton.resize(7, 7);
-    for (std::size_t i = 0; i < 7; ++i) {
-      model.half[static_cast<Index>(i)] = half_[i];
-      for (std::size_t j = 0; j <= i; ++j) {
-        model.gaussNewton(static_cast<Index>(i), static_cast<Index>(j)) = products_[i][j];
-        model.gaussNewton(static_cast<Index>(j), static_cast<Index>(i)) = products_[i][j];
-      }
-    }
+  void give(optimise::LeastSquaresModel& model) const {
+    model.halfGradient = half_;
+    model.gaussNewton = products_.selfadjointView<Eigen::Lower>();
   }
 
  private:
-  std::array<double, 7> half_{};
-  std::array<std::array<double, 7>, 7> products_{};
+  Eigen::Matrix<double, 7, 1> half_ = Eigen::Matrix<double, 7, 1>::Zero();
+  Eigen::Matrix<double, 7, 7, Eigen::RowMajor> products_ = Eigen::Matrix<double, 7, 7>::Zero();
 };
 
 }  // namespace
@@ -79,7 +71,7 @@ ConstrainedFit::ConstrainedFit(const FitTarget& target, const FitConstraints& co
       between_({}),
       foot_({0.0}) {}
 
-bool ConstrainedFit::objective(const VectorXd& v, LeastSquaresModel* model, double& value) {
+bool ConstrainedFit::objective(const VectorXd& v, optimise::LeastSquaresModel* model, double& value) {
   const Shape shape = v.head<3>();
   if (!v.allFinite() || std::abs(v[3]) > kLargestLogLength || !nodes_.evaluate(shape, model != nullptr))
     return false;
@@ -87,47 +79,37 @@ bool ConstrainedFit::objective(const VectorXd& v, LeastSquaresModel* model, doub
   const Vector2d middle = v.tail<2>();
   value = 0;
   Accumulator sums;
-  std::array<Vector2d, 7> rows;
+  Accumulator::Rows rows;
+  // A miss of what turns and grows with the whole curve, `shapeDerivative` of it, and how it moves.
+  const auto add = [&](double weight, const Vector2d& miss, const Vector2d& whole, double moves,
+                       const auto& shapeDerivative) {
+    value += weight * miss.squaredNorm();
+    if (model == nullptr) return;
+    for (int j = 0; j < 3; ++j) rows.col(j) = shapeDerivative(j);
+    rows.col(3) = whole;
+    rows.col(4) = quarterTurn(whole);
+    rows.rightCols<2>() = moves * Eigen::Matrix2d::Identity();
+    sums.add(weight, miss, rows);
+  };
   for (std::size_t i = 0; i < target_.size(); ++i) {
-    const Vector2d placed = turned(factor, nodes_.point(i + 1));
-    const Vector2d miss = placed + middle - target_.point[i];
-    value += target_.weight[i] * miss.squaredNorm();
-    if (model != nullptr) {
-      for (int j = 0; j < 3; ++j)
-        rows[static_cast<std::size_t>(j)] = turned(factor, nodes_.pointDerivative(i + 1, j));
-      rows[3] = placed;
-      rows[4] = quarterTurn(placed);
-      rows[5] = Vector2d(1, 0);
-      rows[6] = Vector2d(0, 1);
-      sums.add(target_.weight[i], miss, rows);
-    }
+    const std::size_t at = i + 1;
+    const double weight = target_.weight[i];
+    const Vector2d placed = turned(factor, nodes_.point(at));
+    add(weight, placed + middle - target_.point[i], placed, 1,
+        [&](int j) -> Vector2d { return turned(factor, nodes_.pointDerivative(at, j)); });
     if (norm_ == FitNorm::L2) continue;
-    const Vector2d tangent = turned(factor, direction(nodes_.angle(i + 1)));
-    const Vector2d missed = tangent - target_.tangent[i];
-    value += target_.weight[i] * missed.squaredNorm();
-    if (model != nullptr) {
-      for (int j = 0; j < 3; ++j)
-        rows[static_cast<std::size_t>(j)] = quarterTurn(tangent) * nodes_.angleDerivative(i + 1, j);
-      rows[3] = tangent;
-      rows[4] = quarterTurn(tangent);
-      rows[5] = rows[6] = Vector2d::Zero();
-      sums.add(target_.weight[i], missed, rows);
-    }
+    const Vector2d tangent = turned(factor, direction(nodes_.angle(at)));
+    const Vector2d across = quarterTurn(tangent);
+    add(weight, tangent - target_.tangent[i], tangent, 0,
+        [&](int j) -> Vector2d { return across * nodes_.angleDerivative(at, j); });
     if (norm_ != FitNorm::H2) continue;
     // γ'' = a κ i e^{iψ}.
-    const Vector2d across = quarterTurn(tangent);
-    const Vector2d bend = nodes_.state(i + 1).curvature * across;
-    const Vector2d unbent = bend - target_.curvature[i] * quarterTurn(target_.tangent[i]);
-    value += target_.weight[i] * unbent.squaredNorm();
-    if (model != nullptr) {
-      for (int j = 0; j < 3; ++j)
-        rows[static_cast<std::size_t>(j)] = nodes_.curvatureDerivative(i + 1, j) * across +
-                                            nodes_.angleDerivative(i + 1, j) * quarterTurn(bend);
-      rows[3] = bend;
-      rows[4] = quarterTurn(bend);
-      rows[5] = rows[6] = Vector2d::Zero();
-      sums.add(target_.weight[i], unbent, rows);
-    }
+    const Vector2d second = nodes_.curvature(at) * across;
+    add(weight, second - target_.curvature[i] * quarterTurn(target_.tangent[i]), second, 0,
+        [&](int j) -> Vector2d {
+          return nodes_.curvatureDerivative(at, j) * across +
+                 nodes_.angleDerivative(at, j) * quarterTurn(second);
+        });
   }
   if (model != nullptr) {
     sums.give(*model);
@@ -136,51 +118,51 @@ bool ConstrainedFit::objective(const VectorXd& v, LeastSquaresModel* model, doub
   return std::isfinite(value);
 }
 
-void ConstrainedFit::endConditions(const VectorXd& v, Conditions& out) {
+void ConstrainedFit::endConstraints(const VectorXd& v, Constraints& out) {
   const Vector2d factor = std::exp(v[3]) * direction(v[4]);
   for (std::size_t end = 0; end < 2; ++end) {
+    const std::size_t at = nodes_.end(end);
     if (constraints_.endpoints) {
-      const Vector2d placed = turned(factor, ends().point(end));
+      const Vector2d placed = turned(factor, nodes_.point(at));
       const Vector2d miss = placed + v.tail<2>() - (end == 0 ? target_.start : target_.end);
       const Vector2d across = quarterTurn(placed);
       for (int k = 0; k < 2; ++k) {
-        auto slope = out.slopes.col(out.add(miss[k], end == 0 ? kStartPoint : kEndPoint));
-        for (int j = 0; j < 3; ++j) slope[j] = turned(factor, ends().pointDerivative(end, j))[k];
-        slope[3] = placed[k];
-        slope[4] = across[k];
-        slope[5 + k] = 1;
+        auto gradient = out.add(miss[k], end == 0 ? kStartPoint : kEndPoint);
+        for (int j = 0; j < 3; ++j) gradient[j] = turned(factor, nodes_.pointDerivative(at, j))[k];
+        gradient[3] = placed[k];
+        gradient[4] = across[k];
+        gradient[5 + k] = 1;
       }
     }
     if (constraints_.tangents) {
-      const double miss = v[4] + ends().angle(end) - (end == 0 ? startAngle_ : endAngle_);
-      auto slope = out.slopes.col(out.add(miss, end == 0 ? kStartTangent : kEndTangent));
-      for (int j = 0; j < 3; ++j) slope[j] = ends().angleDerivative(end, j);
-      slope[4] = 1;
+      const double miss = v[4] + nodes_.angle(at) - (end == 0 ? startAngle_ : endAngle_);
+      auto gradient = out.add(miss, end == 0 ? kStartTangent : kEndTangent);
+      for (int j = 0; j < 3; ++j) gradient[j] = nodes_.angleDerivative(at, j);
+      gradient[4] = 1;
     }
   }
 }
 
-bool ConstrainedFit::conditions(const VectorXd& v, Conditions& out) {
+bool ConstrainedFit::constraints(const VectorXd& v, Constraints& out) {
   out.clear(7);
   if (!constraints_.equalities() && !constraints_.bounds()) return true;
   const Shape shape = v.head<3>();
   if (!v.allFinite() || std::abs(v[3]) > kLargestLogLength || !nodes_.evaluate(shape, true)) return false;
   const bool tolerant = constraints_.lengthTolerance > 0;
-  if (constraints_.length && !tolerant)
-    out.slopes(3, out.add(v[3] - std::log(*constraints_.length), kLength)) = 1;
-  endConditions(v, out);
+  if (constraints_.length && !tolerant) out.add(v[3] - std::log(*constraints_.length), kLength)[3] = 1;
+  endConstraints(v, out);
   out.equalities = out.size();
   if (constraints_.length && tolerant) {
     const double shortest = *constraints_.length - constraints_.lengthTolerance;
-    if (shortest > 0) out.slopes(3, out.add(std::log(shortest) - v[3], kShortest)) = -1;
+    if (shortest > 0) out.add(std::log(shortest) - v[3], kShortest)[3] = -1;
     const double longest = *constraints_.length + constraints_.lengthTolerance;
-    out.slopes(3, out.add(v[3] - std::log(longest), kLongest)) = 1;
+    out.add(v[3] - std::log(longest), kLongest)[3] = 1;
   }
   if (constraints_.maxCurvature && !curvatureBounds(v, out)) return false;
   if (constraints_.maxPeriods) {
     const Periods periods = periodsOf(shape);
-    auto slope = out.slopes.col(out.add(periods.count / *constraints_.maxPeriods - 1, kPeriods));
-    slope.head<3>() = periods.slope / *constraints_.maxPeriods;
+    out.add(periods.count / *constraints_.maxPeriods - 1, kPeriods).head<3>() =
+        periods.gradient / *constraints_.maxPeriods;
   }
   return shapeBounds(v, out);
 }
@@ -189,56 +171,45 @@ void ConstrainedFit::chooseBranch(const Placement& placement) {
   startAngle_ = target_.startAngle;
   endAngle_ = target_.endAngle;
   if (!nodes_.evaluate(placement.shape, false)) return;
-  startAngle_ += 2 * kPi * std::round((placement.angle + ends().angle(0) - startAngle_) / (2 * kPi));
-  endAngle_ += 2 * kPi * std::round((placement.angle + ends().angle(1) - endAngle_) / (2 * kPi));
+  startAngle_ +=
+      2 * kPi * std::round((placement.angle + nodes_.angle(nodes_.end(0)) - startAngle_) / (2 * kPi));
+  endAngle_ += 2 * kPi * std::round((placement.angle + nodes_.angle(nodes_.end(1)) - endAngle_) / (2 * kPi));
 }
 
 double ConstrainedFit::violation(const Placement& placement) {
   chooseBranch(placement);
-  Conditions all;
-  return conditions(toVector(placement), all) ? largestViolation(all).size : 1;
+  Constraints all;
+  return constraints(toVector(placement), all) ? largestViolation(all).size : 1;
 }
 
-Stationarity ConstrainedFit::stationarity(const Placement& placement, const std::vector<double>& peaks) {
+optimise::Stationarity ConstrainedFit::stationarity(const Placement& placement,
+                                                    const std::vector<double>& peaks) {
   chooseBranch(placement);
   peaks_ = peaks;
   const VectorXd v = toVector(placement);
-  LeastSquaresModel model;
+  optimise::LeastSquaresModel model;
   double value = 0;
-  Conditions all;
-  if (!objective(v, &model, value) || !conditions(v, all)) return {1, 1, 1};
-  return stationarityOf(model, all, kActive);
+  Constraints all;
+  if (!objective(v, &model, value) || !constraints(v, all)) return {1, 1, 1};
+  return stationarityOf(model, all, optimise::kActive);
 }
 
-ConstrainedFit::Solution ConstrainedFit::solve(const Placement& start) {
-  return solve(start, DescentLimits());
-}
-
-ConstrainedFit::Solution ConstrainedFit::scout(const Placement& start, const std::vector<Solution>& known) {
-  std::vector<DescentRival> rivals;
-  for (const Solution& end : known) rivals.push_back({toVector(end.placement), end.value});
+FitSolution ConstrainedFit::scout(const Placement& start, const std::vector<FitSolution>& known) {
+  std::vector<optimise::DescentRival> rivals;
+  for (const FitSolution& end : known) rivals.push_back({toVector(end.placement), end.value});
   nodes_.setCoarse(true);
-  const Solution out = solve(start, DescentLimits::rough(std::move(rivals)));
+  FitSolution out = solve(start, optimise::DescentLimits::rough(std::move(rivals)));
   nodes_.setCoarse(false);
   return out;
 }
 
-ConstrainedFit::Solution ConstrainedFit::solve(const Placement& start, const DescentLimits& limits) {
+FitSolution ConstrainedFit::solve(const Placement& start, const optimise::DescentLimits& limits) {
   chooseBranch(start);
   peaks_.clear();
   nextPeak_ = 0;
-  const Descent descent = descend(*this, toVector(start), limits);
-  Solution out;
-  out.placement = toPlacement(descent.v);
-  out.value = descent.value;
-  out.iterations = descent.iterations;
-  out.feasible = descent.feasible;
-  out.converged = descent.converged;
-  out.boundActive = descent.boundActive;
-  out.violation = descent.violation;
-  out.worst = wordsFor(descent.worst);
-  out.peaks = peaks_;
-  return out;
+  const optimise::Descent descent = descend(*this, toVector(start), limits);
+  return {toPlacement(descent.v), descent.value,     descent.iterations, descent.feasible, descent.converged,
+          descent.boundActive,    descent.violation, descent.worst,      peaks_,           std::nullopt};
 }
 
-}  // namespace bw::detail
+}  // namespace bw::fit

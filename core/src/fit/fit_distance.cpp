@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace bw::detail {
+namespace bw::fit {
 namespace {
 
 // Points from one to the next of the first pass over curves that cannot wave in between, of the other first
@@ -216,4 +216,4 @@ double oneSidedHausdorff(const Elastica& elastica, const PlanarCurve& curve) {
   return Farthest(elastica, curve).distance();
 }
 
-}  // namespace bw::detail
+}  // namespace bw::fit

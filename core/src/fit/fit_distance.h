@@ -5,7 +5,7 @@
 #include "bw/core/curve/planar_curve.h"
 #include "bw/core/elastica/elastica.h"
 
-namespace bw::detail {
+namespace bw::fit {
 
 /// Points of the elastica at equal arc length, ends included, from which the one-sided Hausdorff distance is
 /// taken.
@@ -15,4 +15,4 @@ inline constexpr int kHausdorffPoints = 1000;
 /// are looked at closely.
 double oneSidedHausdorff(const Elastica& elastica, const PlanarCurve& curve);
 
-}  // namespace bw::detail
+}  // namespace bw::fit

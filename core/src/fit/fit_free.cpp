@@ -4,18 +4,17 @@
 
 #include <algorithm>
 
+#include "fit/fit_constrained.h"
 #include "fit/shape_atlas.h"
+#include "fit/start_rules.h"
 
-namespace bw::detail {
+namespace bw::fit {
 namespace {
 
-// So many places of the atlas are starts of a poor fit, and of one (R4) worse than this where the target has
-// more inflections than a cubic or the fit waves more often than the target.
-constexpr std::size_t kAtlasPlaces = 16;
-constexpr double kVeryGood = 1e-3;
-constexpr int kFewInflections = 2;
+// A fit is better than another if its value is lower by more than this part.
+constexpr double kSame = 1e-9;
 
-// Fits without end conditions and bounds: three unknowns.
+// Fits without constraints: three unknowns.
 class FreeFit {
  public:
   FreeFit(const FitTarget& target, const FitObjective& objective) : projected_(target, objective) {}
@@ -36,68 +35,73 @@ class FreeFit {
 
   // Descends from a start and keeps the result if it is better than the best so far.
   void attempt(const Shape& start) {
-    const auto solution = projected_.solve(start, best_ ? &best_->placed : nullptr);
+    const auto solution = projected_.solve(start, best_ ? &*best_ : nullptr);
     if (!solution) return;
     iterations_ += solution->iterations;
-    if (!best_ || solution->placed.value < best_->placed.value * (1 - 1e-9)) best_ = solution;
+    if (!best_ || solution->value < best_->value * (1 - kSame)) best_ = solution;
+  }
+
+  // The same if the place is worth it.
+  void attempt(const AtlasPlace& place) {
+    if (!best_ || !hopeless(place, best_->value)) attempt(place.placement.shape);
   }
 
   // True if the best so far has more half periods than this.
   bool wavesMoreThan(int halfPeriods) const {
-    return best_ && 2 * periodsOf(best_->placed.placement.shape).count > halfPeriods;
+    return best_ && halfPeriodsOf(best_->placement.shape) > halfPeriods;
   }
 
-  bool worseThan(double R4) const { return !best_ || best_->placed.value > R4 * R4; }
+  bool wanted(const StartRule& rule) const { return !best_ || best_->value > rule.limit(); }
 
-  std::optional<FreeFitResult> best() const {
-    if (!best_) return std::nullopt;
-    return FreeFitResult{best_->placed.placement, best_->placed.value, iterations_, !best_->limit};
+  // The best so far, and the work of all descents.
+  std::optional<FitSolution> best() const {
+    std::optional<FitSolution> best = best_;
+    if (best) best->iterations = iterations_;
+    return best;
   }
 
  private:
   ProjectedFit projected_;
-  std::optional<ProjectedFit::Solution> best_;
+  std::optional<FitSolution> best_;
   int iterations_ = 0;
 };
 
 }  // namespace
 
-std::optional<FreeFitResult> freeFit(const FitTarget& full, const FitTarget& coarse,
-                                     const FitObjective& objective, const std::vector<Shape>& starts,
-                                     bool more) {
+std::optional<FitSolution> freeFit(const FitTarget& full, const FitTarget& coarse,
+                                   const FitObjective& objective, const std::vector<Shape>& shapes,
+                                   bool more) {
   FreeFit free(coarse, objective);
   if (!more) {
-    free.attempt(starts.front());
+    free.attempt(shapes.front());
     return free.best();
   }
-  for (const Shape& start : free.sorted(starts)) {
+  for (const Shape& start : free.sorted(shapes)) {
     free.attempt(start);
-    if (!free.worseThan(1)) break;
+    if (!free.wanted(starts::kGuesses)) break;
   }
-  // The atlas compares points, not derivatives: an arc, a line and S-shapes besides.
-  if (objective.norm != FitNorm::L2 && free.worseThan(kGoodFit)) {
+  if (objective.norm != FitNorm::L2 && free.wanted(starts::kSimpleShapes)) {
     const Shape simple[] = {
         {coarse.endAngle - coarse.startAngle, 0, 0}, {0, 0, 0}, {0, -10, 20}, {0, -10, -20}};
     for (const Shape& shape : simple) free.attempt(shape);
   }
-  if (free.worseThan(kGoodFit) ||
-      (free.worseThan(kVeryGood) &&
-       (coarse.inflections() > kFewInflections || free.wavesMoreThan(coarse.inflections() + 1)))) {
+  if (free.wanted(starts::kAtlas) ||
+      (free.wanted(starts::kAtlasOfWaves) &&
+       (coarse.inflections() > starts::kFewInflections || free.wavesMoreThan(coarse.inflections() + 1)))) {
     FitConstraints constraints;
     constraints.length = objective.fixedLength;
-    for (const AtlasPlace& place : placesFromAtlas(coarse, constraints, kAtlasPlaces))
-      if (!free.best() || !hopeless(place, free.best()->value)) free.attempt(place.placement.shape);
+    for (const AtlasPlace& place : placesFromAtlas(coarse, constraints, starts::kAtlas.most))
+      free.attempt(place);
   }
-  std::optional<FreeFitResult> best = free.best();
+  std::optional<FitSolution> best = free.best();
   if (!best || &full == &coarse) return best;
   FreeFit fine(full, objective);
   fine.attempt(best->placement.shape);
-  if (const std::optional<FreeFitResult> refined = fine.best()) {
-    const int before = best->iterations;
+  if (std::optional<FitSolution> refined = fine.best()) {
+    refined->iterations += best->iterations;
     best = refined;
-    best->iterations += before;
   }
   return best;
 }
 
-}  // namespace bw::detail
+}  // namespace bw::fit

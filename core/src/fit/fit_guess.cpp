@@ -9,9 +9,8 @@
 #include <cmath>
 
 #include "bw/core/base/units.h"
-#include "fit/law_orbit.h"
 
-namespace bw::detail {
+namespace bw::fit {
 namespace {
 
 using Eigen::Vector2d;
@@ -21,6 +20,11 @@ constexpr int kPeriodSamples = 128;
 constexpr int kTrials = 64;
 // A Newton step on (3.3) shorter than this (periods) is the last one: its own error is of the second order.
 constexpr double kLastStep = 1e-5;
+constexpr int kMostSteps = 12;
+// So many peaks of the first search are followed, and none that is lower than the highest by more than this:
+// the lookup is good to about a thousandth.
+constexpr std::size_t kMostPeaks = 2;
+constexpr double kClearlyLower = 0.02;
 // At most this many nodes take part in the first search.
 constexpr std::size_t kSearchNodes = 24;
 
@@ -63,22 +67,22 @@ LengthGuess guessByLength(const FitTarget& target, const AffineCurvature& law) {
   // Then Newton's method on F from the best trials that are local maxima.
   std::vector<double> nodes(count);
   std::vector<Elastica::State> states(count);
-  struct Slope {
+  struct Derivatives {
     double value = 0, first = 0, second = 0;
   };
   const auto evaluate = [&](double s0) {
     for (std::size_t i = 0; i < count; ++i) nodes[i] = s0 + target.s[i] + 0.5;
     apex.at(nodes, states);
-    Slope f;
+    Derivatives f;
     for (std::size_t i = 0; i < count; ++i) {
       const Vector2d t = direction(states[i].angle);
       const double along = target.weight[i] * target.tangent[i].dot(t);
       const double across = target.weight[i] * target.tangent[i].dot(quarterTurn(t));
       const double kappa = states[i].curvature;
-      const double kappaSlope = apex.force().y() * t.x() - apex.force().x() * t.y();
+      const double kappaRate = apex.force().y() * t.x() - apex.force().x() * t.y();
       f.value += along;
       f.first += across * kappa;
-      f.second += across * kappaSlope - along * kappa * kappa;
+      f.second += across * kappaRate - along * kappa * kappa;
     }
     return f;
   };
@@ -94,12 +98,12 @@ LengthGuess guessByLength(const FitTarget& target, const AffineCurvature& law) {
   double best = 0;
   double bestValue = -2;
   const double spacing = period / kTrials;
-  for (std::size_t n = 0; n < std::min<std::size_t>(peaks, 2); ++n) {
-    if (n > 0 && value[order[n]] < value[order[0]] - 0.02) break;  // the lookup is good to about a thousandth
+  for (std::size_t n = 0; n < std::min(peaks, kMostPeaks); ++n) {
+    if (n > 0 && value[order[n]] < value[order[0]] - kClearlyLower) break;
     const double origin = period * static_cast<double>(order[n]) / kTrials;
     double s0 = origin;
-    Slope f = evaluate(s0);
-    for (int step = 0; step < 12; ++step) {
+    Derivatives f = evaluate(s0);
+    for (int step = 0; step < kMostSteps; ++step) {
       if (!(f.second < 0)) break;
       const double next = std::clamp(s0 - f.first / f.second, origin - spacing, origin + spacing);
       const double moved = next - s0;
@@ -108,7 +112,7 @@ LengthGuess guessByLength(const FitTarget& target, const AffineCurvature& law) {
         f.value += moved * (f.first + 0.5 * moved * f.second);
         break;
       }
-      const Slope there = evaluate(next);
+      const Derivatives there = evaluate(next);
       if (there.value < f.value) break;
       s0 = next;
       f = there;
@@ -151,4 +155,4 @@ Shape shapeFromAngles(const FitTarget& target) {
   return {x[1] + gradient.dot(target.middle), force.x(), force.y()};
 }
 
-}  // namespace bw::detail
+}  // namespace bw::fit

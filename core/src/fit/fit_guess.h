@@ -7,7 +7,7 @@
 #include "fit/affine_curvature.h"
 #include "fit/fit_target.h"
 
-namespace bw::detail {
+namespace bw::fit {
 
 /// The canonical guess of the thesis from the affine law: with ℓ = L/S and the s0 that maximises (3.3).
 struct LengthGuess {
@@ -25,4 +25,4 @@ std::optional<Placement> guessByCount(const FitTarget& target, const AffineCurva
 Shape shapeFromLaw(const FitTarget& target, const AffineCurvature& law);
 Shape shapeFromAngles(const FitTarget& target);
 
-}  // namespace bw::detail
+}  // namespace bw::fit

@@ -10,7 +10,7 @@
 
 #include "base/work_meter.h"
 
-namespace bw::detail {
+namespace bw::fit {
 namespace {
 
 using Eigen::Vector2d;
@@ -20,6 +20,10 @@ using Eigen::Vector2d;
 constexpr int kMaxIterations = 60;
 constexpr double kCostTolerance = 1e-30;
 constexpr double kGradientTolerance = 1e-15;
+constexpr double kExactCost = 1e-32;
+// Residual (lengths of the target) where a shape cannot be evaluated: far above any other, so that the step
+// is refused.
+constexpr double kNoResidual = 1e3;
 // The descent hands over to Newton's method when its steps are shorter than this.
 constexpr double kCoarseStep = 3e-3;
 // A descent with a rival: its limit, the ratio of values beyond which it is given up, and the distance
@@ -37,12 +41,31 @@ constexpr int kMaxRefusals = 8;
 constexpr double kLastStep = 1e-9;
 // A step this short that does not lower the value any more is rounding.
 constexpr double kRoundingStep = 1e-7;
+// Relative rounding of the objective.
+constexpr double kValueRounding = 1e-12;
+// Damping, in parts of the diagonal of the Hessian (at least the last of its trace): the least after a
+// Hessian that is not convex, the least and the growth after a step that did not get on, what is left after
+// one that did.
+constexpr double kConvexDamping = 1e-10;
+constexpr double kRefusedDamping = 1e-2;
+constexpr double kMoreDamping = 10;
+constexpr double kEasing = 0.1;
+constexpr double kDampedTrace = 1e-14;
+// A secant correction at right angles to the step, by this cosine, would be without bounds and is left out.
+constexpr double kSecantCosine = 1e-8;
 // A shape that has to be shrunk or stretched beyond these factors has lost the target.
 constexpr double kSmallestLength = 0.2;
 constexpr double kLargestLength = 5;
 // A column of the Jacobian shorter than this is not scaled up further: the parameter hardly matters (tension
 // along a line).
 constexpr double kSmallestColumn = 1e-7;
+
+// While it lives, an evaluator works to about seven digits.
+struct Coarsely {
+  ShapeEvaluator& evaluator;
+  explicit Coarsely(ShapeEvaluator& e) : evaluator(e) { evaluator.setCoarse(true); }
+  ~Coarsely() { evaluator.setCoarse(false); }
+};
 
 }  // namespace
 
@@ -74,7 +97,7 @@ bool ProjectedFit::project(const Shape& shape, bool derivatives, Linear& linear)
     basis_[i] = rootWeight_[i] * (evaluator_.point(i) - linear.mean);
     if (objective_.norm != FitNorm::L2) basis_[count + i] = rootWeight_[i] * direction(evaluator_.angle(i));
     if (objective_.norm == FitNorm::H2)
-      basis_[2 * count + i] = evaluator_.state(i).curvature * quarterTurn(basis_[count + i]);
+      basis_[2 * count + i] = evaluator_.curvature(i) * quarterTurn(basis_[count + i]);
   }
   Vector2d product = Vector2d::Zero();
   linear.squares = 0;
@@ -98,8 +121,7 @@ bool ProjectedFit::operator()(const double* x, double* residuals, double* jacobi
   // The solver asks for the residuals first and, if it takes the step, for the Jacobian at the same point:
   // most steps are taken.
   if (!project(shape, true, linear)) {
-    // Far above any value of the objective, so that the step is refused.
-    std::fill(residuals, residuals + 2 * rows_, 1e3);
+    std::fill(residuals, residuals + 2 * rows_, kNoResidual);
     if (jacobian != nullptr) std::fill(jacobian, jacobian + 6 * rows_, 0.0);
     return false;
   }
@@ -108,37 +130,27 @@ bool ProjectedFit::operator()(const double* x, double* residuals, double* jacobi
     row = turned(linear.factor, basis_[i]) - goal_[i];
   }
   if (jacobian == nullptr) return true;
-  if (rival_ != nullptr && (shape - rival_->placement.shape).cwiseProduct(scale_).norm() < kSamePlace &&
-      Eigen::Map<const Eigen::VectorXd>(residuals, NumResiduals()).squaredNorm() > rival_->value) {
+  const bool atRival =
+      rival_ != nullptr && (shape - rival_->placement.shape).cwiseProduct(scale_).norm() < kSamePlace &&
+      Eigen::Map<const Eigen::VectorXd>(residuals, NumResiduals()).squaredNorm() > rival_->value;
+  if (atRival || detail::workExhausted()) {
     std::fill(jacobian, jacobian + 6 * rows_, 0.0);  // ends the descent
-    return true;
-  }
-  if (workExhausted()) {
-    std::fill(jacobian, jacobian + 6 * rows_, 0.0);
     return true;
   }
   const std::size_t count = target_.size();
   for (int j = 0; j < 3; ++j) {
     Vector2d mean = Vector2d::Zero();
     for (std::size_t i = 0; i < count; ++i) mean += target_.weight[i] * evaluator_.pointDerivative(i, j);
-    Vector2d product = Vector2d::Zero();
     for (std::size_t i = 0; i < count; ++i) {
       column_[i] = rootWeight_[i] * (evaluator_.pointDerivative(i, j) - mean);
-      product += turnedBack(basis_[i], column_[i]);
-    }
-    if (objective_.norm != FitNorm::L2) {
-      for (std::size_t i = 0; i < count; ++i) {
+      if (objective_.norm != FitNorm::L2)
         column_[count + i] = quarterTurn(basis_[count + i]) * evaluator_.angleDerivative(i, j);
-        product += turnedBack(basis_[count + i], column_[count + i]);
-      }
-    }
-    if (objective_.norm == FitNorm::H2) {
-      for (std::size_t i = 0; i < count; ++i) {
+      if (objective_.norm == FitNorm::H2)
         column_[2 * count + i] = quarterTurn(basis_[2 * count + i]) * evaluator_.angleDerivative(i, j) +
                                  quarterTurn(basis_[count + i]) * evaluator_.curvatureDerivative(i, j);
-        product += turnedBack(basis_[2 * count + i], column_[2 * count + i]);
-      }
     }
+    Vector2d product = Vector2d::Zero();
+    for (std::size_t i = 0; i < rows_; ++i) product += turnedBack(basis_[i], column_[i]);
     // Out goes what the linear unknowns can do: length and turn, or the turn alone if the length is fixed.
     Vector2d share = product / linear.squares;
     if (objective_.fixedLength) share.x() = 0;
@@ -150,10 +162,10 @@ bool ProjectedFit::operator()(const double* x, double* residuals, double* jacobi
   return true;
 }
 
-std::optional<ProjectedFit::Placed> ProjectedFit::place(const Shape& shape) const {
+std::optional<FitSolution> ProjectedFit::place(const Shape& shape) const {
   Linear linear;
   if (!project(shape, false, linear)) return std::nullopt;
-  Placed out;
+  FitSolution out;
   for (std::size_t i = 0; i < rows_; ++i)
     out.value += (turned(linear.factor, basis_[i]) - goal_[i]).squaredNorm();
   out.placement.shape = shape;
@@ -164,11 +176,9 @@ std::optional<ProjectedFit::Placed> ProjectedFit::place(const Shape& shape) cons
 }
 
 std::optional<double> ProjectedFit::roughValue(const Shape& shape) const {
-  evaluator_.setCoarse(true);
-  const std::optional<Placed> placed = place(shape);
-  evaluator_.setCoarse(false);
-  if (!placed) return std::nullopt;
-  return placed->value;
+  const Coarsely coarsely(evaluator_);
+  const std::optional<FitSolution> placed = place(shape);
+  return placed ? std::optional(placed->value) : std::nullopt;
 }
 
 bool ProjectedFit::gradient(const Eigen::Vector3d& x, Eigen::Vector3d& g, double& value) const {
@@ -178,7 +188,7 @@ bool ProjectedFit::gradient(const Eigen::Vector3d& x, Eigen::Vector3d& g, double
   return true;
 }
 
-ProjectedFit::End ProjectedFit::polish(Eigen::Vector3d& x, int& steps, const Placed* rival) const {
+ProjectedFit::End ProjectedFit::polish(Eigen::Vector3d& x, int& steps, const FitSolution* rival) const {
   Eigen::Vector3d g;
   double value = 0;
   bool rough = true;
@@ -192,13 +202,13 @@ ProjectedFit::End ProjectedFit::polish(Eigen::Vector3d& x, int& steps, const Pla
   Eigen::Matrix3d secant = Eigen::Matrix3d::Zero();
   double damping = 0;
   int refusals = 0;
-  for (int n = 0; n < kMaxSecantSteps && !workExhausted(); ++n) {
+  for (int n = 0; n < kMaxSecantSteps && !detail::workExhausted(); ++n) {
     const Eigen::Matrix3d scale =
-        Eigen::Vector3d(gaussNewton.diagonal().array() + 1e-14 * gaussNewton.trace()).asDiagonal();
+        Eigen::Vector3d(gaussNewton.diagonal().array() + kDampedTrace * gaussNewton.trace()).asDiagonal();
     Eigen::LLT<Eigen::Matrix3d> factor(gaussNewton + secant + damping * scale);
     if (factor.info() != Eigen::Success) {
       secant.setZero();
-      damping = std::max(damping, 1e-10);
+      damping = std::max(damping, kConvexDamping);
       factor.compute(gaussNewton + damping * scale);
       if (factor.info() != Eigen::Success) return End::limit;
     }
@@ -219,8 +229,8 @@ ProjectedFit::End ProjectedFit::polish(Eigen::Vector3d& x, int& steps, const Pla
     ++steps;
     const bool evaluated = gradient(next, gNext, valueNext);
     // At the level of rounding the gradient tells more than the value.
-    const bool better =
-        evaluated && (valueNext < value || (valueNext <= value * (1 + 1e-12) && gNext.norm() < g.norm()));
+    const bool better = evaluated && (valueNext < value ||
+                                      (valueNext <= value * (1 + kValueRounding) && gNext.norm() < g.norm()));
     if (!better) {
       if (evaluated && !rough && step.norm() <= kRoundingStep) return End::converged;
       if (++refusals > kMaxRefusals) {
@@ -228,15 +238,15 @@ ProjectedFit::End ProjectedFit::polish(Eigen::Vector3d& x, int& steps, const Pla
         refusals = 0;
       }
       secant.setZero();
-      damping = std::max(10 * damping, 1e-2);
+      damping = std::max(kMoreDamping * damping, kRefusedDamping);
       continue;
     }
-    damping *= 0.1;
+    damping *= kEasing;
     gaussNewton = jacobian_.transpose() * jacobian_;
     // Symmetric rank one, so that (gaussNewton + secant) step = change of the gradient.
     const Eigen::Vector3d miss = gNext - g - (gaussNewton + secant) * step;
     const double denominator = miss.dot(step);
-    if (std::abs(denominator) > 1e-8 * miss.norm() * step.norm())
+    if (std::abs(denominator) > kSecantCosine * miss.norm() * step.norm())
       secant += miss * miss.transpose() / denominator;
     x = next;
     g = gNext;
@@ -245,16 +255,11 @@ ProjectedFit::End ProjectedFit::polish(Eigen::Vector3d& x, int& steps, const Pla
   return End::limit;
 }
 
-std::optional<ProjectedFit::Solution> ProjectedFit::solve(const Shape& start, const Placed* rival) {
+std::optional<FitSolution> ProjectedFit::solve(const Shape& start, const FitSolution* rival) {
   scale_.setOnes();
   residuals_.resize(NumResiduals());
   jacobian_.resize(NumResiduals(), 3);
   // Far from the end seven digits are enough.
-  struct Coarsely {
-    ShapeEvaluator& evaluator;
-    explicit Coarsely(ShapeEvaluator& e) : evaluator(e) { evaluator.setCoarse(true); }
-    ~Coarsely() { evaluator.setCoarse(false); }
-  };
   const Coarsely coarsely(evaluator_);
   if (!(*this)(start.data(), residuals_.data(), jacobian_.data())) return std::nullopt;
   const Eigen::Vector3d norms = jacobian_.colwise().norm();
@@ -264,27 +269,27 @@ std::optional<ProjectedFit::Solution> ProjectedFit::solve(const Shape& start, co
   solver.options.parameter_tolerance = kCoarseStep;
   solver.options.function_tolerance = kCostTolerance;
   solver.options.gradient_tolerance = kGradientTolerance;
-  solver.options.cost_threshold = 1e-32;
+  solver.options.cost_threshold = kExactCost;
   Eigen::Vector3d x = start.cwiseProduct(scale_);
   rival_ = rival;
   const auto& summary = solver.Solve(*this, &x);
   rival_ = nullptr;
-  Solution solution;
-  solution.iterations = summary.iterations;
+  int iterations = summary.iterations;
   if (rival != nullptr) {
     const double value = 2 * summary.final_cost;
     const double apart = (x - rival->placement.shape.cwiseProduct(scale_)).norm();
     if (value > kHopeless * rival->value || (value > rival->value && apart < kSamePlace)) return std::nullopt;
   }
   // With derivatives in the objective the residuals are too large for the model to promise anything.
-  const End end = polish(x, solution.iterations, objective_.norm == FitNorm::L2 ? rival : nullptr);
+  const End end = polish(x, iterations, objective_.norm == FitNorm::L2 ? rival : nullptr);
   if (end == End::aboveRival) return std::nullopt;
-  solution.limit = end == End::limit;
   evaluator_.setCoarse(false);
-  const std::optional<Placed> placed = place(x.cwiseQuotient(scale_));
-  if (!placed) return std::nullopt;
-  solution.placed = *placed;
+  std::optional<FitSolution> solution = place(x.cwiseQuotient(scale_));
+  if (!solution) return std::nullopt;
+  solution->iterations = iterations;
+  solution->feasible = true;
+  solution->converged = end == End::converged;
   return solution;
 }
 
-}  // namespace bw::detail
+}  // namespace bw::fit

@@ -7,7 +7,7 @@
 
 #include "fit/fit_target.h"
 
-namespace bw::detail {
+namespace bw::fit {
 
 /// What a fit minimises, in units of the target's length.
 struct FitObjective {
@@ -30,28 +30,19 @@ class ProjectedFit {
   bool operator()(const double* x, double* residuals, double* jacobian) const;
 
   /// The best placement of a shape and the objective there; empty if the shape cannot be placed.
-  struct Placed {
-    Placement placement;
-    double value = 0;
-  };
-  std::optional<Placed> place(const Shape& shape) const;
+  std::optional<FitSolution> place(const Shape& shape) const;
   /// The objective there to about seven digits, at a quarter of the cost.
   std::optional<double> roughValue(const Shape& shape) const;
 
-  struct Solution {
-    Placed placed;
-    int iterations = 0;
-    bool limit = false;  ///< stopped by the limit of iterations
-  };
   /// Descends from `start`; empty if the start cannot be placed. With a `rival`, the descent is given up
   /// (empty) as soon as it is clear that it ends at the rival or at something much worse.
-  std::optional<Solution> solve(const Shape& start, const Placed* rival = nullptr);
+  std::optional<FitSolution> solve(const Shape& start, const FitSolution* rival = nullptr);
 
  private:
   enum class End { converged, limit, aboveRival };
   /// Finishes a descent by Gauss–Newton steps with a secant correction for the second derivatives that
   /// Gauss–Newton leaves out, unless it is clear that it stays above a rival. Adds its steps to `steps`.
-  End polish(Eigen::Vector3d& x, int& steps, const Placed* rival) const;
+  End polish(Eigen::Vector3d& x, int& steps, const FitSolution* rival) const;
   /// Gradient of half the objective in the scaled parameters; false if the point cannot be evaluated.
   bool gradient(const Eigen::Vector3d& x, Eigen::Vector3d& g, double& value) const;
 
@@ -67,7 +58,7 @@ class ProjectedFit {
   FitObjective objective_;
   std::size_t rows_;
   Eigen::Vector3d scale_ = Eigen::Vector3d::Ones();
-  const Placed* rival_ = nullptr;  ///< of the descent at hand
+  const FitSolution* rival_ = nullptr;  ///< of the descent at hand
   std::vector<double> rootWeight_;
   std::vector<Eigen::Vector2d> goal_;
   mutable ShapeEvaluator evaluator_;
@@ -77,4 +68,4 @@ class ProjectedFit {
   mutable Eigen::Matrix<double, Eigen::Dynamic, 3> jacobian_;
 };
 
-}  // namespace bw::detail
+}  // namespace bw::fit

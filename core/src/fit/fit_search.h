@@ -6,75 +6,34 @@
 #include <string>
 #include <vector>
 
-#include "fit/fit_clamped.h"
-#include "fit/fit_constrained.h"
-#include "fit/shape_atlas.h"
+#include "fit/fit_constraints.h"
 
-namespace bw::detail {
+namespace bw::fit {
 
-/// Demands that are met by holding one of several bounds (docs/mathematics.md, 7.6).
-struct FitDemands {
-  bool simple = false;
-  std::optional<int> maxInflections;
-  bool any() const { return simple || maxInflections; }
+/// What a fit under constraints starts from. The simplest places come last.
+struct FitStarts {
+  std::vector<Placement> places;
+  FitSolution free;              ///< the fit without constraints
+  std::optional<Elastica> warm;  ///< if set, the first place is its own, and the only start
 };
 
-/// What became of a fit under conditions.
+/// What became of a fit under constraints.
 struct ConditionedFit {
-  std::optional<ConstrainedFit::Solution> best;
+  std::optional<FitSolution> best;
   FitConstraints constraints;  ///< those that the best one was found under
   int iterations = 0;
-  const char* worst = "";  ///< if there is no solution: the condition that was hardest to meet
+  int worst = -1;  ///< if there is no solution: the name of the constraint that was hardest to meet
+  std::vector<std::string> conflict =
+      {};  ///< then: constraints that contradict each other, all of them needed
 };
 
-/// The fits under conditions of one target.
-class FitSearch {
- public:
-  FitSearch(const FitTarget& target, FitNorm norm) : target_(target), norm_(norm) {}
+/// The fit under constraints (docs/mathematics.md, 7.5): under end conditions rough descents on `coarse` from
+/// the free fit and, if that leads to nothing good, from the atlas; the best is finished on `target`. A curve
+/// that meets more constraints also meets fewer: where the result is very poor, the fits with one constraint
+/// more are starts as well, up to the equilibria of a clamped blade with the length of the target. 0.3 to 3
+/// ms, some tens if very poor or taut.
+ConditionedFit fitUnderConstraints(const FitTarget& target, const FitTarget& coarse,
+                                   const FitConstraints& constraints, const Disjunctions& disjunctions,
+                                   FitNorm norm, const FitStarts& starts);
 
-  /// Descends from one start after the other until a minimum is met for the second time, or is good: a value
-  /// up to `enough`. With `first`, the first minimum is taken.
-  ConditionedFit conditioned(const FitConstraints& constraints, const std::vector<Placement>& starts,
-                             double enough, bool first) const;
-
-  /// Rough descents from places that may be worth it, in turn. Adds new ends to those that are known, the
-  /// lowest first.
-  void scout(const FitConstraints& constraints, const std::vector<AtlasPlace>& starts,
-             std::vector<ConstrainedFit::Solution>& ends) const;
-
-  /// True if the numbers at the middle of a curve hardly carry its ends.
-  static bool taut(const Elastica& elastica);
-
-  /// True if a curve meets the demands.
-  bool meets(const Elastica& elastica, const FitDemands& demands) const;
-  bool meets(const Placement& placement, const FitDemands& demands) const;
-  bool meets(const ConstrainedFit::Solution& solution, const FitDemands& demands) const;
-
-  /// From a curve that meets the conditions but not the demands to the best one that meets both.
-  ConditionedFit demanded(const FitConstraints& constraints, const FitDemands& demands,
-                          const std::vector<Placement>& starts, double enough) const;
-  /// The same from one that is known and breaks the demands. The simplest starts come last.
-  ConditionedFit demanded(const ConditionedFit& breaking, const FitDemands& demands,
-                          const std::vector<Placement>& starts, double enough) const;
-
-  /// From a start that can be led onto the conditions to a curve that meets the demands. Nothing if there is
-  /// none or its seven numbers do not carry it (strong tension).
-  ConditionedFit near(const FitConstraints& constraints, const FitDemands& demands,
-                      const Placement& start) const;
-  /// The first of some blades between the ends, exactly if it is taut, that meets bounds and demands.
-  ConditionedFit nearest(const FitConstraints& constraints, const FitDemands& demands,
-                         const std::vector<ClampedBlade>& blades) const;
-
-  /// Of conditions and demands that contradict each other, a part of which none can be left out.
-  std::vector<std::string> conflict(const FitConstraints& constraints, const FitDemands& demands,
-                                    const std::vector<Placement>& starts) const;
-
- private:
-  std::vector<FitConstraints> variants(const FitConstraints& constraints, const FitDemands& demands,
-                                       const Placement& placement) const;
-
-  const FitTarget& target_;
-  FitNorm norm_;
-};
-
-}  // namespace bw::detail
+}  // namespace bw::fit

@@ -10,9 +10,10 @@
 #include "bw/core/base/units.h"
 #include "elastica/elastica_flow.h"
 
-namespace bw::detail {
+namespace bw::fit {
 namespace {
 
+using detail::ElasticaFlow;
 using Eigen::Vector2d;
 
 // Shapes beyond these are no fits: 60 rad of turning at the middle's curvature, or some thirty periods.
@@ -33,12 +34,21 @@ double angleNear(const Vector2d& v, double reference) {
   return reference + std::remainder(std::atan2(v.y(), v.x()) - reference, 2 * kPi);
 }
 
+// The elastica at those parts of its length where the nodes of the target lie in its own.
+std::vector<Elastica::State> statesAt(const Elastica& elastica, const FitTarget& target) {
+  std::vector<double> s(target.size());
+  for (std::size_t i = 0; i < s.size(); ++i) s[i] = (target.s[i] + 0.5) * elastica.length();
+  std::vector<Elastica::State> states(s.size());
+  elastica.at(s, states);
+  return states;
+}
+
 }  // namespace
 
 FitTarget::FitTarget(const PlanarCurve& curve, int nodes) : length(curve.length()) {
   PlanarCurve::Quadrature own;
   if (nodes > 0) {
-    const GaussRule rule = gaussRule(nodes);
+    const detail::GaussRule rule = detail::gaussRule(nodes);
     for (int i = 0; i < nodes; ++i) {
       const double t = curve.parameterAt(rule.nodes[i] * length);
       own.arc.push_back(rule.nodes[i] * length);
@@ -108,11 +118,8 @@ std::optional<Elastica> toElastica(const Placement& placement, const FitTarget& 
   return whole ? std::optional(*whole) : std::nullopt;
 }
 
-Elastica straightGuess(const FitTarget& target) {
-  const Result<Elastica> line = Elastica::make(target.centre + target.length * target.start,
-                                               target.startAngle, 0, {0, 0}, target.length);
-  BW_CHECK(line.has_value());
-  return *line;
+std::optional<Elastica> curveOf(const FitSolution& solution, const FitTarget& target) {
+  return solution.taut ? solution.taut : toElastica(solution.placement, target);
 }
 
 Placement toPlacement(const Elastica& elastica, const FitTarget& target) {
@@ -129,6 +136,31 @@ Placement toPlacement(const Elastica& elastica, const FitTarget& target) {
   out.angle = state.angle;
   out.middle = (state.point - target.centre) / target.length;
   return out;
+}
+
+double objectiveOf(const Elastica& elastica, const FitTarget& target, FitNorm norm) {
+  const std::vector<Elastica::State> states = statesAt(elastica, target);
+  const double length = elastica.length() / target.length;
+  double value = 0;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    double miss = ((states[i].point - target.centre) / target.length - target.point[i]).squaredNorm();
+    const Vector2d tangent = direction(states[i].angle);
+    if (norm != FitNorm::L2) miss += (length * tangent - target.tangent[i]).squaredNorm();
+    if (norm == FitNorm::H2)
+      miss += (length * elastica.length() * states[i].curvature * quarterTurn(tangent) -
+               target.curvature[i] * quarterTurn(target.tangent[i]))
+                  .squaredNorm();
+    value += target.weight[i] * miss;
+  }
+  return value;
+}
+
+double tangentResidual(const Elastica& elastica, const FitTarget& target) {
+  const std::vector<Elastica::State> states = statesAt(elastica, target);
+  double product = 0;
+  for (std::size_t i = 0; i < states.size(); ++i)
+    product += target.weight[i] * direction(states[i].angle).dot(target.tangent[i]);
+  return 1 - product;
 }
 
 ShapeEvaluator::ShapeEvaluator(std::vector<double> s)
@@ -150,7 +182,8 @@ template <int Directions, std::size_t Order>
 void ShapeEvaluator::walk(const Shape& shape) {
   // In units in which the flow is tame; back by the powers of the rate.
   const double rate = std::max({1.0, std::abs(shape[0]), std::sqrt(shape.tail<2>().norm())});
-  const FlowParameters parameters{shape[0] / rate, shape[1] / (rate * rate), shape[2] / (rate * rate)};
+  const detail::FlowParameters parameters{shape[0] / rate, shape[1] / (rate * rate),
+                                          shape[2] / (rate * rate)};
   const double inverse = 1 / rate;
   const Eigen::Array4d rows(inverse, inverse, 1, rate);
   const Eigen::Array4d columns(1, inverse, inverse * inverse, inverse * inverse);
@@ -161,7 +194,8 @@ void ShapeEvaluator::walk(const Shape& shape) {
   const std::size_t count = s_.size();
   std::size_t middle = 0;
   while (middle < count && s_[middle] < 0) ++middle;
-  const ElasticaInvariants known = invariants(parameters.curvature, parameters.tangential, parameters.normal);
+  const detail::ElasticaInvariants known =
+      detail::invariants(parameters.curvature, parameters.tangential, parameters.normal);
   ElasticaFlow<Directions, Order> forward(parameters, known, 1);
   std::size_t left = middle;  // the nodes below this one lie beyond the first piece
   while (left > 0 && -s_[left - 1] * rate <= forward.end()) store(--left, forward);
@@ -181,7 +215,7 @@ bool ShapeEvaluator::evaluate(const Shape& shape, bool derivatives) {
   if (!shape.allFinite() || std::abs(shape[0]) > kLargestCurvature || shape.tail<2>().norm() > kLargestForce)
     return false;
   if (known_ == shape && (knownDerivatives_ || !derivatives)) return true;
-  chargeWork(static_cast<std::int64_t>(s_.size()) * (derivatives ? 2 : 1));
+  detail::chargeWork(static_cast<std::int64_t>(s_.size()) * (derivatives ? 2 : 1));
   if (coarse_) {
     derivatives ? walk<3, 12>(shape) : walk<0, 12>(shape);
   } else {
@@ -192,4 +226,4 @@ bool ShapeEvaluator::evaluate(const Shape& shape, bool derivatives) {
   return true;
 }
 
-}  // namespace bw::detail
+}  // namespace bw::fit

@@ -11,7 +11,7 @@
 #include "bw/core/elastica/elastica.h"
 #include "bw/core/fit/elastica_fit.h"
 
-namespace bw::detail {
+namespace bw::fit {
 
 /// Product of two plane vectors read as complex numbers: `b` turned and stretched by `a`.
 inline Eigen::Vector2d turned(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
@@ -62,11 +62,30 @@ struct Placement {
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();
 };
 
+/// What a descent came to.
+struct FitSolution {
+  Placement placement;
+  double value = 0;  ///< of the objective
+  int iterations = 0;
+  bool feasible = false;  ///< every constraint holds to optimise::kFeasible
+  bool converged = false;
+  bool boundActive = false;
+  double violation = 0;       ///< the largest, dimensionless
+  int worst = -1;             ///< the name of the constraint of the largest violation
+  std::vector<double> peaks;  ///< where the curvature was found to reach its bound besides the fixed places
+  std::optional<Elastica> taut;  ///< the curve, where the seven numbers at its middle do not carry it
+};
+
 /// Nothing if its numbers are beyond those of an elastica.
 std::optional<Elastica> toElastica(const Placement& placement, const FitTarget& target);
-/// The line along the target's tangent at its start: in place of a guess that is no elastica.
-Elastica straightGuess(const FitTarget& target);
+/// The curve of a solution.
+std::optional<Elastica> curveOf(const FitSolution& solution, const FitTarget& target);
 Placement toPlacement(const Elastica& elastica, const FitTarget& target);
+
+/// The objective of any elastica.
+double objectiveOf(const Elastica& elastica, const FitTarget& target, FitNorm norm);
+/// 1 − the mean of the product of the unit tangents at equal parts of the lengths.
+double tangentResidual(const Elastica& elastica, const FitTarget& target);
 
 /// Evaluates shapes at fixed arc lengths; keeps its buffers. The power series of `ElasticaFlow`, told to
 /// start at the middle and to use the piece there for both sides.
@@ -83,19 +102,18 @@ class ShapeEvaluator {
   /// False if the shape is out of the range that makes sense. Asking again for the same shape costs nothing.
   bool evaluate(const Shape& shape, bool derivatives);
 
-  struct State {
-    Eigen::Vector2d point;
-    double angle, curvature;
-  };
   std::size_t size() const { return s_.size(); }
+  /// The place of the first arc length (0) or of the last (1).
+  std::size_t end(std::size_t which) const { return which == 0 ? 0 : size() - 1; }
   double arc(std::size_t i) const { return s_[i]; }
-  State state(std::size_t i) const { return {point(i), values_[i](2, 0), values_[i](3, 0)}; }
   Eigen::Vector2d point(std::size_t i) const { return values_[i].col(0).head<2>(); }
   double angle(std::size_t i) const { return values_[i](2, 0); }
+  double curvature(std::size_t i) const { return values_[i](3, 0); }
   /// Derivative of point, angle or curvature with respect to parameter j of the shape.
   Eigen::Vector2d pointDerivative(std::size_t i, int j) const { return values_[i].col(1 + j).head<2>(); }
   double angleDerivative(std::size_t i, int j) const { return values_[i](2, 1 + j); }
   double curvatureDerivative(std::size_t i, int j) const { return values_[i](3, 1 + j); }
+  Eigen::Vector3d curvatureGradient(std::size_t i) const { return values_[i].row(3).tail<3>(); }
 
  private:
   template <int Directions, std::size_t Order>
@@ -108,23 +126,4 @@ class ShapeEvaluator {
   std::vector<Eigen::Matrix4d> values_;  ///< rows x, y, ψ, κ; columns: state, derivatives by κ, f_t, f_n
 };
 
-/// The first and the last arc length of an evaluator: 0 and 1.
-class ShapeEnds {
- public:
-  explicit ShapeEnds(const ShapeEvaluator& shapes) : shapes_(shapes) {}
-  double arc(std::size_t end) const { return shapes_.arc(at(end)); }
-  ShapeEvaluator::State state(std::size_t end) const { return shapes_.state(at(end)); }
-  Eigen::Vector2d point(std::size_t end) const { return shapes_.point(at(end)); }
-  double angle(std::size_t end) const { return shapes_.angle(at(end)); }
-  Eigen::Vector2d pointDerivative(std::size_t end, int j) const {
-    return shapes_.pointDerivative(at(end), j);
-  }
-  double angleDerivative(std::size_t end, int j) const { return shapes_.angleDerivative(at(end), j); }
-  double curvatureDerivative(std::size_t end, int j) const { return shapes_.curvatureDerivative(at(end), j); }
-
- private:
-  std::size_t at(std::size_t end) const { return end == 0 ? 0 : shapes_.size() - 1; }
-  const ShapeEvaluator& shapes_;
-};
-
-}  // namespace bw::detail
+}  // namespace bw::fit

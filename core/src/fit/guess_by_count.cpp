@@ -6,15 +6,18 @@
 
 #include "bw/core/base/units.h"
 #include "fit/fit_guess.h"
-#include "fit/law_orbit.h"
 
-namespace bw::detail {
+namespace bw::fit {
 namespace {
 
 using Eigen::Vector2d;
 
 // The count of pieces says nothing about s0 where the modulus k² is beyond this (nearly a circle).
 constexpr double kNearCircle = 1e8;
+// The elliptic integrals take no modulus of 1.
+constexpr double kLargestModulus = 1 - 1e-12;
+// Lengths of a guess (in lengths of the target) beyond which it has nothing to do with the target.
+constexpr double kShortest = 1e-3, kLongest = 20;
 
 }  // namespace
 
@@ -60,43 +63,32 @@ std::optional<Placement> guessByCount(const FitTarget& target, const AffineCurva
   }
   if (first == 0) first = kappa.back() >= kappa.front() ? 1 : -1;
   const bool falling = first < 0;
-  const int n = pieces;
 
+  // Within its piece the phase runs over π (k < 1) or π/2 (k ≥ 1); odd pieces run like the first.
+  const double root = std::sqrt(orbit.force);
+  const double rate = inflectional ? root : orbit.omega;
+  const double k = inflectional ? orbit.omega / root : root / orbit.omega;
+  const double modulus = std::min(k, kLargestModulus);
+  const double width = inflectional ? kPi : kPi / 2;
   double arc[2];
   for (int end = 0; end < 2; ++end) {
     const double ratio =
         std::clamp((end == 0 ? kappa.front() : kappa.back()) / largest, smallest / largest, 1.0);  // cn(s, k)
-    double phase = 0;
-    double modulus = 0;
-    double rate = 0;
-    // Within its piece the phase runs over π (k < 1) or π/2 (k ≥ 1); odd pieces run like the first.
-    double part = 0;
-    double width = 0;
-    if (inflectional) {
-      part = std::acos(ratio);
-      width = kPi;
-      modulus = orbit.omega / std::sqrt(orbit.force);
-      rate = std::sqrt(orbit.force);
-    } else {
-      modulus = std::sqrt(orbit.force) / orbit.omega;
-      part = std::asin(std::min(1.0, std::sqrt(std::max(0.0, 1 - ratio * ratio)) / modulus));
-      width = kPi / 2;
-      rate = orbit.omega;
-    }
-    const int piece = end == 0 ? 1 : n;
+    const double part = inflectional
+                            ? std::acos(ratio)
+                            : std::asin(std::min(1.0, std::sqrt(std::max(0.0, 1 - ratio * ratio)) / k));
+    const int piece = end == 0 ? 1 : pieces;
     const bool pieceFalls = (piece % 2 == 1) == falling;
     // A falling first piece starts at phase 0, a rising one at `width`.
     const double base = (piece - 1 + (falling ? 0 : 1)) * width;
-    phase = pieceFalls ? base + part : base + width - part;
-    modulus = std::min(modulus, 1 - 1e-12);
+    const double phase = pieceFalls ? base + part : base + width - part;
     // F(φ + m π) = F(φ) + 2 m K; the standard function wants |φ| ≤ π/2.
     const double turns = std::round(phase / kPi);
-    const double rest = phase - turns * kPi;
-    arc[end] = (2 * turns * std::comp_ellint_1(modulus) + std::ellint_1(modulus, rest)) / rate;
+    arc[end] = (2 * turns * std::comp_ellint_1(modulus) + std::ellint_1(modulus, phase - turns * kPi)) / rate;
   }
   const double length = arc[1] - arc[0];
-  if (!(length > 1e-3) || !(length < 20)) return std::nullopt;
+  if (!(length > kShortest && length < kLongest)) return std::nullopt;
   return placePart(target, orbit, fromApex(orbit), arc[0], length);
 }
 
-}  // namespace bw::detail
+}  // namespace bw::fit

@@ -6,7 +6,7 @@
 #include <cmath>
 #include "bw/core/base/units.h"
 
-namespace bw::detail {
+namespace bw::fit {
 namespace {
 
 using Eigen::Vector2d;
@@ -172,4 +172,4 @@ const std::vector<PieceSheet>& pieceTable() {
   return table;
 }
 
-}  // namespace bw::detail
+}  // namespace bw::fit

@@ -10,7 +10,7 @@
 
 #include "fit/fit_target.h"
 
-namespace bw::detail {
+namespace bw::fit {
 
 /// Points of a curve of length 1 in the middle of as many equal parts, their mean at the origin. Single
 /// precision tells neighbours in the table apart, and is quick.
@@ -62,4 +62,4 @@ struct PieceSheet {
 /// about 2 MB.
 const std::vector<PieceSheet>& pieceTable();
 
-}  // namespace bw::detail
+}  // namespace bw::fit

@@ -9,7 +9,7 @@
 #include "base/work_meter.h"
 #include "fit/piece_table.h"
 
-namespace bw::detail {
+namespace bw::fit {
 namespace {
 
 using Eigen::Vector2d;
@@ -148,7 +148,7 @@ std::vector<AtlasPlace> placesFromAtlas(const FitTarget& target, const FitConstr
                              std::numeric_limits<double>::infinity());
   for (const PieceSheet& sheet : table) {
     if (sheet.periods > longest + kSamePeriods) continue;
-    chargeWork(static_cast<std::int64_t>(sheet.pieces.size()) / kPiecesPerUnit);
+    detail::chargeWork(static_cast<std::int64_t>(sheet.pieces.size()) / kPiecesPerUnit);
     for (std::size_t i = 0; i < sheet.pieces.size(); ++i)
       values[sheet.first + i] = layer.lay(sheet.pieces[i]).value;
   }
@@ -175,4 +175,4 @@ std::vector<AtlasPlace> placesFromAtlas(const FitTarget& target, const FitConstr
   return places;
 }
 
-}  // namespace bw::detail
+}  // namespace bw::fit

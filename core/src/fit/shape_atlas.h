@@ -5,10 +5,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "fit/fit_constrained.h"
-#include "fit/fit_target.h"
+#include "fit/fit_constraints.h"
 
-namespace bw::detail {
+namespace bw::fit {
 
 /// Pieces of elastica of all kinds over which a target was laid, and how near each came.
 struct AtlasPlace {
@@ -29,4 +28,4 @@ bool hopeless(const AtlasPlace& place, double knownValue);
 std::vector<AtlasPlace> placesFromAtlas(const FitTarget& target, const FitConstraints& constraints,
                                         std::size_t most);
 
-}  // namespace bw::detail
+}  // namespace bw::fit

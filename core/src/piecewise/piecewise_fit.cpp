@@ -17,11 +17,11 @@
 namespace bw {
 namespace {
 
-using detail::Descent;
 using detail::Piece;
 using detail::PieceGrid;
 using detail::PiecewiseProblem;
 using detail::workExhausted;
+using optimise::Descent;
 
 using Pieces = std::vector<std::shared_ptr<const Piece>>;
 
@@ -95,7 +95,7 @@ Chain fitChain(Pieces pieces, double length, const PiecewiseOptions& options) {
   PiecewiseProblem problem(chain.pieces, length, options);
   const Eigen::VectorXd start = problem.start();
   problem.chooseBranches(start);
-  chain.descent = detail::descend(problem, start);
+  chain.descent = optimise::descend(problem, start);
   return chain;
 }
 
@@ -171,9 +171,8 @@ Chain improve(const PlanarCurve& curve, std::vector<double>& arcs, Chain best, d
 }
 
 std::optional<Elastica> elasticaOf(const Chain& chain, std::size_t piece) {
-  return detail::toElastica(
-      detail::toPlacement(chain.descent.v.segment(7 * static_cast<Eigen::Index>(piece), 7)),
-      chain.pieces[piece]->target);
+  return fit::toElastica(fit::toPlacement(chain.descent.v.segment(7 * static_cast<Eigen::Index>(piece), 7)),
+                         chain.pieces[piece]->target);
 }
 
 double farthest(const Chain& chain, const PlanarCurve& curve) {
@@ -181,7 +180,7 @@ double farthest(const Chain& chain, const PlanarCurve& curve) {
   for (std::size_t i = 0; i < chain.pieces.size(); ++i) {
     const std::optional<Elastica> elastica = elasticaOf(chain, i);
     if (!elastica) return std::numeric_limits<double>::infinity();
-    most = std::max(most, detail::oneSidedHausdorff(*elastica, curve));
+    most = std::max(most, fit::oneSidedHausdorff(*elastica, curve));
   }
   return most;
 }
@@ -211,7 +210,7 @@ Result<void> measure(const Chain& chain, const PlanarCurve& curve, const Piecewi
     for (std::size_t j = 0; j < s.size(); ++j)
       sum += q.weight[j] * (states[j].point - q.point[j]).squaredNorm();
     out.R4.push_back(std::sqrt(sum / own) / own);
-    out.hausdorff.push_back(detail::oneSidedHausdorff(elastica, curve));
+    out.hausdorff.push_back(fit::oneSidedHausdorff(elastica, curve));
     squares += sum;
   }
   out.totalR4 = std::sqrt(squares / length) / length;

@@ -14,6 +14,11 @@ namespace {
 using Eigen::Index;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
+using fit::ConstrainedFit;
+using fit::FitConstraints;
+using fit::FitNorm;
+using fit::FitSolution;
+using fit::FitTarget;
 
 constexpr double kTurn = 2 * kPi;
 // Pieces with more quadrature nodes than the first number are fitted on a Gauss rule with the second.
@@ -28,8 +33,8 @@ constexpr double kMostTension = 400;
 // the disc's edge as if it were straight.
 constexpr double kBox = 1.1;
 
-// Names of the bounds on the curvature of a piece, beyond those of all other conditions: so many are kept for
-// each piece.
+// Names of the bounds on the curvature of a piece, beyond those of all other constraints: so many are kept
+// for each piece.
 constexpr int kFirstBoundName = 100000;
 constexpr int kBoundNames = 1000;
 
@@ -42,17 +47,17 @@ FitConstraints boundsOf(const FitTarget& target, std::optional<double> maxCurvat
 }
 
 // The best fit under the bound: from the free fit, or else from a line.
-std::optional<FreeFitResult> bounded(const FitTarget& target, const FitConstraints& constraints,
-                                     FreeFitResult free) {
-  ConstrainedFit fit(target, constraints, FitNorm::L2);
-  if (fit.violation(free.placement) <= 0) return free;
-  std::vector<Placement> starts{free.placement};
-  if (const auto line = ProjectedFit(target, {}).place({0, 0, 0})) starts.push_back(line->placement);
-  for (const Placement& start : starts) {
-    const ConstrainedFit::Solution solution = fit.solve(start);
-    free.iterations += solution.iterations;
-    if (!solution.feasible) continue;
-    return FreeFitResult{solution.placement, solution.value, free.iterations, solution.converged};
+std::optional<FitSolution> bounded(const FitTarget& target, const FitConstraints& constraints,
+                                   const FitSolution& free) {
+  ConstrainedFit problem(target, constraints, FitNorm::L2);
+  if (problem.violation(free.placement) <= 0) return free;
+  std::vector<fit::Placement> starts{free.placement};
+  if (const auto line = fit::ProjectedFit(target, {}).place({0, 0, 0})) starts.push_back(line->placement);
+  int iterations = free.iterations;
+  for (const fit::Placement& start : starts) {
+    FitSolution solution = problem.solve(start);
+    solution.iterations = iterations += solution.iterations;
+    if (solution.feasible) return solution;
   }
   return std::nullopt;
 }
@@ -70,10 +75,10 @@ std::shared_ptr<const Piece> makePiece(const PlanarCurve& curve, double from, do
   std::optional<FitTarget> thinned;
   if (many && chain) thinned.emplace(*part, kPieceNodes);
   const FitTarget& coarse = thinned ? *thinned : target;
-  const AffineCurvature law = fitAffineCurvature(target);
-  const std::vector<Shape> starts{guessByLength(coarse, law).placement.shape, shapeFromLaw(coarse, law),
-                                  shapeFromAngles(coarse)};
-  std::optional<FreeFitResult> free = freeFit(target, coarse, {}, starts, true);
+  const fit::AffineCurvature law = fitAffineCurvature(target);
+  const std::vector<fit::Shape> starts{guessByLength(coarse, law).placement.shape, shapeFromLaw(coarse, law),
+                                       shapeFromAngles(coarse)};
+  std::optional<FitSolution> free = freeFit(target, coarse, {}, starts, true);
   if (free && maxCurvature) free = bounded(target, boundsOf(target, maxCurvature), *free);
   if (!free) return nullptr;
   return std::make_shared<Piece>(Piece{*part, std::move(target), *free});
@@ -84,7 +89,8 @@ std::shared_ptr<const Piece> makePiece(const PlanarCurve& curve, double from, do
 struct PiecewiseProblem::End {
   Vector2d point;
   double angle = 0, curvature = 0;
-  Row slopeX = Row::Zero(), slopeY = Row::Zero(), slopeAngle = Row::Zero(), slopeCurvature = Row::Zero();
+  Row gradientX = Row::Zero(), gradientY = Row::Zero(), gradientAngle = Row::Zero(),
+      gradientCurvature = Row::Zero();
 };
 
 PiecewiseProblem::PiecewiseProblem(const std::vector<std::shared_ptr<const Piece>>& pieces, double length,
@@ -99,14 +105,14 @@ PiecewiseProblem::PiecewiseProblem(const std::vector<std::shared_ptr<const Piece
 VectorXd PiecewiseProblem::start() const {
   VectorXd v(unknowns());
   for (std::size_t i = 0; i < pieces_.size(); ++i)
-    v.segment(7 * static_cast<Index>(i), 7) = toVector(pieces_[i]->free.placement);
+    v.segment(7 * static_cast<Index>(i), 7) = fit::toVector(pieces_[i]->free.placement);
   return v;
 }
 
-bool PiecewiseProblem::objective(const VectorXd& v, LeastSquaresModel* model, double& value) {
+bool PiecewiseProblem::objective(const VectorXd& v, optimise::LeastSquaresModel* model, double& value) {
   value = 0;
   if (model != nullptr) {
-    model->half = VectorXd::Zero(unknowns());
+    model->halfGradient = VectorXd::Zero(unknowns());
     model->gaussNewton = Eigen::MatrixXd::Zero(unknowns(), unknowns());
   }
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
@@ -116,7 +122,7 @@ bool PiecewiseProblem::objective(const VectorXd& v, LeastSquaresModel* model, do
     const double scale = pieces_[i]->target.length / length_;
     value += scale * scale * own;
     if (model == nullptr) continue;
-    model->half.segment(at, 7) = scale * scale * part_.half;
+    model->halfGradient.segment(at, 7) = scale * scale * part_.halfGradient;
     model->gaussNewton.block(at, at, 7, 7) = scale * scale * part_.gaussNewton;
   }
   if (model != nullptr) model->value = value;
@@ -127,32 +133,32 @@ PiecewiseProblem::End PiecewiseProblem::endOf(const VectorXd& all, std::size_t p
   const Index at = 7 * static_cast<Index>(piece);
   const double* v = all.data() + at;
   const FitTarget& target = pieces_[piece]->target;
-  const ShapeEvaluator& ends = ends_[piece];
+  const fit::ShapeEvaluator& ends = ends_[piece];
   const std::size_t end = atStart ? 0 : 1;
   const double scale = target.length / length_;
-  const Vector2d factor = scale * std::exp(v[3]) * direction(v[4]);
-  const Vector2d placed = turned(factor, ends.point(end));
-  const Vector2d across = quarterTurn(placed);
+  const Vector2d factor = scale * std::exp(v[3]) * fit::direction(v[4]);
+  const Vector2d placed = fit::turned(factor, ends.point(end));
+  const Vector2d across = fit::quarterTurn(placed);
   End out;
   out.point =
       (target.centre - pieces_.front()->target.centre) / length_ + scale * Vector2d(v[5], v[6]) + placed;
   out.angle = v[4] + ends.angle(end);
   const double unit = 1 / (scale * static_cast<double>(pieces_.size()) * std::exp(v[3]));
-  out.curvature = ends.state(end).curvature * unit;
+  out.curvature = ends.curvature(end) * unit;
   for (int j = 0; j < 3; ++j) {
-    const Vector2d slope = turned(factor, ends.pointDerivative(end, j));
-    out.slopeX[j] = slope.x();
-    out.slopeY[j] = slope.y();
-    out.slopeAngle[j] = ends.angleDerivative(end, j);
-    out.slopeCurvature[j] = ends.curvatureDerivative(end, j) * unit;
+    const Vector2d derivative = fit::turned(factor, ends.pointDerivative(end, j));
+    out.gradientX[j] = derivative.x();
+    out.gradientY[j] = derivative.y();
+    out.gradientAngle[j] = ends.angleDerivative(end, j);
+    out.gradientCurvature[j] = ends.curvatureDerivative(end, j) * unit;
   }
-  out.slopeX[3] = placed.x();
-  out.slopeY[3] = placed.y();
-  out.slopeX[4] = across.x();
-  out.slopeY[4] = across.y();
-  out.slopeX[5] = out.slopeY[6] = scale;
-  out.slopeAngle[4] = 1;
-  out.slopeCurvature[3] = -out.curvature;
+  out.gradientX[3] = placed.x();
+  out.gradientY[3] = placed.y();
+  out.gradientX[4] = across.x();
+  out.gradientY[4] = across.y();
+  out.gradientX[5] = out.gradientY[6] = scale;
+  out.gradientAngle[4] = 1;
+  out.gradientCurvature[3] = -out.curvature;
   return out;
 }
 
@@ -169,7 +175,7 @@ void PiecewiseProblem::chooseBranches(const VectorXd& v) {
   endTurn_ = kTurn * std::round((angle(last, 1) - pieces_.back()->target.endAngle) / kTurn);
 }
 
-bool PiecewiseProblem::conditions(const VectorXd& v, Conditions& out) {
+bool PiecewiseProblem::constraints(const VectorXd& v, optimise::Constraints& out) {
   out.clear(unknowns());
   if (!v.allFinite()) return false;
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
@@ -185,9 +191,9 @@ bool PiecewiseProblem::conditions(const VectorXd& v, Conditions& out) {
   // A difference of the neighbours' ends: zero, or within a tolerance.
   const auto addMeeting = [&](std::size_t joint, double value, const Row& left, const Row& right, double sign,
                               int own) {
-    auto slope = out.slopes.col(out.add(value, own));
-    slope.segment<7>(7 * static_cast<Index>(joint)) = sign * left;
-    slope.segment<7>(7 * static_cast<Index>(joint) + 7) = -sign * right;
+    auto gradient = out.add(value, own);
+    gradient.segment<7>(7 * static_cast<Index>(joint)) = sign * left;
+    gradient.segment<7>(7 * static_cast<Index>(joint) + 7) = -sign * right;
   };
   const auto meet = [&](std::size_t joint, double value, const Row& left, const Row& right, double sign) {
     addMeeting(joint, value, left, right, sign, name++);
@@ -197,12 +203,12 @@ bool PiecewiseProblem::conditions(const VectorXd& v, Conditions& out) {
       const auto& [left, right] = joints[i];
       const Vector2d gap = left.point - right.point;
       if (options_.position == 0) {
-        take(i, gap.x(), left.slopeX, right.slopeX, 0.0);
-        take(i, gap.y(), left.slopeY, right.slopeY, 0.0);
+        take(i, gap.x(), left.gradientX, right.gradientX, 0.0);
+        take(i, gap.y(), left.gradientY, right.gradientY, 0.0);
       }
-      take(i, left.angle - right.angle - turns_[i], left.slopeAngle, right.slopeAngle, options_.angle);
+      take(i, left.angle - right.angle - turns_[i], left.gradientAngle, right.gradientAngle, options_.angle);
       if (options_.curvature)
-        take(i, left.curvature - right.curvature, left.slopeCurvature, right.slopeCurvature, 0.0);
+        take(i, left.curvature - right.curvature, left.gradientCurvature, right.gradientCurvature, 0.0);
     }
   };
   each([&](std::size_t i, double value, const Row& left, const Row& right, double tolerance) {
@@ -218,12 +224,12 @@ bool PiecewiseProblem::conditions(const VectorXd& v, Conditions& out) {
       const Vector2d goal = (target.centre - pieces_.front()->target.centre +
                              target.length * (atStart ? target.start : target.end)) /
                             length_;
-      out.slopes.col(out.add(end.point.x() - goal.x(), name++)).segment<7>(at) = end.slopeX;
-      out.slopes.col(out.add(end.point.y() - goal.y(), name++)).segment<7>(at) = end.slopeY;
+      out.add(end.point.x() - goal.x(), name++).segment<7>(at) = end.gradientX;
+      out.add(end.point.y() - goal.y(), name++).segment<7>(at) = end.gradientY;
     }
     if (options_.tangents) {
       const double goal = atStart ? target.startAngle + startTurn_ : target.endAngle + endTurn_;
-      out.slopes.col(out.add(end.angle - goal, name++)).segment<7>(at) = end.slopeAngle;
+      out.add(end.angle - goal, name++).segment<7>(at) = end.gradientAngle;
     }
   }
   out.equalities = out.size();
@@ -232,40 +238,39 @@ bool PiecewiseProblem::conditions(const VectorXd& v, Conditions& out) {
     meet(i, value - tolerance, left, right, 1);
     meet(i, -value - tolerance, left, right, -1);
   });
-  // The disc itself: across the gap the bound bends like its edge.
+  // The disc itself: across the gap the bound is curved like its edge.
   for (std::size_t i = 0; options_.position > 0 && i < joints.size(); ++i) {
     const auto& [left, right] = joints[i];
     const Vector2d gap = left.point - right.point;
     const double size = gap.norm();
     const Vector2d outward = size > 0 ? Vector2d(gap / size) : Vector2d::Zero();
-    meet(i, size - options_.position / length_, outward.x() * left.slopeX + outward.y() * left.slopeY,
-         outward.x() * right.slopeX + outward.y() * right.slopeY, 1);
+    meet(i, size - options_.position / length_, outward.x() * left.gradientX + outward.y() * left.gradientY,
+         outward.x() * right.gradientX + outward.y() * right.gradientY, 1);
     const std::size_t disc = out.size() - 1;
     // The box.
     const double room = kBox * options_.position / length_;
     for (const double sign : {1.0, -1.0}) {
       const int names = -4 * static_cast<int>(i);
-      addMeeting(i, sign * gap.x() - room, left.slopeX, right.slopeX, sign, names - (sign > 0 ? 1 : 2));
-      addMeeting(i, sign * gap.y() - room, left.slopeY, right.slopeY, sign, names - (sign > 0 ? 3 : 4));
+      addMeeting(i, sign * gap.x() - room, left.gradientX, right.gradientX, sign, names - (sign > 0 ? 1 : 2));
+      addMeeting(i, sign * gap.y() - room, left.gradientY, right.gradientY, sign, names - (sign > 0 ? 3 : 4));
     }
     if (!(size > 0)) continue;
-    Conditions::Bend bend{disc, 1 / size, VectorXd::Zero(unknowns())};
+    optimise::Constraints::Hessian edge{disc, 1 / size, VectorXd::Zero(unknowns())};
     const Index at = 7 * static_cast<Index>(i);
-    bend.row.segment<7>(at) = outward.x() * left.slopeY - outward.y() * left.slopeX;
-    bend.row.segment<7>(at + 7) = outward.y() * right.slopeX - outward.x() * right.slopeY;
-    out.bends.push_back(std::move(bend));
+    edge.row.segment<7>(at) = outward.x() * left.gradientY - outward.y() * left.gradientX;
+    edge.row.segment<7>(at + 7) = outward.y() * right.gradientX - outward.x() * right.gradientY;
+    out.hessians.push_back(std::move(edge));
   }
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const Index at = 7 * static_cast<Index>(i) + 1;
-    out.slopes(at, out.add(-v[at] / kMostTension - 1, name++)) = -1 / kMostTension;
+    out.add(-v[at] / kMostTension - 1, name++)[at] = -1 / kMostTension;
   }
   for (std::size_t i = 0; options_.maxCurvature && i < pieces_.size(); ++i) {
     const Index at = 7 * static_cast<Index>(i);
-    if (!fits_[i].conditions(v.segment(at, 7), bounds_)) return false;
+    if (!fits_[i].constraints(v.segment(at, 7), bounds_)) return false;
     for (std::size_t k = 0; k < bounds_.size(); ++k) {
       const int own = kFirstBoundName + kBoundNames * static_cast<int>(i) + bounds_.names[k];
-      out.slopes.col(out.add(bounds_.values[k], own)).segment<7>(at) =
-          bounds_.slopes.col(static_cast<Index>(k));
+      out.add(bounds_.values[k], own).segment<7>(at) = bounds_.gradient(k);
     }
   }
   return true;

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "bw/core/piecewise/piecewise_fit.h"
-#include "fit/constrained_descent.h"
 #include "fit/fit_constrained.h"
 #include "fit/fit_free.h"
+#include "optimise/constrained_descent.h"
 
 namespace bw::detail {
 
@@ -19,16 +19,16 @@ namespace bw::detail {
 /// regard to the neighbours.
 struct Piece {
   PlanarCurve curve;
-  FitTarget target;
-  FreeFitResult free;
+  fit::FitTarget target;
+  fit::FitSolution free;
 };
 /// Empty if the part cannot be fitted. `maxCurvature` in 1/mm.
 std::shared_ptr<const Piece> makePiece(const PlanarCurve& curve, double from, double to,
                                        std::optional<double> maxCurvature);
 
 /// A chain of elastica as one least-squares problem (docs/mathematics.md, 8): seven unknowns a piece, each in
-/// the frame of its own target; conditions where neighbours meet.
-class PiecewiseProblem : public ConstrainedProblem {
+/// the frame of its own target; constraints where neighbours meet.
+class PiecewiseProblem : public optimise::ConstrainedProblem {
  public:
   /// `length` of the whole curve, mm.
   PiecewiseProblem(const std::vector<std::shared_ptr<const Piece>>& pieces, double length,
@@ -36,8 +36,8 @@ class PiecewiseProblem : public ConstrainedProblem {
 
   Eigen::Index unknowns() const override { return 7 * groups(); }
   Eigen::Index groups() const override { return static_cast<Eigen::Index>(pieces_.size()); }
-  bool objective(const Eigen::VectorXd& v, LeastSquaresModel* model, double& value) override;
-  bool conditions(const Eigen::VectorXd& v, Conditions& out) override;
+  bool objective(const Eigen::VectorXd& v, optimise::LeastSquaresModel* model, double& value) override;
+  bool constraints(const Eigen::VectorXd& v, optimise::Constraints& out) override;
 
   Eigen::VectorXd start() const;
   /// Chooses the whole turns between the tangents at the joints.
@@ -50,12 +50,12 @@ class PiecewiseProblem : public ConstrainedProblem {
   const std::vector<std::shared_ptr<const Piece>>& pieces_;
   double length_;
   const PiecewiseOptions& options_;
-  std::vector<ConstrainedFit> fits_;
-  std::vector<ShapeEvaluator> ends_;
-  Conditions bounds_;                   ///< of one piece
+  std::vector<fit::ConstrainedFit> fits_;
+  std::vector<fit::ShapeEvaluator> ends_;
+  optimise::Constraints bounds_;        ///< of one piece
   std::vector<double> turns_;           ///< at the joints
   double startTurn_ = 0, endTurn_ = 0;  ///< at the ends of the chain
-  LeastSquaresModel part_;
+  optimise::LeastSquaresModel part_;
 };
 
 }  // namespace bw::detail

@@ -95,7 +95,7 @@ class ShapeSteps {
   /// mm from the section to a shape that `at` gives.
   double distance(int k) {
     Shape& shape = **shapes_[std::size_t(k)];
-    if (!shape.distance) shape.distance = oneSidedHausdorff(shape.laid, section_);
+    if (!shape.distance) shape.distance = fit::oneSidedHausdorff(shape.laid, section_);
     return *shape.distance;
   }
 

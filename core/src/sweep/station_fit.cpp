@@ -94,7 +94,7 @@ std::optional<StationFit> stiffFit(const PlanarCurve& section, const FitRequest&
     fit.elastica = fit.initial = laid;
     fit.R4 = fit.R4initial = places.residual(laid);
     if (best && best->fit.R4 <= fit.R4) continue;
-    fit.hausdorff = oneSidedHausdorff(laid, section);
+    fit.hausdorff = fit::oneSidedHausdorff(laid, section);
     fit.status = FitStatus::constraintsActive;
     fit.message = "the blade at its smallest radius, or straight: the section is too tight for it";
     if (bladeHolds(fit.elastica, request.blade)) best = StationFit{section, std::move(fit), true};

@@ -81,6 +81,9 @@ struct FitResult {
   double seconds = 0;   ///< solver time alone
 };
 
+/// The conditions of a conflict as a list in words: "the length, the end points and the end tangents".
+std::string conditionsInWords(const std::vector<std::string>& conditions);
+
 /// The elastica that minimises (3.2) of the thesis under the options. Cold start: canonical guess. Fails on
 /// bad options, and (`ErrorCode::noSolution`) where what was found is beyond the numbers of an elastica; an
 /// unsatisfied constraint is a status.
