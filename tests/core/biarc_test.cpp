@@ -72,7 +72,7 @@ TEST(Biarc, FollowsTheReportsFormulas) {
     const double theta = 2 * alpha - (1 - share) * w;
     if (std::abs(theta) < 0.05 || std::abs(w - theta) < 0.05) continue;
     const Result<Biarc> biarc =
-        makeBiarcOfTurning({0, 0}, 0, l * Vector2d(std::cos(alpha), std::sin(alpha)), w, theta);
+        makeBiarc({0, 0}, 0, l * Vector2d(std::cos(alpha), std::sin(alpha)), w, share);
     ASSERT_TRUE(biarc) << biarc.error().message;
     const double rA = l * std::sin((w + theta) / 2 - alpha) / (2 * std::sin(theta / 2) * std::sin(w / 2));
     const double rB = l * std::sin(alpha - theta / 2) / (2 * std::sin((w - theta) / 2) * std::sin(w / 2));
@@ -111,27 +111,10 @@ TEST(Biarc, KnowsCirclesAndLines) {
   EXPECT_TRUE(line.first.straight());
   EXPECT_TRUE(line.second.straight());
   EXPECT_NEAR(line.first.length, std::sqrt(2.0), 1e-15);
-  // A straight piece and an arc: θ = 0 is admissible.
-  const Biarc half = makeBiarcOfTurning({0, 0}, 0, {3, 1}, 1.2, 0).value();
+  // A straight piece and an arc: 2α = (1 − λ) W.
+  const Biarc half = makeBiarc({0, 0}, 0, {3, 1}, 1.2, 1 - 2 * std::atan2(1, 3) / 1.2).value();
   EXPECT_TRUE(half.first.straight());
   expectJoins(half, {0, 0}, 0, {3, 1}, 1.2, 1e-14);
-}
-
-TEST(Biarc, NamesTheAdmissibleInterval) {
-  const Vector2d a(0, 0), b(3, 1);
-  const BiarcRange range = biarcRange(a, 0.1, b, 1.1).value();
-  EXPECT_NEAR(range.upper - range.lower, std::abs(range.total), 1e-14);
-  const double inside = 1e-6;
-  for (const double theta : {range.lower + inside, range.upper - inside}) {
-    const Result<Biarc> biarc = makeBiarcOfTurning(a, 0.1, b, 1.1, theta);
-    ASSERT_TRUE(biarc);
-    expectJoins(*biarc, a, 0.1, b, 1.1, 1e-12);
-  }
-  for (const double theta : {range.lower - inside, range.upper + inside}) {
-    const Result<Biarc> biarc = makeBiarcOfTurning(a, 0.1, b, 1.1, theta);
-    ASSERT_FALSE(biarc);
-    EXPECT_EQ(biarc.error().where, "theta");
-  }
 }
 
 TEST(Biarc, RefusesWhatHasNoSolution) {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include "bw/core/base/units.h"
 
-namespace bw::detail {
+namespace bw::biarc {
 
 namespace {
 
@@ -125,4 +125,4 @@ ArcFoot ArcTree::nearest(const Eigen::Vector2d& p, int seed) const {
   return best;
 }
 
-}  // namespace bw::detail
+}  // namespace bw::biarc

@@ -8,7 +8,7 @@
 
 #include "bw/core/biarc/biarc.h"
 
-namespace bw::detail {
+namespace bw::biarc {
 
 /// The point of a chain of arcs nearest to a given point.
 struct ArcFoot {
@@ -46,4 +46,4 @@ class ArcTree {
   bool closed_ = false;
 };
 
-}  // namespace bw::detail
+}  // namespace bw::biarc

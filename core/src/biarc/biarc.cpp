@@ -36,8 +36,8 @@ Result<ChordAngles> chordAngles(const Eigen::Vector2d& start, double startAngle,
                 "the two points of a biarc coincide or are too far apart; drop one of them", "biarc",
                 result.length);
   result.direction = std::atan2(chord.y(), chord.x());
-  result.alpha = detail::wrapAngle(result.direction - startAngle);
-  result.beta = detail::wrapAngle(endAngle - result.direction);
+  result.alpha = biarc::wrapAngle(result.direction - startAngle);
+  result.beta = biarc::wrapAngle(endAngle - result.direction);
   return result;
 }
 
@@ -49,7 +49,7 @@ tl::unexpected<Error> noBiarc() {
 }
 
 Result<Biarc> fromShare(const Eigen::Vector2d& start, double startAngle, const ChordAngles& c, double share) {
-  const detail::BiarcShape<double> shape = detail::biarcShape(c.length, c.alpha, c.beta, share);
+  const biarc::BiarcShape<double> shape = biarc::biarcShape(c.length, c.alpha, c.beta, share);
   const auto good = [&](double length) { return length > 0 && length < kLongestArc * c.length; };
   if (!good(shape.firstLength) || !good(shape.secondLength)) return noBiarc();
   Biarc biarc;
@@ -71,23 +71,8 @@ std::optional<double> CircularArc::radius() const {
 
 Eigen::Vector2d CircularArc::pointAt(double s) const {
   const double half = curvature() * s / 2;
-  const double chord = s * detail::sinc(half);
+  const double chord = s * biarc::sinc(half);
   return start + chord * Eigen::Vector2d(std::cos(startAngle + half), std::sin(startAngle + half));
-}
-
-Result<BiarcRange> biarcRange(const Eigen::Vector2d& start, double startAngle, const Eigen::Vector2d& end,
-                              double endAngle) {
-  const Result<ChordAngles> c = chordAngles(start, startAngle, end, endAngle);
-  if (!c) return tl::unexpected<Error>(c.error());
-  if (std::abs(c->alpha) == kPi && std::abs(c->beta) == kPi) return noBiarc();
-  BiarcRange range;
-  range.total = c->alpha + c->beta;
-  // θ between 2α − W and 2α (positive chords), and both turnings below a whole turn (positive lengths).
-  range.lower =
-      std::max(std::min(2 * c->alpha, c->alpha - c->beta), std::max(-2 * kPi, range.total - 2 * kPi));
-  range.upper =
-      std::min(std::max(2 * c->alpha, c->alpha - c->beta), std::min(2 * kPi, range.total + 2 * kPi));
-  return range;
 }
 
 Result<Biarc> makeBiarc(const Eigen::Vector2d& start, double startAngle, const Eigen::Vector2d& end,
@@ -98,22 +83,6 @@ Result<Biarc> makeBiarc(const Eigen::Vector2d& start, double startAngle, const E
     return fail(ErrorCode::badInput, "the share of a biarc must lie between 0 and 1, not " + shortText(share),
                 "share", share, 1);
   return fromShare(start, startAngle, *c, share);
-}
-
-Result<Biarc> makeBiarcOfTurning(const Eigen::Vector2d& start, double startAngle, const Eigen::Vector2d& end,
-                                 double endAngle, double theta) {
-  const Result<BiarcRange> range = biarcRange(start, startAngle, end, endAngle);
-  if (!range) return tl::unexpected<Error>(range.error());
-  const Result<ChordAngles> c = chordAngles(start, startAngle, end, endAngle);
-  constexpr double kSame = 1e-12;
-  if (std::abs(range->total) < kSame && std::abs(theta - 2 * c->alpha) < kSame)
-    return fromShare(start, startAngle, *c, 0.5);
-  if (!(theta > range->lower && theta < range->upper))
-    return fail(ErrorCode::badInput,
-                "the first arc of this biarc must turn by more than " + shortText(range->lower, 6) +
-                    " and less than " + shortText(range->upper, 6) + " rad, not by " + shortText(theta, 6),
-                "theta", theta, theta > range->lower ? range->upper : range->lower);
-  return fromShare(start, startAngle, *c, 1 - (2 * c->alpha - theta) / range->total);
 }
 
 Result<std::vector<double>> biarcTangents(const std::vector<Eigen::Vector2d>& points, bool closed) {
@@ -176,19 +145,9 @@ Result<BiarcCurve> biarcCurve(std::vector<Eigen::Vector2d> points, std::vector<d
 }
 
 const char* biarcStatusName(BiarcStatus status) {
-  switch (status) {
-    case BiarcStatus::constructed:
-      return "constructed";
-    case BiarcStatus::converged:
-      return "converged";
-    case BiarcStatus::boundActive:
-      return "bound-active";
-    case BiarcStatus::iterationLimit:
-      return "iteration-limit";
-    case BiarcStatus::toleranceExceeded:
-      return "tolerance-exceeded";
-  }
-  return "";
+  static const char* const kNames[] = {"constructed", "converged", "bound-active", "iteration-limit",
+                                       "tolerance-exceeded"};
+  return kNames[int(status)];
 }
 
 }  // namespace bw

@@ -10,7 +10,7 @@
 
 #include "biarc/biarc_formula.h"
 
-namespace bw::detail {
+namespace bw::biarc {
 
 namespace {
 
@@ -87,6 +87,4 @@ void BiarcChain::derivatives(int biarc, ArcDerivatives& first, ArcDerivatives& s
             shape.secondLength.v};
 }
 
-double BiarcChain::share(int biarc) const { return 1 / (1 + std::exp(-nodes_[std::size_t(biarc)][3])); }
-
-}  // namespace bw::detail
+}  // namespace bw::biarc

@@ -8,7 +8,7 @@
 
 #include "bw/core/biarc/biarc.h"
 
-namespace bw::detail {
+namespace bw::biarc {
 
 /// What a curve of biarcs hangs on: for each chosen point x, y, the tangent angle, and the joint of the biarc
 /// that starts there, as logit of its share: λ = 1/(1 + e^{−z}).
@@ -37,7 +37,6 @@ class BiarcChain {
   bool valid() const { return valid_; }
   /// The first biarc that is not valid.
   int faulty() const { return faulty_; }
-  bool closed() const { return closed_; }
   int biarcs() const { return closed_ ? int(nodes_.size()) : int(nodes_.size()) - 1; }
   const std::vector<BiarcNode>& nodes() const { return nodes_; }
   const std::vector<CircularArc>& arcs() const { return arcs_; }
@@ -46,8 +45,6 @@ class BiarcChain {
 
   /// The largest angle between a tangent and its chord, rad.
   double steepest() const { return steepest_; }
-  /// The share of biarc k.
-  double share(int biarc) const;
 
  private:
   std::vector<BiarcNode> nodes_;
@@ -57,4 +54,4 @@ class BiarcChain {
   double steepest_ = 0;
 };
 
-}  // namespace bw::detail
+}  // namespace bw::biarc

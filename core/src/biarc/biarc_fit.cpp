@@ -14,9 +14,12 @@
 
 namespace bw {
 
-using namespace detail;
+using namespace biarc;
 
 namespace {
+
+/// Data of other sizes (mm) have squares outside of the numbers there are.
+constexpr double kSmallest = 1e-150, kLargest = 1e150;
 
 tl::unexpected<Error> passOn(const Error& error) { return tl::unexpected<Error>(error); }
 
@@ -83,7 +86,7 @@ Result<Points> givenPoints(const std::vector<Eigen::Vector2d>& data, const Biarc
 
 }  // namespace
 
-namespace detail {
+namespace biarc {
 
 Result<std::vector<Points>> chooseStarts(const std::vector<Eigen::Vector2d>& data, const Points& chain,
                                          const BiarcOptions& o, int count, TubeOrder& tube) {
@@ -173,7 +176,7 @@ double objectiveOf(const BiarcMeasures& m, const BiarcOptions& o) {
   return 0;
 }
 
-}  // namespace detail
+}  // namespace biarc
 
 Result<BiarcMeasures> measureBiarcs(const BiarcCurve& curve, const std::vector<Eigen::Vector2d>& data) {
   if (curve.arcs.empty() || data.empty())
@@ -203,7 +206,7 @@ Result<BiarcResult> fitBiarcs(const std::vector<Eigen::Vector2d>& data, const Bi
     high = high.cwiseMax(p);
   }
   const double size = (high / 2 - low / 2).stableNorm() * 2;
-  if (!std::isfinite(size) || size < 1e-150 || size > 1e150)
+  if (!std::isfinite(size) || size < kSmallest || size > kLargest)
     return fail(ErrorCode::badInput,
                 "the data are " + shortText(size) + " mm large; scale them to a size near 1", "points", size);
   const Eigen::Vector2d middle = low / 2 + high / 2;

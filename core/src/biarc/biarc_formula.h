@@ -5,7 +5,7 @@
 #include <cmath>
 #include "bw/core/base/units.h"
 
-namespace bw::detail {
+namespace bw::biarc {
 
 /// The angle less whole turns, in (−π, π].
 inline double wrapAngle(double angle) {
@@ -47,4 +47,4 @@ BiarcShape<T> biarcShape(const T& length, const T& alpha, const T& beta, const T
   return shape;
 }
 
-}  // namespace bw::detail
+}  // namespace bw::biarc

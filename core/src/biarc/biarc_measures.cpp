@@ -7,7 +7,7 @@
 #include "base/work_meter.h"
 #include "biarc/biarc_problem.h"
 
-namespace bw::detail {
+namespace bw::biarc {
 
 namespace {
 
@@ -52,7 +52,7 @@ BiarcMeasures measuresOf(const std::vector<CircularArc>& arcs, bool closed,
                          const std::vector<Eigen::Vector2d>& data) {
   BiarcMeasures m;
   const ArcTree tree(arcs, closed);
-  chargeWork(kFootWork * std::ssize(data));
+  detail::chargeWork(kFootWork * std::ssize(data));
   int seed = 0;
   for (std::size_t i = 0; i < data.size(); ++i) {
     const ArcFoot foot = tree.nearest(data[i], seed);
@@ -88,13 +88,13 @@ ChainDistance::ChainDistance(const std::vector<Eigen::Vector2d>& data, bool clos
   }
   empty_ = edges.empty();
   if (!empty_) tree_ = ArcTree(edges, closed);
-  chargeWork(kFootWork * std::ssize(edges));
+  detail::chargeWork(kFootWork * std::ssize(edges));
 }
 
 double ChainDistance::of(const std::vector<CircularArc>& arcs) const {
   if (empty_) return 0;
   const int samples = std::max(16, int(samples_ / std::max<std::size_t>(1, arcs.size())));
-  chargeWork(kFootWork * (samples + 1) * std::ssize(arcs));
+  detail::chargeWork(kFootWork * (samples + 1) * std::ssize(arcs));
   double worst = 0;
   int seed = 0;
   for (const CircularArc& arc : arcs)
@@ -106,4 +106,4 @@ double ChainDistance::of(const std::vector<CircularArc>& arcs) const {
   return worst;
 }
 
-}  // namespace bw::detail
+}  // namespace bw::biarc

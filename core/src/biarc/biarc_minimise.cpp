@@ -5,13 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
 #include "base/work_meter.h"
 #include "biarc/biarc_search.h"
 
-namespace bw::detail {
+namespace bw::biarc {
 
 namespace {
 
@@ -23,6 +24,10 @@ constexpr double kFarPoints = 0.8;
 constexpr double kSame = 1e-3;
 /// Iterations with all of very many data, from the minimum on a part of them.
 constexpr int kLastIterations = 12;
+/// By how much of the largest distance the kink of the mean distance is rounded off, from stage to stage.
+constexpr double kRounded[] = {0.1, 0.01, 1e-3, 1e-4};
+/// Distances below are rounding, in units of the data's size.
+constexpr double kLeastDistance = 1e-12;
 
 }  // namespace
 
@@ -68,12 +73,12 @@ BiarcDescent BiarcSearch::minimise(const std::vector<BiarcNode>& start, double e
   double bound = stage(onBody, smooth, false);
   BiarcTerm term = termOf(options_.distance);
   if (options_.distance == BiarcDistance::mean) {
-    const double scale = std::max(largest, 1e-12);
-    for (const double part : {0.1, 0.01, 1e-3}) {
+    const double scale = std::max(largest, kLeastDistance);
+    for (const double part : kRounded) {
       term.epsilon = part * scale;
+      if (part == std::end(kRounded)[-1]) break;
       stage(onBody, term, false);
     }
-    term.epsilon = 1e-4 * scale;
     finish(term);
     return best;
   }
@@ -86,7 +91,8 @@ BiarcDescent BiarcSearch::minimise(const std::vector<BiarcNode>& start, double e
   }
   for (int round = 0; !body_.empty(); ++round) {
     keep();
-    if (round == kBodyRounds || context.stopped() || workExhausted() || largest <= enough || hopeless())
+    if (round == kBodyRounds || context.stopped() || detail::workExhausted() || largest <= enough ||
+        hopeless())
       break;
     if (!addFarPoints(nodes, body)) break;
     stage(onBody, term, true);
@@ -116,4 +122,4 @@ bool BiarcSearch::addFarPoints(const std::vector<BiarcNode>& nodes,
   return true;
 }
 
-}  // namespace bw::detail
+}  // namespace bw::biarc

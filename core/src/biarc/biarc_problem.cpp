@@ -11,7 +11,7 @@
 #include "base/work_meter.h"
 #include "biarc/biarc_formula.h"
 
-namespace bw::detail {
+namespace bw::biarc {
 
 namespace {
 
@@ -27,8 +27,15 @@ constexpr double kSteep = 2.6, kSteepOfMany = 1.3, kSteepMargin = 0.5;
 constexpr int kFewBiarcs = 3;
 /// A descent whose tangent ends this near (rad) to its bound is held by it.
 constexpr double kNearBound = 0.02;
-/// No shorter step is tried.
-constexpr double kDampingLimit = 1e12;
+/// Levenberg and Marquardt's damping, over the diagonal: at first, at least, and where no shorter step is
+/// tried.
+constexpr double kFirstDamping = 1e-3, kLeastDamping = 1e-12, kDampingLimit = 1e12;
+/// What the diagonal gets besides, so that no unknown is free: a part of the mean over its kind, and this.
+constexpr double kMeanShare = 1e-3, kLeastDiagonal = 1e-12;
+/// A gradient below this is rounding.
+constexpr double kNoGradient = 1e-14;
+/// Curvature measures below count as this where they are divided by: a straight line.
+constexpr double kStraight = 1e-8;
 /// Makes a bounded unknown stay where it is for one step.
 constexpr double kHold = 1e30;
 /// Work (`WorkMeter`) of a data point's foot, and of a node in the solution for a step.
@@ -79,7 +86,7 @@ bool BiarcProblem::evaluate(State& state, const BiarcTerm& term) const {
   state.value = 0;
   state.largest = 0;
   if (term.distanceWeight > 0) {
-    chargeWork(kFootWork * std::ssize(data_));
+    detail::chargeWork(kFootWork * std::ssize(data_));
     const ArcTree tree(state.chain.arcs(), closed_);
     state.feet.resize(data_.size());
     int seed = 0;
@@ -159,8 +166,8 @@ void BiarcProblem::assemble(const State& state, const BiarcTerm& term, Eigen::Sp
   if (term.distanceWeight > 0 && state.largest > 0) addDistances(state, term, blocks, rows);
   if (term.curvatureWeight > 0) {
     const double whole = curvatureOf(state.chain.arcs(), term.curvature);
-    const double outer =
-        term.curvatureWeight * (term.curvature == BiarcCurvature::energy ? 1 : 0.5 / std::max(whole, 1e-8));
+    const double outer = term.curvatureWeight *
+                         (term.curvature == BiarcCurvature::energy ? 1 : 0.5 / std::max(whole, kStraight));
     for (int k = 0; k < biarcs; ++k) {
       rows[std::size_t(k)] += outer * curvatureGradient(state.chain, k, term.curvature);
       blocks[std::size_t(k)] += outer * curvatureHessian(state.chain, k, term.curvature);
@@ -201,12 +208,12 @@ BiarcDescent BiarcProblem::descend(const std::vector<BiarcNode>& start, const Bi
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver;
   Eigen::SparseMatrix<double> hessian;
   Eigen::VectorXd gradient;
-  double damping = 1e-3, growth = 2;
+  double damping = kFirstDamping, growth = 2;
   int quiet = 0;
   bool fresh = true, analysed = false, bounded = false;
   const int count = int(start.size());
-  while (result.iterations < limits.iterations && !context.stopped() && !workExhausted()) {
-    chargeWork(kNodeWork * count);
+  while (result.iterations < limits.iterations && !context.stopped() && !detail::workExhausted()) {
+    detail::chargeWork(kNodeWork * count);
     if (term.distanceWeight > 0 && state.largest <= limits.enough) {
       result.converged = true;
       break;
@@ -215,7 +222,7 @@ BiarcDescent BiarcProblem::descend(const std::vector<BiarcNode>& start, const Bi
       assemble(state, term, hessian, gradient);
       fresh = false;
     }
-    if (!(gradient.lpNorm<Eigen::Infinity>() > 1e-14)) {
+    if (!(gradient.lpNorm<Eigen::Infinity>() > kNoGradient)) {
       result.converged = true;
       break;
     }
@@ -226,7 +233,7 @@ BiarcDescent BiarcProblem::descend(const std::vector<BiarcNode>& start, const Bi
     for (int i = 0; i < 4 * count; ++i)
       if (freeUnknown(i / 4, i % 4, count)) mean[i % 4] += std::abs(diagonal[i]) / count;
     for (int i = 0; i < 4 * count; ++i)
-      damped.coeffRef(i, i) += damping * (std::abs(diagonal[i]) + 1e-3 * mean[i % 4] + 1e-12);
+      damped.coeffRef(i, i) += damping * (std::abs(diagonal[i]) + kMeanShare * mean[i % 4] + kLeastDiagonal);
     // A share at its bound that wants beyond stays.
     for (int i = 3; i < 4 * count; i += 4) {
       const double z = state.chain.nodes()[std::size_t(i / 4)][3];
@@ -257,7 +264,7 @@ BiarcDescent BiarcProblem::descend(const std::vector<BiarcNode>& start, const Bi
         const double gain = state.value - trial.value;
         quiet = gain < limits.quiet * state.value ? quiet + 1 : 0;
         const double ratio = predicted > 0 ? std::min(gain / predicted, 2.0) : 1;
-        damping = std::max(1e-12, damping * std::max(1.0 / 5, 1 - std::pow(2 * ratio - 1, 3)));
+        damping = std::max(kLeastDamping, damping * std::max(1.0 / 5, 1 - std::pow(2 * ratio - 1, 3)));
         growth = 2;
         state = std::move(trial);
         fresh = accepted = true;
@@ -280,18 +287,4 @@ BiarcDescent BiarcProblem::descend(const std::vector<BiarcNode>& start, const Bi
   return result;
 }
 
-double BiarcProblem::value(const std::vector<BiarcNode>& nodes, const BiarcTerm& term) const {
-  State state{BiarcChain(nodes, closed_), {}};
-  evaluate(state, term);
-  return state.value;
-}
-
-Eigen::VectorXd BiarcProblem::gradient(const std::vector<BiarcNode>& nodes, const BiarcTerm& term) const {
-  State state{BiarcChain(nodes, closed_), {}};
-  Eigen::SparseMatrix<double> hessian;
-  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(4 * Eigen::Index(nodes.size()));
-  if (evaluate(state, term)) assemble(state, term, hessian, gradient);
-  return gradient;
-}
-
-}  // namespace bw::detail
+}  // namespace bw::biarc

@@ -11,7 +11,7 @@
 #include "biarc/biarc_chain.h"
 #include "bw/core/base/run_context.h"
 
-namespace bw::detail {
+namespace bw::biarc {
 
 /// A differentiable measure (docs/mathematics.md, "Biarcs"): distanceWeight · D + curvatureWeight · C.
 struct BiarcTerm {
@@ -84,11 +84,6 @@ class BiarcProblem {
   BiarcDescent descend(const std::vector<BiarcNode>& start, const BiarcTerm& term, const Limits& limits,
                        const RunContext& context) const;
 
-  /// The term's value; infinite for a chain that is not valid.
-  double value(const std::vector<BiarcNode>& nodes, const BiarcTerm& term) const;
-  /// The term's gradient by all unknowns, fixed ones 0. For the check against differences.
-  Eigen::VectorXd gradient(const std::vector<BiarcNode>& nodes, const BiarcTerm& term) const;
-
  private:
   struct State;
   bool evaluate(State& state, const BiarcTerm& term) const;
@@ -103,4 +98,4 @@ class BiarcProblem {
   BiarcFreedom freedom_;
 };
 
-}  // namespace bw::detail
+}  // namespace bw::biarc

@@ -10,7 +10,7 @@
 #include "base/work_meter.h"
 #include "biarc/biarc_formula.h"
 
-namespace bw::detail {
+namespace bw::biarc {
 
 namespace {
 
@@ -268,7 +268,7 @@ Result<BiarcOutcome> BiarcSearch::fewest(const RunContext& context) {
     return false;
   };
   int low = 1, high = 2;  // the number of points: too few, enough
-  const auto ended = [&] { return context.stopped() || workExhausted(); };
+  const auto ended = [&] { return context.stopped() || detail::workExhausted(); };
   while (!attempt(high) && high < most && !ended()) {
     low = high;
     high = std::min(most, 2 * high);
@@ -286,4 +286,4 @@ Result<BiarcOutcome> BiarcSearch::fewest(const RunContext& context) {
   return best;
 }
 
-}  // namespace bw::detail
+}  // namespace bw::biarc

@@ -11,7 +11,7 @@
 #include "biarc/tube_order.h"
 #include "bw/core/biarc/biarc.h"
 
-namespace bw::detail {
+namespace bw::biarc {
 
 /// The chosen points of every start that the options ask for. `chain` is the data without repeats, `tube` the
 /// order of its points.
@@ -82,4 +82,4 @@ class BiarcSearch {
   BiarcFreedom freedom_;
 };
 
-}  // namespace bw::detail
+}  // namespace bw::biarc

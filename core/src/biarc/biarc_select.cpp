@@ -7,7 +7,7 @@
 #include <cmath>
 #include <queue>
 
-namespace bw::detail {
+namespace bw::biarc {
 
 namespace {
 
@@ -102,4 +102,4 @@ Points selectByCurvature(const Points& chain, bool closed, int count) {
   return selectByMeasure(chain, closed, count, measure);
 }
 
-}  // namespace bw::detail
+}  // namespace bw::biarc

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace bw::detail {
+namespace bw::biarc {
 
 using Points = std::vector<Eigen::Vector2d>;
 
@@ -28,4 +28,4 @@ Points selectByCurvature(const Points& chain, bool closed, int count);
 /// non-decreasing; for a closed chain one value more, at the return to the first point.
 Points selectByMeasure(const Points& chain, bool closed, int count, const std::vector<double>& measure);
 
-}  // namespace bw::detail
+}  // namespace bw::biarc

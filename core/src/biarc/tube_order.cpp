@@ -11,7 +11,7 @@
 
 #include "base/work_meter.h"
 
-namespace bw::detail {
+namespace bw::biarc {
 
 namespace {
 
@@ -50,7 +50,7 @@ class ChordTree {
     for (; low < high; low /= 2, high /= 2) size *= 2;
     const int begin = low * size - leaves_ * kLeaf;
     if (first <= last) search({low, begin, begin + size}, std::numeric_limits<double>::max(), query);
-    chargeWork(kQueryWork + query.looks / kLooks);
+    detail::chargeWork(kQueryWork + query.looks / kLooks);
     return query.worst;
   }
 
@@ -148,7 +148,7 @@ void TubeOrder::find() {
   if (known_) return;
   known_ = true;
   const int size = int(chain_.size());
-  const WorkMeter meter = WorkMeter::share(kShare);
+  const detail::WorkMeter meter = detail::WorkMeter::share(kShare);
   const ChordTree tree(chain_);
   std::vector<int> before(chain_.size()), after(chain_.size()), version(chain_.size(), 0);
   for (int i = 0; i < size; ++i) {
@@ -172,9 +172,9 @@ void TubeOrder::find() {
   const auto offer = [&](int i) {
     if (closed_ || (i != 0 && i != size - 1)) queue.push({cost(i), i, ++version[std::size_t(i)]});
   };
-  for (int i = 0; i < size && !workExhausted(); ++i) offer(i);
+  for (int i = 0; i < size && !detail::workExhausted(); ++i) offer(i);
   int left = size;
-  while (left > 2 && !queue.empty() && !workExhausted()) {
+  while (left > 2 && !queue.empty() && !detail::workExhausted()) {
     const Candidate next = queue.top();
     queue.pop();
     const std::size_t i = std::size_t(next.point);
@@ -216,4 +216,4 @@ Points TubeOrder::within(double epsilon) {
   return without(std::size_t(std::max<std::ptrdiff_t>(drops, 0)));
 }
 
-}  // namespace bw::detail
+}  // namespace bw::biarc

@@ -7,7 +7,7 @@
 
 #include "biarc/biarc_select.h"
 
-namespace bw::detail {
+namespace bw::biarc {
 
 /// The order in which the points of a chain are dropped when always the one goes whose absence moves the
 /// dropped points least out of the chain of the rest (report, section 4.1, way 3). Found once for all
@@ -38,4 +38,4 @@ class TubeOrder {
   std::vector<Drop> drops_;
 };
 
-}  // namespace bw::detail
+}  // namespace bw::biarc

@@ -19,6 +19,10 @@ namespace bw {
 namespace {
 
 constexpr int kMaxIterations = 100;
+/// The solver goes on to rounding, relatively: a few iterations more than measurements need.
+constexpr double kRounding = 1e-16;
+/// Stands for 0 where it is divided by.
+constexpr double kTiny = 1e-300;
 /// Directions of the unknowns (each in units of its own error) that the measurements determine worse than
 /// this by comparison are not determined.
 constexpr double kDeterminate = 1e-10;
@@ -55,8 +59,8 @@ class Residuals : public ceres::CostFunction {
     for (std::size_t i = 0; i < task_.measurements.size(); ++i) {
       if (detail::workExhausted()) return false;
       const CalibrationMeasurement& m = task_.measurements[i];
-      const Result<BladeHeight> hung =
-          detail::hangBlade(values[kLength] * task_.stretch[i], corrected(m, values[kAngleOffset]), false);
+      const Result<BladeHeight> hung = calibration::hangBlade(values[kLength] * task_.stretch[i],
+                                                              corrected(m, values[kAngleOffset]), false);
       if (!hung) return false;
       residuals[i] = (hung->height + values[kHeightOffset] - m.held.height) / task_.sigma[i];
       if (!jacobians || !jacobians[0]) continue;
@@ -189,7 +193,7 @@ Result<CalibrationResult> calibrateBlade(const std::vector<CalibrationMeasuremen
   double values[kUnknowns] = {weightedLength / weightSum, 0, 0};
   const double mean = values[kLength];
   for (std::size_t i = 0; i < count; ++i)
-    if (!detail::hangBlade(mean * task.stretch[i], measurements[i].held, false))
+    if (!calibration::hangBlade(mean * task.stretch[i], measurements[i].held, false))
       return fail(ErrorCode::noSolution,
                   "measurements[" + std::to_string(i) + "] alone gives a length of " +
                       shortText(result.items[i].singleLength, 6) +
@@ -206,9 +210,9 @@ Result<CalibrationResult> calibrateBlade(const std::vector<CalibrationMeasuremen
   ceres::Solver::Options solver;
   solver.linear_solver_type = ceres::DENSE_QR;
   solver.max_num_iterations = kMaxIterations;
-  solver.function_tolerance = 1e-16;
-  solver.gradient_tolerance = 1e-16;
-  solver.parameter_tolerance = 1e-15;
+  solver.function_tolerance = kRounding;
+  solver.gradient_tolerance = kRounding;
+  solver.parameter_tolerance = 10 * kRounding;
   solver.logging_type = ceres::SILENT;
   solver.num_threads = 1;
   ceres::Solver::Summary summary;
@@ -226,7 +230,7 @@ Result<CalibrationResult> calibrateBlade(const std::vector<CalibrationMeasuremen
   if (!residuals.Evaluate(parameters, r.data(), jacobians))
     return fail(ErrorCode::internal, "the calibrated blade cannot be evaluated", "measurements");
   // Scaled to unit columns, so that mm and rad compare.
-  const Eigen::VectorXd scale = jacobian.colwise().norm().cwiseMax(1e-300).cwiseInverse();
+  const Eigen::VectorXd scale = jacobian.colwise().norm().cwiseMax(kTiny).cwiseInverse();
   const Eigen::MatrixXd normal = scale.asDiagonal() * (jacobian.transpose() * jacobian) * scale.asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(normal);
   if (!(eigen.eigenvalues()[0] > kDeterminate))

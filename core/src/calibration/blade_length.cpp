@@ -4,7 +4,6 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <functional>
 
@@ -14,11 +13,12 @@
 #include "bw/core/text/number_text.h"
 #include "calibration/hang_blade.h"
 #include "calibration/symmetric_arc.h"
+#include "optimise/bracketed_root.h"
 
 namespace bw {
 namespace {
 
-using detail::SymmetricArc;
+using calibration::SymmetricArc;
 
 /// Largest end angle, rad: at π the ends would point straight at each other.
 constexpr double kLargestAngle = 3.1;
@@ -36,7 +36,8 @@ constexpr double kSmallest = 1e-9, kLargest = 1e12;
 constexpr double kStraight = 1e-12;
 /// A curvature that is the same at the ends and in the middle to this part is that of a circle.
 constexpr double kCircle = 1e-13;
-constexpr std::uintmax_t kMaxIterations = 200;
+/// First step from the guess of a logarithm towards the root's other side; the next are twice as long.
+constexpr double kFirstStep = 0.25;
 /// Work (`WorkMeter`) of one blade hung up.
 constexpr std::int64_t kHangWork = 200;
 
@@ -51,9 +52,9 @@ struct Family {
 Family clampedFamily(double angle, double size) {
   const double sine = std::sin(0.5 * angle), cosine = std::cos(0.5 * angle);
   Family family;
-  family.arc = [sine, cosine](double t) { return detail::symmetricArc(sine, cosine, std::exp(t)); };
-  family.highest = std::log(
-      detail::tallestArc(sine, angle <= 0.5 * kPi ? detail::kTouchingModulus : std::max(kSearchEnd, sine)));
+  family.arc = [sine, cosine](double t) { return calibration::symmetricArc(sine, cosine, std::exp(t)); };
+  family.highest = std::log(calibration::tallestArc(
+      sine, angle <= 0.5 * kPi ? calibration::kTouchingModulus : std::max(kSearchEnd, sine)));
   family.lowest = sine > 0 ? std::log(4 * sine * sine / (1 + kTautest)) : -200;
   family.guess = std::log(std::max(2 * sine * sine, 2 * kPi * kPi * size * size));
   return family;
@@ -61,8 +62,8 @@ Family clampedFamily(double angle, double size) {
 
 Family hingedFamily(double size) {
   Family family;
-  family.arc = [](double t) { return detail::hingedArc(std::exp(t)); };
-  family.highest = std::log(detail::kHingesMeet);
+  family.arc = [](double t) { return calibration::hingedArc(std::exp(t)); };
+  family.highest = std::log(calibration::kHingesMeet);
   family.lowest = -200;
   family.guess = std::log(0.5 * kPi * size);
   return family;
@@ -78,26 +79,17 @@ struct Root {
 /// The root of a function that falls from positive to negative over the family.
 template <class Function>
 Root descendingRoot(const Family& family, const Function& f) {
-  double t = std::clamp(family.guess, family.lowest, family.highest);
-  double value = f(t);
+  double t = std::clamp(family.guess, family.lowest, family.highest), other = t, value = f(t);
   const bool up = value > 0;
-  double other = t, otherValue = value;
-  for (double step = 0.25; (otherValue > 0) == up && otherValue != 0; step *= 2) {
-    const double end = up ? family.highest : family.lowest;
+  const double end = up ? family.highest : family.lowest;
+  for (double step = kFirstStep; value != 0 && (value > 0) == up; step *= 2) {
     if (other == end) return {end, up ? Bound::high : Bound::low};
     t = other;
-    value = otherValue;
     other = up ? std::min(other + step, end) : std::max(other - step, end);
-    otherValue = f(other);
+    value = f(other);
   }
-  if (value == 0) return {t};
-  if (otherValue == 0) return {other};
-  std::uintmax_t iterations = kMaxIterations;
-  const bool ordered = t < other;
-  const auto [low, high] = boost::math::tools::toms748_solve(
-      f, ordered ? t : other, ordered ? other : t, ordered ? value : otherValue, ordered ? otherValue : value,
-      boost::math::tools::eps_tolerance<double>(52), iterations);
-  return {0.5 * (low + high)};
+  return {
+      optimise::bracketedRoot(f, std::min(t, other), std::max(t, other), optimise::kFourRoundings).middle()};
 }
 
 std::string mm(double x) { return shortText(x, 6) + " mm"; }
@@ -222,8 +214,8 @@ Result<BladeLength> bladeLength(const BladeMeasurement& m) {
   return assemble(family.arc(root.at), m, true);
 }
 
-Result<BladeHeight> detail::hangBlade(double length, const BladeMeasurement& m, bool withStability) {
-  chargeWork(kHangWork);
+Result<BladeHeight> calibration::hangBlade(double length, const BladeMeasurement& m, bool withStability) {
+  detail::chargeWork(kHangWork);
   if (Result<void> ok = check(m, false); !ok) return tl::unexpected<Error>(ok.error());
   if (!(length >= kSmallest && length <= kLargest))
     return fail(ErrorCode::badInput, "the blade's length must be greater than 0 mm", "length", length,
@@ -258,7 +250,7 @@ Result<BladeHeight> detail::hangBlade(double length, const BladeMeasurement& m, 
 }
 
 Result<BladeHeight> bladeHeight(double length, const BladeMeasurement& m) {
-  return detail::hangBlade(length, m, true);
+  return calibration::hangBlade(length, m, true);
 }
 
 }  // namespace bw

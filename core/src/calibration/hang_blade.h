@@ -4,9 +4,9 @@
 
 #include "bw/core/calibration/blade_length.h"
 
-namespace bw::detail {
+namespace bw::calibration {
 
 /// `bladeHeight`; without the check of stability, which costs most, for use inside an iteration.
 Result<BladeHeight> hangBlade(double length, const BladeMeasurement& measurement, bool withStability);
 
-}  // namespace bw::detail
+}  // namespace bw::calibration

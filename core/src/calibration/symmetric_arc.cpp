@@ -6,7 +6,7 @@
 #include <boost/math/special_functions/ellint_rf.hpp>
 #include <cmath>
 
-namespace bw::detail {
+namespace bw::calibration {
 namespace {
 
 // Double precision is enough, and three times as fast as the library's detour through extended precision.
@@ -55,4 +55,4 @@ double tallestArc(double sine, double k) {
   return 4 * k * k * (1 + std::sqrt((1 - ratio) * (1 + ratio)));
 }
 
-}  // namespace bw::detail
+}  // namespace bw::calibration

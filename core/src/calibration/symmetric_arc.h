@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-namespace bw::detail {
+namespace bw::calibration {
 
 /// Half of a symmetric elastica segment, from its middle (curvature 1, tangent along x) to its end (tangent
 /// angle α), in one parameter that passes through all cases of thesis 8 without a seam: the height of the end
@@ -31,4 +31,4 @@ inline constexpr double kTouchingModulus = 0.855092407720383;
 /// The modulus at which hinged ends meet: 2 E = K (thesis 8.1).
 inline constexpr double kHingesMeet = 0.908908557548541;
 
-}  // namespace bw::detail
+}  // namespace bw::calibration

@@ -10,7 +10,7 @@
 
 namespace bw {
 
-using namespace detail;
+using namespace constructions;
 
 namespace {
 

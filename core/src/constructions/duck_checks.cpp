@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-namespace bw::detail {
+namespace bw::constructions {
 
 Result<void> checkDucks(const std::vector<Eigen::Vector2d>& points) {
   if (points.size() < 2)
@@ -38,4 +38,4 @@ Result<void> checkTangents(const std::vector<double>& tangents, std::size_t poin
   return {};
 }
 
-}  // namespace bw::detail
+}  // namespace bw::constructions

@@ -8,7 +8,7 @@
 
 #include "bw/core/base/result.h"
 
-namespace bw::detail {
+namespace bw::constructions {
 
 /// At least 2 finite points, neighbours apart.
 Result<void> checkDucks(const std::vector<Eigen::Vector2d>& points);
@@ -16,4 +16,4 @@ Result<void> checkDucks(const std::vector<Eigen::Vector2d>& points);
 /// No tangents, or one finite angle a point.
 Result<void> checkTangents(const std::vector<double>& tangents, std::size_t points);
 
-}  // namespace bw::detail
+}  // namespace bw::constructions

@@ -3,15 +3,15 @@
 
 #include "constructions/duck_descent.h"
 
-#include <Eigen/Eigenvalues>
-#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/work_meter.h"
 #include "bw/core/elastica/elastica_bvp.h"
 #include "constructions/duck_stability.h"
+#include "optimise/bounded_newton.h"
 
-namespace bw::detail {
+namespace bw::constructions {
 
 namespace {
 
@@ -20,24 +20,20 @@ constexpr int kIterations = 60;
 constexpr double kLongestStep = 0.5;
 /// Rest, in units of one over the mean chord: the equations are solved from here.
 constexpr double kAtRest = 1e-8;
-/// Curvatures of the energy below this part of the largest count as this.
-constexpr double kFlattest = 1e-6;
-constexpr int kHalvings = 20;
-/// Work (`WorkMeter`) of the eigenvalues, in cubes of the number of unknowns.
-constexpr std::int64_t kCubesPerUnit = 20;
 
+/// The chain at angle of duck 0, length 0, angle of duck 1, length 1, …
 std::optional<ClampedChain> clampedChain(const std::vector<Eigen::Vector2d>& ducks,
-                                         const std::vector<double>& angles,
-                                         const std::vector<double>& lengths) {
+                                         const Eigen::VectorXd& place) {
   ClampedChain chain;
-  chain.angles = {angles.front()};
-  for (std::size_t i = 0; i < lengths.size(); ++i) {
-    if (workExhausted()) return std::nullopt;
+  chain.angles = {place[0]};
+  for (std::size_t i = 0; i + 1 < ducks.size(); ++i) {
+    if (detail::workExhausted()) return std::nullopt;
+    const Eigen::Index k = 2 * Eigen::Index(i);
     const Result<ClampedAnswer> answer = solveClamped({.start = ducks[i],
                                                        .end = ducks[i + 1],
-                                                       .startAngle = angles[i],
-                                                       .endAngle = angles[i + 1],
-                                                       .length = lengths[i]});
+                                                       .startAngle = place[k],
+                                                       .endAngle = place[k + 2],
+                                                       .length = place[k + 1]});
     if (!answer) return std::nullopt;
     const ClampedSolution& blade = answer->solutions.front();
     chain.angles.push_back(chain.angles.back() + blade.turning);
@@ -47,7 +43,7 @@ std::optional<ClampedChain> clampedChain(const std::vector<Eigen::Vector2d>& duc
   return chain;
 }
 
-/// The energy's gradient and second derivatives by angle at duck 0, length 0, angle at duck 1, length 1, …
+/// The energy's gradient and Hessian by these.
 void differentiate(const ClampedChain& chain, Eigen::VectorXd& gradient, Eigen::MatrixXd& hessian) {
   const Eigen::Index size = 2 * Eigen::Index(chain.pieces.size()) + 1;
   gradient.setZero(size);
@@ -68,61 +64,49 @@ void differentiate(const ClampedChain& chain, Eigen::VectorXd& gradient, Eigen::
 
 std::optional<ClampedChain> descendChain(const std::vector<Eigen::Vector2d>& ducks,
                                          const std::vector<char>& turns, DuckOptions::Lengths mode,
-                                         std::vector<double> angles, std::vector<double> lengths) {
-  std::optional<ClampedChain> chain = clampedChain(ducks, angles, lengths);
-  if (!chain) return std::nullopt;
-  const bool slides = mode == DuckOptions::Lengths::total;
+                                         const std::vector<double>& angles,
+                                         const std::vector<double>& lengths) {
+  Eigen::VectorXd place(2 * Eigen::Index(lengths.size()) + 1);
   std::vector<Eigen::Index> moving;
-  for (std::size_t i = 0; i < ducks.size(); ++i) {
-    if (turns[i]) moving.push_back(2 * Eigen::Index(i));
-    if (slides && i < lengths.size()) moving.push_back(2 * Eigen::Index(i) + 1);
+  for (Eigen::Index k = 0; k < place.size(); ++k) {
+    const std::size_t i = std::size_t(k / 2);
+    place[k] = k % 2 == 0 ? angles[i] : lengths[i];
+    if (k % 2 == 0 ? turns[i] != 0 : mode == DuckOptions::Lengths::total) moving.push_back(k);
   }
-  if (moving.empty()) return chain;
-  // The direction that would change the whole length.
-  Eigen::VectorXd whole = Eigen::VectorXd::Zero(Eigen::Index(moving.size()));
-  for (std::size_t j = 0; j < moving.size(); ++j)
-    if (moving[j] % 2 == 1) whole[Eigen::Index(j)] = 1 / std::sqrt(double(lengths.size()));
-  const std::int64_t unknowns = std::ssize(moving);
-  for (int iteration = 0; iteration < kIterations; ++iteration) {
-    // Told before it is done, so that no single decomposition exceeds the limit.
-    chargeWork(unknowns * unknowns * unknowns / kCubesPerUnit);
-    if (workExhausted()) break;
-    Eigen::VectorXd all;
-    Eigen::MatrixXd allHessian;
-    differentiate(*chain, all, allHessian);
-    Eigen::VectorXd gradient = all(moving);
-    Eigen::MatrixXd hessian = allHessian(moving, moving);
-    gradient -= whole * whole.dot(gradient);
-    if (!gradient.allFinite() || !hessian.allFinite() || gradient.lpNorm<Eigen::Infinity>() < kAtRest) break;
-    const Eigen::VectorXd along = hessian * whole;
-    hessian += (whole.dot(along)) * whole * whole.transpose() - along * whole.transpose() -
-               whole * along.transpose();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(hessian);
-    const Eigen::VectorXd sizes = solver.eigenvalues().cwiseAbs();
-    const Eigen::VectorXd parts = (solver.eigenvectors().transpose() * gradient)
-                                      .cwiseQuotient(sizes.cwiseMax(kFlattest * (1 + sizes.maxCoeff())));
-    Eigen::VectorXd step = -(solver.eigenvectors() * parts);
-    step -= whole * whole.dot(step);
-    if (const double longest = step.lpNorm<Eigen::Infinity>(); longest > kLongestStep)
-      step *= kLongestStep / longest;
-    std::optional<ClampedChain> next;
-    for (int halving = 0; halving < kHalvings; ++halving, step *= 0.5) {
-      std::vector<double> nextAngles = chain->angles, nextLengths = lengths;
-      for (std::size_t j = 0; j < moving.size(); ++j) {
-        const std::size_t i = std::size_t(moving[j] / 2);
-        (moving[j] % 2 == 0 ? nextAngles : nextLengths)[i] += step[Eigen::Index(j)];
-      }
-      next = clampedChain(ducks, nextAngles, nextLengths);
-      if (next && next->energy < chain->energy) {
-        lengths = nextLengths;
-        break;
-      }
-      next.reset();
+  std::optional<ClampedChain> chain = clampedChain(ducks, place), rest = chain;
+  if (!chain || moving.empty()) return chain;
+  for (std::size_t i = 0; i < ducks.size(); ++i) place[2 * Eigen::Index(i)] = chain->angles[i];
+  // The direction that would change the whole length: the energy is taken as constant along it.
+  const Eigen::Index unknowns = std::ssize(moving);
+  Eigen::VectorXd whole(unknowns);
+  for (Eigen::Index j = 0; j < unknowns; ++j)
+    whole[j] = moving[std::size_t(j)] % 2 == 1 ? 1 / std::sqrt(double(lengths.size())) : 0;
+  const auto energy = [&](const Eigen::VectorXd& x, bool derivatives) {
+    if (x != place(moving)) {
+      place(moving) = x;
+      chain = clampedChain(ducks, place);
     }
-    if (!next) break;
-    chain = std::move(next);
-  }
-  return chain;
+    optimise::SmoothValue now;
+    now.value = chain ? chain->energy : std::numeric_limits<double>::infinity();
+    if (!derivatives) return now;
+    rest = chain;
+    Eigen::VectorXd gradient;
+    Eigen::MatrixXd hessian;
+    differentiate(*chain, gradient, hessian);
+    now.gradient = gradient(moving) - whole * whole.dot(gradient(moving));
+    now.hessian = hessian(moving, moving);
+    const Eigen::VectorXd along = now.hessian * whole;
+    now.hessian +=
+        whole.dot(along) * whole * whole.transpose() - along * whole.transpose() - whole * along.transpose();
+    return now;
+  };
+  const Eigen::VectorXd bound = Eigen::VectorXd::Constant(unknowns, std::numeric_limits<double>::infinity());
+  optimise::boundedNewton(energy, place(moving), -bound, bound,
+                          {.gradient = kAtRest,
+                           .iterations = kIterations,
+                           .indefinite = optimise::Indefinite::reflect,
+                           .longestStep = kLongestStep});
+  return rest;
 }
 
-}  // namespace bw::detail
+}  // namespace bw::constructions

@@ -10,7 +10,7 @@
 #include "bw/core/constructions/spline_constructions.h"
 #include "bw/core/elastica/elastica.h"
 
-namespace bw::detail {
+namespace bw::constructions {
 
 /// A chain of blades that each rest between their ducks.
 struct ClampedChain {
@@ -20,11 +20,11 @@ struct ClampedChain {
 };
 
 /// Lets a spline of elastica slide into rest: from blades clamped at `angles` (one a duck) with `lengths`
-/// (one a piece) downhill in energy, by Newton's method with the curvatures of the energy taken positive,
-/// over the tangents of the ducks that turn (`turns`) and, where only the whole length is given, over the
-/// lengths. Empty where no blade fits the start.
+/// (one a piece) downhill in energy over the tangents of the ducks that turn (`turns`) and, where only the
+/// whole length is given, over the lengths. Empty where no blade fits the start.
 std::optional<ClampedChain> descendChain(const std::vector<Eigen::Vector2d>& ducks,
                                          const std::vector<char>& turns, DuckOptions::Lengths mode,
-                                         std::vector<double> angles, std::vector<double> lengths);
+                                         const std::vector<double>& angles,
+                                         const std::vector<double>& lengths);
 
-}  // namespace bw::detail
+}  // namespace bw::constructions

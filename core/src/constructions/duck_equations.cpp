@@ -10,13 +10,15 @@
 #include "base/work_meter.h"
 #include "bw/core/base/units.h"
 
-namespace bw::detail {
+namespace bw::constructions {
 
 namespace {
 
 /// All equations, dimensionless, must hold to this.
 constexpr double kSolved = 1e-11;
 constexpr int kIterations = 100;
+/// Of Levenberg and Marquardt, over what the equations miss: at first, at least, and where to give up.
+constexpr double kFirstDamping = 1e-3, kLeastDamping = 1e-9, kHopeless = 1e8;
 /// Steps of the unknowns, in units of the mean chord and in rad.
 constexpr double kLongestStep = 0.5;
 /// Work (`WorkMeter`) of a solution, for each unknown.
@@ -133,11 +135,11 @@ bool DuckEquations::solve(Eigen::VectorXd& u, int& iterations) const {
   Eigen::VectorXd f, trial;
   Eigen::SparseMatrix<double> jacobian;
   if (!evaluate(u, f, &jacobian)) return false;
-  double damping = 1e-3;
+  double damping = kFirstDamping;
   for (int i = 0; i < kIterations; ++i) {
     if (f.lpNorm<Eigen::Infinity>() < kSolved) return true;
-    if (workExhausted()) break;
-    chargeWork(kUnknownWork * size());
+    if (detail::workExhausted()) break;
+    detail::chargeWork(kUnknownWork * size());
     ++iterations;
     Eigen::SparseMatrix<double> normal = jacobian.transpose() * jacobian;
     for (Eigen::Index d = 0; d < normal.cols(); ++d) normal.coeffRef(d, d) += damping * f.norm();
@@ -153,14 +155,13 @@ bool DuckEquations::solve(Eigen::VectorXd& u, int& iterations) const {
     if (evaluate(next, trial, nullptr) && trial.norm() < f.norm()) {
       u = next;
       if (!evaluate(u, f, &jacobian)) return false;
-      damping = std::max(1e-9, damping / 5);
+      damping = std::max(kLeastDamping, damping / 5);
     } else {
       damping *= 4;
-      constexpr double kHopeless = 1e8;
       if (damping > kHopeless) break;
     }
   }
   return f.lpNorm<Eigen::Infinity>() < kSolved;
 }
 
-}  // namespace bw::detail
+}  // namespace bw::constructions

@@ -11,7 +11,7 @@
 #include "bw/core/constructions/spline_constructions.h"
 #include "bw/core/elastica/elastica.h"
 
-namespace bw::detail {
+namespace bw::constructions {
 
 /// The equations of an elastica chain through ducks (docs/mathematics.md, "Spline constructions"): end point
 /// and end angle of each piece, one for its length, one for each duck. The unknowns: κ0, λ1, λ2, length of
@@ -37,11 +37,11 @@ class DuckEquations {
   void settleAngles(const Eigen::VectorXd& unknowns);
   /// Levenberg–Marquardt to zero residual; counts its iterations. True if all equations hold.
   bool solve(Eigen::VectorXd& unknowns, int& iterations) const;
+  /// What the equations miss, with derivatives if asked for; false where the unknowns describe no elastica.
+  bool evaluate(const Eigen::VectorXd& u, Eigen::VectorXd& f, Eigen::SparseMatrix<double>* jacobian) const;
 
  private:
   std::optional<double> askedAngle(std::size_t duck) const;
-  /// False where the unknowns describe no elastica.
-  bool evaluate(const Eigen::VectorXd& u, Eigen::VectorXd& f, Eigen::SparseMatrix<double>* jacobian) const;
 
   const std::vector<Eigen::Vector2d>& ducks_;
   const DuckOptions& options_;
@@ -49,4 +49,4 @@ class DuckEquations {
   std::vector<std::optional<double>> given_;
 };
 
-}  // namespace bw::detail
+}  // namespace bw::constructions

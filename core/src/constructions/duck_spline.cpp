@@ -16,7 +16,7 @@
 
 namespace bw {
 
-using namespace detail;
+using namespace constructions;
 
 namespace {
 

@@ -11,7 +11,7 @@
 
 #include "bw/core/elastica/elastica_stability.h"
 
-namespace bw::detail {
+namespace bw::constructions {
 
 Eigen::Matrix3d pieceHessian(const Elastica& piece) {
   Elastica::Jacobian d;
@@ -71,4 +71,4 @@ bool isChainStable(const std::vector<Elastica>& pieces, const std::vector<char>&
   return (pivots.array() == 0).count() == 0 && (pivots.array() < 0).count() == (total ? 1 : 0);
 }
 
-}  // namespace bw::detail
+}  // namespace bw::constructions

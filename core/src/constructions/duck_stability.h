@@ -9,7 +9,7 @@
 #include "bw/core/constructions/spline_constructions.h"
 #include "bw/core/elastica/elastica.h"
 
-namespace bw::detail {
+namespace bw::constructions {
 
 /// Second derivatives of the energy of a piece with fixed end points by its start angle, length and end
 /// angle; not finite at a conjugate point. docs/mathematics.md, "Spline constructions".
@@ -21,4 +21,4 @@ Eigen::Matrix3d pieceHessian(const Elastica& piece);
 bool isChainStable(const std::vector<Elastica>& pieces, const std::vector<char>& turns,
                    DuckOptions::Lengths mode);
 
-}  // namespace bw::detail
+}  // namespace bw::constructions

@@ -18,6 +18,8 @@ constexpr int kMaxIterations = 50;
 constexpr int kMaxHalvings = 20;
 /// Of the ends (over the length) and of the total turning, seen from the middle.
 constexpr double kMet = 1e-12;
+/// Where rounding begins: Newton's method goes on to here if it can.
+constexpr double kRounding = 0.01 * kMet;
 /// The same along the whole length: a taut blade's far end hangs on the last digits of its start.
 constexpr double kNearlyMet = 1e-8;
 /// A deviation beyond this part of the length is another shape.
@@ -32,7 +34,7 @@ struct Shot {
   double startAngle = 0;  ///< against the middle
   double startCurvature = 0;
   Vector3d miss = Vector3d::Zero();  ///< of the chord in the frame of the start, and of the turning
-  Eigen::Matrix3d slope = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d jacobian = Eigen::Matrix3d::Zero();
 };
 
 Result<Shot> shoot(const Vector2d& chord, double turning, const Vector3d& unknowns) {
@@ -47,9 +49,9 @@ Result<Shot> shoot(const Vector2d& chord, double turning, const Vector3d& unknow
   const Eigen::Matrix3d ends = last.topRightCorner<3, 3>() - first.topRightCorner<3, 3>();
   Shot shot{start.angle, start.curvature, {}, {}};
   shot.miss << across - chord, end.angle - start.angle - turning;
-  shot.slope.topRows<2>() =
+  shot.jacobian.topRows<2>() =
       frame * ends.topRows<2>() + Vector2d(across.y(), -across.x()) * first.row(2).tail<3>();
-  shot.slope.row(2) = ends.row(2);
+  shot.jacobian.row(2) = ends.row(2);
   return shot;
 }
 
@@ -100,8 +102,8 @@ Result<Reached> reach(const Vector2d& chord, double turning, const Vector3d& sta
   const Result<Shot> first = shoot(chord, turning, start);
   if (!first) return tl::unexpected<Error>(first.error());
   Reached now{start, *first, first->miss.norm(), 0};
-  for (; now.iterations < kMaxIterations && now.miss > 0.01 * kMet; ++now.iterations) {
-    const Vector3d step = now.shot.slope.fullPivLu().solve(-now.shot.miss);
+  for (; now.iterations < kMaxIterations && now.miss > kRounding; ++now.iterations) {
+    const Vector3d step = now.shot.jacobian.fullPivLu().solve(-now.shot.miss);
     if (!step.allFinite()) break;
     bool better = false;
     double t = 1;

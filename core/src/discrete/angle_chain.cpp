@@ -10,7 +10,7 @@
 #include "base/work_meter.h"
 #include "bw/core/base/units.h"
 
-namespace bw::detail {
+namespace bw::discrete {
 namespace {
 
 using Eigen::Vector2d;
@@ -30,6 +30,8 @@ constexpr int kMaxHalvings = 25;
 constexpr double kFirstShift = 3, kLastShift = 1e12;
 /// The two conditions on the end count as dependent (a straight chain) below this.
 constexpr double kDependent = 1e-13;
+/// Pivots below this part of the off-diagonal entries are rounding.
+constexpr double kLeastPivot = 1e-14;
 /// Turn with which a straight chain leaves the undecided state, rad.
 constexpr double kBump = 0.05;
 constexpr double kClosed = 1e-11;
@@ -51,7 +53,7 @@ class Kkt {
       }
       // A pivot of zero is an eigenvalue of a leading part, not of the whole; a rounding away it does no
       // harm.
-      if (std::abs(pivots_[i]) < 1e-14 * std::abs(off_)) pivots_[i] = 1e-14 * std::abs(off_);
+      if (std::abs(pivots_[i]) < kLeastPivot * std::abs(off_)) pivots_[i] = kLeastPivot * std::abs(off_);
       if (pivots_[i] < 0) ++negative_;
     }
     solved_.resize(n, 2);
@@ -184,8 +186,8 @@ ChainSolution solveChain(const AngleChain& chain, std::vector<double> angles) {
     bumped = true;
     problem.place(x);
   };
-  while (solution.iterations < kMaxIterations && !workExhausted()) {
-    chargeWork(kSegmentWork * n);
+  while (solution.iterations < kMaxIterations && !detail::workExhausted()) {
+    detail::chargeWork(kSegmentWork * n);
     ++solution.iterations;
     const VectorXd slope = problem.gradient(x);
     double shift = 0;
@@ -255,4 +257,4 @@ ChainSolution solveChain(const AngleChain& chain, std::vector<double> angles) {
   return solution;
 }
 
-}  // namespace bw::detail
+}  // namespace bw::discrete

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace bw::detail {
+namespace bw::discrete {
 
 /// A chain of N segments of length 1/N in the unit of its length. Minimises ½ Σ (turning)²/(length) over the
 /// segments' angles, with its end point and its end angles given. docs/mathematics.md, discrete elastica.
@@ -31,4 +31,4 @@ struct ChainSolution {
 /// Newton's method from these angles (one a segment). Each step costs O(N).
 ChainSolution solveChain(const AngleChain& chain, std::vector<double> angles);
 
-}  // namespace bw::detail
+}  // namespace bw::discrete

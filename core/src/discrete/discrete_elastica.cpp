@@ -9,12 +9,13 @@
 #include "bw/core/elastica/elastica_bvp.h"
 #include "bw/core/text/number_text.h"
 #include "discrete/angle_chain.h"
+#include "optimise/bracketed_root.h"
 
 namespace bw {
 namespace {
 
-using detail::AngleChain;
-using detail::ChainSolution;
+using discrete::AngleChain;
+using discrete::ChainSolution;
 using Eigen::Vector2d;
 
 constexpr int kFewest = 4, kMost = 2000;
@@ -26,6 +27,9 @@ constexpr double kSameAngle = 1e-9;
 /// Energies this close (relative) are one: the earlier start wins.
 constexpr double kSameEnergy = 1e-9;
 constexpr double kLargest = 1e12;
+/// Handles of a Bézier start, over the length, and how well it is made as long as the chain, relatively:
+/// Newton's method does the rest.
+constexpr double kShortestHandle = 1e-3, kLongestHandle = 2, kSketched = 1e-6;
 
 double wrapped(double angle) { return std::remainder(angle, 2 * kPi); }
 
@@ -120,18 +124,14 @@ std::optional<std::vector<double>> bezierStart(const AngleChain& chain) {
     const Vector2d t1(std::cos(chain.endAngle), std::sin(chain.endAngle));
     return PlanarCurve::bezier({Vector2d::Zero(), handle * t0, chain.chord - handle * t1, chain.chord});
   };
-  constexpr double kLongestHandle = 2;
-  double low = 1e-3, high = kLongestHandle;
   const auto excess = [&](double handle) {
     const Result<PlanarCurve> sketch = curve(handle);
     return sketch ? sketch->length() - 1 : -1;
   };
-  if (!(excess(low) < 0 && excess(high) > 0)) return std::nullopt;
-  for (int i = 0; i < 20; ++i) {
-    const double middle = 0.5 * (low + high);
-    (excess(middle) < 0 ? low : high) = middle;
-  }
-  const Result<PlanarCurve> sketch = curve(high);
+  const optimise::RootBracket handle =
+      optimise::bracketedRoot(excess, kShortestHandle, kLongestHandle, kSketched);
+  if (handle.low == handle.high) return std::nullopt;
+  const Result<PlanarCurve> sketch = curve(handle.high);
   if (!sketch) return std::nullopt;
   std::vector<double> angles = directions(*sketch, chain.segments, chain.startAngle);
   if (std::abs(angles.back() - chain.endAngle) > 0.5 * kPi) return std::nullopt;

@@ -9,6 +9,7 @@
 #include "bw/core/base/units.h"
 #include "elastica/bvp_search.h"
 #include "elastica/pendulum_integrals.h"
+#include "optimise/bracketed_root.h"
 
 namespace bw::detail {
 
@@ -29,17 +30,15 @@ struct HalfWave {
 /// That whose chord along its force is 1 − `missing` of its length; `missing` in (0, 2) grows with k. Empty
 /// where k is 1 to all digits of t.
 std::optional<HalfWave> halfWave(double missing) {
-  constexpr double kLargestLevel = 300;
-  const auto at = [](double t) { return swing(modulusAt(t)); };
-  double low = 0, high = kLargestLevel;
-  if (const PendulumIntegrals most = at(high); 2 * most.square < missing * most.time) return std::nullopt;
-  for (;;) {
-    const double t = 0.5 * (low + high);
-    if (!(t > low && t < high)) break;
-    const PendulumIntegrals half = at(t);
-    (2 * half.square < missing * half.time ? low : high) = t;
-  }
-  return HalfWave{modulusAt(high), at(high).time};
+  // Far beyond what the digits of 1 − k² tell, on both sides.
+  constexpr double kSmallestLevel = 1e-60, kLargestLevel = 300;
+  const auto excess = [missing](double t) {
+    const PendulumIntegrals half = swing(modulusAt(t));
+    return 2 * half.square - missing * half.time;
+  };
+  if (excess(kLargestLevel) < 0) return std::nullopt;
+  const double t = optimise::bracketedRoot(excess, kSmallestLevel, kLargestLevel).high;
+  return HalfWave{modulusAt(t), swing(modulusAt(t)).time};
 }
 
 /// `count` of them, the first bending to the left for `side` 1, to the right for −1; the chord along the

@@ -8,8 +8,6 @@
 
 namespace bw::detail {
 
-namespace {}  // namespace
-
 SheetNode Sheets::swingingNode(double a, double t) const {
   const double b = a + turning_;
   const double sa = std::sin(0.5 * a), sb = std::sin(0.5 * b);

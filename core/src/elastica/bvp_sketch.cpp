@@ -12,6 +12,7 @@
 #include "base/work_meter.h"
 #include "bw/core/base/units.h"
 #include "elastica/clamped_modes.h"
+#include "optimise/bracketed_root.h"
 
 namespace bw::detail {
 
@@ -26,6 +27,8 @@ constexpr std::int64_t kRoundWork = 40;
 constexpr double kLargestTurn = 0.8;
 /// The descent ends when its step is this small; Newton's method on the curve itself does the rest.
 constexpr double kDescended = 1e-4;
+/// Relative accuracy of the logarithm of the force with which it begins.
+constexpr double kSketched = 1e-8;
 
 using Coefficients = Sketch::Coefficients;
 using Hessian = Eigen::Matrix<double, kModes, kModes>;
@@ -179,11 +182,9 @@ std::vector<Sketch> firstSketches(const UnitProblem& problem) {
   };
   // Below the buckling force ½ ∫ ϑ² grows with the force; ν = buckling − e^x.
   const auto solve = [&](double sign, double from, double to) {
-    for (int i = 0; i < 30; ++i) {
-      const double x = 0.5 * (from + to);
-      (theory.excess(theory.at(buckling + sign * std::exp(x))) > 0 ? from : to) = x;
-    }
-    return buckling + sign * std::exp(from);
+    const auto force = [&](double x) { return buckling + sign * std::exp(x); };
+    const auto excess = [&](double x) { return theory.excess(theory.at(force(x))); };
+    return force(optimise::bracketedRoot(excess, from, to, kSketched).low);
   };
   add(solve(-1, -12, 9));
   add(solve(1, -12, std::log(20.0)));

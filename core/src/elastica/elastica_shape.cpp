@@ -7,6 +7,7 @@
 #include "bw/core/base/units.h"
 #include "bw/core/elastica/elastica.h"
 #include "elastica/elastica_pieces.h"
+#include "optimise/bracketed_root.h"
 
 namespace bw {
 
@@ -21,24 +22,6 @@ using Block = Flow::Block;
 using detail::kNegligible;
 
 double peakCurvature(const ElasticaInvariants& known) { return 2 * known.halfPeakCurvature; }
-
-/// The root of the curvature in [a, b], where it changes sign.
-double curvatureRoot(const Flow& flow, double a, double b) {
-  double low = std::min(a, b);
-  double high = std::max(a, b);
-  const bool rising = flow.at(high)(3, 0) > flow.at(low)(3, 0);
-  // Bisection halves the bracket to the last bit; secant steps inside it make ten rounds the common case.
-  double t = 0.5 * (low + high);
-  for (int i = 0; i < 60 && low < t && t < high; ++i) {
-    const double value = flow.at(t)(3, 0);
-    if (value == 0) {
-      return t;
-    }
-    ((value > 0) == rising ? high : low) = t;
-    t = 0.5 * (low + high);
-  }
-  return t;
-}
 
 }  // namespace
 
@@ -99,7 +82,8 @@ std::vector<double> Elastica::inflections() const {
     if (b == end - shift && std::abs(next) <= zero) {
       add(end);
     } else if (next * before < 0) {
-      add(curvatureRoot(flow, a, b) + shift);
+      const auto curvature = [&](double t) { return flow.at(t)(3, 0); };
+      add(optimise::bracketedRoot(curvature, std::min(a, b), std::max(a, b)).middle() + shift);
     }
     before = next != 0 ? next : -before;
   });

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/work_meter.h"
 #include "bw/core/base/units.h"
@@ -118,7 +119,8 @@ Chain improve(const PlanarCurve& curve, std::vector<double>& arcs, Chain best, d
   double reach = cell;
   for (int round = 0; round < kRounds; ++round, reach *= 0.4) {
     for (std::size_t k = 1; k + 1 < arcs.size() && !workExhausted(); ++k) {
-      const auto with = [&](double arc) {
+      // The best of the trials is kept in `best` and `arcs`.
+      const auto costAt = [&](double arc) {
         Pieces pieces = best.pieces;
         const double t = curve.parameterAt(arc);
         const auto at = [&](std::size_t i) {
@@ -126,44 +128,29 @@ Chain improve(const PlanarCurve& curve, std::vector<double>& arcs, Chain best, d
         };
         pieces[k - 1] = detail::makePiece(curve, at(k - 1), t, options.maxCurvature);
         pieces[k] = detail::makePiece(curve, t, at(k + 1), options.maxCurvature);
-        return fitChain(std::move(pieces), length, options);
+        Chain chain = fitChain(std::move(pieces), length, options);
+        const double cost = costOf(chain);
+        if (cost < costOf(best)) {
+          best = std::move(chain);
+          arcs[k] = arc;
+        }
+        return cost;
       };
       double low = std::max(arcs[k] - reach, arcs[k - 1] + 0.1 * cell);
       double high = std::min(arcs[k] + reach, arcs[k + 1] - 0.1 * cell);
       if (!(low < high)) continue;
-      double left = high - kGolden * (high - low);
-      double right = low + kGolden * (high - low);
-      Chain atLeft = with(left);
-      Chain atRight = with(right);
+      double left = high - kGolden * (high - low), right = low + kGolden * (high - low);
+      double atLeft = costAt(left), atRight = costAt(right);
       for (int trial = 2; trial < kTrials && !context.stopped() && !workExhausted(); ++trial) {
-        const auto keep = [&](const Chain& chain, double arc) {
-          if (costOf(chain) < costOf(best)) {
-            best = chain;
-            arcs[k] = arc;
-          }
-        };
-        keep(atLeft, left);
-        keep(atRight, right);
-        if (costOf(atLeft) < costOf(atRight)) {
-          high = right;
-          right = left;
-          atRight = std::move(atLeft);
+        if (atLeft < atRight) {
+          high = std::exchange(right, left);
           left = high - kGolden * (high - low);
-          atLeft = with(left);
+          atRight = std::exchange(atLeft, costAt(left));
         } else {
-          low = left;
-          left = right;
-          atLeft = std::move(atRight);
+          low = std::exchange(left, right);
           right = low + kGolden * (high - low);
-          atRight = with(right);
+          atLeft = std::exchange(atRight, costAt(right));
         }
-      }
-      if (costOf(atLeft) < costOf(best)) {
-        best = std::move(atLeft);
-        arcs[k] = left;
-      } else if (costOf(atRight) < costOf(best)) {
-        best = std::move(atRight);
-        arcs[k] = right;
       }
     }
   }

@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/work_meter.h"
 
-namespace bw::detail {
+namespace bw::relax {
 namespace {
 
 using Eigen::VectorXd;
@@ -16,7 +17,7 @@ using Eigen::VectorXd;
 /// parametrisations of one curve.
 constexpr double kSpreadWeight = 1e-2;
 /// Of the gradient, over the size of the energy.
-constexpr double kSlope = 1e-7;
+constexpr double kGradient = 1e-7;
 constexpr int kMaxIterations = 400, kMaxMultiplierSteps = 40;
 /// A length that is missed by more than this part of the miss before, so often in a row, is out of reach.
 constexpr double kStuck = 0.99;
@@ -31,31 +32,32 @@ RelaxedPoints descend(const BendingProblem& problem, const PoleFreedom& freedom,
   const auto function = [&](const VectorXd& z, bool derivatives) {
     const BendingProblem::Value v = problem.evaluate(freedom.points(z), spreadWeight, derivatives);
     const double off = length ? v.length - *length : 0;
-    SmoothValue value;
+    optimise::SmoothValue value;
     value.value = v.energy + spreadWeight * v.spread + multiplier * off + 0.5 * penalty * off * off;
     if (!derivatives) return value;
     const double pull = multiplier + penalty * off;
-    VectorXd slope = v.energySlope;
-    Eigen::MatrixXd bend = v.energyBend;
+    VectorXd gradient = v.energyGradient;
+    Eigen::MatrixXd hessian = v.energyHessian;
     if (length) {
-      slope += pull * v.lengthSlope;
-      bend += pull * v.lengthBend;
+      gradient += pull * v.lengthGradient;
+      hessian += pull * v.lengthHessian;
     }
-    value.slope = freedom.lift.transpose() * slope;
-    value.bend = freedom.lift.transpose() * (bend * freedom.lift);
+    value.gradient = freedom.lift.transpose() * gradient;
+    value.hessian = freedom.lift.transpose() * (hessian * freedom.lift);
     if (length) {
-      const VectorXd stretch = freedom.lift.transpose() * v.lengthSlope;
-      value.bend += penalty * stretch * stretch.transpose();
+      const VectorXd stretch = freedom.lift.transpose() * v.lengthGradient;
+      value.hessian += penalty * stretch * stretch.transpose();
     }
     return value;
   };
   RelaxedPoints outcome;
   VectorXd z = freedom.start;
-  double before = 1e300;
+  double before = std::numeric_limits<double>::infinity();
   int stuck = 0;
   for (int round = 0; round < (length ? kMaxMultiplierSteps : 1); ++round) {
-    outcome.minimum = boundedNewton(function, z, freedom.low, freedom.high, kSlope * size,
-                                    maxIterations - outcome.iterations);
+    outcome.minimum = optimise::boundedNewton(
+        function, z, freedom.low, freedom.high,
+        {.gradient = kGradient * size, .iterations = maxIterations - outcome.iterations});
     outcome.iterations += outcome.minimum.iterations;
     z = outcome.minimum.at;
     if (!length) break;
@@ -64,7 +66,7 @@ RelaxedPoints descend(const BendingProblem& problem, const PoleFreedom& freedom,
     // Pressed harder and harder without coming nearer: the bounds hold the length.
     stuck = std::abs(outcome.lengthError) > kStuck * before ? stuck + 1 : 0;
     outcome.outOfReach = stuck >= kMaxStuck;
-    if (outcome.outOfReach || workExhausted()) break;
+    if (outcome.outOfReach || detail::workExhausted()) break;
     multiplier += penalty * outcome.lengthError;
     if (std::abs(outcome.lengthError) > 0.1 * before) penalty *= 5;
     before = std::abs(outcome.lengthError);
@@ -81,7 +83,7 @@ RelaxedPoints minimise(const BendingProblem& problem, const PoleFreedom& freedom
   int iterations = outcome.iterations;
   PoleFreedom tube = freedom;
   for (const double share : kTubes) {
-    if (workExhausted()) break;
+    if (detail::workExhausted()) break;
     tube.low = freedom.start + share * (freedom.low - freedom.start);
     tube.high = freedom.start + share * (freedom.high - freedom.start);
     const RelaxedPoints next = descend(problem, tube, size, length, kMaxIterations);
@@ -96,4 +98,4 @@ RelaxedPoints minimise(const BendingProblem& problem, const PoleFreedom& freedom
   return outcome;
 }
 
-}  // namespace bw::detail
+}  // namespace bw::relax

@@ -4,18 +4,18 @@
 
 #include <optional>
 
+#include "optimise/bounded_newton.h"
 #include "relax/bending_problem.h"
-#include "relax/bounded_newton.h"
 #include "relax/pole_freedom.h"
 
-namespace bw::detail {
+namespace bw::relax {
 
-/// The length is met to this, relatively.
-inline constexpr double kLengthTolerance = 1e-9;
+/// The length is met to this, relatively, where the descent comes to rest; and counts as met to that.
+inline constexpr double kLengthTolerance = 1e-9, kLengthMet = 1e-6;
 
 /// Least energy, and the length by an augmented Lagrangian if one is asked for.
 struct RelaxedPoints {
-  BoundedMinimum minimum;
+  optimise::BoundedMinimum minimum;
   double lengthError = 0;   ///< relative to the target's length
   bool outOfReach = false;  ///< the bounds hold the length where it is
   int iterations = 0;
@@ -27,4 +27,4 @@ struct RelaxedPoints {
 RelaxedPoints minimise(const BendingProblem& problem, const PoleFreedom& freedom, double size,
                        std::optional<double> length);
 
-}  // namespace bw::detail
+}  // namespace bw::relax

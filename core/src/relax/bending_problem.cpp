@@ -7,7 +7,7 @@
 
 #include "base/gauss_legendre.h"
 
-namespace bw::detail {
+namespace bw::relax {
 namespace {
 
 using Eigen::Vector2d;
@@ -21,8 +21,8 @@ constexpr double kStandstill = 0.02;
 /// A function of (x', y', x'', y'') with its derivatives.
 struct Local {
   double value = 0;
-  Vector4 slope = Vector4::Zero();
-  Matrix4 bend = Matrix4::Zero();
+  Vector4 gradient = Vector4::Zero();
+  Matrix4 hessian = Matrix4::Zero();
 };
 
 /// ½ c² v⁻⁵ with c = x' y'' − y' x'', v² = x'² + y'².
@@ -30,19 +30,19 @@ Local bending(const Vector2d& d1, const Vector2d& d2) {
   const double c = d1.x() * d2.y() - d1.y() * d2.x();
   const double w = d1.squaredNorm();
   const double f = std::pow(w, -2.5), fw = -2.5 * f / w, fww = 8.75 * f / (w * w);
-  Vector4 cSlope(d2.y(), -d2.x(), -d1.y(), d1.x()), wSlope(2 * d1.x(), 2 * d1.y(), 0, 0);
+  Vector4 cGradient(d2.y(), -d2.x(), -d1.y(), d1.x()), wGradient(2 * d1.x(), 2 * d1.y(), 0, 0);
   Local local;
   local.value = 0.5 * c * c * f;
-  local.slope = c * f * cSlope + 0.5 * c * c * fw * wSlope;
-  local.bend = f * cSlope * cSlope.transpose() +
-               c * fw * (cSlope * wSlope.transpose() + wSlope * cSlope.transpose()) +
-               0.5 * c * c * fww * wSlope * wSlope.transpose();
-  local.bend(0, 3) += c * f;
-  local.bend(3, 0) += c * f;
-  local.bend(1, 2) -= c * f;
-  local.bend(2, 1) -= c * f;
-  local.bend(0, 0) += c * c * fw;
-  local.bend(1, 1) += c * c * fw;
+  local.gradient = c * f * cGradient + 0.5 * c * c * fw * wGradient;
+  local.hessian = f * cGradient * cGradient.transpose() +
+                  c * fw * (cGradient * wGradient.transpose() + wGradient * cGradient.transpose()) +
+                  0.5 * c * c * fww * wGradient * wGradient.transpose();
+  local.hessian(0, 3) += c * f;
+  local.hessian(3, 0) += c * f;
+  local.hessian(1, 2) -= c * f;
+  local.hessian(2, 1) -= c * f;
+  local.hessian(0, 0) += c * c * fw;
+  local.hessian(1, 1) += c * c * fw;
   return local;
 }
 
@@ -50,16 +50,16 @@ Local bending(const Vector2d& d1, const Vector2d& d2) {
 Local spreading(const Vector2d& d1, const Vector2d& d2, double speed, double rise) {
   const double scale = 1 / (speed * speed);
   const double q = scale * (d1.dot(d2) - rise * d1.squaredNorm());
-  Vector4 slope;
-  slope << scale * (d2 - 2 * rise * d1), scale * d1;
+  Vector4 gradient;
+  gradient << scale * (d2 - 2 * rise * d1), scale * d1;
   Local local;
   local.value = 0.5 * q * q;
-  local.slope = q * slope;
-  local.bend = slope * slope.transpose();
+  local.gradient = q * gradient;
+  local.hessian = gradient * gradient.transpose();
   for (int i = 0; i < 2; ++i) {
-    local.bend(i, i) -= 2 * q * scale * rise;
-    local.bend(i, i + 2) += q * scale;
-    local.bend(i + 2, i) += q * scale;
+    local.hessian(i, i) -= 2 * q * scale * rise;
+    local.hessian(i, i + 2) += q * scale;
+    local.hessian(i + 2, i) += q * scale;
   }
   return local;
 }
@@ -69,7 +69,7 @@ Local spreading(const Vector2d& d1, const Vector2d& d2, double speed, double ris
 BendingProblem::BendingProblem(const SplineSpace& space, const Eigen::MatrixX2d& target)
     : count_(space.size()) {
   // The energy is not polynomial: two more nodes a span than a polynomial of the degree would ask for.
-  const GaussRule rule = gaussRule(space.degree + 2);
+  const detail::GaussRule rule = detail::gaussRule(space.degree + 2);
   for (std::size_t s = 0; s + 1 < space.breaks.size(); ++s) {
     const double low = space.breaks[s], width = space.breaks[s + 1] - low;
     for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
@@ -91,8 +91,8 @@ BendingProblem::Value BendingProblem::evaluate(const Eigen::VectorXd& points, do
   Value value;
   const Eigen::Index n = 2 * count_;
   if (derivatives) {
-    value.energySlope = value.lengthSlope = Eigen::VectorXd::Zero(n);
-    value.energyBend = value.lengthBend = Eigen::MatrixXd::Zero(n, n);
+    value.energyGradient = value.lengthGradient = Eigen::VectorXd::Zero(n);
+    value.energyHessian = value.lengthHessian = Eigen::MatrixXd::Zero(n, n);
   }
   const Eigen::Map<const Eigen::Matrix2Xd> poles(points.data(), 2, count_);
   Vector2d before = Vector2d::Zero();
@@ -119,14 +119,14 @@ BendingProblem::Value BendingProblem::evaluate(const Eigen::VectorXd& points, do
         lift(2 + c, 2 * j + c) = node.basis(j, 2);
       }
     const Eigen::Index at = 2 * node.first;
-    value.energySlope.segment(at, 2 * m) +=
-        node.weight * lift.transpose() * (bend.slope + weight * spread.slope);
-    value.energyBend.block(at, at, 2 * m, 2 * m) +=
-        node.weight * lift.transpose() * (bend.bend + weight * spread.bend) * lift;
+    value.energyGradient.segment(at, 2 * m) +=
+        node.weight * lift.transpose() * (bend.gradient + weight * spread.gradient);
+    value.energyHessian.block(at, at, 2 * m, 2 * m) +=
+        node.weight * lift.transpose() * (bend.hessian + weight * spread.hessian) * lift;
     const Vector2d t = d1 / v;
     const Eigen::Matrix2d across = (Eigen::Matrix2d::Identity() - t * t.transpose()) / v;
-    value.lengthSlope.segment(at, 2 * m) += node.weight * lift.topRows<2>().transpose() * t;
-    value.lengthBend.block(at, at, 2 * m, 2 * m) +=
+    value.lengthGradient.segment(at, 2 * m) += node.weight * lift.topRows<2>().transpose() * t;
+    value.lengthHessian.block(at, at, 2 * m, 2 * m) +=
         node.weight * lift.topRows<2>().transpose() * across * lift.topRows<2>();
   }
   return value;
@@ -144,4 +144,4 @@ std::vector<BendingProblem::Sample> BendingProblem::samples(const Eigen::VectorX
   return result;
 }
 
-}  // namespace bw::detail
+}  // namespace bw::relax

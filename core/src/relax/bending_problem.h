@@ -8,7 +8,7 @@
 
 #include "relax/spline_space.h"
 
-namespace bw::detail {
+namespace bw::relax {
 
 /// Bending energy and length of a spline, with their derivatives with respect to the control points (x0, y0,
 /// x1, y1, …), in units of the target's length. docs/mathematics.md, relaxation.
@@ -22,8 +22,8 @@ class BendingProblem {
                         ///< unseen by them
     double spread = 0;  ///< ½ ∫ (d/dt of the squared speed over the target's)² /4 dt
     double length = 0;
-    Eigen::VectorXd energySlope, lengthSlope;  ///< the energy's includes `weight` · spread
-    Eigen::MatrixXd energyBend, lengthBend;    ///< second derivatives
+    Eigen::VectorXd energyGradient, lengthGradient;  ///< the energy's includes `weight` · spread
+    Eigen::MatrixXd energyHessian, lengthHessian;    ///< second derivatives
   };
   /// `weight` of the spread; derivatives only if asked for.
   Value evaluate(const Eigen::VectorXd& points, double weight, bool derivatives) const;
@@ -47,4 +47,4 @@ class BendingProblem {
   int count_ = 0;
 };
 
-}  // namespace bw::detail
+}  // namespace bw::relax

@@ -16,12 +16,16 @@
 namespace bw {
 namespace {
 
-using detail::BendingProblem;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
+using relax::BendingProblem;
 
 /// Total bending (∫ κ² times the length) below this is a line, which is an elastica.
 constexpr double kStraight = 1e-10;
+/// A chord shorter than this part of the length tells no direction.
+constexpr double kClosed = 1e-6;
+/// Control points nearer to each other than this part of the length tell no end tangent.
+constexpr double kStandstill = 1e-9;
 
 /// Root mean square residual of κ = α + λ2 x − λ1 y over that of κ, by least squares over the arc length.
 double elasticaResidual(const std::vector<BendingProblem::Sample>& samples) {
@@ -52,9 +56,9 @@ Result<void> check(const RelaxOptions& options) {
                 options.tolerance, 0);
   if (options.degree != 3 && options.degree != 5)
     return fail(ErrorCode::badInput, "the degree must be 3 or 5", "degree", options.degree);
-  if (options.spans < detail::kFewestSpans || options.spans > detail::kMostSpans)
+  if (options.spans < relax::kFewestSpans || options.spans > relax::kMostSpans)
     return fail(ErrorCode::badInput, "the number of spans must lie between 4 and 200", "spans", options.spans,
-                options.spans < detail::kFewestSpans ? detail::kFewestSpans : detail::kMostSpans);
+                options.spans < relax::kFewestSpans ? relax::kFewestSpans : relax::kMostSpans);
   if (options.length && !(*options.length > 0 && std::isfinite(*options.length)))
     return fail(ErrorCode::badInput, "the length must be greater than 0 mm", "length", *options.length, 0);
   if (!(options.elasticaTolerance > 0))
@@ -94,11 +98,11 @@ const char* relaxStatusName(RelaxStatus status) {
 
 Result<RelaxResult> relaxCurve(const PlanarCurve& target, const RelaxOptions& options) {
   if (Result<void> ok = check(options); !ok) return tl::unexpected<Error>(ok.error());
-  detail::ChordFrame placed{target.value(target.start()), 0, target.length()};
+  relax::ChordFrame placed{target.value(target.start()), 0, target.length()};
   const Vector2d chord = target.value(target.end()) - placed.origin;
-  const Vector2d along = chord.norm() > 1e-6 * placed.unit ? chord : target.tangent(target.start());
+  const Vector2d along = chord.norm() > kClosed * placed.unit ? chord : target.tangent(target.start());
   placed.angle = std::atan2(along.y(), along.x());
-  const detail::RefinedTarget refined = detail::refineTarget(target, placed, options);
+  const relax::RefinedTarget refined = relax::refineTarget(target, placed, options);
   const double epsilon = options.tolerance / placed.unit - refined.error;
   if (!(epsilon > 0))
     return fail(ErrorCode::badInput,
@@ -106,8 +110,8 @@ Result<RelaxResult> relaxCurve(const PlanarCurve& target, const RelaxOptions& op
                     ", more than the tolerance; raise spans or tolerance",
                 "tolerance", options.tolerance, refined.error * placed.unit);
   const Eigen::Index n = refined.points.rows();
-  if ((refined.points.row(1) - refined.points.row(0)).norm() < 1e-9 ||
-      (refined.points.row(n - 1) - refined.points.row(n - 2)).norm() < 1e-9)
+  if ((refined.points.row(1) - refined.points.row(0)).norm() < kStandstill ||
+      (refined.points.row(n - 1) - refined.points.row(n - 2)).norm() < kStandstill)
     return fail(ErrorCode::badInput, "the curve stands still at an end, so that it has no tangent there",
                 "curve");
 
@@ -115,7 +119,7 @@ Result<RelaxResult> relaxCurve(const PlanarCurve& target, const RelaxOptions& op
     if (Result<void> ok = checkReach(refined.points, placed.unit, epsilon, options); !ok)
       return tl::unexpected<Error>(ok.error());
   const BendingProblem problem(refined.space, refined.points);
-  const detail::PoleFreedom freedom = detail::freedomOf(refined.points, options, epsilon);
+  const relax::PoleFreedom freedom = relax::freedomOf(refined.points, options, epsilon);
   const BendingProblem::Value first = problem.evaluate(freedom.points(freedom.start), 0, false);
   if (!std::isfinite(first.energy))
     return fail(ErrorCode::badInput,
@@ -126,10 +130,9 @@ Result<RelaxResult> relaxCurve(const PlanarCurve& target, const RelaxOptions& op
   const double size = 1 + first.energy;
   std::optional<double> length;
   if (options.length) length = *options.length / placed.unit;
-  const detail::RelaxedPoints outcome = detail::minimise(problem, freedom, size, length);
+  const relax::RelaxedPoints outcome = relax::minimise(problem, freedom, size, length);
   const VectorXd points = freedom.points(outcome.minimum.at);
-  if (outcome.outOfReach && outcome.minimum.converged &&
-      std::abs(outcome.lengthError) > 1e3 * detail::kLengthTolerance)
+  if (outcome.outOfReach && outcome.minimum.converged && std::abs(outcome.lengthError) > relax::kLengthMet)
     return fail(ErrorCode::noSolution,
                 "the length " + mm(*options.length) +
                     " cannot be reached within the tolerance; the nearest is " +
@@ -147,7 +150,7 @@ Result<RelaxResult> relaxCurve(const PlanarCurve& target, const RelaxOptions& op
   result.targetError = refined.error * placed.unit;
   result.lengthError = outcome.lengthError * placed.unit;
   result.activeBounds = outcome.minimum.active;
-  result.gradientNorm = outcome.minimum.slope / size;
+  result.gradientNorm = outcome.minimum.gradient / size;
   result.iterations = outcome.iterations;
   const int samples = 4 * (int(refined.space.breaks.size()) - 1);
   for (const Vector2d& p : result.curve.sample(samples + 1))
@@ -160,7 +163,7 @@ Result<RelaxResult> relaxCurve(const PlanarCurve& target, const RelaxOptions& op
     result.elastica = fit->elastica;
     result.elasticaDeviation = fit->hausdorff;
   }
-  if (!outcome.minimum.converged || std::abs(outcome.lengthError) > 1e3 * detail::kLengthTolerance) {
+  if (!outcome.minimum.converged || std::abs(outcome.lengthError) > relax::kLengthMet) {
     result.status = RelaxStatus::iterationLimit;
     result.message =
         "stopped after " + std::to_string(result.iterations) + " steps with the best curve so far";

@@ -3,10 +3,11 @@
 #include "relax/pole_freedom.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 #include <vector>
 
-namespace bw::detail {
+namespace bw::relax {
 namespace {
 
 using Eigen::Vector2d;
@@ -31,7 +32,7 @@ PoleFreedom freedomOf(const Eigen::MatrixX2d& target, const RelaxOptions& option
     high.push_back(value + width);
   };
   const auto unit = [](Eigen::Index i, int c) { return Column{{2 * i + c, 1}}; };
-  const double none = -1e300;
+  constexpr double none = -std::numeric_limits<double>::infinity();
   for (const bool atStart : {true, false}) {
     const Eigen::Index end = atStart ? 0 : n - 1, next = atStart ? 1 : n - 2;
     const Vector2d handle = (target.row(next) - target.row(end)).transpose();
@@ -65,4 +66,4 @@ PoleFreedom freedomOf(const Eigen::MatrixX2d& target, const RelaxOptions& option
   return f;
 }
 
-}  // namespace bw::detail
+}  // namespace bw::relax

@@ -7,7 +7,7 @@
 
 #include "bw/core/relax/curve_relaxation.h"
 
-namespace bw::detail {
+namespace bw::relax {
 
 /// Control points as an affine function of the unknowns between bounds.
 struct PoleFreedom {
@@ -22,4 +22,4 @@ struct PoleFreedom {
 /// coordinates, with the ends and their tangents as `options` ask.
 PoleFreedom freedomOf(const Eigen::MatrixX2d& target, const RelaxOptions& options, double epsilon);
 
-}  // namespace bw::detail
+}  // namespace bw::relax

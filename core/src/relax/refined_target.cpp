@@ -7,13 +7,15 @@
 #include <functional>
 #include <vector>
 
-namespace bw::detail {
+namespace bw::relax {
 namespace {
 
 using Eigen::Vector2d;
 
 /// The space holds the target exactly if it misses it by no more than this part of the length.
 constexpr double kExact = 1e-10;
+/// Breaks nearer to each other than this part of the parameter's range are one.
+constexpr double kSameBreak = 1e-9;
 
 RefinedTarget refine(const std::function<Vector2d(double)>& curve, std::vector<double> breaks, int degree,
                      int spans) {
@@ -48,7 +50,7 @@ RefinedTarget refineTarget(const PlanarCurve& target, const ChordFrame& placed, 
     std::vector<double> breaks = {0};
     for (const double knot : target.knots()) {
       const double t = (knot - low) / width;
-      if (t > breaks.back() + 1e-9 && t < 1 - 1e-9) breaks.push_back(t);
+      if (t > breaks.back() + kSameBreak && t < 1 - kSameBreak) breaks.push_back(t);
     }
     breaks.push_back(1);
     if (int(breaks.size()) - 1 <= kMostSpans) {
@@ -64,4 +66,4 @@ RefinedTarget refineTarget(const PlanarCurve& target, const ChordFrame& placed, 
                 {0, 1}, options.degree, options.spans);
 }
 
-}  // namespace bw::detail
+}  // namespace bw::relax

@@ -9,7 +9,7 @@
 #include "bw/core/relax/curve_relaxation.h"
 #include "relax/spline_space.h"
 
-namespace bw::detail {
+namespace bw::relax {
 
 /// Limits of `RelaxOptions::spans`; the target's own spans are kept up to the second.
 inline constexpr int kFewestSpans = 4, kMostSpans = 200;
@@ -38,4 +38,4 @@ struct ChordFrame {
 /// polynomial spline of that degree or less, else through it, evenly in arc length.
 RefinedTarget refineTarget(const PlanarCurve& target, const ChordFrame& placed, const RelaxOptions& options);
 
-}  // namespace bw::detail
+}  // namespace bw::relax

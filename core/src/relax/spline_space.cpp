@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace bw::detail {
+namespace bw::relax {
 
 std::vector<double> SplineSpace::knots() const {
   std::vector<double> all(std::size_t(degree), breaks.front());
@@ -65,4 +65,4 @@ Eigen::MatrixX2d SplineSpace::interpolate(const std::function<Eigen::Vector2d(do
   return system.partialPivLu().solve(right);
 }
 
-}  // namespace bw::detail
+}  // namespace bw::relax

@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-namespace bw::detail {
+namespace bw::relax {
 
 /// Splines of one degree with simple inner knots over [0, 1], clamped at the ends.
 struct SplineSpace {
@@ -24,4 +24,4 @@ struct SplineSpace {
   Eigen::MatrixX2d interpolate(const std::function<Eigen::Vector2d(double)>& curve) const;
 };
 
-}  // namespace bw::detail
+}  // namespace bw::relax

@@ -36,31 +36,14 @@ struct Biarc {
   CircularArc first, second;
 };
 
-/// The open interval of the first arc's turning θ for which both arcs have positive length, and the total
-/// turning W that belongs to it.
-struct BiarcRange {
-  double lower = 0, upper = 0;  ///< equal for W = 0, where θ is determined and the radii are not
-  double total = 0;             ///< W in (−2π, 2π)
-};
-
-/// The admissible θ between two points with given tangent angles (report IWDE 96-07, section 2;
-/// docs/mathematics.md, "Biarcs"). The angles of both tangents against the chord are taken in (−π, π], which
-/// makes the interval never empty. Fails where the points coincide, where a number is not finite, and where
-/// both tangents point straight back along the chord.
-[[nodiscard]] Result<BiarcRange> biarcRange(const Eigen::Vector2d& start, double startAngle,
-                                            const Eigen::Vector2d& end, double endAngle);
-
 /// The biarc of share λ in (0, 1): θ = 2α − (1 − λ) W. The half, λ = ½, is formula (12) of the report: the
 /// smallest jump of curvature. For W = 0 the share divides the chord instead: λ = ½ gives r_A = −r_B.
 /// Accurate to rounding through W = 0, circles and straight lines; a piece that turns by less than 1e-12 is
-/// straight. Fails as `biarcRange`, and on a share outside (0, 1).
+/// straight. The angles of both tangents against the chord are taken in (−π, π]. Fails where the points
+/// coincide, where a number is not finite, where both tangents point straight back along the chord, and on a
+/// share outside (0, 1).
 [[nodiscard]] Result<Biarc> makeBiarc(const Eigen::Vector2d& start, double startAngle,
                                       const Eigen::Vector2d& end, double endAngle, double share = 0.5);
-
-/// The biarc whose first arc turns by θ, formulas (10) and (11) of the report. Fails with the admissible
-/// interval if θ lies outside it.
-[[nodiscard]] Result<Biarc> makeBiarcOfTurning(const Eigen::Vector2d& start, double startAngle,
-                                               const Eigen::Vector2d& end, double endAngle, double theta);
 
 /// The report's tangent angles at a chain of points: along the line from the point before to the point after;
 /// at the ends of an open chain along the only edge. Where the chain turns back (by more than 150°) the
