@@ -14,7 +14,7 @@ set(library_widgets "^Q(Abstract.*View|.*Widget|MainWindow|Application|.*Button|
 set(library_qt "^Q[A-Z][A-Za-z]*$|^Qt[A-Z][A-Za-z]*/")
 set(library_vtk "^vtk[A-Z]")
 set(library_occt "\\.hxx$")
-set(library_heavy "^ceres/|^tbb/|^oneapi/|^nlohmann/|^boost/|^glog/")
+set(library_heavy "^ceres/|^tbb/|^oneapi/|^nlohmann/json\\.hpp$|^boost/|^glog/")
 
 set(failures "")
 macro(complain text)
