@@ -26,29 +26,6 @@ namespace {
 constexpr double kTolerance = 1e-6;               ///< mm, of the face's border on its surface
 constexpr const char* kDate = "20000101.000000";  ///< the same bytes on every day
 
-/// Flat knots as the kernel wants them: each once, and how often.
-struct Knots {
-  explicit Knots(const std::vector<double>& flat)
-      : values(1, int(distinct(flat))), counts(1, int(distinct(flat))) {
-    int n = 0;
-    for (std::size_t i = 0; i < flat.size(); ++i) {
-      if (i > 0 && flat[i] == flat[i - 1]) {
-        ++counts(n);
-      } else {
-        values(++n) = flat[i];
-        counts(n) = 1;
-      }
-    }
-  }
-  static std::size_t distinct(const std::vector<double>& flat) {
-    std::size_t n = flat.empty() ? 0 : 1;
-    for (std::size_t i = 1; i < flat.size(); ++i) n += flat[i] != flat[i - 1];
-    return n;
-  }
-  TColStd_Array1OfReal values;
-  TColStd_Array1OfInteger counts;
-};
-
 Handle(TCollection_HAsciiString) ascii(const std::string& text) {
   std::string plain;
   for (const char c : text) plain += c >= ' ' && c < 0x7f ? c : '_';
@@ -68,9 +45,15 @@ Result<std::string> igesText(const SplineSurface& surface, const std::string& na
             const Eigen::Vector3d& p = surface.poles[std::size_t(j) * surface.polesU + i];
             poles(i + 1, j + 1) = gp_Pnt(p.x(), p.y(), p.z());
           }
-        const Knots u(surface.knotsU), v(surface.knotsV);
+        std::vector<double> u, v;
+        std::vector<int> countsU, countsV;
+        packKnots(surface.knotsU, u, countsU);
+        packKnots(surface.knotsV, v, countsV);
+        const int nu = int(u.size()), nv = int(v.size());
         const Handle(Geom_BSplineSurface) spline = new Geom_BSplineSurface(
-            poles, u.values, v.values, u.counts, v.counts, surface.degreeU, surface.degreeV);
+            poles, TColStd_Array1OfReal(u[0], 1, nu), TColStd_Array1OfReal(v[0], 1, nv),
+            TColStd_Array1OfInteger(countsU[0], 1, nu), TColStd_Array1OfInteger(countsV[0], 1, nv),
+            surface.degreeU, surface.degreeV);
         IGESControl_Controller::Init();
         IGESControl_Writer writer("MM", 0);  // 0: trimmed surfaces, which every modeller reads
         if (!writer.AddShape(BRepBuilderAPI_MakeFace(spline, kTolerance).Face()))

@@ -40,6 +40,17 @@ Result<void> checkKnots(const char* which, int degree, const std::vector<double>
 
 }  // namespace
 
+void packKnots(const std::vector<double>& flat, std::vector<double>& knots, std::vector<int>& counts) {
+  for (const double k : flat) {
+    if (!knots.empty() && knots.back() == k) {
+      ++counts.back();
+    } else {
+      knots.push_back(k);
+      counts.push_back(1);
+    }
+  }
+}
+
 Result<void> checkSplineSurface(const SplineSurface& surface) {
   if (auto ok = checkKnots("u", surface.degreeU, surface.knotsU, surface.polesU); !ok) return ok;
   if (auto ok = checkKnots("v", surface.degreeV, surface.knotsV, surface.polesV); !ok) return ok;

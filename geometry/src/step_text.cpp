@@ -7,6 +7,8 @@
 #include <charconv>
 #include <cstdint>
 
+#include "spline_check.h"
+
 namespace bw::geometry {
 
 namespace {
@@ -25,18 +27,6 @@ std::string list(const Items& items, const Text& text) {
 
 std::string triple(const Eigen::Vector3d& p) {
   return "(" + stepReal(p.x()) + "," + stepReal(p.y()) + "," + stepReal(p.z()) + ")";
-}
-
-/// Distinct knots and their multiplicities.
-void packKnots(const std::vector<double>& flat, std::vector<double>& knots, std::vector<int>& counts) {
-  for (const double k : flat) {
-    if (!knots.empty() && knots.back() == k) {
-      ++counts.back();
-    } else {
-      knots.push_back(k);
-      counts.push_back(1);
-    }
-  }
 }
 
 std::string integer(int i) { return std::to_string(i); }

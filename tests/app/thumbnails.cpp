@@ -7,9 +7,9 @@
 
 #include "bw/core/files/file_set.h"
 #include "bw/geometry/export.h"
+#include "bw/pipeline/example_design.h"
 #include "bw/pipeline/pipeline.h"
 #include "bw/pipeline/scene_content.h"
-#include "workbench/examples.h"
 
 namespace {
 
@@ -38,7 +38,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   for (const bw::geometry::Example& example : bw::geometry::exampleList()) {
-    const bw::Result<bw::Design> design = bw::app::exampleDesign(example.name);
+    const bw::Result<bw::Design> design = bw::pipeline::exampleDesign(example.name);
     if (!design) return fail(design.error());
     const bw::pipeline::Outcome outcome = bw::pipeline::evaluate(*design, nullptr, {});
     if (outcome.error) return fail(*outcome.error);

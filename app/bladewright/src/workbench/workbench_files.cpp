@@ -3,8 +3,8 @@
 // Designs, surfaces and results as files.
 #include "bw/geometry/export.h"
 #include "bw/pipeline/earlier_files.h"
+#include "bw/pipeline/example_design.h"
 #include "bw/pipeline/result_folder.h"
-#include "workbench/examples.h"
 #include "workbench/workbench.h"
 
 namespace bw::app {
@@ -45,7 +45,7 @@ Result<void> Workbench::openFile(const fs::path& file) {
 }
 
 Result<void> Workbench::openExample(const std::string& name) {
-  Result<Design> design = exampleDesign(name);
+  Result<Design> design = pipeline::exampleDesign(name);
   if (!design) {
     tell({Severity::error, QString::fromStdString(design.error().message), {}, {}, Topic::file});
     return tl::unexpected<Error>(design.error());
