@@ -31,11 +31,11 @@ std::string surfaceOf(const Product& product) {
 TEST(ConfirmedSections, AreThoseOfFilesAlone) {
   const Outcome live = evaluate(saddle(SectionRoute::automatic), nullptr, {});
   ASSERT_FALSE(live.error) << live.error->message;
-  EXPECT_FALSE(live.evaluation.confirmed.value);
+  EXPECT_FALSE(live.evaluation.cut().confirmed.value);
   const Product product = produce(saddle(SectionRoute::automatic), kFolder, {}, {});
   ASSERT_FALSE(product.error) << product.error->message;
-  ASSERT_TRUE(product.evaluation.confirmed.value);
-  EXPECT_FALSE(product.evaluation.confirmed.value->has_value());
+  ASSERT_TRUE(product.evaluation.cut().confirmed.value);
+  EXPECT_FALSE(product.evaluation.cut().confirmed.value->has_value());
   const Findings findings = product.findings();
   EXPECT_TRUE(std::ranges::none_of(
       findings, [](const Finding& f) { return std::holds_alternative<SectionDiffers>(f.cause); }));
@@ -46,7 +46,7 @@ TEST(ConfirmedSections, LeaveWhatStandsWhereTheyAgree) {
   const Evaluation seen = evaluate(saddle(SectionRoute::automatic), nullptr, {}).evaluation;
   const Product product = produce(seen, kFolder, {}, {});
   ASSERT_FALSE(product.error) << product.error->message;
-  EXPECT_TRUE(product.evaluation.confirmed.value);
+  EXPECT_TRUE(product.evaluation.cut().confirmed.value);
   EXPECT_EQ(product.evaluation.cut().sweep.value, seen.cut().sweep.value);
   EXPECT_EQ(product.evaluation.cut().analysis.value, seen.cut().analysis.value);
 }
@@ -55,7 +55,7 @@ TEST(ConfirmedSections, AreNotAskedForWhereTheRouteIsGiven) {
   const Product traced = produce(saddle(SectionRoute::traced), kFolder, {}, {});
   const Product kernel = produce(saddle(SectionRoute::kernel), kFolder, {}, {});
   ASSERT_FALSE(traced.error || kernel.error);
-  EXPECT_FALSE(traced.evaluation.confirmed.value || kernel.evaluation.confirmed.value);
+  EXPECT_FALSE(traced.evaluation.cut().confirmed.value || kernel.evaluation.cut().confirmed.value);
   // Confirmed or not, what was traced is what is written.
   EXPECT_EQ(surfaceOf(traced), surfaceOf(produce(saddle(SectionRoute::automatic), kFolder, {}, {})));
   EXPECT_FALSE(surfaceOf(kernel).empty());

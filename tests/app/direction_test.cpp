@@ -93,9 +93,10 @@ TEST(DirectionSearch, LeavesTheExamplesAsTheyAreButForTheTorus) {
 
 TEST(DirectionSearch, DoesNotHangOnTheNumberOfThreads) {
   const Evaluation one = evaluated(chute(), nullptr, 1), four = evaluated(chute(), nullptr, 4);
-  const std::vector<DirectionTrial>&a = one.directions.value->trials, &b = four.directions.value->trials;
+  const std::vector<DirectionTrial>&a = one.cut().directions.value->trials,
+        &b = four.cut().directions.value->trials;
   ASSERT_EQ(a.size(), b.size());
-  EXPECT_EQ(one.directions.value->chosen, four.directions.value->chosen);
+  EXPECT_EQ(one.cut().directions.value->chosen, four.cut().directions.value->chosen);
   for (std::size_t i = 0; i < a.size(); ++i) {
     EXPECT_EQ(a[i].direction, b[i].direction);
     EXPECT_EQ(a[i].unusable, b[i].unusable);
@@ -110,8 +111,8 @@ TEST(DirectionSearch, IsNotDoneAgainForOtherStations) {
   design.cut().sections.stations = 31;
   design.process.cuttingSpeed = 12;
   const Evaluation second = evaluated(design, &first);
-  EXPECT_EQ(second.directions.value, first.cut().directions.value);
-  EXPECT_EQ(second.sections.value->size(), 31u);
+  EXPECT_EQ(second.cut().directions.value, first.cut().directions.value);
+  EXPECT_EQ(second.cut().sections.value->size(), 31u);
   // A given direction needs none, and comes into effect at once; so does leaving it open again.
   design.cut().direction = Eigen::Vector3d::UnitX();
   const Evaluation given = evaluated(design, &second);
@@ -167,7 +168,7 @@ TEST(DirectionSearch, StopsOnRequest) {
   source.request_stop();
   RunContext context;
   context.stop = source.get_token();
-  const auto stopped = searchDirection(*found.cut().target.value, found.directions.request, context);
+  const auto stopped = searchDirection(*found.cut().target.value, found.cut().directions.request, context);
   ASSERT_FALSE(stopped);
   EXPECT_EQ(stopped.error().code, ErrorCode::cancelled);
 }

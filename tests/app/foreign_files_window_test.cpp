@@ -64,7 +64,7 @@ TEST_F(ForeignFilesInTheWindow, SaysThatAFileHasNoFaces) {
 TEST_F(ForeignFilesInTheWindow, CutsABlockOutOfALargeTerrain) {
   ASSERT_NO_FATAL_FAILURE(dropFile("occ/terrain.brep"));
   ASSERT_TRUE(bench().runner().evaluation());
-  const auto& target = bench().runner().evaluation()->target.value;
+  const auto& target = bench().runner().evaluation()->cut().target.value;
   ASSERT_TRUE(target);
   const Bounds bounds = target->bounds();
   const Eigen::Vector3d size(1200, 800, 500),

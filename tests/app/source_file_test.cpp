@@ -233,7 +233,7 @@ TEST_F(SourceFile, ThatChangedSinceTheSaveIsToldOnOpening) {
   ASSERT_TRUE(settle());
   EXPECT_TRUE(tells());
   EXPECT_TRUE(window().banner().isVisible()) << "a reload took the notice away";
-  bench().editDesign("Change stations", [](Design& design) { design.cut().sections.stations = 18; });
+  bench().editDesign("Change stations", [](Design& d) { d.cut().sections.stations = 18; });
   ASSERT_TRUE(settle());
   EXPECT_TRUE(tells());
   EXPECT_TRUE(window().banner().isVisible());

@@ -127,7 +127,7 @@ TEST(BoundedNewton, HasNotConvergedWhereDerivativesAreNotFinite) {
 
 TEST(BoundedNewton, EndsWithTheBestSoFarWhereTheWorkIsSpent) {
   const NewtonLimits limits{.gradient = 1e-10, .iterations = 100};
-  const bw::detail::WorkMeter meter(700);
+  const bw::WorkMeter meter(700);
   const BoundedMinimum found = boundedNewton(rosenbrock, Vector2d(-1.2, 1), -kFree, kFree, limits);
   EXPECT_TRUE(meter.stopped());
   EXPECT_FALSE(found.converged);

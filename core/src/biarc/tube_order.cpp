@@ -148,7 +148,7 @@ void TubeOrder::find() {
   if (known_) return;
   known_ = true;
   const int size = int(chain_.size());
-  const detail::WorkMeter meter = detail::WorkMeter::share(kShare);
+  const WorkMeter meter = WorkMeter::share(kShare);
   const ChordTree tree(chain_);
   std::vector<int> before(chain_.size()), after(chain_.size()), version(chain_.size(), 0);
   for (int i = 0; i < size; ++i) {

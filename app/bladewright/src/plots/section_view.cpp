@@ -98,9 +98,9 @@ QStringList SectionView::readout() const {
     const QPointF p = frame().toPlane(cursor_);
     const int decimals = frame().scale > 20 ? 2 : 1;
     QStringList lines = {tr("%1, %2 mm").arg(axisText(p.x(), decimals), axisText(p.y(), decimals))};
-    const BladePose& station = bench_.sweep()->sweep.poses[std::size_t(drawing_.station)];
+    const PlanarCurve& target = bench_.sweep()->sweep.fits[std::size_t(drawing_.station)].target;
     const Eigen::Vector2d at(p.x(), p.y());
-    const Eigen::Vector2d foot = station.target.value(station.target.nearestParameter(at));
+    const Eigen::Vector2d foot = target.value(target.nearestParameter(at));
     lines << tr("%1 from the target").arg(lengthText((at - foot).norm() / exaggeration_));
     return lines;
   }

@@ -297,7 +297,7 @@ void Inspector::makeStation() {
   add(tr("Mean angle"), {}, [](const StationView& s) { return angleText(s.check.angleMean); });
   add(
       tr("Slowest / fastest"), tr("Along the blade"),
-      [](const StationView& s) { return QString::fromStdString(fixedText(s.speedRatio, 2)); },
+      [](const StationView& s) { return QString::fromStdString(fixedText(s.check.speedRatio, 2)); },
       &SweepLimits::speed);
   column->addHeading(tr("Grips"));
   const auto addGrip = [&](const QString& name, Eigen::Vector3d (BladePose::*end)() const) {

@@ -133,7 +133,7 @@ void Workbench::write(const fs::path& folder, const QString& name, MakePolicy po
   const auto task = [made, policy = std::move(policy)](pipeline::Evaluation evaluation,
                                                        const RunContext& context) -> Result<void> {
     made->key = model::exportKey(evaluation);
-    made->source = evaluation.design.source;
+    made->source = evaluation.design.source();
     pipeline::Product product =
         pipeline::produce(std::move(evaluation), made->folder, policy(context), context);
     if (product.error) return tl::unexpected<Error>(*product.error);

@@ -21,10 +21,10 @@ struct Change {
 
   void operator()(const OtherLength& remedy) const { design.blade.length = remedy.length; }
   void operator()(const BendingBlade& remedy) const {
-    if (remedy.presetBends()) takePreset(job, remedy.preset);
+    if (remedy.presetBends()) takePreset(design, remedy.preset);
   }
   void operator()(const FlatBlade& remedy) const {
-    if (!remedy.preset.empty()) takePreset(job, remedy.preset);
+    if (!remedy.preset.empty()) takePreset(design, remedy.preset);
   }
   void operator()(const LargerSurface&) const {}
   void operator()(const OtherBlock&) const {}

@@ -11,14 +11,14 @@ namespace bw::app {
 namespace fs = std::filesystem;
 
 fs::path Workbench::sourceFile() const {
-  const Source& source = document_.design()->source;
+  const Source& source = document_.design()->source();
   if (source.path.empty() || source.path.is_absolute()) return source.path;
   // An embedded source keeps the name that it had; it may lie beside the design.
   return document_.file().empty() ? fs::path() : document_.file().parent_path() / source.path;
 }
 
 bool Workbench::sourceMissing() const {
-  const Source& source = document_.design()->source;
+  const Source& source = document_.design()->source();
   std::error_code error;
   return !document_.empty() && source.bytes.empty() && !fs::is_regular_file(source.path, error);
 }
@@ -41,7 +41,9 @@ Result<void> Workbench::replaceSource(const fs::path& file, const QString& text)
   Design design = *document_.design();
   const bool embedded = !design.source().bytes.empty();
   const fs::path absolute = fs::absolute(file, error);
-  design.source = {error ? file : absolute, {}, std::nullopt};
+  design.source().path = error ? file : absolute;
+  design.source().bytes.clear();
+  design.source().saved.reset();
   if (embedded) {
     Result<std::string> bytes = readFile(file);
     if (!bytes) return refuse(bytes.error());
@@ -53,7 +55,7 @@ Result<void> Workbench::replaceSource(const fs::path& file, const QString& text)
   emit noticesOutdated(Topic::unit);
   judgedSize_.reset();
   // The same file under the same name is no step, but it may hold something else by now.
-  if (design.source == document_.design()->source)
+  if (design.source() == document_.design()->source())
     runner_.evaluate(document_.design());
   else
     document_.edit(std::move(design), text);
