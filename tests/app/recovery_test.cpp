@@ -252,6 +252,7 @@ TEST_F(Recovery, SavesWhichSourceTheResultsWereMadeFrom) {
   ASSERT_TRUE(writeFile(source, "ISO-10303-21; read"));
   Design linked = design();
   linked.source().path = source;
+  linked.source().bytes.clear();
   Document document({});
   document.start(linked);
   document.noteRead(source, fingerprintOf("ISO-10303-21; read"));
@@ -265,6 +266,7 @@ TEST_F(Recovery, RemembersWhatTheLinkedSourceWasWhenItSaves) {
   ASSERT_TRUE(writeFile(source, "ISO-10303-21; one"));
   Design linked = design();
   linked.source().path = source;
+  linked.source().bytes.clear();
   Document document({});
   document.start(linked);
   document.editDesign("Change stations", -1, [](Design& design) { design.cut().sections.stations = 17; });
