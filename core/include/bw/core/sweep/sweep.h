@@ -21,9 +21,9 @@ namespace bw {
 
 /// How the blade of a station was found: by a fit to the section of the target.
 struct StationFit {
-  PlanarCurve target;  ///< the section, in the plane of the pose's frame
-  FitResult fit = {};       ///< its elastica is the pose's `cut`
-  bool heldBack = false;    ///< not the nearest curve, but one whose blade keeps its radius and rests
+  PlanarCurve target;     ///< the section, in the plane of the pose's frame
+  FitResult fit = {};     ///< its elastica is the pose's `cut`
+  bool heldBack = false;  ///< not the nearest curve, but one whose blade keeps its radius and rests
   bool steadied = false;  ///< not the nearest curve, but one near its neighbour's shape, within the tolerance
 };
 
