@@ -24,22 +24,29 @@ std::vector<Eigen::Vector3d> curvePoints(const Frame& frame, const Elastica& ela
 }  // namespace
 
 scene::Content sceneContent(const Evaluation& evaluation) {
+  // One block, one cut in it, one row of blades.
+  constexpr scene::ItemId kBlock{0}, kRow{0, 0, 0};
   scene::Content content;
-  if (evaluation.targetMesh.value) content.target = *evaluation.targetMesh.value;
-  content.faces = evaluation.faceMesh.value;
+  if (evaluation.targetMesh.value) content.add({}, *evaluation.targetMesh.value);
+  if (evaluation.faceMesh.value) content.add({}, scene::Faces{evaluation.faceMesh.value});
   if (evaluation.setup)
-    content.block = evaluation.setup->block;
+    content.add(kBlock, evaluation.setup->block);
   else if (evaluation.design.job.block)
-    content.block = evaluation.design.job.block->box();  // it misses the surface: shown where it was put
-  if (evaluation.setup) content.travel = evaluation.setup->direction;
+    content.add(kBlock, evaluation.design.job.block->box());  // it misses the surface: shown where it was put
+  if (evaluation.setup) content.add(kBlock, scene::Travel{evaluation.setup->direction});
   if (evaluation.sweep.value) {
     const Blade& blade = evaluation.sweep.value->sweep.request.blade;
-    content.limits = {{"curvature", 1.0}, {"stress", blade.stress(blade.maxCurvature())}};
-    content.cut = evaluation.sweep.value->analysis.cut;
+    content.add(kRow,
+                scene::CutSurface{evaluation.sweep.value->analysis.cut,
+                                  {{"curvature", 1.0}, {"stress", blade.stress(blade.maxCurvature())}}});
+    scene::Stations stations;
+    scene::Blades blades;
     for (const Station& station : evaluation.sweep.value->sweep.stations) {
-      content.stations.push_back(curvePoints(station.frame, station.fit.elastica));
-      content.blades.push_back(curvePoints(station.frame, station.blade));
+      stations.lines.push_back(curvePoints(station.frame, station.fit.elastica));
+      blades.lines.push_back(curvePoints(station.frame, station.blade));
     }
+    content.add(kRow, std::move(stations));
+    content.add(kRow, std::move(blades));
   }
   return content;
 }
