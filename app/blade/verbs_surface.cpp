@@ -138,7 +138,7 @@ int runRender(const Session& session, const RenderOptions& options) {
   scene::Scene scene;
   scene.setContent(pipeline::sceneContent(product.evaluation));
   scene::Style style;
-  style.field = field;
+  style[scene::Kind::cut].map = field;
   style.dark = options.dark;
   style.isolines = options.isolines;
   style.tolerance = design->process.tolerance;

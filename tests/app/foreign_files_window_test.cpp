@@ -81,8 +81,8 @@ TEST_F(ForeignFilesInTheWindow, CutsABlockOutOfALargeTerrain) {
   // The first result leads to its block, which fills a good part of the picture.
   const view::SceneView& view = window().sceneView();
   QRectF seen;
-  ASSERT_TRUE(view.content().block);
-  for (const Eigen::Vector3d& corner : view.content().block->corners())
+  ASSERT_TRUE(view.content().first<Box>());
+  for (const Eigen::Vector3d& corner : view.content().first<Box>()->corners())
     seen |= QRectF(view.toWidget(corner), QSizeF(1, 1));
   EXPECT_TRUE(QRectF(view.rect()).contains(seen));
   EXPECT_GT(std::max(seen.width() / view.width(), seen.height() / view.height()), 0.4);

@@ -47,7 +47,7 @@ TEST_F(WindowTest, HandsOverAFolderThatAColleagueUnderstands) {
   window().exportEverything();
   ASSERT_TRUE(settle());
   EXPECT_EQ(shown, QString::fromStdString(folder.string()));
-  EXPECT_EQ(window().sceneView().sceneStyle().field, style.field);
+  EXPECT_EQ(window().sceneView().sceneStyle()[scene::Kind::cut].map, style[scene::Kind::cut].map);
   EXPECT_LT((window().sceneView().camera().position - camera.position).norm(), 1e-9);
 
   std::uintmax_t listed = 0, there = 0;

@@ -202,15 +202,16 @@ TEST_F(PictureTest, BlockThatMissesIsDrawnWhereItWasPut) {
   ASSERT_TRUE(settle());
   ASSERT_TRUE(bench().runner().error());
   EXPECT_TRUE(window().banner().text().contains("misses"));
-  ASSERT_TRUE(view().content().block);
-  EXPECT_NEAR(view().content().block->frame.origin.x(), 3000, 1e-9);
+  ASSERT_TRUE(view().content().first<Box>());
+  EXPECT_NEAR(view().content().first<Box>()->frame.origin.x(), 3000, 1e-9);
   ASSERT_TRUE(still());
-  for (const Eigen::Vector3d& corner : view().content().block->corners()) EXPECT_TRUE(inPicture(corner));
+  for (const Eigen::Vector3d& corner : view().content().first<Box>()->corners())
+    EXPECT_TRUE(inPicture(corner));
   picture("block-misses");
   bench().document().undoStack().undo();
   ASSERT_TRUE(settle());
   EXPECT_TRUE(bench().current());
-  EXPECT_NEAR((view().content().block->frame.origin - before.frame.origin).norm(), 0, 1e-9);
+  EXPECT_NEAR((view().content().first<Box>()->frame.origin - before.frame.origin).norm(), 0, 1e-9);
 }
 
 TEST_F(PictureTest, DesignWhoseBlockMissesOpensWithBlockAndSurface) {
@@ -224,9 +225,9 @@ TEST_F(PictureTest, DesignWhoseBlockMissesOpensWithBlockAndSurface) {
   bench().document().start(design);
   ASSERT_TRUE(settle());
   ASSERT_TRUE(bench().runner().error());
-  ASSERT_TRUE(view().content().block);
-  EXPECT_FALSE(view().content().target.triangles.empty());
-  EXPECT_NEAR(view().content().block->frame.origin.x(), 5000, 1e-9);
+  ASSERT_TRUE(view().content().first<Box>());
+  EXPECT_FALSE(view().content().first<TriangleMesh>()->triangles.empty());
+  EXPECT_NEAR(view().content().first<Box>()->frame.origin.x(), 5000, 1e-9);
 }
 
 TEST_F(PictureTest, StandardViewsByKeyAreParallelAndTickTheCommand) {

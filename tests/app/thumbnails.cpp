@@ -43,15 +43,15 @@ int main(int argc, char** argv) {
     const bw::pipeline::Outcome outcome = bw::pipeline::evaluate(*design, nullptr, {});
     if (outcome.error) return fail(*outcome.error);
     bw::scene::Content content = bw::pipeline::sceneContent(outcome.evaluation);
-    const double middle = 0.55 * double(content.stations.size() - 1);
+    const double middle = 0.55 * double(content.first<bw::scene::Stations>()->lines.size() - 1);
     for (bool dark : {false, true}) {
       bw::scene::Scene scene;
       bw::scene::Style style;
       style.dark = dark;
       style.legend = false;
       style.showGrid = false;
-      style.showStations = false;
-      style.showTarget = example.name == "wavy-wall";  // its block lies within it
+      style[bw::scene::Kind::station].visible = false;
+      style[bw::scene::Kind::target].visible = example.name == "wavy-wall";  // its block lies within it
       style.playhead = middle;
       style.pixelRatio = 2;
       scene.setContent(content);

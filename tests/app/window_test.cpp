@@ -57,7 +57,7 @@ TEST_F(WindowTest, SelectsStationsInTheSectionView) {
   QTest::mouseClick(&section, Qt::LeftButton, {}, section.barRect(7).center().toPoint());
   EXPECT_EQ(bench().selection().kind, Selection::Kind::station);
   EXPECT_EQ(bench().selection().station, 7);
-  EXPECT_EQ(window().sceneView().sceneStyle().selectedStation, 7);
+  EXPECT_EQ(window().sceneView().sceneStyle().selected.station, 7);
   section.setFocus();
   QTest::keyClick(&section, Qt::Key_Right);
   QTest::keyClick(&section, Qt::Key_Right);
@@ -264,11 +264,11 @@ TEST_F(WindowTest, ChoosesMapsByKeyAndByChoice) {
   openPanel();
   for (const std::string& name : MapBar::fieldNames()) {
     window().commands()[QString::fromStdString("map." + name)]->trigger();
-    EXPECT_EQ(window().sceneView().sceneStyle().field, name);
+    EXPECT_EQ(window().sceneView().sceneStyle()[scene::Kind::cut].map, name);
     picture("map-" + name);
   }
   QTest::keyClick(&window(), Qt::Key_1, Qt::AltModifier);
-  EXPECT_EQ(window().sceneView().sceneStyle().field, "deviation");
+  EXPECT_EQ(window().sceneView().sceneStyle()[scene::Kind::cut].map, "deviation");
   QTest::keyClick(&window(), Qt::Key_I);
   EXPECT_TRUE(window().sceneView().sceneStyle().isolines);
   picture("isolines");

@@ -20,7 +20,7 @@ constexpr int kWidth = 1280, kHeight = 800;
 
 /// The sample panel again and again, each a face of its own, on a square of them.
 std::shared_ptr<const FaceMesh> manyFaces(int count) {
-  const TriangleMesh panel = test::sampleContent().target;
+  const TriangleMesh panel = *test::sampleContent().first<TriangleMesh>();
   auto faces = std::make_shared<FaceMesh>();
   const int side = int(std::ceil(std::sqrt(double(count))));
   for (int k = 0; k < count; ++k) {
@@ -47,7 +47,7 @@ std::shared_ptr<const FaceMesh> manyFaces(int count) {
 Scene choosing(int count) {
   Scene scene;
   Content content = test::sampleContent();
-  content.faces = manyFaces(count);
+  content.add({}, Faces{manyFaces(count)});
   scene.setContent(std::move(content));
   Style style;
   style.chooseFaces = true;

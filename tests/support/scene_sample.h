@@ -34,32 +34,33 @@ inline double panelMiss(double x, double y, double error) {
 /// block.
 inline scene::Content sampleContent(const SceneSample& sample = {}) {
   constexpr double kWidth = 600, kDepth = 670;
-  scene::Content content;
+  TriangleMesh target;
   const int nx = 90, ny = 100;
   for (int j = 0; j <= ny; ++j) {
     for (int i = 0; i <= nx; ++i) {
       const double x = -30 + (kWidth + 60) * i / nx, y = -30 + (kDepth + 60) * j / ny, h = 1e-3;
       const double dx = (panelHeight(x + h, y) - panelHeight(x - h, y)) / (2 * h),
                    dy = (panelHeight(x, y + h) - panelHeight(x, y - h)) / (2 * h);
-      content.target.points.emplace_back(x, y, panelHeight(x, y));
-      content.target.normals.push_back(Eigen::Vector3d(-dx, -dy, 1).normalized());
+      target.points.emplace_back(x, y, panelHeight(x, y));
+      target.normals.push_back(Eigen::Vector3d(-dx, -dy, 1).normalized());
       if (i < nx && j < ny) {
         const int a = j * (nx + 1) + i, b = a + 1, c = b + nx + 1, d = c - 1;
-        content.target.triangles.push_back({a, b, c});
-        content.target.triangles.push_back({a, c, d});
+        target.triangles.push_back({a, b, c});
+        target.triangles.push_back({a, c, d});
       }
     }
   }
   const auto cutPoint = [&](double x, double y) {
     return Eigen::Vector3d(x, y, panelHeight(x, y) + panelMiss(x, y, sample.error));
   };
-  SurfaceGrid& cut = content.cut;
+  scene::CutSurface surface;
+  SurfaceGrid& cut = surface.grid;
   cut.rows = (sample.stations - 1) * (sample.rowsBetween + 1) + 1;
   cut.columns = sample.columns;
   cut.fields = {{"deviation", "Deviation", "mm", {}},       {"angle", "Cutting angle", "\u00b0", {}},
                 {"speed", "Blade speed", "mm/s", {}},       {"relative_speed", "Relative speed", "", {}},
                 {"curvature", "Curvature / limit", "", {}}, {"stress", "Bending stress", "N/mm²", {}}};
-  content.limits = {{"curvature", 1.0}, {"stress", 417.0}};
+  surface.limits = {{"curvature", 1.0}, {"stress", 417.0}};
   for (int r = 0; r < cut.rows; ++r) {
     for (int c = 0; c < cut.columns; ++c) {
       const double x = kWidth * c / (cut.columns - 1), y = kDepth * r / (cut.rows - 1);
@@ -74,6 +75,8 @@ inline scene::Content sampleContent(const SceneSample& sample = {}) {
       cut.fields[5].values.push_back(417 * cut.fields[4].values.back());
     }
   }
+  scene::Stations stations;
+  scene::Blades blades;
   for (int s = 0; s < sample.stations; ++s) {
     const double y = kDepth * s / (sample.stations - 1);
     std::vector<Eigen::Vector3d> station, blade;
@@ -84,14 +87,14 @@ inline scene::Content sampleContent(const SceneSample& sample = {}) {
     for (int k = 12; k > 0; --k) blade.push_back(station.front() + 15.0 * k * left);
     blade.insert(blade.end(), station.begin(), station.end());
     for (int k = 1; k <= 12; ++k) blade.push_back(station.back() + 15.0 * k * right);
-    content.stations.push_back(station);
-    content.blades.push_back(blade);
+    stations.lines.push_back(station);
+    blades.lines.push_back(blade);
   }
   Box block;
   block.frame.origin = {-10, -10, 0};
   block.size = {620, 690, 220};
-  content.block = block;
-  return content;
+  constexpr scene::ItemId kBlock{0}, kRow{0, 0, 0};
+  return {{{{}, target}, {kRow, surface}, {kRow, stations}, {kRow, blades}, {kBlock, block}}};
 }
 
 }  // namespace bw::test

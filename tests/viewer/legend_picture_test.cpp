@@ -9,7 +9,7 @@ namespace {
 
 TEST_F(SceneTest, DeviationIsPaleWithinTheToleranceAndBlueOrRedBeyond) {
   Style style = mapped("deviation");
-  style.showStations = style.showBlock = false;
+  style[Kind::station].visible = style[Kind::block].visible = false;
   const Picture picture = draw(style, "deviation");
   int small = 0, within = 0, above = 0, below = 0;
   everywhere(picture, [&](const Pick& pick, const Color& c, int, int) {
@@ -42,7 +42,7 @@ TEST_F(SceneTest, SmallErrorsOfAGoodCutShow) {
   good.error = 0.15;
   scene.setContent(test::sampleContent(good));
   Style style = mapped("deviation");
-  style.showStations = style.showBlock = false;
+  style[Kind::station].visible = style[Kind::block].visible = false;
   const Picture picture = draw(style, "deviation-good");
   EXPECT_EQ(*scene.legendRange(), std::make_pair(-0.2, 0.2));
   int above = 0, below = 0;
@@ -57,7 +57,7 @@ TEST_F(SceneTest, SmallErrorsOfAGoodCutShow) {
 
 TEST_F(SceneTest, SequentialMapRunsFromDarkToLight) {
   Style style = mapped("speed");
-  style.showStations = style.showBlock = false;
+  style[Kind::station].visible = style[Kind::block].visible = false;
   const Picture picture = draw(style, "speed", View::top);
   double slow = 0, fast = 0;
   int nSlow = 0, nFast = 0;
@@ -74,16 +74,17 @@ TEST_F(SceneTest, SequentialMapRunsFromDarkToLight) {
 TEST_F(SceneTest, LegendCountsAreaAndNotPoints) {
   // Nine tenths of the rows crowd in the last tenth of the way, and only there the deviation is too large.
   Content content;
-  content.cut.rows = 101;
-  content.cut.columns = 3;
+  content.add({0, 0, 0}, CutSurface());
+  content.first<CutSurface>()->grid.rows = 101;
+  content.first<CutSurface>()->grid.columns = 3;
   Field field{"deviation", "Deviation", "mm", {}};
   for (int row = 0; row <= 100; ++row)
     for (int column = 0; column < 3; ++column) {
       const double x = row <= 10 ? 90.0 * row : 900 + 100.0 * (row - 10) / 90;
-      content.cut.points.emplace_back(x, 100.0 * column, 0);
+      content.first<CutSurface>()->grid.points.emplace_back(x, 100.0 * column, 0);
       field.values.push_back(x <= 900 ? 0.5 : 5.0);
     }
-  content.cut.fields = {field};
+  content.first<CutSurface>()->grid.fields = {field};
   scene.setContent(content);
   draw(mapped("deviation"), "area");
   const auto& texts = scene.overlay().texts;
@@ -94,7 +95,7 @@ TEST_F(SceneTest, LegendCountsAreaAndNotPoints) {
 TEST_F(SceneTest, EveryFieldHasALegendWithTitleUnitAndNumbers) {
   for (const char* name : {"deviation", "angle", "speed", "relative_speed", "curvature", "stress"}) {
     const Picture picture = draw(mapped(name), name);
-    const Field* field = scene.content().cut.field(name);
+    const Field* field = scene.content().first<CutSurface>()->grid.field(name);
     const Overlay& overlay = scene.overlay();
     ASSERT_TRUE(overlay.legend && overlay.bar);
     const auto has = [&](const std::string& text) {
@@ -235,7 +236,7 @@ TEST_F(SceneTest, LegendOfALimitRunsFromZeroToItsMark) {
     EXPECT_LT(at(picture, int(bar.x - 25), int(bar.y)).light(), 90);
   }
   Content over = test::sampleContent();
-  for (double& v : over.cut.fields[4].values) v *= 1.6;
+  for (double& v : over.first<CutSurface>()->grid.fields[4].values) v *= 1.6;
   scene.setContent(over);
   const Picture picture = draw(mapped("curvature"), "limit-exceeded");
   EXPECT_GT(scene.legendRange()->second, 1.2);
@@ -244,7 +245,7 @@ TEST_F(SceneTest, LegendOfALimitRunsFromZeroToItsMark) {
 
 TEST_F(SceneTest, IsolinesAreDrawnAtTheTicksOnly) {
   Style style = mapped("deviation");
-  style.showStations = style.showBlock = style.showGrid = false;
+  style[Kind::station].visible = style[Kind::block].visible = style.showGrid = false;
   const auto isDark = [](const Color& c) { return c.light() < 90 && c.spread() < 60; };
   const int before = count(draw(style, "isolines-off"), isDark);
   style.isolines = true;
@@ -265,7 +266,7 @@ TEST_F(SceneTest, IsolinesCarryTheirValues) {
   for (const View view : {View::iso, View::top}) {
     Style style = mapped("deviation");
     style.isolines = true;
-    style.showStations = style.showGrid = false;
+    style[Kind::station].visible = style.showGrid = false;
     draw(style, view == View::iso ? "isoline-values" : "isoline-values-top", view);
     const Overlay& overlay = scene.overlay();
     int values = 0, onCut = 0;

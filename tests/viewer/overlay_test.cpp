@@ -70,7 +70,7 @@ std::shared_ptr<const FaceMesh> plates(int count) {
 
 TEST_F(SceneTest, ChoosingShowsTheFacesPaleTheChosenOnesSolidAndTheHoveredOneLit) {
   Content content = test::sampleContent();
-  content.faces = plates(4);
+  content.add({}, Faces{plates(4)});
   scene.setContent(content);
   Style style = mapped("deviation");
   style.showGrid = false;
@@ -106,13 +106,13 @@ TEST_F(SceneTest, ChoosingShowsTheFacesPaleTheChosenOnesSolidAndTheHoveredOneLit
   const Picture around = draw(style, "faces-around", View::iso);
   everywhere(around,
              [&](const Pick& pick, const Color&, int, int) { EXPECT_NE(pick.kind, Pick::Kind::face); });
-  style.showFaces = false;
+  style[Kind::face].visible = false;
   EXPECT_NE(draw(style, "faces-hidden", View::iso).rgb, around.rgb);
 }
 
 TEST_F(SceneTest, ChoosingEndsAsItBeganWhateverContentCame) {
   Content content = test::sampleContent();
-  content.faces = plates(4);
+  content.add({}, Faces{plates(4)});
   const Style style = mapped("deviation");
   scene.setContent(content);
   draw(style, "chosen-before");  // the fit keeps clear of the legend of a picture of that width
@@ -125,13 +125,13 @@ TEST_F(SceneTest, ChoosingEndsAsItBeganWhateverContentCame) {
   const Picture after = draw(style, "chosen-after");
   EXPECT_EQ(before.rgb, after.rgb);
   // Without faces there is nothing to choose: the result stays.
-  content.faces.reset();
+  content.remove(Kind::face);
   scene.setContent(content);
   draw(choosing, "no-faces");
   EXPECT_TRUE(scene.overlay().legend);
   auto broken = std::make_shared<FaceMesh>(*plates(3));
   broken->mesh.triangles[2] = {0, 1, 4000};
-  content.faces = broken;
+  content.add({}, Faces{broken});
   scene.setContent(content);
   draw(choosing, "broken-faces");
   EXPECT_TRUE(scene.overlay().legend);
@@ -144,7 +144,7 @@ TEST_F(SceneTest, FindingHasItsRingAtThePointAndItsWordsBesideIt) {
     Style style = mapped("deviation");
     style.pixelRatio = ratio;
     style.dark = dark;
-    style.marker = Marker{scene.content().stations[12][40],
+    style.marker = Marker{scene.content().first<Stations>()->lines[12][40],
                           "Station 13: the cut surface lies 3.94 mm above the target, 2 mm is the tolerance; "
                           "more stations or a longer blade bring it nearer",
                           Severity::error};

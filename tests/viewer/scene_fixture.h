@@ -72,7 +72,7 @@ class SceneTest : public testing::Test {
 
   static Style mapped(const char* field) {
     Style style;
-    style.field = field;
+    style[Kind::cut].map = field;
     return style;
   }
 

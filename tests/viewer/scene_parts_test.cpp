@@ -268,7 +268,7 @@ TEST(Isolines, LeaveOutTrianglesWithoutANumber) {
 
 TEST(TriangleTree, FindsWhatASearchThroughAllFinds) {
   const Content content = test::sampleContent();
-  const TriangleMesh& mesh = content.target;
+  const TriangleMesh& mesh = *content.first<TriangleMesh>();
   const TriangleTree tree(mesh.points, mesh.triangles);
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(-1, 1);

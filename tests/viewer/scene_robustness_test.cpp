@@ -38,7 +38,7 @@ TEST_F(SceneTest, SameStateGivesTheSamePictureWhateverWentBefore) {
   // After a detour over another style, view and size.
   Style detour = mapped("deviation");
   detour.dark = detour.stale = detour.isolines = true;
-  detour.selectedStation = 4;
+  detour.selected = {0, 0, 0, 4};
   detour.playhead = 3.3;
   draw(detour, "detour", View::top, 300, 200);
   scene.setStyle(mapped("angle"));
@@ -58,33 +58,33 @@ TEST_F(SceneTest, SameStateGivesTheSamePictureWhateverWentBefore) {
 TEST_F(SceneTest, UnsoundContentIsDrawnAsFarAsItGoes) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   Content content = test::sampleContent();
-  content.target.points[50] = Eigen::Vector3d(nan, 0, 0);
-  content.target.triangles.push_back({0, 1, 1000000});
-  content.cut.points[100].z() = nan;
-  content.cut.fields[0].values[200] = nan;
-  content.cut.fields[1].values.pop_back();
-  content.stations[3][4].x() = nan;
-  content.stations[5].clear();
-  content.blades[7].resize(1);
+  content.first<TriangleMesh>()->points[50] = Eigen::Vector3d(nan, 0, 0);
+  content.first<TriangleMesh>()->triangles.push_back({0, 1, 1000000});
+  content.first<CutSurface>()->grid.points[100].z() = nan;
+  content.first<CutSurface>()->grid.fields[0].values[200] = nan;
+  content.first<CutSurface>()->grid.fields[1].values.pop_back();
+  content.first<Stations>()->lines[3][4].x() = nan;
+  content.first<Stations>()->lines[5].clear();
+  content.first<Blades>()->lines[7].resize(1);
   scene.setContent(content);
   for (const char* field : {"deviation", "angle"}) {
     Style style = mapped(field);
-    style.showBlades = style.isolines = true;
-    style.selectedStation = 3;
+    style[Kind::blade].visible = style.isolines = true;
+    style.selected = {0, 0, 0, 3};
     style.playhead = 6.5;
     const Picture picture = draw(style, (std::string("unsound-") + field).c_str());
     EXPECT_GT(count(picture, [](const Color& c) { return c.light() < 200; }), 5000);
   }
   EXPECT_FALSE(scene.legendRange());
   Content broken = test::sampleContent();
-  broken.cut.rows += 1;
-  broken.block->size.x() = nan;
+  broken.first<CutSurface>()->grid.rows += 1;
+  broken.first<Box>()->size.x() = nan;
   scene.setContent(broken);
   draw(mapped("deviation"), "unsound-grid");
   EXPECT_TRUE(scene.bounds().valid());
   Style wild;
   wild.pixelRatio = wild.tolerance = wild.playhead = nan;
-  wild.selectedStation = 99;
+  wild.selected = {0, 0, 0, 99};
   draw(wild, "wild");
 }
 
@@ -134,7 +134,7 @@ TEST(SceneViews, NamesAreKnown) {
 /// The sample panel in a landscape a hundred times its size.
 Content landscape() {
   Content content = test::sampleContent();
-  for (Eigen::Vector3d& p : content.target.points)
+  for (Eigen::Vector3d& p : content.first<TriangleMesh>()->points)
     p.head<2>() = 100 * (p.head<2>() - Eigen::Vector2d(300, 335)) + Eigen::Vector2d(300, 335);
   return content;
 }
@@ -146,7 +146,7 @@ TEST_F(SceneTest, StandardViewsFrameTheBlockWithItsBladesInALargeTarget) {
   const double blades = scene.workBounds().size().x();
   scene.setContent(landscape());
   const Bounds work = scene.workBounds();
-  for (const Eigen::Vector3d& corner : scene.content().block->corners())
+  for (const Eigen::Vector3d& corner : scene.content().first<Box>()->corners())
     EXPECT_TRUE((corner.array() >= work.min.array() - 1e-9).all() &&
                 (corner.array() <= work.max.array() + 1e-9).all());
   EXPECT_NEAR(work.size().x(), blades, 1e-9);
@@ -168,9 +168,9 @@ TEST_F(SceneTest, FramesATargetThatIsNotMuchLargerThanTheBlock) {
   const Bounds work = scene.workBounds(), all = scene.bounds();
   EXPECT_TRUE((work.min.array() <= all.min.array()).all() && (work.max.array() >= all.max.array()).all());
   Content uncut = landscape();
-  uncut.cut = {};
-  uncut.stations.clear();
-  uncut.blades.clear();
+  uncut.first<CutSurface>()->grid = {};
+  uncut.first<Stations>()->lines.clear();
+  uncut.first<Blades>()->lines.clear();
   scene.setContent(uncut);
   EXPECT_EQ(scene.workBounds().size(), scene.bounds().size())
       << "without a result the block alone says little";

@@ -41,22 +41,23 @@ TEST_F(SceneTest, NoShardOfTheTargetComesThroughTheCut) {
           wide.triangles.push_back({a, a + n + 2, a + n + 1});
         }
       }
-      content.target = wide;
+      *content.first<TriangleMesh>() = wide;
     }
     if (c.scale == 1) {
       // Exactly as wide as the cut: nothing of it may be seen in front.
-      for (Eigen::Vector3d& p : content.target.points) {
+      for (Eigen::Vector3d& p : content.first<TriangleMesh>()->points) {
         p.x() = 600 * (p.x() + 30) / 660;
         p.y() = 670 * (p.y() + 30) / 730;
         p.z() = test::panelHeight(p.x(), p.y());
       }
-      content.target.normals.clear();
+      content.first<TriangleMesh>()->normals.clear();
     }
     for (const bool parallel : {false, true}) {
       for (const double lift : {1.0, 0.25, 0.08}) {  // from well above to glancing
         Style style;
-        style.showStations = style.showBlock = style.showGrid = style.softShadows = false;
-        style.targetOpacity = 1;
+        style[Kind::station].visible = style[Kind::block].visible = style.showGrid = style.softShadows =
+            false;
+        style[Kind::target].opacity = 1;
         scene.setContent(content);
         scene.setStyle(style);
         Camera camera = scene.fitCamera(View::iso, double(kWidth) / kHeight);
@@ -69,7 +70,7 @@ TEST_F(SceneTest, NoShardOfTheTargetComesThroughTheCut) {
         const std::string name =
             std::string("shards-") + c.name + (parallel ? "-parallel-" : "-") + std::to_string(lift);
         const Picture with = shot(name.c_str());
-        style.showTarget = false;
+        style[Kind::target].visible = false;
         scene.setStyle(style);
         const Picture without = shot("shards-none");
         // Wherever the cut alone is drawn, the target changes nothing, but for its outline.
@@ -100,8 +101,8 @@ TEST_F(SceneTest, NoShardOfTheTargetComesThroughTheCut) {
 
 TEST_F(SceneTest, SelectedStationIsBlueAndPicked) {
   Style style;
-  style.selectedStation = 12;
-  style.showBlock = false;
+  style.selected = {0, 0, 0, 12};
+  style[Kind::block].visible = false;
   const Picture picture = draw(style, "selected");
   int blue = 0, right = 0;
   for (int y = 0; y < picture.height; ++y) {
@@ -111,7 +112,7 @@ TEST_F(SceneTest, SelectedStationIsBlueAndPicked) {
       const Pick pick = scene.pick(x + 0.5, y + 0.5, picture.width, picture.height);
       if (pick.kind != Pick::Kind::station) continue;
       ++blue;
-      right += pick.station == 12;
+      right += pick.station.station == 12;
     }
   }
   EXPECT_GT(blue, 400);
@@ -129,7 +130,7 @@ TEST_F(SceneTest, PickNamesTheNearestStationOnASurface) {
       const double step = 670.0 / 29;
       const double s = pick.point.y() / step;
       if (std::abs(s - std::floor(s) - 0.5) < 0.1) continue;
-      EXPECT_EQ(pick.station, int(std::lround(s)));
+      EXPECT_EQ(pick.station.station, int(std::lround(s)));
       ++tested;
     }
   }
@@ -149,13 +150,13 @@ TEST_F(SceneTest, PickSeesOnlyWhatIsShown) {
   };
   using Kind = Pick::Kind;
   EXPECT_EQ(kinds(), (std::set<Kind>{Kind::none, Kind::target, Kind::cut, Kind::station, Kind::block}));
-  style.showStations = false;
+  style[Kind::station].visible = false;
   EXPECT_EQ(kinds(), (std::set<Kind>{Kind::none, Kind::target, Kind::cut, Kind::block}));
-  style.showCut = false;
+  style[Kind::cut].visible = false;
   EXPECT_EQ(kinds(), (std::set<Kind>{Kind::none, Kind::target, Kind::block}));
-  style.showTarget = false;
+  style[Kind::target].visible = false;
   EXPECT_EQ(kinds(), (std::set<Kind>{Kind::none, Kind::block}));
-  style.showBlock = false;
+  style[Kind::block].visible = false;
   EXPECT_EQ(kinds(), (std::set<Kind>{Kind::none}));
 }
 
@@ -165,7 +166,7 @@ TEST_F(SceneTest, PickedPointLiesOnTheSurfaceInBothProjections) {
     camera.parallel = parallel;
     scene.setCamera(camera);
     Style style;
-    style.showStations = false;
+    style[Kind::station].visible = false;
     draw(style, parallel ? "parallel" : "perspective");
     int tested = 0;
     for (int y = 0; y < kHeight; y += 20) {
@@ -184,16 +185,16 @@ TEST_F(SceneTest, PickedPointLiesOnTheSurfaceInBothProjections) {
 TEST_F(SceneTest, HiddenStationIsNotPicked) {
   // From below the front of the panel, the stations behind the next wave are hidden.
   Style style;
-  style.showBlock = style.showTarget = false;
+  style[Kind::block].visible = style[Kind::target].visible = false;
   draw(style, "hidden", View::front);
   for (int y = 0; y < kHeight; y += 3) {
     for (int x = 0; x < kWidth; x += 20) {
       const Pick pick = scene.pick(x, y, kWidth, kHeight);
       if (pick.kind != Pick::Kind::station) continue;
-      style.showStations = false;
+      style[Kind::station].visible = false;
       scene.setStyle(style);
       const Pick surface = scene.pick(x, y, kWidth, kHeight);
-      style.showStations = true;
+      style[Kind::station].visible = true;
       scene.setStyle(style);
       EXPECT_TRUE(surface.kind != Pick::Kind::cut || (surface.point - pick.point).norm() < 60);
     }
@@ -207,7 +208,7 @@ TEST_F(SceneTest, BladeGlowsInTheAccentColourBetweenItsGrips) {
   const Picture picture = draw(style, "blade");
   EXPECT_GT(count(picture, isAccent), 800);
   int onBlade = 0, tested = 0;
-  const auto& blades = scene.content().blades;
+  const auto& blades = scene.content().first<Blades>()->lines;
   for (int y = 0; y < picture.height; ++y) {
     for (int x = 0; x < picture.width; x += 3) {
       const Color c = at(picture, x, y);
@@ -230,7 +231,8 @@ TEST_F(SceneTest, StaleIsDrawnAtSixtyPercentAndNeverVanishes) {
   Style style = mapped("deviation");
   style.softShadows =
       false;  // they multiply colours, so that their share of a faded one is not quite the same
-  style.showGrid = style.showBlock = style.showTarget = style.showStations = false;
+  style.showGrid = style[Kind::block].visible = style[Kind::target].visible = style[Kind::station].visible =
+      false;
   const Picture fresh = draw(style, "fresh");
   style.stale = true;
   scene.setStyle(style);
@@ -289,13 +291,14 @@ TEST_F(SceneTest, GroundHasNumbersInMillimetres) {
 
 TEST_F(SceneTest, AnArrowBesideTheBlockShowsTheTravel) {
   Content content = test::sampleContent();
-  ASSERT_TRUE(content.block);
+  ASSERT_TRUE(content.first<Box>());
   Style style;
-  style.showStations = false;
+  style[Kind::station].visible = false;
   const int without = count(draw(style, "no-travel", View::top), isAccent);  // of the cube
   for (const Eigen::Vector3d& travel :
        {Eigen::Vector3d(0, 1, 0), Eigen::Vector3d(-2, 0, 0), Eigen::Vector3d(1, 1, 0)}) {
-    content.travel = travel;
+    content.remove(Kind::travel);
+    content.add({0}, Travel{travel});
     scene.setContent(content);
     const Picture picture = draw(style, "travel", View::top);
     // Its head is the wider end: the middle of its pixels lies ahead of the middle of its extent.
@@ -321,7 +324,7 @@ TEST_F(SceneTest, AnArrowBesideTheBlockShowsTheTravel) {
     EXPECT_GT(pixels, 200);
     EXPECT_GT(sum / pixels, 0.5 * (least + most)) << travel.transpose();
   }
-  content.block.reset();
+  content.remove(Kind::block);
   scene.setContent(content);
   EXPECT_EQ(count(draw(style, "travel-without-block", View::top), isAccent), without)
       << "no block, no ground beside it";
@@ -329,13 +332,11 @@ TEST_F(SceneTest, AnArrowBesideTheBlockShowsTheTravel) {
 
 TEST_F(SceneTest, AnArrowIsFittedWhileItIsShownAndOnlyThen) {
   Content content = test::sampleContent();
-  content.blades.clear();  // they reach farther
+  content.first<Blades>()->lines.clear();  // they reach farther
   Style style;
   const auto show = [&](bool arrow) {
-    if (arrow)
-      content.travel = Eigen::Vector3d(0, 1, 0);
-    else
-      content.travel.reset();
+    content.remove(Kind::travel);
+    if (arrow) content.add({0}, Travel{{0, 1, 0}});
     scene.setContent(content);
     scene.setStyle(style);
   };
@@ -345,7 +346,7 @@ TEST_F(SceneTest, AnArrowIsFittedWhileItIsShownAndOnlyThen) {
   show(true);
   EXPECT_GT(scene.bounds().size().x(), 1.01 * without.size().x()) << "everything leaves it out";
   EXPECT_NE(scene.fitCamera(View::top, 1).position, workWithout.position);
-  style.showBlock = false;
+  style[Kind::block].visible = false;
   show(false);
   const Bounds hiddenWithout = scene.bounds();
   const Camera hiddenWork = scene.fitCamera(View::top, 1);

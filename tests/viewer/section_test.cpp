@@ -136,7 +136,7 @@ class SectionScene : public testing::Test {
 
 TEST_F(SectionScene, TakesAwayAndPicksNothingOnTheFarSide) {
   Style style;
-  style.field = "angle";
+  style[Kind::cut].map = "angle";
   const Eigen::Vector3d center = scene.bounds().center();
   style.section = SectionPlane{center, Eigen::Vector3d::UnitY()};
   draw(style, "half");
@@ -152,15 +152,15 @@ TEST_F(SectionScene, TakesAwayAndPicksNothingOnTheFarSide) {
   }
   EXPECT_GT(kept, 500);
   style.dark = true;
-  style.field = "none";
-  style.selectedStation = 5;
+  style[Kind::cut].map = "none";
+  style.selected = {0, 0, 0, 5};
   style.section->normal = -Eigen::Vector3d::UnitY();
   draw(style, "other-half-dark");
 }
 
 TEST_F(SectionScene, IsGoneWithoutTraceWhenSwitchedOff) {
   Style style;
-  style.field = "angle";
+  style[Kind::cut].map = "angle";
   const Picture before = draw(style, "before");
   style.section = SectionPlane{scene.bounds().center(), Eigen::Vector3d::UnitX()};
   const Picture cut = draw(style, "cut");
@@ -173,18 +173,19 @@ TEST_F(SectionScene, IsGoneWithoutTraceWhenSwitchedOff) {
 TEST_F(SectionScene, SoftShadowsDarkenHollowsAndNothingElse) {
   // A trough along x: its bottom sees less of the sky than its flat borders.
   Content content;
-  content.cut.rows = 81;
-  content.cut.columns = 41;
-  for (int i = 0; i < content.cut.rows; ++i) {
-    for (int j = 0; j < content.cut.columns; ++j) {
+  content.add({0, 0, 0}, CutSurface());
+  content.first<CutSurface>()->grid.rows = 81;
+  content.first<CutSurface>()->grid.columns = 41;
+  for (int i = 0; i < content.first<CutSurface>()->grid.rows; ++i) {
+    for (int j = 0; j < content.first<CutSurface>()->grid.columns; ++j) {
       const double y = 10.0 * i - 400, deep = std::max(0.0, 1 - std::abs(y) / 60);
-      content.cut.points.emplace_back(10.0 * j, y, -90 * deep);
+      content.first<CutSurface>()->grid.points.emplace_back(10.0 * j, y, -90 * deep);
     }
   }
   scene.setContent(content);
   scene.setCamera(scene.fitCamera(View::top, 1000.0 / 640));
   Style style;
-  style.showGrid = style.showStations = false;
+  style.showGrid = style[Kind::station].visible = false;
   style.softShadows = false;
   const Picture plain = draw(style, "without-shadows");
   style.softShadows = true;

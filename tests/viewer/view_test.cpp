@@ -33,7 +33,7 @@ class SceneViewTest : public testing::Test {
  protected:
   void SetUp() override {
     Style style;
-    style.field = "deviation";
+    style[bw::scene::Kind::cut].map = "deviation";
     view.resize(900, 640);
     view.setStyle(style);
     view.setContent(bw::test::sampleContent());
@@ -65,7 +65,7 @@ class SceneViewTest : public testing::Test {
   }
 
   Eigen::Vector3d stationPoint(int station) const {
-    const auto& line = view.content().stations[std::size_t(station)];
+    const auto& line = view.content().first<bw::scene::Stations>()->lines[std::size_t(station)];
     return line[line.size() / 2];
   }
 
@@ -103,7 +103,7 @@ TEST_F(SceneViewTest, ShowsTheMapItsLegendAndTheBackground) {
 }
 
 TEST_F(SceneViewTest, FirstContentIsFittedBesideTheLegend) {
-  for (const auto& station : view.content().stations) {
+  for (const auto& station : view.content().first<bw::scene::Stations>()->lines) {
     for (const auto& p : station) {
       const QPointF place = view.toWidget(p);
       EXPECT_TRUE(QRectF(view.rect()).contains(place));
@@ -113,21 +113,21 @@ TEST_F(SceneViewTest, FirstContentIsFittedBesideTheLegend) {
 }
 
 TEST_F(SceneViewTest, ClickPicksTheStationUnderTheCursor) {
-  QSignalSpy spy(&view, &SceneView::stationPicked);
+  QSignalSpy spy(&view, &SceneView::picked);
   for (const int station : {3, 12, 22}) {
     QTest::mouseClick(&view, Qt::LeftButton, {}, view.toWidget(stationPoint(station)).toPoint());
     ASSERT_EQ(spy.count(), 1);
-    EXPECT_EQ(spy.takeFirst().at(0).toInt(), station);
+    EXPECT_EQ(spy.takeFirst().at(0).value<Pick>().station.station, station);
   }
   QTest::mouseClick(&view, Qt::LeftButton, {}, QPoint(450, 4));
   ASSERT_EQ(spy.count(), 1);
-  EXPECT_EQ(spy.takeFirst().at(0).toInt(), -1);
+  EXPECT_EQ(spy.takeFirst().at(0).value<Pick>().station.station, -1);
 }
 
 TEST_F(SceneViewTest, HoveringTellsTheValueOfTheMap) {
   Pick last;
   QObject::connect(&view, &SceneView::hovered, [&](const Pick& pick) { last = pick; });
-  const auto& cut = view.content().cut;
+  const auto& cut = view.content().first<bw::scene::CutSurface>()->grid;
   const std::size_t index = std::size_t(30) * std::size_t(cut.columns) + 20;
   send(view, QEvent::MouseMove, view.toWidget(cut.points[index]), Qt::NoButton, Qt::NoButton);
   ASSERT_TRUE(QTest::qWaitFor([&] { return last.value.has_value(); }, kPatience));
@@ -277,13 +277,14 @@ TEST_F(SceneViewTest, RefitsWhatLeftThePictureAndLeavesAloneWhatDidNot) {
   const auto shifted = [](const Eigen::Vector3d& by, double scale) {
     bw::scene::Content content = bw::test::sampleContent();
     const auto move = [&](Eigen::Vector3d& p) { p = scale * p + by; };
-    for (auto& p : content.target.points) move(p);
-    for (auto& p : content.cut.points) move(p);
-    for (auto* lines : {&content.stations, &content.blades})
+    for (auto& p : content.first<bw::TriangleMesh>()->points) move(p);
+    for (auto& p : content.first<bw::scene::CutSurface>()->grid.points) move(p);
+    for (auto* lines :
+         {&content.first<bw::scene::Stations>()->lines, &content.first<bw::scene::Blades>()->lines})
       for (auto& line : *lines)
         for (auto& p : line) move(p);
-    move(content.block->frame.origin);
-    content.block->size *= scale;
+    move(content.first<bw::Box>()->frame.origin);
+    content.first<bw::Box>()->size *= scale;
     return content;
   };
   const auto settle = [&] {
@@ -298,7 +299,7 @@ TEST_F(SceneViewTest, RefitsWhatLeftThePictureAndLeavesAloneWhatDidNot) {
         kPatience);
   };
   const auto inSight = [&] {
-    const auto& block = *view.content().block;
+    const auto& block = *view.content().first<bw::Box>();
     return QRectF(view.rect())
         .contains(view.toWidget(block.frame.toWorld(0.5 * block.size.head<2>(), 0.5 * block.size.z())));
   };
@@ -311,12 +312,13 @@ TEST_F(SceneViewTest, RefitsWhatLeftThePictureAndLeavesAloneWhatDidNot) {
   EXPECT_TRUE(settle());
   view.setContent(shifted({0, 0, 0}, 25.4));
   EXPECT_TRUE(QTest::qWaitFor(
-      [&] { return inSight() && view.toWidget(view.content().block->frame.origin).x() > 0; }, kPatience))
+      [&] { return inSight() && view.toWidget(view.content().first<bw::Box>()->frame.origin).x() > 0; },
+      kPatience))
       << "another unit";
   EXPECT_TRUE(settle());
   // Who looks at a detail keeps it while the rest changes a little.
   bw::Bounds detail;
-  detail.add(view.content().stations[8][40]);
+  detail.add(view.content().first<bw::scene::Stations>()->lines[8][40]);
   view.fitBounds(detail, false);
   const Camera close = view.camera();
   view.setContent(shifted({0, 0, 10}, 25.5));
@@ -327,18 +329,18 @@ TEST_F(SceneViewTest, RefitsWhatLeftThePictureAndLeavesAloneWhatDidNot) {
 TEST_F(SceneViewTest, FacesAreClickedOnlyWhileTheyAreChosen) {
   bw::scene::Content content = bw::test::sampleContent();
   auto faces = std::make_shared<bw::FaceMesh>();
-  faces->mesh = content.target;
+  faces->mesh = *content.first<bw::TriangleMesh>();
   for (const auto& triangle : faces->mesh.triangles) {
     const Eigen::Vector3d& p = faces->mesh.points[std::size_t(triangle[0])];
     faces->faces.push_back(int(std::clamp((p.x() + 30) / 66, 0.0, 9.0)) +
                            10 * int(std::clamp((p.y() + 30) / 36.5, 0.0, 19.0)));
   }
-  content.faces = faces;
+  content.add({}, bw::scene::Faces{faces});
   view.setContent(content);
   std::vector<std::pair<int, Qt::KeyboardModifiers>> clicked;
   QObject::connect(&view, &SceneView::faceClicked,
                    [&](int face, Qt::KeyboardModifiers keys) { clicked.emplace_back(face, keys); });
-  QSignalSpy stations(&view, &SceneView::stationPicked);
+  QSignalSpy stations(&view, &SceneView::picked);
   const QPoint at = view.toWidget({300, 335, bw::test::panelHeight(300, 335)}).toPoint();
   QTest::mouseClick(&view, Qt::LeftButton, {}, at);
   EXPECT_TRUE(clicked.empty());
@@ -362,7 +364,7 @@ TEST_F(SceneViewTest, FacesAreClickedOnlyWhileTheyAreChosen) {
 
 TEST_F(SceneViewTest, DoubleClickOnTheLegendAsksForItsRange) {
   QSignalSpy spy(&view, &SceneView::legendActivated);
-  QSignalSpy picks(&view, &SceneView::stationPicked);
+  QSignalSpy picks(&view, &SceneView::picked);
   const QPoint at = view.legendRect().center().toPoint();
   QTest::mouseDClick(&view, Qt::LeftButton, {}, at);
   EXPECT_EQ(spy.count(), 1);

@@ -34,6 +34,17 @@ Camera lookFrom(const Eigen::Vector3d& back) {
 
 }  // namespace
 
+Style::Style() {
+  (*this)[Kind::target].opacity = 0.4;
+  (*this)[Kind::block].opacity = 0.15;
+  (*this)[Kind::blade].visible = false;
+}
+
+const Look& Style::of(Kind kind, const ItemId& id) const {
+  const auto own = items.find({kind, id});
+  return own == items.end() ? (*this)[kind] : own->second;
+}
+
 Scene::Scene() : impl_(std::make_unique<Impl>()) {}
 Scene::~Scene() = default;
 Scene::Scene(Scene&&) noexcept = default;
@@ -45,8 +56,8 @@ const Style& Scene::style() const { return impl_->style; }
 const Content& Scene::content() const { return impl_->content; }
 
 std::optional<std::pair<double, double>> Scene::legendRange() const {
-  if (!impl_->field) return std::nullopt;
-  return impl_->map.range;
+  if (!impl_->legendMap) return std::nullopt;
+  return impl_->legendMap->colors.range;
 }
 
 Camera Scene::fitCamera(View view, double aspect, const std::optional<Bounds>& bounds) const {

@@ -17,7 +17,6 @@
 
 #include "bw/scene/navigation.h"
 #include "scene/camera/camera_fit.h"
-#include "scene/content_check.h"
 #include "scene/render/stage.h"
 
 namespace bw::scene {
@@ -30,14 +29,6 @@ constexpr double kShadowReach = 0.06, kShadow = 0.75, kShadowUnderMap = 0.3;
 // it.
 constexpr double kLargeTarget = 2;
 constexpr unsigned kGlLessOrEqual = 0x0203;  ///< GL_LEQUAL
-
-Bounds joined(Bounds a, const Bounds& b) {
-  if (b.valid()) {
-    a.add(b.min);
-    a.add(b.max);
-  }
-  return a;
-}
 
 Camera defaultCamera() {
   Camera camera;
@@ -53,23 +44,18 @@ Camera defaultCamera() {
 Scene::Impl::Impl()
     : camera(defaultCamera()),
       renderer_(vtkSmartPointer<vtkRenderer>::New()),
-      occlusion_(vtkSmartPointer<AmbientOcclusion>::New()) {
+      occlusion_(vtkSmartPointer<AmbientOcclusion>::New()),
+      layers_(renderer_),
+      grid_(layers_),
+      actors_(layers_),
+      blade_(layers_),
+      legend_(layers_),
+      marker_(layers_),
+      place_(layers_) {
   addLights(renderer_);
   static_cast<vtkOpenGLRenderer*>(renderer_.Get())->SetPass(makePasses(occlusion_));
   renderer_->GradientBackgroundOn();
   renderer_->InteractiveOff();
-  grid_.addTo(renderer_);
-  actors_.addSolidTo(renderer_);
-  blade_.addSolidTo(renderer_);
-  arrow_.addSolidTo(renderer_);
-  actors_.addClearTo(renderer_);
-  blade_.addGlowTo(renderer_);
-  actors_.addFrontTo(renderer_);
-  actors_.isolineLabels().addTo(renderer_);
-  legend_.addTo(renderer_);
-  marker_.addTo(renderer_);
-  place_.addTo(renderer_);
-  occlusion_->setSolids({actors_.solid(), blade_.tube(), blade_.grips()});
   setContent({});
 }
 
@@ -90,33 +76,18 @@ void Scene::Impl::setTarget(std::unique_ptr<RenderTarget> given) {
 
 void Scene::Impl::setContent(Content given) {
   // The former arrays are shared with VTK until the actors have taken the new ones.
-  const Content former = std::exchange(content, std::move(given));
-  const TriangleMesh formerMesh = std::move(cutMesh);
-  cutMesh = {};
-  picker_.reset(content.faces != former.faces);
+  const Content formerContent = std::exchange(content, std::move(given));
+  const Things former = std::exchange(things, Things(content));
+  const bool otherFaces = things.faces != former.faces;
+  picker_.reset(otherFaces);
   ++contentVersion_;
-
-  cleanMesh(content.target);
-  const SurfaceGrid& cut = content.cut;
-  if (cut.rows >= 2 && cut.columns >= 2 &&
-      cut.points.size() == std::size_t(cut.rows) * std::size_t(cut.columns)) {
-    cutMesh = cut.triangles();
-    cleanMesh(cutMesh);
-  }
-  if (content.block && !(content.block->size.allFinite() && content.block->frame.origin.allFinite() &&
-                         (content.block->size.array() > 0).all())) {
-    content.block.reset();
-  }
-  if (content.faces != former.faces) {
-    if (content.faces && !sound(*content.faces)) content.faces.reset();
+  if (otherFaces) {
     faceBounds_ = {};
-    if (content.faces)
-      for (const Eigen::Vector3d& p : content.faces->mesh.points) faceBounds_.add(p);
+    if (things.faces)
+      for (const Eigen::Vector3d& p : things.faces->mesh.points) faceBounds_.add(p);
   }
   Bounds cutBounds, blockBounds, targetBounds;
   bladeBounds_ = {};
-  for (const Eigen::Vector3d& p : content.target.points) targetBounds.add(p);
-  for (const Eigen::Vector3d& p : cutMesh.points) cutBounds.add(p);
   const auto addLines = [](Bounds& bounds, const std::vector<Polyline>& lines) {
     for (const Polyline& line : lines) {
       for (const Eigen::Vector3d& p : line) {
@@ -124,11 +95,16 @@ void Scene::Impl::setContent(Content given) {
       }
     }
   };
-  addLines(cutBounds, content.stations);
-  addLines(bladeBounds_, content.blades);
-  if (content.block) {
-    for (const Eigen::Vector3d& p : content.block->corners()) blockBounds.add(p);
+  for (const ShownTarget& target : things.targets)
+    for (const Eigen::Vector3d& p : target.mesh->points) targetBounds.add(p);
+  for (const Row& row : things.rows) {
+    for (const Eigen::Vector3d& p : row.mesh.points) cutBounds.add(p);
+    addLines(cutBounds, *row.stations);
+    addLines(bladeBounds_, *row.blades);
   }
+  for (const Stock& stock : things.stocks)
+    if (stock.box)
+      for (const Eigen::Vector3d& p : stock.box->corners()) blockBounds.add(p);
   const Bounds cutInBlock = joined(cutBounds, blockBounds);
   const bool afar = blockBounds.valid() && cutBounds.valid() && targetBounds.valid() &&
                     targetBounds.size().norm() > kLargeTarget * cutInBlock.size().norm();
@@ -138,58 +114,45 @@ void Scene::Impl::setContent(Content given) {
   surfaceBounds_ = surfaces;
   workBounds_ = joined(solids, bladeBounds_);
   cutBounds_ = cutBounds;
-  actors_.setContent(content, cutMesh, surfaces.valid() ? std::max(1e-3, surfaces.size().norm()) : 1, afar);
+  actors_.setContent(things, surfaces.valid() ? std::max(1e-3, surfaces.size().norm()) : 1, afar);
+  std::vector<vtkSmartPointer<vtkActor>> shading = actors_.solids();
+  shading.insert(shading.end(), {blade_.tube(), blade_.grips()});
+  occlusion_->setSolids(std::move(shading));
   grid_.setBounds(solids);
-  arrow_.setContent(content);
-  legend_.setAreas(pointAreas(cutMesh));
-  summaryKey_.clear();
   setStyle(wished_);
 }
 
-void Scene::Impl::refreshField() {
-  field = content.cut.field(style.field);
-  if (field && field->values.size() != cutMesh.points.size()) field = nullptr;
-  if (cutMesh.points.empty()) field = nullptr;
-  const std::string key = field ? field->name : std::string();
-  if (key != summaryKey_) {
-    summaryKey_ = key;
-    summary = field ? summarize(field->values) : FieldSummary{};
-  }
-  if (field && summary.count == 0) field = nullptr;
-  if (!field) return;
-  std::optional<double> limit;
-  if (const auto found = content.limits.find(field->name); found != content.limits.end()) {
-    if (found->second > 0 && std::isfinite(found->second)) limit = found->second;
-  }
-  map = {field->name, legendRangeOf(field->name, summary, style, limit), style.tolerance, limit};
-}
-
-void Scene::Impl::refreshBlade() {
-  blade_.setLine(std::isfinite(style.playhead) ? bladeAt(content.blades, style.playhead) : Polyline{});
+const std::vector<Polyline>* Scene::Impl::blades(const ItemId& id) const {
+  const auto row = std::ranges::find(things.rows, id.row(), &Row::id);
+  return row == things.rows.end() ? nullptr : row->blades;
 }
 
 void Scene::Impl::setStyle(const Style& given) {
   wished_ = style = given;
-  style.chooseFaces = style.chooseFaces && content.faces;
+  style.chooseFaces = style.chooseFaces && things.faces;
   if (style.chooseFaces) {
     // What was made of the faces steps aside.
-    style.field = "none";
-    style.showCut = style.showTarget = style.showStations = style.showBlades = style.showBlock = false;
-    style.selectedStation = -1;
+    style.items.clear();
+    for (const Kind kind : {Kind::cut, Kind::target, Kind::station, Kind::blade, Kind::block})
+      style[kind].visible = false;
+    style[Kind::cut].map = "none";
+    style.selected = {};
     style.playhead = -1;
     style.section.reset();
   }
   if (!(style.pixelRatio > 0) || !std::isfinite(style.pixelRatio)) style.pixelRatio = 1;
   if (!(style.tolerance >= 0) || !std::isfinite(style.tolerance)) style.tolerance = 0;
-  refreshField();
-  refreshBlade();
+  maps = shownMaps(things, style);
+  const auto shown = maps.find(style[Kind::cut].map);
+  legendMap = shown == maps.end() ? nullptr : &shown->second;
+  const std::vector<Polyline>* moving = blades(style.moving);
+  blade_.setLine(moving && std::isfinite(style.playhead) ? bladeAt(*moving, style.playhead) : Polyline{});
   const Theme& colors = theme(style.dark);
   const Rgb background = mix(colors.bottom, colors.top, 0.5);
   renderer_->SetBackground(colors.bottom.r, colors.bottom.g, colors.bottom.b);
   renderer_->SetBackground2(colors.top.r, colors.top.g, colors.top.b);
-  actors_.setStyle(content, cutMesh, style, field, map, background);
+  actors_.setStyle(style, background);
   blade_.setStyle(style, background);
-  arrow_.setStyle(style, background);
   grid_.setStyle(style);
 }
 
@@ -197,14 +160,19 @@ Bounds Scene::Impl::workBounds() const { return style.chooseFaces ? faceBounds_ 
 
 Bounds Scene::Impl::contentBounds() const {
   if (style.chooseFaces) return faceBounds_;
-  Bounds bounds = style.showBlades || style.playhead >= 0 ? joined(solidBounds_, bladeBounds_) : solidBounds_;
-  if (style.selectedStation >= 0 && style.selectedStation < int(content.blades.size())) {
-    for (const Eigen::Vector3d& p : content.blades[std::size_t(style.selectedStation)]) {
+  const bool bladesSeen = style.playhead >= 0 || std::ranges::any_of(things.rows, [this](const Row& row) {
+                            return style.of(Kind::blade, row.id).visible;
+                          });
+  Bounds bounds = bladesSeen ? joined(solidBounds_, bladeBounds_) : solidBounds_;
+  const int selected = style.selected.station;
+  if (const std::vector<Polyline>* all = blades(style.selected);
+      all && selected >= 0 && selected < int(all->size())) {
+    for (const Eigen::Vector3d& p : (*all)[std::size_t(selected)]) {
       if (p.allFinite()) bounds.add(p);
     }
   }
-  bounds = joined(bounds, arrow_.bounds());
-  return style.showFaces ? joined(bounds, faceBounds_) : bounds;
+  bounds = joined(bounds, actors_.arrowBounds());
+  return style[Kind::face].visible ? joined(bounds, faceBounds_) : bounds;
 }
 
 Projection Scene::Impl::projection(int width, int height) const {
@@ -236,16 +204,16 @@ void Scene::Impl::renderFrame(int width, int height) {
       camera.parallel ? 2 / (far - near) : 2 * far * near / ((far - near) * distance * distance);
   occlusion_->setReach(kShadowReach * actors_.diagonal());
   // What is out of date is faded, and its shadows with it.
-  const double shadow = (field ? kShadowUnderMap : kShadow) * keptColor(style.stale);
+  const double shadow = (legendMap ? kShadowUnderMap : kShadow) * keptColor(style.stale);
   occlusion_->setStrength(style.softShadows && !draft_ ? shadow : 0);
   const double pixel = bw::scene::pixelSize(camera, height);
   const double behind = back > 0 && cutBounds_.valid()
                             ? shareBehind({near, far}, depthsOf(view, cutBounds_), back, camera.parallel)
                             : 0;
-  actors_.update(content, style, perMillimetre, pixel, behind);
+  actors_.update(style, perMillimetre, pixel, behind);
   blade_.update(view, -perMillimetre * 2 * pixel * style.pixelRatio);
   marker_.update(view, width, height, style);
-  legend_.update(width, height, style, field, summary, map, contentVersion_);
+  legend_.update(width, height, style, legendMap, contentVersion_);
   std::vector<PixelRect> taken;
   if (legend_.card()) taken.push_back(*legend_.card());
   if (marker_.renderer()->GetDraw())
@@ -311,10 +279,12 @@ std::vector<Eigen::Vector3d> Scene::Impl::workPoints() const {
     return points;
   }
   if (surfaceBounds_.valid()) add(cornersOf(surfaceBounds_));
-  if (content.block) add(content.block->corners());
-  if (arrow_.bounds().valid()) add(cornersOf(arrow_.bounds()));
-  for (const Polyline& blade : content.blades)
-    if (usable(blade)) add(blade);
+  for (const Stock& stock : things.stocks)
+    if (stock.box) add(stock.box->corners());
+  if (actors_.arrowBounds().valid()) add(cornersOf(actors_.arrowBounds()));
+  for (const Row& row : things.rows)
+    for (const Polyline& blade : *row.blades)
+      if (usable(blade)) add(blade);
   return points;
 }
 
@@ -323,14 +293,14 @@ Camera Scene::Impl::fit(Camera from, double aspect, std::vector<Eigen::Vector3d>
   if (!(aspect > 0) || !std::isfinite(aspect)) aspect = 1;
   // Room for the legend.
   const double margin =
-      field && style.legend
+      legendMap && style.legend
           ? std::min(0.5, 2 * Legend::reservedWidth(style.pixelRatio) / (lastWidth_ > 0 ? lastWidth_ : 900))
           : 0.0;
   return fitted(from, points, aspect, margin);
 }
 
 ScenePicker::Shown Scene::Impl::shown() const {
-  return {content, cutMesh, style, field, blade_.line(), contentBounds(), actors_.targetSetBack(style)};
+  return {things, style, blade_.line(), contentBounds(), actors_.targetSetBack(style)};
 }
 
 Pick Scene::Impl::pick(double x, double y, int width, int height) const {

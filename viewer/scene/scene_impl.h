@@ -14,7 +14,6 @@
 #include "scene/actors/moving_blade.h"
 #include "scene/actors/orientation_marker.h"
 #include "scene/actors/place_marker.h"
-#include "scene/actors/travel_arrow.h"
 #include "scene/camera/picking.h"
 #include "scene/camera/scene_picker.h"
 #include "scene/legend/legend.h"
@@ -54,34 +53,32 @@ struct Scene::Impl {
   RenderTarget* target() const { return target_.get(); }
 
   Content content;
-  TriangleMesh cutMesh;  ///< of content.cut
-  Style style;           ///< as it is drawn: while faces are chosen, without what was made of them
+  Things things;  ///< of `content`
+  Style style;    ///< as it is drawn: while faces are chosen, without what was made of them
   Camera camera;
-  const Field* field = nullptr;  ///< shown; points into `content`
-  FieldSummary summary;          ///< of `field`
-  ColorMap map;
+  std::map<std::string, ShownMap> maps;
+  const ShownMap* legendMap = nullptr;  ///< one of `maps`, or none
   Overlay overlay;
 
  private:
   Style wished_;
-  void refreshField();
-  void refreshBlade();
+  /// Those of a row; null where there is no such row.
+  const std::vector<Polyline>* blades(const ItemId& id) const;
   ScenePicker::Shown shown() const;
 
   vtkSmartPointer<vtkRenderer> renderer_;
   vtkSmartPointer<AmbientOcclusion> occlusion_;
   bool draft_ = false;
+  Layers layers_;
+  GroundGrid grid_;
   ContentActors actors_;
   MovingBlade blade_;
-  TravelArrow arrow_;
-  GroundGrid grid_;
-  OrientationMarker marker_;
   Legend legend_;
+  OrientationMarker marker_;
   PlaceMarker place_;
   std::unique_ptr<RenderTarget> target_;
   Bounds solidBounds_, cutBounds_, bladeBounds_, surfaceBounds_, workBounds_, faceBounds_;
   unsigned contentVersion_ = 0;
-  std::string summaryKey_;
   int lastWidth_ = 0;
   ScenePicker picker_;
 };

@@ -84,7 +84,6 @@ struct SceneView::Impl {
       return;
     }
     emit self->picked(hit);
-    emit self->stationPicked(hit.station);
   }
 
   void lightCube(const std::optional<Eigen::Vector3d>& direction) {

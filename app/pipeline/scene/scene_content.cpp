@@ -14,22 +14,36 @@ constexpr int kCurvePoints = 65;
 
 scene::Content sceneContent(const Evaluation& evaluation) {
   scene::Content content;
-  const CutEvaluation& cut = evaluation.cut();
-  if (cut.targetMesh.value) content.target = *cut.targetMesh.value;
-  content.faces = evaluation.faceMesh.value;
-  if (cut.setup)
-    content.block = cut.setup->block;
-  else if (evaluation.design.block().placement)
-    content.block =
-        evaluation.design.block().placement->box();  // it misses the surface: shown where it was put
-  if (cut.setup) content.travel = cut.setup->direction;
-  if (const std::optional<CutResult> result = cut.result()) {
-    const Blade& blade = result->sweep.request.blade;
-    content.limits = {{"curvature", 1.0}, {"stress", blade.stress(blade.maxCurvature())}};
-    content.cut = result->analysis.cut;
-    for (const BladePose& pose : result->sweep.poses) {
-      content.stations.push_back(pose.points(pose.cut, kCurvePoints));
-      content.blades.push_back(pose.points(pose.blade, kCurvePoints));
+  for (const BlockEvaluation& block : evaluation.blocks)
+    for (const CutEvaluation& cut : block.cuts)
+      if (cut.targetMesh.value) content.add({}, *cut.targetMesh.value);
+  if (evaluation.faceMesh.value) content.add({}, scene::Faces{evaluation.faceMesh.value});
+  for (int b = 0; b < int(evaluation.blocks.size()); ++b) {
+    const BlockEvaluation& block = evaluation.blocks[std::size_t(b)];
+    const geometry::Setup* setup = block.cuts.front().setup.get();
+    if (setup)
+      content.add({b}, setup->block);
+    else if (evaluation.design.stock.size() > std::size_t(b) &&
+             evaluation.design.stock[std::size_t(b)].placement)
+      content.add({b}, evaluation.design.stock[std::size_t(b)]
+                           .placement->box());  // it misses the surface: shown where it was put
+    if (setup) content.add({b}, scene::Travel{setup->direction});
+    for (int c = 0; c < int(block.cuts.size()); ++c) {
+      const std::optional<CutResult> result = block.cuts[std::size_t(c)].result();
+      if (!result) continue;
+      const scene::ItemId row{b, c, 0};
+      const Blade& blade = result->sweep.request.blade;
+      content.add(row,
+                  scene::CutSurface{result->analysis.cut,
+                                    {{"curvature", 1.0}, {"stress", blade.stress(blade.maxCurvature())}}});
+      scene::Stations stations;
+      scene::Blades blades;
+      for (const BladePose& pose : result->sweep.poses) {
+        stations.lines.push_back(pose.points(pose.cut, kCurvePoints));
+        blades.lines.push_back(pose.points(pose.blade, kCurvePoints));
+      }
+      content.add(row, std::move(stations));
+      content.add(row, std::move(blades));
     }
   }
   return content;

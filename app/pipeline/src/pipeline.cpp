@@ -51,7 +51,8 @@ SourceRequest sourceRequest(const Design& design) {
 Result<CadSource> readSource(const SourceRequest& request, const RunContext& context, Findings& findings) {
   const std::filesystem::path& path = request.file.path;
   if (request.bytes.empty() && path.empty())
-    return fail(ErrorCode::badInput, "no CAD file is chosen; open one or drag it into the window", "source");
+    return fail(ErrorCode::badInput,
+                "no CAD file is chosen; open one, or name it in the design (sources, path)", "source");
   Result<geometry::CadModel> model =
       request.bytes.empty()
           ? geometry::CadModel::read(path, context, request.options)

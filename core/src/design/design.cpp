@@ -110,10 +110,11 @@ void readList(ObjectReader& reader, const char* key, std::vector<Part>& list, co
   if (!value) return;
   const std::string path = reader.path() + "." + key;
   if (!value->is_array() || value->size() != 1)
-    return reader.complain(key, path + " must be a list of one entry" +
-                                    (value->is_array() ? ", not of " + std::to_string(value->size()) +
-                                                             ": this version works on one block and one cut"
-                                                       : std::string()));
+    return reader.complain(
+        key, path + " must be a list of one entry" +
+                 (value->is_array() ? ", not of " + std::to_string(value->size()) +
+                                          ": this version works on one source, one block and one cut"
+                                    : std::string()));
   ObjectReader inner((*value)[0], path + "[0]");
   inner.text("id", list.front().id);
   read(inner, list.front());
@@ -220,13 +221,13 @@ std::string designToJson(const Design& design) {
     detail::writeCutKeys(cut, part);
     cuts.push_back(std::move(part));
   }
-  object["sources"] = std::move(sources);
-  object["stock"] = std::move(stock);
-  object["cuts"] = std::move(cuts);
+  object["sources"] = sources;
+  object["stock"] = stock;
+  object["cuts"] = cuts;
   object["blade"] = bladeToJson(design.blade);
   json process;
   detail::writeProcessKeys(design.process, process);
-  object["process"] = std::move(process);
+  object["process"] = process;
   object["output"] = {{"programs", design.output.programs}, {"cell", design.output.cell}};
   return object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }

@@ -3,8 +3,6 @@
 
 #include "scene/actors/face_actors.h"
 
-#include <vtkRenderer.h>
-
 #include <algorithm>
 
 #include "scene/actors/mesh_edges.h"
@@ -18,13 +16,10 @@ constexpr double kSurroundingEdges = 0.3;
 
 }  // namespace
 
-FaceActors::FaceActors() {
+FaceActors::FaceActors(Layers& layers) {
   for (Part* part : {&pale_, &chosen_, &hovered_}) part->setMatte(0.4, 0.6, 0.0);
   edges_.setFlat();
-}
-
-void FaceActors::addTo(vtkRenderer* renderer) {
-  for (Part* part : parts()) renderer->AddActor(part->actor());
+  for (Part* part : parts()) layers.add(Layer::faces, *part);
 }
 
 void FaceActors::setContent(const std::shared_ptr<const FaceMesh>& given) {
@@ -80,7 +75,7 @@ void FaceActors::light(int face) {
 void FaceActors::setStyle(const Style& style, const Rgb& background) {
   const Theme& colors = theme(style.dark);
   const bool any = faces_ != nullptr, choosing = any && style.chooseFaces;
-  const bool around = any && style.showFaces;
+  const bool around = any && style[Kind::face].visible;
   if (choosing || around) sort(style.chosenFaces);
   light(choosing ? style.hoveredFace : -1);
 

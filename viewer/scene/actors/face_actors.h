@@ -7,9 +7,7 @@
 #include <vector>
 
 #include "bw/scene/scene.h"
-#include "scene/render/vtk_tools.h"
-
-class vtkRenderer;
+#include "scene/render/layers.h"
 
 namespace bw::scene {
 
@@ -17,8 +15,7 @@ namespace bw::scene {
 /// with the one under the cursor lit up.
 class FaceActors {
  public:
-  FaceActors();
-  void addTo(vtkRenderer* renderer);
+  explicit FaceActors(Layers& layers);
   /// All that it draws.
   std::array<Part*, 4> parts() { return {&pale_, &chosen_, &hovered_, &edges_}; }
 

@@ -6,7 +6,6 @@
 #include <vtkCellArray.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
-#include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
@@ -17,17 +16,14 @@
 
 namespace bw::scene {
 
-GroundGrid::GroundGrid() {
+GroundGrid::GroundGrid(Layers& layers) {
   lines_.setFlat();
   lines_.mapper()->ScalarVisibilityOn();
   lines_.mapper()->SetColorModeToDirectScalars();
   // Tells VTK to draw after all that is solid: the fading is in the colours.
   lines_.actor()->ForceTranslucentOn();
-}
-
-void GroundGrid::addTo(vtkRenderer* renderer) {
-  renderer->AddActor(lines_.actor());
-  labels_.addTo(renderer);
+  layers.add(Layer::ground, lines_);
+  layers.add(Layer::ground, labels_);
 }
 
 void GroundGrid::setBounds(const Bounds& bounds) {
@@ -169,7 +165,5 @@ void GroundGrid::labelEdge(bool alongX, const Projection& view, int width, int h
     labels_.text(text, x, y, Align::center, look);
   }
 }
-
-std::vector<Overlay::Text> GroundGrid::texts() const { return labels_.texts(); }
 
 }  // namespace bw::scene

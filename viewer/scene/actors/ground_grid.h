@@ -6,8 +6,7 @@
 
 #include "bw/scene/scene.h"
 #include "scene/camera/picking.h"
-#include "scene/render/canvas.h"
-#include "scene/render/vtk_tools.h"
+#include "scene/render/layers.h"
 
 namespace bw::scene {
 
@@ -15,13 +14,12 @@ namespace bw::scene {
 /// the two edges that face the camera.
 class GroundGrid {
  public:
-  GroundGrid();
-  void addTo(vtkRenderer* renderer);
+  explicit GroundGrid(Layers& layers);
   void setBounds(const Bounds& bounds);
   void setStyle(const Style& style);
   /// Places the labels for that view, clear of what is `taken`.
   void update(const Projection& view, int width, int height, const std::vector<PixelRect>& taken);
-  std::vector<Overlay::Text> texts() const;
+  const std::vector<Overlay::Text>& texts() const { return labels_.texts(); }
   Bounds bounds() const;  ///< of the lines
 
  private:

@@ -26,13 +26,8 @@ Eigen::Vector3d pointAt(const Polyline& line, double arc) {
 
 }  // namespace
 
-void IsolineLabels::setLines(const std::vector<Isoline>& lines,
-                             const std::function<std::string(double)>& text, double diagonal) {
-  struct Candidate {
-    Place place;
-    double rank;
-  };
-  std::vector<Candidate> candidates;
+void IsolineLabels::add(const std::vector<Isoline>& lines, const std::function<std::string(double)>& text,
+                        double diagonal) {
   for (const Isoline& isoline : lines) {
     const double length = lengthOf(isoline.line);
     if (length < kShortest * diagonal) continue;
@@ -40,13 +35,10 @@ void IsolineLabels::setLines(const std::vector<Isoline>& lines,
     // The middle first; where it is out of sight a place beside it stands in.
     for (const auto& [share, weight] : {std::pair(0.5, 1.0), std::pair(0.2, 0.4), std::pair(0.8, 0.4)}) {
       if (share != 0.5 && !several) continue;
-      candidates.push_back({{pointAt(isoline.line, share * length), text(isoline.level)}, weight * length});
+      places_.push_back({pointAt(isoline.line, share * length), text(isoline.level), weight * length});
     }
   }
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.rank > b.rank; });
-  places_.clear();
-  for (Candidate& candidate : candidates) places_.push_back(std::move(candidate.place));
+  std::ranges::stable_sort(places_, std::greater(), &Place::rank);
 }
 
 void IsolineLabels::update(const Projection& view, int width, int height, double pixelRatio,
@@ -58,7 +50,7 @@ void IsolineLabels::update(const Projection& view, int width, int height, double
   const TextLook look{kTextSize * pixelRatio, false, kLineOverSurface, 1};
   std::size_t drawn = 0;
   for (const Place& place : places_) {
-    if (!visible_ || drawn == kMost) break;
+    if (drawn == kMost) break;
     const Eigen::Vector3d pixel = view.toPixel(place.point);
     if (!view.parallel() && pixel.z() <= 0) continue;
     const double w = Canvas::textWidth(place.text, look) + 2 * kPadding * pixelRatio,

@@ -11,21 +11,19 @@
 #include "bw/scene/scene.h"
 #include "scene/actors/isolines.h"
 #include "scene/camera/picking.h"
-#include "scene/render/canvas.h"
-
-class vtkRenderer;
+#include "scene/render/layers.h"
 
 namespace bw::scene {
 
 /// The values that stand on isolines: each at a fixed place of its line, where it is seen and there is room.
 class IsolineLabels {
  public:
-  void addTo(vtkRenderer* renderer) { canvas_.addTo(renderer); }
-  /// Chooses the places. `text` gives the words of a level; lines shorter than a share of `diagonal` (mm) get
-  /// none.
-  void setLines(const std::vector<Isoline>& lines, const std::function<std::string(double)>& text,
-                double diagonal);
-  void setVisible(bool on) { visible_ = on; }
+  explicit IsolineLabels(Layers& layers) { layers.add(Layer::overlay, canvas_); }
+  void clear() { places_.clear(); }
+  /// Chooses places on more lines. `text` gives the words of a level; lines shorter than a share of
+  /// `diagonal` (mm) get none.
+  void add(const std::vector<Isoline>& lines, const std::function<std::string(double)>& text,
+           double diagonal);
   /// Lays them out for a picture. `taken` is what they keep clear of; `seen` tells whether a place is in
   /// sight.
   void update(const Projection& view, int width, int height, double pixelRatio,
@@ -36,10 +34,10 @@ class IsolineLabels {
   struct Place {
     Eigen::Vector3d point;
     std::string text;
+    double rank;
   };
   Canvas canvas_;
   std::vector<Place> places_;  ///< the most important first
-  bool visible_ = false;
 };
 
 }  // namespace bw::scene

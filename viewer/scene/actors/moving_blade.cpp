@@ -8,7 +8,6 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkProperty.h>
-#include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <Eigen/Geometry>
@@ -124,21 +123,16 @@ void buildGlow(vtkPolyData* data, const Polyline& line, const Projection& view, 
 
 }  // namespace
 
-MovingBlade::MovingBlade() {
+MovingBlade::MovingBlade(Layers& layers) {
   tube_.setMatte(0.55, 0.5, 0.25);
   grips_.setMatte(0.4, 0.6, 0.2);
   glow_.setFlat();
   glow_.mapper()->ScalarVisibilityOn();
   glow_.mapper()->SetColorModeToDirectScalars();
   glow_.actor()->ForceTranslucentOn();
+  for (Part* part : {&tube_, &grips_}) layers.add(Layer::blade, *part);
+  layers.add(Layer::glow, glow_);
 }
-
-void MovingBlade::addSolidTo(vtkRenderer* renderer) {
-  renderer->AddActor(tube_.actor());
-  renderer->AddActor(grips_.actor());
-}
-
-void MovingBlade::addGlowTo(vtkRenderer* renderer) { renderer->AddActor(glow_.actor()); }
 
 void MovingBlade::setLine(Polyline line) {
   line_ = std::move(line);
@@ -150,7 +144,7 @@ void MovingBlade::setStyle(const Style& style, const Rgb& background) {
   pixelRatio_ = style.pixelRatio;
   tube_.setColor(colors.accent);
   grips_.setColor(colors.grip);
-  const double keep = style.stale ? 0.6 : 1.0;
+  const double keep = keptColor(style.stale);
   for (Part* part : {&tube_, &grips_}) part->setFade(keep, background);
   glow_.setOpacity(keep);
   glow_.setColor(colors.accent);
@@ -172,9 +166,7 @@ void MovingBlade::update(const Projection& view, double depthShift) {
   double c[3];
   tube_.property()->GetColor(c);
   buildGlow(glow_.data(), line_, view, kGlowWidth * pixelRatio_, {c[0], c[1], c[2]}, 0.38);
-  tube_.setDepthShift(depthShift);
-  grips_.setDepthShift(depthShift);
-  glow_.setDepthShift(depthShift);
+  for (Part* part : {&tube_, &grips_, &glow_}) part->setDepthShift(depthShift);
 }
 
 }  // namespace bw::scene

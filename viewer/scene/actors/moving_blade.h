@@ -6,19 +6,17 @@
 
 #include "bw/scene/scene.h"
 #include "scene/camera/picking.h"
+#include "scene/render/layers.h"
 #include "scene/render/polyline.h"
-#include "scene/render/vtk_tools.h"
 
 namespace bw::scene {
 
 /// The hot blade: a glowing tube that keeps its width on the screen, with a dark grip at each end.
 class MovingBlade {
  public:
-  MovingBlade();
-  void addSolidTo(vtkRenderer* renderer);
+  explicit MovingBlade(Layers& layers);
   vtkActor* tube() const { return tube_.actor(); }
   vtkActor* grips() const { return grips_.actor(); }
-  void addGlowTo(vtkRenderer* renderer);
   void setLine(Polyline line);
   void setStyle(const Style& style, const Rgb& background);
   /// Gives the tube its width for that view.

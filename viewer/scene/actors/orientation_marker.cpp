@@ -50,7 +50,8 @@ const std::array<Face, 6>& faces() {
 
 }  // namespace
 
-OrientationMarker::OrientationMarker() : renderer_(vtkSmartPointer<vtkRenderer>::New()) {
+OrientationMarker::OrientationMarker(Layers& layers) : renderer_(vtkSmartPointer<vtkRenderer>::New()) {
+  layers.add(Layer::overlay, canvas_);
   renderer_->SetLayer(1);
   renderer_->InteractiveOff();
   for (std::size_t i = 0; i < 6; ++i) {

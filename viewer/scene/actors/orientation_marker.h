@@ -10,10 +10,8 @@
 
 #include "bw/scene/scene.h"
 #include "scene/camera/picking.h"
-#include "scene/render/canvas.h"
-#include "scene/render/vtk_tools.h"
+#include "scene/render/layers.h"
 
-class vtkRenderer;
 class vtkTexture;
 
 namespace bw::scene {
@@ -22,9 +20,8 @@ namespace bw::scene {
 /// or a corner looks from there.
 class OrientationMarker {
  public:
-  OrientationMarker();
+  explicit OrientationMarker(Layers& layers);
   vtkRenderer* renderer() const { return renderer_; }
-  void addTo(vtkRenderer* overlay) { canvas_.addTo(overlay); }
   void update(const Projection& view, int width, int height, const Style& style);
 
   static PixelRect place(int width, int height, double pixelRatio);

@@ -8,9 +8,7 @@
 
 #include "bw/scene/scene.h"
 #include "scene/camera/picking.h"
-#include "scene/render/canvas.h"
-
-class vtkRenderer;
+#include "scene/render/layers.h"
 
 namespace bw::scene {
 
@@ -18,7 +16,7 @@ namespace bw::scene {
 /// by a line.
 class PlaceMarker {
  public:
-  void addTo(vtkRenderer* renderer) { canvas_.addTo(renderer); }
+  explicit PlaceMarker(Layers& layers) { layers.add(Layer::handles, canvas_); }
   /// Lays it out; the card keeps clear of `taken` where it can. Hidden without a marker, and where the point
   /// lies behind the eye or outside the picture.
   void update(const Projection& view, int width, int height, const Style& style,

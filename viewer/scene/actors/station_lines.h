@@ -5,11 +5,9 @@
 #include <array>
 #include <vector>
 
-#include "bw/scene/scene.h"
+#include "scene/render/layers.h"
 #include "scene/render/polyline.h"
-#include "scene/render/vtk_tools.h"
-
-class vtkRenderer;
+#include "scene/things.h"
 
 namespace bw::scene {
 
@@ -17,19 +15,17 @@ namespace bw::scene {
 /// outside. Where the lines would crowd, only every second, fifth, tenth … is drawn.
 class StationLines {
  public:
-  StationLines();
-  void addTo(vtkRenderer* renderer);
+  explicit StationLines(Layers& layers);
   /// All that it draws.
   std::array<Part*, 5> parts();
 
-  /// `diagonal` is the size of what is shown, mm: it gives the dashes their length.
-  void setContent(const Content& content, double diagonal);
-  /// `overSurface`: the lines lie on the cut surface, not on the background.
-  void setStyle(const Content& content, const Style& style, bool overSurface, const Rgb& background);
+  /// `diagonal` is the size of what is shown, mm: it gives the dashes their length. The row stays where it is
+  /// until the next call; null hides the lines.
+  void setContent(const Row* row, double diagonal);
+  void setStyle(const Style& style, const Rgb& background);
   /// Settles what depends on the view: the depth by which the lines stand before the surface that they lie
   /// on, and how many are drawn, from the size of a pixel at the focus.
-  void update(const Content& content, const Style& style, bool overSurface, double depthShift,
-              double millimetresPerPixel);
+  void update(const Style& style, double depthShift, double millimetresPerPixel);
 
  private:
   /// A blade beyond its station.
@@ -37,11 +33,12 @@ class StationLines {
     std::vector<Polyline> solid;
     Segments dashed;
   };
-  void select(const Content& content, int index);
-  void addExtensions(const Content& content, std::size_t index, Extensions& extensions) const;
-  void rebuild(const Content& content);
+  void select(int index);
+  void addExtensions(std::size_t index, Extensions& extensions) const;
+  void rebuild();
 
   Part stations_, selected_, selectedDashes_, bladesInside_, bladeDashes_;
+  const Row* row_ = nullptr;
   bool valid_ = false, bladesShown_ = false;
   int stride_ = 1;  ///< every how many-th station is drawn
   int selectedIndex_ = -1;

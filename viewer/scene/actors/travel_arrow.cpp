@@ -4,7 +4,6 @@
 #include "scene/actors/travel_arrow.h"
 
 #include <vtkProperty.h>
-#include <vtkRenderer.h>
 
 #include <Eigen/Geometry>
 
@@ -54,20 +53,21 @@ double halfExtent(const Box& box, const Eigen::Vector3d& along) {
 
 }  // namespace
 
-TravelArrow::TravelArrow() {
+TravelArrow::TravelArrow(Layers& layers) {
   part_.setMatte(0.55, 0.45, 0.0);
   part_.property()->SetInterpolationToFlat();
+  layers.add(Layer::travel, part_);
 }
 
-void TravelArrow::addSolidTo(vtkRenderer* renderer) { renderer->AddActor(part_.actor()); }
-
-void TravelArrow::setContent(const Content& content) {
+void TravelArrow::setContent(const Stock* stock) {
   bounds_ = {};
   part_.clear();
-  if (!content.block || !content.travel || !content.travel->allFinite() || !(content.travel->norm() > 0))
-    return;
-  const Box& block = *content.block;
-  const Eigen::Vector3d along = content.travel->normalized();
+  if (!stock || !stock->box || !stock->travel) return;
+  id_ = stock->id;
+  const Box& block = *stock->box;
+  const Eigen::Vector3d& direction = stock->travel->direction;
+  if (!direction.allFinite() || !(direction.norm() > 0)) return;
+  const Eigen::Vector3d along = direction.normalized();
   const Eigen::Vector3d vertical = std::abs(along.z()) > kUpright ? Eigen::Vector3d(Eigen::Vector3d::UnitY())
                                                                   : Eigen::Vector3d(Eigen::Vector3d::UnitZ());
   Eigen::Vector3d side = along.cross(vertical).normalized();
@@ -85,7 +85,7 @@ void TravelArrow::setContent(const Content& content) {
 }
 
 void TravelArrow::setStyle(const Style& style, const Rgb& background) {
-  visible_ = style.showBlock && bounds_.valid();
+  visible_ = style.of(Kind::block, id_).visible && style.of(Kind::travel, id_).visible && bounds_.valid();
   part_.setVisible(visible_);
   part_.setColor(theme(style.dark).accent);
   part_.setFade(keptColor(style.stale), background);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "bw/scene/scene.h"
-#include "scene/render/vtk_tools.h"
+#include "scene/render/layers.h"
+#include "scene/things.h"
 
 namespace bw::scene {
 
@@ -11,16 +11,16 @@ namespace bw::scene {
 /// view shows.
 class TravelArrow {
  public:
-  TravelArrow();
-  void addSolidTo(vtkRenderer* renderer);
-  /// Hidden without a block or a direction.
-  void setContent(const Content& content);
+  explicit TravelArrow(Layers& layers);
+  /// Hidden without a block or a direction; the stock stays where it is until the next call.
+  void setContent(const Stock* stock);
   void setStyle(const Style& style, const Rgb& background);
   /// Where it lies; not valid while it is hidden.
   Bounds bounds() const { return visible_ ? bounds_ : Bounds(); }
 
  private:
   Part part_;
+  ItemId id_;
   Bounds bounds_;  ///< not valid where there is none
   bool visible_ = false;
 };

@@ -9,6 +9,14 @@
 
 namespace bw::scene {
 
+Bounds joined(Bounds a, const Bounds& b) {
+  if (b.valid()) {
+    a.add(b.min);
+    a.add(b.max);
+  }
+  return a;
+}
+
 std::vector<Eigen::Vector3d> cornersOf(const Bounds& bounds) {
   std::vector<Eigen::Vector3d> corners;
   for (int i = 0; i < 8; ++i)

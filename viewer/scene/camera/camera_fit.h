@@ -11,6 +11,9 @@ namespace bw::scene {
 
 std::vector<Eigen::Vector3d> cornersOf(const Bounds& bounds);
 
+/// What holds both; those that are not valid hold nothing.
+Bounds joined(Bounds a, const Bounds& b);
+
 /// The camera that looks the way `from` does and has `points` (at least one) in the picture as large as
 /// possible, with some air around. `aspect` is the picture's width by its height, > 0; `rightMargin` is what
 /// stays free at the right, as a share of half the width.

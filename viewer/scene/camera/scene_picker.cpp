@@ -14,16 +14,17 @@ namespace bw::scene {
 namespace {
 
 constexpr double kLinePickPixels = 4;
+constexpr double kClear = 0.05;  ///< opacity up to which a surface is looked through
 
 /// A place on a line, and how far from the cursor it appears.
 struct LinePlace {
   double pixels;
-  int station;
+  ItemId id;
   Eigen::Vector3d point;
 };
 
 /// Puts the place of `line` that appears nearest to `cursor` into `best` if it is nearer.
-void nearestOn(const Polyline& line, int station, const Projection& view, const Eigen::Vector2d& cursor,
+void nearestOn(const Polyline& line, const ItemId& id, const Projection& view, const Eigen::Vector2d& cursor,
                std::optional<LinePlace>& best) {
   Eigen::Vector3d before = Eigen::Vector3d::Zero();
   for (std::size_t k = 0; k < line.size(); ++k) {
@@ -36,17 +37,21 @@ void nearestOn(const Polyline& line, int station, const Projection& view, const 
       if (!best || distance < best->pixels) {
         // Shares on the screen are not shares in space under perspective.
         const double s = view.parallel() ? t : t * before.z() / (t * before.z() + (1 - t) * now.z());
-        best = LinePlace{distance, station, line[k - 1] + s * (line[k] - line[k - 1])};
+        best = LinePlace{distance, id, line[k - 1] + s * (line[k] - line[k - 1])};
       }
     }
     before = now;
   }
 }
 
+struct NearStation {
+  int station = -1;
+  double distance = std::numeric_limits<double>::max();  ///< squared
+};
+
 /// The station that passes nearest to a point of space; −1 if there is none.
-int nearestStation(const std::vector<Polyline>& stations, const Eigen::Vector3d& point) {
-  int best = -1;
-  double least = std::numeric_limits<double>::max();
+NearStation nearestStation(const std::vector<Polyline>& stations, const Eigen::Vector3d& point) {
+  NearStation best;
   for (std::size_t i = 0; i < stations.size(); ++i) {
     const Polyline& line = stations[i];
     for (std::size_t k = 0; k + 1 < line.size(); ++k) {
@@ -54,10 +59,7 @@ int nearestStation(const std::vector<Polyline>& stations, const Eigen::Vector3d&
       const double square = edge.squaredNorm();
       const double t = square > 0 ? std::clamp((point - line[k]).dot(edge) / square, 0.0, 1.0) : 0.0;
       const double distance = (line[k] + t * edge - point).squaredNorm();
-      if (distance < least) {
-        least = distance;
-        best = int(i);
-      }
+      if (distance < best.distance) best = {int(i), distance};
     }
   }
   return best;
@@ -109,34 +111,35 @@ Ray sightThrough(const ScenePicker::Shown& shown, const Projection& view, double
 }  // namespace
 
 void ScenePicker::reset(bool facesToo) {
-  cutTree_.reset();
-  targetTree_.reset();
+  trees_.clear();
   if (facesToo) faceTree_.reset();
 }
 
-std::optional<RayHit> ScenePicker::cutHit(const Shown& shown, const Ray& ray) const {
-  const Style& style = shown.style;
-  if (!style.showCut || style.cutOpacity <= 0.05 || shown.cutMesh.triangles.empty()) return std::nullopt;
-  if (!cutTree_) cutTree_ = std::make_unique<TriangleTree>(shown.cutMesh.points, shown.cutMesh.triangles);
-  return firstHit(*cutTree_, style.section, ray);
+std::optional<RayHit> ScenePicker::hit(const TriangleMesh& mesh, const Shown& shown, const Ray& ray) const {
+  const TriangleTree& tree = trees_.try_emplace(&mesh, mesh.points, mesh.triangles).first->second;
+  return firstHit(tree, shown.style.section, ray);
 }
 
-std::optional<RayHit> ScenePicker::targetHit(const Shown& shown, const Ray& ray) const {
-  const Style& style = shown.style;
-  const TriangleMesh& target = shown.content.target;
-  if (!style.showTarget || style.targetOpacity <= 0.05 || target.triangles.empty()) return std::nullopt;
-  if (!targetTree_) targetTree_ = std::make_unique<TriangleTree>(target.points, target.triangles);
-  return firstHit(*targetTree_, style.section, ray);
+template <class Range>
+auto ScenePicker::firstOf(const Range& things, Kind kind, const Shown& shown, const Ray& ray) const {
+  std::optional<Hit<typename Range::value_type>> first;
+  for (const auto& thing : things) {
+    const Look& look = shown.style.of(kind, thing.id);
+    if (!look.visible || look.opacity <= kClear || thing.surface().triangles.empty()) continue;
+    if (const auto met = hit(thing.surface(), shown, ray); met && (!first || met->t < first->t))
+      first = {*met, &thing};
+  }
+  return first;
 }
 
 Pick ScenePicker::pickFace(const Shown& shown, const Ray& ray) const {
-  const FaceMesh& faces = *shown.content.faces;
+  const FaceMesh& faces = *shown.things.faces;
   if (!faceTree_) faceTree_ = std::make_unique<TriangleTree>(faces.mesh.points, faces.mesh.triangles);
   Pick result;
-  if (const std::optional<RayHit> hit = faceTree_->firstHit(ray)) {
-    result.kind = Pick::Kind::face;
-    result.face = faces.faces[std::size_t(hit->triangle)];
-    result.point = ray.at(hit->t);
+  if (const std::optional<RayHit> met = faceTree_->firstHit(ray)) {
+    result.kind = Kind::face;
+    result.face = faces.faces[std::size_t(met->triangle)];
+    result.point = ray.at(met->t);
   }
   return result;
 }
@@ -145,59 +148,80 @@ bool ScenePicker::sees(const Shown& shown, const Projection& view, const Eigen::
   if (cutAway(shown.style.section, point)) return false;
   const Eigen::Vector3d pixel = view.toPixel(point);
   const Ray sight = sightThrough(shown, view, pixel.x(), pixel.y());
-  const std::optional<RayHit> hit = cutHit(shown, sight);
+  const auto met = firstOf(shown.things.rows, Kind::cut, shown, sight);
   const double distance = (point - sight.origin).dot(sight.direction);
   const double size = shown.bounds.valid() ? shown.bounds.size().norm() : 0.0;
-  return !hit || hit->t > distance - 4 * view.pixelSize(pixel.z()) - 0.002 * std::max(size, 1e-3);
+  return !met || met->t > distance - 4 * view.pixelSize(pixel.z()) - 0.002 * std::max(size, 1e-3);
 }
 
 Pick ScenePicker::pick(const Shown& shown, const Projection& view, double x, double y) const {
-  const Content& content = shown.content;
+  const Things& things = shown.things;
   const Style& style = shown.style;
   const Eigen::Vector2d cursor(x, y);
   Pick result;
   const Ray ray = sightThrough(shown, view, x, y);
-  if (style.chooseFaces && content.faces) return pickFace(shown, ray);
-  const std::optional<RayHit> onCut = cutHit(shown, ray), onTarget = targetHit(shown, ray);
+  if (style.chooseFaces && things.faces) return pickFace(shown, ray);
+  const auto onCut = firstOf(things.rows, Kind::cut, shown, ray);
+  const auto onTarget = firstOf(things.targets, Kind::target, shown, ray);
 
   // Lines: the nearest to the pixel that is not hidden.
   const double reach = kLinePickPixels * style.pixelRatio;
   std::optional<LinePlace> onBlade, onStation;
-  if (shown.movingBlade.size() >= 2) nearestOn(shown.movingBlade, -1, view, cursor, onBlade);
+  if (shown.movingBlade.size() >= 2) nearestOn(shown.movingBlade, style.moving, view, cursor, onBlade);
   if (onBlade && onBlade->pixels <= reach + 1 && sees(shown, view, onBlade->point)) {
-    result.kind = Pick::Kind::blade;
+    result.kind = Kind::blade;
     result.point = onBlade->point;
-    result.station = std::clamp(int(std::lround(style.playhead)), 0, int(content.blades.size()) - 1);
+    result.id = result.station = onBlade->id;
+    const auto row = std::ranges::find(things.rows, onBlade->id.row(), &Row::id);
+    result.station.station = std::clamp(int(std::lround(style.playhead)), 0, int(row->blades->size()) - 1);
     return result;
   }
 
   const bool targetFirst = onTarget && (!onCut || onTarget->t + shown.targetSetBack < onCut->t);
   if (onCut && !targetFirst) {
-    result.kind = Pick::Kind::cut;
+    const Row& row = *onCut->thing;
+    result.kind = Kind::cut;
     result.point = ray.at(onCut->t);
-    if (shown.field) result.value = valueAt(*shown.field, shown.cutMesh, *onCut);
+    result.id = result.station = row.id;
+    result.station.station = nearestStation(*row.stations, result.point).station;
+    if (const Field* field = row.field()) result.value = valueAt(*field, row.mesh, *onCut);
   } else if (onTarget) {
-    result.kind = Pick::Kind::target;
+    result.kind = Kind::target;
     result.point = ray.at(onTarget->t);
+    result.id = onTarget->thing->id;
+    double least = std::numeric_limits<double>::max();
+    for (const Row& row : things.rows) {
+      const NearStation near = nearestStation(*row.stations, result.point);
+      if (near.distance >= least) continue;
+      least = near.distance;
+      result.station = row.id;
+      result.station.station = near.station;
+    }
   }
-  if (style.showStations) {
-    for (std::size_t i = 0; i < content.stations.size(); ++i)
-      nearestOn(content.stations[i], int(i), view, cursor, onStation);
+  for (const Row& row : things.rows) {
+    if (!style.of(Kind::station, row.id).visible) continue;
+    ItemId id = row.id;
+    for (const Polyline& line : *row.stations) {
+      ++id.station;
+      nearestOn(line, id, view, cursor, onStation);
+    }
   }
   if (onStation && onStation->pixels <= reach && sees(shown, view, onStation->point)) {
-    result.kind = Pick::Kind::station;
-    result.station = onStation->station;
+    result.kind = Kind::station;
+    result.id = onStation->id.row();
+    result.station = onStation->id;
     // The value stays that of the surface below, if the cursor is over it.
     if (!onCut || targetFirst) result.point = onStation->point;
     return result;
   }
-  if (result.kind != Pick::Kind::none) {
-    result.station = nearestStation(content.stations, result.point);
-    return result;
-  }
-  if (style.showBlock && content.block) {
-    if (const std::optional<double> t = rayMeetsBox(ray, *content.block)) {
-      result.kind = Pick::Kind::block;
+  if (result.kind != Kind::none) return result;
+  double nearest = std::numeric_limits<double>::max();
+  for (const Stock& stock : things.stocks) {
+    if (!stock.box || !style.of(Kind::block, stock.id).visible) continue;
+    if (const std::optional<double> t = rayMeetsBox(ray, *stock.box); t && *t < nearest) {
+      nearest = *t;
+      result.kind = Kind::block;
+      result.id = stock.id;
       result.point = ray.at(*t);
     }
   }

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 
-#include "bw/scene/scene.h"
 #include "scene/camera/picking.h"
 #include "scene/render/polyline.h"
+#include "scene/things.h"
 
 namespace bw::scene {
 
@@ -15,16 +16,14 @@ namespace bw::scene {
 /// neither what something else hides nor what the section takes away.
 class ScenePicker {
  public:
-  /// What the picture shows; the referred parts are those of the scene. Content and cut mesh stay where they
-  /// are until the next reset().
+  /// What the picture shows; the referred parts are those of the scene. Things stay where they are until the
+  /// next reset().
   struct Shown {
-    const Content& content;
-    const TriangleMesh& cutMesh;  ///< of content.cut
+    const Things& things;
     const Style& style;
-    const Field* field;           ///< one of content.cut, for the value under the pixel; or null
     const Polyline& movingBlade;  ///< empty if it is not shown
     Bounds bounds;                ///< of everything
-    double targetSetBack;         ///< mm that the target is drawn behind its place
+    double targetSetBack;         ///< mm that targets are drawn behind their place
   };
 
   /// Forgets the surfaces it was asked about; call it when they change. The faces of the file often stay.
@@ -32,17 +31,23 @@ class ScenePicker {
   /// What lies at the pixel (x, y) from the upper left corner. The first call after a reset sorts the
   /// triangles of the surfaces.
   Pick pick(const Shown& shown, const Projection& view, double x, double y) const;
-  /// Whether a point of the cut surface, or of a line on it, is in sight: neither hidden by the surface nor
-  /// taken away by the section.
+  /// Whether a point of a cut surface, or of a line on it, is in sight: neither hidden by one nor taken away
+  /// by the section.
   bool sees(const Shown& shown, const Projection& view, const Eigen::Vector3d& point) const;
 
  private:
-  std::optional<RayHit> cutHit(const Shown& shown, const Ray& ray) const;
-  std::optional<RayHit> targetHit(const Shown& shown, const Ray& ray) const;
-
+  /// The first thing of a sort that a ray meets.
+  template <class Thing>
+  struct Hit : RayHit {
+    const Thing* thing;
+  };
+  std::optional<RayHit> hit(const TriangleMesh& mesh, const Shown& shown, const Ray& ray) const;
+  template <class Range>
+  auto firstOf(const Range& things, Kind kind, const Shown& shown, const Ray& ray) const;
   Pick pickFace(const Shown& shown, const Ray& ray) const;
 
-  mutable std::unique_ptr<TriangleTree> cutTree_, targetTree_, faceTree_;
+  mutable std::map<const TriangleMesh*, TriangleTree> trees_;
+  mutable std::unique_ptr<TriangleTree> faceTree_;
 };
 
 }  // namespace bw::scene

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "bw/core/sweep/maps.h"
 #include "bw/core/text/number_text.h"
@@ -18,14 +19,22 @@ constexpr double kMaxBar = 360;  ///< device-independent pixels
 constexpr double kMinBar = 60;
 constexpr double kTickLine = 14;  ///< between two numbers beside the bar
 
-std::vector<double> histogram(const std::vector<double>& values, const std::vector<double>& areas,
-                              const std::pair<double, double>& range, int bins) {
-  std::vector<double> count(std::size_t(bins), 0.0);
-  const double scale = bins / (range.second - range.first);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const double x = (values[i] - range.first) * scale;
-    if (x >= 0 && x <= bins) count[std::size_t(std::min(int(x), bins - 1))] += areas[i];
+/// Each value of a map counts as much as the area that it stands for, mm².
+void everyValue(const ShownMap& map, const std::function<void(double value, double area)>& see) {
+  for (const Row* row : map.rows) {
+    const std::vector<double>& values = row->field()->values;
+    for (std::size_t i = 0; i < values.size(); ++i) see(values[i], row->areas[i]);
   }
+}
+
+std::vector<double> histogram(const ShownMap& map, int bins) {
+  std::vector<double> count(std::size_t(bins), 0.0);
+  const auto& [low, high] = map.colors.range;
+  const double scale = bins / (high - low);
+  everyValue(map, [&, from = low](double value, double area) {
+    const double x = (value - from) * scale;
+    if (x >= 0 && x <= bins) count[std::size_t(std::min(int(x), bins - 1))] += area;
+  });
   return count;
 }
 
@@ -39,15 +48,14 @@ std::string spanText(const FieldSummary& summary, int decimals, bool sign, const
 }
 
 /// How much of the area keeps within what is allowed. 100 % is said only where it is true.
-std::string shareText(const Field& field, const std::vector<double>& areas, const FieldSummary& summary,
-                      double low, double high) {
+std::string shareText(const ShownMap& map, double low, double high) {
   double within = 0, whole = 0;
-  for (std::size_t i = 0; i < field.values.size(); ++i) {
-    if (!std::isfinite(field.values[i])) continue;
-    whole += areas[i];
-    if (field.values[i] >= low && field.values[i] <= high) within += areas[i];
-  }
-  const bool all = low <= summary.min && summary.max <= high;
+  everyValue(map, [&](double value, double area) {
+    if (!std::isfinite(value)) return;
+    whole += area;
+    if (value >= low && value <= high) within += area;
+  });
+  const bool all = low <= map.summary.min && map.summary.max <= high;
   const double share = whole > 0 ? 100.0 * within / whole : 0;
   const double said = all ? 100 : std::min(share, 99.9);
   return fixedText(said, said > 99 && said < 100 ? 1 : 0) + " % within ";
@@ -55,29 +63,33 @@ std::string shareText(const Field& field, const std::vector<double>& areas, cons
 
 }  // namespace
 
-void Legend::update(int width, int height, const Style& style, const Field* field,
-                    const FieldSummary& summary, const ColorMap& map, unsigned contentVersion) {
-  const bool shown = field && style.legend && summary.count > 0;
-  if (!shown) {
+void Legend::update(int width, int height, const Style& style, const ShownMap* shown,
+                    unsigned contentVersion) {
+  if (!shown || !style.legend) {
     key_.clear();
     canvas_.begin(width, height);
     canvas_.end();
     card_ = bar_ = std::nullopt;
     return;
   }
+  const ColorMap& map = shown->colors;
   std::string key;
+  for (const Row* row : shown->rows)
+    for (const int level : {row->id.block, row->id.cut, row->id.strip}) key += std::to_string(level) + ' ';
   for (const double v : {double(width), double(height), double(style.dark), style.pixelRatio, map.range.first,
                          map.range.second, map.tolerance, map.limit.value_or(0), double(contentVersion)}) {
     key += roundTripText(v) + ' ';
   }
-  key += field->name;
+  key += map.field;
   if (key == key_) return;
   key_ = key;
-  draw(width, height, style, *field, summary, map);
+  draw(width, height, style, *shown);
 }
 
-void Legend::draw(int width, int height, const Style& style, const Field& field, const FieldSummary& summary,
-                  const ColorMap& map) {
+void Legend::draw(int width, int height, const Style& style, const ShownMap& shown) {
+  const Field& field = *shown.field;
+  const FieldSummary& summary = shown.summary;
+  const ColorMap& map = shown.colors;
   const Theme& colors = theme(style.dark);
   const double px = style.pixelRatio;
   const auto pixels = [px](double v) { return std::round(v * px); };
@@ -89,10 +101,10 @@ void Legend::draw(int width, int height, const Style& style, const Field& field,
   // Texts below the bar: what the data span, and how much of them is good.
   std::vector<std::string> notes{spanText(summary, ticks.decimals + 1, deviation, field.unit)};
   if (deviation) {
-    notes.push_back(shareText(field, areas_, summary, -map.tolerance, map.tolerance) + "\u00b1" +
-                    shortText(map.tolerance) + " mm");
+    notes.push_back(shareText(shown, -map.tolerance, map.tolerance) + "\u00b1" + shortText(map.tolerance) +
+                    " mm");
   } else if (map.limit) {
-    notes.push_back(shareText(field, areas_, summary, 0, *map.limit) +
+    notes.push_back(shareText(shown, 0, *map.limit) +
                     (field.unit.empty() ? "the limit" : shortText(*map.limit, 3) + " " + field.unit));
   }
 
@@ -163,7 +175,7 @@ void Legend::draw(int width, int height, const Style& style, const Field& field,
 
   // The histogram grows to the left of the bar.
   const int bins = std::max(8, std::min(kBins, int(bar.height / (3 * px))));
-  const std::vector<double> count = histogram(field.values, areas_, map.range, bins);
+  const std::vector<double> count = histogram(shown, bins);
   const double most = *std::max_element(count.begin(), count.end());
   for (int i = 0; i < bins && most > 0; ++i) {
     const double share = count[std::size_t(i)] / most;

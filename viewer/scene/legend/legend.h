@@ -7,24 +7,18 @@
 #include <utility>
 #include <vector>
 
-#include "bw/scene/scene.h"
-#include "scene/legend/color_map.h"
-#include "scene/legend/legend_range.h"
-#include "scene/render/canvas.h"
+#include "scene/render/layers.h"
+#include "scene/things.h"
 
 namespace bw::scene {
 
 /// The colour bar with title, unit, ticks, tolerance marks and histogram, on the right edge.
 class Legend {
  public:
-  void addTo(vtkRenderer* renderer) { canvas_.addTo(renderer); }
-  /// The area that each value of a field stands for, mm²: what the histogram and the share within tolerance
-  /// count.
-  void setAreas(std::vector<double> areas) { areas_ = std::move(areas); }
-  /// Lays the legend out for a picture of that size; does nothing where nothing changed. `field` may be null:
+  explicit Legend(Layers& layers) { layers.add(Layer::overlay, canvas_); }
+  /// Lays the legend out for a picture of that size; does nothing where nothing changed. `map` may be null:
   /// then it is hidden.
-  void update(int width, int height, const Style& style, const Field* field, const FieldSummary& summary,
-              const ColorMap& map, unsigned contentVersion);
+  void update(int width, int height, const Style& style, const ShownMap* map, unsigned contentVersion);
   const std::optional<PixelRect>& card() const { return card_; }
   const std::optional<PixelRect>& bar() const { return bar_; }
   const std::vector<Overlay::Text>& texts() const { return canvas_.texts(); }
@@ -33,11 +27,9 @@ class Legend {
   static double reservedWidth(double pixelRatio) { return 150 * pixelRatio; }
 
  private:
-  void draw(int width, int height, const Style& style, const Field& field, const FieldSummary& summary,
-            const ColorMap& map);
+  void draw(int width, int height, const Style& style, const ShownMap& shown);
 
   Canvas canvas_;
-  std::vector<double> areas_;
   std::optional<PixelRect> card_, bar_;
   std::string key_;
 };

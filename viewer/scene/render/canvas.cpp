@@ -59,9 +59,9 @@ Canvas::Canvas(bool behind)
   if (behind_) actor_->GetProperty()->SetDisplayLocationToBackground();
 }
 
-void Canvas::addTo(vtkRenderer* renderer) {
+vtkActor2D* Canvas::drawnBy(vtkRenderer* renderer) {
   renderer_ = renderer;
-  renderer->AddActor2D(actor_);
+  return actor_;
 }
 
 void Canvas::begin(int width, int height) {

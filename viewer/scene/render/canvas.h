@@ -34,7 +34,8 @@ struct TextLook {
 class Canvas {
  public:
   explicit Canvas(bool behind = false);
-  void addTo(vtkRenderer* renderer);
+  /// Texts are drawn by that renderer; the rest is the actor returned, which it has yet to be given.
+  vtkActor2D* drawnBy(vtkRenderer* renderer);
 
   void begin(int width, int height);
   void rect(const PixelRect& rect, const Rgb& color, double opacity = 1);

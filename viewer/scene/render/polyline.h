@@ -7,11 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "bw/core/base/frame.h"
+#include "bw/scene/scene.h"
 
 namespace bw::scene {
 
-using Polyline = std::vector<Eigen::Vector3d>;
 using Segments = std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>>;
 
 /// At least two points, all of them finite.

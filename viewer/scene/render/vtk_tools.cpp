@@ -6,6 +6,7 @@
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
+#include <vtkPlaneCollection.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkProperty.h>
@@ -68,6 +69,14 @@ void Part::setDepthShift(double ndc) {
 
 void Part::setDepthBehind(double share) {
   actor_->GetShaderProperty()->GetVertexCustomUniforms()->SetUniformf("bwDepthBehind", float(share));
+}
+
+void Part::setCutOpen(vtkPlane* plane) {
+  // VTK makes its shaders anew where the number of planes changes.
+  vtkPlaneCollection* planes = mapper_->GetClippingPlanes();
+  if ((planes && planes->GetNumberOfItems() > 0) == (plane != nullptr)) return;
+  mapper_->RemoveAllClippingPlanes();
+  if (plane) mapper_->AddClippingPlane(plane);
 }
 
 void Part::setFade(double keep, const Rgb& background) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <vtkActor.h>
+#include <vtkPlane.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkSmartPointer.h>
@@ -42,6 +43,8 @@ class Part {
   void setDepthShift(double ndc);
   /// Moves depths by that share (in [0, 1)) of their way to the far plane, beyond which nothing is drawn.
   void setDepthBehind(double share);
+  /// Takes away what `plane` does not keep; null keeps all.
+  void setCutOpen(vtkPlane* plane);
   /// Mixes `keep` of the colour with 1 − `keep` of `background`.
   void setFade(double keep, const Rgb& background);
 

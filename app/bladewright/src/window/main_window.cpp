@@ -119,7 +119,7 @@ MainWindow::MainWindow(model::Settings& settings, Theme& theme, const std::files
   resize(1440, 900);
   restoreLayout();
   scene::Style style;
-  style.field = "deviation";
+  style[scene::Kind::cut].map = "deviation";
   style.dark = theme.dark();
   style.tolerance = bench_.design().process.tolerance;
   mapBar_->setStyle(style);

@@ -152,6 +152,8 @@ class MainWindow : public QMainWindow {
   void refreshRecent();
   void onPicked(const scene::Pick& pick);
   void onHovered(const scene::Pick& pick);
+  /// The field that the picture shows as a map, or null.
+  const Field* mappedField() const;
   void fitSelection();
   /// Frames the surroundings of a finding and marks its point.
   void showSpot(const Spot& spot);
@@ -168,6 +170,7 @@ class MainWindow : public QMainWindow {
   Workbench bench_;
   Commands commands_;
   Questions questions_;
+  std::vector<std::pair<const char*, StyleSwitch>> toggles_;  ///< commands that are on or off with the style
 
   Banner* banner_;
   QStackedWidget* stack_;

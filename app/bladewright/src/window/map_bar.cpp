@@ -158,43 +158,44 @@ QWidget* MapBar::makeLayers() {
   grid->setHorizontalSpacing(kGroupGap);
   grid->setVerticalSpacing(4);
   int row = 0;
-  const auto line = [&](const QString& name, bool scene::Style::*show, double scene::Style::*opacity) {
+  const auto line = [&](const QString& name, StyleSwitch isOn, scene::Kind solid = scene::Kind::none) {
     auto* box = new QCheckBox(name, page);
     grid->addWidget(box, row, 0);
-    shows_.emplace_back(box, show);
-    connect(box, &QCheckBox::clicked, this, [this, show](bool on) {
-      style_.*show = on;
+    shows_.emplace_back(box, isOn);
+    connect(box, &QCheckBox::clicked, this, [this, isOn](bool on) {
+      isOn(style_) = on;
       emit styleEdited(style_);
     });
-    if (opacity) {
+    if (solid != scene::Kind::none) {
       auto* slider = new HandSlider(page);
       slider->setRange(5, 100);
       slider->setFixedWidth(120);
       slider->setToolTip(tr("Opacity"));
       slider->setAccessibleName(tr("Opacity of %1").arg(name));
       grid->addWidget(slider, row, 1);
-      opacities_.emplace_back(slider, opacity);
-      connect(slider, &HandSlider::moved, this, [this, opacity](int value) {
-        style_.*opacity = value / 100.0;
+      opacities_.emplace_back(slider, solid);
+      connect(slider, &HandSlider::moved, this, [this, solid](int value) {
+        style_[solid].opacity = value / 100.0;
         emit styleEdited(style_);
       });
     }
     ++row;
   };
-  line(tr("Target surface"), &scene::Style::showTarget, &scene::Style::targetOpacity);
-  line(tr("Other faces of the file"), &scene::Style::showFaces, nullptr);
-  line(tr("Cut surface"), &scene::Style::showCut, &scene::Style::cutOpacity);
-  line(tr("Block"), &scene::Style::showBlock, &scene::Style::blockOpacity);
-  line(tr("Stations"), &scene::Style::showStations, nullptr);
-  line(tr("Whole blades"), &scene::Style::showBlades, nullptr);
-  line(tr("Ground grid"), &scene::Style::showGrid, nullptr);
-  line(tr("Legend"), &scene::Style::legend, nullptr);
+  using scene::Kind;
+  line(tr("Target surface"), shows<Kind::target>, Kind::target);
+  line(tr("Other faces of the file"), shows<Kind::face>);
+  line(tr("Cut surface"), shows<Kind::cut>, Kind::cut);
+  line(tr("Block"), shows<Kind::block>, Kind::block);
+  line(tr("Stations"), shows<Kind::station>);
+  line(tr("Whole blades"), shows<Kind::blade>);
+  line(tr("Ground grid"), switchOf<&scene::Style::showGrid>);
+  line(tr("Legend"), switchOf<&scene::Style::legend>);
   return page;
 }
 
 void MapBar::chooseField(const std::string& name) {
-  if (style_.field == name) return;
-  style_.field = name;
+  if (style_[scene::Kind::cut].map == name) return;
+  style_[scene::Kind::cut].map = name;
   style_.rangeMin.reset();
   style_.rangeMax.reset();
   refresh();
@@ -229,7 +230,7 @@ void MapBar::setRangeUnit(const QString& unit) {
 
 void MapBar::showRange() {
   // Without a map there is no range to tell.
-  rangeGroup_->setVisible(mapped_ && style_.field != "none");
+  rangeGroup_->setVisible(mapped_ && style_[scene::Kind::cut].map != "none");
 }
 
 void MapBar::editRange() {
@@ -239,14 +240,14 @@ void MapBar::editRange() {
 
 void MapBar::refresh() {
   const auto& names = fieldNames();
-  const auto found = std::find(names.begin(), names.end(), style_.field);
+  const auto found = std::find(names.begin(), names.end(), style_[scene::Kind::cut].map);
   field_->show(found == names.end() ? int(names.size()) - 1 : int(found - names.begin()));
   showRange();
   automatic_->setChecked(!style_.rangeMin && !style_.rangeMax);
   if (style_.rangeMin) min_->show(*style_.rangeMin);
   if (style_.rangeMax) max_->show(*style_.rangeMax);
-  for (const auto& [box, member] : shows_) box->setChecked(style_.*member);
-  for (const auto& [slider, member] : opacities_) slider->show(int(100 * (style_.*member) + 0.5));
+  for (const auto& [box, isOn] : shows_) box->setChecked(isOn(style_));
+  for (const auto& [slider, kind] : opacities_) slider->show(int(100 * style_[kind].opacity + 0.5));
 }
 
 }  // namespace bw::app

@@ -15,6 +15,17 @@
 
 namespace bw::app {
 
+/// A part of a style that is on or off.
+using StyleSwitch = bool& (*)(scene::Style&);
+template <bool scene::Style::*member>
+bool& switchOf(scene::Style& style) {
+  return style.*member;
+}
+template <scene::Kind kind>
+bool& shows(scene::Style& style) {
+  return style[kind].visible;
+}
+
 /// The line over the picture: which map is shown, its range, isolines, what is visible, and the views.
 class MapBar : public QFrame {
   Q_OBJECT
@@ -53,8 +64,8 @@ class MapBar : public QFrame {
   NumberField *min_, *max_;
   QToolButton *automatic_, *layers_;
   QMenu* layersMenu_;
-  std::vector<std::pair<QCheckBox*, bool scene::Style::*>> shows_;
-  std::vector<std::pair<HandSlider*, double scene::Style::*>> opacities_;
+  std::vector<std::pair<QCheckBox*, StyleSwitch>> shows_;
+  std::vector<std::pair<HandSlider*, scene::Kind>> opacities_;
 };
 
 }  // namespace bw::app

@@ -123,19 +123,21 @@ void MainWindow::makeCommands() {
       "view.parallel", tr("&Parallel view"), "parallel", tr("Parallel instead of perspective"),
       {QKeySequence("P")}, [this](bool on) { view_->setParallel(on); }, true);
   const auto toggle = [&](const char* id, const QString& text, const char* icon, const QString& tip,
-                          const QList<QKeySequence>& keys, bool scene::Style::*member) {
+                          const QList<QKeySequence>& keys, StyleSwitch isOn) {
+    toggles_.emplace_back(id, isOn);
     add(
         id, text, icon, tip, keys,
-        [this, member](bool on) {
+        [this, isOn](bool on) {
           scene::Style style = mapBar_->style();
-          style.*member = on;
+          isOn(style) = on;
           mapBar_->setStyle(style);
           refreshStyle();
         },
         true);
   };
   toggle("view.shadows", tr("S&oft shadows"), "eye",
-         tr("Shade the surface where it is less open to the light"), {}, &scene::Style::softShadows);
+         tr("Shade the surface where it is less open to the light"), {},
+         switchOf<&scene::Style::softShadows>);
   add(
       "view.section", tr("Se&ction through the scene"), "section",
       tr("Cut the scene open at the selected station or the moving blade"), {QKeySequence("X")},
@@ -155,19 +157,19 @@ void MainWindow::makeCommands() {
         refreshStyle();
       });
   toggle("view.isolines", tr("Is&olines"), "isolines", tr("Lines of equal value at the ticks of the legend"),
-         {QKeySequence("I")}, &scene::Style::isolines);
+         {QKeySequence("I")}, switchOf<&scene::Style::isolines>);
   toggle("show.target", tr("Target surface"), "target", tr("Show the target surface"),
-         {QKeySequence("Alt+T")}, &scene::Style::showTarget);
+         {QKeySequence("Alt+T")}, shows<scene::Kind::target>);
   toggle("show.cut", tr("Cut surface"), "cut", tr("Show the cut surface"), {QKeySequence("Alt+C")},
-         &scene::Style::showCut);
+         shows<scene::Kind::cut>);
   toggle("show.stations", tr("Stations"), "station", tr("Show the stations"), {QKeySequence("Alt+S")},
-         &scene::Style::showStations);
+         shows<scene::Kind::station>);
   toggle("show.blades", tr("Whole blades"), "blade", tr("Show the whole blade at every station"),
-         {QKeySequence("Alt+B")}, &scene::Style::showBlades);
+         {QKeySequence("Alt+B")}, shows<scene::Kind::blade>);
   toggle("show.block", tr("Block"), "block", tr("Show the foam block"), {QKeySequence("Alt+K")},
-         &scene::Style::showBlock);
+         shows<scene::Kind::block>);
   toggle("show.grid", tr("Ground grid"), "grid", tr("Show the ground grid"), {QKeySequence("Alt+G")},
-         &scene::Style::showGrid);
+         switchOf<&scene::Style::showGrid>);
   key = 1;
   const auto addMap = [&](const QString& name, const QString& text, const QString& icon) {
     add(

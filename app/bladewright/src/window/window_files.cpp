@@ -143,7 +143,7 @@ std::vector<ReportImage> MainWindow::reportPictures() {
                    scene::View::iso)}) {
     // As on paper: light, with nothing chosen and no blade on its way.
     scene::Style paper;
-    paper.field = field;
+    paper[scene::Kind::cut].map = field;
     paper.tolerance = style.tolerance;
     view_->setStyle(paper);
     const QImage image = view_->picture(kReportPicture, 1, view);

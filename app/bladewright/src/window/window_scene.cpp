@@ -3,6 +3,7 @@
 // How the scene follows the workbench, and the workbench what is picked in the scene.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "bw/core/text/number_text.h"
 #include "bw/pipeline/scene_content.h"
@@ -19,8 +20,12 @@ scene::Content MainWindow::sceneContent() {
   if (newest && newest != shown) {
     // The block stands where it was put, and the file is the present one, even if nothing could be cut.
     const scene::Content now = pipeline::sceneContent(*newest);
-    if (now.block) content.block = now.block;
-    content.faces = now.faces;
+    for (const scene::Kind kind : {scene::Kind::block, scene::Kind::face}) {
+      if (kind == scene::Kind::block && !now.first<Box>()) continue;
+      content.remove(kind);
+      std::ranges::copy_if(now.items, std::back_inserter(content.items),
+                           [kind](const scene::Item& item) { return item.kind() == kind; });
+    }
   }
   return content;
 }
@@ -75,26 +80,26 @@ void MainWindow::refreshStyle() {
   style.dark = theme_.dark();
   style.tolerance = bench_.design().process.tolerance;
   style.stale = staleShown_;
-  style.selectedStation = bench_.selection().station;
+  style.selected = {0, 0, 0, bench_.selection().station};
   style.playhead = bench_.moving() ? bench_.stationAt(bench_.playTime()) : -1;
   style.section = sectionPlane();
   style.marker = marker_;
   faces_->applyTo(style);
   view_->setStyle(style);
-  const Field* mapped = view_->content().cut.field(style.field);
+  const Field* mapped = mappedField();
   mapBar_->setRangeUnit(mapped ? QString::fromStdString(mapped->unit) : QString());
   mapBar_->setRangeInUse(view_->legendRange());
   inspector_->setStale(staleShown_);
   refreshSummary();
-  static const std::pair<const char*, bool scene::Style::*> kToggles[] = {
-      {"view.isolines", &scene::Style::isolines},     {"view.shadows", &scene::Style::softShadows},
-      {"show.target", &scene::Style::showTarget},     {"show.cut", &scene::Style::showCut},
-      {"show.stations", &scene::Style::showStations}, {"show.blades", &scene::Style::showBlades},
-      {"show.block", &scene::Style::showBlock},       {"show.grid", &scene::Style::showGrid}};
-  for (const auto& [id, member] : kToggles) commands_[id]->setChecked(style.*member);
+  for (const auto& [id, isOn] : toggles_) commands_[id]->setChecked(isOn(style));
   for (const std::string& name : MapBar::fieldNames())
-    commands_[QString::fromStdString("map." + name)]->setChecked(style.field == name);
+    commands_[QString::fromStdString("map." + name)]->setChecked(style[scene::Kind::cut].map == name);
   commands_["view.section"]->setChecked(sectioned_);
+}
+
+const Field* MainWindow::mappedField() const {
+  const auto* cut = view_->content().first<scene::CutSurface>();
+  return cut ? cut->grid.field(view_->sceneStyle()[scene::Kind::cut].map) : nullptr;
 }
 
 void MainWindow::showSpot(const Spot& spot) {
@@ -117,7 +122,7 @@ void MainWindow::onPicked(const scene::Pick& pick) {
   }
   switch (pick.kind) {
     case scene::Pick::Kind::station:
-      bench_.selectStation(pick.station);
+      bench_.selectStation(pick.station.station);
       break;
     case scene::Pick::Kind::target:
       bench_.select({Selection::Kind::surface, -1});
@@ -142,7 +147,7 @@ void MainWindow::onHovered(const scene::Pick& pick) {
   }
   cursor_->setText(pointText(pick.point) + " mm");
   QString text;
-  const Field* field = view_->content().cut.field(view_->sceneStyle().field);
+  const Field* field = mappedField();
   if (pick.value && field) {
     text = QString::fromStdString(field->title.empty() ? field->name : field->title) + " " +
            QString::fromStdString(shortText(*pick.value, 3));

@@ -4,11 +4,15 @@
 
 #include <Eigen/Core>
 
+#include <array>
+#include <compare>
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "bw/core/base/finding.h"
@@ -19,16 +23,68 @@
 
 namespace bw::scene {
 
+/// Where a thing belongs, each level counted from 0; −1 stands for all of that level.
+struct ItemId {
+  int block = -1, cut = -1, strip = -1, station = -1;
+  auto operator<=>(const ItemId&) const = default;
+  /// The same without the station: the row of blades.
+  ItemId row() const { return {block, cut, strip, -1}; }
+};
+
+using Polyline = std::vector<Eigen::Vector3d>;
+
+/// What a thing is.
+enum class Kind { none, target, cut, station, blade, block, face, travel };
+
+/// A cut surface with its fields.
+struct CutSurface {
+  SurfaceGrid grid;
+  std::map<std::string, double> limits;  ///< of its fields, > 0: the legend begins at 0 and marks them
+};
+/// The fitted part of each station.
+struct Stations {
+  std::vector<Polyline> lines;
+};
+/// The whole blade of each station; those of its stations have the same id.
+struct Blades {
+  std::vector<Polyline> lines;
+};
+/// All faces of the file, to choose among them; the first such item is shown.
+struct Faces {
+  std::shared_ptr<const FaceMesh> mesh;  ///< not null
+};
+/// The way the blade goes; an arrow beside the block of that id shows it.
+struct Travel {
+  Eigen::Vector3d direction;
+};
+
+/// A thing in the picture.
+struct Item {
+  ItemId id;
+  std::variant<TriangleMesh, CutSurface, Stations, Blades, Box, Faces, Travel>
+      data;  ///< in the order of Kind
+  Kind kind() const { return Kind(data.index() + 1); }
+};
+
 /// What a picture shows, as plain values.
 struct Content {
-  TriangleMesh target;                                 ///< may be empty
-  SurfaceGrid cut;                                     ///< the cut surface with its fields; may be empty
-  std::vector<std::vector<Eigen::Vector3d>> stations;  ///< the fitted part of each station
-  std::vector<std::vector<Eigen::Vector3d>> blades;    ///< the whole blade of each station
-  std::shared_ptr<const FaceMesh> faces;  ///< all faces of the file, to choose among them; may be null
-  std::optional<Box> block;
-  std::optional<Eigen::Vector3d> travel;  ///< the way the blade goes; an arrow beside the block shows it
-  std::map<std::string, double> limits;  ///< of fields of the cut, > 0: the legend begins at 0 and marks them
+  std::vector<Item> items;
+
+  /// The first thing of that sort, or null.
+  template <class Thing>
+  Thing* first() {
+    for (Item& item : items)
+      if (Thing* thing = std::get_if<Thing>(&item.data)) return thing;
+    return nullptr;
+  }
+  template <class Thing>
+  const Thing* first() const {
+    return const_cast<Content*>(this)->first<Thing>();
+  }
+  void add(const ItemId& id, decltype(Item::data) data) { items.push_back({id, std::move(data)}); }
+  void remove(Kind kind) {
+    std::erase_if(items, [kind](const Item& item) { return item.kind() == kind; });
+  }
 };
 
 /// A plane through the scene: what lies on the side that `normal` points to is taken away.
@@ -46,20 +102,34 @@ struct Marker {
   bool operator==(const Marker&) const = default;
 };
 
+/// How a thing is shown.
+struct Look {
+  bool visible = true;
+  double opacity = 1;
+  std::string map = "none";  ///< of a cut surface: a word of bw::cutMaps(), or "none"
+};
+
 /// How it is shown.
 struct Style {
-  std::string field = "none";  ///< a word of bw::cutMaps(), or "none"
+  Style();
+  /// How things of a kind are shown. The legend is that of the map of Kind::cut.
+  Look& operator[](Kind kind) { return kinds[std::size_t(kind)]; }
+  const Look& operator[](Kind kind) const { return kinds[std::size_t(kind)]; }
+  /// How one thing is shown: as `items` says, otherwise as its kind is.
+  const Look& of(Kind kind, const ItemId& id) const;
+
+  std::array<Look, std::size_t(Kind::travel) + 1> kinds;
+  std::map<std::pair<Kind, ItemId>, Look> items;  ///< of any kind but faces
   bool dark = false;
   bool isolines = false;
   bool legend = true;
+  bool showGrid = true;
   double tolerance = 2.0;                    ///< mm: the band of the deviation map that stays pale
   std::optional<double> rangeMin, rangeMax;  ///< of the legend; empty = round numbers around the data
-  int selectedStation = -1;
+  ItemId selected;                           ///< a station, or none
+  ItemId moving{0, 0, 0};                    ///< the row whose blade moves
   double playhead = -1;  ///< position of the moving blade in stations (fractional), −1 = none
-  bool showTarget = true, showCut = true, showStations = true, showBlades = false, showBlock = true,
-       showGrid = true, showFaces = true;
-  double targetOpacity = 0.4, cutOpacity = 1.0, blockOpacity = 0.15;
-  bool stale = false;  ///< results are out of date: drawn at 60 %
+  bool stale = false;    ///< results are out of date: drawn at 60 %
   bool softShadows =
       true;  ///< ambient occlusion of solid things; weaker under a map, which keeps its colours
   std::optional<SectionPlane> section;  ///< cuts the scene open; the foam met is hatched
@@ -67,7 +137,7 @@ struct Style {
   /// The faces of the file stand in for the result: `chosenFaces` solid, the others pale, and a pick finds
   /// them.
   bool chooseFaces = false;
-  std::vector<int> chosenFaces;  ///< indices of Content::faces
+  std::vector<int> chosenFaces;  ///< indices of Faces::mesh
   int hoveredFace = -1;          ///< lights up while faces are chosen
   double pixelRatio = 1.0;
 };
@@ -88,10 +158,11 @@ struct Camera {
 
 /// What lies under a pixel.
 struct Pick {
-  enum class Kind { none, target, cut, station, blade, block, face };
+  using Kind = scene::Kind;
   Kind kind = Kind::none;
-  int station = -1;
-  int face = -1;  ///< index of Content::faces, for Kind::face
+  ItemId id;       ///< of the thing
+  ItemId station;  ///< the one that was hit, or the nearest to what was
+  int face = -1;   ///< index of Faces::mesh, for Kind::face
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
   std::optional<double> value;  ///< of the shown field
 };

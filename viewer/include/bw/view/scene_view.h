@@ -84,9 +84,7 @@ class SceneView : public QOpenGLWidget {
   void setAwaiting(bool awaiting);
 
  signals:
-  /// A station was clicked; −1 when the click met nothing.
-  void stationPicked(int station);
-  /// Anything was clicked (also sent with stationPicked).
+  /// Anything was clicked, or nothing.
   void picked(const bw::scene::Pick& pick);
   /// A face was clicked while faces are chosen (scene::Style::chooseFaces); nothing else is picked then.
   void faceClicked(int face, Qt::KeyboardModifiers keys);

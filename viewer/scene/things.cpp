@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "scene/things.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace bw::scene {
+
+namespace {
+
+/// Drops what cannot be drawn, so that the rest can.
+void cleanMesh(TriangleMesh& mesh) {
+  const int count = int(mesh.points.size());
+  std::erase_if(mesh.triangles, [&](const std::array<int, 3>& t) {
+    return std::any_of(t.begin(), t.end(), [&](int i) {
+      return i < 0 || i >= count || !mesh.points[std::size_t(i)].allFinite();
+    });
+  });
+  // Points that no triangle uses must still be numbers, for the bounds and for the graphics card.
+  for (Eigen::Vector3d& p : mesh.points) {
+    if (!p.allFinite())
+      p = mesh.triangles.empty() ? Eigen::Vector3d::Zero() : mesh.points[std::size_t(mesh.triangles[0][0])];
+  }
+  if (mesh.normals.size() != mesh.points.size()) mesh.normals.clear();
+  if (mesh.triangles.empty()) mesh = {};
+}
+
+/// Whether all of it can be drawn and every triangle has its face.
+bool sound(const FaceMesh& faces) {
+  const TriangleMesh& mesh = faces.mesh;
+  const int count = int(mesh.points.size());
+  return !mesh.triangles.empty() && faces.faces.size() == mesh.triangles.size() &&
+         (mesh.normals.empty() || mesh.normals.size() == mesh.points.size()) &&
+         std::all_of(faces.faces.begin(), faces.faces.end(), [](int face) { return face >= 0; }) &&
+         std::all_of(mesh.points.begin(), mesh.points.end(),
+                     [](const Eigen::Vector3d& p) { return p.allFinite(); }) &&
+         std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const std::array<int, 3>& t) {
+           return std::all_of(t.begin(), t.end(), [&](int i) { return i >= 0 && i < count; });
+         });
+}
+
+/// Of each point the third of the triangles around it, mm².
+std::vector<double> pointAreas(const TriangleMesh& mesh) {
+  std::vector<double> areas(mesh.points.size(), 0.0);
+  for (const auto& triangle : mesh.triangles) {
+    const auto corner = [&](std::size_t i) -> const Eigen::Vector3d& {
+      return mesh.points[std::size_t(triangle[i])];
+    };
+    const double area = 0.5 * (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();
+    for (const int i : triangle) areas[std::size_t(i)] += area / 3;
+  }
+  return areas;
+}
+
+bool drawable(Item& item) {
+  if (TriangleMesh* target = std::get_if<TriangleMesh>(&item.data)) {
+    cleanMesh(*target);
+    return !target->triangles.empty();
+  }
+  if (const Box* box = std::get_if<Box>(&item.data))
+    return box->size.allFinite() && box->frame.origin.allFinite() && (box->size.array() > 0).all();
+  if (const Faces* faces = std::get_if<Faces>(&item.data)) return faces->mesh && sound(*faces->mesh);
+  return true;
+}
+
+Row& rowOf(Things& things, const ItemId& id) {
+  static const std::vector<Polyline> kNone;
+  for (Row& row : things.rows)
+    if (row.id == id.row()) return row;
+  Row row;
+  row.id = id.row();
+  row.stations = row.blades = &kNone;
+  return things.rows.emplace_back(std::move(row));
+}
+
+Stock& stockOf(Things& things, int block) {
+  for (Stock& stock : things.stocks)
+    if (stock.id.block == block) return stock;
+  Stock& stock = things.stocks.emplace_back();
+  stock.id.block = block;
+  return stock;
+}
+
+const FieldSummary& summaryOf(Row& row, const Field& field) {
+  const auto [place, added] = row.summaries.try_emplace(field.name);
+  if (added) place->second = summarize(field.values);
+  return place->second;
+}
+
+}  // namespace
+
+Things::Things(Content& content) {
+  std::erase_if(content.items, [](Item& item) { return !drawable(item); });
+  for (const Item& item : content.items) {
+    if (const auto* target = std::get_if<TriangleMesh>(&item.data)) targets.push_back({item.id, target});
+    if (const auto* stations = std::get_if<Stations>(&item.data))
+      rowOf(*this, item.id).stations = &stations->lines;
+    if (const auto* blades = std::get_if<Blades>(&item.data)) rowOf(*this, item.id).blades = &blades->lines;
+    if (const auto* box = std::get_if<Box>(&item.data)) stockOf(*this, item.id.block).box = box;
+    if (const auto* travel = std::get_if<Travel>(&item.data)) stockOf(*this, item.id.block).travel = travel;
+    if (const auto* all = std::get_if<Faces>(&item.data); all && !faces) faces = all->mesh;
+    if (const auto* cut = std::get_if<CutSurface>(&item.data)) {
+      Row& row = rowOf(*this, item.id);
+      row.cut = cut;
+      const SurfaceGrid& grid = cut->grid;
+      if (grid.rows >= 2 && grid.columns >= 2 &&
+          grid.points.size() == std::size_t(grid.rows) * std::size_t(grid.columns)) {
+        row.mesh = grid.triangles();
+        cleanMesh(row.mesh);
+        row.areas = pointAreas(row.mesh);
+      }
+    }
+  }
+  for (Row& row : rows) {
+    Stock& stock = stockOf(*this, row.id.block);
+    row.block = stock.box;
+    stock.rows.push_back(&row);
+    const int first = int(stock.cuts.points.size());
+    stock.cuts.points.insert(stock.cuts.points.end(), row.mesh.points.begin(), row.mesh.points.end());
+    for (const std::array<int, 3>& t : row.mesh.triangles)
+      stock.cuts.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+  }
+}
+
+std::map<std::string, ShownMap> shownMaps(Things& things, const Style& style) {
+  std::map<std::string, ShownMap> maps;
+  for (const bool hiddenToo : {false, true}) {
+    const std::map<std::string, ShownMap> seen = maps;
+    for (Row& row : things.rows) {
+      const Look& look = style.of(Kind::cut, row.id);
+      const Field* field = row.cut ? row.cut->grid.field(look.map) : nullptr;
+      if (row.mesh.points.empty() || !field || field->values.size() != row.mesh.points.size() ||
+          look.visible == hiddenToo || seen.contains(look.map))
+        continue;
+      const FieldSummary& summary = summaryOf(row, *field);
+      if (summary.count == 0) continue;
+      ShownMap& map = maps[look.map];
+      const FieldSummary& known = map.summary;
+      map.summary = map.rows.empty()
+                        ? summary
+                        : FieldSummary{std::min(known.min, summary.min), std::max(known.max, summary.max),
+                                       known.count + summary.count};
+      if (!map.field) map.field = field;
+      map.rows.push_back(&row);
+      const auto limit = row.cut->limits.find(field->name);
+      if (limit != row.cut->limits.end() && limit->second > 0 && std::isfinite(limit->second))
+        map.colors.limit = std::max(map.colors.limit.value_or(0), limit->second);
+    }
+  }
+  for (Row& row : things.rows) row.map = nullptr;
+  for (auto& [word, map] : maps) {
+    map.colors = {word, legendRangeOf(word, map.summary, style, map.colors.limit), style.tolerance,
+                  map.colors.limit};
+    for (Row* row : map.rows) row->map = &map;
+  }
+  return maps;
+}
+
+}  // namespace bw::scene

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <deque>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bw/scene/scene.h"
+#include "scene/legend/color_map.h"
+#include "scene/legend/legend_range.h"
+
+namespace bw::scene {
+
+struct Row;
+
+/// One map as it is shown: its field in every row that has it, under one range.
+struct ShownMap {
+  const Field* field = nullptr;  ///< of one of the rows, for its words
+  std::vector<Row*> rows;
+  FieldSummary summary;
+  ColorMap colors;
+};
+
+/// A row of blades: what the items of one path (block, cut, strip) are together.
+struct Row {
+  ItemId id;
+  const CutSurface* cut = nullptr;
+  TriangleMesh mesh;          ///< of the cut surface; empty if it has none that can be drawn
+  std::vector<double> areas;  ///< of each of its points the third of the triangles around it, mm²
+  const std::vector<Polyline>*stations, *blades;
+  const Box* block = nullptr;
+  std::map<std::string, FieldSummary> summaries;  ///< of the fields asked for so far
+  const ShownMap* map = nullptr;                  ///< that the style wants, or none
+
+  const TriangleMesh& surface() const { return mesh; }
+  const Field* field() const { return map ? cut->grid.field(map->colors.field) : nullptr; }
+  /// Whether the cut surface is seen.
+  bool covered(const Style& style) const {
+    const Look& look = style.of(Kind::cut, id);
+    return !mesh.triangles.empty() && look.visible && look.opacity > 0;
+  }
+};
+
+/// A block and what belongs to it; without a box it holds the rows that stand in none.
+struct Stock {
+  ItemId id;
+  const Box* box = nullptr;
+  const Travel* travel = nullptr;
+  std::vector<const Row*> rows;
+  TriangleMesh cuts;  ///< of its rows together
+};
+
+struct ShownTarget {
+  ItemId id;
+  const TriangleMesh* mesh;
+  const TriangleMesh& surface() const { return *mesh; }
+};
+
+/// The items of a content, put together by what is drawn of them. Points into the content.
+struct Things {
+  Things() = default;
+  /// Takes away what cannot be drawn, and sorts the rest.
+  explicit Things(Content& content);
+
+  std::vector<ShownTarget> targets;
+  std::deque<Row> rows;
+  std::vector<Stock> stocks;
+  std::shared_ptr<const FaceMesh> faces;
+};
+
+/// The maps that a style asks for, by their word; tells each row its own. A map's range is that of all rows
+/// in sight that have it, of all that have it where none is.
+std::map<std::string, ShownMap> shownMaps(Things& things, const Style& style);
+
+}  // namespace bw::scene
