@@ -211,6 +211,33 @@ TEST_F(Exports, HaveTheSamePicturesHoweverTheWindowIsLaidOut) {
   }
 }
 
+TEST_F(Exports, TellWhereFilesHoldOtherSectionsThanTheScreen) {
+  // Of the bottle's thread the tracer loses a turn; OpenCASCADE, which confirms what is written, does not.
+  Design design;
+  design.source().path = fs::path(BW_FOREIGN_DATA) / "occ/bottle.brep";
+  design.cut().face = {FaceChoice::Kind::indices, {1}};
+  design.cut().direction = Eigen::Vector3d::UnitY();
+  design.cut().sections.stations = 5;
+  design.block().placement = BlockPlacement{{0, -8, 51.5}, {9, 16, 2}, Eigen::Vector3d::Zero()};
+  design.blade = bladePreset("steel-rod-1").value();
+  design.blade.length = 100;
+  design.process.clearance = 0;
+  design.output.programs = {"csv"};
+  ASSERT_TRUE(saveDesign(design, path("thread.bladewright")));
+  ASSERT_TRUE(window().openFile(QString::fromStdString(path("thread.bladewright").string())));
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(bench().sweep());
+  const std::size_t seen = bench().sweep()->size();
+  ASSERT_NO_FATAL_FAILURE(exportAll());
+  EXPECT_TRUE(told("not what the screen shows"));
+  EXPECT_TRUE(std::ranges::any_of(bench().messages(), [](const Message& message) {
+    return message.finding && message.finding->kind() == FindingKind::sectionRoute;
+  }));
+  const Result<Design> written = loadDesign(folder() / pipeline::kDesignFile);
+  ASSERT_TRUE(written);
+  EXPECT_EQ(bench().sweep()->size(), seen) << "the screen stays as it was";
+}
+
 TEST_F(Exports, OfProgramsNeedAFormat) {
   openPanel();
   EXPECT_TRUE(window().commands()["file.programs"]->isEnabled());

@@ -56,6 +56,15 @@ int Product::status() const {
   return exceedsLimit(findings()) ? kLimitExceeded : kDone;
 }
 
+Findings Product::takenOver() const {
+  Findings taken = findings();
+  std::erase_if(taken, [](const Finding& finding) {
+    const auto* differs = std::get_if<SectionDiffers>(&finding.cause);
+    return !differs || !differs->taken;
+  });
+  return taken;
+}
+
 Product produce(const Design& design, const std::filesystem::path& folder, const Policy& policy,
                 const RunContext& context) {
   Product product;

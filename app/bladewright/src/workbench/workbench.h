@@ -220,7 +220,7 @@ class Workbench : public QObject {
   std::optional<Eigen::Vector3d> judgedSize_;  ///< of the target that the unit was judged by
   int lastMergeId_ = 0;
   std::vector<Message> messages_;  ///< of the newest result
-  Findings exportFindings_;        ///< of the programs written last
+  Findings exportFindings_;        ///< of what was written last: other sections, and of its programs
   std::filesystem::path exportFolder_;
   std::vector<WrittenFile> exportedFiles_;
   std::string exported_;  ///< `model::exportKey` of what was written last; empty: nothing

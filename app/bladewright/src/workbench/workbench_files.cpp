@@ -86,7 +86,8 @@ struct Workbench::Export {
   std::string key;  ///< `model::exportKey`
   Source source;
   FileSet files;
-  Findings findings;
+  Findings findings;              ///< of the check of the programs
+  Findings takenOver;             ///< sections that are other than those on the screen
   std::vector<fs::path> earlier;  ///< in the folder, which this one would replace or remove
   std::size_t removed = 0;
   bool stands = false;
@@ -144,6 +145,7 @@ void Workbench::write(const fs::path& folder, const QString& name, MakePolicy po
     if (made->files.paths().empty() && !made->findings.empty())
       return fail(ErrorCode::badInput, words::sentence(made->findings.front(), words::Reader::window),
                   "programs");
+    made->takenOver = product.takenOver();
     made->earlier = earlierExport(made->files, made->folder);
     if (!made->earlier.empty()) return {};
     made->stands = true;
@@ -184,7 +186,8 @@ void Workbench::finishExport(const Export& made, const Result<void>& done) {
       exported_ = made.key;
       exportFolder_ = made.folder;
       exportedFiles_ = writtenFiles(made.files);
-      exportFindings_ = made.findings;
+      exportFindings_ = made.takenOver;
+      exportFindings_.insert(exportFindings_.end(), made.findings.begin(), made.findings.end());
       emit messagesChanged();
     }
     tellWritten(made);
@@ -210,6 +213,14 @@ void Workbench::tellWritten(const Export& made) {
   if (made.removed > 0)
     written += made.removed == 1 ? tr(" (1 file of an earlier run was removed)")
                                  : tr(" (%1 files of an earlier run were removed)").arg(made.removed);
+  if (!made.takenOver.empty())
+    return tell({Severity::warning,
+                 tr("%1, but they are not what the screen shows: %2.")
+                     .arg(written, QString::fromStdString(
+                                       words::sentence(made.takenOver.front(), words::Reader::window))),
+                 {},
+                 {},
+                 Topic::written});
   const Findings& findings = made.findings;
   if (findings.empty()) return tell({Severity::info, written, {}, {}, Topic::written});
   const QString first = QString::fromStdString(words::sentence(findings.front(), words::Reader::window));

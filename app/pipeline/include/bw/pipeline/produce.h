@@ -49,6 +49,9 @@ struct Product {
   std::optional<Error> error = std::nullopt;
 
   Findings findings() const { return evaluation.findings(); }
+  /// The stations at which the files hold OpenCASCADE's section in place of the traced one that a live
+  /// evaluation shows.
+  Findings takenOver() const;
   /// 0, 1 where a stated tolerance or a limit is exceeded, or that of the error.
   int status() const;
 };
