@@ -19,7 +19,9 @@ constexpr int kConfirmed = 3;      // stations at which the kernel looks whateve
 constexpr int kMostDoubtful = 12;  // further ones where tracing may have erred
 constexpr double kSameSection = 0.01;  // mm: sections of both routes this close are the same
 constexpr double kSameLength = 1e-3;   // of the length: likewise, as polygons of different points tell it
-constexpr int kComparedPoints = 33;    // of each of two sections
+constexpr int kComparedPoints = 33;    // of each of two sections, at least and at most, and mm between them
+constexpr int kMostCompared = 2001;
+constexpr double kComparedEvery = 5;
 
 /// Whether setup and request can be followed at all.
 Result<void> checkInput(const Setup& setup, const SectionRequest& request) {
@@ -52,7 +54,8 @@ Result<void> checkInput(const Setup& setup, const SectionRequest& request) {
 double apart(const PlanarCurve& a, const PlanarCurve& b) {
   double worst = 0;
   for (const auto& [from, to] : {std::pair(&a, &b), std::pair(&b, &a)})
-    for (const Eigen::Vector2d& p : from->sample(kComparedPoints))
+    for (const Eigen::Vector2d& p : from->sample(int(
+             std::clamp(from->length() / kComparedEvery, double(kComparedPoints), double(kMostCompared)))))
       worst = std::max(worst, (to->value(to->nearestParameter(p)) - p).norm());
   return worst;
 }

@@ -145,6 +145,26 @@ TEST_F(ForeignRoutes, KernelTakesOverWhereTracingLosesACurve) {
   EXPECT_EQ(cutOf(*thread, settings).sections.size(), (*anew)->size());
 }
 
+TEST_F(ForeignRoutes, SmallDifferencesOfLongSectionsAreTold) {
+  // Ten metres of terrain: of a few places a section none shows that the routes lie up to 0.2 mm apart.
+  const auto terrain = Target::make(model("occ/terrain.brep"), {FaceChoice::Kind::all, {}});
+  ASSERT_TRUE(terrain);
+  CutSettings settings;
+  settings.direction = Eigen::Vector3d::UnitY();
+  settings.stations = 10;
+  Cut cut = cutOf(*terrain, settings);
+  const auto anew = confirmSections(*terrain, cut.setup, settings, {}, cut.findings);
+  ASSERT_TRUE(anew) << anew.error().message;
+  settings.route = SectionRoute::kernel;
+  const Cut kernel = cutOf(*terrain, settings);
+  double worst = 0;
+  for (std::size_t i = 0; i < cut.sections.size(); ++i)
+    worst = std::max(worst, apart(cut.sections[i].curve, kernel.sections[i].curve));
+  const bool told = std::ranges::any_of(
+      cut.findings, [](const Finding& f) { return std::holds_alternative<SectionDiffers>(f.cause); });
+  EXPECT_EQ(told, worst > kSame) << worst;
+}
+
 TEST_F(ForeignRoutes, AgreeOnPlaneFaces) {
   EXPECT_GT(everyFace("occ/face.brep", 9), 0u);
   EXPECT_GT(everyFace("occ/face2.brep", 9), 0u);

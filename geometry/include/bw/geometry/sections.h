@@ -63,10 +63,11 @@ Result<std::vector<Section>> cutSections(const Target& target, const Setup& setu
 
 /// Looks with OpenCASCADE's intersection at some of the stations that `cutSections` traced with `request`:
 /// the first, the last, the middle one, and those on which `findings`, what it found, casts doubt. Where the
-/// two routes differ by more than 0.01 mm or in their number of curves, the neighbours are looked at too, on
-/// and on, and OpenCASCADE's section is taken unless it is the shorter one: what was traced lies on surface
-/// and plane, so it cannot be too much. Returns the sections anew, nothing where none was taken; `findings`
-/// then tells of those, and of every difference. Errors: those of `cutSections`.
+/// two routes differ by more than 0.01 mm at a place of every 5 mm (2001 at most), in their number of curves
+/// or by a thousandth of their length, the neighbours are looked at too, on and on, and OpenCASCADE's section
+/// is taken unless it is the shorter one: what was traced lies on surface and plane, so it cannot be too
+/// much. Returns the sections anew, nothing where none was taken; `findings` then tells of those, and of
+/// every difference. Errors: those of `cutSections`.
 Result<std::optional<std::vector<Section>>> confirmSections(const Target& target, const Setup& setup,
                                                             const SectionRequest& request,
                                                             const RunContext& context, Findings& findings);
