@@ -225,6 +225,25 @@ const CutEvaluation* cutOf(const Evaluation* evaluation, const std::string& id) 
   return nullptr;
 }
 
+/// Designs have one source so far, and each part has what it names.
+Result<void> checkParts(const Design& design) {
+  for (const Cut& cut : design.cuts) {
+    if (cut.source != design.source().id)
+      return fail(ErrorCode::badInput,
+                  "cut \"" + cut.id + "\" is of the source \"" + cut.source + "\"; surfaces come from \"" +
+                      design.source().id + "\" alone",
+                  cut.id);
+    if (std::ranges::find(design.stock, cut.block, &StockBlock::id) == design.stock.end())
+      return fail(ErrorCode::badInput,
+                  "cut \"" + cut.id + "\" names the block \"" + cut.block + "\", which is not there", cut.id);
+  }
+  for (const StockBlock& block : design.stock)
+    if (std::ranges::find(design.cuts, block.id, &Cut::block) == design.cuts.end())
+      return fail(ErrorCode::badInput,
+                  "block \"" + block.id + "\" has no cut; add one or take the block away", block.id);
+  return {};
+}
+
 /// The blocks of a design and their cuts, nothing of them evaluated.
 std::vector<BlockEvaluation> listed(const Design& design) {
   std::vector<BlockEvaluation> blocks;
@@ -295,18 +314,20 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
   Outcome outcome;
   Evaluation& e = outcome.evaluation;
   e.design = design;
-  e.blocks = listed(design);
   const auto start = Clock::now();
   const auto stop = [&](const Error& error) {
     outcome.error = error;
     e.seconds.total = secondsSince(start);
     return outcome;
   };
-  Result<void> ok = settle(e.source, previous ? &previous->source : nullptr, sourceRequest(design), {},
-                           e.seconds.read, [&context](const SourceRequest& request, Findings& findings) {
-                             context.report(0.0, "reading");
-                             return readSource(request, context.child(0.0, 0.25), findings);
-                           });
+  Result<void> ok = checkParts(design);
+  if (!ok) return stop(ok.error());
+  e.blocks = listed(design);
+  ok = settle(e.source, previous ? &previous->source : nullptr, sourceRequest(design), {}, e.seconds.read,
+              [&context](const SourceRequest& request, Findings& findings) {
+                context.report(0.0, "reading");
+                return readSource(request, context.child(0.0, 0.25), findings);
+              });
   if (!ok) return stop(ok.error());
   if (context.stopped()) return stop(stoppedError().value());
   e.sourceFindings = changedSource(design.source(), e.source.value->content);
