@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "bw/core/text/number_text.h"
-#include "bw/robotio/text/motion_text.h"
+#include "bw/robotio/text/program_text.h"
 #include "motion/motion_check.h"
 
 namespace bw::robotio {
