@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "bw/core/files/fingerprint.h"
-#include "bw/robotio/cell/placement.h"
+#include "bw/robotio/motion/program_plan.h"
 
 namespace bw::pipeline {
 

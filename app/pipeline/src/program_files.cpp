@@ -5,8 +5,8 @@
 
 #include "bw/core/design/program_formats.h"
 #include "bw/pipeline/run_identity.h"
-#include "bw/robotio/cell/placement.h"
 #include "bw/robotio/dialects.h"
+#include "bw/robotio/motion/program_plan.h"
 #include "make_files.h"
 
 namespace bw::pipeline {

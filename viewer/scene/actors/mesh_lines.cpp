@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "scene/actors/isolines.h"
+#include "scene/actors/mesh_lines.h"
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +16,9 @@ namespace bw::scene {
 
 namespace {
 
+/// The two points of an edge, the lower index first.
 using EdgeKey = std::uint64_t;
+EdgeKey edgeKey(int low, int high) { return (EdgeKey(std::uint32_t(low)) << 32) | std::uint32_t(high); }
 
 /// A piece of an isoline across one triangle, between two of its edges.
 struct Piece {
@@ -42,7 +46,7 @@ void forEachPiece(const std::vector<Eigen::Vector3d>& points,
         const double va = values[std::size_t(a)], vb = values[std::size_t(b)];
         if ((va > *level) == (vb > *level)) continue;
         const Eigen::Vector3d &p = points[std::size_t(a)], &q = points[std::size_t(b)];
-        piece.edges[found] = (EdgeKey(std::uint32_t(a)) << 32) | std::uint32_t(b);
+        piece.edges[found] = edgeKey(a, b);
         piece.ends[found++] = p + (*level - va) / (vb - va) * (q - p);
       }
       if (found == 2) take(std::size_t(level - levels.begin()), piece);
@@ -113,6 +117,43 @@ std::vector<Isoline> joinedIsolines(const std::vector<Eigen::Vector3d>& points,
   std::vector<Isoline> result;
   for (std::size_t i = 0; i < sorted.size(); ++i)
     for (Polyline& line : joined(pieces[i])) result.push_back({sorted[i], std::move(line)});
+  return result;
+}
+
+std::vector<Eigen::Vector3d> pointNormals(const std::vector<Eigen::Vector3d>& points,
+                                          const std::vector<std::array<int, 3>>& triangles) {
+  std::vector<Eigen::Vector3d> normals(points.size(), Eigen::Vector3d::Zero());
+  for (const auto& [a, b, c] : triangles) {
+    const Eigen::Vector3d& p = points[std::size_t(a)];
+    const Eigen::Vector3d area = (points[std::size_t(b)] - p).cross(points[std::size_t(c)] - p);
+    for (const int corner : {a, b, c}) normals[std::size_t(corner)] += area;
+  }
+  for (Eigen::Vector3d& n : normals) {
+    const double length = n.norm();
+    n = length > 0 ? Eigen::Vector3d(n / length) : Eigen::Vector3d::UnitZ();
+  }
+  return normals;
+}
+
+Segments boundaryEdges(const std::vector<Eigen::Vector3d>& points,
+                       const std::vector<std::array<int, 3>>& triangles) {
+  std::vector<EdgeKey> edges;
+  edges.reserve(3 * triangles.size());
+  for (const auto& triangle : triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [a, b] = std::minmax(triangle[k], triangle[(k + 1) % 3]);
+      edges.push_back(edgeKey(a, b));
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  Segments result;
+  for (std::size_t i = 0; i < edges.size();) {
+    std::size_t next = i + 1;
+    while (next < edges.size() && edges[next] == edges[i]) ++next;
+    if (next == i + 1)
+      result.emplace_back(points[std::size_t(edges[i] >> 32)], points[std::size_t(edges[i] & 0xFFFFFFFFu)]);
+    i = next;
+  }
   return result;
 }
 

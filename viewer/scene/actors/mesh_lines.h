@@ -26,4 +26,12 @@ std::vector<Isoline> joinedIsolines(const std::vector<Eigen::Vector3d>& points,
                                     const std::vector<std::array<int, 3>>& triangles,
                                     const std::vector<double>& values, const std::vector<double>& levels);
 
+/// Unit normals from the triangles around each point, weighted by area.
+std::vector<Eigen::Vector3d> pointNormals(const std::vector<Eigen::Vector3d>& points,
+                                          const std::vector<std::array<int, 3>>& triangles);
+
+/// Edges that only one triangle has.
+Segments boundaryEdges(const std::vector<Eigen::Vector3d>& points,
+                       const std::vector<std::array<int, 3>>& triangles);
+
 }  // namespace bw::scene

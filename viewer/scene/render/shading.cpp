@@ -1,22 +1,32 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "scene/render/ambient_occlusion.h"
+#include "scene/render/shading.h"
 
 #include <vtkCamera.h>
+#include <vtkLight.h>
+#include <vtkLightsPass.h>
 #include <vtkMatrix4x4.h>
 #include <vtkObjectFactory.h>
+#include <vtkOpaquePass.h>
 #include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLQuadHelper.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLShaderCache.h>
 #include <vtkOpenGLState.h>
+#include <vtkOverlayPass.h>
+#include <vtkRenderPassCollection.h>
 #include <vtkRenderState.h>
 #include <vtkRenderer.h>
+#include <vtkSequencePass.h>
 #include <vtkShaderProgram.h>
 #include <vtkTextureObject.h>
+#include <vtkTranslucentPass.h>
 
 #include <algorithm>
+#include <cstddef>
+
+#include "scene/theme.h"
 
 namespace bw::scene {
 
@@ -28,7 +38,7 @@ constexpr unsigned kZero = 0, kOne = 1, kSourceColor = 0x0300;
 
 constexpr int kCoarser = 2;  ///< pixels of the picture a pixel of the shadows, along each side
 
-const char* const kShadowShader = R"(//VTK::System::Dec
+constexpr const char* kShadowShader = R"(//VTK::System::Dec
 in vec2 texCoord;
 uniform sampler2D depths;
 uniform vec4 lens;       // P00, P11, P22, P23 of the projection
@@ -79,7 +89,7 @@ void main()
 }
 )";
 
-const char* const kBlurShader = R"(//VTK::System::Dec
+constexpr const char* kBlurShader = R"(//VTK::System::Dec
 in vec2 texCoord;
 uniform sampler2D depths;
 uniform sampler2D shadows;
@@ -108,7 +118,7 @@ void main()
 }
 )";
 
-const char* const kMultiplyShader = R"(//VTK::System::Dec
+constexpr const char* kMultiplyShader = R"(//VTK::System::Dec
 in vec2 texCoord;
 uniform sampler2D shadows;
 //VTK::Output::Dec
@@ -118,34 +128,8 @@ void main()
 }
 )";
 
-vtkSmartPointer<vtkTextureObject> makeTexture(vtkOpenGLRenderWindow* window) {
-  auto texture = vtkSmartPointer<vtkTextureObject>::New();
-  texture->SetContext(window);
-  texture->SetWrapS(vtkTextureObject::ClampToEdge);
-  texture->SetWrapT(vtkTextureObject::ClampToEdge);
-  return texture;
-}
-
-/// Lets the drawing that follows fill a buffer of that size.
-void fill(vtkOpenGLRenderWindow* window, int width, int height) {
-  window->GetState()->vtkglViewport(0, 0, width, height);
-  window->GetState()->vtkglScissor(0, 0, width, height);
-}
-
-/// A texture bound to a sampler of the quad's program while it exists.
-class Bound {
- public:
-  Bound(vtkTextureObject* texture, vtkOpenGLQuadHelper& quad, const char* name) : texture_(texture) {
-    texture_->Activate();
-    quad.Program->SetUniformi(name, texture_->GetTextureUnit());
-  }
-  ~Bound() { texture_->Deactivate(); }
-  Bound(const Bound&) = delete;
-  Bound& operator=(const Bound&) = delete;
-
- private:
-  vtkTextureObject* texture_;
-};
+/// In the order of AmbientOcclusion::Step.
+constexpr std::array kShaders = {kShadowShader, kBlurShader, kMultiplyShader};
 
 }  // namespace
 
@@ -154,89 +138,69 @@ vtkStandardNewMacro(AmbientOcclusion);
 AmbientOcclusion::AmbientOcclusion() = default;
 AmbientOcclusion::~AmbientOcclusion() = default;
 
-bool AmbientOcclusion::prepare(vtkOpenGLRenderWindow* window, int width, int height) {
-  if (!depth_) {
-    color_ = makeTexture(window);
-    depth_ = makeTexture(window);
-    shadow_ = makeTexture(window);
-    smooth_ = makeTexture(window);
+bool AmbientOcclusion::prepare(vtkOpenGLRenderWindow* window, unsigned width, unsigned height) {
+  if (!buffer_) {
+    for (auto* texture : {&depth_, &shadow_, &smooth_}) {
+      *texture = vtkSmartPointer<vtkTextureObject>::New();
+      (*texture)->SetContext(window);
+      (*texture)->SetWrapS(vtkTextureObject::ClampToEdge);
+      (*texture)->SetWrapT(vtkTextureObject::ClampToEdge);
+    }
     smooth_->SetMinificationFilter(vtkTextureObject::Linear);
     smooth_->SetMagnificationFilter(vtkTextureObject::Linear);
-    bool made = color_->Allocate2D(unsigned(width), unsigned(height), 4, VTK_UNSIGNED_CHAR) &&
-                depth_->AllocateDepth(unsigned(width), unsigned(height), vtkTextureObject::Float32);
-    for (vtkTextureObject* texture : {shadow_.Get(), smooth_.Get()})
-      made = made && texture->Allocate2D(unsigned(width), unsigned(height), 4, VTK_UNSIGNED_CHAR);
-    if (!made) return false;
-    for (auto* buffer : {&depthBuffer_, &shadowBuffer_, &blurBuffer_}) {
-      *buffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
-      (*buffer)->SetContext(window);
-    }
-    shadowQuad_ = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, kShadowShader, nullptr);
-    blurQuad_ = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, kBlurShader, nullptr);
-    multiplyQuad_ = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, kMultiplyShader, nullptr);
-  } else if (width != width_ || height != height_) {
-    for (vtkTextureObject* texture : {color_.Get(), depth_.Get(), shadow_.Get(), smooth_.Get()})
-      texture->Resize(unsigned(width), unsigned(height));
+    if (!depth_->AllocateDepth(width, height, vtkTextureObject::Float32) ||
+        !shadow_->Allocate2D(width, height, 4, VTK_UNSIGNED_CHAR) ||
+        !smooth_->Allocate2D(width, height, 4, VTK_UNSIGNED_CHAR))
+      return false;
+    for (std::size_t i = 0; i < quads_.size(); ++i)
+      quads_[i] = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, kShaders[i], nullptr);
+    buffer_ = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
+    buffer_->SetContext(window);
+  } else if (width != depth_->GetWidth() || height != depth_->GetHeight()) {
+    for (vtkTextureObject* texture : {depth_.Get(), shadow_.Get(), smooth_.Get()})
+      texture->Resize(width, height);
   }
-  width_ = width;
-  height_ = height;
-  return shadowQuad_->Program && blurQuad_->Program && multiplyQuad_->Program;
+  return std::ranges::all_of(quads_, [](const auto& quad) { return quad->Program != nullptr; });
 }
 
-void AmbientOcclusion::drawDepths(const vtkRenderState* state, vtkOpenGLRenderWindow* window) {
-  vtkOpenGLState* gl = window->GetState();
-  depthBuffer_->Bind();
-  depthBuffer_->AddColorAttachment(0, color_);
-  depthBuffer_->AddDepthAttachment(depth_);
-  depthBuffer_->ActivateDrawBuffer(0);
-  fill(window, width_, height_);
+void AmbientOcclusion::drawDepths(vtkRenderer* renderer, vtkOpenGLState* gl) {
+  // Colours come along; the first shadows take their place.
+  buffer_->AddColorAttachment(0, shadow_);
+  buffer_->AddDepthAttachment(depth_);
+  buffer_->ActivateDrawBuffer(0);
   gl->vtkglEnable(kDepthTest);
   gl->vtkglDepthMask(1);
   gl->vtkglClearDepth(1.0);
   gl->vtkglClear(kColorBit | kDepthBit);
-  for (vtkActor* actor : solids_) {
-    if (actor->GetVisibility() && actor->HasOpaqueGeometry())
-      actor->RenderOpaqueGeometry(state->GetRenderer());
-  }
+  for (vtkActor* actor : solids_)
+    if (actor->GetVisibility() && actor->HasOpaqueGeometry()) actor->RenderOpaqueGeometry(renderer);
+  buffer_->RemoveDepthAttachment();
 }
 
-void AmbientOcclusion::drawShadows(const vtkRenderState* state, vtkOpenGLRenderWindow* window) {
-  shadowBuffer_->Bind();
-  shadowBuffer_->AddColorAttachment(0, shadow_);
-  shadowBuffer_->ActivateDrawBuffer(0);
-  fill(window, width_, height_);
-  window->GetShaderCache()->ReadyShaderProgram(shadowQuad_->Program);
-  vtkShaderProgram* program = shadowQuad_->Program;
-  const Bound depths(depth_, *shadowQuad_, "depths");
-  vtkCamera* camera = state->GetRenderer()->GetActiveCamera();
-  vtkMatrix4x4* projection = camera->GetProjectionTransformMatrix(state->GetRenderer());
+void AmbientOcclusion::draw(Step step, vtkRenderer* renderer, vtkTextureObject* shadows) {
+  vtkOpenGLQuadHelper& quad = *quads_[std::size_t(step)];
+  vtkShaderProgram* program = quad.Program;
+  static_cast<vtkOpenGLRenderWindow*>(renderer->GetVTKWindow())
+      ->GetShaderCache()
+      ->ReadyShaderProgram(program);
+  vtkCamera* camera = renderer->GetActiveCamera();
+  vtkMatrix4x4* projection = camera->GetProjectionTransformMatrix(renderer);
   const float lens[4] = {float(projection->GetElement(0, 0)), float(projection->GetElement(1, 1)),
                          float(projection->GetElement(2, 2)), float(projection->GetElement(2, 3))};
-  const float texel[2] = {1.0f / float(width_), 1.0f / float(height_)};
+  const float texel[2] = {1.0f / float(depth_->GetWidth()), 1.0f / float(depth_->GetHeight())};
+  // Each program takes of these what it has.
+  depth_->Activate();
+  shadows->Activate();
+  program->SetUniformi("depths", depth_->GetTextureUnit());
+  program->SetUniformi("shadows", shadows->GetTextureUnit());
   program->SetUniform4f("lens", lens);
   program->SetUniform2f("texel", texel);
   program->SetUniformf("parallel", camera->GetParallelProjection() ? 1.0f : 0.0f);
   program->SetUniformf("reach", float(reach_));
   program->SetUniformf("strength", float(strength_));
-  shadowQuad_->Render();
-}
-
-void AmbientOcclusion::blur(vtkOpenGLRenderWindow* window) {
-  blurBuffer_->Bind();
-  blurBuffer_->AddColorAttachment(0, smooth_);
-  blurBuffer_->ActivateDrawBuffer(0);
-  fill(window, width_, height_);
-  window->GetShaderCache()->ReadyShaderProgram(blurQuad_->Program);
-  const Bound depths(depth_, *blurQuad_, "depths"), shadows(shadow_, *blurQuad_, "shadows");
-  const float texel[2] = {1.0f / float(width_), 1.0f / float(height_)};
-  blurQuad_->Program->SetUniform2f("texel", texel);
-  blurQuad_->Render();
-}
-
-void AmbientOcclusion::multiply(vtkOpenGLRenderWindow* window) {
-  window->GetShaderCache()->ReadyShaderProgram(multiplyQuad_->Program);
-  const Bound shadows(smooth_, *multiplyQuad_, "shadows");
-  multiplyQuad_->Render();
+  quad.Render();
+  shadows->Deactivate();
+  depth_->Deactivate();
 }
 
 void AmbientOcclusion::Render(const vtkRenderState* state) {
@@ -245,11 +209,12 @@ void AmbientOcclusion::Render(const vtkRenderState* state) {
     return actor->GetVisibility() && actor->HasOpaqueGeometry();
   });
   if (!any || strength_ <= 0 || reach_ <= 0) return;
-  auto* window = static_cast<vtkOpenGLRenderWindow*>(state->GetRenderer()->GetVTKWindow());
+  vtkRenderer* renderer = state->GetRenderer();
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetVTKWindow());
   int width = 0, height = 0, left = 0, bottom = 0;
-  state->GetRenderer()->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
+  renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
   if (width < 4 * kCoarser || height < 4 * kCoarser) return;
-  if (!prepare(window, width / kCoarser, height / kCoarser)) return;
+  if (!prepare(window, unsigned(width / kCoarser), unsigned(height / kCoarser))) return;
 
   vtkOpenGLState* gl = window->GetState();
   const vtkOpenGLState::ScopedglViewport viewport(gl);
@@ -259,33 +224,66 @@ void AmbientOcclusion::Render(const vtkRenderState* state) {
   const vtkOpenGLState::ScopedglDepthMask depthMask(gl);
   const vtkOpenGLState::ScopedglBlendFuncSeparate blending(gl);
   gl->PushFramebufferBindings();
-  drawDepths(state, window);
+  buffer_->Bind();
+  gl->vtkglViewport(0, 0, width / kCoarser, height / kCoarser);
+  gl->vtkglScissor(0, 0, width / kCoarser, height / kCoarser);
+  drawDepths(renderer, gl);
   gl->vtkglDisable(kDepthTest);
   gl->vtkglDisable(kBlend);
-  drawShadows(state, window);
-  blur(window);
+  draw(Step::shade, renderer, smooth_);
+  buffer_->AddColorAttachment(0, smooth_);
+  draw(Step::blur, renderer, shadow_);
   gl->PopFramebufferBindings();
   gl->vtkglViewport(left, bottom, width, height);
   gl->vtkglScissor(left, bottom, width, height);
   gl->vtkglEnable(kBlend);
   gl->vtkglDepthMask(0);
   gl->vtkglBlendFuncSeparate(kZero, kSourceColor, kZero, kOne);
-  multiply(window);
+  draw(Step::multiply, renderer, smooth_);
 }
 
 void AmbientOcclusion::ReleaseGraphicsResources(vtkWindow* window) {
-  for (auto* buffer : {&depthBuffer_, &shadowBuffer_, &blurBuffer_}) {
-    if (*buffer) (*buffer)->ReleaseGraphicsResources(window);
-    *buffer = nullptr;
-  }
-  for (auto* texture : {&color_, &depth_, &shadow_, &smooth_}) {
+  if (buffer_) buffer_->ReleaseGraphicsResources(window);
+  buffer_ = nullptr;
+  for (auto* texture : {&depth_, &shadow_, &smooth_}) {
     if (*texture) (*texture)->ReleaseGraphicsResources(window);
     *texture = nullptr;
   }
-  shadowQuad_.reset();
-  blurQuad_.reset();
-  multiplyQuad_.reset();
+  quads_ = {};
   vtkRenderPass::ReleaseGraphicsResources(window);
+}
+
+vtkSmartPointer<vtkCameraPass> makePasses(AmbientOcclusion* occlusion) {
+  const auto passes = vtkSmartPointer<vtkRenderPassCollection>::New();
+  passes->AddItem(vtkSmartPointer<vtkLightsPass>::New());
+  passes->AddItem(vtkSmartPointer<vtkOpaquePass>::New());
+  passes->AddItem(occlusion);
+  passes->AddItem(vtkSmartPointer<vtkTranslucentPass>::New());
+  passes->AddItem(vtkSmartPointer<vtkOverlayPass>::New());
+  const auto sequence = vtkSmartPointer<vtkSequencePass>::New();
+  sequence->SetPasses(passes);
+  const auto camera = vtkSmartPointer<vtkCameraPass>::New();
+  camera->SetDelegatePass(sequence);
+  return camera;
+}
+
+void addLights(vtkRenderer* renderer) {
+  renderer->AutomaticLightCreationOff();
+  struct Lamp {
+    double x, y, z, strength;
+    Rgb color;
+  };
+  for (const Lamp& lamp :
+       {Lamp{-0.55, 0.85, 0.75, 0.66, Rgb::hex(0xFFFCF5)}, Lamp{0.95, 0.05, 0.55, 0.26, Rgb::hex(0xF2F6FF)},
+        Lamp{0, 0, 1, 0.40, Rgb::hex(0xFFFFFF)}}) {
+    const auto light = vtkSmartPointer<vtkLight>::New();
+    light->SetLightTypeToCameraLight();
+    light->SetPosition(lamp.x, lamp.y, lamp.z);
+    light->SetFocalPoint(0, 0, 0);
+    light->SetIntensity(lamp.strength);
+    light->SetColor(lamp.color.r, lamp.color.g, lamp.color.b);
+    renderer->AddLight(light);
+  }
 }
 
 }  // namespace bw::scene

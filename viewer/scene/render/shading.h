@@ -3,16 +3,19 @@
 #pragma once
 
 #include <vtkActor.h>
-#include <vtkNew.h>
+#include <vtkCameraPass.h>
 #include <vtkRenderPass.h>
 #include <vtkSmartPointer.h>
 
+#include <array>
 #include <memory>
 #include <vector>
 
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLQuadHelper;
 class vtkOpenGLRenderWindow;
+class vtkOpenGLState;
+class vtkRenderer;
 class vtkTextureObject;
 
 namespace bw::scene {
@@ -39,18 +42,24 @@ class AmbientOcclusion : public vtkRenderPass {
   ~AmbientOcclusion() override;
 
  private:
-  bool prepare(vtkOpenGLRenderWindow* window, int width, int height);
-  void drawDepths(const vtkRenderState* state, vtkOpenGLRenderWindow* window);
-  void drawShadows(const vtkRenderState* state, vtkOpenGLRenderWindow* window);
-  void blur(vtkOpenGLRenderWindow* window);
-  void multiply(vtkOpenGLRenderWindow* window);
+  enum class Step { shade, blur, multiply };
+  bool prepare(vtkOpenGLRenderWindow* window, unsigned width, unsigned height);
+  void drawDepths(vtkRenderer* renderer, vtkOpenGLState* gl);
+  /// Fills what is bound by the program of a step, which reads the depths and perhaps `shadows`.
+  void draw(Step step, vtkRenderer* renderer, vtkTextureObject* shadows);
 
   std::vector<vtkSmartPointer<vtkActor>> solids_;
   double reach_ = 100, strength_ = 1;
-  int width_ = 0, height_ = 0;  ///< of the textures
-  vtkSmartPointer<vtkOpenGLFramebufferObject> depthBuffer_, shadowBuffer_, blurBuffer_;
-  vtkSmartPointer<vtkTextureObject> color_, depth_, shadow_, smooth_;
-  std::unique_ptr<vtkOpenGLQuadHelper> shadowQuad_, blurQuad_, multiplyQuad_;
+  vtkSmartPointer<vtkOpenGLFramebufferObject> buffer_;
+  vtkSmartPointer<vtkTextureObject> depth_, shadow_, smooth_;
+  std::array<std::unique_ptr<vtkOpenGLQuadHelper>, 3> quads_;
 };
+
+/// Passes that draw clear things in the order in which they were added, into the multisampled picture itself:
+/// their edges are as smooth as those of solid things.
+vtkSmartPointer<vtkCameraPass> makePasses(AmbientOcclusion* occlusion);
+
+/// Key, fill and head light, fixed to the camera so that no side of the model is ever dark.
+void addLights(vtkRenderer* renderer);
 
 }  // namespace bw::scene
