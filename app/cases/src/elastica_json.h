@@ -15,7 +15,5 @@ namespace bw::cases {
 nlohmann::ordered_json elasticaToJson(const Elastica& elastica);
 /// Reads either form; keys of the regular form win where both are there.
 Result<Elastica> elasticaFromJson(const nlohmann::json& object, const std::string& path);
-/// {"error": {...}} of a case.
-nlohmann::ordered_json errorToJson(const Error& error);
 
 }  // namespace bw::cases

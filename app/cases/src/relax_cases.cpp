@@ -6,7 +6,6 @@
 #include "bw/core/relax/curve_relaxation.h"
 #include "case_runner.h"
 #include "elastica_json.h"
-#include "relax_case.h"
 
 namespace bw::cases {
 
@@ -52,7 +51,7 @@ Result<ordered_json> answerRelaxation(ObjectReader& reader, bool& limited) {
   result["curve"] = {{"type", "bspline"},
                      {"degree", relaxed->curve.degree()},
                      {"knots", relaxed->curve.knots()},
-                     {"poles", pointsToJson(relaxed->curve.poles())}};
+                     {"poles", relaxed->curve.poles()}};
   result["length"] = relaxed->curve.length();
   result["length_error"] = relaxed->lengthError;
   result["energy"] = relaxed->energy;
