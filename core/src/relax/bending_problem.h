@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "relax/spline_space.h"
+#include "relax/refined_target.h"
 
 namespace bw::relax {
 

@@ -10,7 +10,6 @@
 #include "bw/core/text/number_text.h"
 #include "relax/bending_descent.h"
 #include "relax/bending_problem.h"
-#include "relax/pole_freedom.h"
 #include "relax/refined_target.h"
 
 namespace bw {
