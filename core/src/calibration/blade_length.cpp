@@ -11,7 +11,6 @@
 #include "bw/core/base/units.h"
 #include "bw/core/elastica/elastica_stability.h"
 #include "bw/core/text/number_text.h"
-#include "calibration/hang_blade.h"
 #include "calibration/symmetric_arc.h"
 #include "optimise/bracketed_root.h"
 
@@ -214,7 +213,7 @@ Result<BladeLength> bladeLength(const BladeMeasurement& m) {
   return assemble(family.arc(root.at), m, true);
 }
 
-Result<BladeHeight> calibration::hangBlade(double length, const BladeMeasurement& m, bool withStability) {
+Result<BladeHeight> bladeHeight(double length, const BladeMeasurement& m, bool withStability) {
   detail::chargeWork(kHangWork);
   if (Result<void> ok = check(m, false); !ok) return tl::unexpected<Error>(ok.error());
   if (!(length >= kSmallest && length <= kLargest))
@@ -247,10 +246,6 @@ Result<BladeHeight> calibration::hangBlade(double length, const BladeMeasurement
   }
   const SymmetricArc arc = family.arc(root.at);
   return BladeHeight{0.5 * m.distance * arc.height / arc.chord, assemble(arc, m, withStability)};
-}
-
-Result<BladeHeight> bladeHeight(double length, const BladeMeasurement& m) {
-  return calibration::hangBlade(length, m, true);
 }
 
 }  // namespace bw

@@ -13,7 +13,6 @@
 #include "bw/core/text/number_text.h"
 #include "fit/fit_distance.h"
 #include "piecewise/piecewise_problem.h"
-#include "piecewise/piecewise_splits.h"
 
 namespace bw {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
-#include "piecewise/piecewise_splits.h"
+#include "piecewise/piecewise_problem.h"
 
 #include <algorithm>
 #include <limits>
