@@ -155,11 +155,20 @@ double PlanarCurve::Data::parameterAt(double s) const {
   return t;
 }
 
-bool PlanarCurve::Data::build() {
-  const bool built = kind == Kind::points ? buildChain() : buildSpline();
-  if (!built) return false;
-  kind == Kind::points ? addChainQuadrature() : addSplineQuadrature();
-  return true;
+std::shared_ptr<const PlanarCurve::Data> PlanarCurve::Data::make(Kind kind, int degree,
+                                                                 std::vector<double> knots,
+                                                                 std::vector<Vector2d> poles,
+                                                                 std::vector<double> weights) {
+  auto data = std::make_shared<Data>();
+  data->kind = kind;
+  data->degree = degree;
+  data->knots = std::move(knots);
+  data->poles = std::move(poles);
+  data->weights = std::move(weights);
+  const bool chain = kind == Kind::points;
+  if (!(chain ? data->buildChain() : data->buildSpline())) return nullptr;
+  chain ? data->addChainQuadrature() : data->addSplineQuadrature();
+  return data;
 }
 
 bool PlanarCurve::Data::buildSpline() {

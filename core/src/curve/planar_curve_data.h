@@ -43,8 +43,12 @@ struct PlanarCurve::Data {
   double arcLength(double t) const;
   double parameterAt(double s) const;
 
-  /// Fills every table from kind, degree, knots, poles, weights. False if the length is zero or not finite.
-  bool build();
+  /// Fails if the length is zero or not finite.
+  static Result<PlanarCurve> makeCurve(Kind kind, int degree, std::vector<double> knots,
+                                       std::vector<Eigen::Vector2d> poles, std::vector<double> weights);
+  /// With every table; null if the length is zero or not finite.
+  static std::shared_ptr<const Data> make(Kind kind, int degree, std::vector<double> knots,
+                                          std::vector<Eigen::Vector2d> poles, std::vector<double> weights);
 
   /// Poles (and weights, if rational) of the curve on the flat knot vector `newKnots`, which refines the
   /// curve's own inside [a, b] and lies in that interval. Exact: knot insertion by blossoming.
@@ -56,6 +60,8 @@ struct PlanarCurve::Data {
   bool buildChain();
   void addCells(int span, double a, double b, double estimate, double tolerance, int depth);
   /// In planar_curve_quadrature.cpp.
+  void addNode(double parameter, double arc, double weight, const Eigen::Vector2d& point,
+               const Eigen::Vector2d& along, double curvature);
   void addSplineQuadrature();
   void addChainQuadrature();
   void addSideQuadrature(std::size_t i);
