@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace bw::detail {
+namespace bw::curve {
 namespace {
 
 using Eigen::Vector2d;
@@ -224,4 +224,4 @@ void BezierSpan::stationaryPoints(const Vector2d& p, std::vector<double>& out) c
   StationarySearch{*this, p, kNoise * scale, out}.search(g, t0, t1, 0);
 }
 
-}  // namespace bw::detail
+}  // namespace bw::curve

@@ -41,14 +41,14 @@ Result<PlanarCurve> PlanarCurve::bezier(std::vector<Vector2d> poles) {
                 "poles", static_cast<double>(poles.size()), 2.0);
   }
   const int degree = static_cast<int>(std::min<std::size_t>(poles.size() - 1, 1000000));
-  if (degree > detail::kMaxDegree) {
+  if (degree > curve::kMaxDegree) {
     return fail(ErrorCode::badInput,
                 "A Bézier curve of degree " + std::to_string(degree) + " is above the limit of " +
-                    std::to_string(detail::kMaxDegree) + "; divide it into a B-spline of lower degree.",
-                "degree", degree, detail::kMaxDegree);
+                    std::to_string(curve::kMaxDegree) + "; divide it into a B-spline of lower degree.",
+                "degree", degree, curve::kMaxDegree);
   }
-  if (auto error = detail::checkPoints(poles, "pole")) return tl::unexpected<Error>(*std::move(error));
-  if (detail::coincide(poles)) return zeroLength();
+  if (auto error = curve::checkPoints(poles, "pole")) return tl::unexpected<Error>(*std::move(error));
+  if (curve::coincide(poles)) return zeroLength();
   std::vector<double> knots(poles.size(), 0.0);
   knots.resize(2 * poles.size(), 1.0);
   return Data::makeCurve(Kind::bezier, degree, std::move(knots), std::move(poles), {});
@@ -56,9 +56,9 @@ Result<PlanarCurve> PlanarCurve::bezier(std::vector<Vector2d> poles) {
 
 Result<PlanarCurve> PlanarCurve::bspline(int degree, std::vector<double> knots, std::vector<Vector2d> poles,
                                          std::vector<double> weights) {
-  if (auto error = detail::checkSpline(degree, knots, poles, weights))
+  if (auto error = curve::checkSpline(degree, knots, poles, weights))
     return tl::unexpected<Error>(*std::move(error));
-  if (detail::coincide(poles)) return zeroLength();
+  if (curve::coincide(poles)) return zeroLength();
   return Data::makeCurve(Kind::bspline, degree, std::move(knots), std::move(poles), std::move(weights));
 }
 
@@ -68,9 +68,9 @@ Result<PlanarCurve> PlanarCurve::points(std::vector<Vector2d> points) {
                 "A curve of points needs at least 2 of them, but has " + std::to_string(points.size()) + ".",
                 "points", static_cast<double>(points.size()), 2.0);
   }
-  if (auto error = detail::checkPoints(points, "point")) return tl::unexpected<Error>(*std::move(error));
-  if (detail::coincide(points)) return zeroLength();
-  const double merge = detail::mergeDistance(points);
+  if (auto error = curve::checkPoints(points, "point")) return tl::unexpected<Error>(*std::move(error));
+  if (curve::coincide(points)) return zeroLength();
+  const double merge = curve::mergeDistance(points);
   std::vector<Vector2d> apart;
   for (const Vector2d& p : points) {
     if (apart.empty() || (p - apart.back()).norm() > merge) apart.push_back(p);
@@ -113,7 +113,7 @@ PlanarCurve PlanarCurve::reversed() const {
 Result<PlanarCurve> PlanarCurve::subCurve(double t0, double t1) const {
   if (!std::isfinite(t0) || !std::isfinite(t1)) {
     return fail(ErrorCode::badInput,
-                "The part of the curve from " + detail::valueText(t0) + " to " + detail::valueText(t1) +
+                "The part of the curve from " + curve::valueText(t0) + " to " + curve::valueText(t1) +
                     " is not a range.",
                 "t0");
   }
@@ -121,7 +121,7 @@ Result<PlanarCurve> PlanarCurve::subCurve(double t0, double t1) const {
   t1 = data_->clamp(t1);
   if (!(t1 - t0 > 1e-14 * (data_->end - data_->start))) {
     return fail(ErrorCode::badInput,
-                "The part of the curve from " + detail::valueText(t0) + " to " + detail::valueText(t1) +
+                "The part of the curve from " + curve::valueText(t0) + " to " + curve::valueText(t1) +
                     " is empty; the first parameter must be below the second.",
                 "t0", t0, t1);
   }

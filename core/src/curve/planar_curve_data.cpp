@@ -27,7 +27,7 @@ constexpr double kVanishing = 1e-13;
 // Work (`WorkMeter`) of a cell with its nodes.
 constexpr std::int64_t kCellWork = 30;
 
-double integrateSpeed(const detail::BezierSpan& span, double a, double b, int nodes) {
+double integrateSpeed(const curve::BezierSpan& span, double a, double b, int nodes) {
   const detail::GaussRule rule = detail::gaussRule(nodes);
   double sum = 0;
   for (int i = 0; i < nodes; ++i) sum += rule.weights[i] * span.speed(a + rule.nodes[i] * (b - a));
@@ -41,10 +41,10 @@ std::size_t PlanarCurve::Data::cellAt(double t) const {
   return static_cast<std::size_t>(next - cellT.begin()) - 1;
 }
 
-const detail::BezierSpan& PlanarCurve::Data::spanAt(double t) const {
+const curve::BezierSpan& PlanarCurve::Data::spanAt(double t) const {
   if (spans.size() == 1) return spans.front();
   const auto next = std::upper_bound(spans.begin() + 1, spans.end(), t,
-                                     [](double x, const detail::BezierSpan& span) { return x < span.t0; });
+                                     [](double x, const curve::BezierSpan& span) { return x < span.t0; });
   return *(next - 1);
 }
 
@@ -63,7 +63,7 @@ Vector2d PlanarCurve::Data::value(double t) const {
 PlanarCurve::Derivatives PlanarCurve::Data::derivatives(double t) const {
   t = clamp(t);
   if (kind != Kind::points) {
-    const detail::BezierSpan::Point p = spanAt(t).at(t);
+    const curve::BezierSpan::Point p = spanAt(t).at(t);
     return {p.value, p.first, p.second};
   }
   const std::size_t i = cellAt(t);
@@ -77,7 +77,7 @@ PlanarCurve::Derivatives PlanarCurve::Data::derivatives(double t) const {
 Vector2d PlanarCurve::Data::tangent(double t) const {
   t = clamp(t);
   if (kind == Kind::points) return derivatives(t).first;
-  const detail::BezierSpan& span = spanAt(t);
+  const curve::BezierSpan& span = spanAt(t);
   const double h = span.t1 - span.t0;
   const double scale = span.polygonLength() / h;
   const Vector2d first = span.first(t);
@@ -122,7 +122,7 @@ double PlanarCurve::Data::parameterAt(double s) const {
   if (kind == Kind::points) return s;
   const auto next = std::upper_bound(cellS.begin() + 1, cellS.end() - 1, s);
   const auto i = static_cast<std::size_t>(next - cellS.begin()) - 1;
-  const detail::BezierSpan& span = spans[static_cast<std::size_t>(cellSpan[i])];
+  const curve::BezierSpan& span = spans[static_cast<std::size_t>(cellSpan[i])];
   double low = cellT[i];
   double high = cellT[i + 1];
   const double total = cellS[i + 1] - cellS[i];
@@ -181,7 +181,7 @@ bool PlanarCurve::Data::buildSpline() {
     std::vector<double> local(2 * static_cast<std::size_t>(degree) + 2);
     for (std::size_t i = static_cast<std::size_t>(degree); i < poles.size(); ++i) {
       if (!(knots[i] < knots[i + 1])) continue;
-      detail::BezierSpan span;
+      curve::BezierSpan span;
       span.t0 = knots[i];
       span.t1 = knots[i + 1];
       std::fill(local.begin(), local.begin() + degree + 1, span.t0);
@@ -191,13 +191,13 @@ bool PlanarCurve::Data::buildSpline() {
     }
   }
   double polygon = 0;
-  for (const detail::BezierSpan& span : spans) polygon += span.polygonLength();
+  for (const curve::BezierSpan& span : spans) polygon += span.polygonLength();
   if (!std::isfinite(polygon) || !(polygon > 0)) return false;
   cellT.assign(1, start);
   cellS.assign(1, 0.0);
   cellSpan.clear();
   for (std::size_t i = 0; i < spans.size(); ++i) {
-    detail::BezierSpan& span = spans[i];
+    curve::BezierSpan& span = spans[i];
     span.prepare();
     addCells(static_cast<int>(i), span.t0, span.t1, integrateSpeed(span, span.t0, span.t1, kCellNodes),
              kCellTolerance * polygon, 0);
@@ -209,7 +209,7 @@ bool PlanarCurve::Data::buildSpline() {
 
 void PlanarCurve::Data::addCells(int span, double a, double b, double estimate, double tolerance, int depth) {
   const double middle = 0.5 * (a + b);
-  const detail::BezierSpan& piece = spans[static_cast<std::size_t>(span)];
+  const curve::BezierSpan& piece = spans[static_cast<std::size_t>(span)];
   const double left = integrateSpeed(piece, a, middle, kCellNodes);
   const double right = integrateSpeed(piece, middle, b, kCellNodes);
   if (std::abs(left + right - estimate) <= tolerance || depth >= kMaxCellDepth ||

@@ -22,7 +22,7 @@ struct PlanarCurve::Data {
   double start = 0, end = 1;
 
   /// Splines: one piece a non-empty knot span. Chains: empty.
-  std::vector<detail::BezierSpan> spans;
+  std::vector<curve::BezierSpan> spans;
 
   /// Arc-length table: cell i runs over [cellT[i], cellT[i + 1]], inside one span, short enough for the inner
   /// Gauss rule. Chains: the vertices.
@@ -35,7 +35,7 @@ struct PlanarCurve::Data {
   Quadrature quadrature;
 
   std::size_t cellAt(double t) const;
-  const detail::BezierSpan& spanAt(double t) const;
+  const curve::BezierSpan& spanAt(double t) const;
   double clamp(double t) const;
   Eigen::Vector2d value(double t) const;
   Derivatives derivatives(double t) const;

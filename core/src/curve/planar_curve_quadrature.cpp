@@ -56,14 +56,14 @@ void PlanarCurve::Data::addSplineQuadrature() {
   std::size_t cell = 0;
   const detail::GaussRule fine = detail::gaussRule(kCellNodes);
   for (std::size_t i = 0; i < spans.size(); ++i) {
-    const detail::BezierSpan& span = spans[i];
+    const curve::BezierSpan& span = spans[i];
     const double s0 = cellS[cell];
     const Vector2d origin = span.poles.front();
     Moments exact;
     while (cell < cellSpan.size() && static_cast<std::size_t>(cellSpan[cell]) == i) {
       const double h = cellT[cell + 1] - cellT[cell];
       for (int j = 0; j < kCellNodes; ++j) {
-        const detail::BezierSpan::Point p = span.at(cellT[cell] + fine.nodes[j] * h);
+        const curve::BezierSpan::Point p = span.at(cellT[cell] + fine.nodes[j] * h);
         const double speed = p.first.norm();
         const double cross = p.first.x() * p.second.y() - p.first.y() * p.second.x();
         exact.add(fine.weights[j] * h * speed, p.value - origin,
@@ -89,7 +89,7 @@ void PlanarCurve::Data::addSplineQuadrature() {
         for (int j = 0; j < nodes; ++j) {
           const double s = s0 + width * (part + rule.nodes[j]);
           const double t = std::clamp(parameterAt(s), span.t0, span.t1);
-          const detail::BezierSpan::Point p = span.at(t);
+          const curve::BezierSpan::Point p = span.at(t);
           const double speed = p.first.norm();
           const double w = width * rule.weights[j];
           const double bend =

@@ -17,11 +17,11 @@
 namespace bw {
 namespace {
 
-using detail::Piece;
-using detail::PieceGrid;
-using detail::PiecewiseProblem;
 using detail::workExhausted;
 using optimise::Descent;
+using piecewise::Piece;
+using piecewise::PieceGrid;
+using piecewise::PiecewiseProblem;
 
 using Pieces = std::vector<std::shared_ptr<const Piece>>;
 
@@ -103,7 +103,7 @@ Pieces piecesOf(const PlanarCurve& curve, const std::vector<double>& splits,
                 std::optional<double> maxCurvature) {
   Pieces pieces;
   for (std::size_t i = 0; i + 1 < splits.size(); ++i)
-    pieces.push_back(detail::makePiece(curve, splits[i], splits[i + 1], maxCurvature));
+    pieces.push_back(piecewise::makePiece(curve, splits[i], splits[i + 1], maxCurvature));
   return pieces;
 }
 
@@ -125,8 +125,8 @@ Chain improve(const PlanarCurve& curve, std::vector<double>& arcs, Chain best, d
         const auto at = [&](std::size_t i) {
           return i == 0 ? curve.start() : i + 1 == arcs.size() ? curve.end() : curve.parameterAt(arcs[i]);
         };
-        pieces[k - 1] = detail::makePiece(curve, at(k - 1), t, options.maxCurvature);
-        pieces[k] = detail::makePiece(curve, t, at(k + 1), options.maxCurvature);
+        pieces[k - 1] = piecewise::makePiece(curve, at(k - 1), t, options.maxCurvature);
+        pieces[k] = piecewise::makePiece(curve, t, at(k + 1), options.maxCurvature);
         Chain chain = fitChain(std::move(pieces), length, options);
         const double cost = costOf(chain);
         if (cost < costOf(best)) {

@@ -15,7 +15,7 @@
 #include "fit/fit_free.h"
 #include "optimise/constrained_descent.h"
 
-namespace bw::detail {
+namespace bw::piecewise {
 
 /// One part of the curve and its best elastica (under the bound on its curvature, if there is one) without
 /// regard to the neighbours.
@@ -85,4 +85,4 @@ class PieceGrid {
   std::map<std::pair<int, int>, std::shared_ptr<const Piece>> known_;
 };
 
-}  // namespace bw::detail
+}  // namespace bw::piecewise
