@@ -14,6 +14,7 @@
 
 #include "bw/cases/cases.h"
 #include "bw/core/curve/planar_curve.h"
+#include "bw/core/elastica/elastica.h"
 #include "bw/core/text/json_reader.h"
 
 /// Points as [x, y], and null for a number that is not there.
@@ -62,6 +63,12 @@ void readPoint(ObjectReader& reader, const std::string& key, Eigen::Vector2d& ou
 
 /// {"type": "bezier" | "bspline" | "points", …} to a curve.
 Result<PlanarCurve> curveFromJson(const nlohmann::json& object, const std::string& path);
+
+/// An elastica object as the command line writes it: the regular form, and the thesis's control parameters or
+/// null.
+nlohmann::ordered_json elasticaToJson(const Elastica& elastica);
+/// Reads either form; keys of the regular form win where both are there.
+Result<Elastica> elasticaFromJson(const nlohmann::json& object, const std::string& path);
 
 /// {"error": {...}} of a case.
 nlohmann::ordered_json errorToJson(const Error& error);

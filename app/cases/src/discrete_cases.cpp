@@ -5,7 +5,6 @@
 
 #include "bw/core/discrete/discrete_elastica.h"
 #include "case_runner.h"
-#include "elastica_json.h"
 
 namespace bw::cases {
 

@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "elastica_json.h"
-
 #include <algorithm>
 #include <cmath>
 #include <string_view>
@@ -17,6 +15,21 @@ using nlohmann::ordered_json;
 namespace {
 
 constexpr double kHuge = 1e15;
+
+Result<Elastica> anchoredFromJson(const json& object, double length, const std::string& path) {
+  ObjectReader reader(object, path);
+  Elastica::Anchor anchor;
+  for (const char* key : {"at", "point", "angle", "curvature", "force"})
+    reader.need(key, path + " needs the key " + key);
+  reader.number("at", anchor.at, -kHuge, kHuge);
+  readPoint(reader, "point", anchor.point);
+  reader.number("angle", anchor.angle, -kHuge, kHuge);
+  reader.number("curvature", anchor.curvature, -kHuge, kHuge);
+  readPoint(reader, "force", anchor.force);
+  reader.number("straight", anchor.straight, 0, kHuge);
+  if (Result<void> ok = reader.finish(); !ok) return passOn(ok.error());
+  return Elastica::makeAnchored(anchor, length);
+}
 
 }  // namespace
 
@@ -38,25 +51,6 @@ ordered_json elasticaToJson(const Elastica& e) {
     object["control_parameters"] = nullptr;
   return object;
 }
-
-namespace {
-
-Result<Elastica> anchoredFromJson(const json& object, double length, const std::string& path) {
-  ObjectReader reader(object, path);
-  Elastica::Anchor anchor;
-  for (const char* key : {"at", "point", "angle", "curvature", "force"})
-    reader.need(key, path + " needs the key " + key);
-  reader.number("at", anchor.at, -kHuge, kHuge);
-  readPoint(reader, "point", anchor.point);
-  reader.number("angle", anchor.angle, -kHuge, kHuge);
-  reader.number("curvature", anchor.curvature, -kHuge, kHuge);
-  readPoint(reader, "force", anchor.force);
-  reader.number("straight", anchor.straight, 0, kHuge);
-  if (Result<void> ok = reader.finish(); !ok) return passOn(ok.error());
-  return Elastica::makeAnchored(anchor, length);
-}
-
-}  // namespace
 
 Result<Elastica> elasticaFromJson(const json& object, const std::string& path) {
   ObjectReader reader(object, path);

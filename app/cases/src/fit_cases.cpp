@@ -6,7 +6,6 @@
 #include <span>
 
 #include "case_runner.h"
-#include "elastica_json.h"
 
 namespace bw::cases {
 

@@ -6,7 +6,6 @@
 #include "bw/core/blade/blade_json.h"
 #include "bw/core/calibration/blade_length.h"
 #include "case_runner.h"
-#include "elastica_json.h"
 
 namespace bw::cases {
 

@@ -7,7 +7,6 @@
 
 #include "bw/core/base/units.h"
 #include "case_runner.h"
-#include "elastica_json.h"
 
 namespace bw::cases {
 

@@ -6,7 +6,6 @@
 #include "bw/core/constructions/spline_constructions.h"
 #include "bw/core/elastica/elastica_stability.h"
 #include "case_runner.h"
-#include "elastica_json.h"
 
 namespace bw::cases {
 
