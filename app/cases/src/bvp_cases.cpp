@@ -7,7 +7,6 @@
 #include "bw/core/base/units.h"
 #include "bw/core/elastica/elastica_bvp.h"
 #include "case_runner.h"
-#include "elastica_json.h"
 
 namespace bw::cases {
 
@@ -20,9 +19,9 @@ constexpr double kLargest = 1e9;
 /// An end that misses its grip by more than this part of the length is reported as a limit exceeded.
 constexpr double kEndTolerance = 1e-6;
 
-/// A number, or null where it is infinite.
-ordered_json finiteOrNull(double value) {
-  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
+/// Nothing where it is infinite.
+std::optional<double> finite(double value) {
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
 ordered_json solutionToJson(const ClampedSolution& solution) {
@@ -35,8 +34,8 @@ ordered_json solutionToJson(const ClampedSolution& solution) {
   result["sliding"] = solution.sliding;
   result["stability_margin"] = solution.stabilityMargin;
   result["out_of_plane_margin"] = solution.outOfPlaneMargin;
-  result["sensitivity"] = {{"per_mm", finiteOrNull(solution.sensitivity.perMm)},
-                           {"per_deg", finiteOrNull(solution.sensitivity.perDegree)}};
+  result["sensitivity"] = {{"per_mm", finite(solution.sensitivity.perMm)},
+                           {"per_deg", finite(solution.sensitivity.perDegree)}};
   result["self_intersects"] = solution.selfIntersects;
   result["end_error"] = solution.endError;
   return result;
@@ -65,19 +64,12 @@ Result<ordered_json> bvpCase(const json& object, bool& limited) {
   reader.number("torsion_ratio", options.torsionRatio, 0, 1e6);
   options.others = true;
   reader.boolean("others", options.others);
-  const json* initial = reader.member("initial");
+  const json* initial = reader.given("initial");
   if (Result<void> ok = reader.finish(); !ok) return passOn(ok.error());
-  const Result<Eigen::Vector2d> from = readPoint(start, "start");
-  if (!from) return passOn(from.error());
-  const Result<Eigen::Vector2d> to = readPoint(end, "end");
-  if (!to) return passOn(to.error());
-  problem.start = *from;
-  problem.end = *to;
-  if (initial && !initial->is_null()) {
-    const Result<Elastica> blade = elasticaFromJson(*initial, "initial");
-    if (!blade) return passOn(blade.error());
-    options.initial = *blade;
-  }
+  reader.take(readPoint(start, "start"), problem.start);
+  reader.take(readPoint(end, "end"), problem.end);
+  if (initial) reader.take(elasticaFromJson(*initial, "initial"), options.initial);
+  if (Result<void> ok = reader.finish(); !ok) return passOn(ok.error());
   const auto begin = std::chrono::steady_clock::now();
   const Result<ClampedAnswer> answer =
       all ? solveAllClamped(problem, options) : solveClamped(problem, options);
@@ -96,7 +88,7 @@ Result<ordered_json> bvpCase(const json& object, bool& limited) {
     result["next_turning"] = others.stable > 0 ? ordered_json(others.turning) : ordered_json(nullptr);
   }
   result["case"] = clampedKindName(answer->kind);
-  result["snaps_at"] = answer->snapsAt ? ordered_json(*answer->snapsAt) : ordered_json(nullptr);
+  result["snaps_at"] = answer->snapsAt;
   result["message"] = answer->message;
   result["seconds"] = seconds;
   return result;

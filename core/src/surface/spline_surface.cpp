@@ -5,8 +5,8 @@
 
 #include <Eigen/Sparse>
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <unsupported/Eigen/Splines>
 
 #include "bw/core/text/number_text.h"
 
@@ -14,32 +14,19 @@ namespace bw {
 
 namespace {
 
-constexpr int kMaxDegree = 3;
-
-/// Index i with knots[i] ≤ t < knots[i+1], the last non-empty span at the end.
-int findSpan(const std::vector<double>& knots, int degree, int poles, double t) {
-  const auto first = knots.begin() + degree, last = knots.begin() + poles;
-  const auto it = std::upper_bound(first, last, t);
-  return std::max(degree, int(it - knots.begin()) - 1);
-}
-
-/// The degree + 1 basis functions that do not vanish on the span (Cox–de Boor).
-std::array<double, kMaxDegree + 1> basis(const std::vector<double>& knots, int degree, int span, double t) {
-  std::array<double, kMaxDegree + 1> n{1.0};
-  std::array<double, kMaxDegree + 1> left{}, right{};
-  for (int j = 1; j <= degree; ++j) {
-    left[j] = t - knots[std::size_t(span + 1 - j)];
-    right[j] = knots[std::size_t(span + j)] - t;
-    double saved = 0;
-    for (int r = 0; r < j; ++r) {
-      const double term = n[r] / (right[r + 1] + left[j - r]);
-      n[r] = saved + right[r + 1] * term;
-      saved = left[j - r] * term;
-    }
-    n[j] = saved;
+/// The basis functions that do not vanish at t, and the index of the first.
+struct Basis {
+  Basis(const std::vector<double>& knots, int degree, double t) {
+    using Functions = Eigen::Spline<double, 1>;
+    const Functions::KnotVectorType all =
+        Eigen::Map<const Functions::KnotVectorType>(knots.data(), std::ssize(knots));
+    first = int(Functions::Span(t, degree, all)) - degree;
+    values = Functions::BasisFunctions(t, degree, all);
   }
-  return n;
-}
+
+  int first = 0;
+  Eigen::ArrayXd values;
+};
 
 /// Clamped knots for interpolation at `t`: the parameters themselves without the second and the last but one
 /// (not-a-knot) for a cubic, averages for lower degrees.
@@ -65,9 +52,8 @@ bool factorise(Solver& solver, const std::vector<double>& t, const std::vector<d
   const int n = int(t.size());
   std::vector<Eigen::Triplet<double>> entries;
   for (int i = 0; i < n; ++i) {
-    const int span = findSpan(knots, degree, n, t[std::size_t(i)]);
-    const auto values = basis(knots, degree, span, t[std::size_t(i)]);
-    for (int j = 0; j <= degree; ++j) entries.emplace_back(i, span - degree + j, values[j]);
+    const Basis basis(knots, degree, t[std::size_t(i)]);
+    for (int j = 0; j <= degree; ++j) entries.emplace_back(i, basis.first + j, basis.values[j]);
   }
   Eigen::SparseMatrix<double> matrix(n, n);
   matrix.setFromTriplets(entries.begin(), entries.end());
@@ -80,16 +66,13 @@ bool factorise(Solver& solver, const std::vector<double>& t, const std::vector<d
 Eigen::Vector3d SplineSurface::value(double u, double v) const {
   u = std::clamp(u, knotsU.front(), knotsU.back());
   v = std::clamp(v, knotsV.front(), knotsV.back());
-  const int spanU = findSpan(knotsU, degreeU, polesU, u);
-  const int spanV = findSpan(knotsV, degreeV, polesV, v);
-  const auto bu = basis(knotsU, degreeU, spanU, u);
-  const auto bv = basis(knotsV, degreeV, spanV, v);
+  const Basis alongU(knotsU, degreeU, u), alongV(knotsV, degreeV, v);
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (int j = 0; j <= degreeV; ++j) {
-    const std::size_t row = std::size_t(spanV - degreeV + j) * polesU + (spanU - degreeU);
+    const std::size_t row = std::size_t(alongV.first + j) * polesU + alongU.first;
     Eigen::Vector3d line = Eigen::Vector3d::Zero();
-    for (int i = 0; i <= degreeU; ++i) line += bu[i] * poles[row + i];
-    sum += bv[j] * line;
+    for (int i = 0; i <= degreeU; ++i) line += alongU.values[i] * poles[row + i];
+    sum += alongV.values[j] * line;
   }
   return sum;
 }

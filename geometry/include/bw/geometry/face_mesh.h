@@ -4,7 +4,7 @@
 
 #include "bw/core/base/result.h"
 #include "bw/core/base/run_context.h"
-#include "bw/core/surface/face_mesh.h"
+#include "bw/core/surface/mesh.h"
 #include "bw/geometry/cad_model.h"
 
 namespace bw::geometry {

@@ -13,7 +13,6 @@
 #include "bw/core/base/run_context.h"
 #include "bw/core/design/design.h"
 #include "bw/core/motion/cell.h"
-#include "bw/core/surface/face_mesh.h"
 #include "bw/core/surface/mesh.h"
 #include "bw/core/sweep/sweep_check.h"
 #include "bw/geometry/cad_model.h"
