@@ -4,7 +4,7 @@
 
 #include "bw/core/elastica/elastica_bvp.h"
 #include "elastica/bvp_unit.h"
-#include "elastica/clamped_margin.h"
+#include "elastica/clamped_modes.h"
 
 namespace bw::detail {
 

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "elastica/bvp_search.h"
 
-#include <Eigen/LU>
-
 #include <algorithm>
 #include <cmath>
 
@@ -223,8 +221,8 @@ UnitSolution mirrorOf(UnitSolution solution) {
   return solution;
 }
 
-}  // namespace
-
+/// All shapes with at most `maxInflections` inflections, that of a hinge not counted, that meet the problem.
+/// The start holds its tangent.
 std::vector<UnitSolution> allShapes(const UnitProblem& problem, int maxInflections) {
   if (workExhausted()) return {};
   const bool mirror = problem.turning < 0;
@@ -247,6 +245,23 @@ std::vector<UnitSolution> allShapes(const UnitProblem& problem, int maxInflectio
     else
       known->bends = taut->bends;
   }
+  return result;
+}
+
+}  // namespace
+
+std::vector<UnitSolution> shapesOf(const CheckedProblem& problem, double maxTurning, int maxInflections) {
+  std::vector<UnitSolution> result;
+  if (problem.ends == HeldEnds::both) {
+    for (const double turning : problem.turnings(maxTurning)) {
+      const std::vector<UnitSolution> shapes = allShapes({problem.end, turning}, maxInflections);
+      result.insert(result.end(), shapes.begin(), shapes.end());
+    }
+    return result;
+  }
+  result = problem.ends == HeldEnds::start ? allShapes({problem.end, 0, problem.ends}, maxInflections)
+                                           : halfWaves(problem.end.norm(), maxInflections);
+  std::erase_if(result, [&](const UnitSolution& shape) { return std::abs(shape.turning) > maxTurning; });
   return result;
 }
 

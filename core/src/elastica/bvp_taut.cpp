@@ -29,10 +29,6 @@ constexpr double kLargestRoot = 5e4;
 
 double share(double bend) { return 1 - std::cos(0.5 * bend); }
 
-}  // namespace
-
-namespace {
-
 /// Newton's method on the bend at the start and on 1/√f: where the far grip lies along and across the
 /// stretch. `startBend` is that bend against the chord.
 std::optional<TautBends> joinedBends(const UnitProblem& problem, double startBend) {

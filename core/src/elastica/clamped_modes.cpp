@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -137,15 +138,6 @@ ClampedModes make(Index count, int panels, int nodesPerPanel, HeldEnds ends = He
 /// A constraint whose part apart from the others is smaller than this is one of them.
 constexpr double kSameConstraint = 1e-9;
 
-}  // namespace
-
-const ClampedModes& sketchModes() {
-  static const ClampedModes modes = make(10, 1, 18);
-  return modes;
-}
-
-namespace {
-
 template <HeldEnds ends>
 const ClampedModes& modesFor(double phase) {
   static const ClampedModes few = make(16, 1, 26, ends);
@@ -159,30 +151,21 @@ const ClampedModes& modesFor(double phase) {
 
 }  // namespace
 
+const ClampedModes& sketchModes() {
+  static const ClampedModes modes = make(10, 1, 18);
+  return modes;
+}
+
 const ClampedModes& clampedModesFor(double phase, HeldEnds ends) {
-  switch (ends) {
-    case HeldEnds::both:
-      break;
-    case HeldEnds::start:
-      return modesFor<HeldEnds::start>(phase);
-    case HeldEnds::none:
-      return modesFor<HeldEnds::none>(phase);
-  }
-  return modesFor<HeldEnds::both>(phase);
+  constexpr std::array kModes = {modesFor<HeldEnds::both>, modesFor<HeldEnds::start>,
+                                 modesFor<HeldEnds::none>};
+  return kModes[std::size_t(ends)](phase);
 }
 
 double straightEigenvalue(HeldEnds ends) {
   // φ = sin 2πs; cos q(1 − s) − cos q with tan q = q, the blade held at one end; cos πs.
   constexpr double kHalfHeld = 4.493409457909064;
-  switch (ends) {
-    case HeldEnds::both:
-      break;
-    case HeldEnds::start:
-      return kHalfHeld * kHalfHeld;
-    case HeldEnds::none:
-      return kPi * kPi;
-  }
-  return 4 * kPi * kPi;
+  return std::array{4 * kPi * kPi, kHalfHeld * kHalfHeld, kPi * kPi}[std::size_t(ends)];
 }
 
 double smallestEigenvalue(const ClampedModes& modes, const ClampedForm& form) {

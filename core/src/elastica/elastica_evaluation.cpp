@@ -11,7 +11,6 @@
 
 #include "bw/core/base/units.h"
 #include "bw/core/elastica/elastica.h"
-#include "elastica/elastica_flow.h"
 #include "elastica/elastica_scaled.h"
 
 namespace bw {

@@ -39,8 +39,7 @@ class ElasticaFlow {
     expand(initial);
   }
 
-  /// The arc length about which the present piece is expanded, and the far end of the piece.
-  double centre() const { return centre_; }
+  /// The far end of the present piece.
   double end() const { return centre_ + sign_ * step_; }
 
   /// Walks on until the present piece covers `t`, which must not lie before the present piece.

@@ -6,7 +6,7 @@
 
 #include "bw/core/base/units.h"
 #include "bw/core/elastica/elastica.h"
-#include "elastica/elastica_pieces.h"
+#include "elastica/elastica_scaled.h"
 
 namespace bw {
 
