@@ -3,6 +3,7 @@
 #include "elastica/bvp_describe.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -215,9 +216,8 @@ Result<Elastica> place(const ClampedProblem& problem, const UnitSolution& soluti
     const Elastica moved = turned.transformed(0, 1, problem.start - turned.start());
     return Elastica::makeAnchored(*moved.anchor(), length);
   }
-  const double c = std::cos(angle), s = std::sin(angle);
   return Elastica::make(problem.start, angle, q(0) / length,
-                        Vector2d(c * q(1) - s * q(2), s * q(1) + c * q(2)) / length / length, length);
+                        Eigen::Rotation2Dd(angle) * q.tail<2>() / length / length, length);
 }
 
 Result<ClampedSolution> describe(const ClampedProblem& problem, const UnitSolution& solution,

@@ -6,7 +6,6 @@
 #include <Eigen/LU>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "base/work_meter.h"
