@@ -70,7 +70,7 @@ Rest restFromSketches(const CheckedProblem& problem, double maxTurning) {
     }
   };
   for (const double turning : problem.turnings(maxTurning)) {
-    if (workExhausted()) break;
+    if (detail::workExhausted()) break;
     // No blade turns so far with less energy than the circle.
     if (0.5 * turning * turning >= best.energy) continue;
     const UnitProblem unit{problem.end, turning};

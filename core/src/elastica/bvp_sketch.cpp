@@ -61,8 +61,8 @@ bool descend(const UnitProblem& problem, Sketch& sketch) {
   const Table& t = table();
   Coefficients& c = sketch.coefficients;
   Eigen::Vector2d& force = sketch.force;
-  for (int round = 0; round < kMaxDescents && !workExhausted(); ++round) {
-    chargeWork(kRoundWork);
+  for (int round = 0; round < kMaxDescents && !detail::workExhausted(); ++round) {
+    detail::chargeWork(kRoundWork);
     Eigen::Matrix<double, kNodes, 1> angle = t.values.transpose() * c + problem.turning * t.nodes;
     Eigen::Matrix<double, kNodes, 1> cosine, sine;
     for (int q = 0; q < kNodes; ++q) {

@@ -71,7 +71,7 @@ Gram gramOf(Index count, Index hinges) {
 
 /// Values at the nodes of equal panels to the integrals of their interpolants from 0 to each node: on one
 /// panel l_i = Σ_k (2k + 1) w_i P_k(x_i) P_k, and P_k integrates to (P_{k+1} − P_{k−1}) / (2k + 1).
-MatrixXd integralMatrix(int panels, const GaussRule& rule) {
+MatrixXd integralMatrix(int panels, const detail::GaussRule& rule) {
   const Index n = Index(rule.nodes.size());
   MatrixXd legendre(n + 1, n);
   for (Index i = 0; i < n; ++i) {
@@ -114,7 +114,7 @@ ClampedModes make(Index count, int panels, int nodesPerPanel, HeldEnds ends = He
       (solver.eigenvectors() * solver.eigenvalues().cwiseSqrt().cwiseInverse().asDiagonal())
           .rowwise()
           .reverse();
-  const GaussRule rule = gaussRule(nodesPerPanel);
+  const detail::GaussRule rule = detail::gaussRule(nodesPerPanel);
   const Index total = Index(panels) * nodesPerPanel;
   modes.nodes.resize(total);
   modes.weights.resize(total);
@@ -171,7 +171,7 @@ double straightEigenvalue(HeldEnds ends) {
 double smallestEigenvalue(const ClampedModes& modes, const ClampedForm& form) {
   const Index count = modes.count();
   // About half a microsecond for a hundred products.
-  chargeWork(count * count * (count + modes.nodes.size()) / 200);
+  detail::chargeWork(count * count * (count + modes.nodes.size()) / 200);
   MatrixXd matrix = MatrixXd::Zero(count, count);
   {
     const MatrixXd weighted = modes.values * modes.weights.cwiseProduct(*form.potential).asDiagonal();

@@ -81,7 +81,7 @@ class ElasticaFlow {
   /// (n + 1) z_{n+1} = i Σ_j κ_{n−j} z_j for z = e^{iψ}, and z_p = i ψ_p z for the derivatives: all are
   /// products of z with real series, κ for the first column and ψ_p for the others.
   void expand(const Block& initial) {
-    chargeWork((Order >= 22 ? 3 : 1) * (1 + Directions));
+    detail::chargeWork((Order >= 22 ? 3 : 1) * (1 + Directions));
     // Of fixed size, so that each sum stays in a register.
     using Factors = Eigen::Matrix<double, 1, 1 + Directions>;
     using Sums = Eigen::Matrix<double, 2, 1 + Directions>;

@@ -10,8 +10,8 @@
 
 #include "bw/core/text/number_text.h"
 #include "sweep/remedies.h"
-#include "sweep/station_continuity.h"
 #include "sweep/station_fit.h"
+#include "sweep/sweep_findings.h"
 
 namespace bw {
 

@@ -9,7 +9,7 @@
 
 #include "bw/core/elastica/elastica_stability.h"
 #include "sweep/cut_rows.h"
-#include "sweep/grip_reach.h"
+#include "sweep/remedies.h"
 
 namespace bw {
 

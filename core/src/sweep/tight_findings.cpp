@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "sweep/tight_findings.h"
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -11,6 +9,7 @@
 #include "sweep/remedies.h"
 #include "sweep/station_fit.h"
 #include "sweep/stretches.h"
+#include "sweep/sweep_findings.h"
 #include "sweep/tight_section.h"
 
 namespace bw::detail {

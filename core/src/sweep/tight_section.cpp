@@ -3,7 +3,6 @@
 
 #include "sweep/tight_section.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
