@@ -17,7 +17,7 @@
 
 namespace bw {
 
-using namespace detail;
+using namespace elastica;
 using Eigen::Vector3d;
 
 namespace {

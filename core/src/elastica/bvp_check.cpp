@@ -10,7 +10,7 @@
 #include "bw/core/base/units.h"
 #include "bw/core/text/number_text.h"
 
-namespace bw::detail {
+namespace bw::elastica {
 
 namespace {
 
@@ -187,4 +187,4 @@ Result<void> check(const ClampedOptions& options) {
   return {};
 }
 
-}  // namespace bw::detail
+}  // namespace bw::elastica

@@ -14,7 +14,7 @@
 #include "bw/core/base/units.h"
 #include "elastica/bvp_taut.h"
 
-namespace bw::detail {
+namespace bw::elastica {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
@@ -245,4 +245,4 @@ Result<ClampedSolution> describe(const ClampedProblem& problem, const UnitSoluti
   return result;
 }
 
-}  // namespace bw::detail
+}  // namespace bw::elastica

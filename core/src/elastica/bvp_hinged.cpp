@@ -9,7 +9,7 @@
 #include "elastica/pendulum_integrals.h"
 #include "optimise/bracketed_root.h"
 
-namespace bw::detail {
+namespace bw::elastica {
 
 namespace {
 
@@ -77,4 +77,4 @@ std::vector<UnitSolution> halfWaves(double distance, int maxInflections) {
   return result;
 }
 
-}  // namespace bw::detail
+}  // namespace bw::elastica

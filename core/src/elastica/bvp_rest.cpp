@@ -14,7 +14,7 @@
 #include "elastica/bvp_sketch.h"
 #include "elastica/bvp_taut.h"
 
-namespace bw::detail {
+namespace bw::elastica {
 
 bool restsIn(const UnitSolution& found, const SampledSolution& sampled) {
   return !sampled.loop && marginsOf(sampled, {}).inPlane > certainMargin(found);
@@ -159,4 +159,4 @@ Result<ClampedOthers> othersBeside(const ClampedSolution& answer, const ClampedP
   return others;
 }
 
-}  // namespace bw::detail
+}  // namespace bw::elastica

@@ -8,7 +8,7 @@
 #include "elastica/bvp_check.h"
 #include "elastica/bvp_describe.h"
 
-namespace bw::detail {
+namespace bw::elastica {
 
 /// True if the blade rests in this shape, as far as the numbers can tell.
 bool restsIn(const UnitSolution& found, const SampledSolution& sampled);
@@ -27,4 +27,4 @@ ClampedOthers othersAmong(const std::vector<ClampedSolution>& solutions, std::si
 Result<ClampedOthers> othersBeside(const ClampedSolution& answer, const ClampedProblem& problem,
                                    const CheckedProblem& checked, const ClampedOptions& options);
 
-}  // namespace bw::detail
+}  // namespace bw::elastica

@@ -10,7 +10,7 @@
 #include "elastica/bvp_sheets.h"
 #include "elastica/bvp_taut.h"
 
-namespace bw::detail {
+namespace bw::elastica {
 
 namespace {
 
@@ -265,4 +265,4 @@ std::vector<UnitSolution> shapesOf(const CheckedProblem& problem, double maxTurn
   return result;
 }
 
-}  // namespace bw::detail
+}  // namespace bw::elastica

@@ -6,7 +6,7 @@
 
 #include "elastica/bvp_check.h"
 
-namespace bw::detail {
+namespace bw::elastica {
 
 /// Inflections, those at hinges included, of the shapes among which blades at rest are sought: a blade that
 /// holds a whole wave, from an inflection to the next but one, does not rest (docs/mathematics.md, 5).
@@ -25,4 +25,4 @@ std::vector<UnitSolution> shapesOf(const CheckedProblem& problem, double maxTurn
 /// number tells how straight they are.
 std::vector<UnitSolution> halfWaves(double distance, int maxInflections);
 
-}  // namespace bw::detail
+}  // namespace bw::elastica

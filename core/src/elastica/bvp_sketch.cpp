@@ -13,7 +13,7 @@
 #include "elastica/clamped_modes.h"
 #include "optimise/bracketed_root.h"
 
-namespace bw::detail {
+namespace bw::elastica {
 
 namespace {
 
@@ -190,4 +190,4 @@ std::vector<Sketch> firstSketches(const UnitProblem& problem) {
   return result;
 }
 
-}  // namespace bw::detail
+}  // namespace bw::elastica

@@ -9,7 +9,7 @@
 #include <cmath>
 #include "bw/core/base/units.h"
 
-namespace bw::detail {
+namespace bw::elastica {
 
 namespace {
 
@@ -204,4 +204,4 @@ ClampedSensitivity tautSensitivity(const TautBends& bends, HeldEnds ends) {
   return result;
 }
 
-}  // namespace bw::detail
+}  // namespace bw::elastica

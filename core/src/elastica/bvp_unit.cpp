@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace bw::detail {
+namespace bw::elastica {
 
 namespace {
 
@@ -196,4 +196,4 @@ std::optional<UnitSolution> settleFromMiddle(const UnitProblem& problem, UnitSha
   return best;
 }
 
-}  // namespace bw::detail
+}  // namespace bw::elastica

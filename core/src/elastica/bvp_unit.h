@@ -13,7 +13,7 @@
 #include "elastica/clamped_modes.h"
 #include "elastica/elastica_flow.h"
 
-namespace bw::detail {
+namespace bw::elastica {
 
 /// A boundary value problem in the frame of its start, the length its unit.
 struct UnitProblem {
@@ -90,4 +90,4 @@ struct UnitSolution {
 /// start does not tell their end. Both tangents held; the curve is told by an anchor in the middle.
 [[nodiscard]] std::optional<UnitSolution> settleFromMiddle(const UnitProblem& problem, UnitShape middle);
 
-}  // namespace bw::detail
+}  // namespace bw::elastica

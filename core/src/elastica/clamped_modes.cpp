@@ -13,7 +13,7 @@
 #include "base/work_meter.h"
 #include "bw/core/base/units.h"
 
-namespace bw::detail {
+namespace bw::elastica {
 
 namespace {
 
@@ -210,4 +210,4 @@ double smallestEigenvalue(const ClampedModes& modes, const ClampedForm& form) {
   return solver.eigenvalues()(0);
 }
 
-}  // namespace bw::detail
+}  // namespace bw::elastica

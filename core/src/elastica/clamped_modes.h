@@ -8,7 +8,7 @@
 
 #include "bw/core/elastica/elastica.h"
 
-namespace bw::detail {
+namespace bw::elastica {
 
 /// Which ends of a blade hold its tangent; the others are hinged. A blade hinged at its start alone is run
 /// backwards before it gets here.
@@ -74,4 +74,4 @@ ClampedSamples samplesOf(const Elastica& blade, const Eigen::VectorXd& nodes);
 ClampedMargins clampedMargins(const ClampedModes& modes, const ClampedModes& clamped,
                               const ClampedSamples& blade, std::optional<double> torsionRatio);
 
-}  // namespace bw::detail
+}  // namespace bw::elastica

@@ -18,7 +18,7 @@
 
 namespace bw {
 
-using namespace detail;
+using namespace elastica;
 
 namespace {
 

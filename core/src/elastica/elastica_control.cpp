@@ -73,14 +73,14 @@ Result<Elastica> Elastica::fromControlParameters(const ControlParameters& p) {
 }
 
 std::optional<ControlParameters> Elastica::controlParameters() const {
-  const detail::ScaledElastica scaled = detail::scaled(*this);
-  const detail::ElasticaInvariants& known = scaled.known;
+  const elastica::ScaledElastica scaled = elastica::scaled(*this);
+  const elastica::ElasticaInvariants& known = scaled.known;
   if (known.isLine(scaled.length) || known.isCircle() || scaled.straight > 0) {
     return std::nullopt;
   }
   const double omega = known.halfPeakCurvature;
   const double rootForce = std::sqrt(known.force);
-  const double period = detail::periodLength(known);
+  const double period = elastica::periodLength(known);
   const bool inflectional = known.hasInflections();
   if (!inflectional && scaled.flow.curvature < 0) {
     // Clockwise without inflections: the counter-clockwise curve run backwards.

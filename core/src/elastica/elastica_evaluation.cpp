@@ -18,9 +18,9 @@ namespace bw {
 
 namespace {
 
-using detail::ElasticaFlow;
-using detail::ElasticaInvariants;
-using detail::ScaledElastica;
+using elastica::ElasticaFlow;
+using elastica::ElasticaInvariants;
+using elastica::ScaledElastica;
 
 /// Arc lengths are cut off here, in units of the flow, so that their cubes stay finite.
 constexpr double kLargestArcLength = 1e90;
@@ -50,7 +50,7 @@ class Evaluation {
   using Flow = ElasticaFlow<Directions>;
   using Block = typename Flow::Block;
 
-  explicit Evaluation(const Elastica& elastica) : scaled_(detail::scaled(elastica)) {}
+  explicit Evaluation(const Elastica& elastica) : scaled_(elastica::scaled(elastica)) {}
 
   /// Calls sink(index, block) for every arc length, mm.
   template <class Sink>
@@ -135,7 +135,7 @@ class Evaluation {
       return;
     }
     const ElasticaInvariants& known = scaled_.known;
-    const double period = detail::periodLength(known);
+    const double period = elastica::periodLength(known);
     if (farthest <= kDirectPeriods * period) {
       return;
     }

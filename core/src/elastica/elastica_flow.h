@@ -11,7 +11,7 @@
 #include "base/work_meter.h"
 #include "elastica/elastica_invariants.h"
 
-namespace bw::detail {
+namespace bw::elastica {
 
 /// The elastica as a chain of power series in arc length, with the first derivatives with respect to the
 /// first `Directions` (0 or 3) of (κ, f_t, f_n). docs/mathematics.md, 3.
@@ -196,4 +196,4 @@ class ElasticaFlow {
   std::array<Block, kOrder + 1> coefficients_;
 };
 
-}  // namespace bw::detail
+}  // namespace bw::elastica

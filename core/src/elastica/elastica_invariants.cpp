@@ -7,7 +7,7 @@
 
 #include "bw/core/base/units.h"
 
-namespace bw::detail {
+namespace bw::elastica {
 
 namespace {
 
@@ -67,4 +67,4 @@ double periodLength(const ElasticaInvariants& known) {
   return quarters * 0.5 * kPi / arithmeticGeometricMean(scale, root);
 }
 
-}  // namespace bw::detail
+}  // namespace bw::elastica

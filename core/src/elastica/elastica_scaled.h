@@ -7,7 +7,7 @@
 #include "bw/core/elastica/elastica.h"
 #include "elastica/elastica_flow.h"
 
-namespace bw::detail {
+namespace bw::elastica {
 
 /// An elastica in the frame of its origin, the anchor or else the start, and in a unit of length that fits
 /// its shape (docs/mathematics.md, 1).
@@ -55,4 +55,4 @@ void forEachPiece(const ScaledElastica& scaled, Visit&& visit) {
   }
 }
 
-}  // namespace bw::detail
+}  // namespace bw::elastica

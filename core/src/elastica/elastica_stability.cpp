@@ -43,7 +43,7 @@ bool isClampedStable(const Elastica& blade) {
   return true;
 }
 
-namespace detail {
+namespace elastica {
 
 ClampedSamples samplesOf(const Elastica& blade, const Eigen::VectorXd& nodes) {
   const double length = blade.length();
@@ -87,17 +87,17 @@ ClampedMargins clampedMargins(const ClampedModes& modes, const ClampedModes& cla
   return result;
 }
 
-}  // namespace detail
+}  // namespace elastica
 
 namespace {
 
-detail::ClampedMargins marginsOf(const Elastica& blade, std::optional<double> torsionRatio) {
+elastica::ClampedMargins marginsOf(const Elastica& blade, std::optional<double> torsionRatio) {
   const double length = blade.length();
   const double bending = blade.maxCurvature() * length;
   if (bending < kStraight) return {1, 1};
-  const detail::ClampedModes& modes =
-      detail::clampedModesFor(bending + std::sqrt(blade.force().norm()) * length);
-  return detail::clampedMargins(modes, modes, detail::samplesOf(blade, modes.nodes), torsionRatio);
+  const elastica::ClampedModes& modes =
+      elastica::clampedModesFor(bending + std::sqrt(blade.force().norm()) * length);
+  return elastica::clampedMargins(modes, modes, elastica::samplesOf(blade, modes.nodes), torsionRatio);
 }
 
 }  // namespace

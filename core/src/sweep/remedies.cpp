@@ -10,7 +10,7 @@
 #include "bw/core/sweep/section_request.h"
 #include "sweep/station_fit.h"
 
-namespace bw::detail {
+namespace bw::sweep {
 
 namespace {
 
@@ -165,4 +165,4 @@ GripReach lengthThatClears(const Sweep& sweep, const BladePose& worst, double cl
   return {length, std::ranges::all_of(poses, [&](const BladePose& s) { return holdsAt(sweep, s, *length); })};
 }
 
-}  // namespace bw::detail
+}  // namespace bw::sweep

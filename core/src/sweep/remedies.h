@@ -8,7 +8,7 @@
 #include "bw/core/base/frame.h"
 #include "bw/core/sweep/sweep.h"
 
-namespace bw::detail {
+namespace bw::sweep {
 
 /// A radius is told in three digits, which may be the larger ones.
 inline constexpr double kRadiusReserve = 0.99;
@@ -47,4 +47,4 @@ struct GripReach {
 /// Cost: some ten evaluations a station, and one of its stability.
 [[nodiscard]] GripReach lengthThatClears(const Sweep& sweep, const BladePose& worst, double clearance);
 
-}  // namespace bw::detail
+}  // namespace bw::sweep

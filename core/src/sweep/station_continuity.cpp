@@ -14,7 +14,7 @@
 #include "sweep/station_fit.h"
 #include "sweep/sweep_findings.h"
 
-namespace bw::detail {
+namespace bw::sweep {
 
 namespace {
 
@@ -177,4 +177,4 @@ void addSwingFindings(const Sweep& sweep, Findings& findings) {
                       twiceAsMany(sweep, sweep.request.clearance)});
 }
 
-}  // namespace bw::detail
+}  // namespace bw::sweep

@@ -12,7 +12,7 @@
 #include "fit/fit_distance.h"
 #include "sweep/tight_section.h"
 
-namespace bw::detail {
+namespace bw::sweep {
 
 namespace {
 
@@ -190,4 +190,4 @@ Result<StationFit> fitStation(const PlanarCurve& section, const FitRequest& requ
   return StationFit{section, std::move(*best)};
 }
 
-}  // namespace bw::detail
+}  // namespace bw::sweep

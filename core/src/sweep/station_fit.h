@@ -11,7 +11,7 @@
 #include "bw/core/fit/elastica_fit.h"
 #include "bw/core/sweep/sweep.h"
 
-namespace bw::detail {
+namespace bw::sweep {
 
 /// How far beyond the tolerance a curve may lie for the sake of a blade that holds.
 inline constexpr double kAllowance = 2.0;
@@ -55,4 +55,4 @@ class Places {
   Eigen::Vector2d centre_;
 };
 
-}  // namespace bw::detail
+}  // namespace bw::sweep

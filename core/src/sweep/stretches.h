@@ -7,7 +7,7 @@
 #include "bw/core/base/finding.h"
 #include "bw/core/sweep/sweep.h"
 
-namespace bw::detail {
+namespace bw::sweep {
 
 /// Stations that break a rule, from the first to the last, and the worst of them: indices into the stations
 /// of a sweep.
@@ -52,4 +52,4 @@ std::vector<Stretch> stretchesOf(std::size_t count, Bad bad, Worse worse) {
   return {all};
 }
 
-}  // namespace bw::detail
+}  // namespace bw::sweep

@@ -18,7 +18,7 @@ namespace bw {
 
 namespace {
 
-using detail::kColumns;
+using sweep::kColumns;
 
 /// Blocks of rows that share a sampler; fixed, so that the result does not depend on the number of threads.
 constexpr int kChunks = 16;
@@ -76,7 +76,7 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const SweepCheck& check, 
                                    const SurfaceSampler& target, const RunContext& context) {
   const std::vector<BladePose>& poses = sweep.poses;
   const int n = int(poses.size());
-  if (Result<void> ok = detail::enoughStations(sweep); !ok) return tl::unexpected<Error>(ok.error());
+  if (Result<void> ok = sweep::enoughStations(sweep); !ok) return tl::unexpected<Error>(ok.error());
   SweepAnalysis result;
 
   // The skin through the stations.
@@ -128,7 +128,7 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const SweepCheck& check, 
   summary.minRadius = largestCurvature > 0 ? 1.0 / largestCurvature : 0.0;
 
   // The cut surface between the stations too: the skin, sampled finely, against the target itself.
-  result.stationRow = detail::stationRows(travel);
+  result.stationRow = sweep::stationRows(travel);
   const std::vector<int>& rowOf = result.stationRow;
   SurfaceGrid& cut = result.cut;
   cut.columns = kColumns;
@@ -191,7 +191,7 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const SweepCheck& check, 
 
   // Each sample counts with the area that it stands for, so that wide intervals do not hide behind narrow
   // ones (docs/mathematics.md, deviation).
-  const std::vector<double> areas = detail::pointAreas(cut);
+  const std::vector<double> areas = sweep::pointAreas(cut);
   const double whole = std::accumulate(areas.begin(), areas.end(), 0.0);
   double squares = 0, beyond = 0, angles = 0;
   std::size_t worst = 0;
@@ -217,9 +217,9 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const SweepCheck& check, 
   summary.angleMean = angles * kDegree;
 
   // What cannot be cut, and why.
-  detail::addRowFindings(sweep, request, worst, result);
-  detail::addStationFindings(sweep, check, request, result);
-  detail::keepRows(worst, result);
+  sweep::addRowFindings(sweep, request, worst, result);
+  sweep::addStationFindings(sweep, check, request, result);
+  sweep::keepRows(worst, result);
   return result;
 }
 

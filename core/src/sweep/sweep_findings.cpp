@@ -13,7 +13,7 @@
 #include "sweep/remedies.h"
 #include "sweep/stretches.h"
 
-namespace bw::detail {
+namespace bw::sweep {
 
 namespace {
 
@@ -210,4 +210,4 @@ void addStationFindings(const Sweep& sweep, const SweepCheck& check, const Check
       });
 }
 
-}  // namespace bw::detail
+}  // namespace bw::sweep

@@ -7,7 +7,7 @@
 #include "bw/core/base/finding.h"
 #include "bw/core/sweep/sweep_check.h"
 
-namespace bw::detail {
+namespace bw::sweep {
 
 /// Tells which stations of an analysed sweep cannot be cut, or only badly, and why: curvature,
 /// inflections, stability, clearance, cutting angle, speed. Neighbouring stations that break the same rule
@@ -32,4 +32,4 @@ std::vector<char> addTightFindings(const Sweep& sweep, const CheckRequest& reque
 /// Tells where an end of the blade turns far between one station and the next.
 void addSwingFindings(const Sweep& sweep, Findings& findings);
 
-}  // namespace bw::detail
+}  // namespace bw::sweep

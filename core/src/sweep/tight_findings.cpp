@@ -12,7 +12,7 @@
 #include "sweep/sweep_findings.h"
 #include "sweep/tight_section.h"
 
-namespace bw::detail {
+namespace bw::sweep {
 
 namespace {
 
@@ -98,4 +98,4 @@ std::vector<char> addTightFindings(const Sweep& sweep, const CheckRequest& reque
   return found;
 }
 
-}  // namespace bw::detail
+}  // namespace bw::sweep

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace bw::detail {
+namespace bw::sweep {
 
 namespace {
 
@@ -107,4 +107,4 @@ double TightSection::widestRadius(double distance) const {
   return low;
 }
 
-}  // namespace bw::detail
+}  // namespace bw::sweep
