@@ -27,7 +27,7 @@ namespace {
 
 using namespace bw;
 using namespace bw::biarc;
-using namespace bw::detail;
+using namespace bw::elastica;
 using namespace bw::discrete;
 using namespace bw::relax;
 using Eigen::Index;
@@ -111,7 +111,7 @@ struct Relaxation {
     VectorXd z = freedom.start;
     const Eigen::SparseMatrix<double, Eigen::RowMajor> lift = freedom.lift;
     ceres::Problem ceresProblem;
-    const GaussRule rule = gaussRule(target.space.degree + 2);
+    const detail::GaussRule rule = detail::gaussRule(target.space.degree + 2);
     for (std::size_t s = 0; s + 1 < target.space.breaks.size(); ++s) {
       const double low = target.space.breaks[s], width = target.space.breaks[s + 1] - low;
       for (std::size_t k = 0; k < rule.nodes.size(); ++k) {

@@ -6,7 +6,7 @@
 
 #include "bw/core/constructions/spline_constructions.h"
 #include "bw/core/fit/elastica_fit.h"
-#include "fit/affine_curvature.h"
+#include "fit/fit_guess.h"
 
 namespace bw {
 

@@ -12,7 +12,7 @@
 
 #include "bw/core/piecewise/piecewise_fit.h"
 #include "fit/fit_constrained.h"
-#include "fit/fit_free.h"
+#include "fit/fit_search.h"
 #include "optimise/constrained_descent.h"
 
 namespace bw::piecewise {

@@ -10,8 +10,8 @@
 
 #include "bw/core/text/number_text.h"
 #include "sweep/remedies.h"
-#include "sweep/station_continuity.h"
 #include "sweep/station_fit.h"
+#include "sweep/sweep_findings.h"
 
 namespace bw {
 
@@ -29,14 +29,14 @@ Result<std::vector<StationFit>> fitRow(const std::vector<Section>& sections, con
   const auto fit = [&](std::size_t i, const StationFit* neighbour) -> Result<void> {
     if (context.stopped()) return stoppedError();
     context.report(double(done++) / double(sections.size()), "fitting");
-    Result<StationFit> fitted = detail::fitStation(sections[i].curve, request, neighbour);
+    Result<StationFit> fitted = sweep::fitStation(sections[i].curve, request, neighbour);
     if (!fitted) {
       Error error = fitted.error();
       error.where = stationName(sections[i].index);
       error.message = error.where + ": " + error.message;
       return tl::unexpected<Error>(std::move(error));
     }
-    fits[i] = neighbour ? detail::besideNeighbour(std::move(*fitted), *neighbour, sections[i].curve, request)
+    fits[i] = neighbour ? sweep::besideNeighbour(std::move(*fitted), *neighbour, sections[i].curve, request)
                         : std::move(*fitted);
     return {};
   };
@@ -74,7 +74,7 @@ Result<Sweep> buildSweep(const std::vector<Section>& sections, const FitRequest&
     }
   const auto extendStart = Clock::now();
   if (longest > request.blade.length) {
-    const std::optional<double> needed = detail::lengthFor(longest, request.clearance);
+    const std::optional<double> needed = sweep::lengthFor(longest, request.clearance);
     const std::string other = "a smaller block, or another cutting direction";
     Error error{
         ErrorCode::badInput,
@@ -89,12 +89,12 @@ Result<Sweep> buildSweep(const std::vector<Section>& sections, const FitRequest&
   sweep.poses.reserve(sections.size());
   for (std::size_t i = 0; i < sections.size(); ++i) {
     const Elastica& cut = sweep.fits[i].fit.elastica;
-    const Result<Elastica> blade = detail::extendedBlade(cut, request.blade.length);
+    const Result<Elastica> blade = sweep::extendedBlade(cut, request.blade.length);
     if (!blade) return tl::unexpected<Error>(blade.error());
     sweep.poses.push_back({sections[i].index, sections[i].travel, sections[i].frame, cut, *blade,
                            0.5 * (request.blade.length - cut.length()) / cut.length()});
   }
-  detail::addSwingFindings(sweep, findings);
+  sweep::addSwingFindings(sweep, findings);
   if (fitSeconds) *fitSeconds = std::chrono::duration<double>(extendStart - fitStart).count();
   if (extendSeconds) *extendSeconds = std::chrono::duration<double>(Clock::now() - extendStart).count();
   return sweep;

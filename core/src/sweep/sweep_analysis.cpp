@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <mutex>
 #include <numeric>
@@ -12,18 +12,63 @@
 #include "bw/core/sweep/maps.h"
 #include "bw/core/sweep/sweep_check.h"
 #include "sweep/cut_rows.h"
-#include "sweep/foot_trail.h"
-#include "sweep/row_findings.h"
-#include "sweep/station_findings.h"
+#include "sweep/sweep_findings.h"
 
 namespace bw {
 
 namespace {
 
-using detail::kColumns;
+using sweep::kColumns;
 
 /// Blocks of rows that share a sampler; fixed, so that the result does not depend on the number of threads.
 constexpr int kChunks = 16;
+
+/// The feet of a grid of points, row after row, and from them where the foot of the next point will about be:
+/// on a straight line with its two predecessors in parameters (docs/mathematics.md, closest points).
+class FootTrail {
+ public:
+  using Foot = SurfaceSampler::Foot;
+
+  explicit FootTrail(int columns) {
+    for (std::vector<Foot>& row : rows_) row.resize(std::size_t(columns));
+  }
+
+  /// Where to start from for the next point, or null for the first one. Valid until `put`.
+  const Foot* seed() {
+    const auto& [now, up, farUp] = rows_;
+    const std::size_t c = column_;
+    if (above_ == 0 && c == 0) return nullptr;
+    guess_ = above_ > 0 ? up[c] : now[c - 1];
+    // A step over to another face has no parameters in common; one around a closed face is a whole period,
+    // which the sampler takes back.
+    const auto moved = [&](const Foot& to, const Foot& from) {
+      if (to.face == guess_.face && from.face == guess_.face) guess_.uv += to.uv - from.uv;
+    };
+    if (above_ == 2) {
+      moved(up[c], farUp[c]);
+    } else if (above_ == 1) {
+      if (c > 0) moved(now[c - 1], up[c - 1]);
+    } else if (c > 1) {
+      moved(now[c - 1], now[c - 2]);
+    }
+    return &guess_;
+  }
+  /// The foot of the next point, in the order of columns and rows.
+  void put(const Foot& foot) {
+    rows_[0][column_] = foot;
+    if (++column_ < rows_[0].size()) return;
+    column_ = 0;
+    above_ = std::min(above_ + 1, 2);
+    std::swap(rows_[1], rows_[2]);
+    std::swap(rows_[0], rows_[1]);
+  }
+
+ private:
+  std::array<std::vector<Foot>, 3> rows_;  ///< the row of the next point, and the two before it
+  std::size_t column_ = 0;
+  int above_ = 0;  ///< rows before that are known, at most two
+  Foot guess_;
+};
 
 }  // namespace
 
@@ -31,7 +76,7 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const SweepCheck& check, 
                                    const SurfaceSampler& target, const RunContext& context) {
   const std::vector<BladePose>& poses = sweep.poses;
   const int n = int(poses.size());
-  if (Result<void> ok = detail::enoughStations(sweep); !ok) return tl::unexpected<Error>(ok.error());
+  if (Result<void> ok = sweep::enoughStations(sweep); !ok) return tl::unexpected<Error>(ok.error());
   SweepAnalysis result;
 
   // The skin through the stations.
@@ -83,7 +128,7 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const SweepCheck& check, 
   summary.minRadius = largestCurvature > 0 ? 1.0 / largestCurvature : 0.0;
 
   // The cut surface between the stations too: the skin, sampled finely, against the target itself.
-  result.stationRow = detail::stationRows(travel);
+  result.stationRow = sweep::stationRows(travel);
   const std::vector<int>& rowOf = result.stationRow;
   SurfaceGrid& cut = result.cut;
   cut.columns = kColumns;
@@ -101,7 +146,7 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const SweepCheck& check, 
               to = int(std::int64_t(cut.rows) * (chunk + 1) / kChunks);
     if (from == to) return;
     const std::unique_ptr<SurfaceSampler> sampler = target.clone();
-    detail::FootTrail feet(kColumns);
+    FootTrail feet(kColumns);
     for (int row = from; row < to; ++row) {
       if (context.stopped()) return;
       const std::size_t i =
@@ -146,7 +191,7 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const SweepCheck& check, 
 
   // Each sample counts with the area that it stands for, so that wide intervals do not hide behind narrow
   // ones (docs/mathematics.md, deviation).
-  const std::vector<double> areas = detail::pointAreas(cut);
+  const std::vector<double> areas = sweep::pointAreas(cut);
   const double whole = std::accumulate(areas.begin(), areas.end(), 0.0);
   double squares = 0, beyond = 0, angles = 0;
   std::size_t worst = 0;
@@ -172,9 +217,9 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const SweepCheck& check, 
   summary.angleMean = angles * kDegree;
 
   // What cannot be cut, and why.
-  detail::addRowFindings(sweep, request, worst, result);
-  detail::addStationFindings(sweep, check, request, result);
-  detail::keepRows(worst, result);
+  sweep::addRowFindings(sweep, request, worst, result);
+  sweep::addStationFindings(sweep, check, request, result);
+  sweep::keepRows(worst, result);
   return result;
 }
 
