@@ -15,6 +15,7 @@
 #include "sweep/foot_trail.h"
 #include "sweep/row_findings.h"
 #include "sweep/station_findings.h"
+#include "sweep/stretches.h"
 
 namespace bw {
 
@@ -25,10 +26,30 @@ using detail::kColumns;
 /// Blocks of rows that share a sampler; fixed, so that the result does not depend on the number of threads.
 constexpr int kChunks = 16;
 
+/// How far the skin lies from the blade of each station, midway between every fourth pair of points that it
+/// goes through; `parameters` are those of the stations. mm.
+std::vector<double> skinDistances(const std::vector<BladePose>& poses, const SplineSurface& skin,
+                                  const std::vector<double>& parameters) {
+  constexpr int kPlaces = 25;
+  std::vector<double> u(kPlaces), arcs(kPlaces), distances(poses.size());
+  for (int k = 0; k < kPlaces; ++k) u[std::size_t(k)] = (4 * k + 1.5) / (kColumns - 1);
+  std::vector<Elastica::State> states(kPlaces);
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    for (std::size_t k = 0; k < kPlaces; ++k) arcs[k] = poses[i].cut.length() * u[k];
+    poses[i].cut.at(arcs, states);
+    for (std::size_t k = 0; k < kPlaces; ++k) {
+      const Eigen::Vector3d point = poses[i].frame.toWorld(states[k].point);
+      distances[i] = std::max(distances[i], (skin.value(u[k], parameters[i]) - point).norm());
+    }
+  }
+  return distances;
+}
+
 }  // namespace
 
 Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const SweepCheck& check, const CheckRequest& request,
-                                   const SurfaceSampler& target, const RunContext& context) {
+                                   const SurfaceSampler& target, const Loft& loft,
+                                   const RunContext& context) {
   const std::vector<BladePose>& poses = sweep.poses;
   const int n = int(poses.size());
   if (Result<void> ok = detail::enoughStations(sweep); !ok) return tl::unexpected<Error>(ok.error());
@@ -62,7 +83,7 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const SweepCheck& check, 
     chord.push_back(chord.back() + mean / kColumns);
   }
   for (double& v : chord) v /= chord.back() > 0 ? chord.back() : 1.0;
-  Result<SplineSurface> skin = interpolateGrid(grid, chord);
+  Result<SplineSurface> skin = loft(grid, chord);
   if (!skin) return tl::unexpected<Error>(skin.error());
   result.surface = std::move(*skin);
 
@@ -172,6 +193,14 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const SweepCheck& check, 
   summary.angleMean = angles * kDegree;
 
   // What cannot be cut, and why.
+  const std::vector<double> off = skinDistances(poses, result.surface, chord);
+  detail::reportStretches(
+      poses, Severity::warning, [&](std::size_t i) { return !(off[i] <= kSkinTolerance); },
+      [&](std::size_t a, std::size_t b) { return off[a] > off[b]; },
+      [&](const detail::Stretch& at, Finding& finding) {
+        finding.cause = SkinOff{off[at.worst], kSkinTolerance};
+      },
+      result.findings);
   detail::addRowFindings(sweep, request, worst, result);
   detail::addStationFindings(sweep, check, request, result);
   detail::keepRows(worst, result);

@@ -17,7 +17,7 @@
 #include "bw/core/base/units.h"
 #include "bw/core/design/face_choice.h"
 #include "bw/core/design/read_options.h"
-#include "bw/core/surface/mesh.h"
+#include "bw/core/surface/face_mesh.h"
 #include "bw/core/surface/surface_sampler.h"
 
 namespace bw::geometry {
@@ -105,6 +105,11 @@ class CadModel {
   explicit CadModel(std::shared_ptr<const Impl> impl);
   std::shared_ptr<const Impl> impl_;
 };
+
+/// Triangles of all faces of a file that can be computed with, for choosing among them: coarser than those of
+/// a target, within 1/1000 of the file's size. Errors: `cancelled`; `internal` if
+/// OpenCASCADE fails.
+Result<FaceMesh> faceMesh(const CadModel& model, const RunContext& context = {});
 
 /// The chosen faces as one target.
 class Target {
