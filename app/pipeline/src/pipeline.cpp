@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "bw/core/files/fingerprint.h"
+#include "bw/geometry/export.h"
 #include "bw/robotio/motion/program_plan.h"
 
 namespace bw::pipeline {
@@ -189,7 +190,7 @@ Result<void> check(const CutWork& work) {
                    work.seconds.check, [&work, &e, &sweep](const CheckRequest& request, Findings& findings) {
                      Result<SweepAnalysis> analysis =
                          analyzeSweep(sweep, *e.check.value, request, *e.target.value->sampler(),
-                                      work.context.child(0.75, 0.95));
+                                      geometry::loft, work.context.child(0.75, 0.95));
                      if (analysis) findings = analysis->findings;
                      return analysis;
                    });

@@ -41,6 +41,8 @@ const char* wordOf(FindingKind kind) {
       return "gap";
     case FindingKind::deviation:
       return "deviation";
+    case FindingKind::skin:
+      return "skin";
     case FindingKind::sectionShort:
       return "section-short";
     case FindingKind::sectionMissing:

@@ -12,6 +12,7 @@
 #include "bw/core/sweep/maps.h"
 #include "bw/core/sweep/sweep_check.h"
 #include "sweep/cut_rows.h"
+#include "sweep/stretches.h"
 #include "sweep/sweep_findings.h"
 
 namespace bw {
@@ -70,10 +71,30 @@ class FootTrail {
   Foot guess_;
 };
 
+/// How far the skin lies from the blade of each station, midway between every fourth pair of points that it
+/// goes through; `parameters` are those of the stations. mm.
+std::vector<double> skinDistances(const std::vector<BladePose>& poses, const SplineSurface& skin,
+                                  const std::vector<double>& parameters) {
+  constexpr int kPlaces = 25;
+  std::vector<double> u(kPlaces), arcs(kPlaces), distances(poses.size());
+  for (int k = 0; k < kPlaces; ++k) u[std::size_t(k)] = (4 * k + 1.5) / (kColumns - 1);
+  std::vector<Elastica::State> states(kPlaces);
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    for (std::size_t k = 0; k < kPlaces; ++k) arcs[k] = poses[i].cut.length() * u[k];
+    poses[i].cut.at(arcs, states);
+    for (std::size_t k = 0; k < kPlaces; ++k) {
+      const Eigen::Vector3d point = poses[i].frame.toWorld(states[k].point);
+      distances[i] = std::max(distances[i], (skin.value(u[k], parameters[i]) - point).norm());
+    }
+  }
+  return distances;
+}
+
 }  // namespace
 
 Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const SweepCheck& check, const CheckRequest& request,
-                                   const SurfaceSampler& target, const RunContext& context) {
+                                   const SurfaceSampler& target, const Loft& loft,
+                                   const RunContext& context) {
   const std::vector<BladePose>& poses = sweep.poses;
   const int n = int(poses.size());
   if (Result<void> ok = sweep::enoughStations(sweep); !ok) return tl::unexpected<Error>(ok.error());
@@ -107,7 +128,7 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const SweepCheck& check, 
     chord.push_back(chord.back() + mean / kColumns);
   }
   for (double& v : chord) v /= chord.back() > 0 ? chord.back() : 1.0;
-  Result<SplineSurface> skin = interpolateGrid(grid, chord);
+  Result<SplineSurface> skin = loft(grid, chord);
   if (!skin) return tl::unexpected<Error>(skin.error());
   result.surface = std::move(*skin);
 
@@ -217,6 +238,12 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const SweepCheck& check, 
   summary.angleMean = angles * kDegree;
 
   // What cannot be cut, and why.
+  const std::vector<double> off = skinDistances(poses, result.surface, chord);
+  for (const sweep::Stretch& at : sweep::stretchesOf(
+           poses.size(), [&](std::size_t i) { return !(off[i] <= kSkinTolerance); },
+           [&](std::size_t i, std::size_t k) { return off[i] > off[k]; }))
+    result.findings.push_back(
+        {Severity::warning, SkinOff{off[at.worst], kSkinTolerance}, sweep::placeOf(poses, at), {}});
   sweep::addRowFindings(sweep, request, worst, result);
   sweep::addStationFindings(sweep, check, request, result);
   sweep::keepRows(worst, result);
