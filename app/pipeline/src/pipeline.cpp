@@ -216,15 +216,6 @@ void judgeCell(Evaluation& e, const Evaluation* previous) {
   if (!ok) e.cell.findings = {{Severity::error, UnreadableCell{ok.error().message}, {}, {}}};
 }
 
-/// That of an earlier evaluation, or null.
-const CutEvaluation* cutOf(const Evaluation* evaluation, const std::string& id) {
-  if (evaluation)
-    for (const BlockEvaluation& block : evaluation->blocks)
-      for (const CutEvaluation& cut : block.cuts)
-        if (cut.id == id) return &cut;
-  return nullptr;
-}
-
 /// The blocks of a design and their cuts, nothing of them evaluated.
 std::vector<BlockEvaluation> listed(const Design& design) {
   std::vector<BlockEvaluation> blocks;
@@ -257,6 +248,13 @@ Findings CutEvaluation::findings() const {
   return all;
 }
 
+const CutEvaluation* Evaluation::find(const std::string& id) const {
+  for (const BlockEvaluation& block : blocks)
+    for (const CutEvaluation& cut : block.cuts)
+      if (cut.id == id) return &cut;
+  return nullptr;
+}
+
 Findings Evaluation::findings() const {
   Findings all = sourceFindings;
   append(all, source.findings);
@@ -274,7 +272,7 @@ void Evaluation::takeMissing(const Evaluation& before) {
   takeMissing(cell, before.cell);
   for (BlockEvaluation& block : blocks)
     for (CutEvaluation& cut : block.cuts) {
-      const CutEvaluation* from = cutOf(&before, cut.id);
+      const CutEvaluation* from = before.find(cut.id);
       if (!from) continue;
       takeMissing(cut.target, from->target);
       takeMissing(cut.targetMesh, from->targetMesh);
@@ -316,7 +314,8 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
     std::optional<BlockPlacement> placement = design.stock[b].placement;
     for (CutEvaluation& stages : e.blocks[b].cuts) {
       const Cut& cut = *std::ranges::find(design.cuts, stages.id, &Cut::id);
-      const CutWork work{design, cut, stages, cutOf(previous, cut.id), e.seconds, context, purpose};
+      const CutWork work{design,    cut,     stages, previous ? previous->find(cut.id) : nullptr,
+                         e.seconds, context, purpose};
       ok = place(work, e.source.value, placement);
       if (ok) ok = fit(work);
       if (ok) ok = check(work);
@@ -327,7 +326,8 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
   if (!design.output.programs.empty()) judgeCell(e, previous);
   for (BlockEvaluation& block : e.blocks)
     for (CutEvaluation& cut : block.cuts)
-      if (ok = meshTarget(cut, cutOf(previous, cut.id), e.seconds.read); !ok) return stop(ok.error());
+      if (ok = meshTarget(cut, previous ? previous->find(cut.id) : nullptr, e.seconds.read); !ok)
+        return stop(ok.error());
   context.report(1.0, "done");
   e.seconds.total = secondsSince(start);
   return outcome;

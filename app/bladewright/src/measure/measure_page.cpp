@@ -70,11 +70,8 @@ MeasurePage::MeasurePage(Workbench& bench, const Theme& theme, QWidget* parent)
   connect(table_, &MeasureTable::edited, this, &MeasurePage::refresh);
   connect(table_, &MeasureTable::chosenChanged, this, &MeasurePage::refresh);
   connect(answer_, &MeasureAnswer::used, this, &MeasurePage::left);
-  connect(&bench.document(), &model::Document::designChanged, this, [this] {
-    if (entered_) refresh();
-  });
-  connect(&bench.document(), &model::Document::replaced, this, [this] {
-    if (entered_) refresh();
+  connect(&bench, &Workbench::changed, this, [this](const Change& change) {
+    if (entered_ && change.any(Aspect::design)) refresh();
   });
   connect(&theme, &Theme::changed, this, [this] {
     if (entered_) refresh();

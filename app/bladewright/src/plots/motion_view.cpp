@@ -80,8 +80,9 @@ MotionView::MotionView(Workbench& bench, const Theme& theme, QWidget* parent)
 
   timer_.setInterval(kFrameInterval);
   connect(&timer_, &QTimer::timeout, this, &MotionView::tick);
-  connect(&bench, &Workbench::playTimeChanged, this, &MotionView::refresh);
-  connect(&bench, &Workbench::resultChanged, this, &MotionView::refresh);
+  connect(&bench, &Workbench::changed, this, [this](const Change& change) {
+    if (change.any(Aspect::playTime | Aspect::motion, bench_.selection())) refresh();
+  });
   connect(&theme, &Theme::changed, this, &MotionView::refresh);
   refresh();
 }

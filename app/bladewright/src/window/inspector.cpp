@@ -55,9 +55,9 @@ Inspector::Inspector(Workbench& bench, const Theme& theme, QWidget* parent)
       kind_->show(int(bench_.selection().kind));
     }
   });
-  connect(&bench, &Workbench::selectionChanged, this, &Inspector::refresh);
-  connect(&bench, &Workbench::resultChanged, this, &Inspector::refresh);
-  connect(&bench.document(), &model::Document::designChanged, this, &Inspector::refresh);
+  connect(&bench, &Workbench::changed, this, [this](const Change& change) {
+    if (change.any(model::kAspectsOfCut | Aspect::design | Aspect::selection, bench_.selection())) refresh();
+  });
   refresh();
 }
 
@@ -141,8 +141,8 @@ void Inspector::makeResult() {
 void Inspector::makeSurface() {
   FormColumn* column = addPage(Selection::Kind::surface);
   const auto target = [this]() -> const geometry::Target* {
-    const auto shown = bench_.shown();
-    return shown ? shown->cut().target.value.get() : nullptr;
+    const pipeline::CutEvaluation* cut = bench_.shownCut();
+    return cut ? cut->target.value.get() : nullptr;
   };
   column->addHeading(tr("Target surface"));
   addValue(column, tr("Faces"), {},
@@ -165,9 +165,9 @@ void Inspector::makeBlock() {
   column->addHeading(tr("Foam block"));
   blockFields_ = new BlockFields(bench_, column, this);
   addValue(column, tr("Volume"), {}, [this] {
-    const auto shown = bench_.shown();
-    return shown && shown->cut().setup
-               ? QString::fromStdString(shortText(shown->cut().setup->block.size.prod() * 1e-9, 3)) + " m³"
+    const pipeline::CutEvaluation* cut = bench_.shownCut();
+    return cut && cut->setup
+               ? QString::fromStdString(shortText(cut->setup->block.size.prod() * 1e-9, 3)) + " m³"
                : QString();
   });
 }
@@ -339,9 +339,9 @@ void Inspector::refresh() {
   kind_->show(int(selection.kind));
   pages_->setCurrentIndex(int(selection.kind));
   const bool settings = selection.kind == Selection::Kind::block || selection.kind == Selection::Kind::blade;
-  const auto shown = bench_.shown();
-  const bool there = settings || bench_.sweep() ||
-                     (selection.kind == Selection::Kind::surface && shown && shown->cut().target.value);
+  const pipeline::CutEvaluation* cut = bench_.shownCut();
+  const bool there =
+      settings || bench_.sweep() || (selection.kind == Selection::Kind::surface && cut && cut->target.value);
   empty_->setVisible(!there);
   pages_->setVisible(there);
   for (const Value& value : values_) {

@@ -75,20 +75,9 @@ MainWindow::MainWindow(model::Settings& settings, Theme& theme, const std::files
   connect(qApp, &QGuiApplication::applicationStateChanged, this, [this](Qt::ApplicationState state) {
     if (state == Qt::ApplicationActive) bench_.lookAtSource();
   });
-  connect(&bench_, &Workbench::resultChanged, this, &MainWindow::refreshContent);
-  connect(&bench_, &Workbench::stateChanged, this, &MainWindow::refreshState);
-  connect(&bench_, &Workbench::progressed, this, &MainWindow::refreshState);
-  connect(&bench_, &Workbench::selectionChanged, this, [this] {
-    marker_.reset();
-    refreshStyle();
-  });
-  connect(&bench_, &Workbench::playTimeChanged, this, &MainWindow::refreshStyle);
+  connect(&bench_, &Workbench::changed, this, &MainWindow::follow);
   connect(&bench_, &Workbench::spotShown, this, &MainWindow::showSpot);
   connect(&bench_.document(), &model::Document::titleChanged, this, &MainWindow::refreshTitle);
-  connect(&bench_.document(), &model::Document::designChanged, this, [this] {
-    editClock_.start();
-    refreshTitle();
-  });
   connect(&bench_.document(), &model::Document::replaced, this, [this] {
     for (TypedField* field : columns_->findChildren<TypedField*>()) field->restore();
     fitNext_ = true;
@@ -141,7 +130,6 @@ MainWindow::~MainWindow() {
 void MainWindow::showStartPage() {
   bench_.document().start(Design());
   recovery_->refresh();
-  shown_.reset();
   stack_->setCurrentWidget(start_);
   refreshTitle();
   refreshState();

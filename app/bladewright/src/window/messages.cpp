@@ -31,8 +31,9 @@ MessageList::MessageList(Workbench& bench, const Theme& theme, QWidget* parent)
   };
   connect(this, &QListWidget::itemClicked, this, show);
   connect(this, &QListWidget::itemActivated, this, show);
-  connect(&bench, &Workbench::resultChanged, this, &MessageList::refresh);
-  connect(&bench, &Workbench::messagesChanged, this, &MessageList::refresh);
+  connect(&bench, &Workbench::changed, this, [this](const Change& change) {
+    if (change.any(Aspect::messages)) refresh();
+  });
   connect(&theme, &Theme::changed, this, &MessageList::refresh);
   refresh();
 }

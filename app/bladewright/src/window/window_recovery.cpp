@@ -20,9 +20,10 @@ constexpr QSize kDialogSize(760, 420);
 }  // namespace
 
 QImage MainWindow::thumbnail() {
-  if (shown_ && shown_ != pictured_ && view_->isVisible() && view_->resting()) {
+  const auto shown = bench_.shown();
+  if (shown && shown != pictured_ && view_->isVisible() && view_->resting()) {
     thumbnail_ = view_->picture(kThumbnail, double(kThumbnail.width()) / std::max(1, view_->width()));
-    pictured_ = shown_;
+    pictured_ = shown;
   }
   return thumbnail_;
 }

@@ -163,7 +163,7 @@ void Workbench::write(const fs::path& folder, const QString& name, MakePolicy po
         return finishExport(*made, stoppedError());
     }
   });
-  emit stateChanged();
+  tellChanged(Aspect::state);
 }
 
 void Workbench::commit(const std::shared_ptr<Export>& made) {
@@ -185,7 +185,7 @@ void Workbench::finishExport(const Export& made, const Result<void>& done) {
       exportFolder_ = made.folder;
       exportedFiles_ = writtenFiles(made.files);
       exportFindings_ = made.findings;
-      emit messagesChanged();
+      tellChanged(Aspect::messages);
     }
     tellWritten(made);
     emit exported(QString::fromStdString(made.folder.string()));
@@ -196,7 +196,7 @@ void Workbench::finishExport(const Export& made, const Result<void>& done) {
     if (open) exportProblem_ = problem;
     tell({Severity::error, problem, {}, {}, Topic::written});
   }
-  emit stateChanged();
+  tellChanged(Aspect::state);
 }
 
 void Workbench::tellWritten(const Export& made) {

@@ -20,11 +20,8 @@ BlockFields::BlockFields(Workbench& bench, FormColumn* column, QObject* parent)
   column->addWide(automatic_);
   connect(automatic_, &QCheckBox::clicked, this, [this](bool on) {
     const BlockPlacement now = placement();
-    bench_.editDesign(on ? tr("Fit block to surface") : tr("Place block"), [on, now](Design& design) {
-      if (on)
-        design.block().placement.reset();
-      else
-        design.block().placement = now;
+    bench_.editBlock(on ? tr("Fit block to surface") : tr("Place block"), [on, now](StockBlock& block) {
+      block.placement = on ? std::nullopt : std::optional(now);
     });
   });
   for (int i = 0; i < 3; ++i) {
@@ -56,20 +53,19 @@ BlockFields::BlockFields(Workbench& bench, FormColumn* column, QObject* parent)
 }
 
 BlockPlacement BlockFields::placement() const {
-  if (bench_.design().block().placement) return *bench_.design().block().placement;
-  if (const auto shown = bench_.shown(); shown && shown->cut().setup)
-    return placementOf(shown->cut().setup->block);
+  if (bench_.block().placement) return *bench_.block().placement;
+  if (const auto* cut = bench_.shownCut(); cut && cut->setup) return placementOf(cut->setup->block);
   return {};
 }
 
 void BlockFields::editPlacement(const QString& text, const std::function<void(BlockPlacement&)>& change) {
   BlockPlacement next = placement();
   change(next);
-  bench_.editDesign(text, [&](Design& design) { design.block().placement = next; });
+  bench_.editBlock(text, [&](StockBlock& block) { block.placement = next; });
 }
 
 void BlockFields::refresh() {
-  const bool automatic = !bench_.design().block().placement;
+  const bool automatic = !bench_.block().placement;
   automatic_->setChecked(automatic);
   const BlockPlacement now = placement();
   for (int i = 0; i < 3; ++i) {

@@ -78,7 +78,7 @@ FaceFields::FaceFields(Workbench& bench, FormColumn* column, QObject* parent)
     pointLabels_[axis] = column->add(tr("Point %1").arg(kAxes[axis]), point_[axis],
                                      tr("The face nearest to this point of the file's frame is cut"));
     connect(point_[axis], &NumberField::edited, this, [this, i = Eigen::Index(axis)](double value) {
-      FaceChoice choice = bench_.design().cut().face;
+      FaceChoice choice = bench_.cut().face;
       choice.point[i] = value;
       this->choose(choice);
     });
@@ -91,24 +91,21 @@ void FaceFields::showChoosing(bool choosing, bool possible) {
 }
 
 void FaceFields::choose(const FaceChoice& choice) {
-  bench_.editDesign(tr("Choose faces"), [&](Design& design) { design.cut().face = choice; });
+  bench_.editCut(tr("Choose faces"), [&](Cut& cut) { cut.face = choice; });
 }
 
 void FaceFields::chooseKind(int kind) {
   FaceChoice choice;
   choice.kind = Kind(kind);
-  const auto& newest = bench_.runner().evaluation();
-  const geometry::CadInfo* info =
-      newest && newest->source.value ? &newest->source.value->model.info() : nullptr;
+  const geometry::Target* target = bench_.newestTarget();
   if (choice.kind == Kind::indices) {
-    choice.indices =
-        newest && newest->cut().target.value ? newest->cut().target.value->faces() : std::vector<int>{0};
+    choice.indices = target ? target->faces() : std::vector<int>{0};
   } else if (choice.kind == Kind::named) {
-    const QStringList names = namesOf(info);
+    const QStringList names = namesOf(bench_.fileInfo());
     if (names.isEmpty()) return refresh();
     choice.names = {names.first().toStdString()};
-  } else if (choice.kind == Kind::nearest && newest && newest->cut().target.value) {
-    choice.point = newest->cut().target.value->bounds().center();
+  } else if (choice.kind == Kind::nearest && target) {
+    choice.point = target->bounds().center();
   }
   choose(choice);
 }
@@ -156,10 +153,8 @@ void FaceFields::showSides(const FaceChoice& face, const geometry::CadInfo* info
 }
 
 void FaceFields::refresh() {
-  const FaceChoice& face = bench_.design().cut().face;
-  const auto& newest = bench_.runner().evaluation();
-  const geometry::CadInfo* info =
-      newest && newest->source.value ? &newest->source.value->model.info() : nullptr;
+  const FaceChoice& face = bench_.cut().face;
+  const geometry::CadInfo* info = bench_.fileInfo();
   kinds_->show(int(face.kind));
   setLineVisible(numbersLabel_, numbers_, face.kind == Kind::indices);
   setLineVisible(namesLabel_, names_, face.kind == Kind::named);

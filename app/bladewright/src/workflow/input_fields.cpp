@@ -51,7 +51,6 @@ InputFields::InputFields(Workbench& bench, FormColumn* column, QObject* parent)
   embed_->setToolTip(tr("On: the saved design holds a copy of the CAD file. Off: it points to the file."));
   column->addWide(embed_);
   connect(embed_, &QCheckBox::clicked, this, &InputFields::embed);
-  connect(&bench, &Workbench::stateChanged, this, &InputFields::refreshState);
 }
 
 void InputFields::applyUnit(int index) {
@@ -105,24 +104,22 @@ void InputFields::refresh() {
   fileName_->setText(file.empty() ? tr("No file") : QString::fromStdString(file));
   fileName_->setToolTip(QString::fromStdString(design.source().path.string()));
   QString facts;
-  const auto& newest = bench_.runner().evaluation();
-  if (newest && newest->source.value) {
-    const geometry::CadInfo& info = newest->source.value->model.info();
+  const geometry::CadInfo* info = bench_.fileInfo();
+  const geometry::Target* target = info ? bench_.newestTarget() : nullptr;
+  const Eigen::Vector3d size = target ? target->bounds().size() : Eigen::Vector3d(0, 0, 0);
+  if (info) {
     facts = tr("%1, unit %2, %3")
-                .arg(QString::fromStdString(info.format), QString::fromStdString(info.unit),
-                     info.faces == 1 ? tr("1 face") : tr("%1 faces").arg(info.faces));
-    if (newest->cut().target.value) facts += "\n" + sizeText(newest->cut().target.value->bounds().size());
-    for (const std::string& line : info.leftOut)
+                .arg(QString::fromStdString(info->format), QString::fromStdString(info->unit),
+                     info->faces == 1 ? tr("1 face") : tr("%1 faces").arg(info->faces));
+    if (target) facts += "\n" + sizeText(size);
+    for (const std::string& line : info->leftOut)
       facts += "\n" + tr("Left out: %1").arg(QString::fromStdString(line));
-    if (!info.healing.empty())
-      facts += "\n" + tr("Repaired: %1").arg(QString::fromStdString(info.healing.front()));
+    if (!info->healing.empty())
+      facts += "\n" + tr("Repaired: %1").arg(QString::fromStdString(info->healing.front()));
   }
   fileFacts_->setText(facts);
   fileFacts_->setVisible(!facts.isEmpty());
-  const bool read = newest && newest->source.value;
-  showUnits(read ? &newest->source.value->model.info() : nullptr,
-            read && newest->cut().target.value ? Eigen::Vector3d(newest->cut().target.value->bounds().size())
-                                               : Eigen::Vector3d(Eigen::Vector3d::Zero()));
+  showUnits(info, size);
   faces_->refresh();
   embed_->setChecked(!design.source().bytes.empty());
   refreshState();

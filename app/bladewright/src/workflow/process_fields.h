@@ -29,8 +29,8 @@ class ProcessFields : public QObject {
   void addDirection(FormColumn* column);
   void addFit(FormColumn* column);
   void addNumbers(FormColumn* column, ProcessPart part);
-  void refreshStations(const Design& design);
-  void refreshDirection(const Design& design);
+  void refreshStations(const SectionRequest& sections);
+  void refreshDirection(const std::optional<Eigen::Vector3d>& direction);
 
   Workbench& bench_;
   ChoiceField *stationMode_, *direction_, *fitLength_;

@@ -28,12 +28,8 @@ WorkflowPanel::WorkflowPanel(Workbench& bench, const Theme& theme, QWidget* pare
   }
   layout->addStretch();
   setWidget(page);
-  connect(&bench, &Workbench::stateChanged, this, &WorkflowPanel::refreshStates);
-  connect(&bench, &Workbench::progressed, this, &WorkflowPanel::refreshStates);
-  connect(&bench, &Workbench::resultChanged, this, &WorkflowPanel::refresh);
-  connect(&bench.document(), &model::Document::designChanged, this, &WorkflowPanel::refresh);
-  refresh();
-  refreshStates();
+  connect(&bench, &Workbench::changed, this, &WorkflowPanel::follow);
+  follow({Aspect::design | Aspect::state});
 }
 
 QWidget* WorkflowPanel::makeSetup() {
@@ -73,14 +69,19 @@ QWidget* WorkflowPanel::makeOutput() {
   return column;
 }
 
-void WorkflowPanel::refresh() {
-  const Design& design = bench_.design();
-  bladeFields_->refresh();
-  blockFields_->refresh();
-  numbers_.refresh(design.process);
-  input_->refresh();
-  process_->refresh();
-  output_->refresh();
+void WorkflowPanel::follow(const Change& change) {
+  const auto any = [&](model::Aspects of) { return change.any(of, bench_.selection()); };
+  if (any(Aspect::design | Aspect::block)) blockFields_->refresh();
+  if (any(Aspect::design | Aspect::source | Aspect::target)) input_->refresh();
+  // Another target may be that of another cut, which has numbers of its own.
+  if (any(Aspect::design | Aspect::target)) process_->refresh();
+  if (any(Aspect::design)) {
+    bladeFields_->refresh();
+    numbers_.refresh(bench_.design().process);
+    output_->refresh();
+  }
+  if (any(Aspect::state | Aspect::progress)) refreshStates();
+  if (any(Aspect::state)) input_->refreshState();
 }
 
 void WorkflowPanel::showFaceChoice(bool choosing, bool possible) {

@@ -44,7 +44,7 @@ class WorkflowPanel : public SidePanel {
   QWidget* makeInput();
   QWidget* makeProcess();
   QWidget* makeOutput();
-  void refresh();
+  void follow(const Change& change);
   void refreshStates();
 
   Workbench& bench_;
