@@ -65,19 +65,15 @@ Result<CadSource> readSource(const SourceRequest& request, const RunContext& con
     return fail(ErrorCode::cannotRead, path.string() + " was changed while it was read; read it again",
                 path.string());
   for (const std::string& text : model->info().leftOut)
-    findings.push_back({Severity::warning, LeftOutOfFile{text}, {}, {}});
-  for (const std::string& text : model->info().healing)
-    findings.push_back({Severity::info, Healed{text}, {}, {}});
+    findings.push_back({Severity::warning, LeftOutOfFile{text}});
+  for (const std::string& text : model->info().healing) findings.push_back({Severity::info, Healed{text}});
   return CadSource{std::move(*model), *content};
 }
 
 /// Tells where a linked source that was read is another than when the design was saved.
 Findings changedSource(const Source& source, const Fingerprint& read) {
   if (!source.bytes.empty() || !source.saved || read == *source.saved) return {};
-  return {{Severity::warning,
-           ChangedSource{source.path.filename().string(), source.saved->size, read.size},
-           {},
-           {}}};
+  return {{Severity::warning, ChangedSource{source.path.filename().string(), source.saved->size, read.size}}};
 }
 
 void append(Findings& all, const Findings& more) { all.insert(all.end(), more.begin(), more.end()); }
@@ -213,7 +209,7 @@ void judgeCell(Evaluation& e, const Evaluation* previous) {
                                          append(findings, robotio::checkPlacement(*cut.motion.value, *cell));
                                    return cell;
                                  });
-  if (!ok) e.cell.findings = {{Severity::error, UnreadableCell{ok.error().message}, {}, {}}};
+  if (!ok) e.cell.findings = {{Severity::error, UnreadableCell{ok.error().message}}};
 }
 
 /// The blocks of a design and their cuts, nothing of them evaluated.
