@@ -72,8 +72,7 @@ double Timeline::timeAt(double x) const {
 }
 
 Timeline::Sample Timeline::at(double seconds) const {
-  const auto after = std::lower_bound(samples_.begin(), samples_.end(), seconds,
-                                      [](const Sample& s, double t) { return s.time < t; });
+  const auto after = std::ranges::lower_bound(samples_, seconds, {}, &Sample::time);
   if (after == samples_.begin()) return samples_.front();
   if (after == samples_.end()) return samples_.back();
   const Sample &a = *(after - 1), &b = *after;

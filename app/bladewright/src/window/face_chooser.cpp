@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "bw/core/text/printable.h"
+#include "controls/fields.h"
 #include "controls/numbers.h"
 
 namespace bw::app {
@@ -39,9 +40,7 @@ FaceChooser::FaceChooser(Workbench& bench, const Theme& theme, QWidget* picture)
       done_(new QPushButton(tr("Done"), this)) {
   setObjectName("floating");
   setAccessibleName(tr("Choosing faces"));
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(kGroupGap, 6, kGap, 6);
-  layout->setSpacing(kGroupGap);
+  auto* layout = makeBox<QHBoxLayout>(this, {kGroupGap, 6, kGap, 6}, kGroupGap);
   layout->addWidget(text_, 1);
   layout->addWidget(done_);
   text_->setWordWrap(true);

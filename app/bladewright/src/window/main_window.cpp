@@ -33,9 +33,7 @@ MainWindow::MainWindow(model::Settings& settings, Theme& theme, const std::files
   makeCommands();
 
   auto* central = new QWidget(this);
-  auto* layout = new QVBoxLayout(central);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
+  auto* layout = makeBox<QVBoxLayout>(central, {}, 0);
   stack_ = new QStackedWidget(central);
   layout->addWidget(stack_, 1);
   banner_ = new Banner(theme, central);

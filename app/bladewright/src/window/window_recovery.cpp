@@ -56,8 +56,7 @@ void MainWindow::showUnsaved() {
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setWidgetResizable(true);
   auto* page = new QWidget;
-  auto* column = new QVBoxLayout(page);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = makeBox<QVBoxLayout>(page);
   column->addWidget(list);
   column->addStretch();
   scroll->setWidget(page);
@@ -87,8 +86,7 @@ bool MainWindow::goOnWith(const QString& copy) {
 void MainWindow::discardUnsaved(const QString& copy, const QString& name) {
   if (!questions_.discardCopy(name)) return;
   if (!model::discardRecovery(copy.toStdString()))
-    bench_.tell(
-        {Severity::warning, tr("Another window works on %1; it stays.").arg(name), {}, {}, Topic::recovery});
+    bench_.tell(Topic::recovery, Severity::warning, tr("Another window works on %1; it stays.").arg(name));
   recovery_->refresh();
 }
 

@@ -38,11 +38,8 @@ Workbench::Workbench(model::Settings& settings, const fs::path& recoveryFolder, 
        {&model::SourceWatch::changed, &model::SourceWatch::gone, &model::SourceWatch::back})
     connect(&watch_, signal, this, [this] { tellChanged(Aspect::state); });
   connect(&document_, &model::Document::autosaveFailed, this, [this](const QString& message) {
-    tell({Severity::warning,
-          tr("The automatic copy could not be written: %1. Save the design.").arg(message),
-          {},
-          {},
-          Topic::autosave});
+    tell(Topic::autosave, Severity::warning,
+         tr("The automatic copy could not be written: %1. Save the design.").arg(message));
   });
   connect(&document_, &model::Document::autosaveMended, this,
           [this] { emit noticesOutdated(Topic::autosave); });
@@ -265,7 +262,7 @@ void Workbench::onFinished() {
       notice.action = tr("Locate…");
       notice.run = [this] { emit locateRequested(); };
     }
-    tell(std::move(notice));
+    tell(notice);
   }
   if (runner_.evaluation())
     std::ranges::transform(runner_.evaluation()->findings(), std::back_inserter(messages_), messageOf);
@@ -300,7 +297,10 @@ void Workbench::judgeSize() {
        tr("Go on"), [] {}, Topic::unit});
 }
 
-void Workbench::tell(Notice notice) { emit noticed(notice); }
+Result<void> Workbench::refuse(Topic topic, const Error& error) {
+  tell(topic, error);
+  return tl::unexpected<Error>(error);
+}
 
 void Workbench::editDesign(const QString& text, const std::function<void(Design&)>& change, int mergeId,
                            bool live) {

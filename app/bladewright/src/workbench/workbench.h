@@ -164,7 +164,11 @@ class Workbench : public QObject {
   /// What it wrote there, relative to it, in the order of writing.
   const std::vector<WrittenFile>& exportedFiles() const { return exportedFiles_; }
 
-  void tell(Notice notice);
+  void tell(const Notice& notice) { emit noticed(notice); }
+  void tell(Topic topic, Severity severity, const QString& text) { tell({severity, text, {}, {}, topic}); }
+  void tell(Topic topic, const Error& error) {
+    tell(topic, Severity::error, QString::fromStdString(error.message));
+  }
 
   /// Edits the job as one undoable step; `mergeId` ≥ 0 joins the moves of one drag, `live` while the mouse
   /// still holds the handle.
@@ -204,6 +208,9 @@ class Workbench : public QObject {
   Change resultChange();
   /// Selects the first cut if the design has none of the selected id. What is seen of a cut is then another.
   Change settleSelection();
+  static Error noFile(const std::filesystem::path& file);
+  /// Tells an error and hands it on.
+  Result<void> refuse(Topic topic, const Error& error);
   struct Export;
   using MakePolicy = std::function<pipeline::Policy(const RunContext&)>;
   void write(const std::filesystem::path& folder, const QString& name, MakePolicy policy);

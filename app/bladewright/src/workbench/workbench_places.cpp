@@ -63,8 +63,7 @@ void Workbench::showPlace(const Message& message) {
   const BladePose* station = nullptr;
   if (place.stations && result) {
     const auto& stations = result->sweep.poses;
-    const auto found = std::find_if(stations.begin(), stations.end(),
-                                    [&](const BladePose& s) { return s.index == place.stations->worst; });
+    const auto found = std::ranges::find(stations, place.stations->worst, &BladePose::index);
     if (found != stations.end()) {
       station = &*found;
       selectStation(int(found - stations.begin()));

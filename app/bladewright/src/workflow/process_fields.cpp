@@ -35,9 +35,8 @@ ProcessFields::ProcessFields(Workbench& bench, FormColumn* column, const Theme& 
 }
 
 void ProcessFields::addStations(FormColumn* column) {
-  stationMode_ = new ChoiceField;
+  stationMode_ = column->add(tr("Stations"), new ChoiceField, tr("Where the blade is fitted to the surface"));
   stationMode_->addItems({tr("By number"), tr("By spacing")});
-  column->add(tr("Stations"), stationMode_, tr("Where the blade is fitted to the surface"));
   connect(stationMode_, &QComboBox::activated, this, [this](int index) {
     double spacing = 10;
     if (const auto result = bench_.sweep(); result && result->sweep.poses.size() > 1)
@@ -47,16 +46,15 @@ void ProcessFields::addStations(FormColumn* column) {
       cut.sections.spacing = index == 0 ? std::nullopt : std::optional(spacing);
     });
   });
-  stations_ = new NumberField({2, double(SectionRequest::kMost), 0, 1, {}});
-  stationsLabel_ = column->add(tr("Number"), stations_, tr("Number of stations along the cut"));
+  stations_ = column->add(tr("Number"), new NumberField({2, double(SectionRequest::kMost), 0, 1, {}}),
+                          tr("Number of stations along the cut"));
   connect(stations_, &NumberField::edited, this, [this](double value) {
     bench_.editCut(tr("Change stations"), [value](Cut& cut) { cut.sections.stations = int(value); });
   });
-  stationSlider_ = new HandSlider;
+  stationSlider_ = column->addWide(new HandSlider);
   stationSlider_->setRange(0, kSliderSteps);
   stationSlider_->setAccessibleName(tr("Number of stations"));
   stationSlider_->setToolTip(tr("Number of stations"));
-  column->addWide(stationSlider_);
   connect(stationSlider_, &HandSlider::grabbed, this, [this] { dragId_ = bench_.newMergeId(); });
   connect(stationSlider_, &HandSlider::moved, this, [this](int value) {
     const int count = stationsOfSlider(value);
@@ -65,18 +63,17 @@ void ProcessFields::addStations(FormColumn* column) {
         tr("Change stations"), [count](Cut& cut) { cut.sections.stations = count; }, dragging ? dragId_ : -1,
         dragging);
   });
-  spacing_ = new NumberField({0.01, 10000, 2, 1, "mm"});
-  spacingLabel_ = column->add(tr("Spacing"), spacing_, tr("Distance between stations"));
+  spacing_ =
+      column->add(tr("Spacing"), new NumberField({0.01, 10000, 2, 1, "mm"}), tr("Distance between stations"));
   connect(spacing_, &NumberField::edited, this, [this](double value) {
     bench_.editCut(tr("Change spacing"), [value](Cut& cut) { cut.sections.spacing = value; });
   });
 }
 
 void ProcessFields::addDirection(FormColumn* column) {
-  direction_ = new ChoiceField;
+  direction_ = column->add(tr("Direction"), new ChoiceField,
+                           tr("The way the blade travels; automatic: the best of some that are tried"));
   direction_->addItems({tr("Automatic"), "X", "Y", "Z", tr("Vector")});
-  column->add(tr("Direction"), direction_,
-              tr("The way the blade travels; automatic: the best of some that are tried"));
   connect(direction_, &QComboBox::activated, this, [this](int index) {
     Eigen::Vector3d now = Eigen::Vector3d::UnitY();
     if (const auto* cut = bench_.shownCut(); cut && cut->setup) now = cut->setup->direction;
@@ -92,9 +89,9 @@ void ProcessFields::addDirection(FormColumn* column) {
   });
   for (int i = 0; i < 3; ++i) {
     const auto axis = std::size_t(i);
-    directionFields_[axis] = new NumberField({-1000, 1000, 4, 0.05, {}});
-    directionLabels_[axis] = column->add(tr("Direction %1").arg(kAxes[axis]), directionFields_[axis],
-                                         tr("Only the ratio of the three numbers counts"));
+    directionFields_[axis] =
+        column->add(tr("Direction %1").arg(kAxes[axis]), new NumberField({-1000, 1000, 4, 0.05, {}}),
+                    tr("Only the ratio of the three numbers counts"));
     const auto with = [this, i](double value) {
       Eigen::Vector3d direction = bench_.cut().direction.value_or(Eigen::Vector3d::UnitY());
       direction[i] = value;
@@ -110,24 +107,21 @@ void ProcessFields::addDirection(FormColumn* column) {
 }
 
 void ProcessFields::addFit(FormColumn* column) {
-  fitLength_ = new ChoiceField;
+  fitLength_ =
+      column->add(tr("Length"), new ChoiceField, tr("Length of the blade's part that cuts the surface"));
   fitLength_->addItems({tr("Free"), tr("As the section")});
-  column->add(tr("Length"), fitLength_, tr("Length of the blade's part that cuts the surface"));
   connect(fitLength_, &QComboBox::activated, this, [this](int index) {
     bench_.editDesign(tr("Change fit length"), [index](Design& design) {
       design.process.fitLength = index == 0 ? FitOptions::Length::free : FitOptions::Length::exact;
     });
   });
-  endpoints_ = new QCheckBox(tr("Keep end points"));
-  endpoints_->setToolTip(tr("The ends of every section are met exactly"));
-  column->addWide(endpoints_);
+  endpoints_ = column->addCheck(tr("Keep end points"), tr("The ends of every section are met exactly"));
   connect(endpoints_, &QCheckBox::clicked, this, [this](bool on) {
     bench_.editDesign(on ? tr("Keep end points") : tr("Free end points"),
                       [on](Design& design) { design.process.fitEndpoints = on; });
   });
-  tangents_ = new QCheckBox(tr("Keep end tangents"));
-  tangents_->setToolTip(tr("The blade leaves the surface in the direction of every section's ends"));
-  column->addWide(tangents_);
+  tangents_ = column->addCheck(tr("Keep end tangents"),
+                               tr("The blade leaves the surface in the direction of every section's ends"));
   connect(tangents_, &QCheckBox::clicked, this, [this](bool on) {
     bench_.editDesign(on ? tr("Keep end tangents") : tr("Free end tangents"),
                       [on](Design& design) { design.process.fitTangents = on; });
@@ -152,9 +146,9 @@ void ProcessFields::refresh() {
 
 void ProcessFields::refreshStations(const SectionRequest& sections) {
   stationMode_->show(sections.spacing ? 1 : 0);
-  setLineVisible(stationsLabel_, stations_, !sections.spacing);
+  setLineVisible(stations_, !sections.spacing);
   stationSlider_->setVisible(!sections.spacing);
-  setLineVisible(spacingLabel_, spacing_, sections.spacing.has_value());
+  setLineVisible(spacing_, sections.spacing.has_value());
   stations_->show(sections.stations);
   stationSlider_->show(sliderOfStations(sections.stations));
   if (sections.spacing) spacing_->show(*sections.spacing);
@@ -170,7 +164,7 @@ void ProcessFields::refreshDirection(const std::optional<Eigen::Vector3d>& direc
   direction_->show(directionIndex);
   for (int i = 0; i < 3; ++i) {
     const auto axis = std::size_t(i);
-    setLineVisible(directionLabels_[axis], directionFields_[axis], directionIndex == 4);
+    setLineVisible(directionFields_[axis], directionIndex == 4);
     if (direction) directionFields_[axis]->show((*direction)[i]);
   }
 }

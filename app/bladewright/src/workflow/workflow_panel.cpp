@@ -14,9 +14,7 @@ WorkflowPanel::WorkflowPanel(Workbench& bench, const Theme& theme, QWidget* pare
     : SidePanel(kLeastWidth, parent), bench_(bench), theme_(theme) {
   auto* page = new QWidget;
   page->setObjectName("page");
-  auto* layout = new QVBoxLayout(page);
-  layout->setContentsMargins(0, kGap, 0, kGap);
-  layout->setSpacing(0);
+  auto* layout = makeBox<QVBoxLayout>(page, {0, kGap, 0, kGap}, 0);
   const std::array<std::pair<const char*, QString>, model::kStepCount> heads = {
       {{"setup", tr("Setup")}, {"input", tr("Input")}, {"process", tr("Process")}, {"output", tr("Output")}}};
   const std::array<QWidget*, model::kStepCount> bodies = {makeSetup(), makeInput(), makeProcess(),
@@ -36,8 +34,7 @@ QWidget* WorkflowPanel::makeSetup() {
   auto* column = new FormColumn;
   auto* details = new FormColumn;
   bladeFields_ = new BladeFields(bench_, column, details, this);
-  FormColumn* bladeFold = column->addFold(tr("Section and material"), theme_);
-  bladeFold->addWide(details);
+  column->addFold(tr("Section and material"), theme_)->addWide(details);
   for (const ProcessNumber& number : processNumbers())
     if (number.part == ProcessPart::setup) addProcessLine(numbers_, column, number, this, bench_);
   FormColumn* block = column->addFold(tr("Block"), theme_);
@@ -48,9 +45,6 @@ QWidget* WorkflowPanel::makeSetup() {
 QWidget* WorkflowPanel::makeInput() {
   auto* column = new FormColumn;
   input_ = new InputFields(bench_, column, this);
-  connect(input_, &InputFields::openRequested, this, &WorkflowPanel::openRequested);
-  connect(&input_->faces(), &FaceFields::chooseInPictureRequested, this,
-          &WorkflowPanel::chooseFacesRequested);
   return column;
 }
 
@@ -63,9 +57,6 @@ QWidget* WorkflowPanel::makeProcess() {
 QWidget* WorkflowPanel::makeOutput() {
   auto* column = new FormColumn;
   output_ = new OutputFields(bench_, column, this);
-  connect(output_, &OutputFields::exportRequested, this, &WorkflowPanel::exportRequested);
-  connect(output_, &OutputFields::programsRequested, this, &WorkflowPanel::programsRequested);
-  connect(output_, &OutputFields::pictureRequested, this, &WorkflowPanel::pictureRequested);
   return column;
 }
 
@@ -82,10 +73,6 @@ void WorkflowPanel::follow(const Change& change) {
   }
   if (any(Aspect::state | Aspect::progress)) refreshStates();
   if (any(Aspect::state)) input_->refreshState();
-}
-
-void WorkflowPanel::showFaceChoice(bool choosing, bool possible) {
-  input_->faces().showChoosing(choosing, possible);
 }
 
 void WorkflowPanel::refreshStates() {
