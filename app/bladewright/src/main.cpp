@@ -16,11 +16,10 @@
 #include "bw/pipeline/exit_status.h"
 #include "bw/view/scene_view.h"
 #include "window/change_timer.h"
-#include "window/display_check.h"
-#include "window/end_of_session.h"
+#include "window/desktop.h"
 #include "window/main_window.h"
 #include "window/options.h"
-#include "workbench/report_print.h"
+#include "workbench/handover.h"
 
 namespace {
 
