@@ -190,7 +190,7 @@ StartPage::StartPage(Workbench& bench, const Theme& theme, QWidget* parent)
   const auto add = [&](const QString& text, const QString& tip, void (StartPage::*signal)()) {
     auto* button = makeButton(text, tip, this, signal);
     buttons->addWidget(button);
-    addTarget(button);
+    button->installEventFilter(this);
     return button;
   };
   surface_ = add(tr("Open CAD surface…"), tr("A STEP, IGES or BREP file becomes a blade sweep"),
@@ -226,7 +226,7 @@ StartPage::StartPage(Workbench& bench, const Theme& theme, QWidget* parent)
                                      .replace(" × ", QString(QChar(0xa0)) + "×" + QChar(0xa0)),
                                  shelf_);
     connect(card, &QAbstractButton::clicked, this, [this, name] { emit exampleRequested(name); });
-    addTarget(card);
+    card->installEventFilter(this);
     cards_.push_back(card);
   }
   layout->addStretch();
@@ -242,7 +242,7 @@ StartPage::StartPage(Workbench& bench, const Theme& theme, QWidget* parent)
 void StartPage::putAbove(RecoveryList* list) {
   above_->addWidget(list);
   const auto addTargets = [this, list] {
-    for (QAbstractButton* button : list->findChildren<QAbstractButton*>()) addTarget(button);
+    for (QAbstractButton* button : list->findChildren<QAbstractButton*>()) button->installEventFilter(this);
   };
   addTargets();
   connect(list, &RecoveryList::refreshed, this, addTargets);
@@ -263,7 +263,7 @@ void StartPage::refreshRecent() {
                              QFontMetrics(Theme::bodyFont()).elidedText(info.path(), Qt::ElideMiddle, 480)));
     button->setToolTip(path);
     connect(button, &QToolButton::clicked, this, [this, path] { emit openRequested(path); });
-    addTarget(button);
+    button->installEventFilter(this);
     recent_->addWidget(button, 0, Qt::AlignLeft);
   }
   if (!files.empty()) recent_->addSpacing(kGroupGap);
@@ -280,31 +280,16 @@ void StartPage::arrange() {
     cards_[i]->move(int(i) % columns * (kCardWidth + kCardGap), int(i) / columns * (kCardHeight + kCardGap));
 }
 
-void StartPage::addTarget(QAbstractButton* button) { button->installEventFilter(this); }
-
 bool StartPage::eventFilter(QObject* watched, QEvent* event) {
   auto* button = qobject_cast<QAbstractButton*>(watched);
   if (!button || event->type() != QEvent::KeyPress) return QScrollArea::eventFilter(watched, event);
-  switch (static_cast<QKeyEvent*>(event)->key()) {
-    case Qt::Key_Return:
-    case Qt::Key_Enter:
-      button->click();
-      return true;
-    case Qt::Key_Left:
-      moveKeyboard(*button, {-1, 0});
-      return true;
-    case Qt::Key_Right:
-      moveKeyboard(*button, {1, 0});
-      return true;
-    case Qt::Key_Up:
-      moveKeyboard(*button, {0, -1});
-      return true;
-    case Qt::Key_Down:
-      moveKeyboard(*button, {0, 1});
-      return true;
-    default:
-      return QScrollArea::eventFilter(watched, event);
-  }
+  const int key = static_cast<QKeyEvent*>(event)->key();
+  const bool enter = key == Qt::Key_Return || key == Qt::Key_Enter;
+  const QPoint way((key == Qt::Key_Right) - (key == Qt::Key_Left),
+                   (key == Qt::Key_Down) - (key == Qt::Key_Up));
+  if (!enter && way.isNull()) return QScrollArea::eventFilter(watched, event);
+  enter ? button->click() : moveKeyboard(*button, way);
+  return true;
 }
 
 void StartPage::moveKeyboard(const QAbstractButton& from, const QPoint& direction) {

@@ -89,8 +89,6 @@ class StartPage : public QScrollArea {
  private:
   void refreshRecent();
   void arrange();
-  /// A thing that the keys reach.
-  void addTarget(QAbstractButton* button);
   /// To the nearest target in a direction of the page.
   void moveKeyboard(const QAbstractButton& from, const QPoint& direction);
 
