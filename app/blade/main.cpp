@@ -9,7 +9,6 @@
 
 #include "bw/core/text/number_text.h"
 #include "bw/core/text/printable.h"
-#include "interrupt.h"
 #include "verbs.h"
 
 namespace {

@@ -1,14 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
-
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "bw/core/base/units.h"
+#include "bw/core/base/version.h"
 #include "bw/core/design/design.h"
 #include "bw/core/text/number_text.h"
 #include "bw/geometry/cad_model.h"
+#include "bw/geometry/version.h"
+#include "bw/scene/version.h"
 #include "verbs.h"
 
 namespace bw::cli {
@@ -114,6 +116,11 @@ void addInfoVerb(CLI::App& app, const Session& session, Work& work) {
   verb->add_option("--out", options->out, "Output file, - for standard output")->type_name("FILE");
   verb->footer("Example:\n  blade info panel.step");
   onChosen(*verb, session, work, options, runInfo);
+}
+
+std::string versionText() {
+  return "blade " BW_VERSION " (Bladewright)\n" + libraryVersions() + geometry::libraryVersions() +
+         scene::libraryVersions();
 }
 
 }  // namespace bw::cli

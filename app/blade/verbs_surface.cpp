@@ -14,7 +14,6 @@
 #include "bw/geometry/export.h"
 #include "bw/pipeline/example_design.h"
 #include "bw/pipeline/scene_content.h"
-#include "interrupt.h"
 #include "verbs.h"
 
 namespace bw::cli {

@@ -11,7 +11,7 @@
 #include "controls/fields.h"
 #include "plots/motion_view.h"
 #include "window_fixture.h"
-#include "workflow/step_section.h"
+#include "workflow/workflow_panel.h"
 
 namespace bw::app {
 namespace {

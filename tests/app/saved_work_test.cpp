@@ -11,9 +11,8 @@
 #include <cstddef>
 
 #include "bw/model/recovery.h"
-#include "window/display_check.h"
-#include "window/end_of_session.h"
-#include "window/recovery_list.h"
+#include "window/desktop.h"
+#include "window/start_page.h"
 #include "window_fixture.h"
 
 namespace bw::app {

@@ -22,7 +22,7 @@
 
 #include "bw/model/document.h"
 #include "bw/model/recovery.h"
-#include "window/end_of_session.h"
+#include "window/desktop.h"
 #include "window/main_window.h"
 
 namespace bw::app {

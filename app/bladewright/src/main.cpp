@@ -5,22 +5,23 @@
 #include <QTimer>
 
 #include <unistd.h>
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <ctime>
 #include <fstream>
+#include <functional>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "bw/core/text/printable.h"
 #include "bw/pipeline/exit_status.h"
 #include "bw/view/scene_view.h"
-#include "window/change_timer.h"
-#include "window/display_check.h"
-#include "window/end_of_session.h"
+#include "window/desktop.h"
 #include "window/main_window.h"
 #include "window/options.h"
-#include "workbench/report_print.h"
+#include "workbench/handover.h"
 
 namespace {
 
@@ -40,6 +41,62 @@ double secondsSinceProcessStart() {
   clock_gettime(CLOCK_BOOTTIME, &now);
   return double(now.tv_sec) + 1e-9 * double(now.tv_nsec) - std::stod(word) / double(sysconf(_SC_CLK_TCK));
 }
+
+/// Changes the number of stations again and again and takes the time until each new picture stands: what a
+/// user waits for, measured in the window itself.
+class ChangeTimer : public QObject {
+ public:
+  ChangeTimer(bw::app::MainWindow& window, int changes) : window_(window), changes_(changes) {}
+
+  /// Begins; the present result must stand. `finished` is called once.
+  void start(const std::function<void()>& finished) {
+    finished_ = finished;
+    stations_ = window_.bench().cut().sections.stations;
+    // Queued: the next change begins with an idle window, as one by hand does.
+    connect(
+        &window_, &bw::app::MainWindow::pictureStands, this,
+        [this] {
+          seconds_.push_back(window_.pictureDelay());
+          change();
+        },
+        Qt::QueuedConnection);
+    connect(
+        &window_.bench().runner(), &bw::model::EvaluationRunner::finished, this,
+        [this] {
+          if (!window_.bench().current()) finished_();
+        },
+        Qt::QueuedConnection);
+    change();
+  }
+
+  /// Whether each change had a result.
+  bool complete() const { return int(seconds_.size()) == changes_; }
+
+  /// One line of text: smallest, median and largest of the seconds.
+  QString summary() const {
+    if (seconds_.empty()) return QStringLiteral("no change had a result");
+    std::vector<double> seconds = seconds_;
+    std::sort(seconds.begin(), seconds.end());
+    return QStringLiteral("%1 changes: %2 s at best, %3 s in the middle, %4 s at worst")
+        .arg(seconds.size())
+        .arg(seconds.front(), 0, 'f', 3)
+        .arg(seconds[seconds.size() / 2], 0, 'f', 3)
+        .arg(seconds.back(), 0, 'f', 3);
+  }
+
+ private:
+  void change() {
+    if (complete()) return finished_();
+    // Each number is another one, so that no earlier result can be used again.
+    const int next = stations_ + 1 + int(seconds_.size());
+    window_.bench().editCut(tr("Change stations"), [next](bw::Cut& cut) { cut.sections.stations = next; });
+  }
+
+  bw::app::MainWindow& window_;
+  std::function<void()> finished_;
+  int changes_, stations_ = 0;
+  std::vector<double> seconds_;
+};
 
 }  // namespace
 
@@ -93,7 +150,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "bladewright: %s\n", bw::printable(error.message).c_str());
     status = statusOf(error.code);
   };
-  bw::app::ChangeTimer changes(window, options->timeChanges);
+  ChangeTimer changes(window, options->timeChanges);
   const auto quit = [&] {
     if (!options->screenshot.isEmpty()) {
       // What moved is drawn smoothly once it rests.
@@ -105,16 +162,16 @@ int main(int argc, char** argv) {
     }
     QApplication::exit(status);
   };
-  QObject::connect(&changes, &bw::app::ChangeTimer::finished, &window, [&] {
-    std::printf("%s\n", qPrintable(bw::app::summaryOf(changes.seconds())));
-    if (int(changes.seconds().size()) < options->timeChanges) status = kNoSolution;
+  const auto tellChanges = [&] {
+    std::printf("%s\n", qPrintable(changes.summary()));
+    if (!changes.complete()) status = kNoSolution;
     quit();
-  });
+  };
   const auto finish = [&] {
     if (options->quitAfterFirstPicture)
       std::printf("first picture after %.2f s\n", secondsSinceProcessStart());
     if (options->timeChanges > 0 && window.bench().current())
-      changes.start();
+      changes.start(tellChanges);
     else
       quit();
   };

@@ -4,6 +4,7 @@
 
 #include <QAbstractButton>
 #include <QCheckBox>
+#include <QColor>
 #include <QComboBox>
 #include <QFormLayout>
 #include <QGridLayout>
@@ -14,12 +15,31 @@
 #include <QVBoxLayout>
 #include <QWidget>
 
-#include "controls/list_field.h"
 #include "controls/number_field.h"
 #include "controls/theme.h"
-#include "controls/value_label.h"
 
 namespace bw::app {
+
+/// A number that is read: red with an icon where it breaks a limit, pale where it is out of date.
+class ValueLabel : public QLabel {
+  Q_OBJECT
+  Q_PROPERTY(QColor errorColour MEMBER errorColour_)
+
+ public:
+  explicit ValueLabel(QWidget* parent = nullptr);
+
+  /// How the number stands.
+  void setStanding(bool broken, bool stale);
+  bool broken() const { return broken_; }
+  bool stale() const { return stale_; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  QColor errorColour_;
+  bool broken_ = false, stale_ = false;
+};
 
 /// A choice that tells only what the user chose; the wheel scrolls the panel, not the choice. Once chosen
 /// from its list, the keyboard belongs to the area again. The list is as wide as its texts; the closed field

@@ -8,6 +8,9 @@
 #include <QPixmap>
 #include <QString>
 
+#include <cmath>
+
+#include "bw/core/base/finding.h"
 #include "bw/model/settings.h"
 
 namespace bw::app {
@@ -59,5 +62,27 @@ class Theme : public QObject {
   bool systemDark_ = false;
   Colours colours_;
 };
+
+/// Results out of date stay visible, so faint.
+inline constexpr double kStaleOpacity = 0.6;
+
+/// The largest of 1, 2, 5 · 10ⁿ that is not above `value`; 0 for values ≤ 0.
+inline double roundBelow(double value) {
+  if (!(value > 0)) return 0;
+  const double power = std::pow(10.0, std::floor(std::log10(value)));
+  for (double step : {5.0, 2.0})
+    if (step * power <= value) return step * power;
+  return power;
+}
+
+/// The colour and icon of a severity.
+inline QColor severityColour(Severity severity, const Colours& colours) {
+  return severity == Severity::error     ? colours.error
+         : severity == Severity::warning ? colours.warning
+                                         : colours.selection;
+}
+inline QString severityIcon(Severity severity) {
+  return severity == Severity::error ? "error" : severity == Severity::warning ? "warning" : "info";
+}
 
 }  // namespace bw::app

@@ -3,11 +3,28 @@
 #pragma once
 
 #include <QColor>
+#include <QEvent>
+#include <QKeySequence>
 #include <QLabel>
 #include <QLineEdit>
+#include <QList>
 #include <QPointer>
 
 namespace bw::app {
+
+/// The keys of the commands Undo and Redo.
+QList<QKeySequence> undoKeys();
+QList<QKeySequence> redoKeys();
+
+/// Lets a field undo and redo its own typing, and the design everything else. `line` is the text of the
+/// field, `event` any event that the field gets; true if the event was an undo or redo key, which the field
+/// then does not look at. What was typed and is not finished is undone and redone in the text; any other key
+/// is left to the commands, which a text line of Qt would keep from them.
+bool takeHistoryKey(QLineEdit& line, QEvent* event);
+
+/// Call when an edit is finished: the text counts as not modified, and what led to it can no longer be undone
+/// in the field.
+void forgetTyping(QLineEdit& line);
 
 /// A line that is typed into and means something. What is typed is taken when it is finished (Enter, Tab, a
 /// press elsewhere) and understood; otherwise the text stays, marked, with a sentence under the field. Esc

@@ -11,7 +11,7 @@
 #include "bw/core/text/number_text.h"
 #include "controls/fields.h"
 #include "controls/numbers.h"
-#include "controls/severity.h"
+#include "controls/theme.h"
 
 namespace bw::app {
 

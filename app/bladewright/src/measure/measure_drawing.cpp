@@ -12,7 +12,7 @@
 
 #include "bw/core/base/units.h"
 #include "controls/numbers.h"
-#include "controls/paint.h"
+#include "controls/theme.h"
 
 namespace bw::app {
 

@@ -10,8 +10,8 @@
 
 #include "bw/core/base/units.h"
 #include "bw/core/text/number_text.h"
+#include "controls/layout.h"
 #include "controls/numbers.h"
-#include "controls/side_panel.h"
 
 namespace bw::app {
 

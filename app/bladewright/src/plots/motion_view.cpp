@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "controls/flow_layout.h"
+#include "controls/layout.h"
 
 namespace bw::app {
 

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "bw/core/text/number_text.h"
-#include "controls/paint.h"
+#include "controls/theme.h"
 
 namespace bw::app {
 

@@ -8,7 +8,6 @@
 
 #include "controls/numbers.h"
 #include "controls/theme.h"
-#include "plots/section_drawing.h"
 #include "plots/section_plots.h"
 #include "workbench/workbench.h"
 

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "controls/paint.h"
+#include "controls/theme.h"
 
 namespace bw::app {
 

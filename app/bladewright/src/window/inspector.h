@@ -8,11 +8,10 @@
 #include <vector>
 
 #include "controls/fields.h"
+#include "controls/layout.h"
 #include "controls/numbers.h"
-#include "controls/side_panel.h"
 #include "workbench/workbench.h"
-#include "workflow/blade_fields.h"
-#include "workflow/block_fields.h"
+#include "workflow/setup_fields.h"
 
 namespace bw::app {
 

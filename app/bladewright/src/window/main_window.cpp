@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-#include "window/recovery_list.h"
+#include "window/start_page.h"
 
 namespace bw::app {
 

@@ -9,7 +9,7 @@
 
 #include "bw/core/sweep/maps.h"
 #include "bw/core/text/number_text.h"
-#include "controls/flow_layout.h"
+#include "controls/layout.h"
 
 namespace bw::app {
 

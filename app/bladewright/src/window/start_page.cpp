@@ -6,6 +6,8 @@
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QKeyEvent>
+#include <QLabel>
+#include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
 #include <QToolButton>
@@ -15,11 +17,18 @@
 
 #include "bw/geometry/export.h"
 #include "controls/fields.h"
-#include "window/recovery_list.h"
 
 namespace bw::app {
 
 namespace {
+
+constexpr QSize kPictureSize(120, 75);
+
+QString nameOf(const model::RecoveryCopy& copy) {
+  if (!copy.problem.isEmpty()) return RecoveryList::tr("A copy that cannot be read");
+  if (!copy.file.empty()) return QString::fromStdString(copy.file.stem().string());
+  return copy.name;
+}
 
 constexpr int kCardWidth = 208, kPictureHeight = 132, kCardHeight = kPictureHeight + 48;
 constexpr int kCardGap = 16;
@@ -29,6 +38,73 @@ constexpr int kRecentShown = 6;
 constexpr int kOverlap = 4;  // px by which neighbours of a row may overlap
 
 }  // namespace
+
+RecoveryList::RecoveryList(const Theme& theme, const std::filesystem::path& folder, QWidget* parent)
+    : QFrame(parent), theme_(theme), folder_(folder) {
+  auto* layout = makeBox<QVBoxLayout>(this, {0, 0, 0, kGroupGap}, kGap);
+  layout->addWidget(makeTitle(tr("Unsaved work"), this));
+  rows_ = new QVBoxLayout;
+  rows_->setSpacing(kGap);
+  layout->addLayout(rows_);
+  connect(&theme, &Theme::changed, this, &RecoveryList::refresh);
+  refresh();
+}
+
+void RecoveryList::refresh() {
+  copies_ = folder_.empty() ? std::vector<model::RecoveryCopy>() : model::listRecovery(folder_);
+  empty(*rows_);
+  for (const model::RecoveryCopy& copy : copies_) rows_->addWidget(makeRow(copy));
+  setVisible(!copies_.empty());
+  emit refreshed();
+}
+
+QWidget* RecoveryList::makeRow(const model::RecoveryCopy& copy) {
+  const QString path = QString::fromStdString(copy.copy.string()), name = nameOf(copy);
+  auto* row = new QWidget(this);
+  auto* layout = makeBox<QHBoxLayout>(row, {}, kGroupGap);
+  auto* picture = new QLabel(row);
+  picture->setFixedSize(kPictureSize);
+  picture->setAlignment(Qt::AlignCenter);
+  if (copy.picture.isNull()) {
+    picture->setPixmap(
+        theme_.pixmap(copy.problem.isEmpty() ? "sweep" : "warning", theme_.colours().disabled, 32));
+  } else {
+    QPixmap scaled = QPixmap::fromImage(copy.picture.scaled(kPictureSize * devicePixelRatio(),
+                                                            Qt::KeepAspectRatio, Qt::SmoothTransformation));
+    scaled.setDevicePixelRatio(devicePixelRatio());
+    picture->setPixmap(scaled);
+  }
+  layout->addWidget(picture);
+
+  auto* words = makeBox<QVBoxLayout>(nullptr, {}, 2);
+  auto* title = new QLabel(name, row);
+  title->setTextFormat(Qt::PlainText);
+  words->addWidget(title);
+  const QString place =
+      copy.problem.isEmpty()
+          ? copy.file.empty() ? tr("Never saved") : QString::fromStdString(copy.file.string())
+          : tr("%1 – it is kept as %2").arg(copy.problem, path);
+  auto* where = makeNote(place, row);
+  where->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  words->addWidget(where);
+  words->addWidget(makeNote(tr("%1   ·   %2")
+                                .arg(QLocale().toString(copy.time, QLocale::ShortFormat),
+                                     QLocale().formattedDataSize(qint64(copy.size))),
+                            row));
+  layout->addLayout(words, 1);
+
+  auto* open = makeButton(tr("Go on with it"), tr("Opens it; it stays unsaved until you save it"), this,
+                          [this, path] { emit openRequested(path); });
+  open->setObjectName("primary");
+  open->setEnabled(copy.problem.isEmpty());
+  open->setAccessibleName(tr("Go on with %1").arg(name));
+  auto* discard = makeButton(tr("Discard…"), tr("Removes the copy after a question"), this,
+                             [this, path, name] { emit discardRequested(path, name); });
+  discard->setAccessibleName(tr("Discard %1").arg(name));
+  layout->addWidget(open);
+  layout->addWidget(discard);
+  return row;
+}
 
 ExampleCard::ExampleCard(const Theme& theme, const QString& name, const QString& title, QWidget* parent)
     : QAbstractButton(parent),
@@ -114,7 +190,7 @@ StartPage::StartPage(Workbench& bench, const Theme& theme, QWidget* parent)
   const auto add = [&](const QString& text, const QString& tip, void (StartPage::*signal)()) {
     auto* button = makeButton(text, tip, this, signal);
     buttons->addWidget(button);
-    addTarget(button);
+    button->installEventFilter(this);
     return button;
   };
   surface_ = add(tr("Open CAD surface…"), tr("A STEP, IGES or BREP file becomes a blade sweep"),
@@ -150,7 +226,7 @@ StartPage::StartPage(Workbench& bench, const Theme& theme, QWidget* parent)
                                      .replace(" × ", QString(QChar(0xa0)) + "×" + QChar(0xa0)),
                                  shelf_);
     connect(card, &QAbstractButton::clicked, this, [this, name] { emit exampleRequested(name); });
-    addTarget(card);
+    card->installEventFilter(this);
     cards_.push_back(card);
   }
   layout->addStretch();
@@ -166,7 +242,7 @@ StartPage::StartPage(Workbench& bench, const Theme& theme, QWidget* parent)
 void StartPage::putAbove(RecoveryList* list) {
   above_->addWidget(list);
   const auto addTargets = [this, list] {
-    for (QAbstractButton* button : list->findChildren<QAbstractButton*>()) addTarget(button);
+    for (QAbstractButton* button : list->findChildren<QAbstractButton*>()) button->installEventFilter(this);
   };
   addTargets();
   connect(list, &RecoveryList::refreshed, this, addTargets);
@@ -187,7 +263,7 @@ void StartPage::refreshRecent() {
                              QFontMetrics(Theme::bodyFont()).elidedText(info.path(), Qt::ElideMiddle, 480)));
     button->setToolTip(path);
     connect(button, &QToolButton::clicked, this, [this, path] { emit openRequested(path); });
-    addTarget(button);
+    button->installEventFilter(this);
     recent_->addWidget(button, 0, Qt::AlignLeft);
   }
   if (!files.empty()) recent_->addSpacing(kGroupGap);
@@ -204,31 +280,16 @@ void StartPage::arrange() {
     cards_[i]->move(int(i) % columns * (kCardWidth + kCardGap), int(i) / columns * (kCardHeight + kCardGap));
 }
 
-void StartPage::addTarget(QAbstractButton* button) { button->installEventFilter(this); }
-
 bool StartPage::eventFilter(QObject* watched, QEvent* event) {
   auto* button = qobject_cast<QAbstractButton*>(watched);
   if (!button || event->type() != QEvent::KeyPress) return QScrollArea::eventFilter(watched, event);
-  switch (static_cast<QKeyEvent*>(event)->key()) {
-    case Qt::Key_Return:
-    case Qt::Key_Enter:
-      button->click();
-      return true;
-    case Qt::Key_Left:
-      moveKeyboard(*button, {-1, 0});
-      return true;
-    case Qt::Key_Right:
-      moveKeyboard(*button, {1, 0});
-      return true;
-    case Qt::Key_Up:
-      moveKeyboard(*button, {0, -1});
-      return true;
-    case Qt::Key_Down:
-      moveKeyboard(*button, {0, 1});
-      return true;
-    default:
-      return QScrollArea::eventFilter(watched, event);
-  }
+  const int key = static_cast<QKeyEvent*>(event)->key();
+  const bool enter = key == Qt::Key_Return || key == Qt::Key_Enter;
+  const QPoint way((key == Qt::Key_Right) - (key == Qt::Key_Left),
+                   (key == Qt::Key_Down) - (key == Qt::Key_Up));
+  if (!enter && way.isNull()) return QScrollArea::eventFilter(watched, event);
+  enter ? button->click() : moveKeyboard(*button, way);
+  return true;
 }
 
 void StartPage::moveKeyboard(const QAbstractButton& from, const QPoint& direction) {

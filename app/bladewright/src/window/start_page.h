@@ -3,17 +3,46 @@
 #pragma once
 
 #include <QAbstractButton>
+#include <QFrame>
 #include <QLabel>
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
+#include "bw/model/recovery.h"
 #include "controls/theme.h"
 #include "workbench/workbench.h"
 
 namespace bw::app {
+
+/// Unsaved designs that a crash, a kill or the end of a session left behind: picture, name, place, date and
+/// size of each, newest first, with a button to go on and one to discard. Hidden while there are none.
+class RecoveryList : public QFrame {
+  Q_OBJECT
+
+ public:
+  RecoveryList(const Theme& theme, const std::filesystem::path& folder, QWidget* parent = nullptr);
+  /// Looks into the folder again.
+  void refresh();
+  const std::vector<model::RecoveryCopy>& copies() const { return copies_; }
+
+ signals:
+  void openRequested(const QString& copy);
+  void discardRequested(const QString& copy, const QString& name);
+  /// It has other rows.
+  void refreshed();
+
+ private:
+  QWidget* makeRow(const model::RecoveryCopy& copy);
+
+  const Theme& theme_;
+  std::filesystem::path folder_;
+  std::vector<model::RecoveryCopy> copies_;
+  QVBoxLayout* rows_;
+};
 
 class RecoveryList;
 
@@ -60,8 +89,6 @@ class StartPage : public QScrollArea {
  private:
   void refreshRecent();
   void arrange();
-  /// A thing that the keys reach.
-  void addTarget(QAbstractButton* button);
   /// To the nearest target in a direction of the page.
   void moveKeyboard(const QAbstractButton& from, const QPoint& direction);
 

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "controls/value_label.h"
+#include "controls/fields.h"
 
 namespace bw::app {
 

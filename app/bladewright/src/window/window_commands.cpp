@@ -10,7 +10,7 @@
 #include <tuple>
 
 #include "bw/core/sweep/maps.h"
-#include "controls/history_keys.h"
+#include "controls/typed_field.h"
 #include "window/main_window.h"
 
 namespace bw::app {

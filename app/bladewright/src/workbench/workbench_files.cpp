@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 // Designs, surfaces and results as files.
 #include "bw/geometry/export.h"
-#include "bw/pipeline/earlier_files.h"
 #include "bw/pipeline/example_design.h"
 #include "bw/pipeline/result_folder.h"
 #include "workbench/workbench.h"

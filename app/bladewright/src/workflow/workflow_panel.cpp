@@ -2,13 +2,115 @@
 // SPDX-License-Identifier: MIT
 #include "workflow/workflow_panel.h"
 
+#include <QEvent>
+#include <QPainter>
+
+#include "controls/fields.h"
+
 namespace bw::app {
 
+using Kind = model::StepState::Kind;
+
 namespace {
+
+/// The icon and the colour that stand for a state, in the order of the kinds.
+constexpr std::pair<const char*, QColor Colours::*> kSigns[] = {
+    {"idle", &Colours::secondary},    {"done", &Colours::success},    {"stale", &Colours::secondary},
+    {"running", &Colours::selection}, {"warning", &Colours::warning}, {"error", &Colours::error}};
+constexpr int kTitleX = kGap + 14 + 6 + 20 + kGap;  // after the chevron and the icon
 
 constexpr int kLeastWidth = 304;
 
 }  // namespace
+
+StepHead::StepHead(const Theme& theme, const QString& icon, const QString& title, QWidget* parent)
+    : QAbstractButton(parent), theme_(theme), icon_(icon) {
+  setText(title);
+  setAccessibleName(title);
+  setCheckable(true);
+  setChecked(true);
+  setFocusPolicy(Qt::StrongFocus);
+  setCursor(Qt::PointingHandCursor);
+  connect(&theme, &Theme::changed, this, qOverload<>(&QWidget::update));
+}
+
+void StepHead::setState(const model::StepState& state) {
+  state_ = state;
+  setAccessibleDescription(state.text);
+  setToolTip(state.text.isEmpty() ? QString() : text() + ": " + state.text);
+  update();
+}
+
+QSize StepHead::sizeHint() const { return {200, QFontMetrics(Theme::titleFont()).height() + 2 * 9}; }
+
+int StepHead::textWidth() const {
+  return kTitleX + QFontMetrics(Theme::titleFont()).horizontalAdvance(text()) + kGroupGap +
+         QFontMetrics(Theme::secondaryFont()).horizontalAdvance(state_.text) + 6 + 16 + kGroupGap;
+}
+
+bool StepHead::event(QEvent* event) {
+  if (event->type() == QEvent::Enter || event->type() == QEvent::Leave) update();
+  return QAbstractButton::event(event);
+}
+
+void StepHead::paintEvent(QPaintEvent*) {
+  const Colours& c = theme_.colours();
+  const qreal ratio = devicePixelRatioF();
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  if (underMouse()) {
+    QColor hover = c.text;
+    hover.setAlphaF(0.05f);
+    painter.fillRect(rect(), hover);
+  }
+  if (hasFocus()) {
+    painter.setPen(c.selection);
+    painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
+  }
+  const int middle = height() / 2;
+  int x = kGap;
+  painter.drawPixmap(x, middle - 7,
+                     theme_.pixmap(isChecked() ? "chevron-down" : "chevron-right", c.secondary, 14, ratio));
+  x += 14 + 6;
+  painter.drawPixmap(x, middle - 10, theme_.pixmap(icon_, c.text, 20, ratio));
+  x = kTitleX;
+
+  const QFont title = Theme::titleFont();
+  painter.setFont(title);
+  painter.setPen(c.text);
+  const int titleWidth = QFontMetrics(title).horizontalAdvance(text());
+  painter.drawText(QRect(x, 0, titleWidth + 4, height()), Qt::AlignLeft | Qt::AlignVCenter, text());
+  x += titleWidth + kGroupGap;
+
+  const auto [icon, member] = kSigns[std::size_t(state_.kind)];
+  const QColor colour = c.*member;
+  int right = width() - kGroupGap;
+  painter.drawPixmap(right - 16, middle - 8, theme_.pixmap(icon, colour, 16, ratio));
+  right -= 16 + 6;
+  const QFont small = Theme::secondaryFont();
+  painter.setFont(small);
+  const bool loud = state_.kind == Kind::warning || state_.kind == Kind::error;
+  painter.setPen(loud ? colour : c.secondary);
+  const QString words = QFontMetrics(small).elidedText(state_.text, Qt::ElideRight, right - x);
+  painter.drawText(QRect(x, 0, right - x, height()), Qt::AlignRight | Qt::AlignVCenter, words);
+
+  if (state_.kind == Kind::running) {
+    painter.fillRect(QRectF(0, height() - 2, width(), 2), c.line);
+    painter.fillRect(QRectF(0, height() - 2, width() * state_.progress, 2), c.selection);
+  }
+}
+
+StepSection::StepSection(const Theme& theme, const QString& icon, const QString& title, QWidget* body,
+                         QWidget* parent)
+    : QWidget(parent), head_(new StepHead(theme, icon, title, this)) {
+  auto* layout = makeBox<QVBoxLayout>(this, {}, 0);
+  layout->addWidget(head_);
+  auto* frame = new QWidget(this);
+  auto* inner = makeBox<QVBoxLayout>(frame, {kGroupGap, 2, kGroupGap, kGroupGap});
+  inner->addWidget(body);
+  layout->addWidget(frame);
+  makeFolding(*head_, *frame);
+}
 
 WorkflowPanel::WorkflowPanel(Workbench& bench, const Theme& theme, QWidget* parent)
     : SidePanel(kLeastWidth, parent), bench_(bench), theme_(theme) {

@@ -2,22 +2,59 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <QAbstractButton>
+#include <QVBoxLayout>
 #include <QWidget>
 
 #include <array>
 
+#include "bw/model/step_state.h"
 #include "controls/fields.h"
-#include "controls/side_panel.h"
+#include "controls/layout.h"
+#include "controls/theme.h"
 #include "workbench/workbench.h"
-#include "workflow/blade_fields.h"
-#include "workflow/block_fields.h"
 #include "workflow/input_fields.h"
 #include "workflow/number_lines.h"
 #include "workflow/output_fields.h"
 #include "workflow/process_fields.h"
-#include "workflow/step_section.h"
+#include "workflow/setup_fields.h"
 
 namespace bw::app {
+
+/// The head of a step: chevron, icon, title, and the state as icon and words; a thin bar while it runs.
+class StepHead : public QAbstractButton {
+  Q_OBJECT
+
+ public:
+  StepHead(const Theme& theme, const QString& icon, const QString& title, QWidget* parent = nullptr);
+  void setState(const model::StepState& state);
+  const model::StepState& state() const { return state_; }
+  QSize sizeHint() const override;
+  /// The room that its words and icons need, in pixels.
+  int textWidth() const;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  bool event(QEvent* event) override;
+
+ private:
+  const Theme& theme_;
+  QString icon_;
+  model::StepState state_;
+};
+
+/// A step of the work that folds: its head, and its controls below.
+class StepSection : public QWidget {
+  Q_OBJECT
+
+ public:
+  StepSection(const Theme& theme, const QString& icon, const QString& title, QWidget* body,
+              QWidget* parent = nullptr);
+  StepHead& head() { return *head_; }
+
+ private:
+  StepHead* head_;
+};
 
 /// The left panel: the four steps of the work with their state and their few essential controls.
 class WorkflowPanel : public SidePanel {

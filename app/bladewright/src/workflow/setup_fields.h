@@ -4,12 +4,39 @@
 
 #include <QObject>
 
+#include <functional>
 #include <vector>
 
 #include "controls/fields.h"
 #include "workbench/workbench.h"
+#include "workflow/number_lines.h"
 
 namespace bw::app {
+
+/// Fields of the blade; edits go to the job.
+class BladeFields : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Preset and length go to `column`, the rest to `details`.
+  BladeFields(Workbench& bench, FormColumn* column, FormColumn* details, QObject* parent);
+  void refresh();
+
+ signals:
+  /// The length is to be found from a measurement.
+  void measureRequested();
+
+ private:
+  void editBlade(const QString& text, const std::function<void(Blade&)>& change);
+  /// The preset that this blade is, whatever its length; null for an own one.
+  const Blade* presetOf(const Blade& blade) const;
+
+  Workbench& bench_;
+  std::vector<Blade> presets_;
+  ChoiceField* preset_;
+  BladeLines numbers_;
+  QLabel* minRadius_;
+};
 
 /// Fields of a block's place; edits go to the job.
 class BlockFields : public QObject {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QLayout>
+#include <QScrollArea>
 
 #include <memory>
 #include <vector>
@@ -30,6 +31,22 @@ class FlowLayout : public QLayout {
   int arrange(int width, const QRect* area) const;
 
   std::vector<std::unique_ptr<QLayoutItem>> items_;
+};
+
+/// A column beside the picture: scrolls up and down, and is always as wide as what it holds needs.
+class SidePanel : public QScrollArea {
+  Q_OBJECT
+
+ public:
+  explicit SidePanel(int leastWidth, QWidget* parent = nullptr);
+  QSize minimumSizeHint() const override;
+  QSize sizeHint() const override;
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  int leastWidth_;
 };
 
 }  // namespace bw::app

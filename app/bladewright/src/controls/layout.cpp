@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
-#include "controls/flow_layout.h"
+#include "controls/layout.h"
+
+#include <QEvent>
+#include <QScrollBar>
 
 #include <algorithm>
 
@@ -77,6 +80,26 @@ int FlowLayout::arrange(int width, const QRect* area) const {
   }
   place(items_.size());
   return y + height(items_.size()) + m.bottom();
+}
+
+SidePanel::SidePanel(int leastWidth, QWidget* parent) : QScrollArea(parent), leastWidth_(leastWidth) {
+  setWidgetResizable(true);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setFrameShape(QFrame::NoFrame);
+  setFocusPolicy(Qt::NoFocus);
+}
+
+QSize SidePanel::minimumSizeHint() const {
+  const int bar = verticalScrollBar()->sizeHint().width();
+  const int content = widget() ? widget()->minimumSizeHint().width() : 0;
+  return {std::max(leastWidth_, content + bar), QScrollArea::minimumSizeHint().height()};
+}
+
+QSize SidePanel::sizeHint() const { return {minimumSizeHint().width(), QScrollArea::sizeHint().height()}; }
+
+bool SidePanel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == widget() && event->type() == QEvent::LayoutRequest) updateGeometry();
+  return QScrollArea::eventFilter(watched, event);
 }
 
 }  // namespace bw::app

@@ -1,13 +1,21 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
-#include "window/display_check.h"
+#include "window/desktop.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <QApplication>
 #include <QGuiApplication>
 #include <QMessageBox>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QOpenGLWidget>
+#include <QSessionManager>
 
+#include <array>
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -47,6 +55,18 @@ void handle(QtMsgType type, const QMessageLogContext& context, const QString& te
   std::fprintf(stderr, "bladewright: %s\n", words.c_str());
   std::fflush(nullptr);
   std::_Exit(display ? pipeline::kNoDisplay : pipeline::kInternal);
+}
+
+constexpr std::array kEnding = {SIGTERM, SIGHUP, SIGINT};
+
+// A handler knows no object: what it writes wakes the event loop.
+int wakePipe[2] = {-1, -1};
+
+void wake(int) {
+  const int kept = errno;
+  const char byte = 0;
+  static_cast<void>(!::write(wakePipe[1], &byte, 1));
+  errno = kept;
 }
 
 }  // namespace
@@ -89,6 +109,34 @@ void tellOpenGlProblem(const QString& problem, bool box) {
   const QString platform = QGuiApplication::platformName();
   if (box && platform != "offscreen" && platform != "minimal")
     QMessageBox::critical(nullptr, QObject::tr("Bladewright cannot draw"), problem);
+}
+
+EndOfSession::EndOfSession(MainWindow& window) : window_(window) {
+  connect(
+      qApp, &QGuiApplication::commitDataRequest, this, [this](QSessionManager&) { window_.keepWork(); },
+      Qt::DirectConnection);
+  if (::pipe2(wakePipe, O_CLOEXEC | O_NONBLOCK) != 0) return;
+  notifier_ = std::make_unique<QSocketNotifier>(wakePipe[0], QSocketNotifier::Read);
+  connect(notifier_.get(), &QSocketNotifier::activated, this, &EndOfSession::end);
+  struct sigaction action {};
+  action.sa_handler = wake;
+  action.sa_flags = SA_RESTART;
+  for (const int signal : kEnding) ::sigaction(signal, &action, nullptr);
+}
+
+EndOfSession::~EndOfSession() {
+  if (!notifier_) return;
+  if (ended_) window_.keepWork();  // what came in while the event loops ended
+  for (const int signal : kEnding) std::signal(signal, SIG_DFL);
+  for (int& end : wakePipe) ::close(end);
+}
+
+void EndOfSession::end() {
+  ended_ = true;
+  notifier_->setEnabled(false);
+  window_.keepWork();
+  // All event loops end, those of open dialogs too.
+  QApplication::exit(pipeline::kInterrupted);
 }
 
 }  // namespace bw::app
