@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "cad_format.h"
+#include "cad_reader.h"
 
 #include <algorithm>
 #include <array>

@@ -23,7 +23,6 @@
 #include <string_view>
 
 #include "bw/core/text/number_text.h"
-#include "cad_format.h"
 #include "isolated.h"
 #include "occt.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "closest_point.h"
+#include "model_impl.h"
 
 #include <algorithm>
 #include <cmath>

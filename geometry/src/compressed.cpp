@@ -8,7 +8,6 @@
 #include <limits>
 #include <vector>
 
-#include "cad_format.h"
 #include "cad_reader.h"
 
 namespace bw::geometry {

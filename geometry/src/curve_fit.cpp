@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "curve_fit.h"
+#include "section_samples.h"
 
 #include <algorithm>
 #include <array>

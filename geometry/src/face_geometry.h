@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "bw/core/base/frame.h"
-#include "edge_geometry.h"
 #include "face_borders.h"
 #include "surface_patch.h"
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <string>
 
-#include "closest_point.h"
 #include "model_impl.h"
 #include "occt.h"
 #include "tolerances.h"

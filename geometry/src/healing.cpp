@@ -19,7 +19,7 @@
 
 #include "bw/core/text/number_text.h"
 #include "cad_reader.h"
-#include "edge_geometry.h"
+#include "face_borders.h"
 #include "occt.h"
 #include "point_tree.h"
 

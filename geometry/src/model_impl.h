@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <Eigen/Core>
 #include <TopoDS_Shape.hxx>
 
 #include <memory>
@@ -59,10 +60,19 @@ struct Target::Impl {
   std::array<double, 2> extent(const Eigen::Vector3d& direction) const;
 };
 
-/// Appends triangles of faces within `deflection` mm (> 0) to `mesh`. `flipped` turns their outer side round.
-/// Returns, for each triangle of `mesh`, the position of its face in `faces`; `mesh` was empty before. A face
-/// too thin for the mesher has no triangles.
-std::vector<int> meshFaces(const std::vector<const FaceGeometry*>& faces, bool flipped, double deflection,
-                           TriangleMesh& mesh);
+/// The foot of a point on a face, or on its border.
+struct FaceFoot {
+  Eigen::Vector2d uv = Eigen::Vector2d::Zero();
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  double distance = 1e300;
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< outer side; zero where it takes another look
+  bool onBorder = false;                             ///< the border holds the foot back
+  int edge = -1;                                     ///< the model's edge that does
+};
+
+/// The local minimum of the distance from `p` to the face that Newton's method finds from `start`; inside the
+/// borders. Accuracy 1e-7 mm (docs/mathematics.md, closest points).
+FaceFoot footOnFace(const FaceGeometry& face, const std::vector<EdgeGeometry>& edges,
+                    const Eigen::Vector3d& p, const Eigen::Vector2d& start);
 
 }  // namespace bw::geometry

@@ -6,6 +6,9 @@
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <Standard_Type.hxx>
+#include <Standard_Version.hxx>
+
+#include "bw/geometry/version.h"
 
 namespace bw::geometry {
 
@@ -23,5 +26,7 @@ std::string failureText(const Standard_Failure& failure) {
   if (detail && *detail) text += std::string(" (") + detail + ")";
   return text;
 }
+
+std::string libraryVersions() { return "OpenCASCADE " OCC_VERSION_COMPLETE "\n"; }
 
 }  // namespace bw::geometry

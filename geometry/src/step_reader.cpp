@@ -27,7 +27,6 @@
 #include <map>
 #include <set>
 
-#include "cad_format.h"
 #include "isolated.h"
 #include "step_salvage.h"
 

@@ -24,7 +24,7 @@
 #include <memory>
 #include <set>
 
-#include "cad_format.h"
+#include "cad_reader.h"
 
 namespace bw::geometry {
 

@@ -11,7 +11,6 @@
 #include "bw/scene/navigation.h"
 #include "scene/actors/mesh_lines.h"
 #include "scene/camera/picking.h"
-#include "scene/legend/color_map.h"
 #include "scene/legend/legend_range.h"
 #include "scene/render/polyline.h"
 #include "scene/render/text_wrap.h"

@@ -13,7 +13,7 @@
 #include <string>
 
 #include "bw/scene/scene.h"
-#include "scene/actors/section_cap.h"
+#include "scene/actors/mesh_lines.h"
 #include "scene_sample.h"
 
 namespace {

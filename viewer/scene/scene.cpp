@@ -8,7 +8,7 @@
 #include <cmath>
 #include <exception>
 
-#include "scene/camera/camera_fit.h"
+#include "scene/camera/camera.h"
 #include "scene/scene_impl.h"
 
 namespace bw::scene {

@@ -17,7 +17,7 @@
 
 #include "bw/core/base/units.h"
 #include "bw/scene/navigation.h"
-#include "scene/camera/camera_fit.h"
+#include "scene/camera/camera.h"
 
 namespace bw::scene {
 

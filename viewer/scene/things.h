@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "bw/scene/scene.h"
-#include "scene/legend/color_map.h"
 #include "scene/legend/legend_range.h"
 
 namespace bw::scene {

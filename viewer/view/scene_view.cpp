@@ -13,7 +13,6 @@
 #include <QWheelEvent>
 
 #include "bw/scene/navigation.h"
-#include "camera_mover.h"
 #include "pointer_input.h"
 #include "scene/scene_impl.h"
 #include "widget_target.h"

@@ -11,8 +11,8 @@
 #include <cmath>
 
 #include "bw/core/base/units.h"
-#include "scene/actors/section_cap.h"
-#include "scene/camera/camera_fit.h"
+#include "scene/actors/mesh_lines.h"
+#include "scene/camera/camera.h"
 
 namespace bw::scene {
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "scene/render/canvas.h"
+#include "scene/render/layers.h"
 
 #include <vtkCellArray.h>
 #include <vtkPointData.h>

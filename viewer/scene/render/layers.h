@@ -2,15 +2,132 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <vtkActor.h>
+#include <vtkActor2D.h>
+#include <vtkPlane.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
 #include <vtkPropCollection.h>
 #include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+#include <vtkTextActor.h>
 
+#include <Eigen/Core>
+
+#include <array>
 #include <map>
+#include <string>
+#include <utility>
+#include <vector>
 
-#include "scene/render/canvas.h"
-#include "scene/render/vtk_tools.h"
+#include "bw/scene/scene.h"
+#include "scene/render/polyline.h"
+#include "scene/theme.h"
+
+class vtkCellArray;
+class vtkPoints;
+class vtkTextProperty;
+class vtkUnsignedCharArray;
 
 namespace bw::scene {
+
+/// An actor with a mapper and a data set of its own, and two additions to VTK's shading: a depth shift that
+/// settles which of two coinciding things lies in front, and a fade towards the background that keeps solid
+/// things solid.
+class Part {
+ public:
+  Part();
+  vtkActor* actor() const { return actor_; }
+  vtkPolyData* data() const { return data_; }
+  vtkPolyDataMapper* mapper() const { return mapper_; }
+  vtkProperty* property() const;
+
+  void setVisible(bool on);
+  void setColor(const Rgb& color);
+  void setOpacity(double opacity);
+  /// Colour and width, in pixels, of what are lines.
+  void setLine(const Rgb& color, double pixels);
+  /// Draws in plain colour, without light.
+  void setFlat();
+  /// Soft matte foam and card, or a picture of numbers that light must not bend too far.
+  void setMatte(double ambient, double diffuse, double specular);
+  /// Moves depths by that share of the depth range (in normalised device coordinates), towards the viewer if
+  /// negative.
+  void setDepthShift(double ndc);
+  /// Moves depths by that share (in [0, 1)) of their way to the far plane, beyond which nothing is drawn.
+  void setDepthBehind(double share);
+  /// Takes away what `plane` does not keep; null keeps all.
+  void setCutOpen(vtkPlane* plane);
+  /// Mixes `keep` of the colour with 1 − `keep` of `background`.
+  void setFade(double keep, const Rgb& background);
+
+  void setLines(const std::vector<Polyline>& lines);
+  void setSegments(const Segments& segments);
+  /// Flat polygons.
+  void setPolygons(const std::vector<Polyline>& polygons);
+  void clear();
+
+ private:
+  vtkSmartPointer<vtkActor> actor_;
+  vtkSmartPointer<vtkPolyDataMapper> mapper_;
+  vtkSmartPointer<vtkPolyData> data_;
+};
+
+/// Points, normals and triangles without copying: the vectors must outlive the data set's use of them.
+void shareMesh(vtkPolyData* data, const std::vector<Eigen::Vector3d>& points,
+               const std::vector<Eigen::Vector3d>& normals, const std::vector<std::array<int, 3>>& triangles);
+
+/// Sets the typeface that the windows of the desktop use too: Inter, Noto Sans or DejaVu Sans, whichever is
+/// installed; otherwise VTK's own.
+void useInterfaceFont(vtkTextProperty* property, bool bold);
+
+enum class Align { left, center, right };
+
+struct TextLook {
+  double size = 12;  ///< pixels
+  bool bold = false;
+  Rgb color;
+};
+
+/// Flat drawing over (or, if `behind`, under) the scene, in pixels from the upper left corner. Draw between
+/// begin() and end().
+class Canvas {
+ public:
+  explicit Canvas(bool behind = false);
+  /// Texts are drawn by that renderer; the rest is the actor returned, which it has yet to be given.
+  vtkActor2D* drawnBy(vtkRenderer* renderer);
+
+  /// `height` is that of the picture.
+  void begin(int height);
+  void rect(const PixelRect& rect, const Rgb& color, double opacity = 1);
+  void roundedRect(const PixelRect& rect, double radius, const Rgb& color, double opacity = 1);
+  void triangle(double x0, double y0, double x1, double y1, double x2, double y2, const Rgb& color,
+                double opacity = 1);
+  void disc(double x, double y, double radius, const Rgb& color);
+  /// Text whose digits stand centred on `y`, placed on `x` by `align`.
+  void text(const std::string& text, double x, double y, Align align, const TextLook& look);
+  void end();
+
+  /// Width of a text in pixels.
+  static double textWidth(const std::string& text, const TextLook& look);
+  const std::vector<Overlay::Text>& texts() const { return texts_; }
+
+ private:
+  void vertex(double x, double y, const Rgb& color, double opacity);
+  void fan(int first, int count);
+
+  bool behind_;
+  int height_ = 0;
+  vtkRenderer* renderer_ = nullptr;
+  vtkSmartPointer<vtkActor2D> actor_;
+  vtkSmartPointer<vtkPolyData> data_;
+  vtkSmartPointer<vtkPoints> points_;
+  vtkSmartPointer<vtkCellArray> polygons_;
+  vtkSmartPointer<vtkUnsignedCharArray> colors_;
+  std::vector<vtkSmartPointer<vtkTextActor>> textActors_;
+  std::size_t used_ = 0;
+  std::vector<Overlay::Text> texts_;
+};
 
 /// What is drawn after what. Things of the world come first: what is solid, then what lets light through,
 /// from the back to the front. Over the world lies what tells of it, and over all of it stand the handles:
