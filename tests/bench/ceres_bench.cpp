@@ -15,12 +15,12 @@
 #include <vector>
 
 #include "base/gauss_legendre.h"
-#include "biarc/biarc_formula.h"
+#include "biarc/biarc_chain.h"
 #include "biarc/biarc_problem.h"
 #include "bw/core/base/units.h"
 #include "discrete/angle_chain.h"
 #include "elastica/bvp_unit.h"
-#include "relax/bending_descent.h"
+#include "relax/bending_problem.h"
 #include "relax/refined_target.h"
 
 namespace {

@@ -76,10 +76,6 @@ nlohmann::ordered_json errorToJson(const Error& error);
 /// The text of a result, or of many.
 std::string dumped(const nlohmann::ordered_json& answer, bool many);
 
-/// The spline of least bending energy near a curve: reads the rest of a case and answers it
-/// (docs/command-line.md, `relax`).
-Result<nlohmann::ordered_json> answerRelaxation(ObjectReader& reader, bool& limited);
-
 /// Points as text, two numbers a line as `fitCaseFromCsv` takes them.
 Result<std::vector<Eigen::Vector2d>> pointsFromCsv(std::string_view text);
 

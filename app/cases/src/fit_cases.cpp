@@ -1,10 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "bw/core/fit/elastica_fit.h"
-
+#include <algorithm>
+#include <chrono>
 #include <span>
 
+#include "bw/core/base/units.h"
+#include "bw/core/fit/elastica_fit.h"
+#include "bw/core/piecewise/piecewise_fit.h"
+#include "bw/core/relax/curve_relaxation.h"
 #include "case_runner.h"
 
 namespace bw::cases {
@@ -14,7 +18,63 @@ using nlohmann::ordered_json;
 
 namespace {
 
-constexpr double kHuge = 1e15;
+constexpr double kLargest = 1e12, kHuge = 1e15;
+
+/// The spline of least bending energy near a curve: reads the rest of a case and answers it
+/// (docs/command-line.md, `relax`).
+Result<ordered_json> answerRelaxation(ObjectReader& reader, bool& limited) {
+  const json* shape = reader.member("curve");
+  reader.need("curve", "the case needs the key curve");
+  RelaxOptions options;
+  reader.need("tolerance", "the case needs the key tolerance, in mm");
+  reader.number("tolerance", options.tolerance, 1e-12, kLargest);
+  reader.integer("degree", options.degree, 3, 5);
+  reader.integer("spans", options.spans, 4, 200);
+  reader.boolean("endpoints", options.endpoints);
+  reader.boolean("tangents", options.tangents);
+  reader.number("elastica_tolerance", options.elasticaTolerance, 1e-12, 1);
+  int word = 0;
+  if (const json* length = reader.member("length")) {
+    if (length->is_number()) {
+      options.length = 0;
+      reader.number("length", *options.length, 1e-12, kLargest);
+    } else {
+      reader.word("length", {"free", "exact"}, word);
+    }
+  }
+  if (Result<void> ok = reader.finish(); !ok) return passOn(ok.error());
+  const Result<PlanarCurve> curve = curveFromJson(*shape, "curve");
+  if (!curve) return passOn(curve.error());
+  if (word == 1) options.length = curve->length();
+  const auto start = std::chrono::steady_clock::now();
+  const Result<RelaxResult> relaxed = relaxCurve(*curve, options);
+  if (!relaxed) return passOn(relaxed.error());
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  limited = relaxed->status == RelaxStatus::iterationLimit;
+  ordered_json result;
+  result["curve"] = {{"type", "bspline"},
+                     {"degree", relaxed->curve.degree()},
+                     {"knots", relaxed->curve.knots()},
+                     {"poles", relaxed->curve.poles()}};
+  result["length"] = relaxed->curve.length();
+  result["length_error"] = relaxed->lengthError;
+  result["energy"] = relaxed->energy;
+  result["target_energy"] = relaxed->targetEnergy;
+  result["target_error"] = relaxed->targetError;
+  result["deviation"] = relaxed->deviation;
+  result["active_bounds"] = relaxed->activeBounds;
+  result["residual"] = relaxed->residual;
+  result["is_elastica"] = relaxed->isElastica;
+  result["elastica"] = relaxed->elastica ? elasticaToJson(*relaxed->elastica) : ordered_json();
+  result["elastica_deviation"] =
+      relaxed->elastica ? ordered_json(relaxed->elasticaDeviation) : ordered_json();
+  result["gradient_norm"] = relaxed->gradientNorm;
+  result["iterations"] = relaxed->iterations;
+  result["status"] = relaxStatusName(relaxed->status);
+  result["message"] = relaxed->message;
+  result["seconds"] = seconds;
+  return result;
+}
 
 FitOptions optionsFromJson(ObjectReader& reader) {
   FitOptions options;
@@ -117,7 +177,88 @@ Result<ordered_json> fitCase(const json& object, bool& limited) {
   return result;
 }
 
+constexpr int kMostPieces = 100;
+PiecewiseOptions optionsFromJson(ObjectReader& reader, const PlanarCurve& curve) {
+  PiecewiseOptions options;
+  const json* splits = reader.member("splits");
+  if (splits && splits->is_array()) {
+    std::vector<double>& parameters = options.parameters;
+    reader.take(readNumbers(splits, "splits"), parameters);
+    // The ends of the curve may be named or not.
+    if (!parameters.empty() && parameters.front() == curve.start()) parameters.erase(parameters.begin());
+    if (!parameters.empty() && parameters.back() == curve.end()) parameters.pop_back();
+    options.splits = PiecewiseOptions::Splits::given;
+    if (reader.has("pieces")) reader.complain("pieces", "give either a list of splits or a number of pieces");
+  } else {
+    int word = 0;
+    reader.word("splits", {"uniform", "optimised"}, word);
+    options.splits = word == 1 ? PiecewiseOptions::Splits::optimised : PiecewiseOptions::Splits::uniform;
+    reader.integer("pieces", options.pieces, 1, kMostPieces);
+  }
+  reader.number("tolerance", options.tolerance, 1e-12, kHuge);
+  if (options.tolerance) {
+    if (!reader.has("pieces")) options.pieces = 20;
+  } else if (!reader.has("pieces") && !(splits && splits->is_array())) {
+    reader.complain("pieces", "the case needs splits, a number of pieces or a tolerance");
+  }
+  double degrees = 0;
+  reader.number("position", options.position, 0, kHuge);
+  reader.number("angle_deg", degrees, 0, 90);
+  options.angle = fromDegrees(degrees);
+  int continuity = 0;
+  reader.word("continuity", {"G1", "G2"}, continuity);
+  options.curvature = continuity == 1;
+  reader.number("max_curvature", options.maxCurvature, 0, kHuge);
+  reader.boolean("endpoints", options.endpoints);
+  reader.boolean("tangents", options.tangents);
+  return options;
+}
+
+Result<ordered_json> piecewiseCase(const json& object, bool& limited) {
+  ObjectReader reader(object, "case");
+  const json* shape = reader.member("curve");
+  reader.need("curve", "the case needs the key curve");
+  if (!shape) return passOn(reader.finish().error());
+  const Result<PlanarCurve> curve = curveFromJson(*shape, "curve");
+  if (!curve) return passOn(curve.error());
+  const PiecewiseOptions options = optionsFromJson(reader, *curve);
+  if (Result<void> ok = reader.finish(); !ok) return passOn(ok.error());
+  const Result<PiecewiseResult> fit = fitPiecewise(*curve, options);
+  if (!fit) return passOn(fit.error());
+  if (fit->status == FitStatus::infeasible) return fail(ErrorCode::noSolution, fit->message, "position");
+  limited = fit->status == FitStatus::iterationLimit || !fit->withinTolerance;
+  ordered_json result;
+  result["elastica"] = json::array();
+  result["pieces"] = json::array();
+  for (std::size_t i = 0; i < fit->pieces.size(); ++i) {
+    result["elastica"].push_back(elasticaToJson(fit->pieces[i]));
+    result["pieces"].push_back({{"parameters", {fit->splits[i], fit->splits[i + 1]}},
+                                {"R4", fit->R4[i]},
+                                {"hausdorff", fit->hausdorff[i]},
+                                {"max_curvature", fit->pieces[i].maxCurvature()}});
+  }
+  result["splits"] = fit->splits;
+  result["joints"] = json::array();
+  for (const PiecewiseJoint& joint : fit->joints)
+    result["joints"].push_back(
+        {{"gap", joint.gap}, {"angle_deg", toDegrees(joint.angle)}, {"curvature_jump", joint.curvatureJump}});
+  result["R4"] = fit->totalR4;
+  result["hausdorff"] = *std::max_element(fit->hausdorff.begin(), fit->hausdorff.end());
+  result["iterations"] = fit->iterations;
+  result["status"] = fitStatusName(fit->status);
+  result["message"] = fit->message;
+  result["seconds"] = fit->seconds;
+  return result;
+}
+
 }  // namespace
+
+Result<CaseAnswer> relaxCases(std::string_view text, const RunContext& context) {
+  return runCases(text, context, [](const json& object, bool& limited) {
+    ObjectReader reader(object, "case");
+    return answerRelaxation(reader, limited);
+  });
+}
 
 Result<CaseAnswer> fitCases(std::string_view text, const RunContext& context) {
   return runCases(text, context, fitCase);
@@ -127,6 +268,10 @@ Result<std::string> fitCaseFromCsv(std::string_view text) {
   const Result<std::vector<Eigen::Vector2d>> points = pointsFromCsv(text);
   if (!points) return passOn(points.error());
   return json{{"curve", {{"type", "points"}, {"points", *points}}}}.dump();
+}
+
+Result<CaseAnswer> piecewiseCases(std::string_view text, const RunContext& context) {
+  return runCases(text, context, piecewiseCase);
 }
 
 }  // namespace bw::cases

@@ -3,12 +3,53 @@
 #pragma once
 
 #include <Eigen/Core>
-
+#include <cmath>
 #include <vector>
 
+#include "bw/core/base/units.h"
 #include "bw/core/biarc/biarc.h"
 
 namespace bw::biarc {
+
+/// The angle less whole turns, in (−π, π].
+inline double wrapAngle(double angle) {
+  const double turn = 2 * kPi;
+  const double rest = std::remainder(angle, turn);
+  return rest <= -kPi ? rest + turn : rest;
+}
+
+/// sin(x)/x through x = 0, for numbers and for Ceres' Jets.
+template <class T>
+T sinc(const T& x) {
+  using std::sin;
+  if (x < T(1e-2) && x > T(-1e-2)) {
+    const T q = x * x;
+    return 1.0 - q / 6.0 * (1.0 - q / 20.0 * (1.0 - q / 42.0));
+  }
+  return sin(x) / x;
+}
+
+/// A biarc in the frame of its start tangent.
+template <class T>
+struct BiarcShape {
+  T firstTurning, secondTurning, firstChord, firstLength, secondLength;
+};
+
+/// docs/mathematics.md, "Biarcs": chord length l, angle α of the chord against the start tangent, angle β of
+/// the end tangent against the chord, share λ. Regular through W = α + β = 0 and through straight arcs.
+template <class T>
+BiarcShape<T> biarcShape(const T& length, const T& alpha, const T& beta, const T& share) {
+  const T total = alpha + beta;
+  const T rest = 1.0 - share;
+  const T scale = length / sinc(T(total / 2.0));
+  BiarcShape<T> shape;
+  shape.firstTurning = 2.0 * alpha - rest * total;
+  shape.secondTurning = 2.0 * beta - share * total;
+  shape.firstChord = scale * share * sinc(T(share * total / 2.0));
+  shape.firstLength = shape.firstChord / sinc(T(shape.firstTurning / 2.0));
+  shape.secondLength = scale * rest * sinc(T(rest * total / 2.0)) / sinc(T(shape.secondTurning / 2.0));
+  return shape;
+}
 
 /// What a curve of biarcs hangs on: for each chosen point x, y, the tangent angle, and the joint of the biarc
 /// that starts there, as logit of its share: λ = 1/(1 + e^{−z}).
@@ -52,6 +93,42 @@ class BiarcChain {
   bool closed_ = false, valid_ = true;
   int faulty_ = -1;
   double steepest_ = 0;
+};
+
+/// The point of a chain of arcs nearest to a given point.
+struct ArcFoot {
+  int arc = -1;
+  double s = 0;         ///< arc length from the start of that arc
+  double distance = 0;  ///< ≥ 0
+  double side = 0;      ///< signed distance, positive to the left; meaningless at an end
+  int end = 0;  ///< −1, +1: the foot is the start or the end of an open chain, not a foot of a normal
+};
+
+/// Nearest points on a chain of arcs, by a tree of boxes. Holds a copy of what it needs.
+class ArcTree {
+ public:
+  ArcTree() = default;
+  ArcTree(const std::vector<CircularArc>& arcs, bool closed);
+
+  /// The nearest point of the whole chain. `seed` is an arc that is likely near; it changes the cost, not the
+  /// answer, except among arcs that are exactly equally near.
+  ArcFoot nearest(const Eigen::Vector2d& p, int seed) const;
+
+ private:
+  struct Piece {
+    Eigen::Vector2d start, tangent, end;
+    double curvature, turning, length;
+  };
+  struct Box {
+    Eigen::Vector2d low, high;
+  };
+  ArcFoot onPiece(int arc, const Eigen::Vector2d& p) const;
+  void build(std::size_t node, int begin, int end, const std::vector<Box>& leaves);
+  void search(std::size_t node, int begin, int end, const Eigen::Vector2d& p, ArcFoot& best) const;
+
+  std::vector<Piece> pieces_;
+  std::vector<Box> boxes_;  ///< of a binary tree over the arcs in order, in depth-first order
+  bool closed_ = false;
 };
 
 }  // namespace bw::biarc

@@ -7,7 +7,7 @@
 #include <limits>
 #include <string>
 
-#include "biarc/biarc_formula.h"
+#include "biarc/biarc_chain.h"
 #include "biarc/biarc_search.h"
 #include "bw/core/base/units.h"
 #include "bw/core/text/number_text.h"

@@ -7,7 +7,6 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
-#include "biarc/arc_tree.h"
 #include "biarc/biarc_chain.h"
 #include "bw/core/base/run_context.h"
 

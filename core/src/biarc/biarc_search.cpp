@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "base/work_meter.h"
-#include "biarc/biarc_formula.h"
+#include "biarc/biarc_chain.h"
 
 namespace bw::biarc {
 

@@ -4,16 +4,75 @@
 #include "bw/core/design/design.h"
 
 #include <algorithm>
+#include <array>
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/binary_from_base64.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "bw/core/blade/blade_json.h"
+#include "bw/core/design/process_numbers.h"
+#include "bw/core/design/program_formats.h"
 #include "bw/core/files/file_set.h"
+#include "bw/core/text/number_text.h"
 #include "design/design_keys.h"
 
 namespace bw {
+
+namespace {
+
+constexpr std::array<ProcessNumber, 5> kNumbers = {{
+    {{&Process::tolerance, "tolerance", "Tolerance", "mm", 1e-4, 1000, 1e-3, 3, 0.1,
+      "Largest deviation of the cut surface that is accepted", "Change tolerance"},
+     ProcessPart::setup},
+    {{&Process::clearance, "clearance", "Clearance", "mm", 0, 10000, 0, 1, 5,
+      "Between a grip of the blade and the block", "Change clearance"},
+     ProcessPart::setup},
+    {{&Process::cuttingSpeed, "cutting_speed", "Cutting speed", "mm/s", 0.01, 1000, 0.01, 2, 1,
+      "Of the fastest point of the blade", "Change cutting speed"},
+     ProcessPart::process},
+    {{&Process::maxPeriods, "max_periods", "Most waves", "", 0.05, 10, 0.1, 2, 0.1,
+      "Periods of the elastica that the blade may span; more than one is hard to hold", "Change most waves"},
+     ProcessPart::details,
+     true},
+    {{&Process::lead, "lead", "Lead", "mm", 0, 10000, 0, 2, 5, "Straight travel before and after the block",
+      "Change lead"},
+     ProcessPart::details},
+}};
+
+}  // namespace
+
+std::span<const ProcessNumber> processNumbers() { return kNumbers; }
+
+namespace {
+
+constexpr std::array<ProgramFormat, 3> kFormats = {
+    {{"rapid", "ABB RAPID", "MultiMove program for two robots"},
+     {"csv", "CSV", "One row an instant: position and rotation of both blade ends"},
+     {"json", "JSON", "The same with full precision, for scripts"}}};
+
+}  // namespace
+
+std::span<const ProgramFormat> programFormats() { return kFormats; }
+
+const ProgramFormat* programFormat(std::string_view word) {
+  const auto found = std::ranges::find_if(kFormats, [&](const ProgramFormat& f) { return word == f.word; });
+  return found == kFormats.end() ? nullptr : &*found;
+}
+
+std::string programFormatWords(const char* last) {
+  std::string words = kFormats.front().word;
+  for (std::size_t i = 1; i < kFormats.size(); ++i)
+    words += (i + 1 == kFormats.size() ? last : ", ") + std::string(kFormats[i].word);
+  return words;
+}
+
+std::string nearestProgramFormat(const std::string& word) {
+  std::vector<std::string> words;
+  for (const ProgramFormat& format : kFormats) words.push_back(format.word);
+  return nearestWord(word, words.data(), int(words.size()));
+}
 
 namespace fs = std::filesystem;
 using boost::archive::iterators::base64_from_binary;

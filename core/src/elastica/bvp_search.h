@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "elastica/bvp_check.h"
+#include "elastica/bvp_describe.h"
 
 namespace bw::elastica {
 
@@ -24,5 +27,22 @@ std::vector<UnitSolution> shapesOf(const CheckedProblem& problem, double maxTurn
 /// each other, the one that lies to the left of the chord first. Left out are those pulled so taut that no
 /// number tells how straight they are.
 std::vector<UnitSolution> halfWaves(double distance, int maxInflections);
+
+/// True if the blade rests in this shape, as far as the numbers can tell.
+bool restsIn(const UnitSolution& found, const SampledSolution& sampled);
+
+/// Of all shapes in which it rests, the one of least `measure`; empty if there is none. Some ms.
+std::optional<UnitSolution> leastAtRest(const CheckedProblem& problem, double maxTurning,
+                                        const std::function<double(const UnitSolution&)>& measure);
+
+/// The one of least energy. About 0.1 ms where both ends hold their tangents.
+std::optional<UnitSolution> atRest(const CheckedProblem& problem, double maxTurning);
+
+/// The stable ones of `solutions`, besides the one that is the answer: how many, and the one of least energy.
+ClampedOthers othersAmong(const std::vector<ClampedSolution>& solutions, std::size_t answer);
+
+/// The same where only the answer is known: seeks all that rest. Some ms.
+Result<ClampedOthers> othersBeside(const ClampedSolution& answer, const ClampedProblem& problem,
+                                   const CheckedProblem& checked, const ClampedOptions& options);
 
 }  // namespace bw::elastica

@@ -12,7 +12,6 @@
 #include "bw/core/text/number_text.h"
 #include "elastica/bvp_check.h"
 #include "elastica/bvp_describe.h"
-#include "elastica/bvp_rest.h"
 #include "elastica/bvp_search.h"
 #include "elastica/bvp_taut.h"
 

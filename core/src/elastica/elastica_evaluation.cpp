@@ -12,7 +12,7 @@
 
 #include "bw/core/base/units.h"
 #include "bw/core/elastica/elastica.h"
-#include "elastica/elastica_scaled.h"
+#include "elastica/elastica_flow.h"
 
 namespace bw {
 

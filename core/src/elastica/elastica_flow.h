@@ -3,15 +3,57 @@
 #pragma once
 
 #include <Eigen/Core>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "base/work_meter.h"
-#include "elastica/elastica_invariants.h"
+#include "bw/core/elastica/elastica.h"
 
 namespace bw::elastica {
+
+/// The scaled elastica in the frame of its start: ψ'' = −f_t sin ψ + f_n cos ψ, x' = cos ψ, y' = sin ψ from
+/// the origin with ψ(0) = 0, ψ'(0) = κ. The unit of length is chosen so that |κ| ≤ 1 and |f| ≤ 1
+/// (docs/mathematics.md, 1).
+struct FlowParameters {
+  double curvature = 0;
+  double tangential = 0;
+  double normal = 0;
+};
+
+/// A turning below this (rad), or a curvature below this part of the peak, is zero: it lies beneath the
+/// rounding of the curve's own parameters.
+inline constexpr double kNegligible = 1e-12;
+/// A few roundings.
+inline constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
+
+/// What does not change along an elastica, and its start as seen from the apex, where the tangent points
+/// along the force (docs/mathematics.md, 2). All without cancellation through line, circle and k = 1.
+struct ElasticaInvariants {
+  double force = 0;              ///< f = |(f_t, f_n)|
+  double halfPeakCurvature = 0;  ///< ω = k √f: half the curvature at the apex
+  double complement = 0;         ///< g = f (1 − k²): > 0 with inflections, < 0 without, 0 for k = 1
+  double complementScale = 0;    ///< g is known to rounding of this
+  double apexSine = 0;           ///< σ = sin of half the start's tangent angle against the force
+  double apexCosine = 1;         ///< δ = cos of the same, ≥ 0
+
+  /// The curvature is zero, to rounding, all over a segment of this length.
+  bool isLine(double length) const { return 2 * halfPeakCurvature * length < kNegligible; }
+  /// The curvature is constant to rounding.
+  bool isCircle() const { return force <= kRounding * halfPeakCurvature * halfPeakCurvature; }
+  /// k = 1 to rounding.
+  bool isSingleLoop() const { return std::abs(complement) <= kRounding * complementScale; }
+  bool hasInflections() const { return complement >= 0; }
+};
+
+/// From κ, f_t and f_n, in extended precision where the machine has it: near k = 1 the complement is the
+/// difference of two nearly equal numbers, and the length of a period hangs on it.
+ElasticaInvariants invariants(long double curvature, long double tangential, long double normal);
+
+/// Arc length of one period: 2π/κ for a circle; infinite for a line without force. For k = 1 it is that of
+/// the nearest elastica which rounding can tell from it.
+double periodLength(const ElasticaInvariants& known);
 
 /// The elastica as a chain of power series in arc length, with the first derivatives with respect to the
 /// first `Directions` (0 or 3) of (κ, f_t, f_n). docs/mathematics.md, 3.
@@ -195,5 +237,51 @@ class ElasticaFlow {
   double step_ = 0;
   std::array<Block, kOrder + 1> coefficients_;
 };
+
+/// An elastica in the frame of its origin, the anchor or else the start, and in a unit of length that fits
+/// its shape (docs/mathematics.md, 1).
+struct ScaledElastica {
+  FlowParameters flow;           ///< from the origin, or the far end of the straight stretch, onwards
+  ElasticaInvariants known;      ///< of `flow`
+  FlowParameters flowBack;       ///< from the origin, or the near end of the straight stretch, backwards
+  ElasticaInvariants knownBack;  ///< of `flowBack`
+  double unit = 1;               ///< the unit of length, mm; a power of two, so that scaling does not round
+  double cosine = 1;             ///< of the origin's angle
+  double sine = 0;               ///< of the origin's angle
+  Eigen::Vector2d point{0, 0};   ///< the origin, mm
+  double angle = 0;              ///< its tangent angle
+  double at = 0;                 ///< its arc length, mm
+  double length = 1;             ///< of the segment, in the unit
+  double straight = 0;           ///< half the straight stretch about the origin, in the unit
+  double first() const { return -at / unit; }       ///< the segment's start, counted from the origin
+  double last() const { return first() + length; }  ///< the segment's end
+};
+ScaledElastica scaled(const Elastica& elastica);
+
+/// Calls visit(flow, a, b) for the pieces of the flow over the segment, from its start, or from its anchor
+/// forwards and then backwards (a > b). A straight stretch is left out.
+template <class Visit>
+void forEachPiece(const ScaledElastica& scaled, Visit&& visit) {
+  for (const double sign : {1.0, -1.0}) {
+    // Where the segment begins and ends in the direction of the walk.
+    const double near = std::max(0.0, (sign > 0 ? scaled.first() : -scaled.last()) - scaled.straight);
+    const double far = (sign > 0 ? scaled.last() : -scaled.first()) - scaled.straight;
+    if (!(far > near)) {
+      continue;
+    }
+    ElasticaFlow<0> flow(sign > 0 ? scaled.flow : scaled.flowBack, sign > 0 ? scaled.known : scaled.knownBack,
+                         sign);
+    flow.advanceTo(sign * near);
+    for (double a = near; a < far;) {
+      const double b = std::min(sign * flow.end(), far);
+      visit(flow, sign * a, sign * b);
+      if (b == far) {
+        break;
+      }
+      a = b;
+      flow.next();
+    }
+  }
+}
 
 }  // namespace bw::elastica

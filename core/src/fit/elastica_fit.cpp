@@ -13,7 +13,6 @@
 #include "fit/fit_distance.h"
 #include "fit/fit_guess.h"
 #include "fit/fit_search.h"
-#include "fit/start_rules.h"
 
 namespace bw {
 namespace {

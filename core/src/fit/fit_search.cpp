@@ -9,8 +9,6 @@
 
 #include "base/work_meter.h"
 #include "fit/fit_constrained.h"
-#include "fit/shape_atlas.h"
-#include "fit/start_rules.h"
 
 namespace bw::fit {
 namespace {

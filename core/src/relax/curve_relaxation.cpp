@@ -8,7 +8,6 @@
 #include "bw/core/fit/elastica_fit.h"
 #include "bw/core/text/number_text.h"
 #include "fit/fit_guess.h"
-#include "relax/bending_descent.h"
 #include "relax/bending_problem.h"
 #include "relax/refined_target.h"
 

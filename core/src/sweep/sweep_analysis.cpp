@@ -12,7 +12,6 @@
 #include "bw/core/sweep/maps.h"
 #include "bw/core/sweep/sweep_check.h"
 #include "sweep/cut_rows.h"
-#include "sweep/stretches.h"
 #include "sweep/sweep_findings.h"
 
 namespace bw {
