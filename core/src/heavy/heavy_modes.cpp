@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "heavy/heavy_modes.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <cmath>
+
+namespace bw::heavy {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// P_0 … P_{n−1} at x in [−1, 1].
+VectorXd legendre(double x, Index n) {
+  VectorXd p(n);
+  for (Index k = 0; k < n; ++k)
+    p(k) = k == 0   ? 1.0
+           : k == 1 ? x
+                    : ((2 * double(k) - 1) * x * p(k - 1) - (double(k) - 1) * p(k - 2)) / double(k);
+  return p;
+}
+
+/// The Gauss–Legendre rule with `total` nodes on [0, 1], from the eigenvalues of its Jacobi matrix (Golub and
+/// Welsch 1969).
+void gauss(Index total, VectorXd& nodes, VectorXd& weights) {
+  VectorXd beside(total - 1);
+  for (Index k = 1; k < total; ++k) beside(k - 1) = double(k) / std::sqrt(4 * double(k) * double(k) - 1);
+  Eigen::SelfAdjointEigenSolver<MatrixXd> solver;
+  solver.computeFromTridiagonal(VectorXd::Zero(total), beside);
+  nodes = 0.5 * (1 + solver.eigenvalues().array());
+  weights = solver.eigenvectors().row(0).cwiseAbs2();
+}
+
+Modes make(Index count, Index total) {
+  Modes modes;
+  gauss(total, modes.nodes, modes.weights);
+  modes.values.resize(count, total);
+  modes.slopes.resize(count, total);
+  modes.polynomials.resize(total, total);
+  MatrixXd integrals(total, total);
+  for (Index q = 0; q < total; ++q) {
+    modes.values.col(q) = integratedLegendre(modes.nodes(q), count + 1).tail(count);
+    modes.slopes.col(q) = orthonormalLegendre(modes.nodes(q), count + 1).tail(count);
+    modes.polynomials.col(q) = orthonormalLegendre(modes.nodes(q), total) * modes.weights(q);
+    integrals.row(q) = integratedLegendre(modes.nodes(q), total);
+  }
+  modes.integral = integrals * modes.polynomials;
+  return modes;
+}
+
+}  // namespace
+
+VectorXd orthonormalLegendre(double s, Index n) {
+  VectorXd p = legendre(2 * s - 1, n);
+  for (Index k = 0; k < n; ++k) p(k) *= std::sqrt(2 * double(k) + 1);
+  return p;
+}
+
+VectorXd integratedLegendre(double s, Index n) {
+  // ∫ P_k = (P_{k+1} − P_{k−1}) / (2k + 1), on [0, 1] half of it.
+  const VectorXd p = legendre(2 * s - 1, n + 1);
+  VectorXd result(n);
+  for (Index k = 0; k < n; ++k)
+    result(k) = k == 0 ? s : 0.5 * (p(k + 1) - p(k - 1)) / std::sqrt(2 * double(k) + 1);
+  return result;
+}
+
+const Modes& modesOf(Index count) {
+  static const Modes few = make(24, 40);
+  static const Modes some = make(48, 72);
+  if (count <= 24) return few;
+  if (count <= 48) return some;
+  static const Modes many = make(96, 136);
+  if (count <= 96) return many;
+  static const Modes most = make(192, 264);
+  return most;
+}
+
+}  // namespace bw::heavy
