@@ -7,6 +7,7 @@
 #include "bw/core/base/units.h"
 #include "bw/core/elastica/elastica_bvp.h"
 #include "bw/core/heavy/heavy_bvp.h"
+#include "bw/core/text/number_text.h"
 #include "case_runner.h"
 #include "elastica_json.h"
 

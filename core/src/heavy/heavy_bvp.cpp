@@ -25,7 +25,6 @@ namespace {
 
 constexpr double kHeaviest = 2000;     // w L³/EI: a blade that hangs like a chain
 constexpr double kSameShape = 1e-4;    // rad: coefficients of the same equilibrium
-constexpr Index kModesToTrace = 24;    // and more where a blade bends more than these tell
 constexpr Index kModesSearched = 96;   // loops tighter than a fortieth of the length are not searched from
 constexpr int kMostFalls = 6;          // of one blade while its weight comes on
 constexpr double kPush = 0.02;         // rad: to either side of a shape that is not stable
@@ -75,7 +74,8 @@ Result<Unit> check(const HeavyProblem& problem, const ClampedOptions& options) {
 std::optional<Shape> shapeOf(const Unit& unit, const ClampedSolution& solution, Index most) {
   const Elastica& blade = solution.elastica;
   const Hold hold = unit.hold(solution.turning, 0);
-  for (Index count = kModesToTrace; count <= most; count *= 2) {
+  for (const Index count : heavy::kModeCounts) {
+    if (count > most) break;
     const heavy::Modes& modes = modesOf(count);
     std::vector<double> arcs(std::size_t(modes.nodes.size()));
     for (Index q = 0; q < modes.nodes.size(); ++q) arcs[std::size_t(q)] = unit.length() * modes.nodes(q);
@@ -255,7 +255,7 @@ HeavyAnswer straightAnswer(const HeavyProblem& problem, const ClampedAnswer& wei
   numbers.start = problem.grips.start;
   numbers.startAngle = straight.elastica.startAngle();
   numbers.length = problem.grips.length;
-  numbers.coefficients = VectorXd::Zero(kModesToTrace);
+  numbers.coefficients = VectorXd::Zero(heavy::kModeCounts[0]);
   numbers.load = problem.weight / problem.stiffness;
   HeavySolution solution{HeavyBlade(std::move(numbers))};
   solution.energy = solution.blade.energy() * problem.stiffness;

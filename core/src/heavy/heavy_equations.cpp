@@ -130,11 +130,12 @@ std::optional<Shape> refined(const Hold& hold, Shape shape, double carried) {
     const double last = shape.coefficients.tail(3).lpNorm<Eigen::Infinity>();
     if (last < carried || shape.count() >= kMostModes) return shape;
     const Index before = shape.count();
-    shape.coefficients.conservativeResize(2 * before);
-    shape.coefficients.tail(before).setZero();
-    const std::optional<Shape> finer = settle(hold, shape, 12);
-    if (!finer) return {};
-    shape = *finer;
+    const Index finer = modesOf(before + 1).count();
+    shape.coefficients.conservativeResize(finer);
+    shape.coefficients.tail(finer - before).setZero();
+    std::optional<Shape> settled = settle(hold, shape, 12);
+    if (!settled) return {};
+    shape = std::move(*settled);
   }
 }
 

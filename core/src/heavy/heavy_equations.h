@@ -84,7 +84,7 @@ class Equations {
 inline constexpr double kAtRest = 1e-13;
 
 /// What the last modes of a shape carry, rad, that is followed, and of one that is told.
-inline constexpr double kResolved = 1e-6, kExact = 1e-10;
+inline constexpr double kResolved = 1e-6, kExact = 1e-9;
 
 /// Newton's method, factors kept while they serve; empty if it does not settle within `iterations`. The
 /// largest ratio of two steps, as long as they are more than kResolved, is put into `contraction`: well below

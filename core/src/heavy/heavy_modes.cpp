@@ -4,7 +4,10 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <array>
 #include <cmath>
+#include <iterator>
+#include <mutex>
 
 namespace bw::heavy {
 
@@ -70,14 +73,15 @@ VectorXd integratedLegendre(double s, Index n) {
 }
 
 const Modes& modesOf(Index count) {
-  static const Modes few = make(24, 40);
-  static const Modes some = make(48, 72);
-  if (count <= 24) return few;
-  if (count <= 48) return some;
-  static const Modes many = make(96, 136);
-  if (count <= 96) return many;
-  static const Modes most = make(192, 264);
-  return most;
+  constexpr std::size_t kLevels = std::size(kModeCounts);
+  static std::array<std::once_flag, kLevels> once;
+  static std::array<Modes, kLevels> levels;
+  std::size_t level = 0;
+  while (level + 1 < kLevels && kModeCounts[level] < count) ++level;
+  // More nodes than modes: products of cosines with two modes are integrated to 1e-12.
+  std::call_once(once[level],
+                 [&] { levels[level] = make(kModeCounts[level], kModeCounts[level] * 11 / 8 + 7); });
+  return levels[level];
 }
 
 }  // namespace bw::heavy

@@ -13,7 +13,7 @@ namespace bw {
 
 /// A blade that is bent by its grips and by its own weight, in the plane of its grips: EI κ' = n1 sin θ − n2
 /// cos θ with n' = −w. It has no closed form; its curvature is a series of Legendre polynomials.
-/// docs/mathematics.md, 12.
+/// docs/mathematics.md, 9.
 class HeavyBlade {
  public:
   using State = Elastica::State;
