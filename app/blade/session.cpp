@@ -98,7 +98,7 @@ Result<Design> Session::openDesign(const std::filesystem::path& file) const {
   int version = Design::kVersion;
   Result<Design> design = loadDesign(file, &version);
   if (design && version != Design::kVersion)
-    tell({{Severity::info, EarlierDesign{file.filename().string(), version, Design::kVersion}, {}, {}}});
+    tell({{Severity::info, EarlierDesign{file.filename().string(), version, Design::kVersion}}});
   return design;
 }
 

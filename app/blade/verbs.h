@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "bw/cases/cases.h"
 #include "bw/pipeline/pipeline.h"
 #include "session.h"
 
@@ -22,8 +23,22 @@ void addInfoVerb(CLI::App& app, const Session& session, Work& work);
 void addSurfaceVerbs(CLI::App& app, const Session& session, Work& work);
 void addProgramVerbs(CLI::App& app, const Session& session, Work& work);
 
+/// The options of a verb and its work with them: `run` gets the session and the options.
+template <class Options, class Run>
+void onChosen(CLI::App& verb, const Session& session, Work& work, const std::shared_ptr<Options>& options,
+              Run run) {
+  verb.callback([&session, &work, options, run] {
+    work = [&session, options, run] { return run(session, *options); };
+  });
+}
+
+/// Writes the answer of cases to `out` and says what the first that failed has to say; the exit status.
+int tellAnswer(const Session& session, const std::string& out, const Result<cases::CaseAnswer>& answer);
+/// True for the name of a table of points.
+bool isPointTable(const std::string& file);
+
 /// Adds the switch --despite-errors, which has robot programs of a design with errors written and marked.
-std::shared_ptr<bool> addDespiteErrors(CLI::App& verb);
+void addDespiteErrors(CLI::App& verb, bool& despiteErrors);
 
 /// Name, version and the versions of the libraries.
 std::string versionText();

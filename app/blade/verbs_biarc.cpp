@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "bw/cases/cases.h"
 #include "verbs.h"
 
 namespace bw::cli {
@@ -68,25 +67,16 @@ Result<void> writePictures(const Session& session, const std::string& name,
 int biarcs(const Session& session, const Options& options) {
   Result<std::string> text = session.readInput(options.in);
   if (!text) return session.complain(text.error());
-  const std::string extension = lowerSuffix(options.in);
-  if (extension == ".csv" || extension == ".dat") text = cases::biarcCaseFromCsv(*text);
+  if (isPointTable(options.in)) text = cases::biarcCaseFromCsv(*text);
   if (text) text = withOptions(*text, options);
   if (!text) return session.complain(text.error());
   std::vector<std::string> pictures;
   const Result<cases::CaseAnswer> result =
       cases::biarcCases(*text, session.context(), options.svg.empty() ? nullptr : &pictures);
-  if (!result) return session.complain(result.error());
-  session.endProgress();
-  if (!options.svg.empty())
+  if (result && !options.svg.empty())
     if (Result<void> ok = writePictures(session, options.svg, pictures); !ok)
       return session.complain(ok.error());
-  if (Result<void> ok = session.writeOutput(options.out, result->json); !ok)
-    return session.complain(ok.error());
-  if (result->first) {
-    session.complain(*result->first);
-    return statusOf(result->first->code);
-  }
-  return result->limited ? kLimitExceeded : kDone;
+  return tellAnswer(session, options.out, result);
 }
 
 }  // namespace
@@ -110,8 +100,7 @@ void addBiarcVerb(CLI::App& app, const Session& session, Work& work) {
   verb->footer(
       "Example:\n  echo '{\"points\": [[1,0],[0,2],[1,4],[2,6],[3,5],[4,4],[5.5,3]], \"points_kept\": "
       "[0,3,6]}' |\n    blade biarc --svg curve.svg");
-  verb->callback(
-      [&session, &work, options] { work = [&session, options] { return biarcs(session, *options); }; });
+  onChosen(*verb, session, work, options, biarcs);
 }
 
 }  // namespace bw::cli

@@ -113,8 +113,7 @@ void addInfoVerb(CLI::App& app, const Session& session, Work& work) {
       ->type_name("MM");
   verb->add_option("--out", options->out, "Output file, - for standard output")->type_name("FILE");
   verb->footer("Example:\n  blade info panel.step");
-  verb->callback(
-      [&session, &work, options] { work = [&session, options] { return runInfo(session, *options); }; });
+  onChosen(*verb, session, work, options, runInfo);
 }
 
 }  // namespace bw::cli

@@ -3,7 +3,6 @@
 
 #include <memory>
 
-#include "bw/cases/cases.h"
 #include "verbs.h"
 
 namespace bw::cli {
@@ -19,21 +18,11 @@ using Cases = Result<cases::CaseAnswer> (*)(std::string_view, const RunContext&)
 int answer(const Session& session, const Options& options, Cases cases, bool points) {
   Result<std::string> text = session.readInput(options.in);
   if (!text) return session.complain(text.error());
-  const std::string suffix = lowerSuffix(options.in);
-  if (points && (suffix == ".csv" || suffix == ".dat")) {
+  if (points && isPointTable(options.in)) {
     text = cases::fitCaseFromCsv(*text);
     if (!text) return session.complain(text.error());
   }
-  const Result<cases::CaseAnswer> result = cases(*text, session.context());
-  if (!result) return session.complain(result.error());
-  session.endProgress();
-  if (Result<void> ok = session.writeOutput(options.out, result->json); !ok)
-    return session.complain(ok.error());
-  if (result->first) {
-    session.complain(*result->first);
-    return statusOf(result->first->code);
-  }
-  return result->limited ? kLimitExceeded : kDone;
+  return tellAnswer(session, options.out, cases(*text, session.context()));
 }
 
 void addVerb(CLI::App& app, const Session& session, Work& work, const char* name, const char* text,
@@ -43,12 +32,24 @@ void addVerb(CLI::App& app, const Session& session, Work& work, const char* name
   verb->add_option("--in", options->in, "Input file, - for standard input")->type_name("FILE");
   verb->add_option("--out", options->out, "Output file, - for standard output")->type_name("FILE");
   verb->footer(std::string("Example:\n  ") + example);
-  verb->callback([&session, &work, options, cases, points] {
-    work = [&session, options, cases, points] { return answer(session, *options, cases, points); };
-  });
+  onChosen(*verb, session, work, options,
+           [cases, points](const Session& s, const Options& o) { return answer(s, o, cases, points); });
 }
 
 }  // namespace
+
+int tellAnswer(const Session& session, const std::string& out, const Result<cases::CaseAnswer>& answer) {
+  if (!answer) return session.complain(answer.error());
+  session.endProgress();
+  if (Result<void> ok = session.writeOutput(out, answer->json); !ok) return session.complain(ok.error());
+  if (answer->first) return session.complain(*answer->first);
+  return answer->limited ? kLimitExceeded : kDone;
+}
+
+bool isPointTable(const std::string& file) {
+  const std::string suffix = lowerSuffix(file);
+  return suffix == ".csv" || suffix == ".dat";
+}
 
 void addNumericVerbs(CLI::App& app, const Session& session, Work& work) {
   addVerb(app, session, work, "elastica",

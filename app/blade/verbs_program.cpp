@@ -18,9 +18,10 @@ namespace {
 struct ExportOptions {
   std::string path, cell, out;
   std::vector<std::string> formats = {"rapid"};
+  bool despiteErrors = false;
 };
 
-int runExport(const Session& session, const ExportOptions& options, bool despiteErrors) {
+int runExport(const Session& session, const ExportOptions& options) {
   Result<Design> design = session.designOf(options.path);
   if (!design) return session.complain(design.error());
   // What is exported is what the findings are about.
@@ -28,7 +29,7 @@ int runExport(const Session& session, const ExportOptions& options, bool despite
   design->output.programs = options.formats;
   pipeline::Policy policy;
   policy.contents = pipeline::Policy::Contents::programs;
-  policy.despiteErrors = despiteErrors;
+  policy.despiteErrors = options.despiteErrors;
   policy.programFolder = "strip-0";
   const pipeline::Product product = pipeline::produce(*design, options.out, policy, session.context());
   session.tell(product.findings());
@@ -85,11 +86,9 @@ int runCheck(const Session& session, const std::vector<std::string>& paths) {
 
 }  // namespace
 
-std::shared_ptr<bool> addDespiteErrors(CLI::App& verb) {
-  const auto despite = std::make_shared<bool>(false);
-  verb.add_flag("--despite-errors", *despite,
+void addDespiteErrors(CLI::App& verb, bool& despiteErrors) {
+  verb.add_flag("--despite-errors", despiteErrors,
                 "Write the robot programs of a design with errors too, marked as not safe to run");
-  return despite;
 }
 
 void addProgramVerbs(CLI::App& app, const Session& session, Work& work) {
@@ -104,12 +103,10 @@ void addProgramVerbs(CLI::App& app, const Session& session, Work& work) {
     verb->add_option("--cell", options->cell, "Robot cell: a word or a JSON file; default: the design's")
         ->type_name("CELL");
     verb->add_option("--out", options->out, "Folder for the programs")->type_name("DIR")->required();
-    const std::shared_ptr<bool> despite = addDespiteErrors(*verb);
+    addDespiteErrors(*verb, options->despiteErrors);
     verb->footer(
         "Example:\n  blade export out/panel --format rapid,csv --cell irb1600-pair --out out/programs");
-    verb->callback([&session, &work, options, despite] {
-      work = [&session, options, despite] { return runExport(session, *options, *despite); };
-    });
+    onChosen(*verb, session, work, options, runExport);
   }
   {
     CLI::App* verb = app.add_subcommand("check",
@@ -120,8 +117,7 @@ void addProgramVerbs(CLI::App& app, const Session& session, Work& work) {
                      "Folders of results, folders with T_ROB1/, T_ROB2/, …, or single module files")
         ->required();
     verb->footer("Example:\n  blade check out/panel");
-    verb->callback(
-        [&session, &work, paths] { work = [&session, paths] { return runCheck(session, *paths); }; });
+    onChosen(*verb, session, work, paths, runCheck);
   }
 }
 

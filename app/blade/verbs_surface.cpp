@@ -66,34 +66,42 @@ void tellSummary(const pipeline::Evaluation& e) {
             << " s\n";
 }
 
-int runDesign(const Session& session, const Design& design, const std::string& out, bool despiteErrors,
-              int threads = 0) {
+/// Of the verbs that write results.
+struct ResultOptions {
+  std::string file, job, out;
+  bool despiteErrors = false;
+};
+
+int writeResults(const Session& session, const Design& design, const ResultOptions& options,
+                 int threads = 0) {
   RunContext context = session.context();
   if (context.threads == 0) context.threads = threads;
-  const pipeline::Product product = pipeline::produce(design, out, {.despiteErrors = despiteErrors}, context);
+  const pipeline::Product product =
+      pipeline::produce(design, options.out, {.despiteErrors = options.despiteErrors}, context);
   session.tell(product.findings());
   if (product.error) return session.complain(*product.error);
   const fs::path source = design.source().bytes.empty() ? design.source().path : fs::path();
-  if (Result<void> ok = session.writeFiles(product.files, out, source, product.seen); !ok)
+  if (Result<void> ok = session.writeFiles(product.files, options.out, source, product.seen); !ok)
     return session.complain(ok.error());
   tellSummary(product.evaluation);
   return product.status();
 }
 
-int runRationalize(const Session& session, const std::string& file, const std::string& jobFile,
-                   const std::string& out, bool despiteErrors) {
-  std::string text = "{}";
-  if (!jobFile.empty()) {
-    Result<std::string> read = session.readInput(jobFile);
-    if (!read) return session.complain(read.error());
-    text = std::move(*read);
-  }
+int runRationalize(const Session& session, const ResultOptions& options) {
+  const Result<std::string> text =
+      options.job.empty() ? Result<std::string>("{}") : session.readInput(options.job);
+  if (!text) return session.complain(text.error());
   int threads = 0;
-  Result<Design> design = parseJob(text, &threads);
+  Result<Design> design = parseJob(*text, &threads);
   if (!design) return session.complain(design.error());
-  design->name = fs::path(file).stem().string();
-  design->source().path = file;
-  return runDesign(session, *design, out, despiteErrors, threads);
+  design->name = fs::path(options.file).stem().string();
+  design->source().path = options.file;
+  return writeResults(session, *design, options, threads);
+}
+
+int runDesign(const Session& session, const ResultOptions& options) {
+  const Result<Design> design = session.openDesign(options.file);
+  return design ? writeResults(session, *design, options) : session.complain(design.error());
 }
 
 struct RenderOptions {
@@ -155,7 +163,12 @@ int runRender(const Session& session, const RenderOptions& options) {
   return ok ? int(kDone) : session.complain(ok.error());
 }
 
-int runExample(const Session& session, const std::string& name, const std::string& out) {
+struct ExampleOptions {
+  std::string name, out = "-";
+};
+
+int runExample(const Session& session, const ExampleOptions& options) {
+  const auto& [name, out] = options;
   if (name.empty()) {
     for (const geometry::Example& example : geometry::exampleList())
       std::cout << example.name << "\n  " << example.title << "\n  " << example.formula << "\n";
@@ -187,35 +200,23 @@ void addSurfaceVerbs(CLI::App& app, const Session& session, Work& work) {
   {
     CLI::App* verb =
         app.add_subcommand("rationalize", "From a CAD surface to a blade sweep, its report and its programs");
-    const auto file = std::make_shared<std::string>();
-    const auto job = std::make_shared<std::string>();
-    const auto out = std::make_shared<std::string>();
-    verb->add_option("FILE", *file, "STEP, IGES or BREP file")->required();
-    verb->add_option("--job", *job, "Job file (JSON); every key is optional, - for standard input")
+    const auto options = std::make_shared<ResultOptions>();
+    verb->add_option("FILE", options->file, "STEP, IGES or BREP file")->required();
+    verb->add_option("--job", options->job, "Job file (JSON); every key is optional, - for standard input")
         ->type_name("JOB.json");
-    verb->add_option("--out", *out, "Folder for the results")->type_name("DIR")->required();
-    const std::shared_ptr<bool> despite = addDespiteErrors(*verb);
+    verb->add_option("--out", options->out, "Folder for the results")->type_name("DIR")->required();
+    addDespiteErrors(*verb, options->despiteErrors);
     verb->footer("Example:\n  blade rationalize panel.step --job job.json --out out/panel");
-    verb->callback([&session, &work, file, job, out, despite] {
-      work = [&session, file, job, out, despite] {
-        return runRationalize(session, *file, *job, *out, *despite);
-      };
-    });
+    onChosen(*verb, session, work, options, runRationalize);
   }
   {
     CLI::App* verb = app.add_subcommand("design", "Evaluate a saved design and write its results");
-    const auto file = std::make_shared<std::string>();
-    const auto out = std::make_shared<std::string>();
-    verb->add_option("DESIGN", *file, "A .bladewright file")->required();
-    verb->add_option("--out", *out, "Folder for the results")->type_name("DIR")->required();
-    const std::shared_ptr<bool> despite = addDespiteErrors(*verb);
+    const auto options = std::make_shared<ResultOptions>();
+    verb->add_option("DESIGN", options->file, "A .bladewright file")->required();
+    verb->add_option("--out", options->out, "Folder for the results")->type_name("DIR")->required();
+    addDespiteErrors(*verb, options->despiteErrors);
     verb->footer("Example:\n  blade design panel.bladewright --out out/panel");
-    verb->callback([&session, &work, file, out, despite] {
-      work = [&session, file, out, despite] {
-        const Result<Design> design = session.openDesign(*file);
-        return design ? runDesign(session, *design, *out, *despite) : session.complain(design.error());
-      };
-    });
+    onChosen(*verb, session, work, options, runDesign);
   }
   {
     CLI::App* verb = app.add_subcommand("render", "A picture of a result or a design, without a display");
@@ -230,26 +231,22 @@ void addSurfaceVerbs(CLI::App& app, const Session& session, Work& work) {
     verb->add_option("--out", options->out, "PNG file")->type_name("PNG")->required();
     verb->footer(
         "Example:\n  blade render out/panel --field deviation --view iso --size 1600x1000 --out panel.png");
-    verb->callback(
-        [&session, &work, options] { work = [&session, options] { return runRender(session, *options); }; });
+    onChosen(*verb, session, work, options, runRender);
   }
   {
     CLI::App* verb =
         app.add_subcommand("example", "Write an example surface as STEP or as a design, or list them");
-    const auto name = std::make_shared<std::string>();
-    const auto out = std::make_shared<std::string>("-");
-    verb->add_option("NAME", *name, "Name of the example; without it they are listed");
+    const auto options = std::make_shared<ExampleOptions>();
+    verb->add_option("NAME", options->name, "Name of the example; without it they are listed");
     verb->add_option(
-            "--out", *out,
+            "--out", options->out,
             "STEP file, - for standard output; a name that ends in .bladewright gives a design with a "
             "blade and a block that suit the example")
         ->type_name("FILE");
     verb->footer(
         "Example:\n  blade example panel-600x670 --out panel.step\n"
         "  blade example wavy-wall --out wall.bladewright");
-    verb->callback([&session, &work, name, out] {
-      work = [&session, name, out] { return runExample(session, *name, *out); };
-    });
+    onChosen(*verb, session, work, options, runExample);
   }
 }
 

@@ -4,6 +4,8 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace bw::geometry {
 
@@ -27,5 +29,23 @@ std::string lowerCase(std::string_view text);
 std::string_view trimmedLeft(std::string_view text);
 /// Without the blanks and zero bytes at its end.
 std::string_view trimmedRight(std::string_view text);
+
+/// "mm", "cm", "m", "inch", … for a unit as a file calls it; "mm (assumed)" for none.
+std::string unitName(std::string text);
+
+/// mm in a unit of `unitName`; 0 for one that is not known.
+double unitLength(const std::string& name);
+
+/// Which entities of a STEP text refer to which, as written, whatever becomes of them in a reader.
+class StepReferences {
+ public:
+  explicit StepReferences(std::string_view text);
+
+  /// Numbers of the entities that refer to `entity`.
+  std::vector<int> usersOf(int entity) const;
+
+ private:
+  std::vector<std::pair<int, int>> uses_;  // the one referred to and the one that refers, sorted
+};
 
 }  // namespace bw::geometry

@@ -19,18 +19,13 @@
 #include <gp_Trsf.hxx>
 
 #include <istream>
-#include <ostream>
+#include <sstream>
 #include <string_view>
 
 #include "bw/core/text/number_text.h"
 #include "cad_format.h"
-#include "compressed.h"
-#include "file_unit.h"
-#include "healing.h"
 #include "isolated.h"
-#include "memory_stream.h"
 #include "occt.h"
-#include "step_reader.h"
 
 namespace bw::geometry {
 
@@ -161,9 +156,9 @@ std::string packed(const Result<ReadShape>& read) {
     appendText(bytes, std::to_string(met.FindIndex(read->faces[i])));
     appendText(bytes, read->names[i]);
   }
-  AppendBuffer buffer(bytes);
-  std::ostream stream(&buffer);
+  std::ostringstream stream;
   BinTools::Write(read->shape, stream);
+  bytes += std::move(stream).str();
   return bytes;
 }
 

@@ -5,6 +5,7 @@
 #include <TopoDS_Shape.hxx>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bw/core/base/result.h"
@@ -34,5 +35,20 @@ tl::unexpected<Error> unreadable(const std::string& name, const std::string& rea
 /// alike. A crash of the library, endless work or want of memory is the file's fault: `cannotRead`.
 Result<ReadShape> readShape(const std::string& bytes, const std::string& name, const ReadOptions& options,
                             const RunContext& context);
+
+/// Reads STEP with OCCT, in mm, with the names of its faces. What cannot be used is left out and told in
+/// `leftOut`. Runs in the process that readers have of their own.
+Result<ReadShape> readStep(std::string_view text, const std::string& name);
+
+/// Repairs faults of a shape and sews faces whose open edges meet within `sewing` mm. Tells what was done,
+/// the widest gap that was closed and the narrowest that stays open in `read.healing`; `read.faces` follow.
+void heal(ReadShape& read, double sewing);
+
+/// True for bytes of a gzip or zip file, as `.stpz` files are.
+bool isCompressed(std::string_view bytes);
+
+/// The text in a gzip file, or in the one CAD file of a zip archive. Errors (`cannotRead`, with `name`): cut
+/// short, damaged, several or no CAD files, or more than 1 GiB or 200 times its own size, which no text is.
+Result<std::string> decompressed(std::string_view bytes, const std::string& name);
 
 }  // namespace bw::geometry

@@ -138,10 +138,9 @@ bool footOnEdge(const EdgeGeometry& edge, const Eigen::Vector3d& p, double& limi
   if (outside.norm() > limit + slack) return false;
   double best2 = 1e300;
   for (std::size_t i = 1; i < edge.points.size(); ++i) {
-    const Eigen::Vector3d d = edge.points[i] - edge.points[i - 1];
-    const double length2 = d.squaredNorm();
-    const double s = length2 > 0 ? std::clamp((p - edge.points[i - 1]).dot(d) / length2, 0.0, 1.0) : 0.0;
-    const double d2 = (edge.points[i - 1] + s * d - p).squaredNorm();
+    const Eigen::Vector3d &a = edge.points[i - 1], &b = edge.points[i];
+    const double s = nearestOnSegment(p, a, b);
+    const double d2 = (a + s * (b - a) - p).squaredNorm();
     if (d2 < best2) {
       best2 = d2;
       at = edge.t[i - 1] + s * (edge.t[i] - edge.t[i - 1]);

@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "compressed.h"
-
 #include <zlib.h>
 
 #include <algorithm>

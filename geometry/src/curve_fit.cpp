@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 
+#include "bw/core/surface/spline_surface.h"
+
 namespace bw::geometry {
 
 namespace {
@@ -18,25 +20,6 @@ constexpr int kSamplesPerSpan = 4;
 constexpr double kAim = 0.5;         // of the tolerance, when the number of spans is foretold
 constexpr double kLeastShare = 0.5;  // of a span that is finer than needed
 constexpr double kMostShare = 4;     // of a span that is far too coarse
-
-/// The four cubic basis functions over the span of t; `span` is its number.
-std::array<double, 4> cubicBasis(const std::vector<double>& knots, int span, double t) {
-  std::array<double, 4> n{1, 0, 0, 0};
-  std::array<double, 4> left{}, right{};
-  const int k = span + 3;
-  for (int j = 1; j <= 3; ++j) {
-    left[j] = t - knots[k + 1 - j];
-    right[j] = knots[k + j] - t;
-    double saved = 0;
-    for (int r = 0; r < j; ++r) {
-      const double part = n[r] / (right[r + 1] + left[j - r]);
-      n[r] = saved + right[r + 1] * part;
-      saved = left[j - r] * part;
-    }
-    n[j] = saved;
-  }
-  return n;
-}
 
 struct RunFit {
   std::vector<double> breaks;
@@ -63,7 +46,7 @@ bool solve(const std::vector<CurveSample>& samples, const std::vector<double>& b
   for (std::size_t i = 0; i < samples.size(); ++i) {
     while (span + 1 < spans && samples[i].arc >= breaks[span + 1]) ++span;
     spanOf[i] = span;
-    basis[i] = cubicBasis(knots, span, samples[i].arc);
+    basis[i] = splineBasis(knots, 3, span + 3, samples[i].arc);
     // The weight follows the spacing, so that crowded samples do not pull.
     const double before = i > 0 ? samples[i].arc - samples[i - 1].arc : 0;
     const double after = i + 1 < samples.size() ? samples[i + 1].arc - samples[i].arc : 0;

@@ -1,11 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
+
 #include "edge_geometry.h"
 
 #include <BRep_Tool.hxx>
+#include <Geom2d_Line.hxx>
+#include <Geom2d_TrimmedCurve.hxx>
+#include <Geom_Line.hxx>
+#include <Geom_TrimmedCurve.hxx>
 #include <Precision.hxx>
 
-#include "curve_sampling.h"
 #include "occt.h"
 
 namespace bw::geometry {
@@ -42,6 +46,16 @@ void EdgeGeometry::second(double s, Eigen::Vector3d& p, Eigen::Vector3d& d1, Eig
   p = toEigen(q);
   d1 = toEigen(a);
   d2 = toEigen(b);
+}
+
+bool isLine(Handle(Geom2d_Curve) curve) {
+  while (const auto trimmed = Handle(Geom2d_TrimmedCurve)::DownCast(curve)) curve = trimmed->BasisCurve();
+  return curve->IsKind(STANDARD_TYPE(Geom2d_Line));
+}
+
+bool isLine(Handle(Geom_Curve) curve) {
+  while (const auto trimmed = Handle(Geom_TrimmedCurve)::DownCast(curve)) curve = trimmed->BasisCurve();
+  return curve->IsKind(STANDARD_TYPE(Geom_Line));
 }
 
 }  // namespace bw::geometry

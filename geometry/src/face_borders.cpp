@@ -10,7 +10,7 @@
 #include <array>
 #include <cmath>
 
-#include "curve_sampling.h"
+#include "edge_geometry.h"
 #include "tolerances.h"
 
 namespace bw::geometry {
@@ -25,14 +25,6 @@ constexpr double kSnap = 1e-6;         // of the face's size: ends of borders so
 constexpr double kBeside = 1e-4;       // of the face's size: so far from a border its sides are looked at
 constexpr double kFootStep = 1e-10;    // mm of a step along a border that changes nothing any more
 constexpr double kOnBorder = 1e-7;     // mm from a border that count as on it
-
-double segmentDistance(const Eigen::Vector2d& p, const Eigen::Vector2d& a, const Eigen::Vector2d& b,
-                       double& at) {
-  const Eigen::Vector2d d = b - a;
-  const double length2 = d.squaredNorm();
-  at = length2 > 0 ? std::clamp((p - a).dot(d) / length2, 0.0, 1.0) : 0.0;
-  return (a + at * d - p).norm();
-}
 
 /// Whether two parameters are one, against the range that they lie in.
 bool near(double a, double b, double range) { return std::abs(a - b) <= kSameLine * range; }
@@ -219,9 +211,9 @@ bool FaceBorders::contains(const Eigen::Vector2d& uv) const {
   int nearest = -1;
   for (int b = from; b <= to; ++b) {
     for (const int k : bins_[b]) {
-      double t = 0;
-      const double d =
-          segmentDistance(p, segments_[k].a.cwiseProduct(scale_), segments_[k].b.cwiseProduct(scale_), t);
+      const Eigen::Vector2d start = segments_[k].a.cwiseProduct(scale_),
+                            end = segments_[k].b.cwiseProduct(scale_);
+      const double t = nearestOnSegment(p, start, end), d = (start + t * (end - start) - p).norm();
       if (d < best) {
         best = d;
         nearest = k;

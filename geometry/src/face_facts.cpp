@@ -44,18 +44,20 @@ void addSections(const CadModel& model, FaceInfo& face, const RunContext& contex
   for (const Eigen::Vector3d& direction : {setup->block.frame.x, setup->block.frame.y}) {
     setup->direction = direction;
     const auto sections = cutSections(*target, *setup, {kAcross, {}}, alone, ignored);
-    if (!sections || sections->empty()) continue;
+    if (!sections) continue;
     FaceSections facts;
     facts.direction = direction;
     facts.shortest = 1e300;
     double tightest = 0;
     for (const Section& section : *sections) {
-      const double length = section.curve.length();
+      if (section.chosen < 0) continue;
+      const PlanarCurve& curve = section.curve();
+      const double length = curve.length();
       facts.shortest = std::min(facts.shortest, length);
       facts.longest = std::max(facts.longest, length);
-      const double from = section.curve.start(), step = (section.curve.end() - from) / (kCurvatureProbes - 1);
+      const double from = curve.start(), step = (curve.end() - from) / (kCurvatureProbes - 1);
       for (int i = 0; i < kCurvatureProbes; ++i) {
-        const double curvature = std::abs(section.curve.curvature(from + i * step));
+        const double curvature = std::abs(curve.curvature(from + i * step));
         if (std::isfinite(curvature)) tightest = std::max(tightest, curvature);
       }
     }

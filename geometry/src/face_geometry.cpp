@@ -10,7 +10,9 @@
 #include <Standard_DomainError.hxx>
 
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
+#include <limits>
 
 #include "tolerances.h"
 
@@ -45,29 +47,13 @@ ParameterRange rangeOf(const TopoDS_Face& face, const SurfacePatch& patch) {
   return range;
 }
 
-/// The extreme value of f over [a, b] near the sampled extremum m, by golden-section search.
+/// The extreme value of f over [a, b].
 template <class Function>
-double refineExtremum(const Function& f, double a, double b, bool maximum) {
-  constexpr double kGolden = 0.6180339887498949;
+double extremum(const Function& f, double a, double b, bool maximum) {
   const auto g = [&](double t) { return maximum ? -f(t) : f(t); };
-  double x1 = b - kGolden * (b - a), x2 = a + kGolden * (b - a);
-  double f1 = g(x1), f2 = g(x2);
-  for (int i = 0; i < 40; ++i) {
-    if (f1 < f2) {
-      b = x2;
-      x2 = x1;
-      f2 = f1;
-      x1 = b - kGolden * (b - a);
-      f1 = g(x1);
-    } else {
-      a = x1;
-      x1 = x2;
-      f1 = f2;
-      x2 = a + kGolden * (b - a);
-      f2 = g(x2);
-    }
-  }
-  return maximum ? -std::min(f1, f2) : std::min(f1, f2);
+  const double least =
+      boost::math::tools::brent_find_minima(g, a, b, std::numeric_limits<double>::digits / 2).second;
+  return maximum ? -least : least;
 }
 
 }  // namespace
@@ -194,9 +180,9 @@ std::array<double, 2> FaceGeometry::extent(const Eigen::Vector3d& direction,
       if (i == 0 || i + 1 == e.points.size()) continue;
       const double a = direction.dot(e.points[i - 1]), b = direction.dot(e.points[i + 1]);
       if (here >= a && here >= b && here > high - 0.5 * (2 * here - a - b))
-        take(refineExtremum(g, e.t[i - 1], e.t[i + 1], true));
+        take(extremum(g, e.t[i - 1], e.t[i + 1], true));
       if (here <= a && here <= b && here < low + 0.5 * (a + b - 2 * here))
-        take(refineExtremum(g, e.t[i - 1], e.t[i + 1], false));
+        take(extremum(g, e.t[i - 1], e.t[i + 1], false));
     }
   }
   // Inside: Newton's method on the gradient from the extreme nodes of the grid.
@@ -255,19 +241,14 @@ CurvatureRange FaceGeometry::curvatureRange() const {
   for (int i = 0; i < nu; ++i) {
     for (int j = 0; j < nv; ++j) {
       if (!gridInside(i, j)) continue;
-      Jet s;
-      patch_.second(gridU_[i], gridV_[j], s);
-      const Eigen::Vector3d n = normal(s);
-      if (n.isZero()) continue;
-      const double E = s.du.dot(s.du), F = s.du.dot(s.dv), G = s.dv.dot(s.dv);
-      const double L = s.duu.dot(n), M = s.duv.dot(n), N = s.dvv.dot(n);
-      const double metric = E * G - F * F;
-      const double mean = 0.5 * (E * N - 2 * F * M + G * L) / metric;
-      const double gauss = (L * N - M * M) / metric;
-      const double root = std::sqrt(std::max(0.0, mean * mean - gauss));
-      low = std::min(low, mean - root);
-      high = std::max(high, mean + root);
-      lesser = std::max(lesser, std::min(std::abs(mean - root), std::abs(mean + root)));
+      Jet jet;
+      patch_.second(gridU_[i], gridV_[j], jet);
+      jet.normal = normal(jet);
+      const Result<SurfaceCurvature> bend = curvatureOf(jet);
+      if (!bend || pole(jet)) continue;
+      low = std::min(low, bend->min);
+      high = std::max(high, bend->max);
+      lesser = std::max(lesser, std::min(std::abs(bend->min), std::abs(bend->max)));
     }
   }
   if (low > high) return {};

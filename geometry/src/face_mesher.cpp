@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "face_mesher.h"
-
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRep_Builder.hxx>
@@ -16,7 +14,6 @@
 #include <cmath>
 #include <functional>
 
-#include "bw/geometry/face_mesh.h"
 #include "model_impl.h"
 #include "occt.h"
 

@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "face_sampler.h"
-
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "closest_point.h"
+#include "model_impl.h"
 #include "occt.h"
 #include "tolerances.h"
 
@@ -205,8 +204,6 @@ const SearchTable& Target::Impl::searchTable() const {
   return *table;
 }
 
-std::unique_ptr<SurfaceSampler> makeSampler(std::shared_ptr<const Target::Impl> target) {
-  return std::make_unique<FaceSampler>(std::move(target));
-}
+std::unique_ptr<SurfaceSampler> Target::sampler() const { return std::make_unique<FaceSampler>(impl_); }
 
 }  // namespace bw::geometry

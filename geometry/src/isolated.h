@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <streambuf>
 #include <string>
 #include <string_view>
 
@@ -47,5 +48,27 @@ class MemoryFile {
 void appendText(std::string& bytes, std::string_view text);
 /// False if `bytes` ends too early. Takes what it read off the front of `bytes`.
 bool takeText(std::string_view& bytes, std::string& text);
+
+/// A stream buffer that reads bytes which are somewhere else, without a copy.
+class BytesBuffer : public std::streambuf {
+ public:
+  explicit BytesBuffer(std::string_view bytes) {
+    char* begin = const_cast<char*>(bytes.data());  // a get area is not written to
+    setg(begin, begin, begin + bytes.size());
+  }
+
+ protected:
+  pos_type seekoff(off_type offset, std::ios_base::seekdir from, std::ios_base::openmode) override {
+    const off_type base = from == std::ios_base::beg   ? 0
+                          : from == std::ios_base::cur ? gptr() - eback()
+                                                       : egptr() - eback();
+    if (base + offset < 0 || base + offset > egptr() - eback()) return pos_type(off_type(-1));
+    setg(eback(), eback() + base + offset, egptr());
+    return pos_type(base + offset);
+  }
+  pos_type seekpos(pos_type at, std::ios_base::openmode which) override {
+    return seekoff(off_type(at), std::ios_base::beg, which);
+  }
+};
 
 }  // namespace bw::geometry

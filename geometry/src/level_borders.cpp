@@ -110,10 +110,7 @@ void PlaneCutter::split(int face, const std::vector<Root>& roots, double level,
         for (int k = 0; k < segments; ++k) {
           const Eigen::Vector2d a = nodes[k].uv.cwiseProduct(geometry.scale());
           const Eigen::Vector2d b = nodes[(k + 1) % nodes.size()].uv.cwiseProduct(geometry.scale());
-          const Eigen::Vector2d d = b - a;
-          const double length2 = d.squaredNorm();
-          const double s = length2 > 0 ? std::clamp((q - a).dot(d) / length2, 0.0, 1.0) : 0.0;
-          const double distance = (a + s * d - q).norm();
+          const double s = nearestOnSegment(q, a, b), distance = (a + s * (b - a) - q).norm();
           if (distance < best) {
             best = distance;
             where = k + s;

@@ -70,8 +70,8 @@ void PlaneCutter::intersect(int face, double level, std::vector<LevelPiece>& cha
     for (int j = 0; j < int(geometry.gridV().size()); ++j)
       size = std::max(size, (geometry.gridPoint(i, j) - origin).norm());
   const double reach = kPlaneMargin * size;
-  const Handle(Geom_Plane) plane = new Geom_Plane(
-      gp_Pln(gp_Pnt(origin.x(), origin.y(), origin.z()), gp_Dir(normal_.x(), normal_.y(), normal_.z())));
+  const Handle(Geom_Plane) plane =
+      new Geom_Plane(gp_Pln(toPoint(origin), gp_Dir(normal_.x(), normal_.y(), normal_.z())));
   GeomInt_IntSS kernel;
   kernel.Perform(new GeomAdaptor_Surface(geometry.patch().surface(), geometry.u0(), geometry.u1(),
                                          geometry.v0(), geometry.v1()),

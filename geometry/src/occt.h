@@ -17,6 +17,7 @@
 
 namespace bw::geometry {
 
+inline gp_Pnt toPoint(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
 inline Eigen::Vector3d toEigen(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
 inline Eigen::Vector3d toEigen(const gp_Pnt& p) { return toEigen(p.XYZ()); }
 inline Eigen::Vector3d toEigen(const gp_Vec& p) { return toEigen(p.XYZ()); }

@@ -23,10 +23,10 @@ constexpr int kProbePlanes = 64;      // tried when no sample of the target lies
 constexpr int kBisections = 16;  // halvings of the distance between a plane that hits and one that misses
 
 /// The first and last place along the direction where the target lies in the block.
-Result<std::array<double, 2>> rangeOf(const Target::Impl& target, const Setup& setup,
+Result<std::array<double, 2>> rangeOf(const Target::Impl& target, const PlaneFamily& planes,
                                       const Sectioner& sectioner) {
-  const auto extent = target.extent(setup.direction);
-  const double low = std::max(extent[0], sectioner.entry()), high = std::min(extent[1], sectioner.exit());
+  const auto extent = target.extent(planes.direction());
+  const double low = std::max(extent[0], planes.entry), high = std::min(extent[1], planes.exit);
   const auto missed = [&]() {
     return fail(ErrorCode::badInput,
                 "no plane across the cutting direction meets the target inside the block; move or enlarge "
@@ -34,7 +34,7 @@ Result<std::array<double, 2>> rangeOf(const Target::Impl& target, const Setup& s
                 "block");
   };
   if (!(high > low)) {
-    if (extent[1] - extent[0] < kSlack && extent[0] > sectioner.entry() && extent[0] < sectioner.exit()) {
+    if (extent[1] - extent[0] < kSlack && extent[0] > planes.entry && extent[0] < planes.exit) {
       return fail(ErrorCode::badInput,
                   "the target has no extent along the cutting direction; choose a direction that runs along "
                   "the surface",
@@ -76,54 +76,52 @@ Result<std::array<double, 2>> rangeOf(const Target::Impl& target, const Setup& s
 }
 
 /// Makes all curves run the same way: towards +x where that is clear, else like their neighbours.
-void orient(std::vector<Section>& sections) {
+void orient(std::vector<Section>& all) {
   constexpr double kClear = 0.05;  // of the chord
   const auto chord = [](const PlanarCurve& c) -> Eigen::Vector2d {
     return c.value(c.end()) - c.value(c.start());
   };
+  std::vector<PlanarCurve*> curves;
+  for (Section& section : all)
+    if (section.chosen >= 0) curves.push_back(&section.curve());
   int anchor = -1;
-  for (int i = 0; i < int(sections.size()); ++i) {
-    const Eigen::Vector2d d = chord(sections[i].curve);
+  for (int i = 0; i < int(curves.size()); ++i) {
+    const Eigen::Vector2d d = chord(*curves[i]);
     if (std::abs(d.x()) <= kClear * d.norm()) continue;
-    if (d.x() < 0) sections[i].curve = sections[i].curve.reversed();
+    if (d.x() < 0) *curves[i] = curves[i]->reversed();
     if (anchor < 0) anchor = i;
   }
-  if (anchor < 0 && !sections.empty()) {
+  if (anchor < 0) {
     anchor = 0;
-    if (chord(sections[0].curve).y() < 0) sections[0].curve = sections[0].curve.reversed();
+    if (chord(*curves[0]).y() < 0) *curves[0] = curves[0]->reversed();
   }
   const auto follow = [&](int i, int neighbour) {
-    const Eigen::Vector2d d = chord(sections[i].curve);
+    const PlanarCurve &c = *curves[i], &n = *curves[neighbour];
+    const Eigen::Vector2d d = chord(c);
     if (std::abs(d.x()) > kClear * d.norm()) return;
-    const PlanarCurve& c = sections[i].curve;
-    const PlanarCurve& n = sections[neighbour].curve;
     const Eigen::Vector2d a = c.value(c.start()), b = c.value(c.end()), na = n.value(n.start()),
                           nb = n.value(n.end());
     if ((a - na).squaredNorm() + (b - nb).squaredNorm() > (b - na).squaredNorm() + (a - nb).squaredNorm()) {
-      sections[i].curve = c.reversed();
+      *curves[i] = c.reversed();
     }
   };
-  for (int i = anchor + 1; i < int(sections.size()); ++i) follow(i, i - 1);
+  for (int i = anchor + 1; i < int(curves.size()); ++i) follow(i, i - 1);
   for (int i = anchor - 1; i >= 0; --i) follow(i, i + 1);
 }
 
-/// True if the first of two causes of one kind is the worse.
-bool isWorse(const Cause& a, const Cause& b) {
-  if (const auto* branches = std::get_if<SectionBranches>(&a))
-    return branches->most > std::get<SectionBranches>(b).most;
-  if (const auto* shorter = std::get_if<SectionShort>(&a))
-    return shorter->length < std::get<SectionShort>(b).length;
-  if (const auto* rough = std::get_if<SectionRough>(&a))
-    return rough->distance > std::get<SectionRough>(b).distance;
-  if (const auto* differs = std::get_if<SectionDiffers>(&a))
-    return differs->distance > std::get<SectionDiffers>(b).distance;
-  return false;
+/// How bad a cause is beside another one of its kind.
+double badness(const Cause& cause) {
+  if (const auto* branches = std::get_if<SectionBranches>(&cause)) return branches->most;
+  if (const auto* shorter = std::get_if<SectionShort>(&cause)) return -shorter->length;
+  if (const auto* rough = std::get_if<SectionRough>(&cause)) return rough->distance;
+  if (const auto* differs = std::get_if<SectionDiffers>(&cause)) return differs->distance;
+  return 0;
 }
 
 /// Adds a later finding of the same kind of cause to `all`, which keeps the worse of both.
 void join(Finding& all, const Finding& one) {
   StationRange& range = *all.where.stations;
-  const bool worse = isWorse(one.cause, all.cause);
+  const bool worse = badness(one.cause) > badness(all.cause);
   range.last = one.where.stations->last;
   range.count += one.where.stations->count;
   if (auto* branches = std::get_if<SectionBranches>(&all.cause)) {
@@ -164,23 +162,23 @@ Findings gathered(const Findings& each) {
 }
 
 Result<void> SectionRow::place(const Target& target, const SectionRequest& request) {
-  const auto range = rangeOf(target.impl(), setup_, sectioner_);
+  const auto range = rangeOf(target.impl(), planes_, sectioner_);
   if (!range) return tl::unexpected(range.error());
-  first_ = (*range)[0];
-  last_ = (*range)[1];
-  count_ = request.stations;
+  planes_.first = (*range)[0];
+  planes_.last = (*range)[1];
+  planes_.count = request.stations;
+  const double width = planes_.last - planes_.first;
   if (!request.spacing) return {};
-  const double gaps = std::ceil((last_ - first_) / *request.spacing - kSameSize);
+  const double gaps = std::ceil(width / *request.spacing - kSameSize);
   if (gaps + 1 > SectionRequest::kMost) {
     return fail(ErrorCode::badInput,
                 "a spacing of " + shortText(*request.spacing) + " mm makes more than " +
-                    std::to_string(SectionRequest::kMost) + " stations over " + shortText(last_ - first_) +
+                    std::to_string(SectionRequest::kMost) + " stations over " + shortText(width) +
                     " mm; choose " +
-                    shortText(std::ceil((last_ - first_) / (SectionRequest::kMost - 1) * 100) / 100, 8) +
-                    " mm or more",
+                    shortText(std::ceil(width / (SectionRequest::kMost - 1) * 100) / 100, 8) + " mm or more",
                 "stations", gaps + 1, SectionRequest::kMost);
   }
-  count_ = std::max(2, int(gaps) + 1);
+  planes_.count = std::max(2, int(gaps) + 1);
   return {};
 }
 
@@ -194,21 +192,20 @@ Result<std::vector<Section>> SectionRow::finish(std::vector<SectionOutcome> outc
   for (SectionOutcome& outcome : outcomes) {
     each.insert(each.end(), outcome.findings.begin(), outcome.findings.end());
     if (!outcome.section) continue;
-    if (outcome.length < shortest) {
-      const Section& section = *outcome.section;
+    Section& section = sections.emplace_back(std::move(*outcome.section));
+    if (section.chosen >= 0 && outcome.length < shortest) {
       each.push_back({Severity::warning,
                       SectionShort{outcome.length, shortest},
                       {StationRange::of(section.index),
-                       section.frame.toWorld(section.curve.value(section.curve.start()))},
+                       section.frame.toWorld(section.curve().value(section.curve().start()))},
                       {}});
-      continue;
+      section.chosen = -1;
     }
-    sections.push_back(std::move(*outcome.section));
   }
   for (Finding& finding : gathered(each)) findings.push_back(std::move(finding));
-  if (sections.empty()) {
+  if (std::ranges::all_of(sections, [](const Section& s) { return s.chosen < 0; })) {
     return fail(ErrorCode::noSolution,
-                "none of the " + std::to_string(count_) +
+                "none of the " + std::to_string(count()) +
                     " planes cuts the target in one open curve inside the block; choose another block, "
                     "direction or face",
                 "sections");

@@ -13,34 +13,32 @@ namespace bw::geometry {
 class SectionRow {
  public:
   SectionRow(const Target& target, const Setup& setup)
-      : setup_{setup.block, setup.direction.normalized()}, sectioner_(target.impl(), setup_) {}
+      : planes_(PlaneFamily::across(setup.block, setup.direction.normalized())),
+        sectioner_(target.impl(), setup.block, planes_) {}
   SectionRow(const SectionRow&) = delete;  // the sectioner keeps a reference
 
   /// Finds where the row begins and ends, and how many planes it has: at first, and once.
   Result<void> place(const Target& target, const SectionRequest& request);
 
-  int count() const { return count_; }
-  bool grazes(int i) const { return sectioner_.grazes(level(i)); }
-  SectionOutcome cut(int i, bool byKernel) const { return sectioner_.cut(level(i), i, byKernel); }
+  int count() const { return planes_.count; }
+  bool grazes(int i) const { return sectioner_.grazes(planes_.level(i)); }
+  SectionOutcome cut(int i, bool byKernel) const { return sectioner_.cut(planes_.level(i), i, byKernel); }
 
   Result<std::vector<SectionOutcome>> cutAll(bool byKernel, const RunContext& context) const {
-    std::vector<SectionOutcome> outcomes(std::size_t(count_), SectionOutcome{});
+    std::vector<SectionOutcome> outcomes(std::size_t(count()), SectionOutcome{});
     const auto done =
-        parallelFor(context, count_, [&](int i) { outcomes[std::size_t(i)] = cut(i, byKernel); });
+        parallelFor(context, count(), [&](int i) { outcomes[std::size_t(i)] = cut(i, byKernel); });
     if (!done) return tl::unexpected(done.error());
     return outcomes;
   }
 
-  /// The sections that are long enough, one way round, and what is found about each station.
+  /// What each plane cuts, the branches that are followed one way round, and what is found about each
+  /// station.
   Result<std::vector<Section>> finish(std::vector<SectionOutcome> outcomes, Findings& findings) const;
 
  private:
-  double level(int i) const { return i + 1 == count_ ? last_ : first_ + (last_ - first_) * i / (count_ - 1); }
-
-  Setup setup_;
+  PlaneFamily planes_;
   Sectioner sectioner_;
-  double first_ = 0, last_ = 0;  // mm along the direction
-  int count_ = 0;
 };
 
 /// What is found about one station each, in the order of the row, as one finding a cause: for each stretch of

@@ -8,10 +8,26 @@
 #include <vector>
 
 #include "bw/core/base/frame.h"
+#include "curve_fit.h"
 #include "level_curves.h"
-#include "section_branches.h"
 
 namespace bw::geometry {
+
+inline constexpr double kMeet = 1e-3;  ///< mm: ends of pieces this close are one point
+
+/// A chain of pieces over the faces: one connected curve of a section.
+struct SectionBranch {
+  struct Part {
+    const LevelPiece* piece;  ///< one of those that were chained
+    bool reversed;
+  };
+  std::vector<Part> parts;
+  bool closed = false;
+};
+
+/// Joins pieces whose ends lie on the same crossing of a border, or else at the same point. Each piece
+/// belongs to exactly one branch; the branches point into `pieces`.
+std::vector<SectionBranch> chainPieces(const std::vector<LevelPiece>& pieces);
 
 /// A sample of a branch on its way to the fit.
 struct SectionSample {
@@ -48,5 +64,10 @@ std::vector<SectionSample> refined(const PlaneCutter& cutter, const std::vector<
 
 /// Length of the polygon through the samples, mm.
 double lengthOf(const std::vector<SectionSample>& samples);
+
+/// Plane points with tangents and arc lengths, broken into runs at corners: what a spline is fitted to. In
+/// the axes x and y of `frame`, whose plane the samples lie in; tangents point along the samples.
+std::vector<std::vector<CurveSample>> runsOf(const PlaneCutter& cutter,
+                                             const std::vector<SectionSample>& samples, const Frame& frame);
 
 }  // namespace bw::geometry

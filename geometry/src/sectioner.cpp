@@ -6,8 +6,6 @@
 
 #include "curve_fit.h"
 #include "occt.h"
-#include "section_branches.h"
-#include "section_runs.h"
 #include "tolerances.h"
 
 namespace bw::geometry {
@@ -23,30 +21,6 @@ constexpr int kMaxSamples = 12000;
 
 }  // namespace
 
-Sectioner::Sectioner(const Target::Impl& target, const Setup& setup)
-    : setup_(setup), cutter_(target, setup.direction, setup.block), window_{setup.block} {
-  frame_.normal = setup.direction;
-  const Frame& block = setup.block.frame;
-  // y: towards the side that the block is looked at from; where the blade travels that way, the block's
-  // own y.
-  Eigen::Vector3d up = block.normal - block.normal.dot(frame_.normal) * frame_.normal;
-  if (up.norm() < kParallel) up = block.y - block.y.dot(frame_.normal) * frame_.normal;
-  frame_.y = up.normalized();
-  frame_.x = frame_.y.cross(frame_.normal);
-  entry_ = 1e300;
-  for (const Eigen::Vector3d& corner : setup.block.corners()) {
-    entry_ = std::min(entry_, setup.direction.dot(corner));
-    exit_ = std::max(exit_, setup.direction.dot(corner));
-  }
-}
-
-Frame Sectioner::frameAt(double level) const {
-  Frame frame = frame_;
-  const Eigen::Vector3d& corner = setup_.block.frame.origin;
-  frame.origin = corner + (level - setup_.direction.dot(corner)) * setup_.direction;
-  return frame;
-}
-
 bool Sectioner::hits(double level) const {
   const PlaneCutter::Cut cut = cutter_.cut(level);
   for (const LevelPiece& piece : cut.pieces) {
@@ -60,7 +34,7 @@ bool Sectioner::hits(double level) const {
 SectionOutcome Sectioner::cut(double level, int station, bool byKernel) const {
   if (grazes(level)) level += kNudge;
   SectionOutcome outcome;
-  const Frame frame = frameAt(level);
+  const Frame frame = planes_.at(level);
   const auto tell = [&](Severity severity, Cause cause, const Eigen::Vector3d& point) {
     outcome.findings.push_back({severity, std::move(cause), {StationRange::of(station), point}, {}});
   };
@@ -104,6 +78,15 @@ SectionOutcome Sectioner::cut(double level, int station, bool byKernel) const {
     return outcome;
   }
   const Eigen::Vector3d place = parts.front().samples.front().node.p;
+  outcome.section = Section{station, planes_.travel(level), frame, {}, -1};
+  if (parts.size() > 1 || parts.front().closed) {
+    for (const Part& part : parts) {
+      std::vector<Eigen::Vector2d> points;
+      for (const SectionSample& sample : part.samples)
+        points.push_back(frame.toLocal(sample.node.p).head<2>());
+      if (auto chain = PlanarCurve::points(std::move(points))) outcome.section->branches.push_back(*chain);
+    }
+  }
   if (parts.size() > 1) {
     tell(Severity::warning, SectionBranches{int(parts.size()), int(parts.size())}, place);
     return outcome;
@@ -129,7 +112,8 @@ SectionOutcome Sectioner::cut(double level, int station, bool byKernel) const {
   }
   if (best->deviation > kPromised) tell(Severity::warning, SectionRough{best->deviation}, place);
   outcome.length = part.length;
-  outcome.section = Section{station, level - entry_, frame, std::move(best->curve)};
+  outcome.section->branches = {std::move(best->curve)};
+  outcome.section->chosen = 0;
   return outcome;
 }
 

@@ -8,6 +8,7 @@
 
 #include "bw/core/base/finding.h"
 #include "bw/core/base/frame.h"
+#include "bw/core/sweep/plane_family.h"
 #include "bw/geometry/sections.h"
 #include "level_curves.h"
 #include "section_samples.h"
@@ -16,27 +17,22 @@ namespace bw::geometry {
 
 /// One section plane and what it found.
 struct SectionOutcome {
-  std::optional<Section> section;  ///< empty if the station is left out; `findings` then tell why
+  std::optional<Section>
+      section;  ///< empty if nothing is cut; without a chosen branch if `findings` tell why
   Findings findings;
   double length = 0;  ///< of the section, mm
   int curves = 0;     ///< found inside the block
   double found = 0;   ///< mm of all of these together
+
+  bool followed() const { return section && section->chosen >= 0; }
 };
 
 /// Cuts a target with the planes across one cutting direction, each to one open spline inside the block.
-/// Keeps references to `target` and `setup`. Immutable; cuts from several threads are safe.
+/// Keeps references to `target` and `planes`. Immutable; cuts from several threads are safe.
 class Sectioner {
  public:
-  /// `setup.direction` must be of length 1.
-  Sectioner(const Target::Impl& target, const Setup& setup);
-
-  /// Where the block begins and ends along the direction, mm.
-  double entry() const { return entry_; }
-  double exit() const { return exit_; }
-
-  /// The frame of the section plane at `level` = direction · point, mm: the normal is the direction, y points
-  /// towards the side that the block is looked at from.
-  Frame frameAt(double level) const;
+  Sectioner(const Target::Impl& target, const Box& block, const PlaneFamily& planes)
+      : planes_(planes), cutter_(target, planes.direction(), block), window_{block} {}
 
   /// True if the plane meets the target within the block.
   bool hits(double level) const;
@@ -49,11 +45,9 @@ class Sectioner {
   SectionOutcome cut(double level, int station, bool byKernel) const;
 
  private:
-  const Setup& setup_;
+  const PlaneFamily& planes_;
   PlaneCutter cutter_;
   BlockWindow window_;
-  Frame frame_;
-  double entry_ = 1e300, exit_ = -1e300;
 };
 
 }  // namespace bw::geometry

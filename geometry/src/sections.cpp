@@ -63,8 +63,9 @@ double apart(const PlanarCurve& a, const PlanarCurve& b) {
 /// How the two routes differ at a station, if they do.
 std::optional<SectionDiffers> difference(const SectionOutcome& traced, const SectionOutcome& kernel) {
   SectionDiffers cause{traced.curves, kernel.curves, 0, kernel.found >= (1 - kSameLength) * traced.found};
-  if (traced.section && kernel.section) cause.distance = apart(traced.section->curve, kernel.section->curve);
-  const bool same = traced.curves == kernel.curves && !traced.section == !kernel.section &&
+  if (traced.followed() && kernel.followed())
+    cause.distance = apart(traced.section->curve(), kernel.section->curve());
+  const bool same = traced.curves == kernel.curves && traced.followed() == kernel.followed() &&
                     std::abs(traced.found - kernel.found) <= kSameLength * traced.found &&
                     cause.distance <= kSameSection;
   return same ? std::nullopt : std::optional(cause);

@@ -78,30 +78,6 @@ std::vector<Eigen::Vector2d> hullOf(std::vector<Eigen::Vector2d> points) {
   return hull;
 }
 
-/// The direction in the plane of x and y along which the smallest rectangle around the points lies.
-Eigen::Vector2d smallestRectangle(const std::vector<Eigen::Vector2d>& hull) {
-  Eigen::Vector2d best = Eigen::Vector2d::UnitX();
-  double smallest = 1e300;
-  for (std::size_t i = 0; i < hull.size(); ++i) {
-    const Eigen::Vector2d side = hull[(i + 1) % hull.size()] - hull[i];
-    if (!(side.norm() > kNoLength)) continue;
-    const Eigen::Vector2d d = side.normalized(), n(-d.y(), d.x());
-    double a0 = 1e300, a1 = -1e300, b0 = 1e300, b1 = -1e300;
-    for (const Eigen::Vector2d& p : hull) {
-      a0 = std::min(a0, p.dot(d));
-      a1 = std::max(a1, p.dot(d));
-      b0 = std::min(b0, p.dot(n));
-      b1 = std::max(b1, p.dot(n));
-    }
-    const double area = (a1 - a0) * (b1 - b0);
-    if (area < smallest * (1 - kSameSize)) {
-      smallest = area;
-      best = d;
-    }
-  }
-  return best;
-}
-
 /// A plane box seen along `z`: its sides and how much of its rectangle the shadow fills.
 struct Shadow {
   Eigen::Vector3d x, y, z;
@@ -116,18 +92,27 @@ Shadow shadowAlong(const Points& points, const Eigen::Vector3d& z) {
   flat.reserve(points.size());
   for (const auto& p : points) flat.emplace_back((p - points.front()).dot(ox), (p - points.front()).dot(oy));
   const std::vector<Eigen::Vector2d> hull = hullOf(std::move(flat));
-  const Eigen::Vector2d d = smallestRectangle(hull), n(-d.y(), d.x());
-  double area = 0, a0 = 1e300, a1 = -1e300, b0 = 1e300, b1 = -1e300;
+  const auto rectangleAlong = [&](const Eigen::Vector2d& d) {
+    Eigen::AlignedBox2d box;
+    for (const Eigen::Vector2d& p : hull)
+      box.extend(Eigen::Vector2d(p.dot(d), p.dot(Eigen::Vector2d(-d.y(), d.x()))));
+    return box.volume();
+  };
+  // It lies along a side of the hull.
+  Eigen::Vector2d d = Eigen::Vector2d::UnitX();
+  double smallest = 1e300, area = 0;
   for (std::size_t i = 0; i < hull.size(); ++i) {
     const Eigen::Vector2d &p = hull[i], &q = hull[(i + 1) % hull.size()];
     area += 0.5 * (p.x() * q.y() - p.y() * q.x());
-    a0 = std::min(a0, p.dot(d));
-    a1 = std::max(a1, p.dot(d));
-    b0 = std::min(b0, p.dot(n));
-    b1 = std::max(b1, p.dot(n));
+    if (!((q - p).norm() > kNoLength)) continue;
+    const Eigen::Vector2d side = (q - p).normalized();
+    const double rectangle = rectangleAlong(side);
+    if (rectangle >= smallest * (1 - kSameSize)) continue;
+    smallest = rectangle;
+    d = side;
   }
-  const double rectangle = (a1 - a0) * (b1 - b0);
-  return {d.x() * ox + d.y() * oy, n.x() * ox + n.y() * oy, z, rectangle > 0 ? area / rectangle : 0};
+  const double rectangle = rectangleAlong(d);
+  return {d.x() * ox + d.y() * oy, -d.y() * ox + d.x() * oy, z, rectangle > 0 ? area / rectangle : 0};
 }
 
 /// The direction near `look` from which the target looks most like a rectangle. A panel that is one in its
@@ -179,20 +164,20 @@ Box boxAround(const Target::Impl& target, const Eigen::Vector3d& x, const Eigen:
   return box;
 }
 
-Box autoBlock(const Target::Impl& target) {
-  const Points points = samplePoints(target);
+/// The axes along which the points spread least, more and most.
+Eigen::Matrix3d principalAxes(const Points& points) {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
-  for (const auto& p : points) center += p;
-  center /= double(points.size());
+  for (const auto& p : points) center += p / double(points.size());
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (const auto& p : points) spread += (p - center) * (p - center).transpose();
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors();
+}
 
+Box autoBlock(const Target::Impl& target) {
+  const Points points = samplePoints(target);
   // The side that the target is looked at from.
   Eigen::Vector3d look = target.meanNormal;
-  if (look.norm() < kDirectedNormal) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
-    look = upward(solver.eigenvectors().col(0));
-  }
+  if (look.norm() < kDirectedNormal) look = upward(principalAxes(points).col(0));
   look.normalize();
 
   // Axis-parallel: z is the world axis nearest to that side.
@@ -249,14 +234,9 @@ std::vector<NamedDirection> directionsToTry(const Target& target, const Box& blo
   const Eigen::Vector3d longer = longerSide(block);
   add("longer side of the block", longer);
   add("shorter side of the block", block.frame.normal.cross(longer));
-  const Points points = samplePoints(target.impl());
-  Eigen::Vector3d center = Eigen::Vector3d::Zero();
-  for (const auto& p : points) center += p / double(points.size());
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  for (const auto& p : points) spread += (p - center) * (p - center).transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
-  add("longest axis of the surface", axes.eigenvectors().col(2));
-  add("middle axis of the surface", axes.eigenvectors().col(1));
+  const Eigen::Matrix3d axes = principalAxes(samplePoints(target.impl()));
+  add("longest axis of the surface", axes.col(2));
+  add("middle axis of the surface", axes.col(1));
   add("diagonal of the block", block.frame.x + block.frame.y);
   add("other diagonal of the block", block.frame.x - block.frame.y);
   add("x of the file", Eigen::Vector3d::UnitX());

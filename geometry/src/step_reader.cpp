@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "step_reader.h"
+#include "cad_reader.h"
 
 #include <Interface_Static.hxx>
 #include <STEPControl_Reader.hxx>
@@ -27,8 +27,8 @@
 #include <map>
 #include <set>
 
-#include "file_unit.h"
-#include "memory_stream.h"
+#include "cad_format.h"
+#include "isolated.h"
 #include "step_salvage.h"
 
 namespace bw::geometry {

@@ -24,7 +24,7 @@
 #include <memory>
 #include <set>
 
-#include "step_scan.h"
+#include "cad_format.h"
 
 namespace bw::geometry {
 

@@ -7,8 +7,6 @@
 #include <charconv>
 #include <cstdint>
 
-#include "spline_check.h"
-
 namespace bw::geometry {
 
 namespace {
@@ -32,6 +30,17 @@ std::string triple(const Eigen::Vector3d& p) {
 std::string integer(int i) { return std::to_string(i); }
 
 }  // namespace
+
+void packKnots(const std::vector<double>& flat, std::vector<double>& knots, std::vector<int>& counts) {
+  for (const double k : flat) {
+    if (!knots.empty() && knots.back() == k) {
+      ++counts.back();
+    } else {
+      knots.push_back(k);
+      counts.push_back(1);
+    }
+  }
+}
 
 std::string stepReal(double value) {
   if (value == 0) return "0.";

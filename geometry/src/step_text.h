@@ -43,6 +43,9 @@ class StepText {
   int count_ = 0;
 };
 
+/// Adds the distinct knots of a flat list and how often each stands there.
+void packKnots(const std::vector<double>& flat, std::vector<double>& knots, std::vector<int>& counts);
+
 /// A number as the exchange structure wants it: with a decimal point, capital E; reads back as the same
 /// double.
 std::string stepReal(double value);

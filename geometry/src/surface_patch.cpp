@@ -25,56 +25,14 @@ namespace bw::geometry {
 
 namespace {
 
-constexpr int kMaxDegree = 25;   // OCCT's own limit
 constexpr int kTableDegree = 9;  // above this the coefficients lose digits
 
-using Basis = std::array<std::array<double, kMaxDegree + 1>, 3>;
+/// The basis functions that do not vanish at a parameter, with their first and second derivatives.
+using Basis = std::array<std::array<double, kTableDegree + 1>, 3>;
 
 int findSpan(const std::vector<double>& knots, int degree, int poles, double t) {
   const auto it = std::upper_bound(knots.begin() + degree + 1, knots.begin() + poles, t);
   return int(it - knots.begin()) - 1;
-}
-
-/// Basis functions of `degree` over `span` and their derivatives up to `order` ≤ 2.
-void basisFunctions(const std::vector<double>& knots, int degree, int span, double t, int order, Basis& out) {
-  std::array<std::array<double, kMaxDegree + 1>, kMaxDegree + 1> ndu;
-  std::array<double, kMaxDegree + 1> left, right;
-  ndu[0][0] = 1;
-  for (int j = 1; j <= degree; ++j) {
-    left[j] = t - knots[span + 1 - j];
-    right[j] = knots[span + j] - t;
-    double saved = 0;
-    for (int r = 0; r < j; ++r) {
-      ndu[j][r] = right[r + 1] + left[j - r];
-      const double part = ndu[r][j - 1] / ndu[j][r];
-      ndu[r][j] = saved + right[r + 1] * part;
-      saved = left[j - r] * part;
-    }
-    ndu[j][j] = saved;
-  }
-  for (int j = 0; j <= degree; ++j) out[0][j] = ndu[j][degree];
-  if (order < 1) return;
-  // Derivatives by differences of the functions of lower degree, which stand in the columns of ndu.
-  for (int r = 0; r <= degree; ++r) {
-    const auto lower = [&](int i, int p) { return i < 0 || i > p ? 0.0 : ndu[i][p]; };
-    const auto gap = [&](int i, int p) {
-      return ndu[p][i];
-    };                                      // knots[span + i + 1] − knots[span + 1 + i − p]
-    const auto ratio = [&](int i, int p) {  // N_{i, p−1} over its knot difference
-      return i < 0 || i > p - 1 ? 0.0 : lower(i, p - 1) / gap(i, p);
-    };
-    out[1][r] = degree * (ratio(r - 1, degree) - ratio(r, degree));
-    if (order < 2) continue;
-    if (degree < 2) {
-      out[2][r] = 0;
-      continue;
-    }
-    const auto slope = [&](int i) {  // derivative of N_{i, degree−1} over its knot difference
-      if (i < 0 || i > degree - 1) return 0.0;
-      return (degree - 1) * (ratio(i - 1, degree - 1) - ratio(i, degree - 1)) / gap(i, degree);
-    };
-    out[2][r] = degree * (slope(r - 1) - slope(r));
-  }
 }
 
 /// The basis functions of `span` as polynomials in τ = (t − middle)/half, by the recurrence of de Boor on
@@ -108,8 +66,11 @@ void appendPolynomials(const std::vector<double>& knots, int degree, int span, s
   }
 }
 
-/// The same as `basisFunctions` from the table of polynomials.
-void tabulatedBasis(const double* table, int degree, double middle, double half, double t, Basis& out) {
+/// The basis functions of `span` at t, from its part of the table of polynomials.
+void basisAt(const std::vector<double>& knots, const std::vector<double>& all, int degree, int span, double t,
+             Basis& out) {
+  const double middle = 0.5 * (knots[span] + knots[span + 1]), half = 0.5 * (knots[span + 1] - knots[span]);
+  const double* table = &all[std::size_t(span - degree) * std::size_t(degree + 1) * std::size_t(degree + 1)];
   const int count = degree + 1;
   const double tau = (t - middle) / half;
   for (int j = 0; j < count; ++j) {
@@ -123,10 +84,6 @@ void tabulatedBasis(const double* table, int degree, double middle, double half,
     out[1][j] = d1 / half;
     out[2][j] = 2 * d2 / (half * half);
   }
-}
-
-void readKnots(const TColStd_Array1OfReal& flat, std::vector<double>& knots) {
-  knots.assign(flat.begin(), flat.end());
 }
 
 void findBreaks(const std::vector<double>& knots, int degree, int poles, std::vector<double>& breaks,
@@ -143,7 +100,6 @@ void findBreaks(const std::vector<double>& knots, int degree, int poles, std::ve
 
 /// One table a knot interval, empty ones included so that the span is the index.
 void makeTable(const std::vector<double>& knots, int degree, int poles, std::vector<double>& table) {
-  if (degree > kTableDegree) return;
   const std::size_t size = std::size_t(degree + 1) * std::size_t(degree + 1);
   for (int span = degree; span < poles; ++span) {
     if (knots[span + 1] > knots[span]) {
@@ -152,17 +108,6 @@ void makeTable(const std::vector<double>& knots, int degree, int poles, std::vec
       table.resize(table.size() + size, 0.0);
     }
   }
-}
-
-void basisAt(const std::vector<double>& knots, const std::vector<double>& table, int degree, int span,
-             double t, int order, Basis& out) {
-  if (table.empty()) {
-    basisFunctions(knots, degree, span, t, order, out);
-    return;
-  }
-  const std::size_t size = std::size_t(degree + 1) * std::size_t(degree + 1);
-  tabulatedBasis(&table[std::size_t(span - degree) * size], degree, 0.5 * (knots[span] + knots[span + 1]),
-                 0.5 * (knots[span + 1] - knots[span]), t, out);
 }
 
 std::string typeName(const Handle(Geom_Surface) & s) {
@@ -198,8 +143,8 @@ SurfacePatch::SurfacePatch(const Handle(Geom_Surface) & given) : surface_(given)
 
   polesU_ = spline->NbUPoles();
   polesV_ = spline->NbVPoles();
-  readKnots(spline->UKnotSequence(), knotsU_);
-  readKnots(spline->VKnotSequence(), knotsV_);
+  knotsU_.assign(spline->UKnotSequence().begin(), spline->UKnotSequence().end());
+  knotsV_.assign(spline->VKnotSequence().begin(), spline->VKnotSequence().end());
   degreeU_ = spline->UDegree();
   degreeV_ = spline->VDegree();
   rational_ = spline->IsURational() || spline->IsVRational();
@@ -211,18 +156,29 @@ SurfacePatch::SurfacePatch(const Handle(Geom_Surface) & given) : surface_(given)
       poles_.emplace_back(w * p.x(), w * p.y(), w * p.z(), w);
     }
   }
-  makeTable(knotsU_, degreeU_, polesU_, tableU_);
-  makeTable(knotsV_, degreeV_, polesV_, tableV_);
+  if (std::max(degreeU_, degreeV_) <= kTableDegree) {
+    makeTable(knotsU_, degreeU_, polesU_, tableU_);
+    makeTable(knotsV_, degreeV_, polesV_, tableV_);
+  }
   findBreaks(knotsU_, degreeU_, polesU_, breaksU_, creasesU_);
   findBreaks(knotsV_, degreeV_, polesV_, breaksV_, creasesV_);
 }
 
 void SurfacePatch::evaluate(double u, double v, int order, Jet& jet) const {
+  if (tableU_.empty()) {
+    gp_Pnt p;
+    gp_Vec du, dv, duu, dvv, duv;
+    if (order == 0) surface_->D0(u, v, p);
+    if (order == 1) surface_->D1(u, v, p, du, dv);
+    if (order == 2) surface_->D2(u, v, p, du, dv, duu, dvv, duv);
+    jet = {toEigen(p), toEigen(du), toEigen(dv), toEigen(duu), toEigen(duv), toEigen(dvv), jet.normal};
+    return;
+  }
   Basis bu, bv;
   const int spanU = findSpan(knotsU_, degreeU_, polesU_, u);
   const int spanV = findSpan(knotsV_, degreeV_, polesV_, v);
-  basisAt(knotsU_, tableU_, degreeU_, spanU, u, order, bu);
-  basisAt(knotsV_, tableV_, degreeV_, spanV, v, order, bv);
+  basisAt(knotsU_, tableU_, degreeU_, spanU, u, bu);
+  basisAt(knotsV_, tableV_, degreeV_, spanV, v, bv);
   using V4 = Eigen::Vector4d;
   V4 s = V4::Zero(), su = V4::Zero(), sv = V4::Zero(), suu = V4::Zero(), suv = V4::Zero(), svv = V4::Zero();
   for (int i = 0; i <= degreeU_; ++i) {
@@ -260,41 +216,6 @@ void SurfacePatch::evaluate(double u, double v, int order, Jet& jet) const {
   jet.duu = (suu.head<3>() - 2 * su.w() * jet.du - suu.w() * jet.p) * w;
   jet.dvv = (svv.head<3>() - 2 * sv.w() * jet.dv - svv.w() * jet.p) * w;
   jet.duv = (suv.head<3>() - su.w() * jet.dv - sv.w() * jet.du - suv.w() * jet.p) * w;
-}
-
-Eigen::Vector3d SurfacePatch::value(double u, double v) const {
-  if (degreeU_ == 0) {
-    gp_Pnt p;
-    surface_->D0(u, v, p);
-    return toEigen(p);
-  }
-  Jet jet;
-  evaluate(u, v, 0, jet);
-  return jet.p;
-}
-
-void SurfacePatch::first(double u, double v, Jet& jet) const {
-  if (degreeU_ == 0) {
-    gp_Pnt p;
-    gp_Vec du, dv;
-    surface_->D1(u, v, p, du, dv);
-    jet.p = toEigen(p);
-    jet.du = toEigen(du);
-    jet.dv = toEigen(dv);
-    return;
-  }
-  evaluate(u, v, 1, jet);
-}
-
-void SurfacePatch::second(double u, double v, Jet& jet) const {
-  if (degreeU_ == 0) {
-    gp_Pnt p;
-    gp_Vec du, dv, duu, dvv, duv;
-    surface_->D2(u, v, p, du, dv, duu, dvv, duv);
-    jet = {toEigen(p), toEigen(du), toEigen(dv), toEigen(duu), toEigen(duv), toEigen(dvv), jet.normal};
-    return;
-  }
-  evaluate(u, v, 2, jet);
 }
 
 }  // namespace bw::geometry

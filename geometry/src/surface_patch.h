@@ -15,18 +15,22 @@ namespace bw::geometry {
 
 using Jet = SurfaceJet;
 
-/// Evaluates the surface of a face. B-splines and Béziers are evaluated from tables of their own, because the
-/// live path asks for hundreds of thousands of points; other surfaces by OCCT. Calls with one object from
-/// several threads are safe.
+/// Evaluates the surface of a face. B-splines and Béziers up to degree 9 are evaluated from tables of their
+/// own, because the live path asks for hundreds of thousands of points; other surfaces by OCCT. Calls with
+/// one object from several threads are safe.
 class SurfacePatch {
  public:
   explicit SurfacePatch(const Handle(Geom_Surface) & surface);
 
-  Eigen::Vector3d value(double u, double v) const;
+  Eigen::Vector3d value(double u, double v) const {
+    Jet jet;
+    evaluate(u, v, 0, jet);
+    return jet.p;
+  }
   /// Fills p, du, dv of the jet.
-  void first(double u, double v, Jet& jet) const;
+  void first(double u, double v, Jet& jet) const { evaluate(u, v, 1, jet); }
   /// Fills all derivatives; the normal is left to whoever knows the outer side.
-  void second(double u, double v, Jet& jet) const;
+  void second(double u, double v, Jet& jet) const { evaluate(u, v, 2, jet); }
 
   /// Without the rectangle that a file may have trimmed it to.
   const Handle(Geom_Surface) & surface() const { return surface_; }
@@ -46,6 +50,7 @@ class SurfacePatch {
   double periodV() const { return periodV_; }
 
  private:
+  /// Fills the derivatives up to `order` ≤ 2.
   void evaluate(double u, double v, int order, Jet& jet) const;
 
   std::string type_;

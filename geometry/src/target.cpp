@@ -5,8 +5,6 @@
 #include <cmath>
 
 #include "bw/core/text/number_text.h"
-#include "face_mesher.h"
-#include "face_sampler.h"
 #include "model_impl.h"
 #include "occt.h"
 
@@ -94,8 +92,6 @@ Bounds Target::bounds() const { return impl_->bounds; }
 double Target::area() const { return impl_->area; }
 
 const std::vector<int>& Target::faces() const { return impl_->indices; }
-
-std::unique_ptr<SurfaceSampler> Target::sampler() const { return makeSampler(impl_); }
 
 Result<TriangleMesh> Target::mesh(double deflection) const {
   if (!std::isfinite(deflection) || deflection < 0) {

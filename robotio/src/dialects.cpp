@@ -10,7 +10,7 @@
 #include "bw/core/files/file_set.h"
 #include "bw/robotio/motion/program_plan.h"
 #include "bw/robotio/rapid/rapid.h"
-#include "bw/robotio/text/motion_text.h"
+#include "bw/robotio/text/program_text.h"
 
 namespace bw::robotio {
 

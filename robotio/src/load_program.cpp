@@ -85,24 +85,21 @@ std::string folderName(const fs::path& folder) {
 }  // namespace
 
 Result<Program> loadProgram(const fs::path& path) {
+  const auto refuse = [&](const std::string& message) {
+    return fail(ErrorCode::cannotRead, message, path.string());
+  };
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (!fs::exists(status))
-    return fail(ErrorCode::cannotRead,
-                "there is no program at " + path.string() + "; give a program's folder or file",
-                path.string());
+    return refuse("there is no program at " + path.string() + "; give a program's folder or file");
   if (!fs::is_directory(status) && !fs::is_regular_file(status))
-    return fail(ErrorCode::cannotRead,
-                path.string() + " is neither a file nor a folder; give a program's folder or file",
-                path.string());
+    return refuse(path.string() + " is neither a file nor a folder; give a program's folder or file");
   std::vector<Found> found;
   if (fs::is_directory(status)) {
     if (Result<void> ok = collect(path, "", 2, found); !ok) return tl::unexpected<Error>(ok.error());
     if (found.empty())
-      return fail(ErrorCode::cannotRead,
-                  "there are no " + filesOfRobots() + " files in " + path.string() +
-                      " or the folders of its tasks; give a program's folder",
-                  path.string());
+      return refuse("there are no " + filesOfRobots() + " files in " + path.string() +
+                    " or the folders of its tasks; give a program's folder");
     // The folder of one task: its modules belong to the task that it names.
     for (Found& file : found)
       if (file.path.find('/') == std::string::npos) file.path = folderName(path) + "/" + file.path;

@@ -29,7 +29,7 @@ Design designOf(const std::function<Eigen::Vector3d(double, double)>& f) {
   }
   Design design;
   design.source().path = "test.step";
-  design.source().bytes = geometry::stepText(*interpolateGrid(grid, v), "test").value();
+  design.source().bytes = geometry::stepText(*geometry::loft(grid, v), "test").value();
   design.blade = *bladePreset("nicr-flat-5x1");
   design.cut().sections.stations = 20;
   return design;

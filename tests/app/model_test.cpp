@@ -12,6 +12,7 @@
 #include <fstream>
 
 #include "bw/geometry/export.h"
+#include "bw/model/change.h"
 #include "bw/model/document.h"
 #include "bw/model/evaluation_runner.h"
 #include "bw/model/settings.h"
@@ -224,6 +225,40 @@ TEST(EvaluationRunner, RefusesATaskWithoutAResult) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return outcome.has_value(); }, kPatience));
   EXPECT_FALSE(ran);
   EXPECT_FALSE(*outcome);
+}
+
+TEST(Change, NamesWhatDiffersBetweenTwoEvaluations) {
+  EvaluationRunner runner;
+  const auto evaluated = [&](const Design& design) {
+    runner.evaluate(std::make_shared<const Design>(design));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !runner.busy(); }, kPatience));
+    return runner.evaluation();
+  };
+  Design design = panelDesign();
+  const std::string cut = design.cut().id;
+  const auto first = evaluated(design);
+  ASSERT_TRUE(first && first->result());
+
+  const Change all = difference(nullptr, first.get());
+  EXPECT_EQ(all.cuts.at(cut), kAspectsOfCut);
+  EXPECT_TRUE(all.any(Aspect::source));
+
+  design.output.programs = {"csv"};
+  const auto programs = evaluated(design);
+  EXPECT_NE(programs, first);
+  EXPECT_FALSE(difference(first.get(), programs.get()).any(kAspectsOfCut | Aspect::source));
+
+  design.process.lead += 5;
+  const auto lead = evaluated(design);
+  EXPECT_EQ(difference(programs.get(), lead.get()).cuts.at(cut), Aspects(Aspect::motion));
+
+  design.cut().sections.stations += 3;
+  const auto stations = evaluated(design);
+  const Change more = difference(lead.get(), stations.get());
+  EXPECT_EQ(more.cuts.at(cut), Aspect::poses | Aspect::motion | Aspect::checks);
+  EXPECT_FALSE(more.any(Aspect::source | Aspect::target | Aspect::block));
+  EXPECT_TRUE(more.any(Aspect::poses, Selection{.block = design.block().id, .cut = cut}));
+  EXPECT_FALSE(more.any(Aspect::poses, Selection{.cut = "another"}));
 }
 
 TEST(StepStates, FollowFromWhatIsThere) {

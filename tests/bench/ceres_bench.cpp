@@ -18,7 +18,6 @@
 #include "biarc/biarc_formula.h"
 #include "biarc/biarc_problem.h"
 #include "bw/core/base/units.h"
-#include "constructions/duck_equations.h"
 #include "discrete/angle_chain.h"
 #include "elastica/bvp_unit.h"
 #include "relax/bending_descent.h"
@@ -28,8 +27,7 @@ namespace {
 
 using namespace bw;
 using namespace bw::biarc;
-using namespace bw::constructions;
-using namespace bw::detail;
+using namespace bw::elastica;
 using namespace bw::discrete;
 using namespace bw::relax;
 using Eigen::Index;
@@ -113,7 +111,7 @@ struct Relaxation {
     VectorXd z = freedom.start;
     const Eigen::SparseMatrix<double, Eigen::RowMajor> lift = freedom.lift;
     ceres::Problem ceresProblem;
-    const GaussRule rule = gaussRule(target.space.degree + 2);
+    const detail::GaussRule rule = detail::gaussRule(target.space.degree + 2);
     for (std::size_t s = 0; s + 1 < target.space.breaks.size(); ++s) {
       const double low = target.space.breaks[s], width = target.space.breaks[s + 1] - low;
       for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
@@ -180,132 +178,6 @@ void relaxationBesideCeres(benchmark::State& state) {
   state.SetLabel(text("energy %.10f, %d iterations", relaxation.energy(z), iterations));
 }
 BENCHMARK(relaxationBesideCeres)->ArgsProduct({{0, 1}, {12, 24, 48}})->Unit(benchmark::kMillisecond);
-
-// ---- The equations of an elastica chain through ducks ----
-
-// Some rows of the equations, from one evaluation of all for all of them.
-struct SharedEquations : public ceres::EvaluationCallback {
-  explicit SharedEquations(const DuckEquations& asked) : equations(asked) {}
-  void PrepareForEvaluation(bool derivatives, bool fresh) override {
-    if (fresh || (derivatives && !differentiated))
-      good = equations.evaluate(u, f, derivatives ? &jacobian : nullptr);
-    differentiated = derivatives;
-  }
-
-  const DuckEquations& equations;
-  VectorXd u, f;
-  Eigen::SparseMatrix<double> jacobian;
-  bool good = false, differentiated = false;
-};
-
-class SomeRows : public ceres::CostFunction {
- public:
-  SomeRows(const SharedEquations& shared, Index row, int rows, std::vector<std::pair<Index, int>> columns)
-      : shared_(shared), row_(row), columns_(std::move(columns)) {
-    set_num_residuals(rows);
-    for (const auto& [at, width] : columns_) mutable_parameter_block_sizes()->push_back(width);
-  }
-  bool Evaluate(double const* const*, double* residuals, double** jacobians) const override {
-    if (!shared_.good) return false;
-    for (int r = 0; r < num_residuals(); ++r) residuals[r] = shared_.f[row_ + r];
-    for (std::size_t b = 0; jacobians && b < columns_.size(); ++b)
-      for (int r = 0; jacobians[b] && r < num_residuals(); ++r)
-        for (int c = 0; c < columns_[b].second; ++c)
-          jacobians[b][r * columns_[b].second + c] = shared_.jacobian.coeff(row_ + r, columns_[b].first + c);
-    return true;
-  }
-
- private:
-  const SharedEquations& shared_;
-  Index row_;
-  std::vector<std::pair<Index, int>> columns_;
-};
-
-bool solveByCeres(const DuckEquations& equations, Index pieces, DuckOptions::Lengths mode, VectorXd& u,
-                  int& iterations) {
-  SharedEquations shared(equations);
-  shared.u = u;
-  ceres::Problem::Options options;
-  options.evaluation_callback = &shared;
-  ceres::Problem problem(options);
-  const auto add = [&](Index row, int rows, const std::vector<std::pair<Index, int>>& columns) {
-    std::vector<double*> blocks;
-    for (const auto& [at, width] : columns) blocks.push_back(&shared.u[at]);
-    problem.AddResidualBlock(new SomeRows(shared, row, rows, columns), nullptr, blocks);
-  };
-  const auto piece = [](Index k) { return std::pair<Index, int>(4 * k, 4); };
-  const auto angle = [&](Index k) { return std::pair<Index, int>(equations.angleAt(std::size_t(k)), 1); };
-  for (Index k = 0; k < pieces; ++k) {
-    add(3 * k, 3, {piece(k), angle(k), angle(k + 1)});
-    const bool last = mode == DuckOptions::Lengths::total && k + 1 == pieces;
-    if (last) {
-      std::vector<std::pair<Index, int>> all;
-      for (Index p = 0; p < pieces; ++p) all.push_back(piece(p));
-      add(3 * pieces + k, 1, all);
-    } else if (mode == DuckOptions::Lengths::total) {
-      add(3 * pieces + k, 1, {piece(k), angle(k), piece(k + 1), angle(k + 1)});
-    } else {
-      add(3 * pieces + k, 1, {piece(k), angle(k)});
-    }
-  }
-  for (Index k = 0; k <= pieces; ++k) {
-    std::vector<std::pair<Index, int>> columns{angle(k)};
-    if (k > 0) columns.insert(columns.end(), {piece(k - 1), angle(k - 1)});
-    if (k < pieces) columns.push_back(piece(k));
-    add(4 * pieces + k, 1, columns);
-  }
-  ceres::Solver::Options solver = toRounding(ceres::SPARSE_NORMAL_CHOLESKY);
-  solver.max_num_iterations = 100;
-  // Without, 50 instead of 190 of the 200 steps with 10 pieces.
-  solver.use_nonmonotonic_steps = true;
-  ceres::Solver::Summary summary;
-  ceres::Solve(solver, &problem, &summary);
-  iterations += int(summary.iterations.size()) - 1;
-  u = shared.u;
-  VectorXd f;
-  return equations.evaluate(u, f, nullptr) && f.lpNorm<Eigen::Infinity>() < 1e-11;
-}
-
-// Chains through random ducks, from elastica along the chords that turn a little: what the solvers make of
-// them, within a longer and longer length of each piece.
-void ducksBesideCeres(benchmark::State& state) {
-  std::mt19937 random(3);
-  std::uniform_real_distribution<double> aside(-0.5, 0.5), along(-0.2, 0.2);
-  const Index pieces = state.range(1);
-  constexpr int kChains = 20, kSteps = 10;
-  int solved = 0, steps = 0, iterations = 0;
-  for (auto _ : state) {
-    solved = steps = iterations = 0;
-    random.seed(3);
-    for (int chain = 0; chain < kChains; ++chain) {
-      std::vector<Vector2d> ducks;
-      for (Index i = 0; i <= pieces; ++i) ducks.emplace_back(double(i) + along(random), aside(random));
-      const DuckOptions options{.mode = DuckOptions::Lengths::given};
-      DuckEquations equations(ducks, options);
-      VectorXd u = VectorXd::Zero(equations.size());
-      std::vector<double> chords;
-      for (Index i = 0; i < pieces; ++i) {
-        const Vector2d chord = ducks[std::size_t(i) + 1] - ducks[std::size_t(i)];
-        u[4 * i] = 0.1;
-        u[4 * i + 3] = chord.norm();
-        chords.push_back(chord.norm());
-        u[equations.angleAt(std::size_t(i))] = std::atan2(chord.y(), chord.x());
-        if (i + 1 == pieces) u[equations.angleAt(std::size_t(pieces))] = u[equations.angleAt(std::size_t(i))];
-      }
-      equations.settleAngles(u);
-      for (int step = 0; step < kSteps; ++step, ++steps) {
-        equations.lengths.clear();
-        for (const double chord : chords) equations.lengths.push_back(chord * (1.1 + 0.03 * step));
-        const bool good = state.range(0) == 1 ? solveByCeres(equations, pieces, options.mode, u, iterations)
-                                              : equations.solve(u, iterations);
-        if (!good) break;
-        ++solved;
-      }
-    }
-  }
-  state.SetLabel(text("%d of %d steps solved, %d iterations", solved, kChains * kSteps, iterations));
-}
-BENCHMARK(ducksBesideCeres)->ArgsProduct({{0, 1}, {3, 10, 30}})->Unit(benchmark::kMillisecond);
 
 // ---- Biarcs near many points ----
 

@@ -118,7 +118,7 @@ void panelCheck(benchmark::State& state) {
   for (auto _ : state) {
     const Result<SweepCheck> check = checkSweep(*e.cut().sweep.value, e.cut().check.request, one);
     if (!check || !analyzeSweep(*e.cut().sweep.value, *check, e.cut().check.request,
-                                *e.cut().target.value->sampler(), one))
+                                *e.cut().target.value->sampler(), geometry::loft, one))
       return state.SkipWithError("the sweep could not be checked");
   }
 }
@@ -153,7 +153,7 @@ void tooTightSheet(benchmark::State& state) {
     }
   }
   Design design = panel(60);
-  const Result<SplineSurface> surface = interpolateGrid(grid, v);
+  const Result<SplineSurface> surface = geometry::loft(grid, v);
   if (!surface) return state.SkipWithError("no surface");
   design.source().bytes = geometry::stepText(*surface, "folds").value();
   for (auto _ : state) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
-#include "optimise/nnls.h"
+#include "optimise/active_set_step.h"
 
 #include <gtest/gtest.h>
 

@@ -28,9 +28,10 @@ Section section(int i, Height height, double half) {
     points.emplace_back(x, height(x));
   }
   const double y = 20.0 * i;
-  return {i, y,
+  return {i,
+          y,
           Frame{{0, y, 0}, -Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitY()},
-          *PlanarCurve::points(points)};
+          {*PlanarCurve::points(points)}};
 }
 
 Section parabola(int i, double bend, double half) {

@@ -92,6 +92,31 @@ TEST(SweepAnalysis, FindsTheSphereAgain) {
                 settings.blade.youngModulus * settings.blade.fibreDistance() / kRadius, 1e-6);
 }
 
+TEST(SweepAnalysis, TellsWhereTheSkinLeavesTheBlade) {
+  test::RowSettings settings;
+  Findings findings;
+  const Result<Sweep> sweep = sphereSweep(settings, 9, findings);
+  ASSERT_TRUE(sweep);
+  const Result<SweepCheck> check = checkSweep(*sweep, settings, {});
+  ASSERT_TRUE(check);
+  // A skin that is drawn off station 5.
+  const Loft drawn = [](const SurfaceGrid& grid, const std::vector<double>& rowParameters) {
+    SurfaceGrid moved = grid;
+    for (int c = 0; c < grid.columns; ++c)
+      moved.points[std::size_t(4 * grid.columns + c)] += Eigen::Vector3d(0, 0, 0.034);
+    return test::interpolated(moved, rowParameters);
+  };
+  const Result<SweepAnalysis> analysis =
+      analyzeSweep(*sweep, *check, settings, test::SphereSampler(kRadius), drawn, {});
+  ASSERT_TRUE(analysis) << analysis.error().message;
+  const Finding* off = test::findingOf<SkinOff>(analysis->findings);
+  ASSERT_TRUE(off);
+  EXPECT_EQ(off->severity, Severity::warning);
+  EXPECT_EQ(*off->where.stations, StationRange::of(4));
+  EXPECT_NEAR(std::get<SkinOff>(off->cause).distance, 0.034, 1e-4);
+  EXPECT_NEAR(analysis->summary.deviationMax, 0.034, 1e-3) << "what is written is what is measured";
+}
+
 TEST(SweepAnalysis, VelocityFollowsTheMaterialPoints) {
   // On the sphere the point at arc length σ from the middle is (ρ sin σ/ρ, y, ρ cos σ/ρ) with ρ² = R² − y².
   test::RowSettings settings;
@@ -185,7 +210,7 @@ std::vector<Section> straightSections(const std::vector<double>& travel, double 
     std::vector<Eigen::Vector2d> points;
     for (int k = 0; k <= 20; ++k) points.emplace_back(-kHalfWidth + 2 * kHalfWidth * k / 20, 0);
     sections.push_back(
-        {int(std::lround((t - travel.front()) / step)), t, frame, *PlanarCurve::points(points)});
+        {int(std::lround((t - travel.front()) / step)), t, frame, {*PlanarCurve::points(points)}});
   }
   return sections;
 }
@@ -352,7 +377,7 @@ TEST(SweepAnalysis, TellsTheBladeThatBringsItsGripsOutOfTheBlock) {
   const auto sections = [] {
     std::vector<Section> result = straightSections({0, 10, 20, 30}, 10, [](double) { return -250.0; });
     for (Section& section : result)
-      section.curve = *PlanarCurve::points({{-50, 1300}, {0, 1300}, {50, 1300}});
+      section.curve() = *PlanarCurve::points({{-50, 1300}, {0, 1300}, {50, 1300}});
     return result;
   };
   const test::PlaneSampler plane(Eigen::Vector3d::UnitZ());
@@ -373,7 +398,7 @@ TEST(SweepAnalysis, TellsNoLongerBladeWhereItCurlsBackIntoTheBlock) {
   settings.blade.outerDiameter = 0.3;
   settings.blade.length = 300;
   std::vector<Section> sections = straightSections({0, 10, 20, 30, 40}, 10, [](double) { return 0.0; });
-  for (Section& section : sections) section.curve = test::arc({0, 1275}, 100, kPi / 2 + 0.8, kPi / 2 - 0.8);
+  for (Section& section : sections) section.curve() = test::arc({0, 1275}, 100, kPi / 2 + 0.8, kPi / 2 - 0.8);
   const Analysed circles = analysed(sections, settings, test::PlaneSampler(Eigen::Vector3d::UnitZ()));
   const Finding* grip = circles.finding<GripTooNear>();
   ASSERT_TRUE(grip);
@@ -512,9 +537,10 @@ std::vector<Section> equalSections(Profile profile, double half = 300) {
     }
     const double y = 20.0 * i;
     sections.push_back(
-        {i, y,
+        {i,
+         y,
          Frame{{0, y, 0}, -Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitY()},
-         *PlanarCurve::points(points)});
+         {*PlanarCurve::points(points)}});
   }
   return sections;
 }

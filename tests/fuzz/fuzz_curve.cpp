@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "bw/robotio/text/motion_text.h"
+#include "bw/robotio/text/program_text.h"
 #include "case_runner.h"
 #include "require.h"
 

@@ -8,7 +8,7 @@
 #include <cstdint>
 
 #include "bw/robotio/rapid/rapid.h"
-#include "bw/robotio/text/motion_text.h"
+#include "bw/robotio/text/program_text.h"
 #include "require.h"
 
 namespace {

@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -13,6 +11,7 @@
 
 #include "bw/core/base/units.h"
 #include "bw/geometry/export.h"
+#include "interpolated.h"
 #include "step_text.h"
 
 namespace bw::geometry::test {
@@ -126,28 +125,6 @@ std::vector<double> greville(int degree, const std::vector<double>& knots) {
   return result;
 }
 
-double basisValue(const std::vector<double>& knots, int i, int degree, double t) {
-  if (degree == 0) {
-    const bool last = knots[i] < knots[i + 1] && knots[i + 1] == knots.back() && t == knots.back();
-    return (t >= knots[i] && t < knots[i + 1]) || last ? 1.0 : 0.0;
-  }
-  double value = 0;
-  const double a = knots[i + degree] - knots[i], b = knots[i + degree + 1] - knots[i + 1];
-  if (a > 0) value += (t - knots[i]) / a * basisValue(knots, i, degree - 1, t);
-  if (b > 0) value += (knots[i + degree + 1] - t) / b * basisValue(knots, i + 1, degree - 1, t);
-  return value;
-}
-
-Eigen::MatrixXd collocation(int degree, const std::vector<double>& knots) {
-  const std::vector<double> at = greville(degree, knots);
-  const int n = int(at.size());
-  Eigen::MatrixXd matrix(n, n);
-  for (int i = 0; i < n; ++i) {
-    for (int j = 0; j < n; ++j) matrix(i, j) = basisValue(knots, j, degree, at[i]);
-  }
-  return matrix;
-}
-
 /// Poles to a millionth of a millimetre: enough for every use, and the same text wherever it is computed.
 double rounded(double x) { return std::round(x * 1e6) / 1e6; }
 
@@ -158,22 +135,11 @@ SplineSurface interpolate(const Recipe& recipe) {
   s.knotsU = uniformKnots(s.degreeU, recipe.spansU);
   s.knotsV = uniformKnots(s.degreeV, recipe.spansV);
   const std::vector<double> us = greville(s.degreeU, s.knotsU), vs = greville(s.degreeV, s.knotsV);
-  s.polesU = int(us.size());
-  s.polesV = int(vs.size());
-  const Eigen::PartialPivLU<Eigen::MatrixXd> alongU(collocation(s.degreeU, s.knotsU));
-  const Eigen::PartialPivLU<Eigen::MatrixXd> alongV(collocation(s.degreeV, s.knotsV));
-  s.poles.resize(std::size_t(s.polesU) * s.polesV);
-  for (int axis = 0; axis < 3; ++axis) {
-    Eigen::MatrixXd values(s.polesU, s.polesV);
-    for (int i = 0; i < s.polesU; ++i) {
-      for (int j = 0; j < s.polesV; ++j) values(i, j) = recipe.point(us[i], vs[j])[axis];
-    }
-    const Eigen::MatrixXd half = alongU.solve(values);
-    const Eigen::MatrixXd poles = alongV.solve(half.transpose());  // polesV × polesU
-    for (int j = 0; j < s.polesV; ++j) {
-      for (int i = 0; i < s.polesU; ++i) s.poles[std::size_t(j) * s.polesU + i][axis] = rounded(poles(j, i));
-    }
-  }
+  std::vector<Eigen::Vector3d> points;
+  for (const double v : vs)
+    for (const double u : us) points.push_back(recipe.point(u, v));
+  bw::test::interpolate(s, us, vs, points);
+  for (Eigen::Vector3d& pole : s.poles) pole = pole.unaryExpr(&rounded);
   return s;
 }
 
@@ -211,7 +177,7 @@ std::string torusPatchStep(const std::string& title) {
   const int surface = placed(text, "TOROIDAL_SURFACE", Vector3d::Zero(), Vector3d::UnitZ(), Vector3d::UnitX(),
                              stepReal(kTorusMajor) + "," + stepReal(kTorusMinor));
   const std::vector<double> knots = uniformKnots(7, kSpans), at = greville(7, knots);
-  const Eigen::PartialPivLU<Eigen::MatrixXd> solver(collocation(7, knots));
+  const Eigen::PartialPivLU<Eigen::MatrixXd> solver(bw::test::collocation(7, knots, at));
   const auto border = [&](const std::function<Vector3d(double)>& point) {
     Eigen::MatrixXd values(Eigen::Index(at.size()), 3);
     for (std::size_t i = 0; i < at.size(); ++i) values.row(Eigen::Index(i)) = point(at[i]).transpose();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "bw/geometry/face_mesh.h"
+#include "bw/geometry/cad_model.h"
 
 #include <cmath>
 #include <set>

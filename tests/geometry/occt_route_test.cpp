@@ -65,11 +65,11 @@ void compare(const std::string& file, int stations, double tolerance) {
   ASSERT_GT(cut.sections.size(), 0u);
   for (const Section& s : cut.sections) {
     const OcctSection other = occtSection(shape, s.frame.origin, s.frame.normal);
-    EXPECT_NEAR(s.curve.length(), other.length, 20 * tolerance) << "station " << s.index;
+    EXPECT_NEAR(s.curve().length(), other.length, 20 * tolerance) << "station " << s.index;
     for (const Eigen::Vector3d& p : other.points) {
       const Eigen::Vector3d q = s.frame.toLocal(p);
-      const double t = s.curve.nearestParameter(q.head<2>());
-      EXPECT_NEAR((s.curve.value(t) - q.head<2>()).norm(), 0, tolerance) << "station " << s.index;
+      const double t = s.curve().nearestParameter(q.head<2>());
+      EXPECT_NEAR((s.curve().value(t) - q.head<2>()).norm(), 0, tolerance) << "station " << s.index;
     }
   }
 }

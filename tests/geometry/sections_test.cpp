@@ -23,7 +23,7 @@ double deviation(const Target& target, const std::vector<Section>& sections) {
   const auto sampler = target.sampler();
   double worst = 0;
   for (const Section& s : sections) {
-    for (const Eigen::Vector2d& q : s.curve.sample(301)) {
+    for (const Eigen::Vector2d& q : s.curve().sample(301)) {
       worst = std::max(worst, sampler->closest(s.frame.toWorld(q), nullptr)->distance);
     }
   }
@@ -39,12 +39,12 @@ TEST(Sections, OfASphereAreItsParallels) {
   for (const Section& s : cut.sections) {
     const Eigen::Vector3d local = s.frame.toLocal(center);
     const double radius = std::sqrt(810000 - local.z() * local.z());
-    for (const Eigen::Vector2d& q : s.curve.sample(201))
+    for (const Eigen::Vector2d& q : s.curve().sample(201))
       EXPECT_NEAR((q - local.head<2>()).norm(), radius, kAccuracy);
     // Seen along y with z up, x runs to the left.
-    EXPECT_NEAR(s.curve.value(s.curve.start()).x(), s.frame.toLocal({300, 0, 0}).x(), 1e-6);
-    EXPECT_NEAR(s.curve.value(s.curve.end()).x(), s.frame.toLocal({-300, 0, 0}).x(), 1e-6);
-    EXPECT_NEAR(s.curve.length(), 2 * radius * std::asin(300 / radius), 1e-3);
+    EXPECT_NEAR(s.curve().value(s.curve().start()).x(), s.frame.toLocal({300, 0, 0}).x(), 1e-6);
+    EXPECT_NEAR(s.curve().value(s.curve().end()).x(), s.frame.toLocal({-300, 0, 0}).x(), 1e-6);
+    EXPECT_NEAR(s.curve().length(), 2 * radius * std::asin(300 / radius), 1e-3);
   }
 }
 
@@ -52,7 +52,7 @@ TEST(Sections, OfTheSaddleAreItsParabolas) {
   CutSettings settings;
   settings.stations = 9;
   for (const Section& s : cutOf(exampleTarget("saddle"), settings).sections) {
-    for (const Eigen::Vector2d& q : s.curve.sample(101)) {
+    for (const Eigen::Vector2d& q : s.curve().sample(101)) {
       const Eigen::Vector3d p = s.frame.toWorld(q);
       EXPECT_NEAR(p.z(), p.x() * p.x() / 1600 - p.y() * p.y() / 1200, kAccuracy);
     }
@@ -70,10 +70,10 @@ TEST(Sections, KeepTheirAccuracyOnEveryExample) {
 
 TEST(Sections, OfThePanelHaveFewSpans) {
   for (const Section& s : cutOf(exampleTarget("panel-600x670"), CutSettings{}).sections) {
-    EXPECT_EQ(s.curve.degree(), 3);
-    EXPECT_LE(s.curve.poles().size(), 22u);
+    EXPECT_EQ(s.curve().degree(), 3);
+    EXPECT_LE(s.curve().poles().size(), 22u);
     // No knot twice: the sections are smooth.
-    const auto& knots = s.curve.knots();
+    const auto& knots = s.curve().knots();
     for (std::size_t i = 4; i + 4 < knots.size(); ++i) EXPECT_GT(knots[i], knots[i - 1]);
   }
 }
@@ -87,7 +87,7 @@ TEST(Sections, FramesAreParallelRightHandedAndOnTheirPlane) {
     EXPECT_NEAR((s.frame.x.cross(s.frame.y) - s.frame.normal).norm(), 0, 1e-12) << "normal is x × y";
     EXPECT_NEAR((s.frame.normal - cut.setup.direction).norm(), 0, 1e-12);
     EXPECT_NEAR((s.frame.origin - cut.setup.block.frame.origin).norm(), std::abs(s.travel), 1e-9);
-    EXPECT_GT(s.curve.value(s.curve.end()).x(), s.curve.value(s.curve.start()).x());
+    EXPECT_GT(s.curve().value(s.curve().end()).x(), s.curve().value(s.curve().start()).x());
   }
 }
 
@@ -126,11 +126,11 @@ TEST(Sections, AgainstTheDirectionAreTheMirrorImage) {
     const Section &a = there.sections[i], &b = back.sections[there.sections.size() - 1 - i];
     EXPECT_NEAR((b.frame.y - a.frame.y).norm(), 0, 1e-12);
     EXPECT_NEAR((b.frame.x + a.frame.x).norm(), 0, 1e-12);
-    EXPECT_NEAR(a.curve.length(), b.curve.length(), 2 * kAccuracy);
-    EXPECT_NEAR(
-        (a.frame.toWorld(a.curve.value(a.curve.start())) - b.frame.toWorld(b.curve.value(b.curve.end())))
-            .norm(),
-        0, 1e-5);
+    EXPECT_NEAR(a.curve().length(), b.curve().length(), 2 * kAccuracy);
+    EXPECT_NEAR((a.frame.toWorld(a.curve().value(a.curve().start())) -
+                 b.frame.toWorld(b.curve().value(b.curve().end())))
+                    .norm(),
+                0, 1e-5);
   }
 }
 
@@ -159,7 +159,7 @@ TEST(Sections, MoveWithTheTarget) {
   ASSERT_TRUE(first && second);
   ASSERT_EQ(first->size(), second->size());
   for (std::size_t i = 0; i < first->size(); ++i) {
-    const auto p = (*first)[i].curve.sample(50), q = (*second)[i].curve.sample(50);
+    const auto p = (*first)[i].curve().sample(50), q = (*second)[i].curve().sample(50);
     for (std::size_t k = 0; k < p.size(); ++k) EXPECT_NEAR((p[k] - q[k]).norm(), 0, 2 * kAccuracy);
   }
 }
@@ -169,8 +169,8 @@ TEST(Sections, AreTheSameForAnyNumberOfThreads) {
   const Cut one = cutOf(target, CutSettings{}, 1), four = cutOf(target, CutSettings{}, 4);
   ASSERT_EQ(one.sections.size(), four.sections.size());
   for (std::size_t i = 0; i < one.sections.size(); ++i) {
-    EXPECT_EQ(one.sections[i].curve.knots(), four.sections[i].curve.knots());
-    EXPECT_EQ(one.sections[i].curve.poles(), four.sections[i].curve.poles());
+    EXPECT_EQ(one.sections[i].curve().knots(), four.sections[i].curve().knots());
+    EXPECT_EQ(one.sections[i].curve().poles(), four.sections[i].curve().poles());
   }
 }
 
@@ -184,7 +184,7 @@ TEST(Sections, ObliqueDirectionCutsTheWholeSurface) {
   EXPECT_LT(deviation(target, cut.sections), kAccuracy);
   for (const Section& s : cut.sections) {
     EXPECT_NEAR((s.frame.normal - Eigen::Vector3d(1, 2, 0.2).normalized()).norm(), 0, 1e-12);
-    EXPECT_GT(s.curve.value(s.curve.end()).x(), s.curve.value(s.curve.start()).x());
+    EXPECT_GT(s.curve().value(s.curve().end()).x(), s.curve().value(s.curve().start()).x());
   }
 }
 
@@ -199,8 +199,8 @@ TEST(Sections, EndOnTheSidesOfTheBlock) {
   EXPECT_NEAR(cut.sections.back().travel, 900, 0.1);
   for (const Section& s : cut.sections) {
     double low = 1e300, high = -1e300;
-    for (const double t : {s.curve.start(), s.curve.end()}) {
-      const double y = s.frame.toWorld(s.curve.value(t)).y();
+    for (const double t : {s.curve().start(), s.curve().end()}) {
+      const double y = s.frame.toWorld(s.curve().value(t)).y();
       low = std::min(low, y);
       high = std::max(high, y);
     }
@@ -219,8 +219,8 @@ TEST(Sections, EndOnTheSidesOfATurnedBlock) {
   const Cut cut = cutOf(target, settings);
   ASSERT_EQ(cut.sections.size(), 11u);
   for (const Section& s : cut.sections) {
-    for (const double t : {s.curve.start(), s.curve.end()}) {
-      const Eigen::Vector3d q = cut.setup.block.frame.toLocal(s.frame.toWorld(s.curve.value(t)));
+    for (const double t : {s.curve().start(), s.curve().end()}) {
+      const Eigen::Vector3d q = cut.setup.block.frame.toLocal(s.frame.toWorld(s.curve().value(t)));
       EXPECT_NEAR(std::min(std::abs(q.x()), std::abs(q.x() - 250)), 0, 1e-5);
     }
   }
@@ -244,6 +244,35 @@ TEST(Sections, CurveThatLeavesThroughTheTopInBetweenIsReportedNotGuessed) {
   EXPECT_EQ(*findings[0].where.stations, (StationRange{0, 4, 0, 5}));
   EXPECT_EQ(std::get<SectionBranches>(findings[0].cause).least, 2);
   EXPECT_EQ(std::get<SectionBranches>(findings[0].cause).most, 2);
+}
+
+TEST(Sections, OfSeveralBranchesKeepThemAllWithNoneChosen) {
+  // The humps grow along y, and the block's top cuts off the higher ones.
+  const Target target = targetOf(stepOf(
+      [](double u, double v) {
+        return Eigen::Vector3d(800 * u, 400 * v, (10 + 50 * v) * std::cos(4 * kPi * u));
+      },
+      5, 60));
+  CutSettings settings;
+  settings.block = BlockPlacement{{0, 0, -100}, {800, 400, 130}, {0, 0, 0}};
+  settings.direction = Eigen::Vector3d::UnitY();
+  settings.stations = 5;
+  Findings findings;
+  const auto setup = resolveSetup(target, settings, findings);
+  const auto sections = cutSections(target, *setup, settings, {}, findings);
+  ASSERT_TRUE(sections) << sections.error().message;
+  ASSERT_EQ(sections->size(), 5u);
+  EXPECT_EQ(sections->front().branches.size(), 1u);
+  EXPECT_EQ(sections->front().chosen, 0);
+  const Section& last = sections->back();
+  EXPECT_EQ(last.chosen, -1);
+  ASSERT_EQ(last.branches.size(), 2u);
+  for (const PlanarCurve& branch : last.branches) {
+    EXPECT_GT(branch.length(), 150);
+    for (const double t : {branch.start(), branch.end()})
+      EXPECT_NEAR(last.frame.toWorld(branch.value(t)).z(), 30, 1e-3);
+  }
+  EXPECT_TRUE(hasFinding(findings, FindingKind::sectionBranches, 4));
 }
 
 TEST(Sections, ClosedCurveIsReportedNotGuessed) {
@@ -277,7 +306,8 @@ TEST(Sections, ClosedCurveOpensInABlockThatHoldsOneSideOfIt) {
   settings.stations = 4;
   const Cut cut = cutOf(target, settings);
   ASSERT_EQ(cut.sections.size(), 4u);
-  for (const Section& s : cut.sections) EXPECT_NEAR(s.curve.length(), 2 * 150 * std::acos(30.0 / 150), 5e-3);
+  for (const Section& s : cut.sections)
+    EXPECT_NEAR(s.curve().length(), 2 * 150 * std::acos(30.0 / 150), 5e-3);
 }
 
 TEST(Sections, TouchingEndsAreLeftOutWithAFinding) {
@@ -309,9 +339,9 @@ TEST(Sections, RunOnOverACornerOfTheSurface) {
   const Cut cut = cutOf(target, settings);
   ASSERT_EQ(cut.sections.size(), 5u);
   for (const Section& s : cut.sections) {
-    EXPECT_NEAR(s.curve.length(), 2 * std::hypot(250, 150), 1e-6);
+    EXPECT_NEAR(s.curve().length(), 2 * std::hypot(250, 150), 1e-6);
     double highest = -1e300;
-    for (const Eigen::Vector2d& q : s.curve.poles()) highest = std::max(highest, s.frame.toWorld(q).z());
+    for (const Eigen::Vector2d& q : s.curve().poles()) highest = std::max(highest, s.frame.toWorld(q).z());
     EXPECT_NEAR(highest, 150, 1e-6) << "the ridge is kept sharp";
   }
   EXPECT_LT(deviation(target, cut.sections), kAccuracy);

@@ -6,7 +6,9 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <functional>
+#include <iterator>
 #include <optional>
 #include <string>
 
@@ -28,7 +30,7 @@ inline std::string stepOf(const std::function<Eigen::Vector3d(double, double)>& 
     v.push_back(double(r) / (rows - 1));
     for (int c = 0; c < columns; ++c) grid.points.push_back(f(double(c) / (columns - 1), v.back()));
   }
-  const auto surface = interpolateGrid(grid, v);
+  const auto surface = loft(grid, v);
   EXPECT_TRUE(surface) << surface.error().message;
   return stepText(*surface, "test").value();
 }
@@ -75,7 +77,9 @@ inline Cut cutOf(const Target& target, const CutSettings& settings, int threads 
   context.threads = threads;
   auto sections = cutSections(target, cut.setup, settings, context, cut.findings);
   EXPECT_TRUE(sections) << sections.error().message;
-  if (sections) cut.sections = std::move(*sections);
+  if (sections)
+    std::ranges::copy_if(*sections, std::back_inserter(cut.sections),
+                         [](const Section& s) { return s.chosen >= 0; });
   return cut;
 }
 

@@ -24,7 +24,7 @@ inline std::string patch(const std::string& name, const std::function<Eigen::Vec
     v.push_back(double(r) / (nodes - 1));
     for (int c = 0; c < nodes; ++c) grid.points.push_back(f(double(c) / (nodes - 1), v.back()));
   }
-  return stepText(interpolateGrid(grid, v).value(), name).value();
+  return stepText(loft(grid, v).value(), name).value();
 }
 
 /// A flat rectangle that is a plane in the file, not a spline: x from 0, y from 0, at height z.

@@ -25,7 +25,7 @@ SplineSurface wave() {
       grid.points.push_back({x, y, 1e-9 * c + 37 * std::sin(x / 140) * std::cos(y / 230) - 1234.5});
     }
   }
-  return interpolateGrid(grid, v).value();
+  return loft(grid, v).value();
 }
 
 TEST(StepText, ReadsBackAsTheSameSurface) {

@@ -7,7 +7,7 @@
 
 #include "bw/core/files/file_set.h"
 #include "bw/robotio/dialects.h"
-#include "bw/robotio/text/motion_text.h"
+#include "bw/robotio/text/program_text.h"
 #include "sample.h"
 
 namespace bw::robotio {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "bw/robotio/text/motion_text.h"
+#include "bw/robotio/text/program_text.h"
 #include "sample.h"
 
 namespace bw::robotio {

@@ -6,7 +6,6 @@
 #include <limits>
 #include <set>
 
-#include "bw/robotio/cell/placement.h"
 #include "sample.h"
 
 namespace bw::robotio {

@@ -94,7 +94,7 @@ inline std::vector<Section> sphereSections(double radius, double halfWidth,
     const double rho = std::sqrt(radius * radius - y * y);
     const double phi = std::asin(halfWidth / rho);
     Frame frame{{0, y, 0}, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitZ(), -Eigen::Vector3d::UnitY()};
-    sections.push_back({int(i), travel[i], frame, arc({0, 0}, rho, M_PI / 2 + phi, M_PI / 2 - phi)});
+    sections.push_back({int(i), travel[i], frame, {arc({0, 0}, rho, M_PI / 2 + phi, M_PI / 2 - phi)}});
   }
   return sections;
 }

@@ -16,12 +16,13 @@ template <class Curve>
 std::vector<Section> sectionsOf(int count, double step, Curve curve) {
   std::vector<Section> sections;
   for (int i = 0; i < count; ++i)
-    sections.push_back({i, step * i,
+    sections.push_back({i,
+                        step * i,
                         Frame{{0, -step * i, 0},
                               Eigen::Vector3d::UnitX(),
                               Eigen::Vector3d::UnitZ(),
                               -Eigen::Vector3d::UnitY()},
-                        curve(i)});
+                        {curve(i)}});
   return sections;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "bw/core/sweep/sweep_check.h"
+#include "interpolated.h"
 
 namespace bw::test {
 
@@ -20,7 +21,7 @@ inline Result<SweepAnalysis> analysisOf(const Sweep& sweep, const CheckRequest& 
                                         const SurfaceSampler& target, const RunContext& context = {}) {
   const Result<SweepCheck> check = checkSweep(sweep, request, context);
   if (!check) return tl::unexpected<Error>(check.error());
-  return analyzeSweep(sweep, *check, request, target, context);
+  return analyzeSweep(sweep, *check, request, target, interpolated, context);
 }
 
 }  // namespace bw::test

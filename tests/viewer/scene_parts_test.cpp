@@ -9,12 +9,10 @@
 #include <random>
 
 #include "bw/scene/navigation.h"
-#include "scene/actors/isolines.h"
-#include "scene/actors/mesh_edges.h"
+#include "scene/actors/mesh_lines.h"
 #include "scene/camera/picking.h"
 #include "scene/legend/color_map.h"
 #include "scene/legend/legend_range.h"
-#include "scene/legend/ticks.h"
 #include "scene/render/polyline.h"
 #include "scene/render/text_wrap.h"
 #include "scene_sample.h"

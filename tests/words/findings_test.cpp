@@ -62,6 +62,13 @@ TEST(Findings, OneStationSeveralAndSomeOfThem) {
       "is within 0.25 mm of the section");
 }
 
+TEST(Findings, SayWhereTheSkinLeavesABlade) {
+  EXPECT_EQ(said(SkinOff{0.034, 0.01}, StationRange{2, 4, 3, 3}),
+            "stations 3 to 5 (worst: 4): the surface that is measured and written lies up to 0.034 mm from "
+            "the blade, "
+            "more than 0.01 mm; cut it in parts, each with a narrower block of its own");
+}
+
 TEST(Findings, SayWhereTheRoutesOfSectionsDiffer) {
   EXPECT_EQ(said(SectionDiffers{1, 3, 0, true}, kOne),
             "station 8: OpenCASCADE finds 3 curves where tracing finds 1; what it finds is taken");

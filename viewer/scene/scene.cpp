@@ -9,7 +9,6 @@
 #include <exception>
 
 #include "scene/camera/camera_fit.h"
-#include "scene/render/offscreen.h"
 #include "scene/scene_impl.h"
 
 namespace bw::scene {

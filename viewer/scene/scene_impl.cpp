@@ -15,9 +15,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bw/core/base/units.h"
 #include "bw/scene/navigation.h"
 #include "scene/camera/camera_fit.h"
-#include "scene/render/stage.h"
 
 namespace bw::scene {
 
@@ -35,7 +35,7 @@ Camera defaultCamera() {
   camera.focus = Eigen::Vector3d::Zero();
   camera.position = 1000 * Eigen::Vector3d(1, -1, 1).normalized();
   camera.up = Eigen::Vector3d(-1, 1, 2).normalized();
-  camera.parallelScale = 1000 * std::tan(15 * std::acos(-1.0) / 180);
+  camera.parallelScale = 1000 * std::tan(15 * kPi / 180);
   return camera;
 }
 
@@ -79,42 +79,31 @@ void Scene::Impl::setContent(Content given) {
   const Content formerContent = std::exchange(content, std::move(given));
   const Things former = std::exchange(things, Things(content));
   const bool otherFaces = things.faces != former.faces;
-  picker_.reset(otherFaces);
+  picker_.reset(otherFaces || !things.faces ? nullptr : &things.faces->mesh);
   ++contentVersion_;
-  if (otherFaces) {
-    faceBounds_ = {};
-    if (things.faces)
-      for (const Eigen::Vector3d& p : things.faces->mesh.points) faceBounds_.add(p);
-  }
-  Bounds cutBounds, blockBounds, targetBounds;
-  bladeBounds_ = {};
-  const auto addLines = [](Bounds& bounds, const std::vector<Polyline>& lines) {
-    for (const Polyline& line : lines) {
-      for (const Eigen::Vector3d& p : line) {
-        if (p.allFinite()) bounds.add(p);
-      }
-    }
+  if (otherFaces) faceBounds_ = things.faces ? boundsOf(things.faces->mesh.points) : Bounds();
+  Bounds blockBounds, targetBounds;
+  cutBounds_ = bladeBounds_ = {};
+  const auto add = [](Bounds& bounds, const std::vector<Eigen::Vector3d>& points) {
+    bounds = joined(bounds, boundsOf(points));
   };
-  for (const ShownTarget& target : things.targets)
-    for (const Eigen::Vector3d& p : target.mesh->points) targetBounds.add(p);
+  for (const ShownTarget& target : things.targets) add(targetBounds, target.mesh->points);
   for (const Row& row : things.rows) {
-    for (const Eigen::Vector3d& p : row.mesh.points) cutBounds.add(p);
-    addLines(cutBounds, *row.stations);
-    addLines(bladeBounds_, *row.blades);
+    add(cutBounds_, row.mesh.points);
+    for (const Polyline& line : *row.stations) add(cutBounds_, line);
+    for (const Polyline& line : *row.blades) add(bladeBounds_, line);
   }
   for (const Stock& stock : things.stocks)
     if (stock.box)
       for (const Eigen::Vector3d& p : stock.box->corners()) blockBounds.add(p);
-  const Bounds cutInBlock = joined(cutBounds, blockBounds);
-  const bool afar = blockBounds.valid() && cutBounds.valid() && targetBounds.valid() &&
+  const Bounds cutInBlock = joined(cutBounds_, blockBounds);
+  const bool afar = blockBounds.valid() && cutBounds_.valid() && targetBounds.valid() &&
                     targetBounds.size().norm() > kLargeTarget * cutInBlock.size().norm();
-  const Bounds surfaces = afar ? cutBounds : joined(cutBounds, targetBounds);
-  const Bounds solids = joined(surfaces, blockBounds);
+  surfaceBounds_ = afar ? cutBounds_ : joined(cutBounds_, targetBounds);
+  const Bounds solids = joined(surfaceBounds_, blockBounds);
   solidBounds_ = joined(solids, targetBounds);
-  surfaceBounds_ = surfaces;
   workBounds_ = joined(solids, bladeBounds_);
-  cutBounds_ = cutBounds;
-  actors_.setContent(things, surfaces.valid() ? std::max(1e-3, surfaces.size().norm()) : 1, afar);
+  actors_.setContent(things, surfaceBounds_.valid() ? std::max(1e-3, surfaceBounds_.size().norm()) : 1, afar);
   std::vector<vtkSmartPointer<vtkActor>> shading = actors_.solids();
   shading.insert(shading.end(), {blade_.tube(), blade_.grips()});
   occlusion_->setSolids(std::move(shading));
@@ -166,11 +155,8 @@ Bounds Scene::Impl::contentBounds() const {
   Bounds bounds = bladesSeen ? joined(solidBounds_, bladeBounds_) : solidBounds_;
   const int selected = style.selected.station;
   if (const std::vector<Polyline>* all = blades(style.selected);
-      all && selected >= 0 && selected < int(all->size())) {
-    for (const Eigen::Vector3d& p : (*all)[std::size_t(selected)]) {
-      if (p.allFinite()) bounds.add(p);
-    }
-  }
+      all && selected >= 0 && selected < int(all->size()))
+    bounds = joined(bounds, boundsOf((*all)[std::size_t(selected)]));
   bounds = joined(bounds, actors_.arrowBounds());
   return style[Kind::face].visible ? joined(bounds, faceBounds_) : bounds;
 }
@@ -214,33 +200,25 @@ void Scene::Impl::renderFrame(int width, int height) {
   blade_.update(view, -perMillimetre * 2 * pixel * style.pixelRatio);
   marker_.update(view, width, height, style);
   legend_.update(width, height, style, legendMap, contentVersion_);
-  std::vector<PixelRect> taken;
-  if (legend_.card()) taken.push_back(*legend_.card());
-  if (marker_.renderer()->GetDraw())
-    taken.push_back(OrientationMarker::place(width, height, style.pixelRatio));
-  place_.update(view, width, height, style, taken);
-  if (place_.card()) taken.push_back(*place_.card());
-  const ScenePicker::Shown shown = this->shown();
-  actors_.isolineLabels().update(
-      view, width, height, style.pixelRatio, taken,
-      [&](const Eigen::Vector3d& point) { return picker_.sees(shown, view, point); });
-  for (const Overlay::Text& text : actors_.isolineLabels().texts()) taken.push_back(text.box);
-  grid_.update(view, width, height, taken);
-
   overlay = {};
   overlay.legend = legend_.card();
   overlay.bar = legend_.bar();
-  if (marker_.renderer()->GetDraw())
-    overlay.marker = OrientationMarker::place(width, height, style.pixelRatio);
-  overlay.texts = legend_.texts();
-  const auto add = [this](const std::vector<Overlay::Text>& texts) {
-    overlay.texts.insert(overlay.texts.end(), texts.begin(), texts.end());
-  };
+  if (marker_.renderer()->GetDraw()) overlay.marker = OrientationMarker::place(height, style.pixelRatio);
+  std::vector<PixelRect> taken;
+  for (const std::optional<PixelRect>& rect : {overlay.legend, overlay.marker})
+    if (rect) taken.push_back(*rect);
+  place_.update(view, width, height, style, taken);
   overlay.place = place_.ring();
   overlay.label = place_.card();
-  add(actors_.isolineLabels().texts());
-  add(place_.texts());
-  add(grid_.texts());
+  if (overlay.label) taken.push_back(*overlay.label);
+  const ScenePicker::Shown shown = this->shown();
+  IsolineLabels& values = actors_.isolineLabels();
+  values.update(view, width, height, style.pixelRatio, taken,
+                [&](const Eigen::Vector3d& point) { return picker_.sees(shown, view, point); });
+  for (const Overlay::Text& text : values.texts()) taken.push_back(text.box);
+  grid_.update(view, width, height, taken);
+  for (const auto* texts : {&legend_.texts(), &values.texts(), &place_.texts(), &grid_.texts()})
+    overlay.texts.insert(overlay.texts.end(), texts->begin(), texts->end());
 
   lastWidth_ = width;
   vtkGenericOpenGLRenderWindow* window = target_->window();

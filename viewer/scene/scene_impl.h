@@ -17,8 +17,8 @@
 #include "scene/camera/picking.h"
 #include "scene/camera/scene_picker.h"
 #include "scene/legend/legend.h"
-#include "scene/render/ambient_occlusion.h"
 #include "scene/render/gl_window.h"
+#include "scene/render/shading.h"
 
 namespace bw::scene {
 

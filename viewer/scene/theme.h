@@ -26,64 +26,41 @@ struct Theme {
   Rgb accent, selection, warning, error;
   Rgb foam, foamEdge;
   Rgb target, targetEdge;
-  Rgb cut, cutEdge;
+  Rgb cut;
   Rgb grip;
   Rgb station;  ///< over the background; over a surface the lines are always dark
   Rgb grid, axisX, axisY, axisZ;
 };
 
-inline constexpr Theme kLight{.top = Rgb::hex(0xFBFBFA),
-                              .bottom = Rgb::hex(0xE9ECEF),
-                              .panel = Rgb::hex(0xFFFFFF),
-                              .line = Rgb::hex(0xDADAD6),
-                              .text = Rgb::hex(0x22252A),
-                              .secondary = Rgb::hex(0x6B7078),
-                              .accent = Rgb::hex(0xD9480F),
-                              .selection = Rgb::hex(0x1C7ED6),
-                              .warning = Rgb::hex(0xE67700),
-                              .error = Rgb::hex(0xC92A2A),
-                              .foam = Rgb::hex(0xFFF6E8),
-                              .foamEdge = Rgb::hex(0xADB5BD),
-                              .target = Rgb::hex(0x9DB2C7),
-                              .targetEdge = Rgb::hex(0x6F8296),
-                              .cut = Rgb::hex(0xFAF7F1),
-                              .cutEdge = Rgb::hex(0x5C636B),
-                              .grip = Rgb::hex(0x2B2F36),
-                              .station = Rgb::hex(0x4A5058),
-                              .grid = Rgb::hex(0xA9AEB5),
-                              .axisX = Rgb::hex(0xC2554D),
-                              .axisY = Rgb::hex(0x4F9A5B),
-                              .axisZ = Rgb::hex(0x4180C4)};
-
-inline constexpr Theme kDark{.top = Rgb::hex(0x2A2D32),
-                             .bottom = Rgb::hex(0x1B1D20),
-                             .panel = Rgb::hex(0x26292E),
-                             .line = Rgb::hex(0x3A3E45),
-                             .text = Rgb::hex(0xE8EAED),
-                             .secondary = Rgb::hex(0x9AA0A8),
-                             .accent = Rgb::hex(0xFF7A3D),
-                             .selection = Rgb::hex(0x4DABF7),
-                             .warning = Rgb::hex(0xFFA94D),
-                             .error = Rgb::hex(0xFF6B6B),
-                             .foam = Rgb::hex(0xFFF9F0),
-                             .foamEdge = Rgb::hex(0xADB5BD),
-                             .target = Rgb::hex(0x8FA9C4),
-                             .targetEdge = Rgb::hex(0x9FB4CA),
-                             .cut = Rgb::hex(0xE9E4DA),
-                             .cutEdge = Rgb::hex(0x2B2F36),
-                             .grip = Rgb::hex(0x7B838D),
-                             .station = Rgb::hex(0xC6CCD3),
-                             .grid = Rgb::hex(0x6C737C),
-                             .axisX = Rgb::hex(0xE0796F),
-                             .axisY = Rgb::hex(0x74BD80),
-                             .axisZ = Rgb::hex(0x6BAAEA)};
+constexpr Theme theme(bool dark) {
+  const auto either = [dark](unsigned light, unsigned onDark) { return Rgb::hex(dark ? onDark : light); };
+  return {.top = either(0xFBFBFA, 0x2A2D32),
+          .bottom = either(0xE9ECEF, 0x1B1D20),
+          .panel = either(0xFFFFFF, 0x26292E),
+          .line = either(0xDADAD6, 0x3A3E45),
+          .text = either(0x22252A, 0xE8EAED),
+          .secondary = either(0x6B7078, 0x9AA0A8),
+          .accent = either(0xD9480F, 0xFF7A3D),
+          .selection = either(0x1C7ED6, 0x4DABF7),
+          .warning = either(0xE67700, 0xFFA94D),
+          .error = either(0xC92A2A, 0xFF6B6B),
+          .foam = either(0xFFF6E8, 0xFFF9F0),
+          .foamEdge = either(0xADB5BD, 0xADB5BD),
+          .target = either(0x9DB2C7, 0x8FA9C4),
+          .targetEdge = either(0x6F8296, 0x9FB4CA),
+          .cut = either(0xFAF7F1, 0xE9E4DA),
+          .grip = either(0x2B2F36, 0x7B838D),
+          .station = either(0x4A5058, 0xC6CCD3),
+          .grid = either(0xA9AEB5, 0x6C737C),
+          .axisX = either(0xC2554D, 0xE0796F),
+          .axisY = either(0x4F9A5B, 0x74BD80),
+          .axisZ = either(0x4180C4, 0x6BAAEA)};
+}
 
 /// Lines over a surface are dark in both themes.
 inline constexpr Rgb kLineOverSurface = Rgb::hex(0x22252A);
 
 /// How much of its colour a thing keeps over the background: less if it is out of date.
 constexpr double keptColor(bool stale) { return stale ? 0.6 : 1.0; }
-
-constexpr const Theme& theme(bool dark) { return dark ? kDark : kLight; }
 
 }  // namespace bw::scene

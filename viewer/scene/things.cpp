@@ -12,14 +12,16 @@ namespace bw::scene {
 
 namespace {
 
+/// Whether the corners of a triangle are there and finite.
+bool drawable(const std::array<int, 3>& triangle, const TriangleMesh& mesh) {
+  return std::ranges::all_of(triangle, [&](int i) {
+    return i >= 0 && i < int(mesh.points.size()) && mesh.points[std::size_t(i)].allFinite();
+  });
+}
+
 /// Drops what cannot be drawn, so that the rest can.
 void cleanMesh(TriangleMesh& mesh) {
-  const int count = int(mesh.points.size());
-  std::erase_if(mesh.triangles, [&](const std::array<int, 3>& t) {
-    return std::any_of(t.begin(), t.end(), [&](int i) {
-      return i < 0 || i >= count || !mesh.points[std::size_t(i)].allFinite();
-    });
-  });
+  std::erase_if(mesh.triangles, [&](const std::array<int, 3>& t) { return !drawable(t, mesh); });
   // Points that no triangle uses must still be numbers, for the bounds and for the graphics card.
   for (Eigen::Vector3d& p : mesh.points) {
     if (!p.allFinite())
@@ -32,24 +34,18 @@ void cleanMesh(TriangleMesh& mesh) {
 /// Whether all of it can be drawn and every triangle has its face.
 bool sound(const FaceMesh& faces) {
   const TriangleMesh& mesh = faces.mesh;
-  const int count = int(mesh.points.size());
   return !mesh.triangles.empty() && faces.faces.size() == mesh.triangles.size() &&
          (mesh.normals.empty() || mesh.normals.size() == mesh.points.size()) &&
-         std::all_of(faces.faces.begin(), faces.faces.end(), [](int face) { return face >= 0; }) &&
-         std::all_of(mesh.points.begin(), mesh.points.end(),
-                     [](const Eigen::Vector3d& p) { return p.allFinite(); }) &&
-         std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const std::array<int, 3>& t) {
-           return std::all_of(t.begin(), t.end(), [&](int i) { return i >= 0 && i < count; });
-         });
+         std::ranges::all_of(faces.faces, [](int face) { return face >= 0; }) &&
+         std::ranges::all_of(mesh.points, [](const Eigen::Vector3d& p) { return p.allFinite(); }) &&
+         std::ranges::all_of(mesh.triangles, [&](const auto& t) { return drawable(t, mesh); });
 }
 
 /// Of each point the third of the triangles around it, mm².
 std::vector<double> pointAreas(const TriangleMesh& mesh) {
   std::vector<double> areas(mesh.points.size(), 0.0);
   for (const auto& triangle : mesh.triangles) {
-    const auto corner = [&](std::size_t i) -> const Eigen::Vector3d& {
-      return mesh.points[std::size_t(triangle[i])];
-    };
+    const auto corner = [&](std::size_t i) { return mesh.points[std::size_t(triangle[i])]; };
     const double area = 0.5 * (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();
     for (const int i : triangle) areas[std::size_t(i)] += area / 3;
   }

@@ -5,13 +5,33 @@
 #include <QObject>
 #include <QPointF>
 #include <QVariantAnimation>
+#include <QWidget>
 
 #include <Eigen/Core>
 
+#include <algorithm>
+#include <cmath>
+
 #include "bw/scene/scene.h"
-#include "viewport.h"
 
 namespace bw::view {
+
+/// The picture's pixels in a widget, whose own coordinates are device-independent.
+class Viewport {
+ public:
+  explicit Viewport(const QWidget* widget) : widget_(widget) {}
+
+  /// Pixels a device-independent one.
+  double ratio() const { return widget_->devicePixelRatioF(); }
+  int width() const { return pixels(widget_->width()); }
+  int height() const { return pixels(widget_->height()); }
+  double aspect() const { return double(width()) / height(); }
+
+ private:
+  int pixels(int length) const { return std::max(1, int(std::lround(length * ratio()))); }
+
+  const QWidget* widget_;
+};
 
 /// Moves the camera of a scene in a widget: in a glide to another camera, or at once as a hand moves it by
 /// what lies under the cursor. Positions are device-independent pixels of the widget.

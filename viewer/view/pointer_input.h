@@ -11,10 +11,12 @@
 
 #include <Eigen/Core>
 
+#include "bw/view/scene_view.h"
 #include "camera_mover.h"
-#include "navigator.h"
 
 namespace bw::view {
+
+enum class Drag { none, orbit, pan, zoom };
 
 /// The hand at a view: what mouse, wheel and fingers do to its camera, and where they click and hover.
 class PointerInput : public QObject {

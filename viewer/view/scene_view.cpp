@@ -16,7 +16,6 @@
 #include "camera_mover.h"
 #include "pointer_input.h"
 #include "scene/scene_impl.h"
-#include "viewport.h"
 #include "widget_target.h"
 
 namespace bw::view {
@@ -62,6 +61,7 @@ struct SceneView::Impl {
 
   /// Glides only where there is something to see of it.
   void moveTo(const scene::Camera& camera, bool animate) {
+    fitPending = false;
     mover.moveTo(camera, animate && self->isVisible() && everRendered);
   }
 
@@ -96,9 +96,8 @@ struct SceneView::Impl {
   void hover(const QPointF& position) {
     const std::optional<Eigen::Vector3d> onCube = cubeAt(position);
     lightCube(onCube);
-    const bool covered = onCube.has_value();
-    self->setCursor(covered ? Qt::PointingHandCursor : Qt::ArrowCursor);
-    emit self->hovered(covered || onLegend(position) ? scene::Pick{} : mover.pick(position));
+    self->setCursor(onCube ? Qt::PointingHandCursor : Qt::ArrowCursor);
+    emit self->hovered(onCube || onLegend(position) ? scene::Pick{} : mover.pick(position));
   }
 };
 
@@ -214,30 +213,25 @@ void SceneView::setStyle(const scene::Style& style) {
 void SceneView::setView(scene::View view, bool animate) { lookFrom(scene::directionOf(view), animate); }
 
 void SceneView::lookFrom(const Eigen::Vector3d& back, bool animate) {
-  impl_->fitPending = false;
   impl_->moveTo(impl_->scene.fitFrom(back, true, impl_->viewport.aspect()), animate);
 }
 
 void SceneView::open() {
-  impl_->fitPending = false;
   impl_->moveTo(impl_->scene.fitFrom(scene::directionOf(scene::View::iso), false, impl_->viewport.aspect()),
                 false);
 }
 
 void SceneView::fitWork(bool animate) {
   if (!impl_->scene.workBounds().valid()) return;
-  impl_->fitPending = false;
   impl_->moveTo(impl_->scene.fitWork(impl_->mover.goal(), impl_->viewport.aspect()), animate);
 }
 
 void SceneView::fitAll(bool animate) {
-  impl_->fitPending = false;
   impl_->moveTo(impl_->scene.fitCamera(impl_->mover.goal(), impl_->viewport.aspect()), animate);
 }
 
 void SceneView::fitBounds(const Bounds& bounds, bool animate) {
   if (!bounds.valid()) return;
-  impl_->fitPending = false;
   // A point has no size to fit: leave some of its surroundings in sight.
   Bounds wished = bounds;
   const Bounds work = impl_->scene.workBounds();
@@ -249,14 +243,11 @@ void SceneView::fitBounds(const Bounds& bounds, bool animate) {
   impl_->moveTo(impl_->scene.fitCamera(impl_->mover.goal(), impl_->viewport.aspect(), wished), animate);
 }
 
-void SceneView::setCamera(const scene::Camera& camera, bool animate) {
-  impl_->fitPending = false;
-  impl_->moveTo(camera, animate);
-}
+void SceneView::setCamera(const scene::Camera& camera, bool animate) { impl_->moveTo(camera, animate); }
 
 void SceneView::setParallel(bool on) {
   const scene::Camera goal = impl_->mover.goal();
-  if (goal.parallel != on) impl_->moveTo(scene::withProjection(goal, on), false);
+  if (goal.parallel != on) impl_->mover.moveTo(scene::withProjection(goal, on), false);
 }
 
 void SceneView::setAwaiting(bool awaiting) {

@@ -20,7 +20,7 @@
 #include "window/end_of_session.h"
 #include "window/main_window.h"
 #include "window/options.h"
-#include "window/picture_file.h"
+#include "workbench/report_print.h"
 
 namespace {
 

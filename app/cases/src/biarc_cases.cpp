@@ -97,20 +97,14 @@ void readChoice(ObjectReader& reader, BiarcOptions& options) {
     reader.need("coordinates", "select \"coordinates\" needs the key coordinates: a list of points");
 }
 
-Result<BiarcOptions> optionsFromJson(ObjectReader& reader) {
+BiarcOptions optionsFromJson(ObjectReader& reader) {
   BiarcOptions options;
   reader.boolean("closed", options.closed);
   readChoice(reader, options);
-  if (const json* list = reader.member("coordinates")) {
-    Result<std::vector<Eigen::Vector2d>> points = readPoints(list, "coordinates");
-    if (!points) return passOn(points.error());
-    options.coordinates = std::move(*points);
-  }
-  if (const json* list = reader.member("tangents"); list && !list->is_null()) {
-    Result<std::vector<double>> angles = readNumbers(list, "tangents");
-    if (!angles) return passOn(angles.error());
-    options.tangents = std::move(*angles);
-  }
+  if (const json* list = reader.member("coordinates"))
+    reader.take(readPoints(list, "coordinates"), options.coordinates);
+  if (const json* list = reader.given("tangents"))
+    reader.take(readNumbers(list, "tangents"), options.tangents);
   int distance = 1, curvature = 0, ends = 0;
   reader.word("distance", {"mean", "rms", "max"}, distance);
   reader.word("curvature", {"energy", "angle"}, curvature);
@@ -141,17 +135,15 @@ Result<BiarcOptions> optionsFromJson(ObjectReader& reader) {
   return options;
 }
 
-ordered_json pointToJson(const Eigen::Vector2d& p) { return {p.x(), p.y()}; }
-
 ordered_json arcToJson(const CircularArc& arc) {
   ordered_json object;
-  object["start"] = pointToJson(arc.start);
-  object["radius"] = arc.radius() ? ordered_json(*arc.radius()) : ordered_json(nullptr);
+  object["start"] = arc.start;
+  object["radius"] = arc.radius();
   object["angle"] = arc.turning;
   object["length"] = arc.length;
   object["start_angle"] = arc.startAngle;
-  object["middle"] = pointToJson(arc.pointAt(arc.length / 2));
-  object["end"] = pointToJson(arc.end());
+  object["middle"] = arc.pointAt(arc.length / 2);
+  object["end"] = arc.end();
   return object;
 }
 
@@ -169,19 +161,18 @@ Result<ordered_json> biarcCase(const json& object, bool& limited, const RunConte
   reader.need("points", "the case needs the key points");
   bool svg = false;
   reader.boolean("svg", svg);
-  const Result<BiarcOptions> options = optionsFromJson(reader);
-  if (!options) return passOn(options.error());
+  const BiarcOptions options = optionsFromJson(reader);
   if (Result<void> ok = reader.finish(); !ok) return passOn(ok.error());
   const Result<std::vector<Eigen::Vector2d>> points = readPoints(list, "points");
   if (!points) return passOn(points.error());
-  const Result<BiarcResult> fit = fitBiarcs(*points, *options, context);
+  const Result<BiarcResult> fit = fitBiarcs(*points, options, context);
   if (!fit) return passOn(fit.error());
   limited = fit->status == BiarcStatus::toleranceExceeded || fit->status == BiarcStatus::iterationLimit;
   ordered_json result;
   result["arcs"] = ordered_json::array();
   for (const CircularArc& arc : fit->curve.arcs) result["arcs"].push_back(arcToJson(arc));
   result["closed"] = fit->curve.closed;
-  result["points"] = pointsToJson(fit->curve.points);
+  result["points"] = fit->curve.points;
   result["tangents"] = fit->curve.tangents;
   result["shares"] = fit->curve.shares;
   addMeasures(result, fit->measures);
@@ -219,14 +210,14 @@ Result<CaseAnswer> biarcCases(std::string_view text, const RunContext& context,
     pictures->push_back(result.contains("svg") ? result["svg"].get<std::string>() : "");
     if (result.contains("svg") && !object.value("svg", false)) result.erase("svg");
   }
-  answer->json = output.dump(many ? -1 : 2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+  answer->json = dumped(output, many);
   return answer;
 }
 
 Result<std::string> biarcCaseFromCsv(std::string_view text) {
   const Result<std::vector<Eigen::Vector2d>> points = pointsFromCsv(text);
   if (!points) return passOn(points.error());
-  return json{{"points", pointsToJson(*points)}}.dump();
+  return json{{"points", *points}}.dump();
 }
 
 }  // namespace bw::cases

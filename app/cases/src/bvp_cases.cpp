@@ -9,7 +9,6 @@
 #include "bw/core/heavy/heavy_bvp.h"
 #include "bw/core/text/number_text.h"
 #include "case_runner.h"
-#include "elastica_json.h"
 
 namespace bw::cases {
 
@@ -22,9 +21,9 @@ constexpr double kLargest = 1e9;
 /// An end that misses its grip by more than this part of the length is reported as a limit exceeded.
 constexpr double kEndTolerance = 1e-6;
 
-/// A number, or null where it is infinite.
-ordered_json finiteOrNull(double value) {
-  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
+/// Nothing where it is infinite.
+std::optional<double> finite(double value) {
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
 ordered_json solutionToJson(const ClampedSolution& solution) {
@@ -37,8 +36,8 @@ ordered_json solutionToJson(const ClampedSolution& solution) {
   result["sliding"] = solution.sliding;
   result["stability_margin"] = solution.stabilityMargin;
   result["out_of_plane_margin"] = solution.outOfPlaneMargin;
-  result["sensitivity"] = {{"per_mm", finiteOrNull(solution.sensitivity.perMm)},
-                           {"per_deg", finiteOrNull(solution.sensitivity.perDegree)}};
+  result["sensitivity"] = {{"per_mm", finite(solution.sensitivity.perMm)},
+                           {"per_deg", finite(solution.sensitivity.perDegree)}};
   result["self_intersects"] = solution.selfIntersects;
   result["end_error"] = solution.endError;
   return result;
@@ -59,7 +58,7 @@ Result<Weighing> weighingOf(std::optional<double> stiffness, const json* weight,
   const auto bad = [](const char* where, const std::string& message) {
     return fail(ErrorCode::badInput, message, where);
   };
-  const bool weighs = weight && !weight->is_null();
+  const bool weighs = weight != nullptr;
   if (stiffness.has_value() != weighs)
     return bad(
         weighs ? "stiffness" : "weight",
@@ -96,10 +95,10 @@ ordered_json solutionToJson(const HeavySolution& solution, const std::vector<dou
   result["stable"] = solution.stable;
   result["stability_margin"] = solution.stabilityMargin;
   result["out_of_plane_margin"] = solution.outOfPlaneMargin;
-  result["barrier"] = solution.barrier ? ordered_json(*solution.barrier) : ordered_json(nullptr);
-  result["snaps_at"] = solution.snapsAt ? ordered_json(*solution.snapsAt) : ordered_json(nullptr);
-  result["sensitivity"] = {{"per_mm", finiteOrNull(solution.sensitivity.perMm)},
-                           {"per_deg", finiteOrNull(solution.sensitivity.perDegree)}};
+  result["barrier"] = solution.barrier;
+  result["snaps_at"] = solution.snapsAt;
+  result["sensitivity"] = {{"per_mm", finite(solution.sensitivity.perMm)},
+                           {"per_deg", finite(solution.sensitivity.perDegree)}};
   result["self_intersects"] = solution.blade.selfIntersects();
   result["max_curvature"] = solution.blade.maxCurvature();
   result["end_error"] = solution.endError;
@@ -108,7 +107,7 @@ ordered_json solutionToJson(const HeavySolution& solution, const std::vector<dou
   result["at"] = at;
   for (const char* key : {"points", "angles", "curvatures"}) result[key] = ordered_json::array();
   for (const HeavyBlade::State& state : states) {
-    result["points"].push_back({state.point.x(), state.point.y()});
+    result["points"].push_back(state.point);
     result["angles"].push_back(state.angle);
     result["curvatures"].push_back(state.curvature);
   }
@@ -122,11 +121,11 @@ ordered_json answerToJson(const HeavyAnswer& answer, const std::vector<double>& 
     result["solutions"].push_back(solutionToJson(solution, at));
   if (others) {
     result["other_stable"] = answer.otherStable;
-    result["next_energy"] = answer.nextEnergy ? ordered_json(*answer.nextEnergy) : ordered_json(nullptr);
-    result["next_turning"] = answer.nextTurning ? ordered_json(*answer.nextTurning) : ordered_json(nullptr);
+    result["next_energy"] = answer.nextEnergy;
+    result["next_turning"] = answer.nextTurning;
   }
   result["case"] = clampedKindName(answer.kind);
-  result["snaps_at"] = answer.movingSnapsAt ? ordered_json(*answer.movingSnapsAt) : ordered_json(nullptr);
+  result["snaps_at"] = answer.movingSnapsAt;
   result["message"] = answer.message;
   return result;
 }
@@ -154,37 +153,30 @@ Result<ordered_json> bvpCase(const json& object, bool& limited) {
   reader.number("torsion_ratio", options.torsionRatio, 0, 1e6);
   options.others = true;
   reader.boolean("others", options.others);
-  const json* initial = reader.member("initial");
+  const json* initial = reader.given("initial");
   std::optional<double> stiffness;
   reader.number("stiffness", stiffness, 1e-9, 1e15);
-  const json* weight = reader.member("weight");
-  const json* at = reader.member("at");
+  const json* weight = reader.given("weight");
+  const json* at = reader.given("at");
   if (Result<void> ok = reader.finish(); !ok) return passOn(ok.error());
-  const Result<Eigen::Vector2d> from = readPoint(start, "start");
-  if (!from) return passOn(from.error());
-  const Result<Eigen::Vector2d> to = readPoint(end, "end");
-  if (!to) return passOn(to.error());
-  problem.start = *from;
-  problem.end = *to;
-  if (initial && !initial->is_null()) {
-    const Result<Elastica> blade = elasticaFromJson(*initial, "initial");
-    if (!blade) return passOn(blade.error());
-    options.initial = *blade;
-  }
-  const Result<Weighing> weighing = weighingOf(stiffness, weight, at, problem.length);
-  if (!weighing) return passOn(weighing.error());
+  reader.take(readPoint(start, "start"), problem.start);
+  reader.take(readPoint(end, "end"), problem.end);
+  if (initial) reader.take(elasticaFromJson(*initial, "initial"), options.initial);
+  Weighing weighing;
+  reader.take(weighingOf(stiffness, weight, at, problem.length), weighing);
+  if (Result<void> ok = reader.finish(); !ok) return passOn(ok.error());
   const auto begin = std::chrono::steady_clock::now();
   const auto secondsSince = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   };
-  if (weighing->weight) {
-    const HeavyProblem heavy{problem, weighing->stiffness, *weighing->weight};
+  if (weighing.weight) {
+    const HeavyProblem heavy{problem, weighing.stiffness, *weighing.weight};
     const Result<HeavyAnswer> answer = all ? solveAllHeavy(heavy, options) : solveHeavy(heavy, options);
     const double seconds = secondsSince();
     if (!answer) return passOn(answer.error());
     for (const HeavySolution& solution : answer->solutions)
       limited = limited || solution.endError > kEndTolerance * problem.length;
-    ordered_json result = answerToJson(*answer, weighing->at, all || options.others);
+    ordered_json result = answerToJson(*answer, weighing.at, all || options.others);
     result["seconds"] = seconds;
     return result;
   }
@@ -205,7 +197,7 @@ Result<ordered_json> bvpCase(const json& object, bool& limited) {
     result["next_turning"] = others.stable > 0 ? ordered_json(others.turning) : ordered_json(nullptr);
   }
   result["case"] = clampedKindName(answer->kind);
-  result["snaps_at"] = answer->snapsAt ? ordered_json(*answer->snapsAt) : ordered_json(nullptr);
+  result["snaps_at"] = answer->snapsAt;
   result["message"] = answer->message;
   result["seconds"] = seconds;
   return result;

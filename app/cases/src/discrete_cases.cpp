@@ -5,7 +5,6 @@
 
 #include "bw/core/discrete/discrete_elastica.h"
 #include "case_runner.h"
-#include "elastica_json.h"
 
 namespace bw::cases {
 
@@ -16,48 +15,32 @@ namespace {
 
 constexpr double kHuge = 1e12;
 
-Result<void> readEnds(ObjectReader& reader, ClampedEnds& ends) {
+void readEnds(ObjectReader& reader, ClampedEnds& ends) {
   for (const char* key : {"start", "end", "start_angle", "end_angle", "length"})
     reader.need(key, std::string("the case needs the key ") + key);
-  for (const auto& [key, point] : {std::pair{"start", &ends.start}, std::pair{"end", &ends.end}}) {
-    const json* value = reader.member(key);
-    if (!value) continue;
-    const Result<Eigen::Vector2d> read = readPoint(value, key);
-    if (!read) return passOn(read.error());
-    *point = *read;
-  }
+  for (const auto& [key, point] : {std::pair{"start", &ends.start}, std::pair{"end", &ends.end}})
+    if (const json* value = reader.member(key)) reader.take(readPoint(value, key), *point);
   reader.number("start_angle", ends.startAngle, -kHuge, kHuge);
   reader.number("end_angle", ends.endAngle, -kHuge, kHuge);
   reader.number("length", ends.length, 1e-9, kHuge);
-  return {};
 }
 
-Result<void> readGuide(ObjectReader& reader, DiscreteOptions& options) {
-  if (const json* initial = reader.member("initial"); initial && !initial->is_null()) {
-    if (initial->is_array()) {
-      Result<std::vector<double>> angles = readNumbers(initial, "initial");
-      if (!angles) return passOn(angles.error());
-      options.turningAngles = std::move(*angles);
-    } else {
-      const Result<Elastica> shape = elasticaFromJson(*initial, "initial");
-      if (!shape) return passOn(shape.error());
-      options.shape = *shape;
-    }
-  }
-  if (const json* sketch = reader.member("sketch"); sketch && !sketch->is_null()) {
-    const Result<PlanarCurve> curve = curveFromJson(*sketch, "sketch");
-    if (!curve) return passOn(curve.error());
-    options.sketch = *curve;
-  }
-  return {};
+void readGuide(ObjectReader& reader, DiscreteOptions& options) {
+  const json* initial = reader.given("initial");
+  if (initial && initial->is_array())
+    reader.take(readNumbers(initial, "initial"), options.turningAngles);
+  else if (initial)
+    reader.take(elasticaFromJson(*initial, "initial"), options.shape);
+  if (const json* sketch = reader.given("sketch"))
+    reader.take(curveFromJson(*sketch, "sketch"), options.sketch);
 }
 
 Result<ordered_json> discreteCase(const json& object, bool& limited) {
   ObjectReader reader(object, "case");
   ClampedEnds ends;
   DiscreteOptions options;
-  if (Result<void> ok = readEnds(reader, ends); !ok) return passOn(ok.error());
-  if (Result<void> ok = readGuide(reader, options); !ok) return passOn(ok.error());
+  readEnds(reader, ends);
+  readGuide(reader, options);
   reader.integer("segments", options.segments, 4, 2000);
   int held = 0;
   reader.word("ends", {"tangent", "half"}, held);
@@ -71,12 +54,12 @@ Result<ordered_json> discreteCase(const json& object, bool& limited) {
   const Result<AnalyticElastica> analytic = analyticElastica(*discrete);
   limited = !discrete->stable;
   ordered_json result;
-  result["vertices"] = pointsToJson(discrete->vertices);
+  result["vertices"] = discrete->vertices;
   result["turning_angles"] = discrete->turningAngles;
   result["turning"] = discrete->ends.endAngle - discrete->ends.startAngle;
   result["energy"] = discrete->energy;
   result["squared_turning"] = discrete->squaredTurning;
-  result["force"] = {discrete->force.x(), discrete->force.y()};
+  result["force"] = discrete->force;
   result["stable"] = discrete->stable;
   result["closure"] = discrete->closure;
   result["iterations"] = discrete->iterations;

@@ -5,7 +5,6 @@
 
 #include "bw/core/elastica/elastica.h"
 #include "case_runner.h"
-#include "elastica_json.h"
 
 namespace bw::cases {
 
@@ -23,11 +22,8 @@ Result<ordered_json> elasticaCase(const json& object, bool&) {
   const Result<Elastica> elastica = elasticaFromJson(*shape, "elastica");
   if (!elastica) return passOn(elastica.error());
   std::vector<double> arcs;
-  if (at) {
-    Result<std::vector<double>> read = readNumbers(at, "at");
-    if (!read) return passOn(read.error());
-    arcs = std::move(*read);
-  }
+  if (at) reader.take(readNumbers(at, "at"), arcs);
+  if (Result<void> ok = reader.finish(); !ok) return passOn(ok.error());
   const auto start = std::chrono::steady_clock::now();
   std::vector<Elastica::State> states(arcs.size());
   elastica->at(arcs, states);
@@ -41,7 +37,7 @@ Result<ordered_json> elasticaCase(const json& object, bool&) {
   ordered_json points = ordered_json::array(), angles = ordered_json::array(),
                curvatures = ordered_json::array();
   for (const Elastica::State& state : states) {
-    points.push_back({state.point.x(), state.point.y()});
+    points.push_back(state.point);
     angles.push_back(state.angle);
     curvatures.push_back(state.curvature);
   }

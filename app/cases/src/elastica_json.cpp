@@ -1,13 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "elastica_json.h"
-
 #include <algorithm>
 #include <cmath>
 #include <string_view>
 
-#include "bw/core/text/json_reader.h"
+#include "case_runner.h"
 
 namespace bw::cases {
 
@@ -18,31 +16,34 @@ namespace {
 
 constexpr double kHuge = 1e15;
 
-void readVector2(ObjectReader& reader, const std::string& key, Eigen::Vector2d& out) {
-  const json* value = reader.member(key);
-  const bool good =
-      value && value->is_array() && value->size() == 2 && (*value)[0].is_number() && (*value)[1].is_number();
-  if (good) out = {(*value)[0].get<double>(), (*value)[1].get<double>()};
-  if (!good || !out.allFinite())
-    reader.complain(key, reader.path() + "." + key + " must be two finite numbers [x, y]");
+Result<Elastica> anchoredFromJson(const json& object, double length, const std::string& path) {
+  ObjectReader reader(object, path);
+  Elastica::Anchor anchor;
+  for (const char* key : {"at", "point", "angle", "curvature", "force"})
+    reader.need(key, path + " needs the key " + key);
+  reader.number("at", anchor.at, -kHuge, kHuge);
+  readPoint(reader, "point", anchor.point);
+  reader.number("angle", anchor.angle, -kHuge, kHuge);
+  reader.number("curvature", anchor.curvature, -kHuge, kHuge);
+  readPoint(reader, "force", anchor.force);
+  reader.number("straight", anchor.straight, 0, kHuge);
+  if (Result<void> ok = reader.finish(); !ok) return passOn(ok.error());
+  return Elastica::makeAnchored(anchor, length);
 }
 
 }  // namespace
 
 ordered_json elasticaToJson(const Elastica& e) {
   ordered_json object;
-  object["start"] = {e.start().x(), e.start().y()};
+  object["start"] = e.start();
   object["start_angle"] = e.startAngle();
   object["start_curvature"] = e.startCurvature();
-  object["force"] = {e.force().x(), e.force().y()};
+  object["force"] = e.force();
   object["length"] = e.length();
   if (const Elastica::Anchor* a = e.anchor())
-    object["anchor"] = {{"at", a->at},
-                        {"point", {a->point.x(), a->point.y()}},
-                        {"angle", a->angle},
-                        {"curvature", a->curvature},
-                        {"force", {a->force.x(), a->force.y()}},
-                        {"straight", a->straight}};
+    object["anchor"] = {{"at", a->at},       {"point", a->point},
+                        {"angle", a->angle}, {"curvature", a->curvature},
+                        {"force", a->force}, {"straight", a->straight}};
   if (const std::optional<ControlParameters> p = e.controlParameters())
     object["control_parameters"] = {{"k", p->k},     {"s0", p->s0}, {"l", p->l}, {"S", p->S},
                                     {"phi", p->phi}, {"x", p->x},   {"y", p->y}};
@@ -51,43 +52,23 @@ ordered_json elasticaToJson(const Elastica& e) {
   return object;
 }
 
-namespace {
-
-Result<Elastica> anchoredFromJson(const json& object, double length, const std::string& path) {
-  ObjectReader reader(object, path);
-  Elastica::Anchor anchor;
-  for (const char* key : {"at", "point", "angle", "curvature", "force"})
-    reader.need(key, path + " needs the key " + key);
-  reader.number("at", anchor.at, -kHuge, kHuge);
-  readVector2(reader, "point", anchor.point);
-  reader.number("angle", anchor.angle, -kHuge, kHuge);
-  reader.number("curvature", anchor.curvature, -kHuge, kHuge);
-  readVector2(reader, "force", anchor.force);
-  reader.number("straight", anchor.straight, 0, kHuge);
-  if (Result<void> ok = reader.finish(); !ok) return tl::unexpected<Error>(ok.error());
-  return Elastica::makeAnchored(anchor, length);
-}
-
-}  // namespace
-
 Result<Elastica> elasticaFromJson(const json& object, const std::string& path) {
   ObjectReader reader(object, path);
-  const json* control = reader.member("control_parameters");
-  const json* anchor = reader.member("anchor");
-  if (anchor && anchor->is_null()) anchor = nullptr;
+  const json* control = reader.given("control_parameters");
+  const json* anchor = reader.given("anchor");
   const bool regular = object.is_object() && object.contains("start");
   Eigen::Vector2d start = Eigen::Vector2d::Zero(), force = Eigen::Vector2d::Zero();
   double angle = 0, curvature = 0, length = 0;
-  if (regular || anchor || !control || control->is_null()) {
-    if (regular || !anchor) readVector2(reader, "start", start);
+  if (regular || anchor || !control) {
+    if (regular || !anchor) readPoint(reader, "start", start);
     reader.number("start_angle", angle, -kHuge, kHuge);
     reader.number("start_curvature", curvature, -kHuge, kHuge);
-    if (regular || !anchor) readVector2(reader, "force", force);
+    if (regular || !anchor) readPoint(reader, "force", force);
     reader.number("length", length, 0, kHuge);
     for (const char* key : {"start_angle", "start_curvature", "length"})
       if (regular || !anchor || key == std::string_view("length"))
         reader.need(key, path + " needs the key " + key);
-    if (Result<void> ok = reader.finish(); !ok) return tl::unexpected<Error>(ok.error());
+    if (Result<void> ok = reader.finish(); !ok) return passOn(ok.error());
     if (!anchor) return Elastica::make(start, angle, curvature, force, length);
     Result<Elastica> held = anchoredFromJson(*anchor, length, path + ".anchor");
     if (!held || !regular) return held;
@@ -104,7 +85,7 @@ Result<Elastica> elasticaFromJson(const json& object, const std::string& path) {
                   path + ".anchor", miss, kSame);
     return held;
   }
-  if (Result<void> ok = reader.finish(); !ok) return tl::unexpected<Error>(ok.error());
+  if (Result<void> ok = reader.finish(); !ok) return passOn(ok.error());
   ObjectReader inner(*control, path + ".control_parameters");
   ControlParameters p;
   const std::pair<const char*, double*> members[] = {{"k", &p.k},     {"s0", &p.s0}, {"l", &p.l}, {"S", &p.S},
@@ -113,16 +94,8 @@ Result<Elastica> elasticaFromJson(const json& object, const std::string& path) {
     inner.number(key, *out, -kHuge, kHuge);
     inner.need(key, inner.path() + " needs the key " + key);
   }
-  if (Result<void> ok = inner.finish(); !ok) return tl::unexpected<Error>(ok.error());
+  if (Result<void> ok = inner.finish(); !ok) return passOn(ok.error());
   return Elastica::fromControlParameters(p);
-}
-
-ordered_json errorToJson(const Error& error) {
-  ordered_json object = {
-      {"code", errorCodeName(error.code)}, {"message", error.message}, {"where", error.where}};
-  object["value"] = error.value ? ordered_json(*error.value) : ordered_json(nullptr);
-  object["limit"] = error.limit ? ordered_json(*error.limit) : ordered_json(nullptr);
-  return {{"error", object}};
 }
 
 }  // namespace bw::cases

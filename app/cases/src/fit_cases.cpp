@@ -6,8 +6,6 @@
 #include <span>
 
 #include "case_runner.h"
-#include "elastica_json.h"
-#include "relax_case.h"
 
 namespace bw::cases {
 
@@ -18,7 +16,7 @@ namespace {
 
 constexpr double kHuge = 1e15;
 
-Result<FitOptions> optionsFromJson(ObjectReader& reader) {
+FitOptions optionsFromJson(ObjectReader& reader) {
   FitOptions options;
   if (const json* length = reader.member("length")) {
     if (length->is_number()) {
@@ -33,7 +31,7 @@ Result<FitOptions> optionsFromJson(ObjectReader& reader) {
   reader.number("length_tolerance", options.lengthTolerance, 0, kHuge);
   reader.boolean("endpoints", options.endpoints);
   reader.boolean("simple", options.simple);
-  if (const json* inflections = reader.member("max_inflections"); inflections && !inflections->is_null()) {
+  if (reader.given("max_inflections")) {
     int count = 0;
     reader.integer("max_inflections", count, 0, 1000);
     options.maxInflections = count;
@@ -47,11 +45,8 @@ Result<FitOptions> optionsFromJson(ObjectReader& reader) {
   reader.word("guess", {"length", "count"}, guess);
   options.norm = FitOptions::Norm(norm);
   options.guess = FitOptions::Guess(guess);
-  if (const json* initial = reader.member("initial"); initial && !initial->is_null()) {
-    const Result<Elastica> shape = elasticaFromJson(*initial, "initial");
-    if (!shape) return passOn(shape.error());
-    options.initial = *shape;
-  }
+  if (const json* initial = reader.given("initial"))
+    reader.take(elasticaFromJson(*initial, "initial"), options.initial);
   return options;
 }
 
@@ -85,12 +80,11 @@ Result<ordered_json> fitCase(const json& object, bool& limited) {
   reader.need("curve", "the case needs the key curve");
   std::optional<double> epsilon;
   reader.number("epsilon", epsilon, 0, kHuge);
-  const Result<FitOptions> options = optionsFromJson(reader);
-  if (!options) return passOn(options.error());
+  const FitOptions options = optionsFromJson(reader);
   if (Result<void> ok = reader.finish(); !ok) return passOn(ok.error());
   const Result<PlanarCurve> curve = curveFromJson(*shape, "curve");
   if (!curve) return passOn(curve.error());
-  const Result<FitResult> fit = fitElastica(*curve, *options);
+  const Result<FitResult> fit = fitElastica(*curve, options);
   if (!fit) return passOn(fit.error());
   if (fit->status == FitStatus::infeasible)
     return fail(ErrorCode::noSolution,
@@ -107,7 +101,7 @@ Result<ordered_json> fitCase(const json& object, bool& limited) {
   result["R4_initial"] = fit->R4initial;
   result["R4"] = fit->R4;
   // The guess alone tells it, also where the fit starts from elsewhere.
-  const FitForecast forecast = options->initial ? forecastFit(*curve) : fit->forecast;
+  const FitForecast forecast = options.initial ? forecastFit(*curve) : fit->forecast;
   result["R4_forecast"] = {{"R4", forecast.R4}, {"low", forecast.low}, {"high", forecast.high}};
   if (epsilon) {
     static constexpr const char* kVerdicts[] = {"yes", "no", "unsure"};
@@ -132,7 +126,7 @@ Result<CaseAnswer> fitCases(std::string_view text, const RunContext& context) {
 Result<std::string> fitCaseFromCsv(std::string_view text) {
   const Result<std::vector<Eigen::Vector2d>> points = pointsFromCsv(text);
   if (!points) return passOn(points.error());
-  return json{{"curve", {{"type", "points"}, {"points", pointsToJson(*points)}}}}.dump();
+  return json{{"curve", {{"type", "points"}, {"points", *points}}}}.dump();
 }
 
 }  // namespace bw::cases

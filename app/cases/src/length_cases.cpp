@@ -6,7 +6,6 @@
 #include "bw/core/blade/blade_json.h"
 #include "bw/core/calibration/blade_length.h"
 #include "case_runner.h"
-#include "elastica_json.h"
 
 namespace bw::cases {
 
@@ -23,19 +22,14 @@ void readMeasurement(ObjectReader& reader, BladeMeasurement& m) {
   reader.number("distance", m.distance, 1e-9, kHuge);
   reader.number("height", m.height, 0, kHuge);
   reader.need("angle", reader.path() + " needs the key angle, in rad, or null for ends that turn freely");
-  if (const json* angle = reader.member("angle"); angle && !angle->is_null()) {
-    m.angle = 0;
-    reader.number("angle", *m.angle, 0, 3.1);
-  }
+  reader.number("angle", m.angle, 0, 3.1);
 }
-
-ordered_json optionalNumber(const std::optional<double>& x) { return x ? ordered_json(*x) : ordered_json(); }
 
 ordered_json bladeToResult(const BladeLength& blade) {
   ordered_json result;
   result["length"] = blade.length;
   result["slack"] = blade.slack;
-  result["k"] = optionalNumber(blade.k);
+  result["k"] = blade.k;
   result["case"] = bladeLengthCaseName(blade.letter);
   result["angle"] = blade.angle;
   result["elastica"] = elasticaToJson(blade.elastica);
@@ -46,10 +40,8 @@ ordered_json bladeToResult(const BladeLength& blade) {
 }
 
 ordered_json estimateToJson(const Estimate& estimate) {
-  return {{"value", estimate.value},
-          {"error", optionalNumber(estimate.error)},
-          {"low", optionalNumber(estimate.low)},
-          {"high", optionalNumber(estimate.high)}};
+  return {
+      {"value", estimate.value}, {"error", estimate.error}, {"low", estimate.low}, {"high", estimate.high}};
 }
 
 Result<ordered_json> singleCase(const json& object) {
@@ -70,10 +62,7 @@ Result<CalibrationMeasurement> measurementFromJson(const json& object, const std
   ObjectReader reader(object, path);
   CalibrationMeasurement m;
   readMeasurement(reader, m.held);
-  if (const json* temperature = reader.member("temperature"); temperature && !temperature->is_null()) {
-    m.temperature = 0;
-    reader.number("temperature", *m.temperature, -50, 1500);
-  }
+  reader.number("temperature", m.temperature, -50, 1500);
   reader.number("height_error", m.heightError, 0, kHuge);
   reader.number("angle_error", m.angleError, 0, 10);
   reader.number("distance_error", m.distanceError, 0, kHuge);
@@ -116,7 +105,7 @@ Result<ordered_json> calibrationCase(const json& object) {
   if (calibrated->angleOffset) result["angle_offset"] = estimateToJson(*calibrated->angleOffset);
   result["sigma"] = calibrated->sigma;
   result["degrees_of_freedom"] = calibrated->degreesOfFreedom;
-  result["plausibility"] = optionalNumber(calibrated->plausibility);
+  result["plausibility"] = calibrated->plausibility;
   result["measurements"] = ordered_json::array();
   for (const CalibrationResult::Item& item : calibrated->items) {
     ordered_json entry = bladeToResult(item.blade);

@@ -7,7 +7,6 @@
 
 #include "bw/core/base/units.h"
 #include "case_runner.h"
-#include "elastica_json.h"
 
 namespace bw::cases {
 
@@ -19,17 +18,16 @@ namespace {
 constexpr int kMostPieces = 100;
 constexpr double kHuge = 1e15;
 
-Result<PiecewiseOptions> optionsFromJson(ObjectReader& reader, const PlanarCurve& curve) {
+PiecewiseOptions optionsFromJson(ObjectReader& reader, const PlanarCurve& curve) {
   PiecewiseOptions options;
   const json* splits = reader.member("splits");
   if (splits && splits->is_array()) {
-    Result<std::vector<double>> parameters = readNumbers(splits, "splits");
-    if (!parameters) return passOn(parameters.error());
+    std::vector<double>& parameters = options.parameters;
+    reader.take(readNumbers(splits, "splits"), parameters);
     // The ends of the curve may be named or not.
-    if (!parameters->empty() && parameters->front() == curve.start()) parameters->erase(parameters->begin());
-    if (!parameters->empty() && parameters->back() == curve.end()) parameters->pop_back();
+    if (!parameters.empty() && parameters.front() == curve.start()) parameters.erase(parameters.begin());
+    if (!parameters.empty() && parameters.back() == curve.end()) parameters.pop_back();
     options.splits = PiecewiseOptions::Splits::given;
-    options.parameters = std::move(*parameters);
     if (reader.has("pieces")) reader.complain("pieces", "give either a list of splits or a number of pieces");
   } else {
     int word = 0;
@@ -63,10 +61,9 @@ Result<ordered_json> piecewiseCase(const json& object, bool& limited) {
   if (!shape) return passOn(reader.finish().error());
   const Result<PlanarCurve> curve = curveFromJson(*shape, "curve");
   if (!curve) return passOn(curve.error());
-  const Result<PiecewiseOptions> options = optionsFromJson(reader, *curve);
-  if (!options) return passOn(options.error());
+  const PiecewiseOptions options = optionsFromJson(reader, *curve);
   if (Result<void> ok = reader.finish(); !ok) return passOn(ok.error());
-  const Result<PiecewiseResult> fit = fitPiecewise(*curve, *options);
+  const Result<PiecewiseResult> fit = fitPiecewise(*curve, options);
   if (!fit) return passOn(fit.error());
   if (fit->status == FitStatus::infeasible) return fail(ErrorCode::noSolution, fit->message, "position");
   limited = fit->status == FitStatus::iterationLimit || !fit->withinTolerance;

@@ -5,8 +5,6 @@
 
 #include "bw/core/relax/curve_relaxation.h"
 #include "case_runner.h"
-#include "elastica_json.h"
-#include "relax_case.h"
 
 namespace bw::cases {
 
@@ -52,7 +50,7 @@ Result<ordered_json> answerRelaxation(ObjectReader& reader, bool& limited) {
   result["curve"] = {{"type", "bspline"},
                      {"degree", relaxed->curve.degree()},
                      {"knots", relaxed->curve.knots()},
-                     {"poles", pointsToJson(relaxed->curve.poles())}};
+                     {"poles", relaxed->curve.poles()}};
   result["length"] = relaxed->curve.length();
   result["length_error"] = relaxed->lengthError;
   result["energy"] = relaxed->energy;
@@ -73,17 +71,11 @@ Result<ordered_json> answerRelaxation(ObjectReader& reader, bool& limited) {
   return result;
 }
 
-namespace {
-
-Result<ordered_json> relaxCase(const json& object, bool& limited) {
-  ObjectReader reader(object, "case");
-  return answerRelaxation(reader, limited);
-}
-
-}  // namespace
-
 Result<CaseAnswer> relaxCases(std::string_view text, const RunContext& context) {
-  return runCases(text, context, relaxCase);
+  return runCases(text, context, [](const json& object, bool& limited) {
+    ObjectReader reader(object, "case");
+    return answerRelaxation(reader, limited);
+  });
 }
 
 }  // namespace bw::cases

@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: MIT
 
 #include <chrono>
-#include <tuple>
 
 #include "bw/core/constructions/spline_constructions.h"
 #include "bw/core/elastica/elastica_stability.h"
 #include "case_runner.h"
-#include "elastica_json.h"
 
 namespace bw::cases {
 
@@ -23,8 +21,6 @@ struct Input {
   std::vector<Eigen::Vector2d> points;
   DuckOptions options;
 };
-
-ordered_json polesToJson(const CubicPoles& poles) { return pointsToJson({poles.begin(), poles.end()}); }
 
 ordered_json piecesToJson(const std::vector<Elastica>& pieces) {
   ordered_json list = ordered_json::array();
@@ -68,7 +64,7 @@ Result<ordered_json> bezierPieces(const Input& input) {
     const Result<ProxyPrediction> prediction = predictElastica(*curve);
     if (!prediction) return passOn(prediction.error());
     ordered_json piece;
-    piece["poles"] = polesToJson(poles);
+    piece["poles"] = poles;
     piece["length"] = curve->length();
     piece["predicted_deviation"] = prediction->deviation;
     result["pieces"].push_back(std::move(piece));
@@ -82,7 +78,7 @@ Result<ordered_json> cubicSpline(const Input& input) {
   if (!curve) return passOn(curve.error());
   ordered_json result;
   result["curve"] = {
-      {"type", "bspline"}, {"degree", 3}, {"knots", curve->knots()}, {"poles", pointsToJson(curve->poles())}};
+      {"type", "bspline"}, {"degree", 3}, {"knots", curve->knots()}, {"poles", curve->poles()}};
   result["length"] = curve->length();
   return result;
 }
@@ -115,7 +111,7 @@ Result<ordered_json> splineCase(const json& object, bool&) {
   } else {
     points = reader.member("points");
     reader.need("points", "the case needs the key points, or poles of a Bézier curve");
-    tangents = kind != 1 ? reader.member("tangents") : nullptr;
+    tangents = kind != 1 ? reader.given("tangents") : nullptr;
     if (kind != 2) {
       reader.number("start_angle", input.options.startAngle, -kHuge, kHuge);
       reader.number("end_angle", input.options.endAngle, -kHuge, kHuge);
@@ -137,17 +133,13 @@ Result<ordered_json> splineCase(const json& object, bool&) {
   if (poles) {
     result = proxyOf(poles);
   } else {
-    Result<std::vector<Eigen::Vector2d>> list = readPoints(points, "points");
-    if (!list) return passOn(list.error());
-    input.points = std::move(*list);
-    for (const auto& [value, out, key] : {std::tuple(tangents, &input.options.tangents, "tangents"),
-                                          {lengths, &input.options.lengths, "lengths"}}) {
-      if (!value || value->is_null()) continue;
-      Result<std::vector<double>> numbers = readNumbers(value, key);
-      if (!numbers) return passOn(numbers.error());
-      *out = std::move(*numbers);
-      if (value == lengths) input.options.mode = DuckOptions::Lengths::given;
+    reader.take(readPoints(points, "points"), input.points);
+    if (tangents) reader.take(readNumbers(tangents, "tangents"), input.options.tangents);
+    if (lengths && !lengths->is_null()) {
+      reader.take(readNumbers(lengths, "lengths"), input.options.lengths);
+      input.options.mode = DuckOptions::Lengths::given;
     }
+    if (Result<void> ok = reader.finish(); !ok) return passOn(ok.error());
     result = kind == 0 ? elasticSpline(input) : kind == 1 ? cubicSpline(input) : bezierPieces(input);
   }
   if (result)

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "bw/model/document.h"
 
+#include <QUndoCommand>
+
 #include <utility>
 
 #include "bw/core/design/design.h"
-#include "bw/model/edit_design.h"
 
 namespace bw::model {
 
@@ -25,6 +26,33 @@ std::optional<Fingerprint> fingerprintNow(const fs::path& file) {
 }
 
 }  // namespace
+
+/// The one undoable edit: exchanges the design of a document. Edits with the same `mergeId` ≥ 0 that follow
+/// each other (one drag of a slider) become one step.
+class EditDesign : public QUndoCommand {
+ public:
+  EditDesign(Document& document, Design after, const QString& text, int mergeId)
+      : QUndoCommand(text),
+        document_(document),
+        before_(document.design()),
+        after_(std::make_shared<const Design>(std::move(after))),
+        mergeId_(mergeId) {}
+
+  void undo() override { document_.exchange(before_); }
+  void redo() override { document_.exchange(after_); }
+  int id() const override { return mergeId_; }
+  bool mergeWith(const QUndoCommand* other) override {
+    const auto* next = static_cast<const EditDesign*>(other);
+    if (mergeId_ < 0 || next->mergeId_ != mergeId_) return false;
+    after_ = next->after_;
+    return true;
+  }
+
+ private:
+  Document& document_;
+  std::shared_ptr<const Design> before_, after_;
+  int mergeId_;
+};
 
 Document::Document(const fs::path& recoveryFolder, QObject* parent)
     : QObject(parent), design_(std::make_shared<const Design>()) {
@@ -52,7 +80,7 @@ QString Document::title() const {
 
 void Document::edit(Design after, const QString& text, int mergeId) {
   if (*design_ == after) return;
-  undo_.push(new EditDesign(*this, design_, std::make_shared<const Design>(std::move(after)), text, mergeId));
+  undo_.push(new EditDesign(*this, std::move(after), text, mergeId));
 }
 
 void Document::editDesign(const QString& text, int mergeId, const std::function<void(Design&)>& change) {

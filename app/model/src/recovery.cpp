@@ -2,18 +2,24 @@
 // SPDX-License-Identifier: MIT
 #include "bw/model/recovery.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <QBuffer>
 #include <QFileInfo>
 #include <QUuid>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <set>
 #include <system_error>
 #include <thread>
+#include <utility>
 
 #include "bw/core/files/file_set.h"
-#include "file_lock.h"
 
 namespace bw::model {
 
@@ -28,6 +34,7 @@ constexpr const char* kLock = ".lock";
 constexpr std::size_t kLongestOrigin = 1 << 16;
 constexpr int kLockTries = 20;
 constexpr std::chrono::milliseconds kLockPause{25};
+constexpr int kTries = 100;  ///< the holder may remove the file between our opening and our locking it
 
 fs::path withSuffix(const fs::path& base, const char* suffix) { return fs::path(base.string() + suffix); }
 
@@ -68,6 +75,62 @@ RecoveryCopy readCopy(const fs::path& copy) {
 }
 
 }  // namespace
+
+/// An exclusive lock that the system keeps for as long as this object, and at most as long as the process,
+/// lives. Neither a crash nor a process number that was given out again leaves it standing.
+class FileLock {
+ public:
+  FileLock() = default;
+  ~FileLock() { release(); }
+  FileLock(const FileLock&) = delete;
+  FileLock& operator=(const FileLock&) = delete;
+
+  enum class Outcome {
+    held,        ///< now; also where the file system knows no locks
+    busy,        ///< another holds it
+    unavailable  ///< the file cannot be made or opened
+  };
+
+  /// Takes the lock of `file`, which is made if missing.
+  Outcome take(const fs::path& file);
+  bool held() const { return descriptor_ >= 0; }
+  /// Lets go and removes the file.
+  void remove() {
+    if (descriptor_ >= 0) ::unlink(file_.c_str());
+    release();
+  }
+  /// Lets go; the file stays.
+  void release() {
+    if (const int descriptor = std::exchange(descriptor_, -1); descriptor >= 0) ::close(descriptor);
+  }
+
+ private:
+  fs::path file_;
+  int descriptor_ = -1;
+};
+
+FileLock::Outcome FileLock::take(const fs::path& file) {
+  release();
+  for (int i = 0; i < kTries; ++i) {
+    const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+    if (descriptor < 0) return Outcome::unavailable;
+    if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+      ::close(descriptor);
+      return Outcome::busy;
+    }
+    // Whoever held it before may have removed the file meanwhile: then this is the lock of nothing.
+    struct stat mine {
+    }, named{};
+    if (::fstat(descriptor, &mine) == 0 && ::stat(file.c_str(), &named) == 0 && mine.st_ino == named.st_ino &&
+        mine.st_dev == named.st_dev) {
+      file_ = file;
+      descriptor_ = descriptor;
+      return Outcome::held;
+    }
+    ::close(descriptor);
+  }
+  return Outcome::busy;
+}
 
 RecoveryFile::RecoveryFile() : lock_(std::make_unique<FileLock>()) {}
 

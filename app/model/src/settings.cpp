@@ -6,6 +6,7 @@
 #include <QStandardPaths>
 
 #include <algorithm>
+#include <array>
 #include <system_error>
 
 namespace bw::model {
@@ -16,20 +17,14 @@ namespace {
 
 constexpr int kRecentFiles = 10;
 
+/// Words of the choices, in their order; the first stands for a word that is not among them.
+constexpr std::array kThemeWords = {"system", "light", "dark"};
+constexpr std::array kMouseWords = {"rhino", "blender", "solidworks"};
+
 template <class Choice>
-Choice choiceFrom(const QString& word, const QStringList& words, Choice fallback) {
-  const qsizetype i = words.indexOf(word);
-  return i < 0 ? fallback : Choice(i);
-}
-
-const QStringList& themeWords() {
-  static const QStringList words = {"system", "light", "dark"};
-  return words;
-}
-
-const QStringList& mouseWords() {
-  static const QStringList words = {"rhino", "blender", "solidworks"};
-  return words;
+Choice choiceFrom(const QVariant& word, const std::array<const char*, 3>& words) {
+  const auto found = std::ranges::find(words, word.toString());
+  return found == words.end() ? Choice() : Choice(found - words.begin());
 }
 
 }  // namespace
@@ -43,17 +38,13 @@ void Settings::store(const QString& key, const QVariant& value) {
   if (remembers_) store_.setValue(key, value);
 }
 
-ThemeChoice Settings::theme() const {
-  return choiceFrom(store_.value("theme").toString(), themeWords(), ThemeChoice::system);
-}
+ThemeChoice Settings::theme() const { return choiceFrom<ThemeChoice>(store_.value("theme"), kThemeWords); }
 
-void Settings::setTheme(ThemeChoice theme) { store("theme", themeWords()[int(theme)]); }
+void Settings::setTheme(ThemeChoice theme) { store("theme", kThemeWords[std::size_t(theme)]); }
 
-MouseChoice Settings::mouse() const {
-  return choiceFrom(store_.value("mouse").toString(), mouseWords(), MouseChoice::rhino);
-}
+MouseChoice Settings::mouse() const { return choiceFrom<MouseChoice>(store_.value("mouse"), kMouseWords); }
 
-void Settings::setMouse(MouseChoice mouse) { store("mouse", mouseWords()[int(mouse)]); }
+void Settings::setMouse(MouseChoice mouse) { store("mouse", kMouseWords[std::size_t(mouse)]); }
 
 std::vector<fs::path> Settings::recentFiles() const {
   std::vector<fs::path> files;

@@ -27,23 +27,24 @@ QString countText(int count, const char* one, const char* many) {
   return QString::number(count) + QLatin1Char(' ') + QLatin1String(count == 1 ? one : many);
 }
 
-void fillDone(StepStates& states, const pipeline::Evaluation& evaluation) {
-  if (evaluation.cut().setup) {
-    const Eigen::Vector3d& size = evaluation.cut().setup->block.size;
+void fillDone(StepStates& states, const pipeline::Evaluation& evaluation,
+              const pipeline::CutEvaluation& cut) {
+  if (cut.setup) {
+    const Eigen::Vector3d& size = cut.setup->block.size;
     states[int(Step::setup)] = {Kind::done, 0,
                                 QStringLiteral("%1 × %2 × %3 mm")
                                     .arg(lengthText(size.x()), lengthText(size.y()), lengthText(size.z()))};
   }
-  if (evaluation.source.value && evaluation.cut().target.value) {
-    const int chosen = int(evaluation.cut().target.value->faces().size());
+  if (evaluation.source.value && cut.target.value) {
+    const int chosen = int(cut.target.value->faces().size());
     const int all = evaluation.source.value->model.info().faces;
     states[int(Step::input)] = {Kind::done, 0,
                                 chosen == all ? countText(all, "face", "faces")
                                               : QStringLiteral("%1 of %2 faces").arg(chosen).arg(all)};
   }
-  if (evaluation.result())
-    states[int(Step::process)] = {
-        Kind::done, 0, countText(int(evaluation.cut().sweep.value->poses.size()), "station", "stations")};
+  if (cut.result())
+    states[int(Step::process)] = {Kind::done, 0,
+                                  countText(int(cut.sweep.value->poses.size()), "station", "stations")};
 }
 
 /// Raises a step to the worst of its findings.
@@ -64,9 +65,9 @@ void addFindings(StepStates& states, const pipeline::Evaluation& evaluation) {
 
 }  // namespace
 
-Step failedStep(const pipeline::Evaluation* evaluation) {
-  if (!evaluation || !evaluation->source.value || !evaluation->cut().target.value) return Step::input;
-  if (!evaluation->cut().setup) return Step::setup;
+Step failedStep(const pipeline::Evaluation* evaluation, const pipeline::CutEvaluation* cut) {
+  if (!evaluation || !evaluation->source.value || !cut || !cut->target.value) return Step::input;
+  if (!cut->setup) return Step::setup;
   return Step::process;
 }
 
@@ -104,13 +105,15 @@ StepStates stepStates(const StepFacts& facts) {
     states[int(Step::input)].text = QStringLiteral("No surface yet");
     return states;
   }
-  if (facts.evaluation) {
-    fillDone(states, *facts.evaluation);
-    addFindings(states, *facts.evaluation);
-  }
+  const pipeline::Evaluation* evaluation = facts.evaluation.get();
+  const pipeline::CutEvaluation* cut = !evaluation         ? nullptr
+                                       : facts.cut.empty() ? &evaluation->cut()
+                                                           : evaluation->find(facts.cut);
+  if (cut) fillDone(states, *evaluation, *cut);
+  if (evaluation) addFindings(states, *evaluation);
   const bool current = facts.evaluated == facts.design;
   if (facts.error && current) {
-    const int failed = int(failedStep(facts.evaluation.get()));
+    const int failed = int(failedStep(evaluation, cut));
     states[std::size_t(failed)] = {Kind::error, 0, QStringLiteral("Failed")};
     if (failed != int(Step::process))
       states[int(Step::process)] = {Kind::idle, 0, QStringLiteral("Waits for the input")};
@@ -123,7 +126,7 @@ StepStates stepStates(const StepFacts& facts) {
     states[int(Step::process)].text = QStringLiteral("Out of date");
   }
   StepState& output = states[int(Step::output)];
-  const bool ready = current && facts.evaluation && facts.evaluation->result();
+  const bool ready = current && cut && cut->result();
   if (facts.exporting) {
     output = {Kind::running, facts.progress, QStringLiteral("Writing files")};
   } else if (!facts.exportProblem.isEmpty()) {

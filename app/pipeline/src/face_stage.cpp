@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "bw/geometry/face_mesh.h"
 #include "bw/pipeline/pipeline.h"
 
 namespace bw::pipeline {

@@ -9,7 +9,8 @@
 #include <utility>
 
 #include "bw/core/files/fingerprint.h"
-#include "bw/robotio/cell/placement.h"
+#include "bw/geometry/export.h"
+#include "bw/robotio/motion/program_plan.h"
 
 namespace bw::pipeline {
 
@@ -65,19 +66,15 @@ Result<CadSource> readSource(const SourceRequest& request, const RunContext& con
     return fail(ErrorCode::cannotRead, path.string() + " was changed while it was read; read it again",
                 path.string());
   for (const std::string& text : model->info().leftOut)
-    findings.push_back({Severity::warning, LeftOutOfFile{text}, {}, {}});
-  for (const std::string& text : model->info().healing)
-    findings.push_back({Severity::info, Healed{text}, {}, {}});
+    findings.push_back({Severity::warning, LeftOutOfFile{text}});
+  for (const std::string& text : model->info().healing) findings.push_back({Severity::info, Healed{text}});
   return CadSource{std::move(*model), *content};
 }
 
 /// Tells where a linked source that was read is another than when the design was saved.
 Findings changedSource(const Source& source, const Fingerprint& read) {
   if (!source.bytes.empty() || !source.saved || read == *source.saved) return {};
-  return {{Severity::warning,
-           ChangedSource{source.path.filename().string(), source.saved->size, read.size},
-           {},
-           {}}};
+  return {{Severity::warning, ChangedSource{source.path.filename().string(), source.saved->size, read.size}}};
 }
 
 void append(Findings& all, const Findings& more) { all.insert(all.end(), more.begin(), more.end()); }
@@ -189,7 +186,7 @@ Result<void> check(const CutWork& work) {
                    work.seconds.check, [&work, &e, &sweep](const CheckRequest& request, Findings& findings) {
                      Result<SweepAnalysis> analysis =
                          analyzeSweep(sweep, *e.check.value, request, *e.target.value->sampler(),
-                                      work.context.child(0.75, 0.95));
+                                      geometry::loft, work.context.child(0.75, 0.95));
                      if (analysis) findings = analysis->findings;
                      return analysis;
                    });
@@ -213,16 +210,7 @@ void judgeCell(Evaluation& e, const Evaluation* previous) {
                                          append(findings, robotio::checkPlacement(*cut.motion.value, *cell));
                                    return cell;
                                  });
-  if (!ok) e.cell.findings = {{Severity::error, UnreadableCell{ok.error().message}, {}, {}}};
-}
-
-/// That of an earlier evaluation, or null.
-const CutEvaluation* cutOf(const Evaluation* evaluation, const std::string& id) {
-  if (evaluation)
-    for (const BlockEvaluation& block : evaluation->blocks)
-      for (const CutEvaluation& cut : block.cuts)
-        if (cut.id == id) return &cut;
-  return nullptr;
+  if (!ok) e.cell.findings = {{Severity::error, UnreadableCell{ok.error().message}}};
 }
 
 /// Designs have one source so far, and each part has what it names.
@@ -276,6 +264,13 @@ Findings CutEvaluation::findings() const {
   return all;
 }
 
+const CutEvaluation* Evaluation::find(const std::string& id) const {
+  for (const BlockEvaluation& block : blocks)
+    for (const CutEvaluation& cut : block.cuts)
+      if (cut.id == id) return &cut;
+  return nullptr;
+}
+
 Findings Evaluation::findings() const {
   Findings all = sourceFindings;
   append(all, source.findings);
@@ -293,7 +288,7 @@ void Evaluation::takeMissing(const Evaluation& before) {
   takeMissing(cell, before.cell);
   for (BlockEvaluation& block : blocks)
     for (CutEvaluation& cut : block.cuts) {
-      const CutEvaluation* from = cutOf(&before, cut.id);
+      const CutEvaluation* from = before.find(cut.id);
       if (!from) continue;
       takeMissing(cut.target, from->target);
       takeMissing(cut.targetMesh, from->targetMesh);
@@ -337,7 +332,8 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
     std::optional<BlockPlacement> placement = design.stock[b].placement;
     for (CutEvaluation& stages : e.blocks[b].cuts) {
       const Cut& cut = *std::ranges::find(design.cuts, stages.id, &Cut::id);
-      const CutWork work{design, cut, stages, cutOf(previous, cut.id), e.seconds, context, purpose};
+      const CutWork work{design,    cut,     stages, previous ? previous->find(cut.id) : nullptr,
+                         e.seconds, context, purpose};
       ok = place(work, e.source.value, placement);
       if (ok) ok = fit(work);
       if (ok) ok = check(work);
@@ -348,7 +344,8 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
   if (!design.output.programs.empty()) judgeCell(e, previous);
   for (BlockEvaluation& block : e.blocks)
     for (CutEvaluation& cut : block.cuts)
-      if (ok = meshTarget(cut, cutOf(previous, cut.id), e.seconds.read); !ok) return stop(ok.error());
+      if (ok = meshTarget(cut, previous ? previous->find(cut.id) : nullptr, e.seconds.read); !ok)
+        return stop(ok.error());
   context.report(1.0, "done");
   e.seconds.total = secondsSince(start);
   return outcome;

@@ -3,11 +3,24 @@
 
 #include "bw/pipeline/produce.h"
 
+#include <algorithm>
+
+#include "bw/core/design/program_formats.h"
+#include "bw/core/files/file_set.h"
+#include "bw/core/files/fingerprint.h"
+#include "bw/pipeline/run_identity.h"
+#include "bw/robotio/motion/program_plan.h"
+#include "bw/robotio/dialects.h"
 #include "make_files.h"
 
 namespace bw::pipeline {
 
 namespace {
+
+namespace fs = std::filesystem;
+
+/// A source up to this size is embedded there; a larger one is linked.
+constexpr std::uintmax_t kEmbedLimit = 8u << 20;
 
 using Contents = Policy::Contents;
 
@@ -92,6 +105,66 @@ Product produce(Evaluation evaluation, const std::filesystem::path& folder, cons
   confirm(product, context);
   if (!product.error) makeFiles(product, policy, context);
   return product;
+}
+
+Result<Design> storedDesign(const Evaluation& evaluation) {
+  Design result = evaluation.design;
+  const Fingerprint& read = evaluation.source.value->content;
+  const auto changed = [&] {
+    return fail(ErrorCode::cannotRead,
+                result.source().path.string() +
+                    " was changed after the results were computed from it; compute them again",
+                result.source().path.string());
+  };
+  std::error_code error;
+  if (result.source().bytes.empty() && fs::file_size(result.source().path, error) <= kEmbedLimit && !error) {
+    Result<std::string> bytes = readFile(result.source().path);
+    if (!bytes) return tl::unexpected<Error>(bytes.error());
+    if (fingerprintOf(*bytes) != read) return changed();
+    result.source().bytes = std::move(*bytes);
+    result.source().path = result.source().path.filename();
+  } else if (result.source().bytes.empty()) {
+    const Result<Fingerprint> now = fingerprintOfFile(result.source().path);
+    if (!now) return tl::unexpected<Error>(now.error());
+    if (*now != read) return changed();
+    result.source().path = fs::absolute(result.source().path, error);
+    result.source().saved = read;
+  }
+  return result;
+}
+
+Result<FileSet> programFiles(Evaluation& e, const Cell& cell, const std::string& name, const Policy& policy) {
+  Findings& findings = e.programs;
+  findings.clear();
+  const Motion& motion = *e.cut().motion.value;
+  robotio::ProgramNotes notes{name, words::errorsOf(e.findings(), policy.reader), {}, runId(e, &cell)};
+  for (const Finding& finding : robotio::checkPlacement(motion, cell))
+    notes.warnings.push_back(words::sentence(finding, policy.reader));
+  FileSet files;
+  const std::vector<std::string>& formats = e.design.output.programs;
+  for (auto format = formats.begin(); format != formats.end(); ++format) {
+    if (std::find(formats.begin(), format, *format) != format) continue;  // asked for twice
+    const robotio::Dialect* dialect = robotio::dialect(*format);
+    if (!dialect) {
+      const std::string nearest = nearestProgramFormat(*format);
+      return fail(ErrorCode::badInput,
+                  "there is no program format \"" + *format + "\"" +
+                      (nearest.empty() ? "; the formats are " + programFormatWords()
+                                       : "; did you mean \"" + nearest + "\"?"),
+                  "format");
+    }
+    if (dialect->check && !notes.errors.empty()) {
+      findings.push_back({policy.despiteErrors ? Severity::warning : Severity::error,
+                          ProgramDespiteErrors{int(notes.errors.size()), policy.despiteErrors},
+                          {},
+                          {}});
+      if (!policy.despiteErrors) continue;
+    }
+    Result<robotio::Program> program = dialect->write(motion, cell, notes, &findings);
+    if (!program) return tl::unexpected<Error>(program.error());
+    for (robotio::ProgramFile& file : *program) files.add(file.path, std::move(file.bytes));
+  }
+  return files;
 }
 
 }  // namespace bw::pipeline

@@ -91,7 +91,7 @@ using What = RunMismatch::What;
 
 Finding finding(Severity severity, What what, const fs::path& file, const std::string& run = {},
                 const std::string& other = {}, const std::string& text = {}) {
-  return {severity, RunMismatch{what, file.string(), run, other, text}, {}, {}};
+  return {severity, RunMismatch{what, file.string(), run, other, text}};
 }
 
 struct ModuleHead {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
 
 #include "bw/core/text/number_text.h"
 #include "sentences.h"
@@ -13,77 +14,43 @@ namespace bw::words {
 
 namespace {
 
-const char* wordOf(FindingKind kind) {
-  switch (kind) {
-    case FindingKind::fit:
-      return "fit";
-    case FindingKind::fitBounded:
-      return "fit-bounded";
-    case FindingKind::fitSteadied:
-      return "fit-steadied";
-    case FindingKind::curvature:
-      return "curvature";
-    case FindingKind::inflections:
-      return "inflections";
-    case FindingKind::stability:
-      return "stability";
-    case FindingKind::outOfPlane:
-      return "out-of-plane";
-    case FindingKind::clearance:
-      return "clearance";
-    case FindingKind::angle:
-      return "angle";
-    case FindingKind::speed:
-      return "speed";
-    case FindingKind::swing:
-      return "swing";
-    case FindingKind::gap:
-      return "gap";
-    case FindingKind::deviation:
-      return "deviation";
-    case FindingKind::sectionShort:
-      return "section-short";
-    case FindingKind::sectionMissing:
-      return "section-missing";
-    case FindingKind::sectionBranches:
-      return "section-branches";
-    case FindingKind::sectionClosed:
-      return "section-closed";
-    case FindingKind::sectionBorder:
-      return "section-border";
-    case FindingKind::sectionFit:
-      return "section-fit";
-    case FindingKind::sectionRoute:
-      return "section-route";
-    case FindingKind::face:
-      return "face";
-    case FindingKind::direction:
-      return "direction";
-    case FindingKind::leftOut:
-      return "left-out";
-    case FindingKind::healing:
-      return "healing";
-    case FindingKind::source:
-      return "source";
-    case FindingKind::cell:
-      return "cell";
-    case FindingKind::cellSides:
-      return "cell-sides";
-    case FindingKind::program:
-      return "program";
-    case FindingKind::programCheck:
-      return "rapid";
-    case FindingKind::run:
-      return "run";
-  }
-  return "";
-}
+constexpr std::pair<FindingKind, const char*> kWords[] = {{FindingKind::fit, "fit"},
+                                                          {FindingKind::fitBounded, "fit-bounded"},
+                                                          {FindingKind::fitSteadied, "fit-steadied"},
+                                                          {FindingKind::curvature, "curvature"},
+                                                          {FindingKind::inflections, "inflections"},
+                                                          {FindingKind::stability, "stability"},
+                                                          {FindingKind::outOfPlane, "out-of-plane"},
+                                                          {FindingKind::clearance, "clearance"},
+                                                          {FindingKind::angle, "angle"},
+                                                          {FindingKind::speed, "speed"},
+                                                          {FindingKind::swing, "swing"},
+                                                          {FindingKind::gap, "gap"},
+                                                          {FindingKind::deviation, "deviation"},
+                                                          {FindingKind::skin, "skin"},
+                                                          {FindingKind::sectionShort, "section-short"},
+                                                          {FindingKind::sectionMissing, "section-missing"},
+                                                          {FindingKind::sectionBranches, "section-branches"},
+                                                          {FindingKind::sectionClosed, "section-closed"},
+                                                          {FindingKind::sectionBorder, "section-border"},
+                                                          {FindingKind::sectionFit, "section-fit"},
+                                                          {FindingKind::sectionRoute, "section-route"},
+                                                          {FindingKind::face, "face"},
+                                                          {FindingKind::direction, "direction"},
+                                                          {FindingKind::leftOut, "left-out"},
+                                                          {FindingKind::healing, "healing"},
+                                                          {FindingKind::source, "source"},
+                                                          {FindingKind::cell, "cell"},
+                                                          {FindingKind::cellSides, "cell-sides"},
+                                                          {FindingKind::program, "program"},
+                                                          {FindingKind::programCheck, "rapid"},
+                                                          {FindingKind::run, "run"}};
 
 }  // namespace
 
 std::string kindWord(const Finding& finding) {
   if (const auto* breach = std::get_if<ProgramBreach>(&finding.cause)) return breach->rule;
-  return wordOf(finding.kind());
+  return std::ranges::find(kWords, finding.kind(), &std::pair<FindingKind, const char*>::first)->second;
 }
 
 std::string placeText(const Finding& finding) {

@@ -173,4 +173,9 @@ std::string Sentences::operator()(const TooFar& cause) const {
   return text + kInParts + ", turn the cutting direction, or allow more";
 }
 
+std::string Sentences::operator()(const SkinOff& cause) const {
+  return at() + "the surface that is measured and written lies up to " + shortText(cause.distance) +
+         " mm from the blade, more than " + shortText(cause.tolerance) + " mm; " + kInParts;
+}
+
 }  // namespace bw::words

@@ -29,6 +29,7 @@ struct Sentences {
   std::string operator()(const EndsSwing& cause) const;
   std::string operator()(const GapInRow& cause) const;
   std::string operator()(const TooFar& cause) const;
+  std::string operator()(const SkinOff& cause) const;
   // Surfaces and sections.
   std::string operator()(const SectionMissing& cause) const;
   std::string operator()(const SectionPoint& cause) const;

@@ -8,15 +8,8 @@
 namespace bw {
 
 const char* severityName(Severity severity) {
-  switch (severity) {
-    case Severity::info:
-      return "info";
-    case Severity::warning:
-      return "warning";
-    case Severity::error:
-      return "error";
-  }
-  return "info";
+  static const char* const kNames[] = {"info", "warning", "error"};
+  return kNames[int(severity)];
 }
 
 FindingKind Finding::kind() const {

@@ -11,21 +11,9 @@
 namespace bw {
 
 const char* errorCodeName(ErrorCode code) {
-  switch (code) {
-    case ErrorCode::badInput:
-      return "bad-input";
-    case ErrorCode::noSolution:
-      return "no-solution";
-    case ErrorCode::cannotRead:
-      return "cannot-read";
-    case ErrorCode::cannotWrite:
-      return "cannot-write";
-    case ErrorCode::cancelled:
-      return "cancelled";
-    case ErrorCode::internal:
-      return "internal";
-  }
-  return "internal";
+  static const char* const kNames[] = {"bad-input",    "no-solution", "cannot-read",
+                                       "cannot-write", "cancelled",   "internal"};
+  return kNames[int(code)];
 }
 
 void checkFailed(const char* condition, const char* file, int line) {

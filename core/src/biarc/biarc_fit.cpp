@@ -256,8 +256,9 @@ Result<BiarcResult> fitBiarcs(const std::vector<Eigen::Vector2d>& data, const Bi
   result.objective = objectiveOf(result.measures, scaled);
   result.iterations = outcome->iterations;
   result.status = scaled.goal == BiarcGoal::nothing ? BiarcStatus::constructed
-                  : outcome->converged              ? BiarcStatus::converged
-                                                    : BiarcStatus::iterationLimit;
+                  : !outcome->converged             ? BiarcStatus::iterationLimit
+                  : outcome->bounded                ? BiarcStatus::boundActive
+                                                    : BiarcStatus::converged;
   result.message = outcome->message;
   // The search works to the tolerance itself; the scaling may round.
   constexpr double kRounding = 1e-9;

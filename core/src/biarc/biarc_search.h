@@ -8,7 +8,6 @@
 
 #include "biarc/biarc_problem.h"
 #include "biarc/biarc_select.h"
-#include "biarc/tube_order.h"
 #include "bw/core/biarc/biarc.h"
 
 namespace bw::biarc {

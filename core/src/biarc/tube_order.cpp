@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "biarc/tube_order.h"
+#include "biarc/biarc_select.h"
 
 #include <algorithm>
 #include <cmath>

@@ -13,7 +13,6 @@
 #include "base/work_meter.h"
 #include "bw/core/calibration/blade_length.h"
 #include "bw/core/text/number_text.h"
-#include "calibration/hang_blade.h"
 
 namespace bw {
 namespace {
@@ -59,8 +58,8 @@ class Residuals : public ceres::CostFunction {
     for (std::size_t i = 0; i < task_.measurements.size(); ++i) {
       if (detail::workExhausted()) return false;
       const CalibrationMeasurement& m = task_.measurements[i];
-      const Result<BladeHeight> hung = calibration::hangBlade(values[kLength] * task_.stretch[i],
-                                                              corrected(m, values[kAngleOffset]), false);
+      const Result<BladeHeight> hung =
+          bladeHeight(values[kLength] * task_.stretch[i], corrected(m, values[kAngleOffset]), false);
       if (!hung) return false;
       residuals[i] = (hung->height + values[kHeightOffset] - m.held.height) / task_.sigma[i];
       if (!jacobians || !jacobians[0]) continue;
@@ -193,7 +192,7 @@ Result<CalibrationResult> calibrateBlade(const std::vector<CalibrationMeasuremen
   double values[kUnknowns] = {weightedLength / weightSum, 0, 0};
   const double mean = values[kLength];
   for (std::size_t i = 0; i < count; ++i)
-    if (!calibration::hangBlade(mean * task.stretch[i], measurements[i].held, false))
+    if (!bladeHeight(mean * task.stretch[i], measurements[i].held, false))
       return fail(ErrorCode::noSolution,
                   "measurements[" + std::to_string(i) + "] alone gives a length of " +
                       shortText(result.items[i].singleLength, 6) +

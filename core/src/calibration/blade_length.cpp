@@ -4,6 +4,8 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <boost/math/special_functions/ellint_rd.hpp>
+#include <boost/math/special_functions/ellint_rf.hpp>
 #include <cmath>
 #include <functional>
 
@@ -11,14 +13,10 @@
 #include "bw/core/base/units.h"
 #include "bw/core/elastica/elastica_stability.h"
 #include "bw/core/text/number_text.h"
-#include "calibration/hang_blade.h"
-#include "calibration/symmetric_arc.h"
 #include "optimise/bracketed_root.h"
 
 namespace bw {
 namespace {
-
-using calibration::SymmetricArc;
 
 /// Largest end angle, rad: at π the ends would point straight at each other.
 constexpr double kLargestAngle = 3.1;
@@ -38,8 +36,72 @@ constexpr double kStraight = 1e-12;
 constexpr double kCircle = 1e-13;
 /// First step from the guess of a logarithm towards the root's other side; the next are twice as long.
 constexpr double kFirstStep = 0.25;
+/// Where the bellies of the halves touch each other (thesis 8.2).
+constexpr double kTouchingModulus = 0.855092407720383;
+/// The modulus at which hinged ends meet: 2 E = K (thesis 8.1).
+constexpr double kHingesMeet = 0.908908557548541;
 /// Work (`WorkMeter`) of one blade hung up.
 constexpr std::int64_t kHangWork = 200;
+
+/// Half of a symmetric elastica segment, from its middle (curvature 1, tangent along x) to its end (tangent
+/// angle α), in one parameter that passes through all cases of thesis 8 without a seam: the height of the end
+/// over the middle. docs/mathematics.md, blade length.
+struct SymmetricArc {
+  double height = 0;        ///< Y: height times middle curvature
+  double endCurvature = 1;  ///< c: over the middle curvature
+  double arc = 0;           ///< T
+  double sag = 0;           ///< J = ∫ sin²(ψ/2) ds, so that the half chord is T − 2 J
+  double chord = 0;         ///< X = T − 2 J; ≤ 0 once the halves have met
+  double force = 0;         ///< p: ψ'' = −p sin ψ
+};
+
+// Double precision is enough, and three times as fast as the library's detour through extended precision.
+using Policy = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
+
+struct Stretch {
+  double arc = 0;
+  double sag = 0;
+};
+
+// From the middle to the half angle with this sine and cosine; `speed` is the curvature there, over that of
+// the middle.
+Stretch stretchTo(double sine, double cosine, double speed) {
+  if (sine == 0) return {};
+  const double c2 = cosine * cosine, v2 = speed * speed;
+  return {2 * sine * boost::math::ellint_rf(c2, v2, 1.0, Policy()),
+          2.0 / 3.0 * sine * sine * sine * boost::math::ellint_rd(c2, v2, 1.0, Policy())};
+}
+
+SymmetricArc symmetric(double height, double endCurvature, double force, const Stretch& stretch) {
+  return {height, endCurvature, stretch.arc, stretch.sag, stretch.arc - 2 * stretch.sag, force};
+}
+
+/// The half with end angle α = 2 asin `sine` (`cosine` = cos(α/2) > 0) and this height > 0, below
+/// `tallestArc`.
+SymmetricArc symmetricArc(double sine, double cosine, double height) {
+  const double square = sine * sine;
+  const double c = 4 * square / height - 1;
+  const double force = 2 * (height - 2 * square) / (height * height);
+  Stretch stretch = stretchTo(sine, cosine, c);
+  if (c < 0) {
+    // Past the inflection: twice the way to it, less what lies between it and the end.
+    const double k2 = height * height / (8 * (height - 2 * square));
+    const Stretch quarter = stretchTo(std::sqrt(k2), std::sqrt(1 - k2), 0);
+    stretch = {2 * quarter.arc - stretch.arc, 2 * quarter.sag - stretch.sag};
+  }
+  return symmetric(height, c, force, stretch);
+}
+
+/// The half that ends in an inflection (hinged), with 0 < k < 1 = sin(α/2).
+SymmetricArc hingedArc(double k) {
+  return symmetric(4 * k * k, 0, 0.25 / (k * k), stretchTo(k, std::sqrt((1 - k) * (1 + k)), 0));
+}
+
+/// The height at which the modulus of case A reaches `k` ≥ sin(α/2).
+double tallestArc(double sine, double k) {
+  const double ratio = sine / k;
+  return 4 * k * k * (1 + std::sqrt((1 - ratio) * (1 + ratio)));
+}
 
 /// The half blade over one unknown, the logarithm of its height (clamped ends) or of k (hinged), within
 /// limits.
@@ -52,9 +114,9 @@ struct Family {
 Family clampedFamily(double angle, double size) {
   const double sine = std::sin(0.5 * angle), cosine = std::cos(0.5 * angle);
   Family family;
-  family.arc = [sine, cosine](double t) { return calibration::symmetricArc(sine, cosine, std::exp(t)); };
-  family.highest = std::log(calibration::tallestArc(
-      sine, angle <= 0.5 * kPi ? calibration::kTouchingModulus : std::max(kSearchEnd, sine)));
+  family.arc = [sine, cosine](double t) { return symmetricArc(sine, cosine, std::exp(t)); };
+  family.highest =
+      std::log(tallestArc(sine, angle <= 0.5 * kPi ? kTouchingModulus : std::max(kSearchEnd, sine)));
   family.lowest = sine > 0 ? std::log(4 * sine * sine / (1 + kTautest)) : -200;
   family.guess = std::log(std::max(2 * sine * sine, 2 * kPi * kPi * size * size));
   return family;
@@ -62,8 +124,8 @@ Family clampedFamily(double angle, double size) {
 
 Family hingedFamily(double size) {
   Family family;
-  family.arc = [](double t) { return calibration::hingedArc(std::exp(t)); };
-  family.highest = std::log(calibration::kHingesMeet);
+  family.arc = [](double t) { return hingedArc(std::exp(t)); };
+  family.highest = std::log(kHingesMeet);
   family.lowest = -200;
   family.guess = std::log(0.5 * kPi * size);
   return family;
@@ -214,7 +276,7 @@ Result<BladeLength> bladeLength(const BladeMeasurement& m) {
   return assemble(family.arc(root.at), m, true);
 }
 
-Result<BladeHeight> calibration::hangBlade(double length, const BladeMeasurement& m, bool withStability) {
+Result<BladeHeight> bladeHeight(double length, const BladeMeasurement& m, bool withStability) {
   detail::chargeWork(kHangWork);
   if (Result<void> ok = check(m, false); !ok) return tl::unexpected<Error>(ok.error());
   if (!(length >= kSmallest && length <= kLargest))
@@ -247,10 +309,6 @@ Result<BladeHeight> calibration::hangBlade(double length, const BladeMeasurement
   }
   const SymmetricArc arc = family.arc(root.at);
   return BladeHeight{0.5 * m.distance * arc.height / arc.chord, assemble(arc, m, withStability)};
-}
-
-Result<BladeHeight> bladeHeight(double length, const BladeMeasurement& m) {
-  return calibration::hangBlade(length, m, true);
 }
 
 }  // namespace bw

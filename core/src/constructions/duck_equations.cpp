@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "constructions/duck_equations.h"
+#include "constructions/ducks.h"
 
-#include <Eigen/SparseCholesky>
-#include <algorithm>
+#include <ceres/ceres.h>
+
 #include <cmath>
 
 #include "base/work_meter.h"
@@ -14,15 +14,88 @@ namespace bw::constructions {
 
 namespace {
 
-/// All equations, dimensionless, must hold to this.
-constexpr double kSolved = 1e-11;
+/// All equations, dimensionless, must hold to 1e-11: half the sum of the squares of what they miss.
+constexpr double kSolved = 0.5e-22;
 constexpr int kIterations = 100;
-/// Of Levenberg and Marquardt, over what the equations miss: at first, at least, and where to give up.
-constexpr double kFirstDamping = 1e-3, kLeastDamping = 1e-9, kHopeless = 1e8;
-/// Steps of the unknowns, in units of the mean chord and in rad.
-constexpr double kLongestStep = 0.5;
-/// Work (`WorkMeter`) of a solution, for each unknown.
-constexpr std::int64_t kUnknownWork = 20;
+/// Ceres' radius of trust: at first, and at most, beyond which the damping is rounding.
+constexpr double kFirstRadius = 1e2, kLargestRadius = 1e9;
+/// Work (`WorkMeter`) of the derivatives of a piece.
+constexpr std::int64_t kPieceWork = 100;
+
+/// How a piece misses the duck at its end, its tangent angle there and, if the spline turns in that duck, the
+/// curvature of the next piece or none. Of the piece, of the angles at both ducks, and of the next piece.
+class PieceEnd : public ceres::CostFunction {
+ public:
+  PieceEnd(const Eigen::Vector2d& from, const Eigen::Vector2d& to, bool turns, bool next)
+      : from_(from), to_(to), next_(next) {
+    set_num_residuals(turns ? 4 : 3);
+    *mutable_parameter_block_sizes() = {4, 1, 1};
+    if (next) mutable_parameter_block_sizes()->push_back(4);
+  }
+
+  bool Evaluate(double const* const* u, double* residuals, double** jacobians) const override {
+    if (detail::workExhausted()) return false;
+    const double* p = u[0];
+    const Result<Elastica> piece = Elastica::make(from_, u[1][0], p[0], {p[1], p[2]}, p[3]);
+    if (!piece) return false;
+    Elastica::Jacobian d;
+    const Elastica::State end = jacobians ? piece->at(p[3], d) : piece->at(p[3]);
+    const Eigen::Vector4d miss(end.point.x() - to_.x(), end.point.y() - to_.y(), end.angle - u[2][0],
+                               end.curvature - (next_ ? u[3][0] : 0));
+    const int rows = num_residuals();
+    Eigen::Map<Eigen::VectorXd>(residuals, rows) = miss.head(rows);
+    if (!jacobians) return true;
+    detail::chargeWork(kPieceWork);
+    const double c = std::cos(end.angle), s = std::sin(end.angle);
+    using Rows = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>;
+    if (jacobians[0]) {
+      Eigen::Matrix4d byPiece;
+      byPiece << d.rightCols<3>(), Eigen::Vector4d(c, s, end.curvature, p[2] * c - p[1] * s);
+      Eigen::Map<Rows>(jacobians[0], rows, 4) = byPiece.topRows(rows);
+    }
+    if (jacobians[1]) Eigen::Map<Eigen::VectorXd>(jacobians[1], rows) = d.col(2).head(rows);
+    if (jacobians[2]) Eigen::Map<Eigen::VectorXd>(jacobians[2], rows) = -Eigen::VectorXd::Unit(rows, 2);
+    if (next_ && jacobians[3]) {
+      Eigen::Map<Rows> byNext(jacobians[3], rows, 4);
+      byNext.setZero();
+      byNext(3, 0) = -1;
+    }
+    return miss.allFinite();
+  }
+
+ private:
+  Eigen::Vector2d from_, to_;
+  bool next_;
+};
+
+/// The Hamiltonian ½κ² − λ·t of a piece, which a spline that slides has the same in all pieces.
+struct Hamiltonian {
+  template <class T>
+  bool operator()(const T* piece, const T* angle, const T* shared, T* miss) const {
+    using std::cos, std::sin;
+    *miss = 0.5 * piece[0] * piece[0] - piece[1] * cos(*angle) - piece[2] * sin(*angle) - *shared;
+    return true;
+  }
+};
+
+/// The lengths of all pieces, against the whole.
+struct WholeLength {
+  int pieces;
+  double total;
+  template <class T>
+  bool operator()(T const* const* piece, T* miss) const {
+    *miss = T(-total);
+    for (int k = 0; k < pieces; ++k) *miss += piece[k][3];
+    return true;
+  }
+};
+
+/// Ends the iterations once the equations hold.
+struct Solved : public ceres::IterationCallback {
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& now) override {
+    return now.cost < kSolved ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
+  }
+};
 
 }  // namespace
 
@@ -37,131 +110,59 @@ std::optional<double> DuckEquations::askedAngle(std::size_t duck) const {
   return duck == std::size_t(pieces_) ? options_.endAngle : std::nullopt;
 }
 
-void DuckEquations::settleAngles(const Eigen::VectorXd& u) {
-  given_.assign(std::size_t(pieces_) + 1, std::nullopt);
-  for (std::size_t duck = 0; duck < given_.size(); ++duck) {
-    const double here = u[angleAt(duck)];
-    if (const std::optional<double> angle = askedAngle(duck))
-      given_[duck] = here + std::remainder(*angle - here, 2 * kPi);
-  }
-}
-
-bool DuckEquations::evaluate(const Eigen::VectorXd& u, Eigen::VectorXd& f,
-                             Eigen::SparseMatrix<double>* jacobian) const {
-  std::vector<Eigen::Triplet<double>> entries;
-  const auto set = [&](Eigen::Index row, Eigen::Index column, double value) {
-    if (jacobian) entries.emplace_back(row, column, value);
-  };
-  f.resize(size());
-  Eigen::VectorXd endCurvature(pieces_);
-  std::vector<Eigen::Matrix<double, 1, 5>> endRow{std::size_t(pieces_)};
-  double sum = 0;
-  for (Eigen::Index k = 0; k < pieces_; ++k) {
-    const std::size_t i = std::size_t(k);
-    const Result<Elastica> elastica = piece(u, i);
-    if (!elastica) return false;
-    const double length = elastica->length();
-    const Eigen::Vector2d force = elastica->force();
-    Elastica::Jacobian d;
-    const Elastica::State end = elastica->at(length, d);
-    f.segment<2>(3 * k) = end.point - ducks_[i + 1];
-    f[3 * k + 2] = end.angle - u[angleAt(i + 1)];
-    endCurvature[k] = end.curvature;
-    // Columns: κ0, λ1, λ2, length, angle.
-    Eigen::Matrix<double, 4, 5> all;
-    all << d.col(3), d.col(4), d.col(5),
-        Eigen::Vector4d(std::cos(end.angle), std::sin(end.angle), end.curvature,
-                        force.y() * std::cos(end.angle) - force.x() * std::sin(end.angle)),
-        d.col(2);
-    endRow[i] = all.row(3);
-    for (int r = 0; r < 3; ++r) {
-      for (int c = 0; c < 4; ++c) set(3 * k + r, 4 * k + c, all(r, c));
-      set(3 * k + r, angleAt(i), all(r, 4));
-    }
-    set(3 * k + 2, angleAt(i + 1), -1);
-    // Length: its value, or the Hamiltonian ½κ² − λ·t, which the free length makes 0 and the sliding one
-    // equal in all pieces.
-    const Eigen::Index row = 3 * pieces_ + k;
-    sum += length;
-    const auto hamiltonian = [&](Eigen::Index p, double sign) {
-      const double a = u[angleAt(std::size_t(p))], c = std::cos(a), s = std::sin(a);
-      set(row, 4 * p, sign * u[4 * p]);
-      set(row, 4 * p + 1, -sign * c);
-      set(row, 4 * p + 2, -sign * s);
-      set(row, angleAt(std::size_t(p)), sign * (u[4 * p + 1] * s - u[4 * p + 2] * c));
-      return sign * (0.5 * u[4 * p] * u[4 * p] - u[4 * p + 1] * c - u[4 * p + 2] * s);
-    };
-    if (options_.mode == DuckOptions::Lengths::given) {
-      f[row] = length - lengths[i];
-      set(row, 4 * k + 3, 1);
-    } else if (options_.mode == DuckOptions::Lengths::free) {
-      f[row] = hamiltonian(k, 1);
-    } else if (k + 1 < pieces_) {
-      f[row] = hamiltonian(k, 1);
-      f[row] += hamiltonian(k + 1, -1);
-    } else {
-      f[row] = sum - total;
-      for (Eigen::Index p = 0; p < pieces_; ++p) set(row, 4 * p + 3, 1);
-    }
-  }
-  for (Eigen::Index duck = 0; duck <= pieces_; ++duck) {
-    const Eigen::Index row = 4 * pieces_ + duck;
-    if (const std::optional<double> given = given_[std::size_t(duck)]) {
-      // The turn of the given angle nearest to the present one was fixed at the start.
-      f[row] = u[angleAt(std::size_t(duck))] - *given;
-      set(row, angleAt(std::size_t(duck)), 1);
-      continue;
-    }
-    f[row] = 0;
-    if (duck > 0) {
-      const Eigen::Index k = duck - 1;
-      f[row] += endCurvature[k];
-      for (int c = 0; c < 4; ++c) set(row, 4 * k + c, endRow[std::size_t(k)][c]);
-      set(row, angleAt(std::size_t(k)), endRow[std::size_t(k)][4]);
-    }
-    if (duck < pieces_) {
-      f[row] -= u[4 * duck];
-      set(row, 4 * duck, -1);
-    }
-  }
-  if (jacobian) {
-    jacobian->resize(size(), size());
-    jacobian->setFromTriplets(entries.begin(), entries.end());
-  }
-  return f.allFinite();
-}
-
 bool DuckEquations::solve(Eigen::VectorXd& u, int& iterations) const {
-  Eigen::VectorXd f, trial;
-  Eigen::SparseMatrix<double> jacobian;
-  if (!evaluate(u, f, &jacobian)) return false;
-  double damping = kFirstDamping;
-  for (int i = 0; i < kIterations; ++i) {
-    if (f.lpNorm<Eigen::Infinity>() < kSolved) return true;
-    if (detail::workExhausted()) break;
-    detail::chargeWork(kUnknownWork * size());
-    ++iterations;
-    Eigen::SparseMatrix<double> normal = jacobian.transpose() * jacobian;
-    for (Eigen::Index d = 0; d < normal.cols(); ++d) normal.coeffRef(d, d) += damping * f.norm();
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(normal);
-    Eigen::VectorXd step = solver.solve(-(jacobian.transpose() * f));
-    if (solver.info() != Eigen::Success || !step.allFinite()) {
-      damping *= 10;
-      continue;
-    }
-    if (const double longest = step.lpNorm<Eigen::Infinity>(); longest > kLongestStep)
-      step *= kLongestStep / longest;
-    const Eigen::VectorXd next = u + step;
-    if (evaluate(next, trial, nullptr) && trial.norm() < f.norm()) {
-      u = next;
-      if (!evaluate(u, f, &jacobian)) return false;
-      damping = std::max(kLeastDamping, damping / 5);
-    } else {
-      damping *= 4;
-      if (damping > kHopeless) break;
-    }
+  const bool given = options_.mode == DuckOptions::Lengths::given;
+  ceres::Problem problem;
+  const auto block = [&](std::size_t piece) { return &u[4 * Eigen::Index(piece)]; };
+  const auto angle = [&](std::size_t duck) { return &u[angleAt(duck)]; };
+  const std::size_t pieces = std::size_t(pieces_);
+  for (std::size_t i = 0; i <= pieces; ++i) {
+    problem.AddParameterBlock(angle(i), 1);
+    if (!holds(i)) continue;
+    *angle(i) += std::remainder(*askedAngle(i) - *angle(i), 2 * kPi);
+    problem.SetParameterBlockConstant(angle(i));
   }
-  return f.lpNorm<Eigen::Infinity>() < kSolved;
+  double shared = 0;  // by the Hamiltonians: none where the length is free
+  std::vector<double*> all;
+  for (std::size_t i = 0; i < pieces; ++i) {
+    const bool turns = !holds(i + 1), next = turns && i + 1 < pieces;
+    std::vector<double*> blocks{all.emplace_back(block(i)), angle(i), angle(i + 1)};
+    if (next) blocks.push_back(block(i + 1));
+    problem.AddResidualBlock(new PieceEnd(ducks_[i], ducks_[i + 1], turns, next), nullptr, blocks);
+    if (!given)
+      problem.AddResidualBlock(new ceres::AutoDiffCostFunction<Hamiltonian, 1, 4, 1, 1>(new Hamiltonian),
+                               nullptr, block(i), angle(i), &shared);
+    std::vector<int> held;
+    if (i == 0 && !holds(0)) {  // no curvature at a free start
+      block(0)[0] = 0;
+      held.push_back(0);
+    }
+    if (given) {
+      block(i)[3] = lengths[i];
+      held.push_back(3);
+    }
+    if (!held.empty()) problem.SetManifold(block(i), new ceres::SubsetManifold(4, held));
+  }
+  if (options_.mode == DuckOptions::Lengths::free) problem.SetParameterBlockConstant(&shared);
+  if (options_.mode == DuckOptions::Lengths::total) {
+    auto* whole = new ceres::DynamicAutoDiffCostFunction<WholeLength>(new WholeLength{int(pieces), total});
+    for (std::size_t i = 0; i < pieces; ++i) whole->AddParameterBlock(4);
+    whole->SetNumResiduals(1);
+    problem.AddResidualBlock(whole, nullptr, all);
+  }
+  ceres::Solver::Options options;
+  options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
+  options.max_num_iterations = kIterations;
+  options.function_tolerance = options.parameter_tolerance = options.gradient_tolerance = 0;
+  options.initial_trust_region_radius = kFirstRadius;
+  options.max_trust_region_radius = kLargestRadius;
+  options.logging_type = ceres::SILENT;
+  Solved solved;
+  options.callbacks.push_back(&solved);
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, &problem, &summary);
+  iterations += int(summary.iterations.size()) - 1;
+  return summary.final_cost < kSolved;
 }
 
 }  // namespace bw::constructions

@@ -9,10 +9,7 @@
 #include "bw/core/base/units.h"
 #include "bw/core/constructions/spline_constructions.h"
 #include "bw/core/text/number_text.h"
-#include "constructions/duck_checks.h"
-#include "constructions/duck_descent.h"
-#include "constructions/duck_equations.h"
-#include "constructions/duck_stability.h"
+#include "constructions/ducks.h"
 
 namespace bw {
 
@@ -158,7 +155,6 @@ bool follow(DuckEquations& equations, const DuckOptions& options, const std::vec
   if (options.mode == DuckOptions::Lengths::total) ratio = std::max(total / reach, reach / total);
   constexpr double kMostSteps = 200;
   const int steps = int(std::clamp(std::ceil(std::log(ratio) / std::log(kStretch)), 1.0, kMostSteps));
-  equations.settleAngles(u);
   equations.lengths.resize(asked.size());
   for (int step = 1; step <= steps; ++step) {
     const double t = double(step) / steps;
@@ -211,7 +207,6 @@ Result<DuckSpline> splineThroughDucks(const std::vector<Eigen::Vector2d>& ducks,
       const std::optional<ClampedChain> chain = descendChain(scaled, turns, options.mode, angles, asked);
       if (!chain) continue;
       Eigen::VectorXd u = unknownsOf(equations, *chain);
-      equations.settleAngles(u);
       equations.lengths = asked;
       equations.total = total;
       if (!equations.solve(u, result.iterations)) continue;

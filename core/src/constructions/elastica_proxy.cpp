@@ -1,40 +1,29 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
 #include "bw/core/constructions/spline_constructions.h"
 #include "bw/core/fit/elastica_fit.h"
+#include "fit/fit_guess.h"
 
 namespace bw {
 
 Result<ProxyPrediction> predictElastica(const PlanarCurve& curve) {
   const PlanarCurve::Quadrature& q = curve.quadrature();
   const double length = curve.length();
-  // κ projected on 1, x, y over arc length, in units of the length from the middle of the samples.
-  Eigen::Vector2d middle = Eigen::Vector2d::Zero();
-  for (std::size_t i = 0; i < q.point.size(); ++i) middle += q.weight[i] / length * q.point[i];
-  Eigen::Matrix3d gram = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d right = Eigen::Vector3d::Zero();
-  const auto rowOf = [&](const Eigen::Vector2d& p) -> Eigen::Vector3d {
-    return {1, (p.x() - middle.x()) / length, (p.y() - middle.y()) / length};
+  // κ projected on 1, x, y over arc length, in units of the length.
+  const fit::FitTarget target(curve);
+  const fit::AffineCurvature law = fit::fitAffineCurvature(target);
+  const auto lawAt = [&](const Eigen::Vector2d& p) {
+    return law.curvatureAt((p - target.centre) / length) / length;
   };
-  for (std::size_t i = 0; i < q.point.size(); ++i) {
-    const Eigen::Vector3d row = rowOf(q.point[i]);
-    gram += q.weight[i] / length * row * row.transpose();
-    right += q.weight[i] * q.curvature[i] * row;
-  }
-  // A straight curve has no extent across itself: the damping settles what it leaves open.
-  constexpr double kFlat = 1e-12;
-  gram.diagonal().array() += kFlat;
-  const Eigen::Vector3d c = gram.ldlt().solve(right);
   // What is left of the curvature, integrated to an angle and then to a displacement.
   double angle = 0, worst = 0, before = 0;
   Eigen::Vector2d shift = Eigen::Vector2d::Zero();
   for (std::size_t i = 0; i < q.point.size(); ++i) {
-    const double rest = c.dot(rowOf(q.point[i])) / length - q.curvature[i];
+    const double rest = lawAt(q.point[i]) - q.curvature[i];
     const double half = rest * q.weight[i] / 2;
     const Eigen::Vector2d normal(-q.tangent[i].y(), q.tangent[i].x());
     const double step = q.arc[i] - before;
@@ -46,9 +35,8 @@ Result<ProxyPrediction> predictElastica(const PlanarCurve& curve) {
   }
   const Eigen::Vector2d start = curve.value(curve.start());
   const Eigen::Vector2d tangent = curve.tangent(curve.start());
-  const Eigen::Vector2d force(-c.z() / (length * length), c.y() / (length * length));
-  const Result<Elastica> guess = Elastica::make(start, std::atan2(tangent.y(), tangent.x()),
-                                                c.dot(rowOf(start)) / length, force, length);
+  const Result<Elastica> guess = Elastica::make(start, std::atan2(tangent.y(), tangent.x()), lawAt(start),
+                                                law.force / (length * length), length);
   if (!guess) return tl::unexpected<Error>(guess.error());
   return ProxyPrediction{worst, *guess};
 }

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace bw::detail {
+namespace bw::curve {
 namespace {
 
 using Eigen::Vector2d;
@@ -14,6 +14,13 @@ using Eigen::Vector2d;
 // Poles and weights of one row of the de Casteljau scheme.
 using PoleRow = std::array<Vector2d, kMaxDegree + 1>;
 using WeightRow = std::array<double, kMaxDegree + 1>;
+
+// The scheme at u from one level down to another: the row loses one entry a level.
+template <class Row>
+void reduce(Row& row, double u, int from, int to) {
+  for (int level = from; level > to; --level)
+    for (int i = 0; i < level; ++i) row[i] = (1 - u) * row[i] + u * row[i + 1];
+}
 
 double binomial(int n, int k) {
   double value = 1;
@@ -114,66 +121,54 @@ BezierSpan::Point BezierSpan::at(double t) const {
   const int p = degree();
   const double h = t1 - t0;
   const double u = (t - t0) / h;
-  const double v = 1 - u;
+  const double bend = p * (p - 1) / (h * h);
   PoleRow row;
   if (weights.empty()) {
     std::copy(poles.begin(), poles.end(), row.begin());
-    for (int level = p; level > 2; --level) {
-      for (int i = 0; i < level; ++i) row[i] = v * row[i] + u * row[i + 1];
-    }
+    reduce(row, u, p, 2);
     Point out{row[0], Vector2d::Zero(), Vector2d::Zero()};
     if (p >= 2) {
-      out.second = (row[2] - 2 * row[1] + row[0]) * (p * (p - 1) / (h * h));
-      row[0] = v * row[0] + u * row[1];
-      row[1] = v * row[1] + u * row[2];
+      out.second = (row[2] - 2 * row[1] + row[0]) * bend;
+      reduce(row, u, 2, 1);
     }
     out.first = (row[1] - row[0]) * (p / h);
-    out.value = v * row[0] + u * row[1];
+    reduce(row, u, 1, 0);
+    out.value = row[0];
     return out;
   }
-  WeightRow w;
+  WeightRow w{};
   for (int i = 0; i <= p; ++i) {
     const auto k = static_cast<std::size_t>(i);
     w[k] = weights[k];
     row[k] = (poles[k] - poles[0]) * w[k];  // far from the origin the digits would cancel
   }
-  for (int level = p; level > 2; --level) {
-    for (int i = 0; i < level; ++i) {
-      row[i] = v * row[i] + u * row[i + 1];
-      w[i] = v * w[i] + u * w[i + 1];
-    }
-  }
+  reduce(row, u, p, 2);
+  reduce(w, u, p, 2);
   Vector2d n2 = Vector2d::Zero();
   double w2 = 0;
   if (p >= 2) {
-    const double factor = p * (p - 1) / (h * h);
-    n2 = (row[2] - 2 * row[1] + row[0]) * factor;
-    w2 = (w[2] - 2 * w[1] + w[0]) * factor;
-    for (int i = 0; i < 2; ++i) {
-      row[i] = v * row[i] + u * row[i + 1];
-      w[i] = v * w[i] + u * w[i + 1];
-    }
+    n2 = (row[2] - 2 * row[1] + row[0]) * bend;
+    w2 = (w[2] - 2 * w[1] + w[0]) * bend;
+    reduce(row, u, 2, 1);
+    reduce(w, u, 2, 1);
   }
   const Vector2d n1 = (row[1] - row[0]) * (p / h);
   const double w1 = (w[1] - w[0]) * (p / h);
-  const double w0 = v * w[0] + u * w[1];
+  reduce(row, u, 1, 0);
+  reduce(w, u, 1, 0);
   Point out;
-  const Vector2d local = (v * row[0] + u * row[1]) / w0;
+  const Vector2d local = row[0] / w[0];
   out.value = poles[0] + local;
-  out.first = (n1 - w1 * local) / w0;
-  out.second = (n2 - 2 * w1 * out.first - w2 * local) / w0;
+  out.first = (n1 - w1 * local) / w[0];
+  out.second = (n2 - 2 * w1 * out.first - w2 * local) / w[0];
   return out;
 }
 
 Vector2d BezierSpan::value(double t) const {
   if (!weights.empty()) return at(t).value;
-  const double u = (t - t0) / (t1 - t0);
-  const double v = 1 - u;
   PoleRow row;
   std::copy(poles.begin(), poles.end(), row.begin());
-  for (int level = degree(); level > 0; --level) {
-    for (int i = 0; i < level; ++i) row[i] = v * row[i] + u * row[i + 1];
-  }
+  reduce(row, (t - t0) / (t1 - t0), degree(), 0);
   return row[0];
 }
 
@@ -181,14 +176,10 @@ Vector2d BezierSpan::first(double t) const {
   if (!weights.empty()) return at(t).first;
   const int p = degree();
   const double h = t1 - t0;
-  const double u = (t - t0) / h;
-  const double v = 1 - u;
   PoleRow row;
   for (int i = 0; i < p; ++i)
     row[i] = poles[static_cast<std::size_t>(i) + 1] - poles[static_cast<std::size_t>(i)];
-  for (int level = p - 1; level > 0; --level) {
-    for (int i = 0; i < level; ++i) row[i] = v * row[i] + u * row[i + 1];
-  }
+  reduce(row, (t - t0) / h, p - 1, 0);
   return row[0] * (p / h);
 }
 
@@ -233,4 +224,4 @@ void BezierSpan::stationaryPoints(const Vector2d& p, std::vector<double>& out) c
   StationarySearch{*this, p, kNoise * scale, out}.search(g, t0, t1, 0);
 }
 
-}  // namespace bw::detail
+}  // namespace bw::curve

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace bw::detail {
+namespace bw::curve {
 
 /// Largest degree of a curve; evaluation keeps one row of poles on the stack.
 inline constexpr int kMaxDegree = 32;
@@ -41,4 +41,4 @@ struct BezierSpan {
   void stationaryPoints(const Eigen::Vector2d& p, std::vector<double>& out) const;
 };
 
-}  // namespace bw::detail
+}  // namespace bw::curve

@@ -9,7 +9,7 @@
 #include "bw/core/text/number_text.h"
 #include "curve/bezier_span.h"
 
-namespace bw::detail {
+namespace bw::curve {
 namespace {
 
 using Eigen::Vector2d;
@@ -176,4 +176,4 @@ double mergeDistance(const std::vector<Vector2d>& points) {
   return std::max(kCoincident * extent.size, kCoincidentByRounding * extent.magnitude);
 }
 
-}  // namespace bw::detail
+}  // namespace bw::curve

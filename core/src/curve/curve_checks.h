@@ -10,7 +10,7 @@
 
 #include "bw/core/base/result.h"
 
-namespace bw::detail {
+namespace bw::curve {
 
 /// A number as messages about curves tell it, also one that is not finite.
 std::string valueText(double value);
@@ -32,4 +32,4 @@ bool coincide(const std::vector<Eigen::Vector2d>& points);
 /// Neighbours nearer to each other than this are one point of a chain.
 double mergeDistance(const std::vector<Eigen::Vector2d>& points);
 
-}  // namespace bw::detail
+}  // namespace bw::curve

@@ -24,7 +24,15 @@ tl::unexpected<Error> zeroLength() {
 
 }  // namespace
 
-PlanarCurve::PlanarCurve(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
+PlanarCurve::PlanarCurve(std::shared_ptr<const Data> data) : data_(std::move(data)) { BW_CHECK(data_); }
+
+Result<PlanarCurve> PlanarCurve::Data::makeCurve(Kind kind, int degree, std::vector<double> knots,
+                                                 std::vector<Vector2d> poles, std::vector<double> weights) {
+  std::shared_ptr<const Data> data =
+      make(kind, degree, std::move(knots), std::move(poles), std::move(weights));
+  if (!data) return zeroLength();
+  return PlanarCurve(std::move(data));
+}
 
 Result<PlanarCurve> PlanarCurve::bezier(std::vector<Vector2d> poles) {
   if (poles.size() < 2) {
@@ -33,35 +41,25 @@ Result<PlanarCurve> PlanarCurve::bezier(std::vector<Vector2d> poles) {
                 "poles", static_cast<double>(poles.size()), 2.0);
   }
   const int degree = static_cast<int>(std::min<std::size_t>(poles.size() - 1, 1000000));
-  if (degree > detail::kMaxDegree) {
+  if (degree > curve::kMaxDegree) {
     return fail(ErrorCode::badInput,
                 "A Bézier curve of degree " + std::to_string(degree) + " is above the limit of " +
-                    std::to_string(detail::kMaxDegree) + "; divide it into a B-spline of lower degree.",
-                "degree", degree, detail::kMaxDegree);
+                    std::to_string(curve::kMaxDegree) + "; divide it into a B-spline of lower degree.",
+                "degree", degree, curve::kMaxDegree);
   }
-  if (auto error = detail::checkPoints(poles, "pole")) return tl::unexpected<Error>(*std::move(error));
-  auto data = std::make_shared<Data>();
-  data->kind = Kind::bezier;
-  data->degree = degree;
-  data->knots.assign(poles.size(), 0.0);
-  data->knots.resize(2 * poles.size(), 1.0);
-  data->poles = std::move(poles);
-  if (detail::coincide(data->poles) || !data->build()) return zeroLength();
-  return PlanarCurve(std::move(data));
+  if (auto error = curve::checkPoints(poles, "pole")) return tl::unexpected<Error>(*std::move(error));
+  if (curve::coincide(poles)) return zeroLength();
+  std::vector<double> knots(poles.size(), 0.0);
+  knots.resize(2 * poles.size(), 1.0);
+  return Data::makeCurve(Kind::bezier, degree, std::move(knots), std::move(poles), {});
 }
 
 Result<PlanarCurve> PlanarCurve::bspline(int degree, std::vector<double> knots, std::vector<Vector2d> poles,
                                          std::vector<double> weights) {
-  if (auto error = detail::checkSpline(degree, knots, poles, weights))
+  if (auto error = curve::checkSpline(degree, knots, poles, weights))
     return tl::unexpected<Error>(*std::move(error));
-  auto data = std::make_shared<Data>();
-  data->kind = Kind::bspline;
-  data->degree = degree;
-  data->knots = std::move(knots);
-  data->poles = std::move(poles);
-  data->weights = std::move(weights);
-  if (detail::coincide(data->poles) || !data->build()) return zeroLength();
-  return PlanarCurve(std::move(data));
+  if (curve::coincide(poles)) return zeroLength();
+  return Data::makeCurve(Kind::bspline, degree, std::move(knots), std::move(poles), std::move(weights));
 }
 
 Result<PlanarCurve> PlanarCurve::points(std::vector<Vector2d> points) {
@@ -70,17 +68,15 @@ Result<PlanarCurve> PlanarCurve::points(std::vector<Vector2d> points) {
                 "A curve of points needs at least 2 of them, but has " + std::to_string(points.size()) + ".",
                 "points", static_cast<double>(points.size()), 2.0);
   }
-  if (auto error = detail::checkPoints(points, "point")) return tl::unexpected<Error>(*std::move(error));
-  if (detail::coincide(points)) return zeroLength();
-  const double merge = detail::mergeDistance(points);
-  auto data = std::make_shared<Data>();
-  data->kind = Kind::points;
-  data->degree = 1;
+  if (auto error = curve::checkPoints(points, "point")) return tl::unexpected<Error>(*std::move(error));
+  if (curve::coincide(points)) return zeroLength();
+  const double merge = curve::mergeDistance(points);
+  std::vector<Vector2d> apart;
   for (const Vector2d& p : points) {
-    if (data->poles.empty() || (p - data->poles.back()).norm() > merge) data->poles.push_back(p);
+    if (apart.empty() || (p - apart.back()).norm() > merge) apart.push_back(p);
   }
-  if (data->poles.size() < 2 || !data->build()) return zeroLength();
-  return PlanarCurve(std::move(data));
+  if (apart.size() < 2) return zeroLength();
+  return Data::makeCurve(Kind::points, 1, {}, std::move(apart), {});
 }
 
 PlanarCurve::Kind PlanarCurve::kind() const { return data_->kind; }
@@ -106,23 +102,18 @@ double PlanarCurve::curvature(double t) const {
 }
 
 PlanarCurve PlanarCurve::reversed() const {
-  auto data = std::make_shared<Data>();
-  data->kind = data_->kind;
-  data->degree = data_->degree;
-  data->poles.assign(data_->poles.rbegin(), data_->poles.rend());
-  data->weights.assign(data_->weights.rbegin(), data_->weights.rend());
-  data->knots.reserve(data_->knots.size());
-  for (auto knot = data_->knots.rbegin(); knot != data_->knots.rend(); ++knot) {
-    data->knots.push_back(data_->start + (data_->end - *knot));
-  }
-  BW_CHECK(data->build());
-  return PlanarCurve(std::move(data));
+  std::vector<double> knots;
+  knots.reserve(data_->knots.size());
+  for (auto knot = data_->knots.rbegin(); knot != data_->knots.rend(); ++knot)
+    knots.push_back(data_->start + (data_->end - *knot));
+  return PlanarCurve(Data::make(kind(), degree(), std::move(knots), {poles().rbegin(), poles().rend()},
+                                {weights().rbegin(), weights().rend()}));
 }
 
 Result<PlanarCurve> PlanarCurve::subCurve(double t0, double t1) const {
   if (!std::isfinite(t0) || !std::isfinite(t1)) {
     return fail(ErrorCode::badInput,
-                "The part of the curve from " + detail::valueText(t0) + " to " + detail::valueText(t1) +
+                "The part of the curve from " + curve::valueText(t0) + " to " + curve::valueText(t1) +
                     " is not a range.",
                 "t0");
   }
@@ -130,13 +121,10 @@ Result<PlanarCurve> PlanarCurve::subCurve(double t0, double t1) const {
   t1 = data_->clamp(t1);
   if (!(t1 - t0 > 1e-14 * (data_->end - data_->start))) {
     return fail(ErrorCode::badInput,
-                "The part of the curve from " + detail::valueText(t0) + " to " + detail::valueText(t1) +
+                "The part of the curve from " + curve::valueText(t0) + " to " + curve::valueText(t1) +
                     " is empty; the first parameter must be below the second.",
                 "t0", t0, t1);
   }
-  auto data = std::make_shared<Data>();
-  data->kind = data_->kind;
-  data->degree = data_->degree;
   if (data_->kind == Kind::points) {
     std::vector<Vector2d> kept{value(t0)};
     for (std::size_t i = 0; i < data_->poles.size(); ++i) {
@@ -148,32 +136,25 @@ Result<PlanarCurve> PlanarCurve::subCurve(double t0, double t1) const {
   // Knots: both ends with full multiplicity, those between kept; the new poles are the blossom at consecutive
   // knots.
   const auto order = static_cast<std::size_t>(data_->degree) + 1;
-  std::vector<double> knots(order, t0);
+  std::vector<double> knots(order, t0), weights;
   for (const double knot : data_->knots) {
     if (knot > t0 && knot < t1) knots.push_back(knot);
   }
   knots.insert(knots.end(), order, t1);
-  data->poles = data_->polesOver(t0, t1, knots, data->weights);
+  std::vector<Vector2d> poles = data_->polesOver(t0, t1, knots, weights);
   if (data_->kind == Kind::bezier) {
     std::fill(knots.begin(), knots.begin() + static_cast<std::ptrdiff_t>(order), 0.0);
     std::fill(knots.begin() + static_cast<std::ptrdiff_t>(order), knots.end(), 1.0);
   }
-  data->knots = std::move(knots);
-  if (!data->build()) return zeroLength();
-  return PlanarCurve(std::move(data));
+  return Data::makeCurve(kind(), degree(), std::move(knots), std::move(poles), std::move(weights));
 }
 
 PlanarCurve PlanarCurve::transformed(double angle, double scale, const Vector2d& translation) const {
   Eigen::Matrix2d rotation;
   rotation << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
-  auto data = std::make_shared<Data>();
-  data->kind = data_->kind;
-  data->degree = data_->degree;
-  data->knots = data_->knots;
-  data->weights = data_->weights;
-  for (const Vector2d& pole : data_->poles) data->poles.push_back(scale * (rotation * pole) + translation);
-  BW_CHECK(data->build());
-  return PlanarCurve(std::move(data));
+  std::vector<Vector2d> moved;
+  for (const Vector2d& pole : data_->poles) moved.push_back(scale * (rotation * pole) + translation);
+  return PlanarCurve(Data::make(kind(), degree(), knots(), std::move(moved), weights()));
 }
 
 std::vector<Vector2d> PlanarCurve::sample(int count) const {

@@ -27,11 +27,38 @@ constexpr double kVanishing = 1e-13;
 // Work (`WorkMeter`) of a cell with its nodes.
 constexpr std::int64_t kCellWork = 30;
 
-double integrateSpeed(const detail::BezierSpan& span, double a, double b, int nodes) {
+double integrateSpeed(const curve::BezierSpan& span, double a, double b, int nodes) {
   const detail::GaussRule rule = detail::gaussRule(nodes);
   double sum = 0;
   for (int i = 0; i < nodes; ++i) sum += rule.weights[i] * span.speed(a + rule.nodes[i] * (b - a));
   return sum * (b - a);
+}
+
+// The piece of a B-spline over knot span `mu` evaluated as a symmetric multi-affine form (blossom):
+// `arguments` has `degree` entries. Homogeneous coordinates (w x, w y, w).
+Eigen::Vector3d blossom(int degree, const std::vector<double>& knots,
+                        const std::vector<Eigen::Vector3d>& poles, int mu, const double* arguments) {
+  std::vector<Eigen::Vector3d> d(static_cast<std::size_t>(degree) + 1);
+  for (int i = 0; i <= degree; ++i) d[i] = poles[mu - degree + i];
+  for (int r = 1; r <= degree; ++r) {
+    for (int i = degree; i >= r; --i) {
+      const double low = knots[mu - degree + i];
+      const double high = knots[mu + 1 + i - r];
+      const double alpha = (arguments[r - 1] - low) / (high - low);
+      d[i] = (1 - alpha) * d[i - 1] + alpha * d[i];
+    }
+  }
+  return d[degree];
+}
+
+std::vector<Eigen::Vector3d> homogeneous(const std::vector<Vector2d>& poles,
+                                         const std::vector<double>& weights) {
+  std::vector<Eigen::Vector3d> out(poles.size());
+  for (std::size_t i = 0; i < poles.size(); ++i) {
+    const double w = weights.empty() ? 1.0 : weights[i];
+    out[i] = {poles[i].x() * w, poles[i].y() * w, w};
+  }
+  return out;
 }
 
 }  // namespace
@@ -41,10 +68,10 @@ std::size_t PlanarCurve::Data::cellAt(double t) const {
   return static_cast<std::size_t>(next - cellT.begin()) - 1;
 }
 
-const detail::BezierSpan& PlanarCurve::Data::spanAt(double t) const {
+const curve::BezierSpan& PlanarCurve::Data::spanAt(double t) const {
   if (spans.size() == 1) return spans.front();
   const auto next = std::upper_bound(spans.begin() + 1, spans.end(), t,
-                                     [](double x, const detail::BezierSpan& span) { return x < span.t0; });
+                                     [](double x, const curve::BezierSpan& span) { return x < span.t0; });
   return *(next - 1);
 }
 
@@ -63,7 +90,7 @@ Vector2d PlanarCurve::Data::value(double t) const {
 PlanarCurve::Derivatives PlanarCurve::Data::derivatives(double t) const {
   t = clamp(t);
   if (kind != Kind::points) {
-    const detail::BezierSpan::Point p = spanAt(t).at(t);
+    const curve::BezierSpan::Point p = spanAt(t).at(t);
     return {p.value, p.first, p.second};
   }
   const std::size_t i = cellAt(t);
@@ -77,7 +104,7 @@ PlanarCurve::Derivatives PlanarCurve::Data::derivatives(double t) const {
 Vector2d PlanarCurve::Data::tangent(double t) const {
   t = clamp(t);
   if (kind == Kind::points) return derivatives(t).first;
-  const detail::BezierSpan& span = spanAt(t);
+  const curve::BezierSpan& span = spanAt(t);
   const double h = span.t1 - span.t0;
   const double scale = span.polygonLength() / h;
   const Vector2d first = span.first(t);
@@ -122,7 +149,7 @@ double PlanarCurve::Data::parameterAt(double s) const {
   if (kind == Kind::points) return s;
   const auto next = std::upper_bound(cellS.begin() + 1, cellS.end() - 1, s);
   const auto i = static_cast<std::size_t>(next - cellS.begin()) - 1;
-  const detail::BezierSpan& span = spans[static_cast<std::size_t>(cellSpan[i])];
+  const curve::BezierSpan& span = spans[static_cast<std::size_t>(cellSpan[i])];
   double low = cellT[i];
   double high = cellT[i + 1];
   const double total = cellS[i + 1] - cellS[i];
@@ -155,11 +182,50 @@ double PlanarCurve::Data::parameterAt(double s) const {
   return t;
 }
 
-bool PlanarCurve::Data::build() {
-  const bool built = kind == Kind::points ? buildChain() : buildSpline();
-  if (!built) return false;
-  kind == Kind::points ? addChainQuadrature() : addSplineQuadrature();
-  return true;
+std::shared_ptr<const PlanarCurve::Data> PlanarCurve::Data::make(Kind kind, int degree,
+                                                                 std::vector<double> knots,
+                                                                 std::vector<Vector2d> poles,
+                                                                 std::vector<double> weights) {
+  auto data = std::make_shared<Data>();
+  data->kind = kind;
+  data->degree = degree;
+  data->knots = std::move(knots);
+  data->poles = std::move(poles);
+  data->weights = std::move(weights);
+  const bool chain = kind == Kind::points;
+  if (!(chain ? data->buildChain() : data->buildSpline())) return nullptr;
+  chain ? data->addChainQuadrature() : data->addSplineQuadrature();
+  return data;
+}
+
+std::vector<Vector2d> PlanarCurve::Data::polesOver(double a, double b, const std::vector<double>& newKnots,
+                                                   std::vector<double>& newWeights) const {
+  const std::vector<Eigen::Vector3d> points = homogeneous(poles, weights);
+  const std::size_t count = newKnots.size() - static_cast<std::size_t>(degree) - 1;
+  const bool rational = !weights.empty();
+  std::vector<Vector2d> out(count);
+  newWeights.assign(rational ? count : 0, 1.0);
+  const int last = static_cast<int>(poles.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    // Any piece inside the support of the new pole gives the same value: take the one around the middle of
+    // its overlap with [a, b].
+    double low = a;
+    double high = b;
+    for (std::size_t j = i; j <= i + static_cast<std::size_t>(degree); ++j) {
+      if (newKnots[j] < newKnots[j + 1] && newKnots[j] >= a && newKnots[j + 1] <= b) {
+        low = newKnots[j];
+        high = newKnots[j + 1];
+        break;
+      }
+    }
+    const double middle = 0.5 * (low + high);
+    const auto above = std::upper_bound(knots.begin() + degree + 1, knots.begin() + last, middle);
+    const int mu = static_cast<int>(above - knots.begin()) - 1;
+    const Eigen::Vector3d pole = blossom(degree, knots, points, mu, &newKnots[i + 1]);
+    out[i] = rational ? Vector2d(pole.head<2>() / pole.z()) : Vector2d(pole.head<2>());
+    if (rational) newWeights[i] = pole.z();
+  }
+  return out;
 }
 
 bool PlanarCurve::Data::buildSpline() {
@@ -172,7 +238,7 @@ bool PlanarCurve::Data::buildSpline() {
     std::vector<double> local(2 * static_cast<std::size_t>(degree) + 2);
     for (std::size_t i = static_cast<std::size_t>(degree); i < poles.size(); ++i) {
       if (!(knots[i] < knots[i + 1])) continue;
-      detail::BezierSpan span;
+      curve::BezierSpan span;
       span.t0 = knots[i];
       span.t1 = knots[i + 1];
       std::fill(local.begin(), local.begin() + degree + 1, span.t0);
@@ -182,13 +248,13 @@ bool PlanarCurve::Data::buildSpline() {
     }
   }
   double polygon = 0;
-  for (const detail::BezierSpan& span : spans) polygon += span.polygonLength();
+  for (const curve::BezierSpan& span : spans) polygon += span.polygonLength();
   if (!std::isfinite(polygon) || !(polygon > 0)) return false;
   cellT.assign(1, start);
   cellS.assign(1, 0.0);
   cellSpan.clear();
   for (std::size_t i = 0; i < spans.size(); ++i) {
-    detail::BezierSpan& span = spans[i];
+    curve::BezierSpan& span = spans[i];
     span.prepare();
     addCells(static_cast<int>(i), span.t0, span.t1, integrateSpeed(span, span.t0, span.t1, kCellNodes),
              kCellTolerance * polygon, 0);
@@ -200,7 +266,7 @@ bool PlanarCurve::Data::buildSpline() {
 
 void PlanarCurve::Data::addCells(int span, double a, double b, double estimate, double tolerance, int depth) {
   const double middle = 0.5 * (a + b);
-  const detail::BezierSpan& piece = spans[static_cast<std::size_t>(span)];
+  const curve::BezierSpan& piece = spans[static_cast<std::size_t>(span)];
   const double left = integrateSpeed(piece, a, middle, kCellNodes);
   const double right = integrateSpeed(piece, middle, b, kCellNodes);
   if (std::abs(left + right - estimate) <= tolerance || depth >= kMaxCellDepth ||

@@ -22,7 +22,7 @@ struct PlanarCurve::Data {
   double start = 0, end = 1;
 
   /// Splines: one piece a non-empty knot span. Chains: empty.
-  std::vector<detail::BezierSpan> spans;
+  std::vector<curve::BezierSpan> spans;
 
   /// Arc-length table: cell i runs over [cellT[i], cellT[i + 1]], inside one span, short enough for the inner
   /// Gauss rule. Chains: the vertices.
@@ -35,7 +35,7 @@ struct PlanarCurve::Data {
   Quadrature quadrature;
 
   std::size_t cellAt(double t) const;
-  const detail::BezierSpan& spanAt(double t) const;
+  const curve::BezierSpan& spanAt(double t) const;
   double clamp(double t) const;
   Eigen::Vector2d value(double t) const;
   Derivatives derivatives(double t) const;
@@ -43,8 +43,12 @@ struct PlanarCurve::Data {
   double arcLength(double t) const;
   double parameterAt(double s) const;
 
-  /// Fills every table from kind, degree, knots, poles, weights. False if the length is zero or not finite.
-  bool build();
+  /// Fails if the length is zero or not finite.
+  static Result<PlanarCurve> makeCurve(Kind kind, int degree, std::vector<double> knots,
+                                       std::vector<Eigen::Vector2d> poles, std::vector<double> weights);
+  /// With every table; null if the length is zero or not finite.
+  static std::shared_ptr<const Data> make(Kind kind, int degree, std::vector<double> knots,
+                                          std::vector<Eigen::Vector2d> poles, std::vector<double> weights);
 
   /// Poles (and weights, if rational) of the curve on the flat knot vector `newKnots`, which refines the
   /// curve's own inside [a, b] and lies in that interval. Exact: knot insertion by blossoming.
@@ -56,6 +60,8 @@ struct PlanarCurve::Data {
   bool buildChain();
   void addCells(int span, double a, double b, double estimate, double tolerance, int depth);
   /// In planar_curve_quadrature.cpp.
+  void addNode(double parameter, double arc, double weight, const Eigen::Vector2d& point,
+               const Eigen::Vector2d& along, double curvature);
   void addSplineQuadrature();
   void addChainQuadrature();
   void addSideQuadrature(std::size_t i);

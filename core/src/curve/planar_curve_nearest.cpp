@@ -19,6 +19,12 @@ using Eigen::Vector2d;
 // Sides of a chain that one bound of the nearest search covers.
 constexpr std::size_t kBlock = 16;
 
+// The part of the way along the side of a chain to the point of it nearest to p.
+double nearestOnSide(const Vector2d& from, const Vector2d& to, const Vector2d& p) {
+  const Vector2d side = to - from;
+  return std::clamp((p - from).dot(side) / side.squaredNorm(), 0.0, 1.0);
+}
+
 }  // namespace
 
 double PlanarCurve::nearestParameter(const Vector2d& p) const {
@@ -46,9 +52,8 @@ double PlanarCurve::nearestParameter(const Vector2d& p) const {
       const std::size_t last = std::min(i + kBlock, sides);
       if (hopeless((d.poles[i] - p).norm(), (d.poles[last] - p).norm(), d.cellT[last] - d.cellT[i])) continue;
       for (std::size_t j = i; j < last; ++j) {
-        const Vector2d side = d.poles[j + 1] - d.poles[j];
-        const double x = std::clamp((p - d.poles[j]).dot(side) / side.squaredNorm(), 0.0, 1.0);
-        offer(d.cellT[j] + x * (d.cellT[j + 1] - d.cellT[j]), d.poles[j] + x * side);
+        const double x = nearestOnSide(d.poles[j], d.poles[j + 1], p);
+        offer(d.cellT[j] + x * (d.cellT[j + 1] - d.cellT[j]), d.poles[j] + x * (d.poles[j + 1] - d.poles[j]));
       }
     }
     return best;
@@ -82,19 +87,15 @@ double PlanarCurve::nearestParameter(const Vector2d& p, double seed) const {
   if (d.kind == Kind::points) {
     // Walk along the sides while the distance falls.
     const std::size_t sides = d.poles.size() - 1;
-    const auto nearestOnSide = [&](std::size_t j) {
-      const Vector2d side = d.poles[j + 1] - d.poles[j];
-      return std::clamp((p - d.poles[j]).dot(side) / side.squaredNorm(), 0.0, 1.0);
-    };
     std::size_t j = d.cellAt(t);
-    double x = nearestOnSide(j);
+    double x = nearestOnSide(d.poles[j], d.poles[j + 1], p);
     int direction = 0;
     while (true) {
       const int wanted = x >= 1 && j + 1 < sides ? 1 : x <= 0 && j > 0 ? -1 : 0;
       if (wanted == 0 || wanted == -direction) break;
       direction = wanted;
       j = wanted > 0 ? j + 1 : j - 1;
-      x = nearestOnSide(j);
+      x = nearestOnSide(d.poles[j], d.poles[j + 1], p);
     }
     return d.cellT[j] + x * (d.cellT[j + 1] - d.cellT[j]);
   }

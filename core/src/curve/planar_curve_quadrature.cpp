@@ -30,9 +30,25 @@ struct Moments {
   Vector2d first = Vector2d::Zero();
   double second = 0;
   double turning = 0;
+
+  void add(double weight, const Vector2d& r, double bend) {
+    first += weight * r;
+    second += weight * r.squaredNorm();
+    turning += bend;
+  }
 };
 
 }  // namespace
+
+void PlanarCurve::Data::addNode(double parameter, double arc, double weight, const Vector2d& point,
+                                const Vector2d& along, double curvature) {
+  quadrature.parameter.push_back(parameter);
+  quadrature.arc.push_back(arc);
+  quadrature.weight.push_back(weight);
+  quadrature.point.push_back(point);
+  quadrature.tangent.push_back(along);
+  quadrature.curvature.push_back(curvature);
+}
 
 void PlanarCurve::Data::addSplineQuadrature() {
   Quadrature& q = quadrature;
@@ -40,22 +56,18 @@ void PlanarCurve::Data::addSplineQuadrature() {
   std::size_t cell = 0;
   const detail::GaussRule fine = detail::gaussRule(kCellNodes);
   for (std::size_t i = 0; i < spans.size(); ++i) {
-    const detail::BezierSpan& span = spans[i];
+    const curve::BezierSpan& span = spans[i];
     const double s0 = cellS[cell];
     const Vector2d origin = span.poles.front();
     Moments exact;
     while (cell < cellSpan.size() && static_cast<std::size_t>(cellSpan[cell]) == i) {
       const double h = cellT[cell + 1] - cellT[cell];
       for (int j = 0; j < kCellNodes; ++j) {
-        const detail::BezierSpan::Point p = span.at(cellT[cell] + fine.nodes[j] * h);
+        const curve::BezierSpan::Point p = span.at(cellT[cell] + fine.nodes[j] * h);
         const double speed = p.first.norm();
-        const Vector2d d = p.value - origin;
-        const double w = fine.weights[j] * h * speed;
-        exact.first += w * d;
-        exact.second += w * d.squaredNorm();
-        if (speed > 0)
-          exact.turning += fine.weights[j] * h * (p.first.x() * p.second.y() - p.first.y() * p.second.x()) /
-                           (speed * speed);
+        const double cross = p.first.x() * p.second.y() - p.first.y() * p.second.x();
+        exact.add(fine.weights[j] * h * speed, p.value - origin,
+                  speed > 0 ? fine.weights[j] * h * cross / (speed * speed) : 0);
       }
       ++cell;
     }
@@ -77,22 +89,14 @@ void PlanarCurve::Data::addSplineQuadrature() {
         for (int j = 0; j < nodes; ++j) {
           const double s = s0 + width * (part + rule.nodes[j]);
           const double t = std::clamp(parameterAt(s), span.t0, span.t1);
-          const detail::BezierSpan::Point p = span.at(t);
+          const curve::BezierSpan::Point p = span.at(t);
           const double speed = p.first.norm();
           const double w = width * rule.weights[j];
           const double bend =
               (p.first.x() * p.second.y() - p.first.y() * p.second.x()) / (speed * speed * speed);
           const double kappa = std::isfinite(bend) ? bend : 0.0;
-          q.parameter.push_back(t);
-          q.arc.push_back(s);
-          q.weight.push_back(w);
-          q.point.push_back(p.value);
-          q.tangent.push_back(speed > 0 ? Vector2d(p.first / speed) : tangent(t));
-          q.curvature.push_back(kappa);
-          const Vector2d d = p.value - origin;
-          sum.first += w * d;
-          sum.second += w * d.squaredNorm();
-          sum.turning += w * kappa;
+          addNode(t, s, w, p.value, speed > 0 ? Vector2d(p.first / speed) : tangent(t), kappa);
+          sum.add(w, p.value - origin, w * kappa);
         }
       }
       const bool positions =
@@ -106,23 +110,17 @@ void PlanarCurve::Data::addSplineQuadrature() {
 // One node for the sides i … last − 1: at the middle of their arc length, with the direction of their chord
 // and the mean of their curvature.
 void PlanarCurve::Data::addBlockQuadrature(std::size_t i, std::size_t last) {
-  Quadrature& q = quadrature;
   const double arc = cellT[last] - cellT[i];
   const double middle = cellT[i] + 0.5 * arc;
   const Vector2d chord = poles[last] - poles[i];
   double turning = 0;
   for (std::size_t j = i; j < last; ++j)
     turning += 0.5 * (vertexCurvature[j] + vertexCurvature[j + 1]) * (cellT[j + 1] - cellT[j]);
-  q.parameter.push_back(middle);
-  q.arc.push_back(middle);
-  q.weight.push_back(arc);
-  q.point.push_back(value(middle));
-  q.tangent.push_back(chord.norm() > 0 ? Vector2d(chord.normalized()) : tangent(middle));
-  q.curvature.push_back(turning / arc);
+  addNode(middle, middle, arc, value(middle),
+          chord.norm() > 0 ? Vector2d(chord.normalized()) : tangent(middle), turning / arc);
 }
 
 void PlanarCurve::Data::addSideQuadrature(std::size_t i) {
-  Quadrature& q = quadrature;
   const double side = cellT[i + 1] - cellT[i];
   const double share = side / length;
   // Three nodes see the sagitta of a side; two would miss it, since they lie where it crosses its mean.
@@ -131,12 +129,9 @@ void PlanarCurve::Data::addSideQuadrature(std::size_t i) {
   const Vector2d direction = (poles[i + 1] - poles[i]).normalized();
   for (int j = 0; j < nodes; ++j) {
     const double x = rule.nodes[j];
-    q.parameter.push_back(cellT[i] + x * side);
-    q.arc.push_back(cellT[i] + x * side);
-    q.weight.push_back(rule.weights[j] * side);
-    q.point.push_back(poles[i] + x * (poles[i + 1] - poles[i]));
-    q.tangent.push_back(direction);
-    q.curvature.push_back((1 - x) * vertexCurvature[i] + x * vertexCurvature[i + 1]);
+    addNode(cellT[i] + x * side, cellT[i] + x * side, rule.weights[j] * side,
+            poles[i] + x * (poles[i + 1] - poles[i]), direction,
+            (1 - x) * vertexCurvature[i] + x * vertexCurvature[i + 1]);
   }
 }
 

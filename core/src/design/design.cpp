@@ -4,7 +4,9 @@
 #include "bw/core/design/design.h"
 
 #include <algorithm>
-#include <array>
+#include <boost/archive/iterators/base64_from_binary.hpp>
+#include <boost/archive/iterators/binary_from_base64.hpp>
+#include <boost/archive/iterators/transform_width.hpp>
 #include <nlohmann/json.hpp>
 
 #include "bw/core/blade/blade_json.h"
@@ -14,50 +16,31 @@
 namespace bw {
 
 namespace fs = std::filesystem;
+using boost::archive::iterators::base64_from_binary;
+using boost::archive::iterators::binary_from_base64;
+using boost::archive::iterators::transform_width;
 using nlohmann::json;
 
 namespace {
 
-constexpr char kAlphabet[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-
 std::string toBase64(const std::string& bytes) {
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const auto byte = [&](std::size_t k) {
-      return k < bytes.size() ? unsigned(static_cast<unsigned char>(bytes[k])) : 0u;
-    };
-    const unsigned word = byte(i) << 16 | byte(i + 1) << 8 | byte(i + 2);
-    text += kAlphabet[word >> 18 & 63];
-    text += kAlphabet[word >> 12 & 63];
-    text += i + 1 < bytes.size() ? kAlphabet[word >> 6 & 63] : '=';
-    text += i + 2 < bytes.size() ? kAlphabet[word & 63] : '=';
-  }
-  return text;
+  using Digits = base64_from_binary<transform_width<std::string::const_iterator, 6, 8>>;
+  std::string text(Digits(bytes.begin()), Digits(bytes.end()));
+  return text.append((3 - bytes.size() % 3) % 3, '=');
 }
 
-std::optional<std::string> fromBase64(const std::string& text) {
-  std::array<int, 256> value;
-  value.fill(-1);
-  for (int i = 0; i < 64; ++i) value[static_cast<unsigned char>(kAlphabet[i])] = i;
-  if (text.size() % 4 != 0) return std::nullopt;
-  std::string bytes;
-  bytes.reserve(text.size() / 4 * 3);
-  for (std::size_t i = 0; i < text.size(); i += 4) {
-    const bool last = i + 4 == text.size();
-    const int padding = last ? (text[i + 3] == '=') + (text[i + 2] == '=' && text[i + 3] == '=') : 0;
-    unsigned word = 0;
-    for (int k = 0; k < 4; ++k) {
-      int v = value[static_cast<unsigned char>(text[i + std::size_t(k)])];
-      if (k >= 4 - padding) v = 0;
-      if (v < 0) return std::nullopt;
-      word = word << 6 | unsigned(v);
-    }
-    bytes += char(word >> 16 & 255);
-    if (padding < 2) bytes += char(word >> 8 & 255);
-    if (padding < 1) bytes += char(word & 255);
+std::optional<std::string> fromBase64(std::string text) {
+  using Bytes = transform_width<binary_from_base64<std::string::const_iterator>, 8, 6>;
+  const std::size_t digits = text.find_last_not_of('=') + 1, padding = text.size() - digits;
+  if (text.size() % 4 != 0 || padding > 2 || text.find('=') < digits) return std::nullopt;
+  std::fill(text.end() - std::ptrdiff_t(padding), text.end(), 'A');
+  try {
+    std::string bytes(Bytes(text.cbegin()), Bytes(text.cend()));
+    bytes.resize(bytes.size() - padding);
+    return bytes;
+  } catch (const boost::archive::iterators::dataflow_exception&) {
+    return std::nullopt;
   }
-  return bytes;
 }
 
 /// The file of a source, and what it was.
@@ -67,7 +50,7 @@ void readFileKeys(ObjectReader& reader, Source& source) {
   reader.text("base64", base64);
   reader.text("fingerprint", fingerprint);
   source.path = path;
-  if (std::optional<std::string> bytes = fromBase64(base64))
+  if (std::optional<std::string> bytes = fromBase64(std::move(base64)))
     source.bytes = std::move(*bytes);
   else
     reader.complain("base64", reader.path() + ".base64 is damaged; embed the CAD file again");
@@ -100,7 +83,7 @@ void readPart(ObjectReader& reader, const char* key, const Read& read) {
   if (!value) return;
   ObjectReader inner(*value, reader.path() + "." + key);
   read(inner);
-  if (Result<void> ok = inner.finish(); !ok) reader.adopt(inner);
+  reader.adopt(inner.finish());
 }
 
 /// A member that is a list of one object. More is what a newer program may take.
@@ -119,7 +102,7 @@ void readList(ObjectReader& reader, const char* key, std::vector<Part>& list, co
   inner.text("id", list.front().id);
   read(inner, list.front());
   if (list.front().id.empty()) inner.complain("id", path + "[0].id is empty; give it a name");
-  if (Result<void> ok = inner.finish(); !ok) reader.adopt(inner);
+  reader.adopt(inner.finish());
 }
 
 void readReference(ObjectReader& reader, const char* key, std::string& id, const std::string& there) {

@@ -9,7 +9,6 @@
 #include "bw/core/blade/blade_json.h"
 #include "bw/core/design/process_numbers.h"
 #include "bw/core/design/program_formats.h"
-#include "design/face_choice.h"
 
 namespace bw::detail {
 
@@ -20,6 +19,8 @@ namespace {
 constexpr double kMaxSewing = 100;  ///< mm
 constexpr const char* kFileUnit = "file";
 constexpr double kMaxBlock = 1e6;  ///< mm
+/// Coordinates of designs are at most this large, mm: ten kilometres.
+constexpr double kFarthest = 1e7;
 
 void readUnit(ObjectReader& reader, std::optional<LengthUnit>& unit) {
   std::vector<std::string> words = {kFileUnit};
@@ -59,11 +60,101 @@ void readBlock(ObjectReader& reader, std::optional<BlockPlacement>& block) {
   inner.vector3("size", placement.size, 1.0, kMaxBlock);
   inner.vector3("rotation_deg", degrees, -360, 360);
   placement.rotation = degrees * kDegree;
-  if (Result<void> ok = inner.finish(); !ok) {
-    reader.adopt(inner);
+  if (reader.adopt(inner.finish())) block = placement;
+}
+
+std::optional<int> indexOf(const json& value) {
+  if (!value.is_number_integer()) return std::nullopt;
+  const double x = value.get<double>();
+  if (x < 0 || x > 1e8) return std::nullopt;
+  return int(x);
+}
+
+/// A list of indices, or of names; false if it is neither.
+bool readList(const json& list, FaceChoice& face) {
+  for (const json& entry : list) {
+    if (const std::optional<int> i = indexOf(entry)) {
+      face.indices.push_back(*i);
+    } else if (entry.is_string() && !entry.get<std::string>().empty()) {
+      face.names.push_back(entry.get<std::string>());
+    } else {
+      return false;
+    }
+  }
+  if (face.indices.empty() == face.names.empty()) return false;
+  face.kind = face.names.empty() ? FaceChoice::Kind::indices : FaceChoice::Kind::named;
+  std::sort(face.indices.begin(), face.indices.end());
+  face.indices.erase(std::unique(face.indices.begin(), face.indices.end()), face.indices.end());
+  return true;
+}
+
+/// The keys "face" and "near".
+void readFaceChoice(ObjectReader& reader, FaceChoice& face) {
+  if (const json* value = reader.member("face")) {
+    FaceChoice chosen;
+    bool good = true;
+    if (value->is_string() && !value->get<std::string>().empty()) {
+      const std::string word = value->get<std::string>();
+      if (word == "all") {
+        chosen.kind = FaceChoice::Kind::all;
+      } else if (word != "largest") {
+        chosen.kind = FaceChoice::Kind::named;
+        chosen.names = {word};
+      }
+    } else if (value->is_array()) {
+      good = readList(*value, chosen);
+    } else if (value->is_object()) {
+      ObjectReader inner(*value, reader.path() + ".face");
+      chosen.kind = FaceChoice::Kind::group;
+      inner.need("group",
+                 inner.path() + " needs the key group: the number of a group, as blade info lists it");
+      inner.integer("group", chosen.group, 0, 100000000);
+      if (!reader.adopt(inner.finish())) return;
+    } else {
+      good = readList(json::array({*value}), chosen);
+    }
+    if (!good) {
+      reader.complain("face",
+                      reader.path() +
+                          ".face must be \"largest\", \"all\", an index from 0 or a list of indices, a "
+                          "name or a list of names, or {\"group\": number}");
+      return;
+    }
+    face = std::move(chosen);
+  }
+  const json* near = reader.member("near");
+  if (!near || near->is_null()) return;
+  if (face.kind != FaceChoice::Kind::largest) {
+    reader.complain("near", reader.path() + " chooses faces twice, by face and by near; keep one of them");
     return;
   }
-  block = placement;
+  face.kind = FaceChoice::Kind::nearest;
+  reader.vector3("near", face.point, -kFarthest, kFarthest);
+}
+
+void writeFaceChoice(const FaceChoice& face, json& object) {
+  object["near"] = nullptr;
+  switch (face.kind) {
+    case FaceChoice::Kind::largest:
+      object["face"] = "largest";
+      break;
+    case FaceChoice::Kind::all:
+      object["face"] = "all";
+      break;
+    case FaceChoice::Kind::indices:
+      object["face"] = face.indices;
+      break;
+    case FaceChoice::Kind::named:
+      object["face"] = face.names;
+      break;
+    case FaceChoice::Kind::group:
+      object["face"] = {{"group", face.group}};
+      break;
+    case FaceChoice::Kind::nearest:
+      object["face"] = "largest";
+      object["near"] = {face.point.x(), face.point.y(), face.point.z()};
+      break;
+  }
 }
 
 void readDirection(ObjectReader& reader, std::optional<Eigen::Vector3d>& direction) {
@@ -102,11 +193,7 @@ void readStations(ObjectReader& reader, SectionRequest& sections) {
     double spacing = 0;
     inner.number("spacing", spacing, 0.01, 1e5);
     inner.need("spacing", inner.path() + " needs the key spacing in mm");
-    if (Result<void> ok = inner.finish(); !ok) {
-      reader.adopt(inner);
-      return;
-    }
-    sections.spacing = spacing;
+    if (reader.adopt(inner.finish())) sections.spacing = spacing;
     return;
   }
   reader.integer("stations", sections.stations, 2, SectionRequest::kMost);
@@ -124,7 +211,7 @@ void readFit(ObjectReader& reader, Process& process) {
   inner.boolean("tangents", process.fitTangents);
   for (const ProcessNumber& number : processNumbers())
     if (number.ofFit) inner.number(number.key, process.*number.member, number.min, number.max);
-  if (Result<void> ok = inner.finish(); !ok) reader.adopt(inner);
+  reader.adopt(inner.finish());
 }
 
 void readPrograms(ObjectReader& reader, std::vector<std::string>& programs) {
@@ -155,7 +242,7 @@ void readPlanes(ObjectReader& reader) {
   ObjectReader inner(*planes, reader.path() + ".planes");
   int type = 0;
   inner.word("type", {"parallel"}, type);
-  if (Result<void> ok = inner.finish(); !ok) reader.adopt(inner);
+  reader.adopt(inner.finish());
 }
 
 json vectorJson(const Eigen::Vector3d& v) { return json::array({v.x(), v.y(), v.z()}); }

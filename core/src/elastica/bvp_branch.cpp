@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -16,7 +17,7 @@
 
 namespace bw {
 
-using namespace detail;
+using namespace elastica;
 using Eigen::Vector3d;
 
 namespace {
@@ -76,12 +77,10 @@ class GripPath {
 
 Result<ClampedBranch> ClampedBranch::from(const Elastica& blade) {
   const double length = blade.length();
-  const double c = std::cos(blade.startAngle()), s = std::sin(blade.startAngle());
   const Eigen::Vector2d force = blade.force() * length * length;
   ClampedBranch branch;
   branch.blade_ = blade;
-  branch.shape_ = {blade.startCurvature() * length, c * force.x() + s * force.y(),
-                   c * force.y() - s * force.x()};
+  branch.shape_ << blade.startCurvature() * length, Eigen::Rotation2Dd(-blade.startAngle()) * force;
   const double phase = phaseOf(branch.shape_);
   if (!(phase < kLargestShot))
     return fail(ErrorCode::noSolution,
@@ -125,7 +124,7 @@ Result<ClampedBranch::Move> ClampedBranch::moveTo(const ClampedProblem& next) {
   const GripPath path(held.value, heldBy({checked->end, turning, ends}), ends);
   Move move;
   double done = 0, step = 1;
-  for (int i = 0; i < kMaxSteps && done < 1 && !workExhausted(); ++i) {
+  for (int i = 0; i < kMaxSteps && done < 1 && !detail::workExhausted(); ++i) {
     const double to = done + step >= 1 ? 1 : done + step;
     const Vector3d target = path.at(to);
     Vector3d change = held.slope.partialPivLu().solve(target - held.value);

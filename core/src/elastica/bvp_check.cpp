@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: MIT
 #include "elastica/bvp_check.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 
 #include "bw/core/base/units.h"
 #include "bw/core/text/number_text.h"
 
-namespace bw::detail {
+namespace bw::elastica {
 
 namespace {
 
@@ -98,12 +100,10 @@ Result<CheckedProblem> checkGeometry(const ClampedProblem& problem, bool backwar
   result.ends = !problem.startAngle ? HeldEnds::none : !problem.endAngle ? HeldEnds::start : HeldEnds::both;
   const Eigen::Vector2d chord = problem.end - problem.start;
   const double distance = chord.norm(), length = problem.length;
-  if (result.ends == HeldEnds::none) {
+  if (result.ends == HeldEnds::none)
     result.end = {distance / length, 0};
-  } else {
-    const double c = std::cos(*problem.startAngle), s = std::sin(*problem.startAngle);
-    result.end = Eigen::Vector2d(c * chord.x() + s * chord.y(), c * chord.y() - s * chord.x()) / length;
-  }
+  else
+    result.end = Eigen::Rotation2Dd(-*problem.startAngle) * chord / length;
   if (result.ends == HeldEnds::both) result.turning = wrapped(*problem.endAngle - *problem.startAngle);
   if (problem.turning) {
     const double miss = wrapped(*problem.turning - result.turning);
@@ -187,4 +187,4 @@ Result<void> check(const ClampedOptions& options) {
   return {};
 }
 
-}  // namespace bw::detail
+}  // namespace bw::elastica

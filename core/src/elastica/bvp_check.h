@@ -7,7 +7,7 @@
 #include "bw/core/elastica/elastica_bvp.h"
 #include "elastica/bvp_unit.h"
 
-namespace bw::detail {
+namespace bw::elastica {
 
 /// A problem found possible, in the frame of its start with its length as unit; if neither end holds its
 /// tangent, in that of the chord.
@@ -31,4 +31,4 @@ ClampedProblem reversed(const ClampedProblem& problem);
 Result<CheckedProblem> check(const ClampedProblem& problem);
 Result<void> check(const ClampedOptions& options);
 
-}  // namespace bw::detail
+}  // namespace bw::elastica

@@ -3,6 +3,7 @@
 #include "elastica/bvp_describe.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -12,9 +13,8 @@
 
 #include "bw/core/base/units.h"
 #include "elastica/bvp_taut.h"
-#include "elastica/elastica_flow.h"
 
-namespace bw::detail {
+namespace bw::elastica {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
@@ -31,19 +31,17 @@ bool resolves(const TautBends& bends) {
   return bends.root * (1 + std::max(0.0, std::log(std::tan(0.25 * larger)))) <= kLargestResolved;
 }
 
-/// Calls visit(index, ψ, κ) at ascending arc lengths in the unit frame.
-template <class Visit>
-void walk(const UnitShape& q, const VectorXd& arcs, Visit&& visit) {
-  const double rate = std::max({std::abs(q(0)), std::sqrt(std::hypot(q(1), q(2))), 1.0});
-  const double unit = std::ldexp(1.0, -std::ilogb(rate) - 1);
-  const FlowParameters parameters{q(0) * unit, q(1) * unit * unit, q(2) * unit * unit};
-  ElasticaFlow<0> flow(parameters, invariants(parameters.curvature, parameters.tangential, parameters.normal),
-                       1);
+/// Of a blade in its unit frame, at ascending arc lengths.
+ClampedSamples samplesOf(const UnitShape& q, const VectorXd& arcs) {
+  auto [flow, unit] = flowOf<0>(q);
+  ClampedSamples samples{VectorXd(arcs.size()), VectorXd(arcs.size()), q.tail<2>()};
   for (Index i = 0; i < arcs.size(); ++i) {
     flow.advanceTo(arcs(i) / unit);
     const auto block = flow.at(arcs(i) / unit);
-    visit(i, block(2, 0), block(3, 0) / unit);
+    samples.angle(i) = block(2, 0);
+    samples.curvature(i) = block(3, 0) / unit;
   }
+  return samples;
 }
 
 /// Arc lengths; the curvature vanishes at a hinge too, but there the blade ends.
@@ -75,9 +73,6 @@ SampledSolution sample(const UnitSolution& solution) {
   result.clamped = &clampedModesFor(phase);
   if (solution.bends && !resolves(*solution.bends)) result.bends = solution.bends;
   const VectorXd& nodes = result.modes->nodes;
-  result.samples.angle.resize(nodes.size());
-  result.samples.curvature.resize(nodes.size());
-  result.samples.force = solution.shape.tail<2>();
   if (solution.anchor) {
     if (const Result<Elastica> held = Elastica::makeAnchored(*solution.anchor, 1)) {
       if (!solution.bends && holdsLoop(*held, solution.ends)) {
@@ -85,19 +80,12 @@ SampledSolution sample(const UnitSolution& solution) {
         const double f = rest.force.norm();
         result.loop = std::max(std::abs(rest.force.y()) / f, std::abs(rest.curvature) / std::sqrt(f));
       }
-      std::vector<Elastica::State> states(std::size_t(nodes.size()));
-      held->at({nodes.data(), states.size()}, states);
-      for (Index i = 0; i < nodes.size(); ++i) {
-        result.samples.angle(i) = states[std::size_t(i)].angle;
-        result.samples.curvature(i) = states[std::size_t(i)].curvature;
-      }
+      result.samples = samplesOf(*held, nodes);
+      result.samples.force = solution.shape.tail<2>();
       return result;
     }
   }
-  walk(solution.shape, nodes, [&](Index i, double angle, double curvature) {
-    result.samples.angle(i) = angle;
-    result.samples.curvature(i) = curvature;
-  });
+  result.samples = samplesOf(solution.shape, nodes);
   return result;
 }
 
@@ -145,14 +133,7 @@ namespace {
 /// ∫ φ_j' φ'.
 MatrixXd liftsOf(const ClampedModes& modes) {
   const Index nodes = modes.nodes.size();
-  switch (modes.ends) {
-    case HeldEnds::both:
-      break;
-    case HeldEnds::start:
-      return MatrixXd::Ones(nodes, 1);
-    case HeldEnds::none:
-      return MatrixXd(nodes, 0);
-  }
+  if (modes.ends != HeldEnds::both) return MatrixXd::Ones(nodes, modes.ends == HeldEnds::start ? 1 : 0);
   MatrixXd lifts(nodes, 2);
   lifts.col(0) = (1 - modes.nodes.array());
   lifts.col(1) = modes.nodes;
@@ -235,9 +216,8 @@ Result<Elastica> place(const ClampedProblem& problem, const UnitSolution& soluti
     const Elastica moved = turned.transformed(0, 1, problem.start - turned.start());
     return Elastica::makeAnchored(*moved.anchor(), length);
   }
-  const double c = std::cos(angle), s = std::sin(angle);
   return Elastica::make(problem.start, angle, q(0) / length,
-                        Vector2d(c * q(1) - s * q(2), s * q(1) + c * q(2)) / length / length, length);
+                        Eigen::Rotation2Dd(angle) * q.tail<2>() / length / length, length);
 }
 
 Result<ClampedSolution> describe(const ClampedProblem& problem, const UnitSolution& solution,
@@ -265,4 +245,4 @@ Result<ClampedSolution> describe(const ClampedProblem& problem, const UnitSoluti
   return result;
 }
 
-}  // namespace bw::detail
+}  // namespace bw::elastica

@@ -4,9 +4,9 @@
 
 #include "bw/core/elastica/elastica_bvp.h"
 #include "elastica/bvp_unit.h"
-#include "elastica/clamped_margin.h"
+#include "elastica/clamped_modes.h"
 
-namespace bw::detail {
+namespace bw::elastica {
 
 /// A solution at the nodes of the modes that resolve it.
 struct SampledSolution {
@@ -48,4 +48,4 @@ Result<Elastica> place(const ClampedProblem& problem, const UnitSolution& soluti
 Result<ClampedSolution> describe(const ClampedProblem& problem, const UnitSolution& solution,
                                  const SampledSolution& sampled, double torsionRatio);
 
-}  // namespace bw::detail
+}  // namespace bw::elastica

@@ -1,17 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
-#include "elastica/bvp_hinged.h"
+#include "elastica/bvp_search.h"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "bw/core/base/units.h"
-#include "elastica/bvp_search.h"
 #include "elastica/pendulum_integrals.h"
 #include "optimise/bracketed_root.h"
 
-namespace bw::detail {
+namespace bw::elastica {
 
 namespace {
 
@@ -79,17 +77,4 @@ std::vector<UnitSolution> halfWaves(double distance, int maxInflections) {
   return result;
 }
 
-void runBackwards(ClampedAnswer& answer, const ClampedProblem& problem) {
-  for (ClampedSolution& solution : answer.solutions) {
-    const double length = solution.elastica.length();
-    solution.elastica = solution.elastica.reversed();
-    solution.turning = -solution.turning;
-    std::reverse(solution.inflections.begin(), solution.inflections.end());
-    for (double& s : solution.inflections) s = length - s;
-    solution.endError = std::max((solution.elastica.start() - problem.start).norm(),
-                                 (solution.elastica.at(length).point - problem.end).norm());
-  }
-  answer.others.turning = -answer.others.turning;
-}
-
-}  // namespace bw::detail
+}  // namespace bw::elastica

@@ -11,11 +11,10 @@
 #include "base/work_meter.h"
 #include "bw/core/base/units.h"
 #include "elastica/bvp_search.h"
-#include "elastica/bvp_shapes.h"
 #include "elastica/bvp_sketch.h"
 #include "elastica/bvp_taut.h"
 
-namespace bw::detail {
+namespace bw::elastica {
 
 bool restsIn(const UnitSolution& found, const SampledSolution& sampled) {
   return !sampled.loop && marginsOf(sampled, {}).inPlane > certainMargin(found);
@@ -71,7 +70,7 @@ Rest restFromSketches(const CheckedProblem& problem, double maxTurning) {
     }
   };
   for (const double turning : problem.turnings(maxTurning)) {
-    if (workExhausted()) break;
+    if (detail::workExhausted()) break;
     // No blade turns so far with less energy than the circle.
     if (0.5 * turning * turning >= best.energy) continue;
     const UnitProblem unit{problem.end, turning};
@@ -91,6 +90,24 @@ Rest restFromSketches(const CheckedProblem& problem, double maxTurning) {
 }
 
 double energyOfShape(const UnitSolution& shape) { return energyOf(sample(shape)); }
+
+/// Two blades between the same grips are one if no point is farther from its counterpart, in lengths.
+constexpr double kSameBlade = 1e-5;
+
+bool sameBlade(const Elastica& a, const Elastica& b) {
+  constexpr int kPoints = 17;
+  const std::vector<Eigen::Vector2d> first = a.sample(kPoints), second = b.sample(kPoints);
+  for (std::size_t i = 0; i < first.size(); ++i)
+    if ((first[i] - second[i]).norm() > kSameBlade * a.length()) return false;
+  return true;
+}
+
+void add(ClampedOthers& others, double energy, double turning) {
+  ++others.stable;
+  if (others.stable > 1 && energy >= others.energy) return;
+  others.energy = energy;
+  others.turning = turning;
+}
 
 }  // namespace
 
@@ -119,4 +136,27 @@ std::optional<UnitSolution> atRest(const CheckedProblem& problem, double maxTurn
   return lower ? found : rest.shape;
 }
 
-}  // namespace bw::detail
+ClampedOthers othersAmong(const std::vector<ClampedSolution>& solutions, std::size_t answer) {
+  ClampedOthers others;
+  for (std::size_t i = 0; i < solutions.size(); ++i)
+    if (i != answer && solutions[i].stable) add(others, solutions[i].energy, solutions[i].turning);
+  return others;
+}
+
+Result<ClampedOthers> othersBeside(const ClampedSolution& answer, const ClampedProblem& problem,
+                                   const CheckedProblem& checked, const ClampedOptions& options) {
+  ClampedOthers others;
+  const int inflections = kRestInflections - hingesOf(checked.ends);
+  const double turning = std::max(options.maxTurning, std::abs(answer.turning));
+  for (const UnitSolution& found : shapesOf(checked, turning, inflections)) {
+    const SampledSolution sampled = sample(found);
+    if (!isResolved(found, sampled) || !restsIn(found, sampled)) continue;
+    const Result<Elastica> blade = place(problem, found);
+    if (!blade) return tl::unexpected<Error>(blade.error());
+    if (sameBlade(*blade, answer.elastica)) continue;
+    add(others, blade->energy(), found.turning);
+  }
+  return others;
+}
+
+}  // namespace bw::elastica

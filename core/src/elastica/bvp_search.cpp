@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "elastica/bvp_search.h"
 
-#include <Eigen/LU>
-
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +10,7 @@
 #include "elastica/bvp_sheets.h"
 #include "elastica/bvp_taut.h"
 
-namespace bw::detail {
+namespace bw::elastica {
 
 namespace {
 
@@ -70,7 +68,7 @@ class Search {
     columns_ = int(ts.size());
     rows_ = angles;
     nodes_.clear();
-    chargeWork(kNodeWork * angles * std::ssize(ts));
+    detail::chargeWork(kNodeWork * angles * std::ssize(ts));
     for (int i = 0; i < angles; ++i)
       for (const double t : ts) nodes_.push_back(make(i, t));
   }
@@ -78,7 +76,7 @@ class Search {
 
   void cells(const Sheet& sheet, bool oneWay) {
     images_.resize(nodes_.size());
-    chargeWork(kImageWork * std::ssize(nodes_));
+    detail::chargeWork(kImageWork * std::ssize(nodes_));
     for (std::size_t i = 0; i < nodes_.size(); ++i) images_[i] = Sheets::image(nodes_[i], sheet);
     for (int i = 0; i + 1 < rows_; ++i)
       for (int j = 0; j + 1 < columns_; ++j) {
@@ -119,7 +117,7 @@ class Search {
   }
 
   void attempt(const Sheet& sheet, bool oneWay, double a, double t) {
-    if (workExhausted()) return;
+    if (detail::workExhausted()) return;
     const SheetNode start = node(oneWay, a, t);
     const UnitShape shape = Sheets::shape(start, sheet);
     if (!shape.allFinite()) return;
@@ -139,7 +137,7 @@ class Search {
   /// the blade is.
   std::optional<UnitSolution> settleTaut(const Sheet& sheet, bool oneWay, double a, double t) const {
     const auto miss = [&](double angle, double level) {
-      chargeWork(kNodeWork);
+      detail::chargeWork(kNodeWork);
       const SheetImage image = Sheets::image(node(oneWay, angle, level), sheet);
       return Vector2d(image.x - problem_.end.x(), image.y - problem_.end.y());
     };
@@ -223,10 +221,10 @@ UnitSolution mirrorOf(UnitSolution solution) {
   return solution;
 }
 
-}  // namespace
-
+/// All shapes with at most `maxInflections` inflections, that of a hinge not counted, that meet the problem.
+/// The start holds its tangent.
 std::vector<UnitSolution> allShapes(const UnitProblem& problem, int maxInflections) {
-  if (workExhausted()) return {};
+  if (detail::workExhausted()) return {};
   const bool mirror = problem.turning < 0;
   const UnitProblem turned = mirror ? problem.mirrored() : problem;
   std::vector<UnitSolution> result;
@@ -250,4 +248,21 @@ std::vector<UnitSolution> allShapes(const UnitProblem& problem, int maxInflectio
   return result;
 }
 
-}  // namespace bw::detail
+}  // namespace
+
+std::vector<UnitSolution> shapesOf(const CheckedProblem& problem, double maxTurning, int maxInflections) {
+  std::vector<UnitSolution> result;
+  if (problem.ends == HeldEnds::both) {
+    for (const double turning : problem.turnings(maxTurning)) {
+      const std::vector<UnitSolution> shapes = allShapes({problem.end, turning}, maxInflections);
+      result.insert(result.end(), shapes.begin(), shapes.end());
+    }
+    return result;
+  }
+  result = problem.ends == HeldEnds::start ? allShapes({problem.end, 0, problem.ends}, maxInflections)
+                                           : halfWaves(problem.end.norm(), maxInflections);
+  std::erase_if(result, [&](const UnitSolution& shape) { return std::abs(shape.turning) > maxTurning; });
+  return result;
+}
+
+}  // namespace bw::elastica

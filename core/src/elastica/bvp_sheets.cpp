@@ -6,7 +6,7 @@
 #include <cmath>
 #include "bw/core/base/units.h"
 
-namespace bw::detail {
+namespace bw::elastica {
 
 SheetNode Sheets::swingingNode(double a, double t) const {
   const double b = a + turning_;
@@ -93,4 +93,4 @@ Elastica::Anchor Sheets::anchor(const SheetNode& node, const Sheet& sheet) {
   return result;
 }
 
-}  // namespace bw::detail
+}  // namespace bw::elastica

@@ -7,7 +7,7 @@
 #include "elastica/bvp_unit.h"
 #include "elastica/pendulum_integrals.h"
 
-namespace bw::detail {
+namespace bw::elastica {
 
 /// A shape in the sheets: swinging pendulums by inflections and first direction, and those that turn one way
 /// only.
@@ -78,4 +78,4 @@ class Sheets {
   bool hinged_;
 };
 
-}  // namespace bw::detail
+}  // namespace bw::elastica

@@ -6,7 +6,6 @@
 #include <Eigen/LU>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "base/work_meter.h"
@@ -14,7 +13,7 @@
 #include "elastica/clamped_modes.h"
 #include "optimise/bracketed_root.h"
 
-namespace bw::detail {
+namespace bw::elastica {
 
 namespace {
 
@@ -62,8 +61,8 @@ bool descend(const UnitProblem& problem, Sketch& sketch) {
   const Table& t = table();
   Coefficients& c = sketch.coefficients;
   Eigen::Vector2d& force = sketch.force;
-  for (int round = 0; round < kMaxDescents && !workExhausted(); ++round) {
-    chargeWork(kRoundWork);
+  for (int round = 0; round < kMaxDescents && !detail::workExhausted(); ++round) {
+    detail::chargeWork(kRoundWork);
     Eigen::Matrix<double, kNodes, 1> angle = t.values.transpose() * c + problem.turning * t.nodes;
     Eigen::Matrix<double, kNodes, 1> cosine, sine;
     for (int q = 0; q < kNodes; ++q) {
@@ -191,4 +190,4 @@ std::vector<Sketch> firstSketches(const UnitProblem& problem) {
   return result;
 }
 
-}  // namespace bw::detail
+}  // namespace bw::elastica

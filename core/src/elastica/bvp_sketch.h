@@ -8,7 +8,7 @@
 
 #include "elastica/bvp_unit.h"
 
-namespace bw::detail {
+namespace bw::elastica {
 
 inline constexpr int kSketchModes = 10;
 
@@ -32,4 +32,4 @@ bool descend(const UnitProblem& problem, Sketch& sketch);
 /// The sketch as a start for Newton's method.
 UnitShape shapeOf(const UnitProblem& problem, const Sketch& sketch);
 
-}  // namespace bw::detail
+}  // namespace bw::elastica

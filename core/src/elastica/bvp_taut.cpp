@@ -9,7 +9,7 @@
 #include <cmath>
 #include "bw/core/base/units.h"
 
-namespace bw::detail {
+namespace bw::elastica {
 
 namespace {
 
@@ -28,10 +28,6 @@ constexpr double kSmallestBend = 1e-200;
 constexpr double kLargestRoot = 5e4;
 
 double share(double bend) { return 1 - std::cos(0.5 * bend); }
-
-}  // namespace
-
-namespace {
 
 /// Newton's method on the bend at the start and on 1/√f: where the far grip lies along and across the
 /// stretch. `startBend` is that bend against the chord.
@@ -208,4 +204,4 @@ ClampedSensitivity tautSensitivity(const TautBends& bends, HeldEnds ends) {
   return result;
 }
 
-}  // namespace bw::detail
+}  // namespace bw::elastica

@@ -7,9 +7,9 @@
 
 #include "bw/core/elastica/elastica_bvp.h"
 #include "elastica/bvp_unit.h"
-#include "elastica/clamped_margin.h"
+#include "elastica/clamped_modes.h"
 
-namespace bw::detail {
+namespace bw::elastica {
 
 /// The bends that taut blades of this turning, or with the end hinged, would have, each less than a whole
 /// turn, by energy; most problems have one or none. The start holds its tangent. True to the first order in
@@ -26,4 +26,4 @@ double tautEnergy(const TautBends& bends);
 ClampedMargins tautMargins(const TautBends& bends, HeldEnds ends);
 ClampedSensitivity tautSensitivity(const TautBends& bends, HeldEnds ends);
 
-}  // namespace bw::detail
+}  // namespace bw::elastica

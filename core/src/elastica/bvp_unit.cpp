@@ -4,13 +4,9 @@
 
 #include <Eigen/LU>
 
-#include <algorithm>
 #include <cmath>
-#include <utility>
 
-#include "elastica/elastica_flow.h"
-
-namespace bw::detail {
+namespace bw::elastica {
 
 namespace {
 
@@ -21,25 +17,22 @@ constexpr double kSettled = 1e-9;
 
 double sizeOf(const UnitShape& q) { return std::abs(q(0)) + std::sqrt(std::hypot(q(1), q(2))); }
 
-}  // namespace
-
-namespace {
-
-/// Visits the flow of a shape at arc length s, with the unit of its lengths.
+/// The state of a shape at arc length s, with the unit of its lengths.
 template <int Directions>
-std::pair<typename ElasticaFlow<Directions>::Block, double> flowTo(const UnitShape& q, double s) {
-  const double rate = std::max({std::abs(q(0)), std::sqrt(std::hypot(q(1), q(2))), 1.0});
-  const double unit = std::ldexp(1.0, -std::ilogb(rate) - 1);
-  const FlowParameters parameters{q(0) * unit, q(1) * unit * unit, q(2) * unit * unit};
-  ElasticaFlow<Directions> flow(
-      parameters, invariants(parameters.curvature, parameters.tangential, parameters.normal), 1);
+auto flowTo(const UnitShape& q, double s) {
+  auto [flow, unit] = flowOf<Directions>(q);
   flow.advanceTo(s / unit);
-  return {flow.at(s / unit), unit};
+  return std::pair(flow.at(s / unit), unit);
 }
 
-}  // namespace
-
-namespace {
+/// Where a shape is at arc length s, with the derivatives carried along.
+UnitShot shootTo(const UnitShape& q, double s) {
+  const auto [block, unit] = flowTo<3>(q, s);
+  const Eigen::Vector3d rows(unit, unit, 1), columns(unit, unit * unit, unit * unit);
+  return {{block(0, 0) * unit, block(1, 0) * unit, block(2, 0)},
+          rows.asDiagonal() * block.template block<3, 3>(0, 1).matrix() * columns.asDiagonal(),
+          block(3, 0) / unit};
+}
 
 /// Columns by which the derivatives in closed form differ less than this (of their lengths' product) lose too
 /// many digits.
@@ -88,16 +81,11 @@ bool closedJacobian(const UnitShape& q, const UnitShot& shot, Eigen::Matrix3d& j
 }  // namespace
 
 UnitShot shoot(const UnitShape& q) {
+  const auto [block, unit] = flowTo<0>(q, 1);
   UnitShot shot;
-  {
-    const auto [block, unit] = flowTo<0>(q, 1);
-    shot.end = {block(0, 0) * unit, block(1, 0) * unit, block(2, 0)};
-    shot.curvature = block(3, 0) / unit;
-  }
-  if (closedJacobian(q, shot, shot.jacobian)) return shot;
-  const auto [block, unit] = flowTo<3>(q, 1);
-  const Eigen::Vector3d rows(unit, unit, 1), columns(unit, unit * unit, unit * unit);
-  shot.jacobian = rows.asDiagonal() * block.template block<3, 3>(0, 1).matrix() * columns.asDiagonal();
+  shot.end = {block(0, 0) * unit, block(1, 0) * unit, block(2, 0)};
+  shot.curvature = block(3, 0) / unit;
+  if (!closedJacobian(q, shot, shot.jacobian)) shot.jacobian = shootTo(q, 1).jacobian;
   return shot;
 }
 
@@ -123,15 +111,8 @@ Held heldAt(const UnitShape& shape, const Eigen::Vector3d& end, const Eigen::Mat
 }
 
 Eigen::Vector3d heldBy(const UnitProblem& problem) {
-  switch (problem.ends) {
-    case HeldEnds::both:
-      break;
-    case HeldEnds::start:
-      return {problem.end.x(), problem.end.y(), 0};
-    case HeldEnds::none:
-      return {problem.end.norm(), 0, 0};
-  }
-  return {problem.end.x(), problem.end.y(), problem.turning};
+  if (problem.ends == HeldEnds::none) return {problem.end.norm(), 0, 0};
+  return {problem.end.x(), problem.end.y(), problem.ends == HeldEnds::both ? problem.turning : 0};
 }
 
 std::optional<UnitSolution> settle(const UnitProblem& problem, UnitShape shape, int iterations) {
@@ -168,25 +149,6 @@ std::optional<UnitSolution> settle(const UnitProblem& problem, UnitShape shape, 
   return best;
 }
 
-namespace {
-
-/// Half a blade from its middle: where it ends, with the derivatives.
-struct HalfShot {
-  Eigen::Vector3d end;
-  Eigen::Matrix3d jacobian;
-  double curvature = 0;
-};
-
-HalfShot halfShot(const UnitShape& q) {
-  const auto [block, unit] = flowTo<3>(q, 0.5);
-  const Eigen::Vector3d rows(unit, unit, 1), columns(unit, unit * unit, unit * unit);
-  return {{block(0, 0) * unit, block(1, 0) * unit, block(2, 0)},
-          rows.asDiagonal() * block.template block<3, 3>(0, 1).matrix() * columns.asDiagonal(),
-          block(3, 0) / unit};
-}
-
-}  // namespace
-
 std::optional<UnitSolution> settleFromMiddle(const UnitProblem& problem, UnitShape middle) {
   constexpr int kRounds = 12;
   /// Ends missed by more hang on digits that no number here has.
@@ -196,8 +158,8 @@ std::optional<UnitSolution> settleFromMiddle(const UnitProblem& problem, UnitSha
   for (int round = 0; round < kRounds; ++round) {
     if (!(sizeOf(middle) < kLargestShot)) return std::nullopt;
     // Run backwards a blade has the opposite curvature, and the same force in the frame of its tangent.
-    const HalfShot ahead = halfShot(middle);
-    HalfShot back = halfShot({-middle(0), middle(1), middle(2)});
+    const UnitShot ahead = shootTo(middle, 0.5);
+    UnitShot back = shootTo({-middle(0), middle(1), middle(2)}, 0.5);
     back.jacobian.col(0) *= -1;
     const double c = std::cos(back.end(2)), s = std::sin(back.end(2));
     // The chord in the frame of the middle: what the blade spans, and where the start tangent wants it.
@@ -234,4 +196,4 @@ std::optional<UnitSolution> settleFromMiddle(const UnitProblem& problem, UnitSha
   return best;
 }
 
-}  // namespace bw::detail
+}  // namespace bw::elastica

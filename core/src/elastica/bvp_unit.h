@@ -4,12 +4,16 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
+#include <utility>
 
 #include "bw/core/elastica/elastica.h"
 #include "elastica/clamped_modes.h"
+#include "elastica/elastica_flow.h"
 
-namespace bw::detail {
+namespace bw::elastica {
 
 /// A boundary value problem in the frame of its start, the length its unit.
 struct UnitProblem {
@@ -24,6 +28,15 @@ struct UnitProblem {
 using UnitShape = Eigen::Vector3d;
 
 inline UnitShape mirrored(const UnitShape& q) { return {-q(0), q(1), -q(2)}; }
+
+/// The flow of a shape, and the unit of its lengths: a power of two that fits it.
+template <int Directions>
+std::pair<ElasticaFlow<Directions>, double> flowOf(const UnitShape& q) {
+  const double rate = std::max({std::abs(q(0)), std::sqrt(std::hypot(q(1), q(2))), 1.0});
+  const double unit = std::ldexp(1.0, -std::ilogb(rate) - 1);
+  const FlowParameters p{q(0) * unit, q(1) * unit * unit, q(2) * unit * unit};
+  return {ElasticaFlow<Directions>(p, invariants(p.curvature, p.tangential, p.normal), 1), unit};
+}
 
 /// Twice the largest |κ| of the whole curve's halves and √f: what decides how many modes resolve it.
 double phaseOf(const UnitShape& shape);
@@ -77,4 +90,4 @@ struct UnitSolution {
 /// start does not tell their end. Both tangents held; the curve is told by an anchor in the middle.
 [[nodiscard]] std::optional<UnitSolution> settleFromMiddle(const UnitProblem& problem, UnitShape middle);
 
-}  // namespace bw::detail
+}  // namespace bw::elastica

@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -12,7 +13,7 @@
 #include "base/work_meter.h"
 #include "bw/core/base/units.h"
 
-namespace bw::detail {
+namespace bw::elastica {
 
 namespace {
 
@@ -70,7 +71,7 @@ Gram gramOf(Index count, Index hinges) {
 
 /// Values at the nodes of equal panels to the integrals of their interpolants from 0 to each node: on one
 /// panel l_i = Σ_k (2k + 1) w_i P_k(x_i) P_k, and P_k integrates to (P_{k+1} − P_{k−1}) / (2k + 1).
-MatrixXd integralMatrix(int panels, const GaussRule& rule) {
+MatrixXd integralMatrix(int panels, const detail::GaussRule& rule) {
   const Index n = Index(rule.nodes.size());
   MatrixXd legendre(n + 1, n);
   for (Index i = 0; i < n; ++i) {
@@ -113,7 +114,7 @@ ClampedModes make(Index count, int panels, int nodesPerPanel, HeldEnds ends = He
       (solver.eigenvectors() * solver.eigenvalues().cwiseSqrt().cwiseInverse().asDiagonal())
           .rowwise()
           .reverse();
-  const GaussRule rule = gaussRule(nodesPerPanel);
+  const detail::GaussRule rule = detail::gaussRule(nodesPerPanel);
   const Index total = Index(panels) * nodesPerPanel;
   modes.nodes.resize(total);
   modes.weights.resize(total);
@@ -137,15 +138,6 @@ ClampedModes make(Index count, int panels, int nodesPerPanel, HeldEnds ends = He
 /// A constraint whose part apart from the others is smaller than this is one of them.
 constexpr double kSameConstraint = 1e-9;
 
-}  // namespace
-
-const ClampedModes& sketchModes() {
-  static const ClampedModes modes = make(10, 1, 18);
-  return modes;
-}
-
-namespace {
-
 template <HeldEnds ends>
 const ClampedModes& modesFor(double phase) {
   static const ClampedModes few = make(16, 1, 26, ends);
@@ -159,36 +151,27 @@ const ClampedModes& modesFor(double phase) {
 
 }  // namespace
 
+const ClampedModes& sketchModes() {
+  static const ClampedModes modes = make(10, 1, 18);
+  return modes;
+}
+
 const ClampedModes& clampedModesFor(double phase, HeldEnds ends) {
-  switch (ends) {
-    case HeldEnds::both:
-      break;
-    case HeldEnds::start:
-      return modesFor<HeldEnds::start>(phase);
-    case HeldEnds::none:
-      return modesFor<HeldEnds::none>(phase);
-  }
-  return modesFor<HeldEnds::both>(phase);
+  constexpr std::array kModes = {modesFor<HeldEnds::both>, modesFor<HeldEnds::start>,
+                                 modesFor<HeldEnds::none>};
+  return kModes[std::size_t(ends)](phase);
 }
 
 double straightEigenvalue(HeldEnds ends) {
   // φ = sin 2πs; cos q(1 − s) − cos q with tan q = q, the blade held at one end; cos πs.
   constexpr double kHalfHeld = 4.493409457909064;
-  switch (ends) {
-    case HeldEnds::both:
-      break;
-    case HeldEnds::start:
-      return kHalfHeld * kHalfHeld;
-    case HeldEnds::none:
-      return kPi * kPi;
-  }
-  return 4 * kPi * kPi;
+  return std::array{4 * kPi * kPi, kHalfHeld * kHalfHeld, kPi * kPi}[std::size_t(ends)];
 }
 
 double smallestEigenvalue(const ClampedModes& modes, const ClampedForm& form) {
   const Index count = modes.count();
   // About half a microsecond for a hundred products.
-  chargeWork(count * count * (count + modes.nodes.size()) / 200);
+  detail::chargeWork(count * count * (count + modes.nodes.size()) / 200);
   MatrixXd matrix = MatrixXd::Zero(count, count);
   {
     const MatrixXd weighted = modes.values * modes.weights.cwiseProduct(*form.potential).asDiagonal();
@@ -227,4 +210,4 @@ double smallestEigenvalue(const ClampedModes& modes, const ClampedForm& form) {
   return solver.eigenvalues()(0);
 }
 
-}  // namespace bw::detail
+}  // namespace bw::elastica

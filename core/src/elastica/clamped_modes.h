@@ -4,7 +4,11 @@
 
 #include <Eigen/Core>
 
-namespace bw::detail {
+#include <optional>
+
+#include "bw/core/elastica/elastica.h"
+
+namespace bw::elastica {
 
 /// Which ends of a blade hold its tangent; the others are hinged. A blade hinged at its start alone is run
 /// backwards before it gets here.
@@ -50,4 +54,24 @@ struct ClampedForm {
 /// once.
 double smallestEigenvalue(const ClampedModes& modes, const ClampedForm& form);
 
-}  // namespace bw::detail
+/// Smallest eigenvalues of the second variations over that of the straight blade, see elastica_stability.h.
+struct ClampedMargins {
+  double inPlane = 1;
+  double outOfPlane = 1;
+};
+
+/// A blade of length 1 at the nodes of some modes.
+struct ClampedSamples {
+  Eigen::VectorXd angle, curvature;
+  Eigen::Vector2d force = Eigen::Vector2d::Zero();  ///< in the frame of the angles
+};
+
+/// Those of a blade whose length is taken as the unit.
+ClampedSamples samplesOf(const Elastica& blade, const Eigen::VectorXd& nodes);
+
+/// Both margins; that out of the plane only with a torsion ratio, and by `clamped`, the modes of held ends at
+/// the same nodes, since a hinge turns in the plane alone.
+ClampedMargins clampedMargins(const ClampedModes& modes, const ClampedModes& clamped,
+                              const ClampedSamples& blade, std::optional<double> torsionRatio);
+
+}  // namespace bw::elastica

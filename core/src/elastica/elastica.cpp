@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "bw/core/elastica/elastica.h"
 
-#include <algorithm>
+#include <Eigen/Geometry>
+
 #include <cmath>
 #include <string>
 
@@ -13,6 +14,9 @@ namespace bw {
 
 namespace {
 
+/// What lies about a straight stretch deviates from it by no more than this, rad: then it grows
+/// exponentially.
+constexpr double kSmallDeviation = 1e-9;
 /// Coordinates and parameters stay below this size (mm, rad, 1/mm, 1/mm²), and lengths above its inverse, so
 /// that no power of them overflows.
 constexpr double kLargestNumber = 1e100;
@@ -20,10 +24,16 @@ constexpr double kLargestNumber = 1e100;
 /// useful bound.
 constexpr double kLargestPhase = 1e5;
 
-tl::unexpected<Error> refuse(const char* what, double value, const char* remedy, double limit) {
+tl::unexpected<Error> refuse(const char* what, double value, const char* remedy, double limit,
+                             const std::string& whole = {}) {
   return fail(ErrorCode::badInput,
-              std::string("The elastica's ") + what + " is " + shortText(value) + "; " + remedy + ".", what,
-              value, limit);
+              (whole.empty() ? std::string("The elastica's ") + what : whole) + " is " + shortText(value) +
+                  "; " + remedy + ".",
+              what, value, limit);
+}
+
+tl::unexpected<Error> refuseAnchor(const char* what, double value, const char* remedy, double limit) {
+  return refuse(what, value, remedy, limit, std::string("The ") + what + " of the elastica's anchor");
 }
 
 }  // namespace
@@ -58,6 +68,49 @@ Result<Elastica> Elastica::make(const Eigen::Vector2d& start, double startAngle,
   result.startCurvature_ = startCurvature;
   result.force_ = force;
   result.length_ = length;
+  return result;
+}
+
+Result<Elastica> Elastica::makeAnchored(const Anchor& anchor, double length) {
+  const Eigen::Vector2d force = Eigen::Rotation2Dd(anchor.angle) * anchor.force;
+  // Its numbers are those of a curve that starts there.
+  Result<Elastica> result = make(anchor.point, anchor.angle, anchor.curvature, force, length);
+  if (!result) {
+    return result;
+  }
+  const double phase = std::abs(anchor.at) / length +
+                       std::abs(anchor.straight) / length;  // in lengths: bounds the way to the segment
+  constexpr double kFarthest = 100;
+  if (!(phase <= kFarthest)) {
+    return refuseAnchor("arc length", anchor.at, "give one within a hundred lengths of the segment",
+                        kFarthest * length);
+  }
+  if (anchor.straight < 0) {
+    return refuseAnchor("straight", anchor.straight, "give half a length, at least 0", 0);
+  }
+  if (anchor.straight > 0) {
+    const double tension = -anchor.force.x();
+    if (!(tension > 0)) {
+      return refuseAnchor("force along the tangent", anchor.force.x(),
+                          "a straight stretch needs tension, a value below 0", 0);
+    }
+    if (anchor.curvature != 0 && anchor.force.y() != 0) {
+      return refuseAnchor("curvature", anchor.curvature,
+                          "beside a straight stretch either it or the force across must be 0", 0);
+    }
+    const double deviation =
+        std::abs(anchor.force.y()) / tension + std::abs(anchor.curvature) / std::sqrt(tension);
+    if (!(deviation <= kSmallDeviation)) {
+      return refuseAnchor("deviation from the straight stretch", deviation, "give one below 1e-9",
+                          kSmallDeviation);
+    }
+  }
+  result->anchored_ = true;
+  result->anchor_ = anchor;
+  const State start = result->at(0.0);
+  result->start_ = start.point;
+  result->startAngle_ = start.angle;
+  result->startCurvature_ = start.curvature;
   return result;
 }
 
@@ -97,11 +150,8 @@ Elastica Elastica::reversed() const {
 
 Elastica Elastica::transformed(double angle, double scale, const Eigen::Vector2d& translation) const {
   BW_CHECK(scale > 0 && std::isfinite(scale) && std::isfinite(angle) && translation.allFinite());
-  const double c = std::cos(angle);
-  const double s = std::sin(angle);
-  const auto turned = [&](const Eigen::Vector2d& v) {
-    return Eigen::Vector2d(c * v.x() - s * v.y(), s * v.x() + c * v.y());
-  };
+  const Eigen::Matrix2d turn = Eigen::Rotation2Dd(angle).toRotationMatrix();
+  const auto turned = [&](const Eigen::Vector2d& v) -> Eigen::Vector2d { return turn * v; };
   Elastica result;
   result.start_ = scale * turned(start_) + translation;
   result.startAngle_ = startAngle_ + angle;

@@ -3,6 +3,7 @@
 #include "bw/core/elastica/elastica_bvp.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -11,15 +12,13 @@
 #include "bw/core/text/number_text.h"
 #include "elastica/bvp_check.h"
 #include "elastica/bvp_describe.h"
-#include "elastica/bvp_held.h"
-#include "elastica/bvp_hinged.h"
-#include "elastica/bvp_others.h"
 #include "elastica/bvp_rest.h"
-#include "elastica/bvp_shapes.h"
+#include "elastica/bvp_search.h"
+#include "elastica/bvp_taut.h"
 
 namespace bw {
 
-using namespace detail;
+using namespace elastica;
 
 namespace {
 
@@ -71,6 +70,55 @@ Result<ClampedBranch::Move> walk(ClampedBranch& branch, const ClampedProblem& pr
 bool isLost(const ClampedBranch& branch, HeldEnds ends) {
   const UnitSolution stopped{.shape = branch.shape(), .ends = ends};
   return marginsOf(sample(stopped), {}).inPlane > kLostMargin;
+}
+
+/// A blade is between its grips if it misses them by no more than this, in lengths and rad; at hinges, of the
+/// curvature against its size.
+constexpr double kBetween = 1e-7;
+/// A shape that moved by more than this, in parts of its size, is another one.
+constexpr double kSameShape = 1e-4;
+
+bool sameShape(const UnitShape& a, const UnitShape& b) {
+  return (a - b).norm() <= kSameShape * (1 + a.norm());
+}
+
+/// A blade that lies between the grips of `problem` already, as their solution; empty if it misses them, or
+/// has a curvature at a hinge. So an answer is its own start, however taut it is.
+std::optional<UnitSolution> heldAlready(const Elastica& blade, const ClampedProblem& problem,
+                                        const CheckedProblem& checked) {
+  const double length = blade.length();
+  const Elastica::State end = blade.at(length);
+  const double turning = end.angle - blade.startAngle();
+  const double turns = turning - checked.turning;
+  const double size = 1 / length + std::sqrt(blade.force().norm());
+  const double misses[] = {length / problem.length - 1, (blade.start() - problem.start).norm() / length,
+                           (end.point - problem.end).norm() / length,
+                           problem.startAngle
+                               ? std::remainder(blade.startAngle() - *problem.startAngle, 2 * kPi)
+                               : blade.at(0).curvature / size,
+                           !problem.endAngle      ? end.curvature / size
+                           : checked.fixedTurning ? turns
+                                                  : std::remainder(turns, 2 * kPi)};
+  for (const double miss : misses)
+    if (!(std::abs(miss) <= kBetween)) return std::nullopt;
+
+  const double whole = 2 * kPi * std::round((turning - checked.turning) / (2 * kPi));
+  const bool both = checked.ends == HeldEnds::both;
+  const UnitProblem unit{checked.end, both ? checked.turning + whole : 0, checked.ends};
+  const Elastica scaled = blade.transformed(-blade.startAngle(), 1 / length, {0, 0});
+  UnitSolution own;
+  own.shape << scaled.startCurvature(), scaled.force();
+  own.turning = both ? unit.turning : turning;
+  own.ends = checked.ends;
+  if (!blade.anchor()) return settle(unit, own.shape, 6);
+  for (const TautBends& bends : checked.ends == HeldEnds::none ? std::vector<TautBends>() : tautBends(unit))
+    if (const std::optional<UnitSolution> taut = tautShape(unit, bends);
+        taut && sameShape(taut->shape, own.shape))
+      return taut;
+  const Elastica moved = scaled.transformed(0, 1, -scaled.start());
+  own.anchor = *moved.anchor();
+  own.error = (moved.at(1).point - unit.end).norm();
+  return own;
 }
 
 /// The blade that `initial` becomes. The answer's solutions stay empty; the shape is returned.
@@ -145,20 +193,14 @@ ClampedAnswer straightAnswer(const ClampedProblem& problem) {
       {solution}, ClampedKind::straight, {}, "The blade is as long as its ends are apart: it is straight."};
 }
 
-const char* bucklingMessage(HeldEnds ends) {
-  switch (ends) {
-    case HeldEnds::both:
-      break;
-    case HeldEnds::start:
-      return "Pure buckling: the tangent that is held lies along the chord, so that the mirror image of each "
-             "shape in the chord is as good.";
-    case HeldEnds::none:
-      return "Pure buckling: no tangent is held, so that the mirror image of each shape in the chord is as "
-             "good.";
-  }
-  return "Pure buckling: both tangents lie along the chord, so that the mirror image of each shape in the "
-         "chord is as good.";
-}
+/// By what ends hold their tangents.
+constexpr std::array kBucklingMessages = {
+    "Pure buckling: both tangents lie along the chord, so that the mirror image of each shape in the chord "
+    "is "
+    "as good.",
+    "Pure buckling: the tangent that is held lies along the chord, so that the mirror image of each shape in "
+    "the chord is as good.",
+    "Pure buckling: no tangent is held, so that the mirror image of each shape in the chord is as good."};
 
 const char* const kSlidingMessage =
     "Both grips are in one place and point the same way: shapes with inflections slide along themselves "
@@ -186,22 +228,6 @@ bool keepOneOfAFamily(std::vector<ClampedSolution>& solutions) {
   return several;
 }
 
-}  // namespace
-
-const char* clampedKindName(ClampedKind kind) {
-  switch (kind) {
-    case ClampedKind::general:
-      return "general";
-    case ClampedKind::straight:
-      return "straight";
-    case ClampedKind::buckling:
-      return "buckling";
-  }
-  return "general";
-}
-
-namespace {
-
 Result<ClampedAnswer> solveOne(const ClampedProblem& problem, const CheckedProblem& checked,
                                const ClampedOptions& options) {
   ClampedAnswer answer;
@@ -214,7 +240,7 @@ Result<ClampedAnswer> solveOne(const ClampedProblem& problem, const CheckedProbl
   } else {
     found = atRest(checked, options.maxTurning);
     if (!found) return noShape(problem, checked, "stable");
-    if (answer.kind == ClampedKind::buckling) answer.message = bucklingMessage(checked.ends);
+    if (answer.kind == ClampedKind::buckling) answer.message = kBucklingMessages[std::size_t(checked.ends)];
   }
   const Result<ClampedSolution> solution = describe(problem, *found, sample(*found), options.torsionRatio);
   if (!solution) return tl::unexpected<Error>(solution.error());
@@ -231,7 +257,7 @@ Result<ClampedAnswer> solveAll(const ClampedProblem& problem, const CheckedProbl
                                const ClampedOptions& options) {
   ClampedAnswer answer;
   answer.kind = checked.kind;
-  if (answer.kind == ClampedKind::buckling) answer.message = bucklingMessage(checked.ends);
+  if (answer.kind == ClampedKind::buckling) answer.message = kBucklingMessages[std::size_t(checked.ends)];
   for (const UnitSolution& found : shapesOf(checked, options.maxTurning, options.maxInflections)) {
     const SampledSolution sampled = sample(found);
     if (!isResolved(found, sampled)) continue;
@@ -251,6 +277,20 @@ Result<ClampedAnswer> solveAll(const ClampedProblem& problem, const CheckedProbl
   return answer;
 }
 
+/// The answer about the blade run backwards as one about the blade itself, between the grips of `problem`.
+void runBackwards(ClampedAnswer& answer, const ClampedProblem& problem) {
+  for (ClampedSolution& solution : answer.solutions) {
+    const double length = solution.elastica.length();
+    solution.elastica = solution.elastica.reversed();
+    solution.turning = -solution.turning;
+    std::reverse(solution.inflections.begin(), solution.inflections.end());
+    for (double& s : solution.inflections) s = length - s;
+    solution.endError = std::max((solution.elastica.start() - problem.start).norm(),
+                                 (solution.elastica.at(length).point - problem.end).norm());
+  }
+  answer.others.turning = -answer.others.turning;
+}
+
 /// By `solve` on the problem, run backwards if its start alone is hinged.
 Result<ClampedAnswer> answerBy(const auto& solve, const ClampedProblem& problem,
                                const ClampedOptions& options) {
@@ -267,6 +307,10 @@ Result<ClampedAnswer> answerBy(const auto& solve, const ClampedProblem& problem,
 }
 
 }  // namespace
+
+const char* clampedKindName(ClampedKind kind) {
+  return std::array{"general", "straight", "buckling"}[std::size_t(kind)];
+}
 
 Result<ClampedAnswer> solveClamped(const ClampedProblem& problem, const ClampedOptions& options) {
   return answerBy(solveOne, problem, options);

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
+#include <boost/math/special_functions/ellint_rf.hpp>
 #include <cmath>
-#include <numbers>
+#include <limits>
 #include <string>
 
 #include "bw/core/elastica/elastica.h"
 #include "bw/core/text/number_text.h"
 #include "elastica/elastica_scaled.h"
-#include "elastica/jacobi.h"
 
 namespace bw {
 
@@ -24,6 +24,13 @@ ControlParameters runBackwards(ControlParameters p) {
   p.s0 += p.l;
   p.l = -p.l;
   return p;
+}
+
+/// The incomplete elliptic integral of the first kind F(φ, k) for |φ| ≤ π/2, from s = sin φ, c = cos φ ≥ 0
+/// and d = sqrt(1 − k² s²) ≥ 0, which are known without cancellation. Infinite where it diverges (c = d = 0).
+double ellipticIntegralF(double s, double c, double d) {
+  if (c == 0 && d == 0) return std::copysign(std::numeric_limits<double>::infinity(), s);
+  return s * boost::math::ellint_rf(c * c, d * d, 1.0);
 }
 
 }  // namespace
@@ -66,14 +73,14 @@ Result<Elastica> Elastica::fromControlParameters(const ControlParameters& p) {
 }
 
 std::optional<ControlParameters> Elastica::controlParameters() const {
-  const detail::ScaledElastica scaled = detail::scaled(*this);
-  const detail::ElasticaInvariants& known = scaled.known;
+  const elastica::ScaledElastica scaled = elastica::scaled(*this);
+  const elastica::ElasticaInvariants& known = scaled.known;
   if (known.isLine(scaled.length) || known.isCircle() || scaled.straight > 0) {
     return std::nullopt;
   }
   const double omega = known.halfPeakCurvature;
   const double rootForce = std::sqrt(known.force);
-  const double period = detail::periodLength(known);
+  const double period = elastica::periodLength(known);
   const bool inflectional = known.hasInflections();
   if (!inflectional && scaled.flow.curvature < 0) {
     // Clockwise without inflections: the counter-clockwise curve run backwards.
@@ -86,13 +93,13 @@ std::optional<ControlParameters> Elastica::controlParameters() const {
   if (inflectional) {
     const double sn = known.apexSine * rootForce / omega;
     const double cn = 0.5 * scaled.flow.curvature / omega;
-    fromApex = detail::ellipticIntegralF(sn, std::abs(cn), known.apexCosine) / rootForce;
+    fromApex = ellipticIntegralF(sn, std::abs(cn), known.apexCosine) / rootForce;
     if (cn < 0) {
       fromApex = std::copysign(0.5 * period, fromApex) - fromApex;
     }
   } else {
     const double dn = 0.5 * scaled.flow.curvature / omega;
-    fromApex = detail::ellipticIntegralF(known.apexSine, known.apexCosine, dn) / omega;
+    fromApex = ellipticIntegralF(known.apexSine, known.apexCosine, dn) / omega;
   }
   if (!std::isfinite(fromApex)) {
     return std::nullopt;

@@ -6,26 +6,31 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <span>
 #include <vector>
 
 #include "bw/core/base/units.h"
 #include "bw/core/elastica/elastica.h"
-#include "elastica/elastica_flow.h"
 #include "elastica/elastica_scaled.h"
 
 namespace bw {
 
 namespace {
 
-using detail::ElasticaFlow;
-using detail::ElasticaInvariants;
-using detail::ScaledElastica;
+using elastica::ElasticaFlow;
+using elastica::ElasticaInvariants;
+using elastica::ScaledElastica;
 
 /// Arc lengths are cut off here, in units of the flow, so that their cubes stay finite.
 constexpr double kLargestArcLength = 1e90;
 /// Beyond this many periods an arc length is led back into the first period, so that the cost is bounded.
 constexpr double kDirectPeriods = 4;
+
+/// Derivatives are carried over pieces of this many 1/√|λ|.
+constexpr double kPieceLength = 3;
+/// Derivatives stop growing here.
+constexpr double kLargestDerivative = 1e150;
 
 /// One arc length to evaluate, in units of the flow: t = straight + rest + periods · period, rest with the
 /// sign of t.
@@ -45,7 +50,7 @@ class Evaluation {
   using Flow = ElasticaFlow<Directions>;
   using Block = typename Flow::Block;
 
-  explicit Evaluation(const Elastica& elastica) : scaled_(detail::scaled(elastica)) {}
+  explicit Evaluation(const Elastica& elastica) : scaled_(elastica::scaled(elastica)) {}
 
   /// Calls sink(index, block) for every arc length, mm.
   template <class Sink>
@@ -130,7 +135,7 @@ class Evaluation {
       return;
     }
     const ElasticaInvariants& known = scaled_.known;
-    const double period = detail::periodLength(known);
+    const double period = elastica::periodLength(known);
     if (farthest <= kDirectPeriods * period) {
       return;
     }
@@ -252,6 +257,49 @@ void Elastica::at(std::span<const double> s, std::span<State> out, std::span<Jac
     out[i] = evaluation.state(block);
     jacobians[i] = evaluation.jacobian(block);
   });
+}
+
+void Elastica::anchoredAt(std::span<const double> s, std::span<State> out,
+                          std::span<Jacobian> jacobians) const {
+  at(s, out);
+  // Along the curve as its anchor tells it, piece by piece: each piece has its own start, and the derivatives
+  // chain.
+  const double root = std::sqrt(force_.norm());
+  std::vector<std::size_t> order(s.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  for (const double sign : {1.0, -1.0}) {
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return sign * s[a] < sign * s[b]; });
+    Jacobian chain = Jacobian::Zero();
+    chain.leftCols<4>().setIdentity();
+    double from = 0;
+    for (const std::size_t i : order) {
+      if (sign * s[i] < 0 || (sign < 0 && s[i] == 0)) {
+        continue;
+      }
+      const double way = std::abs(s[i] - from);
+      const double pieces = std::max(1.0, std::ceil(way * std::max(root, 1 / length_) / kPieceLength));
+      const double begin = from;
+      for (double k = 1; k <= pieces; ++k) {
+        const double to = k == pieces ? s[i] : begin + (s[i] - begin) * k / pieces;
+        const State state = at(from);
+        Elastica piece;
+        piece.start_ = state.point;
+        piece.startAngle_ = state.angle;
+        piece.startCurvature_ = state.curvature;
+        piece.force_ = force_;
+        piece.length_ = length_;
+        Jacobian local;
+        piece.at(to - from, local);
+        const Eigen::Matrix<double, 4, 2> forced = local.rightCols<2>();
+        chain = (local.leftCols<4>() * chain).eval();
+        chain.rightCols<2>() += forced;
+        chain = chain.cwiseMax(-kLargestDerivative).cwiseMin(kLargestDerivative);
+        from = to;
+      }
+      jacobians[i] = chain;
+    }
+  }
 }
 
 }  // namespace bw

@@ -11,7 +11,7 @@
 #include "base/work_meter.h"
 #include "elastica/elastica_invariants.h"
 
-namespace bw::detail {
+namespace bw::elastica {
 
 /// The elastica as a chain of power series in arc length, with the first derivatives with respect to the
 /// first `Directions` (0 or 3) of (κ, f_t, f_n). docs/mathematics.md, 3.
@@ -39,8 +39,7 @@ class ElasticaFlow {
     expand(initial);
   }
 
-  /// The arc length about which the present piece is expanded, and the far end of the piece.
-  double centre() const { return centre_; }
+  /// The far end of the present piece.
   double end() const { return centre_ + sign_ * step_; }
 
   /// Walks on until the present piece covers `t`, which must not lie before the present piece.
@@ -82,7 +81,7 @@ class ElasticaFlow {
   /// (n + 1) z_{n+1} = i Σ_j κ_{n−j} z_j for z = e^{iψ}, and z_p = i ψ_p z for the derivatives: all are
   /// products of z with real series, κ for the first column and ψ_p for the others.
   void expand(const Block& initial) {
-    chargeWork((Order >= 22 ? 3 : 1) * (1 + Directions));
+    detail::chargeWork((Order >= 22 ? 3 : 1) * (1 + Directions));
     // Of fixed size, so that each sum stays in a register.
     using Factors = Eigen::Matrix<double, 1, 1 + Directions>;
     using Sums = Eigen::Matrix<double, 2, 1 + Directions>;
@@ -197,4 +196,4 @@ class ElasticaFlow {
   std::array<Block, kOrder + 1> coefficients_;
 };
 
-}  // namespace bw::detail
+}  // namespace bw::elastica

@@ -6,9 +6,29 @@
 #include <cmath>
 
 #include "bw/core/base/units.h"
-#include "elastica/jacobi.h"
 
-namespace bw::detail {
+namespace bw::elastica {
+
+namespace {
+
+/// The arithmetic-geometric mean of a > 0 and b > 0, to full accuracy: K(k) = π / (2 agm(1, sqrt(1 − k²))).
+double arithmeticGeometricMean(double a, double b) {
+  // Quadratic convergence: from a ratio of 1e-200 nine steps, from 1e-16 six; the limit is never met.
+  constexpr int kMaxSteps = 40;
+  constexpr double kHalfPrecision = 1e-9;  // the next step is exact to double precision
+  for (int i = 0; i < kMaxSteps; ++i) {
+    const double mean = 0.5 * (a + b);
+    const bool last = std::abs(a - b) <= kHalfPrecision * mean;
+    b = std::sqrt(a) * std::sqrt(b);
+    a = mean;
+    if (last) {
+      break;
+    }
+  }
+  return a;
+}
+
+}  // namespace
 
 ElasticaInvariants invariants(long double curvature, long double tangential, long double normal) {
   using Real = long double;
@@ -47,4 +67,4 @@ double periodLength(const ElasticaInvariants& known) {
   return quarters * 0.5 * kPi / arithmeticGeometricMean(scale, root);
 }
 
-}  // namespace bw::detail
+}  // namespace bw::elastica

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace bw::detail {
+namespace bw::elastica {
 
 /// The scaled elastica in the frame of its start: ψ'' = −f_t sin ψ + f_n cos ψ, x' = cos ψ, y' = sin ψ from
 /// the origin with ψ(0) = 0, ψ'(0) = κ. The unit of length is chosen so that |κ| ≤ 1 and |f| ≤ 1
@@ -49,4 +49,4 @@ ElasticaInvariants invariants(long double curvature, long double tangential, lon
 /// the nearest elastica which rounding can tell from it.
 double periodLength(const ElasticaInvariants& known);
 
-}  // namespace bw::detail
+}  // namespace bw::elastica

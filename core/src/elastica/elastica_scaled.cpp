@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace bw::detail {
+namespace bw::elastica {
 
 ScaledElastica scaled(const Elastica& elastica) {
   ScaledElastica result;
@@ -68,4 +68,4 @@ ScaledElastica scaled(const Elastica& elastica) {
   return result;
 }
 
-}  // namespace bw::detail
+}  // namespace bw::elastica

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "bw/core/elastica/elastica.h"
-#include "elastica/elastica_invariants.h"
+#include <algorithm>
 
-namespace bw::detail {
+#include "bw/core/elastica/elastica.h"
+#include "elastica/elastica_flow.h"
+
+namespace bw::elastica {
 
 /// An elastica in the frame of its origin, the anchor or else the start, and in a unit of length that fits
 /// its shape (docs/mathematics.md, 1).
@@ -27,4 +29,30 @@ struct ScaledElastica {
 };
 ScaledElastica scaled(const Elastica& elastica);
 
-}  // namespace bw::detail
+/// Calls visit(flow, a, b) for the pieces of the flow over the segment, from its start, or from its anchor
+/// forwards and then backwards (a > b). A straight stretch is left out.
+template <class Visit>
+void forEachPiece(const ScaledElastica& scaled, Visit&& visit) {
+  for (const double sign : {1.0, -1.0}) {
+    // Where the segment begins and ends in the direction of the walk.
+    const double near = std::max(0.0, (sign > 0 ? scaled.first() : -scaled.last()) - scaled.straight);
+    const double far = (sign > 0 ? scaled.last() : -scaled.first()) - scaled.straight;
+    if (!(far > near)) {
+      continue;
+    }
+    ElasticaFlow<0> flow(sign > 0 ? scaled.flow : scaled.flowBack, sign > 0 ? scaled.known : scaled.knownBack,
+                         sign);
+    flow.advanceTo(sign * near);
+    for (double a = near; a < far;) {
+      const double b = std::min(sign * flow.end(), far);
+      visit(flow, sign * a, sign * b);
+      if (b == far) {
+        break;
+      }
+      a = b;
+      flow.next();
+    }
+  }
+}
+
+}  // namespace bw::elastica

@@ -6,14 +6,14 @@
 
 #include "bw/core/base/units.h"
 #include "bw/core/elastica/elastica.h"
-#include "elastica/elastica_pieces.h"
+#include "elastica/elastica_scaled.h"
 
 namespace bw {
 
 namespace {
 
 using Eigen::Vector2d;
-using Flow = detail::ElasticaFlow<0>;
+using Flow = elastica::ElasticaFlow<0>;
 
 /// Two points nearer than this part of the length are one.
 constexpr double kSamePoint = 1e-10;
@@ -44,10 +44,10 @@ struct Arc {
 
 class CrossingSearch {
  public:
-  CrossingSearch(const detail::ScaledElastica& scaled, double force)
+  CrossingSearch(const elastica::ScaledElastica& scaled, double force)
       : force_(force), tolerance_(kSamePoint * scaled.length) {
     // Between the bends of a taut blade any straight stretch tells the same: it is left out.
-    detail::forEachPiece(scaled, [&](const Flow& flow, double a, double b) {
+    elastica::forEachPiece(scaled, [&](const Flow& flow, double a, double b) {
       pieces_.push_back({flow, std::min(a, b), std::max(a, b)});
     });
     std::sort(pieces_.begin(), pieces_.end(), [](const Piece& a, const Piece& b) { return a.from < b.from; });
@@ -171,10 +171,10 @@ class CrossingSearch {
 }  // namespace
 
 bool Elastica::selfIntersects() const {
-  detail::ScaledElastica scaled = detail::scaled(*this);
-  const detail::ElasticaInvariants& known = scaled.known;
+  elastica::ScaledElastica scaled = elastica::scaled(*this);
+  const elastica::ElasticaInvariants& known = scaled.known;
   if (!anchored_) {
-    scaled.length = std::min(scaled.length, kPeriodsToSearch * detail::periodLength(known));
+    scaled.length = std::min(scaled.length, kPeriodsToSearch * elastica::periodLength(known));
   }
   if (2 * known.halfPeakCurvature * scaled.length < kPi) {
     return false;

@@ -6,27 +6,27 @@
 #include "base/gauss_legendre.h"
 #include "bw/core/base/units.h"
 #include "bw/core/elastica/elastica.h"
-#include "elastica/elastica_pieces.h"
+#include "elastica/elastica_scaled.h"
 #include "optimise/bracketed_root.h"
 
 namespace bw {
 
 namespace {
 
-using detail::ElasticaInvariants;
-using detail::forEachPiece;
-using detail::ScaledElastica;
-using Flow = detail::ElasticaFlow<0>;
+using elastica::ElasticaInvariants;
+using elastica::forEachPiece;
+using elastica::ScaledElastica;
+using Flow = elastica::ElasticaFlow<0>;
 using Block = Flow::Block;
 
-using detail::kNegligible;
+using elastica::kNegligible;
 
 double peakCurvature(const ElasticaInvariants& known) { return 2 * known.halfPeakCurvature; }
 
 }  // namespace
 
 double Elastica::energy() const {
-  const ScaledElastica scaled = detail::scaled(*this);
+  const ScaledElastica scaled = elastica::scaled(*this);
   constexpr int kNodes = 12;
   const detail::GaussRule rule = detail::gaussRule(kNodes);
   double sum = 0;
@@ -41,7 +41,7 @@ double Elastica::energy() const {
 
 std::vector<double> Elastica::inflections() const {
   std::vector<double> result;
-  const ScaledElastica scaled = detail::scaled(*this);
+  const ScaledElastica scaled = elastica::scaled(*this);
   const ElasticaInvariants& known = scaled.known;
   const double peak = peakCurvature(known);
   const bool inflected =
@@ -92,7 +92,7 @@ std::vector<double> Elastica::inflections() const {
 }
 
 double Elastica::maxCurvature() const {
-  const ScaledElastica scaled = detail::scaled(*this);
+  const ScaledElastica scaled = elastica::scaled(*this);
   const ElasticaInvariants& known = scaled.known;
   // |κ| is largest at an end or at an apex, where the tangent points along the force.
   const double forceAngle = std::atan2(scaled.flow.normal, scaled.flow.tangential);
@@ -110,12 +110,12 @@ double Elastica::maxCurvature() const {
 }
 
 std::optional<double> Elastica::period() const {
-  const ScaledElastica scaled = detail::scaled(*this);
+  const ScaledElastica scaled = elastica::scaled(*this);
   const ElasticaInvariants& known = scaled.known;
   if (known.isLine(scaled.length) || known.isCircle() || known.isSingleLoop()) {
     return std::nullopt;
   }
-  return detail::periodLength(known) * scaled.unit;
+  return elastica::periodLength(known) * scaled.unit;
 }
 
 }  // namespace bw

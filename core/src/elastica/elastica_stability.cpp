@@ -9,7 +9,6 @@
 #include <cmath>
 #include <vector>
 
-#include "elastica/clamped_margin.h"
 #include "elastica/clamped_modes.h"
 
 namespace bw {
@@ -44,7 +43,21 @@ bool isClampedStable(const Elastica& blade) {
   return true;
 }
 
-namespace detail {
+namespace elastica {
+
+ClampedSamples samplesOf(const Elastica& blade, const Eigen::VectorXd& nodes) {
+  const double length = blade.length();
+  const Eigen::VectorXd arcs = length * nodes;
+  std::vector<Elastica::State> states(std::size_t(nodes.size()));
+  blade.at({arcs.data(), states.size()}, states);
+  ClampedSamples samples{Eigen::VectorXd(nodes.size()), Eigen::VectorXd(nodes.size()),
+                         blade.force() * length * length};
+  for (Eigen::Index q = 0; q < nodes.size(); ++q) {
+    samples.angle(q) = states[std::size_t(q)].angle;
+    samples.curvature(q) = states[std::size_t(q)].curvature * length;
+  }
+  return samples;
+}
 
 ClampedMargins clampedMargins(const ClampedModes& modes, const ClampedModes& clamped,
                               const ClampedSamples& blade, std::optional<double> torsionRatio) {
@@ -74,30 +87,17 @@ ClampedMargins clampedMargins(const ClampedModes& modes, const ClampedModes& cla
   return result;
 }
 
-}  // namespace detail
+}  // namespace elastica
 
 namespace {
 
-detail::ClampedMargins marginsOf(const Elastica& blade, std::optional<double> torsionRatio) {
+elastica::ClampedMargins marginsOf(const Elastica& blade, std::optional<double> torsionRatio) {
   const double length = blade.length();
   const double bending = blade.maxCurvature() * length;
   if (bending < kStraight) return {1, 1};
-  const detail::ClampedModes& modes =
-      detail::clampedModesFor(bending + std::sqrt(blade.force().norm()) * length);
-  const std::size_t count = std::size_t(modes.nodes.size());
-  std::vector<double> arcs(count);
-  for (std::size_t q = 0; q < count; ++q) arcs[q] = length * modes.nodes(Eigen::Index(q));
-  std::vector<Elastica::State> states(count);
-  blade.at(arcs, states);
-  detail::ClampedSamples samples;
-  samples.angle.resize(modes.nodes.size());
-  samples.curvature.resize(modes.nodes.size());
-  for (std::size_t q = 0; q < count; ++q) {
-    samples.angle(Eigen::Index(q)) = states[q].angle;
-    samples.curvature(Eigen::Index(q)) = states[q].curvature * length;
-  }
-  samples.force = blade.force() * length * length;
-  return detail::clampedMargins(modes, modes, samples, torsionRatio);
+  const elastica::ClampedModes& modes =
+      elastica::clampedModesFor(bending + std::sqrt(blade.force().norm()) * length);
+  return elastica::clampedMargins(modes, modes, elastica::samplesOf(blade, modes.nodes), torsionRatio);
 }
 
 }  // namespace

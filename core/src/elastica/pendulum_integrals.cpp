@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "elastica/pendulum_integrals.h"
 
-namespace bw::detail {
+namespace bw::elastica {
 
 Carlson carlson(double x, double y, double z) {
   constexpr double kSpread = 1.5e-3;  // series to fifth order: errors of about kSpread^6
@@ -38,4 +38,4 @@ Carlson carlson(double x, double y, double z) {
   return result;
 }
 
-}  // namespace bw::detail
+}  // namespace bw::elastica

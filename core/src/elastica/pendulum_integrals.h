@@ -6,7 +6,7 @@
 #include <cmath>
 #include "bw/core/base/units.h"
 
-namespace bw::detail {
+namespace bw::elastica {
 
 /// Carlson's R_F(x, y, z) and R_D(x, y, z) in one duplication.
 struct Carlson {
@@ -57,4 +57,4 @@ inline PendulumIntegrals upTo(const Modulus& k, double h) {
   return result;
 }
 
-}  // namespace bw::detail
+}  // namespace bw::elastica

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
-#include "fit/affine_curvature.h"
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "bw/core/base/units.h"
+#include "fit/fit_guess.h"
 
 namespace bw::fit {
 namespace {

@@ -11,7 +11,6 @@
 #include "bw/core/text/number_text.h"
 #include "fit/fit_constrained.h"
 #include "fit/fit_distance.h"
-#include "fit/fit_free.h"
 #include "fit/fit_guess.h"
 #include "fit/fit_search.h"
 #include "fit/start_rules.h"
@@ -310,17 +309,8 @@ class FitRun {
 }  // namespace
 
 const char* fitStatusName(FitStatus status) {
-  switch (status) {
-    case FitStatus::converged:
-      return "converged";
-    case FitStatus::iterationLimit:
-      return "iteration-limit";
-    case FitStatus::constraintsActive:
-      return "bound-active";
-    case FitStatus::infeasible:
-      return "infeasible";
-  }
-  return "";
+  static constexpr const char* kNames[] = {"converged", "iteration-limit", "bound-active", "infeasible"};
+  return kNames[static_cast<std::size_t>(status)];
 }
 
 std::string conditionsInWords(const std::vector<std::string>& conditions) {

@@ -37,9 +37,8 @@ class ConstrainedFit : public optimise::ConstrainedProblem {
  private:
   void chooseBranch(const Placement& placement);
   void endConstraints(const Eigen::VectorXd& v, optimise::Constraints& out);
-  /// In curvature_bounds.cpp. Remembers peaks of the curvature that were met on the way.
+  /// In fit_bounds.cpp, as is `shapeBounds`. Remembers peaks of the curvature that were met on the way.
   bool curvatureBounds(const Eigen::VectorXd& v, optimise::Constraints& out);
-  /// In shape_bounds.cpp.
   bool shapeBounds(const Eigen::VectorXd& v, optimise::Constraints& out);
 
   const FitTarget& target_;
@@ -54,6 +53,19 @@ class ConstrainedFit : public optimise::ConstrainedProblem {
   std::vector<double> peaks_;  ///< places of peaks that were met, as parts of half the range
   std::size_t nextPeak_ = 0;
 };
+
+/// An equilibrium of a clamped blade, mm, and the objective there.
+struct ClampedBlade {
+  Elastica elastica;
+  double value = 0;
+};
+
+/// Ends, end tangents and an exact length leave isolated curves: the equilibria of a clamped blade. All of
+/// them (docs/mathematics.md, 6) with at most two inflections more than the target and a turn more than it
+/// turns, nearest to the target first. Empty if `constraints` leave out one of the three or there are none.
+/// Some ms.
+std::vector<ClampedBlade> clampedBlades(const FitTarget& target, const FitConstraints& constraints,
+                                        FitNorm norm);
 
 Eigen::VectorXd toVector(const Placement& placement);
 Placement toPlacement(const Eigen::VectorXd& v);

@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
-#include "fit/fit_free.h"
-
 #include <algorithm>
 
 #include "fit/fit_constrained.h"
+#include "fit/fit_search.h"
 #include "fit/shape_atlas.h"
 #include "fit/start_rules.h"
 

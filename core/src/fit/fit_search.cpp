@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "base/work_meter.h"
-#include "fit/fit_clamped.h"
 #include "fit/fit_constrained.h"
 #include "fit/shape_atlas.h"
 #include "fit/start_rules.h"

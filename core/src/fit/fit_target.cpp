@@ -13,8 +13,8 @@
 namespace bw::fit {
 namespace {
 
-using detail::ElasticaFlow;
 using Eigen::Vector2d;
+using elastica::ElasticaFlow;
 
 // Shapes beyond these are no fits: 60 rad of turning at the middle's curvature, or some thirty periods.
 constexpr double kLargestCurvature = 60;
@@ -182,8 +182,8 @@ template <int Directions, std::size_t Order>
 void ShapeEvaluator::walk(const Shape& shape) {
   // In units in which the flow is tame; back by the powers of the rate.
   const double rate = std::max({1.0, std::abs(shape[0]), std::sqrt(shape.tail<2>().norm())});
-  const detail::FlowParameters parameters{shape[0] / rate, shape[1] / (rate * rate),
-                                          shape[2] / (rate * rate)};
+  const elastica::FlowParameters parameters{shape[0] / rate, shape[1] / (rate * rate),
+                                            shape[2] / (rate * rate)};
   const double inverse = 1 / rate;
   const Eigen::Array4d rows(inverse, inverse, 1, rate);
   const Eigen::Array4d columns(1, inverse, inverse * inverse, inverse * inverse);
@@ -194,8 +194,8 @@ void ShapeEvaluator::walk(const Shape& shape) {
   const std::size_t count = s_.size();
   std::size_t middle = 0;
   while (middle < count && s_[middle] < 0) ++middle;
-  const detail::ElasticaInvariants known =
-      detail::invariants(parameters.curvature, parameters.tangential, parameters.normal);
+  const elastica::ElasticaInvariants known =
+      elastica::invariants(parameters.curvature, parameters.tangential, parameters.normal);
   ElasticaFlow<Directions, Order> forward(parameters, known, 1);
   std::size_t left = middle;  // the nodes below this one lie beyond the first piece
   while (left > 0 && -s_[left - 1] * rate <= forward.end()) store(--left, forward);

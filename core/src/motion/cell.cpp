@@ -92,7 +92,7 @@ void readPose(ObjectReader& reader, const std::string& key, Pose& pose) {
     else
       pose.rotation = read.normalized();
   }
-  if (Result<void> ok = inner.finish(); !ok) reader.adopt(inner);
+  reader.adopt(inner.finish());
 }
 
 void readTool(ObjectReader& reader, CellTask& task) {
@@ -106,7 +106,7 @@ void readTool(ObjectReader& reader, CellTask& task) {
   require(inner, "mass", "2.5 (kg)");
   inner.number("mass", task.toolMass, 1e-3, 1000);
   inner.vector3("center", task.toolCenter, -1e4, 1e4);
-  if (Result<void> ok = inner.finish(); !ok) reader.adopt(inner);
+  reader.adopt(inner.finish());
 }
 
 CellTask readTask(const json& value, const std::string& path, ObjectReader& outer) {
@@ -122,7 +122,7 @@ CellTask readTask(const json& value, const std::string& path, ObjectReader& oute
   std::vector<double> degrees;
   if (numbers(reader, "home_deg", 6, 7, kMaxJoint, "six (or seven) joint angles in degrees", degrees))
     for (const double d : degrees) task.home.push_back(fromDegrees(d));
-  if (Result<void> ok = reader.finish(); !ok) outer.adopt(reader);
+  outer.adopt(reader.finish());
   return task;
 }
 
@@ -178,14 +178,14 @@ Result<Cell> parseCell(std::string_view text, const std::string& name) {
     ObjectReader inner(*value, reader.path() + ".work_object");
     identifier(inner, "name", cell.workObjectName);
     readPose(inner, "pose", cell.workObject);
-    if (Result<void> ok = inner.finish(); !ok) reader.adopt(inner);
+    reader.adopt(inner.finish());
   }
   if (const json* value = reader.member("heat")) {
     ObjectReader inner(*value, reader.path() + ".heat");
     require(inner, "signal", "\"doBladeHeat\"");
     identifier(inner, "signal", cell.heatSignal);
     inner.number("dwell", cell.heatDwell, 0, 600);
-    if (Result<void> ok = inner.finish(); !ok) reader.adopt(inner);
+    reader.adopt(inner.finish());
   }
   reader.number("travel_speed", cell.travelSpeed, 1, 2000);
   reader.number("approach", cell.approach, 0, 2000);

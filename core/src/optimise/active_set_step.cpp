@@ -9,7 +9,6 @@
 #include <cmath>
 
 #include "base/work_meter.h"
-#include "optimise/nnls.h"
 
 namespace bw::optimise {
 namespace {
@@ -35,6 +34,8 @@ constexpr double kMultiplierWeight = 1e-6;
 constexpr int kChanges = 12;
 // Bounds whose dual problem (with columns of size 1) has a residual up to this contradict each other.
 constexpr double kContradiction = 1e-10;
+// A component or a gain up to this part of the matrix (and of 1) is rounding.
+constexpr double kZero = 1e-13;
 // Part of its trace that is added to a Gauss–Newton matrix so that it can be factorised.
 constexpr double kRegular = 1e-14;
 // Products of numbers in a unit of work (`WorkMeter`).
@@ -185,6 +186,44 @@ std::optional<std::size_t> Constraints::bound(int name) const {
 
 VectorXd leastNormSolution(const MatrixXd& rows, const VectorXd& goals) {
   return decompositionOf(rows).solve(goals);
+}
+
+VectorXd nonNegativeLeastSquares(const MatrixXd& A, const VectorXd& b) {
+  const Index count = A.cols();
+  VectorXd u = VectorXd::Zero(count);
+  std::vector<Index> passive;  // the components that may be above zero
+  const double tolerance = kZero * (1 + A.norm());
+  // Every set is visited at most once, in practice about one a component.
+  for (Index round = 0; round < 3 * count + 10; ++round) {
+    const VectorXd gain = A.transpose() * (b - A * u);
+    Index enter = -1;
+    for (Index i = 0; i < count; ++i) {
+      if (std::find(passive.begin(), passive.end(), i) != passive.end()) continue;
+      if (gain[i] > tolerance && (enter < 0 || gain[i] > gain[enter])) enter = i;
+    }
+    if (enter < 0) break;
+    passive.push_back(enter);
+    while (!passive.empty()) {
+      MatrixXd part(A.rows(), static_cast<Index>(passive.size()));
+      for (std::size_t k = 0; k < passive.size(); ++k) part.col(static_cast<Index>(k)) = A.col(passive[k]);
+      const VectorXd x = part.colPivHouseholderQr().solve(b);
+      double share = 1;  // of the way to x on which all components stay above zero
+      for (std::size_t k = 0; k < passive.size(); ++k) {
+        const double have = u[passive[k]];
+        if (x[static_cast<Index>(k)] <= 0) share = std::min(share, have / (have - x[static_cast<Index>(k)]));
+      }
+      if (!(share >= 0)) share = 0;
+      for (std::size_t k = 0; k < passive.size(); ++k)
+        u[passive[k]] += share * (x[static_cast<Index>(k)] - u[passive[k]]);
+      if (share >= 1) break;
+      std::erase_if(passive, [&](Index i) {
+        if (u[i] > tolerance) return false;
+        u[i] = 0;
+        return true;
+      });
+    }
+  }
+  return u;
 }
 
 std::optional<ActiveSetStep> activeSetStep(const MatrixXd& hessian, const VectorXd& gradient,

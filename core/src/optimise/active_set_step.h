@@ -47,6 +47,11 @@ struct LeastSquaresModel {
 /// The shortest d that solves rows · d = goals as well as can be (least squares, least norm).
 Eigen::VectorXd leastNormSolution(const Eigen::MatrixXd& rows, const Eigen::VectorXd& goals);
 
+/// Non-negative least squares: the u ≥ 0 that minimises |A u − b|, by the active sets of Lawson and Hanson
+/// (Solving Least Squares Problems, 1974, chapter 23). Columns of A of like size, so that the choice of the
+/// entering one is fair. Of several solutions one with linearly independent columns.
+Eigen::VectorXd nonNegativeLeastSquares(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
+
 /// The minimum of a quadratic function under linear constraints.
 struct ActiveSetStep {
   Eigen::VectorXd d;

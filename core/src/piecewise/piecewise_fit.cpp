@@ -13,16 +13,15 @@
 #include "bw/core/text/number_text.h"
 #include "fit/fit_distance.h"
 #include "piecewise/piecewise_problem.h"
-#include "piecewise/piecewise_splits.h"
 
 namespace bw {
 namespace {
 
-using detail::Piece;
-using detail::PieceGrid;
-using detail::PiecewiseProblem;
 using detail::workExhausted;
 using optimise::Descent;
+using piecewise::Piece;
+using piecewise::PieceGrid;
+using piecewise::PiecewiseProblem;
 
 using Pieces = std::vector<std::shared_ptr<const Piece>>;
 
@@ -104,7 +103,7 @@ Pieces piecesOf(const PlanarCurve& curve, const std::vector<double>& splits,
                 std::optional<double> maxCurvature) {
   Pieces pieces;
   for (std::size_t i = 0; i + 1 < splits.size(); ++i)
-    pieces.push_back(detail::makePiece(curve, splits[i], splits[i + 1], maxCurvature));
+    pieces.push_back(piecewise::makePiece(curve, splits[i], splits[i + 1], maxCurvature));
   return pieces;
 }
 
@@ -126,8 +125,8 @@ Chain improve(const PlanarCurve& curve, std::vector<double>& arcs, Chain best, d
         const auto at = [&](std::size_t i) {
           return i == 0 ? curve.start() : i + 1 == arcs.size() ? curve.end() : curve.parameterAt(arcs[i]);
         };
-        pieces[k - 1] = detail::makePiece(curve, at(k - 1), t, options.maxCurvature);
-        pieces[k] = detail::makePiece(curve, t, at(k + 1), options.maxCurvature);
+        pieces[k - 1] = piecewise::makePiece(curve, at(k - 1), t, options.maxCurvature);
+        pieces[k] = piecewise::makePiece(curve, t, at(k + 1), options.maxCurvature);
         Chain chain = fitChain(std::move(pieces), length, options);
         const double cost = costOf(chain);
         if (cost < costOf(best)) {

@@ -8,7 +8,7 @@
 #include "fit/fit_guess.h"
 #include "fit/fit_projection.h"
 
-namespace bw::detail {
+namespace bw::piecewise {
 namespace {
 
 using Eigen::Index;
@@ -276,4 +276,4 @@ bool PiecewiseProblem::constraints(const VectorXd& v, optimise::Constraints& out
   return true;
 }
 
-}  // namespace bw::detail
+}  // namespace bw::piecewise

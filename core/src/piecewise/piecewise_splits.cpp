@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
-#include "piecewise/piecewise_splits.h"
+#include "piecewise/piecewise_problem.h"
 
 #include <algorithm>
 #include <limits>
 
 #include "base/work_meter.h"
 
-namespace bw::detail {
+namespace bw::piecewise {
 
 namespace {
 
@@ -68,7 +68,7 @@ std::vector<int> PieceGrid::bestSplits(int pieces) {
       for (int i = j - 1; i >= n; --i) {
         const double before = least[row - 1][static_cast<std::size_t>(i)];
         if (!(before < least[row][column])) continue;
-        if (workExhausted()) return evenSplits(pieces);
+        if (detail::workExhausted()) return evenSplits(pieces);
         const double last = cost(i, j);
         if (last >= least[row][column] && last < kInfinite) break;
         const double sum = before + last;
@@ -87,4 +87,4 @@ std::vector<int> PieceGrid::bestSplits(int pieces) {
   return places;
 }
 
-}  // namespace bw::detail
+}  // namespace bw::piecewise

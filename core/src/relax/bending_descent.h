@@ -6,7 +6,7 @@
 
 #include "optimise/bounded_newton.h"
 #include "relax/bending_problem.h"
-#include "relax/pole_freedom.h"
+#include "relax/refined_target.h"
 
 namespace bw::relax {
 

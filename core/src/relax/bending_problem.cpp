@@ -132,16 +132,4 @@ BendingProblem::Value BendingProblem::evaluate(const Eigen::VectorXd& points, do
   return value;
 }
 
-std::vector<BendingProblem::Sample> BendingProblem::samples(const Eigen::VectorXd& points) const {
-  std::vector<Sample> result;
-  const Eigen::Map<const Eigen::Matrix2Xd> poles(points.data(), 2, count_);
-  for (const Node& node : nodes_) {
-    const Eigen::Matrix<double, 2, 3> d = poles.middleCols(node.first, node.basis.rows()) * node.basis;
-    const Vector2d d1 = d.col(1), d2 = d.col(2);
-    const double v = d1.norm();
-    result.push_back({d.col(0), (d1.x() * d2.y() - d1.y() * d2.x()) / (v * v * v), node.weight * v});
-  }
-  return result;
-}
-
 }  // namespace bw::relax

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "relax/spline_space.h"
+#include "relax/refined_target.h"
 
 namespace bw::relax {
 
@@ -27,13 +27,6 @@ class BendingProblem {
   };
   /// `weight` of the spread; derivatives only if asked for.
   Value evaluate(const Eigen::VectorXd& points, double weight, bool derivatives) const;
-
-  /// Curvature, place and share of length at the quadrature points.
-  struct Sample {
-    Eigen::Vector2d point;
-    double curvature = 0, weight = 0;
-  };
-  std::vector<Sample> samples(const Eigen::VectorXd& points) const;
 
  private:
   struct Node {

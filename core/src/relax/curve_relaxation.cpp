@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "bw/core/relax/curve_relaxation.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
 #include "bw/core/fit/elastica_fit.h"
 #include "bw/core/text/number_text.h"
+#include "fit/fit_guess.h"
 #include "relax/bending_descent.h"
 #include "relax/bending_problem.h"
-#include "relax/pole_freedom.h"
 #include "relax/refined_target.h"
 
 namespace bw {
@@ -20,35 +19,10 @@ using Eigen::Vector2d;
 using Eigen::VectorXd;
 using relax::BendingProblem;
 
-/// Total bending (∫ κ² times the length) below this is a line, which is an elastica.
-constexpr double kStraight = 1e-10;
 /// A chord shorter than this part of the length tells no direction.
 constexpr double kClosed = 1e-6;
 /// Control points nearer to each other than this part of the length tell no end tangent.
 constexpr double kStandstill = 1e-9;
-
-/// Root mean square residual of κ = α + λ2 x − λ1 y over that of κ, by least squares over the arc length.
-double elasticaResidual(const std::vector<BendingProblem::Sample>& samples) {
-  Eigen::MatrixXd system(Eigen::Index(samples.size()), 3);
-  VectorXd right(Eigen::Index(samples.size()));
-  Vector2d middle = Vector2d::Zero();
-  double total = 0;
-  for (const BendingProblem::Sample& s : samples) {
-    middle += s.weight * s.point;
-    total += s.weight;
-  }
-  middle /= total;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const double w = std::sqrt(samples[i].weight);
-    const Vector2d p = samples[i].point - middle;
-    system.row(Eigen::Index(i)) << w, w * p.x(), w * p.y();
-    right[Eigen::Index(i)] = w * samples[i].curvature;
-  }
-  if (right.squaredNorm() * total < kStraight) return 0;
-  // Of a slender curve the place across is nearly proportional to that along it: rank-revealing.
-  const VectorXd coefficients = system.completeOrthogonalDecomposition().solve(right);
-  return (system * coefficients - right).norm() / right.norm();
-}
 
 Result<void> check(const RelaxOptions& options) {
   if (!(options.tolerance > 0 && std::isfinite(options.tolerance)))
@@ -155,7 +129,7 @@ Result<RelaxResult> relaxCurve(const PlanarCurve& target, const RelaxOptions& op
   const int samples = 4 * (int(refined.space.breaks.size()) - 1);
   for (const Vector2d& p : result.curve.sample(samples + 1))
     result.deviation = std::max(result.deviation, (target.value(target.nearestParameter(p)) - p).norm());
-  result.residual = elasticaResidual(problem.samples(points));
+  result.residual = fit::fitAffineCurvature(fit::FitTarget(result.curve)).R1;
   result.isElastica = result.residual <= options.elasticaTolerance;
   if (result.isElastica) {
     const Result<FitResult> fit = fitElastica(result.curve);

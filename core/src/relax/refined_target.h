@@ -4,15 +4,33 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <Eigen/SparseCore>
+
+#include <functional>
+#include <vector>
 
 #include "bw/core/curve/planar_curve.h"
 #include "bw/core/relax/curve_relaxation.h"
-#include "relax/spline_space.h"
 
 namespace bw::relax {
 
 /// Limits of `RelaxOptions::spans`; the target's own spans are kept up to the second.
 inline constexpr int kFewestSpans = 4, kMostSpans = 200;
+
+/// Splines of one degree with simple inner knots over [0, 1], clamped at the ends.
+struct SplineSpace {
+  int degree = 3;
+  std::vector<double> breaks;  ///< ascending, from 0 to 1
+
+  int size() const { return int(breaks.size()) - 1 + degree; }  ///< number of control points
+  std::vector<double> knots() const;
+  /// The non-zero basis functions at t: value, first and second derivative a column each, degree + 1 rows;
+  /// returns the first's index.
+  int basis(double t, Eigen::MatrixX3d& values) const;
+  /// Control points of the spline through `curve` at the means of the knots (Greville); exact for splines of
+  /// this space.
+  Eigen::MatrixX2d interpolate(const std::function<Eigen::Vector2d(double)>& curve) const;
+};
 
 /// The target in its refined space, along its chord and in units of its length.
 struct RefinedTarget {
@@ -37,5 +55,18 @@ struct ChordFrame {
 /// The spline of `options.degree` that stands for the target: the target itself on finer knots where it is a
 /// polynomial spline of that degree or less, else through it, evenly in arc length.
 RefinedTarget refineTarget(const PlanarCurve& target, const ChordFrame& placed, const RelaxOptions& options);
+
+/// Control points as an affine function of the unknowns between bounds.
+struct PoleFreedom {
+  Eigen::VectorXd base;
+  Eigen::SparseMatrix<double> lift;
+  Eigen::VectorXd start, low, high;
+
+  Eigen::VectorXd points(const Eigen::VectorXd& z) const { return base + lift * z; }
+};
+
+/// What the control points may do: stay within `epsilon` (lengths of the target) of `target` in both
+/// coordinates, with the ends and their tangents as `options` ask.
+PoleFreedom freedomOf(const Eigen::MatrixX2d& target, const RelaxOptions& options, double epsilon);
 
 }  // namespace bw::relax

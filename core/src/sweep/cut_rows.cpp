@@ -10,7 +10,7 @@
 #include <iterator>
 #include <string>
 
-namespace bw::detail {
+namespace bw::sweep {
 
 namespace {
 
@@ -96,4 +96,4 @@ std::vector<double> pointAreas(const SurfaceGrid& grid) {
   return areas;
 }
 
-}  // namespace bw::detail
+}  // namespace bw::sweep

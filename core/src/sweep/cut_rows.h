@@ -7,7 +7,7 @@
 #include "bw/core/surface/mesh.h"
 #include "bw/core/sweep/sweep_check.h"
 
-namespace bw::detail {
+namespace bw::sweep {
 
 /// Points along the blade at each station: t = 0, 0.01, …, 1 as in the thesis's evaluation.
 inline constexpr int kColumns = 101;
@@ -31,4 +31,4 @@ void keepRows(std::size_t worst, SweepAnalysis& analysis);
 /// The area in mm² that each point of a grid stands for: a quarter of each cell that it is a corner of.
 [[nodiscard]] std::vector<double> pointAreas(const SurfaceGrid& grid);
 
-}  // namespace bw::detail
+}  // namespace bw::sweep

@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "sweep/station_continuity.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,12 +9,12 @@
 #include <utility>
 
 #include "bw/core/base/units.h"
-#include "bw/core/elastica/elastica_stability.h"
 #include "fit/fit_distance.h"
-#include "sweep/laid_shape.h"
 #include "sweep/remedies.h"
+#include "sweep/station_fit.h"
+#include "sweep/sweep_findings.h"
 
-namespace bw::detail {
+namespace bw::sweep {
 
 namespace {
 
@@ -45,88 +43,71 @@ double swing(const Elastica& from, const Elastica& to) {
 }
 
 /// A blade told by its middle: curvature and the force against the tangent and the normal there.
-struct Middle {
-  double curvature = 0;
-  Vector2d force = Vector2d::Zero();
-};
+using Middle = Eigen::Vector3d;
 
 Middle middleOf(const Elastica& elastica) {
   const Elastica::State state = elastica.at(0.5 * elastica.length());
-  return {state.curvature, Eigen::Rotation2Dd(-state.angle) * elastica.force()};
-}
-
-Middle between(const Middle& a, const Middle& b, double share) {
-  return {a.curvature + share * (b.curvature - a.curvature), a.force + share * (b.force - a.force)};
+  Middle middle;
+  middle << state.curvature, Eigen::Rotation2Dd(-state.angle) * elastica.force();
+  return middle;
 }
 
 /// `length` of that blade about its middle, somewhere.
 Result<Elastica> aboutMiddle(const Middle& middle, double length) {
   const Result<Elastica> half =
-      Elastica::make(Vector2d::Zero(), 0, middle.curvature, middle.force, 0.5 * length);
+      Elastica::make(Vector2d::Zero(), 0, middle(0), middle.tail<2>(), 0.5 * length);
   return half ? half->segment(-0.5 * length, 0.5 * length) : half;
 }
 
 /// The shapes on the way from the neighbour's to the nearest one, each laid onto the section and judged once.
-class ShapeSteps {
- public:
+struct ShapeSteps {
   struct Shape {
     Elastica laid;
     double turned = 0;                              ///< rad, what the blade's ends turn from the neighbour's
     std::optional<double> distance = std::nullopt;  ///< mm, to the section, once it was asked for
   };
 
-  ShapeSteps(const StationFit& nearest, const Middle& from, const Middle& to, const Elastica& neighbour,
-             const Places& places, const PlanarCurve& section, const FitRequest& request)
-      : nearest_(nearest),
-        from_(from),
-        to_(to),
-        neighbour_(neighbour),
-        places_(places),
-        section_(section),
-        request_(request) {}
+  const StationFit& nearest;
+  Middle from, to;
+  const Elastica& neighbour;
+  const Places& places;
+  const PlanarCurve& section;
+  const FitRequest& request;
+  std::array<std::optional<std::optional<Shape>>, kShapeSteps> shapes = {};
 
   /// The k-th of kShapeSteps shapes, or null where no blade holds it.
   const Shape* at(int k) {
-    std::optional<std::optional<Shape>>& shape = shapes_[std::size_t(k)];
+    std::optional<std::optional<Shape>>& shape = shapes[std::size_t(k)];
     if (!shape) shape = make(k);
     return *shape ? &**shape : nullptr;
   }
 
   /// mm from the section to a shape that `at` gives.
   double distance(int k) {
-    Shape& shape = **shapes_[std::size_t(k)];
-    if (!shape.distance) shape.distance = fit::oneSidedHausdorff(shape.laid, section_);
+    Shape& shape = **shapes[std::size_t(k)];
+    if (!shape.distance) shape.distance = fit::oneSidedHausdorff(shape.laid, section);
     return *shape.distance;
   }
 
   StationFit fitOf(const Shape& shape) const {
-    StationFit result = nearest_;
+    StationFit result = nearest;
     result.fit.elastica = shape.laid;
     result.fit.hausdorff = *shape.distance;
-    result.fit.R4 = places_.residual(shape.laid);
+    result.fit.R4 = places.residual(shape.laid);
     result.fit.status = FitStatus::constraintsActive;
     result.fit.message = "kept near the shape of its neighbour";
     result.steadied = true;
     return result;
   }
 
- private:
   std::optional<Shape> make(int k) const {
     const Result<Elastica> free =
-        aboutMiddle(between(from_, to_, double(k) / kShapeSteps), nearest_.fit.elastica.length());
+        aboutMiddle(from + double(k) / kShapeSteps * (to - from), nearest.fit.elastica.length());
     if (!free) return {};
-    const Elastica laid = places_.laid(*free);
-    if (!bladeHolds(laid, request_.blade)) return {};
-    return Shape{laid, swing(neighbour_, *extendedBlade(laid, request_.blade.length))};
+    const Elastica laid = places.laid(*free);
+    if (!bladeHolds(laid, request.blade)) return {};
+    return Shape{laid, swing(neighbour, *extendedBlade(laid, request.blade.length))};
   }
-
-  const StationFit& nearest_;
-  Middle from_, to_;
-  const Elastica& neighbour_;
-  const Places& places_;
-  const PlanarCurve& section_;
-  const FitRequest& request_;
-  std::array<std::optional<std::optional<Shape>>, kShapeSteps> shapes_;
 };
 
 }  // namespace
@@ -146,7 +127,7 @@ StationFit besideNeighbour(StationFit nearest, const StationFit& neighbour, cons
   if (holds && (told || wanted <= easy)) return nearest;
   const Places places(section);
   const Middle a = middleOf(*from), b = middleOf(*to);
-  ShapeSteps steps(nearest, a, b, *from, places, section, request);
+  ShapeSteps steps{nearest, a, b, *from, places, section, request};
   // The largest step towards the nearest shape that turns the ends easily, or else that which turns them
   // least.
   const auto steadied = [&](double allowed) {
@@ -196,4 +177,4 @@ void addSwingFindings(const Sweep& sweep, Findings& findings) {
                       twiceAsMany(sweep, sweep.request.clearance)});
 }
 
-}  // namespace bw::detail
+}  // namespace bw::sweep

@@ -3,17 +3,28 @@
 
 #include "sweep/station_fit.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "bw/core/elastica/elastica_stability.h"
 #include "fit/fit_distance.h"
-#include "sweep/laid_shape.h"
 #include "sweep/tight_section.h"
 
-namespace bw::detail {
+namespace bw::sweep {
 
 namespace {
+
+using Eigen::Vector2d;
+
+constexpr int kPlaces = 101;
+
+Vector2d meanOf(const std::vector<Vector2d>& points) {
+  Vector2d mean = Vector2d::Zero();
+  for (const Vector2d& p : points) mean += p / double(points.size());
+  return mean;
+}
 
 /// A warm-started fit this much worse than its neighbour's is compared with a cold start.
 constexpr double kSuspiciousGrowth = 2.0;
@@ -87,7 +98,7 @@ std::optional<StationFit> stiffFit(const PlanarCurve& section, const FitRequest&
   std::optional<StationFit> best;
   for (const double part : {0.0, kAtLimit, -kAtLimit}) {
     const Result<Elastica> arc =
-        Elastica::make(Eigen::Vector2d::Zero(), 0, part * limit, Eigen::Vector2d::Zero(), section.length());
+        Elastica::make(Vector2d::Zero(), 0, part * limit, Vector2d::Zero(), section.length());
     if (!arc) continue;
     const Elastica laid = places.laid(*arc);
     FitResult fit;
@@ -109,6 +120,31 @@ bool bladePresses(const FitResult& fit, const Blade& blade) {
 }
 
 }  // namespace
+
+Places::Places(const PlanarCurve& section) : points_(section.sample(kPlaces)), centre_(meanOf(points_)) {}
+
+Elastica Places::laid(const Elastica& elastica) const {
+  const std::vector<Vector2d> own = elastica.sample(kPlaces);
+  const Vector2d centre = meanOf(own);
+  double along = 0, across = 0;
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    const Vector2d p = own[i] - centre, q = points_[i] - centre_;
+    along += p.dot(q);
+    across += p.x() * q.y() - p.y() * q.x();
+  }
+  const double angle = std::atan2(across, along);
+  return elastica.transformed(angle, 1, centre_ - Eigen::Rotation2Dd(angle) * centre);
+}
+
+double Places::residual(const Elastica& elastica) const {
+  const std::vector<Vector2d> own = elastica.sample(kPlaces);
+  double sum = 0;
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    const double weight = i == 0 || i + 1 == own.size() ? 0.5 : 1;
+    sum += weight * (own[i] - points_[i]).squaredNorm();
+  }
+  return std::sqrt(sum / (kPlaces - 1)) / elastica.length();
+}
 
 Result<Elastica> extendedBlade(const Elastica& fitted, double bladeLength) {
   const double extra = 0.5 * (bladeLength - fitted.length());
@@ -154,4 +190,4 @@ Result<StationFit> fitStation(const PlanarCurve& section, const FitRequest& requ
   return StationFit{section, std::move(*best)};
 }
 
-}  // namespace bw::detail
+}  // namespace bw::sweep

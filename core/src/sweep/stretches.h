@@ -7,7 +7,7 @@
 #include "bw/core/base/finding.h"
 #include "bw/core/sweep/sweep.h"
 
-namespace bw::detail {
+namespace bw::sweep {
 
 /// Stations that break a rule, from the first to the last, and the worst of them: indices into the stations
 /// of a sweep.
@@ -15,11 +15,18 @@ struct Stretch {
   std::size_t first, last, worst, count;
 };
 
-/// Where that is; the point is the middle of the worst station's cut.
-[[nodiscard]] Place placeOf(const std::vector<BladePose>& poses, const Stretch& stretch);
-
 /// The middle of a station's cut in the file's frame, mm.
-[[nodiscard]] Eigen::Vector3d middleOf(const BladePose& pose);
+[[nodiscard]] inline Eigen::Vector3d middleOf(const BladePose& pose) {
+  return pose.frame.toWorld(pose.cut.point(0.5 * pose.cut.length()));
+}
+
+/// Where that is; the point is the middle of the worst station's cut.
+[[nodiscard]] inline Place placeOf(const std::vector<BladePose>& poses, const Stretch& stretch) {
+  const BladePose& worst = poses[stretch.worst];
+  return {
+      StationRange{poses[stretch.first].index, poses[stretch.last].index, worst.index, int(stretch.count)},
+      middleOf(worst)};
+}
 
 /// The stretches of neighbouring ones of `count` stations for which `bad(i)` holds, `worse(i, j)` telling the
 /// worst, or all of them as one stretch where they are many: a list of places is no message.
@@ -45,16 +52,4 @@ std::vector<Stretch> stretchesOf(std::size_t count, Bad bad, Worse worse) {
   return {all};
 }
 
-/// Tells each such stretch as one finding at its worst station; `fill(stretch, finding)` gives it its cause,
-/// and remedies where there are some.
-template <class Bad, class Worse, class Fill>
-void reportStretches(const std::vector<BladePose>& poses, Severity severity, Bad bad, Worse worse, Fill fill,
-                     Findings& findings) {
-  for (const Stretch& stretch : stretchesOf(poses.size(), bad, worse)) {
-    Finding finding{severity, {}, placeOf(poses, stretch), {}};
-    fill(stretch, finding);
-    findings.push_back(std::move(finding));
-  }
-}
-
-}  // namespace bw::detail
+}  // namespace bw::sweep

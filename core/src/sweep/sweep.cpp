@@ -5,13 +5,14 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <optional>
 #include <utility>
 
 #include "bw/core/text/number_text.h"
 #include "sweep/remedies.h"
-#include "sweep/station_continuity.h"
 #include "sweep/station_fit.h"
+#include "sweep/sweep_findings.h"
 
 namespace bw {
 
@@ -21,7 +22,9 @@ namespace {
 /// ends.
 Result<std::vector<StationFit>> fitRow(const std::vector<Section>& sections, const FitRequest& request,
                                        const RunContext& context) {
-  const auto longer = [](const Section& a, const Section& b) { return a.curve.length() < b.curve.length(); };
+  const auto longer = [](const Section& a, const Section& b) {
+    return a.curve().length() < b.curve().length();
+  };
   const auto start =
       std::size_t(std::max_element(sections.begin(), sections.end(), longer) - sections.begin());
   std::vector<std::optional<StationFit>> fits(sections.size());
@@ -29,14 +32,14 @@ Result<std::vector<StationFit>> fitRow(const std::vector<Section>& sections, con
   const auto fit = [&](std::size_t i, const StationFit* neighbour) -> Result<void> {
     if (context.stopped()) return stoppedError();
     context.report(double(done++) / double(sections.size()), "fitting");
-    Result<StationFit> fitted = detail::fitStation(sections[i].curve, request, neighbour);
+    Result<StationFit> fitted = sweep::fitStation(sections[i].curve(), request, neighbour);
     if (!fitted) {
       Error error = fitted.error();
       error.where = stationName(sections[i].index);
       error.message = error.where + ": " + error.message;
       return tl::unexpected<Error>(std::move(error));
     }
-    fits[i] = neighbour ? detail::besideNeighbour(std::move(*fitted), *neighbour, sections[i].curve, request)
+    fits[i] = neighbour ? sweep::besideNeighbour(std::move(*fitted), *neighbour, sections[i].curve(), request)
                         : std::move(*fitted);
     return {};
   };
@@ -52,10 +55,12 @@ Result<std::vector<StationFit>> fitRow(const std::vector<Section>& sections, con
 
 }  // namespace
 
-Result<Sweep> buildSweep(const std::vector<Section>& sections, const FitRequest& request, const Box& block,
+Result<Sweep> buildSweep(const std::vector<Section>& all, const FitRequest& request, const Box& block,
                          const Eigen::Vector3d& direction, const RunContext& context, Findings& findings,
                          double* fitSeconds, double* extendSeconds) {
   using Clock = std::chrono::steady_clock;
+  std::vector<Section> sections;
+  std::ranges::copy_if(all, std::back_inserter(sections), [](const Section& s) { return s.chosen >= 0; });
   if (sections.empty())
     return fail(ErrorCode::badInput,
                 "there are no sections to fit; place the block so that it meets the target", "sections", 0.0,
@@ -74,7 +79,7 @@ Result<Sweep> buildSweep(const std::vector<Section>& sections, const FitRequest&
     }
   const auto extendStart = Clock::now();
   if (longest > request.blade.length) {
-    const std::optional<double> needed = detail::lengthFor(longest, request.clearance);
+    const std::optional<double> needed = sweep::lengthFor(longest, request.clearance);
     const std::string other = "a smaller block, or another cutting direction";
     Error error{
         ErrorCode::badInput,
@@ -89,12 +94,12 @@ Result<Sweep> buildSweep(const std::vector<Section>& sections, const FitRequest&
   sweep.poses.reserve(sections.size());
   for (std::size_t i = 0; i < sections.size(); ++i) {
     const Elastica& cut = sweep.fits[i].fit.elastica;
-    const Result<Elastica> blade = detail::extendedBlade(cut, request.blade.length);
+    const Result<Elastica> blade = sweep::extendedBlade(cut, request.blade.length);
     if (!blade) return tl::unexpected<Error>(blade.error());
     sweep.poses.push_back({sections[i].index, sections[i].travel, sections[i].frame, cut, *blade,
                            0.5 * (request.blade.length - cut.length()) / cut.length()});
   }
-  detail::addSwingFindings(sweep, findings);
+  sweep::addSwingFindings(sweep, findings);
   if (fitSeconds) *fitSeconds = std::chrono::duration<double>(extendStart - fitStart).count();
   if (extendSeconds) *extendSeconds = std::chrono::duration<double>(Clock::now() - extendStart).count();
   return sweep;

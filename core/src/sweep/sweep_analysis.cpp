@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <mutex>
 #include <numeric>
@@ -12,26 +12,92 @@
 #include "bw/core/sweep/maps.h"
 #include "bw/core/sweep/sweep_check.h"
 #include "sweep/cut_rows.h"
-#include "sweep/foot_trail.h"
-#include "sweep/row_findings.h"
-#include "sweep/station_findings.h"
+#include "sweep/stretches.h"
+#include "sweep/sweep_findings.h"
 
 namespace bw {
 
 namespace {
 
-using detail::kColumns;
+using sweep::kColumns;
 
 /// Blocks of rows that share a sampler; fixed, so that the result does not depend on the number of threads.
 constexpr int kChunks = 16;
 
+/// The feet of a grid of points, row after row, and from them where the foot of the next point will about be:
+/// on a straight line with its two predecessors in parameters (docs/mathematics.md, closest points).
+class FootTrail {
+ public:
+  using Foot = SurfaceSampler::Foot;
+
+  explicit FootTrail(int columns) {
+    for (std::vector<Foot>& row : rows_) row.resize(std::size_t(columns));
+  }
+
+  /// Where to start from for the next point, or null for the first one. Valid until `put`.
+  const Foot* seed() {
+    const auto& [now, up, farUp] = rows_;
+    const std::size_t c = column_;
+    if (above_ == 0 && c == 0) return nullptr;
+    guess_ = above_ > 0 ? up[c] : now[c - 1];
+    // A step over to another face has no parameters in common; one around a closed face is a whole period,
+    // which the sampler takes back.
+    const auto moved = [&](const Foot& to, const Foot& from) {
+      if (to.face == guess_.face && from.face == guess_.face) guess_.uv += to.uv - from.uv;
+    };
+    if (above_ == 2) {
+      moved(up[c], farUp[c]);
+    } else if (above_ == 1) {
+      if (c > 0) moved(now[c - 1], up[c - 1]);
+    } else if (c > 1) {
+      moved(now[c - 1], now[c - 2]);
+    }
+    return &guess_;
+  }
+  /// The foot of the next point, in the order of columns and rows.
+  void put(const Foot& foot) {
+    rows_[0][column_] = foot;
+    if (++column_ < rows_[0].size()) return;
+    column_ = 0;
+    above_ = std::min(above_ + 1, 2);
+    std::swap(rows_[1], rows_[2]);
+    std::swap(rows_[0], rows_[1]);
+  }
+
+ private:
+  std::array<std::vector<Foot>, 3> rows_;  ///< the row of the next point, and the two before it
+  std::size_t column_ = 0;
+  int above_ = 0;  ///< rows before that are known, at most two
+  Foot guess_;
+};
+
+/// How far the skin lies from the blade of each station, midway between every fourth pair of points that it
+/// goes through; `parameters` are those of the stations. mm.
+std::vector<double> skinDistances(const std::vector<BladePose>& poses, const SplineSurface& skin,
+                                  const std::vector<double>& parameters) {
+  constexpr int kPlaces = 25;
+  std::vector<double> u(kPlaces), arcs(kPlaces), distances(poses.size());
+  for (int k = 0; k < kPlaces; ++k) u[std::size_t(k)] = (4 * k + 1.5) / (kColumns - 1);
+  std::vector<Elastica::State> states(kPlaces);
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    for (std::size_t k = 0; k < kPlaces; ++k) arcs[k] = poses[i].cut.length() * u[k];
+    poses[i].cut.at(arcs, states);
+    for (std::size_t k = 0; k < kPlaces; ++k) {
+      const Eigen::Vector3d point = poses[i].frame.toWorld(states[k].point);
+      distances[i] = std::max(distances[i], (skin.value(u[k], parameters[i]) - point).norm());
+    }
+  }
+  return distances;
+}
+
 }  // namespace
 
 Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const SweepCheck& check, const CheckRequest& request,
-                                   const SurfaceSampler& target, const RunContext& context) {
+                                   const SurfaceSampler& target, const Loft& loft,
+                                   const RunContext& context) {
   const std::vector<BladePose>& poses = sweep.poses;
   const int n = int(poses.size());
-  if (Result<void> ok = detail::enoughStations(sweep); !ok) return tl::unexpected<Error>(ok.error());
+  if (Result<void> ok = sweep::enoughStations(sweep); !ok) return tl::unexpected<Error>(ok.error());
   SweepAnalysis result;
 
   // The skin through the stations.
@@ -62,7 +128,7 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const SweepCheck& check, 
     chord.push_back(chord.back() + mean / kColumns);
   }
   for (double& v : chord) v /= chord.back() > 0 ? chord.back() : 1.0;
-  Result<SplineSurface> skin = interpolateGrid(grid, chord);
+  Result<SplineSurface> skin = loft(grid, chord);
   if (!skin) return tl::unexpected<Error>(skin.error());
   result.surface = std::move(*skin);
 
@@ -83,7 +149,7 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const SweepCheck& check, 
   summary.minRadius = largestCurvature > 0 ? 1.0 / largestCurvature : 0.0;
 
   // The cut surface between the stations too: the skin, sampled finely, against the target itself.
-  result.stationRow = detail::stationRows(travel);
+  result.stationRow = sweep::stationRows(travel);
   const std::vector<int>& rowOf = result.stationRow;
   SurfaceGrid& cut = result.cut;
   cut.columns = kColumns;
@@ -101,7 +167,7 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const SweepCheck& check, 
               to = int(std::int64_t(cut.rows) * (chunk + 1) / kChunks);
     if (from == to) return;
     const std::unique_ptr<SurfaceSampler> sampler = target.clone();
-    detail::FootTrail feet(kColumns);
+    FootTrail feet(kColumns);
     for (int row = from; row < to; ++row) {
       if (context.stopped()) return;
       const std::size_t i =
@@ -146,7 +212,7 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const SweepCheck& check, 
 
   // Each sample counts with the area that it stands for, so that wide intervals do not hide behind narrow
   // ones (docs/mathematics.md, deviation).
-  const std::vector<double> areas = detail::pointAreas(cut);
+  const std::vector<double> areas = sweep::pointAreas(cut);
   const double whole = std::accumulate(areas.begin(), areas.end(), 0.0);
   double squares = 0, beyond = 0, angles = 0;
   std::size_t worst = 0;
@@ -172,9 +238,15 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const SweepCheck& check, 
   summary.angleMean = angles * kDegree;
 
   // What cannot be cut, and why.
-  detail::addRowFindings(sweep, request, worst, result);
-  detail::addStationFindings(sweep, check, request, result);
-  detail::keepRows(worst, result);
+  const std::vector<double> off = skinDistances(poses, result.surface, chord);
+  for (const sweep::Stretch& at : sweep::stretchesOf(
+           poses.size(), [&](std::size_t i) { return !(off[i] <= kSkinTolerance); },
+           [&](std::size_t i, std::size_t k) { return off[i] > off[k]; }))
+    result.findings.push_back(
+        {Severity::warning, SkinOff{off[at.worst], kSkinTolerance}, sweep::placeOf(poses, at), {}});
+  sweep::addRowFindings(sweep, request, worst, result);
+  sweep::addStationFindings(sweep, check, request, result);
+  sweep::keepRows(worst, result);
   return result;
 }
 

@@ -9,13 +9,13 @@
 
 #include "bw/core/elastica/elastica_stability.h"
 #include "sweep/cut_rows.h"
-#include "sweep/grip_reach.h"
+#include "sweep/remedies.h"
 
 namespace bw {
 
 namespace {
 
-using detail::kColumns;
+using sweep::kColumns;
 
 /// Weights of the three-point derivative at t[i] for uneven spacing; one-sided at the ends
 /// (docs/mathematics.md, velocity).
@@ -87,7 +87,7 @@ StationVelocity stationVelocity(const std::vector<BladePose>& poses, const std::
 
 Result<SweepCheck> checkSweep(const Sweep& sweep, const CheckRequest& request, const RunContext& context) {
   const std::vector<BladePose>& poses = sweep.poses;
-  if (Result<void> ok = detail::enoughStations(sweep); !ok) return tl::unexpected<Error>(ok.error());
+  if (Result<void> ok = sweep::enoughStations(sweep); !ok) return tl::unexpected<Error>(ok.error());
   std::vector<double> travel;
   for (const BladePose& pose : poses) travel.push_back(pose.travel);
   SweepCheck result{std::vector<StationCheck>(poses.size()), std::vector<StationVelocity>(poses.size())};
@@ -107,8 +107,8 @@ Result<SweepCheck> checkSweep(const Sweep& sweep, const CheckRequest& request, c
     const auto [slowest, fastest] = std::minmax_element(v.speed.begin(), v.speed.end());
     check.speedMin = *slowest;
     check.speedMax = *fastest;
-    check.clearance = std::min(detail::boxDistance(sweep.block, pose.leftPoint()),
-                               detail::boxDistance(sweep.block, pose.rightPoint()));
+    check.clearance = std::min(sweep::boxDistance(sweep.block, pose.leftPoint()),
+                               sweep::boxDistance(sweep.block, pose.rightPoint()));
   };
   if (Result<void> ok = parallelFor(context, int(poses.size()), body); !ok)
     return tl::unexpected<Error>(ok.error());

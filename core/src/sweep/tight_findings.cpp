@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "sweep/tight_findings.h"
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -11,9 +9,10 @@
 #include "sweep/remedies.h"
 #include "sweep/station_fit.h"
 #include "sweep/stretches.h"
+#include "sweep/sweep_findings.h"
 #include "sweep/tight_section.h"
 
-namespace bw::detail {
+namespace bw::sweep {
 
 namespace {
 
@@ -99,4 +98,4 @@ std::vector<char> addTightFindings(const Sweep& sweep, const CheckRequest& reque
   return found;
 }
 
-}  // namespace bw::detail
+}  // namespace bw::sweep

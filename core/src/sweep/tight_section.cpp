@@ -3,12 +3,11 @@
 
 #include "sweep/tight_section.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace bw::detail {
+namespace bw::sweep {
 
 namespace {
 
@@ -108,4 +107,4 @@ double TightSection::widestRadius(double distance) const {
   return low;
 }
 
-}  // namespace bw::detail
+}  // namespace bw::sweep

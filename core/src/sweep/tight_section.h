@@ -8,7 +8,7 @@
 
 #include "bw/core/curve/planar_curve.h"
 
-namespace bw::detail {
+namespace bw::sweep {
 
 /// How far a blade that bends to no less than a radius must stay off a section somewhere.
 struct TightSpot {
@@ -42,4 +42,4 @@ class TightSection {
   std::vector<Eigen::Vector2d> points_;
 };
 
-}  // namespace bw::detail
+}  // namespace bw::sweep

@@ -101,6 +101,11 @@ const json* ObjectReader::member(const std::string& key) {
   return it == object_.end() ? nullptr : &*it;
 }
 
+const json* ObjectReader::given(const std::string& key) {
+  const json* value = member(key);
+  return value && !value->is_null() ? value : nullptr;
+}
+
 bool ObjectReader::has(const std::string& key) { return member(key) != nullptr; }
 
 void ObjectReader::need(const std::string& key, const std::string& message) {
@@ -121,52 +126,46 @@ void ObjectReader::complain(const std::string& key, std::string message, std::op
   if (!error_) error_ = Error{ErrorCode::badInput, std::move(message), path_ + "." + key, value, limit};
 }
 
-void ObjectReader::adopt(const ObjectReader& inner) {
-  if (!error_ && inner.error_) error_ = inner.error_;
+const json* ObjectReader::typed(const std::string& key, bool (json::*isType)() const noexcept,
+                                const char* what) {
+  const json* value = member(key);
+  if (!value || (value->*isType)()) return value;
+  complain(key, path_ + "." + key + " must be " + what + ", not " + value->type_name());
+  return nullptr;
+}
+
+bool ObjectReader::within(const std::string& key, const std::string& name, double x, double min, double max) {
+  if (std::isfinite(x) && x >= min && x <= max) return true;
+  complain(key,
+           path_ + "." + name + " is " + shortText(x, 6) + " but must lie between " + shortText(min, 6) +
+               " and " + shortText(max, 6),
+           x, x < min ? min : max);
+  return false;
 }
 
 void ObjectReader::number(const std::string& key, double& out, double min, double max) {
-  const json* value = member(key);
-  if (!value) return;
-  if (!value->is_number()) {
-    complain(key, path_ + "." + key + " must be a number, not " + value->type_name());
-    return;
-  }
-  const double x = value->get<double>();
-  if (!std::isfinite(x) || x < min || x > max) {
-    complain(key,
-             path_ + "." + key + " is " + shortText(x, 6) + " but must lie between " + shortText(min, 6) +
-                 " and " + shortText(max, 6),
-             x, x < min ? min : max);
-    return;
-  }
-  out = x;
+  const json* value = typed(key, &json::is_number, "a number");
+  if (value && within(key, key, value->get<double>(), min, max)) out = value->get<double>();
 }
 
 void ObjectReader::number(const std::string& key, std::optional<double>& out, double min, double max) {
-  const json* value = member(key);
-  if (!value || value->is_null()) return;
+  if (!given(key)) return;
   double x = NAN;
   number(key, x, min, max);
   if (!std::isnan(x)) out = x;
 }
 
 void ObjectReader::integer(const std::string& key, int& out, int min, int max) {
-  const json* value = member(key);
+  const json* value = typed(key, &json::is_number, "a whole number");
   if (!value) return;
-  if (value->is_number()) {
-    const double x = value->get<double>();
-    if (std::isfinite(x) && x == std::floor(x) && x >= min && x <= max) {
-      out = int(x);
-      return;
-    }
+  const double x = value->get<double>();
+  if (std::isfinite(x) && x == std::floor(x) && x >= min && x <= max)
+    out = int(x);
+  else
     complain(key,
              path_ + "." + key + " is " + shortText(x, 9) + " but must be a whole number from " +
                  std::to_string(min) + " to " + std::to_string(max),
              x, x < min ? min : max);
-    return;
-  }
-  complain(key, path_ + "." + key + " must be a whole number, not " + value->type_name());
 }
 
 Result<void> ObjectReader::version(const std::string& key, int& out, int newest, int fallback) {
@@ -181,21 +180,11 @@ Result<void> ObjectReader::version(const std::string& key, int& out, int newest,
 }
 
 void ObjectReader::boolean(const std::string& key, bool& out) {
-  const json* value = member(key);
-  if (!value) return;
-  if (value->is_boolean())
-    out = value->get<bool>();
-  else
-    complain(key, path_ + "." + key + " must be true or false, not " + value->type_name());
+  if (const json* value = typed(key, &json::is_boolean, "true or false")) out = value->get<bool>();
 }
 
 void ObjectReader::text(const std::string& key, std::string& out) {
-  const json* value = member(key);
-  if (!value) return;
-  if (value->is_string())
-    out = value->get<std::string>();
-  else
-    complain(key, path_ + "." + key + " must be a text, not " + value->type_name());
+  if (const json* value = typed(key, &json::is_string, "a text")) out = value->get<std::string>();
 }
 
 void ObjectReader::word(const std::string& key, const std::vector<std::string>& words, int& out) {
@@ -221,25 +210,12 @@ void ObjectReader::word(const std::string& key, const std::vector<std::string>& 
 void ObjectReader::vector3(const std::string& key, Eigen::Vector3d& out, double min, double max) {
   const json* value = member(key);
   if (!value) return;
-  if (!value->is_array() || value->size() != 3) {
-    complain(key, path_ + "." + key + " must be three numbers [x, y, z]");
-    return;
-  }
   Eigen::Vector3d result;
   for (int i = 0; i < 3; ++i) {
-    const json& entry = (*value)[std::size_t(i)];
-    if (!entry.is_number()) {
-      complain(key, path_ + "." + key + " must be three numbers [x, y, z]");
-      return;
-    }
-    result(i) = entry.get<double>();
-    if (!std::isfinite(result(i)) || result(i) < min || result(i) > max) {
-      complain(key,
-               path_ + "." + key + "[" + std::to_string(i) + "] is " + shortText(result(i), 6) +
-                   " but must lie between " + shortText(min, 6) + " and " + shortText(max, 6),
-               result(i), result(i) < min ? min : max);
-      return;
-    }
+    if (!value->is_array() || value->size() != 3 || !(*value)[std::size_t(i)].is_number())
+      return complain(key, path_ + "." + key + " must be three numbers [x, y, z]");
+    result(i) = (*value)[std::size_t(i)].get<double>();
+    if (!within(key, key + "[" + std::to_string(i) + "]", result(i), min, max)) return;
   }
   out = result;
 }

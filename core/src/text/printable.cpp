@@ -3,6 +3,7 @@
 
 #include "bw/core/text/printable.h"
 
+#include <boost/locale/utf.hpp>
 #include <cstdint>
 
 namespace bw {
@@ -16,19 +17,11 @@ struct Character {
 
 /// The UTF-8 character at the front of `text`: the shortest form only, no surrogates.
 Character firstCharacter(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return std::uint32_t(static_cast<unsigned char>(text[i])); };
-  const std::uint32_t lead = byte(0);
-  if (lead < 0x80) return {lead, 1};
-  const std::size_t bytes = lead >= 0xf0 && lead < 0xf5 ? 4 : lead >= 0xe0 ? 3 : 2;
-  if (lead < 0xc2 || lead >= 0xf5 || text.size() < bytes) return {};
-  std::uint32_t code = lead & (0xffu >> (bytes + 1));
-  for (std::size_t i = 1; i < bytes; ++i) {
-    if ((byte(i) & 0xc0) != 0x80) return {};
-    code = code << 6 | (byte(i) & 0x3f);
-  }
-  constexpr std::uint32_t kLeast[] = {0, 0, 0x80, 0x800, 0x10000};
-  if (code < kLeast[bytes] || code > 0x10ffff || (code >= 0xd800 && code < 0xe000)) return {};
-  return {code, bytes};
+  namespace utf = boost::locale::utf;
+  const char* end = text.data();
+  const utf::code_point code = utf::utf_traits<char>::decode(end, text.data() + text.size());
+  if (code == utf::illegal || code == utf::incomplete) return {};
+  return {code, std::size_t(end - text.data())};
 }
 
 /// Characters that act instead of being seen.

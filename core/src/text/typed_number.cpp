@@ -9,7 +9,6 @@
 #include "bw/core/base/units.h"
 #include "bw/core/text/number_text.h"
 #include "text/typed_text.h"
-#include "text/typed_unit.h"
 
 namespace bw {
 

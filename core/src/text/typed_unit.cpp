@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "text/typed_unit.h"
+#include "text/typed_text.h"
 
 #include <array>
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "bw/core/base/units.h"
 #include "bw/core/text/number_text.h"
 
 namespace bw::robotio {
@@ -62,6 +63,10 @@ double farthest(const std::vector<Pose>& from, const std::vector<Pose>& to) {
   for (std::size_t end = 0; end < from.size(); ++end)
     length = std::max(length, (to[end].position - from[end].position).norm());
   return length;
+}
+
+double turnDegrees(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to) {
+  return toDegrees(2 * std::acos(std::min(1.0, std::abs(from.dot(to)))));
 }
 
 Result<void> checkMotion(const Motion& motion) {

@@ -19,6 +19,9 @@ Result<void> checkMotion(const Motion& motion);
 /// The farthest that any end goes from one instant to another, mm.
 double farthest(const std::vector<Pose>& from, const std::vector<Pose>& to);
 
+/// The turn from one orientation to another, degrees; the quaternions have unit length.
+double turnDegrees(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to);
+
 /// The name of one end in columns and keys: "left", "right", "end3", …
 std::string endName(std::size_t end);
 

@@ -35,10 +35,6 @@ std::vector<MotionInstant> smoothSigns(std::vector<MotionInstant> instants) {
   return instants;
 }
 
-double turnDegrees(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
-  return toDegrees(2 * std::acos(std::min(1.0, std::abs(a.dot(b)))));
-}
-
 std::vector<Pose> shifted(std::vector<Pose> poses, const Eigen::Vector3d& by) {
   for (Pose& pose : poses) pose.position += by;
   return poses;
@@ -91,15 +87,19 @@ double zoneFor(const std::vector<MotionInstant>& instants, std::size_t i) {
   return kZones.back();
 }
 
+/// How far a point of the work object lies from the base of a robot, mm.
+double fromBase(const Cell& cell, std::size_t task, const Eigen::Vector3d& p_B) {
+  const Eigen::Vector3d p_W = cell.workObject.position + cell.workObject.rotation * p_B;
+  return (p_W - cell.tasks[task].base.position).norm();
+}
+
 /// Time from home to the first target. Where home lies in space is not known without the robot's kinematics;
 /// no home that is nearer to its base than the target is farther away than twice the target's distance, so
 /// that the travel speed is kept.
 double homeTime(const Cell& cell, const std::vector<Pose>& first) {
   double longest = 0;
-  for (std::size_t end = 0; end < first.size(); ++end) {
-    const Eigen::Vector3d p_W = cell.workObject.position + cell.workObject.rotation * first[end].position;
-    longest = std::max(longest, 2 * (p_W - cell.tasks[end].base.position).norm());
-  }
+  for (std::size_t end = 0; end < first.size(); ++end)
+    longest = std::max(longest, 2 * fromBase(cell, end, first[end].position));
   return std::max(kLeastHomeTime, std::ceil(10 * longest / cell.travelSpeed) / 10);
 }
 
@@ -153,6 +153,29 @@ Result<ProgramPlan> planProgram(const Motion& motion, const Cell& cell) {
   }
   if (approaches) travel(MoveRole::retreat, -1, travelTime, shifted(last, cell.approach * *motion.retreat));
   return plan;
+}
+
+Findings checkPlacement(const Motion& motion, const Cell& cell) {
+  Findings findings;
+  if (!checkMotion(motion) || motion.instants.front().poses.size() != cell.tasks.size()) return findings;
+  for (std::size_t end = 0; end < cell.tasks.size(); ++end) {
+    for (const MotionInstant* instant : {&motion.instants.front(), &motion.instants.back()}) {
+      const Eigen::Vector3d& p_B = instant->poses[end].position;
+      std::vector<double> distances;
+      for (std::size_t task = 0; task < cell.tasks.size(); ++task)
+        distances.push_back(fromBase(cell, task, p_B));
+      const auto least = std::ranges::min_element(distances);
+      if (*least == distances[end]) continue;
+      const std::string& nearest = cell.tasks[std::size_t(least - distances.begin())].name;
+      findings.push_back({Severity::warning,
+                          WrongSide{endName(end), cell.tasks[end].name, nearest, distances[end], *least,
+                                    instant == &motion.instants.front()},
+                          {{}, motion.block.frame.toWorld(p_B.head<2>(), p_B.z())},
+                          {TurnDirection{}}});
+      break;
+    }
+  }
+  return findings;
 }
 
 }  // namespace bw::robotio

@@ -59,54 +59,38 @@ void checkCharacters(const ProgramFile& file, Breaches& breaches) {
   }
 }
 
-/// Reads the module list of a .pgf: exactly the form that the writer emits, white space apart.
-class ProgramFileReader {
- public:
-  ProgramFileReader(const ProgramFile& file, Breaches& breaches)
-      : file_(file), text_(file.bytes), breaches_(breaches) {}
-
-  std::vector<std::string> run() {
-    std::vector<std::string> modules;
-    if (!take("<?xml version=\"1.0\" encoding=\"ISO-8859-1\"") || !(blank(), take("?>"))) {
-      fault("the file must begin with <?xml version=\"1.0\" encoding=\"ISO-8859-1\" ?>");
-      return modules;
-    }
-    blank();
-    if (!take("<Program>")) return fault("<Program> is expected"), modules;
-    while (true) {
-      blank();
-      if (take("</Program>")) break;
-      if (!take("<Module>")) return fault("<Module> or </Program> is expected"), modules;
-      const std::size_t end = text_.find('<', at_);
-      if (end == std::string_view::npos) return fault("the file ends within <Module>"), modules;
-      modules.emplace_back(text_.substr(at_, end - at_));
-      at_ = end;
-      if (!take("</Module>")) return fault("</Module> is expected"), modules;
-    }
-    blank();
-    if (at_ != text_.size()) fault("nothing may follow </Program>");
-    return modules;
-  }
-
- private:
-  void blank() {
-    for (; at_ < text_.size() && std::string_view(" \t\r\n").find(text_[at_]) != std::string_view::npos;
-         ++at_)
-      if (text_[at_] == '\n') ++line_;
-  }
-  bool take(std::string_view word) {
-    if (text_.substr(at_, word.size()) != word) return false;
-    at_ += word.size();
+/// The module list of a .pgf, which must be of exactly the form that the writer emits, white space apart.
+std::vector<std::string> listedModules(const ProgramFile& file, Breaches& breaches) {
+  const std::string_view text = file.bytes;
+  std::vector<std::string> modules;
+  std::size_t at = 0;
+  const auto skipBlank = [&] { at = std::min(text.find_first_not_of(" \t\r\n", at), text.size()); };
+  const auto take = [&](std::string_view word) {
+    skipBlank();
+    if (text.substr(at, word.size()) != word) return false;
+    at += word.size();
     return true;
+  };
+  const auto fault = [&](const std::string& message) {
+    const auto line = 1 + std::count(text.begin(), text.begin() + std::ptrdiff_t(at), '\n');
+    breaches.rule(2, file.path, int(line), message);
+    return modules;
+  };
+  if (!text.starts_with('<') || !take("<?xml version=\"1.0\" encoding=\"ISO-8859-1\"") || !take("?>"))
+    return fault("the file must begin with <?xml version=\"1.0\" encoding=\"ISO-8859-1\" ?>");
+  if (!take("<Program>")) return fault("<Program> is expected");
+  while (!take("</Program>")) {
+    if (!take("<Module>")) return fault("<Module> or </Program> is expected");
+    const std::size_t end = text.find('<', at);
+    if (end == std::string_view::npos) return fault("the file ends within <Module>");
+    modules.emplace_back(text.substr(at, end - at));
+    at = end;
+    if (!take("</Module>")) return fault("</Module> is expected");
   }
-  void fault(const std::string& message) { breaches_.rule(2, file_.path, line_, message); }
-
-  const ProgramFile& file_;
-  std::string_view text_;
-  Breaches& breaches_;
-  std::size_t at_ = 0;
-  int line_ = 1;
-};
+  skipBlank();
+  if (at != text.size()) fault("nothing may follow </Program>");
+  return modules;
+}
 
 void checkModuleList(const LinkedTask& task, Breaches& breaches) {
   std::vector<const ProgramFile*> lists;
@@ -122,7 +106,7 @@ void checkModuleList(const LinkedTask& task, Breaches& breaches) {
                   "the folder of a task holds exactly one .pgf, not " + std::to_string(lists.size()));
     return;
   }
-  std::vector<std::string> listed = ProgramFileReader(*lists[0], breaches).run();
+  std::vector<std::string> listed = listedModules(*lists[0], breaches);
   std::sort(listed.begin(), listed.end());
   std::sort(present.begin(), present.end());
   if (const auto twice = std::adjacent_find(listed.begin(), listed.end()); twice != listed.end())

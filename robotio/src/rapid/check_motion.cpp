@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bw/core/base/units.h"
 #include "bw/core/text/number_text.h"
+#include "motion/motion_check.h"
 #include "rapid/linked_program.h"
 #include "rapid/names.h"
 
@@ -81,8 +81,7 @@ class PathChecker {
     const Pose a = poseOf(*path_[i - 1]), b = poseOf(*path_[i]);
     s.known = true;
     s.length = (b.position - a.position).norm();
-    s.turn = toDegrees(
-        2 * std::acos(std::min(1.0, std::abs(a.rotation.normalized().dot(b.rotation.normalized())))));
+    s.turn = turnDegrees(a.rotation.normalized(), b.rotation.normalized());
     s.seconds = std::max(0.0, path_[i]->statement->duration.value_or(0));
     if (!(s.seconds > 0)) return s;
     if (path_[i]->speed > 0) s.speedExcess = s.length / s.seconds / path_[i]->speed;
@@ -120,9 +119,7 @@ class PathChecker {
                 " mm apart; it leaps");
   }
 
-  void leap(std::size_t i, std::string message) {
-    breaches_.rule(17, path_[i]->module->path, path_[i]->statement->line, std::move(message));
-  }
+  void leap(std::size_t i, std::string message) { breaches_.rule(17, *path_[i], std::move(message)); }
 
   const std::vector<const Step*>& path_;
   Breaches& breaches_;
@@ -140,10 +137,9 @@ void checkGrips(const LinkedProgram& program, double bladeLength, Breaches& brea
   const std::vector<const Step*> left = synchronisedMoves(program.tasks[0]),
                                  right = synchronisedMoves(program.tasks[1]);
   for (std::size_t i = 0; i < std::min(left.size(), right.size()); ++i) {
-    if (!hasPose(*left[i]) || !hasPose(*right[i])) continue;
-    const double distance = (poseOf(*left[i]).position - poseOf(*right[i]).position).norm();
+    const double distance = lengthBetween(*left[i], *right[i]).value_or(0);
     if (distance <= bladeLength + kLengthSlack) continue;
-    breaches.rule(16, right[i]->module->path, right[i]->statement->line,
+    breaches.rule(16, *right[i],
                   "at " + nameOf(*right[i]) + " the grips are " + shortText(distance, 7) + " mm apart, " +
                       shortText(distance - bladeLength) + " mm more than the blade of " +
                       shortText(bladeLength, 7) + " mm is long; it would tear");

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bw/core/base/units.h"
 #include "bw/core/text/number_text.h"
+#include "motion/motion_check.h"
 #include "rapid/linked_program.h"
 #include "rapid/names.h"
 
@@ -41,12 +41,14 @@ class StepChecker {
         case StatementKind::singArea:
           singularityOff_ = sameName(step.statement->name, "Off");
           if (!singularityOff_)
-            rule(11, step,
-                 "SingArea \\Wrist lets the controller turn the ends of the blade and so change its shape; "
-                 "write SingArea \\Off");
+            breaches_.rule(
+                11, step,
+                "SingArea \\Wrist lets the controller turn the ends of the blade and so change its shape; "
+                "write SingArea \\Off");
           break;
         case StatementKind::waitSyncTask:
-          if (step.synchronised) rule(5, step, "WaitSyncTask stands inside of the synchronised block");
+          if (step.synchronised)
+            breaches_.rule(5, step, "WaitSyncTask stands inside of the synchronised block");
           break;
         case StatementKind::syncMoveOn:
           checkBlockStart(step);
@@ -57,11 +59,11 @@ class StepChecker {
         case StatementKind::setSignal:
         case StatementKind::resetSignal:
           if (step.synchronised)
-            rule(14, step,
-                 "the heat is switched inside of the synchronised block; switch it before or after");
+            breaches_.rule(
+                14, step, "the heat is switched inside of the synchronised block; switch it before or after");
           break;
         case StatementKind::waitTime:
-          if (!(*step.statement->duration >= 0)) rule(14, step, "WaitTime needs a time >= 0 s");
+          if (!(*step.statement->duration >= 0)) breaches_.rule(14, step, "WaitTime needs a time >= 0 s");
           break;
         case StatementKind::message:
         case StatementKind::call:
@@ -69,41 +71,38 @@ class StepChecker {
       }
       previous_ = &step;
     }
-    if (block_) rule(5, *block_, "SyncMoveOn is never followed by SyncMoveOff");
+    if (block_) breaches_.rule(5, *block_, "SyncMoveOn is never followed by SyncMoveOff");
     checkHeat();
     for (const std::vector<const Step*>& path : synchronisedBlocks(task_)) checkBlockPath(path);
   }
 
  private:
-  void rule(int number, const Step& step, std::string message, Severity severity = Severity::error) {
-    breaches_.rule(number, step.module->path, step.statement->line, std::move(message), severity);
-  }
-
   void checkMove(const Step& step) {
     const Statement& s = *step.statement;
-    if (!lastMove_ && step.isLinear()) rule(9, step, "the first move must be MoveAbsJ, whose axes are known");
+    if (!lastMove_ && step.isLinear())
+      breaches_.rule(9, step, "the first move must be MoveAbsJ, whose axes are known");
     if (step.isLinear()) {
       if (!confOff_ && !confReported_) {
         confReported_ = true;
-        rule(10, step, "ConfL \\Off is missing before the first MoveL");
+        breaches_.rule(10, step, "ConfL \\Off is missing before the first MoveL");
       }
       if (!singularityOff_ && !singularityReported_) {
         singularityReported_ = true;
-        rule(11, step, "SingArea \\Off is missing before the first MoveL");
+        breaches_.rule(11, step, "SingArea \\Off is missing before the first MoveL");
       }
       if (s.workObject.empty())
-        rule(9, step, "a MoveL names its work object with \\WObj");
+        breaches_.rule(9, step, "a MoveL names its work object with \\WObj");
       else if (!step.workObject && sameName(s.workObject, "wobj0"))
-        rule(14, step, "targets are given in the block's work object, not in wobj0");
+        breaches_.rule(14, step, "targets are given in the block's work object, not in wobj0");
     }
     if (sameName(s.tool, "tool0"))
-      rule(14, step, "the move uses tool0; it must use the tool that describes the blade clamp");
+      breaches_.rule(14, step, "the move uses tool0; it must use the tool that describes the blade clamp");
     if (s.duration && !(*s.duration > 0))
-      rule(7, step, "\\T is " + shortText(*s.duration, 6) + " s; a move needs a time > 0");
+      breaches_.rule(7, step, "\\T is " + shortText(*s.duration, 6) + " s; a move needs a time > 0");
     if (step.synchronised)
       checkId(step);
     else if (s.id)
-      rule(6, step, "\\ID stands outside of a synchronised block");
+      breaches_.rule(6, step, "\\ID stands outside of a synchronised block");
     lastMove_ = &step;
   }
 
@@ -111,27 +110,28 @@ class StepChecker {
     ++movesInBlock_;
     const Statement& s = *step.statement;
     if (!s.id) {
-      rule(6, step, "a move inside of the synchronised block has no \\ID");
+      breaches_.rule(6, step, "a move inside of the synchronised block has no \\ID");
       return;
     }
     if (*s.id != std::floor(*s.id) || *s.id < 0 || *s.id > kMaxId) {
-      rule(6, step, "\\ID is " + shortText(*s.id, 9) + "; it must be a whole number");
+      breaches_.rule(6, step, "\\ID is " + shortText(*s.id, 9) + "; it must be a whole number");
       return;
     }
     if (*s.id <= lastId_)
-      rule(6, step,
-           "\\ID " + shortText(*s.id, 9) + " does not ascend; the one before is " + shortText(lastId_, 9));
+      breaches_.rule(
+          6, step,
+          "\\ID " + shortText(*s.id, 9) + " does not ascend; the one before is " + shortText(lastId_, 9));
     lastId_ = *s.id;
   }
 
   void checkBlockStart(const Step& step) {
-    if (block_) rule(5, step, "SyncMoveOn stands inside of a synchronised block");
+    if (block_) breaches_.rule(5, step, "SyncMoveOn stands inside of a synchronised block");
     if (!previous_ || previous_->statement->kind != StatementKind::waitSyncTask)
-      rule(5, step, "SyncMoveOn must follow WaitSyncTask at once");
+      breaches_.rule(5, step, "SyncMoveOn must follow WaitSyncTask at once");
     if (!lastMove_)
-      rule(9, step, "no MoveAbsJ to a known position stands before SyncMoveOn");
+      breaches_.rule(9, step, "no MoveAbsJ to a known position stands before SyncMoveOn");
     else if (lastMove_->zone >= 0)
-      rule(5, *lastMove_, "the last move before SyncMoveOn must end in fine");
+      breaches_.rule(5, *lastMove_, "the last move before SyncMoveOn must end in fine");
     block_ = &step;
     lastId_ = -1;
     movesInBlock_ = 0;
@@ -139,13 +139,13 @@ class StepChecker {
 
   void checkBlockEnd(const Step& step) {
     if (!block_) {
-      rule(5, step, "SyncMoveOff stands without SyncMoveOn");
+      breaches_.rule(5, step, "SyncMoveOff stands without SyncMoveOn");
       return;
     }
     if (movesInBlock_ == 0)
-      rule(5, step, "the synchronised block holds no move");
+      breaches_.rule(5, step, "the synchronised block holds no move");
     else if (lastMove_->zone >= 0)
-      rule(5, *lastMove_, "the last move before SyncMoveOff must end in fine");
+      breaches_.rule(5, *lastMove_, "the last move before SyncMoveOff must end in fine");
     block_ = nullptr;
   }
 
@@ -163,10 +163,10 @@ class StepChecker {
       } else if (s.kind == StatementKind::waitTime) {
         dwelt = true;
       } else if (s.kind == StatementKind::syncMoveOn && on && !dwelt) {
-        rule(14, *on, "no WaitTime lets the blade heat up before the synchronised block");
+        breaches_.rule(14, *on, "no WaitTime lets the blade heat up before the synchronised block");
       }
     }
-    if (on) rule(14, *on, "the heat " + quoted(on->statement->name) + " is never switched off");
+    if (on) breaches_.rule(14, *on, "the heat " + quoted(on->statement->name) + " is never switched off");
   }
 
   /// Speeds, zones, signs and times along the targets of a block.
@@ -175,16 +175,13 @@ class StepChecker {
     double shortest = kShortMove;
     const Step* shortestStep = nullptr;
     WideZones wide;
-    double before = -1;  // length of the segment that ends at the step, −1 if unknown
+    std::optional<double> before, after;  // lengths of the segments at the step
     for (std::size_t i = 0; i < path.size(); ++i) {
       const Step& step = *path[i];
-      const bool known = i > 0 && hasPose(step) && hasPose(*path[i - 1]);
-      before = known ? (poseOf(step).position - poseOf(*path[i - 1]).position).norm() : -1;
-      if (known) checkSegment(*path[i - 1], step, before);
-      const double after = i + 1 < path.size() && hasPose(step) && hasPose(*path[i + 1])
-                               ? (poseOf(*path[i + 1]).position - poseOf(step).position).norm()
-                               : -1;
-      noteZone(step, before, after, wide);
+      before = after;
+      after = i + 1 < path.size() ? lengthBetween(step, *path[i + 1]) : std::nullopt;
+      if (before) checkSegment(*path[i - 1], step, *before);
+      noteZone(step, {before.value_or(-1), after.value_or(-1)}, wide);
       const std::optional<double> seconds = durationOf(step, before);
       if (!seconds || !(*seconds > 0)) continue;
       ++timed;
@@ -196,60 +193,62 @@ class StepChecker {
       }
     }
     if (shortestStep)
-      rule(13, *shortestStep,
-           std::to_string(shortMoves) + " of " + std::to_string(timed) + " moves last less than " +
-               shortText(kShortMove) + " s; the shortest, " + shortText(shortest) + " s, asks for " +
-               shortText(1 / shortest) + " targets a second; take fewer targets or cut more slowly",
-           Severity::warning);
+      breaches_.rule(13, *shortestStep,
+                     std::to_string(shortMoves) + " of " + std::to_string(timed) + " moves last less than " +
+                         shortText(kShortMove) + " s; the shortest, " + shortText(shortest) +
+                         " s, asks for " + shortText(1 / shortest) +
+                         " targets a second; take fewer targets or cut more slowly",
+                     Severity::warning);
     if (wide.step)
-      rule(13, *wide.step,
-           std::to_string(wide.count) + " of " + std::to_string(path.size()) +
-               " zones are larger than half of a segment beside them; the shortest segment, " +
-               shortText(wide.segment) + " mm, has a zone of " + shortText(wide.step->zone) +
-               " mm; the controller shrinks them, or take fewer targets",
-           Severity::warning);
+      breaches_.rule(13, *wide.step,
+                     std::to_string(wide.count) + " of " + std::to_string(path.size()) +
+                         " zones are larger than half of a segment beside them; the shortest segment, " +
+                         shortText(wide.segment) + " mm, has a zone of " + shortText(wide.step->zone) +
+                         " mm; the controller shrinks them, or take fewer targets",
+                     Severity::warning);
   }
 
-  static std::optional<double> durationOf(const Step& step, double length) {
+  static std::optional<double> durationOf(const Step& step, const std::optional<double>& length) {
     if (step.statement->duration) return step.statement->duration;
-    if (length < 0 || !(step.speed > 0)) return std::nullopt;
-    return length / step.speed;
+    return length && step.speed > 0 ? std::optional(*length / step.speed) : std::nullopt;
   }
 
   void checkSegment(const Step& from, const Step& to, double length) {
     const Eigen::Quaterniond a = poseOf(from).rotation, b = poseOf(to).rotation;
     if (a.dot(b) < 0)
-      rule(10, to,
-           "the quaternion of " + quoted(to.statement->name) +
-               " has the other sign than the one before; keep one sign along the path");
+      breaches_.rule(10, to,
+                     "the quaternion of " + quoted(to.statement->name) +
+                         " has the other sign than the one before; keep one sign along the path");
     if (!to.speedData) {
-      rule(12, to,
-           "a synchronised move uses the controller's " + quoted(to.statement->speed) +
-               "; give it a speeddata of its own",
-           Severity::warning);
+      breaches_.rule(12, to,
+                     "a synchronised move uses the controller's " + quoted(to.statement->speed) +
+                         "; give it a speeddata of its own",
+                     Severity::warning);
       return;
     }
     const std::optional<double> seconds = durationOf(to, length);
     if (!seconds || !(*seconds > 0)) return;
     const double speed = length / *seconds;
     if (speed > kSpeedSlack * to.speed)
-      rule(12, to,
-           "the move runs at " + shortText(speed) + " mm/s by its \\T, faster than the " +
-               shortText(to.speed) + " mm/s of its speeddata",
-           Severity::warning);
-    const double turn = toDegrees(2 * std::acos(std::min(1.0, std::abs(a.normalized().dot(b.normalized())))));
+      breaches_.rule(12, to,
+                     "the move runs at " + shortText(speed) + " mm/s by its \\T, faster than the " +
+                         shortText(to.speed) + " mm/s of its speeddata",
+                     Severity::warning);
+    const double turn = turnDegrees(a.normalized(), b.normalized());
     if (turn > kLargestTurn)
-      rule(10, to,
-           "the tool turns by " + fixedText(turn, 0) +
-               " degrees within one move, and near a half turn its sense is open; take more targets or a "
-               "steadier path",
-           Severity::warning);
+      breaches_.rule(
+          10, to,
+          "the tool turns by " + fixedText(turn, 0) +
+              " degrees within one move, and near a half turn its sense is open; take more targets or a "
+              "steadier path",
+          Severity::warning);
     const double turnSpeed = to.speedData->numbers[1];
     if (turn / *seconds > kSpeedSlack * turnSpeed + 1e-2)
-      rule(12, to,
-           "the move turns at " + shortText(turn / *seconds) + " degrees/s, faster than the " +
-               shortText(turnSpeed) + " degrees/s of its speeddata, which would then limit the motion",
-           Severity::warning);
+      breaches_.rule(12, to,
+                     "the move turns at " + shortText(turn / *seconds) + " degrees/s, faster than the " +
+                         shortText(turnSpeed) +
+                         " degrees/s of its speeddata, which would then limit the motion",
+                     Severity::warning);
   }
 
   /// The zones that are larger than half of a segment at their target.
@@ -259,9 +258,9 @@ class StepChecker {
     const Step* step = nullptr;  ///< where it is
   };
 
-  static void noteZone(const Step& step, double before, double after, WideZones& wide) {
+  static void noteZone(const Step& step, std::initializer_list<double> beside, WideZones& wide) {
     bool tooWide = false;
-    for (const double length : {before, after}) {
+    for (const double length : beside) {
       if (!(step.zone > 0) || length < kSameDistance || 2 * step.zone <= length + kZoneSlack) continue;
       tooWide = true;
       if (!wide.step || length < wide.segment) {

@@ -20,15 +20,14 @@ constexpr double kSameTimeRatio = 0.01;  ///< of durations that follow from spee
 constexpr double kSameDistance = 1e-3;   ///< mm; nearer targets are one place
 constexpr double kSameTurn = 1e-6;       ///< 1 − |dot| of quaternions of one orientation
 
-bool isSync(StatementKind kind) {
-  return kind == StatementKind::waitSyncTask || kind == StatementKind::syncMoveOn ||
-         kind == StatementKind::syncMoveOff;
-}
-
 std::vector<const Step*> syncsOf(const LinkedTask& task) {
   std::vector<const Step*> syncs;
-  for (const Step& step : task.steps)
-    if (isSync(step.statement->kind)) syncs.push_back(&step);
+  for (const Step& step : task.steps) {
+    const StatementKind kind = step.statement->kind;
+    if (kind == StatementKind::waitSyncTask || kind == StatementKind::syncMoveOn ||
+        kind == StatementKind::syncMoveOff)
+      syncs.push_back(&step);
+  }
   return syncs;
 }
 
@@ -50,9 +49,6 @@ class TaskComparer {
 
  private:
   const LinkedTask& first() const { return program_.tasks.front(); }
-  void rule(int number, const Step& step, std::string message, Severity severity = Severity::error) {
-    breaches_.rule(number, step.module->path, step.statement->line, std::move(message), severity);
-  }
   static std::string anyPath(const LinkedTask& task) {
     return task.modules.empty() ? task.files.front()->path : task.modules.front().path;
   }
@@ -64,7 +60,7 @@ class TaskComparer {
       if (!step.taskList) continue;
       if (!firstUse) firstUse = &step;
       if (step.taskList != firstUse->taskList)
-        rule(4, step, "the synchronisation uses another task list than the one before");
+        breaches_.rule(4, step, "the synchronisation uses another task list than the one before");
     }
     if (!firstUse) {
       if (program_.tasks.size() > 1)
@@ -75,21 +71,21 @@ class TaskComparer {
     for (const LinkedTask& other : program_.tasks)
       if (std::none_of(list.texts.begin(), list.texts.end(),
                        [&](std::string_view name) { return sameName(name, other.name); }))
-        rule(4, *firstUse, "the task list " + quoted(list.name) + " does not name " + other.name);
+        breaches_.rule(4, *firstUse, "the task list " + quoted(list.name) + " does not name " + other.name);
     for (const std::string_view name : list.texts)
       if (std::none_of(program_.tasks.begin(), program_.tasks.end(),
                        [&](const LinkedTask& other) { return sameName(name, other.name); }))
-        rule(4, *firstUse,
-             "the task list " + quoted(list.name) + " names " + shortName(name) +
-                 ", whose folder is not there");
+        breaches_.rule(4, *firstUse,
+                       "the task list " + quoted(list.name) + " names " + shortName(name) +
+                           ", whose folder is not there");
     const DataDeclaration* reference = nullptr;
     for (const Step& step : first().steps)
       if (step.taskList && !reference) reference = step.taskList;
     if (reference && reference != &list &&
         (!sameName(reference->name, list.name) || reference->texts != list.texts))
-      rule(4, *firstUse,
-           "the task list " + quoted(list.name) + " differs from that of " + first().name +
-               "; it must be identical in all tasks");
+      breaches_.rule(4, *firstUse,
+                     "the task list " + quoted(list.name) + " differs from that of " + first().name +
+                         "; it must be identical in all tasks");
   }
 
   /// Rule 4: each syncident is used at one place.
@@ -97,7 +93,8 @@ class TaskComparer {
     std::set<std::string> used;
     for (const Step* step : syncsOf(task))
       if (!used.insert(lowerCase(step->statement->name)).second)
-        rule(4, *step, "the syncident " + quoted(step->statement->name) + " is used at more than one place");
+        breaches_.rule(4, *step,
+                       "the syncident " + quoted(step->statement->name) + " is used at more than one place");
     for (const Module& module : task.modules)
       for (const DataDeclaration& data : module.data)
         if (data.type == DataType::syncident && used.find(lowerCase(data.name)) == used.end())
@@ -111,10 +108,10 @@ class TaskComparer {
     for (std::size_t i = 0; i < std::min(left.size(), right.size()); ++i) {
       const Statement &l = *left[i]->statement, &r = *right[i]->statement;
       if (l.kind == r.kind && sameName(l.name, r.name)) continue;
-      rule(4, *right[i],
-           std::string(statementName(r.kind)) + " " + shortName(r.name) + " meets " + statementName(l.kind) +
-               " " + shortName(l.name) + " of " + a.name +
-               "; all tasks pass the same syncidents in the same order");
+      breaches_.rule(4, *right[i],
+                     std::string(statementName(r.kind)) + " " + shortName(r.name) + " meets " +
+                         statementName(l.kind) + " " + shortName(l.name) + " of " + a.name +
+                         "; all tasks pass the same syncidents in the same order");
       return;
     }
     if (left.size() != right.size())
@@ -133,18 +130,19 @@ class TaskComparer {
     for (std::size_t i = 0; i < std::min(left.size(), right.size()); ++i) {
       const Step &l = *left[i], &r = *right[i];
       if (l.statement->id.value_or(-1) != r.statement->id.value_or(-1)) {
-        rule(6, r,
-             "\\ID " + shortText(r.statement->id.value_or(-1), 9) + " meets \\ID " +
-                 shortText(l.statement->id.value_or(-1), 9) + " of " + a.name +
-                 "; all tasks run the same IDs in the same order");
+        breaches_.rule(6, r,
+                       "\\ID " + shortText(r.statement->id.value_or(-1), 9) + " meets \\ID " +
+                           shortText(l.statement->id.value_or(-1), 9) + " of " + a.name +
+                           "; all tasks run the same IDs in the same order");
         return;
       }
       const std::string id = "\\ID " + shortText(l.statement->id.value_or(-1), 9);
-      if ((l.zone < 0) != (r.zone < 0)) rule(6, r, id + " ends in fine in one task and in a zone in another");
+      if ((l.zone < 0) != (r.zone < 0))
+        breaches_.rule(6, r, id + " ends in fine in one task and in a zone in another");
       if (l.part != r.part) {
-        rule(3, r,
-             "the program is split before " + id + " in one task and not in " + a.name +
-                 "; split all tasks at the same place");
+        breaches_.rule(3, r,
+                       "the program is split before " + id + " in one task and not in " + a.name +
+                           "; split all tasks at the same place");
         return;
       }
       compareDurations(left, right, i, id, a.name);
@@ -156,23 +154,24 @@ class TaskComparer {
     const Step &l = *left[i], &r = *right[i];
     const std::optional<double>&tl = l.statement->duration, &tr = r.statement->duration;
     if (tl.has_value() != tr.has_value()) {
-      rule(7, r, id + " states \\T in one task and not in another");
+      breaches_.rule(7, r, id + " states \\T in one task and not in another");
     } else if (tl) {
       if (std::abs(*tl - *tr) > kSameTime)
-        rule(7, r, id + " lasts " + shortText(*tr, 6) + " s, but " + shortText(*tl, 6) + " s in " + other);
+        breaches_.rule(
+            7, r, id + " lasts " + shortText(*tr, 6) + " s, but " + shortText(*tl, 6) + " s in " + other);
     } else if (i > 0) {
       const std::optional<double> dl = durationBySpeed(*left[i - 1], l),
                                   dr = durationBySpeed(*right[i - 1], r);
       if (dl && dr && std::abs(*dl - *dr) > kSameTimeRatio * std::max(*dl, *dr) + kSameTime)
-        rule(7, r,
-             id + " lasts " + shortText(*dr) + " s by its speed, but " + shortText(*dl) + " s in " + other +
-                 "; state \\T");
+        breaches_.rule(7, r,
+                       id + " lasts " + shortText(*dr) + " s by its speed, but " + shortText(*dl) + " s in " +
+                           other + "; state \\T");
     }
   }
 
   static std::optional<double> durationBySpeed(const Step& from, const Step& to) {
-    if (!hasPose(from) || !hasPose(to) || !(to.speed > 0)) return std::nullopt;
-    return (poseOf(to).position - poseOf(from).position).norm() / to.speed;
+    const std::optional<double> length = lengthBetween(from, to);
+    return length && to.speed > 0 ? std::optional(*length / to.speed) : std::nullopt;
   }
 
   /// Rule 14: one frame in the world for all tasks.
@@ -182,9 +181,9 @@ class TaskComparer {
       if (step->workObject && !reference) reference = step->workObject;
     for (const Step* step : synchronisedMoves(b)) {
       if (!reference || !step->workObject || step->workObject->numbers == reference->numbers) continue;
-      rule(14, *step,
-           "the work object " + quoted(step->workObject->name) + " differs from that of " + a.name +
-               "; all tasks work in the same frame of the world");
+      breaches_.rule(14, *step,
+                     "the work object " + quoted(step->workObject->name) + " differs from that of " + a.name +
+                         "; all tasks work in the same frame of the world");
       return;
     }
   }
@@ -206,10 +205,10 @@ class TaskComparer {
         return i < m.size() && sameTarget(*m[i - 1], *m[i]);
       });
       if (still)
-        rule(13, *moves[0][i],
-             "the targets " + quoted(moves[0][i - 1]->statement->name) + " and " +
-                 quoted(moves[0][i]->statement->name) +
-                 " coincide in all tasks; the hot blade would stand still");
+        breaches_.rule(13, *moves[0][i],
+                       "the targets " + quoted(moves[0][i - 1]->statement->name) + " and " +
+                           quoted(moves[0][i]->statement->name) +
+                           " coincide in all tasks; the hot blade would stand still");
     }
   }
 
@@ -222,9 +221,9 @@ class TaskComparer {
             step.statement->kind != StatementKind::resetSignal)
           continue;
         if (owner && owner != &task) {
-          rule(14, step,
-               "the heat is switched from " + task.name + " and from " + owner->name +
-                   "; leave it to one task");
+          breaches_.rule(14, step,
+                         "the heat is switched from " + task.name + " and from " + owner->name +
+                             "; leave it to one task");
           break;
         }
         owner = &task;

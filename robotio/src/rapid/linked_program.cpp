@@ -18,10 +18,6 @@ std::string placeText(const std::string& path, int line) {
   return line > 0 ? path + ":" + std::to_string(line) : path;
 }
 
-bool endsWith(std::string_view path, std::string_view extension) {
-  return path.size() >= extension.size() && sameName(path.substr(path.size() - extension.size()), extension);
-}
-
 std::string parentOf(const std::string& path) {
   const std::size_t slash = path.rfind('/');
   return slash == std::string::npos ? std::string() : path.substr(0, slash);
@@ -182,6 +178,10 @@ void Breaches::rule(int rule, const std::string& path, int line, std::string mes
   add("rapid-rule-" + std::to_string(rule), path, line, std::move(message), severity);
 }
 
+void Breaches::rule(int rule, const Step& step, std::string message, Severity severity) {
+  this->rule(rule, step.module->path, step.statement->line, std::move(message), severity);
+}
+
 void Breaches::add(const std::string& kind, const std::string& path, int line, std::string message,
                    Severity severity) {
   Count& count = counts_[{kind, path}];
@@ -204,8 +204,11 @@ Findings Breaches::take() {
   return std::exchange(findings_, {});
 }
 
-bool isModuleFile(std::string_view path) { return endsWith(path, ".mod") || endsWith(path, ".modx"); }
-bool isProgramFile(std::string_view path) { return endsWith(path, ".pgf"); }
+bool isModuleFile(std::string_view path) {
+  const std::string name = lowerCase(path);
+  return name.ends_with(".mod") || name.ends_with(".modx");
+}
+bool isProgramFile(std::string_view path) { return lowerCase(path).ends_with(".pgf"); }
 
 Pose poseAt(const DataDeclaration& data, std::size_t position, std::size_t rotation) {
   const std::vector<double>& n = data.numbers;
@@ -217,6 +220,11 @@ Pose poseAt(const DataDeclaration& data, std::size_t position, std::size_t rotat
 
 bool hasPose(const Step& step) { return step.isLinear() && step.target; }
 Pose poseOf(const Step& step) { return poseAt(*step.target, kTargetPosition, kTargetRotation); }
+
+std::optional<double> lengthBetween(const Step& from, const Step& to) {
+  if (!hasPose(from) || !hasPose(to)) return std::nullopt;
+  return (poseOf(to).position - poseOf(from).position).norm();
+}
 
 std::vector<const Step*> synchronisedMoves(const LinkedTask& task) {
   std::vector<const Step*> moves;

@@ -13,12 +13,15 @@
 
 namespace bw::robotio {
 
+struct Step;
+
 /// Collects findings with their place. Of each kind at most a handful a file is kept; the rest is counted.
 class Breaches {
  public:
   /// A breach of rule `rule` of docs/robots.md.
   void rule(int rule, const std::string& path, int line, std::string message,
             Severity severity = Severity::error);
+  void rule(int rule, const Step& step, std::string message, Severity severity = Severity::error);
   /// A finding of any other kind.
   void add(const std::string& kind, const std::string& path, int line, std::string message,
            Severity severity = Severity::error);
@@ -101,6 +104,8 @@ Pose poseAt(const DataDeclaration& data, std::size_t position, std::size_t rotat
 /// Whether a step is a move to a known pose, and that pose.
 bool hasPose(const Step& step);
 Pose poseOf(const Step& step);
+/// The way in mm from one of them to the next, where both are known.
+std::optional<double> lengthBetween(const Step& from, const Step& to);
 /// The moves of a task inside of its synchronised blocks, and of each block that ends.
 std::vector<const Step*> synchronisedMoves(const LinkedTask& task);
 std::vector<std::vector<const Step*>> synchronisedBlocks(const LinkedTask& task);

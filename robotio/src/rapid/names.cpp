@@ -11,8 +11,6 @@ namespace bw::robotio {
 namespace {
 
 constexpr char lower(char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; }
-constexpr bool isLetter(char c) { return lower(c) >= 'a' && lower(c) <= 'z'; }
-constexpr bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 // Sorted, lower case.
 constexpr std::array<std::string_view, 58> kReserved = {
@@ -42,16 +40,11 @@ constexpr std::array<int, 14> kZones = {0, 1, 5, 10, 15, 20, 30, 40, 50, 60, 80,
 /// A zone's number is its radius in mm, but for z0.
 constexpr double zoneRadius(int number) { return number == 0 ? 0.3 : number; }
 
-/// The whole number after a one-letter prefix ("v200" → 200); leading zeros are not the system's names.
-std::optional<int> numberAfter(char prefix, std::string_view name) {
-  if (name.size() < 2 || name.size() > 6 || lower(name[0]) != prefix) return std::nullopt;
-  if (name[1] == '0' && name.size() > 2) return std::nullopt;
-  int value = 0;
-  for (const char c : name.substr(1)) {
-    if (!isDigit(c)) return std::nullopt;
-    value = 10 * value + (c - '0');
-  }
-  return value;
+/// The number of a list whose name is the letter and its digits ("v200"), or the end.
+template <std::size_t n>
+auto named(const std::array<int, n>& numbers, char letter, std::string_view name) {
+  if (name.empty() || lower(name[0]) != letter) return numbers.end();
+  return std::ranges::find_if(numbers, [&](int number) { return name.substr(1) == std::to_string(number); });
 }
 
 }  // namespace
@@ -112,16 +105,14 @@ std::string makeIdentifier(std::string_view text, std::size_t length) {
 
 std::optional<double> predefinedSpeed(std::string_view name) {
   if (sameName(name, "vmax")) return 10000.0;
-  const std::optional<int> value = numberAfter('v', name);
-  if (!value || std::find(kSpeeds.begin(), kSpeeds.end(), *value) == kSpeeds.end()) return std::nullopt;
-  return double(*value);
+  const auto speed = named(kSpeeds, 'v', name);
+  return speed == kSpeeds.end() ? std::nullopt : std::optional<double>(*speed);
 }
 
 std::optional<double> predefinedZone(std::string_view name) {
   if (sameName(name, "fine")) return -1.0;
-  const std::optional<int> value = numberAfter('z', name);
-  if (!value || std::ranges::find(kZones, *value) == kZones.end()) return std::nullopt;
-  return zoneRadius(*value);
+  const auto zone = named(kZones, 'z', name);
+  return zone == kZones.end() ? std::nullopt : std::optional<double>(zoneRadius(*zone));
 }
 
 std::string predefinedZoneName(double radius) {

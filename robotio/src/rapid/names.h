@@ -13,6 +13,9 @@ inline constexpr std::size_t kMaxIdentifier = 32;  ///< characters, rule 1
 /// Our targets outside of the foam.
 inline constexpr std::string_view kApproachTarget = "pApproach", kRetreatTarget = "pRetreat";
 
+constexpr bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+constexpr bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
 /// ASCII lower case: RAPID's names do not distinguish case.
 std::string lowerCase(std::string_view text);
 /// True if both are the same name for RAPID.

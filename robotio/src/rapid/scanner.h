@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <charconv>
 #include <string_view>
 
-#include "bw/core/text/number_text.h"
+#include "rapid/names.h"
 
 namespace bw::robotio {
 
@@ -16,9 +17,6 @@ struct Token {
   double number = 0;
   int line = 1;
 };
-
-inline bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-inline bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 /// Cuts the text into tokens, one at a time. Comments (`!` to the end of the line) and white space vanish.
 class Scanner {
@@ -32,8 +30,9 @@ class Scanner {
     if (at_ >= text_.size()) return token;
     const std::size_t start = at_;
     const char c = text_[at_];
-    if (isLetter(c)) {
-      while (at_ < text_.size() && (isLetter(text_[at_]) || isDigit(text_[at_]))) ++at_;
+    const auto begins = [](char letter) { return isLetter(letter) || letter == '_'; };
+    if (begins(c)) {
+      while (at_ < text_.size() && (begins(text_[at_]) || isDigit(text_[at_]))) ++at_;
       token.kind = TokenKind::name;
       token.text = text_.substr(start, at_ - start);
     } else if (isDigit(c)) {
@@ -69,27 +68,11 @@ class Scanner {
   }
 
   void scanNumber(Token& token) {
-    const std::size_t start = at_;
-    const auto digits = [&] {
-      while (at_ < text_.size() && isDigit(text_[at_])) ++at_;
-    };
-    digits();
-    if (at_ < text_.size() && text_[at_] == '.') {
-      ++at_;
-      digits();
-    }
-    if (at_ < text_.size() && (text_[at_] == 'e' || text_[at_] == 'E')) {
-      std::size_t exponent = at_ + 1;
-      if (exponent < text_.size() && (text_[exponent] == '+' || text_[exponent] == '-')) ++exponent;
-      if (exponent < text_.size() && isDigit(text_[exponent])) {
-        at_ = exponent;
-        digits();
-      }
-    }
-    token.text = text_.substr(start, at_ - start);
-    const std::optional<double> value = parseNumber(token.text);
-    token.kind = value ? TokenKind::number : TokenKind::fault;
-    token.number = value.value_or(0);
+    const char* const begin = text_.data() + at_;
+    const auto [end, error] = std::from_chars(begin, text_.data() + text_.size(), token.number);
+    token.kind = error == std::errc{} ? TokenKind::number : TokenKind::fault;
+    token.text = text_.substr(at_, std::size_t(end - begin));
+    at_ += token.text.size();
   }
 
   void scanText(Token& token) {

@@ -15,31 +15,20 @@ namespace bw::robotio {
 
 namespace {
 
-/// The form of a value: n number, b boolean, s string, brackets as they stand; commas are implied.
-const char* valueForm(DataType type) {
-  switch (type) {
-    case DataType::robtarget:
-      return "[[nnn][nnnn][nnnn][nnnnnn]]";
-    case DataType::jointtarget:
-      return "[[nnnnnn][nnnnnn]]";
-    case DataType::tooldata:
-      return "[b[[nnn][nnnn]][n[nnn][nnnn]nnn]]";
-    case DataType::wobjdata:
-      return "[bbs[[nnn][nnnn]][[nnn][nnnn]]]";
-    case DataType::speeddata:
-      return "[nnnn]";
-    case DataType::zonedata:
-      return "[bnnnnnn]";
-    case DataType::tasks:
-      return "[s]";
-    case DataType::syncident:
-      return "";
-  }
-  return "";
-}
+struct TypeForm {
+  const char* word;
+  const char* value;  ///< n number, b boolean, s string, brackets as they stand; commas are implied
+};
 
-constexpr std::array<const char*, 8> kTypeNames = {"robtarget", "jointtarget", "tooldata", "wobjdata",
-                                                   "speeddata", "zonedata",    "tasks",    "syncident"};
+/// In the order of DataType.
+constexpr std::array<TypeForm, 8> kTypes = {{{"robtarget", "[[nnn][nnnn][nnnn][nnnnnn]]"},
+                                             {"jointtarget", "[[nnnnnn][nnnnnn]]"},
+                                             {"tooldata", "[b[[nnn][nnnn]][n[nnn][nnnn]nnn]]"},
+                                             {"wobjdata", "[bbs[[nnn][nnnn]][[nnn][nnnn]]]"},
+                                             {"speeddata", "[nnnn]"},
+                                             {"zonedata", "[bnnnnnn]"},
+                                             {"tasks", "[s]"},
+                                             {"syncident", ""}}};
 constexpr std::array<const char*, 12> kStatementNames = {
     "MoveL",       "MoveAbsJ", "ConfL", "SingArea", "WaitSyncTask", "SyncMoveOn",
     "SyncMoveOff", "Set",      "Reset", "WaitTime", "TPWrite",      "a call"};
@@ -62,7 +51,8 @@ class Parser {
   }
 
   ParsedModule run() {
-    parseModuleHead() && parseBody();
+    result_.module.line = token_.line;
+    word("MODULE") && name(result_.module.name, "the name of the module") && parseBody();
     return std::move(result_);
   }
 
@@ -118,11 +108,6 @@ class Parser {
     return true;
   }
 
-  bool parseModuleHead() {
-    result_.module.line = token_.line;
-    return word("MODULE") && name(result_.module.name, "the name of the module");
-  }
-
   bool parseBody() {
     while (true) {
       if (isWord("ENDMODULE")) {
@@ -153,15 +138,14 @@ class Parser {
                                      : Storage::persistent;
       advance();
     }
-    const auto type =
-        std::find_if(kTypeNames.begin(), kTypeNames.end(), [&](const char* word) { return isWord(word); });
-    if (type == kTypeNames.end())
+    const auto type = std::ranges::find_if(kTypes, [&](const TypeForm& form) { return isWord(form.word); });
+    if (type == kTypes.end())
       return unexpected(
           "one of the data types robtarget, jointtarget, tooldata, wobjdata, speeddata, zonedata, tasks, "
           "syncident");
-    data.type = DataType(type - kTypeNames.begin());
+    data.type = DataType(type - kTypes.begin());
     advance();
-    if (!name(data.name, std::string("the name of the ") + *type)) return false;
+    if (!name(data.name, std::string("the name of the ") + type->word)) return false;
     if (data.type == DataType::syncident) {
       if (data.storage != Storage::variable)
         return faultAt(data.line, "a syncident must be declared as VAR syncident");
@@ -169,10 +153,10 @@ class Parser {
     } else {
       if (data.storage == Storage::variable)
         return faultAt(data.line,
-                       std::string("a ") + *type + " must be declared as CONST, PERS or TASK PERS");
-      std::string form = valueForm(data.type);
+                       std::string("a ") + type->word + " must be declared as CONST, PERS or TASK PERS");
+      std::string form = type->value;
       if (data.type == DataType::tasks && !parseDimension(form)) return false;
-      if (!symbol(":=") || !parseValue(form, *type, data) || !symbol(";")) return false;
+      if (!symbol(":=") || !parseValue(form, type->word, data) || !symbol(";")) return false;
     }
     result_.module.data.push_back(std::move(data));
     return true;
@@ -321,7 +305,7 @@ ParsedModule parseModule(std::string path, std::string_view text) {
   return Parser(std::move(path), text).run();
 }
 
-const char* dataTypeName(DataType type) { return kTypeNames[std::size_t(type)]; }
+const char* dataTypeName(DataType type) { return kTypes[std::size_t(type)].word; }
 
 const char* storageName(Storage storage) {
   static constexpr std::array<const char*, 4> kNames = {"CONST", "VAR", "PERS", "TASK PERS"};

@@ -10,7 +10,7 @@
 #include <cmath>
 
 #include "bw/core/text/number_text.h"
-#include "bw/robotio/text/motion_text.h"
+#include "bw/robotio/text/program_text.h"
 #include "motion/motion_check.h"
 
 namespace bw::robotio {
@@ -63,36 +63,10 @@ std::string joined(const std::vector<std::string>& cells) {
   return line + "\n";
 }
 
-/// Cuts a text into lines (LF or CR LF) and lines into cells.
-class CsvScanner {
- public:
-  explicit CsvScanner(std::string_view text) : rest_(text) {}
-  int line() const { return line_; }
-
-  /// False at the end. Lines that are blank to the end of the text count as the end.
-  bool nextLine(std::vector<std::string_view>& cells) {
-    if (rest_.find_first_not_of(" \t\r\n") == std::string_view::npos) return false;
-    ++line_;
-    const std::size_t end = std::min(rest_.find('\n'), rest_.size());
-    std::string_view text = rest_.substr(0, end);
-    rest_.remove_prefix(std::min(end + 1, rest_.size()));
-    if (!text.empty() && text.back() == '\r') text.remove_suffix(1);
-    cells.clear();
-    while (true) {
-      const std::size_t comma = text.find(',');
-      std::string_view cell = text.substr(0, comma);
-      while (!cell.empty() && (cell.front() == ' ' || cell.front() == '\t')) cell.remove_prefix(1);
-      while (!cell.empty() && (cell.back() == ' ' || cell.back() == '\t')) cell.remove_suffix(1);
-      cells.push_back(cell);
-      if (comma == std::string_view::npos || cells.size() > kMaxColumns) return true;
-      text.remove_prefix(comma + 1);
-    }
-  }
-
- private:
-  std::string_view rest_;
-  int line_ = 0;
-};
+std::string_view trimmed(std::string_view cell) {
+  const std::size_t begin = std::min(cell.find_first_not_of(" \t"), cell.size());
+  return cell.substr(begin, cell.find_last_not_of(" \t") + 1 - begin);
+}
 
 std::string shown(std::string_view cell) {
   std::string text;
@@ -102,15 +76,15 @@ std::string shown(std::string_view cell) {
 
 class CsvReader {
  public:
-  explicit CsvReader(std::string_view text) : scanner_(text) {}
+  explicit CsvReader(std::string_view text) : rest_(text) {}
 
   Result<Motion> run() {
     std::vector<std::string_view> cells;
-    if (!scanner_.nextLine(cells))
+    if (!nextLine(cells))
       return fail(ErrorCode::badInput, "the CSV is empty; it must begin with a header", "line 1");
     if (Result<void> ok = readHeader(cells); !ok) return tl::unexpected<Error>(ok.error());
     Motion motion;
-    while (scanner_.nextLine(cells)) {
+    while (nextLine(cells)) {
       if (motion.instants.size() == kMaxInstants)
         return wrong("there are more than " + std::to_string(kMaxInstants) + " rows");
       if (Result<void> ok = readRow(cells, motion); !ok) return tl::unexpected<Error>(ok.error());
@@ -120,8 +94,25 @@ class CsvReader {
   }
 
  private:
+  /// Takes the cells of the next line, which ends in LF or CR LF. False at the end; lines that are blank to
+  /// the end of the text count as the end.
+  bool nextLine(std::vector<std::string_view>& cells) {
+    if (rest_.find_first_not_of(" \t\r\n") == std::string_view::npos) return false;
+    ++line_;
+    std::string_view text = rest_.substr(0, rest_.find('\n'));
+    rest_.remove_prefix(std::min(text.size() + 1, rest_.size()));
+    if (text.ends_with('\r')) text.remove_suffix(1);
+    cells.clear();
+    while (true) {
+      const std::size_t comma = text.find(',');
+      cells.push_back(trimmed(text.substr(0, comma)));
+      if (comma == std::string_view::npos || cells.size() > kMaxColumns) return true;
+      text.remove_prefix(comma + 1);
+    }
+  }
+
   tl::unexpected<Error> wrong(const std::string& message) const {
-    const std::string where = "line " + std::to_string(scanner_.line());
+    const std::string where = "line " + std::to_string(line_);
     return fail(ErrorCode::badInput, "CSV " + where + ": " + message, where);
   }
 
@@ -187,7 +178,8 @@ class CsvReader {
     return {};
   }
 
-  CsvScanner scanner_;
+  std::string_view rest_;
+  int line_ = 0;
   std::size_t ends_ = 0;
   std::vector<std::string> names_;
 };

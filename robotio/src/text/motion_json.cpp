@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "bw/core/text/number_text.h"
-#include "bw/robotio/text/motion_text.h"
+#include "bw/robotio/text/program_text.h"
 #include "motion/motion_check.h"
 
 namespace bw::robotio {
@@ -37,105 +37,101 @@ std::string quoted(const std::string& text) {
   return json(text).dump(-1, ' ', true, json::error_handler_t::replace);
 }
 
-/// Reads one object; the first fault throws, which readJson turns into its error.
-class Reader {
- public:
-  static Motion motion(const json& root) {
-    keys(root, "motion",
-         {"schema", "version", "units", "frame", "cell", "blade_length", "cutting_speed", "approach",
-          "retreat", "block", "ends", "instants"});
-    if (const json& schema = at(root, "motion", "schema");
-        !schema.is_string() || schema.get<std::string>() != kSchema)
-      wrong("motion.schema must be \"" + std::string(kSchema) + "\"; this is another kind of file",
-            "motion.schema");
-    const double version = number(at(root, "motion", "version"), "motion.version");
-    if (version != kVersion)
-      wrong("motion.version is " + shortText(version, 9) + " but this program reads version " +
-                std::to_string(kVersion),
-            "motion.version", version, kVersion);
-    Motion result;
-    result.bladeLength = number(at(root, "motion", "blade_length"), "motion.blade_length");
-    result.cuttingSpeed = number(at(root, "motion", "cutting_speed"), "motion.cutting_speed");
-    if (root.contains("approach")) result.approach = vector(root["approach"], "motion.approach");
-    if (root.contains("retreat")) result.retreat = vector(root["retreat"], "motion.retreat");
-    const json& block = at(root, "motion", "block");
-    keys(block, "motion.block", {"origin", "size", "x", "y", "z"});
-    result.block.frame.origin = vector(at(block, "motion.block", "origin"), "motion.block.origin");
-    result.block.size = vector(at(block, "motion.block", "size"), "motion.block.size");
-    result.block.frame.x = vector(at(block, "motion.block", "x"), "motion.block.x");
-    result.block.frame.y = vector(at(block, "motion.block", "y"), "motion.block.y");
-    result.block.frame.normal = vector(at(block, "motion.block", "z"), "motion.block.z");
-    const json& instants = at(root, "motion", "instants");
-    if (!instants.is_array()) wrong("motion.instants must be a list", "motion.instants");
-    for (std::size_t i = 0; i < instants.size(); ++i)
-      result.instants.push_back(instant(instants[i], "motion.instants[" + std::to_string(i) + "]"));
-    return result;
-  }
+// Of what is read the first fault throws, which readJson turns into its error.
 
- private:
-  [[noreturn]] static void wrong(std::string message, std::string where,
-                                 std::optional<double> value = std::nullopt,
-                                 std::optional<double> limit = std::nullopt) {
-    throw Error{ErrorCode::badInput, std::move(message), std::move(where), value, limit};
-  }
+[[noreturn]] void wrong(std::string message, std::string where, std::optional<double> value = std::nullopt,
+                        std::optional<double> limit = std::nullopt) {
+  throw Error{ErrorCode::badInput, std::move(message), std::move(where), value, limit};
+}
 
-  static void keys(const json& object, const std::string& path, const std::vector<std::string>& known) {
-    if (!object.is_object()) wrong(path + " must be an object, not " + object.type_name(), path);
-    for (const auto& item : object.items()) {
-      if (std::find(known.begin(), known.end(), item.key()) != known.end()) continue;
-      const std::string nearest = nearestWord(item.key(), known.data(), int(known.size()));
-      wrong(path + " has no key \"" + item.key() + "\"" +
-                (nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?"),
-            path + "." + item.key());
-    }
+void keys(const json& object, const std::string& path, const std::vector<std::string>& known) {
+  if (!object.is_object()) wrong(path + " must be an object, not " + object.type_name(), path);
+  for (const auto& item : object.items()) {
+    if (std::find(known.begin(), known.end(), item.key()) != known.end()) continue;
+    const std::string nearest = nearestWord(item.key(), known.data(), int(known.size()));
+    wrong(path + " has no key \"" + item.key() + "\"" +
+              (nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?"),
+          path + "." + item.key());
   }
+}
 
-  static const json& at(const json& object, std::string_view path, const char* key) {
-    const auto it = object.find(key);
-    if (it == object.end()) wrong(std::string(path) + " needs the key " + key, std::string(path) + "." + key);
-    return *it;
-  }
+const json& at(const json& object, std::string_view path, const char* key) {
+  const auto it = object.find(key);
+  if (it == object.end()) wrong(std::string(path) + " needs the key " + key, std::string(path) + "." + key);
+  return *it;
+}
 
-  static double number(const json& value, const std::string& path) {
-    if (!value.is_number()) wrong(path + " must be a number, not " + value.type_name(), path);
-    return value.get<double>();
-  }
+double number(const json& value, const std::string& path) {
+  if (!value.is_number()) wrong(path + " must be a number, not " + value.type_name(), path);
+  return value.get<double>();
+}
 
-  template <std::size_t n>
-  static std::array<double, n> list(const json& value, const std::string& path) {
-    if (!value.is_array() || value.size() != n)
-      wrong(path + " must be a list of " + std::to_string(n) + " numbers", path);
-    std::array<double, n> result{};
-    for (std::size_t i = 0; i < n; ++i) result[i] = number(value[i], path);
-    return result;
-  }
+template <std::size_t n>
+std::array<double, n> list(const json& value, const std::string& path) {
+  if (!value.is_array() || value.size() != n)
+    wrong(path + " must be a list of " + std::to_string(n) + " numbers", path);
+  std::array<double, n> result{};
+  for (std::size_t i = 0; i < n; ++i) result[i] = number(value[i], path);
+  return result;
+}
 
-  static Eigen::Vector3d vector(const json& value, const std::string& path) {
-    const std::array<double, 3> v = list<3>(value, path);
-    return {v[0], v[1], v[2]};
-  }
+Eigen::Vector3d vector(const json& value, const std::string& path) {
+  const std::array<double, 3> v = list<3>(value, path);
+  return {v[0], v[1], v[2]};
+}
 
-  static MotionInstant instant(const json& value, const std::string& path) {
-    keys(value, path, {"time", "station", "poses"});
-    MotionInstant result;
-    result.time = number(at(value, path, "time"), path + ".time");
-    const double station = number(at(value, path, "station"), path + ".station");
-    if (station != std::floor(station) || station < -1 || station > 1e9)
-      wrong(path + ".station is " + shortText(station, 9) + " but must be a whole number, -1 in the leads",
-            path + ".station", station);
-    result.station = int(station);
-    const json& poses = at(value, path, "poses");
-    if (!poses.is_array()) wrong(path + ".poses must be a list with one pose an end", path + ".poses");
-    for (const json& pose : poses) {
-      keys(pose, path + ".poses", {"position", "quaternion"});
-      const std::array<double, 4> q =
-          list<4>(at(pose, path + ".poses", "quaternion"), path + ".poses.quaternion");
-      result.poses.push_back(Pose{vector(at(pose, path + ".poses", "position"), path + ".poses.position"),
-                                  Eigen::Quaterniond(q[0], q[1], q[2], q[3])});
-    }
-    return result;
+MotionInstant instant(const json& value, const std::string& path) {
+  keys(value, path, {"time", "station", "poses"});
+  MotionInstant result;
+  result.time = number(at(value, path, "time"), path + ".time");
+  const double station = number(at(value, path, "station"), path + ".station");
+  if (station != std::floor(station) || station < -1 || station > 1e9)
+    wrong(path + ".station is " + shortText(station, 9) + " but must be a whole number, -1 in the leads",
+          path + ".station", station);
+  result.station = int(station);
+  const json& poses = at(value, path, "poses");
+  if (!poses.is_array()) wrong(path + ".poses must be a list with one pose an end", path + ".poses");
+  for (const json& pose : poses) {
+    keys(pose, path + ".poses", {"position", "quaternion"});
+    const std::array<double, 4> q =
+        list<4>(at(pose, path + ".poses", "quaternion"), path + ".poses.quaternion");
+    result.poses.push_back(Pose{vector(at(pose, path + ".poses", "position"), path + ".poses.position"),
+                                Eigen::Quaterniond(q[0], q[1], q[2], q[3])});
   }
-};
+  return result;
+}
+
+Motion readMotion(const json& root) {
+  keys(root, "motion",
+       {"schema", "version", "units", "frame", "cell", "blade_length", "cutting_speed", "approach", "retreat",
+        "block", "ends", "instants"});
+  if (const json& schema = at(root, "motion", "schema");
+      !schema.is_string() || schema.get<std::string>() != kSchema)
+    wrong("motion.schema must be \"" + std::string(kSchema) + "\"; this is another kind of file",
+          "motion.schema");
+  const double version = number(at(root, "motion", "version"), "motion.version");
+  if (version != kVersion)
+    wrong("motion.version is " + shortText(version, 9) + " but this program reads version " +
+              std::to_string(kVersion),
+          "motion.version", version, kVersion);
+  Motion result;
+  result.bladeLength = number(at(root, "motion", "blade_length"), "motion.blade_length");
+  result.cuttingSpeed = number(at(root, "motion", "cutting_speed"), "motion.cutting_speed");
+  if (root.contains("approach")) result.approach = vector(root["approach"], "motion.approach");
+  if (root.contains("retreat")) result.retreat = vector(root["retreat"], "motion.retreat");
+  const json& block = at(root, "motion", "block");
+  keys(block, "motion.block", {"origin", "size", "x", "y", "z"});
+  result.block.frame.origin = vector(at(block, "motion.block", "origin"), "motion.block.origin");
+  result.block.size = vector(at(block, "motion.block", "size"), "motion.block.size");
+  result.block.frame.x = vector(at(block, "motion.block", "x"), "motion.block.x");
+  result.block.frame.y = vector(at(block, "motion.block", "y"), "motion.block.y");
+  result.block.frame.normal = vector(at(block, "motion.block", "z"), "motion.block.z");
+  const json& instants = at(root, "motion", "instants");
+  if (!instants.is_array()) wrong("motion.instants must be a list", "motion.instants");
+  for (std::size_t i = 0; i < instants.size(); ++i)
+    result.instants.push_back(instant(instants[i], "motion.instants[" + std::to_string(i) + "]"));
+  return result;
+}
 
 }  // namespace
 
@@ -173,7 +169,7 @@ Result<Program> writeJson(const Motion& motion, const Cell& cell) {
 Result<Motion> readJson(std::string_view text) {
   try {
     const json root = json::parse(text.begin(), text.end());
-    Motion motion = Reader::motion(root);
+    Motion motion = readMotion(root);
     if (Result<void> ok = checkMotion(motion); !ok) return tl::unexpected<Error>(ok.error());
     return motion;
   } catch (const Error& error) {

@@ -3,14 +3,16 @@
 
 #include "scene/actors/block_actors.h"
 
-#include <vtkCellArray.h>
-#include <vtkPoints.h>
 #include <vtkProperty.h>
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
 
+#include "bw/core/base/units.h"
 #include "scene/actors/section_cap.h"
+#include "scene/camera/camera_fit.h"
 
 namespace bw::scene {
 
@@ -18,35 +20,90 @@ namespace {
 
 constexpr double kHatchShare = 0.016;  ///< distance of the hatching, in diagonals
 
-void setBox(vtkPolyData* data, const Box& box, bool edges) {
-  const std::array<Eigen::Vector3d, 8> corners = box.corners();
-  const auto points = vtkSmartPointer<vtkPoints>::New();
-  for (const Eigen::Vector3d& corner : corners) points->InsertNextPoint(corner.data());
-  const auto cells = vtkSmartPointer<vtkCellArray>::New();
-  if (edges) {
-    for (vtkIdType a = 0; a < 8; ++a) {
-      for (const vtkIdType bit : {1, 2, 4}) {
-        if (a & bit) continue;
-        const vtkIdType ends[2] = {a, a | bit};
-        cells->InsertNextCell(2, ends);
-      }
-    }
-  } else {
-    // Counter-clockwise seen from outside.
-    constexpr vtkIdType kFaces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+/// The six faces of a box, counter-clockwise seen from outside.
+std::vector<Polyline> facesOf(const Box& box) {
+  constexpr std::size_t kFaces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
                                         {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-    for (const auto& face : kFaces) cells->InsertNextCell(4, face);
+  const std::array<Eigen::Vector3d, 8> corners = box.corners();
+  std::vector<Polyline> faces;
+  for (const auto& [a, b, c, d] : kFaces) faces.push_back({corners[a], corners[b], corners[c], corners[d]});
+  return faces;
+}
+
+constexpr int kSides = 24;
+// Shares of the block's diagonal, and of its extent along the travel.
+constexpr double kShaftRadius = 0.0035, kHeadRadius = 0.012, kHeadLength = 0.045, kGap = 0.07, kLength = 0.4;
+constexpr double kUpright = 0.99;  // a travel that rises more steeply has no ground beside it
+
+/// A shaft with a cone at its end, from `tail` to `tip`; `side` and `up` span its cross section.
+std::vector<Polyline> arrow(const Eigen::Vector3d& tail, const Eigen::Vector3d& tip,
+                            const Eigen::Vector3d& side, const Eigen::Vector3d& up, double size) {
+  const Eigen::Vector3d neck = tip - kHeadLength * size * (tip - tail).normalized();
+  const auto ring = [&](const Eigen::Vector3d& center, double radius) {
+    Polyline points;
+    for (int i = 0; i < kSides; ++i) {
+      const double angle = 2 * kPi * i / kSides;
+      points.push_back(center + radius * (std::cos(angle) * side + std::sin(angle) * up));
+    }
+    return points;
+  };
+  const Polyline back = ring(tail, kShaftRadius * size), front = ring(neck, kShaftRadius * size),
+                 brim = ring(neck, kHeadRadius * size);
+  std::vector<Polyline> faces = {back, brim};
+  for (std::size_t i = 0; i < kSides; ++i) {
+    const std::size_t next = (i + 1) % kSides;
+    faces.push_back({back[i], back[next], front[next], front[i]});
+    faces.push_back({brim[i], brim[next], tip});
   }
-  data->Initialize();
-  data->SetPoints(points);
-  if (edges) {
-    data->SetLines(cells);
-  } else {
-    data->SetPolys(cells);
-  }
+  return faces;
+}
+
+/// Half of the box's extent along a unit vector.
+double halfExtent(const Box& box, const Eigen::Vector3d& along) {
+  double extent = 0;
+  for (const Eigen::Vector3d& corner : box.corners())
+    extent = std::max(extent, std::abs((corner - box.center()).dot(along)));
+  return extent;
 }
 
 }  // namespace
+
+TravelArrow::TravelArrow(Layers& layers) {
+  part_.setMatte(0.55, 0.45, 0.0);
+  part_.property()->SetInterpolationToFlat();
+  layers.add(Layer::travel, part_);
+}
+
+void TravelArrow::setContent(const Stock* stock) {
+  bounds_ = {};
+  part_.clear();
+  if (!stock || !stock->box || !stock->travel) return;
+  id_ = stock->id;
+  const Box& block = *stock->box;
+  const Eigen::Vector3d& direction = stock->travel->direction;
+  if (!direction.allFinite() || !(direction.norm() > 0)) return;
+  const Eigen::Vector3d along = direction.normalized();
+  const Eigen::Vector3d vertical = std::abs(along.z()) > kUpright ? Eigen::Vector3d(Eigen::Vector3d::UnitY())
+                                                                  : Eigen::Vector3d(Eigen::Vector3d::UnitZ());
+  Eigen::Vector3d side = along.cross(vertical).normalized();
+  if (side.dot(directionOf(View::iso)) < 0) side = -side;
+  Eigen::Vector3d up = side.cross(along);
+  if (up.dot(vertical) < 0) up = -up;
+  const double size = block.size.norm();
+  const Eigen::Vector3d middle = block.center() + (halfExtent(block, side) + kGap * size) * side -
+                                 (halfExtent(block, up) - kHeadRadius * size) * up;
+  const Eigen::Vector3d half = kLength * halfExtent(block, along) * along;
+  const std::vector<Polyline> faces = arrow(middle - half, middle + half, side, up, size);
+  for (const Polyline& face : faces) bounds_ = joined(bounds_, boundsOf(face));
+  part_.setPolygons(faces);
+}
+
+void TravelArrow::setStyle(const Style& style, const Rgb& background) {
+  visible_ = style.of(Kind::block, id_).visible && style.of(Kind::travel, id_).visible && bounds_.valid();
+  part_.setVisible(visible_);
+  part_.setColor(theme(style.dark).accent);
+  part_.setFade(keptColor(style.stale), background);
+}
 
 BlockActors::BlockActors(Layers& layers) : arrow_(layers) {
   for (Part* part : {&edges_, &fill_, &hatch_, &outline_, &cut_}) part->setFlat();
@@ -67,9 +124,8 @@ void BlockActors::setContent(const Stock* stock) {
   arrow_.setContent(stock);
   for (Part* part : parts()) part->clear();
   if (!stock || !stock->box) return;
-  setBox(back_.data(), *stock->box, false);
-  setBox(front_.data(), *stock->box, false);
-  setBox(edges_.data(), *stock->box, true);
+  for (Part* part : {&back_, &front_}) part->setPolygons(facesOf(*stock->box));
+  edges_.setSegments(edgesOf(*stock->box));
 }
 
 void BlockActors::rebuildCap(double diagonal) {
@@ -100,8 +156,7 @@ void BlockActors::setStyle(const Style& style, double diagonal, const Rgb& backg
     part->setOpacity(1 - std::sqrt(1 - std::clamp(look.opacity, 0.0, 1.0)));
   }
   edges_.setVisible(shown);
-  edges_.setColor(colors.foamEdge);
-  edges_.setLineWidth(px);
+  edges_.setLine(colors.foamEdge, px);
 
   if (!valid_ || section_ != style.section) {
     section_ = style.section;
@@ -115,12 +170,9 @@ void BlockActors::setStyle(const Style& style, double diagonal, const Rgb& backg
                   }));
   const Rgb fill = mix(background, colors.foam, style.dark ? 0.22 : 0.7);
   fill_.setColor(fill);
-  hatch_.setColor(mix(fill, colors.secondary, 0.38));
-  outline_.setColor(colors.foamEdge);
-  cut_.setColor(colors.text);
-  hatch_.setLineWidth(px);
-  outline_.setLineWidth(px);
-  cut_.setLineWidth(2 * px);
+  hatch_.setLine(mix(fill, colors.secondary, 0.38), px);
+  outline_.setLine(colors.foamEdge, px);
+  cut_.setLine(colors.text, 2 * px);
   for (Part* part : {&fill_, &hatch_, &cut_, &outline_}) part->setFade(keep, background);
 }
 

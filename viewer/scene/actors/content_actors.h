@@ -10,8 +10,6 @@
 
 #include "scene/actors/block_actors.h"
 #include "scene/actors/cut_actors.h"
-#include "scene/actors/face_actors.h"
-#include "scene/actors/isoline_labels.h"
 #include "scene/actors/station_lines.h"
 #include "scene/actors/target_actors.h"
 

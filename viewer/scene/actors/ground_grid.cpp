@@ -12,7 +12,7 @@
 #include <array>
 #include <cmath>
 
-#include "scene/legend/ticks.h"
+#include "scene/legend/legend_range.h"
 
 namespace bw::scene {
 
@@ -36,7 +36,7 @@ void GroundGrid::setStyle(const Style& style) {
   visible_ = style.showGrid;
   dark_ = style.dark;
   pixelRatio_ = style.pixelRatio;
-  lines_.setLineWidth(pixelRatio_);
+  lines_.setLine({}, pixelRatio_);  // coloured point by point
   lines_.setVisible(visible_ && content_.valid());
   if (changed) rebuild();
 }
@@ -44,8 +44,8 @@ void GroundGrid::setStyle(const Style& style) {
 Bounds GroundGrid::bounds() const {
   Bounds result;
   if (!visible_ || !content_.valid()) return result;
-  result.add({x0_ - reach_, y0_ - reach_, z_});
-  result.add({x1_ + reach_, y1_ + reach_, z_});
+  result.add({low_.x() - reach_, low_.y() - reach_, z_});
+  result.add({high_.x() + reach_, high_.y() + reach_, z_});
   return result;
 }
 
@@ -56,74 +56,69 @@ void GroundGrid::rebuild() {
   const Eigen::Vector3d size = content_.size();
   step_ = roundStep(std::max({size.x(), size.y(), 0.2 * size.z(), 1.0}), 8);
   // Half a step of air around the content.
-  const auto down = [&](double v) { return std::floor((v - 0.4 * step_) / step_) * step_; };
-  const auto up = [&](double v) { return std::ceil((v + 0.4 * step_) / step_) * step_; };
-  x0_ = down(content_.min.x());
-  x1_ = up(content_.max.x());
-  y0_ = down(content_.min.y());
-  y1_ = up(content_.max.y());
+  low_ = ((content_.min.head<2>().array() - 0.4 * step_) / step_).floor() * step_;
+  high_ = ((content_.max.head<2>().array() + 0.4 * step_) / step_).ceil() * step_;
   z_ = content_.min.z();
-  const int out = int(std::ceil(0.6 * std::max(x1_ - x0_, y1_ - y0_) / step_));
+  const int out = int(std::ceil(0.6 * (high_ - low_).maxCoeff() / step_));
   reach_ = out * step_;
-  const int nx = int(std::lround((x1_ - x0_) / step_)) + 2 * out,
-            ny = int(std::lround((y1_ - y0_) / step_)) + 2 * out;
 
   const Theme& colors = theme(dark_);
   const auto points = vtkSmartPointer<vtkPoints>::New();
   const auto cells = vtkSmartPointer<vtkCellArray>::New();
   const auto rgba = vtkSmartPointer<vtkUnsignedCharArray>::New();
   rgba->SetNumberOfComponents(4);
-  points->SetDataTypeToFloat();
-  const auto fade = [&](double x, double y) {
-    const double dx = std::max({x0_ - x, x - x1_, 0.0}), dy = std::max({y0_ - y, y - y1_, 0.0});
-    const double t = std::clamp(1 - std::hypot(dx, dy) / reach_, 0.0, 1.0);
-    return 0.75 * t * t;
-  };
-  const auto add = [&](double x, double y, const Rgb& color) {
+  const auto add = [&](const Eigen::Array2d& p, const Rgb& color) {
+    const Eigen::Array2d beside = (low_ - p).max(p - high_).max(0.0);
+    const double t = std::clamp(1 - std::hypot(beside.x(), beside.y()) / reach_, 0.0, 1.0);
     rgba->InsertNextTuple4(float(std::lround(255 * color.r)), float(std::lround(255 * color.g)),
-                           float(std::lround(255 * color.b)), float(std::lround(255 * fade(x, y))));
-    return points->InsertNextPoint(x, y, z_);
+                           float(std::lround(255 * color.b)), float(std::lround(255 * (0.75 * t * t))));
+    return points->InsertNextPoint(p.x(), p.y(), z_);
   };
-  const auto line = [&](bool alongX, int index) {
-    const double fixed = (alongX ? y0_ : x0_) + (index - out) * step_;
-    const bool axis = std::abs(fixed) < 1e-6 * step_;
-    const Rgb& color = axis ? (alongX ? colors.axisX : colors.axisY) : colors.grid;
-    const int count = alongX ? nx : ny;
-    cells->InsertNextCell(count + 1);
-    for (int k = 0; k <= count; ++k) {
-      const double along = (alongX ? x0_ : y0_) + (k - out) * step_;
-      cells->InsertCellPoint(alongX ? add(along, fixed, color) : add(fixed, along, color));
+  const auto lineCount = [&](int axis) {
+    return int(std::lround((high_[axis] - low_[axis]) / step_)) + 2 * out;
+  };
+  for (const int axis : {1, 0}) {  // along which a line runs
+    const int count = lineCount(axis), other = 1 - axis;
+    for (int i = 0; i <= lineCount(other); ++i) {
+      Eigen::Array2d p;
+      p[other] = low_[other] + (i - out) * step_;
+      const bool origin = std::abs(p[other]) < 1e-6 * step_;
+      const Rgb& color = !origin ? colors.grid : axis == 0 ? colors.axisX : colors.axisY;
+      cells->InsertNextCell(count + 1);
+      for (int k = 0; k <= count; ++k) {
+        p[axis] = low_[axis] + (k - out) * step_;
+        cells->InsertCellPoint(add(p, color));
+      }
     }
-  };
-  for (int i = 0; i <= nx; ++i) line(false, i);
-  for (int i = 0; i <= ny; ++i) line(true, i);
+  }
   lines_.data()->SetPoints(points);
   lines_.data()->SetLines(cells);
   lines_.data()->GetPointData()->SetScalars(rgba);
 }
 
 void GroundGrid::update(const Projection& view, int width, int height, const std::vector<PixelRect>& taken) {
-  labels_.begin(width, height);
+  labels_.begin(height);
   if (visible_ && content_.valid()) {
     std::vector<PixelRect> occupied = taken;
-    labelEdge(true, view, width, height, occupied);
-    labelEdge(false, view, width, height, occupied);
+    for (const int axis : {0, 1}) labelEdge(axis, view, width, height, occupied);
   }
   labels_.end();
 }
 
-void GroundGrid::labelEdge(bool alongX, const Projection& view, int width, int height,
+void GroundGrid::labelEdge(int axis, const Projection& view, int width, int height,
                            std::vector<PixelRect>& occupied) {
-  const TextLook look{11 * pixelRatio_, false, theme(dark_).secondary, 1};
+  const TextLook look{11 * pixelRatio_, false, theme(dark_).secondary};
   // The edges on the camera's side; straight from above, the lower and the left one.
   const Eigen::Vector3d towards = -view.forward() - 0.02 * view.up() - 0.02 * view.right();
-  const bool upper = alongX ? towards.y() > 0 : towards.x() > 0;
-  const double fixed = alongX ? (upper ? y1_ : y0_) : (upper ? x1_ : x0_);
-  const double low = alongX ? x0_ : y0_, high = alongX ? x1_ : y1_;
-  const Eigen::Vector3d outward =
-      (upper ? 1.0 : -1.0) * (alongX ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitX());
+  const int other = 1 - axis;
+  const bool upper = towards[other] > 0;
+  const double low = low_[axis], high = high_[axis];
+  const Eigen::Vector3d outward = (upper ? 1.0 : -1.0) * Eigen::Vector3d::Unit(other);
   const auto at = [&](double along) {
-    return alongX ? Eigen::Vector3d(along, fixed, z_) : Eigen::Vector3d(fixed, along, z_);
+    Eigen::Vector3d p = Eigen::Vector3d::Constant(z_);
+    p[axis] = along;
+    p[other] = upper ? high_[other] : low_[other];
+    return p;
   };
   const Eigen::Vector3d a = view.toPixel(at(low)), b = view.toPixel(at(high));
   if (a.z() <= 0 || b.z() <= 0) return;
@@ -137,8 +132,7 @@ void GroundGrid::labelEdge(bool alongX, const Projection& view, int width, int h
   if (every == kEvery.end()) return;
 
   // Where the two edges meet, their numbers would stand on each other.
-  const bool otherUpper = alongX ? towards.x() > 0 : towards.y() > 0;
-  const int corner = otherUpper ? count : 0;
+  const int corner = towards[axis] > 0 ? count : 0;
   const long long first = std::llround(low / step_);
   // From the far end; its number names the unit, and nearer ones give way to it.
   bool unitSaid = false;

@@ -24,15 +24,16 @@ class GroundGrid {
 
  private:
   void rebuild();
-  void labelEdge(bool alongX, const Projection& view, int width, int height,
-                 std::vector<PixelRect>& occupied);
+  /// Numbers along the edge that runs in the direction of x (`axis` 0) or y (1).
+  void labelEdge(int axis, const Projection& view, int width, int height, std::vector<PixelRect>& occupied);
 
   Part lines_;
   Canvas labels_{true};
   Bounds content_;
   bool visible_ = true, dark_ = false;
   double pixelRatio_ = 1;
-  double step_ = 100, x0_ = 0, x1_ = 0, y0_ = 0, y1_ = 0, z_ = 0, reach_ = 0;
+  double step_ = 100, z_ = 0, reach_ = 0;
+  Eigen::Array2d low_ = Eigen::Array2d::Zero(), high_ = low_;  ///< of the lines that do not fade yet
 };
 
 }  // namespace bw::scene

@@ -33,7 +33,6 @@ void buildTube(vtkPolyData* data, const std::vector<Polyline>& lines,
   const auto points = vtkSmartPointer<vtkPoints>::New();
   const auto normals = vtkSmartPointer<vtkFloatArray>::New();
   const auto cells = vtkSmartPointer<vtkCellArray>::New();
-  points->SetDataTypeToFloat();
   normals->SetNumberOfComponents(3);
   const auto triangle = [&](vtkIdType a, vtkIdType b, vtkIdType c) {
     const vtkIdType corners[3] = {a, b, c};
@@ -93,7 +92,6 @@ void buildGlow(vtkPolyData* data, const Polyline& line, const Projection& view, 
   const auto points = vtkSmartPointer<vtkPoints>::New();
   const auto colors = vtkSmartPointer<vtkUnsignedCharArray>::New();
   const auto cells = vtkSmartPointer<vtkCellArray>::New();
-  points->SetDataTypeToFloat();
   colors->SetNumberOfComponents(4);
   constexpr int kColumns = 9;
   for (std::size_t i = 0; i < line.size(); ++i) {

@@ -20,8 +20,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/render/fonts.h"
-
 namespace bw::scene {
 
 namespace {
@@ -33,19 +31,26 @@ constexpr double kBorder = 0.42;  ///< of a half edge: the strips along the edge
 constexpr double kAxis = 1.0;     ///< how far the axes reach beyond the cube, in half edges
 
 struct Face {
-  View view;
   const char* word;
-  Eigen::Vector3d out, right, up;  ///< as the face is read
+  Eigen::Vector3d out, up;  ///< as the face is read
+  double shade;             ///< lighter from above, darker on the sides that turn away, as in daylight
 };
 
 const std::array<Face, 6>& faces() {
-  static const std::array<Face, 6> kFaces{{{View::front, "Front", {0, -1, 0}, {1, 0, 0}, {0, 0, 1}},
-                                           {View::back, "Back", {0, 1, 0}, {-1, 0, 0}, {0, 0, 1}},
-                                           {View::left, "Left", {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}},
-                                           {View::right, "Right", {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
-                                           {View::top, "Top", {0, 0, 1}, {1, 0, 0}, {0, 1, 0}},
-                                           {View::bottom, "Bottom", {0, 0, -1}, {1, 0, 0}, {0, -1, 0}}}};
+  static const std::array<Face, 6> kFaces{{{"Front", {0, -1, 0}, {0, 0, 1}, 0.05},
+                                           {"Back", {0, 1, 0}, {0, 0, 1}, 0.05},
+                                           {"Left", {-1, 0, 0}, {0, 0, 1}, 0.10},
+                                           {"Right", {1, 0, 0}, {0, 0, 1}, 0.10},
+                                           {"Top", {0, 0, 1}, {0, 1, 0}, 0.0},
+                                           {"Bottom", {0, 0, -1}, {0, -1, 0}, 0.16}}};
   return kFaces;
+}
+
+Box cube() {
+  Box box;
+  box.frame.origin = Eigen::Vector3d::Constant(-1);
+  box.size = Eigen::Vector3d::Constant(2);
+  return box;
 }
 
 }  // namespace
@@ -63,7 +68,7 @@ OrientationMarker::OrientationMarker(Layers& layers) : renderer_(vtkSmartPointer
     const auto cells = vtkSmartPointer<vtkCellArray>::New();
     cells->InsertNextCell(4);
     for (const auto& [u, v] : {std::pair{0, 0}, std::pair{1, 0}, std::pair{1, 1}, std::pair{0, 1}}) {
-      const Eigen::Vector3d p = face.out + (2 * u - 1) * face.right + (2 * v - 1) * face.up;
+      const Eigen::Vector3d p = face.out + (2 * u - 1) * face.up.cross(face.out) + (2 * v - 1) * face.up;
       cells->InsertCellPoint(points->InsertNextPoint(p.data()));
       coordinates->InsertNextTuple2(u, v);
     }
@@ -78,26 +83,12 @@ OrientationMarker::OrientationMarker(Layers& layers) : renderer_(vtkSmartPointer
     faces_[i].actor()->SetTexture(textures_[i]);
     renderer_->AddActor(faces_[i].actor());
   }
-  std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> edges;
-  for (int axis = 0; axis < 3; ++axis) {
-    for (const double a : {-1.0, 1.0}) {
-      for (const double b : {-1.0, 1.0}) {
-        Eigen::Vector3d p;
-        p[axis] = -1;
-        p[(axis + 1) % 3] = a;
-        p[(axis + 2) % 3] = b;
-        Eigen::Vector3d q = p;
-        q[axis] = 1;
-        edges.emplace_back(p, q);
-      }
-    }
-  }
   hovered_.setFlat();
   hovered_.setOpacity(0.45);
   hovered_.setDepthShift(-0.002);
   hovered_.setVisible(false);
   renderer_->AddActor(hovered_.actor());
-  edges_.setSegments(edges);
+  edges_.setSegments(edgesOf(cube()));
   edges_.setFlat();
   edges_.setDepthShift(-0.004);
   renderer_->AddActor(edges_.actor());
@@ -111,7 +102,7 @@ OrientationMarker::OrientationMarker(Layers& layers) : renderer_(vtkSmartPointer
   }
 }
 
-PixelRect OrientationMarker::place(int, int height, double pixelRatio) {
+PixelRect OrientationMarker::place(int height, double pixelRatio) {
   const double size = std::round(kSize * pixelRatio), margin = std::round(kMargin * pixelRatio);
   return {margin, height - margin - size, size, size};
 }
@@ -124,11 +115,7 @@ void OrientationMarker::paintFaces(bool dark, double pixelRatio) {
   property->SetFontSize(std::max(8, int(std::lround(size * 0.215))));
   property->SetColor(1, 1, 1);
   for (std::size_t i = 0; i < 6; ++i) {
-    // Lighter from above, darker on the sides that turn away, like a cube in daylight.
-    const double shade = faces()[i].out.z() > 0             ? 0.0
-                         : faces()[i].out.z() < 0           ? 0.16
-                         : std::abs(faces()[i].out.y()) > 0 ? 0.05
-                                                            : 0.10;
+    const double shade = faces()[i].shade;
     const Rgb ground = dark ? mix(Rgb::hex(0x454B54), Rgb::hex(0x24272C), 3 * shade)
                             : mix(Rgb::hex(0xFFFFFF), Rgb::hex(0x8C96A3), 1.6 * shade);
     const auto image = vtkSmartPointer<vtkImageData>::New();
@@ -163,10 +150,11 @@ void OrientationMarker::paintFaces(bool dark, double pixelRatio) {
 
 void OrientationMarker::update(const Projection& view, int width, int height, const Style& style) {
   const Theme& colors = theme(style.dark);
-  const PixelRect square = place(width, height, style.pixelRatio);
+  const PixelRect square = place(height, style.pixelRatio);
+  const std::array<Rgb, 3> axisColors{colors.axisX, colors.axisY, colors.axisZ};
   const bool fits = width > 2.5 * square.width && height > 2 * square.height;
   renderer_->SetDraw(fits);
-  canvas_.begin(width, height);
+  canvas_.begin(height);
   if (!fits) {
     canvas_.end();
     return;
@@ -175,13 +163,10 @@ void OrientationMarker::update(const Projection& view, int width, int height, co
     dark_ = style.dark;
     pixelRatio_ = style.pixelRatio;
     paintFaces(style.dark, style.pixelRatio);
-    edges_.setColor(style.dark ? Rgb::hex(0x6C737C) : Rgb::hex(0xADB5BD));
-    edges_.setLineWidth(style.pixelRatio);
+    edges_.setLine(style.dark ? Rgb::hex(0x6C737C) : Rgb::hex(0xADB5BD), style.pixelRatio);
     hovered_.setColor(colors.selection);
-    const std::array<Rgb, 3> axisColors{colors.axisX, colors.axisY, colors.axisZ};
     for (std::size_t k = 0; k < 3; ++k) {
-      axes_[k].setColor(axisColors[k]);
-      axes_[k].setLineWidth(2 * style.pixelRatio);
+      axes_[k].setLine(axisColors[k], 2 * style.pixelRatio);
     }
   }
   renderer_->SetViewport(square.x / width, 1 - (square.y + square.height) / height,
@@ -189,8 +174,8 @@ void OrientationMarker::update(const Projection& view, int width, int height, co
   vtkCamera* camera = renderer_->GetActiveCamera();
   const Eigen::Vector3d eye = -10 * view.forward();
   camera->SetFocalPoint(0, 0, 0);
-  camera->SetPosition(eye.x(), eye.y(), eye.z());
-  camera->SetViewUp(view.up().x(), view.up().y(), view.up().z());
+  camera->SetPosition(eye.data());
+  camera->SetViewUp(view.up().data());
   camera->ParallelProjectionOn();
   camera->SetParallelScale(kReach);
   camera->SetClippingRange(5, 15);
@@ -198,31 +183,27 @@ void OrientationMarker::update(const Projection& view, int width, int height, co
   // Letters at the tips of the axes, unless an axis points at the viewer.
   const double scale = 0.5 * square.height / kReach, cx = square.x + 0.5 * square.width,
                cy = square.y + 0.5 * square.height;
-  const std::array<Rgb, 3> axisColors{colors.axisX, colors.axisY, colors.axisZ};
   for (int axis = 0; axis < 3; ++axis) {
     if (std::abs(view.forward()[axis]) > 0.97) continue;
     const Eigen::Vector3d tip =
         Eigen::Vector3d::Constant(-1) + (2 + kAxis + 0.35) * Eigen::Vector3d::Unit(axis);
     canvas_.text(std::string(1, "xyz"[axis]), cx + scale * tip.dot(view.right()),
                  cy - scale * tip.dot(view.up()), Align::center,
-                 {12 * style.pixelRatio, true, axisColors[std::size_t(axis)], 1});
+                 {12 * style.pixelRatio, true, axisColors[std::size_t(axis)]});
   }
   canvas_.end();
 }
 
 std::optional<Eigen::Vector3d> OrientationMarker::directionAt(double x, double y, const Projection& view,
                                                               int width, int height, double pixelRatio) {
-  const PixelRect square = place(width, height, pixelRatio);
+  const PixelRect square = place(height, pixelRatio);
   if (width <= 2.5 * square.width || height <= 2 * square.height || !square.contains(x, y))
     return std::nullopt;
   const double scale = 0.5 * square.height / kReach;
   const Eigen::Vector3d origin = (x - square.x - 0.5 * square.width) / scale * view.right() -
                                  (y - square.y - 0.5 * square.height) / scale * view.up() -
                                  10 * view.forward();
-  Box cube;
-  cube.frame.origin = Eigen::Vector3d::Constant(-1);
-  cube.size = Eigen::Vector3d::Constant(2);
-  const std::optional<double> t = rayMeetsBox({origin, view.forward()}, cube);
+  const std::optional<double> t = rayMeetsBox({origin, view.forward()}, cube());
   if (!t) return std::nullopt;
   const Eigen::Vector3d hit = origin + *t * view.forward();
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();

@@ -24,7 +24,7 @@ class OrientationMarker {
   vtkRenderer* renderer() const { return renderer_; }
   void update(const Projection& view, int width, int height, const Style& style);
 
-  static PixelRect place(int width, int height, double pixelRatio);
+  static PixelRect place(int height, double pixelRatio);
   /// The direction to look from that lies under a pixel: a face, an edge or a corner (Scene::cubeDirection).
   static std::optional<Eigen::Vector3d> directionAt(double x, double y, const Projection& view, int width,
                                                     int height, double pixelRatio);

@@ -31,7 +31,7 @@ void drawLine(Canvas& canvas, const Eigen::Vector2d& a, const Eigen::Vector2d& b
 
 void PlaceMarker::update(const Projection& view, int width, int height, const Style& style,
                          const std::vector<PixelRect>& taken) {
-  canvas_.begin(width, height);
+  canvas_.begin(height);
   ring_ = card_ = std::nullopt;
   const bool given = style.marker && style.marker->point.allFinite();
   const Eigen::Vector3d pixel = given ? view.toPixel(style.marker->point) : Eigen::Vector3d::Zero();
@@ -49,7 +49,7 @@ void PlaceMarker::update(const Projection& view, int width, int height, const St
   ring_ = PixelRect{x - ring, y - ring, 2 * ring, 2 * ring};
 
   const std::vector<std::string> lines = wrapped(style.marker->text, kColumns, kLines);
-  const TextLook look{12 * px, false, colors.text, 1};
+  const TextLook look{12 * px, false, colors.text};
   double textWidth = 0;
   for (const std::string& line : lines) textWidth = std::max(textWidth, Canvas::textWidth(line, look));
   const double w = std::ceil(textWidth) + 2 * kPadding * px,
@@ -75,15 +75,15 @@ void PlaceMarker::update(const Projection& view, int width, int height, const St
     const Eigen::Vector2d tip(std::clamp(x, best.x, best.x + w), std::clamp(y, best.y, best.y + h));
     drawLine(canvas_, {x, y}, tip, 1.5 * px, color);
     const double hair = std::max(1.0, px);
-    canvas_.roundedRect({best.x - hair, best.y - hair, w + 2 * hair, h + 2 * hair}, 6 * px, color, 1);
-    canvas_.roundedRect(best, 5 * px, colors.panel, 1);
+    canvas_.roundedRect({best.x - hair, best.y - hair, w + 2 * hair, h + 2 * hair}, 6 * px, color);
+    canvas_.roundedRect(best, 5 * px, colors.panel);
     for (std::size_t i = 0; i < lines.size(); ++i)
       canvas_.text(lines[i], best.x + kPadding * px, best.y + (kPadding - 3 + kLine * (double(i) + 0.5)) * px,
                    Align::left, look);
   }
-  canvas_.disc(x, y, ring, color, 1);
-  canvas_.disc(x, y, kHole * px, colors.panel, 1);
-  canvas_.disc(x, y, kDot * px, color, 1);
+  canvas_.disc(x, y, ring, color);
+  canvas_.disc(x, y, kHole * px, colors.panel);
+  canvas_.disc(x, y, kDot * px, color);
   canvas_.end();
 }
 

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/actors/isolines.h"
+#include "scene/actors/mesh_lines.h"
 
 namespace bw::scene {
 
@@ -28,34 +28,23 @@ std::optional<double> crossing(const Point& a, const Point& b, const Edge& edge)
   return t > 0 && t < 1 && u >= 0 && u < 1 ? std::optional(t) : std::nullopt;
 }
 
-/// The plane with axes of its own.
-struct Chart {
-  Eigen::Vector3d origin, x, y;
+/// The plane with axes of its own, upright where the plane is: hatching looks the same in all sections of a
+/// block.
+Frame frameOf(const SectionPlane& plane) {
+  const Eigen::Vector3d normal = plane.normal.normalized();
+  const Eigen::Vector3d up =
+      std::abs(normal.z()) < 0.99 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitY();
+  const Eigen::Vector3d x = up.cross(normal).normalized();
+  return {plane.point, x, normal.cross(x), normal};
+}
 
-  explicit Chart(const SectionPlane& plane) : origin(plane.point) {
-    const Eigen::Vector3d normal = plane.normal.normalized();
-    // Upright where the plane is: hatching looks the same in all sections of a block.
-    const Eigen::Vector3d up =
-        std::abs(normal.z()) < 0.99 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitY();
-    x = up.cross(normal).normalized();
-    y = normal.cross(x);
-  }
-  Point flat(const Eigen::Vector3d& p) const { return {(p - origin).dot(x), (p - origin).dot(y)}; }
-  Eigen::Vector3d space(const Point& p) const { return origin + p.x() * x + p.y() * y; }
-};
-
-std::vector<Point> outlineOf(const Box& block, const SectionPlane& plane, const Chart& chart) {
-  const std::array<Eigen::Vector3d, 8> corners = block.corners();
+std::vector<Point> outlineOf(const Box& block, const SectionPlane& plane, const Frame& chart) {
   std::vector<Point> points;
-  for (std::size_t a = 0; a < 8; ++a) {
-    for (const std::size_t bit : {1u, 2u, 4u}) {
-      if (a & bit) continue;
-      const Eigen::Vector3d &from = corners[a], &to = corners[a | bit];
-      const double before = (from - plane.point).dot(plane.normal),
-                   after = (to - plane.point).dot(plane.normal);
-      if ((before < 0) == (after < 0)) continue;
-      points.push_back(chart.flat(from + before / (before - after) * (to - from)));
-    }
+  for (const auto& [from, to] : edgesOf(block)) {
+    const double before = (from - plane.point).dot(plane.normal),
+                 after = (to - plane.point).dot(plane.normal);
+    if ((before < 0) == (after < 0)) continue;
+    points.push_back(chart.toLocal(from + before / (before - after) * (to - from)).head<2>());
   }
   if (points.size() < 3) return {};
   Point center = Point::Zero();
@@ -90,7 +79,7 @@ void extendEnds(std::vector<Edge>& edges, double reach) {
 SectionCap sectionCap(const Box& block, const TriangleMesh& cut, const SectionPlane& plane, double spacing) {
   SectionCap cap;
   if (!plane.point.allFinite() || !plane.normal.allFinite() || !(plane.normal.norm() > 0)) return cap;
-  const Chart chart(plane);
+  const Frame chart = frameOf(plane);
   std::vector<double> heights;
   heights.reserve(cut.points.size());
   for (const Eigen::Vector3d& p : cut.points)
@@ -99,12 +88,12 @@ SectionCap sectionCap(const Box& block, const TriangleMesh& cut, const SectionPl
 
   const std::vector<Point> outline = outlineOf(block, plane, chart);
   if (outline.empty()) return cap;
-  for (const Point& p : outline) cap.outline.push_back(chart.space(p));
+  for (const Point& p : outline) cap.outline.push_back(chart.toWorld(p));
   double diagonal = 0;
   for (const Point& p : outline) diagonal = std::max(diagonal, (p - outline.front()).norm());
   std::vector<Edge> edges;
   for (const auto& [a, b] : cap.cut) {
-    const Edge edge(chart.flat(a), chart.flat(b));
+    const Edge edge(chart.toLocal(a).head<2>(), chart.toLocal(b).head<2>());
     if ((edge.first - edge.second).norm() > 0) edges.push_back(edge);
   }
   extendEnds(edges, 0.01 * diagonal);
@@ -144,7 +133,7 @@ SectionCap sectionCap(const Box& block, const TriangleMesh& cut, const SectionPl
       for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
         const Point p = a + stops[i] * (b - a), q = a + stops[i + 1] * (b - a);
         if ((q - p).norm() < 1e-6 * diagonal || sideOf(0.5 * (p + q)) != side) continue;
-        cap.hatch.emplace_back(chart.space(p), chart.space(q));
+        cap.hatch.emplace_back(chart.toWorld(p), chart.toWorld(q));
       }
     }
   }

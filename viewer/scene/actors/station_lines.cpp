@@ -99,17 +99,14 @@ void StationLines::setStyle(const Style& style, const Rgb& background) {
   const Theme& colors = theme(style.dark);
   const double keep = keptColor(style.stale), px = style.pixelRatio;
   stations_.setVisible(style.of(Kind::station, row_->id).visible);
-  stations_.setColor(row_->covered(style) ? kLineOverSurface : colors.station);
-  stations_.setLineWidth(px);
+  stations_.setLine(row_->covered(style) ? kLineOverSurface : colors.station, px);
   stations_.setFade(keep, background);
   select(style.selected.row() == row_->id ? style.selected.station : -1);
   for (Part* part : {&selected_, &selectedDashes_}) {
     part->setVisible(selectedIndex_ >= 0);
-    part->setColor(colors.selection);
+    part->setLine(colors.selection, part == &selected_ ? 2.5 * px : 1.5 * px);
     part->setFade(keep, background);
   }
-  selected_.setLineWidth(2.5 * px);
-  selectedDashes_.setLineWidth(1.5 * px);
 
   const bool bladesShown = style.of(Kind::blade, row_->id).visible;
   if (bladesShown != bladesShown_) {
@@ -118,8 +115,7 @@ void StationLines::setStyle(const Style& style, const Rgb& background) {
   }
   for (Part* part : {&bladesInside_, &bladeDashes_}) {
     part->setVisible(bladesShown);
-    part->setColor(colors.station);
-    part->setLineWidth(px);
+    part->setLine(colors.station, px);
     part->setOpacity(0.7);
     part->setFade(keep, background);
   }

@@ -5,9 +5,16 @@
 
 #include <algorithm>
 
-#include "scene/actors/mesh_edges.h"
+#include "scene/actors/mesh_lines.h"
 
 namespace bw::scene {
+
+namespace {
+
+constexpr double kSurrounding = 0.10;  ///< opacity of the faces around a result
+constexpr double kSurroundingEdges = 0.3;
+
+}  // namespace
 
 TargetActors::TargetActors(Layers& layers) {
   surface_.setMatte(0.35, 0.65, 0.0);
@@ -31,13 +38,78 @@ void TargetActors::setStyle(const Style& style) {
   for (Part* part : parts()) part->setVisible(target_ && look.visible && look.opacity > 0);
   surface_.setColor(colors.target);
   surface_.setOpacity(std::clamp(look.opacity, 0.0, 1.0));
-  edges_.setColor(colors.targetEdge);
+  edges_.setLine(colors.targetEdge, style.pixelRatio);
   edges_.setOpacity(std::min(1.0, look.opacity + 0.3));
-  edges_.setLineWidth(style.pixelRatio);
 }
 
 void TargetActors::update(double behind, double line) {
   for (Part* part : parts()) part->setDepthBehind(behind);
+  edges_.setDepthShift(line);
+}
+
+FaceActors::FaceActors(Layers& layers) {
+  for (Part* part : {&pale_, &chosen_, &hovered_}) part->setMatte(0.4, 0.6, 0.0);
+  edges_.setFlat();
+  for (Part* part : parts()) layers.add(Layer::faces, *part);
+}
+
+void FaceActors::setContent(const std::shared_ptr<const FaceMesh>& given) {
+  if (given == faces_) return;
+  for (Part* part : parts()) part->clear();
+  sorted_ = false;
+  lit_ = -1;
+  faces_ = given;
+  if (faces_) edges_.setSegments(boundaryEdges(faces_->mesh.points, faces_->mesh.triangles));
+}
+
+void FaceActors::fill(Part& part, Triangles& triangles, const std::function<bool(int)>& holds) {
+  part.clear();
+  triangles.clear();
+  for (std::size_t k = 0; k < faces_->faces.size(); ++k)
+    if (holds(faces_->faces[k])) triangles.push_back(faces_->mesh.triangles[k]);
+  shareMesh(part.data(), faces_->mesh.points, faces_->mesh.normals, triangles);
+}
+
+void FaceActors::sort(const std::vector<int>& chosen) {
+  if (sorted_ && chosen == sortedFor_) return;
+  sorted_ = true;
+  sortedFor_ = chosen;
+  std::vector<bool> among(std::size_t(std::ranges::max(faces_->faces)) + 1, false);
+  for (const int face : chosen)
+    if (face >= 0 && std::size_t(face) < among.size()) among[std::size_t(face)] = true;
+  fill(pale_, paleTriangles_, [&](int face) { return !among[std::size_t(face)]; });
+  fill(chosen_, chosenTriangles_, [&](int face) { return among[std::size_t(face)]; });
+}
+
+void FaceActors::light(int face) {
+  if (face == lit_) return;
+  lit_ = face;
+  fill(hovered_, hoveredTriangles_, [&](int other) { return other == face; });
+}
+
+void FaceActors::setStyle(const Style& style, const Rgb& background) {
+  const Theme& colors = theme(style.dark);
+  const bool any = faces_ != nullptr, choosing = any && style.chooseFaces;
+  const bool around = any && style[Kind::face].visible;
+  if (choosing || around) sort(style.chosenFaces);
+  light(choosing ? style.hoveredFace : -1);
+
+  pale_.setVisible(choosing || around);
+  pale_.setColor(choosing ? mix(background, colors.target, 0.3) : colors.target);
+  pale_.setOpacity(choosing ? 1.0 : kSurrounding);
+  chosen_.setVisible(choosing);
+  chosen_.setColor(mix(colors.target, colors.selection, 0.45));
+  hovered_.setVisible(choosing && lit_ >= 0);
+  const bool again = std::count(style.chosenFaces.begin(), style.chosenFaces.end(), lit_) > 0;
+  hovered_.setColor(mix(again ? colors.selection : colors.target, colors.accent, again ? 0.25 : 0.4));
+  edges_.setVisible(choosing || around);
+  edges_.setLine(colors.targetEdge, style.pixelRatio);
+  edges_.setOpacity(choosing ? 1.0 : kSurroundingEdges);
+}
+
+void FaceActors::update(const Style& style, double behind, double line) {
+  for (Part* part : parts()) part->setDepthBehind(style.chooseFaces ? 0 : behind);
+  hovered_.setDepthShift(0.5 * line);
   edges_.setDepthShift(line);
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 
 #include "bw/core/base/units.h"
 #include "bw/scene/navigation.h"
@@ -14,7 +15,22 @@ namespace bw::scene {
 
 namespace {
 
-constexpr double kHalfTurn = kPi;
+struct NamedView {
+  std::string_view word;
+  std::array<double, 3> back;  ///< from the focus to the camera
+};
+
+/// In the order of View.
+constexpr std::array<NamedView, 7> kViews{{{"iso", {1, -1, 1}},
+                                           {"top", {0, 0, 1}},
+                                           {"bottom", {0, 0, -1}},
+                                           {"front", {0, -1, 0}},
+                                           {"back", {0, 1, 0}},
+                                           {"left", {-1, 0, 0}},
+                                           {"right", {1, 0, 0}}}};
+
+/// The tangent of half of the angle of view.
+double halfTangent(const Camera& camera) { return std::tan(camera.viewAngle * kPi / 360); }
 
 /// The direction from the focus to the camera as angles; `azimuth` is also defined where the camera looks
 /// straight down.
@@ -50,51 +66,24 @@ Camera level(const Camera& like, const Eigen::Vector3d& focus, const Direction& 
 }  // namespace
 
 std::optional<View> viewFromName(const std::string& name) {
-  constexpr std::array<std::pair<const char*, View>, 7> kViews{{{"iso", View::iso},
-                                                                {"top", View::top},
-                                                                {"bottom", View::bottom},
-                                                                {"front", View::front},
-                                                                {"back", View::back},
-                                                                {"left", View::left},
-                                                                {"right", View::right}}};
-  for (const auto& [word, view] : kViews) {
-    if (name == word) return view;
-  }
-  return std::nullopt;
+  const auto found = std::ranges::find(kViews, name, &NamedView::word);
+  return found == kViews.end() ? std::nullopt : std::optional(View(found - kViews.begin()));
 }
 
 Eigen::Vector3d directionOf(View view) {
-  switch (view) {
-    case View::top:
-      return Eigen::Vector3d::UnitZ();
-    case View::bottom:
-      return -Eigen::Vector3d::UnitZ();
-    case View::front:
-      return -Eigen::Vector3d::UnitY();
-    case View::back:
-      return Eigen::Vector3d::UnitY();
-    case View::left:
-      return -Eigen::Vector3d::UnitX();
-    case View::right:
-      return Eigen::Vector3d::UnitX();
-    case View::iso:
-      break;
-  }
-  return Eigen::Vector3d(1, -1, 1).normalized();
+  return Eigen::Vector3d(kViews[std::size_t(view)].back.data()).normalized();
 }
 
 Camera orbit(const Camera& camera, const Eigen::Vector3d& pivot, double azimuth, double elevation) {
   const Direction before = directionOf(camera);
-  const double limit = kHalfTurn / 2;
+  const double limit = kPi / 2;
   const double lift = std::clamp(before.elevation + elevation, -limit, limit) - before.elevation;
   // First about the horizontal axis of the picture, then about world z: the horizon stays level.
   const Eigen::Matrix3d turn = (Eigen::AngleAxisd(azimuth, Eigen::Vector3d::UnitZ()) *
                                 Eigen::AngleAxisd(-lift, horizontalRight(before.azimuth)))
                                    .toRotationMatrix();
-  Camera result =
-      level(camera, pivot + turn * (camera.focus - pivot),
-            {before.azimuth + azimuth, before.elevation + lift}, (camera.position - camera.focus).norm());
-  return result;
+  return level(camera, pivot + turn * (camera.focus - pivot),
+               {before.azimuth + azimuth, before.elevation + lift}, (camera.position - camera.focus).norm());
 }
 
 Camera pan(const Camera& camera, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
@@ -109,8 +98,7 @@ Camera zoom(const Camera& camera, const Eigen::Vector3d& anchor, double factor, 
   if (!(factor > 0) || !std::isfinite(factor)) return camera;
   Camera result = camera;
   const double distance = (camera.position - camera.focus).norm();
-  const double size =
-      camera.parallel ? camera.parallelScale / std::tan(camera.viewAngle * kHalfTurn / 360) : distance;
+  const double size = camera.parallel ? camera.parallelScale / halfTangent(camera) : distance;
   const double k = std::clamp(size / factor, minDistance, maxDistance) / size;
   if (camera.parallel) {
     const Eigen::Vector3d forward = (camera.focus - camera.position).normalized();
@@ -118,11 +106,10 @@ Camera zoom(const Camera& camera, const Eigen::Vector3d& anchor, double factor, 
     shift -= shift.dot(forward) * forward;
     result.position += shift;
     result.focus += shift;
-    result.parallelScale *= k;
-    return result;
+  } else {
+    result.position = anchor + k * (camera.position - anchor);
+    result.focus = anchor + k * (camera.focus - anchor);
   }
-  result.position = anchor + k * (camera.position - anchor);
-  result.focus = anchor + k * (camera.focus - anchor);
   result.parallelScale *= k;
   return result;
 }
@@ -131,7 +118,7 @@ Camera between(const Camera& a, const Camera& b, double t) {
   if (t <= 0) return a;
   if (t >= 1) return b;
   const Direction from = directionOf(a), to = directionOf(b);
-  const double turn = std::remainder(to.azimuth - from.azimuth, 2 * kHalfTurn);
+  const double turn = std::remainder(to.azimuth - from.azimuth, 2 * kPi);
   const double near = (a.position - a.focus).norm(), far = (b.position - b.focus).norm();
   Camera camera = level(b, a.focus + t * (b.focus - a.focus),
                         {from.azimuth + t * turn, from.elevation + t * (to.elevation - from.elevation)},
@@ -149,7 +136,7 @@ double eased(double t) {
 Camera withProjection(const Camera& camera, bool parallel) {
   Camera result = camera;
   if (parallel == camera.parallel) return result;
-  const double tangent = std::tan(camera.viewAngle * kHalfTurn / 360);
+  const double tangent = halfTangent(camera);
   if (parallel) {
     result.parallelScale = (camera.position - camera.focus).norm() * tangent;
   } else {
@@ -161,9 +148,8 @@ Camera withProjection(const Camera& camera, bool parallel) {
 }
 
 double pixelSize(const Camera& camera, int height) {
-  const double half = camera.parallel ? camera.parallelScale
-                                      : (camera.position - camera.focus).norm() *
-                                            std::tan(camera.viewAngle * kHalfTurn / 360);
+  const double half =
+      camera.parallel ? camera.parallelScale : (camera.position - camera.focus).norm() * halfTangent(camera);
   return 2 * half / std::max(1, height);
 }
 

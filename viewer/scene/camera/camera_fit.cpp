@@ -7,14 +7,17 @@
 #include <cmath>
 #include <limits>
 
+#include "bw/core/base/units.h"
+
 namespace bw::scene {
 
-Bounds joined(Bounds a, const Bounds& b) {
-  if (b.valid()) {
-    a.add(b.min);
-    a.add(b.max);
-  }
-  return a;
+Bounds joined(const Bounds& a, const Bounds& b) { return {a.min.cwiseMin(b.min), a.max.cwiseMax(b.max)}; }
+
+Bounds boundsOf(const std::vector<Eigen::Vector3d>& points) {
+  Bounds bounds;
+  for (const Eigen::Vector3d& point : points)
+    if (point.allFinite()) bounds.add(point);
+  return bounds;
 }
 
 std::vector<Eigen::Vector3d> cornersOf(const Bounds& bounds) {
@@ -26,26 +29,20 @@ std::vector<Eigen::Vector3d> cornersOf(const Bounds& bounds) {
 }
 
 Camera fitted(Camera from, const std::vector<Eigen::Vector3d>& points, double aspect, double rightMargin) {
-  Bounds bounds;
-  for (const Eigen::Vector3d& point : points) bounds.add(point);
-  const double air = 0.10, tangent = std::tan(from.viewAngle * std::acos(-1.0) / 360);
+  const Bounds bounds = boundsOf(points);
+  const double air = 0.10, tangent = std::tan(from.viewAngle * kPi / 360);
   const double up = tangent * (1 - air), left = tangent * aspect * (1 - air),
                right = tangent * aspect * std::max(0.2, 1 - air - rightMargin);
 
   const Projection view(from.position, from.focus, from.up, from.viewAngle, from.parallel, from.parallelScale,
                         1, 1);
   const Eigen::Vector3d center = bounds.center();
-  double xLow = 1e300, xHigh = -1e300, yLow = 1e300, yHigh = -1e300;  // parallel: the extent seen
-  double a = -1e300, b = -1e300, c = -1e300, d = -1e300,
-         nearest = 1e300;  // perspective: each side plane touches a point
+  Bounds seen;                                            // to the right, up and away from the center
+  double a = -1e300, b = -1e300, c = -1e300, d = -1e300;  // perspective: each side plane touches a point
   for (const Eigen::Vector3d& point : points) {
     const Eigen::Vector3d p = point - center;
     const double x = p.dot(view.right()), y = p.dot(view.up()), z = p.dot(view.forward());
-    xLow = std::min(xLow, x);
-    xHigh = std::max(xHigh, x);
-    yLow = std::min(yLow, y);
-    yHigh = std::max(yHigh, y);
-    nearest = std::min(nearest, z);
+    seen.add({x, y, z});
     a = std::max(a, x - right * z);
     b = std::max(b, -x - left * z);
     c = std::max(c, y - up * z);
@@ -54,8 +51,8 @@ Camera fitted(Camera from, const std::vector<Eigen::Vector3d>& points, double as
   const double least = std::max(1e-3, 1e-3 * bounds.size().norm());
   if (from.parallel) {
     const double scale =
-        std::max({(xHigh - xLow) * tangent / (left + right), (yHigh - yLow) * tangent / (2 * up), least});
-    const double x = 0.5 * (xLow + xHigh) + 0.5 * scale * (left - right) / tangent, y = 0.5 * (yLow + yHigh);
+        std::max({seen.size().x() * tangent / (left + right), seen.size().y() * tangent / (2 * up), least});
+    const double x = seen.center().x() + 0.5 * scale * (left - right) / tangent, y = seen.center().y();
     const double distance = std::max(bounds.size().norm() * 1.5, scale / tangent);
     from.parallelScale = scale;
     from.focus = center + x * view.right() + y * view.up();
@@ -63,7 +60,7 @@ Camera fitted(Camera from, const std::vector<Eigen::Vector3d>& points, double as
     return from;
   }
   // The eye at (x, y, z): every point lies within the four side planes.
-  const double z = std::min({-(a + b) / (left + right), -(c + d) / (2 * up), nearest - least});
+  const double z = std::min({-(a + b) / (left + right), -(c + d) / (2 * up), seen.min.z() - least});
   const double x = 0.5 * ((a + right * z) - (b + left * z)), y = 0.5 * (c - d);
   from.position = center + x * view.right() + y * view.up() + z * view.forward();
   from.focus = from.position - z * view.forward();
@@ -94,20 +91,16 @@ DepthRange depthRange(const Projection& view, const Bounds& bounds, double dista
 }
 
 double seenShare(const Projection& view, const Bounds& bounds, int width, int height) {
-  double left = 1e300, right = -1e300, top = 1e300, bottom = -1e300;
+  Bounds pixels;
   for (const Eigen::Vector3d& corner : cornersOf(bounds)) {
-    const Eigen::Vector3d pixel = view.toPixel(corner);
-    if (!view.parallel() && pixel.z() <= 0) return 0;
-    left = std::min(left, pixel.x());
-    right = std::max(right, pixel.x());
-    top = std::min(top, pixel.y());
-    bottom = std::max(bottom, pixel.y());
+    pixels.add(view.toPixel(corner));
+    if (!view.parallel() && pixels.min.z() <= 0) return 0;
   }
   const auto share = [](double from, double to, double size) {
     const double inside = std::min(to, size) - std::max(from, 0.0);
     return to > from ? std::clamp(inside / (to - from), 0.0, 1.0) : double(from >= 0 && from <= size);
   };
-  return share(left, right, width) * share(top, bottom, height);
+  return share(pixels.min.x(), pixels.max.x(), width) * share(pixels.min.y(), pixels.max.y(), height);
 }
 
 double shareBehind(const DepthRange& all, const DepthRange& part, double back, bool parallel) {

@@ -11,8 +11,10 @@ namespace bw::scene {
 
 std::vector<Eigen::Vector3d> cornersOf(const Bounds& bounds);
 
-/// What holds both; those that are not valid hold nothing.
-Bounds joined(Bounds a, const Bounds& b);
+/// What holds both; those of nothing hold nothing.
+Bounds joined(const Bounds& a, const Bounds& b);
+/// What holds those of the points that are finite.
+Bounds boundsOf(const std::vector<Eigen::Vector3d>& points);
 
 /// The camera that looks the way `from` does and has `points` (at least one) in the picture as large as
 /// possible, with some air around. `aspect` is the picture's width by its height, > 0; `rightMargin` is what

@@ -9,7 +9,9 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+
 #include "bw/core/base/units.h"
+#include "scene/render/polyline.h"
 
 namespace bw::scene {
 
@@ -120,17 +122,8 @@ std::optional<double> rayMeetsBox(const Ray& ray, const Box& box) {
   const Eigen::Vector3d origin = box.frame.toLocal(ray.origin);
   const Eigen::Vector3d direction(ray.direction.dot(box.frame.x), ray.direction.dot(box.frame.y),
                                   ray.direction.dot(box.frame.normal));
-  double enter = -std::numeric_limits<double>::max(), leave = -enter;
-  for (int k = 0; k < 3; ++k) {
-    if (direction[k] == 0) {
-      if (origin[k] < 0 || origin[k] > box.size[k]) return std::nullopt;
-      continue;
-    }
-    double a = -origin[k] / direction[k], b = (box.size[k] - origin[k]) / direction[k];
-    if (a > b) std::swap(a, b);
-    enter = std::max(enter, a);
-    leave = std::min(leave, b);
-  }
+  constexpr double kFar = std::numeric_limits<double>::max();
+  const auto [enter, leave] = shareInBox(origin, direction, box.size, -kFar, kFar);
   if (enter > leave || leave < 0) return std::nullopt;
   return enter > 0 ? enter : leave;
 }

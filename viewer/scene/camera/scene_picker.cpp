@@ -110,9 +110,8 @@ Ray sightThrough(const ScenePicker::Shown& shown, const Projection& view, double
 
 }  // namespace
 
-void ScenePicker::reset(bool facesToo) {
-  trees_.clear();
-  if (facesToo) faceTree_.reset();
+void ScenePicker::reset(const TriangleMesh* kept) {
+  std::erase_if(trees_, [&](const auto& tree) { return tree.first != kept; });
 }
 
 std::optional<RayHit> ScenePicker::hit(const TriangleMesh& mesh, const Shown& shown, const Ray& ray) const {
@@ -134,9 +133,8 @@ auto ScenePicker::firstOf(const Range& things, Kind kind, const Shown& shown, co
 
 Pick ScenePicker::pickFace(const Shown& shown, const Ray& ray) const {
   const FaceMesh& faces = *shown.things.faces;
-  if (!faceTree_) faceTree_ = std::make_unique<TriangleTree>(faces.mesh.points, faces.mesh.triangles);
   Pick result;
-  if (const std::optional<RayHit> met = faceTree_->firstHit(ray)) {
+  if (const std::optional<RayHit> met = hit(faces.mesh, shown, ray)) {
     result.kind = Kind::face;
     result.face = faces.faces[std::size_t(met->triangle)];
     result.point = ray.at(met->t);

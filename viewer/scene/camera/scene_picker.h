@@ -3,7 +3,6 @@
 #pragma once
 
 #include <map>
-#include <memory>
 #include <optional>
 
 #include "scene/camera/picking.h"
@@ -26,8 +25,8 @@ class ScenePicker {
     double targetSetBack;         ///< mm that targets are drawn behind their place
   };
 
-  /// Forgets the surfaces it was asked about; call it when they change. The faces of the file often stay.
-  void reset(bool facesToo);
+  /// Forgets the surfaces it was asked about, but for one that may be null; call it when they change.
+  void reset(const TriangleMesh* kept);
   /// What lies at the pixel (x, y) from the upper left corner. The first call after a reset sorts the
   /// triangles of the surfaces.
   Pick pick(const Shown& shown, const Projection& view, double x, double y) const;
@@ -47,7 +46,6 @@ class ScenePicker {
   Pick pickFace(const Shown& shown, const Ray& ray) const;
 
   mutable std::map<const TriangleMesh*, TriangleTree> trees_;
-  mutable std::unique_ptr<TriangleTree> faceTree_;
 };
 
 }  // namespace bw::scene

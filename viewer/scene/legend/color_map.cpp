@@ -3,6 +3,8 @@
 
 #include "scene/legend/color_map.h"
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,8 +21,6 @@ constexpr Samples kViridis{0x440154, 0x482878, 0x3E4A89, 0x31688E, 0x26828E,
 constexpr Samples kCividis{0x00204D, 0x00336F, 0x39486B, 0x575C6D, 0x707173,
                            0x8A8779, 0xA69D75, 0xC4B56C, 0xE4CF5B, 0xFFEA46};
 
-using Triple = std::array<double, 3>;
-
 double toLinear(double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); }
 double toSrgb(double c) {
   c = std::clamp(c, 0.0, 1.0);
@@ -28,7 +28,7 @@ double toSrgb(double c) {
 }
 
 /// Oklab (Björn Ottosson, 2020): a space in which straight lines look even.
-Triple toOklab(const Rgb& c) {
+Eigen::Array3d toOklab(const Rgb& c) {
   const double r = toLinear(c.r), g = toLinear(c.g), b = toLinear(c.b);
   const double l = std::cbrt(0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b);
   const double m = std::cbrt(0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b);
@@ -38,7 +38,7 @@ Triple toOklab(const Rgb& c) {
           0.0259040371 * l + 0.7827717662 * m - 0.8086757660 * s};
 }
 
-Rgb fromOklab(const Triple& lab) {
+Rgb fromOklab(const Eigen::Array3d& lab) {
   const auto cube = [](double x) { return x * x * x; };
   const double l = cube(lab[0] + 0.3963377774 * lab[1] + 0.2158037573 * lab[2]);
   const double m = cube(lab[0] - 0.1055613458 * lab[1] - 0.0638541728 * lab[2]);
@@ -55,19 +55,13 @@ Rgb through(const Samples& samples, double t) {
   const int i = std::min(int(x), last - 1);
   const double u = x - i;
   const auto lab = [&](int k) { return toOklab(Rgb::hex(samples[std::size_t(std::clamp(k, 0, last))])); };
-  const Triple a = lab(i - 1), b = lab(i), c = lab(i + 1), d = lab(i + 2);
-  Triple p;
-  for (std::size_t k = 0; k < 3; ++k) {
-    p[k] = b[k] + 0.5 * u *
-                      (c[k] - a[k] +
-                       u * (2 * a[k] - 5 * b[k] + 4 * c[k] - d[k] + u * (3 * (b[k] - c[k]) + d[k] - a[k])));
-  }
-  return fromOklab(p);
+  const Eigen::Array3d a = lab(i - 1), b = lab(i), c = lab(i + 1), d = lab(i + 2);
+  return fromOklab(b + 0.5 * u * (c - a + u * (2 * a - 5 * b + 4 * c - d + u * (3 * (b - c) + d - a))));
 }
 
 Rgb mixEvenly(const Rgb& a, const Rgb& b, double t) {
-  const Triple p = toOklab(a), q = toOklab(b);
-  return fromOklab({p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1]), p[2] + t * (q[2] - p[2])});
+  const Eigen::Array3d p = toOklab(a), q = toOklab(b);
+  return fromOklab(p + t * (q - p));
 }
 
 constexpr Rgb kNeutral = Rgb::hex(0xFAFAF8);

@@ -66,21 +66,15 @@ std::string shareText(const ShownMap& map, double low, double high) {
 void Legend::update(int width, int height, const Style& style, const ShownMap* shown,
                     unsigned contentVersion) {
   if (!shown || !style.legend) {
-    key_.clear();
-    canvas_.begin(width, height);
+    key_.reset();
+    canvas_.begin(height);
     canvas_.end();
     card_ = bar_ = std::nullopt;
     return;
   }
-  const ColorMap& map = shown->colors;
-  std::string key;
-  for (const Row* row : shown->rows)
-    for (const int level : {row->id.block, row->id.cut, row->id.strip}) key += std::to_string(level) + ' ';
-  for (const double v : {double(width), double(height), double(style.dark), style.pixelRatio, map.range.first,
-                         map.range.second, map.tolerance, map.limit.value_or(0), double(contentVersion)}) {
-    key += roundTripText(v) + ' ';
-  }
-  key += map.field;
+  std::vector<ItemId> rows;
+  for (const Row* row : shown->rows) rows.push_back(row->id);
+  const std::tuple key(width, height, style.dark, style.pixelRatio, shown->colors, rows, contentVersion);
   if (key == key_) return;
   key_ = key;
   draw(width, height, style, *shown);
@@ -95,8 +89,8 @@ void Legend::draw(int width, int height, const Style& style, const ShownMap& sho
   const auto pixels = [px](double v) { return std::round(v * px); };
   const bool deviation = mapRule(field.name) == MapRule::banded;
   const Ticks ticks = legendTicks(map.range);
-  const TextLook title{13 * px, true, colors.text, 1}, label{12 * px, false, colors.text, 1},
-      small{11 * px, false, colors.secondary, 1};
+  const TextLook title{13 * px, true, colors.text}, label{12 * px, false, colors.text},
+      small{11 * px, false, colors.secondary};
 
   // Texts below the bar: what the data span, and how much of them is good.
   std::vector<std::string> notes{spanText(summary, ticks.decimals + 1, deviation, field.unit)};
@@ -119,10 +113,9 @@ void Legend::draw(int width, int height, const Style& style, const ShownMap& sho
     labelWidth = std::max(labelWidth, Canvas::textWidth(tickText(v, ticks.decimals, deviation), label));
   for (const double v : marks)
     labelWidth = std::max(labelWidth, Canvas::textWidth(tickText(v, ticks.decimals + 1, deviation), small));
-  const std::string unitText = field.unit;
   double inner = histogramWidth + gap + barWidth + labelGap + labelWidth;
   const double titleWidth = Canvas::textWidth(field.title, title);
-  const double unitWidth = unitText.empty() ? 0 : pixels(6) + Canvas::textWidth(unitText, small);
+  const double unitWidth = field.unit.empty() ? 0 : pixels(6) + Canvas::textWidth(field.unit, small);
   inner = std::max(inner, titleWidth + unitWidth);
   for (const std::string& note : notes) inner = std::max(inner, Canvas::textWidth(note, small));
   inner = std::ceil(inner);
@@ -132,7 +125,7 @@ void Legend::draw(int width, int height, const Style& style, const ShownMap& sho
   const double cardWidth = inner + 2 * padding;
   const double room = height - 2 * margin - 2 * padding - head - foot;
   const double barHeight = std::floor(std::min(room, kMaxBar * px));
-  canvas_.begin(width, height);
+  canvas_.begin(height);
   if (barHeight < kMinBar * px || cardWidth + 2 * margin > width) {
     canvas_.end();
     card_ = bar_ = std::nullopt;
@@ -150,8 +143,8 @@ void Legend::draw(int width, int height, const Style& style, const ShownMap& sho
                       pixels(7), colors.line, 0.55);
   canvas_.roundedRect(card, pixels(6), colors.panel, 0.9);
   canvas_.text(field.title, card.x + padding, card.y + padding + pixels(7), Align::left, title);
-  if (!unitText.empty()) {
-    canvas_.text(unitText, card.x + padding + titleWidth + pixels(6), card.y + padding + pixels(7),
+  if (!field.unit.empty()) {
+    canvas_.text(field.unit, card.x + padding + titleWidth + pixels(6), card.y + padding + pixels(7),
                  Align::left, small);
   }
 
@@ -186,12 +179,14 @@ void Legend::draw(int width, int height, const Style& style, const ShownMap& sho
     canvas_.rect({bar.x - gap - length, y0, length, std::max(hair, y1 - y0 - hair)}, colors.secondary, 0.5);
   }
 
+  const auto lineAt = [&](double v) {
+    return std::clamp(std::round(yOf(v) - 0.5 * hair), bar.y, bar.y + bar.height - hair);
+  };
   // Marks of what is allowed: across the bar and the histogram.
   const auto inside = [&](double v) { return v >= low && v <= high; };
   for (const double v : marks) {
     if (!inside(v)) continue;
-    const double y = std::clamp(std::round(yOf(v) - 0.5 * hair), bar.y, bar.y + bar.height - hair);
-    canvas_.rect({bar.x - gap - histogramWidth, y, histogramWidth + gap + bar.width + tick, hair},
+    canvas_.rect({bar.x - gap - histogramWidth, lineAt(v), histogramWidth + gap + bar.width + tick, hair},
                  colors.text, 0.85);
   }
   // A short bar has room for few numbers: every second, fifth … tick has one, zero among them.
@@ -201,8 +196,7 @@ void Legend::draw(int width, int height, const Style& style, const ShownMap& sho
     if (double(stride) * spacing < lineHeight) stride = next;
   std::vector<double> numbered;
   for (const double v : ticks.values) {
-    const double y = std::clamp(std::round(yOf(v) - 0.5 * hair), bar.y, bar.y + bar.height - hair);
-    canvas_.rect({bar.x + bar.width, y, tick, hair}, colors.secondary, 0.9);
+    canvas_.rect({bar.x + bar.width, lineAt(v), tick, hair}, colors.secondary, 0.9);
     if (std::lround(v / ticks.step) % stride != 0) continue;
     numbered.push_back(v);
     canvas_.text(tickText(v, ticks.decimals, deviation), bar.x + bar.width + labelGap + labelWidth, yOf(v),

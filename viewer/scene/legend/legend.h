@@ -3,8 +3,7 @@
 #pragma once
 
 #include <optional>
-#include <string>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 #include "scene/render/layers.h"
@@ -31,7 +30,8 @@ class Legend {
 
   Canvas canvas_;
   std::optional<PixelRect> card_, bar_;
-  std::string key_;
+  /// What it was laid out for: size, theme, pixel ratio, map, rows and content.
+  std::optional<std::tuple<int, int, bool, double, ColorMap, std::vector<ItemId>, unsigned>> key_;
 };
 
 }  // namespace bw::scene

@@ -16,13 +16,46 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
+#include <system_error>
 
 #include "bw/core/base/units.h"
-#include "scene/render/fonts.h"
 
 namespace bw::scene {
 
 namespace {
+
+struct Typeface {
+  std::string regular, bold;
+};
+
+/// Looked up at the places where Debian, Fedora and Arch put them; reading all fonts of a system would take
+/// too long.
+Typeface findTypeface() {
+  struct Place {
+    const char *folder, *regular, *bold;
+  };
+  constexpr std::array<Place, 9> kPlaces{{
+      {"/usr/share/fonts/opentype/inter", "Inter-Regular.otf", "Inter-SemiBold.otf"},
+      {"/usr/share/fonts/truetype/inter", "Inter-Regular.ttf", "Inter-SemiBold.ttf"},
+      {"/usr/share/fonts/inter", "Inter-Regular.otf", "Inter-SemiBold.otf"},
+      {"/usr/share/fonts/truetype/noto", "NotoSans-Regular.ttf", "NotoSans-Bold.ttf"},
+      {"/usr/share/fonts/google-noto", "NotoSans-Regular.ttf", "NotoSans-Bold.ttf"},
+      {"/usr/share/fonts/noto", "NotoSans-Regular.ttf", "NotoSans-Bold.ttf"},
+      {"/usr/share/fonts/truetype/dejavu", "DejaVuSans.ttf", "DejaVuSans-Bold.ttf"},
+      {"/usr/share/fonts/dejavu-sans-fonts", "DejaVuSans.ttf", "DejaVuSans-Bold.ttf"},
+      {"/usr/share/fonts/TTF", "DejaVuSans.ttf", "DejaVuSans-Bold.ttf"},
+  }};
+  for (const Place& place : kPlaces) {
+    const std::filesystem::path folder(place.folder);
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(folder / place.regular, ignored) &&
+        std::filesystem::is_regular_file(folder / place.bold, ignored)) {
+      return {(folder / place.regular).string(), (folder / place.bold).string()};
+    }
+  }
+  return {};
+}
 
 constexpr int kDpi = 72;  ///< makes a font's point one pixel
 
@@ -30,7 +63,6 @@ void applyLook(vtkTextProperty* property, const TextLook& look) {
   useInterfaceFont(property, look.bold);
   property->SetFontSize(std::max(6, int(std::lround(look.size))));
   property->SetColor(look.color.r, look.color.g, look.color.b);
-  property->SetOpacity(look.opacity);
   property->SetJustificationToLeft();
   property->SetVerticalJustificationToBottom();
 }
@@ -48,6 +80,17 @@ TextBox measure(const std::string& text, vtkTextProperty* property) {
 
 }  // namespace
 
+void useInterfaceFont(vtkTextProperty* property, bool bold) {
+  static const Typeface kTypeface = findTypeface();
+  if (kTypeface.regular.empty()) {
+    property->SetFontFamilyToArial();
+    property->SetBold(bold);
+    return;
+  }
+  property->SetFontFamily(VTK_FONT_FILE);
+  property->SetFontFile((bold ? kTypeface.bold : kTypeface.regular).c_str());
+}
+
 Canvas::Canvas(bool behind)
     : behind_(behind),
       actor_(vtkSmartPointer<vtkActor2D>::New()),
@@ -64,11 +107,9 @@ vtkActor2D* Canvas::drawnBy(vtkRenderer* renderer) {
   return actor_;
 }
 
-void Canvas::begin(int width, int height) {
-  width_ = width;
+void Canvas::begin(int height) {
   height_ = height;
   points_ = vtkSmartPointer<vtkPoints>::New();
-  points_->SetDataTypeToFloat();
   polygons_ = vtkSmartPointer<vtkCellArray>::New();
   colors_ = vtkSmartPointer<vtkUnsignedCharArray>::New();
   colors_->SetNumberOfComponents(4);
@@ -123,16 +164,16 @@ void Canvas::triangle(double x0, double y0, double x1, double y1, double x2, dou
   fan(first, 3);
 }
 
-void Canvas::disc(double x, double y, double radius, const Rgb& color, double opacity) {
+void Canvas::disc(double x, double y, double radius, const Rgb& color) {
   const int first = int(points_->GetNumberOfPoints()), steps = 24;
   for (int k = 0; k < steps; ++k) {
     const double angle = 2 * kPi * k / steps;
-    vertex(x + radius * std::cos(angle), y - radius * std::sin(angle), color, opacity);
+    vertex(x + radius * std::cos(angle), y - radius * std::sin(angle), color, 1);
   }
   fan(first, steps);
 }
 
-PixelRect Canvas::text(const std::string& text, double x, double y, Align align, const TextLook& look) {
+void Canvas::text(const std::string& text, double x, double y, Align align, const TextLook& look) {
   if (used_ == textActors_.size()) {
     const auto actor = vtkSmartPointer<vtkTextActor>::New();
     actor->PickableOff();
@@ -149,25 +190,18 @@ PixelRect Canvas::text(const std::string& text, double x, double y, Align align,
   const double anchorX = std::floor(left + 0.5) - ink.left;
   const double anchorY = std::floor(height_ - y - 0.5 * digits.height + 0.5) - digits.bottom;
   actor->SetPosition(anchorX, anchorY);
-  actor->SetVisibility(visible_);
-  const PixelRect box{anchorX + ink.left, height_ - (anchorY + ink.bottom + ink.height), double(ink.width),
-                      double(ink.height)};
-  texts_.push_back({text, box});
-  return box;
+  actor->VisibilityOn();
+  texts_.push_back({text,
+                    {anchorX + ink.left, height_ - (anchorY + ink.bottom + ink.height), double(ink.width),
+                     double(ink.height)}});
 }
 
 void Canvas::end() {
   data_->SetPoints(points_);
   data_->SetPolys(polygons_);
   data_->GetPointData()->SetScalars(colors_);
-  actor_->SetVisibility(visible_ && points_->GetNumberOfPoints() > 0);
+  actor_->SetVisibility(points_->GetNumberOfPoints() > 0);
   for (std::size_t i = used_; i < textActors_.size(); ++i) textActors_[i]->VisibilityOff();
-}
-
-void Canvas::setVisible(bool on) {
-  visible_ = on;
-  actor_->SetVisibility(on && data_->GetNumberOfPoints() > 0);
-  for (std::size_t i = 0; i < textActors_.size(); ++i) textActors_[i]->SetVisibility(on && i < used_);
 }
 
 double Canvas::textWidth(const std::string& text, const TextLook& look) {

@@ -16,9 +16,14 @@
 class vtkCellArray;
 class vtkPoints;
 class vtkRenderer;
+class vtkTextProperty;
 class vtkUnsignedCharArray;
 
 namespace bw::scene {
+
+/// Sets the typeface that the windows of the desktop use too: Inter, Noto Sans or DejaVu Sans, whichever is
+/// installed; otherwise VTK's own.
+void useInterfaceFont(vtkTextProperty* property, bool bold);
 
 enum class Align { left, center, right };
 
@@ -26,7 +31,6 @@ struct TextLook {
   double size = 12;  ///< pixels
   bool bold = false;
   Rgb color;
-  double opacity = 1;
 };
 
 /// Flat drawing over (or, if `behind`, under) the scene, in pixels from the upper left corner. Draw between
@@ -37,16 +41,16 @@ class Canvas {
   /// Texts are drawn by that renderer; the rest is the actor returned, which it has yet to be given.
   vtkActor2D* drawnBy(vtkRenderer* renderer);
 
-  void begin(int width, int height);
+  /// `height` is that of the picture.
+  void begin(int height);
   void rect(const PixelRect& rect, const Rgb& color, double opacity = 1);
   void roundedRect(const PixelRect& rect, double radius, const Rgb& color, double opacity = 1);
   void triangle(double x0, double y0, double x1, double y1, double x2, double y2, const Rgb& color,
                 double opacity = 1);
-  void disc(double x, double y, double radius, const Rgb& color, double opacity = 1);
-  /// Text whose digits stand centred on `y`, placed on `x` by `align`. Returns its box.
-  PixelRect text(const std::string& text, double x, double y, Align align, const TextLook& look);
+  void disc(double x, double y, double radius, const Rgb& color);
+  /// Text whose digits stand centred on `y`, placed on `x` by `align`.
+  void text(const std::string& text, double x, double y, Align align, const TextLook& look);
   void end();
-  void setVisible(bool on);
 
   /// Width of a text in pixels.
   static double textWidth(const std::string& text, const TextLook& look);
@@ -57,8 +61,7 @@ class Canvas {
   void fan(int first, int count);
 
   bool behind_;
-  bool visible_ = true;
-  int width_ = 0, height_ = 0;
+  int height_ = 0;
   vtkRenderer* renderer_ = nullptr;
   vtkSmartPointer<vtkActor2D> actor_;
   vtkSmartPointer<vtkPolyData> data_;

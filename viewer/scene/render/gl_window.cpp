@@ -3,37 +3,24 @@
 
 #include "scene/render/gl_window.h"
 
+#include <vtkCallbackCommand.h>
+#include <vtkCommand.h>
 #include <vtkObject.h>
 #include <vtkObjectFactory.h>
-#include <vtkVersionMacros.h>
+#include <vtkVersion.h>
+
+#include "bw/scene/version.h"
 
 namespace bw::scene {
 
 // From 9.4 on VTK takes the functions of GL from a loader that it is given and looks for no display.
 #define BW_VTK_TAKES_LOADER (VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0))
 
+namespace {
+
 #if BW_VTK_TAKES_LOADER
-
-namespace {
 using GlWindow = vtkGenericOpenGLRenderWindow;
-}
-
 #else
-
-namespace {
-
-/// Keeps VTK from speaking while it exists.
-class Silence {
- public:
-  Silence() : before_(vtkObject::GetGlobalWarningDisplay()) { vtkObject::GlobalWarningDisplayOff(); }
-  ~Silence() { vtkObject::SetGlobalWarningDisplay(before_); }
-  Silence(const Silence&) = delete;
-  Silence& operator=(const Silence&) = delete;
-
- private:
-  int before_;
-};
-
 class GlWindow : public vtkGenericOpenGLRenderWindow {
  public:
   static GlWindow* New();
@@ -45,8 +32,10 @@ class GlWindow : public vtkGenericOpenGLRenderWindow {
       this->ContextCreationTime.Modified();
       return;
     }
-    const Silence silence;
+    const int before = vtkObject::GetGlobalWarningDisplay();
+    vtkObject::GlobalWarningDisplayOff();
     vtkGenericOpenGLRenderWindow::OpenGLInitContext();
+    vtkObject::SetGlobalWarningDisplay(before);
     this->Initialized = true;
   }
 
@@ -54,23 +43,38 @@ class GlWindow : public vtkGenericOpenGLRenderWindow {
   GlWindow() = default;
 };
 vtkStandardNewMacro(GlWindow);
+#endif
 
 }  // namespace
 
-#endif
-
-vtkSmartPointer<vtkGenericOpenGLRenderWindow> makeGlWindow([[maybe_unused]] GlLoader loader,
-                                                           [[maybe_unused]] void* context) {
-  const auto window = vtkSmartPointer<GlWindow>::New();
+RenderTarget::RenderTarget([[maybe_unused]] GlLoader loader, [[maybe_unused]] void* context)
+    : window_(vtkSmartPointer<GlWindow>::New()) {
 #if BW_VTK_TAKES_LOADER
-  window->SetOpenGLSymbolLoader(loader, context);
+  window_->SetOpenGLSymbolLoader(loader, context);
 #endif
-  window->SetOwnContext(0);
+  window_->SetOwnContext(0);
   // Lines wider than a pixel are drawn by VTK's own shader: drivers differ in what they allow.
-  window->SetForceMaximumHardwareLineWidth(1);
-  window->SetMultiSamples(kSamples);
-  window->SetDPI(72);
-  return window;
+  window_->SetForceMaximumHardwareLineWidth(1);
+  window_->SetMultiSamples(kSamples);
+  window_->SetDPI(72);
+  const auto answers = vtkSmartPointer<vtkCallbackCommand>::New();
+  answers->SetClientData(this);
+  answers->SetCallback([](vtkObject*, unsigned long event, void* client, void* data) {
+    auto* self = static_cast<RenderTarget*>(client);
+    if (event == vtkCommand::WindowMakeCurrentEvent) self->makeCurrent();
+    if (event == vtkCommand::WindowIsCurrentEvent) *static_cast<bool*>(data) = self->isCurrent();
+  });
+  window_->AddObserver(vtkCommand::WindowMakeCurrentEvent, answers);
+  window_->AddObserver(vtkCommand::WindowIsCurrentEvent, answers);
+  window_->SetReadyForRendering(true);
 }
+
+void RenderTarget::release() {
+  if (makeCurrent()) window_->Finalize();
+  window_->SetReadyForRendering(false);
+  window_ = nullptr;
+}
+
+std::string libraryVersions() { return std::string("VTK ") + vtkVersion::GetVTKVersion() + "\n"; }
 
 }  // namespace bw::scene

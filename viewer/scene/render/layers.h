@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <utility>
-#include <vector>
+#include <vtkPropCollection.h>
+#include <vtkRenderer.h>
+
+#include <map>
 
 #include "scene/render/canvas.h"
 #include "scene/render/vtk_tools.h"
-
-class vtkRenderer;
 
 namespace bw::scene {
 
@@ -41,8 +41,14 @@ class Layers {
   void add(Layer layer, Canvas& canvas) { place(canvases_, layer, canvas.drawnBy(renderer_)); }
 
  private:
-  using Props = std::vector<std::pair<Layer, vtkProp*>>;
-  void place(Props& props, Layer layer, vtkProp* prop);
+  using Props = std::multimap<Layer, vtkProp*>;
+  void place(Props& props, Layer layer, vtkProp* prop) {
+    // What comes after it moves to the end of VTK's list, past the new one.
+    for (auto next = props.emplace(layer, prop); next != props.end(); ++next) {
+      renderer_->GetViewProps()->RemoveItem(next->second);
+      renderer_->AddViewProp(next->second);
+    }
+  }
 
   vtkRenderer* renderer_;
   Props parts_, canvases_;

@@ -1,38 +1,49 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
-#include "scene/render/offscreen.h"
-
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
-#include <vtkCallbackCommand.h>
-#include <vtkCommand.h>
+#include <vtkImageData.h>
+#include <vtkPNGWriter.h>
+#include <vtkSmartPointer.h>
+#include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
 #include <cstring>
+#include <exception>
 #include <string>
-#include <utility>
+
+#include "bw/scene/scene.h"
+#include "scene/render/gl_window.h"
 
 namespace bw::scene {
 
 namespace {
 
-struct EglContext {
-  EGLDisplay display = EGL_NO_DISPLAY;
-  EGLContext context = EGL_NO_CONTEXT;
-
-  EglContext() = default;
-  EglContext(EglContext&& other) noexcept
-      : display(std::exchange(other.display, EGL_NO_DISPLAY)),
-        context(std::exchange(other.context, EGL_NO_CONTEXT)) {}
-  EglContext& operator=(EglContext&&) = delete;
-  ~EglContext() {
+class OffscreenTarget : public RenderTarget {
+ public:
+  OffscreenTarget(EGLDisplay display, EGLContext context)
+      : RenderTarget([](void*, const char* name) -> GlFunction { return eglGetProcAddress(name); }, nullptr),
+        display_(display),
+        context_(context) {
+    window()->SetOffScreenRendering(1);
+    window()->SetFrameBlitModeToNoBlit();
+  }
+  ~OffscreenTarget() override {
+    release();
+    OffscreenTarget::doneCurrent();
     // The display is shared by the whole process and stays.
-    if (context != EGL_NO_CONTEXT) eglDestroyContext(display, context);
+    eglDestroyContext(display_, context_);
   }
-  bool makeCurrent() const {
-    return eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_TRUE;
+  bool isCurrent() const override { return eglGetCurrentContext() == context_; }
+  bool makeCurrent() override {
+    return eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_TRUE;
   }
-  void doneCurrent() const { eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT); }
+  void doneCurrent() override { eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT); }
+
+ private:
+  EGLDisplay display_;
+  EGLContext context_;
 };
 
 tl::unexpected<Error> noPicture(const std::string& step) {
@@ -41,23 +52,25 @@ tl::unexpected<Error> noPicture(const std::string& step) {
                                        "libgl1-mesa-dri) or leave the pictures out.");
 }
 
-Result<EglContext> makeContext() {
-  EglContext egl;
+}  // namespace
+
+Result<std::unique_ptr<RenderTarget>> makeOffscreenTarget() {
+  EGLDisplay display = EGL_NO_DISPLAY;
   const char* extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
   const bool surfaceless = extensions && std::strstr(extensions, "EGL_MESA_platform_surfaceless");
   const auto getDisplay =
       reinterpret_cast<PFNEGLGETPLATFORMDISPLAYPROC>(eglGetProcAddress("eglGetPlatformDisplay"));
   if (surfaceless && getDisplay)
-    egl.display = getDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-  if (egl.display == EGL_NO_DISPLAY) egl.display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
+    display = getDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+  if (display == EGL_NO_DISPLAY) display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
   EGLint major = 0, minor = 0;
-  if (egl.display == EGL_NO_DISPLAY || !eglInitialize(egl.display, &major, &minor))
+  if (display == EGL_NO_DISPLAY || !eglInitialize(display, &major, &minor))
     return noPicture("there is no EGL display");
   if (!eglBindAPI(EGL_OPENGL_API)) return noPicture("the EGL driver has no desktop OpenGL");
   const EGLint wanted[] = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
   EGLConfig config = nullptr;
   EGLint count = 0;
-  if (!eglChooseConfig(egl.display, wanted, &config, 1, &count) || count < 1) config = nullptr;
+  if (!eglChooseConfig(display, wanted, &config, 1, &count) || count < 1) config = nullptr;
   const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
                                3,
                                EGL_CONTEXT_MINOR_VERSION,
@@ -65,59 +78,44 @@ Result<EglContext> makeContext() {
                                EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                EGL_NONE};
-  egl.context = eglCreateContext(egl.display, config, EGL_NO_CONTEXT, attributes);
-  if (egl.context == EGL_NO_CONTEXT) return noPicture("the EGL driver offers no OpenGL 3.2");
-  return egl;
-}
-
-class OffscreenTarget : public RenderTarget {
- public:
-  explicit OffscreenTarget(EglContext egl)
-      : egl_(std::move(egl)),
-        window_(makeGlWindow([](void*, const char* name) -> GlFunction { return eglGetProcAddress(name); },
-                             nullptr)) {
-    const auto isCurrent = vtkSmartPointer<vtkCallbackCommand>::New();
-    isCurrent->SetClientData(&egl_);
-    isCurrent->SetCallback([](vtkObject*, unsigned long event, void* client, void* data) {
-      const auto* held = static_cast<EglContext*>(client);
-      if (event == vtkCommand::WindowMakeCurrentEvent) held->makeCurrent();
-      if (event == vtkCommand::WindowIsCurrentEvent)
-        *static_cast<bool*>(data) = eglGetCurrentContext() == held->context;
-    });
-    window_->AddObserver(vtkCommand::WindowMakeCurrentEvent, isCurrent);
-    window_->AddObserver(vtkCommand::WindowIsCurrentEvent, isCurrent);
-    window_->SetOffScreenRendering(1);
-    window_->SetFrameBlitModeToNoBlit();
-    window_->SetReadyForRendering(true);
-  }
-
-  ~OffscreenTarget() override {
-    if (egl_.makeCurrent()) {
-      window_->Finalize();
-      window_->SetReadyForRendering(false);
-      window_ = nullptr;
-      egl_.doneCurrent();
-    }
-  }
-
-  vtkGenericOpenGLRenderWindow* window() const override { return window_; }
-  bool makeCurrent() override { return egl_.makeCurrent(); }
-  void doneCurrent() override { egl_.doneCurrent(); }
-
- private:
-  EglContext egl_;
-  vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;
-};
-
-}  // namespace
-
-Result<std::unique_ptr<RenderTarget>> makeOffscreenTarget() {
-  Result<EglContext> egl = makeContext();
-  if (!egl) return tl::unexpected(egl.error());
-  if (!egl->makeCurrent()) return noPicture("the EGL context cannot be used");
-  auto target = std::make_unique<OffscreenTarget>(std::move(*egl));
+  const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, attributes);
+  if (context == EGL_NO_CONTEXT) return noPicture("the EGL driver offers no OpenGL 3.2");
+  auto target = std::make_unique<OffscreenTarget>(display, context);
+  if (!target->makeCurrent()) return noPicture("the EGL context cannot be used");
   target->doneCurrent();
   return target;
+}
+
+Result<std::string> pngBytes(const Picture& picture) {
+  const std::size_t row = std::size_t(std::max(0, picture.width)) * 3;
+  if (picture.width < 1 || picture.height < 1 || picture.rgb.size() != row * std::size_t(picture.height)) {
+    return fail(ErrorCode::badInput, "The picture holds " + std::to_string(picture.rgb.size()) +
+                                         " bytes, which does not fit its size of " +
+                                         std::to_string(picture.width) + " × " +
+                                         std::to_string(picture.height) + " pixels.");
+  }
+  try {
+    const auto image = vtkSmartPointer<vtkImageData>::New();
+    image->SetDimensions(picture.width, picture.height, 1);
+    image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+    for (int y = 0; y < picture.height; ++y) {
+      const auto source = picture.rgb.begin() + std::ptrdiff_t(std::size_t(picture.height - 1 - y) * row);
+      std::copy(source, source + std::ptrdiff_t(row),
+                static_cast<unsigned char*>(image->GetScalarPointer(0, y, 0)));
+    }
+    const auto writer = vtkSmartPointer<vtkPNGWriter>::New();
+    writer->WriteToMemoryOn();
+    writer->SetInputData(image);
+    writer->Write();
+    vtkUnsignedCharArray* bytes = writer->GetResult();
+    if (!bytes || bytes->GetNumberOfValues() == 0)
+      return fail(ErrorCode::internal, "The picture could not be encoded as PNG.");
+    return std::string(reinterpret_cast<const char*>(bytes->GetPointer(0)),
+                       std::size_t(bytes->GetNumberOfValues()));
+  } catch (const std::exception& error) {
+    return fail(ErrorCode::internal,
+                std::string("The picture could not be encoded as PNG: ") + error.what() + ".");
+  }
 }
 
 }  // namespace bw::scene

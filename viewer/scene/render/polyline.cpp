@@ -4,6 +4,7 @@
 #include "scene/render/polyline.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -39,6 +40,29 @@ double lengthOf(const Polyline& line) {
 bool usable(const Polyline& line) {
   return line.size() >= 2 &&
          std::all_of(line.begin(), line.end(), [](const Eigen::Vector3d& p) { return p.allFinite(); });
+}
+
+Segments edgesOf(const Box& box) {
+  const std::array<Eigen::Vector3d, 8> corners = box.corners();
+  Segments edges;
+  for (std::size_t a = 0; a < 8; ++a)
+    for (const std::size_t bit : {1u, 2u, 4u})
+      if (!(a & bit)) edges.emplace_back(corners[a], corners[a | bit]);
+  return edges;
+}
+
+std::pair<double, double> shareInBox(const Eigen::Vector3d& from, const Eigen::Vector3d& along,
+                                     const Eigen::Vector3d& size, double least, double most) {
+  for (int k = 0; k < 3; ++k) {
+    if (along[k] == 0) {
+      if (from[k] < 0 || from[k] > size[k]) return {1, 0};
+      continue;
+    }
+    const auto [enter, leave] = std::minmax({-from[k] / along[k], (size[k] - from[k]) / along[k]});
+    least = std::max(least, enter);
+    most = std::min(most, leave);
+  }
+  return {least, most};
 }
 
 Segments dashes(const Polyline& line, double dash, double gap) {
@@ -92,16 +116,7 @@ std::vector<Polyline> clipped(const Polyline& line, const Box& box, Side side) {
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     // The share [enter, leave] of the edge lies in the box.
     const Eigen::Vector3d p = box.frame.toLocal(line[i]), d = box.frame.toLocal(line[i + 1]) - p;
-    double enter = 0, leave = 1;
-    for (int k = 0; k < 3; ++k) {
-      if (d[k] == 0) {
-        if (p[k] < 0 || p[k] > box.size[k]) leave = -1;
-        continue;
-      }
-      const double a = -p[k] / d[k], b = (box.size[k] - p[k]) / d[k];
-      enter = std::max(enter, std::min(a, b));
-      leave = std::min(leave, std::max(a, b));
-    }
+    const auto [enter, leave] = shareInBox(p, d, box.size, 0, 1);
     const auto add = [&](double from, double to) {
       if (!(to > from)) return;
       if (piece.empty()) piece.push_back(line[i] + from * (line[i + 1] - line[i]));

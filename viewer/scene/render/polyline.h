@@ -19,6 +19,14 @@ bool usable(const Polyline& line);
 /// Along its points.
 double lengthOf(const Polyline& line);
 
+/// The twelve edges of a box.
+Segments edgesOf(const Box& box);
+
+/// The share [first, second] of the way `along` from `from`, both in the frame of a box of that size, which
+/// lies in the box and within [least, most]; first > second where there is none.
+std::pair<double, double> shareInBox(const Eigen::Vector3d& from, const Eigen::Vector3d& along,
+                                     const Eigen::Vector3d& size, double least, double most);
+
 /// Cuts a polyline into dashes. Lengths in mm; it begins with a dash.
 Segments dashes(const Polyline& line, double dash, double gap);
 

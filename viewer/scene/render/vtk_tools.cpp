@@ -49,7 +49,8 @@ vtkProperty* Part::property() const { return actor_->GetProperty(); }
 void Part::setVisible(bool on) { actor_->SetVisibility(on); }
 void Part::setColor(const Rgb& color) { property()->SetColor(color.r, color.g, color.b); }
 void Part::setOpacity(double opacity) { property()->SetOpacity(opacity); }
-void Part::setLineWidth(double pixels) {
+void Part::setLine(const Rgb& color, double pixels) {
+  setColor(color);
   // Above one pixel VTK draws lines as thin rectangles, which multisampling smooths; bare GL lines look
   // dotted.
   property()->SetLineWidth(float(std::max(1.2, pixels)));
@@ -86,53 +87,36 @@ void Part::setFade(double keep, const Rgb& background) {
   uniforms->SetUniform3f("bwFadeColor", color);
 }
 
-void Part::setLines(const std::vector<Polyline>& lines) {
-  const auto points = vtkSmartPointer<vtkPoints>::New();
-  const auto cells = vtkSmartPointer<vtkCellArray>::New();
-  vtkIdType total = 0;
-  for (const Polyline& line : lines) total += vtkIdType(line.size());
-  points->SetDataTypeToFloat();
-  points->Allocate(total);
-  cells->AllocateExact(vtkIdType(lines.size()), total);
-  for (const Polyline& line : lines) {
-    if (line.size() < 2) continue;
-    cells->InsertNextCell(int(line.size()));
-    for (const Eigen::Vector3d& p : line) cells->InsertCellPoint(points->InsertNextPoint(p.data()));
-  }
-  data_->Initialize();
-  data_->SetPoints(points);
-  data_->SetLines(cells);
+namespace {
+
+void each(const Polyline& line, const auto& see) { std::ranges::for_each(line, see); }
+void each(const Segments::value_type& segment, const auto& see) {
+  see(segment.first);
+  see(segment.second);
 }
 
-void Part::setSegments(const Segments& segments) {
+/// Gives the data set a cell for each of `lists` that has two points or more, with points of its own.
+vtkSmartPointer<vtkCellArray> makeCells(vtkPolyData* data, const auto& lists) {
   const auto points = vtkSmartPointer<vtkPoints>::New();
   const auto cells = vtkSmartPointer<vtkCellArray>::New();
-  points->SetDataTypeToFloat();
-  points->Allocate(vtkIdType(2 * segments.size()));
-  cells->AllocateExact(vtkIdType(segments.size()), vtkIdType(2 * segments.size()));
-  for (const auto& [a, b] : segments) {
-    cells->InsertNextCell(2);
-    cells->InsertCellPoint(points->InsertNextPoint(a.data()));
-    cells->InsertCellPoint(points->InsertNextPoint(b.data()));
+  for (const auto& list : lists) {
+    const vtkIdType first = points->GetNumberOfPoints();
+    each(list, [&](const Eigen::Vector3d& p) { points->InsertNextPoint(p.data()); });
+    const vtkIdType end = points->GetNumberOfPoints();
+    if (end < first + 2) continue;
+    cells->InsertNextCell(int(end - first));
+    for (vtkIdType i = first; i < end; ++i) cells->InsertCellPoint(i);
   }
-  data_->Initialize();
-  data_->SetPoints(points);
-  data_->SetLines(cells);
+  data->Initialize();
+  data->SetPoints(points);
+  return cells;
 }
 
-void Part::setPolygons(const std::vector<Polyline>& polygons) {
-  const auto points = vtkSmartPointer<vtkPoints>::New();
-  const auto cells = vtkSmartPointer<vtkCellArray>::New();
-  points->SetDataTypeToFloat();
-  for (const Polyline& corners : polygons) {
-    cells->InsertNextCell(int(corners.size()));
-    for (const Eigen::Vector3d& p : corners) cells->InsertCellPoint(points->InsertNextPoint(p.data()));
-  }
-  data_->Initialize();
-  data_->SetPoints(points);
-  data_->SetPolys(cells);
-}
+}  // namespace
 
+void Part::setLines(const std::vector<Polyline>& lines) { data_->SetLines(makeCells(data_, lines)); }
+void Part::setSegments(const Segments& segments) { data_->SetLines(makeCells(data_, segments)); }
+void Part::setPolygons(const std::vector<Polyline>& polygons) { data_->SetPolys(makeCells(data_, polygons)); }
 void Part::clear() { data_->Initialize(); }
 
 namespace {

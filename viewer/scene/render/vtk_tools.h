@@ -33,7 +33,8 @@ class Part {
   void setVisible(bool on);
   void setColor(const Rgb& color);
   void setOpacity(double opacity);
-  void setLineWidth(double pixels);
+  /// Colour and width, in pixels, of what are lines.
+  void setLine(const Rgb& color, double pixels);
   /// Draws in plain colour, without light.
   void setFlat();
   /// Soft matte foam and card, or a picture of numbers that light must not bend too far.

@@ -3,7 +3,6 @@
 #include "controls/fields.h"
 
 #include <QAbstractItemView>
-#include <QHBoxLayout>
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -14,12 +13,13 @@
 #include <QWheelEvent>
 
 #include <algorithm>
+#include <memory>
 
 namespace bw::app {
 
 namespace {
 
-constexpr char kHead[] = "foldHead";
+constexpr char kHead[] = "foldHead", kLabel[] = "lineLabel";
 constexpr int kFieldWidth = 132;
 constexpr int kShortTextRole = Qt::UserRole + 100;
 
@@ -129,7 +129,7 @@ FormColumn::FormColumn(QWidget* parent) : QWidget(parent), grid_(new QGridLayout
   grid_->setColumnStretch(0, 1);
 }
 
-QLabel* FormColumn::add(const QString& label, QWidget* field, const QString& tip) {
+void FormColumn::addLine(const QString& label, QWidget* field, const QString& tip) {
   auto* text = new QLabel(label, this);
   text->setBuddy(field);
   const QString limits = field->property("limits").toString();
@@ -143,39 +143,41 @@ QLabel* FormColumn::add(const QString& label, QWidget* field, const QString& tip
   field->setFixedWidth(kFieldWidth);
   grid_->addWidget(text, row_, 0, Qt::AlignVCenter);
   grid_->addWidget(field, row_++, 1, Qt::AlignRight | Qt::AlignVCenter);
-  return text;
+  field->setProperty(kLabel, QVariant::fromValue(text));
 }
 
-QLabel* FormColumn::addTogether(QLayout* layout, const QString& label, QWidget* field, const QString& tip) {
+ChoiceField* FormColumn::addTogether(QBoxLayout* layout, const QString& label, const QString& tip) {
   auto* line = new QWidget(this);
   line->setLayout(layout);
-  layout->setContentsMargins(0, 0, 0, 0);
   auto* text = new QLabel(label, line);
+  auto* field = new ChoiceField(line);
   text->setBuddy(field);
   text->setToolTip(tip);
   field->setToolTip(tip);
   field->setAccessibleName(label);
+  field->setProperty(kLabel, QVariant::fromValue(text));
   layout->addWidget(text);
   layout->addWidget(field);
   addWide(line);
-  return text;
+  return field;
 }
 
-QLabel* FormColumn::addLong(const QString& label, QWidget* field, const QString& tip) {
-  auto* layout = new QHBoxLayout;
-  layout->setSpacing(kGroupGap);
-  QLabel* text = addTogether(layout, label, field, tip);
+ChoiceField* FormColumn::addLong(const QString& label, const QString& tip) {
+  auto* layout = makeBox<QHBoxLayout>(nullptr, {}, kGroupGap);
+  ChoiceField* field = addTogether(layout, label, tip);
   layout->setStretchFactor(field, 1);
-  return text;
+  return field;
 }
 
-QLabel* FormColumn::addBelow(const QString& label, QWidget* field, const QString& tip) {
-  auto* layout = new QVBoxLayout;
-  layout->setSpacing(2);
-  return addTogether(layout, label, field, tip);
+ChoiceField* FormColumn::addBelow(const QString& label, const QString& tip) {
+  return addTogether(makeBox<QVBoxLayout>(nullptr, {}, 2), label, tip);
 }
 
-void FormColumn::addWide(QWidget* widget) { grid_->addWidget(widget, row_++, 0, 1, 2); }
+QCheckBox* FormColumn::addCheck(const QString& text, const QString& tip) {
+  auto* box = addWide(new QCheckBox(text));
+  box->setToolTip(tip);
+  return box;
+}
 
 ValueLabel* FormColumn::addValue(const QString& label, const QString& tip) {
   auto* name = new QLabel(label, this);
@@ -234,9 +236,23 @@ void unfold(QWidget& widget) {
     if (auto* head = at->property(kHead).value<QAbstractButton*>()) head->setChecked(true);
 }
 
-void setLineVisible(QLabel* label, QWidget* field, bool visible) {
-  label->setVisible(visible);
+void setLineVisible(QWidget* field, bool visible) {
+  field->property(kLabel).value<QLabel*>()->setVisible(visible);
   field->setVisible(visible);
+}
+
+void empty(QLayout& layout) {
+  while (const std::unique_ptr<QLayoutItem> item{layout.takeAt(0)})
+    if (QWidget* widget = item->widget()) {
+      widget->hide();
+      widget->deleteLater();
+    }
+}
+
+QLabel* makeTitle(const QString& text, QWidget* parent) {
+  auto* label = new QLabel(text, parent);
+  label->setFont(Theme::titleFont());
+  return label;
 }
 
 QWidget* makeLine(QWidget* parent) {

@@ -7,7 +7,9 @@
 #include <QComboBox>
 #include <QFormLayout>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QSlider>
 #include <QVBoxLayout>
 #include <QWidget>
@@ -77,14 +79,23 @@ class FormColumn : public QWidget {
   explicit FormColumn(QWidget* parent = nullptr);
 
   /// A line with a label and a field of the common width. The field's tooltip becomes the label's too.
-  /// Returns the label.
-  QLabel* add(const QString& label, QWidget* field, const QString& tip = {});
+  /// Returns the field.
+  template <class Field>
+  Field* add(const QString& label, Field* field, const QString& tip = {}) {
+    addLine(label, field, tip);
+    return field;
+  }
   /// The same with a field that takes all the width beside its label: for choices with long names.
-  QLabel* addLong(const QString& label, QWidget* field, const QString& tip = {});
+  ChoiceField* addLong(const QString& label, const QString& tip = {});
   /// The same with a field that takes the whole width below its label: for choices whose names are sentences.
-  QLabel* addBelow(const QString& label, QWidget* field, const QString& tip = {});
-  /// A line that takes the whole width.
-  void addWide(QWidget* widget);
+  ChoiceField* addBelow(const QString& label, const QString& tip = {});
+  /// A line that takes the whole width; returns its widget.
+  template <class Widget>
+  Widget* addWide(Widget* widget) {
+    grid_->addWidget(widget, row_++, 0, 1, 2);
+    return widget;
+  }
+  QCheckBox* addCheck(const QString& text, const QString& tip);
   /// A line of text with a value that cannot be edited; returns the value's label.
   ValueLabel* addValue(const QString& label, const QString& tip = {});
   /// A heading over the lines that follow.
@@ -94,7 +105,8 @@ class FormColumn : public QWidget {
   FormColumn* addFold(const QString& title, const Theme& theme);
 
  private:
-  QLabel* addTogether(QLayout* layout, const QString& label, QWidget* field, const QString& tip);
+  void addLine(const QString& label, QWidget* field, const QString& tip);
+  ChoiceField* addTogether(QBoxLayout* layout, const QString& label, const QString& tip);
 
   QGridLayout* grid_;
   int row_ = 0;
@@ -104,10 +116,30 @@ class FormColumn : public QWidget {
 void makeFolding(QAbstractButton& head, QWidget& body);
 /// Opens all that `widget` is folded away in.
 void unfold(QWidget& widget);
-/// Shows or hides a field together with its label.
-void setLineVisible(QLabel* label, QWidget* field, bool visible);
+/// Shows or hides a field of a form together with its label.
+void setLineVisible(QWidget* field, bool visible);
+/// A row or column of widgets, in `parent` or in another layout; `spacing` −1: that of the style.
+template <class Box>
+Box* makeBox(QWidget* parent, const QMargins& margins = {}, int spacing = -1) {
+  auto* box = new Box(parent);
+  box->setContentsMargins(margins);
+  box->setSpacing(spacing);
+  return box;
+}
+/// A button with a tip; a press calls `slot` of `receiver`.
+template <class Receiver, class Slot>
+QPushButton* makeButton(const QString& text, const QString& tip, Receiver* receiver, Slot slot) {
+  auto* button = new QPushButton(text);
+  button->setToolTip(tip);
+  QObject::connect(button, &QPushButton::clicked, receiver, slot);
+  return button;
+}
+/// Takes all items out of a layout; their widgets go when nothing is on its way to them.
+void empty(QLayout& layout);
 /// A thin horizontal line.
 QWidget* makeLine(QWidget* parent = nullptr);
+/// A heading in the title's font.
+QLabel* makeTitle(const QString& text, QWidget* parent);
 /// 9 pt text in the secondary colour; wraps.
 QLabel* makeNote(const QString& text = {}, QWidget* parent = nullptr);
 

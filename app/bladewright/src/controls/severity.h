@@ -8,7 +8,13 @@
 namespace bw::app {
 
 /// The colour and icon of a severity.
-QColor severityColour(Severity severity, const Colours& colours);
-QString severityIcon(Severity severity);
+inline QColor severityColour(Severity severity, const Colours& colours) {
+  return severity == Severity::error     ? colours.error
+         : severity == Severity::warning ? colours.warning
+                                         : colours.selection;
+}
+inline QString severityIcon(Severity severity) {
+  return severity == Severity::error ? "error" : severity == Severity::warning ? "warning" : "info";
+}
 
 }  // namespace bw::app

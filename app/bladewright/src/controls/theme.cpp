@@ -12,6 +12,9 @@
 #include <QStyleHints>
 #include <QSvgRenderer>
 
+#include <functional>
+#include <map>
+
 #include "controls/paint.h"
 #include "controls/style_sheet.h"
 
@@ -22,39 +25,30 @@ namespace {
 constexpr double kDarkLuminance = 0.5;
 constexpr int kIconSize = 20, kTickSize = 10;
 
-Colours lightColours() {
-  Colours c;
-  c.background = "#F6F6F4";
-  c.panel = "#FFFFFF";
-  c.line = "#DADAD6";
-  c.field = "#FFFFFF";
-  c.text = "#22252A";
-  c.secondary = "#646971";
-  c.disabled = "#A9ADB2";
-  c.accent = "#D9480F";
-  c.selection = "#1C7ED6";
-  c.success = "#2B8A3E";
-  c.warning = "#B35900";
-  c.error = "#C92A2A";
-  return c;
-}
+/// A colour of the theme: its word in the stylesheet, and what it is in both looks.
+struct ThemeColour {
+  const char* word;
+  QColor Colours::*member;
+  const char *light, *dark;
+};
+constexpr ThemeColour kColours[] = {{"background", &Colours::background, "#F6F6F4", "#1E2023"},
+                                    {"panel", &Colours::panel, "#FFFFFF", "#26292E"},
+                                    {"line", &Colours::line, "#DADAD6", "#3A3E45"},
+                                    {"field", &Colours::field, "#FFFFFF", "#1E2023"},
+                                    {"text", &Colours::text, "#22252A", "#E8EAED"},
+                                    {"secondary", &Colours::secondary, "#646971", "#9AA0A8"},
+                                    {"disabled", &Colours::disabled, "#A9ADB2", "#61666E"},
+                                    {"accent", &Colours::accent, "#D9480F", "#FF7A3D"},
+                                    {"selection", &Colours::selection, "#1C7ED6", "#4DABF7"},
+                                    {"success", &Colours::success, "#2B8A3E", "#69C47C"},
+                                    {"warning", &Colours::warning, "#B35900", "#FFA94D"},
+                                    {"error", &Colours::error, "#C92A2A", "#FF8787"}};
 
-Colours darkColours() {
-  Colours c;
-  c.background = "#1E2023";
-  c.panel = "#26292E";
-  c.line = "#3A3E45";
-  c.field = "#1E2023";
-  c.text = "#E8EAED";
-  c.secondary = "#9AA0A8";
-  c.disabled = "#61666E";
-  c.accent = "#FF7A3D";
-  c.selection = "#4DABF7";
-  c.success = "#69C47C";
-  c.warning = "#FFA94D";
-  c.error = "#FF8787";
-  c.dark = true;
-  return c;
+Colours coloursOf(bool dark) {
+  Colours colours;
+  for (const auto& [word, member, inLight, inDark] : kColours) colours.*member = dark ? inDark : inLight;
+  colours.dark = dark;
+  return colours;
 }
 
 /// Fusion with the small things that a stylesheet cannot say.
@@ -90,24 +84,17 @@ class Style : public QProxyStyle {
 
 QPalette paletteOf(const Colours& c) {
   QPalette p;
-  p.setColor(QPalette::Window, c.background);
-  p.setColor(QPalette::WindowText, c.text);
-  p.setColor(QPalette::Base, c.field);
-  p.setColor(QPalette::AlternateBase, c.background);
-  p.setColor(QPalette::Text, c.text);
-  p.setColor(QPalette::Button, c.panel);
-  p.setColor(QPalette::ButtonText, c.text);
-  p.setColor(QPalette::ToolTipBase, c.panel);
-  p.setColor(QPalette::ToolTipText, c.text);
-  p.setColor(QPalette::PlaceholderText, c.secondary);
-  p.setColor(QPalette::Highlight, c.selection);
-  p.setColor(QPalette::HighlightedText, c.dark ? QColor("#101214") : QColor("#FFFFFF"));
-  p.setColor(QPalette::Link, c.selection);
-  p.setColor(QPalette::Light, c.panel);
-  p.setColor(QPalette::Midlight, c.line);
-  p.setColor(QPalette::Mid, c.line);
-  p.setColor(QPalette::Dark, c.line);
-  p.setColor(QPalette::Shadow, c.line);
+  const auto set = [&p](const QColor& colour, std::initializer_list<QPalette::ColorRole> roles) {
+    for (const QPalette::ColorRole role : roles) p.setColor(role, colour);
+  };
+  set(c.background, {QPalette::Window, QPalette::AlternateBase});
+  set(c.field, {QPalette::Base});
+  set(c.text, {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText});
+  set(c.panel, {QPalette::Button, QPalette::ToolTipBase, QPalette::Light});
+  set(c.secondary, {QPalette::PlaceholderText});
+  set(c.selection, {QPalette::Highlight, QPalette::Link});
+  set(c.dark ? QColor("#101214") : QColor("#FFFFFF"), {QPalette::HighlightedText});
+  set(c.line, {QPalette::Midlight, QPalette::Mid, QPalette::Dark, QPalette::Shadow});
   for (QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
     p.setColor(QPalette::Disabled, role, c.disabled);
   return p;
@@ -136,7 +123,7 @@ QPixmap ticked(QPixmap icon, const Colours& colours) {
 
 }  // namespace
 
-Theme::Theme(QObject* parent) : QObject(parent), colours_(lightColours()) {
+Theme::Theme(QObject* parent) : QObject(parent), colours_(coloursOf(false)) {
   systemDark_ = QApplication::palette().color(QPalette::Window).lightnessF() < kDarkLuminance;
   QApplication::setStyle(new Style);
   QApplication::setFont(bodyFont());
@@ -145,33 +132,23 @@ Theme::Theme(QObject* parent) : QObject(parent), colours_(lightColours()) {
 void Theme::apply(model::ThemeChoice choice) {
   const bool dark =
       choice == model::ThemeChoice::dark || (choice == model::ThemeChoice::system && systemDark_);
-  colours_ = dark ? darkColours() : lightColours();
+  colours_ = coloursOf(dark);
   const Colours& c = colours_;
   QApplication::setPalette(paletteOf(c));
 
-  QString sheet = QString::fromLatin1(kStyleSheet);
-  const auto put = [&](const char* word, const QColor& colour) {
-    sheet.replace(QLatin1Char('@') + QLatin1String(word), colour.name());
-  };
   // Longer words first: "@accentHover" begins with "@accent".
-  put("accentHover", mixed(c.accent, dark ? Qt::white : Qt::black, 0.12));
-  put("onAccent", dark ? QColor("#1E1206") : QColor("#FFFFFF"));
-  put("onSelection", dark ? QColor("#0B1620") : QColor("#FFFFFF"));
-  put("background", c.background);
-  put("secondaryPale", mixed(c.panel, c.secondary, kStaleOpacity));
-  put("secondary", c.secondary);
-  put("selection", c.selection);
-  put("disabled", c.disabled);
-  put("checked", mixed(c.panel, c.selection, dark ? 0.28 : 0.16));
-  put("accent", c.accent);
-  put("field", c.field);
-  put("panel", c.panel);
-  put("hover", mixed(c.panel, c.text, 0.07));
-  put("line", c.line);
-  put("errorPale", mixed(c.panel, c.error, kStaleOpacity));
-  put("pale", mixed(c.panel, c.text, kStaleOpacity));
-  put("error", c.error);
-  put("text", c.text);
+  std::map<QString, QColor, std::greater<>> words = {
+      {"accentHover", mixed(c.accent, dark ? Qt::white : Qt::black, 0.12)},
+      {"onAccent", dark ? QColor("#1E1206") : QColor("#FFFFFF")},
+      {"onSelection", dark ? QColor("#0B1620") : QColor("#FFFFFF")},
+      {"secondaryPale", mixed(c.panel, c.secondary, kStaleOpacity)},
+      {"checked", mixed(c.panel, c.selection, dark ? 0.28 : 0.16)},
+      {"hover", mixed(c.panel, c.text, 0.07)},
+      {"errorPale", mixed(c.panel, c.error, kStaleOpacity)},
+      {"pale", mixed(c.panel, c.text, kStaleOpacity)}};
+  for (const ThemeColour& colour : kColours) words[colour.word] = c.*colour.member;
+  QString sheet = QString::fromLatin1(kStyleSheet);
+  for (const auto& [word, colour] : words) sheet.replace(QLatin1Char('@') + word, colour.name());
   sheet.replace("@chevron", dark ? ":/icons/chevron-down-dark.svg" : ":/icons/chevron-down-light.svg");
   sheet.replace("@tick", dark ? ":/icons/tick-dark.svg" : ":/icons/tick-light.svg");
   qApp->setStyleSheet(sheet);

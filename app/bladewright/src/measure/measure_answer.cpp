@@ -37,20 +37,16 @@ QString withError(const Estimate& estimate, const QString& value) {
 
 MeasureAnswer::MeasureAnswer(Workbench& bench, const Theme& theme, QWidget* parent)
     : QWidget(parent), bench_(bench), theme_(theme) {
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(kGroupGap, kGroupGap, kGroupGap, kGroupGap);
-  layout->setSpacing(kGap);
+  auto* layout = makeBox<QVBoxLayout>(this, {kGroupGap, kGroupGap, kGroupGap, kGroupGap}, kGap);
   layout->addLayout(makeMessage());
-  auto* columns = new QHBoxLayout;
-  columns->setSpacing(kStepGap);
+  auto* columns = makeBox<QHBoxLayout>(nullptr, {}, kStepGap);
   columns->addLayout(makeCommon(), 1);
   columns->addLayout(makeSingle(), 1);
   layout->addLayout(columns);
 }
 
 QLayout* MeasureAnswer::makeMessage() {
-  auto* told = new QHBoxLayout;
-  told->setSpacing(kGap);
+  auto* told = makeBox<QHBoxLayout>(nullptr, {}, kGap);
   icon_ = new QLabel(this);
   icon_->setFixedSize(20, 20);
   message_ = new QLabel(this);
@@ -64,8 +60,7 @@ QLayout* MeasureAnswer::makeMessage() {
 }
 
 QLayout* MeasureAnswer::makeCommon() {
-  auto* common = new QVBoxLayout;
-  common->setSpacing(4);
+  auto* common = makeBox<QVBoxLayout>(nullptr, {}, 4);
   auto* name = new QLabel(tr("Blade length at the cut"), this);
   name->setObjectName("secondary");
   length_ = new QLabel(this);
@@ -87,10 +82,10 @@ QLayout* MeasureAnswer::makeCommon() {
   reference_ = small(tr("Length when cold"));
   fit_ = small(tr("Agreement of the measurements"));
   common->addStretch();
-  use_ = new QPushButton(tr("Use for this design"), this);
+  use_ =
+      makeButton(tr("Use for this design"), tr("Stores the length in the blade of the design; can be undone"),
+                 this, &MeasureAnswer::use);
   use_->setObjectName("primary");
-  use_->setToolTip(tr("Stores the length in the blade of the design; can be undone"));
-  connect(use_, &QPushButton::clicked, this, &MeasureAnswer::use);
   auto* useLine = new QHBoxLayout;
   useLine->addWidget(use_);
   useLine->addStretch();
@@ -235,11 +230,9 @@ void MeasureAnswer::use() {
     bench_.editDesign(tr("Use measured blade length"),
                       [length](Design& design) { design.blade.length = length; });
     bench_.tell(
-        {Severity::info,
-         tr("The blade is now %1 mm long; it was %2 mm.")
-             .arg(QString::fromStdString(shortText(length, 8)), QString::fromStdString(shortText(before, 8))),
-         {},
-         {}});
+        Topic::other, Severity::info,
+        tr("The blade is now %1 mm long; it was %2 mm.")
+            .arg(QString::fromStdString(shortText(length, 8)), QString::fromStdString(shortText(before, 8))));
   }
   emit used();
 }

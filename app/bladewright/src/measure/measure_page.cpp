@@ -26,29 +26,18 @@ MeasurePage::MeasurePage(Workbench& bench, const Theme& theme, QWidget* parent)
     : QWidget(parent), bench_(bench), theme_(theme) {
   setObjectName("panel");
   setAttribute(Qt::WA_StyledBackground);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
-  auto* head = new QHBoxLayout;
-  head->setContentsMargins(kGroupGap, kGap, kGroupGap, kGap);
-  head->setSpacing(kGroupGap);
-  auto* back = new QPushButton(tr("Back"), this);
-  back->setToolTip(tr("Back without a change (Esc)"));
-  connect(back, &QPushButton::clicked, this, &MeasurePage::left);
-  auto* title = new QLabel(tr("Length of the mounted blade"), this);
-  title->setFont(Theme::titleFont());
+  auto* layout = makeBox<QVBoxLayout>(this, {}, 0);
+  auto* head = makeBox<QHBoxLayout>(nullptr, {kGroupGap, kGap, kGroupGap, kGap}, kGroupGap);
   blade_ = makeNote({}, this);
   blade_->setWordWrap(false);
-  head->addWidget(back);
-  head->addWidget(title);
+  head->addWidget(makeButton(tr("Back"), tr("Back without a change (Esc)"), this, &MeasurePage::left));
+  head->addWidget(makeTitle(tr("Length of the mounted blade"), this));
   head->addStretch();
   head->addWidget(blade_);
   layout->addLayout(head);
   layout->addWidget(makeLine(this));
 
-  auto* columns = new QHBoxLayout;
-  columns->setContentsMargins(0, 0, 0, 0);
-  columns->setSpacing(0);
+  auto* columns = makeBox<QHBoxLayout>(nullptr, {}, 0);
   auto* input = new SidePanel(0, this);
   input->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
   input->setWidget(makeInput());
@@ -56,9 +45,7 @@ MeasurePage::MeasurePage(Workbench& bench, const Theme& theme, QWidget* parent)
   auto* line = new QFrame(this);
   line->setObjectName("vline");
   columns->addWidget(line);
-  auto* right = new QVBoxLayout;
-  right->setContentsMargins(0, 0, 0, 0);
-  right->setSpacing(0);
+  auto* right = makeBox<QVBoxLayout>(nullptr, {}, 0);
   drawing_ = new MeasureDrawing(theme, this);
   right->addWidget(drawing_, 1);
   right->addWidget(makeLine(this));
@@ -70,11 +57,8 @@ MeasurePage::MeasurePage(Workbench& bench, const Theme& theme, QWidget* parent)
   connect(table_, &MeasureTable::edited, this, &MeasurePage::refresh);
   connect(table_, &MeasureTable::chosenChanged, this, &MeasurePage::refresh);
   connect(answer_, &MeasureAnswer::used, this, &MeasurePage::left);
-  connect(&bench.document(), &model::Document::designChanged, this, [this] {
-    if (entered_) refresh();
-  });
-  connect(&bench.document(), &model::Document::replaced, this, [this] {
-    if (entered_) refresh();
+  connect(&bench, &Workbench::changed, this, [this](const Change& change) {
+    if (entered_ && change.any(Aspect::design)) refresh();
   });
   connect(&theme, &Theme::changed, this, [this] {
     if (entered_) refresh();
@@ -84,9 +68,7 @@ MeasurePage::MeasurePage(Workbench& bench, const Theme& theme, QWidget* parent)
 QWidget* MeasurePage::makeInput() {
   auto* page = new QWidget;
   page->setObjectName("page");
-  auto* layout = new QVBoxLayout(page);
-  layout->setContentsMargins(kGroupGap, kGroupGap, kGroupGap, kGroupGap);
-  layout->setSpacing(kGap);
+  auto* layout = makeBox<QVBoxLayout>(page, {kGroupGap, kGroupGap, kGroupGap, kGroupGap}, kGap);
   layout->addWidget(makeNote(
       tr("Hold the blade level, both grips at the same angle, so that it sags evenly. Type the distance "
          "between its "
@@ -119,10 +101,9 @@ QWidget* MeasurePage::makeInput() {
       makeNote(tr("Standard deviations, if they are known. Otherwise the scatter of several measurements "
                   "tells how sure the length is.")));
   const auto error = [&](const QString& name, const NumberRange& range, const QString& tip) {
-    auto* field = new NumberField(range);
+    auto* field = sure->add(name, new NumberField(range), tip);
     field->setLive(true);
     field->setBlank(tr("unknown"));
-    sure->add(name, field, tip);
     connect(field, &NumberField::edited, this, &MeasurePage::refresh);
     return field;
   };
@@ -133,9 +114,7 @@ QWidget* MeasurePage::makeInput() {
   distanceError_ =
       error(tr("Error of the distance"), {0, 1000, 3, 0.1, "mm"}, tr("Two readings in three err by less"));
   const auto offset = [&](const QString& name, const QString& tip) {
-    auto* box = new QCheckBox(name);
-    box->setToolTip(tip);
-    sure->addWide(box);
+    auto* box = sure->addCheck(name, tip);
     connect(box, &QCheckBox::clicked, this, &MeasurePage::refresh);
     return box;
   };

@@ -22,9 +22,7 @@ MotionView::MotionView(Workbench& bench, const Theme& theme, QWidget* parent)
     : QWidget(parent), bench_(bench), theme_(theme), timeline_(new Timeline(bench, theme, this)) {
   setObjectName("panel");
   setAttribute(Qt::WA_StyledBackground);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 4, 0, 0);
-  layout->setSpacing(4);
+  auto* layout = makeBox<QVBoxLayout>(this, {0, 4, 0, 0}, 4);
   auto* controls = new QWidget(this);
   auto* rows = new FlowLayout(controls);
   rows->setContentsMargins(8, 0, 12, 0);
@@ -32,9 +30,7 @@ MotionView::MotionView(Workbench& bench, const Theme& theme, QWidget* parent)
   QHBoxLayout* bar = nullptr;
   const auto addGroup = [&] {
     auto* group = new QWidget(controls);
-    bar = new QHBoxLayout(group);
-    bar->setContentsMargins(0, 0, 0, 0);
-    bar->setSpacing(2);
+    bar = makeBox<QHBoxLayout>(group, {}, 2);
     rows->addWidget(group);
   };
   addGroup();
@@ -80,8 +76,9 @@ MotionView::MotionView(Workbench& bench, const Theme& theme, QWidget* parent)
 
   timer_.setInterval(kFrameInterval);
   connect(&timer_, &QTimer::timeout, this, &MotionView::tick);
-  connect(&bench, &Workbench::playTimeChanged, this, &MotionView::refresh);
-  connect(&bench, &Workbench::resultChanged, this, &MotionView::refresh);
+  connect(&bench, &Workbench::changed, this, [this](const Change& change) {
+    if (change.any(Aspect::playTime | Aspect::motion, bench_.selection())) refresh();
+  });
   connect(&theme, &Theme::changed, this, &MotionView::refresh);
   refresh();
 }

@@ -34,12 +34,15 @@ SectionView::SectionView(Workbench& bench, const Theme& theme, QWidget* parent)
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setAccessibleName(tr("Section view"));
-  connect(&bench, &Workbench::resultChanged, this, &SectionView::rebuild);
-  connect(&bench, &Workbench::selectionChanged, this, &SectionView::rebuildDrawing);
-  connect(&bench, &Workbench::playTimeChanged, this, &SectionView::rebuildDrawing);
-  connect(&bench, &Workbench::stateChanged, this, qOverload<>(&QWidget::update));
+  connect(&bench, &Workbench::changed, this, &SectionView::follow);
   connect(&theme, &Theme::changed, this, qOverload<>(&QWidget::update));
   rebuild();
+}
+
+void SectionView::follow(const Change& change) {
+  if (change.any(Aspect::poses | Aspect::motion | Aspect::checks, bench_.selection())) return rebuild();
+  if (change.any(Aspect::selection | Aspect::playTime)) return rebuildDrawing();
+  if (change.any(Aspect::state)) update();
 }
 
 void SectionView::setExaggeration(double factor) {

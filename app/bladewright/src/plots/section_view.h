@@ -54,6 +54,7 @@ class SectionView : public QWidget {
  private:
   static constexpr int kBarsHeight = 34;  ///< of the bars above, their room included
 
+  void follow(const Change& change);
   void rebuild();
   void rebuildDrawing();
   int stationAt(const QPointF& position) const;

@@ -28,10 +28,7 @@ Timeline::Timeline(Workbench& bench, const Theme& theme, QWidget* parent)
   setAccessibleDescription(
       tr("Drag to move the blade, turn the wheel to zoom; arrow keys step from station to station"));
   setCursor(Qt::SizeHorCursor);
-  connect(&bench, &Workbench::resultChanged, this, &Timeline::rebuild);
-  connect(&bench, &Workbench::playTimeChanged, this, &Timeline::follow);
-  connect(&bench, &Workbench::selectionChanged, this, qOverload<>(&QWidget::update));
-  connect(&bench, &Workbench::stateChanged, this, qOverload<>(&QWidget::update));
+  connect(&bench, &Workbench::changed, this, &Timeline::follow);
   connect(&theme, &Theme::changed, this, qOverload<>(&QWidget::update));
   rebuild();
 }
@@ -57,11 +54,13 @@ void Timeline::rebuild() {
   update();
 }
 
-void Timeline::follow() {
-  const double time = bench_.playTime();
-  if (time < seen_.low || time > seen_.high)
+void Timeline::follow(const Change& change) {
+  if (change.any(Aspect::motion | Aspect::checks, bench_.selection())) rebuild();
+  // The playhead stays in sight.
+  if (const double time = bench_.playTime();
+      change.any(Aspect::playTime) && (time < seen_.low || time > seen_.high))
     seen_ = seen_.moved(time - 0.5 * (seen_.low + seen_.high), {0, end_});
-  update();
+  if (change.any(Aspect::playTime | Aspect::selection | Aspect::state)) update();
 }
 
 double Timeline::xOf(double seconds) const {
@@ -73,8 +72,7 @@ double Timeline::timeAt(double x) const {
 }
 
 Timeline::Sample Timeline::at(double seconds) const {
-  const auto after = std::lower_bound(samples_.begin(), samples_.end(), seconds,
-                                      [](const Sample& s, double t) { return s.time < t; });
+  const auto after = std::ranges::lower_bound(samples_, seconds, {}, &Sample::time);
   if (after == samples_.begin()) return samples_.front();
   if (after == samples_.end()) return samples_.back();
   const Sample &a = *(after - 1), &b = *after;

@@ -46,9 +46,8 @@ class Timeline : public QWidget {
   struct Sample {
     double time, speedMin, speedMax, stress;
   };
+  void follow(const Change& change);
   void rebuild();
-  /// Keeps the playhead in sight.
-  void follow();
   void paintPlot(QPainter& painter, const QRectF& area, const QString& title, double limit,
                  const QString& limitText, double Sample::*low, double Sample::*high) const;
   /// The numbers at a time, between the stations in proportion.

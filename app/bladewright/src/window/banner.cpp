@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "bw/core/text/printable.h"
+#include "controls/fields.h"
 #include "controls/severity.h"
 
 namespace bw::app {
@@ -28,9 +29,7 @@ Banner::Banner(const Theme& theme, QWidget* parent)
       more_(new QLabel(this)),
       action_(new QPushButton(this)),
       close_(new QToolButton(this)) {
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(kGroupGap, kMargin, kGap, kMargin);
-  layout->setSpacing(kGap);
+  auto* layout = makeBox<QHBoxLayout>(this, {kGroupGap, kMargin, kGap, kMargin}, kGap);
   icon_->setFixedSize(20, 20);
   layout->addWidget(icon_, 0, Qt::AlignTop);
   label_->setWordWrap(true);

@@ -10,7 +10,7 @@ ChangeTimer::ChangeTimer(MainWindow& window, int changes, QObject* parent)
     : QObject(parent), window_(window), changes_(changes) {}
 
 void ChangeTimer::start() {
-  stations_ = window_.bench().design().cut().sections.stations;
+  stations_ = window_.bench().cut().sections.stations;
   // Queued: the next change begins with an idle window, as one by hand does.
   connect(
       &window_, &MainWindow::pictureStands, this,
@@ -32,8 +32,7 @@ void ChangeTimer::change() {
   if (int(seconds_.size()) == changes_) return emit finished();
   // Each number is another one, so that no earlier result can be used again.
   const int next = stations_ + 1 + int(seconds_.size());
-  window_.bench().editDesign(tr("Change stations"),
-                             [next](Design& design) { design.cut().sections.stations = next; });
+  window_.bench().editCut(tr("Change stations"), [next](Cut& cut) { cut.sections.stations = next; });
 }
 
 QString summaryOf(std::vector<double> seconds) {

@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "bw/core/base/result.h"
+#include "controls/fields.h"
 #include "controls/typed_field.h"
 
 namespace bw::app {
@@ -151,9 +152,7 @@ CommandPalette::CommandPalette(const Commands& commands, QWidget* parent)
       list_(new QListWidget(this)) {
   setModal(true);
   setWindowTitle(tr("Find a command"));
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(kGap, kGap, kGap, kGap);
-  layout->setSpacing(kGap);
+  auto* layout = makeBox<QVBoxLayout>(this, {kGap, kGap, kGap, kGap}, kGap);
   line_->setPlaceholderText(tr("Find a command"));
   line_->setAccessibleName(tr("Find a command"));
   line_->setClearButtonEnabled(true);
@@ -202,8 +201,7 @@ void CommandPalette::filter(const QString& text) {
     }
     if (fit >= 0) found.emplace_back(fit, action);
   }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::ranges::stable_sort(found, {}, &std::pair<int, QAction*>::first);
   list_->clear();
   for (const auto& [fit, action] : found) {
     auto* item = new QListWidgetItem(action->icon(), commandText(*action), list_);

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "bw/core/text/printable.h"
+#include "controls/fields.h"
 #include "controls/numbers.h"
 
 namespace bw::app {
@@ -39,9 +40,7 @@ FaceChooser::FaceChooser(Workbench& bench, const Theme& theme, QWidget* picture)
       done_(new QPushButton(tr("Done"), this)) {
   setObjectName("floating");
   setAccessibleName(tr("Choosing faces"));
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(kGroupGap, 6, kGap, 6);
-  layout->setSpacing(kGroupGap);
+  auto* layout = makeBox<QHBoxLayout>(this, {kGroupGap, 6, kGap, 6}, kGroupGap);
   layout->addWidget(text_, 1);
   layout->addWidget(done_);
   text_->setWordWrap(true);
@@ -53,8 +52,9 @@ FaceChooser::FaceChooser(Workbench& bench, const Theme& theme, QWidget* picture)
   hint_->setTextFormat(Qt::PlainText);
   connect(done_, &QPushButton::clicked, this, [this] { setChoosing(false); });
   connect(&bench.document(), &model::Document::replaced, this, [this] { setChoosing(false); });
-  connect(&bench.document(), &model::Document::designChanged, this, &FaceChooser::refresh);
-  connect(&bench, &Workbench::resultChanged, this, &FaceChooser::refresh);
+  connect(&bench, &Workbench::changed, this, [this](const Change& change) {
+    if (change.any(Aspect::design | Aspect::source | Aspect::target, bench_.selection())) refresh();
+  });
   connect(&theme, &Theme::changed, this, &FaceChooser::refresh);
   hide();
   hint_->hide();
@@ -77,10 +77,10 @@ void FaceChooser::setChoosing(bool on) {
 }
 
 std::vector<int> FaceChooser::chosen() const {
-  const FaceChoice& choice = bench_.design().cut().face;
+  const FaceChoice& choice = bench_.cut().face;
   if (choice.kind == FaceChoice::Kind::indices) return choice.indices;
-  const auto& newest = bench_.runner().evaluation();
-  return newest && newest->cut().target.value ? newest->cut().target.value->faces() : std::vector<int>();
+  const geometry::Target* target = bench_.newestTarget();
+  return target ? target->faces() : std::vector<int>();
 }
 
 void FaceChooser::applyTo(scene::Style& style) const {
@@ -90,11 +90,9 @@ void FaceChooser::applyTo(scene::Style& style) const {
 }
 
 QString FaceChooser::wordsFor(int face) const {
-  const auto& newest = bench_.runner().evaluation();
-  if (!newest || !newest->source.value) return {};
-  const auto& list = newest->source.value->model.info().faceList;
-  if (face < 0 || std::size_t(face) >= list.size()) return {};
-  const geometry::FaceInfo& info = list[std::size_t(face)];
+  const geometry::CadInfo* file = bench_.fileInfo();
+  if (!file || face < 0 || std::size_t(face) >= file->faceList.size()) return {};
+  const geometry::FaceInfo& info = file->faceList[std::size_t(face)];
   const QString name =
       info.name.empty() ? QString() : QStringLiteral("\n") + QString::fromStdString(printable(info.name));
   return tr("Face %1").arg(face) + ", " + kindText(info.type) + name + "\n" + sizeText(info.bounds.size());
@@ -135,13 +133,11 @@ void FaceChooser::click(int face, Qt::KeyboardModifiers keys) {
     }
     std::sort(faces.begin(), faces.end());
   }
-  if (bench_.design().cut().face.kind == FaceChoice::Kind::indices &&
-      bench_.design().cut().face.indices == faces)
-    return;
+  if (bench_.cut().face.kind == FaceChoice::Kind::indices && bench_.cut().face.indices == faces) return;
   FaceChoice choice;
   choice.kind = FaceChoice::Kind::indices;
   choice.indices = faces;
-  bench_.editDesign(tr("Choose faces"), [&](Design& design) { design.cut().face = choice; });
+  bench_.editCut(tr("Choose faces"), [&](Cut& cut) { cut.face = choice; });
 }
 
 void FaceChooser::refresh() {

@@ -5,6 +5,8 @@
 #include <QFile>
 #include <QVBoxLayout>
 
+#include "controls/fields.h"
+
 namespace bw::app {
 
 namespace {
@@ -20,8 +22,7 @@ GuideWindow::GuideWindow(const Commands& commands, QWidget* parent)
       guide_(new QTextBrowser(tabs_)),
       keys_(new QTextBrowser(tabs_)) {
   setWindowTitle(tr("Guide and keys"));
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
+  auto* layout = makeBox<QVBoxLayout>(this);
   layout->addWidget(tabs_);
   tabs_->setDocumentMode(true);
   tabs_->addTab(guide_, tr("Guide"));

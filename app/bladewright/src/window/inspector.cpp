@@ -12,11 +12,15 @@
 
 namespace bw::app {
 
+using pipeline::CutResult;
 using pipeline::StationView;
 
 namespace {
 
 constexpr int kLeastWidth = 250;
+
+QString ratioText(double ratio) { return QString::fromStdString(fixedText(ratio, 2)); }
+QString shortNumber(double value) { return QString::fromStdString(shortText(value, 3)); }
 
 }  // namespace
 
@@ -24,9 +28,7 @@ Inspector::Inspector(Workbench& bench, const Theme& theme, QWidget* parent)
     : SidePanel(kLeastWidth, parent), bench_(bench), theme_(theme) {
   auto* page = new QWidget;
   page->setObjectName("page");
-  auto* layout = new QVBoxLayout(page);
-  layout->setContentsMargins(kGroupGap, kGroupGap, kGroupGap, kGroupGap);
-  layout->setSpacing(kGroupGap);
+  auto* layout = makeBox<QVBoxLayout>(page, {kGroupGap, kGroupGap, kGroupGap, kGroupGap}, kGroupGap);
   kind_ = new ChoiceField(page);
   kind_->setAccessibleName(tr("What the inspector shows"));
   kind_->setToolTip(tr("What is inspected; a click into the picture selects too"));
@@ -55,16 +57,15 @@ Inspector::Inspector(Workbench& bench, const Theme& theme, QWidget* parent)
       kind_->show(int(bench_.selection().kind));
     }
   });
-  connect(&bench, &Workbench::selectionChanged, this, &Inspector::refresh);
-  connect(&bench, &Workbench::resultChanged, this, &Inspector::refresh);
-  connect(&bench.document(), &model::Document::designChanged, this, &Inspector::refresh);
+  connect(&bench, &Workbench::changed, this, [this](const Change& change) {
+    if (change.any(model::kAspectsOfCut | Aspect::design | Aspect::selection, bench_.selection())) refresh();
+  });
   refresh();
 }
 
-FormColumn* Inspector::addPage(Selection::Kind) {
+FormColumn* Inspector::addPage() {
   auto* holder = new QWidget;
-  auto* layout = new QVBoxLayout(holder);
-  layout->setContentsMargins(0, 0, 0, 0);
+  auto* layout = makeBox<QVBoxLayout>(holder);
   auto* column = new FormColumn;
   layout->addWidget(column);
   layout->addStretch();
@@ -77,15 +78,19 @@ void Inspector::addValue(FormColumn* column, const QString& name, const QString&
   values_.push_back({column->addValue(name, tip), std::move(text), std::move(broken)});
 }
 
-const SweepSummary* Inspector::summary() const {
-  const auto result = bench_.sweep();
-  return result ? &result->analysis.summary : nullptr;
-}
-
-const Design& Inspector::shownDesign() const { return bench_.shown()->design; }
-
-SweepLimits Inspector::limits() const {
-  return brokenLimits(bench_.sweep()->analysis.summary, shownDesign());
+void Inspector::addOfResult(FormColumn* column, const QString& name, const QString& tip,
+                            std::function<QString(const pipeline::CutResult&)> text,
+                            bool SweepLimits::*broken) {
+  addValue(
+      column, name, tip,
+      [this, text = std::move(text)] {
+        const auto result = bench_.sweep();
+        return result ? text(*result) : QString();
+      },
+      [this, broken] {
+        const auto result = bench_.sweep();
+        return broken && result && brokenLimits(result->analysis.summary, bench_.shown()->design).*broken;
+      });
 }
 
 std::optional<pipeline::StationView> Inspector::station() const {
@@ -96,13 +101,12 @@ std::optional<pipeline::StationView> Inspector::station() const {
 }
 
 void Inspector::makeResult() {
-  FormColumn* column = addPage(Selection::Kind::result);
+  FormColumn* column = addPage();
   const auto add = [&](const QString& name, const QString& tip, QString (*format)(double),
                        double SweepSummary::*member, bool SweepLimits::*broken = nullptr) {
-    addValue(
-        column, name, tip,
-        [this, format, member] { return summary() ? format(summary()->*member) : QString(); },
-        broken ? std::function<bool()>([this, broken] { return summary() && limits().*broken; }) : nullptr);
+    addOfResult(
+        column, name, tip, [=](const CutResult& result) { return format(result.analysis.summary.*member); },
+        broken);
   };
   column->addHeading(tr("Deviation"));
   add(tr("Largest"), tr("Of the cut surface from the target, also between stations"), lengthText,
@@ -121,28 +125,24 @@ void Inspector::makeResult() {
       &SweepSummary::angleMax, &SweepLimits::angle);
   add(tr("Mean angle"), {}, angleText, &SweepSummary::angleMean);
   column->addHeading(tr("Motion"));
-  addValue(column, tr("Fastest point"), {},
-           [this] { return summary() ? speedText(bench_.shown()->design.process.cuttingSpeed) : QString(); });
-  addValue(
-      column, tr("Slowest / fastest"), tr("Along the blade, at its most uneven station"),
-      [this] {
-        return summary() ? QString::fromStdString(fixedText(summary()->speedRatioMin, 2)) : QString();
-      },
-      [this] { return summary() && limits().speed; });
-  addValue(column, tr("Cutting time"), tr("Minutes and seconds, leads included"),
-           [this] { return summary() ? timeText(bench_.sweep()->motion.duration()) : QString(); });
+  addOfResult(column, tr("Fastest point"), {},
+              [this](const CutResult&) { return speedText(bench_.shown()->design.process.cuttingSpeed); });
+  add(tr("Slowest / fastest"), tr("Along the blade, at its most uneven station"), ratioText,
+      &SweepSummary::speedRatioMin, &SweepLimits::speed);
+  addOfResult(column, tr("Cutting time"), tr("Minutes and seconds, leads included"),
+              [](const CutResult& result) { return timeText(result.motion.duration()); });
   column->addHeading(tr("Fit"));
   add(tr("Largest distance"), tr("Hausdorff distance between a section and its elastica"), lengthText,
       &SweepSummary::hausdorffMax);
-  addValue(column, tr("Largest residual R4"), tr("Root mean square distance over the length"),
-           [this] { return summary() ? QString::fromStdString(shortText(summary()->R4Max, 3)) : QString(); });
+  add(tr("Largest residual R4"), tr("Root mean square distance over the length"), shortNumber,
+      &SweepSummary::R4Max);
 }
 
 void Inspector::makeSurface() {
-  FormColumn* column = addPage(Selection::Kind::surface);
+  FormColumn* column = addPage();
   const auto target = [this]() -> const geometry::Target* {
-    const auto shown = bench_.shown();
-    return shown ? shown->cut().target.value.get() : nullptr;
+    const pipeline::CutEvaluation* cut = bench_.shownCut();
+    return cut ? cut->target.value.get() : nullptr;
   };
   column->addHeading(tr("Target surface"));
   addValue(column, tr("Faces"), {},
@@ -161,51 +161,47 @@ void Inspector::makeSurface() {
 }
 
 void Inspector::makeBlock() {
-  FormColumn* column = addPage(Selection::Kind::block);
+  FormColumn* column = addPage();
   column->addHeading(tr("Foam block"));
   blockFields_ = new BlockFields(bench_, column, this);
   addValue(column, tr("Volume"), {}, [this] {
-    const auto shown = bench_.shown();
-    return shown && shown->cut().setup
-               ? QString::fromStdString(shortText(shown->cut().setup->block.size.prod() * 1e-9, 3)) + " m³"
-               : QString();
+    const pipeline::CutEvaluation* cut = bench_.shownCut();
+    return cut && cut->setup ? shortNumber(cut->setup->block.size.prod() * 1e-9) + " m³" : QString();
   });
 }
 
 void Inspector::makeBlade() {
-  FormColumn* column = addPage(Selection::Kind::blade);
+  FormColumn* column = addPage();
   auto* details = new FormColumn;
   column->addHeading(tr("Blade"));
   bladeFields_ = new BladeFields(bench_, column, details, this);
   column->addHeading(tr("Section and material"));
   column->addWide(details);
-  addValue(column, tr("Rigidity"), tr("Flexural rigidity E·I"), [this] {
-    return QString::fromStdString(shortText(bench_.design().blade.flexuralRigidity(), 3)) + " N·mm²";
-  });
+  addValue(column, tr("Rigidity"), tr("Flexural rigidity E·I"),
+           [this] { return shortNumber(bench_.design().blade.flexuralRigidity()) + " N·mm²"; });
   values_.back().ofDesign = true;
   column->addHeading(tr("Use"));
-  addValue(
+  addOfResult(
       column, tr("Tightest bend"), tr("Smallest radius of the blade in this cut"),
-      [this] { return summary() ? radiusText(summary()->minRadius) : QString(); },
-      [this] { return summary() && limits().radius; });
-  addValue(
+      [](const CutResult& result) { return radiusText(result.analysis.summary.minRadius); },
+      &SweepLimits::radius);
+  addOfResult(
       column, tr("Largest stress"), tr("Bending stress at the tightest bend, and the stress allowed"),
-      [this] {
-        if (!summary() || !(summary()->minRadius > 0)) return QString();
-        const Blade& blade = bench_.sweep()->sweep.request.blade;
-        return tr("%1 of %2 N/mm²")
-            .arg(std::lround(blade.stress(1 / summary()->minRadius)))
-            .arg(std::lround(blade.yieldStress / blade.safety));
+      [](const CutResult& result) {
+        const double radius = result.analysis.summary.minRadius;
+        const Blade& blade = result.sweep.request.blade;
+        return radius > 0 ? tr("%1 of %2 N/mm²")
+                                .arg(std::lround(blade.stress(1 / radius)))
+                                .arg(std::lround(blade.yieldStress / blade.safety))
+                          : QString();
       },
-      [this] { return summary() && limits().radius; });
+      &SweepLimits::radius);
 }
 
 void Inspector::makeStation() {
-  FormColumn* column = addPage(Selection::Kind::station);
+  FormColumn* column = addPage();
   auto* row = new QWidget;
-  auto* line = new QHBoxLayout(row);
-  line->setContentsMargins(0, 0, 0, 0);
-  line->setSpacing(4);
+  auto* line = makeBox<QHBoxLayout>(row, {}, 4);
   const auto arrow = [&](const char* icon, const QString& tip, int step) {
     auto* button = new QToolButton(row);
     button->setIcon(theme_.icon(icon));
@@ -227,8 +223,7 @@ void Inspector::makeStation() {
     const auto result = bench_.sweep();
     if (!result) return;
     const auto& stations = result->sweep.poses;
-    const auto found = std::find_if(stations.begin(), stations.end(),
-                                    [value](const BladePose& s) { return s.index + 1 >= int(value); });
+    const auto found = std::ranges::lower_bound(stations, int(value) - 1, {}, &BladePose::index);
     bench_.selectStation(int(found - stations.begin()));
     refresh();
   });
@@ -236,8 +231,7 @@ void Inspector::makeStation() {
     const auto result = bench_.sweep();
     if (!result) return tr("There are no stations yet");
     const auto& stations = result->sweep.poses;
-    const bool there = std::any_of(stations.begin(), stations.end(),
-                                   [value](const BladePose& s) { return s.index + 1 == int(value); });
+    const bool there = std::ranges::find(stations, int(value) - 1, &BladePose::index) != stations.end();
     return there ? QString() : tr("Station %1 was left out").arg(int(value));
   });
   line->addWidget(stationNumber_);
@@ -247,8 +241,9 @@ void Inspector::makeStation() {
     addValue(
         column, name, tip,
         [this, text = std::move(text)] { return station() ? text(*station()) : QString(); },
-        broken ? std::function<bool()>(
-                     [this, broken] { return station() && brokenLimits(*station(), shownDesign()).*broken; })
+        broken ? std::function<bool()>([this, broken] {
+          return station() && brokenLimits(*station(), bench_.shown()->design).*broken;
+        })
                : nullptr);
   };
   add(tr("Travel"), tr("Position along the cutting direction"),
@@ -261,7 +256,7 @@ void Inspector::makeStation() {
   add(tr("Largest distance"), tr("Hausdorff distance between section and elastica"),
       [](const StationView& s) { return lengthText(s.fit.fit.hausdorff); });
   add(tr("Residual R4"), tr("Root mean square distance over the length"),
-      [](const StationView& s) { return QString::fromStdString(shortText(s.fit.fit.R4, 3)); });
+      [](const StationView& s) { return shortNumber(s.fit.fit.R4); });
   add(tr("Status"), {}, [](const StationView& s) {
     switch (s.fit.fit.status) {
       case FitStatus::converged:
@@ -297,8 +292,7 @@ void Inspector::makeStation() {
   add(tr("Mean angle"), {}, [](const StationView& s) { return angleText(s.check.angleMean); });
   add(
       tr("Slowest / fastest"), tr("Along the blade"),
-      [](const StationView& s) { return QString::fromStdString(fixedText(s.check.speedRatio, 2)); },
-      &SweepLimits::speed);
+      [](const StationView& s) { return ratioText(s.check.speedRatio); }, &SweepLimits::speed);
   column->addHeading(tr("Grips"));
   const auto addGrip = [&](const QString& name, Eigen::Vector3d (BladePose::*end)() const) {
     auto* heading = makeNote(name);
@@ -339,9 +333,9 @@ void Inspector::refresh() {
   kind_->show(int(selection.kind));
   pages_->setCurrentIndex(int(selection.kind));
   const bool settings = selection.kind == Selection::Kind::block || selection.kind == Selection::Kind::blade;
-  const auto shown = bench_.shown();
-  const bool there = settings || bench_.sweep() ||
-                     (selection.kind == Selection::Kind::surface && shown && shown->cut().target.value);
+  const pipeline::CutEvaluation* cut = bench_.shownCut();
+  const bool there =
+      settings || bench_.sweep() || (selection.kind == Selection::Kind::surface && cut && cut->target.value);
   empty_->setVisible(!there);
   pages_->setVisible(there);
   for (const Value& value : values_) {

@@ -37,9 +37,13 @@ class Inspector : public SidePanel {
     std::function<bool()> broken;  ///< whether the number breaks its limit; null: it has none
     bool ofDesign = false;         ///< of the present design, never of an earlier one
   };
-  FormColumn* addPage(Selection::Kind kind);
+  FormColumn* addPage();
   void addValue(FormColumn* column, const QString& name, const QString& tip, std::function<QString()> text,
                 std::function<bool()> broken = {});
+  /// The same of the cut selected; red where it breaks the limit `broken`.
+  void addOfResult(FormColumn* column, const QString& name, const QString& tip,
+                   std::function<QString(const pipeline::CutResult&)> text,
+                   bool SweepLimits::*broken = nullptr);
   void makeResult();
   void makeSurface();
   void makeBlock();
@@ -47,10 +51,6 @@ class Inspector : public SidePanel {
   void makeStation();
   void refresh();
   std::optional<pipeline::StationView> station() const;
-  /// The job of the result on the screen; there must be one.
-  const Design& shownDesign() const;
-  SweepLimits limits() const;
-  const SweepSummary* summary() const;
   void refreshStanding();
 
   Workbench& bench_;

@@ -33,9 +33,7 @@ MainWindow::MainWindow(model::Settings& settings, Theme& theme, const std::files
   makeCommands();
 
   auto* central = new QWidget(this);
-  auto* layout = new QVBoxLayout(central);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
+  auto* layout = makeBox<QVBoxLayout>(central, {}, 0);
   stack_ = new QStackedWidget(central);
   layout->addWidget(stack_, 1);
   banner_ = new Banner(theme, central);
@@ -75,20 +73,9 @@ MainWindow::MainWindow(model::Settings& settings, Theme& theme, const std::files
   connect(qApp, &QGuiApplication::applicationStateChanged, this, [this](Qt::ApplicationState state) {
     if (state == Qt::ApplicationActive) bench_.lookAtSource();
   });
-  connect(&bench_, &Workbench::resultChanged, this, &MainWindow::refreshContent);
-  connect(&bench_, &Workbench::stateChanged, this, &MainWindow::refreshState);
-  connect(&bench_, &Workbench::progressed, this, &MainWindow::refreshState);
-  connect(&bench_, &Workbench::selectionChanged, this, [this] {
-    marker_.reset();
-    refreshStyle();
-  });
-  connect(&bench_, &Workbench::playTimeChanged, this, &MainWindow::refreshStyle);
+  connect(&bench_, &Workbench::changed, this, &MainWindow::follow);
   connect(&bench_, &Workbench::spotShown, this, &MainWindow::showSpot);
   connect(&bench_.document(), &model::Document::titleChanged, this, &MainWindow::refreshTitle);
-  connect(&bench_.document(), &model::Document::designChanged, this, [this] {
-    editClock_.start();
-    refreshTitle();
-  });
   connect(&bench_.document(), &model::Document::replaced, this, [this] {
     for (TypedField* field : columns_->findChildren<TypedField*>()) field->restore();
     fitNext_ = true;
@@ -141,7 +128,6 @@ MainWindow::~MainWindow() {
 void MainWindow::showStartPage() {
   bench_.document().start(Design());
   recovery_->refresh();
-  shown_.reset();
   stack_->setCurrentWidget(start_);
   refreshTitle();
   refreshState();

@@ -143,7 +143,11 @@ class MainWindow : public QMainWindow {
   void leaveMeasurePage();
   void refreshTitle();
   scene::Content sceneContent();
-  void refreshContent();
+  void follow(const Change& change);
+  /// A newer evaluation stands, or none does.
+  void refreshResult(bool content);
+  /// The cut selected among the things of the picture.
+  scene::ItemId selectedRow() const;
   void refreshStyle();
   void refreshState();
   void refreshSummary();
@@ -198,7 +202,6 @@ class MainWindow : public QMainWindow {
   QToolButton* cancel_;
   QTimer staleTimer_, busyTimer_;
 
-  std::shared_ptr<const pipeline::Evaluation> shown_, newest_;
   std::shared_ptr<const pipeline::Evaluation> pictured_;  ///< what `thumbnail_` shows
   QImage thumbnail_;
   bool fitNext_ = true;                   ///< no result of this design was in the picture yet

@@ -44,9 +44,7 @@ MapBar::MapBar(const Theme& theme, const Commands& commands, QWidget* parent)
   QHBoxLayout* layout = nullptr;
   const auto addGroup = [&] {
     auto* group = new QWidget(this);
-    layout = new QHBoxLayout(group);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(4);
+    layout = makeBox<QHBoxLayout>(group, {}, 4);
     rows->addWidget(group);
     return group;
   };
@@ -77,29 +75,24 @@ MapBar::MapBar(const Theme& theme, const Commands& commands, QWidget* parent)
   layers_->setMenu(layersMenu_);
   rangeGroup_ = addGroup();
   const NumberRange range{-1e6, 1e6, 3, 0.1, {}};
-  const auto number = [&](const QString& name, const QString& tip) {
+  const auto number = [&](const QString& name) {
     auto* n = new NumberField(range, this);
     n->setFixedWidth(kRangeWidth);
     n->setAccessibleName(name);
-    n->setToolTip(tip);
+    n->setToolTip(name);
+    layout->addWidget(n);
     return n;
   };
-  min_ = number(tr("Lower end of the legend"), tr("Lower end of the legend"));
-  max_ = number(tr("Upper end of the legend"), tr("Upper end of the legend"));
-  auto* to = new QLabel(QStringLiteral("–"), this);
-  layout->addWidget(min_);
-  layout->addWidget(to);
-  layout->addWidget(max_);
+  min_ = number(tr("Lower end of the legend"));
+  layout->addWidget(new QLabel(QStringLiteral("–"), this));
+  max_ = number(tr("Upper end of the legend"));
   automatic_ = tool(tr("Range follows the data"));
   automatic_->setText(tr("Auto"));
   automatic_->setCheckable(true);
   automatic_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   automatic_->setIconSize({14, 14});
   addGroup();
-  for (const char* id : {"view.iso", "view.top"}) {
-    auto* b = tool({});
-    b->setDefaultAction(commands[id]);
-  }
+  for (const char* id : {"view.iso", "view.top"}) tool({})->setDefaultAction(commands[id]);
   auto* more = tool(tr("Standard views"));
   more->setIcon(theme.icon("chevron-down"));
   more->setIconSize({14, 14});
@@ -109,10 +102,7 @@ MapBar::MapBar(const Theme& theme, const Commands& commands, QWidget* parent)
        {"view.iso", "view.top", "view.bottom", "view.front", "view.back", "view.left", "view.right"})
     views->addAction(commands[id]);
   more->setMenu(views);
-  for (const char* id : {"view.fit", "view.parallel"}) {
-    auto* b = tool({});
-    b->setDefaultAction(commands[id]);
-  }
+  for (const char* id : {"view.fit", "view.parallel"}) tool({})->setDefaultAction(commands[id]);
 
   connect(field_, &QComboBox::activated, this,
           [this](int index) { chooseField(fieldNames()[std::size_t(index)]); });
@@ -122,25 +112,15 @@ MapBar::MapBar(const Theme& theme, const Commands& commands, QWidget* parent)
   max_->setCheck([this](double value) {
     return value > min_->value() ? QString() : tr("The upper end must be above the lower");
   });
-  const auto applyRange = [this] {
-    style_.rangeMin = min_->value();
-    style_.rangeMax = max_->value();
+  const auto applyRange = [this](bool automatic) {
+    style_.rangeMin = automatic ? std::nullopt : std::optional(min_->value());
+    style_.rangeMax = automatic ? std::nullopt : std::optional(max_->value());
     refresh();
     emit styleEdited(style_);
   };
-  connect(min_, &NumberField::edited, this, applyRange);
-  connect(max_, &NumberField::edited, this, applyRange);
-  connect(automatic_, &QToolButton::clicked, this, [this](bool on) {
-    if (on) {
-      style_.rangeMin.reset();
-      style_.rangeMax.reset();
-    } else {
-      style_.rangeMin = min_->value();
-      style_.rangeMax = max_->value();
-    }
-    refresh();
-    emit styleEdited(style_);
-  });
+  for (const NumberField* field : {min_, max_})
+    connect(field, &NumberField::edited, this, [applyRange] { applyRange(false); });
+  connect(automatic_, &QToolButton::clicked, this, applyRange);
   const auto icons = [this, more] {
     layers_->setIcon(theme_.icon("layers"));
     automatic_->setIcon(theme_.tick());

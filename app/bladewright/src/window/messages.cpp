@@ -7,8 +7,10 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <functional>
 
 #include "bw/words/findings.h"
+#include "controls/fields.h"
 #include "controls/severity.h"
 
 namespace bw::app {
@@ -31,16 +33,16 @@ MessageList::MessageList(Workbench& bench, const Theme& theme, QWidget* parent)
   };
   connect(this, &QListWidget::itemClicked, this, show);
   connect(this, &QListWidget::itemActivated, this, show);
-  connect(&bench, &Workbench::resultChanged, this, &MessageList::refresh);
-  connect(&bench, &Workbench::messagesChanged, this, &MessageList::refresh);
+  connect(&bench, &Workbench::changed, this, [this](const Change& change) {
+    if (change.any(Aspect::messages)) refresh();
+  });
   connect(&theme, &Theme::changed, this, &MessageList::refresh);
   refresh();
 }
 
 void MessageList::refresh() {
   shown_ = bench_.messages();
-  std::stable_sort(shown_.begin(), shown_.end(),
-                   [](const Message& a, const Message& b) { return int(a.severity) > int(b.severity); });
+  std::ranges::stable_sort(shown_, std::ranges::greater(), &Message::severity);
   clear();
   int errors = 0, warnings = 0;
   for (std::size_t i = 0; i < shown_.size(); ++i) {
@@ -67,14 +69,11 @@ void MessageList::refresh() {
 
 MessagePanel::MessagePanel(Workbench& bench, const Theme& theme, QWidget* parent)
     : QWidget(parent), bench_(bench) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
+  auto* column = makeBox<QVBoxLayout>(this, {}, 0);
   list_ = new MessageList(bench, theme, this);
   column->addWidget(list_, 1);
   row_ = new QWidget(this);
-  auto* row = new QHBoxLayout(row_);
-  row->setContentsMargins(kGap, kGap / 2, kGap, kGap / 2);
+  auto* row = makeBox<QHBoxLayout>(row_, {kGap, kGap / 2, kGap, kGap / 2});
   row->addStretch();
   column->addWidget(row_);
   row_->hide();

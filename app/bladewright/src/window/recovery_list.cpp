@@ -5,7 +5,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
-#include <QPushButton>
 
 #include "controls/fields.h"
 
@@ -25,12 +24,8 @@ QString nameOf(const model::RecoveryCopy& copy) {
 
 RecoveryList::RecoveryList(const Theme& theme, const std::filesystem::path& folder, QWidget* parent)
     : QFrame(parent), theme_(theme), folder_(folder) {
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, kGroupGap);
-  layout->setSpacing(kGap);
-  auto* title = new QLabel(tr("Unsaved work"), this);
-  title->setFont(Theme::titleFont());
-  layout->addWidget(title);
+  auto* layout = makeBox<QVBoxLayout>(this, {0, 0, 0, kGroupGap}, kGap);
+  layout->addWidget(makeTitle(tr("Unsaved work"), this));
   rows_ = new QVBoxLayout;
   rows_->setSpacing(kGap);
   layout->addLayout(rows_);
@@ -40,11 +35,7 @@ RecoveryList::RecoveryList(const Theme& theme, const std::filesystem::path& fold
 
 void RecoveryList::refresh() {
   copies_ = folder_.empty() ? std::vector<model::RecoveryCopy>() : model::listRecovery(folder_);
-  while (QLayoutItem* item = rows_->takeAt(0)) {
-    item->widget()->hide();
-    item->widget()->deleteLater();
-    delete item;
-  }
+  empty(*rows_);
   for (const model::RecoveryCopy& copy : copies_) rows_->addWidget(makeRow(copy));
   setVisible(!copies_.empty());
   emit refreshed();
@@ -53,9 +44,7 @@ void RecoveryList::refresh() {
 QWidget* RecoveryList::makeRow(const model::RecoveryCopy& copy) {
   const QString path = QString::fromStdString(copy.copy.string()), name = nameOf(copy);
   auto* row = new QWidget(this);
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(kGroupGap);
+  auto* layout = makeBox<QHBoxLayout>(row, {}, kGroupGap);
   auto* picture = new QLabel(row);
   picture->setFixedSize(kPictureSize);
   picture->setAlignment(Qt::AlignCenter);
@@ -70,8 +59,7 @@ QWidget* RecoveryList::makeRow(const model::RecoveryCopy& copy) {
   }
   layout->addWidget(picture);
 
-  auto* words = new QVBoxLayout;
-  words->setSpacing(2);
+  auto* words = makeBox<QVBoxLayout>(nullptr, {}, 2);
   auto* title = new QLabel(name, row);
   title->setTextFormat(Qt::PlainText);
   words->addWidget(title);
@@ -88,16 +76,14 @@ QWidget* RecoveryList::makeRow(const model::RecoveryCopy& copy) {
                             row));
   layout->addLayout(words, 1);
 
-  auto* open = new QPushButton(tr("Go on with it"), row);
+  auto* open = makeButton(tr("Go on with it"), tr("Opens it; it stays unsaved until you save it"), this,
+                          [this, path] { emit openRequested(path); });
   open->setObjectName("primary");
   open->setEnabled(copy.problem.isEmpty());
   open->setAccessibleName(tr("Go on with %1").arg(name));
-  open->setToolTip(tr("Opens it; it stays unsaved until you save it"));
-  connect(open, &QPushButton::clicked, this, [this, path] { emit openRequested(path); });
-  auto* discard = new QPushButton(tr("Discard…"), row);
+  auto* discard = makeButton(tr("Discard…"), tr("Removes the copy after a question"), this,
+                             [this, path, name] { emit discardRequested(path, name); });
   discard->setAccessibleName(tr("Discard %1").arg(name));
-  discard->setToolTip(tr("Removes the copy after a question"));
-  connect(discard, &QPushButton::clicked, this, [this, path, name] { emit discardRequested(path, name); });
   layout->addWidget(open);
   layout->addWidget(discard);
   return row;

@@ -8,7 +8,6 @@
 #include <QKeyEvent>
 #include <QPainter>
 #include <QPainterPath>
-#include <QPushButton>
 #include <QToolButton>
 
 #include <algorithm>
@@ -91,16 +90,13 @@ StartPage::StartPage(Workbench& bench, const Theme& theme, QWidget* parent)
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* outer = new QWidget;
   outer->setObjectName("start");
-  auto* center = new QHBoxLayout(outer);
-  center->setContentsMargins(kPageMargin, kPageMargin, kPageMargin, kPageMargin);
+  auto* center = makeBox<QHBoxLayout>(outer, {kPageMargin, kPageMargin, kPageMargin, kPageMargin});
   page_ = new QWidget(outer);
   page_->setMaximumWidth(kPageWidth);
   center->addStretch();
   center->addWidget(page_, 100);
   center->addStretch();
-  auto* layout = new QVBoxLayout(page_);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(kGap);
+  auto* layout = makeBox<QVBoxLayout>(page_, {}, kGap);
 
   auto* title = new QLabel(tr("Bladewright"), page_);
   QFont big = Theme::bodyFont();
@@ -114,24 +110,19 @@ StartPage::StartPage(Workbench& bench, const Theme& theme, QWidget* parent)
   claim->setWordWrap(true);
   layout->addWidget(claim);
   layout->addSpacing(kGroupGap);
-  auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(kGap);
-  surface_ = new QPushButton(tr("Open CAD surface…"), page_);
-  surface_->setObjectName("primary");
-  surface_->setToolTip(tr("A STEP, IGES or BREP file becomes a blade sweep"));
-  connect(surface_, &QPushButton::clicked, this, &StartPage::openSurfaceRequested);
-  auto* design = new QPushButton(tr("Open design…"), page_);
-  design->setToolTip(tr("A .bladewright file saved before"));
-  connect(design, &QPushButton::clicked, this, &StartPage::openDesignRequested);
-  buttons->addWidget(surface_);
-  buttons->addWidget(design);
-  auto* measure = new QPushButton(tr("Measure a blade…"), page_);
-  measure->setToolTip(tr("The length of a mounted blade from how far it sags"));
-  connect(measure, &QPushButton::clicked, this, &StartPage::measureRequested);
-  buttons->addWidget(measure);
-  for (QAbstractButton* button :
-       {surface_, static_cast<QAbstractButton*>(design), static_cast<QAbstractButton*>(measure)})
+  auto* buttons = makeBox<QHBoxLayout>(nullptr, {}, kGap);
+  const auto add = [&](const QString& text, const QString& tip, void (StartPage::*signal)()) {
+    auto* button = makeButton(text, tip, this, signal);
+    buttons->addWidget(button);
     addTarget(button);
+    return button;
+  };
+  surface_ = add(tr("Open CAD surface…"), tr("A STEP, IGES or BREP file becomes a blade sweep"),
+                 &StartPage::openSurfaceRequested);
+  surface_->setObjectName("primary");
+  add(tr("Open design…"), tr("A .bladewright file saved before"), &StartPage::openDesignRequested);
+  add(tr("Measure a blade…"), tr("The length of a mounted blade from how far it sags"),
+      &StartPage::measureRequested);
   buttons->addSpacing(kGap);
   auto* drop = makeNote(tr("or drop a file here"), page_);
   drop->setWordWrap(false);
@@ -142,16 +133,13 @@ StartPage::StartPage(Workbench& bench, const Theme& theme, QWidget* parent)
 
   above_ = new QVBoxLayout;
   layout->addLayout(above_);
-  recentTitle_ = new QLabel(tr("Recent"), page_);
-  recentTitle_->setFont(Theme::titleFont());
+  recentTitle_ = makeTitle(tr("Recent"), page_);
   layout->addWidget(recentTitle_);
   recent_ = new QVBoxLayout;
   recent_->setSpacing(0);
   layout->addLayout(recent_);
 
-  auto* examples = new QLabel(tr("Examples"), page_);
-  examples->setFont(Theme::titleFont());
-  layout->addWidget(examples);
+  layout->addWidget(makeTitle(tr("Examples"), page_));
   shelf_ = new QWidget(page_);
   layout->addWidget(shelf_);
   for (const geometry::Example& example : geometry::exampleList()) {
@@ -185,13 +173,7 @@ void StartPage::putAbove(RecoveryList* list) {
 }
 
 void StartPage::refreshRecent() {
-  while (QLayoutItem* item = recent_->takeAt(0)) {
-    if (QWidget* widget = item->widget()) {
-      widget->hide();
-      widget->deleteLater();
-    }
-    delete item;
-  }
+  empty(*recent_);
   const auto files = bench_.settings().recentFiles();
   recentTitle_->setVisible(!files.empty());
   for (std::size_t i = 0; i < files.size() && i < kRecentShown; ++i) {

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "window/main_window.h"
-#include "window/picture_file.h"
 
 namespace bw::app {
 
@@ -90,13 +89,10 @@ bool MainWindow::numbersStand() {
   QTimer::singleShot(0, field, [field, area = left ? static_cast<QScrollArea*>(workflow_) : inspector_] {
     area->ensureWidgetVisible(field);
   });
-  bench_.tell({Severity::error,
-               tr("“%1” in the field %2 was not taken, so nothing was exported. Correct it, or bring the old "
-                  "one back with Esc.")
-                   .arg(field->text(), field->accessibleName()),
-               {},
-               {},
-               Topic::refusal});
+  bench_.tell(Topic::refusal, Severity::error,
+              tr("“%1” in the field %2 was not taken, so nothing was exported. Correct it, or bring the old "
+                 "one back with Esc.")
+                  .arg(field->text(), field->accessibleName()));
   connect(
       field, &QLineEdit::textChanged, &bench_, [this] { emit bench_.noticesOutdated(Topic::refusal); },
       Qt::SingleShotConnection);
@@ -113,22 +109,16 @@ void MainWindow::order(const std::function<void(const std::filesystem::path&)>& 
   if (folder.isEmpty()) return;
   ordered_ = [write, folder] { write(folder.toStdString()); };
   if (!bench_.runner().busy()) return runOrder();
-  bench_.tell({Severity::info,
-               tr("The result is being computed; the files are written as soon as it stands."),
-               {},
-               {},
-               Topic::evaluation});
+  bench_.tell(Topic::evaluation, Severity::info,
+              tr("The result is being computed; the files are written as soon as it stands."));
 }
 
 void MainWindow::runOrder() {
   const auto write = std::exchange(ordered_, nullptr);
   if (!write) return;
   if (bench_.current()) return write();
-  bench_.tell({Severity::error,
-               tr("Nothing was exported, because the design has no finished result."),
-               {},
-               {},
-               Topic::written});
+  bench_.tell(Topic::written, Severity::error,
+              tr("Nothing was exported, because the design has no finished result."));
 }
 
 std::vector<ReportImage> MainWindow::reportPictures() {
@@ -166,9 +156,8 @@ void MainWindow::exportPicture() {
   const double ratio = std::max(1.0, double(size.width()) / std::max(1, view_->width()));
   const QImage image = view_->picture(size, ratio);
   if (Result<void> written = writePng(image, file.toStdString()); !written)
-    return bench_.tell(
-        {Severity::error, QString::fromStdString(written.error().message), {}, {}, Topic::written});
-  bench_.tell({Severity::info, tr("Picture written to %1").arg(file), {}, {}, Topic::written});
+    return bench_.tell(Topic::written, written.error());
+  bench_.tell(Topic::written, Severity::info, tr("Picture written to %1").arg(file));
 }
 
 void MainWindow::refreshRecent() {

@@ -24,9 +24,7 @@ void MainWindow::makeWorkspace() {
   middle_->setHandleWidth(1);
   middle_->setChildrenCollapsible(false);
   auto* picture = new QWidget(middle_);
-  auto* layout = new QVBoxLayout(picture);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
+  auto* layout = makeBox<QVBoxLayout>(picture, {}, 0);
   mapBar_ = new MapBar(theme_, commands_, picture);
   layout->addWidget(mapBar_);
   layout->addWidget(makeLine(picture));
@@ -46,12 +44,9 @@ void MainWindow::makeWorkspace() {
   auto* corner = new QFrame(tabs_);
   corner->setObjectName("panel");
   auto* cornerContent = new QWidget(corner);
-  auto* cornerOuter = new QHBoxLayout(corner);
-  cornerOuter->setContentsMargins(0, 0, 0, 0);
+  auto* cornerOuter = makeBox<QHBoxLayout>(corner);
   cornerOuter->addWidget(cornerContent);
-  auto* cornerLayout = new QHBoxLayout(cornerContent);
-  cornerLayout->setContentsMargins(0, 2, 12, 2);
-  cornerLayout->setSpacing(kGap);
+  auto* cornerLayout = makeBox<QHBoxLayout>(cornerContent, {0, 2, 12, 2}, kGap);
   auto* label = new QLabel(tr("Deviation drawn"), corner);
   label->setObjectName("secondary");
   auto* factor = new ChoiceField(corner);
@@ -84,18 +79,19 @@ void MainWindow::makeWorkspace() {
   stack_->addWidget(columns_);
   setKeyboardHome(*columns_, *view_);
 
-  connect(workflow_, &WorkflowPanel::openRequested, commands_["file.open"], &QAction::trigger);
-  const InputFields* input = workflow_->inputFields();
+  InputFields* input = workflow_->inputFields();
+  connect(input, &InputFields::openRequested, commands_["file.open"], &QAction::trigger);
   connect(input, &InputFields::replaceRequested, commands_["file.replace"], &QAction::trigger);
   connect(input, &InputFields::reloadRequested, commands_["file.reload"], &QAction::trigger);
   connect(input, &InputFields::locateRequested, this, &MainWindow::locateSurface);
-  connect(workflow_, &WorkflowPanel::chooseFacesRequested, faces_, [this](bool on) {
+  connect(&input->faces(), &FaceFields::chooseInPictureRequested, faces_, [this](bool on) {
     faces_->setChoosing(on);
     refreshState();
   });
-  connect(workflow_, &WorkflowPanel::exportRequested, this, &MainWindow::exportEverything);
-  connect(workflow_, &WorkflowPanel::programsRequested, this, &MainWindow::exportPrograms);
-  connect(workflow_, &WorkflowPanel::pictureRequested, this, &MainWindow::exportPicture);
+  const OutputFields* output = workflow_->outputFields();
+  connect(output, &OutputFields::exportRequested, this, &MainWindow::exportEverything);
+  connect(output, &OutputFields::programsRequested, this, &MainWindow::exportPrograms);
+  connect(output, &OutputFields::pictureRequested, this, &MainWindow::exportPicture);
   for (const BladeFields* fields : {workflow_->bladeFields(), inspector_->bladeFields()})
     connect(fields, &BladeFields::measureRequested, commands_["blade.measure"], &QAction::trigger);
   connect(&bench_, &Workbench::exported, this,

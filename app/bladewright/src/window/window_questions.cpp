@@ -21,6 +21,27 @@ QString cadFilter() {
 }
 QString designFilter() { return MainWindow::tr("Bladewright designs (*.bladewright)"); }
 
+/// A question with Cancel, about something that replaces or removes what somebody made.
+struct Question {
+  Question(const QString& title, const QString& text, QWidget* window)
+      : box(QMessageBox::NoIcon, title, text, QMessageBox::Cancel, window) {}
+
+  /// True if the person wants it: the button `act`.
+  bool ask(const QString& act) { return ask<bool>({}, false, act, true, false); }
+  /// The answer that belongs to the button pressed; the harmless way, if there is one, is proposed.
+  template <class Answer>
+  Answer ask(const QString& harmless, Answer ifHarmless, const QString& act, Answer ifAct, Answer otherwise) {
+    QPushButton* spare = harmless.isEmpty() ? nullptr : box.addButton(harmless, QMessageBox::AcceptRole);
+    const QPushButton* done = box.addButton(act, QMessageBox::DestructiveRole);
+    if (spare) box.setDefaultButton(spare);
+    box.exec();
+    if (spare && box.clickedButton() == spare) return ifHarmless;
+    return box.clickedButton() == done ? ifAct : otherwise;
+  }
+
+  QMessageBox box;
+};
+
 }  // namespace
 
 void MainWindow::setDefaultQuestions() {
@@ -65,12 +86,10 @@ void MainWindow::setDefaultQuestions() {
     dialog.setWindowTitle(tr("Export picture"));
     auto* layout = new QVBoxLayout(&dialog);
     auto* column = new FormColumn(&dialog);
-    auto* width = new NumberField({16, 16384, 0, 100, "px"});
-    auto* height = new NumberField({16, 16384, 0, 100, "px"});
+    auto* width = column->add(tr("Width"), new NumberField({16, 16384, 0, 100, "px"}));
+    auto* height = column->add(tr("Height"), new NumberField({16, 16384, 0, 100, "px"}));
     width->show(suggestion.width());
     height->show(suggestion.height());
-    column->add(tr("Width"), width);
-    column->add(tr("Height"), height);
     layout->addWidget(column);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, &dialog);
     auto* go = buttons->addButton(tr("Choose file…"), QDialogButtonBox::AcceptRole);
@@ -90,69 +109,51 @@ void MainWindow::setDefaultQuestions() {
     return dialog.exec() == QDialog::Accepted ? QSize(int(width->value()), int(height->value())) : QSize();
   };
   questions_.changedOnDisk = [this](const QString& file) {
-    QMessageBox box(QMessageBox::NoIcon, tr("Changed on disk"),
-                    tr("Somebody else changed “%1” on %2, after it was opened here.")
-                        .arg(QFileInfo(file).fileName(),
-                             QLocale().toString(QFileInfo(file).lastModified(), QLocale::ShortFormat)),
-                    QMessageBox::Cancel, this);
-    box.setInformativeText(tr("Saving here would undo those changes."));
-    auto* other = box.addButton(tr("Save under another name…"), QMessageBox::AcceptRole);
-    auto* replace = box.addButton(tr("Replace"), QMessageBox::DestructiveRole);
-    box.setDefaultButton(other);
-    box.exec();
-    return box.clickedButton() == replace ? Questions::Changed::replace
-           : box.clickedButton() == other ? Questions::Changed::otherName
-                                          : Questions::Changed::cancel;
+    Question question(tr("Changed on disk"),
+                      tr("Somebody else changed “%1” on %2, after it was opened here.")
+                          .arg(QFileInfo(file).fileName(),
+                               QLocale().toString(QFileInfo(file).lastModified(), QLocale::ShortFormat)),
+                      this);
+    question.box.setInformativeText(tr("Saving here would undo those changes."));
+    return question.ask<Questions::Changed>(tr("Save under another name…"), Questions::Changed::otherName,
+                                            tr("Replace"), Questions::Changed::replace,
+                                            Questions::Changed::cancel);
   };
   questions_.replaceFile = [this](const QString& file) {
-    QMessageBox box(QMessageBox::NoIcon, tr("Replace a file"), tr("“%1” exists already.").arg(file),
-                    QMessageBox::Cancel, this);
-    auto* replace = box.addButton(tr("Replace"), QMessageBox::DestructiveRole);
-    box.exec();
-    return box.clickedButton() == replace;
+    Question question(tr("Replace a file"), tr("“%1” exists already.").arg(file), this);
+    return question.ask(tr("Replace"));
   };
   questions_.discardCopy = [this](const QString& name) {
-    QMessageBox box(QMessageBox::NoIcon, tr("Discard unsaved work"),
-                    tr("The unsaved changes of “%1” cannot be brought back.").arg(name), QMessageBox::Cancel,
-                    this);
-    auto* discard = box.addButton(tr("Discard"), QMessageBox::DestructiveRole);
-    box.setDefaultButton(QMessageBox::Cancel);
-    box.exec();
-    return box.clickedButton() == discard;
+    Question question(tr("Discard unsaved work"),
+                      tr("The unsaved changes of “%1” cannot be brought back.").arg(name), this);
+    question.box.setDefaultButton(QMessageBox::Cancel);
+    return question.ask(tr("Discard"));
   };
   questions_.earlierExport = [this](const auto& folder, const auto& files, const auto& other) {
     const QString name = QString::fromStdString(folder.filename().string());
-    QMessageBox box(
-        QMessageBox::NoIcon, tr("Earlier export"),
+    Question question(
+        tr("Earlier export"),
         files.size() == 1
             ? tr("“%1” holds a file that this export would replace.").arg(name)
             : tr("“%1” holds %2 files that this export would replace.").arg(name).arg(files.size()),
-        QMessageBox::Cancel, this);
+        this);
     QStringList list;
     for (const std::filesystem::path& file : files) list << QString::fromStdString(file.string());
-    box.setDetailedText(list.join("\n"));
-    auto* fresh = box.addButton(tr("Write to “%1”").arg(QString::fromStdString(other.filename().string())),
-                                QMessageBox::AcceptRole);
-    auto* replace = box.addButton(tr("Replace"), QMessageBox::DestructiveRole);
-    box.setDefaultButton(fresh);
-    box.exec();
-    return box.clickedButton() == replace ? Workbench::Earlier::replace
-           : box.clickedButton() == fresh ? Workbench::Earlier::newFolder
-                                          : Workbench::Earlier::cancel;
+    question.box.setDetailedText(list.join("\n"));
+    return question.ask<Workbench::Earlier>(
+        tr("Write to “%1”").arg(QString::fromStdString(other.filename().string())),
+        Workbench::Earlier::newFolder, tr("Replace"), Workbench::Earlier::replace,
+        Workbench::Earlier::cancel);
   };
   questions_.unsaved = [this](const QString& title) {
     QMessageBox box(QMessageBox::NoIcon, tr("Unsaved changes"),
                     tr("“%1” has changes that are not saved.").arg(title),
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
     box.setDefaultButton(QMessageBox::Save);
-    switch (box.exec()) {
-      case QMessageBox::Save:
-        return Questions::Unsaved::save;
-      case QMessageBox::Discard:
-        return Questions::Unsaved::discard;
-      default:
-        return Questions::Unsaved::cancel;
-    }
+    const int answer = box.exec();
+    return answer == QMessageBox::Save      ? Questions::Unsaved::save
+           : answer == QMessageBox::Discard ? Questions::Unsaved::discard
+                                            : Questions::Unsaved::cancel;
   };
 }
 

@@ -20,9 +20,10 @@ constexpr QSize kDialogSize(760, 420);
 }  // namespace
 
 QImage MainWindow::thumbnail() {
-  if (shown_ && shown_ != pictured_ && view_->isVisible() && view_->resting()) {
+  const auto shown = bench_.shown();
+  if (shown && shown != pictured_ && view_->isVisible() && view_->resting()) {
     thumbnail_ = view_->picture(kThumbnail, double(kThumbnail.width()) / std::max(1, view_->width()));
-    pictured_ = shown_;
+    pictured_ = shown;
   }
   return thumbnail_;
 }
@@ -55,8 +56,7 @@ void MainWindow::showUnsaved() {
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setWidgetResizable(true);
   auto* page = new QWidget;
-  auto* column = new QVBoxLayout(page);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = makeBox<QVBoxLayout>(page);
   column->addWidget(list);
   column->addStretch();
   scroll->setWidget(page);
@@ -86,8 +86,7 @@ bool MainWindow::goOnWith(const QString& copy) {
 void MainWindow::discardUnsaved(const QString& copy, const QString& name) {
   if (!questions_.discardCopy(name)) return;
   if (!model::discardRecovery(copy.toStdString()))
-    bench_.tell(
-        {Severity::warning, tr("Another window works on %1; it stays.").arg(name), {}, {}, Topic::recovery});
+    bench_.tell(Topic::recovery, Severity::warning, tr("Another window works on %1; it stays.").arg(name));
   recovery_->refresh();
 }
 

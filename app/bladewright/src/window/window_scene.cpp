@@ -30,28 +30,35 @@ scene::Content MainWindow::sceneContent() {
   return content;
 }
 
-void MainWindow::refreshContent() {
+void MainWindow::follow(const Change& change) {
+  if (change.any(Aspect::design)) {
+    editClock_.start();
+    refreshTitle();
+  }
+  if (change.any(Aspect::selection | Aspect::result)) marker_.reset();
+  if (change.any(Aspect::result))
+    refreshResult(change.any(Aspect::source | model::kAspectsOfCut));
+  else if (change.any(Aspect::selection | Aspect::playTime))
+    refreshStyle();
+  if (change.any(Aspect::state | Aspect::progress)) refreshState();
+}
+
+void MainWindow::refreshResult(bool content) {
   const auto evaluation = bench_.shown();
-  if (evaluation != shown_ || bench_.runner().evaluation() != newest_ || !evaluation) {
-    shown_ = evaluation;
-    newest_ = bench_.runner().evaluation();
-    marker_.reset();
-    view_->setContent(sceneContent());
-    // The opening view is of the target until there is a first result, which leads to its block, unless the
-    // user has gone elsewhere meanwhile.
-    if (evaluation && fitNext_) {
-      const scene::Camera now = view_->camera();
-      if (!opening_ || (opening_->position == now.position && opening_->focus == now.focus)) {
-        view_->open();
-        opening_ = view_->camera();
-      }
-      fitNext_ = !evaluation->result();
+  if (content) view_->setContent(sceneContent());
+  // The opening view is of the target until there is a first result, which leads to its block, unless the
+  // user has gone elsewhere meanwhile.
+  if (evaluation && fitNext_) {
+    const scene::Camera now = view_->camera();
+    if (!opening_ || (opening_->position == now.position && opening_->focus == now.focus)) {
+      view_->open();
+      opening_ = view_->camera();
     }
+    fitNext_ = !evaluation->result();
   }
   staleTimer_.stop();
   staleShown_ = false;
   refreshStyle();
-  refreshSummary();
   if (evaluation && bench_.current()) {
     awaitingFrame_ = true;
     view_->update();
@@ -75,12 +82,23 @@ std::optional<scene::SectionPlane> MainWindow::sectionPlane() const {
                              sectionSide_ * ((1 - share) * a.normal + share * b.normal).normalized()};
 }
 
+scene::ItemId MainWindow::selectedRow() const {
+  if (const auto shown = bench_.shown())
+    for (int b = 0; b < int(shown->blocks.size()); ++b) {
+      const auto& cuts = shown->blocks[std::size_t(b)].cuts;
+      const auto cut = std::ranges::find(cuts, bench_.selection().cut, &pipeline::CutEvaluation::id);
+      if (cut != cuts.end()) return {b, int(cut - cuts.begin()), 0};
+    }
+  return {0, 0, 0};
+}
+
 void MainWindow::refreshStyle() {
   scene::Style style = mapBar_->style();
   style.dark = theme_.dark();
   style.tolerance = bench_.design().process.tolerance;
   style.stale = staleShown_;
-  style.selected = {0, 0, 0, bench_.selection().station};
+  style.selected = style.moving = selectedRow();
+  style.selected.station = bench_.selection().station;
   style.playhead = bench_.moving() ? bench_.stationAt(bench_.playTime()) : -1;
   style.section = sectionPlane();
   style.marker = marker_;
@@ -120,22 +138,22 @@ void MainWindow::onPicked(const scene::Pick& pick) {
     marker_.reset();
     refreshStyle();
   }
-  switch (pick.kind) {
-    case scene::Pick::Kind::station:
-      bench_.selectStation(pick.station.station);
-      break;
-    case scene::Pick::Kind::target:
-      bench_.select({Selection::Kind::surface, -1});
-      break;
-    case scene::Pick::Kind::blade:
-      bench_.select({Selection::Kind::blade, -1});
-      break;
-    case scene::Pick::Kind::block:
-      bench_.select({Selection::Kind::block, -1});
-      break;
-    default:
-      bench_.select({});
+  using Kind = Selection::Kind;
+  Selection picked{pick.kind == scene::Kind::station  ? Kind::station
+                   : pick.kind == scene::Kind::target ? Kind::surface
+                   : pick.kind == scene::Kind::blade  ? Kind::blade
+                   : pick.kind == scene::Kind::block  ? Kind::block
+                                                      : Kind::result,
+                   pick.station.station};
+  const auto shown = bench_.shown();
+  if (shown && pick.id.block >= 0 && std::size_t(pick.id.block) < shown->blocks.size()) {
+    const pipeline::BlockEvaluation& block = shown->blocks[std::size_t(pick.id.block)];
+    if (const auto cut = std::size_t(std::max(0, pick.id.cut)); cut < block.cuts.size()) {
+      picked.block = block.id;
+      picked.cut = block.cuts[cut].id;
+    }
   }
+  bench_.select(picked);
 }
 
 void MainWindow::onHovered(const scene::Pick& pick) {
@@ -158,16 +176,16 @@ void MainWindow::onHovered(const scene::Pick& pick) {
 
 void MainWindow::fitSelection() {
   Bounds bounds;
-  const auto shown = bench_.shown();
-  if (!shown) return;
+  const pipeline::CutEvaluation* cut = bench_.shownCut();
+  if (!cut) return;
   const Selection& selection = bench_.selection();
   if (const auto result = bench_.sweep(); result && selection.station >= 0) {
     const BladePose& station = result->sweep.poses[std::size_t(selection.station)];
     for (const Eigen::Vector2d& p : station.blade.sample(33)) bounds.add(station.frame.toWorld(p));
-  } else if (selection.kind == Selection::Kind::surface && shown->cut().target.value) {
-    bounds = shown->cut().target.value->bounds();
-  } else if (selection.kind == Selection::Kind::block && shown->cut().setup) {
-    for (const Eigen::Vector3d& corner : shown->cut().setup->block.corners()) bounds.add(corner);
+  } else if (selection.kind == Selection::Kind::surface && cut->target.value) {
+    bounds = cut->target.value->bounds();
+  } else if (selection.kind == Selection::Kind::block && cut->setup) {
+    for (const Eigen::Vector3d& corner : cut->setup->block.corners()) bounds.add(corner);
   }
   if (bounds.valid())
     view_->fitBounds(bounds);

@@ -64,7 +64,7 @@ void MainWindow::refreshState() {
   commands_["view.sectionFlip"]->setEnabled(open && sectioned_);
   commands_["edit.cancel"]->setEnabled(busy || faces_->choosing());
   commands_["input.chooseFaces"]->setEnabled(open && faces_->possible());
-  workflow_->showFaceChoice(faces_->choosing(), faces_->possible());
+  workflow_->inputFields()->faces().showChoosing(faces_->choosing(), faces_->possible());
   refreshSummary();
 }
 

@@ -18,6 +18,8 @@
 #include <functional>
 #include <memory>
 
+#include "bw/core/files/file_set.h"
+
 namespace bw::app {
 
 namespace {
@@ -106,6 +108,13 @@ QByteArray pngBytes(const QImage& image) {
   buffer.open(QIODevice::WriteOnly);
   image.save(&buffer, "PNG");
   return bytes;
+}
+
+Result<void> writePng(const QImage& image, const std::filesystem::path& file) {
+  const QByteArray png = image.isNull() ? QByteArray() : pngBytes(image);
+  if (png.isEmpty())
+    return fail(ErrorCode::noSolution, "no picture of this size can be made; choose a smaller one");
+  return writeFile(file, png.toStdString());
 }
 
 PrintedReport printReport(const pipeline::Evaluation& evaluation, const std::vector<ReportImage>& images,

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "bw/core/base/result.h"
 #include "bw/pipeline/report_page.h"
 
 namespace bw::app {
@@ -32,5 +33,8 @@ PrintedReport printReport(const pipeline::Evaluation& evaluation, const std::vec
 
 /// PNG bytes of a picture.
 QByteArray pngBytes(const QImage& image);
+/// Writes them, all or nothing. An error if the picture is null (`ErrorCode::noSolution`) or cannot be
+/// written.
+Result<void> writePng(const QImage& image, const std::filesystem::path& file);
 
 }  // namespace bw::app

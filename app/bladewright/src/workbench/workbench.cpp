@@ -26,26 +26,8 @@ constexpr double kLargestPlausible = 20000;
 
 Workbench::Workbench(model::Settings& settings, const fs::path& recoveryFolder, QObject* parent)
     : QObject(parent), settings_(settings), document_(recoveryFolder) {
-  connect(&document_, &model::Document::replaced, this, [this] {
-    ++opened_;
-    runner_.clear();
-    selection_ = {};
-    playTime_ = 0;
-    moving_ = false;
-    judgedSize_.reset();
-    sourceTold_ = false;
-    readSource_.reset();
-    messages_.clear();
-    exportFindings_.clear();
-    exported_.clear();
-    exportFolder_.clear();
-    exportedFiles_.clear();
-    exportProblem_.clear();
-    for (const Topic topic : {Topic::evaluation, Topic::source, Topic::unit, Topic::file})
-      emit noticesOutdated(topic);
-    emit selectionChanged();
-    emit resultChanged();
-  });
+  settleSelection();
+  connect(&document_, &model::Document::replaced, this, &Workbench::onReplaced);
   connect(&document_, &model::Document::designChanged, this, &Workbench::onDesignChanged);
   connect(&document_, &model::Document::designChanged, this, &Workbench::followSource);
   connect(&watch_, &model::SourceWatch::changed, this, &Workbench::tellSourceChanged);
@@ -54,37 +36,71 @@ Workbench::Workbench(model::Settings& settings, const fs::path& recoveryFolder, 
   // Whether the file can be read again or is to be located follows from what lies on the disk.
   for (const auto signal :
        {&model::SourceWatch::changed, &model::SourceWatch::gone, &model::SourceWatch::back})
-    connect(&watch_, signal, this, &Workbench::stateChanged);
+    connect(&watch_, signal, this, [this] { tellChanged(Aspect::state); });
   connect(&document_, &model::Document::autosaveFailed, this, [this](const QString& message) {
-    tell({Severity::warning,
-          tr("The automatic copy could not be written: %1. Save the design.").arg(message),
-          {},
-          {},
-          Topic::autosave});
+    tell(Topic::autosave, Severity::warning,
+         tr("The automatic copy could not be written: %1. Save the design.").arg(message));
   });
   connect(&document_, &model::Document::autosaveMended, this,
           [this] { emit noticesOutdated(Topic::autosave); });
   connect(&runner_, &model::EvaluationRunner::finished, this, &Workbench::onFinished);
-  connect(&runner_, &model::EvaluationRunner::busyChanged, this, [this] {
-    emit stateChanged();
-    emit progressed();
-  });
-  connect(&runner_, &model::EvaluationRunner::progressed, this, [this] { emit progressed(); });
+  connect(&runner_, &model::EvaluationRunner::busyChanged, this,
+          [this] { tellChanged(Aspect::state | Aspect::progress); });
+  connect(&runner_, &model::EvaluationRunner::progressed, this, [this] { tellChanged(Aspect::progress); });
   connect(&runner_, &model::EvaluationRunner::cancelled, this, [this] {
     if (!current() && !document_.empty())
       tell({Severity::info, tr("Stopped. The picture shows the result before the last change."),
             tr("Compute"), [this] { runner_.evaluate(document_.design()); }, Topic::evaluation});
-    emit stateChanged();
+    tellChanged(Aspect::state);
   });
+}
+
+void Workbench::onReplaced() {
+  ++opened_;
+  runner_.clear();
+  selection_ = {};
+  playTime_ = 0;
+  moving_ = false;
+  judgedSize_.reset();
+  sourceTold_ = false;
+  readSource_.reset();
+  messages_.clear();
+  exportFindings_.clear();
+  exported_.clear();
+  exportFolder_.clear();
+  exportedFiles_.clear();
+  exportProblem_.clear();
+  for (const Topic topic : {Topic::evaluation, Topic::source, Topic::unit, Topic::file})
+    emit noticesOutdated(topic);
+  Change change = settleSelection();
+  change |= resultChange();
+  change.whole |= Aspect::messages;
+  emit changed(change);
 }
 
 std::shared_ptr<const pipeline::Evaluation> Workbench::shown() const {
   return runner_.lastComplete() ? runner_.lastComplete() : runner_.evaluation();
 }
 
+const pipeline::CutEvaluation* Workbench::shownCut() const {
+  const auto evaluation = shown();
+  return evaluation ? evaluation->find(selection_.cut) : nullptr;
+}
+
 std::optional<pipeline::CutResult> Workbench::sweep() const {
-  const auto& complete = runner_.lastComplete();
-  return complete ? complete->result() : std::nullopt;
+  const pipeline::CutEvaluation* cut = shownCut();
+  return cut ? cut->result() : std::nullopt;
+}
+
+const geometry::CadInfo* Workbench::fileInfo() const {
+  const auto& newest = runner_.evaluation();
+  return newest && newest->source.value ? &newest->source.value->model.info() : nullptr;
+}
+
+const geometry::Target* Workbench::newestTarget() const {
+  const auto& newest = runner_.evaluation();
+  const pipeline::CutEvaluation* cut = newest ? newest->find(selection_.cut) : nullptr;
+  return cut ? cut->target.value.get() : nullptr;
 }
 
 bool Workbench::current() const {
@@ -99,6 +115,7 @@ model::StepStates Workbench::stepStates() const {
   facts.design = document_.design();
   facts.evaluated = runner_.evaluatedDesign();
   facts.evaluation = runner_.evaluation();
+  facts.cut = selection_.cut;
   facts.error = runner_.error();
   facts.busy = runner_.busy();
   facts.progress = runner_.progress();
@@ -109,18 +126,35 @@ model::StepStates Workbench::stepStates() const {
   return model::stepStates(facts);
 }
 
-void Workbench::select(const Selection& selection) {
-  Selection next = selection;
+void Workbench::select(Selection next) {
+  if (next.cut.empty()) {
+    next.cut = selection_.cut;
+    next.block = selection_.block;
+  }
+  Change change{Aspect::selection};
+  if (next.cut != selection_.cut) change.cuts[next.cut] = model::kAspectsOfCut;
+  const Selection before = std::exchange(selection_, next);
   if (next.kind == Selection::Kind::station) {
     const auto result = sweep();
-    if (!result || result->sweep.poses.empty()) return;
-    next.station = std::clamp(next.station, 0, int(result->sweep.poses.size()) - 1);
+    if (!result || result->sweep.poses.empty()) {
+      selection_ = before;
+      return;
+    }
+    selection_.station = std::clamp(next.station, 0, int(result->sweep.poses.size()) - 1);
   } else {
-    next.station = -1;
+    selection_.station = -1;
   }
-  if (next == selection_) return;
-  selection_ = next;
-  emit selectionChanged();
+  if (selection_ != before) emit changed(change);
+}
+
+Cut& Workbench::cutOf(Design& design) const {
+  return *std::ranges::find(design.cuts, selection_.cut, &Cut::id);
+}
+
+const Cut& Workbench::cut() const { return *std::ranges::find(design().cuts, selection_.cut, &Cut::id); }
+
+const StockBlock& Workbench::block() const {
+  return *std::ranges::find(design().stock, selection_.block, &StockBlock::id);
 }
 
 double Workbench::playEnd() const {
@@ -133,13 +167,13 @@ void Workbench::setPlayTime(double seconds) {
   if (time == playTime_ && moving_) return;
   playTime_ = time;
   moving_ = sweep().has_value();
-  emit playTimeChanged();
+  tellChanged(Aspect::playTime);
 }
 
 void Workbench::setMoving(bool moving) {
   if (moving_ == moving) return;
   moving_ = moving && sweep();
-  emit playTimeChanged();
+  tellChanged(Aspect::playTime);
 }
 
 double Workbench::timeOfStation(int station) const {
@@ -170,9 +204,28 @@ double Workbench::stationAt(double seconds) const {
   return double(count) - 1;
 }
 
+Change Workbench::settleSelection() {
+  const auto there = std::ranges::find(design().cuts, selection_.cut, &Cut::id);
+  const Cut& cut = there == design().cuts.end() ? design().cuts.front() : *there;
+  if (there != design().cuts.end() && cut.block == selection_.block) return {};
+  selection_ = {Selection::Kind::result, -1, cut.block, cut.id};
+  return {Aspect::selection, {{cut.id, model::kAspectsOfCut}}};
+}
+
+Change Workbench::resultChange() {
+  Change change = model::difference(toldShown_.get(), shown().get());
+  change |= model::difference(toldNewest_.get(), runner_.evaluation().get());
+  toldShown_ = shown();
+  toldNewest_ = runner_.evaluation();
+  change.whole |= Aspect::result;
+  return change;
+}
+
 void Workbench::onDesignChanged() {
+  Change change = settleSelection();
   if (!document_.empty()) runner_.evaluate(document_.design(), live_);
-  emit stateChanged();
+  change.whole |= Aspect::design | Aspect::state;
+  emit changed(change);
 }
 
 namespace {
@@ -209,28 +262,29 @@ void Workbench::onFinished() {
       notice.action = tr("Locate…");
       notice.run = [this] { emit locateRequested(); };
     }
-    tell(std::move(notice));
+    tell(notice);
   }
   if (runner_.evaluation())
     std::ranges::transform(runner_.evaluation()->findings(), std::back_inserter(messages_), messageOf);
+  Change change = resultChange();
+  change.whole |= Aspect::messages | Aspect::state;
   if (const auto result = sweep()) {
     const int count = int(result->sweep.poses.size());
     if (selection_.kind == Selection::Kind::station && selection_.station >= count) {
       selection_.station = count - 1;
-      emit selectionChanged();
+      change.whole |= Aspect::selection;
     }
     playTime_ = std::min(playTime_, playEnd());
   }
   noteSourceRead();
   judgeSize();
-  emit resultChanged();
-  emit stateChanged();
+  emit changed(change);
 }
 
 void Workbench::judgeSize() {
-  const auto& evaluation = runner_.evaluation();
-  if (!evaluation || !evaluation->cut().target.value || !evaluation->source.value) return;
-  const Eigen::Vector3d size = evaluation->cut().target.value->bounds().size();
+  const geometry::Target* target = newestTarget();
+  if (!target || !fileInfo()) return;
+  const Eigen::Vector3d size = target->bounds().size();
   if (std::exchange(judgedSize_, size) == size) return;
   const double largest = size.maxCoeff();
   if (largest >= kSmallestPlausible && largest <= kLargestPlausible) return emit noticesOutdated(Topic::unit);
@@ -239,18 +293,32 @@ void Workbench::judgeSize() {
       {Severity::warning,
        tr("Is the unit right? The surface measures %1 × %2 × %3 mm, its file was read in %4. Choose the unit "
           "meant under Input ▸ Read as, or go on.")
-           .arg(text(size.x()), text(size.y()), text(size.z()),
-                QString::fromStdString(evaluation->source.value->model.info().readAs)),
+           .arg(text(size.x()), text(size.y()), text(size.z()), QString::fromStdString(fileInfo()->readAs)),
        tr("Go on"), [] {}, Topic::unit});
 }
 
-void Workbench::tell(Notice notice) { emit noticed(notice); }
+Result<void> Workbench::refuse(Topic topic, const Error& error) {
+  tell(topic, error);
+  return tl::unexpected<Error>(error);
+}
 
 void Workbench::editDesign(const QString& text, const std::function<void(Design&)>& change, int mergeId,
                            bool live) {
   live_ = live;
   document_.editDesign(text, mergeId, change);
   live_ = false;
+}
+
+void Workbench::editCut(const QString& text, const std::function<void(Cut&)>& change, int mergeId,
+                        bool live) {
+  editDesign(
+      text, [&](Design& design) { change(cutOf(design)); }, mergeId, live);
+}
+
+void Workbench::editBlock(const QString& text, const std::function<void(StockBlock&)>& change) {
+  editDesign(text, [&](Design& design) {
+    change(*std::ranges::find(design.stock, selection_.block, &StockBlock::id));
+  });
 }
 
 }  // namespace bw::app

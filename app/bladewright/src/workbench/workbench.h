@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "bw/core/base/finding.h"
+#include "bw/model/change.h"
 #include "bw/model/document.h"
 #include "bw/model/evaluation_runner.h"
 #include "bw/model/settings.h"
@@ -21,13 +22,9 @@
 
 namespace bw::app {
 
-/// What the user looks at.
-struct Selection {
-  enum class Kind { result, surface, block, blade, station };
-  Kind kind = Kind::result;
-  int station = -1;  ///< position in the sweep's stations, for Kind::station
-  bool operator==(const Selection&) const = default;
-};
+using model::Aspect;
+using model::Change;
+using model::Selection;
 
 /// One line of the messages: a finding, or why there is no result.
 struct Message {
@@ -85,8 +82,13 @@ class Workbench : public QObject {
 
   /// The result on the screen: the newest one that has a sweep, or the newest without; null before the first.
   std::shared_ptr<const pipeline::Evaluation> shown() const;
-  /// The sweep on the screen or null.
+  /// Of the result on the screen the cut selected, or null; and what it came to.
+  const pipeline::CutEvaluation* shownCut() const;
   std::optional<pipeline::CutResult> sweep() const;
+  /// Of the newest evaluation, whether or not it came to a result: what is known of the CAD file, and the
+  /// surface of the cut selected. Null before they are read.
+  const geometry::CadInfo* fileInfo() const;
+  const geometry::Target* newestTarget() const;
   /// True while the result on the screen belongs to an older design.
   bool stale() const;
   /// True if the result on the screen is the whole result of the present design.
@@ -99,9 +101,13 @@ class Workbench : public QObject {
   /// Does what a remedy advises, as one undoable step.
   void apply(const Remedy& remedy);
 
+  /// Its block and cut are always those of a cut of the design.
   const Selection& selection() const { return selection_; }
-  void select(const Selection& selection);
+  void select(Selection next);
   void selectStation(int station) { select({Selection::Kind::station, station}); }
+  /// The cut and the block selected, in the design.
+  const Cut& cut() const;
+  const StockBlock& block() const;
 
   /// Seconds from the start of the cut.
   double playTime() const { return playTime_; }
@@ -158,22 +164,26 @@ class Workbench : public QObject {
   /// What it wrote there, relative to it, in the order of writing.
   const std::vector<WrittenFile>& exportedFiles() const { return exportedFiles_; }
 
-  void tell(Notice notice);
+  void tell(const Notice& notice) { emit noticed(notice); }
+  void tell(Topic topic, Severity severity, const QString& text) { tell({severity, text, {}, {}, topic}); }
+  void tell(Topic topic, const Error& error) {
+    tell(topic, Severity::error, QString::fromStdString(error.message));
+  }
 
   /// Edits the job as one undoable step; `mergeId` ≥ 0 joins the moves of one drag, `live` while the mouse
   /// still holds the handle.
   void editDesign(const QString& text, const std::function<void(Design&)>& change, int mergeId = -1,
                   bool live = false);
+  /// The same for the cut or the block selected.
+  void editCut(const QString& text, const std::function<void(Cut&)>& change, int mergeId = -1,
+               bool live = false);
+  void editBlock(const QString& text, const std::function<void(StockBlock&)>& change);
   /// A number for the moves of one drag.
   int newMergeId() { return ++lastMergeId_; }
 
  signals:
-  void resultChanged();  ///< another result is on the screen
-  void messagesChanged();
-  void stateChanged();  ///< step states, staleness, messages or what became of the CAD file changed
-  void progressed();
-  void selectionChanged();
-  void playTimeChanged();
+  /// What widgets show is another; each refreshes what it shows of it.
+  void changed(const bw::model::Change& change);
   void noticed(const bw::app::Notice& notice);
   /// Notices of that topic no longer hold.
   void noticesOutdated(bw::app::Topic topic);
@@ -189,8 +199,18 @@ class Workbench : public QObject {
   void showPlace(const bw::app::Message& message);
 
  private:
+  void onReplaced();
   void onDesignChanged();
   void onFinished();
+  void tellChanged(model::Aspects whole) { emit changed({whole}); }
+  Cut& cutOf(Design& design) const;  ///< the one selected
+  /// How the evaluations that are there now differ from those that were told of last.
+  Change resultChange();
+  /// Selects the first cut if the design has none of the selected id. What is seen of a cut is then another.
+  Change settleSelection();
+  static Error noFile(const std::filesystem::path& file);
+  /// Tells an error and hands it on.
+  Result<void> refuse(Topic topic, const Error& error);
   struct Export;
   using MakePolicy = std::function<pipeline::Policy(const RunContext&)>;
   void write(const std::filesystem::path& folder, const QString& name, MakePolicy policy);
@@ -212,6 +232,7 @@ class Workbench : public QObject {
   model::SourceWatch watch_;
   std::shared_ptr<const pipeline::CadSource> readSource_;  ///< of the newest result that has one
   bool sourceTold_ = false;  ///< that the source is another than when the design was saved
+  std::shared_ptr<const pipeline::Evaluation> toldShown_, toldNewest_;  ///< of the last change
   Selection selection_;
   double playTime_ = 0;
   bool moving_ = false;

@@ -11,28 +11,24 @@ namespace bw::app {
 
 namespace fs = std::filesystem;
 
+Error Workbench::noFile(const fs::path& file) {
+  const QString text = tr("there is no file %1").arg(QString::fromStdString(file.string()));
+  return {ErrorCode::cannotRead, text.toStdString(), file.string()};
+}
+
 Result<void> Workbench::openFile(const fs::path& file) {
-  const auto refuse = [this](const Error& error) -> Result<void> {
-    tell({Severity::error, QString::fromStdString(error.message), {}, {}, Topic::file});
-    return tl::unexpected<Error>(error);
-  };
   if (lowerSuffix(file) == ".bladewright") {
     int version = Design::kVersion;
-    if (Result<void> opened = document_.open(file, &version); !opened) return refuse(opened.error());
+    if (Result<void> opened = document_.open(file, &version); !opened)
+      return refuse(Topic::file, opened.error());
     if (version != Design::kVersion)
-      tell({Severity::info,
-            QString::fromStdString(words::sentence(
-                {Severity::info, EarlierDesign{file.filename().string(), version, Design::kVersion}, {}, {}},
-                words::Reader::window)),
-            {},
-            {},
-            Topic::file});
+      tell(Topic::file, Severity::info,
+           QString::fromStdString(words::sentence(
+               {Severity::info, EarlierDesign{file.filename().string(), version, Design::kVersion}},
+               words::Reader::window)));
   } else {
     std::error_code error;
-    if (!fs::is_regular_file(file, error))
-      return refuse({ErrorCode::cannotRead,
-                     tr("there is no file %1").arg(QString::fromStdString(file.string())).toStdString(),
-                     file.string()});
+    if (!fs::is_regular_file(file, error)) return refuse(Topic::file, noFile(file));
     Design design;
     const fs::path absolute = fs::absolute(file, error);
     design.name = file.stem().string();
@@ -46,31 +42,23 @@ Result<void> Workbench::openFile(const fs::path& file) {
 
 Result<void> Workbench::openExample(const std::string& name) {
   Result<Design> design = pipeline::exampleDesign(name);
-  if (!design) {
-    tell({Severity::error, QString::fromStdString(design.error().message), {}, {}, Topic::file});
-    return tl::unexpected<Error>(design.error());
-  }
+  if (!design) return refuse(Topic::file, design.error());
   document_.start(std::move(*design));
   return {};
 }
 
 Result<void> Workbench::recover(const fs::path& copy) {
-  if (Result<void> recovered = document_.recover(copy); !recovered) {
-    tell({Severity::error, QString::fromStdString(recovered.error().message), {}, {}, Topic::recovery});
-    return recovered;
-  }
+  if (Result<void> recovered = document_.recover(copy); !recovered)
+    return refuse(Topic::recovery, recovered.error());
   emit noticesOutdated(Topic::recovery);
-  tell({Severity::info,
-        tr("Unsaved work on “%1” was recovered. It is not saved yet.").arg(document_.title()),
-        {},
-        {},
-        Topic::file});
+  tell(Topic::file, Severity::info,
+       tr("Unsaved work on “%1” was recovered. It is not saved yet.").arg(document_.title()));
   return {};
 }
 
 bool Workbench::saveTo(const fs::path& file) {
   if (Result<void> saved = document_.saveAs(file); !saved) {
-    tell({Severity::error, QString::fromStdString(saved.error().message), {}, {}, Topic::file});
+    tell(Topic::file, saved.error());
     return false;
   }
   emit noticesOutdated(Topic::file);
@@ -165,7 +153,7 @@ void Workbench::write(const fs::path& folder, const QString& name, MakePolicy po
         return finishExport(*made, stoppedError());
     }
   });
-  emit stateChanged();
+  tellChanged(Aspect::state);
 }
 
 void Workbench::commit(const std::shared_ptr<Export>& made) {
@@ -188,18 +176,17 @@ void Workbench::finishExport(const Export& made, const Result<void>& done) {
       exportedFiles_ = writtenFiles(made.files);
       exportFindings_ = made.takenOver;
       exportFindings_.insert(exportFindings_.end(), made.findings.begin(), made.findings.end());
-      emit messagesChanged();
+      tellChanged(Aspect::messages);
     }
     tellWritten(made);
     emit exported(QString::fromStdString(made.folder.string()));
   } else if (done.error().code == ErrorCode::cancelled) {
-    tell({Severity::info, tr("The export was stopped; nothing was written."), {}, {}, Topic::written});
+    tell(Topic::written, Severity::info, tr("The export was stopped; nothing was written."));
   } else {
-    const QString problem = QString::fromStdString(done.error().message);
-    if (open) exportProblem_ = problem;
-    tell({Severity::error, problem, {}, {}, Topic::written});
+    if (open) exportProblem_ = QString::fromStdString(done.error().message);
+    tell(Topic::written, done.error());
   }
-  emit stateChanged();
+  tellChanged(Aspect::state);
 }
 
 void Workbench::tellWritten(const Export& made) {
@@ -214,26 +201,20 @@ void Workbench::tellWritten(const Export& made) {
     written += made.removed == 1 ? tr(" (1 file of an earlier run was removed)")
                                  : tr(" (%1 files of an earlier run were removed)").arg(made.removed);
   if (!made.takenOver.empty())
-    return tell({Severity::warning,
-                 tr("%1, but they are not what the screen shows: %2.")
-                     .arg(written, QString::fromStdString(
-                                       words::sentence(made.takenOver.front(), words::Reader::window))),
-                 {},
-                 {},
-                 Topic::written});
+    return tell(Topic::written, Severity::warning,
+                tr("%1, but they are not what the screen shows: %2.")
+                    .arg(written, QString::fromStdString(
+                                      words::sentence(made.takenOver.front(), words::Reader::window))));
   const Findings& findings = made.findings;
-  if (findings.empty()) return tell({Severity::info, written, {}, {}, Topic::written});
+  if (findings.empty()) return tell(Topic::written, Severity::info, written);
   const QString first = QString::fromStdString(words::sentence(findings.front(), words::Reader::window));
   if (findings.front().kind() == FindingKind::program)
-    return tell({findings.front().severity, tr("%1, but %2.").arg(written, first), {}, {}, Topic::written});
+    return tell(Topic::written, findings.front().severity, tr("%1, but %2.").arg(written, first));
   const QString more =
       findings.size() > 1 ? tr(" The messages hold all %1 findings.").arg(findings.size()) : QString();
-  tell({Severity::warning,
-        tr("%1. The check of the programs warns: %2.%3")
-            .arg(written, first.left(1).toUpper() + first.mid(1), more),
-        {},
-        {},
-        Topic::written});
+  tell(Topic::written, Severity::warning,
+       tr("%1. The check of the programs warns: %2.%3")
+           .arg(written, first.left(1).toUpper() + first.mid(1), more));
 }
 
 void Workbench::exportAll(const fs::path& folder, std::vector<ReportImage> pictures) {

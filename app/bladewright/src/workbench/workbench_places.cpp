@@ -63,8 +63,7 @@ void Workbench::showPlace(const Message& message) {
   const BladePose* station = nullptr;
   if (place.stations && result) {
     const auto& stations = result->sweep.poses;
-    const auto found = std::find_if(stations.begin(), stations.end(),
-                                    [&](const BladePose& s) { return s.index == place.stations->worst; });
+    const auto found = std::ranges::find(stations, place.stations->worst, &BladePose::index);
     if (found != stations.end()) {
       station = &*found;
       selectStation(int(found - stations.begin()));
@@ -78,26 +77,29 @@ void Workbench::showPlace(const Message& message) {
     for (const Eigen::Vector2d& p : station->blade.sample(33)) spot.bounds.add(station->frame.toWorld(p));
   } else if (!place.stations) {
     // What failed lies in the step that was not finished; where no plane meets the target, in the block.
-    const model::Step failed = model::failedStep(runner_.evaluation().get());
-    select({message.finding                          ? partOf(message.finding->kind())
-            : failed == model::Step::input           ? Selection::Kind::surface
-            : design().block().placement.has_value() ? Selection::Kind::block
-                                                     : Selection::Kind::result,
+    const auto& newest = runner_.evaluation();
+    const model::Step failed =
+        model::failedStep(newest.get(), newest ? newest->find(selection_.cut) : nullptr);
+    select({message.finding                 ? partOf(message.finding->kind())
+            : failed == model::Step::input  ? Selection::Kind::surface
+            : block().placement.has_value() ? Selection::Kind::block
+                                            : Selection::Kind::result,
             -1});
   }
+  const pipeline::CutEvaluation* cut = shownCut();
   // The block as the person placed it, where no result has one.
-  if (design().block().placement) {
-    add(design().block().placement->box());
+  if (block().placement) {
+    add(block().placement->box());
     if (!spot.point && selection_.kind == Selection::Kind::block) {
-      const Box block = design().block().placement->box();
-      spot.point = block.frame.toWorld(0.5 * block.size.head<2>(), 0.5 * block.size.z());
+      const Box box = block().placement->box();
+      spot.point = box.frame.toWorld(0.5 * box.size.head<2>(), 0.5 * box.size.z());
     }
-  } else if (const auto evaluation = shown(); evaluation && evaluation->cut().setup) {
-    add(evaluation->cut().setup->block);
+  } else if (cut && cut->setup) {
+    add(cut->setup->block);
   }
-  if (const auto evaluation = shown(); !station && evaluation && evaluation->cut().target.value) {
-    spot.bounds.add(evaluation->cut().target.value->bounds().min);
-    spot.bounds.add(evaluation->cut().target.value->bounds().max);
+  if (!station && cut && cut->target.value) {
+    spot.bounds.add(cut->target.value->bounds().min);
+    spot.bounds.add(cut->target.value->bounds().max);
   }
   if (spot.point) spot.bounds.add(*spot.point);
   emit spotShown(spot);

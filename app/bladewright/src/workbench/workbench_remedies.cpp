@@ -16,8 +16,9 @@ void takePreset(Design& design, const std::string& name) {
 }
 
 /// An overload for each remedy; those that only a person can do change nothing.
-struct Change {
+struct Mend {
   Design& design;
+  Cut& cut;
 
   void operator()(const OtherLength& remedy) const { design.blade.length = remedy.length; }
   void operator()(const BendingBlade& remedy) const {
@@ -30,10 +31,10 @@ struct Change {
   void operator()(const OtherBlock&) const {}
   void operator()(const CutInParts&) const {}
   void operator()(const MoreStations& remedy) const {
-    design.cut().sections.stations = remedy.count;
-    design.cut().sections.spacing.reset();
+    cut.sections.stations = remedy.count;
+    cut.sections.spacing.reset();
   }
-  void operator()(const TurnDirection&) const { design.cut().direction.reset(); }
+  void operator()(const TurnDirection&) const { cut.direction.reset(); }
   void operator()(const WiderTolerance& remedy) const { design.process.tolerance = remedy.tolerance; }
 };
 
@@ -41,13 +42,14 @@ struct Change {
 
 bool Workbench::canApply(const Remedy& remedy) const {
   Design changed = design();
-  std::visit(Change{changed}, remedy);
+  std::visit(Mend{changed, cutOf(changed)}, remedy);
   return changed != design();
 }
 
 void Workbench::apply(const Remedy& remedy) {
-  editDesign(QString::fromStdString(words::action(remedy)),
-             [&](Design& design) { std::visit(Change{design}, remedy); });
+  editDesign(QString::fromStdString(words::action(remedy)), [&](Design& design) {
+    std::visit(Mend{design, cutOf(design)}, remedy);
+  });
 }
 
 }  // namespace bw::app

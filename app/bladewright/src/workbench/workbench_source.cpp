@@ -29,15 +29,8 @@ bool Workbench::canReload() const {
 }
 
 Result<void> Workbench::replaceSource(const fs::path& file, const QString& text) {
-  const auto refuse = [this](const Error& error) -> Result<void> {
-    tell({Severity::error, QString::fromStdString(error.message), {}, {}, Topic::source});
-    return tl::unexpected<Error>(error);
-  };
   std::error_code error;
-  if (!fs::is_regular_file(file, error))
-    return refuse({ErrorCode::cannotRead,
-                   tr("there is no file %1").arg(QString::fromStdString(file.string())).toStdString(),
-                   file.string()});
+  if (!fs::is_regular_file(file, error)) return refuse(Topic::source, noFile(file));
   Design design = *document_.design();
   const bool embedded = !design.source().bytes.empty();
   const fs::path absolute = fs::absolute(file, error);
@@ -46,7 +39,7 @@ Result<void> Workbench::replaceSource(const fs::path& file, const QString& text)
   design.source().saved.reset();
   if (embedded) {
     Result<std::string> bytes = readFile(file);
-    if (!bytes) return refuse(bytes.error());
+    if (!bytes) return refuse(Topic::source, bytes.error());
     design.source().bytes = std::move(*bytes);
   }
   if (design.source().path == document_.design()->source().path)
@@ -105,11 +98,8 @@ void Workbench::noteSourceRead() {
   if (evaluation->sourceFindings.empty() && sourceTold_) outdateSource();
   if (!evaluation->sourceFindings.empty() && !sourceTold_) {
     sourceTold_ = true;
-    tell({Severity::warning,
-          QString::fromStdString(words::sentence(evaluation->sourceFindings.front(), words::Reader::window)),
-          {},
-          {},
-          Topic::source});
+    tell(Topic::source, Severity::warning,
+         QString::fromStdString(words::sentence(evaluation->sourceFindings.front(), words::Reader::window)));
   }
   // Last: it tells of a content that is newer still.
   if (read && watched) watch_.accept(evaluation->source.value->content);

@@ -36,11 +36,10 @@ void makeOwn(Blade& blade) {
 BladeFields::BladeFields(Workbench& bench, FormColumn* column, FormColumn* details, QObject* parent)
     : QObject(parent), bench_(bench) {
   if (Result<std::vector<Blade>> presets = bladePresets()) presets_ = std::move(*presets);
-  preset_ = new ChoiceField;
+  preset_ = column->addBelow(tr("Blade"), tr("The tool: its section and material"));
   for (const Blade& blade : presets_)
     preset_->addItem(QString::fromStdString(blade.title.empty() ? blade.name : blade.title));
   preset_->addItem(tr("Custom"));
-  column->addBelow(tr("Blade"), preset_, tr("The tool: its section and material"));
   connect(preset_, &QComboBox::activated, this, [this](int index) {
     if (std::size_t(index) >= presets_.size()) {
       bench_.editDesign(tr("Customise blade"), [](Design& design) { makeOwn(design.blade); });
@@ -57,15 +56,13 @@ BladeFields::BladeFields(Workbench& bench, FormColumn* column, FormColumn* detai
   const std::span<const BladeNumber> numbers = bladeNumbers();
   numbers_.add(column, numbers.front(), this, edit);
   auto* line = new QWidget;
-  auto* layout = new QHBoxLayout(line);
-  layout->setContentsMargins(0, 0, 0, 0);
+  auto* layout = makeBox<QHBoxLayout>(line);
   layout->addStretch();
-  auto* measure = new QPushButton(tr("Measure…"), line);
-  measure->setToolTip(tr("Find the length of the mounted blade from how far it sags"));
+  auto* measure = makeButton(tr("Measure…"), tr("Find the length of the mounted blade from how far it sags"),
+                             this, &BladeFields::measureRequested);
   measure->setAccessibleName(tr("Measure the blade length"));
   layout->addWidget(measure);
   column->addWide(line);
-  connect(measure, &QPushButton::clicked, this, &BladeFields::measureRequested);
   minRadius_ = column->addValue(tr("Smallest radius"), tr("The tightest bend that leaves the blade elastic"));
   for (const BladeNumber& number : numbers.subspan(1)) numbers_.add(details, number, this, edit);
 }

@@ -4,8 +4,7 @@
 
 #include <QObject>
 
-#include <array>
-#include <functional>
+#include <vector>
 
 #include "controls/fields.h"
 #include "workbench/workbench.h"
@@ -22,12 +21,18 @@ class BlockFields : public QObject {
   void refresh();
 
  private:
-  void editPlacement(const QString& text, const std::function<void(BlockPlacement&)>& change);
   BlockPlacement placement() const;
 
   Workbench& bench_;
   QCheckBox* automatic_;
-  std::array<NumberField*, 3> origin_, size_, rotation_;
+  /// A number of the placement, in units of `unit`.
+  struct Number {
+    NumberField* field;
+    Eigen::Vector3d BlockPlacement::*member;
+    int axis;
+    double unit;
+  };
+  std::vector<Number> numbers_;
 };
 
 }  // namespace bw::app

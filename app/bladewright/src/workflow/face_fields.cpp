@@ -37,26 +37,21 @@ QString areaText(double mm2) {
 
 FaceFields::FaceFields(Workbench& bench, FormColumn* column, QObject* parent)
     : QObject(parent), bench_(bench) {
-  kinds_ = new ChoiceField;
+  kinds_ = column->add(tr("Faces"), new ChoiceField,
+                       tr("Which faces of the file are cut. Largest: of those that are neither planes, "
+                          "cylinders nor cones, if there are such"));
   kinds_->addItems(
       {tr("Largest"), tr("All"), tr("By number"), tr("By name"), tr("One side"), tr("Near a point")});
-  column->add(tr("Faces"), kinds_,
-              tr("Which faces of the file are cut. Largest: of those that are neither planes, cylinders nor "
-                 "cones, if there are such"));
   connect(kinds_, &QComboBox::activated, this, &FaceFields::chooseKind);
-  inPicture_ = new QPushButton(tr("Choose in the picture"));
+  inPicture_ = column->addWide(
+      makeButton(tr("Choose in the picture"),
+                 tr("All faces of the file are shown; a click chooses, Ctrl+click adds or takes away (C)"),
+                 this, &FaceFields::chooseInPictureRequested));
   inPicture_->setObjectName("chooseFaces");
   inPicture_->setCheckable(true);
-  inPicture_->setToolTip(
-      tr("All faces of the file are shown; a click chooses, Ctrl+click adds or takes away (C)"));
-  column->addWide(inPicture_);
-  connect(inPicture_, &QPushButton::clicked, this, &FaceFields::chooseInPictureRequested);
-  numbers_ = new ListField(tr("face"));
-  numbersLabel_ = column->add(tr("Face numbers"), numbers_, tr("Counted from 0: 0, 3, 5-7"));
+  numbers_ = column->add(tr("Face numbers"), new ListField(tr("face")), tr("Counted from 0: 0, 3, 5-7"));
   connect(numbers_, &ListField::edited, this, &FaceFields::chooseNumbers);
-  names_ = new ChoiceField;
-  namesLabel_ =
-      column->addLong(tr("Name"), names_, tr("Names that faces, or their solids, have in the file"));
+  names_ = column->addLong(tr("Name"), tr("Names that faces, or their solids, have in the file"));
   connect(names_, &QComboBox::activated, this, [this] {
     FaceChoice choice;
     choice.kind = Kind::named;
@@ -64,8 +59,7 @@ FaceFields::FaceFields(Workbench& bench, FormColumn* column, QObject* parent)
       choice.names.push_back(name.toStdString());
     this->choose(choice);
   });
-  sides_ = new ChoiceField;
-  sidesLabel_ = column->addLong(tr("Side"), sides_, tr("Faces that join smoothly, the largest side first"));
+  sides_ = column->addLong(tr("Side"), tr("Faces that join smoothly, the largest side first"));
   connect(sides_, &QComboBox::activated, this, [this](int index) {
     FaceChoice choice;
     choice.kind = Kind::group;
@@ -74,11 +68,10 @@ FaceFields::FaceFields(Workbench& bench, FormColumn* column, QObject* parent)
   });
   static const char* const kAxes[] = {"x", "y", "z"};
   for (std::size_t axis = 0; axis < point_.size(); ++axis) {
-    point_[axis] = new NumberField({-1e7, 1e7, 3, 10, "mm"});
-    pointLabels_[axis] = column->add(tr("Point %1").arg(kAxes[axis]), point_[axis],
-                                     tr("The face nearest to this point of the file's frame is cut"));
+    point_[axis] = column->add(tr("Point %1").arg(kAxes[axis]), new NumberField({-1e7, 1e7, 3, 10, "mm"}),
+                               tr("The face nearest to this point of the file's frame is cut"));
     connect(point_[axis], &NumberField::edited, this, [this, i = Eigen::Index(axis)](double value) {
-      FaceChoice choice = bench_.design().cut().face;
+      FaceChoice choice = bench_.cut().face;
       choice.point[i] = value;
       this->choose(choice);
     });
@@ -91,24 +84,21 @@ void FaceFields::showChoosing(bool choosing, bool possible) {
 }
 
 void FaceFields::choose(const FaceChoice& choice) {
-  bench_.editDesign(tr("Choose faces"), [&](Design& design) { design.cut().face = choice; });
+  bench_.editCut(tr("Choose faces"), [&](Cut& cut) { cut.face = choice; });
 }
 
 void FaceFields::chooseKind(int kind) {
   FaceChoice choice;
   choice.kind = Kind(kind);
-  const auto& newest = bench_.runner().evaluation();
-  const geometry::CadInfo* info =
-      newest && newest->source.value ? &newest->source.value->model.info() : nullptr;
+  const geometry::Target* target = bench_.newestTarget();
   if (choice.kind == Kind::indices) {
-    choice.indices =
-        newest && newest->cut().target.value ? newest->cut().target.value->faces() : std::vector<int>{0};
+    choice.indices = target ? target->faces() : std::vector<int>{0};
   } else if (choice.kind == Kind::named) {
-    const QStringList names = namesOf(info);
+    const QStringList names = namesOf(bench_.fileInfo());
     if (names.isEmpty()) return refresh();
     choice.names = {names.first().toStdString()};
-  } else if (choice.kind == Kind::nearest && newest && newest->cut().target.value) {
-    choice.point = newest->cut().target.value->bounds().center();
+  } else if (choice.kind == Kind::nearest && target) {
+    choice.point = target->bounds().center();
   }
   choose(choice);
 }
@@ -156,20 +146,18 @@ void FaceFields::showSides(const FaceChoice& face, const geometry::CadInfo* info
 }
 
 void FaceFields::refresh() {
-  const FaceChoice& face = bench_.design().cut().face;
-  const auto& newest = bench_.runner().evaluation();
-  const geometry::CadInfo* info =
-      newest && newest->source.value ? &newest->source.value->model.info() : nullptr;
+  const FaceChoice& face = bench_.cut().face;
+  const geometry::CadInfo* info = bench_.fileInfo();
   kinds_->show(int(face.kind));
-  setLineVisible(numbersLabel_, numbers_, face.kind == Kind::indices);
-  setLineVisible(namesLabel_, names_, face.kind == Kind::named);
-  setLineVisible(sidesLabel_, sides_, face.kind == Kind::group);
+  setLineVisible(numbers_, face.kind == Kind::indices);
+  setLineVisible(names_, face.kind == Kind::named);
+  setLineVisible(sides_, face.kind == Kind::group);
   numbers_->setCount(info ? info->faces : kUnknownCount);
   numbers_->show(face.indices);
   showNames(face, info);
   showSides(face, info);
   for (std::size_t axis = 0; axis < point_.size(); ++axis) {
-    setLineVisible(pointLabels_[axis], point_[axis], face.kind == Kind::nearest);
+    setLineVisible(point_[axis], face.kind == Kind::nearest);
     point_[axis]->show(face.point[Eigen::Index(axis)]);
   }
 }

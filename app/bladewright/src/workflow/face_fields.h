@@ -41,9 +41,7 @@ class FaceFields : public QObject {
   ChoiceField *kinds_, *names_, *sides_;
   ListField* numbers_;
   QPushButton* inPicture_;
-  QLabel *numbersLabel_, *namesLabel_, *sidesLabel_;
   std::array<NumberField*, 3> point_;
-  std::array<QLabel*, 3> pointLabels_;
 };
 
 }  // namespace bw::app

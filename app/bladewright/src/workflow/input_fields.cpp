@@ -14,44 +14,35 @@ namespace bw::app {
 
 InputFields::InputFields(Workbench& bench, FormColumn* column, QObject* parent)
     : QObject(parent), bench_(bench) {
-  fileName_ = new QLabel;
+  fileName_ = column->addWide(new QLabel);
   fileName_->setTextFormat(Qt::PlainText);
   fileName_->setWordWrap(true);
-  column->addWide(fileName_);
-  fileFacts_ = makeNote();
-  column->addWide(fileFacts_);
-  auto* open = new QPushButton(tr("Open CAD file…"));
-  open->setToolTip(tr("STEP (also packed), IGES or BREP; a file can also be dropped into the window"));
-  column->addWide(open);
-  connect(open, &QPushButton::clicked, this, &InputFields::openRequested);
+  fileFacts_ = column->addWide(makeNote());
+  column->addWide(
+      makeButton(tr("Open CAD file…"),
+                 tr("STEP (also packed), IGES or BREP; a file can also be dropped into the window"), this,
+                 &InputFields::openRequested));
   auto* row = new QWidget;
-  auto* buttons = new QHBoxLayout(row);
-  buttons->setContentsMargins(0, 0, 0, 0);
-  buttons->setSpacing(kGap);
-  replace_ = new QPushButton(tr("Replace…"), row);
-  replace_->setToolTip(tr("Another CAD file under the same settings"));
-  reload_ = new QPushButton(tr("Reload"), row);
-  reload_->setToolTip(tr("Read the CAD file again; settings and undo stay"));
-  locate_ = new QPushButton(tr("Locate…"), row);
-  locate_->setToolTip(tr("Say where the CAD file is now"));
+  auto* buttons = makeBox<QHBoxLayout>(row, {}, kGap);
+  replace_ = makeButton(tr("Replace…"), tr("Another CAD file under the same settings"), this,
+                        &InputFields::replaceRequested);
+  reload_ = makeButton(tr("Reload"), tr("Read the CAD file again; settings and undo stay"), this,
+                       &InputFields::reloadRequested);
+  locate_ =
+      makeButton(tr("Locate…"), tr("Say where the CAD file is now"), this, &InputFields::locateRequested);
   for (QPushButton* button : {replace_, reload_, locate_}) buttons->addWidget(button);
   column->addWide(row);
-  connect(replace_, &QPushButton::clicked, this, &InputFields::replaceRequested);
-  connect(reload_, &QPushButton::clicked, this, &InputFields::reloadRequested);
-  connect(locate_, &QPushButton::clicked, this, &InputFields::locateRequested);
-  unit_ = new ChoiceField;
+  unit_ = column->addLong(
+      tr("Read as"),
+      tr("The unit that the numbers of the file are taken in, and the size that the surface then has"));
   unit_->addItem(tr("As stated"));
   for (const LengthUnit unit : kLengthUnits) unit_->addItem(QString::fromLatin1(lengthUnitName(unit)));
-  column->addLong(
-      tr("Read as"), unit_,
-      tr("The unit that the numbers of the file are taken in, and the size that the surface then has"));
   connect(unit_, &QComboBox::activated, this, &InputFields::applyUnit);
   faces_ = new FaceFields(bench, column, this);
-  embed_ = new QCheckBox(tr("Keep the geometry in the design"));
-  embed_->setToolTip(tr("On: the saved design holds a copy of the CAD file. Off: it points to the file."));
-  column->addWide(embed_);
+  embed_ =
+      column->addCheck(tr("Keep the geometry in the design"),
+                       tr("On: the saved design holds a copy of the CAD file. Off: it points to the file."));
   connect(embed_, &QCheckBox::clicked, this, &InputFields::embed);
-  connect(&bench, &Workbench::stateChanged, this, &InputFields::refreshState);
 }
 
 void InputFields::applyUnit(int index) {
@@ -87,7 +78,7 @@ void InputFields::embed(bool on) {
   if (on) {
     Result<std::string> bytes = readFile(bench_.sourceFile());
     if (!bytes) {
-      bench_.tell({Severity::error, QString::fromStdString(bytes.error().message), {}, {}});
+      bench_.tell(Topic::other, bytes.error());
       refresh();
       return;
     }
@@ -105,24 +96,22 @@ void InputFields::refresh() {
   fileName_->setText(file.empty() ? tr("No file") : QString::fromStdString(file));
   fileName_->setToolTip(QString::fromStdString(design.source().path.string()));
   QString facts;
-  const auto& newest = bench_.runner().evaluation();
-  if (newest && newest->source.value) {
-    const geometry::CadInfo& info = newest->source.value->model.info();
+  const geometry::CadInfo* info = bench_.fileInfo();
+  const geometry::Target* target = info ? bench_.newestTarget() : nullptr;
+  const Eigen::Vector3d size = target ? target->bounds().size() : Eigen::Vector3d(0, 0, 0);
+  if (info) {
     facts = tr("%1, unit %2, %3")
-                .arg(QString::fromStdString(info.format), QString::fromStdString(info.unit),
-                     info.faces == 1 ? tr("1 face") : tr("%1 faces").arg(info.faces));
-    if (newest->cut().target.value) facts += "\n" + sizeText(newest->cut().target.value->bounds().size());
-    for (const std::string& line : info.leftOut)
+                .arg(QString::fromStdString(info->format), QString::fromStdString(info->unit),
+                     info->faces == 1 ? tr("1 face") : tr("%1 faces").arg(info->faces));
+    if (target) facts += "\n" + sizeText(size);
+    for (const std::string& line : info->leftOut)
       facts += "\n" + tr("Left out: %1").arg(QString::fromStdString(line));
-    if (!info.healing.empty())
-      facts += "\n" + tr("Repaired: %1").arg(QString::fromStdString(info.healing.front()));
+    if (!info->healing.empty())
+      facts += "\n" + tr("Repaired: %1").arg(QString::fromStdString(info->healing.front()));
   }
   fileFacts_->setText(facts);
   fileFacts_->setVisible(!facts.isEmpty());
-  const bool read = newest && newest->source.value;
-  showUnits(read ? &newest->source.value->model.info() : nullptr,
-            read && newest->cut().target.value ? Eigen::Vector3d(newest->cut().target.value->bounds().size())
-                                               : Eigen::Vector3d(Eigen::Vector3d::Zero()));
+  showUnits(info, size);
   faces_->refresh();
   embed_->setChecked(!design.source().bytes.empty());
   refreshState();

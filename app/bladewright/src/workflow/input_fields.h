@@ -21,6 +21,8 @@ class InputFields : public QObject {
   /// Adds its lines to `column`.
   InputFields(Workbench& bench, FormColumn* column, QObject* parent);
   void refresh();
+  /// What can be done with the file as it lies on the disk now.
+  void refreshState();
   FaceFields& faces() { return *faces_; }
 
  signals:
@@ -34,8 +36,6 @@ class InputFields : public QObject {
   /// `size` of the target as it was read; zero if it was not.
   void showUnits(const geometry::CadInfo* info, const Eigen::Vector3d& size);
   void embed(bool on);
-  /// What can be done with the file as it lies on the disk now.
-  void refreshState();
 
   Workbench& bench_;
   QLabel *fileName_, *fileFacts_;

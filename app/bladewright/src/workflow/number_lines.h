@@ -21,20 +21,22 @@ class NumberLines {
   using Edit = std::function<void(const QString& text, const std::function<void(Owner&)>& change)>;
 
   void add(FormColumn* column, const Setting& setting, QObject* context, const Edit& edit) {
-    auto* field = new NumberField({setting.scale * setting.typedMin, setting.scale * setting.max,
-                                   setting.decimals, setting.step, QString::fromUtf8(setting.unit)});
-    QLabel* label = column->add(QObject::tr(setting.title), field, QObject::tr(setting.help));
+    auto* field =
+        column->add(QObject::tr(setting.title),
+                    new NumberField({setting.scale * setting.typedMin, setting.scale * setting.max,
+                                     setting.decimals, setting.step, QString::fromUtf8(setting.unit)}),
+                    QObject::tr(setting.help));
     QObject::connect(field, &NumberField::edited, context, [&setting, edit](double value) {
       edit(QObject::tr(setting.change),
            [&setting, value](Owner& owner) { owner.*setting.member = value / setting.scale; });
     });
-    lines_.push_back({&setting, field, label});
+    lines_.push_back({&setting, field});
   }
 
   void refresh(const Owner& owner, const std::function<bool(const Setting&)>& shown = {}) {
     for (const Line& line : lines_) {
       line.field->show(line.setting->scale * owner.*line.setting->member);
-      if (shown) setLineVisible(line.label, line.field, shown(*line.setting));
+      if (shown) setLineVisible(line.field, shown(*line.setting));
     }
   }
 
@@ -42,7 +44,6 @@ class NumberLines {
   struct Line {
     const Setting* setting;
     NumberField* field;
-    QLabel* label;
   };
   std::vector<Line> lines_;
 };

@@ -23,10 +23,7 @@ bool asked(const Design& design, const ProgramFormat& format) {
 OutputFields::OutputFields(Workbench& bench, FormColumn* column, QObject* parent)
     : QObject(parent), bench_(bench) {
   for (const ProgramFormat& format : programFormats()) {
-    auto* box = new QCheckBox(tr(format.title));
-    box->setToolTip(tr(format.about));
-    column->addWide(box);
-    programs_.push_back(box);
+    QCheckBox* box = programs_.emplace_back(column->addCheck(tr(format.title), tr(format.about)));
     connect(box, &QCheckBox::clicked, this, [this, word = format.word](bool on) {
       bench_.editDesign(tr("Choose programs"), [=](Design& design) {
         std::vector<std::string> chosen;
@@ -36,38 +33,31 @@ OutputFields::OutputFields(Workbench& bench, FormColumn* column, QObject* parent
       });
     });
   }
-  cell_ = new ChoiceField;
+  cell_ = column->addBelow(tr("Robot cell"), tr("Robots, tools and the place of the block"));
   if (Result<std::vector<std::string>> names = cellNames()) cells_ = std::move(*names);
   for (const std::string& name : cells_) {
     const Result<Cell> cell = loadCell(name);
     cell_->addItem(QString::fromStdString(cell && !cell->title.empty() ? cell->title : name));
   }
-  column->addBelow(tr("Robot cell"), cell_, tr("Robots, tools and the place of the block"));
   connect(cell_, &QComboBox::activated, this, [this](int index) {
     bench_.editDesign(tr("Choose robot cell"),
                       [&](Design& design) { design.output.cell = cells_[std::size_t(index)]; });
   });
   column->addGap(2);
-  export_ = new QPushButton(tr("Export everything…"));
+  export_ = column->addWide(makeButton(
+      tr("Export everything…"),
+      tr("Report (HTML, PDF), CAD surface, mesh, stations, programs and pictures into a folder (Ctrl+E)"),
+      this, &OutputFields::exportRequested));
   export_->setObjectName("primary");
-  export_->setToolTip(
-      tr("Report (HTML, PDF), CAD surface, mesh, stations, programs and pictures into a folder (Ctrl+E)"));
-  column->addWide(export_);
-  connect(export_, &QPushButton::clicked, this, &OutputFields::exportRequested);
-  exportPrograms_ = new QPushButton(tr("Export programs…"));
-  exportPrograms_->setToolTip(tr("The robot programs alone"));
-  column->addWide(exportPrograms_);
-  connect(exportPrograms_, &QPushButton::clicked, this, &OutputFields::programsRequested);
-  auto* picture = new QPushButton(tr("Export picture…"));
-  picture->setToolTip(tr("The view as PNG (Ctrl+Shift+E)"));
-  column->addWide(picture);
-  connect(picture, &QPushButton::clicked, this, &OutputFields::pictureRequested);
-  exported_ = makeNote();
+  exportPrograms_ = column->addWide(makeButton(tr("Export programs…"), tr("The robot programs alone"), this,
+                                               &OutputFields::programsRequested));
+  column->addWide(makeButton(tr("Export picture…"), tr("The view as PNG (Ctrl+Shift+E)"), this,
+                             &OutputFields::pictureRequested));
+  exported_ = column->addWide(makeNote());
   exported_->setTextInteractionFlags(Qt::TextBrowserInteraction);
   exported_->setOpenExternalLinks(false);
   connect(exported_, &QLabel::linkActivated, this,
           [](const QString& link) { QDesktopServices::openUrl(QUrl(link)); });
-  column->addWide(exported_);
 }
 
 void OutputFields::refresh() {

@@ -35,73 +35,65 @@ ProcessFields::ProcessFields(Workbench& bench, FormColumn* column, const Theme& 
 }
 
 void ProcessFields::addStations(FormColumn* column) {
-  stationMode_ = new ChoiceField;
+  stationMode_ = column->add(tr("Stations"), new ChoiceField, tr("Where the blade is fitted to the surface"));
   stationMode_->addItems({tr("By number"), tr("By spacing")});
-  column->add(tr("Stations"), stationMode_, tr("Where the blade is fitted to the surface"));
   connect(stationMode_, &QComboBox::activated, this, [this](int index) {
     double spacing = 10;
     if (const auto result = bench_.sweep(); result && result->sweep.poses.size() > 1)
       spacing = std::max(
           0.1, std::round(10 * (result->sweep.poses[1].travel - result->sweep.poses[0].travel)) / 10);
-    bench_.editDesign(tr("Change stations"), [=](Design& design) {
-      if (index == 0)
-        design.cut().sections.spacing.reset();
-      else
-        design.cut().sections.spacing = spacing;
+    bench_.editCut(tr("Change stations"), [=](Cut& cut) {
+      cut.sections.spacing = index == 0 ? std::nullopt : std::optional(spacing);
     });
   });
-  stations_ = new NumberField({2, double(SectionRequest::kMost), 0, 1, {}});
-  stationsLabel_ = column->add(tr("Number"), stations_, tr("Number of stations along the cut"));
+  stations_ = column->add(tr("Number"), new NumberField({2, double(SectionRequest::kMost), 0, 1, {}}),
+                          tr("Number of stations along the cut"));
   connect(stations_, &NumberField::edited, this, [this](double value) {
-    bench_.editDesign(tr("Change stations"),
-                      [value](Design& design) { design.cut().sections.stations = int(value); });
+    bench_.editCut(tr("Change stations"), [value](Cut& cut) { cut.sections.stations = int(value); });
   });
-  stationSlider_ = new HandSlider;
+  stationSlider_ = column->addWide(new HandSlider);
   stationSlider_->setRange(0, kSliderSteps);
   stationSlider_->setAccessibleName(tr("Number of stations"));
   stationSlider_->setToolTip(tr("Number of stations"));
-  column->addWide(stationSlider_);
   connect(stationSlider_, &HandSlider::grabbed, this, [this] { dragId_ = bench_.newMergeId(); });
   connect(stationSlider_, &HandSlider::moved, this, [this](int value) {
     const int count = stationsOfSlider(value);
     const bool dragging = stationSlider_->held();
-    bench_.editDesign(
-        tr("Change stations"), [count](Design& design) { design.cut().sections.stations = count; },
-        dragging ? dragId_ : -1, dragging);
+    bench_.editCut(
+        tr("Change stations"), [count](Cut& cut) { cut.sections.stations = count; }, dragging ? dragId_ : -1,
+        dragging);
   });
-  spacing_ = new NumberField({0.01, 10000, 2, 1, "mm"});
-  spacingLabel_ = column->add(tr("Spacing"), spacing_, tr("Distance between stations"));
+  spacing_ =
+      column->add(tr("Spacing"), new NumberField({0.01, 10000, 2, 1, "mm"}), tr("Distance between stations"));
   connect(spacing_, &NumberField::edited, this, [this](double value) {
-    bench_.editDesign(tr("Change spacing"),
-                      [value](Design& design) { design.cut().sections.spacing = value; });
+    bench_.editCut(tr("Change spacing"), [value](Cut& cut) { cut.sections.spacing = value; });
   });
 }
 
 void ProcessFields::addDirection(FormColumn* column) {
-  direction_ = new ChoiceField;
+  direction_ = column->add(tr("Direction"), new ChoiceField,
+                           tr("The way the blade travels; automatic: the best of some that are tried"));
   direction_->addItems({tr("Automatic"), "X", "Y", "Z", tr("Vector")});
-  column->add(tr("Direction"), direction_,
-              tr("The way the blade travels; automatic: the best of some that are tried"));
   connect(direction_, &QComboBox::activated, this, [this](int index) {
     Eigen::Vector3d now = Eigen::Vector3d::UnitY();
-    if (const auto shown = bench_.shown(); shown && shown->cut().setup) now = shown->cut().setup->direction;
-    if (bench_.design().cut().direction) now = *bench_.design().cut().direction;
+    if (const auto* cut = bench_.shownCut(); cut && cut->setup) now = cut->setup->direction;
+    if (bench_.cut().direction) now = *bench_.cut().direction;
     vectorChosen_ = index == 4;
-    bench_.editDesign(tr("Change direction"), [=](Design& design) {
+    bench_.editCut(tr("Change direction"), [=](Cut& cut) {
       if (index == 0)
-        design.cut().direction.reset();
+        cut.direction.reset();
       else
-        design.cut().direction = index < 4 ? Eigen::Vector3d(Eigen::Vector3d::Unit(index - 1)) : now;
+        cut.direction = index < 4 ? Eigen::Vector3d(Eigen::Vector3d::Unit(index - 1)) : now;
     });
     refresh();  // the same direction may be an axis and a vector
   });
   for (int i = 0; i < 3; ++i) {
     const auto axis = std::size_t(i);
-    directionFields_[axis] = new NumberField({-1000, 1000, 4, 0.05, {}});
-    directionLabels_[axis] = column->add(tr("Direction %1").arg(kAxes[axis]), directionFields_[axis],
-                                         tr("Only the ratio of the three numbers counts"));
+    directionFields_[axis] =
+        column->add(tr("Direction %1").arg(kAxes[axis]), new NumberField({-1000, 1000, 4, 0.05, {}}),
+                    tr("Only the ratio of the three numbers counts"));
     const auto with = [this, i](double value) {
-      Eigen::Vector3d direction = bench_.design().cut().direction.value_or(Eigen::Vector3d::UnitY());
+      Eigen::Vector3d direction = bench_.cut().direction.value_or(Eigen::Vector3d::UnitY());
       direction[i] = value;
       return direction;
     };
@@ -109,31 +101,27 @@ void ProcessFields::addDirection(FormColumn* column) {
       return with(value).norm() < kNoDirection ? tr("0, 0, 0 is no direction") : QString();
     });
     connect(directionFields_[axis], &NumberField::edited, this, [this, with](double value) {
-      bench_.editDesign(tr("Change direction"),
-                        [&](Design& design) { design.cut().direction = with(value); });
+      bench_.editCut(tr("Change direction"), [&](Cut& cut) { cut.direction = with(value); });
     });
   }
 }
 
 void ProcessFields::addFit(FormColumn* column) {
-  fitLength_ = new ChoiceField;
+  fitLength_ =
+      column->add(tr("Length"), new ChoiceField, tr("Length of the blade's part that cuts the surface"));
   fitLength_->addItems({tr("Free"), tr("As the section")});
-  column->add(tr("Length"), fitLength_, tr("Length of the blade's part that cuts the surface"));
   connect(fitLength_, &QComboBox::activated, this, [this](int index) {
     bench_.editDesign(tr("Change fit length"), [index](Design& design) {
       design.process.fitLength = index == 0 ? FitOptions::Length::free : FitOptions::Length::exact;
     });
   });
-  endpoints_ = new QCheckBox(tr("Keep end points"));
-  endpoints_->setToolTip(tr("The ends of every section are met exactly"));
-  column->addWide(endpoints_);
+  endpoints_ = column->addCheck(tr("Keep end points"), tr("The ends of every section are met exactly"));
   connect(endpoints_, &QCheckBox::clicked, this, [this](bool on) {
     bench_.editDesign(on ? tr("Keep end points") : tr("Free end points"),
                       [on](Design& design) { design.process.fitEndpoints = on; });
   });
-  tangents_ = new QCheckBox(tr("Keep end tangents"));
-  tangents_->setToolTip(tr("The blade leaves the surface in the direction of every section's ends"));
-  column->addWide(tangents_);
+  tangents_ = column->addCheck(tr("Keep end tangents"),
+                               tr("The blade leaves the surface in the direction of every section's ends"));
   connect(tangents_, &QCheckBox::clicked, this, [this](bool on) {
     bench_.editDesign(on ? tr("Keep end tangents") : tr("Free end tangents"),
                       [on](Design& design) { design.process.fitTangents = on; });
@@ -147,37 +135,37 @@ void ProcessFields::addNumbers(FormColumn* column, ProcessPart part) {
 }
 
 void ProcessFields::refresh() {
-  const Design& design = bench_.design();
-  refreshStations(design);
-  refreshDirection(design);
-  numbers_.refresh(design.process);
-  fitLength_->show(design.process.fitLength == FitOptions::Length::free ? 0 : 1);
-  endpoints_->setChecked(design.process.fitEndpoints);
-  tangents_->setChecked(design.process.fitTangents);
+  const Process& process = bench_.design().process;
+  refreshStations(bench_.cut().sections);
+  refreshDirection(bench_.cut().direction);
+  numbers_.refresh(process);
+  fitLength_->show(process.fitLength == FitOptions::Length::free ? 0 : 1);
+  endpoints_->setChecked(process.fitEndpoints);
+  tangents_->setChecked(process.fitTangents);
 }
 
-void ProcessFields::refreshStations(const Design& design) {
-  stationMode_->show(design.cut().sections.spacing ? 1 : 0);
-  setLineVisible(stationsLabel_, stations_, !design.cut().sections.spacing);
-  stationSlider_->setVisible(!design.cut().sections.spacing);
-  setLineVisible(spacingLabel_, spacing_, design.cut().sections.spacing.has_value());
-  stations_->show(design.cut().sections.stations);
-  stationSlider_->show(sliderOfStations(design.cut().sections.stations));
-  if (design.cut().sections.spacing) spacing_->show(*design.cut().sections.spacing);
+void ProcessFields::refreshStations(const SectionRequest& sections) {
+  stationMode_->show(sections.spacing ? 1 : 0);
+  setLineVisible(stations_, !sections.spacing);
+  stationSlider_->setVisible(!sections.spacing);
+  setLineVisible(spacing_, sections.spacing.has_value());
+  stations_->show(sections.stations);
+  stationSlider_->show(sliderOfStations(sections.stations));
+  if (sections.spacing) spacing_->show(*sections.spacing);
 }
 
-void ProcessFields::refreshDirection(const Design& design) {
+void ProcessFields::refreshDirection(const std::optional<Eigen::Vector3d>& direction) {
   int directionIndex = 0;
-  if (design.cut().direction) {
+  if (direction) {
     directionIndex = 4;
     for (int i = 0; i < 3 && !vectorChosen_; ++i)
-      if ((*design.cut().direction - Eigen::Vector3d::Unit(i)).norm() < 1e-12) directionIndex = i + 1;
+      if ((*direction - Eigen::Vector3d::Unit(i)).norm() < 1e-12) directionIndex = i + 1;
   }
   direction_->show(directionIndex);
   for (int i = 0; i < 3; ++i) {
     const auto axis = std::size_t(i);
-    setLineVisible(directionLabels_[axis], directionFields_[axis], directionIndex == 4);
-    if (design.cut().direction) directionFields_[axis]->show((*design.cut().direction)[i]);
+    setLineVisible(directionFields_[axis], directionIndex == 4);
+    if (direction) directionFields_[axis]->show((*direction)[i]);
   }
 }
 

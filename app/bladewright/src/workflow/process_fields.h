@@ -29,18 +29,16 @@ class ProcessFields : public QObject {
   void addDirection(FormColumn* column);
   void addFit(FormColumn* column);
   void addNumbers(FormColumn* column, ProcessPart part);
-  void refreshStations(const Design& design);
-  void refreshDirection(const Design& design);
+  void refreshStations(const SectionRequest& sections);
+  void refreshDirection(const std::optional<Eigen::Vector3d>& direction);
 
   Workbench& bench_;
   ChoiceField *stationMode_, *direction_, *fitLength_;
   NumberField *stations_, *spacing_;
   ProcessLines numbers_;
-  QLabel *stationsLabel_, *spacingLabel_;
   HandSlider* stationSlider_;
   int dragId_ = -1;  ///< joins the moves of one drag of the slider
   std::array<NumberField*, 3> directionFields_;
-  std::array<QLabel*, 3> directionLabels_;
   bool vectorChosen_ = false;  ///< the direction shows as numbers even where it is an axis
   QCheckBox *endpoints_, *tangents_;
 };

@@ -11,41 +11,12 @@ namespace bw::app {
 
 using Kind = model::StepState::Kind;
 
-QString stateIcon(Kind kind) {
-  switch (kind) {
-    case Kind::idle:
-      return "idle";
-    case Kind::done:
-      return "done";
-    case Kind::stale:
-      return "stale";
-    case Kind::running:
-      return "running";
-    case Kind::warning:
-      return "warning";
-    case Kind::error:
-      return "error";
-  }
-  return "idle";
-}
-
-QColor stateColour(Kind kind, const Colours& colours) {
-  switch (kind) {
-    case Kind::done:
-      return colours.success;
-    case Kind::running:
-      return colours.selection;
-    case Kind::warning:
-      return colours.warning;
-    case Kind::error:
-      return colours.error;
-    default:
-      return colours.secondary;
-  }
-}
-
 namespace {
 
+/// The icon and the colour that stand for a state, in the order of the kinds.
+constexpr std::pair<const char*, QColor Colours::*> kSigns[] = {
+    {"idle", &Colours::secondary},    {"done", &Colours::success},    {"stale", &Colours::secondary},
+    {"running", &Colours::selection}, {"warning", &Colours::warning}, {"error", &Colours::error}};
 constexpr int kTitleX = kGap + 14 + 6 + 20 + kGap;  // after the chevron and the icon
 
 }  // namespace
@@ -109,9 +80,10 @@ void StepHead::paintEvent(QPaintEvent*) {
   painter.drawText(QRect(x, 0, titleWidth + 4, height()), Qt::AlignLeft | Qt::AlignVCenter, text());
   x += titleWidth + kGroupGap;
 
-  const QColor colour = stateColour(state_.kind, c);
+  const auto [icon, member] = kSigns[std::size_t(state_.kind)];
+  const QColor colour = c.*member;
   int right = width() - kGroupGap;
-  painter.drawPixmap(right - 16, middle - 8, theme_.pixmap(stateIcon(state_.kind), colour, 16, ratio));
+  painter.drawPixmap(right - 16, middle - 8, theme_.pixmap(icon, colour, 16, ratio));
   right -= 16 + 6;
   const QFont small = Theme::secondaryFont();
   painter.setFont(small);
@@ -129,13 +101,10 @@ void StepHead::paintEvent(QPaintEvent*) {
 StepSection::StepSection(const Theme& theme, const QString& icon, const QString& title, QWidget* body,
                          QWidget* parent)
     : QWidget(parent), head_(new StepHead(theme, icon, title, this)) {
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
+  auto* layout = makeBox<QVBoxLayout>(this, {}, 0);
   layout->addWidget(head_);
   auto* frame = new QWidget(this);
-  auto* inner = new QVBoxLayout(frame);
-  inner->setContentsMargins(kGroupGap, 2, kGroupGap, kGroupGap);
+  auto* inner = makeBox<QVBoxLayout>(frame, {kGroupGap, 2, kGroupGap, kGroupGap});
   inner->addWidget(body);
   layout->addWidget(frame);
   makeFolding(*head_, *frame);

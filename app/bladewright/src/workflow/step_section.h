@@ -46,8 +46,4 @@ class StepSection : public QWidget {
   StepHead* head_;
 };
 
-/// The icon and colour that stand for a state.
-QString stateIcon(model::StepState::Kind kind);
-QColor stateColour(model::StepState::Kind kind, const Colours& colours);
-
 }  // namespace bw::app

@@ -14,9 +14,7 @@ WorkflowPanel::WorkflowPanel(Workbench& bench, const Theme& theme, QWidget* pare
     : SidePanel(kLeastWidth, parent), bench_(bench), theme_(theme) {
   auto* page = new QWidget;
   page->setObjectName("page");
-  auto* layout = new QVBoxLayout(page);
-  layout->setContentsMargins(0, kGap, 0, kGap);
-  layout->setSpacing(0);
+  auto* layout = makeBox<QVBoxLayout>(page, {0, kGap, 0, kGap}, 0);
   const std::array<std::pair<const char*, QString>, model::kStepCount> heads = {
       {{"setup", tr("Setup")}, {"input", tr("Input")}, {"process", tr("Process")}, {"output", tr("Output")}}};
   const std::array<QWidget*, model::kStepCount> bodies = {makeSetup(), makeInput(), makeProcess(),
@@ -28,20 +26,15 @@ WorkflowPanel::WorkflowPanel(Workbench& bench, const Theme& theme, QWidget* pare
   }
   layout->addStretch();
   setWidget(page);
-  connect(&bench, &Workbench::stateChanged, this, &WorkflowPanel::refreshStates);
-  connect(&bench, &Workbench::progressed, this, &WorkflowPanel::refreshStates);
-  connect(&bench, &Workbench::resultChanged, this, &WorkflowPanel::refresh);
-  connect(&bench.document(), &model::Document::designChanged, this, &WorkflowPanel::refresh);
-  refresh();
-  refreshStates();
+  connect(&bench, &Workbench::changed, this, &WorkflowPanel::follow);
+  follow({Aspect::design | Aspect::state});
 }
 
 QWidget* WorkflowPanel::makeSetup() {
   auto* column = new FormColumn;
   auto* details = new FormColumn;
   bladeFields_ = new BladeFields(bench_, column, details, this);
-  FormColumn* bladeFold = column->addFold(tr("Section and material"), theme_);
-  bladeFold->addWide(details);
+  column->addFold(tr("Section and material"), theme_)->addWide(details);
   for (const ProcessNumber& number : processNumbers())
     if (number.part == ProcessPart::setup) addProcessLine(numbers_, column, number, this, bench_);
   FormColumn* block = column->addFold(tr("Block"), theme_);
@@ -52,9 +45,6 @@ QWidget* WorkflowPanel::makeSetup() {
 QWidget* WorkflowPanel::makeInput() {
   auto* column = new FormColumn;
   input_ = new InputFields(bench_, column, this);
-  connect(input_, &InputFields::openRequested, this, &WorkflowPanel::openRequested);
-  connect(&input_->faces(), &FaceFields::chooseInPictureRequested, this,
-          &WorkflowPanel::chooseFacesRequested);
   return column;
 }
 
@@ -67,24 +57,22 @@ QWidget* WorkflowPanel::makeProcess() {
 QWidget* WorkflowPanel::makeOutput() {
   auto* column = new FormColumn;
   output_ = new OutputFields(bench_, column, this);
-  connect(output_, &OutputFields::exportRequested, this, &WorkflowPanel::exportRequested);
-  connect(output_, &OutputFields::programsRequested, this, &WorkflowPanel::programsRequested);
-  connect(output_, &OutputFields::pictureRequested, this, &WorkflowPanel::pictureRequested);
   return column;
 }
 
-void WorkflowPanel::refresh() {
-  const Design& design = bench_.design();
-  bladeFields_->refresh();
-  blockFields_->refresh();
-  numbers_.refresh(design.process);
-  input_->refresh();
-  process_->refresh();
-  output_->refresh();
-}
-
-void WorkflowPanel::showFaceChoice(bool choosing, bool possible) {
-  input_->faces().showChoosing(choosing, possible);
+void WorkflowPanel::follow(const Change& change) {
+  const auto any = [&](model::Aspects of) { return change.any(of, bench_.selection()); };
+  if (any(Aspect::design | Aspect::block)) blockFields_->refresh();
+  if (any(Aspect::design | Aspect::source | Aspect::target)) input_->refresh();
+  // Another target may be that of another cut, which has numbers of its own.
+  if (any(Aspect::design | Aspect::target)) process_->refresh();
+  if (any(Aspect::design)) {
+    bladeFields_->refresh();
+    numbers_.refresh(bench_.design().process);
+    output_->refresh();
+  }
+  if (any(Aspect::state | Aspect::progress)) refreshStates();
+  if (any(Aspect::state)) input_->refreshState();
 }
 
 void WorkflowPanel::refreshStates() {

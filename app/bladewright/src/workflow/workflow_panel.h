@@ -27,24 +27,16 @@ class WorkflowPanel : public SidePanel {
   WorkflowPanel(Workbench& bench, const Theme& theme, QWidget* parent = nullptr);
 
   const BladeFields* bladeFields() const { return bladeFields_; }
-  const InputFields* inputFields() const { return input_; }
-  /// Shows whether faces are being chosen in the picture, and whether there are several.
-  void showFaceChoice(bool choosing, bool possible);
+  InputFields* inputFields() const { return input_; }
+  const OutputFields* outputFields() const { return output_; }
   StepSection& section(model::Step step) { return *sections_[std::size_t(step)]; }
-
- signals:
-  void openRequested();
-  void chooseFacesRequested(bool on);
-  void exportRequested();
-  void programsRequested();
-  void pictureRequested();
 
  private:
   QWidget* makeSetup();
   QWidget* makeInput();
   QWidget* makeProcess();
   QWidget* makeOutput();
-  void refresh();
+  void follow(const Change& change);
   void refreshStates();
 
   Workbench& bench_;

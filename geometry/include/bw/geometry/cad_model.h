@@ -106,6 +106,11 @@ class CadModel {
   std::shared_ptr<const Impl> impl_;
 };
 
+/// Triangles of all faces of a file that can be computed with, for choosing among them: coarser than those of
+/// a target, within 1/1000 of the file's size. Errors: `cancelled`; `internal` if
+/// OpenCASCADE fails.
+Result<FaceMesh> faceMesh(const CadModel& model, const RunContext& context = {});
+
 /// The chosen faces as one target.
 class Target {
  public:

@@ -11,6 +11,12 @@
 
 namespace bw::geometry {
 
+/// The cubic B-spline surface through all points of `grid` (rows × columns, both ≥ 2), as OpenCASCADE
+/// interpolates it. Parameters are 0…1 in u (uniform) and `rowParameters` in v (strictly ascending; chord
+/// length for a skin). Not-a-knot ends; degree falls to rows − 1 for fewer than four rows. Errors: `badInput`
+/// for a grid that is too small and for coincident parameters; `noSolution` where numbers overflow.
+Result<SplineSurface> loft(const SurfaceGrid& grid, const std::vector<double>& rowParameters);
+
 /// The surface as STEP AP214 text in mm with one face named `name`; the header carries no date and no machine
 /// name, so that equal input gives equal bytes.
 Result<std::string> stepText(const SplineSurface& surface, const std::string& name);

@@ -55,8 +55,8 @@ std::vector<NamedDirection> directionsToTry(const Target& target, const Box& blo
 /// their frames) and all frames are parallel (x: horizontal in the block where possible, y: towards the outer
 /// side of the target, normal: the cutting direction). Planes that miss, closed sections and sections with
 /// several branches are reported in `issues` with their station, never guessed: a station without exactly one
-/// open curve is left out, and none left at all is an error. `request.route` `kernel` takes OpenCASCADE's
-/// intersection of each face, the others the own tracer.
+/// open curve keeps its branches with none of them chosen, and no station at all with one is an error.
+/// `request.route` `kernel` takes OpenCASCADE's intersection of each face, the others the own tracer.
 Result<std::vector<Section>> cutSections(const Target& target, const Setup& setup,
                                          const SectionRequest& request, const RunContext& context,
                                          Findings& findings);

@@ -18,7 +18,6 @@
 #include "bw/core/base/finding.h"
 #include "bw/core/base/frame.h"
 #include "bw/core/base/result.h"
-#include "bw/core/surface/face_mesh.h"
 #include "bw/core/surface/mesh.h"
 
 namespace bw::scene {

@@ -34,6 +34,7 @@ struct StepFacts {
   std::shared_ptr<const Design> design;                    ///< the present design
   std::shared_ptr<const Design> evaluated;                 ///< the design of `evaluation`
   std::shared_ptr<const pipeline::Evaluation> evaluation;  ///< the newest result or null
+  std::string cut = {};                                    ///< id of the cut selected; empty = the first
   std::optional<Error> error;                              ///< why it stopped short
   bool busy = false;
   double progress = 0;
@@ -49,8 +50,8 @@ std::string exportKey(const pipeline::Evaluation& evaluation);
 /// The states of the four steps. Which step failed follows from the first stage that is missing.
 StepStates stepStates(const StepFacts& facts);
 
-/// The first step that an evaluation did not finish.
-Step failedStep(const pipeline::Evaluation* evaluation);
+/// The first step that an evaluation did not finish for a cut of it; `cut` is null if it has none.
+Step failedStep(const pipeline::Evaluation* evaluation, const pipeline::CutEvaluation* cut);
 
 /// The step that a finding belongs to, by its kind.
 Step stepOf(FindingKind kind);

@@ -19,6 +19,21 @@ enum ExitStatus : int {
 };
 
 /// The exit status that stands for an error.
-int statusOf(ErrorCode code);
+constexpr int statusOf(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::badInput:
+      return kBadInput;
+    case ErrorCode::noSolution:
+      return kNoSolution;
+    case ErrorCode::cannotRead:
+    case ErrorCode::cannotWrite:
+      return kFileError;
+    case ErrorCode::cancelled:
+      return kInterrupted;
+    case ErrorCode::internal:
+      return kInternal;
+  }
+  return kInternal;
+}
 
 }  // namespace bw::pipeline

@@ -13,7 +13,6 @@
 #include "bw/core/base/run_context.h"
 #include "bw/core/design/design.h"
 #include "bw/core/motion/cell.h"
-#include "bw/core/surface/face_mesh.h"
 #include "bw/core/surface/mesh.h"
 #include "bw/core/sweep/sweep_check.h"
 #include "bw/geometry/cad_model.h"
@@ -112,6 +111,8 @@ struct Evaluation {
   CutEvaluation& cut() { return blocks.front().cuts.front(); }
   /// Its result.
   std::optional<CutResult> result() const { return cut().result(); }
+  /// The cut of that id; null if there is none.
+  const CutEvaluation* find(const std::string& id) const;
   Findings findings() const;  ///< of all stages in order, and of the programs
   /// Takes the stages that are missing here, of the same cuts, from an evaluation that came farther.
   void takeMissing(const Evaluation& before);

@@ -35,6 +35,7 @@ enum class FindingKind {
   swing,
   gap,
   deviation,
+  skin,
   sectionShort,
   sectionMissing,
   sectionBranches,
@@ -138,6 +139,11 @@ struct TooFar {
   double spacing = 0;               ///< of the stations there
   double own = 0;                   ///< largest distance of the stations themselves
   int leftFirst = 0, leftLast = 0;  ///< of the gap
+};
+/// The surface that is measured and written leaves the blade of a station.
+struct SkinOff {
+  static constexpr FindingKind kind = FindingKind::skin;
+  double distance = 0, tolerance = 0;
 };
 
 /// The plane of a station does not meet the target in the block.
@@ -288,10 +294,10 @@ struct RunMismatch {
 using Cause =
     std::variant<UnmetConditions, UnsettledFit, HeldBackFit, SteadiedFit, Overbent, TooTight, ManyInflections,
                  WouldSnap, WouldTwist, GripTooNear, SteepAngle, UnevenSpeed, EndsSwing, GapInRow, TooFar,
-                 SectionMissing, SectionPoint, SectionShort, SectionBranches, SectionClosed, SectionBorder,
-                 SectionUnfit, SectionRough, SectionDiffers, LargestFace, NearestFace, FacesLeftOut,
-                 TravelAcross, ChosenDirection, LeftOutOfFile, Healed, ChangedSource, EarlierDesign,
-                 UnreadableCell, WrongSide, ProgramDespiteErrors, ProgramBreach, RunMismatch>;
+                 SkinOff, SectionMissing, SectionPoint, SectionShort, SectionBranches, SectionClosed,
+                 SectionBorder, SectionUnfit, SectionRough, SectionDiffers, LargestFace, NearestFace,
+                 FacesLeftOut, TravelAcross, ChosenDirection, LeftOutOfFile, Healed, ChangedSource,
+                 EarlierDesign, UnreadableCell, WrongSide, ProgramDespiteErrors, ProgramBreach, RunMismatch>;
 
 /// Stations of a row by their index: from first to last, `count` of them concerned, the worst among them.
 struct StationRange {

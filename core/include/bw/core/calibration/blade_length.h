@@ -64,7 +64,9 @@ struct BladeHeight {
   double height = 0;  ///< mm
   BladeLength blade;
 };
-[[nodiscard]] Result<BladeHeight> bladeHeight(double length, const BladeMeasurement& measurement);
+/// Without the check of stability, which costs most, `stable` stays true: for use inside an iteration.
+[[nodiscard]] Result<BladeHeight> bladeHeight(double length, const BladeMeasurement& measurement,
+                                              bool withStability = true);
 
 /// The blade's length at a temperature (°C) over that at its working temperature.
 double thermalStretch(const Blade& blade, double temperature);

@@ -12,9 +12,15 @@ enum class LengthUnit { mm, cm, m, inch };
 inline constexpr std::array<LengthUnit, 4> kLengthUnits = {LengthUnit::mm, LengthUnit::cm, LengthUnit::m,
                                                            LengthUnit::inch};
 /// "mm", "cm", "m", "in".
-const char* lengthUnitName(LengthUnit unit);
+constexpr const char* lengthUnitName(LengthUnit unit) {
+  constexpr const char* kNames[] = {"mm", "cm", "m", "in"};
+  return kNames[int(unit)];
+}
 /// Its length in mm.
-double millimetres(LengthUnit unit);
+constexpr double millimetres(LengthUnit unit) {
+  constexpr double kLengths[] = {1, 10, 1000, 25.4};
+  return kLengths[int(unit)];
+}
 
 /// How the numbers of a CAD file are taken and how its faces are joined.
 struct ReadOptions {

@@ -75,13 +75,12 @@ struct AnalyticElastica {
   Elastica elastica;
   double deviation =
       0;  ///< largest distance between the chain's vertices and the points of the same arc length, mm
-  int iterations = 0;
 };
 
-/// The elastica that the chain stands for (thesis 4.2): start from the chain's multipliers,
-/// Newton on curvature and force at the middle; refined chains up to 2000 segments are tried as well. Fails
-/// with `noSolution` if that does not settle or leads to another shape (deviation above 0.1 L), and for
-/// blades so taut (√|λ| L about 20) that the far end hangs on the last digits of the near one.
+/// The elastica that the chain stands for (thesis 4.2): start from the chain's multipliers at its middle,
+/// whose ends are led onto those asked for (`ClampedBranch`); refined chains up to 2000 segments are tried as
+/// well. Fails with `noSolution` if that does not settle or leads to another shape (deviation above 0.1 L),
+/// and for blades so taut (√|λ| L about 20) that the far end hangs on the last digits of the near one.
 [[nodiscard]] Result<AnalyticElastica> analyticElastica(const DiscreteElastica& discrete);
 
 }  // namespace bw

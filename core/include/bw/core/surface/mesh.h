@@ -17,6 +17,12 @@ struct TriangleMesh {
   std::vector<std::array<int, 3>> triangles;
 };
 
+/// Triangles of many faces, each with the face that it belongs to. Faces share no points.
+struct FaceMesh {
+  TriangleMesh mesh;
+  std::vector<int> faces;  ///< one a triangle: the index of its face, in the order of the file
+};
+
 /// One scalar a point. `name` is the stable word ("deviation"), `title` what the legend says, `unit` its unit
 /// ("mm", "°", "").
 struct Field {

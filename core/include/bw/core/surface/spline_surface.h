@@ -4,12 +4,18 @@
 
 #include <Eigen/Core>
 
+#include <array>
+#include <functional>
 #include <vector>
 
 #include "bw/core/base/result.h"
 #include "bw/core/surface/mesh.h"
 
 namespace bw {
+
+/// The `degree` + 1 ≤ 4 basis functions that do not vanish over knots[span] ≤ t < knots[span + 1] (Cox–de
+/// Boor); flat knots.
+std::array<double, 4> splineBasis(const std::vector<double>& knots, int degree, int span, double t);
 
 /// A non-rational tensor-product B-spline surface as plain numbers: how a cut surface crosses to CAD. u runs
 /// along the blade, v along the cutting direction.
@@ -22,10 +28,9 @@ struct SplineSurface {
   Eigen::Vector3d value(double u, double v) const;
 };
 
-/// The cubic B-spline surface through all points of `grid` (rows × columns, both ≥ 2). Parameters are 0…1 in
-/// u (uniform) and `rowParameters` in v (strictly ascending; chord length for a skin). Natural cubic
-/// interpolation with not-a-knot ends; degree falls to rows − 1 for fewer than four rows. Fails on coincident
-/// parameters.
-Result<SplineSurface> interpolateGrid(const SurfaceGrid& grid, const std::vector<double>& rowParameters);
+/// What lays a surface through all points of a grid (`bw::geometry::loft`), at the parameters 0…1 in u,
+/// evenly, and `rowParameters` in v.
+using Loft =
+    std::function<Result<SplineSurface>(const SurfaceGrid& grid, const std::vector<double>& rowParameters)>;
 
 }  // namespace bw

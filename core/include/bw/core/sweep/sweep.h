@@ -56,8 +56,8 @@ struct Sweep {
 };
 
 /// Fits one elastica a section, from the longest section to both ends of the row, each beside its neighbour,
-/// and extends it to the blade's length. `sections` in the order of travel, all curves running the same way.
-/// A blade shorter than a section is an error.
+/// and extends it to the blade's length. `sections` in the order of travel, all curves running the same way;
+/// those without a chosen branch are left out. A blade shorter than a section is an error.
 Result<Sweep> buildSweep(const std::vector<Section>& sections, const FitRequest& request, const Box& block,
                          const Eigen::Vector3d& direction, const RunContext& context, Findings& findings,
                          double* fitSeconds = nullptr, double* extendSeconds = nullptr);

@@ -79,10 +79,15 @@ struct SweepAnalysis {
   Findings findings;
 };
 
+/// mm: the skin through the stations keeps this close to the blade of each; a finding tells where it does
+/// not.
+inline constexpr double kSkinTolerance = 0.01;
+
 /// Checks a sweep against the target: the deviation of the cut surface, also between stations, and from it
-/// and the numbers of `checkSweep` what cannot be cut, and why.
+/// and the numbers of `checkSweep` what cannot be cut, and why. `loft` lays the skin through the stations:
+/// what is measured here is what is written.
 [[nodiscard]] Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const SweepCheck& check,
                                                  const CheckRequest& request, const SurfaceSampler& target,
-                                                 const RunContext& context);
+                                                 const Loft& loft, const RunContext& context);
 
 }  // namespace bw

@@ -32,6 +32,8 @@ class ObjectReader {
   void need(const std::string& key, const std::string& message);
   /// The member, or null if it is absent.
   const nlohmann::json* member(const std::string& key);
+  /// The member, or null if it is absent or null.
+  const nlohmann::json* given(const std::string& key);
   /// Each leaves `out` alone where the key is absent.
   void number(const std::string& key, double& out, double min, double max);
   /// null counts as absent.
@@ -49,13 +51,28 @@ class ObjectReader {
 
   void complain(const std::string& key, std::string message, std::optional<double> value = std::nullopt,
                 std::optional<double> limit = std::nullopt);
-  /// Takes over the error of a nested object's reader.
-  void adopt(const ObjectReader& inner);
+  /// Takes over the error of what was read from a member, if it has one; false then.
+  template <class T>
+  bool adopt(const Result<T>& inner) {
+    if (!inner && !error_) error_ = inner.error();
+    return inner.has_value();
+  }
+  /// Takes over what was read from a member, or its error; `out` stays then.
+  template <class T, class Out>
+  void take(Result<T> inner, Out& out) {
+    if (adopt(inner)) out = *std::move(inner);
+  }
   /// After all keys were asked for: the first error, unknown keys included.
   Result<void> finish();
   const std::string& path() const { return path_; }
 
  private:
+  /// The member if it is of a type, else null; complains where it is of another.
+  const nlohmann::json* typed(const std::string& key, bool (nlohmann::json::*isType)() const noexcept,
+                              const char* what);
+  /// Complains about the number `name` of the member where it is not finite or out of range.
+  bool within(const std::string& key, const std::string& name, double x, double min, double max);
+
   const nlohmann::json& object_;
   std::string path_;
   std::vector<std::string> known_;

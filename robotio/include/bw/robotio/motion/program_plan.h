@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "bw/core/base/finding.h"
 #include "bw/core/base/result.h"
 #include "bw/core/motion/cell.h"
 #include "bw/core/motion/motion.h"
@@ -46,5 +47,11 @@ struct ProgramPlan {
 /// has tasks, one without the directions along which the cell wants the blade to come and go, and instants
 /// that are less than 0.1 ms apart.
 Result<ProgramPlan> planProgram(const Motion& motion, const Cell& cell);
+
+/// What can be said without the robots' kinematics about how a motion lies in a cell: `WrongSide`, a warning
+/// for an end of the blade that is nearer to another robot than to its own, at the first or the
+/// last instant. Empty if motion and cell do not fit each other in their number of ends (`planProgram`
+/// refuses those).
+Findings checkPlacement(const Motion& motion, const Cell& cell);
 
 }  // namespace bw::robotio

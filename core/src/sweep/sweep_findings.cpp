@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "sweep/sweep_findings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include "bw/core/blade/cutting_limits.h"
+#include "bw/core/elastica/elastica_stability.h"
+#include "sweep/remedies.h"
+#include "sweep/stretches.h"
+
+namespace bw::sweep {
+
+namespace {
+
+/// Where the stations themselves are nearer to the target than this part of the largest deviation, the rest
+/// of it comes from between them.
+constexpr double kFromBetween = 0.5;
+/// More gaps than this become one finding: a list of places is no message.
+constexpr std::size_t kMostGaps = 3;
+
+/// True if stations are left out between this one of the row and the next.
+bool isGap(const std::vector<BladePose>& poses, std::size_t i) {
+  return poses[i + 1].index > poses[i].index + 1;
+}
+
+double widthAfter(const std::vector<BladePose>& poses, std::size_t i) {
+  return poses[i + 1].travel - poses[i].travel;
+}
+
+void addGaps(const std::vector<BladePose>& poses, Findings& findings) {
+  std::vector<std::size_t> gaps;
+  for (std::size_t i = 0; i + 1 < poses.size(); ++i)
+    if (isGap(poses, i)) gaps.push_back(i);
+  int others = 0;
+  if (gaps.size() > kMostGaps) {
+    others = int(gaps.size()) - 1;
+    gaps = {*std::ranges::max_element(gaps, {}, [&](std::size_t i) { return widthAfter(poses, i); })};
+  }
+  for (const std::size_t i : gaps) {
+    const int before = poses[i].index, after = poses[i + 1].index;
+    findings.push_back(
+        {Severity::error,
+         GapInRow{widthAfter(poses, i), others},
+         {StationRange{before, after, before, 2}, 0.5 * (middleOf(poses[i]) + middleOf(poses[i + 1]))},
+         {TurnDirection{}}});
+  }
+}
+
+/// A tolerance that holds, in tenths of a mm; a job takes none above the widest.
+Remedies toleranceFor(double deviation) {
+  constexpr double kWidest = 1000;
+  const double tolerance = std::ceil(10 * deviation) / 10;
+  return tolerance <= kWidest ? Remedies{WiderTolerance{tolerance}} : Remedies{};
+}
+
+void addDeviation(const Sweep& sweep, const CheckRequest& request, std::size_t worst,
+                  SweepAnalysis& analysis) {
+  const std::vector<BladePose>& poses = sweep.poses;
+  const SweepSummary& summary = analysis.summary;
+  if (summary.deviationMax <= request.tolerance) return;
+  const std::vector<int>& rows = analysis.stationRow;
+  const std::size_t columns = std::size_t(analysis.cut.columns);
+  const int row = int(worst / columns);
+  const std::size_t i =
+      std::min(std::size_t(std::ranges::upper_bound(rows, row) - rows.begin()) - 1, poses.size() - 2);
+  const bool nearNext = 2 * row >= rows[i] + rows[i + 1];
+  TooFar cause{summary.deviationMax, request.tolerance, summary.withinTolerance};
+  for (const double own : analysis.stationDeviation) cause.own = std::max(cause.own, own);
+  cause.spacing = widthAfter(poses, i);
+  Remedies remedies;
+  const bool between = row != rows[i] && row != rows[i + 1];
+  if (between && isGap(poses, i)) {
+    cause.source = TooFar::Source::gap;
+    cause.leftFirst = poses[i].index + 1;
+    cause.leftLast = poses[i + 1].index - 1;
+  } else if (between && cause.own < kFromBetween * cause.deviation && cause.own <= request.tolerance) {
+    cause.source = TooFar::Source::between;
+    remedies = twiceAsMany(sweep, request.clearance);
+  } else {
+    remedies = toleranceFor(cause.deviation);
+    remedies.insert(remedies.begin(), {CutInParts{}, TurnDirection{}});
+  }
+  const int index = poses[nearNext ? i + 1 : i].index;
+  analysis.findings.push_back(
+      {Severity::warning, cause, {StationRange::of(index), analysis.cut.points[worst]}, remedies});
+}
+
+/// A curve that lies no farther from its section, mm, took the place of none.
+constexpr double kSameCurve = 1e-6;
+
+/// What a stretch of stations is told for, and what helps.
+struct Told {
+  Cause cause;
+  Remedies remedies = {};
+};
+
+/// What keeps the grips of these stations clear of the block: a longer blade only where it does.
+Told tooNear(const Sweep& sweep, double clearance, const CheckRequest& request, const Stretch& stretch) {
+  const GripReach reach = lengthThatClears(sweep, sweep.poses[stretch.worst], request.clearance);
+  GripTooNear cause{clearance, request.clearance};
+  if (reach.length && reach.holds) return {cause, {OtherLength{*reach.length}}};
+  cause.unheldLength = reach.length;
+  const bool atStart = stretch.first == 0, atEnd = stretch.last + 1 == sweep.poses.size();
+  const OtherBlock::How how = atStart == atEnd ? OtherBlock::How::smaller
+                              : atStart        ? OtherBlock::How::beginsAfter
+                                               : OtherBlock::How::endsBefore;
+  return {cause, {OtherBlock{how}, TurnDirection{}}};
+}
+
+/// A blade that is shorter, where that helps these stations, or else another remedy.
+Remedies shorterOr(const Sweep& sweep, const Stretch& stretch, Remedy otherwise,
+                   const std::function<bool(const Elastica&)>& holds) {
+  const std::optional<double> length = shorterBlade(sweep, stretch.first, stretch.last, holds);
+  return {length ? Remedy(OtherLength{*length}) : std::move(otherwise)};
+}
+
+}  // namespace
+
+void addRowFindings(const Sweep& sweep, const CheckRequest& request, std::size_t worst,
+                    SweepAnalysis& analysis) {
+  addGaps(sweep.poses, analysis.findings);
+  addDeviation(sweep, request, worst, analysis);
+}
+
+void addStationFindings(const Sweep& sweep, const SweepCheck& check, const CheckRequest& request,
+                        SweepAnalysis& analysis) {
+  const std::vector<BladePose>& poses = sweep.poses;
+  const std::vector<StationFit>& fits = sweep.fits;
+  const std::vector<StationCheck>& seen = check.stations;
+  const std::vector<char> tight = addTightFindings(sweep, request, analysis);
+  const double limit = sweep.request.blade.maxCurvature();
+  using Index = std::size_t;
+  // Each stretch of bad stations is one finding at the one of the highest rank.
+  const auto report = [&](Severity severity, auto bad, auto rank, auto tell) {
+    const auto worse = [&](Index a, Index b) { return rank(a) > rank(b); };
+    for (const Stretch& stretch : stretchesOf(poses.size(), bad, worse)) {
+      Told told = tell(stretch);
+      analysis.findings.push_back(
+          {severity, std::move(told.cause), placeOf(poses, stretch), std::move(told.remedies)});
+    }
+  };
+  const auto bend = [&](Index i) { return poses[i].blade.maxCurvature(); };
+  const auto distance = [&](Index i) { return fits[i].fit.hausdorff; };
+  const auto ended = [&](FitStatus status) {
+    return [&fits, status](Index i) { return fits[i].fit.status == status; };
+  };
+  report(Severity::error, ended(FitStatus::infeasible), distance,
+         [&](const Stretch& at) -> Told { return {UnmetConditions{fits[at.worst].fit.conflict}}; });
+  report(Severity::warning, ended(FitStatus::iterationLimit), distance,
+         [&](const Stretch& at) -> Told { return {UnsettledFit{distance(at.worst)}}; });
+  report(
+      Severity::error, [&](Index i) { return bend(i) > limit && !tight[i]; }, bend,
+      [&](const Stretch& at) -> Told {
+        const double radius = 1 / bend(at.worst);
+        return {Overbent{radius, sweep.request.blade.minRadius()},
+                shorterOr(sweep, at, bladeThatBendsTo(kRadiusReserve * radius),
+                          [&](const Elastica& blade) { return blade.maxCurvature() <= limit; })};
+      });
+  report(
+      Severity::warning, [&](Index i) { return bladeInflections(poses[i].cut) > 2; },
+      [&](Index i) { return fits[i].fit.R4; },
+      [&](const Stretch& at) -> Told {
+        return {ManyInflections{bladeInflections(poses[at.worst].cut)}, {CutInParts{}}};
+      });
+  report(
+      Severity::warning, [&](Index i) { return !seen[i].stable; },
+      [&](Index i) { return -seen[i].stabilityMargin; },
+      [&](const Stretch& at) -> Told {
+        const auto rests = [](const Elastica& blade) { return stabilityMargin(blade) > 0; };
+        return {WouldSnap{}, shorterOr(sweep, at, CutInParts{}, rests)};
+      });
+  report(
+      Severity::warning, [&](Index i) { return seen[i].stable && seen[i].outOfPlaneMargin <= 0; },
+      [&](Index i) { return -seen[i].outOfPlaneMargin; },
+      [&](const Stretch& at) -> Told {
+        const auto rests = [](const Elastica& blade) { return outOfPlaneMargin(blade) > 0; };
+        return {WouldTwist{}, shorterOr(sweep, at, flatBladeFor(sweep), rests)};
+      });
+  report(
+      Severity::info, [&](Index i) { return fits[i].heldBack && distance(i) > kSameCurve; }, distance,
+      [&](const Stretch& at) -> Told { return {HeldBackFit{distance(at.worst)}}; });
+  report(
+      Severity::info, [&](Index i) { return fits[i].steadied; }, distance,
+      [&](const Stretch& at) -> Told { return {SteadiedFit{distance(at.worst)}}; });
+  const auto nearness = [&](Index i) { return -seen[i].clearance; };
+  const auto clear = [&](const Stretch& at) { return tooNear(sweep, seen[at.worst].clearance, request, at); };
+  report(
+      Severity::error, [&](Index i) { return seen[i].clearance < 0; }, nearness, clear);
+  report(
+      Severity::warning,
+      [&](Index i) { return seen[i].clearance >= 0 && seen[i].clearance < request.clearance; }, nearness,
+      clear);
+  const double angleLimit = cuttingAngleLimit(sweep.request.blade);
+  const auto angle = [&](Index i) { return seen[i].angleMax; };
+  report(
+      Severity::warning, [&](Index i) { return angle(i) > angleLimit; }, angle,
+      [&](const Stretch& at) -> Told {
+        return {SteepAngle{angle(at.worst), angleLimit}, {TurnDirection{}}};
+      });
+  report(
+      Severity::warning, [&](Index i) { return seen[i].speedRatio < kSpeedRatioLimit; },
+      [&](Index i) { return -seen[i].speedRatio; },
+      [&](const Stretch& at) -> Told {
+        return {UnevenSpeed{seen[at.worst].speedRatio}, {TurnDirection{}, CutInParts{}}};
+      });
+}
+
+}  // namespace bw::sweep
