@@ -125,4 +125,34 @@ TEST(HeldBlade, TurnedOverFindsItsRestWithinTheWorkOfACase) {
   }
 }
 
+TEST(BvpCases, TakeTheWeightOfTheBlade) {
+  const char* const arch =
+      R"("start": [-390,0], "end": [390,0], "start_angle": 0.2, "end_angle": -0.2, "length": 800)";
+  const auto answer = [&](const std::string& more) {
+    return json::parse(bvpCases("{" + std::string(arch) + more + "}", {})->json);
+  };
+  const json light = answer(R"(, "stiffness": 83300, "weight": [0, 0], "at": [0, 400, 800])");
+  const json without = answer("");
+  EXPECT_NEAR(light["solutions"][0]["energy"], without["solutions"][0]["energy"], 1e-12);
+  EXPECT_EQ(light["other_stable"], 1) << "but for loops of a few millimetres";
+  EXPECT_NEAR(light["next_energy"], 83300 * without["next_energy"].get<double>(), 1e-6);
+  ASSERT_EQ(light["solutions"][0]["points"].size(), 3u);
+  EXPECT_NEAR(light["solutions"][0]["points"][2][0], 390, 1e-6);
+  const json heavy = answer(R"(, "stiffness": 83300, "weight": [0, -0.0164])")["solutions"][0];
+  EXPECT_EQ(heavy["points"].size(), 101u);
+  EXPECT_EQ(heavy["angles"].size(), 101u);
+  EXPECT_EQ(heavy["curvatures"].size(), 101u);
+  EXPECT_LT(heavy["points"][50][1], 0) << "it hangs";
+  EXPECT_NEAR(heavy["snaps_at"], 0.558, 0.001);
+  const json half = answer(R"(, "stiffness": 83300, "weight": [0, -0.0082])")["solutions"][0];
+  EXPECT_GT(half["points"][50][1], 0) << "it still stands";
+  EXPECT_TRUE(half["snaps_at"].is_null());
+  EXPECT_GT(half["barrier"], 0.0);
+  EXPECT_LT(half["barrier"].get<double>(), light["solutions"][0]["barrier"].get<double>());
+  EXPECT_GT(answer(R"(, "stiffness": 83300, "weight": [0, -0.001], "all": true)")["solutions"].size(), 3u);
+  for (const char* bad : {R"(, "weight": [0, -1])", R"(, "stiffness": 9)", R"(, "at": [3])",
+                          R"(, "stiffness": 83300, "weight": [0, -1e-3], "at": [800.1])"})
+    EXPECT_EQ(answer(bad)["error"]["code"], "bad-input") << bad;
+}
+
 }  // namespace bw::cases

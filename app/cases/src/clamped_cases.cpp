@@ -7,6 +7,8 @@
 #include "bw/core/base/units.h"
 #include "bw/core/discrete/discrete_elastica.h"
 #include "bw/core/elastica/elastica_bvp.h"
+#include "bw/core/heavy/heavy_bvp.h"
+#include "bw/core/text/number_text.h"
 #include "case_runner.h"
 
 namespace bw::cases {
@@ -42,6 +44,93 @@ ordered_json solutionToJson(const ClampedSolution& solution) {
   return result;
 }
 
+/// What a case says of the weight: `stiffness` and `weight` go together.
+struct Weighing {
+  double stiffness = 0;
+  std::optional<Eigen::Vector2d> weight = std::nullopt;
+  std::vector<double> at;  ///< arc lengths, mm
+};
+
+constexpr int kArcsUnlessGiven = 101;
+
+/// The members `stiffness`, `weight` and `at`, of a blade whose length is known.
+Result<Weighing> weighingOf(std::optional<double> stiffness, const json* weight, const json* at,
+                            double length) {
+  const auto bad = [](const char* where, const std::string& message) {
+    return fail(ErrorCode::badInput, message, where);
+  };
+  const bool weighs = weight != nullptr;
+  if (stiffness.has_value() != weighs)
+    return bad(
+        weighs ? "stiffness" : "weight",
+        "a blade with weight needs both keys: stiffness, its EI in N mm², and weight, [wx, wy] in N/mm");
+  Weighing result;
+  if (!weighs) {
+    if (at) return bad("at", "the key at goes with stiffness and weight");
+    return result;
+  }
+  result.stiffness = *stiffness;
+  const Result<Eigen::Vector2d> vector = readPoint(weight, "weight");
+  if (!vector) return passOn(vector.error());
+  result.weight = *vector;
+  if (at) {
+    Result<std::vector<double>> arcs = readNumbers(at, "at");
+    if (!arcs) return passOn(arcs.error());
+    result.at = std::move(*arcs);
+  }
+  for (const double s : result.at)
+    if (!(s >= 0 && s <= length))
+      return bad("at", "the arc length " + shortText(s) + " in at is not on the blade, which is " +
+                           shortText(length) + " mm long");
+  if (result.at.empty())
+    for (int i = 0; i < kArcsUnlessGiven; ++i) result.at.push_back(length * i / (kArcsUnlessGiven - 1));
+  return result;
+}
+
+ordered_json solutionToJson(const HeavySolution& solution, const std::vector<double>& at) {
+  ordered_json result;
+  result["energy"] = solution.blade.bendingEnergy();
+  result["total_energy"] = solution.energy;
+  result["turning"] = solution.turning;
+  result["inflections"] = solution.blade.inflections();
+  result["stable"] = solution.stable;
+  result["stability_margin"] = solution.stabilityMargin;
+  result["out_of_plane_margin"] = solution.outOfPlaneMargin;
+  result["barrier"] = solution.barrier;
+  result["snaps_at"] = solution.snapsAt;
+  result["sensitivity"] = {{"per_mm", finite(solution.sensitivity.perMm)},
+                           {"per_deg", finite(solution.sensitivity.perDegree)}};
+  result["self_intersects"] = solution.blade.selfIntersects();
+  result["max_curvature"] = solution.blade.maxCurvature();
+  result["end_error"] = solution.endError;
+  std::vector<HeavyBlade::State> states(at.size());
+  solution.blade.at(at, states);
+  result["at"] = at;
+  for (const char* key : {"points", "angles", "curvatures"}) result[key] = ordered_json::array();
+  for (const HeavyBlade::State& state : states) {
+    result["points"].push_back(state.point);
+    result["angles"].push_back(state.angle);
+    result["curvatures"].push_back(state.curvature);
+  }
+  return result;
+}
+
+ordered_json answerToJson(const HeavyAnswer& answer, const std::vector<double>& at, bool others) {
+  ordered_json result;
+  result["solutions"] = ordered_json::array();
+  for (const HeavySolution& solution : answer.solutions)
+    result["solutions"].push_back(solutionToJson(solution, at));
+  if (others) {
+    result["other_stable"] = answer.otherStable;
+    result["next_energy"] = answer.nextEnergy;
+    result["next_turning"] = answer.nextTurning;
+  }
+  result["case"] = clampedKindName(answer.kind);
+  result["snaps_at"] = answer.movingSnapsAt;
+  result["message"] = answer.message;
+  return result;
+}
+
 Result<ordered_json> bvpCase(const json& object, bool& limited) {
   ObjectReader reader(object, "case");
   ClampedProblem problem;
@@ -66,15 +155,35 @@ Result<ordered_json> bvpCase(const json& object, bool& limited) {
   options.others = true;
   reader.boolean("others", options.others);
   const json* initial = reader.given("initial");
+  std::optional<double> stiffness;
+  reader.number("stiffness", stiffness, 1e-9, 1e15);
+  const json* weight = reader.given("weight");
+  const json* at = reader.given("at");
   if (Result<void> ok = reader.finish(); !ok) return passOn(ok.error());
   reader.take(readPoint(start, "start"), problem.start);
   reader.take(readPoint(end, "end"), problem.end);
   if (initial) reader.take(elasticaFromJson(*initial, "initial"), options.initial);
+  Weighing weighing;
+  reader.take(weighingOf(stiffness, weight, at, problem.length), weighing);
   if (Result<void> ok = reader.finish(); !ok) return passOn(ok.error());
   const auto begin = std::chrono::steady_clock::now();
+  const auto secondsSince = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  };
+  if (weighing.weight) {
+    const HeavyProblem heavy{problem, weighing.stiffness, *weighing.weight};
+    const Result<HeavyAnswer> answer = all ? solveAllHeavy(heavy, options) : solveHeavy(heavy, options);
+    const double seconds = secondsSince();
+    if (!answer) return passOn(answer.error());
+    for (const HeavySolution& solution : answer->solutions)
+      limited = limited || solution.endError > kEndTolerance * problem.length;
+    ordered_json result = answerToJson(*answer, weighing.at, all || options.others);
+    result["seconds"] = seconds;
+    return result;
+  }
   const Result<ClampedAnswer> answer =
       all ? solveAllClamped(problem, options) : solveClamped(problem, options);
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const double seconds = secondsSince();
   if (!answer) return passOn(answer.error());
   ordered_json result;
   result["solutions"] = ordered_json::array();

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bw/core/elastica/elastica_bvp.h"
+#include "bw/core/heavy/heavy_blade.h"
+
+namespace bw {
+
+/// A blade with weight, held at both ends, which lies in the plane of its grips.
+struct HeavyProblem {
+  ClampedProblem grips;                              ///< both tangents held
+  double stiffness = 1;                              ///< EI, N mm², > 0
+  Eigen::Vector2d weight = Eigen::Vector2d::Zero();  ///< a length, N/mm, in the plane's coordinates
+};
+
+/// One equilibrium of it.
+struct HeavySolution {
+  HeavyBlade blade;
+  double energy = 0;   ///< of bending and weight, the start's height being zero: N mm
+  double turning = 0;  ///< total, rad
+  bool stable = false;
+  /// Those of the weightless blade (elastica_stability.h), the weight included: the smallest eigenvalue of
+  /// the second variation of the energy over 4π²/L².
+  double stabilityMargin = 0;
+  double outOfPlaneMargin = 0;
+  ClampedSensitivity sensitivity = {};
+  /// How much energy it takes to bring the blade from here into another stable shape, N mm: that of the
+  /// lowest unstable shape between the two, less its own. Empty where the shape is not stable, where none was
+  /// found, or where nobody asked.
+  std::optional<double> barrier = std::nullopt;
+  /// At which share of its weight, in [0, 1), the weightless blade that this one comes from stops to be
+  /// stable; empty if it never does.
+  std::optional<double> snapsAt = std::nullopt;
+  double endError = 0;  ///< how far the end misses its grip, mm
+};
+
+struct HeavyAnswer {
+  std::vector<HeavySolution> solutions;  ///< lowest energy first, never empty
+  ClampedKind kind = ClampedKind::general;
+  /// As `ClampedAnswer::snapsAt`: while the grips of the weightless blade move.
+  std::optional<double> movingSnapsAt = std::nullopt;
+  std::string message = {};
+  int otherStable = 0;                     ///< besides the answer, or besides the lowest stable one of all
+  std::optional<double> nextEnergy = {};   ///< N mm: of the lowest of those
+  std::optional<double> nextTurning = {};  ///< rad: its
+};
+
+/// The shape that the weightless blade of `solveClamped` with these options becomes as its weight comes on
+/// evenly. Where its branch ends it falls into another stable shape, and the way goes on from there. Where
+/// each shape has a mirror image as good, that one is taken on whose side the weight pulls. With
+/// `options.others` also the barrier and what else is stable, some ms more. Errors: those of `solveClamped`;
+/// badInput for a stiffness that is not above 0, a weight that is not finite or is more than w L³/EI = 2000,
+/// or a hinge; noSolution where a branch cannot be followed, or a blade is so taut that 192 modes do not
+/// resolve it. Accurate to 1e-8 of the length.
+Result<HeavyAnswer> solveHeavy(const HeavyProblem& problem, const ClampedOptions& options = {});
+
+/// All equilibria that a search finds: on the branches of all weightless ones (`solveAllClamped`) as the
+/// weight comes on and up to twice of it, and where blades fall from unstable ones; not those whose loops are
+/// tighter than about a fortieth of the length. Same errors. Some 10 ms.
+Result<HeavyAnswer> solveAllHeavy(const HeavyProblem& problem, const ClampedOptions& options = {});
+
+/// A stable blade with weight that stays on its branch while its grips, its weight or both move.
+class HeavyBranch {
+ public:
+  /// From an answer to a problem. Fails (badInput) for a shape that is not stable.
+  static Result<HeavyBranch> from(const HeavyProblem& problem, const HeavySolution& solution);
+
+  /// Moves grips and weight evenly to those of `next`, which has the same length and stiffness; the turning
+  /// by the shorter way unless it is given. Where the branch ends the blade is left there, which `snapped`
+  /// tells. Nothing is skipped: the whole way is followed unless Newton's steps shrink so fast that both ends
+  /// of it lie on one branch. About 50 µs for the small step of a sweep. Errors: those of `solveHeavy` for
+  /// `next`; noSolution where the branch cannot be followed.
+  Result<ClampedBranch::Move> moveTo(const HeavyProblem& next);
+
+  HeavyBlade blade() const;
+
+ private:
+  explicit HeavyBranch(HeavyBlade::Numbers numbers) : numbers_(std::move(numbers)) {}
+  HeavyBlade::Numbers numbers_;
+  Eigen::Vector2d end_ = Eigen::Vector2d::Zero();
+  double stiffness_ = 1;
+};
+
+/// How the blade at arc lengths changes with its grips.
+struct HeavyDerivatives {
+  /// Rows: x, y, θ (mm, mm, rad); columns: the start's x, y (mm) and angle (rad), the end's x, y and angle.
+  std::vector<Eigen::Matrix<double, 3, 6>> byGrips;
+};
+/// At arc lengths in [0, length], by the implicit function theorem. Fails (noSolution) at a fold.
+Result<HeavyDerivatives> derivativesByGrips(const HeavyBlade& blade, std::span<const double> s);
+
+}  // namespace bw

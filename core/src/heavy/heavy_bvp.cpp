@@ -1,0 +1,421 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "bw/core/heavy/heavy_bvp.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bw/core/base/units.h"
+#include "bw/core/text/number_text.h"
+#include "heavy/heavy_descent.h"
+#include "heavy/heavy_margins.h"
+#include "heavy/heavy_path.h"
+
+namespace bw {
+
+using Eigen::Index;
+using Eigen::Vector2d;
+using Eigen::VectorXd;
+using heavy::Equations;
+using heavy::Hold;
+using heavy::modesOf;
+using heavy::Shape;
+
+namespace {
+
+constexpr double kHeaviest = 2000;     // w L³/EI: a blade that hangs like a chain
+constexpr double kSameShape = 1e-4;    // rad: coefficients of the same equilibrium
+constexpr Index kModesSearched = 96;   // loops tighter than a fortieth of the length are not searched from
+constexpr int kMostFalls = 6;          // of one blade while its weight comes on
+constexpr double kPush = 0.02;         // rad: to either side of a shape that is not stable
+constexpr double kPastTheFold = 1e-7;  // of the way
+
+/// A problem whose grips have been looked at, with the length and the flexural rigidity as units.
+struct Unit {
+  const HeavyProblem& problem;
+  double torsionRatio;
+  Vector2d load;  ///< w L³/EI
+
+  double length() const { return problem.grips.length; }
+  Hold hold(double turning, double share = 1) const {
+    return {(problem.grips.end - problem.grips.start) / length(), *problem.grips.startAngle, turning,
+            share * load};
+  }
+  heavy::Way weighing(double turning) const { return {hold(turning, 0), hold(turning, 1)}; }
+  /// N mm: the unit of energies.
+  double energy() const { return problem.stiffness / length(); }
+};
+
+Result<Unit> check(const HeavyProblem& problem, const ClampedOptions& options) {
+  if (!(problem.stiffness > 0 && std::isfinite(problem.stiffness)))
+    return fail(ErrorCode::badInput,
+                "The blade's stiffness is " + shortText(problem.stiffness) +
+                    "; give its flexural rigidity EI in N mm², above 0.",
+                "stiffness", problem.stiffness, 0);
+  if (!problem.weight.allFinite())
+    return fail(ErrorCode::badInput, "The blade's weight is not a number; give N/mm.", "weight");
+  if (!problem.grips.startAngle || !problem.grips.endAngle)
+    return fail(
+        ErrorCode::badInput,
+        "A blade with weight is held at both ends here; give the angle of the hinged end or leave out "
+        "the weight.",
+        problem.grips.startAngle ? "end_angle" : "start_angle");
+  const double length = problem.grips.length;
+  Unit unit{problem, options.torsionRatio, problem.weight * (length * length * length / problem.stiffness)};
+  if (!(unit.load.norm() <= kHeaviest))
+    return fail(ErrorCode::badInput,
+                "The blade's weight times its length cubed is " + shortText(unit.load.norm()) +
+                    " of its stiffness; it hangs like a chain. Take a stiffer or shorter blade.",
+                "weight", unit.load.norm(), kHeaviest);
+  return unit;
+}
+
+/// A weightless blade in as many modes as it needs, `most` at most.
+std::optional<Shape> shapeOf(const Unit& unit, const ClampedSolution& solution, Index most) {
+  const Elastica& blade = solution.elastica;
+  const Hold hold = unit.hold(solution.turning, 0);
+  for (const Index count : heavy::kModeCounts) {
+    if (count > most) break;
+    const heavy::Modes& modes = modesOf(count);
+    std::vector<double> arcs(std::size_t(modes.nodes.size()));
+    for (Index q = 0; q < modes.nodes.size(); ++q) arcs[std::size_t(q)] = unit.length() * modes.nodes(q);
+    std::vector<Elastica::State> states(arcs.size());
+    blade.at(arcs, states);
+    VectorXd curvature(modes.nodes.size());
+    for (Index q = 0; q < modes.nodes.size(); ++q)
+      curvature(q) = modes.weights(q) * states[std::size_t(q)].curvature * unit.length();
+    // A mode's slopes are orthonormal; the force of the start on the blade, as of its end, is −λ.
+    const Shape shape{modes.slopes * curvature, -blade.force() * (unit.length() * unit.length())};
+    if (shape.coefficients.tail(3).lpNorm<Eigen::Infinity>() > heavy::kResolved) continue;
+    if (std::optional<Shape> settled = heavy::settle(hold, shape, 8)) return settled;
+  }
+  return {};
+}
+
+tl::unexpected<Error> lost(const char* what) {
+  return fail(ErrorCode::noSolution,
+              std::string("The blade cannot be followed ") + what +
+                  ": it is too taut, or bends too tightly. Take a longer blade, or grips closer together.",
+              "weight");
+}
+
+HeavyBlade placed(const Unit& unit, double turning, const Shape& shape) {
+  const double squared = unit.length() * unit.length();
+  return HeavyBlade({unit.problem.grips.start, *unit.problem.grips.startAngle, unit.length(), turning,
+                     shape.coefficients, shape.force / squared, unit.load / (squared * unit.length())});
+}
+
+/// An equilibrium with all that is said about it.
+Result<HeavySolution> describe(const Unit& unit, double turning, const Shape& found) {
+  const std::optional<Shape> shape = heavy::refined(unit.hold(turning), found, heavy::kExact);
+  if (!shape) return lost("in finer modes");
+  const Equations equations(modesOf(shape->count()), unit.hold(turning), *shape);
+  HeavySolution solution{placed(unit, turning, *shape)};
+  solution.energy = equations.energy() * unit.energy();
+  solution.turning = turning;
+  const heavy::Margins margins = heavy::marginsOf(equations, unit.torsionRatio);
+  solution.stabilityMargin = margins.inPlane;
+  solution.outOfPlaneMargin = margins.outOfPlane;
+  solution.stable = margins.inPlane > 0;
+  solution.sensitivity = heavy::sensitivityOf(equations);
+  solution.sensitivity.perDegree *= unit.length() * kDegree;
+  solution.endError = (solution.blade.at(unit.length()).point - unit.problem.grips.end).norm();
+  return solution;
+}
+
+/// Of the two stable shapes to either side of one that is not, empty where a fall ends nowhere.
+struct Sides {
+  std::optional<Shape> first, second;
+};
+Sides fallFrom(const Hold& hold, const Shape& shape) {
+  const VectorXd soft = heavy::softest(Equations(modesOf(shape.count()), hold, shape)).direction;
+  return {heavy::fall(hold, shape, kPush * soft), heavy::fall(hold, shape, -kPush * soft)};
+}
+
+double energyOf(const Hold& hold, const Shape& shape) {
+  return Equations(modesOf(shape.count()), hold, shape).energy();
+}
+
+/// The weightless shape with its weight on, and at which share it fell first.
+struct Weighed {
+  Shape shape;
+  std::optional<double> snapsAt = std::nullopt;
+};
+Result<Weighed> weigh(const Unit& unit, double turning, Shape shape) {
+  const heavy::Way whole = unit.weighing(turning);
+  Weighed result{shape};
+  double share = 0;
+  for (int falls = 0; falls < kMostFalls; ++falls) {
+    const std::optional<heavy::Followed> followed = heavy::follow({whole.at(share), whole.to}, result.shape);
+    if (!followed) return lost("while its weight comes on");
+    result.shape = followed->end.shape;
+    if (!followed->snapped) return result;
+    share += followed->end.part * (1 - share);
+    if (!result.snapsAt) result.snapsAt = share;
+    share = std::min(1.0, share + kPastTheFold);
+    const Hold there = whole.at(share);
+    const Sides sides = fallFrom(there, result.shape);
+    if (!sides.first && !sides.second) return lost("as it falls into another shape");
+    const bool first =
+        sides.first && (!sides.second || energyOf(there, *sides.first) <= energyOf(there, *sides.second));
+    result.shape = first ? *sides.first : *sides.second;
+    if (share == 1) return result;
+  }
+  return lost("while its weight comes on");
+}
+
+/// A shape with its turning, whatever the number of modes.
+struct Found {
+  double turning;
+  Shape shape;
+  bool stable;
+};
+
+bool same(const Found& a, double turning, const Shape& shape) {
+  const Index common = std::min(a.shape.count(), shape.count());
+  return std::abs(a.turning - turning) < kSameShape &&
+         (a.shape.coefficients.head(common) - shape.coefficients.head(common)).norm() < kSameShape;
+}
+
+/// All equilibria, found from the weightless ones, and the barriers of the stable ones.
+class Search {
+ public:
+  Search(const Unit& unit, const ClampedAnswer& weightless) : unit_(unit) {
+    for (const ClampedSolution& solution : weightless.solutions) {
+      const std::optional<Shape> start = shapeOf(unit, solution, kModesSearched);
+      if (!start) continue;
+      heavy::allAlong(unit.weighing(solution.turning), *start,
+                      [&](const Shape& shape) { add(solution.turning, shape); });
+    }
+    // What unstable ones fall into is found on the way to their barriers.
+    for (std::size_t i = 0; i < found_.size(); ++i)
+      if (!found_[i].stable) passOver(i);
+  }
+
+  /// Its place among `found`, added if it is new.
+  std::size_t add(double turning, const Shape& shape) {
+    for (std::size_t i = 0; i < found_.size(); ++i)
+      if (same(found_[i], turning, shape)) return i;
+    const Hold hold = unit_.hold(turning);
+    found_.push_back({turning, shape, heavy::isStable(Equations(modesOf(shape.count()), hold, shape))});
+    return found_.size() - 1;
+  }
+
+  const std::vector<Found>& found() const { return found_; }
+  /// Of one that is stable, N mm.
+  std::optional<double> barrier(std::size_t of) const {
+    std::optional<double> least;
+    for (const Pass& pass : passes_)
+      if (of == pass.one || of == pass.other) {
+        const double height = (pass.energy - energyAt(of)) * unit_.energy();
+        if (!least || height < *least) least = height;
+      }
+    return least;
+  }
+
+ private:
+  /// An unstable shape between two stable ones.
+  struct Pass {
+    std::size_t one, other;
+    double energy;
+  };
+
+  double energyAt(std::size_t i) const { return energyOf(unit_.hold(found_[i].turning), found_[i].shape); }
+
+  void passOver(std::size_t i) {
+    const double turning = found_[i].turning;
+    const Sides sides = fallFrom(unit_.hold(turning), found_[i].shape);
+    if (!sides.first || !sides.second) return;
+    const double energy = energyAt(i);
+    const std::size_t one = add(turning, *sides.first), other = add(turning, *sides.second);
+    if (one != other) passes_.push_back({one, other, energy});
+  }
+
+  const Unit& unit_;
+  std::vector<Found> found_;
+  std::vector<Pass> passes_;
+};
+
+/// What else the blade may rest in, besides the one at `self`.
+void tellOthers(HeavyAnswer& answer, const Unit& unit, const std::vector<Found>& found, std::size_t self) {
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (i == self || !found[i].stable) continue;
+    ++answer.otherStable;
+    const double energy = energyOf(unit.hold(found[i].turning), found[i].shape) * unit.energy();
+    if (answer.nextEnergy && *answer.nextEnergy <= energy) continue;
+    answer.nextEnergy = energy;
+    answer.nextTurning = found[i].turning;
+  }
+}
+
+/// A blade as long as its grips are apart: its weight does not move it.
+HeavyAnswer straightAnswer(const HeavyProblem& problem, const ClampedAnswer& weightless) {
+  const ClampedSolution& straight = weightless.solutions.front();
+  HeavyBlade::Numbers numbers;
+  numbers.start = problem.grips.start;
+  numbers.startAngle = straight.elastica.startAngle();
+  numbers.length = problem.grips.length;
+  numbers.coefficients = VectorXd::Zero(heavy::kModeCounts[0]);
+  numbers.load = problem.weight / problem.stiffness;
+  HeavySolution solution{HeavyBlade(std::move(numbers))};
+  solution.energy = solution.blade.energy() * problem.stiffness;
+  solution.stable = true;
+  solution.stabilityMargin = straight.stabilityMargin;
+  solution.outOfPlaneMargin = straight.outOfPlaneMargin;
+  solution.sensitivity = straight.sensitivity;
+  solution.endError = straight.endError;
+  HeavyAnswer answer{{std::move(solution)}};
+  answer.kind = weightless.kind;
+  answer.message = weightless.message;
+  return answer;
+}
+
+}  // namespace
+
+Result<HeavyAnswer> solveHeavy(const HeavyProblem& problem, const ClampedOptions& options) {
+  const Result<Unit> unit = check(problem, options);
+  if (!unit) return tl::unexpected<Error>(unit.error());
+  ClampedOptions alone = options;
+  alone.others = false;
+  const Result<ClampedAnswer> weightless = solveClamped(problem.grips, alone);
+  if (!weightless) return tl::unexpected<Error>(weightless.error());
+  if (weightless->kind == ClampedKind::straight) return straightAnswer(problem, *weightless);
+  const ClampedSolution& start = weightless->solutions.front();
+  const double turning = start.turning;
+  const std::optional<Shape> shape = shapeOf(*unit, start, heavy::kMostModes);
+  if (!shape) return lost("without its weight");
+  Result<Weighed> weighed = weigh(*unit, turning, *shape);
+  if (!weighed) return tl::unexpected<Error>(weighed.error());
+  Result<HeavySolution> solution = describe(*unit, turning, weighed->shape);
+  if (!solution) return tl::unexpected<Error>(solution.error());
+  solution->snapsAt = weighed->snapsAt;
+  HeavyAnswer answer;
+  answer.kind = weightless->kind;
+  answer.movingSnapsAt = weightless->snapsAt;
+  answer.message = weightless->message;
+  if (options.others) {
+    const Result<ClampedAnswer> all = solveAllClamped(problem.grips, options);
+    if (!all) return tl::unexpected<Error>(all.error());
+    Search search(*unit, *all);
+    const std::size_t self = search.add(turning, weighed->shape);
+    solution->barrier = search.barrier(self);
+    tellOthers(answer, *unit, search.found(), self);
+  }
+  answer.solutions.push_back(std::move(*solution));
+  return answer;
+}
+
+Result<HeavyAnswer> solveAllHeavy(const HeavyProblem& problem, const ClampedOptions& options) {
+  const Result<Unit> unit = check(problem, options);
+  if (!unit) return tl::unexpected<Error>(unit.error());
+  const Result<ClampedAnswer> weightless = solveAllClamped(problem.grips, options);
+  if (!weightless) return tl::unexpected<Error>(weightless.error());
+  if (weightless->kind == ClampedKind::straight) return straightAnswer(problem, *weightless);
+  const Search search(*unit, *weightless);
+  HeavyAnswer answer;
+  answer.kind = weightless->kind;
+  answer.message = weightless->message;
+  std::optional<std::size_t> lowest;
+  for (std::size_t i = 0; i < search.found().size(); ++i) {
+    const Found& found = search.found()[i];
+    Result<HeavySolution> solution = describe(*unit, found.turning, found.shape);
+    if (!solution) return tl::unexpected<Error>(solution.error());
+    if (found.stable) solution->barrier = search.barrier(i);
+    const auto energy = [&](std::size_t k) {
+      return energyOf(unit->hold(search.found()[k].turning), search.found()[k].shape);
+    };
+    if (found.stable && (!lowest || energy(i) < energy(*lowest))) lowest = i;
+    answer.solutions.push_back(std::move(*solution));
+  }
+  if (answer.solutions.empty()) return lost("while its weight comes on");
+  std::ranges::stable_sort(answer.solutions, {}, &HeavySolution::energy);
+  if (lowest) tellOthers(answer, *unit, search.found(), *lowest);
+  return answer;
+}
+
+Result<HeavyBranch> HeavyBranch::from(const HeavyProblem& problem, const HeavySolution& solution) {
+  if (!solution.stable)
+    return fail(ErrorCode::badInput, "The blade is not stable in this shape: it has no branch to stay on.",
+                "solution");
+  HeavyBranch branch(solution.blade.numbers());
+  branch.end_ = problem.grips.end;
+  branch.stiffness_ = problem.stiffness;
+  return branch;
+}
+
+Result<ClampedBranch::Move> HeavyBranch::moveTo(const HeavyProblem& next) {
+  constexpr double kOneBranch = 0.2;  // of Newton's steps: both ends of the way are on one branch
+  constexpr int kQuick = 8;
+  const Result<Unit> unit = check(next, {});
+  if (!unit) return tl::unexpected<Error>(unit.error());
+  if (next.grips.length != numbers_.length || next.stiffness != stiffness_)
+    return fail(ErrorCode::badInput, "The blade's length and stiffness do not change on its way.", "length",
+                next.grips.length, numbers_.length);
+  const double length = numbers_.length, squared = length * length;
+  const double turns = *next.grips.endAngle - *next.grips.startAngle;
+  const double turning =
+      next.grips.turning.value_or(turns + 2 * kPi * std::round((numbers_.turning - turns) / (2 * kPi)));
+  // The start tangent, too, by the shorter way.
+  const double startAngle = *next.grips.startAngle +
+                            2 * kPi * std::round((numbers_.startAngle - *next.grips.startAngle) / (2 * kPi));
+  heavy::Way way{{(end_ - numbers_.start) / length, numbers_.startAngle, numbers_.turning,
+                  numbers_.load * (squared * length)},
+                 unit->hold(turning)};
+  way.to.startAngle = startAngle;
+  const Shape before{numbers_.coefficients, numbers_.endForce * squared};
+  double contraction = 0;
+  std::optional<Shape> there = heavy::settle(way.to, before, kQuick, &contraction);
+  ClampedBranch::Move move;
+  Hold hold = way.to;
+  if (!there || contraction > kOneBranch ||
+      !heavy::isStable(Equations(modesOf(there->count()), way.to, *there))) {
+    const std::optional<heavy::Followed> followed = heavy::follow(way, before);
+    if (!followed) return lost("to its new grips");
+    there = followed->end.shape;
+    move = {followed->snapped, followed->end.part};
+    hold = way.at(followed->end.part);
+  }
+  there = heavy::refined(hold, *there, heavy::kExact);
+  if (!there) return lost("in finer modes");
+  numbers_.start += move.reached * (next.grips.start - numbers_.start);
+  end_ = numbers_.start + length * hold.chord;
+  numbers_.startAngle = hold.startAngle;
+  numbers_.turning = hold.turning;
+  numbers_.load = hold.load / (squared * length);
+  numbers_.coefficients = there->coefficients;
+  numbers_.endForce = there->force / squared;
+  return move;
+}
+
+HeavyBlade HeavyBranch::blade() const { return HeavyBlade(numbers_); }
+
+Result<HeavyDerivatives> derivativesByGrips(const HeavyBlade& blade, std::span<const double> s) {
+  const HeavyBlade::Numbers& n = blade.numbers();
+  const double length = n.length, squared = length * length;
+  const heavy::Modes& modes = modesOf(n.coefficients.size());
+  const Equations equations(
+      modes,
+      {(blade.at(length).point - n.start) / length, n.startAngle, n.turning, n.load * (squared * length)},
+      {n.coefficients, n.endForce * squared});
+  const Eigen::MatrixXd moves = heavy::movesOf(equations);
+  if (!moves.allFinite())
+    return fail(ErrorCode::noSolution, "The blade is about to snap: it does not follow its grips.", "blade");
+  const Index nodes = modes.nodes.size();
+  HeavyDerivatives result;
+  for (const double arc : s) {
+    const VectorXd at = modes.polynomials.transpose() * heavy::orthonormalLegendre(arc / length, nodes);
+    Eigen::Matrix<double, 3, 4> moved;
+    for (int row = 0; row < 3; ++row) moved.row(row) = at.transpose() * moves.middleRows(row * nodes, nodes);
+    // Lengths: x and y by mm are as they are, by rad times the length; angles by mm over it.
+    moved.topRightCorner<2, 2>() *= length;
+    moved.row(2).head<2>() /= length;
+    Eigen::Matrix<double, 3, 6> all;
+    all << -moved.leftCols<2>(), moved.col(2), moved.leftCols<2>(), moved.col(3);
+    all(0, 0) += 1;
+    all(1, 1) += 1;
+    result.byGrips.push_back(all);
+  }
+  return result;
+}
+
+}  // namespace bw

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "heavy/heavy_descent.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/work_meter.h"
+
+namespace bw::heavy {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+constexpr int kMostFalls = 100;
+constexpr double kLongestFall = 0.7;   // rad: a step that does not leave the valley
+constexpr double kNearRest = 1e-5;     // of the gradient: Newton's method does the rest
+constexpr double kStiffEnough = 1e-3;  // smaller eigenvalues count as this
+constexpr double kOffASaddle = 0.05;   // rad: a step from where nothing pulls but nothing holds either
+
+/// Leads the coefficients back to where the ends are held, by the shortest way.
+bool close(const Modes& modes, const Hold& hold, Shape& shape) {
+  constexpr double kClosed = 1e-12;
+  for (int i = 0; i < 8; ++i) {
+    const Equations equations(modes, hold, shape);
+    const Eigen::Vector2d miss = equations.residual().tail<2>();
+    if (miss.lpNorm<Eigen::Infinity>() < kClosed) return true;
+    const auto a = equations.closure();
+    const Eigen::Matrix2d normal = a.transpose() * a;
+    shape.coefficients += a * normal.partialPivLu().solve(miss);
+    if (!shape.coefficients.allFinite()) return false;
+  }
+  return false;
+}
+
+/// The force at the end grip that balances the coefficients best.
+void balance(const Modes& modes, const Hold& hold, Shape& shape) {
+  shape.force.setZero();
+  const Equations equations(modes, hold, shape);
+  const auto a = equations.closure();
+  const Eigen::Matrix2d normal = a.transpose() * a;
+  shape.force = normal.partialPivLu().solve(a.transpose() * equations.residual().head(shape.count())).eval();
+}
+
+}  // namespace
+
+Softest softest(const Equations& equations) {
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(reducedHessian(equations));
+  return {freeDirections(equations) * eigen.eigenvectors().col(0), eigen.eigenvalues()(0)};
+}
+
+std::optional<Shape> fall(const Hold& hold, const Shape& start, const VectorXd& push) {
+  // The way down needs no fine modes, only its end.
+  const Modes& modes = modesOf(1);
+  Shape shape{(start.coefficients + push).head(modes.count()), start.force};
+  if (!close(modes, hold, shape)) return {};
+  balance(modes, hold, shape);
+  double energy = Equations(modes, hold, shape).energy();
+  for (int i = 0; i < kMostFalls && !detail::workExhausted(); ++i) {
+    const Equations equations(modes, hold, shape);
+    const MatrixXd free = freeDirections(equations);
+    const VectorXd gradient = free.transpose() * equations.residual().head(shape.count());
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(reducedHessian(equations));
+    const bool holds = eigen.eigenvalues()(0) > 0;
+    if (gradient.norm() < kNearRest && holds) break;
+    VectorXd step = eigen.eigenvectors().transpose() * gradient;
+    step.array() /= -eigen.eigenvalues().array().abs().max(kStiffEnough);
+    if (!holds && std::abs(step(0)) < kOffASaddle) step(0) = step(0) < 0 ? -kOffASaddle : kOffASaddle;
+    step = free * (eigen.eigenvectors() * step);
+    step *= std::min(1.0, kLongestFall / step.norm());
+    bool lower = false;
+    for (int halving = 0; halving < 12 && !lower; ++halving, step *= 0.5) {
+      Shape next = shape;
+      next.coefficients += step;
+      if (!close(modes, hold, next)) continue;
+      const double there = Equations(modes, hold, next).energy();
+      if (!(there < energy)) continue;
+      balance(modes, hold, next);
+      shape = std::move(next);
+      energy = there;
+      lower = true;
+    }
+    if (!lower) break;
+  }
+  const std::optional<Shape> rest = settle(hold, shape, 8);
+  if (!rest || !isStable(Equations(modes, hold, *rest))) return {};
+  return refined(hold, *rest, kResolved);
+}
+
+}  // namespace bw::heavy

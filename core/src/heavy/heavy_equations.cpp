@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "heavy/heavy_equations.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/work_meter.h"
+
+namespace bw::heavy {
+
+using Eigen::ArrayXd;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::Vector2d;
+using Eigen::VectorXd;
+
+VectorXd Shape::unknowns() const {
+  VectorXd all(count() + 2);
+  all << coefficients, force;
+  return all;
+}
+
+Shape Shape::of(const VectorXd& unknowns) { return {unknowns.head(unknowns.size() - 2), unknowns.tail<2>()}; }
+
+Equations::Equations(const Modes& modes, const Hold& hold, const Shape& shape)
+    : modes_(modes), hold_(hold), shape_(shape) {
+  Sampled& s = sampled_;
+  s.angle.noalias() = modes.values.transpose() * shape.coefficients;
+  s.angle += hold.turning * modes.nodes;
+  s.angle.array() += hold.startAngle;
+  s.cosine = s.angle.array().cos();
+  s.sine = s.angle.array().sin();
+  const ArrayXd left = 1 - modes.nodes.array();
+  const ArrayXd x = shape.force.x() + hold.load.x() * left, y = shape.force.y() + hold.load.y() * left;
+  s.along = x * s.cosine + y * s.sine;
+  s.across = y * s.cosine - x * s.sine;
+}
+
+VectorXd Equations::moments(const ArrayXd& f) const {
+  return modes_.values * (modes_.weights.array() * f).matrix();
+}
+
+VectorXd Equations::residual() const {
+  VectorXd result(shape_.count() + 2);
+  result << shape_.coefficients - moments(sampled_.across),
+      hold_.chord.x() - modes_.weights.dot(sampled_.cosine.matrix()),
+      hold_.chord.y() - modes_.weights.dot(sampled_.sine.matrix());
+  return result;
+}
+
+MatrixXd Equations::hessian() const {
+  // Charged like the eigenvalues of the weightless blade: half a microsecond for a hundred products.
+  detail::chargeWork(modes_.count() * modes_.count() * modes_.nodes.size() / 400);
+  const MatrixXd weighted = modes_.values * (modes_.weights.array() * sampled_.along).matrix().asDiagonal();
+  MatrixXd result = MatrixXd::Identity(modes_.count(), modes_.count());
+  result.template triangularView<Eigen::Lower>() += weighted * modes_.values.transpose();
+  return result.selfadjointView<Eigen::Lower>();
+}
+
+Eigen::Matrix<double, Eigen::Dynamic, 2> Equations::closure() const {
+  Eigen::Matrix<double, Eigen::Dynamic, 2> result(modes_.count(), 2);
+  result << moments(-sampled_.sine), moments(sampled_.cosine);
+  return result;
+}
+
+MatrixXd Equations::jacobian() const {
+  const Index n = modes_.count();
+  MatrixXd result = MatrixXd::Zero(n + 2, n + 2);
+  result.topLeftCorner(n, n) = hessian();
+  result.topRightCorner(n, 2) = -closure();
+  result.bottomLeftCorner(2, n) = result.topRightCorner(n, 2).transpose();
+  return result;
+}
+
+VectorXd Equations::along(const Hold& change) const {
+  const ArrayXd turned = change.startAngle + change.turning * modes_.nodes.array();
+  const ArrayXd left = 1 - modes_.nodes.array();
+  const ArrayXd loaded = left * (change.load.y() * sampled_.cosine - change.load.x() * sampled_.sine);
+  VectorXd result(modes_.count() + 2);
+  result << moments(sampled_.along * turned - loaded),
+      change.chord.x() + modes_.weights.dot((turned * sampled_.sine).matrix()),
+      change.chord.y() - modes_.weights.dot((turned * sampled_.cosine).matrix());
+  return result;
+}
+
+double Equations::energy() const {
+  const ArrayXd left = 1 - modes_.nodes.array();
+  return 0.5 * (hold_.turning * hold_.turning + shape_.coefficients.squaredNorm()) -
+         modes_.weights.dot(
+             (left * (hold_.load.x() * sampled_.cosine + hold_.load.y() * sampled_.sine)).matrix());
+}
+
+std::optional<Shape> settle(const Hold& hold, Shape shape, int iterations, double* contraction) {
+  constexpr double kLost = 1e3;       // no sensible coefficient is as large
+  constexpr double kStillGood = 0.1;  // of the step before: the factors serve once more
+  const Modes& modes = modesOf(shape.count());
+  std::optional<Eigen::PartialPivLU<MatrixXd>> factors;
+  double before = 0;
+  if (contraction) *contraction = 0;
+  for (int i = 0; i <= iterations; ++i) {
+    const Equations equations(modes, hold, shape);
+    const VectorXd residual = equations.residual();
+    // Rounding grows with the force.
+    const double size = 1 + shape.force.norm() + hold.load.norm();
+    if (residual.lpNorm<Eigen::Infinity>() < kAtRest * size) return shape;
+    if (i == iterations || detail::workExhausted()) break;
+    VectorXd step;
+    if (factors) step = factors->solve(residual);
+    if (!factors || !(step.head(shape.count()).norm() < kStillGood * before)) {
+      factors = equations.jacobian().partialPivLu();
+      step = factors->solve(residual);
+    }
+    const double length = step.head(shape.count()).norm();
+    if (!step.allFinite() || length > kLost) break;
+    if (contraction && i > 0 && before > kResolved) *contraction = std::max(*contraction, length / before);
+    before = length;
+    shape.coefficients -= step.head(shape.count());
+    shape.force -= step.tail<2>();
+  }
+  return {};
+}
+
+std::optional<Shape> refined(const Hold& hold, Shape shape, double carried) {
+  for (;;) {
+    const double last = shape.coefficients.tail(3).lpNorm<Eigen::Infinity>();
+    if (last < carried || shape.count() >= kMostModes) return shape;
+    const Index before = shape.count();
+    const Index finer = modesOf(before + 1).count();
+    shape.coefficients.conservativeResize(finer);
+    shape.coefficients.tail(finer - before).setZero();
+    std::optional<Shape> settled = settle(hold, shape, 12);
+    if (!settled) return {};
+    shape = std::move(*settled);
+  }
+}
+
+MatrixXd freeDirections(const Equations& equations) {
+  const Index n = equations.modes().count();
+  const Eigen::HouseholderQR<MatrixXd> qr(equations.closure());
+  MatrixXd free = MatrixXd::Zero(n, n - 2);
+  free.bottomRows(n - 2).setIdentity();
+  return qr.householderQ() * free;
+}
+
+MatrixXd reducedHessian(const Equations& equations) {
+  MatrixXd h = equations.hessian();
+  const Eigen::HouseholderQR<MatrixXd> qr(equations.closure());
+  h.applyOnTheLeft(qr.householderQ().adjoint());
+  h.applyOnTheRight(qr.householderQ());
+  const Index free = h.rows() - 2;
+  return h.bottomRightCorner(free, free);
+}
+
+bool isStable(const Equations& equations) { return reducedHessian(equations).llt().info() == Eigen::Success; }
+
+}  // namespace bw::heavy

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include <optional>
+
+#include "heavy/heavy_modes.h"
+
+namespace bw::heavy {
+
+/// What holds and loads a blade of length 1 and flexural rigidity 1.
+struct Hold {
+  Eigen::Vector2d chord = Eigen::Vector2d::UnitX();  ///< from the start to the end
+  double startAngle = 0;                             ///< rad
+  double turning = 0;                                ///< from the start tangent to the end tangent, rad
+  Eigen::Vector2d load = Eigen::Vector2d::Zero();    ///< w L³/EI, in the frame of the chord
+
+  friend Hold operator+(const Hold& a, const Hold& b) {
+    return {a.chord + b.chord, a.startAngle + b.startAngle, a.turning + b.turning, a.load + b.load};
+  }
+  friend Hold operator-(const Hold& a, const Hold& b) { return a + -1.0 * b; }
+  friend Hold operator*(double f, const Hold& a) {
+    return {f * a.chord, f * a.startAngle, f * a.turning, f * a.load};
+  }
+};
+
+/// The tangent angle startAngle + turning · s + Σ c_j φ_j(s), and the force that the end grip puts on the
+/// blade.
+struct Shape {
+  Eigen::VectorXd coefficients;
+  Eigen::Vector2d force = Eigen::Vector2d::Zero();
+
+  Eigen::Index count() const { return coefficients.size(); }
+  /// Coefficients and force as one vector, and back.
+  Eigen::VectorXd unknowns() const;
+  static Shape of(const Eigen::VectorXd& unknowns);
+};
+
+/// A shape at the nodes of its modes.
+struct Sampled {
+  Eigen::VectorXd angle;
+  Eigen::ArrayXd cosine, sine;
+  Eigen::ArrayXd along, across;  ///< the inner force n against the tangent and the normal
+};
+
+/// The equilibrium of a blade in its modes: with n(s) = force + (1 − s) load,
+///   c_j − ∫ n·t'(θ) φ_j = 0,  −∫ t(θ) + chord = 0,
+/// which are the stationary points of ½ ∫ θ'² − ∫ (1 − s) load·t with the ends held.
+class Equations {
+ public:
+  Equations(const Modes& modes, const Hold& hold, const Shape& shape);
+
+  /// By (c, force); what is left of both equations.
+  Eigen::VectorXd residual() const;
+  /// Its derivative by (c, force): symmetric.
+  Eigen::MatrixXd jacobian() const;
+  /// Its derivative along a change of the hold.
+  Eigen::VectorXd along(const Hold& change) const;
+  /// The second derivative of the energy by c, and the gradients of ∫ t.
+  Eigen::MatrixXd hessian() const;
+  Eigen::Matrix<double, Eigen::Dynamic, 2> closure() const;
+  /// ½ ∫ θ'² − ∫ (1 − s) load·t.
+  double energy() const;
+
+  const Sampled& sampled() const { return sampled_; }
+  const Shape& shape() const { return shape_; }
+  const Hold& hold() const { return hold_; }
+  const Modes& modes() const { return modes_; }
+
+ private:
+  /// ∫ f φ_j.
+  Eigen::VectorXd moments(const Eigen::ArrayXd& f) const;
+
+  const Modes& modes_;
+  Hold hold_;
+  Shape shape_;
+  Sampled sampled_;
+};
+
+/// How far a shape is from rest: largest component of the residual at which it counts as found. Forces are of
+/// the order of 40; it grows with them, as rounding does.
+inline constexpr double kAtRest = 1e-13;
+
+/// What the last modes of a shape carry, rad, that is followed, and of one that is told.
+inline constexpr double kResolved = 1e-6, kExact = 1e-9;
+
+/// Newton's method, factors kept while they serve; empty if it does not settle within `iterations`. The
+/// largest ratio of two steps, as long as they are more than kResolved, is put into `contraction`: well below
+/// one, the start is on the same branch.
+std::optional<Shape> settle(const Hold& hold, Shape shape, int iterations, double* contraction = nullptr);
+
+/// The shape in as many modes as it takes for the last ones to carry no more than that, kMostModes at most.
+/// Empty if Newton's method loses it.
+std::optional<Shape> refined(const Hold& hold, Shape shape, double carried);
+
+/// The second variation of the energy under the constraints, reduced to what they leave free, in the metric
+/// ∫ φ'².
+Eigen::MatrixXd reducedHessian(const Equations& equations);
+/// The orthonormal columns that the constraints leave free, as (coefficients × count − 2).
+Eigen::MatrixXd freeDirections(const Equations& equations);
+/// True if every small change of the shape costs energy.
+bool isStable(const Equations& equations);
+
+}  // namespace bw::heavy

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "heavy/heavy_margins.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "bw/core/base/units.h"
+
+namespace bw::heavy {
+
+using Eigen::ArrayXd;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+/// Total |κ| L below which the blade counts as straight, as of the weightless one.
+constexpr double kStraight = 1e-3;
+
+/// The smallest eigenvalue of a form against ∫ φ² where ∫ φ times some functions vanishes, over 4π².
+double smallest(const Modes& modes, const MatrixXd& form, const MatrixXd& constraints) {
+  const Eigen::HouseholderQR<MatrixXd> qr(constraints);
+  const Index free = modes.count() - constraints.cols();
+  const auto reduced = [&](MatrixXd matrix) -> MatrixXd {
+    matrix.applyOnTheLeft(qr.householderQ().adjoint());
+    matrix.applyOnTheRight(qr.householderQ());
+    return matrix.bottomRightCorner(free, free);
+  };
+  const MatrixXd mass = modes.values * modes.weights.asDiagonal() * modes.values.transpose();
+  // 1/λ are the largest: they keep their digits, those of the stiff modes need none.
+  const double shift = 4 * kPi * kPi * 64;
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(reduced(mass), reduced(form + shift * mass),
+                                                                  Eigen::EigenvaluesOnly | Eigen::Ax_lBx);
+  return (1 / solver.eigenvalues()(free - 1) - shift) / (4 * kPi * kPi);
+}
+
+}  // namespace
+
+Margins marginsOf(const Equations& equations, double torsionRatio) {
+  const Modes& modes = equations.modes();
+  const ArrayXd curvature =
+      (modes.slopes.transpose() * equations.shape().coefficients).array() + equations.hold().turning;
+  if (curvature.abs().maxCoeff() < kStraight) return {};
+  const auto moments = [&](const ArrayXd& f) -> VectorXd {
+    return modes.values * (modes.weights.array() * f).matrix();
+  };
+  MatrixXd outOfPlane = equations.hessian();
+  outOfPlane -= modes.values * (modes.weights.array() * curvature.square()).matrix().asDiagonal() *
+                modes.values.transpose();
+  const VectorXd coupling = moments(curvature);
+  outOfPlane += torsionRatio * coupling * coupling.transpose();
+  return {smallest(modes, equations.hessian(), equations.closure()),
+          smallest(modes, outOfPlane, moments(ArrayXd::Ones(modes.nodes.size())))};
+}
+
+MatrixXd movesOf(const Equations& equations) {
+  const Modes& modes = equations.modes();
+  const Index n = modes.count(), nodes = modes.nodes.size();
+  Hold changes[4];
+  for (Hold& change : changes) change = 0.0 * change;
+  changes[0].chord.x() = changes[1].chord.y() = 1;
+  changes[2].startAngle = changes[3].turning = 1;
+  changes[2].turning = -1;
+  MatrixXd right(n + 2, 4), turned(nodes, 4);
+  for (Index k = 0; k < 4; ++k) {
+    right.col(k) = -equations.along(changes[k]);
+    turned.col(k) = changes[k].startAngle + changes[k].turning * modes.nodes.array();
+  }
+  turned += modes.values.transpose() * equations.jacobian().partialPivLu().solve(right).topRows(n);
+  const Sampled& s = equations.sampled();
+  MatrixXd result(3 * nodes, 4);
+  result << -(modes.integral * (s.sine.matrix().asDiagonal() * turned)),
+      modes.integral * (s.cosine.matrix().asDiagonal() * turned), turned;
+  return result;
+}
+
+ClampedSensitivity sensitivityOf(const Equations& equations) {
+  const MatrixXd moves = movesOf(equations);
+  const Modes& modes = equations.modes();
+  const Index nodes = modes.nodes.size();
+  Eigen::Matrix4d positions = Eigen::Matrix4d::Zero();
+  Eigen::Matrix2d angles = Eigen::Matrix2d::Zero();
+  for (Index q = 0; q < nodes; ++q) {
+    Eigen::Matrix<double, 2, 4> moved;
+    moved << moves.row(q), moves.row(nodes + q);
+    Eigen::Matrix<double, 2, 4> both;
+    both << Eigen::Matrix2d::Identity() - moved.leftCols<2>(), moved.leftCols<2>();
+    positions += modes.weights(q) * both.transpose() * both;
+    angles += modes.weights(q) * moved.rightCols<2>().transpose() * moved.rightCols<2>();
+  }
+  const auto largest = [](const auto& gram) {
+    if (!gram.allFinite()) return std::numeric_limits<double>::infinity();
+    return std::sqrt(std::max(0.0, Eigen::SelfAdjointEigenSolver<MatrixXd>(gram).eigenvalues().maxCoeff()));
+  };
+  return {largest(positions), largest(angles)};
+}
+
+}  // namespace bw::heavy

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "bw/core/elastica/elastica_bvp.h"
+#include "bw/core/elastica/elastica_stability.h"
+#include "heavy/heavy_equations.h"
+
+namespace bw::heavy {
+
+struct Margins {
+  double inPlane = 1;
+  double outOfPlane = 1;
+};
+
+/// Both margins of an equilibrium, see elastica_stability.h.
+Margins marginsOf(const Equations& equations, double torsionRatio);
+
+/// How the curve of an equilibrium at its nodes changes with its grips, in lengths and rad: rows x and y of
+/// all nodes, then the angles; columns the end's x and y, then the angles of start and end. The start's
+/// places follow, since a blade that is moved as a whole keeps its shape. Not finite at a fold.
+Eigen::MatrixXd movesOf(const Equations& equations);
+
+/// How far the curve moves with its grips: per length and per radian, in lengths.
+ClampedSensitivity sensitivityOf(const Equations& equations);
+
+}  // namespace bw::heavy

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+namespace bw::heavy {
+
+/// What a blade of length 1 held at both ends can add to its tangent angle: φ_j(s) = ∫_0^s p_j with the
+/// orthonormal Legendre polynomials p_j of degree j = 1 … count on [0, 1]. They vanish at both ends, and
+/// ∫ φ_i' φ_j' = δ_ij. docs/mathematics.md, 9.
+struct Modes {
+  Eigen::VectorXd nodes, weights;  ///< of a Gauss rule on [0, 1], with more nodes than modes
+  Eigen::MatrixXd values;          ///< φ_j at node q in (j, q)
+  Eigen::MatrixXd slopes;          ///< φ_j' likewise
+  Eigen::MatrixXd polynomials;     ///< values at the nodes to the p_j, j = 0 …, of their interpolant
+  Eigen::MatrixXd integral;        ///< values at the nodes to their integrals from 0 to each node
+
+  Eigen::Index count() const { return values.rows(); }
+};
+
+/// At least `count` ≤ kMostModes of them. Computed once; safe from several threads.
+const Modes& modesOf(Eigen::Index count);
+inline constexpr Eigen::Index kModeCounts[] = {24, 32, 48, 64, 96, 192};
+inline constexpr Eigen::Index kMostModes = 192;
+
+/// p_0 … p_{n−1} at s in [0, 1].
+Eigen::VectorXd orthonormalLegendre(double s, Eigen::Index n);
+/// Their integrals from 0 to s.
+Eigen::VectorXd integratedLegendre(double s, Eigen::Index n);
+
+}  // namespace bw::heavy
