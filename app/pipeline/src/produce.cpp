@@ -9,8 +9,8 @@
 #include "bw/core/files/file_set.h"
 #include "bw/core/files/fingerprint.h"
 #include "bw/pipeline/run_identity.h"
-#include "bw/robotio/motion/program_plan.h"
 #include "bw/robotio/dialects.h"
+#include "bw/robotio/motion/program_plan.h"
 #include "make_files.h"
 
 namespace bw::pipeline {
