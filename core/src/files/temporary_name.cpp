@@ -10,10 +10,10 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <charconv>
 #include <chrono>
 #include <fstream>
 #include <optional>
-#include <regex>
 #include <string>
 #include <system_error>
 
@@ -48,19 +48,29 @@ const std::string& machineTag() {
 
 struct Writer {
   pid_t process = 0;
-  std::string tag;
+  std::string_view tag;
 };
 
-std::optional<Writer> writerOf(const std::string& name) {
-  static const std::regex form(R"(.+\.part-([1-9]\d{0,8})-([0-9a-f]{12})-\d+)");
-  std::smatch parts;
-  if (!std::regex_match(name, parts, form)) return std::nullopt;
-  return Writer{std::stoi(parts[1]), parts[2]};
+std::optional<Writer> writerOf(std::string_view name) {
+  const std::size_t at = name.rfind(kMark);
+  if (at == std::string_view::npos || at == 0) return std::nullopt;
+  const std::string_view rest = name.substr(at + kMark.size());
+  Writer writer;
+  const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), writer.process);
+  const std::size_t digits = std::size_t(end - rest.data());
+  if (error != std::errc{} || writer.process <= 0 || rest.size() < digits + 2 * kTag + 3) return std::nullopt;
+  writer.tag = rest.substr(digits + 1, 2 * kTag);
+  const std::string_view number = rest.substr(digits + 2 * kTag + 2);
+  if (rest[digits] != '-' || rest[digits + 2 * kTag + 1] != '-' ||
+      writer.tag.find_first_not_of("0123456789abcdef") != std::string_view::npos ||
+      number.find_first_not_of("0123456789") != std::string_view::npos)
+    return std::nullopt;
+  return writer;
 }
 
 bool isDead(const Writer& writer, const fs::path& file) {
-  const std::string& here = machineTag();
-  if (writer.tag.compare(0, kTag, here, 0, kTag) != 0) {
+  const std::string_view here = machineTag();
+  if (writer.tag.substr(0, kTag) != here.substr(0, kTag)) {
     std::error_code error;
     const auto written = fs::last_write_time(file, error);
     return !error && fs::file_time_type::clock::now() - written > kForeignAge;
@@ -89,7 +99,7 @@ fs::path temporaryName(const fs::path& target) {
   return name;
 }
 
-bool isTemporaryName(std::string_view name) { return writerOf(std::string(name)).has_value(); }
+bool isTemporaryName(std::string_view name) { return writerOf(name).has_value(); }
 
 fs::path placeOfTemporary(const fs::path& temporary) {
   const std::string name = temporary.filename().string();
