@@ -189,6 +189,36 @@ TEST(HeavyBlade, SnapsWhereItsWeightPushesItThrough) {
   EXPECT_LT(after->solutions[0].energy, before->solutions[0].energy);
 }
 
+TEST(HeavyBlade, BucklesToTheSideWhereItsWeightPulls) {
+  for (const double tilt : {0.0, 0.8, -2.5})
+    for (const double side : {1.0, -1.0}) {
+      HeavyProblem problem = arch(0);
+      const Eigen::Matrix2d turn = Eigen::Rotation2Dd(tilt).toRotationMatrix();
+      problem.grips.start = turn * problem.grips.start;
+      problem.grips.end = turn * problem.grips.end;
+      problem.grips.startAngle = problem.grips.endAngle = tilt;
+      problem.weight = turn * Vector2d(0.3 * kFlatWeight, side * kFlatWeight);
+      const Result<HeavyAnswer> answer = solveHeavy(problem);
+      ASSERT_TRUE(answer) << answer.error().message;
+      EXPECT_EQ(answer->kind, ClampedKind::buckling);
+      EXPECT_TRUE(answer->message.empty()) << answer->message;
+      const Vector2d middle = turn.transpose() * answer->solutions[0].blade.at(kLength / 2).point;
+      EXPECT_GT(side * middle.y(), 50) << tilt;
+      EXPECT_FALSE(answer->solutions[0].snapsAt);
+      EXPECT_LT(strayFrom(answer->solutions[0].blade), 1e-8);
+      const Result<HeavyAnswer> all = solveAllHeavy(problem);
+      ASSERT_TRUE(all);
+      EXPECT_NEAR(all->solutions[0].energy, answer->solutions[0].energy, 1e-6) << "the lowest there is";
+    }
+  const HeavyProblem along = [] {
+    HeavyProblem problem = arch(0);
+    problem.grips.startAngle = problem.grips.endAngle = 0;
+    problem.weight = {kFlatWeight, 0};
+    return problem;
+  }();
+  EXPECT_FALSE(solveHeavy(along)->message.empty()) << "both sides are as good";
+}
+
 TEST(HeavyBlade, IsHeldByABarrierThatItsWeightTakesAway) {
   ClampedOptions options;
   options.others = true;
@@ -240,6 +270,50 @@ TEST(HeavyBranch, StaysOnItsBranchUntilItEnds) {
   EXPECT_LT(end->reached, 0.95);
   EXPECT_GT(falling->blade().at(400).point.y(), 0) << "still the arch";
   EXPECT_LT(strayFrom(falling->blade()), 1e-7);
+}
+
+TEST(HeavyBranch, StridesEndWhereManySmallStepsDo) {
+  std::mt19937 random(23);
+  std::uniform_real_distribution<double> way(-1, 1);
+  int whole = 0, ended = 0;
+  for (int i = 0; i < 40; ++i) {
+    const HeavyProblem problem = heavyOf(randomGrips(random, 0.4), 2 * kFlatWeight);
+    const Result<HeavyAnswer> answer = solveHeavy(problem);
+    ASSERT_TRUE(answer) << answer.error().message;
+    Result<HeavyBranch> stride = HeavyBranch::from(problem, answer->solutions[0]);
+    if (!stride) continue;
+    HeavyBranch walk = *stride;
+    const Vector2d shift(0.15 * kLength * way(random), 0.15 * kLength * way(random));
+    const double turn = way(random);
+    const auto after = [&](double share) {
+      HeavyProblem next = problem;
+      next.grips.start += share * shift;
+      *next.grips.startAngle += share * turn;
+      return next;
+    };
+    if ((after(1).grips.end - after(1).grips.start).norm() > 0.97 * kLength) continue;
+    const Result<ClampedBranch::Move> moved = stride->moveTo(after(1));
+    ASSERT_TRUE(moved) << moved.error().message;
+    double reached = 1;
+    for (int step = 1; step <= 200 && reached == 1; ++step) {
+      const Result<ClampedBranch::Move> small = walk.moveTo(after(step / 200.0));
+      ASSERT_TRUE(small) << small.error().message;
+      if (small->snapped) reached = (step - 1 + small->reached) / 200;
+    }
+    EXPECT_EQ(moved->snapped, reached < 1) << i << ": " << reached;
+    if (moved->snapped) {
+      EXPECT_NEAR(moved->reached, reached, 1e-4) << i;
+      ++ended;
+      continue;
+    }
+    for (const double share : {0.25, 0.5, 0.8})
+      EXPECT_LT((stride->blade().at(share * kLength).point - walk.blade().at(share * kLength).point).norm(),
+                1e-6 * kLength)
+          << i;
+    ++whole;
+  }
+  EXPECT_GT(whole, 15);
+  EXPECT_GT(ended, 0);
 }
 
 TEST(HeavyBlade, MovesWithItsGripsAsDifferencesSay) {

@@ -29,6 +29,7 @@ constexpr Index kModesSearched = 96;   // loops tighter than a fortieth of the l
 constexpr int kMostFalls = 6;          // of one blade while its weight comes on
 constexpr double kPush = 0.02;         // rad: to either side of a shape that is not stable
 constexpr double kPastTheFold = 1e-7;  // of the way
+constexpr double kAsGood = 1e-12;      // of the energy: two mirror images are equally low
 
 /// A problem whose grips have been looked at, with the length and the flexural rigidity as units.
 struct Unit {
@@ -128,12 +129,18 @@ struct Sides {
   std::optional<Shape> first, second;
 };
 Sides fallFrom(const Hold& hold, const Shape& shape) {
-  const VectorXd soft = heavy::softest(Equations(modesOf(shape.count()), hold, shape)).direction;
+  const VectorXd soft = heavy::softest(Equations(modesOf(shape.count()), hold, shape));
   return {heavy::fall(hold, shape, kPush * soft), heavy::fall(hold, shape, -kPush * soft)};
 }
 
 double energyOf(const Hold& hold, const Shape& shape) {
   return Equations(modesOf(shape.count()), hold, shape).energy();
+}
+
+/// The mirror image in the chord of a shape without turning whose grips point along the chord.
+Shape mirrored(const Unit& unit, const Shape& shape) {
+  const Vector2d along = (unit.problem.grips.end - unit.problem.grips.start).stableNormalized();
+  return {-shape.coefficients, 2 * along.dot(shape.force) * along - shape.force};
 }
 
 /// The weightless shape with its weight on, and at which share it fell first.
@@ -282,17 +289,24 @@ Result<HeavyAnswer> solveHeavy(const HeavyProblem& problem, const ClampedOptions
   if (weightless->kind == ClampedKind::straight) return straightAnswer(problem, *weightless);
   const ClampedSolution& start = weightless->solutions.front();
   const double turning = start.turning;
-  const std::optional<Shape> shape = shapeOf(*unit, start, heavy::kMostModes);
+  std::optional<Shape> shape = shapeOf(*unit, start, heavy::kMostModes);
   if (!shape) return lost("without its weight");
+  HeavyAnswer answer;
+  answer.message = weightless->message;
+  if (weightless->kind == ClampedKind::buckling && turning == 0 && !options.initial) {
+    const Shape other = mirrored(*unit, *shape);
+    const double here = energyOf(unit->hold(turning), *shape), there = energyOf(unit->hold(turning), other);
+    if (there < here) shape = other;
+    // What it says of mirror images holds where the weight pulls along the chord alone.
+    if (std::abs(there - here) > kAsGood * (1 + std::abs(here))) answer.message.clear();
+  }
   Result<Weighed> weighed = weigh(*unit, turning, *shape);
   if (!weighed) return tl::unexpected<Error>(weighed.error());
   Result<HeavySolution> solution = describe(*unit, turning, weighed->shape);
   if (!solution) return tl::unexpected<Error>(solution.error());
   solution->snapsAt = weighed->snapsAt;
-  HeavyAnswer answer;
   answer.kind = weightless->kind;
   answer.movingSnapsAt = weightless->snapsAt;
-  answer.message = weightless->message;
   if (options.others) {
     const Result<ClampedAnswer> all = solveAllClamped(problem.grips, options);
     if (!all) return tl::unexpected<Error>(all.error());
@@ -362,21 +376,29 @@ Result<ClampedBranch::Move> HeavyBranch::moveTo(const HeavyProblem& next) {
                   numbers_.load * (squared * length)},
                  unit->hold(turning)};
   way.to.startAngle = startAngle;
-  const Shape before{numbers_.coefficients, numbers_.endForce * squared};
+  Shape before{numbers_.coefficients, numbers_.endForce * squared};
   double contraction = 0;
   std::optional<Shape> there = heavy::settle(way.to, before, kQuick, &contraction);
   ClampedBranch::Move move;
   Hold hold = way.to;
-  if (!there || contraction > kOneBranch ||
-      !heavy::isStable(Equations(modesOf(there->count()), way.to, *there))) {
-    const std::optional<heavy::Followed> followed = heavy::follow(way, before);
-    if (!followed) return lost("to its new grips");
-    there = followed->end.shape;
-    move = {followed->snapped, followed->end.part};
-    hold = way.at(followed->end.part);
+  if (there && contraction <= kOneBranch &&
+      heavy::isStable(Equations(modesOf(there->count()), way.to, *there))) {
+    there = heavy::refined(hold, *there, heavy::kExact);
+    if (!there) return lost("in finer modes");
+  } else {
+    for (there.reset(); !there;) {
+      const std::optional<heavy::Followed> followed = heavy::follow(way, before);
+      if (!followed) return lost("to its new grips");
+      move = {followed->snapped, followed->end.part};
+      hold = way.at(followed->end.part);
+      there = heavy::refined(hold, followed->end.shape, heavy::kExact);
+      if (there) break;
+      // In finer modes the branch ends a little earlier: once more in those.
+      const std::optional<Shape> finer = heavy::finer(way.from, before);
+      if (!finer) return lost("in finer modes");
+      before = *finer;
+    }
   }
-  there = heavy::refined(hold, *there, heavy::kExact);
-  if (!there) return lost("in finer modes");
   numbers_.start += move.reached * (next.grips.start - numbers_.start);
   end_ = numbers_.start + length * hold.chord;
   numbers_.startAngle = hold.startAngle;

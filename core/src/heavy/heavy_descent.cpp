@@ -49,9 +49,9 @@ void balance(const Modes& modes, const Hold& hold, Shape& shape) {
 
 }  // namespace
 
-Softest softest(const Equations& equations) {
+VectorXd softest(const Equations& equations) {
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(reducedHessian(equations));
-  return {freeDirections(equations) * eigen.eigenvectors().col(0), eigen.eigenvalues()(0)};
+  return freeDirections(equations) * eigen.eigenvectors().col(0);
 }
 
 std::optional<Shape> fall(const Hold& hold, const Shape& start, const VectorXd& push) {

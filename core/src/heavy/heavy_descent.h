@@ -13,12 +13,8 @@ namespace bw::heavy {
 /// the coefficients first. Empty if it finds none.
 std::optional<Shape> fall(const Hold& hold, const Shape& start, const Eigen::VectorXd& push);
 
-/// The change of the coefficients against which the blade resists least, of length 1, and how much: the
+/// The change of the coefficients against which the blade resists least, of length 1: the eigenvector of the
 /// smallest eigenvalue of `reducedHessian`.
-struct Softest {
-  Eigen::VectorXd direction;
-  double eigenvalue = 0;
-};
-Softest softest(const Equations& equations);
+Eigen::VectorXd softest(const Equations& equations);
 
 }  // namespace bw::heavy

@@ -19,14 +19,6 @@ using Eigen::MatrixXd;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 
-VectorXd Shape::unknowns() const {
-  VectorXd all(count() + 2);
-  all << coefficients, force;
-  return all;
-}
-
-Shape Shape::of(const VectorXd& unknowns) { return {unknowns.head(unknowns.size() - 2), unknowns.tail<2>()}; }
-
 Equations::Equations(const Modes& modes, const Hold& hold, const Shape& shape)
     : modes_(modes), hold_(hold), shape_(shape) {
   Sampled& s = sampled_;
@@ -125,18 +117,21 @@ std::optional<Shape> settle(const Hold& hold, Shape shape, int iterations, doubl
   return {};
 }
 
-std::optional<Shape> refined(const Hold& hold, Shape shape, double carried) {
-  for (;;) {
-    const double last = shape.coefficients.tail(3).lpNorm<Eigen::Infinity>();
-    if (last < carried || shape.count() >= kMostModes) return shape;
-    const Index before = shape.count();
-    const Index finer = modesOf(before + 1).count();
-    shape.coefficients.conservativeResize(finer);
-    shape.coefficients.tail(finer - before).setZero();
-    std::optional<Shape> settled = settle(hold, shape, 12);
-    if (!settled) return {};
-    shape = std::move(*settled);
-  }
+std::optional<Shape> finer(const Hold& hold, Shape shape) {
+  const Index before = shape.count();
+  if (before >= kMostModes) return {};
+  const Index more = modesOf(before + 1).count();
+  shape.coefficients.conservativeResize(more);
+  shape.coefficients.tail(more - before).setZero();
+  return settle(hold, shape, 12);
+}
+
+std::optional<Shape> refined(const Hold& hold, const Shape& shape, double carried) {
+  std::optional<Shape> result = shape;
+  while (result && result->coefficients.tail(3).lpNorm<Eigen::Infinity>() >= carried &&
+         result->count() < kMostModes)
+    result = finer(hold, *result);
+  return result;
 }
 
 MatrixXd freeDirections(const Equations& equations) {

@@ -33,9 +33,6 @@ struct Shape {
   Eigen::Vector2d force = Eigen::Vector2d::Zero();
 
   Eigen::Index count() const { return coefficients.size(); }
-  /// Coefficients and force as one vector, and back.
-  Eigen::VectorXd unknowns() const;
-  static Shape of(const Eigen::VectorXd& unknowns);
 };
 
 /// A shape at the nodes of its modes.
@@ -91,9 +88,11 @@ inline constexpr double kResolved = 1e-6, kExact = 1e-9;
 /// one, the start is on the same branch.
 std::optional<Shape> settle(const Hold& hold, Shape shape, int iterations, double* contraction = nullptr);
 
+/// The shape in the next number of modes. Empty at kMostModes, or if Newton's method loses it.
+std::optional<Shape> finer(const Hold& hold, Shape shape);
 /// The shape in as many modes as it takes for the last ones to carry no more than that, kMostModes at most.
 /// Empty if Newton's method loses it.
-std::optional<Shape> refined(const Hold& hold, Shape shape, double carried);
+std::optional<Shape> refined(const Hold& hold, const Shape& shape, double carried);
 
 /// The second variation of the energy under the constraints, reduced to what they leave free, in the metric
 /// ∫ φ'².

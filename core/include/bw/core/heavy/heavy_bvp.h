@@ -55,11 +55,11 @@ struct HeavyAnswer {
 
 /// The shape that the weightless blade of `solveClamped` with these options becomes as its weight comes on
 /// evenly. Where its branch ends it falls into another stable shape, and the way goes on from there. Where
-/// each shape has a mirror image as good, that one is taken on whose side the weight pulls. With
-/// `options.others` also the barrier and what else is stable, some ms more. Errors: those of `solveClamped`;
-/// badInput for a stiffness that is not above 0, a weight that is not finite or is more than w L³/EI = 2000,
-/// or a hinge; noSolution where a branch cannot be followed, or a blade is so taut that 192 modes do not
-/// resolve it. Accurate to 1e-8 of the length.
+/// each shape without turning has a mirror image as good (`buckling`), and no `initial` chooses, the one on
+/// whose side the weight pulls is taken. With `options.others` also the barrier and what else is stable, some
+/// ms more. Errors: those of `solveClamped`; badInput for a stiffness that is not above 0, a weight that is
+/// not finite or is more than w L³/EI = 2000, or a hinge; noSolution where a branch cannot be followed, or a
+/// blade is so taut that 192 modes do not resolve it. Accurate to 1e-8 of the length.
 Result<HeavyAnswer> solveHeavy(const HeavyProblem& problem, const ClampedOptions& options = {});
 
 /// All equilibria that a search finds: on the branches of all weightless ones (`solveAllClamped`) as the
