@@ -196,7 +196,7 @@ void addSections(const CadModel& model, FaceInfo& face, const RunContext& contex
   alone.stop = context.stop;
   alone.threads = 1;
   for (const Eigen::Vector3d& direction : {setup->block.frame.x, setup->block.frame.y}) {
-    setup->direction = direction;
+    setup->planes = PlaneFamily::across(setup->block, direction);
     const auto sections = cutSections(*target, *setup, {kAcross, {}}, alone, ignored);
     if (!sections) continue;
     FaceSections facts;

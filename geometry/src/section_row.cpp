@@ -270,10 +270,10 @@ Findings gathered(const Findings& each) {
 Result<void> SectionRow::place(const Target& target, const SectionRequest& request) {
   const auto range = rangeOf(target.impl(), planes_, sectioner_);
   if (!range) return tl::unexpected(range.error());
-  planes_.first = (*range)[0];
-  planes_.last = (*range)[1];
-  planes_.count = request.stations;
-  const double width = planes_.last - planes_.first;
+  first_ = (*range)[0];
+  last_ = (*range)[1];
+  count_ = request.stations;
+  const double width = last_ - first_;
   if (!request.spacing) return {};
   const double gaps = std::ceil(width / *request.spacing - kSameSize);
   if (gaps + 1 > SectionRequest::kMost) {
@@ -284,7 +284,7 @@ Result<void> SectionRow::place(const Target& target, const SectionRequest& reque
                     shortText(std::ceil(width / (SectionRequest::kMost - 1) * 100) / 100, 8) + " mm or more",
                 "stations", gaps + 1, SectionRequest::kMost);
   }
-  planes_.count = std::max(2, int(gaps) + 1);
+  count_ = std::max(2, int(gaps) + 1);
   return {};
 }
 

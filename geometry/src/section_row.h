@@ -51,21 +51,21 @@ class Sectioner {
   BlockWindow window_;
 };
 
-/// The planes of a row through a target, evenly spaced from the first to the last place where they meet it
-/// in the block.
+/// The row of planes of a family through a target, evenly spaced from the first to the last place where they
+/// meet it in the block. A plane is told by its number.
 class SectionRow {
  public:
   SectionRow(const Target& target, const Setup& setup)
-      : planes_(PlaneFamily::across(setup.block, setup.direction.normalized())),
-        sectioner_(target.impl(), setup.block, planes_) {}
+      : planes_(setup.planes), sectioner_(target.impl(), setup.block, planes_) {}
   SectionRow(const SectionRow&) = delete;  // the sectioner keeps a reference
 
   /// Finds where the row begins and ends, and how many planes it has: at first, and once.
   Result<void> place(const Target& target, const SectionRequest& request);
 
-  int count() const { return planes_.count; }
-  bool grazes(int i) const { return sectioner_.grazes(planes_.level(i)); }
-  SectionOutcome cut(int i, bool byKernel) const { return sectioner_.cut(planes_.level(i), i, byKernel); }
+  int count() const { return count_; }
+  double level(int i) const { return i + 1 == count_ ? last_ : first_ + (last_ - first_) * i / (count_ - 1); }
+  bool grazes(int i) const { return sectioner_.grazes(level(i)); }
+  SectionOutcome cut(int i, bool byKernel) const { return sectioner_.cut(level(i), i, byKernel); }
 
   Result<std::vector<SectionOutcome>> cutAll(bool byKernel, const RunContext& context) const {
     std::vector<SectionOutcome> outcomes(std::size_t(count()), SectionOutcome{});
@@ -82,6 +82,8 @@ class SectionRow {
  private:
   PlaneFamily planes_;
   Sectioner sectioner_;
+  double first_ = 0, last_ = 0;  ///< levels
+  int count_ = 0;
 };
 
 /// What is found about one station each, in the order of the row, as one finding a cause: for each stretch of

@@ -25,11 +25,10 @@ constexpr double kComparedEvery = 5;
 
 /// Whether setup and request can be followed at all.
 Result<void> checkInput(const Setup& setup, const SectionRequest& request) {
-  const double length = setup.direction.norm();
-  if (!std::isfinite(length) || length < kNoLength) {
+  const Frame& plane = setup.planes.frame;
+  if (!(std::abs(plane.normal.norm() - 1) < kNoLength) || !plane.x.allFinite() || !plane.y.allFinite())
     return fail(ErrorCode::badInput,
                 "the cutting direction is zero or not a number; give a vector such as 0, 1, 0", "direction");
-  }
   if (!setup.block.size.allFinite() || !(setup.block.size.minCoeff() > 0) ||
       !setup.block.frame.origin.allFinite() || !setup.block.frame.x.allFinite() ||
       !setup.block.frame.y.allFinite() || !setup.block.frame.normal.allFinite()) {

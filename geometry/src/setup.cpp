@@ -281,13 +281,11 @@ Result<Setup> resolveSetup(const Target& target, const SetupRequest& request, Fi
     } else {
       setup.block = autoBlock(target.impl());
     }
-    if (request.direction) {
-      setup.direction = request.direction->normalized();
-    } else {
-      setup.direction = longerSide(setup.block);
-    }
-    const double flat = std::abs(setup.direction.dot(setup.block.frame.normal));
-    if (flat > 0.7) findings.push_back({Severity::info, TravelAcross{}, {}, {TurnDirection{}}});
+    const Eigen::Vector3d direction =
+        request.direction ? request.direction->normalized() : longerSide(setup.block);
+    setup.planes = PlaneFamily::across(setup.block, direction);
+    if (std::abs(direction.dot(setup.block.frame.normal)) > 0.7)
+      findings.push_back({Severity::info, TravelAcross{}, {}, {TurnDirection{}}});
     return setup;
   });
 }

@@ -58,8 +58,8 @@ TEST(DirectionSearch, TakesTheWayAlongWhichTheBladeKeepsItsShape) {
   ASSERT_TRUE(found.cut().directions.value);
   const DirectionSearch& search = *found.cut().directions.value;
   EXPECT_GT(search.chosen, 0u);
-  EXPECT_NEAR(std::abs(found.cut().setup->direction.y()), 1, 1e-9);
-  EXPECT_EQ(found.cut().sweep.value->direction, search.trials[search.chosen].direction);
+  EXPECT_NEAR(std::abs(found.cut().setup->planes.direction().y()), 1, 1e-9);
+  EXPECT_EQ(found.cut().sweep.value->planes.direction(), search.trials[search.chosen].direction);
   const double angle = found.cut().analysis.value->summary.angleMax;
   EXPECT_LT(angle, fromDegrees(1));
   // The longer side, which was taken before, is worse as it was told to be.
@@ -117,9 +117,10 @@ TEST(DirectionSearch, IsNotDoneAgainForOtherStations) {
   design.cut().direction = Eigen::Vector3d::UnitX();
   const Evaluation given = evaluated(design, &second);
   EXPECT_FALSE(given.cut().directions.value);
-  EXPECT_EQ(given.cut().sweep.value->direction, Eigen::Vector3d::UnitX());
+  EXPECT_EQ(given.cut().sweep.value->planes.direction(), Eigen::Vector3d::UnitX());
   design.cut().direction.reset();
-  EXPECT_EQ(evaluated(design, &given).cut().sweep.value->direction, first.cut().sweep.value->direction);
+  EXPECT_EQ(evaluated(design, &given).cut().sweep.value->planes.direction(),
+            first.cut().sweep.value->planes.direction());
 }
 
 TEST(DirectionSearch, ReportListsWhatWasTried) {

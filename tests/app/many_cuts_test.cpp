@@ -48,8 +48,8 @@ TEST(ManyCuts, AreEvaluatedEachInItsBlock) {
   EXPECT_EQ(across.id, "across");
   EXPECT_EQ(e.blocks[1].id, "small");
   ASSERT_TRUE(along.result() && across.result() && part.result());
-  EXPECT_EQ(along.result()->sweep.direction, Eigen::Vector3d::UnitY());
-  EXPECT_EQ(across.result()->sweep.direction, Eigen::Vector3d::UnitX());
+  EXPECT_EQ(along.result()->sweep.planes.direction(), Eigen::Vector3d::UnitY());
+  EXPECT_EQ(across.result()->sweep.planes.direction(), Eigen::Vector3d::UnitX());
   EXPECT_LT((across.setup->block.frame.origin - along.setup->block.frame.origin).norm(), 1e-9)
       << "one block, where the first cut put it";
   EXPECT_LT(part.result()->motion.duration(), 0.7 * along.result()->motion.duration());

@@ -66,7 +66,7 @@ void panelFits(benchmark::State& state) {
   for (auto _ : state) {
     Findings findings;
     const Result<Sweep> sweep = buildSweep(*e.cut().sections.value, e.cut().sweep.request.fit,
-                                           e.cut().setup->block, e.cut().setup->direction, {}, findings);
+                                           e.cut().setup->block, e.cut().setup->planes, {}, findings);
     if (!sweep) return state.SkipWithError(sweep.error().message.c_str());
   }
 }

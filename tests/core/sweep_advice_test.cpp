@@ -30,8 +30,9 @@ template <class Height>
 Tried run(const test::RowSettings& settings, double half, Height height) {
   Tried result;
   const Box block = test::blockUnder(half, 80, -2 * half, 2 * half);
-  result.sweep = buildSweep(test::sectionsOf(9, 10, [&](int) { return test::graphCurve(half, height); }),
-                            settings, block, -Eigen::Vector3d::UnitY(), {}, result.findings);
+  result.sweep =
+      buildSweep(test::sectionsOf(9, 10, [&](int) { return test::graphCurve(half, height); }), settings,
+                 block, PlaneFamily::across(block, -Eigen::Vector3d::UnitY()), {}, result.findings);
   if (!result.sweep) return result;
   const Result<SweepAnalysis> analysis =
       test::analysisOf(*result.sweep, settings, test::GraphSampler<Height>(half, height), {});
@@ -167,12 +168,12 @@ TEST(Advice, GentleSectionsAreNeverTooTight) {
   // Arcs at the limit of the blade, within it by 2 %, up to a third of a turn.
   test::RowSettings settings;
   settings.blade = bladeOfRadius(200, 900);
+  const Box block = test::blockUnder(204, 80, 0, 204);
   for (const double turn : {0.2, 0.6, 1.0}) {
     Findings findings;
     const auto arc = [&](int) { return test::arc({0, 0}, 204, kPi / 2 + turn, kPi / 2 - turn); };
-    Result<Sweep> sweep =
-        buildSweep(test::sectionsOf(9, 10, arc), settings, test::blockUnder(204, 80, 0, 204),
-                   -Eigen::Vector3d::UnitY(), {}, findings);
+    Result<Sweep> sweep = buildSweep(test::sectionsOf(9, 10, arc), settings, block,
+                                     PlaneFamily::across(block, -Eigen::Vector3d::UnitY()), {}, findings);
     ASSERT_TRUE(sweep);
     const Result<SweepAnalysis> analysis =
         test::analysisOf(*sweep, settings, test::PlaneSampler(Eigen::Vector3d::UnitZ()), {});

@@ -62,7 +62,8 @@ double largestSwing(const Sweep& sweep) {
 
 Result<Sweep> sweepOf(const std::vector<Section>& sections, const test::RowSettings& settings,
                       Findings& findings) {
-  return buildSweep(sections, settings, block(), Eigen::Vector3d::UnitY(), {}, findings);
+  return buildSweep(sections, settings, block(), PlaneFamily::across(block(), Eigen::Vector3d::UnitY()), {},
+                    findings);
 }
 
 const Finding* swingOf(const Findings& findings) { return test::findingOf<EndsSwing>(findings); }

@@ -27,9 +27,10 @@ SweepAnalysis analysed(const Sweep& sweep, const test::RowSettings& settings, co
 
 Sweep planeSweep(int stations, const test::RowSettings& settings, const std::function<double(int)>& height) {
   Findings findings;
+  const Box block = test::blockUnder(200, stations, -50, 50);
   Result<Sweep> sweep =
-      buildSweep(test::sectionsOf(stations, 1.0, [&](int i) { return level(height(i)); }), settings,
-                 test::blockUnder(200, stations, -50, 50), -Eigen::Vector3d::UnitY(), {}, findings);
+      buildSweep(test::sectionsOf(stations, 1.0, [&](int i) { return level(height(i)); }), settings, block,
+                 PlaneFamily::across(block, -Eigen::Vector3d::UnitY()), {}, findings);
   EXPECT_TRUE(sweep) << sweep.error().message;
   return std::move(*sweep);
 }

@@ -38,7 +38,7 @@ Box sphereBlock() {
 
 Result<Sweep> sphereSweep(const test::RowSettings& settings, int stations, Findings& findings) {
   return buildSweep(test::sphereSections(kRadius, kHalfWidth, evenTravel(stations)), settings, sphereBlock(),
-                    -Eigen::Vector3d::UnitY(), {}, findings);
+                    PlaneFamily::across(sphereBlock(), -Eigen::Vector3d::UnitY()), {}, findings);
 }
 
 }  // namespace
@@ -237,7 +237,8 @@ Analysed analysed(const std::vector<Section>& sections, const test::RowSettings&
                   const SurfaceSampler& target) {
   Findings findings;
   Result<Sweep> sweep =
-      buildSweep(sections, settings, sphereBlock(), -Eigen::Vector3d::UnitY(), {}, findings);
+      buildSweep(sections, settings, sphereBlock(),
+                 PlaneFamily::across(sphereBlock(), -Eigen::Vector3d::UnitY()), {}, findings);
   EXPECT_TRUE(sweep) << sweep.error().message;
   Result<SweepAnalysis> analysis = test::analysisOf(*sweep, settings, target, {});
   EXPECT_TRUE(analysis) << analysis.error().message;
@@ -503,16 +504,16 @@ TEST(Motion, EndsFollowTheTcpConvention) {
                           r = R_WB * right.rotation.toRotationMatrix();
     EXPECT_LT((l.col(0) - station.leftTangent()).norm(), 1e-12);
     EXPECT_LT((r.col(0) + station.rightTangent()).norm(), 1e-12);
-    EXPECT_LT((l.col(2) - sweep->direction).norm(), 1e-12);
-    EXPECT_LT((r.col(2) - sweep->direction).norm(), 1e-12);
+    EXPECT_LT((l.col(2) - sweep->planes.direction()).norm(), 1e-12);
+    EXPECT_LT((r.col(2) - sweep->planes.direction()).norm(), 1e-12);
     EXPECT_LT((block.frame.toWorld(left.position.head<2>(), left.position.z()) - station.leftPoint()).norm(),
               1e-9);
     EXPECT_NEAR(l.determinant(), 1, 1e-12);
     EXPECT_GE(left.rotation.dot(motion->instants[i - 1].poses[0].rotation), 0);
   }
   ASSERT_TRUE(motion->approach && motion->retreat);
-  EXPECT_LT((R_WB * *motion->approach - sweep->direction).norm(), 1e-12) << "in the block frame";
-  EXPECT_LT((R_WB * *motion->retreat - sweep->direction).norm(), 1e-12);
+  EXPECT_LT((R_WB * *motion->approach - sweep->planes.direction()).norm(), 1e-12) << "in the block frame";
+  EXPECT_LT((R_WB * *motion->retreat - sweep->planes.direction()).norm(), 1e-12);
 }
 
 TEST(Motion, RefusesImpossibleSpeeds) {
@@ -563,8 +564,9 @@ TEST(Sweep, BladeHoldsAlsoBeyondTheSection) {
   test::RowSettings settings;
   settings.tolerance = 2;
   Findings findings;
-  const Result<Sweep> sweep = buildSweep(nearlyStraightSections(0.6), settings, sphereBlock(),
-                                         Eigen::Vector3d::UnitY(), {}, findings);
+  const Result<Sweep> sweep =
+      buildSweep(nearlyStraightSections(0.6), settings, sphereBlock(),
+                 PlaneFamily::across(sphereBlock(), Eigen::Vector3d::UnitY()), {}, findings);
   ASSERT_TRUE(sweep) << sweep.error().message;
   const Result<FitResult> free = fitElastica(sweep->fits.front().target);
   ASSERT_TRUE(free);
@@ -592,7 +594,8 @@ TEST(Sweep, BladeHoldsOnSectionsMuchShorterThanItself) {
   const auto corner =
       equalSections([](double x) { return 0.05 * std::sin(0.3 * x) + 0.1 * std::sin(0.1 * x); }, 10);
   const Result<Sweep> sweep =
-      buildSweep(corner, settings, sphereBlock(), Eigen::Vector3d::UnitY(), {}, findings);
+      buildSweep(corner, settings, sphereBlock(),
+                 PlaneFamily::across(sphereBlock(), Eigen::Vector3d::UnitY()), {}, findings);
   ASSERT_TRUE(sweep) << sweep.error().message;
   for (std::size_t i = 0; i < sweep->poses.size(); ++i) {
     EXPECT_LE(sweep->poses[i].blade.maxCurvature(), settings.blade.maxCurvature() * (1 + 1e-9));
@@ -613,7 +616,8 @@ TEST(Sweep, BladesHeldBackComeToRestAtTheirRadius) {
     round.back().index = i;
   }
   const Result<Sweep> sweep =
-      buildSweep(round, settings, sphereBlock(), Eigen::Vector3d::UnitY(), {}, findings);
+      buildSweep(round, settings, sphereBlock(), PlaneFamily::across(sphereBlock(), Eigen::Vector3d::UnitY()),
+                 {}, findings);
   ASSERT_TRUE(sweep) << sweep.error().message;
   EXPECT_TRUE(findings.empty());
   for (std::size_t i = 0; i < sweep->poses.size(); ++i) {
@@ -636,7 +640,8 @@ TEST(SweepAnalysis, TellsHowLongARoundBladeStaysInItsPlane) {
     settings.blade.thickness = 1;
     Findings findings;
     Result<Sweep> sweep =
-        buildSweep(bulgeSections(), settings, sphereBlock(), Eigen::Vector3d::UnitY(), {}, findings);
+        buildSweep(bulgeSections(), settings, sphereBlock(),
+                   PlaneFamily::across(sphereBlock(), Eigen::Vector3d::UnitY()), {}, findings);
     EXPECT_TRUE(sweep);
     const Result<SweepAnalysis> analysis =
         test::analysisOf(*sweep, settings, test::SphereSampler(kRadius), {});

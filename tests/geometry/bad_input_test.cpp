@@ -157,7 +157,7 @@ TEST(BadSetup, ZeroOrInfiniteDirectionIsRefused) {
     Findings findings;
     expectError(resolveSetup(target, settings, findings), ErrorCode::badInput, "direction");
     auto setup = resolveSetup(target, CutSettings{}, findings).value();
-    setup.direction = d;
+    setup.planes = PlaneFamily::across(setup.block, d);
     expectError(cutSections(target, setup, settings, {}, findings), ErrorCode::badInput, "direction");
   }
 }

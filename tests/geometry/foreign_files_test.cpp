@@ -124,7 +124,7 @@ TEST_F(ForeignFiles, TerrainThroughABlockPlacedInIt) {
   CutSettings settings;
   settings.block = BlockPlacement{{84500, 84000, 10000}, {1200, 800, 500}, {0, 0, 0}};
   const Cut cut = cutOf(target, settings);
-  EXPECT_NEAR((cut.setup.direction - Eigen::Vector3d::UnitX()).norm(), 0, 1e-12);
+  EXPECT_NEAR((cut.setup.planes.direction() - Eigen::Vector3d::UnitX()).norm(), 0, 1e-12);
   ASSERT_EQ(cut.sections.size(), 60u);
   EXPECT_NEAR(cut.sections.front().travel, 0.12, 1e-6);
   EXPECT_NEAR(cut.sections.back().travel, 1199.88, 1e-6);

@@ -85,7 +85,7 @@ TEST(Sections, FramesAreParallelRightHandedAndOnTheirPlane) {
     EXPECT_NEAR((s.frame.x + Eigen::Vector3d::UnitX()).norm(), 0, 1e-12);
     EXPECT_NEAR((s.frame.y - Eigen::Vector3d::UnitZ()).norm(), 0, 1e-12);
     EXPECT_NEAR((s.frame.x.cross(s.frame.y) - s.frame.normal).norm(), 0, 1e-12) << "normal is x × y";
-    EXPECT_NEAR((s.frame.normal - cut.setup.direction).norm(), 0, 1e-12);
+    EXPECT_NEAR((s.frame.normal - cut.setup.planes.direction()).norm(), 0, 1e-12);
     EXPECT_NEAR((s.frame.origin - cut.setup.block.frame.origin).norm(), std::abs(s.travel), 1e-9);
     EXPECT_GT(s.curve().value(s.curve().end()).x(), s.curve().value(s.curve().start()).x());
   }
@@ -118,7 +118,7 @@ TEST(Sections, AgainstTheDirectionAreTheMirrorImage) {
   CutSettings settings;
   settings.stations = 7;
   const Cut there = cutOf(target, settings);
-  settings.direction = -there.setup.direction;
+  settings.direction = -there.setup.planes.direction();
   const Cut back = cutOf(target, settings);
   ASSERT_EQ(back.sections.size(), there.sections.size());
   EXPECT_GT(back.sections.front().travel, 0);
@@ -150,11 +150,11 @@ TEST(Sections, MoveWithTheTarget) {
   auto setup = resolveSetup(a, settings, findings).value();
   const auto first = cutSections(a, setup, settings, {}, findings);
   auto moved = setup;
-  moved.direction = R * setup.direction;
   moved.block.frame.origin = R * setup.block.frame.origin + shift;
   moved.block.frame.x = R * setup.block.frame.x;
   moved.block.frame.y = R * setup.block.frame.y;
   moved.block.frame.normal = R * setup.block.frame.normal;
+  moved.planes = PlaneFamily::across(moved.block, R * setup.planes.direction());
   const auto second = cutSections(b, moved, settings, {}, findings);
   ASSERT_TRUE(first && second);
   ASSERT_EQ(first->size(), second->size());

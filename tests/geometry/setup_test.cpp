@@ -32,7 +32,7 @@ TEST(AutoBlock, OfThePanelIsItsBaseWithAMarginBelowAndAbove) {
   EXPECT_NEAR(setup.block.size.x(), 600, 1e-6);
   EXPECT_NEAR(setup.block.size.y(), 670, 1e-6);
   EXPECT_NEAR(setup.block.size.z(), target.bounds().size().z() + 10, 1e-6);
-  EXPECT_NEAR((setup.direction - Eigen::Vector3d::UnitY()).norm(), 0, 1e-12);
+  EXPECT_NEAR((setup.planes.direction() - Eigen::Vector3d::UnitY()).norm(), 0, 1e-12);
 }
 
 TEST(AutoBlock, HoldsEveryExample) {
@@ -46,7 +46,7 @@ TEST(AutoBlock, HoldsEveryExample) {
         EXPECT_TRUE(((setup.block.frame.toLocal(p).array() - half).abs() <= half + 1e-3).all()) << e.name;
       }
     }
-    EXPECT_NEAR(setup.direction.norm(), 1, 1e-12);
+    EXPECT_NEAR(setup.planes.direction().norm(), 1, 1e-12);
   }
 }
 
@@ -63,7 +63,7 @@ TEST(AutoBlock, TurnsWithATiltedSheet) {
   const auto setup = setupOf(target);
   expectFrame(setup.block.frame);
   EXPECT_NEAR(setup.block.frame.normal.dot(R.col(2)), 1, 1e-3);
-  EXPECT_NEAR(std::abs(setup.direction.dot(R.col(0))), 1, 1e-3);
+  EXPECT_NEAR(std::abs(setup.planes.direction().dot(R.col(0))), 1, 1e-3);
   EXPECT_NEAR(setup.block.size.maxCoeff(), 700, 1);
 }
 
@@ -79,7 +79,7 @@ TEST(AutoBlock, OfTheTurnedPanelIsThatOfThePanelTurned) {
   const auto setup = setupOf(target);
   expectFrame(setup.block.frame);
   EXPECT_GT(setup.block.frame.normal.dot(R.col(2)), std::cos(fromDegrees(0.5)));
-  EXPECT_GT(std::abs(setup.direction.dot(R * level.direction)), std::cos(fromDegrees(0.5)));
+  EXPECT_GT(std::abs(setup.planes.direction().dot(R * level.planes.direction())), std::cos(fromDegrees(0.5)));
   EXPECT_NEAR(setup.block.size.minCoeff(), level.block.size.minCoeff(), 6);
   EXPECT_NEAR(setup.block.size.maxCoeff(), level.block.size.maxCoeff(), 6);
 }
@@ -97,7 +97,7 @@ TEST(AutoBlock, TakesAStripThatBendsRound) {
     return Eigen::Vector3d(200 * std::cos(a), 900 * v, 200 * std::sin(a));
   }));
   const auto setup = setupOf(target);
-  EXPECT_NEAR(std::abs(setup.direction.y()), 1, 1e-6);
+  EXPECT_NEAR(std::abs(setup.planes.direction().y()), 1, 1e-6);
   EXPECT_NEAR(setup.block.frame.normal.z(), 1, 1e-6);
 }
 
@@ -110,14 +110,15 @@ TEST(GivenBlock, IsTakenAsItStands) {
       setup.block.frame.x.dot(Eigen::Vector3d(std::cos(fromDegrees(30)), std::sin(fromDegrees(30)), 0)), 1,
       1e-12);
   // "auto": along the longer side.
-  EXPECT_NEAR((setup.direction - setup.block.frame.y).norm(), 0, 1e-12);
+  EXPECT_NEAR((setup.planes.direction() - setup.block.frame.y).norm(), 0, 1e-12);
 }
 
 TEST(GivenDirection, IsNormalised) {
   CutSettings settings;
   settings.direction = Eigen::Vector3d(3, 4, 0);
-  EXPECT_NEAR((setupOf(exampleTarget("saddle"), settings).direction - Eigen::Vector3d(0.6, 0.8, 0)).norm(), 0,
-              1e-15);
+  EXPECT_NEAR(
+      (setupOf(exampleTarget("saddle"), settings).planes.direction() - Eigen::Vector3d(0.6, 0.8, 0)).norm(),
+      0, 1e-15);
 }
 
 TEST(GivenDirection, ThroughTheSurfaceIsMentioned) {

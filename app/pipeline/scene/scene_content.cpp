@@ -27,7 +27,7 @@ scene::Content sceneContent(const Evaluation& evaluation) {
              evaluation.design.stock[std::size_t(b)].placement)
       content.add({b}, evaluation.design.stock[std::size_t(b)]
                            .placement->box());  // it misses the surface: shown where it was put
-    if (setup) content.add({b}, scene::Travel{setup->direction});
+    if (setup) content.add({b}, scene::Travel{setup->planes.direction()});
     for (int c = 0; c < int(block.cuts.size()); ++c) {
       const std::optional<CutResult> result = block.cuts[std::size_t(c)].result();
       if (!result) continue;

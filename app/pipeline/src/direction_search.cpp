@@ -36,11 +36,12 @@ DirectionTrial tried(const geometry::Target& target, const RowRequest& request,
     return trial;
   };
   const Box& block = request.setup.block;
+  const PlaneFamily planes = PlaneFamily::across(block, along.direction);
   Findings ignored;
   const Result<std::vector<Section>> sections =
-      geometry::cutSections(target, {block, along.direction}, {kStations, {}}, context, ignored);
+      geometry::cutSections(target, {block, planes}, {kStations, {}}, context, ignored);
   if (!sections) return failed(sections.error());
-  const Result<Sweep> sweep = buildSweep(*sections, request.fit, block, along.direction, context, ignored);
+  const Result<Sweep> sweep = buildSweep(*sections, request.fit, block, planes, context, ignored);
   if (!sweep) return failed(sweep.error());
   const Result<SweepCheck> check =
       checkSweep(*sweep, {request.fit.tolerance, request.fit.clearance}, context);

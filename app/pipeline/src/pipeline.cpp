@@ -128,8 +128,9 @@ Result<void> place(const CutWork& work, const std::shared_ptr<const CadSource>& 
                    });
   if (!ok) return ok;
   const DirectionSearch& search = *e.directions.value;
+  const Box& block = e.placed.value->block;
   e.setup = std::make_shared<const geometry::Setup>(
-      geometry::Setup{e.placed.value->block, search.trials[search.chosen].direction});
+      geometry::Setup{block, PlaneFamily::across(block, search.trials[search.chosen].direction)});
   return work.unlessStopped();
 }
 
@@ -162,7 +163,7 @@ Result<void> fit(const CutWork& work) {
   ok = work.settle(&CutEvaluation::sweep, {*e.setup, fitRequest(work.design)}, {row}, none,
                    [&work, &sections](const RowRequest& request, Findings& findings) {
                      work.context.report(0.6, "fitting");
-                     return buildSweep(sections, request.fit, request.setup.block, request.setup.direction,
+                     return buildSweep(sections, request.fit, request.setup.block, request.setup.planes,
                                        work.context.child(0.6, 0.75), findings, &work.seconds.fit,
                                        &work.seconds.extend);
                    });

@@ -107,7 +107,7 @@ std::string reportJson(const Evaluation& e, const std::string& run, const FileSe
                      {"flexural_rigidity_Nmm2", design.blade.flexuralRigidity()}};
   ordered_json method;
   method["planes"] = "parallel";
-  if (cut.setup) method["direction"] = vec(cut.setup->direction);
+  if (cut.setup) method["direction"] = vec(cut.setup->planes.direction());
   method["fit"] = {{"length", design.process.fitLength == FitOptions::Length::exact ? "exact" : "free"},
                    {"endpoints", design.process.fitEndpoints},
                    {"tangents", design.process.fitTangents},

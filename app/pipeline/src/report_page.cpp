@@ -141,7 +141,7 @@ void parameters(Page& page, const Evaluation& e) {
     page.row({"Corner of the block, in the file's frame", position(block.frame.origin)});
     page.row({"Edges of the block: x", direction(block.frame.x)});
     page.row({"Edges of the block: y", direction(block.frame.y)});
-    page.row({"Cutting direction", direction(e.cut().setup->direction)});
+    page.row({"Cutting direction", direction(e.cut().setup->planes.direction())});
   }
   if (e.cut().analysis.value) page.row({"Stations", std::to_string(e.cut().sweep.value->poses.size())});
   page.row({"Cutting speed of the fastest point", shortText(design.process.cuttingSpeed, 4) + " mm/s"});

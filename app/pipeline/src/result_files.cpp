@@ -119,7 +119,7 @@ std::string sweepJson(const Evaluation& e, const std::string& run) {
   object["unit"] = "mm";
   object["points_per_station"] = kSweepPoints;
   object["blade_length"] = result.sweep.request.blade.length;
-  object["direction"] = vec(result.sweep.direction);
+  object["direction"] = vec(result.sweep.planes.direction());
   ordered_json stations = ordered_json::array();
   const std::vector<MotionInstant>& instants = result.motion.instants;
   std::size_t at = 0;

@@ -41,7 +41,7 @@ Result<Motion> buildMotion(const Sweep& sweep, const MotionRequest& request) {
     return fail(ErrorCode::badInput, "a motion needs at least two stations", "stations",
                 double(sweep.poses.size()), 2.0);
   const Frame& frame = sweep.block.frame;
-  const Eigen::Vector3d& d = sweep.direction;
+  const Eigen::Vector3d& d = sweep.planes.direction();
   const Eigen::Vector3d ahead(d.dot(frame.x), d.dot(frame.y), d.dot(frame.normal));
   Motion motion{sweep.block, sweep.request.blade.length, cuttingSpeed, ahead, ahead};
   std::vector<double> arcs(kSpeedSamples);

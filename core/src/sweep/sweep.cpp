@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "bw/core/sweep/blade_pose.h"
-#include "bw/core/sweep/plane_family.h"
 #include "bw/core/text/number_text.h"
 #include "sweep/remedies.h"
 #include "sweep/station_fit.h"
@@ -136,7 +135,7 @@ Result<std::vector<StationFit>> fitRow(const std::vector<Section>& sections, con
 }  // namespace
 
 Result<Sweep> buildSweep(const std::vector<Section>& all, const FitRequest& request, const Box& block,
-                         const Eigen::Vector3d& direction, const RunContext& context, Findings& findings,
+                         const PlaneFamily& planes, const RunContext& context, Findings& findings,
                          double* fitSeconds, double* extendSeconds) {
   using Clock = std::chrono::steady_clock;
   std::vector<Section> sections;
@@ -146,7 +145,7 @@ Result<Sweep> buildSweep(const std::vector<Section>& all, const FitRequest& requ
                 "there are no sections to fit; place the block so that it meets the target", "sections", 0.0,
                 1.0);
   const auto fitStart = Clock::now();
-  Sweep sweep{block, direction, request, {}, {}};
+  Sweep sweep{block, planes, request, {}, {}};
   Result<std::vector<StationFit>> fits = fitRow(sections, request, context);
   if (!fits) return tl::unexpected<Error>(fits.error());
   sweep.fits = std::move(*fits);

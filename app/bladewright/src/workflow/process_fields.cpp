@@ -76,7 +76,7 @@ void ProcessFields::addDirection(FormColumn* column) {
   direction_->addItems({tr("Automatic"), "X", "Y", "Z", tr("Vector")});
   connect(direction_, &QComboBox::activated, this, [this](int index) {
     Eigen::Vector3d now = Eigen::Vector3d::UnitY();
-    if (const auto* cut = bench_.shownCut(); cut && cut->setup) now = cut->setup->direction;
+    if (const auto* cut = bench_.shownCut(); cut && cut->setup) now = cut->setup->planes.direction();
     if (bench_.cut().direction) now = *bench_.cut().direction;
     vectorChosen_ = index == 4;
     bench_.editCut(tr("Change direction"), [=](Cut& cut) {

@@ -12,16 +12,17 @@
 #include "bw/core/base/frame.h"
 #include "bw/core/base/result.h"
 #include "bw/core/base/run_context.h"
+#include "bw/core/sweep/plane_family.h"
 #include "bw/core/sweep/section_request.h"
 #include "bw/core/sweep/sweep.h"
 #include "bw/geometry/cad_model.h"
 
 namespace bw::geometry {
 
-/// How the target lies in its block, and which way the blade goes.
+/// How the target lies in its block, and the planes in which the blade goes through it.
 struct Setup {
   Box block;  ///< z (frame.normal) is the side from which the surface is looked at
-  Eigen::Vector3d direction = Eigen::Vector3d::UnitY();  ///< unit cutting direction
+  PlaneFamily planes;
   bool operator==(const Setup&) const = default;
 };
 
@@ -49,7 +50,7 @@ struct NamedDirection {
 /// base, the axes of the file, and the height of the block.
 std::vector<NamedDirection> directionsToTry(const Target& target, const Box& block);
 
-/// Intersects the target with parallel planes across `setup.direction`, from the first to the last place
+/// Intersects the target with parallel planes of `setup.planes`, from the first to the last place
 /// inside block and target. Each section is cleaned (tiny spurious oscillation, duplicate knots), chained
 /// over the faces, trimmed to the block, and converted to a planar curve; all run the same way (towards +x of
 /// their frames) and all frames are parallel (x: horizontal in the block where possible, y: towards the outer

@@ -15,6 +15,7 @@
 #include "bw/core/fit/elastica_fit.h"
 #include "bw/core/motion/motion.h"
 #include "bw/core/sweep/blade_pose.h"
+#include "bw/core/sweep/plane_family.h"
 #include "bw/core/sweep/section.h"
 
 namespace bw {
@@ -49,17 +50,17 @@ struct MotionRequest {
 /// One continuous motion of the blade.
 struct Sweep {
   Box block;
-  Eigen::Vector3d direction = Eigen::Vector3d::UnitY();  ///< unit, cutting direction
-  FitRequest request;                                    ///< what `poses` answer
-  std::vector<BladePose> poses;                          ///< in the order of travel
-  std::vector<StationFit> fits;                          ///< one a pose
+  PlaneFamily planes;
+  FitRequest request;            ///< what `poses` answer
+  std::vector<BladePose> poses;  ///< in the order of travel
+  std::vector<StationFit> fits;  ///< one a pose
 };
 
 /// Fits one elastica a section, from the longest section to both ends of the row, each beside its neighbour,
 /// and extends it to the blade's length. `sections` in the order of travel, all curves running the same way;
 /// those without a chosen branch are left out. A blade shorter than a section is an error.
 Result<Sweep> buildSweep(const std::vector<Section>& sections, const FitRequest& request, const Box& block,
-                         const Eigen::Vector3d& direction, const RunContext& context, Findings& findings,
+                         const PlaneFamily& planes, const RunContext& context, Findings& findings,
                          double* fitSeconds = nullptr, double* extendSeconds = nullptr);
 
 /// Times the stations so that the fastest point of the blade moves at the cutting speed, adds the leads, and
