@@ -27,6 +27,17 @@ function(bw_target_defaults target)
   endif()
 endfunction()
 
+# bw_precompile(<target> <headers…>): headers that most of its files need are parsed once. Presets without it (core, the sanitizers) hold
+# each file to what it includes itself.
+function(bw_precompile target)
+  if(BW_PRECOMPILE)
+    target_precompile_headers(${target} PRIVATE <Eigen/Dense> <algorithm> <cmath> <functional> <map> <memory> <optional> <string> <variant> <vector>
+                              ${ARGN})
+    # Of precompiled headers the compiler forgets that they are the system's, and warns of what it makes of their insides.
+    target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread)
+  endif()
+endfunction()
+
 # bw_library(<target> INCLUDE_ROOT <dir> HEADERS <files…> SOURCES <files…>): a static module library
 # whose only include root is INCLUDE_ROOT. Its headers form a verified header set, so that each compiles alone.
 function(bw_library target)
