@@ -24,9 +24,10 @@ class EveryFieldTest : public WindowTest {
       bench().editDesign("Prepare", change);
     };
     const auto inspect = [&](Selection::Kind kind) { bench().select({kind, 0}); };
-    // Stations by number, a vector, a block by numbers, faces by number, a tube; then what excludes these.
+    // Stations by number, vectors, a block by numbers, faces by number, a tube; then what excludes these.
     edit([](Design& design) {
       design.cut().direction = Eigen::Vector3d(0.1, 1, 0);
+      design.process.up = Eigen::Vector3d(0.1, 0, 1);
       design.block().placement = BlockPlacement{{-10, -10, -200}, {700, 700, 600}, {0.1, 0.2, 0.3}};
       design.cut().face = {FaceChoice::Kind::indices, {0}};
     });

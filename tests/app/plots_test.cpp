@@ -112,19 +112,20 @@ TEST_F(WindowTest, SectionTellsTheDeviationAsItIsHoweverLargeItIsDrawn) {
 
 TEST_F(WindowTest, CurvatureZoomsAlongTheBladeAndTellsTheRadius) {
   openPanel();
+  const double length = bench().design().blade.length;
   bench().selectStation(3);
   SectionView& section = window().sectionView();
   window().tabs().setCurrentWidget(&section);
-  EXPECT_NEAR(section.seenAlong().span(), 800, 1e-6);
+  EXPECT_NEAR(section.seenAlong().span(), length, 1e-6);
   turnWheel(section, section.curvatureArea().center(), 3);
-  EXPECT_NEAR(section.seenAlong().span(), 800 * 0.512, 1e-6);
-  EXPECT_NEAR(section.seenAlong().low + 0.5 * section.seenAlong().span(), 400, 1);
+  EXPECT_NEAR(section.seenAlong().span(), length * 0.512, 1e-6);
+  EXPECT_NEAR(section.seenAlong().low + 0.5 * section.seenAlong().span(), 0.5 * length, 1);
   moveTo(section, section.curvatureArea().center());
   ASSERT_EQ(section.readout().size(), 2);
   EXPECT_TRUE(section.readout()[1].contains("radius")) << section.readout()[1].toStdString();
   section.setFocus();
   QTest::keyClick(&section, Qt::Key_0);
-  EXPECT_NEAR(section.seenAlong().span(), 800, 1e-6);
+  EXPECT_NEAR(section.seenAlong().span(), length, 1e-6);
 }
 
 TEST_F(WindowTest, TimelineZoomsToTheCursorAndKeepsThePlayheadInSight) {

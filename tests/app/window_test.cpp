@@ -227,6 +227,10 @@ TEST_F(WindowTest, DoesWhatAMessageAdvises) {
   // The tolerance of the stations themselves; then grips too near to the block.
   bench().editDesign("Change tolerance", [](Design& design) { design.process.tolerance = 0.5; });
   bench().editDesign("Change clearance", [](Design& design) { design.process.clearance = 120; });
+  bench().editDesign("Choose blade", [](Design& design) {
+    design.blade = bladePreset("nicr-flat-5x1").value_or(design.blade);
+    design.process.weight = false;
+  });
   ASSERT_TRUE(settle());
   window().commands()["tab.messages"]->trigger();
   MessageList& list = window().messageList();

@@ -33,7 +33,7 @@ void expectRefusal(const std::vector<std::string>& arguments, int status, const 
       ++messages;
     else
       EXPECT_TRUE(line.rfind("writing ", 0) == 0 || line.rfind("  ", 0) == 0 ||
-                  line.rfind("info: ", 0) == 0 || line.rfind("warning: station", 0) == 0)
+                  line.rfind("info: ", 0) == 0 || line.rfind("warning: ", 0) == 0)
           << line;
   }
   EXPECT_EQ(messages, 1) << run.err;

@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <string>
+#include <tuple>
 
 #include "process.h"
 
@@ -544,6 +546,44 @@ TEST(Rationalize, ExceededToleranceIsStatusOne) {
       blade({"rationalize", example("panel-600x670"), "--job", job, "--out", folder / "out"});
   EXPECT_EQ(run.status, 1) << run.err;
   EXPECT_NE(run.err.find("more than the tolerance"), std::string::npos);
+}
+
+TEST(Rationalize, TellsWhatTheBladeCutsBetweenFewStations) {
+  // The skin through ten stations keeps the tolerance, the blade along the chords between them does not.
+  const Folder folder;
+  for (const auto& [stations, skin, moved] : {std::tuple{10, 1.58, 5.97}, {20, 1.16, 2.09}}) {
+    const std::string job = folder.write(
+        "job.json", "{\"stations\": " + std::to_string(stations) +
+                        R"(, "blade": "nicr-flat-5x1", "weight": false, "direction": "y", "programs": []})");
+    const std::string out = folder / std::to_string(stations);
+    const Finished run = blade({"rationalize", example("panel-600x670"), "--job", job, "--out", out});
+    EXPECT_EQ(run.status, 1) << run.err;
+    EXPECT_NE(run.err.find("as the robots move it"), std::string::npos) << run.err;
+    const json summary = json::parse(slurp(out + "/report.json"))["summary"];
+    EXPECT_NEAR(summary["deviation_max_mm"].get<double>(), skin, 0.01);
+    EXPECT_NEAR(summary["program_deviation_max_mm"].get<double>(), moved, 0.02);
+  }
+}
+
+TEST(Rationalize, TellsThatAFlatBladeSnapsInItsWeight) {
+  const Folder folder;
+  const auto tried = [&](const std::string& rest) {
+    const std::string job = folder.write("job.json", "{\"direction\": \"y\", " + rest + "}");
+    return blade({"rationalize", example("panel-600x670"), "--job", job, "--out", folder / "out"});
+  };
+  const Finished flat = tried(R"("blade": "nicr-flat-5x1")");
+  EXPECT_EQ(flat.status, 1);
+  EXPECT_NE(flat.err.find("in its own weight the blade leaves this shape"), std::string::npos) << flat.err;
+  EXPECT_EQ(flat.err.find(".mod"), std::string::npos) << "no program for it: " << flat.err;
+  const nlohmann::json report = nlohmann::json::parse(slurp(folder / "out/report.json"));
+  int snapped = 0;
+  for (const nlohmann::json& station : report["strips"][0]["stations"])
+    snapped += station["snaps_at"].is_number();
+  EXPECT_EQ(snapped, 44);
+  EXPECT_EQ(tried(R"("blade": "nicr-flat-5x1", "weight": false)").status, 0);
+  EXPECT_EQ(tried(R"("blade": "nicr-flat-5x1", "up": [0, 0, 0])").status, 2);
+  const Finished tube = tried(R"("blade": {"preset": "steel-tube-3-2.5", "length": 710})");
+  EXPECT_EQ(tube.status, 0) << tube.err;
 }
 
 TEST(Rationalize, MissedClearanceIsStatusOne) {

@@ -18,8 +18,9 @@ Aspects differenceOf(const pipeline::CutEvaluation& a, const pipeline::CutEvalua
   const bool came = a.result().has_value() != b.result().has_value();
   changed.setFlag(Aspect::poses, came || a.sweep.value != b.sweep.value);
   changed.setFlag(Aspect::motion, came || a.motion.value != b.motion.value);
-  changed.setFlag(Aspect::checks,
-                  came || a.check.value != b.check.value || a.analysis.value != b.analysis.value);
+  changed.setFlag(Aspect::checks, came || a.check.value != b.check.value ||
+                                      a.analysis.value != b.analysis.value ||
+                                      a.coverage.value != b.coverage.value || a.way.value != b.way.value);
   return changed;
 }
 

@@ -39,8 +39,8 @@ scene::Content sceneContent(const Evaluation& evaluation) {
       scene::Stations stations;
       scene::Blades blades;
       for (const BladePose& pose : result->sweep.poses) {
-        stations.lines.push_back(pose.points(pose.cut, kCurvePoints));
-        blades.lines.push_back(pose.points(pose.blade, kCurvePoints));
+        stations.lines.push_back(pose.cutPoints(kCurvePoints));
+        blades.lines.push_back(pose.bladePoints(kCurvePoints));
       }
       content.add(row, std::move(stations));
       content.add(row, std::move(blades));

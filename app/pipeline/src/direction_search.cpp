@@ -41,7 +41,9 @@ DirectionTrial tried(const geometry::Target& target, const RowRequest& request,
   const Result<std::vector<Section>> sections =
       geometry::cutSections(target, {block, planes}, {kStations, {}}, context, ignored);
   if (!sections) return failed(sections.error());
-  const Result<Sweep> sweep = buildSweep(*sections, request.fit, block, planes, context, ignored);
+  FitRequest weightless = request.fit;
+  weightless.weight.setZero();  // of no weight in the choice
+  const Result<Sweep> sweep = buildSweep(*sections, weightless, block, planes, context, ignored);
   if (!sweep) return failed(sweep.error());
   const Result<SweepCheck> check =
       checkSweep(*sweep, {request.fit.tolerance, request.fit.clearance}, context);
@@ -51,7 +53,7 @@ DirectionTrial tried(const geometry::Target& target, const RowRequest& request,
   for (std::size_t i = 0; i < sweep->poses.size(); ++i) {
     const FitResult& fit = sweep->fits[i].fit;
     const StationCheck& station = check->stations[i];
-    if (fit.status == FitStatus::infeasible || sweep->poses[i].blade.maxCurvature() > curvatureLimit ||
+    if (fit.status == FitStatus::infeasible || sweep->poses[i].maxCurvature() > curvatureLimit ||
         station.clearance < 0)
       ++trial.unusable;
     trial.deviationMax = std::max(trial.deviationMax, fit.hausdorff);

@@ -181,7 +181,9 @@ Result<void> check(const CutWork& work) {
                                 });
   if (!ok) return ok;
   ok = work.settle(&CutEvaluation::motion, motionRequest(work.design), {e.sweep.value}, work.seconds.check,
-                   [&sweep](const MotionRequest& request, Findings&) { return buildMotion(sweep, request); });
+                   [&sweep](const MotionRequest& request, Findings& findings) {
+                     return buildMotion(sweep, request, findings);
+                   });
   if (!ok) return ok;
   ok = work.settle(&CutEvaluation::analysis, checkRequest(work.design), {e.check.value, e.target.value},
                    work.seconds.check, [&work, &e, &sweep](const CheckRequest& request, Findings& findings) {
@@ -191,7 +193,24 @@ Result<void> check(const CutWork& work) {
                      if (analysis) findings = analysis->findings;
                      return analysis;
                    });
-  return ok ? work.unlessStopped() : ok;
+  if (ok) ok = work.unlessStopped();
+  if (ok) ok = meshTarget(e, work.previous, work.seconds.read);
+  if (!ok) return ok;
+  ok = work.settle(&CutEvaluation::way, checkRequest(work.design), {e.analysis.value}, work.seconds.check,
+                   [&work, &e, &sweep](const CheckRequest& request, Findings& findings) {
+                     Result<RowMotion> way = followRow(sweep, *e.analysis.value, request,
+                                                       *e.target.value->sampler(), work.context);
+                     if (way) findings = way->findings;
+                     return way;
+                   });
+  if (!ok) return ok;
+  return work.settle(
+      &CutEvaluation::coverage, checkRequest(work.design), {e.analysis.value, e.targetMesh.value},
+      work.seconds.check, [&e, &sweep](const CheckRequest& request, Findings& findings) -> Result<Coverage> {
+        Coverage coverage = coverageOf(e.analysis.value->cut, sweep, *e.targetMesh.value, request.tolerance);
+        findings = coverage.findings;
+        return coverage;
+      });
 }
 
 /// How the programs lie in their cell. A cell that cannot be read is a finding: the surface is judged without
@@ -252,15 +271,17 @@ void takeMissing(Stage<Request, T>& stage, const Stage<Request, T>& from) {
 }  // namespace
 
 std::optional<CutResult> CutEvaluation::result() const {
-  if (!sweep.value || !check.value || !motion.value || !analysis.value) return std::nullopt;
-  return CutResult{*sweep.value, *check.value, *analysis.value, *motion.value};
+  if (!sweep.value || !check.value || !motion.value || !analysis.value || !coverage.value || !way.value)
+    return std::nullopt;
+  return CutResult{*sweep.value, *check.value, *analysis.value, *coverage.value, *way.value, *motion.value};
 }
 
 Findings CutEvaluation::findings() const {
   Findings all;
-  for (const Findings* list : {&target.findings, &placed.findings, &directions.findings,
-                               confirmed.value ? &confirmed.findings : &sections.findings, &sweep.findings,
-                               &check.findings, &motion.findings, &analysis.findings})
+  for (const Findings* list :
+       {&target.findings, &placed.findings, &directions.findings,
+        confirmed.value ? &confirmed.findings : &sections.findings, &sweep.findings, &check.findings,
+        &motion.findings, &analysis.findings, &way.findings, &coverage.findings})
     append(all, *list);
   return all;
 }
@@ -302,6 +323,8 @@ void Evaluation::takeMissing(const Evaluation& before) {
       takeMissing(cut.check, from->check);
       takeMissing(cut.motion, from->motion);
       takeMissing(cut.analysis, from->analysis);
+      takeMissing(cut.coverage, from->coverage);
+      takeMissing(cut.way, from->way);
     }
 }
 
@@ -353,7 +376,7 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
 }
 
 Result<void> meshTarget(CutEvaluation& cut, const CutEvaluation* previous, double& seconds) {
-  if (!cut.target.value) return {};
+  if (!cut.target.value || cut.targetMesh.value) return {};
   return settle(cut.targetMesh, previous ? &previous->targetMesh : nullptr, {}, {cut.target.value}, seconds,
                 [&cut](const NoRequest&, Findings&) { return cut.target.value->mesh(); });
 }

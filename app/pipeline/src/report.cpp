@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "bw/core/base/units.h"
@@ -56,13 +57,17 @@ ordered_json stationJson(const StationView& station) {
   object["blade"] = {{"left", {{"point", vec(s.leftPoint())}, {"tangent", vec(s.leftTangent())}}},
                      {"right", {{"point", vec(s.rightPoint())}, {"tangent", vec(s.rightTangent())}}},
                      {"parameter", {-s.extension, 1 + s.extension}}};
-  const double curvature = s.blade.maxCurvature();
+  const double curvature = s.maxCurvature();
   object["max_curvature"] = curvature;
   object["min_radius_mm"] = curvature > 0 ? ordered_json(1 / curvature) : ordered_json(nullptr);
   object["inflections"] = bladeInflections(s.cut);
   object["stable"] = check.stable;
   object["stability_margin"] = check.stabilityMargin;
   object["out_of_plane_margin"] = check.outOfPlaneMargin;
+  object["moved_by_weight_mm"] = s.heavy ? ordered_json(check.movedByWeight) : ordered_json(nullptr);
+  object["bent_sideways_mm"] =
+      s.heavy && std::isfinite(check.sideways) ? ordered_json(check.sideways) : ordered_json(nullptr);
+  object["snaps_at"] = station.fit.snapsAt ? ordered_json(*station.fit.snapsAt) : ordered_json(nullptr);
   object["angle_mean_deg"] = toDegrees(check.angleMean);
   object["angle_max_deg"] = toDegrees(check.angleMax);
   object["speed_ratio"] = check.speedRatio;
@@ -104,7 +109,8 @@ std::string reportJson(const Evaluation& e, const std::string& run, const FileSe
                      {"title", design.blade.title},
                      {"length", design.blade.length},
                      {"min_radius_mm", design.blade.minRadius()},
-                     {"flexural_rigidity_Nmm2", design.blade.flexuralRigidity()}};
+                     {"flexural_rigidity_Nmm2", design.blade.flexuralRigidity()},
+                     {"weight_N_per_mm", design.blade.weight()}};
   ordered_json method;
   method["planes"] = "parallel";
   if (cut.setup) method["direction"] = vec(cut.setup->planes.direction());
@@ -116,6 +122,8 @@ std::string reportJson(const Evaluation& e, const std::string& run, const FileSe
   method["tolerance_mm"] = design.process.tolerance;
   method["cutting_speed_mm_s"] = design.process.cuttingSpeed;
   method["clearance_mm"] = design.process.clearance;
+  method["weight"] = design.process.weight;
+  method["up"] = vec(design.process.up);
   method["cell"] = design.output.cell;
   report["method"] = method;
   if (cut.setup) {
@@ -167,6 +175,11 @@ std::string reportJson(const Evaluation& e, const std::string& run, const FileSe
                          {"deviation_mean_mm", s.deviationMean},
                          {"deviation_rms_mm", s.deviationRms},
                          {"within_tolerance_percent", 100 * s.withinTolerance},
+                         {"program_deviation_max_mm", result->way.deviationMax},
+                         {"program_deviation_mean_mm", result->way.deviationMean},
+                         {"program_from_shown_max_mm", result->way.fromShown},
+                         {"covered_percent", 100 * result->coverage.share()},
+                         {"uncovered_max_mm", result->coverage.distance},
                          {"angle_max_deg", toDegrees(s.angleMax)},
                          {"angle_mean_deg", toDegrees(s.angleMean)},
                          {"angle_station_mean_max_deg", toDegrees(s.angleStationMeanMax)},

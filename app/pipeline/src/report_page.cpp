@@ -78,7 +78,7 @@ class Page {
 };
 
 std::string verdict(const Evaluation& e) {
-  if (!e.cut().analysis.value) return "There is no result: the findings tell why.";
+  if (!e.cut().result()) return "There is no result: the findings tell why.";
   const Findings findings = e.findings();
   if (hasErrors(findings))
     return "This surface cannot be cut as designed: the findings marked as errors tell why.";
@@ -98,6 +98,12 @@ void limits(Page& page, const Evaluation& e) {
   page.begin({"Number", "Measured", "Limit", ""});
   page.checked("Largest deviation", mm(s.deviationMax), "at most " + mm(design.process.tolerance),
                s.deviationMax <= design.process.tolerance);
+  page.checked("Largest deviation between stations, as the robots move the blade",
+               mm(e.cut().way.value->deviationMax), "at most " + mm(design.process.tolerance),
+               e.cut().way.value->deviationMax <= design.process.tolerance);
+  const double uncovered = e.cut().coverage.value->distance;
+  page.checked("Farthest that the target reaches beyond the cut surface", mm(uncovered),
+               "at most " + mm(design.process.tolerance), uncovered <= design.process.tolerance);
   page.checked("Smallest radius of the blade", s.minRadius > 0 ? mm(s.minRadius) : "straight",
                "at least " + mm(design.blade.minRadius()),
                s.minRadius <= 0 || s.minRadius >= design.blade.minRadius());
@@ -110,6 +116,8 @@ void limits(Page& page, const Evaluation& e) {
   page.row({"Mean deviation", mm(s.deviationMean)});
   page.row({"Root mean square of the deviation", mm(s.deviationRms)});
   page.row({"Cut surface within tolerance", fixedText(100 * s.withinTolerance, 1) + " %"});
+  page.row({"Target in the block that has cut surface over it",
+            fixedText(100 * e.cut().coverage.value->share(), 1) + " %"});
   page.row({"Steepest cutting angle (the blade drags above " +
                 fixedText(toDegrees(cuttingAngleLimit(e.design.blade)), 0) + "°)",
             degrees(s.angleMax)});
@@ -143,7 +151,7 @@ void parameters(Page& page, const Evaluation& e) {
     page.row({"Edges of the block: y", direction(block.frame.y)});
     page.row({"Cutting direction", direction(e.cut().setup->planes.direction())});
   }
-  if (e.cut().analysis.value) page.row({"Stations", std::to_string(e.cut().sweep.value->poses.size())});
+  if (e.cut().result()) page.row({"Stations", std::to_string(e.cut().sweep.value->poses.size())});
   page.row({"Cutting speed of the fastest point", shortText(design.process.cuttingSpeed, 4) + " mm/s"});
   page.row({"Lead before and after the block", mm(design.process.lead)});
   page.row({"Tolerance", mm(design.process.tolerance)});
@@ -169,7 +177,7 @@ void stations(Page& page, const Evaluation& e) {
   const CutResult result = *e.result();
   for (std::size_t i = 0; i < result.size(); ++i) {
     const StationView s = result.station(i);
-    const double curvature = s.pose.blade.maxCurvature();
+    const double curvature = s.pose.maxCurvature();
     page.row({std::to_string(s.pose.index + 1), fixedText(s.pose.travel, 1),
               fixedText(s.fit.target.length(), 1), fixedText(s.fit.fit.hausdorff, 3),
               curvature > 0 ? fixedText(1 / curvature, 0) : "straight", degrees(s.check.angleMax),
@@ -245,10 +253,10 @@ std::string reportPage(const Evaluation& e, const std::vector<ReportPicture>& pi
     page.raw("<p><img src=\"" + escaped(picture.source) + "\" alt=\"" + escaped(picture.title) +
              "\" width=\"" + std::to_string(picture.width) + "\" height=\"" + std::to_string(picture.height) +
              "\"><br>" + escaped(picture.title) + "</p>\n");
-  if (e.cut().analysis.value) limits(page, e);
+  if (e.cut().result()) limits(page, e);
   findings(page, e);
   parameters(page, e);
-  if (e.cut().analysis.value) stations(page, e);
+  if (e.cut().result()) stations(page, e);
   files(page, made);
   page.raw("</body></html>\n");
   return page.take();

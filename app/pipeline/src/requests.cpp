@@ -9,7 +9,10 @@ namespace bw::pipeline {
 
 FitRequest fitRequest(const Design& design) {
   const Process& p = design.process;
-  return {design.blade, p.fitLength, p.fitEndpoints, p.fitTangents, p.maxPeriods, p.tolerance, p.clearance};
+  FitRequest request{design.blade, p.fitLength, p.fitEndpoints, p.fitTangents,
+                     p.maxPeriods, p.tolerance, p.clearance};
+  if (p.weight) request.weight = -design.blade.weight() * p.up.normalized();
+  return request;
 }
 
 CheckRequest checkRequest(const Design& design) {

@@ -64,10 +64,10 @@ std::string stationsCsv(const CutResult& result) {
       "left_x_mm,left_y_mm,left_z_mm,left_tx,left_ty,left_tz,right_x_mm,right_y_mm,right_z_mm,right_tx,right_"
       "ty,right_tz,"
       "min_radius_mm,inflections,stable,angle_mean_deg,angle_max_deg,speed_ratio,clearance_mm,"
-      "stability_margin\n");
+      "stability_margin,moved_by_weight_mm\n");
   for (std::size_t i = 0; i < result.size(); ++i) {
     const auto& [s, found, check, deviation] = result.station(i);
-    const double curvature = s.blade.maxCurvature();
+    const double curvature = s.maxCurvature();
     lines.integer(s.index).text(",").fixed(s.travel, 4).text(",").fixed(found.target.length(), 4);
     lines.text(",").fixed(s.cut.length(), 4);
     lines.text(",").fixed(found.fit.R4, 9).text(",").fixed(found.fit.hausdorff, 6);
@@ -77,7 +77,8 @@ std::string stationsCsv(const CutResult& result) {
     lines.text(",").integer(bladeInflections(s.cut));
     lines.text(check.stable ? ",yes," : ",no,").fixed(toDegrees(check.angleMean), 4);
     lines.text(",").fixed(toDegrees(check.angleMax), 4).text(",").fixed(check.speedRatio, 6);
-    lines.text(",").fixed(check.clearance, 3).text(",").fixed(check.stabilityMargin, 6).text("\n");
+    lines.text(",").fixed(check.clearance, 3).text(",").fixed(check.stabilityMargin, 6);
+    lines.text(",").text(s.heavy ? fixedText(check.movedByWeight, 4) : "").text("\n");
   }
   return lines.take();
 }
@@ -125,7 +126,7 @@ std::string sweepJson(const Evaluation& e, const std::string& run) {
   std::size_t at = 0;
   for (const BladePose& s : result.sweep.poses) {
     ordered_json points = ordered_json::array();
-    for (const Eigen::Vector3d& p : s.points(s.cut, kSweepPoints)) points.push_back(vec(p));
+    for (const Eigen::Vector3d& p : s.cutPoints(kSweepPoints)) points.push_back(vec(p));
     while (at < instants.size() && instants[at].station != s.index) ++at;
     stations.push_back(
         {{"index", s.index},

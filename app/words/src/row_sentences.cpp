@@ -106,6 +106,26 @@ std::string Sentences::operator()(const WouldSnap&) const {
          shorterText(finding, kInParts);
 }
 
+std::string Sentences::operator()(const SnapsInWeight& cause) const {
+  return at() + "in its own weight the blade leaves this shape (at " + shortText(100 * cause.share, 2) +
+         " % of it) and snaps into another, " + mm(cause.distance) + " away; " +
+         shorterText(finding, "take a lighter or stiffer blade, or one that is shorter");
+}
+
+std::string Sentences::operator()(const MovedByWeight& cause) const {
+  return at() + "its own weight moves the blade by " + mm(cause.distance) +
+         ", which the surface shown contains";
+}
+
+std::string Sentences::operator()(const BentSideways& cause) const {
+  return at() + "its own weight across the plane bends the round blade " + mm(cause.distance) +
+         " out of it, which the surface shown does not contain; a flat blade carries it";
+}
+
+std::string Sentences::operator()(const UnknownInWeight& cause) const {
+  return at() + "how the blade hangs in its own weight could not be found: " + cause.why;
+}
+
 std::string Sentences::operator()(const WouldTwist&) const {
   return at() + "a round blade would twist out of its plane rather than rest in this shape; " +
          shorterText(finding, "take a flat blade, which is stiff across its plane", ", or a flat blade");
@@ -171,6 +191,52 @@ std::string Sentences::operator()(const TooFar& cause) const {
              ": close that gap first";
   }
   return text + kInParts + ", turn the cutting direction, or allow more";
+}
+
+std::string Sentences::operator()(const Uncovered& cause) const {
+  const std::string where = cause.where == Uncovered::Where::before  ? " before the first station that cuts"
+                            : cause.where == Uncovered::Where::after ? " after the last station that cuts"
+                                                                     : " beyond the end of the blade's cut";
+  return shortText(100 * cause.share, 3) + " % of the surface in the block (" + shortText(cause.area, 3) +
+         " mm²) is not cut: it reaches " + mm(cause.distance) + where +
+         "; choose another cutting direction, or " + kInParts;
+}
+
+std::string Sentences::operator()(const BladeCrosses& cause) const {
+  const OtherLength* blade = remedyOf<OtherLength>(finding.remedies);
+  return at() +
+         (cause.itself ? "the blade crosses itself"
+                       : "the grips stand on each other's sides of the surface") +
+         ", which no blade between two robots can; " +
+         (blade ? "try one of " + mm(blade->length, 6) : std::string(kInParts));
+}
+
+std::string Sentences::operator()(const LeadGrown& cause) const {
+  return std::string(cause.atStart ? "the blade starts " : "the blade goes on ") + mm(cause.grown) +
+         (cause.atStart ? " before the first station" : " beyond the last station") + " in place of " +
+         mm(cause.asked) + ", so that all of it is outside of the block there; it cuts the foam on that way";
+}
+
+std::string Sentences::operator()(const SnapsOnTheWay&) const {
+  return at() +
+         "on the way from there to the next station the blade leaves its shape and snaps into another; "
+         "take a shorter or stiffer blade";
+}
+
+std::string Sentences::operator()(const ArrivesOtherwise&) const {
+  return at() +
+         "the blade arrives there in another shape than the one shown; take a shorter or stiffer blade";
+}
+
+std::string Sentences::operator()(const LostOnTheWay& cause) const {
+  return at() +
+         "how the blade bends on the way from there to the next station could not be found: " + cause.why;
+}
+
+std::string Sentences::operator()(const TooFarOnTheWay& cause) const {
+  return "between the stations, as the robots move it, the blade is up to " + mm(cause.deviation) +
+         " from the target (tolerance " + mm(cause.tolerance) + "); " +
+         moreStationsText(finding, "take more stations");
 }
 
 std::string Sentences::operator()(const SkinOff& cause) const {

@@ -22,6 +22,10 @@ struct Sentences {
   std::string operator()(const TooTight& cause) const;
   std::string operator()(const ManyInflections& cause) const;
   std::string operator()(const WouldSnap& cause) const;
+  std::string operator()(const SnapsInWeight& cause) const;
+  std::string operator()(const MovedByWeight& cause) const;
+  std::string operator()(const BentSideways& cause) const;
+  std::string operator()(const UnknownInWeight& cause) const;
   std::string operator()(const WouldTwist& cause) const;
   std::string operator()(const GripTooNear& cause) const;
   std::string operator()(const SteepAngle& cause) const;
@@ -29,6 +33,13 @@ struct Sentences {
   std::string operator()(const EndsSwing& cause) const;
   std::string operator()(const GapInRow& cause) const;
   std::string operator()(const TooFar& cause) const;
+  std::string operator()(const Uncovered& cause) const;
+  std::string operator()(const BladeCrosses& cause) const;
+  std::string operator()(const LeadGrown& cause) const;
+  std::string operator()(const SnapsOnTheWay& cause) const;
+  std::string operator()(const ArrivesOtherwise& cause) const;
+  std::string operator()(const LostOnTheWay& cause) const;
+  std::string operator()(const TooFarOnTheWay& cause) const;
   std::string operator()(const SkinOff& cause) const;
   // Surfaces and sections.
   std::string operator()(const SectionMissing& cause) const;

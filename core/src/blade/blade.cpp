@@ -40,6 +40,12 @@ double Blade::secondMoment() const {
   return 0;
 }
 
+double Blade::area() const {
+  const double inner = section == Section::tube ? innerDiameter : 0;
+  return section == Section::flat ? width * thickness
+                                  : kPi / 4 * (outerDiameter * outerDiameter - inner * inner);
+}
+
 double cuttingAngleLimit(const Blade& blade) {
   // A flat blade cuts only along its edge; a round one melts whichever way it goes, but drags.
   return (blade.section == Blade::Section::flat ? 45 : 60) * kDegree;
@@ -49,7 +55,7 @@ double Blade::minRadius() const { return youngModulus * fibreDistance() * safety
 
 namespace {
 
-constexpr std::array<BladeNumber, 10> kBlade = {{
+constexpr std::array<BladeNumber, 11> kBlade = {{
     {{&Blade::length, "length", "Blade length", "mm", 10, Blade::kLongest, 10, 2, 10,
       "Free length between the two grips", "Change blade length"}},
     {{&Blade::outerDiameter, "outer_diameter", "Outer diameter", "mm", 0, 100, 0.05, 3, 0.1, "",
@@ -76,6 +82,8 @@ constexpr std::array<BladeNumber, 10> kBlade = {{
       "At the working temperature", "Change yield stress"}},
     {{&Blade::safety, "safety", "Safety factor", "", 1, 10, 1, 3, 0.1, "The yield stress is divided by this",
       "Change safety factor"}},
+    {{&Blade::density, "density", "Density", "kg/m³", 1, 30000, 1, 0, 50,
+      "With the section it makes the blade's own weight", "Change density"}},
     {{&Blade::temperature, "temperature", "Temperature", "°C", -50, 1500, -50, 1, 10,
       "Of the blade at the cut", "Change temperature"}},
     {{&Blade::thermalExpansion, "thermal_expansion", "Expansion", "·10⁻⁶/K", 0, 1e-3, 0, 3, 0.5,
@@ -90,8 +98,19 @@ Result<Blade> bladeFromJson(const json& object, const std::string& path, Blade b
   int section = int(blade.section);
   reader.word("section", {"flat", "tube", "rod"}, section);
   blade.section = Blade::Section(section);
-  for (const BladeNumber& number : bladeNumbers())
+  for (const BladeNumber& number : bladeNumbers()) {
+    if (object.contains(number.key)) blade.sources.erase(number.key);
     reader.number(number.key, blade.*number.member, number.min, number.max);
+  }
+  if (const json* sources = reader.member("sources"); sources && sources->is_object()) {
+    for (const auto& [key, text] : sources->items())
+      if (text.is_string())
+        blade.sources[key] = text.get<std::string>();
+      else
+        reader.complain("sources", path + ".sources." + key + " must be a text");
+  } else if (sources) {
+    reader.complain("sources", path + ".sources must be an object of texts");
+  }
   if (blade.section == Blade::Section::flat && !(blade.width > 0 && blade.thickness > 0))
     reader.complain("width", path + " is a flat blade and needs width and thickness greater than 0 mm");
   if (blade.section != Blade::Section::flat && !(blade.outerDiameter > 0))
@@ -112,6 +131,7 @@ json bladeToJson(const Blade& blade) {
   json object = {{"name", blade.name}, {"title", blade.title}, {"section", kSections[int(blade.section)]}};
   for (const BladeNumber& number : bladeNumbers())
     if (number.appliesTo(blade.section)) object[number.key] = blade.*number.member;
+  if (!blade.sources.empty()) object["sources"] = blade.sources;
   return object;
 }
 
@@ -144,6 +164,9 @@ void readBlade(ObjectReader& reader, Blade& blade) {
   } else if (!own.contains("name")) {
     blade.name = "custom";
     blade.title = "Own blade";
+  } else if (own["name"].is_string()) {
+    // Numbers that an earlier version did not write are those of the preset.
+    if (Result<Blade> preset = bladePreset(own["name"].get<std::string>())) blade = std::move(*preset);
   }
   Result<Blade> read = bladeFromJson(own, reader.path() + ".blade", blade);
   if (read)

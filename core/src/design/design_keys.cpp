@@ -200,6 +200,18 @@ void readStations(ObjectReader& reader, SectionRequest& sections) {
   sections.spacing.reset();
 }
 
+/// The key "up".
+void readUp(ObjectReader& reader, Eigen::Vector3d& up) {
+  Eigen::Vector3d v = up;
+  reader.vector3("up", v, -1e12, 1e12);
+  const double length = v.norm();
+  if (length < 1e-9)
+    reader.complain("up", reader.path() + ".up has length zero; give the way up in the file's frame", length,
+                    1e-9);
+  else
+    up = v / length;
+}
+
 void readFit(ObjectReader& reader, Process& process) {
   const json* value = reader.member("fit");
   if (!value) return;
@@ -270,6 +282,8 @@ void readProcessKeys(ObjectReader& reader, Process& process) {
   readFit(reader, process);
   for (const ProcessNumber& number : processNumbers())
     if (!number.ofFit) reader.number(number.key, process.*number.member, number.min, number.max);
+  reader.boolean("weight", process.weight);
+  readUp(reader, process.up);
 }
 
 void readOutputKeys(ObjectReader& reader, Output& output) {
@@ -317,6 +331,8 @@ void writeProcessKeys(const Process& process, json& object) {
                    {"tangents", process.fitTangents}};
   for (const ProcessNumber& number : processNumbers())
     (number.ofFit ? object["fit"] : object)[number.key] = process.*number.member;
+  object["weight"] = process.weight;
+  object["up"] = vectorJson(process.up);
 }
 
 }  // namespace bw::detail

@@ -72,9 +72,8 @@ Result<Unit> check(const HeavyProblem& problem, const ClampedOptions& options) {
 }
 
 /// A weightless blade in as many modes as it needs, `most` at most.
-std::optional<Shape> shapeOf(const Unit& unit, const ClampedSolution& solution, Index most) {
-  const Elastica& blade = solution.elastica;
-  const Hold hold = unit.hold(solution.turning, 0);
+std::optional<Shape> shapeOf(const Unit& unit, const Elastica& blade, double turning, Index most) {
+  const Hold hold = unit.hold(turning, 0);
   for (const Index count : heavy::kModeCounts) {
     if (count > most) break;
     const heavy::Modes& modes = modesOf(count);
@@ -104,6 +103,15 @@ HeavyBlade placed(const Unit& unit, double turning, const Shape& shape) {
   const double squared = unit.length() * unit.length();
   return HeavyBlade({unit.problem.grips.start, *unit.problem.grips.startAngle, unit.length(), turning,
                      shape.coefficients, shape.force / squared, unit.load / (squared * unit.length())});
+}
+
+/// Those that a blade at rest obeys, with its length and stiffness as units.
+Equations equationsOf(const HeavyBlade& blade) {
+  const HeavyBlade::Numbers& n = blade.numbers();
+  const double length = n.length, squared = length * length;
+  return {modesOf(n.coefficients.size()),
+          {(blade.at(length).point - n.start) / length, n.startAngle, n.turning, n.load * (squared * length)},
+          {n.coefficients, n.endForce * squared}};
 }
 
 /// An equilibrium with all that is said about it.
@@ -189,7 +197,7 @@ class Search {
  public:
   Search(const Unit& unit, const ClampedAnswer& weightless) : unit_(unit) {
     for (const ClampedSolution& solution : weightless.solutions) {
-      const std::optional<Shape> start = shapeOf(unit, solution, kModesSearched);
+      const std::optional<Shape> start = shapeOf(unit, solution.elastica, solution.turning, kModesSearched);
       if (!start) continue;
       heavy::allAlong(unit.weighing(solution.turning), *start,
                       [&](const Shape& shape) { add(solution.turning, shape); });
@@ -289,7 +297,7 @@ Result<HeavyAnswer> solveHeavy(const HeavyProblem& problem, const ClampedOptions
   if (weightless->kind == ClampedKind::straight) return straightAnswer(problem, *weightless);
   const ClampedSolution& start = weightless->solutions.front();
   const double turning = start.turning;
-  std::optional<Shape> shape = shapeOf(*unit, start, heavy::kMostModes);
+  std::optional<Shape> shape = shapeOf(*unit, start.elastica, turning, heavy::kMostModes);
   if (!shape) return lost("without its weight");
   HeavyAnswer answer;
   answer.message = weightless->message;
@@ -347,13 +355,45 @@ Result<HeavyAnswer> solveAllHeavy(const HeavyProblem& problem, const ClampedOpti
   return answer;
 }
 
-Result<HeavyBranch> HeavyBranch::from(const HeavyProblem& problem, const HeavySolution& solution) {
-  if (!solution.stable)
+Result<Hanging> hang(const Elastica& blade, double stiffness, const Vector2d& weight) {
+  constexpr double kNoSag = 0.01;  // mm
+  const double length = blade.length();
+  const Elastica::State end = blade.at(length);
+  HeavyProblem problem{{}, stiffness, weight};
+  problem.grips.start = blade.start();
+  problem.grips.end = end.point;
+  problem.grips.startAngle = blade.startAngle();
+  problem.grips.endAngle = end.angle;
+  problem.grips.length = length;
+  const Result<Unit> unit = check(problem, {});
+  if (!unit) return tl::unexpected<Error>(unit.error());
+  const double turning = end.angle - blade.startAngle();
+  std::optional<Shape> shape = shapeOf(*unit, blade, turning, heavy::kMostModes);
+  if (!shape) return lost("without its weight");
+  // A flat arch over the whole length is as high as its slack lets it.
+  const double slack = std::max(0.0, length - (end.point - blade.start()).norm());
+  if (std::sqrt(0.375 * slack * length) < kNoSag) return Hanging{placed(*unit, turning, *shape)};
+  const Result<Weighed> weighed = weigh(*unit, turning, *shape);
+  if (!weighed) return tl::unexpected<Error>(weighed.error());
+  shape = heavy::refined(unit->hold(turning), weighed->shape, heavy::kExact);
+  if (!shape) return lost("in finer modes");
+  return Hanging{placed(*unit, turning, *shape), weighed->snapsAt};
+}
+
+HeavyMargins marginsOf(const HeavyBlade& blade, double across, double torsionRatio) {
+  const double length = blade.length();
+  const heavy::Margins margins =
+      heavy::marginsOf(equationsOf(blade), torsionRatio, across * length * length * length);
+  return {margins.inPlane, margins.outOfPlane, margins.sideways * length};
+}
+
+Result<HeavyBranch> HeavyBranch::from(const HeavyBlade& blade, double stiffness) {
+  if (!heavy::isStable(equationsOf(blade)))
     return fail(ErrorCode::badInput, "The blade is not stable in this shape: it has no branch to stay on.",
                 "solution");
-  HeavyBranch branch(solution.blade.numbers());
-  branch.end_ = problem.grips.end;
-  branch.stiffness_ = problem.stiffness;
+  HeavyBranch branch(blade.numbers());
+  branch.end_ = blade.at(blade.length()).point;
+  branch.stiffness_ = stiffness;
   return branch;
 }
 
@@ -412,13 +452,9 @@ Result<ClampedBranch::Move> HeavyBranch::moveTo(const HeavyProblem& next) {
 HeavyBlade HeavyBranch::blade() const { return HeavyBlade(numbers_); }
 
 Result<HeavyDerivatives> derivativesByGrips(const HeavyBlade& blade, std::span<const double> s) {
-  const HeavyBlade::Numbers& n = blade.numbers();
-  const double length = n.length, squared = length * length;
-  const heavy::Modes& modes = modesOf(n.coefficients.size());
-  const Equations equations(
-      modes,
-      {(blade.at(length).point - n.start) / length, n.startAngle, n.turning, n.load * (squared * length)},
-      {n.coefficients, n.endForce * squared});
+  const double length = blade.length();
+  const Equations equations = equationsOf(blade);
+  const heavy::Modes& modes = equations.modes();
   const Eigen::MatrixXd moves = heavy::movesOf(equations);
   if (!moves.allFinite())
     return fail(ErrorCode::noSolution, "The blade is about to snap: it does not follow its grips.", "blade");

@@ -43,11 +43,10 @@ double smallest(const Modes& modes, const MatrixXd& form, const MatrixXd& constr
 
 }  // namespace
 
-Margins marginsOf(const Equations& equations, double torsionRatio) {
+Margins marginsOf(const Equations& equations, double torsionRatio, double across) {
   const Modes& modes = equations.modes();
   const ArrayXd curvature =
       (modes.slopes.transpose() * equations.shape().coefficients).array() + equations.hold().turning;
-  if (curvature.abs().maxCoeff() < kStraight) return {};
   const auto moments = [&](const ArrayXd& f) -> VectorXd {
     return modes.values * (modes.weights.array() * f).matrix();
   };
@@ -56,8 +55,27 @@ Margins marginsOf(const Equations& equations, double torsionRatio) {
                 modes.values.transpose();
   const VectorXd coupling = moments(curvature);
   outOfPlane += torsionRatio * coupling * coupling.transpose();
-  return {smallest(modes, equations.hessian(), equations.closure()),
-          smallest(modes, outOfPlane, moments(ArrayXd::Ones(modes.nodes.size())))};
+  const VectorXd closed = moments(ArrayXd::Ones(modes.nodes.size()));
+  Margins margins;
+  if (curvature.abs().maxCoeff() >= kStraight) {
+    margins.inPlane = smallest(modes, equations.hessian(), equations.closure());
+    margins.outOfPlane = smallest(modes, outOfPlane, closed);
+  }
+  if (across == 0) return margins;
+  // The angles φ out of the plane minimise ½ φ·(form) φ − across ∫ z with z' = φ, which ends where it begins.
+  const Index n = modes.count();
+  MatrixXd system(n + 1, n + 1);
+  system << outOfPlane, closed, closed.transpose(), 0.0;
+  VectorXd load(n + 1);
+  load << across * moments(1 - modes.nodes.array()), 0.0;
+  const VectorXd angles = modes.values.transpose() * system.partialPivLu().solve(load).head(n);
+  const VectorXd places = modes.polynomials * (modes.integral * angles);
+  constexpr int kPlaces = 50;
+  for (int i = 0; i <= kPlaces; ++i)
+    margins.sideways = std::max(
+        margins.sideways, std::abs(places.dot(orthonormalLegendre(double(i) / kPlaces, places.size()))));
+  if (!(margins.outOfPlane > 0)) margins.sideways = std::numeric_limits<double>::infinity();
+  return margins;
 }
 
 MatrixXd movesOf(const Equations& equations) {

@@ -11,10 +11,12 @@ namespace bw::heavy {
 struct Margins {
   double inPlane = 1;
   double outOfPlane = 1;
+  double sideways = 0;
 };
 
-/// Both margins of an equilibrium, see elastica_stability.h.
-Margins marginsOf(const Equations& equations, double torsionRatio);
+/// Both margins of an equilibrium, see elastica_stability.h, and the farthest that a round blade leaves its
+/// plane under a load across it.
+Margins marginsOf(const Equations& equations, double torsionRatio, double across = 0);
 
 /// How the curve of an equilibrium at its nodes changes with its grips, in lengths and rad: rows x and y of
 /// all nodes, then the angles; columns the end's x and y, then the angles of start and end. The start's

@@ -30,10 +30,26 @@ Pose endPose(const Box& block, const Eigen::Vector3d& point, const Eigen::Vector
   return pose;
 }
 
+constexpr double kOutside = 1;  // mm between the blade and the block at the end of a lead that was grown
+
+/// The lead after which no point of the blade is in the block: the one asked for where that does.
+/// `toTheFace`: mm of travel from the pose to the face of the block that its plane leaves by.
+double clearingLead(const Sweep& sweep, const BladePose& pose, double lead, double toTheFace, double sense) {
+  constexpr int kPlaces = 201;
+  const Eigen::Vector3d move = sense * lead * sweep.planes.direction();
+  const Eigen::Array3d size = sweep.block.size.array();
+  const std::vector<Eigen::Vector3d> places = pose.bladePoints(kPlaces);
+  const bool inFoam = std::ranges::any_of(places, [&](const Eigen::Vector3d& place) {
+    const Eigen::Array3d local = sweep.block.frame.toLocal(place + move).array();
+    return (local > 0).all() && (local < size).all();
+  });
+  return inFoam ? std::max(lead, toTheFace + kOutside) : lead;
+}
+
 }  // namespace
 
-Result<Motion> buildMotion(const Sweep& sweep, const MotionRequest& request) {
-  const auto [cuttingSpeed, lead] = request;
+Result<Motion> buildMotion(const Sweep& sweep, const MotionRequest& request, Findings& findings) {
+  const double cuttingSpeed = request.cuttingSpeed;
   if (!(cuttingSpeed > 0) || !std::isfinite(cuttingSpeed))
     return fail(ErrorCode::badInput, "the cutting speed must be greater than 0 mm/s", "cutting_speed",
                 cuttingSpeed, 0.0);
@@ -47,7 +63,7 @@ Result<Motion> buildMotion(const Sweep& sweep, const MotionRequest& request) {
   std::vector<double> arcs(kSpeedSamples);
   for (int i = 0; i < kSpeedSamples; ++i)
     arcs[std::size_t(i)] = sweep.request.blade.length * i / (kSpeedSamples - 1);
-  const auto sample = [&](const BladePose& pose) { return pose.points(pose.blade, arcs); };
+  const auto sample = [&](const BladePose& pose) { return pose.points(arcs); };
   const auto instant = [&](const BladePose& pose, double shift, double time, int index) {
     const Eigen::Vector3d move = shift * d;
     MotionInstant result{time, index, {}};
@@ -58,9 +74,24 @@ Result<Motion> buildMotion(const Sweep& sweep, const MotionRequest& request) {
     return result;
   };
   double time = 0;
-  if (lead > 0) {
-    motion.instants.push_back(instant(sweep.poses.front(), -lead, 0, -1));
-    time += lead / cuttingSpeed;
+  const auto level = [&](const BladePose& pose) { return d.dot(pose.frame.origin); };
+  const double leadIn = clearingLead(sweep, sweep.poses.front(), request.lead,
+                                     level(sweep.poses.front()) - sweep.planes.entry, -1),
+               leadOut = clearingLead(sweep, sweep.poses.back(), request.lead,
+                                      sweep.planes.exit - level(sweep.poses.back()), 1);
+  if (leadIn > request.lead)
+    findings.push_back({Severity::info,
+                        LeadGrown{request.lead, leadIn, true},
+                        {StationRange::of(sweep.poses.front().index), {}},
+                        {}});
+  if (leadOut > request.lead)
+    findings.push_back({Severity::info,
+                        LeadGrown{request.lead, leadOut, false},
+                        {StationRange::of(sweep.poses.back().index), {}},
+                        {}});
+  if (leadIn > 0) {
+    motion.instants.push_back(instant(sweep.poses.front(), -leadIn, 0, -1));
+    time += leadIn / cuttingSpeed;
   }
   std::vector<Eigen::Vector3d> before;
   for (const BladePose& pose : sweep.poses) {
@@ -74,9 +105,9 @@ Result<Motion> buildMotion(const Sweep& sweep, const MotionRequest& request) {
     motion.instants.push_back(instant(pose, 0, time, pose.index));
     before = std::move(now);
   }
-  if (lead > 0) {
-    time += lead / cuttingSpeed;
-    motion.instants.push_back(instant(sweep.poses.back(), lead, time, -1));
+  if (leadOut > 0) {
+    time += leadOut / cuttingSpeed;
+    motion.instants.push_back(instant(sweep.poses.back(), leadOut, time, -1));
   }
   for (std::size_t i = 1; i < motion.instants.size(); ++i)
     for (std::size_t e = 0; e < motion.instants[i].poses.size(); ++e) {

@@ -8,9 +8,11 @@
 #include <chrono>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <utility>
 
+#include "bw/core/heavy/heavy_bvp.h"
 #include "bw/core/sweep/blade_pose.h"
 #include "bw/core/text/number_text.h"
 #include "sweep/remedies.h"
@@ -18,6 +20,8 @@
 #include "sweep/sweep_findings.h"
 
 namespace bw {
+
+using Eigen::Vector2d;
 
 PlaneFamily PlaneFamily::across(const Box& block, const Eigen::Vector3d& direction) {
   constexpr double kParallel = 1e-6;  // sine of an angle: below it two directions are one
@@ -55,6 +59,13 @@ Eigen::Vector3d tangentAt(const Frame& frame, double angle) {
 /// makes 1e-14.
 constexpr double kLeastBend = 1e-4;
 
+/// `count` numbers from `from` to `to`.
+std::vector<double> evenly(double from, double to, int count) {
+  std::vector<double> numbers(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) numbers[std::size_t(i)] = from + (to - from) * i / (count - 1);
+  return numbers;
+}
+
 }  // namespace
 
 Eigen::Vector3d BladePose::leftTangent() const { return tangentAt(frame, blade.startAngle()); }
@@ -63,19 +74,62 @@ Eigen::Vector3d BladePose::rightPoint() const { return frame.toWorld(blade.at(bl
 
 Eigen::Vector3d BladePose::rightTangent() const { return tangentAt(frame, blade.at(blade.length()).angle); }
 
-std::vector<Eigen::Vector3d> BladePose::points(const Elastica& curve, std::span<const double> arcs) const {
+void BladePose::at(std::span<const double> arcs, std::span<Elastica::State> out) const {
+  heavy ? heavy->at(arcs, out) : blade.at(arcs, out);
+}
+
+std::vector<Eigen::Vector3d> BladePose::points(std::span<const double> arcs) const {
   std::vector<Elastica::State> states(arcs.size());
-  curve.at(arcs, states);
+  at(arcs, states);
   std::vector<Eigen::Vector3d> points;
   points.reserve(arcs.size());
   for (const Elastica::State& state : states) points.push_back(frame.toWorld(state.point));
   return points;
 }
 
-std::vector<Eigen::Vector3d> BladePose::points(const Elastica& curve, int count) const {
-  std::vector<double> arcs(static_cast<std::size_t>(count));
-  for (int i = 0; i < count; ++i) arcs[std::size_t(i)] = curve.length() * i / (count - 1);
-  return points(curve, arcs);
+std::vector<double> BladePose::cutArcs(int count) const {
+  return evenly(cutStart(), cutStart() + cut.length(), count);
+}
+
+std::vector<Eigen::Vector3d> BladePose::bladePoints(int count) const {
+  return points(evenly(0, blade.length(), count));
+}
+
+bool BladePose::gripsSwapped() const {
+  const auto chord = [](const Elastica& e) -> Vector2d { return e.at(e.length()).point - e.start(); };
+  return chord(cut).dot(chord(blade)) < 0;
+}
+
+double BladePose::movedByWeight() const {
+  constexpr int kPlaces = 41, kBetween = 10;
+  if (!heavy) return 0;
+  std::vector<Elastica::State> states(kPlaces);
+  at(cutArcs(kPlaces), states);
+  // The nearest place on chords, and from there across the curve.
+  const std::vector<Vector2d> light = blade.sample(kPlaces * kBetween);
+  const double chord = blade.length() / double(light.size() - 1);
+  std::vector<double> feet;
+  for (const Elastica::State& state : states) {
+    double nearest = std::numeric_limits<double>::infinity(), foot = 0;
+    for (std::size_t k = 0; k + 1 < light.size(); ++k) {
+      const Vector2d way = light[k + 1] - light[k], from = state.point - light[k];
+      const double share = std::clamp(from.dot(way) / way.squaredNorm(), 0.0, 1.0);
+      const double distance = (from - share * way).squaredNorm();
+      if (distance >= nearest) continue;
+      nearest = distance;
+      foot = (double(k) + share) * chord;
+    }
+    feet.push_back(foot);
+  }
+  std::vector<Elastica::State> own(feet.size());
+  blade.at(feet, own);
+  double farthest = 0;
+  for (std::size_t i = 0; i < feet.size(); ++i) {
+    const Vector2d off = states[i].point - own[i].point;
+    farthest =
+        std::max(farthest, std::abs(off.y() * std::cos(own[i].angle) - off.x() * std::sin(own[i].angle)));
+  }
+  return farthest;
 }
 
 int bladeInflections(const Elastica& shape) {
@@ -132,6 +186,24 @@ Result<std::vector<StationFit>> fitRow(const std::vector<Section>& sections, con
   return row;
 }
 
+/// Lets each blade of the row hang between its grips.
+Result<void> hangInWeight(Sweep& sweep, const RunContext& context) {
+  const Eigen::Vector3d& weight = sweep.request.weight;
+  if (weight.isZero()) return {};
+  return parallelFor(context, int(sweep.poses.size()), [&](int i) {
+    BladePose& pose = sweep.poses[std::size_t(i)];
+    const Result<Hanging> hanging = hang(pose.blade, sweep.request.blade.flexuralRigidity(),
+                                         {weight.dot(pose.frame.x), weight.dot(pose.frame.y)});
+    StationFit& fit = sweep.fits[std::size_t(i)];
+    if (!hanging) {
+      fit.unknown = hanging.error().message;
+      return;
+    }
+    pose.heavy = hanging->blade;
+    fit.snapsAt = hanging->snapsAt;
+  });
+}
+
 }  // namespace
 
 Result<Sweep> buildSweep(const std::vector<Section>& all, const FitRequest& request, const Box& block,
@@ -178,6 +250,7 @@ Result<Sweep> buildSweep(const std::vector<Section>& all, const FitRequest& requ
     sweep.poses.push_back({sections[i].index, sections[i].travel, sections[i].frame, cut, *blade,
                            0.5 * (request.blade.length - cut.length()) / cut.length()});
   }
+  if (Result<void> ok = hangInWeight(sweep, context); !ok) return tl::unexpected<Error>(ok.error());
   sweep::addSwingFindings(sweep, findings);
   if (fitSeconds) *fitSeconds = std::chrono::duration<double>(extendStart - fitStart).count();
   if (extendSeconds) *extendSeconds = std::chrono::duration<double>(Clock::now() - extendStart).count();

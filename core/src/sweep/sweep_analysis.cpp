@@ -79,8 +79,8 @@ std::vector<double> skinDistances(const std::vector<BladePose>& poses, const Spl
   for (int k = 0; k < kPlaces; ++k) u[std::size_t(k)] = (4 * k + 1.5) / (kColumns - 1);
   std::vector<Elastica::State> states(kPlaces);
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    for (std::size_t k = 0; k < kPlaces; ++k) arcs[k] = poses[i].cut.length() * u[k];
-    poses[i].cut.at(arcs, states);
+    for (std::size_t k = 0; k < kPlaces; ++k) arcs[k] = poses[i].cutStart() + poses[i].cut.length() * u[k];
+    poses[i].at(arcs, states);
     for (std::size_t k = 0; k < kPlaces; ++k) {
       const Eigen::Vector3d point = poses[i].frame.toWorld(states[k].point);
       distances[i] = std::max(distances[i], (skin.value(u[k], parameters[i]) - point).norm());
@@ -107,13 +107,11 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const SweepCheck& check, 
   std::vector<double> travel;
   std::vector<std::vector<double>> curvature(static_cast<std::size_t>(n));
   {
-    std::vector<double> arcs(kColumns);
     std::vector<Elastica::State> states(kColumns);
     for (int i = 0; i < n; ++i) {
       const BladePose& pose = poses[std::size_t(i)];
       travel.push_back(pose.travel);
-      for (int c = 0; c < kColumns; ++c) arcs[std::size_t(c)] = pose.cut.length() * c / (kColumns - 1);
-      pose.cut.at(arcs, states);
+      pose.at(pose.cutArcs(kColumns), states);
       for (const Elastica::State& state : states) {
         grid.points.push_back(pose.frame.toWorld(state.point));
         curvature[std::size_t(i)].push_back(std::abs(state.curvature) / sweep.request.blade.maxCurvature());
@@ -143,7 +141,7 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const SweepCheck& check, 
     summary.angleMax = std::max(summary.angleMax, station.angleMax);
     summary.angleStationMeanMax = std::max(summary.angleStationMeanMax, station.angleMean);
     summary.speedRatioMin = std::min(summary.speedRatioMin, station.speedRatio);
-    largestCurvature = std::max(largestCurvature, poses[std::size_t(i)].blade.maxCurvature());
+    largestCurvature = std::max(largestCurvature, poses[std::size_t(i)].maxCurvature());
   }
   summary.minRadius = largestCurvature > 0 ? 1.0 / largestCurvature : 0.0;
 

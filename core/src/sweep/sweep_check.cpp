@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "bw/core/elastica/elastica_stability.h"
+#include "bw/core/heavy/heavy_bvp.h"
 #include "sweep/cut_rows.h"
 #include "sweep/remedies.h"
 
@@ -47,7 +48,7 @@ std::vector<Eigen::Vector3d> materialPoints(const BladePose& pose, const std::ve
   std::vector<double> arcs(sigma.size());
   const double middle = 0.5 * pose.blade.length();
   for (std::size_t i = 0; i < sigma.size(); ++i) arcs[i] = middle + sigma[i];
-  return pose.points(pose.blade, arcs);
+  return pose.points(arcs);
 }
 
 /// Thesis 5.3 at one station, with the blade's own material points.
@@ -96,10 +97,22 @@ Result<SweepCheck> checkSweep(const Sweep& sweep, const CheckRequest& request, c
     StationVelocity& v = result.velocities[std::size_t(i)];
     v = stationVelocity(poses, travel, i, request.cuttingSpeed);
     StationCheck& check = result.stations[std::size_t(i)];
-    check.stabilityMargin = stabilityMargin(pose.blade);
-    check.stable = check.stabilityMargin > 0;
-    if (sweep.request.blade.section != Blade::Section::flat)
-      check.outOfPlaneMargin = outOfPlaneMargin(pose.blade);
+    const bool round = sweep.request.blade.section != Blade::Section::flat;
+    if (pose.heavy) {
+      const double across =
+          sweep.request.weight.dot(pose.frame.normal) / sweep.request.blade.flexuralRigidity();
+      const HeavyMargins margins = marginsOf(*pose.heavy, round ? across : 0);
+      check.stabilityMargin = margins.inPlane;
+      if (round) check.outOfPlaneMargin = margins.outOfPlane;
+      check.sideways = margins.sideways;
+      check.movedByWeight = pose.movedByWeight();
+    } else {
+      check.stabilityMargin = stabilityMargin(pose.blade);
+      if (round) check.outOfPlaneMargin = outOfPlaneMargin(pose.blade);
+    }
+    check.crossesItself = pose.crossesItself();
+    check.gripsSwapped = pose.gripsSwapped();
+    check.stable = check.stabilityMargin > 0 && !sweep.fits[std::size_t(i)].snapsAt;
     check.angleMax = *std::max_element(v.angle.begin(), v.angle.end());
     check.angleMean = 0;
     for (double angle : v.angle) check.angleMean += angle / kColumns;

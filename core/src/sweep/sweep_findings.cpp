@@ -11,6 +11,7 @@
 
 #include "bw/core/blade/cutting_limits.h"
 #include "bw/core/elastica/elastica_stability.h"
+#include "bw/core/heavy/heavy_bvp.h"
 #include "sweep/remedies.h"
 #include "sweep/station_fit.h"
 #include "sweep/tight_section.h"
@@ -22,6 +23,8 @@ namespace {
 /// Where the stations themselves are nearer to the target than this part of the largest deviation, the rest
 /// of it comes from between them.
 constexpr double kFromBetween = 0.5;
+/// What weight does to a blade is told from this part of the tolerance on.
+constexpr double kToldOfWeight = 0.5;
 /// More gaps than this become one finding: a list of places is no message.
 constexpr std::size_t kMostGaps = 3;
 
@@ -146,7 +149,7 @@ void addStationFindings(const Sweep& sweep, const SweepCheck& check, const Check
           {severity, std::move(told.cause), placeOf(poses, stretch), std::move(told.remedies)});
     }
   };
-  const auto bend = [&](Index i) { return poses[i].blade.maxCurvature(); };
+  const auto bend = [&](Index i) { return poses[i].maxCurvature(); };
   const auto distance = [&](Index i) { return fits[i].fit.hausdorff; };
   const auto ended = [&](FitStatus status) {
     return [&fits, status](Index i) { return fits[i].fit.status == status; };
@@ -169,8 +172,55 @@ void addStationFindings(const Sweep& sweep, const SweepCheck& check, const Check
       [&](const Stretch& at) -> Told {
         return {ManyInflections{bladeInflections(poses[at.worst].cut)}, {CutInParts{}}};
       });
+  const auto straightens = [](const Elastica& blade) { return !blade.selfIntersects(); };
   report(
-      Severity::warning, [&](Index i) { return !seen[i].stable; },
+      Severity::error, [&](Index i) { return seen[i].crossesItself; }, bend,
+      [&](const Stretch& at) -> Told {
+        return {BladeCrosses{true}, shorterOr(sweep, at, CutInParts{}, straightens)};
+      });
+  report(
+      Severity::error, [&](Index i) { return seen[i].gripsSwapped && !seen[i].crossesItself; }, bend,
+      [&](const Stretch&) -> Told {
+        return {BladeCrosses{false}, {CutInParts{}}};
+      });
+  const auto sinks = [&](Index i) { return fits[i].snapsAt && *fits[i].snapsAt > 0; };
+  report(
+      Severity::error, sinks, [&](Index i) { return seen[i].movedByWeight; },
+      [&](const Stretch& at) -> Told {
+        const auto keeps = [&](const Elastica& blade) {
+          const Frame& frame = poses[at.worst].frame;
+          const Eigen::Vector3d& weight = sweep.request.weight;
+          const Result<Hanging> hanging =
+              hang(blade, sweep.request.blade.flexuralRigidity(), {weight.dot(frame.x), weight.dot(frame.y)});
+          return hanging && !hanging->snapsAt;
+        };
+        SnapsInWeight cause{*fits[at.worst].snapsAt, seen[at.worst].movedByWeight};
+        const std::optional<double> length = shorterBlade(sweep, at.first, at.last, keeps);
+        return {cause, length ? Remedies{OtherLength{*length}} : Remedies{}};
+      });
+  report(
+      Severity::error, [&](Index i) { return !fits[i].unknown.empty(); }, [](Index) { return 0.0; },
+      [&](const Stretch& at) -> Told { return {UnknownInWeight{fits[at.worst].unknown}}; });
+  report(
+      Severity::info,
+      [&](Index i) { return !sinks(i) && seen[i].movedByWeight > kToldOfWeight * request.tolerance; },
+      [&](Index i) { return seen[i].movedByWeight; },
+      [&](const Stretch& at) -> Told { return {MovedByWeight{seen[at.worst].movedByWeight}}; });
+  const auto sideways = [&](Index i) { return seen[i].sideways; };
+  for (const bool tooFar : {true, false})
+    report(
+        tooFar ? Severity::error : Severity::warning,
+        [&](Index i) {
+          // One that twists out of its plane anyway is told of that.
+          return seen[i].outOfPlaneMargin > 0 && sideways(i) > kToldOfWeight * request.tolerance &&
+                 (sideways(i) > request.tolerance) == tooFar;
+        },
+        sideways,
+        [&](const Stretch& at) -> Told {
+          return {BentSideways{sideways(at.worst)}, {flatBladeFor(sweep)}};
+        });
+  report(
+      Severity::warning, [&](Index i) { return !seen[i].stable && !sinks(i); },
       [&](Index i) { return -seen[i].stabilityMargin; },
       [&](const Stretch& at) -> Told {
         const auto rests = [](const Elastica& blade) { return stabilityMargin(blade) > 0; };
@@ -267,7 +317,7 @@ std::vector<char> addTightFindings(const Sweep& sweep, const CheckRequest& reque
   const double limit = sweep.request.blade.maxCurvature(), radius = sweep.request.blade.minRadius();
   TightRow row(poses.size());
   std::vector<char> found(poses.size(), 0);
-  const auto overbent = [&](std::size_t i) { return poses[i].blade.maxCurvature() > limit; };
+  const auto overbent = [&](std::size_t i) { return poses[i].maxCurvature() > limit; };
   for (std::size_t i = 0; i < poses.size(); ++i) {
     if (!overbent(i) && analysis.stationDeviation[i] <= request.tolerance) continue;
     TightSection section(sweep.fits[i].target);

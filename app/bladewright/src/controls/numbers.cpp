@@ -58,14 +58,15 @@ QString sizeText(const Eigen::Vector3d& size) {
       .arg(shortNumber(size.x(), 4), shortNumber(size.y(), 4), shortNumber(size.z(), 4));
 }
 
-SweepLimits brokenLimits(const SweepSummary& summary, const Design& design) {
-  return {summary.deviationMax > design.process.tolerance,
+SweepLimits brokenLimits(const pipeline::CutResult& result, const Design& design) {
+  const SweepSummary& summary = result.analysis.summary;
+  return {std::max(summary.deviationMax, result.way.deviationMax) > design.process.tolerance,
           summary.minRadius<design.blade.minRadius(), summary.angleMax> cuttingAngleLimit(design.blade),
-          summary.speedRatioMin < kSpeedRatioLimit, false};
+          summary.speedRatioMin<kSpeedRatioLimit, false, result.coverage.distance> design.process.tolerance};
 }
 
 SweepLimits brokenLimits(const pipeline::StationView& station, const Design& design) {
-  return {false, station.pose.blade.maxCurvature() > design.blade.maxCurvature(),
+  return {false, station.pose.maxCurvature() > design.blade.maxCurvature(),
           station.check.angleMax > cuttingAngleLimit(design.blade),
           station.check.speedRatio < kSpeedRatioLimit, station.check.clearance < design.process.clearance};
 }
@@ -75,7 +76,7 @@ std::vector<StationNumbers> stationNumbers(const pipeline::CutResult& result) {
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     StationNumbers& n = numbers[i];
     const pipeline::StationView station = result.station(i);
-    n.maxCurvature = station.pose.blade.maxCurvature();
+    n.maxCurvature = station.pose.maxCurvature();
     n.stress = result.sweep.request.blade.stress(n.maxCurvature);
     n.deviation = station.deviation;
     n.speedMin = station.check.speedMin;

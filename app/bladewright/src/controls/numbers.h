@@ -26,8 +26,9 @@ struct SweepLimits {
   bool deviation = false;  ///< beyond the tolerance
   bool radius = false;     ///< and stress: beyond what leaves the blade elastic
   bool angle = false, speed = false, clearance = false;
+  bool coverage = false;  ///< the surface reaches beyond the cut by more than the tolerance
 };
-SweepLimits brokenLimits(const SweepSummary& summary, const Design& design);
+SweepLimits brokenLimits(const pipeline::CutResult& result, const Design& design);
 SweepLimits brokenLimits(const pipeline::StationView& station, const Design& design);
 
 /// Numbers of one station that follow from the cut surface's fields.

@@ -56,6 +56,14 @@ QRectF boundsOf(std::initializer_list<const QPolygonF*> polygons) {
   return bounds;
 }
 
+std::vector<Eigen::Vector2d> inPlane(const BladePose& pose, const std::vector<double>& arcs) {
+  std::vector<Elastica::State> states(arcs.size());
+  pose.at(arcs, states);
+  std::vector<Eigen::Vector2d> points;
+  for (const Elastica::State& state : states) points.push_back(state.point);
+  return points;
+}
+
 QString tr(const char* text) { return QCoreApplication::translate("bw::app::SectionView", text); }
 
 }  // namespace
@@ -68,15 +76,14 @@ SectionDrawing makeSectionDrawing(const Sweep& sweep, int index, double exaggera
   const PlanarCurve& target = sweep.fits[std::size_t(index)].target;
   drawing.station = index;
   drawing.target = toPolygon(target.sample(kSamples));
-  drawing.elastica = toPolygon(station.cut.sample(kSamples));
-  drawing.blade = toPolygon(station.blade.sample(kSamples));
+  drawing.elastica = toPolygon(inPlane(station, station.cutArcs(kSamples)));
   // The same frame axes for all stations: neighbours are drawn as they lie in the plane of this one.
   const auto neighbour = [&](int i) {
     QPolygonF polygon;
     if (i < 0 || std::size_t(i) >= stations.size()) return polygon;
     const BladePose& other = stations[std::size_t(i)];
-    for (const Eigen::Vector2d& p : other.cut.sample(65))
-      polygon << toPoint(station.frame.toLocal(other.frame.toWorld(p)).head<2>());
+    for (const Eigen::Vector3d& p : other.cutPoints(65))
+      polygon << toPoint(station.frame.toLocal(p).head<2>());
     return polygon;
   };
   drawing.before = neighbour(index - 1);
@@ -93,12 +100,13 @@ SectionDrawing makeSectionDrawing(const Sweep& sweep, int index, double exaggera
   std::vector<double> arcs(kSamples);
   std::vector<Elastica::State> states(kSamples);
   for (int i = 0; i < kSamples; ++i) arcs[std::size_t(i)] = length * i / (kSamples - 1);
-  station.blade.at(arcs, states);
-  for (int i = 0; i < kSamples; ++i)
+  station.at(arcs, states);
+  for (int i = 0; i < kSamples; ++i) {
+    drawing.blade << toPoint(states[std::size_t(i)].point);
     drawing.curvature << QPointF(arcs[std::size_t(i)], states[std::size_t(i)].curvature);
-  const double overhang = station.extension * station.cut.length();
-  drawing.cutFrom = overhang;
-  drawing.cutTo = length - overhang;
+  }
+  drawing.cutFrom = station.cutStart();
+  drawing.cutTo = length - station.cutStart();
   drawing.bounds = boundsOf({&drawing.target, &drawing.elastica, &drawing.blade, &drawing.foam});
   return drawing;
 }

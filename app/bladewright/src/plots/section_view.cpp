@@ -110,8 +110,9 @@ QStringList SectionView::readout() const {
   if (curvatureArea().contains(cursor_)) {
     const QRectF area = curvatureArea();
     const double arc = along_.low + along_.span() * (cursor_.x() - area.left()) / area.width();
-    const double curvature =
-        bench_.sweep()->sweep.poses[std::size_t(drawing_.station)].blade.at(arc).curvature;
+    Elastica::State state;
+    bench_.sweep()->sweep.poses[std::size_t(drawing_.station)].at({&arc, 1}, {&state, 1});
+    const double curvature = state.curvature;
     return {
         tr("%1 along the blade").arg(lengthText(arc)),
         tr("%1 1/m, radius %2")

@@ -89,7 +89,7 @@ void Inspector::addOfResult(FormColumn* column, const QString& name, const QStri
       },
       [this, broken] {
         const auto result = bench_.sweep();
-        return broken && result && brokenLimits(result->analysis.summary, bench_.shown()->design).*broken;
+        return broken && result && brokenLimits(*result, bench_.shown()->design).*broken;
       });
 }
 
@@ -111,10 +111,16 @@ void Inspector::makeResult() {
   column->addHeading(tr("Deviation"));
   add(tr("Largest"), tr("Of the cut surface from the target, also between stations"), lengthText,
       &SweepSummary::deviationMax, &SweepLimits::deviation);
+  addOfResult(
+      column, tr("Between stations"), tr("Of the blade from the target, as the robots move it"),
+      [](const CutResult& result) { return lengthText(result.way.deviationMax); }, &SweepLimits::deviation);
   add(tr("Mean"), {}, lengthText, &SweepSummary::deviationMean);
   add(tr("Root mean square"), {}, lengthText, &SweepSummary::deviationRms);
   add(tr("Within tolerance"), tr("Part of the cut surface that lies within the tolerance"), percentText,
       &SweepSummary::withinTolerance, &SweepLimits::deviation);
+  addOfResult(
+      column, tr("Surface covered"), tr("Part of the surface in the block that has cut surface over it"),
+      [](const CutResult& result) { return percentText(result.coverage.share()); }, &SweepLimits::coverage);
   column->addHeading(tr("Blade"));
   add(tr("Smallest radius"), tr("Over the whole blade at all stations"), radiusText, &SweepSummary::minRadius,
       &SweepLimits::radius);
@@ -274,7 +280,7 @@ void Inspector::makeStation() {
   add(
       tr("Smallest radius"), tr("Of the whole blade"),
       [](const StationView& s) {
-        const double curvature = s.pose.blade.maxCurvature();
+        const double curvature = s.pose.maxCurvature();
         return radiusText(curvature > 0 ? 1 / curvature : 1e12);
       },
       &SweepLimits::radius);

@@ -239,13 +239,16 @@ void MainWindow::refreshSummary() {
   const QString speeds = high.startsWith(low + " ") ? high : tr("%1 to %2").arg(low, high);
   const QString radius = radiusText(s.minRadius);
   const QString bend = radius.endsWith("mm") ? tr("radius ≥ %1").arg(radius) : tr("straight blade");
-  const SweepLimits broken = brokenLimits(s, bench_.shown()->design);
-  summary_->setParts({{tr("Unit mm")},
-                      {tr("deviation ≤ %1").arg(lengthText(s.deviationMax)), 4, broken.deviation},
-                      {tr("%1 within tolerance").arg(percentText(s.withinTolerance)), 3, broken.deviation},
-                      {speeds, 1, broken.speed},
-                      {bend, 2, broken.radius}},
-                     staleShown_);
+  const SweepLimits broken = brokenLimits(*result, bench_.shown()->design);
+  summary_->setParts(
+      {{tr("Unit mm")},
+       {tr("deviation ≤ %1").arg(lengthText(std::max(s.deviationMax, result->way.deviationMax))), 4,
+        broken.deviation},
+       {tr("%1 within tolerance").arg(percentText(s.withinTolerance)), 3, broken.deviation},
+       {tr("%1 covered").arg(percentText(result->coverage.share())), 3, broken.coverage},
+       {speeds, 1, broken.speed},
+       {bend, 2, broken.radius}},
+      staleShown_);
 }
 
 }  // namespace bw::app

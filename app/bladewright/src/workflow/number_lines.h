@@ -30,13 +30,18 @@ class NumberLines {
       edit(QObject::tr(setting.change),
            [&setting, value](Owner& owner) { owner.*setting.member = value / setting.scale; });
     });
-    lines_.push_back({&setting, field});
+    lines_.push_back({&setting, field, field->toolTip()});
   }
 
-  void refresh(const Owner& owner, const std::function<bool(const Setting&)>& shown = {}) {
+  /// `shown`: the lines that are; `note`: what the tip of a field says besides.
+  void refresh(const Owner& owner, const std::function<bool(const Setting&)>& shown = {},
+               const std::function<QString(const Setting&)>& note = {}) {
     for (const Line& line : lines_) {
       line.field->show(line.setting->scale * owner.*line.setting->member);
       if (shown) setLineVisible(line.field, shown(*line.setting));
+      if (!note) continue;
+      const QString more = note(*line.setting);
+      line.field->setToolTip(more.isEmpty() ? line.tip : line.tip + "\n" + more);
     }
   }
 
@@ -44,6 +49,7 @@ class NumberLines {
   struct Line {
     const Setting* setting;
     NumberField* field;
+    QString tip;
   };
   std::vector<Line> lines_;
 };

@@ -9,11 +9,9 @@ namespace bw::app {
 
 namespace {
 
-constexpr std::array<const char*, 3> kAxes = {"X", "Y", "Z"};
 // The station slider is logarithmic: 2 … 1000 stations over its length.
 constexpr int kSliderSteps = 400;
 constexpr double kSliderMin = 2, kSliderMax = 1000;
-constexpr double kNoDirection = 1e-6;  // shorter vectors lead nowhere
 
 int stationsOfSlider(int value) {
   return int(std::lround(kSliderMin * std::pow(kSliderMax / kSliderMin, double(value) / kSliderSteps)));
@@ -71,39 +69,19 @@ void ProcessFields::addStations(FormColumn* column) {
 }
 
 void ProcessFields::addDirection(FormColumn* column) {
-  direction_ = column->add(tr("Direction"), new ChoiceField,
-                           tr("The way the blade travels; automatic: the best of some that are tried"));
-  direction_->addItems({tr("Automatic"), "X", "Y", "Z", tr("Vector")});
-  connect(direction_, &QComboBox::activated, this, [this](int index) {
-    Eigen::Vector3d now = Eigen::Vector3d::UnitY();
-    if (const auto* cut = bench_.shownCut(); cut && cut->setup) now = cut->setup->planes.direction();
-    if (bench_.cut().direction) now = *bench_.cut().direction;
-    vectorChosen_ = index == 4;
-    bench_.editCut(tr("Change direction"), [=](Cut& cut) {
-      if (index == 0)
-        cut.direction.reset();
-      else
-        cut.direction = index < 4 ? Eigen::Vector3d(Eigen::Vector3d::Unit(index - 1)) : now;
-    });
-    refresh();  // the same direction may be an axis and a vector
-  });
-  for (int i = 0; i < 3; ++i) {
-    const auto axis = std::size_t(i);
-    directionFields_[axis] =
-        column->add(tr("Direction %1").arg(kAxes[axis]), new NumberField({-1000, 1000, 4, 0.05, {}}),
-                    tr("Only the ratio of the three numbers counts"));
-    const auto with = [this, i](double value) {
-      Eigen::Vector3d direction = bench_.cut().direction.value_or(Eigen::Vector3d::UnitY());
-      direction[i] = value;
-      return direction;
-    };
-    directionFields_[axis]->setCheck([with](double value) {
-      return with(value).norm() < kNoDirection ? tr("0, 0, 0 is no direction") : QString();
-    });
-    connect(directionFields_[axis], &NumberField::edited, this, [this, with](double value) {
-      bench_.editCut(tr("Change direction"), [&](Cut& cut) { cut.direction = with(value); });
-    });
-  }
+  direction_ = new DirectionLines(
+      column,
+      {tr("Direction"), tr("The way the blade travels; automatic: the best of some that are tried"),
+       tr("Direction %1")},
+      [this] { return bench_.cut().direction; },
+      [this] {
+        const auto* cut = bench_.shownCut();
+        return cut && cut->setup ? cut->setup->planes.direction() : Eigen::Vector3d(Eigen::Vector3d::UnitY());
+      },
+      [this](const DirectionLines::Value& direction) {
+        bench_.editCut(tr("Change direction"), [&](Cut& cut) { cut.direction = direction; });
+      },
+      this);
 }
 
 void ProcessFields::addFit(FormColumn* column) {
@@ -137,7 +115,7 @@ void ProcessFields::addNumbers(FormColumn* column, ProcessPart part) {
 void ProcessFields::refresh() {
   const Process& process = bench_.design().process;
   refreshStations(bench_.cut().sections);
-  refreshDirection(bench_.cut().direction);
+  direction_->refresh();
   numbers_.refresh(process);
   fitLength_->show(process.fitLength == FitOptions::Length::free ? 0 : 1);
   endpoints_->setChecked(process.fitEndpoints);
@@ -152,21 +130,6 @@ void ProcessFields::refreshStations(const SectionRequest& sections) {
   stations_->show(sections.stations);
   stationSlider_->show(sliderOfStations(sections.stations));
   if (sections.spacing) spacing_->show(*sections.spacing);
-}
-
-void ProcessFields::refreshDirection(const std::optional<Eigen::Vector3d>& direction) {
-  int directionIndex = 0;
-  if (direction) {
-    directionIndex = 4;
-    for (int i = 0; i < 3 && !vectorChosen_; ++i)
-      if ((*direction - Eigen::Vector3d::Unit(i)).norm() < 1e-12) directionIndex = i + 1;
-  }
-  direction_->show(directionIndex);
-  for (int i = 0; i < 3; ++i) {
-    const auto axis = std::size_t(i);
-    setLineVisible(directionFields_[axis], directionIndex == 4);
-    if (direction) directionFields_[axis]->show((*direction)[i]);
-  }
 }
 
 }  // namespace bw::app

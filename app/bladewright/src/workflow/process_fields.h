@@ -6,10 +6,9 @@
 #include <QLabel>
 #include <QObject>
 
-#include <array>
-
 #include "controls/fields.h"
 #include "workbench/workbench.h"
+#include "workflow/direction_lines.h"
 #include "workflow/number_lines.h"
 
 namespace bw::app {
@@ -30,16 +29,14 @@ class ProcessFields : public QObject {
   void addFit(FormColumn* column);
   void addNumbers(FormColumn* column, ProcessPart part);
   void refreshStations(const SectionRequest& sections);
-  void refreshDirection(const std::optional<Eigen::Vector3d>& direction);
 
   Workbench& bench_;
-  ChoiceField *stationMode_, *direction_, *fitLength_;
+  ChoiceField *stationMode_, *fitLength_;
+  DirectionLines* direction_;
   NumberField *stations_, *spacing_;
   ProcessLines numbers_;
   HandSlider* stationSlider_;
   int dragId_ = -1;  ///< joins the moves of one drag of the slider
-  std::array<NumberField*, 3> directionFields_;
-  bool vectorChosen_ = false;  ///< the direction shows as numbers even where it is an axis
   QCheckBox *endpoints_, *tangents_;
 };
 

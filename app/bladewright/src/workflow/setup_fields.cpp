@@ -22,7 +22,7 @@ bool sameTool(const Blade& a, const Blade& b) {
   const auto numbers = [](const Blade& blade) {
     return std::tuple(blade.section, blade.width, blade.thickness, blade.outerDiameter, blade.innerDiameter,
                       blade.youngModulus, blade.yieldStress, blade.temperature, blade.thermalExpansion,
-                      blade.safety);
+                      blade.safety, blade.density);
   };
   return numbers(a) == numbers(b);
 }
@@ -30,6 +30,7 @@ bool sameTool(const Blade& a, const Blade& b) {
 void makeOwn(Blade& blade) {
   blade.name = kOwn;
   blade.title.clear();
+  blade.sources.clear();
 }
 
 constexpr std::array<const char*, 3> kAxes = {"X", "Y", "Z"};
@@ -68,6 +69,21 @@ BladeFields::BladeFields(Workbench& bench, FormColumn* column, FormColumn* detai
   column->addWide(line);
   minRadius_ = column->addValue(tr("Smallest radius"), tr("The tightest bend that leaves the blade elastic"));
   for (const BladeNumber& number : numbers.subspan(1)) numbers_.add(details, number, this, edit);
+  weight_ = column->addCheck(tr("Blade hangs in its weight"),
+                             tr("The surface is that of the blade as its own weight bends it"));
+  connect(weight_, &QCheckBox::clicked, this, [this](bool on) {
+    bench_.editDesign(on ? tr("Give the blade weight") : tr("Take the blade's weight away"),
+                      [on](Design& design) { design.process.weight = on; });
+  });
+  up_ = new DirectionLines(
+      column,
+      {tr("Up"), tr("The way up in the frame of the file: weight pulls against it"), tr("Up %1"), false},
+      [this] { return DirectionLines::Value(bench_.design().process.up); },
+      [] { return Eigen::Vector3d(Eigen::Vector3d::UnitZ()); },
+      [this](const DirectionLines::Value& up) {
+        bench_.editDesign(tr("Turn up"), [&](Design& design) { design.process.up = *up; });
+      },
+      this);
 }
 
 void BladeFields::editBlade(const QString& text, const std::function<void(Blade&)>& change) {
@@ -81,6 +97,7 @@ void BladeFields::editBlade(const QString& text, const std::function<void(Blade&
     if (const Blade* preset = presetOf(design.blade)) {
       design.blade.name = preset->name;
       design.blade.title = preset->title;
+      design.blade.sources = preset->sources;
     }
   });
 }
@@ -95,8 +112,16 @@ void BladeFields::refresh() {
   const Blade& blade = bench_.design().blade;
   const Blade* preset = blade.name == kOwn ? nullptr : presetOf(blade);
   preset_->show(preset ? int(preset - presets_.data()) : int(presets_.size()));
-  numbers_.refresh(blade, [&](const BladeNumber& number) { return number.appliesTo(blade.section); });
+  const auto source = [&](const BladeNumber& number) {
+    const auto found = blade.sources.find(number.key);
+    return found == blade.sources.end() ? QString()
+                                        : tr("Source: %1").arg(QString::fromStdString(found->second));
+  };
+  numbers_.refresh(
+      blade, [&](const BladeNumber& number) { return number.appliesTo(blade.section); }, source);
   minRadius_->setText(QString::fromStdString(shortText(blade.minRadius(), 3)) + " mm");
+  weight_->setChecked(bench_.design().process.weight);
+  up_->setVisible(bench_.design().process.weight);
 }
 
 BlockFields::BlockFields(Workbench& bench, FormColumn* column, QObject* parent)

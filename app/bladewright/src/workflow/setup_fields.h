@@ -9,6 +9,7 @@
 
 #include "controls/fields.h"
 #include "workbench/workbench.h"
+#include "workflow/direction_lines.h"
 #include "workflow/number_lines.h"
 
 namespace bw::app {
@@ -36,6 +37,8 @@ class BladeFields : public QObject {
   ChoiceField* preset_;
   BladeLines numbers_;
   QLabel* minRadius_;
+  QCheckBox* weight_;
+  DirectionLines* up_;
 };
 
 /// Fields of a block's place; edits go to the job.

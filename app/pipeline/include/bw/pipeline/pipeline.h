@@ -14,6 +14,8 @@
 #include "bw/core/design/design.h"
 #include "bw/core/motion/cell.h"
 #include "bw/core/surface/mesh.h"
+#include "bw/core/sweep/coverage.h"
+#include "bw/core/sweep/row_motion.h"
 #include "bw/core/sweep/sweep_check.h"
 #include "bw/geometry/cad_model.h"
 #include "bw/geometry/sections.h"
@@ -59,6 +61,8 @@ struct CutResult {
   const Sweep& sweep;
   const SweepCheck& check;
   const SweepAnalysis& analysis;
+  const Coverage& coverage;
+  const RowMotion& way;
   const Motion& motion;
 
   std::size_t size() const { return sweep.poses.size(); }
@@ -83,6 +87,8 @@ struct CutEvaluation {
   Stage<CheckRequest, SweepCheck> check;  ///< velocities, margins, clearance
   Stage<MotionRequest, Motion> motion;
   Stage<CheckRequest, SweepAnalysis> analysis;  ///< the cut surface against the target, and what was found
+  Stage<CheckRequest, Coverage> coverage;       ///< the target against the cut surface
+  Stage<CheckRequest, RowMotion> way;           ///< the blade between the stations, as robots move it
 
   std::optional<CutResult> result() const;  ///< empty until all stages are done
   Findings findings() const;                ///< of all stages in order
@@ -133,8 +139,8 @@ enum class Purpose { live, files };
 Outcome evaluate(const Design& design, const Evaluation* previous, const RunContext& context,
                  Purpose purpose = Purpose::live);
 
-/// The triangles of a cut's surface, to be shown also where a later stage failed; `seconds` grows by the
-/// time.
+/// The triangles of a cut's surface, unless they are there already: to be shown also where a later stage
+/// failed. `seconds` grows by the time.
 Result<void> meshTarget(CutEvaluation& cut, const CutEvaluation* previous, double& seconds);
 
 /// Adds the triangles of all faces of the file, to choose among them, unless the file has one face only or

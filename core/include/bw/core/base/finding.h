@@ -29,12 +29,17 @@ enum class FindingKind {
   inflections,
   stability,
   outOfPlane,
+  weight,
   clearance,
   angle,
   speed,
   swing,
   gap,
   deviation,
+  coverage,
+  crossing,
+  lead,
+  motion,
   skin,
   sectionShort,
   sectionMissing,
@@ -96,6 +101,27 @@ struct ManyInflections {
 struct WouldSnap {
   static constexpr FindingKind kind = FindingKind::stability;
 };
+/// Its weight brings the blade into another shape.
+struct SnapsInWeight {
+  static constexpr FindingKind kind = FindingKind::stability;
+  double share = 0;     ///< of the weight, at which it snaps
+  double distance = 0;  ///< to where it rests then
+};
+/// Its weight moves the blade.
+struct MovedByWeight {
+  static constexpr FindingKind kind = FindingKind::weight;
+  double distance = 0;
+};
+/// Weight across the plane bends a round blade out of it; infinite where it twists out anyway.
+struct BentSideways {
+  static constexpr FindingKind kind = FindingKind::weight;
+  double distance = 0;
+};
+/// How the blade hangs in its weight could not be found.
+struct UnknownInWeight {
+  static constexpr FindingKind kind = FindingKind::weight;
+  std::string why;
+};
 /// A round blade does not rest in its plane.
 struct WouldTwist {
   static constexpr FindingKind kind = FindingKind::outOfPlane;
@@ -139,6 +165,45 @@ struct TooFar {
   double spacing = 0;               ///< of the stations there
   double own = 0;                   ///< largest distance of the stations themselves
   int leftFirst = 0, leftLast = 0;  ///< of the gap
+};
+/// A part of the target has no cut surface over it.
+struct Uncovered {
+  static constexpr FindingKind kind = FindingKind::coverage;
+  /// Where it reaches farthest: before the first station that cuts, after the last one, or beyond an end of
+  /// the blade's cut.
+  enum class Where { before, after, beside };
+  double area = 0, share = 0;  ///< mm², and of all of the target in the block
+  double distance = 0;         ///< beyond the cut surface, at most
+  Where where = Where::beside;
+};
+/// The blade crosses itself, or its grips stand on each other's sides.
+struct BladeCrosses {
+  static constexpr FindingKind kind = FindingKind::crossing;
+  bool itself = true;
+};
+/// On the way from one station to the next the blade leaves its shape and snaps into another.
+struct SnapsOnTheWay {
+  static constexpr FindingKind kind = FindingKind::stability;
+};
+/// It arrives at the station in another shape than the one shown.
+struct ArrivesOtherwise {
+  static constexpr FindingKind kind = FindingKind::stability;
+};
+/// It could not be followed.
+struct LostOnTheWay {
+  static constexpr FindingKind kind = FindingKind::motion;
+  std::string why;
+};
+/// Between the stations, as the robots move it, the blade is too far from the target.
+struct TooFarOnTheWay {
+  static constexpr FindingKind kind = FindingKind::deviation;
+  double deviation = 0, tolerance = 0;
+};
+/// A lead is longer than was asked for, so that all of the blade leaves the block.
+struct LeadGrown {
+  static constexpr FindingKind kind = FindingKind::lead;
+  double asked = 0, grown = 0;
+  bool atStart = true;
 };
 /// The surface that is measured and written leaves the blade of a station.
 struct SkinOff {
@@ -293,11 +358,13 @@ struct RunMismatch {
 
 using Cause =
     std::variant<UnmetConditions, UnsettledFit, HeldBackFit, SteadiedFit, Overbent, TooTight, ManyInflections,
-                 WouldSnap, WouldTwist, GripTooNear, SteepAngle, UnevenSpeed, EndsSwing, GapInRow, TooFar,
-                 SkinOff, SectionMissing, SectionPoint, SectionShort, SectionBranches, SectionClosed,
-                 SectionBorder, SectionUnfit, SectionRough, SectionDiffers, LargestFace, NearestFace,
-                 FacesLeftOut, TravelAcross, ChosenDirection, LeftOutOfFile, Healed, ChangedSource,
-                 EarlierDesign, UnreadableCell, WrongSide, ProgramDespiteErrors, ProgramBreach, RunMismatch>;
+                 WouldSnap, SnapsInWeight, MovedByWeight, BentSideways, UnknownInWeight, WouldTwist,
+                 GripTooNear, SteepAngle, UnevenSpeed, EndsSwing, GapInRow, TooFar, Uncovered, BladeCrosses,
+                 LeadGrown, SnapsOnTheWay, ArrivesOtherwise, LostOnTheWay, TooFarOnTheWay, SkinOff,
+                 SectionMissing, SectionPoint, SectionShort, SectionBranches, SectionClosed, SectionBorder,
+                 SectionUnfit, SectionRough, SectionDiffers, LargestFace, NearestFace, FacesLeftOut,
+                 TravelAcross, ChosenDirection, LeftOutOfFile, Healed, ChangedSource, EarlierDesign,
+                 UnreadableCell, WrongSide, ProgramDespiteErrors, ProgramBreach, RunMismatch>;
 
 /// Stations of a row by their index: from first to last, `count` of them concerned, the worst among them.
 struct StationRange {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -28,11 +29,19 @@ struct Blade {
   double temperature = 350;         ///< °C at the cut
   double thermalExpansion = 13e-6;  ///< mean linear expansion from 20 °C to the working temperature, 1/K
   double safety = 1.2;              ///< yield stress is divided by this
+  double density = 7850;            ///< kg/m³
+  /// Where numbers of a preset come from, by their key; "nominal" begins one that nobody measured. A number
+  /// that is given otherwise has none.
+  std::map<std::string, std::string> sources = {};
 
   /// Distance of the outermost fibre from the neutral axis in the bending plane, mm.
   double fibreDistance() const;
   /// Second moment of area about the bending axis, mm⁴.
   double secondMoment() const;
+  /// Of the section, mm².
+  double area() const;
+  /// Weight of a length, N/mm.
+  double weight() const { return 9.80665e-9 * density * area(); }
   /// Flexural rigidity E I, N·mm².
   double flexuralRigidity() const { return youngModulus * secondMoment(); }
   /// The smallest radius (of the neutral axis) that stays elastic: E c · safety / yield, mm.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bw/core/elastica/elastica_bvp.h"
+#include "bw/core/elastica/elastica_stability.h"
 #include "bw/core/heavy/heavy_blade.h"
 
 namespace bw {
@@ -67,11 +68,35 @@ Result<HeavyAnswer> solveHeavy(const HeavyProblem& problem, const ClampedOptions
 /// tighter than about a fortieth of the length. Same errors. Some 10 ms.
 Result<HeavyAnswer> solveAllHeavy(const HeavyProblem& problem, const ClampedOptions& options = {});
 
+/// A held blade that has taken on its weight.
+struct Hanging {
+  HeavyBlade blade;
+  std::optional<double> snapsAt = std::nullopt;  ///< as that of a solution
+};
+/// The shape that a blade which lies as `blade` without weight becomes as its weight comes on evenly, its
+/// grips held where they are. Where its branch ends, or it did not rest to begin with, it falls into another
+/// stable shape. A blade so taut that it can sag by no more than 0.01 mm stays as it is. `stiffness` in N
+/// mm², `weight` in N/mm in the plane's coordinates. Errors: those of `solveHeavy`. Some 0.3 ms.
+Result<Hanging> hang(const Elastica& blade, double stiffness, const Eigen::Vector2d& weight);
+
+/// How safely a blade rests in its shape, and what a load across its plane does to it.
+struct HeavyMargins {
+  double inPlane = 1, outOfPlane = 1;  ///< as those of a solution
+  double sideways = 0;  ///< mm, the farthest that a round blade leaves its plane under the load
+};
+/// Of a blade at rest. `across`: load over stiffness (1/mm³) along the normal of its plane; the answer is
+/// linear in it, and infinite where nothing holds the blade in its plane. Some 0.3 ms.
+HeavyMargins marginsOf(const HeavyBlade& blade, double across = 0, double torsionRatio = kRoundTorsionRatio);
+
 /// A stable blade with weight that stays on its branch while its grips, its weight or both move.
 class HeavyBranch {
  public:
   /// From an answer to a problem. Fails (badInput) for a shape that is not stable.
-  static Result<HeavyBranch> from(const HeavyProblem& problem, const HeavySolution& solution);
+  static Result<HeavyBranch> from(const HeavyProblem& problem, const HeavySolution& solution) {
+    return from(solution.blade, problem.stiffness);
+  }
+  /// From a blade at rest.
+  static Result<HeavyBranch> from(const HeavyBlade& blade, double stiffness);
 
   /// Moves grips and weight evenly to those of `next`, which has the same length and stiffness; the turning
   /// by the shorter way unless it is given. Where the branch ends the blade is left there, which `snapped`

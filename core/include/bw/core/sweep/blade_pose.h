@@ -4,11 +4,13 @@
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "bw/core/base/frame.h"
 #include "bw/core/elastica/elastica.h"
+#include "bw/core/heavy/heavy_blade.h"
 
 namespace bw {
 
@@ -17,9 +19,10 @@ struct BladePose {
   int index = 0;         ///< of its station
   double travel = 0;     ///< mm along the cutting direction
   Frame frame;           ///< of the plane in which the blade bends
-  Elastica cut = {};     ///< the part that cuts the target
+  Elastica cut = {};     ///< the part that cuts the target, if the blade had no weight
   Elastica blade = {};   ///< from grip to grip: `cut` extended at both ends to the blade's length
   double extension = 0;  ///< a ≥ 0: `blade` is `cut` over the parameters [−a, 1 + a]
+  std::optional<HeavyBlade> heavy = std::nullopt;  ///< how it hangs between its grips, where it has weight
 
   /// The ends of the blade in space: TCP origin and unit tangent in the direction of increasing arc length.
   Eigen::Vector3d leftPoint() const { return frame.toWorld(blade.start()); }
@@ -27,9 +30,27 @@ struct BladePose {
   Eigen::Vector3d rightPoint() const;
   Eigen::Vector3d rightTangent() const;
 
-  /// Points in space of `cut` or `blade`: at arc lengths in mm from its start, or `count` ≥ 2 at equal ones.
-  std::vector<Eigen::Vector3d> points(const Elastica& curve, std::span<const double> arcs) const;
-  std::vector<Eigen::Vector3d> points(const Elastica& curve, int count) const;
+  // The blade that is there, with its weight where it has one. Arc lengths in mm from the left grip.
+
+  /// Where the part that cuts begins.
+  double cutStart() const { return extension * cut.length(); }
+  /// States in the plane of the frame. out.size() == arcs.size().
+  void at(std::span<const double> arcs, std::span<Elastica::State> out) const;
+  /// Points in space.
+  std::vector<Eigen::Vector3d> points(std::span<const double> arcs) const;
+  /// `count` ≥ 2 arc lengths, evenly over the part that cuts.
+  std::vector<double> cutArcs(int count) const;
+  /// Points in space at equal arc lengths of the part that cuts or of the whole, `count` ≥ 2.
+  std::vector<Eigen::Vector3d> cutPoints(int count) const { return points(cutArcs(count)); }
+  std::vector<Eigen::Vector3d> bladePoints(int count) const;
+  /// The largest |κ|, 1/mm.
+  double maxCurvature() const { return heavy ? heavy->maxCurvature() : blade.maxCurvature(); }
+  /// True if the blade crosses itself.
+  bool crossesItself() const { return heavy ? heavy->selfIntersects() : blade.selfIntersects(); }
+  /// True if the grips lie the other way round than the ends of the part that cuts.
+  bool gripsSwapped() const;
+  /// The farthest that weight moves the part that cuts from `cut`, mm; 0 without weight.
+  double movedByWeight() const;
 };
 
 /// How often a blade in this shape changes the side to which it bends. Bends so slight that no blade shows

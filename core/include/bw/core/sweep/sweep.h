@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "bw/core/base/finding.h"
@@ -26,6 +28,9 @@ struct StationFit {
   FitResult fit = {};     ///< its elastica is the pose's `cut`
   bool heldBack = false;  ///< not the nearest curve, but one whose blade keeps its radius and rests
   bool steadied = false;  ///< not the nearest curve, but one near its neighbour's shape, within the tolerance
+  /// The share of its weight at which the blade leaves the shape that was fitted; empty if it never does.
+  std::optional<double> snapsAt = std::nullopt;
+  std::string unknown = {};  ///< why it is not known how the blade hangs in its weight; empty if it is
 };
 
 /// How the blades of a row are found.
@@ -37,6 +42,7 @@ struct FitRequest {
   double tolerance =
       2;  ///< mm within which a curve may stand for the nearest one, where the blade asks for it
   double clearance = 50;  ///< mm between a grip and the block, which advice about lengths keeps
+  Eigen::Vector3d weight = Eigen::Vector3d::Zero();  ///< of a length of blade, N/mm, in the file's frame
   bool operator==(const FitRequest&) const = default;
 };
 
@@ -57,14 +63,16 @@ struct Sweep {
 };
 
 /// Fits one elastica a section, from the longest section to both ends of the row, each beside its neighbour,
-/// and extends it to the blade's length. `sections` in the order of travel, all curves running the same way;
-/// those without a chosen branch are left out. A blade shorter than a section is an error.
+/// and extends it to the blade's length; between grips held there it hangs in its weight. `sections` in the
+/// order of travel, all curves running the same way; those without a chosen branch are left out. A blade
+/// shorter than a section is an error.
 Result<Sweep> buildSweep(const std::vector<Section>& sections, const FitRequest& request, const Box& block,
                          const PlaneFamily& planes, const RunContext& context, Findings& findings,
                          double* fitSeconds = nullptr, double* extendSeconds = nullptr);
 
 /// Times the stations so that the fastest point of the blade moves at the cutting speed, adds the leads, and
-/// puts the ends in the block frame. Quaternions keep one sign along the path.
-Result<Motion> buildMotion(const Sweep& sweep, const MotionRequest& request);
+/// puts the ends in the block frame. Quaternions keep one sign along the path. A lead that would end with a
+/// part of the blade in the block is grown until all of it is outside, which a finding tells.
+Result<Motion> buildMotion(const Sweep& sweep, const MotionRequest& request, Findings& findings);
 
 }  // namespace bw

@@ -32,7 +32,11 @@ struct StationCheck {
       1;  ///< of the clamped blade in its plane: 1 straight, 0 about to snap (`stabilityMargin`)
   double outOfPlaneMargin =
       1;  ///< of a round blade against leaving its plane; 1 for a flat one, which is stiff across it
-  bool stable = true;  ///< stabilityMargin > 0: the blade rests in this shape
+  bool stable = true;  ///< the blade rests in the shape that was fitted, its weight let be
+  bool crossesItself = false;
+  bool gripsSwapped = false;  ///< they lie the other way round than the ends of the part that cuts
+  double movedByWeight = 0;   ///< mm, the farthest that weight moves the part that cuts
+  double sideways = 0;        ///< mm, how far weight across the plane bends a round blade out of it
 };
 
 /// Velocity of the cut of one station, at points of equal shares of its length (docs/mathematics.md,

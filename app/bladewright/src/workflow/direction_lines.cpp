@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "workflow/direction_lines.h"
+
+namespace bw::app {
+
+namespace {
+
+constexpr std::array<const char*, 3> kAxes = {"X", "Y", "Z"};
+constexpr double kNoDirection = 1e-6;  // shorter vectors lead nowhere
+
+}  // namespace
+
+DirectionLines::DirectionLines(FormColumn* column, const Words& words, std::function<Value()> value,
+                               std::function<Eigen::Vector3d()> found, std::function<void(const Value&)> edit,
+                               QObject* parent)
+    : QObject(parent), axes_(words.automatic ? 1 : 0), value_(std::move(value)) {
+  choice_ = column->add(words.title, new ChoiceField, words.tip);
+  if (words.automatic) choice_->addItem(tr("Automatic"));
+  choice_->addItems({"X", "Y", "Z", tr("Vector")});
+  connect(choice_, &QComboBox::activated, this, [this, found, edit](int index) {
+    vector_ = index == axes_ + 3;
+    if (index < axes_)
+      edit({});
+    else
+      edit(vector_ ? value_().value_or(found()) : Eigen::Vector3d(Eigen::Vector3d::Unit(index - axes_)));
+    refresh();  // the same direction may be an axis and a vector
+  });
+  for (int i = 0; i < 3; ++i) {
+    NumberField*& field = numbers_[std::size_t(i)];
+    field = column->add(words.number.arg(kAxes[std::size_t(i)]), new NumberField({-1000, 1000, 4, 0.05, {}}),
+                        tr("Only the ratio of the three numbers counts"));
+    const auto with = [this, found, i](double number) {
+      Eigen::Vector3d direction = value_().value_or(found());
+      direction[i] = number;
+      return direction;
+    };
+    field->setCheck([with](double number) {
+      return with(number).norm() < kNoDirection ? tr("0, 0, 0 is no direction") : QString();
+    });
+    connect(field, &NumberField::edited, this, [with, edit](double number) { edit(with(number)); });
+  }
+}
+
+int DirectionLines::chosen() const {
+  const Value value = value_();
+  if (!value) return 0;
+  for (int i = 0; i < 3 && !vector_; ++i)
+    if ((*value - Eigen::Vector3d::Unit(i)).norm() < 1e-12) return axes_ + i;
+  return axes_ + 3;
+}
+
+void DirectionLines::refresh() {
+  const Value value = value_();
+  const int item = chosen();
+  choice_->show(item);
+  setLineVisible(choice_, visible_);
+  for (int i = 0; i < 3; ++i) {
+    NumberField* field = numbers_[std::size_t(i)];
+    setLineVisible(field, visible_ && item == axes_ + 3);
+    if (value) field->show((*value)[i]);
+  }
+}
+
+void DirectionLines::setVisible(bool visible) {
+  visible_ = visible;
+  refresh();
+}
+
+}  // namespace bw::app

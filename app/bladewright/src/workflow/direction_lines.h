@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include <QObject>
+
+#include <array>
+#include <functional>
+#include <optional>
+
+#include "controls/fields.h"
+#include "controls/number_field.h"
+
+namespace bw::app {
+
+/// Lines of a form for a direction in the file's frame: an axis or three numbers, or nothing where that
+/// stands for "automatic".
+class DirectionLines : public QObject {
+  Q_OBJECT
+
+ public:
+  using Value = std::optional<Eigen::Vector3d>;
+  struct Words {
+    QString title, tip;
+    QString number;  ///< of one of the three, "Direction %1"
+    bool automatic = true;
+  };
+
+  /// `value` is what the design holds, `found` what three numbers begin with where that is nothing; `edit`
+  /// puts in another.
+  DirectionLines(FormColumn* column, const Words& words, std::function<Value()> value,
+                 std::function<Eigen::Vector3d()> found, std::function<void(const Value&)> edit,
+                 QObject* parent);
+  void refresh();
+  void setVisible(bool visible);
+
+ private:
+  int chosen() const;
+
+  int axes_;  ///< item of the first axis
+  bool visible_ = true;
+  std::function<Value()> value_;
+  ChoiceField* choice_;
+  std::array<NumberField*, 3> numbers_;
+  bool vector_ = false;  ///< shown as numbers even where it is an axis
+};
+
+}  // namespace bw::app

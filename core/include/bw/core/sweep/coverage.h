@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include "bw/core/base/finding.h"
+#include "bw/core/surface/mesh.h"
+#include "bw/core/sweep/sweep.h"
+
+namespace bw {
+
+/// How much of a target, as far as it lies in the block, has cut surface over it.
+struct Coverage {
+  double area = 0;       ///< mm², of the target in the block
+  double uncovered = 0;  ///< mm² of it, farther beyond the border of the cut surface than the tolerance
+  double distance = 0;   ///< mm, the farthest that it reaches beyond that border
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< where
+  Findings findings = {};
+
+  double share() const { return area > 0 ? 1 - uncovered / area : 1; }
+};
+
+/// Looks from the target to the cut surface `cut` of a sweep, plane by plane: what lies beyond the first or
+/// the last station, or beyond the ends of the blade's cut in its own plane, is not covered
+/// (docs/mathematics.md, coverage). Where that is more than the tolerance (mm), an error tells it. `cut`:
+/// rows along the blade, each in a plane of the sweep's family, in the order of travel.
+[[nodiscard]] Coverage coverageOf(const SurfaceGrid& cut, const Sweep& sweep, const TriangleMesh& target,
+                                  double tolerance);
+
+}  // namespace bw

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "bw/core/sweep/coverage.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "sweep/surface_rows.h"
+
+namespace bw {
+
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kFineness = 200;  // samples over the diagonal of the target, where its triangles are larger
+constexpr int kMostSplits = 64;    // of an edge
+
+bool within(const Box& box, const Vector3d& place) {
+  const Vector3d local = box.frame.toLocal(place);
+  return (local.array() >= 0).all() && (local.array() <= box.size.array()).all();
+}
+
+Uncovered causeOf(const Coverage& coverage, const Sweep& sweep) {
+  Uncovered cause{coverage.uncovered, 1 - coverage.share(), coverage.distance};
+  const auto level = [&](const Frame& frame) { return sweep.planes.direction().dot(frame.origin); };
+  const double place = sweep.planes.direction().dot(coverage.point);
+  if (place < level(sweep.poses.front().frame))
+    cause.where = Uncovered::Where::before;
+  else if (place > level(sweep.poses.back().frame))
+    cause.where = Uncovered::Where::after;
+  return cause;
+}
+
+}  // namespace
+
+Coverage coverageOf(const SurfaceGrid& cut, const Sweep& row, const TriangleMesh& target, double tolerance) {
+  Coverage coverage;
+  if (target.points.empty() || cut.rows < 2 || cut.columns < 4) return coverage;
+  const sweep::SurfaceRows rows(cut, row.planes);
+  const auto see = [&](const Vector3d& place, double area) {
+    if (!within(row.block, place)) return;
+    const sweep::SurfaceRows::Seen seen = rows.look(place);
+    const double beyond = std::hypot(seen.across, seen.beside);
+    coverage.area += area;
+    if (beyond > tolerance) coverage.uncovered += area;
+    if (beyond > coverage.distance) {
+      coverage.distance = beyond;
+      coverage.point = place;
+    }
+  };
+  Vector3d low = target.points.front(), high = low;
+  for (const Vector3d& p : target.points) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+    see(p, 0);
+  }
+  const double finest = (high - low).norm() / kFineness;
+  for (const auto& [i, j, k] : target.triangles) {
+    const Vector3d &a = target.points[std::size_t(i)], &b = target.points[std::size_t(j)],
+                   &c = target.points[std::size_t(k)];
+    const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+    const int n = finest > 0 ? int(std::clamp(std::ceil(longest / finest), 1.0, double(kMostSplits))) : 1;
+    const double area = 0.5 * (b - a).cross(c - a).norm() / (n * n);
+    // The centres of n² equal triangles: those that stand, and those that lie between them.
+    for (int u = 0; u < n; ++u)
+      for (int v = 0; u + v < n; ++v)
+        for (const double shift : {1.0 / 3, 2.0 / 3}) {
+          if (shift > 0.5 && u + v + 1 >= n) continue;
+          see(a + (u + shift) / n * (b - a) + (v + shift) / n * (c - a), area);
+        }
+  }
+  if (coverage.distance > tolerance)
+    coverage.findings.push_back(
+        {Severity::error, causeOf(coverage, row), {{}, coverage.point}, {TurnDirection{}, CutInParts{}}});
+  return coverage;
+}
+
+}  // namespace bw

@@ -1,0 +1,378 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// What a row says of the blade that is really there: its weight, its crossings, the foam that it leaves, and
+// the surface that it does not reach.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analytic_surfaces.h"
+#include "bw/core/base/units.h"
+#include "bw/core/heavy/heavy_bvp.h"
+#include "bw/core/sweep/coverage.h"
+#include "bw/core/sweep/row_motion.h"
+#include "finding_of.h"
+#include "plane_sections.h"
+#include "row_settings.h"
+
+namespace bw {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kHalf = 250;
+
+Blade flatBlade(double length) {
+  Blade blade;
+  blade.section = Blade::Section::flat;
+  blade.width = 5;
+  blade.thickness = 1;
+  blade.density = 8300;
+  blade.length = length;
+  return blade;
+}
+
+struct Row {
+  Result<Sweep> sweep = fail(ErrorCode::internal, "not made");
+  SweepCheck check;
+  Findings findings;
+};
+
+/// A row over z = height(x), cut towards −Y.
+template <class Height>
+Row rowOf(const test::RowSettings& settings, Height height, int stations = 9, double half = kHalf) {
+  Row row;
+  const Box block = test::blockUnder(half, 10.0 * (stations - 1), -2 * half, 2 * half);
+  row.sweep = buildSweep(test::sectionsOf(stations, 10, [&](int) { return test::graphCurve(half, height); }),
+                         settings, block, PlaneFamily::across(block, -Vector3d::UnitY()), {}, row.findings);
+  if (!row.sweep) return row;
+  row.check = *checkSweep(*row.sweep, settings, {});
+  const Result<SweepAnalysis> analysis =
+      test::analysisOf(*row.sweep, settings, test::GraphSampler(half, height), {});
+  if (analysis) row.findings.insert(row.findings.end(), analysis->findings.begin(), analysis->findings.end());
+  return row;
+}
+
+const auto kDome = [](double x) { return 60 * std::cos(kPi * x / (3 * kHalf)); };
+const auto kBowl = [](double x) { return -kDome(x); };
+
+TEST(WeightOfBlades, IsThatOfTheirSection) {
+  EXPECT_NEAR(flatBlade(800).weight(), 8300e-9 * 5 * 9.80665, 1e-12);
+  Blade tube;
+  EXPECT_NEAR(tube.weight(), 7850e-9 * kPi / 4 * (9 - 6.25) * 9.80665, 1e-12);
+}
+
+TEST(WeightOfBlades, MovesTheRowAsTheClampedBladeTells) {
+  test::RowSettings settings;
+  settings.blade = flatBlade(700);
+  const Row light = rowOf(settings, kBowl);
+  settings.weight = -settings.blade.weight() * Vector3d::UnitZ();
+  const Row heavy = rowOf(settings, kBowl);
+  ASSERT_TRUE(light.sweep && heavy.sweep);
+  for (std::size_t i = 0; i < heavy.sweep->poses.size(); ++i) {
+    const BladePose &a = light.sweep->poses[i], &b = heavy.sweep->poses[i];
+    ASSERT_FALSE(a.heavy);
+    ASSERT_TRUE(b.heavy);
+    EXPECT_EQ(a.blade.start(), b.blade.start()) << "the grips are the same";
+    EXPECT_GT(heavy.check.stations[i].movedByWeight, 0.01);
+    EXPECT_EQ(light.check.stations[i].movedByWeight, 0);
+    // The same by the boundary value problem.
+    HeavyProblem problem;
+    problem.grips.start = a.blade.start();
+    problem.grips.end = a.blade.at(700).point;
+    problem.grips.startAngle = a.blade.startAngle();
+    problem.grips.endAngle = a.blade.at(700).angle;
+    problem.grips.length = 700;
+    problem.stiffness = settings.blade.flexuralRigidity();
+    problem.weight = {0, -settings.blade.weight()};
+    ClampedOptions options;
+    options.initial = a.blade;
+    const Result<HeavyAnswer> answer = solveHeavy(problem, options);
+    ASSERT_TRUE(answer) << answer.error().message;
+    const std::vector<Vector3d> places = b.bladePoints(21);
+    for (int k = 0; k <= 20; ++k)
+      EXPECT_LT(
+          (places[std::size_t(k)] - b.frame.toWorld(answer->solutions[0].blade.at(700.0 * k / 20).point))
+              .norm(),
+          1e-5);
+    EXPECT_NEAR(heavy.check.stations[i].stabilityMargin, answer->solutions[0].stabilityMargin, 1e-6);
+  }
+}
+
+TEST(WeightOfBlades, UpDecidesWhatItDoes) {
+  test::RowSettings settings;
+  settings.blade = flatBlade(700);
+  const double weight = settings.blade.weight();
+  settings.weight = -weight * Vector3d::UnitZ();
+  const double down = rowOf(settings, kDome).check.stations[4].movedByWeight;
+  settings.weight = weight * Vector3d::UnitZ();
+  const double upside = rowOf(settings, kBowl).check.stations[4].movedByWeight;
+  EXPECT_NEAR(down, upside, 1e-6) << "a dome as it is, a bowl upside down";
+  settings.weight = -weight * Vector3d::UnitY();
+  const Row across = rowOf(settings, kDome);
+  EXPECT_LT(across.check.stations[4].movedByWeight, 1e-6) << "a flat blade carries it";
+  EXPECT_EQ(across.check.stations[4].sideways, 0);
+}
+
+TEST(WeightOfBlades, BendsARoundOneSideways) {
+  // Straight, it sags as a clamped beam does.
+  test::RowSettings settings;
+  settings.blade.length = 900;
+  settings.weight = -settings.blade.weight() * Vector3d::UnitY();
+  const Row row = rowOf(settings, [](double) { return 0.0; });
+  ASSERT_TRUE(row.sweep);
+  const double sag = settings.blade.weight() * std::pow(900.0, 4) / (384 * settings.blade.flexuralRigidity());
+  EXPECT_GT(sag, 0.5);
+  for (const StationCheck& station : row.check.stations) EXPECT_NEAR(station.sideways, sag, 1e-6 * sag);
+  const Row bent = rowOf(settings, kDome);
+  for (const StationCheck& station : bent.check.stations) EXPECT_GT(station.sideways, 0.1);
+}
+
+TEST(WeightOfBlades, TellsWhereTheBladeSnaps) {
+  test::RowSettings settings;
+  settings.blade = flatBlade(1000);
+  settings.blade.yieldStress = 5000;
+  settings.weight = -8 * settings.blade.weight() * Vector3d::UnitZ();
+  const auto dome = [](double x) { return 20 * std::cos(kPi * x / (2.4 * kHalf)); };
+  const Row row = rowOf(settings, dome);
+  ASSERT_TRUE(row.sweep);
+  const Finding* finding = test::findingOf<SnapsInWeight>(row.findings);
+  ASSERT_TRUE(finding);
+  const auto& cause = std::get<SnapsInWeight>(finding->cause);
+  EXPECT_GT(cause.share, 0);
+  EXPECT_LT(cause.share, 1);
+  EXPECT_GT(cause.distance, 5);
+  EXPECT_TRUE(exceedsLimit(row.findings));
+  for (const StationCheck& station : row.check.stations) EXPECT_FALSE(station.stable);
+  EXPECT_TRUE(test::findingOf<TooFar>(row.findings)) << "what is cut is the surface of the snapped blade";
+}
+
+TEST(Crossings, AreErrors) {
+  // An Ω: more than half a turn, so that its blade crosses itself beyond it.
+  test::RowSettings settings;
+  settings.blade.yieldStress = 20000;
+  const auto omega = [&](double length) {
+    settings.blade.length = length;
+    Row row;
+    const Box block = test::blockUnder(120, 80, -120, 120);
+    row.sweep = buildSweep(test::sectionsOf(9, 10,
+                                            [](int) {
+                                              return test::arc({0, 0}, 100, kPi / 2 + 2.6, kPi / 2);
+                                            }),
+                           settings, block, PlaneFamily::across(block, -Vector3d::UnitY()), {}, row.findings);
+    if (row.sweep) row.check = *checkSweep(*row.sweep, settings, {});
+    return row;
+  };
+  const Row crossed = omega(700);
+  ASSERT_TRUE(crossed.sweep) << crossed.sweep.error().message;
+  EXPECT_TRUE(crossed.check.stations[4].crossesItself);
+  const Row open = omega(300);
+  ASSERT_TRUE(open.sweep);
+  EXPECT_FALSE(open.check.stations[4].crossesItself || open.check.stations[4].gripsSwapped);
+}
+
+TEST(Leads, GrowUntilTheWholeBladeIsOutsideOfTheBlock) {
+  test::RowSettings settings;
+  settings.lead = 20;
+  Findings findings;
+  const Box block{Frame{{-kHalf, -300, -100}, Vector3d::UnitX(), Vector3d::UnitY(), Vector3d::UnitZ()},
+                  {2 * kHalf, 310, 300}};
+  const Result<Sweep> sweep =
+      buildSweep(test::sectionsOf(9, 10, [](int) { return test::graphCurve(kHalf - 10, kDome); }), settings,
+                 block, PlaneFamily::across(block, -Vector3d::UnitY()), {}, findings);
+  ASSERT_TRUE(sweep);
+  findings.clear();
+  const Result<Motion> motion = buildMotion(*sweep, settings, findings);
+  ASSERT_TRUE(motion);
+  // 10 mm of foam before the first station, which 20 mm leave; 220 mm after the last one.
+  ASSERT_EQ(findings.size(), 1u);
+  const auto* grown = std::get_if<LeadGrown>(&findings[0].cause);
+  ASSERT_TRUE(grown);
+  EXPECT_FALSE(grown->atStart);
+  EXPECT_NEAR(grown->grown, 221, 1e-9);
+  const auto ends = [&](std::size_t i) {
+    return block.frame.toWorld(motion->instants[i].poses[0].position.head<2>(),
+                               motion->instants[i].poses[0].position.z());
+  };
+  EXPECT_NEAR((ends(motion->instants.size() - 1) - ends(motion->instants.size() - 2)).norm(), 221, 1e-9);
+  EXPECT_NEAR((ends(1) - ends(0)).norm(), 20, 1e-9);
+}
+
+struct OnSphere {
+  Sweep sweep;
+  SweepAnalysis analysis;
+  RowMotion way;
+};
+
+/// A row on a sphere and what its blade does between the stations.
+OnSphere onSphere(double radius, const std::vector<double>& travel, const test::RowSettings& settings) {
+  Findings findings;
+  const Box block{
+      Frame{{-kHalf, -travel.back() - 1, 0}, Vector3d::UnitX(), Vector3d::UnitY(), Vector3d::UnitZ()},
+      {2 * kHalf, travel.back() + 2, 2 * radius}};
+  const Result<Sweep> sweep = buildSweep(test::sphereSections(radius, kHalf, travel), settings, block,
+                                         PlaneFamily::across(block, -Vector3d::UnitY()), {}, findings);
+  const test::SphereSampler sphere(radius);
+  const Result<SweepAnalysis> analysis = test::analysisOf(sweep.value(), settings, sphere, {});
+  return {*sweep, analysis.value(), followRow(*sweep, *analysis, settings, sphere, {}).value()};
+}
+
+/// The farthest from the sphere that elastica lie whose grips are a quarter, half and three quarters of the
+/// way between stations: each by the boundary value problem.
+double byBoundaryValues(const Sweep& sweep, double radius) {
+  double farthest = 0;
+  for (std::size_t i = 0; i + 1 < sweep.poses.size(); ++i)
+    for (const double f : {0.25, 0.5, 0.75}) {
+      const BladePose &a = sweep.poses[i], &b = sweep.poses[i + 1];
+      const auto mix = [f](const auto& x, const auto& y) { return (x + f * (y - x)).eval(); };
+      const Elastica::State endA = a.blade.at(a.blade.length()), endB = b.blade.at(b.blade.length());
+      ClampedProblem grips;
+      grips.start = mix(a.blade.start(), b.blade.start());
+      grips.end = mix(endA.point, endB.point);
+      grips.startAngle = a.blade.startAngle() + f * (b.blade.startAngle() - a.blade.startAngle());
+      grips.endAngle = endA.angle + f * (endB.angle - endA.angle);
+      grips.length = a.blade.length();
+      ClampedOptions options;
+      options.initial = a.blade;
+      const Result<ClampedAnswer> answer = solveClamped(grips, options);
+      if (!answer) return -1;
+      const double from = a.cutStart() + f * (b.cutStart() - a.cutStart()),
+                   length = a.cut.length() + f * (b.cut.length() - a.cut.length());
+      for (int k = 0; k <= 40; ++k) {
+        const Vector3d place =
+            a.frame.toWorld(answer->solutions[0].elastica.at(from + length * k / 40).point) +
+            f * (b.frame.origin - a.frame.origin);
+        farthest = std::max(farthest, std::abs(place.norm() - radius));
+      }
+    }
+  return farthest;
+}
+
+TEST(OnTheWay, GripsCutChordsBetweenStations) {
+  test::RowSettings settings;
+  settings.tolerance = 0.5;
+  settings.blade.yieldStress = 2000;
+  // Over 80 mm of travel an arc of 700 mm rises by 1.1 mm above its chord; the skin follows it.
+  const OnSphere coarse = onSphere(700, {0, 80, 160, 240}, settings);
+  EXPECT_GT(coarse.way.deviationMax, 1);
+  EXPECT_NEAR(coarse.way.deviationMax, byBoundaryValues(coarse.sweep, 700), 1e-4);
+  EXPECT_LT(coarse.analysis.summary.deviationMax, 0.3 * coarse.way.deviationMax);
+  EXPECT_TRUE(test::findingOf<TooFarOnTheWay>(coarse.way.findings));
+  EXPECT_TRUE(exceedsLimit(coarse.way.findings));
+  // A quarter of the distance, a sixteenth of the deviation.
+  std::vector<double> travel;
+  for (int i = 0; i <= 12; ++i) travel.push_back(20 * i);
+  const OnSphere fine = onSphere(700, travel, settings);
+  EXPECT_NEAR(fine.way.deviationMax, byBoundaryValues(fine.sweep, 700), 1e-4);
+  EXPECT_NEAR(fine.way.deviationMax, coarse.way.deviationMax / 16, 0.03);
+  EXPECT_NEAR(fine.way.fromShown, fine.way.deviationMax, 0.03);
+  EXPECT_TRUE(fine.way.findings.empty());
+  EXPECT_EQ(fine.way.snaps, 0);
+  // With weight the same, of a blade that hangs.
+  settings.weight = -settings.blade.weight() * Vector3d::UnitZ();
+  EXPECT_NEAR(onSphere(700, travel, settings).way.fromShown, fine.way.fromShown, 0.02);
+}
+
+TEST(OnTheWay, EqualStationsAreLeftByNothing) {
+  test::RowSettings settings;
+  Findings findings;
+  const Box block = test::blockUnder(kHalf, 80, -200, 200);
+  const Result<Sweep> sweep =
+      buildSweep(test::sectionsOf(5, 20, [](int) { return test::graphCurve(kHalf, kDome); }), settings, block,
+                 PlaneFamily::across(block, -Vector3d::UnitY()), {}, findings);
+  ASSERT_TRUE(sweep);
+  const test::GraphSampler target(kHalf, kDome);
+  const Result<SweepAnalysis> analysis = test::analysisOf(*sweep, settings, target, {});
+  ASSERT_TRUE(analysis);
+  const Result<RowMotion> way = followRow(*sweep, *analysis, settings, target, {});
+  ASSERT_TRUE(way);
+  EXPECT_LT(way->fromShown, 1e-3);
+  EXPECT_TRUE(way->findings.empty());
+}
+
+TEST(OnTheWay, ASnapIsTold) {
+  // A dome, a flat blade with little to spare, then a dip: the arch ends on the way.
+  test::RowSettings settings;
+  settings.blade.yieldStress = 20000;
+  Findings findings;
+  const Box block = test::blockUnder(kHalf, 80, -300, 300);
+  const auto height = [](int i) {
+    const double rise = i < 2 ? 60 : -60;
+    return [rise](double x) { return rise * std::cos(kPi * x / (2 * kHalf)); };
+  };
+  const Result<Sweep> sweep =
+      buildSweep(test::sectionsOf(4, 20, [&](int i) { return test::graphCurve(kHalf, height(i)); }), settings,
+                 block, PlaneFamily::across(block, -Vector3d::UnitY()), {}, findings);
+  ASSERT_TRUE(sweep);
+  const test::GraphSampler target(kHalf, [](double) { return 0.0; });
+  const Result<SweepAnalysis> analysis = test::analysisOf(*sweep, settings, target, {});
+  ASSERT_TRUE(analysis);
+  const Result<RowMotion> way = followRow(*sweep, *analysis, settings, target, {});
+  ASSERT_TRUE(way);
+  EXPECT_TRUE(test::findingOf<SnapsOnTheWay>(way->findings) ||
+              test::findingOf<ArrivesOtherwise>(way->findings));
+  EXPECT_TRUE(exceedsLimit(way->findings));
+}
+
+/// The plane z = 0 over a rectangle as two large triangles.
+TriangleMesh rectangle(double x0, double x1, double y0, double y1) {
+  return {{{x0, y0, 0}, {x1, y0, 0}, {x1, y1, 0}, {x0, y1, 0}}, {}, {{0, 1, 2}, {0, 2, 3}}};
+}
+
+/// A flat cut over |x| ≤ 100, y from 0 to −80.
+SurfaceGrid flatCut() {
+  SurfaceGrid cut;
+  cut.rows = 9;
+  cut.columns = 11;
+  for (int r = 0; r < 9; ++r)
+    for (int c = 0; c < 11; ++c) cut.points.emplace_back(20.0 * c - 100, -10.0 * r, 0);
+  return cut;
+}
+
+TEST(Coverages, LookFromTheTargetToTheCut) {
+  Findings findings;
+  const Box block{Frame{{-300, -300, -50}, Vector3d::UnitX(), Vector3d::UnitY(), Vector3d::UnitZ()},
+                  {600, 600, 100}};
+  const Result<Sweep> sweep = buildSweep(
+      test::sectionsOf(9, 10, [](int) { return test::graphCurve(100, [](double) { return 0.0; }); }), {},
+      block, PlaneFamily::across(block, -Vector3d::UnitY()), {}, findings);
+  ASSERT_TRUE(sweep);
+  const auto look = [&](const TriangleMesh& target) { return coverageOf(flatCut(), *sweep, target, 2); };
+
+  const Coverage whole = look(rectangle(-100, 100, -80, 0));
+  EXPECT_NEAR(whole.area, 16000, 1e-6);
+  EXPECT_EQ(whole.uncovered, 0);
+  EXPECT_LT(whole.distance, 1e-9);
+  EXPECT_TRUE(whole.findings.empty());
+
+  // Off the surface, but under it: that is deviation.
+  TriangleMesh lifted = rectangle(-100, 100, -80, 0);
+  for (Vector3d& p : lifted.points) p.z() = 30;
+  EXPECT_LT(look(lifted).distance, 1e-9);
+
+  const Coverage beside = look(rectangle(-100, 140, -80, 0));
+  EXPECT_NEAR(beside.distance, 40, 1e-9);
+  EXPECT_NEAR(beside.uncovered, 38 * 80, 0.02 * 240 * 80);
+  ASSERT_EQ(beside.findings.size(), 1u);
+  EXPECT_EQ(beside.findings[0].severity, Severity::error);
+  EXPECT_EQ(std::get<Uncovered>(beside.findings[0].cause).where, Uncovered::Where::beside);
+  EXPECT_NEAR(beside.point.x(), 140, 1e-9);
+
+  const Coverage after = look(rectangle(-100, 100, -188, 0));
+  EXPECT_NEAR(after.distance, 108, 1e-9);
+  EXPECT_NEAR(after.share(), 82.0 / 188, 0.02);
+  EXPECT_EQ(std::get<Uncovered>(after.findings[0].cause).where, Uncovered::Where::after);
+  const Coverage before = look(rectangle(-100, 100, -80, 50));
+  EXPECT_NEAR(before.distance, 50, 1e-9);
+  EXPECT_EQ(std::get<Uncovered>(before.findings[0].cause).where, Uncovered::Where::before);
+
+  // What lies outside of the block is not asked for.
+  const Coverage far = look(rectangle(-100, 100, -80, 2000));
+  EXPECT_LE(far.distance, 300);
+}
+
+}  // namespace
+}  // namespace bw
