@@ -101,9 +101,9 @@ void limits(Page& page, const Evaluation& e) {
   page.checked("Largest deviation between stations, as the robots move the blade",
                mm(e.cut().way.value->deviationMax), "at most " + mm(design.process.tolerance),
                e.cut().way.value->deviationMax <= design.process.tolerance);
-  const double uncovered = e.cut().coverage.value->distance;
-  page.checked("Farthest that the target reaches beyond the cut surface", mm(uncovered),
-               "at most " + mm(design.process.tolerance), uncovered <= design.process.tolerance);
+  const Coverage& coverage = *e.cut().coverage.value;
+  page.checked("Farthest that the target reaches beyond the cut surface", mm(coverage.distance),
+               "at most " + mm(coverage.limit), coverage.distance <= coverage.limit);
   page.checked("Smallest radius of the blade", s.minRadius > 0 ? mm(s.minRadius) : "straight",
                "at least " + mm(design.blade.minRadius()),
                s.minRadius <= 0 || s.minRadius >= design.blade.minRadius());

@@ -17,6 +17,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kFineness = 200;  // samples over the diagonal of the target, where its triangles are larger
+constexpr double kBorder = 0.5;    // mm that are not told
 constexpr int kMostSplits = 64;    // of an edge
 
 bool within(const Box& box, const Vector3d& place) {
@@ -39,6 +40,7 @@ Uncovered causeOf(const Coverage& coverage, const Sweep& sweep) {
 
 Coverage coverageOf(const SurfaceGrid& cut, const Sweep& row, const TriangleMesh& target, double tolerance) {
   Coverage coverage;
+  coverage.limit = std::max(tolerance, kBorder);
   if (target.points.empty() || cut.rows < 2 || cut.columns < 4) return coverage;
   const sweep::SurfaceRows rows(cut, row.planes);
   const auto see = [&](const Vector3d& place, double area) {
@@ -46,7 +48,7 @@ Coverage coverageOf(const SurfaceGrid& cut, const Sweep& row, const TriangleMesh
     const sweep::SurfaceRows::Seen seen = rows.look(place);
     const double beyond = std::hypot(seen.across, seen.beside);
     coverage.area += area;
-    if (beyond > tolerance) coverage.uncovered += area;
+    if (beyond > coverage.limit) coverage.uncovered += area;
     if (beyond > coverage.distance) {
       coverage.distance = beyond;
       coverage.point = place;
@@ -73,7 +75,7 @@ Coverage coverageOf(const SurfaceGrid& cut, const Sweep& row, const TriangleMesh
           see(a + (u + shift) / n * (b - a) + (v + shift) / n * (c - a), area);
         }
   }
-  if (coverage.distance > tolerance)
+  if (coverage.distance > coverage.limit)
     coverage.findings.push_back(
         {Severity::error, causeOf(coverage, row), {{}, coverage.point}, {TurnDirection{}, CutInParts{}}});
   return coverage;

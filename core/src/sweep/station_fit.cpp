@@ -40,8 +40,11 @@ constexpr double kBladePeriods = 2.0;
 /// Bounds on the periods that are tried with the blade's radius: 1, ½, ¼, … of those asked for.
 constexpr int kPeriodBounds = 7;
 /// Part of its largest curvature to which a blade at its limit bends, and to which a fit is bounded: rounding
-/// does not decide whether the blade holds.
-constexpr double kAtLimit = 1 - 1e-6;
+/// does not decide whether the blade holds, and a blade with weight bends a little more.
+constexpr double kAtLimit = 1 - 1e-6, kAtLimitWithWeight = 0.98;
+double atLimit(const FitRequest& request) {
+  return (request.weight.isZero() ? kAtLimit : kAtLimitWithWeight) * request.blade.maxCurvature();
+}
 /// A blade that bends to this part of its bound presses against it.
 constexpr double kPresses = 1 - 1e-4;
 /// A section with a radius so many times smaller than the blade's is far beyond it.
@@ -78,7 +81,7 @@ Result<FitResult> fitBesideNeighbour(const PlanarCurve& section, FitOptions opti
 
 /// How a section is fitted where the nearest curve does not do for the whole blade.
 FitOptions boundedOptions(FitOptions options, const FitRequest& request) {
-  options.maxCurvature = kAtLimit * request.blade.maxCurvature();
+  options.maxCurvature = atLimit(request);
   options.curvatureRange = request.blade.length;
   return options;
 }
@@ -96,9 +99,9 @@ std::optional<StationFit> stiffFit(const PlanarCurve& section, const FitRequest&
   if (!tooTight && !(spot.distance > 0 && kFarBeyond * spot.radius * limit < 1)) return {};
   const Places places(section);
   std::optional<StationFit> best;
-  for (const double part : {0.0, kAtLimit, -kAtLimit}) {
+  for (const double curvature : {0.0, atLimit(request), -atLimit(request)}) {
     const Result<Elastica> arc =
-        Elastica::make(Vector2d::Zero(), 0, part * limit, Vector2d::Zero(), section.length());
+        Elastica::make(Vector2d::Zero(), 0, curvature, Vector2d::Zero(), section.length());
     if (!arc) continue;
     const Elastica laid = places.laid(*arc);
     FitResult fit;
@@ -114,9 +117,9 @@ std::optional<StationFit> stiffFit(const PlanarCurve& section, const FitRequest&
 }
 
 /// True if the blade that continues this fit bends as far as it may: then the nearest curve bends farther.
-bool bladePresses(const FitResult& fit, const Blade& blade) {
-  const Result<Elastica> whole = extendedBlade(fit.elastica, blade.length);
-  return whole && whole->maxCurvature() >= kPresses * blade.maxCurvature();
+bool bladePresses(const FitResult& fit, const FitRequest& request) {
+  const Result<Elastica> whole = extendedBlade(fit.elastica, request.blade.length);
+  return whole && whole->maxCurvature() >= kPresses * atLimit(request);
 }
 
 }  // namespace
@@ -169,7 +172,7 @@ Result<StationFit> fitStation(const PlanarCurve& section, const FitRequest& requ
     tried = fitBesideNeighbour(section, boundedOptions(options, request), start);
     const Result<FitResult>& bounded = *tried;
     if (bounded && atRest(*bounded) && bounded->hausdorff <= allowed &&
-        bladeHolds(bounded->elastica, request.blade) && bladePresses(*bounded, request.blade))
+        bladeHolds(bounded->elastica, request.blade) && bladePresses(*bounded, request))
       return StationFit{section, *bounded, true};
   }
   Result<FitResult> best = fitBesideNeighbour(section, options, start);

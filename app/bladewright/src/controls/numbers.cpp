@@ -60,9 +60,14 @@ QString sizeText(const Eigen::Vector3d& size) {
 
 SweepLimits brokenLimits(const pipeline::CutResult& result, const Design& design) {
   const SweepSummary& summary = result.analysis.summary;
-  return {std::max(summary.deviationMax, result.way.deviationMax) > design.process.tolerance,
-          summary.minRadius<design.blade.minRadius(), summary.angleMax> cuttingAngleLimit(design.blade),
-          summary.speedRatioMin<kSpeedRatioLimit, false, result.coverage.distance> design.process.tolerance};
+  SweepLimits broken;
+  broken.deviation = summary.deviationMax > design.process.tolerance;
+  broken.between = result.way.deviationMax > design.process.tolerance;
+  broken.radius = summary.minRadius < design.blade.minRadius();
+  broken.angle = summary.angleMax > cuttingAngleLimit(design.blade);
+  broken.speed = summary.speedRatioMin < kSpeedRatioLimit;
+  broken.coverage = !result.coverage.findings.empty();
+  return broken;
 }
 
 SweepLimits brokenLimits(const pipeline::StationView& station, const Design& design) {

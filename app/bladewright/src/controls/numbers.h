@@ -26,6 +26,7 @@ struct SweepLimits {
   bool deviation = false;  ///< beyond the tolerance
   bool radius = false;     ///< and stress: beyond what leaves the blade elastic
   bool angle = false, speed = false, clearance = false;
+  bool between = false;   ///< beyond the tolerance between the stations
   bool coverage = false;  ///< the surface reaches beyond the cut by more than the tolerance
 };
 SweepLimits brokenLimits(const pipeline::CutResult& result, const Design& design);

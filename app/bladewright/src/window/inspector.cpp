@@ -113,7 +113,7 @@ void Inspector::makeResult() {
       &SweepSummary::deviationMax, &SweepLimits::deviation);
   addOfResult(
       column, tr("Between stations"), tr("Of the blade from the target, as the robots move it"),
-      [](const CutResult& result) { return lengthText(result.way.deviationMax); }, &SweepLimits::deviation);
+      [](const CutResult& result) { return lengthText(result.way.deviationMax); }, &SweepLimits::between);
   add(tr("Mean"), {}, lengthText, &SweepSummary::deviationMean);
   add(tr("Root mean square"), {}, lengthText, &SweepSummary::deviationRms);
   add(tr("Within tolerance"), tr("Part of the cut surface that lies within the tolerance"), percentText,

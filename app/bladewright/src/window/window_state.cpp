@@ -243,7 +243,7 @@ void MainWindow::refreshSummary() {
   summary_->setParts(
       {{tr("Unit mm")},
        {tr("deviation ≤ %1").arg(lengthText(std::max(s.deviationMax, result->way.deviationMax))), 4,
-        broken.deviation},
+        broken.deviation || broken.between},
        {tr("%1 within tolerance").arg(percentText(s.withinTolerance)), 3, broken.deviation},
        {tr("%1 covered").arg(percentText(result->coverage.share())), 3, broken.coverage},
        {speeds, 1, broken.speed},

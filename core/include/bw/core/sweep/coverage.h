@@ -13,8 +13,9 @@ namespace bw {
 /// How much of a target, as far as it lies in the block, has cut surface over it.
 struct Coverage {
   double area = 0;       ///< mm², of the target in the block
-  double uncovered = 0;  ///< mm² of it, farther beyond the border of the cut surface than the tolerance
+  double uncovered = 0;  ///< mm² of it, farther beyond the border of the cut surface than `limit`
   double distance = 0;   ///< mm, the farthest that it reaches beyond that border
+  double limit = 0;      ///< mm, how far it may
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< where
   Findings findings = {};
 
@@ -23,8 +24,9 @@ struct Coverage {
 
 /// Looks from the target to the cut surface `cut` of a sweep, plane by plane: what lies beyond the first or
 /// the last station, or beyond the ends of the blade's cut in its own plane, is not covered
-/// (docs/mathematics.md, coverage). Where that is more than the tolerance (mm), an error tells it. `cut`:
-/// rows along the blade, each in a plane of the sweep's family, in the order of travel.
+/// (docs/mathematics.md, coverage). Beyond `limit` an error tells it: the tolerance (mm), but half a mm at
+/// least, since the outer stations keep a little off the border and the leads cut on. `cut`: rows along the
+/// blade, each in a plane of the sweep's family, in the order of travel.
 [[nodiscard]] Coverage coverageOf(const SurfaceGrid& cut, const Sweep& sweep, const TriangleMesh& target,
                                   double tolerance);
 
