@@ -7,6 +7,7 @@
 
 #include "bw/core/base/units.h"
 #include "heavy/heavy_equations.h"
+#include "heavy/heavy_modes.h"
 #include "optimise/bracketed_root.h"
 
 namespace bw {
@@ -16,8 +17,6 @@ using Eigen::Vector2d;
 using Eigen::VectorXd;
 
 namespace {
-
-constexpr int kPlacesEach = 16;  // at which the curvature is looked at, for each polynomial of its series
 
 double curvatureAt(const HeavyBlade::Numbers& n, double s) {
   const Index count = n.coefficients.size();
@@ -40,10 +39,10 @@ HeavyBlade::State HeavyBlade::at(double s) const {
   const double part = s / numbers_.length;
   const Index count = numbers_.coefficients.size();
   State state;
-  state.point = numbers_.start +
-                numbers_.length * (tangent_.transpose() * heavy::integratedLegendre(part, tangent_.rows()));
-  state.angle = numbers_.startAngle + numbers_.turning * part +
-                heavy::integratedLegendre(part, count + 1).tail(count).dot(numbers_.coefficients);
+  const VectorXd integrals = heavy::integratedLegendre(part, tangent_.rows());  // more of them than modes
+  state.point = numbers_.start + numbers_.length * (tangent_.transpose() * integrals);
+  state.angle =
+      numbers_.startAngle + numbers_.turning * part + integrals.segment(1, count).dot(numbers_.coefficients);
   state.curvature = curvatureAt(numbers_, part);
   return state;
 }
@@ -70,7 +69,7 @@ double HeavyBlade::energy() const {
 
 std::vector<double> HeavyBlade::inflections() const {
   std::vector<double> result;
-  const int places = kPlacesEach * int(numbers_.coefficients.size());
+  const int places = heavy::kPlacesEach * int(numbers_.coefficients.size());
   const auto curvature = [&](double s) { return curvatureAt(numbers_, s); };
   double before = curvature(0);
   for (int i = 1; i <= places; ++i) {
@@ -85,15 +84,14 @@ std::vector<double> HeavyBlade::inflections() const {
 }
 
 double HeavyBlade::maxCurvature() const {
-  const int places = kPlacesEach * int(numbers_.coefficients.size());
-  double most = 0;
-  for (int i = 0; i <= places; ++i)
-    most = std::max(most, std::abs(curvatureAt(numbers_, double(i) / places)));
-  return most;
+  const heavy::Modes& modes = heavy::modesOf(numbers_.coefficients.size());
+  const VectorXd turned = modes.slopesEvenly * numbers_.coefficients;
+  return (turned.array() + numbers_.turning).abs().maxCoeff() / numbers_.length;
 }
 
 bool HeavyBlade::selfIntersects() const {
   constexpr int kParts = 600;
+  if (maxCurvature() * length() < kPi) return false;  // it turns by less than half a turn
   const std::vector<State> states = sample(kParts + 1);
   const auto [low, high] = std::ranges::minmax_element(states, {}, &State::angle);
   if (high->angle - low->angle < kPi) return false;

@@ -19,11 +19,17 @@ using Eigen::VectorXd;
 
 /// P_0 … P_{n−1} at x in [−1, 1].
 VectorXd legendre(double x, Index n) {
+  // P_k = a_k x P_{k−1} − (a_k − 1) P_{k−2}; divisions would take most of the time.
+  constexpr Index kMost = 2 * kMostModes;
+  static const std::array<double, kMost> a = [] {
+    std::array<double, kMost> factors{};
+    for (std::size_t k = 1; k < factors.size(); ++k) factors[k] = 2 - 1 / double(k);
+    return factors;
+  }();
   VectorXd p(n);
-  for (Index k = 0; k < n; ++k)
-    p(k) = k == 0   ? 1.0
-           : k == 1 ? x
-                    : ((2 * double(k) - 1) * x * p(k - 1) - (double(k) - 1) * p(k - 2)) / double(k);
+  p(0) = 1;
+  if (n > 1) p(1) = x;
+  for (Index k = 2; k < n; ++k) p(k) = a[std::size_t(k)] * x * p(k - 1) - (a[std::size_t(k)] - 1) * p(k - 2);
   return p;
 }
 
@@ -52,6 +58,10 @@ Modes make(Index count, Index total) {
     integrals.row(q) = integratedLegendre(modes.nodes(q), total);
   }
   modes.integral = integrals * modes.polynomials;
+  const Index places = kPlacesEach * count;
+  modes.slopesEvenly.resize(places + 1, count);
+  for (Index i = 0; i <= places; ++i)
+    modes.slopesEvenly.row(i) = orthonormalLegendre(double(i) / double(places), count + 1).tail(count);
   return modes;
 }
 

@@ -15,9 +15,13 @@ struct Modes {
   Eigen::MatrixXd slopes;          ///< φ_j' likewise
   Eigen::MatrixXd polynomials;     ///< values at the nodes to the p_j, j = 0 …, of their interpolant
   Eigen::MatrixXd integral;        ///< values at the nodes to their integrals from 0 to each node
+  Eigen::MatrixXd slopesEvenly;    ///< φ_j' at kPlacesEach · count + 1 even places in (place, j)
 
   Eigen::Index count() const { return values.rows(); }
 };
+
+/// Even places for each mode at which a curvature is looked at.
+inline constexpr int kPlacesEach = 16;
 
 /// At least `count` ≤ kMostModes of them. Computed once; safe from several threads.
 const Modes& modesOf(Eigen::Index count);

@@ -22,7 +22,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr int kBetween = 4;         // moves from station to station
-constexpr int kPlaces = 41;         // on the part that cuts
+constexpr int kPlaces = 25;         // on the part that cuts
 constexpr double kWorse = 1.1;      // than the surface shown: a deviation of its own
 constexpr double kTaut = 0.05;      // mm that a blade may sag by its slack
 constexpr double kSameShape = 0.1;  // mm: a blade arrives in the shape of its station

@@ -32,10 +32,20 @@ SurfaceRows::Seen SurfaceRows::look(const Vector3d& place) const {
   };
   const auto inPlane = [&](const Vector3d& v) -> Vector3d { return v - v.dot(direction_) * direction_; };
 
-  // The nearest place on the chords between the columns.
+  // The nearest of some columns, and beside it the nearest place on the chords between all of them.
+  constexpr int kStride = 5;
   double nearest = 1e300, column = 0;
-  Vector3d from = at(0);
-  for (int c = 0; c < last; ++c) {
+  int about = 0;
+  for (int c = 0; c <= last; c = c < last ? std::min(c + kStride, last) : last + 1) {
+    const double distance = inPlane(place - at(c)).squaredNorm();
+    if (distance >= nearest) continue;
+    nearest = distance;
+    about = c;
+  }
+  nearest = 1e300;
+  const int begin = std::max(0, about - kStride), end = std::min(last, about + kStride);
+  Vector3d from = at(begin);
+  for (int c = begin; c < end; ++c) {
     const Vector3d to = at(c + 1), way = to - from, off = inPlane(place - from);
     const double length = way.squaredNorm();
     const double part = length > 0 ? off.dot(way) / length : 0.0;

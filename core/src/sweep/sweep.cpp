@@ -101,7 +101,7 @@ bool BladePose::gripsSwapped() const {
 }
 
 double BladePose::movedByWeight() const {
-  constexpr int kPlaces = 41, kBetween = 10;
+  constexpr int kPlaces = 41, kBetween = 4;
   if (!heavy) return 0;
   std::vector<Elastica::State> states(kPlaces);
   at(cutArcs(kPlaces), states);
