@@ -293,6 +293,41 @@ TEST(OnTheWay, EqualStationsAreLeftByNothing) {
   EXPECT_TRUE(way->findings.empty());
 }
 
+TEST(OnTheWay, StraightBladesCutChordsToo) {
+  // Level lines at heights y²/200, 20 mm apart: chords lie 0.5 mm above the middle between two of them.
+  test::RowSettings settings;
+  Findings findings;
+  const Box block = test::blockUnder(kHalf, 160, -10, 200);
+  const Result<Sweep> sweep = buildSweep(
+      test::sectionsOf(9, 20,
+                       [](int i) { return test::graphCurve(kHalf, [i](double) { return 2.0 * i * i; }); }),
+      settings, block, PlaneFamily::across(block, -Vector3d::UnitY()), {}, findings);
+  ASSERT_TRUE(sweep);
+  const test::PlaneSampler target(Vector3d::UnitZ());
+  const Result<SweepAnalysis> analysis = test::analysisOf(*sweep, settings, target, {});
+  ASSERT_TRUE(analysis);
+  const Result<RowMotion> way = followRow(*sweep, *analysis, settings, target, {});
+  ASSERT_TRUE(way);
+  // From the plane z = 0, three quarters of the way from 98 to 128 mm; the parabola is at 120.125 mm there.
+  EXPECT_NEAR(way->deviationMax, 120.5, 1e-9);
+  EXPECT_NEAR(way->fromShown, 0.5, 0.02) << "the skin leaves the parabola by 0.01";
+}
+
+TEST(OnTheWay, AnyExcessOverTheToleranceIsTold) {
+  // Just above the tolerance, which the surface shown just keeps.
+  test::RowSettings settings;
+  settings.blade.yieldStress = 2000;
+  OnSphere row = onSphere(700, {0, 80, 160, 240}, settings);
+  const test::SphereSampler sphere(700);
+  CheckRequest request = settings;
+  request.tolerance = 0.99 * row.way.deviationMax;
+  row.analysis.summary.deviationMax = 0.98 * row.way.deviationMax;
+  EXPECT_TRUE(exceedsLimit(followRow(row.sweep, row.analysis, request, sphere, {})->findings));
+  request.tolerance = 1.01 * row.way.deviationMax;
+  EXPECT_FALSE(exceedsLimit(followRow(row.sweep, row.analysis, request, sphere, {})->findings));
+  EXPECT_TRUE(exceedsLimit({{Severity::warning, LostOnTheWay{"why"}, {}, {}}})) << "what is not known";
+}
+
 TEST(OnTheWay, ASnapIsTold) {
   // A dome, a flat blade with little to spare, then a dip: the arch ends on the way.
   test::RowSettings settings;

@@ -24,7 +24,8 @@ bool exceedsLimit(const Findings& findings) {
   return std::ranges::any_of(findings, [](const Finding& f) {
     if (f.severity != Severity::warning) return f.severity == Severity::error;
     const FindingKind kind = f.kind();
-    return kind == FindingKind::deviation || kind == FindingKind::clearance || kind == FindingKind::stability;
+    return kind == FindingKind::deviation || kind == FindingKind::clearance ||
+           kind == FindingKind::stability || kind == FindingKind::motion;
   });
 }
 

@@ -122,12 +122,36 @@ Result<RowMotion> followRow(const Sweep& row, const SweepAnalysis& analysis, con
   double sum = 0;
   std::size_t count = 0;
   std::vector<std::optional<SurfaceSampler::Foot>> feet(kPlaces);
+  const auto see = [&](const std::vector<Vector3d>& places) -> Result<void> {
+    for (std::size_t c = 0; c < places.size(); ++c) {
+      Result<SurfaceSampler::Foot> foot = sampler->closest(places[c], feet[c] ? &*feet[c] : nullptr);
+      if (!foot) return tl::unexpected<Error>(foot.error());
+      feet[c] = *foot;
+      sum += foot->distance;
+      ++count;
+      if (foot->distance > motion.deviationMax) {
+        motion.deviationMax = foot->distance;
+        motion.worst = places[c];
+      }
+      motion.fromShown = std::max(motion.fromShown, shown.look(places[c]).distance);
+    }
+    return {};
+  };
   Walk walk(row);
   bool standing = walk.stand(0);
   for (std::size_t i = 0; i + 1 < n; ++i) {
     if (context.stopped()) return stoppedError();
     if (taut(row.poses[i]) && taut(row.poses[i + 1])) {
+      // Straight throughout: its points go evenly, as its ends do.
       standing = false;
+      const std::vector<Vector3d> a = row.poses[i].cutPoints(kPlaces),
+                                  b = row.poses[i + 1].cutPoints(kPlaces);
+      for (int k = 1; k < kBetween; ++k) {
+        std::vector<Vector3d> places;
+        for (std::size_t c = 0; c < a.size(); ++c)
+          places.push_back(a[c] + double(k) / kBetween * (b[c] - a[c]));
+        if (Result<void> ok = see(places); !ok) return tl::unexpected<Error>(ok.error());
+      }
       continue;
     }
     if (!standing) standing = walk.stand(i);
@@ -152,18 +176,7 @@ Result<RowMotion> followRow(const Sweep& row, const SweepAnalysis& analysis, con
         standing = apart <= kSameShape;
         break;
       }
-      for (std::size_t c = 0; c < places.size(); ++c) {
-        Result<SurfaceSampler::Foot> foot = sampler->closest(places[c], feet[c] ? &*feet[c] : nullptr);
-        if (!foot) return tl::unexpected<Error>(foot.error());
-        feet[c] = *foot;
-        sum += foot->distance;
-        ++count;
-        if (foot->distance > motion.deviationMax) {
-          motion.deviationMax = foot->distance;
-          motion.worst = places[c];
-        }
-        motion.fromShown = std::max(motion.fromShown, shown.look(places[c]).distance);
-      }
+      if (Result<void> ok = see(places); !ok) return tl::unexpected<Error>(ok.error());
     }
   }
   if (count > 0) motion.deviationMean = sum / double(count);
@@ -171,8 +184,10 @@ Result<RowMotion> followRow(const Sweep& row, const SweepAnalysis& analysis, con
   tell(row, snaps, Severity::warning, SnapsOnTheWay{}, motion.findings);
   tell(row, others, Severity::warning, ArrivesOtherwise{}, motion.findings);
   tell(row, lost, Severity::warning, LostOnTheWay{why}, motion.findings);
-  // What the surface shown misses already is told of that.
-  if (motion.deviationMax > std::max(request.tolerance, kWorse * analysis.summary.deviationMax))
+  // Where the surface shown misses the tolerance as well, that is told of it.
+  const double skin = analysis.summary.deviationMax;
+  if (motion.deviationMax > request.tolerance &&
+      (skin <= request.tolerance || motion.deviationMax > kWorse * skin))
     motion.findings.push_back({Severity::warning,
                                TooFarOnTheWay{motion.deviationMax, request.tolerance},
                                {{}, motion.worst},

@@ -396,8 +396,9 @@ bool hasErrors(const Findings& findings);
 
 /// True if any of `findings` says that a limit is exceeded: an error of any kind, or a warning about a limit
 /// that the job or the blade states: deviation (tolerance), clearance or stability (the blade would not keep
-/// its shape). Warnings by rules of thumb (angle, speed, inflections, …) do not count, nor does that a round
-/// blade may leave its plane, which hangs on how the grips hold it.
+/// its shape), or motion (what it does between stations is not known). Warnings by rules of thumb (angle,
+/// speed, inflections, …) do not count, nor does that a round blade may leave its plane, which hangs on how
+/// the grips hold it.
 bool exceedsLimit(const Findings& findings);
 
 }  // namespace bw
