@@ -143,6 +143,66 @@ TEST(SweepContinuity, SectionsThatTellTheBladeAreFollowed) {
   }
 }
 
+/// The largest way of a grip from one station to the next, mm.
+double largestStep(const Sweep& sweep) {
+  double largest = 0;
+  for (std::size_t i = 1; i < sweep.poses.size(); ++i) {
+    const BladePose &a = sweep.poses[i - 1], &b = sweep.poses[i];
+    largest =
+        std::max({largest, (a.leftPoint() - b.leftPoint()).norm(), (a.rightPoint() - b.rightPoint()).norm()});
+  }
+  return largest;
+}
+
+TEST(SweepContinuity, GripsDoNotJumpWhereSectionsGrowLonger) {
+  // From one station to the next the section goes on by 150 mm at one end: centred blades jump by half of it.
+  test::RowSettings settings;
+  settings.blade.length = 1000;
+  std::vector<Section> sections;
+  for (int i = 0; i < 16; ++i) {
+    sections.push_back(arc(i, 1200, 300));
+    if (i < 8) continue;
+    PlanarCurve& curve = sections.back().curve();
+    curve = *curve.subCurve(curve.start(), curve.parameterAt(curve.length() - 150));
+  }
+  Findings findings;
+  const PlaneFamily planes = PlaneFamily::across(block(), Eigen::Vector3d::UnitY());
+  const Result<Sweep> centred = fitSweep(sections, settings, block(), planes, {});
+  const Result<Sweep> settled = sweepOf(sections, settings, findings);
+  ASSERT_TRUE(centred && settled);
+  EXPECT_GT(largestStep(*centred), 70);
+  EXPECT_LT(largestStep(*settled), 35);
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    const BladePose& pose = settled->poses[i];
+    EXPECT_LT(settled->fits[i].fit.hausdorff, 0.04);
+    EXPECT_NEAR(pose.before + pose.cut.length() + pose.after(), 1000, 1e-9);
+    EXPECT_GT(pose.before, 100);
+    EXPECT_GT(pose.after(), 100);
+    EXPECT_NEAR(pose.cut.length(), sections[i].curve().length(), 0.05);
+  }
+}
+
+TEST(SweepContinuity, BladesOfARowDoNotDependOnTheThreads) {
+  test::RowSettings settings;
+  settings.blade.length = 1600;
+  settings.weight = -settings.blade.weight() * Eigen::Vector3d::UnitZ();
+  Findings findings;
+  std::vector<Sweep> rows;
+  for (const int threads : {1, 3}) {
+    RunContext context;
+    context.threads = threads;
+    const Result<Sweep> row =
+        buildSweep(waves(), settings, block(), PlaneFamily::across(block(), Eigen::Vector3d::UnitY()),
+                   context, findings);
+    ASSERT_TRUE(row);
+    rows.push_back(*row);
+  }
+  for (std::size_t i = 0; i < rows[0].poses.size(); ++i) {
+    EXPECT_EQ(rows[0].poses[i].leftPoint(), rows[1].poses[i].leftPoint());
+    EXPECT_EQ(rows[0].poses[i].rightTangent(), rows[1].poses[i].rightTangent());
+  }
+}
+
 TEST(SweepContinuity, RunsFromItsLongestSection) {
   // The same row run from either end gives the same blades.
   test::RowSettings settings;

@@ -97,17 +97,18 @@ TEST(CutSurface, ManyStationsKeepTheBudgetOfRows) {
 }
 
 TEST(CutSurface, OneBadStationAmongManyIsFoundAndShown) {
-  // Station 778 alone is 3 mm too high: thinned rows must neither hide it from the numbers nor from the map.
+  // Station 778 alone is 3 mm too high, and its blade gives way to its neighbours by some µm: thinned rows
+  // must neither hide it from the numbers nor from the map.
   test::RowSettings settings;
   settings.tolerance = 0.5;
   constexpr int kBad = 777;
   Sweep sweep = planeSweep(1500, settings, [](int i) { return i == kBad ? 3.0 : 0.0; });
   const SweepAnalysis analysis = analysed(sweep, settings, test::PlaneSampler(Eigen::Vector3d::UnitZ()));
-  EXPECT_NEAR(analysis.summary.deviationMax, 3, 1e-6);
-  EXPECT_NEAR(analysis.stationDeviation[kBad], 3, 1e-6);
+  EXPECT_NEAR(analysis.summary.deviationMax, 3, 0.01);
+  EXPECT_NEAR(analysis.stationDeviation[kBad], 3, 0.01);
   EXPECT_NEAR(analysis.stationDeviation[kBad + 5], 0, 0.05);
   const std::vector<double>& deviation = analysis.cut.field("deviation")->values;
-  EXPECT_NEAR(*std::ranges::max_element(deviation), 3, 1e-6);
+  EXPECT_NEAR(*std::ranges::max_element(deviation), 3, 0.01);
   EXPECT_LE(analysis.cut.rows, 481);
   const Finding* far = test::findingOf<TooFar>(analysis.findings);
   ASSERT_TRUE(far);

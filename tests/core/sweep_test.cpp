@@ -52,7 +52,7 @@ TEST(Sweep, BladeHasItsLengthAndLiesSymmetrically) {
     const BladePose& pose = sweep->poses[i];
     EXPECT_NEAR(pose.blade.length(), settings.blade.length, 1e-9);
     const double cut = pose.cut.length();
-    EXPECT_NEAR(pose.extension, 0.5 * (settings.blade.length / cut - 1), 1e-12);
+    EXPECT_NEAR(pose.before, 0.5 * (settings.blade.length - cut), 1e-9);
     // The fitted part lies in the middle of the blade.
     EXPECT_LT((pose.blade.point(0.5 * settings.blade.length) - pose.cut.point(0.5 * cut)).norm(), 1e-7);
     EXPECT_LT(sweep->fits[i].fit.R4, 1e-9);  // a circle is an elastica

@@ -43,7 +43,7 @@ DirectionTrial tried(const geometry::Target& target, const RowRequest& request,
   if (!sections) return failed(sections.error());
   FitRequest weightless = request.fit;
   weightless.weight.setZero();  // of no weight in the choice
-  const Result<Sweep> sweep = buildSweep(*sections, weightless, block, planes, context, ignored);
+  const Result<Sweep> sweep = fitSweep(*sections, weightless, block, planes, context);
   if (!sweep) return failed(sweep.error());
   const Result<SweepCheck> check =
       checkSweep(*sweep, {request.fit.tolerance, request.fit.clearance}, context);

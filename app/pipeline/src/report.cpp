@@ -56,7 +56,7 @@ ordered_json stationJson(const StationView& station) {
   object["hausdorff_mm"] = fit.hausdorff;
   object["blade"] = {{"left", {{"point", vec(s.leftPoint())}, {"tangent", vec(s.leftTangent())}}},
                      {"right", {{"point", vec(s.rightPoint())}, {"tangent", vec(s.rightTangent())}}},
-                     {"parameter", {-s.extension, 1 + s.extension}}};
+                     {"parameter", {-s.before / s.cut.length(), 1 + s.after() / s.cut.length()}}};
   const double curvature = s.maxCurvature();
   object["max_curvature"] = curvature;
   object["min_radius_mm"] = curvature > 0 ? ordered_json(1 / curvature) : ordered_json(nullptr);

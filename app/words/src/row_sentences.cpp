@@ -107,8 +107,8 @@ std::string Sentences::operator()(const WouldSnap&) const {
 }
 
 std::string Sentences::operator()(const SnapsInWeight& cause) const {
-  return at() + "in its own weight the blade leaves this shape (at " + shortText(100 * cause.share, 2) +
-         " % of it) and snaps into another, " + mm(cause.distance) + " away; " +
+  return at() + "as its own weight comes on, the blade leaves this shape (at " +
+         shortText(100 * cause.share, 2) + " % of it) for another, " + mm(cause.distance) + " away; " +
          shorterText(finding, "take a lighter or stiffer blade, or one that is shorter");
 }
 

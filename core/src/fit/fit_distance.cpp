@@ -35,10 +35,10 @@ constexpr double kJump = 2;
 // upper bound of the distance; a distance that would be the largest is proven by a global search.
 class Farthest {
  public:
-  Farthest(const Elastica& elastica, const PlanarCurve& curve)
-      : elastica_(elastica),
+  Farthest(const Along& along, const PlanarCurve& curve)
+      : along_(along),
         curve_(curve),
-        step_(elastica.length() / (kHausdorffPoints - 1)),
+        step_(along.length / (kHausdorffPoints - 1)),
         negligible_(kNegligible * curve.length()),
         cornered_(curve.kind() == PlanarCurve::Kind::points || curve.poles().size() > kManyPoles ||
                   curve.degree() == 1) {}
@@ -46,7 +46,7 @@ class Farthest {
   double distance() {
     std::array<double, kStates> arcs;
     for (int i = 0; i < kStates; ++i) arcs[static_cast<std::size_t>(i)] = step_ * kStride * i;
-    elastica_.at(arcs, states_);
+    along_.at(arcs, states_);
     const int first = cornered_ || curve_.poles().size() > kFewPoles ? kStride : kWide;
     Row row;
     double seed = curve_.start();
@@ -185,7 +185,7 @@ class Farthest {
       for (int j = 1; j < kStride; ++j) arcs.push_back(step_ * (row[i].at + j));
     }
     std::vector<Elastica::State> states(arcs.size());
-    elastica_.at(arcs, states);
+    along_.at(arcs, states);
     std::stable_sort(gaps.begin(), gaps.end(), [](const Gap& a, const Gap& b) { return a.bound > b.bound; });
     Row inner;
     for (const Gap& gap : gaps) {
@@ -201,7 +201,7 @@ class Farthest {
     }
   }
 
-  const Elastica& elastica_;
+  const Along& along_;
   const PlanarCurve& curve_;
   double step_;
   double negligible_;
@@ -212,8 +212,12 @@ class Farthest {
 
 }  // namespace
 
+double oneSidedHausdorff(const Along& along, const PlanarCurve& curve) {
+  return Farthest(along, curve).distance();
+}
+
 double oneSidedHausdorff(const Elastica& elastica, const PlanarCurve& curve) {
-  return Farthest(elastica, curve).distance();
+  return oneSidedHausdorff({elastica.length(), [&](auto arcs, auto out) { elastica.at(arcs, out); }}, curve);
 }
 
 }  // namespace bw::fit

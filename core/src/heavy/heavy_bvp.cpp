@@ -355,8 +355,11 @@ Result<HeavyAnswer> solveAllHeavy(const HeavyProblem& problem, const ClampedOpti
   return answer;
 }
 
+double largestSag(double length, double chord) {
+  return std::sqrt(0.375 * std::max(0.0, length - chord) * length);
+}
+
 Result<Hanging> hang(const Elastica& blade, double stiffness, const Vector2d& weight) {
-  constexpr double kNoSag = 0.01;  // mm
   const double length = blade.length();
   const Elastica::State end = blade.at(length);
   HeavyProblem problem{{}, stiffness, weight};
@@ -370,9 +373,8 @@ Result<Hanging> hang(const Elastica& blade, double stiffness, const Vector2d& we
   const double turning = end.angle - blade.startAngle();
   std::optional<Shape> shape = shapeOf(*unit, blade, turning, heavy::kMostModes);
   if (!shape) return lost("without its weight");
-  // A flat arch over the whole length is as high as its slack lets it.
-  const double slack = std::max(0.0, length - (end.point - blade.start()).norm());
-  if (std::sqrt(0.375 * slack * length) < kNoSag) return Hanging{placed(*unit, turning, *shape)};
+  if (largestSag(length, (end.point - blade.start()).norm()) < kNoSag)
+    return Hanging{placed(*unit, turning, *shape)};
   const Result<Weighed> weighed = weigh(*unit, turning, *shape);
   if (!weighed) return tl::unexpected<Error>(weighed.error());
   shape = heavy::refined(unit->hold(turning), weighed->shape, heavy::kExact);

@@ -64,7 +64,7 @@ class Walk {
   std::vector<Vector3d> cut(std::size_t i, double share) const {
     const BladePose &a = row_.poses[i], &b = row_.poses[i + 1];
     const auto blend = [&](double x, double y) { return x + share * (y - x); };
-    const double from = blend(a.cutStart(), b.cutStart()), length = blend(a.cut.length(), b.cut.length());
+    const double from = blend(a.before, b.before), length = blend(a.cut.length(), b.cut.length());
     std::vector<double> arcs(kPlaces);
     for (int k = 0; k < kPlaces; ++k) arcs[std::size_t(k)] = from + length * k / (kPlaces - 1);
     std::vector<Elastica::State> states(kPlaces);
@@ -95,8 +95,7 @@ class Walk {
 
 /// A blade that its grips hold straight but for kTaut: there is no other shape, and none to be followed.
 bool taut(const BladePose& pose) {
-  const double chord = (pose.rightPoint() - pose.leftPoint()).norm(), length = pose.blade.length();
-  return std::sqrt(0.375 * std::max(0.0, length - chord) * length) < kTaut;
+  return largestSag(pose.blade.length(), (pose.rightPoint() - pose.leftPoint()).norm()) < kTaut;
 }
 
 /// Stretches of a row between whose stations the same happened.
@@ -138,6 +137,17 @@ Result<RowMotion> followRow(const Sweep& row, const SweepAnalysis& analysis, con
     return {};
   };
   Walk walk(row);
+  // A blade that is all but straight at a station may be followed from the next one alone: back to place k.
+  const auto back = [&](std::size_t i, int k) -> Result<bool> {
+    if (!walk.stand(i + 1)) return false;
+    for (int j = kBetween - 1; j >= k; --j) {
+      const double share = double(j) / kBetween;
+      const Result<ClampedBranch::Move> move = walk.go(i, share);
+      if (!move || move->snapped) return false;
+      if (Result<void> ok = see(walk.cut(i, share)); !ok) return tl::unexpected<Error>(ok.error());
+    }
+    return walk.stand(i + 1);
+  };
   bool standing = walk.stand(0);
   for (std::size_t i = 0; i + 1 < n; ++i) {
     if (context.stopped()) return stoppedError();
@@ -161,6 +171,10 @@ Result<RowMotion> followRow(const Sweep& row, const SweepAnalysis& analysis, con
       const Result<ClampedBranch::Move> move = walk.go(i, share);
       standing = move && !move->snapped;
       if (!move) {
+        const Result<bool> met = back(i, k);
+        if (!met) return tl::unexpected<Error>(met.error());
+        standing = *met;
+        if (standing) break;
         lost[i] = 1;
         why = move.error().message;
       }

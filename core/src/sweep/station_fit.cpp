@@ -42,9 +42,6 @@ constexpr int kPeriodBounds = 7;
 /// Part of its largest curvature to which a blade at its limit bends, and to which a fit is bounded: rounding
 /// does not decide whether the blade holds, and a blade with weight bends a little more.
 constexpr double kAtLimit = 1 - 1e-6, kAtLimitWithWeight = 0.98;
-double atLimit(const FitRequest& request) {
-  return (request.weight.isZero() ? kAtLimit : kAtLimitWithWeight) * request.blade.maxCurvature();
-}
 /// A blade that bends to this part of its bound presses against it.
 constexpr double kPresses = 1 - 1e-4;
 /// A section with a radius so many times smaller than the blade's is far beyond it.
@@ -81,7 +78,7 @@ Result<FitResult> fitBesideNeighbour(const PlanarCurve& section, FitOptions opti
 
 /// How a section is fitted where the nearest curve does not do for the whole blade.
 FitOptions boundedOptions(FitOptions options, const FitRequest& request) {
-  options.maxCurvature = atLimit(request);
+  options.maxCurvature = curvatureLimit(request);
   options.curvatureRange = request.blade.length;
   return options;
 }
@@ -99,7 +96,7 @@ std::optional<StationFit> stiffFit(const PlanarCurve& section, const FitRequest&
   if (!tooTight && !(spot.distance > 0 && kFarBeyond * spot.radius * limit < 1)) return {};
   const Places places(section);
   std::optional<StationFit> best;
-  for (const double curvature : {0.0, atLimit(request), -atLimit(request)}) {
+  for (const double curvature : {0.0, curvatureLimit(request), -curvatureLimit(request)}) {
     const Result<Elastica> arc =
         Elastica::make(Vector2d::Zero(), 0, curvature, Vector2d::Zero(), section.length());
     if (!arc) continue;
@@ -119,7 +116,7 @@ std::optional<StationFit> stiffFit(const PlanarCurve& section, const FitRequest&
 /// True if the blade that continues this fit bends as far as it may: then the nearest curve bends farther.
 bool bladePresses(const FitResult& fit, const FitRequest& request) {
   const Result<Elastica> whole = extendedBlade(fit.elastica, request.blade.length);
-  return whole && whole->maxCurvature() >= kPresses * atLimit(request);
+  return whole && whole->maxCurvature() >= kPresses * curvatureLimit(request);
 }
 
 }  // namespace
@@ -140,18 +137,33 @@ Elastica Places::laid(const Elastica& elastica) const {
 }
 
 double Places::residual(const Elastica& elastica) const {
-  const std::vector<Vector2d> own = elastica.sample(kPlaces);
+  return residual(elastica.sample(kPlaces), elastica.length());
+}
+
+double Places::residual(const BladePose& pose) const {
+  std::vector<Elastica::State> states(kPlaces);
+  pose.at(pose.cutArcs(kPlaces), states);
+  std::vector<Vector2d> own;
+  for (const Elastica::State& state : states) own.push_back(state.point);
+  return residual(own, pose.cut.length());
+}
+
+double Places::residual(const std::vector<Vector2d>& own, double length) const {
   double sum = 0;
   for (std::size_t i = 0; i < own.size(); ++i) {
     const double weight = i == 0 || i + 1 == own.size() ? 0.5 : 1;
     sum += weight * (own[i] - points_[i]).squaredNorm();
   }
-  return std::sqrt(sum / (kPlaces - 1)) / elastica.length();
+  return std::sqrt(sum / (kPlaces - 1)) / length;
 }
 
 Result<Elastica> extendedBlade(const Elastica& fitted, double bladeLength) {
   const double extra = 0.5 * (bladeLength - fitted.length());
   return extra > 0 ? fitted.segment(-extra, fitted.length() + extra) : Result<Elastica>(fitted);
+}
+
+double curvatureLimit(const FitRequest& request) {
+  return (request.weight.isZero() ? kAtLimit : kAtLimitWithWeight) * request.blade.maxCurvature();
 }
 
 bool bladeHolds(const Elastica& cut, const Blade& blade) {

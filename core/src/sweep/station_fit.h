@@ -33,6 +33,9 @@ inline constexpr double kAllowance = 2.0;
 [[nodiscard]] StationFit besideNeighbour(StationFit nearest, const StationFit& neighbour,
                                          const PlanarCurve& section, const FitRequest& request);
 
+/// The curvature to which a blade is fitted at most, 1/mm: a little less than it bends to.
+[[nodiscard]] double curvatureLimit(const FitRequest& request);
+
 /// True if the blade that continues this curve keeps its radius and rests in its shape.
 [[nodiscard]] bool bladeHolds(const Elastica& cut, const Blade& blade);
 
@@ -49,8 +52,12 @@ class Places {
   [[nodiscard]] Elastica laid(const Elastica& elastica) const;
   /// R4 of thesis (3.2) by the trapezoidal rule.
   [[nodiscard]] double residual(const Elastica& elastica) const;
+  /// The same of the part of a blade that cuts, with its weight.
+  [[nodiscard]] double residual(const BladePose& pose) const;
 
  private:
+  [[nodiscard]] double residual(const std::vector<Eigen::Vector2d>& own, double length) const;
+
   std::vector<Eigen::Vector2d> points_;
   Eigen::Vector2d centre_;
 };

@@ -16,6 +16,7 @@
 #include "bw/core/sweep/blade_pose.h"
 #include "bw/core/text/number_text.h"
 #include "sweep/remedies.h"
+#include "sweep/row_solver.h"
 #include "sweep/station_fit.h"
 #include "sweep/sweep_findings.h"
 
@@ -88,7 +89,7 @@ std::vector<Eigen::Vector3d> BladePose::points(std::span<const double> arcs) con
 }
 
 std::vector<double> BladePose::cutArcs(int count) const {
-  return evenly(cutStart(), cutStart() + cut.length(), count);
+  return evenly(before, before + cut.length(), count);
 }
 
 std::vector<Eigen::Vector3d> BladePose::bladePoints(int count) const {
@@ -206,17 +207,14 @@ Result<void> hangInWeight(Sweep& sweep, const RunContext& context) {
 
 }  // namespace
 
-Result<Sweep> buildSweep(const std::vector<Section>& all, const FitRequest& request, const Box& block,
-                         const PlaneFamily& planes, const RunContext& context, Findings& findings,
-                         double* fitSeconds, double* extendSeconds) {
-  using Clock = std::chrono::steady_clock;
+Result<Sweep> fitSweep(const std::vector<Section>& all, const FitRequest& request, const Box& block,
+                       const PlaneFamily& planes, const RunContext& context) {
   std::vector<Section> sections;
   std::ranges::copy_if(all, std::back_inserter(sections), [](const Section& s) { return s.chosen >= 0; });
   if (sections.empty())
     return fail(ErrorCode::badInput,
                 "there are no sections to fit; place the block so that it meets the target", "sections", 0.0,
                 1.0);
-  const auto fitStart = Clock::now();
   Sweep sweep{block, planes, request, {}, {}};
   Result<std::vector<StationFit>> fits = fitRow(sections, request, context);
   if (!fits) return tl::unexpected<Error>(fits.error());
@@ -228,7 +226,6 @@ Result<Sweep> buildSweep(const std::vector<Section>& all, const FitRequest& requ
       longest = length;
       longestIndex = sections[i].index;
     }
-  const auto extendStart = Clock::now();
   if (longest > request.blade.length) {
     const std::optional<double> needed = sweep::lengthFor(longest, request.clearance);
     const std::string other = "a smaller block, or another cutting direction";
@@ -248,12 +245,24 @@ Result<Sweep> buildSweep(const std::vector<Section>& all, const FitRequest& requ
     const Result<Elastica> blade = sweep::extendedBlade(cut, request.blade.length);
     if (!blade) return tl::unexpected<Error>(blade.error());
     sweep.poses.push_back({sections[i].index, sections[i].travel, sections[i].frame, cut, *blade,
-                           0.5 * (request.blade.length - cut.length()) / cut.length()});
+                           0.5 * (request.blade.length - cut.length())});
   }
-  if (Result<void> ok = hangInWeight(sweep, context); !ok) return tl::unexpected<Error>(ok.error());
-  sweep::addSwingFindings(sweep, findings);
-  if (fitSeconds) *fitSeconds = std::chrono::duration<double>(extendStart - fitStart).count();
-  if (extendSeconds) *extendSeconds = std::chrono::duration<double>(Clock::now() - extendStart).count();
+  return sweep;
+}
+
+Result<Sweep> buildSweep(const std::vector<Section>& sections, const FitRequest& request, const Box& block,
+                         const PlaneFamily& planes, const RunContext& context, Findings& findings,
+                         double* fitSeconds, double* settleSeconds) {
+  using Clock = std::chrono::steady_clock;
+  const auto fitStart = Clock::now();
+  Result<Sweep> sweep = fitSweep(sections, request, block, planes, context);
+  if (!sweep) return sweep;
+  const auto settleStart = Clock::now();
+  if (Result<void> ok = hangInWeight(*sweep, context); !ok) return tl::unexpected<Error>(ok.error());
+  if (Result<void> ok = sweep::settleRow(*sweep, context); !ok) return tl::unexpected<Error>(ok.error());
+  sweep::addSwingFindings(*sweep, findings);
+  if (fitSeconds) *fitSeconds = std::chrono::duration<double>(settleStart - fitStart).count();
+  if (settleSeconds) *settleSeconds = std::chrono::duration<double>(Clock::now() - settleStart).count();
   return sweep;
 }
 

@@ -79,7 +79,7 @@ std::vector<double> skinDistances(const std::vector<BladePose>& poses, const Spl
   for (int k = 0; k < kPlaces; ++k) u[std::size_t(k)] = (4 * k + 1.5) / (kColumns - 1);
   std::vector<Elastica::State> states(kPlaces);
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    for (std::size_t k = 0; k < kPlaces; ++k) arcs[k] = poses[i].cutStart() + poses[i].cut.length() * u[k];
+    for (std::size_t k = 0; k < kPlaces; ++k) arcs[k] = poses[i].before + poses[i].cut.length() * u[k];
     poses[i].at(arcs, states);
     for (std::size_t k = 0; k < kPlaces; ++k) {
       const Eigen::Vector3d point = poses[i].frame.toWorld(states[k].point);

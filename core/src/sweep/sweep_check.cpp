@@ -59,7 +59,8 @@ StationVelocity stationVelocity(const std::vector<BladePose>& poses, const std::
   const double length = pose.cut.length();
   std::vector<double> sigma;
   sigma.reserve(kColumns + 21);
-  for (int c = 0; c < kColumns; ++c) sigma.push_back((double(c) / (kColumns - 1) - 0.5) * length);
+  const double begin = pose.before - 0.5 * pose.blade.length();
+  for (int c = 0; c < kColumns; ++c) sigma.push_back(begin + double(c) / (kColumns - 1) * length);
   for (int c = 0; c <= 20; ++c) sigma.push_back((c / 20.0 - 0.5) * pose.blade.length());
   std::vector<Eigen::Vector3d> velocity(sigma.size(), Eigen::Vector3d::Zero());
   for (int k = 0; k < stencil.count; ++k) {

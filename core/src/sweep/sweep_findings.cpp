@@ -117,6 +117,20 @@ Told tooNear(const Sweep& sweep, double clearance, const CheckRequest& request, 
   return {cause, {OtherBlock{how}, TurnDirection{}}};
 }
 
+/// How a blade would hang at a station.
+Result<Hanging> hangingAt(const Sweep& sweep, std::size_t station, const Elastica& blade) {
+  const Frame& frame = sweep.poses[station].frame;
+  const Eigen::Vector3d& weight = sweep.request.weight;
+  return hang(blade, sweep.request.blade.flexuralRigidity(), {weight.dot(frame.x), weight.dot(frame.y)});
+}
+
+/// The farthest, mm, that its own weight alone would bring the part that cuts from where it lies without.
+double fallsBy(const Sweep& sweep, std::size_t station) {
+  BladePose pose = sweep.poses[station];
+  if (const Result<Hanging> hanging = hangingAt(sweep, station, pose.blade)) pose.heavy = hanging->blade;
+  return pose.movedByWeight();
+}
+
 /// A blade that is shorter, where that helps these stations, or else another remedy.
 Remedies shorterOr(const Sweep& sweep, const Stretch& stretch, Remedy otherwise,
                    const std::function<bool(const Elastica&)>& holds) {
@@ -188,13 +202,10 @@ void addStationFindings(const Sweep& sweep, const SweepCheck& check, const Check
       Severity::error, sinks, [&](Index i) { return seen[i].movedByWeight; },
       [&](const Stretch& at) -> Told {
         const auto keeps = [&](const Elastica& blade) {
-          const Frame& frame = poses[at.worst].frame;
-          const Eigen::Vector3d& weight = sweep.request.weight;
-          const Result<Hanging> hanging =
-              hang(blade, sweep.request.blade.flexuralRigidity(), {weight.dot(frame.x), weight.dot(frame.y)});
+          const Result<Hanging> hanging = hangingAt(sweep, at.worst, blade);
           return hanging && !hanging->snapsAt;
         };
-        SnapsInWeight cause{*fits[at.worst].snapsAt, seen[at.worst].movedByWeight};
+        SnapsInWeight cause{*fits[at.worst].snapsAt, fallsBy(sweep, at.worst)};
         const std::optional<double> length = shorterBlade(sweep, at.first, at.last, keeps);
         return {cause, length ? Remedies{OtherLength{*length}} : Remedies{}};
       });

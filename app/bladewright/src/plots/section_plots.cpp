@@ -105,8 +105,8 @@ SectionDrawing makeSectionDrawing(const Sweep& sweep, int index, double exaggera
     drawing.blade << toPoint(states[std::size_t(i)].point);
     drawing.curvature << QPointF(arcs[std::size_t(i)], states[std::size_t(i)].curvature);
   }
-  drawing.cutFrom = station.cutStart();
-  drawing.cutTo = length - station.cutStart();
+  drawing.cutFrom = station.before;
+  drawing.cutTo = length - station.after();
   drawing.bounds = boundsOf({&drawing.target, &drawing.elastica, &drawing.blade, &drawing.foam});
   return drawing;
 }

@@ -286,8 +286,8 @@ void Inspector::makeStation() {
       &SweepLimits::radius);
   add(tr("Inflections"), tr("Changes of the bending direction along the blade"),
       [](const StationView& s) { return QString::number(bladeInflections(s.pose.blade)); });
-  add(tr("Extension"), tr("Length of the blade beyond the surface, each side"),
-      [](const StationView& s) { return lengthText(s.pose.extension * s.pose.cut.length()); });
+  add(tr("Extension"), tr("Length of the blade beyond the surface, on the side where there is less of it"),
+      [](const StationView& s) { return lengthText(std::min(s.pose.before, s.pose.after())); });
   add(
       tr("Clearance"), tr("Between the nearer grip and the block"),
       [](const StationView& s) { return lengthText(s.check.clearance); }, &SweepLimits::clearance);

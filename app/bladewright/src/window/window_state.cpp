@@ -123,8 +123,9 @@ void MainWindow::makeWorkspace() {
     emit pictureStands();
   });
   connect(&messages_->list(), &MessageList::counted, this, [this](int errors, int warnings) {
-    const int loud = errors + warnings;
-    tabs_->setTabText(tabs_->indexOf(messages_), loud ? tr("Messages (%1)").arg(loud) : tr("Messages"));
+    constexpr int kMost = 99;  // the bar has no room for more digits on a small screen
+    const int loud = std::min(kMost, errors + warnings);
+    tabs_->setTabText(tabs_->indexOf(messages_), loud ? tr("Messages %1").arg(loud) : tr("Messages"));
   });
 }
 

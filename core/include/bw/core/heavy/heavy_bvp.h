@@ -68,6 +68,11 @@ Result<HeavyAnswer> solveHeavy(const HeavyProblem& problem, const ClampedOptions
 /// tighter than about a fortieth of the length. Same errors. Some 10 ms.
 Result<HeavyAnswer> solveAllHeavy(const HeavyProblem& problem, const ClampedOptions& options = {});
 
+/// How far a blade of this length, held at that distance, may sag by its slack: as high as a flat arch over
+/// the whole length is. mm. At kNoSag it lies as it would without weight.
+double largestSag(double length, double chord);
+inline constexpr double kNoSag = 0.01;
+
 /// A held blade that has taken on its weight.
 struct Hanging {
   HeavyBlade blade;
@@ -75,7 +80,7 @@ struct Hanging {
 };
 /// The shape that a blade which lies as `blade` without weight becomes as its weight comes on evenly, its
 /// grips held where they are. Where its branch ends, or it did not rest to begin with, it falls into another
-/// stable shape. A blade so taut that it can sag by no more than 0.01 mm stays as it is. `stiffness` in N
+/// stable shape. One that may sag by less than kNoSag stays as it is. `stiffness` in N
 /// mm², `weight` in N/mm in the plane's coordinates. Errors: those of `solveHeavy`. Some 0.3 ms.
 Result<Hanging> hang(const Elastica& blade, double stiffness, const Eigen::Vector2d& weight);
 

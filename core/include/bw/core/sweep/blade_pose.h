@@ -16,12 +16,12 @@ namespace bw {
 
 /// A blade that stands somewhere: what exists at one station of a sweep, however it was found.
 struct BladePose {
-  int index = 0;         ///< of its station
-  double travel = 0;     ///< mm along the cutting direction
-  Frame frame;           ///< of the plane in which the blade bends
-  Elastica cut = {};     ///< the part that cuts the target, if the blade had no weight
-  Elastica blade = {};   ///< from grip to grip: `cut` extended at both ends to the blade's length
-  double extension = 0;  ///< a ≥ 0: `blade` is `cut` over the parameters [−a, 1 + a]
+  int index = 0;        ///< of its station
+  double travel = 0;    ///< mm along the cutting direction
+  Frame frame;          ///< of the plane in which the blade bends
+  Elastica cut = {};    ///< the part that cuts the target, if the blade had no weight
+  Elastica blade = {};  ///< from grip to grip: `cut` extended at both ends to the blade's length
+  double before = 0;    ///< mm ≥ 0 of `blade` before `cut`
   std::optional<HeavyBlade> heavy = std::nullopt;  ///< how it hangs between its grips, where it has weight
 
   /// The ends of the blade in space: TCP origin and unit tangent in the direction of increasing arc length.
@@ -32,8 +32,8 @@ struct BladePose {
 
   // The blade that is there, with its weight where it has one. Arc lengths in mm from the left grip.
 
-  /// Where the part that cuts begins.
-  double cutStart() const { return extension * cut.length(); }
+  /// Of the blade behind the part that cuts.
+  double after() const { return blade.length() - before - cut.length(); }
   /// States in the plane of the frame. out.size() == arcs.size().
   void at(std::span<const double> arcs, std::span<Elastica::State> out) const;
   /// Points in space.

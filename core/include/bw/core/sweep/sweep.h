@@ -25,7 +25,7 @@ namespace bw {
 /// How the blade of a station was found: by a fit to the section of the target.
 struct StationFit {
   PlanarCurve target;     ///< the section, in the plane of the pose's frame
-  FitResult fit = {};     ///< its elastica is the pose's `cut`
+  FitResult fit = {};     ///< its elastica is the pose's `cut`; R4 and hausdorff are of the blade that hangs
   bool heldBack = false;  ///< not the nearest curve, but one whose blade keeps its radius and rests
   bool steadied = false;  ///< not the nearest curve, but one near its neighbour's shape, within the tolerance
   /// The share of its weight at which the blade leaves the shape that was fitted; empty if it never does.
@@ -63,12 +63,18 @@ struct Sweep {
 };
 
 /// Fits one elastica a section, from the longest section to both ends of the row, each beside its neighbour,
-/// and extends it to the blade's length; between grips held there it hangs in its weight. `sections` in the
-/// order of travel, all curves running the same way; those without a chosen branch are left out. A blade
-/// shorter than a section is an error.
+/// and extends it to the blade's length, its weight let be. `sections` in the order of travel, all curves
+/// running the same way; those without a chosen branch are left out. A blade shorter than a section is an
+/// error.
+Result<Sweep> fitSweep(const std::vector<Section>& sections, const FitRequest& request, const Box& block,
+                       const PlaneFamily& planes, const RunContext& context);
+
+/// The blades of a row: from those that `fitSweep` finds on, the grips of all stations are chosen together,
+/// so that the blades, with their weight, lie on their sections and the grips go smoothly from one to the
+/// next (docs/mathematics.md, sweep). Same errors.
 Result<Sweep> buildSweep(const std::vector<Section>& sections, const FitRequest& request, const Box& block,
                          const PlaneFamily& planes, const RunContext& context, Findings& findings,
-                         double* fitSeconds = nullptr, double* extendSeconds = nullptr);
+                         double* fitSeconds = nullptr, double* settleSeconds = nullptr);
 
 /// Times the stations so that the fastest point of the blade moves at the cutting speed, adds the leads, and
 /// puts the ends in the block frame. Quaternions keep one sign along the path. A lead that would end with a

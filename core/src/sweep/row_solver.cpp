@@ -1,0 +1,483 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "sweep/row_solver.h"
+
+#include <ceres/ceres.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "bw/core/base/units.h"
+#include "bw/core/elastica/elastica_stability.h"
+#include "bw/core/heavy/heavy_bvp.h"
+#include "fit/fit_distance.h"
+#include "sweep/station_fit.h"
+
+namespace bw::sweep {
+
+namespace {
+
+using Eigen::Vector2d;
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+using Row6 = Eigen::Matrix<double, 1, 6>;
+using Matrix6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
+
+constexpr int kPlaces = 33;  // of a section, from which the blade's distance is taken
+constexpr int kBends = 25;   // of the whole blade, where its curvature is looked at
+constexpr int kOwn = kPlaces + kBends + 1;
+
+// What is weighed against the distance from the section, rms over its length, in parts of the tolerance:
+constexpr double kKink = 1e-4;       // of a kink of 1 mm in the way of a grip, from one station to the next,
+constexpr double kSharpKink = 5e-3;  // and of what is sharper than
+constexpr double kFreeKink = 0.35;   // rad;
+constexpr double kSlide = 2e-3;      // of a blade that lies 1 mm off the middle of its section;
+constexpr double kBent = 1e-3;       // of a blade that bends as sharply as it may,
+constexpr double kSharper = 50;      // and of one that bends twice as sharply
+constexpr double kLeast = 0.1;       // of the mean way between stations: shorter ones count as this
+constexpr double kFar = 0.1;         // of the blade: a step of a grip
+constexpr double kFarTurned = 0.5;   // rad
+constexpr double kFootSlack = 0.1;   // of the blade: a step of a foot
+
+/// One station: the blade without weight told by its middle (point, angle, curvature, force), in lengths of a
+/// quarter of the blade; its grips hold the blade that hangs.
+struct Station {
+  std::size_t index = 0;  ///< in the row
+  const BladePose* pose = nullptr;
+  std::array<Vector2d, kPlaces> section;
+  double numbers[6] = {};
+  std::optional<HeavyBranch> branch = std::nullopt;  ///< the blade that hangs, where it was looked at last
+  Vector6 hungAt = Vector6::Zero();                  ///< its grips
+  std::array<double, kPlaces> feet = {};             ///< arc lengths of the blade nearest to the section
+
+  bool good = false;  ///< of the numbers that were looked at last; the rest holds if it is
+  Eigen::Matrix<double, kOwn, 1> own;
+  Eigen::Matrix<double, kOwn, 6, Eigen::RowMajor> byOwn;
+  Vector6 grips;  ///< x, y and angle of both, mm
+  Matrix6 byGrips;
+
+  /// mm, of the farthest place of the section.
+  double distance() const {
+    double farthest = 0;
+    for (int k = 0; k < kPlaces; ++k) farthest = std::max(farthest, std::abs(own(k)) / shareOf(k));
+    return farthest;
+  }
+  /// Of a place in the rms over the section, by the trapezoidal rule.
+  static double shareOf(int k) { return std::sqrt((k == 0 || k + 1 == kPlaces ? 0.5 : 1) / (kPlaces - 1)); }
+};
+
+/// Looks at stations.
+class Row {
+ public:
+  Row(const Sweep& sweep, const RunContext& context)
+      : sweep_(sweep),
+        context_(context),
+        length_(sweep.request.blade.length),
+        unit_(0.25 * length_),
+        limit_(curvatureLimit(sweep.request)) {}
+
+  /// A station as the row has it; empty where its blade does not rest near its section.
+  std::optional<Station> standing(std::size_t i) const;
+  /// A station of which the blade of another one, `from`, is to become the blade.
+  Station carried(std::size_t i, const Station& from) const;
+  /// The blade without weight; empty where the station's numbers are none of a blade.
+  std::optional<Elastica> light(const Station& station) const;
+  /// Of a length of blade in the station's plane, N/mm.
+  Vector2d weight(const Station& station) const;
+  /// Chooses the grips of these stations, in the order of the row.
+  void settle(std::span<Station* const> stations) const;
+  /// True if a blade like this may stand in the row.
+  bool holds(const Station& station) const;
+  /// Looks at a station's numbers.
+  void look(Station& station) const;
+  const RunContext& context() const { return context_; }
+
+ private:
+  Result<Elastica> about(const Station& station) const {
+    const double* n = station.numbers;
+    return Elastica::make({n[0], n[1]}, n[2] / unit_, n[3] / (unit_ * unit_),
+                          Vector2d(n[4], n[5]) / std::pow(unit_, 3), 0.5 * length_);
+  }
+
+  /// Lets the blade hang between the station's grips; `half` of it is without weight. False where it snaps
+  /// on the way there.
+  bool hangAt(Station& station, const Elastica& half) const;
+
+  /// Moves each foot nearer to where the blade is nearest to its place of the section.
+  void step(Station& station, std::span<const Elastica::State> states) const {
+    for (std::size_t k = 0; k < kPlaces; ++k) {
+      const Elastica::State& s = states[k];
+      const Vector2d t(std::cos(s.angle), std::sin(s.angle)), off = station.section[k] - s.point;
+      const double bend = 1 - s.curvature * (t.x() * off.y() - t.y() * off.x());
+      const double most = kFootSlack * length_;
+      const double way = std::clamp(off.dot(t) / std::max(bend, 0.1), -most, most);
+      station.feet[k] = std::clamp(station.feet[k] + way, 0.0, length_);
+    }
+  }
+
+  Station at(std::size_t i) const {
+    Station station;
+    station.index = i;
+    station.pose = &sweep_.poses[i];
+    std::ranges::copy(sweep_.fits[i].target.sample(kPlaces), station.section.begin());
+    return station;
+  }
+
+  const Sweep& sweep_;
+  const RunContext& context_;
+  double length_, unit_, limit_;  ///< of the blade, mm; of the numbers, mm; of the curvature, 1/mm
+};
+
+Vector2d Row::weight(const Station& station) const {
+  const Frame& frame = station.pose->frame;
+  return {sweep_.request.weight.dot(frame.x), sweep_.request.weight.dot(frame.y)};
+}
+
+std::optional<Elastica> Row::light(const Station& station) const {
+  const Result<Elastica> half = about(station);
+  const Result<Elastica> whole = half ? half->segment(-0.5 * length_, 0.5 * length_) : half;
+  return whole ? std::optional(*whole) : std::nullopt;
+}
+
+std::optional<Station> Row::standing(std::size_t i) const {
+  const BladePose& pose = sweep_.poses[i];
+  const StationFit& fit = sweep_.fits[i];
+  if (fit.fit.status == FitStatus::infeasible || pose.blade.anchor() ||
+      !bladeHolds(pose.cut, sweep_.request.blade))
+    return {};
+  Station station = at(i);
+  if (!sweep_.request.weight.isZero() && (!pose.heavy || fit.snapsAt)) return {};
+  if (pose.heavy)
+    if (const Result<HeavyBranch> branch =
+            HeavyBranch::from(*pose.heavy, sweep_.request.blade.flexuralRigidity()))
+      station.branch = *branch;
+  const Elastica::State middle = pose.blade.at(0.5 * length_), last = pose.blade.at(length_);
+  station.hungAt << pose.blade.start(), pose.blade.startAngle(), last.point, last.angle;
+  const Vector2d force = pose.blade.force() * std::pow(unit_, 3);
+  Vector6::Map(station.numbers) << middle.point, middle.angle * unit_, middle.curvature * unit_ * unit_,
+      force;
+  for (int k = 0; k < kPlaces; ++k)
+    station.feet[std::size_t(k)] = pose.before + pose.cut.length() * k / (kPlaces - 1);
+  look(station);
+  return station.good ? std::optional(station) : std::nullopt;
+}
+
+Station Row::carried(std::size_t i, const Station& from) const {
+  Station station = from;
+  station.index = i;
+  station.pose = &sweep_.poses[i];
+  station.section = at(i).section;
+  return station;
+}
+
+bool Row::holds(const Station& station) const {
+  if (!station.good) return false;
+  const std::optional<Elastica> blade = light(station);
+  if (!blade || blade->maxCurvature() > sweep_.request.blade.maxCurvature()) return false;
+  return station.branch || stabilityMargin(*blade) > 0;
+}
+
+bool Row::hangAt(Station& station, const Elastica& half) const {
+  const Vector6& grips = station.grips;
+  if (sweep_.request.weight.isZero()) return true;
+  if (largestSag(length_, (grips.segment<2>(3) - grips.head<2>()).norm()) < kNoSag) {
+    station.branch.reset();
+    return true;
+  }
+  const double stiffness = sweep_.request.blade.flexuralRigidity();
+  if (!station.branch) {
+    const Result<Elastica> whole = half.segment(-0.5 * length_, 0.5 * length_);
+    const Result<Hanging> hanging = whole ? hang(*whole, stiffness, weight(station))
+                                          : Result<Hanging>(tl::unexpected<Error>(whole.error()));
+    if (!hanging || hanging->snapsAt) return false;
+    const Result<HeavyBranch> branch = HeavyBranch::from(hanging->blade, stiffness);
+    if (branch) station.branch = *branch;
+    station.hungAt = grips;
+    return branch.has_value();
+  }
+  // A step that flings the blade is no step; to follow it would take long.
+  const Vector6 moved = grips - station.hungAt;
+  if (moved.head<2>().norm() > kFar * length_ || moved.segment<2>(3).norm() > kFar * length_ ||
+      std::max(std::abs(moved(2)), std::abs(moved(5))) > kFarTurned)
+    return false;
+  HeavyProblem next{{}, stiffness, weight(station)};
+  next.grips.start = grips.head<2>();
+  next.grips.startAngle = grips(2);
+  next.grips.end = grips.segment<2>(3);
+  next.grips.endAngle = grips(5);
+  next.grips.turning = grips(5) - grips(2);
+  next.grips.length = length_;
+  HeavyBranch branch = *station.branch;
+  const Result<ClampedBranch::Move> move = branch.moveTo(next);
+  if (!move || move->snapped) return false;
+  station.branch = branch;
+  station.hungAt = grips;
+  return true;
+}
+
+void Row::look(Station& station) const {
+  constexpr int kSteps = 2;
+  const double tolerance = sweep_.request.tolerance;
+  station.good = false;
+  const Result<Elastica> half = about(station);
+  if (!half) return;
+  const double middle = 0.5 * length_;
+  std::array<double, kBends> arcs;
+  std::array<Elastica::State, kBends> bends;
+  std::array<Elastica::Jacobian, kBends> byBends;
+  for (int k = 0; k < kBends; ++k) arcs[std::size_t(k)] = length_ * k / (kBends - 1) - middle;
+  half->at(arcs, bends, byBends);
+  // By the numbers.
+  Vector6 scale;
+  scale << 1, 1, 1 / unit_, 1 / (unit_ * unit_), Vector2d::Constant(1 / std::pow(unit_, 3));
+  const Elastica::State &first = bends.front(), &last = bends.back();
+  station.grips << first.point, first.angle, last.point, last.angle;
+  station.byGrips.topRows<3>() = byBends.front().topRows<3>() * scale.asDiagonal();
+  station.byGrips.bottomRows<3>() = byBends.back().topRows<3>() * scale.asDiagonal();
+
+  std::array<Elastica::State, kPlaces> states;
+  std::array<Eigen::Matrix<double, 2, 6>, kPlaces> byPlaces;
+  if (!hangAt(station, *half)) return;
+  if (station.branch) {
+    const HeavyBlade blade = station.branch->blade();
+    for (int k = 0; k <= kSteps; ++k) {
+      blade.at(station.feet, states);
+      if (k < kSteps) step(station, states);
+    }
+    const Result<HeavyDerivatives> moved = derivativesByGrips(blade, station.feet);
+    if (!moved) return;
+    for (std::size_t k = 0; k < kPlaces; ++k) byPlaces[k] = moved->byGrips[k].topRows<2>() * station.byGrips;
+  } else {
+    std::array<double, kPlaces> from;
+    std::array<Elastica::Jacobian, kPlaces> moved;
+    const auto fromMiddle = [&] {
+      std::ranges::transform(station.feet, from.begin(), [&](double s) { return s - middle; });
+    };
+    for (int k = 0; k < kSteps; ++k) {
+      fromMiddle();
+      half->at(from, states);
+      step(station, states);
+    }
+    fromMiddle();
+    half->at(from, states, moved);
+    for (std::size_t k = 0; k < kPlaces; ++k) byPlaces[k] = moved[k].topRows<2>() * scale.asDiagonal();
+  }
+  station.byOwn.setZero();
+  for (std::size_t k = 0; k < kPlaces; ++k) {
+    const auto row = Eigen::Index(k);
+    const Vector2d normal(-std::sin(states[k].angle), std::cos(states[k].angle));
+    const double weight = Station::shareOf(int(k));
+    station.own(row) = weight * normal.dot(states[k].point - station.section[k]);
+    station.byOwn.row(row) = weight * normal.transpose() * byPlaces[k];
+  }
+  for (std::size_t k = 0; k < kBends; ++k) {
+    const auto row = Eigen::Index(kPlaces + k);
+    const double bend = std::abs(bends[k].curvature) / limit_;
+    const double sharper = bend > 1 ? kSharper * tolerance : 0;
+    const double slope = kBent * tolerance / std::sqrt(kBends) + sharper;
+    station.own(row) = slope * bend - sharper;
+    station.byOwn.row(row) =
+        slope / std::copysign(limit_, bends[k].curvature) * byBends[k].row(3).cwiseProduct(scale.transpose());
+  }
+  const auto along = [&](std::size_t k) -> Row6 {
+    return -Vector2d(std::cos(states[k].angle), std::sin(states[k].angle)).transpose() * byPlaces[k];
+  };
+  constexpr Eigen::Index kMiddle = kPlaces + kBends;
+  station.own(kMiddle) = kSlide * tolerance * (0.5 * (station.feet.front() + station.feet.back()) - middle);
+  station.byOwn.row(kMiddle) = 0.5 * kSlide * tolerance * (along(0) + along(kPlaces - 1));
+  station.good = station.own.allFinite() && station.byOwn.allFinite() && station.byGrips.allFinite();
+}
+
+/// What one station asks of its own blade.
+class OwnCost : public ceres::SizedCostFunction<kOwn, 6> {
+ public:
+  explicit OwnCost(const Station& station) : station_(station) {}
+  bool Evaluate(double const* const*, double* residuals, double** jacobians) const override {
+    Eigen::Matrix<double, kOwn, 1>::Map(residuals) = station_.own;
+    if (jacobians && jacobians[0])
+      Eigen::Matrix<double, kOwn, 6, Eigen::RowMajor>::Map(jacobians[0]) = station_.byOwn;
+    return station_.good;
+  }
+
+ private:
+  const Station& station_;
+};
+
+/// The kink in the way of the grips at the second of three stations.
+class KinkCost : public ceres::SizedCostFunction<6, 6, 6, 6> {
+ public:
+  KinkCost(const std::array<const Station*, 3>& stations, double before, double after, double arm,
+           double free, double tolerance)
+      : stations_(stations),
+        shares_{1 / before, -1 / before - 1 / after, 1 / after},
+        free_(free),
+        tolerance_(tolerance) {
+    arms_ << 1, 1, arm, 1, 1, arm;
+  }
+  bool Evaluate(double const* const*, double* residuals, double** jacobians) const override {
+    Vector6 kink = Vector6::Zero();
+    for (std::size_t k = 0; k < 3; ++k) kink += shares_[k] * arms_.cwiseProduct(stations_[k]->grips);
+    Vector6 slope = Vector6::Constant(kKink * tolerance_);
+    for (int row = 0; row < 6; ++row) {
+      const bool sharp = std::abs(kink(row)) > free_;
+      if (sharp) slope(row) += kSharpKink * tolerance_;
+      kink(row) =
+          slope(row) * kink(row) - (sharp ? std::copysign(kSharpKink * tolerance_ * free_, kink(row)) : 0);
+    }
+    bool good = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (jacobians && jacobians[k])
+        Matrix6::Map(jacobians[k]) =
+            shares_[k] * slope.cwiseProduct(arms_).asDiagonal() * stations_[k]->byGrips;
+      good = good && stations_[k]->good;
+    }
+    Vector6::Map(residuals) = kink;
+    return good;
+  }
+
+ private:
+  std::array<const Station*, 3> stations_;
+  std::array<double, 3> shares_;
+  Vector6 arms_;             ///< mm, of the angles
+  double free_, tolerance_;  ///< mm
+};
+
+/// Has stations looked at before Ceres asks for what they say.
+class Looks : public ceres::EvaluationCallback {
+ public:
+  Looks(const Row& row, std::span<Station* const> stations) : row_(row), stations_(stations) {}
+  void PrepareForEvaluation(bool, bool isNew) override {
+    if (!isNew) return;
+    if (!parallelFor(row_.context(), int(stations_.size()),
+                     [&](int i) { row_.look(*stations_[std::size_t(i)]); }))
+      for (Station* station : stations_) station->good = false;
+  }
+
+ private:
+  const Row& row_;
+  std::span<Station* const> stations_;
+};
+
+void Row::settle(std::span<Station* const> stations) const {
+  constexpr int kIterations = 40;
+  constexpr double kSettled = 1e-4;  // of the sum of squares, in one step
+  Looks looks(*this, stations);
+  ceres::Problem::Options whole;
+  whole.evaluation_callback = &looks;
+  ceres::Problem problem(whole);
+  for (Station* station : stations)
+    problem.AddResidualBlock(new OwnCost(*station), nullptr, station->numbers);
+  const std::vector<BladePose>& poses = sweep_.poses;
+  const double mean = std::abs(poses.back().travel - poses.front().travel) /
+                      double(std::max<std::size_t>(1, poses.size() - 1));
+  for (std::size_t i = 1; i + 1 < stations.size(); ++i) {
+    const std::array<Station*, 3> three = {stations[i - 1], stations[i], stations[i + 1]};
+    if (three[2]->index != three[0]->index + 2) continue;
+    const auto way = [&](const Station& from, const Station& to) {
+      return std::max(kLeast, std::abs(to.pose->travel - from.pose->travel) / mean);
+    };
+    problem.AddResidualBlock(
+        new KinkCost({three[0], three[1], three[2]}, way(*three[0], *three[1]), way(*three[1], *three[2]),
+                     unit_, kFreeKink * mean, sweep_.request.tolerance),
+        nullptr, three[0]->numbers, three[1]->numbers, three[2]->numbers);
+  }
+  ceres::Solver::Options options;
+  options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
+  options.logging_type = ceres::SILENT;
+  options.max_num_iterations = kIterations;
+  options.function_tolerance = kSettled;
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, &problem, &summary);
+  looks.PrepareForEvaluation(false, true);
+}
+
+/// Takes whole turns out of the angles between a station and the one before it.
+void unwrap(std::vector<std::optional<Station>>& stations, double unit) {
+  const Station* before = nullptr;
+  for (std::optional<Station>& station : stations) {
+    if (!station) continue;
+    const double turn = 2 * kPi * unit;
+    const double turns = before ? std::round((station->numbers[2] - before->numbers[2]) / turn) : 0;
+    station->numbers[2] -= turn * turns;
+    for (const int angle : {2, 5}) station->hungAt(angle) -= 2 * kPi * turns;
+    before = &*station;
+  }
+}
+
+/// Puts a station's blade into the row.
+void put(const Station& station, const Elastica& light, const Vector2d& weight, Sweep& sweep) {
+  BladePose& pose = sweep.poses[station.index];
+  StationFit& fit = sweep.fits[station.index];
+  const Result<Elastica> cut = light.segment(station.feet.front(), station.feet.back());
+  if (!cut) return;
+  if (pose.heavy) {
+    // Where its weight alone would bring it, whatever brought it here.
+    const Result<Hanging> hanging = hang(light, sweep.request.blade.flexuralRigidity(), weight);
+    if (!hanging && !station.branch) return;
+    pose.heavy = station.branch ? station.branch->blade() : hanging->blade;
+    fit.snapsAt = hanging ? hanging->snapsAt : std::nullopt;
+    fit.unknown = hanging ? "" : hanging.error().message;
+  }
+  pose.cut = *cut;
+  pose.blade = light;
+  pose.before = station.feet.front();
+  fit.fit.elastica = *cut;
+  fit.fit.R4 = Places(fit.target).residual(pose);
+  fit.fit.hausdorff = fit::oneSidedHausdorff({cut->length(),
+                                              [&](auto arcs, auto out) {
+                                                std::vector<double> whole(arcs.begin(), arcs.end());
+                                                for (double& s : whole) s += pose.before;
+                                                pose.at(whole, out);
+                                              }},
+                                             fit.target);
+}
+
+}  // namespace
+
+Result<void> settleRow(Sweep& sweep, const RunContext& context) {
+  const FitRequest& request = sweep.request;
+  if (request.fitEndpoints || request.fitTangents || request.fitLength != FitOptions::Length::free) return {};
+  const Row row(sweep, context);
+  const std::size_t n = sweep.poses.size();
+  std::vector<std::optional<Station>> stations(n);
+  if (Result<void> ok = parallelFor(context, int(n),
+                                    [&](int i) { stations[std::size_t(i)] = row.standing(std::size_t(i)); });
+      !ok)
+    return ok;
+  unwrap(stations, 0.25 * request.blade.length);
+  const auto settle = [&] {
+    std::vector<Station*> standing;
+    for (std::optional<Station>& station : stations)
+      if (station) standing.push_back(&*station);
+    if (!standing.empty()) row.settle(standing);
+    return int(standing.size());
+  };
+  const int before = settle();
+  // Where none stands, the blade of the station beside it may be carried on.
+  const auto carry = [&](std::size_t i, std::size_t from) {
+    if (stations[i] || !stations[from] || !row.holds(*stations[from]) || context.stopped()) return;
+    Station station = row.carried(i, *stations[from]);
+    const std::array<Station*, 1> one = {&station};
+    row.settle(one);
+    if (row.holds(station) && station.distance() <= std::max(request.tolerance, sweep.fits[i].fit.hausdorff))
+      stations[i] = station;
+  };
+  for (std::size_t i = 1; i < n; ++i) carry(i, i - 1);
+  for (std::size_t i = n - 1; i > 0; --i) carry(i - 1, i);
+  if (std::ranges::count_if(stations, [](const auto& s) { return s.has_value(); }) != before) settle();
+  if (context.stopped()) return stoppedError();
+  return parallelFor(context, int(n), [&](int i) {
+    const std::optional<Station>& station = stations[std::size_t(i)];
+    if (!station || !row.holds(*station)) return;
+    const std::optional<Elastica> light = row.light(*station);
+    if (light) put(*station, *light, row.weight(*station), sweep);
+  });
+}
+
+}  // namespace bw::sweep
