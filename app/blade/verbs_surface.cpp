@@ -54,20 +54,13 @@ std::string radiusText(double radius) {
   return radius > 0 && radius < kStraight ? shortText(radius) + " mm" : "none, the blade is straight";
 }
 
-/// Never rounded up to 100 %.
-std::string coveredText(const Coverage& coverage) {
-  const double percent = 100 * coverage.share();
-  return fixedText(coverage.uncovered > 0 ? std::min(percent, 99.9) : percent, 1) +
-         " % of the surface covered";
-}
-
 void tellSummary(const pipeline::Evaluation& e) {
   const pipeline::CutResult result = *e.result();
   const SweepSummary& s = result.analysis.summary;
   std::cerr << result.size() << " stations; deviation max " << shortText(s.deviationMax)
             << " mm (between stations " << shortText(result.way.deviationMax) << " mm), mean "
-            << shortText(s.deviationMean) << " mm, " << fixedText(100 * s.withinTolerance, 1)
-            << " % within tolerance, " << coveredText(result.coverage) << "; angle max "
+            << shortText(s.deviationMean) << " mm, " << shareText(s.withinTolerance) << " within tolerance, "
+            << shareText(result.coverage.share()) << " of the surface covered; angle max "
             << fixedText(toDegrees(s.angleMax), 1) << "°; smallest radius " << radiusText(s.minRadius)
             << "; cutting time " << fixedText(result.motion.duration(), 0) << " s; computed in "
             << fixedText(e.seconds.total, 2) << " s\n";

@@ -316,6 +316,31 @@ TEST(HeavyBranch, StridesEndWhereManySmallStepsDo) {
   EXPECT_GT(ended, 0);
 }
 
+TEST(HeavyBlade, MarginChangesWithItsGripsAsDifferencesSay) {
+  std::mt19937 random(23);
+  for (int i = 0; i < 20; ++i) {
+    const HeavyProblem problem = heavyOf(randomGrips(random, 0.6), 2 * kFlatWeight);
+    const Result<HeavyAnswer> answer = solveHeavy(problem);
+    ASSERT_TRUE(answer);
+    const HeavyMarginSlope told = marginByGrips(answer->solutions[0].blade);
+    EXPECT_NEAR(told.margin, answer->solutions[0].stabilityMargin, 1e-9);
+    for (int column = 0; column < 6; ++column) {
+      const double step = column % 3 == 2 ? 1e-6 : 1e-4;
+      const auto margin = [&](double by) {
+        HeavyProblem other = problem;
+        if (column == 2) *other.grips.startAngle += by;
+        if (column == 5) *other.grips.endAngle += by;
+        if (column < 2) other.grips.start(column) += by;
+        if (column > 2 && column < 5) other.grips.end(column - 3) += by;
+        return solveHeavy(other)->solutions[0].stabilityMargin;
+      };
+      const double scale = column % 3 == 2 ? kLength : 1;
+      EXPECT_NEAR((margin(step) - margin(-step)) / (2 * step) / scale, told.byGrips(column) / scale, 1e-6)
+          << i << " " << column;
+    }
+  }
+}
+
 TEST(HeavyBlade, MovesWithItsGripsAsDifferencesSay) {
   std::mt19937 random(17);
   for (int i = 0; i < 10; ++i) {

@@ -13,6 +13,7 @@
 #include "bw/core/base/units.h"
 #include "bw/core/heavy/heavy_bvp.h"
 #include "bw/core/sweep/coverage.h"
+#include "bw/core/sweep/row_certainty.h"
 #include "bw/core/sweep/row_motion.h"
 #include "finding_of.h"
 #include "plane_sections.h"
@@ -151,6 +152,48 @@ TEST(WeightOfBlades, TellsWhereTheBladeSnaps) {
   EXPECT_TRUE(exceedsLimit(row.findings));
   for (const StationCheck& station : row.check.stations) EXPECT_FALSE(station.stable);
   EXPECT_TRUE(test::findingOf<TooFar>(row.findings)) << "what is cut is the surface of the snapped blade";
+}
+
+TEST(Certainty, IsThatOfTheBoundaryValueProblem) {
+  // What is followed along the row from five stations is what a search finds at each.
+  test::RowSettings settings;
+  settings.blade = flatBlade(700);
+  settings.weight = -settings.blade.weight() * Vector3d::UnitZ();
+  const Row row = rowOf(settings, kDome, 17);
+  ASSERT_TRUE(row.sweep);
+  const Result<RowCertainty> certainty = certaintyOf(*row.sweep, {});
+  ASSERT_TRUE(certainty);
+  ASSERT_EQ(certainty->stations.size(), 17u);
+  for (const std::size_t i : {0u, 3u, 6u, 10u, 16u}) {
+    const BladePose& pose = row.sweep->poses[i];
+    HeavyProblem problem;
+    problem.grips.start = pose.blade.start();
+    problem.grips.end = pose.blade.at(700).point;
+    problem.grips.startAngle = pose.blade.startAngle();
+    problem.grips.endAngle = pose.blade.at(700).angle;
+    problem.grips.length = 700;
+    problem.stiffness = settings.blade.flexuralRigidity();
+    problem.weight = {0, -settings.blade.weight()};
+    const Result<HeavyAnswer> all = solveAllHeavy(problem);
+    ASSERT_TRUE(all);
+    std::optional<double> lowest;
+    bool own = false;
+    for (const HeavySolution& solution : all->solutions) {
+      if (!solution.stable) continue;
+      const bool same = (solution.blade.at(350).point - pose.heavy->at(350).point).norm() < 0.01;
+      own |= same;
+      if (same) {
+        EXPECT_NEAR(solution.energy, certainty->stations[i].energy, 1e-6 * std::abs(solution.energy));
+      } else if (!lowest) {
+        lowest = solution.energy;
+      }
+    }
+    EXPECT_TRUE(own) << i;
+    ASSERT_EQ(lowest.has_value(), certainty->stations[i].other.has_value()) << i;
+    if (lowest) {
+      EXPECT_NEAR(*lowest, certainty->stations[i].other->energy, 1e-6 * std::abs(*lowest));
+    }
+  }
 }
 
 TEST(Crossings, AreErrors) {

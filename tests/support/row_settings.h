@@ -12,8 +12,8 @@ struct RowSettings : FitRequest {
   double cuttingSpeed = 20;  ///< mm/s
   double lead = 20;          ///< mm
 
-  operator CheckRequest() const { return {tolerance, clearance, cuttingSpeed}; }  // NOLINT
-  operator MotionRequest() const { return {cuttingSpeed, lead}; }                 // NOLINT
+  operator CheckRequest() const { return {tolerance, clearance, cuttingSpeed, margin}; }  // NOLINT
+  operator MotionRequest() const { return {cuttingSpeed, lead}; }                         // NOLINT
 };
 
 /// A sweep that is checked and then compared with its target.

@@ -4,6 +4,7 @@
 #include "bw/pipeline/pipeline.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <type_traits>
 #include <utility>
@@ -170,6 +171,42 @@ Result<void> fit(const CutWork& work) {
   return ok ? work.unlessStopped() : ok;
 }
 
+/// What else the blades could rest in.
+Result<void> ask(const CutWork& work, double& seconds) {
+  CutEvaluation& e = work.e;
+  return work.settle(&CutEvaluation::certainty, {}, {e.sweep.value}, seconds,
+                     [&](const NoRequest&, Findings& findings) {
+                       Result<RowCertainty> certainty = certaintyOf(*e.sweep.value, work.context);
+                       if (certainty) findings = certainty->findings;
+                       return certainty;
+                     });
+}
+
+/// The blade between the stations.
+Result<void> follow(const CutWork& work, double& seconds) {
+  CutEvaluation& e = work.e;
+  return work.settle(&CutEvaluation::way, checkRequest(work.design), {e.analysis.value}, seconds,
+                     [&](const CheckRequest& request, Findings& findings) {
+                       Result<RowMotion> way = followRow(*e.sweep.value, *e.analysis.value, request,
+                                                         *e.target.value->sampler(), work.context);
+                       if (way) findings = way->findings;
+                       return way;
+                     });
+}
+
+/// The target against the cut surface.
+Result<void> cover(const CutWork& work, double& seconds) {
+  CutEvaluation& e = work.e;
+  return work.settle(
+      &CutEvaluation::coverage, checkRequest(work.design), {e.analysis.value, e.targetMesh.value}, seconds,
+      [&](const CheckRequest& request, Findings& findings) -> Result<Coverage> {
+        Coverage coverage =
+            coverageOf(e.analysis.value->cut, *e.sweep.value, *e.targetMesh.value, request.tolerance);
+        findings = coverage.findings;
+        return coverage;
+      });
+}
+
 /// What the row tells by itself, its motion, and the cut surface against the target.
 Result<void> check(const CutWork& work) {
   CutEvaluation& e = work.e;
@@ -196,21 +233,17 @@ Result<void> check(const CutWork& work) {
   if (ok) ok = work.unlessStopped();
   if (ok) ok = meshTarget(e, work.previous, work.seconds.read);
   if (!ok) return ok;
-  ok = work.settle(&CutEvaluation::way, checkRequest(work.design), {e.analysis.value}, work.seconds.check,
-                   [&work, &e, &sweep](const CheckRequest& request, Findings& findings) {
-                     Result<RowMotion> way = followRow(sweep, *e.analysis.value, request,
-                                                       *e.target.value->sampler(), work.context);
-                     if (way) findings = way->findings;
-                     return way;
-                   });
-  if (!ok) return ok;
-  return work.settle(
-      &CutEvaluation::coverage, checkRequest(work.design), {e.analysis.value, e.targetMesh.value},
-      work.seconds.check, [&e, &sweep](const CheckRequest& request, Findings& findings) -> Result<Coverage> {
-        Coverage coverage = coverageOf(e.analysis.value->cut, sweep, *e.targetMesh.value, request.tolerance);
-        findings = coverage.findings;
-        return coverage;
-      });
+  // Side by side: none hangs on another.
+  constexpr std::array kTasks = {ask, follow, cover};
+  std::array<Result<void>, kTasks.size()> done;
+  std::array<double, kTasks.size()> seconds = {};
+  ok = parallelFor(work.context, int(kTasks.size()), [&](int i) {
+    done[std::size_t(i)] = kTasks[std::size_t(i)](work, seconds[std::size_t(i)]);
+  });
+  work.seconds.check += std::ranges::max(seconds);
+  for (const Result<void>& one : done)
+    if (ok) ok = one;
+  return ok;
 }
 
 /// How the programs lie in their cell. A cell that cannot be read is a finding: the surface is judged without
@@ -271,9 +304,11 @@ void takeMissing(Stage<Request, T>& stage, const Stage<Request, T>& from) {
 }  // namespace
 
 std::optional<CutResult> CutEvaluation::result() const {
-  if (!sweep.value || !check.value || !motion.value || !analysis.value || !coverage.value || !way.value)
+  if (!sweep.value || !check.value || !motion.value || !analysis.value || !coverage.value || !way.value ||
+      !certainty.value)
     return std::nullopt;
-  return CutResult{*sweep.value, *check.value, *analysis.value, *coverage.value, *way.value, *motion.value};
+  return CutResult{*sweep.value, *check.value,     *analysis.value, *coverage.value,
+                   *way.value,   *certainty.value, *motion.value};
 }
 
 Findings CutEvaluation::findings() const {
@@ -281,7 +316,7 @@ Findings CutEvaluation::findings() const {
   for (const Findings* list :
        {&target.findings, &placed.findings, &directions.findings,
         confirmed.value ? &confirmed.findings : &sections.findings, &sweep.findings, &check.findings,
-        &motion.findings, &analysis.findings, &way.findings, &coverage.findings})
+        &motion.findings, &analysis.findings, &way.findings, &coverage.findings, &certainty.findings})
     append(all, *list);
   return all;
 }
@@ -325,6 +360,7 @@ void Evaluation::takeMissing(const Evaluation& before) {
       takeMissing(cut.analysis, from->analysis);
       takeMissing(cut.coverage, from->coverage);
       takeMissing(cut.way, from->way);
+      takeMissing(cut.certainty, from->certainty);
     }
 }
 

@@ -68,6 +68,9 @@ ordered_json stationJson(const StationView& station) {
   object["bent_sideways_mm"] =
       s.heavy && std::isfinite(check.sideways) ? ordered_json(check.sideways) : ordered_json(nullptr);
   object["snaps_at"] = station.fit.snapsAt ? ordered_json(*station.fit.snapsAt) : ordered_json(nullptr);
+  const std::optional<double> ratio = station.certainty.energyRatio();
+  object["certainty"] = station.certainty.certain() ? "certain" : "lost";
+  object["energy_ratio"] = ratio ? ordered_json(*ratio) : ordered_json(nullptr);
   object["angle_mean_deg"] = toDegrees(check.angleMean);
   object["angle_max_deg"] = toDegrees(check.angleMax);
   object["speed_ratio"] = check.speedRatio;
@@ -122,6 +125,7 @@ std::string reportJson(const Evaluation& e, const std::string& run, const FileSe
   method["tolerance_mm"] = design.process.tolerance;
   method["cutting_speed_mm_s"] = design.process.cuttingSpeed;
   method["clearance_mm"] = design.process.clearance;
+  method["margin"] = design.process.margin;
   method["weight"] = design.process.weight;
   method["up"] = vec(design.process.up);
   method["cell"] = design.output.cell;

@@ -109,15 +109,15 @@ void limits(Page& page, const Evaluation& e) {
                s.minRadius <= 0 || s.minRadius >= design.blade.minRadius());
   page.checked("Smallest distance of a grip from the block", mm(clearance),
                "at least " + mm(design.process.clearance), clearance >= design.process.clearance);
-  page.checked("Smallest margin against snapping", fixedText(margin, 2), "above 0", margin > 0);
+  page.checked("Smallest margin against snapping", fixedText(margin, 2),
+               "at least " + fixedText(design.process.margin, 2), margin >= design.process.margin);
   page.end();
   page.heading("Numbers");
   page.begin({"Number", "Value"});
   page.row({"Mean deviation", mm(s.deviationMean)});
   page.row({"Root mean square of the deviation", mm(s.deviationRms)});
-  page.row({"Cut surface within tolerance", fixedText(100 * s.withinTolerance, 1) + " %"});
-  page.row({"Target in the block that has cut surface over it",
-            fixedText(100 * e.cut().coverage.value->share(), 1) + " %"});
+  page.row({"Cut surface within tolerance", shareText(s.withinTolerance)});
+  page.row({"Target in the block that has cut surface over it", shareText(e.cut().coverage.value->share())});
   page.row({"Steepest cutting angle (the blade drags above " +
                 fixedText(toDegrees(cuttingAngleLimit(e.design.blade)), 0) + "°)",
             degrees(s.angleMax)});
@@ -156,6 +156,7 @@ void parameters(Page& page, const Evaluation& e) {
   page.row({"Lead before and after the block", mm(design.process.lead)});
   page.row({"Tolerance", mm(design.process.tolerance)});
   page.row({"Clearance", mm(design.process.clearance)});
+  page.row({"Stability margin of the blade", fixedText(design.process.margin, 2)});
   page.row({"Robot cell", design.output.cell});
   page.end();
 }

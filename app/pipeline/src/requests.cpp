@@ -11,12 +11,14 @@ FitRequest fitRequest(const Design& design) {
   const Process& p = design.process;
   FitRequest request{design.blade, p.fitLength, p.fitEndpoints, p.fitTangents,
                      p.maxPeriods, p.tolerance, p.clearance};
+  request.margin = p.margin;
   if (p.weight) request.weight = -design.blade.weight() * p.up.normalized();
   return request;
 }
 
 CheckRequest checkRequest(const Design& design) {
-  return {design.process.tolerance, design.process.clearance, design.process.cuttingSpeed};
+  return {design.process.tolerance, design.process.clearance, design.process.cuttingSpeed,
+          design.process.margin};
 }
 
 MotionRequest motionRequest(const Design& design) {

@@ -66,7 +66,10 @@ std::string stationsCsv(const CutResult& result) {
       "min_radius_mm,inflections,stable,angle_mean_deg,angle_max_deg,speed_ratio,clearance_mm,"
       "stability_margin,moved_by_weight_mm\n");
   for (std::size_t i = 0; i < result.size(); ++i) {
-    const auto& [s, found, check, deviation] = result.station(i);
+    const StationView station = result.station(i);
+    const BladePose& s = station.pose;
+    const StationFit& found = station.fit;
+    const StationCheck& check = station.check;
     const double curvature = s.maxCurvature();
     lines.integer(s.index).text(",").fixed(s.travel, 4).text(",").fixed(found.target.length(), 4);
     lines.text(",").fixed(s.cut.length(), 4);

@@ -22,6 +22,7 @@ constexpr std::pair<FindingKind, const char*> kWords[] = {{FindingKind::fit, "fi
                                                           {FindingKind::outOfPlane, "out-of-plane"},
                                                           {FindingKind::coverage, "coverage"},
                                                           {FindingKind::crossing, "crossing"},
+                                                          {FindingKind::certainty, "certainty"},
                                                           {FindingKind::lead, "lead"},
                                                           {FindingKind::motion, "motion"},
                                                           {FindingKind::weight, "weight"},

@@ -106,6 +106,12 @@ std::string Sentences::operator()(const WouldSnap&) const {
          shorterText(finding, kInParts);
 }
 
+std::string Sentences::operator()(const LowMargin& cause) const {
+  return at() + "the blade rests in this shape with a margin of " + shortText(cause.margin, 2) +
+         " alone (asked for: " + shortText(cause.asked, 3) + "; it snaps at 0); " +
+         shorterText(finding, kInParts);
+}
+
 std::string Sentences::operator()(const SnapsInWeight& cause) const {
   return at() + "as its own weight comes on, the blade leaves this shape (at " +
          shortText(100 * cause.share, 2) + " % of it) for another, " + mm(cause.distance) + " away; " +
@@ -215,6 +221,15 @@ std::string Sentences::operator()(const LeadGrown& cause) const {
   return std::string(cause.atStart ? "the blade starts " : "the blade goes on ") + mm(cause.grown) +
          (cause.atStart ? " before the first station" : " beyond the last station") + " in place of " +
          mm(cause.asked) + ", so that all of it is outside of the block there; it cuts the foam on that way";
+}
+
+std::string Sentences::operator()(const OtherShape& cause) const {
+  return at() + "between these grips the blade rests in another shape too, " + mm(cause.distance) +
+         " away, with an energy of " + shortText(cause.other) +
+         " N mm (this one: " + shortText(cause.energy) + " N mm" +
+         (cause.barrier ? "; a push of " + shortText(*cause.barrier, 2) + " N mm brings it from here there"
+                        : "") +
+         "), and nothing leads it into this one at the start; lead it there by hand, or take a shorter blade";
 }
 
 std::string Sentences::operator()(const SnapsOnTheWay&) const {

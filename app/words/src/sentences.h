@@ -22,6 +22,7 @@ struct Sentences {
   std::string operator()(const TooTight& cause) const;
   std::string operator()(const ManyInflections& cause) const;
   std::string operator()(const WouldSnap& cause) const;
+  std::string operator()(const LowMargin& cause) const;
   std::string operator()(const SnapsInWeight& cause) const;
   std::string operator()(const MovedByWeight& cause) const;
   std::string operator()(const BentSideways& cause) const;
@@ -36,6 +37,7 @@ struct Sentences {
   std::string operator()(const Uncovered& cause) const;
   std::string operator()(const BladeCrosses& cause) const;
   std::string operator()(const LeadGrown& cause) const;
+  std::string operator()(const OtherShape& cause) const;
   std::string operator()(const SnapsOnTheWay& cause) const;
   std::string operator()(const ArrivesOtherwise& cause) const;
   std::string operator()(const LostOnTheWay& cause) const;

@@ -22,7 +22,7 @@ namespace bw {
 
 namespace {
 
-constexpr std::array<ProcessNumber, 5> kNumbers = {{
+constexpr std::array<ProcessNumber, 6> kNumbers = {{
     {{&Process::tolerance, "tolerance", "Tolerance", "mm", 1e-4, 1000, 1e-3, 3, 0.1,
       "Largest deviation of the cut surface that is accepted", "Change tolerance"},
      ProcessPart::setup},
@@ -36,6 +36,10 @@ constexpr std::array<ProcessNumber, 5> kNumbers = {{
       "Periods of the elastica that the blade may span; more than one is hard to hold", "Change most waves"},
      ProcessPart::details,
      true},
+    {{&Process::margin, "margin", "Stability margin", "", 0, 1, 0, 2, 0.05,
+      "How firmly blades rest at least: 1 for a straight one, 0 where it is about to snap",
+      "Change stability margin"},
+     ProcessPart::details},
     {{&Process::lead, "lead", "Lead", "mm", 0, 10000, 0, 2, 5, "Straight travel before and after the block",
       "Change lead"},
      ProcessPart::details},

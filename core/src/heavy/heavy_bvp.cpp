@@ -453,6 +453,14 @@ Result<ClampedBranch::Move> HeavyBranch::moveTo(const HeavyProblem& next) {
 
 HeavyBlade HeavyBranch::blade() const { return HeavyBlade(numbers_); }
 
+HeavyMarginSlope marginByGrips(const HeavyBlade& blade) {
+  const heavy::MarginSlope slope = heavy::marginSlopeOf(equationsOf(blade));
+  const Eigen::RowVector2d byEnd = slope.byGrips.head<2>() / blade.length();
+  HeavyMarginSlope result{slope.margin, {}};
+  result.byGrips << -byEnd, slope.byGrips(2), byEnd, slope.byGrips(3);
+  return result;
+}
+
 Result<HeavyDerivatives> derivativesByGrips(const HeavyBlade& blade, std::span<const double> s) {
   const double length = blade.length();
   const Equations equations = equationsOf(blade);

@@ -24,8 +24,10 @@ namespace {
 /// Total |κ| L below which the blade counts as straight, as of the weightless one.
 constexpr double kStraight = 1e-3;
 
-/// The smallest eigenvalue of a form against ∫ φ² where ∫ φ times some functions vanishes, over 4π².
-double smallest(const Modes& modes, const MatrixXd& form, const MatrixXd& constraints) {
+/// The smallest eigenvalue of a form against ∫ φ² where ∫ φ times some functions vanishes, over 4π²; its
+/// function, ∫ φ² = 1, is put into `function`.
+double smallest(const Modes& modes, const MatrixXd& form, const MatrixXd& constraints,
+                VectorXd* function = nullptr) {
   const Eigen::HouseholderQR<MatrixXd> qr(constraints);
   const Index free = modes.count() - constraints.cols();
   const auto reduced = [&](MatrixXd matrix) -> MatrixXd {
@@ -36,8 +38,16 @@ double smallest(const Modes& modes, const MatrixXd& form, const MatrixXd& constr
   const MatrixXd mass = modes.values * modes.weights.asDiagonal() * modes.values.transpose();
   // 1/λ are the largest: they keep their digits, those of the stiff modes need none.
   const double shift = 4 * kPi * kPi * 64;
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(reduced(mass), reduced(form + shift * mass),
-                                                                  Eigen::EigenvaluesOnly | Eigen::Ax_lBx);
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(
+      reduced(mass), reduced(form + shift * mass),
+      (function ? Eigen::ComputeEigenvectors : Eigen::EigenvaluesOnly) | Eigen::Ax_lBx);
+  if (function) {
+    // Of unit length in the second form.
+    const double scale = 1 / std::sqrt(solver.eigenvalues()(free - 1));
+    *function = VectorXd::Zero(modes.count());
+    function->tail(free) = scale * solver.eigenvectors().col(free - 1);
+    function->applyOnTheLeft(qr.householderQ());
+  }
   return (1 / solver.eigenvalues()(free - 1) - shift) / (4 * kPi * kPi);
 }
 
@@ -78,7 +88,14 @@ Margins marginsOf(const Equations& equations, double torsionRatio, double across
   return margins;
 }
 
-MatrixXd movesOf(const Equations& equations) {
+namespace {
+
+/// How an equilibrium changes with its grips, columns as those of `movesOf`.
+struct Changes {
+  MatrixXd turned;  ///< the angle at the nodes
+  Eigen::Matrix<double, 2, 4> force;
+};
+Changes changesOf(const Equations& equations) {
   const Modes& modes = equations.modes();
   const Index n = modes.count(), nodes = modes.nodes.size();
   Hold changes[4];
@@ -91,12 +108,46 @@ MatrixXd movesOf(const Equations& equations) {
     right.col(k) = -equations.along(changes[k]);
     turned.col(k) = changes[k].startAngle + changes[k].turning * modes.nodes.array();
   }
-  turned += modes.values.transpose() * equations.jacobian().partialPivLu().solve(right).topRows(n);
+  const MatrixXd moved = equations.jacobian().partialPivLu().solve(right);
+  turned += modes.values.transpose() * moved.topRows(n);
+  return {turned, moved.bottomRows<2>()};
+}
+
+}  // namespace
+
+MatrixXd movesOf(const Equations& equations) {
+  const Modes& modes = equations.modes();
+  const Index nodes = modes.nodes.size();
+  const MatrixXd turned = changesOf(equations).turned;
   const Sampled& s = equations.sampled();
   MatrixXd result(3 * nodes, 4);
   result << -(modes.integral * (s.sine.matrix().asDiagonal() * turned)),
       modes.integral * (s.cosine.matrix().asDiagonal() * turned), turned;
   return result;
+}
+
+MarginSlope marginSlopeOf(const Equations& equations) {
+  const Modes& modes = equations.modes();
+  const MatrixXd form = equations.hessian();
+  const Eigen::MatrixX2d closed = equations.closure();
+  VectorXd function;
+  MarginSlope slope{smallest(modes, form, closed, &function), {}};
+  // φ·(form) φ − μ ∫ φ² is stationary where ∫ φ t' = 0: what holds it there are two multipliers.
+  const VectorXd pull =
+      form * function -
+      4 * kPi * kPi * slope.margin *
+          (modes.values * (modes.weights.array() * (modes.values.transpose() * function).array()).matrix());
+  const Eigen::Vector2d multipliers = (closed.transpose() * closed).ldlt().solve(closed.transpose() * pull);
+  const Changes changes = changesOf(equations);
+  const Sampled& s = equations.sampled();
+  const ArrayXd phi = modes.values.transpose() * function;
+  for (Index k = 0; k < 4; ++k) {
+    const ArrayXd turned = changes.turned.col(k);
+    const ArrayXd along = changes.force(0, k) * s.cosine + changes.force(1, k) * s.sine + s.across * turned;
+    const ArrayXd across = 2 * (multipliers.x() * s.cosine + multipliers.y() * s.sine) * turned * phi;
+    slope.byGrips(k) = (modes.weights.array() * (along * phi.square() + across)).sum() / (4 * kPi * kPi);
+  }
+  return slope;
 }
 
 ClampedSensitivity sensitivityOf(const Equations& equations) {

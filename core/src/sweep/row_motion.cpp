@@ -10,6 +10,7 @@
 
 #include "bw/core/base/units.h"
 #include "bw/core/heavy/heavy_bvp.h"
+#include "sweep/held_blade.h"
 #include "sweep/remedies.h"
 #include "sweep/surface_rows.h"
 #include "sweep/sweep_findings.h"
@@ -51,7 +52,7 @@ class Walk {
 
   /// Moves the grips to a share of the way from station i to the next one.
   Result<ClampedBranch::Move> go(std::size_t i, double share) {
-    const HeavyProblem a = gripsAt(i), b = gripsAt(i + 1);
+    const HeavyProblem a = sweep::heldAt(row_, row_.poses[i]), b = sweep::heldAt(row_, row_.poses[i + 1]);
     HeavyProblem there = a;
     there.grips.start += share * (b.grips.start - a.grips.start);
     there.grips.end += share * (b.grips.end - a.grips.end);
@@ -76,18 +77,6 @@ class Walk {
   }
 
  private:
-  HeavyProblem gripsAt(std::size_t i) const {
-    const BladePose& pose = row_.poses[i];
-    const Elastica::State end = pose.blade.at(pose.blade.length());
-    HeavyProblem problem{{}, row_.request.blade.flexuralRigidity(), weight_};
-    problem.grips.start = pose.blade.start();
-    problem.grips.end = end.point;
-    problem.grips.startAngle = pose.blade.startAngle();
-    problem.grips.endAngle = end.angle;
-    problem.grips.length = pose.blade.length();
-    return problem;
-  }
-
   const Sweep& row_;
   Vector2d weight_;
   std::optional<HeavyBranch> branch_;

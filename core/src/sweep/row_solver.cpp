@@ -31,7 +31,7 @@ using Matrix6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
 
 constexpr int kPlaces = 33;  // of a section, from which the blade's distance is taken
 constexpr int kBends = 25;   // of the whole blade, where its curvature is looked at
-constexpr int kOwn = kPlaces + kBends + 1;
+constexpr int kOwn = kPlaces + kBends + 2;
 
 // What is weighed against the distance from the section, rms over its length, in parts of the tolerance:
 constexpr double kKink = 1e-4;       // of a kink of 1 mm in the way of a grip, from one station to the next,
@@ -39,11 +39,15 @@ constexpr double kSharpKink = 5e-3;  // and of what is sharper than
 constexpr double kFreeKink = 0.35;   // rad;
 constexpr double kSlide = 2e-3;      // of a blade that lies 1 mm off the middle of its section;
 constexpr double kBent = 1e-3;       // of a blade that bends as sharply as it may,
-constexpr double kSharper = 50;      // and of one that bends twice as sharply
-constexpr double kLeast = 0.1;       // of the mean way between stations: shorter ones count as this
-constexpr double kFar = 0.1;         // of the blade: a step of a grip
-constexpr double kFarTurned = 0.5;   // rad
-constexpr double kFootSlack = 0.1;   // of the blade: a step of a foot
+constexpr double kSharper = 50;      // and of one that bends twice as sharply;
+constexpr double kUnsafe = 10;       // of a margin that is smaller by 1 than asked for, with a reserve of
+constexpr double kReserve = 0.02;
+constexpr double kWatched = 0.25;     // beyond what is asked for no margin is looked at
+constexpr double kLeast = 0.1;        // of the mean way between stations: shorter ones count as this
+constexpr double kFar = 0.1;          // of the blade: a step of a grip
+constexpr double kFarTurned = 0.5;    // rad
+constexpr double kDifference = 1e-4;  // of a number of a blade
+constexpr double kFootSlack = 0.1;    // of the blade: a step of a foot
 
 /// One station: the blade without weight told by its middle (point, angle, curvature, force), in lengths of a
 /// quarter of the blade; its grips hold the blade that hangs.
@@ -54,6 +58,7 @@ struct Station {
   double numbers[6] = {};
   std::optional<HeavyBranch> branch = std::nullopt;  ///< the blade that hangs, where it was looked at last
   Vector6 hungAt = Vector6::Zero();                  ///< its grips
+  bool watched = false;                              ///< its margin is near the least that is asked for
   std::array<double, kPlaces> feet = {};             ///< arc lengths of the blade nearest to the section
 
   bool good = false;  ///< of the numbers that were looked at last; the rest holds if it is
@@ -108,6 +113,9 @@ class Row {
   /// Lets the blade hang between the station's grips; `half` of it is without weight. False where it snaps
   /// on the way there.
   bool hangAt(Station& station, const Elastica& half) const;
+
+  /// The margin of the station's blade, and its derivative by the numbers.
+  std::pair<double, Row6> marginAt(const Station& station) const;
 
   /// Moves each foot nearer to where the blade is nearest to its place of the section.
   void step(Station& station, std::span<const Elastica::State> states) const {
@@ -165,7 +173,10 @@ std::optional<Station> Row::standing(std::size_t i) const {
   for (int k = 0; k < kPlaces; ++k)
     station.feet[std::size_t(k)] = pose.before + pose.cut.length() * k / (kPlaces - 1);
   look(station);
-  return station.good ? std::optional(station) : std::nullopt;
+  if (!station.good) return {};
+  station.watched = marginAt(station).first < sweep_.request.margin + kWatched;
+  if (station.watched) look(station);
+  return station;
 }
 
 Station Row::carried(std::size_t i, const Station& from) const {
@@ -173,6 +184,7 @@ Station Row::carried(std::size_t i, const Station& from) const {
   station.index = i;
   station.pose = &sweep_.poses[i];
   station.section = at(i).section;
+  station.watched = true;
   return station;
 }
 
@@ -219,6 +231,26 @@ bool Row::hangAt(Station& station, const Elastica& half) const {
   station.branch = branch;
   station.hungAt = grips;
   return true;
+}
+
+std::pair<double, Row6> Row::marginAt(const Station& station) const {
+  if (station.branch) {
+    const HeavyMarginSlope slope = marginByGrips(station.branch->blade());
+    return {slope.margin, slope.byGrips * station.byGrips};
+  }
+  const auto margin = [&](const Station& one) {
+    const std::optional<Elastica> blade = light(one);
+    return blade ? stabilityMargin(*blade) : 0.0;
+  };
+  Row6 slope = Row6::Zero();
+  for (int k = 3; k < 6; ++k) {  // a blade that is moved as a whole rests as well
+    Station more = station, less = station;
+    const double step = kDifference * (1 + std::abs(station.numbers[k]));
+    more.numbers[k] += step;
+    less.numbers[k] -= step;
+    slope(k) = (margin(more) - margin(less)) / (2 * step);
+  }
+  return {margin(station), slope};
 }
 
 void Row::look(Station& station) const {
@@ -291,6 +323,15 @@ void Row::look(Station& station) const {
   constexpr Eigen::Index kMiddle = kPlaces + kBends;
   station.own(kMiddle) = kSlide * tolerance * (0.5 * (station.feet.front() + station.feet.back()) - middle);
   station.byOwn.row(kMiddle) = 0.5 * kSlide * tolerance * (along(0) + along(kPlaces - 1));
+  station.own(kMiddle + 1) = 0;
+  if (station.watched) {
+    const auto [margin, slope] = marginAt(station);
+    const double missing = sweep_.request.margin + kReserve - margin;
+    if (missing > 0) {
+      station.own(kMiddle + 1) = kUnsafe * tolerance * missing;
+      station.byOwn.row(kMiddle + 1) = -kUnsafe * tolerance * slope;
+    }
+  }
   station.good = station.own.allFinite() && station.byOwn.allFinite() && station.byGrips.allFinite();
 }
 

@@ -12,6 +12,7 @@
 #include "bw/core/blade/cutting_limits.h"
 #include "bw/core/elastica/elastica_stability.h"
 #include "bw/core/heavy/heavy_bvp.h"
+#include "sweep/held_blade.h"
 #include "sweep/remedies.h"
 #include "sweep/station_fit.h"
 #include "sweep/tight_section.h"
@@ -119,9 +120,8 @@ Told tooNear(const Sweep& sweep, double clearance, const CheckRequest& request, 
 
 /// How a blade would hang at a station.
 Result<Hanging> hangingAt(const Sweep& sweep, std::size_t station, const Elastica& blade) {
-  const Frame& frame = sweep.poses[station].frame;
-  const Eigen::Vector3d& weight = sweep.request.weight;
-  return hang(blade, sweep.request.blade.flexuralRigidity(), {weight.dot(frame.x), weight.dot(frame.y)});
+  const HeavyProblem held = heldAt(sweep, sweep.poses[station]);
+  return hang(blade, held.stiffness, held.weight);
 }
 
 /// The farthest, mm, that its own weight alone would bring the part that cuts from where it lies without.
@@ -236,6 +236,14 @@ void addStationFindings(const Sweep& sweep, const SweepCheck& check, const Check
       [&](const Stretch& at) -> Told {
         const auto rests = [](const Elastica& blade) { return stabilityMargin(blade) > 0; };
         return {WouldSnap{}, shorterOr(sweep, at, CutInParts{}, rests)};
+      });
+  report(
+      Severity::warning, [&](Index i) { return seen[i].stable && seen[i].stabilityMargin < request.margin; },
+      [&](Index i) { return -seen[i].stabilityMargin; },
+      [&](const Stretch& at) -> Told {
+        const auto rests = [&](const Elastica& blade) { return stabilityMargin(blade) >= request.margin; };
+        return {LowMargin{seen[at.worst].stabilityMargin, request.margin},
+                shorterOr(sweep, at, CutInParts{}, rests)};
       });
   report(
       Severity::warning, [&](Index i) { return seen[i].stable && seen[i].outOfPlaneMargin <= 0; },

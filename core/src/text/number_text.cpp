@@ -46,6 +46,10 @@ std::string roundTripText(double value) {
   return std::string(buffer.data(), error == std::errc{} ? end : buffer.data());
 }
 
+std::string shareText(double share) {
+  return share < 1 ? fixedText(std::min(100 * share, 99.9), 1) + " %" : "100 %";
+}
+
 std::string stationName(int index) { return "station " + std::to_string(index + 1); }
 
 std::string shortText(double value, int digits) {

@@ -42,11 +42,7 @@ QString timeText(double seconds) {
       QString::fromStdString(fixedText(tenths - 60 * minutes, 1)).rightJustified(4, QLatin1Char('0')));
 }
 
-QString percentText(double fraction) {
-  const double percent = 100 * fraction;
-  const double shown = percent < 100 ? std::min(percent, 99.9) : percent;
-  return QString::fromStdString(fixedText(shown, percent < 100 ? 1 : 0)) + QStringLiteral(" %");
-}
+QString percentText(double fraction) { return QString::fromStdString(shareText(fraction)); }
 
 QString pointText(const Eigen::Vector3d& p) {
   const auto text = [](double v) { return QString::fromStdString(fixedText(v, 1)); };
@@ -71,9 +67,12 @@ SweepLimits brokenLimits(const pipeline::CutResult& result, const Design& design
 }
 
 SweepLimits brokenLimits(const pipeline::StationView& station, const Design& design) {
-  return {false, station.pose.maxCurvature() > design.blade.maxCurvature(),
+  return {false,
+          station.pose.maxCurvature() > design.blade.maxCurvature(),
           station.check.angleMax > cuttingAngleLimit(design.blade),
-          station.check.speedRatio < kSpeedRatioLimit, station.check.clearance < design.process.clearance};
+          station.check.speedRatio < kSpeedRatioLimit,
+          station.check.clearance < design.process.clearance,
+          station.check.stabilityMargin < design.process.margin};
 }
 
 std::vector<StationNumbers> stationNumbers(const pipeline::CutResult& result) {

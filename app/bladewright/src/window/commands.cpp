@@ -240,6 +240,7 @@ GuideWindow::GuideWindow(const Commands& commands, QWidget* parent)
   }
   guide_->setAccessibleName(tr("Guide"));
   keys_->setAccessibleName(tr("Keys"));
+  guide_->setSearchPaths({":/guide"});  // its pictures
   QFile file(":/guide/user-guide.md");
   if (file.open(QIODevice::ReadOnly)) guide_->setMarkdown(QString::fromUtf8(file.readAll()));
 }

@@ -284,6 +284,9 @@ void Inspector::makeStation() {
         return radiusText(curvature > 0 ? 1 / curvature : 1e12);
       },
       &SweepLimits::radius);
+  add(
+      tr("Stability margin"), tr("How firmly it rests: 1 for a straight blade, 0 where it is about to snap"),
+      [](const StationView& s) { return ratioText(s.check.stabilityMargin); }, &SweepLimits::margin);
   add(tr("Inflections"), tr("Changes of the bending direction along the blade"),
       [](const StationView& s) { return QString::number(bladeInflections(s.pose.blade)); });
   add(tr("Extension"), tr("Length of the blade beyond the surface, on the side where there is less of it"),

@@ -15,6 +15,7 @@
 #include "bw/core/motion/cell.h"
 #include "bw/core/surface/mesh.h"
 #include "bw/core/sweep/coverage.h"
+#include "bw/core/sweep/row_certainty.h"
 #include "bw/core/sweep/row_motion.h"
 #include "bw/core/sweep/sweep_check.h"
 #include "bw/geometry/cad_model.h"
@@ -53,6 +54,7 @@ struct StationView {
   const BladePose& pose;
   const StationFit& fit;
   const StationCheck& check;
+  const StationCertainty& certainty;
   double deviation;  ///< mm, the largest distance of its cut from the target
 };
 
@@ -63,11 +65,13 @@ struct CutResult {
   const SweepAnalysis& analysis;
   const Coverage& coverage;
   const RowMotion& way;
+  const RowCertainty& certainty;
   const Motion& motion;
 
   std::size_t size() const { return sweep.poses.size(); }
   StationView station(std::size_t i) const {
-    return {sweep.poses[i], sweep.fits[i], check.stations[i], analysis.stationDeviation[i]};
+    return {sweep.poses[i], sweep.fits[i], check.stations[i], certainty.stations[i],
+            analysis.stationDeviation[i]};
   }
 };
 
@@ -89,6 +93,7 @@ struct CutEvaluation {
   Stage<CheckRequest, SweepAnalysis> analysis;  ///< the cut surface against the target, and what was found
   Stage<CheckRequest, Coverage> coverage;       ///< the target against the cut surface
   Stage<CheckRequest, RowMotion> way;           ///< the blade between the stations, as robots move it
+  Stage<NoRequest, RowCertainty> certainty;     ///< what else the blades could rest in
 
   std::optional<CutResult> result() const;  ///< empty until all stages are done
   Findings findings() const;                ///< of all stages in order

@@ -38,6 +38,7 @@ enum class FindingKind {
   deviation,
   coverage,
   crossing,
+  certainty,
   lead,
   motion,
   skin,
@@ -100,6 +101,11 @@ struct ManyInflections {
 /// The blade does not rest in the shape.
 struct WouldSnap {
   static constexpr FindingKind kind = FindingKind::stability;
+};
+/// The blade rests less firmly than asked for.
+struct LowMargin {
+  static constexpr FindingKind kind = FindingKind::stability;
+  double margin = 0, asked = 0;
 };
 /// Its weight brings the blade into another shape.
 struct SnapsInWeight {
@@ -180,6 +186,13 @@ struct Uncovered {
 struct BladeCrosses {
   static constexpr FindingKind kind = FindingKind::crossing;
   bool itself = true;
+};
+/// Between the same grips the blade rests in another shape as well, which is not clearly higher.
+struct OtherShape {
+  static constexpr FindingKind kind = FindingKind::certainty;
+  double energy = 0, other = 0;                  ///< N mm
+  double distance = 0;                           ///< between them
+  std::optional<double> barrier = std::nullopt;  ///< N mm that bring it from the row's shape into another one
 };
 /// On the way from one station to the next the blade leaves its shape and snaps into another.
 struct SnapsOnTheWay {
@@ -356,15 +369,15 @@ struct RunMismatch {
   std::string file, run = {}, other = {}, text = {};
 };
 
-using Cause =
-    std::variant<UnmetConditions, UnsettledFit, HeldBackFit, SteadiedFit, Overbent, TooTight, ManyInflections,
-                 WouldSnap, SnapsInWeight, MovedByWeight, BentSideways, UnknownInWeight, WouldTwist,
-                 GripTooNear, SteepAngle, UnevenSpeed, EndsSwing, GapInRow, TooFar, Uncovered, BladeCrosses,
-                 LeadGrown, SnapsOnTheWay, ArrivesOtherwise, LostOnTheWay, TooFarOnTheWay, SkinOff,
-                 SectionMissing, SectionPoint, SectionShort, SectionBranches, SectionClosed, SectionBorder,
-                 SectionUnfit, SectionRough, SectionDiffers, LargestFace, NearestFace, FacesLeftOut,
-                 TravelAcross, ChosenDirection, LeftOutOfFile, Healed, ChangedSource, EarlierDesign,
-                 UnreadableCell, WrongSide, ProgramDespiteErrors, ProgramBreach, RunMismatch>;
+using Cause = std::variant<UnmetConditions, UnsettledFit, HeldBackFit, SteadiedFit, Overbent, TooTight,
+                           ManyInflections, WouldSnap, LowMargin, SnapsInWeight, MovedByWeight, BentSideways,
+                           UnknownInWeight, WouldTwist, GripTooNear, SteepAngle, UnevenSpeed, EndsSwing,
+                           GapInRow, TooFar, Uncovered, BladeCrosses, LeadGrown, OtherShape, SnapsOnTheWay,
+                           ArrivesOtherwise, LostOnTheWay, TooFarOnTheWay, SkinOff, SectionMissing,
+                           SectionPoint, SectionShort, SectionBranches, SectionClosed, SectionBorder,
+                           SectionUnfit, SectionRough, SectionDiffers, LargestFace, NearestFace, FacesLeftOut,
+                           TravelAcross, ChosenDirection, LeftOutOfFile, Healed, ChangedSource, EarlierDesign,
+                           UnreadableCell, WrongSide, ProgramDespiteErrors, ProgramBreach, RunMismatch>;
 
 /// Stations of a row by their index: from first to last, `count` of them concerned, the worst among them.
 struct StationRange {

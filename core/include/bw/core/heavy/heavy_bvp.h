@@ -127,4 +127,13 @@ struct HeavyDerivatives {
 /// At arc lengths in [0, length], by the implicit function theorem. Fails (noSolution) at a fold.
 Result<HeavyDerivatives> derivativesByGrips(const HeavyBlade& blade, std::span<const double> s);
 
+/// The margin of a blade at rest in its plane (`marginsOf`), and how it changes with the grips.
+struct HeavyMarginSlope {
+  double margin = 1;
+  Eigen::Matrix<double, 1, 6> byGrips =
+      Eigen::Matrix<double, 1, 6>::Zero();  ///< columns as above: 1/mm, 1/rad
+};
+/// Not finite at a fold. Some 0.2 ms.
+HeavyMarginSlope marginByGrips(const HeavyBlade& blade);
+
 }  // namespace bw

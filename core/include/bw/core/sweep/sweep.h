@@ -42,6 +42,7 @@ struct FitRequest {
   double tolerance =
       2;  ///< mm within which a curve may stand for the nearest one, where the blade asks for it
   double clearance = 50;  ///< mm between a grip and the block, which advice about lengths keeps
+  double margin = 0.15;   ///< of stability, that the blade is to keep where the tolerance lets it
   Eigen::Vector3d weight = Eigen::Vector3d::Zero();  ///< of a length of blade, N/mm, in the file's frame
   bool operator==(const FitRequest&) const = default;
 };

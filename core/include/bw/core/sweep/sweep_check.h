@@ -19,6 +19,7 @@ struct CheckRequest {
   double tolerance = 2;      ///< mm, deviation of the cut surface
   double clearance = 50;     ///< mm between a grip and the block
   double cuttingSpeed = 20;  ///< mm/s of the fastest point
+  double margin = 0.15;      ///< of stability
   bool operator==(const CheckRequest&) const = default;
 };
 

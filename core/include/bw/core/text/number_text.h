@@ -18,6 +18,9 @@ std::string roundTripText(double value);
 /// A number for people: `digits` significant digits, no trailing zeros, no exponent between 1e-4 and 1e7.
 std::string shortText(double value, int digits = 3);
 
+/// A share in [0, 1] for people: "98.4 %", "100 %" for a whole one alone.
+std::string shareText(double share);
+
 /// "station 8" for the index 7: texts for people count from 1, as the window does; indices in data count from
 /// 0.
 std::string stationName(int index);
