@@ -5,7 +5,9 @@
 // uses.
 #include <QComboBox>
 #include <QRegularExpression>
+#include <QScrollBar>
 #include <QTextBrowser>
+#include <algorithm>
 
 #include "window_fixture.h"
 
@@ -87,6 +89,15 @@ TEST_F(WindowKeys, OpenTheGuideAndTheListOfKeys) {
   QTest::qWait(0);
   fs::create_directories(BW_TEST_OUTPUT "/window");
   guide.grab().save(BW_TEST_OUTPUT "/window/guide.png");
+  const QList<QTextBrowser*> pages = guide.findChildren<QTextBrowser*>();
+  QTextBrowser& page = **std::ranges::find(pages, &guide.guide());
+  EXPECT_EQ(page.horizontalScrollBar()->maximum(), 0) << "a picture is wider than the page";
+  for (const char* picture : {"hanging-blade.svg", "two-shapes.svg"})
+    EXPECT_TRUE(page.loadResource(QTextDocument::ImageResource, QUrl(picture)).isValid()) << picture;
+  ASSERT_TRUE(page.find("Will it be there"));
+  QScrollBar& rail = *page.verticalScrollBar();
+  rail.setValue(rail.value() + page.viewport()->height() / 2);
+  guide.grab().save(BW_TEST_OUTPUT "/window/guide-shapes.png");
   guide.findChild<QTabWidget*>()->setCurrentIndex(1);
   guide.grab().save(BW_TEST_OUTPUT "/window/keys.png");
   guide.close();

@@ -26,13 +26,14 @@ constexpr double kShorter = 0.88;
 /// The search steps by this part of the length at least: a blade's length is not ordered more finely.
 constexpr double kLeastStep = 0.01;
 
-/// By how much the nearer grip misses the clearance if the station's curve is continued to this length; a
+/// By how much the nearer grip misses the clearance if the station's blade is continued to this length; a
 /// grip moves by half of what the blade grows at most, so no blade longer by less than twice the miss does.
 double miss(const Sweep& sweep, const BladePose& pose, double length, double clearance) {
-  const Elastica& cut = pose.cut;
-  const double extra = 0.5 * (length - cut.length());
-  double nearest = boxDistance(sweep.block, pose.frame.toWorld(cut.point(-extra)));
-  nearest = std::min(nearest, boxDistance(sweep.block, pose.frame.toWorld(cut.point(cut.length() + extra))));
+  const Elastica& blade = pose.blade;
+  const double extra = 0.5 * (length - blade.length());
+  double nearest = boxDistance(sweep.block, pose.frame.toWorld(blade.point(-extra)));
+  nearest =
+      std::min(nearest, boxDistance(sweep.block, pose.frame.toWorld(blade.point(blade.length() + extra))));
   return clearance - nearest;
 }
 
@@ -48,7 +49,7 @@ std::optional<double> clearingLength(const Sweep& sweep, const BladePose& pose, 
 }
 
 bool holdsAt(const Sweep& sweep, const BladePose& pose, double length) {
-  const Result<Elastica> blade = extendedBlade(pose.cut, length);
+  const Result<Elastica> blade = extendedBlade(pose.blade, length);
   return blade && blade->maxCurvature() <= sweep.request.blade.maxCurvature() &&
          stabilityMargin(*blade) > 0 &&
          (sweep.request.blade.section == Blade::Section::flat || outOfPlaneMargin(*blade) > 0);
