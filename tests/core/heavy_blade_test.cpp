@@ -316,6 +316,15 @@ TEST(HeavyBranch, StridesEndWhereManySmallStepsDo) {
   EXPECT_GT(ended, 0);
 }
 
+/// One of x, y and angle of the start, then of the end, moved.
+HeavyProblem withGrip(HeavyProblem problem, int column, double by) {
+  if (column == 2) *problem.grips.startAngle += by;
+  if (column == 5) *problem.grips.endAngle += by;
+  if (column < 2) problem.grips.start(column) += by;
+  if (column > 2 && column < 5) problem.grips.end(column - 3) += by;
+  return problem;
+}
+
 TEST(HeavyBlade, MarginChangesWithItsGripsAsDifferencesSay) {
   std::mt19937 random(23);
   for (int i = 0; i < 20; ++i) {
@@ -327,12 +336,7 @@ TEST(HeavyBlade, MarginChangesWithItsGripsAsDifferencesSay) {
     for (int column = 0; column < 6; ++column) {
       const double step = column % 3 == 2 ? 1e-6 : 1e-4;
       const auto margin = [&](double by) {
-        HeavyProblem other = problem;
-        if (column == 2) *other.grips.startAngle += by;
-        if (column == 5) *other.grips.endAngle += by;
-        if (column < 2) other.grips.start(column) += by;
-        if (column > 2 && column < 5) other.grips.end(column - 3) += by;
-        return solveHeavy(other)->solutions[0].stabilityMargin;
+        return solveHeavy(withGrip(problem, column, by))->solutions[0].stabilityMargin;
       };
       const double scale = column % 3 == 2 ? kLength : 1;
       EXPECT_NEAR((margin(step) - margin(-step)) / (2 * step) / scale, told.byGrips(column) / scale, 1e-6)
@@ -353,12 +357,7 @@ TEST(HeavyBlade, MovesWithItsGripsAsDifferencesSay) {
     for (int column = 0; column < 6; ++column) {
       const double step = column % 3 == 2 ? 1e-6 : 1e-4;
       const auto changed = [&](double by) {
-        HeavyProblem other = problem;
-        if (column == 2) *other.grips.startAngle += by;
-        if (column == 5) *other.grips.endAngle += by;
-        if (column < 2) other.grips.start(column) += by;
-        if (column > 2 && column < 5) other.grips.end(column - 3) += by;
-        return solveHeavy(other)->solutions[0].blade;
+        return solveHeavy(withGrip(problem, column, by))->solutions[0].blade;
       };
       const HeavyBlade more = changed(step), less = changed(-step);
       for (std::size_t k = 0; k < arcs.size(); ++k) {

@@ -60,6 +60,19 @@ Row rowOf(const test::RowSettings& settings, Height height, int stations = 9, do
 const auto kDome = [](double x) { return 60 * std::cos(kPi * x / (3 * kHalf)); };
 const auto kBowl = [](double x) { return -kDome(x); };
 
+/// The grips of a pose, written out once more.
+HeavyProblem problemOf(const BladePose& pose, const Blade& blade, double weight) {
+  HeavyProblem problem;
+  problem.grips.start = pose.blade.start();
+  problem.grips.end = pose.blade.at(blade.length).point;
+  problem.grips.startAngle = pose.blade.startAngle();
+  problem.grips.endAngle = pose.blade.at(blade.length).angle;
+  problem.grips.length = blade.length;
+  problem.stiffness = blade.flexuralRigidity();
+  problem.weight = {0, -weight};
+  return problem;
+}
+
 TEST(WeightOfBlades, IsThatOfTheirSection) {
   EXPECT_NEAR(flatBlade(800).weight(), 8300e-9 * 5 * 9.80665, 1e-12);
   Blade tube;
@@ -84,14 +97,7 @@ TEST(WeightOfBlades, LieOnTheirSectionsAsTheClampedBladeTells) {
     EXPECT_FALSE(heavy.sweep->fits[i].snapsAt);
     EXPECT_EQ(light.check.stations[i].movedByWeight, 0);
     // The same by the boundary value problem.
-    HeavyProblem problem;
-    problem.grips.start = b.blade.start();
-    problem.grips.end = b.blade.at(700).point;
-    problem.grips.startAngle = b.blade.startAngle();
-    problem.grips.endAngle = b.blade.at(700).angle;
-    problem.grips.length = 700;
-    problem.stiffness = settings.blade.flexuralRigidity();
-    problem.weight = {0, -weight};
+    const HeavyProblem problem = problemOf(b, settings.blade, weight);
     ClampedOptions options;
     options.initial = b.blade;
     const Result<HeavyAnswer> answer = solveHeavy(problem, options);
@@ -166,14 +172,7 @@ TEST(Certainty, IsThatOfTheBoundaryValueProblem) {
   ASSERT_EQ(certainty->stations.size(), 17u);
   for (const std::size_t i : {0u, 3u, 6u, 10u, 16u}) {
     const BladePose& pose = row.sweep->poses[i];
-    HeavyProblem problem;
-    problem.grips.start = pose.blade.start();
-    problem.grips.end = pose.blade.at(700).point;
-    problem.grips.startAngle = pose.blade.startAngle();
-    problem.grips.endAngle = pose.blade.at(700).angle;
-    problem.grips.length = 700;
-    problem.stiffness = settings.blade.flexuralRigidity();
-    problem.weight = {0, -settings.blade.weight()};
+    const HeavyProblem problem = problemOf(pose, settings.blade, settings.blade.weight());
     const Result<HeavyAnswer> all = solveAllHeavy(problem);
     ASSERT_TRUE(all);
     std::optional<double> lowest;
@@ -194,6 +193,24 @@ TEST(Certainty, IsThatOfTheBoundaryValueProblem) {
       EXPECT_NEAR(*lowest, certainty->stations[i].other->energy, 1e-6 * std::abs(*lowest));
     }
   }
+}
+
+TEST(Certainty, IsNotClaimedWhereNothingIsKnown) {
+  test::RowSettings settings;
+  settings.blade = flatBlade(700);
+  settings.weight = -settings.blade.weight() * Vector3d::UnitZ();
+  Row row = rowOf(settings, kDome, 17);
+  ASSERT_TRUE(row.sweep);
+  row.sweep->fits[0].unknown = "not found";
+  row.sweep->fits[6].unknown = "not found";
+  const Result<RowCertainty> certainty = certaintyOf(*row.sweep, {});
+  ASSERT_TRUE(certainty);
+  // Station 0 is one of the five, so that nothing is known up to the next of them.
+  for (const std::size_t i : {0u, 1u, 3u, 6u}) {
+    EXPECT_FALSE(certainty->stations[i].certain()) << i;
+    EXPECT_FALSE(std::isfinite(certainty->stations[i].energy)) << i;
+  }
+  for (const std::size_t i : {4u, 7u, 16u}) EXPECT_TRUE(std::isfinite(certainty->stations[i].energy)) << i;
 }
 
 TEST(Crossings, AreErrors) {

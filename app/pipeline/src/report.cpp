@@ -69,7 +69,9 @@ ordered_json stationJson(const StationView& station) {
       s.heavy && std::isfinite(check.sideways) ? ordered_json(check.sideways) : ordered_json(nullptr);
   object["snaps_at"] = station.fit.snapsAt ? ordered_json(*station.fit.snapsAt) : ordered_json(nullptr);
   const std::optional<double> ratio = station.certainty.energyRatio();
-  object["certainty"] = station.certainty.certain() ? "certain" : "lost";
+  object["certainty"] = !std::isfinite(station.certainty.energy) ? ordered_json(nullptr)
+                        : station.certainty.certain()            ? ordered_json("certain")
+                                                                 : ordered_json("lost");
   object["energy_ratio"] = ratio ? ordered_json(*ratio) : ordered_json(nullptr);
   object["angle_mean_deg"] = toDegrees(check.angleMean);
   object["angle_max_deg"] = toDegrees(check.angleMax);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "bw/core/heavy/heavy_bvp.h"
 #include "sweep/held_blade.h"
@@ -18,23 +19,24 @@ namespace {
 constexpr std::size_t kSearched = 5;  // stations at which all shapes are sought
 constexpr int kPlaces = 41;           // of a blade
 constexpr double kSameShape = 0.5;    // mm
-constexpr double kClearGap = 0.05;    // of its energy, by which a shape is clearly lower than another
-
-std::array<Elastica::State, kPlaces> placesOf(const BladePose& pose) {
-  std::array<double, kPlaces> arcs;
-  std::array<Elastica::State, kPlaces> states;
-  for (int k = 0; k < kPlaces; ++k) arcs[std::size_t(k)] = pose.blade.length() * k / (kPlaces - 1);
-  pose.at(arcs, states);
-  return states;
-}
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double kClearGap = 0.05;  // of its energy, by which a shape is clearly lower than another
 
 double apart(const BladePose& pose, const HeavyBlade& other) {
-  const auto own = placesOf(pose);
+  std::array<double, kPlaces> arcs;
+  std::array<Elastica::State, kPlaces> own;
+  for (int k = 0; k < kPlaces; ++k) arcs[std::size_t(k)] = pose.blade.length() * k / (kPlaces - 1);
+  pose.at(arcs, own);
+  const std::vector<Elastica::State> others = other.sample(kPlaces);
   double farthest = 0;
-  for (int k = 0; k < kPlaces; ++k)
-    farthest = std::max(
-        farthest, (other.at(other.length() * k / (kPlaces - 1)).point - own[std::size_t(k)].point).norm());
+  for (std::size_t k = 0; k < own.size(); ++k)
+    farthest = std::max(farthest, (others[k].point - own[k].point).norm());
   return farthest;
+}
+
+/// A blade that can leave the straight line by so little has one shape.
+bool isTaut(const BladePose& pose) {
+  return largestSag(pose.blade.length(), (pose.rightPoint() - pose.leftPoint()).norm()) < 0.5 * kSameShape;
 }
 
 /// True where it is known how the blade rests.
@@ -42,34 +44,43 @@ bool isKnown(const Sweep& sweep, std::size_t i) {
   return sweep.request.weight.isZero() || (sweep.poses[i].heavy && sweep.fits[i].unknown.empty());
 }
 
-/// The shapes at rest at one station, and what becomes of them on the way to another, that excluded.
+/// The other shapes at rest at a station; empty where they could not be sought.
+std::optional<std::vector<HeavyBlade>> othersAt(const Sweep& sweep, std::size_t i) {
+  const BladePose& pose = sweep.poses[i];
+  std::vector<HeavyBlade> others;
+  if (!isKnown(sweep, i)) return {};
+  if (isTaut(pose)) return others;
+  const Result<HeavyAnswer> all = solveAllHeavy(sweep::heldAt(sweep, pose));
+  if (!all) return {};
+  for (const HeavySolution& solution : all->solutions)
+    if (solution.stable && apart(pose, solution.blade) > kSameShape) others.push_back(solution.blade);
+  return others;
+}
+
+/// What becomes of shapes at rest at one station on the way to another, that excluded.
 class Others {
  public:
   Others(const Sweep& sweep, std::vector<StationCertainty>& stations) : sweep_(sweep), stations_(stations) {}
 
-  std::vector<HeavyBlade> at(std::size_t i) const {
-    std::vector<HeavyBlade> others;
-    if (!isKnown(sweep_, i)) return others;
-    const Result<HeavyAnswer> all = solveAllHeavy(sweep::heldAt(sweep_, sweep_.poses[i]));
-    if (!all) return others;
-    for (const HeavySolution& solution : all->solutions)
-      if (solution.stable && apart(sweep_.poses[i], solution.blade) > kSameShape)
-        others.push_back(solution.blade);
-    return others;
-  }
-
   void follow(const HeavyBlade& other, std::size_t from, std::size_t to) {
     const double stiffness = sweep_.request.blade.flexuralRigidity();
     const Result<HeavyBranch> start = HeavyBranch::from(other, stiffness);
-    if (!start) return;
+    if (!start) return forget(from, to);
     HeavyBranch branch = *start;
     for (std::size_t i = from; i != to; from < to ? ++i : --i) {
       if (i != from) {
         const Result<ClampedBranch::Move> move = branch.moveTo(sweep::heldAt(sweep_, sweep_.poses[i]));
-        if (!move || move->snapped) return;
+        if (!move) return forget(i, to);
+        if (move->snapped) return;
       }
       see(i, branch.blade(), stiffness);
     }
+  }
+
+  /// A shape was lost: of what is there nothing is claimed, but where there can be none.
+  void forget(std::size_t from, std::size_t to) {
+    for (std::size_t i = from; i != to; from < to ? ++i : --i)
+      if (!isTaut(sweep_.poses[i])) stations_[i].energy = kUnknown;
   }
 
  private:
@@ -89,11 +100,12 @@ class Others {
 }  // namespace
 
 bool StationCertainty::certain() const {
-  return !other || other->energy - energy > kClearGap * std::abs(energy);
+  return std::isfinite(energy) && (!other || other->energy - energy > kClearGap * std::abs(energy));
 }
 
 std::optional<double> StationCertainty::energyRatio() const {
-  return other && other->energy > 0 ? std::optional(energy / other->energy) : std::nullopt;
+  return std::isfinite(energy) && other && other->energy > 0 ? std::optional(energy / other->energy)
+                                                             : std::nullopt;
 }
 
 Result<RowCertainty> certaintyOf(const Sweep& sweep, const RunContext& context) {
@@ -102,38 +114,46 @@ Result<RowCertainty> certaintyOf(const Sweep& sweep, const RunContext& context) 
   RowCertainty row{std::vector<StationCertainty>(n)};
   for (std::size_t i = 0; i < n; ++i) {
     const BladePose& pose = sweep.poses[i];
-    row.stations[i].energy = stiffness * (pose.heavy ? pose.heavy->energy() : pose.blade.energy());
+    row.stations[i].energy =
+        !isKnown(sweep, i) ? kUnknown : stiffness * (pose.heavy ? pose.heavy->energy() : pose.blade.energy());
   }
   std::vector<std::size_t> searched;
   for (std::size_t k = 0; k < kSearched; ++k) {
     const std::size_t i = (n - 1) * k / (kSearched - 1);
     if (searched.empty() || i != searched.back()) searched.push_back(i);
   }
-  std::vector<std::vector<HeavyBlade>> found(searched.size());
+  std::vector<std::optional<std::vector<HeavyBlade>>> found(searched.size());
   // Each takes the stations up to the next one that was searched, in either direction; the lowest of both is
   // kept, whichever comes first.
   std::vector<std::vector<StationCertainty>> onward(2, row.stations);
   Result<void> ok = parallelFor(context, int(searched.size()), [&](int k) {
-    found[std::size_t(k)] = Others(sweep, row.stations).at(searched[std::size_t(k)]);
+    found[std::size_t(k)] = othersAt(sweep, searched[std::size_t(k)]);
   });
   if (ok)
     ok = parallelFor(context, 2, [&](int back) {
       Others others(sweep, onward[std::size_t(back)]);
-      for (std::size_t k = 0; k < searched.size() && !context.stopped(); ++k)
-        for (const HeavyBlade& blade : found[k]) {
-          if (back == 0)
-            others.follow(blade, searched[k], k + 1 < searched.size() ? searched[k + 1] : searched[k] + 1);
-          else if (k > 0)
-            others.follow(blade, searched[k], searched[k - 1]);
+      for (std::size_t k = 0; k < searched.size() && !context.stopped(); ++k) {
+        const std::size_t here = searched[k];
+        if (back == 1 && k == 0) continue;
+        const std::size_t onwards = k + 1 < searched.size() ? searched[k + 1] : here + 1;
+        const std::size_t to = back == 1 ? searched[k - 1] : onwards;
+        if (!found[k]) {
+          others.forget(here, to);
+          continue;
         }
+        for (const HeavyBlade& blade : *found[k]) others.follow(blade, here, to);
+      }
     });
   if (!ok) return tl::unexpected<Error>(ok.error());
   if (context.stopped()) return stoppedError();
   for (std::size_t i = 0; i < n; ++i) {
     const std::optional<OtherRest>&a = onward[0][i].other, &b = onward[1][i].other;
+    if (!std::isfinite(onward[0][i].energy + onward[1][i].energy)) row.stations[i].energy = kUnknown;
     row.stations[i].other = !a || (b && b->energy < a->energy) ? b : a;
   }
-  const auto unsure = [&](std::size_t i) { return !row.stations[i].certain(); };
+  const auto unsure = [&](std::size_t i) {
+    return std::isfinite(row.stations[i].energy) && !row.stations[i].certain();
+  };
   const auto excess = [&](std::size_t i) { return row.stations[i].energy - row.stations[i].other->energy; };
   for (const sweep::Stretch& at :
        sweep::stretchesOf(n, unsure, [&](std::size_t a, std::size_t b) { return excess(a) > excess(b); })) {

@@ -33,7 +33,7 @@ class Walk {
  public:
   explicit Walk(const Sweep& row) : row_(row) {
     const Frame& frame = row.poses.front().frame;
-    weight_ = {row.request.weight.dot(frame.x), row.request.weight.dot(frame.y)};
+    weight_ = sweep::weightIn(row, frame);
   }
 
   /// The blade at rest at a station, as the row has it. False where it is not known.

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -18,6 +17,7 @@
 #include "bw/core/elastica/elastica_stability.h"
 #include "bw/core/heavy/heavy_bvp.h"
 #include "fit/fit_distance.h"
+#include "sweep/held_blade.h"
 #include "sweep/station_fit.h"
 
 namespace bw::sweep {
@@ -93,8 +93,6 @@ class Row {
   Station carried(std::size_t i, const Station& from) const;
   /// The blade without weight; empty where the station's numbers are none of a blade.
   std::optional<Elastica> light(const Station& station) const;
-  /// Of a length of blade in the station's plane, N/mm.
-  Vector2d weight(const Station& station) const;
   /// Chooses the grips of these stations, in the order of the row.
   void settle(std::span<Station* const> stations) const;
   /// True if a blade like this may stand in the row.
@@ -141,11 +139,6 @@ class Row {
   const RunContext& context_;
   double length_, unit_, limit_;  ///< of the blade, mm; of the numbers, mm; of the curvature, 1/mm
 };
-
-Vector2d Row::weight(const Station& station) const {
-  const Frame& frame = station.pose->frame;
-  return {sweep_.request.weight.dot(frame.x), sweep_.request.weight.dot(frame.y)};
-}
 
 std::optional<Elastica> Row::light(const Station& station) const {
   const Result<Elastica> half = about(station);
@@ -205,7 +198,7 @@ bool Row::hangAt(Station& station, const Elastica& half) const {
   const double stiffness = sweep_.request.blade.flexuralRigidity();
   if (!station.branch) {
     const Result<Elastica> whole = half.segment(-0.5 * length_, 0.5 * length_);
-    const Result<Hanging> hanging = whole ? hang(*whole, stiffness, weight(station))
+    const Result<Hanging> hanging = whole ? hang(*whole, stiffness, weightIn(sweep_, station.pose->frame))
                                           : Result<Hanging>(tl::unexpected<Error>(whole.error()));
     if (!hanging || hanging->snapsAt) return false;
     const Result<HeavyBranch> branch = HeavyBranch::from(hanging->blade, stiffness);
@@ -218,7 +211,7 @@ bool Row::hangAt(Station& station, const Elastica& half) const {
   if (moved.head<2>().norm() > kFar * length_ || moved.segment<2>(3).norm() > kFar * length_ ||
       std::max(std::abs(moved(2)), std::abs(moved(5))) > kFarTurned)
     return false;
-  HeavyProblem next{{}, stiffness, weight(station)};
+  HeavyProblem next{{}, stiffness, weightIn(sweep_, station.pose->frame)};
   next.grips.start = grips.head<2>();
   next.grips.startAngle = grips(2);
   next.grips.end = grips.segment<2>(3);
@@ -452,14 +445,15 @@ void unwrap(std::vector<std::optional<Station>>& stations, double unit) {
 }
 
 /// Puts a station's blade into the row.
-void put(const Station& station, const Elastica& light, const Vector2d& weight, Sweep& sweep) {
+void put(const Station& station, const Elastica& light, Sweep& sweep) {
   BladePose& pose = sweep.poses[station.index];
   StationFit& fit = sweep.fits[station.index];
   const Result<Elastica> cut = light.segment(station.feet.front(), station.feet.back());
   if (!cut) return;
   if (pose.heavy) {
     // Where its weight alone would bring it, whatever brought it here.
-    const Result<Hanging> hanging = hang(light, sweep.request.blade.flexuralRigidity(), weight);
+    const Result<Hanging> hanging =
+        hang(light, sweep.request.blade.flexuralRigidity(), weightIn(sweep, pose.frame));
     if (!hanging && !station.branch) return;
     pose.heavy = station.branch ? station.branch->blade() : hanging->blade;
     fit.snapsAt = hanging ? hanging->snapsAt : std::nullopt;
@@ -517,7 +511,7 @@ Result<void> settleRow(Sweep& sweep, const RunContext& context) {
     const std::optional<Station>& station = stations[std::size_t(i)];
     if (!station || !row.holds(*station)) return;
     const std::optional<Elastica> light = row.light(*station);
-    if (light) put(*station, *light, row.weight(*station), sweep);
+    if (light) put(*station, *light, sweep);
   });
 }
 

@@ -15,6 +15,7 @@
 #include "bw/core/heavy/heavy_bvp.h"
 #include "bw/core/sweep/blade_pose.h"
 #include "bw/core/text/number_text.h"
+#include "sweep/held_blade.h"
 #include "sweep/remedies.h"
 #include "sweep/row_solver.h"
 #include "sweep/station_fit.h"
@@ -189,12 +190,11 @@ Result<std::vector<StationFit>> fitRow(const std::vector<Section>& sections, con
 
 /// Lets each blade of the row hang between its grips.
 Result<void> hangInWeight(Sweep& sweep, const RunContext& context) {
-  const Eigen::Vector3d& weight = sweep.request.weight;
-  if (weight.isZero()) return {};
+  if (sweep.request.weight.isZero()) return {};
   return parallelFor(context, int(sweep.poses.size()), [&](int i) {
     BladePose& pose = sweep.poses[std::size_t(i)];
-    const Result<Hanging> hanging = hang(pose.blade, sweep.request.blade.flexuralRigidity(),
-                                         {weight.dot(pose.frame.x), weight.dot(pose.frame.y)});
+    const Result<Hanging> hanging =
+        hang(pose.blade, sweep.request.blade.flexuralRigidity(), sweep::weightIn(sweep, pose.frame));
     StationFit& fit = sweep.fits[std::size_t(i)];
     if (!hanging) {
       fit.unknown = hanging.error().message;
