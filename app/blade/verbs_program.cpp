@@ -3,11 +3,14 @@
 
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "bw/core/design/design.h"
 #include "bw/core/design/program_formats.h"
+#include "bw/core/text/number_text.h"
 #include "bw/core/text/printable.h"
 #include "bw/pipeline/run_identity.h"
+#include "bw/pipeline/simulate.h"
 #include "bw/robotio/dialects.h"
 #include "verbs.h"
 
@@ -84,6 +87,63 @@ int runCheck(const Session& session, const std::vector<std::string>& paths) {
   return status;
 }
 
+struct SimulateOptions {
+  std::string path, design, out;
+};
+
+/// The design of the results that a path lies in, if it lies in any.
+std::string designAbout(const std::filesystem::path& path) {
+  constexpr int kHighest = 4;  // results/programs/strip-0/T_ROB1/file
+  std::error_code error;
+  std::filesystem::path at = std::filesystem::absolute(path, error).lexically_normal();
+  if (!at.has_filename()) at = at.parent_path();
+  for (int level = 0; level <= kHighest && !at.empty(); ++level, at = at.parent_path())
+    if (std::filesystem::exists(at / "design.bladewright", error)) return at.string();
+  return {};
+}
+
+int runSimulate(const Session& session, const SimulateOptions& options) {
+  const std::string about = options.design.empty() ? designAbout(options.path) : options.design;
+  std::optional<Design> design;
+  if (!about.empty()) {
+    Result<Design> opened = session.designOf(about);
+    if (!opened) return session.complain(opened.error());
+    design = std::move(*opened);
+  }
+  std::error_code error;
+  const std::filesystem::path path = options.path, programs = path / "programs";
+  Result<robotio::Program> program =
+      robotio::loadProgram(std::filesystem::is_directory(programs, error) ? programs : path);
+  // Results of a design with errors hold no program that robots run, but its motion.
+  if (const auto motion = programs / "strip-0" / "motion.json";
+      !program && std::filesystem::exists(motion, error))
+    program = robotio::loadProgram(motion);
+  if (!program) return session.complain(program.error());
+  const Result<pipeline::ProgramRun> run =
+      pipeline::runProgram(*program, design ? &*design : nullptr, session.context());
+  if (!run) return session.complain(run.error());
+  const FileSet files = pipeline::simulationFiles(*run);
+  if (!options.out.empty()) {
+    if (Result<void> ok = session.writeFiles(files, options.out); !ok) return session.complain(ok.error());
+  } else {
+    std::cout << pipeline::simulationText(*run);
+  }
+  session.tell({});
+  const Simulation& simulation = run->simulation;
+  for (const std::string& clause : run->exceeded) std::cerr << "error: " << clause << "\n";
+  if (!design)
+    std::cerr << "info: no design was given; the blade is run without weight, against no surface\n";
+  std::cerr << run->motion.instants.size() << " targets in " << fixedText(run->motion.duration(), 0) << " s";
+  if (run->surface)
+    std::cerr << "; the program cuts within " << shortText(run->surface->toDesignMax)
+              << " mm of the surface shown, within " << shortText(run->surface->toTargetMax)
+              << " mm of the target";
+  std::cerr << "; least stability margin " << shortText(simulation.marginMin, 2);
+  if (simulation.minRadius > 0) std::cerr << "; smallest radius " << shortText(simulation.minRadius) << " mm";
+  std::cerr << "; fastest point " << shortText(simulation.speedMax) << " mm/s\n";
+  return run->exceeded.empty() ? kDone : kLimitExceeded;
+}
+
 }  // namespace
 
 void addDespiteErrors(CLI::App& verb, bool& despiteErrors) {
@@ -107,6 +167,23 @@ void addProgramVerbs(CLI::App& app, const Session& session, Work& work) {
     verb->footer(
         "Example:\n  blade export out/panel --format rapid,csv --cell irb1600-pair --out out/programs");
     onChosen(*verb, session, work, options, runExport);
+  }
+  {
+    CLI::App* verb = app.add_subcommand(
+        "simulate", "Read a program back and run it with the blade and its weight: what it really cuts");
+    const auto options = std::make_shared<SimulateOptions>();
+    verb->add_option("PROGRAM", options->path,
+                     "Folder of results or of a program, or motion.csv or motion.json")
+        ->required();
+    verb->add_option(
+            "--design", options->design,
+            "Design or folder of results to compare with; default: that of the results PROGRAM lies in")
+        ->type_name("PATH");
+    verb->add_option("--out", options->out,
+                     "Folder for simulation.json and cut.obj; without it the first goes to standard output")
+        ->type_name("DIR");
+    verb->footer("Example:\n  blade simulate out/panel --out out/simulation");
+    onChosen(*verb, session, work, options, runSimulate);
   }
   {
     CLI::App* verb = app.add_subcommand("check",

@@ -147,7 +147,8 @@ TEST(EvaluationRunner, RecomputesOnlyWhatHangsOnTheSetting) {
   const auto faster = evaluate(design);
   EXPECT_EQ(faster->cut().sweep.value, first->cut().sweep.value);
   EXPECT_NE(faster->cut().analysis.value, first->cut().analysis.value);
-  EXPECT_NEAR(faster->cut().motion.value->duration(), 0.5 * first->cut().motion.value->duration(), 1e-9);
+  EXPECT_NEAR(faster->cut().motion.value->cuttingTime(), 0.5 * first->cut().motion.value->cuttingTime(),
+              1e-9);
   design.process.tolerance *= 2;
   const auto looser = evaluate(design);
   EXPECT_EQ(looser->cut().sections.value, faster->cut().sections.value);
@@ -250,7 +251,8 @@ TEST(Change, NamesWhatDiffersBetweenTwoEvaluations) {
 
   design.process.lead += 5;
   const auto lead = evaluated(design);
-  EXPECT_EQ(difference(programs.get(), lead.get()).cuts.at(cut), Aspects(Aspect::motion));
+  EXPECT_EQ(difference(programs.get(), lead.get()).cuts.at(cut), Aspect::motion | Aspect::checks)
+      << "the way into the row as well";
 
   design.cut().sections.stations += 3;
   const auto stations = evaluated(design);

@@ -117,8 +117,8 @@ void panelCheck(benchmark::State& state) {
   one.threads = 1;
   for (auto _ : state) {
     const Result<SweepCheck> check = checkSweep(*e.cut().sweep.value, e.cut().check.request, one);
-    if (!check || !analyzeSweep(*e.cut().sweep.value, *check, e.cut().check.request,
-                                *e.cut().target.value->sampler(), geometry::loft, one))
+    if (!check || !analyzeSweep(*e.cut().sweep.value, e.cut().way.value->targets, *check,
+                                e.cut().check.request, *e.cut().target.value->sampler(), geometry::loft, one))
       return state.SkipWithError("the sweep could not be checked");
   }
 }

@@ -222,7 +222,9 @@ TEST(BadInput, Programs) {
 TEST(BadInput, UnwritableFolder) {
   const Folder folder;
   const std::string file = folder.write("file", "in the way");
-  const std::string job = folder.write("job.json", R"({"stations": 6, "tolerance": 10, "programs": []})");
+  const std::string job = folder.write(
+      "job.json",
+      R"({"stations": 12, "blade": {"preset": "steel-tube-3-2.5", "length": 710}, "programs": []})");
   expectRefusal({"rationalize", example("panel-600x670"), "--job", job, "--out", file}, 4, "file");
   expectRefusal({"rationalize", example("panel-600x670"), "--job", job, "--out", "/proc/nowhere/out"}, 4,
                 "/proc/nowhere");

@@ -462,7 +462,7 @@ TEST(Rationalize, EveryEndLiesOnTheSideOfItsRobot) {
   const Folder folder;
   const auto sideIssues = [&](const std::string& job, const std::string& out) {
     const Finished run = blade({"rationalize", example("panel-600x670"), "--job",
-                                folder.write("job.json", job), "--out", folder / out});
+                                folder.write("job.json", job), "--out", folder / out, "--despite-errors"});
     EXPECT_LE(run.status, 1) << run.err;
     const std::string left = slurp(folder / (out + "/programs/strip-0/T_ROB1/BladeLeft.mod"));
     EXPECT_FALSE(left.empty());
@@ -550,13 +550,15 @@ TEST(Rationalize, ExceededToleranceIsStatusOne) {
 }
 
 TEST(Rationalize, TellsWhatTheBladeCutsBetweenFewStations) {
-  // The skin through few stations keeps the tolerance, the blade along the chords between them does not.
+  // The skin through few stations keeps the tolerance, the blade along the chords between them does not. With
+  // targets added between, it does what is shown, whatever that is.
   const Folder folder;
-  for (const auto& [stations, skin, moved] : {std::tuple{10, 1.58, 6.23}, {20, 1.06, 2.00}}) {
+  for (const auto& [stations, skin, moved, made] :
+       {std::tuple{10, 1.58, 6.23, 2.23}, {20, 1.06, 2.00, 1.05}}) {
     const std::string job = folder.write(
         "job.json",
         "{\"stations\": " + std::to_string(stations) +
-            R"(, "blade": "nicr-flat-5x1", "weight": false, "direction": "y", "tolerance": 1.9, "programs": []})");
+            R"(, "blade": "nicr-flat-5x1", "weight": false, "direction": "y", "tolerance": 1.9, "motion_tolerance": 100, "programs": []})");
     const std::string out = folder / std::to_string(stations);
     const Finished run = blade({"rationalize", example("panel-600x670"), "--job", job, "--out", out});
     EXPECT_EQ(run.status, 1) << run.err;
@@ -564,6 +566,14 @@ TEST(Rationalize, TellsWhatTheBladeCutsBetweenFewStations) {
     const json summary = json::parse(slurp(out + "/report.json"))["summary"];
     EXPECT_NEAR(summary["deviation_max_mm"].get<double>(), skin, 0.01);
     EXPECT_NEAR(summary["program_deviation_max_mm"].get<double>(), moved, 0.02);
+    const std::string closer = slurp(job);
+    folder.write("job.json", std::string(closer).replace(closer.find("100"), 3, "0.1"));
+    blade({"rationalize", example("panel-600x670"), "--job", job, "--out", out});
+    const json shown = json::parse(slurp(out + "/report.json"))["summary"];
+    EXPECT_LE(shown["program_from_shown_max_mm"].get<double>(), 0.1);
+    EXPECT_NEAR(shown["program_deviation_max_mm"].get<double>(), shown["deviation_max_mm"].get<double>(),
+                0.1);
+    EXPECT_NEAR(shown["deviation_max_mm"].get<double>(), made, 0.05);
   }
 }
 
@@ -584,18 +594,24 @@ TEST(Rationalize, ChoosesTheGripsForTheBladeThatHangs) {
     return count;
   };
   const Finished flat = tried(R"("blade": "nicr-flat-5x1")");
-  EXPECT_EQ(flat.status, 0) << flat.err;
+  EXPECT_EQ(flat.status, 1) << flat.err;
   EXPECT_EQ(snapped(), 0);
-  const nlohmann::json held = report();
-  EXPECT_LT(held["summary"]["deviation_max_mm"], 1.15);
-  EXPECT_LT(held["summary"]["program_deviation_max_mm"], 1.25);
-  for (const nlohmann::json& station : held["strips"][0]["stations"])
+  const nlohmann::json lost = report();
+  EXPECT_LT(lost["summary"]["deviation_max_mm"], 1.15);
+  EXPECT_LT(lost["summary"]["program_deviation_max_mm"], 1.25);
+  for (const nlohmann::json& station : lost["strips"][0]["stations"])
     EXPECT_GT(station["stability_margin"], 0.15);
-  // It is the higher of two shapes, which is told; that of a short tube is the lowest.
-  EXPECT_NE(flat.err.find("between these grips the blade rests in another shape too"), std::string::npos)
-      << flat.err;
-  EXPECT_EQ(held["strips"][0]["stations"][14]["certainty"], "lost");
-  EXPECT_NEAR(held["strips"][0]["stations"][14]["energy_ratio"], 28.65 / 17.33, 0.02);
+  // It is the higher of two shapes, out of which little brings it; the tube is led into it and stays.
+  EXPECT_NE(flat.err.find("which a touch may bring about"), std::string::npos) << flat.err;
+  EXPECT_NE(flat.err.find("no RAPID program is written"), std::string::npos) << flat.err;
+  EXPECT_EQ(lost["strips"][0]["stations"][14]["certainty"], "lost");
+  EXPECT_LT(lost["strips"][0]["stations"][0]["barrier_Nmm"], 1);
+  const Finished higher = tried(R"("blade": "steel-tube-3-2.5")");
+  EXPECT_EQ(higher.status, 0) << higher.err;
+  const nlohmann::json held = report();
+  for (const nlohmann::json& station : held["strips"][0]["stations"]) EXPECT_EQ(station["certainty"], "held");
+  EXPECT_GT(held["strips"][0]["stations"][0]["barrier_Nmm"], 1);
+  EXPECT_NEAR(lost["strips"][0]["stations"][14]["energy_ratio"], 28.65 / 17.33, 0.02);
   // One that is too long for any grips is told, and gets no program.
   const Finished longer = tried(R"("blade": {"preset": "nicr-flat-5x1", "length": 1000})");
   EXPECT_EQ(longer.status, 1);
@@ -603,7 +619,9 @@ TEST(Rationalize, ChoosesTheGripsForTheBladeThatHangs) {
       << longer.err;
   EXPECT_EQ(longer.err.find(".mod"), std::string::npos) << "no program for it: " << longer.err;
   EXPECT_GT(snapped(), 0);
-  EXPECT_EQ(tried(R"("blade": "nicr-flat-5x1", "weight": false)").status, 0);
+  const Finished weightless =
+      tried(R"("blade": {"preset": "nicr-flat-5x1", "length": 700}, "clearance": 40, "weight": false)");
+  EXPECT_EQ(weightless.status, 0) << weightless.err;
   EXPECT_EQ(tried(R"("blade": "nicr-flat-5x1", "up": [0, 0, 0])").status, 2);
   const Finished tube = tried(R"("blade": {"preset": "steel-tube-3-2.5", "length": 710})");
   EXPECT_EQ(tube.status, 0) << tube.err;

@@ -107,7 +107,7 @@ TEST(SweepAnalysis, TellsWhereTheSkinLeavesTheBlade) {
     return test::interpolated(moved, rowParameters);
   };
   const Result<SweepAnalysis> analysis =
-      analyzeSweep(*sweep, *check, settings, test::SphereSampler(kRadius), drawn, {});
+      analyzeSweep(*sweep, sweep->poses, *check, settings, test::SphereSampler(kRadius), drawn, {});
   ASSERT_TRUE(analysis) << analysis.error().message;
   const Finding* off = test::findingOf<SkinOff>(analysis->findings);
   ASSERT_TRUE(off);
@@ -472,7 +472,7 @@ TEST(Motion, FastestPointMovesAtTheCuttingSpeed) {
   Findings findings;
   const Result<Sweep> sweep = sphereSweep(settings, 21, findings);
   ASSERT_TRUE(sweep);
-  const Result<Motion> motion = buildMotion(*sweep, settings, findings);
+  const Result<Motion> motion = buildMotion(*sweep, {}, sweep->poses, settings, findings);
   ASSERT_TRUE(motion) << motion.error().message;
   ASSERT_EQ(motion->instants.size(), 23u);
   EXPECT_NEAR(motion->instants[1].time, settings.lead / 20, 1e-12);
@@ -492,7 +492,7 @@ TEST(Motion, EndsFollowTheTcpConvention) {
   test::RowSettings settings;
   Findings findings;
   const Result<Sweep> sweep = sphereSweep(settings, 9, findings);
-  const Result<Motion> motion = buildMotion(*sweep, settings, findings);
+  const Result<Motion> motion = buildMotion(*sweep, {}, sweep->poses, settings, findings);
   ASSERT_TRUE(motion);
   const Box block = sphereBlock();
   Eigen::Matrix3d R_WB;
@@ -521,7 +521,7 @@ TEST(Motion, RefusesImpossibleSpeeds) {
   Findings findings;
   const Result<Sweep> sweep = sphereSweep(settings, 4, findings);
   for (const double speed : {0.0, -1.0, double(NAN), double(INFINITY)})
-    EXPECT_FALSE(buildMotion(*sweep, {.cuttingSpeed = speed}, findings)) << speed;
+    EXPECT_FALSE(buildMotion(*sweep, {}, sweep->poses, {.cuttingSpeed = speed}, findings)) << speed;
 }
 
 namespace {

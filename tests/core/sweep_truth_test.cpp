@@ -248,7 +248,7 @@ TEST(Leads, GrowUntilTheWholeBladeIsOutsideOfTheBlock) {
                  block, PlaneFamily::across(block, -Vector3d::UnitY()), {}, findings);
   ASSERT_TRUE(sweep);
   findings.clear();
-  const Result<Motion> motion = buildMotion(*sweep, settings, findings);
+  const Result<Motion> motion = buildMotion(*sweep, {}, sweep->poses, settings, findings);
   ASSERT_TRUE(motion);
   // 10 mm of foam before the first station, which 20 mm leave; 220 mm after the last one.
   ASSERT_EQ(findings.size(), 1u);
@@ -266,11 +266,13 @@ TEST(Leads, GrowUntilTheWholeBladeIsOutsideOfTheBlock) {
 
 struct OnSphere {
   Sweep sweep;
+  RowMotion motion;
   SweepAnalysis analysis;
-  RowMotion way;
+  WayDeviation way;
 };
 
-/// A row on a sphere and what its blade does between the stations.
+/// A row on a sphere and what its blade does between the stations; a large motion tolerance leaves the robots
+/// no targets but these.
 OnSphere onSphere(double radius, const std::vector<double>& travel, const test::RowSettings& settings) {
   Findings findings;
   const Box block{
@@ -279,8 +281,11 @@ OnSphere onSphere(double radius, const std::vector<double>& travel, const test::
   const Result<Sweep> sweep = buildSweep(test::sphereSections(radius, kHalf, travel), settings, block,
                                          PlaneFamily::across(block, -Vector3d::UnitY()), {}, findings);
   const test::SphereSampler sphere(radius);
-  const Result<SweepAnalysis> analysis = test::analysisOf(sweep.value(), settings, sphere, {});
-  return {*sweep, analysis.value(), followRow(*sweep, *analysis, settings, sphere, {}).value()};
+  const RowMotion motion = followRow(sweep.value(), settings.motionTolerance, {}).value();
+  const SweepCheck check = checkSweep(*sweep, settings, {}).value();
+  const SweepAnalysis analysis =
+      analyzeSweep(*sweep, motion.targets, check, settings, sphere, test::interpolated, {}).value();
+  return {*sweep, motion, analysis, deviationOf(motion, *sweep, analysis, settings, sphere, {}).value()};
 }
 
 /// The farthest from the sphere that elastica lie whose grips are a quarter, half and three quarters of the
@@ -314,12 +319,14 @@ double byBoundaryValues(const Sweep& sweep, double radius) {
   return farthest;
 }
 
-TEST(OnTheWay, GripsCutChordsBetweenStations) {
+TEST(OnTheWay, GripsCutChordsBetweenTargets) {
   test::RowSettings settings;
   settings.tolerance = 0.5;
   settings.blade.yieldStress = 2000;
+  settings.motionTolerance = 100;
   // Over 80 mm of travel an arc of 700 mm rises by 1.1 mm above its chord; the skin follows it.
   const OnSphere coarse = onSphere(700, {0, 80, 160, 240}, settings);
+  EXPECT_EQ(coarse.motion.targets.size(), 4u);
   EXPECT_GT(coarse.way.deviationMax, 1);
   EXPECT_NEAR(coarse.way.deviationMax, byBoundaryValues(coarse.sweep, 700), 1e-4);
   EXPECT_LT(coarse.analysis.summary.deviationMax, 0.3 * coarse.way.deviationMax);
@@ -333,10 +340,42 @@ TEST(OnTheWay, GripsCutChordsBetweenStations) {
   EXPECT_NEAR(fine.way.deviationMax, coarse.way.deviationMax / 16, 0.03);
   EXPECT_NEAR(fine.way.fromShown, fine.way.deviationMax, 0.03);
   EXPECT_TRUE(fine.way.findings.empty());
-  EXPECT_EQ(fine.way.snaps, 0);
+  EXPECT_EQ(fine.motion.snaps, 0);
   // With weight the same, of a blade that hangs.
   settings.weight = -settings.blade.weight() * Vector3d::UnitZ();
   EXPECT_NEAR(onSphere(700, travel, settings).way.fromShown, fine.way.fromShown, 0.02);
+}
+
+TEST(OnTheWay, TargetsAreAddedUntilTheMotionToleranceHolds) {
+  test::RowSettings settings;
+  settings.tolerance = 0.5;
+  settings.blade.yieldStress = 2000;
+  for (const bool hangs : {false, true})
+    for (const double tolerance : {0.3, 0.1, 0.03}) {
+      SCOPED_TRACE(tolerance);
+      settings.motionTolerance = tolerance;
+      if (hangs) settings.weight = -settings.blade.weight() * Vector3d::UnitZ();
+      const OnSphere row = onSphere(700, {0, 80, 160, 240}, settings);
+      EXPECT_LE(row.way.fromShown, tolerance);
+      // Not more than the chord needs: s²/8r of it is the tolerance.
+      const double moves = 240 / std::sqrt(8 * 700 * tolerance);
+      EXPECT_LE(double(row.motion.targets.size()), 1.5 * moves + 4);
+      EXPECT_TRUE(row.way.findings.empty());
+      // The surface shown is that of the targets: what the blade makes, by another route.
+      Sweep targets = row.sweep;
+      targets.poses = row.motion.targets;
+      EXPECT_NEAR(byBoundaryValues(targets, 700), row.way.deviationMax, 0.01);
+      int stations = 0;
+      for (std::size_t i = 0; i < row.motion.targets.size(); ++i) {
+        const BladePose& pose = row.motion.targets[i];
+        stations += pose.index >= 0;
+        EXPECT_EQ(pose.heavy.has_value(), hangs);
+        if (i > 0) {
+          EXPECT_GT(pose.travel, row.motion.targets[i - 1].travel);
+        }
+      }
+      EXPECT_EQ(stations, 4);
+    }
 }
 
 TEST(OnTheWay, EqualStationsAreLeftByNothing) {
@@ -350,7 +389,10 @@ TEST(OnTheWay, EqualStationsAreLeftByNothing) {
   const test::GraphSampler target(kHalf, kDome);
   const Result<SweepAnalysis> analysis = test::analysisOf(*sweep, settings, target, {});
   ASSERT_TRUE(analysis);
-  const Result<RowMotion> way = followRow(*sweep, *analysis, settings, target, {});
+  const Result<RowMotion> motion = followRow(*sweep, settings.motionTolerance, {});
+  ASSERT_TRUE(motion);
+  EXPECT_EQ(motion->targets.size(), 5u);
+  const Result<WayDeviation> way = deviationOf(*motion, *sweep, *analysis, settings, target, {});
   ASSERT_TRUE(way);
   EXPECT_LT(way->fromShown, 1e-3);
   EXPECT_TRUE(way->findings.empty());
@@ -369,7 +411,9 @@ TEST(OnTheWay, StraightBladesCutChordsToo) {
   const test::PlaneSampler target(Vector3d::UnitZ());
   const Result<SweepAnalysis> analysis = test::analysisOf(*sweep, settings, target, {});
   ASSERT_TRUE(analysis);
-  const Result<RowMotion> way = followRow(*sweep, *analysis, settings, target, {});
+  const Result<RowMotion> motion = followRow(*sweep, 100, {});
+  ASSERT_TRUE(motion);
+  const Result<WayDeviation> way = deviationOf(*motion, *sweep, *analysis, settings, target, {});
   ASSERT_TRUE(way);
   // From the plane z = 0, three quarters of the way from 98 to 128 mm; the parabola is at 120.125 mm there.
   EXPECT_NEAR(way->deviationMax, 120.5, 1e-9);
@@ -380,14 +424,15 @@ TEST(OnTheWay, AnyExcessOverTheToleranceIsTold) {
   // Just above the tolerance, which the surface shown just keeps.
   test::RowSettings settings;
   settings.blade.yieldStress = 2000;
+  settings.motionTolerance = 100;
   OnSphere row = onSphere(700, {0, 80, 160, 240}, settings);
   const test::SphereSampler sphere(700);
-  CheckRequest request = settings;
+  WayRequest request = settings;
   request.tolerance = 0.99 * row.way.deviationMax;
   row.analysis.summary.deviationMax = 0.98 * row.way.deviationMax;
-  EXPECT_TRUE(exceedsLimit(followRow(row.sweep, row.analysis, request, sphere, {})->findings));
+  EXPECT_TRUE(exceedsLimit(deviationOf(row.motion, row.sweep, row.analysis, request, sphere, {})->findings));
   request.tolerance = 1.01 * row.way.deviationMax;
-  EXPECT_FALSE(exceedsLimit(followRow(row.sweep, row.analysis, request, sphere, {})->findings));
+  EXPECT_FALSE(exceedsLimit(deviationOf(row.motion, row.sweep, row.analysis, request, sphere, {})->findings));
   EXPECT_TRUE(exceedsLimit({{Severity::warning, LostOnTheWay{"why"}, {}, {}}})) << "what is not known";
 }
 
@@ -405,10 +450,7 @@ TEST(OnTheWay, ASnapIsTold) {
       buildSweep(test::sectionsOf(4, 20, [&](int i) { return test::graphCurve(kHalf, height(i)); }), settings,
                  block, PlaneFamily::across(block, -Vector3d::UnitY()), {}, findings);
   ASSERT_TRUE(sweep);
-  const test::GraphSampler target(kHalf, [](double) { return 0.0; });
-  const Result<SweepAnalysis> analysis = test::analysisOf(*sweep, settings, target, {});
-  ASSERT_TRUE(analysis);
-  const Result<RowMotion> way = followRow(*sweep, *analysis, settings, target, {});
+  const Result<RowMotion> way = followRow(*sweep, settings.motionTolerance, {});
   ASSERT_TRUE(way);
   EXPECT_TRUE(test::findingOf<SnapsOnTheWay>(way->findings) ||
               test::findingOf<ArrivesOtherwise>(way->findings));

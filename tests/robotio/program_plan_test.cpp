@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "finding_of.h"
 #include "sample.h"
 
 namespace bw::robotio {
@@ -48,6 +49,63 @@ TEST(ProgramPlan, ComesAndGoesTheWaysOfTheMotionAndNotThoseOfItsPoses) {
         (m[7].poses[end].position - m[6].poses[end].position - Eigen::Vector3d(0, 0, cell.approach)).norm(),
         1e-9);
   }
+}
+
+/// Where the ends of the blade are in the work object at the homes of a cell.
+std::vector<Pose> homeOf(const Cell& cell) {
+  const auto in = [](const Pose& pose) {
+    return Eigen::Isometry3d(Eigen::Translation3d(pose.position) * pose.rotation);
+  };
+  std::vector<Pose> ends;
+  for (const CellTask& task : cell.tasks) {
+    const Eigen::Isometry3d end =
+        in(cell.workObject).inverse() * in(task.base) * in(task.arm->flange(task.home)) * in(task.tool);
+    ends.push_back({end.translation(), Eigen::Quaterniond(end.linear())});
+  }
+  return ends;
+}
+
+TEST(ProgramPlan, BeginsAtHomeWithTheBladeAsItLiesAtTheFirstInstant) {
+  const Motion motion = sample::motion();
+  const Cell cell = *loadCell("irb1600-pair");
+  const auto plan = planProgram(motion, cell);
+  ASSERT_TRUE(plan) << plan.error().message;
+  const std::vector<Pose> before = homeOf(cell), now = homeOf(plan->cell);
+  const std::vector<Pose>& first = motion.instants.front().poses;
+  ASSERT_EQ(plan->moves[0].poses.size(), 2u);
+  // The same shape, moved to where the cell has its home.
+  const auto middle = [](const std::vector<Pose>& ends) -> Eigen::Vector3d {
+    return 0.5 * (ends[0].position + ends[1].position);
+  };
+  EXPECT_LT((middle(now) - middle(before)).norm(), 1e-6);
+  for (std::size_t end = 0; end < 2; ++end) {
+    const Pose& asked = plan->moves[0].poses[end];
+    EXPECT_LT((now[end].position - asked.position).norm(), 1e-6);
+    EXPECT_LT(now[end].rotation.angularDistance(first[end].rotation), 1e-6);
+    EXPECT_LT(((now[end].position - middle(now)) - (first[end].position - middle(first))).norm(), 1e-6);
+  }
+  EXPECT_TRUE(checkPlacement(motion, cell).empty());
+}
+
+TEST(ProgramPlan, TellsWhereAHomeIsOutOfReachOrNotKnown) {
+  const Motion motion = sample::motion();
+  Cell cell = *loadCell("irb1600-pair");
+  cell.tasks[1].base.position.x() += 2000;
+  const Findings findings = checkPlacement(motion, cell);
+  const Finding* far = test::findingOf<HomeOutOfReach>(findings);
+  ASSERT_TRUE(far);
+  EXPECT_EQ(far->severity, Severity::error);
+  const auto& cause = std::get<HomeOutOfReach>(far->cause);
+  EXPECT_EQ(cause.reach, 1300);
+  EXPECT_GT(cause.distance, cause.reach);
+  // With --despite-errors it is written all the same, with the home of the cell.
+  const auto plan = planProgram(motion, cell);
+  ASSERT_TRUE(plan);
+  EXPECT_EQ(plan->cell.tasks[0].home, cell.tasks[0].home);
+  const Findings unknown = checkPlacement(motion, sample::cell());
+  ASSERT_EQ(unknown.size(), 1u);
+  EXPECT_EQ(unknown[0].severity, Severity::warning);
+  EXPECT_EQ(std::get<HomeUnknown>(unknown[0].cause).robots, "\"irb1600-10-1.45\"") << "each once";
 }
 
 TEST(ProgramPlan, NoMoveIsFasterThanItSays) {

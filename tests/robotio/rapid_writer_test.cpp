@@ -212,10 +212,16 @@ TEST(RapidWriter, TellsWhatTheCheckWarnsOf) {
 
 TEST(RapidWriter, EndsOnTheOtherRobotsSideAreWarnedOf) {
   const Cell cell = sample::cell();
-  EXPECT_TRUE(checkPlacement(sample::motion(), cell).empty());
+  const auto sides = [&](const Motion& motion) {
+    Findings findings = checkPlacement(motion, cell);
+    std::erase_if(findings,
+                  [](const Finding& finding) { return !std::holds_alternative<WrongSide>(finding.cause); });
+    return findings;
+  };
+  EXPECT_TRUE(sides(sample::motion()).empty());
   Motion crossed = sample::motion();
   for (MotionInstant& instant : crossed.instants) std::swap(instant.poses[0], instant.poses[1]);
-  const Findings findings = checkPlacement(crossed, cell);
+  const Findings findings = sides(crossed);
   ASSERT_EQ(findings.size(), 2u);
   for (const Finding& finding : findings) {
     EXPECT_EQ(finding.severity, Severity::warning);

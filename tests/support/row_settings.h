@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "bw/core/sweep/entry_exit.h"
+#include "bw/core/sweep/row_motion.h"
 #include "bw/core/sweep/sweep_check.h"
 #include "interpolated.h"
 
@@ -9,19 +11,21 @@ namespace bw::test {
 
 /// What a test asks of a row of blades, in one place.
 struct RowSettings : FitRequest {
-  double cuttingSpeed = 20;  ///< mm/s
-  double lead = 20;          ///< mm
+  double cuttingSpeed = 20;      ///< mm/s
+  double lead = 20;              ///< mm
+  double motionTolerance = 0.1;  ///< mm
 
   operator CheckRequest() const { return {tolerance, clearance, cuttingSpeed, margin}; }  // NOLINT
+  operator WayRequest() const { return {tolerance, clearance, motionTolerance}; }         // NOLINT
   operator MotionRequest() const { return {cuttingSpeed, lead}; }                         // NOLINT
 };
 
-/// A sweep that is checked and then compared with its target.
+/// A sweep that is checked and then compared with its target, its surface being that through its stations.
 inline Result<SweepAnalysis> analysisOf(const Sweep& sweep, const CheckRequest& request,
                                         const SurfaceSampler& target, const RunContext& context = {}) {
   const Result<SweepCheck> check = checkSweep(sweep, request, context);
   if (!check) return tl::unexpected<Error>(check.error());
-  return analyzeSweep(sweep, *check, request, target, interpolated, context);
+  return analyzeSweep(sweep, sweep.poses, *check, request, target, interpolated, context);
 }
 
 }  // namespace bw::test

@@ -20,8 +20,8 @@ Aspects differenceOf(const pipeline::CutEvaluation& a, const pipeline::CutEvalua
   changed.setFlag(Aspect::motion, came || a.motion.value != b.motion.value);
   changed.setFlag(Aspect::checks, came || a.check.value != b.check.value ||
                                       a.analysis.value != b.analysis.value ||
-                                      a.coverage.value != b.coverage.value || a.way.value != b.way.value ||
-                                      a.certainty.value != b.certainty.value);
+                                      a.coverage.value != b.coverage.value ||
+                                      a.between.value != b.between.value || a.rest.value != b.rest.value);
   return changed;
 }
 

@@ -55,6 +55,8 @@ Result<Design> exampleDesign(const std::string& name) {
     design.block().placement = blockInWall();
     design.cut().direction = Eigen::Vector3d::UnitY();
   }
+  // The blade goes along its x: the block stands turned between the robots.
+  if (name == "torus-patch") design.output.cell = "irb1600-pair-turned";
   return design;
 }
 

@@ -20,4 +20,7 @@ Result<FileSet> resultFiles(Evaluation& evaluation, const RunContext& context, c
 Result<FileSet> programFiles(Evaluation& evaluation, const Cell& cell, const std::string& name,
                              const Policy& policy);
 
+/// A surface as Wavefront OBJ.
+std::string objText(const SurfaceGrid& cut);
+
 }  // namespace bw::pipeline

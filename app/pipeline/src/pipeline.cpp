@@ -175,22 +175,41 @@ Result<void> fit(const CutWork& work) {
 Result<void> ask(const CutWork& work, double& seconds) {
   CutEvaluation& e = work.e;
   return work.settle(&CutEvaluation::certainty, {}, {e.sweep.value}, seconds,
-                     [&](const NoRequest&, Findings& findings) {
-                       Result<RowCertainty> certainty = certaintyOf(*e.sweep.value, work.context);
-                       if (certainty) findings = certainty->findings;
-                       return certainty;
+                     [&](const NoRequest&, Findings&) { return certaintyOf(*e.sweep.value, work.context); });
+}
+
+/// The way into the row and out of it.
+Result<void> lead(const CutWork& work, double& seconds) {
+  CutEvaluation& e = work.e;
+  return work.settle(&CutEvaluation::ends, entryExitRequest(work.design), {e.sweep.value}, seconds,
+                     [&](const EntryExitRequest& request, Findings& findings) {
+                       Result<EntryExit> ends = planEntryExit(*e.sweep.value, request, work.context);
+                       if (ends) findings = ends->findings;
+                       return ends;
                      });
 }
 
-/// The blade between the stations.
+/// The targets, and the blade between them.
 Result<void> follow(const CutWork& work, double& seconds) {
   CutEvaluation& e = work.e;
-  return work.settle(&CutEvaluation::way, checkRequest(work.design), {e.analysis.value}, seconds,
-                     [&](const CheckRequest& request, Findings& findings) {
-                       Result<RowMotion> way = followRow(*e.sweep.value, *e.analysis.value, request,
-                                                         *e.target.value->sampler(), work.context);
+  return work.settle(&CutEvaluation::way, work.design.process.motionTolerance, {e.sweep.value}, seconds,
+                     [&](double tolerance, Findings& findings) {
+                       Result<RowMotion> way = followRow(*e.sweep.value, tolerance, work.context);
                        if (way) findings = way->findings;
                        return way;
+                     });
+}
+
+/// How far the blade between the targets lies off.
+Result<void> compare(const CutWork& work, double& seconds) {
+  CutEvaluation& e = work.e;
+  return work.settle(&CutEvaluation::between, wayRequest(work.design), {e.analysis.value}, seconds,
+                     [&](const WayRequest& request, Findings& findings) {
+                       Result<WayDeviation> between =
+                           deviationOf(*e.way.value, *e.sweep.value, *e.analysis.value, request,
+                                       *e.target.value->sampler(), work.context);
+                       if (between) findings = between->findings;
+                       return between;
                      });
 }
 
@@ -207,6 +226,21 @@ Result<void> cover(const CutWork& work, double& seconds) {
       });
 }
 
+/// Side by side: none hangs on another.
+template <std::size_t kCount>
+Result<void> sideBySide(const CutWork& work,
+                        const std::array<Result<void> (*)(const CutWork&, double&), kCount>& tasks) {
+  std::array<Result<void>, kCount> done;
+  std::array<double, kCount> seconds = {};
+  Result<void> ok = parallelFor(work.context, int(kCount), [&](int i) {
+    done[std::size_t(i)] = tasks[std::size_t(i)](work, seconds[std::size_t(i)]);
+  });
+  work.seconds.check += std::ranges::max(seconds);
+  for (const Result<void>& one : done)
+    if (ok) ok = one;
+  return ok;
+}
+
 /// What the row tells by itself, its motion, and the cut surface against the target.
 Result<void> check(const CutWork& work) {
   CutEvaluation& e = work.e;
@@ -216,34 +250,36 @@ Result<void> check(const CutWork& work) {
                                   work.context.report(0.75, "checking");
                                   return checkSweep(sweep, request, work.context);
                                 });
+  if (ok) ok = sideBySide(work, std::array{&ask, &follow, &lead});
   if (!ok) return ok;
-  ok = work.settle(&CutEvaluation::motion, motionRequest(work.design), {e.sweep.value}, work.seconds.check,
-                   [&sweep](const MotionRequest& request, Findings& findings) {
-                     return buildMotion(sweep, request, findings);
-                   });
-  if (!ok) return ok;
-  ok = work.settle(&CutEvaluation::analysis, checkRequest(work.design), {e.check.value, e.target.value},
-                   work.seconds.check, [&work, &e, &sweep](const CheckRequest& request, Findings& findings) {
-                     Result<SweepAnalysis> analysis =
-                         analyzeSweep(sweep, *e.check.value, request, *e.target.value->sampler(),
-                                      geometry::loft, work.context.child(0.75, 0.95));
-                     if (analysis) findings = analysis->findings;
-                     return analysis;
-                   });
+  ok = work.settle(
+      &CutEvaluation::analysis, checkRequest(work.design), {e.check.value, e.way.value, e.target.value},
+      work.seconds.check, [&work, &e, &sweep](const CheckRequest& request, Findings& findings) {
+        Result<SweepAnalysis> analysis =
+            analyzeSweep(sweep, e.way.value->targets, *e.check.value, request, *e.target.value->sampler(),
+                         geometry::loft, work.context.child(0.75, 0.95));
+        if (analysis) findings = analysis->findings;
+        return analysis;
+      });
   if (ok) ok = work.unlessStopped();
   if (ok) ok = meshTarget(e, work.previous, work.seconds.read);
   if (!ok) return ok;
-  // Side by side: none hangs on another.
-  constexpr std::array kTasks = {ask, follow, cover};
-  std::array<Result<void>, kTasks.size()> done;
-  std::array<double, kTasks.size()> seconds = {};
-  ok = parallelFor(work.context, int(kTasks.size()), [&](int i) {
-    done[std::size_t(i)] = kTasks[std::size_t(i)](work, seconds[std::size_t(i)]);
-  });
-  work.seconds.check += std::ranges::max(seconds);
-  for (const Result<void>& one : done)
-    if (ok) ok = one;
-  return ok;
+  ok = sideBySide(work, std::array{&compare, &cover});
+  if (!ok) return ok;
+  ok = work.settle(&CutEvaluation::rest, checkRequest(work.design),
+                   {e.certainty.value, e.ends.value, e.way.value, e.check.value}, work.seconds.check,
+                   [&](const CheckRequest& request, Findings& findings) -> Result<RowRest> {
+                     const EntryExit& ends = *e.ends.value;
+                     RowRest rest = restOf(sweep, *e.check.value, *e.certainty.value, ends.entry,
+                                           *e.way.value, request.margin);
+                     findings = rest.findings;
+                     return rest;
+                   });
+  if (!ok) return ok;
+  return work.settle(&CutEvaluation::motion, motionRequest(work.design), {e.ends.value, e.way.value},
+                     work.seconds.check, [&](const MotionRequest& request, Findings& findings) {
+                       return buildMotion(sweep, *e.ends.value, e.way.value->targets, request, findings);
+                     });
 }
 
 /// How the programs lie in their cell. A cell that cannot be read is a finding: the surface is judged without
@@ -304,19 +340,19 @@ void takeMissing(Stage<Request, T>& stage, const Stage<Request, T>& from) {
 }  // namespace
 
 std::optional<CutResult> CutEvaluation::result() const {
-  if (!sweep.value || !check.value || !motion.value || !analysis.value || !coverage.value || !way.value ||
-      !certainty.value)
+  if (!sweep.value || !check.value || !analysis.value || !coverage.value || !way.value || !between.value ||
+      !certainty.value || !rest.value || !ends.value || !motion.value)
     return std::nullopt;
-  return CutResult{*sweep.value, *check.value,     *analysis.value, *coverage.value,
-                   *way.value,   *certainty.value, *motion.value};
+  return CutResult{*sweep.value,   *check.value,     *analysis.value, *coverage.value, *way.value,
+                   *between.value, *certainty.value, *rest.value,     *ends.value,     *motion.value};
 }
 
 Findings CutEvaluation::findings() const {
   Findings all;
-  for (const Findings* list :
-       {&target.findings, &placed.findings, &directions.findings,
-        confirmed.value ? &confirmed.findings : &sections.findings, &sweep.findings, &check.findings,
-        &motion.findings, &analysis.findings, &way.findings, &coverage.findings, &certainty.findings})
+  for (const Findings* list : {&target.findings, &placed.findings, &directions.findings,
+                               confirmed.value ? &confirmed.findings : &sections.findings, &sweep.findings,
+                               &check.findings, &motion.findings, &analysis.findings, &way.findings,
+                               &between.findings, &coverage.findings, &ends.findings, &rest.findings})
     append(all, *list);
   return all;
 }
@@ -356,11 +392,14 @@ void Evaluation::takeMissing(const Evaluation& before) {
       takeMissing(cut.confirmed, from->confirmed);
       takeMissing(cut.sweep, from->sweep);
       takeMissing(cut.check, from->check);
-      takeMissing(cut.motion, from->motion);
       takeMissing(cut.analysis, from->analysis);
       takeMissing(cut.coverage, from->coverage);
       takeMissing(cut.way, from->way);
+      takeMissing(cut.between, from->between);
       takeMissing(cut.certainty, from->certainty);
+      takeMissing(cut.ends, from->ends);
+      takeMissing(cut.rest, from->rest);
+      takeMissing(cut.motion, from->motion);
     }
 }
 

@@ -69,10 +69,11 @@ ordered_json stationJson(const StationView& station) {
       s.heavy && std::isfinite(check.sideways) ? ordered_json(check.sideways) : ordered_json(nullptr);
   object["snaps_at"] = station.fit.snapsAt ? ordered_json(*station.fit.snapsAt) : ordered_json(nullptr);
   const std::optional<double> ratio = station.certainty.energyRatio();
-  object["certainty"] = !std::isfinite(station.certainty.energy) ? ordered_json(nullptr)
-                        : station.certainty.certain()            ? ordered_json("certain")
-                                                                 : ordered_json("lost");
+  object["certainty"] =
+      station.rest == Rest::unknown ? ordered_json(nullptr) : ordered_json(restName(station.rest));
   object["energy_ratio"] = ratio ? ordered_json(*ratio) : ordered_json(nullptr);
+  const std::optional<double>& barrier = station.certainty.barrier;
+  object["barrier_Nmm"] = barrier ? ordered_json(*barrier) : ordered_json(nullptr);
   object["angle_mean_deg"] = toDegrees(check.angleMean);
   object["angle_max_deg"] = toDegrees(check.angleMax);
   object["speed_ratio"] = check.speedRatio;
@@ -181,9 +182,9 @@ std::string reportJson(const Evaluation& e, const std::string& run, const FileSe
                          {"deviation_mean_mm", s.deviationMean},
                          {"deviation_rms_mm", s.deviationRms},
                          {"within_tolerance_percent", 100 * s.withinTolerance},
-                         {"program_deviation_max_mm", result->way.deviationMax},
-                         {"program_deviation_mean_mm", result->way.deviationMean},
-                         {"program_from_shown_max_mm", result->way.fromShown},
+                         {"program_deviation_max_mm", result->between.deviationMax},
+                         {"program_deviation_mean_mm", result->between.deviationMean},
+                         {"program_from_shown_max_mm", result->between.fromShown},
                          {"covered_percent", 100 * result->coverage.share()},
                          {"uncovered_max_mm", result->coverage.distance},
                          {"angle_max_deg", toDegrees(s.angleMax)},

@@ -99,8 +99,8 @@ void limits(Page& page, const Evaluation& e) {
   page.checked("Largest deviation", mm(s.deviationMax), "at most " + mm(design.process.tolerance),
                s.deviationMax <= design.process.tolerance);
   page.checked("Largest deviation between stations, as the robots move the blade",
-               mm(e.cut().way.value->deviationMax), "at most " + mm(design.process.tolerance),
-               e.cut().way.value->deviationMax <= design.process.tolerance);
+               mm(e.cut().between.value->deviationMax), "at most " + mm(design.process.tolerance),
+               e.cut().between.value->deviationMax <= design.process.tolerance);
   const Coverage& coverage = *e.cut().coverage.value;
   page.checked("Farthest that the target reaches beyond the cut surface", mm(coverage.distance),
                "at most " + mm(coverage.limit), coverage.distance <= coverage.limit);
@@ -123,7 +123,7 @@ void limits(Page& page, const Evaluation& e) {
             degrees(s.angleMax)});
   page.row({"Mean cutting angle", degrees(s.angleMean)});
   page.row({"Slowest over fastest point of the blade", fixedText(s.speedRatioMin, 2)});
-  page.row({"Cutting time, leads included", fixedText(e.cut().motion.value->duration(), 0) + " s"});
+  page.row({"Cutting time, leads included", fixedText(e.cut().motion.value->cuttingTime(), 0) + " s"});
   page.end();
 }
 

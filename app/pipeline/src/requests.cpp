@@ -21,6 +21,14 @@ CheckRequest checkRequest(const Design& design) {
           design.process.margin};
 }
 
+WayRequest wayRequest(const Design& design) {
+  return {design.process.tolerance, design.process.clearance, design.process.motionTolerance};
+}
+
+EntryExitRequest entryExitRequest(const Design& design) {
+  return {design.process.margin, design.process.lead};
+}
+
 MotionRequest motionRequest(const Design& design) {
   return {design.process.cuttingSpeed, design.process.lead};
 }

@@ -47,6 +47,8 @@ class Lines {
   std::string text_;
 };
 
+}  // namespace
+
 std::string objText(const SurfaceGrid& cut) {
   const TriangleMesh mesh = cut.triangles();
   Lines lines(mesh.points.size() * 110);
@@ -56,6 +58,8 @@ std::string objText(const SurfaceGrid& cut) {
     lines.text("f ").integer(t[0] + 1).text(" ").integer(t[1] + 1).text(" ").integer(t[2] + 1).text("\n");
   return lines.take();
 }
+
+namespace {
 
 std::string stationsCsv(const CutResult& result) {
   Lines lines(result.size() * 400 + 600);

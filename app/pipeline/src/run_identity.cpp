@@ -73,6 +73,12 @@ void add(Values& f, const Cell& cell) {
     add(f, task.tool);
     add(f, task.toolCenter);
     for (const double angle : task.home) f.number(angle);
+    f.number(task.arm.has_value());
+    if (task.arm) {
+      const RobotArm& a = *task.arm;
+      for (const double length : {a.d1, a.a1, a.a2, a.a3, a.d4, a.d6}) f.number(length);
+      for (const auto& [from, to] : a.range) f.number(from).number(to);
+    }
   }
 }
 

@@ -143,6 +143,22 @@ std::string Sentences::operator()(const WrongSide& cause) const {
          cause.other + "; turn the block, the cutting direction or the work object of the cell";
 }
 
+std::string Sentences::operator()(const HomeUnknown& cause) const {
+  return "how the blade lies at the cell's home, and on the way from there to the block, is not known: "
+         "resources/robots has no kinematics of " +
+         cause.robots + "; add them, or see to it on the cell";
+}
+
+std::string Sentences::operator()(const HomeOutOfReach& cause) const {
+  return cause.robot + " cannot hold the " + cause.end +
+         " end of the blade at the cell's home as the program begins: " +
+         (cause.distance > cause.reach
+              ? "its wrist would be " + fixedText(cause.distance, 0) + " mm from its shoulder (reach " +
+                    fixedText(cause.reach, 0) + " mm)"
+              : "no joint angles within its ranges turn its grip so") +
+         "; turn the cutting direction, or take a cell in which the block stands otherwise (its work object)";
+}
+
 std::string Sentences::operator()(const ProgramDespiteErrors& cause) const {
   const std::string errors = cause.errors == 1 ? "an error" : std::to_string(cause.errors) + " errors";
   if (cause.written)

@@ -23,6 +23,7 @@ constexpr std::pair<FindingKind, const char*> kWords[] = {{FindingKind::fit, "fi
                                                           {FindingKind::coverage, "coverage"},
                                                           {FindingKind::crossing, "crossing"},
                                                           {FindingKind::certainty, "certainty"},
+                                                          {FindingKind::entry, "entry"},
                                                           {FindingKind::lead, "lead"},
                                                           {FindingKind::motion, "motion"},
                                                           {FindingKind::weight, "weight"},

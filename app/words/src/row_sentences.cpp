@@ -223,13 +223,40 @@ std::string Sentences::operator()(const LeadGrown& cause) const {
          mm(cause.asked) + ", so that all of it is outside of the block there; it cuts the foam on that way";
 }
 
+/// What keeps the blade in its shape, or why nothing does.
+static std::string lostText(const OtherShape& cause) {
+  using Lost = OtherShape::Lost;
+  const std::string shorter = "; take a shorter blade";
+  switch (cause.lost) {
+    case Lost::no:
+      return "; the program leads it into this one, and it stays there";
+    case Lost::noEntry:
+      return ", and no way is known that leads it into this one" + shorter;
+    case Lost::leaves:
+      return ", and before it comes there it leaves the shapes of the row" + shorter;
+    case Lost::lowMargin:
+      return ", and on the way there its stability margin falls to " + shortText(cause.margin, 2) + shorter;
+    case Lost::lowBarrier:
+      return ", which a touch may bring about" + shorter;
+    case Lost::unknownBarrier:
+      break;
+  }
+  return ", and how little brings it over could not be found" + shorter;
+}
+
 std::string Sentences::operator()(const OtherShape& cause) const {
   return at() + "between these grips the blade rests in another shape too, " + mm(cause.distance) +
          " away, with an energy of " + shortText(cause.other) +
          " N mm (this one: " + shortText(cause.energy) + " N mm" +
          (cause.barrier ? "; a push of " + shortText(*cause.barrier, 2) + " N mm brings it from here there"
                         : "") +
-         "), and nothing leads it into this one at the start; lead it there by hand, or take a shorter blade";
+         ")" + lostText(cause);
+}
+
+std::string Sentences::operator()(const NoWay& cause) const {
+  return std::string("no way is known that leads the blade ") +
+         (cause.entry ? "into the shape of the first station" : "out of the shape of the last station") +
+         " outside of the block: " + cause.why + "; take a shorter or stiffer blade";
 }
 
 std::string Sentences::operator()(const SnapsOnTheWay&) const {
@@ -252,6 +279,12 @@ std::string Sentences::operator()(const TooFarOnTheWay& cause) const {
   return "between the stations, as the robots move it, the blade is up to " + mm(cause.deviation) +
          " from the target (tolerance " + mm(cause.tolerance) + "); " +
          moreStationsText(finding, "take more stations");
+}
+
+std::string Sentences::operator()(const OffTheSurfaceShown& cause) const {
+  return at() + "on the way from there to the next station the blade is up to " + mm(cause.distance) +
+         " from the surface shown (motion tolerance " + mm(cause.tolerance) +
+         "), and more targets bring it no nearer; " + moreStationsText(finding, "take more stations");
 }
 
 std::string Sentences::operator()(const SkinOff& cause) const {

@@ -38,10 +38,12 @@ struct Sentences {
   std::string operator()(const BladeCrosses& cause) const;
   std::string operator()(const LeadGrown& cause) const;
   std::string operator()(const OtherShape& cause) const;
+  std::string operator()(const NoWay& cause) const;
   std::string operator()(const SnapsOnTheWay& cause) const;
   std::string operator()(const ArrivesOtherwise& cause) const;
   std::string operator()(const LostOnTheWay& cause) const;
   std::string operator()(const TooFarOnTheWay& cause) const;
+  std::string operator()(const OffTheSurfaceShown& cause) const;
   std::string operator()(const SkinOff& cause) const;
   // Surfaces and sections.
   std::string operator()(const SectionMissing& cause) const;
@@ -65,6 +67,8 @@ struct Sentences {
   std::string operator()(const EarlierDesign& cause) const;
   std::string operator()(const UnreadableCell& cause) const;
   std::string operator()(const WrongSide& cause) const;
+  std::string operator()(const HomeUnknown& cause) const;
+  std::string operator()(const HomeOutOfReach& cause) const;
   std::string operator()(const ProgramDespiteErrors& cause) const;
   std::string operator()(const ProgramBreach& cause) const;
   std::string operator()(const RunMismatch& cause) const;

@@ -22,7 +22,7 @@ namespace bw {
 
 namespace {
 
-constexpr std::array<ProcessNumber, 6> kNumbers = {{
+constexpr std::array<ProcessNumber, 7> kNumbers = {{
     {{&Process::tolerance, "tolerance", "Tolerance", "mm", 1e-4, 1000, 1e-3, 3, 0.1,
       "Largest deviation of the cut surface that is accepted", "Change tolerance"},
      ProcessPart::setup},
@@ -39,6 +39,10 @@ constexpr std::array<ProcessNumber, 6> kNumbers = {{
     {{&Process::margin, "margin", "Stability margin", "", 0, 1, 0, 2, 0.05,
       "How firmly blades rest at least: 1 for a straight one, 0 where it is about to snap",
       "Change stability margin"},
+     ProcessPart::details},
+    {{&Process::motionTolerance, "motion_tolerance", "Motion tolerance", "mm", 1e-3, 100, 1e-2, 3, 0.05,
+      "Between the blade as the robots move it and the surface shown; targets are added until it holds",
+      "Change motion tolerance"},
      ProcessPart::details},
     {{&Process::lead, "lead", "Lead", "mm", 0, 10000, 0, 2, 5, "Straight travel before and after the block",
       "Change lead"},

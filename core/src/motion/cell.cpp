@@ -212,7 +212,14 @@ Result<Cell> loadCell(const std::string& nameOrPath) {
   const auto load = [&](const fs::path& file) -> Result<Cell> {
     const Result<std::string> bytes = readFile(file, kLimit);
     if (!bytes) return tl::unexpected<Error>(bytes.error());
-    return parseCell(*bytes, file.stem().string());
+    Result<Cell> cell = parseCell(*bytes, file.stem().string());
+    if (!cell) return cell;
+    for (CellTask& task : cell->tasks) {
+      const Result<std::optional<RobotArm>> arm = findRobotArm(task.robot);
+      if (!arm) return tl::unexpected<Error>(arm.error());
+      task.arm = *arm;
+    }
+    return cell;
   };
   if (nameOrPath.find('/') != std::string::npos || fs::path(nameOrPath).extension() == ".json")
     return load(nameOrPath);

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <array>
+
 #include "bw/core/heavy/heavy_bvp.h"
 #include "bw/core/sweep/sweep.h"
 
@@ -22,6 +25,25 @@ namespace bw::sweep {
   problem.grips.endAngle = end.angle;
   problem.grips.length = pose.blade.length();
   return problem;
+}
+
+/// mm that the blade of a pose may sag by its slack. Where that is next to nothing, it has one shape.
+[[nodiscard]] inline double slackOf(const BladePose& pose) {
+  return largestSag(pose.blade.length(), (pose.rightPoint() - pose.leftPoint()).norm());
+}
+
+/// mm, the farthest that another shape between the same grips lies from the blade of a pose.
+[[nodiscard]] inline double apart(const BladePose& pose, const HeavyBlade& other) {
+  constexpr int kPlaces = 41;
+  std::array<double, kPlaces> arcs;
+  std::array<Elastica::State, kPlaces> own, there;
+  for (int k = 0; k < kPlaces; ++k) arcs[std::size_t(k)] = pose.blade.length() * k / (kPlaces - 1);
+  pose.at(arcs, own);
+  other.at(arcs, there);
+  double farthest = 0;
+  for (std::size_t k = 0; k < own.size(); ++k)
+    farthest = std::max(farthest, (there[k].point - own[k].point).norm());
+  return farthest;
 }
 
 }  // namespace bw::sweep

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bw/core/sweep/sweep.h"
+#include "bw/core/sweep/entry_exit.h"
 
 namespace bw {
 
@@ -14,6 +14,8 @@ namespace {
 
 /// Points of the blade at which the speed is compared; the speed varies smoothly along it.
 constexpr int kSpeedSamples = 41;
+constexpr double kSamePlane = 1;    // mm: a lead of its own ends farther from where the blade bends
+constexpr double kLeastBend = 0.2;  // s from one shape to the next outside of the block
 
 /// Pose of a blade end: x into the blade, z = n, y = z × x, in the block frame.
 Pose endPose(const Box& block, const Eigen::Vector3d& point, const Eigen::Vector3d& inward,
@@ -48,7 +50,8 @@ double clearingLead(const Sweep& sweep, const BladePose& pose, double lead, doub
 
 }  // namespace
 
-Result<Motion> buildMotion(const Sweep& sweep, const MotionRequest& request, Findings& findings) {
+Result<Motion> buildMotion(const Sweep& sweep, const EntryExit& ends, const std::vector<BladePose>& targets,
+                           const MotionRequest& request, Findings& findings) {
   const double cuttingSpeed = request.cuttingSpeed;
   if (!(cuttingSpeed > 0) || !std::isfinite(cuttingSpeed))
     return fail(ErrorCode::badInput, "the cutting speed must be greater than 0 mm/s", "cutting_speed",
@@ -63,17 +66,6 @@ Result<Motion> buildMotion(const Sweep& sweep, const MotionRequest& request, Fin
   std::vector<double> arcs(kSpeedSamples);
   for (int i = 0; i < kSpeedSamples; ++i)
     arcs[std::size_t(i)] = sweep.request.blade.length * i / (kSpeedSamples - 1);
-  const auto sample = [&](const BladePose& pose) { return pose.points(arcs); };
-  const auto instant = [&](const BladePose& pose, double shift, double time, int index) {
-    const Eigen::Vector3d move = shift * d;
-    MotionInstant result{time, index, {}};
-    result.poses.push_back(
-        endPose(sweep.block, pose.leftPoint() + move, pose.leftTangent(), pose.frame.normal));
-    result.poses.push_back(
-        endPose(sweep.block, pose.rightPoint() + move, -pose.rightTangent(), pose.frame.normal));
-    return result;
-  };
-  double time = 0;
   const auto level = [&](const BladePose& pose) { return d.dot(pose.frame.origin); };
   const double leadIn = clearingLead(sweep, sweep.poses.front(), request.lead,
                                      level(sweep.poses.front()) - sweep.planes.entry, -1),
@@ -89,26 +81,35 @@ Result<Motion> buildMotion(const Sweep& sweep, const MotionRequest& request, Fin
                         LeadGrown{request.lead, leadOut, false},
                         {StationRange::of(sweep.poses.back().index), {}},
                         {}});
-  if (leadIn > 0) {
-    motion.instants.push_back(instant(sweep.poses.front(), -leadIn, 0, -1));
-    time += leadIn / cuttingSpeed;
-  }
+  double time = 0;
   std::vector<Eigen::Vector3d> before;
-  for (const BladePose& pose : sweep.poses) {
-    std::vector<Eigen::Vector3d> now = sample(pose);
-    if (!before.empty()) {
-      double farthest = 0;
-      for (int i = 0; i < kSpeedSamples; ++i)
-        farthest = std::max(farthest, (now[std::size_t(i)] - before[std::size_t(i)]).norm());
-      time += farthest / cuttingSpeed;
-    }
-    motion.instants.push_back(instant(pose, 0, time, pose.index));
+  // The blade goes on to a pose, moved by so much along the travel.
+  const auto go = [&](const BladePose& pose, double shift, int station, double least = 0) {
+    std::vector<Eigen::Vector3d> now = pose.points(arcs);
+    for (Eigen::Vector3d& point : now) point += shift * d;
+    double farthest = 0;
+    for (std::size_t i = 0; i < before.size(); ++i)
+      farthest = std::max(farthest, (now[i] - before[i]).norm());
+    time += before.empty() ? 0 : std::max(farthest / cuttingSpeed, least);
     before = std::move(now);
-  }
-  if (leadOut > 0) {
-    time += leadOut / cuttingSpeed;
-    motion.instants.push_back(instant(sweep.poses.back(), leadOut, time, -1));
-  }
+    const Eigen::Vector3d move = shift * d, n = pose.frame.normal;
+    motion.instants.push_back({time,
+                               station,
+                               {endPose(sweep.block, pose.leftPoint() + move, pose.leftTangent(), n),
+                                endPose(sweep.block, pose.rightPoint() + move, -pose.rightTangent(), n)}});
+  };
+  const auto apart = [&](const BladePose& end, const BladePose& bent, double lead) {
+    return std::abs(level(end) + lead - level(bent)) > kSamePlane;
+  };
+  for (const BladePose& pose : ends.entry.poses) go(pose, 0, -1, kLeastBend);
+  if (leadIn > 0 &&
+      (ends.entry.poses.empty() || apart(sweep.poses.front(), ends.entry.poses.back(), -leadIn)))
+    go(sweep.poses.front(), -leadIn, -1);
+  for (const BladePose& pose : targets) go(pose, 0, pose.index);
+  if (leadOut > 0 && (ends.exit.poses.empty() || apart(sweep.poses.back(), ends.exit.poses.front(), leadOut)))
+    go(sweep.poses.back(), leadOut, -1);
+  for (std::size_t i = 0; i < ends.exit.poses.size(); ++i)
+    go(ends.exit.poses[i], 0, -1, i == 0 ? 0 : kLeastBend);
   for (std::size_t i = 1; i < motion.instants.size(); ++i)
     for (std::size_t e = 0; e < motion.instants[i].poses.size(); ++e) {
       Eigen::Quaterniond& q = motion.instants[i].poses[e].rotation;

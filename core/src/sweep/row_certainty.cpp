@@ -4,7 +4,6 @@
 #include "bw/core/sweep/row_certainty.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -17,27 +16,12 @@ namespace bw {
 namespace {
 
 constexpr std::size_t kSearched = 5;  // stations at which all shapes are sought
-constexpr int kPlaces = 41;           // of a blade
 constexpr double kSameShape = 0.5;    // mm
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kClearGap = 0.05;  // of its energy, by which a shape is clearly lower than another
 
-double apart(const BladePose& pose, const HeavyBlade& other) {
-  std::array<double, kPlaces> arcs;
-  std::array<Elastica::State, kPlaces> own;
-  for (int k = 0; k < kPlaces; ++k) arcs[std::size_t(k)] = pose.blade.length() * k / (kPlaces - 1);
-  pose.at(arcs, own);
-  const std::vector<Elastica::State> others = other.sample(kPlaces);
-  double farthest = 0;
-  for (std::size_t k = 0; k < own.size(); ++k)
-    farthest = std::max(farthest, (others[k].point - own[k].point).norm());
-  return farthest;
-}
-
 /// A blade that can leave the straight line by so little has one shape.
-bool isTaut(const BladePose& pose) {
-  return largestSag(pose.blade.length(), (pose.rightPoint() - pose.leftPoint()).norm()) < 0.5 * kSameShape;
-}
+bool isTaut(const BladePose& pose) { return sweep::slackOf(pose) < 0.5 * kSameShape; }
 
 /// True where it is known how the blade rests.
 bool isKnown(const Sweep& sweep, std::size_t i) {
@@ -53,7 +37,7 @@ std::optional<std::vector<HeavyBlade>> othersAt(const Sweep& sweep, std::size_t 
   const Result<HeavyAnswer> all = solveAllHeavy(sweep::heldAt(sweep, pose));
   if (!all) return {};
   for (const HeavySolution& solution : all->solutions)
-    if (solution.stable && apart(pose, solution.blade) > kSameShape) others.push_back(solution.blade);
+    if (solution.stable && sweep::apart(pose, solution.blade) > kSameShape) others.push_back(solution.blade);
   return others;
 }
 
@@ -89,13 +73,29 @@ class Others {
     std::optional<OtherRest>& lowest = stations_[i].other;
     const double energy = stiffness * blade.energy();
     if (lowest && lowest->energy <= energy) return;
-    const double distance = apart(sweep_.poses[i], blade);
+    const double distance = sweep::apart(sweep_.poses[i], blade);
     if (distance > kSameShape) lowest = OtherRest{energy, distance};
   }
 
   const Sweep& sweep_;
   std::vector<StationCertainty>& stations_;
 };
+
+/// True where another shape is there that is not clearly higher.
+bool isUnsure(const StationCertainty& station) { return std::isfinite(station.energy) && !station.certain(); }
+
+/// Which of two such stations is the less certain one.
+auto moreExcess(const std::vector<StationCertainty>& stations) {
+  return [&stations](std::size_t a, std::size_t b) {
+    const auto excess = [&](std::size_t i) { return stations[i].energy - stations[i].other->energy; };
+    return excess(a) > excess(b);
+  };
+}
+
+std::vector<sweep::Stretch> unsureStretches(const std::vector<StationCertainty>& stations) {
+  return sweep::stretchesOf(
+      stations.size(), [&](std::size_t i) { return isUnsure(stations[i]); }, moreExcess(stations));
+}
 
 }  // namespace
 
@@ -151,24 +151,91 @@ Result<RowCertainty> certaintyOf(const Sweep& sweep, const RunContext& context) 
     if (!std::isfinite(onward[0][i].energy + onward[1][i].energy)) row.stations[i].energy = kUnknown;
     row.stations[i].other = !a || (b && b->energy < a->energy) ? b : a;
   }
-  const auto unsure = [&](std::size_t i) {
-    return std::isfinite(row.stations[i].energy) && !row.stations[i].certain();
-  };
-  const auto excess = [&](std::size_t i) { return row.stations[i].energy - row.stations[i].other->energy; };
-  for (const sweep::Stretch& at :
-       sweep::stretchesOf(n, unsure, [&](std::size_t a, std::size_t b) { return excess(a) > excess(b); })) {
-    const StationCertainty& worst = row.stations[at.worst];
-    // How little brings it there, where that is known.
+  // How little brings it over, at the stations that were searched and where that is most needed.
+  std::vector<std::size_t> asked;
+  for (const std::size_t i : searched)
+    if (isUnsure(row.stations[i])) asked.push_back(i);
+  for (const sweep::Stretch& at : unsureStretches(row.stations)) asked.push_back(at.worst);
+  std::vector<std::optional<double>> barriers(asked.size());
+  ok = parallelFor(context, int(asked.size()), [&](int k) {
+    const std::size_t i = asked[std::size_t(k)];
     ClampedOptions options;
-    options.initial = sweep.poses[at.worst].blade;
+    options.initial = sweep.poses[i].blade;
     options.others = true;
-    const Result<HeavyAnswer> answer = solveHeavy(sweep::heldAt(sweep, sweep.poses[at.worst]), options);
-    const bool same = answer && apart(sweep.poses[at.worst], answer->solutions.front().blade) < kSameShape;
-    row.findings.push_back({Severity::warning,
-                            OtherShape{worst.energy, worst.other->energy, worst.other->distance,
-                                       same ? answer->solutions.front().barrier : std::nullopt},
-                            sweep::placeOf(sweep.poses, at),
-                            {}});
+    const Result<HeavyAnswer> answer = solveHeavy(sweep::heldAt(sweep, sweep.poses[i]), options);
+    if (answer && sweep::apart(sweep.poses[i], answer->solutions.front().blade) < kSameShape)
+      barriers[std::size_t(k)] = answer->solutions.front().barrier;
+  });
+  if (!ok) return tl::unexpected<Error>(ok.error());
+  for (std::size_t k = 0; k < asked.size(); ++k) row.stations[asked[k]].barrier = barriers[k];
+  return row;
+}
+
+const char* restName(Rest rest) {
+  switch (rest) {
+    case Rest::unknown:
+      return "unknown";
+    case Rest::certain:
+      return "certain";
+    case Rest::held:
+      return "held";
+    case Rest::lost:
+      break;
+  }
+  return "lost";
+}
+
+RowRest restOf(const Sweep& sweep, const SweepCheck& check, const RowCertainty& certainty,
+               const BladeWay& entry, const RowMotion& motion, double margin) {
+  using Lost = OtherShape::Lost;
+  const std::size_t n = sweep.poses.size();
+  RowRest row{std::vector<Rest>(n, Rest::unknown)};
+  // The way to each station: whether there is one, and the least margin on it.
+  std::vector<Lost> way(n, Lost::no);
+  std::vector<double> least(n, 1);
+  for (std::size_t i = 0; i < n; ++i) {
+    const StationCertainty& station = certainty.stations[i];
+    if (isUnsure(station)) row.stations[i] = Rest::held;
+    if (station.certain()) row.stations[i] = Rest::certain;
+    least[i] = check.stations[i].stabilityMargin;
+    if (station.certain()) continue;
+    if (i == 0) {
+      way[i] = entry.poses.empty() ? Lost::noEntry : Lost::no;
+      least[i] = std::min(least[i], entry.margin);
+    } else {
+      way[i] = motion.reached[i] ? way[i - 1] : Lost::leaves;
+      least[i] = std::min(least[i], least[i - 1]);
+    }
+  }
+  std::vector<Lost> why = way;
+  for (const sweep::Stretch& at : unsureStretches(certainty.stations)) {
+    std::optional<double> barrier;
+    for (std::size_t i = at.first; i <= at.last; ++i) {
+      const StationCertainty& station = certainty.stations[i];
+      if (station.barrier) barrier = std::min(barrier.value_or(*station.barrier), *station.barrier);
+    }
+    for (std::size_t i = at.first; i <= at.last; ++i) {
+      if (row.stations[i] != Rest::held) continue;
+      if (why[i] == Lost::no && least[i] < margin) why[i] = Lost::lowMargin;
+      if (why[i] == Lost::no && !barrier) why[i] = Lost::unknownBarrier;
+      if (why[i] == Lost::no && *barrier < kLeastBarrier) why[i] = Lost::lowBarrier;
+      if (why[i] != Lost::no) row.stations[i] = Rest::lost;
+    }
+  }
+  for (const Rest rest : {Rest::lost, Rest::held}) {
+    const auto concerned = [&](std::size_t i) { return row.stations[i] == rest; };
+    for (const sweep::Stretch& at : sweep::stretchesOf(n, concerned, moreExcess(certainty.stations))) {
+      const StationCertainty& worst = certainty.stations[at.worst];
+      OtherShape cause{worst.energy, worst.other->energy, worst.other->distance,
+                       {},           why[at.worst],       least[at.worst]};
+      for (std::size_t i = at.first; i <= at.last; ++i)
+        if (const std::optional<double>& barrier = certainty.stations[i].barrier; barrier && concerned(i))
+          cause.barrier = std::min(cause.barrier.value_or(*barrier), *barrier);
+      row.findings.push_back({rest == Rest::lost ? Severity::error : Severity::info,
+                              cause,
+                              sweep::placeOf(sweep.poses, at),
+                              {}});
+    }
   }
   return row;
 }

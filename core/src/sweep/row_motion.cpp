@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -22,70 +24,265 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr int kBetween = 4;         // moves from station to station
 constexpr int kPlaces = 25;         // on the part that cuts
 constexpr double kWorse = 1.1;      // than the surface shown: a deviation of its own
 constexpr double kTaut = 0.05;      // mm that a blade may sag by its slack
 constexpr double kSameShape = 0.1;  // mm: a blade arrives in the shape of its station
+constexpr int kMostMoves = 40;      // from station to station
+constexpr double kRoom = 1.15;      // in how far the way is off for each number of moves
+constexpr double kOfChords = 0.6;   // of the tolerance: the rest is left to the surface between the targets
 
-/// The blade of a row on its way, told in the plane of the first station's axes.
-class Walk {
+/// A blade that its grips hold straight but for kTaut: there is no other shape, and none to be followed.
+bool taut(const BladePose& pose) { return sweep::slackOf(pose) < kTaut; }
+
+/// What tells a blade and the part of it that cuts: the middle of the weightless blade (point, angle,
+/// curvature, force), the length before the part, and its own.
+using Numbers = Eigen::Matrix<double, 8, 1>;
+
+/// Poses between the stations of a row: cubics of the travel through the numbers of all, with curvatures that
+/// go on at each of them. The slope at an end is that of the cubic through the four stations there.
+class Between {
  public:
-  explicit Walk(const Sweep& row) : row_(row) {
-    const Frame& frame = row.poses.front().frame;
-    weight_ = sweep::weightIn(row, frame);
+  explicit Between(const Sweep& row) : row_(row), length_(row.request.blade.length) {
+    for (const BladePose& pose : row.poses) {
+      const Elastica::State middle = pose.blade.at(0.5 * length_);
+      Numbers n;
+      n << middle.point, middle.angle, middle.curvature, pose.blade.force(), pose.before, pose.cut.length();
+      if (pose.blade.anchor() || taut(pose)) n.segment<3>(3).setZero();
+      // Without whole turns from one station to the next.
+      if (!numbers_.empty()) n(2) = numbers_.back()(2) + std::remainder(n(2) - numbers_.back()(2), 2 * kPi);
+      numbers_.push_back(n);
+    }
+    findSlopes();
   }
 
-  /// The blade at rest at a station, as the row has it. False where it is not known.
-  bool stand(std::size_t i) {
-    branch_.reset();
+  /// The pose at a share of the way from station i to the next one. Empty where that is no blade.
+  std::optional<BladePose> at(std::size_t i, double share) const {
+    const BladePose &a = row_.poses[i], &b = row_.poses[i + 1];
+    const double s = share, r = 1 - share, way = b.travel - a.travel;
+    const Numbers n = r * r * (1 + 2 * s) * numbers_[i] + s * s * (1 + 2 * r) * numbers_[i + 1] +
+                      s * r * way * (r * slopes_[i] - s * slopes_[i + 1]);
+    const Result<Elastica> half = Elastica::make(n.head<2>(), n(2), n(3), n.segment<2>(4), 0.5 * length_);
+    const Result<Elastica> blade = half ? half->segment(-0.5 * length_, 0.5 * length_) : half;
+    const Result<Elastica> cut = blade && n(7) > 0 ? blade->segment(n(6), n(6) + n(7)) : blade;
+    if (!cut) return {};
+    BladePose pose{-1, std::lerp(a.travel, b.travel, share), a.frame, *cut, *blade, n(6)};
+    pose.frame.origin += share * (b.frame.origin - a.frame.origin);
+    return pose;
+  }
+
+ private:
+  double wayAfter(std::size_t i) const { return row_.poses[i + 1].travel - row_.poses[i].travel; }
+
+  /// Of the polynomial through the first or the last four stations, at the end.
+  Numbers endSlope(bool front) const {
+    const std::size_t n = numbers_.size(), count = std::min<std::size_t>(4, n), first = front ? 0 : n - count,
+                      end = front ? 0 : n - 1;
+    Numbers slope = Numbers::Zero();
+    const auto travel = [&](std::size_t k) { return row_.poses[k].travel; };
+    for (std::size_t k = first; k < first + count; ++k) {
+      if (k == end) continue;
+      double weight = 1 / (travel(k) - travel(end));
+      for (std::size_t j = first; j < first + count; ++j)
+        if (j != k && j != end) weight *= (travel(end) - travel(j)) / (travel(k) - travel(j));
+      slope += weight * (numbers_[k] - numbers_[end]);
+    }
+    return slope;
+  }
+
+  /// Gauss's elimination of the tridiagonal equations: at each inner station the second derivatives agree.
+  void findSlopes() {
+    const std::size_t n = numbers_.size();
+    slopes_.assign(n, Numbers::Zero());
+    if (n < 2) return;
+    slopes_.front() = endSlope(true);
+    slopes_.back() = endSlope(false);
+    std::vector<double> onward(n, 0);
+    for (std::size_t i = 1; i + 1 < n; ++i) {
+      const double before = wayAfter(i - 1), after = wayAfter(i);
+      const double pivot = 2 * (before + after) - after * onward[i - 1];
+      const Numbers chords = 3 * (after / before * (numbers_[i] - numbers_[i - 1]) +
+                                  before / after * (numbers_[i + 1] - numbers_[i]));
+      onward[i] = before / pivot;
+      slopes_[i] = (chords - after * slopes_[i - 1]) / pivot;
+    }
+    for (std::size_t i = n - 1; i-- > 1;) slopes_[i] -= onward[i] * slopes_[i + 1];
+  }
+
+  const Sweep& row_;
+  double length_;
+  std::vector<Numbers> numbers_, slopes_;
+};
+
+/// The way of the blade from one station to the next, by so many moves.
+struct Way {
+  enum class End { arrives, unknown, snaps, otherwise, lost } end = End::unknown;
+  std::string why = {};
+  std::vector<BladePose> targets = {};             ///< between the two
+  std::vector<std::vector<Vector3d>> places = {};  ///< of the part that cuts, on the way
+  double off = 0;                                  ///< mm, the farthest of them from the smooth way
+};
+
+/// Follows the blade of a row from station to station as robots move its grips.
+class Follower {
+ public:
+  explicit Follower(const Sweep& row) : row_(row), between_(row) {}
+
+  /// In so many moves as keep it within that of the smooth way, or nearest to it.
+  Way from(std::size_t i, double tolerance) const {
+    Way best = follow(i, 1);
+    if (best.end == Way::End::unknown) return best;
+    int moves = 1;
+    for (int trial = 0; trial < 3; ++trial) {
+      if (best.end == Way::End::arrives && best.off <= tolerance) break;
+      const int asked = best.end == Way::End::arrives
+                            ? int(std::ceil(moves * std::sqrt(kRoom * best.off / tolerance)))
+                            : 4 * moves;
+      moves = std::min(std::max(asked, moves + 1), kMostMoves);
+      Way finer = follow(i, moves);
+      const bool better =
+          finer.end == Way::End::arrives && (best.end != Way::End::arrives || finer.off < best.off);
+      if (better) best = std::move(finer);
+      if (!better || moves == kMostMoves) break;
+    }
+    return best;
+  }
+
+ private:
+  Way follow(std::size_t i, int moves) const {
+    Way way;
+    std::vector<BladePose> poses = {row_.poses[i]};
+    for (int k = 1; k < moves; ++k) {
+      const std::optional<BladePose> pose = between_.at(i, double(k) / moves);
+      if (!pose) return way;
+      poses.push_back(*pose);
+    }
+    poses.push_back(row_.poses[i + 1]);
+    const int looks = moves == 1 ? 4 : 2;  // at the way of each move
+    if (taut(poses.front()) && taut(poses.back())) {
+      // Straight throughout: its points go evenly, as its ends do.
+      for (std::size_t j = 0; j + 1 < poses.size(); ++j) {
+        const std::vector<Vector3d> a = poses[j].cutPoints(kPlaces), b = poses[j + 1].cutPoints(kPlaces);
+        for (int k = 1; k <= looks; ++k) {
+          if (k == looks && j + 2 == poses.size()) break;
+          std::vector<Vector3d>& places = way.places.emplace_back();
+          for (std::size_t c = 0; c < a.size(); ++c)
+            places.push_back(a[c] + double(k) / looks * (b[c] - a[c]));
+          if (k < looks) way.off = std::max(way.off, offTheWay(i, places, {}));
+        }
+      }
+      way.end = Way::End::arrives;
+    } else {
+      go(i, poses, looks, way);
+      if (way.end == Way::End::lost) {
+        // A blade that is all but straight at a station may be followed from the next one alone.
+        std::ranges::reverse(poses);
+        Way back;
+        go(i, poses, looks, back);
+        std::ranges::reverse(poses);
+        if (back.end == Way::End::arrives) way = std::move(back);
+      }
+    }
+    way.targets.assign(std::make_move_iterator(poses.begin() + 1), std::make_move_iterator(poses.end() - 1));
+    return way;
+  }
+
+  /// How far a blade on the way from station i on, of which `now` is the part that cuts, lies from the smooth
+  /// way, across it. `branch` is where the blade is; none for a straight one.
+  double offTheWay(std::size_t i, const std::vector<Vector3d>& now, std::optional<HeavyBranch> branch) const {
+    const Vector3d& d = row_.planes.direction();
+    const double from = d.dot(row_.poses[i].frame.origin), to = d.dot(row_.poses[i + 1].frame.origin);
+    const std::optional<BladePose> smooth = between_.at(i, (d.dot(now.front()) - from) / (to - from));
+    constexpr double kUnknown = std::numeric_limits<double>::infinity();
+    if (!smooth) return kUnknown;
+    const std::vector<double> arcs = smooth->cutArcs(kPlaces);
+    std::vector<Elastica::State> states(kPlaces);
+    if (branch) {
+      const Result<ClampedBranch::Move> move = branch->moveTo(sweep::heldAt(row_, *smooth));
+      if (!move || move->snapped) return kUnknown;
+      branch->blade().at(arcs, states);
+    } else {
+      smooth->blade.at(arcs, states);
+    }
+    double farthest = 0;
+    for (std::size_t c = 0; c < now.size(); ++c) {
+      const Vector2d normal(-std::sin(states[c].angle), std::cos(states[c].angle));
+      const Vector3d off = now[c] - smooth->frame.toWorld(states[c].point);
+      farthest = std::max(farthest, std::abs(off.dot(smooth->frame.directionToWorld(normal))));
+    }
+    return farthest;
+  }
+
+  /// From the first pose to the last; those between take on the blade that hangs there.
+  void go(std::size_t i, std::vector<BladePose>& poses, int looks, Way& way) const {
+    std::optional<HeavyBranch> branch = standing(poses.front());
+    if (!branch) return;
+    for (std::size_t j = 0; j + 1 < poses.size(); ++j) {
+      const HeavyProblem a = sweep::heldAt(row_, poses[j]), b = sweep::heldAt(row_, poses[j + 1]);
+      for (int k = 1; k <= looks; ++k) {
+        const double share = double(k) / looks;
+        HeavyProblem there = a;
+        there.grips.start += share * (b.grips.start - a.grips.start);
+        there.grips.end += share * (b.grips.end - a.grips.end);
+        *there.grips.startAngle += share * std::remainder(*b.grips.startAngle - *a.grips.startAngle, 2 * kPi);
+        *there.grips.endAngle += share * std::remainder(*b.grips.endAngle - *a.grips.endAngle, 2 * kPi);
+        const Result<ClampedBranch::Move> move = branch->moveTo(there);
+        if (!move) {
+          way.end = Way::End::lost;
+          way.why = move.error().message;
+          return;
+        }
+        if (move->snapped) {
+          way.end = Way::End::snaps;
+          return;
+        }
+        const std::vector<Vector3d> places = cut(poses[j], poses[j + 1], share, branch->blade());
+        if (k < looks || j + 2 < poses.size()) {
+          if (k < looks) way.off = std::max(way.off, offTheWay(i, places, branch));
+          way.places.push_back(places);
+          continue;
+        }
+        // Where it arrives, the row has its own shape, which has been looked at.
+        const std::vector<Vector3d> own = poses.back().cutPoints(kPlaces);
+        double apart = 0;
+        for (std::size_t c = 0; c < own.size(); ++c) apart = std::max(apart, (own[c] - places[c]).norm());
+        way.end = apart > kSameShape ? Way::End::otherwise : Way::End::arrives;
+      }
+      if (j + 2 < poses.size() && !row_.request.weight.isZero()) poses[j + 1].heavy = branch->blade();
+    }
+  }
+
+  /// The blade at rest at a station, as the row has it. Empty where it is not known.
+  std::optional<HeavyBranch> standing(const BladePose& pose) const {
     const double stiffness = row_.request.blade.flexuralRigidity();
-    std::optional<HeavyBlade> blade = row_.poses[i].heavy;
-    if (!blade && weight_.isZero()) {
-      const Result<Hanging> hanging = hang(row_.poses[i].blade, stiffness, weight_);
+    std::optional<HeavyBlade> blade = pose.heavy;
+    if (!blade && row_.request.weight.isZero()) {
+      const Result<Hanging> hanging = hang(pose.blade, stiffness, Vector2d::Zero());
       if (hanging && !hanging->snapsAt) blade = hanging->blade;
     }
-    if (!blade) return false;
-    if (const Result<HeavyBranch> branch = HeavyBranch::from(*blade, stiffness)) branch_ = *branch;
-    return branch_.has_value();
-  }
-
-  /// Moves the grips to a share of the way from station i to the next one.
-  Result<ClampedBranch::Move> go(std::size_t i, double share) {
-    const HeavyProblem a = sweep::heldAt(row_, row_.poses[i]), b = sweep::heldAt(row_, row_.poses[i + 1]);
-    HeavyProblem there = a;
-    there.grips.start += share * (b.grips.start - a.grips.start);
-    there.grips.end += share * (b.grips.end - a.grips.end);
-    *there.grips.startAngle += share * std::remainder(*b.grips.startAngle - *a.grips.startAngle, 2 * kPi);
-    *there.grips.endAngle += share * std::remainder(*b.grips.endAngle - *a.grips.endAngle, 2 * kPi);
-    return branch_->moveTo(there);
+    if (!blade) return {};
+    const Result<HeavyBranch> branch = HeavyBranch::from(*blade, stiffness);
+    return branch ? std::optional(*branch) : std::nullopt;
   }
 
   /// Where the part that cuts is then, in space.
-  std::vector<Vector3d> cut(std::size_t i, double share) const {
-    const BladePose &a = row_.poses[i], &b = row_.poses[i + 1];
-    const auto blend = [&](double x, double y) { return x + share * (y - x); };
-    const double from = blend(a.before, b.before), length = blend(a.cut.length(), b.cut.length());
+  static std::vector<Vector3d> cut(const BladePose& a, const BladePose& b, double share,
+                                   const HeavyBlade& blade) {
+    const double from = std::lerp(a.before, b.before, share),
+                 length = std::lerp(a.cut.length(), b.cut.length(), share);
     std::vector<double> arcs(kPlaces);
     for (int k = 0; k < kPlaces; ++k) arcs[std::size_t(k)] = from + length * k / (kPlaces - 1);
     std::vector<Elastica::State> states(kPlaces);
-    branch_->blade().at(arcs, states);
+    blade.at(arcs, states);
     const Vector3d travelled = share * (b.frame.origin - a.frame.origin);
     std::vector<Vector3d> places;
     for (const Elastica::State& state : states) places.push_back(a.frame.toWorld(state.point) + travelled);
     return places;
   }
 
- private:
   const Sweep& row_;
-  Vector2d weight_;
-  std::optional<HeavyBranch> branch_;
+  Between between_;
 };
-
-/// A blade that its grips hold straight but for kTaut: there is no other shape, and none to be followed.
-bool taut(const BladePose& pose) {
-  return largestSag(pose.blade.length(), (pose.rightPoint() - pose.leftPoint()).norm()) < kTaut;
-}
 
 /// Stretches of a row between whose stations the same happened.
 template <class Happened>
@@ -99,103 +296,75 @@ void tell(const Sweep& row, const std::vector<char>& marks, Severity severity, H
 
 }  // namespace
 
-Result<RowMotion> followRow(const Sweep& row, const SweepAnalysis& analysis, const CheckRequest& request,
-                            const SurfaceSampler& target, const RunContext& context) {
+Result<RowMotion> followRow(const Sweep& row, double tolerance, const RunContext& context) {
   RowMotion motion;
-  const std::unique_ptr<SurfaceSampler> sampler = target.clone();
-  const sweep::SurfaceRows shown(analysis.cut, row.planes);
+  const Follower follower(row);
   const std::size_t n = row.poses.size();
   std::vector<char> snaps(n, 0), others(n, 0), lost(n, 0);
+  motion.reached.assign(n, 0);
   std::string why;
-  double sum = 0;
-  std::size_t count = 0;
-  std::vector<std::optional<SurfaceSampler::Foot>> feet(kPlaces);
-  const auto see = [&](const std::vector<Vector3d>& places) -> Result<void> {
-    for (std::size_t c = 0; c < places.size(); ++c) {
-      Result<SurfaceSampler::Foot> foot = sampler->closest(places[c], feet[c] ? &*feet[c] : nullptr);
-      if (!foot) return tl::unexpected<Error>(foot.error());
-      feet[c] = *foot;
-      sum += foot->distance;
-      ++count;
-      if (foot->distance > motion.deviationMax) {
-        motion.deviationMax = foot->distance;
-        motion.worst = places[c];
-      }
-      motion.fromShown = std::max(motion.fromShown, shown.look(places[c]).distance);
-    }
-    return {};
-  };
-  Walk walk(row);
-  // A blade that is all but straight at a station may be followed from the next one alone: back to place k.
-  const auto back = [&](std::size_t i, int k) -> Result<bool> {
-    if (!walk.stand(i + 1)) return false;
-    for (int j = kBetween - 1; j >= k; --j) {
-      const double share = double(j) / kBetween;
-      const Result<ClampedBranch::Move> move = walk.go(i, share);
-      if (!move || move->snapped) return false;
-      if (Result<void> ok = see(walk.cut(i, share)); !ok) return tl::unexpected<Error>(ok.error());
-    }
-    return walk.stand(i + 1);
-  };
-  bool standing = walk.stand(0);
-  for (std::size_t i = 0; i + 1 < n; ++i) {
+  for (std::size_t i = 0; i < n; ++i) {
     if (context.stopped()) return stoppedError();
-    if (taut(row.poses[i]) && taut(row.poses[i + 1])) {
-      // Straight throughout: its points go evenly, as its ends do.
-      standing = false;
-      const std::vector<Vector3d> a = row.poses[i].cutPoints(kPlaces),
-                                  b = row.poses[i + 1].cutPoints(kPlaces);
-      for (int k = 1; k < kBetween; ++k) {
-        std::vector<Vector3d> places;
-        for (std::size_t c = 0; c < a.size(); ++c)
-          places.push_back(a[c] + double(k) / kBetween * (b[c] - a[c]));
-        if (Result<void> ok = see(places); !ok) return tl::unexpected<Error>(ok.error());
-      }
-      continue;
-    }
-    if (!standing) standing = walk.stand(i);
-    if (!standing) continue;  // what is wrong with the station itself is told of it
-    for (int k = 1; k <= kBetween && standing; ++k) {
-      const double share = double(k) / kBetween;
-      const Result<ClampedBranch::Move> move = walk.go(i, share);
-      standing = move && !move->snapped;
-      if (!move) {
-        const Result<bool> met = back(i, k);
-        if (!met) return tl::unexpected<Error>(met.error());
-        standing = *met;
-        if (standing) break;
-        lost[i] = 1;
-        why = move.error().message;
-      }
-      if (move && move->snapped) snaps[i] = 1;
-      if (!standing) break;
-      const std::vector<Vector3d> places = walk.cut(i, share);
-      if (k == kBetween) {
-        // Where it arrives, the row has its own shape, which has been looked at.
-        const std::vector<Vector3d> own = row.poses[i + 1].cutPoints(kPlaces);
-        double apart = 0;
-        for (std::size_t c = 0; c < own.size(); ++c) apart = std::max(apart, (own[c] - places[c]).norm());
-        others[i + 1] = apart > kSameShape;
-        standing = apart <= kSameShape;
-        break;
-      }
-      if (Result<void> ok = see(places); !ok) return tl::unexpected<Error>(ok.error());
-    }
+    motion.targets.push_back(row.poses[i]);
+    if (i + 1 == n) break;
+    Way way = follower.from(i, kOfChords * tolerance);
+    const bool arrives = way.end == Way::End::arrives;
+    motion.reached[i + 1] = arrives;
+    snaps[i] = way.end == Way::End::snaps;
+    others[i + 1] = way.end == Way::End::otherwise;
+    lost[i] = way.end == Way::End::lost;
+    if (lost[i]) why = way.why;
+    for (std::vector<Vector3d>& places : way.places) motion.instants.push_back({i, std::move(places)});
+    if (arrives) std::ranges::move(way.targets, std::back_inserter(motion.targets));
   }
-  if (count > 0) motion.deviationMean = sum / double(count);
   motion.snaps = int(std::ranges::count(snaps, 1));
   tell(row, snaps, Severity::warning, SnapsOnTheWay{}, motion.findings);
   tell(row, others, Severity::warning, ArrivesOtherwise{}, motion.findings);
   tell(row, lost, Severity::warning, LostOnTheWay{why}, motion.findings);
+  return motion;
+}
+
+Result<WayDeviation> deviationOf(const RowMotion& motion, const Sweep& row, const SweepAnalysis& analysis,
+                                 const WayRequest& request, const SurfaceSampler& target,
+                                 const RunContext& context) {
+  WayDeviation way;
+  const std::unique_ptr<SurfaceSampler> sampler = target.clone();
+  const sweep::SurfaceRows shown(analysis.cut, row.planes);
+  std::vector<double> off(row.poses.size(), 0);
+  double sum = 0;
+  std::size_t count = 0;
+  std::vector<std::optional<SurfaceSampler::Foot>> feet(kPlaces);
+  for (const RowMotion::Instant& instant : motion.instants) {
+    if (context.stopped()) return stoppedError();
+    for (std::size_t c = 0; c < instant.places.size(); ++c) {
+      const Vector3d& place = instant.places[c];
+      Result<SurfaceSampler::Foot> foot = sampler->closest(place, feet[c] ? &*feet[c] : nullptr);
+      if (!foot) return tl::unexpected<Error>(foot.error());
+      feet[c] = *foot;
+      sum += foot->distance;
+      ++count;
+      if (foot->distance > way.deviationMax) {
+        way.deviationMax = foot->distance;
+        way.worst = place;
+      }
+      off[instant.station] = std::max(off[instant.station], shown.look(place).distance);
+    }
+  }
+  if (count > 0) way.deviationMean = sum / double(count);
+  way.fromShown = std::ranges::max(off);
+  for (const sweep::Stretch& at : sweep::stretchesOf(
+           off.size(), [&](std::size_t i) { return off[i] > request.motionTolerance; },
+           [&](std::size_t a, std::size_t b) { return off[a] > off[b]; }))
+    way.findings.push_back({Severity::warning, OffTheSurfaceShown{off[at.worst], request.motionTolerance},
+                            sweep::placeOf(row.poses, at), sweep::twiceAsMany(row, request.clearance)});
   // Where the surface shown misses the tolerance as well, that is told of it.
   const double skin = analysis.summary.deviationMax;
-  if (motion.deviationMax > request.tolerance &&
-      (skin <= request.tolerance || motion.deviationMax > kWorse * skin))
-    motion.findings.push_back({Severity::warning,
-                               TooFarOnTheWay{motion.deviationMax, request.tolerance},
-                               {{}, motion.worst},
-                               sweep::twiceAsMany(row, request.clearance)});
-  return motion;
+  if (way.deviationMax > request.tolerance && (skin <= request.tolerance || way.deviationMax > kWorse * skin))
+    way.findings.push_back({Severity::warning,
+                            TooFarOnTheWay{way.deviationMax, request.tolerance},
+                            {{}, way.worst},
+                            sweep::twiceAsMany(row, request.clearance)});
+  return way;
 }
 
 }  // namespace bw

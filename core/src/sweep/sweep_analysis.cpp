@@ -89,27 +89,36 @@ std::vector<double> skinDistances(const std::vector<BladePose>& poses, const Spl
   return distances;
 }
 
+/// Between which of these rows, ascending, a row lies: that and the next one.
+std::size_t intervalOf(const std::vector<int>& rows, int row) {
+  const auto after = std::ranges::upper_bound(rows, row);
+  return std::min(std::size_t(after - rows.begin()) - 1, rows.size() - 2);
+}
+
 }  // namespace
 
-Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const SweepCheck& check, const CheckRequest& request,
+Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const std::vector<BladePose>& targets,
+                                   const SweepCheck& check, const CheckRequest& request,
                                    const SurfaceSampler& target, const Loft& loft,
                                    const RunContext& context) {
   const std::vector<BladePose>& poses = sweep.poses;
-  const int n = int(poses.size());
+  const int n = int(poses.size()), m = int(targets.size());
   if (Result<void> ok = sweep::enoughStations(sweep); !ok) return tl::unexpected<Error>(ok.error());
   SweepAnalysis result;
 
-  // The skin through the stations.
+  // The skin through the targets.
   SurfaceGrid grid;
-  grid.rows = n;
+  grid.rows = m;
   grid.columns = kColumns;
-  grid.points.reserve(std::size_t(n) * kColumns);
+  grid.points.reserve(std::size_t(m) * kColumns);
   std::vector<double> travel;
-  std::vector<std::vector<double>> curvature(static_cast<std::size_t>(n));
+  std::vector<std::size_t> stations;  // their targets
+  std::vector<std::vector<double>> curvature(static_cast<std::size_t>(m));
   {
     std::vector<Elastica::State> states(kColumns);
-    for (int i = 0; i < n; ++i) {
-      const BladePose& pose = poses[std::size_t(i)];
+    for (int i = 0; i < m; ++i) {
+      const BladePose& pose = targets[std::size_t(i)];
+      if (pose.index >= 0) stations.push_back(std::size_t(i));
       travel.push_back(pose.travel);
       pose.at(pose.cutArcs(kColumns), states);
       for (const Elastica::State& state : states) {
@@ -119,7 +128,7 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const SweepCheck& check, 
     }
   }
   std::vector<double> chord(1, 0.0);
-  for (int i = 1; i < n; ++i) {
+  for (int i = 1; i < m; ++i) {
     double mean = 0;
     for (int c = 0; c < kColumns; ++c) mean += (grid.at(i, c) - grid.at(i - 1, c)).norm();
     chord.push_back(chord.back() + mean / kColumns);
@@ -146,8 +155,8 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const SweepCheck& check, 
   summary.minRadius = largestCurvature > 0 ? 1.0 / largestCurvature : 0.0;
 
   // The cut surface between the stations too: the skin, sampled finely, against the target itself.
-  result.stationRow = sweep::stationRows(travel);
-  const std::vector<int>& rowOf = result.stationRow;
+  const std::vector<int> rowOf = sweep::stationRows(travel);  // of the targets
+  for (const std::size_t at : stations) result.stationRow.push_back(rowOf[at]);
   SurfaceGrid& cut = result.cut;
   cut.columns = kColumns;
   cut.rows = rowOf.back() + 1;
@@ -167,14 +176,15 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const SweepCheck& check, 
     FootTrail feet(kColumns);
     for (int row = from; row < to; ++row) {
       if (context.stopped()) return;
-      const std::size_t i =
-          std::min(std::size_t(std::ranges::upper_bound(rowOf, row) - rowOf.begin()) - 1, std::size_t(n - 2));
+      const std::size_t i = intervalOf(rowOf, row), s = intervalOf(result.stationRow, row);
       const double f = double(row - rowOf[i]) / (rowOf[i + 1] - rowOf[i]);
       const double v = chord[i] + f * (chord[i + 1] - chord[i]);
-      const auto blend = [&](const std::vector<double>& a, const std::vector<double>& b, int c) {
-        return (1 - f) * a[std::size_t(c)] + f * b[std::size_t(c)];
+      const double now = std::lerp(travel[i], travel[i + 1], f);
+      const double g = (now - poses[s].travel) / (poses[s + 1].travel - poses[s].travel);
+      const auto blend = [](const std::vector<double>& a, const std::vector<double>& b, double share, int c) {
+        return (1 - share) * a[std::size_t(c)] + share * b[std::size_t(c)];
       };
-      const StationVelocity &va = check.velocities[i], &vb = check.velocities[i + 1];
+      const StationVelocity &va = check.velocities[s], &vb = check.velocities[s + 1];
       for (int c = 0; c < kColumns; ++c) {
         const std::size_t at = std::size_t(row) * kColumns + std::size_t(c);
         const Eigen::Vector3d p = result.surface.value(double(c) / (kColumns - 1), v);
@@ -191,11 +201,11 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const SweepCheck& check, 
         const double side = (p - foot->point).dot(foot->normal);
         // Beyond the border the side shows only where the point lies off the surface rather than beside it.
         const bool negative = side < 0 && (!foot->onBoundary || -side > 0.5 * foot->distance);
-        const double bend = blend(curvature[i], curvature[i + 1], c);
+        const double bend = blend(curvature[i], curvature[i + 1], f, c);
         const CutSample sample{negative ? -foot->distance : foot->distance,
-                               blend(va.angle, vb.angle, c),
-                               blend(va.speed, vb.speed, c),
-                               blend(va.relative, vb.relative, c),
+                               blend(va.angle, vb.angle, g, c),
+                               blend(va.speed, vb.speed, g, c),
+                               blend(va.relative, vb.relative, g, c),
                                bend,
                                stressAtLimit * bend};
         for (std::size_t k = 0; k < maps.size(); ++k) cut.fields[k].values[at] = maps[k].value(sample);
@@ -224,7 +234,7 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const SweepCheck& check, 
     if (d > request.tolerance) beyond += share;
   }
   for (int i = 0; i < n; ++i) {
-    const auto row = deviation.begin() + std::ptrdiff_t(rowOf[std::size_t(i)]) * kColumns;
+    const auto row = deviation.begin() + std::ptrdiff_t(result.stationRow[std::size_t(i)]) * kColumns;
     double largest = 0;
     for (int c = 0; c < kColumns; ++c) largest = std::max(largest, std::abs(row[c]));
     result.stationDeviation.push_back(largest);
@@ -235,7 +245,9 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const SweepCheck& check, 
   summary.angleMean = angles * kDegree;
 
   // What cannot be cut, and why.
-  const std::vector<double> off = skinDistances(poses, result.surface, chord);
+  std::vector<double> parameters;
+  for (const std::size_t at : stations) parameters.push_back(chord[at]);
+  const std::vector<double> off = skinDistances(poses, result.surface, parameters);
   for (const sweep::Stretch& at : sweep::stretchesOf(
            poses.size(), [&](std::size_t i) { return !(off[i] <= kSkinTolerance); },
            [&](std::size_t i, std::size_t k) { return off[i] > off[k]; }))

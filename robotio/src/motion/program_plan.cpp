@@ -93,14 +93,56 @@ double fromBase(const Cell& cell, std::size_t task, const Eigen::Vector3d& p_B) 
   return (p_W - cell.tasks[task].base.position).norm();
 }
 
-/// Time from home to the first target. Where home lies in space is not known without the robot's kinematics;
-/// no home that is nearer to its base than the target is farther away than twice the target's distance, so
-/// that the travel speed is kept.
-double homeTime(const Cell& cell, const std::vector<Pose>& first) {
+/// How far it is at most from home to the first target where home's place in space is not known: no home that
+/// is nearer to its base than the target is farther away than twice the target's distance.
+double farthestFromHome(const Cell& cell, const std::vector<Pose>& first) {
   double longest = 0;
   for (std::size_t end = 0; end < first.size(); ++end)
     longest = std::max(longest, 2 * fromBase(cell, end, first[end].position));
-  return std::max(kLeastHomeTime, std::ceil(10 * longest / cell.travelSpeed) / 10);
+  return longest;
+}
+
+/// A pose told in another frame, which is itself told in the frame of the result.
+Pose placed(const Pose& frame, const Pose& pose) {
+  return {frame.position + frame.rotation * pose.position, (frame.rotation * pose.rotation).normalized()};
+}
+Pose inverse(const Pose& pose) {
+  const Eigen::Quaterniond back = pose.rotation.conjugate();
+  return {-(back * pose.position), back};
+}
+
+/// How the blade is held at home, where the kinematics of all robots are known.
+struct HomeHold {
+  std::vector<Pose> poses;  ///< of the ends
+  std::vector<Pose> flanges;
+  std::vector<std::optional<std::vector<double>>> joints;  ///< empty where a robot does not reach it
+  bool reached() const {
+    return std::ranges::all_of(joints, [](const auto& one) { return one.has_value(); });
+  }
+};
+
+/// The ends as at the first instant, but where the cell's home has the middle between them: so the blade
+/// begins in the shape that it keeps up to there.
+std::optional<HomeHold> holdAtHome(const Cell& cell, const std::vector<Pose>& first) {
+  if (!std::ranges::all_of(cell.tasks,
+                           [](const CellTask& task) { return task.arm && task.home.size() == 6; }))
+    return std::nullopt;
+  const double share = 1.0 / double(first.size());
+  Eigen::Vector3d way = Eigen::Vector3d::Zero();
+  const Pose world = inverse(cell.workObject);
+  for (std::size_t end = 0; end < first.size(); ++end) {
+    const CellTask& task = cell.tasks[end];
+    const Pose grip = placed(world, placed(task.base, placed(task.arm->flange(task.home), task.tool)));
+    way += share * (grip.position - first[end].position);
+  }
+  HomeHold home{shifted(first, way), {}, {}};
+  for (std::size_t end = 0; end < first.size(); ++end) {
+    const CellTask& task = cell.tasks[end];
+    home.flanges.push_back(
+        placed(inverse(task.base), placed(cell.workObject, placed(home.poses[end], inverse(task.tool)))));
+    home.joints.push_back(task.arm->jointsFor(home.flanges.back(), task.home));
+  }
+  return home;
 }
 
 }  // namespace
@@ -117,17 +159,24 @@ Result<ProgramPlan> planProgram(const Motion& motion, const Cell& cell) {
                 "(approach, retreat): CSV has no place for them and an older JSON file lacks them; write the "
                 "motion anew as JSON, or choose a cell whose approach is 0 mm",
                 "motion.approach");
-  ProgramPlan plan{cell, motion.bladeLength, instants.back().time - instants.front().time, {}};
+  ProgramPlan plan{cell, motion.bladeLength, motion.cuttingTime(), {}};
   const auto travel = [&](MoveRole role, int instant, double duration, std::vector<Pose> poses) {
     plan.moves.push_back({role, instant, duration, cell.travelSpeed, kTravelTurn, 0, std::move(poses)});
   };
+  std::optional<HomeHold> home = holdAtHome(cell, first);
+  if (home && !home->reached()) home.reset();
+  for (std::size_t end = 0; home && end < first.size(); ++end) plan.cell.tasks[end].home = *home->joints[end];
   const double travelTime = std::max(kLeastTravelTime, cell.approach / cell.travelSpeed);
-  travel(MoveRole::home, -1, 0, {});
+  travel(MoveRole::home, -1, 0, home ? home->poses : std::vector<Pose>());
+  const auto fromHome = [&](const std::vector<Pose>& to) {
+    const double longest = home ? farthest(home->poses, to) : farthestFromHome(cell, to);
+    return std::max(kLeastHomeTime, std::ceil(10 * longest / cell.travelSpeed) / 10);
+  };
   if (approaches) {
     const std::vector<Pose> poses = shifted(first, -cell.approach * *motion.approach);
-    travel(MoveRole::approach, -1, homeTime(cell, poses), poses);
+    travel(MoveRole::approach, -1, fromHome(poses), poses);
   }
-  travel(MoveRole::approach, 0, approaches ? travelTime : homeTime(cell, first), first);
+  travel(MoveRole::approach, 0, approaches ? travelTime : fromHome(first), first);
   double speed = motion.cuttingSpeed, turn = 0;  // mm/s and degrees/s of the fastest end
   for (std::size_t i = 1; i < instants.size(); ++i) {
     const std::vector<Pose>&from = instants[i - 1].poses, &to = instants[i].poses;
@@ -158,6 +207,23 @@ Result<ProgramPlan> planProgram(const Motion& motion, const Cell& cell) {
 Findings checkPlacement(const Motion& motion, const Cell& cell) {
   Findings findings;
   if (!checkMotion(motion) || motion.instants.front().poses.size() != cell.tasks.size()) return findings;
+  if (const std::optional<HomeHold> home = holdAtHome(cell, smoothSigns(motion.instants).front().poses)) {
+    for (std::size_t end = 0; end < cell.tasks.size(); ++end) {
+      const CellTask& task = cell.tasks[end];
+      if (home->joints[end]) continue;
+      findings.push_back({Severity::error,
+                          HomeOutOfReach{endName(end), task.name + " (" + task.arm->title + ")",
+                                         task.arm->wristDistance(home->flanges[end]), task.arm->reach()},
+                          {},
+                          {}});
+    }
+  }
+  std::string unknown;
+  for (const CellTask& task : cell.tasks)
+    if (const std::string robot = "\"" + task.robot + "\"";
+        !task.arm && unknown.find(robot) == std::string::npos)
+      unknown += (unknown.empty() ? "" : ", ") + robot;
+  if (!unknown.empty()) findings.push_back({Severity::warning, HomeUnknown{unknown}, {}, {}});
   for (std::size_t end = 0; end < cell.tasks.size(); ++end) {
     for (const MotionInstant* instant : {&motion.instants.front(), &motion.instants.back()}) {
       const Eigen::Vector3d& p_B = instant->poses[end].position;

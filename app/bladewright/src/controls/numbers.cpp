@@ -58,7 +58,7 @@ SweepLimits brokenLimits(const pipeline::CutResult& result, const Design& design
   const SweepSummary& summary = result.analysis.summary;
   SweepLimits broken;
   broken.deviation = summary.deviationMax > design.process.tolerance;
-  broken.between = result.way.deviationMax > design.process.tolerance;
+  broken.between = result.between.deviationMax > design.process.tolerance;
   broken.radius = summary.minRadius < design.blade.minRadius();
   broken.angle = summary.angleMax > cuttingAngleLimit(design.blade);
   broken.speed = summary.speedRatioMin < kSpeedRatioLimit;

@@ -21,6 +21,19 @@ constexpr int kLeastWidth = 250;
 
 QString ratioText(double ratio) { return QString::fromStdString(fixedText(ratio, 2)); }
 QString shortNumber(double value) { return QString::fromStdString(shortText(value, 3)); }
+QString restText(Rest rest) {
+  switch (rest) {
+    case Rest::certain:
+      return QObject::tr("certain");
+    case Rest::held:
+      return QObject::tr("held");
+    case Rest::lost:
+      return QObject::tr("lost");
+    case Rest::unknown:
+      break;
+  }
+  return QObject::tr("not known");
+}
 
 }  // namespace
 
@@ -113,7 +126,7 @@ void Inspector::makeResult() {
       &SweepSummary::deviationMax, &SweepLimits::deviation);
   addOfResult(
       column, tr("Between stations"), tr("Of the blade from the target, as the robots move it"),
-      [](const CutResult& result) { return lengthText(result.way.deviationMax); }, &SweepLimits::between);
+      [](const CutResult& result) { return lengthText(result.between.deviationMax); }, &SweepLimits::between);
   add(tr("Mean"), {}, lengthText, &SweepSummary::deviationMean);
   add(tr("Root mean square"), {}, lengthText, &SweepSummary::deviationRms);
   add(tr("Within tolerance"), tr("Part of the cut surface that lies within the tolerance"), percentText,
@@ -136,7 +149,7 @@ void Inspector::makeResult() {
   add(tr("Slowest / fastest"), tr("Along the blade, at its most uneven station"), ratioText,
       &SweepSummary::speedRatioMin, &SweepLimits::speed);
   addOfResult(column, tr("Cutting time"), tr("Minutes and seconds, leads included"),
-              [](const CutResult& result) { return timeText(result.motion.duration()); });
+              [](const CutResult& result) { return timeText(result.motion.cuttingTime()); });
   column->addHeading(tr("Fit"));
   add(tr("Largest distance"), tr("Hausdorff distance between a section and its elastica"), lengthText,
       &SweepSummary::hausdorffMax);
@@ -287,6 +300,11 @@ void Inspector::makeStation() {
   add(
       tr("Stability margin"), tr("How firmly it rests: 1 for a straight blade, 0 where it is about to snap"),
       [](const StationView& s) { return ratioText(s.check.stabilityMargin); }, &SweepLimits::margin);
+  add(tr("Shape"),
+      tr("Certain: the only one at rest, or clearly the lowest. Held: another one, into which the program "
+         "leads "
+         "the blade, and which it keeps. Lost: nothing brings the blade there"),
+      [](const StationView& s) { return restText(s.rest); });
   add(tr("Inflections"), tr("Changes of the bending direction along the blade"),
       [](const StationView& s) { return QString::number(bladeInflections(s.pose.blade)); });
   add(tr("Extension"), tr("Length of the blade beyond the surface, on the side where there is less of it"),

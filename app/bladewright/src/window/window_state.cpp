@@ -243,7 +243,7 @@ void MainWindow::refreshSummary() {
   const SweepLimits broken = brokenLimits(*result, bench_.shown()->design);
   summary_->setParts(
       {{tr("Unit mm")},
-       {tr("deviation ≤ %1").arg(lengthText(std::max(s.deviationMax, result->way.deviationMax))), 4,
+       {tr("deviation ≤ %1").arg(lengthText(std::max(s.deviationMax, result->between.deviationMax))), 4,
         broken.deviation || broken.between},
        {tr("%1 within tolerance").arg(percentText(s.withinTolerance)), 3, broken.deviation},
        {tr("%1 covered").arg(percentText(result->coverage.share())), 3, broken.coverage},

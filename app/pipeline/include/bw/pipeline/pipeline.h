@@ -55,6 +55,7 @@ struct StationView {
   const StationFit& fit;
   const StationCheck& check;
   const StationCertainty& certainty;
+  Rest rest;
   double deviation;  ///< mm, the largest distance of its cut from the target
 };
 
@@ -65,13 +66,16 @@ struct CutResult {
   const SweepAnalysis& analysis;
   const Coverage& coverage;
   const RowMotion& way;
+  const WayDeviation& between;
   const RowCertainty& certainty;
+  const RowRest& rest;
+  const EntryExit& ends;
   const Motion& motion;
 
   std::size_t size() const { return sweep.poses.size(); }
   StationView station(std::size_t i) const {
-    return {sweep.poses[i], sweep.fits[i], check.stations[i], certainty.stations[i],
-            analysis.stationDeviation[i]};
+    return {sweep.poses[i],        sweep.fits[i],    check.stations[i],
+            certainty.stations[i], rest.stations[i], analysis.stationDeviation[i]};
   }
 };
 
@@ -87,13 +91,16 @@ struct CutEvaluation {
   Stage<PlanesRequest, std::vector<Section>> sections;
   /// Only for files: what OpenCASCADE takes over of the traced sections, and the findings in their place.
   Stage<PlanesRequest, std::optional<std::vector<Section>>> confirmed;
-  Stage<RowRequest, Sweep> sweep;         ///< blades and poses
-  Stage<CheckRequest, SweepCheck> check;  ///< velocities, margins, clearance
-  Stage<MotionRequest, Motion> motion;
+  Stage<RowRequest, Sweep> sweep;               ///< blades and poses
+  Stage<CheckRequest, SweepCheck> check;        ///< velocities, margins, clearance
+  Stage<double, RowMotion> way;                 ///< the targets of the robots, and the blade between them
   Stage<CheckRequest, SweepAnalysis> analysis;  ///< the cut surface against the target, and what was found
   Stage<CheckRequest, Coverage> coverage;       ///< the target against the cut surface
-  Stage<CheckRequest, RowMotion> way;           ///< the blade between the stations, as robots move it
+  Stage<WayRequest, WayDeviation> between;      ///< how far it lies off between the stations
   Stage<NoRequest, RowCertainty> certainty;     ///< what else the blades could rest in
+  Stage<EntryExitRequest, EntryExit> ends;      ///< how the blade is led into the row and out of it
+  Stage<CheckRequest, RowRest> rest;            ///< what keeps each blade in its shape
+  Stage<MotionRequest, Motion> motion;
 
   std::optional<CutResult> result() const;  ///< empty until all stages are done
   Findings findings() const;                ///< of all stages in order

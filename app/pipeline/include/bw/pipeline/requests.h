@@ -9,6 +9,8 @@
 
 #include "bw/core/design/design.h"
 #include "bw/core/files/shared_bytes.h"
+#include "bw/core/sweep/entry_exit.h"
+#include "bw/core/sweep/row_motion.h"
 #include "bw/core/sweep/section_request.h"
 #include "bw/core/sweep/sweep_check.h"
 #include "bw/geometry/cad_model.h"
@@ -51,6 +53,8 @@ struct RowRequest {
 /// What a design asks of the stages of a cut: nothing else of it reaches them.
 FitRequest fitRequest(const Design& design);
 CheckRequest checkRequest(const Design& design);
+WayRequest wayRequest(const Design& design);
+EntryExitRequest entryExitRequest(const Design& design);
 MotionRequest motionRequest(const Design& design);
 
 /// A cell for programs.

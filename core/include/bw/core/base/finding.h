@@ -39,6 +39,7 @@ enum class FindingKind {
   coverage,
   crossing,
   certainty,
+  entry,
   lead,
   motion,
   skin,
@@ -190,9 +191,19 @@ struct BladeCrosses {
 /// Between the same grips the blade rests in another shape as well, which is not clearly higher.
 struct OtherShape {
   static constexpr FindingKind kind = FindingKind::certainty;
+  /// Why nothing keeps the blade in the row's shape, if nothing does.
+  enum class Lost { no, noEntry, leaves, lowMargin, lowBarrier, unknownBarrier };
   double energy = 0, other = 0;                  ///< N mm
   double distance = 0;                           ///< between them
   std::optional<double> barrier = std::nullopt;  ///< N mm that bring it from the row's shape into another one
+  Lost lost = Lost::no;
+  double margin = 1;  ///< the least on the way there
+};
+/// No way is known that leads the blade into the shape of the first station, or out of that of the last.
+struct NoWay {
+  static constexpr FindingKind kind = FindingKind::entry;
+  bool entry = true;
+  std::string why;
 };
 /// On the way from one station to the next the blade leaves its shape and snaps into another.
 struct SnapsOnTheWay {
@@ -211,6 +222,11 @@ struct LostOnTheWay {
 struct TooFarOnTheWay {
   static constexpr FindingKind kind = FindingKind::deviation;
   double deviation = 0, tolerance = 0;
+};
+/// Between the stations the blade leaves the surface shown, however many targets the robots have.
+struct OffTheSurfaceShown {
+  static constexpr FindingKind kind = FindingKind::motion;
+  double distance = 0, tolerance = 0;
 };
 /// A lead is longer than was asked for, so that all of the blade leaves the block.
 struct LeadGrown {
@@ -337,6 +353,17 @@ struct WrongSide {
   double distance = 0, otherDistance = 0;
   bool atStart = true;  ///< of the cut, or at its end
 };
+/// Where the cell's home lies, and so what the blade does there and on the way from it, is not known.
+struct HomeUnknown {
+  static constexpr FindingKind kind = FindingKind::cell;
+  std::string robots;  ///< whose kinematics are not known
+};
+/// A robot cannot hold its end of the blade at the cell's home as the program begins.
+struct HomeOutOfReach {
+  static constexpr FindingKind kind = FindingKind::cell;
+  std::string end, robot;
+  double distance = 0, reach = 0;  ///< mm, of the wrist's centre from the middle of axis 2
+};
 /// No program is written, because of so many errors, or it is marked.
 struct ProgramDespiteErrors {
   static constexpr FindingKind kind = FindingKind::program;
@@ -369,15 +396,16 @@ struct RunMismatch {
   std::string file, run = {}, other = {}, text = {};
 };
 
-using Cause = std::variant<UnmetConditions, UnsettledFit, HeldBackFit, SteadiedFit, Overbent, TooTight,
-                           ManyInflections, WouldSnap, LowMargin, SnapsInWeight, MovedByWeight, BentSideways,
-                           UnknownInWeight, WouldTwist, GripTooNear, SteepAngle, UnevenSpeed, EndsSwing,
-                           GapInRow, TooFar, Uncovered, BladeCrosses, LeadGrown, OtherShape, SnapsOnTheWay,
-                           ArrivesOtherwise, LostOnTheWay, TooFarOnTheWay, SkinOff, SectionMissing,
-                           SectionPoint, SectionShort, SectionBranches, SectionClosed, SectionBorder,
-                           SectionUnfit, SectionRough, SectionDiffers, LargestFace, NearestFace, FacesLeftOut,
-                           TravelAcross, ChosenDirection, LeftOutOfFile, Healed, ChangedSource, EarlierDesign,
-                           UnreadableCell, WrongSide, ProgramDespiteErrors, ProgramBreach, RunMismatch>;
+using Cause =
+    std::variant<UnmetConditions, UnsettledFit, HeldBackFit, SteadiedFit, Overbent, TooTight, ManyInflections,
+                 WouldSnap, LowMargin, SnapsInWeight, MovedByWeight, BentSideways, UnknownInWeight,
+                 WouldTwist, GripTooNear, SteepAngle, UnevenSpeed, EndsSwing, GapInRow, TooFar, Uncovered,
+                 BladeCrosses, LeadGrown, OtherShape, NoWay, SnapsOnTheWay, ArrivesOtherwise, LostOnTheWay,
+                 TooFarOnTheWay, OffTheSurfaceShown, SkinOff, SectionMissing, SectionPoint, SectionShort,
+                 SectionBranches, SectionClosed, SectionBorder, SectionUnfit, SectionRough, SectionDiffers,
+                 LargestFace, NearestFace, FacesLeftOut, TravelAcross, ChosenDirection, LeftOutOfFile, Healed,
+                 ChangedSource, EarlierDesign, UnreadableCell, WrongSide, HomeUnknown, HomeOutOfReach,
+                 ProgramDespiteErrors, ProgramBreach, RunMismatch>;
 
 /// Stations of a row by their index: from first to last, `count` of them concerned, the worst among them.
 struct StationRange {

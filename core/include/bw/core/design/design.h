@@ -60,12 +60,13 @@ struct Process {
   bool fitEndpoints = false;
   bool fitTangents = false;
   double maxPeriods = 1;
-  double tolerance = 2.0;                         ///< mm, deviation of the cut surface
-  double cuttingSpeed = 20.0;                     ///< mm/s of the fastest point of the blade
-  double clearance = 50.0;                        ///< mm between a grip and the block
-  double margin = 0.15;                           ///< of stability, that blades are to keep
-  double lead = 20;                               ///< mm of straight travel before and after the block
-  bool weight = true;                             ///< blades hang in their own weight
+  double tolerance = 2.0;        ///< mm, deviation of the cut surface
+  double cuttingSpeed = 20.0;    ///< mm/s of the fastest point of the blade
+  double clearance = 50.0;       ///< mm between a grip and the block
+  double margin = 0.15;          ///< of stability, that blades are to keep
+  double motionTolerance = 0.1;  ///< mm between the blade as the robots move it and the surface shown
+  double lead = 20;              ///< mm of straight travel before and after the block
+  bool weight = true;            ///< blades hang in their own weight
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  ///< not zero, in the file's frame
   bool operator==(const Process&) const = default;
 };

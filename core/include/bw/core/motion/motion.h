@@ -15,7 +15,7 @@ namespace bw {
 /// One instant of a synchronised motion: one pose a task, in the order left, right.
 struct MotionInstant {
   double time = 0;   ///< s from the start of the cut
-  int station = -1;  ///< index of the station, −1 in the leads
+  int station = -1;  ///< index of the station, −1 in the leads and where the blade changes its shape outside
   std::vector<Pose> poses;
 };
 
@@ -29,8 +29,11 @@ struct Motion {
   std::optional<Eigen::Vector3d> approach = std::nullopt, retreat = std::nullopt;
   std::vector<MotionInstant> instants = {};
 
-  /// s, leads included.
+  /// s, all of it.
   double duration() const { return instants.empty() ? 0.0 : instants.back().time; }
+  /// s between the instants before the first station and after the last: with the leads, without entry and
+  /// exit. All of it where no instant is at a station.
+  double cuttingTime() const;
 };
 
 }  // namespace bw

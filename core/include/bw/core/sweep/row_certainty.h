@@ -8,7 +8,10 @@
 #include "bw/core/base/finding.h"
 #include "bw/core/base/result.h"
 #include "bw/core/base/run_context.h"
+#include "bw/core/sweep/entry_exit.h"
+#include "bw/core/sweep/row_motion.h"
 #include "bw/core/sweep/sweep.h"
+#include "bw/core/sweep/sweep_check.h"
 
 namespace bw {
 
@@ -22,6 +25,9 @@ struct OtherRest {
 struct StationCertainty {
   double energy = 0;                              ///< N mm, as above
   std::optional<OtherRest> other = std::nullopt;  ///< the lowest that was found
+  /// N mm that bring the blade from the station's shape into another one. Known only where the station is one
+  /// of those that are searched, or the least certain one of a stretch.
+  std::optional<double> barrier = std::nullopt;
   /// The station's shape is the only one at rest that was found, or clearly the lowest.
   bool certain() const;
   /// Its energy over that of the other one, which is 1 or more where that is lower.
@@ -30,12 +36,35 @@ struct StationCertainty {
 
 struct RowCertainty {
   std::vector<StationCertainty> stations;  ///< one a pose; without energies where its blade is not known
-  Findings findings = {};
 };
 
 /// Seeks all shapes at rest at some stations of a row and follows them from there along it
 /// (docs/mathematics.md, sweep): shapes that begin and end between two of these stations are not found.
 /// `cancelled` on a stop. Some 50 ms for 60 stations.
 [[nodiscard]] Result<RowCertainty> certaintyOf(const Sweep& sweep, const RunContext& context);
+
+/// What keeps the blade of a station in its shape.
+enum class Rest {
+  unknown,
+  certain,  ///< there is no other one, or it is clearly the lowest
+  held,  ///< it is led there along shapes that rest firmly, and no small disturbance brings it into another
+  lost   ///< nothing does
+};
+/// "certain", "held" or "lost"; "unknown".
+const char* restName(Rest rest);
+
+struct RowRest {
+  std::vector<Rest> stations;  ///< one a pose
+  Findings findings = {};      ///< `OtherShape` where a shape is held (info), or lost (error)
+};
+
+/// Judges each station by the way that leads there: the entry, then the row from station to station, or
+/// from the last one before that is certain. A shape is held where that way keeps the `margin`, and its
+/// barrier is at least `kLeastBarrier`.
+RowRest restOf(const Sweep& sweep, const SweepCheck& check, const RowCertainty& certainty,
+               const BladeWay& entry, const RowMotion& motion, double margin);
+
+/// N mm: what a blade of 33 g has of energy that was stopped out of a speed of 250 mm/s.
+inline constexpr double kLeastBarrier = 1;
 
 }  // namespace bw

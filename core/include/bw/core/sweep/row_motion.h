@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include <vector>
+
 #include "bw/core/base/finding.h"
 #include "bw/core/base/result.h"
 #include "bw/core/base/run_context.h"
@@ -12,21 +14,50 @@
 
 namespace bw {
 
-/// What the blade cuts on its way from station to station, as the robots move its grips: their places in a
-/// straight line, their tangents evenly. The surface shown is smooth there; a program makes this one.
+/// The way of the blade through its stations as the robots move its grips from target to target: their places
+/// in a straight line, their tangents evenly.
 struct RowMotion {
-  double deviationMax = 0, deviationMean = 0;  ///< mm, |distance| of the real blade from the target
-  Eigen::Vector3d worst = Eigen::Vector3d::Zero();
-  double fromShown = 0;  ///< mm, the farthest that it lies from the surface shown, in its own plane
-  int snaps = 0;         ///< times that the blade leaves its shape on the way
+  /// Where robots have their targets, in the order of travel: all stations, and poses between them (of index
+  /// −1) where the blade would leave the smooth way through the stations without.
+  std::vector<BladePose> targets = {};
+  /// The blade between two targets.
+  struct Instant {
+    std::size_t station = 0;                   ///< the one before
+    std::vector<Eigen::Vector3d> places = {};  ///< of the part that cuts
+  };
+  std::vector<Instant> instants = {};
+  int snaps = 0;  ///< times that the blade leaves its shape on the way
+  /// One a station: 1 where the blade comes from the one before in the shapes of the row; 0 at the first.
+  std::vector<char> reached = {};
   Findings findings = {};
 };
 
-/// Bends the blade, with its weight, at instants between the stations of a row, from the first station on:
-/// its shape there decides the branch that it follows. `analysis` holds the surface shown. Errors: those of
-/// the sampler; `cancelled`. Some 20 ms for 60 stations.
-[[nodiscard]] Result<RowMotion> followRow(const Sweep& sweep, const SweepAnalysis& analysis,
-                                          const CheckRequest& request, const SurfaceSampler& target,
-                                          const RunContext& context);
+/// Chooses the targets of a row so that the blade stays well within `tolerance` (mm) of the smooth way,
+/// cubics of the travel through the numbers of all stations, and bends the blade with its weight at instants
+/// between them, from each station to the next: its shape there decides the branch that it follows
+/// (docs/mathematics.md, sweep). Fails with `cancelled` alone. Some 30 ms for 60 stations.
+[[nodiscard]] Result<RowMotion> followRow(const Sweep& sweep, double tolerance, const RunContext& context);
+
+/// How the blade is judged between its stations.
+struct WayRequest {
+  double tolerance = 2;          ///< mm, deviation of the cut surface
+  double clearance = 50;         ///< mm between a grip and the block
+  double motionTolerance = 0.1;  ///< mm, from the surface shown
+  bool operator==(const WayRequest&) const = default;
+};
+
+/// How far the blade lies off between its stations.
+struct WayDeviation {
+  double deviationMax = 0, deviationMean = 0;  ///< mm, |distance| of the real blade from the target
+  Eigen::Vector3d worst = Eigen::Vector3d::Zero();
+  double fromShown = 0;  ///< mm, the farthest that it lies from the surface shown, in its own plane
+  Findings findings = {};
+};
+
+/// Compares the blade between the targets with the target surface and with the surface shown, that of
+/// `analysis`. Errors: those of the sampler; `cancelled`.
+[[nodiscard]] Result<WayDeviation> deviationOf(const RowMotion& motion, const Sweep& sweep,
+                                               const SweepAnalysis& analysis, const WayRequest& request,
+                                               const SurfaceSampler& target, const RunContext& context);
 
 }  // namespace bw

@@ -15,7 +15,6 @@
 #include "bw/core/blade/blade.h"
 #include "bw/core/curve/planar_curve.h"
 #include "bw/core/fit/elastica_fit.h"
-#include "bw/core/motion/motion.h"
 #include "bw/core/sweep/blade_pose.h"
 #include "bw/core/sweep/plane_family.h"
 #include "bw/core/sweep/section.h"
@@ -47,13 +46,6 @@ struct FitRequest {
   bool operator==(const FitRequest&) const = default;
 };
 
-/// How the blades of a row follow each other.
-struct MotionRequest {
-  double cuttingSpeed = 20;  ///< mm/s of the fastest point
-  double lead = 20;  ///< mm of travel before the first and after the last station, with the shape held
-  bool operator==(const MotionRequest&) const = default;
-};
-
 /// One continuous motion of the blade.
 struct Sweep {
   Box block;
@@ -76,10 +68,5 @@ Result<Sweep> fitSweep(const std::vector<Section>& sections, const FitRequest& r
 Result<Sweep> buildSweep(const std::vector<Section>& sections, const FitRequest& request, const Box& block,
                          const PlaneFamily& planes, const RunContext& context, Findings& findings,
                          double* fitSeconds = nullptr, double* settleSeconds = nullptr);
-
-/// Times the stations so that the fastest point of the blade moves at the cutting speed, adds the leads, and
-/// puts the ends in the block frame. Quaternions keep one sign along the path. A lead that would end with a
-/// part of the blade in the block is grown until all of it is outside, which a finding tells.
-Result<Motion> buildMotion(const Sweep& sweep, const MotionRequest& request, Findings& findings);
 
 }  // namespace bw

@@ -77,7 +77,7 @@ struct SweepAnalysis {
   /// (mm/s), "relative_speed" (0…1), "curvature" (|κ| over the limit), "stress" (N/mm², of bending in the
   /// outermost fibre).
   SurfaceGrid cut;
-  SplineSurface surface;        ///< the smooth skin through the stations
+  SplineSurface surface;        ///< the smooth skin through the targets
   std::vector<int> stationRow;  ///< row of `cut` of each station, or nearest to it where rows are thinned
   std::vector<double> stationDeviation;  ///< mm, the largest distance of each station's cut from the target
   SweepSummary summary;
@@ -89,10 +89,12 @@ struct SweepAnalysis {
 inline constexpr double kSkinTolerance = 0.01;
 
 /// Checks a sweep against the target: the deviation of the cut surface, also between stations, and from it
-/// and the numbers of `checkSweep` what cannot be cut, and why. `loft` lays the skin through the stations:
+/// and the numbers of `checkSweep` what cannot be cut, and why. The surface goes through the blades at the
+/// `targets` (`RowMotion`), the stations among them. `loft` lays the skin through the stations:
 /// what is measured here is what is written.
-[[nodiscard]] Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const SweepCheck& check,
-                                                 const CheckRequest& request, const SurfaceSampler& target,
-                                                 const Loft& loft, const RunContext& context);
+[[nodiscard]] Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const std::vector<BladePose>& targets,
+                                                 const SweepCheck& check, const CheckRequest& request,
+                                                 const SurfaceSampler& target, const Loft& loft,
+                                                 const RunContext& context);
 
 }  // namespace bw

@@ -20,7 +20,8 @@ enum class MoveRole {
   retreat  ///< onward from the last instant
 };
 
-/// One move of all tasks, straight to a pose for each in the work object; home has none.
+/// One move of all tasks, straight to a pose for each in the work object; home has them where the kinematics
+/// of all robots are known.
 struct ProgramMove {
   MoveRole role = MoveRole::cut;
   int instant = -1;         ///< of the motion, which the move ends at; −1 if at none
@@ -36,22 +37,26 @@ struct ProgramMove {
 /// other moves synchronised, each with one duration for all; the heat goes off, and the robots stay where
 /// they are.
 struct ProgramPlan {
-  Cell cell;               ///< tasks with their tools and homes, work object, heat
+  Cell cell;               ///< tasks with their tools, work object, heat, and the homes of this program
   double bladeLength = 0;  ///< mm, free, between the two TCP origins; 0 if not known
   double cuttingTime = 0;  ///< s, from the first instant to the last
   std::vector<ProgramMove> moves;
 };
 
-/// Decides the moves of a program: home, approach, cut, retreat, with their times, speeds and zones. Fails on
+/// Decides the moves of a program: home, approach, cut, retreat, with their times, speeds and zones. Where
+/// the kinematics of all robots are known, home is where the cell has it, but with the blade as at the first
+/// instant, so that it is carried from there as it lies. Where a robot does not reach that, the
+/// homes stay the cell's, which `checkPlacement` tells. Fails on
 /// a motion or a cell with data that no program can state, a motion of another number of ends than the cell
 /// has tasks, one without the directions along which the cell wants the blade to come and go, and instants
 /// that are less than 0.1 ms apart.
 Result<ProgramPlan> planProgram(const Motion& motion, const Cell& cell);
 
-/// What can be said without the robots' kinematics about how a motion lies in a cell: `WrongSide`, a warning
-/// for an end of the blade that is nearer to another robot than to its own, at the first or the
-/// last instant. Empty if motion and cell do not fit each other in their number of ends (`planProgram`
-/// refuses those).
+/// What can be said about how a motion lies in a cell: `WrongSide`, a warning for an end of the blade that is
+/// nearer to another robot than to its own, at the first or the last instant; `HomeUnknown`, one for robots
+/// whose kinematics are not known; `HomeOutOfReach`, an error for a robot that cannot hold its end at home as
+/// the program begins. Empty if motion and cell do not fit each other in their number of ends
+/// (`planProgram` refuses those).
 Findings checkPlacement(const Motion& motion, const Cell& cell);
 
 }  // namespace bw::robotio

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bw/core/base/result.h"
+#include "bw/core/base/run_context.h"
+#include "bw/core/design/design.h"
+#include "bw/core/files/file_set.h"
+#include "bw/core/simulation/simulation.h"
+#include "bw/robotio/text/program_text.h"
+
+namespace bw::pipeline {
+
+/// A program that was read back and run.
+struct ProgramRun {
+  Motion motion;
+  Simulation simulation;
+  std::optional<SimulatedSurface> surface;  ///< only with a design
+  std::vector<std::string> exceeded;        ///< what breaks a limit of the design, or snaps: a clause each
+};
+
+/// Reads a program in the dialect of its files and runs it with the blade and the weight of a design, against
+/// the surface that the design shows and its target. Without a design the blade has no weight, and its shape
+/// alone is followed. Errors: those of reading, of the design's evaluation, of `simulate`; badInput where no
+/// dialect reads the files, or the blade's length is not that of the design.
+Result<ProgramRun> runProgram(const robotio::Program& program, const Design* design,
+                              const RunContext& context);
+
+/// The text of simulation.json.
+std::string simulationText(const ProgramRun& run);
+/// simulation.json and cut.obj.
+FileSet simulationFiles(const ProgramRun& run);
+
+}  // namespace bw::pipeline

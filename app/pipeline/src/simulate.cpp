@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "bw/pipeline/simulate.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "bw/core/text/number_text.h"
+#include "bw/pipeline/pipeline.h"
+#include "bw/robotio/dialects.h"
+#include "make_files.h"
+
+namespace bw::pipeline {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+constexpr double kSameLength = 1e-3;  // mm
+constexpr double kAll = 0.999;        // of the travel of a surface
+constexpr double kRounded = 1e-3;     // of a margin
+
+Result<Motion> readMotion(const robotio::Program& program) {
+  for (const robotio::Dialect& dialect : robotio::dialects()) {
+    const robotio::Program files = robotio::filesOf(dialect, program);
+    if (!files.empty()) return dialect.read(files);
+  }
+  return fail(ErrorCode::badInput,
+              "no file here is a robot program or a motion; give the folder of a program, motion.csv or "
+              "motion.json");
+}
+
+std::vector<std::string> judge(const Design& design, const Simulation& simulation,
+                               const SimulatedSurface& surface) {
+  std::vector<std::string> exceeded;
+  const auto above = [&](double value, double limit, const std::string& what, const std::string& of) {
+    if (value > limit)
+      exceeded.push_back(what + " " + shortText(value) + " mm (" + of + " " + shortText(limit) + " mm)");
+  };
+  above(surface.toDesignMax, design.process.motionTolerance, "from the surface shown the blade lies up to",
+        "motion tolerance");
+  above(surface.toTargetMax, design.process.tolerance, "from the target the blade lies up to", "tolerance");
+  if (surface.covered < kAll)
+    exceeded.push_back("the program cuts " + shortText(100 * surface.covered, 3) +
+                       " % of the travel of the surface shown");
+  if (simulation.marginMin < design.process.margin - kRounded)
+    exceeded.push_back("the stability margin falls to " + shortText(simulation.marginMin, 2) +
+                       " (asked for: " + shortText(design.process.margin, 2) + ")");
+  const double least = 1 / design.blade.maxCurvature();
+  if (simulation.minRadius > 0 && simulation.minRadius < least * (1 - kRounded))
+    exceeded.push_back("the blade bends to a radius of " + shortText(simulation.minRadius) +
+                       " mm (least: " + shortText(least) + " mm)");
+  return exceeded;
+}
+
+}  // namespace
+
+Result<ProgramRun> runProgram(const robotio::Program& program, const Design* design,
+                              const RunContext& context) {
+  Result<Motion> motion = readMotion(program);
+  if (!motion) return tl::unexpected<Error>(motion.error());
+  ProgramRun run{std::move(*motion), {}, {}, {}};
+  Outcome outcome;
+  Blade blade;
+  blade.length = run.motion.bladeLength;
+  Eigen::Vector3d weight = Eigen::Vector3d::Zero();
+  if (design) {
+    outcome = evaluate(*design, nullptr, context, Purpose::files);
+    if (outcome.error) return tl::unexpected<Error>(*outcome.error);
+    blade = design->blade;
+    weight = fitRequest(*design).weight;
+    if (run.motion.bladeLength > 0 && std::abs(run.motion.bladeLength - blade.length) > kSameLength)
+      return fail(ErrorCode::badInput,
+                  "the program is for a blade of " + shortText(run.motion.bladeLength, 7) +
+                      " mm, the design has one of " + shortText(blade.length, 7) +
+                      " mm; give the design that the program is of",
+                  "blade", run.motion.bladeLength, blade.length);
+    run.motion.bladeLength = blade.length;
+    // What robots run tells no block.
+    if (run.motion.block.size.isZero()) run.motion.block = outcome.evaluation.cut().setup->block;
+  } else if (!(run.motion.bladeLength > 0)) {
+    return fail(ErrorCode::badInput,
+                "the program does not tell how long its blade is; give its design", "blade");
+  }
+  Result<Simulation> simulation = simulate(run.motion, blade, weight, context);
+  if (!simulation) return tl::unexpected<Error>(simulation.error());
+  run.simulation = std::move(*simulation);
+  if (design) {
+    const CutEvaluation& cut = outcome.evaluation.cut();
+    const Result<SimulatedSurface> surface = compare(
+        run.simulation, cut.analysis.value->cut, cut.setup->planes, *cut.target.value->sampler(), context);
+    if (!surface) return tl::unexpected<Error>(surface.error());
+    run.surface = *surface;
+    run.exceeded = judge(*design, run.simulation, *surface);
+  }
+  for (const Simulation::Snap& snap : run.simulation.snaps)
+    run.exceeded.push_back("at " + shortText(snap.time, 4) +
+                           " s the blade leaves its shape and snaps into another");
+  if (!run.simulation.decided)
+    run.exceeded.push_back(
+        "between the grips of its first target the blade rests in two shapes that are about as low");
+  return run;
+}
+
+std::string simulationText(const ProgramRun& run) {
+  const Simulation& simulation = run.simulation;
+  ordered_json object;
+  object["bladewright_simulation"] = 1;
+  object["unit"] = "mm";
+  object["instants"] = run.motion.instants.size();
+  object["moments"] = simulation.blades.size();
+  object["seconds"] = run.motion.duration();
+  object["blade_length"] = run.motion.bladeLength;
+  object["entry"] = simulation.decided ? "decided" : "undecided";
+  object["margin_min"] = simulation.marginMin;
+  object["min_radius_mm"] =
+      simulation.minRadius > 0 ? ordered_json(simulation.minRadius) : ordered_json(nullptr);
+  object["speed_max_mm_s"] = simulation.speedMax;
+  object["snaps"] = ordered_json::array();
+  for (const Simulation::Snap& snap : simulation.snaps)
+    object["snaps"].push_back({{"instant", snap.instant}, {"time", snap.time}});
+  object["surface"] = nullptr;
+  if (run.surface) {
+    const SimulatedSurface& s = *run.surface;
+    object["surface"] = {{"deviation_to_design_max_mm", s.toDesignMax},
+                         {"deviation_to_design_mean_mm", s.toDesignMean},
+                         {"deviation_to_design_at", {s.worst.x(), s.worst.y(), s.worst.z()}},
+                         {"deviation_to_target_max_mm", s.toTargetMax},
+                         {"deviation_to_target_mean_mm", s.toTargetMean},
+                         {"covered_percent", 100 * s.covered}};
+  }
+  object["exceeded"] = run.exceeded;
+  return object.dump(2) + "\n";
+}
+
+FileSet simulationFiles(const ProgramRun& run) {
+  FileSet files;
+  files.add("simulation.json", simulationText(run));
+  files.add("cut.obj", objText(run.simulation.swept()));
+  return files;
+}
+
+}  // namespace bw::pipeline

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+#include "bw/core/base/frame.h"
+#include "bw/core/base/result.h"
+#include "bw/core/base/run_context.h"
+#include "bw/core/blade/blade.h"
+#include "bw/core/heavy/heavy_blade.h"
+#include "bw/core/motion/motion.h"
+#include "bw/core/surface/mesh.h"
+#include "bw/core/surface/surface_sampler.h"
+#include "bw/core/sweep/plane_family.h"
+
+namespace bw {
+
+/// The blade at a moment of a motion that is run.
+struct SimulatedBlade {
+  double time = 0;          ///< s
+  std::size_t instant = 0;  ///< of the motion, the last one that was passed
+  Frame frame;              ///< of the plane in which it bends, in the file's frame
+  HeavyBlade blade;
+  double margin = 1;  ///< of stability
+};
+
+/// What a motion does to the blade, found from the poses of its ends alone.
+struct Simulation {
+  std::vector<SimulatedBlade> blades;  ///< in the order of time
+  bool decided = true;  ///< at the first instant one shape alone is at rest, or clearly the lowest
+  struct Snap {
+    double time = 0;  ///< s
+    std::size_t instant = 0;
+  };
+  std::vector<Snap> snaps;
+  double marginMin = 1;
+  double minRadius = 0;  ///< mm; 0 for a blade that stays straight
+  double speedMax = 0;   ///< mm/s of the fastest point of the blade
+
+  /// The surface that the whole blade sweeps: a row a moment, points at equal arc length, in the file's
+  /// frame.
+  SurfaceGrid swept() const;
+};
+
+/// Runs a motion: between two instants the ends go straight and turn evenly (slerp), as a controller moves
+/// them. The blade begins in the lowest shape at rest between the grips of the first instant and stays on its
+/// branch, with its weight (N/mm of a length, in the file's frame); where that ends it snaps into the lowest
+/// shape there is. Errors: badInput for other than two ends, or ends that are not in one plane (within 0.5 mm
+/// and 0.5°); noSolution where the grips are farther apart than the blade is long, or the blade cannot be
+/// followed, with the time; `cancelled`. Some 0.1 s for 100 instants.
+[[nodiscard]] Result<Simulation> simulate(const Motion& motion, const Blade& blade,
+                                          const Eigen::Vector3d& weight, const RunContext& context);
+
+/// How far what a motion cuts lies from what was designed.
+struct SimulatedSurface {
+  double toDesignMax = 0, toDesignMean = 0;  ///< mm, from the surface shown, in the planes of the blade
+  double toTargetMax = 0, toTargetMean = 0;  ///< mm, of the same places, from the target
+  Eigen::Vector3d worst = Eigen::Vector3d::Zero();  ///< where it is farthest from the surface shown
+  double covered = 0;                               ///< 0…1, of the travel of the surface shown
+};
+
+/// Of the places of the blade that lie over the surface shown, whose rows lie in `planes`. Errors: those of
+/// the sampler; `cancelled`.
+[[nodiscard]] Result<SimulatedSurface> compare(const Simulation& simulation, const SurfaceGrid& shown,
+                                               const PlaneFamily& planes, const SurfaceSampler& target,
+                                               const RunContext& context);
+
+}  // namespace bw

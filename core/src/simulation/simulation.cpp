@@ -1,0 +1,307 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "bw/core/simulation/simulation.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+
+#include "bw/core/base/units.h"
+#include "bw/core/heavy/heavy_bvp.h"
+#include "bw/core/text/number_text.h"
+#include "sweep/surface_rows.h"
+
+namespace bw {
+
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr int kBetween = 4;         // moves from instant to instant
+constexpr int kHalvings = 14;       // of the way between two of them
+constexpr int kPlaces = 101;        // of a blade
+constexpr double kTaut = 0.05;      // mm that a blade may sag by its slack
+constexpr double kClearGap = 0.05;  // of its energy, by which a shape is clearly lower than another
+constexpr double kStretch = 1e-3;   // mm, rounding of written positions
+constexpr double kEdge = 0.01;      // mm beyond the first or the last row: rounding
+constexpr double kOffPlane = 0.5;   // mm, of an end,
+constexpr double kTilted = fromDegrees(0.5);
+
+/// How the grips hold the blade at a moment.
+struct Hold {
+  Frame frame;  ///< of its plane, in the block's frame
+  HeavyProblem problem;
+};
+
+class Runner {
+ public:
+  Runner(const Motion& motion, const Blade& blade, const Vector3d& weight)
+      : motion_(motion), length_(motion.bladeLength > 0 ? motion.bladeLength : blade.length) {
+    const Frame& f = motion.block.frame;
+    weight_ = {weight.dot(f.x), weight.dot(f.y), weight.dot(f.normal)};
+    stiffness_ = blade.flexuralRigidity();
+  }
+
+  Result<Simulation> run(const RunContext& context);
+
+ private:
+  Result<Hold> holdAt(std::size_t instant, double share);
+  Result<void> begin(const Hold& hold, double time);
+  Result<void> go(const Hold& hold, double time, std::size_t instant);
+  Result<void> note(const Hold& hold, double time, std::size_t instant);
+  double timeAt(std::size_t instant, double share) const {
+    const double now = motion_.instants[instant].time;
+    return share > 0 ? std::lerp(now, motion_.instants[instant + 1].time, share) : now;
+  }
+  tl::unexpected<Error> failed(double time, const std::string& why) const {
+    return fail(ErrorCode::noSolution, "at " + shortText(time, 4) + " s " + why, "motion", time);
+  }
+  static bool taut(const HeavyProblem& problem) {
+    return largestSag(problem.grips.length, (problem.grips.end - problem.grips.start).norm()) < kTaut;
+  }
+
+  const Motion& motion_;
+  double length_, stiffness_ = 1;
+  Vector3d weight_;                 ///< in the block's frame
+  std::optional<Vector3d> across_;  ///< the direction in the plane that the angles are told from
+  Vector3d home_ = Vector3d::Zero();
+  double startAngle_ = 0, turning_ = 0;
+  std::optional<HeavyBranch> branch_;  ///< none while the blade is straight
+  Simulation result_;
+};
+
+Result<Hold> Runner::holdAt(std::size_t instant, double share) {
+  const auto at = [&](std::size_t end) -> Pose {
+    const Pose& a = motion_.instants[instant].poses[end];
+    if (share <= 0) return a;
+    const Pose& b = motion_.instants[instant + 1].poses[end];
+    return {a.position + share * (b.position - a.position), a.rotation.slerp(share, b.rotation)};
+  };
+  const double time = timeAt(instant, share);
+  const Pose left = at(0), right = at(1);
+  const Vector3d zl = left.rotation * Vector3d::UnitZ(), zr = right.rotation * Vector3d::UnitZ();
+  const Vector3d normal = (zl + zr).normalized();
+  const Vector3d chord = right.position - left.position;
+  const double off = std::abs(chord.dot(normal)), tilt = std::acos(std::clamp(zl.dot(zr), -1.0, 1.0));
+  if (!(off <= kOffPlane) || !(tilt <= kTilted))
+    return fail(ErrorCode::badInput,
+                "at " + shortText(time, 4) + " s the ends of the blade are not in one plane: " +
+                    shortText(off) + " mm off, " + shortText(toDegrees(tilt)) + "° twisted",
+                "motion", time);
+  if (chord.norm() > length_ + kStretch)
+    return failed(time, "the grips are " + shortText(chord.norm(), 7) + " mm apart, more than the blade of " +
+                            shortText(length_, 7) + " mm is long; it would tear");
+  if (!across_) {
+    across_ = chord.norm() > 0 ? chord : left.rotation * Vector3d::UnitX();
+    home_ = left.position;
+  }
+  Hold hold;
+  hold.frame.normal = normal;
+  hold.frame.x = (*across_ - across_->dot(normal) * normal).normalized();
+  hold.frame.y = normal.cross(hold.frame.x);
+  hold.frame.origin = home_ + (left.position - home_).dot(normal) * normal;
+  const auto flat = [&](const Vector3d& v) { return Vector2d(v.dot(hold.frame.x), v.dot(hold.frame.y)); };
+  const auto angle = [&](const Vector3d& v) {
+    const Vector2d p = flat(v);
+    return std::atan2(p.y(), p.x());
+  };
+  ClampedProblem& grips = hold.problem.grips;
+  grips.start = flat(left.position - hold.frame.origin);
+  grips.end = flat(right.position - hold.frame.origin);
+  const double start = angle(left.rotation * Vector3d::UnitX()),
+               end = angle(-(right.rotation * Vector3d::UnitX()));
+  // Without whole turns from one moment to the next.
+  startAngle_ += std::remainder(start - startAngle_, 2 * kPi);
+  turning_ += std::remainder(end - startAngle_ - turning_, 2 * kPi);
+  grips.startAngle = startAngle_;
+  grips.endAngle = startAngle_ + turning_;
+  grips.turning = turning_;
+  grips.length = length_;
+  hold.problem.stiffness = stiffness_;
+  hold.problem.weight = flat(weight_);
+  return hold;
+}
+
+Result<void> Runner::begin(const Hold& hold, double time) {
+  branch_.reset();
+  if (taut(hold.problem)) return {};
+  const Result<HeavyAnswer> all = solveAllHeavy(hold.problem);
+  if (!all) return failed(time, "no shape at rest was found: " + all.error().message);
+  std::optional<double> lowest;
+  for (const HeavySolution& solution : all->solutions) {
+    if (!solution.stable) continue;
+    if (!lowest) {
+      lowest = solution.energy;
+      const Result<HeavyBranch> branch = HeavyBranch::from(hold.problem, solution);
+      if (!branch) return failed(time, branch.error().message);
+      branch_ = *branch;
+    } else if (solution.energy - *lowest <= kClearGap * std::abs(*lowest)) {
+      result_.decided = result_.decided && !result_.blades.empty();
+    }
+  }
+  if (!lowest) return failed(time, "no shape at rest was found");
+  return {};
+}
+
+Result<void> Runner::go(const Hold& hold, double time, std::size_t instant) {
+  if (taut(hold.problem)) {
+    branch_.reset();
+    return {};
+  }
+  if (!branch_) return begin(hold, time);
+  const Result<ClampedBranch::Move> move = branch_->moveTo(hold.problem);
+  if (!move) return failed(time, "the blade cannot be followed: " + move.error().message);
+  if (!move->snapped) return {};
+  result_.snaps.push_back({time, instant});
+  return begin(hold, time);
+}
+
+Result<void> Runner::note(const Hold& hold, double time, std::size_t instant) {
+  Frame frame;
+  const Frame& block = motion_.block.frame;
+  const auto turned = [&](const Vector3d& v) -> Vector3d {
+    return v.x() * block.x + v.y() * block.y + v.z() * block.normal;
+  };
+  frame.origin = block.origin + turned(hold.frame.origin);
+  frame.x = turned(hold.frame.x);
+  frame.y = turned(hold.frame.y);
+  frame.normal = turned(hold.frame.normal);
+  const ClampedProblem& grips = hold.problem.grips;
+  std::optional<HeavyBlade> blade;
+  if (branch_) {
+    blade = branch_->blade();
+  } else {
+    const Vector2d chord = grips.end - grips.start;
+    const Result<Elastica> straight =
+        Elastica::make(grips.start, std::atan2(chord.y(), chord.x()), 0, Vector2d::Zero(), length_);
+    const Result<Hanging> held = straight ? hang(*straight, stiffness_, Vector2d::Zero())
+                                          : Result<Hanging>(tl::unexpected<Error>(straight.error()));
+    if (!held) return failed(time, "the blade is not known: " + held.error().message);
+    blade = held->blade;
+  }
+  const double margin = branch_ ? marginsOf(*blade).inPlane : 1;
+  result_.marginMin = std::min(result_.marginMin, margin);
+  const double curvature = blade->maxCurvature();
+  if (curvature > 0 && (result_.minRadius == 0 || 1 / curvature < result_.minRadius))
+    result_.minRadius = 1 / curvature;
+  result_.blades.push_back({time, instant, frame, *blade, margin});
+  return {};
+}
+
+Result<Simulation> Runner::run(const RunContext& context) {
+  const std::size_t n = motion_.instants.size();
+  for (std::size_t i = 0; i < n; ++i)
+    for (int k = i == 0 ? kBetween : 1; k <= kBetween; ++k) {
+      if (context.stopped()) return stoppedError();
+      // Up to instant i, from the one before.
+      const std::size_t from = i == 0 || k == kBetween ? i : i - 1;
+      const double share = from == i ? 0 : double(k) / kBetween, time = timeAt(from, share);
+      const Result<Hold> hold = holdAt(from, share);
+      if (!hold) return tl::unexpected<Error>(hold.error());
+      Result<void> ok = result_.blades.empty() ? begin(*hold, time) : go(*hold, time, from);
+      if (ok) ok = note(*hold, time, from);
+      if (!ok) return tl::unexpected<Error>(ok.error());
+    }
+  std::vector<Vector3d> before;
+  const SurfaceGrid grid = result_.swept();
+  for (int r = 1; r < grid.rows; ++r) {
+    double farthest = 0;
+    for (int c = 0; c < grid.columns; ++c)
+      farthest = std::max(farthest, (grid.at(r, c) - grid.at(r - 1, c)).norm());
+    const double seconds = result_.blades[std::size_t(r)].time - result_.blades[std::size_t(r) - 1].time;
+    if (seconds > 0) result_.speedMax = std::max(result_.speedMax, farthest / seconds);
+  }
+  return std::move(result_);
+}
+
+}  // namespace
+
+SurfaceGrid Simulation::swept() const {
+  SurfaceGrid grid;
+  grid.rows = int(blades.size());
+  grid.columns = kPlaces;
+  for (const SimulatedBlade& at : blades)
+    for (const Elastica::State& state : at.blade.sample(kPlaces))
+      grid.points.push_back(at.frame.toWorld(state.point));
+  return grid;
+}
+
+Result<Simulation> simulate(const Motion& motion, const Blade& blade, const Vector3d& weight,
+                            const RunContext& context) {
+  if (motion.instants.size() < 2 ||
+      !std::ranges::all_of(motion.instants, [](const MotionInstant& at) { return at.poses.size() == 2; }))
+    return fail(ErrorCode::badInput, "a motion that is run needs two instants or more, each of two ends",
+                "motion", double(motion.instants.size()), 2.0);
+  return Runner(motion, blade, weight).run(context);
+}
+
+Result<SimulatedSurface> compare(const Simulation& simulation, const SurfaceGrid& shown,
+                                 const PlaneFamily& planes, const SurfaceSampler& target,
+                                 const RunContext& context) {
+  SimulatedSurface surface;
+  const sweep::SurfaceRows rows(shown, planes);
+  const std::unique_ptr<SurfaceSampler> sampler = target.clone();
+  const SurfaceGrid grid = simulation.swept();
+  const Vector3d& d = planes.direction();
+  const auto level = [&](int r) {
+    return d.dot(simulation.blades[std::size_t(std::clamp(r, 0, grid.rows - 1))].frame.origin);
+  };
+  double sum = 0, first = std::numeric_limits<double>::infinity(), last = -first;
+  double design = 0, away = 0;
+  const auto over = [&](const Vector3d& place) {
+    const sweep::SurfaceRows::Seen seen = rows.look(place);
+    return seen.across <= kEdge && seen.beside <= 0;
+  };
+  std::optional<SurfaceSampler::Foot> seed;
+  for (int r = 0; r < grid.rows; ++r) {
+    if (context.stopped()) return stoppedError();
+    std::vector<Vector3d> places;
+    const SimulatedBlade& now = simulation.blades[std::size_t(r)];
+    const auto placeAt = [&](double column) -> Vector3d {
+      return now.frame.toWorld(now.blade.at(column * now.blade.length() / (kPlaces - 1)).point);
+    };
+    // With the places where it comes over the surface and leaves it.
+    bool inside = false;
+    for (int c = 0; c < grid.columns; ++c) {
+      const bool here = over(grid.at(r, c));
+      if (here != inside && c > 0) {
+        double in = here ? c : c - 1, out = here ? c - 1 : c;
+        for (int k = 0; k < kHalvings; ++k) (over(placeAt(0.5 * (in + out))) ? in : out) = 0.5 * (in + out);
+        places.push_back(placeAt(in));
+      }
+      if (here) places.push_back(grid.at(r, c));
+      inside = here;
+    }
+    const double weight = 0.5 * std::abs(level(r + 1) - level(r - 1));  // of travel
+    for (const Vector3d& place : places) {
+      const double fromDesign = rows.look(place).distance;
+      const Result<SurfaceSampler::Foot> foot = sampler->closest(place, seed ? &*seed : nullptr);
+      if (!foot) return tl::unexpected<Error>(foot.error());
+      seed = *foot;
+      first = std::min(first, level(r));
+      last = std::max(last, level(r));
+      sum += weight;
+      design += weight * fromDesign;
+      away += weight * foot->distance;
+      surface.toTargetMax = std::max(surface.toTargetMax, foot->distance);
+      if (fromDesign > surface.toDesignMax) {
+        surface.toDesignMax = fromDesign;
+        surface.worst = place;
+      }
+    }
+  }
+  if (sum > 0) {
+    surface.toDesignMean = design / sum;
+    surface.toTargetMean = away / sum;
+  }
+  const double range = d.dot(shown.at(shown.rows - 1, 0) - shown.at(0, 0));
+  if (first <= last && range > 0) surface.covered = std::min(1.0, (last - first) / range);
+  return surface;
+}
+
+}  // namespace bw

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// blade simulate: programs that are read back and run.
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "process.h"
+
+namespace bw::test {
+namespace {
+
+using nlohmann::json;
+
+const std::string kModule = "out/programs/strip-0/T_ROB1/BladeLeft.mod";
+
+/// Results of the panel with a blade that is sure of its shape.
+void rationalize(const Folder& folder) {
+  const std::string job =
+      folder.write("job.json", R"({"stations": 24, "blade": {"preset": "steel-tube-3-2.5", "length": 710}})");
+  const Finished run =
+      blade({"rationalize", example("panel-600x670"), "--job", job, "--out", folder / "out"});
+  ASSERT_EQ(run.status, 0) << run.err;
+}
+
+TEST(Simulate, TheProgramCutsTheSurfaceThatIsShown) {
+  const Folder folder;
+  rationalize(folder);
+  const json summary = json::parse(slurp(folder / "out/report.json"))["summary"];
+  json rapid;
+  for (const std::string path : {"out", "out/programs/strip-0", "out/programs/strip-0/motion.csv",
+                                 "out/programs/strip-0/motion.json"}) {
+    const Finished run = blade({"simulate", folder / path});
+    EXPECT_EQ(run.status, 0) << path << run.err;
+    EXPECT_NE(run.err.find("of the surface shown"), std::string::npos) << run.err;
+    const json told = json::parse(run.out);
+    if (rapid.is_null()) rapid = told;
+    EXPECT_EQ(told["entry"], "decided");
+    EXPECT_TRUE(told["snaps"].empty() && told["exceeded"].empty());
+    const json& surface = told["surface"];
+    EXPECT_LE(surface["deviation_to_design_max_mm"].get<double>(), 0.1);
+    EXPECT_NEAR(surface["deviation_to_design_max_mm"].get<double>(),
+                rapid["surface"]["deviation_to_design_max_mm"].get<double>(), 1e-3)
+        << "rounding of RAPID";
+    EXPECT_NEAR(surface["deviation_to_target_max_mm"].get<double>(),
+                summary["program_deviation_max_mm"].get<double>(), 0.02);
+    EXPECT_NEAR(surface["covered_percent"].get<double>(), 100, 0.1);
+  }
+  ASSERT_EQ(blade({"simulate", folder / "out", "--out", folder / "sim"}).status, 0);
+  EXPECT_EQ(json::parse(slurp(folder / "sim/simulation.json")), rapid);
+  EXPECT_EQ(slurp(folder / "sim/cut.obj").substr(0, 1), "#");
+}
+
+TEST(Simulate, AChangedTargetBreaksALimit) {
+  const Folder folder;
+  rationalize(folder);
+  // A target of the left robot in the middle of the cut, 4 mm higher.
+  std::string text = slurp(folder / kModule);
+  const std::size_t at = text.find("CONST robtarget p0025");
+  ASSERT_NE(at, std::string::npos);
+  const std::size_t end = text.find(']', at), comma = text.rfind(',', end);
+  const double z = std::stod(text.substr(comma + 1, end - comma - 1));
+  text.replace(comma + 1, end - comma - 1, std::to_string(z + 4));
+  folder.write(kModule, text);
+  const Finished run = blade({"simulate", folder / "out/programs/strip-0"});
+  EXPECT_EQ(run.status, 1) << run.err;
+  EXPECT_NE(run.err.find("motion tolerance"), std::string::npos) << run.err;
+  EXPECT_GT(json::parse(run.out)["surface"]["deviation_to_design_max_mm"], 0.5);
+}
+
+TEST(Simulate, RefusesWhatItCannotRun) {
+  const Folder folder;
+  rationalize(folder);
+  const std::string other = folder.write("job.json", R"({"stations": 12, "programs": ["json"]})");
+  ASSERT_EQ(
+      blade({"rationalize", example("panel-600x670"), "--job", other, "--out", folder / "other"}).status, 0);
+  const Finished blades = blade({"simulate", folder / "out", "--design", folder / "other"});
+  EXPECT_EQ(blades.status, 2);
+  EXPECT_NE(blades.err.find("a blade of 710 mm, the design has one of 800 mm"), std::string::npos)
+      << blades.err;
+  EXPECT_EQ(blades.out, "");
+  EXPECT_EQ(blade({"simulate", folder / "nothing"}).status, 4);
+  EXPECT_EQ(blade({"simulate", folder / "out/report.json"}).status, 2);
+  // Alone, without its design: the shape is followed, and that is said.
+  folder.write("alone/motion.json", slurp(folder / "out/programs/strip-0/motion.json"));
+  const Finished alone = blade({"simulate", folder / "alone/motion.json"});
+  EXPECT_EQ(alone.status, 0) << alone.err;
+  EXPECT_NE(alone.err.find("without weight"), std::string::npos) << alone.err;
+  EXPECT_TRUE(json::parse(alone.out)["surface"].is_null());
+}
+
+}  // namespace
+}  // namespace bw::test

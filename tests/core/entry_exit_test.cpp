@@ -1,0 +1,251 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// How a blade is led into its row and out of it, and what keeps it in its shapes.
+
+#include "bw/core/sweep/entry_exit.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "analytic_surfaces.h"
+#include "bw/core/base/units.h"
+#include "bw/core/elastica/elastica_bvp.h"
+#include "bw/core/elastica/elastica_stability.h"
+#include "bw/core/heavy/heavy_bvp.h"
+#include "bw/core/sweep/row_certainty.h"
+#include "finding_of.h"
+#include "plane_sections.h"
+#include "row_settings.h"
+
+namespace bw {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr double kLength = 800;
+
+/// A row of these blades, 10 mm apart, in a block of 100 mm.
+Sweep rowOf(const std::vector<Elastica>& blades, const Vector3d& weight = Vector3d::Zero()) {
+  Sweep sweep;
+  sweep.block = {Frame{{-300, 0, -300}, Vector3d::UnitX(), Vector3d::UnitY(), Vector3d::UnitZ()},
+                 {600, 100, 600}};
+  sweep.planes = PlaneFamily::across(sweep.block, Vector3d::UnitY());
+  sweep.request.blade.length = kLength;
+  sweep.request.weight = weight;
+  for (std::size_t i = 0; i < blades.size(); ++i) {
+    BladePose pose;
+    pose.index = int(i);
+    pose.travel = 10 * double(i + 1);
+    pose.frame = sweep.planes.at(sweep.planes.entry + pose.travel);
+    pose.cut = pose.blade = blades[i];
+    if (!weight.isZero()) {
+      const Result<Hanging> hanging = hang(blades[i], sweep.request.blade.flexuralRigidity(),
+                                           {weight.dot(pose.frame.x), weight.dot(pose.frame.y)});
+      if (hanging) pose.heavy = hanging->blade;
+    }
+    sweep.poses.push_back(pose);
+    sweep.fits.push_back({*PlanarCurve::points({{-250, 0}, {0, 1}, {250, 0}})});
+  }
+  return sweep;
+}
+
+/// Blades that rest, of all forms that a random middle makes.
+std::vector<Elastica> restingBlades(int count, double margin) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> number(-1, 1);
+  std::vector<Elastica> blades;
+  while (int(blades.size()) < count) {
+    const double angle = 3 * number(random), bend = 8 * number(random);
+    const Vector2d force(60 * number(random), 60 * number(random));
+    const Result<Elastica> half =
+        Elastica::make({0, 0}, angle, bend / kLength, force / (kLength * kLength), 0.5 * kLength);
+    if (!half) continue;
+    const Result<Elastica> blade = half->segment(-0.5 * kLength, 0.5 * kLength);
+    if (blade && !blade->anchor() && stabilityMargin(*blade) >= margin) blades.push_back(*blade);
+  }
+  return blades;
+}
+
+/// The grips of a pose.
+ClampedProblem gripsOf(const BladePose& pose) {
+  const Elastica::State end = pose.blade.at(kLength);
+  ClampedProblem grips;
+  grips.start = pose.blade.start();
+  grips.startAngle = pose.blade.startAngle();
+  grips.end = end.point;
+  grips.endAngle = end.angle;
+  grips.length = kLength;
+  grips.turning = end.angle - pose.blade.startAngle();
+  return grips;
+}
+
+TEST(EntryExit, LeadsAnArcIntoEachShapeThatRests) {
+  // Followed once more without weight, by the branch of the elastica itself.
+  for (const Elastica& blade : restingBlades(150, 0.16)) {
+    const Sweep sweep = rowOf({blade, blade});
+    const Result<EntryExit> plan = planEntryExit(sweep, {}, {});
+    ASSERT_TRUE(plan);
+    ASSERT_FALSE(plan->entry.poses.empty()) << plan->entry.why;
+    EXPECT_TRUE(plan->findings.empty());
+    const std::vector<BladePose>& poses = plan->entry.poses;
+    EXPECT_GE(plan->entry.margin, 0.15);
+    EXPECT_NEAR(poses.front().blade.maxCurvature(), 2 * fromDegrees(10) / kLength, 1e-9);
+    Result<ClampedBranch> branch = ClampedBranch::from(poses.front().blade);
+    ASSERT_TRUE(branch) << branch.error().message;
+    for (std::size_t i = 1; i < poses.size(); ++i) {
+      const Result<ClampedBranch::Move> move = branch->moveTo(gripsOf(poses[i]));
+      ASSERT_TRUE(move) << move.error().message;
+      EXPECT_FALSE(move->snapped);
+      EXPECT_GT(stabilityMargin(branch->blade()), 0.14);
+    }
+    for (int k = 0; k <= 20; ++k) {
+      const double s = kLength * k / 20;
+      EXPECT_LT((branch->blade().point(s) - blade.point(s)).norm(), 1e-3);
+    }
+  }
+}
+
+TEST(EntryExit, StaysClearOfTheBlockAndRunsBothWays) {
+  const std::vector<Elastica> blades = restingBlades(3, 0.3);
+  const double weight = -rowOf(blades).request.blade.weight();
+  const Sweep sweep = rowOf(blades, weight * Vector3d::UnitZ());
+  const Result<EntryExit> plan = planEntryExit(sweep, {.margin = 0.15, .lead = 35}, {});
+  ASSERT_TRUE(plan);
+  ASSERT_FALSE(plan->entry.poses.empty() || plan->exit.poses.empty());
+  for (const BladePose& pose : plan->entry.poses) {
+    EXPECT_NEAR(pose.leftPoint().y(), -35, 1e-9);
+    ASSERT_TRUE(pose.heavy);
+    // At rest by itself, with its weight.
+    const Result<Hanging> hanging =
+        hang(pose.blade, sweep.request.blade.flexuralRigidity(), {0, weight * pose.frame.y.z()});
+    ASSERT_TRUE(hanging);
+    EXPECT_LT((hanging->blade.at(400).point - pose.heavy->at(400).point).norm(), 1e-4);
+  }
+  for (const BladePose& pose : plan->exit.poses) EXPECT_NEAR(pose.rightPoint().y(), 135, 1e-9);
+  const auto turn = [](const BladePose& pose) { return pose.blade.startAngle(); };
+  EXPECT_NEAR(turn(plan->entry.poses.back()), turn(sweep.poses.front()), 1e-12);
+  EXPECT_NEAR(turn(plan->exit.poses.front()), turn(sweep.poses.back()), 1e-12);
+
+  Findings findings;
+  const Result<Motion> motion =
+      buildMotion(sweep, *plan, sweep.poses, {.cuttingSpeed = 20, .lead = 35}, findings);
+  ASSERT_TRUE(motion) << motion.error().message;
+  const std::size_t entry = plan->entry.poses.size(), exit = plan->exit.poses.size();
+  // Lead-in and lead-out have instants of their own: the first station lies 10 mm behind the face.
+  ASSERT_EQ(motion->instants.size(), entry + 1 + 3 + 1 + exit);
+  for (std::size_t i = 0; i < motion->instants.size(); ++i) {
+    const MotionInstant& instant = motion->instants[i];
+    EXPECT_EQ(instant.station >= 0, i > entry && i < entry + 4) << i;
+    EXPECT_LE((instant.poses[0].position - instant.poses[1].position).norm(), kLength);
+    if (i > 0) {
+      EXPECT_GT(instant.time, motion->instants[i - 1].time);
+    }
+  }
+  EXPECT_NEAR(motion->cuttingTime(), motion->instants[entry + 4].time - motion->instants[entry].time, 1e-12);
+  EXPECT_LT(motion->cuttingTime(), motion->duration());
+}
+
+TEST(EntryExit, SaysWhereNoWayIsKnown) {
+  // A blade that its grips hold in a shape that does not rest.
+  std::vector<Elastica> blades;
+  for (double force = 45; blades.empty(); force += 5) {
+    const Elastica half =
+        *Elastica::make({0, 0}, 0, 1.5 / kLength, Vector2d(force, 0) / (kLength * kLength), 0.5 * kLength);
+    const Elastica blade = *half.segment(-0.5 * kLength, 0.5 * kLength);
+    if (stabilityMargin(blade) < -0.05) blades.assign(2, blade);
+  }
+  const Result<EntryExit> plan = planEntryExit(rowOf(blades), {}, {});
+  ASSERT_TRUE(plan);
+  EXPECT_TRUE(plan->entry.poses.empty());
+  EXPECT_FALSE(plan->entry.why.empty());
+  ASSERT_EQ(plan->findings.size(), 2u);
+  EXPECT_EQ(plan->findings[0].severity, Severity::error);
+  const auto* cause = std::get_if<NoWay>(&plan->findings[0].cause);
+  ASSERT_TRUE(cause);
+  EXPECT_TRUE(cause->entry);
+  EXPECT_TRUE(exceedsLimit(plan->findings));
+  Findings findings;
+  EXPECT_TRUE(buildMotion(rowOf(blades), *plan, rowOf(blades).poses, {}, findings))
+      << "the stations are timed all the same";
+}
+
+/// What is known of five stations, each with a higher shape besides its own.
+struct Judged {
+  Sweep sweep = rowOf(restingBlades(5, 0.3));
+  SweepCheck check;
+  RowCertainty certainty;
+  BladeWay entry;
+  RowMotion motion;
+  Judged() {
+    check.stations.assign(5, {});
+    for (StationCheck& station : check.stations) station.stabilityMargin = 0.5;
+    certainty.stations.assign(5, {10, OtherRest{5, 50}, 3.0});
+    entry = {{sweep.poses[0]}, 0.4, ""};
+    motion.reached = {0, 1, 1, 1, 1};
+  }
+  RowRest rest() const { return restOf(sweep, check, certainty, entry, motion, 0.15); }
+};
+
+std::string told(const RowRest& row) {
+  std::string all;
+  for (const Rest rest : row.stations) all += restName(rest)[0];
+  return all;
+}
+
+TEST(RowRest, IsHeldAlongAWayThatRestsFirmly) {
+  const RowRest row = Judged().rest();
+  EXPECT_EQ(told(row), "hhhhh");
+  ASSERT_EQ(row.findings.size(), 1u);
+  EXPECT_EQ(row.findings[0].severity, Severity::info);
+  const auto& cause = std::get<OtherShape>(row.findings[0].cause);
+  EXPECT_EQ(cause.lost, OtherShape::Lost::no);
+  EXPECT_EQ(cause.barrier, 3.0);
+}
+
+TEST(RowRest, IsLostForEachOfItsReasons) {
+  using Lost = OtherShape::Lost;
+  const auto reason = [](const RowRest& row) {
+    const Finding* finding = test::findingOf<OtherShape>(row.findings);
+    EXPECT_EQ(finding->severity, Severity::error);
+    return std::get<OtherShape>(finding->cause).lost;
+  };
+  Judged noEntry;
+  noEntry.entry = {{}, 1, "none"};
+  EXPECT_EQ(told(noEntry.rest()), "lllll");
+  EXPECT_EQ(reason(noEntry.rest()), Lost::noEntry);
+  Judged leaves;
+  leaves.motion.reached[2] = 0;
+  EXPECT_EQ(told(leaves.rest()), "hhlll");
+  EXPECT_EQ(reason(leaves.rest()), Lost::leaves);
+  Judged margin;
+  margin.check.stations[3].stabilityMargin = 0.1;
+  EXPECT_EQ(told(margin.rest()), "hhhll") << "what comes after went through it";
+  EXPECT_EQ(reason(margin.rest()), Lost::lowMargin);
+  Judged entry;
+  entry.entry.margin = 0.1;
+  EXPECT_EQ(told(entry.rest()), "lllll");
+  Judged barrier;
+  barrier.certainty.stations[4].barrier = 0.9;
+  EXPECT_EQ(told(barrier.rest()), "lllll") << "the least of the stretch counts";
+  EXPECT_EQ(reason(barrier.rest()), Lost::lowBarrier);
+  Judged unknown;
+  for (StationCertainty& station : unknown.certainty.stations) station.barrier.reset();
+  EXPECT_EQ(reason(unknown.rest()), Lost::unknownBarrier);
+}
+
+TEST(RowRest, BeginsAnewWhereAStationIsCertain) {
+  Judged judged;
+  judged.entry = {{}, 1, "none"};
+  judged.check.stations[1].stabilityMargin = 0.1;
+  judged.certainty.stations[2].other.reset();
+  EXPECT_EQ(told(judged.rest()), "llchh");
+  judged.certainty.stations[4].energy = std::nan("");
+  EXPECT_EQ(told(judged.rest()), "llchu");
+}
+
+}  // namespace
+}  // namespace bw

@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// A motion that is run: the blade is found from the poses of its ends alone.
+
+#include "bw/core/simulation/simulation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "analytic_surfaces.h"
+#include "bw/core/base/units.h"
+#include "bw/core/sweep/entry_exit.h"
+#include "bw/core/sweep/row_motion.h"
+#include "plane_sections.h"
+#include "row_settings.h"
+
+namespace bw {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kRadius = 700, kHalf = 250;
+
+/// A row on a sphere with all that a program is made of.
+struct Made {
+  Sweep sweep;
+  RowMotion way;
+  SweepAnalysis analysis;
+  WayDeviation deviation;
+  Motion motion;
+  Made(const test::RowSettings& settings, bool led = true)
+      : sweep(rowOf(settings)),
+        way(followRow(sweep, settings.motionTolerance, {}).value()),
+        analysis(analyzeSweep(sweep, way.targets, checkSweep(sweep, settings, {}).value(), settings,
+                              test::SphereSampler(kRadius), test::interpolated, {})
+                     .value()),
+        deviation(deviationOf(way, sweep, analysis, settings, test::SphereSampler(kRadius), {}).value()) {
+    Findings findings;
+    const EntryExit ends = led ? planEntryExit(sweep, {}, {}).value() : EntryExit();
+    motion = buildMotion(sweep, ends, way.targets, settings, findings).value();
+  }
+  static Sweep rowOf(const test::RowSettings& settings) {
+    const std::vector<double> travel = {0, 40, 80, 120, 160};
+    Findings findings;
+    const Box block{Frame{{-kHalf, -161, 0}, Vector3d::UnitX(), Vector3d::UnitY(), Vector3d::UnitZ()},
+                    {2 * kHalf, 162, 2 * kRadius}};
+    return buildSweep(test::sphereSections(kRadius, kHalf, travel), settings, block,
+                      PlaneFamily::across(block, -Vector3d::UnitY()), {}, findings)
+        .value();
+  }
+  Result<SimulatedSurface> compared(const Simulation& simulation) const {
+    return compare(simulation, analysis.cut, sweep.planes, test::SphereSampler(kRadius), {});
+  }
+};
+
+test::RowSettings heavySettings() {
+  test::RowSettings settings;
+  settings.blade.yieldStress = 2000;
+  settings.weight = -settings.blade.weight() * Vector3d::UnitZ();
+  return settings;
+}
+
+TEST(Simulation, CutsWhatIsShown) {
+  for (const bool hangs : {true, false}) {
+    test::RowSettings settings = heavySettings();
+    if (!hangs) settings.weight.setZero();
+    const Made made(settings);
+    const Result<Simulation> run = simulate(made.motion, settings.blade, settings.weight, {});
+    ASSERT_TRUE(run) << run.error().message;
+    EXPECT_TRUE(run->decided);
+    EXPECT_TRUE(run->snaps.empty());
+    EXPECT_EQ(run->blades.size(), 4 * (made.motion.instants.size() - 1) + 1);
+    EXPECT_NEAR(run->speedMax, settings.cuttingSpeed, 0.1 * settings.cuttingSpeed);
+    const Result<SimulatedSurface> cut = made.compared(*run);
+    ASSERT_TRUE(cut);
+    EXPECT_LE(cut->toDesignMax, settings.motionTolerance);
+    EXPECT_GT(cut->toDesignMax, 0);
+    EXPECT_NEAR(cut->toDesignMax, made.deviation.fromShown, 0.01);
+    EXPECT_NEAR(cut->toTargetMax, made.deviation.deviationMax, 0.01);
+    EXPECT_NEAR(cut->covered, 1, 1e-6);
+    // At each station the blade of the row, by another route.
+    for (const SimulatedBlade& now : run->blades)
+      for (const BladePose& pose : made.sweep.poses) {
+        if (std::abs(now.frame.normal.dot(now.frame.origin - pose.frame.origin)) > 1e-6) continue;
+        const Vector3d here = now.frame.toWorld(now.blade.at(400).point);
+        EXPECT_LT((here - pose.bladePoints(3)[1]).norm(), 1e-4);
+      }
+  }
+}
+
+TEST(Simulation, AMovedTargetIsSeen) {
+  const test::RowSettings settings = heavySettings();
+  Made made(settings);
+  const std::size_t middle = made.motion.instants.size() / 2;
+  made.motion.instants[middle].poses[0].position.z() += 3;
+  const Result<Simulation> run = simulate(made.motion, settings.blade, settings.weight, {});
+  ASSERT_TRUE(run);
+  EXPECT_GT(made.compared(*run)->toDesignMax, 1);
+  // Another weight is another surface.
+  Made own(settings);
+  const Result<Simulation> heavier = simulate(own.motion, settings.blade, 30 * settings.weight, {});
+  ASSERT_TRUE(heavier);
+  EXPECT_GT(own.compared(*heavier)->toDesignMax, 2 * own.deviation.fromShown);
+}
+
+TEST(Simulation, TellsWhatNoBladeCanDo) {
+  const test::RowSettings settings = heavySettings();
+  const Made made(settings);
+  const auto refused = [&](auto change) {
+    Motion motion = made.motion;
+    change(motion);
+    const Result<Simulation> run = simulate(motion, settings.blade, settings.weight, {});
+    return run ? std::string("ran") : run.error().message;
+  };
+  EXPECT_NE(refused([](Motion& m) {
+              m.instants[5].poses[0].position +=
+                  m.instants[5].poses[0].position - m.instants[5].poses[1].position;
+            }).find("would tear"),
+            std::string::npos);
+  EXPECT_NE(refused([](Motion& m) { m.instants[5].poses[0].position.y() += 2; }).find("not in one plane"),
+            std::string::npos);
+  EXPECT_NE(refused([](Motion& m) { m.instants.resize(1); }).find("two instants"), std::string::npos);
+  EXPECT_NE(refused([](Motion& m) {
+              for (MotionInstant& instant : m.instants) instant.poses.resize(1);
+            }).find("two ends"),
+            std::string::npos);
+}
+
+TEST(Simulation, ASnapAndAnUndecidedStartAreTold) {
+  // A blade held straight with slack may buckle to either side; pushed over, it snaps.
+  Motion motion;
+  motion.block = {Frame{}, {100, 100, 100}};
+  motion.bladeLength = 800;
+  motion.cuttingSpeed = 20;
+  const auto hold = [&](double time, double angle) {
+    MotionInstant instant{time, -1, {}};
+    const auto end = [&](double x, const Vector3d& inward) {
+      Eigen::Matrix3d axes;
+      axes << inward, Vector3d::UnitY().cross(inward), Vector3d::UnitY();
+      instant.poses.push_back({{x, 10 * time, 0}, Eigen::Quaterniond(axes)});
+    };
+    end(0, {std::cos(angle), 0, std::sin(angle)});
+    end(780, {-std::cos(angle), 0, std::sin(angle)});
+    motion.instants.push_back(instant);
+  };
+  hold(0, 0);
+  hold(1, 0.05);
+  const Blade blade;
+  const Result<Simulation> slack = simulate(motion, blade, Vector3d::Zero(), {});
+  ASSERT_TRUE(slack) << slack.error().message;
+  EXPECT_FALSE(slack->decided);
+  motion.instants.clear();
+  hold(0, 0.5);
+  for (int i = 1; i <= 10; ++i) hold(i, 0.5 - 0.1 * i);
+  const Result<Simulation> over = simulate(motion, blade, Vector3d::Zero(), {});
+  ASSERT_TRUE(over) << over.error().message;
+  EXPECT_TRUE(over->decided);
+  ASSERT_EQ(over->snaps.size(), 1u);
+  EXPECT_GT(over->snaps[0].time, 5) << "it stays on its side for a while";
+  EXPECT_GT(over->speedMax, 100);
+  const auto height = [&](const SimulatedBlade& now) {
+    return now.frame.toWorld(now.blade.at(400).point).z();
+  };
+  EXPECT_GT(height(over->blades.front()) * -height(over->blades.back()), 0);
+}
+
+}  // namespace
+}  // namespace bw
