@@ -226,19 +226,27 @@ Result<void> cover(const CutWork& work, double& seconds) {
       });
 }
 
-/// Side by side: none hangs on another.
-template <std::size_t kCount>
-Result<void> sideBySide(const CutWork& work,
-                        const std::array<Result<void> (*)(const CutWork&, double&), kCount>& tasks) {
-  std::array<Result<void>, kCount> done;
-  std::array<double, kCount> seconds = {};
-  Result<void> ok = parallelFor(work.context, int(kCount), [&](int i) {
-    done[std::size_t(i)] = tasks[std::size_t(i)](work, seconds[std::size_t(i)]);
-  });
-  work.seconds.check += std::ranges::max(seconds);
-  for (const Result<void>& one : done)
-    if (ok) ok = one;
-  return ok;
+/// The cut surface against the target.
+Result<void> analyze(const CutWork& work, double& seconds) {
+  CutEvaluation& e = work.e;
+  return work.settle(&CutEvaluation::analysis, checkRequest(work.design),
+                     {e.check.value, e.way.value, e.target.value}, seconds,
+                     [&](const CheckRequest& request, Findings& findings) {
+                       Result<SweepAnalysis> analysis =
+                           analyzeSweep(*e.sweep.value, e.way.value->targets, *e.check.value, request,
+                                        *e.target.value->sampler(), geometry::loft, work.context);
+                       if (analysis) findings = analysis->findings;
+                       return analysis;
+                     });
+}
+
+/// All that hangs on where the blade goes.
+Result<void> seeTheCut(const CutWork& work, double& seconds) {
+  for (const auto step : {&follow, &analyze, &compare, &cover}) {
+    if (Result<void> ok = step(work, seconds); !ok) return ok;
+    if (Result<void> ok = work.unlessStopped(); !ok) return ok;
+  }
+  return {};
 }
 
 /// What the row tells by itself, its motion, and the cut surface against the target.
@@ -250,21 +258,18 @@ Result<void> check(const CutWork& work) {
                                   work.context.report(0.75, "checking");
                                   return checkSweep(sweep, request, work.context);
                                 });
-  if (ok) ok = sideBySide(work, std::array{&ask, &follow, &lead});
-  if (!ok) return ok;
-  ok = work.settle(
-      &CutEvaluation::analysis, checkRequest(work.design), {e.check.value, e.way.value, e.target.value},
-      work.seconds.check, [&work, &e, &sweep](const CheckRequest& request, Findings& findings) {
-        Result<SweepAnalysis> analysis =
-            analyzeSweep(sweep, e.way.value->targets, *e.check.value, request, *e.target.value->sampler(),
-                         geometry::loft, work.context.child(0.75, 0.95));
-        if (analysis) findings = analysis->findings;
-        return analysis;
-      });
-  if (ok) ok = work.unlessStopped();
   if (ok) ok = meshTarget(e, work.previous, work.seconds.read);
   if (!ok) return ok;
-  ok = sideBySide(work, std::array{&compare, &cover});
+  // Side by side: none hangs on another.
+  constexpr std::array kTasks = {&ask, &seeTheCut, &lead};
+  std::array<Result<void>, kTasks.size()> done;
+  std::array<double, kTasks.size()> seconds = {};
+  ok = parallelFor(work.context, int(kTasks.size()), [&](int i) {
+    done[std::size_t(i)] = kTasks[std::size_t(i)](work, seconds[std::size_t(i)]);
+  });
+  work.seconds.check += std::ranges::max(seconds);
+  for (const Result<void>& one : done)
+    if (ok) ok = one;
   if (!ok) return ok;
   ok = work.settle(&CutEvaluation::rest, checkRequest(work.design),
                    {e.certainty.value, e.ends.value, e.way.value, e.check.value}, work.seconds.check,
