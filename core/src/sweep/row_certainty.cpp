@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::size_t kSearched = 5;  // stations at which all shapes are sought
 constexpr double kSameShape = 0.5;    // mm
+constexpr int kPlaces = 101;          // of another shape
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kClearGap = 0.05;  // of its energy, by which a shape is clearly lower than another
 
@@ -74,7 +75,9 @@ class Others {
     const double energy = stiffness * blade.energy();
     if (lowest && lowest->energy <= energy) return;
     const double distance = sweep::apart(sweep_.poses[i], blade);
-    if (distance > kSameShape) lowest = OtherRest{energy, distance};
+    if (distance <= kSameShape) return;
+    lowest = OtherRest{energy, distance};
+    for (const Elastica::State& state : blade.sample(kPlaces)) lowest->places.push_back(state.point);
   }
 
   const Sweep& sweep_;

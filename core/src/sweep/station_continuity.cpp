@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>

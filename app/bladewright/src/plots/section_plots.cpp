@@ -68,7 +68,8 @@ QString tr(const char* text) { return QCoreApplication::translate("bw::app::Sect
 
 }  // namespace
 
-SectionDrawing makeSectionDrawing(const Sweep& sweep, int index, double exaggeration) {
+SectionDrawing makeSectionDrawing(const Sweep& sweep, const RowCertainty& certainty, int index,
+                                  double exaggeration) {
   SectionDrawing drawing;
   const auto& stations = sweep.poses;
   if (index < 0 || std::size_t(index) >= stations.size()) return drawing;
@@ -89,6 +90,8 @@ SectionDrawing makeSectionDrawing(const Sweep& sweep, int index, double exaggera
   drawing.before = neighbour(index - 1);
   drawing.after = neighbour(index + 1);
   drawing.foam = boxInPlane(sweep.block, station.frame);
+  if (const std::optional<OtherRest>& other = certainty.stations[std::size_t(index)].other)
+    for (const Eigen::Vector2d& place : other->places) drawing.other << toPoint(place);
   if (exaggeration != 1) {
     for (QPointF& p : drawing.elastica) {
       const Eigen::Vector2d q(p.x(), p.y());
@@ -125,6 +128,9 @@ SectionFrame::SectionFrame(const QRectF& place, const QRectF& window) : area(pla
 
 QPointF SectionFrame::toPlane(const QPointF& pixel) const { return toArea.inverted().map(pixel); }
 
+/// Of the other shape in which a blade could rest.
+static QPen otherPen(const Colours& c) { return QPen(c.secondary, 1, Qt::DotLine, Qt::FlatCap); }
+
 void paintSection(QPainter& painter, const SectionFrame& frame, const SectionDrawing& drawing,
                   double tolerance, double exaggeration, const Colours& c) {
   const QRectF& area = frame.area;
@@ -152,6 +158,9 @@ void paintSection(QPainter& painter, const SectionFrame& frame, const SectionDra
   painter.setPen(QPen(c.line, 1));
   painter.drawPolyline(map(drawing.before));
   painter.drawPolyline(map(drawing.after));
+
+  painter.setPen(otherPen(c));
+  painter.drawPolyline(map(drawing.other));
 
   painter.setPen(QPen(c.selection, 2));
   painter.drawPolyline(map(drawing.target));
@@ -181,24 +190,25 @@ void paintSection(QPainter& painter, const SectionFrame& frame, const SectionDra
   painter.restore();
 }
 
-void paintSectionKey(QPainter& painter, const QRectF& area, const Colours& c) {
+void paintSectionKey(QPainter& painter, const QRectF& area, const SectionDrawing& drawing, const Colours& c) {
   QColor band = c.success;
   band.setAlphaF(c.dark ? 0.4f : 0.3f);
   struct Entry {
     QString name;
     QPen pen;
   };
-  const Entry entries[] = {{tr("target"), QPen(c.selection, 2)},
-                           {tr("blade"), QPen(c.accent, 1.5)},
-                           {tr("tolerance"), QPen(band, 8, Qt::SolidLine, Qt::FlatCap)}};
+  QList<Entry> entries = {{tr("target"), QPen(c.selection, 2)},
+                          {tr("blade"), QPen(c.accent, 1.5)},
+                          {tr("tolerance"), QPen(band, 8, Qt::SolidLine, Qt::FlatCap)}};
+  if (!drawing.other.isEmpty()) entries.insert(2, {tr("other shape"), otherPen(c)});
   constexpr double kLine = 18, kSpace = 6, kBetween = 14;
   const QFontMetrics metrics(painter.font());
   double width = -kBetween;
-  for (const Entry& entry : entries)
+  for (const Entry& entry : std::as_const(entries))
     width += kLine + kSpace + metrics.horizontalAdvance(entry.name) + kBetween;
   if (width + 2 * kBetween > area.width()) return;
   double x = area.right() - width;
-  for (const Entry& entry : entries) {
+  for (const Entry& entry : std::as_const(entries)) {
     painter.setPen(entry.pen);
     painter.drawLine(QPointF(x, area.center().y() + 1), QPointF(x + kLine, area.center().y() + 1));
     painter.setPen(c.secondary);

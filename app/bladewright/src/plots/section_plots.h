@@ -6,6 +6,7 @@
 #include <QRectF>
 #include <QTransform>
 
+#include "bw/core/sweep/row_certainty.h"
 #include "bw/core/sweep/sweep.h"
 #include "controls/theme.h"
 #include "plots/plot_axes.h"
@@ -19,6 +20,7 @@ struct SectionDrawing {
   int station = -1;  ///< position in the sweep; −1: nothing to draw
   QPolygonF target, elastica, blade;
   QPolygonF before, after;        ///< the neighbours' elastica, as they lie in this plane
+  QPolygonF other;                ///< another shape in which the blade could rest; empty if none is known
   QPolygonF foam;                 ///< the block's outline
   QPolygonF curvature;            ///< arc length (mm, 0 at the left grip), 1/mm
   double cutFrom = 0, cutTo = 0;  ///< the part of the blade that cuts, as arc length
@@ -27,7 +29,8 @@ struct SectionDrawing {
 
 /// The drawing of the station at `index`; `exaggeration` enlarges the distance between elastica and target.
 /// Empty if there is no such station.
-SectionDrawing makeSectionDrawing(const Sweep& sweep, int index, double exaggeration);
+SectionDrawing makeSectionDrawing(const Sweep& sweep, const RowCertainty& certainty, int index,
+                                  double exaggeration);
 
 /// How the plane of a station (mm, y up) lies in an area of the widget: `window` as large as the area allows,
 /// both axes alike.
@@ -41,13 +44,14 @@ struct SectionFrame {
 };
 
 /// Paints a station in its plane: axes, foam, tolerance band, target, neighbours, and the blade with its
-/// grips, dashed where it does not cut. `tolerance` in mm is enlarged by `exaggeration` as the drawing's
-/// deviation is.
+/// grips, dashed where it does not cut; dotted, the other shape in which it could rest. `tolerance` in mm is
+/// enlarged by `exaggeration` as the drawing's deviation is.
 void paintSection(QPainter& painter, const SectionFrame& frame, const SectionDrawing& drawing,
                   double tolerance, double exaggeration, const Colours& colours);
 
 /// Tells at the right of `area` which line of a section is what; nothing where there is no room for it.
-void paintSectionKey(QPainter& painter, const QRectF& area, const Colours& colours);
+void paintSectionKey(QPainter& painter, const QRectF& area, const SectionDrawing& drawing,
+                     const Colours& colours);
 
 /// Plots the curvature along the part `seen` of the blade (arc length, mm) against its limit, 1/mm, with axes
 /// in mm and 1/m; red if it is beyond.

@@ -67,7 +67,8 @@ void SectionView::rebuild() {
 void SectionView::rebuildDrawing() {
   const auto result = bench_.sweep();
   const AxisRange before = wholeAlong();
-  drawing_ = result ? makeSectionDrawing(result->sweep, shownStation(), exaggeration_) : SectionDrawing();
+  drawing_ = result ? makeSectionDrawing(result->sweep, result->certainty, shownStation(), exaggeration_)
+                    : SectionDrawing();
   // The zoom stays from station to station, as long as there is something in it.
   if (drawing_.station < 0 || !window_.intersects(drawing_.bounds)) window_ = {};
   if (wholeAlong() != before) along_ = wholeAlong();
@@ -212,7 +213,7 @@ void SectionView::paintEvent(QPaintEvent*) {
   paintSectionKey(painter,
                   QRectF(factsLeft + metrics.horizontalAdvance(facts), top,
                          width() - kMargin - factsLeft - metrics.horizontalAdvance(facts), textHeight),
-                  c);
+                  drawing_, c);
   top += textHeight + 4;
 
   // Side by side: the section takes what the curvature leaves.

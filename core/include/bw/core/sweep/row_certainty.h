@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <Eigen/Core>
+
 #include <optional>
 #include <vector>
 
@@ -19,6 +21,7 @@ namespace bw {
 struct OtherRest {
   double energy = 0;    ///< N mm, of bending and weight; the height of the left grip counts as none
   double distance = 0;  ///< mm, the farthest that it lies from the shape of the row
+  std::vector<Eigen::Vector2d> places = {};  ///< at equal arc length, in the plane of the station's frame
 };
 
 /// How sure it is that the blade takes the shape of its station.
