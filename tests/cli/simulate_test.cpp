@@ -71,6 +71,30 @@ TEST(Simulate, AChangedTargetBreaksALimit) {
   EXPECT_GT(json::parse(run.out)["surface"]["deviation_to_design_max_mm"], 0.5);
 }
 
+TEST(Simulate, WhatBreaksARuleOrHurriesIsTold) {
+  const Folder folder;
+  rationalize(folder);
+  const std::string good = slurp(folder / kModule);
+  const auto changed = [&](const std::string& from, const std::string& to) {
+    std::string text = good;
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos);
+    text.replace(at, from.size(), to);
+    folder.write(kModule, text);
+    return blade({"simulate", folder / "out/programs/strip-0"});
+  };
+  // The work object of one robot alone, then the duration of one move.
+  const Finished apart = changed("[[1650.0000,", "[[1700.0000,");
+  EXPECT_EQ(apart.status, 1);
+  EXPECT_NE(apart.err.find("rapid-rule-14"), std::string::npos) << apart.err;
+  const std::string path = "out/programs/strip-0/motion.json";
+  json motion = json::parse(slurp(folder / path));
+  for (auto& instant : motion["instants"]) instant["time"] = instant["time"].get<double>() / 3;
+  const Finished hurried = blade({"simulate", folder.write(path, motion.dump())});
+  EXPECT_EQ(hurried.status, 1);
+  EXPECT_NE(hurried.err.find("cutting speed 20 mm/s"), std::string::npos) << hurried.err;
+}
+
 TEST(Simulate, RefusesWhatItCannotRun) {
   const Folder folder;
   rationalize(folder);

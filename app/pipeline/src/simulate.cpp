@@ -9,6 +9,7 @@
 #include "bw/core/text/number_text.h"
 #include "bw/pipeline/pipeline.h"
 #include "bw/robotio/dialects.h"
+#include "bw/words/findings.h"
 #include "make_files.h"
 
 namespace bw::pipeline {
@@ -20,11 +21,20 @@ namespace {
 constexpr double kSameLength = 1e-3;  // mm
 constexpr double kAll = 0.999;        // of the travel of a surface
 constexpr double kRounded = 1e-3;     // of a margin
+constexpr double kFaster = 1.1;       // than the cutting speed: durations are rounded
 
-Result<Motion> readMotion(const robotio::Program& program) {
+/// `broken` gets what breaks the rules of its dialect.
+Result<Motion> readMotion(const robotio::Program& program, std::vector<std::string>& broken) {
   for (const robotio::Dialect& dialect : robotio::dialects()) {
     const robotio::Program files = robotio::filesOf(dialect, program);
-    if (!files.empty()) return dialect.read(files);
+    if (files.empty()) continue;
+    if (dialect.check)
+      for (const Finding& finding : dialect.check(files))
+        if (finding.severity == Severity::error)
+          broken.push_back(words::placeText(finding) + ": " +
+                           words::sentence(finding, words::Reader::commandLine) + " [" +
+                           words::kindWord(finding) + "]");
+    return dialect.read(files);
   }
   return fail(ErrorCode::badInput,
               "no file here is a robot program or a motion; give the folder of a program, motion.csv or "
@@ -47,6 +57,9 @@ std::vector<std::string> judge(const Design& design, const Simulation& simulatio
   if (simulation.marginMin < design.process.margin - kRounded)
     exceeded.push_back("the stability margin falls to " + shortText(simulation.marginMin, 2) +
                        " (asked for: " + shortText(design.process.margin, 2) + ")");
+  if (simulation.speedMax > kFaster * design.process.cuttingSpeed)
+    exceeded.push_back("the fastest point of the blade goes at " + shortText(simulation.speedMax) +
+                       " mm/s (cutting speed " + shortText(design.process.cuttingSpeed) + " mm/s)");
   const double least = 1 / design.blade.maxCurvature();
   if (simulation.minRadius > 0 && simulation.minRadius < least * (1 - kRounded))
     exceeded.push_back("the blade bends to a radius of " + shortText(simulation.minRadius) +
@@ -58,7 +71,8 @@ std::vector<std::string> judge(const Design& design, const Simulation& simulatio
 
 Result<ProgramRun> runProgram(const robotio::Program& program, const Design* design,
                               const RunContext& context) {
-  Result<Motion> motion = readMotion(program);
+  std::vector<std::string> broken;
+  Result<Motion> motion = readMotion(program, broken);
   if (!motion) return tl::unexpected<Error>(motion.error());
   ProgramRun run{std::move(*motion), {}, {}, {}};
   Outcome outcome;
@@ -80,8 +94,8 @@ Result<ProgramRun> runProgram(const robotio::Program& program, const Design* des
     // What robots run tells no block.
     if (run.motion.block.size.isZero()) run.motion.block = outcome.evaluation.cut().setup->block;
   } else if (!(run.motion.bladeLength > 0)) {
-    return fail(ErrorCode::badInput,
-                "the program does not tell how long its blade is; give its design", "blade");
+    return fail(ErrorCode::badInput, "the program does not tell how long its blade is; give its design",
+                "blade");
   }
   Result<Simulation> simulation = simulate(run.motion, blade, weight, context);
   if (!simulation) return tl::unexpected<Error>(simulation.error());
@@ -94,6 +108,7 @@ Result<ProgramRun> runProgram(const robotio::Program& program, const Design* des
     run.surface = *surface;
     run.exceeded = judge(*design, run.simulation, *surface);
   }
+  run.exceeded.insert(run.exceeded.begin(), broken.begin(), broken.end());
   for (const Simulation::Snap& snap : run.simulation.snaps)
     run.exceeded.push_back("at " + shortText(snap.time, 4) +
                            " s the blade leaves its shape and snaps into another");

@@ -20,7 +20,8 @@ struct ProgramRun {
   Motion motion;
   Simulation simulation;
   std::optional<SimulatedSurface> surface;  ///< only with a design
-  std::vector<std::string> exceeded;        ///< what breaks a limit of the design, or snaps: a clause each
+  /// What breaks a rule of its dialect or a limit of the design, or snaps: a clause each.
+  std::vector<std::string> exceeded;
 };
 
 /// Reads a program in the dialect of its files and runs it with the blade and the weight of a design, against
