@@ -58,11 +58,13 @@ void tellSummary(const pipeline::Evaluation& e) {
   const pipeline::CutResult result = *e.result();
   const SweepSummary& s = result.analysis.summary;
   std::cerr << result.size() << " stations; deviation max " << shortText(s.deviationMax)
-            << " mm (between stations " << shortText(result.between.deviationMax) << " mm), mean "
-            << shortText(s.deviationMean) << " mm, " << shareText(s.withinTolerance) << " within tolerance, "
-            << shareText(result.coverage.share()) << " of the surface covered; angle max "
-            << fixedText(toDegrees(s.angleMax), 1) << "°; smallest radius " << radiusText(s.minRadius)
-            << "; cutting time " << fixedText(result.motion.cuttingTime(), 0) << " s; computed in "
+            << " mm (between stations "
+            << (result.way.instants.empty() ? "not known" : shortText(result.between.deviationMax) + " mm")
+            << "), mean " << shortText(s.deviationMean) << " mm, " << shareText(s.withinTolerance)
+            << " within tolerance, " << shareText(result.coverage.share())
+            << " of the surface covered; angle max " << fixedText(toDegrees(s.angleMax), 1)
+            << "°; smallest radius " << radiusText(s.minRadius) << "; cutting time "
+            << fixedText(result.motion.cuttingTime(), 0) << " s; computed in "
             << fixedText(e.seconds.total, 2) << " s\n";
 }
 

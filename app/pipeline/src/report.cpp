@@ -129,6 +129,7 @@ std::string reportJson(const Evaluation& e, const std::string& run, const FileSe
   method["cutting_speed_mm_s"] = design.process.cuttingSpeed;
   method["clearance_mm"] = design.process.clearance;
   method["margin"] = design.process.margin;
+  method["motion_tolerance_mm"] = design.process.motionTolerance;
   method["weight"] = design.process.weight;
   method["up"] = vec(design.process.up);
   method["cell"] = design.output.cell;
@@ -172,6 +173,10 @@ std::string reportJson(const Evaluation& e, const std::string& run, const FileSe
   }
   if (const std::optional<CutResult> result = e.result()) {
     const SweepSummary& s = result->analysis.summary;
+    // Where no blade could be followed, nothing is known of it.
+    const auto onTheWay = [&](double value) {
+      return result->way.instants.empty() ? ordered_json(nullptr) : ordered_json(value);
+    };
     // A blade that is straight everywhere has no radius.
     const ordered_json radius = s.minRadius > 0 ? ordered_json(s.minRadius) : ordered_json(nullptr);
     report["summary"] = {{"R4_max", s.R4Max},
@@ -182,9 +187,9 @@ std::string reportJson(const Evaluation& e, const std::string& run, const FileSe
                          {"deviation_mean_mm", s.deviationMean},
                          {"deviation_rms_mm", s.deviationRms},
                          {"within_tolerance_percent", 100 * s.withinTolerance},
-                         {"program_deviation_max_mm", result->between.deviationMax},
-                         {"program_deviation_mean_mm", result->between.deviationMean},
-                         {"program_from_shown_max_mm", result->between.fromShown},
+                         {"program_deviation_max_mm", onTheWay(result->between.deviationMax)},
+                         {"program_deviation_mean_mm", onTheWay(result->between.deviationMean)},
+                         {"program_from_shown_max_mm", onTheWay(result->between.fromShown)},
                          {"covered_percent", 100 * result->coverage.share()},
                          {"uncovered_max_mm", result->coverage.distance},
                          {"angle_max_deg", toDegrees(s.angleMax)},
@@ -192,7 +197,7 @@ std::string reportJson(const Evaluation& e, const std::string& run, const FileSe
                          {"angle_station_mean_max_deg", toDegrees(s.angleStationMeanMax)},
                          {"speed_ratio_min", s.speedRatioMin},
                          {"min_radius_mm", radius},
-                         {"cutting_time_s", result->motion.duration()}};
+                         {"cutting_time_s", result->motion.cuttingTime()}};
   }
   if (e.cell.value) {
     report["robots"] = ordered_json::array();

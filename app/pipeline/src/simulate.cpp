@@ -107,6 +107,12 @@ Result<ProgramRun> runProgram(const robotio::Program& program, const Design* des
     if (!surface) return tl::unexpected<Error>(surface.error());
     run.surface = *surface;
     run.exceeded = judge(*design, run.simulation, *surface);
+    const std::vector<std::string> errors =
+        words::errorsOf(outcome.evaluation.findings(), words::Reader::commandLine);
+    if (!errors.empty())
+      run.exceeded.push_back(
+          "the design has " +
+          (errors.size() == 1 ? "an error: " : std::to_string(errors.size()) + " errors: ") + errors.front());
   }
   run.exceeded.insert(run.exceeded.begin(), broken.begin(), broken.end());
   for (const Simulation::Snap& snap : run.simulation.snaps)

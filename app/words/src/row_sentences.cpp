@@ -199,12 +199,19 @@ std::string Sentences::operator()(const TooFar& cause) const {
   return text + kInParts + ", turn the cutting direction, or allow more";
 }
 
+/// mm² of a surface that are told.
+static constexpr double kHardlyAny = 1;
+
 std::string Sentences::operator()(const Uncovered& cause) const {
   const std::string where = cause.where == Uncovered::Where::before  ? " before the first station that cuts"
                             : cause.where == Uncovered::Where::after ? " after the last station that cuts"
                                                                      : " beyond the end of the blade's cut";
-  return shortText(100 * cause.share, 3) + " % of the surface in the block (" + shortText(cause.area, 3) +
-         " mm²) is not cut: it reaches " + mm(cause.distance) + where +
+  // Of a line that is missed the area says nothing.
+  const std::string part = cause.area < kHardlyAny
+                               ? std::string("a border of the surface in the block")
+                               : shortText(100 * cause.share, 3) + " % of the surface in the block (" +
+                                     shortText(cause.area, 3) + " mm²)";
+  return part + " is not cut: it reaches " + mm(cause.distance) + where +
          "; choose another cutting direction, or " + kInParts;
 }
 

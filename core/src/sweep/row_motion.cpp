@@ -318,8 +318,8 @@ Result<RowMotion> followRow(const Sweep& row, double tolerance, const RunContext
     if (arrives) std::ranges::move(way.targets, std::back_inserter(motion.targets));
   }
   motion.snaps = int(std::ranges::count(snaps, 1));
-  tell(row, snaps, Severity::warning, SnapsOnTheWay{}, motion.findings);
-  tell(row, others, Severity::warning, ArrivesOtherwise{}, motion.findings);
+  tell(row, snaps, Severity::error, SnapsOnTheWay{}, motion.findings);
+  tell(row, others, Severity::error, ArrivesOtherwise{}, motion.findings);
   tell(row, lost, Severity::warning, LostOnTheWay{why}, motion.findings);
   return motion;
 }
