@@ -102,6 +102,14 @@ TEST(ProgramPlan, TellsWhereAHomeIsOutOfReachOrNotKnown) {
   const auto plan = planProgram(motion, cell);
   ASSERT_TRUE(plan);
   EXPECT_EQ(plan->cell.tasks[0].home, cell.tasks[0].home);
+  // Home in reach, but not the block.
+  Cell high = *loadCell("irb1600-pair");
+  high.workObject.position.z() += 2500;
+  const Findings above = checkPlacement(motion, high);
+  const Finding* target = test::findingOf<HomeOutOfReach>(above);
+  ASSERT_TRUE(target);
+  EXPECT_TRUE(target->where.point) << "at a target";
+  EXPECT_GT(std::get<HomeOutOfReach>(target->cause).distance, 1300);
   const Findings unknown = checkPlacement(motion, sample::cell());
   ASSERT_EQ(unknown.size(), 1u);
   EXPECT_EQ(unknown[0].severity, Severity::warning);

@@ -57,6 +57,9 @@ Result<Design> exampleDesign(const std::string& name) {
   }
   // The blade goes along its x: the block stands turned between the robots.
   if (name == "torus-patch") design.output.cell = "irb1600-pair-turned";
+  if (name == "ramp-corner-hollow") design.output.cell = "irb1600-pair-wide";
+  // One end of its blade is a metre above the other: such robots reach both only if the block is laid flat.
+  if (name == "ramp-corner-domed") design.output.programs = {"csv", "json"};
   return design;
 }
 

@@ -11,6 +11,7 @@
 
 #include "bw/core/files/fingerprint.h"
 #include "bw/geometry/export.h"
+#include "bw/robotio/dialects.h"
 #include "bw/robotio/motion/program_plan.h"
 
 namespace bw::pipeline {
@@ -287,6 +288,14 @@ Result<void> check(const CutWork& work) {
                      });
 }
 
+/// True if one of these formats is what robots run.
+bool forRobots(const std::vector<std::string>& formats) {
+  return std::ranges::any_of(formats, [](const std::string& format) {
+    const robotio::Dialect* dialect = robotio::dialect(format);
+    return dialect && dialect->check;
+  });
+}
+
 /// How the programs lie in their cell. A cell that cannot be read is a finding: the surface is judged without
 /// it.
 void judgeCell(Evaluation& e, const Evaluation* previous) {
@@ -298,10 +307,10 @@ void judgeCell(Evaluation& e, const Evaluation* previous) {
   const Result<void> ok = settle(e.cell, previous ? &previous->cell : nullptr, request, motions, none,
                                  [&e](const CellRequest& asked, Findings& findings) {
                                    Result<Cell> cell = loadCell(asked.output.cell);
+                                   if (!cell || !forRobots(asked.output.programs)) return cell;
                                    for (const BlockEvaluation& block : e.blocks)
                                      for (const CutEvaluation& cut : block.cuts)
-                                       if (cell)
-                                         append(findings, robotio::checkPlacement(*cut.motion.value, *cell));
+                                       append(findings, robotio::checkPlacement(*cut.motion.value, *cell));
                                    return cell;
                                  });
   if (!ok) e.cell.findings = {{Severity::error, UnreadableCell{ok.error().message}}};

@@ -48,8 +48,8 @@ std::vector<std::string> judge(const Design& design, const Simulation& simulatio
     if (value > limit)
       exceeded.push_back(what + " " + shortText(value) + " mm (" + of + " " + shortText(limit) + " mm)");
   };
-  above(surface.toDesignMax, design.process.motionTolerance, "from the surface shown the blade lies up to",
-        "motion tolerance");
+  above(surface.toDesignMax, design.process.motionTolerance + simulation.straightWithin,
+        "from the surface shown the blade lies up to", "motion tolerance");
   above(surface.toTargetMax, design.process.tolerance, "from the target the blade lies up to", "tolerance");
   if (surface.covered < kAll)
     exceeded.push_back("the program cuts " + shortText(100 * surface.covered, 3) +
@@ -137,6 +137,7 @@ std::string simulationText(const ProgramRun& run) {
   object["margin_min"] = simulation.marginMin;
   object["min_radius_mm"] =
       simulation.minRadius > 0 ? ordered_json(simulation.minRadius) : ordered_json(nullptr);
+  object["straight_within_mm"] = simulation.straightWithin;
   object["speed_max_mm_s"] = simulation.speedMax;
   object["snaps"] = ordered_json::array();
   for (const Simulation::Snap& snap : simulation.snaps)

@@ -150,8 +150,9 @@ std::string Sentences::operator()(const HomeUnknown& cause) const {
 }
 
 std::string Sentences::operator()(const HomeOutOfReach& cause) const {
-  return cause.robot + " cannot hold the " + cause.end +
-         " end of the blade at the cell's home as the program begins: " +
+  return cause.robot + " cannot hold the " + cause.end + " end of the blade " +
+         (finding.where.point ? "at a target of the program: "
+                              : "at the cell's home as the program begins: ") +
          (cause.distance > cause.reach
               ? "its wrist would be " + fixedText(cause.distance, 0) + " mm from its shoulder (reach " +
                     fixedText(cause.reach, 0) + " mm)"

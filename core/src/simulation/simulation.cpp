@@ -22,14 +22,15 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr int kBetween = 4;         // moves from instant to instant
-constexpr int kHalvings = 14;       // of the way between two of them
-constexpr int kPlaces = 101;        // of a blade
-constexpr double kTaut = 0.05;      // mm that a blade may sag by its slack
-constexpr double kClearGap = 0.05;  // of its energy, by which a shape is clearly lower than another
-constexpr double kStretch = 1e-3;   // mm, rounding of written positions
-constexpr double kEdge = 0.01;      // mm beyond the first or the last row: rounding
-constexpr double kOffPlane = 0.5;   // mm, of an end,
+constexpr int kBetween = 4;           // moves from instant to instant
+constexpr int kHalvings = 14;         // of the way between two of them
+constexpr int kPlaces = 101;          // of a blade
+constexpr double kTaut = 0.05;        // mm that a blade may sag by its slack
+constexpr double kHardlySlack = 0.5;  // mm: so close to the straight line that it counts as it, if need be
+constexpr double kClearGap = 0.05;    // of its energy, by which a shape is clearly lower than another
+constexpr double kStretch = 1e-3;     // mm, rounding of written positions
+constexpr double kEdge = 0.01;        // mm beyond the first or the last row: rounding
+constexpr double kOffPlane = 0.5;     // mm, of an end,
 constexpr double kTilted = fromDegrees(0.5);
 
 /// How the grips hold the blade at a moment.
@@ -61,9 +62,11 @@ class Runner {
   tl::unexpected<Error> failed(double time, const std::string& why) const {
     return fail(ErrorCode::noSolution, "at " + shortText(time, 4) + " s " + why, "motion", time);
   }
-  static bool taut(const HeavyProblem& problem) {
-    return largestSag(problem.grips.length, (problem.grips.end - problem.grips.start).norm()) < kTaut;
+  /// mm that the blade may sag by its slack.
+  static double slack(const HeavyProblem& problem) {
+    return largestSag(problem.grips.length, (problem.grips.end - problem.grips.start).norm());
   }
+  static bool taut(const HeavyProblem& problem) { return slack(problem) < kTaut; }
 
   const Motion& motion_;
   double length_, stiffness_ = 1;
@@ -153,7 +156,13 @@ Result<void> Runner::go(const Hold& hold, double time, std::size_t instant) {
     branch_.reset();
     return {};
   }
-  if (!branch_) return begin(hold, time);
+  if (!branch_) {
+    // All but straight, and rounded as it is written, it may not be found yet.
+    const Result<void> found = begin(hold, time);
+    if (found || slack(hold.problem) > kHardlySlack) return found;
+    result_.straightWithin = std::max(result_.straightWithin, slack(hold.problem));
+    return {};
+  }
   const Result<ClampedBranch::Move> move = branch_->moveTo(hold.problem);
   if (!move) return failed(time, "the blade cannot be followed: " + move.error().message);
   if (!move->snapped) return {};

@@ -111,6 +111,12 @@ Pose inverse(const Pose& pose) {
   return {-(back * pose.position), back};
 }
 
+/// How a robot's flange stands, in its base, where its end of the blade is.
+Pose flangeFor(const Cell& cell, std::size_t end, const Pose& pose) {
+  const CellTask& task = cell.tasks[end];
+  return placed(inverse(task.base), placed(cell.workObject, placed(pose, inverse(task.tool))));
+}
+
 /// How the blade is held at home, where the kinematics of all robots are known.
 struct HomeHold {
   std::vector<Pose> poses;  ///< of the ends
@@ -138,11 +144,47 @@ std::optional<HomeHold> holdAtHome(const Cell& cell, const std::vector<Pose>& fi
   HomeHold home{shifted(first, way), {}, {}};
   for (std::size_t end = 0; end < first.size(); ++end) {
     const CellTask& task = cell.tasks[end];
-    home.flanges.push_back(
-        placed(inverse(task.base), placed(cell.workObject, placed(home.poses[end], inverse(task.tool)))));
+    home.flanges.push_back(flangeFor(cell, end, home.poses[end]));
     home.joints.push_back(task.arm->jointsFor(home.flanges.back(), task.home));
   }
   return home;
+}
+
+/// Tells where a robot cannot hold its end of the blade: at home, or else at the target that is farthest from
+/// its reach, each with the joint angles nearest to those of the one before.
+void addOutOfReach(const Motion& motion, const std::vector<MotionInstant>& instants, const Cell& cell,
+                   const HomeHold& home, std::size_t end, Findings& findings) {
+  const CellTask& task = cell.tasks[end];
+  const auto add = [&](const Pose& flange, std::optional<Eigen::Vector3d> point) {
+    findings.push_back({Severity::error,
+                        HomeOutOfReach{endName(end), task.name + " (" + task.arm->title + ")",
+                                       task.arm->wristDistance(flange), task.arm->reach()},
+                        {{}, point},
+                        {}});
+  };
+  if (!home.joints[end]) return add(home.flanges[end], std::nullopt);
+  std::vector<Pose> targets;
+  const auto onward = [&](const MotionInstant& at, const std::optional<Eigen::Vector3d>& way, double sense) {
+    Pose pose = at.poses[end];
+    if (way) pose.position += sense * cell.approach * *way;
+    targets.push_back(pose);
+  };
+  onward(instants.front(), motion.approach, -1);
+  for (const MotionInstant& instant : instants) targets.push_back(instant.poses[end]);
+  onward(instants.back(), motion.retreat, 1);
+  std::vector<double> joints = *home.joints[end];
+  std::optional<std::pair<Pose, Pose>> worst;  // target and flange
+  for (const Pose& target : targets) {
+    const Pose flange = flangeFor(cell, end, target);
+    if (const std::optional<std::vector<double>> next = task.arm->jointsFor(flange, joints)) {
+      joints = *next;
+    } else if (!worst || task.arm->wristDistance(flange) > task.arm->wristDistance(worst->second)) {
+      worst = {target, flange};
+    }
+  }
+  if (!worst) return;
+  const Eigen::Vector3d& p_B = worst->first.position;
+  add(worst->second, motion.block.frame.toWorld(p_B.head<2>(), p_B.z()));
 }
 
 }  // namespace
@@ -207,17 +249,10 @@ Result<ProgramPlan> planProgram(const Motion& motion, const Cell& cell) {
 Findings checkPlacement(const Motion& motion, const Cell& cell) {
   Findings findings;
   if (!checkMotion(motion) || motion.instants.front().poses.size() != cell.tasks.size()) return findings;
-  if (const std::optional<HomeHold> home = holdAtHome(cell, smoothSigns(motion.instants).front().poses)) {
-    for (std::size_t end = 0; end < cell.tasks.size(); ++end) {
-      const CellTask& task = cell.tasks[end];
-      if (home->joints[end]) continue;
-      findings.push_back({Severity::error,
-                          HomeOutOfReach{endName(end), task.name + " (" + task.arm->title + ")",
-                                         task.arm->wristDistance(home->flanges[end]), task.arm->reach()},
-                          {},
-                          {}});
-    }
-  }
+  const std::vector<MotionInstant> instants = smoothSigns(motion.instants);
+  if (const std::optional<HomeHold> home = holdAtHome(cell, instants.front().poses))
+    for (std::size_t end = 0; end < cell.tasks.size(); ++end)
+      addOutOfReach(motion, instants, cell, *home, end, findings);
   std::string unknown;
   for (const CellTask& task : cell.tasks)
     if (const std::string robot = "\"" + task.robot + "\"";

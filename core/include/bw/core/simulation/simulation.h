@@ -36,6 +36,8 @@ struct Simulation {
     std::size_t instant = 0;
   };
   std::vector<Snap> snaps;
+  /// mm, how far a blade may lie from the straight line that was taken for it, its shape not being found.
+  double straightWithin = 0;
   double marginMin = 1;
   double minRadius = 0;  ///< mm; 0 for a blade that stays straight
   double speedMax = 0;   ///< mm/s of the fastest point of the blade
