@@ -134,7 +134,7 @@ int runSimulate(const Session& session, const SimulateOptions& options) {
   if (!design)
     std::cerr << "info: no design was given; the blade is run without weight, against no surface\n";
   std::cerr << run->motion.instants.size() << " targets in " << fixedText(run->motion.duration(), 0) << " s";
-  if (run->surface)
+  if (run->surface && run->surface->covered > 0)
     std::cerr << "; the program cuts within " << shortText(run->surface->toDesignMax)
               << " mm of the surface shown, within " << shortText(run->surface->toTargetMax)
               << " mm of the target";

@@ -95,6 +95,20 @@ TEST(Simulate, WhatBreaksARuleOrHurriesIsTold) {
   EXPECT_NE(hurried.err.find("cutting speed 20 mm/s"), std::string::npos) << hurried.err;
 }
 
+TEST(Simulate, AProgramBesideTheSurfaceIsNotCalledNearIt) {
+  const Folder folder;
+  rationalize(folder);
+  const std::string path = "out/programs/strip-0/motion.json";
+  json motion = json::parse(slurp(folder / path));
+  for (json& instant : motion["instants"])
+    for (json& pose : instant["poses"]) pose["position"][1] = pose["position"][1].get<double>() + 2000;
+  const Finished run = blade({"simulate", folder.write(path, motion.dump())});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_NE(run.err.find("no part of the blade comes over"), std::string::npos) << run.err;
+  EXPECT_EQ(run.err.find("cuts within"), std::string::npos) << run.err;
+  EXPECT_TRUE(json::parse(run.out)["surface"].is_null());
+}
+
 TEST(Simulate, RefusesWhatItCannotRun) {
   const Folder folder;
   rationalize(folder);

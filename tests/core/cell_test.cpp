@@ -86,22 +86,6 @@ TEST(Cell, ThePairOfTheResourcesHoldsTheBladeByTheConvention) {
   }
 }
 
-/// Forward kinematics of an IRB 1600-10/1.45: joint axes z y y x y x, lengths as in its product
-/// specification.
-Eigen::Isometry3d flange(const std::vector<double>& q) {
-  const auto turn = [](double angle, const Eigen::Vector3d& axis) { return Eigen::AngleAxisd(angle, axis); };
-  const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY(),
-                        z = Eigen::Vector3d::UnitZ();
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose = pose * turn(q[0], z) * Eigen::Translation3d(150, 0, 486.5) * turn(q[1], y) *
-         Eigen::Translation3d(0, 0, 700) * turn(q[2], y) * Eigen::Translation3d(600, 0, 0) * turn(q[3], x) *
-         turn(q[4], y) * turn(q[5], x) * Eigen::Translation3d(65, 0, 0);
-  Eigen::Matrix3d zero;
-  zero << 0, 0, 1, 0, 1, 0, -1, 0, 0;
-  pose.rotate(zero);
-  return pose;
-}
-
 TEST(Cell, HomeOfThePairHoldsAnOrdinaryBladeStraightAndSlack) {
   const auto cell = loadCell("irb1600-pair");
   ASSERT_TRUE(cell);
@@ -109,7 +93,8 @@ TEST(Cell, HomeOfThePairHoldsAnOrdinaryBladeStraightAndSlack) {
   for (const CellTask& task : cell->tasks) {
     const Eigen::Isometry3d base = Eigen::Translation3d(task.base.position) * task.base.rotation;
     const Eigen::Isometry3d tool = Eigen::Translation3d(task.tool.position) * task.tool.rotation;
-    ends.push_back(base * flange(task.home) * tool);
+    const Pose flange = task.arm->flange(task.home);  // held against the chain in robot_arm_test.cpp
+    ends.push_back(base * (Eigen::Translation3d(flange.position) * flange.rotation) * tool);
   }
   const Eigen::Vector3d chord = ends[1].translation() - ends[0].translation();
   EXPECT_GT(chord.norm(), 790) << "nearly straight";

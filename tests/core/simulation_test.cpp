@@ -81,12 +81,15 @@ TEST(Simulation, CutsWhatIsShown) {
     EXPECT_NEAR(cut->toTargetMax, made.deviation.deviationMax, 0.01);
     EXPECT_NEAR(cut->covered, 1, 1e-6);
     // At each station the blade of the row, by another route.
+    int met = 0;
     for (const SimulatedBlade& now : run->blades)
       for (const BladePose& pose : made.sweep.poses) {
         if (std::abs(now.frame.normal.dot(now.frame.origin - pose.frame.origin)) > 1e-6) continue;
+        ++met;
         const Vector3d here = now.frame.toWorld(now.blade.at(400).point);
         EXPECT_LT((here - pose.bladePoints(3)[1]).norm(), 1e-4);
       }
+    EXPECT_EQ(met, 5);
   }
 }
 

@@ -51,7 +51,9 @@ std::vector<std::string> judge(const Design& design, const Simulation& simulatio
   above(surface.toDesignMax, design.process.motionTolerance + simulation.straightWithin,
         "from the surface shown the blade lies up to", "motion tolerance");
   above(surface.toTargetMax, design.process.tolerance, "from the target the blade lies up to", "tolerance");
-  if (surface.covered < kAll)
+  if (surface.covered <= 0)
+    exceeded.push_back("no part of the blade comes over the surface shown");
+  else if (surface.covered < kAll)
     exceeded.push_back("the program cuts " + shortText(100 * surface.covered, 3) +
                        " % of the travel of the surface shown");
   if (simulation.marginMin < design.process.margin - kRounded)
@@ -143,7 +145,7 @@ std::string simulationText(const ProgramRun& run) {
   for (const Simulation::Snap& snap : simulation.snaps)
     object["snaps"].push_back({{"instant", snap.instant}, {"time", snap.time}});
   object["surface"] = nullptr;
-  if (run.surface) {
+  if (run.surface && run.surface->covered > 0) {
     const SimulatedSurface& s = *run.surface;
     object["surface"] = {{"deviation_to_design_max_mm", s.toDesignMax},
                          {"deviation_to_design_mean_mm", s.toDesignMean},

@@ -22,7 +22,6 @@ using Eigen::Vector2d;
 constexpr double kTilt = fromDegrees(10);       // of each grip of the arc
 constexpr double kAway = 20;                    // mm, of the plane from the block at least
 constexpr double kSameShape = 0.1;              // mm: the way ends in the shape of the station
-constexpr double kTaut = 0.05;                  // mm that a blade may sag by its slack
 constexpr double kHeld = 1e-6;                  // of the length: how closely its middle tells a blade
 constexpr double kRounded = 1e-3;               // of a margin
 constexpr std::array kCounts = {4, 8, 16, 32};  // of moves
@@ -32,8 +31,6 @@ struct Bend {
   double curvature = 0;               // 1/mm
   Vector2d force = Vector2d::Zero();  // in the plane, 1/mm²
 };
-
-bool taut(const BladePose& pose) { return sweep::slackOf(pose) < kTaut; }
 
 /// One end of a row.
 class End {
@@ -52,9 +49,7 @@ class End {
  private:
   /// The blade that bends so about the pose's middle.
   Result<Elastica> bent(const Bend& bend) const {
-    const Result<Elastica> half =
-        Elastica::make(middle_.point, middle_.angle, bend.curvature, bend.force, 0.5 * length_);
-    return half ? half->segment(-0.5 * length_, 0.5 * length_) : half;
+    return sweep::aboutMiddle(middle_.point, middle_.angle, bend.curvature, bend.force, length_);
   }
   BladePose posed(const Elastica& blade) const {
     BladePose pose = pose_;
@@ -88,7 +83,7 @@ BladeWay End::follow(const Bend& from, const Bend& to, int moves) const {
     const Result<Elastica> light = k == moves ? Result<Elastica>(pose_.blade) : bent(bend);
     if (!light) return lost(light.error().message);
     BladePose pose = posed(*light);
-    if (taut(pose)) {  // there is one shape
+    if (sweep::isTaut(pose)) {  // there is one shape
       if (pose_.heavy && k == moves) pose.heavy = pose_.heavy;
       branch.reset();
       way.poses.push_back(std::move(pose));
@@ -131,16 +126,17 @@ BladeWay End::plan() const {
   const Result<Elastica> told = bent(to);
   const auto off = [&](double s) { return (told->point(s) - pose_.blade.point(s)).norm(); };
   if (!told || std::max(off(0), off(length_)) > kHeld * length_) {
-    if (!taut(pose_)) return {{}, 1, "the blade is too taut at the station to be told by its middle"};
+    if (!sweep::isTaut(pose_))
+      return {{}, 1, "the blade is too taut at the station to be told by its middle"};
     to = {};
   }
   const double limit = sweep_.request.blade.maxCurvature();
   const double arc = std::min(2 * kTilt / length_, 0.5 * limit);
   const double side = std::copysign(1.0, to.curvature);
   // What the station itself keeps, no way to it can exceed.
-  const double own = taut(pose_)   ? 1
-                     : pose_.heavy ? marginsOf(*pose_.heavy).inPlane
-                                   : stabilityMargin(pose_.blade);
+  const double own = sweep::isTaut(pose_) ? 1
+                     : pose_.heavy        ? marginsOf(*pose_.heavy).inPlane
+                                          : stabilityMargin(pose_.blade);
   const double asked = std::min(least_, own - kRounded);
   BladeWay best;
   for (const int moves : kCounts)

@@ -32,6 +32,17 @@ namespace bw::sweep {
   return largestSag(pose.blade.length(), (pose.rightPoint() - pose.leftPoint()).norm());
 }
 
+/// A blade that its grips hold straight but for 0.05 mm: there is no other shape, and none to be followed.
+[[nodiscard]] inline bool isTaut(const BladePose& pose) { return slackOf(pose) < 0.05; }
+
+/// A weightless blade of that length, told by its middle.
+[[nodiscard]] inline Result<Elastica> aboutMiddle(const Eigen::Vector2d& point, double angle,
+                                                  double curvature, const Eigen::Vector2d& force,
+                                                  double length) {
+  const Result<Elastica> half = Elastica::make(point, angle, curvature, force, 0.5 * length);
+  return half ? half->segment(-0.5 * length, 0.5 * length) : half;
+}
+
 /// mm, the farthest that another shape between the same grips lies from the blade of a pose.
 [[nodiscard]] inline double apart(const BladePose& pose, const HeavyBlade& other) {
   constexpr int kPlaces = 41;

@@ -210,7 +210,6 @@ RowRest restOf(const Sweep& sweep, const SweepCheck& check, const RowCertainty& 
       least[i] = std::min(least[i], least[i - 1]);
     }
   }
-  std::vector<Lost> why = way;
   for (const sweep::Stretch& at : unsureStretches(certainty.stations)) {
     std::optional<double> barrier;
     for (std::size_t i = at.first; i <= at.last; ++i) {
@@ -219,10 +218,10 @@ RowRest restOf(const Sweep& sweep, const SweepCheck& check, const RowCertainty& 
     }
     for (std::size_t i = at.first; i <= at.last; ++i) {
       if (row.stations[i] != Rest::held) continue;
-      if (why[i] == Lost::no && least[i] < margin) why[i] = Lost::lowMargin;
-      if (why[i] == Lost::no && !barrier) why[i] = Lost::unknownBarrier;
-      if (why[i] == Lost::no && *barrier < kLeastBarrier) why[i] = Lost::lowBarrier;
-      if (why[i] != Lost::no) row.stations[i] = Rest::lost;
+      if (way[i] == Lost::no && least[i] < margin) way[i] = Lost::lowMargin;
+      if (way[i] == Lost::no && !barrier) way[i] = Lost::unknownBarrier;
+      if (way[i] == Lost::no && *barrier < kLeastBarrier) way[i] = Lost::lowBarrier;
+      if (way[i] != Lost::no) row.stations[i] = Rest::lost;
     }
   }
   for (const Rest rest : {Rest::lost, Rest::held}) {
@@ -230,7 +229,7 @@ RowRest restOf(const Sweep& sweep, const SweepCheck& check, const RowCertainty& 
     for (const sweep::Stretch& at : sweep::stretchesOf(n, concerned, moreExcess(certainty.stations))) {
       const StationCertainty& worst = certainty.stations[at.worst];
       OtherShape cause{worst.energy, worst.other->energy, worst.other->distance,
-                       {},           why[at.worst],       least[at.worst]};
+                       {},           way[at.worst],       least[at.worst]};
       for (std::size_t i = at.first; i <= at.last; ++i)
         if (const std::optional<double>& barrier = certainty.stations[i].barrier; barrier && concerned(i))
           cause.barrier = std::min(cause.barrier.value_or(*barrier), *barrier);

@@ -26,14 +26,10 @@ using Eigen::Vector3d;
 
 constexpr int kPlaces = 25;         // on the part that cuts
 constexpr double kWorse = 1.1;      // than the surface shown: a deviation of its own
-constexpr double kTaut = 0.05;      // mm that a blade may sag by its slack
 constexpr double kSameShape = 0.1;  // mm: a blade arrives in the shape of its station
 constexpr int kMostMoves = 40;      // from station to station
 constexpr double kRoom = 1.15;      // in how far the way is off for each number of moves
 constexpr double kOfChords = 0.6;   // of the tolerance: the rest is left to the surface between the targets
-
-/// A blade that its grips hold straight but for kTaut: there is no other shape, and none to be followed.
-bool taut(const BladePose& pose) { return sweep::slackOf(pose) < kTaut; }
 
 /// What tells a blade and the part of it that cuts: the middle of the weightless blade (point, angle,
 /// curvature, force), the length before the part, and its own.
@@ -48,7 +44,7 @@ class Between {
       const Elastica::State middle = pose.blade.at(0.5 * length_);
       Numbers n;
       n << middle.point, middle.angle, middle.curvature, pose.blade.force(), pose.before, pose.cut.length();
-      if (pose.blade.anchor() || taut(pose)) n.segment<3>(3).setZero();
+      if (pose.blade.anchor() || sweep::isTaut(pose)) n.segment<3>(3).setZero();
       // Without whole turns from one station to the next.
       if (!numbers_.empty()) n(2) = numbers_.back()(2) + std::remainder(n(2) - numbers_.back()(2), 2 * kPi);
       numbers_.push_back(n);
@@ -62,8 +58,7 @@ class Between {
     const double s = share, r = 1 - share, way = b.travel - a.travel;
     const Numbers n = r * r * (1 + 2 * s) * numbers_[i] + s * s * (1 + 2 * r) * numbers_[i + 1] +
                       s * r * way * (r * slopes_[i] - s * slopes_[i + 1]);
-    const Result<Elastica> half = Elastica::make(n.head<2>(), n(2), n(3), n.segment<2>(4), 0.5 * length_);
-    const Result<Elastica> blade = half ? half->segment(-0.5 * length_, 0.5 * length_) : half;
+    const Result<Elastica> blade = sweep::aboutMiddle(n.head<2>(), n(2), n(3), n.segment<2>(4), length_);
     const Result<Elastica> cut = blade && n(7) > 0 ? blade->segment(n(6), n(6) + n(7)) : blade;
     if (!cut) return {};
     BladePose pose{-1, std::lerp(a.travel, b.travel, share), a.frame, *cut, *blade, n(6)};
@@ -159,7 +154,7 @@ class Follower {
     }
     poses.push_back(row_.poses[i + 1]);
     const int looks = moves == 1 ? 4 : 2;  // at the way of each move
-    if (taut(poses.front()) && taut(poses.back())) {
+    if (sweep::isTaut(poses.front()) && sweep::isTaut(poses.back())) {
       // Straight throughout: its points go evenly, as its ends do.
       for (std::size_t j = 0; j + 1 < poses.size(); ++j) {
         const std::vector<Vector3d> a = poses[j].cutPoints(kPlaces), b = poses[j + 1].cutPoints(kPlaces);

@@ -358,7 +358,7 @@ struct HomeUnknown {
   static constexpr FindingKind kind = FindingKind::cell;
   std::string robots;  ///< whose kinematics are not known
 };
-/// A robot cannot hold its end of the blade at the cell's home as the program begins.
+/// A robot cannot hold its end of the blade at the place, or, without one, at home as the program begins.
 struct HomeOutOfReach {
   static constexpr FindingKind kind = FindingKind::cell;
   std::string end, robot;

@@ -37,7 +37,7 @@ struct EntryExit {
 /// Plans both: the curvature and the force at the middle of the weightless blade go evenly from those of the
 /// arc to those of the station, and its grips hold the blade that hangs. Each of some ways is followed as
 /// robots make it, and the first that keeps the margin (or that of the station, where that is less) is taken
-/// (docs/mathematics.md, sweep). `cancelled` on a stop. Some 20 ms.
+/// (docs/mathematics.md, sweep). `cancelled` on a stop. Some 3 ms.
 [[nodiscard]] Result<EntryExit> planEntryExit(const Sweep& sweep, const EntryExitRequest& request,
                                               const RunContext& context);
 

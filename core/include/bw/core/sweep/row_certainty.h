@@ -43,7 +43,7 @@ struct RowCertainty {
 
 /// Seeks all shapes at rest at some stations of a row and follows them from there along it
 /// (docs/mathematics.md, sweep): shapes that begin and end between two of these stations are not found.
-/// `cancelled` on a stop. Some 50 ms for 60 stations.
+/// `cancelled` on a stop. Some 70 to 120 ms for 60 stations.
 [[nodiscard]] Result<RowCertainty> certaintyOf(const Sweep& sweep, const RunContext& context);
 
 /// What keeps the blade of a station in its shape.
