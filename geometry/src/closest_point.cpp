@@ -168,14 +168,19 @@ bool footOnEdge(const EdgeGeometry& edge, const Eigen::Vector3d& p, double& limi
 
 }  // namespace
 
-FaceFoot footOnFace(const FaceGeometry& face, const std::vector<EdgeGeometry>& edges,
-                    const Eigen::Vector3d& p, const Eigen::Vector2d& start) {
+FaceFoot footOnSurface(const FaceGeometry& face, const Eigen::Vector3d& p, const Eigen::Vector2d& start) {
   FaceFoot foot;
   Jet jet;
   foot.uv = descend(face, p, start, jet);
   foot.point = jet.p;
   foot.distance = (jet.p - p).norm();
   foot.normal = face.normal(jet);
+  return foot;
+}
+
+FaceFoot footOnFace(const FaceGeometry& face, const std::vector<EdgeGeometry>& edges,
+                    const Eigen::Vector3d& p, const Eigen::Vector2d& start) {
+  FaceFoot foot = footOnSurface(face, p, start);
   const bool low[2] = {foot.uv.x() <= face.u0(), foot.uv.y() <= face.v0()};
   const bool high[2] = {foot.uv.x() >= face.u1(), foot.uv.y() >= face.v1()};
   const bool wraps[2] = {face.wrapsU(), face.wrapsV()};

@@ -82,6 +82,13 @@ class FaceSampler final : public SurfaceSampler {
 
   std::unique_ptr<SurfaceSampler> clone() const override { return std::make_unique<FaceSampler>(target_); }
 
+ protected:
+  double continued(const Eigen::Vector3d& p, const Foot& foot) const override {
+    const FaceFoot there = footOnSurface(*target_->faces[std::size_t(foot.face)], p, foot.uv);
+    return there.normal.isZero() ? SurfaceSampler::continued(p, foot)
+                                 : (target_->flipped ? -1.0 : 1.0) * (p - there.point).dot(there.normal);
+  }
+
  private:
   /// Newton starts at the samples from which no neighbour is nearer to `p`, the nearest of them first.
   template <class Attempt>

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "bracketed_root.h"
 #include "level_curves.h"
@@ -16,6 +18,25 @@ namespace {
 constexpr double kOnCrossing =
     1e-5;  // mm from the crossing of a border at which a curve ends, besides the edge's tolerance
 constexpr double kOffBorder = 1e-4;  // mm between that crossing and the face, besides ten times the tolerance
+
+/// mm, of the polygon through its nodes.
+double lengthOf(const LevelPiece& piece) {
+  double length = 0;
+  for (std::size_t k = 1; k < piece.nodes.size(); ++k)
+    length += (piece.nodes[k].p - piece.nodes[k - 1].p).norm();
+  return length;
+}
+
+/// The piece goes on with another one, which begins where it ends; the border between them is none any more.
+void append(LevelPiece& piece, LevelPiece more) {
+  if (piece.nodes.empty()) {
+    piece.nodes = std::move(more.nodes);
+    return;
+  }
+  if (more.nodes.empty()) return;
+  piece.nodes.back().root = more.nodes.front().root = -1;
+  piece.nodes.insert(piece.nodes.end(), more.nodes.begin() + 1, more.nodes.end());
+}
 
 }  // namespace
 
@@ -145,7 +166,7 @@ void PlaneCutter::split(int face, const std::vector<Root>& roots, double level,
       if (inside(chain)) cut.pieces.push_back(std::move(chain));
       continue;
     }
-    const auto addPart = [&](LevelPiece part) {
+    const auto cleaned = [](LevelPiece part) {
       std::vector<LevelNode> clean;
       for (const LevelNode& node : part.nodes) {
         if (!clean.empty() && (node.p - clean.back().p).norm() <= 10 * kSameNode) {
@@ -155,7 +176,7 @@ void PlaneCutter::split(int face, const std::vector<Root>& roots, double level,
         clean.push_back(node);
       }
       part.nodes = std::move(clean);
-      if (part.nodes.size() >= 2 && inside(part)) cut.pieces.push_back(std::move(part));
+      return part;
     };
     const auto partFrom = [&](double from, const LevelNode* first, double to, const LevelNode* last) {
       LevelPiece part;
@@ -168,16 +189,38 @@ void PlaneCutter::split(int face, const std::vector<Root>& roots, double level,
       return part;
     };
     if (!chain.closed) {
-      addPart(partFrom(0, nullptr, stops.front().at, &stops.front().node));
-      for (std::size_t k = 1; k < stops.size(); ++k) {
-        addPart(partFrom(stops[k - 1].at, &stops[k - 1].node, stops[k].at, &stops[k].node));
+      std::optional<LevelPiece> open;
+      LevelPiece gap;
+      bool free = true;  // of other faces are all borders since `open`
+      for (std::size_t k = 0; k <= stops.size(); ++k) {
+        const Place* from = k > 0 ? &stops[k - 1] : nullptr;
+        const Place* to = k < stops.size() ? &stops[k] : nullptr;
+        LevelPiece part = cleaned(partFrom(from ? from->at : 0, from ? &from->node : nullptr, to ? to->at : 0,
+                                           to ? &to->node : nullptr));
+        free = free && from && target_.freeEdge(roots[std::size_t(from->node.root)].edge);
+        if (part.nodes.size() < 2 || !inside(part)) {
+          append(gap, std::move(part));
+          continue;
+        }
+        if (open && free) {
+          open->bridged = std::max(open->bridged, lengthOf(gap));
+          append(*open, std::move(gap));
+          append(*open, std::move(part));
+        } else {
+          if (open) cut.pieces.push_back(std::move(*open));
+          open = std::move(part);
+        }
+        gap = {};
+        free = true;
       }
-      addPart(partFrom(stops.back().at, &stops.back().node, 0, nullptr));
+      if (open) cut.pieces.push_back(cleaned(std::move(*open)));
     } else {
       for (std::size_t k = 0; k < stops.size(); ++k) {
         const bool wraps = k + 1 == stops.size();
         const Place& to = stops[wraps ? 0 : k + 1];
-        addPart(partFrom(stops[k].at, &stops[k].node, to.at + (wraps ? count : 0), &to.node));
+        LevelPiece part =
+            cleaned(partFrom(stops[k].at, &stops[k].node, to.at + (wraps ? count : 0), &to.node));
+        if (part.nodes.size() >= 2 && inside(part)) cut.pieces.push_back(std::move(part));
       }
     }
   }

@@ -52,6 +52,7 @@ struct LevelPiece {
   int face = 0;  ///< index in the target
   std::vector<LevelNode> nodes;
   bool closed = false;  ///< the last node is followed by the first
+  double bridged = 0;   ///< mm, the widest gap of the face that it leads across
 };
 
 /// Cuts a target with planes of one normal.
@@ -105,7 +106,8 @@ class PlaneCutter {
               std::vector<LevelPiece>& chains) const;
   /// Moves a node along the line of the other parameter to the plane; `along` is 0 for u, 1 for v.
   void slide(int face, double level, int along, LevelNode& node) const;
-  /// Cuts these curves at the borders and adds the parts inside to `cut`.
+  /// Cuts these curves at the borders and adds the parts inside to `cut`. Across holes and notches of the
+  /// face that no other face of the target fills they go on: no blade leaves the foam there.
   void split(int face, const std::vector<Root>& roots, double level, std::vector<LevelPiece>& chains,
              Cut& cut) const;
   /// Moves a node along the surface to the plane; false if it does not get there.

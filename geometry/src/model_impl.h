@@ -74,5 +74,7 @@ struct FaceFoot {
 /// borders. Accuracy 1e-7 mm (docs/mathematics.md, closest points).
 FaceFoot footOnFace(const FaceGeometry& face, const std::vector<EdgeGeometry>& edges,
                     const Eigen::Vector3d& p, const Eigen::Vector2d& start);
+/// The same on the surface under the face, within the rectangle of its parameters: its borders do not count.
+FaceFoot footOnSurface(const FaceGeometry& face, const Eigen::Vector3d& p, const Eigen::Vector2d& start);
 
 }  // namespace bw::geometry

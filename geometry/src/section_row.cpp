@@ -123,6 +123,7 @@ void orient(std::vector<Section>& all) {
 double badness(const Cause& cause) {
   if (const auto* branches = std::get_if<SectionBranches>(&cause)) return branches->most;
   if (const auto* shorter = std::get_if<SectionShort>(&cause)) return -shorter->length;
+  if (const auto* bridged = std::get_if<SectionBridged>(&cause)) return bridged->width;
   if (const auto* rough = std::get_if<SectionRough>(&cause)) return rough->distance;
   if (const auto* differs = std::get_if<SectionDiffers>(&cause)) return differs->distance;
   return 0;
@@ -224,6 +225,10 @@ SectionOutcome Sectioner::cut(double level, int station, bool byKernel) const {
     return outcome;
   }
   if (cut->doubtful) tell(Severity::info, SectionBorder{}, place);
+  double bridged = 0;
+  for (const SectionBranch::Part& piece : part.branch->parts)
+    bridged = std::max(bridged, piece.piece->bridged);
+  if (bridged > kSpeck) tell(Severity::info, SectionBridged{bridged}, place);
 
   // Fit, with more samples where the curve asks for more spans.
   std::optional<CurveFit> best;

@@ -61,6 +61,11 @@ std::string Sentences::operator()(const SectionClosed&) const {
                  "planes cut the target in closed curves" + rest);
 }
 
+std::string Sentences::operator()(const SectionBridged& cause) const {
+  return at() + "the target has a hole or a notch there, of up to " + shortText(cause.width) +
+         " mm; the blade crosses it on the surface continued";
+}
+
 std::string Sentences::operator()(const SectionBorder&) const {
   return rangeText(*finding.where.stations) +
          ": a border of the target could not be matched with the section";

@@ -38,6 +38,7 @@ constexpr std::pair<FindingKind, const char*> kWords[] = {{FindingKind::fit, "fi
                                                           {FindingKind::sectionMissing, "section-missing"},
                                                           {FindingKind::sectionBranches, "section-branches"},
                                                           {FindingKind::sectionClosed, "section-closed"},
+                                                          {FindingKind::sectionBridged, "section-bridged"},
                                                           {FindingKind::sectionBorder, "section-border"},
                                                           {FindingKind::sectionFit, "section-fit"},
                                                           {FindingKind::sectionRoute, "section-route"},

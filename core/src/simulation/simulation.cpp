@@ -296,8 +296,9 @@ Result<SimulatedSurface> compare(const Simulation& simulation, const SurfaceGrid
       last = std::max(last, level(r));
       sum += weight;
       design += weight * fromDesign;
-      away += weight * foot->distance;
-      surface.toTargetMax = std::max(surface.toTargetMax, foot->distance);
+      const double fromTarget = std::abs(sampler->offset(place, *foot));
+      away += weight * fromTarget;
+      surface.toTargetMax = std::max(surface.toTargetMax, fromTarget);
       if (fromDesign > surface.toDesignMax) {
         surface.toDesignMax = fromDesign;
         surface.worst = place;

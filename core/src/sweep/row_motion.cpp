@@ -336,10 +336,11 @@ Result<WayDeviation> deviationOf(const RowMotion& motion, const Sweep& row, cons
       Result<SurfaceSampler::Foot> foot = sampler->closest(place, feet[c] ? &*feet[c] : nullptr);
       if (!foot) return tl::unexpected<Error>(foot.error());
       feet[c] = *foot;
-      sum += foot->distance;
+      const double away = std::abs(sampler->offset(place, *foot));
+      sum += away;
       ++count;
-      if (foot->distance > way.deviationMax) {
-        way.deviationMax = foot->distance;
+      if (away > way.deviationMax) {
+        way.deviationMax = away;
         way.worst = place;
       }
       off[instant.station] = std::max(off[instant.station], shown.look(place).distance);

@@ -198,11 +198,8 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const std::vector<BladePo
           }
           return;
         }
-        const double side = (p - foot->point).dot(foot->normal);
-        // Beyond the border the side shows only where the point lies off the surface rather than beside it.
-        const bool negative = side < 0 && (!foot->onBoundary || -side > 0.5 * foot->distance);
         const double bend = blend(curvature[i], curvature[i + 1], f, c);
-        const CutSample sample{negative ? -foot->distance : foot->distance,
+        const CutSample sample{sampler->offset(p, *foot),
                                blend(va.angle, vb.angle, g, c),
                                blend(va.speed, vb.speed, g, c),
                                blend(va.relative, vb.relative, g, c),

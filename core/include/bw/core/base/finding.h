@@ -47,6 +47,7 @@ enum class FindingKind {
   sectionMissing,
   sectionBranches,
   sectionClosed,
+  sectionBridged,
   sectionBorder,
   sectionFit,
   sectionRoute,
@@ -259,6 +260,11 @@ struct SectionBranches {
 struct SectionClosed {
   static constexpr FindingKind kind = FindingKind::sectionClosed;
 };
+/// The section goes on across a hole or a notch of the target, on the surface continued there.
+struct SectionBridged {
+  static constexpr FindingKind kind = FindingKind::sectionBridged;
+  double width = 0;  ///< mm along it
+};
 /// A border of the target could not be matched with the section.
 struct SectionBorder {
   static constexpr FindingKind kind = FindingKind::sectionBorder;
@@ -402,7 +408,8 @@ using Cause =
                  WouldTwist, GripTooNear, SteepAngle, UnevenSpeed, EndsSwing, GapInRow, TooFar, Uncovered,
                  BladeCrosses, LeadGrown, OtherShape, NoWay, SnapsOnTheWay, ArrivesOtherwise, LostOnTheWay,
                  TooFarOnTheWay, OffTheSurfaceShown, SkinOff, SectionMissing, SectionPoint, SectionShort,
-                 SectionBranches, SectionClosed, SectionBorder, SectionUnfit, SectionRough, SectionDiffers,
+                 SectionBranches, SectionClosed, SectionBridged, SectionBorder, SectionUnfit, SectionRough,
+                 SectionDiffers,
                  LargestFace, NearestFace, FacesLeftOut, TravelAcross, ChosenDirection, LeftOutOfFile, Healed,
                  ChangedSource, EarlierDesign, UnreadableCell, WrongSide, HomeUnknown, HomeOutOfReach,
                  ProgramDespiteErrors, ProgramBreach, RunMismatch>;

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -42,8 +43,23 @@ class SurfaceSampler {
   /// sphere.
   virtual Result<SurfaceJet> at(int face, const Eigen::Vector2d& uv) const = 0;
 
+  /// How far `p` lies from the surface along its normal, mm, signed by it; beyond a border from the surface
+  /// continued there. `foot` is what `closest` says of it.
+  double offset(const Eigen::Vector3d& p, const Foot& foot) const {
+    const double side = (p - foot.point).dot(foot.normal);
+    if (!foot.onBoundary) return std::copysign(foot.distance, side);
+    const double beyond = continued(p, foot);
+    return std::abs(beyond) <= foot.distance ? beyond : std::copysign(foot.distance, side);
+  }
+
   /// An independent copy for another thread.
   virtual std::unique_ptr<SurfaceSampler> clone() const = 0;
+
+ protected:
+  /// `offset` beyond the border that `foot` lies on: from its tangent plane unless a sampler knows more.
+  virtual double continued(const Eigen::Vector3d& p, const Foot& foot) const {
+    return (p - foot.point).dot(foot.normal);
+  }
 };
 
 }  // namespace bw

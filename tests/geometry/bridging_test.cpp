@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// Faces with holes and notches: sections go on across them on the surface under the face, and distances
+// there are those from that surface.
+
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Splitter.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepTools.hxx>
+#include <Geom_CylindricalSurface.hxx>
+#include <TopTools_ListOfShape.hxx>
+#include <gp_Ax3.hxx>
+
+#include <sstream>
+
+#include "bw/core/base/units.h"
+#include "shapes.h"
+
+namespace bw::geometry::test {
+namespace {
+
+constexpr double kRadius = 900;
+
+/// A sheet of a cylinder along y, 600 mm across and 700 mm long, its middle at the origin and highest there.
+TopoDS_Shape sheet() {
+  const gp_Ax3 axis(gp_Pnt(0, -350, -kRadius), gp_Dir(0, 1, 0), gp_Dir(0, 0, 1));
+  const double half = std::asin(300 / kRadius);
+  return BRepBuilderAPI_MakeFace(new Geom_CylindricalSurface(axis, kRadius), -half, half, 0, 700, 1e-7)
+      .Face();
+}
+
+TopoDS_Shape boxAt(double x0, double x1, double y0, double y1) {
+  return BRepPrimAPI_MakeBox(gp_Pnt(x0, y0, -300), gp_Pnt(x1, y1, 300)).Shape();
+}
+
+Target targetOf(const TopoDS_Shape& shape, const FaceChoice& choice = {}) {
+  std::ostringstream text;
+  BRepTools::Write(shape, text);
+  auto model = CadModel::readBytes(text.str(), "sheet.brep");
+  EXPECT_TRUE(model) << model.error().message;
+  auto target = Target::make(*model, choice);
+  EXPECT_TRUE(target) << target.error().message;
+  return std::move(*target);
+}
+
+/// Sections across y.
+Cut along(const Target& target, SectionRoute route = SectionRoute::traced) {
+  CutSettings settings;
+  settings.stations = 15;
+  settings.direction = Eigen::Vector3d::UnitY();
+  settings.route = route;
+  return cutOf(target, settings);
+}
+
+double widestGap(const Findings& findings) {
+  double widest = 0;
+  for (const Finding& finding : findings)
+    if (const auto* bridged = std::get_if<SectionBridged>(&finding.cause))
+      widest = std::max(widest, bridged->width);
+  return widest;
+}
+
+TEST(Bridging, SectionsGoOnAcrossAWindow) {
+  const Target whole = targetOf(sheet());
+  const Target holed = targetOf(BRepAlgoAPI_Cut(sheet(), boxAt(-80, 80, -80, 80)).Shape());
+  EXPECT_LT(holed.area(), whole.area() - 25000);
+  for (const SectionRoute route : {SectionRoute::traced, SectionRoute::kernel}) {
+    const Cut a = along(whole, route), b = along(holed, route);
+    ASSERT_EQ(b.sections.size(), 15u);
+    for (std::size_t i = 0; i < a.sections.size(); ++i) {
+      EXPECT_NEAR(a.sections[i].curve().length(), b.sections[i].curve().length(), 1e-3) << i;
+      for (const Eigen::Vector2d& p : b.sections[i].curve().sample(61)) {
+        const PlanarCurve& straight = a.sections[i].curve();
+        EXPECT_LT((straight.value(straight.nearestParameter(p)) - p).norm(), 2e-3) << i;
+      }
+    }
+    EXPECT_NEAR(widestGap(b.findings), 160, 1) << "along the arc it is a little more than across";
+    EXPECT_EQ(widestGap(a.findings), 0);
+  }
+}
+
+TEST(Bridging, AndAcrossANotch) {
+  const Target u = targetOf(BRepAlgoAPI_Cut(sheet(), boxAt(-150, 150, -100, 400)).Shape());
+  const Cut cut = along(u);
+  ASSERT_EQ(cut.sections.size(), 15u) << "none is left out";
+  for (const Section& section : cut.sections)
+    EXPECT_NEAR(section.curve().length(), 2 * kRadius * std::asin(300 / kRadius), 0.1);
+  EXPECT_NEAR(widestGap(cut.findings), 2 * kRadius * std::asin(150 / kRadius), 0.1);
+}
+
+TEST(Bridging, NotWhereAnotherFaceGoesOn) {
+  // The window is filled by a face of its own, of the same file: with it there is nothing to be bridged.
+  TopTools_ListOfShape faces, tools;
+  faces.Append(sheet());
+  tools.Append(boxAt(-80, 80, -80, 80));
+  BRepAlgoAPI_Splitter splitter;
+  splitter.SetArguments(faces);
+  splitter.SetTools(tools);
+  splitter.Build();
+  FaceChoice all;
+  all.kind = FaceChoice::Kind::all;
+  const Cut both = along(targetOf(splitter.Shape(), all));
+  ASSERT_EQ(both.sections.size(), 15u);
+  EXPECT_EQ(widestGap(both.findings), 0);
+  const Cut frame = along(targetOf(splitter.Shape()));
+  ASSERT_EQ(frame.sections.size(), 15u);
+  EXPECT_GT(widestGap(frame.findings), 159) << "the frame alone";
+}
+
+TEST(Bridging, DistancesAreFromTheSurfaceContinued) {
+  const Target holed = targetOf(BRepAlgoAPI_Cut(sheet(), boxAt(-80, 80, -80, 80)).Shape());
+  const std::unique_ptr<SurfaceSampler> sampler = holed.sampler();
+  for (const double off : {0.0, 0.5, -0.5, 12.0, -12.0})
+    for (const double angle : {0.0, 0.03, -0.07})
+      for (const double y : {0.0, 35.0, -60.0}) {
+        const double r = kRadius + off;
+        const Eigen::Vector3d p(r * std::sin(angle), y, r * std::cos(angle) - kRadius);
+        const auto foot = sampler->closest(p, nullptr);
+        ASSERT_TRUE(foot);
+        EXPECT_GT(foot->distance, 15) << "its border is far";
+        EXPECT_TRUE(foot->onBoundary);
+        EXPECT_NEAR(sampler->offset(p, *foot), off, 1e-6);
+      }
+  // Beyond the sheet, on its tangent plane there; never farther than the border is.
+  const auto place = [](double angle, double off) {
+    return Eigen::Vector3d((kRadius + off) * std::sin(angle), 0, (kRadius + off) * std::cos(angle) - kRadius);
+  };
+  const double end = std::asin(300 / kRadius);
+  for (const double beyond : {0.5, 5.0}) {
+    const Eigen::Vector3d along(std::cos(end), 0, -std::sin(end));
+    const Eigen::Vector3d p = place(end, 0.2) + beyond * along;
+    const auto foot = sampler->closest(p, nullptr);
+    ASSERT_TRUE(foot);
+    EXPECT_NEAR(sampler->offset(p, *foot), 0.2, 1e-6);
+    EXPECT_NEAR(foot->distance, std::hypot(beyond, 0.2), 1e-6);
+  }
+}
+
+}  // namespace
+}  // namespace bw::geometry::test
