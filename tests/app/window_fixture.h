@@ -70,6 +70,13 @@ class WindowTest : public ::testing::Test {
     return QTest::qWaitFor([&] { return !bench().runner().busy(); }, kPatience);
   }
 
+  /// Waits besides until nothing more is added to that result, where there is one.
+  bool settleInFull() {
+    return settle() &&
+           QTest::qWaitFor([&] { return !bench().sweep() || bench().shownCut()->lengths.value != nullptr; },
+                           kPatience);
+  }
+
   void openPanel(int stations = 20) {
     window().openExample("panel-600x670");
     bench().editDesign("Prepare", [stations](Design& design) { design.cut().sections.stations = stations; });

@@ -231,7 +231,7 @@ TEST_F(WindowTest, DoesWhatAMessageAdvises) {
     design.blade = bladePreset("nicr-flat-5x1").value_or(design.blade);
     design.process.weight = false;
   });
-  ASSERT_TRUE(settle());
+  ASSERT_TRUE(settleInFull());
   window().commands()["tab.messages"]->trigger();
   MessageList& list = window().messageList();
   std::set<QString> seen;
@@ -249,7 +249,7 @@ TEST_F(WindowTest, DoesWhatAMessageAdvises) {
         QTest::mouseClick(button, Qt::LeftButton);
         EXPECT_FALSE(before == bench().design()) << text.toStdString() << " does nothing";
         EXPECT_EQ(bench().document().undoStack().undoText(), text);
-        ASSERT_TRUE(settle());
+        ASSERT_TRUE(settleInFull());
         EXPECT_FALSE(bench().runner().error()) << text.toStdString() << " leads to a refusal";
         done = false;
         break;

@@ -236,8 +236,8 @@ TEST(BadInput, FullDisk) {
   const TinyDisk disk(folder / "disk", "256k");
   if (!disk.mounted()) GTEST_SKIP() << "no right to mount a small file system; see FilesThatMayNotGrow";
   expectRefusal({"rationalize", example("panel-600x670"), "--job",
-                 folder.write("job.json", R"({"stations": 12, "tolerance": 10, "programs": []})"), "--out",
-                 folder / "disk/out"},
+                 folder.write("job.json", panelJob(R"("stations": 12, "tolerance": 10, "programs": [])")),
+                 "--out", folder / "disk/out"},
                 4, "No space left on device; free some space");
   EXPECT_EQ(folder.files(), std::vector<std::string>{"job.json"});
   EXPECT_FALSE(std::filesystem::exists(folder / "disk/out"));
@@ -245,7 +245,8 @@ TEST(BadInput, FullDisk) {
 
 TEST(BadInput, FilesThatMayNotGrow) {
   const Folder folder;
-  const std::string job = folder.write("job.json", R"({"stations": 12, "tolerance": 10, "programs": []})");
+  const std::string job =
+      folder.write("job.json", panelJob(R"("stations": 12, "tolerance": 10, "programs": [])"));
   const FileSizeLimit limit(64 << 10);
   expectRefusal({"rationalize", example("panel-600x670"), "--job", job, "--out", folder / "out"}, 4,
                 "File too large");
@@ -271,7 +272,8 @@ TEST(BadInput, OutputThatIsTheInput) {
   // Among the results is a surface.step.
   const std::string step = slurp(example("saddle"));
   const std::string surface = folder.write("surface.step", step);
-  const std::string job = folder.write("job.json", R"({"stations": 12, "tolerance": 10, "programs": []})");
+  const std::string job =
+      folder.write("job.json", panelJob(R"("stations": 12, "tolerance": 10, "programs": [])"));
   expectRefusal({"rationalize", surface, "--job", job, "--out", folder / ""}, 2, "choose another folder");
   EXPECT_EQ(slurp(surface), step);
   EXPECT_EQ(folder.files(), (std::vector<std::string>{"case.json", "job.json", "p.dat", "surface.step"}));

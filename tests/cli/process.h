@@ -47,4 +47,9 @@ std::string slurp(const std::string& path);
 /// An example surface of the resources.
 std::string example(const std::string& name);
 
+/// A job with these keys, and with a blade that keeps its shape and its plane on the panel of the examples.
+inline std::string panelJob(const std::string& keys) {
+  return R"({"blade": {"preset": "steel-tube-3-2.5", "length": 690}, "clearance": 30, )" + keys + "}";
+}
+
 }  // namespace bw::test

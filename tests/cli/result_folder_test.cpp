@@ -37,8 +37,8 @@ void rationalize(const Folder& folder, const std::string& job, const std::string
 
 std::string runOf(const std::string& out) { return json::parse(slurp(out + "/report.json"))["run"]; }
 
-const std::string kJobA = R"({"stations": 12, "tolerance": 10})",
-                  kJobB = R"({"stations": 14, "tolerance": 10})";
+const std::string kJobA = panelJob(R"("stations": 12, "tolerance": 10)"),
+                  kJobB = panelJob(R"("stations": 14, "tolerance": 10)");
 
 /// Puts one file of `from` into `out` and expects that `check` tells.
 void expectMixtureIsTold(const Folder& folder, const std::string& file) {
@@ -57,7 +57,7 @@ void expectMixtureIsTold(const Folder& folder, const std::string& file) {
 
 TEST(ResultFolder, NamesItsRunInReportSweepAndEveryModule) {
   const Folder folder;
-  rationalize(folder, R"({"stations": 2100, "tolerance": 10})", "out");
+  rationalize(folder, panelJob(R"("stations": 2100, "tolerance": 10)"), "out");
   const std::string out = folder / "out", run = runOf(out);
   EXPECT_EQ(run.size(), 16u);
   EXPECT_EQ(json::parse(slurp(out + "/sweep.json"))["run"], run);
@@ -80,9 +80,10 @@ TEST(ResultFolder, EqualRunsHaveOneNameAndOthersAnother) {
   for (const std::string& file : {kLeft, kRight, std::string("/sweep.json")})
     EXPECT_EQ(slurp(folder / "a" + file), slurp(folder / "again" + file)) << file;
   std::vector<std::string> runs = {runOf(folder / "a")};
-  for (const char* job : {R"({"stations": 13, "tolerance": 10})", R"({"stations": 12, "tolerance": 11})",
-                          R"({"stations": 12, "tolerance": 10, "cutting_speed": 21})",
-                          R"({"stations": 12, "tolerance": 10, "lead": 25})"}) {
+  for (const std::string& job :
+       {panelJob(R"("stations": 13, "tolerance": 10)"), panelJob(R"("stations": 12, "tolerance": 11)"),
+        panelJob(R"("stations": 12, "tolerance": 10, "cutting_speed": 21)"),
+        panelJob(R"("stations": 12, "tolerance": 10, "lead": 25)")}) {
     rationalize(folder, job, "other");
     runs.push_back(runOf(folder / "other"));
   }
@@ -322,7 +323,7 @@ TEST(ResultFolder, KeepsWhatAPersonPutThere) {
   EXPECT_EQ(fs::read_symlink(folder / "out/programs/strip-0/link"), "../../notes.txt");
   EXPECT_EQ(fs::status(folder / "out/programs/strip-0").permissions() & fs::perms::others_all,
             fs::perms::none);
-  rationalize(folder, R"({"stations": 12, "tolerance": 10, "programs": []})", "out");
+  rationalize(folder, panelJob(R"("stations": 12, "tolerance": 10, "programs": [])"), "out");
   for (const std::string& name : notes) EXPECT_EQ(slurp(folder / name), "mine") << name;
   for (const std::string& name : folder.files()) EXPECT_EQ(name.find(".part-"), std::string::npos) << name;
 }

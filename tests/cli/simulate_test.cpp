@@ -112,12 +112,12 @@ TEST(Simulate, AProgramBesideTheSurfaceIsNotCalledNearIt) {
 TEST(Simulate, RefusesWhatItCannotRun) {
   const Folder folder;
   rationalize(folder);
-  const std::string other = folder.write("job.json", R"({"stations": 12, "programs": ["json"]})");
+  const std::string other = folder.write("job.json", panelJob(R"("stations": 12, "programs": ["json"])"));
   ASSERT_EQ(
       blade({"rationalize", example("panel-600x670"), "--job", other, "--out", folder / "other"}).status, 0);
   const Finished blades = blade({"simulate", folder / "out", "--design", folder / "other"});
   EXPECT_EQ(blades.status, 2);
-  EXPECT_NE(blades.err.find("a blade of 710 mm, the design has one of 800 mm"), std::string::npos)
+  EXPECT_NE(blades.err.find("a blade of 710 mm, the design has one of 690 mm"), std::string::npos)
       << blades.err;
   EXPECT_EQ(blades.out, "");
   EXPECT_EQ(blade({"simulate", folder / "nothing"}).status, 4);

@@ -11,7 +11,7 @@ namespace bw::test {
 
 TEST(Streams, AClosedMessagePipeDoesNotEndAJob) {
   const Folder folder;
-  const std::string job = folder.write("job.json", R"({"stations": 12, "tolerance": 10})");
+  const std::string job = folder.write("job.json", panelJob(R"("stations": 12, "tolerance": 10)"));
   const Finished run =
       shell("\"$BLADE\" rationalize '" + example("panel-600x670") + "' --job '" + job + "' --out '" +
             folder / "out" + "' 2>&1 | head -n 1 >/dev/null; echo ${PIPESTATUS[0]}");
@@ -44,7 +44,8 @@ TEST(Streams, HangUpIsLikeTermination) {
 
 TEST(Streams, AJobThatOutlivesItsTerminalIsLeftAlone) {
   const Folder folder;
-  const std::string job = folder.write("job.json", R"({"stations": 12, "tolerance": 10, "programs": []})");
+  const std::string job =
+      folder.write("job.json", panelJob(R"("stations": 12, "tolerance": 10, "programs": [])"));
   const Finished run = shell("trap '' HUP; \"$BLADE\" rationalize '" + example("panel-600x670") +
                              "' --job '" + job + "' --out '" + folder / "out" +
                              "' 2>/dev/null & writer=$!; kill -HUP $writer; wait $writer; echo $?");

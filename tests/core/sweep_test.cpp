@@ -653,7 +653,7 @@ TEST(SweepAnalysis, TellsHowLongARoundBladeStaysInItsPlane) {
   };
   const std::optional<Finding> found = twist(800, Blade::Section::tube);
   ASSERT_TRUE(found);
-  EXPECT_EQ(found->severity, Severity::warning);
+  EXPECT_EQ(found->severity, Severity::error);
   const OtherLength* shorter = remedyOf<OtherLength>(found->remedies);
   ASSERT_TRUE(shorter);
   EXPECT_LT(shorter->length, 800);

@@ -42,7 +42,8 @@ class ForeignFiles : public testing::Test {
     }
     return worst;
   }
-  /// Every face gives sections, or says why not; those it gives lie on it, or on the surface continued across its holes.
+  /// Every face gives sections, or says why not; those it gives lie on it, or on the surface continued across
+  /// its holes.
   static void everyFace(const std::string& name, int stations, int least) {
     const CadModel m = model(name);
     int good = 0;

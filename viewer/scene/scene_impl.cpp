@@ -127,6 +127,7 @@ void Scene::Impl::setStyle(const Style& given) {
     style[Kind::cut].map = "none";
     style.selected = {};
     style.playhead = -1;
+    style.movingBlade.clear();
     style.section.reset();
   }
   if (!(style.pixelRatio > 0) || !std::isfinite(style.pixelRatio)) style.pixelRatio = 1;
@@ -135,7 +136,10 @@ void Scene::Impl::setStyle(const Style& given) {
   const auto shown = maps.find(style[Kind::cut].map);
   legendMap = shown == maps.end() ? nullptr : &shown->second;
   const std::vector<Polyline>* moving = blades(style.moving);
-  blade_.setLine(moving && std::isfinite(style.playhead) ? bladeAt(*moving, style.playhead) : Polyline{});
+  const bool there = moving && style.playhead >= 0 && std::isfinite(style.playhead);
+  const bool known = style.movingBlade.size() >= 2 &&
+                     std::ranges::all_of(style.movingBlade, [](const auto& p) { return p.allFinite(); });
+  blade_.setLine(!there ? Polyline{} : known ? style.movingBlade : bladeAt(*moving, style.playhead));
   const Theme& colors = theme(style.dark);
   const Rgb background = mix(colors.bottom, colors.top, 0.5);
   renderer_->SetBackground(colors.bottom.r, colors.bottom.g, colors.bottom.b);

@@ -76,6 +76,7 @@ Result<ordered_json> calibrationCase(const json& object) {
   Blade blade;
   if (Result<Blade> preset = bladePreset(blade.name)) blade = std::move(*preset);
   readBlade(reader, blade);
+  if (blade.autoLength) reader.complain("blade", "case.blade.length must be a number here, not \"auto\"");
   CalibrationOptions options;
   reader.number("confidence", options.confidence, 1e-6, 1 - 1e-9);
   reader.boolean("height_offset", options.heightOffset);

@@ -15,6 +15,7 @@ namespace {
 // ms.
 constexpr double kLivePatience = 1.5, kLeastPatience = 250, kMostPatience = 1500;
 constexpr std::chrono::milliseconds kProgressInterval{30};
+constexpr std::chrono::milliseconds kRest{300};  // after a result, before more is added to it
 
 /// `now` with the stages that it did not reach taken from `before`: their keys tell later whether they still
 /// hold.
@@ -62,7 +63,7 @@ void EvaluationRunner::evaluate(const std::shared_ptr<const Design>& design, boo
       }
     }
     waiting_.push_back({++lastNumber_, design, {}, {}, {}});
-    if (!live && runningIsEvaluation_) running_.request_stop();
+    if ((!live && runningIsEvaluation_) || secondThoughts_) running_.request_stop();
   }
   open_ += 1 - superseded;
   wake_.notify_one();
@@ -82,6 +83,7 @@ void EvaluationRunner::submit(const QString& name, Task task, std::function<void
   {
     const std::lock_guard lock(mutex_);
     waiting_.push_back({++lastNumber_, nullptr, std::move(task), std::move(done), name, needs});
+    if (secondThoughts_) running_.request_stop();
   }
   ++open_;
   wake_.notify_one();
@@ -185,14 +187,66 @@ void EvaluationRunner::work(const std::stop_token& stop) {
       error = Error{ErrorCode::internal, std::string("the computation broke off: ") + exception.what() +
                                              "; change the setting that was edited last or report this"};
     }
+    const bool complete = order.design && evaluation && !error;
     {
       const std::lock_guard lock(mutex_);
-      running_ = std::stop_source(std::nostopstate);
+      running_ = complete && waiting_.empty() ? std::stop_source() : std::stop_source(std::nostopstate);
+      context.stop = running_.get_token();
       runningIsEvaluation_ = false;
+      secondThoughts_ = running_.stop_possible();
     }
     QMetaObject::invokeMethod(
         this, [this, order, evaluation, error] { deliver(order, evaluation, error); }, Qt::QueuedConnection);
+    if (complete && secondThoughts_) thinkAgain(evaluation, context.stop, stop);
   }
+}
+
+void EvaluationRunner::thinkAgain(const std::shared_ptr<const pipeline::Evaluation>& first,
+                                  const std::stop_token& stop, const std::stop_token& end) {
+  {
+    // While a hand moves something the next design comes soon.
+    std::unique_lock lock(mutex_);
+    const bool asked = wake_.wait_for(lock, end, kRest, [this] { return !waiting_.empty(); });
+    if (asked || end.stop_requested() || stop.stop_requested()) {
+      running_ = std::stop_source(std::nostopstate);
+      secondThoughts_ = false;
+      return;
+    }
+  }
+  RunContext context;
+  context.stop = stop;
+  for (std::shared_ptr<const pipeline::Evaluation> now = first;;) {
+    pipeline::Evaluation more = *now;
+    bool added = false;
+    try {
+      added = pipeline::addSecondThought(more, context);
+    } catch (const std::exception&) {
+      // What stands is not touched by what was to come on top of it.
+    }
+    auto next = std::make_shared<const pipeline::Evaluation>(std::move(more));
+    const std::lock_guard lock(mutex_);
+    added = added && newest_ == now;
+    if (added) {
+      newest_ = next;
+      previous_ = withEarlierStages(*next, previous_.get());
+      QMetaObject::invokeMethod(
+          this, [this, now, next] { takeMore(now, next); }, Qt::QueuedConnection);
+    }
+    if (!added || stop.stop_requested()) {
+      running_ = std::stop_source(std::nostopstate);
+      secondThoughts_ = false;
+      return;
+    }
+    now = std::move(next);
+  }
+}
+
+void EvaluationRunner::takeMore(const std::shared_ptr<const pipeline::Evaluation>& before,
+                                const std::shared_ptr<const pipeline::Evaluation>& more) {
+  if (evaluation_ != before) return;
+  if (lastComplete_ == before) lastComplete_ = more;
+  evaluation_ = more;
+  emit finished();
 }
 
 void EvaluationRunner::noteProgress(std::uint64_t number, double fraction, const QString& step) {

@@ -33,9 +33,10 @@ scene::Content sceneContent(const Evaluation& evaluation) {
       if (!result) continue;
       const scene::ItemId row{b, c, 0};
       const Blade& blade = result->sweep.request.blade;
-      content.add(row,
-                  scene::CutSurface{result->analysis.cut,
-                                    {{"curvature", 1.0}, {"stress", blade.stress(blade.maxCurvature())}}});
+      content.add(row, scene::CutSurface{result->analysis.cut,
+                                         {{"curvature", 1.0},
+                                          {"stress", blade.stress(blade.maxCurvature())},
+                                          {"grip_error", evaluation.design.process.tolerance}}});
       scene::Stations stations;
       scene::Blades blades;
       for (const BladePose& pose : result->sweep.poses) {

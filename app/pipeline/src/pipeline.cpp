@@ -18,6 +18,9 @@ namespace bw::pipeline {
 
 using Clock = std::chrono::steady_clock;
 
+/// So many times the diagonal of a block is a blade long that serves in any direction.
+constexpr double kEnough = 1.2;
+
 namespace {
 
 double secondsSince(Clock::time_point start) {
@@ -97,6 +100,14 @@ struct CutWork {
     return pipeline::settle(e.*stage, previous ? &(previous->*stage) : nullptr, request, std::move(inputs),
                             time, make);
   }
+  /// Takes a stage that stands from before, where it is what would be made now.
+  template <class Request, class T>
+  void keep(Stage<Request, T> CutEvaluation::*stage, const std::type_identity_t<Request>& request,
+            const Inputs& inputs) const {
+    if (!previous || (e.*stage).value) return;
+    const Stage<Request, T>& before = previous->*stage;
+    if (before.value && before.request == request && before.inputs == inputs) e.*stage = before;
+  }
   Result<void> unlessStopped() const {
     return context.stopped() ? Result<void>(stoppedError()) : Result<void>();
   }
@@ -121,7 +132,11 @@ Result<void> place(const CutWork& work, const std::shared_ptr<const CadSource>& 
   if (!ok) return ok;
   e.setup = e.placed.value;
   if (work.cut.direction) return work.unlessStopped();
-  ok = work.settle(&CutEvaluation::directions, {*e.placed.value, fitRequest(work.design)}, {e.target.value},
+  FitRequest any = fitRequest(work.design);
+  if (work.design.blade.autoLength)  // long enough for every way across
+    any.blade.length =
+        std::min(Blade::kLongest, kEnough * e.placed.value->block.size.norm() + 2 * any.clearance);
+  ok = work.settle(&CutEvaluation::directions, {*e.placed.value, any}, {e.target.value},
                    work.seconds.direction, [&work, &target](const RowRequest& request, Findings& findings) {
                      work.context.report(0.25, "direction");
                      Result<DirectionSearch> search = searchDirection(target, request, work.context);
@@ -134,6 +149,77 @@ Result<void> place(const CutWork& work, const std::shared_ptr<const CadSource>& 
   e.setup = std::make_shared<const geometry::Setup>(
       geometry::Setup{block, PlaneFamily::across(block, search.trials[search.chosen].direction)});
   return work.unlessStopped();
+}
+
+/// The sections that the blades are for: those of the tracer, or what OpenCASCADE took over of them.
+std::shared_ptr<const std::vector<Section>> rowOf(const CutEvaluation& e) {
+  if (e.confirmed.value && e.confirmed.value->has_value()) return {e.confirmed.value, &**e.confirmed.value};
+  return e.sections.value;
+}
+
+/// The lengths of blade that serve.
+Result<void> seekLengths(const CutWork& work, double& seconds) {
+  CutEvaluation& e = work.e;
+  const std::shared_ptr<const std::vector<Section>> row = rowOf(e);
+  return work.settle(&CutEvaluation::lengths, {*e.setup, lengthRequest(work.design)}, {row}, seconds,
+                     [&work, &row](const LengthsRequest& request, Findings&) {
+                       return bladeLengths(*row, request.lengths, request.setup.block, request.setup.planes,
+                                           work.context);
+                     });
+}
+
+/// Of the lengths that were tried the one that serves best, or else comes nearest to it: of the blades that
+/// rest and reach the one that lies nearest to its sections, or that which misses its rest by least.
+double lengthOf(const BladeLengths& lengths) {
+  if (lengths.best) return *lengths.best;
+  const auto nearness = [](const LengthTrial& trial) {
+    const bool rests = trial.reaches && trial.margin > 0;
+    return std::pair(rests, rests ? -trial.deviation : trial.margin);
+  };
+  const auto nearest = std::ranges::max_element(lengths.trials, {}, nearness);
+  return nearest == lengths.trials.end() ? Blade::kLongest : nearest->length;
+}
+
+/// Whether there is something to say of lengths, and what.
+Findings lengthFindings(const CutEvaluation& cut, const Blade& blade) {
+  if (!cut.lengths.value || !cut.rest.value) return {};
+  const BladeLengths& lengths = *cut.lengths.value;
+  const bool lost = std::ranges::find(cut.rest.value->stations, Rest::lost) != cut.rest.value->stations.end();
+  if (!blade.autoLength && !lost) return {};
+  using Said = ServingLengths::Said;
+  if (lengths.trials.empty()) return {};
+  ServingLengths cause{blade.autoLength ? Said::nearest : Said::none, blade.length,
+                       lengths.trials.front().length, lengths.trials.back().length};
+  Remedies remedies;
+  if (lengths.best) {
+    cause.said = blade.autoLength ? Said::taken : Said::others;
+    cause.best = *lengths.best;
+    for (const BladeLengths::Band& band : lengths.bands())
+      if (band.from <= cause.best && cause.best <= band.to) {
+        cause.from = band.from;
+        cause.to = band.to;
+      }
+    if (!blade.autoLength && cause.best != blade.length) remedies = {OtherLength{cause.best}};
+  }
+  return {{cause.said == Said::nearest ? Severity::error : Severity::info, cause, {}, remedies}};
+}
+
+/// What advises another length against a shape that does not rest advises one that serves, where these are
+/// known, and none where none does.
+void adviseLength(Findings& findings, const CutEvaluation& cut, const Blade& blade) {
+  if (!cut.lengths.value) return;
+  const std::optional<double>& best = cut.lengths.value->best;
+  const auto ofShape = [](const Finding& finding) {
+    return std::holds_alternative<WouldSnap>(finding.cause) ||
+           std::holds_alternative<WouldTwist>(finding.cause) ||
+           std::holds_alternative<LowMargin>(finding.cause) ||
+           std::holds_alternative<SnapsInWeight>(finding.cause);
+  };
+  for (Finding& finding : findings) {
+    if (!ofShape(finding)) continue;
+    std::erase_if(finding.remedies, [](const Remedy& r) { return std::holds_alternative<OtherLength>(r); });
+    if (best && *best != blade.length) finding.remedies.insert(finding.remedies.begin(), OtherLength{*best});
+  }
 }
 
 /// Sections, and the blades for them.
@@ -149,7 +235,6 @@ Result<void> fit(const CutWork& work) {
                   });
   if (ok) ok = work.unlessStopped();
   if (!ok) return ok;
-  std::shared_ptr<const std::vector<Section>> row = e.sections.value;
   if (work.purpose == Purpose::files && work.cut.sections.route == SectionRoute::automatic) {
     ok = work.settle(
         &CutEvaluation::confirmed, {*e.setup, work.cut.sections}, {e.sections.value}, work.seconds.sections,
@@ -158,11 +243,19 @@ Result<void> fit(const CutWork& work) {
           return geometry::confirmSections(target, request.setup, request.sections, work.context, findings);
         });
     if (!ok) return ok;
-    if (e.confirmed.value->has_value()) row = {e.confirmed.value, &**e.confirmed.value};
   }
+  const std::shared_ptr<const std::vector<Section>> row = rowOf(e);
   const std::vector<Section>& sections = *row;
+  FitRequest fit = fitRequest(work.design);
+  if (work.design.blade.autoLength) {
+    ok = seekLengths(work, work.seconds.fit);
+    if (!ok) return ok;
+    fit.blade.length = lengthOf(*e.lengths.value);
+  } else {
+    work.keep(&CutEvaluation::lengths, {*e.setup, lengthRequest(work.design)}, {row});
+  }
   double none = 0;
-  ok = work.settle(&CutEvaluation::sweep, {*e.setup, fitRequest(work.design)}, {row}, none,
+  ok = work.settle(&CutEvaluation::sweep, {*e.setup, fit}, {row}, none,
                    [&work, &sections](const RowRequest& request, Findings& findings) {
                      work.context.report(0.6, "fitting");
                      return buildSweep(sections, request.fit, request.setup.block, request.setup.planes,
@@ -282,10 +375,17 @@ Result<void> check(const CutWork& work) {
                      return rest;
                    });
   if (!ok) return ok;
-  return work.settle(&CutEvaluation::motion, motionRequest(work.design), {e.ends.value, e.way.value},
-                     work.seconds.check, [&](const MotionRequest& request, Findings& findings) {
-                       return buildMotion(sweep, *e.ends.value, e.way.value->targets, request, findings);
-                     });
+  const bool lost = std::ranges::find(e.rest.value->stations, Rest::lost) != e.rest.value->stations.end();
+  if (lost && work.purpose == Purpose::files) {
+    ok = seekLengths(work, work.seconds.check);
+    if (!ok) return ok;
+  }
+  ok = work.settle(&CutEvaluation::motion, motionRequest(work.design), {e.ends.value, e.way.value},
+                   work.seconds.check, [&](const MotionRequest& request, Findings& findings) {
+                     return buildMotion(sweep, *e.ends.value, e.way.value->targets, request, findings);
+                   });
+  if (ok) work.keep(&CutEvaluation::run, {}, {e.motion.value, e.sweep.value});
+  return ok;
 }
 
 /// True if one of these formats is what robots run.
@@ -382,7 +482,12 @@ Findings Evaluation::findings() const {
   Findings all = sourceFindings;
   append(all, source.findings);
   for (const BlockEvaluation& block : blocks)
-    for (const CutEvaluation& cut : block.cuts) append(all, cut.findings());
+    for (const CutEvaluation& cut : block.cuts) {
+      Findings own = cut.findings();
+      adviseLength(own, cut, design.blade);
+      append(all, own);
+      append(all, lengthFindings(cut, design.blade));
+    }
   append(all, cell.findings);
   append(all, programs);
   return all;
@@ -414,6 +519,8 @@ void Evaluation::takeMissing(const Evaluation& before) {
       takeMissing(cut.ends, from->ends);
       takeMissing(cut.rest, from->rest);
       takeMissing(cut.motion, from->motion);
+      takeMissing(cut.lengths, from->lengths);
+      takeMissing(cut.run, from->run);
     }
 }
 
@@ -454,6 +561,7 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
       if (!placement) placement = placementOf(stages.setup->block);
     }
   }
+  if (design.blade.autoLength) e.design.blade.length = e.cut().sweep.value->request.blade.length;
   if (!design.output.programs.empty()) judgeCell(e, previous);
   for (BlockEvaluation& block : e.blocks)
     for (CutEvaluation& cut : block.cuts)
@@ -462,6 +570,29 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
   context.report(1.0, "done");
   e.seconds.total = secondsSince(start);
   return outcome;
+}
+
+bool addSecondThought(Evaluation& e, const RunContext& context) {
+  for (BlockEvaluation& block : e.blocks)
+    for (CutEvaluation& stages : block.cuts) {
+      if (!stages.result()) continue;
+      const Cut& cut = *std::ranges::find(e.design.cuts, stages.id, &Cut::id);
+      const CutWork work{e.design, cut, stages, nullptr, e.seconds, context, Purpose::live};
+      const FitRequest& fit = stages.sweep.value->request;
+      double none = 0;
+      // A motion that cannot be run is so once and for all.
+      if (!stages.run.value && stages.run.inputs.empty()) {
+        const Result<void> ran =
+            work.settle(&CutEvaluation::run, {}, {stages.motion.value, stages.sweep.value}, none,
+                        [&](const NoRequest&, Findings&) {
+                          return simulate(*stages.motion.value, fit.blade, fit.weight, context);
+                        });
+        if (ran) return true;
+        if (context.stopped()) return false;
+      }
+      if (!stages.lengths.value) return seekLengths(work, none).has_value();
+    }
+  return false;
 }
 
 Result<void> meshTarget(CutEvaluation& cut, const CutEvaluation* previous, double& seconds) {

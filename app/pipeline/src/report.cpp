@@ -78,6 +78,8 @@ ordered_json stationJson(const StationView& station) {
   object["angle_max_deg"] = toDegrees(check.angleMax);
   object["speed_ratio"] = check.speedRatio;
   object["clearance_mm"] = check.clearance;
+  object["moved_by_grip_mm"] =
+      std::isfinite(check.movedByGrip) ? ordered_json(check.movedByGrip) : ordered_json(nullptr);
   return object;
 }
 
@@ -114,9 +116,18 @@ std::string reportJson(const Evaluation& e, const std::string& run, const FileSe
   report["blade"] = {{"name", design.blade.name},
                      {"title", design.blade.title},
                      {"length", design.blade.length},
+                     {"length_auto", design.blade.autoLength},
                      {"min_radius_mm", design.blade.minRadius()},
                      {"flexural_rigidity_Nmm2", design.blade.flexuralRigidity()},
                      {"weight_N_per_mm", design.blade.weight()}};
+  if (cut.lengths.value) {
+    ordered_json bands = ordered_json::array();
+    for (const BladeLengths::Band& band : cut.lengths.value->bands())
+      bands.push_back({{"from", band.from}, {"to", band.to}, {"certainty", restName(band.rest)}});
+    const std::optional<double>& best = cut.lengths.value->best;
+    report["blade"]["lengths"] = {{"best", best ? ordered_json(*best) : ordered_json(nullptr)},
+                                  {"serving", bands}};
+  }
   ordered_json method;
   method["planes"] = "parallel";
   if (cut.setup) method["direction"] = vec(cut.setup->planes.direction());
@@ -130,6 +141,8 @@ std::string reportJson(const Evaluation& e, const std::string& run, const FileSe
   method["clearance_mm"] = design.process.clearance;
   method["margin"] = design.process.margin;
   method["motion_tolerance_mm"] = design.process.motionTolerance;
+  method["grip_error_mm"] = design.process.gripError;
+  method["grip_angle_error_deg"] = design.process.gripAngle;
   method["weight"] = design.process.weight;
   method["up"] = vec(design.process.up);
   method["cell"] = design.output.cell;

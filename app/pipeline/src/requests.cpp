@@ -5,6 +5,8 @@
 
 #include <system_error>
 
+#include "bw/core/base/units.h"
+
 namespace bw::pipeline {
 
 FitRequest fitRequest(const Design& design) {
@@ -12,13 +14,20 @@ FitRequest fitRequest(const Design& design) {
   FitRequest request{design.blade, p.fitLength, p.fitEndpoints, p.fitTangents,
                      p.maxPeriods, p.tolerance, p.clearance};
   request.margin = p.margin;
+  request.blade.autoLength = false;
   if (p.weight) request.weight = -design.blade.weight() * p.up.normalized();
   return request;
 }
 
 CheckRequest checkRequest(const Design& design) {
-  return {design.process.tolerance, design.process.clearance, design.process.cuttingSpeed,
-          design.process.margin};
+  const Process& p = design.process;
+  return {p.tolerance, p.clearance, p.cuttingSpeed, p.margin, p.gripError, fromDegrees(p.gripAngle)};
+}
+
+LengthRequest lengthRequest(const Design& design) {
+  LengthRequest request{fitRequest(design), checkRequest(design), entryExitRequest(design)};
+  request.fit.blade.length = Blade().length;
+  return request;
 }
 
 WayRequest wayRequest(const Design& design) {

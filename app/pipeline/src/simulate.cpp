@@ -84,7 +84,7 @@ Result<ProgramRun> runProgram(const robotio::Program& program, const Design* des
   if (design) {
     outcome = evaluate(*design, nullptr, context, Purpose::files);
     if (outcome.error) return tl::unexpected<Error>(*outcome.error);
-    blade = design->blade;
+    blade = outcome.evaluation.design.blade;
     weight = fitRequest(*design).weight;
     if (run.motion.bladeLength > 0 && std::abs(run.motion.bladeLength - blade.length) > kSameLength)
       return fail(ErrorCode::badInput,

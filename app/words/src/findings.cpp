@@ -27,6 +27,8 @@ constexpr std::pair<FindingKind, const char*> kWords[] = {{FindingKind::fit, "fi
                                                           {FindingKind::lead, "lead"},
                                                           {FindingKind::motion, "motion"},
                                                           {FindingKind::weight, "weight"},
+                                                          {FindingKind::length, "length"},
+                                                          {FindingKind::gripErrors, "grip-errors"},
                                                           {FindingKind::clearance, "clearance"},
                                                           {FindingKind::angle, "angle"},
                                                           {FindingKind::speed, "speed"},

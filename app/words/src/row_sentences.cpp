@@ -4,6 +4,7 @@
 // What is said of blades and their rows.
 
 #include <algorithm>
+#include <cmath>
 
 #include "bw/core/base/units.h"
 #include "bw/core/fit/elastica_fit.h"
@@ -135,6 +136,37 @@ std::string Sentences::operator()(const UnknownInWeight& cause) const {
 std::string Sentences::operator()(const WouldTwist&) const {
   return at() + "a round blade would twist out of its plane rather than rest in this shape; " +
          shorterText(finding, "take a flat blade, which is stiff across its plane", ", or a flat blade");
+}
+
+std::string Sentences::operator()(const GripErrors& cause) const {
+  const std::string off = at() + "a grip that is off by " + shortText(cause.error) + " mm and " +
+                          shortText(toDegrees(cause.angle)) + "° ";
+  return std::isfinite(cause.moved)
+             ? off + "moves the cut by up to " + shortText(cause.moved) + " mm, more than the tolerance of " +
+                   shortText(cause.tolerance) + " mm"
+             : off + "may make the blade snap";
+}
+
+std::string Sentences::operator()(const ServingLengths& cause) const {
+  using Said = ServingLengths::Said;
+  const auto whole = [](double length) { return shortText(length, 6); };
+  const std::string stretch =
+      cause.from < cause.to ? whole(cause.from) + " to " + whole(cause.to) + " mm" : whole(cause.to) + " mm";
+  const std::string none = "no length of this blade serves all stations (" + stretch + " were tried)";
+  switch (cause.said) {
+    case Said::others:
+      return "lengths that serve all stations tried: " + stretch + "; the best is " + whole(cause.best) +
+             " mm";
+    case Said::none:
+      return none + "; take another blade or direction, or cut in parts";
+    case Said::taken:
+      return "the blade's length was left open: " + whole(cause.best) + " mm was taken of " + stretch +
+             ", which serve all stations tried";
+    case Said::nearest:
+      break;
+  }
+  return none + "; " + whole(cause.best) +
+         " mm, which comes nearest, was taken; take another blade or direction, or cut in parts";
 }
 
 std::string Sentences::operator()(const GripTooNear& cause) const {

@@ -51,6 +51,8 @@ struct Sentences {
   std::string operator()(const SectionShort& cause) const;
   std::string operator()(const SectionBranches& cause) const;
   std::string operator()(const SectionClosed& cause) const;
+  std::string operator()(const ServingLengths& cause) const;
+  std::string operator()(const GripErrors& cause) const;
   std::string operator()(const SectionBridged& cause) const;
   std::string operator()(const SectionBorder& cause) const;
   std::string operator()(const SectionUnfit& cause) const;

@@ -55,6 +55,8 @@ double Blade::minRadius() const { return youngModulus * fibreDistance() * safety
 
 namespace {
 
+constexpr const char* kAuto = "auto";  // length
+
 constexpr std::array<BladeNumber, 11> kBlade = {{
     {{&Blade::length, "length", "Blade length", "mm", 10, Blade::kLongest, 10, 2, 10,
       "Free length between the two grips", "Change blade length"}},
@@ -100,6 +102,10 @@ Result<Blade> bladeFromJson(const json& object, const std::string& path, Blade b
   blade.section = Blade::Section(section);
   for (const BladeNumber& number : bladeNumbers()) {
     if (object.contains(number.key)) blade.sources.erase(number.key);
+    if (number.member == &Blade::length && object.contains(number.key)) {
+      blade.autoLength = *reader.member(number.key) == kAuto;
+      if (blade.autoLength) continue;
+    }
     reader.number(number.key, blade.*number.member, number.min, number.max);
   }
   if (const json* sources = reader.member("sources"); sources && sources->is_object()) {
@@ -131,6 +137,7 @@ json bladeToJson(const Blade& blade) {
   json object = {{"name", blade.name}, {"title", blade.title}, {"section", kSections[int(blade.section)]}};
   for (const BladeNumber& number : bladeNumbers())
     if (number.appliesTo(blade.section)) object[number.key] = blade.*number.member;
+  if (blade.autoLength) object["length"] = kAuto;
   if (!blade.sources.empty()) object["sources"] = blade.sources;
   return object;
 }

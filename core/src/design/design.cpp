@@ -22,7 +22,7 @@ namespace bw {
 
 namespace {
 
-constexpr std::array<ProcessNumber, 7> kNumbers = {{
+constexpr std::array<ProcessNumber, 9> kNumbers = {{
     {{&Process::tolerance, "tolerance", "Tolerance", "mm", 1e-4, 1000, 1e-3, 3, 0.1,
       "Largest deviation of the cut surface that is accepted", "Change tolerance"},
      ProcessPart::setup},
@@ -46,6 +46,13 @@ constexpr std::array<ProcessNumber, 7> kNumbers = {{
      ProcessPart::details},
     {{&Process::lead, "lead", "Lead", "mm", 0, 10000, 0, 2, 5, "Straight travel before and after the block",
       "Change lead"},
+     ProcessPart::details},
+    {{&Process::gripError, "grip_error", "Grip error", "mm", 0, 100, 0, 2, 0.1,
+      "How far a grip may be off: the map of grip errors shows what that does to the cut",
+      "Change grip error"},
+     ProcessPart::details},
+    {{&Process::gripAngle, "grip_angle_error", "Grip turn", "°", 0, 10, 0, 2, 0.1,
+      "How far a grip may be turned besides", "Change grip turn"},
      ProcessPart::details},
 }};
 

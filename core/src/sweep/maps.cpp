@@ -12,7 +12,9 @@ namespace bw {
 
 namespace {
 
-constexpr std::array<MapInfo, 6> kMaps = {
+constexpr double kMostMoved = 100;  // mm: where a blade is about to snap it has no limit
+
+constexpr std::array<MapInfo, 7> kMaps = {
     {{"deviation", "Deviation", "mm", [](const CutSample& s) { return s.deviation; }, MapRule::banded},
      {"angle", "Cutting angle", "°", [](const CutSample& s) { return toDegrees(s.angle); }, MapRule::plain,
       1},
@@ -20,7 +22,9 @@ constexpr std::array<MapInfo, 6> kMaps = {
      {"relative_speed", "Relative speed", "", [](const CutSample& s) { return s.relativeSpeed; },
       MapRule::share},
      {"curvature", "Curvature / limit", "", [](const CutSample& s) { return s.curvature; }},
-     {"stress", "Bending stress", "N/mm²", [](const CutSample& s) { return s.stress; }}}};
+     {"stress", "Bending stress", "N/mm²", [](const CutSample& s) { return s.stress; }},
+     {"grip_error", "Moved by grip errors", "mm",
+      [](const CutSample& s) { return s.movedByGrip < kMostMoved ? s.movedByGrip : kMostMoved; }}}};
 
 }  // namespace
 

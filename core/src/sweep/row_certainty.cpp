@@ -224,8 +224,14 @@ RowRest restOf(const Sweep& sweep, const SweepCheck& check, const RowCertainty& 
       if (way[i] != Lost::no) row.stations[i] = Rest::lost;
     }
   }
+  // A blade that does not rest there at all, in its plane or across it, is told of by the check.
+  const auto rests = [&](std::size_t i) {
+    return check.stations[i].stable && check.stations[i].outOfPlaneMargin > 0;
+  };
+  for (std::size_t i = 0; i < n; ++i)
+    if (!rests(i)) row.stations[i] = Rest::lost;
   for (const Rest rest : {Rest::lost, Rest::held}) {
-    const auto concerned = [&](std::size_t i) { return row.stations[i] == rest; };
+    const auto concerned = [&](std::size_t i) { return row.stations[i] == rest && rests(i); };
     for (const sweep::Stretch& at : sweep::stretchesOf(n, concerned, moreExcess(certainty.stations))) {
       const StationCertainty& worst = certainty.stations[at.worst];
       OtherShape cause{worst.energy, worst.other->energy, worst.other->distance,

@@ -204,7 +204,8 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const std::vector<BladePo
                                blend(va.speed, vb.speed, g, c),
                                blend(va.relative, vb.relative, g, c),
                                bend,
-                               stressAtLimit * bend};
+                               stressAtLimit * bend,
+                               blend(check.movedByGrip[s], check.movedByGrip[s + 1], g, c)};
         for (std::size_t k = 0; k < maps.size(); ++k) cut.fields[k].values[at] = maps[k].value(sample);
         feet.put(*foot);
       }

@@ -6,10 +6,13 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "bw/core/elastica/elastica_stability.h"
 #include "bw/core/heavy/heavy_bvp.h"
 #include "sweep/cut_rows.h"
+#include "sweep/held_blade.h"
 #include "sweep/remedies.h"
 
 namespace bw {
@@ -85,6 +88,53 @@ StationVelocity stationVelocity(const std::vector<BladePose>& poses, const std::
   return result;
 }
 
+/// How far a grip that is off moves the part that cuts.
+std::vector<double> movedByGrip(const Sweep& sweep, const BladePose& pose, const CheckRequest& request) {
+  constexpr int kPlaces = 26;  // every fourth column
+  constexpr double kUnknown = std::numeric_limits<double>::infinity();
+  const std::vector<double> arcs = pose.cutArcs(kPlaces);
+  std::vector<double> coarse(kPlaces, kUnknown);
+  if (sweep::isTaut(pose)) {
+    // A straight beam with clamped ends.
+    for (std::size_t k = 0; k < arcs.size(); ++k) {
+      const double length = pose.blade.length(), s = arcs[k] / length, r = 1 - s;
+      const double left = r * r * (1 + 2 * s) * request.gripError + s * r * r * length * request.gripAngle;
+      const double right = s * s * (1 + 2 * r) * request.gripError + s * s * r * length * request.gripAngle;
+      coarse[k] = std::max(left, right);
+    }
+  } else {
+    std::optional<HeavyBlade> blade = pose.heavy;
+    if (!blade)
+      if (const Result<Hanging> light =
+              hang(pose.blade, sweep.request.blade.flexuralRigidity(), Eigen::Vector2d::Zero()))
+        blade = light->blade;
+    const Result<HeavyDerivatives> by =
+        blade ? derivativesByGrips(*blade, arcs) : Result<HeavyDerivatives>(HeavyDerivatives{});
+    if (by && !by->byGrips.empty()) {
+      std::vector<Elastica::State> states(arcs.size());
+      pose.at(arcs, states);
+      for (std::size_t k = 0; k < arcs.size(); ++k) {
+        const Eigen::RowVector2d normal(-std::sin(states[k].angle), std::cos(states[k].angle));
+        const Eigen::Matrix<double, 1, 6> across = normal * by->byGrips[k].topRows<2>();
+        double farthest = 0;
+        for (const int grip : {0, 3})
+          farthest = std::max(farthest, request.gripError * across.segment<2>(grip).norm() +
+                                            request.gripAngle * std::abs(across(grip + 2)));
+        coarse[k] = farthest;
+      }
+    }
+  }
+  std::vector<double> moved(kColumns);
+  for (int c = 0; c < kColumns; ++c) {
+    const double at = double(c) * (kPlaces - 1) / (kColumns - 1);
+    const std::size_t k = std::min(std::size_t(at), coarse.size() - 2);
+    moved[std::size_t(c)] = std::isfinite(coarse[k] + coarse[k + 1])
+                                ? std::lerp(coarse[k], coarse[k + 1], at - double(k))
+                                : kUnknown;
+  }
+  return moved;
+}
+
 }  // namespace
 
 Result<SweepCheck> checkSweep(const Sweep& sweep, const CheckRequest& request, const RunContext& context) {
@@ -92,7 +142,8 @@ Result<SweepCheck> checkSweep(const Sweep& sweep, const CheckRequest& request, c
   if (Result<void> ok = sweep::enoughStations(sweep); !ok) return tl::unexpected<Error>(ok.error());
   std::vector<double> travel;
   for (const BladePose& pose : poses) travel.push_back(pose.travel);
-  SweepCheck result{std::vector<StationCheck>(poses.size()), std::vector<StationVelocity>(poses.size())};
+  SweepCheck result{std::vector<StationCheck>(poses.size()), std::vector<StationVelocity>(poses.size()),
+                    std::vector<std::vector<double>>(poses.size())};
   const auto body = [&](int i) {
     const BladePose& pose = poses[std::size_t(i)];
     StationVelocity& v = result.velocities[std::size_t(i)];
@@ -111,6 +162,9 @@ Result<SweepCheck> checkSweep(const Sweep& sweep, const CheckRequest& request, c
       check.stabilityMargin = stabilityMargin(pose.blade);
       if (round) check.outOfPlaneMargin = outOfPlaneMargin(pose.blade);
     }
+    std::vector<double>& moved = result.movedByGrip[std::size_t(i)];
+    moved = movedByGrip(sweep, pose, request);
+    check.movedByGrip = std::ranges::max(moved);
     check.crossesItself = pose.crossesItself();
     check.gripsSwapped = pose.gripsSwapped();
     check.stable = check.stabilityMargin > 0 && !sweep.fits[std::size_t(i)].snapsAt;

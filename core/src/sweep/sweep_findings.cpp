@@ -231,7 +231,7 @@ void addStationFindings(const Sweep& sweep, const SweepCheck& check, const Check
           return {BentSideways{sideways(at.worst)}, {flatBladeFor(sweep)}};
         });
   report(
-      Severity::warning, [&](Index i) { return !seen[i].stable && !sinks(i); },
+      Severity::error, [&](Index i) { return !seen[i].stable && !sinks(i); },
       [&](Index i) { return -seen[i].stabilityMargin; },
       [&](const Stretch& at) -> Told {
         const auto rests = [](const Elastica& blade) { return stabilityMargin(blade) > 0; };
@@ -246,7 +246,7 @@ void addStationFindings(const Sweep& sweep, const SweepCheck& check, const Check
                 shorterOr(sweep, at, CutInParts{}, rests)};
       });
   report(
-      Severity::warning, [&](Index i) { return seen[i].stable && seen[i].outOfPlaneMargin <= 0; },
+      Severity::error, [&](Index i) { return seen[i].stable && seen[i].outOfPlaneMargin <= 0; },
       [&](Index i) { return -seen[i].outOfPlaneMargin; },
       [&](const Stretch& at) -> Told {
         const auto rests = [](const Elastica& blade) { return outOfPlaneMargin(blade) > 0; };
@@ -266,6 +266,12 @@ void addStationFindings(const Sweep& sweep, const SweepCheck& check, const Check
       Severity::warning,
       [&](Index i) { return seen[i].clearance >= 0 && seen[i].clearance < request.clearance; }, nearness,
       clear);
+  const auto moved = [&](Index i) { return seen[i].movedByGrip; };
+  report(
+      Severity::info, [&](Index i) { return seen[i].stable && moved(i) > request.tolerance; }, moved,
+      [&](const Stretch& at) -> Told {
+        return {GripErrors{moved(at.worst), request.gripError, request.gripAngle, request.tolerance}};
+      });
   const double angleLimit = cuttingAngleLimit(sweep.request.blade);
   const auto angle = [&](Index i) { return seen[i].angleMax; };
   report(

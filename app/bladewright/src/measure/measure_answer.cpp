@@ -227,8 +227,10 @@ void MeasureAnswer::use() {
   if (!outcome_.length || bench_.document().empty()) return;
   const double length = storedLength(), before = bench_.design().blade.length;
   if (length != before) {
-    bench_.editDesign(tr("Use measured blade length"),
-                      [length](Design& design) { design.blade.length = length; });
+    bench_.editDesign(tr("Use measured blade length"), [length](Design& design) {
+      design.blade.length = length;
+      design.blade.autoLength = false;
+    });
     bench_.tell(
         Topic::other, Severity::info,
         tr("The blade is now %1 mm long; it was %2 mm.")

@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "bw/core/text/number_text.h"
 #include "controls/theme.h"
 
 namespace bw::app {
@@ -51,11 +53,15 @@ void Timeline::rebuild() {
         ++i;
       }
   }
+  margins_.clear();
+  const pipeline::CutEvaluation* cut = bench_.shownCut();
+  if (cut && cut->run.value)
+    for (const SimulatedBlade& at : cut->run.value->blades) margins_ << QPointF(at.time, at.margin);
   update();
 }
 
 void Timeline::follow(const Change& change) {
-  if (change.any(Aspect::motion | Aspect::checks, bench_.selection())) rebuild();
+  if (change.any(Aspect::motion | Aspect::checks | Aspect::thoughts, bench_.selection())) rebuild();
   // The playhead stays in sight.
   if (const double time = bench_.playTime();
       change.any(Aspect::playTime) && (time < seen_.low || time > seen_.high))
@@ -86,10 +92,16 @@ QStringList Timeline::readout() const {
   const double time = timeAt(cursor_);
   const Sample sample = at(time);
   const double station = bench_.stationAt(time);
-  return {
+  QStringList lines = {
       station < 0 ? timeText(time) : tr("%1, station %2").arg(timeText(time)).arg(std::lround(station) + 1),
       tr("%1 to %2").arg(speedText(sample.speedMin), speedText(sample.speedMax)),
       tr("%1 N/mm²").arg(std::lround(sample.stress))};
+  if (!margins_.isEmpty()) {
+    const auto after = std::ranges::lower_bound(margins_, time, {}, &QPointF::x);
+    const QPointF& at = after == margins_.end() ? margins_.back() : *after;
+    lines << tr("margin %1").arg(QString::fromStdString(shortText(at.y(), 2)));
+  }
+  return lines;
 }
 
 void Timeline::zoom(double about, double factor) {
@@ -97,24 +109,52 @@ void Timeline::zoom(double about, double factor) {
   update();
 }
 
-void Timeline::paintPlot(QPainter& painter, const QRectF& area, const QString& title, double limit,
-                         const QString& limitText, double Sample::*low, double Sample::*high) const {
+std::vector<Timeline::Track> Timeline::tracks() const {
+  const pipeline::CutResult result = *bench_.sweep();
+  const Blade& blade = result.sweep.request.blade;
+  const double allowed = blade.yieldStress / blade.safety;
+  Track speed{tr("Speed, mm/s"), {}, {}};
+  Track stress{tr("Stress, N/mm²"), {}, {}, allowed, false, tr("limit %1").arg(std::lround(allowed))};
+  for (const Sample& s : samples_) {
+    speed.high << QPointF(s.time, s.speedMax);
+    speed.low << QPointF(s.time, s.speedMin);
+    stress.high << QPointF(s.time, s.stress);
+  }
+  std::vector<Track> all = {std::move(speed), std::move(stress)};
+  const double least = bench_.design().process.margin;
+  if (!margins_.isEmpty())
+    all.push_back({tr("Stability margin"),
+                   margins_,
+                   {},
+                   least,
+                   true,
+                   tr("least %1").arg(QString::fromStdString(shortText(least, 2)))});
+  return all;
+}
+
+void Timeline::paintPlot(QPainter& painter, const QRectF& area, const Track& track) const {
   const Colours& c = theme_.colours();
-  double highest = 0;
-  for (const Sample& s : samples_) highest = std::max(highest, s.*high);
-  const bool limitShown = limit < 2.5 * highest;
-  const bool over = highest > limit * (1 + 1e-9);
+  double highest = 0, lowest = std::numeric_limits<double>::infinity();
+  for (const QPointF& p : track.high) {
+    highest = std::max(highest, p.y());
+    lowest = std::min(lowest, p.y());
+  }
+  const double limit = track.limit.value_or(0);
+  const bool limitShown = track.limit && (track.least || limit < 2.5 * highest);
+  const bool over = track.limit && (track.least ? lowest < limit * (1 - 1e-9) : highest > limit * (1 + 1e-9));
   const double range = std::max(1.12 * std::max(highest, limitShown ? limit : 0.0), 1e-9);
   const auto y = [&](double v) { return area.bottom() - area.height() * v / range; };
+  const auto placed = [&](const QPointF& p) { return QPointF(xOf(p.x()), y(p.y())); };
   paintLeftAxis(painter, area, {0, range}, c, true);
   painter.setPen(QPen(c.line, 1));
   painter.drawLine(area.bottomLeft(), area.bottomRight());
   const QColor colour = over && limitShown ? c.error : c.selection;
   QPolygonF upper, band;
-  for (const Sample& s : samples_) upper << QPointF(xOf(s.time), y(s.*high));
+  for (const QPointF& p : track.high) upper << placed(p);
   band = upper;
-  for (auto s = samples_.rbegin(); s != samples_.rend(); ++s)
-    band << QPointF(xOf(s->time), low ? y((*s).*low) : area.bottom());
+  if (track.low.isEmpty())
+    band << QPointF(upper.back().x(), area.bottom()) << QPointF(upper.front().x(), area.bottom());
+  for (auto p = track.low.rbegin(); p != track.low.rend(); ++p) band << placed(*p);
   QColor shade = colour;
   shade.setAlphaF(0.14f);
   painter.save();
@@ -131,16 +171,19 @@ void Timeline::paintPlot(QPainter& painter, const QRectF& area, const QString& t
     painter.setPen(QPen(over ? c.error : c.secondary, 1, Qt::DashLine));
     painter.drawLine(QPointF(area.left(), y(limit)), QPointF(area.right(), y(limit)));
     painter.setPen(over ? c.error : c.secondary);
-    painter.drawText(QRectF(area.left() + 4, y(limit) + 1, area.width() - 8, metrics.height()),
-                     Qt::AlignRight, limitText);
+    const bool below = y(limit) + 1 + metrics.height() <= area.bottom();
+    painter.drawText(QRectF(area.left() + 4, below ? y(limit) + 1 : y(limit) - 1 - metrics.height(),
+                            area.width() - 8, metrics.height()),
+                     Qt::AlignRight, track.limitText);
   }
   // On a card of its own, so that the grid does not run through it.
-  const QRectF name(area.left() + 3, area.top(), metrics.horizontalAdvance(title) + 6, metrics.height());
+  const QRectF name(area.left() + 3, area.top(), metrics.horizontalAdvance(track.title) + 6,
+                    metrics.height());
   QColor card = c.panel;
   card.setAlphaF(0.8f);
   painter.fillRect(name, card);
   painter.setPen(c.secondary);
-  painter.drawText(name, Qt::AlignCenter, title);
+  painter.drawText(name, Qt::AlignCenter, track.title);
 }
 
 void Timeline::paintEvent(QPaintEvent*) {
@@ -158,14 +201,11 @@ void Timeline::paintEvent(QPaintEvent*) {
   if (bench_.stale()) painter.setOpacity(kStaleOpacity);
   const double height = this->height() - kTop - kAxis;
   const double gap = 8;
-  const double half = (height - gap) / 2;
+  const std::vector<Track> all = tracks();
+  const double each = (height - gap * double(all.size() - 1)) / double(all.size());
   const double plotWidth = width() - kLeft - kRight;
-  const Blade& blade = bench_.sweep()->sweep.request.blade;
-  const double allowed = blade.yieldStress / blade.safety;
-  paintPlot(painter, {double(kLeft), double(kTop), plotWidth, half}, tr("Speed, mm/s"), 1e18, {},
-            &Sample::speedMin, &Sample::speedMax);
-  paintPlot(painter, {kLeft, kTop + half + gap, plotWidth, half}, tr("Stress, N/mm²"), allowed,
-            tr("limit %1").arg(std::lround(allowed)), nullptr, &Sample::stress);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    paintPlot(painter, {double(kLeft), kTop + double(i) * (each + gap), plotWidth, each}, all[i]);
 
   // Time axis.
   const QFontMetrics metrics(painter.font());
@@ -197,7 +237,7 @@ void Timeline::paintEvent(QPaintEvent*) {
   if (const QStringList lines = readout(); !lines.isEmpty()) {
     painter.setPen(QPen(c.secondary, 1, Qt::DotLine));
     painter.drawLine(QPointF(cursor_, kTop), QPointF(cursor_, kTop + height));
-    paintReadout(painter, {cursor_, kTop + half}, QRectF(rect()).adjusted(2, 2, -2, -2), lines, c);
+    paintReadout(painter, {cursor_, kTop + 0.5 * height}, QRectF(rect()).adjusted(2, 2, -2, -2), lines, c);
   }
   if (hasFocus()) {
     painter.setBrush(Qt::NoBrush);

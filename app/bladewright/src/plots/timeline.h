@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <QPolygonF>
 #include <QWidget>
 
+#include <optional>
 #include <vector>
 
 #include "controls/numbers.h"
@@ -13,9 +15,9 @@
 
 namespace bw::app {
 
-/// Speed (slowest to fastest point of the blade) and bending stress over time, with the playhead: drag to
-/// scrub. The wheel zooms to the time under the cursor, with Shift it moves, a double click shows all again;
-/// what lies under the cursor stands beside it.
+/// Speed (slowest to fastest point of the blade), bending stress and stability margin over time, with the
+/// playhead: drag to scrub. The wheel zooms to the time under the cursor, with Shift it moves, a double click
+/// shows all again; what lies under the cursor stands beside it.
 class Timeline : public QWidget {
   Q_OBJECT
 
@@ -48,8 +50,16 @@ class Timeline : public QWidget {
   };
   void follow(const Change& change);
   void rebuild();
-  void paintPlot(QPainter& painter, const QRectF& area, const QString& title, double limit,
-                 const QString& limitText, double Sample::*low, double Sample::*high) const;
+  /// One curve over time, or the band between two.
+  struct Track {
+    QString title;
+    QPolygonF high, low;  ///< over seconds; `low` may be empty: the band begins at 0
+    std::optional<double> limit = std::nullopt;
+    bool least = false;  ///< the limit is what is kept at least
+    QString limitText = {};
+  };
+  void paintPlot(QPainter& painter, const QRectF& area, const Track& track) const;
+  std::vector<Track> tracks() const;
   /// The numbers at a time, between the stations in proportion.
   Sample at(double seconds) const;
   void zoom(double about, double factor);
@@ -57,6 +67,7 @@ class Timeline : public QWidget {
   Workbench& bench_;
   const Theme& theme_;
   std::vector<Sample> samples_;
+  QPolygonF margins_;  ///< of stability over seconds, as the motion is run; empty until that is known
   double end_ = 0;
   AxisRange seen_;      ///< s
   double cursor_ = -1;  ///< x in the widget; −1 outside

@@ -71,7 +71,9 @@ Inspector::Inspector(Workbench& bench, const Theme& theme, QWidget* parent)
     }
   });
   connect(&bench, &Workbench::changed, this, [this](const Change& change) {
-    if (change.any(model::kAspectsOfCut | Aspect::design | Aspect::selection, bench_.selection())) refresh();
+    if (change.any(model::kAspectsOfCut | Aspect::thoughts | Aspect::design | Aspect::selection,
+                   bench_.selection()))
+      refresh();
   });
   refresh();
 }
@@ -193,7 +195,7 @@ void Inspector::makeBlade() {
   FormColumn* column = addPage();
   auto* details = new FormColumn;
   column->addHeading(tr("Blade"));
-  bladeFields_ = new BladeFields(bench_, column, details, this);
+  bladeFields_ = new BladeFields(bench_, column, details, theme_, this);
   column->addHeading(tr("Section and material"));
   column->addWide(details);
   addValue(column, tr("Rigidity"), tr("Flexural rigidity E·I"),

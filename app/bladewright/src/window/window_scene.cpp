@@ -38,7 +38,7 @@ void MainWindow::follow(const Change& change) {
   if (change.any(Aspect::selection | Aspect::result)) marker_.reset();
   if (change.any(Aspect::result))
     refreshResult(change.any(Aspect::source | model::kAspectsOfCut));
-  else if (change.any(Aspect::selection | Aspect::playTime))
+  else if (change.any(Aspect::selection | Aspect::playTime | Aspect::thoughts))
     refreshStyle();
   if (change.any(Aspect::state | Aspect::progress)) refreshState();
 }
@@ -100,6 +100,7 @@ void MainWindow::refreshStyle() {
   style.selected = style.moving = selectedRow();
   style.selected.station = bench_.selection().station;
   style.playhead = bench_.moving() ? bench_.stationAt(bench_.playTime()) : -1;
+  if (bench_.moving()) style.movingBlade = bench_.bladeAt(bench_.playTime());
   style.section = sectionPlane();
   style.marker = marker_;
   faces_->applyTo(style);

@@ -204,6 +204,28 @@ double Workbench::stationAt(double seconds) const {
   return double(count) - 1;
 }
 
+std::vector<Eigen::Vector3d> Workbench::bladeAt(double seconds) const {
+  constexpr int kPlaces = 121;
+  const pipeline::CutEvaluation* cut = shownCut();
+  if (!cut || !cut->run.value || cut->run.value->blades.empty()) return {};
+  const std::vector<SimulatedBlade>& blades = cut->run.value->blades;
+  const auto places = [](const SimulatedBlade& at) {
+    std::vector<Eigen::Vector3d> points;
+    for (const Elastica::State& state : at.blade.sample(kPlaces))
+      points.push_back(at.frame.toWorld(state.point));
+    return points;
+  };
+  const auto after = std::ranges::lower_bound(blades, seconds, {}, &SimulatedBlade::time);
+  if (after == blades.begin()) return places(blades.front());
+  if (after == blades.end()) return places(blades.back());
+  const SimulatedBlade &a = *(after - 1), &b = *after;
+  const double share = (seconds - a.time) / (b.time - a.time);
+  std::vector<Eigen::Vector3d> points = places(a);
+  const std::vector<Eigen::Vector3d> next = places(b);
+  for (std::size_t k = 0; k < points.size(); ++k) points[k] += share * (next[k] - points[k]);
+  return points;
+}
+
 Change Workbench::settleSelection() {
   const auto there = std::ranges::find(design().cuts, selection_.cut, &Cut::id);
   const Cut& cut = there == design().cuts.end() ? design().cuts.front() : *there;
@@ -217,7 +239,9 @@ Change Workbench::resultChange() {
   change |= model::difference(toldNewest_.get(), runner_.evaluation().get());
   toldShown_ = shown();
   toldNewest_ = runner_.evaluation();
-  change.whole |= Aspect::result;
+  // What only adds to the result on the screen leaves that as it is.
+  if (!change.any(Aspect::thoughts) || change.any(~model::Aspects(Aspect::thoughts)))
+    change.whole |= Aspect::result;
   return change;
 }
 
@@ -246,7 +270,7 @@ std::vector<Message> Workbench::messages() const {
 }
 
 void Workbench::onFinished() {
-  messages_.clear();
+  const std::vector<Message> before = std::exchange(messages_, {});
   emit noticesOutdated(Topic::evaluation);
   if (const std::optional<Error>& error = runner_.error()) {
     QString text = QString::fromStdString(printable(error->message));
@@ -267,7 +291,13 @@ void Workbench::onFinished() {
   if (runner_.evaluation())
     std::ranges::transform(runner_.evaluation()->findings(), std::back_inserter(messages_), messageOf);
   Change change = resultChange();
-  change.whole |= Aspect::messages | Aspect::state;
+  // A list that is the same stays as it is, with what is chosen of it.
+  const auto same = [](const Message& a, const Message& b) {
+    return a.severity == b.severity && a.text == b.text;
+  };
+  change.whole |= Aspect::state;
+  if (change.whole.testFlag(Aspect::result) || !std::ranges::equal(before, messages_, same))
+    change.whole |= Aspect::messages;
   if (const auto result = sweep()) {
     const int count = int(result->sweep.poses.size());
     if (selection_.kind == Selection::Kind::station && selection_.station >= count) {

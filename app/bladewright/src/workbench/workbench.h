@@ -117,6 +117,9 @@ class Workbench : public QObject {
   double timeOfStation(int station) const;
   /// The station (fractional) that the blade stands at; −1 without a result.
   double stationAt(double seconds) const;
+  /// The blade at a time of the motion that is run, from grip to grip, in the file's frame; empty as long as
+  /// that is not known.
+  std::vector<Eigen::Vector3d> bladeAt(double seconds) const;
   /// Whether the moving blade is shown: true once the timeline was used.
   bool moving() const { return moving_; }
   void setMoving(bool moving);

@@ -54,6 +54,7 @@ void takePreset(Design& design, const std::string& name) {
   Result<Blade> blade = bladePreset(name);
   if (!blade) return;
   blade->length = design.blade.length;
+  blade->autoLength = design.blade.autoLength;
   design.blade = std::move(*blade);
 }
 
@@ -62,7 +63,10 @@ struct Mend {
   Design& design;
   Cut& cut;
 
-  void operator()(const OtherLength& remedy) const { design.blade.length = remedy.length; }
+  void operator()(const OtherLength& remedy) const {
+    design.blade.length = remedy.length;
+    design.blade.autoLength = false;
+  }
   void operator()(const BendingBlade& remedy) const {
     if (remedy.presetBends()) takePreset(design, remedy.preset);
   }

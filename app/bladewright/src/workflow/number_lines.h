@@ -20,7 +20,7 @@ class NumberLines {
   /// `text` names the step of undo.
   using Edit = std::function<void(const QString& text, const std::function<void(Owner&)>& change)>;
 
-  void add(FormColumn* column, const Setting& setting, QObject* context, const Edit& edit) {
+  NumberField* add(FormColumn* column, const Setting& setting, QObject* context, const Edit& edit) {
     auto* field =
         column->add(QObject::tr(setting.title),
                     new NumberField({setting.scale * setting.typedMin, setting.scale * setting.max,
@@ -31,6 +31,7 @@ class NumberLines {
            [&setting, value](Owner& owner) { owner.*setting.member = value / setting.scale; });
     });
     lines_.push_back({&setting, field, field->toolTip()});
+    return field;
   }
 
   /// `shown`: the lines that are; `note`: what the tip of a field says besides.

@@ -37,7 +37,8 @@ constexpr std::array<const char*, 3> kAxes = {"X", "Y", "Z"};
 
 }  // namespace
 
-BladeFields::BladeFields(Workbench& bench, FormColumn* column, FormColumn* details, QObject* parent)
+BladeFields::BladeFields(Workbench& bench, FormColumn* column, FormColumn* details, const Theme& theme,
+                         QObject* parent)
     : QObject(parent), bench_(bench) {
   if (Result<std::vector<Blade>> presets = bladePresets()) presets_ = std::move(*presets);
   preset_ = column->addBelow(tr("Blade"), tr("The tool: its section and material"));
@@ -51,6 +52,7 @@ BladeFields::BladeFields(Workbench& bench, FormColumn* column, FormColumn* detai
     }
     Blade blade = presets_[std::size_t(index)];
     blade.length = bench_.design().blade.length;
+    blade.autoLength = bench_.design().blade.autoLength;
     bench_.editDesign(tr("Choose blade"), [&](Design& design) { design.blade = blade; });
   });
 
@@ -58,7 +60,27 @@ BladeFields::BladeFields(Workbench& bench, FormColumn* column, FormColumn* detai
     editBlade(text, change);
   };
   const std::span<const BladeNumber> numbers = bladeNumbers();
-  numbers_.add(column, numbers.front(), this, edit);
+  length_ = numbers_.add(column, numbers.front(), this, edit);
+  band_ = column->addWide(new LengthBand(theme));
+  connect(band_, &LengthBand::chosen, this, [this](double length) {
+    bench_.editDesign(tr("Change blade length"), [length](Design& design) {
+      design.blade.length = length;
+      design.blade.autoLength = false;
+    });
+  });
+  lengths_ = column->addWide(new QLabel);
+  lengths_->setObjectName("secondary");
+  autoLength_ =
+      column->addCheck(tr("Best length"), tr("Takes the length with which the blade rests most firmly"));
+  autoLength_->setObjectName("bestLength");
+  connect(autoLength_, &QCheckBox::clicked, this, [this](bool on) {
+    const auto result = bench_.sweep();
+    const double now = result ? result->sweep.request.blade.length : bench_.design().blade.length;
+    bench_.editDesign(on ? tr("Take the best length") : tr("Keep the length"), [on, now](Design& design) {
+      design.blade.autoLength = on;
+      design.blade.length = now;
+    });
+  });
   auto* line = new QWidget;
   auto* layout = makeBox<QHBoxLayout>(line);
   layout->addStretch();
@@ -119,9 +141,23 @@ void BladeFields::refresh() {
   };
   numbers_.refresh(
       blade, [&](const BladeNumber& number) { return number.appliesTo(blade.section); }, source);
+  refreshLengths();
   minRadius_->setText(QString::fromStdString(shortText(blade.minRadius(), 3)) + " mm");
   weight_->setChecked(bench_.design().process.weight);
   up_->setVisible(bench_.design().process.weight);
+}
+
+void BladeFields::refreshLengths() {
+  const Blade& blade = bench_.design().blade;
+  const pipeline::CutEvaluation* cut = bench_.shownCut();
+  const std::shared_ptr<const BladeLengths> known = cut ? cut->lengths.value : nullptr;
+  const auto result = bench_.sweep();
+  const double length = blade.autoLength && result ? result->sweep.request.blade.length : blade.length;
+  band_->show(known, length);
+  lengths_->setText(lengthsText(known.get()));
+  autoLength_->setChecked(blade.autoLength);
+  length_->show(length);
+  length_->setEnabled(!blade.autoLength);
 }
 
 BlockFields::BlockFields(Workbench& bench, FormColumn* column, QObject* parent)

@@ -10,6 +10,7 @@
 #include "controls/fields.h"
 #include "workbench/workbench.h"
 #include "workflow/direction_lines.h"
+#include "workflow/length_band.h"
 #include "workflow/number_lines.h"
 
 namespace bw::app {
@@ -20,8 +21,10 @@ class BladeFields : public QObject {
 
  public:
   /// Preset and length go to `column`, the rest to `details`.
-  BladeFields(Workbench& bench, FormColumn* column, FormColumn* details, QObject* parent);
+  BladeFields(Workbench& bench, FormColumn* column, FormColumn* details, const Theme& theme, QObject* parent);
   void refresh();
+  /// What is known of the lengths that serve.
+  void refreshLengths();
 
  signals:
   /// The length is to be found from a measurement.
@@ -36,6 +39,10 @@ class BladeFields : public QObject {
   std::vector<Blade> presets_;
   ChoiceField* preset_;
   BladeLines numbers_;
+  NumberField* length_;
+  QCheckBox* autoLength_;
+  LengthBand* band_;
+  QLabel* lengths_;
   QLabel* minRadius_;
   QCheckBox* weight_;
   DirectionLines* up_;

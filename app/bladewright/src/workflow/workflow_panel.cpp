@@ -135,7 +135,7 @@ WorkflowPanel::WorkflowPanel(Workbench& bench, const Theme& theme, QWidget* pare
 QWidget* WorkflowPanel::makeSetup() {
   auto* column = new FormColumn;
   auto* details = new FormColumn;
-  bladeFields_ = new BladeFields(bench_, column, details, this);
+  bladeFields_ = new BladeFields(bench_, column, details, theme_, this);
   column->addFold(tr("Section and material"), theme_)->addWide(details);
   for (const ProcessNumber& number : processNumbers())
     if (number.part == ProcessPart::setup) addProcessLine(numbers_, column, number, this, bench_);
@@ -172,6 +172,8 @@ void WorkflowPanel::follow(const Change& change) {
     bladeFields_->refresh();
     numbers_.refresh(bench_.design().process);
     output_->refresh();
+  } else if (any(Aspect::thoughts | Aspect::poses)) {
+    bladeFields_->refreshLengths();
   }
   if (any(Aspect::state | Aspect::progress)) refreshStates();
   if (any(Aspect::state)) input_->refreshState();

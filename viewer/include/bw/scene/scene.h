@@ -128,6 +128,7 @@ struct Style {
   ItemId selected;                           ///< a station, or none
   ItemId moving{0, 0, 0};                    ///< the row whose blade moves
   double playhead = -1;  ///< position of the moving blade in stations (fractional), −1 = none
+  Polyline movingBlade;  ///< where it is then; empty = between the blades of the stations
   bool stale = false;    ///< results are out of date: drawn at 60 %
   bool softShadows =
       true;  ///< ambient occlusion of solid things; weaker under a map, which keeps its colours

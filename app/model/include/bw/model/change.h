@@ -35,6 +35,7 @@ enum class Aspect {
   progress = 1 << 10,  ///< of what is being computed
   selection = 1 << 11,
   playTime = 1 << 12,  ///< and whether the moving blade is shown
+  thoughts = 1 << 13,  ///< of a cut: what `pipeline::addSecondThought` adds; no picture shows it at rest
 };
 Q_DECLARE_FLAGS(Aspects, Aspect)
 Q_DECLARE_OPERATORS_FOR_FLAGS(Aspects)

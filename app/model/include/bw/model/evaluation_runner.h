@@ -85,6 +85,12 @@ class EvaluationRunner : public QObject {
   };
 
   void work(const std::stop_token& stop);
+  /// Adds to a result that was handed out what takes longer, as long as nothing else is asked for, and hands
+  /// it out again.
+  void thinkAgain(const std::shared_ptr<const pipeline::Evaluation>& first, const std::stop_token& stop,
+                  const std::stop_token& end);
+  void takeMore(const std::shared_ptr<const pipeline::Evaluation>& before,
+                const std::shared_ptr<const pipeline::Evaluation>& more);
   void deliver(const Order& order, std::shared_ptr<const pipeline::Evaluation> evaluation,
                std::optional<Error> error);
   void noteProgress(std::uint64_t number, double fraction, const QString& step);
@@ -98,6 +104,7 @@ class EvaluationRunner : public QObject {
   std::deque<Order> waiting_;
   std::stop_source running_{std::nostopstate};
   bool runningIsEvaluation_ = false;
+  bool secondThoughts_ = false;                           // what runs adds to a result that is there
   std::shared_ptr<const pipeline::Evaluation> previous_;  // with earlier stages, to be used again
   std::shared_ptr<const pipeline::Evaluation> newest_;    // as it came out
 

@@ -13,7 +13,9 @@
 #include "bw/core/base/run_context.h"
 #include "bw/core/design/design.h"
 #include "bw/core/motion/cell.h"
+#include "bw/core/simulation/simulation.h"
 #include "bw/core/surface/mesh.h"
+#include "bw/core/sweep/blade_lengths.h"
 #include "bw/core/sweep/coverage.h"
 #include "bw/core/sweep/row_certainty.h"
 #include "bw/core/sweep/row_motion.h"
@@ -91,6 +93,9 @@ struct CutEvaluation {
   Stage<PlanesRequest, std::vector<Section>> sections;
   /// Only for files: what OpenCASCADE takes over of the traced sections, and the findings in their place.
   Stage<PlanesRequest, std::optional<std::vector<Section>>> confirmed;
+  /// What lengths of the blade serve: where none is asked for, where for files one does not, and from
+  /// `addSecondThought`.
+  Stage<LengthsRequest, BladeLengths> lengths;
   Stage<RowRequest, Sweep> sweep;               ///< blades and poses
   Stage<CheckRequest, SweepCheck> check;        ///< velocities, margins, clearance
   Stage<double, RowMotion> way;                 ///< the targets of the robots, and the blade between them
@@ -101,6 +106,7 @@ struct CutEvaluation {
   Stage<EntryExitRequest, EntryExit> ends;      ///< how the blade is led into the row and out of it
   Stage<CheckRequest, RowRest> rest;            ///< what keeps each blade in its shape
   Stage<MotionRequest, Motion> motion;
+  Stage<NoRequest, Simulation> run;  ///< the motion run; only from `addSecondThought`
 
   std::optional<CutResult> result() const;  ///< empty until all stages are done
   Findings findings() const;                ///< of all stages in order
@@ -154,6 +160,11 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
 /// The triangles of a cut's surface, unless they are there already: to be shown also where a later stage
 /// failed. `seconds` grows by the time.
 Result<void> meshTarget(CutEvaluation& cut, const CutEvaluation* previous, double& seconds);
+
+/// Adds to a cut that came to a result the next of what takes longer than a picture may wait for: the motion
+/// run, where it can be, and then the lengths of blade that would serve. False if nothing is left to be
+/// added, or it was stopped.
+bool addSecondThought(Evaluation& evaluation, const RunContext& context);
 
 /// Adds the triangles of all faces of the file, to choose among them, unless the file has one face only or
 /// was not read. Those of `previous` are used again where the file is the same. A stop leaves them out.

@@ -9,6 +9,7 @@
 
 #include "bw/core/design/design.h"
 #include "bw/core/files/shared_bytes.h"
+#include "bw/core/sweep/blade_lengths.h"
 #include "bw/core/sweep/entry_exit.h"
 #include "bw/core/sweep/row_motion.h"
 #include "bw/core/sweep/section_request.h"
@@ -50,9 +51,17 @@ struct RowRequest {
   bool operator==(const RowRequest&) const = default;
 };
 
+/// Lengths of a blade for a row in a block.
+struct LengthsRequest {
+  geometry::Setup setup;
+  LengthRequest lengths;
+  bool operator==(const LengthsRequest&) const = default;
+};
+
 /// What a design asks of the stages of a cut: nothing else of it reaches them.
 FitRequest fitRequest(const Design& design);
 CheckRequest checkRequest(const Design& design);
+LengthRequest lengthRequest(const Design& design);
 WayRequest wayRequest(const Design& design);
 EntryExitRequest entryExitRequest(const Design& design);
 MotionRequest motionRequest(const Design& design);

@@ -30,6 +30,8 @@ enum class FindingKind {
   stability,
   outOfPlane,
   weight,
+  length,
+  gripErrors,
   clearance,
   angle,
   speed,
@@ -364,6 +366,26 @@ struct HomeUnknown {
   static constexpr FindingKind kind = FindingKind::cell;
   std::string robots;  ///< whose kinematics are not known
 };
+/// A grip that is off would move the cut by more than the tolerance.
+struct GripErrors {
+  static constexpr FindingKind kind = FindingKind::gripErrors;
+  double moved = 0;             ///< mm; infinite where the blade is about to snap
+  double error = 0, angle = 0;  ///< mm and rad that the grip is off
+  double tolerance = 0;
+};
+/// What lengths of the blade serve a row, where the one that is asked for does not, or none is asked for.
+struct ServingLengths {
+  static constexpr FindingKind kind = FindingKind::length;
+  enum class Said {
+    others,  ///< these serve, the one asked for does not
+    none,    ///< none does
+    taken,   ///< none was asked for: `best` was taken
+    nearest  ///< none was asked for and none serves: `best` comes nearest
+  } said = Said::others;
+  double best = 0;  ///< mm
+  double from = 0,
+         to = 0;  ///< mm, the stretch of those that serve that holds it; where none does, of those tried
+};
 /// A robot cannot hold its end of the blade at the place, or, without one, at home as the program begins.
 struct HomeOutOfReach {
   static constexpr FindingKind kind = FindingKind::cell;
@@ -402,17 +424,15 @@ struct RunMismatch {
   std::string file, run = {}, other = {}, text = {};
 };
 
-using Cause =
-    std::variant<UnmetConditions, UnsettledFit, HeldBackFit, SteadiedFit, Overbent, TooTight, ManyInflections,
-                 WouldSnap, LowMargin, SnapsInWeight, MovedByWeight, BentSideways, UnknownInWeight,
-                 WouldTwist, GripTooNear, SteepAngle, UnevenSpeed, EndsSwing, GapInRow, TooFar, Uncovered,
-                 BladeCrosses, LeadGrown, OtherShape, NoWay, SnapsOnTheWay, ArrivesOtherwise, LostOnTheWay,
-                 TooFarOnTheWay, OffTheSurfaceShown, SkinOff, SectionMissing, SectionPoint, SectionShort,
-                 SectionBranches, SectionClosed, SectionBridged, SectionBorder, SectionUnfit, SectionRough,
-                 SectionDiffers,
-                 LargestFace, NearestFace, FacesLeftOut, TravelAcross, ChosenDirection, LeftOutOfFile, Healed,
-                 ChangedSource, EarlierDesign, UnreadableCell, WrongSide, HomeUnknown, HomeOutOfReach,
-                 ProgramDespiteErrors, ProgramBreach, RunMismatch>;
+using Cause = std::variant<
+    UnmetConditions, UnsettledFit, HeldBackFit, SteadiedFit, Overbent, TooTight, ManyInflections, WouldSnap,
+    LowMargin, SnapsInWeight, MovedByWeight, BentSideways, UnknownInWeight, WouldTwist, GripTooNear,
+    SteepAngle, UnevenSpeed, EndsSwing, GapInRow, TooFar, Uncovered, BladeCrosses, LeadGrown, OtherShape,
+    NoWay, SnapsOnTheWay, ArrivesOtherwise, LostOnTheWay, TooFarOnTheWay, OffTheSurfaceShown, SkinOff,
+    ServingLengths, GripErrors, SectionMissing, SectionPoint, SectionShort, SectionBranches, SectionClosed,
+    SectionBridged, SectionBorder, SectionUnfit, SectionRough, SectionDiffers, LargestFace, NearestFace,
+    FacesLeftOut, TravelAcross, ChosenDirection, LeftOutOfFile, Healed, ChangedSource, EarlierDesign,
+    UnreadableCell, WrongSide, HomeUnknown, HomeOutOfReach, ProgramDespiteErrors, ProgramBreach, RunMismatch>;
 
 /// Stations of a row by their index: from first to last, `count` of them concerned, the worst among them.
 struct StationRange {

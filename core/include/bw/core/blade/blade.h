@@ -19,9 +19,11 @@ struct Blade {
   std::string name = "steel-tube-3-2.5";     ///< preset word, or "custom"
   std::string title = {};                    ///< for people
   Section section = Section::tube;
-  double length = 800;              ///< free length between the two TCP origins, mm
-  double width = 0;                 ///< flat: along the cutting direction, mm
-  double thickness = 0;             ///< flat: in the bending plane, mm
+  double length = 800;  ///< free length between the two TCP origins, mm
+  bool autoLength =
+      false;             ///< the length is left open: what serves a row best (`bladeLengths`) takes its place
+  double width = 0;      ///< flat: along the cutting direction, mm
+  double thickness = 0;  ///< flat: in the bending plane, mm
   double outerDiameter = 3;         ///< tube and rod, mm
   double innerDiameter = 2.5;       ///< tube, mm
   double youngModulus = 200000;     ///< at the working temperature, N/mm²

@@ -66,6 +66,8 @@ struct Process {
   double margin = 0.15;          ///< of stability, that blades are to keep
   double motionTolerance = 0.1;  ///< mm between the blade as the robots move it and the surface shown
   double lead = 20;              ///< mm of straight travel before and after the block
+  double gripError = 0.5;        ///< mm that a grip may be off, and
+  double gripAngle = 0.2;        ///< degrees that it may be turned: what the cut then moves by is told
   bool weight = true;            ///< blades hang in their own weight
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  ///< not zero, in the file's frame
   bool operator==(const Process&) const = default;

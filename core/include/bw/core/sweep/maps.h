@@ -23,6 +23,7 @@ struct CutSample {
   double relativeSpeed = 1;  ///< over the fastest point of the station
   double curvature = 0;      ///< |κ| over the limit of the blade
   double stress = 0;         ///< N/mm², of bending in the outermost fibre
+  double movedByGrip = 0;    ///< mm, if a grip is off (`SweepCheck::movedByGrip`)
 };
 
 /// A map of the cut surface: one number a point. Window, legend, command line, files and pages all take its

@@ -7,6 +7,7 @@
 #include "bw/core/base/finding.h"
 #include "bw/core/base/result.h"
 #include "bw/core/base/run_context.h"
+#include "bw/core/base/units.h"
 #include "bw/core/surface/mesh.h"
 #include "bw/core/surface/spline_surface.h"
 #include "bw/core/surface/surface_sampler.h"
@@ -16,10 +17,12 @@ namespace bw {
 
 /// What a row of blades is checked against.
 struct CheckRequest {
-  double tolerance = 2;      ///< mm, deviation of the cut surface
-  double clearance = 50;     ///< mm between a grip and the block
-  double cuttingSpeed = 20;  ///< mm/s of the fastest point
-  double margin = 0.15;      ///< of stability
+  double tolerance = 2;                 ///< mm, deviation of the cut surface
+  double clearance = 50;                ///< mm between a grip and the block
+  double cuttingSpeed = 20;             ///< mm/s of the fastest point
+  double margin = 0.15;                 ///< of stability
+  double gripError = 0.5;               ///< mm that a grip may be off in the plane
+  double gripAngle = fromDegrees(0.2);  ///< rad that it may be turned there besides
   bool operator==(const CheckRequest&) const = default;
 };
 
@@ -38,6 +41,7 @@ struct StationCheck {
   bool gripsSwapped = false;  ///< they lie the other way round than the ends of the part that cuts
   double movedByWeight = 0;   ///< mm, the farthest that weight moves the part that cuts
   double sideways = 0;        ///< mm, how far weight across the plane bends a round blade out of it
+  double movedByGrip = 0;  ///< mm, the largest of `SweepCheck::movedByGrip`; infinite where it is not known
 };
 
 /// Velocity of the cut of one station, at points of equal shares of its length (docs/mathematics.md,
@@ -52,6 +56,9 @@ struct StationVelocity {
 struct SweepCheck {
   std::vector<StationCheck> stations;
   std::vector<StationVelocity> velocities;
+  /// mm, how far across itself the part that cuts moves if one grip is off by as much as the request says, to
+  /// first order, at points of equal shares of its length; infinite where the blade is about to snap.
+  std::vector<std::vector<double>> movedByGrip;
 };
 
 /// Velocities (thesis 5.3, following the arc length from the blade's middle), margins and clearance of a

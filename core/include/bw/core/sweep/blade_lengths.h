@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "bw/core/base/result.h"
+#include "bw/core/base/run_context.h"
+#include "bw/core/sweep/entry_exit.h"
+#include "bw/core/sweep/row_certainty.h"
+#include "bw/core/sweep/section.h"
+#include "bw/core/sweep/sweep.h"
+#include "bw/core/sweep/sweep_check.h"
+
+namespace bw {
+
+/// What a row is to keep with whatever length of blade.
+struct LengthRequest {
+  FitRequest fit;  ///< but for the length of its blade
+  CheckRequest check;
+  EntryExitRequest ends;
+  bool operator==(const LengthRequest&) const = default;
+};
+
+/// How a row does with a blade of one length.
+struct LengthTrial {
+  double length = 0;        ///< mm
+  Rest rest = Rest::lost;   ///< of its worst station; lost, too, where a limit is not kept
+  double margin = 0;        ///< of stability, the least in the plane or across it
+  double deviation = 1e30;  ///< mm, of the part that cuts from its section
+  bool reaches = false;     ///< it keeps the clearance at both sides of the block
+  bool serves() const { return rest == Rest::certain || rest == Rest::held; }
+};
+
+/// Which lengths of a blade serve a row.
+struct BladeLengths {
+  std::vector<LengthTrial> trials;            ///< ascending
+  std::optional<double> best = std::nullopt;  ///< mm; none where none serves
+  /// A stretch of lengths that serve alike: no length that was tried in it does otherwise.
+  struct Band {
+    double from = 0, to = 0;
+    Rest rest = Rest::certain;
+  };
+  std::vector<Band> bands() const;
+  /// The trial at that length or the one next below; null below all.
+  const LengthTrial* at(double length) const;
+};
+
+/// Solves some of the sections (thirty, evenly over the row, and the longest: with fewer the grips could not
+/// go from one to the next as they do) for blades of lengths from that of the longest section and its leads
+/// up, each a fortieth, later a twentieth longer than the one before, as long as it may still serve, then
+/// finer (5 mm) at the ends of what serves or reaches. A length serves where the blade keeps its radius, its
+/// margin, its plane and the clearance, crosses nothing, lies on the sections within the tolerance, and
+/// rests in the shape that is asked for, certain or held with an entry. The
+/// best one is that of the largest margin, one that is certain before one that is held. Lengths are whole
+/// multiples of 5 mm. docs/mathematics.md, sweep. Errors: badInput without sections; `cancelled`. Some 1 to 8
+/// s.
+[[nodiscard]] Result<BladeLengths> bladeLengths(const std::vector<Section>& sections,
+                                                const LengthRequest& request, const Box& block,
+                                                const PlaneFamily& planes, const RunContext& context);
+
+}  // namespace bw

@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "bw/core/sweep/blade_lengths.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace bw {
+
+namespace {
+
+constexpr std::size_t kTried = 30;  // sections of the row
+constexpr double kStep = 5;         // mm: lengths are its multiples
+constexpr double kLonger = 1.025;   // each length that is tried first, of the one before
+constexpr double kCoarser = 1.05;   // and from kFine on
+constexpr int kFine = 8;
+constexpr int kFirst = 16;          // of these: the longest is 1.8 times the shortest
+constexpr int kAtOnce = 4;          // of these; where the last ones serve no more, no longer one is tried
+constexpr double kShortest = 0.99;  // of the longest section: what a blade has between its leads at least
+
+double rounded(double length) { return kStep * std::round(length / kStep); }
+
+/// Some of the sections, evenly, and the longest.
+std::vector<Section> someOf(const std::vector<Section>& all) {
+  std::vector<const Section*> chosen;
+  for (const Section& section : all)
+    if (section.chosen >= 0) chosen.push_back(&section);
+  std::set<std::size_t> taken;
+  for (std::size_t k = 0; k < kTried && !chosen.empty(); ++k)
+    taken.insert((chosen.size() - 1) * k / (kTried - 1));
+  const auto longest =
+      std::ranges::max_element(chosen, {}, [](const Section* section) { return section->curve().length(); });
+  if (longest != chosen.end()) taken.insert(std::size_t(longest - chosen.begin()));
+  std::vector<Section> some;
+  for (const std::size_t i : taken) some.push_back(*chosen[i]);
+  return some;
+}
+
+/// Tries lengths on a row.
+class Trials {
+ public:
+  Trials(const std::vector<Section>& sections, const LengthRequest& request, const Box& block,
+         const PlaneFamily& planes, const RunContext& context)
+      : sections_(sections), request_(request), block_(block), planes_(planes) {
+    quiet_.stop = context.stop;
+    quiet_.threads = 1;
+  }
+
+  LengthTrial operator()(double length) const {
+    LengthTrial trial{length};
+    FitRequest fit = request_.fit;
+    fit.blade.length = length;
+    Findings unused;
+    const Result<Sweep> sweep = buildSweep(sections_, fit, block_, planes_, quiet_, unused);
+    if (!sweep) return trial;
+    trial.reaches = true;
+    const Result<SweepCheck> check = checkSweep(*sweep, request_.check, quiet_);
+    if (!check) return trial;
+    trial.margin = 1;
+    trial.deviation = 0;
+    bool keeps = true;
+    for (std::size_t i = 0; i < sweep->poses.size(); ++i) {
+      const StationCheck& seen = check->stations[i];
+      trial.margin = std::min({trial.margin, seen.stabilityMargin, seen.outOfPlaneMargin});
+      trial.deviation = std::max(trial.deviation, sweep->fits[i].fit.hausdorff);
+      trial.reaches = trial.reaches && seen.clearance >= request_.check.clearance;
+      keeps = keeps && seen.stable && seen.stabilityMargin >= request_.check.margin &&
+              seen.outOfPlaneMargin > 0 && seen.sideways <= request_.check.tolerance && !seen.crossesItself &&
+              !seen.gripsSwapped && sweep->fits[i].unknown.empty() &&
+              sweep->poses[i].maxCurvature() <= fit.blade.maxCurvature();
+    }
+    if (keeps && trial.reaches) trial.rest = restOn(*sweep);
+    return trial;
+  }
+
+ private:
+  /// How the worst of the stations rests, the way between them let be.
+  Rest restOn(const Sweep& sweep) const {
+    const Result<RowCertainty> row = certaintyOf(sweep, quiet_);
+    if (!row) return Rest::lost;
+    Rest worst = Rest::certain;
+    for (const StationCertainty& station : row->stations) {
+      if (station.certain()) continue;
+      if (!std::isfinite(station.energy)) return Rest::lost;
+      if (station.barrier && *station.barrier < kLeastBarrier) return Rest::lost;
+      worst = Rest::held;
+    }
+    if (worst == Rest::certain) return worst;
+    const Result<EntryExit> ends = planEntryExit(sweep, request_.ends, quiet_);
+    return ends && !ends->entry.poses.empty() && ends->entry.margin >= request_.check.margin ? worst
+                                                                                             : Rest::lost;
+  }
+
+  const std::vector<Section>& sections_;
+  const LengthRequest& request_;
+  const Box& block_;
+  const PlaneFamily& planes_;
+  RunContext quiet_;
+};
+
+}  // namespace
+
+std::vector<BladeLengths::Band> BladeLengths::bands() const {
+  std::vector<Band> found;
+  bool onward = false;
+  for (const LengthTrial& trial : trials) {
+    if (onward && trial.serves() && found.back().rest == trial.rest)
+      found.back().to = trial.length;
+    else if (trial.serves())
+      found.push_back({trial.length, trial.length, trial.rest});
+    onward = trial.serves();
+  }
+  return found;
+}
+
+const LengthTrial* BladeLengths::at(double length) const {
+  const auto after = std::ranges::upper_bound(trials, length, {}, &LengthTrial::length);
+  return after == trials.begin() ? nullptr : &*(after - 1);
+}
+
+Result<BladeLengths> bladeLengths(const std::vector<Section>& sections, const LengthRequest& request,
+                                  const Box& block, const PlaneFamily& planes, const RunContext& context) {
+  const std::vector<Section> some = someOf(sections);
+  if (some.empty())
+    return fail(ErrorCode::badInput,
+                "there are no sections to try blades on; place the block so that it meets the target",
+                "sections", 0.0, 1.0);
+  double longest = 0;
+  for (const Section& section : some) longest = std::max(longest, section.curve().length());
+  const Trials trial(some, request, block, planes, context);
+  BladeLengths lengths;
+  std::vector<LengthTrial>& trials = lengths.trials;
+  const auto tryAll = [&](const std::set<double>& asked) -> Result<bool> {
+    const std::vector<double> list(asked.begin(), asked.end());
+    std::vector<LengthTrial> made(list.size());
+    const Result<void> ok = parallelFor(context, int(list.size()),
+                                        [&](int i) { made[std::size_t(i)] = trial(list[std::size_t(i)]); });
+    if (!ok) return tl::unexpected<Error>(ok.error());
+    if (context.stopped()) return stoppedError();
+    trials.insert(trials.end(), made.begin(), made.end());
+    std::ranges::sort(trials, {}, &LengthTrial::length);
+    return std::ranges::any_of(made, &LengthTrial::serves);
+  };
+
+  bool served = false;
+  double next = std::ceil((kShortest * longest + 2 * request.check.clearance) / kStep) * kStep;
+  for (int first = 0; first < kFirst; first += kAtOnce) {
+    std::set<double> asked;
+    for (int i = 0; i < kAtOnce && next <= Blade::kLongest; ++i) {
+      asked.insert(next);
+      next = std::max(next + kStep, rounded((first + i < kFine ? kLonger : kCoarser) * next));
+    }
+    if (asked.empty()) break;
+    const Result<bool> serves = tryAll(asked);
+    if (!serves) return tl::unexpected<Error>(serves.error());
+    if (served && !*serves) break;
+    served = served || *serves;
+  }
+  for (;;) {
+    std::set<double> asked;
+    for (std::size_t i = 1; i < trials.size(); ++i)
+      if ((trials[i].rest != trials[i - 1].rest || trials[i].reaches != trials[i - 1].reaches) &&
+          trials[i].length - trials[i - 1].length > kStep)
+        asked.insert(rounded(0.5 * (trials[i].length + trials[i - 1].length)));
+    if (asked.empty()) break;
+    if (const Result<bool> serves = tryAll(asked); !serves) return tl::unexpected<Error>(serves.error());
+  }
+
+  const LengthTrial* best = nullptr;
+  for (LengthTrial& one : trials) {
+    if (one.deviation > request.check.tolerance) one.rest = Rest::lost;
+    if (!one.serves()) continue;
+    const bool surer = best && one.rest == Rest::certain && best->rest != Rest::certain;
+    if (!best || surer || (one.rest == best->rest && one.margin > best->margin)) best = &one;
+  }
+  if (best) lengths.best = best->length;
+  return lengths;
+}
+
+}  // namespace bw

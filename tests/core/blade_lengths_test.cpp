@@ -1,0 +1,215 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// Which lengths of a blade serve a row, and what grips that are off do to it.
+
+#include "bw/core/sweep/blade_lengths.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bw/core/base/units.h"
+#include "bw/core/heavy/heavy_bvp.h"
+#include "plane_sections.h"
+#include "row_settings.h"
+
+namespace bw {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kHalf = 250;
+constexpr int kStations = 9;
+
+const auto kWave = [](double x) { return 8 * std::sin(kPi * x / kHalf); };
+
+Box block() { return test::blockUnder(kHalf, 10.0 * (kStations - 1), -2 * kHalf, 2 * kHalf); }
+PlaneFamily planes() { return PlaneFamily::across(block(), -Vector3d::UnitY()); }
+
+std::vector<Section> wave() {
+  return test::sectionsOf(kStations, 10, [](int) { return test::graphCurve(kHalf, kWave); });
+}
+
+LengthRequest asked(double clearance = 50) {
+  test::RowSettings settings;
+  settings.clearance = clearance;
+  settings.weight = -settings.blade.weight() * Vector3d::UnitZ();
+  return {settings, settings, {settings.margin, settings.lead}};
+}
+
+TEST(BladeLengths, WhatServesDoesAndWhatDoesNotFails) {
+  const LengthRequest request = asked();
+  const Result<BladeLengths> lengths = bladeLengths(wave(), request, block(), planes(), {});
+  ASSERT_TRUE(lengths) << lengths.error().message;
+  ASSERT_TRUE(lengths->best);
+  ASSERT_FALSE(lengths->bands().empty());
+  EXPECT_TRUE(std::ranges::is_sorted(lengths->trials, {}, &LengthTrial::length));
+  const auto rowWith = [&](double length) {
+    FitRequest fit = request.fit;
+    fit.blade.length = length;
+    Findings findings;
+    return *buildSweep(wave(), fit, block(), planes(), {}, findings);
+  };
+  const auto keeps = [&](double length) {
+    const Sweep row = rowWith(length);
+    const Result<SweepCheck> check = checkSweep(row, request.check, {});
+    EXPECT_TRUE(check);
+    bool all = true;
+    for (std::size_t i = 0; i < row.poses.size(); ++i) {
+      const StationCheck& station = check->stations[i];
+      all = all && station.clearance >= request.check.clearance && station.stable &&
+            station.stabilityMargin >= request.check.margin && station.outOfPlaneMargin > 0 &&
+            row.fits[i].fit.hausdorff <= request.check.tolerance;
+    }
+    return all;
+  };
+  // The whole row keeps with the best length all that was asked for, and with the longest tried it does not.
+  EXPECT_TRUE(keeps(*lengths->best)) << *lengths->best;
+  EXPECT_GE(lengths->bands().front().from, 500 + 2 * request.check.clearance);
+  EXPECT_FALSE(lengths->trials.back().serves()) << "there is an end to it";
+  EXPECT_FALSE(keeps(lengths->trials.back().length)) << lengths->trials.back().length;
+}
+
+TEST(BladeLengths, AreTheSameForAnyNumberOfThreads) {
+  RunContext one;
+  one.threads = 1;
+  const Result<BladeLengths> a = bladeLengths(wave(), asked(), block(), planes(), one),
+                             b = bladeLengths(wave(), asked(), block(), planes(), {});
+  ASSERT_TRUE(a && b);
+  EXPECT_EQ(a->best, b->best);
+  ASSERT_EQ(a->trials.size(), b->trials.size());
+  for (std::size_t i = 0; i < a->trials.size(); ++i) {
+    EXPECT_EQ(a->trials[i].length, b->trials[i].length);
+    EXPECT_EQ(a->trials[i].margin, b->trials[i].margin);
+    EXPECT_EQ(a->trials[i].rest, b->trials[i].rest);
+  }
+}
+
+TEST(BladeLengths, NoneServesWhereABentBladeIsToRestAsAStraightOne) {
+  LengthRequest request = asked();
+  request.check.margin = 0.99;
+  const Result<BladeLengths> lengths = bladeLengths(wave(), request, block(), planes(), {});
+  ASSERT_TRUE(lengths) << lengths.error().message;
+  EXPECT_FALSE(lengths->best);
+  EXPECT_TRUE(lengths->bands().empty());
+  EXPECT_FALSE(lengths->trials.empty());
+  EXPECT_EQ(lengths->at(1), nullptr);
+  EXPECT_EQ(lengths->at(1e6), &lengths->trials.back());
+}
+
+TEST(BladeLengths, AStopEndsTheSearch) {
+  std::stop_source stop;
+  stop.request_stop();
+  RunContext context;
+  context.stop = stop.get_token();
+  const Result<BladeLengths> lengths = bladeLengths(wave(), asked(), block(), planes(), context);
+  ASSERT_FALSE(lengths);
+  EXPECT_EQ(lengths.error().code, ErrorCode::cancelled);
+}
+
+TEST(BladeLengths, BandsJoinNeighboursThatServeAlike) {
+  BladeLengths lengths;
+  for (const auto& [length, rest] : {std::pair(600.0, Rest::lost),
+                                     {610.0, Rest::certain},
+                                     {620.0, Rest::certain},
+                                     {630.0, Rest::held},
+                                     {640.0, Rest::lost},
+                                     {650.0, Rest::held}})
+    lengths.trials.push_back({length, rest});
+  const std::vector<BladeLengths::Band> bands = lengths.bands();
+  ASSERT_EQ(bands.size(), 3u);
+  EXPECT_EQ(bands[0].from, 610);
+  EXPECT_EQ(bands[0].to, 620);
+  EXPECT_EQ(bands[1].from, 630);
+  EXPECT_EQ(bands[1].to, 630);
+  EXPECT_EQ(bands[1].rest, Rest::held);
+  EXPECT_EQ(bands[2].from, 650);
+  EXPECT_EQ(lengths.at(635)->length, 630);
+}
+
+/// The blade of a pose, followed to where a grip is moved and turned.
+HeavyBlade followed(const BladePose& pose, const Blade& blade, double weight, int grip,
+                    const Eigen::Vector2d& moved, double turned) {
+  HeavyProblem problem;
+  const Elastica::State end = pose.blade.at(blade.length);
+  problem.grips.start = pose.blade.start();
+  problem.grips.end = end.point;
+  problem.grips.startAngle = pose.blade.startAngle();
+  problem.grips.endAngle = end.angle;
+  problem.grips.length = blade.length;
+  problem.stiffness = blade.flexuralRigidity();
+  problem.weight = {0, -weight};
+  (grip == 0 ? problem.grips.start : problem.grips.end) += moved;
+  *(grip == 0 ? problem.grips.startAngle : problem.grips.endAngle) += turned;
+  auto branch = HeavyBranch::from(*pose.heavy, problem.stiffness);
+  EXPECT_TRUE(branch);
+  const auto move = branch->moveTo(problem);
+  EXPECT_TRUE(move && !move->snapped);
+  return branch->blade();
+}
+
+/// How far that moves the part that cuts across itself, as half the way from one side to the other.
+double movedAcross(const BladePose& pose, const Blade& blade, double weight, int grip,
+                   const Eigen::Vector2d& moved, double turned) {
+  const HeavyBlade there = followed(pose, blade, weight, grip, moved, turned),
+                   back = followed(pose, blade, weight, grip, -moved, -turned);
+  double farthest = 0;
+  for (const double s : pose.cutArcs(26)) {
+    const double angle = pose.heavy->at(s).angle;
+    const Eigen::Vector2d normal(-std::sin(angle), std::cos(angle));
+    farthest = std::max(farthest, 0.5 * std::abs(normal.dot(there.at(s).point - back.at(s).point)));
+  }
+  return farthest;
+}
+
+TEST(GripErrors, MoveTheCutAsFarAsABladeThatIsFollowed) {
+  LengthRequest request = asked();
+  request.fit.blade.length = 720;  // where it rests firmly
+  Findings findings;
+  const Result<Sweep> sweep = buildSweep(wave(), request.fit, block(), planes(), {}, findings);
+  ASSERT_TRUE(sweep);
+  const double weight = request.fit.blade.weight();
+  const auto movedBy = [&](double error, double angle) {
+    request.check.gripError = error;
+    request.check.gripAngle = angle;
+    return checkSweep(*sweep, request.check, {})->stations[4].movedByGrip;
+  };
+  const BladePose& pose = sweep->poses[4];
+  constexpr double kSmall = 0.01, kTurn = 1e-4;
+  double moves = 0, turns = 0;
+  for (const int grip : {0, 1}) {
+    for (int k = 0; k < 180; ++k)
+      moves = std::max(
+          moves, movedAcross(pose, request.fit.blade, weight, grip,
+                             kSmall * Eigen::Vector2d(std::cos(kPi * k / 180), std::sin(kPi * k / 180)), 0));
+    turns =
+        std::max(turns, movedAcross(pose, request.fit.blade, weight, grip, Eigen::Vector2d::Zero(), kTurn));
+  }
+  EXPECT_NEAR(movedBy(kSmall, 0) / moves, 1, 1e-3);
+  EXPECT_NEAR(movedBy(0, kTurn) / turns, 1, 1e-3);
+  EXPECT_LE(movedBy(0.5, fromDegrees(0.2)), movedBy(0.5, 0) + movedBy(0, fromDegrees(0.2)) + 1e-12);
+  EXPECT_NEAR(movedBy(1, 0), 2 * movedBy(0.5, 0), 1e-9);
+}
+
+TEST(GripErrors, OfAStraightBladeAreThoseOfABeam) {
+  // Its grips hold it at its full length: only across it can they be off.
+  LengthRequest request = asked();
+  request.fit.weight.setZero();
+  request.fit.blade.length = 650;
+  const auto flat =
+      test::sectionsOf(3, 10, [](int) { return test::graphCurve(kHalf, [](double) { return 0; }); });
+  Findings findings;
+  const Result<Sweep> sweep = buildSweep(flat, request.fit, block(), planes(), {}, findings);
+  ASSERT_TRUE(sweep);
+  request.check.gripAngle = 0;
+  const Result<SweepCheck> check = checkSweep(*sweep, request.check, {});
+  ASSERT_TRUE(check);
+  // At the ends of the part that cuts, 75 mm from the grips, by the cubic of a clamped beam.
+  const double s = 75.0 / 650;
+  EXPECT_NEAR(check->stations[1].movedByGrip, 0.5 * (1 - s) * (1 - s) * (1 + 2 * s), 1e-3);
+}
+
+}  // namespace
+}  // namespace bw
