@@ -23,3 +23,6 @@ fail() {
   tail -n 5 err.txt >&2 2>/dev/null || true
   exit 1
 }
+
+# panel_job FILE KEYS: a job for the example panel with a blade that rests as it is drawn, so that programs are written.
+panel_job() { echo "{\"blade\": {\"preset\": \"steel-tube-3-2.5\", \"length\": 690}, \"clearance\": 30, $2}" >"$1"; }

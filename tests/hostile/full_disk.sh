@@ -8,8 +8,8 @@ name="full disk"
 . "$(dirname "$0")/common.sh"
 
 "$blade" example panel-600x670 --out panel.step 2>/dev/null
-echo '{"stations": 12, "tolerance": 10}' >first.json
-echo '{"stations": 16, "tolerance": 10}' >second.json
+panel_job first.json '"stations": 12, "tolerance": 10'
+panel_job second.json '"stations": 16, "tolerance": 10'
 "$blade" rationalize panel.step --job first.json --out result 2>/dev/null
 echo "mine" >result/notes.txt
 cp -a result before

@@ -10,8 +10,8 @@ name="kills"
 
 rounds=$((12 * rounds_factor))
 "$blade" example panel-600x670 --out panel.step 2>/dev/null
-echo '{"stations": 12, "tolerance": 10}' >a.json
-echo '{"stations": 14, "tolerance": 10, "lead": 25}' >b.json
+panel_job a.json '"stations": 12, "tolerance": 10'
+panel_job b.json '"stations": 14, "tolerance": 10, "lead": 25'
 for run in a b; do
   "$blade" rationalize panel.step --job $run.json --out $run 2>/dev/null
   mkdir -p $run/programs/strip-0/T_ROB1

@@ -42,8 +42,8 @@ class Writer {
     const qsizetype point = text.indexOf('.');
     const qsizetype digits = point < 0 ? text.size() : point;
     if (below(3) == 0 && digits > 3) {
-      static const QString kGroups[] = {" ", "'", QString(QChar(0xa0)), comma ? "." : ","};
-      const QString group = kGroups[below(4)];
+      const QString kGroups[] = {" ", "'", QString(QChar(0xa0)), comma ? "." : ","};
+      const QString& group = kGroups[below(4)];
       // One group alone needs its decimals, or a sign that is not one of theirs.
       if (point >= 0 || group == " ")
         for (qsizetype at = digits - 3; at > 0; at -= 3) text.insert(at, group);

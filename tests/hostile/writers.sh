@@ -9,8 +9,8 @@ name="writers"
 
 rounds=$((6 * rounds_factor))
 "$blade" example panel-600x670 --out panel.step 2>/dev/null
-echo '{"stations": 12, "tolerance": 10}' >a.json
-echo '{"stations": 14, "tolerance": 10, "lead": 25}' >b.json
+panel_job a.json '"stations": 12, "tolerance": 10'
+panel_job b.json '"stations": 14, "tolerance": 10, "lead": 25'
 for run in a b; do "$blade" rationalize panel.step --job $run.json --out $run 2>/dev/null; done
 
 is_run() { diff -r -x report.json "$1" result >/dev/null && cmp -s <(grep '"run"' "$1/report.json") <(grep '"run"' result/report.json); }

@@ -386,22 +386,29 @@ class KinkCost : public ceres::SizedCostFunction<6, 6, 6, 6> {
 class Looks : public ceres::EvaluationCallback {
  public:
   Looks(const Row& row, std::span<Station* const> stations) : row_(row), stations_(stations) {}
-  void PrepareForEvaluation(bool, bool isNew) override {
-    if (!isNew) return;
-    if (!parallelFor(row_.context(), int(stations_.size()),
-                     [&](int i) { row_.look(*stations_[std::size_t(i)]); }))
+  /// False where one of them is none of a blade, or at a stop.
+  bool look() {
+    const auto one = [&](int i) { row_.look(*stations_[std::size_t(i)]); };
+    if (!parallelFor(row_.context(), int(stations_.size()), one))
       for (Station* station : stations_) station->good = false;
+    return std::ranges::all_of(stations_, [](const Station* station) { return station->good; });
+  }
+  void PrepareForEvaluation(bool, bool isNew) override {
+    if (isNew && !first_) look();
+    first_ = false;
   }
 
  private:
   const Row& row_;
   std::span<Station* const> stations_;
+  bool first_ = true;  ///< where the solver begins they have been looked at
 };
 
 void Row::settle(std::span<Station* const> stations) const {
   constexpr int kIterations = 40;
   constexpr double kSettled = 1e-4;  // of the sum of squares, in one step
   Looks looks(*this, stations);
+  if (!looks.look()) return;
   ceres::Problem::Options whole;
   whole.evaluation_callback = &looks;
   ceres::Problem problem(whole);
@@ -428,7 +435,7 @@ void Row::settle(std::span<Station* const> stations) const {
   options.function_tolerance = kSettled;
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);
-  looks.PrepareForEvaluation(false, true);
+  looks.look();
 }
 
 /// Takes whole turns out of the angles between a station and the one before it.
@@ -489,7 +496,7 @@ Result<void> settleRow(Sweep& sweep, const RunContext& context) {
   const auto settle = [&] {
     std::vector<Station*> standing;
     for (std::optional<Station>& station : stations)
-      if (station) standing.push_back(&*station);
+      if (station && station->good) standing.push_back(&*station);
     if (!standing.empty()) row.settle(standing);
     return int(standing.size());
   };
