@@ -98,13 +98,7 @@ BladeWay End::follow(const Bend& from, const Bend& to, int moves) const {
       branch = *start;
     } else {
       const HeavyProblem a = sweep::heldAt(sweep_, way.poses.back()), b = sweep::heldAt(sweep_, pose);
-      // As robots go: the grips straight, their tangents evenly.
-      HeavyProblem between = b;
-      between.grips.start = 0.5 * (a.grips.start + b.grips.start);
-      between.grips.end = 0.5 * (a.grips.end + b.grips.end);
-      between.grips.startAngle = 0.5 * (*a.grips.startAngle + *b.grips.startAngle);
-      between.grips.endAngle = 0.5 * (*a.grips.endAngle + *b.grips.endAngle);
-      for (const HeavyProblem& next : {between, b}) {
+      for (const HeavyProblem& next : {sweep::onTheWay(a, b, 0.5), b}) {
         const Result<ClampedBranch::Move> move = branch->moveTo(next);
         if (!move) return lost(move.error().message);
         if (move->snapped) return lost("the blade snaps into another shape on the way");

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <optional>
 
+#include "bw/core/base/units.h"
 #include "bw/core/heavy/heavy_bvp.h"
 #include "bw/core/sweep/sweep.h"
 
@@ -25,6 +28,30 @@ namespace bw::sweep {
   problem.grips.endAngle = end.angle;
   problem.grips.length = pose.blade.length();
   return problem;
+}
+
+/// The grips a share of the way from one hold to the next as robots move them: straight, their tangents
+/// evenly.
+[[nodiscard]] inline HeavyProblem onTheWay(const HeavyProblem& from, const HeavyProblem& to, double share) {
+  HeavyProblem there = from;
+  there.grips.start += share * (to.grips.start - from.grips.start);
+  there.grips.end += share * (to.grips.end - from.grips.end);
+  *there.grips.startAngle += share * std::remainder(*to.grips.startAngle - *from.grips.startAngle, 2 * kPi);
+  *there.grips.endAngle += share * std::remainder(*to.grips.endAngle - *from.grips.endAngle, 2 * kPi);
+  return there;
+}
+
+/// The blade at rest in a pose, as the row has it. Empty where it is not known.
+[[nodiscard]] inline std::optional<HeavyBranch> standing(const Sweep& sweep, const BladePose& pose) {
+  const double stiffness = sweep.request.blade.flexuralRigidity();
+  std::optional<HeavyBlade> blade = pose.heavy;
+  if (!blade && sweep.request.weight.isZero()) {
+    const Result<Hanging> hanging = hang(pose.blade, stiffness, Eigen::Vector2d::Zero());
+    if (hanging && !hanging->snapsAt) blade = hanging->blade;
+  }
+  if (!blade) return {};
+  const Result<HeavyBranch> branch = HeavyBranch::from(*blade, stiffness);
+  return branch ? std::optional(*branch) : std::nullopt;
 }
 
 /// mm that the blade of a pose may sag by its slack. Where that is next to nothing, it has one shape.

@@ -5,8 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <span>
+#include <vector>
 
 #include "bw/core/sweep/entry_exit.h"
+#include "sweep/held_blade.h"
 
 namespace bw {
 
@@ -14,6 +18,7 @@ namespace {
 
 /// Points of the blade at which the speed is compared; the speed varies smoothly along it.
 constexpr int kSpeedSamples = 41;
+constexpr int kInstants = 4;        // from one pose to the next, at which it is told
 constexpr double kSamePlane = 1;    // mm: a lead of its own ends farther from where the blade bends
 constexpr double kLeastBend = 0.2;  // s from one shape to the next outside of the block
 
@@ -30,6 +35,36 @@ Pose endPose(const Box& block, const Eigen::Vector3d& point, const Eigen::Vector
   pose.position = block.frame.toLocal(point);
   pose.rotation = Eigen::Quaterniond(Eigen::Matrix3d(R_WB.transpose() * R_WE)).normalized();
   return pose;
+}
+
+/// The blade with its weight at even instants from one pose to the next, the robots moving its grips evenly:
+/// its points in space. Where it cannot be followed from either of the two, at these alone.
+std::vector<std::vector<Eigen::Vector3d>> waysBetween(const Sweep& sweep, const BladePose& from,
+                                                      const BladePose& to, std::span<const double> arcs) {
+  std::vector<std::vector<Eigen::Vector3d>> instants(kInstants + 1);
+  instants.front() = from.points(arcs);
+  instants.back() = to.points(arcs);
+  if (sweep::isTaut(from) && sweep::isTaut(to)) return {instants.front(), instants.back()};
+  const HeavyProblem a = sweep::heldAt(sweep, from), b = sweep::heldAt(sweep, to);
+  const Eigen::Vector3d travel = to.frame.origin - from.frame.origin;
+  std::vector<Elastica::State> states(arcs.size());
+  const auto follows = [&](const BladePose& pose, bool ahead) {
+    std::optional<HeavyBranch> branch = sweep::isTaut(pose) ? std::nullopt : sweep::standing(sweep, pose);
+    for (int k = 1; branch && k < kInstants; ++k) {
+      const int at = ahead ? k : kInstants - k;
+      const double share = double(at) / kInstants;
+      const Result<ClampedBranch::Move> move = branch->moveTo(sweep::onTheWay(a, b, share));
+      if (!move || move->snapped) return false;
+      branch->blade().at(arcs, states);
+      std::vector<Eigen::Vector3d>& points = instants[std::size_t(at)];
+      points.clear();
+      for (const Elastica::State& state : states)
+        points.push_back(from.frame.toWorld(state.point) + share * travel);
+    }
+    return branch.has_value();
+  };
+  if (!follows(from, true) && !follows(to, false)) return {instants.front(), instants.back()};
+  return instants;
 }
 
 constexpr double kOutside = 1;  // mm between the blade and the block at the end of a lead that was grown
@@ -82,16 +117,22 @@ Result<Motion> buildMotion(const Sweep& sweep, const EntryExit& ends, const std:
                         {StationRange::of(sweep.poses.back().index), {}},
                         {}});
   double time = 0;
-  std::vector<Eigen::Vector3d> before;
+  const BladePose* before = nullptr;
+  double shifted = 0;
   // The blade goes on to a pose, moved by so much along the travel.
   const auto go = [&](const BladePose& pose, double shift, int station, double least = 0) {
-    std::vector<Eigen::Vector3d> now = pose.points(arcs);
-    for (Eigen::Vector3d& point : now) point += shift * d;
-    double farthest = 0;
-    for (std::size_t i = 0; i < before.size(); ++i)
-      farthest = std::max(farthest, (now[i] - before[i]).norm());
-    time += before.empty() ? 0 : std::max(farthest / cuttingSpeed, least);
-    before = std::move(now);
+    if (before) {
+      const auto ways = waysBetween(sweep, *before, pose, arcs);
+      const auto parts = double(ways.size() - 1);
+      double fastest = 0;  // mm, of all of the way, at the highest speed of a point
+      for (std::size_t k = 1; k < ways.size(); ++k)
+        for (std::size_t i = 0; i < arcs.size(); ++i)
+          fastest =
+              std::max(fastest, parts * (ways[k][i] - ways[k - 1][i] + (shift - shifted) / parts * d).norm());
+      time += std::max(fastest / cuttingSpeed, least);
+    }
+    before = &pose;
+    shifted = shift;
     const Eigen::Vector3d move = shift * d, n = pose.frame.normal;
     motion.instants.push_back({time,
                                station,

@@ -210,18 +210,13 @@ class Follower {
 
   /// From the first pose to the last; those between take on the blade that hangs there.
   void go(std::size_t i, std::vector<BladePose>& poses, int looks, Way& way) const {
-    std::optional<HeavyBranch> branch = standing(poses.front());
+    std::optional<HeavyBranch> branch = sweep::standing(row_, poses.front());
     if (!branch) return;
     for (std::size_t j = 0; j + 1 < poses.size(); ++j) {
       const HeavyProblem a = sweep::heldAt(row_, poses[j]), b = sweep::heldAt(row_, poses[j + 1]);
       for (int k = 1; k <= looks; ++k) {
         const double share = double(k) / looks;
-        HeavyProblem there = a;
-        there.grips.start += share * (b.grips.start - a.grips.start);
-        there.grips.end += share * (b.grips.end - a.grips.end);
-        *there.grips.startAngle += share * std::remainder(*b.grips.startAngle - *a.grips.startAngle, 2 * kPi);
-        *there.grips.endAngle += share * std::remainder(*b.grips.endAngle - *a.grips.endAngle, 2 * kPi);
-        const Result<ClampedBranch::Move> move = branch->moveTo(there);
+        const Result<ClampedBranch::Move> move = branch->moveTo(sweep::onTheWay(a, b, share));
         if (!move) {
           way.end = Way::End::lost;
           way.why = move.error().message;
@@ -245,19 +240,6 @@ class Follower {
       }
       if (j + 2 < poses.size() && !row_.request.weight.isZero()) poses[j + 1].heavy = branch->blade();
     }
-  }
-
-  /// The blade at rest at a station, as the row has it. Empty where it is not known.
-  std::optional<HeavyBranch> standing(const BladePose& pose) const {
-    const double stiffness = row_.request.blade.flexuralRigidity();
-    std::optional<HeavyBlade> blade = pose.heavy;
-    if (!blade && row_.request.weight.isZero()) {
-      const Result<Hanging> hanging = hang(pose.blade, stiffness, Vector2d::Zero());
-      if (hanging && !hanging->snapsAt) blade = hanging->blade;
-    }
-    if (!blade) return {};
-    const Result<HeavyBranch> branch = HeavyBranch::from(*blade, stiffness);
-    return branch ? std::optional(*branch) : std::nullopt;
   }
 
   /// Where the part that cuts is then, in space.

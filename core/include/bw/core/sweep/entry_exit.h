@@ -48,10 +48,10 @@ struct MotionRequest {
   bool operator==(const MotionRequest&) const = default;
 };
 
-/// Times entry, targets (`RowMotion`) and exit so that the fastest point of the blade moves at the cutting
-/// speed, adds the leads, and puts the ends in the block frame. Quaternions keep one sign along the path. A
-/// lead that would end with a part of the blade in the block is grown until all of it is outside, which a
-/// finding tells.
+/// Times entry, targets (`RowMotion`) and exit so that the fastest point of the blade, with its weight and at
+/// four instants from each target to the next, moves at the cutting speed, adds the leads, and puts the ends
+/// in the block frame. Quaternions keep one sign along the path. A lead that would end with a part of the
+/// blade in the block is grown until all of it is outside, which a finding tells.
 Result<Motion> buildMotion(const Sweep& sweep, const EntryExit& ends, const std::vector<BladePose>& targets,
                            const MotionRequest& request, Findings& findings);
 
