@@ -15,6 +15,7 @@
 #include "bw/core/elastica/elastica_bvp.h"
 #include "bw/core/elastica/elastica_stability.h"
 #include "bw/core/heavy/heavy_bvp.h"
+#include "bw/core/sweep/maps.h"
 #include "bw/core/sweep/row_certainty.h"
 #include "finding_of.h"
 #include "plane_sections.h"
@@ -245,6 +246,21 @@ TEST(RowRest, BeginsAnewWhereAStationIsCertain) {
   EXPECT_EQ(told(judged.rest()), "llchh");
   judged.certainty.stations[4].energy = std::nan("");
   EXPECT_EQ(told(judged.rest()), "llchu");
+}
+
+TEST(RowRest, IsAMapWhereEachRowTakesTheNearestStation) {
+  const RowRest rest{{Rest::lost, Rest::unknown, Rest::held, Rest::certain}};
+  SurfaceGrid cut;
+  cut.rows = 10;
+  cut.columns = 2;
+  cut.points.resize(20);
+  const Field field = certaintyField(rest, {0, 3, 6, 9}, cut);
+  std::string told;
+  for (std::size_t i = 0; i < field.values.size(); i += 2) {
+    EXPECT_EQ(field.values[i], field.values[i + 1]);
+    told += mapWord("certainty", field.values[i])[0];
+  }
+  EXPECT_EQ(told, "lluuuhhhcc");
 }
 
 }  // namespace

@@ -59,7 +59,8 @@ inline scene::Content sampleContent(const SceneSample& sample = {}) {
   cut.columns = sample.columns;
   cut.fields = {{"deviation", "Deviation", "mm", {}},       {"angle", "Cutting angle", "\u00b0", {}},
                 {"speed", "Blade speed", "mm/s", {}},       {"relative_speed", "Relative speed", "", {}},
-                {"curvature", "Curvature / limit", "", {}}, {"stress", "Bending stress", "N/mm²", {}}};
+                {"curvature", "Curvature / limit", "", {}}, {"stress", "Bending stress", "N/mm²", {}},
+                {"certainty", "Certainty", "", {}}};
   surface.limits = {{"curvature", 1.0}, {"stress", 417.0}};
   for (int r = 0; r < cut.rows; ++r) {
     for (int c = 0; c < cut.columns; ++c) {
@@ -73,6 +74,7 @@ inline scene::Content sampleContent(const SceneSample& sample = {}) {
       cut.fields[4].values.push_back(0.15 + 0.65 * std::pow(std::sin(x * 0.0105 + 0.4), 2) *
                                                 (0.4 + 0.6 * y / kDepth));
       cut.fields[5].values.push_back(417 * cut.fields[4].values.back());
+      cut.fields[6].values.push_back(y > 0.9 * kDepth ? 0 : y > 0.5 * kDepth ? 2 : 3);  // lost, held, certain
     }
   }
   scene::Stations stations;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Maps, their legend and their isolines in the picture.
+#include <map>
+
 #include "scene_fixture.h"
 
 namespace bw::scene {
@@ -108,6 +110,32 @@ TEST_F(SceneTest, EveryFieldHasALegendWithTitleUnitAndNumbers) {
     // Right edge.
     EXPECT_GT(overlay.legend->x, 0.75 * picture.width);
   }
+}
+
+TEST_F(SceneTest, MapOfWordsHasWordsAtItsLegendAndNoIsolines) {
+  Style style = mapped("certainty");
+  style[Kind::station].visible = style[Kind::block].visible = false;
+  style.rangeMin = 1;  // is not taken
+  const Picture plain = draw(style, "certainty");
+  EXPECT_EQ(*scene.legendRange(), std::make_pair(-0.5, 3.5));
+  std::vector<std::string> texts;
+  for (const Overlay::Text& text : scene.overlay().texts) texts.push_back(text.text);
+  for (const char* text :
+       {"Certainty", "lost", "unknown", "held", "certain", "10 % lost", "40 % held", "50 % certain"})
+    EXPECT_TRUE(std::ranges::find(texts, text) != texts.end()) << text;
+  EXPECT_TRUE(std::ranges::none_of(texts, [](const std::string& t) { return t.ends_with("% unknown"); }));
+  std::map<double, Color> colors;
+  everywhere(plain, [&](const Pick& pick, const Color& c, int, int) {
+    if (pick.kind != Pick::Kind::cut || !pick.value) return;
+    EXPECT_EQ(*pick.value, std::round(*pick.value)) << "a word or another, none between";
+    colors.insert_or_assign(*pick.value, c);
+  });
+  ASSERT_EQ(colors.size(), 3u);
+  EXPECT_GT(colors.at(0).r, colors.at(0).b + 50);
+  EXPECT_GT(colors.at(3).b, colors.at(3).r + 50);
+  const Picture again = draw(style, "certainty");
+  style.isolines = true;
+  EXPECT_TRUE(draw(style, "certainty-isolines").rgb == again.rgb);
 }
 
 TEST_F(SceneTest, LegendOfDeviationIsSymmetricAndMarksTheTolerance) {

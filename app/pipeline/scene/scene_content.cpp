@@ -33,7 +33,9 @@ scene::Content sceneContent(const Evaluation& evaluation) {
       if (!result) continue;
       const scene::ItemId row{b, c, 0};
       const Blade& blade = result->sweep.request.blade;
-      content.add(row, scene::CutSurface{result->analysis.cut,
+      SurfaceGrid cut = result->analysis.cut;
+      cut.fields.push_back(certaintyField(result->rest, result->analysis.stationRow, cut));
+      content.add(row, scene::CutSurface{std::move(cut),
                                          {{"curvature", 1.0},
                                           {"stress", blade.stress(blade.maxCurvature())},
                                           {"grip_error", evaluation.design.process.tolerance}}});

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bw/core/base/units.h"
+#include "bw/core/sweep/maps.h"
 #include "bw/core/text/number_text.h"
 #include "bw/geometry/export.h"
 #include "bw/pipeline/run_identity.h"
@@ -97,7 +98,9 @@ const char* unitSuffix(const std::string& unit) {
   return "_mm";
 }
 
-std::string deviationCsv(const SurfaceGrid& cut) {
+std::string deviationCsv(const CutResult& result) {
+  SurfaceGrid cut = result.analysis.cut;
+  cut.fields.push_back(certaintyField(result.rest, result.analysis.stationRow, cut));
   Lines lines(cut.points.size() * 80);
   lines.text("row,column,x_mm,y_mm,z_mm");
   for (const Field& field : cut.fields) {
@@ -109,7 +112,13 @@ std::string deviationCsv(const SurfaceGrid& cut) {
   for (int r = 0; r < cut.rows; ++r)
     for (int c = 0; c < cut.columns; ++c, ++k) {
       lines.integer(r).text(",").integer(c).text(",").vector(cut.points[k], 4, ',');
-      for (const Field& field : cut.fields) lines.text(",").fixed(field.values[k], 5);
+      for (const Field& field : cut.fields) {
+        lines.text(",");
+        if (const char* word = mapWord(field.name, field.values[k]))
+          lines.text(word);
+        else
+          lines.fixed(field.values[k], 5);
+      }
       lines.text("\n");
     }
   return lines.take();
@@ -181,7 +190,7 @@ Result<FileSet> resultFiles(Evaluation& e, const RunContext& context, const Poli
         texts[1] = objText(result.analysis.cut);
         break;
       case 2:
-        texts[2] = deviationCsv(result.analysis.cut);
+        texts[2] = deviationCsv(result);
         break;
       case 3:
         texts[3] = stationsCsv(result);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "bw/core/base/units.h"
 
@@ -14,7 +15,9 @@ namespace {
 
 constexpr double kMostMoved = 100;  // mm: where a blade is about to snap it has no limit
 
-constexpr std::array<MapInfo, 7> kMaps = {
+constexpr std::array kRests = {"lost", "unknown", "held", "certain"};  // as certaintyField numbers them
+
+constexpr std::array<MapInfo, 8> kMaps = {
     {{"deviation", "Deviation", "mm", [](const CutSample& s) { return s.deviation; }, MapRule::banded},
      {"angle", "Cutting angle", "°", [](const CutSample& s) { return toDegrees(s.angle); }, MapRule::plain,
       1},
@@ -24,7 +27,8 @@ constexpr std::array<MapInfo, 7> kMaps = {
      {"curvature", "Curvature / limit", "", [](const CutSample& s) { return s.curvature; }},
      {"stress", "Bending stress", "N/mm²", [](const CutSample& s) { return s.stress; }},
      {"grip_error", "Moved by grip errors", "mm",
-      [](const CutSample& s) { return s.movedByGrip < kMostMoved ? s.movedByGrip : kMostMoved; }}}};
+      [](const CutSample& s) { return s.movedByGrip < kMostMoved ? s.movedByGrip : kMostMoved; }},
+     {"certainty", "Certainty", "", nullptr, MapRule::words, 1, kRests}}};
 
 }  // namespace
 
@@ -38,6 +42,12 @@ const MapInfo* cutMap(std::string_view name) {
 MapRule mapRule(std::string_view name) {
   const MapInfo* map = cutMap(name);
   return map ? map->rule : MapRule::plain;
+}
+
+const char* mapWord(std::string_view name, double value) {
+  const MapInfo* map = cutMap(name);
+  if (!map || map->words.empty() || !std::isfinite(value)) return nullptr;
+  return map->words[std::size_t(std::clamp(value, 0.0, double(map->words.size() - 1)) + 0.5)];
 }
 
 }  // namespace bw

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include "bw/core/heavy/heavy_bvp.h"
+#include "bw/core/sweep/maps.h"
 #include "sweep/held_blade.h"
 #include "sweep/sweep_findings.h"
 
@@ -186,6 +188,20 @@ const char* restName(Rest rest) {
       break;
   }
   return "lost";
+}
+
+Field certaintyField(const RowRest& rest, const std::vector<int>& stationRow, const SurfaceGrid& cut) {
+  const MapInfo& map = *cutMap("certainty");
+  Field field{map.name, map.title, map.unit, {}};
+  field.values.reserve(cut.points.size());
+  std::size_t nearest = 0;
+  for (int row = 0; row < cut.rows; ++row) {
+    const auto farther = [&](std::size_t i) { return std::abs(stationRow[i] - row); };
+    while (nearest + 1 < stationRow.size() && farther(nearest + 1) < farther(nearest)) ++nearest;
+    const auto word = std::ranges::find(map.words, std::string_view(restName(rest.stations[nearest])));
+    field.values.insert(field.values.end(), std::size_t(cut.columns), double(word - map.words.begin()));
+  }
+  return field;
 }
 
 RowRest restOf(const Sweep& sweep, const SweepCheck& check, const RowCertainty& certainty,

@@ -161,9 +161,12 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const std::vector<BladePo
   cut.columns = kColumns;
   cut.rows = rowOf.back() + 1;
   cut.points.resize(std::size_t(cut.rows) * kColumns);
-  const std::span<const MapInfo> maps = cutMaps();
-  for (const MapInfo& map : maps)
+  std::vector<double (*)(const CutSample&)> maps;
+  for (const MapInfo& map : cutMaps()) {
+    if (!map.value) continue;
+    maps.push_back(map.value);
     cut.fields.push_back({map.name, map.title, map.unit, std::vector<double>(cut.points.size())});
+  }
   const double stressAtLimit = sweep.request.blade.stress(sweep.request.blade.maxCurvature());
   std::mutex errorMutex;
   std::optional<Error> firstError;
@@ -206,7 +209,7 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const std::vector<BladePo
                                bend,
                                stressAtLimit * bend,
                                blend(check.movedByGrip[s], check.movedByGrip[s + 1], g, c)};
-        for (std::size_t k = 0; k < maps.size(); ++k) cut.fields[k].values[at] = maps[k].value(sample);
+        for (std::size_t k = 0; k < maps.size(); ++k) cut.fields[k].values[at] = maps[k](sample);
         feet.put(*foot);
       }
     }

@@ -82,7 +82,6 @@ void IsolineLabels::update(const Projection& view, int width, int height, double
 CutActors::CutActors(Layers& layers) : table_(vtkSmartPointer<vtkLookupTable>::New()) {
   edges_.setFlat();
   isolines_.setFlat();
-  surface_.mapper()->SetInterpolateScalarsBeforeMapping(true);
   surface_.mapper()->SetLookupTable(table_);
   surface_.mapper()->UseLookupTableScalarRangeOn();
   surface_.mapper()->SetScalarModeToUsePointFieldData();
@@ -119,7 +118,7 @@ void CutActors::setStyle(const Style& style, const Rgb& background) {
   const Field* field = shown ? row_->field() : nullptr;
   surface_.setVisible(shown);
   edges_.setVisible(shown);
-  lined_ = field && style.isolines;
+  lined_ = field && style.isolines && mapRule(field->name) != MapRule::words;
   isolines_.setVisible(lined_);
   if (!shown) return;
   surface_.setOpacity(std::clamp(style.of(Kind::cut, row_->id).opacity, 0.0, 1.0));
@@ -130,6 +129,8 @@ void CutActors::setStyle(const Style& style, const Rgb& background) {
     // A map must keep its colours; the form may only speak softly.
     surface_.setMatte(0.70, 0.32, 0.0);
     surface_.mapper()->SelectColorArray(field->name.c_str());
+    // Between two words there is no third.
+    surface_.mapper()->SetInterpolateScalarsBeforeMapping(mapRule(field->name) != MapRule::words);
     if (map != tableMap_ || table_->GetNumberOfTableValues() != kTableColors) {
       tableMap_ = map;
       table_->SetNumberOfTableValues(kTableColors);
@@ -148,7 +149,7 @@ void CutActors::setStyle(const Style& style, const Rgb& background) {
   edges_.setLine(Rgb::hex(0x4A5058), px);
   edges_.setFade(keep, background);
   if (!lined_) return;
-  const Ticks ticks = legendTicks(row_->map->colors.range);
+  const Ticks ticks = legendTicks(field->name, row_->map->colors.range);
   if (isolined_ != field->name || levels_.values != ticks.values) {
     isolined_ = field->name;
     levels_ = ticks;

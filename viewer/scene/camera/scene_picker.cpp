@@ -9,6 +9,8 @@
 #include <cmath>
 #include <limits>
 
+#include "bw/core/sweep/maps.h"
+
 namespace bw::scene {
 
 namespace {
@@ -90,11 +92,19 @@ std::optional<RayHit> firstHit(const TriangleTree& tree, const std::optional<Sec
   return hit;
 }
 
-/// The field's value where a ray hits the cut surface; none where it is not a number.
+/// The field's value where a ray hits the cut surface, that of the nearest corner if it stands for a word;
+/// none where it is not a number.
 std::optional<double> valueAt(const Field& field, const TriangleMesh& mesh, const RayHit& hit) {
   const auto& corners = mesh.triangles[std::size_t(hit.triangle)];
+  const auto at = [&](int k) { return field.values[std::size_t(corners[std::size_t(k)])]; };
   double value = 0;
-  for (int k = 0; k < 3; ++k) value += hit.weights[k] * field.values[std::size_t(corners[std::size_t(k)])];
+  if (mapRule(field.name) == MapRule::words) {
+    int nearest = 0;
+    hit.weights.maxCoeff(&nearest);
+    value = at(nearest);
+  } else {
+    for (int k = 0; k < 3; ++k) value += hit.weights[k] * at(k);
+  }
   if (!std::isfinite(value)) return std::nullopt;
   return value;
 }

@@ -47,18 +47,24 @@ std::string spanText(const FieldSummary& summary, int decimals, bool sign, const
   return low + " \u2026 " + high + glue + unit;
 }
 
-/// How much of the area keeps within what is allowed. 100 % is said only where it is true.
-std::string shareText(const ShownMap& map, double low, double high) {
+/// How much of the area has values in [low, high].
+double areaShare(const ShownMap& map, double low, double high) {
   double within = 0, whole = 0;
   everyValue(map, [&](double value, double area) {
     if (!std::isfinite(value)) return;
     whole += area;
     if (value >= low && value <= high) within += area;
   });
+  return whole > 0 ? within / whole : 0;
+}
+
+/// The same in per cent. 100 % is said only where it is true, and 0 % where there is none.
+std::string shareText(const ShownMap& map, double low, double high) {
   const bool all = low <= map.summary.min && map.summary.max <= high;
-  const double share = whole > 0 ? 100.0 * within / whole : 0;
-  const double said = all ? 100 : std::min(share, 99.9);
-  return fixedText(said, said > 99 && said < 100 ? 1 : 0) + " % within ";
+  const double share = areaShare(map, low, high);
+  const double said = all ? 100 : share > 0 ? std::clamp(100 * share, 0.1, 99.9) : 0;
+  const bool nearly = (said > 99 && said < 100) || (said > 0 && said < 1);
+  return fixedText(said, nearly ? 1 : 0) + " % ";
 }
 
 }  // namespace
@@ -88,17 +94,28 @@ void Legend::draw(int width, int height, const Style& style, const ShownMap& sho
   const double px = style.pixelRatio;
   const auto pixels = [px](double v) { return std::round(v * px); };
   const bool deviation = mapRule(field.name) == MapRule::banded;
-  const Ticks ticks = legendTicks(map.range);
+  const Ticks ticks = legendTicks(field.name, map.range);
+  const bool inWords = mapRule(field.name) == MapRule::words;
+  const auto textAt = [&](double v) {
+    return inWords ? std::string(mapWord(field.name, v)) : tickText(v, ticks.decimals, deviation);
+  };
   const TextLook title{13 * px, true, colors.text}, label{12 * px, false, colors.text},
       small{11 * px, false, colors.secondary};
 
   // Texts below the bar: what the data span, and how much of them is good.
-  std::vector<std::string> notes{spanText(summary, ticks.decimals + 1, deviation, field.unit)};
+  std::vector<std::string> notes;
+  if (inWords)
+    for (const double v : ticks.values) {
+      if (areaShare(shown, v - 0.5, v + 0.5) > 0)
+        notes.push_back(shareText(shown, v - 0.5, v + 0.5) + textAt(v));
+    }
+  else
+    notes.push_back(spanText(summary, ticks.decimals + 1, deviation, field.unit));
   if (deviation) {
-    notes.push_back(shareText(shown, -map.tolerance, map.tolerance) + "\u00b1" + shortText(map.tolerance) +
-                    " mm");
+    notes.push_back(shareText(shown, -map.tolerance, map.tolerance) + "within \u00b1" +
+                    shortText(map.tolerance) + " mm");
   } else if (map.limit) {
-    notes.push_back(shareText(shown, 0, *map.limit) +
+    notes.push_back(shareText(shown, 0, *map.limit) + "within " +
                     (field.unit.empty() ? "the limit" : shortText(*map.limit, 3) + " " + field.unit));
   }
 
@@ -109,8 +126,7 @@ void Legend::draw(int width, int height, const Style& style, const ShownMap& sho
   if (deviation && map.tolerance > 0) marks = {-map.tolerance, map.tolerance};
   if (map.limit) marks = {*map.limit};
   double labelWidth = 0;
-  for (const double v : ticks.values)
-    labelWidth = std::max(labelWidth, Canvas::textWidth(tickText(v, ticks.decimals, deviation), label));
+  for (const double v : ticks.values) labelWidth = std::max(labelWidth, Canvas::textWidth(textAt(v), label));
   for (const double v : marks)
     labelWidth = std::max(labelWidth, Canvas::textWidth(tickText(v, ticks.decimals + 1, deviation), small));
   double inner = histogramWidth + gap + barWidth + labelGap + labelWidth;
@@ -199,8 +215,8 @@ void Legend::draw(int width, int height, const Style& style, const ShownMap& sho
     canvas_.rect({bar.x + bar.width, lineAt(v), tick, hair}, colors.secondary, 0.9);
     if (std::lround(v / ticks.step) % stride != 0) continue;
     numbered.push_back(v);
-    canvas_.text(tickText(v, ticks.decimals, deviation), bar.x + bar.width + labelGap + labelWidth, yOf(v),
-                 Align::right, label);
+    canvas_.text(textAt(v), bar.x + bar.width + labelGap + (inWords ? 0 : labelWidth), yOf(v),
+                 inWords ? Align::left : Align::right, label);
   }
   // Tolerances that are no round tick get a number of their own where there is room for it.
   for (const double v : marks) {

@@ -95,6 +95,8 @@ Rgb mixEvenly(const Rgb& a, const Rgb& b, double t) {
   return fromOklab(p + t * (q - p));
 }
 
+/// From bad to good; told apart by lightness too.
+constexpr std::array<unsigned, 4> kStates{0xC2281D, 0x9AA0A6, 0xF2B441, 0x2F7FB5};
 constexpr Rgb kNeutral = Rgb::hex(0xFAFAF8);
 constexpr Rgb kBelowPale = Rgb::hex(0xA6CCF0), kBelowNear = Rgb::hex(0x3D86D4),
               kBelowFar = Rgb::hex(0x0A3F8C);
@@ -158,6 +160,7 @@ FieldSummary summarize(const std::vector<double>& values) {
 std::pair<double, double> legendRangeOf(const std::string& field, const FieldSummary& summary,
                                         const Style& style, const std::optional<double>& limit) {
   std::pair<double, double> range;
+  if (mapRule(field) == MapRule::words) return {-0.5, double(cutMap(field)->words.size()) - 0.5};
   if (mapRule(field) == MapRule::banded) {
     range = deviationRange(summary, style.tolerance);
   } else if (limit) {
@@ -184,8 +187,11 @@ std::pair<double, double> legendRangeOf(const std::string& field, const FieldSum
   return range;
 }
 
-Ticks legendTicks(const std::pair<double, double>& range) {
-  return ticksIn(range.first, range.second, kTicks);
+Ticks legendTicks(const std::string& field, const std::pair<double, double>& range) {
+  if (mapRule(field) != MapRule::words) return ticksIn(range.first, range.second, kTicks);
+  Ticks ticks;
+  for (std::size_t i = 0; i < cutMap(field)->words.size(); ++i) ticks.values.push_back(double(i));
+  return ticks;
 }
 
 Rgb viridis(double t) { return through(kViridis, t); }
@@ -208,6 +214,8 @@ Rgb ColorMap::at(double value) const {
   if (mapRule(field) == MapRule::banded)
     return deviationColor(value, tolerance, std::max(std::abs(low), std::abs(high)),
                           std::max({low, -high, 0.0}));
+  if (mapRule(field) == MapRule::words)
+    return Rgb::hex(kStates[std::size_t(std::clamp(std::lround(value), 0L, long(kStates.size()) - 1))]);
   if (!limit) return viridis(high > low ? (value - low) / (high - low) : 0.0);
   if (value > *limit) return mixEvenly(kOverLimit, kFarOverLimit, std::clamp(value / *limit - 1, 0.0, 1.0));
   const double top = std::min(high, *limit);

@@ -43,6 +43,7 @@ FieldSummary summarize(const std::vector<double>& values);
 ///   down to a tenth of it, so that the small errors of a good cut show.
 /// - A field with a `limit` runs from 0 to the limit, further only if the data do; the relative speed from 0
 ///   to 1.
+/// - A map of words has all of them, whatever is wished.
 /// - Any other spans at least a tenth of its largest value, so that rounding errors make no picture.
 ///
 /// A wished end that leaves nothing of the automatic range takes its span along; ends that are the wrong way
@@ -50,8 +51,9 @@ FieldSummary summarize(const std::vector<double>& values);
 std::pair<double, double> legendRangeOf(const std::string& field, const FieldSummary& summary,
                                         const Style& style, const std::optional<double>& limit = {});
 
-/// The round numbers that stand at a legend, and the isolines at them.
-Ticks legendTicks(const std::pair<double, double>& range);
+/// The numbers that stand at a legend, round ones, and the isolines at them; those of a map of words each
+/// have a word.
+Ticks legendTicks(const std::string& field, const std::pair<double, double>& range);
 
 /// Perceptually even maps of [0, 1], readable by colour-blind eyes and in grey print; values outside take the
 /// end colours. They pass through ten samples of the public-domain (CC0) maps of that name, joined smoothly

@@ -209,8 +209,9 @@ void MapBar::setRangeUnit(const QString& unit) {
 }
 
 void MapBar::showRange() {
-  // Without a map there is no range to tell.
-  rangeGroup_->setVisible(mapped_ && style_[scene::Kind::cut].map != "none");
+  // Without a map there is no range to tell, and one of words has all of them.
+  const std::string& map = style_[scene::Kind::cut].map;
+  rangeGroup_->setVisible(mapped_ && map != "none" && mapRule(map) != MapRule::words);
 }
 
 void MapBar::editRange() {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "bw/core/sweep/maps.h"
 #include "bw/core/text/number_text.h"
 #include "bw/pipeline/scene_content.h"
 #include "controls/numbers.h"
@@ -168,8 +169,9 @@ void MainWindow::onHovered(const scene::Pick& pick) {
   QString text;
   const Field* field = mappedField();
   if (pick.value && field) {
+    const char* word = mapWord(field->name, *pick.value);
     text = QString::fromStdString(field->title.empty() ? field->name : field->title) + " " +
-           QString::fromStdString(shortText(*pick.value, 3));
+           QString::fromStdString(word ? word : shortText(*pick.value, 3));
     if (!field->unit.empty()) text += (field->unit == "°" ? "" : " ") + QString::fromStdString(field->unit);
   }
   probe_->setText(text);

@@ -12,7 +12,8 @@ namespace bw {
 enum class MapRule {
   plain,   ///< over what the numbers span
   banded,  ///< of both signs about 0, pale within the tolerance
-  share    ///< of a whole: from 0 to 1
+  share,   ///< of a whole: from 0 to 1
+  words    ///< whole numbers that stand for `MapInfo::words`, the first one being the worst
 };
 
 /// What is known at one point of the cut surface.
@@ -32,17 +33,21 @@ struct MapInfo {
   const char* name;                          ///< the word in files and on the command line, "relative_speed"
   const char* title;                         ///< for people, "Relative speed"
   const char* unit;                          ///< "mm", "°", …; empty for a ratio
-  double (*value)(const CutSample& sample);  ///< in that unit
+  double (*value)(const CutSample& sample);  ///< in that unit; null for what is known of stations only
   MapRule rule = MapRule::plain;
   double leastSpan = 1e-3;  ///< of an automatic range, in its unit
+  std::span<const char* const> words = {};
 };
 
-/// All maps, in the order of the fields of `SweepAnalysis::cut` and of every list of them.
+/// All maps, in the order of every list of them. Those with a `value` are the fields of `SweepAnalysis::cut`,
+/// in this order.
 std::span<const MapInfo> cutMaps();
 
 /// The map of that name, or null.
 const MapInfo* cutMap(std::string_view name);
 /// Its rule; plain for a field that is no map of ours.
 MapRule mapRule(std::string_view name);
+/// What a value of it says, where it is a map of words, else null.
+const char* mapWord(std::string_view name, double value);
 
 }  // namespace bw

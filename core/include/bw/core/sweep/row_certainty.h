@@ -10,6 +10,7 @@
 #include "bw/core/base/finding.h"
 #include "bw/core/base/result.h"
 #include "bw/core/base/run_context.h"
+#include "bw/core/surface/mesh.h"
 #include "bw/core/sweep/entry_exit.h"
 #include "bw/core/sweep/row_motion.h"
 #include "bw/core/sweep/sweep.h"
@@ -66,6 +67,10 @@ struct RowRest {
 /// barrier is at least `kLeastBarrier`; lost, too, where the blade would leave it, or its plane, by itself.
 RowRest restOf(const Sweep& sweep, const SweepCheck& check, const RowCertainty& certainty,
                const BladeWay& entry, const RowMotion& motion, double margin);
+
+/// The map "certainty" of a cut surface: each of its points has that of the nearest station. `stationRow` as
+/// of `SweepAnalysis`.
+Field certaintyField(const RowRest& rest, const std::vector<int>& stationRow, const SurfaceGrid& cut);
 
 /// N mm: what a blade of 33 g has of energy that was stopped out of a speed of 250 mm/s.
 inline constexpr double kLeastBarrier = 1;
