@@ -331,16 +331,20 @@ TEST(HeavyBlade, MarginChangesWithItsGripsAsDifferencesSay) {
     const HeavyProblem problem = heavyOf(randomGrips(random, 0.6), 2 * kFlatWeight);
     const Result<HeavyAnswer> answer = solveHeavy(problem);
     ASSERT_TRUE(answer);
-    const HeavyMarginSlope told = marginByGrips(answer->solutions[0].blade);
-    EXPECT_NEAR(told.margin, answer->solutions[0].stabilityMargin, 1e-9);
+    const HeavySolution& rest = answer->solutions[0];
+    const HeavyMarginSlope told = marginByGrips(rest.blade), across = outOfPlaneByGrips(rest.blade);
+    EXPECT_NEAR(told.margin, rest.stabilityMargin, 1e-9);
+    EXPECT_NEAR(across.margin, rest.outOfPlaneMargin, 1e-9);
     for (int column = 0; column < 6; ++column) {
       const double step = column % 3 == 2 ? 1e-6 : 1e-4;
-      const auto margin = [&](double by) {
-        return solveHeavy(withGrip(problem, column, by))->solutions[0].stabilityMargin;
-      };
+      const auto at = [&](double by) { return solveHeavy(withGrip(problem, column, by))->solutions[0]; };
+      const HeavySolution more = at(step), less = at(-step);
       const double scale = column % 3 == 2 ? kLength : 1;
-      EXPECT_NEAR((margin(step) - margin(-step)) / (2 * step) / scale, told.byGrips(column) / scale, 1e-6)
-          << i << " " << column;
+      const auto same = [&](double a, double b, double slope) {
+        EXPECT_NEAR((a - b) / (2 * step) / scale, slope / scale, 1e-6) << i << " " << column;
+      };
+      same(more.stabilityMargin, less.stabilityMargin, told.byGrips(column));
+      same(more.outOfPlaneMargin, less.outOfPlaneMargin, across.byGrips(column));
     }
   }
 }

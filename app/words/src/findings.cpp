@@ -15,7 +15,6 @@ namespace {
 
 constexpr std::pair<FindingKind, const char*> kWords[] = {{FindingKind::fit, "fit"},
                                                           {FindingKind::fitBounded, "fit-bounded"},
-                                                          {FindingKind::fitSteadied, "fit-steadied"},
                                                           {FindingKind::curvature, "curvature"},
                                                           {FindingKind::inflections, "inflections"},
                                                           {FindingKind::stability, "stability"},

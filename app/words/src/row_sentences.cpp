@@ -71,14 +71,9 @@ std::string Sentences::operator()(const UnsettledFit& cause) const {
 
 std::string Sentences::operator()(const HeldBackFit& cause) const {
   return at() +
-         "continued to its grips, the nearest curve would overbend or buckle the blade; a curve within " +
+         "continued to its grips, the nearest curve would overbend the blade or leave it without its margin; "
+         "a curve within " +
          mm(cause.distance) + " of the section, which the whole blade holds, takes its place";
-}
-
-std::string Sentences::operator()(const SteadiedFit& cause) const {
-  return at() +
-         "the section is short and the nearest curve would swing the blade's ends about; a curve within " +
-         mm(cause.distance) + " of it, nearer to the shape of the neighbour, takes its place";
 }
 
 std::string Sentences::operator()(const Overbent& cause) const {

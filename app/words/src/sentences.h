@@ -17,7 +17,6 @@ struct Sentences {
   std::string operator()(const UnmetConditions& cause) const;
   std::string operator()(const UnsettledFit& cause) const;
   std::string operator()(const HeldBackFit& cause) const;
-  std::string operator()(const SteadiedFit& cause) const;
   std::string operator()(const Overbent& cause) const;
   std::string operator()(const TooTight& cause) const;
   std::string operator()(const ManyInflections& cause) const;

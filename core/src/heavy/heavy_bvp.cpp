@@ -399,7 +399,7 @@ Result<HeavyBranch> HeavyBranch::from(const HeavyBlade& blade, double stiffness)
   return branch;
 }
 
-Result<ClampedBranch::Move> HeavyBranch::moveTo(const HeavyProblem& next) {
+Result<ClampedBranch::Move> HeavyBranch::moveTo(const HeavyProblem& next, int mostSteps) {
   constexpr double kOneBranch = 0.2;  // of Newton's steps: both ends of the way are on one branch
   constexpr int kQuick = 8;
   const Result<Unit> unit = check(next, {});
@@ -429,7 +429,7 @@ Result<ClampedBranch::Move> HeavyBranch::moveTo(const HeavyProblem& next) {
     if (!there) return lost("in finer modes");
   } else {
     for (there.reset(); !there;) {
-      const std::optional<heavy::Followed> followed = heavy::follow(way, before);
+      const std::optional<heavy::Followed> followed = heavy::follow(way, before, mostSteps);
       if (!followed) return lost("to its new grips");
       move = {followed->snapped, followed->end.part};
       hold = way.at(followed->end.part);
@@ -453,12 +453,23 @@ Result<ClampedBranch::Move> HeavyBranch::moveTo(const HeavyProblem& next) {
 
 HeavyBlade HeavyBranch::blade() const { return HeavyBlade(numbers_); }
 
-HeavyMarginSlope marginByGrips(const HeavyBlade& blade) {
-  const heavy::MarginSlope slope = heavy::marginSlopeOf(equationsOf(blade));
-  const Eigen::RowVector2d byEnd = slope.byGrips.head<2>() / blade.length();
+namespace {
+
+HeavyMarginSlope inLengths(const heavy::MarginSlope& slope, double length) {
+  const Eigen::RowVector2d byEnd = slope.byGrips.head<2>() / length;
   HeavyMarginSlope result{slope.margin, {}};
   result.byGrips << -byEnd, slope.byGrips(2), byEnd, slope.byGrips(3);
   return result;
+}
+
+}  // namespace
+
+HeavyMarginSlope marginByGrips(const HeavyBlade& blade) {
+  return inLengths(heavy::marginSlopeOf(equationsOf(blade)), blade.length());
+}
+
+HeavyMarginSlope outOfPlaneByGrips(const HeavyBlade& blade, double torsionRatio) {
+  return inLengths(heavy::outOfPlaneSlopeOf(equationsOf(blade), torsionRatio), blade.length());
 }
 
 Result<HeavyDerivatives> derivativesByGrips(const HeavyBlade& blade, std::span<const double> s) {

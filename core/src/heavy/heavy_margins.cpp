@@ -51,21 +51,34 @@ double smallest(const Modes& modes, const MatrixXd& form, const MatrixXd& constr
   return (1 / solver.eigenvalues()(free - 1) - shift) / (4 * kPi * kPi);
 }
 
+/// ∫ f times each mode, of f at the nodes.
+VectorXd moments(const Modes& modes, const ArrayXd& f) {
+  return modes.values * (modes.weights.array() * f).matrix();
+}
+
+/// A blade that leaves its plane by the angles φ: twice its energy, and ∫ φ, which vanishes.
+struct OutOfPlane {
+  OutOfPlane(const Equations& equations, double torsionRatio)
+      : curvature((equations.modes().slopes.transpose() * equations.shape().coefficients).array() +
+                  equations.hold().turning),
+        form(equations.hessian()),
+        closed(moments(equations.modes(), ArrayXd::Ones(curvature.size()))) {
+    const Modes& modes = equations.modes();
+    form -= modes.values * (modes.weights.array() * curvature.square()).matrix().asDiagonal() *
+            modes.values.transpose();
+    const VectorXd coupling = moments(modes, curvature);
+    form += torsionRatio * coupling * coupling.transpose();
+  }
+  ArrayXd curvature;
+  MatrixXd form;
+  VectorXd closed;
+};
+
 }  // namespace
 
 Margins marginsOf(const Equations& equations, double torsionRatio, double across) {
   const Modes& modes = equations.modes();
-  const ArrayXd curvature =
-      (modes.slopes.transpose() * equations.shape().coefficients).array() + equations.hold().turning;
-  const auto moments = [&](const ArrayXd& f) -> VectorXd {
-    return modes.values * (modes.weights.array() * f).matrix();
-  };
-  MatrixXd outOfPlane = equations.hessian();
-  outOfPlane -= modes.values * (modes.weights.array() * curvature.square()).matrix().asDiagonal() *
-                modes.values.transpose();
-  const VectorXd coupling = moments(curvature);
-  outOfPlane += torsionRatio * coupling * coupling.transpose();
-  const VectorXd closed = moments(ArrayXd::Ones(modes.nodes.size()));
+  const auto [curvature, outOfPlane, closed] = OutOfPlane(equations, torsionRatio);
   Margins margins;
   if (curvature.abs().maxCoeff() >= kStraight) {
     margins.inPlane = smallest(modes, equations.hessian(), equations.closure());
@@ -77,7 +90,7 @@ Margins marginsOf(const Equations& equations, double torsionRatio, double across
   MatrixXd system(n + 1, n + 1);
   system << outOfPlane, closed, closed.transpose(), 0.0;
   VectorXd load(n + 1);
-  load << across * moments(1 - modes.nodes.array()), 0.0;
+  load << across * moments(modes, 1 - modes.nodes.array()), 0.0;
   const VectorXd angles = modes.values.transpose() * system.partialPivLu().solve(load).head(n);
   const VectorXd places = modes.polynomials * (modes.integral * angles);
   constexpr int kPlaces = 50;
@@ -93,6 +106,7 @@ namespace {
 /// How an equilibrium changes with its grips, columns as those of `movesOf`.
 struct Changes {
   MatrixXd turned;  ///< the angle at the nodes
+  MatrixXd bent;    ///< the curvature there
   Eigen::Matrix<double, 2, 4> force;
 };
 Changes changesOf(const Equations& equations) {
@@ -103,14 +117,16 @@ Changes changesOf(const Equations& equations) {
   changes[0].chord.x() = changes[1].chord.y() = 1;
   changes[2].startAngle = changes[3].turning = 1;
   changes[2].turning = -1;
-  MatrixXd right(n + 2, 4), turned(nodes, 4);
+  MatrixXd right(n + 2, 4), turned(nodes, 4), bent(nodes, 4);
   for (Index k = 0; k < 4; ++k) {
     right.col(k) = -equations.along(changes[k]);
     turned.col(k) = changes[k].startAngle + changes[k].turning * modes.nodes.array();
+    bent.col(k).setConstant(changes[k].turning);
   }
   const MatrixXd moved = equations.jacobian().partialPivLu().solve(right);
   turned += modes.values.transpose() * moved.topRows(n);
-  return {turned, moved.bottomRows<2>()};
+  bent += modes.slopes.transpose() * moved.topRows(n);
+  return {turned, bent, moved.bottomRows<2>()};
 }
 
 }  // namespace
@@ -146,6 +162,27 @@ MarginSlope marginSlopeOf(const Equations& equations) {
     const ArrayXd along = changes.force(0, k) * s.cosine + changes.force(1, k) * s.sine + s.across * turned;
     const ArrayXd across = 2 * (multipliers.x() * s.cosine + multipliers.y() * s.sine) * turned * phi;
     slope.byGrips(k) = (modes.weights.array() * (along * phi.square() + across)).sum() / (4 * kPi * kPi);
+  }
+  return slope;
+}
+
+MarginSlope outOfPlaneSlopeOf(const Equations& equations, double torsionRatio) {
+  const Modes& modes = equations.modes();
+  const auto [curvature, form, closed] = OutOfPlane(equations, torsionRatio);
+  if (curvature.abs().maxCoeff() < kStraight) return {};
+  VectorXd function;
+  MarginSlope slope{smallest(modes, form, closed, &function), {}};
+  const Changes changes = changesOf(equations);
+  const Sampled& s = equations.sampled();
+  const ArrayXd phi = modes.values.transpose() * function, weights = modes.weights.array();
+  const double twisted = (weights * curvature * phi).sum();
+  for (Index k = 0; k < 4; ++k) {
+    const ArrayXd bent = changes.bent.col(k);
+    const ArrayXd along = changes.force(0, k) * s.cosine + changes.force(1, k) * s.sine +
+                          s.across * changes.turned.col(k).array() - 2 * curvature * bent;
+    slope.byGrips(k) =
+        ((weights * along * phi.square()).sum() + 2 * torsionRatio * twisted * (weights * bent * phi).sum()) /
+        (4 * kPi * kPi);
   }
   return slope;
 }

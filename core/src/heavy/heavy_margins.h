@@ -23,12 +23,15 @@ Margins marginsOf(const Equations& equations, double torsionRatio, double across
 /// places follow, since a blade that is moved as a whole keeps its shape. Not finite at a fold.
 Eigen::MatrixXd movesOf(const Equations& equations);
 
-/// The margin in the plane and its derivative, columns as those of `movesOf`.
+/// A margin and its derivative, columns as those of `movesOf`.
 struct MarginSlope {
   double margin = 1;
   Eigen::RowVector4d byGrips = Eigen::RowVector4d::Zero();
 };
+/// The margin in the plane.
 MarginSlope marginSlopeOf(const Equations& equations);
+/// That of a round blade out of it.
+MarginSlope outOfPlaneSlopeOf(const Equations& equations, double torsionRatio);
 
 /// How far the curve moves with its grips: per length and per radian, in lengths.
 ClampedSensitivity sensitivityOf(const Equations& equations);

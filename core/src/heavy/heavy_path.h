@@ -56,8 +56,9 @@ struct Followed {
 };
 
 /// Follows a stable blade along the way as long as it is stable. A blade that is not stable to begin with
-/// snaps at once. Empty if the path is lost, which is not silent: nothing is said then.
-std::optional<Followed> follow(const Way& way, const Shape& start);
+/// snaps at once. Empty if the path is lost or takes more than `mostSteps`, which is not silent: nothing is
+/// said then.
+std::optional<Followed> follow(const Way& way, const Shape& start, int mostSteps = 400);
 
 /// All equilibria at part 1 of the way that its path meets, from `start` on: over folds and up to part 2,
 /// until the path comes back to part 0 or is lost.

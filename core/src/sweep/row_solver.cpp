@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -31,7 +32,8 @@ using Matrix6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
 
 constexpr int kPlaces = 33;  // of a section, from which the blade's distance is taken
 constexpr int kBends = 25;   // of the whole blade, where its curvature is looked at
-constexpr int kOwn = kPlaces + kBends + 2;
+constexpr int kMargins = 2;  // in the plane and, of a round blade, out of it
+constexpr int kOwn = kPlaces + kBends + 3 + kMargins;
 
 // What is weighed against the distance from the section, rms over its length, in parts of the tolerance:
 constexpr double kKink = 1e-4;       // of a kink of 1 mm in the way of a grip, from one station to the next,
@@ -39,15 +41,24 @@ constexpr double kSharpKink = 5e-3;  // and of what is sharper than
 constexpr double kFreeKink = 0.35;   // rad;
 constexpr double kSlide = 2e-3;      // of a blade that lies 1 mm off the middle of its section;
 constexpr double kBent = 1e-3;       // of a blade that bends as sharply as it may,
-constexpr double kSharper = 50;      // and of one that bends twice as sharply;
+constexpr double kAtLimit = 0.98;    // of the curvature that it bears;
+constexpr double kSharper = 50;      // and of one that bends twice as sharply,
+constexpr double kRounded = 5e-3;    // which begins over this part of it;
+constexpr double kForced = 1e-3;     // of a force that is 2.5 times what buckles the blade, or pulls so;
 constexpr double kUnsafe = 10;       // of a margin that is smaller by 1 than asked for, with a reserve of
 constexpr double kReserve = 0.02;
 constexpr double kWatched = 0.25;     // beyond what is asked for no margin is looked at
 constexpr double kLeast = 0.1;        // of the mean way between stations: shorter ones count as this
 constexpr double kFar = 0.1;          // of the blade: a step of a grip
 constexpr double kFarTurned = 0.5;    // rad
+constexpr int kMostSteps = 32;        // along the path of a blade, from look to look
 constexpr double kDifference = 1e-4;  // of a number of a blade
 constexpr double kFootSlack = 0.1;    // of the blade: a step of a foot
+// A blade that was carried on is held against a fit where it lies farther from its section than this part of
+// the tolerance and so many times as far as when that was last done; to take its place the fit must be so
+// much nearer, and within the tolerance none does that turns the grips by more than this.
+constexpr double kNear = 0.1, kGrown = 1.25, kWorthAJump = 0.7, kEasySwing = 15 * kDegree;
+constexpr double kPresses = 1 - 1e-4;  // of the sharpest bend: a blade that bends so far is held by it
 
 /// One station: the blade without weight told by its middle (point, angle, curvature, force), in lengths of a
 /// quarter of the blade; its grips hold the blade that hangs.
@@ -61,6 +72,8 @@ struct Station {
   bool watched = false;                              ///< its margin is near the least that is asked for
   std::array<double, kPlaces> feet = {};             ///< arc lengths of the blade nearest to the section
 
+  double compared = 0;  ///< mm: its distance, or that of those before it, when it was last held against a fit
+
   bool good = false;  ///< of the numbers that were looked at last; the rest holds if it is
   Eigen::Matrix<double, kOwn, 1> own;
   Eigen::Matrix<double, kOwn, 6, Eigen::RowMajor> byOwn;
@@ -72,6 +85,13 @@ struct Station {
     double farthest = 0;
     for (int k = 0; k < kPlaces; ++k) farthest = std::max(farthest, std::abs(own(k)) / shareOf(k));
     return farthest;
+  }
+  /// rad, that the grips are turned more than those of another one.
+  double turnedFrom(const Station& other) const {
+    const auto turn = [&](int angle) {
+      return std::abs(std::remainder(grips(angle) - other.grips(angle), 2 * kPi));
+    };
+    return std::max(turn(2), turn(5));
   }
   /// Of a place in the rms over the section, by the trapezoidal rule.
   static double shareOf(int k) { return std::sqrt((k == 0 || k + 1 == kPlaces ? 0.5 : 1) / (kPlaces - 1)); }
@@ -85,16 +105,23 @@ class Row {
         context_(context),
         length_(sweep.request.blade.length),
         unit_(0.25 * length_),
-        limit_(curvatureLimit(sweep.request)) {}
+        limit_(kAtLimit * sweep.request.blade.maxCurvature()) {}
 
   /// A station as the row has it; empty where its blade does not rest near its section.
   std::optional<Station> standing(std::size_t i) const;
+  /// Has a station look at its margin too, if that is near the least that is asked for.
+  void watch(Station& station) const;
   /// A station of which the blade of another one, `from`, is to become the blade.
   Station carried(std::size_t i, const Station& from) const;
   /// The blade without weight; empty where the station's numbers are none of a blade.
   std::optional<Elastica> light(const Station& station) const;
-  /// Chooses the grips of these stations, in the order of the row.
-  void settle(std::span<Station* const> stations) const;
+  /// Chooses the grips of these stations, in the order of the row; those of one alone beside `beside`.
+  void settle(std::span<Station* const> stations, const Station* beside = nullptr) const;
+  /// True if the blade keeps the margin that is asked for.
+  bool isFirm(const Station& station) const {
+    return !station.watched ||
+           station.own.tail<kMargins>().maxCoeff() <= kUnsafe * sweep_.request.tolerance * kReserve;
+  }
   /// True if a blade like this may stand in the row.
   bool holds(const Station& station) const;
   /// Looks at a station's numbers.
@@ -112,8 +139,12 @@ class Row {
   /// on the way there.
   bool hangAt(Station& station, const Elastica& half) const;
 
-  /// The margin of the station's blade, and its derivative by the numbers.
-  std::pair<double, Row6> marginAt(const Station& station) const;
+  struct Margin {
+    double value = 1;
+    Row6 byNumbers = Row6::Zero();
+  };
+  /// The margins of the station's blade.
+  std::array<Margin, kMargins> marginsAt(const Station& station) const;
 
   /// Moves each foot nearer to where the blade is nearest to its place of the section.
   void step(Station& station, std::span<const Elastica::State> states) const {
@@ -149,7 +180,7 @@ std::optional<Elastica> Row::light(const Station& station) const {
 std::optional<Station> Row::standing(std::size_t i) const {
   const BladePose& pose = sweep_.poses[i];
   const StationFit& fit = sweep_.fits[i];
-  if (fit.fit.status == FitStatus::infeasible || pose.blade.anchor() ||
+  if (fit.fit.status == FitStatus::infeasible || pose.blade.anchor() || pose.before < 0 ||
       !bladeHolds(pose.cut, sweep_.request.blade))
     return {};
   Station station = at(i);
@@ -167,9 +198,14 @@ std::optional<Station> Row::standing(std::size_t i) const {
     station.feet[std::size_t(k)] = pose.before + pose.cut.length() * k / (kPlaces - 1);
   look(station);
   if (!station.good) return {};
-  station.watched = marginAt(station).first < sweep_.request.margin + kWatched;
-  if (station.watched) look(station);
   return station;
+}
+
+void Row::watch(Station& station) const {
+  station.watched = std::ranges::any_of(marginsAt(station), [&](const Margin& margin) {
+    return margin.value < sweep_.request.margin + kWatched;
+  });
+  if (station.watched) look(station);
 }
 
 Station Row::carried(std::size_t i, const Station& from) const {
@@ -177,7 +213,16 @@ Station Row::carried(std::size_t i, const Station& from) const {
   station.index = i;
   station.pose = &sweep_.poses[i];
   station.section = at(i).section;
-  station.watched = true;
+  const double foot = 0.5 * (station.feet.front() + station.feet.back());
+  const double length = sweep_.fits[i].target.length();
+  for (int k = 0; k < kPlaces; ++k)
+    station.feet[std::size_t(k)] =
+        std::clamp(foot + length * (double(k) / (kPlaces - 1) - 0.5), 0.0, length_);
+  if (const std::optional<Elastica> blade = light(station)) {
+    const Vector2d off = station.section[kPlaces / 2] - blade->at(foot).point;
+    station.numbers[0] += off.x();
+    station.numbers[1] += off.y();
+  }
   return station;
 }
 
@@ -219,31 +264,41 @@ bool Row::hangAt(Station& station, const Elastica& half) const {
   next.grips.turning = grips(5) - grips(2);
   next.grips.length = length_;
   HeavyBranch branch = *station.branch;
-  const Result<ClampedBranch::Move> move = branch.moveTo(next);
+  const Result<ClampedBranch::Move> move = branch.moveTo(next, kMostSteps);
   if (!move || move->snapped) return false;
   station.branch = branch;
   station.hungAt = grips;
   return true;
 }
 
-std::pair<double, Row6> Row::marginAt(const Station& station) const {
+auto Row::marginsAt(const Station& station) const -> std::array<Margin, kMargins> {
+  const bool round = sweep_.request.blade.section != Blade::Section::flat;
+  std::array<Margin, kMargins> margins;
   if (station.branch) {
-    const HeavyMarginSlope slope = marginByGrips(station.branch->blade());
-    return {slope.margin, slope.byGrips * station.byGrips};
+    const HeavyBlade blade = station.branch->blade();
+    const auto put = [&](Margin& margin, const HeavyMarginSlope& slope) {
+      margin = {slope.margin, slope.byGrips * station.byGrips};
+    };
+    put(margins[0], marginByGrips(blade));
+    if (round) put(margins[1], outOfPlaneByGrips(blade));
+    return margins;
   }
-  const auto margin = [&](const Station& one) {
+  const auto values = [&](const Station& one) -> std::array<double, kMargins> {
     const std::optional<Elastica> blade = light(one);
-    return blade ? stabilityMargin(*blade) : 0.0;
+    if (!blade) return {0, 0};
+    return {stabilityMargin(*blade), round ? outOfPlaneMargin(*blade) : 1};
   };
-  Row6 slope = Row6::Zero();
+  const auto here = values(station);
+  for (int i = 0; i < kMargins; ++i) margins[std::size_t(i)].value = here[std::size_t(i)];
   for (int k = 3; k < 6; ++k) {  // a blade that is moved as a whole rests as well
     Station more = station, less = station;
     const double step = kDifference * (1 + std::abs(station.numbers[k]));
     more.numbers[k] += step;
     less.numbers[k] -= step;
-    slope(k) = (margin(more) - margin(less)) / (2 * step);
+    const auto above = values(more), below = values(less);
+    for (std::size_t i = 0; i < kMargins; ++i) margins[i].byNumbers(k) = (above[i] - below[i]) / (2 * step);
   }
-  return {margin(station), slope};
+  return margins;
 }
 
 void Row::look(Station& station) const {
@@ -303,10 +358,11 @@ void Row::look(Station& station) const {
   }
   for (std::size_t k = 0; k < kBends; ++k) {
     const auto row = Eigen::Index(kPlaces + k);
-    const double bend = std::abs(bends[k].curvature) / limit_;
-    const double sharper = bend > 1 ? kSharper * tolerance : 0;
-    const double slope = kBent * tolerance / std::sqrt(kBends) + sharper;
-    station.own(row) = slope * bend - sharper;
+    const double bend = std::abs(bends[k].curvature) / limit_, beyond = bend - 1;
+    const double round = std::hypot(beyond, kRounded);
+    const double bent = kBent * tolerance / std::sqrt(kBends), sharper = 0.5 * kSharper * tolerance;
+    const double slope = bent + sharper * (1 + beyond / round);
+    station.own(row) = bent * bend + sharper * (beyond + round);
     station.byOwn.row(row) =
         slope / std::copysign(limit_, bends[k].curvature) * byBends[k].row(3).cwiseProduct(scale.transpose());
   }
@@ -316,13 +372,20 @@ void Row::look(Station& station) const {
   constexpr Eigen::Index kMiddle = kPlaces + kBends;
   station.own(kMiddle) = kSlide * tolerance * (0.5 * (station.feet.front() + station.feet.back()) - middle);
   station.byOwn.row(kMiddle) = 0.5 * kSlide * tolerance * (along(0) + along(kPlaces - 1));
-  station.own(kMiddle + 1) = 0;
+  for (const Eigen::Index axis : {4, 5}) {
+    const double slope = kForced * tolerance / unit_;
+    station.own(kMiddle + axis - 3) = slope * station.numbers[axis];
+    station.byOwn(kMiddle + axis - 3, axis) = slope;
+  }
+  station.own.tail<kMargins>().setZero();
   if (station.watched) {
-    const auto [margin, slope] = marginAt(station);
-    const double missing = sweep_.request.margin + kReserve - margin;
-    if (missing > 0) {
-      station.own(kMiddle + 1) = kUnsafe * tolerance * missing;
-      station.byOwn.row(kMiddle + 1) = -kUnsafe * tolerance * slope;
+    const std::array<Margin, kMargins> margins = marginsAt(station);
+    for (std::size_t i = 0; i < kMargins; ++i) {
+      const double missing = sweep_.request.margin + kReserve - margins[i].value;
+      if (missing <= 0) continue;
+      const auto row = Eigen::Index(kOwn - kMargins + i);
+      station.own(row) = kUnsafe * tolerance * missing;
+      station.byOwn.row(row) = -kUnsafe * tolerance * margins[i].byNumbers;
     }
   }
   station.good = station.own.allFinite() && station.byOwn.allFinite() && station.byGrips.allFinite();
@@ -343,32 +406,45 @@ class OwnCost : public ceres::SizedCostFunction<kOwn, 6> {
   const Station& station_;
 };
 
+/// What moved grips cost: kKink a mm, and kSharpKink more beyond `free`, in parts of the tolerance.
+struct Smoothness {
+  double free, tolerance;
+  /// Puts the cost in place of the moves; the answer is its slope.
+  Vector6 of(Vector6& moves) const {
+    Vector6 slope = Vector6::Constant(kKink * tolerance);
+    for (int row = 0; row < 6; ++row) {
+      const double beyond = std::abs(moves(row)) - free, sharp = kSharpKink * tolerance;
+      moves(row) = slope(row) * moves(row) + (beyond > 0 ? std::copysign(sharp * beyond, moves(row)) : 0);
+      if (beyond > 0) slope(row) += sharp;
+    }
+    return slope;
+  }
+};
+
+/// mm, of x, y and angle of both grips.
+Vector6 armsOf(double arm) {
+  Vector6 arms;
+  arms << 1, 1, arm, 1, 1, arm;
+  return arms;
+}
+
 /// The kink in the way of the grips at the second of three stations.
 class KinkCost : public ceres::SizedCostFunction<6, 6, 6, 6> {
  public:
   KinkCost(const std::array<const Station*, 3>& stations, double before, double after, double arm,
-           double free, double tolerance)
+           const Smoothness& smoothness)
       : stations_(stations),
         shares_{1 / before, -1 / before - 1 / after, 1 / after},
-        free_(free),
-        tolerance_(tolerance) {
-    arms_ << 1, 1, arm, 1, 1, arm;
-  }
+        arms_(armsOf(arm)),
+        smoothness_(smoothness) {}
   bool Evaluate(double const* const*, double* residuals, double** jacobians) const override {
     Vector6 kink = Vector6::Zero();
     for (std::size_t k = 0; k < 3; ++k) kink += shares_[k] * arms_.cwiseProduct(stations_[k]->grips);
-    Vector6 slope = Vector6::Constant(kKink * tolerance_);
-    for (int row = 0; row < 6; ++row) {
-      const bool sharp = std::abs(kink(row)) > free_;
-      if (sharp) slope(row) += kSharpKink * tolerance_;
-      kink(row) =
-          slope(row) * kink(row) - (sharp ? std::copysign(kSharpKink * tolerance_ * free_, kink(row)) : 0);
-    }
+    const Vector6 slope = smoothness_.of(kink).cwiseProduct(arms_);
     bool good = true;
     for (std::size_t k = 0; k < 3; ++k) {
       if (jacobians && jacobians[k])
-        Matrix6::Map(jacobians[k]) =
-            shares_[k] * slope.cwiseProduct(arms_).asDiagonal() * stations_[k]->byGrips;
+        Matrix6::Map(jacobians[k]) = shares_[k] * slope.asDiagonal() * stations_[k]->byGrips;
       good = good && stations_[k]->good;
     }
     Vector6::Map(residuals) = kink;
@@ -378,8 +454,27 @@ class KinkCost : public ceres::SizedCostFunction<6, 6, 6, 6> {
  private:
   std::array<const Station*, 3> stations_;
   std::array<double, 3> shares_;
-  Vector6 arms_;             ///< mm, of the angles
-  double free_, tolerance_;  ///< mm
+  Vector6 arms_;
+  Smoothness smoothness_;
+};
+
+/// What it costs a station alone to leave the grips of another.
+class BesideCost : public ceres::SizedCostFunction<6, 6> {
+ public:
+  BesideCost(const Station& station, const Vector6& grips, double arm, const Smoothness& smoothness)
+      : station_(station), grips_(grips), arms_(armsOf(arm)), smoothness_(smoothness) {}
+  bool Evaluate(double const* const*, double* residuals, double** jacobians) const override {
+    Vector6 moved = arms_.cwiseProduct(station_.grips - grips_);
+    const Vector6 slope = smoothness_.of(moved).cwiseProduct(arms_);
+    if (jacobians && jacobians[0]) Matrix6::Map(jacobians[0]) = slope.asDiagonal() * station_.byGrips;
+    Vector6::Map(residuals) = moved;
+    return station_.good;
+  }
+
+ private:
+  const Station& station_;
+  Vector6 grips_, arms_;
+  Smoothness smoothness_;
 };
 
 /// Has stations looked at before Ceres asks for what they say.
@@ -389,7 +484,9 @@ class Looks : public ceres::EvaluationCallback {
   /// False where one of them is none of a blade, or at a stop.
   bool look() {
     const auto one = [&](int i) { row_.look(*stations_[std::size_t(i)]); };
-    if (!parallelFor(row_.context(), int(stations_.size()), one))
+    if (stations_.size() == 1)
+      one(0);
+    else if (!parallelFor(row_.context(), int(stations_.size()), one))
       for (Station* station : stations_) station->good = false;
     return std::ranges::all_of(stations_, [](const Station* station) { return station->good; });
   }
@@ -404,7 +501,7 @@ class Looks : public ceres::EvaluationCallback {
   bool first_ = true;  ///< where the solver begins they have been looked at
 };
 
-void Row::settle(std::span<Station* const> stations) const {
+void Row::settle(std::span<Station* const> stations, const Station* beside) const {
   constexpr int kIterations = 40;
   constexpr double kSettled = 1e-4;  // of the sum of squares, in one step
   Looks looks(*this, stations);
@@ -425,13 +522,17 @@ void Row::settle(std::span<Station* const> stations) const {
     };
     problem.AddResidualBlock(
         new KinkCost({three[0], three[1], three[2]}, way(*three[0], *three[1]), way(*three[1], *three[2]),
-                     unit_, kFreeKink * mean, sweep_.request.tolerance),
+                     unit_, {kFreeKink * mean, sweep_.request.tolerance}),
         nullptr, three[0]->numbers, three[1]->numbers, three[2]->numbers);
   }
+  if (beside)
+    problem.AddResidualBlock(
+        new BesideCost(*stations[0], beside->grips, unit_, {kEasySwing * unit_, sweep_.request.tolerance}),
+        nullptr, stations[0]->numbers);
   ceres::Solver::Options options;
-  options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
+  options.linear_solver_type = stations.size() > 1 ? ceres::SPARSE_NORMAL_CHOLESKY : ceres::DENSE_QR;
   options.logging_type = ceres::SILENT;
-  options.max_num_iterations = kIterations;
+  options.max_num_iterations = options.max_num_consecutive_invalid_steps = kIterations;
   options.function_tolerance = kSettled;
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);
@@ -451,21 +552,26 @@ void unwrap(std::vector<std::optional<Station>>& stations, double unit) {
   }
 }
 
-/// Puts a station's blade into the row.
-void put(const Station& station, const Elastica& light, Sweep& sweep) {
+/// Puts a station's blade into the row; false where it is not known how it hangs.
+bool put(const Station& station, const Elastica& light, Sweep& sweep) {
   BladePose& pose = sweep.poses[station.index];
   StationFit& fit = sweep.fits[station.index];
   const Result<Elastica> cut = light.segment(station.feet.front(), station.feet.back());
-  if (!cut) return;
-  if (pose.heavy) {
+  if (!cut) return false;
+  if (!sweep.request.weight.isZero()) {
     // Where its weight alone would bring it, whatever brought it here.
     const Result<Hanging> hanging =
         hang(light, sweep.request.blade.flexuralRigidity(), weightIn(sweep, pose.frame));
-    if (!hanging && !station.branch) return;
+    if (!hanging && !station.branch) return false;
     pose.heavy = station.branch ? station.branch->blade() : hanging->blade;
     fit.snapsAt = hanging ? hanging->snapsAt : std::nullopt;
     fit.unknown = hanging ? "" : hanging.error().message;
   }
+  const bool bounded = light.maxCurvature() > kPresses * curvatureLimit(sweep.request) ||
+                       station.own.tail<kMargins>().maxCoeff() > 0;
+  fit.fit.status = bounded ? FitStatus::constraintsActive : FitStatus::converged;
+  fit.fit.message = bounded ? "held by its smallest radius or its margin" : "";
+  fit.heldBack = bounded;
   pose.cut = *cut;
   pose.blade = light;
   pose.before = station.feet.front();
@@ -478,48 +584,118 @@ void put(const Station& station, const Elastica& light, Sweep& sweep) {
                                                 pose.at(whole, out);
                                               }},
                                              fit.target);
+  return true;
+}
+
+/// A station whose blade is `from`'s, brought to its own section; empty where that does not lead to a blade
+/// that may stand in the row.
+std::optional<Station> carriedOn(const Row& row, std::size_t i, const Station& from) {
+  Station station = row.carried(i, from);
+  const std::array<Station*, 1> one = {&station};
+  row.settle(one, &from);
+  if (!station.good) return {};
+  const bool watched = station.watched;
+  row.watch(station);
+  if (station.watched && !watched) row.settle(one, &from);
+  return row.holds(station) ? std::optional(station) : std::nullopt;
+}
+
+/// The stations of a row.
+struct Stations {
+  explicit Stations(std::size_t n) : at(n), fitted(n) {}
+  std::vector<std::optional<Station>> at;  ///< empty where none stands
+  std::vector<char> fitted;                ///< whether the row holds the fit of a station
+};
+
+/// Fits a station on its own.
+Result<void> fitAlone(Sweep& sweep, std::size_t i) {
+  Result<void> fitted = fitInto(sweep, i, nullptr);
+  if (fitted) hangInto(sweep, i);
+  return fitted;
+}
+
+/// Finds the blade of each station: its neighbour's carried on, or that of a fit where that is better.
+Result<void> start(Sweep& sweep, const Row& row, Stations& stations) {
+  const double tolerance = sweep.request.tolerance;
+  return fromLongest(
+      sweep, row.context(), [&](std::size_t i, std::optional<std::size_t> from) -> Result<void> {
+        std::optional<Station>& station = stations.at[i];
+        const Station* beside = from && stations.at[*from] ? &*stations.at[*from] : nullptr;
+        if (beside) station = carriedOn(row, i, *beside);
+        const double near = station ? std::max(kNear * tolerance, kGrown * station->compared) : 0;
+        if (station && station->distance() <= near && row.isFirm(*station)) return {};
+        if (Result<void> fitted = fitAlone(sweep, i); !fitted) return fitted;
+        stations.fitted[i] = true;
+        std::optional<Station> found = row.standing(i);
+        if (found) row.watch(*found);
+        const auto better = [&] {
+          if (row.isFirm(*found) != row.isFirm(*station)) return row.isFirm(*found);
+          const bool swings = beside && found->turnedFrom(*beside) > kEasySwing;
+          if (swings && station->distance() <= tolerance) return false;
+          return found->distance() < kWorthAJump * station->distance();
+        };
+        if (!station || (found && better())) station = found;
+        if (station) station->compared = station->distance();
+        return {};
+      });
+}
+
+/// Chooses the grips of all stations together.
+void settleAll(const Sweep& sweep, const Row& row, Stations& stations) {
+  unwrap(stations.at, 0.25 * sweep.request.blade.length);
+  const std::size_t n = stations.at.size();
+  const auto settle = [&] {
+    std::vector<Station*> standing;
+    for (std::optional<Station>& station : stations.at)
+      if (station && station->good) standing.push_back(&*station);
+    if (!standing.empty()) row.settle(standing);
+    return standing.size();
+  };
+  const std::size_t before = settle();
+  // Where none stands, the blade of the station beside it may be carried on.
+  const auto carry = [&](std::size_t i, std::size_t from) {
+    if (stations.at[i] || !stations.at[from] || !row.holds(*stations.at[from]) || row.context().stopped())
+      return;
+    const std::optional<Station> station = carriedOn(row, i, *stations.at[from]);
+    if (station && station->distance() <= std::max(sweep.request.tolerance, sweep.fits[i].fit.hausdorff))
+      stations.at[i] = station;
+  };
+  for (std::size_t i = 1; i < n; ++i) carry(i, i - 1);
+  for (std::size_t i = n - 1; i > 0; --i) carry(i - 1, i);
+  if (std::size_t(std::ranges::count_if(stations.at, [](const auto& s) { return s && s->good; })) != before)
+    settle();
 }
 
 }  // namespace
 
-Result<void> settleRow(Sweep& sweep, const RunContext& context) {
-  const FitRequest& request = sweep.request;
-  if (request.fitEndpoints || request.fitTangents || request.fitLength != FitOptions::Length::free) return {};
+Result<void> solveRow(Sweep& sweep, const RunContext& context, double* startSeconds, double* settleSeconds) {
+  using Clock = std::chrono::steady_clock;
+  const auto began = Clock::now();
   const Row row(sweep, context);
-  const std::size_t n = sweep.poses.size();
-  std::vector<std::optional<Station>> stations(n);
-  if (Result<void> ok = parallelFor(context, int(n),
-                                    [&](int i) { stations[std::size_t(i)] = row.standing(std::size_t(i)); });
-      !ok)
-    return ok;
-  unwrap(stations, 0.25 * request.blade.length);
-  const auto settle = [&] {
-    std::vector<Station*> standing;
-    for (std::optional<Station>& station : stations)
-      if (station && station->good) standing.push_back(&*station);
-    if (!standing.empty()) row.settle(standing);
-    return int(standing.size());
-  };
-  const int before = settle();
-  // Where none stands, the blade of the station beside it may be carried on.
-  const auto carry = [&](std::size_t i, std::size_t from) {
-    if (stations[i] || !stations[from] || !row.holds(*stations[from]) || context.stopped()) return;
-    Station station = row.carried(i, *stations[from]);
-    const std::array<Station*, 1> one = {&station};
-    row.settle(one);
-    if (row.holds(station) && station.distance() <= std::max(request.tolerance, sweep.fits[i].fit.hausdorff))
-      stations[i] = station;
-  };
-  for (std::size_t i = 1; i < n; ++i) carry(i, i - 1);
-  for (std::size_t i = n - 1; i > 0; --i) carry(i - 1, i);
-  if (std::ranges::count_if(stations, [](const auto& s) { return s.has_value(); }) != before) settle();
-  if (context.stopped()) return stoppedError();
-  return parallelFor(context, int(n), [&](int i) {
-    const std::optional<Station>& station = stations[std::size_t(i)];
-    if (!station || !row.holds(*station)) return;
-    const std::optional<Elastica> light = row.light(*station);
-    if (light) put(*station, *light, sweep);
+  Stations stations(sweep.poses.size());
+  const int n = int(stations.at.size());
+  Result<void> ok = start(sweep, row, stations);
+  const auto started = Clock::now();
+  if (ok)
+    ok = parallelFor(context, n, [&](int i) {
+      if (std::optional<Station>& station = stations.at[std::size_t(i)]) row.watch(*station);
+    });
+  if (ok) settleAll(sweep, row, stations);
+  if (ok && context.stopped()) ok = stoppedError();
+  if (!ok) return ok;
+  std::vector<Result<void>> outcomes(stations.at.size());
+  ok = parallelFor(context, n, [&](int k) {
+    const auto i = std::size_t(k);
+    const std::optional<Station>& station = stations.at[i];
+    const std::optional<Elastica> light = station && row.holds(*station) ? row.light(*station) : std::nullopt;
+    if ((!light || !put(*station, *light, sweep)) && !stations.fitted[i]) outcomes[i] = fitAlone(sweep, i);
   });
+  for (const Result<void>& outcome : outcomes)
+    if (ok && !outcome) ok = outcome;
+  const auto seconds = [](auto from, auto to) { return std::chrono::duration<double>(to - from).count(); };
+  if (startSeconds) *startSeconds += seconds(began, started);
+  if (settleSeconds) *settleSeconds += seconds(started, Clock::now());
+  return ok;
 }
 
 }  // namespace bw::sweep

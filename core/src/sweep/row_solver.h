@@ -8,10 +8,13 @@
 
 namespace bw::sweep {
 
-/// Chooses the grips of all stations together, so that the blades, with their weight, lie on their sections
-/// and the grips go smoothly from one to the next (docs/mathematics.md, the row). `sweep` holds blades that
-/// rest near their sections; those that do not rest, or whose ends were asked for, stay as they are. Fails on
-/// a stop alone.
-[[nodiscard]] Result<void> settleRow(Sweep& sweep, const RunContext& context);
+/// Finds the blades of a row of which sections and planes are known (docs/mathematics.md, the row). The blade
+/// of the longest section is fitted; each of the others begins as its neighbour's, carried on to its own
+/// section, and is fitted anew only where that may lead clearly nearer. Then the grips of all stations are
+/// chosen together, so that the blades, with their weight, lie on their sections, keep their radius and
+/// margin, and the grips go smoothly from one to the next. Where no blade rests near its section, the nearest
+/// curve stands. Fails on a stop and where nothing can be fitted. The seconds of both steps are added.
+[[nodiscard]] Result<void> solveRow(Sweep& sweep, const RunContext& context, double* startSeconds,
+                                    double* settleSeconds);
 
 }  // namespace bw::sweep

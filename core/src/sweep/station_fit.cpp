@@ -5,11 +5,17 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <mutex>
 #include <optional>
+#include <utility>
 
 #include "bw/core/elastica/elastica_stability.h"
+#include "bw/core/heavy/heavy_bvp.h"
+#include "bw/core/text/number_text.h"
 #include "fit/fit_distance.h"
+#include "sweep/held_blade.h"
 #include "sweep/tight_section.h"
 
 namespace bw::sweep {
@@ -42,8 +48,6 @@ constexpr int kPeriodBounds = 7;
 /// Part of its largest curvature to which a blade at its limit bends, and to which a fit is bounded: rounding
 /// does not decide whether the blade holds, and a blade with weight bends a little more.
 constexpr double kAtLimit = 1 - 1e-6, kAtLimitWithWeight = 0.98;
-/// A blade that bends to this part of its bound presses against it.
-constexpr double kPresses = 1 - 1e-4;
 /// A section with a radius so many times smaller than the blade's is far beyond it.
 constexpr double kFarBeyond = 10;
 
@@ -113,12 +117,6 @@ std::optional<StationFit> stiffFit(const PlanarCurve& section, const FitRequest&
   return best && (tooTight || best->fit.hausdorff <= allowed) ? std::move(best) : std::nullopt;
 }
 
-/// True if the blade that continues this fit bends as far as it may: then the nearest curve bends farther.
-bool bladePresses(const FitResult& fit, const FitRequest& request) {
-  const Result<Elastica> whole = extendedBlade(fit.elastica, request.blade.length);
-  return whole && whole->maxCurvature() >= kPresses * curvatureLimit(request);
-}
-
 }  // namespace
 
 Places::Places(const PlanarCurve& section) : points_(section.sample(kPlaces)), centre_(meanOf(points_)) {}
@@ -177,16 +175,6 @@ Result<StationFit> fitStation(const PlanarCurve& section, const FitRequest& requ
   const FitOptions options = fitOptions(request, section.length());
   const FitResult* start = neighbour ? &neighbour->fit : nullptr;
   const double allowed = kAllowance * request.tolerance;
-  std::optional<Result<FitResult>> tried;  // with the first of the bounds
-  if (neighbour && neighbour->heldBack) {
-    // Most likely this one is held back too, and the nearest curve, which may be far from any blade, need not
-    // be sought.
-    tried = fitBesideNeighbour(section, boundedOptions(options, request), start);
-    const Result<FitResult>& bounded = *tried;
-    if (bounded && atRest(*bounded) && bounded->hausdorff <= allowed &&
-        bladeHolds(bounded->elastica, request.blade) && bladePresses(*bounded, request))
-      return StationFit{section, *bounded, true};
-  }
   Result<FitResult> best = fitBesideNeighbour(section, options, start);
   if (!best) return tl::unexpected<Error>(best.error());
   if (!usable(*best) || best->hausdorff > allowed || bladeHolds(best->elastica, request.blade))
@@ -194,8 +182,7 @@ Result<StationFit> fitStation(const PlanarCurve& section, const FitRequest& requ
   FitOptions tighter = boundedOptions(options, request);
   std::optional<FitResult> restless;
   for (int k = 0; k < kPeriodBounds; ++k, *tighter.maxPeriods *= 0.5) {
-    Result<FitResult> bounded =
-        k == 0 && tried ? std::move(*tried) : fitBesideNeighbour(section, tighter, start ? start : &*best);
+    Result<FitResult> bounded = fitBesideNeighbour(section, tighter, start ? start : &*best);
     if (!bounded || !usable(*bounded) || bounded->hausdorff > allowed) break;
     if (!bladeHolds(bounded->elastica, request.blade)) continue;
     if (atRest(*bounded)) return StationFit{section, std::move(*bounded), true};
@@ -203,6 +190,64 @@ Result<StationFit> fitStation(const PlanarCurve& section, const FitRequest& requ
   }
   if (restless) return StationFit{section, std::move(*restless), true};
   return StationFit{section, std::move(*best)};
+}
+
+Result<void> fitInto(Sweep& sweep, std::size_t i, const StationFit* neighbour) {
+  BladePose& pose = sweep.poses[i];
+  Result<StationFit> found = fitStation(sweep.fits[i].target, sweep.request, neighbour);
+  if (!found) {
+    Error error = found.error();
+    error.where = stationName(pose.index);
+    error.message = error.where + ": " + error.message;
+    return tl::unexpected<Error>(std::move(error));
+  }
+  const double length = sweep.request.blade.length;
+  const Result<Elastica> blade = extendedBlade(found->fit.elastica, length);
+  if (!blade) return tl::unexpected<Error>(blade.error());
+  pose.cut = found->fit.elastica;
+  pose.blade = *blade;
+  pose.before = 0.5 * (length - pose.cut.length());
+  sweep.fits[i] = std::move(*found);
+  return {};
+}
+
+void hangInto(Sweep& sweep, std::size_t i) {
+  if (sweep.request.weight.isZero()) return;
+  BladePose& pose = sweep.poses[i];
+  const Result<Hanging> hanging =
+      hang(pose.blade, sweep.request.blade.flexuralRigidity(), weightIn(sweep, pose.frame));
+  if (!hanging) {
+    sweep.fits[i].unknown = hanging.error().message;
+    return;
+  }
+  pose.heavy = hanging->blade;
+  sweep.fits[i].snapsAt = hanging->snapsAt;
+}
+
+Result<void> fromLongest(
+    const Sweep& sweep, const RunContext& context,
+    const std::function<Result<void>(std::size_t i, std::optional<std::size_t> from)>& find) {
+  const auto shorter = [](const StationFit& a, const StationFit& b) {
+    return a.target.length() < b.target.length();
+  };
+  const std::size_t n = sweep.fits.size();
+  const auto start = std::size_t(std::ranges::max_element(sweep.fits, shorter) - sweep.fits.begin());
+  if (Result<void> ok = find(start, {}); !ok) return ok;
+  std::mutex told;
+  std::size_t done = 1;
+  std::array<Result<void>, 2> ways;
+  const Result<void> ok = parallelFor(context, 2, [&](int k) {
+    const bool back = k == 1;
+    Result<void>& way = ways[std::size_t(k)];
+    for (std::size_t i = start; way && (back ? i > 0 : i + 1 < n); back ? --i : ++i) {
+      if (context.stopped()) way = stoppedError();
+      if (way) way = find(back ? i - 1 : i + 1, i);
+      const std::lock_guard lock(told);
+      context.report(double(++done) / double(n), "fitting");
+    }
+  });
+  if (!ok) return ok;
+  return ways[0] ? ways[1] : ways[0];
 }
 
 }  // namespace bw::sweep

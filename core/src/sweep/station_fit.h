@@ -4,9 +4,13 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "bw/core/base/result.h"
+#include "bw/core/base/run_context.h"
 #include "bw/core/curve/planar_curve.h"
 #include "bw/core/fit/elastica_fit.h"
 #include "bw/core/sweep/sweep.h"
@@ -25,13 +29,18 @@ inline constexpr double kAllowance = 2.0;
 [[nodiscard]] Result<StationFit> fitStation(const PlanarCurve& section, const FitRequest& request,
                                             const StationFit* neighbour);
 
-/// Where a section tells little of a blade that is much longer, its nearest curve may swing the blade's ends
-/// about although the section hardly changes. Then the shape of the blade moves from the neighbour's towards
-/// the nearest one only as far as the ends may turn, if it stays within the tolerance of the section (or as
-/// near as the nearest curve, where that is farther); its status then says that a bound is active. Otherwise
-/// `nearest` comes back as it is. docs/mathematics.md, sweep.
-[[nodiscard]] StationFit besideNeighbour(StationFit nearest, const StationFit& neighbour,
-                                         const PlanarCurve& section, const FitRequest& request);
+/// Fits station `i` of a row, beside a neighbour's fit or on its own (null): its pose gets the blade that
+/// continues the fit. Errors name the station.
+[[nodiscard]] Result<void> fitInto(Sweep& sweep, std::size_t i, const StationFit* neighbour);
+
+/// Lets the blade of station `i` hang between its grips, where it has weight.
+void hangInto(Sweep& sweep, std::size_t i);
+
+/// Calls `find(i, from)` for each station of a row, in two threads: the one with the longest section first,
+/// which tells most of the blade (`from` is empty), and then to both ends, each from its neighbour.
+[[nodiscard]] Result<void> fromLongest(
+    const Sweep& sweep, const RunContext& context,
+    const std::function<Result<void>(std::size_t i, std::optional<std::size_t> from)>& find);
 
 /// The curvature to which a blade is fitted at most, 1/mm: a little less than it bends to.
 [[nodiscard]] double curvatureLimit(const FitRequest& request);

@@ -5,14 +5,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <iterator>
 #include <limits>
 #include <optional>
 #include <utility>
 
-#include "bw/core/heavy/heavy_bvp.h"
 #include "bw/core/sweep/blade_pose.h"
 #include "bw/core/text/number_text.h"
 #include "sweep/held_blade.h"
@@ -153,116 +151,74 @@ int bladeInflections(const Elastica& shape) {
 
 namespace {
 
-/// One fit a section. The longest section tells most of the blade: the row starts from it and goes to both
-/// ends.
-Result<std::vector<StationFit>> fitRow(const std::vector<Section>& sections, const FitRequest& request,
-                                       const RunContext& context) {
-  const auto longer = [](const Section& a, const Section& b) {
-    return a.curve().length() < b.curve().length();
-  };
-  const auto start =
-      std::size_t(std::max_element(sections.begin(), sections.end(), longer) - sections.begin());
-  std::vector<std::optional<StationFit>> fits(sections.size());
-  std::size_t done = 0;
-  const auto fit = [&](std::size_t i, const StationFit* neighbour) -> Result<void> {
-    if (context.stopped()) return stoppedError();
-    context.report(double(done++) / double(sections.size()), "fitting");
-    Result<StationFit> fitted = sweep::fitStation(sections[i].curve(), request, neighbour);
-    if (!fitted) {
-      Error error = fitted.error();
-      error.where = stationName(sections[i].index);
-      error.message = error.where + ": " + error.message;
-      return tl::unexpected<Error>(std::move(error));
-    }
-    fits[i] = neighbour ? sweep::besideNeighbour(std::move(*fitted), *neighbour, sections[i].curve(), request)
-                        : std::move(*fitted);
-    return {};
-  };
-  Result<void> ok = fit(start, nullptr);
-  for (std::size_t i = start + 1; ok && i < sections.size(); ++i) ok = fit(i, &*fits[i - 1]);
-  for (std::size_t i = start; ok && i > 0; --i) ok = fit(i - 1, &*fits[i]);
-  if (!ok) return tl::unexpected<Error>(ok.error());
-  std::vector<StationFit> row;
-  row.reserve(fits.size());
-  for (std::optional<StationFit>& found : fits) row.push_back(std::move(*found));
-  return row;
+/// A row whose blades are not found yet.
+Result<Sweep> laidOut(const std::vector<Section>& all, const FitRequest& request, const Box& block,
+                      const PlaneFamily& planes) {
+  Sweep sweep{block, planes, request, {}, {}};
+  for (const Section& section : all) {
+    if (section.chosen < 0) continue;
+    sweep.poses.push_back({section.index, section.travel, section.frame});
+    sweep.fits.push_back({section.curve()});
+  }
+  if (sweep.poses.empty())
+    return fail(ErrorCode::badInput,
+                "there are no sections to fit; place the block so that it meets the target", "sections", 0.0,
+                1.0);
+  return sweep;
 }
 
-/// Lets each blade of the row hang between its grips.
-Result<void> hangInWeight(Sweep& sweep, const RunContext& context) {
-  if (sweep.request.weight.isZero()) return {};
-  return parallelFor(context, int(sweep.poses.size()), [&](int i) {
-    BladePose& pose = sweep.poses[std::size_t(i)];
-    const Result<Hanging> hanging =
-        hang(pose.blade, sweep.request.blade.flexuralRigidity(), sweep::weightIn(sweep, pose.frame));
-    StationFit& fit = sweep.fits[std::size_t(i)];
-    if (!hanging) {
-      fit.unknown = hanging.error().message;
-      return;
-    }
-    pose.heavy = hanging->blade;
-    fit.snapsAt = hanging->snapsAt;
-  });
+/// An error where the blade is shorter than a section.
+Result<void> spansAll(const Sweep& sweep) {
+  const auto shorter = [](const BladePose& a, const BladePose& b) { return a.cut.length() < b.cut.length(); };
+  const BladePose& pose = *std::ranges::max_element(sweep.poses, shorter);
+  const FitRequest& request = sweep.request;
+  const double longest = pose.cut.length();
+  if (longest <= request.blade.length) return {};
+  const std::optional<double> needed = sweep::lengthFor(longest, request.clearance);
+  const std::string other = "a smaller block, or another cutting direction";
+  Error error{ErrorCode::badInput,
+              "the blade of " + shortText(request.blade.length, 5) + " mm is shorter than the section of " +
+                  stationName(pose.index) + " (" + shortText(longest, 6) + " mm); choose " +
+                  (needed ? "a blade of at least " + shortText(*needed, 6) + " mm, " + other
+                          : other + ": no blade may be longer than " + shortText(Blade::kLongest, 6) + " mm"),
+              stationName(pose.index), request.blade.length, needed ? *needed : Blade::kLongest};
+  if (needed) error.remedies = {OtherLength{*needed}};
+  return tl::unexpected<Error>(std::move(error));
 }
 
 }  // namespace
 
-Result<Sweep> fitSweep(const std::vector<Section>& all, const FitRequest& request, const Box& block,
+Result<Sweep> fitSweep(const std::vector<Section>& sections, const FitRequest& request, const Box& block,
                        const PlaneFamily& planes, const RunContext& context) {
-  std::vector<Section> sections;
-  std::ranges::copy_if(all, std::back_inserter(sections), [](const Section& s) { return s.chosen >= 0; });
-  if (sections.empty())
-    return fail(ErrorCode::badInput,
-                "there are no sections to fit; place the block so that it meets the target", "sections", 0.0,
-                1.0);
-  Sweep sweep{block, planes, request, {}, {}};
-  Result<std::vector<StationFit>> fits = fitRow(sections, request, context);
-  if (!fits) return tl::unexpected<Error>(fits.error());
-  sweep.fits = std::move(*fits);
-  double longest = 0;
-  int longestIndex = 0;
-  for (std::size_t i = 0; i < sections.size(); ++i)
-    if (const double length = sweep.fits[i].fit.elastica.length(); length > longest) {
-      longest = length;
-      longestIndex = sections[i].index;
-    }
-  if (longest > request.blade.length) {
-    const std::optional<double> needed = sweep::lengthFor(longest, request.clearance);
-    const std::string other = "a smaller block, or another cutting direction";
-    Error error{
-        ErrorCode::badInput,
-        "the blade of " + shortText(request.blade.length, 5) + " mm is shorter than the section of " +
-            stationName(longestIndex) + " (" + shortText(longest, 6) + " mm); choose " +
-            (needed ? "a blade of at least " + shortText(*needed, 6) + " mm, " + other
-                    : other + ": no blade may be longer than " + shortText(Blade::kLongest, 6) + " mm"),
-        stationName(longestIndex), request.blade.length, needed ? *needed : Blade::kLongest};
-    if (needed) error.remedies = {OtherLength{*needed}};
-    return tl::unexpected<Error>(std::move(error));
-  }
-  sweep.poses.reserve(sections.size());
-  for (std::size_t i = 0; i < sections.size(); ++i) {
-    const Elastica& cut = sweep.fits[i].fit.elastica;
-    const Result<Elastica> blade = sweep::extendedBlade(cut, request.blade.length);
-    if (!blade) return tl::unexpected<Error>(blade.error());
-    sweep.poses.push_back({sections[i].index, sections[i].travel, sections[i].frame, cut, *blade,
-                           0.5 * (request.blade.length - cut.length())});
-  }
+  Result<Sweep> sweep = laidOut(sections, request, block, planes);
+  if (!sweep) return sweep;
+  const auto fit = [&](std::size_t i, std::optional<std::size_t> from) {
+    return sweep::fitInto(*sweep, i, from ? &sweep->fits[*from] : nullptr);
+  };
+  if (Result<void> ok = sweep::fromLongest(*sweep, context, fit); !ok)
+    return tl::unexpected<Error>(ok.error());
+  if (Result<void> ok = spansAll(*sweep); !ok) return tl::unexpected<Error>(ok.error());
   return sweep;
 }
 
 Result<Sweep> buildSweep(const std::vector<Section>& sections, const FitRequest& request, const Box& block,
                          const PlaneFamily& planes, const RunContext& context, Findings& findings,
                          double* fitSeconds, double* settleSeconds) {
-  using Clock = std::chrono::steady_clock;
-  const auto fitStart = Clock::now();
-  Result<Sweep> sweep = fitSweep(sections, request, block, planes, context);
+  const bool given =
+      request.fitEndpoints || request.fitTangents || request.fitLength != FitOptions::Length::free;
+  Result<Sweep> sweep =
+      given ? fitSweep(sections, request, block, planes, context) : laidOut(sections, request, block, planes);
   if (!sweep) return sweep;
-  const auto settleStart = Clock::now();
-  if (Result<void> ok = hangInWeight(*sweep, context); !ok) return tl::unexpected<Error>(ok.error());
-  if (Result<void> ok = sweep::settleRow(*sweep, context); !ok) return tl::unexpected<Error>(ok.error());
+  Result<void> ok;
+  if (given) {
+    ok = parallelFor(context, int(sweep->poses.size()),
+                     [&](int i) { sweep::hangInto(*sweep, std::size_t(i)); });
+  } else {
+    ok = sweep::solveRow(*sweep, context, fitSeconds, settleSeconds);
+    if (ok) ok = spansAll(*sweep);
+  }
+  if (!ok) return tl::unexpected<Error>(ok.error());
   sweep::addSwingFindings(*sweep, findings);
-  if (fitSeconds) *fitSeconds = std::chrono::duration<double>(settleStart - fitStart).count();
-  if (settleSeconds) *settleSeconds = std::chrono::duration<double>(Clock::now() - settleStart).count();
   return sweep;
 }
 

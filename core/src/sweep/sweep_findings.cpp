@@ -255,9 +255,6 @@ void addStationFindings(const Sweep& sweep, const SweepCheck& check, const Check
   report(
       Severity::info, [&](Index i) { return fits[i].heldBack && distance(i) > kSameCurve; }, distance,
       [&](const Stretch& at) -> Told { return {HeldBackFit{distance(at.worst)}}; });
-  report(
-      Severity::info, [&](Index i) { return fits[i].steadied; }, distance,
-      [&](const Stretch& at) -> Told { return {SteadiedFit{distance(at.worst)}}; });
   const auto nearness = [&](Index i) { return -seen[i].clearance; };
   const auto clear = [&](const Stretch& at) { return tooNear(sweep, seen[at.worst].clearance, request, at); };
   report(

@@ -24,7 +24,6 @@ const char* severityName(Severity severity);
 enum class FindingKind {
   fit,
   fitBounded,
-  fitSteadied,
   curvature,
   inflections,
   stability,
@@ -80,12 +79,6 @@ struct UnsettledFit {
 /// The nearest curve would break the blade beyond the section; another takes its place.
 struct HeldBackFit {
   static constexpr FindingKind kind = FindingKind::fitBounded;
-  double distance = 0;
-};
-/// The nearest curve of a short section would swing the blade's ends; one nearer to its neighbour takes its
-/// place.
-struct SteadiedFit {
-  static constexpr FindingKind kind = FindingKind::fitSteadied;
   double distance = 0;
 };
 /// The blade would bend below its radius.
@@ -424,15 +417,16 @@ struct RunMismatch {
   std::string file, run = {}, other = {}, text = {};
 };
 
-using Cause = std::variant<
-    UnmetConditions, UnsettledFit, HeldBackFit, SteadiedFit, Overbent, TooTight, ManyInflections, WouldSnap,
-    LowMargin, SnapsInWeight, MovedByWeight, BentSideways, UnknownInWeight, WouldTwist, GripTooNear,
-    SteepAngle, UnevenSpeed, EndsSwing, GapInRow, TooFar, Uncovered, BladeCrosses, LeadGrown, OtherShape,
-    NoWay, SnapsOnTheWay, ArrivesOtherwise, LostOnTheWay, TooFarOnTheWay, OffTheSurfaceShown, SkinOff,
-    ServingLengths, GripErrors, SectionMissing, SectionPoint, SectionShort, SectionBranches, SectionClosed,
-    SectionBridged, SectionBorder, SectionUnfit, SectionRough, SectionDiffers, LargestFace, NearestFace,
-    FacesLeftOut, TravelAcross, ChosenDirection, LeftOutOfFile, Healed, ChangedSource, EarlierDesign,
-    UnreadableCell, WrongSide, HomeUnknown, HomeOutOfReach, ProgramDespiteErrors, ProgramBreach, RunMismatch>;
+using Cause =
+    std::variant<UnmetConditions, UnsettledFit, HeldBackFit, Overbent, TooTight, ManyInflections, WouldSnap,
+                 LowMargin, SnapsInWeight, MovedByWeight, BentSideways, UnknownInWeight, WouldTwist,
+                 GripTooNear, SteepAngle, UnevenSpeed, EndsSwing, GapInRow, TooFar, Uncovered, BladeCrosses,
+                 LeadGrown, OtherShape, NoWay, SnapsOnTheWay, ArrivesOtherwise, LostOnTheWay, TooFarOnTheWay,
+                 OffTheSurfaceShown, SkinOff, ServingLengths, GripErrors, SectionMissing, SectionPoint,
+                 SectionShort, SectionBranches, SectionClosed, SectionBridged, SectionBorder, SectionUnfit,
+                 SectionRough, SectionDiffers, LargestFace, NearestFace, FacesLeftOut, TravelAcross,
+                 ChosenDirection, LeftOutOfFile, Healed, ChangedSource, EarlierDesign, UnreadableCell,
+                 WrongSide, HomeUnknown, HomeOutOfReach, ProgramDespiteErrors, ProgramBreach, RunMismatch>;
 
 /// Stations of a row by their index: from first to last, `count` of them concerned, the worst among them.
 struct StationRange {

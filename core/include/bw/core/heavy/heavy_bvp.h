@@ -107,8 +107,8 @@ class HeavyBranch {
   /// by the shorter way unless it is given. Where the branch ends the blade is left there, which `snapped`
   /// tells. Nothing is skipped: the whole way is followed unless Newton's steps shrink so fast that both ends
   /// of it lie on one branch. About 50 µs for the small step of a sweep. Errors: those of `solveHeavy` for
-  /// `next`; noSolution where the branch cannot be followed.
-  Result<ClampedBranch::Move> moveTo(const HeavyProblem& next);
+  /// `next`; noSolution where the branch cannot be followed, or not in `mostSteps` along its path.
+  Result<ClampedBranch::Move> moveTo(const HeavyProblem& next, int mostSteps = 400);
 
   HeavyBlade blade() const;
 
@@ -127,13 +127,15 @@ struct HeavyDerivatives {
 /// At arc lengths in [0, length], by the implicit function theorem. Fails (noSolution) at a fold.
 Result<HeavyDerivatives> derivativesByGrips(const HeavyBlade& blade, std::span<const double> s);
 
-/// The margin of a blade at rest in its plane (`marginsOf`), and how it changes with the grips.
+/// A margin of a blade at rest (`marginsOf`), and how it changes with the grips.
 struct HeavyMarginSlope {
   double margin = 1;
   Eigen::Matrix<double, 1, 6> byGrips =
       Eigen::Matrix<double, 1, 6>::Zero();  ///< columns as above: 1/mm, 1/rad
 };
-/// Not finite at a fold. Some 0.2 ms.
+/// That in the plane. Not finite at a fold. Some 0.2 ms.
 HeavyMarginSlope marginByGrips(const HeavyBlade& blade);
+/// That of a round blade out of its plane, likewise.
+HeavyMarginSlope outOfPlaneByGrips(const HeavyBlade& blade, double torsionRatio = kRoundTorsionRatio);
 
 }  // namespace bw

@@ -26,7 +26,6 @@ struct StationFit {
   PlanarCurve target;     ///< the section, in the plane of the pose's frame
   FitResult fit = {};     ///< its elastica is the pose's `cut`; R4 and hausdorff are of the blade that hangs
   bool heldBack = false;  ///< not the nearest curve, but one whose blade keeps its radius and rests
-  bool steadied = false;  ///< not the nearest curve, but one near its neighbour's shape, within the tolerance
   /// The share of its weight at which the blade leaves the shape that was fitted; empty if it never does.
   std::optional<double> snapsAt = std::nullopt;
   std::string unknown = {};  ///< why it is not known how the blade hangs in its weight; empty if it is
@@ -55,16 +54,17 @@ struct Sweep {
   std::vector<StationFit> fits;  ///< one a pose
 };
 
-/// Fits one elastica a section, from the longest section to both ends of the row, each beside its neighbour,
-/// and extends it to the blade's length, its weight let be. `sections` in the order of travel, all curves
-/// running the same way; those without a chosen branch are left out. A blade shorter than a section is an
-/// error.
+/// Fits one elastica a section, from the longest section to both ends of the row, each from the shape of its
+/// neighbour, and extends it to the blade's length, its weight let be. `sections` in the order of travel, all
+/// curves running the same way; those without a chosen branch are left out. A blade shorter than a section is
+/// an error.
 Result<Sweep> fitSweep(const std::vector<Section>& sections, const FitRequest& request, const Box& block,
                        const PlaneFamily& planes, const RunContext& context);
 
-/// The blades of a row: from those that `fitSweep` finds on, the grips of all stations are chosen together,
-/// so that the blades, with their weight, lie on their sections and the grips go smoothly from one to the
-/// next (docs/mathematics.md, sweep). Same errors.
+/// The blades of a row, with their weight: one is found a station, from the longest section on, and then the
+/// grips of all are chosen together, so that the blades lie on their sections and the grips go smoothly from
+/// one to the next (docs/mathematics.md, sweep). Where the request gives ends or length, those of `fitSweep`.
+/// Same errors.
 Result<Sweep> buildSweep(const std::vector<Section>& sections, const FitRequest& request, const Box& block,
                          const PlaneFamily& planes, const RunContext& context, Findings& findings,
                          double* fitSeconds = nullptr, double* settleSeconds = nullptr);
