@@ -464,12 +464,12 @@ HeavyMarginSlope inLengths(const heavy::MarginSlope& slope, double length) {
 
 }  // namespace
 
-HeavyMarginSlope marginByGrips(const HeavyBlade& blade) {
-  return inLengths(heavy::marginSlopeOf(equationsOf(blade)), blade.length());
+HeavyMarginSlope marginByGrips(const HeavyBlade& blade, double below) {
+  return inLengths(heavy::marginSlopeOf(equationsOf(blade), below), blade.length());
 }
 
-HeavyMarginSlope outOfPlaneByGrips(const HeavyBlade& blade, double torsionRatio) {
-  return inLengths(heavy::outOfPlaneSlopeOf(equationsOf(blade), torsionRatio), blade.length());
+HeavyMarginSlope outOfPlaneByGrips(const HeavyBlade& blade, double below, double torsionRatio) {
+  return inLengths(heavy::outOfPlaneSlopeOf(equationsOf(blade), torsionRatio, below), blade.length());
 }
 
 Result<HeavyDerivatives> derivativesByGrips(const HeavyBlade& blade, std::span<const double> s) {

@@ -25,9 +25,9 @@ namespace {
 constexpr double kStraight = 1e-3;
 
 /// The smallest eigenvalue of a form against ∫ φ² where ∫ φ times some functions vanishes, over 4π²; its
-/// function, ∫ φ² = 1, is put into `function`.
+/// function, ∫ φ² = 1, is put into `function` where it is less than `below`.
 double smallest(const Modes& modes, const MatrixXd& form, const MatrixXd& constraints,
-                VectorXd* function = nullptr) {
+                VectorXd* function = nullptr, double below = 0) {
   const Eigen::HouseholderQR<MatrixXd> qr(constraints);
   const Index free = modes.count() - constraints.cols();
   const auto reduced = [&](MatrixXd matrix) -> MatrixXd {
@@ -38,17 +38,26 @@ double smallest(const Modes& modes, const MatrixXd& form, const MatrixXd& constr
   const MatrixXd mass = modes.values * modes.weights.asDiagonal() * modes.values.transpose();
   // 1/λ are the largest: they keep their digits, those of the stiff modes need none.
   const double shift = 4 * kPi * kPi * 64;
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(
-      reduced(mass), reduced(form + shift * mass),
-      (function ? Eigen::ComputeEigenvectors : Eigen::EigenvaluesOnly) | Eigen::Ax_lBx);
-  if (function) {
-    // Of unit length in the second form.
-    const double scale = 1 / std::sqrt(solver.eigenvalues()(free - 1));
+  const MatrixXd squares = reduced(mass), stiff = reduced(form + shift * mass);
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(squares, stiff,
+                                                                  Eigen::EigenvaluesOnly | Eigen::Ax_lBx);
+  const double largest = solver.eigenvalues()(free - 1);
+  const double margin = (1 / largest - shift) / (4 * kPi * kPi);
+  if (function && margin < below) {
+    // Its function by inverse iteration, which takes a fraction of what all of them do.
+    constexpr double kBeside = 1e-9;
+    constexpr int kIterations = 3;
+    const Eigen::PartialPivLU<MatrixXd> beside(squares - (1 + kBeside) * largest * stiff);
+    VectorXd shape = VectorXd::LinSpaced(free, 1, 2);
+    for (int i = 0; i < kIterations; ++i) {
+      shape = beside.solve(stiff * shape);
+      shape /= std::sqrt(shape.dot(squares * shape));
+    }
     *function = VectorXd::Zero(modes.count());
-    function->tail(free) = scale * solver.eigenvectors().col(free - 1);
+    function->tail(free) = shape;
     function->applyOnTheLeft(qr.householderQ());
   }
-  return (1 / solver.eigenvalues()(free - 1) - shift) / (4 * kPi * kPi);
+  return margin;
 }
 
 /// ∫ f times each mode, of f at the nodes.
@@ -142,12 +151,13 @@ MatrixXd movesOf(const Equations& equations) {
   return result;
 }
 
-MarginSlope marginSlopeOf(const Equations& equations) {
+MarginSlope marginSlopeOf(const Equations& equations, double below) {
   const Modes& modes = equations.modes();
   const MatrixXd form = equations.hessian();
   const Eigen::MatrixX2d closed = equations.closure();
   VectorXd function;
-  MarginSlope slope{smallest(modes, form, closed, &function), {}};
+  MarginSlope slope{smallest(modes, form, closed, &function, below)};
+  if (!(slope.margin < below)) return slope;
   // φ·(form) φ − μ ∫ φ² is stationary where ∫ φ t' = 0: what holds it there are two multipliers.
   const VectorXd pull =
       form * function -
@@ -166,12 +176,13 @@ MarginSlope marginSlopeOf(const Equations& equations) {
   return slope;
 }
 
-MarginSlope outOfPlaneSlopeOf(const Equations& equations, double torsionRatio) {
+MarginSlope outOfPlaneSlopeOf(const Equations& equations, double torsionRatio, double below) {
   const Modes& modes = equations.modes();
   const auto [curvature, form, closed] = OutOfPlane(equations, torsionRatio);
   if (curvature.abs().maxCoeff() < kStraight) return {};
   VectorXd function;
-  MarginSlope slope{smallest(modes, form, closed, &function), {}};
+  MarginSlope slope{smallest(modes, form, closed, &function, below)};
+  if (!(slope.margin < below)) return slope;
   const Changes changes = changesOf(equations);
   const Sampled& s = equations.sampled();
   const ArrayXd phi = modes.values.transpose() * function, weights = modes.weights.array();

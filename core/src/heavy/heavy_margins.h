@@ -28,10 +28,10 @@ struct MarginSlope {
   double margin = 1;
   Eigen::RowVector4d byGrips = Eigen::RowVector4d::Zero();
 };
-/// The margin in the plane.
-MarginSlope marginSlopeOf(const Equations& equations);
+/// The margin in the plane; the derivative where it is less than `below`, else 0.
+MarginSlope marginSlopeOf(const Equations& equations, double below);
 /// That of a round blade out of it.
-MarginSlope outOfPlaneSlopeOf(const Equations& equations, double torsionRatio);
+MarginSlope outOfPlaneSlopeOf(const Equations& equations, double torsionRatio, double below);
 
 /// How far the curve moves with its grips: per length and per radian, in lengths.
 ClampedSensitivity sensitivityOf(const Equations& equations);

@@ -10,6 +10,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -69,7 +70,7 @@ struct Station {
   double numbers[6] = {};
   std::optional<HeavyBranch> branch = std::nullopt;  ///< the blade that hangs, where it was looked at last
   Vector6 hungAt = Vector6::Zero();                  ///< its grips
-  bool watched = false;                              ///< its margin is near the least that is asked for
+  std::array<bool, kMargins> watched = {};           ///< its margins that are near the least asked for
   std::array<double, kPlaces> feet = {};             ///< arc lengths of the blade nearest to the section
 
   double compared = 0;  ///< mm: its distance, or that of those before it, when it was last held against a fit
@@ -119,8 +120,7 @@ class Row {
   void settle(std::span<Station* const> stations, const Station* beside = nullptr) const;
   /// True if the blade keeps the margin that is asked for.
   bool isFirm(const Station& station) const {
-    return !station.watched ||
-           station.own.tail<kMargins>().maxCoeff() <= kUnsafe * sweep_.request.tolerance * kReserve;
+    return station.own.tail<kMargins>().maxCoeff() <= kUnsafe * sweep_.request.tolerance * kReserve;
   }
   /// True if a blade like this may stand in the row.
   bool holds(const Station& station) const;
@@ -143,8 +143,9 @@ class Row {
     double value = 1;
     Row6 byNumbers = Row6::Zero();
   };
-  /// The margins of the station's blade.
-  std::array<Margin, kMargins> marginsAt(const Station& station) const;
+  /// One of the margins of the station's blade; how it changes is left at 0 unless it is less than `below`.
+  Margin marginAt(const Station& station, int which, double below) const;
+  bool isRound() const { return sweep_.request.blade.section != Blade::Section::flat; }
 
   /// Moves each foot nearer to where the blade is nearest to its place of the section.
   void step(Station& station, std::span<const Elastica::State> states) const {
@@ -202,10 +203,10 @@ std::optional<Station> Row::standing(std::size_t i) const {
 }
 
 void Row::watch(Station& station) const {
-  station.watched = std::ranges::any_of(marginsAt(station), [&](const Margin& margin) {
-    return margin.value < sweep_.request.margin + kWatched;
-  });
-  if (station.watched) look(station);
+  for (int i = 0; i < kMargins; ++i)
+    station.watched[std::size_t(i)] =
+        (i == 0 || isRound()) && marginAt(station, i, 0).value < sweep_.request.margin + kWatched;
+  if (std::ranges::any_of(station.watched, std::identity())) look(station);
 }
 
 Station Row::carried(std::size_t i, const Station& from) const {
@@ -271,34 +272,25 @@ bool Row::hangAt(Station& station, const Elastica& half) const {
   return true;
 }
 
-auto Row::marginsAt(const Station& station) const -> std::array<Margin, kMargins> {
-  const bool round = sweep_.request.blade.section != Blade::Section::flat;
-  std::array<Margin, kMargins> margins;
+auto Row::marginAt(const Station& station, int which, double below) const -> Margin {
   if (station.branch) {
     const HeavyBlade blade = station.branch->blade();
-    const auto put = [&](Margin& margin, const HeavyMarginSlope& slope) {
-      margin = {slope.margin, slope.byGrips * station.byGrips};
-    };
-    put(margins[0], marginByGrips(blade));
-    if (round) put(margins[1], outOfPlaneByGrips(blade));
-    return margins;
+    const HeavyMarginSlope slope = which == 0 ? marginByGrips(blade, below) : outOfPlaneByGrips(blade, below);
+    return {slope.margin, slope.byGrips * station.byGrips};
   }
-  const auto values = [&](const Station& one) -> std::array<double, kMargins> {
+  const auto value = [&](const Station& one) {
     const std::optional<Elastica> blade = light(one);
-    if (!blade) return {0, 0};
-    return {stabilityMargin(*blade), round ? outOfPlaneMargin(*blade) : 1};
+    return !blade ? 0.0 : which == 0 ? stabilityMargin(*blade) : outOfPlaneMargin(*blade);
   };
-  const auto here = values(station);
-  for (int i = 0; i < kMargins; ++i) margins[std::size_t(i)].value = here[std::size_t(i)];
-  for (int k = 3; k < 6; ++k) {  // a blade that is moved as a whole rests as well
+  Margin margin{value(station)};
+  for (int k = 3; k < 6 && margin.value < below; ++k) {  // a blade that is moved as a whole rests as well
     Station more = station, less = station;
     const double step = kDifference * (1 + std::abs(station.numbers[k]));
     more.numbers[k] += step;
     less.numbers[k] -= step;
-    const auto above = values(more), below = values(less);
-    for (std::size_t i = 0; i < kMargins; ++i) margins[i].byNumbers(k) = (above[i] - below[i]) / (2 * step);
+    margin.byNumbers(k) = (value(more) - value(less)) / (2 * step);
   }
-  return margins;
+  return margin;
 }
 
 void Row::look(Station& station) const {
@@ -378,15 +370,14 @@ void Row::look(Station& station) const {
     station.byOwn(kMiddle + axis - 3, axis) = slope;
   }
   station.own.tail<kMargins>().setZero();
-  if (station.watched) {
-    const std::array<Margin, kMargins> margins = marginsAt(station);
-    for (std::size_t i = 0; i < kMargins; ++i) {
-      const double missing = sweep_.request.margin + kReserve - margins[i].value;
-      if (missing <= 0) continue;
-      const auto row = Eigen::Index(kOwn - kMargins + i);
-      station.own(row) = kUnsafe * tolerance * missing;
-      station.byOwn.row(row) = -kUnsafe * tolerance * margins[i].byNumbers;
-    }
+  const double asked = sweep_.request.margin + kReserve;
+  for (int i = 0; i < kMargins; ++i) {
+    if (!station.watched[std::size_t(i)]) continue;
+    const Margin margin = marginAt(station, i, asked);
+    if (margin.value >= asked) continue;
+    const Eigen::Index row = kOwn - kMargins + i;
+    station.own(row) = kUnsafe * tolerance * (asked - margin.value);
+    station.byOwn.row(row) = -kUnsafe * tolerance * margin.byNumbers;
   }
   station.good = station.own.allFinite() && station.byOwn.allFinite() && station.byGrips.allFinite();
 }
@@ -594,9 +585,9 @@ std::optional<Station> carriedOn(const Row& row, std::size_t i, const Station& f
   const std::array<Station*, 1> one = {&station};
   row.settle(one, &from);
   if (!station.good) return {};
-  const bool watched = station.watched;
+  const std::array<bool, kMargins> before = station.watched;
   row.watch(station);
-  if (station.watched && !watched) row.settle(one, &from);
+  if (!std::ranges::equal(station.watched, before, std::less_equal())) row.settle(one, &from);
   return row.holds(station) ? std::optional(station) : std::nullopt;
 }
 

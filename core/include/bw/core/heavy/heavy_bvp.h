@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -133,9 +134,13 @@ struct HeavyMarginSlope {
   Eigen::Matrix<double, 1, 6> byGrips =
       Eigen::Matrix<double, 1, 6>::Zero();  ///< columns as above: 1/mm, 1/rad
 };
-/// That in the plane. Not finite at a fold. Some 0.2 ms.
-HeavyMarginSlope marginByGrips(const HeavyBlade& blade);
+/// That in the plane; how it changes is left at 0 unless it is less than `below`. Not finite at a fold. Some
+/// 0.1 ms.
+HeavyMarginSlope marginByGrips(const HeavyBlade& blade,
+                               double below = std::numeric_limits<double>::infinity());
 /// That of a round blade out of its plane, likewise.
-HeavyMarginSlope outOfPlaneByGrips(const HeavyBlade& blade, double torsionRatio = kRoundTorsionRatio);
+HeavyMarginSlope outOfPlaneByGrips(const HeavyBlade& blade,
+                                   double below = std::numeric_limits<double>::infinity(),
+                                   double torsionRatio = kRoundTorsionRatio);
 
 }  // namespace bw
