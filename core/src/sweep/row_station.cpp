@@ -1,0 +1,296 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "sweep/row_station.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <span>
+
+#include "bw/core/elastica/elastica_stability.h"
+#include "sweep/held_blade.h"
+#include "sweep/station_fit.h"
+
+namespace bw::sweep {
+
+namespace {
+
+using Eigen::Vector2d;
+
+// What is weighed against the distance from the section, rms over its length, in parts of the tolerance:
+constexpr double kSlide = 2e-3;    // of a blade that lies 1 mm off the middle of its section;
+constexpr double kBent = 1e-3;     // of a blade that bends as sharply as it may,
+constexpr double kAtLimit = 0.98;  // of the curvature that it bears;
+constexpr double kSharper = 50;    // and of one that bends twice as sharply,
+constexpr double kRounded = 5e-3;  // which begins over this part of it;
+constexpr double kForced = 1e-3;   // of a force that is 2.5 times what buckles the blade, or pulls so;
+constexpr double kUnsafe = 10;     // of a margin that is smaller by 1 than asked for, with a reserve of
+constexpr double kReserve = 0.02;
+
+constexpr double kWatched = 0.25;     // beyond what is asked for no margin is looked at
+constexpr double kFar = 0.1;          // of the blade: a step of a grip
+constexpr double kFarTurned = 0.5;    // rad
+constexpr int kMostSteps = 32;        // along the path of a blade, from look to look
+constexpr double kDifference = 1e-4;  // of a number of a blade
+constexpr double kFootSlack = 0.1;    // of the blade: a step of a foot
+
+}  // namespace
+
+Row::Row(const Sweep& sweep, const RunContext& context)
+    : sweep_(sweep),
+      context_(context),
+      length_(sweep.request.blade.length),
+      unit_(0.25 * length_),
+      limit_(kAtLimit * sweep.request.blade.maxCurvature()) {}
+
+bool Row::isFirm(const Station& station) const {
+  return station.own.tail<kStationMargins>().maxCoeff() <= kUnsafe * sweep_.request.tolerance * kReserve;
+}
+
+Result<Elastica> Row::about(const Station& station) const {
+  const double* n = station.numbers;
+  return Elastica::make({n[0], n[1]}, n[2] / unit_, n[3] / (unit_ * unit_),
+                        Vector2d(n[4], n[5]) / std::pow(unit_, 3), 0.5 * length_);
+}
+
+void Row::step(Station& station, std::span<const Elastica::State> states) const {
+  for (std::size_t k = 0; k < kStationPlaces; ++k) {
+    const Elastica::State& s = states[k];
+    const Vector2d t(std::cos(s.angle), std::sin(s.angle)), off = station.section[k] - s.point;
+    const double bend = 1 - s.curvature * (t.x() * off.y() - t.y() * off.x());
+    const double most = kFootSlack * length_;
+    const double way = std::clamp(off.dot(t) / std::max(bend, 0.1), -most, most);
+    station.feet[k] = std::clamp(station.feet[k] + way, 0.0, length_);
+  }
+}
+
+Station Row::at(std::size_t i) const {
+  Station station;
+  station.index = i;
+  station.pose = &sweep_.poses[i];
+  std::ranges::copy(sweep_.fits[i].target.sample(kStationPlaces), station.section.begin());
+  return station;
+}
+
+std::optional<Elastica> Row::light(const Station& station) const {
+  const Result<Elastica> half = about(station);
+  const Result<Elastica> whole = half ? half->segment(-0.5 * length_, 0.5 * length_) : half;
+  return whole ? std::optional(*whole) : std::nullopt;
+}
+
+std::optional<Station> Row::standing(std::size_t i) const {
+  const BladePose& pose = sweep_.poses[i];
+  const StationFit& fit = sweep_.fits[i];
+  if (fit.fit.status == FitStatus::infeasible || pose.blade.anchor() || pose.before < 0 ||
+      !bladeHolds(pose.cut, sweep_.request.blade))
+    return {};
+  Station station = at(i);
+  if (!sweep_.request.weight.isZero() && (!pose.heavy || fit.snapsAt)) return {};
+  if (pose.heavy)
+    if (const Result<HeavyBranch> branch =
+            HeavyBranch::from(*pose.heavy, sweep_.request.blade.flexuralRigidity()))
+      station.branch = *branch;
+  const Elastica::State middle = pose.blade.at(0.5 * length_), last = pose.blade.at(length_);
+  station.hungAt << pose.blade.start(), pose.blade.startAngle(), last.point, last.angle;
+  const Vector2d force = pose.blade.force() * std::pow(unit_, 3);
+  Vector6::Map(station.numbers) << middle.point, middle.angle * unit_, middle.curvature * unit_ * unit_,
+      force;
+  for (int k = 0; k < kStationPlaces; ++k)
+    station.feet[std::size_t(k)] = pose.before + pose.cut.length() * k / (kStationPlaces - 1);
+  look(station);
+  if (!station.good) return {};
+  return station;
+}
+
+void Row::watch(Station& station) const {
+  for (int i = 0; i < kStationMargins; ++i) {
+    bool& watched = station.watched[std::size_t(i)];
+    if (watched || (i > 0 && !isRound())) continue;
+    watched = marginAt(station, i, 0).value < sweep_.request.margin + kWatched;
+    if (watched) station.lookedAt.reset();
+  }
+  look(station);
+}
+
+Station Row::carried(std::size_t i, const Station& from) const {
+  Station station = from;
+  station.index = i;
+  station.pose = &sweep_.poses[i];
+  station.section = at(i).section;
+  station.lookedAt.reset();
+  const double foot = 0.5 * (station.feet.front() + station.feet.back());
+  const double length = sweep_.fits[i].target.length();
+  for (int k = 0; k < kStationPlaces; ++k)
+    station.feet[std::size_t(k)] =
+        std::clamp(foot + length * (double(k) / (kStationPlaces - 1) - 0.5), 0.0, length_);
+  if (const std::optional<Elastica> blade = light(station)) {
+    const Vector2d off = station.section[kStationPlaces / 2] - blade->at(foot).point;
+    station.numbers[0] += off.x();
+    station.numbers[1] += off.y();
+  }
+  return station;
+}
+
+bool Row::holds(const Station& station) const {
+  if (!station.good) return false;
+  const std::optional<Elastica> blade = light(station);
+  if (!blade || blade->maxCurvature() > sweep_.request.blade.maxCurvature()) return false;
+  return station.branch || stabilityMargin(*blade) > 0;
+}
+
+bool Row::hangAt(Station& station, const Elastica& half) const {
+  const Vector6& grips = station.grips;
+  if (sweep_.request.weight.isZero()) return true;
+  if (largestSag(length_, (grips.segment<2>(3) - grips.head<2>()).norm()) < kNoSag) {
+    station.branch.reset();
+    return true;
+  }
+  const double stiffness = sweep_.request.blade.flexuralRigidity();
+  if (!station.branch) {
+    const Result<Elastica> whole = half.segment(-0.5 * length_, 0.5 * length_);
+    const Result<Hanging> hanging = whole ? hang(*whole, stiffness, weightIn(sweep_, station.pose->frame))
+                                          : Result<Hanging>(tl::unexpected<Error>(whole.error()));
+    if (!hanging || hanging->snapsAt) return false;
+    const Result<HeavyBranch> branch = HeavyBranch::from(hanging->blade, stiffness);
+    if (branch) station.branch = *branch;
+    station.hungAt = grips;
+    return branch.has_value();
+  }
+  // A step that flings the blade is no step; to follow it would take long.
+  const Vector6 moved = grips - station.hungAt;
+  if (moved.head<2>().norm() > kFar * length_ || moved.segment<2>(3).norm() > kFar * length_ ||
+      std::max(std::abs(moved(2)), std::abs(moved(5))) > kFarTurned)
+    return false;
+  HeavyProblem next{{}, stiffness, weightIn(sweep_, station.pose->frame)};
+  next.grips.start = grips.head<2>();
+  next.grips.startAngle = grips(2);
+  next.grips.end = grips.segment<2>(3);
+  next.grips.endAngle = grips(5);
+  next.grips.turning = grips(5) - grips(2);
+  next.grips.length = length_;
+  HeavyBranch branch = *station.branch;
+  const Result<ClampedBranch::Move> move = branch.moveTo(next, kMostSteps);
+  if (!move || move->snapped) return false;
+  station.branch = branch;
+  station.hungAt = grips;
+  return true;
+}
+
+auto Row::marginAt(const Station& station, int which, double below) const -> Margin {
+  if (station.branch) {
+    const HeavyBlade blade = station.branch->blade();
+    const HeavyMarginSlope slope = which == 0 ? marginByGrips(blade, below) : outOfPlaneByGrips(blade, below);
+    return {slope.margin, slope.byGrips * station.byGrips};
+  }
+  const auto value = [&](const Station& one) {
+    const std::optional<Elastica> blade = light(one);
+    return !blade ? 0.0 : which == 0 ? stabilityMargin(*blade) : outOfPlaneMargin(*blade);
+  };
+  Margin margin{value(station)};
+  for (int k = 3; k < 6 && margin.value < below; ++k) {  // a blade that is moved as a whole rests as well
+    Station more = station, less = station;
+    const double step = kDifference * (1 + std::abs(station.numbers[k]));
+    more.numbers[k] += step;
+    less.numbers[k] -= step;
+    margin.byNumbers(k) = (value(more) - value(less)) / (2 * step);
+  }
+  return margin;
+}
+
+void Row::look(Station& station) const {
+  constexpr int kSteps = 2;
+  const double tolerance = sweep_.request.tolerance;
+  const auto numbers = Vector6::Map(station.numbers);
+  if (station.lookedAt && *station.lookedAt == numbers) return;
+  station.lookedAt = numbers;
+  station.good = false;
+  const Result<Elastica> half = about(station);
+  if (!half) return;
+  const double middle = 0.5 * length_;
+  std::array<double, kStationBends> arcs;
+  std::array<Elastica::State, kStationBends> bends;
+  std::array<Elastica::Jacobian, kStationBends> byBends;
+  for (int k = 0; k < kStationBends; ++k) arcs[std::size_t(k)] = length_ * k / (kStationBends - 1) - middle;
+  half->at(arcs, bends, byBends);
+  // By the numbers.
+  Vector6 scale;
+  scale << 1, 1, 1 / unit_, 1 / (unit_ * unit_), Vector2d::Constant(1 / std::pow(unit_, 3));
+  const Elastica::State &first = bends.front(), &last = bends.back();
+  station.grips << first.point, first.angle, last.point, last.angle;
+  station.byGrips.topRows<3>() = byBends.front().topRows<3>() * scale.asDiagonal();
+  station.byGrips.bottomRows<3>() = byBends.back().topRows<3>() * scale.asDiagonal();
+
+  std::array<Elastica::State, kStationPlaces> states;
+  std::array<Eigen::Matrix<double, 2, 6>, kStationPlaces> byPlaces;
+  if (!hangAt(station, *half)) return;
+  if (station.branch) {
+    const HeavyBlade blade = station.branch->blade();
+    for (int k = 0; k <= kSteps; ++k) {
+      blade.at(station.feet, states);
+      if (k < kSteps) step(station, states);
+    }
+    const Result<HeavyDerivatives> moved = derivativesByGrips(blade, station.feet);
+    if (!moved) return;
+    for (std::size_t k = 0; k < kStationPlaces; ++k)
+      byPlaces[k] = moved->byGrips[k].topRows<2>() * station.byGrips;
+  } else {
+    std::array<double, kStationPlaces> from;
+    std::array<Elastica::Jacobian, kStationPlaces> moved;
+    const auto fromMiddle = [&] {
+      std::ranges::transform(station.feet, from.begin(), [&](double s) { return s - middle; });
+    };
+    for (int k = 0; k < kSteps; ++k) {
+      fromMiddle();
+      half->at(from, states);
+      step(station, states);
+    }
+    fromMiddle();
+    half->at(from, states, moved);
+    for (std::size_t k = 0; k < kStationPlaces; ++k) byPlaces[k] = moved[k].topRows<2>() * scale.asDiagonal();
+  }
+  station.byOwn.setZero();
+  for (std::size_t k = 0; k < kStationPlaces; ++k) {
+    const auto row = Eigen::Index(k);
+    const Vector2d normal(-std::sin(states[k].angle), std::cos(states[k].angle));
+    const double weight = Station::shareOf(int(k));
+    station.own(row) = weight * normal.dot(states[k].point - station.section[k]);
+    station.byOwn.row(row) = weight * normal.transpose() * byPlaces[k];
+  }
+  for (std::size_t k = 0; k < kStationBends; ++k) {
+    const auto row = Eigen::Index(kStationPlaces + k);
+    const double bend = std::abs(bends[k].curvature) / limit_, beyond = bend - 1;
+    const double round = std::hypot(beyond, kRounded);
+    const double bent = kBent * tolerance / std::sqrt(kStationBends), sharper = 0.5 * kSharper * tolerance;
+    const double slope = bent + sharper * (1 + beyond / round);
+    station.own(row) = bent * bend + sharper * (beyond + round);
+    station.byOwn.row(row) =
+        slope / std::copysign(limit_, bends[k].curvature) * byBends[k].row(3).cwiseProduct(scale.transpose());
+  }
+  const auto along = [&](std::size_t k) -> Row6 {
+    return -Vector2d(std::cos(states[k].angle), std::sin(states[k].angle)).transpose() * byPlaces[k];
+  };
+  constexpr Eigen::Index kMiddle = kStationPlaces + kStationBends;
+  station.own(kMiddle) = kSlide * tolerance * (0.5 * (station.feet.front() + station.feet.back()) - middle);
+  station.byOwn.row(kMiddle) = 0.5 * kSlide * tolerance * (along(0) + along(kStationPlaces - 1));
+  for (const Eigen::Index axis : {4, 5}) {
+    const double slope = kForced * tolerance / unit_;
+    station.own(kMiddle + axis - 3) = slope * station.numbers[axis];
+    station.byOwn(kMiddle + axis - 3, axis) = slope;
+  }
+  station.own.tail<kStationMargins>().setZero();
+  const double asked = sweep_.request.margin + kReserve;
+  for (int i = 0; i < kStationMargins; ++i) {
+    if (!station.watched[std::size_t(i)]) continue;
+    const Margin margin = marginAt(station, i, asked);
+    if (margin.value >= asked) continue;
+    const Eigen::Index row = kStationOwn - kStationMargins + i;
+    station.own(row) = kUnsafe * tolerance * (asked - margin.value);
+    station.byOwn.row(row) = -kUnsafe * tolerance * margin.byNumbers;
+  }
+  station.good = station.own.allFinite() && station.byOwn.allFinite() && station.byGrips.allFinite();
+}
+
+}  // namespace bw::sweep

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "bw/core/base/result.h"
+#include "bw/core/base/run_context.h"
+#include "bw/core/base/units.h"
+#include "bw/core/elastica/elastica.h"
+#include "bw/core/heavy/heavy_bvp.h"
+#include "bw/core/sweep/sweep.h"
+
+namespace bw::sweep {
+
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+using Row6 = Eigen::Matrix<double, 1, 6>;
+using Matrix6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
+
+inline constexpr int kStationPlaces = 33;  // of a section, from which the blade's distance is taken
+inline constexpr int kStationBends = 25;   // of the whole blade, where its curvature is looked at
+inline constexpr int kStationMargins = 2;  // in the plane and, of a round blade, out of it
+inline constexpr int kStationOwn = kStationPlaces + kStationBends + 3 + kStationMargins;
+
+/// One station: the blade without weight told by its middle (point, angle, curvature, force), in lengths of a
+/// quarter of the blade; its grips hold the blade that hangs.
+struct Station {
+  std::size_t index = 0;  ///< in the row
+  const BladePose* pose = nullptr;
+  std::array<Eigen::Vector2d, kStationPlaces> section;
+  double numbers[6] = {};
+  std::optional<HeavyBranch> branch = std::nullopt;  ///< the blade that hangs, where it was looked at last
+  Vector6 hungAt = Vector6::Zero();                  ///< its grips
+  std::array<bool, kStationMargins> watched = {};    ///< its margins that are near the least asked for
+  std::array<double, kStationPlaces> feet = {};      ///< arc lengths of the blade nearest to the section
+
+  double compared = 0;  ///< mm: its distance, or that of those before it, when it was last held against a fit
+
+  std::optional<Vector6> lookedAt = std::nullopt;  ///< the numbers, where they were looked at
+  bool good = false;                               ///< of these numbers; the rest holds if it is
+  Eigen::Matrix<double, kStationOwn, 1> own;
+  Eigen::Matrix<double, kStationOwn, 6, Eigen::RowMajor> byOwn;
+  Vector6 grips;  ///< x, y and angle of both, mm
+  Matrix6 byGrips;
+
+  /// mm, of the farthest place of the section.
+  double distance() const {
+    double farthest = 0;
+    for (int k = 0; k < kStationPlaces; ++k) farthest = std::max(farthest, std::abs(own(k)) / shareOf(k));
+    return farthest;
+  }
+  /// rad, that the grips are turned more than those of another one.
+  double turnedFrom(const Station& other) const {
+    const auto turn = [&](int angle) {
+      return std::abs(std::remainder(grips(angle) - other.grips(angle), 2 * kPi));
+    };
+    return std::max(turn(2), turn(5));
+  }
+  /// Of a place in the rms over the section, by the trapezoidal rule.
+  static double shareOf(int k) {
+    return std::sqrt((k == 0 || k + 1 == kStationPlaces ? 0.5 : 1) / (kStationPlaces - 1));
+  }
+};
+
+/// Looks at stations.
+class Row {
+ public:
+  Row(const Sweep& sweep, const RunContext& context);
+
+  /// A station as the row has it; empty where its blade does not rest near its section.
+  std::optional<Station> standing(std::size_t i) const;
+  /// Has a station look at its margin too, if that is near the least that is asked for.
+  void watch(Station& station) const;
+  /// A station of which the blade of another one, `from`, is to become the blade.
+  Station carried(std::size_t i, const Station& from) const;
+  /// The blade without weight; empty where the station's numbers are none of a blade.
+  std::optional<Elastica> light(const Station& station) const;
+  /// True if the blade keeps the margin that is asked for.
+  bool isFirm(const Station& station) const;
+  /// True if a blade like this may stand in the row.
+  bool holds(const Station& station) const;
+  /// Looks at a station's numbers.
+  void look(Station& station) const;
+  const Sweep& sweep() const { return sweep_; }
+  const RunContext& context() const { return context_; }
+  double unit() const { return unit_; }  ///< mm, of the numbers
+
+ private:
+  /// Half of the blade without weight, from its middle on.
+  Result<Elastica> about(const Station& station) const;
+
+  /// Lets the blade hang between the station's grips; `half` of it is without weight. False where it snaps
+  /// on the way there.
+  bool hangAt(Station& station, const Elastica& half) const;
+
+  struct Margin {
+    double value = 1;
+    Row6 byNumbers = Row6::Zero();
+  };
+  /// One of the margins of the station's blade; how it changes is left at 0 unless it is less than `below`.
+  Margin marginAt(const Station& station, int which, double below) const;
+  bool isRound() const { return sweep_.request.blade.section != Blade::Section::flat; }
+
+  /// Moves each foot nearer to where the blade is nearest to its place of the section.
+  void step(Station& station, std::span<const Elastica::State> states) const;
+  Station at(std::size_t i) const;
+
+  const Sweep& sweep_;
+  const RunContext& context_;
+  double length_, unit_, limit_;  ///< of the blade, mm; of the numbers, mm; of the curvature, 1/mm
+};
+
+}  // namespace bw::sweep
