@@ -618,6 +618,10 @@ TEST(Rationalize, ChoosesTheGripsForTheBladeThatHangs) {
     EXPECT_GT(station["out_of_plane_margin"], 0.15);
   }
   EXPECT_LT(out["summary"]["program_deviation_max_mm"], 1);
+  // A longer one keeps its margin only beyond the tolerance; lengths that need not are told.
+  const Finished stretched = tried(R"("blade": {"preset": "steel-tube-3-2.5", "length": 1200})");
+  EXPECT_NE(stretched.err.find("more than the tolerance"), std::string::npos) << stretched.err;
+  EXPECT_NE(stretched.err.find("lengths that serve all stations tried"), std::string::npos) << stretched.err;
   // Left open, the length is the best of those that serve.
   const Finished open = tried(R"("blade": {"preset": "steel-tube-3-2.5", "length": "auto"})");
   EXPECT_EQ(open.status, 0) << open.err;

@@ -180,12 +180,26 @@ double lengthOf(const BladeLengths& lengths) {
   return nearest == lengths.trials.end() ? Blade::kLongest : nearest->length;
 }
 
+/// True if a blade of another length may do what this one does not: where a station is lost, or farther from
+/// its section than the tolerance although it could bend more, for the sake of its margin.
+bool lengthFails(const CutEvaluation& cut) {
+  if (!cut.rest.value || !cut.sweep.value) return false;
+  if (std::ranges::find(cut.rest.value->stations, Rest::lost) != cut.rest.value->stations.end()) return true;
+  constexpr double kBent = 0.95;  // of the sharpest bend: less is held by its margin
+  const Sweep& sweep = *cut.sweep.value;
+  const double sharpest = kBent * sweep.request.blade.maxCurvature();
+  for (std::size_t i = 0; i < sweep.fits.size(); ++i)
+    if (sweep.fits[i].heldBack && sweep.fits[i].fit.hausdorff > sweep.request.tolerance &&
+        sweep.poses[i].blade.maxCurvature() < sharpest)
+      return true;
+  return false;
+}
+
 /// Whether there is something to say of lengths, and what.
 Findings lengthFindings(const CutEvaluation& cut, const Blade& blade) {
   if (!cut.lengths.value || !cut.rest.value) return {};
   const BladeLengths& lengths = *cut.lengths.value;
-  const bool lost = std::ranges::find(cut.rest.value->stations, Rest::lost) != cut.rest.value->stations.end();
-  if (!blade.autoLength && !lost) return {};
+  if (!blade.autoLength && !lengthFails(cut)) return {};
   using Said = ServingLengths::Said;
   if (lengths.trials.empty()) return {};
   ServingLengths cause{blade.autoLength ? Said::nearest : Said::none, blade.length,
@@ -375,8 +389,7 @@ Result<void> check(const CutWork& work) {
                      return rest;
                    });
   if (!ok) return ok;
-  const bool lost = std::ranges::find(e.rest.value->stations, Rest::lost) != e.rest.value->stations.end();
-  if (lost && work.purpose == Purpose::files) {
+  if (work.purpose == Purpose::files && lengthFails(e)) {
     ok = seekLengths(work, work.seconds.check);
     if (!ok) return ok;
   }
