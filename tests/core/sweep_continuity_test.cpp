@@ -233,4 +233,36 @@ TEST(SweepContinuity, RunsFromItsLongestSection) {
     EXPECT_LT((there->poses[i].leftPoint() - back->poses[sections.size() - 1 - i].leftPoint()).norm(), 1e-6);
 }
 
+TEST(SweepContinuity, ABladeShorterThanOneSectionIsAnErrorWhateverItsNeighbours) {
+  test::RowSettings settings;
+  settings.blade.length = 610;
+  std::vector<Section> sections;
+  for (int i = 0; i < 5; ++i) sections.push_back(parabola(i, 1e-5, i == 2 ? 308 : 295));
+  Findings findings;
+  const Result<Sweep> sweep = sweepOf(sections, settings, findings);
+  ASSERT_FALSE(sweep);
+  EXPECT_EQ(sweep.error().code, ErrorCode::badInput);
+  EXPECT_NE(sweep.error().message.find("shorter than the section of station 3"), std::string::npos)
+      << sweep.error().message;
+}
+
+TEST(SweepContinuity, ABladeHeldByItsSmallestRadiusIsTold) {
+  for (const bool heavy : {false, true}) {
+    test::RowSettings settings;
+    settings.blade.length = 300;
+    settings.tolerance = 3;
+    if (heavy) settings.weight = {0, 0, -2e-4};
+    std::vector<Section> sections;
+    for (int i = 0; i < 5; ++i) sections.push_back(arc(i, settings.blade.minRadius() - 40, 100));
+    Findings findings;
+    const Result<Sweep> sweep = sweepOf(sections, settings, findings);
+    ASSERT_TRUE(sweep) << sweep.error().message;
+    for (std::size_t i = 0; i < sweep->poses.size(); ++i) {
+      EXPECT_TRUE(sweep->fits[i].heldBack) << heavy << " " << i;
+      EXPECT_GT(sweep->poses[i].maxCurvature(), 0.95 * settings.blade.maxCurvature());
+      EXPECT_LE(sweep->poses[i].maxCurvature(), settings.blade.maxCurvature());
+    }
+  }
+}
+
 }  // namespace bw

@@ -35,7 +35,6 @@ constexpr double kLeast = 0.1;       // of the mean way between stations: shorte
 // the tolerance and so many times as far as when that was last done; to take its place the fit must be so
 // much nearer, and within the tolerance none does that turns the grips by more than this.
 constexpr double kNear = 0.1, kGrown = 1.25, kWorthAJump = 0.7, kEasySwing = 15 * kDegree;
-constexpr double kPresses = 1 - 1e-4;  // of the sharpest bend: a blade that bends so far is held by it
 
 /// What one station asks of its own blade.
 class OwnCost : public ceres::SizedCostFunction<kStationOwn, 6> {
@@ -201,7 +200,7 @@ void unwrap(std::vector<std::optional<Station>>& stations, double unit) {
 }
 
 /// Puts a station's blade into the row; false where it is not known how it hangs.
-bool put(const Station& station, const Elastica& light, Sweep& sweep) {
+bool put(const Row& row, const Station& station, const Elastica& light, Sweep& sweep) {
   BladePose& pose = sweep.poses[station.index];
   StationFit& fit = sweep.fits[station.index];
   const Result<Elastica> cut = light.segment(station.feet.front(), station.feet.back());
@@ -215,8 +214,7 @@ bool put(const Station& station, const Elastica& light, Sweep& sweep) {
     fit.snapsAt = hanging ? hanging->snapsAt : std::nullopt;
     fit.unknown = hanging ? "" : hanging.error().message;
   }
-  const bool bounded = light.maxCurvature() > kPresses * curvatureLimit(sweep.request) ||
-                       station.own.tail<kStationMargins>().maxCoeff() > 0;
+  const bool bounded = row.isBounded(station, light);
   fit.fit.status = bounded ? FitStatus::constraintsActive : FitStatus::converged;
   fit.fit.message = bounded ? "held by its smallest radius or its margin" : "";
   fit.heldBack = bounded;
@@ -332,7 +330,8 @@ Result<void> solveRow(Sweep& sweep, const RunContext& context, double* startSeco
     const auto i = std::size_t(k);
     const std::optional<Station>& station = stations.at[i];
     const std::optional<Elastica> light = station && row.holds(*station) ? row.light(*station) : std::nullopt;
-    if ((!light || !put(*station, *light, sweep)) && !stations.fitted[i]) outcomes[i] = fitAlone(sweep, i);
+    if ((!light || !put(row, *station, *light, sweep)) && !stations.fitted[i])
+      outcomes[i] = fitAlone(sweep, i);
   });
   for (const Result<void>& outcome : outcomes)
     if (ok && !outcome) ok = outcome;

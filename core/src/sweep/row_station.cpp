@@ -30,6 +30,7 @@ constexpr double kForced = 1e-3;   // of a force that is 2.5 times what buckles 
 constexpr double kUnsafe = 10;     // of a margin that is smaller by 1 than asked for, with a reserve of
 constexpr double kReserve = 0.02;
 
+constexpr double kNearLimit = 0.97;   // of the curvature that it bears: from there on the bound is felt
 constexpr double kWatched = 0.25;     // beyond what is asked for no margin is looked at
 constexpr double kFar = 0.1;          // of the blade: a step of a grip
 constexpr double kFarTurned = 0.5;    // rad
@@ -48,6 +49,10 @@ Row::Row(const Sweep& sweep, const RunContext& context)
 
 bool Row::isFirm(const Station& station) const {
   return station.own.tail<kStationMargins>().maxCoeff() <= kUnsafe * sweep_.request.tolerance * kReserve;
+}
+
+bool Row::isBounded(const Station& station, const Elastica& light) const {
+  return light.maxCurvature() > kNearLimit * limit_ || station.own.tail<kStationMargins>().maxCoeff() > 0;
 }
 
 Result<Elastica> Row::about(const Station& station) const {

@@ -84,6 +84,8 @@ class Row {
   bool isFirm(const Station& station) const;
   /// True if a blade like this may stand in the row.
   bool holds(const Station& station) const;
+  /// True if its smallest radius or its margin keeps the blade from lying nearer to its section.
+  bool isBounded(const Station& station, const Elastica& light) const;
   /// Looks at a station's numbers.
   void look(Station& station) const;
   const Sweep& sweep() const { return sweep_; }

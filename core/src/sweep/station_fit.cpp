@@ -16,6 +16,7 @@
 #include "bw/core/text/number_text.h"
 #include "fit/fit_distance.h"
 #include "sweep/held_blade.h"
+#include "sweep/remedies.h"
 #include "sweep/tight_section.h"
 
 namespace bw::sweep {
@@ -50,6 +51,11 @@ constexpr int kPeriodBounds = 7;
 constexpr double kAtLimit = 1 - 1e-6, kAtLimitWithWeight = 0.98;
 /// A section with a radius so many times smaller than the blade's is far beyond it.
 constexpr double kFarBeyond = 10;
+
+/// The curvature to which a blade is fitted at most, 1/mm: a little less than it bends to.
+double curvatureLimit(const FitRequest& request) {
+  return (request.weight.isZero() ? kAtLimit : kAtLimitWithWeight) * request.blade.maxCurvature();
+}
 
 FitOptions fitOptions(const FitRequest& request, double sectionLength) {
   FitOptions options;
@@ -160,10 +166,6 @@ Result<Elastica> extendedBlade(const Elastica& fitted, double bladeLength) {
   return extra > 0 ? fitted.segment(-extra, fitted.length() + extra) : Result<Elastica>(fitted);
 }
 
-double curvatureLimit(const FitRequest& request) {
-  return (request.weight.isZero() ? kAtLimit : kAtLimitWithWeight) * request.blade.maxCurvature();
-}
-
 bool bladeHolds(const Elastica& cut, const Blade& blade) {
   const Result<Elastica> whole = extendedBlade(cut, blade.length);
   return whole && whole->maxCurvature() <= blade.maxCurvature() && stabilityMargin(*whole) > 0;
@@ -192,6 +194,23 @@ Result<StationFit> fitStation(const PlanarCurve& section, const FitRequest& requ
   return StationFit{section, std::move(*best)};
 }
 
+namespace {
+
+Error tooShort(const FitRequest& request, const std::string& where, double longest) {
+  const std::optional<double> needed = lengthFor(longest, request.clearance);
+  const std::string other = "a smaller block, or another cutting direction";
+  Error error{ErrorCode::badInput,
+              "the blade of " + shortText(request.blade.length, 5) + " mm is shorter than the section of " +
+                  where + " (" + shortText(longest, 6) + " mm); choose " +
+                  (needed ? "a blade of at least " + shortText(*needed, 6) + " mm, " + other
+                          : other + ": no blade may be longer than " + shortText(Blade::kLongest, 6) + " mm"),
+              where, request.blade.length, needed ? *needed : Blade::kLongest};
+  if (needed) error.remedies = {OtherLength{*needed}};
+  return error;
+}
+
+}  // namespace
+
 Result<void> fitInto(Sweep& sweep, std::size_t i, const StationFit* neighbour) {
   BladePose& pose = sweep.poses[i];
   Result<StationFit> found = fitStation(sweep.fits[i].target, sweep.request, neighbour);
@@ -202,6 +221,8 @@ Result<void> fitInto(Sweep& sweep, std::size_t i, const StationFit* neighbour) {
     return tl::unexpected<Error>(std::move(error));
   }
   const double length = sweep.request.blade.length;
+  if (const double cut = found->fit.elastica.length(); cut > length)
+    return tl::unexpected<Error>(tooShort(sweep.request, stationName(pose.index), cut));
   const Result<Elastica> blade = extendedBlade(found->fit.elastica, length);
   if (!blade) return tl::unexpected<Error>(blade.error());
   pose.cut = found->fit.elastica;

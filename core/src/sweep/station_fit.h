@@ -30,7 +30,7 @@ inline constexpr double kAllowance = 2.0;
                                             const StationFit* neighbour);
 
 /// Fits station `i` of a row, beside a neighbour's fit or on its own (null): its pose gets the blade that
-/// continues the fit. Errors name the station.
+/// continues the fit. Errors name the station; a section that is longer than the blade is one.
 [[nodiscard]] Result<void> fitInto(Sweep& sweep, std::size_t i, const StationFit* neighbour);
 
 /// Lets the blade of station `i` hang between its grips, where it has weight.
@@ -41,9 +41,6 @@ void hangInto(Sweep& sweep, std::size_t i);
 [[nodiscard]] Result<void> fromLongest(
     const Sweep& sweep, const RunContext& context,
     const std::function<Result<void>(std::size_t i, std::optional<std::size_t> from)>& find);
-
-/// The curvature to which a blade is fitted at most, 1/mm: a little less than it bends to.
-[[nodiscard]] double curvatureLimit(const FitRequest& request);
 
 /// True if the blade that continues this curve keeps its radius and rests in its shape.
 [[nodiscard]] bool bladeHolds(const Elastica& cut, const Blade& blade);

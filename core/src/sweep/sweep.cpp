@@ -12,9 +12,7 @@
 #include <utility>
 
 #include "bw/core/sweep/blade_pose.h"
-#include "bw/core/text/number_text.h"
 #include "sweep/held_blade.h"
-#include "sweep/remedies.h"
 #include "sweep/row_solver.h"
 #include "sweep/station_fit.h"
 #include "sweep/sweep_findings.h"
@@ -167,25 +165,6 @@ Result<Sweep> laidOut(const std::vector<Section>& all, const FitRequest& request
   return sweep;
 }
 
-/// An error where the blade is shorter than a section.
-Result<void> spansAll(const Sweep& sweep) {
-  const auto shorter = [](const BladePose& a, const BladePose& b) { return a.cut.length() < b.cut.length(); };
-  const BladePose& pose = *std::ranges::max_element(sweep.poses, shorter);
-  const FitRequest& request = sweep.request;
-  const double longest = pose.cut.length();
-  if (longest <= request.blade.length) return {};
-  const std::optional<double> needed = sweep::lengthFor(longest, request.clearance);
-  const std::string other = "a smaller block, or another cutting direction";
-  Error error{ErrorCode::badInput,
-              "the blade of " + shortText(request.blade.length, 5) + " mm is shorter than the section of " +
-                  stationName(pose.index) + " (" + shortText(longest, 6) + " mm); choose " +
-                  (needed ? "a blade of at least " + shortText(*needed, 6) + " mm, " + other
-                          : other + ": no blade may be longer than " + shortText(Blade::kLongest, 6) + " mm"),
-              stationName(pose.index), request.blade.length, needed ? *needed : Blade::kLongest};
-  if (needed) error.remedies = {OtherLength{*needed}};
-  return tl::unexpected<Error>(std::move(error));
-}
-
 }  // namespace
 
 Result<Sweep> fitSweep(const std::vector<Section>& sections, const FitRequest& request, const Box& block,
@@ -197,7 +176,6 @@ Result<Sweep> fitSweep(const std::vector<Section>& sections, const FitRequest& r
   };
   if (Result<void> ok = sweep::fromLongest(*sweep, context, fit); !ok)
     return tl::unexpected<Error>(ok.error());
-  if (Result<void> ok = spansAll(*sweep); !ok) return tl::unexpected<Error>(ok.error());
   return sweep;
 }
 
@@ -215,7 +193,6 @@ Result<Sweep> buildSweep(const std::vector<Section>& sections, const FitRequest&
                      [&](int i) { sweep::hangInto(*sweep, std::size_t(i)); });
   } else {
     ok = sweep::solveRow(*sweep, context, fitSeconds, settleSeconds);
-    if (ok) ok = spansAll(*sweep);
   }
   if (!ok) return tl::unexpected<Error>(ok.error());
   sweep::addSwingFindings(*sweep, findings);
