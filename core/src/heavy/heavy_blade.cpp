@@ -12,15 +12,17 @@
 
 namespace bw {
 
+using Eigen::ArrayXd;
 using Eigen::Index;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 
 namespace {
 
-double curvatureAt(const HeavyBlade::Numbers& n, double s) {
-  const Index count = n.coefficients.size();
-  return (n.turning + heavy::orthonormalLegendre(s, count + 1).tail(count).dot(n.coefficients)) / n.length;
+/// κ at even places from end to end, 1/mm.
+VectorXd curvaturesEvenly(const HeavyBlade::Numbers& numbers) {
+  const heavy::Modes& modes = heavy::modesOf(numbers.coefficients.size());
+  return ((modes.slopesEvenly * numbers.coefficients).array() + numbers.turning) / numbers.length;
 }
 
 }  // namespace
@@ -36,24 +38,31 @@ HeavyBlade::HeavyBlade(Numbers numbers) : numbers_(std::move(numbers)) {
 }
 
 HeavyBlade::State HeavyBlade::at(double s) const {
-  const double part = s / numbers_.length;
-  const Index count = numbers_.coefficients.size();
   State state;
-  const VectorXd integrals = heavy::integratedLegendre(part, tangent_.rows());  // more of them than modes
-  state.point = numbers_.start + numbers_.length * (tangent_.transpose() * integrals);
-  state.angle =
-      numbers_.startAngle + numbers_.turning * part + integrals.segment(1, count).dot(numbers_.coefficients);
-  state.curvature = curvatureAt(numbers_, part);
+  at({&s, 1}, {&state, 1});
   return state;
 }
 
 void HeavyBlade::at(std::span<const double> s, std::span<State> out) const {
-  std::ranges::transform(s, out.begin(), [this](double one) { return at(one); });
+  const ArrayXd parts = ArrayXd::Map(s.data(), Index(s.size())) / numbers_.length;
+  const Index count = numbers_.coefficients.size();
+  const auto [values, integrals] = heavy::legendreAt(parts, tangent_.rows());  // more of them than modes
+  const Eigen::MatrixX2d places = integrals * tangent_;
+  const VectorXd turned = integrals.middleCols(1, count) * numbers_.coefficients;
+  const VectorXd bent = values.middleCols(1, count) * numbers_.coefficients;
+  for (Index k = 0; k < parts.size(); ++k) {
+    State& state = out[std::size_t(k)];
+    state.point = numbers_.start + numbers_.length * places.row(k).transpose();
+    state.angle = numbers_.startAngle + numbers_.turning * parts(k) + turned(k);
+    state.curvature = (numbers_.turning + bent(k)) / numbers_.length;
+  }
 }
 
 std::vector<HeavyBlade::State> HeavyBlade::sample(int count) const {
   std::vector<State> states(std::size_t(count), State{});
-  for (int i = 0; i < count; ++i) states[std::size_t(i)] = at(numbers_.length * i / (count - 1));
+  std::vector<double> arcs(states.size());
+  for (int i = 0; i < count; ++i) arcs[std::size_t(i)] = numbers_.length * i / (count - 1);
+  at(arcs, states);
   return states;
 }
 
@@ -69,25 +78,18 @@ double HeavyBlade::energy() const {
 
 std::vector<double> HeavyBlade::inflections() const {
   std::vector<double> result;
-  const int places = heavy::kPlacesEach * int(numbers_.coefficients.size());
-  const auto curvature = [&](double s) { return curvatureAt(numbers_, s); };
-  double before = curvature(0);
-  for (int i = 1; i <= places; ++i) {
-    const double here = curvature(double(i) / places);
-    if ((before < 0) != (here < 0) && before != 0)
-      result.push_back(numbers_.length * optimise::bracketedRoot(curvature, double(i - 1) / places,
-                                                                 double(i) / places, optimise::kFourRoundings)
-                                             .middle());
-    before = here;
-  }
+  const VectorXd bends = curvaturesEvenly(numbers_);
+  const auto last = double(bends.size() - 1);
+  const auto curvature = [&](double s) { return at(s).curvature; };
+  for (Index i = 1; i < bends.size(); ++i)
+    if ((bends(i - 1) < 0) != (bends(i) < 0) && bends(i - 1) != 0)
+      result.push_back(optimise::bracketedRoot(curvature, numbers_.length * double(i - 1) / last,
+                                               numbers_.length * double(i) / last, optimise::kFourRoundings)
+                           .middle());
   return result;
 }
 
-double HeavyBlade::maxCurvature() const {
-  const heavy::Modes& modes = heavy::modesOf(numbers_.coefficients.size());
-  const VectorXd turned = modes.slopesEvenly * numbers_.coefficients;
-  return (turned.array() + numbers_.turning).abs().maxCoeff() / numbers_.length;
-}
+double HeavyBlade::maxCurvature() const { return curvaturesEvenly(numbers_).cwiseAbs().maxCoeff(); }
 
 bool HeavyBlade::selfIntersects() const {
   constexpr int kParts = 600;

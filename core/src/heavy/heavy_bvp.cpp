@@ -479,20 +479,24 @@ Result<HeavyDerivatives> derivativesByGrips(const HeavyBlade& blade, std::span<c
   const Eigen::MatrixXd moves = heavy::movesOf(equations);
   if (!moves.allFinite())
     return fail(ErrorCode::noSolution, "The blade is about to snap: it does not follow its grips.", "blade");
-  const Index nodes = modes.nodes.size();
+  const Index nodes = modes.nodes.size(), places = Index(s.size());
+  const Eigen::MatrixXd at = heavy::legendreAt(Eigen::ArrayXd::Map(s.data(), places) / length, nodes).values;
+  Eigen::MatrixXd all(places, 12);  // x, y and angle by the four
+  for (int row = 0; row < 3; ++row) {
+    const Eigen::MatrixXd series = modes.polynomials * moves.middleRows(row * nodes, nodes);
+    all.middleCols<4>(4 * row) = at * series;
+  }
   HeavyDerivatives result;
-  for (const double arc : s) {
-    const VectorXd at = modes.polynomials.transpose() * heavy::orthonormalLegendre(arc / length, nodes);
+  for (Index k = 0; k < places; ++k) {
     Eigen::Matrix<double, 3, 4> moved;
-    for (int row = 0; row < 3; ++row) moved.row(row) = at.transpose() * moves.middleRows(row * nodes, nodes);
+    for (int row = 0; row < 3; ++row) moved.row(row) = all.block<1, 4>(k, 4 * row);
     // Lengths: x and y by mm are as they are, by rad times the length; angles by mm over it.
     moved.topRightCorner<2, 2>() *= length;
     moved.row(2).head<2>() /= length;
-    Eigen::Matrix<double, 3, 6> all;
-    all << -moved.leftCols<2>(), moved.col(2), moved.leftCols<2>(), moved.col(3);
-    all(0, 0) += 1;
-    all(1, 1) += 1;
-    result.byGrips.push_back(all);
+    Eigen::Matrix<double, 3, 6>& byGrips = result.byGrips.emplace_back();
+    byGrips << -moved.leftCols<2>(), moved.col(2), moved.leftCols<2>(), moved.col(3);
+    byGrips(0, 0) += 1;
+    byGrips(1, 1) += 1;
   }
   return result;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "heavy/heavy_margins.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/QR>
@@ -24,10 +25,11 @@ namespace {
 /// Total |κ| L below which the blade counts as straight, as of the weightless one.
 constexpr double kStraight = 1e-3;
 
-/// The smallest eigenvalue of a form against ∫ φ² where ∫ φ times some functions vanishes, over 4π²; its
-/// function, ∫ φ² = 1, is put into `function` where it is less than `below`.
+/// The smallest eigenvalue of a form against ∫ φ² where ∫ φ times some functions vanishes, over 4π². Where it
+/// is less than `below` its function, ∫ φ² = 1, is put into `function`; where it is not, it is told as
+/// `below`, which a factorisation shows in a tenth of the time.
 double smallest(const Modes& modes, const MatrixXd& form, const MatrixXd& constraints,
-                VectorXd* function = nullptr, double below = 0) {
+                double below = std::numeric_limits<double>::infinity(), VectorXd* function = nullptr) {
   const Eigen::HouseholderQR<MatrixXd> qr(constraints);
   const Index free = modes.count() - constraints.cols();
   const auto reduced = [&](MatrixXd matrix) -> MatrixXd {
@@ -35,15 +37,18 @@ double smallest(const Modes& modes, const MatrixXd& form, const MatrixXd& constr
     matrix.applyOnTheRight(qr.householderQ());
     return matrix.bottomRightCorner(free, free);
   };
-  const MatrixXd mass = modes.values * modes.weights.asDiagonal() * modes.values.transpose();
+  const MatrixXd squares = reduced(modes.squares), reducedForm = reduced(form);
+  constexpr double kUnit = 4 * kPi * kPi;
+  if (std::isfinite(below) &&
+      Eigen::LLT<MatrixXd>(reducedForm - kUnit * below * squares).info() == Eigen::Success)
+    return below;
   // 1/λ are the largest: they keep their digits, those of the stiff modes need none.
-  const double shift = 4 * kPi * kPi * 64;
-  const MatrixXd squares = reduced(mass), stiff = reduced(form + shift * mass);
+  const double shift = kUnit * 64;
+  const MatrixXd stiff = reducedForm + shift * squares;
   const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(squares, stiff,
                                                                   Eigen::EigenvaluesOnly | Eigen::Ax_lBx);
   const double largest = solver.eigenvalues()(free - 1);
-  const double margin = (1 / largest - shift) / (4 * kPi * kPi);
-  if (function && margin < below) {
+  if (function) {
     // Its function by inverse iteration, which takes a fraction of what all of them do.
     constexpr double kBeside = 1e-9;
     constexpr int kIterations = 3;
@@ -57,7 +62,7 @@ double smallest(const Modes& modes, const MatrixXd& form, const MatrixXd& constr
     function->tail(free) = shape;
     function->applyOnTheLeft(qr.householderQ());
   }
-  return margin;
+  return std::min(below, (1 / largest - shift) / kUnit);
 }
 
 /// ∫ f times each mode, of f at the nodes.
@@ -103,9 +108,8 @@ Margins marginsOf(const Equations& equations, double torsionRatio, double across
   const VectorXd angles = modes.values.transpose() * system.partialPivLu().solve(load).head(n);
   const VectorXd places = modes.polynomials * (modes.integral * angles);
   constexpr int kPlaces = 50;
-  for (int i = 0; i <= kPlaces; ++i)
-    margins.sideways = std::max(
-        margins.sideways, std::abs(places.dot(orthonormalLegendre(double(i) / kPlaces, places.size()))));
+  const ArrayXd evenly = ArrayXd::LinSpaced(kPlaces + 1, 0, 1);
+  margins.sideways = (legendreAt(evenly, places.size()).values * places).cwiseAbs().maxCoeff();
   if (!(margins.outOfPlane > 0)) margins.sideways = std::numeric_limits<double>::infinity();
   return margins;
 }
@@ -156,13 +160,10 @@ MarginSlope marginSlopeOf(const Equations& equations, double below) {
   const MatrixXd form = equations.hessian();
   const Eigen::MatrixX2d closed = equations.closure();
   VectorXd function;
-  MarginSlope slope{smallest(modes, form, closed, &function, below)};
-  if (!(slope.margin < below)) return slope;
+  MarginSlope slope{smallest(modes, form, closed, below, &function)};
+  if (function.size() == 0) return slope;
   // φ·(form) φ − μ ∫ φ² is stationary where ∫ φ t' = 0: what holds it there are two multipliers.
-  const VectorXd pull =
-      form * function -
-      4 * kPi * kPi * slope.margin *
-          (modes.values * (modes.weights.array() * (modes.values.transpose() * function).array()).matrix());
+  const VectorXd pull = form * function - 4 * kPi * kPi * slope.margin * (modes.squares * function);
   const Eigen::Vector2d multipliers = (closed.transpose() * closed).ldlt().solve(closed.transpose() * pull);
   const Changes changes = changesOf(equations);
   const Sampled& s = equations.sampled();
@@ -181,8 +182,8 @@ MarginSlope outOfPlaneSlopeOf(const Equations& equations, double torsionRatio, d
   const auto [curvature, form, closed] = OutOfPlane(equations, torsionRatio);
   if (curvature.abs().maxCoeff() < kStraight) return {};
   VectorXd function;
-  MarginSlope slope{smallest(modes, form, closed, &function, below)};
-  if (!(slope.margin < below)) return slope;
+  MarginSlope slope{smallest(modes, form, closed, below, &function)};
+  if (function.size() == 0) return slope;
   const Changes changes = changesOf(equations);
   const Sampled& s = equations.sampled();
   const ArrayXd phi = modes.values.transpose() * function, weights = modes.weights.array();

@@ -4,6 +4,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
@@ -13,25 +14,10 @@ namespace bw::heavy {
 
 namespace {
 
+using Eigen::ArrayXd;
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-/// P_0 … P_{n−1} at x in [−1, 1].
-VectorXd legendre(double x, Index n) {
-  // P_k = a_k x P_{k−1} − (a_k − 1) P_{k−2}; divisions would take most of the time.
-  constexpr Index kMost = 2 * kMostModes;
-  static const std::array<double, kMost> a = [] {
-    std::array<double, kMost> factors{};
-    for (std::size_t k = 1; k < factors.size(); ++k) factors[k] = 2 - 1 / double(k);
-    return factors;
-  }();
-  VectorXd p(n);
-  p(0) = 1;
-  if (n > 1) p(1) = x;
-  for (Index k = 2; k < n; ++k) p(k) = a[std::size_t(k)] * x * p(k - 1) - (a[std::size_t(k)] - 1) * p(k - 2);
-  return p;
-}
 
 /// The Gauss–Legendre rule with `total` nodes on [0, 1], from the eigenvalues of its Jacobi matrix (Golub and
 /// Welsch 1969).
@@ -47,38 +33,49 @@ void gauss(Index total, VectorXd& nodes, VectorXd& weights) {
 Modes make(Index count, Index total) {
   Modes modes;
   gauss(total, modes.nodes, modes.weights);
-  modes.values.resize(count, total);
-  modes.slopes.resize(count, total);
-  modes.polynomials.resize(total, total);
-  MatrixXd integrals(total, total);
-  for (Index q = 0; q < total; ++q) {
-    modes.values.col(q) = integratedLegendre(modes.nodes(q), count + 1).tail(count);
-    modes.slopes.col(q) = orthonormalLegendre(modes.nodes(q), count + 1).tail(count);
-    modes.polynomials.col(q) = orthonormalLegendre(modes.nodes(q), total) * modes.weights(q);
-    integrals.row(q) = integratedLegendre(modes.nodes(q), total);
-  }
-  modes.integral = integrals * modes.polynomials;
+  const Legendre at = legendreAt(modes.nodes.array(), total);
+  modes.values = at.integrals.middleCols(1, count).transpose();
+  modes.slopes = at.values.middleCols(1, count).transpose();
+  modes.polynomials = at.values.transpose() * modes.weights.asDiagonal();
+  modes.integral = at.integrals * modes.polynomials;
+  modes.squares = modes.values * modes.weights.asDiagonal() * modes.values.transpose();
   const Index places = kPlacesEach * count;
-  modes.slopesEvenly.resize(places + 1, count);
-  for (Index i = 0; i <= places; ++i)
-    modes.slopesEvenly.row(i) = orthonormalLegendre(double(i) / double(places), count + 1).tail(count);
+  modes.slopesEvenly = legendreAt(ArrayXd::LinSpaced(places + 1, 0, 1), count + 1).values.rightCols(count);
   return modes;
 }
 
 }  // namespace
 
-VectorXd orthonormalLegendre(double s, Index n) {
-  VectorXd p = legendre(2 * s - 1, n);
-  for (Index k = 0; k < n; ++k) p(k) *= std::sqrt(2 * double(k) + 1);
-  return p;
-}
-
-VectorXd integratedLegendre(double s, Index n) {
+Legendre legendreAt(const ArrayXd& places, Index n) {
+  // P_k = a_k x P_{k−1} − (a_k − 1) P_{k−2}; divisions would take most of the time.
+  constexpr std::size_t kMost = 2 * kMostModes;
+  struct Factors {
+    std::array<double, kMost> a{}, root{};
+  };
+  static const Factors factors = [] {
+    Factors result;
+    for (std::size_t k = 0; k < kMost; ++k) {
+      result.a[k] = 2 - 1 / std::max(1.0, double(k));
+      result.root[k] = std::sqrt(2 * double(k) + 1);
+    }
+    return result;
+  }();
+  const ArrayXd x = 2 * places - 1;
+  MatrixXd p(x.size(), n + 1);
+  p.col(0).setOnes();
+  p.col(1) = x;
+  for (Index k = 2; k <= n; ++k) {
+    const double a = factors.a[std::size_t(k)];
+    p.col(k).array() = a * x * p.col(k - 1).array() - (a - 1) * p.col(k - 2).array();
+  }
   // ∫ P_k = (P_{k+1} − P_{k−1}) / (2k + 1), on [0, 1] half of it.
-  const VectorXd p = legendre(2 * s - 1, n + 1);
-  VectorXd result(n);
-  for (Index k = 0; k < n; ++k)
-    result(k) = k == 0 ? s : 0.5 * (p(k + 1) - p(k - 1)) / std::sqrt(2 * double(k) + 1);
+  Legendre result{MatrixXd(x.size(), n), MatrixXd(x.size(), n)};
+  result.integrals.col(0) = places;
+  for (Index k = 0; k < n; ++k) {
+    const double root = factors.root[std::size_t(k)];
+    result.values.col(k) = root * p.col(k);
+    if (k > 0) result.integrals.col(k) = 0.5 / root * (p.col(k + 1) - p.col(k - 1));
+  }
   return result;
 }
 

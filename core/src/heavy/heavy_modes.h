@@ -15,6 +15,7 @@ struct Modes {
   Eigen::MatrixXd slopes;          ///< φ_j' likewise
   Eigen::MatrixXd polynomials;     ///< values at the nodes to the p_j, j = 0 …, of their interpolant
   Eigen::MatrixXd integral;        ///< values at the nodes to their integrals from 0 to each node
+  Eigen::MatrixXd squares;         ///< ∫ φ_i φ_j
   Eigen::MatrixXd slopesEvenly;    ///< φ_j' at kPlacesEach · count + 1 even places in (place, j)
 
   Eigen::Index count() const { return values.rows(); }
@@ -28,9 +29,10 @@ const Modes& modesOf(Eigen::Index count);
 inline constexpr Eigen::Index kModeCounts[] = {24, 32, 48, 64, 96, 192};
 inline constexpr Eigen::Index kMostModes = 192;
 
-/// p_0 … p_{n−1} at s in [0, 1].
-Eigen::VectorXd orthonormalLegendre(double s, Eigen::Index n);
-/// Their integrals from 0 to s.
-Eigen::VectorXd integratedLegendre(double s, Eigen::Index n);
+/// p_0 … p_{n−1} and their integrals from 0, at places of [0, 1]: (place, degree).
+struct Legendre {
+  Eigen::MatrixXd values, integrals;
+};
+Legendre legendreAt(const Eigen::ArrayXd& places, Eigen::Index n);
 
 }  // namespace bw::heavy

@@ -114,7 +114,8 @@ void Row::watch(Station& station) const {
   for (int i = 0; i < kStationMargins; ++i) {
     bool& watched = station.watched[std::size_t(i)];
     if (watched || (i > 0 && !isRound())) continue;
-    watched = marginAt(station, i, 0).value < sweep_.request.margin + kWatched;
+    const double near = sweep_.request.margin + kWatched;
+    watched = marginAt(station, i, near).value < near;
     if (watched) station.lookedAt.reset();
   }
   look(station);

@@ -104,7 +104,7 @@ class Row {
     double value = 1;
     Row6 byNumbers = Row6::Zero();
   };
-  /// One of the margins of the station's blade; how it changes is left at 0 unless it is less than `below`.
+  /// One of the margins of the station's blade, as far as it is less than `below`, and how it changes there.
   Margin marginAt(const Station& station, int which, double below) const;
   bool isRound() const { return sweep_.request.blade.section != Blade::Section::flat; }
 

@@ -134,8 +134,8 @@ struct HeavyMarginSlope {
   Eigen::Matrix<double, 1, 6> byGrips =
       Eigen::Matrix<double, 1, 6>::Zero();  ///< columns as above: 1/mm, 1/rad
 };
-/// That in the plane; how it changes is left at 0 unless it is less than `below`. Not finite at a fold. Some
-/// 0.1 ms.
+/// That in the plane, as far as it is less than `below`: else that is told, and no change. Not finite at a
+/// fold. Some 0.1 ms; where it is not less, a tenth of it.
 HeavyMarginSlope marginByGrips(const HeavyBlade& blade,
                                double below = std::numeric_limits<double>::infinity());
 /// That of a round blade out of its plane, likewise.
