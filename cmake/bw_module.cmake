@@ -21,8 +21,9 @@ function(bw_target_defaults target)
     target_link_options(${target} PRIVATE LINKER:-z,relro,-z,now)
   endif()
   if(BW_SANITIZE)
+    # What the sanitizers put between loses track of what was set: g++ then warns of moved optionals.
     target_compile_options(${target} PRIVATE -fsanitize=${BW_SANITIZE} -fno-omit-frame-pointer
-                                             -fno-sanitize-recover=undefined)
+                                             -fno-sanitize-recover=undefined -Wno-maybe-uninitialized)
     target_link_options(${target} PUBLIC -fsanitize=${BW_SANITIZE})
   endif()
 endfunction()

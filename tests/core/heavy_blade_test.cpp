@@ -316,6 +316,23 @@ TEST(HeavyBranch, StridesEndWhereManySmallStepsDo) {
   EXPECT_GT(ended, 0);
 }
 
+TEST(HeavyBranch, StaysWhereItIsWhenItsWorkIsSpent) {
+  std::mt19937 random(29);
+  const HeavyProblem problem = heavyOf(randomGrips(random, 0.4), 2 * kFlatWeight);
+  const Result<HeavyAnswer> answer = solveHeavy(problem);
+  ASSERT_TRUE(answer);
+  Result<HeavyBranch> branch = HeavyBranch::from(problem, answer->solutions[0]);
+  ASSERT_TRUE(branch);
+  HeavyProblem next = problem;
+  next.grips.start.x() += 0.02 * kLength;
+  const Result<ClampedBranch::Move> stopped = branch->moveTo(next, 1);
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().code, ErrorCode::noSolution);
+  EXPECT_LT((branch->blade().at(0).point - problem.grips.start).norm(), 1e-9);
+  EXPECT_TRUE(branch->moveTo(next));
+  EXPECT_LT((branch->blade().at(0).point - next.grips.start).norm(), 1e-9);
+}
+
 /// One of x, y and angle of the start, then of the end, moved.
 HeavyProblem withGrip(HeavyProblem problem, int column, double by) {
   if (column == 2) *problem.grips.startAngle += by;

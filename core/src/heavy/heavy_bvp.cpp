@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "bw/core/base/units.h"
+#include "bw/core/base/work_meter.h"
 #include "bw/core/text/number_text.h"
 #include "heavy/heavy_descent.h"
 #include "heavy/heavy_margins.h"
@@ -359,7 +360,8 @@ double largestSag(double length, double chord) {
   return std::sqrt(0.375 * std::max(0.0, length - chord) * length);
 }
 
-Result<Hanging> hang(const Elastica& blade, double stiffness, const Vector2d& weight) {
+Result<Hanging> hang(const Elastica& blade, double stiffness, const Vector2d& weight, std::int64_t work) {
+  const WorkMeter meter(work);
   const double length = blade.length();
   const Elastica::State end = blade.at(length);
   HeavyProblem problem{{}, stiffness, weight};
@@ -399,7 +401,8 @@ Result<HeavyBranch> HeavyBranch::from(const HeavyBlade& blade, double stiffness)
   return branch;
 }
 
-Result<ClampedBranch::Move> HeavyBranch::moveTo(const HeavyProblem& next, int mostSteps) {
+Result<ClampedBranch::Move> HeavyBranch::moveTo(const HeavyProblem& next, std::int64_t work) {
+  const WorkMeter meter(work);
   constexpr double kOneBranch = 0.2;  // of Newton's steps: both ends of the way are on one branch
   constexpr int kQuick = 8;
   const Result<Unit> unit = check(next, {});
@@ -429,7 +432,7 @@ Result<ClampedBranch::Move> HeavyBranch::moveTo(const HeavyProblem& next, int mo
     if (!there) return lost("in finer modes");
   } else {
     for (there.reset(); !there;) {
-      const std::optional<heavy::Followed> followed = heavy::follow(way, before, mostSteps);
+      const std::optional<heavy::Followed> followed = heavy::follow(way, before);
       if (!followed) return lost("to its new grips");
       move = {followed->snapped, followed->end.part};
       hold = way.at(followed->end.part);

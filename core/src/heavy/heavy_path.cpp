@@ -136,11 +136,11 @@ bool isStable(const Way& way, const WayPoint& point) {
 
 }  // namespace
 
-std::optional<Followed> follow(const Way& way, const Shape& start, int mostSteps) {
+std::optional<Followed> follow(const Way& way, const Shape& start) {
   WayPoint last{0, start};
   if (!isStable(way, last)) return Followed{last, true};
   Path path(way, last, 1);
-  for (int i = 0; i < mostSteps && last.part < 1; ++i) {
+  for (int i = 0; i < kMostSteps && last.part < 1 && !detail::workExhausted(); ++i) {
     Path before = path;
     const std::optional<WayPoint> point = path.next(kLongestStep);
     if (!point) return {};

@@ -56,9 +56,8 @@ struct Followed {
 };
 
 /// Follows a stable blade along the way as long as it is stable. A blade that is not stable to begin with
-/// snaps at once. Empty if the path is lost or takes more than `mostSteps`, which is not silent: nothing is
-/// said then.
-std::optional<Followed> follow(const Way& way, const Shape& start, int mostSteps = 400);
+/// snaps at once. Empty if the path is lost or takes too long, which is not silent: nothing is said then.
+std::optional<Followed> follow(const Way& way, const Shape& start);
 
 /// All equilibria at part 1 of the way that its path meets, from `start` on: over folds and up to part 2,
 /// until the path comes back to part 0 or is lost.

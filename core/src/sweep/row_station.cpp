@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
@@ -30,13 +31,13 @@ constexpr double kForced = 1e-3;   // of a force that is 2.5 times what buckles 
 constexpr double kUnsafe = 10;     // of a margin that is smaller by 1 than asked for, with a reserve of
 constexpr double kReserve = 0.02;
 
-constexpr double kNearLimit = 0.97;   // of the curvature that it bears: from there on the bound is felt
-constexpr double kWatched = 0.25;     // beyond what is asked for no margin is looked at
-constexpr double kFar = 0.1;          // of the blade: a step of a grip
-constexpr double kFarTurned = 0.5;    // rad
-constexpr int kMostSteps = 32;        // along the path of a blade, from look to look
-constexpr double kDifference = 1e-4;  // of a number of a blade
-constexpr double kFootSlack = 0.1;    // of the blade: a step of a foot
+constexpr double kNearLimit = 0.97;       // of the curvature that it bears: from there on the bound is felt
+constexpr double kWatched = 0.25;         // beyond what is asked for no margin is looked at
+constexpr double kFar = 0.1;              // of the blade: a step of a grip
+constexpr double kFarTurned = 0.5;        // rad
+constexpr std::int64_t kMostWork = 8000;  // from look to look: about a millisecond (`WorkMeter`)
+constexpr double kDifference = 1e-4;      // of a number of a blade
+constexpr double kFootSlack = 0.1;        // of the blade: a step of a foot
 
 }  // namespace
 
@@ -157,8 +158,9 @@ bool Row::hangAt(Station& station, const Elastica& half) const {
   const double stiffness = sweep_.request.blade.flexuralRigidity();
   if (!station.branch) {
     const Result<Elastica> whole = half.segment(-0.5 * length_, 0.5 * length_);
-    const Result<Hanging> hanging = whole ? hang(*whole, stiffness, weightIn(sweep_, station.pose->frame))
-                                          : Result<Hanging>(tl::unexpected<Error>(whole.error()));
+    const Result<Hanging> hanging =
+        whole ? hang(*whole, stiffness, weightIn(sweep_, station.pose->frame), kMostWork)
+              : Result<Hanging>(tl::unexpected<Error>(whole.error()));
     if (!hanging || hanging->snapsAt) return false;
     const Result<HeavyBranch> branch = HeavyBranch::from(hanging->blade, stiffness);
     if (branch) station.branch = *branch;
@@ -178,7 +180,7 @@ bool Row::hangAt(Station& station, const Elastica& half) const {
   next.grips.turning = grips(5) - grips(2);
   next.grips.length = length_;
   HeavyBranch branch = *station.branch;
-  const Result<ClampedBranch::Move> move = branch.moveTo(next, kMostSteps);
+  const Result<ClampedBranch::Move> move = branch.moveTo(next, kMostWork);
   if (!move || move->snapped) return false;
   station.branch = branch;
   station.hungAt = grips;

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
@@ -74,6 +75,9 @@ Result<HeavyAnswer> solveAllHeavy(const HeavyProblem& problem, const ClampedOpti
 double largestSag(double length, double chord);
 inline constexpr double kNoSag = 0.01;
 
+/// Work in which a blade of any shape that is not hopeless is followed: a tenth of a second (`WorkMeter`).
+inline constexpr std::int64_t kBranchWork = 1'000'000;
+
 /// A held blade that has taken on its weight.
 struct Hanging {
   HeavyBlade blade;
@@ -81,9 +85,11 @@ struct Hanging {
 };
 /// The shape that a blade which lies as `blade` without weight becomes as its weight comes on evenly, its
 /// grips held where they are. Where its branch ends, or it did not rest to begin with, it falls into another
-/// stable shape. One that may sag by less than kNoSag stays as it is. `stiffness` in N
-/// mm², `weight` in N/mm in the plane's coordinates. Errors: those of `solveHeavy`. Some 0.3 ms.
-Result<Hanging> hang(const Elastica& blade, double stiffness, const Eigen::Vector2d& weight);
+/// stable shape. One that may sag by less than kNoSag stays as it is. `stiffness` in N mm², `weight` in N/mm
+/// in the plane's coordinates. Errors: those of `solveHeavy`; noSolution where it takes
+/// more work than that. Some 0.3 ms.
+Result<Hanging> hang(const Elastica& blade, double stiffness, const Eigen::Vector2d& weight,
+                     std::int64_t work = kBranchWork);
 
 /// How safely a blade rests in its shape, and what a load across its plane does to it.
 struct HeavyMargins {
@@ -108,8 +114,8 @@ class HeavyBranch {
   /// by the shorter way unless it is given. Where the branch ends the blade is left there, which `snapped`
   /// tells. Nothing is skipped: the whole way is followed unless Newton's steps shrink so fast that both ends
   /// of it lie on one branch. About 50 µs for the small step of a sweep. Errors: those of `solveHeavy` for
-  /// `next`; noSolution where the branch cannot be followed, or not in `mostSteps` along its path.
-  Result<ClampedBranch::Move> moveTo(const HeavyProblem& next, int mostSteps = 400);
+  /// `next`; noSolution where the branch cannot be followed, or not with that much work (`WorkMeter`).
+  Result<ClampedBranch::Move> moveTo(const HeavyProblem& next, std::int64_t work = kBranchWork);
 
   HeavyBlade blade() const;
 
