@@ -117,7 +117,7 @@ void panelCheck(benchmark::State& state) {
   one.threads = 1;
   for (auto _ : state) {
     const Result<SweepCheck> check = checkSweep(*e.cut().sweep.value, e.cut().check.request, one);
-    if (!check || !analyzeSweep(*e.cut().sweep.value, e.cut().way.value->targets, *check,
+    if (!check || !analyzeSweep(*e.cut().sweep.value, e.cut().way.value->course, *check,
                                 e.cut().check.request, *e.cut().target.value->sampler(), geometry::loft, one))
       return state.SkipWithError("the sweep could not be checked");
   }

@@ -32,8 +32,8 @@ struct Made {
   Motion motion;
   Made(const test::RowSettings& settings, bool led = true)
       : sweep(rowOf(settings)),
-        way(followRow(sweep, settings.motionTolerance, {}).value()),
-        analysis(analyzeSweep(sweep, way.targets, checkSweep(sweep, settings, {}).value(), settings,
+        way(followRow(sweep, settings, {}).value()),
+        analysis(analyzeSweep(sweep, way.course, checkSweep(sweep, settings, {}).value(), settings,
                               test::SphereSampler(kRadius), test::interpolated, {})
                      .value()),
         deviation(deviationOf(way, sweep, analysis, settings, test::SphereSampler(kRadius), {}).value()) {

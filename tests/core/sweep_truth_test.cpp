@@ -281,10 +281,10 @@ OnSphere onSphere(double radius, const std::vector<double>& travel, const test::
   const Result<Sweep> sweep = buildSweep(test::sphereSections(radius, kHalf, travel), settings, block,
                                          PlaneFamily::across(block, -Vector3d::UnitY()), {}, findings);
   const test::SphereSampler sphere(radius);
-  const RowMotion motion = followRow(sweep.value(), settings.motionTolerance, {}).value();
+  const RowMotion motion = followRow(sweep.value(), settings, {}).value();
   const SweepCheck check = checkSweep(*sweep, settings, {}).value();
   const SweepAnalysis analysis =
-      analyzeSweep(*sweep, motion.targets, check, settings, sphere, test::interpolated, {}).value();
+      analyzeSweep(*sweep, motion.course, check, settings, sphere, test::interpolated, {}).value();
   return {*sweep, motion, analysis, deviationOf(motion, *sweep, analysis, settings, sphere, {}).value()};
 }
 
@@ -378,6 +378,58 @@ TEST(OnTheWay, TargetsAreAddedUntilTheMotionToleranceHolds) {
     }
 }
 
+/// s from target to target of the program of a row, without entry and exit.
+std::vector<double> pauses(const OnSphere& row, const test::RowSettings& settings, Findings& findings) {
+  const Motion motion = buildMotion(row.sweep, {}, row.motion.targets, settings, findings).value();
+  std::vector<double> result;
+  for (std::size_t i = 2; i + 1 < motion.instants.size(); ++i)  // between the leads
+    result.push_back(motion.instants[i].time - motion.instants[i - 1].time);
+  return result;
+}
+
+TEST(OnTheWay, StationsThatFollowTooSoonArePassedBy) {
+  test::RowSettings settings;
+  settings.tolerance = 0.5;
+  settings.blade.yieldStress = 2000;
+  settings.weight = -settings.blade.weight() * Vector3d::UnitZ();
+  std::vector<double> travel;  // 0.02 s apart
+  for (int i = 0; i <= 200; ++i) travel.push_back(0.4 * i);
+  const OnSphere row = onSphere(700, travel, settings);
+  EXPECT_EQ(row.motion.course.size(), travel.size()) << "the surface goes through all stations";
+  EXPECT_LT(row.motion.targets.size(), 45u);
+  Findings findings;
+  const std::vector<double> times = pauses(row, settings, findings);
+  EXPECT_GE(std::ranges::min(times), kTargetSeconds);
+  EXPECT_TRUE(findings.empty());
+  EXPECT_EQ(row.motion.targets.front().index, 0);
+  EXPECT_EQ(row.motion.targets.back().index, 200);
+  // Nothing is lost by it: the blade lies on the surface that goes through all of them.
+  EXPECT_LE(row.way.fromShown, settings.motionTolerance);
+  EXPECT_TRUE(row.way.findings.empty());
+  EXPECT_EQ(std::ranges::count(row.motion.reached, 1), 200);
+  // The instants say after which station they are, in order.
+  EXPECT_TRUE(std::ranges::is_sorted(row.motion.instants, {}, &RowMotion::Instant::station));
+}
+
+TEST(OnTheWay, TargetsThatTheToleranceCrowdsAreTold) {
+  test::RowSettings settings;
+  settings.tolerance = 0.5;
+  settings.blade.yieldStress = 2000;
+  settings.motionTolerance = 2e-4;
+  std::vector<double> travel;
+  for (int i = 0; i <= 40; ++i) travel.push_back(2.0 * i);
+  const OnSphere row = onSphere(700, travel, settings);
+  EXPECT_GE(row.motion.targets.size(), travel.size());
+  Findings findings;
+  const std::vector<double> times = pauses(row, settings, findings);
+  const TargetsCrowd* crowd = test::findingOf<TargetsCrowd>(findings)
+                                  ? &std::get<TargetsCrowd>(test::findingOf<TargetsCrowd>(findings)->cause)
+                                  : nullptr;
+  ASSERT_TRUE(crowd);
+  EXPECT_NEAR(crowd->seconds, std::ranges::min(times), 1e-12);
+  EXPECT_EQ(crowd->count, std::ranges::count_if(times, [](double t) { return t < kTargetSeconds; }));
+}
+
 TEST(OnTheWay, EqualStationsAreLeftByNothing) {
   test::RowSettings settings;
   Findings findings;
@@ -389,7 +441,7 @@ TEST(OnTheWay, EqualStationsAreLeftByNothing) {
   const test::GraphSampler target(kHalf, kDome);
   const Result<SweepAnalysis> analysis = test::analysisOf(*sweep, settings, target, {});
   ASSERT_TRUE(analysis);
-  const Result<RowMotion> motion = followRow(*sweep, settings.motionTolerance, {});
+  const Result<RowMotion> motion = followRow(*sweep, settings, {});
   ASSERT_TRUE(motion);
   EXPECT_EQ(motion->targets.size(), 5u);
   const Result<WayDeviation> way = deviationOf(*motion, *sweep, *analysis, settings, target, {});
@@ -411,7 +463,7 @@ TEST(OnTheWay, StraightBladesCutChordsToo) {
   const test::PlaneSampler target(Vector3d::UnitZ());
   const Result<SweepAnalysis> analysis = test::analysisOf(*sweep, settings, target, {});
   ASSERT_TRUE(analysis);
-  const Result<RowMotion> motion = followRow(*sweep, 100, {});
+  const Result<RowMotion> motion = followRow(*sweep, {100, 20}, {});
   ASSERT_TRUE(motion);
   const Result<WayDeviation> way = deviationOf(*motion, *sweep, *analysis, settings, target, {});
   ASSERT_TRUE(way);
@@ -450,7 +502,7 @@ TEST(OnTheWay, ASnapIsTold) {
       buildSweep(test::sectionsOf(4, 20, [&](int i) { return test::graphCurve(kHalf, height(i)); }), settings,
                  block, PlaneFamily::across(block, -Vector3d::UnitY()), {}, findings);
   ASSERT_TRUE(sweep);
-  const Result<RowMotion> way = followRow(*sweep, settings.motionTolerance, {});
+  const Result<RowMotion> way = followRow(*sweep, settings, {});
   ASSERT_TRUE(way);
   EXPECT_TRUE(test::findingOf<SnapsOnTheWay>(way->findings) ||
               test::findingOf<ArrivesOtherwise>(way->findings));

@@ -17,7 +17,8 @@ struct RowSettings : FitRequest {
 
   operator CheckRequest() const { return {tolerance, clearance, cuttingSpeed, margin}; }  // NOLINT
   operator WayRequest() const { return {tolerance, clearance, motionTolerance}; }         // NOLINT
-  operator MotionRequest() const { return {cuttingSpeed, lead}; }                         // NOLINT
+  operator FollowRequest() const { return {motionTolerance, cuttingSpeed}; }              // NOLINT
+  operator MotionRequest() const { return {cuttingSpeed, lead, motionTolerance}; }        // NOLINT
 };
 
 /// A sweep that is checked and then compared with its target, its surface being that through its stations.

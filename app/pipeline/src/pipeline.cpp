@@ -300,9 +300,9 @@ Result<void> lead(const CutWork& work, double& seconds) {
 /// The targets, and the blade between them.
 Result<void> follow(const CutWork& work, double& seconds) {
   CutEvaluation& e = work.e;
-  return work.settle(&CutEvaluation::way, work.design.process.motionTolerance, {e.sweep.value}, seconds,
-                     [&](double tolerance, Findings& findings) {
-                       Result<RowMotion> way = followRow(*e.sweep.value, tolerance, work.context);
+  return work.settle(&CutEvaluation::way, followRequest(work.design), {e.sweep.value}, seconds,
+                     [&](const FollowRequest& request, Findings& findings) {
+                       Result<RowMotion> way = followRow(*e.sweep.value, request, work.context);
                        if (way) findings = way->findings;
                        return way;
                      });
@@ -341,7 +341,7 @@ Result<void> analyze(const CutWork& work, double& seconds) {
                      {e.check.value, e.way.value, e.target.value}, seconds,
                      [&](const CheckRequest& request, Findings& findings) {
                        Result<SweepAnalysis> analysis =
-                           analyzeSweep(*e.sweep.value, e.way.value->targets, *e.check.value, request,
+                           analyzeSweep(*e.sweep.value, e.way.value->course, *e.check.value, request,
                                         *e.target.value->sampler(), geometry::loft, work.context);
                        if (analysis) findings = analysis->findings;
                        return analysis;

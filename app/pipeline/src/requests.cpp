@@ -34,12 +34,16 @@ WayRequest wayRequest(const Design& design) {
   return {design.process.tolerance, design.process.clearance, design.process.motionTolerance};
 }
 
+FollowRequest followRequest(const Design& design) {
+  return {design.process.motionTolerance, design.process.cuttingSpeed};
+}
+
 EntryExitRequest entryExitRequest(const Design& design) {
   return {design.process.margin, design.process.lead};
 }
 
 MotionRequest motionRequest(const Design& design) {
-  return {design.process.cuttingSpeed, design.process.lead};
+  return {design.process.cuttingSpeed, design.process.lead, design.process.motionTolerance};
 }
 
 FileStamp FileStamp::of(const std::filesystem::path& file) {

@@ -251,6 +251,14 @@ std::string Sentences::operator()(const BladeCrosses& cause) const {
          (blade ? "try one of " + mm(blade->length, 6) : std::string(kInParts));
 }
 
+std::string Sentences::operator()(const TargetsCrowd& cause) const {
+  return (cause.count == 1 ? "a target of the program follows"
+                           : std::to_string(cause.count) + " targets of the program follow") +
+         std::string(" in less than ") + shortText(cause.least) + " s (the soonest in " +
+         shortText(cause.seconds, 2) + " s), because the motion tolerance of " + mm(cause.tolerance) +
+         " asks for them; where the controller cannot keep up, cut more slowly or allow more";
+}
+
 std::string Sentences::operator()(const LeadGrown& cause) const {
   return std::string(cause.atStart ? "the blade starts " : "the blade goes on ") + mm(cause.grown) +
          (cause.atStart ? " before the first station" : " beyond the last station") + " in place of " +

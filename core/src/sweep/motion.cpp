@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bw/core/sweep/entry_exit.h"
+#include "bw/core/sweep/row_motion.h"
 #include "sweep/held_blade.h"
 
 namespace bw {
@@ -146,7 +147,15 @@ Result<Motion> buildMotion(const Sweep& sweep, const EntryExit& ends, const std:
   if (leadIn > 0 &&
       (ends.entry.poses.empty() || apart(sweep.poses.front(), ends.entry.poses.back(), -leadIn)))
     go(sweep.poses.front(), -leadIn, -1);
-  for (const BladePose& pose : targets) go(pose, 0, pose.index);
+  TargetsCrowd crowd{0, kTargetSeconds, kTargetSeconds, request.motionTolerance};
+  for (const BladePose& pose : targets) {
+    const double since = time;
+    go(pose, 0, pose.index);
+    if (&pose == &targets.front() || time - since >= kTargetSeconds) continue;
+    ++crowd.count;
+    crowd.seconds = std::min(crowd.seconds, time - since);
+  }
+  if (crowd.count > 0) findings.push_back({Severity::info, crowd, {}, {}});
   if (leadOut > 0 && (ends.exit.poses.empty() || apart(sweep.poses.back(), ends.exit.poses.front(), leadOut)))
     go(sweep.poses.back(), leadOut, -1);
   for (std::size_t i = 0; i < ends.exit.poses.size(); ++i)

@@ -52,17 +52,25 @@ class Between {
     findSlopes();
   }
 
-  /// The pose at a share of the way from station i to the next one. Empty where that is no blade.
-  std::optional<BladePose> at(std::size_t i, double share) const {
+  /// The last station before a place on the way, but for the last one of the row.
+  std::size_t before(double travel) const {
+    const auto after = std::ranges::upper_bound(row_.poses, travel, {}, &BladePose::travel);
+    return std::size_t(
+        std::clamp<std::ptrdiff_t>(after - row_.poses.begin() - 1, 0, std::ptrdiff_t(row_.poses.size()) - 2));
+  }
+
+  /// The pose at a place on the way. Empty where that is no blade.
+  std::optional<BladePose> at(double travel) const {
+    const std::size_t i = before(travel);
     const BladePose &a = row_.poses[i], &b = row_.poses[i + 1];
-    const double s = share, r = 1 - share, way = b.travel - a.travel;
+    const double way = b.travel - a.travel, s = (travel - a.travel) / way, r = 1 - s;
     const Numbers n = r * r * (1 + 2 * s) * numbers_[i] + s * s * (1 + 2 * r) * numbers_[i + 1] +
                       s * r * way * (r * slopes_[i] - s * slopes_[i + 1]);
     const Result<Elastica> blade = sweep::aboutMiddle(n.head<2>(), n(2), n(3), n.segment<2>(4), length_);
     const Result<Elastica> cut = blade && n(7) > 0 ? blade->segment(n(6), n(6) + n(7)) : blade;
     if (!cut) return {};
-    BladePose pose{-1, std::lerp(a.travel, b.travel, share), a.frame, *cut, *blade, n(6)};
-    pose.frame.origin += share * (b.frame.origin - a.frame.origin);
+    BladePose pose{-1, travel, a.frame, *cut, *blade, n(6)};
+    pose.frame.origin += s * (b.frame.origin - a.frame.origin);
     return pose;
   }
 
@@ -109,7 +117,7 @@ class Between {
   std::vector<Numbers> numbers_, slopes_;
 };
 
-/// The way of the blade from one station to the next, by so many moves.
+/// The way of the blade from one station to another.
 struct Way {
   enum class End { arrives, unknown, snaps, otherwise, lost } end = End::unknown;
   std::string why = {};
@@ -123,9 +131,9 @@ class Follower {
  public:
   explicit Follower(const Sweep& row) : row_(row), between_(row) {}
 
-  /// In so many moves as keep it within that of the smooth way, or nearest to it.
+  /// To the next station, in so many moves as keep it within that of the smooth way, or nearest to it.
   Way from(std::size_t i, double tolerance) const {
-    Way best = follow(i, 1);
+    Way best = follow(i, i + 1, 1);
     if (best.end == Way::End::unknown) return best;
     int moves = 1;
     for (int trial = 0; trial < 3; ++trial) {
@@ -134,7 +142,7 @@ class Follower {
                             ? int(std::ceil(moves * std::sqrt(kRoom * best.off / tolerance)))
                             : 4 * moves;
       moves = std::min(std::max(asked, moves + 1), kMostMoves);
-      Way finer = follow(i, moves);
+      Way finer = follow(i, i + 1, moves);
       const bool better =
           finer.end == Way::End::arrives && (best.end != Way::End::arrives || finer.off < best.off);
       if (better) best = std::move(finer);
@@ -143,17 +151,36 @@ class Follower {
     return best;
   }
 
+  /// From station i to j in one move, where that keeps within so much of the smooth way.
+  std::optional<Way> past(std::size_t i, std::size_t j, double tolerance) const {
+    const bool taut = sweep::isTaut(row_.poses[i]);
+    for (std::size_t k = i + 1; k <= j; ++k)
+      if (sweep::isTaut(row_.poses[k]) != taut) return {};
+    Way way = follow(i, j, 1);
+    if (way.end != Way::End::arrives || way.off > tolerance) return {};
+    return way;
+  }
+
+  /// The station before places of the blade on the way.
+  std::size_t before(const std::vector<Vector3d>& places) const { return between_.before(travelOf(places)); }
+
  private:
-  Way follow(std::size_t i, int moves) const {
+  double travelOf(const std::vector<Vector3d>& places) const {
+    const BladePose& first = row_.poses.front();
+    return first.travel + row_.planes.direction().dot(places.front() - first.frame.origin);
+  }
+
+  Way follow(std::size_t start, std::size_t end, int moves) const {
     Way way;
-    std::vector<BladePose> poses = {row_.poses[i]};
+    std::vector<BladePose> poses = {row_.poses[start]};
     for (int k = 1; k < moves; ++k) {
-      const std::optional<BladePose> pose = between_.at(i, double(k) / moves);
+      const std::optional<BladePose> pose =
+          between_.at(std::lerp(row_.poses[start].travel, row_.poses[end].travel, double(k) / moves));
       if (!pose) return way;
       poses.push_back(*pose);
     }
-    poses.push_back(row_.poses[i + 1]);
-    const int looks = moves == 1 ? 4 : 2;  // at the way of each move
+    poses.push_back(row_.poses[end]);
+    const int looks = moves > 1 ? 2 : std::max(4, 2 * int(end - start));  // at the way of each move
     if (sweep::isTaut(poses.front()) && sweep::isTaut(poses.back())) {
       // Straight throughout: its points go evenly, as its ends do.
       for (std::size_t j = 0; j + 1 < poses.size(); ++j) {
@@ -163,17 +190,17 @@ class Follower {
           std::vector<Vector3d>& places = way.places.emplace_back();
           for (std::size_t c = 0; c < a.size(); ++c)
             places.push_back(a[c] + double(k) / looks * (b[c] - a[c]));
-          if (k < looks) way.off = std::max(way.off, offTheWay(i, places, {}));
+          if (k < looks) way.off = std::max(way.off, offTheWay(places, {}));
         }
       }
       way.end = Way::End::arrives;
     } else {
-      go(i, poses, looks, way);
+      go(poses, looks, way);
       if (way.end == Way::End::lost) {
         // A blade that is all but straight at a station may be followed from the next one alone.
         std::ranges::reverse(poses);
         Way back;
-        go(i, poses, looks, back);
+        go(poses, looks, back);
         std::ranges::reverse(poses);
         if (back.end == Way::End::arrives) way = std::move(back);
       }
@@ -182,12 +209,10 @@ class Follower {
     return way;
   }
 
-  /// How far a blade on the way from station i on, of which `now` is the part that cuts, lies from the smooth
-  /// way, across it. `branch` is where the blade is; none for a straight one.
-  double offTheWay(std::size_t i, const std::vector<Vector3d>& now, std::optional<HeavyBranch> branch) const {
-    const Vector3d& d = row_.planes.direction();
-    const double from = d.dot(row_.poses[i].frame.origin), to = d.dot(row_.poses[i + 1].frame.origin);
-    const std::optional<BladePose> smooth = between_.at(i, (d.dot(now.front()) - from) / (to - from));
+  /// How far a blade, of which `now` is the part that cuts, lies from the smooth way, across it. `branch` is
+  /// where the blade is; none for a straight one.
+  double offTheWay(const std::vector<Vector3d>& now, std::optional<HeavyBranch> branch) const {
+    const std::optional<BladePose> smooth = between_.at(travelOf(now));
     constexpr double kUnknown = std::numeric_limits<double>::infinity();
     if (!smooth) return kUnknown;
     const std::vector<double> arcs = smooth->cutArcs(kPlaces);
@@ -209,7 +234,7 @@ class Follower {
   }
 
   /// From the first pose to the last; those between take on the blade that hangs there.
-  void go(std::size_t i, std::vector<BladePose>& poses, int looks, Way& way) const {
+  void go(std::vector<BladePose>& poses, int looks, Way& way) const {
     std::optional<HeavyBranch> branch = sweep::standing(row_, poses.front());
     if (!branch) return;
     for (std::size_t j = 0; j + 1 < poses.size(); ++j) {
@@ -228,7 +253,7 @@ class Follower {
         }
         const std::vector<Vector3d> places = cut(poses[j], poses[j + 1], share, branch->blade());
         if (k < looks || j + 2 < poses.size()) {
-          if (k < looks) way.off = std::max(way.off, offTheWay(i, places, branch));
+          if (k < looks) way.off = std::max(way.off, offTheWay(places, branch));
           way.places.push_back(places);
           continue;
         }
@@ -261,6 +286,26 @@ class Follower {
   Between between_;
 };
 
+/// How fast a row goes from station to station.
+class Pace {
+ public:
+  Pace(const Sweep& row, double cuttingSpeed) : speed_(cuttingSpeed) {
+    constexpr int kPoints = 9;
+    for (const BladePose& pose : row.poses) points_.push_back(pose.bladePoints(kPoints));
+  }
+  /// At least, in one move.
+  double seconds(std::size_t i, std::size_t j) const {
+    double farthest = 0;
+    for (std::size_t k = 0; k < points_[i].size(); ++k)
+      farthest = std::max(farthest, (points_[j][k] - points_[i][k]).norm());
+    return farthest / speed_;
+  }
+
+ private:
+  double speed_;
+  std::vector<std::vector<Vector3d>> points_;
+};
+
 /// Stretches of a row between whose stations the same happened.
 template <class Happened>
 void tell(const Sweep& row, const std::vector<char>& marks, Severity severity, Happened cause,
@@ -273,27 +318,58 @@ void tell(const Sweep& row, const std::vector<char>& marks, Severity severity, H
 
 }  // namespace
 
-Result<RowMotion> followRow(const Sweep& row, double tolerance, const RunContext& context) {
+Result<RowMotion> followRow(const Sweep& row, const FollowRequest& request, const RunContext& context) {
   RowMotion motion;
   const Follower follower(row);
+  const double tolerance = kOfChords * request.motionTolerance;
   const std::size_t n = row.poses.size();
   std::vector<char> snaps(n, 0), others(n, 0), lost(n, 0);
+  std::vector<Way> ways;
   motion.reached.assign(n, 0);
   std::string why;
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::size_t i = 0; i + 1 < n; ++i) {
     if (context.stopped()) return stoppedError();
-    motion.targets.push_back(row.poses[i]);
-    if (i + 1 == n) break;
-    Way way = follower.from(i, kOfChords * tolerance);
+    Way& way = ways.emplace_back(follower.from(i, tolerance));
     const bool arrives = way.end == Way::End::arrives;
     motion.reached[i + 1] = arrives;
     snaps[i] = way.end == Way::End::snaps;
     others[i + 1] = way.end == Way::End::otherwise;
     lost[i] = way.end == Way::End::lost;
     if (lost[i]) why = way.why;
-    for (std::vector<Vector3d>& places : way.places) motion.instants.push_back({i, std::move(places)});
-    if (arrives) std::ranges::move(way.targets, std::back_inserter(motion.targets));
+    if (!arrives) way.targets.clear();
+    motion.course.push_back(row.poses[i]);
+    motion.course.insert(motion.course.end(), way.targets.begin(), way.targets.end());
   }
+  if (n > 0) motion.course.push_back(row.poses.back());
+
+  // Stations that follow too soon are passed by.
+  const Pace pace(row, request.cuttingSpeed);
+  for (std::size_t i = 0; i + 1 < n;) {
+    if (context.stopped()) return stoppedError();
+    motion.targets.push_back(row.poses[i]);
+    const auto plain = [&](std::size_t k) {
+      return k + 1 < n && ways[k].end == Way::End::arrives && ways[k].targets.empty();
+    };
+    std::size_t next = i + 1;
+    if (plain(i)) {
+      while (pace.seconds(i, next) < kTargetSeconds && plain(next)) ++next;
+      std::size_t end = next;  // with what is left of a row that ends too soon after it
+      while (plain(end) && pace.seconds(next, end) < kTargetSeconds) ++end;
+      if (end + 1 == n && pace.seconds(next, end) < kTargetSeconds) next = end;
+    }
+    for (; next > i + 1; next = i + (next - i) / 2)
+      if (std::optional<Way> past = follower.past(i, next, tolerance)) {
+        ways[i] = std::move(*past);
+        break;
+      }
+    for (std::vector<Vector3d>& places : ways[i].places) {
+      const std::size_t station = next == i + 1 ? i : follower.before(places);
+      motion.instants.push_back({station, std::move(places)});
+    }
+    std::ranges::move(ways[i].targets, std::back_inserter(motion.targets));
+    i = next;
+  }
+  if (n > 0) motion.targets.push_back(row.poses.back());
   motion.snaps = int(std::ranges::count(snaps, 1));
   tell(row, snaps, Severity::error, SnapsOnTheWay{}, motion.findings);
   tell(row, others, Severity::error, ArrivesOtherwise{}, motion.findings);

@@ -97,27 +97,27 @@ std::size_t intervalOf(const std::vector<int>& rows, int row) {
 
 }  // namespace
 
-Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const std::vector<BladePose>& targets,
+Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const std::vector<BladePose>& course,
                                    const SweepCheck& check, const CheckRequest& request,
                                    const SurfaceSampler& target, const Loft& loft,
                                    const RunContext& context) {
   const std::vector<BladePose>& poses = sweep.poses;
-  const int n = int(poses.size()), m = int(targets.size());
+  const int n = int(poses.size()), m = int(course.size());
   if (Result<void> ok = sweep::enoughStations(sweep); !ok) return tl::unexpected<Error>(ok.error());
   SweepAnalysis result;
 
-  // The skin through the targets.
+  // The skin through the course.
   SurfaceGrid grid;
   grid.rows = m;
   grid.columns = kColumns;
   grid.points.reserve(std::size_t(m) * kColumns);
   std::vector<double> travel;
-  std::vector<std::size_t> stations;  // their targets
+  std::vector<std::size_t> stations;  // where they are on it
   std::vector<std::vector<double>> curvature(static_cast<std::size_t>(m));
   {
     std::vector<Elastica::State> states(kColumns);
     for (int i = 0; i < m; ++i) {
-      const BladePose& pose = targets[std::size_t(i)];
+      const BladePose& pose = course[std::size_t(i)];
       if (pose.index >= 0) stations.push_back(std::size_t(i));
       travel.push_back(pose.travel);
       pose.at(pose.cutArcs(kColumns), states);
@@ -155,7 +155,7 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const std::vector<BladePo
   summary.minRadius = largestCurvature > 0 ? 1.0 / largestCurvature : 0.0;
 
   // The cut surface between the stations too: the skin, sampled finely, against the target itself.
-  const std::vector<int> rowOf = sweep::stationRows(travel);  // of the targets
+  const std::vector<int> rowOf = sweep::stationRows(travel);  // of the course
   for (const std::size_t at : stations) result.stationRow.push_back(rowOf[at]);
   SurfaceGrid& cut = result.cut;
   cut.columns = kColumns;

@@ -98,7 +98,7 @@ struct CutEvaluation {
   Stage<LengthsRequest, BladeLengths> lengths;
   Stage<RowRequest, Sweep> sweep;               ///< blades and poses
   Stage<CheckRequest, SweepCheck> check;        ///< velocities, margins, clearance
-  Stage<double, RowMotion> way;                 ///< the targets of the robots, and the blade between them
+  Stage<FollowRequest, RowMotion> way;          ///< the targets of the robots, and the blade between them
   Stage<CheckRequest, SweepAnalysis> analysis;  ///< the cut surface against the target, and what was found
   Stage<CheckRequest, Coverage> coverage;       ///< the target against the cut surface
   Stage<WayRequest, WayDeviation> between;      ///< how far it lies off between the stations

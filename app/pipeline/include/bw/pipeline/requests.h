@@ -63,6 +63,7 @@ FitRequest fitRequest(const Design& design);
 CheckRequest checkRequest(const Design& design);
 LengthRequest lengthRequest(const Design& design);
 WayRequest wayRequest(const Design& design);
+FollowRequest followRequest(const Design& design);
 EntryExitRequest entryExitRequest(const Design& design);
 MotionRequest motionRequest(const Design& design);
 

@@ -224,6 +224,13 @@ struct OffTheSurfaceShown {
   static constexpr FindingKind kind = FindingKind::motion;
   double distance = 0, tolerance = 0;
 };
+/// Targets follow each other faster than controllers like, because the motion tolerance asks for them.
+struct TargetsCrowd {
+  static constexpr FindingKind kind = FindingKind::motion;
+  int count = 0;
+  double seconds = 0, least = 0;  ///< the shortest time between two, and what it should be
+  double tolerance = 0;           ///< mm
+};
 /// A lead is longer than was asked for, so that all of the blade leaves the block.
 struct LeadGrown {
   static constexpr FindingKind kind = FindingKind::lead;
@@ -417,16 +424,15 @@ struct RunMismatch {
   std::string file, run = {}, other = {}, text = {};
 };
 
-using Cause =
-    std::variant<UnmetConditions, UnsettledFit, HeldBackFit, Overbent, TooTight, ManyInflections, WouldSnap,
-                 LowMargin, SnapsInWeight, MovedByWeight, BentSideways, UnknownInWeight, WouldTwist,
-                 GripTooNear, SteepAngle, UnevenSpeed, EndsSwing, GapInRow, TooFar, Uncovered, BladeCrosses,
-                 LeadGrown, OtherShape, NoWay, SnapsOnTheWay, ArrivesOtherwise, LostOnTheWay, TooFarOnTheWay,
-                 OffTheSurfaceShown, SkinOff, ServingLengths, GripErrors, SectionMissing, SectionPoint,
-                 SectionShort, SectionBranches, SectionClosed, SectionBridged, SectionBorder, SectionUnfit,
-                 SectionRough, SectionDiffers, LargestFace, NearestFace, FacesLeftOut, TravelAcross,
-                 ChosenDirection, LeftOutOfFile, Healed, ChangedSource, EarlierDesign, UnreadableCell,
-                 WrongSide, HomeUnknown, HomeOutOfReach, ProgramDespiteErrors, ProgramBreach, RunMismatch>;
+using Cause = std::variant<
+    UnmetConditions, UnsettledFit, HeldBackFit, Overbent, TooTight, ManyInflections, WouldSnap, LowMargin,
+    SnapsInWeight, MovedByWeight, BentSideways, UnknownInWeight, WouldTwist, GripTooNear, SteepAngle,
+    UnevenSpeed, EndsSwing, GapInRow, TooFar, Uncovered, BladeCrosses, TargetsCrowd, LeadGrown, OtherShape,
+    NoWay, SnapsOnTheWay, ArrivesOtherwise, LostOnTheWay, TooFarOnTheWay, OffTheSurfaceShown, SkinOff,
+    ServingLengths, GripErrors, SectionMissing, SectionPoint, SectionShort, SectionBranches, SectionClosed,
+    SectionBridged, SectionBorder, SectionUnfit, SectionRough, SectionDiffers, LargestFace, NearestFace,
+    FacesLeftOut, TravelAcross, ChosenDirection, LeftOutOfFile, Healed, ChangedSource, EarlierDesign,
+    UnreadableCell, WrongSide, HomeUnknown, HomeOutOfReach, ProgramDespiteErrors, ProgramBreach, RunMismatch>;
 
 /// Stations of a row by their index: from first to last, `count` of them concerned, the worst among them.
 struct StationRange {

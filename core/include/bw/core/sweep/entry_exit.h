@@ -45,13 +45,15 @@ struct EntryExit {
 struct MotionRequest {
   double cuttingSpeed = 20;  ///< mm/s of the fastest point
   double lead = 20;  ///< mm of travel before the first and after the last station, with the shape held
+  double motionTolerance = 0.1;  ///< mm, with which the targets were chosen
   bool operator==(const MotionRequest&) const = default;
 };
 
 /// Times entry, targets (`RowMotion`) and exit so that the fastest point of the blade, with its weight and at
 /// four instants from each target to the next, moves at the cutting speed, adds the leads, and puts the ends
 /// in the block frame. Quaternions keep one sign along the path. A lead that would end with a part of the
-/// blade in the block is grown until all of it is outside, which a finding tells.
+/// blade in the block is grown until all of it is outside, which a finding tells; so are targets that follow
+/// in less than kTargetSeconds.
 Result<Motion> buildMotion(const Sweep& sweep, const EntryExit& ends, const std::vector<BladePose>& targets,
                            const MotionRequest& request, Findings& findings);
 

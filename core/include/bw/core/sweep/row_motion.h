@@ -17,8 +17,11 @@ namespace bw {
 /// The way of the blade through its stations as the robots move its grips from target to target: their places
 /// in a straight line, their tangents evenly.
 struct RowMotion {
-  /// Where robots have their targets, in the order of travel: all stations, and poses between them (of index
-  /// −1) where the blade would leave the smooth way through the stations without.
+  /// All stations in the order of travel, and poses between them (of index −1) where the blade would leave
+  /// the smooth way through the stations without. The surface goes through them.
+  std::vector<BladePose> course = {};
+  /// Where robots have their targets: of these all but stations that would follow in less than
+  /// kTargetSeconds, as far as the blade keeps as near to the smooth way without them.
   std::vector<BladePose> targets = {};
   /// The blade between two targets.
   struct Instant {
@@ -32,11 +35,23 @@ struct RowMotion {
   Findings findings = {};
 };
 
-/// Chooses the targets of a row so that the blade stays well within `tolerance` (mm) of the smooth way,
-/// cubics of the travel through the numbers of all stations, and bends the blade with its weight at instants
-/// between them, from each station to the next: its shape there decides the branch that it follows
+/// s from target to target: less only where the motion tolerance asks for it. Controllers stutter where
+/// targets come in faster than they plan.
+inline constexpr double kTargetSeconds = 0.1;
+
+/// How robots move the blade through a row.
+struct FollowRequest {
+  double motionTolerance = 0.1;  ///< mm, from the smooth way
+  double cuttingSpeed = 20;      ///< mm/s of the fastest point
+  bool operator==(const FollowRequest&) const = default;
+};
+
+/// Chooses the targets of a row so that the blade stays well within the tolerance of the smooth way, cubics
+/// of the travel through the numbers of all stations, and bends the blade with its weight at instants between
+/// them, from each station to the next: its shape there decides the branch that it follows
 /// (docs/mathematics.md, sweep). Fails with `cancelled` alone. Some 30 ms for 60 stations.
-[[nodiscard]] Result<RowMotion> followRow(const Sweep& sweep, double tolerance, const RunContext& context);
+[[nodiscard]] Result<RowMotion> followRow(const Sweep& sweep, const FollowRequest& request,
+                                          const RunContext& context);
 
 /// How the blade is judged between its stations.
 struct WayRequest {

@@ -97,9 +97,9 @@ inline constexpr double kSkinTolerance = 0.01;
 
 /// Checks a sweep against the target: the deviation of the cut surface, also between stations, and from it
 /// and the numbers of `checkSweep` what cannot be cut, and why. The surface goes through the blades at the
-/// `targets` (`RowMotion`), the stations among them. `loft` lays the skin through them:
-/// what is measured here is what is written.
-[[nodiscard]] Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const std::vector<BladePose>& targets,
+/// `course` (`RowMotion`), the stations among them. `loft` lays the skin through them: what is measured here
+/// is what is written.
+[[nodiscard]] Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const std::vector<BladePose>& course,
                                                  const SweepCheck& check, const CheckRequest& request,
                                                  const SurfaceSampler& target, const Loft& loft,
                                                  const RunContext& context);
