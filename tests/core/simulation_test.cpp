@@ -77,12 +77,20 @@ TEST(Simulation, CutsWhatIsShown) {
     ASSERT_TRUE(cut);
     EXPECT_LE(cut->toDesignMax, settings.motionTolerance);
     EXPECT_GT(cut->toDesignMax, 0);
-    EXPECT_NEAR(cut->toDesignMax, made.deviation.fromShown, 0.01);
-    EXPECT_NEAR(cut->toTargetMax, made.deviation.deviationMax, 0.01);
     EXPECT_NEAR(cut->covered, 1, 1e-6);
-    // At each station the blade of the row, by another route.
+    // With no corners cut, what was found on the way from target to target; at each station the blade of the
+    // row, by another route.
+    Motion sharp = made.motion;
+    for (MotionInstant& instant : sharp.instants) instant.zone = 0;
+    const Result<Simulation> exact = simulate(sharp, settings.blade, settings.weight, {});
+    ASSERT_TRUE(exact);
+    const Result<SimulatedSurface> straight = made.compared(*exact);
+    ASSERT_TRUE(straight);
+    EXPECT_NEAR(straight->toDesignMax, made.deviation.fromShown, 0.01);
+    EXPECT_NEAR(straight->toTargetMax, made.deviation.deviationMax, 0.01);
+    EXPECT_NEAR(cut->toDesignMax, straight->toDesignMax, 0.03);
     int met = 0;
-    for (const SimulatedBlade& now : run->blades)
+    for (const SimulatedBlade& now : exact->blades)
       for (const BladePose& pose : made.sweep.poses) {
         if (std::abs(now.frame.normal.dot(now.frame.origin - pose.frame.origin)) > 1e-6) continue;
         ++met;
@@ -105,12 +113,45 @@ TEST(Simulation, RunsAtTheCuttingSpeedBetweenTargetsToo) {
       buildSweep(sections, settings, block, PlaneFamily::across(block, -Vector3d::UnitY()), {}, findings);
   ASSERT_TRUE(sweep) << sweep.error().message;
   // At once from the straight blade to the slackest one.
-  const Motion motion =
+  Motion motion =
       buildMotion(*sweep, {}, {sweep->poses.front(), sweep->poses.back()}, settings, findings).value();
+  for (MotionInstant& instant : motion.instants) instant.zone = 0;
   const Result<Simulation> run = simulate(motion, settings.blade, settings.weight, {});
   ASSERT_TRUE(run) << run.error().message;
   EXPECT_LT(run->speedMax, 1.01 * settings.cuttingSpeed);
   EXPECT_GT(run->speedMax, 0.95 * settings.cuttingSpeed);
+}
+
+TEST(Simulation, CornersAreParabolasWithinTheirZones) {
+  // Three targets of a blade held straight, in an angle: in the middle the corner is missed by a quarter of
+  // what both moves go in the time of the zone; one that is larger than half of them is that long.
+  Motion motion;
+  motion.block = test::blockUnder(kHalf, 80, -200, 200);
+  motion.bladeLength = 500;
+  const auto at = [](double time, double travel, double height, double zone) {
+    const Eigen::Quaterniond right(Eigen::AngleAxisd(kPi, Vector3d::UnitY()));
+    const Eigen::Quaterniond turn(Eigen::AngleAxisd(kPi / 2, Vector3d::UnitX()));
+    return MotionInstant{
+        time, 0, {{Vector3d(0, travel, height), turn}, {Vector3d(500, travel, height), right * turn}}, zone};
+  };
+  for (const auto& [zone, missed] : {std::pair(0.0, 0.0), {1.0, 0.25}, {50.0, 1.25}}) {
+    motion.instants = {at(0, 0, 0, 0), at(1, 10, 0, zone), at(2, 10, 10, 0)};
+    const Result<Simulation> run = simulate(motion, Blade(), Vector3d::Zero(), {});
+    ASSERT_TRUE(run) << run.error().message;
+    const SimulatedBlade& middle = run->blades[4];
+    EXPECT_NEAR(middle.time, 1, 1e-12);
+    const Vector3d place = motion.block.frame.toLocal(middle.frame.toWorld(middle.blade.at(250).point));
+    EXPECT_NEAR(place.y(), 10 - missed, 1e-9);
+    EXPECT_NEAR(place.z(), missed, 1e-9);
+    // It leaves the straight line at the edge of its zone, and no sooner.
+    const SimulatedBlade& before = run->blades[3];
+    const Vector3d onTheLine = motion.block.frame.toLocal(before.frame.toWorld(before.blade.at(250).point));
+    if (zone <= 2.5) {
+      EXPECT_NEAR(onTheLine.y(), 7.5, 1e-9);
+    } else {
+      EXPECT_GT(onTheLine.z(), 0.1);
+    }
+  }
 }
 
 TEST(Simulation, AMovedTargetIsSeen) {

@@ -6,7 +6,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <optional>
 
@@ -24,7 +23,8 @@ using Eigen::Vector3d;
 
 constexpr int kBetween = 4;           // moves from instant to instant
 constexpr int kHalvings = 14;         // of the way between two of them
-constexpr int kPlaces = 101;          // of a blade
+constexpr int kAcross = 40;           // places of the blade at least on a row of the surface shown,
+constexpr int kMostPlaces = 2001;     // and of all of it at most
 constexpr double kTaut = 0.05;        // mm that a blade may sag by its slack
 constexpr double kHardlySlack = 0.5;  // mm: so close to the straight line that it counts as it, if need be
 constexpr double kClearGap = 0.05;    // of its energy, by which a shape is clearly lower than another
@@ -51,6 +51,8 @@ class Runner {
   Result<Simulation> run(const RunContext& context);
 
  private:
+  /// Of an end: straight from instant to instant, turning evenly, but for parabolas at corners with zones.
+  Pose poseAt(std::size_t end, std::size_t instant, double share) const;
   Result<Hold> holdAt(std::size_t instant, double share);
   Result<void> begin(const Hold& hold, double time);
   Result<void> go(const Hold& hold, double time, std::size_t instant);
@@ -78,15 +80,51 @@ class Runner {
   Simulation result_;
 };
 
-Result<Hold> Runner::holdAt(std::size_t instant, double share) {
-  const auto at = [&](std::size_t end) -> Pose {
-    const Pose& a = motion_.instants[instant].poses[end];
-    if (share <= 0) return a;
-    const Pose& b = motion_.instants[instant + 1].poses[end];
-    return {a.position + share * (b.position - a.position), a.rotation.slerp(share, b.rotation)};
+Pose Runner::poseAt(std::size_t end, std::size_t instant, double share) const {
+  const auto cornerAt = [&](std::size_t i, double since) -> std::optional<Pose> {
+    if (i == 0 || i + 1 >= motion_.instants.size()) return {};
+    const double zone = motion_.instants[i].zone.value_or(plannedZone(motion_.instants, i));
+    const MotionInstant &before = motion_.instants[i - 1], &at = motion_.instants[i],
+                        &after = motion_.instants[i + 1];
+    const double in = at.time - before.time, out = after.time - at.time;
+    const Pose &a = before.poses[end], &b = at.poses[end], &c = after.poses[end];
+    const Vector3d arriving = (b.position - a.position) / in, leaving = (c.position - b.position) / out;
+    // As long before as after it, for both ends at once, and half of the shorter move at most: a controller
+    // shrinks larger zones.
+    double fastest = 0;
+    for (std::size_t e = 0; e < at.poses.size(); ++e)
+      fastest = std::max({fastest, (at.poses[e].position - before.poses[e].position).norm() / in,
+                          (after.poses[e].position - at.poses[e].position).norm() / out});
+    const double half = std::min(0.5 * std::min(in, out), fastest > 0 ? zone / fastest : zone);
+    if (!(half > 0) || std::abs(since) >= half) return {};
+    // The speed goes evenly from the one to the other.
+    const double arrives = -(since - half) * (since - half) / (4 * half),
+                 leaves = (since + half) * (since + half) / (4 * half);
+    const auto turning = [](const Eigen::Quaterniond& from, const Eigen::Quaterniond& to) -> Vector3d {
+      const Eigen::AngleAxisd turn(to * from.conjugate());
+      return std::remainder(turn.angle(), 2 * kPi) * turn.axis();
+    };
+    const Vector3d turned =
+        arrives / in * turning(a.rotation, b.rotation) + leaves / out * turning(b.rotation, c.rotation);
+    Pose pose{b.position + arrives * arriving + leaves * leaving, b.rotation};
+    if (turned.norm() > 0)
+      pose.rotation = Eigen::Quaterniond(Eigen::AngleAxisd(turned.norm(), turned.normalized())) * b.rotation;
+    return pose;
   };
+  if (const std::optional<Pose> corner = cornerAt(instant, timeAt(instant, share) - timeAt(instant, 0)))
+    return *corner;
+  const Pose& a = motion_.instants[instant].poses[end];
+  if (share <= 0) return a;
+  if (const std::optional<Pose> corner =
+          cornerAt(instant + 1, timeAt(instant, share) - timeAt(instant + 1, 0)))
+    return *corner;
+  const Pose& b = motion_.instants[instant + 1].poses[end];
+  return {a.position + share * (b.position - a.position), a.rotation.slerp(share, b.rotation)};
+}
+
+Result<Hold> Runner::holdAt(std::size_t instant, double share) {
   const double time = timeAt(instant, share);
-  const Pose left = at(0), right = at(1);
+  const Pose left = poseAt(0, instant, share), right = poseAt(1, instant, share);
   const Vector3d zl = left.rotation * Vector3d::UnitZ(), zr = right.rotation * Vector3d::UnitZ();
   const Vector3d normal = (zl + zr).normalized();
   const Vector3d chord = right.position - left.position;
@@ -230,12 +268,12 @@ Result<Simulation> Runner::run(const RunContext& context) {
 
 }  // namespace
 
-SurfaceGrid Simulation::swept() const {
+SurfaceGrid Simulation::swept(int places) const {
   SurfaceGrid grid;
   grid.rows = int(blades.size());
-  grid.columns = kPlaces;
+  grid.columns = places;
   for (const SimulatedBlade& at : blades)
-    for (const Elastica::State& state : at.blade.sample(kPlaces))
+    for (const Elastica::State& state : at.blade.sample(places))
       grid.points.push_back(at.frame.toWorld(state.point));
   return grid;
 }
@@ -255,15 +293,25 @@ Result<SimulatedSurface> compare(const Simulation& simulation, const SurfaceGrid
   SimulatedSurface surface;
   const sweep::SurfaceRows rows(shown, planes);
   const std::unique_ptr<SurfaceSampler> sampler = target.clone();
-  const SurfaceGrid grid = simulation.swept();
+  double widest = 0;
+  for (int r = 0; r < shown.rows; ++r)
+    widest = std::max(widest, (shown.at(r, shown.columns - 1) - shown.at(r, 0)).norm());
+  const double length = simulation.blades.front().blade.length();
+  const int columns =
+      widest > 0 ? int(std::clamp(std::ceil(kAcross * length / widest), 100.0, double(kMostPlaces))) + 1
+                 : kMostPlaces;
+  const SurfaceGrid grid = simulation.swept(columns);
   const Vector3d& d = planes.direction();
   const auto level = [&](int r) {
     return d.dot(simulation.blades[std::size_t(std::clamp(r, 0, grid.rows - 1))].frame.origin);
   };
-  double sum = 0, first = std::numeric_limits<double>::infinity(), last = -first;
-  double design = 0, away = 0;
+  const double begin = d.dot(shown.at(0, 0)), end = d.dot(shown.at(shown.rows - 1, 0));
+  double sum = 0, design = 0, away = 0, passed = 0;
+  bool metBefore = false;
+  bool meets = false;  // the surface, or what goes on before it and after it
   const auto over = [&](const Vector3d& place) {
     const sweep::SurfaceRows::Seen seen = rows.look(place);
+    meets = meets || seen.beside <= 0;
     return seen.across <= kEdge && seen.beside <= 0;
   };
   std::optional<SurfaceSampler::Foot> seed;
@@ -272,10 +320,11 @@ Result<SimulatedSurface> compare(const Simulation& simulation, const SurfaceGrid
     std::vector<Vector3d> places;
     const SimulatedBlade& now = simulation.blades[std::size_t(r)];
     const auto placeAt = [&](double column) -> Vector3d {
-      return now.frame.toWorld(now.blade.at(column * now.blade.length() / (kPlaces - 1)).point);
+      return now.frame.toWorld(now.blade.at(column * now.blade.length() / (columns - 1)).point);
     };
     // With the places where it comes over the surface and leaves it.
     bool inside = false;
+    meets = false;
     for (int c = 0; c < grid.columns; ++c) {
       const bool here = over(grid.at(r, c));
       if (here != inside && c > 0) {
@@ -286,14 +335,14 @@ Result<SimulatedSurface> compare(const Simulation& simulation, const SurfaceGrid
       if (here) places.push_back(grid.at(r, c));
       inside = here;
     }
+    if (meets && metBefore) passed += std::max(0.0, std::min(level(r), end) - std::max(level(r - 1), begin));
+    metBefore = meets;
     const double weight = 0.5 * std::abs(level(r + 1) - level(r - 1));  // of travel
     for (const Vector3d& place : places) {
       const double fromDesign = rows.look(place).distance;
       const Result<SurfaceSampler::Foot> foot = sampler->closest(place, seed ? &*seed : nullptr);
       if (!foot) return tl::unexpected<Error>(foot.error());
       seed = *foot;
-      first = std::min(first, level(r));
-      last = std::max(last, level(r));
       sum += weight;
       design += weight * fromDesign;
       const double fromTarget = std::abs(sampler->offset(place, *foot));
@@ -309,8 +358,7 @@ Result<SimulatedSurface> compare(const Simulation& simulation, const SurfaceGrid
     surface.toDesignMean = design / sum;
     surface.toTargetMean = away / sum;
   }
-  const double range = d.dot(shown.at(shown.rows - 1, 0) - shown.at(0, 0));
-  if (first <= last && range > 0) surface.covered = std::min(1.0, (last - first) / range);
+  if (sum > 0 && end > begin) surface.covered = std::min(1.0, passed / (end - begin));
   return surface;
 }
 

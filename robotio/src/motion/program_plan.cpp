@@ -4,7 +4,6 @@
 #include "bw/robotio/motion/program_plan.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "bw/core/base/units.h"
@@ -21,8 +20,6 @@ constexpr double kLeastTurn = 10;                ///< degrees/s of the cut, so t
 constexpr double kTurnMargin = 1.5;              ///< on the fastest turn of the cut
 constexpr double kLeastHomeTime = 5;             ///< s from home to the first target
 constexpr double kLeastTravelTime = 0.5;         ///< s of the approach and of the retreat
-constexpr double kLeastLength = 1e-3;            ///< mm; shorter segments only turn
-constexpr std::array kZones = {1.0, 0.3, 0.05};  ///< mm; controllers know the first two by name
 
 /// Quaternions of unit length with one sign along the path.
 std::vector<MotionInstant> smoothSigns(std::vector<MotionInstant> instants) {
@@ -71,20 +68,6 @@ Result<void> checkCell(const Cell& cell, std::size_t ends) {
                 "the cell's travel speed must be > 0 mm/s, its approach >= 0 mm and its heat dwell >= 0 s",
                 "cell");
   return {};
-}
-
-/// The zone of each instant: none larger than half of the shorter of its two segments at any end (rule 13),
-/// and at most 1 mm, since a zone cuts the corner of the path.
-double zoneFor(const std::vector<MotionInstant>& instants, std::size_t i) {
-  double room = 2 * kZones.front();
-  for (std::size_t end = 0; end < instants[i].poses.size(); ++end)
-    for (const std::size_t other : {i - 1, i + 1}) {
-      const double length = (instants[other].poses[end].position - instants[i].poses[end].position).norm();
-      if (length >= kLeastLength) room = std::min(room, length);
-    }
-  for (const double zone : kZones)
-    if (0.5 * room >= zone) return zone;
-  return kZones.back();
 }
 
 /// How far a point of the work object lies from the base of a robot, mm.
@@ -233,8 +216,7 @@ Result<ProgramPlan> planProgram(const Motion& motion, const Cell& cell) {
     speed = std::max(speed, farthest(from, to) / duration);
     for (std::size_t end = 0; end < to.size(); ++end)
       turn = std::max(turn, turnDegrees(from[end].rotation, to[end].rotation) / duration);
-    const double zone = i + 1 < instants.size() ? zoneFor(instants, i) : 0;
-    plan.moves.push_back({MoveRole::cut, int(i), duration, 0, 0, zone, to});
+    plan.moves.push_back({MoveRole::cut, int(i), duration, 0, 0, plannedZone(instants, i), to});
   }
   turn = std::max(kLeastTurn, std::ceil(kTurnMargin * turn));
   for (ProgramMove& move : plan.moves) {

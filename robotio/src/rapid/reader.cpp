@@ -31,6 +31,7 @@ Result<Motion> readRapid(const Program& program) {
   const LinkedProgram& strip = linked.front();
   const std::vector<const Step*> moves = synchronisedMoves(strip.tasks.front());
   std::vector<std::vector<Pose>> poses(moves.size());
+  std::vector<double> zones(moves.size(), 0);  // of the ends the larger one
   for (const LinkedTask& task : strip.tasks) {
     const std::vector<const Step*> steps = synchronisedMoves(task);
     if (steps.size() != moves.size() ||
@@ -39,7 +40,10 @@ Result<Motion> readRapid(const Program& program) {
                   "the synchronised moves of task " + task.name + " are not " + std::to_string(moves.size()) +
                       " linear ones, as many as those of the first task",
                   task.folder);
-    for (std::size_t i = 0; i < steps.size(); ++i) poses[i].push_back(poseOf(*steps[i]));
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      poses[i].push_back(poseOf(*steps[i]));
+      zones[i] = std::max(zones[i], steps[i]->zone);
+    }
   }
   Motion motion;
   motion.bladeLength = checkRuns(strip, breaches);
@@ -53,11 +57,11 @@ Result<Motion> readRapid(const Program& program) {
     } else if (sameName(s.name, kRetreatTarget) && i > 0) {
       motion.retreat = way(i - 1);
     } else if (motion.instants.empty()) {
-      motion.instants.push_back({0, -1, poses[i]});
+      motion.instants.push_back({0, -1, poses[i], 0});
     } else {
       const double seconds = s.duration.value_or(farthest(poses[i - 1], poses[i]) / moves[i]->speed);
       motion.cuttingSpeed = std::max(motion.cuttingSpeed, moves[i]->speed);
-      motion.instants.push_back({motion.instants.back().time + seconds, -1, poses[i]});
+      motion.instants.push_back({motion.instants.back().time + seconds, -1, poses[i], zones[i]});
     }
   }
   if (Result<void> ok = checkMotion(motion); !ok) return tl::unexpected<Error>(ok.error());

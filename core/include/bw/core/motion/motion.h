@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -17,6 +19,9 @@ struct MotionInstant {
   double time = 0;   ///< s from the start of the cut
   int station = -1;  ///< index of the station, −1 in the leads and where the blade changes its shape outside
   std::vector<Pose> poses;
+  /// mm from it where the ends leave one move for the next, cutting the corner; 0: they come to rest. Where
+  /// it is not told, `plannedZone`.
+  std::optional<double> zone = std::nullopt;
 };
 
 /// A timed motion of the blade's ends in the frame of the block: what a robot program is written from.
@@ -35,5 +40,10 @@ struct Motion {
   /// exit. All of it where no instant is at a station.
   double cuttingTime() const;
 };
+
+/// mm, of those that programs know: none larger than half of the shorter of the two segments at any end
+/// (docs/robots.md, rule 13), and at most the first; 0 at the first and the last instant.
+inline constexpr std::array kZones = {1.0, 0.3, 0.05};
+[[nodiscard]] double plannedZone(const std::vector<MotionInstant>& instants, std::size_t i);
 
 }  // namespace bw

@@ -44,7 +44,7 @@ struct Simulation {
 
   /// The surface that the whole blade sweeps: a row a moment, points at equal arc length, in the file's
   /// frame.
-  SurfaceGrid swept() const;
+  SurfaceGrid swept(int places = 101) const;
 };
 
 /// Runs a motion: between two instants the ends go straight and turn evenly (slerp), as a controller moves
