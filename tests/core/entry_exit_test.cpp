@@ -15,6 +15,7 @@
 #include "bw/core/elastica/elastica_bvp.h"
 #include "bw/core/elastica/elastica_stability.h"
 #include "bw/core/heavy/heavy_bvp.h"
+#include "bw/core/simulation/simulation.h"
 #include "bw/core/sweep/maps.h"
 #include "bw/core/sweep/row_certainty.h"
 #include "finding_of.h"
@@ -148,6 +149,26 @@ TEST(EntryExit, StaysClearOfTheBlockAndRunsBothWays) {
   }
   EXPECT_NEAR(motion->cuttingTime(), motion->instants[entry + 4].time - motion->instants[entry].time, 1e-12);
   EXPECT_LT(motion->cuttingTime(), motion->duration());
+}
+
+TEST(EntryExit, AStraightBladeIsLetGoToWhereItsWeightPulls) {
+  // To the other side it would sag first and then be snapped through by its grips.
+  const Elastica straight = *Elastica::make({-kLength / 2, 0}, 0, 0, Vector2d::Zero(), kLength);
+  for (const double down : {-1.0, 1.0}) {
+    const Sweep sweep = rowOf({straight, straight}, down * 1.7e-4 * Vector3d::UnitZ());
+    const Result<EntryExit> plan = planEntryExit(sweep, {}, {});
+    ASSERT_TRUE(plan && plan->findings.empty());
+    for (const BladePose* slack : {&plan->entry.poses.front(), &plan->exit.poses.back()}) {
+      const std::vector<Vector3d> places = slack->bladePoints(3);
+      EXPECT_GT(down * (places[1].z() - places[0].z()), 10);
+    }
+    Findings findings;
+    const Motion motion = buildMotion(sweep, *plan, sweep.poses, test::RowSettings(), findings).value();
+    const Result<Simulation> run = simulate(motion, sweep.request.blade, sweep.request.weight, {});
+    ASSERT_TRUE(run) << run.error().message;
+    EXPECT_TRUE(run->snaps.empty());
+    EXPECT_LT(run->speedMax, 1.1 * motion.cuttingSpeed);
+  }
 }
 
 TEST(EntryExit, SaysWhereNoWayIsKnown) {

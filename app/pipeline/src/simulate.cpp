@@ -148,6 +148,7 @@ std::string simulationText(const ProgramRun& run) {
   if (run.surface && run.surface->covered > 0) {
     const SimulatedSurface& s = *run.surface;
     object["surface"] = {{"deviation_to_design_max_mm", s.toDesignMax},
+                         {"deviation_to_design_at_targets_max_mm", s.toDesignAtTargets},
                          {"deviation_to_design_mean_mm", s.toDesignMean},
                          {"deviation_to_design_at", {s.worst.x(), s.worst.y(), s.worst.z()}},
                          {"deviation_to_target_max_mm", s.toTargetMax},

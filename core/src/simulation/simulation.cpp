@@ -56,7 +56,7 @@ class Runner {
   Result<Hold> holdAt(std::size_t instant, double share);
   Result<void> begin(const Hold& hold, double time);
   Result<void> go(const Hold& hold, double time, std::size_t instant);
-  Result<void> note(const Hold& hold, double time, std::size_t instant);
+  Result<void> note(const Hold& hold, double time, std::size_t instant, bool atInstant);
   double timeAt(std::size_t instant, double share) const {
     const double now = motion_.instants[instant].time;
     return share > 0 ? std::lerp(now, motion_.instants[instant + 1].time, share) : now;
@@ -208,7 +208,7 @@ Result<void> Runner::go(const Hold& hold, double time, std::size_t instant) {
   return begin(hold, time);
 }
 
-Result<void> Runner::note(const Hold& hold, double time, std::size_t instant) {
+Result<void> Runner::note(const Hold& hold, double time, std::size_t instant, bool atInstant) {
   Frame frame;
   const Frame& block = motion_.block.frame;
   const auto turned = [&](const Vector3d& v) -> Vector3d {
@@ -236,7 +236,7 @@ Result<void> Runner::note(const Hold& hold, double time, std::size_t instant) {
   const double curvature = blade->maxCurvature();
   if (curvature > 0 && (result_.minRadius == 0 || 1 / curvature < result_.minRadius))
     result_.minRadius = 1 / curvature;
-  result_.blades.push_back({time, instant, frame, *blade, margin});
+  result_.blades.push_back({time, instant, frame, *blade, margin, atInstant});
   return {};
 }
 
@@ -251,7 +251,7 @@ Result<Simulation> Runner::run(const RunContext& context) {
       const Result<Hold> hold = holdAt(from, share);
       if (!hold) return tl::unexpected<Error>(hold.error());
       Result<void> ok = result_.blades.empty() ? begin(*hold, time) : go(*hold, time, from);
-      if (ok) ok = note(*hold, time, from);
+      if (ok) ok = note(*hold, time, from, from == i);
       if (!ok) return tl::unexpected<Error>(ok.error());
     }
   std::vector<Vector3d> before;
@@ -348,6 +348,7 @@ Result<SimulatedSurface> compare(const Simulation& simulation, const SurfaceGrid
       const double fromTarget = std::abs(sampler->offset(place, *foot));
       away += weight * fromTarget;
       surface.toTargetMax = std::max(surface.toTargetMax, fromTarget);
+      if (now.atInstant) surface.toDesignAtTargets = std::max(surface.toDesignAtTargets, fromDesign);
       if (fromDesign > surface.toDesignMax) {
         surface.toDesignMax = fromDesign;
         surface.worst = place;

@@ -126,7 +126,11 @@ BladeWay End::plan() const {
   }
   const double limit = sweep_.request.blade.maxCurvature();
   const double arc = std::min(2 * kTilt / length_, 0.5 * limit);
-  const double side = std::copysign(1.0, to.curvature);
+  // A blade that is let go out of the straight line sags where its weight pulls: an arc to the other side
+  // would snap it through.
+  const Vector2d up(-std::sin(middle_.angle), std::cos(middle_.angle));
+  const double pull = -sweep::weightIn(sweep_, pose_.frame).dot(up);
+  const double side = std::copysign(1.0, sweep::isTaut(pose_) && pull != 0 ? pull : to.curvature);
   // What the station itself keeps, no way to it can exceed.
   const double own = sweep::isTaut(pose_) ? 1
                      : pose_.heavy        ? marginsOf(*pose_.heavy).inPlane

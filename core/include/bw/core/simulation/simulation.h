@@ -24,7 +24,8 @@ struct SimulatedBlade {
   std::size_t instant = 0;  ///< of the motion, the last one that was passed
   Frame frame;              ///< of the plane in which it bends, in the file's frame
   HeavyBlade blade;
-  double margin = 1;  ///< of stability
+  double margin = 1;       ///< of stability
+  bool atInstant = false;  ///< not between two
 };
 
 /// What a motion does to the blade, found from the poses of its ends alone.
@@ -59,6 +60,7 @@ struct Simulation {
 /// How far what a motion cuts lies from what was designed.
 struct SimulatedSurface {
   double toDesignMax = 0, toDesignMean = 0;  ///< mm, from the surface shown, in the planes of the blade
+  double toDesignAtTargets = 0;              ///< mm, the largest at the instants of the motion
   double toTargetMax = 0, toTargetMean = 0;  ///< mm, of the same places, from the target
   Eigen::Vector3d worst = Eigen::Vector3d::Zero();  ///< where it is farthest from the surface shown
   double covered = 0;                               ///< 0…1, of the travel of the surface shown
