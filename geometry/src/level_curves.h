@@ -53,6 +53,9 @@ struct LevelPiece {
   std::vector<LevelNode> nodes;
   bool closed = false;  ///< the last node is followed by the first
   double bridged = 0;   ///< mm, the widest gap of the face that it leads across
+  /// How the curve goes on beyond its first and its last node on the surface under the face, outward from
+  /// that node; empty where the border there is not one of this face alone, or the surface ends with it.
+  std::vector<LevelNode> before = {}, after = {};
 };
 
 /// Cuts a target with planes of one normal.

@@ -11,6 +11,7 @@
 #include "bw/core/text/number_text.h"
 #include "model_impl.h"
 #include "occt.h"
+#include "section_ends.h"
 #include "section_samples.h"
 #include "tolerances.h"
 
@@ -124,6 +125,7 @@ double badness(const Cause& cause) {
   if (const auto* branches = std::get_if<SectionBranches>(&cause)) return branches->most;
   if (const auto* shorter = std::get_if<SectionShort>(&cause)) return -shorter->length;
   if (const auto* bridged = std::get_if<SectionBridged>(&cause)) return bridged->width;
+  if (const auto* extended = std::get_if<SectionExtended>(&cause)) return extended->length;
   if (const auto* rough = std::get_if<SectionRough>(&cause)) return rough->distance;
   if (const auto* differs = std::get_if<SectionDiffers>(&cause)) return differs->distance;
   return 0;
@@ -230,23 +232,94 @@ SectionOutcome Sectioner::cut(double level, int station, bool byKernel) const {
     bridged = std::max(bridged, piece.piece->bridged);
   if (bridged > kSpeck) tell(Severity::info, SectionBridged{bridged}, place);
 
-  // Fit, with more samples where the curve asks for more spans.
+  const auto goesOn = [&](const SectionBranch::Part& end, bool last) -> std::vector<SectionSample> {
+    const std::vector<LevelNode>& nodes = last == end.reversed ? end.piece->before : end.piece->after;
+    const SectionSample& from = last ? part.samples.back() : part.samples.front();
+    if (nodes.size() < 2 || (nodes.front().p - from.node.p).norm() > kMeet) return {};
+    const LevelPiece piece{end.piece->face, nodes};
+    const int division = std::max(2, int((kMinSamples + nodes.size() - 1) / nodes.size()));
+    return sampleBranch(cutter_, {{{&piece, false}}, false}, level, division);
+  };
+  outcome.level = level;
+  outcome.beyond = {goesOn(part.branch->parts.front(), false), goesOn(part.branch->parts.back(), true)};
+  if (!outcome.beyond[0].empty() || !outcome.beyond[1].empty()) outcome.samples = part.samples;
+  fit(outcome, std::move(part.samples));
+  return outcome;
+}
+
+bool Sectioner::fit(SectionOutcome& outcome, std::vector<SectionSample> samples) const {
+  Section& section = *outcome.section;
+  const double length = lengthOf(samples);
+  const Eigen::Vector3d place = samples.front().node.p;
+  const auto tell = [&](Cause cause) {
+    outcome.findings.push_back(
+        {Severity::warning, std::move(cause), {StationRange::of(section.index), place}, {}});
+  };
+  // With more samples where the curve asks for more spans.
   std::optional<CurveFit> best;
   for (int round = 0;; ++round) {
-    auto fit = fitCurve(runsOf(cutter_, part.samples, frame), kFitTolerance);
+    auto fit = fitCurve(runsOf(cutter_, samples, section.frame), kFitTolerance);
     if (!fit) {
-      tell(Severity::warning, SectionUnfit{fit.error().message}, place);
-      return outcome;
+      tell(SectionUnfit{fit.error().message});
+      return false;
     }
     if (!best || fit->deviation < best->deviation) best = std::move(*fit);
-    if (best->enough || int(part.samples.size()) > kMaxSamples / 3 || round == 8) break;
-    part.samples = refined(cutter_, part.samples, level, 3);
+    if (best->enough || int(samples.size()) > kMaxSamples / 3 || round == 8) break;
+    samples = refined(cutter_, samples, outcome.level, 3);
   }
-  if (best->deviation > kPromised) tell(Severity::warning, SectionRough{best->deviation}, place);
-  outcome.length = part.length;
-  outcome.section->branches = {std::move(best->curve)};
-  outcome.section->chosen = 0;
-  return outcome;
+  if (best->deviation > kPromised) tell(SectionRough{best->deviation});
+  outcome.length = length;
+  section.branches = {std::move(best->curve)};
+  section.chosen = 0;
+  return true;
+}
+
+void Sectioner::extend(SectionOutcome& outcome, double low, double high) const {
+  const auto xOf = [&](const LevelNode& node) { return outcome.section->frame.toLocal(node.p).x(); };
+  std::vector<SectionSample> samples = outcome.samples;
+  double length = 0;
+  for (const bool last : {false, true}) {
+    if (last) std::ranges::reverse(samples);
+    const bool up = xOf(samples.front().node) > xOf(samples.back().node);
+    const auto left = [&](const LevelNode& node) { return up ? high - xOf(node) : xOf(node) - low; };
+    std::vector<SectionSample> more;
+    const SectionSample* before = &samples.front();
+    for (const SectionSample& next : outcome.beyond[last ? 1 : 0]) {
+      if ((next.node.p - before->node.p).norm() <= kSameNode) continue;
+      // Where the surface turns back, or leaves the block, nothing is to be followed.
+      if (!(left(next.node) < left(before->node)) || window_.outside(next.node.p) > 0) break;
+      if (left(next.node) >= 0) {
+        before = &more.emplace_back(next);
+        continue;
+      }
+      SectionSample end = next;
+      double in = 0, out = 1;
+      for (int k = 0; k < 2 * kBisections; ++k) {
+        LevelNode node;
+        const double middle = 0.5 * (in + out);
+        if (!cutter_.between(next.face, before->node, next.node, middle, outcome.level, node)) break;
+        (left(node) >= 0 ? in : out) = middle;
+        end.node = node;
+      }
+      more.push_back(end);
+      break;
+    }
+    if (more.empty()) continue;
+    samples.front().corner = false;
+    more.insert(more.begin(), samples.front());
+    length = std::max(length, lengthOf(more));
+    std::ranges::reverse(more);
+    samples.insert(samples.begin(), more.begin(), more.end() - 1);
+  }
+  std::ranges::reverse(samples);
+  if (length < kSpeck) return;
+  SectionOutcome extended = outcome;
+  if (!fit(extended, std::move(samples))) return;
+  extended.findings.push_back({Severity::info,
+                               SectionExtended{length},
+                               {StationRange::of(outcome.section->index), outcome.samples.front().node.p},
+                               {}});
+  outcome = std::move(extended);
 }
 
 Findings gathered(const Findings& each) {
@@ -293,8 +366,28 @@ Result<void> SectionRow::place(const Target& target, const SectionRequest& reque
   return {};
 }
 
+void SectionRow::fillSteps(std::vector<SectionOutcome>& outcomes) const {
+  std::vector<SectionOutcome*> followed;
+  std::vector<RowEnd> lows, highs;
+  for (SectionOutcome& outcome : outcomes) {
+    if (!outcome.followed()) continue;
+    const PlanarCurve& curve = outcome.section->curve();
+    const double a = curve.value(curve.start()).x(), b = curve.value(curve.end()).x();
+    // Sections that stand upright have no left and right end.
+    if (std::abs(b - a) < 0.5 * (curve.value(curve.end()) - curve.value(curve.start())).norm()) return;
+    followed.push_back(&outcome);
+    lows.push_back({outcome.section->travel, -std::min(a, b)});
+    highs.push_back({outcome.section->travel, std::max(a, b)});
+  }
+  const std::vector<double> low = withoutSteps(lows), high = withoutSteps(highs);
+  for (std::size_t i = 0; i < followed.size(); ++i)
+    if (!followed[i]->samples.empty() && (low[i] > lows[i].out || high[i] > highs[i].out))
+      sectioner_.extend(*followed[i], -low[i], high[i]);
+}
+
 Result<std::vector<Section>> SectionRow::finish(std::vector<SectionOutcome> outcomes,
                                                 Findings& findings) const {
+  fillSteps(outcomes);
   double longest = 0;
   for (const SectionOutcome& outcome : outcomes) longest = std::max(longest, outcome.length);
   const double shortest = std::max(kShort, kShortRatio * longest);

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -22,8 +23,13 @@ struct SectionOutcome {
       section;  ///< empty if nothing is cut; without a chosen branch if `findings` tell why
   Findings findings;
   double length = 0;  ///< of the section, mm
-  int curves = 0;     ///< found inside the block
-  double found = 0;   ///< mm of all of these together
+  double level = 0;   ///< of its plane
+  /// Of the branch that is followed, and how it goes on beyond its first and its last sample, outward; only
+  /// where it does.
+  std::vector<SectionSample> samples = {};
+  std::array<std::vector<SectionSample>, 2> beyond = {};
+  int curves = 0;    ///< found inside the block
+  double found = 0;  ///< mm of all of these together
 
   bool followed() const { return section && section->chosen >= 0; }
 };
@@ -45,7 +51,13 @@ class Sectioner {
   /// rather than traced ones.
   SectionOutcome cut(double level, int station, bool byKernel) const;
 
+  /// Has a section that is followed go on beyond its ends, as far as its surface leads: to the coordinates
+  /// `low` and `high` along x of its plane.
+  void extend(SectionOutcome& outcome, double low, double high) const;
+
  private:
+  /// Lays the spline through the samples of a section; false where there is none, which `findings` tell.
+  bool fit(SectionOutcome& outcome, std::vector<SectionSample> samples) const;
   const PlaneFamily& planes_;
   PlaneCutter cutter_;
   BlockWindow window_;
@@ -80,6 +92,9 @@ class SectionRow {
   Result<std::vector<Section>> finish(std::vector<SectionOutcome> outcomes, Findings& findings) const;
 
  private:
+  /// Has the sections go on beyond the steps of their border.
+  void fillSteps(std::vector<SectionOutcome>& outcomes) const;
+
   PlaneFamily planes_;
   Sectioner sectioner_;
   double first_ = 0, last_ = 0;  ///< levels

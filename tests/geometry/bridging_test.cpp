@@ -7,7 +7,9 @@
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Splitter.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepTools.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <TopTools_ListOfShape.hxx>
@@ -88,6 +90,62 @@ TEST(Bridging, AndAcrossANotch) {
   for (const Section& section : cut.sections)
     EXPECT_NEAR(section.curve().length(), 2 * kRadius * std::asin(300 / kRadius), 0.1);
   EXPECT_NEAR(widestGap(cut.findings), 2 * kRadius * std::asin(150 / kRadius), 0.1);
+}
+
+double longestExtension(const Findings& findings) {
+  double longest = 0;
+  for (const Finding& finding : findings)
+    if (const auto* extended = std::get_if<SectionExtended>(&finding.cause))
+      longest = std::max(longest, extended->length);
+  return longest;
+}
+
+TEST(Bridging, AndBeyondStepsOfTheSides) {
+  const Cut whole = along(targetOf(sheet()));
+  EXPECT_EQ(longestExtension(whole.findings), 0);
+  const double all = 2 * kRadius * std::asin(300 / kRadius);
+  const double piece = all / 2 - kRadius * std::asin(180 / kRadius);
+  // A notch of the left side; the right one; corners at the start, at the end; all four at once.
+  for (const std::vector<TopoDS_Shape>& cuts : {std::vector<TopoDS_Shape>{boxAt(-400, -180, -60, 140)},
+                                                {boxAt(180, 400, -60, 140)},
+                                                {boxAt(-400, -180, -400, -100)},
+                                                {boxAt(180, 400, 100, 400)},
+                                                {boxAt(-400, -180, -400, -200), boxAt(180, 400, -400, -200),
+                                                 boxAt(-400, -180, 200, 400), boxAt(180, 400, 200, 400)}}) {
+    TopoDS_Shape shape = sheet();
+    for (const TopoDS_Shape& tool : cuts) shape = BRepAlgoAPI_Cut(shape, tool).Shape();
+    for (const SectionRoute route : {SectionRoute::traced, SectionRoute::kernel}) {
+      const Cut cut = along(targetOf(shape), route);
+      ASSERT_EQ(cut.sections.size(), 15u);
+      for (std::size_t i = 0; i < cut.sections.size(); ++i) {
+        const PlanarCurve &curve = cut.sections[i].curve(), &straight = whole.sections[i].curve();
+        EXPECT_NEAR(curve.length(), all, 0.1) << i;
+        for (const Eigen::Vector2d& p : curve.sample(61))
+          EXPECT_LT((straight.value(straight.nearestParameter(p)) - p).norm(), 2e-3) << i;
+      }
+      EXPECT_NEAR(longestExtension(cut.findings), piece, 1);
+    }
+  }
+}
+
+TEST(Bridging, NotAlongBordersThatAreNoSteps) {
+  // Sides that run in by 30° and out again are the outline that somebody drew.
+  BRepBuilderAPI_MakePolygon triangle(gp_Pnt(-400, -300, -300), gp_Pnt(-180, 0, -300),
+                                      gp_Pnt(-400, 300, -300), true);
+  const TopoDS_Shape wedge =
+      BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(triangle.Wire()).Face(), gp_Vec(0, 0, 600)).Shape();
+  const Cut cut = along(targetOf(BRepAlgoAPI_Cut(sheet(), wedge).Shape()));
+  ASSERT_EQ(cut.sections.size(), 15u);
+  EXPECT_EQ(longestExtension(cut.findings), 0);
+  EXPECT_LT(cut.sections[7].curve().length(), 500);
+}
+
+TEST(Bridging, NorWhereTheSurfaceEnds) {
+  // A plane is as large as the box around its face; beyond that nothing is known of it.
+  const Target target = targetOf(BRepAlgoAPI_Cut(sheet(), boxAt(-400, -180, -60, 140)).Shape());
+  const Target smaller = targetOf(BRepAlgoAPI_Cut(sheet(), boxAt(-400, -180, -400, 400)).Shape());
+  EXPECT_GT(longestExtension(along(target).findings), 100);
+  EXPECT_EQ(longestExtension(along(smaller).findings), 0);
 }
 
 TEST(Bridging, NotWhereAnotherFaceGoesOn) {

@@ -63,11 +63,12 @@ void compare(const std::string& file, int stations, double tolerance) {
   settings.stations = stations;
   const Cut cut = cutOf(*target, settings);
   ASSERT_GT(cut.sections.size(), 0u);
-  // Across holes ours go on, where the other route has nothing.
+  // Across holes and beyond steps of the border ours go on, where the other route has nothing.
   const auto bridged = [&](int station) {
     return std::ranges::any_of(cut.findings, [station](const Finding& f) {
-      return std::holds_alternative<SectionBridged>(f.cause) && f.where.stations->first <= station &&
-             station <= f.where.stations->last;
+      return (std::holds_alternative<SectionBridged>(f.cause) ||
+              std::holds_alternative<SectionExtended>(f.cause)) &&
+             f.where.stations->first <= station && station <= f.where.stations->last;
     });
   };
   for (const Section& s : cut.sections) {

@@ -66,6 +66,11 @@ std::string Sentences::operator()(const SectionBridged& cause) const {
          " mm; the blade crosses it on the surface continued";
 }
 
+std::string Sentences::operator()(const SectionExtended& cause) const {
+  return at() + "the border of the target steps back there; the blade goes on by up to " +
+         shortText(cause.length) + " mm on the surface continued";
+}
+
 std::string Sentences::operator()(const SectionBorder&) const {
   return rangeText(*finding.where.stations) +
          ": a border of the target could not be matched with the section";

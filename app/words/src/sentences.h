@@ -54,6 +54,7 @@ struct Sentences {
   std::string operator()(const ServingLengths& cause) const;
   std::string operator()(const GripErrors& cause) const;
   std::string operator()(const SectionBridged& cause) const;
+  std::string operator()(const SectionExtended& cause) const;
   std::string operator()(const SectionBorder& cause) const;
   std::string operator()(const SectionUnfit& cause) const;
   std::string operator()(const SectionRough& cause) const;

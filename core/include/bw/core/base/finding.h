@@ -267,6 +267,11 @@ struct SectionBridged {
   static constexpr FindingKind kind = FindingKind::sectionBridged;
   double width = 0;  ///< mm along it
 };
+/// The border of the target steps back; the section goes on beyond it, on the surface continued there.
+struct SectionExtended {
+  static constexpr FindingKind kind = FindingKind::sectionBridged;
+  double length = 0;  ///< mm along it
+};
 /// A border of the target could not be matched with the section.
 struct SectionBorder {
   static constexpr FindingKind kind = FindingKind::sectionBorder;
@@ -424,15 +429,17 @@ struct RunMismatch {
   std::string file, run = {}, other = {}, text = {};
 };
 
-using Cause = std::variant<
-    UnmetConditions, UnsettledFit, HeldBackFit, Overbent, TooTight, ManyInflections, WouldSnap, LowMargin,
-    SnapsInWeight, MovedByWeight, BentSideways, UnknownInWeight, WouldTwist, GripTooNear, SteepAngle,
-    UnevenSpeed, EndsSwing, GapInRow, TooFar, Uncovered, BladeCrosses, TargetsCrowd, LeadGrown, OtherShape,
-    NoWay, SnapsOnTheWay, ArrivesOtherwise, LostOnTheWay, TooFarOnTheWay, OffTheSurfaceShown, SkinOff,
-    ServingLengths, GripErrors, SectionMissing, SectionPoint, SectionShort, SectionBranches, SectionClosed,
-    SectionBridged, SectionBorder, SectionUnfit, SectionRough, SectionDiffers, LargestFace, NearestFace,
-    FacesLeftOut, TravelAcross, ChosenDirection, LeftOutOfFile, Healed, ChangedSource, EarlierDesign,
-    UnreadableCell, WrongSide, HomeUnknown, HomeOutOfReach, ProgramDespiteErrors, ProgramBreach, RunMismatch>;
+using Cause =
+    std::variant<UnmetConditions, UnsettledFit, HeldBackFit, Overbent, TooTight, ManyInflections, WouldSnap,
+                 LowMargin, SnapsInWeight, MovedByWeight, BentSideways, UnknownInWeight, WouldTwist,
+                 GripTooNear, SteepAngle, UnevenSpeed, EndsSwing, GapInRow, TooFar, Uncovered, BladeCrosses,
+                 TargetsCrowd, LeadGrown, OtherShape, NoWay, SnapsOnTheWay, ArrivesOtherwise, LostOnTheWay,
+                 TooFarOnTheWay, OffTheSurfaceShown, SkinOff, ServingLengths, GripErrors, SectionMissing,
+                 SectionPoint, SectionShort, SectionBranches, SectionClosed, SectionBridged, SectionExtended,
+                 SectionBorder, SectionUnfit, SectionRough, SectionDiffers, LargestFace, NearestFace,
+                 FacesLeftOut, TravelAcross, ChosenDirection, LeftOutOfFile, Healed, ChangedSource,
+                 EarlierDesign, UnreadableCell, WrongSide, HomeUnknown, HomeOutOfReach, ProgramDespiteErrors,
+                 ProgramBreach, RunMismatch>;
 
 /// Stations of a row by their index: from first to last, `count` of them concerned, the worst among them.
 struct StationRange {
