@@ -170,11 +170,11 @@ TEST_F(WindowTest, TimelinePlaysTheBladeAsTheMotionIsRun) {
   EXPECT_NEAR(along, length, 0.05);
   const BladePose& first = bench().sweep()->sweep.poses.front();
   EXPECT_GT((shown()[60] - first.bladePoints(121)[60]).norm(), 10);
-  // At a station it is the blade of the row.
+  // At a station it is the blade of the row, but for the corner that the robots cut there.
   bench().setPlayTime(bench().timeOfStation(5));
   const std::vector<Eigen::Vector3d> own = bench().sweep()->sweep.poses[5].bladePoints(121);
   ASSERT_EQ(shown().size(), own.size());
-  for (std::size_t k = 0; k < own.size(); ++k) EXPECT_LT((shown()[k] - own[k]).norm(), 1e-3) << k;
+  for (std::size_t k = 0; k < own.size(); ++k) EXPECT_LT((shown()[k] - own[k]).norm(), 0.05) << k;
   picture("timeline-run");
 }
 

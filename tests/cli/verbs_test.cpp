@@ -160,11 +160,11 @@ TEST(Rationalize, WritesWhatItsReportLists) {
 }
 
 TEST(Export, RepeatsTheWarningsOfTheCheck) {
-  // Sixty stations in four millimetres: closer than the smallest zone.
+  // Sixty stations in four millimetres, slowly: closer than the smallest zone.
   const Folder folder;
   const std::string job = folder.write(
       "job.json",
-      R"({"block": {"origin": [-250, -2, -300], "size": [500, 4, 600]}, "direction": "y", "stations": 60, "lead": 0})");
+      R"({"block": {"origin": [-250, -2, -300], "size": [500, 4, 600]}, "direction": "y", "stations": 60, "lead": 0, "cutting_speed": 0.5})");
   const std::string warning = "zones are larger than half of a segment";
   const Finished run =
       blade({"rationalize", example("panel-600x670"), "--job", job, "--out", folder / "out"});
@@ -299,7 +299,8 @@ TEST(SecondRun, LeavesNoModuleOfTheFirst) {
     EXPECT_LE(finished.status, 1) << finished.err;
     return finished.err;
   };
-  const std::string first = run(panelJob(R"("stations": 2100, "tolerance": 10)"));
+  // So slowly that no station follows too soon to be a target.
+  const std::string first = run(panelJob(R"("stations": 2100, "tolerance": 10, "cutting_speed": 2)"));
   EXPECT_EQ(first.find("removed"), std::string::npos) << first;
   ASSERT_EQ(countOf(folder.files(), "_002.mod"), 2);
   // What others put there stays, whatever its name.
@@ -332,6 +333,7 @@ TEST(SecondRun, OfAnExportLeavesNoModuleOfTheFirst) {
   const auto withStations = [&](int stations) {
     json design = json::parse(slurp(folder / "a.bladewright"));
     design["cuts"][0]["stations"] = stations;
+    design["process"]["cutting_speed"] = 2;
     return folder.write("a.bladewright", design.dump());
   };
   const auto run = [&](int stations, const char* format) {
