@@ -72,6 +72,48 @@ void panelFits(benchmark::State& state) {
 }
 BENCHMARK(panelFits)->Unit(benchmark::kMillisecond);
 
+/// Sections as a hand leaves them that pulls a little at the surface.
+std::vector<Section> pulled(const std::vector<Section>& sections, double up) {
+  std::vector<Section> moved = sections;
+  for (Section& section : moved)
+    for (PlanarCurve& branch : section.branches) branch = branch.transformed(0, 1 + 1e-3 * up, {0, up});
+  return moved;
+}
+
+/// Budget: 60 ms cold, and 8 ms beside a row of a moment ago, from sections that were pulled by 1 mm.
+/// `different_um`: by how much its grips then lie elsewhere than those of the row found anew.
+void panelRow(benchmark::State& state) {
+  const bool beside = state.range(0) == 1;
+  Design design = panel(60);
+  design.blade.length = double(state.range(1));
+  const Outcome outcome = evaluate(design, nullptr, {});
+  if (outcome.error) return state.SkipWithError(outcome.error->message.c_str());
+  const CutEvaluation& cut = outcome.evaluation.cut();
+  const std::vector<Section> all[] = {*cut.sections.value, pulled(*cut.sections.value, 1)};
+  const auto row = [&](std::size_t k, const Sweep* near) {
+    Findings findings;
+    return buildSweep(all[k], cut.sweep.request.fit, cut.setup->block, cut.setup->planes, {}, findings,
+                      nullptr, nullptr, near);
+  };
+  Result<Sweep> now = row(0, nullptr);
+  std::size_t k = 0;
+  for (auto _ : state) {
+    k = 1 - k;
+    now = row(k, beside ? &*now : nullptr);
+    if (!now) return state.SkipWithError(now.error().message.c_str());
+  }
+  const Result<Sweep> anew = row(k, nullptr);
+  double different = 0;
+  for (std::size_t i = 0; anew && i < anew->poses.size(); ++i)
+    different = std::max(different, (anew->poses[i].leftPoint() - now->poses[i].leftPoint()).norm());
+  state.counters["different_um"] = 1e3 * different;
+}
+BENCHMARK(panelRow)
+    ->ArgNames({"beside", "length"})
+    ->ArgsProduct({{0, 1}, {710, 800}})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
 /// Budget: the new picture within 0.4 s of a change of the station count; this is its computing part.
 void panelAfterStationChange(benchmark::State& state) {
   Outcome outcome = evaluate(panel(60), nullptr, {});

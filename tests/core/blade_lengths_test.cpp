@@ -45,7 +45,7 @@ TEST(BladeLengths, WhatServesDoesAndWhatDoesNotFails) {
   ASSERT_TRUE(lengths) << lengths.error().message;
   ASSERT_TRUE(lengths->best);
   ASSERT_FALSE(lengths->bands().empty());
-  EXPECT_TRUE(std::ranges::is_sorted(lengths->trials, {}, &LengthTrial::length));
+  EXPECT_TRUE(std::ranges::is_sorted(lengths->trials, {}, &RowTrial::length));
   const auto rowWith = [&](double length) {
     FitRequest fit = request.fit;
     fit.blade.length = length;

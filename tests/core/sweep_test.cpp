@@ -374,7 +374,7 @@ TEST(SweepAnalysis, TooFewStationsAskForMore) {
 
 TEST(SweepAnalysis, TellsTheBladeThatBringsItsGripsOutOfTheBlock) {
   // A short straight section at one edge of the block (x from -300 to 300): the far grip comes out by 50 mm
-  // at x = 350, that is 600 mm from the middle of the section.
+  // at x = 350, the near one at x = -350, and the blade lies lopsided.
   test::RowSettings settings;
   settings.blade.length = 300;
   const auto sections = [] {
@@ -389,8 +389,8 @@ TEST(SweepAnalysis, TellsTheBladeThatBringsItsGripsOutOfTheBlock) {
   ASSERT_TRUE(grip);
   EXPECT_EQ(grip->severity, Severity::error);
   ASSERT_TRUE(remedyOf<OtherLength>(grip->remedies));
-  EXPECT_EQ(remedyOf<OtherLength>(grip->remedies)->length, 1200);
-  settings.blade.length = 1200;
+  EXPECT_EQ(remedyOf<OtherLength>(grip->remedies)->length, 700);
+  settings.blade.length = 700;
   EXPECT_FALSE(analysed(sections(), settings, plane).finding<GripTooNear>());
 }
 
@@ -629,18 +629,15 @@ TEST(Sweep, SectionsTooRoundForABladeAreCutByOneThatMayBendSo) {
 
 TEST(SweepAnalysis, TellsHowLongARoundBladeStaysInItsPlane) {
   // A bulge whose blade bends back towards its grips: the longer, the more it is pressed. The plane's normal
-  // is the way out of it for a tube. Its ends are asked for, so that the row cannot move its grips.
+  // is the way out of it for a tube. A row would move its grips against that: it is that of the fits.
   test::RowSettings settings;
-  settings.fitEndpoints = true;
   const auto twist = [&](double length, Blade::Section section) -> std::optional<Finding> {
     settings.blade.length = length;
     settings.blade.section = section;
     settings.blade.width = 5;
     settings.blade.thickness = 1;
-    Findings findings;
-    Result<Sweep> sweep =
-        buildSweep(bulgeSections(), settings, sphereBlock(),
-                   PlaneFamily::across(sphereBlock(), Eigen::Vector3d::UnitY()), {}, findings);
+    const Result<Sweep> sweep = fitSweep(bulgeSections(), settings, sphereBlock(),
+                                         PlaneFamily::across(sphereBlock(), Eigen::Vector3d::UnitY()), {});
     EXPECT_TRUE(sweep);
     const Result<SweepAnalysis> analysis =
         test::analysisOf(*sweep, settings, test::SphereSampler(kRadius), {});

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "bw/core/surface/surface_sampler.h"
 #include "bw/core/sweep/sweep.h"
 
 namespace bw::test {

@@ -168,11 +168,28 @@ Result<void> seekLengths(const CutWork& work, double& seconds) {
                      });
 }
 
+LengthsRequest marginsRequest(const CutWork& work) {
+  LengthRequest request = lengthRequest(work.design);
+  request.fit.blade.length = work.e.sweep.value->request.blade.length;
+  return {*work.e.setup, request};
+}
+
+/// What the row gives for the margin of its blades.
+Result<void> seekMargins(const CutWork& work, double& seconds) {
+  CutEvaluation& e = work.e;
+  const std::shared_ptr<const std::vector<Section>> row = rowOf(e);
+  return work.settle(&CutEvaluation::margins, marginsRequest(work), {row}, seconds,
+                     [&work, &row](const LengthsRequest& asked, Findings&) {
+                       return marginTrade(*row, asked.lengths, asked.setup.block, asked.setup.planes,
+                                          work.context);
+                     });
+}
+
 /// Of the lengths that were tried the one that serves best, or else comes nearest to it: of the blades that
 /// rest and reach the one that lies nearest to its sections, or that which misses its rest by least.
 double lengthOf(const BladeLengths& lengths) {
   if (lengths.best) return *lengths.best;
-  const auto nearness = [](const LengthTrial& trial) {
+  const auto nearness = [](const RowTrial& trial) {
     const bool rests = trial.reaches && trial.margin > 0;
     return std::pair(rests, rests ? -trial.deviation : trial.margin);
   };
@@ -193,6 +210,15 @@ bool lengthFails(const CutEvaluation& cut) {
         sweep.poses[i].blade.maxCurvature() < sharpest)
       return true;
   return false;
+}
+
+/// True if blades that rest more firmly may do what these do not.
+bool marginFails(const CutEvaluation& cut) {
+  using Lost = OtherShape::Lost;
+  return cut.rest.value && std::ranges::any_of(cut.rest.value->findings, [](const Finding& finding) {
+           const OtherShape* other = std::get_if<OtherShape>(&finding.cause);
+           return other && (other->lost == Lost::lowMargin || other->lost == Lost::lowBarrier);
+         });
 }
 
 /// Whether there is something to say of lengths, and what.
@@ -230,10 +256,27 @@ void adviseLength(Findings& findings, const CutEvaluation& cut, const Blade& bla
            std::holds_alternative<SnapsInWeight>(finding.cause);
   };
   for (Finding& finding : findings) {
-    if (!ofShape(finding)) continue;
+    const OtherShape* other = std::get_if<OtherShape>(&finding.cause);
+    const bool lost = other && other->lost != OtherShape::Lost::no;
+    if (!lost && !ofShape(finding)) continue;
     std::erase_if(finding.remedies, [](const Remedy& r) { return std::holds_alternative<OtherLength>(r); });
     if (best && *best != blade.length) finding.remedies.insert(finding.remedies.begin(), OtherLength{*best});
+    if (lost && !best) finding.remedies.push_back(CutInParts{});
   }
+}
+
+/// What is lost for want of margin is told the margin that would keep it, where one was found.
+void adviseMargin(Findings& findings, const CutEvaluation& cut) {
+  using Lost = OtherShape::Lost;
+  if (!cut.margins.value || !cut.margins.value->best) return;
+  const double best = *cut.margins.value->best;
+  if (best == cut.margins.request.lengths.check.margin) return;
+  for (Finding& finding : findings)
+    if (const OtherShape* other = std::get_if<OtherShape>(&finding.cause);
+        other && (other->lost == Lost::lowMargin || other->lost == Lost::lowBarrier)) {
+      std::erase_if(finding.remedies, [](const Remedy& r) { return std::holds_alternative<CutInParts>(r); });
+      finding.remedies.push_back(OtherMargin{best});
+    }
 }
 
 /// Sections, and the blades for them.
@@ -391,6 +434,7 @@ Result<void> check(const CutWork& work) {
   if (!ok) return ok;
   if (work.purpose == Purpose::files && lengthFails(e)) {
     ok = seekLengths(work, work.seconds.check);
+    if (ok && marginFails(e)) ok = seekMargins(work, work.seconds.check);
     if (!ok) return ok;
   }
   ok = work.settle(&CutEvaluation::motion, motionRequest(work.design), {e.ends.value, e.way.value},
@@ -398,6 +442,7 @@ Result<void> check(const CutWork& work) {
                      return buildMotion(sweep, *e.ends.value, e.way.value->targets, request, findings);
                    });
   if (ok) work.keep(&CutEvaluation::run, {}, {e.motion.value, e.sweep.value});
+  if (ok) work.keep(&CutEvaluation::margins, marginsRequest(work), {rowOf(e)});
   return ok;
 }
 
@@ -498,6 +543,7 @@ Findings Evaluation::findings() const {
     for (const CutEvaluation& cut : block.cuts) {
       Findings own = cut.findings();
       adviseLength(own, cut, design.blade);
+      adviseMargin(own, cut);
       append(all, own);
       append(all, lengthFindings(cut, design.blade));
     }
@@ -533,6 +579,7 @@ void Evaluation::takeMissing(const Evaluation& before) {
       takeMissing(cut.rest, from->rest);
       takeMissing(cut.motion, from->motion);
       takeMissing(cut.lengths, from->lengths);
+      takeMissing(cut.margins, from->margins);
       takeMissing(cut.run, from->run);
     }
 }
@@ -604,6 +651,7 @@ bool addSecondThought(Evaluation& e, const RunContext& context) {
         if (context.stopped()) return false;
       }
       if (!stages.lengths.value) return seekLengths(work, none).has_value();
+      if (!stages.margins.value) return seekMargins(work, none).has_value();
     }
   return false;
 }

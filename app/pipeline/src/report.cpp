@@ -128,6 +128,18 @@ std::string reportJson(const Evaluation& e, const std::string& run, const FileSe
     report["blade"]["lengths"] = {{"best", best ? ordered_json(*best) : ordered_json(nullptr)},
                                   {"serving", bands}};
   }
+  if (cut.margins.value) {
+    ordered_json trials = ordered_json::array();
+    for (const RowTrial& trial : cut.margins.value->trials)
+      trials.push_back({{"asked", trial.asked},
+                        {"margin", trial.margin},
+                        {"deviation_mm", trial.deviation < Blade::kLongest ? ordered_json(trial.deviation)
+                                                                           : ordered_json(nullptr)},
+                        {"certainty", restName(trial.rest)}});
+    const std::optional<double>& best = cut.margins.value->best;
+    report["blade"]["margins"] = {{"best", best ? ordered_json(*best) : ordered_json(nullptr)},
+                                  {"trials", trials}};
+  }
   ordered_json method;
   method["planes"] = "parallel";
   if (cut.setup) method["direction"] = vec(cut.setup->planes.direction());

@@ -59,6 +59,9 @@ struct Actions {
   std::string operator()(const OtherLength& r) const {
     return "Use a blade of " + shortText(r.length, 6) + " mm";
   }
+  std::string operator()(const OtherMargin& r) const {
+    return "Ask for a margin of " + shortText(r.margin, 2);
+  }
   std::string operator()(const BendingBlade& r) const {
     return r.presetBends() ? "Use " + r.title : std::string();
   }

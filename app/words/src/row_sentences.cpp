@@ -266,9 +266,22 @@ std::string Sentences::operator()(const LeadGrown& cause) const {
 }
 
 /// What keeps the blade in its shape, or why nothing does.
-static std::string lostText(const OtherShape& cause) {
+/// What would keep the blade in the row's shape, as far as it was tried.
+static std::string keptText(const Finding& finding) {
+  const OtherLength* length = remedyOf<OtherLength>(finding.remedies);
+  const OtherMargin* margin = remedyOf<OtherMargin>(finding.remedies);
+  std::string text;
+  if (length) text += "; a blade of " + mm(length->length, 6) + " serves";
+  if (margin)
+    text += (length ? ", or " : "; ") + std::string("this one where a stability margin of ") +
+            shortText(margin->margin, 2) + " is asked for, within the tolerance";
+  if (!text.empty()) return text;
+  return remedyOf<CutInParts>(finding.remedies) ? "; take another blade or direction, or cut in parts"
+                                                : "; take a shorter blade";
+}
+
+static std::string lostText(const OtherShape& cause, const std::string& shorter) {
   using Lost = OtherShape::Lost;
-  const std::string shorter = "; take a shorter blade";
   switch (cause.lost) {
     case Lost::no:
       return "; the program leads it into this one, and it stays there";
@@ -292,7 +305,7 @@ std::string Sentences::operator()(const OtherShape& cause) const {
          " N mm (this one: " + shortText(cause.energy) + " N mm" +
          (cause.barrier ? "; a push of " + shortText(*cause.barrier, 2) + " N mm brings it from here there"
                         : "") +
-         ")" + lostText(cause);
+         ")" + lostText(cause, keptText(finding));
 }
 
 std::string Sentences::operator()(const NoWay& cause) const {

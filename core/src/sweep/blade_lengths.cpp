@@ -4,6 +4,7 @@
 #include "bw/core/sweep/blade_lengths.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -16,8 +17,9 @@ constexpr double kStep = 5;         // mm: lengths are its multiples
 constexpr double kLonger = 1.025;   // each length that is tried first, of the one before
 constexpr double kCoarser = 1.05;   // and from kFine on
 constexpr int kFine = 8;
-constexpr int kFirst = 16;          // of these: the longest is 1.8 times the shortest
-constexpr int kAtOnce = 4;          // of these; where the last ones serve no more, no longer one is tried
+constexpr int kFirst = 16;  // of these: the longest is 1.8 times the shortest
+constexpr int kAtOnce = 4;  // of these; where the last ones serve no more, no longer one is tried
+constexpr std::array kMargins = {0.0, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.6};
 constexpr double kShortest = 0.99;  // of the longest section: what a blade has between its leads at least
 
 double rounded(double length) { return kStep * std::round(length / kStep); }
@@ -38,25 +40,25 @@ std::vector<Section> someOf(const std::vector<Section>& all) {
   return some;
 }
 
-/// Tries lengths on a row.
+/// Tries blades on a row.
 class Trials {
  public:
-  Trials(const std::vector<Section>& sections, const LengthRequest& request, const Box& block,
-         const PlaneFamily& planes, const RunContext& context)
-      : sections_(sections), request_(request), block_(block), planes_(planes) {
+  Trials(const std::vector<Section>& sections, const Box& block, const PlaneFamily& planes,
+         const RunContext& context)
+      : sections_(sections), block_(block), planes_(planes) {
     quiet_.stop = context.stop;
     quiet_.threads = 1;
   }
 
-  LengthTrial operator()(double length) const {
-    LengthTrial trial{length};
-    FitRequest fit = request_.fit;
-    fit.blade.length = length;
+  RowTrial operator()(const LengthRequest& request) const {
+    const FitRequest& fit = request.fit;
+    RowTrial trial{fit.blade.length};
+    trial.asked = request.check.margin;
     Findings unused;
     const Result<Sweep> sweep = buildSweep(sections_, fit, block_, planes_, quiet_, unused);
     if (!sweep) return trial;
     trial.reaches = true;
-    const Result<SweepCheck> check = checkSweep(*sweep, request_.check, quiet_);
+    const Result<SweepCheck> check = checkSweep(*sweep, request.check, quiet_);
     if (!check) return trial;
     trial.margin = 1;
     trial.deviation = 0;
@@ -65,19 +67,19 @@ class Trials {
       const StationCheck& seen = check->stations[i];
       trial.margin = std::min({trial.margin, seen.stabilityMargin, seen.outOfPlaneMargin});
       trial.deviation = std::max(trial.deviation, sweep->fits[i].fit.hausdorff);
-      trial.reaches = trial.reaches && seen.clearance >= request_.check.clearance;
-      keeps = keeps && seen.stable && seen.stabilityMargin >= request_.check.margin &&
-              seen.outOfPlaneMargin > 0 && seen.sideways <= request_.check.tolerance && !seen.crossesItself &&
+      trial.reaches = trial.reaches && seen.clearance >= request.check.clearance;
+      keeps = keeps && seen.stable && seen.stabilityMargin >= request.check.margin &&
+              seen.outOfPlaneMargin > 0 && seen.sideways <= request.check.tolerance && !seen.crossesItself &&
               !seen.gripsSwapped && sweep->fits[i].unknown.empty() &&
               sweep->poses[i].maxCurvature() <= fit.blade.maxCurvature();
     }
-    if (keeps && trial.reaches) trial.rest = restOn(*sweep);
+    if (keeps && trial.reaches) trial.rest = restOn(*sweep, request);
     return trial;
   }
 
  private:
   /// How the worst of the stations rests, the way between them let be.
-  Rest restOn(const Sweep& sweep) const {
+  Rest restOn(const Sweep& sweep, const LengthRequest& request) const {
     const Result<RowCertainty> row = certaintyOf(sweep, quiet_);
     if (!row) return Rest::lost;
     Rest worst = Rest::certain;
@@ -88,24 +90,32 @@ class Trials {
       worst = Rest::held;
     }
     if (worst == Rest::certain) return worst;
-    const Result<EntryExit> ends = planEntryExit(sweep, request_.ends, quiet_);
-    return ends && !ends->entry.poses.empty() && ends->entry.margin >= request_.check.margin ? worst
-                                                                                             : Rest::lost;
+    const Result<EntryExit> ends = planEntryExit(sweep, request.ends, quiet_);
+    return ends && !ends->entry.poses.empty() && ends->entry.margin >= request.check.margin ? worst
+                                                                                            : Rest::lost;
   }
 
   const std::vector<Section>& sections_;
-  const LengthRequest& request_;
   const Box& block_;
   const PlaneFamily& planes_;
   RunContext quiet_;
 };
+
+Result<std::vector<Section>> sectionsToTry(const std::vector<Section>& all) {
+  std::vector<Section> some = someOf(all);
+  if (some.empty())
+    return fail(ErrorCode::badInput,
+                "there are no sections to try blades on; place the block so that it meets the target",
+                "sections", 0.0, 1.0);
+  return some;
+}
 
 }  // namespace
 
 std::vector<BladeLengths::Band> BladeLengths::bands() const {
   std::vector<Band> found;
   bool onward = false;
-  for (const LengthTrial& trial : trials) {
+  for (const RowTrial& trial : trials) {
     if (onward && trial.serves() && found.back().rest == trial.rest)
       found.back().to = trial.length;
     else if (trial.serves())
@@ -115,33 +125,33 @@ std::vector<BladeLengths::Band> BladeLengths::bands() const {
   return found;
 }
 
-const LengthTrial* BladeLengths::at(double length) const {
-  const auto after = std::ranges::upper_bound(trials, length, {}, &LengthTrial::length);
+const RowTrial* BladeLengths::at(double length) const {
+  const auto after = std::ranges::upper_bound(trials, length, {}, &RowTrial::length);
   return after == trials.begin() ? nullptr : &*(after - 1);
 }
 
 Result<BladeLengths> bladeLengths(const std::vector<Section>& sections, const LengthRequest& request,
                                   const Box& block, const PlaneFamily& planes, const RunContext& context) {
-  const std::vector<Section> some = someOf(sections);
-  if (some.empty())
-    return fail(ErrorCode::badInput,
-                "there are no sections to try blades on; place the block so that it meets the target",
-                "sections", 0.0, 1.0);
+  const Result<std::vector<Section>> some = sectionsToTry(sections);
+  if (!some) return tl::unexpected<Error>(some.error());
   double longest = 0;
-  for (const Section& section : some) longest = std::max(longest, section.curve().length());
-  const Trials trial(some, request, block, planes, context);
+  for (const Section& section : *some) longest = std::max(longest, section.curve().length());
+  const Trials trial(*some, block, planes, context);
   BladeLengths lengths;
-  std::vector<LengthTrial>& trials = lengths.trials;
+  std::vector<RowTrial>& trials = lengths.trials;
   const auto tryAll = [&](const std::set<double>& asked) -> Result<bool> {
     const std::vector<double> list(asked.begin(), asked.end());
-    std::vector<LengthTrial> made(list.size());
-    const Result<void> ok = parallelFor(context, int(list.size()),
-                                        [&](int i) { made[std::size_t(i)] = trial(list[std::size_t(i)]); });
+    std::vector<RowTrial> made(list.size());
+    const Result<void> ok = parallelFor(context, int(list.size()), [&](int i) {
+      LengthRequest one = request;
+      one.fit.blade.length = list[std::size_t(i)];
+      made[std::size_t(i)] = trial(one);
+    });
     if (!ok) return tl::unexpected<Error>(ok.error());
     if (context.stopped()) return stoppedError();
     trials.insert(trials.end(), made.begin(), made.end());
-    std::ranges::sort(trials, {}, &LengthTrial::length);
-    return std::ranges::any_of(made, &LengthTrial::serves);
+    std::ranges::sort(trials, {}, &RowTrial::length);
+    return std::ranges::any_of(made, &RowTrial::serves);
   };
 
   bool served = false;
@@ -168,8 +178,8 @@ Result<BladeLengths> bladeLengths(const std::vector<Section>& sections, const Le
     if (const Result<bool> serves = tryAll(asked); !serves) return tl::unexpected<Error>(serves.error());
   }
 
-  const LengthTrial* best = nullptr;
-  for (LengthTrial& one : trials) {
+  const RowTrial* best = nullptr;
+  for (RowTrial& one : trials) {
     if (one.deviation > request.check.tolerance) one.rest = Rest::lost;
     if (!one.serves()) continue;
     const bool surer = best && one.rest == Rest::certain && best->rest != Rest::certain;
@@ -177,6 +187,34 @@ Result<BladeLengths> bladeLengths(const std::vector<Section>& sections, const Le
   }
   if (best) lengths.best = best->length;
   return lengths;
+}
+
+Result<MarginTrade> marginTrade(const std::vector<Section>& sections, const LengthRequest& request,
+                                const Box& block, const PlaneFamily& planes, const RunContext& context) {
+  const Result<std::vector<Section>> some = sectionsToTry(sections);
+  if (!some) return tl::unexpected<Error>(some.error());
+  for (const Section& section : *some)
+    if (section.curve().length() > request.fit.blade.length)
+      return fail(ErrorCode::badInput, "the blade is shorter than a section; take a longer one first",
+                  "blade", request.fit.blade.length, section.curve().length());
+  std::set<double> asked(kMargins.begin(), kMargins.end());
+  asked.insert(request.check.margin);
+  const std::vector<double> list(asked.begin(), asked.end());
+  const Trials trial(*some, block, planes, context);
+  MarginTrade trade;
+  trade.trials.resize(list.size());
+  const Result<void> ok = parallelFor(context, int(list.size()), [&](int i) {
+    LengthRequest one = request;
+    one.fit.margin = one.check.margin = one.ends.margin = list[std::size_t(i)];
+    trade.trials[std::size_t(i)] = trial(one);
+  });
+  if (!ok) return tl::unexpected<Error>(ok.error());
+  if (context.stopped()) return stoppedError();
+  for (RowTrial& one : trade.trials) {
+    if (one.deviation > request.check.tolerance) one.rest = Rest::lost;
+    if (one.serves() && (!trade.best || *trade.best < request.check.margin)) trade.best = one.asked;
+  }
+  return trade;
 }
 
 }  // namespace bw

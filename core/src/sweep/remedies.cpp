@@ -26,15 +26,21 @@ constexpr double kShorter = 0.88;
 /// The search steps by this part of the length at least: a blade's length is not ordered more finely.
 constexpr double kLeastStep = 0.01;
 
-/// By how much the nearer grip misses the clearance if the station's blade is continued to this length; a
-/// grip moves by half of what the blade grows at most, so no blade longer by less than twice the miss does.
+/// By how much both grips miss the clearance if the station's blade is continued to this length and lies as
+/// lopsided as serves best; together they move by what the blade grows at most, so no blade longer by less
+/// than twice the miss does.
 double miss(const Sweep& sweep, const BladePose& pose, double length, double clearance) {
-  const Elastica& blade = pose.blade;
-  const double extra = 0.5 * (length - blade.length());
-  double nearest = boxDistance(sweep.block, pose.frame.toWorld(blade.point(-extra)));
-  nearest =
-      std::min(nearest, boxDistance(sweep.block, pose.frame.toWorld(blade.point(blade.length() + extra))));
-  return clearance - nearest;
+  constexpr int kHalvings = 24;
+  const auto missed = [&](double arc) {
+    return clearance - boxDistance(sweep.block, pose.frame.toWorld(pose.blade.point(arc)));
+  };
+  // So much of the blade lies before its start as it is now; what cuts stays between the grips.
+  double low = -pose.before, high = std::max(low, length - pose.before - pose.cut.length());
+  for (int k = 0; k < kHalvings; ++k) {
+    const double middle = 0.5 * (low + high);
+    (missed(-middle) > missed(length - middle) ? low : high) = middle;
+  }
+  return std::max(missed(-low), missed(length - low));
 }
 
 /// The first whole length from `length` on that clears, or empty.
@@ -147,10 +153,22 @@ std::optional<double> shorterBlade(const Sweep& sweep, std::size_t first, std::s
   return {};
 }
 
-double boxDistance(const Box& box, const Eigen::Vector3d& point) {
+double boxDistance(const Box& box, const Eigen::Vector3d& point, Eigen::Vector3d* away) {
   const Eigen::Vector3d half = 0.5 * box.size;
-  const Eigen::Vector3d q = (box.frame.toLocal(point) - half).cwiseAbs() - half;
+  const Eigen::Vector3d local = box.frame.toLocal(point) - half;
+  const Eigen::Vector3d q = local.cwiseAbs() - half;
   const double outside = q.cwiseMax(0.0).norm();
+  if (away) {
+    Eigen::Vector3d grows = Eigen::Vector3d::Zero();
+    Eigen::Index side = 0;
+    q.maxCoeff(&side);
+    if (outside > 0)
+      grows = q.cwiseMax(0.0) / outside;
+    else
+      grows(side) = 1;
+    grows = (local.array() < 0).select(-grows, grows);
+    *away = grows.x() * box.frame.x + grows.y() * box.frame.y + grows.z() * box.frame.normal;
+  }
   return outside > 0 ? outside : q.maxCoeff();
 }
 

@@ -31,6 +31,7 @@ constexpr double kKink = 1e-4;       // of a kink of 1 mm in the way of a grip, 
 constexpr double kSharpKink = 5e-3;  // and of what is sharper than
 constexpr double kFreeKink = 0.35;   // rad;
 constexpr double kLeast = 0.1;       // of the mean way between stations: shorter ones count as this
+constexpr double kDemand = 1e3;      // of 1 mm that is missed of ends, tangents or length that are asked for
 // A blade that was carried on is held against a fit where it lies farther from its section than this part of
 // the tolerance and so many times as far as when that was last done; to take its place the fit must be so
 // much nearer, and within the tolerance none does that turns the grips by more than this.
@@ -49,6 +50,24 @@ class OwnCost : public ceres::SizedCostFunction<kStationOwn, 6> {
 
  private:
   const Station& station_;
+};
+
+/// What the request asks of the part that cuts.
+class DemandCost : public ceres::SizedCostFunction<kStationDemands, 6> {
+ public:
+  DemandCost(const Station& station, double arm) : station_(station) { weights_ << 1, 1, arm, arm, 1; }
+  bool Evaluate(double const* const*, double* residuals, double** jacobians) const override {
+    Demands::Map(residuals) = kDemand * weights_.cwiseProduct(station_.demands);
+    if (jacobians && jacobians[0])
+      Eigen::Matrix<double, kStationDemands, 6, Eigen::RowMajor>::Map(jacobians[0]) =
+          kDemand * weights_.asDiagonal() * station_.byDemands;
+    return station_.good;
+  }
+
+ private:
+  using Demands = Eigen::Matrix<double, kStationDemands, 1>;
+  const Station& station_;
+  Demands weights_;
 };
 
 /// What moved grips cost: kKink a mm, and kSharpKink more beyond `free`, in parts of the tolerance.
@@ -158,6 +177,9 @@ void settle(const Row& row, std::span<Station* const> stations, const Station* b
   ceres::Problem problem(whole);
   for (Station* station : stations)
     problem.AddResidualBlock(new OwnCost(*station), nullptr, station->numbers);
+  if (row.demands())
+    for (Station* station : stations)
+      problem.AddResidualBlock(new DemandCost(*station, row.unit()), nullptr, station->numbers);
   const std::vector<BladePose>& poses = sweep.poses;
   const double mean = std::abs(poses.back().travel - poses.front().travel) /
                       double(std::max<std::size_t>(1, poses.size() - 1));
@@ -199,13 +221,20 @@ void unwrap(std::vector<std::optional<Station>>& stations, double unit) {
   }
 }
 
-/// Puts a station's blade into the row; false where it is not known how it hangs.
-bool put(const Row& row, const Station& station, const Elastica& light, Sweep& sweep) {
+/// Puts a station's blade into the row; false where it is not known how it hangs. What its weight alone
+/// would do is as in `near`, where that is given.
+bool put(const Row& row, const Station& station, const Elastica& light, Sweep& sweep,
+         const StationFit* near) {
   BladePose& pose = sweep.poses[station.index];
   StationFit& fit = sweep.fits[station.index];
   const Result<Elastica> cut = light.segment(station.feet.front(), station.feet.back());
   if (!cut) return false;
-  if (!sweep.request.weight.isZero()) {
+  fit.nearMargin = station.watched;
+  if (near && station.branch) {
+    pose.heavy = station.branch->blade();
+    fit.snapsAt = near->snapsAt;
+    fit.unknown = near->unknown;
+  } else if (!sweep.request.weight.isZero()) {
     // Where its weight alone would bring it, whatever brought it here.
     const Result<Hanging> hanging =
         hang(light, sweep.request.blade.flexuralRigidity(), weightIn(sweep, pose.frame));
@@ -218,6 +247,15 @@ bool put(const Row& row, const Station& station, const Elastica& light, Sweep& s
   fit.fit.status = bounded ? FitStatus::constraintsActive : FitStatus::converged;
   fit.fit.message = bounded ? "held by its smallest radius or its margin" : "";
   fit.heldBack = bounded;
+  if (!row.meets(station)) {
+    const FitRequest& asked = sweep.request;
+    fit.fit.status = FitStatus::infeasible;
+    fit.fit.conflict.clear();
+    if (asked.fitTangents) fit.fit.conflict.push_back("tangents");
+    if (asked.fitEndpoints) fit.fit.conflict.push_back("endpoints");
+    if (asked.fitLength != FitOptions::Length::free) fit.fit.conflict.push_back("length");
+    if (bounded) fit.fit.conflict.push_back("max_curvature");
+  }
   pose.cut = *cut;
   pose.blade = light;
   pose.before = station.feet.front();
@@ -269,12 +307,13 @@ Result<void> start(Sweep& sweep, const Row& row, Stations& stations) {
         const Station* beside = from && stations.at[*from] ? &*stations.at[*from] : nullptr;
         if (beside) station = carriedOn(row, i, *beside);
         const double near = station ? std::max(kNear * tolerance, kGrown * station->compared) : 0;
-        if (station && station->distance() <= near && row.isFirm(*station)) return {};
+        if (station && station->distance() <= near && row.isFirm(*station) && row.meets(*station)) return {};
         if (Result<void> fitted = fitAlone(sweep, i); !fitted) return fitted;
         stations.fitted[i] = true;
         std::optional<Station> found = row.standing(i);
         if (found) row.watch(*found);
         const auto better = [&] {
+          if (row.meets(*found) != row.meets(*station)) return row.meets(*found);
           if (row.isFirm(*found) != row.isFirm(*station)) return row.isFirm(*found);
           const bool swings = beside && found->turnedFrom(*beside) > kEasySwing;
           if (swings && station->distance() <= tolerance) return false;
@@ -284,6 +323,19 @@ Result<void> start(Sweep& sweep, const Row& row, Stations& stations) {
         if (station) station->compared = station->distance();
         return {};
       });
+}
+
+/// Begins as a row of a moment ago; false where that is not the same row but for its sections.
+bool startFrom(const Sweep& near, const Sweep& sweep, const Row& row, Stations& stations) {
+  const std::size_t n = sweep.poses.size();
+  if (near.request != sweep.request || near.planes != sweep.planes || near.poses.size() != n) return false;
+  for (std::size_t i = 0; i < n; ++i)
+    if (near.poses[i].frame != sweep.poses[i].frame) return false;
+  const Result<void> ok = parallelFor(row.context(), int(n), [&](int i) {
+    const auto k = std::size_t(i);
+    stations.at[k] = row.beside(k, near.poses[k], near.fits[k]);
+  });
+  return ok && std::ranges::all_of(stations.at, [](const auto& station) { return station.has_value(); });
 }
 
 /// Chooses the grips of all stations together.
@@ -314,15 +366,29 @@ void settleAll(const Sweep& sweep, const Row& row, Stations& stations) {
 
 }  // namespace
 
-Result<void> solveRow(Sweep& sweep, const RunContext& context, double* startSeconds, double* settleSeconds) {
+Result<void> solveRow(Sweep& sweep, const RunContext& context, double* startSeconds, double* settleSeconds,
+                      const Sweep* near) {
   using Clock = std::chrono::steady_clock;
   const auto began = Clock::now();
   const Row row(sweep, context);
   Stations stations(sweep.poses.size());
   const int n = int(stations.at.size());
-  Result<void> ok = start(sweep, row, stations);
+  const auto all = [&](const auto& holds) {
+    return std::ranges::all_of(stations.at, [&](const auto& station) { return station && holds(*station); });
+  };
+  if (near && startFrom(*near, sweep, row, stations)) {
+    settleAll(sweep, row, stations);
+    if (!all([&](const Station& station) { return row.holds(station); })) near = nullptr;
+  } else {
+    near = nullptr;
+  }
+  Result<void> ok;
+  if (!near) {
+    stations = Stations(sweep.poses.size());
+    ok = start(sweep, row, stations);
+  }
   const auto started = Clock::now();
-  if (ok) settleAll(sweep, row, stations);
+  if (ok && !near) settleAll(sweep, row, stations);
   if (ok && context.stopped()) ok = stoppedError();
   if (!ok) return ok;
   std::vector<Result<void>> outcomes(stations.at.size());
@@ -330,7 +396,8 @@ Result<void> solveRow(Sweep& sweep, const RunContext& context, double* startSeco
     const auto i = std::size_t(k);
     const std::optional<Station>& station = stations.at[i];
     const std::optional<Elastica> light = station && row.holds(*station) ? row.light(*station) : std::nullopt;
-    if ((!light || !put(row, *station, *light, sweep)) && !stations.fitted[i])
+    if ((!light || !put(row, *station, *light, sweep, near ? &near->fits[i] : nullptr)) &&
+        !stations.fitted[i])
       outcomes[i] = fitAlone(sweep, i);
   });
   for (const Result<void>& outcome : outcomes)

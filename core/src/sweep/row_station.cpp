@@ -11,8 +11,10 @@
 #include <optional>
 #include <span>
 
+#include "bw/core/base/units.h"
 #include "bw/core/elastica/elastica_stability.h"
 #include "sweep/held_blade.h"
+#include "sweep/remedies.h"
 #include "sweep/station_fit.h"
 
 namespace bw::sweep {
@@ -30,6 +32,8 @@ constexpr double kRounded = 5e-3;  // which begins over this part of it;
 constexpr double kForced = 1e-3;   // of a force that is 2.5 times what buckles the blade, or pulls so;
 constexpr double kUnsafe = 10;     // of a margin that is smaller by 1 than asked for, with a reserve of
 constexpr double kReserve = 0.02;
+constexpr double kNearBlock = 0.2;  // of a grip that is 1 mm nearer to the block than it need be,
+constexpr double kRoom = 0.5;       // mm, with as much in reserve
 
 constexpr double kNearLimit = 0.97;       // of the curvature that it bears: from there on the bound is felt
 constexpr double kWatched = 0.25;         // beyond what is asked for no margin is looked at
@@ -38,6 +42,9 @@ constexpr double kFarTurned = 0.5;        // rad
 constexpr std::int64_t kMostWork = 8000;  // from look to look: about a millisecond (`WorkMeter`)
 constexpr double kDifference = 1e-4;      // of a number of a blade
 constexpr double kFootSlack = 0.1;        // of the blade: a step of a foot
+// What of the ends, tangents and length that are asked for may be missed:
+constexpr double kMissed = 0.01;  // mm,
+constexpr double kTurned = 0.02 * kDegree;
 
 }  // namespace
 
@@ -73,11 +80,23 @@ void Row::step(Station& station, std::span<const Elastica::State> states) const 
   }
 }
 
-Station Row::at(std::size_t i) const {
-  Station station;
+void Row::take(Station& station, std::size_t i) const {
+  const PlanarCurve& section = sweep_.fits[i].target;
+  const auto angleAt = [&](double t) {
+    const Vector2d tangent = section.tangent(t);
+    return std::atan2(tangent.y(), tangent.x());
+  };
   station.index = i;
   station.pose = &sweep_.poses[i];
-  std::ranges::copy(sweep_.fits[i].target.sample(kStationPlaces), station.section.begin());
+  std::ranges::copy(section.sample(kStationPlaces), station.section.begin());
+  station.sectionLength = section.length();
+  station.sectionAngles = {angleAt(section.start()), angleAt(section.end())};
+  station.lookedAt.reset();
+}
+
+Station Row::at(std::size_t i) const {
+  Station station;
+  take(station, i);
   return station;
 }
 
@@ -87,14 +106,9 @@ std::optional<Elastica> Row::light(const Station& station) const {
   return whole ? std::optional(*whole) : std::nullopt;
 }
 
-std::optional<Station> Row::standing(std::size_t i) const {
-  const BladePose& pose = sweep_.poses[i];
-  const StationFit& fit = sweep_.fits[i];
-  if (fit.fit.status == FitStatus::infeasible || pose.blade.anchor() || pose.before < 0 ||
-      !bladeHolds(pose.cut, sweep_.request.blade))
-    return {};
-  Station station = at(i);
-  if (!sweep_.request.weight.isZero() && (!pose.heavy || fit.snapsAt)) return {};
+bool Row::begin(Station& station, const BladePose& pose, const StationFit& fit) const {
+  if (fit.fit.status == FitStatus::infeasible || pose.blade.anchor() || pose.before < 0) return false;
+  if (!sweep_.request.weight.isZero() && (!pose.heavy || fit.snapsAt)) return false;
   if (pose.heavy)
     if (const Result<HeavyBranch> branch =
             HeavyBranch::from(*pose.heavy, sweep_.request.blade.flexuralRigidity()))
@@ -106,9 +120,31 @@ std::optional<Station> Row::standing(std::size_t i) const {
       force;
   for (int k = 0; k < kStationPlaces; ++k)
     station.feet[std::size_t(k)] = pose.before + pose.cut.length() * k / (kStationPlaces - 1);
+  return true;
+}
+
+std::optional<Station> Row::standing(std::size_t i) const {
+  Station station = at(i);
+  if (!begin(station, sweep_.poses[i], sweep_.fits[i]) ||
+      !bladeHolds(sweep_.poses[i].cut, sweep_.request.blade))
+    return {};
   look(station);
-  if (!station.good) return {};
-  return station;
+  return station.good ? std::optional(station) : std::nullopt;
+}
+
+std::optional<Station> Row::beside(std::size_t i, const BladePose& near, const StationFit& fit) const {
+  Station station = at(i);
+  if (!begin(station, near, fit)) return {};
+  station.watched = fit.nearMargin;
+  std::array<Elastica::State, 1> middle;
+  const std::array<double, 1> foot = {station.feet[kStationPlaces / 2]};
+  near.at(foot, middle);
+  const Vector2d normal(-std::sin(middle[0].angle), std::cos(middle[0].angle));
+  const Vector2d off = normal.dot(station.section[kStationPlaces / 2] - middle[0].point) * normal;
+  station.numbers[0] += off.x();
+  station.numbers[1] += off.y();
+  look(station);
+  return station.good ? std::optional(station) : std::nullopt;
 }
 
 void Row::watch(Station& station) const {
@@ -124,12 +160,9 @@ void Row::watch(Station& station) const {
 
 Station Row::carried(std::size_t i, const Station& from) const {
   Station station = from;
-  station.index = i;
-  station.pose = &sweep_.poses[i];
-  station.section = at(i).section;
-  station.lookedAt.reset();
+  take(station, i);
   const double foot = 0.5 * (station.feet.front() + station.feet.back());
-  const double length = sweep_.fits[i].target.length();
+  const double length = station.sectionLength;
   for (int k = 0; k < kStationPlaces; ++k)
     station.feet[std::size_t(k)] =
         std::clamp(foot + length * (double(k) / (kStationPlaces - 1) - 0.5), 0.0, length_);
@@ -208,6 +241,61 @@ auto Row::marginAt(const Station& station, int which, double below) const -> Mar
   return margin;
 }
 
+void Row::clear(Station& station) const {
+  const double weight = kNearBlock * sweep_.request.tolerance;
+  std::array<double, 2> distances;
+  std::array<Row6, 2> changes;
+  for (int grip = 0; grip < 2; ++grip) {
+    const Frame& frame = station.pose->frame;
+    Eigen::Vector3d away;
+    distances[std::size_t(grip)] =
+        boxDistance(sweep_.block, frame.toWorld(station.grips.segment<2>(3 * grip)), &away);
+    changes[std::size_t(grip)] =
+        Eigen::RowVector2d(away.dot(frame.x), away.dot(frame.y)) * station.byGrips.middleRows<2>(3 * grip);
+  }
+  // Where the blade is too short for both, they share what there is; one that leaves a grip inside is told.
+  const double mean = 0.5 * (distances[0] + distances[1]), asked = sweep_.request.clearance + kRoom;
+  if (mean <= 0) return;
+  for (std::size_t grip = 0; grip < 2; ++grip) {
+    const Eigen::Index row = kStationOwn - kStationMargins - 2 + Eigen::Index(grip);
+    const double missing = std::min(mean, asked) - distances[grip];
+    station.own(row) = weight * std::max(missing, 0.0);
+    station.byOwn.row(row).setZero();
+    if (missing <= 0) continue;
+    station.byOwn.row(row) = -weight * changes[grip];
+    if (mean < asked) station.byOwn.row(row) += 0.5 * weight * (changes[0] + changes[1]);
+  }
+}
+
+void Row::demand(Station& station, std::span<const Elastica::State> states, const std::array<Row6, 2>& turns,
+                 const std::array<Row6, 2>& slides) const {
+  const FitRequest& request = sweep_.request;
+  station.demands.setZero();
+  station.byDemands.setZero();
+  for (std::size_t end = 0; end < 2; ++end) {
+    const auto row = Eigen::Index(end);
+    const Eigen::Index place = end == 0 ? 0 : kStationPlaces - 1;
+    if (request.fitEndpoints) {
+      station.demands(row) = station.own(place) / Station::shareOf(int(place));
+      station.byDemands.row(row) = station.byOwn.row(place) / Station::shareOf(int(place));
+    }
+    if (request.fitTangents) {
+      const Elastica::State& state = states[std::size_t(place)];
+      station.demands(2 + row) = std::remainder(state.angle - station.sectionAngles[end], 2 * kPi);
+      station.byDemands.row(2 + row) = turns[end] + state.curvature * slides[end];
+    }
+  }
+  if (request.fitLength == FitOptions::Length::free) return;
+  station.demands(4) = station.feet.back() - station.feet.front() - station.sectionLength;
+  station.byDemands.row(4) = slides[1] - slides[0];
+}
+
+bool Row::meets(const Station& station) const {
+  const auto& d = station.demands;
+  return std::max({std::abs(d(0)), std::abs(d(1)), std::abs(d(4))}) <= kMissed &&
+         std::max(std::abs(d(2)), std::abs(d(3))) <= kTurned;
+}
+
 void Row::look(Station& station) const {
   constexpr int kSteps = 2;
   const double tolerance = sweep_.request.tolerance;
@@ -233,6 +321,7 @@ void Row::look(Station& station) const {
 
   std::array<Elastica::State, kStationPlaces> states;
   std::array<Eigen::Matrix<double, 2, 6>, kStationPlaces> byPlaces;
+  std::array<Row6, 2> turns;
   if (!hangAt(station, *half)) return;
   if (station.branch) {
     const HeavyBlade blade = station.branch->blade();
@@ -244,6 +333,7 @@ void Row::look(Station& station) const {
     if (!moved) return;
     for (std::size_t k = 0; k < kStationPlaces; ++k)
       byPlaces[k] = moved->byGrips[k].topRows<2>() * station.byGrips;
+    turns = {moved->byGrips.front().row(2) * station.byGrips, moved->byGrips.back().row(2) * station.byGrips};
   } else {
     std::array<double, kStationPlaces> from;
     std::array<Elastica::Jacobian, kStationPlaces> moved;
@@ -258,6 +348,7 @@ void Row::look(Station& station) const {
     fromMiddle();
     half->at(from, states, moved);
     for (std::size_t k = 0; k < kStationPlaces; ++k) byPlaces[k] = moved[k].topRows<2>() * scale.asDiagonal();
+    turns = {moved.front().row(2) * scale.asDiagonal(), moved.back().row(2) * scale.asDiagonal()};
   }
   station.byOwn.setZero();
   for (std::size_t k = 0; k < kStationPlaces; ++k) {
@@ -281,13 +372,16 @@ void Row::look(Station& station) const {
     return -Vector2d(std::cos(states[k].angle), std::sin(states[k].angle)).transpose() * byPlaces[k];
   };
   constexpr Eigen::Index kMiddle = kStationPlaces + kStationBends;
+  const std::array<Row6, 2> slides = {along(0), along(kStationPlaces - 1)};
   station.own(kMiddle) = kSlide * tolerance * (0.5 * (station.feet.front() + station.feet.back()) - middle);
-  station.byOwn.row(kMiddle) = 0.5 * kSlide * tolerance * (along(0) + along(kStationPlaces - 1));
+  station.byOwn.row(kMiddle) = 0.5 * kSlide * tolerance * (slides[0] + slides[1]);
   for (const Eigen::Index axis : {4, 5}) {
     const double slope = kForced * tolerance / unit_;
     station.own(kMiddle + axis - 3) = slope * station.numbers[axis];
     station.byOwn(kMiddle + axis - 3, axis) = slope;
   }
+  clear(station);
+  if (demands()) demand(station, states, turns, slides);
   station.own.tail<kStationMargins>().setZero();
   const double asked = sweep_.request.margin + kReserve;
   for (int i = 0; i < kStationMargins; ++i) {

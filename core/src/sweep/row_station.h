@@ -25,7 +25,9 @@ using Matrix6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
 inline constexpr int kStationPlaces = 33;  // of a section, from which the blade's distance is taken
 inline constexpr int kStationBends = 25;   // of the whole blade, where its curvature is looked at
 inline constexpr int kStationMargins = 2;  // in the plane and, of a round blade, out of it
-inline constexpr int kStationOwn = kStationPlaces + kStationBends + 3 + kStationMargins;
+inline constexpr int kStationOwn = kStationPlaces + kStationBends + 3 + 2 + kStationMargins;
+/// What a request may ask of the part that cuts: both its ends, its tangents there, its length.
+inline constexpr int kStationDemands = 5;
 
 /// One station: the blade without weight told by its middle (point, angle, curvature, force), in lengths of a
 /// quarter of the blade; its grips hold the blade that hangs.
@@ -33,6 +35,8 @@ struct Station {
   std::size_t index = 0;  ///< in the row
   const BladePose* pose = nullptr;
   std::array<Eigen::Vector2d, kStationPlaces> section;
+  double sectionLength = 0;                  ///< mm
+  std::array<double, 2> sectionAngles = {};  ///< of its tangents at both ends
   double numbers[6] = {};
   std::optional<HeavyBranch> branch = std::nullopt;  ///< the blade that hangs, where it was looked at last
   Vector6 hungAt = Vector6::Zero();                  ///< its grips
@@ -47,6 +51,10 @@ struct Station {
   Eigen::Matrix<double, kStationOwn, 6, Eigen::RowMajor> byOwn;
   Vector6 grips;  ///< x, y and angle of both, mm
   Matrix6 byGrips;
+  /// By how much the part that cuts misses what the request asks of it, mm and rad; zero where it asks
+  /// nothing.
+  Eigen::Matrix<double, kStationDemands, 1> demands = Eigen::Matrix<double, kStationDemands, 1>::Zero();
+  Eigen::Matrix<double, kStationDemands, 6, Eigen::RowMajor> byDemands;
 
   /// mm, of the farthest place of the section.
   double distance() const {
@@ -74,6 +82,9 @@ class Row {
 
   /// A station as the row has it; empty where its blade does not rest near its section.
   std::optional<Station> standing(std::size_t i) const;
+  /// A station whose blade begins as that of another row in the same plane, moved onto the section; empty
+  /// where that is none that was solved.
+  std::optional<Station> beside(std::size_t i, const BladePose& near, const StationFit& fit) const;
   /// Has a station look at its margin too, if that is near the least that is asked for.
   void watch(Station& station) const;
   /// A station of which the blade of another one, `from`, is to become the blade.
@@ -82,12 +93,19 @@ class Row {
   std::optional<Elastica> light(const Station& station) const;
   /// True if the blade keeps the margin that is asked for.
   bool isFirm(const Station& station) const;
+  /// True if the part that cuts has the ends, tangents and length that the request asks for.
+  bool meets(const Station& station) const;
   /// True if a blade like this may stand in the row.
   bool holds(const Station& station) const;
   /// True if its smallest radius or its margin keeps the blade from lying nearer to its section.
   bool isBounded(const Station& station, const Elastica& light) const;
   /// Looks at a station's numbers.
   void look(Station& station) const;
+  /// True if the request asks for ends, tangents or length of the part that cuts.
+  bool demands() const {
+    const FitRequest& request = sweep_.request;
+    return request.fitEndpoints || request.fitTangents || request.fitLength != FitOptions::Length::free;
+  }
   const Sweep& sweep() const { return sweep_; }
   const RunContext& context() const { return context_; }
   double unit() const { return unit_; }  ///< mm, of the numbers
@@ -108,9 +126,20 @@ class Row {
   Margin marginAt(const Station& station, int which, double below) const;
   bool isRound() const { return sweep_.request.blade.section != Blade::Section::flat; }
 
+  /// What both grips lack of the clearance, and how that changes with the numbers.
+  void clear(Station& station) const;
+  /// What the part that cuts misses of what is asked of it. `states` are those of its places, `turns` how
+  /// their tangents at both ends change with the numbers, `slides` how the ends' arc lengths do.
+  void demand(Station& station, std::span<const Elastica::State> states, const std::array<Row6, 2>& turns,
+              const std::array<Row6, 2>& slides) const;
+
   /// Moves each foot nearer to where the blade is nearest to its place of the section.
   void step(Station& station, std::span<const Elastica::State> states) const;
   Station at(std::size_t i) const;
+  /// Puts a blade into a station; false where that is none that can be looked at.
+  bool begin(Station& station, const BladePose& pose, const StationFit& fit) const;
+  /// Gives a station the section of another.
+  void take(Station& station, std::size_t i) const;
 
   const Sweep& sweep_;
   const RunContext& context_;

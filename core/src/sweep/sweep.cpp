@@ -181,20 +181,11 @@ Result<Sweep> fitSweep(const std::vector<Section>& sections, const FitRequest& r
 
 Result<Sweep> buildSweep(const std::vector<Section>& sections, const FitRequest& request, const Box& block,
                          const PlaneFamily& planes, const RunContext& context, Findings& findings,
-                         double* fitSeconds, double* settleSeconds) {
-  const bool given =
-      request.fitEndpoints || request.fitTangents || request.fitLength != FitOptions::Length::free;
-  Result<Sweep> sweep =
-      given ? fitSweep(sections, request, block, planes, context) : laidOut(sections, request, block, planes);
+                         double* fitSeconds, double* settleSeconds, const Sweep* near) {
+  Result<Sweep> sweep = laidOut(sections, request, block, planes);
   if (!sweep) return sweep;
-  Result<void> ok;
-  if (given) {
-    ok = parallelFor(context, int(sweep->poses.size()),
-                     [&](int i) { sweep::hangInto(*sweep, std::size_t(i)); });
-  } else {
-    ok = sweep::solveRow(*sweep, context, fitSeconds, settleSeconds);
-  }
-  if (!ok) return tl::unexpected<Error>(ok.error());
+  if (Result<void> ok = sweep::solveRow(*sweep, context, fitSeconds, settleSeconds, near); !ok)
+    return tl::unexpected<Error>(ok.error());
   sweep::addSwingFindings(*sweep, findings);
   return sweep;
 }

@@ -67,6 +67,7 @@ struct Mend {
     design.blade.length = remedy.length;
     design.blade.autoLength = false;
   }
+  void operator()(const OtherMargin& remedy) const { design.process.margin = remedy.margin; }
   void operator()(const BendingBlade& remedy) const {
     if (remedy.presetBends()) takePreset(design, remedy.preset);
   }

@@ -17,7 +17,7 @@ namespace {
 constexpr double kSide = 6;  // px beside the line
 constexpr double kStep = 5;  // mm that a click chooses by
 
-QString restText(const LengthTrial& trial) {
+QString restText(const RowTrial& trial) {
   switch (trial.rest) {
     case Rest::certain:
       return LengthBand::tr("certain at all stations tried");
@@ -55,7 +55,7 @@ double LengthBand::lengthAt(double x) const {
 }
 
 QString LengthBand::tipAt(double length) const {
-  const LengthTrial* trial = lengths_->at(length);
+  const RowTrial* trial = lengths_->at(length);
   return trial ? tr("%1 mm: %2").arg(std::lround(trial->length)).arg(restText(*trial)) : QString();
 }
 

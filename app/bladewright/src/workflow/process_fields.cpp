@@ -29,7 +29,7 @@ ProcessFields::ProcessFields(Workbench& bench, FormColumn* column, const Theme& 
   addStations(column);
   addDirection(column);
   addNumbers(column, ProcessPart::process);
-  addFit(column->addFold(tr("Fit and lead"), theme));
+  addFit(column->addFold(tr("Fit and lead"), theme), theme);
 }
 
 void ProcessFields::addStations(FormColumn* column) {
@@ -84,7 +84,7 @@ void ProcessFields::addDirection(FormColumn* column) {
       this);
 }
 
-void ProcessFields::addFit(FormColumn* column) {
+void ProcessFields::addFit(FormColumn* column, const Theme& theme) {
   fitLength_ =
       column->add(tr("Length"), new ChoiceField, tr("Length of the blade's part that cuts the surface"));
   fitLength_->addItems({tr("Free"), tr("As the section")});
@@ -105,6 +105,13 @@ void ProcessFields::addFit(FormColumn* column) {
                       [on](Design& design) { design.process.fitTangents = on; });
   });
   addNumbers(column, ProcessPart::details);
+  trade_ = column->addWide(new MarginPlot(theme));
+  connect(trade_, &MarginPlot::chosen, this, [this](double margin) {
+    bench_.editDesign(tr("Change stability margin"),
+                      [margin](Design& design) { design.process.margin = margin; });
+  });
+  margins_ = column->addWide(new QLabel);
+  margins_->setObjectName("secondary");
 }
 
 void ProcessFields::addNumbers(FormColumn* column, ProcessPart part) {
@@ -120,6 +127,15 @@ void ProcessFields::refresh() {
   fitLength_->show(process.fitLength == FitOptions::Length::free ? 0 : 1);
   endpoints_->setChecked(process.fitEndpoints);
   tangents_->setChecked(process.fitTangents);
+  refreshMargins();
+}
+
+void ProcessFields::refreshMargins() {
+  const pipeline::CutEvaluation* cut = bench_.shownCut();
+  const std::shared_ptr<const MarginTrade> known = cut ? cut->margins.value : nullptr;
+  const Process& process = bench_.design().process;
+  trade_->show(known, process.margin, process.tolerance);
+  margins_->setText(marginsText(known.get()));
 }
 
 void ProcessFields::refreshStations(const SectionRequest& sections) {

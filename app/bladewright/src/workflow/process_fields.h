@@ -9,6 +9,7 @@
 #include "controls/fields.h"
 #include "workbench/workbench.h"
 #include "workflow/direction_lines.h"
+#include "workflow/margin_plot.h"
 #include "workflow/number_lines.h"
 
 namespace bw::app {
@@ -22,11 +23,13 @@ class ProcessFields : public QObject {
   /// Adds its lines to `column`.
   ProcessFields(Workbench& bench, FormColumn* column, const Theme& theme, QObject* parent);
   void refresh();
+  /// What is known of the margins that serve.
+  void refreshMargins();
 
  private:
   void addStations(FormColumn* column);
   void addDirection(FormColumn* column);
-  void addFit(FormColumn* column);
+  void addFit(FormColumn* column, const Theme& theme);
   void addNumbers(FormColumn* column, ProcessPart part);
   void refreshStations(const SectionRequest& sections);
 
@@ -38,6 +41,8 @@ class ProcessFields : public QObject {
   HandSlider* stationSlider_;
   int dragId_ = -1;  ///< joins the moves of one drag of the slider
   QCheckBox *endpoints_, *tangents_;
+  MarginPlot* trade_;
+  QLabel* margins_;
 };
 
 }  // namespace bw::app

@@ -174,6 +174,7 @@ void WorkflowPanel::follow(const Change& change) {
     output_->refresh();
   } else if (any(Aspect::thoughts | Aspect::poses)) {
     bladeFields_->refreshLengths();
+    process_->refreshMargins();
   }
   if (any(Aspect::state | Aspect::progress)) refreshStates();
   if (any(Aspect::state)) input_->refreshState();

@@ -96,6 +96,9 @@ struct CutEvaluation {
   /// What lengths of the blade serve: where none is asked for, where for files one does not, and from
   /// `addSecondThought`.
   Stage<LengthsRequest, BladeLengths> lengths;
+  /// What of the deviation it gives for its margin: where for files a station is lost for want of that, and
+  /// from `addSecondThought`.
+  Stage<LengthsRequest, MarginTrade> margins;
   Stage<RowRequest, Sweep> sweep;               ///< blades and poses
   Stage<CheckRequest, SweepCheck> check;        ///< velocities, margins, clearance
   Stage<FollowRequest, RowMotion> way;          ///< the targets of the robots, and the blade between them
@@ -162,8 +165,8 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
 Result<void> meshTarget(CutEvaluation& cut, const CutEvaluation* previous, double& seconds);
 
 /// Adds to a cut that came to a result the next of what takes longer than a picture may wait for: the motion
-/// run, where it can be, and then the lengths of blade that would serve. False if nothing is left to be
-/// added, or it was stopped.
+/// run, where it can be, then the lengths of blade that would serve, and the margins. False if nothing is
+/// left to be added, or it was stopped.
 bool addSecondThought(Evaluation& evaluation, const RunContext& context);
 
 /// Adds the triangles of all faces of the file, to choose among them, unless the file has one face only or

@@ -50,8 +50,13 @@ struct WiderTolerance {
   double tolerance = 0;
 };
 
-using Remedy = std::variant<OtherLength, BendingBlade, FlatBlade, LargerSurface, OtherBlock, CutInParts,
-                            MoreStations, TurnDirection, WiderTolerance>;
+/// Another margin that the blades are asked to keep.
+struct OtherMargin {
+  double margin = 0;
+};
+
+using Remedy = std::variant<OtherLength, OtherMargin, BendingBlade, FlatBlade, LargerSurface, OtherBlock,
+                            CutInParts, MoreStations, TurnDirection, WiderTolerance>;
 using Remedies = std::vector<Remedy>;
 
 /// The first remedy of that kind, or null.

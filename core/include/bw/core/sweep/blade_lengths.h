@@ -23,19 +23,20 @@ struct LengthRequest {
   bool operator==(const LengthRequest&) const = default;
 };
 
-/// How a row does with a blade of one length.
-struct LengthTrial {
+/// How a row does with a blade of one length, asked to keep one margin.
+struct RowTrial {
   double length = 0;        ///< mm
   Rest rest = Rest::lost;   ///< of its worst station; lost, too, where a limit is not kept
   double margin = 0;        ///< of stability, the least in the plane or across it
   double deviation = 1e30;  ///< mm, of the part that cuts from its section
   bool reaches = false;     ///< it keeps the clearance at both sides of the block
+  double asked = 0;         ///< the margin that was asked for
   bool serves() const { return rest == Rest::certain || rest == Rest::held; }
 };
 
 /// Which lengths of a blade serve a row.
 struct BladeLengths {
-  std::vector<LengthTrial> trials;            ///< ascending
+  std::vector<RowTrial> trials;               ///< ascending
   std::optional<double> best = std::nullopt;  ///< mm; none where none serves
   /// A stretch of lengths that serve alike: no length that was tried in it does otherwise.
   struct Band {
@@ -44,7 +45,7 @@ struct BladeLengths {
   };
   std::vector<Band> bands() const;
   /// The trial at that length or the one next below; null below all.
-  const LengthTrial* at(double length) const;
+  const RowTrial* at(double length) const;
 };
 
 /// Solves some of the sections (thirty, evenly over the row, and the longest: with fewer the grips could not
@@ -59,5 +60,21 @@ struct BladeLengths {
 [[nodiscard]] Result<BladeLengths> bladeLengths(const std::vector<Section>& sections,
                                                 const LengthRequest& request, const Box& block,
                                                 const PlaneFamily& planes, const RunContext& context);
+
+/// What of the deviation a row gives for the margin of its blades.
+struct MarginTrade {
+  std::vector<RowTrial> trials;  ///< by the margin asked for, ascending
+  /// The least of them that serves and is not less than the request's, or else the largest that serves.
+  std::optional<double> best = std::nullopt;
+};
+
+/// Solves some of the sections (as `bladeLengths`) for the blade of the request, asked to keep margins from 0
+/// to 0.6 and that of the request. Each trial tells the margin that the row then has, how far its blades lie
+/// from their sections, and how the worst station rests: with the same limits as for lengths, but for the
+/// margin, which is the one that is tried. docs/mathematics.md, sweep. Errors: badInput without sections or
+/// where the blade is shorter than one; `cancelled`. Some 0.5 to 2 s.
+[[nodiscard]] Result<MarginTrade> marginTrade(const std::vector<Section>& sections,
+                                              const LengthRequest& request, const Box& block,
+                                              const PlaneFamily& planes, const RunContext& context);
 
 }  // namespace bw

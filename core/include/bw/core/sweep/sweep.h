@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,6 +30,8 @@ struct StationFit {
   /// The share of its weight at which the blade leaves the shape that was fitted; empty if it never does.
   std::optional<double> snapsAt = std::nullopt;
   std::string unknown = {};  ///< why it is not known how the blade hangs in its weight; empty if it is
+  std::array<bool, 2> nearMargin =
+      {};  ///< whether its margins, in the plane and across it, had to be bounded
 };
 
 /// How the blades of a row are found.
@@ -64,9 +67,14 @@ Result<Sweep> fitSweep(const std::vector<Section>& sections, const FitRequest& r
 /// The blades of a row, with their weight: one is found a station, from the longest section on, and then the
 /// grips of all are chosen together, so that the blades lie on their sections and the grips go smoothly from
 /// one to the next (docs/mathematics.md, sweep). Where the request gives ends or length, those of `fitSweep`.
-/// Same errors.
+/// Same errors. `near`, if given, is a row that was found a moment ago for nearly the same sections: where it
+/// answers the same request in the same planes, each blade begins as it is there and no other start is tried,
+/// nor is it asked again whether weight brings it there (`snapsAt` and `unknown` are those of `near`). Meant
+/// for while a hand moves the surface: within what the solver leaves, the row is the same, but on another
+/// branch where the hand has led it there. Where a blade is lost on the way, the row is found anew.
 Result<Sweep> buildSweep(const std::vector<Section>& sections, const FitRequest& request, const Box& block,
                          const PlaneFamily& planes, const RunContext& context, Findings& findings,
-                         double* fitSeconds = nullptr, double* settleSeconds = nullptr);
+                         double* fitSeconds = nullptr, double* settleSeconds = nullptr,
+                         const Sweep* near = nullptr);
 
 }  // namespace bw

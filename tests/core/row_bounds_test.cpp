@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// What a row keeps besides its distance from the sections: the clearance of both grips, and the ends,
+// tangents and lengths that a request asks for.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "bw/core/base/units.h"
+#include "plane_sections.h"
+#include "row_settings.h"
+
+namespace bw {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr double kHalf = 250, kSection = 200;
+constexpr int kStations = 9;
+
+Box block() { return test::blockUnder(kHalf, 10.0 * (kStations - 1), -2 * kHalf, 2 * kHalf); }
+PlaneFamily planes() { return PlaneFamily::across(block(), -Vector3d::UnitY()); }
+
+/// Waves of 400 mm whose middle lies 50 mm beside that of the block.
+std::vector<Section> besideTheMiddle() {
+  return test::sectionsOf(kStations, 10, [](int i) {
+    const double height = 6 + 0.2 * i;
+    return test::graphCurve(kSection, [=](double x) { return height * std::sin(kPi * x / kSection); })
+        .transformed(0, 1, {-50, 0});
+  });
+}
+
+test::RowSettings heavy(double length) {
+  test::RowSettings settings;
+  settings.blade.length = length;
+  settings.weight = -settings.blade.weight() * Vector3d::UnitZ();
+  return settings;
+}
+
+Sweep rowOf(const FitRequest& request) {
+  Findings findings;
+  Result<Sweep> sweep = buildSweep(besideTheMiddle(), request, block(), planes(), {}, findings);
+  EXPECT_TRUE(sweep) << sweep.error().message;
+  return std::move(*sweep);
+}
+
+/// Of the left and the right grip, mm beside the block.
+std::pair<double, double> besides(const BladePose& pose) {
+  return {-kHalf - std::min(pose.leftPoint().x(), pose.rightPoint().x()),
+          std::max(pose.leftPoint().x(), pose.rightPoint().x()) - kHalf};
+}
+
+TEST(RowBounds, ABladeLiesLopsidedWhereAGripWouldComeTooNear) {
+  // In the middle of its sections it would stand out by 120 mm at one side and by 20 mm at the other.
+  const test::RowSettings settings = heavy(642);
+  const Sweep row = rowOf(settings);
+  for (std::size_t i = 0; i < row.poses.size(); ++i) {
+    const auto [left, right] = besides(row.poses[i]);
+    EXPECT_GE(std::min(left, right), settings.clearance) << i;
+    EXPECT_LT(std::min(left, right), settings.clearance + 2) << i << ": no farther than asked";
+    EXPECT_LT(row.fits[i].fit.hausdorff, 0.2) << i;
+  }
+}
+
+TEST(RowBounds, GripsShareWhatClearanceThereIs) {
+  const Sweep row = rowOf(heavy(560));
+  for (std::size_t i = 0; i < row.poses.size(); ++i) {
+    const auto [left, right] = besides(row.poses[i]);
+    EXPECT_NEAR(left, right, 3) << i;
+    EXPECT_GT(left, 25) << i;
+    EXPECT_LT(row.fits[i].fit.hausdorff, 0.2) << i;
+  }
+}
+
+TEST(RowBounds, TheBladeThatHangsHasTheEndsTangentsAndLengthsAskedFor) {
+  test::RowSettings settings = heavy(700);
+  settings.fitEndpoints = settings.fitTangents = true;
+  settings.fitLength = FitOptions::Length::exact;
+  const Sweep row = rowOf(settings);
+  for (std::size_t i = 0; i < row.poses.size(); ++i) {
+    const BladePose& pose = row.poses[i];
+    const PlanarCurve& section = row.fits[i].target;
+    ASSERT_TRUE(pose.heavy) << i;
+    std::array<Elastica::State, 2> ends;
+    const std::array<double, 2> arcs = {pose.before, pose.before + pose.cut.length()};
+    pose.at(arcs, ends);
+    EXPECT_NEAR(pose.cut.length(), section.length(), 1e-3) << i;
+    for (int end = 0; end < 2; ++end) {
+      const double t = end == 0 ? section.start() : section.end();
+      EXPECT_LT((ends[std::size_t(end)].point - section.value(t)).norm(), 1e-3) << i;
+      const Vector2d tangent = section.tangent(t);
+      EXPECT_NEAR(
+          std::remainder(ends[std::size_t(end)].angle - std::atan2(tangent.y(), tangent.x()), 2 * kPi), 0,
+          1e-5)
+          << i;
+    }
+    EXPECT_NE(row.fits[i].fit.status, FitStatus::infeasible);
+    EXPECT_LT(row.fits[i].fit.hausdorff, 1) << i;
+  }
+}
+
+TEST(RowBounds, ARowBesideOneOfAMomentAgoIsTheRowItself) {
+  const test::RowSettings settings = heavy(642);
+  const auto found = [&](const std::vector<Section>& sections, const Sweep* near) {
+    Findings findings;
+    Result<Sweep> sweep =
+        buildSweep(sections, settings, block(), planes(), {}, findings, nullptr, nullptr, near);
+    EXPECT_TRUE(sweep) << sweep.error().message;
+    return std::move(*sweep);
+  };
+  std::vector<Section> sections = besideTheMiddle();
+  Sweep now = found(sections, nullptr);
+  for (int step = 0; step < 5; ++step) {
+    for (Section& section : sections)
+      for (PlanarCurve& branch : section.branches) branch = branch.transformed(1e-3, 1.002, {0.3, 0.7});
+    now = found(sections, &now);
+    const Sweep anew = found(sections, nullptr);
+    for (std::size_t i = 0; i < anew.poses.size(); ++i) {
+      EXPECT_LT((anew.poses[i].leftPoint() - now.poses[i].leftPoint()).norm(), 0.1) << step << " " << i;
+      EXPECT_NEAR(anew.fits[i].fit.hausdorff, now.fits[i].fit.hausdorff, 0.005) << step << " " << i;
+      EXPECT_TRUE(now.poses[i].heavy) << i;
+    }
+  }
+  // One of other blades is of no use, and does no harm.
+  Sweep other = now;
+  other.request.blade.length += 1;
+  const Sweep fresh = found(sections, &other), anew = found(sections, nullptr);
+  for (std::size_t i = 0; i < anew.poses.size(); ++i)
+    EXPECT_EQ(anew.poses[i].leftPoint(), fresh.poses[i].leftPoint());
+}
+
+TEST(RowBounds, WhatIsAskedForAndCannotBeIsTold) {
+  // Tangents that a blade of so small a bend cannot have.
+  test::RowSettings settings = heavy(700);
+  settings.fitEndpoints = settings.fitTangents = true;
+  settings.fitLength = FitOptions::Length::exact;
+  settings.blade.outerDiameter = 60;
+  settings.blade.innerDiameter = 40;
+  const Sweep row = rowOf(settings);
+  for (std::size_t i = 0; i < row.poses.size(); ++i) {
+    const FitResult& fit = row.fits[i].fit;
+    const bool told = fit.status == FitStatus::infeasible && !fit.conflict.empty();
+    EXPECT_TRUE(told || row.poses[i].maxCurvature() > settings.blade.maxCurvature()) << i;
+  }
+}
+
+}  // namespace
+}  // namespace bw
