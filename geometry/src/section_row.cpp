@@ -151,6 +151,21 @@ void join(Finding& all, const Finding& one) {
 
 }  // namespace
 
+Result<void> checkSetup(const Setup& setup) {
+  const Frame& plane = setup.planes.frame;
+  if (!(std::abs(plane.normal.norm() - 1) < kNoLength) || !plane.x.allFinite() || !plane.y.allFinite())
+    return fail(ErrorCode::badInput,
+                "the cutting direction is zero or not a number; give a vector such as 0, 1, 0", "direction");
+  if (!setup.block.size.allFinite() || !(setup.block.size.minCoeff() > 0) ||
+      !setup.block.frame.origin.allFinite() || !setup.block.frame.x.allFinite() ||
+      !setup.block.frame.y.allFinite() || !setup.block.frame.normal.allFinite()) {
+    return fail(ErrorCode::badInput,
+                "the block must have a finite place and a size above 0 mm in all three directions", "block",
+                setup.block.size.minCoeff(), 0.0);
+  }
+  return {};
+}
+
 bool Sectioner::hits(double level) const {
   const PlaneCutter::Cut cut = cutter_.cut(level);
   for (const LevelPiece& piece : cut.pieces) {
@@ -345,14 +360,20 @@ Findings gathered(const Findings& each) {
   return result;
 }
 
-Result<void> SectionRow::place(const Target& target, const SectionRequest& request) {
+Result<void> SectionRow::place(const Target& target) {
   const auto range = rangeOf(target.impl(), planes_, sectioner_);
   if (!range) return tl::unexpected(range.error());
   first_ = (*range)[0];
   last_ = (*range)[1];
-  count_ = request.stations;
+  return {};
+}
+
+Result<void> SectionRow::divide(const SectionRequest& request) {
+  if (!request.spacing) {
+    count_ = *request.stations;
+    return {};
+  }
   const double width = last_ - first_;
-  if (!request.spacing) return {};
   const double gaps = std::ceil(width / *request.spacing - kSameSize);
   if (gaps + 1 > SectionRequest::kMost) {
     return fail(ErrorCode::badInput,
