@@ -4,8 +4,13 @@
 // The number of stations that follows from the tolerance, in an evaluation and its report.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <vector>
 
+#include "bw/core/base/units.h"
+#include "bw/core/surface/spline_surface.h"
+#include "bw/geometry/export.h"
 #include "bw/pipeline/example_design.h"
 #include "bw/pipeline/produce.h"
 
@@ -24,20 +29,41 @@ Design panel() {
   return design;
 }
 
-TEST(StationCount, FollowsFromTheTolerance) {
+/// A sheet of 400 by 600 mm in six waves along the travel.
+Design waves() {
+  SurfaceGrid grid;
+  grid.rows = 121;
+  grid.columns = 9;
+  std::vector<double> v;
+  for (int r = 0; r < grid.rows; ++r) {
+    v.push_back(double(r) / (grid.rows - 1));
+    for (int c = 0; c < grid.columns; ++c) {
+      const double u = double(c) / (grid.columns - 1);
+      grid.points.emplace_back(400 * u, 600 * v.back(),
+                               30 * std::cos(2 * kPi * 6 * v.back()) + 30 * u * (1 - u));
+    }
+  }
   Design design = panel();
+  design.source().path = "waves.step";
+  design.source().bytes = geometry::stepText(*geometry::loft(grid, v), "waves").value();
+  return design;
+}
+
+TEST(StationCount, FollowsFromTheTolerance) {
+  Design design = waves();
+  design.process.tolerance = 20;
   ASSERT_TRUE(design.cut().sections.byTolerance()) << "unless it is given";
   const Evaluation first = evaluated(design);
   ASSERT_TRUE(first.cut().count.value);
   EXPECT_EQ(int(first.cut().sweep.value->poses.size()), first.cut().count.value->stations);
 
-  design.process.tolerance = 0.01;
+  design.process.tolerance = 0.5;
   const Evaluation finer = evaluated(design, &first);
   EXPECT_GT(finer.cut().count.value->stations, first.cut().count.value->stations);
   EXPECT_EQ(finer.cut().sweep.value->poses.size(), std::size_t(finer.cut().count.value->stations));
 
   // Sections stay where their number does.
-  design.process.tolerance = 2.1;
+  design.process.tolerance = 20.5;
   const Evaluation same = evaluated(design, &first);
   EXPECT_EQ(same.cut().sections.value, first.cut().sections.value);
 
