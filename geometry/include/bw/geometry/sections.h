@@ -62,8 +62,8 @@ struct StationCount {
 
 /// The fewest of some numbers of stations with which the sections of planes between them lie within a share
 /// of `tolerance` (mm, above 0) of the skin through those at the stations (docs/mathematics.md, Number of
-/// stations); the most of them where none does. Traces 121 sections at least and 481 at most. Errors: no plane
-/// meets the target.
+/// stations); the most of them where none does. Traces 121 sections at least and 481 at most. Errors: no
+/// plane meets the target.
 Result<StationCount> stationsFor(const Target& target, const Setup& setup, double tolerance,
                                  const RunContext& context);
 
