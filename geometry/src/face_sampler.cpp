@@ -16,7 +16,8 @@ namespace {
 constexpr int kStarts = 8;  // Newton starts of a global search at most
 constexpr double kSideRatio =
     1e-3;  // of the distance: a foot leaning more than this over the border has no side
-constexpr double kInwards = 1e-4;  // of the way from a pole to the middle of its face: there it has a normal
+constexpr std::size_t kLooks = 12;  // at nodes of a grid along each parameter, for a start beside a hole
+constexpr double kInwards = 1e-4;   // of the way from a pole to the middle of its face: there it has a normal
 
 class FaceSampler final : public SurfaceSampler {
  public:
@@ -84,12 +85,44 @@ class FaceSampler final : public SurfaceSampler {
 
  protected:
   double continued(const Eigen::Vector3d& p, const Foot& foot) const override {
-    const FaceFoot there = footOnSurface(*target_->faces[std::size_t(foot.face)], p, foot.uv);
-    return there.normal.isZero() ? SurfaceSampler::continued(p, foot)
-                                 : (target_->flipped ? -1.0 : 1.0) * (p - there.point).dot(there.normal);
+    const double side = target_->flipped ? -1.0 : 1.0;
+    const auto off = [&](const FaceFoot& at) { return (p - at.point).dot(at.normal); };
+    const auto below = [&](const FaceFoot& at) {
+      return !at.normal.isZero() &&
+             (p - at.point - off(at) * at.normal).norm() <= kSideRatio * at.distance + kSlack;
+    };
+    const FaceFoot own = footOnSurface(*target_->faces[std::size_t(foot.face)], p, foot.uv);
+    double nearest = own.normal.isZero() ? SurfaceSampler::continued(p, foot) : side * off(own);
+    bool known = below(own);
+    // A hole may lie over the edge of two faces: then it is the other one that goes on there.
+    for (const Neighbour& neighbour : target_->neighbours[std::size_t(foot.face)]) {
+      const FaceGeometry& face = *target_->faces[std::size_t(neighbour.face)];
+      const FaceFoot there = footOnSurface(face, p, nearGridPlace(face, p));
+      if (!below(there) || (known && std::abs(off(there)) >= std::abs(nearest))) continue;
+      nearest = side * off(there);
+      known = true;
+    }
+    return nearest;
   }
 
  private:
+  /// The place of the nearest of some nodes of a face's grid.
+  static Eigen::Vector2d nearGridPlace(const FaceGeometry& face, const Eigen::Vector3d& p) {
+    const std::size_t nu = face.gridU().size(), nv = face.gridV().size(),
+                      stepU = std::max<std::size_t>(1, nu / kLooks),
+                      stepV = std::max<std::size_t>(1, nv / kLooks);
+    Eigen::Vector2d place(face.u0(), face.v0());
+    double nearest = 1e300;
+    for (std::size_t i = 0; i < nu; i += stepU)
+      for (std::size_t j = 0; j < nv; j += stepV) {
+        const double distance = (face.gridPoint(int(i), int(j)) - p).squaredNorm();
+        if (distance >= nearest) continue;
+        nearest = distance;
+        place = {face.gridU()[i], face.gridV()[j]};
+      }
+    return place;
+  }
+
   /// Newton starts at the samples from which no neighbour is nearer to `p`, the nearest of them first.
   template <class Attempt>
   void search(const Eigen::Vector3d& p, double nearest, double radius, const Attempt& attempt) {

@@ -52,6 +52,7 @@ PlaneCutter::Cut PlaneCutter::cut(double level, bool byKernel) const {
       march(face, level, chains);
     split(face, roots, level, chains, result);
   }
+  if (faces_.size() > 1) bridge(roots, level, result);
   return result;
 }
 

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <vector>
 
 #include "bw/core/base/frame.h"
@@ -113,6 +114,24 @@ class PlaneCutter {
   /// face that no other face of the target fills they go on: no blade leaves the foam there.
   void split(int face, const std::vector<Root>& roots, double level, std::vector<LevelPiece>& chains,
              Cut& cut) const;
+
+  // Holes and notches over the edge of two faces (level_bridges.cpp).
+  using Nodes = std::vector<LevelNode>;
+  struct LooseEnd;
+  struct Meeting;
+  /// The ends of the pieces at borders of their faces alone.
+  std::vector<LooseEnd> looseEnds(const std::vector<Root>& roots, const Cut& cut) const;
+  /// Joins pieces of neighbouring faces whose ways on meet.
+  void bridge(const std::vector<Root>& roots, double level, Cut& cut) const;
+  /// Leads a piece on to a place of its way, where it then ends, on crossing `root`.
+  static void lead(const LooseEnd& end, double place, LevelNode node, int root, LevelPiece& piece);
+  /// Where two curves come nearest to each other: at the first place where they run together, if they do.
+  Meeting meetingOf(int faceA, const Nodes& a, int faceB, const Nodes& b, double level) const;
+  /// The place of a curve nearest to p: the number of a node, and the part of the way to the next one.
+  double nearestPlace(int face, const Nodes& nodes, const Eigen::Vector3d& p, double level) const;
+  LevelNode nodeAt(int face, const Nodes& nodes, double place, double level) const;
+  /// mm that the surfaces of two faces with a common edge may be apart there; empty where they have none.
+  std::optional<double> jointTolerance(int faceA, int faceB) const;
   /// Moves a node along the surface to the plane; false if it does not get there.
   bool project(int face, double level, LevelNode& node) const;
   /// The node between two neighbours of the grid, one above and one below the plane.

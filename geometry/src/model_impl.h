@@ -39,13 +39,21 @@ struct SearchTable {
   double spacing = 0;                   ///< the largest of the radii
 };
 
+/// A face beside another one, and the largest tolerance of the edges that both share, mm.
+struct Neighbour {
+  int face = 0;
+  double tolerance = 0;
+};
+
 struct Target::Impl {
   std::shared_ptr<const CadModel::Impl> model;
   std::vector<int> indices;
   std::vector<std::shared_ptr<const FaceGeometry>> faces;
   std::vector<int> edgeUses;  ///< by model edge: how often the chosen faces are bounded by it
-  bool flipped = false;       ///< the outer side is against that of the file: sheets are seen from above
-  bool sheet = false;         ///< no solid gives the outer side
+  /// By face: the faces that share an edge with it.
+  std::vector<std::vector<Neighbour>> neighbours;
+  bool flipped = false;  ///< the outer side is against that of the file: sheets are seen from above
+  bool sheet = false;    ///< no solid gives the outer side
   Eigen::Vector3d meanNormal = Eigen::Vector3d::Zero();  ///< area-weighted mean of the outer unit normals:
                                                          ///< length 1 for a plane, 0 for a closed surface
   Bounds bounds;

@@ -31,6 +31,7 @@ constexpr double kInset = 0.01;       // mm, at least
 constexpr double kShortRatio = 0.01;  // of the longest section: shorter ones carry no shape
 constexpr double kShort = 0.1;        // mm, likewise
 constexpr int kProbePlanes = 64;      // tried when no sample of the target lies in the block
+constexpr int kTrisections = 48;      // of the way on, for the place where it turns back
 constexpr int kBisections = 16;  // halvings of the distance between a plane that hits and one that misses
 
 /// The first and last place along the direction where the target lies in the block.
@@ -150,6 +151,21 @@ void join(Finding& all, const Finding& one) {
 }
 
 }  // namespace
+
+Result<void> checkSetup(const Setup& setup) {
+  const Frame& plane = setup.planes.frame;
+  if (!(std::abs(plane.normal.norm() - 1) < kNoLength) || !plane.x.allFinite() || !plane.y.allFinite())
+    return fail(ErrorCode::badInput,
+                "the cutting direction is zero or not a number; give a vector such as 0, 1, 0", "direction");
+  if (!setup.block.size.allFinite() || !(setup.block.size.minCoeff() > 0) ||
+      !setup.block.frame.origin.allFinite() || !setup.block.frame.x.allFinite() ||
+      !setup.block.frame.y.allFinite() || !setup.block.frame.normal.allFinite()) {
+    return fail(ErrorCode::badInput,
+                "the block must have a finite place and a size above 0 mm in all three directions", "block",
+                setup.block.size.minCoeff(), 0.0);
+  }
+  return {};
+}
 
 bool Sectioner::hits(double level) const {
   const PlaneCutter::Cut cut = cutter_.cut(level);
@@ -282,31 +298,55 @@ void Sectioner::extend(SectionOutcome& outcome, double low, double high) const {
     if (last) std::ranges::reverse(samples);
     const bool up = xOf(samples.front().node) > xOf(samples.back().node);
     const auto left = [&](const LevelNode& node) { return up ? high - xOf(node) : xOf(node) - low; };
-    std::vector<SectionSample> more;
-    const SectionSample* before = &samples.front();
-    for (const SectionSample& next : outcome.beyond[last ? 1 : 0]) {
-      if ((next.node.p - before->node.p).norm() <= kSameNode) continue;
-      // Where the surface turns back, or leaves the block, nothing is to be followed.
-      if (!(left(next.node) < left(before->node)) || window_.outside(next.node.p) > 0) break;
-      if (left(next.node) >= 0) {
-        before = &more.emplace_back(next);
-        continue;
+    const auto within = [&](const LevelNode& node) {
+      return left(node) >= 0 && window_.outside(node.p) <= 0;
+    };
+    const auto at = [&](const SectionSample& a, const SectionSample& b, double part) {
+      SectionSample sample = b;
+      if (!cutter_.between(b.face, a.node, b.node, part, outcome.level, sample.node)) sample = a;
+      return sample;
+    };
+    std::vector<SectionSample> more = {samples.front()};
+    for (SectionSample next : outcome.beyond[last ? 1 : 0]) {
+      if ((next.node.p - more.back().node.p).norm() <= kSameNode) continue;
+      const bool turns = !(left(next.node) < left(more.back().node));
+      if (turns) {
+        // Where the surface turns back nothing is to be followed: the place lies beside the farthest sample.
+        const auto farthest = [&](const SectionSample& a, const SectionSample& b) {
+          double from = 0, to = 1;
+          for (int k = 0; k < kTrisections; ++k) {
+            const double third = (to - from) / 3;
+            if (left(at(a, b, from + third).node) < left(at(a, b, to - third).node))
+              to -= third;
+            else
+              from += third;
+          }
+          return at(a, b, 0.5 * (from + to));
+        };
+        next = farthest(more.back(), next);
+        if (more.size() > 2) {
+          const SectionSample earlier = farthest(more[more.size() - 2], more.back());
+          if (left(earlier.node) < left(next.node)) {
+            more.pop_back();
+            next = earlier;
+          }
+        }
       }
-      SectionSample end = next;
-      double in = 0, out = 1;
-      for (int k = 0; k < 2 * kBisections; ++k) {
-        LevelNode node;
-        const double middle = 0.5 * (in + out);
-        if (!cutter_.between(next.face, before->node, next.node, middle, outcome.level, node)) break;
-        (left(node) >= 0 ? in : out) = middle;
-        end.node = node;
+      if (!within(next.node)) {
+        double in = 0, out = 1;
+        for (int k = 0; k < 2 * kBisections; ++k) {
+          const double middle = 0.5 * (in + out);
+          (within(at(more.back(), next, middle).node) ? in : out) = middle;
+        }
+        const SectionSample end = at(more.back(), next, in);
+        if ((end.node.p - more.back().node.p).norm() > kSameNode) more.push_back(end);
+        break;
       }
-      more.push_back(end);
-      break;
+      if ((next.node.p - more.back().node.p).norm() > kSameNode) more.push_back(next);
+      if (turns) break;
     }
-    if (more.empty()) continue;
-    samples.front().corner = false;
-    more.insert(more.begin(), samples.front());
+    if (more.size() < 2) continue;
+    samples.front().corner = more.front().corner = false;
     length = std::max(length, lengthOf(more));
     std::ranges::reverse(more);
     samples.insert(samples.begin(), more.begin(), more.end() - 1);
@@ -345,14 +385,20 @@ Findings gathered(const Findings& each) {
   return result;
 }
 
-Result<void> SectionRow::place(const Target& target, const SectionRequest& request) {
+Result<void> SectionRow::place(const Target& target) {
   const auto range = rangeOf(target.impl(), planes_, sectioner_);
   if (!range) return tl::unexpected(range.error());
   first_ = (*range)[0];
   last_ = (*range)[1];
-  count_ = request.stations;
+  return {};
+}
+
+Result<void> SectionRow::divide(const SectionRequest& request) {
+  if (!request.spacing) {
+    count_ = *request.stations;
+    return {};
+  }
   const double width = last_ - first_;
-  if (!request.spacing) return {};
   const double gaps = std::ceil(width / *request.spacing - kSameSize);
   if (gaps + 1 > SectionRequest::kMost) {
     return fail(ErrorCode::badInput,

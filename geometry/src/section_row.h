@@ -71,8 +71,11 @@ class SectionRow {
       : planes_(setup.planes), sectioner_(target.impl(), setup.block, planes_) {}
   SectionRow(const SectionRow&) = delete;  // the sectioner keeps a reference
 
-  /// Finds where the row begins and ends, and how many planes it has: at first, and once.
-  Result<void> place(const Target& target, const SectionRequest& request);
+  /// Finds where the row begins and ends: at first, and once.
+  Result<void> place(const Target& target);
+  /// How many planes it has, 2 or more, of its own or by a request that is not left to the tolerance.
+  void divide(int count) { count_ = count; }
+  Result<void> divide(const SectionRequest& request);
 
   int count() const { return count_; }
   double level(int i) const { return i + 1 == count_ ? last_ : first_ + (last_ - first_) * i / (count_ - 1); }
@@ -100,6 +103,9 @@ class SectionRow {
   double first_ = 0, last_ = 0;  ///< levels
   int count_ = 0;
 };
+
+/// Whether a setup can be followed at all.
+Result<void> checkSetup(const Setup& setup);
 
 /// What is found about one station each, in the order of the row, as one finding a cause: for each stretch of
 /// neighbours, or where these are many for all of them.

@@ -25,26 +25,19 @@ constexpr double kComparedEvery = 5;
 
 /// Whether setup and request can be followed at all.
 Result<void> checkInput(const Setup& setup, const SectionRequest& request) {
-  const Frame& plane = setup.planes.frame;
-  if (!(std::abs(plane.normal.norm() - 1) < kNoLength) || !plane.x.allFinite() || !plane.y.allFinite())
-    return fail(ErrorCode::badInput,
-                "the cutting direction is zero or not a number; give a vector such as 0, 1, 0", "direction");
-  if (!setup.block.size.allFinite() || !(setup.block.size.minCoeff() > 0) ||
-      !setup.block.frame.origin.allFinite() || !setup.block.frame.x.allFinite() ||
-      !setup.block.frame.y.allFinite() || !setup.block.frame.normal.allFinite()) {
-    return fail(ErrorCode::badInput,
-                "the block must have a finite place and a size above 0 mm in all three directions", "block",
-                setup.block.size.minCoeff(), 0.0);
-  }
+  if (auto ok = checkSetup(setup); !ok) return ok;
+  if (request.byTolerance())
+    return fail(ErrorCode::internal, "the number of stations was not found before the sections were cut",
+                "stations");
   if (request.spacing && !(std::isfinite(*request.spacing) && *request.spacing > 0)) {
     return fail(ErrorCode::badInput, "the spacing of stations must be above 0 mm", "stations",
                 *request.spacing, 0.0);
   }
-  if (!request.spacing && (request.stations < 2 || request.stations > SectionRequest::kMost)) {
+  if (!request.spacing && (*request.stations < 2 || *request.stations > SectionRequest::kMost)) {
     return fail(ErrorCode::badInput,
                 "the number of stations must be between 2 and " + std::to_string(SectionRequest::kMost) +
-                    ", not " + std::to_string(request.stations),
-                "stations", request.stations, request.stations < 2 ? 2 : SectionRequest::kMost);
+                    ", not " + std::to_string(*request.stations),
+                "stations", *request.stations, *request.stations < 2 ? 2 : SectionRequest::kMost);
   }
   return {};
 }
@@ -100,7 +93,8 @@ Result<std::vector<Section>> cutSections(const Target& target, const Setup& setu
                  [&]() -> Result<std::vector<Section>> {
                    context.report(0.0, "sections");
                    SectionRow row(target, setup);
-                   if (auto ok = row.place(target, request); !ok) return tl::unexpected(ok.error());
+                   if (auto ok = row.place(target); !ok) return tl::unexpected(ok.error());
+                   if (auto ok = row.divide(request); !ok) return tl::unexpected(ok.error());
                    auto outcomes = row.cutAll(request.route == SectionRoute::kernel, context);
                    if (!outcomes) return tl::unexpected(outcomes.error());
                    auto sections = row.finish(std::move(*outcomes), findings);
@@ -116,7 +110,8 @@ Result<std::optional<std::vector<Section>>> confirmSections(const Target& target
   if (auto ok = checkInput(setup, request); !ok) return tl::unexpected(ok.error());
   return guarded(ErrorCode::internal, "the sections cannot be confirmed", [&]() -> Result<Anew> {
     SectionRow row(target, setup);
-    if (auto ok = row.place(target, request); !ok) return tl::unexpected(ok.error());
+    if (auto ok = row.place(target); !ok) return tl::unexpected(ok.error());
+    if (auto ok = row.divide(request); !ok) return tl::unexpected(ok.error());
     struct Look {
       int station = 0;
       SectionOutcome kernel = {};

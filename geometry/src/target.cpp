@@ -235,6 +235,34 @@ std::array<double, 2> Target::Impl::extent(const Eigen::Vector3d& direction) con
 
 Target::Target(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
 
+namespace {
+
+std::vector<std::vector<Neighbour>> neighboursOf(const Target::Impl& target) {
+  std::vector<std::vector<int>> facesOf(target.edgeUses.size());
+  for (std::size_t face = 0; face < target.faces.size(); ++face)
+    for (const TrimEdge& trim : target.faces[face]->trims())
+      if (trim.edge >= 0 && target.edgeUses[std::size_t(trim.edge)] == 2)
+        facesOf[std::size_t(trim.edge)].push_back(int(face));
+  std::vector<std::vector<Neighbour>> neighbours(target.faces.size());
+  const auto add = [&](int face, int other, double tolerance) {
+    std::vector<Neighbour>& list = neighbours[std::size_t(face)];
+    const auto known = std::ranges::find(list, other, &Neighbour::face);
+    if (known == list.end())
+      list.push_back({other, tolerance});
+    else
+      known->tolerance = std::max(known->tolerance, tolerance);
+  };
+  for (std::size_t edge = 0; edge < facesOf.size(); ++edge) {
+    const std::vector<int>& two = facesOf[edge];
+    if (two.size() != 2 || two[0] == two[1]) continue;
+    add(two[0], two[1], target.model->edges[edge].tolerance);
+    add(two[1], two[0], target.model->edges[edge].tolerance);
+  }
+  return neighbours;
+}
+
+}  // namespace
+
 Result<Target> Target::make(const CadModel& model, const FaceChoice& choice, Findings* findings) {
   auto chosen = model.choose(choice, findings);
   if (!chosen) return tl::unexpected(chosen.error());
@@ -259,6 +287,7 @@ Result<Target> Target::make(const CadModel& model, const FaceChoice& choice, Fin
         if (trim.edge >= 0) ++impl->edgeUses[trim.edge];
       }
     }
+    impl->neighbours = neighboursOf(*impl);
     impl->meanNormal = impl->area > 0 ? Eigen::Vector3d(sum / impl->area) : Eigen::Vector3d::Zero();
     if (impl->sheet) {
       // A sheet has no inside: it is seen from above, or else from the positive side of y or x.

@@ -116,10 +116,10 @@ TEST_F(HistoryKeys, UndoAChoiceWithTheFocusInIt) {
   ASSERT_TRUE(bench().design().cut().sections.spacing);
   undo(mode);
   EXPECT_FALSE(bench().design().cut().sections.spacing);
-  EXPECT_EQ(mode->currentIndex(), 0);
+  EXPECT_EQ(mode->currentIndex(), 1);
   redoByY(mode);
   EXPECT_TRUE(bench().design().cut().sections.spacing);
-  EXPECT_EQ(mode->currentIndex(), 1);
+  EXPECT_EQ(mode->currentIndex(), 2);
 }
 
 TEST_F(HistoryKeys, UndoTheNumbersOfFaces) {

@@ -40,7 +40,7 @@ TEST_F(WindowTest, FollowsTheStationSliderAndUndoesItAsOneStep) {
   QTest::mousePress(slider, Qt::LeftButton, {}, from);
   for (int i = 1; i <= 8; ++i) QTest::mouseMove(slider, from + QPoint(4 * i, 0));
   QTest::mouseRelease(slider, Qt::LeftButton, {}, from + QPoint(32, 0));
-  const int after = bench().design().cut().sections.stations;
+  const int after = bench().design().cut().sections.stations.value();
   EXPECT_NE(after, 20);
   ASSERT_TRUE(settle());
   EXPECT_EQ(stationCount(), std::size_t(after));
@@ -49,6 +49,32 @@ TEST_F(WindowTest, FollowsTheStationSliderAndUndoesItAsOneStep) {
   EXPECT_EQ(bench().design().cut().sections.stations, 20);
   ASSERT_TRUE(settle());
   EXPECT_EQ(stationCount(), 20u);
+}
+
+TEST_F(WindowTest, CountsStationsByTheTolerance) {
+  openPanel();
+  auto* mode = find<ChoiceField>("Stations");
+  auto* number = find<NumberField>("Number");
+  ASSERT_TRUE(mode && number);
+  const auto choose = [&](int index) {
+    mode->setCurrentIndex(index);
+    emit mode->activated(index);
+    ASSERT_TRUE(settle());
+  };
+  EXPECT_EQ(mode->currentIndex(), 1) << "twenty are asked for";
+  choose(0);
+  EXPECT_TRUE(bench().design().cut().sections.byTolerance());
+  const int found = bench().shownCut()->count.value->stations;
+  EXPECT_EQ(stationCount(), std::size_t(found));
+  EXPECT_EQ(number->value(), found) << "as found";
+  EXPECT_FALSE(number->isEnabled());
+  EXPECT_FALSE(find<HandSlider>("Number of stations"));
+  choose(2);
+  EXPECT_GT(bench().design().cut().sections.spacing.value(), 0);
+  choose(0);
+  choose(1);
+  EXPECT_EQ(bench().design().cut().sections.stations, found) << "the number stays as it was found";
+  EXPECT_TRUE(number->isEnabled());
 }
 
 TEST_F(WindowTest, SelectsStationsInTheSectionView) {

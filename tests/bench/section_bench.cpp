@@ -56,6 +56,13 @@ BENCHMARK_CAPTURE(sixtySections, kernel, bw::SectionRoute::kernel)
     ->DenseRange(0, 1)
     ->Unit(benchmark::kMillisecond);
 
+void countStations(benchmark::State& state) {
+  timeSections(state, [](const Target& target, const Setup& setup, const bw::RunContext& context) {
+    return stationsFor(target, setup, 2, context).has_value();
+  });
+}
+BENCHMARK(countStations)->DenseRange(0, 2)->Unit(benchmark::kMillisecond);
+
 void confirmSixtySections(benchmark::State& state) {
   timeSections(state, [&](const Target& target, const Setup& setup, const bw::RunContext& context) {
     bw::Findings findings;

@@ -24,7 +24,7 @@ std::string messageOf(const char* text) {
 TEST(Job, EveryKeyIsOptional) {
   const Result<Design> design = parseJob("{}");
   ASSERT_TRUE(design) << design.error().message;
-  EXPECT_EQ(design->cut().sections.stations, 60);
+  EXPECT_TRUE(design->cut().sections.byTolerance());
   EXPECT_EQ(design->blade.name, "steel-tube-3-2.5");
   EXPECT_FALSE(design->block().placement);
   EXPECT_FALSE(design->cut().direction);
@@ -56,6 +56,7 @@ TEST(Job, WritesWhatItReads) {
       const char* text :
       {"{}",
        R"({"face": "all", "block": {"origin": [0.1, 0.2, 0.3], "size": [400, 300.7, 200]}, "stations": {"spacing": 0.7}, "direction": "x"})",
+       R"({"stations": "auto"})", R"({"stations": 60})",
        R"({"blade": "steel-rod-1", "face": 4, "programs": []})",
        R"({"unit": "cm", "sewing": 0.02, "near": [1, 2, 3]})", R"({"face": ["a", "b"]})",
        R"({"face": {"group": 3}})", R"({"sections": "kernel"})"}) {
@@ -129,6 +130,7 @@ TEST(Job, NamesTheNearestKeyOfATypo) {
 TEST(Job, TellsTheNumberAndTheLimit) {
   EXPECT_NE(messageOf(R"({"stations": 1})").find("from 2 to 20000"), std::string::npos);
   EXPECT_NE(messageOf(R"({"stations": 2.5})").find("2.5"), std::string::npos);
+  EXPECT_NE(messageOf(R"({"stations": "many"})").find("\"auto\", a number from 2"), std::string::npos);
   EXPECT_NE(messageOf(R"({"tolerance": -1})").find("-1"), std::string::npos);
   EXPECT_NE(messageOf(R"({"direction": [0,0,0]})").find("length zero"), std::string::npos);
   EXPECT_NE(messageOf(R"({"lead": "long"})").find("must be a number"), std::string::npos);

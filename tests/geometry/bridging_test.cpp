@@ -8,12 +8,14 @@
 #include <BRepAlgoAPI_Splitter.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepTools.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <TopTools_ListOfShape.hxx>
 #include <gp_Ax3.hxx>
+#include <gp_Pln.hxx>
 
 #include <sstream>
 
@@ -194,6 +196,133 @@ TEST(Bridging, DistancesAreFromTheSurfaceContinued) {
     EXPECT_NEAR(sampler->offset(p, *foot), 0.2, 1e-6);
     EXPECT_NEAR(foot->distance, std::hypot(beyond, 0.2), 1e-6);
   }
+}
+
+/// The sheet in parts, split by planes that contain z: through (x, 0) at so many degrees from the y axis.
+TopoDS_Shape sheetInParts(const std::vector<std::pair<double, double>>& splits) {
+  TopTools_ListOfShape faces, tools;
+  faces.Append(sheet());
+  for (const auto& [x, degrees] : splits) {
+    const double a = fromDegrees(degrees);
+    tools.Append(BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(x, 0, 0), gp_Dir(std::cos(a), -std::sin(a), 0)), -2000,
+                                         2000, -2000, 2000)
+                     .Face());
+  }
+  BRepAlgoAPI_Splitter splitter;
+  splitter.SetArguments(faces);
+  splitter.SetTools(tools);
+  splitter.Build();
+  return splitter.Shape();
+}
+
+FaceChoice allFaces() {
+  FaceChoice all;
+  all.kind = FaceChoice::Kind::all;
+  return all;
+}
+
+/// Expects the sections of `parts` to be those of the whole sheet.
+void expectWhole(const TopoDS_Shape& parts, int faces, const std::string& what) {
+  const Cut whole = along(targetOf(sheet()));
+  const Target target = targetOf(parts, allFaces());
+  ASSERT_EQ(int(target.faces().size()), faces) << what;
+  for (const SectionRoute route : {SectionRoute::traced, SectionRoute::kernel}) {
+    const Cut cut = along(target, route);
+    ASSERT_EQ(cut.sections.size(), 15u) << what << ": none is left out";
+    for (std::size_t i = 0; i < cut.sections.size(); ++i) {
+      const PlanarCurve &curve = cut.sections[i].curve(), &straight = whole.sections[i].curve();
+      EXPECT_NEAR(curve.length(), straight.length(), 0.1) << what << i;
+      for (const Eigen::Vector2d& p : curve.sample(61))
+        EXPECT_LT((straight.value(straight.nearestParameter(p)) - p).norm(), 2e-3) << what << i;
+    }
+  }
+}
+
+TEST(Bridging, AcrossAWindowOverTheEdgeOfTwoFaces) {
+  const auto windowIn = [](const TopoDS_Shape& shape) {
+    return BRepAlgoAPI_Cut(shape, boxAt(-80, 80, -80, 80)).Shape();
+  };
+  for (const auto& [x, degrees] : {std::pair(0.0, 0.0), {37.0, 0.0}, {0.0, 20.0}, {10.0, -35.0}}) {
+    const TopoDS_Shape holed = windowIn(sheetInParts({{x, degrees}}));
+    expectWhole(holed, 2, "at " + std::to_string(degrees) + "° ");
+    EXPECT_NEAR(widestGap(along(targetOf(holed, allFaces())).findings), 160, 1);
+  }
+}
+
+TEST(Bridging, AndNotchesOverTwoFaces) {
+  const auto cutFrom = [](const TopoDS_Shape& shape, const TopoDS_Shape& tool) {
+    return BRepAlgoAPI_Cut(shape, tool).Shape();
+  };
+  expectWhole(cutFrom(sheetInParts({{0, 0}}), boxAt(-150, 150, -100, 400)), 2, "from the end ");
+  expectWhole(cutFrom(sheetInParts({{0, 15}}), boxAt(-150, 150, -100, 400)), 2, "from the end, askew ");
+}
+
+/// An arc of 300 mm radius and 30° and its tangent, 300 mm long, along y.
+TopoDS_Shape arcAndTangent() {
+  const gp_Ax3 axis(gp_Pnt(0, -350, -300), gp_Dir(0, 1, 0), gp_Dir(0, 0, 1));
+  const double half = kPi / 6;
+  const TopoDS_Face arc =
+      BRepBuilderAPI_MakeFace(new Geom_CylindricalSurface(axis, 300), -half, half, 0, 700, 1e-7).Face();
+  const gp_Pnt end(300 * std::sin(half), -350, 300 * std::cos(half) - 300);
+  BRepBuilderAPI_MakePolygon edge(
+      end, gp_Pnt(end.X() + 300 * std::cos(half), -350, end.Z() - 300 * std::sin(half)));
+  BRepBuilderAPI_Sewing sewing(1e-4);
+  sewing.Add(arc);
+  sewing.Add(BRepPrimAPI_MakePrism(edge.Edge(), gp_Vec(0, 700, 0)).Shape());
+  sewing.Perform();
+  return sewing.SewedShape();
+}
+
+TEST(Bridging, WhereOneCarrierGoesOverIntoAnother) {
+  const Cut whole = along(targetOf(arcAndTangent(), allFaces()));
+  const Target holed =
+      targetOf(BRepAlgoAPI_Cut(arcAndTangent(), boxAt(40, 170, -80, 80)).Shape(), allFaces());
+  ASSERT_EQ(holed.faces().size(), 2u);
+  const Cut cut = along(holed);
+  ASSERT_EQ(whole.sections.size(), 15u);
+  ASSERT_EQ(cut.sections.size(), 15u);
+  for (std::size_t i = 0; i < cut.sections.size(); ++i)
+    for (const Eigen::Vector2d& q : cut.sections[i].curve().sample(61)) {
+      // The block may lie elsewhere: in the frame of the whole.
+      const Eigen::Vector2d p = whole.sections[i].frame.toLocal(cut.sections[i].frame.toWorld(q)).head<2>();
+      const PlanarCurve& straight = whole.sections[i].curve();
+      EXPECT_LT((straight.value(straight.nearestParameter(p)) - p).norm(), 2e-3) << i;
+    }
+  EXPECT_GT(widestGap(cut.findings), 130);
+  // Deviation there is from whichever of both goes on.
+  const std::unique_ptr<SurfaceSampler> sampler = holed.sampler();
+  for (const Eigen::Vector2d& q : whole.sections[7].curve().sample(101))
+    for (const double off : {0.0, 0.4, -0.4}) {
+      const PlanarCurve& curve = whole.sections[7].curve();
+      const Eigen::Vector2d t = curve.tangent(curve.nearestParameter(q));
+      const Eigen::Vector3d p =
+          whole.sections[7].frame.toWorld(Eigen::Vector2d(q + off * Eigen::Vector2d(-t.y(), t.x())));
+      const auto foot = sampler->closest(p, nullptr);
+      ASSERT_TRUE(foot);
+      EXPECT_NEAR(std::abs(sampler->offset(p, *foot)), std::abs(off), 2e-3) << q.x();
+    }
+}
+
+TEST(Bridging, NotWhereTheSurfacesUnderTheFacesEnd) {
+  // Of a strip between two edges the window leaves nothing, and with it nothing is known of it.
+  const Target strip = targetOf(
+      BRepAlgoAPI_Cut(sheetInParts({{-30, 0}, {30, 0}}), boxAt(-80, 80, -80, 80)).Shape(), allFaces());
+  const Cut cut = along(strip);
+  EXPECT_LT(cut.sections.size(), 15u);
+  EXPECT_TRUE(std::ranges::any_of(
+      cut.findings, [](const Finding& f) { return std::holds_alternative<SectionBranches>(f.cause); }));
+}
+
+TEST(Bridging, NotBetweenFacesThatShareNoEdge) {
+  // A slot that parts the sheet in two: nothing tells that both belong together.
+  const Target parted =
+      targetOf(BRepAlgoAPI_Cut(sheetInParts({{0, 0}}), boxAt(-20, 20, -400, 400)).Shape(), allFaces());
+  Findings findings;
+  const auto setup = resolveSetup(parted, {{}, Eigen::Vector3d::UnitY()}, findings);
+  ASSERT_TRUE(setup);
+  EXPECT_FALSE(cutSections(parted, *setup, {9, {}}, {}, findings));
+  EXPECT_TRUE(std::ranges::any_of(
+      findings, [](const Finding& f) { return std::holds_alternative<SectionBranches>(f.cause); }));
 }
 
 }  // namespace

@@ -52,6 +52,8 @@ TEST(Findings, OneStationSeveralAndSomeOfThem) {
   EXPECT_NE(said(SectionBranches{2, 2}, kAll).find("in 2 separate curves each; place"), std::string::npos);
   EXPECT_NE(said(SectionBranches{2, 4}, kAll).find("in 2 to 4 separate curves; place"), std::string::npos);
   EXPECT_NE(said(SectionBranches{2, 2}, kOne).find("in 2 separate curves; place"), std::string::npos);
+  EXPECT_NE(said(SectionBranches{2, 2}, kOne).find("(a gap between two is crossed only where"),
+            std::string::npos);
   EXPECT_EQ(
       said(ManyInflections{3}, kAll),
       "stations 3 to 9 (worst: 7): the blade would need 3 inflections; a stiff blade holds at most two, so "

@@ -51,7 +51,8 @@ class ChangeTimer : public QObject {
   /// Begins; the present result must stand. `finished` is called once.
   void start(const std::function<void()>& finished) {
     finished_ = finished;
-    stations_ = window_.bench().cut().sections.stations;
+    const auto result = window_.bench().sweep();
+    stations_ = window_.bench().cut().sections.stations.value_or(result ? int(result->size()) : 0);
     // Queued: the next change begins with an idle window, as one by hand does.
     connect(
         &window_, &bw::app::MainWindow::pictureStands, this,

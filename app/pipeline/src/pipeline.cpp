@@ -279,26 +279,44 @@ void adviseMargin(Findings& findings, const CutEvaluation& cut) {
     }
 }
 
+/// What the design asks for, with the number of stations where that is left to the tolerance.
+Result<SectionRequest> sectionRequest(const CutWork& work) {
+  SectionRequest sections = work.cut.sections;
+  if (!sections.byTolerance()) return sections;
+  const geometry::Target& target = *work.e.target.value;
+  const Result<void> ok = work.settle(
+      &CutEvaluation::count, {*work.e.setup, work.design.process.tolerance}, {work.e.target.value},
+      work.seconds.sections, [&work, &target](const CountRequest& request, Findings&) {
+        work.context.report(0.3, "stations");
+        return geometry::stationsFor(target, request.setup, request.tolerance, work.context);
+      });
+  if (!ok) return tl::unexpected<Error>(ok.error());
+  sections.stations = work.e.count.value->stations;
+  return sections;
+}
+
 /// Sections, and the blades for them.
 Result<void> fit(const CutWork& work) {
   CutEvaluation& e = work.e;
   const geometry::Target& target = *e.target.value;
+  const Result<SectionRequest> asked = sectionRequest(work);
+  if (!asked) return tl::unexpected<Error>(asked.error());
   Result<void> ok =
-      work.settle(&CutEvaluation::sections, {*e.setup, work.cut.sections}, {e.target.value},
-                  work.seconds.sections, [&work, &target](const PlanesRequest& request, Findings& findings) {
+      work.settle(&CutEvaluation::sections, {*e.setup, *asked}, {e.target.value}, work.seconds.sections,
+                  [&work, &target](const PlanesRequest& request, Findings& findings) {
                     work.context.report(0.3, "sections");
                     return geometry::cutSections(target, request.setup, request.sections,
                                                  work.context.child(0.3, 0.6), findings);
                   });
   if (ok) ok = work.unlessStopped();
   if (!ok) return ok;
-  if (work.purpose == Purpose::files && work.cut.sections.route == SectionRoute::automatic) {
-    ok = work.settle(
-        &CutEvaluation::confirmed, {*e.setup, work.cut.sections}, {e.sections.value}, work.seconds.sections,
-        [&work, &target, &e](const PlanesRequest& request, Findings& findings) {
-          findings = e.sections.findings;
-          return geometry::confirmSections(target, request.setup, request.sections, work.context, findings);
-        });
+  if (work.purpose == Purpose::files && asked->route == SectionRoute::automatic) {
+    ok = work.settle(&CutEvaluation::confirmed, {*e.setup, *asked}, {e.sections.value}, work.seconds.sections,
+                     [&work, &target, &e](const PlanesRequest& request, Findings& findings) {
+                       findings = e.sections.findings;
+                       return geometry::confirmSections(target, request.setup, request.sections, work.context,
+                                                        findings);
+                     });
     if (!ok) return ok;
   }
   const std::shared_ptr<const std::vector<Section>> row = rowOf(e);
@@ -566,6 +584,7 @@ void Evaluation::takeMissing(const Evaluation& before) {
       takeMissing(cut.placed, from->placed);
       takeMissing(cut.directions, from->directions);
       if (!cut.setup) cut.setup = from->setup;
+      takeMissing(cut.count, from->count);
       takeMissing(cut.sections, from->sections);
       takeMissing(cut.confirmed, from->confirmed);
       takeMissing(cut.sweep, from->sweep);

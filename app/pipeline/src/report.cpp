@@ -96,6 +96,22 @@ ordered_json trialJson(const DirectionTrial& trial, bool chosen) {
   return object;
 }
 
+/// How many stations were asked for; where that was left to the tolerance how many were found, and how well
+/// they tell what lies between them.
+ordered_json stationsJson(const SectionRequest& asked, const CutEvaluation& cut) {
+  ordered_json object;
+  object["asked"] = "auto";
+  if (asked.spacing)
+    object["asked"] = {{"spacing", *asked.spacing}};
+  else if (asked.stations)
+    object["asked"] = *asked.stations;
+  if (!asked.byTolerance() || !cut.count.value) return object;
+  object["found"] = cut.count.value->stations;
+  const std::optional<double>& between = cut.count.value->between;
+  object["between_mm"] = between ? ordered_json(*between) : ordered_json(nullptr);
+  return object;
+}
+
 }  // namespace
 
 std::string reportJson(const Evaluation& e, const std::string& run, const FileSet& files,
@@ -143,6 +159,7 @@ std::string reportJson(const Evaluation& e, const std::string& run, const FileSe
   ordered_json method;
   method["planes"] = "parallel";
   if (cut.setup) method["direction"] = vec(cut.setup->planes.direction());
+  method["stations"] = stationsJson(design.cut().sections, cut);
   method["fit"] = {{"length", design.process.fitLength == FitOptions::Length::exact ? "exact" : "free"},
                    {"endpoints", design.process.fitEndpoints},
                    {"tangents", design.process.fitTangents},

@@ -151,7 +151,9 @@ void parameters(Page& page, const Evaluation& e) {
     page.row({"Edges of the block: y", direction(block.frame.y)});
     page.row({"Cutting direction", direction(e.cut().setup->planes.direction())});
   }
-  if (e.cut().result()) page.row({"Stations", std::to_string(e.cut().sweep.value->poses.size())});
+  if (e.cut().result())
+    page.row({"Stations", std::to_string(e.cut().sweep.value->poses.size()) +
+                              (e.cut().count.value ? " (as many as the tolerance asks for)" : "")});
   page.row({"Cutting speed of the fastest point", shortText(design.process.cuttingSpeed, 4) + " mm/s"});
   page.row({"Lead before and after the block", mm(design.process.lead)});
   page.row({"Tolerance", mm(design.process.tolerance)});

@@ -196,8 +196,20 @@ void readStations(ObjectReader& reader, SectionRequest& sections) {
     if (reader.adopt(inner.finish())) sections.spacing = spacing;
     return;
   }
-  reader.integer("stations", sections.stations, 2, SectionRequest::kMost);
   sections.spacing.reset();
+  if (value->is_string()) {
+    if (value->get<std::string>() == "auto")
+      sections.stations.reset();
+    else
+      reader.complain("stations", reader.path() +
+                                      ".stations must be \"auto\", a number from 2, or an "
+                                      "object with spacing, not \"" +
+                                      value->get<std::string>() + "\"");
+    return;
+  }
+  int stations = 0;
+  reader.integer("stations", stations, 2, SectionRequest::kMost);
+  sections.stations = stations;
 }
 
 /// The key "up".
@@ -255,6 +267,11 @@ void readPlanes(ObjectReader& reader) {
   int type = 0;
   inner.word("type", {"parallel"}, type);
   reader.adopt(inner.finish());
+}
+
+json stationsJson(const SectionRequest& sections) {
+  if (sections.spacing) return {{"spacing", *sections.spacing}};
+  return sections.stations ? json(*sections.stations) : json("auto");
 }
 
 json vectorJson(const Eigen::Vector3d& v) { return json::array({v.x(), v.y(), v.z()}); }
@@ -320,8 +337,7 @@ void writeCutKeys(const Cut& cut, json& object) {
   writeFaceChoice(cut.face, object);
   object["direction"] = cut.direction ? vectorJson(*cut.direction) : json("auto");
   object["planes"] = {{"type", "parallel"}};
-  object["stations"] =
-      cut.sections.spacing ? json{{"spacing", *cut.sections.spacing}} : json(cut.sections.stations);
+  object["stations"] = stationsJson(cut.sections);
   object["sections"] = kSectionRoutes[std::size_t(cut.sections.route)];
 }
 

@@ -13,6 +13,12 @@ namespace {
 constexpr int kSliderSteps = 400;
 constexpr double kSliderMin = 2, kSliderMax = 1000;
 
+// The choices of how stations are counted.
+enum Mode { kByTolerance, kByNumber, kBySpacing };
+
+/// Where none were found.
+constexpr int kUsualStations = 60;
+
 int stationsOfSlider(int value) {
   return int(std::lround(kSliderMin * std::pow(kSliderMax / kSliderMin, double(value) / kSliderSteps)));
 }
@@ -33,15 +39,20 @@ ProcessFields::ProcessFields(Workbench& bench, FormColumn* column, const Theme& 
 }
 
 void ProcessFields::addStations(FormColumn* column) {
-  stationMode_ = column->add(tr("Stations"), new ChoiceField, tr("Where the blade is fitted to the surface"));
-  stationMode_->addItems({tr("By number"), tr("By spacing")});
+  stationMode_ =
+      column->add(tr("Stations"), new ChoiceField,
+                  tr("Where the blade is fitted to the surface; by tolerance: as many as keep what "
+                     "lies between them within a twentieth of it"));
+  stationMode_->addItems({tr("By tolerance"), tr("By number"), tr("By spacing")});
   connect(stationMode_, &QComboBox::activated, this, [this](int index) {
     double spacing = 10;
     if (const auto result = bench_.sweep(); result && result->sweep.poses.size() > 1)
       spacing = std::max(
           0.1, std::round(10 * (result->sweep.poses[1].travel - result->sweep.poses[0].travel)) / 10);
+    const int number = bench_.cut().sections.stations.value_or(foundStations().value_or(kUsualStations));
     bench_.editCut(tr("Change stations"), [=](Cut& cut) {
-      cut.sections.spacing = index == 0 ? std::nullopt : std::optional(spacing);
+      cut.sections.stations = index == kByTolerance ? std::nullopt : std::optional(number);
+      cut.sections.spacing = index == kBySpacing ? std::optional(spacing) : std::nullopt;
     });
   });
   stations_ = column->add(tr("Number"), new NumberField({2, double(SectionRequest::kMost), 0, 1, {}}),
@@ -121,7 +132,7 @@ void ProcessFields::addNumbers(FormColumn* column, ProcessPart part) {
 
 void ProcessFields::refresh() {
   const Process& process = bench_.design().process;
-  refreshStations(bench_.cut().sections);
+  refreshStations();
   direction_->refresh();
   numbers_.refresh(process);
   fitLength_->show(process.fitLength == FitOptions::Length::free ? 0 : 1);
@@ -138,13 +149,23 @@ void ProcessFields::refreshMargins() {
   margins_->setText(marginsText(known.get()));
 }
 
-void ProcessFields::refreshStations(const SectionRequest& sections) {
-  stationMode_->show(sections.spacing ? 1 : 0);
-  setLineVisible(stations_, !sections.spacing);
-  stationSlider_->setVisible(!sections.spacing);
+std::optional<int> ProcessFields::foundStations() const {
+  const pipeline::CutEvaluation* cut = bench_.shownCut();
+  return cut && cut->count.value ? std::optional(cut->count.value->stations) : std::nullopt;
+}
+
+void ProcessFields::refreshStations() {
+  const SectionRequest& sections = bench_.cut().sections;
+  const std::optional<int> number = sections.byTolerance() ? foundStations() : sections.stations;
+  stationMode_->show(sections.byTolerance() ? kByTolerance : sections.spacing ? kBySpacing : kByNumber);
+  setLineVisible(stations_, !sections.spacing && number.has_value());
+  stations_->setEnabled(!sections.byTolerance());
+  stationSlider_->setVisible(!sections.spacing && !sections.byTolerance());
   setLineVisible(spacing_, sections.spacing.has_value());
-  stations_->show(sections.stations);
-  stationSlider_->show(sliderOfStations(sections.stations));
+  if (number) {
+    stations_->show(*number);
+    stationSlider_->show(sliderOfStations(*number));
+  }
   if (sections.spacing) spacing_->show(*sections.spacing);
 }
 

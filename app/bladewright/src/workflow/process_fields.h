@@ -6,6 +6,8 @@
 #include <QLabel>
 #include <QObject>
 
+#include <optional>
+
 #include "controls/fields.h"
 #include "workbench/workbench.h"
 #include "workflow/direction_lines.h"
@@ -25,13 +27,15 @@ class ProcessFields : public QObject {
   void refresh();
   /// What is known of the margins that serve.
   void refreshMargins();
+  /// How the stations are counted, and how many are found where that follows from the tolerance.
+  void refreshStations();
 
  private:
   void addStations(FormColumn* column);
   void addDirection(FormColumn* column);
   void addFit(FormColumn* column, const Theme& theme);
   void addNumbers(FormColumn* column, ProcessPart part);
-  void refreshStations(const SectionRequest& sections);
+  std::optional<int> foundStations() const;
 
   Workbench& bench_;
   ChoiceField *stationMode_, *fitLength_;

@@ -167,7 +167,10 @@ void WorkflowPanel::follow(const Change& change) {
   if (any(Aspect::design | Aspect::block)) blockFields_->refresh();
   if (any(Aspect::design | Aspect::source | Aspect::target)) input_->refresh();
   // Another target may be that of another cut, which has numbers of its own.
-  if (any(Aspect::design | Aspect::target)) process_->refresh();
+  if (any(Aspect::design | Aspect::target))
+    process_->refresh();
+  else if (any(Aspect::result))
+    process_->refreshStations();
   if (any(Aspect::design)) {
     bladeFields_->refresh();
     numbers_.refresh(bench_.design().process);

@@ -50,6 +50,23 @@ struct NamedDirection {
 /// base, the axes of the file, and the height of the block.
 std::vector<NamedDirection> directionsToTry(const Target& target, const Box& block);
 
+/// How many stations a tolerance asks for.
+struct StationCount {
+  static constexpr int kLeast = 41, kMost = 241;
+  int stations = kLeast;
+  /// mm, the farthest that a section between two stations lies from what the stations say of it; empty where
+  /// no two sections can be compared.
+  std::optional<double> between = {};
+  bool operator==(const StationCount&) const = default;
+};
+
+/// The fewest of some numbers of stations with which the sections of planes between them lie within a share
+/// of `tolerance` (mm, above 0) of the skin through those at the stations (docs/mathematics.md, Number of
+/// stations); the most of them where none does. Traces 121 sections at least and 481 at most. Errors: no
+/// plane meets the target.
+Result<StationCount> stationsFor(const Target& target, const Setup& setup, double tolerance,
+                                 const RunContext& context);
+
 /// Intersects the target with parallel planes of `setup.planes`, from the first to the last place
 /// inside block and target. Each section is cleaned (tiny spurious oscillation, duplicate knots), chained
 /// over the faces, trimmed to the block, and converted to a planar curve; all run the same way (towards +x of
@@ -57,6 +74,7 @@ std::vector<NamedDirection> directionsToTry(const Target& target, const Box& blo
 /// side of the target, normal: the cutting direction). Planes that miss, closed sections and sections with
 /// several branches are reported in `issues` with their station, never guessed: a station without exactly one
 /// open curve keeps its branches with none of them chosen, and no station at all with one is an error.
+/// A request that leaves their number to the tolerance is an error: `stationsFor` finds it before.
 /// `request.route` `kernel` takes OpenCASCADE's intersection of each face, the others the own tracer.
 Result<std::vector<Section>> cutSections(const Target& target, const Setup& setup,
                                          const SectionRequest& request, const RunContext& context,

@@ -88,8 +88,9 @@ struct CutEvaluation {
   Stage<FaceChoice, geometry::Target> target;
   Stage<NoRequest, TriangleMesh> targetMesh;
   Stage<geometry::SetupRequest, geometry::Setup> placed;
-  Stage<RowRequest, DirectionSearch> directions;  ///< only where the cut's direction is "auto"
-  std::shared_ptr<const geometry::Setup> setup;   ///< `placed` with the direction that was chosen
+  Stage<RowRequest, DirectionSearch> directions;      ///< only where the cut's direction is "auto"
+  std::shared_ptr<const geometry::Setup> setup;       ///< `placed` with the direction that was chosen
+  Stage<CountRequest, geometry::StationCount> count;  ///< only where the cut leaves it to the tolerance
   Stage<PlanesRequest, std::vector<Section>> sections;
   /// Only for files: what OpenCASCADE takes over of the traced sections, and the findings in their place.
   Stage<PlanesRequest, std::optional<std::vector<Section>>> confirmed;

@@ -37,7 +37,14 @@ struct SourceRequest {
   bool operator==(const SourceRequest&) const = default;
 };
 
-/// Planes through a target that lies in its block.
+/// How many planes a tolerance asks for.
+struct CountRequest {
+  geometry::Setup setup;
+  double tolerance = 0;
+  bool operator==(const CountRequest&) const = default;
+};
+
+/// Planes through a target that lies in its block; their number is known.
 struct PlanesRequest {
   geometry::Setup setup;
   SectionRequest sections;

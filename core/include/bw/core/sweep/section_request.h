@@ -16,11 +16,13 @@ inline constexpr std::array<const char*, 3> kSectionRoutes = {"auto", "kernel", 
 
 /// How many planes cut the target, and by which route.
 struct SectionRequest {
-  int stations = 60;                   ///< used unless `spacing` is set; 2 to kMost
+  std::optional<int> stations = {};    ///< 2 to kMost, used unless `spacing` is set; empty: by the tolerance
   std::optional<double> spacing = {};  ///< mm between stations, above 0
   SectionRoute route = SectionRoute::automatic;
 
   static constexpr int kMost = 20000;
+  /// True if the number of stations is to follow from the tolerance.
+  bool byTolerance() const { return !stations && !spacing; }
   bool operator==(const SectionRequest&) const = default;
 };
 
