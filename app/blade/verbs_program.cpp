@@ -119,8 +119,10 @@ int runSimulate(const Session& session, const SimulateOptions& options) {
       !program && std::filesystem::exists(motion, error))
     program = robotio::loadProgram(motion);
   if (!program) return session.complain(program.error());
+  const std::optional<double> length =
+      std::filesystem::is_directory(about, error) ? pipeline::madeWithLength(about) : std::nullopt;
   const Result<pipeline::ProgramRun> run =
-      pipeline::runProgram(*program, design ? &*design : nullptr, session.context());
+      pipeline::runProgram(*program, design ? &*design : nullptr, session.context(), length);
   if (!run) return session.complain(run.error());
   const FileSet files = pipeline::simulationFiles(*run);
   if (!options.out.empty()) {

@@ -109,6 +109,38 @@ TEST(Simulate, AProgramBesideTheSurfaceIsNotCalledNearIt) {
   EXPECT_TRUE(json::parse(run.out)["surface"].is_null());
 }
 
+TEST(Simulate, AnOpenLengthIsThatOfTheResults) {
+  const Folder folder;
+  const std::string given = folder.write("given.json", panelJob(R"("stations": 24, "programs": ["json"])"));
+  ASSERT_EQ(blade({"rationalize", example("panel-600x670"), "--job", given, "--out", folder / "out"}).status,
+            0);
+  const std::string job = folder.write(
+      "open.json", R"({"stations": 24, "blade": {"preset": "steel-tube-3-2.5", "length": "auto"}})");
+  ASSERT_EQ(blade({"rationalize", example("panel-600x670"), "--job", job, "--out", folder / "open"}).status,
+            0);
+  json report = json::parse(slurp(folder / "open/report.json"));
+  const double taken = report["blade"]["length"];
+  ASSERT_NE(taken, 690);
+  const Finished run = blade({"simulate", folder / "open"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(json::parse(run.out)["blade_length"], taken);
+  // The stored design stays open: what it is asked for anew is found anew, and the same.
+  ASSERT_EQ(blade({"export", folder / "open", "--format", "json", "--out", folder / "again"}).status, 0);
+  EXPECT_EQ(slurp(folder / "again/strip-0/motion.json"), slurp(folder / "open/programs/strip-0/motion.json"));
+  // A design that leaves the length open has that of the program that it is given for.
+  const Finished fits = blade({"simulate", folder / "out", "--design", folder / "open/design.bladewright"});
+  EXPECT_EQ(fits.status, 0) << fits.err;
+  EXPECT_EQ(json::parse(fits.out)["blade_length"], 690);
+  // Results were made with one length, and a program of another one is not theirs.
+  const Finished other = blade({"simulate", folder / "out", "--design", folder / "open"});
+  EXPECT_EQ(other.status, 2) << other.err;
+  EXPECT_NE(other.err.find("a blade of 690 mm, the design has one of"), std::string::npos) << other.err;
+  report["blade"]["length"] = taken + 15;
+  folder.write("open/report.json", report.dump());
+  const Finished changed = blade({"simulate", folder / "open"});
+  EXPECT_EQ(changed.status, 2) << "it is not searched anew: " << changed.err;
+}
+
 TEST(Simulate, RefusesWhatItCannotRun) {
   const Folder folder;
   rationalize(folder);

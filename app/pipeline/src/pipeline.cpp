@@ -93,6 +93,7 @@ struct CutWork {
   Seconds& seconds;
   const RunContext& context;
   Purpose purpose;
+  std::optional<double> length = std::nullopt;  ///< mm, in place of a search for it
 
   template <class Request, class T, class Make>
   Result<void> settle(Stage<Request, T> CutEvaluation::*stage, const std::type_identity_t<Request>& request,
@@ -261,7 +262,9 @@ Result<void> fit(const CutWork& work) {
   const std::shared_ptr<const std::vector<Section>> row = rowOf(e);
   const std::vector<Section>& sections = *row;
   FitRequest fit = fitRequest(work.design);
-  if (work.design.blade.autoLength) {
+  if (work.design.blade.autoLength && work.length) {
+    fit.blade.length = *work.length;
+  } else if (work.design.blade.autoLength) {
     ok = seekLengths(work, work.seconds.fit);
     if (!ok) return ok;
     fit.blade.length = lengthOf(*e.lengths.value);
@@ -537,8 +540,8 @@ void Evaluation::takeMissing(const Evaluation& before) {
     }
 }
 
-Outcome evaluate(const Design& design, const Evaluation* previous, const RunContext& context,
-                 Purpose purpose) {
+Outcome evaluate(const Design& design, const Evaluation* previous, const RunContext& context, Purpose purpose,
+                 std::optional<double> length) {
   Outcome outcome;
   Evaluation& e = outcome.evaluation;
   e.design = design;
@@ -565,8 +568,8 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
     std::optional<BlockPlacement> placement = design.stock[b].placement;
     for (CutEvaluation& stages : e.blocks[b].cuts) {
       const Cut& cut = *std::ranges::find(design.cuts, stages.id, &Cut::id);
-      const CutWork work{design,    cut,     stages, previous ? previous->find(cut.id) : nullptr,
-                         e.seconds, context, purpose};
+      const CutWork work{design,    cut,     stages,  previous ? previous->find(cut.id) : nullptr,
+                         e.seconds, context, purpose, length};
       ok = place(work, e.source.value, placement);
       if (ok) ok = fit(work);
       if (ok) ok = check(work);

@@ -72,7 +72,7 @@ std::vector<std::string> judge(const Design& design, const Simulation& simulatio
 }  // namespace
 
 Result<ProgramRun> runProgram(const robotio::Program& program, const Design* design,
-                              const RunContext& context) {
+                              const RunContext& context, std::optional<double> length) {
   std::vector<std::string> broken;
   Result<Motion> motion = readMotion(program, broken);
   if (!motion) return tl::unexpected<Error>(motion.error());
@@ -82,7 +82,9 @@ Result<ProgramRun> runProgram(const robotio::Program& program, const Design* des
   blade.length = run.motion.bladeLength;
   Eigen::Vector3d weight = Eigen::Vector3d::Zero();
   if (design) {
-    outcome = evaluate(*design, nullptr, context, Purpose::files);
+    if (!length && run.motion.bladeLength > 0 && run.motion.bladeLength <= Blade::kLongest)
+      length = run.motion.bladeLength;
+    outcome = evaluate(*design, nullptr, context, Purpose::files, length);
     if (outcome.error) return tl::unexpected<Error>(*outcome.error);
     blade = outcome.evaluation.design.blade;
     weight = fitRequest(*design).weight;

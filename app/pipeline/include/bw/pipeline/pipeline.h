@@ -153,9 +153,10 @@ struct Outcome {
 enum class Purpose { live, files };
 
 /// Evaluates a design. Stages of `previous` whose keys are unchanged are used again, so that a change
-/// recomputes only what depends on it.
+/// recomputes only what depends on it. Where the design leaves the length of its blade open, `length` (mm) is
+/// the one that was found before: it is taken in place of a search.
 Outcome evaluate(const Design& design, const Evaluation* previous, const RunContext& context,
-                 Purpose purpose = Purpose::live);
+                 Purpose purpose = Purpose::live, std::optional<double> length = std::nullopt);
 
 /// The triangles of a cut's surface, unless they are there already: to be shown also where a later stage
 /// failed. `seconds` grows by the time.
