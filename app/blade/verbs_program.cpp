@@ -136,13 +136,17 @@ int runSimulate(const Session& session, const SimulateOptions& options) {
   if (!design)
     std::cerr << "info: no design was given; the blade is run without weight, against no surface\n";
   std::cerr << run->motion.instants.size() << " targets in " << fixedText(run->motion.duration(), 0) << " s";
+  if (simulation.halt) std::cerr << ", run up to " << shortText(simulation.halt->time, 4) << " s";
   if (run->surface && run->surface->covered > 0)
     std::cerr << "; the program cuts within " << shortText(run->surface->toDesignMax)
               << " mm of the surface shown, within " << shortText(run->surface->toTargetMax)
               << " mm of the target";
-  std::cerr << "; least stability margin " << shortText(simulation.marginMin, 2);
+  if (!simulation.blades.empty())
+    std::cerr << "; least stability margin " << shortText(simulation.marginMin, 2);
   if (simulation.minRadius > 0) std::cerr << "; smallest radius " << shortText(simulation.minRadius) << " mm";
-  std::cerr << "; fastest point " << shortText(simulation.speedMax) << " mm/s\n";
+  if (simulation.blades.size() > 1)
+    std::cerr << "; fastest point " << shortText(simulation.speedMax) << " mm/s";
+  std::cerr << "\n";
   return run->exceeded.empty() ? kDone : kLimitExceeded;
 }
 

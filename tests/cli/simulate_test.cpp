@@ -109,6 +109,54 @@ TEST(Simulate, AProgramBesideTheSurfaceIsNotCalledNearIt) {
   EXPECT_TRUE(json::parse(run.out)["surface"].is_null());
 }
 
+TEST(Simulate, WhatNoBladeCanDoIsStatusOneAndSaysWhereAndWhen) {
+  const Folder folder;
+  rationalize(folder);
+  const std::string path = "out/programs/strip-0/motion.json";
+  const json good = json::parse(slurp(folder / path));
+  const std::size_t middle = good["instants"].size() / 2;
+  const auto halted = [&](std::size_t at, auto change) {
+    json motion = good;
+    change(motion["instants"][at]["poses"]);
+    return blade({"simulate", folder.write(path, motion.dump()), "--out", folder / "sim"});
+  };
+  const auto told = [&] { return json::parse(slurp(folder / "sim/simulation.json")); };
+  const auto torn = [](json& poses) {
+    for (int k = 0; k < 3; ++k)
+      poses[0]["position"][k] =
+          1.5 * poses[0]["position"][k].get<double>() - 0.5 * poses[1]["position"][k].get<double>();
+  };
+  const Finished tears = halted(middle, torn);
+  EXPECT_EQ(tears.status, 1) << tears.err;
+  EXPECT_NE(tears.err.find("more than the blade of 710 mm is long; it would tear"), std::string::npos)
+      << tears.err;
+  EXPECT_NE(tears.err.find(" s, run up to "), std::string::npos) << tears.err;
+  const json part = told();
+  EXPECT_EQ(part["halted"]["why"], "tears");
+  EXPECT_EQ(part["halted"]["instant"], middle - 1);
+  EXPECT_GT(part["halted"]["time"], good["instants"][middle - 1]["time"]);
+  EXPECT_LE(part["halted"]["time"], good["instants"][middle]["time"]);
+  EXPECT_GT(part["surface"]["covered_percent"], 20);
+  EXPECT_LT(part["surface"]["covered_percent"], 80);
+  EXPECT_LE(part["surface"]["deviation_to_design_mean_mm"].get<double>(), 0.05) << "up to there it is right";
+
+  const Finished off = halted(
+      middle, [](json& poses) { poses[0]["position"][1] = poses[0]["position"][1].get<double>() + 2; });
+  EXPECT_EQ(off.status, 1) << off.err;
+  EXPECT_NE(off.err.find("not in one plane"), std::string::npos) << off.err;
+  EXPECT_EQ(told()["halted"]["why"], "off-plane");
+  // From the first instant on: there is nothing to tell of the blade.
+  const Finished never = halted(0, torn);
+  EXPECT_EQ(never.status, 1) << never.err;
+  const json nothing = told();
+  EXPECT_EQ(nothing["halted"]["time"], 0);
+  EXPECT_EQ(nothing["moments"], 0);
+  for (const char* key : {"entry", "margin_min", "min_radius_mm", "surface"})
+    EXPECT_TRUE(nothing[key].is_null()) << key;
+  EXPECT_EQ(never.err.find("margin"), std::string::npos) << never.err;
+  EXPECT_TRUE(json::parse(blade({"simulate", folder.write(path, good.dump())}).out)["halted"].is_null());
+}
+
 TEST(Simulate, AnOpenLengthIsThatOfTheResults) {
   const Folder folder;
   const std::string given = folder.write("given.json", panelJob(R"("stations": 24, "programs": ["json"])"));

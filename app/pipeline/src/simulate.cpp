@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "bw/core/base/units.h"
 #include "bw/core/text/number_text.h"
 #include "bw/pipeline/pipeline.h"
 #include "bw/robotio/dialects.h"
@@ -41,6 +42,22 @@ Result<Motion> readMotion(const robotio::Program& program, std::vector<std::stri
               "motion.json");
 }
 
+/// What of the blade halts it, in words.
+std::string haltText(const Halt& halt, double length) {
+  const std::string when = "at " + shortText(halt.time, 4) + " s ";
+  switch (halt.why) {
+    case Halt::Why::tears:
+      return when + "the grips are " + shortText(halt.apart, 7) + " mm apart, more than the blade of " +
+             shortText(length, 7) + " mm is long; it would tear";
+    case Halt::Why::offPlane:
+      return when + "the ends of the blade are not in one plane: " + shortText(halt.off) + " mm off, " +
+             shortText(toDegrees(halt.twist)) + "° twisted";
+    case Halt::Why::lost:
+      break;
+  }
+  return when + "the blade cannot be followed: " + halt.reason;
+}
+
 std::vector<std::string> judge(const Design& design, const Simulation& simulation,
                                const SimulatedSurface& surface) {
   std::vector<std::string> exceeded;
@@ -51,9 +68,9 @@ std::vector<std::string> judge(const Design& design, const Simulation& simulatio
   above(surface.toDesignMax, design.process.motionTolerance + simulation.straightWithin,
         "from the surface shown the blade lies up to", "motion tolerance");
   above(surface.toTargetMax, design.process.tolerance, "from the target the blade lies up to", "tolerance");
-  if (surface.covered <= 0)
+  if (surface.covered <= 0 && !simulation.halt)
     exceeded.push_back("no part of the blade comes over the surface shown");
-  else if (surface.covered < kAll)
+  else if (surface.covered > 0 && surface.covered < kAll)
     exceeded.push_back("the program cuts " + shortText(100 * surface.covered, 3) +
                        " % of the travel of the surface shown");
   if (simulation.marginMin < design.process.margin - kRounded)
@@ -119,6 +136,8 @@ Result<ProgramRun> runProgram(const robotio::Program& program, const Design* des
           (errors.size() == 1 ? "an error: " : std::to_string(errors.size()) + " errors: ") + errors.front());
   }
   run.exceeded.insert(run.exceeded.begin(), broken.begin(), broken.end());
+  if (const std::optional<Halt>& halt = run.simulation.halt)
+    run.exceeded.push_back(haltText(*halt, run.motion.bladeLength));
   for (const Simulation::Snap& snap : run.simulation.snaps)
     run.exceeded.push_back("at " + shortText(snap.time, 4) +
                            " s the blade leaves its shape and snaps into another");
@@ -137,8 +156,17 @@ std::string simulationText(const ProgramRun& run) {
   object["moments"] = simulation.blades.size();
   object["seconds"] = run.motion.duration();
   object["blade_length"] = run.motion.bladeLength;
-  object["entry"] = simulation.decided ? "decided" : "undecided";
-  object["margin_min"] = simulation.marginMin;
+  const bool ran = !simulation.blades.empty();
+  object["entry"] = !ran                 ? ordered_json(nullptr)
+                    : simulation.decided ? ordered_json("decided")
+                                         : ordered_json("undecided");
+  object["halted"] = nullptr;
+  if (const std::optional<Halt>& halt = simulation.halt)
+    object["halted"] = {{"why", haltName(halt->why)},
+                        {"instant", halt->instant},
+                        {"time", halt->time},
+                        {"at", {halt->place.x(), halt->place.y(), halt->place.z()}}};
+  object["margin_min"] = ran ? ordered_json(simulation.marginMin) : ordered_json(nullptr);
   object["min_radius_mm"] =
       simulation.minRadius > 0 ? ordered_json(simulation.minRadius) : ordered_json(nullptr);
   object["straight_within_mm"] = simulation.straightWithin;

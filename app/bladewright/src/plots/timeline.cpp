@@ -96,9 +96,8 @@ QStringList Timeline::readout() const {
       station < 0 ? timeText(time) : tr("%1, station %2").arg(timeText(time)).arg(std::lround(station) + 1),
       tr("%1 to %2").arg(speedText(sample.speedMin), speedText(sample.speedMax)),
       tr("%1 N/mm²").arg(std::lround(sample.stress))};
-  if (!margins_.isEmpty()) {
-    const auto after = std::ranges::lower_bound(margins_, time, {}, &QPointF::x);
-    const QPointF& at = after == margins_.end() ? margins_.back() : *after;
+  if (const auto after = std::ranges::lower_bound(margins_, time, {}, &QPointF::x); after != margins_.end()) {
+    const QPointF& at = *after;
     lines << tr("margin %1").arg(QString::fromStdString(shortText(at.y(), 2)));
   }
   return lines;
