@@ -143,6 +143,9 @@ int runSimulate(const Session& session, const SimulateOptions& options) {
               << " mm of the target";
   if (!simulation.blades.empty())
     std::cerr << "; least stability margin " << shortText(simulation.marginMin, 2);
+  if (const BarrierLook* least = leastBarrier(run->barriers))
+    std::cerr << "; least energy barrier " << shortText(*least->barrier, 2) << " N mm, at "
+              << shortText(least->time, 4) << " s";
   if (simulation.minRadius > 0) std::cerr << "; smallest radius " << shortText(simulation.minRadius) << " mm";
   if (simulation.blades.size() > 1)
     std::cerr << "; fastest point " << shortText(simulation.speedMax) << " mm/s";

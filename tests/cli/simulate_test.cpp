@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -40,6 +41,8 @@ TEST(Simulate, TheProgramCutsTheSurfaceThatIsShown) {
     if (rapid.is_null()) rapid = told;
     EXPECT_EQ(told["entry"], "decided");
     EXPECT_TRUE(told["snaps"].empty() && told["exceeded"].empty());
+    EXPECT_TRUE(told["barrier_min_Nmm"].is_null()) << "its shape is the only one";
+    EXPECT_GE(told["barriers"].size(), 9u);
     const json& surface = told["surface"];
     EXPECT_LE(surface["deviation_to_design_max_mm"].get<double>(), 0.1);
     EXPECT_NEAR(surface["deviation_to_design_max_mm"].get<double>(),
@@ -189,6 +192,31 @@ TEST(Simulate, AnOpenLengthIsThatOfTheResults) {
   EXPECT_EQ(changed.status, 2) << "it is not searched anew: " << changed.err;
 }
 
+TEST(Simulate, TellsHowLittleBringsTheBladeIntoAnotherShape) {
+  const Folder folder;
+  const std::string job = folder.write("job.json", R"({"stations": 12, "clearance": 30, "programs": ["json"],
+      "blade": {"preset": "nicr-flat-5x1", "length": 720}})");
+  ASSERT_EQ(blade({"rationalize", example("panel-600x670"), "--job", job, "--out", folder / "out"}).status,
+            1);
+  double least = 1e300;
+  const json report = json::parse(slurp(folder / "out/report.json"));
+  for (const json& station : report["strips"][0]["stations"])
+    if (station["barrier_Nmm"].is_number()) least = std::min(least, station["barrier_Nmm"].get<double>());
+  const Finished run = blade({"simulate", folder / "out"});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_NE(run.err.find(" N mm brings the blade into another shape"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("; least energy barrier "), std::string::npos) << run.err;
+  const json told = json::parse(run.out);
+  EXPECT_NEAR(told["barrier_min_Nmm"].get<double>(), least, 0.02 * least) << "as the row has it";
+  bool there = false;
+  for (const json& look : told["barriers"]) {
+    EXPECT_TRUE(!look["sure"] || look["barrier_Nmm"].is_null());
+    there = there || (look["barrier_Nmm"] == told["barrier_min_Nmm"] &&
+                      look["time"] == told["barrier_min_at"]["time"]);
+  }
+  EXPECT_TRUE(there);
+}
+
 TEST(Simulate, RefusesWhatItCannotRun) {
   const Folder folder;
   rationalize(folder);
@@ -208,6 +236,7 @@ TEST(Simulate, RefusesWhatItCannotRun) {
   EXPECT_EQ(alone.status, 0) << alone.err;
   EXPECT_NE(alone.err.find("without weight"), std::string::npos) << alone.err;
   EXPECT_TRUE(json::parse(alone.out)["surface"].is_null());
+  EXPECT_TRUE(json::parse(alone.out)["barriers"].empty()) << "how stiff the blade is is not known";
 }
 
 }  // namespace

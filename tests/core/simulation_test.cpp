@@ -7,10 +7,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "analytic_surfaces.h"
 #include "bw/core/base/units.h"
+#include "bw/core/elastica/elastica_bvp.h"
+#include "bw/core/heavy/heavy_bvp.h"
+#include "bw/core/simulation/barriers.h"
 #include "bw/core/sweep/entry_exit.h"
 #include "bw/core/sweep/row_motion.h"
 #include "plane_sections.h"
@@ -238,13 +242,13 @@ TEST(Simulation, RefusesWhatIsNoMotionOfABlade) {
             std::string::npos);
 }
 
-TEST(Simulation, ASnapAndAnUndecidedStartAreTold) {
-  // A blade held straight with slack may buckle to either side; pushed over, it snaps.
+/// A blade of 800 mm with grips 780 mm apart, tilted by an angle towards one side at each of some times.
+Motion tilting(const std::vector<std::pair<double, double>>& angles) {
   Motion motion;
   motion.block = {Frame{}, {100, 100, 100}};
   motion.bladeLength = 800;
   motion.cuttingSpeed = 20;
-  const auto hold = [&](double time, double angle) {
+  for (const auto& [time, angle] : angles) {
     MotionInstant instant{time, -1, {}};
     const auto end = [&](double x, const Vector3d& inward) {
       Eigen::Matrix3d axes;
@@ -254,17 +258,106 @@ TEST(Simulation, ASnapAndAnUndecidedStartAreTold) {
     end(0, {std::cos(angle), 0, std::sin(angle)});
     end(780, {-std::cos(angle), 0, std::sin(angle)});
     motion.instants.push_back(instant);
-  };
-  hold(0, 0);
-  hold(1, 0.05);
+  }
+  return motion;
+}
+
+std::vector<std::pair<double, double>> fromSideToSide() {
+  std::vector<std::pair<double, double>> angles;
+  for (int i = 0; i <= 10; ++i) angles.emplace_back(i, 0.5 - 0.1 * i);
+  return angles;
+}
+
+/// The grips of a blade of a run.
+HeavyProblem gripsOf(const SimulatedBlade& at, double stiffness) {
+  const HeavyBlade::Numbers& n = at.blade.numbers();
+  HeavyProblem problem{{}, stiffness, stiffness * n.load};
+  problem.grips.start = n.start;
+  problem.grips.end = at.blade.at(n.length).point;
+  problem.grips.startAngle = n.startAngle;
+  problem.grips.endAngle = n.startAngle + n.turning;
+  problem.grips.length = n.length;
+  return problem;
+}
+
+TEST(Barriers, AreThoseOfTheBoundaryValueProblem) {
+  // On the wrong side of its grips a blade needs less and less to be brought over, until it snaps.
   const Blade blade;
-  const Result<Simulation> slack = simulate(motion, blade, Vector3d::Zero(), {});
+  const double stiffness = blade.flexuralRigidity();
+  Simulation run = simulate(tilting(fromSideToSide()), blade, Vector3d::Zero(), {}).value();
+  ASSERT_EQ(run.snaps.size(), 1u);
+  const double snap = run.snaps[0].time;
+  const std::vector<BarrierLook> looks = barriersAlong(run, stiffness, {}).value();
+  ASSERT_GE(looks.size(), 12u);
+  int unsure = 0;
+  double before = 1e300;
+  for (const BarrierLook& look : looks) {
+    if (look.time < 4 || look.time >= snap) {
+      EXPECT_FALSE(look.unsure) << look.time;
+      EXPECT_FALSE(look.barrier) << look.time;
+      continue;
+    }
+    if (!look.unsure) continue;
+    ++unsure;
+    ASSERT_TRUE(look.barrier) << look.time;
+    EXPECT_LT(*look.barrier, before) << look.time;
+    before = *look.barrier;
+    // Without weight the way over is the lowest shape that does not rest.
+    const auto at = std::ranges::find(run.blades, look.time, &SimulatedBlade::time);
+    const HeavyProblem problem = gripsOf(*at, stiffness);
+    const ClampedAnswer all = solveAllClamped(problem.grips).value();
+    std::optional<double> pass;
+    for (const ClampedSolution& solution : all.solutions)
+      if (!solution.stable && (!pass || solution.energy < *pass)) pass = solution.energy;
+    ASSERT_TRUE(pass);
+    EXPECT_NEAR(*look.barrier, stiffness * (*pass - at->blade.energy()), 1e-6 * stiffness * *pass)
+        << look.time;
+  }
+  EXPECT_GE(unsure, 4);
+  const BarrierLook* least = leastBarrier(looks);
+  ASSERT_TRUE(least);
+  EXPECT_EQ(*least->barrier, before);
+  RunContext alone;
+  alone.threads = 1;
+  const std::vector<BarrierLook> again = barriersAlong(run, stiffness, alone).value();
+  ASSERT_EQ(again.size(), looks.size());
+  for (std::size_t i = 0; i < looks.size(); ++i) {
+    EXPECT_EQ(again[i].time, looks[i].time);
+    EXPECT_EQ(again[i].barrier, looks[i].barrier);
+  }
+  run.blades.clear();
+  EXPECT_TRUE(barriersAlong(run, stiffness, {}).value().empty());
+  EXPECT_EQ(leastBarrier({}), nullptr);
+}
+
+TEST(Barriers, AreThoseOfTheBladeWithItsWeight) {
+  const Blade blade;
+  const double stiffness = blade.flexuralRigidity();
+  const Simulation run =
+      simulate(tilting(fromSideToSide()), blade, -4 * blade.weight() * Vector3d::UnitZ(), {}).value();
+  const std::vector<BarrierLook> looks = barriersAlong(run, stiffness, {}).value();
+  int known = 0;
+  for (const BarrierLook& look : looks) {
+    if (!look.barrier) continue;
+    ++known;
+    const auto at = std::ranges::find(run.blades, look.time, &SimulatedBlade::time);
+    const HeavyAnswer all = solveAllHeavy(gripsOf(*at, stiffness)).value();
+    std::optional<double> own;
+    for (const HeavySolution& solution : all.solutions)
+      if ((solution.blade.at(400).point - at->blade.at(400).point).norm() < 1e-4) own = solution.barrier;
+    ASSERT_TRUE(own) << look.time;
+    EXPECT_NEAR(*look.barrier, *own, 1e-6 * (1 + *own)) << look.time;
+  }
+  EXPECT_GE(known, 3);
+}
+
+TEST(Simulation, ASnapAndAnUndecidedStartAreTold) {
+  // A blade held straight with slack may buckle to either side; pushed over, it snaps.
+  const Blade blade;
+  const Result<Simulation> slack = simulate(tilting({{0, 0}, {1, 0.05}}), blade, Vector3d::Zero(), {});
   ASSERT_TRUE(slack) << slack.error().message;
   EXPECT_FALSE(slack->decided);
-  motion.instants.clear();
-  hold(0, 0.5);
-  for (int i = 1; i <= 10; ++i) hold(i, 0.5 - 0.1 * i);
-  const Result<Simulation> over = simulate(motion, blade, Vector3d::Zero(), {});
+  const Result<Simulation> over = simulate(tilting(fromSideToSide()), blade, Vector3d::Zero(), {});
   ASSERT_TRUE(over) << over.error().message;
   EXPECT_TRUE(over->decided);
   ASSERT_EQ(over->snaps.size(), 1u);

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bw/core/base/units.h"
+#include "bw/core/sweep/row_certainty.h"
 #include "bw/core/text/number_text.h"
 #include "bw/pipeline/pipeline.h"
 #include "bw/robotio/dialects.h"
@@ -58,6 +59,20 @@ std::string haltText(const Halt& halt, double length) {
   return when + "the blade cannot be followed: " + halt.reason;
 }
 
+/// Where little brings the blade out of its shape.
+void judgeBarriers(const std::vector<BarrierLook>& looks, std::vector<std::string>& exceeded) {
+  const auto unknown =
+      std::ranges::find_if(looks, [](const BarrierLook& look) { return look.unsure && !look.barrier; });
+  if (const BarrierLook* least = leastBarrier(looks); least && *least->barrier < kLeastBarrier)
+    exceeded.push_back("at " + shortText(least->time, 4) + " s a push of " + shortText(*least->barrier, 2) +
+                       " N mm brings the blade into another shape, which is about as low or lower (least: " +
+                       shortText(kLeastBarrier) + " N mm)");
+  if (unknown != looks.end())
+    exceeded.push_back(
+        "at " + shortText(unknown->time, 4) +
+        " s the blade may rest in another shape, and how little brings it over could not be found");
+}
+
 std::vector<std::string> judge(const Design& design, const Simulation& simulation,
                                const SimulatedSurface& surface) {
   std::vector<std::string> exceeded;
@@ -93,7 +108,7 @@ Result<ProgramRun> runProgram(const robotio::Program& program, const Design* des
   std::vector<std::string> broken;
   Result<Motion> motion = readMotion(program, broken);
   if (!motion) return tl::unexpected<Error>(motion.error());
-  ProgramRun run{std::move(*motion), {}, {}, {}};
+  ProgramRun run{std::move(*motion), {}, {}, {}, {}};
   Outcome outcome;
   Blade blade;
   blade.length = run.motion.bladeLength;
@@ -127,7 +142,12 @@ Result<ProgramRun> runProgram(const robotio::Program& program, const Design* des
         run.simulation, cut.analysis.value->cut, cut.setup->planes, *cut.target.value->sampler(), context);
     if (!surface) return tl::unexpected<Error>(surface.error());
     run.surface = *surface;
+    Result<std::vector<BarrierLook>> barriers =
+        barriersAlong(run.simulation, blade.flexuralRigidity(), context);
+    if (!barriers) return tl::unexpected<Error>(barriers.error());
+    run.barriers = std::move(*barriers);
     run.exceeded = judge(*design, run.simulation, *surface);
+    judgeBarriers(run.barriers, run.exceeded);
     const std::vector<std::string> errors =
         words::errorsOf(outcome.evaluation.findings(), words::Reader::commandLine);
     if (!errors.empty())
@@ -167,6 +187,17 @@ std::string simulationText(const ProgramRun& run) {
                         {"time", halt->time},
                         {"at", {halt->place.x(), halt->place.y(), halt->place.z()}}};
   object["margin_min"] = ran ? ordered_json(simulation.marginMin) : ordered_json(nullptr);
+  const BarrierLook* least = leastBarrier(run.barriers);
+  object["barrier_min_Nmm"] = least ? ordered_json(*least->barrier) : ordered_json(nullptr);
+  object["barrier_min_at"] =
+      least ? ordered_json({{"instant", least->instant}, {"time", least->time}}) : ordered_json(nullptr);
+  object["barriers"] = ordered_json::array();
+  for (const BarrierLook& look : run.barriers)
+    object["barriers"].push_back(
+        {{"instant", look.instant},
+         {"time", look.time},
+         {"sure", !look.unsure},
+         {"barrier_Nmm", look.barrier ? ordered_json(*look.barrier) : ordered_json(nullptr)}});
   object["min_radius_mm"] =
       simulation.minRadius > 0 ? ordered_json(simulation.minRadius) : ordered_json(nullptr);
   object["straight_within_mm"] = simulation.straightWithin;

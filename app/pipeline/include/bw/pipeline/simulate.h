@@ -10,6 +10,7 @@
 #include "bw/core/base/run_context.h"
 #include "bw/core/design/design.h"
 #include "bw/core/files/file_set.h"
+#include "bw/core/simulation/barriers.h"
 #include "bw/core/simulation/simulation.h"
 #include "bw/robotio/text/program_text.h"
 
@@ -20,6 +21,7 @@ struct ProgramRun {
   Motion motion;
   Simulation simulation;
   std::optional<SimulatedSurface> surface;  ///< only with a design
+  std::vector<BarrierLook> barriers;        ///< likewise
   /// What breaks a rule of its dialect or a limit of the design, or snaps: a clause each.
   std::vector<std::string> exceeded;
 };
