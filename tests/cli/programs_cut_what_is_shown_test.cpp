@@ -35,6 +35,7 @@ std::vector<Case> cases() {
       {"panel-600x670", tube("800")},
       {"panel-600x670", R"({"clearance": 30, "blade": {"length": 700}})"},
       {"panel-600x670", R"({"stations": 10, "clearance": 30, "blade": {"length": 700}})"},
+      {"panel-600x670", R"({"stations": 20, "clearance": 30, "blade": {"length": 700}})"},
       {"panel-600x670", R"({"stations": 500, "clearance": 30, "blade": {"length": 700}})"},
       // Its first and its last blade are held all but taut: a tenth of a micrometre of a target moves them.
       {"graph", "{}", true, 0.07},
