@@ -173,6 +173,37 @@ TEST(Simulation, AMovedTargetIsSeen) {
   EXPECT_GT(own.compared(*heavier)->toDesignMax, 2 * own.deviation.fromShown);
 }
 
+TEST(Simulation, CoversTheTravelWhicheverWayItGoes) {
+  const test::RowSettings settings = heavySettings();
+  const Made made(settings);
+  const auto covered = [&](const Motion& motion) {
+    const Simulation run = simulate(motion, settings.blade, settings.weight, {}).value();
+    return made.compared(run).value().covered;
+  };
+  Motion back = made.motion;
+  std::ranges::reverse(back.instants);
+  for (MotionInstant& instant : back.instants) instant.time = made.motion.duration() - instant.time;
+  EXPECT_NEAR(covered(back), 1, 1e-6);
+  // Up to the middle, back and up to there again it is half of it as well.
+  Motion half = made.motion;
+  half.instants.resize(half.instants.size() / 2);
+  const double once = covered(half);
+  EXPECT_GT(once, 0.2);
+  EXPECT_LT(once, 0.8);
+  Motion thrice = half;
+  const double pause = half.instants[1].time - half.instants[0].time;
+  for (const bool again : {false, true}) {
+    std::vector<MotionInstant> more = half.instants;
+    if (!again) std::ranges::reverse(more);
+    const double from = thrice.duration() + pause;
+    for (MotionInstant& instant : more) {
+      instant.time = from + (again ? instant.time : half.duration() - instant.time);
+      thrice.instants.push_back(instant);
+    }
+  }
+  EXPECT_NEAR(covered(thrice), once, 0.02);
+}
+
 TEST(Simulation, HaltsWhereNoBladeCanFollow) {
   const test::RowSettings settings = heavySettings();
   const Made made(settings);

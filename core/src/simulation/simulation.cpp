@@ -8,6 +8,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "bw/core/base/units.h"
 #include "bw/core/heavy/heavy_bvp.h"
@@ -337,7 +338,8 @@ Result<SimulatedSurface> compare(const Simulation& simulation, const SurfaceGrid
     return d.dot(simulation.blades[std::size_t(std::clamp(r, 0, grid.rows - 1))].frame.origin);
   };
   const double begin = d.dot(shown.at(0, 0)), end = d.dot(shown.at(shown.rows - 1, 0));
-  double sum = 0, design = 0, away = 0, passed = 0;
+  double sum = 0, design = 0, away = 0;
+  std::vector<std::pair<double, double>> passed;  // of the travel, from where to where, whichever way
   bool metBefore = false;
   bool meets = false;  // the surface, or what goes on before it and after it
   const auto over = [&](const Vector3d& place) {
@@ -366,7 +368,7 @@ Result<SimulatedSurface> compare(const Simulation& simulation, const SurfaceGrid
       if (here) places.push_back(grid.at(r, c));
       inside = here;
     }
-    if (meets && metBefore) passed += std::max(0.0, std::min(level(r), end) - std::max(level(r - 1), begin));
+    if (meets && metBefore) passed.push_back(std::minmax({level(r - 1), level(r)}));
     metBefore = meets;
     const double weight = 0.5 * std::abs(level(r + 1) - level(r - 1));  // of travel
     for (const Vector3d& place : places) {
@@ -390,7 +392,14 @@ Result<SimulatedSurface> compare(const Simulation& simulation, const SurfaceGrid
     surface.toDesignMean = design / sum;
     surface.toTargetMean = away / sum;
   }
-  if (sum > 0 && end > begin) surface.covered = std::min(1.0, passed / (end - begin));
+  // Together, what is passed twice once.
+  std::ranges::sort(passed);
+  double reached = begin, covered = 0;
+  for (const auto& [from, to] : passed) {
+    covered += std::max(0.0, std::min(to, end) - std::max(from, reached));
+    reached = std::max(reached, to);
+  }
+  if (sum > 0 && end > begin) surface.covered = covered / (end - begin);
   return surface;
 }
 
