@@ -401,6 +401,7 @@ Result<void> check(const CutWork& work) {
                      return buildMotion(sweep, *e.ends.value, e.way.value->targets, request, findings);
                    });
   if (ok) work.keep(&CutEvaluation::run, {}, {e.motion.value, e.sweep.value});
+  if (ok && e.run.value) work.keep(&CutEvaluation::barriers, {}, {e.run.value});
   return ok;
 }
 
@@ -537,6 +538,7 @@ void Evaluation::takeMissing(const Evaluation& before) {
       takeMissing(cut.motion, from->motion);
       takeMissing(cut.lengths, from->lengths);
       takeMissing(cut.run, from->run);
+      takeMissing(cut.barriers, from->barriers);
     }
 }
 
@@ -605,6 +607,13 @@ bool addSecondThought(Evaluation& e, const RunContext& context) {
                         });
         if (ran) return true;
         if (context.stopped()) return false;
+      }
+      if (stages.run.value && !stages.barriers.value) {
+        const Result<void> looked = work.settle(
+            &CutEvaluation::barriers, {}, {stages.run.value}, none, [&](const NoRequest&, Findings&) {
+              return barriersAlong(*stages.run.value, fit.blade.flexuralRigidity(), context);
+            });
+        return looked.has_value();
       }
       if (!stages.lengths.value) return seekLengths(work, none).has_value();
     }

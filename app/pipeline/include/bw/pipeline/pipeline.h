@@ -13,6 +13,7 @@
 #include "bw/core/base/run_context.h"
 #include "bw/core/design/design.h"
 #include "bw/core/motion/cell.h"
+#include "bw/core/simulation/barriers.h"
 #include "bw/core/simulation/simulation.h"
 #include "bw/core/surface/mesh.h"
 #include "bw/core/sweep/blade_lengths.h"
@@ -106,7 +107,8 @@ struct CutEvaluation {
   Stage<EntryExitRequest, EntryExit> ends;      ///< how the blade is led into the row and out of it
   Stage<CheckRequest, RowRest> rest;            ///< what keeps each blade in its shape
   Stage<MotionRequest, Motion> motion;
-  Stage<NoRequest, Simulation> run;  ///< the motion run; only from `addSecondThought`
+  Stage<NoRequest, Simulation> run;                     ///< the motion run; only from `addSecondThought`
+  Stage<NoRequest, std::vector<BarrierLook>> barriers;  ///< along it; likewise
 
   std::optional<CutResult> result() const;  ///< empty until all stages are done
   Findings findings() const;                ///< of all stages in order
@@ -163,7 +165,7 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
 Result<void> meshTarget(CutEvaluation& cut, const CutEvaluation* previous, double& seconds);
 
 /// Adds to a cut that came to a result the next of what takes longer than a picture may wait for: the motion
-/// run, where it can be, and then the lengths of blade that would serve. False if nothing is left to be
+/// run, the barriers along it, and then the lengths of blade that would serve. False if nothing is left to be
 /// added, or it was stopped.
 bool addSecondThought(Evaluation& evaluation, const RunContext& context);
 
