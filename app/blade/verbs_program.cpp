@@ -119,8 +119,10 @@ int runSimulate(const Session& session, const SimulateOptions& options) {
       !program && std::filesystem::exists(motion, error))
     program = robotio::loadProgram(motion);
   if (!program) return session.complain(program.error());
+  const std::optional<double> length =
+      std::filesystem::is_directory(about, error) ? pipeline::madeWithLength(about) : std::nullopt;
   const Result<pipeline::ProgramRun> run =
-      pipeline::runProgram(*program, design ? &*design : nullptr, session.context());
+      pipeline::runProgram(*program, design ? &*design : nullptr, session.context(), length);
   if (!run) return session.complain(run.error());
   const FileSet files = pipeline::simulationFiles(*run);
   if (!options.out.empty()) {
@@ -134,13 +136,20 @@ int runSimulate(const Session& session, const SimulateOptions& options) {
   if (!design)
     std::cerr << "info: no design was given; the blade is run without weight, against no surface\n";
   std::cerr << run->motion.instants.size() << " targets in " << fixedText(run->motion.duration(), 0) << " s";
+  if (simulation.halt) std::cerr << ", run up to " << shortText(simulation.halt->time, 4) << " s";
   if (run->surface && run->surface->covered > 0)
     std::cerr << "; the program cuts within " << shortText(run->surface->toDesignMax)
               << " mm of the surface shown, within " << shortText(run->surface->toTargetMax)
               << " mm of the target";
-  std::cerr << "; least stability margin " << shortText(simulation.marginMin, 2);
+  if (!simulation.blades.empty())
+    std::cerr << "; least stability margin " << shortText(simulation.marginMin, 2);
+  if (const BarrierLook* least = leastBarrier(run->barriers))
+    std::cerr << "; least energy barrier " << shortText(*least->barrier, 2) << " N mm, at "
+              << shortText(least->time, 4) << " s";
   if (simulation.minRadius > 0) std::cerr << "; smallest radius " << shortText(simulation.minRadius) << " mm";
-  std::cerr << "; fastest point " << shortText(simulation.speedMax) << " mm/s\n";
+  if (simulation.blades.size() > 1)
+    std::cerr << "; fastest point " << shortText(simulation.speedMax) << " mm/s";
+  std::cerr << "\n";
   return run->exceeded.empty() ? kDone : kLimitExceeded;
 }
 

@@ -178,6 +178,37 @@ TEST_F(WindowTest, TimelinePlaysTheBladeAsTheMotionIsRun) {
   picture("timeline-run");
 }
 
+TEST_F(WindowTest, TimelineShowsTheBarrierWhereAnotherShapeIsAsLow) {
+  openPanel(12);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return bench().shownCut()->barriers.value != nullptr; }, kPatience));
+  Timeline& timeline = window().motionView().timeline();
+  window().tabs().setCurrentWidget(&window().motionView());
+  const auto toldAt = [&](double seconds) {
+    moveTo(timeline, {timeline.xOf(seconds), 40});
+    return timeline.readout().filter("barrier");
+  };
+  for (const BarrierLook& look : *bench().shownCut()->barriers.value)
+    EXPECT_TRUE(toldAt(look.time).isEmpty()) << "its shape is the only one";
+  // A blade that may rest in another shape but for the way into it and out of it.
+  bench().editDesign("Prepare", [](Design& design) {
+    design.blade = bladePreset("nicr-flat-5x1").value();
+    design.blade.length = 720;
+  });
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return bench().shownCut()->barriers.value != nullptr; }, kPatience));
+  const std::vector<BarrierLook> looks = *bench().shownCut()->barriers.value;
+  const BarrierLook* least = leastBarrier(looks);
+  ASSERT_TRUE(least);
+  const QStringList told = toldAt(least->time);
+  ASSERT_EQ(told.size(), 1);
+  EXPECT_NEAR(told[0].section(' ', 1, 1).toDouble(), *least->barrier, 0.2 * *least->barrier)
+      << told[0].toStdString();
+  EXPECT_TRUE(told[0].endsWith("N mm"));
+  ASSERT_FALSE(looks.front().unsure);
+  EXPECT_TRUE(toldAt(looks.front().time).isEmpty()) << "the arc at home";
+  picture("timeline-barrier");
+}
+
 TEST_F(WindowTest, LengthsThatServeStandBelowTheLength) {
   openPanel(20);
   ASSERT_TRUE(QTest::qWaitFor([&] { return bench().shownCut()->lengths.value != nullptr; }, kPatience));

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -40,6 +41,8 @@ TEST(Simulate, TheProgramCutsTheSurfaceThatIsShown) {
     if (rapid.is_null()) rapid = told;
     EXPECT_EQ(told["entry"], "decided");
     EXPECT_TRUE(told["snaps"].empty() && told["exceeded"].empty());
+    EXPECT_TRUE(told["barrier_min_Nmm"].is_null()) << "its shape is the only one";
+    EXPECT_GE(told["barriers"].size(), 9u);
     const json& surface = told["surface"];
     EXPECT_LE(surface["deviation_to_design_max_mm"].get<double>(), 0.1);
     EXPECT_NEAR(surface["deviation_to_design_max_mm"].get<double>(),
@@ -109,6 +112,111 @@ TEST(Simulate, AProgramBesideTheSurfaceIsNotCalledNearIt) {
   EXPECT_TRUE(json::parse(run.out)["surface"].is_null());
 }
 
+TEST(Simulate, WhatNoBladeCanDoIsStatusOneAndSaysWhereAndWhen) {
+  const Folder folder;
+  rationalize(folder);
+  const std::string path = "out/programs/strip-0/motion.json";
+  const json good = json::parse(slurp(folder / path));
+  const std::size_t middle = good["instants"].size() / 2;
+  const auto halted = [&](std::size_t at, auto change) {
+    json motion = good;
+    change(motion["instants"][at]["poses"]);
+    return blade({"simulate", folder.write(path, motion.dump()), "--out", folder / "sim"});
+  };
+  const auto told = [&] { return json::parse(slurp(folder / "sim/simulation.json")); };
+  const auto torn = [](json& poses) {
+    for (int k = 0; k < 3; ++k)
+      poses[0]["position"][k] =
+          1.5 * poses[0]["position"][k].get<double>() - 0.5 * poses[1]["position"][k].get<double>();
+  };
+  const Finished tears = halted(middle, torn);
+  EXPECT_EQ(tears.status, 1) << tears.err;
+  EXPECT_NE(tears.err.find("more than the blade of 710 mm is long; it would tear"), std::string::npos)
+      << tears.err;
+  EXPECT_NE(tears.err.find(" s, run up to "), std::string::npos) << tears.err;
+  const json part = told();
+  EXPECT_EQ(part["halted"]["why"], "tears");
+  EXPECT_EQ(part["halted"]["instant"], middle - 1);
+  EXPECT_GT(part["halted"]["time"], good["instants"][middle - 1]["time"]);
+  EXPECT_LE(part["halted"]["time"], good["instants"][middle]["time"]);
+  EXPECT_GT(part["surface"]["covered_percent"], 20);
+  EXPECT_LT(part["surface"]["covered_percent"], 80);
+  EXPECT_LE(part["surface"]["deviation_to_design_mean_mm"].get<double>(), 0.05) << "up to there it is right";
+
+  const Finished off = halted(
+      middle, [](json& poses) { poses[0]["position"][1] = poses[0]["position"][1].get<double>() + 2; });
+  EXPECT_EQ(off.status, 1) << off.err;
+  EXPECT_NE(off.err.find("not in one plane"), std::string::npos) << off.err;
+  EXPECT_EQ(told()["halted"]["why"], "off-plane");
+  // From the first instant on: there is nothing to tell of the blade.
+  const Finished never = halted(0, torn);
+  EXPECT_EQ(never.status, 1) << never.err;
+  const json nothing = told();
+  EXPECT_EQ(nothing["halted"]["time"], 0);
+  EXPECT_EQ(nothing["moments"], 0);
+  for (const char* key : {"entry", "margin_min", "min_radius_mm", "surface"})
+    EXPECT_TRUE(nothing[key].is_null()) << key;
+  EXPECT_EQ(never.err.find("margin"), std::string::npos) << never.err;
+  EXPECT_TRUE(json::parse(blade({"simulate", folder.write(path, good.dump())}).out)["halted"].is_null());
+}
+
+TEST(Simulate, AnOpenLengthIsThatOfTheResults) {
+  const Folder folder;
+  const std::string given = folder.write("given.json", panelJob(R"("stations": 24, "programs": ["json"])"));
+  ASSERT_EQ(blade({"rationalize", example("panel-600x670"), "--job", given, "--out", folder / "out"}).status,
+            0);
+  const std::string job = folder.write(
+      "open.json", R"({"stations": 24, "blade": {"preset": "steel-tube-3-2.5", "length": "auto"}})");
+  ASSERT_EQ(blade({"rationalize", example("panel-600x670"), "--job", job, "--out", folder / "open"}).status,
+            0);
+  json report = json::parse(slurp(folder / "open/report.json"));
+  const double taken = report["blade"]["length"];
+  ASSERT_NE(taken, 690);
+  const Finished run = blade({"simulate", folder / "open"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(json::parse(run.out)["blade_length"], taken);
+  // The stored design stays open: what it is asked for anew is found anew, and the same.
+  ASSERT_EQ(blade({"export", folder / "open", "--format", "json", "--out", folder / "again"}).status, 0);
+  EXPECT_EQ(slurp(folder / "again/strip-0/motion.json"), slurp(folder / "open/programs/strip-0/motion.json"));
+  // A design that leaves the length open has that of the program that it is given for.
+  const Finished fits = blade({"simulate", folder / "out", "--design", folder / "open/design.bladewright"});
+  EXPECT_EQ(fits.status, 0) << fits.err;
+  EXPECT_EQ(json::parse(fits.out)["blade_length"], 690);
+  // Results were made with one length, and a program of another one is not theirs.
+  const Finished other = blade({"simulate", folder / "out", "--design", folder / "open"});
+  EXPECT_EQ(other.status, 2) << other.err;
+  EXPECT_NE(other.err.find("a blade of 690 mm, the design has one of"), std::string::npos) << other.err;
+  report["blade"]["length"] = taken + 15;
+  folder.write("open/report.json", report.dump());
+  const Finished changed = blade({"simulate", folder / "open"});
+  EXPECT_EQ(changed.status, 2) << "it is not searched anew: " << changed.err;
+}
+
+TEST(Simulate, TellsHowLittleBringsTheBladeIntoAnotherShape) {
+  const Folder folder;
+  const std::string job = folder.write("job.json", R"({"stations": 12, "clearance": 30, "programs": ["json"],
+      "blade": {"preset": "nicr-flat-5x1", "length": 720}})");
+  ASSERT_EQ(blade({"rationalize", example("panel-600x670"), "--job", job, "--out", folder / "out"}).status,
+            1);
+  double least = 1e300;
+  const json report = json::parse(slurp(folder / "out/report.json"));
+  for (const json& station : report["strips"][0]["stations"])
+    if (station["barrier_Nmm"].is_number()) least = std::min(least, station["barrier_Nmm"].get<double>());
+  const Finished run = blade({"simulate", folder / "out"});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_NE(run.err.find(" N mm brings the blade into another shape"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("; least energy barrier "), std::string::npos) << run.err;
+  const json told = json::parse(run.out);
+  EXPECT_NEAR(told["barrier_min_Nmm"].get<double>(), least, 0.02 * least) << "as the row has it";
+  bool there = false;
+  for (const json& look : told["barriers"]) {
+    EXPECT_TRUE(!look["sure"] || look["barrier_Nmm"].is_null());
+    there = there || (look["barrier_Nmm"] == told["barrier_min_Nmm"] &&
+                      look["time"] == told["barrier_min_at"]["time"]);
+  }
+  EXPECT_TRUE(there);
+}
+
 TEST(Simulate, RefusesWhatItCannotRun) {
   const Folder folder;
   rationalize(folder);
@@ -128,6 +236,7 @@ TEST(Simulate, RefusesWhatItCannotRun) {
   EXPECT_EQ(alone.status, 0) << alone.err;
   EXPECT_NE(alone.err.find("without weight"), std::string::npos) << alone.err;
   EXPECT_TRUE(json::parse(alone.out)["surface"].is_null());
+  EXPECT_TRUE(json::parse(alone.out)["barriers"].empty()) << "how stiff the blade is is not known";
 }
 
 }  // namespace

@@ -93,6 +93,7 @@ struct CutWork {
   Seconds& seconds;
   const RunContext& context;
   Purpose purpose;
+  std::optional<double> length = std::nullopt;  ///< mm, in place of a search for it
 
   template <class Request, class T, class Make>
   Result<void> settle(Stage<Request, T> CutEvaluation::*stage, const std::type_identity_t<Request>& request,
@@ -322,7 +323,9 @@ Result<void> fit(const CutWork& work) {
   const std::shared_ptr<const std::vector<Section>> row = rowOf(e);
   const std::vector<Section>& sections = *row;
   FitRequest fit = fitRequest(work.design);
-  if (work.design.blade.autoLength) {
+  if (work.design.blade.autoLength && work.length) {
+    fit.blade.length = *work.length;
+  } else if (work.design.blade.autoLength) {
     ok = seekLengths(work, work.seconds.fit);
     if (!ok) return ok;
     fit.blade.length = lengthOf(*e.lengths.value);
@@ -461,6 +464,7 @@ Result<void> check(const CutWork& work) {
                    });
   if (ok) work.keep(&CutEvaluation::run, {}, {e.motion.value, e.sweep.value});
   if (ok) work.keep(&CutEvaluation::margins, marginsRequest(work), {rowOf(e)});
+  if (ok && e.run.value) work.keep(&CutEvaluation::barriers, {}, {e.run.value});
   return ok;
 }
 
@@ -600,11 +604,12 @@ void Evaluation::takeMissing(const Evaluation& before) {
       takeMissing(cut.lengths, from->lengths);
       takeMissing(cut.margins, from->margins);
       takeMissing(cut.run, from->run);
+      takeMissing(cut.barriers, from->barriers);
     }
 }
 
-Outcome evaluate(const Design& design, const Evaluation* previous, const RunContext& context,
-                 Purpose purpose) {
+Outcome evaluate(const Design& design, const Evaluation* previous, const RunContext& context, Purpose purpose,
+                 std::optional<double> length) {
   Outcome outcome;
   Evaluation& e = outcome.evaluation;
   e.design = design;
@@ -631,8 +636,8 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
     std::optional<BlockPlacement> placement = design.stock[b].placement;
     for (CutEvaluation& stages : e.blocks[b].cuts) {
       const Cut& cut = *std::ranges::find(design.cuts, stages.id, &Cut::id);
-      const CutWork work{design,    cut,     stages, previous ? previous->find(cut.id) : nullptr,
-                         e.seconds, context, purpose};
+      const CutWork work{design,    cut,     stages,  previous ? previous->find(cut.id) : nullptr,
+                         e.seconds, context, purpose, length};
       ok = place(work, e.source.value, placement);
       if (ok) ok = fit(work);
       if (ok) ok = check(work);
@@ -668,6 +673,13 @@ bool addSecondThought(Evaluation& e, const RunContext& context) {
                         });
         if (ran) return true;
         if (context.stopped()) return false;
+      }
+      if (stages.run.value && !stages.barriers.value) {
+        const Result<void> looked = work.settle(
+            &CutEvaluation::barriers, {}, {stages.run.value}, none, [&](const NoRequest&, Findings&) {
+              return barriersAlong(*stages.run.value, fit.blade.flexuralRigidity(), context);
+            });
+        return looked.has_value();
       }
       if (!stages.lengths.value) return seekLengths(work, none).has_value();
       if (!stages.margins.value) return seekMargins(work, none).has_value();

@@ -50,6 +50,9 @@ Result<std::optional<ReportRecord>> readReportRecord(const fs::path& folder) {
   record.folder = folder;
   if (const auto run = report.find("run"); run != report.end() && run->is_string())
     record.run = run->get<std::string>();
+  if (const auto blade = report.find("blade"); blade != report.end() && blade->is_object())
+    if (const auto length = blade->find("length"); length != blade->end() && length->is_number())
+      record.bladeLength = length->get<double>();
   if (const auto files = report.find("files"); files != report.end() && files->is_array())
     for (const json& name : *files)
       if (name.is_string() && staysInside(name.get<std::string>())) record.files.insert(name);

@@ -15,9 +15,10 @@ namespace bw::pipeline {
 /// What the report.json of a folder says of its run.
 struct ReportRecord {
   std::filesystem::path folder;
-  std::string run;                                  ///< empty if it names none
-  std::set<std::string> files;                      ///< that it lists, by path within the folder
-  std::map<std::string, std::string> fingerprints;  ///< of those files, by the same paths
+  std::string run;                                   ///< empty if it names none
+  std::set<std::string> files;                       ///< that it lists, by path within the folder
+  std::map<std::string, std::string> fingerprints;   ///< of those files, by the same paths
+  std::optional<double> bladeLength = std::nullopt;  ///< mm
 };
 
 /// Reads it. Nothing where there is no report.json, or somebody else's; an error where it cannot be read or

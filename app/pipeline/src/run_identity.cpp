@@ -257,4 +257,11 @@ Result<void> checkOneRun(const fs::path& folder, const std::string& designFile) 
   return {};
 }
 
+std::optional<double> madeWithLength(const fs::path& folder) {
+  const Result<std::optional<ReportRecord>> record = readReportRecord(folder);
+  if (!record || !*record) return {};
+  const std::optional<double>& length = (*record)->bladeLength;
+  return length && *length > 0 && *length <= Blade::kLongest ? length : std::nullopt;
+}
+
 }  // namespace bw::pipeline

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "bw/core/base/units.h"
+#include "bw/core/sweep/row_certainty.h"
 #include "bw/core/text/number_text.h"
 #include "bw/pipeline/pipeline.h"
 #include "bw/robotio/dialects.h"
@@ -41,6 +43,36 @@ Result<Motion> readMotion(const robotio::Program& program, std::vector<std::stri
               "motion.json");
 }
 
+/// What of the blade halts it, in words.
+std::string haltText(const Halt& halt, double length) {
+  const std::string when = "at " + shortText(halt.time, 4) + " s ";
+  switch (halt.why) {
+    case Halt::Why::tears:
+      return when + "the grips are " + shortText(halt.apart, 7) + " mm apart, more than the blade of " +
+             shortText(length, 7) + " mm is long; it would tear";
+    case Halt::Why::offPlane:
+      return when + "the ends of the blade are not in one plane: " + shortText(halt.off) + " mm off, " +
+             shortText(toDegrees(halt.twist)) + "° twisted";
+    case Halt::Why::lost:
+      break;
+  }
+  return when + "the blade cannot be followed: " + halt.reason;
+}
+
+/// Where little brings the blade out of its shape.
+void judgeBarriers(const std::vector<BarrierLook>& looks, std::vector<std::string>& exceeded) {
+  const auto unknown =
+      std::ranges::find_if(looks, [](const BarrierLook& look) { return look.unsure && !look.barrier; });
+  if (const BarrierLook* least = leastBarrier(looks); least && *least->barrier < kLeastBarrier)
+    exceeded.push_back("at " + shortText(least->time, 4) + " s a push of " + shortText(*least->barrier, 2) +
+                       " N mm brings the blade into another shape, which is about as low or lower (least: " +
+                       shortText(kLeastBarrier) + " N mm)");
+  if (unknown != looks.end())
+    exceeded.push_back(
+        "at " + shortText(unknown->time, 4) +
+        " s the blade may rest in another shape, and how little brings it over could not be found");
+}
+
 std::vector<std::string> judge(const Design& design, const Simulation& simulation,
                                const SimulatedSurface& surface) {
   std::vector<std::string> exceeded;
@@ -51,9 +83,9 @@ std::vector<std::string> judge(const Design& design, const Simulation& simulatio
   above(surface.toDesignMax, design.process.motionTolerance + simulation.straightWithin,
         "from the surface shown the blade lies up to", "motion tolerance");
   above(surface.toTargetMax, design.process.tolerance, "from the target the blade lies up to", "tolerance");
-  if (surface.covered <= 0)
+  if (surface.covered <= 0 && !simulation.halt)
     exceeded.push_back("no part of the blade comes over the surface shown");
-  else if (surface.covered < kAll)
+  else if (surface.covered > 0 && surface.covered < kAll)
     exceeded.push_back("the program cuts " + shortText(100 * surface.covered, 3) +
                        " % of the travel of the surface shown");
   if (simulation.marginMin < design.process.margin - kRounded)
@@ -72,17 +104,19 @@ std::vector<std::string> judge(const Design& design, const Simulation& simulatio
 }  // namespace
 
 Result<ProgramRun> runProgram(const robotio::Program& program, const Design* design,
-                              const RunContext& context) {
+                              const RunContext& context, std::optional<double> length) {
   std::vector<std::string> broken;
   Result<Motion> motion = readMotion(program, broken);
   if (!motion) return tl::unexpected<Error>(motion.error());
-  ProgramRun run{std::move(*motion), {}, {}, {}};
+  ProgramRun run{std::move(*motion), {}, {}, {}, {}};
   Outcome outcome;
   Blade blade;
   blade.length = run.motion.bladeLength;
   Eigen::Vector3d weight = Eigen::Vector3d::Zero();
   if (design) {
-    outcome = evaluate(*design, nullptr, context, Purpose::files);
+    if (!length && run.motion.bladeLength > 0 && run.motion.bladeLength <= Blade::kLongest)
+      length = run.motion.bladeLength;
+    outcome = evaluate(*design, nullptr, context, Purpose::files, length);
     if (outcome.error) return tl::unexpected<Error>(*outcome.error);
     blade = outcome.evaluation.design.blade;
     weight = fitRequest(*design).weight;
@@ -108,7 +142,12 @@ Result<ProgramRun> runProgram(const robotio::Program& program, const Design* des
         run.simulation, cut.analysis.value->cut, cut.setup->planes, *cut.target.value->sampler(), context);
     if (!surface) return tl::unexpected<Error>(surface.error());
     run.surface = *surface;
+    Result<std::vector<BarrierLook>> barriers =
+        barriersAlong(run.simulation, blade.flexuralRigidity(), context);
+    if (!barriers) return tl::unexpected<Error>(barriers.error());
+    run.barriers = std::move(*barriers);
     run.exceeded = judge(*design, run.simulation, *surface);
+    judgeBarriers(run.barriers, run.exceeded);
     const std::vector<std::string> errors =
         words::errorsOf(outcome.evaluation.findings(), words::Reader::commandLine);
     if (!errors.empty())
@@ -117,6 +156,8 @@ Result<ProgramRun> runProgram(const robotio::Program& program, const Design* des
           (errors.size() == 1 ? "an error: " : std::to_string(errors.size()) + " errors: ") + errors.front());
   }
   run.exceeded.insert(run.exceeded.begin(), broken.begin(), broken.end());
+  if (const std::optional<Halt>& halt = run.simulation.halt)
+    run.exceeded.push_back(haltText(*halt, run.motion.bladeLength));
   for (const Simulation::Snap& snap : run.simulation.snaps)
     run.exceeded.push_back("at " + shortText(snap.time, 4) +
                            " s the blade leaves its shape and snaps into another");
@@ -135,8 +176,28 @@ std::string simulationText(const ProgramRun& run) {
   object["moments"] = simulation.blades.size();
   object["seconds"] = run.motion.duration();
   object["blade_length"] = run.motion.bladeLength;
-  object["entry"] = simulation.decided ? "decided" : "undecided";
-  object["margin_min"] = simulation.marginMin;
+  const bool ran = !simulation.blades.empty();
+  object["entry"] = !ran                 ? ordered_json(nullptr)
+                    : simulation.decided ? ordered_json("decided")
+                                         : ordered_json("undecided");
+  object["halted"] = nullptr;
+  if (const std::optional<Halt>& halt = simulation.halt)
+    object["halted"] = {{"why", haltName(halt->why)},
+                        {"instant", halt->instant},
+                        {"time", halt->time},
+                        {"at", {halt->place.x(), halt->place.y(), halt->place.z()}}};
+  object["margin_min"] = ran ? ordered_json(simulation.marginMin) : ordered_json(nullptr);
+  const BarrierLook* least = leastBarrier(run.barriers);
+  object["barrier_min_Nmm"] = least ? ordered_json(*least->barrier) : ordered_json(nullptr);
+  object["barrier_min_at"] =
+      least ? ordered_json({{"instant", least->instant}, {"time", least->time}}) : ordered_json(nullptr);
+  object["barriers"] = ordered_json::array();
+  for (const BarrierLook& look : run.barriers)
+    object["barriers"].push_back(
+        {{"instant", look.instant},
+         {"time", look.time},
+         {"sure", !look.unsure},
+         {"barrier_Nmm", look.barrier ? ordered_json(*look.barrier) : ordered_json(nullptr)}});
   object["min_radius_mm"] =
       simulation.minRadius > 0 ? ordered_json(simulation.minRadius) : ordered_json(nullptr);
   object["straight_within_mm"] = simulation.straightWithin;

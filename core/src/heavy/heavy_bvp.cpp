@@ -356,6 +356,39 @@ Result<HeavyAnswer> solveAllHeavy(const HeavyProblem& problem, const ClampedOpti
   return answer;
 }
 
+Result<HeavyRivals> rivalsOf(const HeavyBlade& blade, double stiffness, std::int64_t work) {
+  const WorkMeter meter(work);
+  const HeavyBlade::Numbers& n = blade.numbers();
+  HeavyProblem problem{{}, stiffness, stiffness * n.load};
+  problem.grips.start = n.start;
+  problem.grips.end = blade.at(n.length).point;
+  problem.grips.startAngle = n.startAngle;
+  problem.grips.endAngle = n.startAngle + n.turning;
+  problem.grips.turning = n.turning;
+  problem.grips.length = n.length;
+  const Result<Unit> unit = check(problem, {});
+  if (!unit) return tl::unexpected<Error>(unit.error());
+  const Result<ClampedAnswer> weightless = solveAllClamped(problem.grips, {});
+  if (!weightless) return tl::unexpected<Error>(weightless.error());
+  HeavyRivals rivals{stiffness * blade.energy()};
+  if (weightless->kind == ClampedKind::straight) return rivals;
+  Search search(*unit, *weightless);
+  const std::size_t self = search.add(n.turning, {n.coefficients, n.endForce * (n.length * n.length)});
+  if (meter.stopped())
+    return fail(ErrorCode::noSolution, "What else the blade may rest in is not found within bounds.",
+                "blade");
+  rivals.barrier = search.barrier(self);
+  for (std::size_t i = 0; i < search.found().size(); ++i) {
+    const Found& found = search.found()[i];
+    if (i == self || !found.stable) continue;
+    const double energy = energyOf(unit->hold(found.turning), found.shape) * unit->energy();
+    if (rivals.next && rivals.nextEnergy <= energy) continue;
+    rivals.next = placed(*unit, found.turning, found.shape);
+    rivals.nextEnergy = energy;
+  }
+  return rivals;
+}
+
 double largestSag(double length, double chord) {
   return std::sqrt(0.375 * std::max(0.0, length - chord) * length);
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "bw/core/base/units.h"
 #include "bw/core/heavy/heavy_bvp.h"
@@ -33,6 +34,10 @@ constexpr double kEdge = 0.01;        // mm beyond the first or the last row: ro
 constexpr double kOffPlane = 0.5;     // mm, of an end,
 constexpr double kTilted = fromDegrees(0.5);
 
+/// What is done as long as nothing halts it.
+template <class T>
+using Step = tl::expected<T, Halt>;
+
 /// How the grips hold the blade at a moment.
 struct Hold {
   Frame frame;  ///< of its plane, in the block's frame
@@ -53,16 +58,25 @@ class Runner {
  private:
   /// Of an end: straight from instant to instant, turning evenly, but for parabolas at corners with zones.
   Pose poseAt(std::size_t end, std::size_t instant, double share) const;
-  Result<Hold> holdAt(std::size_t instant, double share);
-  Result<void> begin(const Hold& hold, double time);
-  Result<void> go(const Hold& hold, double time, std::size_t instant);
-  Result<void> note(const Hold& hold, double time, std::size_t instant, bool atInstant);
+  Step<Hold> holdAt(std::size_t instant, double share);
+  Step<void> begin(const Hold& hold);
+  Step<void> go(const Hold& hold, double time, std::size_t instant);
+  Step<void> note(const Hold& hold, double time, std::size_t instant, bool atInstant);
+  /// What comes of the blade at a moment.
+  Step<void> moment(std::size_t instant, double share, bool atInstant);
+  Vector3d toFile(const Vector3d& inBlock) const {
+    const Frame& f = motion_.block.frame;
+    return inBlock.x() * f.x + inBlock.y() * f.y + inBlock.z() * f.normal;
+  }
   double timeAt(std::size_t instant, double share) const {
     const double now = motion_.instants[instant].time;
     return share > 0 ? std::lerp(now, motion_.instants[instant + 1].time, share) : now;
   }
-  tl::unexpected<Error> failed(double time, const std::string& why) const {
-    return fail(ErrorCode::noSolution, "at " + shortText(time, 4) + " s " + why, "motion", time);
+  /// `moment` tells when and where.
+  static tl::unexpected<Halt> lost(const std::string& reason) {
+    Halt halt;
+    halt.reason = reason;
+    return tl::unexpected<Halt>(std::move(halt));
   }
   /// mm that the blade may sag by its slack.
   static double slack(const HeavyProblem& problem) {
@@ -122,21 +136,19 @@ Pose Runner::poseAt(std::size_t end, std::size_t instant, double share) const {
   return {a.position + share * (b.position - a.position), a.rotation.slerp(share, b.rotation)};
 }
 
-Result<Hold> Runner::holdAt(std::size_t instant, double share) {
-  const double time = timeAt(instant, share);
+Step<Hold> Runner::holdAt(std::size_t instant, double share) {
   const Pose left = poseAt(0, instant, share), right = poseAt(1, instant, share);
   const Vector3d zl = left.rotation * Vector3d::UnitZ(), zr = right.rotation * Vector3d::UnitZ();
   const Vector3d normal = (zl + zr).normalized();
   const Vector3d chord = right.position - left.position;
-  const double off = std::abs(chord.dot(normal)), tilt = std::acos(std::clamp(zl.dot(zr), -1.0, 1.0));
-  if (!(off <= kOffPlane) || !(tilt <= kTilted))
-    return fail(ErrorCode::badInput,
-                "at " + shortText(time, 4) + " s the ends of the blade are not in one plane: " +
-                    shortText(off) + " mm off, " + shortText(toDegrees(tilt)) + "° twisted",
-                "motion", time);
-  if (chord.norm() > length_ + kStretch)
-    return failed(time, "the grips are " + shortText(chord.norm(), 7) + " mm apart, more than the blade of " +
-                            shortText(length_, 7) + " mm is long; it would tear");
+  Halt halt{Halt::Why::tears, timeAt(instant, share), instant};
+  halt.place = motion_.block.frame.origin + toFile(0.5 * (left.position + right.position));
+  halt.apart = chord.norm();
+  halt.off = std::abs(chord.dot(normal));
+  halt.twist = std::acos(std::clamp(zl.dot(zr), -1.0, 1.0));
+  if (halt.apart > length_ + kStretch) return tl::unexpected<Halt>(halt);
+  halt.why = Halt::Why::offPlane;
+  if (!(halt.off <= kOffPlane) || !(halt.twist <= kTilted)) return tl::unexpected<Halt>(halt);
   if (!across_) {
     across_ = chord.norm() > 0 ? chord : left.rotation * Vector3d::UnitX();
     home_ = left.position;
@@ -168,56 +180,52 @@ Result<Hold> Runner::holdAt(std::size_t instant, double share) {
   return hold;
 }
 
-Result<void> Runner::begin(const Hold& hold, double time) {
+Step<void> Runner::begin(const Hold& hold) {
   branch_.reset();
   if (taut(hold.problem)) return {};
   const Result<HeavyAnswer> all = solveAllHeavy(hold.problem);
-  if (!all) return failed(time, "no shape at rest was found: " + all.error().message);
+  if (!all) return lost(all.error().message);
   std::optional<double> lowest;
   for (const HeavySolution& solution : all->solutions) {
     if (!solution.stable) continue;
     if (!lowest) {
       lowest = solution.energy;
       const Result<HeavyBranch> branch = HeavyBranch::from(hold.problem, solution);
-      if (!branch) return failed(time, branch.error().message);
+      if (!branch) return lost(branch.error().message);
       branch_ = *branch;
     } else if (solution.energy - *lowest <= kClearGap * std::abs(*lowest)) {
       result_.decided = result_.decided && !result_.blades.empty();
     }
   }
-  if (!lowest) return failed(time, "no shape at rest was found");
+  if (!lowest) return lost("No shape at rest was found.");
   return {};
 }
 
-Result<void> Runner::go(const Hold& hold, double time, std::size_t instant) {
+Step<void> Runner::go(const Hold& hold, double time, std::size_t instant) {
   if (taut(hold.problem)) {
     branch_.reset();
     return {};
   }
   if (!branch_) {
     // All but straight, and rounded as it is written, it may not be found yet.
-    const Result<void> found = begin(hold, time);
+    const Step<void> found = begin(hold);
     if (found || slack(hold.problem) > kHardlySlack) return found;
     result_.straightWithin = std::max(result_.straightWithin, slack(hold.problem));
     return {};
   }
   const Result<ClampedBranch::Move> move = branch_->moveTo(hold.problem);
-  if (!move) return failed(time, "the blade cannot be followed: " + move.error().message);
+  if (!move) return lost(move.error().message);
   if (!move->snapped) return {};
   result_.snaps.push_back({time, instant});
-  return begin(hold, time);
+  return begin(hold);
 }
 
-Result<void> Runner::note(const Hold& hold, double time, std::size_t instant, bool atInstant) {
+Step<void> Runner::note(const Hold& hold, double time, std::size_t instant, bool atInstant) {
   Frame frame;
-  const Frame& block = motion_.block.frame;
-  const auto turned = [&](const Vector3d& v) -> Vector3d {
-    return v.x() * block.x + v.y() * block.y + v.z() * block.normal;
-  };
-  frame.origin = block.origin + turned(hold.frame.origin);
-  frame.x = turned(hold.frame.x);
-  frame.y = turned(hold.frame.y);
-  frame.normal = turned(hold.frame.normal);
+  frame.origin = motion_.block.frame.origin + toFile(hold.frame.origin);
+  frame.x = toFile(hold.frame.x);
+  frame.y = toFile(hold.frame.y);
+  frame.normal = toFile(hold.frame.normal);
   const ClampedProblem& grips = hold.problem.grips;
   std::optional<HeavyBlade> blade;
   if (branch_) {
@@ -228,7 +236,7 @@ Result<void> Runner::note(const Hold& hold, double time, std::size_t instant, bo
         Elastica::make(grips.start, std::atan2(chord.y(), chord.x()), 0, Vector2d::Zero(), length_);
     const Result<Hanging> held = straight ? hang(*straight, stiffness_, Vector2d::Zero())
                                           : Result<Hanging>(tl::unexpected<Error>(straight.error()));
-    if (!held) return failed(time, "the blade is not known: " + held.error().message);
+    if (!held) return lost(held.error().message);
     blade = held->blade;
   }
   const double margin = branch_ ? marginsOf(*blade).inPlane : 1;
@@ -240,21 +248,32 @@ Result<void> Runner::note(const Hold& hold, double time, std::size_t instant, bo
   return {};
 }
 
+Step<void> Runner::moment(std::size_t instant, double share, bool atInstant) {
+  const Step<Hold> hold = holdAt(instant, share);
+  if (!hold) return tl::unexpected<Halt>(hold.error());
+  const double time = timeAt(instant, share);
+  Step<void> ok = result_.blades.empty() ? begin(*hold) : go(*hold, time, instant);
+  if (ok) ok = note(*hold, time, instant, atInstant);
+  if (ok) return ok;
+  Halt& halt = ok.error();
+  const ClampedProblem& grips = hold->problem.grips;
+  halt.time = time;
+  halt.instant = instant;
+  halt.place = motion_.block.frame.origin + toFile(hold->frame.toWorld(0.5 * (grips.start + grips.end)));
+  halt.apart = (grips.end - grips.start).norm();
+  return ok;
+}
+
 Result<Simulation> Runner::run(const RunContext& context) {
   const std::size_t n = motion_.instants.size();
-  for (std::size_t i = 0; i < n; ++i)
-    for (int k = i == 0 ? kBetween : 1; k <= kBetween; ++k) {
+  for (std::size_t i = 0; i < n && !result_.halt; ++i)
+    for (int k = i == 0 ? kBetween : 1; k <= kBetween && !result_.halt; ++k) {
       if (context.stopped()) return stoppedError();
       // Up to instant i, from the one before.
       const std::size_t from = i == 0 || k == kBetween ? i : i - 1;
-      const double share = from == i ? 0 : double(k) / kBetween, time = timeAt(from, share);
-      const Result<Hold> hold = holdAt(from, share);
-      if (!hold) return tl::unexpected<Error>(hold.error());
-      Result<void> ok = result_.blades.empty() ? begin(*hold, time) : go(*hold, time, from);
-      if (ok) ok = note(*hold, time, from, from == i);
-      if (!ok) return tl::unexpected<Error>(ok.error());
+      const Step<void> ok = moment(from, from == i ? 0 : double(k) / kBetween, from == i);
+      if (!ok) result_.halt = ok.error();
     }
-  std::vector<Vector3d> before;
   const SurfaceGrid grid = result_.swept();
   for (int r = 1; r < grid.rows; ++r) {
     double farthest = 0;
@@ -267,6 +286,18 @@ Result<Simulation> Runner::run(const RunContext& context) {
 }
 
 }  // namespace
+
+const char* haltName(Halt::Why why) {
+  switch (why) {
+    case Halt::Why::tears:
+      return "tears";
+    case Halt::Why::offPlane:
+      return "off-plane";
+    case Halt::Why::lost:
+      break;
+  }
+  return "lost";
+}
 
 SurfaceGrid Simulation::swept(int places) const {
   SurfaceGrid grid;
@@ -291,6 +322,7 @@ Result<SimulatedSurface> compare(const Simulation& simulation, const SurfaceGrid
                                  const PlaneFamily& planes, const SurfaceSampler& target,
                                  const RunContext& context) {
   SimulatedSurface surface;
+  if (simulation.blades.empty()) return surface;
   const sweep::SurfaceRows rows(shown, planes);
   const std::unique_ptr<SurfaceSampler> sampler = target.clone();
   double widest = 0;
@@ -306,7 +338,8 @@ Result<SimulatedSurface> compare(const Simulation& simulation, const SurfaceGrid
     return d.dot(simulation.blades[std::size_t(std::clamp(r, 0, grid.rows - 1))].frame.origin);
   };
   const double begin = d.dot(shown.at(0, 0)), end = d.dot(shown.at(shown.rows - 1, 0));
-  double sum = 0, design = 0, away = 0, passed = 0;
+  double sum = 0, design = 0, away = 0;
+  std::vector<std::pair<double, double>> passed;  // of the travel, from where to where, whichever way
   bool metBefore = false;
   bool meets = false;  // the surface, or what goes on before it and after it
   const auto over = [&](const Vector3d& place) {
@@ -335,7 +368,7 @@ Result<SimulatedSurface> compare(const Simulation& simulation, const SurfaceGrid
       if (here) places.push_back(grid.at(r, c));
       inside = here;
     }
-    if (meets && metBefore) passed += std::max(0.0, std::min(level(r), end) - std::max(level(r - 1), begin));
+    if (meets && metBefore) passed.push_back(std::minmax({level(r - 1), level(r)}));
     metBefore = meets;
     const double weight = 0.5 * std::abs(level(r + 1) - level(r - 1));  // of travel
     for (const Vector3d& place : places) {
@@ -359,7 +392,14 @@ Result<SimulatedSurface> compare(const Simulation& simulation, const SurfaceGrid
     surface.toDesignMean = design / sum;
     surface.toTargetMean = away / sum;
   }
-  if (sum > 0 && end > begin) surface.covered = std::min(1.0, passed / (end - begin));
+  // Together, what is passed twice once.
+  std::ranges::sort(passed);
+  double reached = begin, covered = 0;
+  for (const auto& [from, to] : passed) {
+    covered += std::max(0.0, std::min(to, end) - std::max(from, reached));
+    reached = std::max(reached, to);
+  }
+  if (sum > 0 && end > begin) surface.covered = covered / (end - begin);
   return surface;
 }
 

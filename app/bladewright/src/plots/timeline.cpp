@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 
+#include "bw/core/sweep/row_certainty.h"
 #include "bw/core/text/number_text.h"
 #include "controls/theme.h"
 
@@ -18,7 +19,8 @@ namespace bw::app {
 namespace {
 
 constexpr int kLeft = 64, kRight = 16, kTop = 12, kAxis = 20;
-constexpr double kNotch = 0.8;  ///< zoom of one notch of the wheel
+constexpr double kNotch = 0.8;         ///< zoom of one notch of the wheel
+constexpr double kBarriersSeen = 4.5;  ///< of the least barrier: higher ones are told, not drawn
 
 }  // namespace
 
@@ -57,6 +59,14 @@ void Timeline::rebuild() {
   const pipeline::CutEvaluation* cut = bench_.shownCut();
   if (cut && cut->run.value)
     for (const SimulatedBlade& at : cut->run.value->blades) margins_ << QPointF(at.time, at.margin);
+  barriers_.clear();
+  bool goesOn = false;
+  if (cut && cut->barriers.value)
+    for (const BarrierLook& look : *cut->barriers.value) {
+      if (look.barrier && !goesOn) barriers_.emplace_back();
+      goesOn = look.barrier.has_value();
+      if (goesOn) barriers_.back() << QPointF(look.time, *look.barrier);
+    }
   update();
 }
 
@@ -87,6 +97,20 @@ Timeline::Sample Timeline::at(double seconds) const {
           std::lerp(a.stress, b.stress, t)};
 }
 
+std::optional<double> Timeline::barrierAt(double seconds) const {
+  constexpr double kNear = 4;  // px
+  for (const QPolygonF& part : barriers_) {
+    const auto after = std::ranges::lower_bound(part, seconds, {}, &QPointF::x);
+    if (after != part.begin() && after != part.end()) {
+      const QPointF &a = *(after - 1), &b = *after;
+      return std::lerp(a.y(), b.y(), (seconds - a.x()) / (b.x() - a.x()));
+    }
+    const QPointF& nearest = after == part.end() ? part.back() : part.front();
+    if (std::abs(xOf(nearest.x()) - xOf(seconds)) <= kNear) return nearest.y();
+  }
+  return {};
+}
+
 QStringList Timeline::readout() const {
   if (cursor_ < kLeft || cursor_ > width() - kRight || samples_.size() < 2) return {};
   const double time = timeAt(cursor_);
@@ -96,11 +120,12 @@ QStringList Timeline::readout() const {
       station < 0 ? timeText(time) : tr("%1, station %2").arg(timeText(time)).arg(std::lround(station) + 1),
       tr("%1 to %2").arg(speedText(sample.speedMin), speedText(sample.speedMax)),
       tr("%1 N/mm²").arg(std::lround(sample.stress))};
-  if (!margins_.isEmpty()) {
-    const auto after = std::ranges::lower_bound(margins_, time, {}, &QPointF::x);
-    const QPointF& at = after == margins_.end() ? margins_.back() : *after;
+  if (const auto after = std::ranges::lower_bound(margins_, time, {}, &QPointF::x); after != margins_.end()) {
+    const QPointF& at = *after;
     lines << tr("margin %1").arg(QString::fromStdString(shortText(at.y(), 2)));
   }
+  if (const std::optional<double> barrier = barrierAt(time))
+    lines << tr("barrier %1 N mm").arg(QString::fromStdString(shortText(*barrier, 2)));
   return lines;
 }
 
@@ -113,58 +138,74 @@ std::vector<Timeline::Track> Timeline::tracks() const {
   const pipeline::CutResult result = *bench_.sweep();
   const Blade& blade = result.sweep.request.blade;
   const double allowed = blade.yieldStress / blade.safety;
-  Track speed{tr("Speed, mm/s"), {}, {}};
-  Track stress{tr("Stress, N/mm²"), {}, {}, allowed, false, tr("limit %1").arg(std::lround(allowed))};
+  Track speed{tr("Speed, mm/s"), {{}}};
+  Track stress{tr("Stress, N/mm²"), {{}}, {}, allowed, false, tr("limit %1").arg(std::lround(allowed))};
   for (const Sample& s : samples_) {
-    speed.high << QPointF(s.time, s.speedMax);
+    speed.high.front() << QPointF(s.time, s.speedMax);
     speed.low << QPointF(s.time, s.speedMin);
-    stress.high << QPointF(s.time, s.stress);
+    stress.high.front() << QPointF(s.time, s.stress);
   }
   std::vector<Track> all = {std::move(speed), std::move(stress)};
   const double least = bench_.design().process.margin;
   if (!margins_.isEmpty())
     all.push_back({tr("Stability margin"),
-                   margins_,
+                   {margins_},
                    {},
                    least,
                    true,
                    tr("least %1").arg(QString::fromStdString(shortText(least, 2)))});
+  if (!barriers_.empty())
+    all.push_back({tr("Energy barrier, N mm"),
+                   barriers_,
+                   {},
+                   kLeastBarrier,
+                   true,
+                   tr("least %1").arg(QString::fromStdString(shortText(kLeastBarrier))),
+                   true,
+                   kBarriersSeen * kLeastBarrier});
   return all;
 }
 
 void Timeline::paintPlot(QPainter& painter, const QRectF& area, const Track& track) const {
   const Colours& c = theme_.colours();
   double highest = 0, lowest = std::numeric_limits<double>::infinity();
-  for (const QPointF& p : track.high) {
-    highest = std::max(highest, p.y());
-    lowest = std::min(lowest, p.y());
-  }
+  for (const QPolygonF& line : track.high)
+    for (const QPointF& p : line) {
+      highest = std::max(highest, p.y());
+      lowest = std::min(lowest, p.y());
+    }
   const double limit = track.limit.value_or(0);
   const bool limitShown = track.limit && (track.least || limit < 2.5 * highest);
   const bool over = track.limit && (track.least ? lowest < limit * (1 - 1e-9) : highest > limit * (1 + 1e-9));
-  const double range = std::max(1.12 * std::max(highest, limitShown ? limit : 0.0), 1e-9);
+  const double range =
+      std::max(1.12 * std::max(std::min(highest, track.top), limitShown ? limit : 0.0), 1e-9);
   const auto y = [&](double v) { return area.bottom() - area.height() * v / range; };
   const auto placed = [&](const QPointF& p) { return QPointF(xOf(p.x()), y(p.y())); };
   paintLeftAxis(painter, area, {0, range}, c, true);
   painter.setPen(QPen(c.line, 1));
   painter.drawLine(area.bottomLeft(), area.bottomRight());
   const QColor colour = over && limitShown ? c.error : c.selection;
-  QPolygonF upper, band;
-  for (const QPointF& p : track.high) upper << placed(p);
-  band = upper;
-  if (track.low.isEmpty())
-    band << QPointF(upper.back().x(), area.bottom()) << QPointF(upper.front().x(), area.bottom());
-  for (auto p = track.low.rbegin(); p != track.low.rend(); ++p) band << placed(*p);
   QColor shade = colour;
   shade.setAlphaF(0.14f);
   painter.save();
   painter.setClipRect(area.adjusted(0, -1, 0, 1));
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(shade);
-  painter.drawPolygon(band);
-  painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(colour, 1.5));
-  painter.drawPolyline(upper);
+  for (const QPolygonF& line : track.high) {
+    QPolygonF upper;
+    for (const QPointF& p : line) upper << placed(p);
+    QPolygonF band = upper;
+    if (track.low.isEmpty())
+      band << QPointF(upper.back().x(), area.bottom()) << QPointF(upper.front().x(), area.bottom());
+    for (auto p = track.low.rbegin(); p != track.low.rend(); ++p) band << placed(*p);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(shade);
+    painter.drawPolygon(band);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(colour, 1.5));
+    painter.drawPolyline(upper);
+    if (!track.dots) continue;
+    painter.setBrush(colour);
+    for (const QPointF& p : upper) painter.drawEllipse(p, 1.5, 1.5);
+  }
   painter.restore();
   const QFontMetrics metrics(painter.font());
   if (limitShown) {

@@ -5,6 +5,7 @@
 #include <QPolygonF>
 #include <QWidget>
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -15,9 +16,9 @@
 
 namespace bw::app {
 
-/// Speed (slowest to fastest point of the blade), bending stress and stability margin over time, with the
-/// playhead: drag to scrub. The wheel zooms to the time under the cursor, with Shift it moves, a double click
-/// shows all again; what lies under the cursor stands beside it.
+/// Speed (slowest to fastest point of the blade), bending stress, stability margin and energy barrier over
+/// time, with the playhead: drag to scrub. The wheel zooms to the time under the cursor, with Shift it moves,
+/// a double click shows all again; what lies under the cursor stands beside it.
 class Timeline : public QWidget {
   Q_OBJECT
 
@@ -53,13 +54,19 @@ class Timeline : public QWidget {
   /// One curve over time, or the band between two.
   struct Track {
     QString title;
-    QPolygonF high, low;  ///< over seconds; `low` may be empty: the band begins at 0
+    std::vector<QPolygonF> high;  ///< over seconds, a line for each stretch that is known
+    QPolygonF low = {};           ///< likewise, of one line; empty: the band begins at 0
     std::optional<double> limit = std::nullopt;
     bool least = false;  ///< the limit is what is kept at least
     QString limitText = {};
+    bool dots = false;  ///< its points are marked: between them nothing is known
+    /// What lies above runs out of the plot, so that what is near the limit can be told apart.
+    double top = std::numeric_limits<double>::infinity();
   };
   void paintPlot(QPainter& painter, const QRectF& area, const Track& track) const;
   std::vector<Track> tracks() const;
+  /// N mm at a time between two looks, or near one; none where nothing is known.
+  std::optional<double> barrierAt(double seconds) const;
   /// The numbers at a time, between the stations in proportion.
   Sample at(double seconds) const;
   void zoom(double about, double factor);
@@ -68,6 +75,8 @@ class Timeline : public QWidget {
   const Theme& theme_;
   std::vector<Sample> samples_;
   QPolygonF margins_;  ///< of stability over seconds, as the motion is run; empty until that is known
+  /// N mm over seconds, likewise: a polygon for each stretch of looks where another shape is about as low.
+  std::vector<QPolygonF> barriers_;
   double end_ = 0;
   AxisRange seen_;      ///< s
   double cursor_ = -1;  ///< x in the widget; −1 outside

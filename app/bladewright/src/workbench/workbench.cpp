@@ -208,6 +208,7 @@ std::vector<Eigen::Vector3d> Workbench::bladeAt(double seconds) const {
   constexpr int kPlaces = 121;
   const pipeline::CutEvaluation* cut = shownCut();
   if (!cut || !cut->run.value || cut->run.value->blades.empty()) return {};
+  if (const std::optional<Halt>& halt = cut->run.value->halt; halt && seconds >= halt->time) return {};
   const std::vector<SimulatedBlade>& blades = cut->run.value->blades;
   const auto places = [](const SimulatedBlade& at) {
     std::vector<Eigen::Vector3d> points;

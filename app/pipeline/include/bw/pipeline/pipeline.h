@@ -13,6 +13,7 @@
 #include "bw/core/base/run_context.h"
 #include "bw/core/design/design.h"
 #include "bw/core/motion/cell.h"
+#include "bw/core/simulation/barriers.h"
 #include "bw/core/simulation/simulation.h"
 #include "bw/core/surface/mesh.h"
 #include "bw/core/sweep/blade_lengths.h"
@@ -110,7 +111,8 @@ struct CutEvaluation {
   Stage<EntryExitRequest, EntryExit> ends;      ///< how the blade is led into the row and out of it
   Stage<CheckRequest, RowRest> rest;            ///< what keeps each blade in its shape
   Stage<MotionRequest, Motion> motion;
-  Stage<NoRequest, Simulation> run;  ///< the motion run; only from `addSecondThought`
+  Stage<NoRequest, Simulation> run;                     ///< the motion run; only from `addSecondThought`
+  Stage<NoRequest, std::vector<BarrierLook>> barriers;  ///< along it; likewise
 
   std::optional<CutResult> result() const;  ///< empty until all stages are done
   Findings findings() const;                ///< of all stages in order
@@ -157,17 +159,18 @@ struct Outcome {
 enum class Purpose { live, files };
 
 /// Evaluates a design. Stages of `previous` whose keys are unchanged are used again, so that a change
-/// recomputes only what depends on it.
+/// recomputes only what depends on it. Where the design leaves the length of its blade open, `length` (mm) is
+/// the one that was found before: it is taken in place of a search.
 Outcome evaluate(const Design& design, const Evaluation* previous, const RunContext& context,
-                 Purpose purpose = Purpose::live);
+                 Purpose purpose = Purpose::live, std::optional<double> length = std::nullopt);
 
 /// The triangles of a cut's surface, unless they are there already: to be shown also where a later stage
 /// failed. `seconds` grows by the time.
 Result<void> meshTarget(CutEvaluation& cut, const CutEvaluation* previous, double& seconds);
 
 /// Adds to a cut that came to a result the next of what takes longer than a picture may wait for: the motion
-/// run, where it can be, then the lengths of blade that would serve, and the margins. False if nothing is
-/// left to be added, or it was stopped.
+/// run, the barriers along it, then the lengths of blade that would serve, and the margins. False if nothing
+/// is left to be added, or it was stopped.
 bool addSecondThought(Evaluation& evaluation, const RunContext& context);
 
 /// Adds the triangles of all faces of the file, to choose among them, unless the file has one face only or

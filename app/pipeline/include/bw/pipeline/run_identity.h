@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "bw/core/base/finding.h"
@@ -32,5 +33,9 @@ Findings compareWithReport(const std::filesystem::path& path);
 /// Refuses a folder of results whose design and sweep are not those of its report (`ErrorCode::badInput`).
 /// One without a report passes: the design speaks for itself.
 Result<void> checkOneRun(const std::filesystem::path& folder, const std::string& designFile);
+
+/// mm, the length of the blade that the results in a folder were made with, whether their design gave it or
+/// left it open. Empty where no report tells.
+std::optional<double> madeWithLength(const std::filesystem::path& folder);
 
 }  // namespace bw::pipeline

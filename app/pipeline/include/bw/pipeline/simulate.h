@@ -10,6 +10,7 @@
 #include "bw/core/base/run_context.h"
 #include "bw/core/design/design.h"
 #include "bw/core/files/file_set.h"
+#include "bw/core/simulation/barriers.h"
 #include "bw/core/simulation/simulation.h"
 #include "bw/robotio/text/program_text.h"
 
@@ -20,16 +21,19 @@ struct ProgramRun {
   Motion motion;
   Simulation simulation;
   std::optional<SimulatedSurface> surface;  ///< only with a design
+  std::vector<BarrierLook> barriers;        ///< likewise
   /// What breaks a rule of its dialect or a limit of the design, or snaps: a clause each.
   std::vector<std::string> exceeded;
 };
 
 /// Reads a program in the dialect of its files and runs it with the blade and the weight of a design, against
 /// the surface that the design shows and its target. Without a design the blade has no weight, and its shape
-/// alone is followed. Errors: those of reading, of the design's evaluation, of `simulate`; badInput where no
-/// dialect reads the files, or the blade's length is not that of the design.
+/// alone is followed. Where the design leaves the length of its blade open, it is `length` (mm), that of the
+/// results that the program belongs to, or else what the program tells. Errors: those of reading, of the
+/// design's evaluation, of `simulate`; badInput where no dialect reads the files, or the blade's length is
+/// not that of the design.
 Result<ProgramRun> runProgram(const robotio::Program& program, const Design* design,
-                              const RunContext& context);
+                              const RunContext& context, std::optional<double> length = std::nullopt);
 
 /// The text of simulation.json.
 std::string simulationText(const ProgramRun& run);

@@ -100,6 +100,20 @@ struct HeavyMargins {
 /// linear in it, and infinite where nothing holds the blade in its plane. Some 0.3 ms.
 HeavyMargins marginsOf(const HeavyBlade& blade, double across = 0, double torsionRatio = kRoundTorsionRatio);
 
+/// What else a blade at rest could rest in, between the same grips and with the same turning: what no clamped
+/// blade leaves in its plane.
+struct HeavyRivals {
+  double energy = 0;                              ///< its own, N mm, as that of a solution
+  std::optional<HeavyBlade> next = std::nullopt;  ///< the lowest of the other stable shapes
+  double nextEnergy = 0;                          ///< N mm: of that one
+  std::optional<double> barrier = std::nullopt;   ///< as that of a solution
+};
+/// Work in which they are found for any blade that is not hopeless: a fifth of a second (`WorkMeter`).
+inline constexpr std::int64_t kRivalsWork = 2'000'000;
+/// `stiffness` in N mm². Errors: those of `solveAllHeavy`; noSolution where it takes more work than that.
+/// Some 10 ms.
+Result<HeavyRivals> rivalsOf(const HeavyBlade& blade, double stiffness, std::int64_t work = kRivalsWork);
+
 /// A stable blade with weight that stays on its branch while its grips, its weight or both move.
 class HeavyBranch {
  public:

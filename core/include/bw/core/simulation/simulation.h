@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "bw/core/base/frame.h"
@@ -28,9 +30,28 @@ struct SimulatedBlade {
   bool atInstant = false;  ///< not between two
 };
 
+/// Where a blade cannot go on as its ends are moved.
+struct Halt {
+  enum class Why {
+    tears,     ///< its grips are farther apart than it is long
+    offPlane,  ///< its ends are not in one plane (within 0.5 mm and 0.5°)
+    lost       ///< no shape at rest is found, or the one there cannot be followed
+  };
+  Why why = Why::lost;
+  double time = 0;                                  ///< s
+  std::size_t instant = 0;                          ///< of the motion, the last one that was passed
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< in the middle between the grips, in the file's frame
+  double apart = 0;                                 ///< mm, of the grips
+  double off = 0, twist = 0;                        ///< mm and rad, of its ends from one plane
+  std::string reason = {};                          ///< of `lost`: what the search says
+};
+/// "tears", "off-plane", "lost".
+const char* haltName(Halt::Why why);
+
 /// What a motion does to the blade, found from the poses of its ends alone.
 struct Simulation {
   std::vector<SimulatedBlade> blades;  ///< in the order of time
+  std::optional<Halt> halt;            ///< none if it runs to the end: the blades are those before it
   bool decided = true;  ///< at the first instant one shape alone is at rest, or clearly the lowest
   struct Snap {
     double time = 0;  ///< s
@@ -51,9 +72,8 @@ struct Simulation {
 /// Runs a motion: between two instants the ends go straight and turn evenly (slerp), as a controller moves
 /// them. The blade begins in the lowest shape at rest between the grips of the first instant and stays on its
 /// branch, with its weight (N/mm of a length, in the file's frame); where that ends it snaps into the lowest
-/// shape there is. Errors: badInput for other than two ends, or ends that are not in one plane (within 0.5 mm
-/// and 0.5°); noSolution where the grips are farther apart than the blade is long, or the blade cannot be
-/// followed, with the time; `cancelled`. Some 0.1 s for 100 instants.
+/// shape there is. What no blade can do ends it: `Simulation::halt`. Errors: badInput for other than two
+/// ends; `cancelled`. Some 0.1 s for 100 instants.
 [[nodiscard]] Result<Simulation> simulate(const Motion& motion, const Blade& blade,
                                           const Eigen::Vector3d& weight, const RunContext& context);
 
@@ -66,8 +86,8 @@ struct SimulatedSurface {
   double covered = 0;                               ///< 0…1, of the travel of the surface shown
 };
 
-/// Of the places of the blade that lie over the surface shown, whose rows lie in `planes`. Errors: those of
-/// the sampler; `cancelled`.
+/// Of the places of the blade that lie over the surface shown, whose rows lie in `planes`; of a run that
+/// halts what comes before. Errors: those of the sampler; `cancelled`.
 [[nodiscard]] Result<SimulatedSurface> compare(const Simulation& simulation, const SurfaceGrid& shown,
                                                const PlaneFamily& planes, const SurfaceSampler& target,
                                                const RunContext& context);
