@@ -249,13 +249,18 @@ void InputFields::embed(bool on) {
 void InputFields::refresh() {
   const Design& design = *bench_.document().design();
   const std::string file = design.source().path.filename().string();
-  fileName_->setText(file.empty() ? tr("No file") : QString::fromStdString(file));
+  const auto& surface = design.source().surface;
+  fileName_->setText(surface        ? tr("Designed: %1").arg(QString::fromStdString(shapeText(*surface)))
+                     : file.empty() ? tr("No file")
+                                    : QString::fromStdString(file));
   fileName_->setToolTip(QString::fromStdString(design.source().path.string()));
   QString facts;
   const geometry::CadInfo* info = bench_.fileInfo();
   const geometry::Target* target = info ? bench_.newestTarget() : nullptr;
   const Eigen::Vector3d size = target ? target->bounds().size() : Eigen::Vector3d(0, 0, 0);
-  if (info) {
+  if (info && surface) {
+    if (target) facts = sizeText(size);
+  } else if (info) {
     facts = tr("%1, unit %2, %3")
                 .arg(QString::fromStdString(info->format), QString::fromStdString(info->unit),
                      info->faces == 1 ? tr("1 face") : tr("%1 faces").arg(info->faces));
@@ -279,7 +284,9 @@ void InputFields::refreshState() {
   reload_->setEnabled(there);
   reload_->setVisible(!missing);
   locate_->setVisible(missing);
-  embed_->setEnabled(!embed_->isChecked() || there);
+  const bool designed = bench_.document().design()->source().surface.has_value();
+  embed_->setEnabled(!designed && (!embed_->isChecked() || there));
+  unit_->setEnabled(!designed);
 }
 
 }  // namespace bw::app
