@@ -83,6 +83,20 @@ TEST(DesignVariables, WhatWasWrittenIsSavedAgain) {
   EXPECT_EQ(again.variables, design.variables);
 }
 
+TEST(DesignVariables, ExpressionsOfPolesAndFramesStayWhereTheyComeToNothing) {
+  const Design design = designOf(withSurface(R"({"type": "poles", "degree": [1, 1], "poles": [
+      [1, {"height": "=amplitude"}], [{"height": 2, "moved": ["=amplitude - 40", 0]}, "=amplitude*2"]],
+      "frame": {"origin": [0, 0, "=amplitude - 40"], "rotation_deg": [0, 0, 0]}})")
+                                     .dump());
+  EXPECT_EQ(design.bindings.size(), 4u);
+  const Design other = withVariables(design, {{"amplitude", 41}}).value();
+  EXPECT_EQ(polesOf(other).at(0, 1).height, 41);
+  EXPECT_EQ(polesOf(other).at(1, 0).moved.x(), 1);
+  EXPECT_EQ(polesOf(other).at(1, 1).height, 82);
+  EXPECT_EQ(other.source().surface->origin.z(), 1);
+  EXPECT_EQ(withVariables(other, {{"amplitude", 40}}).value(), design);
+}
+
 TEST(DesignVariables, AnotherValueChangesWhatHangsOnItAlone) {
   const Design design = designOf(kDesign);
   const Result<Design> wide = withVariables(design, {{"width", 650}, {"amplitude", 60}});

@@ -301,7 +301,12 @@ nlohmann::ordered_json detail::designJson(const Design& design) {
   json sources = json::array(), stock = json::array(), cuts = json::array();
   for (const Source& source : design.sources) {
     if (source.surface) {
-      sources.push_back({{"id", source.id}, {"surface", surfaceJson(*source.surface)}});
+      const std::string part = "/sources/" + std::to_string(sources.size()) + "/surface";
+      const auto isBound = [&](const std::string& place) {
+        const auto first = design.bindings.lower_bound(part + place);
+        return first != design.bindings.end() && first->first.starts_with(part + place);
+      };
+      sources.push_back({{"id", source.id}, {"surface", surfaceJson(*source.surface, isBound)}});
       continue;
     }
     json part = {{"id", source.id}, {"path", source.path.generic_string()}};

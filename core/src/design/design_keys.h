@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "bw/core/design/design.h"
@@ -20,7 +21,10 @@ nlohmann::ordered_json designJson(const Design& design);
 void readVariables(ObjectReader& reader, std::vector<Variable>& variables);
 nlohmann::json variablesJson(const std::vector<Variable>& variables);
 void readSurface(ObjectReader& reader, std::optional<DesignedSurface>& surface);  ///< surface
-nlohmann::json surfaceJson(const DesignedSurface& surface);
+/// `isBound(place)` tells whether something at or below a place in the object, such as "/frame", stands for
+/// an expression: that is written although its number may be the usual one.
+nlohmann::json surfaceJson(const DesignedSurface& surface,
+                           const std::function<bool(const std::string&)>& isBound);
 
 void readSourceKeys(ObjectReader& reader, Source& source);    ///< unit, sewing
 void readPlacement(ObjectReader& reader, StockBlock& block);  ///< block

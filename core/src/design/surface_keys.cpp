@@ -171,7 +171,9 @@ void writeRectangle(const Rectangle& over, json& object) {
   object["y"] = json::array({over.min.y(), over.max.y()});
 }
 
-void write(const PolesSurface& surface, json& object) {
+using IsBound = std::function<bool(const std::string&)>;
+
+void write(const PolesSurface& surface, json& object, const IsBound& isBound) {
   writeRectangle(surface.over, object);
   object["degree"] = json::array({surface.degreeX, surface.degreeY});
   json rows = json::array();
@@ -179,7 +181,8 @@ void write(const PolesSurface& surface, json& object) {
     json row = json::array();
     for (int c = 0; c < surface.columns; ++c) {
       const SurfacePole& pole = surface.at(r, c);
-      if (pole.moved.isZero(0))
+      const std::string place = "/poles/" + std::to_string(r) + "/" + std::to_string(c) + "/";
+      if (pole.moved.isZero(0) && !isBound(place))
         row.push_back(pole.height);
       else
         row.push_back({{"height", pole.height}, {"moved", pairJson(pole.moved)}});
@@ -189,12 +192,12 @@ void write(const PolesSurface& surface, json& object) {
   object["poles"] = std::move(rows);
 }
 
-void write(const FormulaSurface& surface, json& object) {
+void write(const FormulaSurface& surface, json& object, const IsBound&) {
   writeRectangle(surface.over, object);
   object["formula"] = surface.formula;
 }
 
-void write(const SectionsSurface& surface, json& object) {
+void write(const SectionsSurface& surface, json& object, const IsBound&) {
   object["loft"] = kLoftSpacings[int(surface.loft)];
   json list = json::array();
   for (const SectionCurve& section : surface.sections) {
@@ -227,10 +230,10 @@ void readSurface(ObjectReader& reader, std::optional<DesignedSurface>& surface) 
   surface = std::move(read);
 }
 
-json surfaceJson(const DesignedSurface& surface) {
+json surfaceJson(const DesignedSurface& surface, const IsBound& isBound) {
   json object = {{"type", kShapeKinds[surface.shape.index()]}};
-  std::visit([&](const auto& shape) { write(shape, object); }, surface.shape);
-  if (!surface.origin.isZero(0) || !surface.rotation.isZero(0)) {
+  std::visit([&](const auto& shape) { write(shape, object, isBound); }, surface.shape);
+  if (!surface.origin.isZero(0) || !surface.rotation.isZero(0) || isBound("/frame/")) {
     const auto list = [](const Eigen::Vector3d& v) { return json::array({v.x(), v.y(), v.z()}); };
     object["frame"] = {{"origin", list(surface.origin)}, {"rotation_deg", list(surface.rotation / kDegree)}};
   }

@@ -162,11 +162,13 @@ std::optional<double> ObjectReader::numeric(const std::string& key, const std::s
 
 bool ObjectReader::within(const std::string& key, const std::string& name, double x, double min, double max) {
   if (std::isfinite(x) && x >= min && x <= max) return true;
-  const auto bound = scope_ ? scope_->bound.find(pointerTo(name)) : decltype(scope_->bound.end()){};
-  const bool told = scope_ && bound != scope_->bound.end();
+  std::string told;
+  if (scope_)
+    if (const auto bound = scope_->bound.find(pointerTo(name)); bound != scope_->bound.end())
+      told = " (=" + bound->second.text + ")";
   complain(key,
-           path_ + "." + name + " is " + shortText(x, 6) + (told ? " (=" + bound->second.text + ")" : "") +
-               " but must lie between " + shortText(min, 6) + " and " + shortText(max, 6),
+           path_ + "." + name + " is " + shortText(x, 6) + told + " but must lie between " +
+               shortText(min, 6) + " and " + shortText(max, 6),
            x, x < min ? min : max);
   return false;
 }
