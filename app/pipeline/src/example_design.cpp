@@ -63,7 +63,7 @@ Result<void> known(const std::string& name) {
 
 const std::vector<geometry::Example>& designedExamples() {
   static const std::vector<geometry::Example> list = {
-      {"single-block", "Single block, poles 4 × 6",
+      {kSingleBlock, "Single block, poles 4 × 6",
        "A tensor-product spline over a block of 600 × 800 × 500 mm, four poles across and six along the "
        "travel."},
       {"ripple-along", "Ripple along the travel",

@@ -121,6 +121,8 @@ WorkflowPanel::WorkflowPanel(Workbench& bench, const Theme& theme, QWidget* pare
       {{"setup", tr("Setup")}, {"input", tr("Input")}, {"process", tr("Process")}, {"output", tr("Output")}}};
   const std::array<QWidget*, model::kStepCount> bodies = {makeSetup(), makeInput(), makeProcess(),
                                                           makeOutput()};
+  variables_ = new VariableFields(bench_, page);
+  layout->addWidget(variables_);
   for (std::size_t i = 0; i < sections_.size(); ++i) {
     if (i > 0) layout->addWidget(makeLine(page));
     sections_[i] = new StepSection(theme, heads[i].first, heads[i].second, bodies[i], page);
@@ -169,6 +171,7 @@ void WorkflowPanel::follow(const Change& change) {
   // Another target may be that of another cut, which has numbers of its own.
   if (any(Aspect::design | Aspect::target)) process_->refresh();
   if (any(Aspect::design)) {
+    variables_->refresh();
     bladeFields_->refresh();
     numbers_.refresh(bench_.design().process);
     output_->refresh();

@@ -11,6 +11,9 @@
 
 namespace bw::pipeline {
 
+/// The name of the example that a new single block begins as.
+inline constexpr const char* kSingleBlock = "single-block";
+
 /// The examples that are designed rather than read: a name, a title, and how their surface is told, as
 /// `geometry::exampleList` has them. Their designs are resources/examples/<name>.bladewright.
 const std::vector<geometry::Example>& designedExamples();
