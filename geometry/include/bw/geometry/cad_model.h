@@ -88,7 +88,7 @@ class CadModel {
   static Result<CadModel> readBytes(const std::string& bytes, const std::string& name,
                                     const RunContext& context = {}, const ReadOptions& options = {});
 
-  /// One face that was never in a file: the whole of a surface, under a name. Takes 0.1 ms for some poles.
+  /// One face that was never in a file: the whole of a surface, under a name. Takes 0.3 ms for some poles.
   /// Errors: poles, knots and degrees that do not fit or are not finite (`badInput`).
   static Result<CadModel> of(const SplineSurface& surface, const std::string& name);
 
