@@ -10,6 +10,7 @@
 
 #include "bw/core/base/units.h"
 #include "bw/core/constructions/spline_constructions.h"
+#include "bw/core/shape/resample.h"
 
 namespace bw {
 
@@ -74,6 +75,47 @@ TEST(DesignedSurface, PolesMakeTheTensorProductOfCubics) {
     EXPECT_LT((spline.value(u, 0) - expected).norm(), 1e-12);
   }
   EXPECT_EQ(spline.poles[std::size_t(2 * 4 + 1)], Eigen::Vector3d(215, 300, surface.at(2, 1).height));
+}
+
+TEST(DesignedSurface, AnotherNumberOfPolesHoldsTheSurface) {
+  PolesSurface surface;
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> height(200, 300);
+  for (SurfacePole& pole : surface.poles) pole.height = height(random);
+  const SplineSurface spline = splineOrFail(surface);
+  const PolesSurface same = resampled(surface, 4, 6).value();
+  for (std::size_t i = 0; i < surface.poles.size(); ++i)
+    EXPECT_NEAR(same.poles[i].height, surface.poles[i].height, 1e-7);
+  // The largest difference in height, found over places of the plane.
+  const auto difference = [&](const SplineSurface& other) {
+    double worst = 0;
+    for (int i = 0; i <= 20; ++i)
+      for (int j = 0; j <= 20; ++j) {
+        const double x = 30.0 * i, y = 40.0 * j;
+        const auto z = [&](const SplineSurface& s) {
+          const double u = parameterAt(x, [&](double t) { return s.value(t, 0).x(); });
+          const double v = parameterAt(y, [&](double t) { return s.value(0, t).y(); });
+          return s.value(u, v).z();
+        };
+        worst = std::max(worst, std::abs(z(spline) - z(other)));
+      }
+    return worst;
+  };
+  double before = 1e300;
+  for (const int factor : {1, 2, 4}) {
+    const PolesSurface finer = resampled(surface, 5 * factor, 7 * factor).value();
+    EXPECT_EQ(finer.rows, 7 * factor);
+    const double now = difference(splineOrFail(finer));
+    EXPECT_LT(now, 0.5 * before);
+    before = now;
+  }
+  EXPECT_LT(before, 0.5);
+  const PolesSurface coarse = resampled(surface, 2, 3).value();
+  EXPECT_EQ(coarse.degreeX, 1);
+  EXPECT_EQ(coarse.degreeY, 2);
+  EXPECT_NEAR(coarse.at(2, 1).height, surface.at(5, 3).height, 1e-9);
+  EXPECT_NE(resampled(surface, 1, 6).error().message.find("1 poles along x"), std::string::npos);
+  EXPECT_FALSE(resampled(surface, 4, 101));
 }
 
 TEST(DesignedSurface, AFrameMovesTheSurfaceRigidly) {

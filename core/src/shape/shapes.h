@@ -23,7 +23,10 @@ std::string placeText(const Eigen::Vector2d& place);
 /// (docs/mathematics.md, Designed surfaces).
 class SplineInterpolation {
  public:
-  SplineInterpolation(const std::vector<double>& at, int degree);
+  SplineInterpolation(const std::vector<double>& at, int degree)
+      : SplineInterpolation(at, degree, interpolationKnots(at, degree)) {}
+  /// The same on knots of the caller: a parameter lies where its basis function does.
+  SplineInterpolation(const std::vector<double>& at, int degree, std::vector<double> knots);
 
   const std::vector<double>& knots() const { return knots_; }
   /// Puts poles in the place of `count` values, which lie `stride` apart from `first` on.

@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: MIT
 
 #include <algorithm>
+#include <utility>
 
 #include "shape/shapes.h"
 
 namespace bw::shape {
 
-SplineInterpolation::SplineInterpolation(const std::vector<double>& at, int degree)
+SplineInterpolation::SplineInterpolation(const std::vector<double>& at, int degree, std::vector<double> knots)
     : count_(int(at.size())),
       degree_(degree),
-      knots_(interpolationKnots(at, degree)),
+      knots_(std::move(knots)),
       band_(at.size() * std::size_t(2 * degree + 1), 0.0) {
   for (int i = 0; i < count_; ++i) {
     const auto above = std::upper_bound(knots_.begin() + degree, knots_.begin() + count_, at[std::size_t(i)]);
