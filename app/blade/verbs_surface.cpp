@@ -248,7 +248,7 @@ void addSurfaceVerbs(CLI::App& app, const Session& session, Work& work) {
         ->allow_extra_args(false);
     addDespiteErrors(*verb, options->despiteErrors);
     verb->footer(
-        "Examples:\n  blade design panel.bladewright --out out/panel\n"
+        "Example:\n  blade design panel.bladewright --out out/panel\n"
         "  blade design ripple.bladewright --out out/ripple --set amplitude=25 --set waves=1.5");
     onChosen(*verb, session, work, options, runDesign);
   }

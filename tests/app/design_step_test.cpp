@@ -59,6 +59,28 @@ TEST_F(DesignStep, ANewSingleBlockStandsAtOneClick) {
   EXPECT_EQ(find<NumberField>("pole 2 of row 3")->value(), 340);
 }
 
+TEST_F(DesignStep, AnotherNumberOfPolesKeepsTheSurface) {
+  open("bump");
+  const Eigen::Vector3d size = bench().newestTarget()->bounds().size();
+  type<NumberField>("Poles across", "6");
+  ASSERT_TRUE(settle());
+  type<NumberField>("Poles along", "9");
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(shape<PolesSurface>().columns, 6);
+  EXPECT_EQ(shape<PolesSurface>().rows, 9);
+  EXPECT_TRUE(find<NumberField>("pole 6 of row 9"));
+  EXPECT_TRUE(bench().design().bindings.empty()) << "the poles of expressions are gone";
+  EXPECT_LT((bench().newestTarget()->bounds().size() - size).norm(), 2);
+  picture("design-more-poles");
+  type<NumberField>("Poles across", "3");
+  EXPECT_TRUE(find<NumberField>("Poles across")->refused());
+  bench().document().undoStack().setIndex(0);
+  ASSERT_TRUE(settle());
+  auto* along = find<NumberField>("Poles along");
+  ASSERT_TRUE(along);
+  EXPECT_EQ(along->value(), 6);
+}
+
 TEST_F(DesignStep, VariablesAreNumbersAndSliders) {
   open("ripple-along");
   type<NumberField>("amplitude", "15");

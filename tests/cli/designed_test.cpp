@@ -22,7 +22,7 @@ std::string exampleIn(const Folder& folder, const std::string& name) {
 
 class DesignedExamples : public testing::TestWithParam<std::string> {};
 
-TEST_P(DesignedExamples, BecomeProgramsThatCutWhatIsShown) {
+TEST_P(DesignedExamples, BecomeProgramsFromTheirDesignAlone) {
   const Folder folder;
   const std::string design = exampleIn(folder, GetParam()), out = folder / "out";
   const Finished run = blade({"design", design, "--out", out});
@@ -32,8 +32,6 @@ TEST_P(DesignedExamples, BecomeProgramsThatCutWhatIsShown) {
   for (const json& issue : report["issues"]) EXPECT_NE(issue["severity"], "error") << issue;
   const Finished check = blade({"check", out});
   EXPECT_EQ(check.status, 0) << check.out << check.err;
-  const Finished simulated = blade({"simulate", out, "--out", folder / "run"});
-  EXPECT_EQ(simulated.status, 0) << simulated.err;
   const Finished picture = blade({"render", out, "--size", "320x200", "--out", folder / "a.png"});
   EXPECT_EQ(picture.status, 0) << picture.err;
   // The results hold the design: the same again.

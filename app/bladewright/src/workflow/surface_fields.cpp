@@ -3,9 +3,12 @@
 #include "workflow/surface_fields.h"
 
 #include <QGridLayout>
+#include <QScrollArea>
+#include <QScrollBar>
 
 #include <algorithm>
 
+#include "bw/core/shape/resample.h"
 #include "bw/core/text/number_text.h"
 
 namespace bw::app {
@@ -15,6 +18,7 @@ namespace {
 constexpr double kFarthest = 1e7;         // mm
 constexpr std::size_t kMostFields = 120;  // more numbers are for the file
 constexpr int kGridFieldWidth = 62;
+constexpr int kMostColumns = 4;  // of poles beside each other; more scroll
 
 const char* const kSurface = "/sources/0/surface";
 
@@ -124,6 +128,10 @@ void SurfaceFields::refresh() {
                                        tr("= %1; a number typed here takes its place")
                                            .arg(QString::fromStdString(bound->second.text)));
   }
+  if (const auto* poles = std::get_if<PolesSurface>(&surface.shape)) {
+    columns_->show(poles->columns);
+    rows_->show(poles->rows);
+  }
   if (const auto* graph = std::get_if<FormulaSurface>(&surface.shape)) {
     std::vector<std::string> names = {"x", "y"};
     for (const Variable& variable : design.variables) names.push_back(variable.name);
@@ -172,6 +180,17 @@ void SurfaceFields::addRectangle(FormColumn* column) {
 }
 
 void SurfaceFields::addPoles(FormColumn* column, const PolesSurface& surface) {
+  const auto addCount = [&](const QString& name, int degree, bool across) {
+    auto* count = column->add(name, new NumberField({degree + 1.0, PolesSurface::kMost, 0, 1, {}}),
+                              tr("The surface stays as near to itself as that many poles let it"));
+    connect(count, &NumberField::edited, this, [this, across](double value) {
+      const auto& poles = std::get<PolesSurface>(bench_.design().source().surface->shape);
+      changeCounts(across ? int(value) : poles.columns, across ? poles.rows : int(value));
+    });
+    return count;
+  };
+  columns_ = addCount(tr("Poles across"), surface.degreeX, true);
+  rows_ = addCount(tr("Poles along"), surface.degreeY, false);
   column->addHeading(tr("Heights of the poles"));
   if (surface.poles.size() > kMostFields) {
     column->addWide(
@@ -196,7 +215,14 @@ void SurfaceFields::addPoles(FormColumn* column, const PolesSurface& surface) {
       pole->setFixedWidth(kGridFieldWidth);
       grid->addWidget(pole, surface.rows - 1 - r, c);
     }
-  column->addWide(area);
+  if (surface.columns <= kMostColumns) {
+    column->addWide(area);
+  } else {
+    auto* scroll = column->addWide(new QScrollArea);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidget(area);
+    scroll->setFixedHeight(area->sizeHint().height() + scroll->horizontalScrollBar()->sizeHint().height());
+  }
   column->addGap();
   addRectangle(column);
 }
@@ -259,13 +285,14 @@ void SurfaceFields::addSections(FormColumn* column, const SectionsSurface& surfa
 void SurfaceFields::edit(const QString& text, const std::function<void(DesignedSurface&)>& change) {
   Design changed = bench_.design();
   change(*changed.source().surface);
+  take(text, changed);
+}
+
+void SurfaceFields::take(const QString& text, const Design& changed) {
   Result<Design> read = resolved(changed);
-  if (!read) {
-    bench_.tell(Topic::other, read.error());
-    refresh();
-    return;
-  }
-  bench_.editDesign(text, [&read](Design& design) { design = std::move(*read); });
+  if (read) return bench_.editDesign(text, [&read](Design& design) { design = std::move(*read); });
+  bench_.tell(Topic::other, read.error());
+  refresh();
 }
 
 void SurfaceFields::changeKind(int kind) {
@@ -280,7 +307,22 @@ void SurfaceFields::changeKind(int kind) {
     refresh();
     return;
   }
-  edit(tr("Change kind of surface"), [&](DesignedSurface& s) { s.shape = shapeOfKind(kind, *before); });
+  replace(tr("Change kind of surface"), shapeOfKind(kind, *before));
+}
+
+void SurfaceFields::changeCounts(int columns, int rows) {
+  const auto& poles = std::get<PolesSurface>(bench_.design().source().surface->shape);
+  Result<PolesSurface> other = resampled(poles, columns, rows);
+  if (other) return replace(tr("Change number of poles"), std::move(*other));
+  bench_.tell(Topic::other, other.error());
+  refresh();
+}
+
+void SurfaceFields::replace(const QString& text, SurfaceShape shape) {
+  Design changed = bench_.design();
+  changed.source().surface->shape = std::move(shape);
+  std::erase_if(changed.bindings, [](const auto& bound) { return bound.first.starts_with(kSurface); });
+  take(text, changed);
 }
 
 }  // namespace bw::app

@@ -59,7 +59,12 @@ class SurfaceFields : public QWidget {
   /// A field for a number of the surface, in the file at this place in it.
   NumberField* field(const Get& get, const std::string& place, const QString& name);
   void edit(const QString& text, const std::function<void(DesignedSurface&)>& change);
+  /// Takes a changed design, resolved, or tells why not.
+  void take(const QString& text, const Design& changed);
   void changeKind(int kind);
+  void changeCounts(int columns, int rows);
+  /// Another surface in the place of this one, whose expressions are gone.
+  void replace(const QString& text, SurfaceShape shape);
 
   struct Number {
     NumberField* field;
@@ -72,6 +77,7 @@ class SurfaceFields : public QWidget {
   std::string built_;  ///< what the lines are for
   ChoiceField* kinds_ = nullptr;
   ChoiceField* lofts_ = nullptr;
+  NumberField *columns_ = nullptr, *rows_ = nullptr;
   FormulaField* formula_ = nullptr;
   std::vector<Number> numbers_;
 };
