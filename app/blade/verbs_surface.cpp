@@ -11,6 +11,7 @@
 #include "bw/core/design/design.h"
 #include "bw/core/sweep/maps.h"
 #include "bw/core/text/number_text.h"
+#include "bw/core/text/typed_number.h"
 #include "bw/geometry/export.h"
 #include "bw/pipeline/example_design.h"
 #include "bw/pipeline/scene_content.h"
@@ -72,6 +73,7 @@ void tellSummary(const pipeline::Evaluation& e) {
 struct ResultOptions {
   std::string file, job, out;
   bool despiteErrors = false;
+  std::vector<std::string> sets;  ///< name=value
 };
 
 int writeResults(const Session& session, const Design& design, const ResultOptions& options,
@@ -101,8 +103,32 @@ int runRationalize(const Session& session, const ResultOptions& options) {
   return writeResults(session, *design, options, threads);
 }
 
+/// The design with its variables as `--set` has them.
+Result<Design> withSets(const Design& design, const std::vector<std::string>& sets) {
+  std::vector<NamedNumber> values;
+  for (const std::string& text : sets) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0)
+      return fail(ErrorCode::badInput, "--set takes NAME=VALUE, such as width=650, not \"" + text + "\"",
+                  "set");
+    const std::string name = text.substr(0, equals);
+    if (std::ranges::find(values, name, &NamedNumber::name) != values.end())
+      return fail(ErrorCode::badInput, "--set gives " + name + " twice; keep one of them", "set");
+    const auto variable = std::ranges::find(design.variables, name, &Variable::name);
+    double value = 0;
+    if (variable != design.variables.end()) {
+      const Result<double> typed = readTypedNumber(text.substr(equals + 1), {variable->unit});
+      if (!typed) return fail(ErrorCode::badInput, "--set " + name + ": " + typed.error().message, "set");
+      value = *typed;
+    }
+    values.push_back({name, value});
+  }
+  return values.empty() ? Result<Design>(design) : withVariables(design, values);
+}
+
 int runDesign(const Session& session, const ResultOptions& options) {
-  const Result<Design> design = session.openDesign(options.file);
+  Result<Design> design = session.openDesign(options.file);
+  if (design) design = withSets(*design, options.sets);
   return design ? writeResults(session, *design, options) : session.complain(design.error());
 }
 
@@ -172,8 +198,9 @@ struct ExampleOptions {
 int runExample(const Session& session, const ExampleOptions& options) {
   const auto& [name, out] = options;
   if (name.empty()) {
-    for (const geometry::Example& example : geometry::exampleList())
-      std::cout << example.name << "\n  " << example.title << "\n  " << example.formula << "\n";
+    for (const auto* list : {&geometry::exampleList(), &pipeline::designedExamples()})
+      for (const geometry::Example& example : *list)
+        std::cout << example.name << "\n  " << example.title << "\n  " << example.formula << "\n";
     return kDone;
   }
   if (saysOtherwise(out, {kDesignSuffix, ".step", ".stp"}))
@@ -189,7 +216,7 @@ int runExample(const Session& session, const ExampleOptions& options) {
     if (!design) return session.complain(design.error());
     bytes = designToJson(*design);
   } else {
-    bytes = geometry::exampleStep(name);
+    bytes = pipeline::exampleSurface(name);
     if (!bytes) return session.complain(bytes.error());
   }
   const Result<void> ok = session.writeOutput(out, *bytes);
@@ -216,8 +243,13 @@ void addSurfaceVerbs(CLI::App& app, const Session& session, Work& work) {
     const auto options = std::make_shared<ResultOptions>();
     verb->add_option("DESIGN", options->file, "A .bladewright file")->required();
     verb->add_option("--out", options->out, "Folder for the results")->type_name("DIR")->required();
+    verb->add_option("--set", options->sets, "Give a variable of the design another value; repeatable")
+        ->type_name("NAME=VALUE")
+        ->allow_extra_args(false);
     addDespiteErrors(*verb, options->despiteErrors);
-    verb->footer("Example:\n  blade design panel.bladewright --out out/panel");
+    verb->footer(
+        "Example:\n  blade design panel.bladewright --out out/panel\n"
+        "  blade design ripple.bladewright --out out/ripple --set amplitude=25 --set waves=1.5");
     onChosen(*verb, session, work, options, runDesign);
   }
   {
@@ -247,7 +279,8 @@ void addSurfaceVerbs(CLI::App& app, const Session& session, Work& work) {
         ->type_name("FILE");
     verb->footer(
         "Example:\n  blade example panel-600x670 --out panel.step\n"
-        "  blade example wavy-wall --out wall.bladewright");
+        "  blade example wavy-wall --out wall.bladewright\n"
+        "  blade example ripple-along --out ripple.bladewright");
     onChosen(*verb, session, work, options, runExample);
   }
 }

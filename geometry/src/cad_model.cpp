@@ -18,6 +18,7 @@
 #include "cad_reader.h"
 #include "model_impl.h"
 #include "occt.h"
+#include "spline_face.h"
 
 namespace bw::geometry {
 
@@ -237,6 +238,20 @@ Result<CadModel> CadModel::readBytes(const std::string& bytes, const std::string
   if (!read) return tl::unexpected(read.error());
   return guarded(ErrorCode::cannotRead, "cannot read " + name, [&]() -> Result<CadModel> {
     auto impl = build(std::move(*read), name, context, options);
+    if (!impl) return tl::unexpected(impl.error());
+    return CadModel(std::move(*impl));
+  });
+}
+
+Result<CadModel> CadModel::of(const SplineSurface& surface, const std::string& name) {
+  silenceOcct();
+  return guarded(ErrorCode::badInput, "no face can be made of " + name, [&]() -> Result<CadModel> {
+    if (Result<void> ok = checkSplineSurface(surface); !ok) return tl::unexpected(ok.error());
+    const TopoDS_Face face = faceOf(surface);
+    ReadShape read{face, "designed", "mm", {}, {}, {face}, {name}};
+    RunContext alone;
+    alone.threads = 1;
+    auto impl = build(std::move(read), name, alone, {});
     if (!impl) return tl::unexpected(impl.error());
     return CadModel(std::move(*impl));
   });

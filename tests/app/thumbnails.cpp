@@ -37,7 +37,9 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: thumbnails FOLDER\n");
     return 2;
   }
-  for (const bw::geometry::Example& example : bw::geometry::exampleList()) {
+  std::vector<bw::geometry::Example> examples = bw::geometry::exampleList();
+  for (const bw::geometry::Example& example : bw::pipeline::designedExamples()) examples.push_back(example);
+  for (const bw::geometry::Example& example : examples) {
     const bw::Result<bw::Design> design = bw::pipeline::exampleDesign(example.name);
     if (!design) return fail(design.error());
     const bw::pipeline::Outcome outcome = bw::pipeline::evaluate(*design, nullptr, {});

@@ -10,9 +10,11 @@
 #include <filesystem>
 
 #include "bw/core/design/design.h"
+#include "bw/core/design/variables.h"
 #include "bw/core/files/file_set.h"
 #include "bw/core/surface/spline_surface.h"
 #include "bw/geometry/export.h"
+#include "bw/pipeline/example_design.h"
 #include "bw/pipeline/produce.h"
 
 namespace bw::pipeline {
@@ -149,6 +151,64 @@ void wallWith1200Stations(benchmark::State& state) {
   std::filesystem::remove_all(folder);
 }
 BENCHMARK(wallWith1200Stations)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
+
+/// A block that is designed, with the poles raised or not.
+Design block(bool raised) {
+  Design design = exampleDesign(kSingleBlock).value_or(Design());
+  design.output.programs.clear();
+  if (design.source().surface && raised)
+    std::get<PolesSurface>(design.source().surface->shape).at(2, 1).height += 5;
+  return design;
+}
+
+/// From poles to a target that sections are cut of. Budget: well under a millisecond.
+void targetOfPoles(benchmark::State& state) {
+  const Design design = block(false);
+  if (!design.source().surface) return state.SkipWithError("the example is not there");
+  for (auto _ : state) {
+    const Result<SplineSurface> spline = splineOf(*design.source().surface);
+    const Result<geometry::CadModel> model = geometry::CadModel::of(*spline, "poles");
+    if (!model || !geometry::Target::make(*model, {})) return state.SkipWithError("no target");
+  }
+}
+BENCHMARK(targetOfPoles)->Unit(benchmark::kMicrosecond);
+
+/// The example whose formula is 0.01 mm near its spline with some hundred poles.
+void splineOfFormula(benchmark::State& state) {
+  const Design design = exampleDesign("ripple-along").value_or(Design());
+  if (!design.source().surface) return state.SkipWithError("the example is not there");
+  for (auto _ : state)
+    if (!splineOf(*design.source().surface)) return state.SkipWithError("no spline");
+}
+BENCHMARK(splineOfFormula)->Unit(benchmark::kMicrosecond);
+
+/// A variable of a design whose poles hang on it.
+void variableChange(benchmark::State& state) {
+  Design design = exampleDesign("bump").value_or(Design());
+  double value = 100;
+  for (auto _ : state) {
+    value = value == 100 ? 101 : 100;
+    Result<Design> changed = withVariables(design, {{"bump", value}});
+    if (!changed) return state.SkipWithError(changed.error().message.c_str());
+    design = std::move(*changed);
+  }
+}
+BENCHMARK(variableChange)->Unit(benchmark::kMicrosecond);
+
+/// A pole is pulled: all 33 stations anew.
+void blockAfterPoleChange(benchmark::State& state) {
+  Outcome outcome = evaluate(block(false), nullptr, {});
+  Seconds sum;
+  bool raised = false;
+  for (auto _ : state) {
+    raised = !raised;
+    outcome = evaluate(block(raised), &outcome.evaluation, {});
+    if (outcome.error) return state.SkipWithError(outcome.error->message.c_str());
+    add(sum, outcome.evaluation.seconds);
+  }
+  report(state, sum);
+}
+BENCHMARK(blockAfterPoleChange)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 /// The checks of the panel alone: most of it is its map, 24 000 closest points.
 void panelCheck(benchmark::State& state) {

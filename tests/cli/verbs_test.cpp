@@ -529,7 +529,7 @@ TEST(Example, EveryDesignCanBeCutAndItsProgramsKeepTheRules) {
     }
     EXPECT_EQ(blade({"simulate", folder / name}).status, 0);
   }
-  EXPECT_EQ(count, 8);
+  EXPECT_EQ(count, 12);
 }
 
 TEST(Rationalize, IsTheSameForAnyNumberOfThreads) {

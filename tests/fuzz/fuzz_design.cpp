@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 //
-// A design that can be read can be written and read again, with its embedded bytes.
+// A design that can be read can be written and read again, with its embedded bytes, its variables and its
+// surface.
 
 #include <cstddef>
 #include <cstdint>
@@ -19,5 +20,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   FUZZ_REQUIRE(again);
   FUZZ_REQUIRE(again->source().bytes == design->source().bytes);
   FUZZ_REQUIRE(again->cut().sections == design->cut().sections);
+  FUZZ_REQUIRE(again->variables == design->variables);
+  FUZZ_REQUIRE(again->source().surface.has_value() == design->source().surface.has_value());
+  FUZZ_REQUIRE(bw::resolved(*design));
+  // A surface, or one sentence. What a formula costs is bounded, but too much for a fuzzer.
+  if (!design->source().surface ||
+      std::holds_alternative<bw::FormulaSurface>(design->source().surface->shape))
+    return 0;
+  const bw::Result<bw::SplineSurface> spline = bw::splineOf(*design->source().surface);
+  FUZZ_REQUIRE(spline || !spline.error().message.empty());
+  if (spline)
+    for (const Eigen::Vector3d& pole : spline->poles) FUZZ_REQUIRE(pole.allFinite());
   return 0;
 }

@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 //
-// Whatever is typed into a field is a number within its limits or one sentence; lists likewise.
+// Whatever is typed into a field is a number within its limits or one sentence; lists and formulas likewise.
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 
+#include "bw/core/text/expression.h"
 #include "bw/core/text/number_text.h"
 #include "bw/core/text/typed_number.h"
 #include "require.h"
@@ -34,5 +36,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     FUZZ_REQUIRE(bw::readNumberList(bw::numberListText(*list), 1000, "face").value() == *list);
   else
     FUZZ_REQUIRE(!list.error().message.empty());
+  const std::array<bw::NamedNumber, 2> numbers = {{{"x", 2}, {"width", 600}}};
+  const bw::Result<double> value = bw::evaluateExpression(text, numbers);
+  FUZZ_REQUIRE(value ? std::isfinite(*value) : !value.error().message.empty());
   return 0;
 }

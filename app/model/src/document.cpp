@@ -148,7 +148,8 @@ Result<void> Document::open(const fs::path& file, int* version) {
 
 Result<void> Document::saveAs(const fs::path& file) {
   auto stored = std::make_shared<Design>(*design_);
-  if (read_ && read_->first == stored->source().path && stored->source().bytes.empty())
+  const Source& source = stored->source();
+  if (read_ && read_->first == source.path && source.bytes.empty() && !source.surface)
     stored->source().saved = read_->second;
   else
     noteSources(*stored);

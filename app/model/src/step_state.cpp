@@ -99,9 +99,7 @@ std::string exportKey(const pipeline::Evaluation& evaluation) {
 
 StepStates stepStates(const StepFacts& facts) {
   StepStates states;
-  const bool empty =
-      !facts.design || (facts.design->source().path.empty() && facts.design->source().bytes.empty());
-  if (empty) {
+  if (!facts.design || facts.design->source().empty()) {
     states[int(Step::input)].text = QStringLiteral("No surface yet");
     return states;
   }

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "bw/core/blade/blade.h"
+#include "bw/core/text/number_text.h"
 #include "bw/geometry/export.h"
 
 namespace bw::pipeline {
@@ -35,16 +36,70 @@ constexpr Setting kSettings[] = {
 /// A crest of the wall that runs along the travel: 600 mm wide, 900 mm long.
 BlockPlacement blockInWall() { return {{1800, 600, -200}, {600, 900, 400}, Eigen::Vector3d::Zero()}; }
 
+const geometry::Example* find(const std::vector<geometry::Example>& list, const std::string& name) {
+  const auto found = std::ranges::find(list, name, &geometry::Example::name);
+  return found == list.end() ? nullptr : &*found;
+}
+
+Result<void> known(const std::string& name) {
+  if (find(designedExamples(), name) || find(geometry::exampleList(), name)) return {};
+  std::vector<std::string> names;
+  std::string all;
+  for (const auto* list : {&designedExamples(), &geometry::exampleList()})
+    for (const geometry::Example& example : *list) {
+      all += (names.empty() ? "" : ", ") + example.name;
+      names.push_back(example.name);
+    }
+  const std::string nearest = nearestWord(name, names.data(), int(names.size()));
+  return fail(ErrorCode::badInput,
+              "there is no example \"" + name + "\"" +
+                  (nearest.empty() ? "; the examples are "
+                                   : "; did you mean \"" + nearest + "\"? The examples are ") +
+                  all,
+              "example");
+}
+
 }  // namespace
 
+const std::vector<geometry::Example>& designedExamples() {
+  static const std::vector<geometry::Example> list = {
+      {kSingleBlock, "Single block, poles 4 × 6",
+       "A tensor-product spline over a block of 600 × 800 × 500 mm, four poles across and six along the "
+       "travel."},
+      {"ripple-along", "Ripple along the travel",
+       "z = height − rise ((x − 300)/300)² + amplitude sin(2π waves y/800) (1 − 0.3 ((x − 300)/300)²); mm. "
+       "Variables: "
+       "amplitude, waves, rise, height."},
+      {"twist", "Twist",
+       "A loft through three arcs that lean one way, not at all, and the other. Variables: lean, rise, "
+       "height."},
+      {"bump", "Bump", "Poles 4 × 6 over a block, the four in the middle raised. Variables: bump, height."},
+  };
+  return list;
+}
+
+Result<std::string> exampleSurface(const std::string& name) {
+  if (Result<void> ok = known(name); !ok) return tl::unexpected<Error>(ok.error());
+  if (!find(designedExamples(), name)) return geometry::exampleStep(name);
+  const Result<Design> design = exampleDesign(name);
+  if (!design) return tl::unexpected<Error>(design.error());
+  const Result<SplineSurface> spline = splineOf(*design->source().surface);
+  return spline ? geometry::stepText(*spline, name) : tl::unexpected<Error>(spline.error());
+}
+
 Result<Design> exampleDesign(const std::string& name) {
+  if (Result<void> ok = known(name); !ok) return tl::unexpected<Error>(ok.error());
+  if (find(designedExamples(), name)) {
+    const Result<std::filesystem::path> folder = resourceFolder();
+    if (!folder) return tl::unexpected<Error>(folder.error());
+    return loadDesign(*folder / "examples" / (name + ".bladewright"));
+  }
   Design design;
   Result<std::string> step = geometry::exampleStep(name);
   if (!step) return tl::unexpected<Error>(step.error());
   design.source().bytes = std::move(*step);
   design.source().path = name + ".step";
-  for (const geometry::Example& example : geometry::exampleList())
-    if (example.name == name) design.name = example.title;
+  design.name = find(geometry::exampleList(), name)->title;
   const Setting* setting = std::ranges::find_if(kSettings, [&](const Setting& s) { return name == s.name; });
   const bool found = setting != std::end(kSettings);
   Result<Blade> blade = bladePreset(found ? setting->blade : design.blade.name);

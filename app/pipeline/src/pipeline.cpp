@@ -49,12 +49,35 @@ Result<void> settle(Stage<Request, T>& stage, const Stage<Request, T>* before,
 
 SourceRequest sourceRequest(const Design& design) {
   const Source& source = design.source();
+  if (source.surface) return {{}, {}, {}, source.surface};
   const ReadOptions options = design.readOptions(source);
   if (source.bytes.empty()) return {FileStamp::of(source.path), {}, options};
   return {{source.path}, source.bytes, options};
 }
 
+/// Of the surface itself: what is equal gives equal results.
+Fingerprint fingerprintOf(const SplineSurface& surface) {
+  std::string bytes;
+  const auto add = [&bytes](const auto& numbers) {
+    for (const auto& number : numbers) bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
+  };
+  add(std::array{surface.degreeU, surface.degreeV, surface.polesU, surface.polesV});
+  add(surface.knotsU);
+  add(surface.knotsV);
+  add(surface.poles);
+  return bw::fingerprintOf(bytes);
+}
+
+Result<CadSource> makeSource(const DesignedSurface& surface) {
+  const Result<SplineSurface> spline = splineOf(surface);
+  if (!spline) return tl::unexpected<Error>(spline.error());
+  Result<geometry::CadModel> model = geometry::CadModel::of(*spline, "the designed surface");
+  if (!model) return tl::unexpected<Error>(model.error());
+  return CadSource{std::move(*model), fingerprintOf(*spline)};
+}
+
 Result<CadSource> readSource(const SourceRequest& request, const RunContext& context, Findings& findings) {
+  if (request.surface) return makeSource(*request.surface);
   const std::filesystem::path& path = request.file.path;
   if (request.bytes.empty() && path.empty())
     return fail(ErrorCode::badInput,
@@ -65,7 +88,7 @@ Result<CadSource> readSource(const SourceRequest& request, const RunContext& con
           : geometry::CadModel::readBytes(request.bytes, path.string(), context, request.options);
   if (!model) return tl::unexpected<Error>(model.error());
   Result<Fingerprint> content =
-      request.bytes.empty() ? fingerprintOfFile(path) : fingerprintOf(request.bytes.str());
+      request.bytes.empty() ? fingerprintOfFile(path) : bw::fingerprintOf(request.bytes.str());
   if (!content) return tl::unexpected<Error>(content.error());
   if (request.bytes.empty() && FileStamp::of(path) != request.file)
     return fail(ErrorCode::cannotRead, path.string() + " was changed while it was read; read it again",
@@ -78,7 +101,7 @@ Result<CadSource> readSource(const SourceRequest& request, const RunContext& con
 
 /// Tells where a linked source that was read is another than when the design was saved.
 Findings changedSource(const Source& source, const Fingerprint& read) {
-  if (!source.bytes.empty() || !source.saved || read == *source.saved) return {};
+  if (source.surface || !source.bytes.empty() || !source.saved || read == *source.saved) return {};
   return {{Severity::warning, ChangedSource{source.path.filename().string(), source.saved->size, read.size}}};
 }
 

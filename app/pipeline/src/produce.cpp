@@ -109,6 +109,7 @@ Product produce(Evaluation evaluation, const std::filesystem::path& folder, cons
 
 Result<Design> storedDesign(const Evaluation& evaluation) {
   Design result = evaluation.design;
+  if (result.source().surface) return result;
   const Fingerprint& read = evaluation.source.value->content;
   const auto changed = [&] {
     return fail(ErrorCode::cannotRead,

@@ -124,11 +124,15 @@ std::string reportJson(const Evaluation& e, const std::string& run, const FileSe
   if (cut.target.value) {
     const Bounds b = cut.target.value->bounds();
     const std::vector<int>& faces = cut.target.value->faces();
+    const auto& surface = design.source().surface;
     report["target"] = {{"file", design.source().path.generic_string()},
+                        {"surface", surface ? ordered_json(shapeText(*surface)) : ordered_json(nullptr)},
                         {"face", faces.size() == 1 ? ordered_json(faces[0]) : ordered_json(faces)},
                         {"bounds_mm", {vec(b.min), vec(b.max)}},
                         {"area_mm2", cut.target.value->area()}};
   }
+  report["variables"] = ordered_json::object();
+  for (const Variable& variable : design.variables) report["variables"][variable.name] = variable.value;
   report["blade"] = {{"name", design.blade.name},
                      {"title", design.blade.title},
                      {"length", design.blade.length},

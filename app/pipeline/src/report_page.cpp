@@ -131,7 +131,13 @@ void parameters(Page& page, const Evaluation& e) {
   const Design& design = e.design;
   page.heading("Parameters");
   page.begin({"Parameter", "Value"});
-  page.row({"CAD file", e.design.source().path.filename().string()});
+  if (const auto& surface = design.source().surface)
+    page.row({"Surface", "designed: " + shapeText(*surface)});
+  else
+    page.row({"CAD file", design.source().path.filename().string()});
+  for (const Variable& variable : design.variables)
+    page.row({"Variable " + variable.name,
+              shortText(variable.value, 6) + (variable.unit.empty() ? "" : " " + variable.unit)});
   if (e.cut().target.value) {
     std::string faces;
     for (const int face : e.cut().target.value->faces())

@@ -191,7 +191,11 @@ std::string runId(const Evaluation& e, const Cell* cell) {
   Design inputs = e.design;
   inputs.name.clear();
   inputs.output = {{}, {}};
+  // The numbers that these came to are in the design and in the surface.
+  inputs.variables.clear();
+  inputs.bindings.clear();
   for (Source& source : inputs.sources) {
+    source.surface.reset();
     source.path.clear();
     source.bytes.clear();
     source.saved.reset();

@@ -93,8 +93,9 @@ constexpr std::array<BladeNumber, 11> kBlade = {{
 }};
 
 /// Reads a blade object strictly over the values of `blade`.
-Result<Blade> bladeFromJson(const json& object, const std::string& path, Blade blade) {
-  ObjectReader reader(object, path);
+Result<Blade> bladeFromJson(const json& object, const std::string& path, Blade blade,
+                            ExpressionScope* scope = nullptr) {
+  ObjectReader reader(object, path, scope);
   reader.text("name", blade.name);
   reader.text("title", blade.title);
   int section = int(blade.section);
@@ -175,7 +176,7 @@ void readBlade(ObjectReader& reader, Blade& blade) {
     // Numbers that an earlier version did not write are those of the preset.
     if (Result<Blade> preset = bladePreset(own["name"].get<std::string>())) blade = std::move(*preset);
   }
-  Result<Blade> read = bladeFromJson(own, reader.path() + ".blade", blade);
+  Result<Blade> read = bladeFromJson(own, reader.path() + ".blade", blade, reader.scope());
   if (read)
     blade = std::move(*read);
   else

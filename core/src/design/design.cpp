@@ -8,6 +8,7 @@
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/binary_from_base64.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -155,7 +156,7 @@ template <class Read>
 void readPart(ObjectReader& reader, const char* key, const Read& read) {
   const json* value = reader.member(key);
   if (!value) return;
-  ObjectReader inner(*value, reader.path() + "." + key);
+  ObjectReader inner(*value, reader.path() + "." + key, reader.scope());
   read(inner);
   reader.adopt(inner.finish());
 }
@@ -172,7 +173,7 @@ void readList(ObjectReader& reader, const char* key, std::vector<Part>& list, co
                  (value->is_array() ? ", not of " + std::to_string(value->size()) +
                                           ": this version works on one source, one block and one cut"
                                     : std::string()));
-  ObjectReader inner((*value)[0], path + "[0]");
+  ObjectReader inner((*value)[0], path + "[0]", reader.scope());
   inner.text("id", list.front().id);
   read(inner, list.front());
   if (list.front().id.empty()) inner.complain("id", path + "[0].id is empty; give it a name");
@@ -201,7 +202,16 @@ Result<Design> earlierDesign(ObjectReader& reader) {
 
 Result<Design> presentDesign(ObjectReader& reader, const json& object) {
   Design design;
+  detail::readVariables(reader, design.variables);
+  for (const Variable& variable : design.variables)
+    reader.scope()->numbers.push_back({variable.name, variable.value});
   readList(reader, "sources", design.sources, [](ObjectReader& inner, Source& source) {
+    detail::readSurface(inner, source.surface);
+    if (source.surface)
+      for (const char* key : {"path", "base64", "fingerprint", "unit", "sewing"})
+        if (inner.has(key))
+          inner.complain(key, inner.path() + " has a surface of its own and the key " + key +
+                                  " of a CAD file; keep one of them");
     readFileKeys(inner, source);
     detail::readSourceKeys(inner, source);
   });
@@ -240,7 +250,12 @@ Result<Design> parseDesign(std::string_view text, int* version) {
     error.message += "; a design is what Bladewright saved, a CAD file is opened as a surface";
     return tl::unexpected<Error>(std::move(error));
   }
-  ObjectReader reader(*object, "design");
+  return detail::designFrom(*object, version);
+}
+
+Result<Design> detail::designFrom(const json& object, int* version) {
+  ExpressionScope scope;
+  ObjectReader reader(object, "design", &scope);
   int found = 0;
   if (Result<void> ok = reader.version("bladewright_design", found, Design::kVersion, 0); !ok)
     return tl::unexpected<Error>(ok.error());
@@ -248,20 +263,52 @@ Result<Design> parseDesign(std::string_view text, int* version) {
     reader.complain(
         "bladewright_design",
         "this is not a Bladewright design: the key bladewright_design with the version is missing");
-  Result<Design> design = found == 1 ? earlierDesign(reader) : presentDesign(reader, *object);
+  Result<Design> design = found == 1 ? earlierDesign(reader) : presentDesign(reader, object);
   if (!design) return design;
   reader.text("name", design->name);
   if (Result<void> ok = reader.finish(); !ok) return tl::unexpected<Error>(ok.error());
   if (version) *version = found;
+  design->bindings = std::move(scope.bound);
   return design;
 }
 
+namespace {
+
+/// Puts the expressions in the place of the numbers that they came to.
+void writeBindings(const std::map<std::string, BoundNumber>& bindings, nlohmann::ordered_json& object) {
+  constexpr double kSame = 1e-12;  // relative: angles are kept in rad
+  for (const auto& [pointer, bound] : bindings) {
+    if (!pointer.starts_with('/') || pointer.find('~') != std::string::npos) continue;
+    const nlohmann::ordered_json::json_pointer place(pointer);
+    if (!object.contains(place) || !object[place].is_number()) continue;
+    const double now = object[place].get<double>();
+    if (std::abs(now - bound.value) <= kSame * std::abs(bound.value)) object[place] = "=" + bound.text;
+  }
+}
+
+}  // namespace
+
 std::string designToJson(const Design& design) {
+  return detail::designJson(design).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
+         "\n";
+}
+
+nlohmann::ordered_json detail::designJson(const Design& design) {
   nlohmann::ordered_json object;
   object["bladewright_design"] = Design::kVersion;
   object["name"] = design.name;
+  if (!design.variables.empty()) object["variables"] = variablesJson(design.variables);
   json sources = json::array(), stock = json::array(), cuts = json::array();
   for (const Source& source : design.sources) {
+    if (source.surface) {
+      const std::string part = "/sources/" + std::to_string(sources.size()) + "/surface";
+      const auto isBound = [&](const std::string& place) {
+        const auto first = design.bindings.lower_bound(part + place);
+        return first != design.bindings.end() && first->first.starts_with(part + place);
+      };
+      sources.push_back({{"id", source.id}, {"surface", surfaceJson(*source.surface, isBound)}});
+      continue;
+    }
     json part = {{"id", source.id}, {"path", source.path.generic_string()}};
     if (!source.bytes.empty()) part["base64"] = toBase64(source.bytes);
     if (source.bytes.empty() && source.saved) part["fingerprint"] = fingerprintText(*source.saved);
@@ -286,12 +333,13 @@ std::string designToJson(const Design& design) {
   detail::writeProcessKeys(design.process, process);
   object["process"] = process;
   object["output"] = {{"programs", design.output.programs}, {"cell", design.output.cell}};
-  return object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  writeBindings(design.bindings, object);
+  return object;
 }
 
 void noteSources(Design& design) {
   for (Source& source : design.sources)
-    if (!source.bytes.empty())
+    if (source.surface || !source.bytes.empty())
       source.saved.reset();
     else if (const Result<Fingerprint> now = fingerprintOfFile(source.path))
       source.saved = *now;

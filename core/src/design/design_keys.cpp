@@ -50,7 +50,7 @@ void readBlock(ObjectReader& reader, std::optional<BlockPlacement>& block) {
           "block", reader.path() + ".block must be \"auto\" or an object with origin, size and rotation_deg");
     return;
   }
-  ObjectReader inner(*value, reader.path() + ".block");
+  ObjectReader inner(*value, reader.path() + ".block", reader.scope());
   BlockPlacement placement;
   Eigen::Vector3d degrees = Eigen::Vector3d::Zero();
   inner.need("origin",
@@ -104,7 +104,7 @@ void readFaceChoice(ObjectReader& reader, FaceChoice& face) {
     } else if (value->is_array()) {
       good = readList(*value, chosen);
     } else if (value->is_object()) {
-      ObjectReader inner(*value, reader.path() + ".face");
+      ObjectReader inner(*value, reader.path() + ".face", reader.scope());
       chosen.kind = FaceChoice::Kind::group;
       inner.need("group",
                  inner.path() + " needs the key group: the number of a group, as blade info lists it");
@@ -175,7 +175,7 @@ void readDirection(ObjectReader& reader, std::optional<Eigen::Vector3d>& directi
     return;
   }
   Eigen::Vector3d v = Eigen::Vector3d::Zero();
-  reader.vector3("direction", v, -1e12, 1e12);
+  reader.digits3("direction", v, -1e12, 1e12);
   const double length = v.norm();
   if (length < 1e-9) {
     reader.complain("direction", reader.path() + ".direction has length zero; give the way the blade travels",
@@ -189,7 +189,7 @@ void readStations(ObjectReader& reader, SectionRequest& sections) {
   const json* value = reader.member("stations");
   if (!value) return;
   if (value->is_object()) {
-    ObjectReader inner(*value, reader.path() + ".stations");
+    ObjectReader inner(*value, reader.path() + ".stations", reader.scope());
     double spacing = 0;
     inner.number("spacing", spacing, 0.01, 1e5);
     inner.need("spacing", inner.path() + " needs the key spacing in mm");
@@ -215,7 +215,7 @@ void readStations(ObjectReader& reader, SectionRequest& sections) {
 /// The key "up".
 void readUp(ObjectReader& reader, Eigen::Vector3d& up) {
   Eigen::Vector3d v = up;
-  reader.vector3("up", v, -1e12, 1e12);
+  reader.digits3("up", v, -1e12, 1e12);
   const double length = v.norm();
   if (length < 1e-9)
     reader.complain("up", reader.path() + ".up has length zero; give the way up in the file's frame", length,
@@ -227,7 +227,7 @@ void readUp(ObjectReader& reader, Eigen::Vector3d& up) {
 void readFit(ObjectReader& reader, Process& process) {
   const json* value = reader.member("fit");
   if (!value) return;
-  ObjectReader inner(*value, reader.path() + ".fit");
+  ObjectReader inner(*value, reader.path() + ".fit", reader.scope());
   int length = int(process.fitLength);
   inner.word("length", {"free", "exact"}, length);
   process.fitLength = FitOptions::Length(length);
@@ -263,7 +263,7 @@ void readPrograms(ObjectReader& reader, std::vector<std::string>& programs) {
 void readPlanes(ObjectReader& reader) {
   const json* planes = reader.member("planes");
   if (!planes) return;
-  ObjectReader inner(*planes, reader.path() + ".planes");
+  ObjectReader inner(*planes, reader.path() + ".planes", reader.scope());
   int type = 0;
   inner.word("type", {"parallel"}, type);
   reader.adopt(inner.finish());

@@ -2,15 +2,29 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "bw/core/design/design.h"
+#include "bw/core/design/variables.h"
 #include "bw/core/text/json_reader.h"
 
 namespace bw::detail {
 
 // The keys of each part of a design: a job has them all in one object, a design those of each part in one of
 // its own.
+
+/// A design from the document of its file, and the document of a design; in both numbers may be expressions.
+Result<Design> designFrom(const nlohmann::json& object, int* version = nullptr);
+nlohmann::ordered_json designJson(const Design& design);
+
+void readVariables(ObjectReader& reader, std::vector<Variable>& variables);
+nlohmann::json variablesJson(const std::vector<Variable>& variables);
+void readSurface(ObjectReader& reader, std::optional<DesignedSurface>& surface);  ///< surface
+/// `isBound(place)` tells whether something at or below a place in the object, such as "/frame", stands for
+/// an expression: that is written although its number may be the usual one.
+nlohmann::json surfaceJson(const DesignedSurface& surface,
+                           const std::function<bool(const std::string&)>& isBound);
 
 void readSourceKeys(ObjectReader& reader, Source& source);    ///< unit, sewing
 void readPlacement(ObjectReader& reader, StockBlock& block);  ///< block

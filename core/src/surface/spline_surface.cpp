@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 #include "bw/core/surface/surface_jet.h"
 
@@ -38,6 +39,14 @@ std::array<double, 4> splineBasis(const std::vector<double>& knots, int degree, 
     n[j] = saved;
   }
   return n;
+}
+
+std::vector<double> interpolationKnots(const std::vector<double>& t, int degree) {
+  std::vector<double> knots(std::size_t(degree + 1), t.front());
+  for (auto at = t.begin() + 1; at + degree < t.end(); ++at)
+    knots.push_back(degree == 3 ? at[1] : std::accumulate(at, at + degree, 0.0) / degree);
+  knots.insert(knots.end(), std::size_t(degree + 1), t.back());
+  return knots;
 }
 
 Eigen::Vector3d SplineSurface::value(double u, double v) const {

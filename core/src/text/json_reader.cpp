@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <utility>
 
 #include "bw/core/files/file_set.h"
 #include "bw/core/text/number_text.h"
@@ -89,7 +90,8 @@ Result<json> parseJsonText(std::string_view text, const std::string& what) {
   }
 }
 
-ObjectReader::ObjectReader(const json& object, std::string path) : object_(object), path_(std::move(path)) {
+ObjectReader::ObjectReader(const json& object, std::string path, ExpressionScope* scope)
+    : object_(object), path_(std::move(path)), scope_(scope) {
   if (!object_.is_object())
     error_ = Error{ErrorCode::badInput, path_ + " must be a JSON object, not " + object_.type_name(), path_};
 }
@@ -134,18 +136,53 @@ const json* ObjectReader::typed(const std::string& key, bool (json::*isType)() c
   return nullptr;
 }
 
+std::string ObjectReader::pointerTo(const std::string& name) const {
+  std::string pointer;
+  for (const char c : path_.substr(std::min(path_.find_first_of(".["), path_.size())) + "." + name)
+    if (c != ']') pointer += c == '.' || c == '[' ? '/' : c;
+  return pointer;
+}
+
+std::optional<double> ObjectReader::numeric(const std::string& key, const std::string& name,
+                                            const json& value, const char* what) {
+  if (value.is_number()) return value.get<double>();
+  const std::string text = value.is_string() ? value.get<std::string>() : "";
+  if (!scope_ || !text.starts_with('=')) {
+    complain(key, path_ + "." + name + " must be " + what + ", not " + value.type_name());
+    return std::nullopt;
+  }
+  const Result<double> x = evaluateExpression(std::string_view(text).substr(1), scope_->numbers);
+  if (!x) {
+    complain(key, path_ + "." + name + ", after its =, " + x.error().message, x.error().value);
+    return std::nullopt;
+  }
+  scope_->bound[pointerTo(name)] = {text.substr(1), *x};
+  return *x;
+}
+
 bool ObjectReader::within(const std::string& key, const std::string& name, double x, double min, double max) {
   if (std::isfinite(x) && x >= min && x <= max) return true;
+  std::string told;
+  if (scope_)
+    if (const auto bound = scope_->bound.find(pointerTo(name)); bound != scope_->bound.end())
+      told = " (=" + bound->second.text + ")";
   complain(key,
-           path_ + "." + name + " is " + shortText(x, 6) + " but must lie between " + shortText(min, 6) +
-               " and " + shortText(max, 6),
+           path_ + "." + name + " is " + shortText(x, 6) + told + " but must lie between " +
+               shortText(min, 6) + " and " + shortText(max, 6),
            x, x < min ? min : max);
   return false;
 }
 
 void ObjectReader::number(const std::string& key, double& out, double min, double max) {
-  const json* value = typed(key, &json::is_number, "a number");
-  if (value && within(key, key, value->get<double>(), min, max)) out = value->get<double>();
+  if (const json* value = member(key)) number(key, key, *value, out, min, max);
+}
+
+bool ObjectReader::number(const std::string& key, const std::string& name, const json& entry, double& out,
+                          double min, double max) {
+  const std::optional<double> x = numeric(key, name, entry, "a number");
+  if (!x || !within(key, name, *x, min, max)) return false;
+  out = *x;
+  return true;
 }
 
 void ObjectReader::number(const std::string& key, std::optional<double>& out, double min, double max) {
@@ -156,9 +193,11 @@ void ObjectReader::number(const std::string& key, std::optional<double>& out, do
 }
 
 void ObjectReader::integer(const std::string& key, int& out, int min, int max) {
-  const json* value = typed(key, &json::is_number, "a whole number");
-  if (!value) return;
-  const double x = value->get<double>();
+  const json* value = member(key);
+  const std::optional<double> given =
+      value ? numeric(key, key, *value, "a whole number") : std::optional<double>();
+  if (!given) return;
+  const double x = *given;
   if (std::isfinite(x) && x == std::floor(x) && x >= min && x <= max)
     out = int(x);
   else
@@ -211,13 +250,20 @@ void ObjectReader::vector3(const std::string& key, Eigen::Vector3d& out, double 
   const json* value = member(key);
   if (!value) return;
   Eigen::Vector3d result;
-  for (int i = 0; i < 3; ++i) {
-    if (!value->is_array() || value->size() != 3 || !(*value)[std::size_t(i)].is_number())
+  for (std::size_t i = 0; i < 3; ++i) {
+    const bool three = value->is_array() && value->size() == 3;
+    if (!three || (!(*value)[i].is_number() && !(scope_ && (*value)[i].is_string())))
       return complain(key, path_ + "." + key + " must be three numbers [x, y, z]");
-    result(i) = (*value)[std::size_t(i)].get<double>();
-    if (!within(key, key + "[" + std::to_string(i) + "]", result(i), min, max)) return;
+    const std::string name = key + "[" + std::to_string(i) + "]";
+    if (!number(key, name, (*value)[i], result(Eigen::Index(i)), min, max)) return;
   }
   out = result;
+}
+
+void ObjectReader::digits3(const std::string& key, Eigen::Vector3d& out, double min, double max) {
+  ExpressionScope* const scope = std::exchange(scope_, nullptr);
+  vector3(key, out, min, max);
+  scope_ = scope;
 }
 
 Result<void> ObjectReader::finish() {

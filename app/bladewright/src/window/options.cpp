@@ -11,6 +11,7 @@
 
 #include "bw/core/text/number_text.h"
 #include "bw/geometry/export.h"
+#include "bw/pipeline/example_design.h"
 
 namespace bw::app {
 
@@ -51,9 +52,9 @@ std::optional<Options> parseOptions(const QStringList& arguments, QString* probl
     } else if (word == "--example") {
       const auto text = value();
       if (!text) return std::nullopt;
-      const std::vector<geometry::Example> list = geometry::exampleList();
       std::vector<std::string> names;
-      for (const geometry::Example& example : list) names.push_back(example.name);
+      for (const auto* list : {&geometry::exampleList(), &pipeline::designedExamples()})
+        for (const geometry::Example& example : *list) names.push_back(example.name);
       if (std::ranges::find(names, text->toStdString()) == names.end()) {
         const std::string nearest = nearestWord(text->toStdString(), names.data(), int(names.size()));
         *problem = QStringLiteral("there is no example \"%1\"; ").arg(*text) +

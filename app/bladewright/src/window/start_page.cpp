@@ -14,8 +14,10 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 
 #include "bw/geometry/export.h"
+#include "bw/pipeline/example_design.h"
 #include "controls/fields.h"
 
 namespace bw::app {
@@ -197,6 +199,8 @@ StartPage::StartPage(Workbench& bench, const Theme& theme, QWidget* parent)
                  &StartPage::openSurfaceRequested);
   surface_->setObjectName("primary");
   add(tr("Open design…"), tr("A .bladewright file saved before"), &StartPage::openDesignRequested);
+  add(tr("New single block"), tr("A surface of 4 × 6 poles in a block of 600 × 800 × 500 mm"),
+      &StartPage::newBlockRequested);
   add(tr("Measure a blade…"), tr("The length of a mounted blade from how far it sags"),
       &StartPage::measureRequested);
   buttons->addSpacing(kGap);
@@ -218,7 +222,12 @@ StartPage::StartPage(Workbench& bench, const Theme& theme, QWidget* parent)
   layout->addWidget(makeTitle(tr("Examples"), page_));
   shelf_ = new QWidget(page_);
   layout->addWidget(shelf_);
-  for (const geometry::Example& example : geometry::exampleList()) {
+  std::vector<geometry::Example> examples = geometry::exampleList();
+  // The single block has its button above.
+  std::ranges::copy_if(
+      pipeline::designedExamples(), std::back_inserter(examples),
+      [](const geometry::Example& example) { return example.name != pipeline::kSingleBlock; });
+  for (const geometry::Example& example : examples) {
     const QString name = QString::fromStdString(example.name);
     auto* card = new ExampleCard(theme, name,
                                  QString::fromStdString(example.title)

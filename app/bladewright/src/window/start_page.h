@@ -77,6 +77,7 @@ class StartPage : public QScrollArea {
  signals:
   void openSurfaceRequested();
   void openDesignRequested();
+  void newBlockRequested();
   void measureRequested();
   void openRequested(const QString& file);
   void exampleRequested(const QString& name);

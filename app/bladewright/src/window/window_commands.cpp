@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "bw/core/sweep/maps.h"
+#include "bw/pipeline/example_design.h"
 #include "controls/typed_field.h"
 #include "window/main_window.h"
 
@@ -21,6 +22,9 @@ void MainWindow::makeCommands() {
                           bool checkable = false) {
     return commands_.add({id, text, icon, tip, keys, checkable}, std::move(run));
   };
+  add("file.newBlock", tr("&New single block"), "new",
+      tr("A surface of 4 × 6 poles in a block of 600 × 800 × 500 mm"), {QKeySequence::New},
+      [this](bool) { openExample(pipeline::kSingleBlock); });
   add("file.open", tr("&Open CAD surface…"), "open", tr("A STEP, IGES or BREP file"), {QKeySequence::Open},
       [this](bool) {
         if (const QString file = questions_.openSurface(); !file.isEmpty()) openFile(file);
@@ -254,7 +258,7 @@ void MainWindow::makeMenus() {
     menu->setToolTipsVisible(true);
   };
   QMenu* file = menuBar()->addMenu(tr("&File"));
-  fill(file, {"file.open", "file.openDesign"});
+  fill(file, {"file.newBlock", "file.open", "file.openDesign"});
   recentMenu_ = file->addMenu(tr("Open &recent"));
   fill(file,
        {"file.unsaved", "", "file.save", "file.saveAs", "", "file.replace", "file.reload", "file.locate", "",

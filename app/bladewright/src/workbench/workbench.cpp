@@ -314,7 +314,7 @@ void Workbench::onFinished() {
 
 void Workbench::judgeSize() {
   const geometry::Target* target = newestTarget();
-  if (!target || !fileInfo()) return;
+  if (!target || !fileInfo() || document_.design()->source().surface) return;  // who designs knows the unit
   const Eigen::Vector3d size = target->bounds().size();
   if (std::exchange(judgedSize_, size) == size) return;
   const double largest = size.maxCoeff();

@@ -20,7 +20,8 @@ fs::path Workbench::sourceFile() const {
 bool Workbench::sourceMissing() const {
   const Source& source = document_.design()->source();
   std::error_code error;
-  return !document_.empty() && source.bytes.empty() && !fs::is_regular_file(source.path, error);
+  return !document_.empty() && !source.surface && source.bytes.empty() &&
+         !fs::is_regular_file(source.path, error);
 }
 
 bool Workbench::canReload() const {
@@ -35,6 +36,7 @@ Result<void> Workbench::replaceSource(const fs::path& file, const QString& text)
   const bool embedded = !design.source().bytes.empty();
   const fs::path absolute = fs::absolute(file, error);
   design.source().path = error ? file : absolute;
+  design.source().surface.reset();
   design.source().bytes.clear();
   design.source().saved.reset();
   if (embedded) {
@@ -88,8 +90,8 @@ void Workbench::noteSourceRead() {
   if (!evaluation) return;
   // A change of a setting reads a file that has changed, too.
   const bool read = evaluation->source.value && evaluation->source.value != readSource_;
-  const bool watched =
-      evaluation->design.source().bytes.empty() && evaluation->design.source().path == watch_.file();
+  const Source& source = evaluation->design.source();
+  const bool watched = !source.surface && source.bytes.empty() && source.path == watch_.file();
   if (read) {
     readSource_ = evaluation->source.value;
     document_.noteRead(evaluation->design.source().path, evaluation->source.value->content);

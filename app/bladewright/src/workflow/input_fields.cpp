@@ -7,6 +7,7 @@
 #include <QStandardItemModel>
 
 #include <algorithm>
+#include <initializer_list>
 
 #include "bw/core/files/file_set.h"
 #include "bw/core/text/number_text.h"
@@ -155,6 +156,7 @@ void FaceFields::refresh() {
   const FaceChoice& face = bench_.cut().face;
   const geometry::CadInfo* info = bench_.fileInfo();
   kinds_->show(int(face.kind));
+  setLineVisible(kinds_, true);
   setLineVisible(numbers_, face.kind == Kind::indices);
   setLineVisible(names_, face.kind == Kind::named);
   setLineVisible(sides_, face.kind == Kind::group);
@@ -168,12 +170,20 @@ void FaceFields::refresh() {
   }
 }
 
+void FaceFields::hide() {
+  for (QWidget* field :
+       std::initializer_list<QWidget*>{kinds_, numbers_, names_, sides_, point_[0], point_[1], point_[2]})
+    setLineVisible(field, false);
+  inPicture_->hide();
+}
+
 InputFields::InputFields(Workbench& bench, FormColumn* column, QObject* parent)
     : QObject(parent), bench_(bench) {
   fileName_ = column->addWide(new QLabel);
   fileName_->setTextFormat(Qt::PlainText);
   fileName_->setWordWrap(true);
   fileFacts_ = column->addWide(makeNote());
+  surface_ = column->addWide(new SurfaceFields(bench));
   column->addWide(
       makeButton(tr("Open CAD file…"),
                  tr("STEP (also packed), IGES or BREP; a file can also be dropped into the window"), this,
@@ -249,13 +259,18 @@ void InputFields::embed(bool on) {
 void InputFields::refresh() {
   const Design& design = *bench_.document().design();
   const std::string file = design.source().path.filename().string();
-  fileName_->setText(file.empty() ? tr("No file") : QString::fromStdString(file));
+  const auto& surface = design.source().surface;
+  fileName_->setText(surface        ? tr("Designed surface")
+                     : file.empty() ? tr("No file")
+                                    : QString::fromStdString(file));
   fileName_->setToolTip(QString::fromStdString(design.source().path.string()));
   QString facts;
   const geometry::CadInfo* info = bench_.fileInfo();
   const geometry::Target* target = info ? bench_.newestTarget() : nullptr;
   const Eigen::Vector3d size = target ? target->bounds().size() : Eigen::Vector3d(0, 0, 0);
-  if (info) {
+  if (info && surface) {
+    if (target) facts = sizeText(size);
+  } else if (info) {
     facts = tr("%1, unit %2, %3")
                 .arg(QString::fromStdString(info->format), QString::fromStdString(info->unit),
                      info->faces == 1 ? tr("1 face") : tr("%1 faces").arg(info->faces));
@@ -268,7 +283,10 @@ void InputFields::refresh() {
   fileFacts_->setText(facts);
   fileFacts_->setVisible(!facts.isEmpty());
   showUnits(info, size);
-  faces_->refresh();
+  surface_->refresh();
+  setLineVisible(unit_, !surface);
+  surface ? faces_->hide() : faces_->refresh();
+  embed_->setVisible(!surface);
   embed_->setChecked(!design.source().bytes.empty());
   refreshState();
 }
@@ -277,7 +295,8 @@ void InputFields::refreshState() {
   const bool missing = bench_.sourceMissing(), there = bench_.canReload();
   replace_->setEnabled(!bench_.document().empty());
   reload_->setEnabled(there);
-  reload_->setVisible(!missing);
+  const bool designed = bench_.document().design()->source().surface.has_value();
+  reload_->setVisible(!missing && !designed);
   locate_->setVisible(missing);
   embed_->setEnabled(!embed_->isChecked() || there);
 }

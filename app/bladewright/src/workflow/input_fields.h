@@ -11,6 +11,7 @@
 
 #include "controls/fields.h"
 #include "workbench/workbench.h"
+#include "workflow/surface_fields.h"
 
 namespace bw::app {
 
@@ -23,6 +24,8 @@ class FaceFields : public QObject {
   /// Adds its lines to `column`.
   FaceFields(Workbench& bench, FormColumn* column, QObject* parent);
   void refresh();
+  /// Hides all of them.
+  void hide();
   /// Whether the faces are being chosen in the picture, and whether they can be.
   void showChoosing(bool choosing, bool possible);
 
@@ -44,7 +47,8 @@ class FaceFields : public QObject {
   std::array<NumberField*, 3> point_;
 };
 
-/// Fields of the CAD file and of its faces that are cut; edits go to the design.
+/// Fields of the CAD file and of its faces that are cut, or of the surface that is designed; edits go to the
+/// design.
 class InputFields : public QObject {
   Q_OBJECT
 
@@ -70,6 +74,7 @@ class InputFields : public QObject {
 
   Workbench& bench_;
   QLabel *fileName_, *fileFacts_;
+  SurfaceFields* surface_;
   QPushButton *replace_, *reload_, *locate_;
   ChoiceField* unit_;
   FaceFields* faces_;

@@ -121,6 +121,8 @@ WorkflowPanel::WorkflowPanel(Workbench& bench, const Theme& theme, QWidget* pare
       {{"setup", tr("Setup")}, {"input", tr("Input")}, {"process", tr("Process")}, {"output", tr("Output")}}};
   const std::array<QWidget*, model::kStepCount> bodies = {makeSetup(), makeInput(), makeProcess(),
                                                           makeOutput()};
+  variables_ = new VariableFields(bench_, page);
+  layout->addWidget(variables_);
   for (std::size_t i = 0; i < sections_.size(); ++i) {
     if (i > 0) layout->addWidget(makeLine(page));
     sections_[i] = new StepSection(theme, heads[i].first, heads[i].second, bodies[i], page);
@@ -172,6 +174,7 @@ void WorkflowPanel::follow(const Change& change) {
   else if (any(Aspect::result))
     process_->refreshStations();
   if (any(Aspect::design)) {
+    variables_->refresh();
     bladeFields_->refresh();
     numbers_.refresh(bench_.design().process);
     output_->refresh();

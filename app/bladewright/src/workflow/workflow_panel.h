@@ -18,6 +18,7 @@
 #include "workflow/output_fields.h"
 #include "workflow/process_fields.h"
 #include "workflow/setup_fields.h"
+#include "workflow/variable_fields.h"
 
 namespace bw::app {
 
@@ -80,6 +81,7 @@ class WorkflowPanel : public SidePanel {
   const Theme& theme_;
   std::array<StepSection*, model::kStepCount> sections_{};
 
+  VariableFields* variables_ = nullptr;
   BladeFields* bladeFields_ = nullptr;
   BlockFields* blockFields_ = nullptr;
   ProcessLines numbers_;

@@ -36,7 +36,7 @@ class Document : public QObject {
 
   const std::shared_ptr<const Design>& design() const { return design_; }
   /// True until a CAD file or a design was opened.
-  bool empty() const { return design_->source().path.empty() && design_->source().bytes.empty(); }
+  bool empty() const { return design_->source().empty(); }
   /// The .bladewright file; empty if never saved.
   const std::filesystem::path& file() const { return file_; }
   bool modified() const;

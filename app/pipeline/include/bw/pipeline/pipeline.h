@@ -46,10 +46,10 @@ struct Stage {
   Findings findings = {};
 };
 
-/// A CAD file that was read.
+/// A CAD file that was read, or a designed surface that was made.
 struct CadSource {
   geometry::CadModel model;
-  Fingerprint content;  ///< of the bytes that were read
+  Fingerprint content;  ///< of the bytes that were read, or of the spline
 };
 
 /// One station of a cut, with all that is known of it.

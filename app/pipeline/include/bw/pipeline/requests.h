@@ -4,11 +4,13 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "bw/core/design/design.h"
 #include "bw/core/files/shared_bytes.h"
+#include "bw/core/shape/designed_surface.h"
 #include "bw/core/sweep/blade_lengths.h"
 #include "bw/core/sweep/entry_exit.h"
 #include "bw/core/sweep/row_motion.h"
@@ -29,11 +31,12 @@ struct FileStamp {
   static FileStamp of(const std::filesystem::path& file);
 };
 
-/// What is read: bytes that a design holds, or else a file.
+/// What is read: a surface or bytes that a design holds, or else a file.
 struct SourceRequest {
   FileStamp file;  ///< only its path where there are bytes, which names them
   SharedBytes bytes;
   ReadOptions options;
+  std::optional<DesignedSurface> surface = std::nullopt;  ///< then nothing else is asked for
   bool operator==(const SourceRequest&) const = default;
 };
 

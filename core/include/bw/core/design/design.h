@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,14 +16,17 @@
 #include "bw/core/blade/blade.h"
 #include "bw/core/design/face_choice.h"
 #include "bw/core/design/read_options.h"
+#include "bw/core/design/variables.h"
 #include "bw/core/files/fingerprint.h"
 #include "bw/core/files/shared_bytes.h"
 #include "bw/core/fit/elastica_fit.h"
+#include "bw/core/shape/designed_surface.h"
 #include "bw/core/sweep/section_request.h"
+#include "bw/core/text/expression.h"
 
 namespace bw {
 
-/// A CAD file that surfaces of a design come from, and how it is read.
+/// Where surfaces of a design come from: a CAD file, and how it is read, or a surface that is designed.
 struct Source {
   std::string id = "source-1";
   std::filesystem::path path = {};  ///< of the CAD file; relative to the design file when stored
@@ -33,7 +37,12 @@ struct Source {
       std::nullopt;  ///< the file's numbers are in it; empty = as the file states
   std::optional<double> sewing =
       std::nullopt;  ///< mm within which edges of faces are joined; empty = by the tolerance
+  /// A surface that is designed, in the design's frame; then there is no file.
+  std::optional<DesignedSurface> surface = std::nullopt;
   bool operator==(const Source&) const = default;
+
+  /// True where nothing is named yet.
+  bool empty() const { return !surface && path.empty() && bytes.empty(); }
 };
 
 /// A block of foam.
@@ -91,6 +100,10 @@ struct Design {
   Blade blade;
   Process process;
   Output output;
+  std::vector<Variable> variables = {};
+  /// The numbers that expressions stand for, by their JSON pointers in the design's file. One that no longer
+  /// is what its expression came to was changed since, and is free of it.
+  std::map<std::string, BoundNumber> bindings = {};
 
   /// The first of each: the case of one.
   const Source& source() const { return sources.front(); }
@@ -114,8 +127,9 @@ struct Design {
 /// number of worker threads that the text may ask for, 0 = all.
 Result<Design> parseJob(std::string_view json, int* threads = nullptr);
 
-/// Reads a .bladewright file's text. A newer version, unknown keys and wrong types are errors that name them.
-/// Older versions are read too; `version` gets that of the text.
+/// Reads a .bladewright file's text; numbers told by expressions are what these come to. A newer version,
+/// unknown keys and wrong types are errors that name them. Older versions are read too; `version` gets that
+/// of the text.
 Result<Design> parseDesign(std::string_view json, int* version = nullptr);
 /// The text of a .bladewright file (JSON, versioned; embedded geometry as base64).
 std::string designToJson(const Design& design);

@@ -17,6 +17,10 @@ namespace bw {
 /// Boor); flat knots.
 std::array<double, 4> splineBasis(const std::vector<double>& knots, int degree, int span, double t);
 
+/// Clamped flat knots for interpolation at ascending `t`: the parameters themselves without the second and
+/// the last but one (not-a-knot) for a cubic, averages for lower degrees.
+std::vector<double> interpolationKnots(const std::vector<double>& t, int degree);
+
 /// A non-rational tensor-product B-spline surface as plain numbers: how a cut surface crosses to CAD. u runs
 /// along the blade, v along the cutting direction.
 struct SplineSurface {

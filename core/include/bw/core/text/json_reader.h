@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "bw/core/base/result.h"
+#include "bw/core/text/expression.h"
 
 namespace bw {
 
@@ -19,13 +21,21 @@ namespace bw {
 /// bounded).
 Result<nlohmann::json> parseJsonText(std::string_view text, const std::string& what);
 
+/// What numbers can be told by in place of digits: a text that begins with =, such as "=width/2".
+struct ExpressionScope {
+  std::vector<NamedNumber> numbers = {};
+  /// What was read so, by the JSON pointer of the number in its document.
+  std::map<std::string, BoundNumber> bound = {};
+};
+
 /// Reads one JSON object strictly: each key is asked for by name with its type and range; `finish` rejects
 /// keys that nobody asked for and names the nearest one. The first error wins; reading goes on harmlessly
 /// after it.
 class ObjectReader {
  public:
-  /// `path` is how messages name the object, for instance "job" or "job.block".
-  ObjectReader(const nlohmann::json& object, std::string path);
+  /// `path` is how messages name the object, for instance "job" or "job.block". With a `scope`, which must
+  /// outlive the reader, numbers may be expressions.
+  ObjectReader(const nlohmann::json& object, std::string path, ExpressionScope* scope = nullptr);
 
   bool has(const std::string& key);
   /// Complains with `message` if the key is absent, or names a key that looks like a slip for it.
@@ -36,6 +46,9 @@ class ObjectReader {
   const nlohmann::json* given(const std::string& key);
   /// Each leaves `out` alone where the key is absent.
   void number(const std::string& key, double& out, double min, double max);
+  /// An entry of the member `key`, which messages call `name`; false where it is none.
+  bool number(const std::string& key, const std::string& name, const nlohmann::json& entry, double& out,
+              double min, double max);
   /// null counts as absent.
   void number(const std::string& key, std::optional<double>& out, double min, double max);
   void integer(const std::string& key, int& out, int min, int max);
@@ -44,6 +57,9 @@ class ObjectReader {
   /// One of `words`; the index goes to `out`.
   void word(const std::string& key, const std::vector<std::string>& words, int& out);
   void vector3(const std::string& key, Eigen::Vector3d& out, double min, double max);
+  /// The same where what is read is no longer the number that was written, so that no expression can stand
+  /// for it: of a direction.
+  void digits3(const std::string& key, Eigen::Vector3d& out, double min, double max);
 
   /// The version in `key`, needed if `fallback` is 0. One above `newest` is the error to return before
   /// anything else is read: what a newer program writes has other keys and other meanings.
@@ -65,6 +81,7 @@ class ObjectReader {
   /// After all keys were asked for: the first error, unknown keys included.
   Result<void> finish();
   const std::string& path() const { return path_; }
+  ExpressionScope* scope() const { return scope_; }
 
  private:
   /// The member if it is of a type, else null; complains where it is of another.
@@ -74,7 +91,14 @@ class ObjectReader {
   bool within(const std::string& key, const std::string& name, double x, double min, double max);
 
   const nlohmann::json& object_;
+  /// A number, or what an expression comes to; complains where it is neither.
+  std::optional<double> numeric(const std::string& key, const std::string& name, const nlohmann::json& value,
+                                const char* what);
+  /// The JSON pointer of a number of the object.
+  std::string pointerTo(const std::string& name) const;
+
   std::string path_;
+  ExpressionScope* scope_;
   std::vector<std::string> known_;
   std::optional<Error> error_;
 };

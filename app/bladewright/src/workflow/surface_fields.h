@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QVBoxLayout>
+#include <QWidget>
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "controls/fields.h"
+#include "controls/number_field.h"
+#include "controls/typed_field.h"
+#include "workbench/workbench.h"
+
+namespace bw::app {
+
+/// A line that holds a formula of x, y and the variables; what cannot be read stays as typed, with the
+/// character.
+class FormulaField : public TypedField {
+  Q_OBJECT
+
+ public:
+  explicit FormulaField(QWidget* parent = nullptr);
+  void show(const std::string& formula, std::vector<std::string> names);
+  using QWidget::show;
+
+ signals:
+  void edited(const std::string& formula);
+
+ protected:
+  QString take(const QString& text) override;
+  QString valueText() const override { return QString::fromStdString(formula_); }
+
+ private:
+  std::string formula_;
+  std::vector<std::string> names_;
+};
+
+/// The numbers of a designed surface: its kind, the heights of its poles, its formula, or its sections;
+/// hidden where the source is a file. Edits go to the design.
+class SurfaceFields : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SurfaceFields(Workbench& bench, QWidget* parent = nullptr);
+  void refresh();
+
+ private:
+  using Get = std::function<double&(DesignedSurface&)>;
+
+  /// Lines for a surface of this kind and these counts.
+  void rebuild(const DesignedSurface& surface);
+  void addPoles(FormColumn* column, const PolesSurface& surface);
+  void addFormula(FormColumn* column);
+  void addSections(FormColumn* column, const SectionsSurface& surface);
+  void addRectangle(FormColumn* column);
+  /// A field for a number of the surface, in the file at this place in it.
+  NumberField* field(const Get& get, const std::string& place, const QString& name);
+  void edit(const QString& text, const std::function<void(DesignedSurface&)>& change);
+  /// Takes a changed design, resolved, or tells why not.
+  void take(const QString& text, const Design& changed);
+  void changeKind(int kind);
+  void changeCounts(int columns, int rows);
+  /// Another surface in the place of this one, whose expressions are gone.
+  void replace(const QString& text, SurfaceShape shape);
+
+  struct Number {
+    NumberField* field;
+    Get get;
+    std::string pointer;  ///< of its binding
+    QString tip;
+  };
+  Workbench& bench_;
+  QVBoxLayout* layout_;
+  std::string built_;  ///< what the lines are for
+  ChoiceField* kinds_ = nullptr;
+  ChoiceField* lofts_ = nullptr;
+  NumberField *columns_ = nullptr, *rows_ = nullptr;
+  FormulaField* formula_ = nullptr;
+  std::vector<Number> numbers_;
+};
+
+}  // namespace bw::app

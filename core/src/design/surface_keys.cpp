@@ -1,0 +1,294 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include <algorithm>
+
+#include "bw/core/base/units.h"
+#include "design/design_keys.h"
+
+namespace bw::detail {
+
+using nlohmann::json;
+
+namespace {
+
+constexpr double kFarthest = 1e7;  ///< mm
+
+std::string entryName(const std::string& list, std::size_t i) { return list + "[" + std::to_string(i) + "]"; }
+
+/// A pair of numbers, an entry of the member `key`.
+bool readPair(ObjectReader& reader, const std::string& key, const std::string& name, const json& entry,
+              const char* what, Eigen::Vector2d& out) {
+  if (!entry.is_array() || entry.size() != 2) {
+    reader.complain(key, reader.path() + "." + name + " must be two numbers " + what);
+    return false;
+  }
+  Eigen::Vector2d pair;
+  for (std::size_t i = 0; i < 2; ++i)
+    if (!reader.number(key, entryName(name, i), entry[i], pair(Eigen::Index(i)), -kFarthest, kFarthest))
+      return false;
+  out = pair;
+  return true;
+}
+
+/// The keys "x" and "y": from and to.
+void readRectangle(ObjectReader& reader, Rectangle& over) {
+  for (const int axis : {0, 1}) {
+    const std::string key(1, char('x' + axis));
+    Eigen::Vector2d range(over.min(axis), over.max(axis));
+    if (const json* value = reader.member(key))
+      if (readPair(reader, key, key, *value, "[from, to] in mm", range) && !(range.y() > range.x()))
+        reader.complain(key, reader.path() + "." + key + " must ascend", range.y(), range.x());
+    over.min(axis) = range.x();
+    over.max(axis) = range.y();
+  }
+}
+
+bool readPole(ObjectReader& reader, const std::string& name, const json& entry, SurfacePole& pole) {
+  if (!entry.is_object()) return reader.number("poles", name, entry, pole.height, -kFarthest, kFarthest);
+  ObjectReader inner(entry, reader.path() + "." + name, reader.scope());
+  inner.need("height", inner.path() + " needs the key height in mm");
+  inner.number("height", pole.height, -kFarthest, kFarthest);
+  if (const json* moved = inner.member("moved"))
+    readPair(inner, "moved", "moved", *moved, "[dx, dy] in mm", pole.moved);
+  return reader.adopt(inner.finish());
+}
+
+void readPoles(ObjectReader& reader, PolesSurface& surface) {
+  readRectangle(reader, surface.over);
+  if (const json* degree = reader.member("degree")) {
+    const bool pair = degree->is_array() && degree->size() == 2 && (*degree)[0].is_number_integer() &&
+                      (*degree)[1].is_number_integer();
+    const double x = pair ? (*degree)[0].get<double>() : 0, y = pair ? (*degree)[1].get<double>() : 0;
+    if (std::min(x, y) < 1 || std::max(x, y) > 3)
+      reader.complain("degree", reader.path() + ".degree must be two of 1, 2 and 3: along x and along y");
+    else
+      surface.degreeX = int(x), surface.degreeY = int(y);
+  }
+  reader.need("poles",
+              reader.path() + " needs the key poles: a list of rows along x, each a list of heights in mm");
+  const json* rows = reader.member("poles");
+  if (!rows) return;
+  const std::string grid =
+      reader.path() + ".poles must be a list of rows along x, each a list of as many heights";
+  const std::size_t count = rows->is_array() ? rows->size() : 0;
+  const std::size_t columns = count > 0 && (*rows)[0].is_array() ? (*rows)[0].size() : 0;
+  const auto fits = [](std::size_t poles, int degree) {
+    return poles > std::size_t(degree) && poles <= std::size_t(PolesSurface::kMost);
+  };
+  if (columns == 0) return reader.complain("poles", grid);
+  if (!fits(count, surface.degreeY) || !fits(columns, surface.degreeX))
+    return reader.complain(
+        "poles", reader.path() + ".poles has " + std::to_string(count) + " rows of " +
+                     std::to_string(columns) + "; there are " + std::to_string(surface.degreeY + 1) + " to " +
+                     std::to_string(PolesSurface::kMost) + " rows of " + std::to_string(surface.degreeX + 1) +
+                     " to " + std::to_string(PolesSurface::kMost) + ", more than the degree");
+  surface.rows = int(count);
+  surface.columns = int(columns);
+  surface.poles.assign(count * columns, {});
+  for (std::size_t r = 0; r < count; ++r) {
+    const json& row = (*rows)[r];
+    if (!row.is_array() || row.size() != columns) return reader.complain("poles", grid);
+    for (std::size_t c = 0; c < columns; ++c)
+      if (!readPole(reader, entryName(entryName("poles", r), c), row[c], surface.poles[r * columns + c]))
+        return;
+  }
+}
+
+void readFormula(ObjectReader& reader, FormulaSurface& surface) {
+  readRectangle(reader, surface.over);
+  reader.need("formula",
+              reader.path() + " needs the key formula: z in mm by x and y, such as \"250 + 40*sin(x/100)\"");
+  reader.text("formula", surface.formula);
+  std::vector<std::string> names = {"x", "y"};
+  const std::vector<NamedNumber> none;
+  const std::vector<NamedNumber>& numbers = reader.scope() ? reader.scope()->numbers : none;
+  for (const NamedNumber& number : numbers) names.push_back(number.name);
+  const Result<Expression> expression = Expression::parse(surface.formula, names);
+  if (!expression)
+    return reader.complain("formula", reader.path() + ".formula, " + expression.error().message,
+                           expression.error().value);
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    if (expression->uses(i + 2)) surface.numbers.push_back(numbers[i]);
+}
+
+void readSection(ObjectReader& reader, SectionCurve& section) {
+  reader.need("y", reader.path() + " needs the key y: its place along the travel, mm");
+  reader.number("y", section.y, -kFarthest, kFarthest);
+  const json* bezier = reader.member("bezier");
+  const json* spline = reader.member("spline");
+  if (bool(bezier) == bool(spline))
+    return reader.complain("bezier", reader.path() +
+                                         " needs one of the keys bezier (2 to 4 poles) and spline (points "
+                                         "that it goes through), each a list of [x, z] in mm");
+  section.kind = bezier ? SectionCurve::Kind::bezier : SectionCurve::Kind::spline;
+  const std::string key = bezier ? "bezier" : "spline";
+  const json& points = bezier ? *bezier : *spline;
+  const int most = bezier ? 4 : SectionCurve::kMost;
+  if (!points.is_array() || points.size() < 2 || points.size() > std::size_t(most))
+    return reader.complain(key, reader.path() + "." + key + " must be a list of 2 to " +
+                                    std::to_string(most) + " points [x, z]");
+  section.points.resize(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (!readPair(reader, key, entryName(key, i), points[i], "[x, z] in mm", section.points[i])) return;
+}
+
+void readSections(ObjectReader& reader, SectionsSurface& surface) {
+  int loft = int(surface.loft);
+  reader.word("loft", {std::begin(kLoftSpacings), std::end(kLoftSpacings)}, loft);
+  surface.loft = LoftSpacing(loft);
+  reader.need("sections", reader.path() + " needs the key sections: a list of curves across the travel");
+  const json* list = reader.member("sections");
+  if (!list) return;
+  if (!list->is_array() || list->size() < 2 || list->size() > std::size_t(SectionsSurface::kMost))
+    return reader.complain("sections", reader.path() + ".sections must be a list of 2 to " +
+                                           std::to_string(SectionsSurface::kMost) + " curves");
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    ObjectReader inner((*list)[i], reader.path() + "." + entryName("sections", i), reader.scope());
+    readSection(inner, surface.sections.emplace_back());
+    if (!reader.adopt(inner.finish())) return;
+    if (i > 0 && !(surface.sections[i].y > surface.sections[i - 1].y))
+      return reader.complain("sections", inner.path() + ".y must lie beyond that of the section before it",
+                             surface.sections[i].y, surface.sections[i - 1].y);
+  }
+}
+
+void readFrame(ObjectReader& reader, DesignedSurface& surface) {
+  const json* value = reader.member("frame");
+  if (!value) return;
+  ObjectReader inner(*value, reader.path() + ".frame", reader.scope());
+  Eigen::Vector3d degrees = Eigen::Vector3d::Zero();
+  inner.vector3("origin", surface.origin, -kFarthest, kFarthest);
+  inner.vector3("rotation_deg", degrees, -360, 360);
+  surface.rotation = degrees * kDegree;
+  reader.adopt(inner.finish());
+}
+
+json pairJson(const Eigen::Vector2d& pair) { return json::array({pair.x(), pair.y()}); }
+
+void writeRectangle(const Rectangle& over, json& object) {
+  object["x"] = json::array({over.min.x(), over.max.x()});
+  object["y"] = json::array({over.min.y(), over.max.y()});
+}
+
+using IsBound = std::function<bool(const std::string&)>;
+
+void write(const PolesSurface& surface, json& object, const IsBound& isBound) {
+  writeRectangle(surface.over, object);
+  object["degree"] = json::array({surface.degreeX, surface.degreeY});
+  json rows = json::array();
+  for (int r = 0; r < surface.rows; ++r) {
+    json row = json::array();
+    for (int c = 0; c < surface.columns; ++c) {
+      const SurfacePole& pole = surface.at(r, c);
+      const std::string place = "/poles/" + std::to_string(r) + "/" + std::to_string(c) + "/";
+      if (pole.moved.isZero(0) && !isBound(place))
+        row.push_back(pole.height);
+      else
+        row.push_back({{"height", pole.height}, {"moved", pairJson(pole.moved)}});
+    }
+    rows.push_back(std::move(row));
+  }
+  object["poles"] = std::move(rows);
+}
+
+void write(const FormulaSurface& surface, json& object, const IsBound&) {
+  writeRectangle(surface.over, object);
+  object["formula"] = surface.formula;
+}
+
+void write(const SectionsSurface& surface, json& object, const IsBound&) {
+  object["loft"] = kLoftSpacings[int(surface.loft)];
+  json list = json::array();
+  for (const SectionCurve& section : surface.sections) {
+    json points = json::array();
+    for (const Eigen::Vector2d& point : section.points) points.push_back(pairJson(point));
+    list.push_back({{"y", section.y},
+                    {section.kind == SectionCurve::Kind::bezier ? "bezier" : "spline", std::move(points)}});
+  }
+  object["sections"] = std::move(list);
+}
+
+}  // namespace
+
+void readSurface(ObjectReader& reader, std::optional<DesignedSurface>& surface) {
+  const json* value = reader.member("surface");
+  if (!value) return;
+  ObjectReader inner(*value, reader.path() + ".surface", reader.scope());
+  inner.need("type", inner.path() + " needs the key type: poles, formula or sections");
+  int kind = -1;
+  inner.word("type", {std::begin(kShapeKinds), std::end(kShapeKinds)}, kind);
+  DesignedSurface read;
+  if (kind == 0) readPoles(inner, std::get<PolesSurface>(read.shape));
+  if (kind == 1) readFormula(inner, read.shape.emplace<FormulaSurface>());
+  if (kind == 2) readSections(inner, read.shape.emplace<SectionsSurface>());
+  readFrame(inner, read);
+  if (kind < 0 || !reader.adopt(inner.finish())) {
+    reader.adopt(inner.finish());
+    return;
+  }
+  surface = std::move(read);
+}
+
+json surfaceJson(const DesignedSurface& surface, const IsBound& isBound) {
+  json object = {{"type", kShapeKinds[surface.shape.index()]}};
+  std::visit([&](const auto& shape) { write(shape, object, isBound); }, surface.shape);
+  if (!surface.origin.isZero(0) || !surface.rotation.isZero(0) || isBound("/frame/")) {
+    const auto list = [](const Eigen::Vector3d& v) { return json::array({v.x(), v.y(), v.z()}); };
+    object["frame"] = {{"origin", list(surface.origin)}, {"rotation_deg", list(surface.rotation / kDegree)}};
+  }
+  return object;
+}
+
+namespace {
+
+constexpr std::size_t kMostVariables = 200;
+
+void readVariable(ObjectReader& reader, Variable& variable) {
+  reader.need("name", reader.path() + " needs the key name");
+  reader.need("value", reader.path() + " needs the key value");
+  reader.need("min", reader.path() + " needs the key min, the least value");
+  reader.need("max", reader.path() + " needs the key max, the greatest value");
+  reader.text("name", variable.name);
+  reader.text("unit", variable.unit);
+  constexpr double kGreatest = 1e12;
+  reader.number("min", variable.min, -kGreatest, kGreatest);
+  reader.number("max", variable.max, variable.min, kGreatest);
+  reader.number("value", variable.value, variable.min, variable.max);
+  if (!isVariableName(variable.name))
+    reader.complain("name",
+                    reader.path() + ".name is \"" + variable.name +
+                        "\" but must be a letter and then letters, digits or _ (40 at most), and not x, y or "
+                        "what formulas know already");
+}
+
+}  // namespace
+
+void readVariables(ObjectReader& reader, std::vector<Variable>& variables) {
+  const json* list = reader.member("variables");
+  if (!list) return;
+  const std::string path = reader.path() + ".variables";
+  if (!list->is_array() || list->size() > kMostVariables)
+    return reader.complain(
+        "variables", path + " must be a list of " + std::to_string(kMostVariables) + " variables at most");
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    ObjectReader inner((*list)[i], path + "[" + std::to_string(i) + "]");
+    Variable variable;
+    readVariable(inner, variable);
+    if (!reader.adopt(inner.finish())) return;
+    if (std::ranges::find(variables, variable.name, &Variable::name) != variables.end())
+      return reader.complain("variables", path + " has \"" + variable.name + "\" twice; rename one");
+    variables.push_back(std::move(variable));
+  }
+}
+
+json variablesJson(const std::vector<Variable>& variables) {
+  json list = json::array();
+  for (const Variable& v : variables) {
+    list.push_back({{"name", v.name}, {"value", v.value}, {"min", v.min}, {"max", v.max}});
+    if (!v.unit.empty()) list.back()["unit"] = v.unit;
+  }
+  return list;
+}
+
+}  // namespace bw::detail

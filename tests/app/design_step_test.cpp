@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// A surface that is designed in the window: its kind, its numbers, its formula, the variables.
+
+#include "controls/fields.h"
+#include "window_fixture.h"
+#include "workflow/surface_fields.h"
+
+namespace bw::app {
+namespace {
+
+class DesignStep : public WindowTest {
+ protected:
+  void open(const QString& name) {
+    ASSERT_TRUE(window().openExample(name));
+    ASSERT_TRUE(settle());
+    ASSERT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
+  }
+
+  /// Types into a field as a person does.
+  template <class Field>
+  void type(const QString& name, const QString& text) {
+    auto* field = find<Field>(name);
+    ASSERT_TRUE(field) << name.toStdString();
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, text);
+    QTest::keyClick(field, Qt::Key_Return);
+  }
+
+  template <class Shape>
+  const Shape& shape() {
+    return std::get<Shape>(bench().design().source().surface->shape);
+  }
+};
+
+TEST_F(DesignStep, ANewSingleBlockStandsAtOneClick) {
+  for (QPushButton* button : window().startPage().findChildren<QPushButton*>())
+    if (button->text() == "New single block") QTest::mouseClick(button, Qt::LeftButton);
+  ASSERT_FALSE(window().onStartPage());
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(bench().current());
+  EXPECT_EQ(stationCount(), 33u);
+  EXPECT_EQ(shape<PolesSurface>().columns, 4);
+  EXPECT_EQ(shape<PolesSurface>().rows, 6);
+  EXPECT_FALSE(find<QPushButton>("Reload"));
+  EXPECT_FALSE(find<ChoiceField>("Faces")) << "of files";
+  for (const Finding& finding : bench().runner().evaluation()->findings())
+    EXPECT_NE(finding.severity, Severity::error);
+  const Design before = bench().design();
+  type<NumberField>("pole 2 of row 3", "36 cm");
+  EXPECT_EQ(shape<PolesSurface>().at(2, 1).height, 360);
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().current());
+  picture("design-poles");
+  bench().document().undoStack().undo();
+  EXPECT_EQ(bench().design(), before);
+  EXPECT_EQ(find<NumberField>("pole 2 of row 3")->value(), 340);
+}
+
+TEST_F(DesignStep, AnotherNumberOfPolesKeepsTheSurface) {
+  open("bump");
+  const Eigen::Vector3d size = bench().newestTarget()->bounds().size();
+  type<NumberField>("Poles across", "6");
+  ASSERT_TRUE(settle());
+  type<NumberField>("Poles along", "9");
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(shape<PolesSurface>().columns, 6);
+  EXPECT_EQ(shape<PolesSurface>().rows, 9);
+  EXPECT_TRUE(find<NumberField>("pole 6 of row 9"));
+  EXPECT_TRUE(bench().design().bindings.empty()) << "the poles of expressions are gone";
+  EXPECT_LT((bench().newestTarget()->bounds().size() - size).norm(), 2);
+  picture("design-more-poles");
+  type<NumberField>("Poles across", "3");
+  EXPECT_TRUE(find<NumberField>("Poles across")->refused());
+  bench().document().undoStack().setIndex(0);
+  ASSERT_TRUE(settle());
+  auto* along = find<NumberField>("Poles along");
+  ASSERT_TRUE(along);
+  EXPECT_EQ(along->value(), 6);
+}
+
+TEST_F(DesignStep, VariablesAreNumbersAndSliders) {
+  open("ripple-along");
+  type<NumberField>("amplitude", "15");
+  EXPECT_EQ(bench().design().variables[0].value, 15);
+  EXPECT_EQ(shape<FormulaSurface>().numbers[0].value, 15);
+  ASSERT_TRUE(settle());
+  picture("design-variables");
+  auto* slider = find<HandSlider>("amplitude");
+  ASSERT_TRUE(slider);
+  slider->setValue(slider->maximum());
+  EXPECT_EQ(bench().design().variables[0].value, 60);
+  EXPECT_EQ(find<NumberField>("amplitude")->value(), 60);
+  bench().document().undoStack().undo();
+  EXPECT_EQ(bench().design().variables[0].value, 15);
+  bench().document().undoStack().undo();
+  EXPECT_EQ(bench().design().variables[0].value, 25);
+  type<NumberField>("amplitude", "61");
+  EXPECT_TRUE(find<NumberField>("amplitude")->refused());
+  EXPECT_EQ(bench().design().variables[0].value, 25);
+  // A design without variables has no such fields.
+  window().openExample("saddle");
+  ASSERT_TRUE(settle());
+  EXPECT_FALSE(find<NumberField>("amplitude"));
+  EXPECT_TRUE(find<ChoiceField>("Faces"));
+}
+
+TEST_F(DesignStep, AFormulaIsTakenOrRefusedWithItsCharacter) {
+  open("ripple-along");
+  type<FormulaField>("Formula", "300 - 50*((x - 300)/300)^2 + amplitud");
+  EXPECT_TRUE(find<FormulaField>("Formula")->refused());
+  EXPECT_TRUE(find<FormulaField>("Formula")->refusal().contains("Character 30: there is no “amplitud”"))
+      << find<FormulaField>("Formula")->refusal().toStdString();
+  picture("design-formula-refused");
+  type<FormulaField>("Formula", "300 - 50*((x - 300)/300)^2 + waves");
+  EXPECT_FALSE(find<FormulaField>("Formula")->refused());
+  EXPECT_EQ(shape<FormulaSurface>().formula, "300 - 50*((x - 300)/300)^2 + waves");
+  ASSERT_EQ(shape<FormulaSurface>().numbers.size(), 1u);
+  EXPECT_EQ(shape<FormulaSurface>().numbers[0].name, "waves");
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().current());
+}
+
+TEST_F(DesignStep, AnotherKindBeginsNearTheOneBefore) {
+  open("twist");
+  EXPECT_TRUE(find<ChoiceField>("Loft"));
+  picture("design-sections");
+  auto* kind = find<ChoiceField>("Surface");
+  ASSERT_TRUE(kind);
+  EXPECT_EQ(kind->currentIndex(), 2);
+  emit kind->activated(0);
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().current());
+  EXPECT_NEAR(shape<PolesSurface>().at(0, 0).height, 180, 1e-6);
+  EXPECT_FALSE(find<ChoiceField>("Loft"));
+  EXPECT_TRUE(find<NumberField>("pole 4 of row 6"));
+  emit find<ChoiceField>("Surface")->activated(1);
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().current());
+  EXPECT_TRUE(find<FormulaField>("Formula"));
+  bench().document().undoStack().setIndex(0);
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(bench().design().source().surface->shape.index(), 2u);
+}
+
+TEST_F(DesignStep, ABoundNumberTellsItsExpressionAndIsFreedByTyping) {
+  open("bump");
+  auto* pole = find<NumberField>("pole 2 of row 3");
+  ASSERT_TRUE(pole);
+  EXPECT_TRUE(pole->toolTip().contains("height + bump")) << pole->toolTip().toStdString();
+  type<NumberField>("pole 2 of row 3", "300");
+  type<NumberField>("bump", "100");
+  EXPECT_EQ(shape<PolesSurface>().at(2, 1).height, 300);
+  EXPECT_EQ(shape<PolesSurface>().at(2, 2).height, 320);
+}
+
+TEST_F(DesignStep, IsSavedAndReplacedByAFile) {
+  open("bump");
+  const fs::path file = path("bump.bladewright");
+  ASSERT_TRUE(bench().saveTo(file));
+  EXPECT_EQ(loadDesign(file).value(), bench().design());
+  ASSERT_TRUE(writeFile(path("saddle.step"), geometry::exampleStep("saddle").value()));
+  ASSERT_TRUE(bench().replaceSource(path("saddle.step"), "Replace surface"));
+  EXPECT_FALSE(bench().design().source().surface);
+  bench().document().undoStack().undo();
+  EXPECT_TRUE(bench().design().source().surface);
+}
+
+}  // namespace
+}  // namespace bw::app

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// Surfaces that are designed, on the whole way of a CAD file.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "bw/core/base/units.h"
+#include "bw/model/document.h"
+#include "bw/pipeline/example_design.h"
+#include "bw/pipeline/produce.h"
+#include "bw/pipeline/run_identity.h"
+
+namespace bw::pipeline {
+namespace {
+
+constexpr double kFloor = 20;  // mm of foam below the blade
+
+Evaluation evaluated(const Design& design, const Evaluation* previous = nullptr) {
+  Outcome outcome = evaluate(design, previous, {});
+  EXPECT_FALSE(outcome.error) << outcome.error->message;
+  return std::move(outcome.evaluation);
+}
+
+class DesignedExample : public testing::TestWithParam<std::string> {};
+
+TEST_P(DesignedExample, IsCutFirmlyWithinItsBlockAsItOpens) {
+  const Design design = exampleDesign(GetParam()).value();
+  const BlockPlacement& block = *design.block().placement;
+  EXPECT_EQ(block.size, Eigen::Vector3d(600, 800, 500));
+  EXPECT_EQ(design.blade.length, 800);
+  const Evaluation e = evaluated(design);
+  ASSERT_TRUE(e.result());
+  const CutResult result = *e.result();
+  EXPECT_EQ(result.size(), 33u);
+  EXPECT_LT(result.analysis.summary.deviationMax, 0.2);
+  EXPECT_EQ(result.coverage.share(), 1);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    const StationView station = result.station(i);
+    EXPECT_TRUE(station.rest == Rest::certain || station.rest == Rest::held) << i;
+    for (const Eigen::Vector3d& point : station.pose.bladePoints(50)) {
+      EXPECT_GE(point.z() - block.origin.z(), kFloor) << i;
+      EXPECT_LE(point.z() - block.origin.z(), block.size.z() - kFloor) << i;
+    }
+  }
+  for (const Finding& finding : e.findings()) EXPECT_NE(finding.severity, Severity::error);
+}
+
+INSTANTIATE_TEST_SUITE_P(, DesignedExample, testing::Values("single-block", "ripple-along", "twist", "bump"),
+                         [](const auto& one) {
+                           std::string name = one.param;
+                           std::ranges::replace(name, '-', '_');
+                           return name;
+                         });
+
+TEST(DesignedSurface, AChangeRecomputesOnlyWhatHangsOnIt) {
+  Design design = exampleDesign("bump").value();
+  design.output.programs.clear();
+  const Evaluation before = evaluated(design);
+  Design faster = design;
+  faster.process.cuttingSpeed = 10;
+  const Evaluation slow = evaluated(faster, &before);
+  EXPECT_EQ(slow.source.value, before.source.value);
+  EXPECT_EQ(slow.cut().sweep.value, before.cut().sweep.value);
+  Design raised = design;
+  std::get<PolesSurface>(raised.source().surface->shape).at(2, 1).height += 5;
+  const Evaluation after = evaluated(raised, &before);
+  EXPECT_NE(after.source.value, before.source.value);
+  EXPECT_NE(after.cut().sweep.value, before.cut().sweep.value);
+  EXPECT_FALSE(after.source.value->content == before.source.value->content);
+  // The same as from nothing.
+  EXPECT_EQ(after.result()->analysis.summary.deviationMax,
+            evaluated(raised).result()->analysis.summary.deviationMax);
+  // Back again: by its request, though it was made anew in between.
+  EXPECT_EQ(evaluated(design, &after).source.value->content, before.source.value->content);
+  // A variable that only names what the surface does not use changes nothing.
+  Design renamed = design;
+  renamed.variables.push_back({"other", 1, 0, 2, ""});
+  EXPECT_EQ(evaluated(withVariables(renamed, {{"other", 2}}).value(), &before).cut().motion.value,
+            before.cut().motion.value);
+}
+
+TEST(DesignedSurface, ARunIsNamedByTheNumbersThatVariablesComeTo) {
+  Design design = exampleDesign("ripple-along").value();
+  const std::string run = runId(evaluated(design), nullptr);
+  EXPECT_NE(runId(evaluated(withVariables(design, {{"amplitude", 12}}).value()), nullptr), run);
+  Design other = design;
+  other.variables.push_back({"unused", 1, 0, 2, ""});
+  EXPECT_EQ(runId(evaluated(other), nullptr), run);
+}
+
+TEST(DesignedSurface, IsStoredWithTheResults) {
+  const Design design = exampleDesign("twist").value();
+  const Evaluation e = evaluated(design);
+  EXPECT_EQ(storedDesign(e).value(), design);
+}
+
+TEST(DesignedSurface, ThatCannotBeMadeIsAnErrorWithItsPlace) {
+  Design design = exampleDesign("ripple-along").value();
+  std::get<FormulaSurface>(design.source().surface->shape).formula = "200 + 1/(x - 300)";
+  const Outcome outcome = evaluate(design, nullptr, {});
+  ASSERT_TRUE(outcome.error);
+  EXPECT_NE(outcome.error->message.find("x = 300"), std::string::npos) << outcome.error->message;
+}
+
+TEST(DesignedSurface, IsADocumentThatIsSavedAndUndone) {
+  model::Document document({});
+  document.start(exampleDesign("bump").value());
+  EXPECT_FALSE(document.empty());
+  const Design before = *document.design();
+  document.editDesign("Move pole", 1, [](Design& design) {
+    std::get<PolesSurface>(design.source().surface->shape).at(2, 1).height += 5;
+  });
+  EXPECT_FALSE(*document.design() == before);
+  document.undoStack().undo();
+  EXPECT_EQ(*document.design(), before);
+}
+
+}  // namespace
+}  // namespace bw::pipeline

@@ -1,0 +1,242 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "bw/core/design/variables.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "bw/core/base/units.h"
+#include "bw/core/design/design.h"
+
+namespace bw {
+
+namespace {
+
+using nlohmann::json;
+
+const char* const kDesign = R"({
+  "bladewright_design": 2, "name": "Ripple",
+  "variables": [{"name": "amplitude", "value": 40, "min": 0, "max": 80, "unit": "mm"},
+                {"name": "width", "value": 600, "min": 300, "max": 700, "unit": "mm"},
+                {"name": "n", "value": 33, "min": 2, "max": 100}],
+  "sources": [{"id": "s", "surface": {"type": "poles", "x": [0, "=width"], "poles": [
+     [200, 210, 210, 200], [200, {"height": "=200 + amplitude/2", "moved": [5, "=-amplitude"]}, 210, 200],
+     [200, 210, 210, 200], [200, 210, 210, 200]]}}],
+  "stock": [{"id": "b", "block": {"origin": [0, 0, 0], "size": ["=width", 800, 500], "rotation_deg": [0, 0, "=n/3"]}}],
+  "cuts": [{"source": "s", "block": "b", "direction": "y", "stations": "=n"}],
+  "blade": {"preset": "steel-tube-3-2.5", "length": "=width + 200"},
+  "process": {"tolerance": "=amplitude/20", "fit": {"max_periods": "=1 + 0.01"}}
+})";
+
+Design designOf(const std::string& text) {
+  Result<Design> design = parseDesign(text);
+  EXPECT_TRUE(design) << design.error().message;
+  return design.value_or(Design{});
+}
+
+std::string errorOf(const json& object) {
+  const Result<Design> design = parseDesign(object.dump());
+  return design ? "accepted" : design.error().message;
+}
+
+const PolesSurface& polesOf(const Design& design) {
+  return std::get<PolesSurface>(design.source().surface->shape);
+}
+
+json withSurface(const char* surface) {
+  return {{"bladewright_design", 2},
+          {"variables", {{{"name", "amplitude"}, {"value", 40}, {"min", 0}, {"max", 80}}}},
+          {"sources", {{{"surface", json::parse(surface)}}}}};
+}
+
+}  // namespace
+
+TEST(DesignVariables, NumbersMayBeToldByExpressions) {
+  const Design design = designOf(kDesign);
+  EXPECT_EQ(polesOf(design).over.max.x(), 600);
+  EXPECT_EQ(polesOf(design).at(1, 1).height, 220);
+  EXPECT_EQ(polesOf(design).at(1, 1).moved, Eigen::Vector2d(5, -40));
+  EXPECT_EQ(design.block().placement->size.x(), 600);
+  EXPECT_NEAR(design.block().placement->rotation.z(), 11 * kDegree, 1e-15);
+  EXPECT_EQ(design.cut().sections.stations, 33);
+  EXPECT_EQ(design.blade.length, 800);
+  EXPECT_EQ(design.process.tolerance, 2);
+  EXPECT_EQ(design.process.maxPeriods, 1.01);
+  EXPECT_EQ(design.bindings.size(), 9u);
+  EXPECT_EQ(design.bindings.at("/sources/0/surface/poles/1/1/height").text, "200 + amplitude/2");
+}
+
+TEST(DesignVariables, WhatWasWrittenIsSavedAgain) {
+  const Design design = designOf(kDesign);
+  const std::string once = designToJson(design);
+  const json object = json::parse(once);
+  EXPECT_EQ(object["sources"][0]["surface"]["poles"][1][1]["height"], "=200 + amplitude/2");
+  EXPECT_EQ(object["stock"][0]["block"]["rotation_deg"][2], "=n/3");
+  EXPECT_EQ(object["cuts"][0]["stations"], "=n");
+  EXPECT_EQ(object["blade"]["length"], "=width + 200");
+  EXPECT_EQ(object["process"]["fit"]["max_periods"], "=1 + 0.01");
+  const Design again = designOf(once);
+  EXPECT_EQ(designToJson(again), once);
+  EXPECT_EQ(again.source(), design.source());
+  EXPECT_EQ(again.variables, design.variables);
+}
+
+TEST(DesignVariables, ExpressionsOfPolesAndFramesStayWhereTheyComeToNothing) {
+  const Design design = designOf(withSurface(R"({"type": "poles", "degree": [1, 1], "poles": [
+      [1, {"height": "=amplitude"}], [{"height": 2, "moved": ["=amplitude - 40", 0]}, "=amplitude*2"]],
+      "frame": {"origin": [0, 0, "=amplitude - 40"], "rotation_deg": [0, 0, 0]}})")
+                                     .dump());
+  EXPECT_EQ(design.bindings.size(), 4u);
+  const Design other = withVariables(design, {{"amplitude", 41}}).value();
+  EXPECT_EQ(polesOf(other).at(0, 1).height, 41);
+  EXPECT_EQ(polesOf(other).at(1, 0).moved.x(), 1);
+  EXPECT_EQ(polesOf(other).at(1, 1).height, 82);
+  EXPECT_EQ(other.source().surface->origin.z(), 1);
+  EXPECT_EQ(withVariables(other, {{"amplitude", 40}}).value(), design);
+}
+
+TEST(DesignVariables, AnotherValueChangesWhatHangsOnItAlone) {
+  const Design design = designOf(kDesign);
+  const Result<Design> wide = withVariables(design, {{"width", 650}, {"amplitude", 60}});
+  ASSERT_TRUE(wide) << wide.error().message;
+  EXPECT_EQ(polesOf(*wide).over.max.x(), 650);
+  EXPECT_EQ(polesOf(*wide).at(1, 1).height, 230);
+  EXPECT_EQ(wide->blade.length, 850);
+  EXPECT_EQ(wide->process.tolerance, 3);
+  EXPECT_EQ(wide->cut(), design.cut());
+  EXPECT_EQ(withVariables(*wide, {{"width", 600}, {"amplitude", 40}}).value(), design);
+  EXPECT_EQ(resolved(design).value(), design);
+}
+
+TEST(DesignVariables, ANumberThatIsTypedOverIsFreeOfItsExpression) {
+  Design design = designOf(kDesign);
+  design.process.tolerance = 1.25;
+  EXPECT_EQ(json::parse(designToJson(design))["process"]["tolerance"], 1.25);
+  const Design other = withVariables(design, {{"amplitude", 80}}).value();
+  EXPECT_EQ(other.process.tolerance, 1.25);
+  EXPECT_EQ(other.bindings.count("/process/tolerance"), 0u);
+  EXPECT_EQ(other.bindings.count("/process/fit/max_periods"), 1u);
+}
+
+TEST(DesignVariables, UnknownNamesAndValuesOutOfRangeAreErrorsThatSayMore) {
+  const Design design = designOf(kDesign);
+  EXPECT_EQ(withVariables(design, {{"amplitud", 3}}).error().message,
+            "the design has no variable \"amplitud\"; did you mean \"amplitude\"?");
+  EXPECT_EQ(withVariables(design, {{"height", 3}}).error().message,
+            "the design has no variable \"height\"; it has amplitude, width, n");
+  EXPECT_EQ(withVariables(design, {{"width", 900}}).error().message,
+            "width is 900 mm but must lie between 300 and 700 mm");
+  EXPECT_EQ(withVariables(design, {{"amplitude", 0}}).error().message,
+            "design.process.tolerance is 0 (=amplitude/20) but must lie between 0.0001 and 1000");
+  EXPECT_EQ(withVariables(design, {{"n", 2.5}}).error().message,
+            "design.cuts[0].stations is 2.5 but must be a whole number from 2 to 20000");
+  EXPECT_NE(withVariables(Design{}, {{"a", 1}}).error().message.find("no variables"), std::string::npos);
+}
+
+TEST(DesignVariables, ExpressionsStandOnlyForNumbersThatStayAsWritten) {
+  json object = json::parse(kDesign);
+  object["cuts"][0]["direction"] = {0, "=n", 1};
+  EXPECT_EQ(errorOf(object), "design.cuts[0].direction must be three numbers [x, y, z]");
+  object = json::parse(kDesign);
+  object["process"]["tolerance"] = "2";
+  EXPECT_EQ(errorOf(object), "design.process.tolerance must be a number, not string");
+  object["process"]["tolerance"] = "=amplitude*";
+  EXPECT_EQ(errorOf(object),
+            "design.process.tolerance, after its =, character 11: the formula ends where a number, a name or "
+            "an opening "
+            "bracket is expected");
+  EXPECT_NE(parseJob(R"({"tolerance": "=2"})").error().message.find("must be a number"), std::string::npos);
+}
+
+TEST(DesignVariables, VariablesAreReadStrictly) {
+  const auto with = [](json variable) {
+    json object = json::parse(kDesign);
+    object["variables"].push_back(std::move(variable));
+    return errorOf(object);
+  };
+  EXPECT_NE(with({{"name", "x"}, {"value", 1}, {"min", 0}, {"max", 2}}).find("not x, y"), std::string::npos);
+  EXPECT_NE(with({{"name", "a b"}, {"value", 1}, {"min", 0}, {"max", 2}}).find("a letter"),
+            std::string::npos);
+  EXPECT_NE(with({{"name", "n"}, {"value", 1}, {"min", 0}, {"max", 2}}).find("\"n\" twice"),
+            std::string::npos);
+  EXPECT_NE(
+      with({{"name", "a"}, {"value", 3}, {"min", 0}, {"max", 2}}).find("is 3 but must lie between 0 and 2"),
+      std::string::npos);
+  EXPECT_NE(with({{"name", "a"}, {"value", 3}}).find("needs the key min"), std::string::npos);
+  EXPECT_NE(with({{"name", "a"}, {"valeu", 3}}).find("did you mean \"value\"?"), std::string::npos);
+}
+
+TEST(DesignedSurfaceFiles, EachKindIsReadAndWritten) {
+  for (const char* text :
+       {R"({"type": "poles", "x": [-10, 600], "y": [0, 700], "degree": [2, 1],
+            "poles": [[1, 2, 3], [4, {"height": 5, "moved": [1, -2]}, 6]]})",
+        R"-({"type": "formula", "x": [0, 600], "y": [0, 800], "formula": "250 + amplitude*sin(x/100)"})-",
+        R"({"type": "sections", "loft": "root", "sections": [
+             {"y": 0, "bezier": [[0, 200], [300, 260], [600, 200]]},
+             {"y": 800, "spline": [[0, 200], [300, "=amplitude"], [600, 200]]}],
+            "frame": {"origin": [1, 2, 3], "rotation_deg": [0, 90, 0]}})"}) {
+    const Design design = designOf(withSurface(text).dump());
+    ASSERT_TRUE(design.source().surface);
+    const json written = json::parse(designToJson(design))["sources"][0];
+    EXPECT_EQ(written["surface"], json::parse(text));
+    EXPECT_EQ(written.count("path"), 0u);
+    EXPECT_EQ(designOf(designToJson(design)), design);
+  }
+}
+
+TEST(DesignedSurfaceFiles, AFormulaKeepsTheVariablesThatItUses) {
+  const Design design = designOf(withSurface(R"({"type": "formula", "formula": "amplitude + x"})").dump());
+  const auto numbers = [](const Design& d) {
+    return std::get<FormulaSurface>(d.source().surface->shape).numbers;
+  };
+  EXPECT_EQ(numbers(design), (std::vector<NamedNumber>{{"amplitude", 40}}));
+  EXPECT_EQ(numbers(withVariables(design, {{"amplitude", 12}}).value()),
+            (std::vector<NamedNumber>{{"amplitude", 12}}));
+  const Design other = designOf(withSurface(R"({"type": "formula", "formula": "200 + x"})").dump());
+  EXPECT_EQ(withVariables(other, {{"amplitude", 12}}).value().source(), other.source());
+}
+
+TEST(DesignedSurfaceFiles, SlipsAreNamed) {
+  const auto message = [](const char* surface) { return errorOf(withSurface(surface)); };
+  EXPECT_EQ(message(R"({"type": "pole"})"),
+            "design.sources[0].surface.type is \"pole\" but must be one of \"poles\", \"formula\", "
+            "\"sections\"; did you "
+            "mean \"poles\"?");
+  EXPECT_NE(message(R"({})").find("needs the key type"), std::string::npos);
+  EXPECT_NE(message(R"({"type": "poles"})").find("needs the key poles"), std::string::npos);
+  EXPECT_NE(message(R"({"type": "poles", "poles": [[1, 2, 3]]})")
+                .find("has 1 rows of 3; there are 4 to 100 rows of 4"),
+            std::string::npos);
+  EXPECT_NE(message(R"({"type": "poles", "degree": [1, 1], "poles": [[1, 2], [3]]})").find("as many heights"),
+            std::string::npos);
+  EXPECT_NE(message(R"({"type": "poles", "degree": [1, 1], "poles": [[1, 2], [3, "a"]]})")
+                .find("surface.poles[1][1] must be a number, not string"),
+            std::string::npos);
+  EXPECT_NE(
+      message(R"({"type": "poles", "degree": [1, 4], "poles": [[1, 2], [3, 4]]})").find("degree must be"),
+      std::string::npos);
+  EXPECT_NE(message(R"({"type": "formula", "formula": "amplitud"})").find("did you mean “amplitude”?"),
+            std::string::npos);
+  EXPECT_NE(message(R"({"type": "formula", "formula": "1", "x": [5, 5]})").find("surface.x must ascend"),
+            std::string::npos);
+  EXPECT_NE(message(R"({"type": "formula", "fromula": "1"})").find("did you mean \"formula\"?"),
+            std::string::npos);
+  EXPECT_NE(message(R"({"type": "sections", "sections": [{"y": 0, "bezier": [[0, 0], [1, 1]]}]})")
+                .find("2 to 200 curves"),
+            std::string::npos);
+  EXPECT_NE(
+      message(
+          R"({"type": "sections", "sections": [{"y": 1, "bezier": [[0, 0], [1, 1]]}, {"y": 1, "bezier": [[0, 0], [1, 1]]}]})")
+          .find("sections[1].y must lie beyond"),
+      std::string::npos);
+  EXPECT_NE(
+      message(R"({"type": "sections", "sections": [{"y": 1}, {"y": 2}]})").find("one of the keys bezier"),
+      std::string::npos);
+  json both = withSurface(R"({"type": "formula", "formula": "1"})");
+  both["sources"][0]["path"] = "a.step";
+  EXPECT_NE(errorOf(both).find("keep one of them"), std::string::npos);
+}
+
+}  // namespace bw

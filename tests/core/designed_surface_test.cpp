@@ -1,0 +1,261 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "bw/core/shape/designed_surface.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "bw/core/base/units.h"
+#include "bw/core/constructions/spline_constructions.h"
+#include "bw/core/shape/resample.h"
+
+namespace bw {
+
+namespace {
+
+SplineSurface splineOrFail(const SurfaceShape& shape) {
+  const Result<SplineSurface> spline = splineOf(DesignedSurface{shape});
+  EXPECT_TRUE(spline) << spline.error().message;
+  return spline.value_or(SplineSurface{});
+}
+
+std::string errorOf(const SurfaceShape& shape) {
+  const Result<SplineSurface> spline = splineOf(DesignedSurface{shape});
+  return spline ? "accepted" : spline.error().message;
+}
+
+FormulaSurface formula(const std::string& text, std::vector<NamedNumber> numbers = {}) {
+  return {{}, text, std::move(numbers)};
+}
+
+/// The parameter in [from, to] at which a coordinate that ascends has a value.
+template <class Coordinate>
+double parameterAt(double value, const Coordinate& coordinate, double from = 0, double to = 1) {
+  for (int i = 0; i < 100; ++i) {
+    const double middle = 0.5 * (from + to);
+    (coordinate(middle) < value ? from : to) = middle;
+  }
+  return 0.5 * (from + to);
+}
+
+SectionsSurface threeSections() {
+  SectionsSurface surface;
+  surface.sections = {
+      {0, SectionCurve::Kind::bezier, {{0, 200}, {200, 240}, {400, 240}, {600, 200}}},
+      {300, SectionCurve::Kind::spline, {{0, 210}, {150, 230}, {290, 225}, {450, 190}, {600, 200}}},
+      {800, SectionCurve::Kind::bezier, {{0, 220}, {300, 150}, {600, 230}}},
+  };
+  return surface;
+}
+
+}  // namespace
+
+TEST(DesignedSurface, PolesMakeTheTensorProductOfCubics) {
+  PolesSurface surface;
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> height(100, 300);
+  for (SurfacePole& pole : surface.poles) pole.height = height(random);
+  surface.at(2, 1).moved = {15, -20};
+  const SplineSurface spline = splineOrFail(surface);
+  ASSERT_EQ(spline.polesU, 4);
+  ASSERT_EQ(spline.polesV, 6);
+  EXPECT_EQ(spline.knotsU, (std::vector<double>{0, 0, 0, 0, 1, 1, 1, 1}));
+  // The ends of a clamped spline are its poles; within, the first span by de Casteljau after Boehm's
+  // insertion of knots is another route: here the Bézier rows of u by hand.
+  EXPECT_EQ(spline.value(0, 0), Eigen::Vector3d(0, 0, surface.at(0, 0).height));
+  EXPECT_EQ(spline.value(1, 1), Eigen::Vector3d(600, 800, surface.at(5, 3).height));
+  for (const double u : {0.1, 0.37, 0.9}) {
+    const double w[] = {(1 - u) * (1 - u) * (1 - u), 3 * u * (1 - u) * (1 - u), 3 * u * u * (1 - u),
+                        u * u * u};
+    Eigen::Vector3d expected = Eigen::Vector3d::Zero();
+    for (int i = 0; i < 4; ++i) expected += w[i] * Eigen::Vector3d(200.0 * i, 0, surface.at(0, i).height);
+    EXPECT_LT((spline.value(u, 0) - expected).norm(), 1e-12);
+  }
+  EXPECT_EQ(spline.poles[std::size_t(2 * 4 + 1)], Eigen::Vector3d(215, 300, surface.at(2, 1).height));
+}
+
+TEST(DesignedSurface, AnotherNumberOfPolesHoldsTheSurface) {
+  PolesSurface surface;
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> height(200, 300);
+  for (SurfacePole& pole : surface.poles) pole.height = height(random);
+  const SplineSurface spline = splineOrFail(surface);
+  const PolesSurface same = resampled(surface, 4, 6).value();
+  for (std::size_t i = 0; i < surface.poles.size(); ++i)
+    EXPECT_NEAR(same.poles[i].height, surface.poles[i].height, 1e-7);
+  // The largest difference in height, found over places of the plane.
+  const auto difference = [&](const SplineSurface& other) {
+    double worst = 0;
+    for (int i = 0; i <= 20; ++i)
+      for (int j = 0; j <= 20; ++j) {
+        const double x = 30.0 * i, y = 40.0 * j;
+        const auto z = [&](const SplineSurface& s) {
+          const double u = parameterAt(x, [&](double t) { return s.value(t, 0).x(); });
+          const double v = parameterAt(y, [&](double t) { return s.value(0, t).y(); });
+          return s.value(u, v).z();
+        };
+        worst = std::max(worst, std::abs(z(spline) - z(other)));
+      }
+    return worst;
+  };
+  double before = 1e300;
+  for (const int factor : {1, 2, 4}) {
+    const PolesSurface finer = resampled(surface, 5 * factor, 7 * factor).value();
+    EXPECT_EQ(finer.rows, 7 * factor);
+    const double now = difference(splineOrFail(finer));
+    EXPECT_LT(now, 0.5 * before);
+    before = now;
+  }
+  EXPECT_LT(before, 0.5);
+  const PolesSurface coarse = resampled(surface, 2, 3).value();
+  EXPECT_EQ(coarse.degreeX, 1);
+  EXPECT_EQ(coarse.degreeY, 2);
+  EXPECT_NEAR(coarse.at(2, 1).height, surface.at(5, 3).height, 1e-9);
+  EXPECT_NE(resampled(surface, 1, 6).error().message.find("1 poles along x"), std::string::npos);
+  EXPECT_FALSE(resampled(surface, 4, 101));
+}
+
+TEST(DesignedSurface, AFrameMovesTheSurfaceRigidly) {
+  DesignedSurface surface{formula("100 + x*y/4000")};
+  const SplineSurface own = splineOf(surface).value();
+  surface.origin = {10, 20, 30};
+  surface.rotation = {0, 0, kPi / 2};
+  const SplineSurface turned = splineOf(surface).value();
+  for (const double u : {0.0, 120.0, 600.0})
+    for (const double v : {0.0, 555.0}) {
+      const Eigen::Vector3d p = own.value(u, v);
+      EXPECT_LT((turned.value(u, v) - Eigen::Vector3d(10 - p.y(), 20 + p.x(), 30 + p.z())).norm(), 1e-9);
+    }
+}
+
+TEST(DesignedSurface, AFormulaIsHeldToItsToleranceEverywhere) {
+  const FormulaSurface surface =
+      formula("250 + a*sin(2*pi*x/600)*cos(pi*y/400) + 30*exp(-((x - 300)/150)^2)", {{"a", 40}});
+  const SplineSurface spline = splineOrFail(surface);
+  EXPECT_LT(spline.polesU, 70);
+  double worst = 0;
+  for (int i = 0; i <= 997; ++i)
+    for (int j = 0; j <= 101; ++j) {
+      const double x = 600.0 * i / 997, y = 800.0 * j / 101;
+      const Eigen::Vector3d p = spline.value(x, y);
+      EXPECT_NEAR(p.x(), x, 1e-9);
+      EXPECT_NEAR(p.y(), y, 1e-9);
+      const double bell = (x - 300) / 150;
+      worst =
+          std::max(worst, std::abs(p.z() - (250 + 40 * std::sin(2 * kPi * x / 600) * std::cos(kPi * y / 400) +
+                                            30 * std::exp(-bell * bell))));
+    }
+  EXPECT_LT(worst, FormulaSurface::kTolerance);
+}
+
+TEST(DesignedSurface, ACubicFormulaIsExact) {
+  const SplineSurface spline = splineOrFail(formula("200 + x^3/1e7 - x*y^2/1e7 + y/50"));
+  EXPECT_EQ(spline.polesU, 9);
+  for (const double x : {1.0, 222.0, 599.0})
+    for (const double y : {3.0, 431.0})
+      EXPECT_NEAR(spline.value(x, y).z(), 200 + x * x * x / 1e7 - x * y * y / 1e7 + y / 50, 1e-10);
+}
+
+TEST(DesignedSurface, AWaveThatFitsTheFirstGridIsNotMissed) {
+  // Eight whole waves: zero at each place of the first grid.
+  const SplineSurface spline = splineOrFail(formula("300 + 10*sin(8*2*pi*y/800)"));
+  EXPECT_NEAR(spline.value(300, 25).z(), 310, 0.01);
+}
+
+TEST(DesignedSurface, AFormulaThatNoSplineComesNearToNamesPlaceAndDistance) {
+  EXPECT_EQ(errorOf(formula("1/x")),
+            "the formula has no height at x = 0, y = 0: character 2: this divides 1 by zero");
+  const std::string kink = errorOf(formula("200 + abs(x - 211)"));
+  EXPECT_NE(kink.find("no surface comes near to the formula at x = 2"), std::string::npos) << kink;
+  EXPECT_NE(kink.find("more than 0.01"), std::string::npos) << kink;
+  const std::string pole = errorOf(formula("1/(x - 300.001)"));
+  EXPECT_NE(pole.find("no surface comes near to the formula at x = 300"), std::string::npos) << pole;
+  EXPECT_NE(errorOf(formula("x^9")).find("mm high at"), std::string::npos);
+  EXPECT_NE(errorOf(formula("x +* y")).find("character 4"), std::string::npos);
+}
+
+TEST(DesignedSurface, ALoftHoldsItsSections) {
+  for (const LoftSpacing loft : {LoftSpacing::chord, LoftSpacing::root, LoftSpacing::uniform}) {
+    SectionsSurface surface = threeSections();
+    surface.loft = loft;
+    const SplineSurface spline = splineOrFail(surface);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const SectionCurve& section = surface.sections[k];
+      const double v = parameterAt(section.y, [&](double t) { return spline.value(0.3, t).y(); });
+      for (const double u : {0.0, 0.2, 0.5, 0.77, 1.0}) {
+        const Eigen::Vector3d p = spline.value(u, v);
+        EXPECT_NEAR(p.y(), section.y, 1e-9) << "a cut across the travel is a curve of the spline";
+        // The section itself, by the spline through its points or by de Casteljau.
+        Eigen::Vector2d expected;
+        if (section.kind == SectionCurve::Kind::spline) {
+          const PlanarCurve curve = cubicSplineThrough(section.points).value();
+          expected = curve.value(u * curve.knots().back());
+        } else {
+          std::vector<Eigen::Vector2d> points = section.points;
+          while (points.size() > 1) {
+            for (std::size_t i = 0; i + 1 < points.size(); ++i)
+              points[i] = (1 - u) * points[i] + u * points[i + 1];
+            points.pop_back();
+          }
+          expected = points[0];
+        }
+        EXPECT_LT((Eigen::Vector2d(p.x(), p.z()) - expected).norm(), 1e-7) << k << " " << u;
+      }
+    }
+  }
+}
+
+TEST(DesignedSurface, TheSpacingOfALoftIsThatOfItsChords) {
+  SectionsSurface surface;
+  for (const double y : {0.0, 200.0, 500.0})
+    surface.sections.push_back({y, SectionCurve::Kind::bezier, {{0, 200}, {600, 200}}});
+  const auto middle = [&](LoftSpacing loft) {
+    surface.loft = loft;
+    const SplineSurface spline = splineOrFail(surface);
+    return parameterAt(200, [&](double t) { return spline.value(0, t).y(); });
+  };
+  EXPECT_NEAR(middle(LoftSpacing::chord), 0.4, 1e-9);
+  EXPECT_NEAR(middle(LoftSpacing::root), 1 / (1 + std::sqrt(1.5)), 1e-9);
+  EXPECT_NEAR(middle(LoftSpacing::uniform), 0.5, 1e-9);
+  surface.sections[1].y = 20;
+  surface.loft = LoftSpacing::uniform;
+  EXPECT_NE(errorOf(surface).find("runs backwards between sections 1 and 2"), std::string::npos)
+      << errorOf(surface);
+}
+
+TEST(DesignedSurface, TwoSectionsAreRuled) {
+  SectionsSurface surface = threeSections();
+  surface.sections.pop_back();
+  const SplineSurface spline = splineOrFail(surface);
+  EXPECT_EQ(spline.degreeV, 1);
+  EXPECT_LT((spline.value(0.4, 0.5) - 0.5 * (spline.value(0.4, 0) + spline.value(0.4, 1))).norm(), 1e-10);
+}
+
+TEST(DesignedSurface, WhatMakesNoSurfaceIsAnErrorThatNamesIt) {
+  PolesSurface poles;
+  poles.columns = 3;
+  EXPECT_NE(errorOf(poles).find("3 poles along x; a surface of degree 3 has 4 to 100"), std::string::npos);
+  poles = {};
+  poles.over.max.x() = 0;
+  EXPECT_NE(errorOf(poles).find("both must ascend"), std::string::npos);
+  poles = {};
+  poles.at(4, 2).height = NAN;
+  EXPECT_NE(errorOf(poles).find("pole 3 of row 5"), std::string::npos);
+  SectionsSurface sections = threeSections();
+  sections.sections[1].y = 0;
+  EXPECT_NE(errorOf(sections).find("section 2 (y = 0) must lie beyond"), std::string::npos);
+  sections = threeSections();
+  sections.sections[2].points.resize(1);
+  EXPECT_NE(errorOf(sections).find("section 3 (y = 800) is a Bézier curve of 1 point; it takes 2 to 4"),
+            std::string::npos);
+  sections = threeSections();
+  sections.sections[1].points[1] = sections.sections[1].points[0];
+  EXPECT_NE(errorOf(sections).find("section 2"), std::string::npos);
+  sections.sections.resize(1);
+  EXPECT_NE(errorOf(sections).find("2 to 200 sections, not 1"), std::string::npos);
+}
+
+}  // namespace bw
