@@ -24,11 +24,11 @@ constexpr int kStations = 9;
 Box block() { return test::blockUnder(kHalf, 10.0 * (kStations - 1), -2 * kHalf, 2 * kHalf); }
 PlaneFamily planes() { return PlaneFamily::across(block(), -Vector3d::UnitY()); }
 
-/// Waves of 400 mm whose middle lies 50 mm beside that of the block.
+/// Arches of 400 mm whose middle lies 50 mm beside that of the block.
 std::vector<Section> besideTheMiddle() {
   return test::sectionsOf(kStations, 10, [](int i) {
-    const double height = 6 + 0.2 * i;
-    return test::graphCurve(kSection, [=](double x) { return height * std::sin(kPi * x / kSection); })
+    const double height = 12 + 0.4 * i;
+    return test::graphCurve(kSection, [=](double x) { return height * std::cos(0.5 * kPi * x / kSection); })
         .transformed(0, 1, {-50, 0});
   });
 }

@@ -389,8 +389,8 @@ TEST(SweepAnalysis, TellsTheBladeThatBringsItsGripsOutOfTheBlock) {
   ASSERT_TRUE(grip);
   EXPECT_EQ(grip->severity, Severity::error);
   ASSERT_TRUE(remedyOf<OtherLength>(grip->remedies));
-  EXPECT_EQ(remedyOf<OtherLength>(grip->remedies)->length, 700);
-  settings.blade.length = 700;
+  EXPECT_EQ(remedyOf<OtherLength>(grip->remedies)->length, 707);  // in steps of a hundredth
+  settings.blade.length = 707;
   EXPECT_FALSE(analysed(sections(), settings, plane).finding<GripTooNear>());
 }
 

@@ -53,7 +53,20 @@ Row::Row(const Sweep& sweep, const RunContext& context)
       context_(context),
       length_(sweep.request.blade.length),
       unit_(0.25 * length_),
-      limit_(kAtLimit * sweep.request.blade.maxCurvature()) {}
+      limit_(kAtLimit * sweep.request.blade.maxCurvature()),
+      passed_(sweep.block) {
+  // What the blade passes on its way is as near before the block and after it.
+  constexpr double kFarOn = 1e6;  // mm
+  Eigen::Index along = 0;
+  Eigen::Vector3d(sweep.planes.direction().dot(passed_.frame.x),
+                  sweep.planes.direction().dot(passed_.frame.y),
+                  sweep.planes.direction().dot(passed_.frame.normal))
+      .cwiseAbs()
+      .maxCoeff(&along);
+  const Eigen::Vector3d axes[] = {passed_.frame.x, passed_.frame.y, passed_.frame.normal};
+  passed_.frame.origin -= kFarOn * axes[along];
+  passed_.size(along) += 2 * kFarOn;
+}
 
 bool Row::isFirm(const Station& station) const {
   return station.own.tail<kStationMargins>().maxCoeff() <= kUnsafe * sweep_.request.tolerance * kReserve;
@@ -241,17 +254,48 @@ auto Row::marginAt(const Station& station, int which, double below) const -> Mar
   return margin;
 }
 
+namespace {
+
+/// How far a grip is beyond a box: its distance, or less what lies between it and the side by which it would
+/// leave, going on along the blade; and how that changes with its place. Empty where going on does not help.
+struct Beyond {
+  double distance = 0;
+  Eigen::Vector3d change;
+};
+std::optional<Beyond> beyond(const Box& box, const Eigen::Vector3d& point, const Eigen::Vector3d& onward) {
+  constexpr double kAlong = 0.3;  // cosine
+  Beyond found;
+  found.distance = boxDistance(box, point, &found.change);
+  if (found.distance > 0) return found.change.dot(onward) < kAlong ? std::nullopt : std::optional(found);
+  const Eigen::Vector3d local = box.frame.toLocal(point);
+  std::optional<Beyond> first;
+  int axis = 0;
+  for (const Eigen::Vector3d& side : {box.frame.x, box.frame.y, box.frame.normal}) {
+    const double way = side.dot(onward), inside = way > 0 ? box.size(axis) - local(axis) : local(axis);
+    ++axis;
+    if (std::abs(way) < kAlong) continue;
+    if (!first || -inside / std::abs(way) > first->distance)
+      first = Beyond{-inside / std::abs(way), side / way};
+  }
+  return first;
+}
+
+}  // namespace
+
 void Row::clear(Station& station) const {
   const double weight = kNearBlock * sweep_.request.tolerance;
+  const Frame& frame = station.pose->frame;
   std::array<double, 2> distances;
   std::array<Row6, 2> changes;
   for (int grip = 0; grip < 2; ++grip) {
-    const Frame& frame = station.pose->frame;
-    Eigen::Vector3d away;
-    distances[std::size_t(grip)] =
-        boxDistance(sweep_.block, frame.toWorld(station.grips.segment<2>(3 * grip)), &away);
-    changes[std::size_t(grip)] =
-        Eigen::RowVector2d(away.dot(frame.x), away.dot(frame.y)) * station.byGrips.middleRows<2>(3 * grip);
+    const double angle = station.grips(3 * grip + 2), outward = grip == 0 ? -1 : 1;
+    const std::optional<Beyond> found =
+        beyond(passed_, frame.toWorld(station.grips.segment<2>(3 * grip)),
+               frame.directionToWorld(outward * Vector2d(std::cos(angle), std::sin(angle))));
+    if (!found) return;
+    distances[std::size_t(grip)] = found->distance;
+    changes[std::size_t(grip)] = Eigen::RowVector2d(found->change.dot(frame.x), found->change.dot(frame.y)) *
+                                 station.byGrips.middleRows<2>(3 * grip);
   }
   // Where the blade is too short for both, they share what there is; one that leaves a grip inside is told.
   const double mean = 0.5 * (distances[0] + distances[1]), asked = sweep_.request.clearance + kRoom;
@@ -259,9 +303,8 @@ void Row::clear(Station& station) const {
   for (std::size_t grip = 0; grip < 2; ++grip) {
     const Eigen::Index row = kStationOwn - kStationMargins - 2 + Eigen::Index(grip);
     const double missing = std::min(mean, asked) - distances[grip];
-    station.own(row) = weight * std::max(missing, 0.0);
-    station.byOwn.row(row).setZero();
     if (missing <= 0) continue;
+    station.own(row) = weight * missing;
     station.byOwn.row(row) = -weight * changes[grip];
     if (mean < asked) station.byOwn.row(row) += 0.5 * weight * (changes[0] + changes[1]);
   }
@@ -380,6 +423,7 @@ void Row::look(Station& station) const {
     station.own(kMiddle + axis - 3) = slope * station.numbers[axis];
     station.byOwn(kMiddle + axis - 3, axis) = slope;
   }
+  station.own.segment<2>(kStationOwn - kStationMargins - 2).setZero();
   clear(station);
   if (demands()) demand(station, states, turns, slides);
   station.own.tail<kStationMargins>().setZero();

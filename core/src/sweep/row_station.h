@@ -144,6 +144,7 @@ class Row {
   const Sweep& sweep_;
   const RunContext& context_;
   double length_, unit_, limit_;  ///< of the blade, mm; of the numbers, mm; of the curvature, 1/mm
+  Box passed_;                    ///< the block, going on along the travel
 };
 
 }  // namespace bw::sweep
