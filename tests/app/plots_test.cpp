@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
+#include <QScrollArea>
+#include <QToolButton>
 #include <QWheelEvent>
 
 #include "window_fixture.h"
 #include "workflow/length_band.h"
+#include "workflow/margin_plot.h"
 #include "workflow/workflow_panel.h"
 
 namespace bw::app {
@@ -236,6 +239,35 @@ TEST_F(WindowTest, LengthsThatServeStandBelowTheLength) {
   bench().document().undoStack().undo();
   EXPECT_FALSE(bench().design().blade.autoLength);
   EXPECT_NEAR(bench().design().blade.length, taken, 5);
+}
+
+TEST_F(WindowTest, DeviationAgainstMarginStandsBelowTheMargin) {
+  openPanel(20);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return bench().shownCut()->margins.value != nullptr; }, kPatience));
+  const MarginTrade trade = *bench().shownCut()->margins.value;
+  ASSERT_TRUE(trade.best);
+  for (QToolButton* fold : window().findChildren<QToolButton*>())
+    if (fold->isVisible() && fold->text() == "Fit and lead" && !fold->isChecked()) fold->click();
+  auto* plot = find<MarginPlot>("Deviation against margin");
+  ASSERT_TRUE(plot);
+  auto* scroll = window().findChild<WorkflowPanel*>()->findChild<QScrollArea*>();
+  if (scroll) scroll->ensureWidgetVisible(plot);
+  QTest::qWait(0);
+  picture("margins");
+  // A press takes the margin that is drawn there; one that serves as well as another may lie at the same
+  // place.
+  const auto other = std::ranges::find_if(trade.trials, [&](const RowTrial& trial) {
+    return trial.deviation < 100 && std::ranges::count_if(trade.trials, [&](const RowTrial& t) {
+                                      const QPointF off = plot->placeOf(t) - plot->placeOf(trial);
+                                      return std::hypot(off.x(), off.y()) < 2;
+                                    }) == 1;
+  });
+  ASSERT_NE(other, trade.trials.end());
+  QTest::mouseClick(plot, Qt::LeftButton, {}, plot->placeOf(*other).toPoint());
+  EXPECT_EQ(bench().design().process.margin, other->asked);
+  ASSERT_TRUE(settle());
+  bench().document().undoStack().undo();
+  ASSERT_TRUE(settle());
 }
 
 }  // namespace bw::app

@@ -197,14 +197,13 @@ void readStations(ObjectReader& reader, SectionRequest& sections) {
     return;
   }
   sections.spacing.reset();
-  if (value->is_string()) {
-    if (value->get<std::string>() == "auto")
-      sections.stations.reset();
-    else
-      reader.complain("stations", reader.path() +
-                                      ".stations must be \"auto\", a number from 2, or an "
-                                      "object with spacing, not \"" +
-                                      value->get<std::string>() + "\"");
+  const std::string word = value->is_string() ? value->get<std::string>() : std::string();
+  if (word == "auto") return sections.stations.reset();
+  if (value->is_string() && !word.starts_with('=')) {
+    reader.complain("stations", reader.path() +
+                                    ".stations must be \"auto\", a number from 2, or an "
+                                    "object with spacing, not \"" +
+                                    word + "\"");
     return;
   }
   int stations = 0;
