@@ -250,8 +250,8 @@ TEST_F(WindowTest, DeviationAgainstMarginStandsBelowTheMargin) {
     if (fold->isVisible() && fold->text() == "Fit and lead" && !fold->isChecked()) fold->click();
   auto* plot = find<MarginPlot>("Deviation against margin");
   ASSERT_TRUE(plot);
-  auto* scroll = window().findChild<WorkflowPanel*>()->findChild<QScrollArea*>();
-  if (scroll) scroll->ensureWidgetVisible(plot);
+  for (QWidget* about = plot; about; about = about->parentWidget())
+    if (auto* scroll = qobject_cast<QScrollArea*>(about)) scroll->ensureWidgetVisible(plot);
   QTest::qWait(0);
   picture("margins");
   // A press takes the margin that is drawn there; one that serves as well as another may lie at the same

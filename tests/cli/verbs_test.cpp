@@ -586,7 +586,8 @@ TEST(Rationalize, ChoosesTheGripsForTheBladeThatHangs) {
   // Grips that hold the curve of the section lose this flat blade in 44 of 60 stations.
   const Folder folder;
   const auto tried = [&](const std::string& rest) {
-    const std::string job = folder.write("job.json", "{\"direction\": \"y\", \"stations\": 60, " + rest + "}");
+    const std::string job =
+        folder.write("job.json", "{\"direction\": \"y\", \"stations\": 60, " + rest + "}");
     std::filesystem::remove_all(folder / "out");
     return blade({"rationalize", example("panel-600x670"), "--job", job, "--out", folder / "out"});
   };
