@@ -250,6 +250,8 @@ TEST_F(WindowTest, DeviationAgainstMarginStandsBelowTheMargin) {
     if (fold->isVisible() && fold->text() == "Fit and lead" && !fold->isChecked()) fold->click();
   auto* plot = find<MarginPlot>("Deviation against margin");
   ASSERT_TRUE(plot);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return plot->width() > 100 && plot->pos().y() > 0; }, kPatience));
+  QTest::qWait(50);  // the fold lays itself out
   for (QWidget* about = plot; about; about = about->parentWidget())
     if (auto* scroll = qobject_cast<QScrollArea*>(about)) scroll->ensureWidgetVisible(plot);
   QTest::qWait(0);
