@@ -17,17 +17,6 @@ namespace {
 constexpr double kSide = 6;  // px beside the line
 constexpr double kStep = 5;  // mm that a click chooses by
 
-QString restText(const RowTrial& trial) {
-  switch (trial.rest) {
-    case Rest::certain:
-      return LengthBand::tr("certain at all stations tried");
-    case Rest::held:
-      return LengthBand::tr("held at all stations tried");
-    default:
-      return LengthBand::tr("does not serve");
-  }
-}
-
 }  // namespace
 
 LengthBand::LengthBand(const Theme& theme, QWidget* parent) : QWidget(parent), theme_(theme) {
@@ -106,6 +95,17 @@ bool LengthBand::event(QEvent* event) {
     return true;
   }
   return QWidget::event(event);
+}
+
+QString restText(const RowTrial& trial) {
+  switch (trial.rest) {
+    case Rest::certain:
+      return LengthBand::tr("certain at all stations tried");
+    case Rest::held:
+      return LengthBand::tr("held at all stations tried");
+    default:
+      return LengthBand::tr("does not serve");
+  }
 }
 
 QString lengthsText(const BladeLengths* lengths) {

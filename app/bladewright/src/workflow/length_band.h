@@ -45,6 +45,9 @@ class LengthBand : public QWidget {
   double length_ = 0;
 };
 
+/// How the worst station of a trial rests, in words.
+QString restText(const RowTrial& trial);
+
 /// "655 to 740 mm serve, best 710 mm", or that none does, or that it is not known yet.
 QString lengthsText(const BladeLengths* lengths);
 

@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "bw/core/text/number_text.h"
+#include "workflow/length_band.h"
 
 namespace bw::app {
 
@@ -21,17 +22,6 @@ constexpr double kHighest = 1.4;  // of the tolerance: the top at least,
 constexpr double kMost = 4;       // and at most; what lies farther off is drawn there
 
 QString marginText(double margin) { return QString::fromStdString(shortText(margin, 2)); }
-
-QString restText(const RowTrial& trial) {
-  switch (trial.rest) {
-    case Rest::certain:
-      return MarginPlot::tr("certain at all stations tried");
-    case Rest::held:
-      return MarginPlot::tr("held at all stations tried");
-    default:
-      return MarginPlot::tr("does not serve");
-  }
-}
 
 /// A trial that was made; one of a blade that never rests has no deviation.
 bool isKnown(const RowTrial& trial) { return trial.deviation < Blade::kLongest; }
