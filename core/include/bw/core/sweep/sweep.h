@@ -70,8 +70,9 @@ Result<Sweep> fitSweep(const std::vector<Section>& sections, const FitRequest& r
 /// Same errors. `near`, if given, is a row that was found a moment ago for nearly the same sections: where it
 /// answers the same request in the same planes, each blade begins as it is there and no other start is tried,
 /// nor is it asked again whether weight brings it there (`snapsAt` and `unknown` are those of `near`). Meant
-/// for while a hand moves the surface: within what the solver leaves, the row is the same, but on another
-/// branch where the hand has led it there. Where a blade is lost on the way, the row is found anew.
+/// for while a hand moves the surface: its blades lie as near to their sections, but the grips may lie some
+/// mm elsewhere along the blade than in the row found anew (3 mm on the panel, docs/performance.md), and on
+/// another branch where the hand has led it there. Where a blade is lost on the way, the row is found anew.
 Result<Sweep> buildSweep(const std::vector<Section>& sections, const FitRequest& request, const Box& block,
                          const PlaneFamily& planes, const RunContext& context, Findings& findings,
                          double* fitSeconds = nullptr, double* settleSeconds = nullptr,
