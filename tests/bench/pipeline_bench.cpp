@@ -13,6 +13,7 @@
 #include "bw/core/design/variables.h"
 #include "bw/core/files/file_set.h"
 #include "bw/core/surface/spline_surface.h"
+#include "bw/core/sweep/live_row.h"
 #include "bw/geometry/export.h"
 #include "bw/pipeline/example_design.h"
 #include "bw/pipeline/produce.h"
@@ -82,37 +83,55 @@ std::vector<Section> pulled(const std::vector<Section>& sections, double up) {
   return moved;
 }
 
-/// Budget: 60 ms cold, and 8 ms beside a row of a moment ago, from sections that were pulled by 1 mm.
-/// `different_um`: by how much its grips then lie elsewhere than those of the row found anew.
+/// Budget: 60 ms.
 void panelRow(benchmark::State& state) {
-  const bool beside = state.range(0) == 1;
   Design design = panel(60);
-  design.blade.length = double(state.range(1));
+  design.blade.length = double(state.range(0));
   const Outcome outcome = evaluate(design, nullptr, {});
   if (outcome.error) return state.SkipWithError(outcome.error->message.c_str());
   const CutEvaluation& cut = outcome.evaluation.cut();
-  const std::vector<Section> all[] = {*cut.sections.value, pulled(*cut.sections.value, 1)};
-  const auto row = [&](std::size_t k, const Sweep* near) {
+  for (auto _ : state) {
     Findings findings;
-    return buildSweep(all[k], cut.sweep.request.fit, cut.setup->block, cut.setup->planes, {}, findings,
-                      nullptr, nullptr, near);
-  };
-  Result<Sweep> now = row(0, nullptr);
+    const Result<Sweep> row = buildSweep(*cut.sections.value, cut.sweep.request.fit, cut.setup->block,
+                                         cut.setup->planes, {}, findings);
+    if (!row) return state.SkipWithError(row.error().message.c_str());
+  }
+}
+BENCHMARK(panelRow)->ArgName("length")->Arg(710)->Arg(800)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// A row that follows a hand which pulls its sections up and down by so many µm. Budget: 8 ms. `farther_um`:
+/// by how much it ends up farther from its sections than the row found anew; `aside_um`: how far its grips
+/// then lie from those.
+void panelRowFollows(benchmark::State& state) {
+  Design design = panel(60);
+  design.blade.length = double(state.range(0));
+  const double up = 1e-3 * double(state.range(1));
+  const Outcome outcome = evaluate(design, nullptr, {});
+  if (outcome.error) return state.SkipWithError(outcome.error->message.c_str());
+  const CutEvaluation& cut = outcome.evaluation.cut();
+  const std::vector<Section> all[] = {*cut.sections.value, pulled(*cut.sections.value, up)};
+  std::optional<LiveRow> row = LiveRow::of(*cut.sweep.value, {});
+  if (!row) return state.SkipWithError("the row cannot be followed");
   std::size_t k = 0;
   for (auto _ : state) {
     k = 1 - k;
-    now = row(k, beside ? &*now : nullptr);
-    if (!now) return state.SkipWithError(now.error().message.c_str());
+    if (!row->follow(all[k], cut.setup->block, cut.setup->planes, {}))
+      return state.SkipWithError("a blade was lost");
   }
-  const Result<Sweep> anew = row(k, nullptr);
-  double different = 0;
-  for (std::size_t i = 0; anew && i < anew->poses.size(); ++i)
-    different = std::max(different, (anew->poses[i].leftPoint() - now->poses[i].leftPoint()).norm());
-  state.counters["different_um"] = 1e3 * different;
+  Findings findings;
+  const Result<Sweep> anew =
+      buildSweep(all[k], cut.sweep.request.fit, cut.setup->block, cut.setup->planes, {}, findings);
+  double farther = 0, aside = 0;
+  for (std::size_t i = 0; anew && i < anew->poses.size(); ++i) {
+    farther = std::max(farther, row->sweep().fits[i].fit.hausdorff - anew->fits[i].fit.hausdorff);
+    aside = std::max(aside, (anew->poses[i].leftPoint() - row->sweep().poses[i].leftPoint()).norm());
+  }
+  state.counters["farther_um"] = 1e3 * farther;
+  state.counters["aside_um"] = 1e3 * aside;
 }
-BENCHMARK(panelRow)
-    ->ArgNames({"beside", "length"})
-    ->ArgsProduct({{0, 1}, {710, 800}})
+BENCHMARK(panelRowFollows)
+    ->ArgNames({"length", "um"})
+    ->ArgsProduct({{710, 800}, {100, 1000, 5000}})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 

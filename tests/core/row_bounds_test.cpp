@@ -6,9 +6,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <optional>
 
 #include "bw/core/base/units.h"
+#include "bw/core/heavy/heavy_bvp.h"
+#include "bw/core/sweep/live_row.h"
 #include "plane_sections.h"
 #include "row_settings.h"
 
@@ -102,34 +106,60 @@ TEST(RowBounds, TheBladeThatHangsHasTheEndsTangentsAndLengthsAskedFor) {
   }
 }
 
-TEST(RowBounds, ARowBesideOneOfAMomentAgoIsTheRowItself) {
+TEST(RowBounds, ARowThatFollowsAHandLiesAsNearAsOneFoundAnew) {
   const test::RowSettings settings = heavy(642);
-  const auto found = [&](const std::vector<Section>& sections, const Sweep* near) {
+  const auto found = [&](const std::vector<Section>& sections) {
     Findings findings;
-    Result<Sweep> sweep =
-        buildSweep(sections, settings, block(), planes(), {}, findings, nullptr, nullptr, near);
+    Result<Sweep> sweep = buildSweep(sections, settings, block(), planes(), {}, findings);
     EXPECT_TRUE(sweep) << sweep.error().message;
     return std::move(*sweep);
   };
   std::vector<Section> sections = besideTheMiddle();
-  Sweep now = found(sections, nullptr);
-  for (int step = 0; step < 5; ++step) {
+  std::optional<LiveRow> row = LiveRow::of(found(sections), {});
+  ASSERT_TRUE(row);
+  for (int step = 0; step < 8; ++step) {
     for (Section& section : sections)
-      for (PlanarCurve& branch : section.branches) branch = branch.transformed(1e-3, 1.002, {0.3, 0.7});
-    now = found(sections, &now);
-    const Sweep anew = found(sections, nullptr);
+      for (PlanarCurve& branch : section.branches)
+        branch = branch.transformed(1e-3, step % 2 ? 1.004 : 0.997, {0.3, 1.7});
+    ASSERT_TRUE(row->follow(sections, block(), planes(), {})) << step;
+    const Sweep &now = row->sweep(), anew = found(sections);
     for (std::size_t i = 0; i < anew.poses.size(); ++i) {
-      EXPECT_LT((anew.poses[i].leftPoint() - now.poses[i].leftPoint()).norm(), 0.1) << step << " " << i;
-      EXPECT_NEAR(anew.fits[i].fit.hausdorff, now.fits[i].fit.hausdorff, 0.005) << step << " " << i;
-      EXPECT_TRUE(now.poses[i].heavy) << i;
+      const BladePose& pose = now.poses[i];
+      EXPECT_LT((anew.poses[i].leftPoint() - pose.leftPoint()).norm(), 0.2) << step << " " << i;
+      EXPECT_NEAR(anew.fits[i].fit.hausdorff, now.fits[i].fit.hausdorff, 0.01) << step << " " << i;
+      // It is the blade that hangs between these very grips.
+      ASSERT_TRUE(pose.heavy) << i;
+      const Result<Hanging> hanging =
+          hang(pose.blade, settings.blade.flexuralRigidity(),
+               {settings.weight.dot(pose.frame.x), settings.weight.dot(pose.frame.y)});
+      ASSERT_TRUE(hanging) << i;
+      for (const double s : {0.2, 0.5, 0.8}) {
+        const std::array<double, 1> arc = {s * pose.blade.length()};
+        std::array<Elastica::State, 1> is, must;
+        pose.at(arc, is);
+        hanging->blade.at(arc, must);
+        EXPECT_LT((is[0].point - must[0].point).norm(), 1e-5) << step << " " << i;
+      }
     }
   }
-  // One of other blades is of no use, and does no harm.
-  Sweep other = now;
-  other.request.blade.length += 1;
-  const Sweep fresh = found(sections, &other), anew = found(sections, nullptr);
-  for (std::size_t i = 0; i < anew.poses.size(); ++i)
-    EXPECT_EQ(anew.poses[i].leftPoint(), fresh.poses[i].leftPoint());
+  // What is none of it.
+  std::vector<Section> fewer = sections;
+  fewer.pop_back();
+  EXPECT_FALSE(row->follow(fewer, block(), planes(), {}));
+}
+
+TEST(RowBounds, ARowThatAHandFlingsIsFoundAnew) {
+  const test::RowSettings settings = heavy(642);
+  Findings findings;
+  std::vector<Section> sections = besideTheMiddle();
+  const Result<Sweep> sweep = buildSweep(sections, settings, block(), planes(), {}, findings);
+  ASSERT_TRUE(sweep);
+  std::optional<LiveRow> row = LiveRow::of(*sweep, {});
+  ASSERT_TRUE(row);
+  // Longer than the blade: none lies on it.
+  for (Section& section : sections)
+    for (PlanarCurve& branch : section.branches) branch = branch.transformed(0, 1.7, {0, 0});
+  EXPECT_FALSE(row->follow(sections, block(), planes(), {}));
 }
 
 TEST(RowBounds, WhatIsAskedForAndCannotBeIsTold) {

@@ -15,6 +15,6 @@ namespace bw::sweep {
 /// margin, and the grips go smoothly from one to the next. Where no blade rests near its section, the nearest
 /// curve stands. Fails on a stop and where nothing can be fitted. The seconds of both steps are added.
 [[nodiscard]] Result<void> solveRow(Sweep& sweep, const RunContext& context, double* startSeconds,
-                                    double* settleSeconds, const Sweep* near);
+                                    double* settleSeconds);
 
 }  // namespace bw::sweep

@@ -145,17 +145,10 @@ std::optional<Station> Row::standing(std::size_t i) const {
   return station.good ? std::optional(station) : std::nullopt;
 }
 
-std::optional<Station> Row::beside(std::size_t i, const BladePose& near, const StationFit& fit) const {
+std::optional<Station> Row::following(std::size_t i) const {
   Station station = at(i);
-  if (!begin(station, near, fit)) return {};
-  station.watched = fit.nearMargin;
-  std::array<Elastica::State, 1> middle;
-  const std::array<double, 1> foot = {station.feet[kStationPlaces / 2]};
-  near.at(foot, middle);
-  const Vector2d normal(-std::sin(middle[0].angle), std::cos(middle[0].angle));
-  const Vector2d off = normal.dot(station.section[kStationPlaces / 2] - middle[0].point) * normal;
-  station.numbers[0] += off.x();
-  station.numbers[1] += off.y();
+  if (!begin(station, sweep_.poses[i], sweep_.fits[i])) return {};
+  station.watched = sweep_.fits[i].nearMargin;
   look(station);
   return station.good ? std::optional(station) : std::nullopt;
 }
@@ -166,7 +159,7 @@ void Row::watch(Station& station) const {
     if (watched || (i > 0 && !isRound())) continue;
     const double near = sweep_.request.margin + kWatched;
     watched = marginAt(station, i, near).value < near;
-    if (watched) station.lookedAt.reset();
+    if (watched) station.slopesAt.reset();
   }
   look(station);
 }
@@ -339,11 +332,12 @@ bool Row::meets(const Station& station) const {
          std::max(std::abs(d(2)), std::abs(d(3))) <= kTurned;
 }
 
-void Row::look(Station& station) const {
+void Row::look(Station& station, bool slopes) const {
   constexpr int kSteps = 2;
   const double tolerance = sweep_.request.tolerance;
   const auto numbers = Vector6::Map(station.numbers);
-  if (station.lookedAt && *station.lookedAt == numbers) return;
+  slopes = slopes || !station.slopesAt;
+  if (station.lookedAt && *station.lookedAt == numbers && (!slopes || *station.slopesAt == numbers)) return;
   station.lookedAt = numbers;
   station.good = false;
   const Result<Elastica> half = about(station);
@@ -353,18 +347,20 @@ void Row::look(Station& station) const {
   std::array<Elastica::State, kStationBends> bends;
   std::array<Elastica::Jacobian, kStationBends> byBends;
   for (int k = 0; k < kStationBends; ++k) arcs[std::size_t(k)] = length_ * k / (kStationBends - 1) - middle;
-  half->at(arcs, bends, byBends);
+  slopes ? half->at(arcs, bends, byBends) : half->at(arcs, bends);
   // By the numbers.
   Vector6 scale;
   scale << 1, 1, 1 / unit_, 1 / (unit_ * unit_), Vector2d::Constant(1 / std::pow(unit_, 3));
   const Elastica::State &first = bends.front(), &last = bends.back();
   station.grips << first.point, first.angle, last.point, last.angle;
-  station.byGrips.topRows<3>() = byBends.front().topRows<3>() * scale.asDiagonal();
-  station.byGrips.bottomRows<3>() = byBends.back().topRows<3>() * scale.asDiagonal();
+  if (slopes) {
+    station.byGrips.topRows<3>() = byBends.front().topRows<3>() * scale.asDiagonal();
+    station.byGrips.bottomRows<3>() = byBends.back().topRows<3>() * scale.asDiagonal();
+  }
 
   std::array<Elastica::State, kStationPlaces> states;
   std::array<Eigen::Matrix<double, 2, 6>, kStationPlaces> byPlaces;
-  std::array<Row6, 2> turns;
+  std::array<Row6, 2> turns = {Row6::Zero(), Row6::Zero()}, slides = turns;
   if (!hangAt(station, *half)) return;
   if (station.branch) {
     const HeavyBlade blade = station.branch->blade();
@@ -372,11 +368,14 @@ void Row::look(Station& station) const {
       blade.at(station.feet, states);
       if (k < kSteps) step(station, states);
     }
-    const Result<HeavyDerivatives> moved = derivativesByGrips(blade, station.feet);
-    if (!moved) return;
-    for (std::size_t k = 0; k < kStationPlaces; ++k)
-      byPlaces[k] = moved->byGrips[k].topRows<2>() * station.byGrips;
-    turns = {moved->byGrips.front().row(2) * station.byGrips, moved->byGrips.back().row(2) * station.byGrips};
+    if (slopes) {
+      const Result<HeavyDerivatives> moved = derivativesByGrips(blade, station.feet);
+      if (!moved) return;
+      for (std::size_t k = 0; k < kStationPlaces; ++k)
+        byPlaces[k] = moved->byGrips[k].topRows<2>() * station.byGrips;
+      turns = {moved->byGrips.front().row(2) * station.byGrips,
+               moved->byGrips.back().row(2) * station.byGrips};
+    }
   } else {
     std::array<double, kStationPlaces> from;
     std::array<Elastica::Jacobian, kStationPlaces> moved;
@@ -389,17 +388,20 @@ void Row::look(Station& station) const {
       step(station, states);
     }
     fromMiddle();
-    half->at(from, states, moved);
-    for (std::size_t k = 0; k < kStationPlaces; ++k) byPlaces[k] = moved[k].topRows<2>() * scale.asDiagonal();
-    turns = {moved.front().row(2) * scale.asDiagonal(), moved.back().row(2) * scale.asDiagonal()};
+    slopes ? half->at(from, states, moved) : half->at(from, states);
+    if (slopes) {
+      for (std::size_t k = 0; k < kStationPlaces; ++k)
+        byPlaces[k] = moved[k].topRows<2>() * scale.asDiagonal();
+      turns = {moved.front().row(2) * scale.asDiagonal(), moved.back().row(2) * scale.asDiagonal()};
+    }
   }
-  station.byOwn.setZero();
+  if (slopes) station.byOwn.setZero();
   for (std::size_t k = 0; k < kStationPlaces; ++k) {
     const auto row = Eigen::Index(k);
     const Vector2d normal(-std::sin(states[k].angle), std::cos(states[k].angle));
     const double weight = Station::shareOf(int(k));
     station.own(row) = weight * normal.dot(states[k].point - station.section[k]);
-    station.byOwn.row(row) = weight * normal.transpose() * byPlaces[k];
+    if (slopes) station.byOwn.row(row) = weight * normal.transpose() * byPlaces[k];
   }
   for (std::size_t k = 0; k < kStationBends; ++k) {
     const auto row = Eigen::Index(kStationPlaces + k);
@@ -408,24 +410,39 @@ void Row::look(Station& station) const {
     const double bent = kBent * tolerance / std::sqrt(kStationBends), sharper = 0.5 * kSharper * tolerance;
     const double slope = bent + sharper * (1 + beyond / round);
     station.own(row) = bent * bend + sharper * (beyond + round);
-    station.byOwn.row(row) =
-        slope / std::copysign(limit_, bends[k].curvature) * byBends[k].row(3).cwiseProduct(scale.transpose());
+    if (slopes)
+      station.byOwn.row(row) = slope / std::copysign(limit_, bends[k].curvature) *
+                               byBends[k].row(3).cwiseProduct(scale.transpose());
   }
-  const auto along = [&](std::size_t k) -> Row6 {
-    return -Vector2d(std::cos(states[k].angle), std::sin(states[k].angle)).transpose() * byPlaces[k];
-  };
   constexpr Eigen::Index kMiddle = kStationPlaces + kStationBends;
-  const std::array<Row6, 2> slides = {along(0), along(kStationPlaces - 1)};
   station.own(kMiddle) = kSlide * tolerance * (0.5 * (station.feet.front() + station.feet.back()) - middle);
-  station.byOwn.row(kMiddle) = 0.5 * kSlide * tolerance * (slides[0] + slides[1]);
+  if (slopes) {
+    const auto along = [&](std::size_t k) -> Row6 {
+      return -Vector2d(std::cos(states[k].angle), std::sin(states[k].angle)).transpose() * byPlaces[k];
+    };
+    slides = {along(0), along(kStationPlaces - 1)};
+    station.byOwn.row(kMiddle) = 0.5 * kSlide * tolerance * (slides[0] + slides[1]);
+  }
   for (const Eigen::Index axis : {4, 5}) {
     const double slope = kForced * tolerance / unit_;
     station.own(kMiddle + axis - 3) = slope * station.numbers[axis];
-    station.byOwn(kMiddle + axis - 3, axis) = slope;
+    if (slopes) station.byOwn(kMiddle + axis - 3, axis) = slope;
   }
   station.own.segment<2>(kStationOwn - kStationMargins - 2).setZero();
   clear(station);
   if (demands()) demand(station, states, turns, slides);
+  if (slopes) {
+    unsafe(station);
+    station.slopesAt = numbers;
+    station.unsafeAt = station.own.tail<kStationMargins>();
+  } else {
+    station.own.tail<kStationMargins>() =
+        station.unsafeAt + station.byOwn.bottomRows<kStationMargins>() * (numbers - *station.slopesAt);
+  }
+  station.good = station.own.allFinite() && station.byOwn.allFinite() && station.byGrips.allFinite();
+}
+
+void Row::unsafe(Station& station) const {
   station.own.tail<kStationMargins>().setZero();
   const double asked = sweep_.request.margin + kReserve;
   for (int i = 0; i < kStationMargins; ++i) {
@@ -433,10 +450,23 @@ void Row::look(Station& station) const {
     const Margin margin = marginAt(station, i, asked);
     if (margin.value >= asked) continue;
     const Eigen::Index row = kStationOwn - kStationMargins + i;
-    station.own(row) = kUnsafe * tolerance * (asked - margin.value);
-    station.byOwn.row(row) = -kUnsafe * tolerance * margin.byNumbers;
+    const double weight = kUnsafe * sweep_.request.tolerance;
+    station.own(row) = weight * (asked - margin.value);
+    station.byOwn.row(row) = -weight * margin.byNumbers;
   }
-  station.good = station.own.allFinite() && station.byOwn.allFinite() && station.byGrips.allFinite();
+}
+
+/// Takes whole turns out of the angles between a station and the one before it.
+void unwrap(std::vector<std::optional<Station>>& stations, double unit) {
+  const Station* before = nullptr;
+  for (std::optional<Station>& station : stations) {
+    if (!station) continue;
+    const double turn = 2 * kPi * unit;
+    const double turns = before ? std::round((station->numbers[2] - before->numbers[2]) / turn) : 0;
+    station->numbers[2] -= turn * turns;
+    for (const int angle : {2, 5}) station->hungAt(angle) -= 2 * kPi * turns;
+    before = &*station;
+  }
 }
 
 }  // namespace bw::sweep

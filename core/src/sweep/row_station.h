@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "bw/core/base/result.h"
 #include "bw/core/base/run_context.h"
@@ -46,7 +47,10 @@ struct Station {
   double compared = 0;  ///< mm: its distance, or that of those before it, when it was last held against a fit
 
   std::optional<Vector6> lookedAt = std::nullopt;  ///< the numbers, where they were looked at
-  bool good = false;                               ///< of these numbers; the rest holds if it is
+  std::optional<Vector6> slopesAt = std::nullopt;  ///< those that the derivatives are of
+  Eigen::Matrix<double, kStationMargins, 1> unsafeAt = Eigen::Matrix<double, kStationMargins, 1>::Zero();
+  ///< what the margins cost there
+  bool good = false;  ///< of the numbers looked at; the rest holds if it is
   Eigen::Matrix<double, kStationOwn, 1> own;
   Eigen::Matrix<double, kStationOwn, 6, Eigen::RowMajor> byOwn;
   Vector6 grips;  ///< x, y and angle of both, mm
@@ -82,9 +86,11 @@ class Row {
 
   /// A station as the row has it; empty where its blade does not rest near its section.
   std::optional<Station> standing(std::size_t i) const;
-  /// A station whose blade begins as that of another row in the same plane, moved onto the section; empty
-  /// where that is none that was solved.
-  std::optional<Station> beside(std::size_t i, const BladePose& near, const StationFit& fit) const;
+  /// The same, to be followed from there, with the bounds that were felt; its blade may bend or rest as it
+  /// will.
+  std::optional<Station> following(std::size_t i) const;
+  /// Gives a station the section of another.
+  void take(Station& station, std::size_t i) const;
   /// Has a station look at its margin too, if that is near the least that is asked for.
   void watch(Station& station) const;
   /// A station of which the blade of another one, `from`, is to become the blade.
@@ -99,8 +105,9 @@ class Row {
   bool holds(const Station& station) const;
   /// True if its smallest radius or its margin keeps the blade from lying nearer to its section.
   bool isBounded(const Station& station, const Elastica& light) const;
-  /// Looks at a station's numbers.
-  void look(Station& station) const;
+  /// Looks at a station's numbers; without `slopes` the derivatives stay as they were, and of the margins
+  /// that are watched is told what these say.
+  void look(Station& station, bool slopes = true) const;
   /// True if the request asks for ends, tangents or length of the part that cuts.
   bool demands() const {
     const FitRequest& request = sweep_.request;
@@ -133,18 +140,22 @@ class Row {
   void demand(Station& station, std::span<const Elastica::State> states, const std::array<Row6, 2>& turns,
               const std::array<Row6, 2>& slides) const;
 
+  /// What the margins that are watched cost.
+  void unsafe(Station& station) const;
+
   /// Moves each foot nearer to where the blade is nearest to its place of the section.
   void step(Station& station, std::span<const Elastica::State> states) const;
   Station at(std::size_t i) const;
   /// Puts a blade into a station; false where that is none that can be looked at.
   bool begin(Station& station, const BladePose& pose, const StationFit& fit) const;
-  /// Gives a station the section of another.
-  void take(Station& station, std::size_t i) const;
 
   const Sweep& sweep_;
   const RunContext& context_;
   double length_, unit_, limit_;  ///< of the blade, mm; of the numbers, mm; of the curvature, 1/mm
   Box passed_;                    ///< the block, going on along the travel
 };
+
+/// Takes whole turns out of the angles between a station and the one before it; `unit` in mm, of the numbers.
+void unwrap(std::vector<std::optional<Station>>& stations, double unit);
 
 }  // namespace bw::sweep

@@ -181,10 +181,10 @@ Result<Sweep> fitSweep(const std::vector<Section>& sections, const FitRequest& r
 
 Result<Sweep> buildSweep(const std::vector<Section>& sections, const FitRequest& request, const Box& block,
                          const PlaneFamily& planes, const RunContext& context, Findings& findings,
-                         double* fitSeconds, double* settleSeconds, const Sweep* near) {
+                         double* fitSeconds, double* settleSeconds) {
   Result<Sweep> sweep = laidOut(sections, request, block, planes);
   if (!sweep) return sweep;
-  if (Result<void> ok = sweep::solveRow(*sweep, context, fitSeconds, settleSeconds, near); !ok)
+  if (Result<void> ok = sweep::solveRow(*sweep, context, fitSeconds, settleSeconds); !ok)
     return tl::unexpected<Error>(ok.error());
   sweep::addSwingFindings(*sweep, findings);
   return sweep;

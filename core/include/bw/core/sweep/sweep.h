@@ -67,15 +67,9 @@ Result<Sweep> fitSweep(const std::vector<Section>& sections, const FitRequest& r
 /// The blades of a row, with their weight: one is found a station, from the longest section on, and then the
 /// grips of all are chosen together, so that the blades lie on their sections and the grips go smoothly from
 /// one to the next (docs/mathematics.md, sweep). Where the request gives ends or length, those of `fitSweep`.
-/// Same errors. `near`, if given, is a row that was found a moment ago for nearly the same sections: where it
-/// answers the same request in the same planes, each blade begins as it is there and no other start is tried,
-/// nor is it asked again whether weight brings it there (`snapsAt` and `unknown` are those of `near`). Meant
-/// for while a hand moves the surface: its blades lie as near to their sections, but the grips may lie some
-/// mm elsewhere along the blade than in the row found anew (3 mm on the panel, docs/performance.md), and on
-/// another branch where the hand has led it there. Where a blade is lost on the way, the row is found anew.
+/// Same errors. `LiveRow` is for while a hand moves them.
 Result<Sweep> buildSweep(const std::vector<Section>& sections, const FitRequest& request, const Box& block,
                          const PlaneFamily& planes, const RunContext& context, Findings& findings,
-                         double* fitSeconds = nullptr, double* settleSeconds = nullptr,
-                         const Sweep* near = nullptr);
+                         double* fitSeconds = nullptr, double* settleSeconds = nullptr);
 
 }  // namespace bw

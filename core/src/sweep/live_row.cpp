@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "bw/core/sweep/live_row.h"
+
+#include <Eigen/Core>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "sweep/row_problem.h"
+#include "sweep/row_station.h"
+
+namespace bw {
+
+using sweep::Station;
+
+namespace {
+
+constexpr int kSteps = 3;        // with one linearisation
+constexpr double kStill = 0.02;  // mm: a step of the grips that is none
+constexpr double kSameAxes = 1e-9;
+
+}  // namespace
+
+struct LiveRow::Work {
+  using Slopes = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+  Work(Sweep begin, RunContext running) : sweep(std::move(begin)), context(std::move(running)) {}
+
+  Sweep sweep;
+  RunContext context;
+  std::optional<sweep::Row> row;
+  std::vector<Station> stations;
+  std::unique_ptr<sweep::RowProblem> problem;
+  Slopes slopes;  ///< of the residuals, where the row was linearised last
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> normal;
+  std::vector<double> residuals;
+
+  /// Puts the problem together anew: it holds block and planes.
+  void pose() {
+    problem.reset();
+    row.emplace(sweep, context);
+    std::vector<Station*> all;
+    for (Station& station : stations) all.push_back(&station);
+    problem = std::make_unique<sweep::RowProblem>(*row, std::move(all));
+  }
+  bool linearise();
+  bool settle();
+  bool put();
+};
+
+/// Linearises the row where it is.
+bool LiveRow::Work::linearise() {
+  ceres::CRSMatrix found;
+  if (!problem->evaluate(residuals, &found)) return false;
+  slopes = Eigen::Map<const Slopes>(found.num_rows, found.num_cols, Eigen::Index(found.values.size()),
+                                    found.rows.data(), found.cols.data(), found.values.data());
+  const Eigen::SparseMatrix<double> square = Slopes(slopes.transpose()) * slopes;
+  normal.compute(square);
+  return normal.info() == Eigen::Success;
+}
+
+/// Steps of Newton's method whose derivatives stay those of the last linearisation, until the grips are
+/// still; where such a step leads nowhere, the row is linearised anew.
+bool LiveRow::Work::settle() {
+  std::optional<double> cost = problem->evaluate(residuals);
+  if (!cost) return false;
+  for (const bool anew : {false, true}) {
+    if (anew && !linearise()) return false;
+    for (int k = 0; k < kSteps; ++k) {
+      const Eigen::VectorXd step = normal.solve(
+          slopes.transpose() * Eigen::VectorXd::Map(residuals.data(), Eigen::Index(residuals.size())));
+      if (step.lpNorm<Eigen::Infinity>() < kStill) return true;
+      const std::vector<Station> before = stations;
+      double share = 1;
+      std::optional<double> next;
+      constexpr double kLeastShare = 0.1;
+      for (; share > kLeastShare; share /= 2) {
+        for (std::size_t i = 0; i < stations.size(); ++i)
+          sweep::Vector6::Map(stations[i].numbers) -= share * step.segment<6>(6 * Eigen::Index(i));
+        next = problem->evaluate(residuals);
+        if (next && *next <= *cost) break;
+        next.reset();
+        std::ranges::copy(before, stations.begin());
+        if (!anew) break;
+      }
+      if (!next) {
+        cost = problem->evaluate(residuals);
+        if (!cost) return false;
+        break;
+      }
+      cost = next;
+    }
+  }
+  return true;
+}
+
+/// Puts the blades into the row.
+bool LiveRow::Work::put() {
+  std::vector<char> good(stations.size());
+  const Result<void> ok = parallelFor(context, int(stations.size()), [&](int k) {
+    const auto i = std::size_t(k);
+    const Station& station = stations[i];
+    const std::optional<Elastica> light = row->light(station);
+    if (!light) return;
+    const Result<Elastica> cut = light->segment(station.feet.front(), station.feet.back());
+    if (!cut) return;
+    BladePose& pose = sweep.poses[i];
+    pose.cut = *cut;
+    pose.blade = *light;
+    pose.before = station.feet.front();
+    if (station.branch)
+      pose.heavy = station.branch->blade();
+    else
+      pose.heavy.reset();
+    sweep.fits[i].fit.elastica = *cut;
+    sweep.fits[i].fit.hausdorff = station.distance();
+    good[i] = 1;
+  });
+  return ok && std::ranges::count(good, 0) == 0;
+}
+
+LiveRow::LiveRow(std::unique_ptr<Work> work) : work_(std::move(work)) {}
+LiveRow::LiveRow(LiveRow&& other) noexcept = default;
+LiveRow& LiveRow::operator=(LiveRow&& other) noexcept = default;
+LiveRow::~LiveRow() = default;
+
+const Sweep& LiveRow::sweep() const { return work_->sweep; }
+
+std::optional<LiveRow> LiveRow::of(const Sweep& row, const RunContext& context) {
+  auto work = std::make_unique<Work>(row, context);
+  const sweep::Row looking(work->sweep, work->context);
+  std::vector<std::optional<Station>> found(row.poses.size());
+  const Result<void> ok = parallelFor(
+      context, int(found.size()), [&](int i) { found[std::size_t(i)] = looking.following(std::size_t(i)); });
+  if (!ok) return {};
+  if (!std::ranges::all_of(found, [](const auto& station) { return station.has_value(); })) return {};
+  sweep::unwrap(found, 0.25 * row.request.blade.length);
+  for (std::optional<Station>& station : found) work->stations.push_back(std::move(*station));
+  work->pose();
+  if (!work->linearise()) return {};
+  return LiveRow(std::move(work));
+}
+
+bool LiveRow::follow(const std::vector<Section>& sections, const Box& block, const PlaneFamily& planes,
+                     const RunContext& context) {
+  Work& work = *work_;
+  work.context = context;
+  std::vector<const Section*> chosen;
+  for (const Section& section : sections)
+    if (section.chosen >= 0) chosen.push_back(&section);
+  if (chosen.size() != work.stations.size()) return false;
+  bool posed = work.sweep.block == block && work.sweep.planes == planes;
+  work.sweep.block = block;
+  work.sweep.planes = planes;
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    BladePose& pose = work.sweep.poses[i];
+    const Frame& frame = chosen[i]->frame;
+    if ((frame.x - pose.frame.x).norm() + (frame.y - pose.frame.y).norm() > kSameAxes) return false;
+    posed = posed && pose.travel == chosen[i]->travel;
+    pose.index = chosen[i]->index;
+    pose.travel = chosen[i]->travel;
+    pose.frame = frame;
+    work.sweep.fits[i].target = chosen[i]->curve();
+  }
+  if (!posed) work.pose();
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    work.row->take(work.stations[i], i);
+    if (work.stations[i].sectionLength > work.sweep.request.blade.length) return false;
+  }
+  return work.settle() && work.put();
+}
+
+}  // namespace bw

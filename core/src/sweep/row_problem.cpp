@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "sweep/row_problem.h"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "bw/core/base/units.h"
+
+namespace bw::sweep {
+
+namespace {
+
+// What is weighed against the distance from the section, rms over its length, in parts of the tolerance:
+constexpr double kKink = 1e-4;       // of a kink of 1 mm in the way of a grip, from one station to the next,
+constexpr double kSharpKink = 5e-3;  // and of what is sharper than
+constexpr double kFreeKink = 0.35;   // rad;
+constexpr double kLeast = 0.1;       // of the mean way between stations: shorter ones count as this
+constexpr double kDemand = 1e3;      // of 1 mm that is missed of ends, tangents or length that are asked for
+
+/// What one station asks of its own blade.
+class OwnCost : public ceres::SizedCostFunction<kStationOwn, 6> {
+ public:
+  explicit OwnCost(const Station& station) : station_(station) {}
+  bool Evaluate(double const* const*, double* residuals, double** jacobians) const override {
+    Eigen::Matrix<double, kStationOwn, 1>::Map(residuals) = station_.own;
+    if (jacobians && jacobians[0])
+      Eigen::Matrix<double, kStationOwn, 6, Eigen::RowMajor>::Map(jacobians[0]) = station_.byOwn;
+    return station_.good;
+  }
+
+ private:
+  const Station& station_;
+};
+
+/// What the request asks of the part that cuts.
+class DemandCost : public ceres::SizedCostFunction<kStationDemands, 6> {
+ public:
+  DemandCost(const Station& station, double arm) : station_(station) { weights_ << 1, 1, arm, arm, 1; }
+  bool Evaluate(double const* const*, double* residuals, double** jacobians) const override {
+    Demands::Map(residuals) = kDemand * weights_.cwiseProduct(station_.demands);
+    if (jacobians && jacobians[0])
+      Eigen::Matrix<double, kStationDemands, 6, Eigen::RowMajor>::Map(jacobians[0]) =
+          kDemand * weights_.asDiagonal() * station_.byDemands;
+    return station_.good;
+  }
+
+ private:
+  using Demands = Eigen::Matrix<double, kStationDemands, 1>;
+  const Station& station_;
+  Demands weights_;
+};
+
+/// What moved grips cost: kKink a mm, and kSharpKink more beyond `free`, in parts of the tolerance.
+struct Smoothness {
+  double free, tolerance;
+  /// Puts the cost in place of the moves; the answer is its slope.
+  Vector6 of(Vector6& moves) const {
+    Vector6 slope = Vector6::Constant(kKink * tolerance);
+    for (int row = 0; row < 6; ++row) {
+      const double beyond = std::abs(moves(row)) - free, sharp = kSharpKink * tolerance;
+      moves(row) = slope(row) * moves(row) + (beyond > 0 ? std::copysign(sharp * beyond, moves(row)) : 0);
+      if (beyond > 0) slope(row) += sharp;
+    }
+    return slope;
+  }
+};
+
+/// mm, of x, y and angle of both grips.
+Vector6 armsOf(double arm) {
+  Vector6 arms;
+  arms << 1, 1, arm, 1, 1, arm;
+  return arms;
+}
+
+/// The kink in the way of the grips at the second of three stations.
+class KinkCost : public ceres::SizedCostFunction<6, 6, 6, 6> {
+ public:
+  KinkCost(const std::array<const Station*, 3>& stations, double before, double after, double arm,
+           const Smoothness& smoothness)
+      : stations_(stations),
+        shares_{1 / before, -1 / before - 1 / after, 1 / after},
+        arms_(armsOf(arm)),
+        smoothness_(smoothness) {}
+  bool Evaluate(double const* const*, double* residuals, double** jacobians) const override {
+    Vector6 kink = Vector6::Zero();
+    for (std::size_t k = 0; k < 3; ++k) kink += shares_[k] * arms_.cwiseProduct(stations_[k]->grips);
+    const Vector6 slope = smoothness_.of(kink).cwiseProduct(arms_);
+    bool good = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (jacobians && jacobians[k])
+        Matrix6::Map(jacobians[k]) = shares_[k] * slope.asDiagonal() * stations_[k]->byGrips;
+      good = good && stations_[k]->good;
+    }
+    Vector6::Map(residuals) = kink;
+    return good;
+  }
+
+ private:
+  std::array<const Station*, 3> stations_;
+  std::array<double, 3> shares_;
+  Vector6 arms_;
+  Smoothness smoothness_;
+};
+
+/// What it costs a station alone to leave the grips of another.
+class BesideCost : public ceres::SizedCostFunction<6, 6> {
+ public:
+  BesideCost(const Station& station, const Vector6& grips, double arm, const Smoothness& smoothness)
+      : station_(station), grips_(grips), arms_(armsOf(arm)), smoothness_(smoothness) {}
+  bool Evaluate(double const* const*, double* residuals, double** jacobians) const override {
+    Vector6 moved = arms_.cwiseProduct(station_.grips - grips_);
+    const Vector6 slope = smoothness_.of(moved).cwiseProduct(arms_);
+    if (jacobians && jacobians[0]) Matrix6::Map(jacobians[0]) = slope.asDiagonal() * station_.byGrips;
+    Vector6::Map(residuals) = moved;
+    return station_.good;
+  }
+
+ private:
+  const Station& station_;
+  Vector6 grips_, arms_;
+  Smoothness smoothness_;
+};
+
+}  // namespace
+
+RowProblem::RowProblem(const Row& row, std::vector<Station*> stations, const Station* beside)
+    : row_(row), stations_(std::move(stations)), problem_([this] {
+        ceres::Problem::Options options;
+        options.evaluation_callback = this;
+        return options;
+      }()) {
+  const Sweep& sweep = row.sweep();
+  for (Station* station : stations_)
+    problem_.AddResidualBlock(new OwnCost(*station), nullptr, station->numbers);
+  if (row.demands())
+    for (Station* station : stations_)
+      problem_.AddResidualBlock(new DemandCost(*station, row.unit()), nullptr, station->numbers);
+  const std::vector<BladePose>& poses = sweep.poses;
+  const double mean = std::abs(poses.back().travel - poses.front().travel) /
+                      double(std::max<std::size_t>(1, poses.size() - 1));
+  for (std::size_t i = 1; i + 1 < stations_.size(); ++i) {
+    const std::array<Station*, 3> three = {stations_[i - 1], stations_[i], stations_[i + 1]};
+    if (three[2]->index != three[0]->index + 2) continue;
+    const auto way = [&](const Station& from, const Station& to) {
+      return std::max(kLeast, std::abs(to.pose->travel - from.pose->travel) / mean);
+    };
+    problem_.AddResidualBlock(
+        new KinkCost({three[0], three[1], three[2]}, way(*three[0], *three[1]), way(*three[1], *three[2]),
+                     row.unit(), {kFreeKink * mean, sweep.request.tolerance}),
+        nullptr, three[0]->numbers, three[1]->numbers, three[2]->numbers);
+  }
+  if (beside)
+    problem_.AddResidualBlock(new BesideCost(*stations_[0], beside->grips, row.unit(),
+                                             {kEasySwing * row.unit(), sweep.request.tolerance}),
+                              nullptr, stations_[0]->numbers);
+}
+
+bool RowProblem::look(bool slopes) {
+  const auto one = [&](int i) { row_.look(*stations_[std::size_t(i)], slopes); };
+  if (stations_.size() == 1)
+    one(0);
+  else if (!parallelFor(row_.context(), int(stations_.size()), one))
+    for (Station* station : stations_) station->good = false;
+  return std::ranges::all_of(stations_, [](const Station* station) { return station->good; });
+}
+
+void RowProblem::solve() {
+  constexpr int kIterations = 40;
+  constexpr double kSettled = 1e-4;  // of the sum of squares, in one step
+  if (!look()) return;
+  ceres::Solver::Options options;
+  options.linear_solver_type = stations_.size() > 1 ? ceres::SPARSE_NORMAL_CHOLESKY : ceres::DENSE_QR;
+  options.logging_type = ceres::SILENT;
+  options.max_num_iterations = options.max_num_consecutive_invalid_steps = kIterations;
+  options.function_tolerance = kSettled;
+  ceres::Solver::Summary summary;
+  solving_ = first_ = true;
+  ceres::Solve(options, &problem_, &summary);
+  solving_ = false;
+  look();
+}
+
+std::optional<double> RowProblem::evaluate(std::vector<double>& residuals, ceres::CRSMatrix* slopes) {
+  double cost = 0;
+  if (!problem_.Evaluate({}, &cost, &residuals, nullptr, slopes)) return {};
+  return cost;
+}
+
+void RowProblem::PrepareForEvaluation(bool slopes, bool isNew) {
+  if (!solving_)
+    look(slopes);
+  else if (isNew && !first_)
+    look();
+  first_ = false;
+}
+
+}  // namespace bw::sweep
