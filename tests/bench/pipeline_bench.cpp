@@ -8,6 +8,8 @@
 
 #include <cmath>
 #include <filesystem>
+#include <memory>
+#include <optional>
 
 #include "bw/core/design/design.h"
 #include "bw/core/design/variables.h"
@@ -17,6 +19,7 @@
 #include "bw/geometry/export.h"
 #include "bw/pipeline/example_design.h"
 #include "bw/pipeline/produce.h"
+#include "bw/pipeline/sketch.h"
 
 namespace bw::pipeline {
 
@@ -228,6 +231,34 @@ void blockAfterPoleChange(benchmark::State& state) {
   report(state, sum);
 }
 BENCHMARK(blockAfterPoleChange)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// The same while a hand pulls. Budget: 8 ms. `farther_um`: by how much a station of the sketch lies farther
+/// from the surface than in the evaluation of the same design.
+void sketchOfPoleChange(benchmark::State& state) {
+  const auto first = std::make_shared<const Evaluation>(evaluate(block(false), nullptr, {}).evaluation);
+  if (!first->result()) return state.SkipWithError("no result");
+  Sketcher sketcher(first);
+  int steps = 0;
+  double height = 0;
+  std::optional<Sketch> sketch;
+  const auto pulledBy = [](double up) {
+    Design design = block(false);
+    std::get<PolesSurface>(design.source().surface->shape).at(2, 1).height += up;
+    return design;
+  };
+  for (auto _ : state) {
+    height = 10 * std::sin(0.1 * ++steps);
+    sketch = sketcher.draw(pulledBy(height), {});
+    if (!sketch) return state.SkipWithError("no sketch");
+  }
+  const Outcome anew = evaluate(pulledBy(height), nullptr, {});
+  double farther = 0;
+  for (std::size_t i = 0; anew.evaluation.result() && i < anew.evaluation.result()->size(); ++i)
+    farther = std::max(farther, sketch->blocks[0][0].look->deviation[i] -
+                                    anew.evaluation.result()->analysis.stationDeviation[i]);
+  state.counters["farther_um"] = 1e3 * farther;
+}
+BENCHMARK(sketchOfPoleChange)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 /// The checks of the panel alone: most of it is its map, 24 000 closest points.
 void panelCheck(benchmark::State& state) {

@@ -51,6 +51,7 @@ Scene::Impl::Impl()
       blade_(layers_),
       legend_(layers_),
       marker_(layers_),
+      handles_(layers_),
       place_(layers_) {
   addLights(renderer_);
   static_cast<vtkOpenGLRenderer*>(renderer_.Get())->SetPass(makePasses(occlusion_));
@@ -215,13 +216,17 @@ void Scene::Impl::renderFrame(int width, int height) {
   overlay.place = place_.ring();
   overlay.label = place_.card();
   if (overlay.label) taken.push_back(*overlay.label);
+  handles_.update(view, width, height, style, taken);
+  overlay.handle = handles_.card();
+  if (overlay.handle) taken.push_back(*overlay.handle);
   const ScenePicker::Shown shown = this->shown();
   IsolineLabels& values = actors_.isolineLabels();
   values.update(view, width, height, style.pixelRatio, taken,
                 [&](const Eigen::Vector3d& point) { return picker_.sees(shown, view, point); });
   for (const Overlay::Text& text : values.texts()) taken.push_back(text.box);
   grid_.update(view, width, height, taken);
-  for (const auto* texts : {&legend_.texts(), &values.texts(), &place_.texts(), &grid_.texts()})
+  for (const auto* texts :
+       {&legend_.texts(), &values.texts(), &place_.texts(), &handles_.texts(), &grid_.texts()})
     overlay.texts.insert(overlay.texts.end(), texts->begin(), texts->end());
 
   lastWidth_ = width;

@@ -11,6 +11,7 @@
 #include "bw/scene/scene.h"
 #include "scene/actors/content_actors.h"
 #include "scene/actors/ground_grid.h"
+#include "scene/actors/handle_marks.h"
 #include "scene/actors/markers.h"
 #include "scene/actors/orientation_marker.h"
 #include "scene/camera/picking.h"
@@ -74,6 +75,7 @@ struct Scene::Impl {
   MovingBlade blade_;
   Legend legend_;
   OrientationMarker marker_;
+  HandleMarks handles_;
   PlaceMarker place_;
   std::unique_ptr<RenderTarget> target_;
   Bounds solidBounds_, cutBounds_, bladeBounds_, surfaceBounds_, workBounds_, faceBounds_;

@@ -5,6 +5,7 @@
 
 #include <QEvent>
 #include <QGestureEvent>
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QNativeGestureEvent>
 #include <QOpenGLContext>
@@ -12,8 +13,11 @@
 #include <QTimer>
 #include <QWheelEvent>
 
+#include <utility>
+
 #include "bw/scene/navigation.h"
 #include "pointer_input.h"
+#include "scene/actors/handle_marks.h"
 #include "scene/scene_impl.h"
 #include "widget_target.h"
 
@@ -37,6 +41,7 @@ struct SceneView::Impl {
   scene::Style given;
   bool fitPending = false, everRendered = false;
   std::optional<Eigen::Vector3d> cubeLit;
+  int handleLit = -1, held = -1;
 
   // Where the processor does the work of a graphics card, smoothing costs most of a frame: moving pictures go
   // without.
@@ -85,6 +90,10 @@ struct SceneView::Impl {
     emit self->picked(hit);
   }
 
+  void lightHandle(int handle) {
+    if (std::exchange(handleLit, handle) != handle) emit self->handleHovered(handle);
+  }
+
   void lightCube(const std::optional<Eigen::Vector3d>& direction) {
     if (direction == cubeLit) return;
     cubeLit = direction;
@@ -95,8 +104,10 @@ struct SceneView::Impl {
   void hover(const QPointF& position) {
     const std::optional<Eigen::Vector3d> onCube = cubeAt(position);
     lightCube(onCube);
-    self->setCursor(onCube ? Qt::PointingHandCursor : Qt::ArrowCursor);
-    emit self->hovered(onCube || onLegend(position) ? scene::Pick{} : mover.pick(position));
+    const bool covered = onCube || onLegend(position);
+    lightHandle(covered ? -1 : self->handleAt(position));
+    self->setCursor(handleLit >= 0 ? Qt::SizeVerCursor : onCube ? Qt::PointingHandCursor : Qt::ArrowCursor);
+    emit self->hovered(covered ? scene::Pick{} : mover.pick(position));
   }
 };
 
@@ -309,13 +320,60 @@ bool SceneView::event(QEvent* event) {
   return QOpenGLWidget::event(event);
 }
 
+int SceneView::handleAt(const QPointF& position) const {
+  const double ratio = impl_->viewport.ratio();
+  return scene::handleAt(impl_->given.handles,
+                         impl_->scene.impl().projection(impl_->viewport.width(), impl_->viewport.height()),
+                         position.x() * ratio, position.y() * ratio, ratio);
+}
+
+std::pair<Eigen::Vector3d, Eigen::Vector3d> SceneView::rayAt(const QPointF& position) const {
+  const double ratio = impl_->viewport.ratio();
+  const scene::Ray ray = impl_->scene.impl()
+                             .projection(impl_->viewport.width(), impl_->viewport.height())
+                             .ray(position.x() * ratio, position.y() * ratio);
+  return {ray.origin, ray.direction};
+}
+
+bool SceneView::holding() const { return impl_->held >= 0; }
+
+void SceneView::letGo() {
+  if (const int held = std::exchange(impl_->held, -1); held >= 0) emit handleReleased(held, true);
+}
+
 void SceneView::mousePressEvent(QMouseEvent* event) {
   const QPointF position = event->position();
+  if (impl_->held >= 0) return;
+  if (event->button() == Qt::LeftButton && !impl_->cubeAt(position) && !impl_->onLegend(position)) {
+    if (const int handle = handleAt(position); handle >= 0) {
+      impl_->held = handle;
+      setFocus(Qt::MouseFocusReason);
+      emit handlePressed(handle, position, event->modifiers());
+      return;
+    }
+  }
   impl_->input.press(*event, impl_->onLegend(position) || impl_->cubeAt(position).has_value());
 }
 
-void SceneView::mouseMoveEvent(QMouseEvent* event) { impl_->input.move(*event); }
-void SceneView::mouseReleaseEvent(QMouseEvent* event) { impl_->input.release(*event); }
+void SceneView::mouseMoveEvent(QMouseEvent* event) {
+  if (impl_->held >= 0)
+    emit handleMoved(impl_->held, event->position(), event->modifiers());
+  else
+    impl_->input.move(*event);
+}
+
+void SceneView::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton && impl_->held >= 0) {
+    emit handleReleased(std::exchange(impl_->held, -1), false);
+    return;
+  }
+  impl_->input.release(*event);
+}
+
+void SceneView::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape && holding()) return letGo();
+  QOpenGLWidget::keyPressEvent(event);
+}
 
 void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() == Qt::LeftButton && impl_->onLegend(event->position())) {
@@ -330,6 +388,7 @@ void SceneView::wheelEvent(QWheelEvent* event) { impl_->input.wheel(*event); }
 void SceneView::leaveEvent(QEvent* event) {
   impl_->input.leave();
   impl_->lightCube({});
+  impl_->lightHandle(-1);
   emit hovered(scene::Pick{});
   QOpenGLWidget::leaveEvent(event);
 }

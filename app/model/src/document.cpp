@@ -45,6 +45,8 @@ class EditDesign : public QUndoCommand {
     const auto* next = static_cast<const EditDesign*>(other);
     if (mergeId_ < 0 || next->mergeId_ != mergeId_) return false;
     after_ = next->after_;
+    // A pull that ends where it began is none.
+    setObsolete(*after_ == *before_);
     return true;
   }
 

@@ -15,7 +15,8 @@ namespace {
 // ms.
 constexpr double kLivePatience = 1.5, kLeastPatience = 250, kMostPatience = 1500;
 constexpr std::chrono::milliseconds kProgressInterval{30};
-constexpr std::chrono::milliseconds kRest{300};  // after a result, before more is added to it
+constexpr std::chrono::milliseconds kRest{300};      // after a result, before more is added to it
+constexpr std::chrono::milliseconds kHandRest{200};  // after a sketch, before its design is evaluated
 
 /// `now` with the stages that it did not reach taken from `before`: their keys tell later whether they still
 /// hold.
@@ -62,8 +63,8 @@ void EvaluationRunner::evaluate(const std::shared_ptr<const Design>& design, boo
         ++order;
       }
     }
-    waiting_.push_back({++lastNumber_, design, {}, {}, {}});
-    if ((!live && runningIsEvaluation_) || secondThoughts_) running_.request_stop();
+    waiting_.push_back({++lastNumber_, design, {}, {}, {}, Needs::result, live});
+    if (((!live || sketches_) && runningIsEvaluation_) || secondThoughts_) running_.request_stop();
   }
   open_ += 1 - superseded;
   wake_.notify_one();
@@ -82,7 +83,7 @@ void EvaluationRunner::submit(const QString& name, Task task, std::function<void
                               Needs needs) {
   {
     const std::lock_guard lock(mutex_);
-    waiting_.push_back({++lastNumber_, nullptr, std::move(task), std::move(done), name, needs});
+    waiting_.push_back({++lastNumber_, nullptr, std::move(task), std::move(done), name, needs, false});
     if (secondThoughts_) running_.request_stop();
   }
   ++open_;
@@ -103,6 +104,7 @@ void EvaluationRunner::stopOutdatedRun() {
 
 void EvaluationRunner::cancel() {
   stopAll();
+  if (std::exchange(sketch_, nullptr)) emit sketched();
   emit cancelled();
 }
 
@@ -127,7 +129,12 @@ void EvaluationRunner::clear() {
     const std::lock_guard lock(mutex_);
     previous_.reset();
     newest_.reset();
+    sketches_ = false;
+    ++reachNumber_;
+    reachAt_ = {};
   }
+  sketch_.reset();
+  reach_.reset();
   firstWanted_ = lastNumber_ + 1;
   evaluation_.reset();
   lastComplete_.reset();
@@ -142,11 +149,18 @@ void EvaluationRunner::work(const std::stop_token& stop) {
     RunContext context;
     {
       std::unique_lock lock(mutex_);
-      if (!wake_.wait(lock, stop, [this] { return !waiting_.empty(); })) return;
+      while (waiting_.empty()) {
+        lock.unlock();
+        const bool looked = lookFarther(stop);
+        lock.lock();
+        const auto asked = [this] { return !waiting_.empty() || searched_ != reachNumber_; };
+        if (!looked && !wake_.wait(lock, stop, asked)) return;
+      }
       order = std::move(waiting_.front());
       waiting_.pop_front();
       running_ = std::stop_source();
-      runningIsEvaluation_ = order.design != nullptr;
+      // A sketch is drawn to its end, so that pictures follow a hand however fast it is.
+      runningIsEvaluation_ = order.design != nullptr && !(order.live && sketches_);
       context.stop = running_.get_token();
       previous = previous_;
       newest = newest_;
@@ -167,16 +181,20 @@ void EvaluationRunner::work(const std::stop_token& stop) {
     std::shared_ptr<const pipeline::Evaluation> evaluation;
     std::optional<Error> error;
     try {
-      if (order.design) {
+      if (drawSketch(order, context, stop)) {
+        error = stoppedError().value();
+      } else if (order.design) {
         pipeline::Outcome outcome = pipeline::evaluate(*order.design, previous.get(), context);
         error = std::move(outcome.error);
         if (error && error->code != ErrorCode::cancelled) addMeshes(outcome.evaluation);
         if (!error || error->code != ErrorCode::cancelled)
           pipeline::addFaceMesh(outcome.evaluation, previous.get(), context);
         evaluation = std::make_shared<const pipeline::Evaluation>(std::move(outcome.evaluation));
+        if (!error) sketcher_.emplace(evaluation);
         const std::lock_guard lock(mutex_);
         newest_ = evaluation;
         previous_ = withEarlierStages(*evaluation, previous.get());
+        sketches_ = sketches_ || !error;
       } else if (order.needs == Needs::result && (!newest || !newest->result())) {
         error = Error{ErrorCode::badInput,
                       "the design has no finished result; mend what stands under Messages first"};
@@ -199,6 +217,91 @@ void EvaluationRunner::work(const std::stop_token& stop) {
         this, [this, order, evaluation, error] { deliver(order, evaluation, error); }, Qt::QueuedConnection);
     if (complete && secondThoughts_) thinkAgain(evaluation, context.stop, stop);
   }
+}
+
+bool EvaluationRunner::drawSketch(const Order& order, const RunContext& context, const std::stop_token& end) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (!order.live || !sketches_) return false;
+  }
+  if (std::optional<pipeline::Sketch> drawn = sketcher_->draw(*order.design, context)) {
+    QMetaObject::invokeMethod(
+        this,
+        [this, number = order.number,
+         sketch = std::make_shared<const pipeline::Sketch>(std::move(*drawn))]() mutable {
+          takeSketch(number, std::move(sketch));
+        },
+        Qt::QueuedConnection);
+    const auto until = std::chrono::steady_clock::now() + kHandRest;
+    const auto asked = [this] { return !waiting_.empty(); };
+    std::unique_lock lock(mutex_);
+    while (!asked() && !end.stop_requested() && std::chrono::steady_clock::now() < until) {
+      lock.unlock();
+      const bool looked = lookFarther(end);
+      lock.lock();
+      if (!looked) wake_.wait_until(lock, end, until, asked);
+    }
+    const bool newer =
+        std::ranges::any_of(waiting_, [](const Order& next) { return next.design != nullptr; });
+    if (newer || end.stop_requested()) return true;
+  }
+  const std::lock_guard lock(mutex_);
+  runningIsEvaluation_ = true;
+  return false;
+}
+
+void EvaluationRunner::seekReach(std::function<Design(double)> at, double farthest) {
+  reach_.reset();
+  {
+    const std::lock_guard lock(mutex_);
+    ++reachNumber_;
+    reachAt_ = std::move(at);
+    reachFarthest_ = farthest;
+    if (secondThoughts_) running_.request_stop();
+  }
+  wake_.notify_one();
+}
+
+void EvaluationRunner::endReach() { seekReach({}, 0); }
+
+bool EvaluationRunner::lookFarther(const std::stop_token& end) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (std::exchange(searched_, reachNumber_) != reachNumber_) {
+      search_.reset();
+      if (reachAt_ && sketches_ && newest_ && newest_->result())
+        search_.emplace(newest_, reachAt_, reachFarthest_);
+    }
+  }
+  if (!search_ || end.stop_requested()) return false;
+  RunContext context;
+  context.stop = end;
+  bool more = false;
+  try {
+    more = search_->look(context);
+  } catch (const std::exception&) {
+    search_.reset();  // what was found until now stands
+    return true;
+  }
+  QMetaObject::invokeMethod(
+      this,
+      [this, number = searched_, reach = search_->reach()] {
+        {
+          const std::lock_guard lock(mutex_);
+          if (number != reachNumber_) return;
+        }
+        reach_ = reach;
+        emit reached();
+      },
+      Qt::QueuedConnection);
+  if (!more) search_.reset();
+  return true;
+}
+
+void EvaluationRunner::takeSketch(std::uint64_t number, std::shared_ptr<const pipeline::Sketch> sketch) {
+  if (number < firstWanted_) return;
+  sketch_ = std::move(sketch);
+  emit sketched();
 }
 
 void EvaluationRunner::thinkAgain(const std::shared_ptr<const pipeline::Evaluation>& first,
@@ -267,6 +370,7 @@ void EvaluationRunner::deliver(const Order& order, std::shared_ptr<const pipelin
       if (evaluation->result()) lastComplete_ = evaluation;
       lastSeconds_ = evaluation->seconds.total;
       evaluation_ = std::move(evaluation);
+      sketch_.reset();
       evaluatedDesign_ = order.design;
       error_ = std::move(error);
       patience_.stop();

@@ -7,6 +7,7 @@
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -167,10 +168,13 @@ bool LiveRow::follow(const std::vector<Section>& sections, const Box& block, con
     work.sweep.fits[i].target = chosen[i]->curve();
   }
   if (!posed) work.pose();
-  for (std::size_t i = 0; i < chosen.size(); ++i) {
-    work.row->take(work.stations[i], i);
-    if (work.stations[i].sectionLength > work.sweep.request.blade.length) return false;
-  }
+  std::atomic<bool> fits = true;
+  const Result<void> ok = parallelFor(context, int(chosen.size()), [&](int k) {
+    Station& station = work.stations[std::size_t(k)];
+    work.row->take(station, std::size_t(k));
+    if (station.sectionLength > work.sweep.request.blade.length) fits = false;
+  });
+  if (!ok || !fits) return false;
   return work.settle() && work.put();
 }
 

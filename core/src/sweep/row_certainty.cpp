@@ -79,6 +79,7 @@ class Others {
     const double distance = sweep::apart(sweep_.poses[i], blade);
     if (distance <= kSameShape) return;
     lowest = OtherRest{energy, distance};
+    lowest->blade = blade;
     for (const Elastica::State& state : blade.sample(kPlaces)) lowest->places.push_back(state.point);
   }
 

@@ -3,7 +3,6 @@
 
 #include "bw/core/sweep/sweep_check.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,79 +13,13 @@
 #include "sweep/cut_rows.h"
 #include "sweep/held_blade.h"
 #include "sweep/remedies.h"
+#include "sweep/station_velocity.h"
 
 namespace bw {
 
 namespace {
 
 using sweep::kColumns;
-
-/// Weights of the three-point derivative at t[i] for uneven spacing; one-sided at the ends
-/// (docs/mathematics.md, velocity).
-struct Stencil {
-  int first = 0, count = 0;
-  double weight[3] = {0, 0, 0};
-};
-
-Stencil derivativeStencil(const std::vector<double>& t, int i) {
-  const int n = int(t.size());
-  Stencil s;
-  if (n == 2) {
-    const double h = t[1] - t[0];
-    s = {0, 2, {-1 / h, 1 / h, 0}};
-    return s;
-  }
-  s.first = std::clamp(i - 1, 0, n - 3);
-  s.count = 3;
-  const double a = t[std::size_t(s.first)], b = t[std::size_t(s.first + 1)], c = t[std::size_t(s.first + 2)];
-  const double x = t[std::size_t(i)];
-  s.weight[0] = (2 * x - b - c) / ((a - b) * (a - c));
-  s.weight[1] = (2 * x - a - c) / ((b - a) * (b - c));
-  s.weight[2] = (2 * x - a - b) / ((c - a) * (c - b));
-  return s;
-}
-
-/// Points of a station at material coordinates σ measured from the blade's middle, in space.
-std::vector<Eigen::Vector3d> materialPoints(const BladePose& pose, const std::vector<double>& sigma) {
-  std::vector<double> arcs(sigma.size());
-  const double middle = 0.5 * pose.blade.length();
-  for (std::size_t i = 0; i < sigma.size(); ++i) arcs[i] = middle + sigma[i];
-  return pose.points(arcs);
-}
-
-/// Thesis 5.3 at one station, with the blade's own material points.
-StationVelocity stationVelocity(const std::vector<BladePose>& poses, const std::vector<double>& travel, int i,
-                                double cuttingSpeed) {
-  const BladePose& pose = poses[std::size_t(i)];
-  const Stencil stencil = derivativeStencil(travel, i);
-  const double length = pose.cut.length();
-  std::vector<double> sigma;
-  sigma.reserve(kColumns + 21);
-  const double begin = pose.before - 0.5 * pose.blade.length();
-  for (int c = 0; c < kColumns; ++c) sigma.push_back(begin + double(c) / (kColumns - 1) * length);
-  for (int c = 0; c <= 20; ++c) sigma.push_back((c / 20.0 - 0.5) * pose.blade.length());
-  std::vector<Eigen::Vector3d> velocity(sigma.size(), Eigen::Vector3d::Zero());
-  for (int k = 0; k < stencil.count; ++k) {
-    const std::vector<Eigen::Vector3d> points = materialPoints(poses[std::size_t(stencil.first + k)], sigma);
-    for (std::size_t c = 0; c < sigma.size(); ++c) velocity[c] += stencil.weight[k] * points[c];
-  }
-  double fastestBlade = 0, fastest = 0;
-  for (std::size_t c = 0; c < sigma.size(); ++c) {
-    const double speed = velocity[c].norm();
-    fastestBlade = std::max(fastestBlade, speed);
-    if (c < kColumns) fastest = std::max(fastest, speed);
-  }
-  StationVelocity result;
-  for (int c = 0; c < kColumns; ++c) {
-    const double speed = velocity[std::size_t(c)].norm();
-    const double along = velocity[std::size_t(c)].dot(pose.frame.normal);
-    const double across = velocity[std::size_t(c)].cross(pose.frame.normal).norm();
-    result.angle.push_back(std::atan2(across, along));
-    result.relative.push_back(fastest > 0 ? speed / fastest : 1.0);
-    result.speed.push_back(fastestBlade > 0 ? speed / fastestBlade * cuttingSpeed : cuttingSpeed);
-  }
-  return result;
-}
 
 /// How far a grip that is off moves the part that cuts.
 std::vector<double> movedByGrip(const Sweep& sweep, const BladePose& pose, const CheckRequest& request) {
@@ -147,7 +80,7 @@ Result<SweepCheck> checkSweep(const Sweep& sweep, const CheckRequest& request, c
   const auto body = [&](int i) {
     const BladePose& pose = poses[std::size_t(i)];
     StationVelocity& v = result.velocities[std::size_t(i)];
-    v = stationVelocity(poses, travel, i, request.cuttingSpeed);
+    v = sweep::stationVelocity(poses, travel, std::size_t(i), kColumns, request.cuttingSpeed);
     StationCheck& check = result.stations[std::size_t(i)];
     const bool round = sweep.request.blade.section != Blade::Section::flat;
     if (pose.heavy) {

@@ -8,6 +8,7 @@
 
 #include "bw/core/sweep/sweep.h"
 #include "bw/pipeline/pipeline.h"
+#include "bw/pipeline/sketch.h"
 
 namespace bw::app {
 
@@ -40,7 +41,8 @@ struct StationNumbers {
   double stress = 0;                  ///< N/mm², bending stress there
 };
 
-/// One entry a station of the sweep.
+/// One entry a station of the sweep, or of what follows the hand.
 std::vector<StationNumbers> stationNumbers(const pipeline::CutResult& result);
+std::vector<StationNumbers> stationNumbers(const pipeline::CutSketch& sketch);
 
 }  // namespace bw::app

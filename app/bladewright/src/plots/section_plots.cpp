@@ -68,7 +68,7 @@ QString tr(const char* text) { return QCoreApplication::translate("bw::app::Sect
 
 }  // namespace
 
-SectionDrawing makeSectionDrawing(const Sweep& sweep, const RowCertainty& certainty, int index,
+SectionDrawing makeSectionDrawing(const Sweep& sweep, const OtherRest* other, int index,
                                   double exaggeration) {
   SectionDrawing drawing;
   const auto& stations = sweep.poses;
@@ -82,15 +82,15 @@ SectionDrawing makeSectionDrawing(const Sweep& sweep, const RowCertainty& certai
   const auto neighbour = [&](int i) {
     QPolygonF polygon;
     if (i < 0 || std::size_t(i) >= stations.size()) return polygon;
-    const BladePose& other = stations[std::size_t(i)];
-    for (const Eigen::Vector3d& p : other.cutPoints(65))
+    const BladePose& beside = stations[std::size_t(i)];
+    for (const Eigen::Vector3d& p : beside.cutPoints(65))
       polygon << toPoint(station.frame.toLocal(p).head<2>());
     return polygon;
   };
   drawing.before = neighbour(index - 1);
   drawing.after = neighbour(index + 1);
   drawing.foam = boxInPlane(sweep.block, station.frame);
-  if (const std::optional<OtherRest>& other = certainty.stations[std::size_t(index)].other)
+  if (other)
     for (const Eigen::Vector2d& place : other->places) drawing.other << toPoint(place);
   if (exaggeration != 1) {
     for (QPointF& p : drawing.elastica) {

@@ -27,10 +27,10 @@ struct SectionDrawing {
   QRectF bounds;
 };
 
-/// The drawing of the station at `index`; `exaggeration` enlarges the distance between elastica and target.
+/// The drawing of the station at `index`, with another shape in which its blade could rest, if one is known;
+/// `exaggeration` enlarges the distance between elastica and target.
 /// Empty if there is no such station.
-SectionDrawing makeSectionDrawing(const Sweep& sweep, const RowCertainty& certainty, int index,
-                                  double exaggeration);
+SectionDrawing makeSectionDrawing(const Sweep& sweep, const OtherRest* other, int index, double exaggeration);
 
 /// How the plane of a station (mm, y up) lies in an area of the widget: `window` as large as the area allows,
 /// both axes alike.

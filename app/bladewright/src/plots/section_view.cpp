@@ -40,7 +40,8 @@ SectionView::SectionView(Workbench& bench, const Theme& theme, QWidget* parent)
 }
 
 void SectionView::follow(const Change& change) {
-  if (change.any(Aspect::poses | Aspect::motion | Aspect::checks, bench_.selection())) return rebuild();
+  if (change.any(Aspect::poses | Aspect::motion | Aspect::checks | Aspect::sketch, bench_.selection()))
+    return rebuild();
   if (change.any(Aspect::selection | Aspect::playTime)) return rebuildDrawing();
   if (change.any(Aspect::state)) update();
 }
@@ -57,18 +58,27 @@ int SectionView::shownStation() const {
 }
 
 void SectionView::rebuild() {
-  const auto result = bench_.sweep();
-  numbers_ = result ? stationNumbers(*result) : std::vector<StationNumbers>();
+  numbers_.clear();
+  if (const pipeline::CutSketch* sketch = bench_.sketchedCut())
+    numbers_ = stationNumbers(*sketch);
+  else if (const auto result = bench_.sweep())
+    numbers_ = stationNumbers(*result);
   tolerance_ = bench_.design().process.tolerance;
   drawing_.station = -1;
   rebuildDrawing();
 }
 
 void SectionView::rebuildDrawing() {
-  const auto result = bench_.sweep();
   const AxisRange before = wholeAlong();
-  drawing_ = result ? makeSectionDrawing(result->sweep, result->certainty, shownStation(), exaggeration_)
-                    : SectionDrawing();
+  drawing_ = {};
+  if (const Sweep* row = bench_.row()) {
+    const int station = std::min(shownStation(), int(row->poses.size()) - 1);
+    // The other shape is sought once the hand rests.
+    const auto result = bench_.sketchedCut() ? std::nullopt : bench_.sweep();
+    const std::optional<OtherRest>* other =
+        result && station >= 0 ? &result->certainty.stations[std::size_t(station)].other : nullptr;
+    drawing_ = makeSectionDrawing(*row, other && *other ? &**other : nullptr, station, exaggeration_);
+  }
   // The zoom stays from station to station, as long as there is something in it.
   if (drawing_.station < 0 || !window_.intersects(drawing_.bounds)) window_ = {};
   if (wholeAlong() != before) along_ = wholeAlong();
@@ -102,7 +112,7 @@ QStringList SectionView::readout() const {
     const QPointF p = frame().toPlane(cursor_);
     const int decimals = frame().scale > 20 ? 2 : 1;
     QStringList lines = {tr("%1, %2 mm").arg(axisText(p.x(), decimals), axisText(p.y(), decimals))};
-    const PlanarCurve& target = bench_.sweep()->sweep.fits[std::size_t(drawing_.station)].target;
+    const PlanarCurve& target = bench_.row()->fits[std::size_t(drawing_.station)].target;
     const Eigen::Vector2d at(p.x(), p.y());
     const Eigen::Vector2d foot = target.value(target.nearestParameter(at));
     lines << tr("%1 from the target").arg(lengthText((at - foot).norm() / exaggeration_));
@@ -112,7 +122,7 @@ QStringList SectionView::readout() const {
     const QRectF area = curvatureArea();
     const double arc = along_.low + along_.span() * (cursor_.x() - area.left()) / area.width();
     Elastica::State state;
-    bench_.sweep()->sweep.poses[std::size_t(drawing_.station)].at({&arc, 1}, {&state, 1});
+    bench_.row()->poses[std::size_t(drawing_.station)].at({&arc, 1}, {&state, 1});
     const double curvature = state.curvature;
     return {
         tr("%1 along the blade").arg(lengthText(arc)),
@@ -193,7 +203,7 @@ void SectionView::paintEvent(QPaintEvent*) {
   painter.setFont(small);
   double top = kBarsHeight + 4;
   const StationNumbers& n = numbers_[std::size_t(drawing_.station)];
-  const BladePose& station = bench_.sweep()->sweep.poses[std::size_t(drawing_.station)];
+  const BladePose& station = bench_.row()->poses[std::size_t(drawing_.station)];
   const QString title = tr("Station %1").arg(station.index + 1);
   QFont bold = small;
   bold.setWeight(QFont::DemiBold);
@@ -221,11 +231,11 @@ void SectionView::paintEvent(QPaintEvent*) {
   const QRectF plot = curvatureArea();
   painter.setPen(c.secondary);
   painter.setFont(small);
-  const double limitRadius = bench_.sweep()->sweep.request.blade.minRadius();
+  const double limitRadius = bench_.row()->request.blade.minRadius();
   painter.drawText(QRectF(plot.left() - kAxisLeft, top - 2, plot.width() + kAxisLeft, textHeight),
                    Qt::AlignLeft, curvatureTitle(metrics, plot.width() + kAxisLeft, radiusText(limitRadius)));
   if (plot.height() > 12)
-    paintCurvature(painter, plot, along_, drawing_, bench_.sweep()->sweep.request.blade.maxCurvature(), c);
+    paintCurvature(painter, plot, along_, drawing_, bench_.row()->request.blade.maxCurvature(), c);
   painter.setOpacity(1);
   paintCursor(painter);
   if (hasFocus()) {

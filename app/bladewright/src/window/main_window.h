@@ -25,6 +25,7 @@
 #include "window/notices.h"
 #include "window/start_page.h"
 #include "window/summary_line.h"
+#include "window/surface_handles.h"
 #include "workbench/workbench.h"
 #include "workflow/workflow_panel.h"
 
@@ -74,6 +75,7 @@ class MainWindow : public QMainWindow {
   StartPage& startPage() { return *start_; }
   QTabWidget& tabs() { return *tabs_; }
   FaceChooser& faceChooser() { return *faces_; }
+  SurfaceHandles& surfaceHandles() { return *handles_; }
   SummaryLine& summaryLine() { return *summary_; }
   Inspector& inspector() { return *inspector_; }
   Commands& commands() { return commands_; }
@@ -143,11 +145,14 @@ class MainWindow : public QMainWindow {
   scene::Content sceneContent();
   void follow(const Change& change);
   /// A newer evaluation stands, or none does.
+  /// Shows what follows the hand.
+  void refreshSketch();
   void refreshResult(bool content);
   /// The cut selected among the things of the picture.
   scene::ItemId selectedRow() const;
   void refreshStyle();
   void refreshState();
+  void summarise(const pipeline::CutSketch& sketch);
   void refreshSummary();
   void placeBanner();
   std::optional<scene::SectionPlane> sectionPlane() const;
@@ -185,6 +190,7 @@ class MainWindow : public QMainWindow {
   MapBar* mapBar_;
   view::SceneView* view_;
   FaceChooser* faces_;
+  SurfaceHandles* handles_;
   QTabWidget* tabs_;
   QLabel* drawnLabel_;  ///< before the choice beside the tabs, where there is room for it
   SectionView* section_;

@@ -86,7 +86,9 @@ void MainWindow::makeCommands() {
       [this](bool) { showMeasurePage(); });
   add("edit.cancel", tr("&Stop computing"), "", tr("Stop the running job"), {QKeySequence("Esc")},
       [this](bool) {
-        if (bench_.runner().busy())
+        if (view_->holding())
+          view_->letGo();
+        else if (bench_.runner().busy())
           bench_.runner().cancel();
         else
           faces_->setChoosing(false);
@@ -126,6 +128,10 @@ void MainWindow::makeCommands() {
   add(
       "view.parallel", tr("&Parallel view"), "parallel", tr("Parallel instead of perspective"),
       {QKeySequence("P")}, [this](bool on) { view_->setParallel(on); }, true);
+  add(
+      "view.handles", tr("&Handles of the surface"), "",
+      tr("Pull the poles of a designed surface, or the points of its sections"), {QKeySequence("H")},
+      [this](bool on) { handles_->setShown(on); }, true);
   const auto toggle = [&](const char* id, const QString& text, const char* icon, const QString& tip,
                           const QList<QKeySequence>& keys, StyleSwitch isOn) {
     toggles_.emplace_back(id, isOn);
@@ -268,7 +274,7 @@ void MainWindow::makeMenus() {
   QMenu* view = menuBar()->addMenu(tr("&View"));
   fill(view, {"view.iso", "view.top", "view.bottom", "view.front", "view.back", "view.left", "view.right", "",
               "view.fit", "view.fitSelection", "view.parallel", "", "view.section", "view.sectionFlip",
-              "view.shadows", ""});
+              "view.shadows", "view.handles", ""});
   QMenu* maps = view->addMenu(tr("&Map"));
   for (const std::string& name : MapBar::fieldNames())
     fill(maps, {qUtf8Printable("map." + QString::fromStdString(name))});

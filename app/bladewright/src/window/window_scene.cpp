@@ -14,6 +14,7 @@
 namespace bw::app {
 
 scene::Content MainWindow::sceneContent() {
+  if (const pipeline::Sketch* sketch = bench_.sketch()) return pipeline::sceneContent(*sketch);
   const auto shown = bench_.shown();
   if (!shown) return {};
   scene::Content content = pipeline::sceneContent(*shown);
@@ -38,7 +39,9 @@ void MainWindow::follow(const Change& change) {
   }
   if (change.any(Aspect::selection | Aspect::result)) marker_.reset();
   if (change.any(Aspect::result))
-    refreshResult(change.any(Aspect::source | model::kAspectsOfCut));
+    refreshResult(change.any(Aspect::source | Aspect::sketch | model::kAspectsOfCut));
+  else if (change.any(Aspect::sketch))
+    refreshSketch();
   else if (change.any(Aspect::selection | Aspect::playTime | Aspect::thoughts))
     refreshStyle();
   if (change.any(Aspect::state | Aspect::progress)) refreshState();
@@ -66,10 +69,15 @@ void MainWindow::refreshResult(bool content) {
   }
 }
 
+void MainWindow::refreshSketch() {
+  view_->setContent(sceneContent());
+  refreshStyle();
+}
+
 std::optional<scene::SectionPlane> MainWindow::sectionPlane() const {
-  const auto result = bench_.sweep();
-  if (!sectioned_ || !result || result->sweep.poses.empty()) return std::nullopt;
-  const auto& stations = result->sweep.poses;
+  const Sweep* row = bench_.row();
+  if (!sectioned_ || !row || row->poses.empty()) return std::nullopt;
+  const auto& stations = row->poses;
   // The moving blade leads while it plays, the selected station otherwise, the middle if there is neither.
   const bool follow = bench_.moving() && (motion_->playing() || bench_.selection().station < 0);
   const double at = follow                            ? bench_.stationAt(bench_.playTime())
@@ -105,12 +113,14 @@ void MainWindow::refreshStyle() {
   style.section = sectionPlane();
   style.marker = marker_;
   faces_->applyTo(style);
+  handles_->applyTo(style);
   view_->setStyle(style);
   const Field* mapped = mappedField();
   mapBar_->setRangeUnit(mapped ? QString::fromStdString(mapped->unit) : QString());
   mapBar_->setRangeInUse(view_->legendRange());
   inspector_->setStale(staleShown_);
   refreshSummary();
+  commands_["view.handles"]->setChecked(handles_->shown());
   for (const auto& [id, isOn] : toggles_) commands_[id]->setChecked(isOn(style));
   for (const std::string& name : MapBar::fieldNames())
     commands_[QString::fromStdString("map." + name)]->setChecked(style[scene::Kind::cut].map == name);

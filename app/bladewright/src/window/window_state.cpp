@@ -38,6 +38,7 @@ void MainWindow::makeWorkspace() {
   view_->setAccessibleName(tr("3D view"));
   layout->addWidget(view_, 1);
   faces_ = new FaceChooser(bench_, theme_, view_);
+  handles_ = new SurfaceHandles(bench_, view_);
   middle_->addWidget(picture);
   tabs_ = new QTabWidget(middle_);
   tabs_->setDocumentMode(true);
@@ -110,6 +111,7 @@ void MainWindow::makeWorkspace() {
           [this] { commands_["view.parallel"]->setChecked(view_->parallel()); });
   connect(view_, &view::SceneView::faceClicked, faces_, &FaceChooser::click);
   connect(faces_, &FaceChooser::changed, this, &MainWindow::refreshStyle);
+  connect(handles_, &SurfaceHandles::changed, this, &MainWindow::refreshStyle);
   connect(faces_, &FaceChooser::choosingChanged, this, [this](bool choosing) {
     commands_["input.chooseFaces"]->setChecked(choosing);
     refreshState();
@@ -216,10 +218,32 @@ void MainWindow::refreshState() {
        {"motion.play", "motion.start", "motion.end", "station.next", "station.previous", "station.none"})
     commands_[id]->setEnabled(open && bench_.sweep());
   commands_["view.sectionFlip"]->setEnabled(open && sectioned_);
-  commands_["edit.cancel"]->setEnabled(busy || faces_->choosing());
+  commands_["edit.cancel"]->setEnabled(busy || faces_->choosing() || view_->holding());
+  commands_["view.handles"]->setEnabled(open && handles_->possible());
   commands_["input.chooseFaces"]->setEnabled(open && faces_->possible());
   workflow_->inputFields()->faces().showChoosing(faces_->choosing(), faces_->possible());
   refreshSummary();
+}
+
+void MainWindow::summarise(const pipeline::CutSketch& sketch) {
+  const RowSketch& look = *sketch.look;
+  const Blade& blade = sketch.sweep->request.blade;
+  const auto stations = [&](const auto& holds) { return int(std::ranges::count_if(look.rest, holds)); };
+  const int lost = stations([](Rest rest) { return rest == Rest::lost; });
+  const int unknown = stations([](Rest rest) { return rest == Rest::unknown; });
+  const auto crossing = int(std::ranges::count_if(look.crosses, [](char crosses) { return crosses != 0; }));
+  const QString radius = radiusText(look.minRadius);
+  std::vector<SummaryLine::Part> parts = {
+      {tr("Unit mm")},
+      {tr("deviation at stations ≤ %1").arg(lengthText(look.deviationMax)), 4,
+       look.deviationMax > bench_.design().process.tolerance},
+      {radius.endsWith("mm") ? tr("radius ≥ %1").arg(radius) : tr("straight blade"), 2,
+       look.minRadius > 0 && look.minRadius < blade.minRadius()}};
+  if (crossing > 0) parts.push_back({tr("%1 crossed").arg(crossing), 3, true});
+  if (lost > 0) parts.push_back({tr("%1 lost").arg(lost), 3, true});
+  if (unknown > 0) parts.push_back({tr("%1 not known").arg(unknown), 3});
+  if (lost + unknown + crossing == 0) parts.push_back({tr("all rest"), 3});
+  summary_->setParts(parts, false);
 }
 
 void MainWindow::refreshSummary() {
@@ -231,6 +255,7 @@ void MainWindow::refreshSummary() {
         false);
     return;
   }
+  if (const pipeline::CutSketch* sketch = bench_.sketchedCut()) return summarise(*sketch);
   const SweepSummary& s = result->analysis.summary;
   double slowest = bench_.shown()->design.process.cuttingSpeed;
   const double fastest = slowest;

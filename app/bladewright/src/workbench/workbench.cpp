@@ -44,6 +44,10 @@ Workbench::Workbench(model::Settings& settings, const fs::path& recoveryFolder, 
   connect(&document_, &model::Document::autosaveMended, this,
           [this] { emit noticesOutdated(Topic::autosave); });
   connect(&runner_, &model::EvaluationRunner::finished, this, &Workbench::onFinished);
+  connect(&runner_, &model::EvaluationRunner::sketched, this, [this] {
+    sketchTold_ = true;
+    tellChanged(Aspect::sketch | Aspect::state);
+  });
   connect(&runner_, &model::EvaluationRunner::busyChanged, this,
           [this] { tellChanged(Aspect::state | Aspect::progress); });
   connect(&runner_, &model::EvaluationRunner::progressed, this, [this] { tellChanged(Aspect::progress); });
@@ -92,6 +96,16 @@ std::optional<pipeline::CutResult> Workbench::sweep() const {
   return cut ? cut->result() : std::nullopt;
 }
 
+const pipeline::CutSketch* Workbench::sketchedCut() const {
+  return sketch() ? sketch()->find(selection_.cut) : nullptr;
+}
+
+const Sweep* Workbench::row() const {
+  if (const pipeline::CutSketch* cut = sketchedCut()) return cut->sweep.get();
+  const pipeline::CutEvaluation* cut = shownCut();
+  return cut && cut->result() ? cut->sweep.value.get() : nullptr;
+}
+
 const geometry::CadInfo* Workbench::fileInfo() const {
   const auto& newest = runner_.evaluation();
   return newest && newest->source.value ? &newest->source.value->model.info() : nullptr;
@@ -108,7 +122,7 @@ bool Workbench::current() const {
          runner_.evaluatedDesign() == document_.design();
 }
 
-bool Workbench::stale() const { return shown() && !document_.empty() && !current() && sweep(); }
+bool Workbench::stale() const { return shown() && !document_.empty() && !current() && !sketch() && sweep(); }
 
 model::StepStates Workbench::stepStates() const {
   model::StepFacts facts;
@@ -240,6 +254,10 @@ Change Workbench::resultChange() {
   change |= model::difference(toldNewest_.get(), runner_.evaluation().get());
   toldShown_ = shown();
   toldNewest_ = runner_.evaluation();
+  if (sketchTold_ && !sketch()) {
+    sketchTold_ = false;
+    change.whole |= Aspect::sketch;
+  }
   // What only adds to the result on the screen leaves that as it is.
   if (!change.any(Aspect::thoughts) || change.any(~model::Aspects(Aspect::thoughts)))
     change.whole |= Aspect::result;

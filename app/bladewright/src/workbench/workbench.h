@@ -85,6 +85,14 @@ class Workbench : public QObject {
   /// Of the result on the screen the cut selected, or null; and what it came to.
   const pipeline::CutEvaluation* shownCut() const;
   std::optional<pipeline::CutResult> sweep() const;
+  /// What follows the hand in place of the result, until the evaluation of its design is there; null while
+  /// nothing does.
+  const pipeline::Sketch* sketch() const { return runner_.sketch().get(); }
+  /// Its cut that is selected; null if there is none.
+  const pipeline::CutSketch* sketchedCut() const;
+  /// The blades to be seen of the cut selected: those that follow the hand, else those of the result. Null if
+  /// there are none.
+  const Sweep* row() const;
   /// Of the newest evaluation, whether or not it came to a result: what is known of the CAD file, and the
   /// surface of the cut selected. Null before they are read.
   const geometry::CadInfo* fileInfo() const;
@@ -240,6 +248,7 @@ class Workbench : public QObject {
   double playTime_ = 0;
   bool moving_ = false;
   bool live_ = false;
+  bool sketchTold_ = false;  ///< views show a sketch
   bool exporting_ = false;
   std::optional<Eigen::Vector3d> judgedSize_;  ///< of the target that the unit was judged by
   int lastMergeId_ = 0;

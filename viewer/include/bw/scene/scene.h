@@ -101,6 +101,25 @@ struct Marker {
   bool operator==(const Marker&) const = default;
 };
 
+/// The way on which a handle is moved, as far as it may go: from one end to the other, mm, and whether
+/// something stops it there.
+struct HandleWay {
+  Eigen::Vector3d from = Eigen::Vector3d::Zero(), to = Eigen::Vector3d::Zero();
+  bool endsAtFrom = false, endsAtTo = false;
+  bool operator==(const HandleWay&) const = default;
+};
+
+/// Places of which a hand takes hold, over everything.
+struct Handles {
+  std::vector<Eigen::Vector3d> points;
+  std::vector<std::array<int, 2>> lines;  ///< between two of them
+  std::vector<int> chosen;                ///< those that move together
+  int lit = -1;                           ///< the one that is held, or under the cursor
+  std::string text;                       ///< beside it
+  bool stopped = false;                   ///< it goes no farther
+  std::optional<HandleWay> way;           ///< its
+};
+
 /// How a thing is shown.
 struct Look {
   bool visible = true;
@@ -134,6 +153,7 @@ struct Style {
       true;  ///< ambient occlusion of solid things; weaker under a map, which keeps its colours
   std::optional<SectionPlane> section;  ///< cuts the scene open; the foam met is hatched
   std::optional<Marker> marker;         ///< stands before everything
+  Handles handles;                      ///< stand before all but that
   /// The faces of the file stand in for the result: `chosenFaces` solid, the others pale, and a pick finds
   /// them.
   bool chooseFaces = false;
@@ -190,7 +210,8 @@ struct Overlay {
   std::optional<PixelRect> marker;  ///< the orientation cube
   std::optional<PixelRect> place;   ///< the ring of Style::marker
   std::optional<PixelRect> label;   ///< the card with its words
-  std::vector<Text> texts;  ///< of the legend, the isolines, the label and the ground grid, in this order
+  std::optional<PixelRect> handle;  ///< the card with the words of the handle that is lit
+  std::vector<Text> texts;  ///< of the legend, the isolines, the label, the handle and the ground grid
 };
 
 /// An RGB picture, row by row from the top.

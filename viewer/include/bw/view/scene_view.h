@@ -51,6 +51,14 @@ class SceneView : public QOpenGLWidget {
   scene::Pick pickAt(const QPointF& position) const;
   /// Where the legend stands, in device-independent pixels of the widget; empty if none is shown.
   QRectF legendRect() const;
+  /// The handle of the style under a place of the widget; −1 if there is none.
+  int handleAt(const QPointF& position) const;
+  /// The ray from the eye through a place of the widget: where it begins, and its direction of length 1.
+  std::pair<Eigen::Vector3d, Eigen::Vector3d> rayAt(const QPointF& position) const;
+  /// True while a handle is held.
+  bool holding() const;
+  /// Lets go of the handle that is held: its moves count no more, and it is told as given up.
+  void letGo();
   /// Where a point of space appears in the widget, in device-independent pixels.
   QPointF toWidget(const Eigen::Vector3d& point) const;
   /// A picture of the scene at any size in pixels, with the present camera, or along a standard view, in
@@ -91,6 +99,13 @@ class SceneView : public QOpenGLWidget {
   /// What lies under the resting or moving cursor; `kind` is none over empty space and when the cursor
   /// leaves.
   void hovered(const bw::scene::Pick& pick);
+  /// A handle of the style is pressed, moved and let go of; while it is held nothing else is told. `givenUp`:
+  /// what it did is to be undone.
+  void handlePressed(int handle, const QPointF& position, Qt::KeyboardModifiers keys);
+  void handleMoved(int handle, const QPointF& position, Qt::KeyboardModifiers keys);
+  void handleReleased(int handle, bool givenUp);
+  /// The handle under the resting or moving cursor is another; −1: none.
+  void handleHovered(int handle);
   /// The legend was double-clicked: offer to edit its range.
   void legendActivated();
   void cameraChanged();
@@ -106,6 +121,7 @@ class SceneView : public QOpenGLWidget {
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void leaveEvent(QEvent* event) override;
 

@@ -20,6 +20,8 @@
 #include "bw/core/base/run_context.h"
 #include "bw/core/design/design.h"
 #include "bw/pipeline/pipeline.h"
+#include "bw/pipeline/reach.h"
+#include "bw/pipeline/sketch.h"
 
 namespace bw::model {
 
@@ -37,15 +39,22 @@ class EvaluationRunner : public QObject {
   /// Stops what runs and waits for it.
   ~EvaluationRunner() override;
 
-  /// Evaluates `design` as soon as possible. A running evaluation is stopped at once, or, if `live` (a slider
-  /// is being dragged), allowed to finish if it takes about as long as the last one, so that the picture
-  /// follows the hand.
+  /// Evaluates `design` as soon as possible. A running evaluation is stopped at once. If `live` (a hand moves
+  /// something), a sketch of it comes first where one can be drawn, and the evaluation only once the hand
+  /// rests; where none can, a running evaluation may finish if it takes about as long as the last one, so
+  /// that the picture follows the hand.
   void evaluate(const std::shared_ptr<const Design>& design, bool live = false);
   /// Runs `task` on the newest result after the evaluations asked for so far; without one it is refused,
   /// unless it needs none. `done` is called on the interface thread.
   enum class Needs { result, nothing };
   void submit(const QString& name, Task task, std::function<void(const Result<void>&)> done,
               Needs needs = Needs::result);
+  /// Seeks how far something may be moved from the newest result, while nothing else is to be done: `at`
+  /// makes the design that is moved by so much, `farthest` at most. What was sought before is forgotten.
+  void seekReach(std::function<Design(double)> at, double farthest);
+  void endReach();
+  /// What was found of it so far; empty where nothing was.
+  const std::optional<pipeline::Reach>& reach() const { return reach_; }
   /// Stops whatever runs and forgets what waits.
   void cancel();
   /// Forgets the results (another design was opened).
@@ -61,6 +70,8 @@ class EvaluationRunner : public QObject {
   const std::shared_ptr<const pipeline::Evaluation>& lastComplete() const { return lastComplete_; }
   /// Why the newest evaluation stopped short; empty if it did not.
   const std::optional<Error>& error() const { return error_; }
+  /// What follows the hand until the evaluation of its design is there; null while none does.
+  const std::shared_ptr<const pipeline::Sketch>& sketch() const { return sketch_; }
   /// The design that `evaluation()` or `error()` belongs to; null before the first.
   const std::shared_ptr<const Design>& evaluatedDesign() const { return evaluatedDesign_; }
 
@@ -71,6 +82,10 @@ class EvaluationRunner : public QObject {
   void progressed(double fraction, const QString& step);
   /// A newer result (or error) stands in evaluation() and error().
   void finished();
+  /// A newer sketch stands in sketch().
+  void sketched();
+  /// More of the reach that is sought stands in reach().
+  void reached();
   /// The user stopped the work; the newest design has no result.
   void cancelled();
 
@@ -82,6 +97,7 @@ class EvaluationRunner : public QObject {
     std::function<void(const Result<void>&)> done;
     QString name;
     Needs needs = Needs::result;
+    bool live = false;
   };
 
   void work(const std::stop_token& stop);
@@ -89,6 +105,12 @@ class EvaluationRunner : public QObject {
   /// it out again.
   void thinkAgain(const std::shared_ptr<const pipeline::Evaluation>& first, const std::stop_token& stop,
                   const std::stop_token& end);
+  /// Draws a sketch of a live order and waits for the hand to rest. True where a newer design came meanwhile,
+  /// so that this one need not be evaluated.
+  bool drawSketch(const Order& order, const RunContext& context, const std::stop_token& end);
+  /// One more look at the reach that is sought; false where there is nothing to look for.
+  bool lookFarther(const std::stop_token& end);
+  void takeSketch(std::uint64_t number, std::shared_ptr<const pipeline::Sketch> sketch);
   void takeMore(const std::shared_ptr<const pipeline::Evaluation>& before,
                 const std::shared_ptr<const pipeline::Evaluation>& more);
   void deliver(const Order& order, std::shared_ptr<const pipeline::Evaluation> evaluation,
@@ -104,9 +126,19 @@ class EvaluationRunner : public QObject {
   std::deque<Order> waiting_;
   std::stop_source running_{std::nostopstate};
   bool runningIsEvaluation_ = false;
+  bool sketches_ = false;                                 // the worker may draw sketches
   bool secondThoughts_ = false;                           // what runs adds to a result that is there
   std::shared_ptr<const pipeline::Evaluation> previous_;  // with earlier stages, to be used again
   std::shared_ptr<const pipeline::Evaluation> newest_;    // as it came out
+
+  std::uint64_t reachNumber_ = 0;  // counts what was sought
+  std::function<Design(double)> reachAt_;
+  double reachFarthest_ = 0;
+
+  // Of the worker.
+  std::optional<pipeline::Sketcher> sketcher_;  // from the newest result
+  std::optional<pipeline::ReachSearch> search_;
+  std::uint64_t searched_ = 0;  // the number of that
 
   // Of the interface thread.
   std::uint64_t lastNumber_ = 0, firstWanted_ = 0;
@@ -116,6 +148,8 @@ class EvaluationRunner : public QObject {
   double lastSeconds_ = 0;  ///< that the newest result took
   QString step_;
   std::shared_ptr<const pipeline::Evaluation> evaluation_, lastComplete_;
+  std::shared_ptr<const pipeline::Sketch> sketch_;
+  std::optional<pipeline::Reach> reach_;
   std::shared_ptr<const Design> evaluatedDesign_;
   std::optional<Error> error_;
   QTimer patience_;

@@ -10,6 +10,7 @@
 #include "bw/core/base/finding.h"
 #include "bw/core/base/result.h"
 #include "bw/core/base/run_context.h"
+#include "bw/core/heavy/heavy_blade.h"
 #include "bw/core/surface/mesh.h"
 #include "bw/core/sweep/entry_exit.h"
 #include "bw/core/sweep/row_motion.h"
@@ -23,6 +24,7 @@ struct OtherRest {
   double energy = 0;    ///< N mm, of bending and weight; the height of the left grip counts as none
   double distance = 0;  ///< mm, the farthest that it lies from the shape of the row
   std::vector<Eigen::Vector2d> places = {};  ///< at equal arc length, in the plane of the station's frame
+  std::optional<HeavyBlade> blade = {};      ///< it, always known
 };
 
 /// How sure it is that the blade takes the shape of its station.

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+
+#include "bw/pipeline/sketch.h"
+
+namespace bw::pipeline {
+
+/// What bars a design from being cut, as far as a sketch of it tells: the first of these.
+enum class Bar {
+  none,
+  noBlade,   ///< no blade can be laid on it: none is long enough, or none is found
+  tooTight,  ///< a blade bends sharper than it may
+  crosses,   ///< a blade crosses itself, or its grips lie the wrong way round
+  lost,      ///< nothing keeps a blade in its shape, or it is not known what does
+  tooFar     ///< a blade lies farther from the surface than the tolerance
+};
+Bar barOf(const Sketch& sketch);
+
+/// How far something of a design may be moved, both ways.
+struct Reach {
+  struct End {
+    double free = 0;      ///< so far it may, as far as was looked
+    Bar bar = Bar::none;  ///< what bars it beyond; none where nothing was found to
+    bool operator==(const End&) const = default;
+  };
+  std::array<End, 2> ends = {};  ///< below and above 0
+  Bar now = Bar::none;           ///< what bars it where it is; then nothing is known of both ends
+  bool operator==(const Reach&) const = default;
+};
+
+/// Seeks how far something of a design may be moved, look by look, from where it is: ever farther, until it
+/// is barred, and back to within `kWithin` of the border.
+class ReachSearch {
+ public:
+  static constexpr double kFirst = 4, kWithin = 0.5;
+
+  /// `at` makes the design that is moved by so much, in the unit of `farthest` (mm), beyond which nobody
+  /// looks.
+  ReachSearch(const std::shared_ptr<const Evaluation>& from, std::function<Design(double)> at,
+              double farthest);
+
+  /// One more look each way, two sketches; false where there is nothing left to be found. What is free and
+  /// barred between two looks is not seen.
+  bool look(const RunContext& context);
+  const Reach& reach() const { return reach_; }
+
+ private:
+  struct Side {
+    Sketcher sketcher;
+    double barred = 0;  ///< from here on, where it is known
+    bool done = false;
+  };
+  /// What bars the design that is moved by so much.
+  Bar barAt(Side& side, double by, const RunContext& context) const;
+
+  std::function<Design(double)> at_;
+  double farthest_;
+  std::array<Side, 2> sides_;
+  Reach reach_;
+  bool began_ = false;
+};
+
+}  // namespace bw::pipeline

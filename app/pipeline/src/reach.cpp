@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "bw/pipeline/reach.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace bw::pipeline {
+
+Bar barOf(const Sketch& sketch) {
+  Bar worst = Bar::none;
+  const auto meet = [&worst](bool met, Bar bar) {
+    if (met && (worst == Bar::none || bar < worst)) worst = bar;
+  };
+  for (const std::vector<CutSketch>& block : sketch.blocks)
+    for (const CutSketch& cut : block) {
+      const RowSketch& look = *cut.look;
+      meet(look.minRadius > 0 && look.minRadius < cut.sweep->request.blade.minRadius(), Bar::tooTight);
+      meet(std::ranges::find(look.crosses, 1) != look.crosses.end(), Bar::crosses);
+      meet(std::ranges::any_of(look.rest,
+                               [](Rest rest) { return rest == Rest::lost || rest == Rest::unknown; }),
+           Bar::lost);
+      meet(look.deviationMax > sketch.design.process.tolerance, Bar::tooFar);
+    }
+  return worst;
+}
+
+ReachSearch::ReachSearch(const std::shared_ptr<const Evaluation>& from, std::function<Design(double)> at,
+                         double farthest)
+    : at_(std::move(at)), farthest_(farthest), sides_{Side{Sketcher(from)}, Side{Sketcher(from)}} {}
+
+Bar ReachSearch::barAt(Side& side, double by, const RunContext& context) const {
+  const std::optional<Sketch> sketch = side.sketcher.draw(at_(by), context);
+  return sketch ? barOf(*sketch) : Bar::noBlade;
+}
+
+bool ReachSearch::look(const RunContext& context) {
+  if (!std::exchange(began_, true)) {
+    reach_.now = barAt(sides_[1], 0, context);
+    if (context.stopped()) began_ = false;
+    return reach_.now == Bar::none;
+  }
+  if (reach_.now != Bar::none) return false;
+  for (std::size_t i = 0; i < sides_.size(); ++i) {
+    Side& side = sides_[i];
+    Reach::End& end = reach_.ends[i];
+    if (side.done) continue;
+    const double sign = i == 0 ? -1 : 1, free = std::abs(end.free);
+    const bool known = end.bar != Bar::none;
+    const double next =
+        known ? 0.5 * (free + side.barred) : std::min(farthest_, free == 0 ? kFirst : 2 * free);
+    const Bar bar = barAt(side, sign * next, context);
+    if (context.stopped()) return true;
+    if (bar == Bar::none) {
+      end.free = sign * next;
+    } else {
+      end.bar = bar;
+      side.barred = next;
+    }
+    side.done = end.bar != Bar::none ? side.barred - std::abs(end.free) <= kWithin : next >= farthest_;
+  }
+  return !sides_[0].done || !sides_[1].done;
+}
+
+}  // namespace bw::pipeline

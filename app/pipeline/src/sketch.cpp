@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "bw/pipeline/sketch.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "bw/core/shape/iso_sections.h"
+
+namespace bw::pipeline {
+
+namespace {
+
+constexpr int kMeshed = 33;  // places of a surface to be seen, each way and at least
+constexpr int kMeshedSpan = 3;
+
+/// The triangles of a spline, for display.
+TriangleMesh meshOf(const SplineSurface& surface) {
+  SurfaceGrid grid;
+  grid.columns = std::max(kMeshed, kMeshedSpan * (surface.polesU - surface.degreeU) + 1);
+  grid.rows = std::max(kMeshed, kMeshedSpan * (surface.polesV - surface.degreeV) + 1);
+  const auto at = [](const std::vector<double>& knots, int i, int count) {
+    return std::lerp(knots.front(), knots.back(), double(i) / (count - 1));
+  };
+  grid.points.reserve(std::size_t(grid.rows) * std::size_t(grid.columns));
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column)
+      grid.points.push_back(
+          surface.value(at(surface.knotsU, column, grid.columns), at(surface.knotsV, row, grid.rows)));
+  return grid.triangles();
+}
+
+}  // namespace
+
+const CutSketch* Sketch::find(const std::string& id) const {
+  for (const std::vector<CutSketch>& block : blocks)
+    for (const CutSketch& cut : block)
+      if (cut.id == id) return &cut;
+  return nullptr;
+}
+
+Sketcher::Sketcher(std::shared_ptr<const Evaluation> from) : from_(std::move(from)) {
+  surface_ = from_->design.source().surface;
+  for (const BlockEvaluation& block : from_->blocks)
+    for (const CutEvaluation& cut : block.cuts) {
+      Row& row = rows_.emplace_back();
+      row.target = cut.target.value;
+      row.mesh = cut.targetMesh.value;
+      row.sections = cut.sections.value;
+      row.planes = cut.sections.request;
+    }
+  if (!surface_) return;
+  if (const Result<SplineSurface> spline = splineOf(*surface_)) spline_ = *spline;
+}
+
+/// Takes the surface of a design; false where it has none that can be told.
+bool Sketcher::takeSurface(const Design& design) {
+  const std::optional<DesignedSurface>& surface = design.source().surface;
+  moved_ = surface != surface_;
+  if (!moved_) return true;
+  const Result<SplineSurface> spline = splineOf(*surface);
+  if (!spline) return false;
+  const Result<geometry::CadModel> model = geometry::CadModel::of(*spline, "the designed surface");
+  if (!model) return false;
+  surface_ = surface;
+  before_ = std::exchange(spline_, *spline);
+  model_ = *model;
+  return true;
+}
+
+std::optional<Sketch> Sketcher::draw(const Design& design, const RunContext& context) {
+  const auto start = std::chrono::steady_clock::now();
+  const Design& known = from_->design;
+  const Source &is = design.source(), &was = known.source();
+  const bool sameFile =
+      is.path == was.path && is.bytes == was.bytes && design.readOptions(is) == known.readOptions(was);
+  if (is.surface.has_value() != was.surface.has_value() || (!is.surface && !sameFile)) return {};
+  if (design.stock.size() != known.stock.size() || design.cuts.size() != known.cuts.size()) return {};
+  if (design.blade.autoLength) return {};
+  if (!takeSurface(design)) return {};
+  Sketch sketch{design, {}};
+  std::size_t index = 0;
+  for (std::size_t b = 0; b < from_->blocks.size(); ++b) {
+    if (design.stock[b].id != from_->blocks[b].id) return {};
+    std::optional<BlockPlacement> placement = design.stock[b].placement;
+    std::vector<CutSketch>& cuts = sketch.blocks.emplace_back();
+    for (const CutEvaluation& cut : from_->blocks[b].cuts) {
+      std::optional<CutSketch> drawn = draw(design, index++, cut, placement, context);
+      if (!drawn) return {};
+      if (!placement) placement = placementOf(drawn->setup->block);
+      cuts.push_back(std::move(*drawn));
+    }
+  }
+  sketch.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return sketch;
+}
+
+std::optional<CutSketch> Sketcher::draw(const Design& design, std::size_t index, const CutEvaluation& cut,
+                                        const std::optional<BlockPlacement>& placement,
+                                        const RunContext& context) {
+  Row& row = rows_[index];
+  const auto asked = std::ranges::find(design.cuts, cut.id, &Cut::id);
+  if (asked == design.cuts.end() || asked->face != cut.target.request || !cut.result()) return {};
+  if (moved_) {
+    const Result<geometry::Target> target = geometry::Target::make(*model_, asked->face);
+    if (!target) return {};
+    row.target = std::make_shared<const geometry::Target>(*target);
+    row.mesh = std::make_shared<const TriangleMesh>(meshOf(*spline_));
+  }
+
+  Findings unsaid;
+  PlanesRequest planes{{}, asked->sections};
+  const Result<geometry::Setup> setup =
+      geometry::resolveSetup(*row.target, {placement, asked->direction}, unsaid);
+  if (!setup) return {};
+  planes.setup = *setup;
+  if (!asked->direction)
+    planes.setup.planes = PlaneFamily::across(setup->block, row.planes.setup.planes.direction());
+  if (planes.sections.byTolerance()) planes.sections.stations = cut.sections.request.sections.stations;
+  if (moved_ || planes != row.planes) {
+    std::optional<std::vector<Section>> sections;
+    if (planes == row.planes && before_ && spline_)
+      sections = isoSections(*spline_, *before_, *row.sections, planes.setup.block);
+    if (!sections) {
+      Result<std::vector<Section>> traced =
+          geometry::cutSections(*row.target, planes.setup, planes.sections, context, unsaid);
+      if (!traced) return {};
+      sections = std::move(*traced);
+    }
+    row.sections = std::make_shared<const std::vector<Section>>(std::move(*sections));
+    row.planes = planes;
+  }
+
+  const FitRequest fit = fitRequest(design);
+  if (!row.live) {
+    row.live = LiveRow::of(*cut.sweep.value, context);
+    if (row.live) row.sketcher.emplace(*cut.sweep.value, *cut.certainty.value, *cut.rest.value);
+  }
+  const bool follows = row.live && row.live->sweep().request == fit &&
+                       row.live->follow(*row.sections, planes.setup.block, planes.setup.planes, context);
+  std::shared_ptr<const Sweep> sweep;
+  if (follows) {
+    sweep = std::make_shared<const Sweep>(row.live->sweep());
+  } else {
+    row.live.reset();
+    if (context.stopped()) return {};
+    Result<Sweep> anew =
+        buildSweep(*row.sections, fit, planes.setup.block, planes.setup.planes, context, unsaid);
+    if (!anew) return {};
+    sweep = std::make_shared<const Sweep>(std::move(*anew));
+    row.live = LiveRow::of(*sweep, context);
+    row.sketcher.emplace(*sweep);
+  }
+  Result<RowSketch> look = row.sketcher->look(*sweep, checkRequest(design), *row.target->sampler(), context);
+  if (!look) return {};
+  return CutSketch{cut.id, row.mesh, std::make_shared<const geometry::Setup>(planes.setup), std::move(sweep),
+                   std::make_shared<const RowSketch>(std::move(*look))};
+}
+
+}  // namespace bw::pipeline

@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// What follows a hand: sketches beside evaluations of the same designs.
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include "bw/core/shape/iso_sections.h"
+#include "bw/model/evaluation_runner.h"
+#include "bw/pipeline/example_design.h"
+#include "bw/pipeline/sketch.h"
+
+namespace bw::pipeline {
+namespace {
+
+constexpr int kPatience = 60000;  // ms
+
+Design designed(const char* name) {
+  Design design = exampleDesign(name).value();
+  design.output.programs.clear();
+  return design;
+}
+
+Design pulled(double up) {
+  Design design = designed("bump");
+  design.bindings.clear();
+  std::get<PolesSurface>(design.source().surface->shape).at(2, 1).height += up;
+  return design;
+}
+
+std::shared_ptr<const Evaluation> evaluated(const Design& design) {
+  Outcome outcome = evaluate(design, nullptr, {});
+  EXPECT_FALSE(outcome.error) << outcome.error->message;
+  return std::make_shared<const Evaluation>(std::move(outcome.evaluation));
+}
+
+TEST(Sketch, SaysOfTheStationsWhatTheEvaluationSays) {
+  Sketcher sketcher(evaluated(pulled(0)));
+  for (const double up : {2.0, 5.0, 9.0, 14.0, 8.0, -3.0}) {
+    const std::optional<Sketch> sketch = sketcher.draw(pulled(up), {});
+    ASSERT_TRUE(sketch) << up;
+    const CutSketch& cut = sketch->blocks[0][0];
+    const std::shared_ptr<const Evaluation> anew = evaluated(pulled(up));
+    const CutResult result = *anew->result();
+    ASSERT_EQ(cut.sweep->poses.size(), result.size());
+    EXPECT_LT(cut.look->deviationMax, result.analysis.summary.deviationMax + 0.02) << up;
+    EXPECT_NEAR(cut.look->minRadius, result.analysis.summary.minRadius,
+                0.05 * result.analysis.summary.minRadius);
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      EXPECT_NEAR(cut.look->deviation[i], result.station(i).deviation, 0.05) << up << " " << i;
+      EXPECT_EQ(cut.look->rest[i], result.rest.stations[i]) << up << " " << i;
+      EXPECT_EQ(cut.sweep->poses[i].travel, result.sweep.poses[i].travel);
+      EXPECT_NEAR((cut.sweep->poses[i].cutPoints(3)[1] - result.sweep.poses[i].cutPoints(3)[1]).norm(), 0,
+                  0.3);
+    }
+  }
+}
+
+TEST(Sketch, SectionsOfASplineAreThoseThatAreTraced) {
+  for (const char* name : {"single-block", "ripple-along", "twist", "bump"}) {
+    const Design design = designed(name);
+    const SplineSurface spline = splineOf(*design.source().surface).value();
+    const geometry::CadModel model = geometry::CadModel::of(spline, name).value();
+    const geometry::Target target = geometry::Target::make(model, {}).value();
+    Findings findings;
+    const geometry::Setup setup =
+        geometry::resolveSetup(target, {design.block().placement, design.cut().direction}, findings).value();
+    SectionRequest request;
+    request.stations = 33;
+    const std::vector<Section> traced = geometry::cutSections(target, setup, request, {}, findings).value();
+    const auto sections = isoSections(spline, spline, traced, setup.block);
+    ASSERT_TRUE(sections) << name;
+    ASSERT_EQ(sections->size(), traced.size());
+    for (std::size_t i = 0; i < traced.size(); ++i) {
+      const std::vector<Eigen::Vector2d> a = (*sections)[i].curve().sample(50),
+                                         b = traced[i].curve().sample(50);
+      for (std::size_t k = 0; k < a.size(); ++k)
+        EXPECT_LT((a[k] - b[k]).norm(), 0.005) << name << i << " " << k;
+    }
+    // Poles moved along the travel are none of it, nor those beyond the block.
+    SplineSurface moved = spline;
+    moved.poles[std::size_t(moved.polesU) + 1].y() += 5;
+    EXPECT_FALSE(isoSections(moved, moved, traced, setup.block));
+    moved = spline;
+    moved.poles.front().z() += 1000;
+    EXPECT_FALSE(isoSections(moved, spline, traced, setup.block));
+    moved = spline;
+    for (Eigen::Vector3d& pole : moved.poles) pole.y() *= 0.9;
+    EXPECT_FALSE(isoSections(moved, spline, traced, setup.block));
+  }
+}
+
+TEST(Sketch, GoesOnWhereMoreThanTheSurfaceChanges) {
+  const Design design = designed("bump");
+  Sketcher sketcher(evaluated(design));
+  Design other = design;
+  other.blade.length += 20;
+  std::optional<Sketch> sketch = sketcher.draw(other, {});
+  ASSERT_TRUE(sketch);
+  EXPECT_EQ(sketch->blocks[0][0].sweep->request.blade.length, design.blade.length + 20);
+  other.cut().sections.stations = 21;
+  sketch = sketcher.draw(other, {});
+  ASSERT_TRUE(sketch);
+  EXPECT_EQ(sketch->blocks[0][0].look->rest.size(), 21u);
+  EXPECT_EQ(sketch->blocks[0][0].look->rest[10], Rest::unknown) << "nobody sought other shapes of this blade";
+  // The same again, from what was there.
+  sketch = sketcher.draw(other, {});
+  ASSERT_TRUE(sketch);
+  // No blade reaches this surface.
+  other.blade.length = 200;
+  EXPECT_FALSE(sketcher.draw(other, {}));
+  // And what it comes back to is known.
+  sketch = sketcher.draw(design, {});
+  ASSERT_TRUE(sketch);
+  EXPECT_LT(sketch->blocks[0][0].look->deviationMax, 0.2);
+  Design many = design;
+  many.cuts.clear();
+  EXPECT_FALSE(sketcher.draw(many, {}));
+}
+
+TEST(Sketch, TellsWhatIsLost) {
+  const Design design = designed("bump");
+  Sketcher sketcher(evaluated(design));
+  Design strict = design;
+  bool lost = false;
+  for (double up = 0; up <= 240 && !lost; up += 20) {
+    std::get<PolesSurface>(strict.source().surface->shape).at(2, 1).height += 20;
+    std::get<PolesSurface>(strict.source().surface->shape).at(3, 2).height -= 20;
+    const std::optional<Sketch> sketch = sketcher.draw(strict, {});
+    if (!sketch) break;
+    const RowSketch& look = *sketch->blocks[0][0].look;
+    const double limit = design.blade.minRadius();
+    lost = std::ranges::any_of(look.rest,
+                               [](Rest rest) { return rest != Rest::certain && rest != Rest::held; }) ||
+           look.minRadius < limit || look.deviationMax > design.process.tolerance;
+  }
+  EXPECT_TRUE(lost) << "a surface that folds by 240 mm is shown as one that can be cut";
+}
+
+TEST(Sketch, ComesBeforeTheEvaluationOfADrag) {
+  model::EvaluationRunner runner;
+  QSignalSpy finished(&runner, &model::EvaluationRunner::finished),
+      sketched(&runner, &model::EvaluationRunner::sketched);
+  const auto order = [&](double up, bool live) {
+    runner.evaluate(std::make_shared<const Design>(pulled(up)), live);
+  };
+  order(0, false);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !runner.busy(); }, kPatience));
+  EXPECT_EQ(finished.count(), 1);
+  EXPECT_FALSE(runner.sketch());
+  for (int step = 1; step <= 5; ++step) {
+    order(step, true);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return sketched.count() == step; }, kPatience));
+    ASSERT_TRUE(runner.sketch());
+    EXPECT_EQ(runner.sketch()->design, pulled(step));
+    EXPECT_EQ(finished.count(), 1) << "while the hand moves nothing else is computed";
+  }
+  // It rests: all of it follows, in place of the sketch.
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !runner.busy(); }, kPatience));
+  EXPECT_EQ(finished.count(), 2);
+  EXPECT_FALSE(runner.sketch());
+  EXPECT_EQ(runner.evaluation()->design.source().surface, pulled(5).source().surface);
+  // A design that is not live does without; one that is, and is let go at once, too.
+  order(6, true);
+  order(7, false);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !runner.busy(); }, kPatience));
+  EXPECT_FALSE(runner.sketch());
+  EXPECT_EQ(runner.evaluation()->design.source().surface, pulled(7).source().surface);
+  runner.clear();
+  EXPECT_FALSE(runner.sketch());
+}
+
+}  // namespace
+}  // namespace bw::pipeline

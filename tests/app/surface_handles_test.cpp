@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// A designed surface in the hand: its poles are pulled with the mouse in the 3D view.
+
+#include "window/surface_handles.h"
+#include "window_fixture.h"
+
+namespace bw::app {
+namespace {
+
+class SurfaceHandlesTest : public WindowTest {
+ protected:
+  void open(const QString& name) {
+    ASSERT_TRUE(window().openExample(name));
+    ASSERT_TRUE(settle());
+    ASSERT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view().resting(); }, kPatience));
+  }
+  view::SceneView& view() { return window().sceneView(); }
+  const scene::Handles& handles() { return view().sceneStyle().handles; }
+  QPoint at(int handle) { return view().toWidget(handles().points[std::size_t(handle)]).toPoint(); }
+  double height(int row, int column) {
+    return std::get<PolesSurface>(bench().design().source().surface->shape).at(row, column).height;
+  }
+  /// Waits until what follows the hand is the design of now.
+  bool followed() {
+    return QTest::qWaitFor([&] { return bench().sketch() && bench().sketch()->design == bench().design(); },
+                           kPatience);
+  }
+
+  static constexpr int kPole = 2 * 4 + 1;  // pole 2 of row 3
+};
+
+TEST_F(SurfaceHandlesTest, APoleThatIsPulledTakesSurfaceBladesAndNumbersWithIt) {
+  open("single-block");
+  ASSERT_EQ(handles().points.size(), 24u);
+  const double before = height(2, 1);
+  const QPoint from = at(kPole);
+  QTest::mouseMove(&view(), from);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return handles().lit == kPole; }, kPatience)) << handles().lit;
+  picture("handle-hovered");
+  QTest::mousePress(&view(), Qt::LeftButton, {}, from);
+  for (int i = 1; i <= 10; ++i) {
+    QTest::mouseMove(&view(), from - QPoint(0, 3 * i));
+    QTest::qWait(5);
+  }
+  EXPECT_GT(height(2, 1), before + 5);
+  EXPECT_EQ(height(2, 1), std::round(height(2, 1))) << "whole mm";
+  ASSERT_TRUE(followed());
+  EXPECT_FALSE(bench().stale());
+  EXPECT_NE(bench().row(), nullptr);
+  // What is drawn is the sketch: its surface, its blades.
+  const auto* cut = view().content().first<scene::CutSurface>();
+  ASSERT_TRUE(cut && bench().sketchedCut());
+  EXPECT_EQ(cut->grid.points, bench().sketchedCut()->look->cut.points);
+  // The hand rests: all of it is there, and how far it may go on.
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().current());
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return handles().way && (handles().way->endsAtFrom || handles().way->endsAtTo); }, kPatience));
+  picture("handle-pulled");
+  QTest::mouseRelease(&view(), Qt::LeftButton, {}, from - QPoint(0, 30));
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().current());
+  EXPECT_FALSE(bench().sketch());
+  EXPECT_EQ(view().content().first<scene::CutSurface>()->grid.points, bench().sweep()->analysis.cut.points);
+  picture("handle-released");
+  // One step back for the whole pull.
+  bench().document().undoStack().undo();
+  EXPECT_EQ(height(2, 1), before);
+  EXPECT_FALSE(bench().document().undoStack().canUndo());
+}
+
+TEST_F(SurfaceHandlesTest, AHandleStopsWhereItsBladesEndAndSaysWhy) {
+  open("single-block");
+  const QPoint from = at(kPole);
+  QTest::mousePress(&view(), Qt::LeftButton, {}, from);
+  const auto& reach = bench().runner().reach();
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return reach && reach->ends[1].bar != pipeline::Bar::none && reach->ends[0].free < -10; },
+      kPatience));
+  // Far beyond what any blade can do.
+  QTest::mouseMove(&view(), from - QPoint(0, 200));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return handles().stopped; }, kPatience));
+  QTest::qWait(600);  // the border is found ever more closely
+  picture("handle-stopped");
+  EXPECT_NE(handles().text.find("Goes no farther"), std::string::npos) << handles().text;
+  QTest::mouseRelease(&view(), Qt::LeftButton, {}, from - QPoint(0, 200));
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(bench().sweep());
+  // What it stopped at can be cut.
+  for (const Rest rest : bench().sweep()->rest.stations)
+    EXPECT_NE(rest, Rest::lost);
+  EXPECT_LE(bench().sweep()->analysis.summary.deviationMax, bench().design().process.tolerance);
+  EXPECT_GE(bench().sweep()->analysis.summary.minRadius, bench().design().blade.minRadius());
+}
+
+TEST_F(SurfaceHandlesTest, EscapeGivesAPullUp) {
+  open("single-block");
+  const Design before = bench().design();
+  const QPoint from = at(kPole);
+  QTest::mousePress(&view(), Qt::LeftButton, {}, from);
+  QTest::mouseMove(&view(), from - QPoint(0, 40));
+  EXPECT_NE(bench().design(), before);
+  QTest::keyClick(&view(), Qt::Key_Escape);
+  EXPECT_EQ(bench().design(), before);
+  EXPECT_FALSE(view().holding());
+  // The hand may go on: nothing hangs on it.
+  QTest::mouseMove(&view(), from - QPoint(0, 80));
+  QTest::mouseRelease(&view(), Qt::LeftButton, {}, from - QPoint(0, 80));
+  EXPECT_EQ(bench().design(), before);
+  EXPECT_FALSE(bench().document().undoStack().canUndo());
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().current());
+  const auto* cut = view().content().first<scene::CutSurface>();
+  ASSERT_TRUE(cut && bench().sweep());
+  EXPECT_EQ(cut->grid.points, bench().sweep()->analysis.cut.points) << "no sketch stays behind";
+}
+
+TEST_F(SurfaceHandlesTest, SeveralPolesMoveTogetherFineAndCoarse) {
+  open("single-block");
+  const double a = height(2, 1), b = height(3, 2);
+  const int other = 3 * 4 + 2;
+  QTest::mouseClick(&view(), Qt::LeftButton, {}, at(kPole));
+  QTest::mousePress(&view(), Qt::LeftButton, Qt::ShiftModifier, at(other));
+  const QPoint from = at(other);
+  QTest::mouseMove(&view(), from);
+  QMouseEvent coarse(QEvent::MouseMove, from - QPoint(0, 25), view().mapToGlobal(from - QPoint(0, 25)),
+                     Qt::NoButton, Qt::LeftButton, Qt::ShiftModifier);
+  QApplication::sendEvent(&view(), &coarse);
+  EXPECT_GT(height(3, 2), b);
+  EXPECT_NEAR(std::remainder(height(3, 2), 10), 0, 1e-9);
+  EXPECT_NEAR(height(3, 2) - b, height(2, 1) - a, 1e-9) << "by as much";
+  QMouseEvent fine(QEvent::MouseMove, from - QPoint(0, 25), view().mapToGlobal(from - QPoint(0, 25)),
+                   Qt::NoButton, Qt::LeftButton, Qt::ControlModifier);
+  const double coarsely = height(3, 2) - b;
+  QApplication::sendEvent(&view(), &fine);
+  EXPECT_LT(height(3, 2) - b, 0.3 * coarsely);
+  QTest::mouseRelease(&view(), Qt::LeftButton, {}, from);
+  ASSERT_TRUE(settle());
+}
+
+TEST_F(SurfaceHandlesTest, AreThereForWhatIsDesignedOnly) {
+  window().openExample("saddle");
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(handles().points.empty());
+  EXPECT_FALSE(window().commands()["view.handles"]->isEnabled());
+  open("twist");
+  EXPECT_EQ(handles().points.empty(), !window().surfaceHandles().possible());
+  open("single-block");
+  window().commands()["view.handles"]->trigger();
+  EXPECT_TRUE(handles().points.empty());
+  // What was a handle turns the view again.
+  const Eigen::Vector3d eye = view().camera().position;
+  const Design before = bench().design();
+  const QPoint from = view().rect().center();
+  QTest::mousePress(&view(), Qt::LeftButton, {}, from);
+  QTest::mouseMove(&view(), from + QPoint(60, 20));
+  QTest::mouseRelease(&view(), Qt::LeftButton, {}, from + QPoint(60, 20));
+  EXPECT_NE(view().camera().position, eye);
+  EXPECT_EQ(bench().design(), before);
+}
+
+}  // namespace
+}  // namespace bw::app

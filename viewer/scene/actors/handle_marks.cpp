@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "scene/actors/handle_marks.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <sstream>
+
+#include "scene/render/text_wrap.h"
+#include "scene/theme.h"
+
+namespace bw::scene {
+
+namespace {
+
+// Device-independent pixels.
+constexpr double kDisc = 4.5, kLitDisc = 6.5, kRim = 1.5, kLine = 1, kWay = 2.5, kTick = 7, kReach = 10;
+constexpr double kPadding = 8, kTextLine = 17, kAway = 18, kMargin = 8;
+constexpr std::size_t kColumns = 44, kMostLines = 4;
+
+struct Spot {
+  Eigen::Vector2d pixel;
+  double depth = 0;
+  bool seen = false;
+};
+
+Spot spotOf(const Projection& view, const Eigen::Vector3d& point) {
+  if (!point.allFinite()) return {};
+  const Eigen::Vector3d pixel = view.toPixel(point);
+  return {pixel.head<2>(), pixel.z(), pixel.allFinite() && (view.parallel() || pixel.z() > 0)};
+}
+
+/// Lines far beyond the picture are cut off, so that the canvas takes only numbers of its size.
+bool near(const Spot& spot, int width, int height) {
+  return spot.seen && std::abs(spot.pixel.x()) < 20.0 * width && std::abs(spot.pixel.y()) < 20.0 * height;
+}
+
+void line(Canvas& canvas, const Eigen::Vector2d& a, const Eigen::Vector2d& b, double width, const Rgb& color,
+          double opacity = 1) {
+  const Eigen::Vector2d way = b - a;
+  if (!(way.norm() > 0)) return;
+  const Eigen::Vector2d side = 0.5 * width * Eigen::Vector2d(-way.y(), way.x()).normalized();
+  const Eigen::Vector2d p = a + side, q = b + side, r = b - side, s = a - side;
+  canvas.triangle(p.x(), p.y(), q.x(), q.y(), r.x(), r.y(), color, opacity);
+  canvas.triangle(p.x(), p.y(), r.x(), r.y(), s.x(), s.y(), color, opacity);
+}
+
+}  // namespace
+
+int handleAt(const Handles& handles, const Projection& view, double x, double y, double pixelRatio) {
+  int best = -1;
+  double depth = 0;
+  for (std::size_t i = 0; i < handles.points.size(); ++i) {
+    const Spot spot = spotOf(view, handles.points[i]);
+    if (!spot.seen || (spot.pixel - Eigen::Vector2d(x, y)).norm() > kReach * pixelRatio) continue;
+    if (best >= 0 && spot.depth >= depth) continue;
+    best = int(i);
+    depth = spot.depth;
+  }
+  return best;
+}
+
+void HandleMarks::update(const Projection& view, int width, int height, const Style& style,
+                         const std::vector<PixelRect>& taken) {
+  canvas_.begin(height);
+  card_ = std::nullopt;
+  const Handles& handles = style.handles;
+  const Theme& colors = theme(style.dark);
+  const double px = style.pixelRatio;
+  std::vector<Spot> spots;
+  for (const Eigen::Vector3d& point : handles.points) spots.push_back(spotOf(view, point));
+  const auto there = [&](int i) {
+    return i >= 0 && std::size_t(i) < spots.size() && near(spots[std::size_t(i)], width, height);
+  };
+  for (const std::array<int, 2>& one : handles.lines)
+    if (there(one[0]) && there(one[1]))
+      line(canvas_, spots[std::size_t(one[0])].pixel, spots[std::size_t(one[1])].pixel, kLine * px,
+           colors.selection, 0.45);
+  if (handles.way) {
+    const HandleWay& way = *handles.way;
+    const Spot from = spotOf(view, way.from), to = spotOf(view, way.to);
+    if (near(from, width, height) && near(to, width, height)) {
+      line(canvas_, from.pixel, to.pixel, kWay * px, colors.selection);
+      // Where it ends for a reason.
+      const Eigen::Vector2d along = to.pixel - from.pixel;
+      if (along.norm() > 0) {
+        const Eigen::Vector2d across = kTick * px * Eigen::Vector2d(-along.y(), along.x()).normalized();
+        if (way.endsAtFrom) line(canvas_, from.pixel - across, from.pixel + across, kWay * px, colors.error);
+        if (way.endsAtTo) line(canvas_, to.pixel - across, to.pixel + across, kWay * px, colors.error);
+      }
+    }
+  }
+  const auto disc = [&](int i, const Rgb& color, double radius) {
+    if (!there(i)) return;
+    const Eigen::Vector2d& at = spots[std::size_t(i)].pixel;
+    canvas_.disc(at.x(), at.y(), (radius + kRim) * px, colors.panel);
+    canvas_.disc(at.x(), at.y(), radius * px, color);
+  };
+  for (int i = 0; i < int(spots.size()); ++i)
+    if (i != handles.lit) disc(i, colors.selection, kDisc);
+  for (const int chosen : handles.chosen)
+    if (chosen != handles.lit) disc(chosen, colors.accent, kDisc);
+  if (there(handles.lit)) {
+    disc(handles.lit, handles.stopped ? colors.error : colors.accent, kLitDisc);
+    std::vector<std::string> lines;
+    std::istringstream paragraphs(handles.text);
+    for (std::string paragraph; std::getline(paragraphs, paragraph);)
+      std::ranges::copy(wrapped(paragraph, kColumns, kMostLines), std::back_inserter(lines));
+    const TextLook look{12 * px, false, colors.text};
+    double textWidth = 0;
+    for (const std::string& text : lines) textWidth = std::max(textWidth, Canvas::textWidth(text, look));
+    const double w = std::ceil(textWidth) + 2 * kPadding * px,
+                 h = double(lines.size()) * kTextLine * px + (kPadding - 2) * px, away = kAway * px,
+                 margin = kMargin * px;
+    if (!handles.text.empty() && w + 2 * margin <= width && h + 2 * margin <= height) {
+      const Eigen::Vector2d& at = spots[std::size_t(handles.lit)].pixel;
+      PixelRect best{};
+      for (const double side : {1.0, -1.0}) {
+        const double left = side > 0 ? at.x() + away : at.x() - away - w;
+        best = {std::clamp(left, margin, width - margin - w),
+                std::clamp(at.y() - 0.5 * h, margin, height - margin - h), w, h};
+        if (std::ranges::none_of(taken, [&](const PixelRect& other) { return other.overlaps(best); })) break;
+      }
+      card_ = best;
+      const double hair = std::max(1.0, px);
+      canvas_.roundedRect({best.x - hair, best.y - hair, w + 2 * hair, h + 2 * hair}, 6 * px,
+                          handles.stopped ? colors.error : colors.selection);
+      canvas_.roundedRect(best, 5 * px, colors.panel);
+      for (std::size_t i = 0; i < lines.size(); ++i)
+        canvas_.text(lines[i], best.x + kPadding * px,
+                     best.y + (0.5 * (kPadding - 2) + kTextLine * (double(i) + 0.5)) * px, Align::left, look);
+    }
+  }
+  canvas_.end();
+}
+
+}  // namespace bw::scene
