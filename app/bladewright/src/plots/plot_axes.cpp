@@ -17,6 +17,7 @@ namespace {
 constexpr double kNearest = 1e-3;  ///< of the whole range: beyond, a line has no shape left to see
 constexpr double kTick = 3;        ///< pixels
 constexpr double kBetweenX = 64, kBetweenY = 26;  ///< pixels that a number wants at least
+constexpr double kGapX = 8;
 constexpr int kMostTicks = 60;
 
 }  // namespace
@@ -57,6 +58,15 @@ void paintBottomAxis(QPainter& painter, const QRectF& area, const AxisRange& ran
   const double unitWidth = metrics.horizontalAdvance(unit);
   painter.setPen(QPen(c.line, 1));
   painter.drawLine(area.bottomLeft(), area.bottomRight());
+  // Where numbers are wide, every second tick has one, every fifth or every tenth.
+  double widest = 0;
+  for (const double value : ticks.values)
+    widest = std::max(widest, double(metrics.horizontalAdvance(axisText(value, ticks.decimals))));
+  const double step = ticks.values.size() > 1 ? ticks.values[1] - ticks.values[0] : 1;
+  const double apart = area.width() * step / range.span();
+  int each = 1;
+  for (const int more : {2, 5, 10})
+    if (each * apart < widest + kGapX) each = more;
   for (const double value : ticks.values) {
     const double x = area.left() + area.width() * (value - range.low) / range.span();
     painter.setPen(QPen(c.line, 1, grid ? Qt::DotLine : Qt::SolidLine));
@@ -64,6 +74,7 @@ void paintBottomAxis(QPainter& painter, const QRectF& area, const AxisRange& ran
     const QString text = axisText(value, ticks.decimals);
     const double half = 0.5 * metrics.horizontalAdvance(text);
     // The last number makes room for the unit.
+    if (std::llround(value / step) % each != 0) continue;
     if (x + half > area.right() - unitWidth - 4) continue;
     painter.setPen(c.secondary);
     painter.drawText(QRectF(x - half - 2, area.bottom() + kTick, 2 * half + 4, metrics.height()),
