@@ -500,19 +500,52 @@ HeavyMarginSlope inLengths(const heavy::MarginSlope& slope, double length) {
 
 }  // namespace
 
+struct HeavySlopes::Work {
+  double length;
+  Equations equations;
+  std::optional<heavy::Changes> changes = std::nullopt;
+
+  const heavy::Changes& change() {
+    if (!changes) changes = heavy::changesOf(equations);
+    return *changes;
+  }
+};
+
+HeavySlopes::HeavySlopes(const HeavyBlade& blade)
+    : work_(std::make_unique<Work>(Work{blade.length(), equationsOf(blade)})) {}
+HeavySlopes::HeavySlopes(HeavySlopes&& other) noexcept = default;
+HeavySlopes& HeavySlopes::operator=(HeavySlopes&& other) noexcept = default;
+HeavySlopes::~HeavySlopes() = default;
+
+HeavyMarginSlope HeavySlopes::margin(double below) const {
+  return inLengths(heavy::marginSlopeOf(work_->equations, below,
+                                        [this]() -> const heavy::Changes& { return work_->change(); }),
+                   work_->length);
+}
+
+HeavyMarginSlope HeavySlopes::outOfPlane(double below, double torsionRatio) const {
+  return inLengths(heavy::outOfPlaneSlopeOf(work_->equations, torsionRatio, below,
+                                            [this]() -> const heavy::Changes& { return work_->change(); }),
+                   work_->length);
+}
+
 HeavyMarginSlope marginByGrips(const HeavyBlade& blade, double below) {
-  return inLengths(heavy::marginSlopeOf(equationsOf(blade), below), blade.length());
+  return HeavySlopes(blade).margin(below);
 }
 
 HeavyMarginSlope outOfPlaneByGrips(const HeavyBlade& blade, double below, double torsionRatio) {
-  return inLengths(heavy::outOfPlaneSlopeOf(equationsOf(blade), torsionRatio, below), blade.length());
+  return HeavySlopes(blade).outOfPlane(below, torsionRatio);
 }
 
 Result<HeavyDerivatives> derivativesByGrips(const HeavyBlade& blade, std::span<const double> s) {
-  const double length = blade.length();
-  const Equations equations = equationsOf(blade);
+  return HeavySlopes(blade).at(s);
+}
+
+Result<HeavyDerivatives> HeavySlopes::at(std::span<const double> s) const {
+  const double length = work_->length;
+  const Equations& equations = work_->equations;
   const heavy::Modes& modes = equations.modes();
-  const Eigen::MatrixXd moves = heavy::movesOf(equations);
+  const Eigen::MatrixXd moves = heavy::movesOf(equations, work_->change());
   if (!moves.allFinite())
     return fail(ErrorCode::noSolution, "The blade is about to snap: it does not follow its grips.", "blade");
   const Index nodes = modes.nodes.size(), places = Index(s.size());

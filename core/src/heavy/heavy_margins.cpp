@@ -42,6 +42,30 @@ double smallest(const Modes& modes, const MatrixXd& form, const MatrixXd& constr
   if (std::isfinite(below) &&
       Eigen::LLT<MatrixXd>(reducedForm - kUnit * below * squares).info() == Eigen::Success)
     return below;
+  if (std::isfinite(below) && function) {
+    // Mostly it lies a little below: Newton's method for it from there (Rayleigh quotients), and a
+    // factorisation that shows that no other one is smaller.
+    constexpr double kSettled = 1e-10, kSure = 1e-7;
+    constexpr int kSteps = 8;
+    VectorXd shape = VectorXd::LinSpaced(free, 2, 1);
+    double value = kUnit * below;
+    for (int i = 0; i < kSteps; ++i) {
+      shape = Eigen::PartialPivLU<MatrixXd>(reducedForm - value * squares).solve(squares * shape);
+      shape /= std::sqrt(shape.dot(squares * shape));
+      const double next = shape.dot(reducedForm * shape);
+      const bool settled = i > 1 && std::abs(next - value) <= kSettled * kUnit;
+      if (i > 0) value = next;
+      if (!shape.allFinite() || !std::isfinite(value)) break;
+      if (!settled) continue;
+      if (value >= kUnit * below ||
+          Eigen::LLT<MatrixXd>(reducedForm - (value - kSure * kUnit) * squares).info() != Eigen::Success)
+        break;
+      *function = VectorXd::Zero(modes.count());
+      function->tail(free) = shape;
+      function->applyOnTheLeft(qr.householderQ());
+      return value / kUnit;
+    }
+  }
   // 1/λ are the largest: they keep their digits, those of the stiff modes need none.
   const double shift = kUnit * 64;
   const MatrixXd stiff = reducedForm + shift * squares;
@@ -114,14 +138,6 @@ Margins marginsOf(const Equations& equations, double torsionRatio, double across
   return margins;
 }
 
-namespace {
-
-/// How an equilibrium changes with its grips, columns as those of `movesOf`.
-struct Changes {
-  MatrixXd turned;  ///< the angle at the nodes
-  MatrixXd bent;    ///< the curvature there
-  Eigen::Matrix<double, 2, 4> force;
-};
 Changes changesOf(const Equations& equations) {
   const Modes& modes = equations.modes();
   const Index n = modes.count(), nodes = modes.nodes.size();
@@ -142,12 +158,10 @@ Changes changesOf(const Equations& equations) {
   return {turned, bent, moved.bottomRows<2>()};
 }
 
-}  // namespace
-
-MatrixXd movesOf(const Equations& equations) {
+MatrixXd movesOf(const Equations& equations, const Changes& changes) {
   const Modes& modes = equations.modes();
   const Index nodes = modes.nodes.size();
-  const MatrixXd turned = changesOf(equations).turned;
+  const MatrixXd& turned = changes.turned;
   const Sampled& s = equations.sampled();
   MatrixXd result(3 * nodes, 4);
   result << -(modes.integral * (s.sine.matrix().asDiagonal() * turned)),
@@ -155,7 +169,8 @@ MatrixXd movesOf(const Equations& equations) {
   return result;
 }
 
-MarginSlope marginSlopeOf(const Equations& equations, double below) {
+MarginSlope marginSlopeOf(const Equations& equations, double below,
+                          const std::function<const Changes&()>& changesBy) {
   const Modes& modes = equations.modes();
   const MatrixXd form = equations.hessian();
   const Eigen::MatrixX2d closed = equations.closure();
@@ -165,7 +180,7 @@ MarginSlope marginSlopeOf(const Equations& equations, double below) {
   // φ·(form) φ − μ ∫ φ² is stationary where ∫ φ t' = 0: what holds it there are two multipliers.
   const VectorXd pull = form * function - 4 * kPi * kPi * slope.margin * (modes.squares * function);
   const Eigen::Vector2d multipliers = (closed.transpose() * closed).ldlt().solve(closed.transpose() * pull);
-  const Changes changes = changesOf(equations);
+  const Changes& changes = changesBy();
   const Sampled& s = equations.sampled();
   const ArrayXd phi = modes.values.transpose() * function;
   for (Index k = 0; k < 4; ++k) {
@@ -177,14 +192,15 @@ MarginSlope marginSlopeOf(const Equations& equations, double below) {
   return slope;
 }
 
-MarginSlope outOfPlaneSlopeOf(const Equations& equations, double torsionRatio, double below) {
+MarginSlope outOfPlaneSlopeOf(const Equations& equations, double torsionRatio, double below,
+                              const std::function<const Changes&()>& changesBy) {
   const Modes& modes = equations.modes();
   const auto [curvature, form, closed] = OutOfPlane(equations, torsionRatio);
   if (curvature.abs().maxCoeff() < kStraight) return {};
   VectorXd function;
   MarginSlope slope{smallest(modes, form, closed, below, &function)};
   if (function.size() == 0) return slope;
-  const Changes changes = changesOf(equations);
+  const Changes& changes = changesBy();
   const Sampled& s = equations.sampled();
   const ArrayXd phi = modes.values.transpose() * function, weights = modes.weights.array();
   const double twisted = (weights * curvature * phi).sum();
@@ -200,7 +216,7 @@ MarginSlope outOfPlaneSlopeOf(const Equations& equations, double torsionRatio, d
 }
 
 ClampedSensitivity sensitivityOf(const Equations& equations) {
-  const MatrixXd moves = movesOf(equations);
+  const MatrixXd moves = movesOf(equations, changesOf(equations));
   const Modes& modes = equations.modes();
   const Index nodes = modes.nodes.size();
   Eigen::Matrix4d positions = Eigen::Matrix4d::Zero();

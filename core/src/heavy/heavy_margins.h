@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
+
 #include "bw/core/elastica/elastica_bvp.h"
 #include "bw/core/elastica/elastica_stability.h"
 #include "heavy/heavy_equations.h"
@@ -18,20 +20,32 @@ struct Margins {
 /// plane under a load across it.
 Margins marginsOf(const Equations& equations, double torsionRatio, double across = 0);
 
+/// How an equilibrium changes with its grips, columns the end's x and y, then the angles of start and end.
+struct Changes {
+  Eigen::MatrixXd turned;  ///< the angle at the nodes
+  Eigen::MatrixXd bent;    ///< the curvature there
+  Eigen::Matrix<double, 2, 4> force;
+};
+/// Not finite at a fold.
+Changes changesOf(const Equations& equations);
+
 /// How the curve of an equilibrium at its nodes changes with its grips, in lengths and rad: rows x and y of
 /// all nodes, then the angles; columns the end's x and y, then the angles of start and end. The start's
-/// places follow, since a blade that is moved as a whole keeps its shape. Not finite at a fold.
-Eigen::MatrixXd movesOf(const Equations& equations);
+/// places follow, since a blade that is moved as a whole keeps its shape.
+Eigen::MatrixXd movesOf(const Equations& equations, const Changes& changes);
 
 /// A margin and its derivative, columns as those of `movesOf`.
 struct MarginSlope {
   double margin = 1;
   Eigen::RowVector4d byGrips = Eigen::RowVector4d::Zero();
 };
-/// The margin in the plane; the derivative where it is less than `below`, else 0.
-MarginSlope marginSlopeOf(const Equations& equations, double below);
+/// The margin in the plane; the derivative where it is less than `below`, else 0. `changes` are only asked
+/// for then.
+MarginSlope marginSlopeOf(const Equations& equations, double below,
+                          const std::function<const Changes&()>& changes);
 /// That of a round blade out of it.
-MarginSlope outOfPlaneSlopeOf(const Equations& equations, double torsionRatio, double below);
+MarginSlope outOfPlaneSlopeOf(const Equations& equations, double torsionRatio, double below,
+                              const std::function<const Changes&()>& changes);
 
 /// How far the curve moves with its grips: per length and per radian, in lengths.
 ClampedSensitivity sensitivityOf(const Equations& equations);

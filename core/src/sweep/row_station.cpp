@@ -226,10 +226,11 @@ bool Row::hangAt(Station& station, const Elastica& half) const {
   return true;
 }
 
-auto Row::marginAt(const Station& station, int which, double below) const -> Margin {
+auto Row::marginAt(const Station& station, int which, double below, const HeavySlopes* by) const -> Margin {
   if (station.branch) {
-    const HeavyBlade blade = station.branch->blade();
-    const HeavyMarginSlope slope = which == 0 ? marginByGrips(blade, below) : outOfPlaneByGrips(blade, below);
+    std::optional<HeavySlopes> own;
+    if (!by) by = &own.emplace(station.branch->blade());
+    const HeavyMarginSlope slope = which == 0 ? by->margin(below) : by->outOfPlane(below);
     return {slope.margin, slope.byGrips * station.byGrips};
   }
   const auto value = [&](const Station& one) {
@@ -362,6 +363,7 @@ void Row::look(Station& station, bool slopes) const {
   std::array<Eigen::Matrix<double, 2, 6>, kStationPlaces> byPlaces;
   std::array<Row6, 2> turns = {Row6::Zero(), Row6::Zero()}, slides = turns;
   if (!hangAt(station, *half)) return;
+  std::optional<HeavySlopes> by;
   if (station.branch) {
     const HeavyBlade blade = station.branch->blade();
     for (int k = 0; k <= kSteps; ++k) {
@@ -369,7 +371,8 @@ void Row::look(Station& station, bool slopes) const {
       if (k < kSteps) step(station, states);
     }
     if (slopes) {
-      const Result<HeavyDerivatives> moved = derivativesByGrips(blade, station.feet);
+      by.emplace(blade);
+      const Result<HeavyDerivatives> moved = by->at(station.feet);
       if (!moved) return;
       for (std::size_t k = 0; k < kStationPlaces; ++k)
         byPlaces[k] = moved->byGrips[k].topRows<2>() * station.byGrips;
@@ -432,7 +435,7 @@ void Row::look(Station& station, bool slopes) const {
   clear(station);
   if (demands()) demand(station, states, turns, slides);
   if (slopes) {
-    unsafe(station);
+    unsafe(station, by ? &*by : nullptr);
     station.slopesAt = numbers;
     station.unsafeAt = station.own.tail<kStationMargins>();
   } else {
@@ -442,12 +445,12 @@ void Row::look(Station& station, bool slopes) const {
   station.good = station.own.allFinite() && station.byOwn.allFinite() && station.byGrips.allFinite();
 }
 
-void Row::unsafe(Station& station) const {
+void Row::unsafe(Station& station, const HeavySlopes* by) const {
   station.own.tail<kStationMargins>().setZero();
   const double asked = sweep_.request.margin + kReserve;
   for (int i = 0; i < kStationMargins; ++i) {
     if (!station.watched[std::size_t(i)]) continue;
-    const Margin margin = marginAt(station, i, asked);
+    const Margin margin = marginAt(station, i, asked, by);
     if (margin.value >= asked) continue;
     const Eigen::Index row = kStationOwn - kStationMargins + i;
     const double weight = kUnsafe * sweep_.request.tolerance;

@@ -130,7 +130,8 @@ class Row {
     Row6 byNumbers = Row6::Zero();
   };
   /// One of the margins of the station's blade, as far as it is less than `below`, and how it changes there.
-  Margin marginAt(const Station& station, int which, double below) const;
+  /// `by`: what is known of its slopes, or null.
+  Margin marginAt(const Station& station, int which, double below, const HeavySlopes* by = nullptr) const;
   bool isRound() const { return sweep_.request.blade.section != Blade::Section::flat; }
 
   /// What both grips lack of the clearance, and how that changes with the numbers.
@@ -141,7 +142,7 @@ class Row {
               const std::array<Row6, 2>& slides) const;
 
   /// What the margins that are watched cost.
-  void unsafe(Station& station) const;
+  void unsafe(Station& station, const HeavySlopes* by) const;
 
   /// Moves each foot nearer to where the blade is nearest to its place of the section.
   void step(Station& station, std::span<const Elastica::State> states) const;

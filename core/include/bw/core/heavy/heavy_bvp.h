@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -162,5 +163,23 @@ HeavyMarginSlope marginByGrips(const HeavyBlade& blade,
 HeavyMarginSlope outOfPlaneByGrips(const HeavyBlade& blade,
                                    double below = std::numeric_limits<double>::infinity(),
                                    double torsionRatio = kRoundTorsionRatio);
+
+/// All of these of one blade, what they share found once.
+class HeavySlopes {
+ public:
+  explicit HeavySlopes(const HeavyBlade& blade);
+  HeavySlopes(HeavySlopes&& other) noexcept;
+  HeavySlopes& operator=(HeavySlopes&& other) noexcept;
+  ~HeavySlopes();
+
+  Result<HeavyDerivatives> at(std::span<const double> s) const;  ///< `derivativesByGrips`
+  HeavyMarginSlope margin(double below) const;                   ///< `marginByGrips`
+  HeavyMarginSlope outOfPlane(double below,
+                              double torsionRatio = kRoundTorsionRatio) const;  ///< `outOfPlaneByGrips`
+
+ private:
+  struct Work;
+  std::unique_ptr<Work> work_;  ///< null only after a move
+};
 
 }  // namespace bw
