@@ -100,7 +100,13 @@ void panelRow(benchmark::State& state) {
     if (!row) return state.SkipWithError(row.error().message.c_str());
   }
 }
-BENCHMARK(panelRow)->ArgName("length")->Arg(710)->Arg(800)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(panelRow)
+    ->ArgName("length")
+    ->Arg(710)
+    ->Arg(800)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
 
 /// A row that follows a hand which pulls its sections up and down by so many µm. Budget: 8 ms. `farther_um`:
 /// by how much it ends up farther from its sections than the row found anew; `aside_um`: how far its grips
@@ -136,6 +142,7 @@ BENCHMARK(panelRowFollows)
     ->ArgNames({"length", "um"})
     ->ArgsProduct({{710, 800}, {100, 1000, 5000}})
     ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
     ->UseRealTime();
 
 /// Budget: the new picture within 0.4 s of a change of the station count; this is its computing part.
@@ -258,7 +265,7 @@ void sketchOfPoleChange(benchmark::State& state) {
                                     anew.evaluation.result()->analysis.stationDeviation[i]);
   state.counters["farther_um"] = 1e3 * farther;
 }
-BENCHMARK(sketchOfPoleChange)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(sketchOfPoleChange)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 
 /// The checks of the panel alone: most of it is its map, 24 000 closest points.
 void panelCheck(benchmark::State& state) {
