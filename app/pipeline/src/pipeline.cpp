@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "advice.h"
 #include "bw/core/files/fingerprint.h"
 #include "bw/geometry/export.h"
 #include "bw/robotio/dialects.h"
@@ -219,88 +220,6 @@ double lengthOf(const BladeLengths& lengths) {
   };
   const auto nearest = std::ranges::max_element(lengths.trials, {}, nearness);
   return nearest == lengths.trials.end() ? Blade::kLongest : nearest->length;
-}
-
-/// True if a blade of another length may do what this one does not: where a station is lost, or farther from
-/// its section than the tolerance although it could bend more, for the sake of its margin.
-bool lengthFails(const CutEvaluation& cut) {
-  if (!cut.rest.value || !cut.sweep.value) return false;
-  if (std::ranges::find(cut.rest.value->stations, Rest::lost) != cut.rest.value->stations.end()) return true;
-  constexpr double kBent = 0.95;  // of the sharpest bend: less is held by its margin
-  const Sweep& sweep = *cut.sweep.value;
-  const double sharpest = kBent * sweep.request.blade.maxCurvature();
-  for (std::size_t i = 0; i < sweep.fits.size(); ++i)
-    if (sweep.fits[i].heldBack && sweep.fits[i].fit.hausdorff > sweep.request.tolerance &&
-        sweep.poses[i].blade.maxCurvature() < sharpest)
-      return true;
-  return false;
-}
-
-/// True if blades that rest more firmly may do what these do not.
-bool marginFails(const CutEvaluation& cut) {
-  using Lost = OtherShape::Lost;
-  return cut.rest.value && std::ranges::any_of(cut.rest.value->findings, [](const Finding& finding) {
-           const OtherShape* other = std::get_if<OtherShape>(&finding.cause);
-           return other && (other->lost == Lost::lowMargin || other->lost == Lost::lowBarrier);
-         });
-}
-
-/// Whether there is something to say of lengths, and what.
-Findings lengthFindings(const CutEvaluation& cut, const Blade& blade) {
-  if (!cut.lengths.value || !cut.rest.value) return {};
-  const BladeLengths& lengths = *cut.lengths.value;
-  if (!blade.autoLength && !lengthFails(cut)) return {};
-  using Said = ServingLengths::Said;
-  if (lengths.trials.empty()) return {};
-  ServingLengths cause{blade.autoLength ? Said::nearest : Said::none, blade.length,
-                       lengths.trials.front().length, lengths.trials.back().length};
-  Remedies remedies;
-  if (lengths.best) {
-    cause.said = blade.autoLength ? Said::taken : Said::others;
-    cause.best = *lengths.best;
-    for (const BladeLengths::Band& band : lengths.bands())
-      if (band.from <= cause.best && cause.best <= band.to) {
-        cause.from = band.from;
-        cause.to = band.to;
-      }
-    if (!blade.autoLength && cause.best != blade.length) remedies = {OtherLength{cause.best}};
-  }
-  return {{cause.said == Said::nearest ? Severity::error : Severity::info, cause, {}, remedies}};
-}
-
-/// What advises another length against a shape that does not rest advises one that serves, where these are
-/// known, and none where none does.
-void adviseLength(Findings& findings, const CutEvaluation& cut, const Blade& blade) {
-  if (!cut.lengths.value) return;
-  const std::optional<double>& best = cut.lengths.value->best;
-  const auto ofShape = [](const Finding& finding) {
-    return std::holds_alternative<WouldSnap>(finding.cause) ||
-           std::holds_alternative<WouldTwist>(finding.cause) ||
-           std::holds_alternative<LowMargin>(finding.cause) ||
-           std::holds_alternative<SnapsInWeight>(finding.cause);
-  };
-  for (Finding& finding : findings) {
-    const OtherShape* other = std::get_if<OtherShape>(&finding.cause);
-    const bool lost = other && other->lost != OtherShape::Lost::no;
-    if (!lost && !ofShape(finding)) continue;
-    std::erase_if(finding.remedies, [](const Remedy& r) { return std::holds_alternative<OtherLength>(r); });
-    if (best && *best != blade.length) finding.remedies.insert(finding.remedies.begin(), OtherLength{*best});
-    if (lost && !best) finding.remedies.push_back(CutInParts{});
-  }
-}
-
-/// What is lost for want of margin is told the margin that would keep it, where one was found.
-void adviseMargin(Findings& findings, const CutEvaluation& cut) {
-  using Lost = OtherShape::Lost;
-  if (!cut.margins.value || !cut.margins.value->best) return;
-  const double best = *cut.margins.value->best;
-  if (best == cut.margins.request.lengths.check.margin) return;
-  for (Finding& finding : findings)
-    if (const OtherShape* other = std::get_if<OtherShape>(&finding.cause);
-        other && (other->lost == Lost::lowMargin || other->lost == Lost::lowBarrier)) {
-      std::erase_if(finding.remedies, [](const Remedy& r) { return std::holds_alternative<CutInParts>(r); });
-      finding.remedies.push_back(OtherMargin{best});
-    }
 }
 
 /// What the design asks for, with the number of stations where that is left to the tolerance.

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "bw/core/base/finding.h"
+#include "bw/core/blade/blade.h"
+#include "bw/pipeline/pipeline.h"
+
+namespace bw::pipeline {
+
+// What is advised where a blade does not do what is asked for: of what was tried alone.
+
+/// True if a blade of another length may do what this one does not: where a station is lost, or farther from
+/// its section than the tolerance although it could bend more, for the sake of its margin.
+bool lengthFails(const CutEvaluation& cut);
+
+/// True if blades that rest more firmly may do what these do not.
+bool marginFails(const CutEvaluation& cut);
+
+/// Whether there is something to say of lengths, and what.
+Findings lengthFindings(const CutEvaluation& cut, const Blade& blade);
+
+/// What advises another length against a shape that does not rest advises one that serves, where these are
+/// known, and none where none does.
+void adviseLength(Findings& findings, const CutEvaluation& cut, const Blade& blade);
+
+/// What is lost for want of margin is told the margin that would keep it, where one was found.
+void adviseMargin(Findings& findings, const CutEvaluation& cut);
+
+}  // namespace bw::pipeline
