@@ -79,6 +79,72 @@ TEST(RowBounds, GripsShareWhatClearanceThereIs) {
   }
 }
 
+/// How far a point lies outside of a block.
+double outside(const Box& box, const Vector3d& point) {
+  const Frame& f = box.frame;
+  const Vector3d from = point - f.origin, at(from.dot(f.x), from.dot(f.y), from.dot(f.normal));
+  const Vector3d beyond = (-at).cwiseMax(at - box.size);
+  return beyond.maxCoeff() < 0 ? beyond.maxCoeff() : beyond.cwiseMax(0).norm();
+}
+
+Frame turned(const Frame& frame, const Eigen::Quaterniond& turn, const Vector3d& about) {
+  return {about + turn * (frame.origin - about), turn * frame.x, turn * frame.y, turn * frame.normal};
+}
+
+TEST(RowBounds, GripsKeepClearOfABlockThatIsTurnedBelowThem) {
+  const test::RowSettings settings = heavy(642);
+  const Vector3d middle(0, -5.0 * (kStations - 1), 0);
+  for (const auto& [yaw, roll] :
+       {std::pair(15.0, 0.0), {-15.0, 0.0}, {0.0, 10.0}, {0.0, -10.0}, {12.0, 8.0}}) {
+    Box box = block();
+    box.frame = turned(box.frame,
+                       Eigen::AngleAxisd(fromDegrees(yaw), Vector3d::UnitZ()) *
+                           Eigen::Quaterniond(Eigen::AngleAxisd(fromDegrees(roll), Vector3d::UnitY())),
+                       middle);
+    Findings findings;
+    const Result<Sweep> row = buildSweep(besideTheMiddle(), settings, box,
+                                         PlaneFamily::across(box, -Vector3d::UnitY()), {}, findings);
+    ASSERT_TRUE(row) << row.error().message;
+    double least = 1e300, bare = 1e300;  // as it is, and with the blades in the middle of their sections
+    for (std::size_t i = 0; i < row->poses.size(); ++i) {
+      const BladePose& pose = row->poses[i];
+      bare = std::min(bare, outside(box, {-50 + 0.5 * settings.blade.length, pose.frame.origin.y(), 0}));
+      const double near = std::min(outside(box, pose.leftPoint()), outside(box, pose.rightPoint()));
+      EXPECT_GE(near, settings.clearance) << yaw << " " << roll << " " << i;
+      EXPECT_LT(row->fits[i].fit.hausdorff, 0.2) << yaw << " " << roll << " " << i;
+      least = std::min(least, near);
+    }
+    EXPECT_LT(bare, settings.clearance) << "the case asks for nothing";
+    // The block counts as going on along the travel: one that lies askew is cleared by what it reaches there.
+    EXPECT_LT(least, settings.clearance + 25) << yaw << " " << roll << ": hardly farther than asked";
+  }
+}
+
+TEST(RowBounds, ARowIsTheSameHoweverAllOfItLies) {
+  const test::RowSettings settings = heavy(642);
+  const Sweep upright = rowOf(settings);
+  const Eigen::Quaterniond turn(Eigen::AngleAxisd(1.1, Vector3d(0.3, -0.5, 0.8).normalized()));
+  test::RowSettings elsewhere = settings;
+  elsewhere.weight = turn * settings.weight;
+  std::vector<Section> sections = besideTheMiddle();
+  for (Section& section : sections) section.frame = turned(section.frame, turn, Vector3d::Zero());
+  Box box = block();
+  box.frame = turned(box.frame, turn, Vector3d::Zero());
+  PlaneFamily family = planes();
+  family.frame = turned(family.frame, turn, Vector3d::Zero());
+  Findings findings;
+  const Result<Sweep> row = buildSweep(sections, elsewhere, box, family, {}, findings);
+  ASSERT_TRUE(row) << row.error().message;
+  ASSERT_EQ(row->poses.size(), upright.poses.size());
+  for (std::size_t i = 0; i < upright.poses.size(); ++i) {
+    const BladePose &there = row->poses[i], &here = upright.poses[i];
+    EXPECT_LT((there.leftPoint() - turn * here.leftPoint()).norm(), 1e-3) << i;
+    EXPECT_LT((there.rightPoint() - turn * here.rightPoint()).norm(), 1e-3) << i;
+    EXPECT_GE(std::min(outside(box, there.leftPoint()), outside(box, there.rightPoint())),
+              settings.clearance);
+  }
+}
+
 TEST(RowBounds, TheBladeThatHangsHasTheEndsTangentsAndLengthsAskedFor) {
   test::RowSettings settings = heavy(700);
   settings.fitEndpoints = settings.fitTangents = true;
