@@ -99,6 +99,80 @@ TEST(BladeLengths, NoneServesWhereABentBladeIsToRestAsAStraightOne) {
   EXPECT_EQ(lengths->at(1e6), &lengths->trials.back());
 }
 
+TEST(BladeLengths, HaveTheLimitsOfTheMargins) {
+  // A trial of a length is that of the margin asked for with a blade of that length.
+  LengthRequest request = asked();
+  const Result<BladeLengths> lengths = bladeLengths(wave(), request, block(), planes(), {});
+  ASSERT_TRUE(lengths && lengths->best);
+  int serving = 0, failing = 0;
+  for (const RowTrial& trial : lengths->trials) {
+    int& seen = trial.serves() ? serving : failing;
+    if (++seen > 2) continue;
+    request.fit.blade.length = trial.length;
+    const Result<MarginTrade> trade = marginTrade(wave(), request, block(), planes(), {});
+    ASSERT_TRUE(trade) << trade.error().message;
+    const auto same = std::ranges::find(trade->trials, request.check.margin, &RowTrial::asked);
+    ASSERT_NE(same, trade->trials.end());
+    EXPECT_EQ(same->rest, trial.rest) << trial.length;
+    EXPECT_EQ(same->margin, trial.margin) << trial.length;
+    EXPECT_EQ(same->deviation, trial.deviation) << trial.length;
+    EXPECT_EQ(same->reaches, trial.reaches) << trial.length;
+    EXPECT_EQ(trade->best == request.check.margin, trial.serves()) << trial.length;
+  }
+  EXPECT_GT(serving, 0);
+  EXPECT_GT(failing, 0);
+}
+
+/// Of blades that are to rest so firmly, near to their sections, none serves with that clearance.
+LengthRequest firm(double clearance) {
+  LengthRequest request = asked(clearance);
+  request.fit.margin = request.check.margin = request.ends.margin = 0.4;
+  request.fit.tolerance = request.check.tolerance = 1;
+  return request;
+}
+
+TEST(ClearanceTrade, FindsTheLargestThatServesAndTheBladeForIt) {
+  LengthRequest request = firm(150);
+  const Result<BladeLengths> lengths = bladeLengths(wave(), request, block(), planes(), {});
+  ASSERT_TRUE(lengths);
+  ASSERT_FALSE(lengths->best) << "no length does with the clearance asked for";
+  request.fit.blade.length = lengths->trials.front().length;
+  const Result<ClearanceTrade> trade = clearanceTrade(wave(), request, block(), planes(), {});
+  ASSERT_TRUE(trade) << trade.error().message;
+  ASSERT_TRUE(trade->best && trade->best->serves());
+  EXPECT_EQ(trade->least(), kLeastClearance);
+  const double clearance = trade->best->clearance;
+  EXPECT_GT(clearance, kLeastClearance);
+  EXPECT_LT(clearance, 150);
+  int beyond = 0;
+  for (const RowTrial& trial : trade->trials) {
+    if (trial.clearance <= clearance) continue;
+    EXPECT_FALSE(trial.serves()) << trial.clearance << " " << trial.length;
+    beyond += trial.clearance == clearance + 5;
+  }
+  EXPECT_GT(beyond, 4) << "the next larger one was tried";
+  // The blade in use comes before others.
+  request.fit.blade.length = trade->best->length;
+  const Result<ClearanceTrade> own = clearanceTrade(wave(), request, block(), planes(), {});
+  ASSERT_TRUE(own && own->best);
+  EXPECT_EQ(own->best->length, request.fit.blade.length);
+  EXPECT_GE(own->best->clearance, clearance);
+}
+
+TEST(ClearanceTrade, TriesNothingNearerThanGripsMayCome) {
+  const Result<ClearanceTrade> trade = clearanceTrade(wave(), firm(kLeastClearance), block(), planes(), {});
+  ASSERT_TRUE(trade);
+  EXPECT_TRUE(trade->trials.empty() && !trade->best && !trade->least());
+  std::stop_source stop;
+  stop.request_stop();
+  RunContext context;
+  context.stop = stop.get_token();
+  const Result<ClearanceTrade> stopped = clearanceTrade(wave(), firm(150), block(), planes(), context);
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().code, ErrorCode::cancelled);
+  EXPECT_EQ(clearanceTrade({}, firm(150), block(), planes(), {}).error().code, ErrorCode::badInput);
+}
+
 TEST(BladeLengths, AStopEndsTheSearch) {
   std::stop_source stop;
   stop.request_stop();

@@ -85,6 +85,22 @@ ClampedProblem gripsOf(const BladePose& pose) {
   return grips;
 }
 
+TEST(EntryExit, IsTheSameWhateverTheLead) {
+  // In the air a blade keeps its shape: no lead helps where there is no way, and none is advised.
+  for (const Elastica& blade : restingBlades(20, 0.02)) {
+    const Sweep sweep = rowOf({blade, blade});
+    const EntryExit usual = *planEntryExit(sweep, {0.15, 20}, {});
+    for (const double lead : {0.0, 60.0, 400.0}) {
+      const EntryExit other = *planEntryExit(sweep, {0.15, lead}, {});
+      EXPECT_EQ(other.entry.why, usual.entry.why);
+      EXPECT_EQ(other.entry.margin, usual.entry.margin);
+      ASSERT_EQ(other.entry.poses.size(), usual.entry.poses.size());
+      for (std::size_t i = 0; i < usual.entry.poses.size(); ++i)
+        EXPECT_EQ(other.entry.poses[i].blade.at(kLength).point, usual.entry.poses[i].blade.at(kLength).point);
+    }
+  }
+}
+
 TEST(EntryExit, LeadsAnArcIntoEachShapeThatRests) {
   // Followed once more without weight, by the branch of the elastica itself.
   for (const Elastica& blade : restingBlades(150, 0.16)) {

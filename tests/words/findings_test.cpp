@@ -126,6 +126,36 @@ TEST(Findings, TellTheRemediesTheyHold) {
       std::string::npos);
 }
 
+TEST(Findings, TellTheClearanceThatServes) {
+  OtherShape lost;
+  lost.lost = OtherShape::Lost::lowBarrier;
+  EXPECT_NE(said(lost, kOne, {OtherClearance{10, 620}})
+                .find("; a blade of 620 mm serves where grips may come within 10 mm of the block"),
+            std::string::npos);
+  EXPECT_NE(said(lost, kOne, {OtherClearance{10}, OtherMargin{0.1}})
+                .find("; this blade serves where grips may come within 10 mm of the block, or this blade "
+                      "serves where a "
+                      "stability margin of 0.1 is asked for, within the tolerance"),
+            std::string::npos);
+  EXPECT_NE(
+      said(GripTooNear{20, 50}, kOne, {OtherBlock{}, OtherClearance{15}})
+          .find("keeps the clearance; this blade serves where grips may come within 15 mm of the block"),
+      std::string::npos);
+  EXPECT_NE(said(NoWay{true, "it snaps"}, kOne, {OtherClearance{15, 700}})
+                .find("it snaps; a blade of 700 mm serves where grips may come within 15 mm"),
+            std::string::npos);
+  using Said = ServingLengths::Said;
+  ServingLengths none{Said::none, 800, 700, 1200, 10};
+  EXPECT_EQ(said(none),
+            "no length of this blade serves all stations (700 to 1200 mm were tried, and grips down to 10 mm "
+            "from the block); take another blade or direction, or cut in parts");
+  EXPECT_EQ(said(none, {}, {OtherClearance{15, 625}}),
+            "no length of this blade serves all stations (700 to 1200 mm were tried with this clearance); a "
+            "blade of 625 mm serves where grips may come within 15 mm of the block");
+  EXPECT_EQ(action(OtherClearance{15, 625}), "Allow a clearance of 15 mm with a blade of 625 mm");
+  EXPECT_EQ(action(OtherClearance{15}), "Allow a clearance of 15 mm");
+}
+
 TEST(Findings, SpeakToWhoReadsThem) {
   const ProgramDespiteErrors refused{2, false};
   EXPECT_NE(said(refused, {}, {}, Reader::commandLine).find("--despite-errors"), std::string::npos);

@@ -9,9 +9,79 @@
 
 namespace bw::pipeline {
 
+namespace {
+
+using Lost = OtherShape::Lost;
+
+template <class T>
+bool has(const Remedies& remedies) {
+  return remedyOf<T>(remedies) != nullptr;
+}
+
+template <class T>
+void drop(Remedies& remedies) {
+  std::erase_if(remedies, [](const Remedy& remedy) { return std::holds_alternative<T>(remedy); });
+}
+
+template <class... T>
+bool isOneOf(const Finding& finding) {
+  return (std::holds_alternative<T>(finding.cause) || ...);
+}
+
+bool isLost(const Finding& finding) {
+  const OtherShape* other = std::get_if<OtherShape>(&finding.cause);
+  return other && other->lost != Lost::no;
+}
+
+/// True for what a blade does that does not rest, or cannot be led where it does.
+bool restFails(const Finding& finding) {
+  return isLost(finding) || isOneOf<WouldSnap, WouldTwist, LowMargin, SnapsInWeight, NoWay>(finding);
+}
+
+/// True for what a blade does that rests too little firmly.
+bool restsLoosely(const Finding& finding) {
+  const OtherShape* other = std::get_if<OtherShape>(&finding.cause);
+  return (other && (other->lost == Lost::lowMargin || other->lost == Lost::lowBarrier)) ||
+         isOneOf<WouldSnap, WouldTwist, NoWay>(finding);
+}
+
+/// True for a grip too near to the block that no longer blade takes away from it.
+bool staysTooNear(const Finding& finding) {
+  return isOneOf<GripTooNear>(finding) && !has<OtherLength>(finding.remedies);
+}
+
+bool anyOf(const CutEvaluation& cut, bool (*what)(const Finding&)) {
+  for (const Findings* list : {&cut.analysis.findings, &cut.ends.findings, &cut.rest.findings})
+    if (std::ranges::any_of(*list, what)) return true;
+  return false;
+}
+
+/// What serves with grips nearer to the block, where nothing does with the clearance asked for; else null.
+const RowTrial* nearerGrips(const CutEvaluation& cut) {
+  if (!cut.lengths.value || cut.lengths.value->best || !cut.clearances.value) return nullptr;
+  return cut.clearances.value->best ? &*cut.clearances.value->best : nullptr;
+}
+
+OtherClearance remedyBy(const RowTrial& trial, const CutEvaluation& cut) {
+  const Blade& asked = cut.clearances.request.lengths.fit.blade;
+  OtherClearance remedy{trial.clearance};
+  if (asked.autoLength || trial.length != asked.length) remedy.length = trial.length;
+  return remedy;
+}
+
+/// The margin that serves in place of the one asked for.
+std::optional<double> otherMargin(const CutEvaluation& cut) {
+  if (!cut.margins.value) return {};
+  const std::optional<double>& best = cut.margins.value->best;
+  return best && *best != cut.margins.request.lengths.check.margin ? best : std::nullopt;
+}
+
+}  // namespace
+
 bool lengthFails(const CutEvaluation& cut) {
   if (!cut.rest.value || !cut.sweep.value) return false;
   if (std::ranges::find(cut.rest.value->stations, Rest::lost) != cut.rest.value->stations.end()) return true;
+  if (anyOf(cut, &staysTooNear) || hasErrors(cut.ends.findings)) return true;
   constexpr double kBent = 0.95;  // of the sharpest bend: less is held by its margin
   const Sweep& sweep = *cut.sweep.value;
   const double sharpest = kBent * sweep.request.blade.maxCurvature();
@@ -22,13 +92,12 @@ bool lengthFails(const CutEvaluation& cut) {
   return false;
 }
 
-bool marginFails(const CutEvaluation& cut) {
-  using Lost = OtherShape::Lost;
-  return cut.rest.value && std::ranges::any_of(cut.rest.value->findings, [](const Finding& finding) {
-           const OtherShape* other = std::get_if<OtherShape>(&finding.cause);
-           return other && (other->lost == Lost::lowMargin || other->lost == Lost::lowBarrier);
-         });
+bool clearanceMayHelp(const CutEvaluation& cut, const Blade& blade) {
+  if (!cut.lengths.value || cut.lengths.value->best) return false;
+  return blade.autoLength || lengthFails(cut);
 }
+
+bool marginFails(const CutEvaluation& cut) { return cut.rest.value && anyOf(cut, &restsLoosely); }
 
 Findings lengthFindings(const CutEvaluation& cut, const Blade& blade) {
   if (!cut.lengths.value || !cut.rest.value) return {};
@@ -48,6 +117,11 @@ Findings lengthFindings(const CutEvaluation& cut, const Blade& blade) {
         cause.to = band.to;
       }
     if (!blade.autoLength && cause.best != blade.length) remedies = {OtherLength{cause.best}};
+  } else {
+    if (cut.clearances.value) cause.leastClearance = cut.clearances.value->least();
+    if (const RowTrial* trial = nearerGrips(cut)) remedies.push_back(remedyBy(*trial, cut));
+    if (const std::optional<double> margin = otherMargin(cut); margin && marginFails(cut))
+      remedies.push_back(OtherMargin{*margin});
   }
   return {{cause.said == Said::nearest ? Severity::error : Severity::info, cause, {}, remedies}};
 }
@@ -55,33 +129,32 @@ Findings lengthFindings(const CutEvaluation& cut, const Blade& blade) {
 void adviseLength(Findings& findings, const CutEvaluation& cut, const Blade& blade) {
   if (!cut.lengths.value) return;
   const std::optional<double>& best = cut.lengths.value->best;
-  const auto ofShape = [](const Finding& finding) {
-    return std::holds_alternative<WouldSnap>(finding.cause) ||
-           std::holds_alternative<WouldTwist>(finding.cause) ||
-           std::holds_alternative<LowMargin>(finding.cause) ||
-           std::holds_alternative<SnapsInWeight>(finding.cause);
-  };
   for (Finding& finding : findings) {
-    const OtherShape* other = std::get_if<OtherShape>(&finding.cause);
-    const bool lost = other && other->lost != OtherShape::Lost::no;
-    if (!lost && !ofShape(finding)) continue;
-    std::erase_if(finding.remedies, [](const Remedy& r) { return std::holds_alternative<OtherLength>(r); });
+    if (!restFails(finding)) continue;
+    drop<OtherLength>(finding.remedies);
     if (best && *best != blade.length) finding.remedies.insert(finding.remedies.begin(), OtherLength{*best});
-    if (lost && !best) finding.remedies.push_back(CutInParts{});
+    if ((isLost(finding) || isOneOf<NoWay>(finding)) && !best) finding.remedies.push_back(CutInParts{});
+  }
+}
+
+void adviseClearance(Findings& findings, const CutEvaluation& cut) {
+  const RowTrial* trial = nearerGrips(cut);
+  if (!trial) return;
+  for (Finding& finding : findings) {
+    if (!restFails(finding) && !staysTooNear(finding)) continue;
+    drop<CutInParts>(finding.remedies);
+    finding.remedies.push_back(remedyBy(*trial, cut));
   }
 }
 
 void adviseMargin(Findings& findings, const CutEvaluation& cut) {
-  using Lost = OtherShape::Lost;
-  if (!cut.margins.value || !cut.margins.value->best) return;
-  const double best = *cut.margins.value->best;
-  if (best == cut.margins.request.lengths.check.margin) return;
-  for (Finding& finding : findings)
-    if (const OtherShape* other = std::get_if<OtherShape>(&finding.cause);
-        other && (other->lost == Lost::lowMargin || other->lost == Lost::lowBarrier)) {
-      std::erase_if(finding.remedies, [](const Remedy& r) { return std::holds_alternative<CutInParts>(r); });
-      finding.remedies.push_back(OtherMargin{best});
-    }
+  const std::optional<double> best = otherMargin(cut);
+  if (!best) return;
+  for (Finding& finding : findings) {
+    if (!restsLoosely(finding)) continue;
+    drop<CutInParts>(finding.remedies);
+    finding.remedies.push_back(OtherMargin{*best});
+  }
 }
 
 }  // namespace bw::pipeline

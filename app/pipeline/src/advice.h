@@ -11,10 +11,15 @@ namespace bw::pipeline {
 // What is advised where a blade does not do what is asked for: of what was tried alone.
 
 /// True if a blade of another length may do what this one does not: where a station is lost, or farther from
-/// its section than the tolerance although it could bend more, for the sake of its margin.
+/// its section than the tolerance although it could bend more, for the sake of its margin; where no way leads
+/// into the row or out of it; and where grips come too near to the block, and no longer blade of their shape
+/// helps.
 bool lengthFails(const CutEvaluation& cut);
 
-/// True if blades that rest more firmly may do what these do not.
+/// True if grips nearer to the block may do what no length does: no length serves, and one would have to.
+bool clearanceMayHelp(const CutEvaluation& cut, const Blade& blade);
+
+/// True if blades that rest more firmly may do what these do not, or if less would have to be asked of them.
 bool marginFails(const CutEvaluation& cut);
 
 /// Whether there is something to say of lengths, and what.
@@ -24,7 +29,11 @@ Findings lengthFindings(const CutEvaluation& cut, const Blade& blade);
 /// known, and none where none does.
 void adviseLength(Findings& findings, const CutEvaluation& cut, const Blade& blade);
 
-/// What is lost for want of margin is told the margin that would keep it, where one was found.
+/// What no length helps is told the clearance with which a blade serves, where one was found.
+void adviseClearance(Findings& findings, const CutEvaluation& cut);
+
+/// What is lost for want of margin, or has no way for that, is told the margin that keeps it, where one was
+/// found.
 void adviseMargin(Findings& findings, const CutEvaluation& cut);
 
 }  // namespace bw::pipeline

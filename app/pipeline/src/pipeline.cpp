@@ -210,6 +210,25 @@ Result<void> seekMargins(const CutWork& work, double& seconds) {
                      });
 }
 
+/// A length that is left open is none of the request.
+LengthsRequest clearancesRequest(const CutWork& work) {
+  LengthsRequest request = marginsRequest(work);
+  request.lengths.fit.blade.autoLength = work.design.blade.autoLength;
+  if (work.design.blade.autoLength) request.lengths.fit.blade.length = Blade().length;
+  return request;
+}
+
+/// What grips that come nearer to the block make of the row.
+Result<void> seekClearances(const CutWork& work, double& seconds) {
+  CutEvaluation& e = work.e;
+  const std::shared_ptr<const std::vector<Section>> row = rowOf(e);
+  return work.settle(&CutEvaluation::clearances, clearancesRequest(work), {row}, seconds,
+                     [&work, &row](const LengthsRequest& asked, Findings&) {
+                       return clearanceTrade(*row, asked.lengths, asked.setup.block, asked.setup.planes,
+                                             work.context);
+                     });
+}
+
 /// Of the lengths that were tried the one that serves best, or else comes nearest to it: of the blades that
 /// rest and reach the one that lies nearest to its sections, or that which misses its rest by least.
 double lengthOf(const BladeLengths& lengths) {
@@ -253,7 +272,7 @@ Result<void> fit(const CutWork& work) {
                   });
   if (ok) ok = work.unlessStopped();
   if (!ok) return ok;
-  if (work.purpose == Purpose::files && asked->route == SectionRoute::automatic) {
+  if (work.purpose != Purpose::live && asked->route == SectionRoute::automatic) {
     ok = work.settle(&CutEvaluation::confirmed, {*e.setup, *asked}, {e.sections.value}, work.seconds.sections,
                      [&work, &target, &e](const PlanesRequest& request, Findings& findings) {
                        findings = e.sections.findings;
@@ -395,8 +414,10 @@ Result<void> check(const CutWork& work) {
                      return rest;
                    });
   if (!ok) return ok;
-  if (work.purpose == Purpose::files && lengthFails(e)) {
+  const Blade& blade = work.design.blade;
+  if (work.purpose == Purpose::files && (lengthFails(e) || clearanceMayHelp(e, blade))) {
     ok = seekLengths(work, work.seconds.check);
+    if (ok && clearanceMayHelp(e, blade)) ok = seekClearances(work, work.seconds.check);
     if (ok && marginFails(e)) ok = seekMargins(work, work.seconds.check);
     if (!ok) return ok;
   }
@@ -406,6 +427,7 @@ Result<void> check(const CutWork& work) {
                    });
   if (ok) work.keep(&CutEvaluation::run, {}, {e.motion.value, e.sweep.value});
   if (ok) work.keep(&CutEvaluation::margins, marginsRequest(work), {rowOf(e)});
+  if (ok) work.keep(&CutEvaluation::clearances, clearancesRequest(work), {rowOf(e)});
   if (ok && e.run.value) work.keep(&CutEvaluation::barriers, {}, {e.run.value});
   return ok;
 }
@@ -507,6 +529,7 @@ Findings Evaluation::findings() const {
     for (const CutEvaluation& cut : block.cuts) {
       Findings own = cut.findings();
       adviseLength(own, cut, design.blade);
+      adviseClearance(own, cut);
       adviseMargin(own, cut);
       append(all, own);
       append(all, lengthFindings(cut, design.blade));
@@ -545,6 +568,7 @@ void Evaluation::takeMissing(const Evaluation& before) {
       takeMissing(cut.motion, from->motion);
       takeMissing(cut.lengths, from->lengths);
       takeMissing(cut.margins, from->margins);
+      takeMissing(cut.clearances, from->clearances);
       takeMissing(cut.run, from->run);
       takeMissing(cut.barriers, from->barriers);
     }
@@ -624,6 +648,8 @@ bool addSecondThought(Evaluation& e, const RunContext& context) {
         return looked.has_value();
       }
       if (!stages.lengths.value) return seekLengths(work, none).has_value();
+      if (!stages.clearances.value && clearanceMayHelp(stages, e.design.blade))
+        return seekClearances(work, none).has_value();
       if (!stages.margins.value) return seekMargins(work, none).has_value();
     }
   return false;

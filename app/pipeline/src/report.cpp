@@ -160,6 +160,12 @@ std::string reportJson(const Evaluation& e, const std::string& run, const FileSe
     report["blade"]["margins"] = {{"best", best ? ordered_json(*best) : ordered_json(nullptr)},
                                   {"trials", trials}};
   }
+  if (cut.clearances.value && !cut.clearances.value->trials.empty()) {
+    const std::optional<RowTrial>& best = cut.clearances.value->best;
+    report["blade"]["clearances"] = {{"best", best ? ordered_json(best->clearance) : ordered_json(nullptr)},
+                                     {"length", best ? ordered_json(best->length) : ordered_json(nullptr)},
+                                     {"least", *cut.clearances.value->least()}};
+  }
   ordered_json method;
   method["planes"] = "parallel";
   if (cut.setup) method["direction"] = vec(cut.setup->planes.direction());

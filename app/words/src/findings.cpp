@@ -62,6 +62,10 @@ struct Actions {
   std::string operator()(const OtherMargin& r) const {
     return "Ask for a margin of " + shortText(r.margin, 2);
   }
+  std::string operator()(const OtherClearance& r) const {
+    return "Allow a clearance of " + shortText(r.clearance, 4) + " mm" +
+           (r.length ? " with a blade of " + shortText(*r.length, 6) + " mm" : std::string());
+  }
   std::string operator()(const BendingBlade& r) const {
     return r.presetBends() ? "Use " + r.title : std::string();
   }

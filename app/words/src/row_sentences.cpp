@@ -15,12 +15,30 @@ namespace bw::words {
 
 namespace {
 
+/// Where nothing that was tried serves.
+const std::string kNoneServes = "take another blade or direction, or cut in parts";
+
 std::string mm(double value, int digits = 3) { return shortText(value, digits) + " mm"; }
 
-/// "try one of 812 mm": the length was tried at some stations, each for itself.
+/// What was found to serve besides another length: another clearance, another margin. Empty if nothing was.
+std::string alsoServes(const Finding& finding) {
+  std::string text;
+  if (const OtherClearance* nearer = remedyOf<OtherClearance>(finding.remedies))
+    text = (nearer->length ? "a blade of " + mm(*nearer->length, 6) + " serves"
+                           : std::string("this blade serves")) +
+           " where grips may come within " + mm(nearer->clearance) + " of the block";
+  if (const OtherMargin* margin = remedyOf<OtherMargin>(finding.remedies))
+    text += (text.empty() ? "" : ", or ") + std::string("this blade serves where a stability margin of ") +
+            shortText(margin->margin, 2) + " is asked for, within the tolerance";
+  return text;
+}
+
+/// "try one of 812 mm": the length was tried at some stations, each for itself; or what else serves.
 std::string shorterText(const Finding& finding, const std::string& otherwise, const std::string& more = {}) {
   const OtherLength* blade = remedyOf<OtherLength>(finding.remedies);
-  return blade ? "try one of " + mm(blade->length, 6) + more : otherwise;
+  const std::string also = alsoServes(finding);
+  if (!blade) return also.empty() ? otherwise : also;
+  return "try one of " + mm(blade->length, 6) + more + (also.empty() ? "" : "; " + also);
 }
 
 std::string takesText(const Finding& finding) {
@@ -147,21 +165,28 @@ std::string Sentences::operator()(const ServingLengths& cause) const {
   const auto whole = [](double length) { return shortText(length, 6); };
   const std::string stretch =
       cause.from < cause.to ? whole(cause.from) + " to " + whole(cause.to) + " mm" : whole(cause.to) + " mm";
-  const std::string none = "no length of this blade serves all stations (" + stretch + " were tried)";
+  const std::string also = alsoServes(finding);
+  const bool nearer = remedyOf<OtherClearance>(finding.remedies) != nullptr;
+  const std::string clearances = nearer ? " with this clearance"
+                                 : cause.leastClearance
+                                     ? ", and grips down to " + mm(*cause.leastClearance) + " from the block"
+                                     : "";
+  const std::string none =
+      "no length of this blade serves all stations (" + stretch + " were tried" + clearances + ")";
+  const std::string mended = "; " + (also.empty() ? kNoneServes : also);
   switch (cause.said) {
     case Said::others:
       return "lengths that serve all stations tried: " + stretch + "; the best is " + whole(cause.best) +
              " mm";
     case Said::none:
-      return none + "; take another blade or direction, or cut in parts";
+      return none + mended;
     case Said::taken:
       return "the blade's length was left open: " + whole(cause.best) + " mm was taken of " + stretch +
              ", which serve all stations tried";
     case Said::nearest:
       break;
   }
-  return none + "; " + whole(cause.best) +
-         " mm, which comes nearest, was taken; take another blade or direction, or cut in parts";
+  return none + "; " + whole(cause.best) + " mm, which comes nearest, was taken" + mended;
 }
 
 std::string Sentences::operator()(const GripTooNear& cause) const {
@@ -174,6 +199,7 @@ std::string Sentences::operator()(const GripTooNear& cause) const {
   text += cause.unheldLength ? "; a blade that keeps the clearance (" + mm(*cause.unheldLength, 6) +
                                    ") would not hold this shape"
                              : "; no longer blade of this shape keeps the clearance";
+  if (const std::string also = alsoServes(finding); !also.empty()) return text + "; " + also;
   return text + "; " + otherBlockText(finding, finding.where.stations->first == finding.where.stations->last);
 }
 
@@ -265,21 +291,17 @@ std::string Sentences::operator()(const LeadGrown& cause) const {
          mm(cause.asked) + ", so that all of it is outside of the block there; it cuts the foam on that way";
 }
 
-/// What keeps the blade in its shape, or why nothing does.
 /// What would keep the blade in the row's shape, as far as it was tried.
-static std::string keptText(const Finding& finding) {
+static std::string keptText(const Finding& finding, const std::string& untried) {
   const OtherLength* length = remedyOf<OtherLength>(finding.remedies);
-  const OtherMargin* margin = remedyOf<OtherMargin>(finding.remedies);
-  std::string text;
-  if (length) text += "; a blade of " + mm(length->length, 6) + " serves";
-  if (margin)
-    text += (length ? ", or " : "; ") + std::string("this one where a stability margin of ") +
-            shortText(margin->margin, 2) + " is asked for, within the tolerance";
-  if (!text.empty()) return text;
-  return remedyOf<CutInParts>(finding.remedies) ? "; take another blade or direction, or cut in parts"
-                                                : "; take a shorter blade";
+  std::string text = length ? "a blade of " + mm(length->length, 6) + " serves" : std::string();
+  if (const std::string also = alsoServes(finding); !also.empty())
+    text += (text.empty() ? "" : ", or ") + also;
+  if (!text.empty()) return "; " + text;
+  return "; " + (remedyOf<CutInParts>(finding.remedies) ? kNoneServes : untried);
 }
 
+/// What keeps the blade in its shape, or why nothing does.
 static std::string lostText(const OtherShape& cause, const std::string& shorter) {
   using Lost = OtherShape::Lost;
   switch (cause.lost) {
@@ -305,13 +327,13 @@ std::string Sentences::operator()(const OtherShape& cause) const {
          " N mm (this one: " + shortText(cause.energy) + " N mm" +
          (cause.barrier ? "; a push of " + shortText(*cause.barrier, 2) + " N mm brings it from here there"
                         : "") +
-         ")" + lostText(cause, keptText(finding));
+         ")" + lostText(cause, keptText(finding, "take a shorter blade"));
 }
 
 std::string Sentences::operator()(const NoWay& cause) const {
   return std::string("no way is known that leads the blade ") +
          (cause.entry ? "into the shape of the first station" : "out of the shape of the last station") +
-         " outside of the block: " + cause.why + "; take a shorter or stiffer blade";
+         " outside of the block: " + cause.why + keptText(finding, "take a shorter or stiffer blade");
 }
 
 std::string Sentences::operator()(const SnapsOnTheWay&) const {

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <utility>
 
 namespace bw {
 
@@ -17,10 +18,11 @@ constexpr double kStep = 5;         // mm: lengths are its multiples
 constexpr double kLonger = 1.025;   // each length that is tried first, of the one before
 constexpr double kCoarser = 1.05;   // and from kFine on
 constexpr int kFine = 8;
-constexpr int kFirst = 16;  // of these: the longest is 1.8 times the shortest
-constexpr int kAtOnce = 4;  // of these; where the last ones serve no more, no longer one is tried
+constexpr int kFirst = 16;          // of these: the longest is 1.8 times the shortest
+constexpr std::size_t kAtOnce = 4;  // of these; where the last ones serve no more, no longer one is tried
 constexpr std::array kMargins = {0.0, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.6};
-constexpr double kShortest = 0.99;  // of the longest section: what a blade has between its leads at least
+constexpr std::size_t kNearer = 12;  // lengths at most with one smaller clearance
+constexpr double kShortest = 0.99;   // of the longest section: what a blade has between its leads at least
 
 double rounded(double length) { return kStep * std::round(length / kStep); }
 
@@ -54,6 +56,7 @@ class Trials {
     const FitRequest& fit = request.fit;
     RowTrial trial{fit.blade.length};
     trial.asked = request.check.margin;
+    trial.clearance = request.check.clearance;
     Findings unused;
     const Result<Sweep> sweep = buildSweep(sections_, fit, block_, planes_, quiet_, unused);
     if (!sweep) return trial;
@@ -89,10 +92,9 @@ class Trials {
       if (station.barrier && *station.barrier < kLeastBarrier) return Rest::lost;
       worst = Rest::held;
     }
-    if (worst == Rest::certain) return worst;
     const Result<EntryExit> ends = planEntryExit(sweep, request.ends, quiet_);
-    return ends && !ends->entry.poses.empty() && ends->entry.margin >= request.check.margin ? worst
-                                                                                            : Rest::lost;
+    if (!ends || ends->entry.poses.empty() || ends->exit.poses.empty()) return Rest::lost;
+    return worst == Rest::certain || ends->entry.margin >= request.check.margin ? worst : Rest::lost;
   }
 
   const std::vector<Section>& sections_;
@@ -109,6 +111,133 @@ Result<std::vector<Section>> sectionsToTry(const std::vector<Section>& all) {
                 "sections", 0.0, 1.0);
   return some;
 }
+
+double longestOf(const std::vector<Section>& sections) {
+  double longest = 0;
+  for (const Section& section : sections) longest = std::max(longest, section.curve().length());
+  return longest;
+}
+
+/// The shortest blade that may reach to grips so far from the block.
+double shortestFor(double longest, double clearance) {
+  return std::ceil((kShortest * longest + 2 * clearance) / kStep) * kStep;
+}
+
+/// The lengths that are tried first, ascending.
+std::vector<double> lengthsFrom(double shortest) {
+  std::vector<double> lengths;
+  double next = shortest;
+  for (int i = 0; i < kFirst && next <= Blade::kLongest; ++i) {
+    lengths.push_back(next);
+    next = std::max(next + kStep, rounded((i < kFine ? kLonger : kCoarser) * next));
+  }
+  return lengths;
+}
+
+/// Those that a smaller clearance makes possible, ascending: finely at first, where a slack blade is firmest.
+std::vector<double> lengthsBetween(double shortest, double end) {
+  std::vector<double> lengths;
+  double next = shortest;
+  for (std::size_t i = 0; i < kNearer && next < end; ++i) {
+    lengths.push_back(next);
+    next = i + 1 < kAtOnce ? next + kStep : std::max(next + kStep, rounded(kLonger * next));
+  }
+  return lengths;
+}
+
+/// What lies too far from the sections does not serve, however firmly it rests.
+void judgeDistance(RowTrial& trial, double tolerance) {
+  if (trial.deviation > tolerance) trial.rest = Rest::lost;
+}
+
+bool better(const RowTrial& a, const RowTrial& b) {
+  if (a.rest != b.rest) return a.rest == Rest::certain;
+  return a.margin > b.margin;
+}
+
+/// Lets grips come nearer to the block.
+class NearerGrips {
+ public:
+  NearerGrips(const std::vector<Section>& sections, const LengthRequest& request, const Box& block,
+              const PlaneFamily& planes, const RunContext& context)
+      : request_(request),
+        context_(context),
+        trial_(sections, block, planes, context),
+        longest_(longestOf(sections)) {
+    if (!request.fit.blade.autoLength) own_ = request.fit.blade.length;
+  }
+
+  Result<ClearanceTrade> seek() {
+    double low = kLeastClearance, high = request_.check.clearance;
+    if (high <= low) return trade_;
+    Result<bool> serves = servesAt(low);
+    if (!serves || !*serves) high = low;
+    while (high - low > kStep) {
+      const double middle = std::max(low + kStep, rounded(0.5 * (low + high)));
+      if (middle >= high) break;
+      serves = servesAt(middle);
+      if (!serves) break;
+      (*serves ? low : high) = middle;
+    }
+    if (!serves) return tl::unexpected<Error>(serves.error());
+    std::ranges::sort(trade_.trials, {}, [](const RowTrial& t) { return std::pair(t.clearance, t.length); });
+    return std::move(trade_);
+  }
+
+ private:
+  /// Whether some length serves: the best of the first four that hold one becomes that of the trade.
+  Result<bool> servesAt(double clearance) {
+    std::vector<double> lengths =
+        lengthsBetween(shortestFor(longest_, clearance), shortestFor(longest_, request_.check.clearance));
+    if (own_) {
+      std::erase(lengths, *own_);
+      lengths.insert(lengths.begin(), *own_);
+    }
+    for (std::size_t first = 0; first < lengths.size(); first += kAtOnce) {
+      const std::size_t count = std::min(kAtOnce, lengths.size() - first);
+      const Result<std::vector<RowTrial>> made = tryAll(clearance, &lengths[first], count);
+      if (!made) return tl::unexpected<Error>(made.error());
+      if (const RowTrial* best = bestOf(*made)) {
+        trade_.best = *best;
+        return true;
+      }
+    }
+    return false;
+  }
+
+  Result<std::vector<RowTrial>> tryAll(double clearance, const double* lengths, std::size_t count) {
+    std::vector<RowTrial> made(count);
+    const Result<void> ok = parallelFor(context_, int(count), [&](int i) {
+      LengthRequest one = request_;
+      one.fit.blade.length = lengths[i];
+      one.fit.blade.autoLength = false;
+      one.fit.clearance = one.check.clearance = clearance;
+      made[std::size_t(i)] = trial_(one);
+      judgeDistance(made[std::size_t(i)], request_.check.tolerance);
+    });
+    if (!ok) return tl::unexpected<Error>(ok.error());
+    if (context_.stopped()) return stoppedError();
+    trade_.trials.insert(trade_.trials.end(), made.begin(), made.end());
+    return made;
+  }
+
+  const RowTrial* bestOf(const std::vector<RowTrial>& trials) const {
+    const RowTrial* best = nullptr;
+    for (const RowTrial& one : trials) {
+      if (!one.serves()) continue;
+      if (one.length == own_) return &one;
+      if (!best || better(one, *best)) best = &one;
+    }
+    return best;
+  }
+
+  const LengthRequest& request_;
+  const RunContext& context_;
+  Trials trial_;
+  double longest_;
+  std::optional<double> own_;  ///< mm, the length of the request's blade
+  ClearanceTrade trade_;
+};
 
 }  // namespace
 
@@ -134,8 +263,6 @@ Result<BladeLengths> bladeLengths(const std::vector<Section>& sections, const Le
                                   const Box& block, const PlaneFamily& planes, const RunContext& context) {
   const Result<std::vector<Section>> some = sectionsToTry(sections);
   if (!some) return tl::unexpected<Error>(some.error());
-  double longest = 0;
-  for (const Section& section : *some) longest = std::max(longest, section.curve().length());
   const Trials trial(*some, block, planes, context);
   BladeLengths lengths;
   std::vector<RowTrial>& trials = lengths.trials;
@@ -155,15 +282,11 @@ Result<BladeLengths> bladeLengths(const std::vector<Section>& sections, const Le
   };
 
   bool served = false;
-  double next = std::ceil((kShortest * longest + 2 * request.check.clearance) / kStep) * kStep;
-  for (int first = 0; first < kFirst; first += kAtOnce) {
-    std::set<double> asked;
-    for (int i = 0; i < kAtOnce && next <= Blade::kLongest; ++i) {
-      asked.insert(next);
-      next = std::max(next + kStep, rounded((first + i < kFine ? kLonger : kCoarser) * next));
-    }
-    if (asked.empty()) break;
-    const Result<bool> serves = tryAll(asked);
+  const std::vector<double> ladder = lengthsFrom(shortestFor(longestOf(*some), request.check.clearance));
+  for (std::size_t first = 0; first < ladder.size(); first += kAtOnce) {
+    const std::size_t last = std::min(first + kAtOnce, ladder.size());
+    const Result<bool> serves =
+        tryAll({ladder.begin() + std::ptrdiff_t(first), ladder.begin() + std::ptrdiff_t(last)});
     if (!serves) return tl::unexpected<Error>(serves.error());
     if (served && !*serves) break;
     served = served || *serves;
@@ -180,10 +303,8 @@ Result<BladeLengths> bladeLengths(const std::vector<Section>& sections, const Le
 
   const RowTrial* best = nullptr;
   for (RowTrial& one : trials) {
-    if (one.deviation > request.check.tolerance) one.rest = Rest::lost;
-    if (!one.serves()) continue;
-    const bool surer = best && one.rest == Rest::certain && best->rest != Rest::certain;
-    if (!best || surer || (one.rest == best->rest && one.margin > best->margin)) best = &one;
+    judgeDistance(one, request.check.tolerance);
+    if (one.serves() && (!best || better(one, *best))) best = &one;
   }
   if (best) lengths.best = best->length;
   return lengths;
@@ -211,10 +332,18 @@ Result<MarginTrade> marginTrade(const std::vector<Section>& sections, const Leng
   if (!ok) return tl::unexpected<Error>(ok.error());
   if (context.stopped()) return stoppedError();
   for (RowTrial& one : trade.trials) {
-    if (one.deviation > request.check.tolerance) one.rest = Rest::lost;
+    judgeDistance(one, request.check.tolerance);
     if (one.serves() && (!trade.best || *trade.best < request.check.margin)) trade.best = one.asked;
   }
   return trade;
+}
+
+Result<ClearanceTrade> clearanceTrade(const std::vector<Section>& sections, const LengthRequest& request,
+                                      const Box& block, const PlaneFamily& planes,
+                                      const RunContext& context) {
+  const Result<std::vector<Section>> some = sectionsToTry(sections);
+  if (!some) return tl::unexpected<Error>(some.error());
+  return NearerGrips(*some, request, block, planes, context).seek();
 }
 
 }  // namespace bw

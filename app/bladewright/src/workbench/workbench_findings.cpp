@@ -68,6 +68,10 @@ struct Mend {
     design.blade.autoLength = false;
   }
   void operator()(const OtherMargin& remedy) const { design.process.margin = remedy.margin; }
+  void operator()(const OtherClearance& remedy) const {
+    design.process.clearance = remedy.clearance;
+    if (remedy.length) operator()(OtherLength{*remedy.length});
+  }
   void operator()(const BendingBlade& remedy) const {
     if (remedy.presetBends()) takePreset(design, remedy.preset);
   }

@@ -101,6 +101,8 @@ struct CutEvaluation {
   /// What of the deviation it gives for its margin: where for files a station is lost for want of that, and
   /// from `addSecondThought`.
   Stage<LengthsRequest, MarginTrade> margins;
+  /// Whether grips that come nearer to the block help: where no length serves a row that needs another one.
+  Stage<LengthsRequest, ClearanceTrade> clearances;
   Stage<RowRequest, Sweep> sweep;               ///< blades and poses
   Stage<CheckRequest, SweepCheck> check;        ///< velocities, margins, clearance
   Stage<FollowRequest, RowMotion> way;          ///< the targets of the robots, and the blade between them
@@ -154,9 +156,10 @@ struct Outcome {
   std::optional<Error> error = std::nullopt;
 };
 
-/// What an evaluation is for: to be seen while its design changes, or to be written. Sections that were
-/// traced are confirmed by OpenCASCADE only for files.
-enum class Purpose { live, files };
+/// What an evaluation is for: to be seen while its design changes, to be written, or to have a program
+/// compared with it. Sections that were traced are confirmed by OpenCASCADE for the last two; what would
+/// help a row that fails is sought only where it is written.
+enum class Purpose { live, files, comparison };
 
 /// Evaluates a design. Stages of `previous` whose keys are unchanged are used again, so that a change
 /// recomputes only what depends on it. Where the design leaves the length of its blade open, `length` (mm) is
@@ -169,8 +172,8 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
 Result<void> meshTarget(CutEvaluation& cut, const CutEvaluation* previous, double& seconds);
 
 /// Adds to a cut that came to a result the next of what takes longer than a picture may wait for: the motion
-/// run, the barriers along it, then the lengths of blade that would serve, and the margins. False if nothing
-/// is left to be added, or it was stopped.
+/// run, the barriers along it, then the lengths of blade that would serve, the clearances where none does,
+/// and the margins. False if nothing is left to be added, or it was stopped.
 bool addSecondThought(Evaluation& evaluation, const RunContext& context);
 
 /// Adds the triangles of all faces of the file, to choose among them, unless the file has one face only or

@@ -390,6 +390,8 @@ struct ServingLengths {
   double best = 0;  ///< mm
   double from = 0,
          to = 0;  ///< mm, the stretch of those that serve that holds it; where none does, of those tried
+  /// mm, the least that was tried besides the one asked for where no length serves; that if none was.
+  std::optional<double> leastClearance = std::nullopt;
 };
 /// A robot cannot hold its end of the blade at the place, or, without one, at home as the program begins.
 struct HomeOutOfReach {

@@ -55,8 +55,14 @@ struct OtherMargin {
   double margin = 0;
 };
 
-using Remedy = std::variant<OtherLength, OtherMargin, BendingBlade, FlatBlade, LargerSurface, OtherBlock,
-                            CutInParts, MoreStations, TurnDirection, WiderTolerance>;
+/// Grips that may come nearer to the block, with a blade of that length where the present one would not do.
+struct OtherClearance {
+  double clearance = 0;
+  std::optional<double> length = std::nullopt;
+};
+
+using Remedy = std::variant<OtherLength, OtherMargin, OtherClearance, BendingBlade, FlatBlade, LargerSurface,
+                            OtherBlock, CutInParts, MoreStations, TurnDirection, WiderTolerance>;
 using Remedies = std::vector<Remedy>;
 
 /// The first remedy of that kind, or null.

@@ -31,6 +31,7 @@ struct RowTrial {
   double deviation = 1e30;  ///< mm, of the part that cuts from its section
   bool reaches = false;     ///< it keeps the clearance at both sides of the block
   double asked = 0;         ///< the margin that was asked for
+  double clearance = 0;     ///< mm, asked for
   bool serves() const { return rest == Rest::certain || rest == Rest::held; }
 };
 
@@ -52,8 +53,8 @@ struct BladeLengths {
 /// go from one to the next as they do) for blades of lengths from that of the longest section and its leads
 /// up, each a fortieth, later a twentieth longer than the one before, as long as it may still serve, then
 /// finer (5 mm) at the ends of what serves or reaches. A length serves where the blade keeps its radius, its
-/// margin, its plane and the clearance, crosses nothing, lies on the sections within the tolerance, and
-/// rests in the shape that is asked for, certain or held with an entry. The
+/// margin, its plane and the clearance, crosses nothing, lies on the sections within the tolerance,
+/// rests in the shape that is asked for, certain or held, and can be led into it and out of it. The
 /// best one is that of the largest margin, one that is certain before one that is held. Lengths are whole
 /// multiples of 5 mm. docs/mathematics.md, sweep. Errors: badInput without sections; `cancelled`. Some 1 to 8
 /// s.
@@ -76,5 +77,28 @@ struct MarginTrade {
 [[nodiscard]] Result<MarginTrade> marginTrade(const std::vector<Section>& sections,
                                               const LengthRequest& request, const Box& block,
                                               const PlaneFamily& planes, const RunContext& context);
+
+/// What a row does where its grips may come nearer to the block.
+struct ClearanceTrade {
+  std::vector<RowTrial> trials;                 ///< by clearance, then by length, both ascending
+  std::optional<RowTrial> best = std::nullopt;  ///< that with the largest clearance of those that serve
+  /// mm, the least that was tried; none where the one asked for is as small.
+  std::optional<double> least() const {
+    return trials.empty() ? std::nullopt : std::optional(trials.front().clearance);
+  }
+};
+
+/// mm: nearer to the block no grip is sent by advice.
+inline constexpr double kLeastClearance = 10;
+
+/// Tries smaller clearances where no length serves with the one asked for: kLeastClearance, and where that
+/// serves larger ones, by halves down to 5 mm. At each one the blade of the request, unless that leaves its
+/// length open, and the lengths that are too short for the clearance asked for, in fours, until some serve
+/// (the shortest four 5 mm apart, then each a fortieth longer, twelve at most). Of those that serve with one
+/// clearance the blade of the request is the best, else as for lengths. Same limits as for these. Errors:
+/// badInput without sections; `cancelled`. Some 1 to 5 s.
+[[nodiscard]] Result<ClearanceTrade> clearanceTrade(const std::vector<Section>& sections,
+                                                    const LengthRequest& request, const Box& block,
+                                                    const PlaneFamily& planes, const RunContext& context);
 
 }  // namespace bw

@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// What is advised where stations are lost comes about when it is done.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "bw/core/blade/blade.h"
+#include "bw/pipeline/example_design.h"
+#include "bw/pipeline/pipeline.h"
+#include "bw/words/findings.h"
+
+namespace bw::pipeline {
+namespace {
+
+Design panel(const char* preset, double length) {
+  Design design = exampleDesign("panel-600x670").value();
+  design.output.programs.clear();
+  design.cut().direction = Eigen::Vector3d::UnitY();
+  design.cut().sections.stations = 12;
+  design.blade = bladePreset(preset).value();
+  design.blade.length = length;
+  design.process.clearance = 50;
+  return design;
+}
+
+Evaluation evaluated(const Design& design, Purpose purpose = Purpose::files) {
+  Outcome outcome = evaluate(design, nullptr, {}, purpose);
+  EXPECT_FALSE(outcome.error) << outcome.error->message;
+  return std::move(outcome.evaluation);
+}
+
+std::ptrdiff_t lostOf(const Evaluation& e) {
+  return std::ranges::count(e.cut().rest.value->stations, Rest::lost);
+}
+
+/// The first error of a cause that a remedy is known for, as it is said; null if there is none.
+template <class Cause, class Remedy>
+struct Advice {
+  std::optional<Remedy> remedy = std::nullopt;
+  std::string text = {};
+
+  explicit Advice(const Evaluation& e) {
+    for (const Finding& finding : e.findings()) {
+      const Remedy* found = remedyOf<Remedy>(finding.remedies);
+      if (!std::holds_alternative<Cause>(finding.cause) || !found || remedy) continue;
+      remedy = *found;
+      text = words::sentence(finding, words::Reader::commandLine);
+    }
+  }
+};
+
+TEST(Advice, AMarginThatIsAdvisedKeepsWhatWasLostForWantOfIt) {
+  Design design = panel("steel-rod-1", 800);
+  design.process.margin = 0;
+  design.process.tolerance = 4;
+  const Evaluation before = evaluated(design);
+  ASSERT_GT(lostOf(before), 0);
+  const Advice<OtherShape, OtherMargin> advice(before);
+  ASSERT_TRUE(advice.remedy);
+  EXPECT_NE(advice.text.find("which a touch may bring about; "), std::string::npos) << advice.text;
+  EXPECT_NE(advice.text.find("this blade serves where a stability margin of 0.1 is asked for, within the"),
+            std::string::npos)
+      << advice.text;
+  const Advice<ServingLengths, OtherMargin> besides(before);
+  EXPECT_NE(besides.text.find("stability margin of 0.1"), std::string::npos) << "no length does, this does";
+  design.process.margin = advice.remedy->margin;
+  const Evaluation after = evaluated(design);
+  EXPECT_EQ(lostOf(after), 0);
+  EXPECT_FALSE(hasErrors(after.findings()));
+  EXPECT_LE(after.result()->analysis.summary.deviationMax, design.process.tolerance);
+}
+
+TEST(Advice, AMarginKeepsARoundBladeInItsPlane) {
+  Design design = panel("steel-tube-3-2.5", 1000);
+  design.process.margin = 0;
+  const Evaluation before = evaluated(design);
+  ASSERT_GT(lostOf(before), 0);
+  const Advice<WouldTwist, OtherMargin> advice(before);
+  ASSERT_TRUE(advice.remedy);
+  EXPECT_NE(advice.text.find("a stability margin of"), std::string::npos) << advice.text;
+  design.process.margin = advice.remedy->margin;
+  EXPECT_EQ(lostOf(evaluated(design)), 0);
+}
+
+TEST(Advice, AClearanceThatIsAdvisedKeepsWhatNoLengthDoes) {
+  Design design = panel("nicr-flat-5x1", 720);
+  const Evaluation before = evaluated(design);
+  ASSERT_GT(lostOf(before), 0);
+  ASSERT_FALSE(before.cut().lengths.value->best) << "no length serves with the clearance asked for";
+  const Advice<OtherShape, OtherClearance> advice(before);
+  ASSERT_TRUE(advice.remedy && advice.remedy->length);
+  EXPECT_LT(advice.remedy->clearance, design.process.clearance);
+  EXPECT_NE(advice.text.find(" mm serves where grips may come within "), std::string::npos) << advice.text;
+  EXPECT_EQ(advice.text.find("cut in parts"), std::string::npos) << advice.text;
+  EXPECT_TRUE((Advice<ServingLengths, OtherClearance>(before).remedy));
+  design.process.clearance = advice.remedy->clearance;
+  design.blade.length = *advice.remedy->length;
+  const Evaluation after = evaluated(design);
+  EXPECT_EQ(lostOf(after), 0);
+  EXPECT_FALSE(exceedsLimit(after.findings()));
+}
+
+TEST(Advice, AnOpenLengthIsGivenWithTheClearance) {
+  Design design = panel("nicr-flat-5x1", 720);
+  design.blade.autoLength = true;
+  const Evaluation before = evaluated(design);
+  const Advice<ServingLengths, OtherClearance> advice(before);
+  ASSERT_TRUE(advice.remedy && advice.remedy->length) << "the one that was tried";
+  EXPECT_NE(advice.text.find("comes nearest, was taken; a blade of "), std::string::npos) << advice.text;
+  design.process.clearance = advice.remedy->clearance;
+  design.blade.length = *advice.remedy->length;
+  design.blade.autoLength = false;
+  EXPECT_EQ(lostOf(evaluated(design)), 0);
+}
+
+TEST(Advice, TheWindowGetsTheSameAMomentLater) {
+  const Design design = panel("nicr-flat-5x1", 720);
+  Evaluation live = evaluated(design, Purpose::live);
+  EXPECT_FALSE(live.cut().clearances.value);
+  while (addSecondThought(live, {})) continue;
+  ASSERT_TRUE(live.cut().clearances.value);
+  const Advice<OtherShape, OtherClearance> advice(live), written(evaluated(design));
+  ASSERT_TRUE(advice.remedy);
+  EXPECT_EQ(advice.text, written.text);
+  // Where some length serves nothing is asked of the clearance.
+  Evaluation firm = evaluated(panel("steel-tube-3-2.5", 710), Purpose::live);
+  while (addSecondThought(firm, {})) continue;
+  EXPECT_TRUE(firm.cut().lengths.value && firm.cut().lengths.value->best);
+  EXPECT_FALSE(firm.cut().clearances.value);
+}
+
+TEST(Advice, IsNotSoughtWhereAProgramIsCompared) {
+  const Evaluation e = evaluated(panel("nicr-flat-5x1", 720), Purpose::comparison);
+  ASSERT_GT(lostOf(e), 0);
+  EXPECT_FALSE(e.cut().lengths.value || e.cut().clearances.value || e.cut().margins.value);
+  EXPECT_TRUE(e.cut().confirmed.value) << "its sections are those of the files";
+}
+
+}  // namespace
+}  // namespace bw::pipeline
