@@ -34,6 +34,7 @@ int runExport(const Session& session, const ExportOptions& options) {
   policy.contents = pipeline::Policy::Contents::programs;
   policy.despiteErrors = options.despiteErrors;
   policy.programFolder = "strip-0";
+  policy.length = pipeline::foundLength(options.path);
   const pipeline::Product product = pipeline::produce(*design, options.out, policy, session.context());
   session.tell(product.findings());
   if (product.error) return session.complain(*product.error);

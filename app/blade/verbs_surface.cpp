@@ -14,6 +14,7 @@
 #include "bw/core/text/typed_number.h"
 #include "bw/geometry/export.h"
 #include "bw/pipeline/example_design.h"
+#include "bw/pipeline/run_identity.h"
 #include "bw/pipeline/scene_content.h"
 #include "verbs.h"
 
@@ -167,8 +168,9 @@ int runRender(const Session& session, const RenderOptions& options) {
                              "out"});
   const Result<Design> design = session.designOf(options.path);
   if (!design) return session.complain(design.error());
-  const pipeline::Product product =
-      pipeline::produce(*design, {}, {.contents = pipeline::Policy::Contents::evaluation}, session.context());
+  const pipeline::Policy policy{.contents = pipeline::Policy::Contents::evaluation,
+                                .length = pipeline::foundLength(options.path)};
+  const pipeline::Product product = pipeline::produce(*design, {}, policy, session.context());
   session.tell(product.evaluation.sourceFindings);
   if (product.error) return session.complain(*product.error);
   scene::Scene scene;

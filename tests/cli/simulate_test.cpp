@@ -112,6 +112,20 @@ TEST(Simulate, AProgramBesideTheSurfaceIsNotCalledNearIt) {
   EXPECT_TRUE(json::parse(run.out)["surface"].is_null());
 }
 
+TEST(Simulate, ExchangedGripsAreTold) {
+  const Folder folder;
+  rationalize(folder);
+  json motion = json::parse(slurp(folder / "out/programs/strip-0/motion.json"));
+  for (json& instant : motion["instants"]) std::swap(instant["poses"][0], instant["poses"][1]);
+  // Beside its design, which knows where its grips stand, and alone, by the planes of its block.
+  for (const char* place : {"out/programs/strip-0/motion.json", "alone/motion.json"}) {
+    const Finished run = blade({"simulate", folder.write(place, motion.dump())});
+    EXPECT_EQ(run.status, 1) << place << run.err;
+    EXPECT_NE(run.err.find("error: the grips are exchanged"), std::string::npos) << place << run.err;
+    EXPECT_EQ(json::parse(run.out)["exceeded"].size(), 1u) << "the blade itself does what it did";
+  }
+}
+
 TEST(Simulate, WhatNoBladeCanDoIsStatusOneAndSaysWhereAndWhen) {
   const Folder folder;
   rationalize(folder);
@@ -175,7 +189,7 @@ TEST(Simulate, AnOpenLengthIsThatOfTheResults) {
   const Finished run = blade({"simulate", folder / "open"});
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_EQ(json::parse(run.out)["blade_length"], taken);
-  // The stored design stays open: what it is asked for anew is found anew, and the same.
+  // The stored design stays open: its programs are those of the length that was found.
   ASSERT_EQ(blade({"export", folder / "open", "--format", "json", "--out", folder / "again"}).status, 0);
   EXPECT_EQ(slurp(folder / "again/strip-0/motion.json"), slurp(folder / "open/programs/strip-0/motion.json"));
   // A design that leaves the length open has that of the program that it is given for.
@@ -187,9 +201,19 @@ TEST(Simulate, AnOpenLengthIsThatOfTheResults) {
   EXPECT_EQ(other.status, 2) << other.err;
   EXPECT_NE(other.err.find("a blade of 690 mm, the design has one of"), std::string::npos) << other.err;
   report["blade"]["length"] = taken + 15;
+  report["blade"]["lengths"]["best"] = taken + 15;
   folder.write("open/report.json", report.dump());
   const Finished changed = blade({"simulate", folder / "open"});
   EXPECT_EQ(changed.status, 2) << "it is not searched anew: " << changed.err;
+  const auto exported = [&](const std::string& out) {
+    EXPECT_EQ(blade({"export", folder / "open", "--format", "json", "--out", folder / out}).status, 0);
+    return json::parse(slurp(folder / out + "/strip-0/motion.json"))["blade_length"].get<double>();
+  };
+  EXPECT_EQ(exported("told"), taken + 15) << "nor for programs";
+  // Where none was found to serve, or the report does not tell, it is.
+  report["blade"]["lengths"]["best"] = nullptr;
+  folder.write("open/report.json", report.dump());
+  EXPECT_EQ(exported("sought"), taken);
 }
 
 TEST(Simulate, TellsHowLittleBringsTheBladeIntoAnotherShape) {

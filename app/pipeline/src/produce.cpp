@@ -90,7 +90,7 @@ Product produce(const Design& design, const std::filesystem::path& folder, const
       }
   }
   const Purpose purpose = policy.contents == Contents::evaluation ? Purpose::live : Purpose::files;
-  Outcome outcome = evaluate(design, nullptr, context, purpose);
+  Outcome outcome = evaluate(design, nullptr, context, purpose, policy.length);
   product.evaluation = std::move(outcome.evaluation);
   product.error = outcome.error;
   if (!product.error) makeFiles(product, policy, context);

@@ -25,6 +25,11 @@ bool staysInside(const fs::path& path) {
   return !path.empty() && path.is_relative() && std::find(path.begin(), path.end(), "..") == path.end();
 }
 
+std::optional<double> numberOf(const json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_number() ? std::optional(found->get<double>()) : std::nullopt;
+}
+
 }  // namespace
 
 Result<std::optional<ReportRecord>> readReportRecord(const fs::path& folder) {
@@ -50,9 +55,11 @@ Result<std::optional<ReportRecord>> readReportRecord(const fs::path& folder) {
   record.folder = folder;
   if (const auto run = report.find("run"); run != report.end() && run->is_string())
     record.run = run->get<std::string>();
-  if (const auto blade = report.find("blade"); blade != report.end() && blade->is_object())
-    if (const auto length = blade->find("length"); length != blade->end() && length->is_number())
-      record.bladeLength = length->get<double>();
+  if (const auto blade = report.find("blade"); blade != report.end() && blade->is_object()) {
+    record.bladeLength = numberOf(*blade, "length");
+    if (const auto lengths = blade->find("lengths"); lengths != blade->end() && lengths->is_object())
+      record.bestLength = numberOf(*lengths, "best");
+  }
   if (const auto files = report.find("files"); files != report.end() && files->is_array())
     for (const json& name : *files)
       if (name.is_string() && staysInside(name.get<std::string>())) record.files.insert(name);

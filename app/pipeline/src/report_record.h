@@ -19,6 +19,7 @@ struct ReportRecord {
   std::set<std::string> files;                       ///< that it lists, by path within the folder
   std::map<std::string, std::string> fingerprints;   ///< of those files, by the same paths
   std::optional<double> bladeLength = std::nullopt;  ///< mm
+  std::optional<double> bestLength = std::nullopt;   ///< mm, of those that were found to serve
 };
 
 /// Reads it. Nothing where there is no report.json, or somebody else's; an error where it cannot be read or

@@ -268,4 +268,10 @@ std::optional<double> madeWithLength(const fs::path& folder) {
   return length && *length > 0 && *length <= Blade::kLongest ? length : std::nullopt;
 }
 
+std::optional<double> foundLength(const fs::path& folder) {
+  const Result<std::optional<ReportRecord>> record = readReportRecord(folder);
+  if (!record || !*record || (*record)->bestLength != (*record)->bladeLength) return {};
+  return madeWithLength(folder);
+}
+
 }  // namespace bw::pipeline

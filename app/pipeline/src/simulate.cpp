@@ -59,6 +59,26 @@ std::string haltText(const Halt& halt, double length) {
   return when + "the blade cannot be followed: " + halt.reason;
 }
 
+/// True if the ends of the blade stand the other way round than those of the motion designed; without one,
+/// than all ends stand: the left one first in the planes across the travel.
+bool gripsExchanged(const Motion& motion, const Motion* designed) {
+  using Eigen::Vector3d;
+  constexpr double kClear = 0.05;  // of the chord
+  const auto chord = [](const Motion& of) -> Vector3d {
+    const std::vector<Pose>& poses = of.instants.front().poses;
+    return poses[1].position - poses[0].position;
+  };
+  if (designed) return chord(motion).dot(chord(*designed)) < 0;
+  if (motion.block.size.isZero()) return false;
+  const Frame& f = motion.block.frame;
+  const auto toFile = [&f](const Vector3d& v) -> Vector3d {
+    return v.x() * f.x + v.y() * f.y + v.z() * f.normal;
+  };
+  const Vector3d travel = toFile(motion.instants.front().poses.front().rotation * Vector3d::UnitZ());
+  const PlaneFamily planes = PlaneFamily::across(motion.block, travel.normalized());
+  return toFile(chord(motion)).dot(planes.frame.x) < -kClear * chord(motion).norm();
+}
+
 /// Where little brings the blade out of its shape.
 void judgeBarriers(const std::vector<BarrierLook>& looks, std::vector<std::string>& exceeded) {
   const auto unknown =
@@ -116,7 +136,7 @@ Result<ProgramRun> runProgram(const robotio::Program& program, const Design* des
   if (design) {
     if (!length && run.motion.bladeLength > 0 && run.motion.bladeLength <= Blade::kLongest)
       length = run.motion.bladeLength;
-    outcome = evaluate(*design, nullptr, context, Purpose::files, length);
+    outcome = evaluate(*design, nullptr, context, Purpose::comparison, length);
     if (outcome.error) return tl::unexpected<Error>(*outcome.error);
     blade = outcome.evaluation.design.blade;
     weight = fitRequest(*design).weight;
@@ -155,6 +175,13 @@ Result<ProgramRun> runProgram(const robotio::Program& program, const Design* des
           "the design has " +
           (errors.size() == 1 ? "an error: " : std::to_string(errors.size()) + " errors: ") + errors.front());
   }
+  if (gripsExchanged(run.motion, design ? outcome.evaluation.cut().motion.value.get() : nullptr))
+    run.exceeded.push_back(
+        "the grips are exchanged: the poses of the left end of the blade hold its right one, and those of "
+        "the "
+        "right end its left one, so that each robot would have to reach across the other; exchange both "
+        "poses "
+        "of every instant");
   run.exceeded.insert(run.exceeded.begin(), broken.begin(), broken.end());
   if (const std::optional<Halt>& halt = run.simulation.halt)
     run.exceeded.push_back(haltText(*halt, run.motion.bladeLength));

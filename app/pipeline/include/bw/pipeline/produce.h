@@ -39,6 +39,9 @@ struct Policy {
   std::string programName = "Blade";                  ///< of the modules of `Contents::programs`
   std::filesystem::path programFolder = {};           ///< where these lie in the folder
   MoreFiles more = {};                                ///< beside the results
+  /// mm, where the design leaves the length of its blade open: the one that was found for it before
+  /// (`foundLength`), in place of a search.
+  std::optional<double> length = std::nullopt;
 };
 
 /// What was made of a design, or how far that came.

@@ -37,5 +37,7 @@ Result<void> checkOneRun(const std::filesystem::path& folder, const std::string&
 /// mm, the length of the blade that the results in a folder were made with, whether their design gave it or
 /// left it open. Empty where no report tells.
 std::optional<double> madeWithLength(const std::filesystem::path& folder);
+/// The same where that length was sought, and found to serve: a search would find it again.
+std::optional<double> foundLength(const std::filesystem::path& folder);
 
 }  // namespace bw::pipeline
