@@ -255,6 +255,13 @@ TEST_F(WindowTest, DeviationAgainstMarginStandsBelowTheMargin) {
   for (QWidget* about = plot; about; about = about->parentWidget())
     if (auto* scroll = qobject_cast<QScrollArea*>(about)) scroll->ensureWidgetVisible(plot);
   QTest::qWait(0);
+  // Right after the margin, before what else stands in the fold.
+  const auto topOf = [&](QWidget* widget) { return widget->mapTo(&window(), QPoint()).y(); };
+  auto *margin = find<NumberField>("Stability margin"), *next = find<NumberField>("Motion tolerance");
+  ASSERT_TRUE(margin && next);
+  EXPECT_LT(topOf(margin) + margin->height(), topOf(plot));
+  EXPECT_LT(topOf(plot) - topOf(margin), 2 * margin->height());
+  EXPECT_GT(topOf(next), topOf(plot) + plot->height());
   picture("margins");
   // A press takes the margin that is drawn there; one that serves as well as another may lie at the same
   // place.

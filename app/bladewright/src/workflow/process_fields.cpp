@@ -115,7 +115,14 @@ void ProcessFields::addFit(FormColumn* column, const Theme& theme) {
     bench_.editDesign(on ? tr("Keep end tangents") : tr("Free end tangents"),
                       [on](Design& design) { design.process.fitTangents = on; });
   });
-  addNumbers(column, ProcessPart::details);
+  for (const ProcessNumber& number : processNumbers()) {
+    if (number.part != ProcessPart::details) continue;
+    addProcessLine(numbers_, column, number, this, bench_);
+    if (number.member == &Process::margin) addMargins(column, theme);
+  }
+}
+
+void ProcessFields::addMargins(FormColumn* column, const Theme& theme) {
   trade_ = column->addWide(new MarginPlot(theme));
   connect(trade_, &MarginPlot::chosen, this, [this](double margin) {
     bench_.editDesign(tr("Change stability margin"),

@@ -34,6 +34,7 @@ class ProcessFields : public QObject {
   void addStations(FormColumn* column);
   void addDirection(FormColumn* column);
   void addFit(FormColumn* column, const Theme& theme);
+  void addMargins(FormColumn* column, const Theme& theme);  ///< what of the deviation a margin costs
   void addNumbers(FormColumn* column, ProcessPart part);
   std::optional<int> foundStations() const;
 
