@@ -137,8 +137,11 @@ bool isStable(const Way& way, const WayPoint& point) {
 }  // namespace
 
 std::optional<Followed> follow(const Way& way, const Shape& start) {
+  // Of the finest modes a single step may cost more than a caller has left: then none is begun.
+  if (detail::workExhausted()) return {};
   WayPoint last{0, start};
   if (!isStable(way, last)) return Followed{last, true};
+  if (detail::workExhausted()) return {};
   Path path(way, last, 1);
   for (int i = 0; i < kMostSteps && last.part < 1 && !detail::workExhausted(); ++i) {
     Path before = path;
