@@ -73,10 +73,11 @@ Result<SplineSurface> loft(const SurfaceGrid& grid, const std::vector<double>& r
       });
 }
 
-Result<std::string> stepText(const SplineSurface& surface, const std::string& name) {
-  if (auto ok = checkSplineSurface(surface); !ok) return tl::unexpected(ok.error());
+namespace {
+
+/// The surface as a shell of one face.
+int shellOf(StepText& text, const SplineSurface& surface, const std::string& name) {
   const int nu = surface.polesU, nv = surface.polesV;
-  StepText text;
   const int id = text.splineSurface(surface);
   const int last = nu * nv - 1;
   const int v00 = text.vertex(surface.poles[0]), v10 = text.vertex(surface.poles[nu - 1]);
@@ -92,7 +93,24 @@ Result<std::string> stepText(const SplineSurface& surface, const std::string& na
   };
   const int s = alongU(0, v00, v10), e = alongV(nu - 1, v10, v11);
   const int n = alongU(last - nu + 1, v01, v11), w = alongV(0, v00, v01);
-  return text.file(id, {{s, true}, {e, true}, {n, false}, {w, false}}, name);
+  return text.shell(id, {{s, true}, {e, true}, {n, false}, {w, false}}, name);
+}
+
+}  // namespace
+
+Result<std::string> stepText(const SplineSurface& surface, const std::string& name) {
+  const NamedSurface one{name, &surface};
+  return stepText(std::span(&one, 1), name);
+}
+
+Result<std::string> stepText(std::span<const NamedSurface> surfaces, const std::string& name) {
+  StepText text;
+  std::vector<int> shells;
+  for (const auto& [face, surface] : surfaces) {
+    if (auto ok = checkSplineSurface(*surface); !ok) return tl::unexpected(ok.error());
+    shells.push_back(shellOf(text, *surface, face));
+  }
+  return text.file(shells, name);
 }
 
 namespace {

@@ -158,7 +158,7 @@ int StepText::edge(int start, int end, int curve) {
   return add("EDGE_CURVE(''," + ref(start) + "," + ref(end) + "," + ref(curve) + ",.T.)");
 }
 
-std::string StepText::file(int surface, const std::vector<Side>& border, const std::string& name) {
+int StepText::shell(int surface, const std::vector<Side>& border, const std::string& name) {
   const std::string quoted = stepString(name);
   std::vector<int> sides;
   for (const Side& side : border) {
@@ -167,8 +167,12 @@ std::string StepText::file(int surface, const std::vector<Side>& border, const s
   const int loop = add("EDGE_LOOP(''," + list(sides, ref) + ")");
   const int bound = add("FACE_OUTER_BOUND(''," + ref(loop) + ",.T.)");
   const int face = add("ADVANCED_FACE(" + quoted + ",(" + ref(bound) + ")," + ref(surface) + ",.T.)");
-  const int shell = add("OPEN_SHELL(" + quoted + ",(" + ref(face) + "))");
-  const int model = add("SHELL_BASED_SURFACE_MODEL(" + quoted + ",(" + ref(shell) + "))");
+  return add("OPEN_SHELL(" + quoted + ",(" + ref(face) + "))");
+}
+
+std::string StepText::file(const std::vector<int>& shells, const std::string& name) {
+  const std::string quoted = stepString(name);
+  const int model = add("SHELL_BASED_SURFACE_MODEL(" + quoted + "," + list(shells, ref) + ")");
 
   const int length = add("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.))");
   const int angle = add("(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.))");

@@ -11,7 +11,7 @@
 
 namespace bw::geometry {
 
-/// Writes one face as ISO 10303-21 text of AP214, in mm. Own writer: OCCT's puts a date in the header and
+/// Writes faces as ISO 10303-21 text of AP214, in mm. Own writer: OCCT's puts a date in the header and
 /// numbers its products by a count that lives as long as the program, so equal input would not give equal
 /// bytes.
 class StepText {
@@ -34,9 +34,11 @@ class StepText {
     int edge;
     bool forward;
   };
-  /// The whole file: a face of `surface` bounded by `border`, counter-clockwise about the surface's normal du
-  /// × dv.
-  std::string file(int surface, const std::vector<Side>& border, const std::string& name);
+  /// A shell of one face of `surface` bounded by `border`, counter-clockwise about the surface's normal du ×
+  /// dv.
+  int shell(int surface, const std::vector<Side>& border, const std::string& name);
+  /// The whole file: a part of these shells.
+  std::string file(const std::vector<int>& shells, const std::string& name);
 
  private:
   std::string body_;

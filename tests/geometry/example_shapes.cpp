@@ -168,7 +168,8 @@ std::string sphereCapStep(const std::string& title) {
   const int east = text.edge(b, c, circle({h, 0, -drop}, -Vector3d::UnitX(), -Vector3d::UnitY()));
   const int north = text.edge(c, d, circle({0, h, -drop}, -Vector3d::UnitY(), Vector3d::UnitX()));
   const int west = text.edge(d, a, circle({-h, 0, -drop}, Vector3d::UnitX(), Vector3d::UnitY()));
-  return text.file(surface, {{south, true}, {east, true}, {north, true}, {west, true}}, title);
+  return text.file({text.shell(surface, {{south, true}, {east, true}, {north, true}, {west, true}}, title)},
+                   title);
 }
 
 std::string torusPatchStep(const std::string& title) {
@@ -197,7 +198,7 @@ std::string torusPatchStep(const std::string& title) {
   const int c = text.vertex(north.second.second), d = text.vertex(north.second.first);
   const int s = text.edge(a, b, south.first), e = text.edge(b, c, east.first);
   const int n = text.edge(d, c, north.first), w = text.edge(a, d, west.first);
-  return text.file(surface, {{s, true}, {e, true}, {n, false}, {w, false}}, title);
+  return text.file({text.shell(surface, {{s, true}, {e, true}, {n, false}, {w, false}}, title)}, title);
 }
 
 }  // namespace

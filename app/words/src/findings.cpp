@@ -48,6 +48,8 @@ constexpr std::pair<FindingKind, const char*> kWords[] = {{FindingKind::fit, "fi
                                                           {FindingKind::leftOut, "left-out"},
                                                           {FindingKind::healing, "healing"},
                                                           {FindingKind::source, "source"},
+                                                          {FindingKind::joint, "joint"},
+                                                          {FindingKind::blocks, "blocks"},
                                                           {FindingKind::cell, "cell"},
                                                           {FindingKind::cellSides, "cell-sides"},
                                                           {FindingKind::program, "program"},
@@ -101,7 +103,8 @@ std::string placeText(const Finding& finding) {
 }
 
 std::string sentence(const Finding& finding, Reader reader) {
-  return std::visit(Sentences{finding, reader}, finding.cause);
+  const std::string block = finding.where.block.empty() ? "" : finding.where.block + ": ";
+  return block + std::visit(Sentences{finding, reader}, finding.cause);
 }
 
 std::string listed(const Finding& finding, Reader reader) {

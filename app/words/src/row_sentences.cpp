@@ -369,4 +369,44 @@ std::string Sentences::operator()(const SkinOff& cause) const {
          " mm from the blade, more than " + shortText(cause.tolerance) + " mm; " + kInParts;
 }
 
+namespace {
+
+/// What helps where blocks do not meet: more stations, if only what lies between them misses.
+std::string jointRemedy(bool atStations) {
+  return atStations
+             ? "hold the ends of their cuts at the boundary (join: tangent-planes), or put the boundary "
+               "where the surface bends less"
+             : "the stations themselves keep it, so take more of them";
+}
+
+}  // namespace
+
+std::string Sentences::operator()(const JointGap& cause) const {
+  return cause.one + " and " + cause.other + " meet with a gap of up to " + mm(cause.gap) +
+         ", more than the " + mm(cause.limit) + " allowed; " + jointRemedy(cause.atStations > cause.limit);
+}
+
+std::string Sentences::operator()(const JointKink& cause) const {
+  return cause.one + " and " + cause.other + " meet with a kink of up to " +
+         shortText(toDegrees(cause.angle)) + "°, more than the " + shortText(toDegrees(cause.limit)) +
+         "° allowed; " + jointRemedy(cause.atStations > cause.limit);
+}
+
+std::string Sentences::operator()(const JointOpen& cause) const {
+  return "the surface comes to the boundary of " + cause.one + " and " + cause.other +
+         " and is cut in one of " + "them alone at " + std::to_string(cause.open) + " of " +
+         std::to_string(cause.open + cause.places) +
+         " places looked at; choose blocks whose boundary it passes as a whole";
+}
+
+std::string Sentences::operator()(const BlocksMissed& cause) const {
+  constexpr std::size_t kNamed = 6;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(kNamed, cause.blocks.size()); ++i)
+    names += (i ? ", " : "") + cause.blocks[i];
+  if (cause.blocks.size() > kNamed) names += " and others";
+  return std::to_string(cause.blocks.size()) + " of " + std::to_string(cause.of) +
+         " blocks are not met by the surface, and nothing is cut of them: " + names;
+}
+
 }  // namespace bw::words

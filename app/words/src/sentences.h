@@ -45,6 +45,10 @@ struct Sentences {
   std::string operator()(const TooFarOnTheWay& cause) const;
   std::string operator()(const OffTheSurfaceShown& cause) const;
   std::string operator()(const SkinOff& cause) const;
+  std::string operator()(const JointGap& cause) const;
+  std::string operator()(const JointKink& cause) const;
+  std::string operator()(const JointOpen& cause) const;
+  std::string operator()(const BlocksMissed& cause) const;
   // Surfaces and sections.
   std::string operator()(const SectionMissing& cause) const;
   std::string operator()(const SectionPoint& cause) const;

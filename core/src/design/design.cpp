@@ -9,7 +9,9 @@
 #include <boost/archive/iterators/binary_from_base64.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <vector>
 
 #include "bw/core/blade/blade_json.h"
@@ -23,7 +25,7 @@ namespace bw {
 
 namespace {
 
-constexpr std::array<ProcessNumber, 9> kNumbers = {{
+constexpr std::array<ProcessNumber, 11> kNumbers = {{
     {{&Process::tolerance, "tolerance", "Tolerance", "mm", 1e-4, 1000, 1e-3, 3, 0.1,
       "Largest deviation of the cut surface that is accepted", "Change tolerance"},
      ProcessPart::setup},
@@ -36,7 +38,7 @@ constexpr std::array<ProcessNumber, 9> kNumbers = {{
     {{&Process::maxPeriods, "max_periods", "Most waves", "", 0.05, 10, 0.1, 2, 0.1,
       "Periods of the elastica that the blade may span; more than one is hard to hold", "Change most waves"},
      ProcessPart::details,
-     true},
+     "fit"},
     {{&Process::margin, "margin", "Stability margin", "", 0, 1, 0, 2, 0.05,
       "How firmly blades rest at least: 1 for a straight one, 0 where it is about to snap",
       "Change stability margin"},
@@ -55,6 +57,15 @@ constexpr std::array<ProcessNumber, 9> kNumbers = {{
     {{&Process::gripAngle, "grip_angle_error", "Grip turn", "°", 0, 10, 0, 2, 0.1,
       "How far a grip may be turned besides", "Change grip turn"},
      ProcessPart::details},
+    {{&Process::jointGap, "gap_mm", "Joint gap", "mm", 0, 100, 0, 2, 0.05,
+      "Between the surfaces of neighbouring blocks at their boundary; told where it is more",
+      "Change joint gap"},
+     ProcessPart::details,
+     "join"},
+    {{&Process::jointKink, "kink_deg", "Joint kink", "°", 0, 90, 0, 2, 0.1,
+      "Between these surfaces there; told where it is more", "Change joint kink"},
+     ProcessPart::details,
+     "join"},
 }};
 
 }  // namespace
@@ -161,23 +172,39 @@ void readPart(ObjectReader& reader, const char* key, const Read& read) {
   reader.adopt(inner.finish());
 }
 
-/// A member that is a list of one object. More is what a newer program may take.
+/// A member that is a list of objects. Entries without an id have the first part's, numbered on.
 template <class Part, class Read>
-void readList(ObjectReader& reader, const char* key, std::vector<Part>& list, const Read& read) {
+void readList(ObjectReader& reader, const char* key, const char* what, std::size_t most,
+              std::vector<Part>& list, const Read& read) {
   const json* value = reader.member(key);
   if (!value) return;
   const std::string path = reader.path() + "." + key;
-  if (!value->is_array() || value->size() != 1)
+  if (!value->is_array() || value->empty() || value->size() > most)
     return reader.complain(
-        key, path + " must be a list of one entry" +
-                 (value->is_array() ? ", not of " + std::to_string(value->size()) +
-                                          ": this version works on one source, one block and one cut"
-                                    : std::string()));
-  ObjectReader inner((*value)[0], path + "[0]", reader.scope());
-  inner.text("id", list.front().id);
-  read(inner, list.front());
-  if (list.front().id.empty()) inner.complain("id", path + "[0].id is empty; give it a name");
-  reader.adopt(inner.finish());
+        key,
+        path +
+            (most == 1 ? " must be a list of one entry"
+                       : " must be a list of 1 to " + std::to_string(most) + " entries") +
+            (value->is_array() ? ", not of " + std::to_string(value->size()) +
+                                     (most == 1 ? ": this version works on one source" : "")
+                               : std::string()),
+        value->is_array() ? std::optional(double(value->size())) : std::nullopt, double(most));
+  std::set<std::string> ids;
+  list.clear();
+  for (std::size_t i = 0; i < value->size(); ++i) {
+    const std::string entry = path + "[" + std::to_string(i) + "]";
+    ObjectReader inner((*value)[i], entry, reader.scope());
+    Part part;
+    part.id = what + ("-" + std::to_string(i + 1));
+    inner.text("id", part.id);
+    read(inner, part);
+    if (part.id.empty()) inner.complain("id", entry + ".id is empty; give it a name");
+    if (!ids.insert(part.id).second)
+      inner.complain("id", entry + ".id is \"" + part.id + "\", as that of another entry; give each its own");
+    const bool good = reader.adopt(inner.finish());
+    list.push_back(std::move(part));
+    if (!good) return;
+  }
 }
 
 void readReference(ObjectReader& reader, const char* key, std::string& id, const std::string& there) {
@@ -185,6 +212,61 @@ void readReference(ObjectReader& reader, const char* key, std::string& id, const
   if (id != there)
     reader.complain(
         key, reader.path() + "." + key + " names \"" + id + "\", but the design has \"" + there + "\"");
+}
+
+/// The key "block" of a cut: one of the blocks. Left out it is the only one, or under a grid each of them.
+void readBlockReference(ObjectReader& reader, const Design& design, Cut& cut) {
+  const bool given = reader.has("block");
+  cut.block = design.grid || design.stock.size() > 1 ? std::string() : design.block().id;
+  reader.text("block", cut.block);
+  if (!given && design.grid) return;
+  if (!given && cut.block.empty())
+    return reader.complain("block", reader.path() + " needs the key block: the id of one of the " +
+                                        std::to_string(design.stock.size()) + " blocks");
+  if (std::ranges::find(design.stock, cut.block, &StockBlock::id) != design.stock.end()) return;
+  std::vector<std::string> ids;
+  for (const StockBlock& block : design.stock) ids.push_back(block.id);
+  const std::string nearest = nearestWord(cut.block, ids.data(), int(ids.size()));
+  reader.complain(
+      "block",
+      reader.path() + ".block names \"" + cut.block + "\", but the design has " +
+          (ids.size() == 1 ? "\"" + ids.front() + "\"" : std::to_string(ids.size()) + " other blocks") +
+          (nearest.empty() || ids.size() == 1 ? "" : "; did you mean \"" + nearest + "\"?"));
+}
+
+/// The blocks: those of a list, or those of a grid.
+void readStock(ObjectReader& reader, Design& design) {
+  detail::readGrid(reader, design.grid);
+  if (!design.grid)
+    return readList(reader, "stock", "block", std::size_t(Design::kMostBlocks), design.stock,
+                    detail::readPlacement);
+  if (reader.member("stock"))
+    reader.complain("stock",
+                    reader.path() + " tells its blocks twice, by grid and by stock; keep one of them");
+  design.stock = stockOf(*design.grid);
+}
+
+void readCuts(ObjectReader& reader, Design& design) {
+  std::vector<Cut> list = {{}};
+  list.front().source = design.source().id;
+  list.front().block = design.grid ? std::string() : design.block().id;
+  readList(reader, "cuts", "cut", std::size_t(Design::kMostCuts), list, [&](ObjectReader& inner, Cut& cut) {
+    cut.source = design.source().id;
+    readReference(inner, "source", cut.source, design.source().id);
+    readBlockReference(inner, design, cut);
+    detail::readCutKeys(inner, cut);
+  });
+  if (!design.grid) {
+    design.cuts = std::move(list);
+    return;
+  }
+  const auto own = std::ranges::stable_partition(list, [](const Cut& cut) { return cut.block.empty(); });
+  design.cuts = cutsOf(design.stock, {list.begin(), own.begin()}, {own.begin(), own.end()});
+  if (design.cuts.size() > std::size_t(Design::kMostCuts))
+    reader.complain("cuts",
+                    reader.path() + ".cuts come to " + std::to_string(design.cuts.size()) +
+                        " in the blocks of the grid; there may be " + std::to_string(Design::kMostCuts),
+                    double(design.cuts.size()), double(Design::kMostCuts));
 }
 
 /// Version 1: one source, and a job.
@@ -205,7 +287,7 @@ Result<Design> presentDesign(ObjectReader& reader, const json& object) {
   detail::readVariables(reader, design.variables);
   for (const Variable& variable : design.variables)
     reader.scope()->numbers.push_back({variable.name, variable.value});
-  readList(reader, "sources", design.sources, [](ObjectReader& inner, Source& source) {
+  readList(reader, "sources", "source", 1, design.sources, [](ObjectReader& inner, Source& source) {
     detail::readSurface(inner, source.surface);
     if (source.surface)
       for (const char* key : {"path", "base64", "fingerprint", "unit", "sewing"})
@@ -215,14 +297,8 @@ Result<Design> presentDesign(ObjectReader& reader, const json& object) {
     readFileKeys(inner, source);
     detail::readSourceKeys(inner, source);
   });
-  readList(reader, "stock", design.stock, detail::readPlacement);
-  readList(reader, "cuts", design.cuts, [&](ObjectReader& inner, Cut& cut) {
-    cut.source = design.source().id;
-    cut.block = design.block().id;
-    readReference(inner, "source", cut.source, design.source().id);
-    readReference(inner, "block", cut.block, design.block().id);
-    detail::readCutKeys(inner, cut);
-  });
+  readStock(reader, design);
+  readCuts(reader, design);
   if (Result<void> ok = detail::readBladeKeys(reader, object, design.blade); !ok)
     return tl::unexpected<Error>(ok.error());
   readPart(reader, "process", [&](ObjectReader& inner) { detail::readProcessKeys(inner, design.process); });
@@ -231,6 +307,33 @@ Result<Design> presentDesign(ObjectReader& reader, const json& object) {
 }
 
 }  // namespace
+
+std::vector<StockBlock> stockOf(const BlockGrid& grid) {
+  std::vector<StockBlock> stock;
+  for (BlockGrid::Cell& cell : grid.cells()) stock.push_back({std::move(cell.id), cell.placement});
+  return stock;
+}
+
+std::vector<Cut> cutsOf(const std::vector<StockBlock>& stock, const std::vector<Cut>& each,
+                        const std::vector<Cut>& own) {
+  std::vector<Cut> cuts;
+  std::map<std::string, std::size_t> places;
+  const auto add = [&](const Cut& cut) {
+    const auto [place, isNew] = places.try_emplace(cut.id, cuts.size());
+    if (isNew)
+      cuts.push_back(cut);
+    else
+      cuts[place->second] = cut;
+  };
+  for (const StockBlock& block : stock)
+    for (Cut cut : each) {
+      cut.id += "-" + block.id;
+      cut.block = block.id;
+      add(cut);
+    }
+  for (const Cut& cut : own) add(cut);
+  return cuts;
+}
 
 ReadOptions Design::readOptions(const Source& of) const {
   return {of.unit, of.sewing.value_or(std::min(process.tolerance / 10, ReadOptions::kMostSewing))};
@@ -274,6 +377,27 @@ Result<Design> detail::designFrom(const json& object, int* version) {
 
 namespace {
 
+/// The cuts of a grid as files tell them: those that each block has, without a block, and those that are not
+/// so. Empty where that would not come to the same cuts.
+std::optional<std::vector<Cut>> cutsUnderGrid(const Design& design) {
+  if (!design.grid || design.stock != stockOf(*design.grid)) return {};
+  const std::string& first = design.stock.front().id;
+  std::vector<Cut> each, own;
+  for (Cut cut : design.cuts)
+    if (cut.block == first && cut.id.size() > first.size() + 1 && cut.id.ends_with("-" + first)) {
+      cut.id.resize(cut.id.size() - first.size() - 1);
+      cut.block.clear();
+      each.push_back(std::move(cut));
+    }
+  std::map<std::string, Cut> made;
+  for (Cut& cut : cutsOf(design.stock, each, {})) made.emplace(cut.id, cut);
+  for (const Cut& cut : design.cuts)
+    if (const auto found = made.find(cut.id); found == made.end() || found->second != cut) own.push_back(cut);
+  if (cutsOf(design.stock, each, own) != design.cuts) return {};
+  each.insert(each.end(), own.begin(), own.end());
+  return each;
+}
+
 /// Puts the expressions in the place of the numbers that they came to.
 void writeBindings(const std::map<std::string, BoundNumber>& bindings, nlohmann::ordered_json& object) {
   constexpr double kSame = 1e-12;  // relative: angles are kept in rad
@@ -315,18 +439,27 @@ nlohmann::ordered_json detail::designJson(const Design& design) {
     detail::writeSourceKeys(source, part);
     sources.push_back(std::move(part));
   }
+  const std::optional<std::vector<Cut>> underGrid = cutsUnderGrid(design);
   for (const StockBlock& block : design.stock) {
+    if (underGrid) break;
     json part = {{"id", block.id}};
     detail::writePlacement(block, part);
     stock.push_back(std::move(part));
   }
-  for (const Cut& cut : design.cuts) {
-    json part = {{"id", cut.id}, {"source", cut.source}, {"block", cut.block}};
+  for (const Cut& cut : underGrid ? *underGrid : design.cuts) {
+    json part = {{"id", cut.id}, {"source", cut.source}};
+    if (!cut.block.empty()) part["block"] = cut.block;
     detail::writeCutKeys(cut, part);
     cuts.push_back(std::move(part));
   }
   object["sources"] = sources;
-  object["stock"] = stock;
+  if (underGrid)
+    object["grid"] = gridJson(*design.grid, [&design](const std::string& place) {
+      const auto first = design.bindings.lower_bound(place);
+      return first != design.bindings.end() && first->first.starts_with(place);
+    });
+  else
+    object["stock"] = stock;
   object["cuts"] = cuts;
   object["blade"] = bladeToJson(design.blade);
   json process;

@@ -4,6 +4,7 @@
 #include "design/design_keys.h"
 
 #include <algorithm>
+#include <string_view>
 
 #include "bw/core/base/units.h"
 #include "bw/core/blade/blade_json.h"
@@ -223,6 +224,13 @@ void readUp(ObjectReader& reader, Eigen::Vector3d& up) {
     up = v / length;
 }
 
+/// The numbers of the process that stand in an object of that key; null: in none.
+void readNumbers(ObjectReader& reader, const char* object, Process& process) {
+  for (const ProcessNumber& number : processNumbers())
+    if (object ? number.object && std::string_view(number.object) == object : !number.object)
+      reader.number(number.key, process.*number.member, number.min, number.max);
+}
+
 void readFit(ObjectReader& reader, Process& process) {
   const json* value = reader.member("fit");
   if (!value) return;
@@ -232,8 +240,18 @@ void readFit(ObjectReader& reader, Process& process) {
   process.fitLength = FitOptions::Length(length);
   inner.boolean("endpoints", process.fitEndpoints);
   inner.boolean("tangents", process.fitTangents);
-  for (const ProcessNumber& number : processNumbers())
-    if (number.ofFit) inner.number(number.key, process.*number.member, number.min, number.max);
+  readNumbers(inner, "fit", process);
+  reader.adopt(inner.finish());
+}
+
+void readJoin(ObjectReader& reader, Process& process) {
+  const json* value = reader.member("join");
+  if (!value) return;
+  ObjectReader inner(*value, reader.path() + ".join", reader.scope());
+  int type = int(process.join);
+  inner.word("type", {kJoins.begin(), kJoins.end()}, type);
+  process.join = Join(type);
+  readNumbers(inner, "join", process);
   reader.adopt(inner.finish());
 }
 
@@ -296,8 +314,8 @@ void readCutKeys(ObjectReader& reader, Cut& cut) {
 
 void readProcessKeys(ObjectReader& reader, Process& process) {
   readFit(reader, process);
-  for (const ProcessNumber& number : processNumbers())
-    if (!number.ofFit) reader.number(number.key, process.*number.member, number.min, number.max);
+  readJoin(reader, process);
+  readNumbers(reader, nullptr, process);
   reader.boolean("weight", process.weight);
   readUp(reader, process.up);
 }
@@ -344,8 +362,9 @@ void writeProcessKeys(const Process& process, json& object) {
   object["fit"] = {{"length", process.fitLength == FitOptions::Length::exact ? "exact" : "free"},
                    {"endpoints", process.fitEndpoints},
                    {"tangents", process.fitTangents}};
+  object["join"] = {{"type", kJoins[std::size_t(process.join)]}};
   for (const ProcessNumber& number : processNumbers())
-    (number.ofFit ? object["fit"] : object)[number.key] = process.*number.member;
+    (number.object ? object[number.object] : object)[number.key] = process.*number.member;
   object["weight"] = process.weight;
   object["up"] = vectorJson(process.up);
 }

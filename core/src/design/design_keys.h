@@ -26,8 +26,9 @@ void readSurface(ObjectReader& reader, std::optional<DesignedSurface>& surface);
 nlohmann::json surfaceJson(const DesignedSurface& surface,
                            const std::function<bool(const std::string&)>& isBound);
 
-void readSourceKeys(ObjectReader& reader, Source& source);    ///< unit, sewing
-void readPlacement(ObjectReader& reader, StockBlock& block);  ///< block
+void readSourceKeys(ObjectReader& reader, Source& source);            ///< unit, sewing
+void readPlacement(ObjectReader& reader, StockBlock& block);          ///< block
+void readGrid(ObjectReader& reader, std::optional<BlockGrid>& grid);  ///< grid
 void readCutKeys(ObjectReader& reader, Cut& cut);  ///< face, near, direction, planes, stations, sections
 void readProcessKeys(ObjectReader& reader, Process& process);  ///< fit, and the table of its numbers
 void readOutputKeys(ObjectReader& reader, Output& output);     ///< programs, cell
@@ -36,6 +37,8 @@ Result<void> readBladeKeys(ObjectReader& reader, const nlohmann::json& object, B
 
 void writeSourceKeys(const Source& source, nlohmann::json& object);
 void writePlacement(const StockBlock& block, nlohmann::json& object);
+/// `isBound(place)` as that of `surfaceJson`, of the whole design.
+nlohmann::json gridJson(const BlockGrid& grid, const std::function<bool(const std::string&)>& isBound);
 void writeCutKeys(const Cut& cut, nlohmann::json& object);
 void writeProcessKeys(const Process& process, nlohmann::json& object);
 

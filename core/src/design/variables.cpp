@@ -44,8 +44,15 @@ Result<Design> resolved(const Design& design) {
   read->name = design.name;
   for (std::size_t i = 0; i < read->sources.size() && i < design.sources.size(); ++i)
     if (!design.sources[i].surface) read->sources[i] = design.sources[i];
-  keepPlain(read->stock, design.stock, design, "/stock/");
-  keepPlain(read->cuts, design.cuts, design, "/cuts/");
+  if (!read->grid) {
+    keepPlain(read->stock, design.stock, design, "/stock/");
+    keepPlain(read->cuts, design.cuts, design, "/cuts/");
+    read->grid = design.grid;
+  } else if (plain(design, "/grid/")) {
+    read->grid = design.grid;
+    read->stock = design.stock;
+    if (plain(design, "/cuts/")) read->cuts = design.cuts;
+  }
   if (plain(design, "/blade/")) read->blade = design.blade;
   if (plain(design, "/process/")) read->process = design.process;
   read->output = design.output;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,14 @@ Result<SplineSurface> loft(const SurfaceGrid& grid, const std::vector<double>& r
 /// The surface as STEP AP214 text in mm with one face named `name`; the header carries no date and no machine
 /// name, so that equal input gives equal bytes.
 Result<std::string> stepText(const SplineSurface& surface, const std::string& name);
+
+/// A surface and the name of its face.
+struct NamedSurface {
+  std::string name;
+  const SplineSurface* surface = nullptr;
+};
+/// The same of several surfaces, a shell of one face each, in a part called `name`.
+Result<std::string> stepText(std::span<const NamedSurface> surfaces, const std::string& name);
 
 /// The surface as IGES text in mm, one trimmed face; the head carries no date and no machine, as with STEP.
 /// `name` in ASCII, other characters become "_". Errors: a surface whose poles, knots and degrees do not fit

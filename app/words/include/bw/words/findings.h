@@ -20,7 +20,7 @@ std::string kindWord(const Finding& finding);
 std::string placeText(const Finding& finding);
 
 /// What is wrong, where, by how much, and what to do: one sentence that begins in lower case, without its
-/// full stop. Stations are named in it, other places are not.
+/// full stop. Blocks and stations are named in it, other places are not.
 std::string sentence(const Finding& finding, Reader reader);
 
 /// The same as it stands in a list of its own: with its place, and a capital first.

@@ -57,6 +57,8 @@ enum class FindingKind {
   leftOut,
   healing,
   source,
+  joint,
+  blocks,
   cell,
   cellSides,
   program,
@@ -393,6 +395,30 @@ struct ServingLengths {
   /// mm, the least that was tried besides the one asked for where no length serves; that if none was.
   std::optional<double> leastClearance = std::nullopt;
 };
+/// The surfaces of two neighbouring blocks do not meet at their boundary.
+struct JointGap {
+  static constexpr FindingKind kind = FindingKind::joint;
+  std::string one, other;                     ///< the blocks' ids
+  double gap = 0, limit = 0, atStations = 0;  ///< mm: the widest, what is allowed, the widest at a station
+};
+/// They meet with a kink.
+struct JointKink {
+  static constexpr FindingKind kind = FindingKind::joint;
+  std::string one, other;
+  double angle = 0, limit = 0, atStations = 0;  ///< rad
+};
+/// The surface comes to a boundary in one block and does not go on in the other one.
+struct JointOpen {
+  static constexpr FindingKind kind = FindingKind::joint;
+  std::string one, other;
+  int open = 0, places = 0;  ///< where it does not and where it does, of the places that were looked at
+};
+/// Blocks that the surface does not come through: nothing is cut of them.
+struct BlocksMissed {
+  static constexpr FindingKind kind = FindingKind::blocks;
+  std::vector<std::string> blocks;  ///< ids
+  int of = 0;                       ///< how many there are in all
+};
 /// A robot cannot hold its end of the blade at the place, or, without one, at home as the program begins.
 struct HomeOutOfReach {
   static constexpr FindingKind kind = FindingKind::cell;
@@ -440,8 +466,8 @@ using Cause =
                  SectionPoint, SectionShort, SectionBranches, SectionClosed, SectionBridged, SectionExtended,
                  SectionBorder, SectionUnfit, SectionRough, SectionDiffers, LargestFace, NearestFace,
                  FacesLeftOut, TravelAcross, ChosenDirection, LeftOutOfFile, Healed, ChangedSource,
-                 EarlierDesign, UnreadableCell, WrongSide, HomeUnknown, HomeOutOfReach, ProgramDespiteErrors,
-                 ProgramBreach, RunMismatch>;
+                 EarlierDesign, JointGap, JointKink, JointOpen, BlocksMissed, UnreadableCell, WrongSide,
+                 HomeUnknown, HomeOutOfReach, ProgramDespiteErrors, ProgramBreach, RunMismatch>;
 
 /// Stations of a row by their index: from first to last, `count` of them concerned, the worst among them.
 struct StationRange {
@@ -454,6 +480,7 @@ struct StationRange {
 struct Place {
   std::optional<StationRange> stations = std::nullopt;
   std::optional<Eigen::Vector3d> point = std::nullopt;  ///< in the file's frame, mm
+  std::string block = {};  ///< its id, where there are several; empty for what concerns them all
 };
 
 /// One finding of a check, as data; `bw/words/findings.h` says it in words.
@@ -473,9 +500,9 @@ bool hasErrors(const Findings& findings);
 
 /// True if any of `findings` says that a limit is exceeded: an error of any kind, or a warning about a limit
 /// that the job or the blade states: deviation (tolerance), clearance or stability (the blade would not keep
-/// its shape), or motion (what it does between stations is not known). Warnings by rules of thumb (angle,
-/// speed, inflections, …) do not count, nor does that a round blade may leave its plane, which hangs on how
-/// the grips hold it.
+/// its shape), motion (what it does between stations is not known), or joint (how blocks meet). Warnings by
+/// rules of thumb (angle, speed, inflections, …) do not count, nor does that a round blade may leave its
+/// plane, which hangs on how the grips hold it.
 bool exceedsLimit(const Findings& findings);
 
 }  // namespace bw

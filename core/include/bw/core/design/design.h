@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "bw/core/base/frame.h"
 #include "bw/core/base/result.h"
 #include "bw/core/blade/blade.h"
+#include "bw/core/design/block_grid.h"
 #include "bw/core/design/face_choice.h"
 #include "bw/core/design/read_options.h"
 #include "bw/core/design/variables.h"
@@ -63,6 +65,14 @@ struct Cut {
   bool operator==(const Cut&) const = default;
 };
 
+/// What is asked of cuts where their blocks lie side by side and the surface goes on.
+enum class Join {
+  none,          ///< nothing: each blade lies as near to its section as it can
+  tangentPlanes  ///< each has the ends, tangents and length of its section, so that neighbours meet smoothly
+};
+/// Their words in files, by value.
+inline constexpr std::array<const char*, 2> kJoins = {"none", "tangent-planes"};
+
 /// How blades are found, driven and judged.
 struct Process {
   FitOptions::Length fitLength = FitOptions::Length::free;
@@ -78,6 +88,9 @@ struct Process {
   double gripError = 0.5;        ///< mm that a grip may be off, and
   double gripAngle = 0.2;        ///< degrees that it may be turned: what the cut then moves by is told
   bool weight = true;            ///< blades hang in their own weight
+  Join join = Join::tangentPlanes;
+  double jointGap = 0.1;  ///< mm between the surfaces of neighbouring blocks at their boundary, and
+  double jointKink = 1;   ///< degrees between these there, that are allowed
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  ///< not zero, in the file's frame
   bool operator==(const Process&) const = default;
 };
@@ -91,12 +104,15 @@ struct Output {
 
 /// A design: an immutable value that holds everything a result is made from. What the desktop program edits
 /// and saves. It has at least one source, one block and one cut, and each cut names a source and a block of
-/// it; `parseDesign` takes exactly one of each so far.
+/// it; `parseDesign` takes exactly one source so far.
 struct Design {
   std::string name = "Untitled";
   std::vector<Source> sources = {{}};
   std::vector<StockBlock> stock = {{}};
   std::vector<Cut> cuts = {{}};
+  /// What the blocks were laid out by; they, and the cuts of each, stand in `stock` and `cuts` all the same.
+  /// Where these are still what the grid makes, files tell the grid in place of them.
+  std::optional<BlockGrid> grid = std::nullopt;
   Blade blade;
   Process process;
   Output output;
@@ -118,8 +134,16 @@ struct Design {
   ReadOptions readOptions(const Source& of) const;
 
   static constexpr int kVersion = 2;
+  static constexpr int kMostBlocks = BlockGrid::kMostBlocks, kMostCuts = 10000;
   bool operator==(const Design&) const = default;
 };
+
+/// The blocks of a grid as stock.
+std::vector<StockBlock> stockOf(const BlockGrid& grid);
+/// The cuts of such blocks: for each block each of `each`, its id followed by "-" and the block's, in the
+/// place of the block's id; then `own`, of which one with the id of such a cut takes its place.
+std::vector<Cut> cutsOf(const std::vector<StockBlock>& stock, const std::vector<Cut>& each,
+                        const std::vector<Cut>& own);
 
 /// Reads JOB.json, the settings of a design with one block and one cut, without its source. Unknown keys,
 /// wrong types and values out of range are errors that name the key, the value and the remedy (the nearest

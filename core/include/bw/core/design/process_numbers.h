@@ -15,7 +15,7 @@ enum class ProcessPart { setup, process, details };
 /// A number of the process.
 struct ProcessNumber : NumberSetting<Process> {
   ProcessPart part = ProcessPart::process;
-  bool ofFit = false;  ///< in files in the object "fit"
+  const char* object = nullptr;  ///< in files in the object of that key: "fit", "join"
 };
 std::span<const ProcessNumber> processNumbers();
 

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "sweep/smooth_way.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bw/core/base/units.h"
+#include "sweep/held_blade.h"
+
+namespace bw::sweep {
+
+SmoothWay::SmoothWay(const Sweep& row) : row_(row), length_(row.request.blade.length) {
+  for (const BladePose& pose : row.poses) {
+    const Elastica::State middle = pose.blade.at(0.5 * length_);
+    Numbers n;
+    n << middle.point, middle.angle, middle.curvature, pose.blade.force(), pose.before, pose.cut.length();
+    if (pose.blade.anchor() || isTaut(pose)) n.segment<3>(3).setZero();
+    // Without whole turns from one station to the next.
+    if (!numbers_.empty()) n(2) = numbers_.back()(2) + std::remainder(n(2) - numbers_.back()(2), 2 * kPi);
+    numbers_.push_back(n);
+  }
+  findSlopes();
+}
+
+std::size_t SmoothWay::before(double travel) const {
+  const auto after = std::ranges::upper_bound(row_.poses, travel, {}, &BladePose::travel);
+  return std::size_t(
+      std::clamp<std::ptrdiff_t>(after - row_.poses.begin() - 1, 0, std::ptrdiff_t(row_.poses.size()) - 2));
+}
+
+std::optional<BladePose> SmoothWay::at(double travel) const {
+  const std::size_t i = before(travel);
+  const BladePose &a = row_.poses[i], &b = row_.poses[i + 1];
+  const double way = b.travel - a.travel, s = (travel - a.travel) / way, r = 1 - s;
+  const Numbers n = r * r * (1 + 2 * s) * numbers_[i] + s * s * (1 + 2 * r) * numbers_[i + 1] +
+                    s * r * way * (r * slopes_[i] - s * slopes_[i + 1]);
+  const Result<Elastica> blade = aboutMiddle(n.head<2>(), n(2), n(3), n.segment<2>(4), length_);
+  const Result<Elastica> cut = blade && n(7) > 0 ? blade->segment(n(6), n(6) + n(7)) : blade;
+  if (!cut) return {};
+  BladePose pose{-1, travel, a.frame, *cut, *blade, n(6)};
+  pose.frame.origin += s * (b.frame.origin - a.frame.origin);
+  return pose;
+}
+
+SmoothWay::Numbers SmoothWay::endSlope(bool front) const {
+  const std::size_t n = numbers_.size(), count = std::min<std::size_t>(4, n), first = front ? 0 : n - count,
+                    end = front ? 0 : n - 1;
+  Numbers slope = Numbers::Zero();
+  const auto travel = [&](std::size_t k) { return row_.poses[k].travel; };
+  for (std::size_t k = first; k < first + count; ++k) {
+    if (k == end) continue;
+    double weight = 1 / (travel(k) - travel(end));
+    for (std::size_t j = first; j < first + count; ++j)
+      if (j != k && j != end) weight *= (travel(end) - travel(j)) / (travel(k) - travel(j));
+    slope += weight * (numbers_[k] - numbers_[end]);
+  }
+  return slope;
+}
+
+void SmoothWay::findSlopes() {
+  const std::size_t n = numbers_.size();
+  slopes_.assign(n, Numbers::Zero());
+  if (n < 2) return;
+  slopes_.front() = endSlope(true);
+  slopes_.back() = endSlope(false);
+  std::vector<double> onward(n, 0);
+  for (std::size_t i = 1; i + 1 < n; ++i) {
+    const double before = wayAfter(i - 1), after = wayAfter(i);
+    const double pivot = 2 * (before + after) - after * onward[i - 1];
+    const Numbers chords = 3 * (after / before * (numbers_[i] - numbers_[i - 1]) +
+                                before / after * (numbers_[i + 1] - numbers_[i]));
+    onward[i] = before / pivot;
+    slopes_[i] = (chords - after * slopes_[i - 1]) / pivot;
+  }
+  for (std::size_t i = n - 1; i-- > 1;) slopes_[i] -= onward[i] * slopes_[i + 1];
+}
+
+}  // namespace bw::sweep

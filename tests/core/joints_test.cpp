@@ -1,0 +1,330 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// Curves and surfaces that go through several blocks: their pieces, and how what is cut of them meets.
+#include "bw/core/sweep/joints.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "bw/core/sweep/block_pieces.h"
+#include "finding_of.h"
+#include "plane_sections.h"
+#include "row_settings.h"
+
+namespace bw {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+/// An elastica of about 3.3 m with two waves that bend no farther than a blade does.
+Elastica longElastica() { return *Elastica::make({-40, 10}, 0.55, 2e-4, {9e-6, 1.5e-7}, 3300); }
+
+BoundaryLine lineAt(double x) { return {Vector2d::UnitX(), x}; }
+
+TEST(BlockPieces, OfALongElasticaComeBackToIt) {
+  const Elastica whole = longElastica();
+  const std::array boundaries = {lineAt(700), lineAt(1400), lineAt(2150)};
+  std::vector<double> cuts = crossings(whole, boundaries);
+  ASSERT_EQ(cuts.size(), 3u);
+  for (std::size_t i = 0; i < cuts.size(); ++i)
+    EXPECT_LT(std::abs(boundaries[i].distance(whole.point(cuts[i]))), 1e-12 * whole.length()) << i;
+  cuts.insert(cuts.begin(), 0);
+  cuts.push_back(whole.length());
+  constexpr double kBlade = 1300;
+  double farthest = 0, longest = 0;
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+    const ClampedProblem piece = pieceOf(whole, cuts[i], cuts[i + 1]);
+    longest = std::max(longest, piece.length);
+    const Result<PieceBlade> found = bladeOfPiece(piece, kBlade);
+    ASSERT_TRUE(found) << i << ": " << found.error().message;
+    EXPECT_NEAR(found->blade.length(), kBlade, 1e-9);
+    EXPECT_NEAR(found->a, 0.5 * (kBlade / piece.length - 1), 1e-15);
+    // The whole blade, also where it goes on into the neighbouring blocks.
+    for (int k = 0; k <= 100; ++k) {
+      const double s = kBlade * k / 100;
+      farthest = std::max(
+          farthest, (found->blade.point(s) - whole.point(cuts[i] - found->a * piece.length + s)).norm());
+    }
+  }
+  EXPECT_LT(farthest, 1e-9 * whole.length());
+  EXPECT_GT(longest, 600) << "the pieces are of the size of blocks";
+}
+
+TEST(BlockPieces, MeetWithOneTangent) {
+  // A curve that is no elastica: each piece becomes one of its own, and neighbours meet all the same.
+  const PlanarCurve curve = *PlanarCurve::bezier({{0, 0}, {600, 260}, {1200, -180}, {1800, 60}});
+  const std::array boundaries = {lineAt(600), lineAt(1200)};
+  const std::vector<double> cuts = crossings(curve, boundaries);
+  ASSERT_EQ(cuts.size(), 2u);
+  std::vector<PieceBlade> blades;
+  std::vector<double> ends = {curve.start(), cuts[0], cuts[1], curve.end()};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Result<PieceBlade> found = bladeOfPiece(pieceOf(curve, ends[i], ends[i + 1]), 800);
+    ASSERT_TRUE(found) << found.error().message;
+    EXPECT_NEAR(found->cut.length(), curve.arcLength(ends[i + 1]) - curve.arcLength(ends[i]), 1e-8);
+    blades.push_back(*found);
+  }
+  double apart = 0;
+  for (std::size_t i = 0; i + 1 < 3; ++i) {
+    const Elastica::State a = blades[i].cut.at(blades[i].cut.length()), b = blades[i + 1].cut.at(0);
+    EXPECT_LT((a.point - b.point).norm(), 1e-8);
+    EXPECT_NEAR(std::remainder(a.angle - b.angle, 2 * kPi), 0, 1e-9);
+    EXPECT_LT(std::abs(boundaries[i].distance(a.point)), 1e-6);
+    apart = std::max(apart, std::abs(a.curvature - b.curvature));
+  }
+  EXPECT_GT(apart, 1e-6) << "these are different elastica";
+}
+
+TEST(BlockPieces, LongerThanTheBladeAreRefused) {
+  const Elastica whole = longElastica();
+  const Result<PieceBlade> found = bladeOfPiece(pieceOf(whole, 0, 900), 800);
+  ASSERT_FALSE(found);
+  EXPECT_EQ(found.error().code, ErrorCode::badInput);
+  EXPECT_EQ(found.error().value, 800);
+  EXPECT_NEAR(*found.error().limit, 900, 1e-9);
+}
+
+TEST(BlockPieces, BoundariesAreSeenInThePlaneOfASection) {
+  const Frame section{{10, 20, 30}, Vector3d::UnitX(), Vector3d::UnitZ(), -Vector3d::UnitY()};
+  const std::optional<BoundaryLine> line = boundaryIn(section, {600, 0, 0}, Vector3d::UnitX());
+  ASSERT_TRUE(line);
+  EXPECT_NEAR(line->distance({590, 7}), 0, 1e-12);
+  EXPECT_NEAR(line->distance({600, 7}), 10, 1e-12);
+  EXPECT_FALSE(boundaryIn(section, {0, 600, 0}, Vector3d::UnitY()));
+}
+
+Box boxAt(const Vector3d& corner, const Vector3d& size = {600, 800, 500}) {
+  return {Frame{corner, Vector3d::UnitX(), Vector3d::UnitY(), Vector3d::UnitZ()}, size};
+}
+
+TEST(Boundaries, AreWhereBlocksLieSideBySide) {
+  const Box first = boxAt({0, 0, 0});
+  const std::optional<Boundary> beside = boundaryOf(first, boxAt({600, 0, 0}), 0);
+  ASSERT_TRUE(beside);
+  EXPECT_EQ(beside->normal, Vector3d(Vector3d::UnitX()));
+  EXPECT_LT((beside->point - Vector3d(600, 400, 250)).norm(), 1e-9);
+  EXPECT_EQ(beside->apart, 0);
+  // From the other side, turned by a half turn, and of another size.
+  Box turned{Frame{{1200, 700, 0}, -Vector3d::UnitX(), -Vector3d::UnitY(), Vector3d::UnitZ()},
+             {600, 500, 500}};
+  const std::optional<Boundary> back = boundaryOf(turned, first, 0);
+  ASSERT_TRUE(back);
+  EXPECT_LT((back->normal + Vector3d::UnitX()).norm(), 1e-9);
+  EXPECT_LT((back->point - Vector3d(600, 450, 250)).norm(), 1e-9);
+  // Above, with a gap.
+  EXPECT_FALSE(boundaryOf(first, boxAt({0, 0, 504}), 0));
+  const std::optional<Boundary> above = boundaryOf(first, boxAt({0, 0, 504}), 4);
+  ASSERT_TRUE(above);
+  EXPECT_NEAR(above->apart, 4, 1e-9);
+  EXPECT_LT((above->point - Vector3d(300, 400, 502)).norm(), 1e-9);
+  // By an edge, one in the other, far away, and out of square.
+  EXPECT_FALSE(boundaryOf(first, boxAt({600, 800, 0}), 0));
+  EXPECT_FALSE(boundaryOf(first, boxAt({100, 0, 0}), 0));
+  EXPECT_FALSE(boundaryOf(first, boxAt({1300, 0, 0}), 10));
+  Box skew = boxAt({600, 0, 0});
+  skew.frame.x = Vector3d(1, 0.1, 0).normalized();
+  skew.frame.y = Vector3d(-0.1, 1, 0).normalized();
+  EXPECT_FALSE(boundaryOf(first, skew, 0));
+}
+
+constexpr int kStations = 17;
+constexpr double kStep = 25;
+
+/// The section of a wall of three blocks at a station; a curve that is no elastica, a rough one far from it.
+PlanarCurve wallAt(int i, bool rough) {
+  const double t = double(i) / (kStations - 1);
+  if (rough)
+    return *PlanarCurve::bezier(
+        {{0, 0}, {300, 400}, {600, -500}, {900, 700 - 60 * t}, {1200, -600}, {1500, 300}, {1800, 0}});
+  return *PlanarCurve::bezier({{0, 0}, {600, 220 - 60 * t}, {1200, -160 + 40 * t}, {1800, 40 + 80 * t}});
+}
+
+struct Wall {
+  std::vector<Sweep> sweeps;
+  std::vector<BlockRow> rows() const {
+    std::vector<BlockRow> all;
+    for (std::size_t k = 0; k < sweeps.size(); ++k)
+      all.push_back({"block-" + std::to_string(k + 1), "cut-" + std::to_string(k + 1), &sweeps[k]});
+    return all;
+  }
+};
+
+Wall wallOf(const FitRequest& request, double raised = 0, double turned = 0, bool rough = false) {
+  Wall wall;
+  for (int block = 0; block < 3; ++block) {
+    const Box box{Frame{{600.0 * block, -kStep * (kStations - 1), -300},
+                        Vector3d::UnitX(),
+                        Vector3d::UnitY(),
+                        Vector3d::UnitZ()},
+                  {600, kStep * (kStations - 1), 700}};
+    const auto sections = test::sectionsOf(kStations, kStep, [&](int i) {
+      const PlanarCurve curve = wallAt(i, rough);
+      const std::array lines = {lineAt(600.0 * block), lineAt(600.0 * (block + 1))};
+      const std::vector<double> cuts = crossings(curve, lines);
+      const PlanarCurve piece =
+          *curve.subCurve(block == 0 ? curve.start() : cuts.front(), block == 2 ? curve.end() : cuts.back());
+      if (block != 1) return piece;
+      return piece.transformed(0, 1, {-900, raised}).transformed(turned, 1, {900, 0});
+    });
+    Findings findings;
+    Result<Sweep> sweep =
+        buildSweep(sections, request, box, PlaneFamily::across(box, -Vector3d::UnitY()), {}, findings);
+    EXPECT_TRUE(sweep) << sweep.error().message;
+    wall.sweeps.push_back(std::move(*sweep));
+  }
+  return wall;
+}
+
+FitRequest joinedRequest(bool weight) {
+  FitRequest request;
+  request.fitEndpoints = request.fitTangents = true;
+  request.fitLength = FitOptions::Length::exact;
+  if (weight) request.weight = -request.blade.weight() * Vector3d::UnitZ();
+  return request;
+}
+
+TEST(Joints, HoldWhereBladesHaveTheEndsOfTheirSections) {
+  for (const bool weight : {false, true}) {
+    const Wall wall = wallOf(joinedRequest(weight));
+    const Result<Joints> joints = measureJoints(wall.rows(), {}, {});
+    ASSERT_TRUE(joints);
+    ASSERT_EQ(joints->joints.size(), 2u);
+    EXPECT_TRUE(joints->findings.empty());
+    for (const Joint& joint : joints->joints) {
+      EXPECT_EQ(joint.second, joint.first + 1);
+      EXPECT_EQ(joint.places, 4 * (kStations - 1) + 1) << "stations and three places between them";
+      EXPECT_EQ(joint.open, 0);
+      EXPECT_LT(joint.gapMax, 0.1);
+      EXPECT_LT(joint.gapAtStations, 0.025) << "each row may miss its sections' ends by 0.01 mm";
+      EXPECT_LT(toDegrees(joint.kinkMax), 0.2);
+      EXPECT_NEAR(joint.gapAt.x(), 600.0 * double(joint.second), 1e-6);
+    }
+    EXPECT_FALSE(joints->wantsStations({}));
+    for (const Sweep& sweep : wall.sweeps)
+      for (const BladePose& pose : sweep.poses) EXPECT_EQ(pose.heavy.has_value(), weight);
+  }
+}
+
+TEST(Joints, OfFreeBladesAreToldAsTheyAre) {
+  FitRequest request;
+  request.weight = -request.blade.weight() * Vector3d::UnitZ();
+  const Wall wall = wallOf(request, 0, 0, true);
+  const Result<Joints> joints = measureJoints(wall.rows(), {}, {});
+  ASSERT_TRUE(joints);
+  ASSERT_EQ(joints->joints.size(), 2u);
+  const JointGap* gap = test::causeOf<JointGap>(joints->findings);
+  ASSERT_TRUE(gap) << joints->gapMax() << " mm, " << toDegrees(joints->kinkMax()) << " deg";
+  EXPECT_GT(gap->gap, 0.1);
+  EXPECT_EQ(gap->limit, 0.1);
+  EXPECT_EQ(gap->one, "block-2");
+  EXPECT_EQ(gap->other, "block-3");
+  EXPECT_GT(gap->atStations, 0.1);
+  EXPECT_TRUE(exceedsLimit(joints->findings));
+  EXPECT_FALSE(joints->wantsStations({})) << "more stations would not help";
+}
+
+TEST(Joints, TellAKnownGapAndAKnownKink) {
+  const FitRequest request = joinedRequest(false);
+  const Result<Joints> raised = measureJoints(wallOf(request, 0.5).rows(), {}, {});
+  ASSERT_TRUE(raised);
+  for (const Joint& joint : raised->joints) EXPECT_NEAR(joint.gapMax, 0.5, 0.05);
+  const Wall wall = wallOf(request, 0, 2 * kDegree);
+  const Result<Joints> turned = measureJoints(wall.rows(), {}, {});
+  ASSERT_TRUE(turned);
+  for (const Joint& joint : turned->joints) EXPECT_NEAR(toDegrees(joint.kinkMax), 2, 0.15);
+  const JointKink* kink = test::causeOf<JointKink>(turned->findings);
+  ASSERT_TRUE(kink);
+  EXPECT_NEAR(toDegrees(kink->limit), 1, 1e-12);
+  // What is asked for decides what is told.
+  const Result<Joints> lenient = measureJoints(wall.rows(), {100, 3 * kDegree, 0}, {});
+  ASSERT_TRUE(lenient);
+  EXPECT_FALSE(test::findingOf<JointGap>(lenient->findings));
+  EXPECT_FALSE(test::findingOf<JointKink>(lenient->findings));
+}
+
+TEST(Joints, BetweenStationsAskForMoreOfThem) {
+  // At the stations both agree; one of two rows of the same surface has every other station alone.
+  Wall wall = wallOf(joinedRequest(false));
+  Joints joints;
+  joints.joints = {{0, 1, 0.3, 0.1, 0, 0.01, 0}};
+  EXPECT_TRUE(joints.wantsStations({}));
+  joints.joints.push_back({1, 2, 0.3, 0.1, 0, 0.2, 0});
+  EXPECT_FALSE(joints.wantsStations({})) << "that one would stay";
+}
+
+TEST(Joints, AreSeenWhereARowEndsAndTheNextBegins) {
+  // One surface in two blocks along the travel.
+  const FitRequest request = joinedRequest(true);
+  const auto rowOf = [&](int from, double raised) {
+    const Box box{Frame{{0, -kStep * (from + kStations - 1), -300},
+                        Vector3d::UnitX(),
+                        Vector3d::UnitY(),
+                        Vector3d::UnitZ()},
+                  {600, kStep * (kStations - 1), 700}};
+    auto sections = test::sectionsOf(kStations, kStep, [&](int i) {
+      const double t = (i + from) / 32.0;
+      return PlanarCurve::bezier(
+                 {{0, 40 * t * t}, {200, 120 + 60 * t * t}, {400, 120 - 30 * t * t}, {600, -20 * t * t}})
+          ->transformed(0, 1, {0, raised});
+    });
+    for (Section& section : sections) section.frame.origin.y() -= kStep * from;
+    Findings findings;
+    return *buildSweep(sections, request, box, PlaneFamily::across(box, -Vector3d::UnitY()), {}, findings);
+  };
+  const Sweep first = rowOf(0, 0), second = rowOf(kStations - 1, 0), higher = rowOf(kStations - 1, 0.4);
+  const Result<Joints> joints = measureJoints({{"a", "a", &first}, {"b", "b", &second}}, {}, {});
+  ASSERT_TRUE(joints);
+  ASSERT_EQ(joints->joints.size(), 1u);
+  EXPECT_GT(joints->joints[0].places, 90);
+  EXPECT_LT(joints->gapMax(), 0.02);
+  EXPECT_LT(toDegrees(joints->kinkMax()), 0.3);
+  const Result<Joints> off = measureJoints({{"b", "b", &higher}, {"a", "a", &first}}, {}, {});
+  ASSERT_TRUE(off);
+  ASSERT_EQ(off->joints.size(), 1u);
+  EXPECT_NEAR(off->gapMax(), 0.4, 0.05);
+}
+
+TEST(Joints, AreOfOneSurfaceAlone) {
+  const Wall wall = wallOf(joinedRequest(false));
+  std::vector<BlockRow> rows = wall.rows();
+  rows[1].surface = 1;
+  const Result<Joints> joints = measureJoints(rows, {}, {});
+  ASSERT_TRUE(joints);
+  EXPECT_TRUE(joints->joints.empty());
+  EXPECT_EQ(joints->gapMax(), 0);
+  const std::vector<Box> boxes = {boxAt({0, 0, 0}), boxAt({600, 0, 0}), boxAt({1200, 0, 0})};
+  EXPECT_EQ(joined(rows, boxes, 0), (std::vector<char>{0, 0, 0}));
+  rows[1].surface = 0;
+  EXPECT_EQ(joined(rows, boxes, 0), (std::vector<char>{1, 1, 1}));
+}
+
+TEST(Joints, ThatOneSideDoesNotComeToAreTold) {
+  Wall wall = wallOf(joinedRequest(false));
+  // The middle block's row ends early: there the first block's surface meets nothing.
+  Sweep& middle = wall.sweeps[1];
+  for (BladePose& pose : middle.poses) pose.frame.origin.x() += 5;
+  const Result<Joints> joints = measureJoints(wall.rows(), {}, {});
+  ASSERT_TRUE(joints);
+  const JointOpen* open = test::causeOf<JointOpen>(joints->findings);
+  ASSERT_TRUE(open);
+  EXPECT_GT(open->open, 60);
+}
+
+TEST(Joints, StopWhenAsked) {
+  const Wall wall = wallOf(joinedRequest(false));
+  std::stop_source stop;
+  stop.request_stop();
+  RunContext context;
+  context.stop = stop.get_token();
+  const Result<Joints> joints = measureJoints(wall.rows(), {}, context);
+  ASSERT_FALSE(joints);
+  EXPECT_EQ(joints.error().code, ErrorCode::cancelled);
+}
+
+}  // namespace
+}  // namespace bw
