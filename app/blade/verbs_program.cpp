@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -57,6 +58,23 @@ bool holdsPrograms(const std::filesystem::path& folder) {
   return bool(error);
 }
 
+/// The folders of strips below the programs of results: one, or some in the folder of each block.
+std::vector<std::filesystem::path> stripsBelow(const std::filesystem::path& programs) {
+  std::vector<std::filesystem::path> strips;
+  std::error_code error;
+  for (std::filesystem::recursive_directory_iterator it(programs, error), end; !error && it != end;
+       it.increment(error)) {
+    if (!it->is_directory(error)) continue;
+    if (it->path().filename().string().starts_with("strip-")) {
+      strips.push_back(it->path());
+      it.disable_recursion_pending();
+    }
+    if (it.depth() >= 1) it.disable_recursion_pending();
+  }
+  std::ranges::sort(strips);
+  return strips;
+}
+
 /// What is found about one folder or file.
 Result<Findings> findingsOf(const std::filesystem::path& path) {
   Findings findings = pipeline::compareWithReport(path);
@@ -64,11 +82,19 @@ Result<Findings> findingsOf(const std::filesystem::path& path) {
   const bool isResult = pipeline::isResultFolder(path);
   if (isResult && !holdsPrograms(path)) return findings;  // the design has none
   const std::filesystem::path programs = path / "programs";
-  const Result<robotio::Program> program =
-      robotio::loadProgram(isResult && std::filesystem::is_directory(programs, error) ? programs : path);
-  if (!program) return tl::unexpected<Error>(program.error());
-  const Findings broken = robotio::checkProgram(*program);
-  findings.insert(findings.end(), broken.begin(), broken.end());
+  std::vector<std::filesystem::path> places = stripsBelow(isResult ? programs : path);
+  // Those of one strip are named from the folder that was given.
+  if (places.size() < 2)
+    places = {isResult && std::filesystem::is_directory(programs, error) ? programs : path};
+  for (const std::filesystem::path& place : places) {
+    if (places.size() > 1 && !holdsPrograms(place)) continue;
+    const Result<robotio::Program> program = robotio::loadProgram(place);
+    if (!program) return tl::unexpected<Error>(program.error());
+    Findings broken = robotio::checkProgram(*program);
+    if (places.size() > 1)
+      for (Finding& finding : broken) finding.where.block = place.lexically_relative(path).string();
+    findings.insert(findings.end(), broken.begin(), broken.end());
+  }
   return findings;
 }
 
@@ -94,7 +120,7 @@ struct SimulateOptions {
 
 /// The design of the results that a path lies in, if it lies in any.
 std::string designAbout(const std::filesystem::path& path) {
-  constexpr int kHighest = 4;  // results/programs/strip-0/T_ROB1/file
+  constexpr int kHighest = 5;  // results/programs/column-1/strip-0/T_ROB1/file
   std::error_code error;
   std::filesystem::path at = std::filesystem::absolute(path, error).lexically_normal();
   if (!at.has_filename()) at = at.parent_path();
@@ -113,6 +139,12 @@ int runSimulate(const Session& session, const SimulateOptions& options) {
   }
   std::error_code error;
   const std::filesystem::path path = options.path, programs = path / "programs";
+  if (const auto strips = stripsBelow(std::filesystem::is_directory(programs, error) ? programs : path);
+      strips.size() > 1)
+    return session.complain({ErrorCode::badInput,
+                             options.path + " holds the programs of " + std::to_string(strips.size()) +
+                                 " strips; give the folder of one, such as " + strips.front().string(),
+                             options.path});
   Result<robotio::Program> program =
       robotio::loadProgram(std::filesystem::is_directory(programs, error) ? programs : path);
   // Results of a design with errors hold no program that robots run, but its motion.

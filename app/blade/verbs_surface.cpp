@@ -14,6 +14,7 @@
 #include "bw/core/text/typed_number.h"
 #include "bw/geometry/export.h"
 #include "bw/pipeline/example_design.h"
+#include "bw/pipeline/overall.h"
 #include "bw/pipeline/run_identity.h"
 #include "bw/pipeline/scene_content.h"
 #include "verbs.h"
@@ -57,17 +58,19 @@ std::string radiusText(double radius) {
 }
 
 void tellSummary(const pipeline::Evaluation& e) {
-  const pipeline::CutResult result = *e.result();
-  const SweepSummary& s = result.analysis.summary;
-  std::cerr << result.size() << " stations; deviation max " << shortText(s.deviationMax)
-            << " mm (between stations "
-            << (result.way.instants.empty() ? "not known" : shortText(result.between.deviationMax) + " mm")
-            << "), mean " << shortText(s.deviationMean) << " mm, " << shareText(s.withinTolerance)
-            << " within tolerance, " << shareText(result.coverage.share())
-            << " of the surface covered; angle max " << fixedText(toDegrees(s.angleMax), 1)
-            << "°; smallest radius " << radiusText(s.minRadius) << "; cutting time "
-            << fixedText(result.motion.cuttingTime(), 0) << " s; computed in "
-            << fixedText(e.seconds.total, 2) << " s\n";
+  const pipeline::Overall all = pipeline::overallOf(e);
+  const SweepSummary& s = all.summary;
+  std::cerr << (e.blocks.size() > 1 ? std::to_string(e.blocks.size()) + " blocks, " : "") << all.stations
+            << " stations; deviation max " << shortText(s.deviationMax) << " mm (between stations "
+            << (all.betweenMax ? shortText(*all.betweenMax) + " mm" : "not known") << "), mean "
+            << shortText(s.deviationMean) << " mm, " << shareText(s.withinTolerance) << " within tolerance, "
+            << shareText(all.covered) << " of the surface covered; ";
+  if (e.joints.value && !e.joints.value->joints.empty())
+    std::cerr << "joints: gap max " << shortText(e.joints.value->gapMax()) << " mm, kink max "
+              << fixedText(toDegrees(e.joints.value->kinkMax()), 2) << "°; ";
+  std::cerr << "angle max " << fixedText(toDegrees(s.angleMax), 1) << "°; smallest radius "
+            << radiusText(s.minRadius) << "; cutting time " << fixedText(all.cuttingTime, 0)
+            << " s; computed in " << fixedText(e.seconds.total, 2) << " s\n";
 }
 
 /// Of the verbs that write results.
@@ -180,7 +183,7 @@ int runRender(const Session& session, const RenderOptions& options) {
   style.dark = options.dark;
   style.isolines = options.isolines;
   style.tolerance = design->process.tolerance;
-  style.playhead = 0.5 * double(product.evaluation.result()->size() - 1);
+  style.playhead = 0.5 * double(product.evaluation.cut().sweep.value->poses.size() - 1);
   scene.setStyle(style);
   scene.setCamera(
       scene.fitFrom(scene::directionOf(*view), *view != scene::View::iso, double(width) / height));

@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 //
-// Evaluations of several blocks and cuts. Files of such designs come later; what they rest on holds already.
+// Evaluations of several blocks and cuts, and their files.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
+#include "bw/core/base/units.h"
 #include "bw/pipeline/example_design.h"
 #include "bw/pipeline/produce.h"
 
@@ -85,13 +87,180 @@ TEST(ManyCuts, AreToldByTheirIdsInTheReport) {
     EXPECT_NE(report.find(part), std::string::npos) << part;
 }
 
-TEST(ManyCuts, AreNoFilesYetAndThatIsSaid) {
-  const Product product = produce(three(), "nothing-is-written-there", {}, {});
-  ASSERT_TRUE(product.error);
-  EXPECT_EQ(product.error->code, ErrorCode::badInput);
-  EXPECT_NE(product.error->message.find("one block and one cut"), std::string::npos)
-      << product.error->message;
-  EXPECT_TRUE(product.files.paths().empty());
+TEST(ManyCuts, HaveFilesInTheFoldersOfTheirBlocks) {
+  Design design = three();
+  design.output.programs = {"csv"};
+  const Product product = produce(design, "nothing-is-written-there", {}, {});
+  ASSERT_FALSE(product.error) << product.error->message;
+  std::vector<std::string> paths;
+  for (const auto& path : product.files.paths()) paths.push_back(path.generic_string());
+  for (const char* path : {"programs/block-1/strip-0/motion.csv", "programs/block-1/strip-1/motion.csv",
+                           "programs/small/strip-2/motion.csv"})
+    EXPECT_NE(std::ranges::find(paths, path), paths.end()) << path;
+}
+
+/// The example of three blocks side by side.
+Design wall() {
+  Design design = exampleDesign("three-block-wall").value();
+  design.output.programs.clear();
+  return design;
+}
+
+Design with(Design design, int stations) {
+  for (Cut& cut : design.cuts) cut.sections.stations = stations;
+  return design;
+}
+
+TEST(Wall, MeetsSmoothlyAndIsCertainOrHeld) {
+  const Evaluation e = evaluate(wall(), nullptr, {}, Purpose::files).evaluation;
+  ASSERT_EQ(e.blocks.size(), 3u);
+  ASSERT_TRUE(e.complete());
+  ASSERT_TRUE(e.joints.value);
+  ASSERT_EQ(e.joints.value->joints.size(), 2u);
+  EXPECT_LT(e.joints.value->gapMax(), 0.1);
+  EXPECT_LT(toDegrees(e.joints.value->kinkMax()), 1);
+  EXPECT_FALSE(exceedsLimit(e.findings()));
+  for (const BlockEvaluation& block : e.blocks) {
+    const CutResult result = *block.cuts.front().result();
+    EXPECT_EQ(result.size(), 33u);
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      const StationView station = result.station(i);
+      EXPECT_TRUE(station.rest == Rest::certain || station.rest == Rest::held) << block.id << " " << i;
+      EXPECT_TRUE(station.pose.heavy);
+      // The part in the block has the length of its section, and goes on at both ends.
+      EXPECT_NEAR(station.pose.cut.length(), station.fit.target.length(), 0.02);
+      EXPECT_GT(station.pose.before, 10);
+      EXPECT_GT(station.pose.after(), 10);
+    }
+    // On common planes.
+    for (std::size_t i = 0; i < result.size(); ++i)
+      EXPECT_NEAR(result.sweep.poses[i].frame.origin.y(), e.cut().result()->sweep.poses[i].frame.origin.y(),
+                  1e-6);
+  }
+}
+
+TEST(Wall, WithoutJoinsHasGapsThatAreTold) {
+  Design design = wall();
+  design.process.join = Join::none;
+  design.blade = bladePreset("nicr-flat-5x1").value();
+  const Evaluation e = evaluate(design, nullptr, {}).evaluation;
+  ASSERT_TRUE(e.joints.value);
+  EXPECT_GT(e.joints.value->gapMax(), 0.1);
+  const Findings findings = e.findings();
+  const auto gap = std::ranges::find(findings, FindingKind::joint, &Finding::kind);
+  ASSERT_NE(gap, findings.end());
+  EXPECT_TRUE(exceedsLimit(findings));
+  EXPECT_NE(words::sentence(*gap, words::Reader::commandLine).find("column-1 and column-2 meet with a gap"),
+            std::string::npos);
+  // The limits are the process's.
+  design.process.jointGap = 5;
+  EXPECT_EQ(
+      std::ranges::count(evaluate(design, &e, {}).evaluation.findings(), FindingKind::joint, &Finding::kind),
+      0);
+}
+
+TEST(Wall, TakesStationsUntilItsJointsHold) {
+  // A surface that turns quickly along the travel: what 41 stations say of it is not enough at the joints.
+  Design design = wall();
+  for (Cut& cut : design.cuts) cut.sections.stations.reset();
+  const Evaluation before = evaluate(design, nullptr, {}).evaluation;
+  const std::size_t count = before.result()->size();
+  for (const BlockEvaluation& block : before.blocks)
+    EXPECT_EQ(block.cuts.front().result()->size(), count) << "as many in each block";
+  ASSERT_GT(before.joints.value->gapMax(), 0);
+  // Half of what is there between the stations asks for more of them.
+  design.process.jointGap = 0.6 * before.joints.value->gapMax();
+  const Evaluation after = evaluate(design, nullptr, {}).evaluation;
+  EXPECT_EQ(after.result()->size(), 2 * count - 1);
+  EXPECT_LE(after.joints.value->gapMax(), design.process.jointGap);
+  // A stated number is kept.
+  const Evaluation stated = evaluate(with(design, int(count)), nullptr, {}).evaluation;
+  EXPECT_EQ(stated.result()->size(), count);
+  EXPECT_TRUE(exceedsLimit(stated.findings()));
+}
+
+TEST(Wall, IsUsedAgainWhereItDidNotChange) {
+  const Evaluation before = evaluate(wall(), nullptr, {}).evaluation;
+  Design design = wall();
+  design.cuts[2].sections.stations = 17;
+  const Evaluation after = evaluate(design, &before, {}).evaluation;
+  EXPECT_EQ(after.blocks[0].cuts[0].rest.value, before.blocks[0].cuts[0].rest.value);
+  EXPECT_NE(after.blocks[2].cuts[0].sweep.value, before.blocks[2].cuts[0].sweep.value);
+  EXPECT_NE(after.joints.value, before.joints.value);
+  EXPECT_EQ(evaluate(design, &after, {}).evaluation.joints.value, after.joints.value);
+  // At planes that are not common the smooth way of the blade is compared.
+  EXPECT_LT(after.joints.value->gapMax(), 0.1);
+}
+
+TEST(Wall, OfRowsAndWithGapsMeetsToo) {
+  Design design = wall();
+  design.grid->sizes[1] = {400, 396};
+  design.grid->gaps = {{{0, 4}, {4}, {}}};
+  design.grid->sizes[0] = {600, 600, 596};
+  design.stock = stockOf(*design.grid);
+  Cut cut = design.cuts.front();
+  cut.id = "cut";
+  cut.sections.stations = 17;
+  design.cuts = cutsOf(design.stock, {cut}, {});
+  const Outcome outcome = evaluate(design, nullptr, {});
+  ASSERT_FALSE(outcome.error) << outcome.error->message;
+  const Evaluation& e = outcome.evaluation;
+  ASSERT_EQ(e.blocks.size(), 6u);
+  EXPECT_EQ(e.joints.value->joints.size(), 7u) << "four between columns, three between rows";
+  EXPECT_LT(e.joints.value->gapMax(), 0.1);
+  EXPECT_LT(toDegrees(e.joints.value->kinkMax()), 1);
+}
+
+TEST(Wall, LeavesOutBlocksThatTheSurfaceMisses) {
+  Design design = wall();
+  design.grid->sizes[2] = {100, 400, 300};
+  design.grid->gaps[2] = {0, 0};
+  design.stock = stockOf(*design.grid);
+  Cut cut = design.cuts.front();
+  cut.id = "cut";
+  design.cuts = cutsOf(design.stock, {cut}, {});
+  const Outcome outcome = evaluate(design, nullptr, {});
+  ASSERT_FALSE(outcome.error) << outcome.error->message;
+  const Evaluation& e = outcome.evaluation;
+  ASSERT_EQ(e.blocks.size(), 3u);
+  for (const BlockEvaluation& block : e.blocks)
+    EXPECT_NE(block.id.find("layer-2"), std::string::npos) << block.id;
+  ASSERT_EQ(e.missed.size(), 1u);
+  EXPECT_EQ(std::get<BlocksMissed>(e.missed[0].cause).blocks.size(), 6u);
+  EXPECT_EQ(e.missed[0].severity, Severity::info);
+  // None at all is an error.
+  design.grid->origin.z() = 5000;
+  design.stock = stockOf(*design.grid);
+  const Outcome none = evaluate(design, nullptr, {});
+  ASSERT_TRUE(none.error);
+  EXPECT_NE(none.error->message.find("none of the 9 blocks"), std::string::npos) << none.error->message;
+  EXPECT_FALSE(none.evaluation.result());
+}
+
+TEST(Wall, OfMoreBlocksThanAreEvaluatedIsRefusedAtOnce) {
+  Design design = wall();
+  design.grid->sizes = {{std::vector<double>(50, 36), std::vector<double>(50, 16), {500}}};
+  design.grid->gaps = {{std::vector<double>(49, 0), std::vector<double>(49, 0), {}}};
+  design.stock = stockOf(*design.grid);
+  Cut cut = design.cuts.front();
+  cut.id = "cut";
+  design.cuts = cutsOf(design.stock, {cut}, {});
+  ASSERT_EQ(design.stock.size(), 2500u);
+  const Outcome outcome = evaluate(design, nullptr, {});
+  ASSERT_TRUE(outcome.error);
+  EXPECT_EQ(outcome.error->code, ErrorCode::badInput);
+  EXPECT_NE(outcome.error->message.find("2500 blocks; at most 256"), std::string::npos)
+      << outcome.error->message;
+  EXPECT_LT(outcome.evaluation.seconds.total, 5);
+}
+
+TEST(Wall, NamesTheBlockOfAnError) {
+  Design design = wall();
+  design.blade.length = 610;
+  design.process.clearance = 0;
+  const Outcome outcome = evaluate(design, nullptr, {});
+  ASSERT_TRUE(outcome.error);
+  EXPECT_EQ(outcome.error->message.rfind("column-", 0), 0u) << outcome.error->message;
 }
 
 TEST(ManyCuts, ThatNameNothingAreRefused) {

@@ -74,6 +74,10 @@ const std::vector<geometry::Example>& designedExamples() {
        "A loft through three arcs that lean one way, not at all, and the other. Variables: lean, rise, "
        "height."},
       {"bump", "Bump", "Poles 4 × 6 over a block, the four in the middle raised. Variables: bump, height."},
+      {"three-block-wall", "Three-block wall",
+       "A loft through cubic splines whose knots lie on the boundaries of three blocks side by side: one "
+       "cubic a block, with one tangent and one curvature where they meet. Variables: width, wave, sweep, "
+       "height."},
   };
   return list;
 }

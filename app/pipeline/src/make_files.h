@@ -2,25 +2,48 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
+#include <string>
+#include <vector>
+
 #include "bw/core/motion/cell.h"
+#include "bw/pipeline/overall.h"
 #include "bw/pipeline/produce.h"
 
 namespace bw::pipeline {
 
-/// sweep.json, surface.step, mesh.obj, stations.csv and deviation.csv of an evaluated sweep, the programs of
-/// its job in programs/ as `programFiles` has them, the design, those of the policy's caller, and last
+/// sweep.json, surface.step, mesh.obj, stations.csv and deviation.csv of all strips, the programs of
+/// the design in programs/ as `programFiles` has them, the design, those of the policy's caller, and last
 /// report.json. The report lists exactly these, with the fingerprint of each and the name of the run.
 Result<FileSet> resultFiles(Evaluation& evaluation, const RunContext& context, const Policy& policy);
 
-/// Programs of an evaluated sweep in the formats of its job; an unknown format is an error naming the nearest
-/// one, and so is a program that fails its check. Where the evaluation has errors, RAPID is left out unless
-/// `policy` says otherwise; motions as CSV and JSON, which no robot runs, are written all the same.
-/// `evaluation.programs` gets what the check warns of, after `ProgramDespiteErrors` where errors stand
-/// against the program: an error if it is left out, a warning if it is marked.
-Result<FileSet> programFiles(Evaluation& evaluation, const Cell& cell, const std::string& name,
-                             const Policy& policy);
+/// A row of blades that came to a result; files count them in the order of the evaluation.
+struct Strip {
+  int index = 0;
+  const BlockEvaluation* block = nullptr;
+  const CutEvaluation* cut = nullptr;
+};
+std::vector<Strip> stripsOf(const Evaluation& evaluation);
 
-/// A surface as Wavefront OBJ.
-std::string objText(const SurfaceGrid& cut);
+/// Where the programs of a strip lie beside those of others: "strip-0", and where there are several blocks in
+/// the folder of its block, "column-2/strip-1". Letters that no file system minds stay of the block's id.
+std::filesystem::path stripFolder(const Evaluation& evaluation, const Strip& strip);
+
+/// Programs of all strips in the formats of the design, each in its folder, that of the only one in `ofOne`.
+/// An unknown format is an error naming the nearest one, and so is a program that fails its check. Where the
+/// findings of its block, or those that concern all, hold errors, its RAPID is left out unless `policy` says
+/// otherwise; motions as CSV and JSON, which no robot runs, are written all the same. `evaluation.programs`
+/// gets what the check warns of, after `ProgramDespiteErrors` where errors stand against the program: an
+/// error if it is left out, a warning if it is marked.
+Result<FileSet> programFiles(Evaluation& evaluation, const Cell& cell, const std::string& name,
+                             const Policy& policy, const std::filesystem::path& ofOne);
+
+/// A surface and the name of its object.
+struct NamedGrid {
+  std::string name;
+  const SurfaceGrid* grid = nullptr;
+};
+/// Surfaces as Wavefront OBJ.
+std::string objText(const std::vector<NamedGrid>& grids);
 
 }  // namespace bw::pipeline

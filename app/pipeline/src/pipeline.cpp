@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "advice.h"
+#include "block_layout.h"
 #include "bw/core/files/fingerprint.h"
 #include "bw/geometry/export.h"
 #include "bw/robotio/dialects.h"
@@ -118,6 +119,8 @@ struct CutWork {
   const RunContext& context;
   Purpose purpose;
   std::optional<double> length = std::nullopt;  ///< mm, in place of a search for it
+  bool joined = false;                          ///< goes on in a neighbouring block
+  std::optional<int> stations = std::nullopt;   ///< in place of what its own sections ask for
 
   template <class Request, class T, class Make>
   Result<void> settle(Stage<Request, T> CutEvaluation::*stage, const std::type_identity_t<Request>& request,
@@ -138,22 +141,24 @@ struct CutWork {
   }
 };
 
-/// The surface; block and direction; where the direction is left to us, the best of some. What the trials
-/// hang on does not hold the number of stations: its change is what people drag.
-Result<void> place(const CutWork& work, const std::shared_ptr<const CadSource>& source,
-                   const std::optional<BlockPlacement>& placement) {
+/// The surface.
+Result<void> aim(const CutWork& work, const std::shared_ptr<const CadSource>& source) {
+  return work.settle(&CutEvaluation::target, work.cut.face, {source}, work.seconds.read,
+                     [&source](const FaceChoice& face, Findings& findings) {
+                       return geometry::Target::make(source->model, face, &findings);
+                     });
+}
+
+/// Block and direction; where the direction is left to us, the best of some. What the trials hang on does not
+/// hold the number of stations: its change is what people drag.
+Result<void> place(const CutWork& work, const std::optional<BlockPlacement>& placement) {
   CutEvaluation& e = work.e;
-  Result<void> ok = work.settle(&CutEvaluation::target, work.cut.face, {source}, work.seconds.read,
-                                [&source](const FaceChoice& face, Findings& findings) {
-                                  return geometry::Target::make(source->model, face, &findings);
-                                });
-  if (!ok) return ok;
   const geometry::Target& target = *e.target.value;
   double none = 0;
-  ok = work.settle(&CutEvaluation::placed, {placement, work.cut.direction}, {e.target.value}, none,
-                   [&target](const geometry::SetupRequest& request, Findings& findings) {
-                     return geometry::resolveSetup(target, request, findings);
-                   });
+  Result<void> ok = work.settle(&CutEvaluation::placed, {placement, work.cut.direction}, {e.target.value},
+                                none, [&target](const geometry::SetupRequest& request, Findings& findings) {
+                                  return geometry::resolveSetup(target, request, findings);
+                                });
   if (!ok) return ok;
   e.setup = e.placed.value;
   if (work.cut.direction) return work.unlessStopped();
@@ -186,15 +191,15 @@ std::shared_ptr<const std::vector<Section>> rowOf(const CutEvaluation& e) {
 Result<void> seekLengths(const CutWork& work, double& seconds) {
   CutEvaluation& e = work.e;
   const std::shared_ptr<const std::vector<Section>> row = rowOf(e);
-  return work.settle(&CutEvaluation::lengths, {*e.setup, lengthRequest(work.design)}, {row}, seconds,
-                     [&work, &row](const LengthsRequest& request, Findings&) {
+  return work.settle(&CutEvaluation::lengths, {*e.setup, lengthRequest(work.design, work.joined)}, {row},
+                     seconds, [&work, &row](const LengthsRequest& request, Findings&) {
                        return bladeLengths(*row, request.lengths, request.setup.block, request.setup.planes,
                                            work.context);
                      });
 }
 
 LengthsRequest marginsRequest(const CutWork& work) {
-  LengthRequest request = lengthRequest(work.design);
+  LengthRequest request = lengthRequest(work.design, work.joined);
   request.fit.blade.length = work.e.sweep.value->request.blade.length;
   return {*work.e.setup, request};
 }
@@ -245,6 +250,10 @@ double lengthOf(const BladeLengths& lengths) {
 Result<SectionRequest> sectionRequest(const CutWork& work) {
   SectionRequest sections = work.cut.sections;
   if (!sections.byTolerance()) return sections;
+  if (work.stations) {
+    sections.stations = work.stations;
+    return sections;
+  }
   const geometry::Target& target = *work.e.target.value;
   const Result<void> ok = work.settle(
       &CutEvaluation::count, {*work.e.setup, work.design.process.tolerance}, {work.e.target.value},
@@ -283,7 +292,7 @@ Result<void> fit(const CutWork& work) {
   }
   const std::shared_ptr<const std::vector<Section>> row = rowOf(e);
   const std::vector<Section>& sections = *row;
-  FitRequest fit = fitRequest(work.design);
+  FitRequest fit = fitRequest(work.design, work.joined);
   if (work.design.blade.autoLength && work.length) {
     fit.blade.length = *work.length;
   } else if (work.design.blade.autoLength) {
@@ -291,7 +300,7 @@ Result<void> fit(const CutWork& work) {
     if (!ok) return ok;
     fit.blade.length = lengthOf(*e.lengths.value);
   } else {
-    work.keep(&CutEvaluation::lengths, {*e.setup, lengthRequest(work.design)}, {row});
+    work.keep(&CutEvaluation::lengths, {*e.setup, lengthRequest(work.design, work.joined)}, {row});
   }
   double none = 0;
   ok = work.settle(&CutEvaluation::sweep, {*e.setup, fit}, {row}, none,
@@ -490,6 +499,71 @@ std::vector<BlockEvaluation> listed(const Design& design) {
   return blocks;
 }
 
+const Cut& cutOf(const Design& design, const std::string& id) {
+  return *std::ranges::find(design.cuts, id, &Cut::id);
+}
+
+/// The surfaces of all cuts, of equal ones but one; then without the blocks that their surfaces miss.
+Result<void> aimAll(const Design& design, Evaluation& e, const Evaluation* previous,
+                    const RunContext& context) {
+  const bool several = e.blocks.size() > 1;
+  std::vector<const CutEvaluation*> aimed;
+  for (BlockEvaluation& block : e.blocks)
+    for (CutEvaluation& stages : block.cuts) {
+      const Cut& cut = cutOf(design, stages.id);
+      const auto same = std::ranges::find_if(
+          aimed, [&](const CutEvaluation* other) { return other->target.request == cut.face; });
+      if (same != aimed.end()) {
+        stages.target = (*same)->target;
+        stages.targetMesh = (*same)->targetMesh;
+        continue;
+      }
+      const CutEvaluation* before = previous ? previous->find(cut.id) : nullptr;
+      const CutWork work{design, cut, stages, before, e.seconds, context, Purpose::live};
+      Result<void> ok = aim(work, e.source.value);
+      if (ok && several) ok = meshTarget(stages, before, e.seconds.read);
+      if (!ok) return ok;
+      aimed.push_back(&stages);
+    }
+  return several ? leaveOutMissed(e) : Result<void>();
+}
+
+/// Fits the rows of all cuts, those that go on from block to block with as many stations, and with more until
+/// they meet.
+Result<void> fitAll(std::vector<CutWork>& works, Evaluation& e, const Evaluation* previous) {
+  const RunContext& context = works.front().context;
+  const JointRequest asked = jointRequest(e.design);
+  std::optional<int> shared;
+  const auto open = [](const CutWork& work) { return work.joined && work.cut.sections.byTolerance(); };
+  for (CutWork& work : works)
+    if (open(work)) {
+      const Result<SectionRequest> own = sectionRequest(work);
+      if (!own) return inBlock(e, work.cut.block, tl::unexpected<Error>(own.error()));
+      shared = std::max(shared.value_or(0), *own->stations);
+    }
+  for (;;) {
+    for (CutWork& work : works) {
+      if (open(work)) work.stations = shared;
+      if (Result<void> ok = fit(work); !ok) return inBlock(e, work.cut.block, ok);
+    }
+    if (e.blocks.size() < 2) return {};
+    const std::vector<BlockRow> rows = rowsOf(e);
+    Inputs sweeps;
+    for (const CutWork& work : works) sweeps.push_back(work.e.sweep.value);
+    const Result<void> ok = settle(e.joints, previous ? &previous->joints : nullptr, asked, sweeps,
+                                   e.seconds.check, [&](const JointRequest& request, Findings& findings) {
+                                     context.report(0.74, "joints");
+                                     Result<Joints> joints = measureJoints(rows, request, context);
+                                     if (joints) findings = joints->findings;
+                                     return joints;
+                                   });
+    if (!ok) return ok;
+    if (!shared || !e.joints.value->wantsStations(asked) || 2 * *shared - 1 > kMostForJoints) return {};
+    shared = 2 * *shared - 1;
+    e.joints = {};
+  }
+}
+
 template <class Request, class T>
 void takeMissing(Stage<Request, T>& stage, const Stage<Request, T>& from) {
   if (!stage.value) stage = from;
@@ -515,6 +589,12 @@ Findings CutEvaluation::findings() const {
   return all;
 }
 
+bool Evaluation::complete() const {
+  return std::ranges::all_of(blocks, [](const BlockEvaluation& block) {
+    return std::ranges::all_of(block.cuts, [](const CutEvaluation& cut) { return cut.result().has_value(); });
+  });
+}
+
 const CutEvaluation* Evaluation::find(const std::string& id) const {
   for (const BlockEvaluation& block : blocks)
     for (const CutEvaluation& cut : block.cuts)
@@ -525,15 +605,19 @@ const CutEvaluation* Evaluation::find(const std::string& id) const {
 Findings Evaluation::findings() const {
   Findings all = sourceFindings;
   append(all, source.findings);
+  append(all, missed);
   for (const BlockEvaluation& block : blocks)
     for (const CutEvaluation& cut : block.cuts) {
       Findings own = cut.findings();
       adviseLength(own, cut, design.blade);
       adviseClearance(own, cut);
       adviseMargin(own, cut);
+      append(own, lengthFindings(cut, design.blade));
+      if (blocks.size() > 1)
+        for (Finding& finding : own) finding.where.block = block.id;
       append(all, own);
-      append(all, lengthFindings(cut, design.blade));
     }
+  append(all, joints.findings);
   append(all, cell.findings);
   append(all, programs);
   return all;
@@ -543,6 +627,7 @@ void Evaluation::takeMissing(const Evaluation& before) {
   using pipeline::takeMissing;
   takeMissing(source, before.source);
   takeMissing(faceMesh, before.faceMesh);
+  takeMissing(joints, before.joints);
   takeMissing(cell, before.cell);
   for (BlockEvaluation& block : blocks)
     for (CutEvaluation& cut : block.cuts) {
@@ -597,20 +682,28 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
   if (context.stopped()) return stop(stoppedError().value());
   e.sourceFindings = changedSource(design.source(), e.source.value->content);
 
-  for (std::size_t b = 0; b < e.blocks.size(); ++b) {
+  if (ok = aimAll(design, e, previous, context); !ok) return stop(ok.error());
+  std::vector<Cut> cuts;
+  for (const BlockEvaluation& block : e.blocks)
+    for (const CutEvaluation& stages : block.cuts) cuts.push_back(cutToMake(design, stages.id));
+  std::vector<CutWork> works;
+  for (BlockEvaluation& block : e.blocks) {
     // A block that lies around what is cut of it first stays there for its other cuts.
-    std::optional<BlockPlacement> placement = design.stock[b].placement;
-    for (CutEvaluation& stages : e.blocks[b].cuts) {
-      const Cut& cut = *std::ranges::find(design.cuts, stages.id, &Cut::id);
-      const CutWork work{design,    cut,     stages,  previous ? previous->find(cut.id) : nullptr,
-                         e.seconds, context, purpose, length};
-      ok = place(work, e.source.value, placement);
-      if (ok) ok = fit(work);
-      if (ok) ok = check(work);
-      if (!ok) return stop(ok.error());
+    std::optional<BlockPlacement> placement =
+        std::ranges::find(design.stock, block.id, &StockBlock::id)->placement;
+    for (CutEvaluation& stages : block.cuts) {
+      const Cut& cut = cuts[works.size()];
+      works.push_back({design, cut, stages, previous ? previous->find(cut.id) : nullptr, e.seconds, context,
+                       purpose, length});
+      if (ok = place(works.back(), placement); !ok) return stop(inBlock(e, block.id, ok).error());
       if (!placement) placement = placementOf(stages.setup->block);
     }
   }
+  const std::vector<char> joined = joinedCuts(e);
+  for (std::size_t i = 0; i < works.size(); ++i) works[i].joined = joined[i] != 0;
+  if (ok = fitAll(works, e, previous); !ok) return stop(ok.error());
+  for (const CutWork& work : works)
+    if (ok = check(work); !ok) return stop(inBlock(e, work.cut.block, ok).error());
   if (design.blade.autoLength) e.design.blade.length = e.cut().sweep.value->request.blade.length;
   if (!design.output.programs.empty()) judgeCell(e, previous);
   for (BlockEvaluation& block : e.blocks)
@@ -626,9 +719,9 @@ bool addSecondThought(Evaluation& e, const RunContext& context) {
   for (BlockEvaluation& block : e.blocks)
     for (CutEvaluation& stages : block.cuts) {
       if (!stages.result()) continue;
-      const Cut& cut = *std::ranges::find(e.design.cuts, stages.id, &Cut::id);
-      const CutWork work{e.design, cut, stages, nullptr, e.seconds, context, Purpose::live};
       const FitRequest& fit = stages.sweep.value->request;
+      CutWork work{e.design, cutOf(e.design, stages.id), stages, nullptr, e.seconds, context, Purpose::live};
+      work.joined = fit.fitEndpoints && fit.fitTangents && fit.fitLength == FitOptions::Length::exact;
       double none = 0;
       // A motion that cannot be run is so once and for all.
       if (!stages.run.value && stages.run.inputs.empty()) {

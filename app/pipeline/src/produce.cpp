@@ -26,31 +26,27 @@ using Contents = Policy::Contents;
 
 Result<FileSet> filesOf(Evaluation& evaluation, const Policy& policy, const RunContext& context) {
   if (policy.contents == Contents::evaluation) return FileSet{};
-  if (evaluation.blocks.size() != 1 || evaluation.blocks.front().cuts.size() != 1)
-    return fail(ErrorCode::badInput, "files are written of designs with one block and one cut", "results");
-  if (!evaluation.result())
+  if (!evaluation.complete())
     return fail(ErrorCode::badInput, "there is no result to write; mend what the messages say first",
                 "results");
   if (policy.contents == Contents::results) return resultFiles(evaluation, context, policy);
   const Result<Cell> cell = loadCell(evaluation.design.output.cell);
   if (!cell) return tl::unexpected<Error>(cell.error());
-  Result<FileSet> programs = programFiles(evaluation, *cell, policy.programName, policy);
-  if (!programs) return programs;
-  FileSet files;
-  files.append(std::move(*programs), policy.programFolder);
-  return files;
+  return programFiles(evaluation, *cell, policy.programName, policy, policy.programFolder);
 }
 
 /// Has OpenCASCADE confirm the sections of an evaluation that was looked at, and makes anew what hangs on
 /// those that it takes over. A source that is another by now is left to `storedDesign`, which says so.
 void confirm(Product& product, const RunContext& context) {
   Evaluation& standing = product.evaluation;
-  if (!standing.result() || standing.cut().confirmed.value) return;
+  if (!standing.complete() || standing.cut().confirmed.value) return;
   Outcome outcome = evaluate(standing.design, &standing, context, Purpose::files);
   if (outcome.evaluation.source.value != standing.source.value) return;
   product.error = outcome.error;
   if (product.error) return;
   standing.blocks = std::move(outcome.evaluation.blocks);
+  standing.missed = std::move(outcome.evaluation.missed);
+  standing.joints = std::move(outcome.evaluation.joints);
   standing.cell = std::move(outcome.evaluation.cell);
 }
 
@@ -134,11 +130,20 @@ Result<Design> storedDesign(const Evaluation& evaluation) {
   return result;
 }
 
-Result<FileSet> programFiles(Evaluation& e, const Cell& cell, const std::string& name, const Policy& policy) {
-  Findings& findings = e.programs;
-  findings.clear();
-  const Motion& motion = *e.cut().motion.value;
-  robotio::ProgramNotes notes{name, words::errorsOf(e.findings(), policy.reader), {}, runId(e, &cell)};
+namespace {
+
+/// The findings of one block, and those that concern all.
+Findings findingsFor(const BlockEvaluation& block, Findings all) {
+  std::erase_if(all, [&](const Finding& finding) {
+    return !finding.where.block.empty() && finding.where.block != block.id;
+  });
+  return all;
+}
+
+/// The programs of one strip; `findings` gets what is to be told of them.
+Result<FileSet> programsOf(const Evaluation& e, const Strip& strip, const Cell& cell,
+                           robotio::ProgramNotes notes, const Policy& policy, Findings& findings) {
+  const Motion& motion = *strip.cut->motion.value;
   for (const Finding& finding : robotio::checkPlacement(motion, cell))
     notes.warnings.push_back(words::sentence(finding, policy.reader));
   FileSet files;
@@ -165,6 +170,63 @@ Result<FileSet> programFiles(Evaluation& e, const Cell& cell, const std::string&
     if (!program) return tl::unexpected<Error>(program.error());
     for (robotio::ProgramFile& file : *program) files.add(file.path, std::move(file.bytes));
   }
+  return files;
+}
+
+/// A block's id as the name of a folder.
+std::string folderName(const std::string& id) {
+  std::string name;
+  for (const char c : id) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                       c == '-' || c == '_' || (c == '.' && !name.empty());
+    name += plain ? c : '_';
+  }
+  constexpr std::size_t kLongest = 60;
+  return name.substr(0, kLongest);
+}
+
+}  // namespace
+
+std::vector<Strip> stripsOf(const Evaluation& e) {
+  std::vector<Strip> strips;
+  for (const BlockEvaluation& block : e.blocks)
+    for (const CutEvaluation& cut : block.cuts)
+      if (cut.result()) strips.push_back({int(strips.size()), &block, &cut});
+  return strips;
+}
+
+std::filesystem::path stripFolder(const Evaluation& e, const Strip& strip) {
+  const std::string own = "strip-" + std::to_string(strip.index);
+  if (e.blocks.size() < 2) return own;
+  std::string name = folderName(strip.block->id);
+  const auto same = std::ranges::count_if(
+      e.blocks, [&](const BlockEvaluation& block) { return folderName(block.id) == name; });
+  if (same > 1) name += "-" + std::to_string(strip.block - e.blocks.data() + 1);
+  return fs::path(name) / own;
+}
+
+Result<FileSet> programFiles(Evaluation& e, const Cell& cell, const std::string& name, const Policy& policy,
+                             const fs::path& ofOne) {
+  e.programs.clear();
+  const std::vector<Strip> strips = stripsOf(e);
+  const Findings found = e.findings();
+  const std::string run = runId(e, &cell);
+  FileSet files;
+  Findings all;
+  for (const Strip& strip : strips) {
+    Findings findings;
+    const robotio::ProgramNotes notes{
+        name, words::errorsOf(findingsFor(*strip.block, found), policy.reader), {}, run};
+    Result<FileSet> own = programsOf(e, strip, cell, notes, policy, findings);
+    if (!own) return own;
+    if (e.blocks.size() > 1)
+      for (Finding& finding : findings) finding.where.block = strip.block->id;
+    all.insert(all.end(), findings.begin(), findings.end());
+    // The folder of the only strip ends in its name, where it has one.
+    const fs::path base = ofOne.filename().string().starts_with("strip-") ? ofOne.parent_path() : ofOne;
+    files.append(std::move(*own), strips.size() == 1 ? ofOne : base / stripFolder(e, strip));
+  }
+  e.programs = std::move(all);
   return files;
 }
 

@@ -4,9 +4,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "block_layout.h"
 #include "bw/core/base/units.h"
 #include "bw/core/files/fingerprint.h"
 #include "bw/pipeline/produce.h"
+#include "make_files.h"
 
 namespace bw::pipeline {
 
@@ -106,10 +108,70 @@ ordered_json stationsJson(const SectionRequest& asked, const CutEvaluation& cut)
   else if (asked.stations)
     object["asked"] = *asked.stations;
   if (!asked.byTolerance() || !cut.count.value) return object;
-  object["found"] = cut.count.value->stations;
+  // Cuts that go on from block to block have as many.
+  object["found"] = cut.sections.request.sections.stations.value_or(cut.count.value->stations);
   const std::optional<double>& between = cut.count.value->between;
   object["between_mm"] = between ? ordered_json(*between) : ordered_json(nullptr);
   return object;
+}
+
+ordered_json blockJson(const Box& block) {
+  return {{"origin", vec(block.frame.origin)},
+          {"size", vec(block.size)},
+          {"x", vec(block.frame.x)},
+          {"y", vec(block.frame.y)},
+          {"z", vec(block.frame.normal)}};
+}
+
+ordered_json jointsJson(const Evaluation& e) {
+  ordered_json list = ordered_json::array();
+  const std::vector<BlockRow> rows = rowsOf(e);
+  for (const Joint& joint : e.joints.value->joints)
+    list.push_back({{"blocks", {rows[joint.first].block, rows[joint.second].block}},
+                    {"cuts", {rows[joint.first].cut, rows[joint.second].cut}},
+                    {"gap_max_mm", joint.gapMax},
+                    {"gap_mean_mm", joint.gapMean},
+                    {"gap_at_stations_max_mm", joint.gapAtStations},
+                    {"angle_max_deg", toDegrees(joint.kinkMax)},
+                    {"angle_at_stations_max_deg", toDegrees(joint.kinkAtStations)},
+                    {"places", joint.places},
+                    {"open", joint.open}});
+  return list;
+}
+
+ordered_json summaryJson(const Evaluation& e) {
+  const Overall all = overallOf(e);
+  const SweepSummary& s = all.summary;
+  // Where no blade could be followed, nothing is known of it.
+  const auto onTheWay = [](const std::optional<double>& value) {
+    return value ? ordered_json(*value) : ordered_json(nullptr);
+  };
+  // A blade that is straight everywhere has no radius.
+  const ordered_json radius = s.minRadius > 0 ? ordered_json(s.minRadius) : ordered_json(nullptr);
+  ordered_json summary = {{"R4_max", s.R4Max},
+                          {"R4_mean", s.R4Mean},
+                          {"hausdorff_max_mm", s.hausdorffMax},
+                          {"hausdorff_mean_mm", s.hausdorffMean},
+                          {"deviation_max_mm", s.deviationMax},
+                          {"deviation_mean_mm", s.deviationMean},
+                          {"deviation_rms_mm", s.deviationRms},
+                          {"within_tolerance_percent", 100 * s.withinTolerance},
+                          {"program_deviation_max_mm", onTheWay(all.betweenMax)},
+                          {"program_deviation_mean_mm", onTheWay(all.betweenMean)},
+                          {"program_from_shown_max_mm", onTheWay(all.fromShown)},
+                          {"covered_percent", 100 * all.covered},
+                          {"uncovered_max_mm", all.uncovered},
+                          {"angle_max_deg", toDegrees(s.angleMax)},
+                          {"angle_mean_deg", toDegrees(s.angleMean)},
+                          {"angle_station_mean_max_deg", toDegrees(s.angleStationMeanMax)},
+                          {"speed_ratio_min", s.speedRatioMin},
+                          {"min_radius_mm", radius},
+                          {"cutting_time_s", all.cuttingTime}};
+  if (e.joints.value && !e.joints.value->joints.empty()) {
+    summary["joint_gap_max_mm"] = e.joints.value->gapMax();
+    summary["joint_angle_max_deg"] = toDegrees(e.joints.value->kinkMax());
+  }
+  return summary;
 }
 
 }  // namespace
@@ -184,16 +246,13 @@ std::string reportJson(const Evaluation& e, const std::string& run, const FileSe
   method["grip_angle_error_deg"] = design.process.gripAngle;
   method["weight"] = design.process.weight;
   method["up"] = vec(design.process.up);
+  if (e.blocks.size() > 1)
+    method["join"] = {{"type", kJoins[std::size_t(design.process.join)]},
+                      {"gap_mm", design.process.jointGap},
+                      {"kink_deg", design.process.jointKink}};
   method["cell"] = design.output.cell;
   report["method"] = method;
-  if (cut.setup) {
-    const Box& block = cut.setup->block;
-    report["block"] = {{"origin", vec(block.frame.origin)},
-                       {"size", vec(block.size)},
-                       {"x", vec(block.frame.x)},
-                       {"y", vec(block.frame.y)},
-                       {"z", vec(block.frame.normal)}};
-  }
+  if (cut.setup && e.blocks.size() == 1) report["block"] = blockJson(cut.setup->block);
   if (cut.directions.value) {
     const DirectionSearch& search = *cut.directions.value;
     report["directions"] = ordered_json::array();
@@ -214,43 +273,21 @@ std::string reportJson(const Evaluation& e, const std::string& run, const FileSe
         ordered_json stations = ordered_json::array();
         for (std::size_t i = 0; i < result->size(); ++i) stations.push_back(stationJson(result->station(i)));
         strips.push_back(report["strips"].size());
-        report["strips"].push_back({{"index", report["strips"].size()},
-                                    {"block", block.id},
-                                    {"cut", each.id},
-                                    {"stations", stations}});
+        ordered_json strip = {{"index", report["strips"].size()}, {"block", block.id}, {"cut", each.id}};
+        if (e.blocks.size() > 1) strip["blade_length"] = result->sweep.request.blade.length;
+        strip["stations"] = stations;
+        report["strips"].push_back(strip);
       }
       cuts.push_back({{"id", each.id}, {"strips", strips}});
     }
-    report["blocks"].push_back({{"id", block.id}, {"cuts", cuts}});
+    ordered_json entry = {{"id", block.id}};
+    if (e.blocks.size() > 1 && block.cuts.front().setup)
+      entry.update(blockJson(block.cuts.front().setup->block));
+    entry["cuts"] = cuts;
+    report["blocks"].push_back(entry);
   }
-  if (const std::optional<CutResult> result = e.result()) {
-    const SweepSummary& s = result->analysis.summary;
-    // Where no blade could be followed, nothing is known of it.
-    const auto onTheWay = [&](double value) {
-      return result->way.instants.empty() ? ordered_json(nullptr) : ordered_json(value);
-    };
-    // A blade that is straight everywhere has no radius.
-    const ordered_json radius = s.minRadius > 0 ? ordered_json(s.minRadius) : ordered_json(nullptr);
-    report["summary"] = {{"R4_max", s.R4Max},
-                         {"R4_mean", s.R4Mean},
-                         {"hausdorff_max_mm", s.hausdorffMax},
-                         {"hausdorff_mean_mm", s.hausdorffMean},
-                         {"deviation_max_mm", s.deviationMax},
-                         {"deviation_mean_mm", s.deviationMean},
-                         {"deviation_rms_mm", s.deviationRms},
-                         {"within_tolerance_percent", 100 * s.withinTolerance},
-                         {"program_deviation_max_mm", onTheWay(result->between.deviationMax)},
-                         {"program_deviation_mean_mm", onTheWay(result->between.deviationMean)},
-                         {"program_from_shown_max_mm", onTheWay(result->between.fromShown)},
-                         {"covered_percent", 100 * result->coverage.share()},
-                         {"uncovered_max_mm", result->coverage.distance},
-                         {"angle_max_deg", toDegrees(s.angleMax)},
-                         {"angle_mean_deg", toDegrees(s.angleMean)},
-                         {"angle_station_mean_max_deg", toDegrees(s.angleStationMeanMax)},
-                         {"speed_ratio_min", s.speedRatioMin},
-                         {"min_radius_mm", radius},
-                         {"cutting_time_s", result->motion.cuttingTime()}};
-  }
+  if (e.joints.value) report["joints"] = jointsJson(e);
+  if (e.complete()) report["summary"] = summaryJson(e);
   if (e.cell.value) {
     report["robots"] = ordered_json::array();
     for (const CellTask& task : e.cell.value->tasks)
@@ -263,6 +300,7 @@ std::string reportJson(const Evaluation& e, const std::string& run, const FileSe
                          {"kind", words::kindWord(finding)},
                          {"message", words::sentence(finding, reader)},
                          {"where", words::placeText(finding)}};
+    if (!finding.where.block.empty()) item["block"] = finding.where.block;
     if (finding.where.stations) item["station"] = finding.where.stations->worst;
     if (finding.where.point) item["point"] = vec(*finding.where.point);
     report["issues"].push_back(item);

@@ -12,6 +12,7 @@
 #include "bw/core/text/printable.h"
 #include "bw/pipeline/produce.h"
 #include "bw/robotio/dialects.h"
+#include "make_files.h"
 
 namespace bw::pipeline {
 
@@ -78,7 +79,7 @@ class Page {
 };
 
 std::string verdict(const Evaluation& e) {
-  if (!e.cut().result()) return "There is no result: the findings tell why.";
+  if (!e.complete()) return "There is no result: the findings tell why.";
   const Findings findings = e.findings();
   if (hasErrors(findings))
     return "This surface cannot be cut as designed: the findings marked as errors tell why.";
@@ -87,23 +88,34 @@ std::string verdict(const Evaluation& e) {
 }
 
 void limits(Page& page, const Evaluation& e) {
-  const SweepSummary& s = e.cut().analysis.value->summary;
+  const Overall all = overallOf(e);
+  const SweepSummary& s = all.summary;
   const Design& design = e.design;
-  double clearance = 1e300, margin = 1e300;
-  for (const StationCheck& station : e.cut().check.value->stations) {
-    clearance = std::min(clearance, station.clearance);
-    margin = std::min(margin, station.stabilityMargin);
+  double clearance = 1e300, margin = 1e300, uncoveredLimit = 1e300;
+  for (const Strip& strip : stripsOf(e)) {
+    uncoveredLimit = std::min(uncoveredLimit, strip.cut->coverage.value->limit);
+    for (const StationCheck& station : strip.cut->check.value->stations) {
+      clearance = std::min(clearance, station.clearance);
+      margin = std::min(margin, station.stabilityMargin);
+    }
   }
   page.heading("Limits");
   page.begin({"Number", "Measured", "Limit", ""});
   page.checked("Largest deviation", mm(s.deviationMax), "at most " + mm(design.process.tolerance),
                s.deviationMax <= design.process.tolerance);
   page.checked("Largest deviation between stations, as the robots move the blade",
-               mm(e.cut().between.value->deviationMax), "at most " + mm(design.process.tolerance),
-               e.cut().between.value->deviationMax <= design.process.tolerance);
-  const Coverage& coverage = *e.cut().coverage.value;
-  page.checked("Farthest that the target reaches beyond the cut surface", mm(coverage.distance),
-               "at most " + mm(coverage.limit), coverage.distance <= coverage.limit);
+               mm(all.betweenMax.value_or(0)), "at most " + mm(design.process.tolerance),
+               all.betweenMax.value_or(0) <= design.process.tolerance);
+  page.checked("Farthest that the target reaches beyond the cut surface", mm(all.uncovered),
+               "at most " + mm(uncoveredLimit), all.uncovered <= uncoveredLimit);
+  if (e.joints.value && !e.joints.value->joints.empty()) {
+    const Joints& joints = *e.joints.value;
+    page.checked("Widest gap between neighbouring blocks at their boundary", mm(joints.gapMax()),
+                 "at most " + mm(design.process.jointGap), joints.gapMax() <= design.process.jointGap);
+    page.checked("Sharpest kink there", fixedText(toDegrees(joints.kinkMax()), 2) + "°",
+                 "at most " + fixedText(design.process.jointKink, 2) + "°",
+                 toDegrees(joints.kinkMax()) <= design.process.jointKink);
+  }
   page.checked("Smallest radius of the blade", s.minRadius > 0 ? mm(s.minRadius) : "straight",
                "at least " + mm(design.blade.minRadius()),
                s.minRadius <= 0 || s.minRadius >= design.blade.minRadius());
@@ -117,13 +129,13 @@ void limits(Page& page, const Evaluation& e) {
   page.row({"Mean deviation", mm(s.deviationMean)});
   page.row({"Root mean square of the deviation", mm(s.deviationRms)});
   page.row({"Cut surface within tolerance", shareText(s.withinTolerance)});
-  page.row({"Target in the block that has cut surface over it", shareText(e.cut().coverage.value->share())});
+  page.row({"Target in the block that has cut surface over it", shareText(all.covered)});
   page.row({"Steepest cutting angle (the blade drags above " +
                 fixedText(toDegrees(cuttingAngleLimit(e.design.blade)), 0) + "°)",
             degrees(s.angleMax)});
   page.row({"Mean cutting angle", degrees(s.angleMean)});
   page.row({"Slowest over fastest point of the blade", fixedText(s.speedRatioMin, 2)});
-  page.row({"Cutting time, leads included", fixedText(e.cut().motion.value->cuttingTime(), 0) + " s"});
+  page.row({"Cutting time, leads included", fixedText(all.cuttingTime, 0) + " s"});
   page.end();
 }
 
@@ -148,18 +160,22 @@ void parameters(Page& page, const Evaluation& e) {
   page.row({"Blade", (design.blade.title.empty() ? design.blade.name : design.blade.title) + ", " +
                          shortText(design.blade.length, 6) + " mm between the grips"});
   page.row({"Smallest radius that the blade bears", mm(design.blade.minRadius())});
-  if (e.cut().setup) {
-    const Box& block = e.cut().setup->block;
-    page.row({"Block", shortText(block.size.x(), 5) + " × " + shortText(block.size.y(), 5) + " × " +
-                           shortText(block.size.z(), 5) + " mm"});
-    page.row({"Corner of the block, in the file's frame", position(block.frame.origin)});
-    page.row({"Edges of the block: x", direction(block.frame.x)});
-    page.row({"Edges of the block: y", direction(block.frame.y)});
-    page.row({"Cutting direction", direction(e.cut().setup->planes.direction())});
+  for (const BlockEvaluation& part : e.blocks) {
+    const CutEvaluation& cut = part.cuts.front();
+    if (!cut.setup) continue;
+    const Box& block = cut.setup->block;
+    const std::string of = e.blocks.size() > 1 ? part.id + ": " : "";
+    page.row({of + "Block", shortText(block.size.x(), 5) + " × " + shortText(block.size.y(), 5) + " × " +
+                                shortText(block.size.z(), 5) + " mm"});
+    page.row({of + "Corner of the block, in the file's frame", position(block.frame.origin)});
+    page.row({of + "Edges of the block: x", direction(block.frame.x)});
+    page.row({of + "Edges of the block: y", direction(block.frame.y)});
+    page.row({of + "Cutting direction", direction(cut.setup->planes.direction())});
   }
-  if (e.cut().result())
-    page.row({"Stations", std::to_string(e.cut().sweep.value->poses.size()) +
-                              (e.cut().count.value ? " (as many as the tolerance asks for)" : "")});
+  for (const Strip& strip : stripsOf(e))
+    page.row({(e.blocks.size() > 1 ? strip.block->id + ": " : "") + "Stations",
+              std::to_string(strip.cut->sweep.value->poses.size()) +
+                  (strip.cut->count.value ? " (as many as the tolerance asks for)" : "")});
   page.row({"Cutting speed of the fastest point", shortText(design.process.cuttingSpeed, 4) + " mm/s"});
   page.row({"Lead before and after the block", mm(design.process.lead)});
   page.row({"Tolerance", mm(design.process.tolerance)});
@@ -180,10 +196,10 @@ void findings(Page& page, const Evaluation& e) {
   page.end();
 }
 
-void stations(Page& page, const Evaluation& e) {
-  page.heading("Stations");
+void stations(Page& page, const Evaluation& e, const Strip& strip) {
+  page.heading(e.blocks.size() > 1 ? "Stations of " + strip.block->id : "Stations");
   page.begin({"Station", "Travel", "Section", "Distance", "Radius", "Angle", "Grip to block", "Margin"});
-  const CutResult result = *e.result();
+  const CutResult result = *strip.cut->result();
   for (std::size_t i = 0; i < result.size(); ++i) {
     const StationView s = result.station(i);
     const double curvature = s.pose.maxCurvature();
@@ -262,10 +278,10 @@ std::string reportPage(const Evaluation& e, const std::vector<ReportPicture>& pi
     page.raw("<p><img src=\"" + escaped(picture.source) + "\" alt=\"" + escaped(picture.title) +
              "\" width=\"" + std::to_string(picture.width) + "\" height=\"" + std::to_string(picture.height) +
              "\"><br>" + escaped(picture.title) + "</p>\n");
-  if (e.cut().result()) limits(page, e);
+  if (e.complete()) limits(page, e);
   findings(page, e);
   parameters(page, e);
-  if (e.cut().result()) stations(page, e);
+  for (const Strip& strip : stripsOf(e)) stations(page, e, strip);
   files(page, made);
   page.raw("</body></html>\n");
   return page.take();

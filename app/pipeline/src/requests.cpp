@@ -9,10 +9,14 @@
 
 namespace bw::pipeline {
 
-FitRequest fitRequest(const Design& design) {
+FitRequest fitRequest(const Design& design, bool joined) {
   const Process& p = design.process;
   FitRequest request{design.blade, p.fitLength, p.fitEndpoints, p.fitTangents,
                      p.maxPeriods, p.tolerance, p.clearance};
+  if (joined) {
+    request.fitEndpoints = request.fitTangents = true;
+    request.fitLength = FitOptions::Length::exact;
+  }
   request.margin = p.margin;
   request.blade.autoLength = false;
   if (p.weight) request.weight = -design.blade.weight() * p.up.normalized();
@@ -24,10 +28,15 @@ CheckRequest checkRequest(const Design& design) {
   return {p.tolerance, p.clearance, p.cuttingSpeed, p.margin, p.gripError, fromDegrees(p.gripAngle)};
 }
 
-LengthRequest lengthRequest(const Design& design) {
-  LengthRequest request{fitRequest(design), checkRequest(design), entryExitRequest(design)};
+LengthRequest lengthRequest(const Design& design, bool joined) {
+  LengthRequest request{fitRequest(design, joined), checkRequest(design), entryExitRequest(design)};
   request.fit.blade.length = Blade().length;
   return request;
+}
+
+JointRequest jointRequest(const Design& design) {
+  return {design.process.jointGap, fromDegrees(design.process.jointKink),
+          design.grid ? design.grid->widestGap() : 0};
 }
 
 WayRequest wayRequest(const Design& design) {

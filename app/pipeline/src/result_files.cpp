@@ -50,27 +50,40 @@ class Lines {
 
 }  // namespace
 
-std::string objText(const SurfaceGrid& cut) {
-  const TriangleMesh mesh = cut.triangles();
-  Lines lines(mesh.points.size() * 110);
-  lines.text("# Cut surface of the blade, mm, in the frame of the CAD file\no cut_surface\n");
-  for (const Eigen::Vector3d& p : mesh.points) lines.text("v ").vector(p, 6, ' ').text("\n");
-  for (const auto& t : mesh.triangles)
-    lines.text("f ").integer(t[0] + 1).text(" ").integer(t[1] + 1).text(" ").integer(t[2] + 1).text("\n");
+std::string objText(const std::vector<NamedGrid>& grids) {
+  std::size_t count = 0;
+  for (const NamedGrid& grid : grids) count += grid.grid->points.size();
+  Lines lines(count * 110);
+  lines.text("# Cut surface of the blade, mm, in the frame of the CAD file\n");
+  long long before = 1;
+  for (const NamedGrid& grid : grids) {
+    const TriangleMesh mesh = grid.grid->triangles();
+    lines.text("o ").text(grid.name).text("\n");
+    for (const Eigen::Vector3d& p : mesh.points) lines.text("v ").vector(p, 6, ' ').text("\n");
+    for (const auto& t : mesh.triangles)
+      lines.text("f ")
+          .integer(t[0] + before)
+          .text(" ")
+          .integer(t[1] + before)
+          .text(" ")
+          .integer(t[2] + before)
+          .text("\n");
+    before += (long long)(mesh.points.size());
+  }
   return lines.take();
 }
 
 namespace {
 
-std::string stationsCsv(const CutResult& result) {
-  Lines lines(result.size() * 400 + 600);
-  lines.text(
-      "station,travel_mm,target_length_mm,elastica_length_mm,R4,hausdorff_mm,"
-      "left_x_mm,left_y_mm,left_z_mm,left_tx,left_ty,left_tz,right_x_mm,right_y_mm,right_z_mm,right_tx,right_"
-      "ty,right_tz,"
-      "min_radius_mm,inflections,stable,angle_mean_deg,angle_max_deg,speed_ratio,clearance_mm,"
-      "stability_margin,moved_by_weight_mm\n");
+/// The number of a strip in front of a row, where there are several.
+void beginRow(Lines& lines, const std::vector<Strip>& strips, const Strip& strip) {
+  if (strips.size() > 1) lines.integer(strip.index).text(",");
+}
+
+void stationRows(Lines& lines, const std::vector<Strip>& strips, const Strip& strip) {
+  const CutResult result = *strip.cut->result();
   for (std::size_t i = 0; i < result.size(); ++i) {
+    beginRow(lines, strips, strip);
     const StationView station = result.station(i);
     const BladePose& s = station.pose;
     const StationFit& found = station.fit;
@@ -88,6 +101,20 @@ std::string stationsCsv(const CutResult& result) {
     lines.text(",").fixed(check.clearance, 3).text(",").fixed(check.stabilityMargin, 6);
     lines.text(",").text(s.heavy ? fixedText(check.movedByWeight, 4) : "").text("\n");
   }
+}
+
+std::string stationsCsv(const std::vector<Strip>& strips) {
+  std::size_t count = 0;
+  for (const Strip& strip : strips) count += strip.cut->sweep.value->poses.size();
+  Lines lines(count * 400 + 600);
+  if (strips.size() > 1) lines.text("strip,");
+  lines.text(
+      "station,travel_mm,target_length_mm,elastica_length_mm,R4,hausdorff_mm,"
+      "left_x_mm,left_y_mm,left_z_mm,left_tx,left_ty,left_tz,right_x_mm,right_y_mm,right_z_mm,right_tx,right_"
+      "ty,right_tz,"
+      "min_radius_mm,inflections,stable,angle_mean_deg,angle_max_deg,speed_ratio,clearance_mm,"
+      "stability_margin,moved_by_weight_mm\n");
+  for (const Strip& strip : strips) stationRows(lines, strips, strip);
   return lines.take();
 }
 
@@ -98,35 +125,43 @@ const char* unitSuffix(const std::string& unit) {
   return "_mm";
 }
 
-std::string deviationCsv(const CutResult& result) {
-  SurfaceGrid cut = result.analysis.cut;
-  cut.fields.push_back(certaintyField(result.rest, result.analysis.stationRow, cut));
-  Lines lines(cut.points.size() * 80);
-  lines.text("row,column,x_mm,y_mm,z_mm");
-  for (const Field& field : cut.fields) {
-    lines.text(",").text(field.name);
-    if (!field.unit.empty()) lines.text(unitSuffix(field.unit));
-  }
-  lines.text("\n");
-  std::size_t k = 0;
-  for (int r = 0; r < cut.rows; ++r)
-    for (int c = 0; c < cut.columns; ++c, ++k) {
-      lines.integer(r).text(",").integer(c).text(",").vector(cut.points[k], 4, ',');
+std::string deviationCsv(const std::vector<Strip>& strips) {
+  std::size_t count = 0;
+  for (const Strip& strip : strips) count += strip.cut->analysis.value->cut.points.size();
+  Lines lines(count * 80);
+  for (const Strip& strip : strips) {
+    const CutResult result = *strip.cut->result();
+    SurfaceGrid cut = result.analysis.cut;
+    cut.fields.push_back(certaintyField(result.rest, result.analysis.stationRow, cut));
+    if (strip.index == 0) {
+      if (strips.size() > 1) lines.text("strip,");
+      lines.text("row,column,x_mm,y_mm,z_mm");
       for (const Field& field : cut.fields) {
-        lines.text(",");
-        if (const char* word = mapWord(field.name, field.values[k]))
-          lines.text(word);
-        else
-          lines.fixed(field.values[k], 5);
+        lines.text(",").text(field.name);
+        if (!field.unit.empty()) lines.text(unitSuffix(field.unit));
       }
       lines.text("\n");
     }
+    std::size_t k = 0;
+    for (int r = 0; r < cut.rows; ++r)
+      for (int c = 0; c < cut.columns; ++c, ++k) {
+        beginRow(lines, strips, strip);
+        lines.integer(r).text(",").integer(c).text(",").vector(cut.points[k], 4, ',');
+        for (const Field& field : cut.fields) {
+          lines.text(",");
+          if (const char* word = mapWord(field.name, field.values[k]))
+            lines.text(word);
+          else
+            lines.fixed(field.values[k], 5);
+        }
+        lines.text("\n");
+      }
+  }
   return lines.take();
 }
 
-std::string sweepJson(const Evaluation& e, const std::string& run) {
+std::string sweepJson(const std::vector<Strip>& strips, const std::string& run) {
   using nlohmann::ordered_json;
-  const CutResult result = *e.result();
   const auto vec = [](const Eigen::Vector3d& v) {
     return ordered_json{v.x() + 0.0, v.y() + 0.0, v.z() + 0.0};
   };
@@ -135,25 +170,51 @@ std::string sweepJson(const Evaluation& e, const std::string& run) {
   object["run"] = run;
   object["unit"] = "mm";
   object["points_per_station"] = kSweepPoints;
-  object["blade_length"] = result.sweep.request.blade.length;
-  object["direction"] = vec(result.sweep.planes.direction());
-  ordered_json stations = ordered_json::array();
-  const std::vector<MotionInstant>& instants = result.motion.instants;
-  std::size_t at = 0;
-  for (const BladePose& s : result.sweep.poses) {
-    ordered_json points = ordered_json::array();
-    for (const Eigen::Vector3d& p : s.cutPoints(kSweepPoints)) points.push_back(vec(p));
-    while (at < instants.size() && instants[at].station != s.index) ++at;
-    stations.push_back(
-        {{"index", s.index},
-         {"time", at < instants.size() ? ordered_json(instants[at].time) : ordered_json(nullptr)},
-         {"points", points},
-         {"left", {{"point", vec(s.leftPoint())}, {"tangent", vec(s.leftTangent())}}},
-         {"right", {{"point", vec(s.rightPoint())}, {"tangent", vec(s.rightTangent())}}}});
+  object["blade_length"] = strips.front().cut->sweep.value->request.blade.length;
+  object["direction"] = vec(strips.front().cut->sweep.value->planes.direction());
+  object["strips"] = ordered_json::array();
+  for (const Strip& strip : strips) {
+    const CutResult result = *strip.cut->result();
+    ordered_json stations = ordered_json::array();
+    const std::vector<MotionInstant>& instants = result.motion.instants;
+    std::size_t at = 0;
+    for (const BladePose& s : result.sweep.poses) {
+      ordered_json points = ordered_json::array();
+      for (const Eigen::Vector3d& p : s.cutPoints(kSweepPoints)) points.push_back(vec(p));
+      while (at < instants.size() && instants[at].station != s.index) ++at;
+      stations.push_back(
+          {{"index", s.index},
+           {"time", at < instants.size() ? ordered_json(instants[at].time) : ordered_json(nullptr)},
+           {"points", points},
+           {"left", {{"point", vec(s.leftPoint())}, {"tangent", vec(s.leftTangent())}}},
+           {"right", {{"point", vec(s.rightPoint())}, {"tangent", vec(s.rightTangent())}}}});
+    }
+    ordered_json part = {{"index", strip.index}, {"block", strip.block->id}, {"cut", strip.cut->id}};
+    if (strips.size() > 1) {
+      part["blade_length"] = result.sweep.request.blade.length;
+      part["direction"] = vec(result.sweep.planes.direction());
+    }
+    part["stations"] = stations;
+    object["strips"].push_back(part);
   }
-  object["strips"] = ordered_json::array(
-      {{{"index", 0}, {"block", e.blocks.front().id}, {"cut", e.cut().id}, {"stations", stations}}});
   return object.dump(-1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+/// All cut surfaces as one part.
+Result<std::string> stepOf(const std::vector<Strip>& strips) {
+  std::vector<geometry::NamedSurface> surfaces;
+  for (const Strip& strip : strips)
+    surfaces.push_back(
+        {strips.size() > 1 ? strip.cut->id : "cut surface", &strip.cut->analysis.value->surface});
+  return geometry::stepText(surfaces, "cut surface");
+}
+
+std::string meshOf(const std::vector<Strip>& strips) {
+  std::vector<NamedGrid> grids;
+  for (const Strip& strip : strips)
+    grids.push_back({strips.size() > 1 ? "strip-" + std::to_string(strip.index) : "cut_surface",
+                     &strip.cut->analysis.value->cut});
+  return objText(grids);
 }
 
 }  // namespace
@@ -161,7 +222,7 @@ std::string sweepJson(const Evaluation& e, const std::string& run) {
 Result<FileSet> resultFiles(Evaluation& e, const RunContext& context, const Policy& policy) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
-  const CutResult result = *e.result();
+  const std::vector<Strip> strips = stripsOf(e);
   FileSet programs;
   std::string run;
   if (e.design.output.programs.empty()) run = runId(e, nullptr);
@@ -169,7 +230,7 @@ Result<FileSet> resultFiles(Evaluation& e, const RunContext& context, const Poli
     Result<Cell> cell = loadCell(e.design.output.cell);
     if (!cell) return tl::unexpected<Error>(cell.error());
     run = runId(e, &*cell);
-    Result<FileSet> written = programFiles(e, *cell, "Blade", policy);
+    Result<FileSet> written = programFiles(e, *cell, "Blade", policy, "programs/strip-0");
     if (!written) return tl::unexpected<Error>(written.error());
     programs = std::move(*written);
   }
@@ -179,7 +240,7 @@ Result<FileSet> resultFiles(Evaluation& e, const RunContext& context, const Poli
   const auto body = [&](int i) {
     switch (i) {
       case 0: {
-        Result<std::string> step = geometry::stepText(result.analysis.surface, "cut surface");
+        Result<std::string> step = stepOf(strips);
         if (step)
           texts[0] = std::move(*step);
         else
@@ -187,16 +248,16 @@ Result<FileSet> resultFiles(Evaluation& e, const RunContext& context, const Poli
         break;
       }
       case 1:
-        texts[1] = objText(result.analysis.cut);
+        texts[1] = meshOf(strips);
         break;
       case 2:
-        texts[2] = deviationCsv(result);
+        texts[2] = deviationCsv(strips);
         break;
       case 3:
-        texts[3] = stationsCsv(result);
+        texts[3] = stationsCsv(strips);
         break;
       default:
-        texts[4] = sweepJson(e, run);
+        texts[4] = sweepJson(strips, run);
         break;
     }
   };
@@ -208,7 +269,7 @@ Result<FileSet> resultFiles(Evaluation& e, const RunContext& context, const Poli
   files.add("mesh.obj", std::move(texts[1]));
   files.add("stations.csv", std::move(texts[3]));
   files.add("deviation.csv", std::move(texts[2]));
-  files.append(std::move(programs), "programs/strip-0");
+  files.append(std::move(programs), {});
   const Result<Design> stored = storedDesign(e);
   if (!stored) return tl::unexpected<Error>(stored.error());
   files.add(kDesignFile, designToJson(*stored));

@@ -13,6 +13,7 @@
 #include "bw/core/text/number_text.h"
 #include "bw/robotio/rapid/rapid.h"
 #include "bw/words/findings.h"
+#include "make_files.h"
 #include "program_unit.h"
 #include "report_record.h"
 
@@ -27,7 +28,7 @@ constexpr std::size_t kLargestModule = std::size_t(64) << 20;
 constexpr const char* kProgramFolder = "programs";
 constexpr const char* kSweepFile = "sweep.json";
 constexpr int kDeepest = 12;  ///< below programs/, where a link may lead back
-constexpr int kLevels = 4;    ///< from a module up to its report: task, strip, programs, results
+constexpr int kLevels = 5;    ///< from a module up to its report: task, strip, block, programs, results
 
 /// Collects values, one after the other, into bytes that differ where one of them does.
 class Values {
@@ -204,7 +205,7 @@ std::string runId(const Evaluation& e, const Cell* cell) {
   f.text(BW_VERSION).text(designToJson(inputs)).text(fingerprintText(e.source.value->content));
   f.number(cell ? 1 : 0);
   if (cell) add(f, *cell);
-  add(f, *e.cut().motion.value);
+  for (const Strip& strip : stripsOf(e)) add(f, *strip.cut->motion.value);
   return f.name();
 }
 

@@ -4,6 +4,7 @@
 #include "bw/pipeline/simulate.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "bw/core/base/units.h"
@@ -41,6 +42,33 @@ Result<Motion> readMotion(const robotio::Program& program, std::vector<std::stri
   return fail(ErrorCode::badInput,
               "no file here is a robot program or a motion; give the folder of a program, motion.csv or "
               "motion.json");
+}
+
+/// The cut that a program is of: the one whose motion begins, goes on and ends most nearly as it does.
+const CutEvaluation& cutOf(const Evaluation& e, const Motion& motion) {
+  constexpr int kPlaces = 9;
+  const auto apart = [&](const Motion& own) {
+    if (own.instants.empty() || motion.instants.empty()) return 1e300;
+    double sum = 0;
+    for (int k = 0; k < kPlaces; ++k) {
+      const auto at = [&](const Motion& of) -> const MotionInstant& {
+        return of.instants[(of.instants.size() - 1) * std::size_t(k) / (kPlaces - 1)];
+      };
+      const std::vector<Pose>&a = at(own).poses, &b = at(motion).poses;
+      for (std::size_t end = 0; end < std::min(a.size(), b.size()); ++end)
+        sum += (a[end].position - b[end].position).squaredNorm();
+    }
+    return sum + std::pow(own.duration() - motion.duration(), 2);
+  };
+  const CutEvaluation* nearest = &e.cut();
+  double least = 1e300;
+  for (const BlockEvaluation& block : e.blocks)
+    for (const CutEvaluation& cut : block.cuts)
+      if (const double off = apart(*cut.motion.value); off < least) {
+        least = off;
+        nearest = &cut;
+      }
+  return *nearest;
 }
 
 /// What of the blade halts it, in words.
@@ -130,6 +158,7 @@ Result<ProgramRun> runProgram(const robotio::Program& program, const Design* des
   if (!motion) return tl::unexpected<Error>(motion.error());
   ProgramRun run{std::move(*motion), {}, {}, {}, {}};
   Outcome outcome;
+  const CutEvaluation* cut = nullptr;
   Blade blade;
   blade.length = run.motion.bladeLength;
   Eigen::Vector3d weight = Eigen::Vector3d::Zero();
@@ -138,7 +167,8 @@ Result<ProgramRun> runProgram(const robotio::Program& program, const Design* des
       length = run.motion.bladeLength;
     outcome = evaluate(*design, nullptr, context, Purpose::comparison, length);
     if (outcome.error) return tl::unexpected<Error>(*outcome.error);
-    blade = outcome.evaluation.design.blade;
+    cut = &cutOf(outcome.evaluation, run.motion);
+    blade = cut->sweep.value->request.blade;
     weight = fitRequest(*design).weight;
     if (run.motion.bladeLength > 0 && std::abs(run.motion.bladeLength - blade.length) > kSameLength)
       return fail(ErrorCode::badInput,
@@ -148,7 +178,7 @@ Result<ProgramRun> runProgram(const robotio::Program& program, const Design* des
                   "blade", run.motion.bladeLength, blade.length);
     run.motion.bladeLength = blade.length;
     // What robots run tells no block.
-    if (run.motion.block.size.isZero()) run.motion.block = outcome.evaluation.cut().setup->block;
+    if (run.motion.block.size.isZero()) run.motion.block = cut->setup->block;
   } else if (!(run.motion.bladeLength > 0)) {
     return fail(ErrorCode::badInput, "the program does not tell how long its blade is; give its design",
                 "blade");
@@ -157,9 +187,8 @@ Result<ProgramRun> runProgram(const robotio::Program& program, const Design* des
   if (!simulation) return tl::unexpected<Error>(simulation.error());
   run.simulation = std::move(*simulation);
   if (design) {
-    const CutEvaluation& cut = outcome.evaluation.cut();
     const Result<SimulatedSurface> surface = compare(
-        run.simulation, cut.analysis.value->cut, cut.setup->planes, *cut.target.value->sampler(), context);
+        run.simulation, cut->analysis.value->cut, cut->setup->planes, *cut->target.value->sampler(), context);
     if (!surface) return tl::unexpected<Error>(surface.error());
     run.surface = *surface;
     Result<std::vector<BarrierLook>> barriers =
@@ -250,7 +279,8 @@ std::string simulationText(const ProgramRun& run) {
 FileSet simulationFiles(const ProgramRun& run) {
   FileSet files;
   files.add("simulation.json", simulationText(run));
-  files.add("cut.obj", objText(run.simulation.swept()));
+  const SurfaceGrid swept = run.simulation.swept();
+  files.add("cut.obj", objText({{"cut_surface", &swept}}));
   return files;
 }
 

@@ -361,12 +361,27 @@ void Workbench::editDesign(const QString& text, const std::function<void(Design&
 void Workbench::editCut(const QString& text, const std::function<void(Cut&)>& change, int mergeId,
                         bool live) {
   editDesign(
-      text, [&](Design& design) { change(cutOf(design)); }, mergeId, live);
+      text,
+      [&](Design& design) {
+        Cut& own = cutOf(design);
+        const Cut before = own;
+        change(own);
+        if (!design.grid) return;
+        // The cuts of a grid that are alike stay so: what goes on from block to block is changed as one.
+        for (Cut& other : design.cuts) {
+          Cut alike = before;
+          alike.id = other.id;
+          alike.block = other.block;
+          if (other == alike) change(other);
+        }
+      },
+      mergeId, live);
 }
 
 void Workbench::editBlock(const QString& text, const std::function<void(StockBlock&)>& change) {
   editDesign(text, [&](Design& design) {
     change(*std::ranges::find(design.stock, selection_.block, &StockBlock::id));
+    if (design.grid && design.stock != stockOf(*design.grid)) design.grid.reset();
   });
 }
 

@@ -18,6 +18,7 @@
 #include "bw/core/surface/mesh.h"
 #include "bw/core/sweep/blade_lengths.h"
 #include "bw/core/sweep/coverage.h"
+#include "bw/core/sweep/joints.h"
 #include "bw/core/sweep/row_certainty.h"
 #include "bw/core/sweep/row_motion.h"
 #include "bw/core/sweep/sweep_check.h"
@@ -132,7 +133,10 @@ struct Evaluation {
   Findings sourceFindings;  ///< whether the linked source is another than when the design was saved
   Stage<SourceRequest, CadSource> source;
   Stage<NoRequest, FaceMesh> faceMesh;  ///< of all faces of the file; only from `addFaceMesh`
-  std::vector<BlockEvaluation> blocks = std::vector<BlockEvaluation>(1);
+  std::vector<BlockEvaluation> blocks = std::vector<BlockEvaluation>(1);  ///< those that the surface meets
+  Findings missed;                                                        ///< what blocks it does not meet
+  Stage<JointRequest, Joints>
+      joints;                     ///< how the cuts of neighbouring blocks meet; only where there are several
   Stage<CellRequest, Cell> cell;  ///< only where the design asks for programs; its findings tell how the
                                   ///< motions lie in the cell
   Findings programs;              ///< what the check of the programs warns of, once `produce` made them
@@ -143,6 +147,8 @@ struct Evaluation {
   CutEvaluation& cut() { return blocks.front().cuts.front(); }
   /// Its result.
   std::optional<CutResult> result() const { return cut().result(); }
+  /// True if all cuts came to a result.
+  bool complete() const;
   /// The cut of that id; null if there is none.
   const CutEvaluation* find(const std::string& id) const;
   Findings findings() const;  ///< of all stages in order, and of the programs
@@ -161,9 +167,15 @@ struct Outcome {
 /// help a row that fails is sought only where it is written.
 enum class Purpose { live, files, comparison };
 
-/// Evaluates a design. Stages of `previous` whose keys are unchanged are used again, so that a change
-/// recomputes only what depends on it. Where the design leaves the length of its blade open, `length` (mm) is
-/// the one that was found before: it is taken in place of a search.
+/// The most blocks that are evaluated together.
+inline constexpr int kMostBlocksMet = 256;
+
+/// Evaluates a design. Where it has several blocks, those that its surface meets by less than a square
+/// centimetre are left out. Where cuts of one surface go on from block to block, they have as many stations,
+/// and those that leave their number open get more until the joints hold. Stages of `previous` whose keys are
+/// unchanged are used again, so that a change recomputes only what depends on it. Where the design leaves the
+/// length of its blade open, `length` (mm) is the one that was found before: it is taken in place of a
+/// search.
 Outcome evaluate(const Design& design, const Evaluation* previous, const RunContext& context,
                  Purpose purpose = Purpose::live, std::optional<double> length = std::nullopt);
 

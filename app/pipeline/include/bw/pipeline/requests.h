@@ -13,6 +13,7 @@
 #include "bw/core/shape/designed_surface.h"
 #include "bw/core/sweep/blade_lengths.h"
 #include "bw/core/sweep/entry_exit.h"
+#include "bw/core/sweep/joints.h"
 #include "bw/core/sweep/row_motion.h"
 #include "bw/core/sweep/section_request.h"
 #include "bw/core/sweep/sweep_check.h"
@@ -68,10 +69,12 @@ struct LengthsRequest {
   bool operator==(const LengthsRequest&) const = default;
 };
 
-/// What a design asks of the stages of a cut: nothing else of it reaches them.
-FitRequest fitRequest(const Design& design);
+/// What a design asks of the stages of a cut: nothing else of it reaches them. `joined`: the cut goes on in a
+/// neighbouring block, and its blades have the ends, tangents and lengths of their sections.
+FitRequest fitRequest(const Design& design, bool joined = false);
 CheckRequest checkRequest(const Design& design);
-LengthRequest lengthRequest(const Design& design);
+LengthRequest lengthRequest(const Design& design, bool joined = false);
+JointRequest jointRequest(const Design& design);
 WayRequest wayRequest(const Design& design);
 FollowRequest followRequest(const Design& design);
 EntryExitRequest entryExitRequest(const Design& design);

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "bw/pipeline/pipeline.h"
+
+namespace bw::pipeline {
+
+/// Numbers over all strips: the worst of each, and means over the surfaces by the area of their targets.
+struct Overall {
+  SweepSummary summary;
+  std::optional<double> betweenMax = std::nullopt, betweenMean = std::nullopt, fromShown = std::nullopt;
+  double covered = 1, uncovered = 0;  ///< share; mm
+  double cuttingTime = 0;             ///< s
+  std::size_t stations = 0;
+};
+Overall overallOf(const Evaluation& evaluation);
+
+}  // namespace bw::pipeline

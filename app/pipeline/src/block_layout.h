@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// What of an evaluation is told by several blocks together.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bw/core/sweep/joints.h"
+#include "bw/pipeline/pipeline.h"
+
+namespace bw::pipeline {
+
+/// Stations that cuts of neighbouring blocks get at most until their joints hold.
+inline constexpr int kMostForJoints = 2 * geometry::StationCount::kMost - 1;
+
+/// Leaves the cuts out whose surfaces are meshed and do not come through their block by a square centimetre,
+/// and the blocks that have no cut left. Errors (`badInput`): no block is left, or more than kMostBlocksMet.
+Result<void> leaveOutMissed(Evaluation& e);
+
+/// The cut as it is made: under a grid along its rows, where the design leaves the direction open.
+Cut cutToMake(const Design& design, const std::string& id);
+
+/// Whether each cut, in the order of the evaluation, goes on in a neighbouring block and is to meet it.
+std::vector<char> joinedCuts(const Evaluation& e);
+
+/// The rows of all cuts in that order.
+std::vector<BlockRow> rowsOf(const Evaluation& e);
+
+/// An error with the name of the block that it is of, where there are several.
+Result<void> inBlock(const Evaluation& e, const std::string& block, const Result<void>& result);
+
+}  // namespace bw::pipeline

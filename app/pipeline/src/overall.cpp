@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "bw/pipeline/overall.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "make_files.h"
+
+namespace bw::pipeline {
+
+Overall overallOf(const Evaluation& e) {
+  Overall all;
+  const std::vector<Strip> strips = stripsOf(e);
+  double area = 0, uncovered = 0, between = 0;
+  bool known = true;
+  SweepSummary& s = all.summary;
+  const bool one = strips.size() == 1;
+  for (const Strip& strip : strips) {
+    const CutResult result = *strip.cut->result();
+    const SweepSummary& own = result.analysis.summary;
+    const double weight = result.coverage.area, stations = double(result.size());
+    all.stations += result.size();
+    all.cuttingTime += result.motion.cuttingTime();
+    all.uncovered = std::max(all.uncovered, result.coverage.distance);
+    known = known && !result.way.instants.empty();
+    all.betweenMax = std::max(all.betweenMax.value_or(0), result.between.deviationMax);
+    all.fromShown = std::max(all.fromShown.value_or(0), result.between.fromShown);
+    if (one) {
+      s = own;
+      all.betweenMean = result.between.deviationMean;
+      all.covered = result.coverage.share();
+      break;
+    }
+    if (strip.index == 0) s.withinTolerance = 0;  // and the speed ratio is 1 at most
+    s.R4Max = std::max(s.R4Max, own.R4Max);
+    s.hausdorffMax = std::max(s.hausdorffMax, own.hausdorffMax);
+    s.deviationMax = std::max(s.deviationMax, own.deviationMax);
+    s.angleMax = std::max(s.angleMax, own.angleMax);
+    s.angleStationMeanMax = std::max(s.angleStationMeanMax, own.angleStationMeanMax);
+    s.speedRatioMin = std::min(s.speedRatioMin, own.speedRatioMin);
+    if (own.minRadius > 0)
+      s.minRadius = s.minRadius > 0 ? std::min(s.minRadius, own.minRadius) : own.minRadius;
+    s.R4Mean += stations * own.R4Mean;
+    s.hausdorffMean += stations * own.hausdorffMean;
+    s.deviationMean += weight * own.deviationMean;
+    s.deviationRms += weight * own.deviationRms * own.deviationRms;
+    s.withinTolerance += weight * own.withinTolerance;
+    s.angleMean += weight * own.angleMean;
+    between += weight * result.between.deviationMean;
+    uncovered += result.coverage.uncovered;
+    area += weight;
+  }
+  if (!known) all.betweenMax = all.betweenMean = all.fromShown = std::nullopt;
+  if (one || !(area > 0)) return all;
+  s.R4Mean /= double(all.stations);
+  s.hausdorffMean /= double(all.stations);
+  s.deviationMean /= area;
+  s.deviationRms = std::sqrt(s.deviationRms / area);
+  s.withinTolerance /= area;
+  s.angleMean /= area;
+  if (known) all.betweenMean = between / area;
+  all.covered = 1 - uncovered / area;
+  return all;
+}
+
+}  // namespace bw::pipeline
