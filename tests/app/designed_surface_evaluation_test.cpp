@@ -48,7 +48,8 @@ TEST_P(DesignedExample, IsCutFirmlyWithinItsBlockAsItOpens) {
   for (const Finding& finding : e.findings()) EXPECT_NE(finding.severity, Severity::error);
 }
 
-INSTANTIATE_TEST_SUITE_P(, DesignedExample, testing::Values("single-block", "ripple-along", "twist", "bump"),
+INSTANTIATE_TEST_SUITE_P(, DesignedExample,
+                         testing::Values("single-block", "ripple-along", "twist", "bump", "three-block-wall"),
                          [](const auto& one) {
                            std::string name = one.param;
                            std::ranges::replace(name, '-', '_');

@@ -142,6 +142,7 @@ TEST(Wall, MeetsSmoothlyAndIsCertainOrHeld) {
 TEST(Wall, WithoutJoinsHasGapsThatAreTold) {
   Design design = wall();
   design.process.join = Join::none;
+  design.process.fitLength = FitOptions::Length::free;
   design.blade = bladePreset("nicr-flat-5x1").value();
   const Evaluation e = evaluate(design, nullptr, {}).evaluation;
   ASSERT_TRUE(e.joints.value);

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "process.h"
@@ -39,7 +40,8 @@ TEST_P(DesignedExamples, BecomeProgramsFromTheirDesignAlone) {
   EXPECT_EQ(slurp(folder / "again/sweep.json"), slurp(out + "/sweep.json"));
 }
 
-INSTANTIATE_TEST_SUITE_P(, DesignedExamples, testing::Values("single-block", "ripple-along", "twist", "bump"),
+INSTANTIATE_TEST_SUITE_P(, DesignedExamples,
+                         testing::Values("single-block", "ripple-along", "twist", "bump", "three-block-wall"),
                          [](const auto& one) {
                            std::string name = one.param;
                            for (char& c : name)
@@ -107,6 +109,90 @@ TEST(Designed, ExamplesAreListedAndWrittenAsSteps) {
   const Finished unknown = blade({"example", "ripple-alonge"});
   EXPECT_EQ(unknown.status, 2);
   EXPECT_NE(unknown.err.find("did you mean \"ripple-along\"?"), std::string::npos);
+}
+
+TEST(Blocks, OfAWallHaveJointsProgramsAndOneSurface) {
+  const Folder folder;
+  const std::string design = exampleIn(folder, "three-block-wall"), out = folder / "out";
+  const Finished run = blade({"design", design, "--out", out});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.err.find("3 blocks, 99 stations"), std::string::npos) << run.err;
+  const json report = json::parse(slurp(out + "/report.json"));
+  EXPECT_LT(report["summary"]["joint_gap_max_mm"].get<double>(), 0.1);
+  EXPECT_LT(report["summary"]["joint_angle_max_deg"].get<double>(), 1);
+  ASSERT_EQ(report["joints"].size(), 2u);
+  EXPECT_EQ(report["joints"][1]["blocks"], json::array({"column-2", "column-3"}));
+  EXPECT_EQ(report["joints"][1]["places"], 129);
+  ASSERT_EQ(report["blocks"].size(), 3u);
+  EXPECT_EQ(report["blocks"][2]["origin"], json::array({1200.0, 0.0, 0.0}));
+  EXPECT_EQ(report["blocks"][2]["cuts"][0]["strips"], json::array({2}));
+  ASSERT_EQ(report["strips"].size(), 3u);
+  for (const json& strip : report["strips"])
+    for (const json& station : strip["stations"]) {
+      const std::string rest = station["certainty"];
+      EXPECT_TRUE(rest == "certain" || rest == "held") << strip["block"] << " " << station["index"];
+    }
+  for (const char* module : {"column-1/strip-0/T_ROB1/BladeLeft.mod",
+                             "column-2/strip-1/T_ROB2/BladeRight.mod", "column-3/strip-2/motion.json"})
+    EXPECT_FALSE(slurp(out + "/programs/" + module).empty()) << module;
+  // What is written meets as the report says, by another file. Curves run towards -x where the travel is y.
+  const json sweep = json::parse(slurp(out + "/sweep.json"));
+  ASSERT_EQ(sweep["strips"].size(), 3u);
+  for (std::size_t b = 0; b + 1 < 3; ++b)
+    for (std::size_t i = 0; i < 33; ++i) {
+      const json left = sweep["strips"][b]["stations"][i]["points"].front(),
+                 right = sweep["strips"][b + 1]["stations"][i]["points"].back();
+      double off = 0;
+      for (std::size_t k = 0; k < 3; ++k) off += std::pow(left[k].get<double>() - right[k].get<double>(), 2);
+      EXPECT_LT(std::sqrt(off), 0.1) << b << " " << i;
+    }
+  const Finished info = blade({"info", out + "/surface.step"});
+  ASSERT_EQ(info.status, 0) << info.err;
+  EXPECT_EQ(json::parse(info.out)["faces"], 3);
+  EXPECT_EQ(json::parse(info.out)["shells"], 1) << "OpenCASCADE sews them along their boundaries";
+  EXPECT_EQ(blade({"check", out}).status, 0);
+  // A strip of it is run against its own block; the folder of all is not one program.
+  const Finished simulated = blade({"simulate", out + "/programs/column-2/strip-1", "--out", folder / "sim"});
+  EXPECT_EQ(simulated.status, 0) << simulated.err;
+  const json simulation = json::parse(slurp(folder / "sim/simulation.json"));
+  EXPECT_LT(simulation["surface"]["deviation_to_design_max_mm"].get<double>(), 0.2);
+  const Finished all = blade({"simulate", out});
+  EXPECT_EQ(all.status, 2);
+  EXPECT_NE(all.err.find("programs of 3 strips"), std::string::npos) << all.err;
+  // The stored design is the grid, not its list.
+  EXPECT_TRUE(json::parse(slurp(out + "/design.bladewright")).contains("grid"));
+  // A result of one block in the same folder leaves none of their programs.
+  ASSERT_EQ(blade({"design", exampleIn(folder, "bump"), "--out", out}).status, 0);
+  for (const std::string& file : folder.files())
+    EXPECT_EQ(file.find("out/programs/column"), std::string::npos) << file;
+}
+
+TEST(Blocks, AreWrittenAlikeWithAnyNumberOfThreads) {
+  const Folder folder;
+  const std::string design = exampleIn(folder, "three-block-wall");
+  for (const char* threads : {"1", "3"})
+    ASSERT_EQ(blade({"design", design, "--out", folder / threads, "--threads", threads}).status, 0);
+  for (const std::string& file : folder.files()) {
+    if (file.rfind("1/", 0) != 0 || file == "1/report.json") continue;
+    EXPECT_EQ(slurp(folder / ("3/" + file.substr(2))), slurp(folder / file)) << file;
+  }
+}
+
+TEST(Blocks, ThatDoNotMeetEndWithStatusOne) {
+  const Folder folder;
+  json design = json::parse(slurp(exampleIn(folder, "three-block-wall")));
+  design["process"]["join"]["type"] = "none";
+  design["process"]["join"]["gap_mm"] = 0.001;
+  const std::string file = folder.write("open.bladewright", design.dump());
+  const Finished run = blade({"design", file, "--out", folder / "out"});
+  EXPECT_EQ(run.status, 1) << run.err;
+  EXPECT_NE(run.err.find("column-1 and column-2 meet with a gap"), std::string::npos) << run.err;
+  // And bad grids with a sentence.
+  design["grid"]["rows"] = 0;
+  folder.write("open.bladewright", design.dump());
+  const Finished none = blade({"design", file, "--out", folder / "none"});
+  EXPECT_EQ(none.status, 2);
+  EXPECT_NE(none.err.find("design.grid.rows is 0"), std::string::npos) << none.err;
 }
 
 }  // namespace

@@ -721,7 +721,7 @@ bool addSecondThought(Evaluation& e, const RunContext& context) {
       if (!stages.result()) continue;
       const FitRequest& fit = stages.sweep.value->request;
       CutWork work{e.design, cutOf(e.design, stages.id), stages, nullptr, e.seconds, context, Purpose::live};
-      work.joined = fit.fitEndpoints && fit.fitTangents && fit.fitLength == FitOptions::Length::exact;
+      work.joined = fit.fitEndpoints && fit.fitTangents;
       double none = 0;
       // A motion that cannot be run is so once and for all.
       if (!stages.run.value && stages.run.inputs.empty()) {

@@ -13,10 +13,7 @@ FitRequest fitRequest(const Design& design, bool joined) {
   const Process& p = design.process;
   FitRequest request{design.blade, p.fitLength, p.fitEndpoints, p.fitTangents,
                      p.maxPeriods, p.tolerance, p.clearance};
-  if (joined) {
-    request.fitEndpoints = request.fitTangents = true;
-    request.fitLength = FitOptions::Length::exact;
-  }
+  if (joined) request.fitEndpoints = request.fitTangents = true;
   request.margin = p.margin;
   request.blade.autoLength = false;
   if (p.weight) request.weight = -design.blade.weight() * p.up.normalized();

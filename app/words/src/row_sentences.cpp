@@ -374,8 +374,8 @@ namespace {
 /// What helps where blocks do not meet: more stations, if only what lies between them misses.
 std::string jointRemedy(bool atStations) {
   return atStations
-             ? "hold the ends of their cuts at the boundary (join: tangent-planes), or put the boundary "
-               "where the surface bends less"
+             ? "their stations miss each other: have the ends of their cuts held at the boundary (join: "
+               "tangent-planes) by a blade that can meet them, or put the boundary elsewhere"
              : "the stations themselves keep it, so take more of them";
 }
 

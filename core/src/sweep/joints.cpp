@@ -90,30 +90,35 @@ struct Through {
   Vector3d point, tangent;
 };
 
-/// That of a blade whose cut ends near the boundary; empty for one whose cut does not.
-std::optional<Through> through(const BladePose& pose, const Boundary& boundary) {
-  const std::optional<BoundaryLine> line = boundaryIn(pose.frame, boundary.point, boundary.normal);
-  if (!line) return {};
-  const double length = pose.blade.length();
-  const auto off = [&](double s) { return line->distance(stateAt(pose, s).point); };
-  double s = pose.before;
-  if (std::abs(off(s)) > std::abs(off(pose.before + pose.cut.length()))) s = pose.before + pose.cut.length();
-  if (std::abs(off(s)) > 0.5 * boundary.apart + kNear) return {};
+/// That of a blade at an end of its cut, where this ends near the boundary.
+std::optional<Through> through(const BladePose& pose, const Boundary& boundary, const BoundaryLine& line,
+                               double end) {
   constexpr int kSteps = 20;
   constexpr double kAlong = 0.02, kFarthest = 20;  // a blade that runs along the boundary is not followed
-  const double from = s;
+  double s = end;
   Elastica::State state = stateAt(pose, s);
+  if (std::abs(line.distance(state.point)) > 0.5 * boundary.apart + kNear) return {};
   for (int k = 0; k < kSteps; ++k) {
-    const double away = line->distance(state.point);
-    const double slope = line->normal.dot(Vector2d(std::cos(state.angle), std::sin(state.angle)));
+    const double away = line.distance(state.point);
+    const double slope = line.normal.dot(Vector2d(std::cos(state.angle), std::sin(state.angle)));
     if (std::abs(slope) < kAlong) return {};
     if (std::abs(away) < 1e-10) break;
-    s = std::clamp(s - away / slope, 0.0, length);
-    if (std::abs(s - from) > boundary.apart + kFarthest) return {};
+    s = std::clamp(s - away / slope, 0.0, pose.blade.length());
+    if (std::abs(s - end) > boundary.apart + kFarthest) return {};
     state = stateAt(pose, s);
   }
   return Through{pose.frame.toWorld(state.point),
                  pose.frame.directionToWorld({std::cos(state.angle), std::sin(state.angle)})};
+}
+
+/// Where a blade comes through the boundary at the ends of its cut: at none, one or both of them.
+std::vector<Through> through(const BladePose& pose, const Boundary& boundary) {
+  std::vector<Through> places;
+  const std::optional<BoundaryLine> line = boundaryIn(pose.frame, boundary.point, boundary.normal);
+  if (!line) return places;
+  for (const double end : {pose.before, pose.before + pose.cut.length()})
+    if (const std::optional<Through> place = through(pose, boundary, *line, end)) places.push_back(*place);
+  return places;
 }
 
 /// The angle between two lines.
@@ -161,18 +166,27 @@ std::vector<std::pair<double, bool>> levelsOf(const Sweep& a, const Sweep& b, do
 /// Rows side by side: each plane of theirs meets the boundary in a line.
 Result<void> alongside(const Sweep& a, const Sweep& b, const Boundary& boundary, Joint& joint,
                        const RunContext& context) {
-  RowBlades one(a), other(b);
-  const double from = std::max(one.first(), other.first()), to = std::min(one.last(), other.last());
+  RowBlades mine(a), theirs(b);
+  const double from = std::max(mine.first(), theirs.first()), to = std::min(mine.last(), theirs.last());
   for (const auto& [level, isStation] : levelsOf(a, b, from, to)) {
     if (context.stopped()) return stoppedError();
-    const std::optional<BladePose> p = one.at(level), q = other.at(level);
+    const std::optional<BladePose> p = mine.at(level), q = theirs.at(level);
     if (!p || !q) continue;
-    const std::optional<Through> x = through(*p, boundary), y = through(*q, boundary);
-    if (x && y) {
+    const std::vector<Through> all = through(*p, boundary), others = through(*q, boundary);
+    if (all.empty() && others.empty()) continue;
+    // Those that belong together: a surface may come to a boundary twice.
+    const Through *x = nullptr, *y = nullptr;
+    for (const Through& one : all)
+      for (const Through& other : others)
+        if (!x || (one.point - other.point).norm() < (x->point - y->point).norm()) {
+          x = &one;
+          y = &other;
+        }
+    if (x) {
       note(joint, (x->point - y->point).norm(), between(x->tangent, y->tangent), x->point, isStation);
-    } else if (x || y) {
+    } else {
       ++joint.open;
-      joint.openAt = x ? x->point : y->point;
+      joint.openAt = all.empty() ? others.front().point : all.front().point;
     }
   }
   return {};

@@ -101,17 +101,33 @@ std::string pdfOf(const QString& html, const QString& title, const std::vector<R
   return bytes.toStdString();
 }
 
+/// Puts triangles to others.
+void append(TriangleMesh& mesh, const TriangleMesh& more) {
+  const int before = int(mesh.points.size());
+  mesh.points.insert(mesh.points.end(), more.points.begin(), more.points.end());
+  mesh.normals.insert(mesh.normals.end(), more.normals.begin(), more.normals.end());
+  for (const auto& [a, b, c] : more.triangles) mesh.triangles.push_back({a + before, b + before, c + before});
+}
+
 /// Pictures, report, design and surface for others, beside the files that are made already.
 Result<FileSet> filesBeside(const pipeline::Evaluation& evaluation, const std::vector<ReportImage>& pictures,
                             const std::vector<std::filesystem::path>& made, const RunContext& context) {
-  const SweepAnalysis& analysis = *evaluation.cut().analysis.value;
   FileSet beside;
   for (const ReportImage& picture : pictures)
     beside.add("pictures/" + picture.name + ".png", pngBytes(picture.image).toStdString());
-  Result<std::string> iges = geometry::igesText(analysis.surface, "cut surface");
-  if (!iges) return tl::unexpected<Error>(iges.error());
-  beside.add("surface.iges", std::move(*iges));
-  beside.add("mesh.stl", pipeline::stlBytes(analysis.cut.triangles(), "Bladewright cut surface, mm"));
+  TriangleMesh mesh;
+  int strip = 0;
+  const bool several = evaluation.blocks.size() > 1 || evaluation.blocks.front().cuts.size() > 1;
+  for (const pipeline::BlockEvaluation& block : evaluation.blocks)
+    for (const pipeline::CutEvaluation& cut : block.cuts) {
+      const SweepAnalysis& analysis = *cut.analysis.value;
+      Result<std::string> iges = geometry::igesText(analysis.surface, several ? cut.id : "cut surface");
+      if (!iges) return tl::unexpected<Error>(iges.error());
+      beside.add(several ? "surface-strip-" + std::to_string(strip++) + ".iges" : "surface.iges",
+                 std::move(*iges));
+      append(mesh, analysis.cut.triangles());
+    }
+  beside.add("mesh.stl", pipeline::stlBytes(mesh, "Bladewright cut surface, mm"));
   if (context.stopped()) return stoppedError();
   std::vector<std::filesystem::path> all = made;
   all.insert(all.end(), beside.paths().begin(), beside.paths().end());

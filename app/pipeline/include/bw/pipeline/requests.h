@@ -70,7 +70,7 @@ struct LengthsRequest {
 };
 
 /// What a design asks of the stages of a cut: nothing else of it reaches them. `joined`: the cut goes on in a
-/// neighbouring block, and its blades have the ends, tangents and lengths of their sections.
+/// neighbouring block, and its blades have the ends and tangents of their sections.
 FitRequest fitRequest(const Design& design, bool joined = false);
 CheckRequest checkRequest(const Design& design);
 LengthRequest lengthRequest(const Design& design, bool joined = false);

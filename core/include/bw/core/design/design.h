@@ -68,7 +68,7 @@ struct Cut {
 /// What is asked of cuts where their blocks lie side by side and the surface goes on.
 enum class Join {
   none,          ///< nothing: each blade lies as near to its section as it can
-  tangentPlanes  ///< each has the ends, tangents and length of its section, so that neighbours meet smoothly
+  tangentPlanes  ///< each has the ends and tangents of its section, so that neighbours meet smoothly
 };
 /// Their words in files, by value.
 inline constexpr std::array<const char*, 2> kJoins = {"none", "tangent-planes"};
