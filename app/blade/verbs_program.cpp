@@ -8,6 +8,7 @@
 
 #include "bw/core/design/design.h"
 #include "bw/core/design/program_formats.h"
+#include "bw/core/files/temporary_name.h"
 #include "bw/core/text/number_text.h"
 #include "bw/core/text/printable.h"
 #include "bw/pipeline/run_identity.h"
@@ -65,11 +66,12 @@ std::vector<std::filesystem::path> stripsBelow(const std::filesystem::path& prog
   for (std::filesystem::recursive_directory_iterator it(programs, error), end; !error && it != end;
        it.increment(error)) {
     if (!it->is_directory(error)) continue;
-    if (it->path().filename().string().starts_with("strip-")) {
+    const std::string name = it->path().filename().string();
+    if (name.starts_with("strip-") && name.find_first_not_of("0123456789", 6) == std::string::npos) {
       strips.push_back(it->path());
       it.disable_recursion_pending();
     }
-    if (it.depth() >= 1) it.disable_recursion_pending();
+    if (it.depth() >= 1 || isTemporaryName(name)) it.disable_recursion_pending();
   }
   std::ranges::sort(strips);
   return strips;

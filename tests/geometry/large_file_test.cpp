@@ -73,7 +73,7 @@ std::string facade(int n) {
                                                  {along[std::size_t(j + 1) * n + i], false},
                                                  {across[std::size_t(j) * (n + 1) + i], false}};
       if (i == n - 1 && j == n - 1) {
-        file = step.file(spline, sides, "facade");
+        file = step.file({step.shell(spline, sides, "facade")}, "facade");
         continue;
       }
       std::string loop;

@@ -44,7 +44,7 @@ inline std::string planeFace(const std::string& name, double width, double depth
   }
   const int place = step.placement({0, 0, z}, Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitX());
   const int plane = step.add("PLANE('',#" + std::to_string(place) + ")");
-  return step.file(plane, sides, name);
+  return step.file({step.shell(plane, sides, name)}, name);
 }
 
 /// Three faces beside one another, 100 mm apart: "hill" (bent twice), "gutter" (bent once), "tile" (a plane,

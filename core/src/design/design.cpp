@@ -260,8 +260,9 @@ void readCuts(ObjectReader& reader, Design& design) {
     design.cuts = std::move(list);
     return;
   }
-  const auto own = std::ranges::stable_partition(list, [](const Cut& cut) { return cut.block.empty(); });
-  design.cuts = cutsOf(design.stock, {list.begin(), own.begin()}, {own.begin(), own.end()});
+  const auto own =
+      std::stable_partition(list.begin(), list.end(), [](const Cut& cut) { return cut.block.empty(); });
+  design.cuts = cutsOf(design.stock, {list.begin(), own}, {own, list.end()});
   if (design.cuts.size() > std::size_t(Design::kMostCuts))
     reader.complain("cuts",
                     reader.path() + ".cuts come to " + std::to_string(design.cuts.size()) +
