@@ -241,6 +241,25 @@ TEST_F(WindowTest, LengthsThatServeStandBelowTheLength) {
   EXPECT_NEAR(bench().design().blade.length, taken, 5);
 }
 
+TEST_F(WindowTest, TakesAClearanceAndItsBladeInOneStep) {
+  openPanel(20);
+  const Design before = bench().design();
+  const Remedy remedy = OtherClearance{15, 690};
+  ASSERT_TRUE(bench().canApply(remedy));
+  bench().apply(remedy);
+  EXPECT_EQ(bench().design().process.clearance, 15);
+  EXPECT_EQ(bench().design().blade.length, 690);
+  EXPECT_FALSE(bench().canApply(remedy)) << "it is done";
+  bench().document().undoStack().undo();
+  EXPECT_EQ(bench().design(), before);
+  // The clearance alone, where the blade in use serves.
+  bench().apply(OtherClearance{20});
+  EXPECT_EQ(bench().design().process.clearance, 20);
+  EXPECT_EQ(bench().design().blade, before.blade);
+  bench().document().undoStack().undo();
+  ASSERT_TRUE(settle());
+}
+
 TEST_F(WindowTest, DeviationAgainstMarginStandsBelowTheMargin) {
   openPanel(20);
   ASSERT_TRUE(QTest::qWaitFor([&] { return bench().shownCut()->margins.value != nullptr; }, kPatience));
