@@ -163,7 +163,9 @@ Result<ProgramRun> runProgram(const robotio::Program& program, const Design* des
   blade.length = run.motion.bladeLength;
   Eigen::Vector3d weight = Eigen::Vector3d::Zero();
   if (design) {
-    if (!length && run.motion.bladeLength > 0 && run.motion.bladeLength <= Blade::kLongest)
+    // Of several cuts, each may have found a length of its own.
+    if ((!length || design->cuts.size() > 1) && run.motion.bladeLength > 0 &&
+        run.motion.bladeLength <= Blade::kLongest)
       length = run.motion.bladeLength;
     outcome = evaluate(*design, nullptr, context, Purpose::comparison, length);
     if (outcome.error) return tl::unexpected<Error>(*outcome.error);
