@@ -72,6 +72,7 @@ int run(int argc, char** argv) {
   addNumericVerbs(app, session, work);
   addInfoVerb(app, session, work);
   addSurfaceVerbs(app, session, work);
+  addVaryVerb(app, session, work);
   addProgramVerbs(app, session, work);
   addCommon(app);
   for (CLI::App* verb : app.get_subcommands(nullptr)) addCommon(*verb);

@@ -11,12 +11,12 @@
 #include "bw/core/design/design.h"
 #include "bw/core/sweep/maps.h"
 #include "bw/core/text/number_text.h"
-#include "bw/core/text/typed_number.h"
 #include "bw/geometry/export.h"
 #include "bw/pipeline/example_design.h"
 #include "bw/pipeline/overall.h"
 #include "bw/pipeline/run_identity.h"
 #include "bw/pipeline/scene_content.h"
+#include "sets.h"
 #include "verbs.h"
 
 namespace bw::cli {
@@ -105,29 +105,6 @@ int runRationalize(const Session& session, const ResultOptions& options) {
   design->name = fs::path(options.file).stem().string();
   design->source().path = options.file;
   return writeResults(session, *design, options, threads);
-}
-
-/// The design with its variables as `--set` has them.
-Result<Design> withSets(const Design& design, const std::vector<std::string>& sets) {
-  std::vector<NamedNumber> values;
-  for (const std::string& text : sets) {
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos || equals == 0)
-      return fail(ErrorCode::badInput, "--set takes NAME=VALUE, such as width=650, not \"" + text + "\"",
-                  "set");
-    const std::string name = text.substr(0, equals);
-    if (std::ranges::find(values, name, &NamedNumber::name) != values.end())
-      return fail(ErrorCode::badInput, "--set gives " + name + " twice; keep one of them", "set");
-    const auto variable = std::ranges::find(design.variables, name, &Variable::name);
-    double value = 0;
-    if (variable != design.variables.end()) {
-      const Result<double> typed = readTypedNumber(text.substr(equals + 1), {variable->unit});
-      if (!typed) return fail(ErrorCode::badInput, "--set " + name + ": " + typed.error().message, "set");
-      value = *typed;
-    }
-    values.push_back({name, value});
-  }
-  return values.empty() ? Result<Design>(design) : withVariables(design, values);
 }
 
 int runDesign(const Session& session, const ResultOptions& options) {

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <memory>
 
+#include "bw/core/design/variables.h"
 #include "bw/core/shape/iso_sections.h"
 #include "bw/model/evaluation_runner.h"
 #include "bw/pipeline/example_design.h"
@@ -122,6 +123,32 @@ TEST(Sketch, GoesOnWhereMoreThanTheSurfaceChanges) {
   Design many = design;
   many.cuts.clear();
   EXPECT_FALSE(sketcher.draw(many, {}));
+}
+
+TEST(Sketch, OfSeveralBlocksHasTheCutsOfAllAndTheirEnds) {
+  const Design design = designed("three-block-wall");
+  const std::shared_ptr<const Evaluation> first = evaluated(design);
+  ASSERT_EQ(first->blocks.size(), 3u);
+  Sketcher sketcher(first);
+  Design raised = design;
+  ASSERT_FALSE(raised.variables.empty());
+  const Variable& variable = raised.variables.front();
+  raised =
+      withVariables(raised, {{variable.name, variable.value + 0.02 * (variable.max - variable.min)}}).value();
+  const std::optional<Sketch> sketch = sketcher.draw(raised, {});
+  ASSERT_TRUE(sketch);
+  ASSERT_EQ(sketch->blocks.size(), 3u);
+  const std::shared_ptr<const Evaluation> anew = evaluated(raised);
+  for (std::size_t b = 0; b < 3; ++b) {
+    const CutSketch& cut = sketch->blocks[b].at(0);
+    const CutEvaluation& full = anew->blocks[b].cuts[0];
+    EXPECT_EQ(cut.id, full.id);
+    EXPECT_EQ(cut.sweep->request, full.sweep.value->request)
+        << "with the ends and tangents of its neighbours";
+    ASSERT_EQ(cut.sweep->poses.size(), full.sweep.value->poses.size());
+    for (std::size_t i = 0; i < cut.sweep->poses.size(); ++i)
+      EXPECT_NEAR(cut.look->deviation[i], full.result()->station(i).deviation, 0.05) << b << " " << i;
+  }
 }
 
 TEST(Sketch, TellsWhatIsLost) {

@@ -6,10 +6,12 @@
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "bw/core/design/design.h"
 #include "bw/core/design/variables.h"
@@ -247,6 +249,7 @@ void sketchOfPoleChange(benchmark::State& state) {
   Sketcher sketcher(first);
   int steps = 0;
   double height = 0;
+  std::vector<double> seconds;
   std::optional<Sketch> sketch;
   const auto pulledBy = [](double up) {
     Design design = block(false);
@@ -257,7 +260,11 @@ void sketchOfPoleChange(benchmark::State& state) {
     height = 10 * std::sin(0.1 * ++steps);
     sketch = sketcher.draw(pulledBy(height), {});
     if (!sketch) return state.SkipWithError("no sketch");
+    seconds.push_back(sketch->seconds);
   }
+  const auto late = seconds.begin() + std::ptrdiff_t(0.95 * double(seconds.size()));
+  std::nth_element(seconds.begin(), late, seconds.end());
+  state.counters["p95_ms"] = 1e3 * *late;
   const Outcome anew = evaluate(pulledBy(height), nullptr, {});
   double farther = 0;
   for (std::size_t i = 0; anew.evaluation.result() && i < anew.evaluation.result()->size(); ++i)

@@ -6,7 +6,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "process.h"
 
@@ -94,6 +98,51 @@ TEST(Designed, SlipsInWhatIsSetAreNamed) {
   EXPECT_TRUE(
       json::parse(blade({"design", design, "--out", folder / "out", "--set", "rise=1", "--json-errors"}).err)
           .contains("error"));
+}
+
+TEST(Designed, AVariableIsVariedOverItsRange) {
+  const Folder folder;
+  const std::string design = exampleIn(folder, "ripple-along"), out = folder / "vary";
+  const Finished run = blade(
+      {"vary", design, "--over", "amplitude=10:0,03 m", "--count", "3", "--set", "waves=1", "--out", out});
+  ASSERT_EQ(run.status, 0) << run.err;
+  std::istringstream table(slurp(out + "/vary.csv"));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(table, line);) lines.push_back(line);
+  ASSERT_EQ(lines.size(), 4u);
+  EXPECT_EQ(lines[0].substr(0, 35), "amplitude,status,deviation_max_mm,d");
+  EXPECT_EQ(lines[1].substr(0, 13), "10.000000,ok,");
+  EXPECT_EQ(lines[2].substr(0, 13), "20.000000,ok,");
+  EXPECT_EQ(lines[3].substr(0, 13), "30.000000,ok,");
+  for (const char* name : {"/vary-01.png", "/vary-02.png", "/vary-03.png"})
+    EXPECT_EQ(slurp(out + name).substr(1, 3), "PNG") << name;
+  // Each is what the design with that value alone is.
+  const Finished alone =
+      blade({"design", design, "--set", "amplitude=20", "--set", "waves=1", "--out", folder / "alone"});
+  ASSERT_EQ(alone.status, 0) << alone.err;
+  const json report = json::parse(slurp(folder / "alone" + "/report.json"));
+  const double deviation = report["summary"]["deviation_max_mm"];
+  EXPECT_NEAR(std::stod(lines[2].substr(13)), deviation, 1e-4);
+  EXPECT_FALSE(std::filesystem::exists(out + "/programs"));
+}
+
+TEST(Designed, SlipsInWhatIsVariedAreNamed) {
+  const Folder folder;
+  const std::string design = exampleIn(folder, "ripple-along");
+  const auto said = [&](const std::string& over, const std::string& count) {
+    const Finished run =
+        blade({"vary", design, "--over", over, "--count", count, "--no-pictures", "--out", folder / "out"});
+    EXPECT_EQ(run.status, 2) << over;
+    EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+    return run.err;
+  };
+  EXPECT_NE(said("amplitud", "3").find("no variable \"amplitud\""), std::string::npos);
+  EXPECT_NE(said("amplitude=10", "3").find("FROM:TO"), std::string::npos);
+  EXPECT_NE(said("amplitude=10:300", "3").find("300 is not between 0 and 60"), std::string::npos);
+  EXPECT_NE(said("amplitude=10:much", "3").find("--over"), std::string::npos);
+  EXPECT_NE(said("amplitude=10:10", "3").find("the same"), std::string::npos);
+  EXPECT_NE(said("amplitude=10:20", "1").find("--count"), std::string::npos);
+  EXPECT_NE(said("amplitude=10:20", "100000").find("--count"), std::string::npos);
 }
 
 TEST(Designed, ExamplesAreListedAndWrittenAsSteps) {

@@ -27,8 +27,9 @@ TEST(Blade, TellsItsVersionAndLibraries) {
 TEST(Blade, HelpOfEveryVerbHasAnExample) {
   const Finished help = blade({"--help"});
   EXPECT_EQ(help.status, 0);
-  for (const char* verb : {"elastica", "fit", "piecewise", "biarc", "spline", "discrete", "relax", "length",
-                           "bvp", "info", "rationalize", "design", "render", "export", "check", "example"}) {
+  for (const char* verb :
+       {"elastica", "fit", "piecewise", "biarc", "spline", "discrete", "relax", "length", "bvp", "info",
+        "rationalize", "design", "vary", "render", "export", "check", "example"}) {
     EXPECT_NE(help.out.find(verb), std::string::npos) << verb;
     const Finished run = blade({verb, "--help"});
     EXPECT_EQ(run.status, 0) << verb;

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <utility>
 
+#include "block_layout.h"
 #include "bw/core/shape/iso_sections.h"
 
 namespace bw::pipeline {
@@ -43,6 +44,9 @@ const CutSketch* Sketch::find(const std::string& id) const {
 
 Sketcher::Sketcher(std::shared_ptr<const Evaluation> from) : from_(std::move(from)) {
   surface_ = from_->design.source().surface;
+  if (surface_)
+    if (const Result<SplineSurface> spline = splineOf(*surface_))
+      spline_ = std::make_shared<const SplineSurface>(*spline);
   for (const BlockEvaluation& block : from_->blocks)
     for (const CutEvaluation& cut : block.cuts) {
       Row& row = rows_.emplace_back();
@@ -50,22 +54,20 @@ Sketcher::Sketcher(std::shared_ptr<const Evaluation> from) : from_(std::move(fro
       row.mesh = cut.targetMesh.value;
       row.sections = cut.sections.value;
       row.planes = cut.sections.request;
+      row.spline = spline_;
     }
-  if (!surface_) return;
-  if (const Result<SplineSurface> spline = splineOf(*surface_)) spline_ = *spline;
 }
 
 /// Takes the surface of a design; false where it has none that can be told.
 bool Sketcher::takeSurface(const Design& design) {
   const std::optional<DesignedSurface>& surface = design.source().surface;
-  moved_ = surface != surface_;
-  if (!moved_) return true;
+  if (surface == surface_) return true;
   const Result<SplineSurface> spline = splineOf(*surface);
   if (!spline) return false;
   const Result<geometry::CadModel> model = geometry::CadModel::of(*spline, "the designed surface");
   if (!model) return false;
   surface_ = surface;
-  before_ = std::exchange(spline_, *spline);
+  spline_ = std::make_shared<const SplineSurface>(*spline);
   model_ = *model;
   return true;
 }
@@ -83,8 +85,9 @@ std::optional<Sketch> Sketcher::draw(const Design& design, const RunContext& con
   Sketch sketch{design, {}};
   std::size_t index = 0;
   for (std::size_t b = 0; b < from_->blocks.size(); ++b) {
-    if (design.stock[b].id != from_->blocks[b].id) return {};
-    std::optional<BlockPlacement> placement = design.stock[b].placement;
+    const auto stock = std::ranges::find(design.stock, from_->blocks[b].id, &StockBlock::id);
+    if (stock == design.stock.end()) return {};
+    std::optional<BlockPlacement> placement = stock->placement;
     std::vector<CutSketch>& cuts = sketch.blocks.emplace_back();
     for (const CutEvaluation& cut : from_->blocks[b].cuts) {
       std::optional<CutSketch> drawn = draw(design, index++, cut, placement, context);
@@ -101,28 +104,30 @@ std::optional<CutSketch> Sketcher::draw(const Design& design, std::size_t index,
                                         const std::optional<BlockPlacement>& placement,
                                         const RunContext& context) {
   Row& row = rows_[index];
-  const auto asked = std::ranges::find(design.cuts, cut.id, &Cut::id);
-  if (asked == design.cuts.end() || asked->face != cut.target.request || !cut.result()) return {};
-  if (moved_) {
-    const Result<geometry::Target> target = geometry::Target::make(*model_, asked->face);
+  if (std::ranges::find(design.cuts, cut.id, &Cut::id) == design.cuts.end()) return {};
+  const Cut asked = cutToMake(design, cut.id);
+  if (asked.face != cut.target.request || !cut.result()) return {};
+  const bool moved = row.spline != spline_;
+  if (moved) {
+    const Result<geometry::Target> target = geometry::Target::make(*model_, asked.face);
     if (!target) return {};
     row.target = std::make_shared<const geometry::Target>(*target);
     row.mesh = std::make_shared<const TriangleMesh>(meshOf(*spline_));
   }
 
   Findings unsaid;
-  PlanesRequest planes{{}, asked->sections};
+  PlanesRequest planes{{}, asked.sections};
   const Result<geometry::Setup> setup =
-      geometry::resolveSetup(*row.target, {placement, asked->direction}, unsaid);
+      geometry::resolveSetup(*row.target, {placement, asked.direction}, unsaid);
   if (!setup) return {};
   planes.setup = *setup;
-  if (!asked->direction)
+  if (!asked.direction)
     planes.setup.planes = PlaneFamily::across(setup->block, row.planes.setup.planes.direction());
   if (planes.sections.byTolerance()) planes.sections.stations = cut.sections.request.sections.stations;
-  if (moved_ || planes != row.planes) {
+  if (moved || planes != row.planes) {
     std::optional<std::vector<Section>> sections;
-    if (planes == row.planes && before_ && spline_)
-      sections = isoSections(*spline_, *before_, *row.sections, planes.setup.block);
+    if (planes == row.planes && row.spline && spline_)
+      sections = isoSections(*spline_, *row.spline, *row.sections, planes.setup.block);
     if (!sections) {
       Result<std::vector<Section>> traced =
           geometry::cutSections(*row.target, planes.setup, planes.sections, context, unsaid);
@@ -131,9 +136,11 @@ std::optional<CutSketch> Sketcher::draw(const Design& design, std::size_t index,
     }
     row.sections = std::make_shared<const std::vector<Section>>(std::move(*sections));
     row.planes = planes;
+    row.spline = spline_;
   }
 
-  const FitRequest fit = fitRequest(design);
+  const FitRequest& before = cut.sweep.value->request;
+  const FitRequest fit = fitRequest(design, before.fitEndpoints && before.fitTangents);
   if (!row.live) {
     row.live = LiveRow::of(*cut.sweep.value, context);
     if (row.live) row.sketcher.emplace(*cut.sweep.value, *cut.certainty.value, *cut.rest.value);

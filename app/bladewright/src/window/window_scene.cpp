@@ -118,7 +118,7 @@ void MainWindow::refreshStyle() {
   const Field* mapped = mappedField();
   mapBar_->setRangeUnit(mapped ? QString::fromStdString(mapped->unit) : QString());
   mapBar_->setRangeInUse(view_->legendRange());
-  inspector_->setStale(staleShown_);
+  inspector_->setStale(staleShown_ || bench_.sketch());  // its numbers are those of the result
   refreshSummary();
   commands_["view.handles"]->setChecked(handles_->shown());
   for (const auto& [id, isOn] : toggles_) commands_[id]->setChecked(isOn(style));

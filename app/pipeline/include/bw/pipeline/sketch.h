@@ -52,6 +52,7 @@ class Sketcher {
     std::shared_ptr<const geometry::Target> target;
     std::shared_ptr<const TriangleMesh> mesh;
     std::shared_ptr<const std::vector<Section>> sections;
+    std::shared_ptr<const SplineSurface> spline;  ///< that they are of; null for a file
     PlanesRequest planes;
   };
   std::optional<CutSketch> draw(const Design& design, std::size_t index, const CutEvaluation& cut,
@@ -61,9 +62,8 @@ class Sketcher {
   std::shared_ptr<const Evaluation> from_;
   std::vector<Row> rows_;  ///< of all cuts, block by block
   std::optional<DesignedSurface> surface_;
-  std::optional<SplineSurface> spline_, before_;  ///< of the surface now, and of the sections that stand
+  std::shared_ptr<const SplineSurface> spline_;
   std::optional<geometry::CadModel> model_;
-  bool moved_ = false;  ///< the surface is another than in the sketch before
 };
 
 }  // namespace bw::pipeline

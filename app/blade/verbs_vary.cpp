@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// A design over the range of one of its variables: a table, and a small picture of each.
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <sstream>
+
+#include "bw/core/base/units.h"
+#include "bw/core/design/variables.h"
+#include "bw/core/files/file_set.h"
+#include "bw/core/text/number_text.h"
+#include "bw/core/text/printable.h"
+#include "bw/core/text/typed_number.h"
+#include "bw/pipeline/overall.h"
+#include "bw/pipeline/scene_content.h"
+#include "bw/words/findings.h"
+#include "sets.h"
+#include "verbs.h"
+
+namespace bw::cli {
+
+namespace {
+
+constexpr int kLeast = 2, kMost = 200;                    // values
+constexpr int kPictureWidth = 480, kPictureHeight = 320;  // pixels
+
+struct VaryOptions {
+  std::string file, out, over;
+  int count = 7;
+  std::vector<std::string> sets;
+  bool noPictures = false;
+};
+
+/// A variable and the range in which it is varied.
+struct Range {
+  std::string name;
+  double from = 0, to = 0;
+};
+
+Result<Range> rangeOf(const Design& design, const std::string& text) {
+  const auto wrong = [&](const std::string& why) {
+    return fail(ErrorCode::badInput, "--over " + text + ": " + why, "over");
+  };
+  const std::size_t equals = text.find('=');
+  const std::string name = text.substr(0, equals);
+  const auto variable = std::ranges::find(design.variables, name, &Variable::name);
+  if (variable == design.variables.end()) {
+    std::string names;
+    for (const Variable& each : design.variables) names += (names.empty() ? "" : ", ") + each.name;
+    return wrong("the design has no variable \"" + name + "\"; " +
+                 (names.empty() ? "it has none" : "it has " + names));
+  }
+  Range range{name, variable->min, variable->max};
+  if (equals == std::string::npos) return range;
+  const std::string values = text.substr(equals + 1);
+  const std::size_t colon = values.find(':');
+  if (colon == std::string::npos) return wrong("a range is FROM:TO, such as 10:40");
+  const Result<double> from = readTypedNumber(values.substr(0, colon), {variable->unit});
+  const Result<double> to = readTypedNumber(values.substr(colon + 1), {variable->unit});
+  if (!from) return wrong(from.error().message);
+  if (!to) return wrong(to.error().message);
+  range.from = *from;
+  range.to = *to;
+  for (const double value : {range.from, range.to})
+    if (!(value >= variable->min && value <= variable->max))
+      return wrong(shortText(value, 6) + " is not between " + shortText(variable->min, 6) + " and " +
+                   shortText(variable->max, 6) + ", as the design says of it");
+  if (range.from == range.to) return wrong("both ends are the same; use blade design --set for one value");
+  return range;
+}
+
+/// A field of a CSV file.
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string all = "\"";
+  for (const char c : text) all += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return all + "\"";
+}
+
+/// What of a design with one value stands in the table.
+struct Row {
+  std::string text;
+  bool good = false;
+};
+
+Row rowOf(double value, const pipeline::Outcome& outcome) {
+  const pipeline::Evaluation& e = outcome.evaluation;
+  std::string line = fixedText(value, 6);
+  const auto add = [&line](const std::string& text) { line += "," + quoted(text); };
+  constexpr int kNumbers = 11;
+  if (outcome.error) {
+    add("failed");
+    for (int i = 0; i < kNumbers; ++i) add("");
+    add(outcome.error->message);
+    return {line, false};
+  }
+  const pipeline::Overall all = pipeline::overallOf(e);
+  std::size_t counts[4] = {};
+  for (const pipeline::BlockEvaluation& block : e.blocks)
+    for (const pipeline::CutEvaluation& cut : block.cuts)
+      if (cut.rest.value)
+        for (const Rest rest : cut.rest.value->stations) ++counts[int(rest)];
+  const Findings findings = e.findings();
+  const bool good = !exceedsLimit(findings);
+  std::string kinds;
+  for (const Finding& finding : findings) {
+    if (finding.severity == Severity::info) continue;
+    const std::string kind = words::kindWord(finding);
+    if (kinds.find(kind) == std::string::npos) kinds += (kinds.empty() ? "" : " ") + kind;
+  }
+  add(good ? "ok" : "exceeds");
+  add(fixedText(all.summary.deviationMax, 4));
+  add(fixedText(all.summary.deviationMean, 4));
+  add(fixedText(100 * all.summary.withinTolerance, 2));
+  add(fixedText(100 * all.covered, 2));
+  add(all.summary.minRadius > 0 ? fixedText(all.summary.minRadius, 1) : "");
+  add(fixedText(toDegrees(all.summary.angleMax), 2));
+  for (const Rest rest : {Rest::certain, Rest::held, Rest::lost, Rest::unknown})
+    add(std::to_string(counts[int(rest)]));
+  add(fixedText(all.cuttingTime, 1));
+  add(kinds);
+  return {line, good};
+}
+
+Result<std::string> pictureOf(const pipeline::Evaluation& e) {
+  scene::Scene scene;
+  scene.setContent(pipeline::sceneContent(e));
+  scene::Style style;
+  style[scene::Kind::cut].map = "deviation";
+  style.tolerance = e.design.process.tolerance;
+  scene.setStyle(style);
+  scene.setCamera(
+      scene.fitFrom(scene::directionOf(scene::View::iso), false, double(kPictureWidth) / kPictureHeight));
+  const Result<scene::Picture> picture = scene.render(kPictureWidth, kPictureHeight);
+  return picture ? scene::pngBytes(*picture) : Result<std::string>(tl::unexpected<Error>(picture.error()));
+}
+
+int runVary(const Session& session, const VaryOptions& options) {
+  Result<Design> design = session.openDesign(options.file);
+  if (design) design = withSets(*design, options.sets);
+  if (!design) return session.complain(design.error());
+  const Result<Range> range = rangeOf(*design, options.over);
+  if (!range) return session.complain(range.error());
+  if (options.count < kLeast || options.count > kMost)
+    return session.complain({ErrorCode::badInput,
+                             "--count must be between " + std::to_string(kLeast) + " and " +
+                                 std::to_string(kMost) + ", not " + std::to_string(options.count),
+                             "count", double(options.count), double(kMost)});
+  FileSet files;
+  std::string table = range->name +
+                      ",status,deviation_max_mm,deviation_mean_mm,within_tolerance_percent,covered_percent,"
+                      "min_radius_mm,angle_max_deg,certain,held,lost,unknown,cutting_time_s,findings\n";
+  const RunContext context = session.context();
+  std::optional<pipeline::Outcome> before;
+  bool allGood = true;
+  for (int i = 0; i < options.count; ++i) {
+    const double value = std::lerp(range->from, range->to, double(i) / (options.count - 1));
+    const Result<Design> varied = withVariables(*design, {{range->name, value}});
+    if (!varied) return session.complain(varied.error());
+    pipeline::Outcome outcome =
+        pipeline::evaluate(*varied, before ? &before->evaluation : nullptr,
+                           context.child(double(i) / options.count, double(i + 1) / options.count));
+    if (context.stopped()) return session.complain(stoppedError().value());
+    const Row row = rowOf(value, outcome);
+    table += row.text + "\n";
+    allGood = allGood && row.good;
+    session.endProgress();
+    std::cerr << range->name << " = " << shortText(value, 6) << ": "
+              << row.text.substr(row.text.find(',') + 1) << "\n";
+    if (!options.noPictures && !outcome.error) {
+      const Result<std::string> png = pictureOf(outcome.evaluation);
+      if (!png) return session.complain(png.error());
+      std::ostringstream name;
+      name << "vary-" << (i < 9 ? "0" : "") << i + 1 << ".png";
+      files.add(name.str(), *png);
+    }
+    if (!outcome.error) before = std::move(outcome);
+  }
+  files.add("vary.csv", table);
+  const Interrupt::Commit commit;
+  if (const Result<void> ok = files.commit(options.out, context); !ok) return session.complain(ok.error());
+  std::cerr << "wrote " << files.paths().size() << (files.paths().size() == 1 ? " file" : " files") << " to "
+            << printable(options.out) << "\n";
+  return allGood ? kDone : kLimitExceeded;
+}
+
+}  // namespace
+
+void addVaryVerb(CLI::App& app, const Session& session, Work& work) {
+  CLI::App* verb =
+      app.add_subcommand("vary", "A design over the range of a variable: a table and small pictures");
+  const auto options = std::make_shared<VaryOptions>();
+  verb->add_option("DESIGN", options->file, "A .bladewright file")->required();
+  verb->add_option("--over", options->over, "The variable, and from where to where; else its whole range")
+      ->type_name("NAME[=FROM:TO]")
+      ->required();
+  verb->add_option("--count", options->count, "How many values, both ends among them (7)")->type_name("N");
+  verb->add_option("--set", options->sets, "Give another variable a value; repeatable")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+  verb->add_flag("--no-pictures", options->noPictures, "Only the table");
+  verb->add_option("--out", options->out, "Folder for vary.csv and the pictures")
+      ->type_name("DIR")
+      ->required();
+  verb->footer(
+      "Example:\n  blade vary ripple.bladewright --over amplitude=10:40 --count 7 --out out/ripples");
+  onChosen(*verb, session, work, options, runVary);
+}
+
+}  // namespace bw::cli
