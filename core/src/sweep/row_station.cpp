@@ -338,7 +338,8 @@ void Row::look(Station& station, bool slopes) const {
   const double tolerance = sweep_.request.tolerance;
   const auto numbers = Vector6::Map(station.numbers);
   slopes = slopes || !station.slopesAt;
-  if (station.lookedAt && *station.lookedAt == numbers && (!slopes || *station.slopesAt == numbers)) return;
+  const auto isOf = [&](const std::optional<Vector6>& looked) { return looked && *looked == numbers; };
+  if (isOf(station.lookedAt) && (!slopes || isOf(station.slopesAt))) return;
   station.lookedAt = numbers;
   station.good = false;
   const Result<Elastica> half = about(station);
