@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <sstream>
 
@@ -21,6 +22,8 @@
 #include "verbs.h"
 
 namespace bw::cli {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -142,6 +145,19 @@ Result<std::string> pictureOf(const pipeline::Evaluation& e) {
   return picture ? scene::pngBytes(*picture) : Result<std::string>(tl::unexpected<Error>(picture.error()));
 }
 
+/// The pictures that an earlier run left in a folder.
+std::vector<fs::path> picturesIn(const fs::path& folder) {
+  std::vector<fs::path> pictures;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    const bool numbered = name.size() >= 11 && name.starts_with("vary-") && name.ends_with(".png") &&
+                          name.find_first_not_of("0123456789", 5) == name.size() - 4;
+    if (numbered && entry.is_regular_file(error)) pictures.push_back(entry.path());
+  }
+  return pictures;
+}
+
 int runVary(const Session& session, const VaryOptions& options) {
   Result<Design> design = session.openDesign(options.file);
   if (design) design = withSets(*design, options.sets);
@@ -153,6 +169,14 @@ int runVary(const Session& session, const VaryOptions& options) {
                              "--count must be between " + std::to_string(kLeast) + " and " +
                                  std::to_string(kMost) + ", not " + std::to_string(options.count),
                              "count", double(options.count), double(kMost)});
+  if (std::error_code error; fs::exists(options.out, error) && !fs::is_directory(options.out, error))
+    return session.complain(
+        {ErrorCode::cannotWrite, options.out + " is no folder; give --out the name of one", options.out});
+  for (const std::string& set : options.sets)
+    if (set.substr(0, set.find('=')) == range->name)
+      return session.complain({ErrorCode::badInput,
+                               "--set gives " + range->name + ", which --over varies; keep one of them",
+                               "set"});
   FileSet files;
   std::string table = range->name +
                       ",status,deviation_max_mm,deviation_mean_mm,within_tolerance_percent,covered_percent,"
@@ -163,10 +187,12 @@ int runVary(const Session& session, const VaryOptions& options) {
   for (int i = 0; i < options.count; ++i) {
     const double value = std::lerp(range->from, range->to, double(i) / (options.count - 1));
     const Result<Design> varied = withVariables(*design, {{range->name, value}});
-    if (!varied) return session.complain(varied.error());
-    pipeline::Outcome outcome =
-        pipeline::evaluate(*varied, before ? &before->evaluation : nullptr,
-                           context.child(double(i) / options.count, double(i + 1) / options.count));
+    pipeline::Outcome outcome;
+    if (varied)
+      outcome = pipeline::evaluate(*varied, before ? &before->evaluation : nullptr,
+                                   context.child(double(i) / options.count, double(i + 1) / options.count));
+    else
+      outcome.error = varied.error();
     if (context.stopped()) return session.complain(stoppedError().value());
     const Row row = rowOf(value, outcome);
     table += row.text + "\n";
@@ -184,8 +210,15 @@ int runVary(const Session& session, const VaryOptions& options) {
     if (!outcome.error) before = std::move(outcome);
   }
   files.add("vary.csv", table);
+  std::vector<fs::path> earlier = picturesIn(options.out);
+  std::erase_if(earlier, [&](const fs::path& file) {
+    return std::ranges::find(files.paths(), file.filename()) != files.paths().end();
+  });
   const Interrupt::Commit commit;
   if (const Result<void> ok = files.commit(options.out, context); !ok) return session.complain(ok.error());
+  std::error_code ignored;
+  for (const fs::path& file : earlier)
+    if (fs::remove(file, ignored)) std::cerr << "removed " << printable(file.string()) << "\n";
   std::cerr << "wrote " << files.paths().size() << (files.paths().size() == 1 ? " file" : " files") << " to "
             << printable(options.out) << "\n";
   return allGood ? kDone : kLimitExceeded;

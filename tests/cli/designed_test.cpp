@@ -124,6 +124,26 @@ TEST(Designed, AVariableIsVariedOverItsRange) {
   const double deviation = report["summary"]["deviation_max_mm"];
   EXPECT_NEAR(std::stod(lines[2].substr(13)), deviation, 1e-4);
   EXPECT_FALSE(std::filesystem::exists(out + "/programs"));
+  // What an earlier run left there of pictures goes, and nothing else.
+  folder.write("vary/vary-notes.png", "mine");
+  ASSERT_EQ(blade({"vary", design, "--over", "waves", "--count", "2", "--out", out}).status, 0);
+  EXPECT_TRUE(std::filesystem::exists(out + "/vary-02.png"));
+  EXPECT_FALSE(std::filesystem::exists(out + "/vary-03.png"));
+  EXPECT_TRUE(std::filesystem::exists(out + "/vary-notes.png"));
+}
+
+TEST(Designed, AValueThatMakesNoDesignIsALineOfItsOwn) {
+  const Folder folder;
+  json design = json::parse(slurp(exampleIn(folder, "ripple-along")));
+  design["variables"].push_back({{"name", "long"}, {"value", 800}, {"min", 0}, {"max", 900}});
+  design["blade"]["length"] = "=long";
+  const std::string file = folder.write("long.bladewright", design.dump());
+  const Finished run =
+      blade({"vary", file, "--over", "long=0:800", "--count", "2", "--no-pictures", "--out", folder / "out"});
+  EXPECT_EQ(run.status, 1) << run.err;
+  const std::string table = slurp(folder / "out/vary.csv");
+  EXPECT_NE(table.find("\n0.000000,failed,"), std::string::npos) << table;
+  EXPECT_NE(table.find("\n800.000000,ok,"), std::string::npos) << table;
 }
 
 TEST(Designed, SlipsInWhatIsVariedAreNamed) {
@@ -143,6 +163,10 @@ TEST(Designed, SlipsInWhatIsVariedAreNamed) {
   EXPECT_NE(said("amplitude=10:10", "3").find("the same"), std::string::npos);
   EXPECT_NE(said("amplitude=10:20", "1").find("--count"), std::string::npos);
   EXPECT_NE(said("amplitude=10:20", "100000").find("--count"), std::string::npos);
+  EXPECT_EQ(
+      blade({"vary", design, "--over", "amplitude", "--set", "amplitude=3", "--out", folder / "out"}).status,
+      2);
+  EXPECT_EQ(blade({"vary", design, "--over", "amplitude", "--out", design}).status, 4);
 }
 
 TEST(Designed, ExamplesAreListedAndWrittenAsSteps) {
