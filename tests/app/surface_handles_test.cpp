@@ -90,8 +90,7 @@ TEST_F(SurfaceHandlesTest, AHandleStopsWhereItsBladesEndAndSaysWhy) {
   ASSERT_TRUE(settle());
   ASSERT_TRUE(bench().sweep());
   // What it stopped at can be cut.
-  for (const Rest rest : bench().sweep()->rest.stations)
-    EXPECT_NE(rest, Rest::lost);
+  for (const Rest rest : bench().sweep()->rest.stations) EXPECT_NE(rest, Rest::lost);
   EXPECT_LE(bench().sweep()->analysis.summary.deviationMax, bench().design().process.tolerance);
   EXPECT_GE(bench().sweep()->analysis.summary.minRadius, bench().design().blade.minRadius());
 }
