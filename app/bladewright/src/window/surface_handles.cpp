@@ -242,7 +242,7 @@ QString SurfaceHandles::wordsOf(pipeline::Bar bar) {
     case pipeline::Bar::crosses:
       return tr("the blade would cross itself");
     case pipeline::Bar::lost:
-      return tr("the blade would not keep its shape");
+      return tr("nothing is known to keep the blade in its shape");
     case pipeline::Bar::tooFar:
       return tr("the blade would leave the surface by more than the tolerance");
     case pipeline::Bar::none:
