@@ -191,6 +191,26 @@ TEST(EvaluationRunner, FollowsADragWithoutStarving) {
   EXPECT_EQ(runner.evaluation()->cut().sweep.value->poses.size(), std::size_t(stations));
 }
 
+TEST(EvaluationRunner, FollowsADragThatCannotBeSketched) {
+  EvaluationRunner runner;
+  QSignalSpy finished(&runner, &EvaluationRunner::finished);
+  runner.evaluate(std::make_shared<const Design>(panelDesign(10)));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !runner.busy(); }, kPatience));
+  // Another choice of faces is none that a sketch goes on from; the hand moves faster than all is computed.
+  int stations = 10;
+  const bool followed = QTest::qWaitFor(
+      [&] {
+        stations = stations < 30 ? stations + 1 : 11;
+        Design design = panelDesign(stations);
+        design.cut().face = {FaceChoice::Kind::all, {}};
+        runner.evaluate(std::make_shared<const Design>(design), true);
+        return finished.count() > 1;
+      },
+      kPatience);
+  EXPECT_TRUE(followed) << "no result came before the drag ended";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !runner.busy(); }, kPatience));
+}
+
 TEST(EvaluationRunner, StopsOnRequest) {
   EvaluationRunner runner;
   QSignalSpy finished(&runner, &EvaluationRunner::finished), cancelled(&runner, &EvaluationRunner::cancelled);

@@ -224,12 +224,13 @@ bool EvaluationRunner::drawSketch(const Order& order, const RunContext& context,
     const std::lock_guard lock(mutex_);
     if (!order.live || !sketches_) return false;
   }
-  if (std::optional<pipeline::Sketch> drawn = sketcher_->draw(*order.design, context)) {
+  std::optional<pipeline::Sketch> sketch = sketcher_->draw(*order.design, context);
+  if (sketch) {
     QMetaObject::invokeMethod(
         this,
         [this, number = order.number,
-         sketch = std::make_shared<const pipeline::Sketch>(std::move(*drawn))]() mutable {
-          takeSketch(number, std::move(sketch));
+         drawn = std::make_shared<const pipeline::Sketch>(std::move(*sketch))]() mutable {
+          takeSketch(number, std::move(drawn));
         },
         Qt::QueuedConnection);
     const auto until = std::chrono::steady_clock::now() + kHandRest;
@@ -245,8 +246,12 @@ bool EvaluationRunner::drawSketch(const Order& order, const RunContext& context,
         std::ranges::any_of(waiting_, [](const Order& next) { return next.design != nullptr; });
     if (newer || end.stop_requested()) return true;
   }
+  const bool drawn = sketch.has_value();
   const std::lock_guard lock(mutex_);
   runningIsEvaluation_ = true;
+  // Where none can be drawn the evaluation is what follows the hand: the next move does not stop it, and
+  // sketches go on from its result.
+  sketches_ = sketches_ && drawn;
   return false;
 }
 

@@ -38,16 +38,6 @@ bool near(const Spot& spot, int width, int height) {
   return spot.seen && std::abs(spot.pixel.x()) < 20.0 * width && std::abs(spot.pixel.y()) < 20.0 * height;
 }
 
-void line(Canvas& canvas, const Eigen::Vector2d& a, const Eigen::Vector2d& b, double width, const Rgb& color,
-          double opacity = 1) {
-  const Eigen::Vector2d way = b - a;
-  if (!(way.norm() > 0)) return;
-  const Eigen::Vector2d side = 0.5 * width * Eigen::Vector2d(-way.y(), way.x()).normalized();
-  const Eigen::Vector2d p = a + side, q = b + side, r = b - side, s = a - side;
-  canvas.triangle(p.x(), p.y(), q.x(), q.y(), r.x(), r.y(), color, opacity);
-  canvas.triangle(p.x(), p.y(), r.x(), r.y(), s.x(), s.y(), color, opacity);
-}
-
 }  // namespace
 
 int handleAt(const Handles& handles, const Projection& view, double x, double y, double pixelRatio) {
@@ -77,19 +67,19 @@ void HandleMarks::update(const Projection& view, int width, int height, const St
   };
   for (const std::array<int, 2>& one : handles.lines)
     if (there(one[0]) && there(one[1]))
-      line(canvas_, spots[std::size_t(one[0])].pixel, spots[std::size_t(one[1])].pixel, kLine * px,
-           colors.selection, 0.45);
+      canvas_.line(spots[std::size_t(one[0])].pixel, spots[std::size_t(one[1])].pixel, kLine * px,
+                   colors.selection, 0.45);
   if (handles.way) {
     const HandleWay& way = *handles.way;
     const Spot from = spotOf(view, way.from), to = spotOf(view, way.to);
     if (near(from, width, height) && near(to, width, height)) {
-      line(canvas_, from.pixel, to.pixel, kWay * px, colors.selection);
+      canvas_.line(from.pixel, to.pixel, kWay * px, colors.selection);
       // Where it ends for a reason.
       const Eigen::Vector2d along = to.pixel - from.pixel;
       if (along.norm() > 0) {
         const Eigen::Vector2d across = kTick * px * Eigen::Vector2d(-along.y(), along.x()).normalized();
-        if (way.endsAtFrom) line(canvas_, from.pixel - across, from.pixel + across, kWay * px, colors.error);
-        if (way.endsAtTo) line(canvas_, to.pixel - across, to.pixel + across, kWay * px, colors.error);
+        if (way.endsAtFrom) canvas_.line(from.pixel - across, from.pixel + across, kWay * px, colors.error);
+        if (way.endsAtTo) canvas_.line(to.pixel - across, to.pixel + across, kWay * px, colors.error);
       }
     }
   }

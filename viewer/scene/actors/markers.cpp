@@ -126,16 +126,6 @@ void buildGlow(vtkPolyData* data, const Polyline& line, const Projection& view, 
 constexpr double kRing = 9, kHole = 6, kDot = 3, kPadding = 9, kLine = 17, kAway = 34, kMargin = 8;
 constexpr std::size_t kColumns = 48, kLines = 4;
 
-void drawLine(Canvas& canvas, const Eigen::Vector2d& a, const Eigen::Vector2d& b, double width,
-              const Rgb& color) {
-  const Eigen::Vector2d way = b - a;
-  if (!(way.norm() > 0)) return;
-  const Eigen::Vector2d side = 0.5 * width * Eigen::Vector2d(-way.y(), way.x()).normalized();
-  const Eigen::Vector2d p = a + side, q = b + side, r = b - side, s = a - side;
-  canvas.triangle(p.x(), p.y(), q.x(), q.y(), r.x(), r.y(), color);
-  canvas.triangle(p.x(), p.y(), r.x(), r.y(), s.x(), s.y(), color);
-}
-
 }  // namespace
 
 MovingBlade::MovingBlade(Layers& layers) {
@@ -228,7 +218,7 @@ void PlaceMarker::update(const Projection& view, int width, int height, const St
     }
     card_ = best;
     const Eigen::Vector2d tip(std::clamp(x, best.x, best.x + w), std::clamp(y, best.y, best.y + h));
-    drawLine(canvas_, {x, y}, tip, 1.5 * px, color);
+    canvas_.line({x, y}, tip, 1.5 * px, color);
     const double hair = std::max(1.0, px);
     canvas_.roundedRect({best.x - hair, best.y - hair, w + 2 * hair, h + 2 * hair}, 6 * px, color);
     canvas_.roundedRect(best, 5 * px, colors.panel);

@@ -164,6 +164,16 @@ void Canvas::triangle(double x0, double y0, double x1, double y1, double x2, dou
   fan(first, 3);
 }
 
+void Canvas::line(const Eigen::Vector2d& from, const Eigen::Vector2d& to, double width, const Rgb& color,
+                  double opacity) {
+  const Eigen::Vector2d way = to - from;
+  if (!(way.norm() > 0)) return;
+  const Eigen::Vector2d side = 0.5 * width * Eigen::Vector2d(-way.y(), way.x()).normalized();
+  const Eigen::Vector2d p = from + side, q = to + side, r = to - side, s = from - side;
+  triangle(p.x(), p.y(), q.x(), q.y(), r.x(), r.y(), color, opacity);
+  triangle(p.x(), p.y(), r.x(), r.y(), s.x(), s.y(), color, opacity);
+}
+
 void Canvas::disc(double x, double y, double radius, const Rgb& color) {
   const int first = int(points_->GetNumberOfPoints()), steps = 24;
   for (int k = 0; k < steps; ++k) {

@@ -104,6 +104,8 @@ class Canvas {
   void triangle(double x0, double y0, double x1, double y1, double x2, double y2, const Rgb& color,
                 double opacity = 1);
   void disc(double x, double y, double radius, const Rgb& color);
+  void line(const Eigen::Vector2d& from, const Eigen::Vector2d& to, double width, const Rgb& color,
+            double opacity = 1);
   /// Text whose digits stand centred on `y`, placed on `x` by `align`.
   void text(const std::string& text, double x, double y, Align align, const TextLook& look);
   void end();

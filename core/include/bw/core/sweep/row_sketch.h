@@ -43,8 +43,9 @@ class RowSketcher {
 
   /// Looks at the row as it lies now, with as many stations. A station is *certain* and *lost* as for
   /// `restOf`; one that was held before stays so while its margin does; of one beside which another shape
-  /// became as low while the row moved it is unknown what holds it. Errors: fewer than two stations; those of
-  /// the sampler; `cancelled` on a stop. Some 0.1 ms a station.
+  /// became as low while the row moved it is unknown what holds it. Shapes that come into being on the way
+  /// are not seen. Errors: fewer than two stations; those of the sampler; `cancelled` on a stop. Some 0.1 ms
+  /// a station.
   [[nodiscard]] Result<RowSketch> look(const Sweep& row, const CheckRequest& request,
                                        const SurfaceSampler& target, const RunContext& context);
 
