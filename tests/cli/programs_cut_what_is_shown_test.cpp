@@ -46,10 +46,9 @@ std::vector<Case> cases() {
       {"ramp-corner-hollow", tube("1675"), false},
       {"wavy-wall", tube("2800"), false, 1e300, 1e300},
       {"occ/face1.brep"},
-      {"occ/wing.brep", R"({"stations": 60})", false},
-      // Between two stations the surface swings by more, which is told.
-      {"occ/bottle.brep", R"({"stations": 60})", false, 0.05, 0.15},
-      {"step/screw.step", "{}", false},
+      {"occ/wing.brep", R"({"stations": 60})"},
+      {"occ/bottle.brep", R"({"stations": 60})", false},
+      {"step/screw.step"},
       {"occ/Ball.brep", "{}", false, 1e300, 1e300},
       {"occ/shell1.brep", "{}", false},
   };

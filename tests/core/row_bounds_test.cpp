@@ -145,6 +145,35 @@ TEST(RowBounds, ARowIsTheSameHoweverAllOfItLies) {
   }
 }
 
+/// How fast the grips of neighbours slide along their sections, mm a mm of travel.
+double fastestSlide(const Sweep& row) {
+  double fastest = 0;
+  for (std::size_t i = 1; i < row.poses.size(); ++i) {
+    const BladePose &from = row.poses[i - 1], &to = row.poses[i];
+    const double slid =
+        0.5 * (to.leftPoint().x() + to.rightPoint().x() - from.leftPoint().x() - from.rightPoint().x());
+    fastest = std::max(fastest, std::abs(slid) / std::abs(to.travel - from.travel));
+  }
+  return fastest;
+}
+
+TEST(RowBounds, GripsSlideNoFasterThanTheyTravel) {
+  for (const double jump : {40.0, 80.0, 120.0}) {
+    // One arch all along, of which some stations have only a piece at one side.
+    const auto sections = test::sectionsOf(kStations, 10, [jump](int i) {
+      const double half = i % 4 == 2 ? kSection - jump : kSection, middle = i % 4 == 2 ? jump : 0;
+      return test::graphCurve(half,
+                              [=](double x) { return 12 * std::cos(0.5 * kPi * (x + middle) / kSection); })
+          .transformed(0, 1, {middle, 0});
+    });
+    Findings findings;
+    const Result<Sweep> row = buildSweep(sections, heavy(700), block(), planes(), {}, findings);
+    ASSERT_TRUE(row) << row.error().message;
+    EXPECT_LT(fastestSlide(*row), 1.15) << jump << ": 1 but for what the sections weigh";
+    for (const StationFit& fit : row->fits) EXPECT_LT(fit.fit.hausdorff, 0.3) << jump;
+  }
+}
+
 TEST(RowBounds, TheBladeThatHangsHasTheEndsTangentsAndLengthsAskedFor) {
   test::RowSettings settings = heavy(700);
   settings.fitEndpoints = settings.fitTangents = true;

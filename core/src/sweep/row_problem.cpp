@@ -22,7 +22,11 @@ constexpr double kKink = 1e-4;       // of a kink of 1 mm in the way of a grip, 
 constexpr double kSharpKink = 5e-3;  // and of what is sharper than
 constexpr double kFreeKink = 0.35;   // rad;
 constexpr double kLeast = 0.1;       // of the mean way between stations: shorter ones count as this
-constexpr double kDemand = 1e3;      // of 1 mm that is missed of ends, tangents or length that are asked for
+constexpr double kHaste = 5e-3;      // of 1 mm, on that way, by which the grips slide or swing faster than
+constexpr double kSlideRate = 1;     // mm a mm of travel, along the section's chord, or
+constexpr double kSwingRate = 5;  // mm a mm, a quarter of the blade from the grip, which turns twice as fast
+constexpr double kOwnTurn = 1.5;  // for its section: so many times as fast as the section's end turns
+constexpr double kDemand = 1e3;   // of 1 mm that is missed of ends, tangents or length that are asked for
 
 /// What one station asks of its own blade.
 class OwnCost : public ceres::SizedCostFunction<kStationOwn, 6> {
@@ -109,6 +113,43 @@ class KinkCost : public ceres::SizedCostFunction<6, 6, 6, 6> {
   Smoothness smoothness_;
 };
 
+/// What it costs the grips to slide along the blade or to turn faster than they may on the travel from one
+/// station to the next.
+class RateCost : public ceres::SizedCostFunction<3, 6, 6> {
+ public:
+  /// `travel` in mm, `way` in parts of the mean one.
+  RateCost(const std::array<const Station*, 2>& stations, double travel, double way, double arm,
+           double tolerance)
+      : stations_(stations), travel_(travel), arm_(arm), weight_(kHaste * tolerance / way) {}
+  bool Evaluate(double const* const*, double* residuals, double** jacobians) const override {
+    const auto& [from, to] = stations_;
+    const Eigen::Vector2d along = (from->section.back() - from->section.front()).normalized();
+    Eigen::Matrix<double, 3, 6> rates = Eigen::Matrix<double, 3, 6>::Zero();
+    rates.row(0) << 0.5 * along.transpose(), 0, 0.5 * along.transpose(), 0;
+    rates(1, 2) = rates(2, 5) = arm_;
+    Eigen::Vector3d moves = rates * (to->grips - from->grips), most(kSlideRate, kSwingRate, kSwingRate);
+    most *= travel_;
+    for (std::size_t end = 0; end < 2; ++end) {
+      const double turned = std::remainder(to->sectionAngles[end] - from->sectionAngles[end], 2 * kPi);
+      most(Eigen::Index(1 + end)) += kOwnTurn * arm_ * std::abs(turned);
+    }
+    for (int row = 0; row < 3; ++row) {
+      const double beyond = std::abs(moves(row)) - most(row);
+      if (beyond <= 0) rates.row(row).setZero();
+      residuals[row] = beyond <= 0 ? 0 : weight_ * std::copysign(beyond, moves(row));
+    }
+    for (std::size_t k = 0; k < 2; ++k)
+      if (jacobians && jacobians[k])
+        Eigen::Matrix<double, 3, 6, Eigen::RowMajor>::Map(jacobians[k]) =
+            (k == 0 ? -weight_ : weight_) * rates * stations_[k]->byGrips;
+    return from->good && to->good;
+  }
+
+ private:
+  std::array<const Station*, 2> stations_;
+  double travel_, arm_, weight_;
+};
+
 /// What it costs a station alone to leave the grips of another.
 class BesideCost : public ceres::SizedCostFunction<6, 6> {
  public:
@@ -145,12 +186,22 @@ RowProblem::RowProblem(const Row& row, std::vector<Station*> stations, const Sta
   const std::vector<BladePose>& poses = sweep.poses;
   const double mean = std::abs(poses.back().travel - poses.front().travel) /
                       double(std::max<std::size_t>(1, poses.size() - 1));
+  const auto travel = [](const Station& from, const Station& to) {
+    return std::abs(to.pose->travel - from.pose->travel);
+  };
+  const auto way = [&](const Station& from, const Station& to) {
+    return std::max(kLeast, travel(from, to) / mean);
+  };
+  for (std::size_t i = 1; i < stations_.size(); ++i) {
+    Station &from = *stations_[i - 1], &to = *stations_[i];
+    if (to.index != from.index + 1) continue;
+    problem_.AddResidualBlock(
+        new RateCost({&from, &to}, travel(from, to), way(from, to), row.unit(), sweep.request.tolerance),
+        nullptr, from.numbers, to.numbers);
+  }
   for (std::size_t i = 1; i + 1 < stations_.size(); ++i) {
     const std::array<Station*, 3> three = {stations_[i - 1], stations_[i], stations_[i + 1]};
     if (three[2]->index != three[0]->index + 2) continue;
-    const auto way = [&](const Station& from, const Station& to) {
-      return std::max(kLeast, std::abs(to.pose->travel - from.pose->travel) / mean);
-    };
     problem_.AddResidualBlock(
         new KinkCost({three[0], three[1], three[2]}, way(*three[0], *three[1]), way(*three[1], *three[2]),
                      row.unit(), {kFreeKink * mean, sweep.request.tolerance}),

@@ -127,6 +127,8 @@ Result<void> start(Sweep& sweep, const Row& row, Stations& stations) {
           return found->distance() < kWorthAJump * station->distance();
         };
         if (!station || (found && better())) station = found;
+        // The others begin beside it: its grips should be where theirs will be.
+        if (station && !beside && station->lacksClearance()) settle(row, {&*station});
         if (station) station->compared = station->distance();
         return {};
       });

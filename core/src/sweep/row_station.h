@@ -66,6 +66,8 @@ struct Station {
     for (int k = 0; k < kStationPlaces; ++k) farthest = std::max(farthest, std::abs(own(k)) / shareOf(k));
     return farthest;
   }
+  /// True if a grip is nearer to the block than it need be.
+  bool lacksClearance() const { return own.segment<2>(kStationOwn - kStationMargins - 2).maxCoeff() > 0; }
   /// rad, that the grips are turned more than those of another one.
   double turnedFrom(const Station& other) const {
     const auto turn = [&](int angle) {
