@@ -26,6 +26,13 @@ Design panel(const char* preset, double length) {
   return design;
 }
 
+/// A blade that hardly anything keeps in its shape.
+Design thin(double length) {
+  Design design = panel("nicr-flat-5x1", length);
+  design.blade.thickness = 0.5;
+  return design;
+}
+
 Evaluation evaluated(const Design& design, Purpose purpose = Purpose::files) {
   Outcome outcome = evaluate(design, nullptr, {}, purpose);
   EXPECT_FALSE(outcome.error) << outcome.error->message;
@@ -64,8 +71,6 @@ TEST(Advice, AMarginThatIsAdvisedKeepsWhatWasLostForWantOfIt) {
   EXPECT_NE(advice.text.find("this blade serves where a stability margin of 0.1 is asked for, within the"),
             std::string::npos)
       << advice.text;
-  const Advice<ServingLengths, OtherMargin> besides(before);
-  EXPECT_NE(besides.text.find("stability margin of 0.1"), std::string::npos) << "no length does, this does";
   design.process.margin = advice.remedy->margin;
   const Evaluation after = evaluated(design);
   EXPECT_EQ(lostOf(after), 0);
@@ -73,20 +78,16 @@ TEST(Advice, AMarginThatIsAdvisedKeepsWhatWasLostForWantOfIt) {
   EXPECT_LE(after.result()->analysis.summary.deviationMax, design.process.tolerance);
 }
 
-TEST(Advice, AMarginKeepsARoundBladeInItsPlane) {
+TEST(Advice, ARoundBladeNeedsNoneToStayInItsPlane) {
   Design design = panel("steel-tube-3-2.5", 1000);
   design.process.margin = 0;
-  const Evaluation before = evaluated(design);
-  ASSERT_GT(lostOf(before), 0);
-  const Advice<WouldTwist, OtherMargin> advice(before);
-  ASSERT_TRUE(advice.remedy);
-  EXPECT_NE(advice.text.find("a stability margin of"), std::string::npos) << advice.text;
-  design.process.margin = advice.remedy->margin;
-  EXPECT_EQ(lostOf(evaluated(design)), 0);
+  const Evaluation e = evaluated(design);
+  EXPECT_EQ(lostOf(e), 0);
+  for (const StationCheck& station : e.cut().check.value->stations) EXPECT_GT(station.outOfPlaneMargin, 0);
 }
 
 TEST(Advice, AClearanceThatIsAdvisedKeepsWhatNoLengthDoes) {
-  Design design = panel("nicr-flat-5x1", 720);
+  Design design = thin(720);
   const Evaluation before = evaluated(design);
   ASSERT_GT(lostOf(before), 0);
   ASSERT_FALSE(before.cut().lengths.value->best) << "no length serves with the clearance asked for";
@@ -100,11 +101,11 @@ TEST(Advice, AClearanceThatIsAdvisedKeepsWhatNoLengthDoes) {
   design.blade.length = *advice.remedy->length;
   const Evaluation after = evaluated(design);
   EXPECT_EQ(lostOf(after), 0);
-  EXPECT_FALSE(exceedsLimit(after.findings()));
+  EXPECT_FALSE(hasErrors(after.findings()));
 }
 
 TEST(Advice, AnOpenLengthIsGivenWithTheClearance) {
-  Design design = panel("nicr-flat-5x1", 720);
+  Design design = thin(720);
   design.blade.autoLength = true;
   const Evaluation before = evaluated(design);
   const Advice<ServingLengths, OtherClearance> advice(before);
@@ -117,7 +118,7 @@ TEST(Advice, AnOpenLengthIsGivenWithTheClearance) {
 }
 
 TEST(Advice, TheWindowGetsTheSameAMomentLater) {
-  const Design design = panel("nicr-flat-5x1", 720);
+  const Design design = thin(720);
   Evaluation live = evaluated(design, Purpose::live);
   EXPECT_FALSE(live.cut().clearances.value);
   while (addSecondThought(live, {})) continue;
@@ -133,7 +134,7 @@ TEST(Advice, TheWindowGetsTheSameAMomentLater) {
 }
 
 TEST(Advice, IsNotSoughtWhereAProgramIsCompared) {
-  const Evaluation e = evaluated(panel("nicr-flat-5x1", 720), Purpose::comparison);
+  const Evaluation e = evaluated(thin(720), Purpose::comparison);
   ASSERT_GT(lostOf(e), 0);
   EXPECT_FALSE(e.cut().lengths.value || e.cut().clearances.value || e.cut().margins.value);
   EXPECT_TRUE(e.cut().confirmed.value) << "its sections are those of the files";

@@ -219,7 +219,7 @@ TEST(Simulate, AnOpenLengthIsThatOfTheResults) {
 TEST(Simulate, TellsHowLittleBringsTheBladeIntoAnotherShape) {
   const Folder folder;
   const std::string job = folder.write("job.json", R"({"stations": 12, "clearance": 30, "programs": ["json"],
-      "blade": {"preset": "nicr-flat-5x1", "length": 720}})");
+      "tolerance": 0.3, "blade": {"preset": "nicr-flat-5x1", "length": 720}})");
   ASSERT_EQ(blade({"rationalize", example("panel-600x670"), "--job", job, "--out", folder / "out"}).status,
             1);
   double least = 1e300;

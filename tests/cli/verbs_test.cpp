@@ -608,16 +608,26 @@ TEST(Rationalize, ChoosesTheGripsForTheBladeThatHangs) {
     return count;
   };
   const Finished flat = tried(R"("blade": "nicr-flat-5x1")");
-  EXPECT_EQ(flat.status, 1) << flat.err;
+  EXPECT_EQ(flat.status, 0) << flat.err;
   EXPECT_EQ(snapped(), 0);
-  const nlohmann::json lost = report();
-  EXPECT_LT(lost["summary"]["deviation_max_mm"], 1.15);
-  EXPECT_LT(lost["summary"]["program_deviation_max_mm"], 1.25);
-  for (const nlohmann::json& station : lost["strips"][0]["stations"])
+  const nlohmann::json held = report();
+  EXPECT_LT(held["summary"]["deviation_max_mm"], 1.5);
+  EXPECT_LT(held["summary"]["program_deviation_max_mm"], 1.5);
+  // It is the higher of two shapes, and no push of less than 1 N mm brings it out of it: without that asked
+  // for 0.04 N mm did.
+  for (const nlohmann::json& station : held["strips"][0]["stations"]) {
     EXPECT_GT(station["stability_margin"], 0.15);
-  // It is the higher of two shapes, out of which little brings it; the tube is led into it and stays.
-  EXPECT_NE(flat.err.find("which a touch may bring about"), std::string::npos) << flat.err;
-  EXPECT_NE(flat.err.find("no RAPID program is written"), std::string::npos) << flat.err;
+    EXPECT_TRUE(station["certainty"] == "held" || station["certainty"] == "certain");
+    if (station["certainty"] == "certain") continue;
+    ASSERT_TRUE(station["barrier_Nmm"].is_number());
+    EXPECT_GE(station["barrier_Nmm"], 1);
+  }
+  // Where the tolerance leaves no room for that, little brings it out.
+  const Finished tight = tried(R"("tolerance": 0.3, "blade": "nicr-flat-5x1")");
+  EXPECT_EQ(tight.status, 1) << tight.err;
+  EXPECT_NE(tight.err.find("which a touch may bring about"), std::string::npos) << tight.err;
+  EXPECT_NE(tight.err.find("no RAPID program is written"), std::string::npos) << tight.err;
+  const nlohmann::json lost = report();
   EXPECT_EQ(lost["strips"][0]["stations"][14]["certainty"], "lost");
   EXPECT_LT(lost["strips"][0]["stations"][0]["barrier_Nmm"], 1);
   // The grips keep a tube of that length in its plane, and in the only shape that it has there.
@@ -644,8 +654,8 @@ TEST(Rationalize, ChoosesTheGripsForTheBladeThatHangs) {
   EXPECT_EQ(taken["blade"]["length_auto"], true);
   EXPECT_EQ(blade({"simulate", folder / "out"}).status, 0);
   EXPECT_NEAR(lost["strips"][0]["stations"][14]["energy_ratio"], 28.65 / 17.33, 0.02);
-  // One that is too long for any grips is told, and gets no program.
-  const Finished longer = tried(R"("blade": {"preset": "nicr-flat-5x1", "length": 1000})");
+  // One that is too weak in any length is told, and gets no program.
+  const Finished longer = tried(R"("blade": {"preset": "nicr-flat-5x1", "thickness": 0.5, "length": 1000})");
   EXPECT_EQ(longer.status, 1);
   EXPECT_NE(longer.err.find("no length of this blade serves all stations"), std::string::npos) << longer.err;
   EXPECT_NE(longer.err.find("no RAPID program is written"), std::string::npos) << longer.err;

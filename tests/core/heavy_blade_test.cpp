@@ -366,6 +366,39 @@ TEST(HeavyBlade, MarginChangesWithItsGripsAsDifferencesSay) {
   }
 }
 
+TEST(HeavyBlade, APassIsFollowedAndItsHeightChangesAsDifferencesSay) {
+  std::mt19937 random(29);
+  int seen = 0;
+  for (int i = 0; i < 30; ++i) {
+    const HeavyProblem problem = heavyOf(randomGrips(random, 0.6), 2 * kFlatWeight);
+    const HeavyBlade blade = solveHeavy(problem)->solutions[0].blade;
+    const Result<HeavyRivals> rivals = rivalsOf(blade, problem.stiffness);
+    ASSERT_TRUE(rivals);
+    ASSERT_EQ(!rivals->passes.empty(), rivals->barrier.has_value());
+    if (rivals->passes.empty()) continue;
+    ++seen;
+    const HeavyPassHeight told = heightOf(rivals->passes[0], blade, problem.stiffness);
+    EXPECT_NEAR(told.energy, *rivals->barrier, 1e-6 * std::abs(rivals->energy));
+    for (int column = 0; column < 6; ++column) {
+      const double step = column % 3 == 2 ? 1e-4 : 1e-2;
+      // Both move by Newton's method, and the pass does not become the blade at rest.
+      const auto at = [&](double by) {
+        const HeavyProblem there = withGrip(problem, column, by);
+        Result<HeavyBranch> branch = HeavyBranch::from(blade, problem.stiffness);
+        EXPECT_TRUE(branch->moveTo(there));
+        const std::optional<HeavyBlade> pass = passAt(rivals->passes[0], there);
+        EXPECT_TRUE(pass) << i;
+        return pass ? heightOf(*pass, branch->blade(), problem.stiffness).energy : std::nan("");
+      };
+      const double scale = column % 3 == 2 ? kLength : 1;
+      EXPECT_NEAR((at(step) - at(-step)) / (2 * step) / scale, told.byGrips(column) / scale, 1e-5)
+          << i << " " << column;
+    }
+    EXPECT_FALSE(passAt(blade, problem)) << "a blade at rest is no pass";
+  }
+  EXPECT_GT(seen, 10);
+}
+
 TEST(HeavyBlade, MovesWithItsGripsAsDifferencesSay) {
   std::mt19937 random(17);
   for (int i = 0; i < 10; ++i) {

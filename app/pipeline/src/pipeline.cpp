@@ -12,6 +12,7 @@
 #include "advice.h"
 #include "block_layout.h"
 #include "bw/core/files/fingerprint.h"
+#include "bw/core/sweep/firm_row.h"
 #include "bw/geometry/export.h"
 #include "bw/robotio/dialects.h"
 #include "bw/robotio/motion/program_plan.h"
@@ -313,11 +314,17 @@ Result<void> fit(const CutWork& work) {
   return ok ? work.unlessStopped() : ok;
 }
 
-/// What else the blades could rest in.
-Result<void> ask(const CutWork& work, double& seconds) {
+/// What else the blades could rest in. Where a push brings them there, a firmer row, if there is one, is put
+/// into `firm`.
+Result<void> ask(const CutWork& work, double& seconds, FirmRow& firm) {
   CutEvaluation& e = work.e;
   return work.settle(&CutEvaluation::certainty, {}, {e.sweep.value}, seconds,
-                     [&](const NoRequest&, Findings&) { return certaintyOf(*e.sweep.value, work.context); });
+                     [&](const NoRequest&, Findings&) -> Result<RowCertainty> {
+                       Result<FirmRow> found = firmRow(*e.sweep.value, work.context);
+                       if (!found) return tl::unexpected<Error>(found.error());
+                       firm = std::move(*found);
+                       return firm.certainty;
+                     });
 }
 
 /// The way into the row and out of it.
@@ -391,8 +398,8 @@ Result<void> seeTheCut(const CutWork& work, double& seconds) {
   return {};
 }
 
-/// What the row tells by itself, its motion, and the cut surface against the target.
-Result<void> check(const CutWork& work) {
+/// What the row tells by itself, what its blades could rest in, and the cut surface against the target.
+Result<void> checkRow(const CutWork& work) {
   CutEvaluation& e = work.e;
   const Sweep& sweep = *e.sweep.value;
   Result<void> ok = work.settle(&CutEvaluation::check, checkRequest(work.design), {e.sweep.value},
@@ -403,16 +410,34 @@ Result<void> check(const CutWork& work) {
   if (ok) ok = meshTarget(e, work.previous, work.seconds.read);
   if (!ok) return ok;
   // Side by side: none hangs on another.
-  constexpr std::array kTasks = {&ask, &seeTheCut, &lead};
-  std::array<Result<void>, kTasks.size()> done;
-  std::array<double, kTasks.size()> seconds = {};
-  ok = parallelFor(work.context, int(kTasks.size()), [&](int i) {
-    done[std::size_t(i)] = kTasks[std::size_t(i)](work, seconds[std::size_t(i)]);
+  FirmRow firm;
+  constexpr int kTasks = 3;
+  std::array<Result<void>, kTasks> done;
+  std::array<double, kTasks> seconds = {};
+  const bool asked = e.certainty.value && e.certainty.inputs == Inputs{e.sweep.value};
+  ok = parallelFor(work.context, kTasks, [&](int i) {
+    double& own = seconds[std::size_t(i)];
+    Result<void>& outcome = done[std::size_t(i)];
+    if (i == 0 && !asked) outcome = ask(work, own, firm);
+    if (i == 1) outcome = seeTheCut(work, own);
+    if (i == 2) outcome = lead(work, own);
   });
   work.seconds.check += std::ranges::max(seconds);
   for (const Result<void>& one : done)
     if (ok) ok = one;
+  if (!ok || !firm.row) return ok;
+  e.sweep.value = firm.row;
+  e.sweep.findings = firm.findings;
+  e.certainty.inputs = {firm.row};
+  return checkRow(work);
+}
+
+/// The row, its motion, and how sure its blades rest.
+Result<void> check(const CutWork& work) {
+  CutEvaluation& e = work.e;
+  Result<void> ok = checkRow(work);
   if (!ok) return ok;
+  const Sweep& sweep = *e.sweep.value;
   ok = work.settle(&CutEvaluation::rest, checkRequest(work.design),
                    {e.certainty.value, e.ends.value, e.way.value, e.check.value}, work.seconds.check,
                    [&](const CheckRequest& request, Findings& findings) -> Result<RowRest> {

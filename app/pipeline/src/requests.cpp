@@ -15,6 +15,7 @@ FitRequest fitRequest(const Design& design, bool joined) {
                      p.maxPeriods, p.tolerance, p.clearance};
   if (joined) request.fitEndpoints = request.fitTangents = true;
   request.margin = p.margin;
+  if (!joined) request.barrier = kLeastBarrier;  // what goes on in a neighbouring block is not bent any more
   request.blade.autoLength = false;
   if (p.weight) request.weight = -design.blade.weight() * p.up.normalized();
   return request;

@@ -18,6 +18,7 @@ using Eigen::Index;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 using heavy::Equations;
+using heavy::equationsOf;
 using heavy::Hold;
 using heavy::modesOf;
 using heavy::Shape;
@@ -104,15 +105,6 @@ HeavyBlade placed(const Unit& unit, double turning, const Shape& shape) {
   const double squared = unit.length() * unit.length();
   return HeavyBlade({unit.problem.grips.start, *unit.problem.grips.startAngle, unit.length(), turning,
                      shape.coefficients, shape.force / squared, unit.load / (squared * unit.length())});
-}
-
-/// Those that a blade at rest obeys, with its length and stiffness as units.
-Equations equationsOf(const HeavyBlade& blade) {
-  const HeavyBlade::Numbers& n = blade.numbers();
-  const double length = n.length, squared = length * length;
-  return {modesOf(n.coefficients.size()),
-          {(blade.at(length).point - n.start) / length, n.startAngle, n.turning, n.load * (squared * length)},
-          {n.coefficients, n.endForce * squared}};
 }
 
 /// An equilibrium with all that is said about it.
@@ -220,20 +212,23 @@ class Search {
   const std::vector<Found>& found() const { return found_; }
   /// Of one that is stable, N mm.
   std::optional<double> barrier(std::size_t of) const {
-    std::optional<double> least;
+    const std::vector<std::size_t> passes = passesOf(of);
+    if (passes.empty()) return {};
+    return (energyAt(passes.front()) - energyAt(of)) * unit_.energy();
+  }
+  /// The places among `found` of the unstable shapes between one that is stable and others, lowest first.
+  std::vector<std::size_t> passesOf(std::size_t of) const {
+    std::vector<std::size_t> passes;
     for (const Pass& pass : passes_)
-      if (of == pass.one || of == pass.other) {
-        const double height = (pass.energy - energyAt(of)) * unit_.energy();
-        if (!least || height < *least) least = height;
-      }
-    return least;
+      if (of == pass.one || of == pass.other) passes.push_back(pass.top);
+    std::ranges::stable_sort(passes, {}, [this](std::size_t i) { return energyAt(i); });
+    return passes;
   }
 
  private:
   /// An unstable shape between two stable ones.
   struct Pass {
-    std::size_t one, other;
-    double energy;
+    std::size_t top, one, other;
   };
 
   double energyAt(std::size_t i) const { return energyOf(unit_.hold(found_[i].turning), found_[i].shape); }
@@ -242,9 +237,8 @@ class Search {
     const double turning = found_[i].turning;
     const Sides sides = fallFrom(unit_.hold(turning), found_[i].shape);
     if (!sides.first || !sides.second) return;
-    const double energy = energyAt(i);
     const std::size_t one = add(turning, *sides.first), other = add(turning, *sides.second);
-    if (one != other) passes_.push_back({one, other, energy});
+    if (one != other) passes_.push_back({i, one, other});
   }
 
   const Unit& unit_;
@@ -377,6 +371,8 @@ Result<HeavyRivals> rivalsOf(const HeavyBlade& blade, double stiffness, std::int
   if (meter.stopped())
     return fail(ErrorCode::noSolution, "What else the blade may rest in is not found within bounds.",
                 "blade");
+  for (const std::size_t pass : search.passesOf(self))
+    rivals.passes.push_back(placed(*unit, search.found()[pass].turning, search.found()[pass].shape));
   rivals.barrier = search.barrier(self);
   for (std::size_t i = 0; i < search.found().size(); ++i) {
     const Found& found = search.found()[i];

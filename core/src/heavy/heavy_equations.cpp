@@ -153,4 +153,12 @@ MatrixXd reducedHessian(const Equations& equations) {
 
 bool isStable(const Equations& equations) { return reducedHessian(equations).llt().info() == Eigen::Success; }
 
+Equations equationsOf(const HeavyBlade& blade) {
+  const HeavyBlade::Numbers& n = blade.numbers();
+  const double length = n.length, squared = length * length;
+  return {modesOf(n.coefficients.size()),
+          {(blade.at(length).point - n.start) / length, n.startAngle, n.turning, n.load * (squared * length)},
+          {n.coefficients, n.endForce * squared}};
+}
+
 }  // namespace bw::heavy

@@ -6,6 +6,7 @@
 
 #include <optional>
 
+#include "bw/core/heavy/heavy_blade.h"
 #include "heavy/heavy_modes.h"
 
 namespace bw::heavy {
@@ -75,6 +76,9 @@ class Equations {
   Shape shape_;
   Sampled sampled_;
 };
+
+/// Those that a blade at rest obeys, with its length and stiffness as units.
+Equations equationsOf(const HeavyBlade& blade);
 
 /// How far a shape is from rest: largest component of the residual at which it counts as found. Forces are of
 /// the order of 40; it grows with them, as rounding does.

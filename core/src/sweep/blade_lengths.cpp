@@ -9,6 +9,8 @@
 #include <set>
 #include <utility>
 
+#include "bw/core/sweep/firm_row.h"
+
 namespace bw {
 
 namespace {
@@ -61,32 +63,41 @@ class Trials {
     const Result<Sweep> sweep = buildSweep(sections_, fit, block_, planes_, quiet_, unused);
     if (!sweep) return trial;
     trial.reaches = true;
-    const Result<SweepCheck> check = checkSweep(*sweep, request.check, quiet_);
-    if (!check) return trial;
-    trial.margin = 1;
-    trial.deviation = 0;
-    bool keeps = true;
-    for (std::size_t i = 0; i < sweep->poses.size(); ++i) {
-      const StationCheck& seen = check->stations[i];
-      trial.margin = std::min({trial.margin, seen.stabilityMargin, seen.outOfPlaneMargin});
-      trial.deviation = std::max(trial.deviation, sweep->fits[i].fit.hausdorff);
-      trial.reaches = trial.reaches && seen.clearance >= request.check.clearance;
-      keeps = keeps && seen.stable && seen.stabilityMargin >= request.check.margin &&
-              seen.outOfPlaneMargin > 0 && seen.sideways <= request.check.tolerance && !seen.crossesItself &&
-              !seen.gripsSwapped && sweep->fits[i].unknown.empty() &&
-              sweep->poses[i].maxCurvature() <= fit.blade.maxCurvature();
-    }
-    if (keeps && trial.reaches) trial.rest = restOn(*sweep, request);
+    if (!look(trial, *sweep, request) || !trial.reaches) return trial;
+    const Result<FirmRow> firm = firmRow(*sweep, quiet_);
+    if (!firm) return trial;
+    const Sweep& row = firm->row ? *firm->row : *sweep;
+    if (firm->row && (!look(trial, row, request) || !trial.reaches)) return trial;
+    trial.rest = restOn(row, firm->certainty, request);
     return trial;
   }
 
  private:
+  /// What the stations of a row tell; true if they keep the rules.
+  bool look(RowTrial& trial, const Sweep& sweep, const LengthRequest& request) const {
+    const Result<SweepCheck> check = checkSweep(sweep, request.check, quiet_);
+    if (!check) return false;
+    trial.reaches = true;
+    trial.margin = 1;
+    trial.deviation = 0;
+    bool keeps = true;
+    for (std::size_t i = 0; i < sweep.poses.size(); ++i) {
+      const StationCheck& seen = check->stations[i];
+      trial.margin = std::min({trial.margin, seen.stabilityMargin, seen.outOfPlaneMargin});
+      trial.deviation = std::max(trial.deviation, sweep.fits[i].fit.hausdorff);
+      trial.reaches = trial.reaches && seen.clearance >= request.check.clearance;
+      keeps = keeps && seen.stable && seen.stabilityMargin >= request.check.margin &&
+              seen.outOfPlaneMargin > 0 && seen.sideways <= request.check.tolerance && !seen.crossesItself &&
+              !seen.gripsSwapped && sweep.fits[i].unknown.empty() &&
+              sweep.poses[i].maxCurvature() <= request.fit.blade.maxCurvature();
+    }
+    return keeps;
+  }
+
   /// How the worst of the stations rests, the way between them let be.
-  Rest restOn(const Sweep& sweep, const LengthRequest& request) const {
-    const Result<RowCertainty> row = certaintyOf(sweep, quiet_);
-    if (!row) return Rest::lost;
+  Rest restOn(const Sweep& sweep, const RowCertainty& certainty, const LengthRequest& request) const {
     Rest worst = Rest::certain;
-    for (const StationCertainty& station : row->stations) {
+    for (const StationCertainty& station : certainty.stations) {
       if (station.certain()) continue;
       if (!std::isfinite(station.energy)) return Rest::lost;
       if (station.barrier && *station.barrier < kLeastBarrier) return Rest::lost;

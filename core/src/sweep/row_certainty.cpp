@@ -19,6 +19,7 @@ namespace {
 
 constexpr std::size_t kSearched = 5;  // stations at which all shapes are sought
 constexpr double kSameShape = 0.5;    // mm
+constexpr double kSameAngle = 1e-3;   // rad
 constexpr int kPlaces = 101;          // of another shape
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kClearGap = 0.05;  // of its energy, by which a shape is clearly lower than another
@@ -87,9 +88,6 @@ class Others {
   std::vector<StationCertainty>& stations_;
 };
 
-/// True where another shape is there that is not clearly higher.
-bool isUnsure(const StationCertainty& station) { return std::isfinite(station.energy) && !station.certain(); }
-
 /// Which of two such stations is the less certain one.
 auto moreExcess(const std::vector<StationCertainty>& stations) {
   return [&stations](std::size_t a, std::size_t b) {
@@ -100,7 +98,56 @@ auto moreExcess(const std::vector<StationCertainty>& stations) {
 
 std::vector<sweep::Stretch> unsureStretches(const std::vector<StationCertainty>& stations) {
   return sweep::stretchesOf(
-      stations.size(), [&](std::size_t i) { return isUnsure(stations[i]); }, moreExcess(stations));
+      stations.size(), [&](std::size_t i) { return stations[i].unsure(); }, moreExcess(stations));
+}
+
+/// A pass of a station, followed to another one.
+struct PassThere {
+  std::size_t station;
+  HeavyBlade pass;
+  double barrier;  ///< N mm
+};
+
+/// The passes of a station followed to both sides, as long as they are known there and other shapes are not
+/// clearly higher, up to the next station where some were found.
+std::vector<PassThere> passesAround(const Sweep& sweep, const std::vector<StationCertainty>& stations,
+                                    std::size_t from) {
+  std::vector<PassThere> there;
+  const double stiffness = sweep.request.blade.flexuralRigidity();
+  for (const int step : {-1, 1}) {
+    std::vector<HeavyBlade> passes = stations[from].passes;
+    for (std::size_t i = from + std::size_t(step); i < stations.size() && stations[i].unsure();
+         i += std::size_t(step)) {
+      const BladePose& pose = sweep.poses[i];
+      const std::optional<HeavyBranch> own = sweep::standing(sweep, pose);
+      if (!own || passes.empty()) break;
+      std::vector<HeavyBlade> next;
+      for (const HeavyBlade& pass : passes)
+        if (const std::optional<HeavyBlade> found = passAt(pass, sweep::heldAt(sweep, pose))) {
+          there.push_back({i, *found, heightOf(*found, own->blade(), stiffness).energy});
+          next.push_back(*found);
+        }
+      passes = std::move(next);
+      if (!stations[i].passes.empty()) break;
+    }
+  }
+  return there;
+}
+
+/// Adds passes to those of their stations, each once, and the least barriers.
+void addPasses(const std::vector<PassThere>& all, std::vector<StationCertainty>& stations) {
+  for (const PassThere& there : all) {
+    StationCertainty& station = stations[there.station];
+    const double middle = 0.5 * there.pass.length();
+    const auto same = [&](const HeavyBlade& pass) {
+      return (pass.at(middle).point - there.pass.at(middle).point).norm() < kSameShape &&
+             std::abs(pass.at(middle).angle - there.pass.at(middle).angle) < kSameAngle;
+    };
+    const bool lower = !station.barrier || there.barrier < *station.barrier;
+    if (lower) station.barrier = there.barrier;
+    if (std::ranges::any_of(station.passes, same)) continue;
+    station.passes.insert(lower ? station.passes.begin() : station.passes.end(), there.pass);
+  }
 }
 
 }  // namespace
@@ -108,6 +155,8 @@ std::vector<sweep::Stretch> unsureStretches(const std::vector<StationCertainty>&
 bool StationCertainty::certain() const {
   return std::isfinite(energy) && (!other || other->energy - energy > kClearGap * std::abs(energy));
 }
+
+bool StationCertainty::unsure() const { return std::isfinite(energy) && !certain(); }
 
 std::optional<double> StationCertainty::energyRatio() const {
   return std::isfinite(energy) && other && other->energy > 0 ? std::optional(energy / other->energy)
@@ -160,20 +209,28 @@ Result<RowCertainty> certaintyOf(const Sweep& sweep, const RunContext& context) 
   // How little brings it over, at the stations that were searched and where that is most needed.
   std::vector<std::size_t> asked;
   for (const std::size_t i : searched)
-    if (isUnsure(row.stations[i])) asked.push_back(i);
+    if (row.stations[i].unsure()) asked.push_back(i);
   for (const sweep::Stretch& at : unsureStretches(row.stations)) asked.push_back(at.worst);
-  std::vector<std::optional<double>> barriers(asked.size());
+  std::vector<std::optional<HeavyRivals>> rivals(asked.size());
+  std::vector<std::vector<PassThere>> passes(asked.size());
   ok = parallelFor(context, int(asked.size()), [&](int k) {
     const std::size_t i = asked[std::size_t(k)];
-    ClampedOptions options;
-    options.initial = sweep.poses[i].blade;
-    options.others = true;
-    const Result<HeavyAnswer> answer = solveHeavy(sweep::heldAt(sweep, sweep.poses[i]), options);
-    if (answer && sweep::apart(sweep.poses[i], answer->solutions.front().blade) < kSameShape)
-      barriers[std::size_t(k)] = answer->solutions.front().barrier;
+    const std::optional<HeavyBranch> own = sweep::standing(sweep, sweep.poses[i]);
+    if (!own) return;
+    Result<HeavyRivals> all = rivalsOf(own->blade(), stiffness);
+    if (all) rivals[std::size_t(k)] = std::move(*all);
   });
   if (!ok) return tl::unexpected<Error>(ok.error());
-  for (std::size_t k = 0; k < asked.size(); ++k) row.stations[asked[k]].barrier = barriers[k];
+  for (std::size_t k = 0; k < asked.size(); ++k) {
+    if (!rivals[k]) continue;
+    row.stations[asked[k]].barrier = rivals[k]->barrier;
+    row.stations[asked[k]].passes = std::move(rivals[k]->passes);
+  }
+  ok = parallelFor(context, int(asked.size()), [&](int k) {
+    passes[std::size_t(k)] = passesAround(sweep, row.stations, asked[std::size_t(k)]);
+  });
+  if (!ok) return tl::unexpected<Error>(ok.error());
+  for (const std::vector<PassThere>& around : passes) addPasses(around, row.stations);
   return row;
 }
 
@@ -215,7 +272,7 @@ RowRest restOf(const Sweep& sweep, const SweepCheck& check, const RowCertainty& 
   std::vector<double> least(n, 1);
   for (std::size_t i = 0; i < n; ++i) {
     const StationCertainty& station = certainty.stations[i];
-    if (isUnsure(station)) row.stations[i] = Rest::held;
+    if (station.unsure()) row.stations[i] = Rest::held;
     if (station.certain()) row.stations[i] = Rest::certain;
     least[i] = check.stations[i].stabilityMargin;
     if (station.certain()) continue;

@@ -23,25 +23,17 @@
 
 namespace bw::sweep {
 
-namespace {
-
-// A blade that was carried on is held against a fit where it lies farther from its section than this part of
-// the tolerance and so many times as far as when that was last done; to take its place the fit must be so
-// much nearer, and within the tolerance none does that turns the grips by more than this.
-constexpr double kNear = 0.1, kGrown = 1.25, kWorthAJump = 0.7;
-
-/// Chooses the grips of these stations, in the order of the row; those of one alone beside `beside`.
-void settle(const Row& row, std::vector<Station*> stations, const Station* beside = nullptr) {
+void settle(const Row& row, std::vector<Station*> stations, const Station* beside) {
   RowProblem(row, std::move(stations), beside).solve();
 }
 
-/// Puts a station's blade into the row; false where it is not known how it hangs.
 bool put(const Row& row, const Station& station, const Elastica& light, Sweep& sweep) {
   BladePose& pose = sweep.poses[station.index];
   StationFit& fit = sweep.fits[station.index];
   const Result<Elastica> cut = light.segment(station.feet.front(), station.feet.back());
   if (!cut) return false;
   fit.nearMargin = station.watched;
+  fit.passes = station.passes;
   if (!sweep.request.weight.isZero()) {
     // Where its weight alone would bring it, whatever brought it here.
     const Result<Hanging> hanging =
@@ -53,7 +45,7 @@ bool put(const Row& row, const Station& station, const Elastica& light, Sweep& s
   }
   const bool bounded = row.isBounded(station, light);
   fit.fit.status = bounded ? FitStatus::constraintsActive : FitStatus::converged;
-  fit.fit.message = bounded ? "held by its smallest radius or its margin" : "";
+  fit.fit.message = bounded ? "held by its smallest radius, its margin or its barrier" : "";
   fit.heldBack = bounded;
   if (!row.meets(station)) {
     const FitRequest& asked = sweep.request;
@@ -78,6 +70,13 @@ bool put(const Row& row, const Station& station, const Elastica& light, Sweep& s
                                              fit.target);
   return true;
 }
+
+namespace {
+
+// A blade that was carried on is held against a fit where it lies farther from its section than this part of
+// the tolerance and so many times as far as when that was last done; to take its place the fit must be so
+// much nearer, and within the tolerance none does that turns the grips by more than this.
+constexpr double kNear = 0.1, kGrown = 1.25, kWorthAJump = 0.7;
 
 /// A station whose blade is `from`'s, brought to its own section; empty where that does not lead to a blade
 /// that may stand in the row.

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <vector>
+
 #include "bw/core/base/result.h"
 #include "bw/core/base/run_context.h"
 #include "bw/core/sweep/sweep.h"
+#include "sweep/row_station.h"
 
 namespace bw::sweep {
 
@@ -16,5 +19,11 @@ namespace bw::sweep {
 /// curve stands. Fails on a stop and where nothing can be fitted. The seconds of both steps are added.
 [[nodiscard]] Result<void> solveRow(Sweep& sweep, const RunContext& context, double* startSeconds,
                                     double* settleSeconds);
+
+/// Chooses the grips of these stations, in the order of the row; those of one alone beside `beside`.
+void settle(const Row& row, std::vector<Station*> stations, const Station* beside = nullptr);
+
+/// Puts a station's blade into the row; false where it is not known how it hangs. `light`: it without weight.
+[[nodiscard]] bool put(const Row& row, const Station& station, const Elastica& light, Sweep& sweep);
 
 }  // namespace bw::sweep

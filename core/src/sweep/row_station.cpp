@@ -32,6 +32,8 @@ constexpr double kRounded = 5e-3;  // which begins over this part of it;
 constexpr double kForced = 1e-3;   // of a force that is 2.5 times what buckles the blade, or pulls so;
 constexpr double kUnsafe = 10;     // of a margin that is smaller by 1 than asked for, with a reserve of
 constexpr double kReserve = 0.02;
+constexpr double kPushed = 10;  // of a barrier whose cube root, as a part of that asked for, lacks 1, with
+constexpr double kPushReserve = 0.05;
 constexpr double kNearBlock = 0.2;  // of a grip that is 1 mm nearer to the block than it need be,
 constexpr double kRoom = 0.5;       // mm, with as much in reserve
 
@@ -73,7 +75,8 @@ bool Row::isFirm(const Station& station) const {
 }
 
 bool Row::isBounded(const Station& station, const Elastica& light) const {
-  return light.maxCurvature() > kNearLimit * limit_ || station.own.tail<kStationMargins>().maxCoeff() > 0;
+  return light.maxCurvature() > kNearLimit * limit_ ||
+         station.own.tail<kStationPasses + kStationMargins>().maxCoeff() > 0;
 }
 
 Result<Elastica> Row::about(const Station& station) const {
@@ -149,6 +152,7 @@ std::optional<Station> Row::following(std::size_t i) const {
   Station station = at(i);
   if (!begin(station, sweep_.poses[i], sweep_.fits[i])) return {};
   station.watched = sweep_.fits[i].nearMargin;
+  station.passes = sweep_.fits[i].passes;
   look(station);
   return station.good ? std::optional(station) : std::nullopt;
 }
@@ -187,6 +191,18 @@ bool Row::holds(const Station& station) const {
   return station.branch || stabilityMargin(*blade) > 0;
 }
 
+HeavyProblem Row::held(const Station& station) const {
+  const Vector6& grips = station.grips;
+  HeavyProblem held{{}, sweep_.request.blade.flexuralRigidity(), weightIn(sweep_, station.pose->frame)};
+  held.grips.start = grips.head<2>();
+  held.grips.startAngle = grips(2);
+  held.grips.end = grips.segment<2>(3);
+  held.grips.endAngle = grips(5);
+  held.grips.turning = grips(5) - grips(2);
+  held.grips.length = length_;
+  return held;
+}
+
 bool Row::hangAt(Station& station, const Elastica& half) const {
   const Vector6& grips = station.grips;
   if (sweep_.request.weight.isZero()) return true;
@@ -211,15 +227,8 @@ bool Row::hangAt(Station& station, const Elastica& half) const {
   if (moved.head<2>().norm() > kFar * length_ || moved.segment<2>(3).norm() > kFar * length_ ||
       std::max(std::abs(moved(2)), std::abs(moved(5))) > kFarTurned)
     return false;
-  HeavyProblem next{{}, stiffness, weightIn(sweep_, station.pose->frame)};
-  next.grips.start = grips.head<2>();
-  next.grips.startAngle = grips(2);
-  next.grips.end = grips.segment<2>(3);
-  next.grips.endAngle = grips(5);
-  next.grips.turning = grips(5) - grips(2);
-  next.grips.length = length_;
   HeavyBranch branch = *station.branch;
-  const Result<ClampedBranch::Move> move = branch.moveTo(next, kMostWork);
+  const Result<ClampedBranch::Move> move = branch.moveTo(held(station), kMostWork);
   if (!move || move->snapped) return false;
   station.branch = branch;
   station.hungAt = grips;
@@ -295,7 +304,7 @@ void Row::clear(Station& station) const {
   const double mean = 0.5 * (distances[0] + distances[1]), asked = sweep_.request.clearance + kRoom;
   if (mean <= 0) return;
   for (std::size_t grip = 0; grip < 2; ++grip) {
-    const Eigen::Index row = kStationOwn - kStationMargins - 2 + Eigen::Index(grip);
+    const Eigen::Index row = kStationClearances + Eigen::Index(grip);
     const double missing = std::min(mean, asked) - distances[grip];
     if (missing <= 0) continue;
     station.own(row) = weight * missing;
@@ -432,8 +441,9 @@ void Row::look(Station& station, bool slopes) const {
     station.own(kMiddle + axis - 3) = slope * station.numbers[axis];
     if (slopes) station.byOwn(kMiddle + axis - 3, axis) = slope;
   }
-  station.own.segment<2>(kStationOwn - kStationMargins - 2).setZero();
+  station.own.segment<2 + kStationPasses>(kStationClearances).setZero();
   clear(station);
+  push(station, slopes);
   if (demands()) demand(station, states, turns, slides);
   if (slopes) {
     unsafe(station, by ? &*by : nullptr);
@@ -444,6 +454,26 @@ void Row::look(Station& station, bool slopes) const {
         station.unsafeAt + station.byOwn.bottomRows<kStationMargins>() * (numbers - *station.slopesAt);
   }
   station.good = station.own.allFinite() && station.byOwn.allFinite() && station.byGrips.allFinite();
+}
+
+void Row::push(Station& station, bool slopes) const {
+  const double asked = sweep_.request.barrier, weight = kPushed * sweep_.request.tolerance;
+  if (station.passes.empty() || !station.branch || !(asked > 0)) return;
+  const HeavyBlade blade = station.branch->blade();
+  for (std::size_t k = 0; k < std::min<std::size_t>(station.passes.size(), kStationPasses); ++k) {
+    // One that is lost here costs nothing, and is looked for from where it was.
+    std::optional<HeavyBlade> pass = passAt(station.passes[k], held(station));
+    if (!pass) continue;
+    const HeavyPassHeight height = heightOf(*pass, blade, sweep_.request.blade.flexuralRigidity());
+    station.passes[k] = std::move(*pass);
+    constexpr double kLeast = 1e-6;  // of what is asked for
+    const double part = std::cbrt(std::max(height.energy / asked, kLeast)), missing = 1 + kPushReserve - part;
+    if (missing <= 0) continue;
+    const Eigen::Index row = kStationBarriers + Eigen::Index(k);
+    station.own(row) = weight * missing;
+    if (slopes)
+      station.byOwn.row(row) = -weight / (3 * part * part * asked) * height.byGrips * station.byGrips;
+  }
 }
 
 void Row::unsafe(Station& station, const HeavySlopes* by) const {

@@ -26,7 +26,10 @@ using Matrix6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
 inline constexpr int kStationPlaces = 33;  // of a section, from which the blade's distance is taken
 inline constexpr int kStationBends = 25;   // of the whole blade, where its curvature is looked at
 inline constexpr int kStationMargins = 2;  // in the plane and, of a round blade, out of it
-inline constexpr int kStationOwn = kStationPlaces + kStationBends + 3 + 2 + kStationMargins;
+inline constexpr int kStationClearances = kStationPlaces + kStationBends + 3;  // of both grips: from there,
+inline constexpr int kStationBarriers = kStationClearances + 2;                // over its passes: from there
+inline constexpr int kStationPasses = 4;                                       // that are looked at
+inline constexpr int kStationOwn = kStationBarriers + kStationPasses + kStationMargins;
 /// What a request may ask of the part that cuts: both its ends, its tangents there, its length.
 inline constexpr int kStationDemands = 5;
 
@@ -41,8 +44,9 @@ struct Station {
   double numbers[6] = {};
   std::optional<HeavyBranch> branch = std::nullopt;  ///< the blade that hangs, where it was looked at last
   Vector6 hungAt = Vector6::Zero();                  ///< its grips
-  std::array<bool, kStationMargins> watched = {};    ///< its margins that are near the least asked for
-  std::array<double, kStationPlaces> feet = {};      ///< arc lengths of the blade nearest to the section
+  std::vector<HeavyBlade> passes = {};  ///< over which a push brings it into other shapes, if that is watched
+  std::array<bool, kStationMargins> watched = {};  ///< its margins that are near the least asked for
+  std::array<double, kStationPlaces> feet = {};    ///< arc lengths of the blade nearest to the section
 
   double compared = 0;  ///< mm: its distance, or that of those before it, when it was last held against a fit
 
@@ -67,7 +71,7 @@ struct Station {
     return farthest;
   }
   /// True if a grip is nearer to the block than it need be.
-  bool lacksClearance() const { return own.segment<2>(kStationOwn - kStationMargins - 2).maxCoeff() > 0; }
+  bool lacksClearance() const { return own.segment<2>(kStationClearances).maxCoeff() > 0; }
   /// rad, that the grips are turned more than those of another one.
   double turnedFrom(const Station& other) const {
     const auto turn = [&](int angle) {
@@ -105,7 +109,7 @@ class Row {
   bool meets(const Station& station) const;
   /// True if a blade like this may stand in the row.
   bool holds(const Station& station) const;
-  /// True if its smallest radius or its margin keeps the blade from lying nearer to its section.
+  /// True if its smallest radius, its margin or its barrier keeps the blade from lying nearer to its section.
   bool isBounded(const Station& station, const Elastica& light) const;
   /// Looks at a station's numbers; without `slopes` the derivatives stay as they were, and of the margins
   /// that are watched is told what these say.
@@ -123,6 +127,8 @@ class Row {
   /// Half of the blade without weight, from its middle on.
   Result<Elastica> about(const Station& station) const;
 
+  /// The blade as the station's grips hold it.
+  HeavyProblem held(const Station& station) const;
   /// Lets the blade hang between the station's grips; `half` of it is without weight. False where it snaps
   /// on the way there.
   bool hangAt(Station& station, const Elastica& half) const;
@@ -143,6 +149,8 @@ class Row {
   void demand(Station& station, std::span<const Elastica::State> states, const std::array<Row6, 2>& turns,
               const std::array<Row6, 2>& slides) const;
 
+  /// What the barriers cost, where they are watched.
+  void push(Station& station, bool slopes) const;
   /// What the margins that are watched cost.
   void unsafe(Station& station, const HeavySlopes* by) const;
 

@@ -108,12 +108,27 @@ struct HeavyRivals {
   std::optional<HeavyBlade> next = std::nullopt;  ///< the lowest of the other stable shapes
   double nextEnergy = 0;                          ///< N mm: of that one
   std::optional<double> barrier = std::nullopt;   ///< as that of a solution
+  std::vector<HeavyBlade> passes = {};            ///< the unstable shapes between it and others, lowest first
 };
 /// Work in which they are found for any blade that is not hopeless: a fifth of a second (`WorkMeter`).
 inline constexpr std::int64_t kRivalsWork = 2'000'000;
 /// `stiffness` in N mm². Errors: those of `solveAllHeavy`; noSolution where it takes more work than that.
 /// Some 10 ms.
 Result<HeavyRivals> rivalsOf(const HeavyBlade& blade, double stiffness, std::int64_t work = kRivalsWork);
+
+/// How much energy an unstable shape, a pass, has more than a blade between the same grips, and how that
+/// changes with these.
+struct HeavyPassHeight {
+  double energy = 0;  ///< N mm
+  Eigen::Matrix<double, 1, 6> byGrips =
+      Eigen::Matrix<double, 1, 6>::Zero();  ///< columns as those of `HeavyDerivatives`: N, N mm/rad
+};
+/// `stiffness` in N mm². The change of an energy is what the grips do: their forces and moments.
+HeavyPassHeight heightOf(const HeavyBlade& pass, const HeavyBlade& blade, double stiffness);
+/// The unstable equilibrium between other grips, of the same length, that Newton's method finds from this
+/// one; its turning is the nearest to that of this one. Empty where it finds none, or one that is stable.
+/// Some 0.1 ms.
+std::optional<HeavyBlade> passAt(const HeavyBlade& pass, const HeavyProblem& held);
 
 /// A stable blade with weight that stays on its branch while its grips, its weight or both move.
 class HeavyBranch {

@@ -31,9 +31,13 @@ struct OtherRest {
 struct StationCertainty {
   double energy = 0;                              ///< N mm, as above
   std::optional<OtherRest> other = std::nullopt;  ///< the lowest that was found
-  /// N mm that bring the blade from the station's shape into another one. Known only where the station is one
-  /// of those that are searched, or the least certain one of a stretch.
+  /// N mm that bring the blade from the station's shape into another one that is not clearly higher. Found
+  /// where the station is one of those that are searched, or the least certain one of a stretch, and followed
+  /// from there; empty where that was lost.
   std::optional<double> barrier = std::nullopt;
+  std::vector<HeavyBlade> passes = {};  ///< the unstable shapes that are so much higher and more
+  /// True where another shape is there that is not clearly higher.
+  bool unsure() const;
   /// The station's shape is the only one at rest that was found, or clearly the lowest.
   bool certain() const;
   /// Its energy over that of the other one, which is 1 or more where that is lower.

@@ -32,6 +32,8 @@ struct StationFit {
   std::string unknown = {};  ///< why it is not known how the blade hangs in its weight; empty if it is
   std::array<bool, 2> nearMargin =
       {};  ///< whether its margins, in the plane and across it, had to be bounded
+  /// The unstable shapes over which a push brings the blade into others, where its barrier had to be bounded.
+  std::vector<HeavyBlade> passes = {};
 };
 
 /// How the blades of a row are found.
@@ -44,6 +46,9 @@ struct FitRequest {
       2;  ///< mm within which a curve may stand for the nearest one, where the blade asks for it
   double clearance = 50;  ///< mm between a grip and the block, which advice about lengths keeps
   double margin = 0.15;   ///< of stability, that the blade is to keep where the tolerance lets it
+  /// N mm that it must take to bring the blade into another shape that is no higher by more than 5 %, which
+  /// `firmRow` sees to; 0 asks for nothing.
+  double barrier = 0;
   Eigen::Vector3d weight = Eigen::Vector3d::Zero();  ///< of a length of blade, N/mm, in the file's frame
   bool operator==(const FitRequest&) const = default;
 };

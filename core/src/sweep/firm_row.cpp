@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "bw/core/sweep/firm_row.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "sweep/held_blade.h"
+#include "sweep/row_solver.h"
+#include "sweep/row_station.h"
+#include "sweep/sweep_findings.h"
+
+namespace bw {
+
+using sweep::Station;
+
+namespace {
+
+constexpr int kRounds = 3;        // each with the passes of the row before
+constexpr double kWithin = 0.95;  // of the tolerance: the surface between stations lies a little farther off
+
+/// The stretches whose blades a small push brings into another shape.
+std::vector<sweep::Stretch> weakOf(const Sweep& row, const RowCertainty& certainty) {
+  const auto& stations = certainty.stations;
+  const auto barrier = [&](std::size_t i) { return stations[i].barrier.value_or(row.request.barrier); };
+  std::vector<sweep::Stretch> weak;
+  for (const sweep::Stretch& at : sweep::stretchesOf(
+           stations.size(), [&](std::size_t i) { return stations[i].unsure(); },
+           [&](std::size_t a, std::size_t b) { return barrier(a) < barrier(b); }))
+    if (barrier(at.worst) < row.request.barrier) weak.push_back(at);
+  return weak;
+}
+
+std::size_t countOf(const std::vector<sweep::Stretch>& stretches) {
+  std::size_t count = 0;
+  for (const sweep::Stretch& at : stretches) count += at.count;
+  return count;
+}
+
+/// The row with these barriers bounded.
+Sweep bounded(const Sweep& before, const RowCertainty& certainty, const std::vector<sweep::Stretch>& weak,
+              const RunContext& context) {
+  Sweep next = before;
+  for (const sweep::Stretch& at : weak)
+    for (std::size_t i = at.first; i <= at.last; ++i)
+      if (const auto& passes = certainty.stations[i].passes; !passes.empty()) next.fits[i].passes = passes;
+  const sweep::Row row(next, context);
+  std::vector<std::optional<Station>> stations(next.poses.size());
+  for (std::size_t i = 0; i < stations.size() && !context.stopped(); ++i) {
+    stations[i] = row.following(i);
+    if (stations[i]) row.watch(*stations[i]);
+  }
+  sweep::unwrap(stations, row.unit());
+  std::vector<Station*> standing;
+  for (std::optional<Station>& station : stations)
+    if (station && station->good) standing.push_back(&*station);
+  if (standing.empty()) return next;
+  sweep::settle(row, standing);
+  for (const Station* station : standing)
+    if (const std::optional<Elastica> light = row.holds(*station) ? row.light(*station) : std::nullopt)
+      if (!sweep::put(row, *station, *light, next)) next.fits[station->index] = before.fits[station->index];
+  return next;
+}
+
+/// True if no blade of a row stands worse than in the one before.
+bool keepsUp(const Sweep& next, const Sweep& before) {
+  for (std::size_t i = 0; i < next.fits.size(); ++i) {
+    const StationFit &is = next.fits[i], &was = before.fits[i];
+    if (is.snapsAt || !is.unknown.empty() || is.fit.status == FitStatus::infeasible) {
+      const bool stood = !was.snapsAt && was.unknown.empty() && was.fit.status != FitStatus::infeasible;
+      if (stood) return false;
+    }
+    if (is.fit.hausdorff > std::max(was.fit.hausdorff, kWithin * next.request.tolerance)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Result<FirmRow> firmRow(const Sweep& row, const RunContext& context) {
+  Result<RowCertainty> certainty = certaintyOf(row, context);
+  if (!certainty) return tl::unexpected<Error>(certainty.error());
+  FirmRow firm;
+  firm.certainty = std::move(*certainty);
+  std::vector<sweep::Stretch> weak = weakOf(row, firm.certainty);
+  Sweep last = row;
+  RowCertainty known = firm.certainty;
+  for (int round = 0; round < kRounds && !weak.empty(); ++round) {
+    Sweep next = bounded(last, known, weak, context);
+    if (context.stopped()) return stoppedError();
+    if (!keepsUp(next, row)) break;
+    certainty = certaintyOf(next, context);
+    if (!certainty) return tl::unexpected<Error>(certainty.error());
+    known = std::move(*certainty);
+    const std::vector<sweep::Stretch> left = weakOf(next, known);
+    if (countOf(left) < countOf(weakOf(row, firm.certainty))) {
+      firm.row = std::make_shared<const Sweep>(next);
+      firm.certainty = known;
+    }
+    last = std::move(next);
+    weak = left;
+  }
+  if (firm.row) sweep::addSwingFindings(*firm.row, firm.findings);
+  return firm;
+}
+
+}  // namespace bw

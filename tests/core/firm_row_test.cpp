@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// Rows whose blades a small push would bring into another shape.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "bw/core/base/units.h"
+#include "bw/core/heavy/heavy_bvp.h"
+#include "bw/core/sweep/firm_row.h"
+#include "bw/core/sweep/live_row.h"
+#include "plane_sections.h"
+#include "row_settings.h"
+
+namespace bw {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kHalf = 300;
+constexpr int kStations = 13;
+
+Box block() { return test::blockUnder(kHalf, 20.0 * (kStations - 1), -kHalf, kHalf); }
+PlaneFamily planes() { return PlaneFamily::across(block(), -Vector3d::UnitY()); }
+
+/// Waves that grow along the travel.
+std::vector<Section> waves(double phase, double lift = 0) {
+  return test::sectionsOf(kStations, 20, [=](int i) {
+    const double height = 8 + 0.3 * i;
+    return test::graphCurve(kHalf,
+                            [=](double x) { return lift + height * std::sin(kPi * x / kHalf + phase); });
+  });
+}
+
+test::RowSettings flat(double length, double barrier) {
+  test::RowSettings settings;
+  settings.blade = Blade();
+  settings.blade.section = Blade::Section::flat;
+  settings.blade.width = 5;
+  settings.blade.thickness = 1;
+  settings.blade.density = 8300;
+  settings.blade.length = length;
+  settings.barrier = barrier;
+  settings.weight = -settings.blade.weight() * Vector3d::UnitZ();
+  return settings;
+}
+
+Sweep rowOf(const FitRequest& request, double phase) {
+  Findings findings;
+  Result<Sweep> sweep = buildSweep(waves(phase), request, block(), planes(), {}, findings);
+  EXPECT_TRUE(sweep) << sweep.error().message;
+  return std::move(*sweep);
+}
+
+/// N mm: of the station that gives way first, found from nothing but its blade. Empty where all are certain.
+std::optional<double> leastBarrier(const Sweep& row) {
+  const Result<RowCertainty> certainty = certaintyOf(row, {});
+  EXPECT_TRUE(certainty);
+  std::optional<double> least;
+  for (std::size_t i = 0; i < row.poses.size(); ++i) {
+    if (certainty->stations[i].certain()) continue;
+    const Result<HeavyRivals> rivals = rivalsOf(*row.poses[i].heavy, row.request.blade.flexuralRigidity());
+    EXPECT_TRUE(rivals && rivals->barrier) << i;
+    if (rivals && rivals->barrier) least = std::min(least.value_or(1e300), *rivals->barrier);
+  }
+  return least;
+}
+
+double farthest(const Sweep& row) {
+  double farthest = 0;
+  for (const StationFit& fit : row.fits) farthest = std::max(farthest, fit.fit.hausdorff);
+  return farthest;
+}
+
+constexpr double kTwoWays = 0.5 * kPi;  // the blade may leave to either side, over two passes
+constexpr double kHopeless = 0.8;
+
+TEST(FirmRow, ABladeBearsAPushWhereTheToleranceLetsIt) {
+  const test::RowSettings settings = flat(760, 1);
+  const Sweep row = rowOf(settings, kTwoWays);
+  ASSERT_TRUE(leastBarrier(row));
+  EXPECT_LT(*leastBarrier(row), 0.5);
+  const Result<FirmRow> firm = firmRow(row, {});
+  ASSERT_TRUE(firm && firm->row);
+  ASSERT_TRUE(leastBarrier(*firm->row));
+  EXPECT_GE(*leastBarrier(*firm->row), settings.barrier);
+  EXPECT_LE(farthest(*firm->row), settings.tolerance);
+  // What is told of the row is what a search of each station finds.
+  std::optional<double> told;
+  for (const StationCertainty& station : firm->certainty.stations)
+    if (station.barrier) told = std::min(told.value_or(1e300), *station.barrier);
+  ASSERT_TRUE(told);
+  EXPECT_NEAR(*told, *leastBarrier(*firm->row), 1e-6);
+}
+
+TEST(FirmRow, ItGoesOnBearingThePushWhileAHandMovesTheSections) {
+  const test::RowSettings settings = flat(760, 1);
+  const Result<FirmRow> firm = firmRow(rowOf(settings, kTwoWays), {});
+  ASSERT_TRUE(firm && firm->row);
+  std::optional<LiveRow> live = LiveRow::of(*firm->row, {});
+  ASSERT_TRUE(live);
+  for (int step = 1; step <= 4; ++step)
+    ASSERT_TRUE(live->follow(waves(kTwoWays - 0.01 * step, step), block(), planes(), {})) << step;
+  ASSERT_TRUE(leastBarrier(live->sweep()));
+  EXPECT_GE(*leastBarrier(live->sweep()), settings.barrier);
+  EXPECT_LE(farthest(live->sweep()), settings.tolerance);
+}
+
+TEST(FirmRow, ARowThatCannotStaysAsItIs) {
+  const Sweep row = rowOf(flat(760, 1), kHopeless);
+  const Result<FirmRow> firm = firmRow(row, {});
+  ASSERT_TRUE(firm);
+  EXPECT_FALSE(firm->row) << "it would lie beyond the tolerance";
+  const auto weak = [](const StationCertainty& station) {
+    return station.unsure() && station.barrier && *station.barrier < 1;
+  };
+  EXPECT_TRUE(std::ranges::any_of(firm->certainty.stations, weak));
+}
+
+TEST(FirmRow, NothingIsBentWhereNothingIsAsked) {
+  const Result<FirmRow> firm = firmRow(rowOf(flat(760, 0), kTwoWays), {});
+  ASSERT_TRUE(firm);
+  EXPECT_FALSE(firm->row);
+  std::stop_source source;
+  source.request_stop();
+  RunContext stopped;
+  stopped.stop = source.get_token();
+  const Result<FirmRow> none = firmRow(rowOf(flat(760, 1), kTwoWays), stopped);
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.error().code, ErrorCode::cancelled);
+}
+
+}  // namespace
+}  // namespace bw
