@@ -40,6 +40,29 @@ TEST(Printable, EscapesBytesThatAreNoCharacter) {
   EXPECT_EQ(printable("\xf5\x80\x80\x80"), "\\xf5\\x80\\x80\\x80");
 }
 
+TEST(JsonText, NamesTheNumberThatIsNone) {
+  const auto said = [](const std::string& text) {
+    const Result<nlohmann::json> read = parseJsonText(text, "design");
+    EXPECT_FALSE(read) << text;
+    return read ? std::string() : read.error().message;
+  };
+  EXPECT_EQ(said("{\"blade\": {\"length\": NaN}}"),
+            "design.blade.length is NaN, which is no number; give a finite one (line 1)");
+  EXPECT_EQ(said("{\"a\": [[1, 2], {}, [3,\n -Infinity]]}"),
+            "design.a[2][1] is -Infinity, which is no number; give a finite one (line 2)");
+  EXPECT_EQ(said("{\"a\": 1, \"b\": nan}"),
+            "design.b is nan, which is no number; give a finite one (line 1)");
+  EXPECT_EQ(said("{\"a\": inf}"), "design.a is inf, which is no number; give a finite one (line 1)");
+  EXPECT_EQ(said("[0, 1e999]"), "design[1] is a number that is too large");
+  // Other slips are told by their place.
+  EXPECT_NE(said("{\"a\": nun}").find("is not valid JSON: line 1"), std::string::npos);
+  EXPECT_NE(said("{\"a\": }").find("is not valid JSON: line 1"), std::string::npos);
+  EXPECT_NE(said("NaN").find("is NaN"), std::string::npos);
+  const Result<Design> design = parseDesign("{\"bladewright_design\": 2, \"blade\": {\"length\": NaN}}");
+  ASSERT_FALSE(design);
+  EXPECT_EQ(design.error().message.find("CAD file"), std::string::npos) << design.error().message;
+}
+
 TEST(TextLimits, DepthIsBoundedWhereverJsonIsRead) {
   const std::string deep = "{\"cases\":" + std::string(200000, '[') + std::string(200000, ']') + "}";
   const auto refused = [](const auto& result) {

@@ -351,7 +351,9 @@ Result<Design> parseDesign(std::string_view text, int* version) {
   const Result<json> object = parseJsonText(text, "design");
   if (!object) {
     Error error = object.error();
-    error.message += "; a design is what Bladewright saved, a CAD file is opened as a surface";
+    // Not where it is a design but for one number.
+    if (error.where == "design")
+      error.message += "; a design is what Bladewright saved, a CAD file is opened as a surface";
     return tl::unexpected<Error>(std::move(error));
   }
   return detail::designFrom(*object, version);

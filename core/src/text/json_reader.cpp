@@ -29,6 +29,55 @@ struct TooMuch {
   Error error;
 };
 
+/// Where in a text its parser is: ".sources[0].surface.x[1]".
+class Whereabouts {
+ public:
+  void follow(json::parse_event_t event, const json& parsed) {
+    using Event = json::parse_event_t;
+    const bool begins = event == Event::value || event == Event::array_start || event == Event::object_start;
+    if (begins && !around_.empty()) ++around_.back().begun;
+    if (event == Event::array_start || event == Event::object_start)
+      around_.push_back({event == Event::array_start, {}, 0});
+    else if (event == Event::array_end || event == Event::object_end)
+      around_.pop_back();
+    else if (event == Event::key)
+      around_.back().key = parsed.get_ref<const std::string&>();
+  }
+  /// Of the value that is to come.
+  std::string text() const {
+    std::string path;
+    for (std::size_t i = 0; i < around_.size(); ++i) {
+      const Around& a = around_[i];
+      const std::size_t index = i + 1 == around_.size() ? a.begun : a.begun - 1;
+      path += a.isList ? "[" + std::to_string(index) + "]" : "." + a.key;
+    }
+    return path;
+  }
+
+ private:
+  struct Around {
+    bool isList = false;
+    std::string key;
+    std::size_t begun = 0;  ///< values
+  };
+  std::vector<Around> around_;
+};
+
+/// The word at a place of a text, where it is one that programs write for what is no finite number.
+std::string unnumberAt(std::string_view text, std::size_t at) {
+  const auto ofWord = [&](std::size_t i) {
+    const char c = text[i];
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == '+';
+  };
+  std::size_t from = std::min(at, text.size()), to = from;
+  while (from > 0 && ofWord(from - 1)) --from;
+  while (to < text.size() && ofWord(to)) ++to;
+  std::string word(text.substr(from, to - from)), plain;
+  for (const char c : word)
+    if (c != '-' && c != '+') plain += char(c | 0x20);
+  return plain == "nan" || plain == "inf" || plain == "infinity" ? word : std::string();
+}
+
 }  // namespace
 
 Result<json> parseJsonText(std::string_view text, const std::string& what) {
@@ -41,7 +90,9 @@ Result<json> parseJsonText(std::string_view text, const std::string& what) {
   std::vector<std::set<std::string>> keys;
   std::string twice;
   std::size_t values = 0;
+  Whereabouts place;
   const auto watch = [&](int depth, json::parse_event_t event, json& parsed) {
+    place.follow(event, parsed);
     if (depth > kDeepest)
       throw TooMuch{{ErrorCode::badInput,
                      what + " holds lists or objects within each other more than " +
@@ -79,12 +130,18 @@ Result<json> parseJsonText(std::string_view text, const std::string& what) {
     const std::size_t column = lineStart == std::string_view::npos ? at + 1 : at - lineStart;
     if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
       return fail(ErrorCode::badInput, what + " is empty; it must hold a JSON object", what);
+    if (const std::string word = unnumberAt(text, at); !word.empty())
+      return fail(ErrorCode::badInput,
+                  what + place.text() + " is " + word + ", which is no number; give a finite one (line " +
+                      std::to_string(line) + ")",
+                  what + place.text());
     return fail(
         ErrorCode::badInput,
         what + " is not valid JSON: line " + std::to_string(line) + ", column " + std::to_string(column),
         what, double(line));
   } catch (const json::out_of_range&) {
-    return fail(ErrorCode::badInput, what + " holds a number that is too large", what);
+    return fail(ErrorCode::badInput, what + place.text() + " is a number that is too large",
+                what + place.text());
   } catch (const std::exception& e) {
     return fail(ErrorCode::badInput, what + " is not valid JSON: " + e.what(), what);
   }
