@@ -373,7 +373,8 @@ TEST(BadInput, ErrorsAsJson) {
 
 TEST(BadInput, CurvesWithoutLengthOrNumbers) {
   expectRefusal({"fit"}, 2, "JSON", "{");
-  expectRefusal({"fit"}, 2, "JSON", R"({"curve": {"type": "points", "points": [[0,0],[NaN,1]]}})");
+  expectRefusal({"fit"}, 2, "curve.points[1][0] is NaN",
+                R"({"curve": {"type": "points", "points": [[0,0],[NaN,1]]}})");
   expectRefusal({"fit"}, 2, "no length", R"({"curve": {"type": "points", "points": [[1,1],[1,1]]}})");
   expectRefusal({"fit"}, 2, "no length",
                 R"({"curve": {"type": "bezier", "poles": [[0,0],[0,0],[0,0],[0,0]]}})");
