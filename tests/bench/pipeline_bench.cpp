@@ -13,10 +13,12 @@
 #include <optional>
 #include <vector>
 
+#include "bw/core/blade/blade.h"
 #include "bw/core/design/design.h"
 #include "bw/core/design/variables.h"
 #include "bw/core/files/file_set.h"
 #include "bw/core/surface/spline_surface.h"
+#include "bw/core/sweep/firm_row.h"
 #include "bw/core/sweep/live_row.h"
 #include "bw/geometry/export.h"
 #include "bw/pipeline/example_design.h"
@@ -146,6 +148,45 @@ BENCHMARK(panelRowFollows)
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime()
     ->UseRealTime();
+
+/// The panel with a flat blade that a small push would bring into another shape.
+CutEvaluation weakRow() {
+  Design design = panel(60);
+  design.blade = bladePreset("nicr-flat-5x1").value();
+  design.blade.length = 760;
+  const Outcome outcome = evaluate(design, nullptr, {});
+  return outcome.error ? CutEvaluation() : outcome.evaluation.cut();
+}
+
+/// How sure the blades rest, and the row that bears a push.
+void panelFirmRow(benchmark::State& state) {
+  const CutEvaluation cut = weakRow();
+  if (!cut.sweep.value) return state.SkipWithError("there is no row");
+  Findings findings;
+  const Result<Sweep> row = buildSweep(*cut.sections.value, cut.sweep.request.fit, cut.setup->block,
+                                       cut.setup->planes, {}, findings);
+  if (!row) return state.SkipWithError(row.error().message.c_str());
+  for (auto _ : state)
+    if (const Result<FirmRow> firm = firmRow(*row, {}); !firm || !firm->row)
+      return state.SkipWithError("the row does not become firm");
+}
+BENCHMARK(panelFirmRow)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+
+/// As `panelRowFollows`, with the barriers watched. Budget: 8 ms.
+void panelFirmRowFollows(benchmark::State& state) {
+  const CutEvaluation cut = weakRow();
+  if (!cut.sweep.value) return state.SkipWithError("there is no row");
+  const std::vector<Section> all[] = {*cut.sections.value, pulled(*cut.sections.value, 1)};
+  std::optional<LiveRow> row = LiveRow::of(*cut.sweep.value, {});
+  if (!row) return state.SkipWithError("the row cannot be followed");
+  std::size_t k = 0;
+  for (auto _ : state) {
+    k = 1 - k;
+    if (!row->follow(all[k], cut.setup->block, cut.setup->planes, {}))
+      return state.SkipWithError("a blade was lost");
+  }
+}
+BENCHMARK(panelFirmRowFollows)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 
 /// Budget: the new picture within 0.4 s of a change of the station count; this is its computing part.
 void panelAfterStationChange(benchmark::State& state) {

@@ -368,7 +368,7 @@ TEST(HeavyBlade, MarginChangesWithItsGripsAsDifferencesSay) {
 
 TEST(HeavyBlade, APassIsFollowedAndItsHeightChangesAsDifferencesSay) {
   std::mt19937 random(29);
-  int seen = 0;
+  int seen = 0, returned = 0;
   for (int i = 0; i < 30; ++i) {
     const HeavyProblem problem = heavyOf(randomGrips(random, 0.6), 2 * kFlatWeight);
     const HeavyBlade blade = solveHeavy(problem)->solutions[0].blade;
@@ -395,8 +395,18 @@ TEST(HeavyBlade, APassIsFollowedAndItsHeightChangesAsDifferencesSay) {
           << i << " " << column;
     }
     EXPECT_FALSE(passAt(blade, problem)) << "a blade at rest is no pass";
+    // Far away and back it is the same one, or lost; never another.
+    const HeavyProblem far = withGrip(withGrip(problem, 3, 60), 5, 0.3);
+    const std::optional<HeavyBlade> there = passAt(rivals->passes[0], far);
+    const std::optional<HeavyBlade> back = there ? passAt(*there, problem) : std::nullopt;
+    if (!back) continue;
+    ++returned;
+    EXPECT_NEAR(heightOf(*back, blade, problem.stiffness).energy, told.energy,
+                1e-6 * std::abs(rivals->energy))
+        << i;
   }
   EXPECT_GT(seen, 10);
+  EXPECT_GT(returned, 5);
 }
 
 TEST(HeavyBlade, MovesWithItsGripsAsDifferencesSay) {

@@ -90,8 +90,7 @@ std::string Sentences::operator()(const UnsettledFit& cause) const {
 std::string Sentences::operator()(const HeldBackFit& cause) const {
   return at() +
          "continued to its grips, the nearest curve would overbend the blade, leave it without its margin or "
-         "open to a push; "
-         "a curve within " +
+         "open to a push; a curve within " +
          mm(cause.distance) + " of the section, which the whole blade holds, takes its place";
 }
 

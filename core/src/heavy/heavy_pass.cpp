@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
+#include <algorithm>
 #include <cmath>
 
 #include "bw/core/base/units.h"
 #include "bw/core/heavy/heavy_bvp.h"
-#include "heavy/heavy_equations.h"
+#include "heavy/heavy_path.h"
 
 namespace bw {
 
 using heavy::Equations;
-using heavy::Hold;
 using heavy::Shape;
 
 HeavyPassHeight heightOf(const HeavyBlade& pass, const HeavyBlade& blade, double stiffness) {
@@ -24,22 +24,38 @@ HeavyPassHeight heightOf(const HeavyBlade& pass, const HeavyBlade& blade, double
 }
 
 std::optional<HeavyBlade> passAt(const HeavyBlade& pass, const HeavyProblem& held) {
-  constexpr int kSteps = 12;
-  const HeavyBlade::Numbers& before = pass.numbers();
-  const double length = before.length, squared = length * length;
-  HeavyBlade::Numbers next = before;
+  constexpr int kSteps = 8;
+  constexpr double kOneBranch = 0.2;       // of Newton's steps: both ends of a part are on one branch
+  constexpr double kLeastPart = 1.0 / 32;  // of the way
+  HeavyBlade::Numbers next = pass.numbers();
+  const double length = next.length, squared = length * length;
+  const auto nearest = [](double angle, double to) {
+    return angle + 2 * kPi * std::round((to - angle) / (2 * kPi));
+  };
+  Shape shape{next.coefficients, next.endForce * squared};
   next.start = held.grips.start;
-  next.startAngle = *held.grips.startAngle;
-  const double turns = *held.grips.endAngle - *held.grips.startAngle;
-  next.turning = turns + 2 * kPi * std::round((before.turning - turns) / (2 * kPi));
+  next.startAngle = nearest(*held.grips.startAngle, next.startAngle);
+  next.turning = nearest(*held.grips.endAngle - *held.grips.startAngle, next.turning);
   next.load = held.weight / held.stiffness;
-  const Hold hold{(held.grips.end - next.start) / length, next.startAngle, next.turning,
-                  next.load * (squared * length)};
-  std::optional<Shape> shape = heavy::settle(hold, {before.coefficients, before.endForce * squared}, kSteps);
-  if (shape) shape = heavy::refined(hold, *shape, heavy::kExact);
-  if (!shape || heavy::isStable(Equations(heavy::modesOf(shape->count()), hold, *shape))) return {};
-  next.coefficients = shape->coefficients;
-  next.endForce = shape->force / squared;
+  const heavy::Way way{heavy::equationsOf(pass).hold(),
+                       {(held.grips.end - next.start) / length, next.startAngle, next.turning,
+                        next.load * (squared * length)}};
+  double reached = 0, part = 1;
+  while (reached < 1) {
+    double contraction = 0;
+    const double aim = std::min(1.0, reached + part);
+    std::optional<Shape> there = heavy::settle(way.at(aim), shape, kSteps, &contraction);
+    if (there && contraction <= kOneBranch) {
+      shape = std::move(*there);
+      reached = aim;
+    } else if ((part /= 2) < kLeastPart) {
+      return {};
+    }
+  }
+  const std::optional<Shape> fine = heavy::refined(way.to, shape, heavy::kExact);
+  if (!fine || heavy::isStable(Equations(heavy::modesOf(fine->count()), way.to, *fine))) return {};
+  next.coefficients = fine->coefficients;
+  next.endForce = fine->force / squared;
   return HeavyBlade(std::move(next));
 }
 

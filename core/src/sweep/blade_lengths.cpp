@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "bw/core/sweep/firm_row.h"
+#include "sweep/row_between.h"
 
 namespace bw {
 
@@ -28,8 +29,14 @@ constexpr double kShortest = 0.99;   // of the longest section: what a blade has
 
 double rounded(double length) { return kStep * std::round(length / kStep); }
 
+/// Sections of a row that blades are tried on.
+struct Some {
+  std::vector<Section> sections;
+  bool all = false;  ///< of the row: then a blade goes from one to the next as it will
+};
+
 /// Some of the sections, evenly, and the longest.
-std::vector<Section> someOf(const std::vector<Section>& all) {
+Some someOf(const std::vector<Section>& all) {
   std::vector<const Section*> chosen;
   for (const Section& section : all)
     if (section.chosen >= 0) chosen.push_back(&section);
@@ -39,17 +46,16 @@ std::vector<Section> someOf(const std::vector<Section>& all) {
   const auto longest =
       std::ranges::max_element(chosen, {}, [](const Section* section) { return section->curve().length(); });
   if (longest != chosen.end()) taken.insert(std::size_t(longest - chosen.begin()));
-  std::vector<Section> some;
-  for (const std::size_t i : taken) some.push_back(*chosen[i]);
+  Some some{{}, taken.size() == chosen.size()};
+  for (const std::size_t i : taken) some.sections.push_back(*chosen[i]);
   return some;
 }
 
 /// Tries blades on a row.
 class Trials {
  public:
-  Trials(const std::vector<Section>& sections, const Box& block, const PlaneFamily& planes,
-         const RunContext& context)
-      : sections_(sections), block_(block), planes_(planes) {
+  Trials(const Some& some, const Box& block, const PlaneFamily& planes, const RunContext& context)
+      : some_(some), block_(block), planes_(planes) {
     quiet_.stop = context.stop;
     quiet_.threads = 1;
   }
@@ -60,7 +66,7 @@ class Trials {
     trial.asked = request.check.margin;
     trial.clearance = request.check.clearance;
     Findings unused;
-    const Result<Sweep> sweep = buildSweep(sections_, fit, block_, planes_, quiet_, unused);
+    const Result<Sweep> sweep = buildSweep(some_.sections, fit, block_, planes_, quiet_, unused);
     if (!sweep) return trial;
     trial.reaches = true;
     if (!look(trial, *sweep, request) || !trial.reaches) return trial;
@@ -69,6 +75,12 @@ class Trials {
     const Sweep& row = firm->row ? *firm->row : *sweep;
     if (firm->row && (!look(trial, row, request) || !trial.reaches)) return trial;
     trial.rest = restOn(row, firm->certainty, request);
+    if (!some_.all || !trial.serves()) return trial;
+    const Result<double> between = sweep::offBetween(row, quiet_);
+    if (!between || std::isinf(*between))
+      trial.rest = Rest::lost;
+    else
+      trial.deviation = std::max(trial.deviation, *between);
     return trial;
   }
 
@@ -108,15 +120,15 @@ class Trials {
     return worst == Rest::certain || ends->entry.margin >= request.check.margin ? worst : Rest::lost;
   }
 
-  const std::vector<Section>& sections_;
+  const Some& some_;
   const Box& block_;
   const PlaneFamily& planes_;
   RunContext quiet_;
 };
 
-Result<std::vector<Section>> sectionsToTry(const std::vector<Section>& all) {
-  std::vector<Section> some = someOf(all);
-  if (some.empty())
+Result<Some> sectionsToTry(const std::vector<Section>& all) {
+  Some some = someOf(all);
+  if (some.sections.empty())
     return fail(ErrorCode::badInput,
                 "there are no sections to try blades on; place the block so that it meets the target",
                 "sections", 0.0, 1.0);
@@ -169,12 +181,12 @@ bool better(const RowTrial& a, const RowTrial& b) {
 /// Lets grips come nearer to the block.
 class NearerGrips {
  public:
-  NearerGrips(const std::vector<Section>& sections, const LengthRequest& request, const Box& block,
-              const PlaneFamily& planes, const RunContext& context)
+  NearerGrips(const Some& some, const LengthRequest& request, const Box& block, const PlaneFamily& planes,
+              const RunContext& context)
       : request_(request),
         context_(context),
-        trial_(sections, block, planes, context),
-        longest_(longestOf(sections)) {
+        trial_(some, block, planes, context),
+        longest_(longestOf(some.sections)) {
     if (!request.fit.blade.autoLength) own_ = request.fit.blade.length;
   }
 
@@ -272,7 +284,7 @@ const RowTrial* BladeLengths::at(double length) const {
 
 Result<BladeLengths> bladeLengths(const std::vector<Section>& sections, const LengthRequest& request,
                                   const Box& block, const PlaneFamily& planes, const RunContext& context) {
-  const Result<std::vector<Section>> some = sectionsToTry(sections);
+  const Result<Some> some = sectionsToTry(sections);
   if (!some) return tl::unexpected<Error>(some.error());
   const Trials trial(*some, block, planes, context);
   BladeLengths lengths;
@@ -293,7 +305,8 @@ Result<BladeLengths> bladeLengths(const std::vector<Section>& sections, const Le
   };
 
   bool served = false;
-  const std::vector<double> ladder = lengthsFrom(shortestFor(longestOf(*some), request.check.clearance));
+  const std::vector<double> ladder =
+      lengthsFrom(shortestFor(longestOf(some->sections), request.check.clearance));
   for (std::size_t first = 0; first < ladder.size(); first += kAtOnce) {
     const std::size_t last = std::min(first + kAtOnce, ladder.size());
     const Result<bool> serves =
@@ -323,9 +336,9 @@ Result<BladeLengths> bladeLengths(const std::vector<Section>& sections, const Le
 
 Result<MarginTrade> marginTrade(const std::vector<Section>& sections, const LengthRequest& request,
                                 const Box& block, const PlaneFamily& planes, const RunContext& context) {
-  const Result<std::vector<Section>> some = sectionsToTry(sections);
+  const Result<Some> some = sectionsToTry(sections);
   if (!some) return tl::unexpected<Error>(some.error());
-  for (const Section& section : *some)
+  for (const Section& section : some->sections)
     if (section.curve().length() > request.fit.blade.length)
       return fail(ErrorCode::badInput, "the blade is shorter than a section; take a longer one first",
                   "blade", request.fit.blade.length, section.curve().length());
@@ -352,7 +365,7 @@ Result<MarginTrade> marginTrade(const std::vector<Section>& sections, const Leng
 Result<ClearanceTrade> clearanceTrade(const std::vector<Section>& sections, const LengthRequest& request,
                                       const Box& block, const PlaneFamily& planes,
                                       const RunContext& context) {
-  const Result<std::vector<Section>> some = sectionsToTry(sections);
+  const Result<Some> some = sectionsToTry(sections);
   if (!some) return tl::unexpected<Error>(some.error());
   return NearerGrips(*some, request, block, planes, context).seek();
 }

@@ -21,7 +21,8 @@ using sweep::Station;
 namespace {
 
 constexpr int kRounds = 3;        // each with the passes of the row before
-constexpr double kWithin = 0.95;  // of the tolerance: the surface between stations lies a little farther off
+constexpr double kWatched = 8;    // times what is asked for: higher passes are let be
+constexpr double kWithin = 0.95;  // of the tolerance: more stations bring what lies between them near to that
 
 /// The stretches whose blades a small push brings into another shape.
 std::vector<sweep::Stretch> weakOf(const Sweep& row, const RowCertainty& certainty) {
@@ -41,19 +42,32 @@ std::size_t countOf(const std::vector<sweep::Stretch>& stretches) {
   return count;
 }
 
+/// The passes of a station that are low enough to be watched.
+std::vector<HeavyBlade> lowOf(const Sweep& row, std::size_t i, const StationCertainty& station) {
+  std::vector<HeavyBlade> low;
+  const std::optional<HeavyBranch> own = sweep::standing(row, row.poses[i]);
+  if (!own) return low;
+  const double stiffness = row.request.blade.flexuralRigidity();
+  for (const HeavyBlade& pass : station.passes)
+    if (heightOf(pass, own->blade(), stiffness).energy < kWatched * row.request.barrier) low.push_back(pass);
+  return low;
+}
+
 /// The row with these barriers bounded.
 Sweep bounded(const Sweep& before, const RowCertainty& certainty, const std::vector<sweep::Stretch>& weak,
               const RunContext& context) {
   Sweep next = before;
   for (const sweep::Stretch& at : weak)
     for (std::size_t i = at.first; i <= at.last; ++i)
-      if (const auto& passes = certainty.stations[i].passes; !passes.empty()) next.fits[i].passes = passes;
+      next.fits[i].passes = lowOf(before, i, certainty.stations[i]);
   const sweep::Row row(next, context);
   std::vector<std::optional<Station>> stations(next.poses.size());
-  for (std::size_t i = 0; i < stations.size() && !context.stopped(); ++i) {
-    stations[i] = row.following(i);
-    if (stations[i]) row.watch(*stations[i]);
-  }
+  const Result<void> ok = parallelFor(context, int(stations.size()), [&](int k) {
+    std::optional<Station>& station = stations[std::size_t(k)];
+    station = row.following(std::size_t(k));
+    if (station) row.watch(*station);
+  });
+  if (!ok) return next;
   sweep::unwrap(stations, row.unit());
   std::vector<Station*> standing;
   for (std::optional<Station>& station : stations)

@@ -8,6 +8,7 @@
 #include <limits>
 #include <string_view>
 
+#include "bw/core/base/units.h"
 #include "bw/core/heavy/heavy_bvp.h"
 #include "bw/core/sweep/maps.h"
 #include "sweep/held_blade.h"
@@ -141,7 +142,8 @@ void addPasses(const std::vector<PassThere>& all, std::vector<StationCertainty>&
     const double middle = 0.5 * there.pass.length();
     const auto same = [&](const HeavyBlade& pass) {
       return (pass.at(middle).point - there.pass.at(middle).point).norm() < kSameShape &&
-             std::abs(pass.at(middle).angle - there.pass.at(middle).angle) < kSameAngle;
+             std::abs(std::remainder(pass.at(middle).angle - there.pass.at(middle).angle, 2 * kPi)) <
+                 kSameAngle;
     };
     const bool lower = !station.barrier || there.barrier < *station.barrier;
     if (lower) station.barrier = there.barrier;
@@ -210,7 +212,8 @@ Result<RowCertainty> certaintyOf(const Sweep& sweep, const RunContext& context) 
   std::vector<std::size_t> asked;
   for (const std::size_t i : searched)
     if (row.stations[i].unsure()) asked.push_back(i);
-  for (const sweep::Stretch& at : unsureStretches(row.stations)) asked.push_back(at.worst);
+  for (const sweep::Stretch& at : unsureStretches(row.stations))
+    if (std::ranges::find(asked, at.worst) == asked.end()) asked.push_back(at.worst);
   std::vector<std::optional<HeavyRivals>> rivals(asked.size());
   std::vector<std::vector<PassThere>> passes(asked.size());
   ok = parallelFor(context, int(asked.size()), [&](int k) {

@@ -125,9 +125,10 @@ struct HeavyPassHeight {
 };
 /// `stiffness` in N mm². The change of an energy is what the grips do: their forces and moments.
 HeavyPassHeight heightOf(const HeavyBlade& pass, const HeavyBlade& blade, double stiffness);
-/// The unstable equilibrium between other grips, of the same length, that Newton's method finds from this
-/// one; its turning is the nearest to that of this one. Empty where it finds none, or one that is stable.
-/// Some 0.1 ms.
+/// The unstable equilibrium that this one becomes as its grips and weight move evenly to those of `held`, of
+/// the same length; its turning is the nearest to that of this one. The way is parted where Newton's steps do
+/// not shrink fast enough to know that both ends are on one branch. Empty where that does not help, or the
+/// shape comes to rest. Some 0.1 ms for the small step of a sweep.
 std::optional<HeavyBlade> passAt(const HeavyBlade& pass, const HeavyProblem& held);
 
 /// A stable blade with weight that stays on its branch while its grips, its weight or both move.

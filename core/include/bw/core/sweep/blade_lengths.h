@@ -53,8 +53,9 @@ struct BladeLengths {
 /// go from one to the next as they do) for blades of lengths from that of the longest section and its leads
 /// up, each a fortieth, later a twentieth longer than the one before, as long as it may still serve, then
 /// finer (5 mm) at the ends of what serves or reaches. A length serves where the blade keeps its radius, its
-/// margin, its plane and the clearance, crosses nothing, lies on the sections within the tolerance,
-/// rests in the shape that is asked for, certain or held, and can be led into it and out of it. The
+/// margin, its plane and the clearance, crosses nothing, lies on the sections within the tolerance (where all
+/// are tried, halfway between them too), rests in the shape that is asked for, certain or held, and can be
+/// led into it and out of it. The
 /// best one is that of the largest margin, one that is certain before one that is held. Lengths are whole
 /// multiples of 5 mm. docs/mathematics.md, sweep. Errors: badInput without sections; `cancelled`. Some 1 to 8
 /// s.
