@@ -173,7 +173,8 @@ int runSimulate(const Session& session, const SimulateOptions& options) {
   std::cerr << run->motion.instants.size() << " targets in " << fixedText(run->motion.duration(), 0) << " s";
   if (simulation.halt) std::cerr << ", run up to " << shortText(simulation.halt->time, 4) << " s";
   if (run->surface && run->surface->covered > 0)
-    std::cerr << "; the program cuts within " << shortText(run->surface->toDesignMax)
+    std::cerr << "; the program" << (run->alone ? "" : " of " + printable(run->block + ", " + run->cut))
+              << " cuts within " << shortText(run->surface->toDesignMax)
               << " mm of the surface shown, within " << shortText(run->surface->toTargetMax)
               << " mm of the target";
   if (!simulation.blades.empty())

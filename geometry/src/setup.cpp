@@ -281,6 +281,7 @@ Result<Setup> resolveSetup(const Target& target, const SetupRequest& request, Fi
     } else {
       setup.block = autoBlock(target.impl());
     }
+    setup.block = lying(setup.block, request.pose);
     const Eigen::Vector3d direction =
         request.direction ? request.direction->normalized() : longerSide(setup.block);
     setup.planes = PlaneFamily::across(setup.block, direction);

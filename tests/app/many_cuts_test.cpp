@@ -14,25 +14,22 @@
 namespace bw::pipeline {
 namespace {
 
-/// The saddle from two sides in one block, and a part of it in another block.
+/// Two surfaces in one block, and a part of the first in another block.
 Design three() {
-  Design design = exampleDesign("saddle").value();
+  Design design = exampleDesign("two-crossing-cuts").value();
   design.output.programs.clear();
-  design.cut().sections.stations = 6;
-  design.blade.length = 1000;  // the way across is longer
-  Cut across = design.cut();
-  across.id = "across";
-  design.cut().direction = Eigen::Vector3d::UnitY();
-  across.direction = Eigen::Vector3d::UnitX();
+  for (Cut& cut : design.cuts) cut.sections.stations = 6;
+  design.block().id = design.cuts[0].block = design.cuts[1].block = "block-1";
+  design.cuts[0].order = 1;
+  design.cuts[1].order = 2;
+  design.cuts[1].id = "across";
+  design.cuts[1].pose = {};
   Cut part = design.cut();
   part.id = "part";
   part.block = "small";
-  const Outcome one = evaluate(design, nullptr, {});
-  EXPECT_FALSE(one.error);
-  BlockPlacement half = placementOf(one.evaluation.cut().setup->block);
+  BlockPlacement half = *design.block().placement;
   half.size.y() *= 0.5;
   design.stock.push_back({"small", half});
-  design.cuts.push_back(across);
   design.cuts.push_back(part);
   return design;
 }
@@ -52,8 +49,7 @@ TEST(ManyCuts, AreEvaluatedEachInItsBlock) {
   ASSERT_TRUE(along.result() && across.result() && part.result());
   EXPECT_EQ(along.result()->sweep.planes.direction(), Eigen::Vector3d::UnitY());
   EXPECT_EQ(across.result()->sweep.planes.direction(), Eigen::Vector3d::UnitX());
-  EXPECT_LT((across.setup->block.frame.origin - along.setup->block.frame.origin).norm(), 1e-9)
-      << "one block, where the first cut put it";
+  EXPECT_LT((across.setup->block.frame.origin - along.setup->block.frame.origin).norm(), 1e-9) << "one block";
   EXPECT_LT(part.result()->motion.duration(), 0.7 * along.result()->motion.duration());
   EXPECT_EQ(e.findings().size(), e.source.findings.size() + e.sourceFindings.size() +
                                      along.findings().size() + across.findings().size() +

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bw/core/curve/planar_curve.h"
+#include "bw/core/surface/mesh.h"
 #include "bw/core/surface/surface_sampler.h"
 #include "bw/core/sweep/sweep.h"
 
@@ -70,6 +71,41 @@ class PlaneSampler : public SurfaceSampler {
 
   Eigen::Vector3d normal_;
   double gap_;
+};
+
+/// A flat rectangle about `middle`, with the unit sides `x` and `y`, its edges at ±`half`; normal x × y.
+class PatchSampler : public SurfaceSampler {
+ public:
+  PatchSampler(const Eigen::Vector3d& middle, const Eigen::Vector3d& x, const Eigen::Vector3d& y,
+               const Eigen::Vector2d& half)
+      : middle_(middle), x_(x), y_(y), half_(half) {}
+  Result<Foot> closest(const Eigen::Vector3d& p, const Foot*) override {
+    Foot foot;
+    foot.normal = x_.cross(y_);
+    const Eigen::Vector2d over((p - middle_).dot(x_), (p - middle_).dot(y_));
+    foot.uv = over.cwiseMax(-half_).cwiseMin(half_);
+    foot.point = middle_ + foot.uv.x() * x_ + foot.uv.y() * y_;
+    foot.distance = (p - foot.point).norm();
+    foot.onBoundary = (foot.uv.cwiseAbs() - half_).maxCoeff() > -1e-9;
+    return foot;
+  }
+  Result<SurfaceJet> at(int, const Eigen::Vector2d& uv) const override {
+    const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
+    return SurfaceJet{middle_ + uv.x() * x_ + uv.y() * y_, x_, y_, zero, zero, zero, x_.cross(y_)};
+  }
+  std::unique_ptr<SurfaceSampler> clone() const override { return std::make_unique<PatchSampler>(*this); }
+
+  /// Its two triangles.
+  TriangleMesh mesh() const {
+    const auto corner = [this](double u, double v) -> Eigen::Vector3d {
+      return middle_ + u * half_.x() * x_ + v * half_.y() * y_;
+    };
+    return {{corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)}, {}, {{0, 1, 2}, {0, 2, 3}}};
+  }
+
+ private:
+  Eigen::Vector3d middle_, x_, y_;
+  Eigen::Vector2d half_;
 };
 
 /// A circular arc about `center` from angle a to b < a (clockwise, so that x grows) as a rational quadratic

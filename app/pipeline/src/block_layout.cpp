@@ -4,53 +4,14 @@
 #include "block_layout.h"
 
 #include <algorithm>
-#include <array>
+
+#include "bw/core/parts/cut_order.h"
 
 namespace bw::pipeline {
 
 namespace {
 
 constexpr double kLeastMet = 100;  ///< mm² of a surface in a block
-
-/// mm² of a triangle, given in the coordinates of a box, that lies in it.
-double areaIn(const std::array<Eigen::Vector3d, 3>& triangle, const Eigen::Vector3d& size) {
-  std::vector<Eigen::Vector3d> part(triangle.begin(), triangle.end()), rest;
-  for (int axis = 0; axis < 3; ++axis)
-    for (const bool upper : {false, true}) {
-      const auto inside = [&](const Eigen::Vector3d& p) { return upper ? size(axis) - p(axis) : p(axis); };
-      rest.clear();
-      for (std::size_t i = 0; i < part.size(); ++i) {
-        const Eigen::Vector3d &p = part[i], &q = part[(i + 1) % part.size()];
-        const double a = inside(p), b = inside(q);
-        if (a >= 0) rest.push_back(p);
-        if ((a < 0) != (b < 0)) rest.push_back(p + a / (a - b) * (q - p));
-      }
-      part.swap(rest);
-      if (part.size() < 3) return 0;
-    }
-  Eigen::Vector3d twice = Eigen::Vector3d::Zero();
-  for (std::size_t i = 1; i + 1 < part.size(); ++i)
-    twice += Eigen::Vector3d(part[i] - part[0]).cross(Eigen::Vector3d(part[i + 1] - part[0]));
-  return 0.5 * twice.norm();
-}
-
-/// True if so much of a surface lies in a box that it is cut.
-bool meets(const TriangleMesh& mesh, const Box& box) {
-  std::vector<Eigen::Vector3d> points;
-  points.reserve(mesh.points.size());
-  for (const Eigen::Vector3d& p : mesh.points) points.push_back(box.frame.toLocal(p));
-  double area = 0;
-  for (const auto& corners : mesh.triangles) {
-    const std::array<Eigen::Vector3d, 3> triangle = {
-        points[std::size_t(corners[0])], points[std::size_t(corners[1])], points[std::size_t(corners[2])]};
-    const Eigen::Array3d low = triangle[0].cwiseMin(triangle[1]).cwiseMin(triangle[2]).array(),
-                         high = triangle[0].cwiseMax(triangle[1]).cwiseMax(triangle[2]).array();
-    if ((high < 0).any() || (low > box.size.array()).any()) continue;
-    area += areaIn(triangle, box.size);
-    if (area >= kLeastMet) return true;
-  }
-  return false;
-}
 
 const StockBlock& stockBlock(const Design& design, const std::string& id) {
   return *std::ranges::find(design.stock, id, &StockBlock::id);
@@ -65,7 +26,7 @@ Result<void> leaveOutMissed(Evaluation& e) {
   for (BlockEvaluation& block : e.blocks) {
     if (const std::optional<BlockPlacement>& placement = stockBlock(e.design, block.id).placement)
       std::erase_if(block.cuts, [box = placement->box()](const CutEvaluation& cut) {
-        return !meets(*cut.targetMesh.value, box);
+        return areaInBox(*cut.targetMesh.value, box).area < kLeastMet;
       });
     if (block.cuts.empty())
       missed.blocks.push_back(block.id);
@@ -93,8 +54,14 @@ Result<void> leaveOutMissed(Evaluation& e) {
 
 Cut cutToMake(const Design& design, const std::string& id) {
   Cut cut = *std::ranges::find(design.cuts, id, &Cut::id);
-  if (design.grid && !cut.direction) cut.direction = rotationFromAngles(design.grid->rotation).col(1);
+  if (design.grid && !cut.direction)
+    cut.direction =
+        lying(BlockPlacement{{}, Eigen::Vector3d::Ones(), design.grid->rotation}.box(), cut.pose).frame.y;
   return cut;
+}
+
+Box placedBlock(const Design& design, const CutEvaluation& cut) {
+  return placedAs(cut.setup->block, std::ranges::find(design.cuts, cut.id, &Cut::id)->pose);
 }
 
 std::vector<char> joinedCuts(const Evaluation& e) {

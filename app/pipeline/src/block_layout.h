@@ -19,8 +19,12 @@ inline constexpr int kMostForJoints = 2 * geometry::StationCount::kMost - 1;
 /// and the blocks that have no cut left. Errors (`badInput`): no block is left, or more than kMostBlocksMet.
 Result<void> leaveOutMissed(Evaluation& e);
 
-/// The cut as it is made: under a grid along its rows, where the design leaves the direction open.
+/// The cut as it is made: under a grid along its rows, as the blocks lie, where the design leaves the
+/// direction open.
 Cut cutToMake(const Design& design, const std::string& id);
+
+/// The block of a cut that was placed, before it is turned for it.
+Box placedBlock(const Design& design, const CutEvaluation& cut);
 
 /// Whether each cut, in the order of the evaluation, goes on in a neighbouring block and is to meet it.
 std::vector<char> joinedCuts(const Evaluation& e);

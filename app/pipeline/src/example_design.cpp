@@ -74,6 +74,10 @@ const std::vector<geometry::Example>& designedExamples() {
        "A loft through three arcs that lean one way, not at all, and the other. Variables: lean, rise, "
        "height."},
       {"bump", "Bump", "Poles 4 × 6 over a block, the four in the middle raised. Variables: bump, height."},
+      {"two-crossing-cuts", "Two crossing cuts and their crease",
+       "east: z = base + slope x + bow sin(π x/600) + ripple sin(2π y/600); north: z = base + slope y + bow "
+       "sin(π y/600) + ripple cos(2π x/600); mm. The block is turned by a quarter between the cuts; the part "
+       "below both has a crease where they meet. Variables: base, slope, bow, ripple."},
       {"three-block-wall", "Three-block wall",
        "A loft through cubic splines whose knots lie on the boundaries of three blocks side by side: one "
        "cubic a block, with one tangent and one curvature where they meet. Variables: width, wave, sweep, "
@@ -87,8 +91,16 @@ Result<std::string> exampleSurface(const std::string& name) {
   if (!find(designedExamples(), name)) return geometry::exampleStep(name);
   const Result<Design> design = exampleDesign(name);
   if (!design) return tl::unexpected<Error>(design.error());
-  const Result<SplineSurface> spline = splineOf(*design->source().surface);
-  return spline ? geometry::stepText(*spline, name) : tl::unexpected<Error>(spline.error());
+  std::vector<SplineSurface> splines;
+  for (const Source& source : design->sources) {
+    Result<SplineSurface> spline = splineOf(*source.surface);
+    if (!spline) return tl::unexpected<Error>(spline.error());
+    splines.push_back(std::move(*spline));
+  }
+  if (splines.size() == 1) return geometry::stepText(splines.front(), name);
+  std::vector<geometry::NamedSurface> surfaces;
+  for (std::size_t i = 0; i < splines.size(); ++i) surfaces.push_back({design->sources[i].id, &splines[i]});
+  return geometry::stepText(surfaces, name);
 }
 
 Result<Design> exampleDesign(const std::string& name) {

@@ -29,6 +29,12 @@ std::vector<Strip> stripsOf(const Evaluation& evaluation);
 /// the folder of its block, "column-2/strip-1". Letters that no file system minds stay of the block's id.
 std::filesystem::path stripFolder(const Evaluation& evaluation, const Strip& strip);
 
+/// Names a strip in front of a word, "column-2: ", where there are several.
+std::string stripTitle(const Evaluation& evaluation, const Strip& strip);
+
+/// How a block lies for a cut, in words: "the front face up, turned by 90°"; empty where as it is placed.
+std::string lyingText(const Cut& cut);
+
 /// Programs of all strips in the formats of the design, each in its folder, that of the only one in `ofOne`.
 /// An unknown format is an error naming the nearest one, and so is a program that fails its check. Where the
 /// findings of its block, or those that concern all, hold errors, its RAPID is left out unless `policy` says

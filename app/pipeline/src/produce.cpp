@@ -205,6 +205,43 @@ std::filesystem::path stripFolder(const Evaluation& e, const Strip& strip) {
   return fs::path(name) / own;
 }
 
+std::string stripTitle(const Evaluation& e, const Strip& strip) {
+  const bool blocks = e.blocks.size() > 1, cuts = strip.block->cuts.size() > 1;
+  if (!blocks && !cuts) return {};
+  return (blocks ? strip.block->id + (cuts ? ", " + strip.cut->id : "") : strip.cut->id) + ": ";
+}
+
+std::string lyingText(const Cut& cut) {
+  if (cut.pose.asPlaced()) return {};
+  std::string text = "its " + std::string(kBlockFaces[std::size_t(cut.pose.up)]) + " face up";
+  if (cut.pose.quarters != 0)
+    text += ", then turned by " + std::to_string(90 * cut.pose.quarters) +
+            " degrees counter-clockwise seen from above";
+  return text;
+}
+
+namespace {
+
+/// What is to be done with the block before the program of a strip runs.
+std::vector<std::string> stepsBefore(const Evaluation& e, const Strip& strip) {
+  std::vector<std::string> steps;
+  const std::vector<CutEvaluation>& cuts = strip.block->cuts;
+  const auto place = strip.cut - cuts.data();
+  if (cuts.size() > 1)
+    steps.push_back(
+        "this is cut " + std::to_string(place + 1) + " of " + std::to_string(cuts.size()) + " of " +
+        strip.block->id +
+        (place > 0 ? "; make " + cuts[std::size_t(place - 1)].id + " before it, and take away what is cut off"
+                   : std::string()));
+  if (const std::string lies = lyingText(*std::ranges::find(e.design.cuts, strip.cut->id, &Cut::id));
+      !lies.empty())
+    steps.push_back("lay the block with " + lies +
+                    "; the work object is at its corner that then lies lowest, at the left and in front");
+  return steps;
+}
+
+}  // namespace
+
 Result<FileSet> programFiles(Evaluation& e, const Cell& cell, const std::string& name, const Policy& policy,
                              const fs::path& ofOne) {
   e.programs.clear();
@@ -215,12 +252,17 @@ Result<FileSet> programFiles(Evaluation& e, const Cell& cell, const std::string&
   Findings all;
   for (const Strip& strip : strips) {
     Findings findings;
-    const robotio::ProgramNotes notes{
-        name, words::errorsOf(findingsFor(*strip.block, found), policy.reader), {}, run};
+    const robotio::ProgramNotes notes{name,
+                                      words::errorsOf(findingsFor(*strip.block, found), policy.reader),
+                                      {},
+                                      stepsBefore(e, strip),
+                                      run};
     Result<FileSet> own = programsOf(e, strip, cell, notes, policy, findings);
     if (!own) return own;
     if (e.blocks.size() > 1)
       for (Finding& finding : findings) finding.where.block = strip.block->id;
+    if (strip.block->cuts.size() > 1)
+      for (Finding& finding : findings) finding.where.cut = strip.cut->id;
     all.insert(all.end(), findings.begin(), findings.end());
     // The folder of the only strip ends in its name, where it has one.
     const fs::path base = ofOne.filename().string().starts_with("strip-") ? ofOne.parent_path() : ofOne;

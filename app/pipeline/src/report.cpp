@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -121,6 +122,25 @@ ordered_json blockJson(const Box& block) {
           {"x", vec(block.frame.x)},
           {"y", vec(block.frame.y)},
           {"z", vec(block.frame.normal)}};
+}
+
+/// How the block lies for a cut, and what stays of it.
+ordered_json lyingJson(const Cut& cut) {
+  return {{"face_up", kBlockFaces[std::size_t(cut.pose.up)]},
+          {"turn_deg", 90 * cut.pose.quarters},
+          {"keep", kKeptSides[std::size_t(cut.keep)]}};
+}
+
+ordered_json creasesJson(const BlockEvaluation& block) {
+  ordered_json list = ordered_json::array();
+  for (const Crease& crease : block.together.value->creases)
+    list.push_back({{"cuts", {block.cuts[crease.first].id, block.cuts[crease.second].id}},
+                    {"length_mm", crease.length},
+                    {"off_max_mm", crease.offMax},
+                    {"off_mean_mm", crease.offMean},
+                    {"not_designed_mm", crease.alone},
+                    {"not_cut_mm", crease.lacking}});
+  return list;
 }
 
 ordered_json jointsJson(const Evaluation& e) {
@@ -252,7 +272,7 @@ std::string reportJson(const Evaluation& e, const std::string& run, const FileSe
                       {"kink_deg", design.process.jointKink}};
   method["cell"] = design.output.cell;
   report["method"] = method;
-  if (cut.setup && e.blocks.size() == 1) report["block"] = blockJson(cut.setup->block);
+  if (cut.setup && e.blocks.size() == 1) report["block"] = blockJson(placedBlock(design, cut));
   if (cut.directions.value) {
     const DirectionSearch& search = *cut.directions.value;
     report["directions"] = ordered_json::array();
@@ -278,12 +298,15 @@ std::string reportJson(const Evaluation& e, const std::string& run, const FileSe
         strip["stations"] = stations;
         report["strips"].push_back(strip);
       }
-      cuts.push_back({{"id", each.id}, {"strips", strips}});
+      ordered_json entry = {{"id", each.id}, {"strips", strips}};
+      entry.update(lyingJson(*std::ranges::find(design.cuts, each.id, &Cut::id)));
+      cuts.push_back(entry);
     }
     ordered_json entry = {{"id", block.id}};
     if (e.blocks.size() > 1 && block.cuts.front().setup)
-      entry.update(blockJson(block.cuts.front().setup->block));
+      entry.update(blockJson(placedBlock(design, block.cuts.front())));
     entry["cuts"] = cuts;
+    if (block.together.value) entry["creases"] = creasesJson(block);
     report["blocks"].push_back(entry);
   }
   if (e.joints.value) report["joints"] = jointsJson(e);
@@ -301,6 +324,7 @@ std::string reportJson(const Evaluation& e, const std::string& run, const FileSe
                          {"message", words::sentence(finding, reader)},
                          {"where", words::placeText(finding)}};
     if (!finding.where.block.empty()) item["block"] = finding.where.block;
+    if (!finding.where.cut.empty()) item["cut"] = finding.where.cut;
     if (finding.where.stations) item["station"] = finding.where.stations->worst;
     if (finding.where.point) item["point"] = vec(*finding.where.point);
     report["issues"].push_back(item);

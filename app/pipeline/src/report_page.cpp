@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "block_layout.h"
 #include "bw/core/base/units.h"
 #include "bw/core/blade/cutting_limits.h"
 #include "bw/core/design/program_formats.h"
@@ -163,17 +164,28 @@ void parameters(Page& page, const Evaluation& e) {
   for (const BlockEvaluation& part : e.blocks) {
     const CutEvaluation& cut = part.cuts.front();
     if (!cut.setup) continue;
-    const Box& block = cut.setup->block;
+    const Box block = placedBlock(design, cut);
     const std::string of = e.blocks.size() > 1 ? part.id + ": " : "";
     page.row({of + "Block", shortText(block.size.x(), 5) + " × " + shortText(block.size.y(), 5) + " × " +
                                 shortText(block.size.z(), 5) + " mm"});
     page.row({of + "Corner of the block, in the file's frame", position(block.frame.origin)});
     page.row({of + "Edges of the block: x", direction(block.frame.x)});
     page.row({of + "Edges of the block: y", direction(block.frame.y)});
-    page.row({of + "Cutting direction", direction(cut.setup->planes.direction())});
+    for (const CutEvaluation& each : part.cuts) {
+      if (!each.setup) continue;
+      const std::string which = part.cuts.size() > 1 ? of + each.id + ": " : of;
+      const std::string lies = lyingText(*std::ranges::find(design.cuts, each.id, &Cut::id));
+      if (!lies.empty()) page.row({which + "The block lies with", lies});
+      page.row({which + "Cutting direction", direction(each.setup->planes.direction())});
+    }
+    if (!part.together.value) continue;
+    for (const Crease& crease : part.together.value->creases)
+      page.row({of + "Edge of " + part.cuts[crease.first].id + " and " + part.cuts[crease.second].id,
+                mm(crease.length) + ", up to " + mm(crease.offMax) + " and " + mm(crease.offMean) +
+                    " on the mean from where the surfaces designed meet"});
   }
   for (const Strip& strip : stripsOf(e))
-    page.row({(e.blocks.size() > 1 ? strip.block->id + ": " : "") + "Stations",
+    page.row({stripTitle(e, strip) + "Stations",
               std::to_string(strip.cut->sweep.value->poses.size()) +
                   (strip.cut->count.value ? " (as many as the tolerance asks for)" : "")});
   page.row({"Cutting speed of the fastest point", shortText(design.process.cuttingSpeed, 4) + " mm/s"});
@@ -197,7 +209,8 @@ void findings(Page& page, const Evaluation& e) {
 }
 
 void stations(Page& page, const Evaluation& e, const Strip& strip) {
-  page.heading(e.blocks.size() > 1 ? "Stations of " + strip.block->id : "Stations");
+  const std::string of = stripTitle(e, strip);
+  page.heading(of.empty() ? "Stations" : "Stations of " + of.substr(0, of.size() - 2));
   page.begin({"Station", "Travel", "Section", "Distance", "Radius", "Angle", "Grip to block", "Margin"});
   const CutResult result = *strip.cut->result();
   for (std::size_t i = 0; i < result.size(); ++i) {

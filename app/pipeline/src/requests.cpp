@@ -9,15 +9,23 @@
 
 namespace bw::pipeline {
 
-FitRequest fitRequest(const Design& design, bool joined) {
+Blade bladeOf(const Design& design, const Cut& cut) {
+  Blade blade = design.blade;
+  if (!cut.length) return blade;
+  blade.length = *cut.length;
+  blade.autoLength = false;
+  return blade;
+}
+
+FitRequest fitRequest(const Design& design, const Cut& cut, const Box& lies, bool joined) {
   const Process& p = design.process;
-  FitRequest request{design.blade, p.fitLength, p.fitEndpoints, p.fitTangents,
-                     p.maxPeriods, p.tolerance, p.clearance};
+  FitRequest request{bladeOf(design, cut), p.fitLength, p.fitEndpoints, p.fitTangents,
+                     p.maxPeriods,         p.tolerance, p.clearance};
   if (joined) request.fitEndpoints = request.fitTangents = true;
   request.margin = p.margin;
   if (!joined) request.barrier = kLeastBarrier;  // what goes on in a neighbouring block is not bent any more
   request.blade.autoLength = false;
-  if (p.weight) request.weight = -design.blade.weight() * p.up.normalized();
+  if (p.weight) request.weight = -design.blade.weight() * upAs(lies, cut.pose, p.up.normalized());
   return request;
 }
 
@@ -26,8 +34,9 @@ CheckRequest checkRequest(const Design& design) {
   return {p.tolerance, p.clearance, p.cuttingSpeed, p.margin, p.gripError, fromDegrees(p.gripAngle)};
 }
 
-LengthRequest lengthRequest(const Design& design, bool joined) {
-  LengthRequest request{fitRequest(design, joined), checkRequest(design), entryExitRequest(design)};
+LengthRequest lengthRequest(const Design& design, const Cut& cut, const Box& lies, bool joined) {
+  LengthRequest request{fitRequest(design, cut, lies, joined), checkRequest(design),
+                        entryExitRequest(design)};
   request.fit.blade.length = Blade().length;
   return request;
 }

@@ -203,6 +203,8 @@ std::string runId(const Evaluation& e, const Cell* cell) {
   }
   Values f;
   f.text(BW_VERSION).text(designToJson(inputs)).text(fingerprintText(e.source.value->content));
+  for (const Stage<SourceRequest, CadSource>& other : e.further)
+    f.text(fingerprintText(other.value->content));
   f.number(cell ? 1 : 0);
   if (cell) add(f, *cell);
   for (const Strip& strip : stripsOf(e)) add(f, *strip.cut->motion.value);

@@ -45,7 +45,7 @@ Result<Motion> readMotion(const robotio::Program& program, std::vector<std::stri
 }
 
 /// The cut that a program is of: the one whose motion begins, goes on and ends most nearly as it does.
-const CutEvaluation& cutOf(const Evaluation& e, const Motion& motion) {
+std::pair<const BlockEvaluation*, const CutEvaluation*> cutOf(const Evaluation& e, const Motion& motion) {
   constexpr int kPlaces = 9;
   const auto apart = [&](const Motion& own) {
     if (own.instants.empty() || motion.instants.empty()) return 1e300;
@@ -60,15 +60,15 @@ const CutEvaluation& cutOf(const Evaluation& e, const Motion& motion) {
     }
     return sum + std::pow(own.duration() - motion.duration(), 2);
   };
-  const CutEvaluation* nearest = &e.cut();
+  std::pair nearest(&e.blocks.front(), &e.cut());
   double least = 1e300;
   for (const BlockEvaluation& block : e.blocks)
     for (const CutEvaluation& cut : block.cuts)
       if (const double off = apart(*cut.motion.value); off < least) {
         least = off;
-        nearest = &cut;
+        nearest = {&block, &cut};
       }
-  return *nearest;
+  return nearest;
 }
 
 /// What of the blade halts it, in words.
@@ -156,7 +156,7 @@ Result<ProgramRun> runProgram(const robotio::Program& program, const Design* des
   std::vector<std::string> broken;
   Result<Motion> motion = readMotion(program, broken);
   if (!motion) return tl::unexpected<Error>(motion.error());
-  ProgramRun run{std::move(*motion), {}, {}, {}, {}};
+  ProgramRun run{std::move(*motion), {}, {}, {}};
   Outcome outcome;
   const CutEvaluation* cut = nullptr;
   Blade blade;
@@ -169,9 +169,14 @@ Result<ProgramRun> runProgram(const robotio::Program& program, const Design* des
       length = run.motion.bladeLength;
     outcome = evaluate(*design, nullptr, context, Purpose::comparison, length);
     if (outcome.error) return tl::unexpected<Error>(*outcome.error);
-    cut = &cutOf(outcome.evaluation, run.motion);
+    const Evaluation& e = outcome.evaluation;
+    const auto [block, nearest] = cutOf(e, run.motion);
+    cut = nearest;
+    run.block = block->id;
+    run.cut = cut->id;
+    run.alone = e.blocks.size() == 1 && block->cuts.size() == 1;
     blade = cut->sweep.value->request.blade;
-    weight = fitRequest(*design).weight;
+    weight = cut->sweep.value->request.weight;
     if (run.motion.bladeLength > 0 && std::abs(run.motion.bladeLength - blade.length) > kSameLength)
       return fail(ErrorCode::badInput,
                   "the program is for a blade of " + shortText(run.motion.bladeLength, 7) +
@@ -206,7 +211,7 @@ Result<ProgramRun> runProgram(const robotio::Program& program, const Design* des
           "the design has " +
           (errors.size() == 1 ? "an error: " : std::to_string(errors.size()) + " errors: ") + errors.front());
   }
-  if (gripsExchanged(run.motion, design ? outcome.evaluation.cut().motion.value.get() : nullptr))
+  if (gripsExchanged(run.motion, cut ? cut->motion.value.get() : nullptr))
     run.exceeded.push_back(
         "the grips are exchanged: the poses of the left end of the blade hold its right one, and those of "
         "the "
@@ -234,6 +239,8 @@ std::string simulationText(const ProgramRun& run) {
   object["moments"] = simulation.blades.size();
   object["seconds"] = run.motion.duration();
   object["blade_length"] = run.motion.bladeLength;
+  object["block"] = run.block.empty() ? ordered_json(nullptr) : ordered_json(run.block);
+  object["cut"] = run.cut.empty() ? ordered_json(nullptr) : ordered_json(run.cut);
   const bool ran = !simulation.blades.empty();
   object["entry"] = !ran                 ? ordered_json(nullptr)
                     : simulation.decided ? ordered_json("decided")

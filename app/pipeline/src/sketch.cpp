@@ -43,10 +43,12 @@ const CutSketch* Sketch::find(const std::string& id) const {
 }
 
 Sketcher::Sketcher(std::shared_ptr<const Evaluation> from) : from_(std::move(from)) {
-  surface_ = from_->design.source().surface;
-  if (surface_)
-    if (const Result<SplineSurface> spline = splineOf(*surface_))
-      spline_ = std::make_shared<const SplineSurface>(*spline);
+  for (const Source& source : from_->design.sources) {
+    Surface& surface = surfaces_.emplace_back(Surface{source.surface});
+    if (!source.surface) continue;
+    if (const Result<SplineSurface> spline = splineOf(*source.surface))
+      surface.spline = std::make_shared<const SplineSurface>(*spline);
+  }
   for (const BlockEvaluation& block : from_->blocks)
     for (const CutEvaluation& cut : block.cuts) {
       Row& row = rows_.emplace_back();
@@ -54,45 +56,60 @@ Sketcher::Sketcher(std::shared_ptr<const Evaluation> from) : from_(std::move(fro
       row.mesh = cut.targetMesh.value;
       row.sections = cut.sections.value;
       row.planes = cut.sections.request;
-      row.spline = spline_;
+      row.spline = surfaceOf(from_->design, cutToMake(from_->design, cut.id)).spline;
     }
 }
 
-/// Takes the surface of a design; false where it has none that can be told.
-bool Sketcher::takeSurface(const Design& design) {
-  const std::optional<DesignedSurface>& surface = design.source().surface;
-  if (surface == surface_) return true;
-  const Result<SplineSurface> spline = splineOf(*surface);
-  if (!spline) return false;
-  const Result<geometry::CadModel> model = geometry::CadModel::of(*spline, "the designed surface");
-  if (!model) return false;
-  surface_ = surface;
-  spline_ = std::make_shared<const SplineSurface>(*spline);
-  model_ = *model;
+const Sketcher::Surface& Sketcher::surfaceOf(const Design& design, const Cut& cut) const {
+  return surfaces_[std::size_t(&design.sourceOf(cut) - design.sources.data())];
+}
+
+/// Takes the surfaces of a design; false where it has one that cannot be told.
+bool Sketcher::takeSurfaces(const Design& design) {
+  for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+    const std::optional<DesignedSurface>& surface = design.sources[i].surface;
+    Surface& known = surfaces_[i];
+    if (surface == known.surface) continue;
+    const Result<SplineSurface> spline = splineOf(*surface);
+    if (!spline) return false;
+    const Result<geometry::CadModel> model = geometry::CadModel::of(*spline, "the designed surface");
+    if (!model) return false;
+    known = {surface, std::make_shared<const SplineSurface>(*spline), *model};
+  }
   return true;
 }
+
+namespace {
+
+/// True if both have the same sources, but for the numbers of their surfaces.
+bool sameSources(const Design& design, const Design& known) {
+  return std::ranges::equal(design.sources, known.sources, [&](const Source& is, const Source& was) {
+    if (is.id != was.id || is.surface.has_value() != was.surface.has_value()) return false;
+    return is.surface ||
+           (is.path == was.path && is.bytes == was.bytes && design.readOptions(is) == known.readOptions(was));
+  });
+}
+
+}  // namespace
 
 std::optional<Sketch> Sketcher::draw(const Design& design, const RunContext& context) {
   const auto start = std::chrono::steady_clock::now();
   const Design& known = from_->design;
-  const Source &is = design.source(), &was = known.source();
-  const bool sameFile =
-      is.path == was.path && is.bytes == was.bytes && design.readOptions(is) == known.readOptions(was);
-  if (is.surface.has_value() != was.surface.has_value() || (!is.surface && !sameFile)) return {};
+  if (!sameSources(design, known)) return {};
   if (design.stock.size() != known.stock.size() || design.cuts.size() != known.cuts.size()) return {};
   if (design.blade.autoLength) return {};
-  if (!takeSurface(design)) return {};
+  if (!takeSurfaces(design)) return {};
   Sketch sketch{design, {}};
   std::size_t index = 0;
   for (std::size_t b = 0; b < from_->blocks.size(); ++b) {
     const auto stock = std::ranges::find(design.stock, from_->blocks[b].id, &StockBlock::id);
     if (stock == design.stock.end()) return {};
-    std::optional<BlockPlacement> placement = stock->placement;
+    // A block that lies around the surfaces of several cuts is not found again here.
+    if (!stock->placement && from_->blocks[b].cuts.size() > 1) return {};
     std::vector<CutSketch>& cuts = sketch.blocks.emplace_back();
     for (const CutEvaluation& cut : from_->blocks[b].cuts) {
-      std::optional<CutSketch> drawn = draw(design, index++, cut, placement, context);
+      std::optional<CutSketch> drawn = draw(design, index++, cut, stock->placement, context);
       if (!drawn) return {};
-      if (!placement) placement = placementOf(drawn->setup->block);
       cuts.push_back(std::move(*drawn));
     }
   }
@@ -107,18 +124,20 @@ std::optional<CutSketch> Sketcher::draw(const Design& design, std::size_t index,
   if (std::ranges::find(design.cuts, cut.id, &Cut::id) == design.cuts.end()) return {};
   const Cut asked = cutToMake(design, cut.id);
   if (asked.face != cut.target.request || !cut.result()) return {};
-  const bool moved = row.spline != spline_;
+  if (asked.source != from_->design.sourceOf(cutToMake(from_->design, cut.id)).id) return {};
+  const auto& [surface, spline, model] = surfaceOf(design, asked);
+  const bool moved = row.spline != spline;
   if (moved) {
-    const Result<geometry::Target> target = geometry::Target::make(*model_, asked.face);
+    const Result<geometry::Target> target = geometry::Target::make(*model, asked.face);
     if (!target) return {};
     row.target = std::make_shared<const geometry::Target>(*target);
-    row.mesh = std::make_shared<const TriangleMesh>(meshOf(*spline_));
+    row.mesh = std::make_shared<const TriangleMesh>(meshOf(*spline));
   }
 
   Findings unsaid;
   PlanesRequest planes{{}, asked.sections};
   const Result<geometry::Setup> setup =
-      geometry::resolveSetup(*row.target, {placement, asked.direction}, unsaid);
+      geometry::resolveSetup(*row.target, {placement, asked.direction, asked.pose}, unsaid);
   if (!setup) return {};
   planes.setup = *setup;
   if (!asked.direction)
@@ -126,8 +145,8 @@ std::optional<CutSketch> Sketcher::draw(const Design& design, std::size_t index,
   if (planes.sections.byTolerance()) planes.sections.stations = cut.sections.request.sections.stations;
   if (moved || planes != row.planes) {
     std::optional<std::vector<Section>> sections;
-    if (planes == row.planes && row.spline && spline_)
-      sections = isoSections(*spline_, *row.spline, *row.sections, planes.setup.block);
+    if (planes == row.planes && row.spline && spline)
+      sections = isoSections(*spline, *row.spline, *row.sections, planes.setup.block);
     if (!sections) {
       Result<std::vector<Section>> traced =
           geometry::cutSections(*row.target, planes.setup, planes.sections, context, unsaid);
@@ -136,11 +155,11 @@ std::optional<CutSketch> Sketcher::draw(const Design& design, std::size_t index,
     }
     row.sections = std::make_shared<const std::vector<Section>>(std::move(*sections));
     row.planes = planes;
-    row.spline = spline_;
+    row.spline = spline;
   }
 
   const FitRequest& before = cut.sweep.value->request;
-  const FitRequest fit = fitRequest(design, before.fitEndpoints && before.fitTangents);
+  const FitRequest fit = fitRequest(design, asked, setup->block, before.fitEndpoints && before.fitTangents);
   if (!row.live) {
     row.live = LiveRow::of(*cut.sweep.value, context);
     if (row.live) row.sketcher.emplace(*cut.sweep.value, *cut.certainty.value, *cut.rest.value);

@@ -50,6 +50,8 @@ constexpr std::pair<FindingKind, const char*> kWords[] = {{FindingKind::fit, "fi
                                                           {FindingKind::source, "source"},
                                                           {FindingKind::joint, "joint"},
                                                           {FindingKind::blocks, "blocks"},
+                                                          {FindingKind::crease, "crease"},
+                                                          {FindingKind::cuts, "cuts"},
                                                           {FindingKind::cell, "cell"},
                                                           {FindingKind::cellSides, "cell-sides"},
                                                           {FindingKind::program, "program"},
@@ -103,8 +105,11 @@ std::string placeText(const Finding& finding) {
 }
 
 std::string sentence(const Finding& finding, Reader reader) {
-  const std::string block = finding.where.block.empty() ? "" : finding.where.block + ": ";
-  return block + std::visit(Sentences{finding, reader}, finding.cause);
+  const auto& [stations, point, block, cut] = finding.where;
+  // Cuts of a grid have their block in their names.
+  const bool both = !block.empty() && !cut.empty() && !cut.ends_with("-" + block);
+  const std::string place = both ? block + ", " + cut : cut.empty() ? block : cut;
+  return (place.empty() ? "" : place + ": ") + std::visit(Sentences{finding, reader}, finding.cause);
 }
 
 std::string listed(const Finding& finding, Reader reader) {

@@ -409,4 +409,33 @@ std::string Sentences::operator()(const BlocksMissed& cause) const {
          " blocks are not met by the surface, and nothing is cut of them: " + names;
 }
 
+std::string Sentences::operator()(const CutDropped& cause) const {
+  return "the cut " + cause.cut + " is not made: it comes " +
+         (cause.met > 0 ? "only " + mm(cause.met) + " into" : "nowhere into") +
+         " what the cuts before it leave of the block (tolerance " + mm(cause.tolerance) +
+         "); take it away, or make it earlier (order)";
+}
+
+std::string Sentences::operator()(const CreaseOff& cause) const {
+  const std::string edge = "the edge that " + cause.one + " and " + cause.other + " leave";
+  std::string text;
+  if (cause.most > cause.tolerance)
+    text = edge + " lies up to " + mm(cause.most) + " from where the surfaces designed meet, " +
+           mm(cause.mean) + " on the mean (tolerance " + mm(cause.tolerance) + ")";
+  if (cause.lacking > 0)
+    text += (text.empty() ? edge : std::string(", and")) + " lacks " + mm(cause.lacking) +
+            " of where the surfaces designed meet";
+  return text +
+         "; the flatter the angle in which cuts meet, the more their deviations move it: a lower "
+         "tolerance or a steeper angle helps";
+}
+
+std::string Sentences::operator()(const TakesSurface& cause) const {
+  return "where the blade of " + cause.cut + " goes on beyond its own surface it takes up to " +
+         mm(cause.depth) + " of the foam below " + cause.of + " away (tolerance " + mm(cause.tolerance) +
+         "): a blade goes through the whole block, so that no two cuts leave a hollow edge; make the hollow "
+         "one "
+         "cut, or part the block there";
+}
+
 }  // namespace bw::words

@@ -49,6 +49,9 @@ struct Sentences {
   std::string operator()(const JointKink& cause) const;
   std::string operator()(const JointOpen& cause) const;
   std::string operator()(const BlocksMissed& cause) const;
+  std::string operator()(const CutDropped& cause) const;
+  std::string operator()(const CreaseOff& cause) const;
+  std::string operator()(const TakesSurface& cause) const;
   // Surfaces and sections.
   std::string operator()(const SectionMissing& cause) const;
   std::string operator()(const SectionPoint& cause) const;

@@ -25,7 +25,8 @@ bool exceedsLimit(const Findings& findings) {
     if (f.severity != Severity::warning) return f.severity == Severity::error;
     const FindingKind kind = f.kind();
     return kind == FindingKind::deviation || kind == FindingKind::clearance ||
-           kind == FindingKind::stability || kind == FindingKind::motion || kind == FindingKind::joint;
+           kind == FindingKind::stability || kind == FindingKind::motion || kind == FindingKind::joint ||
+           kind == FindingKind::crease;
   });
 }
 

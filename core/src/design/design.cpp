@@ -182,12 +182,8 @@ void readList(ObjectReader& reader, const char* key, const char* what, std::size
   if (!value->is_array() || value->empty() || value->size() > most)
     return reader.complain(
         key,
-        path +
-            (most == 1 ? " must be a list of one entry"
-                       : " must be a list of 1 to " + std::to_string(most) + " entries") +
-            (value->is_array() ? ", not of " + std::to_string(value->size()) +
-                                     (most == 1 ? ": this version works on one source" : "")
-                               : std::string()),
+        path + " must be a list of 1 to " + std::to_string(most) + " entries" +
+            (value->is_array() ? ", not of " + std::to_string(value->size()) : std::string()),
         value->is_array() ? std::optional(double(value->size())) : std::nullopt, double(most));
   std::set<std::string> ids;
   list.clear();
@@ -207,11 +203,24 @@ void readList(ObjectReader& reader, const char* key, const char* what, std::size
   }
 }
 
-void readReference(ObjectReader& reader, const char* key, std::string& id, const std::string& there) {
-  reader.text(key, id);
-  if (id != there)
-    reader.complain(
-        key, reader.path() + "." + key + " names \"" + id + "\", but the design has \"" + there + "\"");
+/// A name that none of those parts has.
+template <class Part>
+void complainOf(ObjectReader& reader, const char* key, const std::string& id, const std::vector<Part>& parts,
+                const char* what) {
+  std::vector<std::string> ids;
+  for (const Part& part : parts) ids.push_back(part.id);
+  const std::string nearest = nearestWord(id, ids.data(), int(ids.size()));
+  reader.complain(
+      key, reader.path() + "." + key + " names \"" + id + "\", but the design has " +
+               (ids.size() == 1 ? "\"" + ids.front() + "\"" : std::to_string(ids.size()) + " other " + what) +
+               (nearest.empty() || ids.size() == 1 ? "" : "; did you mean \"" + nearest + "\"?"));
+}
+
+/// The key "source" of a cut: one of the sources, the first where it is left out.
+void readSourceReference(ObjectReader& reader, const Design& design, std::string& id) {
+  id = design.source().id;
+  reader.text("source", id);
+  if (!design.find(id)) complainOf(reader, "source", id, design.sources, "sources");
 }
 
 /// The key "block" of a cut: one of the blocks. Left out it is the only one, or under a grid each of them.
@@ -224,14 +233,7 @@ void readBlockReference(ObjectReader& reader, const Design& design, Cut& cut) {
     return reader.complain("block", reader.path() + " needs the key block: the id of one of the " +
                                         std::to_string(design.stock.size()) + " blocks");
   if (std::ranges::find(design.stock, cut.block, &StockBlock::id) != design.stock.end()) return;
-  std::vector<std::string> ids;
-  for (const StockBlock& block : design.stock) ids.push_back(block.id);
-  const std::string nearest = nearestWord(cut.block, ids.data(), int(ids.size()));
-  reader.complain(
-      "block",
-      reader.path() + ".block names \"" + cut.block + "\", but the design has " +
-          (ids.size() == 1 ? "\"" + ids.front() + "\"" : std::to_string(ids.size()) + " other blocks") +
-          (nearest.empty() || ids.size() == 1 ? "" : "; did you mean \"" + nearest + "\"?"));
+  complainOf(reader, "block", cut.block, design.stock, "blocks");
 }
 
 /// The blocks: those of a list, or those of a grid.
@@ -251,10 +253,10 @@ void readCuts(ObjectReader& reader, Design& design) {
   list.front().source = design.source().id;
   list.front().block = design.grid ? std::string() : design.block().id;
   readList(reader, "cuts", "cut", std::size_t(Design::kMostCuts), list, [&](ObjectReader& inner, Cut& cut) {
-    cut.source = design.source().id;
-    readReference(inner, "source", cut.source, design.source().id);
+    readSourceReference(inner, design, cut.source);
     readBlockReference(inner, design, cut);
     detail::readCutKeys(inner, cut);
+    detail::readBlockCutKeys(inner, cut);
   });
   if (!design.grid) {
     design.cuts = std::move(list);
@@ -288,16 +290,23 @@ Result<Design> presentDesign(ObjectReader& reader, const json& object) {
   detail::readVariables(reader, design.variables);
   for (const Variable& variable : design.variables)
     reader.scope()->numbers.push_back({variable.name, variable.value});
-  readList(reader, "sources", "source", 1, design.sources, [](ObjectReader& inner, Source& source) {
-    detail::readSurface(inner, source.surface);
-    if (source.surface)
-      for (const char* key : {"path", "base64", "fingerprint", "unit", "sewing"})
-        if (inner.has(key))
-          inner.complain(key, inner.path() + " has a surface of its own and the key " + key +
-                                  " of a CAD file; keep one of them");
-    readFileKeys(inner, source);
-    detail::readSourceKeys(inner, source);
-  });
+  readList(reader, "sources", "source", std::size_t(Design::kMostSources), design.sources,
+           [](ObjectReader& inner, Source& source) {
+             detail::readSurface(inner, source.surface);
+             if (source.surface)
+               for (const char* key : {"path", "base64", "fingerprint", "unit", "sewing"})
+                 if (inner.has(key))
+                   inner.complain(key, inner.path() + " has a surface of its own and the key " + key +
+                                           " of a CAD file; keep one of them");
+             readFileKeys(inner, source);
+             detail::readSourceKeys(inner, source);
+           });
+  for (std::size_t i = 1; i < design.sources.size(); ++i)
+    if (!design.sources[i].surface)
+      reader.complain("sources",
+                      reader.path() + ".sources[" + std::to_string(i) +
+                          "] is a CAD file; only the first source may be one: put all faces into one "
+                          "file, or describe the others as surfaces");
   readStock(reader, design);
   readCuts(reader, design);
   if (Result<void> ok = detail::readBladeKeys(reader, object, design.blade); !ok)
@@ -334,6 +343,11 @@ std::vector<Cut> cutsOf(const std::vector<StockBlock>& stock, const std::vector<
     }
   for (const Cut& cut : own) add(cut);
   return cuts;
+}
+
+const Source* Design::find(const std::string& id) const {
+  const auto found = std::ranges::find(sources, id, &Source::id);
+  return found == sources.end() ? nullptr : &*found;
 }
 
 ReadOptions Design::readOptions(const Source& of) const {
@@ -453,6 +467,7 @@ nlohmann::ordered_json detail::designJson(const Design& design) {
     json part = {{"id", cut.id}, {"source", cut.source}};
     if (!cut.block.empty()) part["block"] = cut.block;
     detail::writeCutKeys(cut, part);
+    detail::writeBlockCutKeys(cut, part);
     cuts.push_back(std::move(part));
   }
   object["sources"] = sources;

@@ -212,6 +212,35 @@ void readStations(ObjectReader& reader, SectionRequest& sections) {
   sections.stations = stations;
 }
 
+/// The key "turn_deg".
+void readTurn(ObjectReader& reader, int& quarters) {
+  constexpr int kQuarter = 90;
+  int degrees = kQuarter * quarters;
+  reader.integer("turn_deg", degrees, 0, 3 * kQuarter);
+  if (degrees % kQuarter != 0)
+    reader.complain("turn_deg",
+                    reader.path() + ".turn_deg must be 0, 90, 180 or 270, not " + std::to_string(degrees) +
+                        ": a block lies on one of its faces along the work object",
+                    degrees, kQuarter * ((degrees + kQuarter / 2) / kQuarter));
+  quarters = degrees / kQuarter;
+}
+
+void readOrder(ObjectReader& reader, std::optional<int>& order) {
+  const json* value = reader.member("order");
+  if (!value) return;
+  if (*value == "auto") return order.reset();
+  int place = 1;
+  reader.integer("order", place, 1, Cut::kMostOrder);
+  order = place;
+}
+
+void readCutLength(ObjectReader& reader, std::optional<double>& length) {
+  const json* value = reader.member("blade_length");
+  if (!value) return;
+  if (*value == "blade") return length.reset();
+  reader.number("blade_length", length, 10, Blade::kLongest);
+}
+
 /// The key "up".
 void readUp(ObjectReader& reader, Eigen::Vector3d& up) {
   Eigen::Vector3d v = up;
@@ -312,6 +341,17 @@ void readCutKeys(ObjectReader& reader, Cut& cut) {
   cut.sections.route = SectionRoute(route);
 }
 
+void readBlockCutKeys(ObjectReader& reader, Cut& cut) {
+  int face = int(cut.pose.up), keep = int(cut.keep);
+  reader.word("face_up", {kBlockFaces.begin(), kBlockFaces.end()}, face);
+  cut.pose.up = BlockFace(face);
+  readTurn(reader, cut.pose.quarters);
+  reader.word("keep", {kKeptSides.begin(), kKeptSides.end()}, keep);
+  cut.keep = KeptSide(keep);
+  readOrder(reader, cut.order);
+  readCutLength(reader, cut.length);
+}
+
 void readProcessKeys(ObjectReader& reader, Process& process) {
   readFit(reader, process);
   readJoin(reader, process);
@@ -356,6 +396,14 @@ void writeCutKeys(const Cut& cut, json& object) {
   object["planes"] = {{"type", "parallel"}};
   object["stations"] = stationsJson(cut.sections);
   object["sections"] = kSectionRoutes[std::size_t(cut.sections.route)];
+}
+
+void writeBlockCutKeys(const Cut& cut, json& object) {
+  if (cut.pose.up != BlockFace::top) object["face_up"] = kBlockFaces[std::size_t(cut.pose.up)];
+  if (cut.pose.quarters != 0) object["turn_deg"] = 90 * cut.pose.quarters;
+  if (cut.keep != KeptSide::below) object["keep"] = kKeptSides[std::size_t(cut.keep)];
+  if (cut.order) object["order"] = *cut.order;
+  if (cut.length) object["blade_length"] = *cut.length;
 }
 
 void writeProcessKeys(const Process& process, json& object) {

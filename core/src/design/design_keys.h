@@ -29,7 +29,8 @@ nlohmann::json surfaceJson(const DesignedSurface& surface,
 void readSourceKeys(ObjectReader& reader, Source& source);            ///< unit, sewing
 void readPlacement(ObjectReader& reader, StockBlock& block);          ///< block
 void readGrid(ObjectReader& reader, std::optional<BlockGrid>& grid);  ///< grid
-void readCutKeys(ObjectReader& reader, Cut& cut);  ///< face, near, direction, planes, stations, sections
+void readCutKeys(ObjectReader& reader, Cut& cut);       ///< face, near, direction, planes, stations, sections
+void readBlockCutKeys(ObjectReader& reader, Cut& cut);  ///< face_up, turn_deg, keep, order, blade_length
 void readProcessKeys(ObjectReader& reader, Process& process);  ///< fit, and the table of its numbers
 void readOutputKeys(ObjectReader& reader, Output& output);     ///< programs, cell
 /// blade: an error where the default preset is needed and not there. `object` is that of the reader.
@@ -40,6 +41,8 @@ void writePlacement(const StockBlock& block, nlohmann::json& object);
 /// `isBound(place)` as that of `surfaceJson`, of the whole design.
 nlohmann::json gridJson(const BlockGrid& grid, const std::function<bool(const std::string&)>& isBound);
 void writeCutKeys(const Cut& cut, nlohmann::json& object);
+/// What is as usual is left out.
+void writeBlockCutKeys(const Cut& cut, nlohmann::json& object);
 void writeProcessKeys(const Process& process, nlohmann::json& object);
 
 }  // namespace bw::detail

@@ -120,6 +120,7 @@ class TaskWriter {
         extension_(robotWare7 ? ".modx" : ".mod"),
         mark_(unsafeMark(notes.errors)),
         warnings_(notes.warnings),
+        before_(notes.before),
         run_(runLine(notes.run, task_.name, plan.bladeLength)),
         module_(module) {
     for (const ProgramMove& move : plan.moves) {
@@ -172,6 +173,7 @@ class TaskWriter {
                     " in the cell " + ascii(cell_.name) + ".");
     out.line(1, "! " + std::to_string(targets_) + " targets, " + fixedText(plan_.cuttingTime, 1) +
                     " s of cutting, blade length " + fixedText(plan_.bladeLength, 2) + " mm.");
+    for (const std::string& line : before_) out.line(1, "! BEFORE: " + ascii(line) + ".");
     out.line(1, "! Start only with all robots at home: the first move is not synchronised.");
     out.line(1, "! confdata is [0,0,0,0] and not verified (ConfL is off): check the axis");
     out.line(1, "! configuration, the reach and the way from home on the cell, slowly and cold.");
@@ -281,7 +283,7 @@ class TaskWriter {
   const CellTask& task_;
   std::size_t end_;
   std::string extension_;
-  std::vector<std::string> mark_, warnings_;
+  std::vector<std::string> mark_, warnings_, before_;
   std::string run_;  ///< the line that tells the run, the task and the blade
   std::string module_;
   std::size_t targets_ = 0, digits_ = 0, parts_ = 0;

@@ -19,7 +19,7 @@ constexpr double kFarthest = 400;                       // mm that a handle is m
 constexpr double kSteepest = 0.999;                     // cosine between the way and the line of sight
 
 const DesignedSurface* surfaceOf(const Workbench& bench) {
-  return bench.design().source().surface ? &*bench.design().source().surface : nullptr;
+  return bench.source().surface ? &*bench.source().surface : nullptr;
 }
 
 /// The number that a handle moves, in a surface that has it; null if there is none.
@@ -185,9 +185,9 @@ void SurfaceHandles::press(int handle, const QPointF& position, Qt::KeyboardModi
       Pull{handle, *surface, along(position, all[std::size_t(handle)]).value_or(0), 0, bench_.newMergeId()};
   const Design design = bench_.design();
   bench_.runner().seekReach(
-      [design, from = *surface, moved = held()](double by) {
+      [design, cut = bench_.cut(), from = *surface, moved = held()](double by) {
         Design pulled = design;
-        pulled.source().surface = movedBy(from, moved, by);
+        pulled.sourceOf(cut).surface = movedBy(from, moved, by);
         return pulled;
       },
       kFarthest);
@@ -264,8 +264,8 @@ void SurfaceHandles::pull(double by, bool live) {
   const DesignedSurface pulled = movedBy(pull_->from, moved, by);
   const QString text = moved.size() > 1 ? tr("Move %1 handles").arg(moved.size())
                                         : tr("Move %1").arg(nameOf(pull_->handle).toLower());
-  bench_.editDesign(
-      text, [&](Design& design) { design.source().surface = pulled; }, pull_->mergeId, live);
+  bench_.editSurface(
+      text, [&](DesignedSurface& surface) { surface = pulled; }, pull_->mergeId, live);
 }
 
 void SurfaceHandles::release(int handle, bool givenUp) {

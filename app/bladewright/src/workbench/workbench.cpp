@@ -378,6 +378,17 @@ void Workbench::editCut(const QString& text, const std::function<void(Cut&)>& ch
       mergeId, live);
 }
 
+void Workbench::editSurface(const QString& text, const std::function<void(DesignedSurface&)>& change,
+                            int mergeId, bool live) {
+  editDesign(
+      text,
+      [&](Design& design) {
+        if (std::optional<DesignedSurface>& surface = design.sourceOf(cutOf(design)).surface)
+          change(*surface);
+      },
+      mergeId, live);
+}
+
 void Workbench::editBlock(const QString& text, const std::function<void(StockBlock&)>& change) {
   editDesign(text, [&](Design& design) {
     change(*std::ranges::find(design.stock, selection_.block, &StockBlock::id));

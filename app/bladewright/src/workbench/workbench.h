@@ -116,6 +116,8 @@ class Workbench : public QObject {
   /// The cut and the block selected, in the design.
   const Cut& cut() const;
   const StockBlock& block() const;
+  /// What the cut selected is of.
+  const Source& source() const { return design().sourceOf(cut()); }
 
   /// Seconds from the start of the cut.
   double playTime() const { return playTime_; }
@@ -189,6 +191,9 @@ class Workbench : public QObject {
   void editCut(const QString& text, const std::function<void(Cut&)>& change, int mergeId = -1,
                bool live = false);
   void editBlock(const QString& text, const std::function<void(StockBlock&)>& change);
+  /// The same for the designed surface that the cut selected is of.
+  void editSurface(const QString& text, const std::function<void(DesignedSurface&)>& change, int mergeId = -1,
+                   bool live = false);
   /// A number for the moves of one drag.
   int newMergeId() { return ++lastMergeId_; }
 

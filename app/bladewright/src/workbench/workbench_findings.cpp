@@ -64,6 +64,10 @@ struct Mend {
   Cut& cut;
 
   void operator()(const OtherLength& remedy) const {
+    if (cut.length) {
+      cut.length = remedy.length;
+      return;
+    }
     design.blade.length = remedy.length;
     design.blade.autoLength = false;
   }
@@ -92,8 +96,14 @@ struct Mend {
 }  // namespace
 
 void Workbench::showPlace(const Message& message) {
-  const auto result = sweep();
   const Place place = message.finding ? message.finding->where : Place{};
+  // Numbers of stations, and what a remedy changes, are those of its cut.
+  const auto concerned = std::ranges::find_if(design().cuts, [&place](const Cut& own) {
+    return place.cut.empty() ? own.block == place.block : own.id == place.cut;
+  });
+  if (concerned != design().cuts.end() && (!place.cut.empty() || concerned->block != cut().block))
+    select({Selection::Kind::result, -1, concerned->block, concerned->id});
+  const auto result = sweep();
   Spot spot{message.severity, message.text, {}, {}};
   const auto add = [&](const Box& block) {
     for (const Eigen::Vector3d& corner : block.corners())

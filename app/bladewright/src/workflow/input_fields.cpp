@@ -259,7 +259,7 @@ void InputFields::embed(bool on) {
 void InputFields::refresh() {
   const Design& design = *bench_.document().design();
   const std::string file = design.source().path.filename().string();
-  const auto& surface = design.source().surface;
+  const auto& surface = bench_.source().surface;
   fileName_->setText(surface        ? tr("Designed surface")
                      : file.empty() ? tr("No file")
                                     : QString::fromStdString(file));
@@ -295,7 +295,7 @@ void InputFields::refreshState() {
   const bool missing = bench_.sourceMissing(), there = bench_.canReload();
   replace_->setEnabled(!bench_.document().empty());
   reload_->setEnabled(there);
-  const bool designed = bench_.document().design()->source().surface.has_value();
+  const bool designed = bench_.source().surface.has_value();
   reload_->setVisible(!missing && !designed);
   locate_->setVisible(missing);
   embed_->setEnabled(!embed_->isChecked() || there);

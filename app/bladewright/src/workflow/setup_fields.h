@@ -72,4 +72,20 @@ class BlockFields : public QObject {
   std::vector<Number> numbers_;
 };
 
+/// Which cut is at work, and what is told of it in its block; edits go to the cut.
+class CutFields : public QObject {
+  Q_OBJECT
+
+ public:
+  /// The choice among cuts goes to `column`, the rest to `block`.
+  CutFields(Workbench& bench, FormColumn* column, FormColumn* block, QObject* parent);
+  void refresh();
+
+ private:
+  void refreshChoice();
+
+  Workbench& bench_;
+  ChoiceField *cut_, *up_, *turn_, *keep_, *order_;
+};
+
 }  // namespace bw::app

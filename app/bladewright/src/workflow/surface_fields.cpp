@@ -20,8 +20,6 @@ constexpr std::size_t kMostFields = 120;  // more numbers are for the file
 constexpr int kGridFieldWidth = 62;
 constexpr int kMostColumns = 4;  // of poles beside each other; more scroll
 
-const char* const kSurface = "/sources/0/surface";
-
 std::string at(const std::string& list, std::size_t i) { return list + "/" + std::to_string(i); }
 
 /// What lines are needed: its kind and its counts.
@@ -105,14 +103,14 @@ SurfaceFields::SurfaceFields(Workbench& bench, QWidget* parent)
 
 void SurfaceFields::refresh() {
   const Design& design = bench_.design();
-  setVisible(design.source().surface.has_value());
-  if (!design.source().surface) {
+  setVisible(bench_.source().surface.has_value());
+  if (!bench_.source().surface) {
     empty(*layout_);
     built_.clear();
     numbers_.clear();
     return;
   }
-  DesignedSurface surface = *design.source().surface;
+  DesignedSurface surface = *bench_.source().surface;
   if (const std::string structure = structureOf(surface); structure != built_) {
     rebuild(surface);
     built_ = structure;
@@ -120,8 +118,8 @@ void SurfaceFields::refresh() {
   kinds_->show(int(surface.shape.index()));
   for (const Number& number : numbers_) {
     number.field->show(number.get(surface));
-    auto bound = design.bindings.find(number.pointer);
-    if (bound == design.bindings.end()) bound = design.bindings.find(number.pointer + "/height");
+    auto bound = design.bindings.find(pointer() + number.place);
+    if (bound == design.bindings.end()) bound = design.bindings.find(pointer() + number.place + "/height");
     number.field->setToolTip(bound == design.bindings.end()
                                  ? number.tip
                                  : number.tip + "\n" +
@@ -161,7 +159,7 @@ NumberField* SurfaceFields::field(const Get& get, const std::string& place, cons
   connect(field, &NumberField::edited, this, [this, get, name](double value) {
     edit(tr("Change %1").arg(name), [&](DesignedSurface& surface) { get(surface) = value; });
   });
-  numbers_.push_back({field, get, kSurface + place, name});
+  numbers_.push_back({field, get, place, name});
   return field;
 }
 
@@ -184,7 +182,7 @@ void SurfaceFields::addPoles(FormColumn* column, const PolesSurface& surface) {
     auto* count = column->add(name, new NumberField({degree + 1.0, PolesSurface::kMost, 0, 1, {}}),
                               tr("The surface stays as near to itself as that many poles let it"));
     connect(count, &NumberField::edited, this, [this, across](double value) {
-      const auto& poles = std::get<PolesSurface>(bench_.design().source().surface->shape);
+      const auto& poles = std::get<PolesSurface>(bench_.source().surface->shape);
       changeCounts(across ? int(value) : poles.columns, across ? poles.rows : int(value));
     });
     return count;
@@ -282,9 +280,13 @@ void SurfaceFields::addSections(FormColumn* column, const SectionsSurface& surfa
   }
 }
 
+std::string SurfaceFields::pointer() const {
+  return "/sources/" + std::to_string(&bench_.source() - bench_.design().sources.data()) + "/surface";
+}
+
 void SurfaceFields::edit(const QString& text, const std::function<void(DesignedSurface&)>& change) {
   Design changed = bench_.design();
-  change(*changed.source().surface);
+  change(*changed.sourceOf(bench_.cut()).surface);
   take(text, changed);
 }
 
@@ -296,7 +298,7 @@ void SurfaceFields::take(const QString& text, const Design& changed) {
 }
 
 void SurfaceFields::changeKind(int kind) {
-  const DesignedSurface& surface = *bench_.design().source().surface;
+  const DesignedSurface& surface = *bench_.source().surface;
   if (kind == int(surface.shape.index())) return;
   DesignedSurface own = surface;
   own.origin.setZero();
@@ -311,7 +313,7 @@ void SurfaceFields::changeKind(int kind) {
 }
 
 void SurfaceFields::changeCounts(int columns, int rows) {
-  const auto& poles = std::get<PolesSurface>(bench_.design().source().surface->shape);
+  const auto& poles = std::get<PolesSurface>(bench_.source().surface->shape);
   Result<PolesSurface> other = resampled(poles, columns, rows);
   if (other) return replace(tr("Change number of poles"), std::move(*other));
   bench_.tell(Topic::other, other.error());
@@ -320,8 +322,9 @@ void SurfaceFields::changeCounts(int columns, int rows) {
 
 void SurfaceFields::replace(const QString& text, SurfaceShape shape) {
   Design changed = bench_.design();
-  changed.source().surface->shape = std::move(shape);
-  std::erase_if(changed.bindings, [](const auto& bound) { return bound.first.starts_with(kSurface); });
+  changed.sourceOf(bench_.cut()).surface->shape = std::move(shape);
+  std::erase_if(changed.bindings,
+                [own = pointer() + "/"](const auto& bound) { return bound.first.starts_with(own); });
   take(text, changed);
 }
 

@@ -58,6 +58,8 @@ class SurfaceFields : public QWidget {
   void addRectangle(FormColumn* column);
   /// A field for a number of the surface, in the file at this place in it.
   NumberField* field(const Get& get, const std::string& place, const QString& name);
+  /// The JSON pointer of the surface shown.
+  std::string pointer() const;
   void edit(const QString& text, const std::function<void(DesignedSurface&)>& change);
   /// Takes a changed design, resolved, or tells why not.
   void take(const QString& text, const Design& changed);
@@ -69,7 +71,7 @@ class SurfaceFields : public QWidget {
   struct Number {
     NumberField* field;
     Get get;
-    std::string pointer;  ///< of its binding
+    std::string place;  ///< of its binding
     QString tip;
   };
   Workbench& bench_;

@@ -137,11 +137,14 @@ WorkflowPanel::WorkflowPanel(Workbench& bench, const Theme& theme, QWidget* pare
 QWidget* WorkflowPanel::makeSetup() {
   auto* column = new FormColumn;
   auto* details = new FormColumn;
+  auto* pose = new FormColumn;
+  cutFields_ = new CutFields(bench_, column, pose, this);
   bladeFields_ = new BladeFields(bench_, column, details, theme_, this);
   column->addFold(tr("Section and material"), theme_)->addWide(details);
   for (const ProcessNumber& number : processNumbers())
     if (number.part == ProcessPart::setup) addProcessLine(numbers_, column, number, this, bench_);
   FormColumn* block = column->addFold(tr("Block"), theme_);
+  block->addWide(pose);
   blockFields_ = new BlockFields(bench_, block, this);
   return column;
 }
@@ -167,6 +170,7 @@ QWidget* WorkflowPanel::makeOutput() {
 void WorkflowPanel::follow(const Change& change) {
   const auto any = [&](model::Aspects of) { return change.any(of, bench_.selection()); };
   if (any(Aspect::design | Aspect::block)) blockFields_->refresh();
+  if (any(Aspect::design | Aspect::selection)) cutFields_->refresh();
   if (any(Aspect::design | Aspect::source | Aspect::target)) input_->refresh();
   // Another target may be that of another cut, which has numbers of its own.
   if (any(Aspect::design | Aspect::target))

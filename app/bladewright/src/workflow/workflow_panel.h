@@ -84,6 +84,7 @@ class WorkflowPanel : public SidePanel {
   VariableFields* variables_ = nullptr;
   BladeFields* bladeFields_ = nullptr;
   BlockFields* blockFields_ = nullptr;
+  CutFields* cutFields_ = nullptr;
   ProcessLines numbers_;
   InputFields* input_ = nullptr;
   ProcessFields* process_ = nullptr;

@@ -12,6 +12,7 @@
 #include "bw/core/base/frame.h"
 #include "bw/core/base/result.h"
 #include "bw/core/base/run_context.h"
+#include "bw/core/parts/cut_pose.h"
 #include "bw/core/sweep/plane_family.h"
 #include "bw/core/sweep/section_request.h"
 #include "bw/core/sweep/sweep.h"
@@ -21,7 +22,7 @@ namespace bw::geometry {
 
 /// How the target lies in its block, and the planes in which the blade goes through it.
 struct Setup {
-  Box block;  ///< z (frame.normal) is the side from which the surface is looked at
+  Box block;  ///< as it lies: z (frame.normal) is the side from which the surface is looked at
   PlaneFamily planes;
   bool operator==(const Setup&) const = default;
 };
@@ -30,6 +31,7 @@ struct Setup {
 struct SetupRequest {
   std::optional<BlockPlacement> block;       ///< empty: around the target
   std::optional<Eigen::Vector3d> direction;  ///< in the file's frame, not zero; empty: along the block
+  CutPose pose = {};                         ///< how the block lies
   bool operator==(const SetupRequest&) const = default;
 };
 

@@ -13,6 +13,7 @@
 #include "bw/core/base/run_context.h"
 #include "bw/core/design/design.h"
 #include "bw/core/motion/cell.h"
+#include "bw/core/parts/crease.h"
 #include "bw/core/simulation/barriers.h"
 #include "bw/core/simulation/simulation.h"
 #include "bw/core/surface/mesh.h"
@@ -51,6 +52,13 @@ struct Stage {
 struct CadSource {
   geometry::CadModel model;
   Fingerprint content;  ///< of the bytes that were read, or of the spline
+};
+
+/// All that the blade of a cut sweeps, from grip to grip, through its block and out of it.
+struct SweptSurface {
+  SplineSurface surface;
+  TriangleMesh mesh;
+  geometry::Target target;  ///< for the nearest points of it
 };
 
 /// One station of a cut, with all that is known of it.
@@ -114,6 +122,7 @@ struct CutEvaluation {
   Stage<EntryExitRequest, EntryExit> ends;      ///< how the blade is led into the row and out of it
   Stage<CheckRequest, RowRest> rest;            ///< what keeps each blade in its shape
   Stage<MotionRequest, Motion> motion;
+  Stage<NoRequest, SweptSurface> swept;                 ///< only where its block has several cuts
   Stage<NoRequest, Simulation> run;                     ///< the motion run; only from `addSecondThought`
   Stage<NoRequest, std::vector<BarrierLook>> barriers;  ///< along it; likewise
 
@@ -125,13 +134,19 @@ struct CutEvaluation {
 struct BlockEvaluation {
   std::string id;  ///< of the design's block
   std::vector<CutEvaluation> cuts = std::vector<CutEvaluation>(1);
+  // Only where it has several cuts:
+  std::optional<BlockPlacement> placement = std::nullopt;  ///< where it is, before it is turned for any cut
+  Stage<MetRequest, std::vector<double>> met =
+      {};                                         ///< mm that each cut comes into what those before it leave
+  Stage<MetRequest, CutsTogether> together = {};  ///< the creases that they leave
 };
 
 /// Everything that follows from a design: a list of blocks, of each a list of cuts, of each the stages.
 struct Evaluation {
   Design design;
   Findings sourceFindings;  ///< whether the linked source is another than when the design was saved
-  Stage<SourceRequest, CadSource> source;
+  Stage<SourceRequest, CadSource> source;                ///< the first
+  std::vector<Stage<SourceRequest, CadSource>> further;  ///< the others
   Stage<NoRequest, FaceMesh> faceMesh;  ///< of all faces of the file; only from `addFaceMesh`
   std::vector<BlockEvaluation> blocks = std::vector<BlockEvaluation>(1);  ///< those that the surface meets
   Findings missed;                                                        ///< what blocks it does not meet
@@ -147,6 +162,8 @@ struct Evaluation {
   CutEvaluation& cut() { return blocks.front().cuts.front(); }
   /// Its result.
   std::optional<CutResult> result() const { return cut().result(); }
+  /// What a cut is of; it names a source of the design.
+  const std::shared_ptr<const CadSource>& sourceOf(const Cut& cut) const;
   /// True if all cuts came to a result.
   bool complete() const;
   /// The cut of that id; null if there is none.
@@ -171,11 +188,11 @@ enum class Purpose { live, files, comparison };
 inline constexpr int kMostBlocksMet = 256;
 
 /// Evaluates a design. Where it has several blocks, those that its surface meets by less than a square
-/// centimetre are left out. Where cuts of one surface go on from block to block, they have as many stations,
-/// and those that leave their number open get more until the joints hold. Stages of `previous` whose keys are
-/// unchanged are used again, so that a change recomputes only what depends on it. Where the design leaves the
-/// length of its blade open, `length` (mm) is the one that was found before: it is taken in place of a
-/// search.
+/// centimetre are left out, and of the cuts of one block those that meet nothing of what is left. Where cuts
+/// of one surface go on from block to block, they have as many stations, and those that leave their number
+/// open get more until the joints hold. Stages of `previous` whose keys are unchanged are used again, so that
+/// a change recomputes only what depends on it. Where the design leaves the length of its blade open,
+/// `length` (mm) is the one that was found before: it is taken in place of a search.
 Outcome evaluate(const Design& design, const Evaluation* previous, const RunContext& context,
                  Purpose purpose = Purpose::live, std::optional<double> length = std::nullopt);
 

@@ -69,11 +69,15 @@ struct LengthsRequest {
   bool operator==(const LengthsRequest&) const = default;
 };
 
-/// What a design asks of the stages of a cut: nothing else of it reaches them. `joined`: the cut goes on in a
-/// neighbouring block, and its blades have the ends and tangents of their sections.
-FitRequest fitRequest(const Design& design, bool joined = false);
+/// The blade that a cut is made with.
+Blade bladeOf(const Design& design, const Cut& cut);
+
+/// What a design asks of the stages of a cut whose block `lies` so: nothing else of it reaches them.
+/// `joined`: the cut goes on in a neighbouring block, and its blades have the ends and tangents of their
+/// sections.
+FitRequest fitRequest(const Design& design, const Cut& cut, const Box& lies, bool joined = false);
 CheckRequest checkRequest(const Design& design);
-LengthRequest lengthRequest(const Design& design, bool joined = false);
+LengthRequest lengthRequest(const Design& design, const Cut& cut, const Box& lies, bool joined = false);
 JointRequest jointRequest(const Design& design);
 WayRequest wayRequest(const Design& design);
 FollowRequest followRequest(const Design& design);
@@ -85,6 +89,14 @@ struct CellRequest {
   Output output;
   FileStamp file;  ///< of the cell, where it is a file
   bool operator==(const CellRequest&) const = default;
+};
+
+/// What cuts of one block, in their order, do to each other.
+struct MetRequest {
+  Box placed = {};
+  std::vector<Eigen::Vector3d> kept = {};  ///< of each, the way to the foam that stays
+  double tolerance = 0;                    ///< mm
+  bool operator==(const MetRequest&) const = default;
 };
 
 /// Of a stage that hangs on its inputs alone.

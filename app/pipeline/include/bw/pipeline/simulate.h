@@ -22,6 +22,8 @@ struct ProgramRun {
   Simulation simulation;
   std::optional<SimulatedSurface> surface;  ///< only with a design
   std::vector<BarrierLook> barriers;        ///< likewise
+  std::string block = {}, cut = {};         ///< ids of what it was compared with; likewise
+  bool alone = true;                        ///< true if the design has no other cut
   /// What breaks a rule of its dialect or a limit of the design, or snaps: a clause each.
   std::vector<std::string> exceeded;
 };

@@ -57,13 +57,18 @@ class Sketcher {
   };
   std::optional<CutSketch> draw(const Design& design, std::size_t index, const CutEvaluation& cut,
                                 const std::optional<BlockPlacement>& placement, const RunContext& context);
-  bool takeSurface(const Design& design);
+  /// A source, as the last sketch had it.
+  struct Surface {
+    std::optional<DesignedSurface> surface = std::nullopt;
+    std::shared_ptr<const SplineSurface> spline = nullptr;  ///< null for a file
+    std::optional<geometry::CadModel> model = std::nullopt;
+  };
+  const Surface& surfaceOf(const Design& design, const Cut& cut) const;
+  bool takeSurfaces(const Design& design);
 
   std::shared_ptr<const Evaluation> from_;
-  std::vector<Row> rows_;  ///< of all cuts, block by block
-  std::optional<DesignedSurface> surface_;
-  std::shared_ptr<const SplineSurface> spline_;
-  std::optional<geometry::CadModel> model_;
+  std::vector<Row> rows_;          ///< of all cuts, block by block
+  std::vector<Surface> surfaces_;  ///< of all sources
 };
 
 }  // namespace bw::pipeline

@@ -58,6 +58,8 @@ enum class FindingKind {
   healing,
   source,
   joint,
+  crease,
+  cuts,
   blocks,
   cell,
   cellSides,
@@ -419,6 +421,25 @@ struct BlocksMissed {
   std::vector<std::string> blocks;  ///< ids
   int of = 0;                       ///< how many there are in all
 };
+/// A cut that meets nothing of what the cuts before it left of its block: it is not made.
+struct CutDropped {
+  static constexpr FindingKind kind = FindingKind::cuts;
+  std::string cut;                ///< its id
+  double met = 0, tolerance = 0;  ///< mm that it comes into what is left, at most, and at least to be made
+};
+/// The edge that two cuts leave is not the one where the surfaces designed meet.
+struct CreaseOff {
+  static constexpr FindingKind kind = FindingKind::crease;
+  std::string one, other;                    ///< the cuts' ids
+  double most = 0, mean = 0, tolerance = 0;  ///< mm
+  double lacking = 0;                        ///< mm of the edge designed that the cuts do not have
+};
+/// Where the blade of one cut goes on beyond its own surface it takes foam away that bounds another one.
+struct TakesSurface {
+  static constexpr FindingKind kind = FindingKind::crease;
+  std::string cut, of;              ///< the cuts' ids
+  double depth = 0, tolerance = 0;  ///< mm
+};
 /// A robot cannot hold its end of the blade at the place, or, without one, at home as the program begins.
 struct HomeOutOfReach {
   static constexpr FindingKind kind = FindingKind::cell;
@@ -457,17 +478,16 @@ struct RunMismatch {
   std::string file, run = {}, other = {}, text = {};
 };
 
-using Cause =
-    std::variant<UnmetConditions, UnsettledFit, HeldBackFit, Overbent, TooTight, ManyInflections, WouldSnap,
-                 LowMargin, SnapsInWeight, MovedByWeight, BentSideways, UnknownInWeight, WouldTwist,
-                 GripTooNear, SteepAngle, UnevenSpeed, EndsSwing, GapInRow, TooFar, Uncovered, BladeCrosses,
-                 TargetsCrowd, LeadGrown, OtherShape, NoWay, SnapsOnTheWay, ArrivesOtherwise, LostOnTheWay,
-                 TooFarOnTheWay, OffTheSurfaceShown, SkinOff, ServingLengths, GripErrors, SectionMissing,
-                 SectionPoint, SectionShort, SectionBranches, SectionClosed, SectionBridged, SectionExtended,
-                 SectionBorder, SectionUnfit, SectionRough, SectionDiffers, LargestFace, NearestFace,
-                 FacesLeftOut, TravelAcross, ChosenDirection, LeftOutOfFile, Healed, ChangedSource,
-                 EarlierDesign, JointGap, JointKink, JointOpen, BlocksMissed, UnreadableCell, WrongSide,
-                 HomeUnknown, HomeOutOfReach, ProgramDespiteErrors, ProgramBreach, RunMismatch>;
+using Cause = std::variant<
+    UnmetConditions, UnsettledFit, HeldBackFit, Overbent, TooTight, ManyInflections, WouldSnap, LowMargin,
+    SnapsInWeight, MovedByWeight, BentSideways, UnknownInWeight, WouldTwist, GripTooNear, SteepAngle,
+    UnevenSpeed, EndsSwing, GapInRow, TooFar, Uncovered, BladeCrosses, TargetsCrowd, LeadGrown, OtherShape,
+    NoWay, SnapsOnTheWay, ArrivesOtherwise, LostOnTheWay, TooFarOnTheWay, OffTheSurfaceShown, SkinOff,
+    ServingLengths, GripErrors, SectionMissing, SectionPoint, SectionShort, SectionBranches, SectionClosed,
+    SectionBridged, SectionExtended, SectionBorder, SectionUnfit, SectionRough, SectionDiffers, LargestFace,
+    NearestFace, FacesLeftOut, TravelAcross, ChosenDirection, LeftOutOfFile, Healed, ChangedSource,
+    EarlierDesign, JointGap, JointKink, JointOpen, BlocksMissed, CutDropped, CreaseOff, TakesSurface,
+    UnreadableCell, WrongSide, HomeUnknown, HomeOutOfReach, ProgramDespiteErrors, ProgramBreach, RunMismatch>;
 
 /// Stations of a row by their index: from first to last, `count` of them concerned, the worst among them.
 struct StationRange {
@@ -481,6 +501,7 @@ struct Place {
   std::optional<StationRange> stations = std::nullopt;
   std::optional<Eigen::Vector3d> point = std::nullopt;  ///< in the file's frame, mm
   std::string block = {};  ///< its id, where there are several; empty for what concerns them all
+  std::string cut = {};    ///< its id, where a block has several; empty for what concerns all of these
 };
 
 /// One finding of a check, as data; `bw/words/findings.h` says it in words.
@@ -500,9 +521,9 @@ bool hasErrors(const Findings& findings);
 
 /// True if any of `findings` says that a limit is exceeded: an error of any kind, or a warning about a limit
 /// that the job or the blade states: deviation (tolerance), clearance or stability (the blade would not keep
-/// its shape), motion (what it does between stations is not known), or joint (how blocks meet). Warnings by
-/// rules of thumb (angle, speed, inflections, …) do not count, nor does that a round blade may leave its
-/// plane, which hangs on how the grips hold it.
+/// its shape), motion (what it does between stations is not known), joint (how blocks meet) or crease (how
+/// cuts of one do). Warnings by rules of thumb (angle, speed, inflections, …) do not count, nor does that a
+/// round blade may leave its plane, which hangs on how the grips hold it.
 bool exceedsLimit(const Findings& findings);
 
 }  // namespace bw

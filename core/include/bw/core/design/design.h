@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "bw/core/base/frame.h"
@@ -22,6 +23,7 @@
 #include "bw/core/files/fingerprint.h"
 #include "bw/core/files/shared_bytes.h"
 #include "bw/core/fit/elastica_fit.h"
+#include "bw/core/parts/cut_pose.h"
 #include "bw/core/shape/designed_surface.h"
 #include "bw/core/sweep/section_request.h"
 #include "bw/core/text/expression.h"
@@ -54,7 +56,7 @@ struct StockBlock {
   bool operator==(const StockBlock&) const = default;
 };
 
-/// A cut of a block along a surface. The cuts of a block are made in the order of the design.
+/// A cut of a block along a surface.
 struct Cut {
   std::string id = "cut-1";
   std::string source = "source-1", block = "block-1";  ///< ids
@@ -62,7 +64,13 @@ struct Cut {
   std::optional<Eigen::Vector3d> direction =
       std::nullopt;  ///< of travel, in the file's frame, not zero; empty = "auto"
   SectionRequest sections = {};
+  CutPose pose = {};                            ///< how the block lies for it
+  KeptSide keep = KeptSide::below;              ///< which foam stays
+  std::optional<int> order = std::nullopt;      ///< among the cuts of its block; empty: by its height
+  std::optional<double> length = std::nullopt;  ///< mm, of the blade; empty: that of the design's
   bool operator==(const Cut&) const = default;
+
+  static constexpr int kMostOrder = 10000;
 };
 
 /// What is asked of cuts where their blocks lie side by side and the surface goes on.
@@ -104,7 +112,7 @@ struct Output {
 
 /// A design: an immutable value that holds everything a result is made from. What the desktop program edits
 /// and saves. It has at least one source, one block and one cut, and each cut names a source and a block of
-/// it; `parseDesign` takes exactly one source so far.
+/// it; sources after the first are designed surfaces.
 struct Design {
   std::string name = "Untitled";
   std::vector<Source> sources = {{}};
@@ -129,12 +137,18 @@ struct Design {
   StockBlock& block() { return stock.front(); }
   Cut& cut() { return cuts.front(); }
 
+  /// The source of that id; null if there is none.
+  const Source* find(const std::string& id) const;
+  /// That of a cut, whose source is one of the design.
+  const Source& sourceOf(const Cut& cut) const { return *find(cut.source); }
+  Source& sourceOf(const Cut& cut) { return const_cast<Source&>(std::as_const(*this).sourceOf(cut)); }
+
   /// How a source of it is read: edges are joined within a tenth of the tolerance, at most
   /// ReadOptions::kMostSewing, unless the source says more.
   ReadOptions readOptions(const Source& of) const;
 
   static constexpr int kVersion = 2;
-  static constexpr int kMostBlocks = BlockGrid::kMostBlocks, kMostCuts = 10000;
+  static constexpr int kMostSources = 100, kMostBlocks = BlockGrid::kMostBlocks, kMostCuts = 10000;
   bool operator==(const Design&) const = default;
 };
 

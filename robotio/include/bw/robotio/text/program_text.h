@@ -27,6 +27,8 @@ struct ProgramNotes {
   std::vector<std::string> errors = {};
   /// What else the head of the main files warns of.
   std::vector<std::string> warnings = {};
+  /// What is to be done before it runs; likewise.
+  std::vector<std::string> before = {};
   /// Names the run that the program is of, 16 hexadecimal digits; stands in the head of each file. Empty if
   /// there is none.
   std::string run = {};

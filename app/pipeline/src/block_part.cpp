@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "block_part.h"
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "block_layout.h"
+#include "bw/core/parts/cut_order.h"
+#include "bw/core/parts/whole_cut.h"
+#include "bw/core/text/number_text.h"
+#include "bw/geometry/export.h"
+#include "settle.h"
+
+namespace bw::pipeline {
+
+namespace {
+
+const StockBlock& stockOf(const Design& design, const BlockEvaluation& block) {
+  return *std::ranges::find(design.stock, block.id, &StockBlock::id);
+}
+
+const Cut& cutOf(const Design& design, const CutEvaluation& cut) {
+  return *std::ranges::find(design.cuts, cut.id, &Cut::id);
+}
+
+const BlockEvaluation* blockOf(const Evaluation* e, const std::string& id) {
+  if (!e) return nullptr;
+  const auto found = std::ranges::find(e->blocks, id, &BlockEvaluation::id);
+  return found == e->blocks.end() ? nullptr : &*found;
+}
+
+Result<void> inCut(const std::string& cut, Error error) {
+  if (error.code != ErrorCode::cancelled) error.message = cut + ": " + error.message;
+  return tl::unexpected<Error>(std::move(error));
+}
+
+/// Where a block lies: as it was placed, or around all of its surfaces, with the axes that fit the first.
+Result<BlockPlacement> placeOf(const Evaluation& e, const BlockEvaluation& block) {
+  if (const std::optional<BlockPlacement>& placed = stockOf(e.design, block).placement) return *placed;
+  Findings unsaid;
+  const Result<geometry::Setup> setup = geometry::resolveSetup(*block.cuts.front().target.value, {}, unsaid);
+  if (!setup) return tl::unexpected<Error>(setup.error());
+  Box around = setup->block;
+  Eigen::Vector3d low = Eigen::Vector3d::Zero(), high = around.size;
+  for (const CutEvaluation& cut : block.cuts)
+    for (const Eigen::Vector3d& p : cut.targetMesh.value->points) {
+      const Eigen::Vector3d local = around.frame.toLocal(p);
+      low = low.cwiseMin(local);
+      high = high.cwiseMax(local);
+    }
+  around.frame.origin = around.frame.toWorld(low.head<2>(), low.z());
+  around.size = high - low;
+  return placementOf(around);
+}
+
+/// Which foam each cut of a block, as it is placed, leaves.
+std::vector<Eigen::Vector3d> keptWays(const Design& design, const BlockEvaluation& block, const Box& placed) {
+  std::vector<Eigen::Vector3d> ways;
+  for (const CutEvaluation& stages : block.cuts) {
+    const Cut& cut = cutOf(design, stages);
+    ways.push_back(keptWay(lying(placed, cut.pose), cut.keep));
+  }
+  return ways;
+}
+
+/// How far each cut comes into what is left, once its turn has come.
+Result<std::vector<double>> metBy(const BlockEvaluation& block, const MetRequest& request,
+                                  const RunContext& context) {
+  std::vector<std::unique_ptr<SurfaceSampler>> samplers;
+  std::vector<PartedBy> before;
+  std::vector<double> met;
+  for (std::size_t i = 0; i < block.cuts.size(); ++i) {
+    const CutEvaluation& cut = block.cuts[i];
+    const TriangleMesh& mesh = *cut.targetMesh.value;
+    const Result<double> depth = meets(mesh, request.placed, before, context);
+    if (!depth) return tl::unexpected<Error>(depth.error());
+    met.push_back(*depth);
+    if (*depth < request.tolerance) continue;
+    samplers.push_back(cut.target.value->sampler());
+    const Result<int> side = sideKept(mesh, *samplers.back(), request.kept[i]);
+    if (!side) return tl::unexpected<Error>(inCut(cut.id, side.error()).error());
+    before.push_back({samplers.back().get(), *side});
+  }
+  return met;
+}
+
+Result<void> orderCutsOf(Evaluation& e, BlockEvaluation& block, const BlockEvaluation* previous,
+                         const RunContext& context) {
+  const Result<BlockPlacement> placement = placeOf(e, block);
+  if (!placement) return tl::unexpected<Error>(placement.error());
+  block.placement = *placement;
+  const Box placed = placement->box();
+  std::vector<CutTurn> turns;
+  for (const CutEvaluation& cut : block.cuts)
+    turns.push_back({cutOf(e.design, cut).order, areaInBox(*cut.targetMesh.value, placed).height});
+  std::vector<CutEvaluation> ordered;
+  for (const std::size_t i : orderOf(turns)) ordered.push_back(std::move(block.cuts[i]));
+  block.cuts = std::move(ordered);
+
+  Inputs inputs;
+  for (const CutEvaluation& cut : block.cuts) inputs.push_back(cut.targetMesh.value);
+  const double tolerance = e.design.process.tolerance;
+  const Result<void> ok =
+      settle(block.met, previous ? &previous->met : nullptr,
+             {placed, keptWays(e.design, block, placed), tolerance}, std::move(inputs), e.seconds.check,
+             [&](const MetRequest& request, Findings&) { return metBy(block, request, context); });
+  if (!ok) return ok;
+  std::size_t at = 0;
+  std::erase_if(block.cuts, [&](const CutEvaluation& cut) {
+    const double met = (*block.met.value)[at++];
+    if (met >= tolerance) return false;
+    Place where;
+    if (e.blocks.size() > 1) where.block = block.id;
+    e.missed.push_back({Severity::warning, CutDropped{cut.id, met, tolerance}, where, {}});
+    return true;
+  });
+  if (block.cuts.empty())
+    return fail(ErrorCode::badInput,
+                "none of the cuts comes into the block by the tolerance of " + shortText(tolerance) +
+                    " mm; move the block, or its surfaces",
+                "cuts", 0.0, tolerance);
+  return {};
+}
+
+/// All that the blade of a cut sweeps, as a surface.
+Result<SweptSurface> sweptBy(const CutEvaluation& cut) {
+  Result<WholeCut> whole = wholeCut(cut.way.value->course, cut.setup->planes);
+  if (!whole) return tl::unexpected<Error>(whole.error());
+  Result<SplineSurface> surface = geometry::loft(whole->grid, whole->travel);
+  if (!surface) return tl::unexpected<Error>(surface.error());
+  const Result<geometry::CadModel> model = geometry::CadModel::of(*surface, cut.id);
+  if (!model) return tl::unexpected<Error>(model.error());
+  Result<geometry::Target> target = geometry::Target::make(*model, {});
+  if (!target) return tl::unexpected<Error>(target.error());
+  return SweptSurface{std::move(*surface), whole->grid.triangles(), std::move(*target)};
+}
+
+Result<CutsTogether> compareCutsOf(const BlockEvaluation& block, const MetRequest& request,
+                                   const RunContext& context) {
+  std::vector<std::unique_ptr<SurfaceSampler>> samplers;
+  std::vector<CutSurfaces> cuts;
+  const auto sampled = [&samplers](const TriangleMesh& mesh, const geometry::Target& of) {
+    samplers.push_back(of.sampler());
+    return MeshedSurface{&mesh, samplers.back().get()};
+  };
+  for (std::size_t i = 0; i < block.cuts.size(); ++i) {
+    const CutEvaluation& cut = block.cuts[i];
+    const SweptSurface& swept = *cut.swept.value;
+    CutSurfaces& surfaces = cuts.emplace_back();
+    surfaces.id = cut.id;
+    surfaces.kept = request.kept[i];
+    surfaces.target = sampled(*cut.targetMesh.value, *cut.target.value);
+    surfaces.cut = sampled(swept.mesh, swept.target);
+    const Result<int> side = sideKept(swept.mesh, *surfaces.cut.sampler, request.kept[i]);
+    if (!side) return tl::unexpected<Error>(inCut(cut.id, side.error()).error());
+    surfaces.side = *side;
+  }
+  return compareCuts(cuts, request.placed, request.tolerance, context);
+}
+
+}  // namespace
+
+Result<void> orderCuts(Evaluation& e, const Evaluation* previous, const RunContext& context) {
+  for (BlockEvaluation& block : e.blocks) {
+    if (block.cuts.size() < 2) continue;
+    const Result<void> ok = orderCutsOf(e, block, blockOf(previous, block.id), context);
+    if (!ok) return inBlock(e, block.id, ok);
+  }
+  return {};
+}
+
+Result<void> compareBlocks(Evaluation& e, const Evaluation* previous, const RunContext& context) {
+  for (BlockEvaluation& block : e.blocks) {
+    if (block.cuts.size() < 2) continue;
+    Inputs inputs;
+    for (CutEvaluation& cut : block.cuts) {
+      const CutEvaluation* before = previous ? previous->find(cut.id) : nullptr;
+      const Result<void> ok =
+          settle(cut.swept, before ? &before->swept : nullptr, {}, {cut.way.value}, e.seconds.check,
+                 [&cut](const NoRequest&, Findings&) { return sweptBy(cut); });
+      if (!ok) return inBlock(e, block.id, inCut(cut.id, ok.error()));
+      inputs.push_back(cut.swept.value);
+      inputs.push_back(cut.targetMesh.value);
+    }
+    const BlockEvaluation* before = blockOf(previous, block.id);
+    const Box placed = block.placement->box();
+    const Result<void> ok =
+        settle(block.together, before ? &before->together : nullptr,
+               {placed, keptWays(e.design, block, placed), e.design.process.tolerance}, std::move(inputs),
+               e.seconds.check, [&](const MetRequest& request, Findings& findings) {
+                 Result<CutsTogether> together = compareCutsOf(block, request, context);
+                 if (together) findings = together->findings;
+                 return together;
+               });
+    if (!ok) return inBlock(e, block.id, ok);
+  }
+  return {};
+}
+
+}  // namespace bw::pipeline

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// What several cuts of one block have to do with each other: which comes first, what they leave of it.
+#pragma once
+
+#include "bw/core/base/result.h"
+#include "bw/core/base/run_context.h"
+#include "bw/pipeline/pipeline.h"
+
+namespace bw::pipeline {
+
+/// Puts the cuts of each block, whose surfaces are meshed, into the order in which they are made, and leaves
+/// those out that meet less than the tolerance of what is left; `missed` tells of them. A block that lies
+/// around its surfaces gets its place here, where it has several. Errors: a surface that stands along the
+/// side that is to stay (`badInput`); `cancelled`.
+Result<void> orderCuts(Evaluation& e, const Evaluation* previous, const RunContext& context);
+
+/// How the cuts of each block meet, once their blades are found. Errors: `cancelled`, and those of
+/// surfaces.
+Result<void> compareBlocks(Evaluation& e, const Evaluation* previous, const RunContext& context);
+
+}  // namespace bw::pipeline

@@ -1,0 +1,361 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "cut_stages.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "advice.h"
+#include "bw/core/sweep/firm_row.h"
+#include "bw/geometry/export.h"
+
+namespace bw::pipeline {
+
+namespace {
+
+/// So many times the diagonal of a block is a blade long that serves in any direction.
+constexpr double kEnough = 1.2;
+
+}  // namespace
+
+Result<void> aim(const CutWork& work, const std::shared_ptr<const CadSource>& source) {
+  return work.settle(&CutEvaluation::target, work.cut.face, {source}, work.seconds.read,
+                     [&source](const FaceChoice& face, Findings& findings) {
+                       return geometry::Target::make(source->model, face, &findings);
+                     });
+}
+
+Result<void> place(const CutWork& work, const std::optional<BlockPlacement>& placement) {
+  CutEvaluation& e = work.e;
+  const geometry::Target& target = *e.target.value;
+  double none = 0;
+  Result<void> ok =
+      work.settle(&CutEvaluation::placed, {placement, work.cut.direction, work.cut.pose}, {e.target.value},
+                  none, [&target](const geometry::SetupRequest& request, Findings& findings) {
+                    return geometry::resolveSetup(target, request, findings);
+                  });
+  if (!ok) return ok;
+  e.setup = e.placed.value;
+  if (work.cut.direction) return work.unlessStopped();
+  FitRequest any = fitRequest(work.design, work.cut, e.placed.value->block);
+  if (work.blade().autoLength)  // long enough for every way across
+    any.blade.length =
+        std::min(Blade::kLongest, kEnough * e.placed.value->block.size.norm() + 2 * any.clearance);
+  ok = work.settle(&CutEvaluation::directions, {*e.placed.value, any}, {e.target.value},
+                   work.seconds.direction, [&work, &target](const RowRequest& request, Findings& findings) {
+                     work.context.report(0.25, "direction");
+                     Result<DirectionSearch> search = searchDirection(target, request, work.context);
+                     if (search) findings = directionFindings(*search);
+                     return search;
+                   });
+  if (!ok) return ok;
+  const DirectionSearch& search = *e.directions.value;
+  const Box& block = e.placed.value->block;
+  e.setup = std::make_shared<const geometry::Setup>(
+      geometry::Setup{block, PlaneFamily::across(block, search.trials[search.chosen].direction)});
+  return work.unlessStopped();
+}
+
+namespace {
+
+/// The sections that the blades are for: those of the tracer, or what OpenCASCADE took over of them.
+std::shared_ptr<const std::vector<Section>> rowOf(const CutEvaluation& e) {
+  if (e.confirmed.value && e.confirmed.value->has_value()) return {e.confirmed.value, &**e.confirmed.value};
+  return e.sections.value;
+}
+
+}  // namespace
+
+Result<void> seekLengths(const CutWork& work, double& seconds) {
+  CutEvaluation& e = work.e;
+  const std::shared_ptr<const std::vector<Section>> row = rowOf(e);
+  return work.settle(&CutEvaluation::lengths,
+                     {*e.setup, lengthRequest(work.design, work.cut, work.e.setup->block, work.joined)},
+                     {row}, seconds, [&work, &row](const LengthsRequest& request, Findings&) {
+                       return bladeLengths(*row, request.lengths, request.setup.block, request.setup.planes,
+                                           work.context);
+                     });
+}
+
+namespace {
+
+LengthsRequest marginsRequest(const CutWork& work) {
+  LengthRequest request = lengthRequest(work.design, work.cut, work.e.setup->block, work.joined);
+  request.fit.blade.length = work.e.sweep.value->request.blade.length;
+  return {*work.e.setup, request};
+}
+
+}  // namespace
+
+Result<void> seekMargins(const CutWork& work, double& seconds) {
+  CutEvaluation& e = work.e;
+  const std::shared_ptr<const std::vector<Section>> row = rowOf(e);
+  return work.settle(&CutEvaluation::margins, marginsRequest(work), {row}, seconds,
+                     [&work, &row](const LengthsRequest& asked, Findings&) {
+                       return marginTrade(*row, asked.lengths, asked.setup.block, asked.setup.planes,
+                                          work.context);
+                     });
+}
+
+namespace {
+
+/// A length that is left open is none of the request.
+LengthsRequest clearancesRequest(const CutWork& work) {
+  LengthsRequest request = marginsRequest(work);
+  request.lengths.fit.blade.autoLength = work.blade().autoLength;
+  if (work.blade().autoLength) request.lengths.fit.blade.length = Blade().length;
+  return request;
+}
+
+}  // namespace
+
+Result<void> seekClearances(const CutWork& work, double& seconds) {
+  CutEvaluation& e = work.e;
+  const std::shared_ptr<const std::vector<Section>> row = rowOf(e);
+  return work.settle(&CutEvaluation::clearances, clearancesRequest(work), {row}, seconds,
+                     [&work, &row](const LengthsRequest& asked, Findings&) {
+                       return clearanceTrade(*row, asked.lengths, asked.setup.block, asked.setup.planes,
+                                             work.context);
+                     });
+}
+
+namespace {
+
+/// Of the lengths that were tried the one that serves best, or else comes nearest to it: of the blades that
+/// rest and reach the one that lies nearest to its sections, or that which misses its rest by least.
+double lengthOf(const BladeLengths& lengths) {
+  if (lengths.best) return *lengths.best;
+  const auto nearness = [](const RowTrial& trial) {
+    const bool rests = trial.reaches && trial.margin > 0;
+    return std::pair(rests, rests ? -trial.deviation : trial.margin);
+  };
+  const auto nearest = std::ranges::max_element(lengths.trials, {}, nearness);
+  return nearest == lengths.trials.end() ? Blade::kLongest : nearest->length;
+}
+
+}  // namespace
+
+Result<SectionRequest> sectionRequest(const CutWork& work) {
+  SectionRequest sections = work.cut.sections;
+  if (!sections.byTolerance()) return sections;
+  if (work.stations) {
+    sections.stations = work.stations;
+    return sections;
+  }
+  const geometry::Target& target = *work.e.target.value;
+  const Result<void> ok = work.settle(
+      &CutEvaluation::count, {*work.e.setup, work.design.process.tolerance}, {work.e.target.value},
+      work.seconds.sections, [&work, &target](const CountRequest& request, Findings&) {
+        work.context.report(0.3, "stations");
+        return geometry::stationsFor(target, request.setup, request.tolerance, work.context);
+      });
+  if (!ok) return tl::unexpected<Error>(ok.error());
+  sections.stations = work.e.count.value->stations;
+  return sections;
+}
+
+Result<void> fit(const CutWork& work) {
+  CutEvaluation& e = work.e;
+  const geometry::Target& target = *e.target.value;
+  const Result<SectionRequest> asked = sectionRequest(work);
+  if (!asked) return tl::unexpected<Error>(asked.error());
+  Result<void> ok =
+      work.settle(&CutEvaluation::sections, {*e.setup, *asked}, {e.target.value}, work.seconds.sections,
+                  [&work, &target](const PlanesRequest& request, Findings& findings) {
+                    work.context.report(0.3, "sections");
+                    return geometry::cutSections(target, request.setup, request.sections,
+                                                 work.context.child(0.3, 0.6), findings);
+                  });
+  if (ok) ok = work.unlessStopped();
+  if (!ok) return ok;
+  if (work.purpose != Purpose::live && asked->route == SectionRoute::automatic) {
+    ok = work.settle(&CutEvaluation::confirmed, {*e.setup, *asked}, {e.sections.value}, work.seconds.sections,
+                     [&work, &target, &e](const PlanesRequest& request, Findings& findings) {
+                       findings = e.sections.findings;
+                       return geometry::confirmSections(target, request.setup, request.sections, work.context,
+                                                        findings);
+                     });
+    if (!ok) return ok;
+  }
+  const std::shared_ptr<const std::vector<Section>> row = rowOf(e);
+  const std::vector<Section>& sections = *row;
+  FitRequest fit = fitRequest(work.design, work.cut, e.setup->block, work.joined);
+  if (work.blade().autoLength && work.length) {
+    fit.blade.length = *work.length;
+  } else if (work.blade().autoLength) {
+    ok = seekLengths(work, work.seconds.fit);
+    if (!ok) return ok;
+    fit.blade.length = lengthOf(*e.lengths.value);
+  } else {
+    work.keep(&CutEvaluation::lengths,
+              {*e.setup, lengthRequest(work.design, work.cut, work.e.setup->block, work.joined)}, {row});
+  }
+  double none = 0;
+  ok = work.settle(&CutEvaluation::sweep, {*e.setup, fit}, {row}, none,
+                   [&work, &sections](const RowRequest& request, Findings& findings) {
+                     work.context.report(0.6, "fitting");
+                     return buildSweep(sections, request.fit, request.setup.block, request.setup.planes,
+                                       work.context.child(0.6, 0.75), findings, &work.seconds.fit,
+                                       &work.seconds.extend);
+                   });
+  return ok ? work.unlessStopped() : ok;
+}
+
+namespace {
+
+/// What else the blades could rest in. Where a push brings them there, a firmer row, if there is one, is put
+/// into `firm`.
+Result<void> ask(const CutWork& work, double& seconds, FirmRow& firm) {
+  CutEvaluation& e = work.e;
+  return work.settle(&CutEvaluation::certainty, {}, {e.sweep.value}, seconds,
+                     [&](const NoRequest&, Findings&) -> Result<RowCertainty> {
+                       Result<FirmRow> found = firmRow(*e.sweep.value, work.context);
+                       if (!found) return tl::unexpected<Error>(found.error());
+                       firm = std::move(*found);
+                       return firm.certainty;
+                     });
+}
+
+/// The way into the row and out of it.
+Result<void> lead(const CutWork& work, double& seconds) {
+  CutEvaluation& e = work.e;
+  return work.settle(&CutEvaluation::ends, entryExitRequest(work.design), {e.sweep.value}, seconds,
+                     [&](const EntryExitRequest& request, Findings& findings) {
+                       Result<EntryExit> ends = planEntryExit(*e.sweep.value, request, work.context);
+                       if (ends) findings = ends->findings;
+                       return ends;
+                     });
+}
+
+/// The targets, and the blade between them.
+Result<void> follow(const CutWork& work, double& seconds) {
+  CutEvaluation& e = work.e;
+  return work.settle(&CutEvaluation::way, followRequest(work.design), {e.sweep.value}, seconds,
+                     [&](const FollowRequest& request, Findings& findings) {
+                       Result<RowMotion> way = followRow(*e.sweep.value, request, work.context);
+                       if (way) findings = way->findings;
+                       return way;
+                     });
+}
+
+/// How far the blade between the targets lies off.
+Result<void> compare(const CutWork& work, double& seconds) {
+  CutEvaluation& e = work.e;
+  return work.settle(&CutEvaluation::between, wayRequest(work.design), {e.analysis.value}, seconds,
+                     [&](const WayRequest& request, Findings& findings) {
+                       Result<WayDeviation> between =
+                           deviationOf(*e.way.value, *e.sweep.value, *e.analysis.value, request,
+                                       *e.target.value->sampler(), work.context);
+                       if (between) findings = between->findings;
+                       return between;
+                     });
+}
+
+/// The target against the cut surface.
+Result<void> cover(const CutWork& work, double& seconds) {
+  CutEvaluation& e = work.e;
+  return work.settle(
+      &CutEvaluation::coverage, checkRequest(work.design), {e.analysis.value, e.targetMesh.value}, seconds,
+      [&](const CheckRequest& request, Findings& findings) -> Result<Coverage> {
+        Coverage coverage =
+            coverageOf(e.analysis.value->cut, *e.sweep.value, *e.targetMesh.value, request.tolerance);
+        findings = coverage.findings;
+        return coverage;
+      });
+}
+
+/// The cut surface against the target.
+Result<void> analyze(const CutWork& work, double& seconds) {
+  CutEvaluation& e = work.e;
+  return work.settle(&CutEvaluation::analysis, checkRequest(work.design),
+                     {e.check.value, e.way.value, e.target.value}, seconds,
+                     [&](const CheckRequest& request, Findings& findings) {
+                       Result<SweepAnalysis> analysis =
+                           analyzeSweep(*e.sweep.value, e.way.value->course, *e.check.value, request,
+                                        *e.target.value->sampler(), geometry::loft, work.context);
+                       if (analysis) findings = analysis->findings;
+                       return analysis;
+                     });
+}
+
+/// All that hangs on where the blade goes.
+Result<void> seeTheCut(const CutWork& work, double& seconds) {
+  for (const auto step : {&follow, &analyze, &compare, &cover}) {
+    if (Result<void> ok = step(work, seconds); !ok) return ok;
+    if (Result<void> ok = work.unlessStopped(); !ok) return ok;
+  }
+  return {};
+}
+
+/// What the row tells by itself, what its blades could rest in, and the cut surface against the target.
+Result<void> checkRow(const CutWork& work) {
+  CutEvaluation& e = work.e;
+  const Sweep& sweep = *e.sweep.value;
+  Result<void> ok = work.settle(&CutEvaluation::check, checkRequest(work.design), {e.sweep.value},
+                                work.seconds.check, [&work, &sweep](const CheckRequest& request, Findings&) {
+                                  work.context.report(0.75, "checking");
+                                  return checkSweep(sweep, request, work.context);
+                                });
+  if (ok) ok = meshTarget(e, work.previous, work.seconds.read);
+  if (!ok) return ok;
+  // Side by side: none hangs on another.
+  FirmRow firm;
+  constexpr int kTasks = 3;
+  std::array<Result<void>, kTasks> done;
+  std::array<double, kTasks> seconds = {};
+  const bool asked = e.certainty.value && e.certainty.inputs == Inputs{e.sweep.value};
+  ok = parallelFor(work.context, kTasks, [&](int i) {
+    double& own = seconds[std::size_t(i)];
+    Result<void>& outcome = done[std::size_t(i)];
+    if (i == 0 && !asked) outcome = ask(work, own, firm);
+    if (i == 1) outcome = seeTheCut(work, own);
+    if (i == 2) outcome = lead(work, own);
+  });
+  work.seconds.check += std::ranges::max(seconds);
+  for (const Result<void>& one : done)
+    if (ok) ok = one;
+  if (!ok || !firm.row) return ok;
+  e.sweep.value = firm.row;
+  e.sweep.findings = firm.findings;
+  e.certainty.inputs = {firm.row};
+  return checkRow(work);
+}
+
+}  // namespace
+
+Result<void> check(const CutWork& work) {
+  CutEvaluation& e = work.e;
+  Result<void> ok = checkRow(work);
+  if (!ok) return ok;
+  const Sweep& sweep = *e.sweep.value;
+  ok = work.settle(&CutEvaluation::rest, checkRequest(work.design),
+                   {e.certainty.value, e.ends.value, e.way.value, e.check.value}, work.seconds.check,
+                   [&](const CheckRequest& request, Findings& findings) -> Result<RowRest> {
+                     const EntryExit& ends = *e.ends.value;
+                     RowRest rest = restOf(sweep, *e.check.value, *e.certainty.value, ends.entry,
+                                           *e.way.value, request.margin);
+                     findings = rest.findings;
+                     return rest;
+                   });
+  if (!ok) return ok;
+  const Blade blade = work.blade();
+  if (work.purpose == Purpose::files && (lengthFails(e) || clearanceMayHelp(e, blade))) {
+    ok = seekLengths(work, work.seconds.check);
+    if (ok && clearanceMayHelp(e, blade)) ok = seekClearances(work, work.seconds.check);
+    if (ok && marginFails(e)) ok = seekMargins(work, work.seconds.check);
+    if (!ok) return ok;
+  }
+  ok = work.settle(&CutEvaluation::motion, motionRequest(work.design), {e.ends.value, e.way.value},
+                   work.seconds.check, [&](const MotionRequest& request, Findings& findings) {
+                     return buildMotion(sweep, *e.ends.value, e.way.value->targets, request, findings);
+                   });
+  if (ok) work.keep(&CutEvaluation::run, {}, {e.motion.value, e.sweep.value});
+  if (ok) work.keep(&CutEvaluation::margins, marginsRequest(work), {rowOf(e)});
+  if (ok) work.keep(&CutEvaluation::clearances, clearancesRequest(work), {rowOf(e)});
+  if (ok && e.run.value) work.keep(&CutEvaluation::barriers, {}, {e.run.value});
+  return ok;
+}
+
+}  // namespace bw::pipeline

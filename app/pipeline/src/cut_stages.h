@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// The stages of one cut, in the order in which they stand on each other.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "bw/pipeline/pipeline.h"
+#include "settle.h"
+
+namespace bw::pipeline {
+
+/// The stages of one cut at work.
+struct CutWork {
+  const Design& design;
+  const Cut& cut;
+  CutEvaluation& e;
+  const CutEvaluation* previous;
+  Seconds& seconds;
+  const RunContext& context;
+  Purpose purpose;
+  std::optional<double> length = std::nullopt;  ///< mm, in place of a search for it
+  bool joined = false;                          ///< goes on in a neighbouring block
+  std::optional<int> stations = std::nullopt;   ///< in place of what its own sections ask for
+
+  template <class Request, class T, class Make>
+  Result<void> settle(Stage<Request, T> CutEvaluation::*stage, const std::type_identity_t<Request>& request,
+                      Inputs inputs, double& time, const Make& make) const {
+    return pipeline::settle(e.*stage, previous ? &(previous->*stage) : nullptr, request, std::move(inputs),
+                            time, make);
+  }
+  /// Takes a stage that stands from before, where it is what would be made now.
+  template <class Request, class T>
+  void keep(Stage<Request, T> CutEvaluation::*stage, const std::type_identity_t<Request>& request,
+            const Inputs& inputs) const {
+    if (!previous || (e.*stage).value) return;
+    const Stage<Request, T>& before = previous->*stage;
+    if (before.value && before.request == request && before.inputs == inputs) e.*stage = before;
+  }
+  /// That of the cut.
+  Blade blade() const { return bladeOf(design, cut); }
+  Result<void> unlessStopped() const {
+    return context.stopped() ? Result<void>(stoppedError()) : Result<void>();
+  }
+};
+
+/// The surface.
+Result<void> aim(const CutWork& work, const std::shared_ptr<const CadSource>& source);
+/// Block and direction; where the direction is left to us, the best of some. What the trials hang on does not
+/// hold the number of stations: its change is what people drag.
+Result<void> place(const CutWork& work, const std::optional<BlockPlacement>& placement);
+/// What the design asks for, with the number of stations where that is left to the tolerance.
+Result<SectionRequest> sectionRequest(const CutWork& work);
+/// Sections, and the blades for them.
+Result<void> fit(const CutWork& work);
+/// The row, its motion, and how sure its blades rest.
+Result<void> check(const CutWork& work);
+
+// What takes longer than a picture may wait for.
+
+/// The lengths of blade that serve.
+Result<void> seekLengths(const CutWork& work, double& seconds);
+/// What grips that come nearer to the block make of the row.
+Result<void> seekClearances(const CutWork& work, double& seconds);
+/// What the row gives for the margin of its blades.
+Result<void> seekMargins(const CutWork& work, double& seconds);
+
+}  // namespace bw::pipeline

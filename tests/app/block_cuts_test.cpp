@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// Several cuts of one block: their order, how the block lies for each, the crease that they leave.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "bw/core/base/units.h"
+#include "bw/pipeline/example_design.h"
+#include "bw/pipeline/produce.h"
+
+namespace bw::pipeline {
+namespace {
+
+Design crossing() {
+  Design design = exampleDesign("two-crossing-cuts").value();
+  design.output.programs.clear();
+  return design;
+}
+
+std::vector<std::string> idsOf(const BlockEvaluation& block) {
+  std::vector<std::string> ids;
+  for (const CutEvaluation& cut : block.cuts) ids.push_back(cut.id);
+  return ids;
+}
+
+/// A flat source with its cut, in front of the others.
+void addFlat(Design& design, const std::string& id, double height) {
+  Source source;
+  source.id = id;
+  source.surface = DesignedSurface{FormulaSurface{{{0, 0}, {600, 600}}, std::to_string(height)}};
+  design.sources.push_back(source);
+  Cut cut = design.cut();
+  cut.id = cut.source = id;
+  cut.pose = {};
+  design.cuts.insert(design.cuts.begin(), cut);
+}
+
+TEST(BlockCuts, TwoThatCrossLeaveTheCreaseDesigned) {
+  const Design design = crossing();
+  const Outcome outcome = evaluate(design, nullptr, {});
+  ASSERT_FALSE(outcome.error) << outcome.error->message;
+  const Evaluation& e = outcome.evaluation;
+  ASSERT_TRUE(e.complete());
+  EXPECT_FALSE(hasErrors(e.findings()));
+  const BlockEvaluation& block = e.blocks.front();
+  ASSERT_TRUE(block.together.value);
+  ASSERT_EQ(block.together.value->creases.size(), 1u);
+  const Crease& crease = block.together.value->creases.front();
+  // Where base, slope x + bow sin(πx/600) + ripple sin(2πy/600) is the same with x and y exchanged.
+  const auto apart = [](const Eigen::Vector3d& p) {
+    const double x = p.x() / 600, y = p.y() / 600, pi = M_PI;
+    return 0.35 * (p.x() - p.y()) + 40 * (std::sin(pi * x) - std::sin(pi * y)) +
+           12 * (std::sin(2 * pi * y) - std::cos(2 * pi * x));
+  };
+  double most = 0;
+  for (const Polyline& curve : crease.curves)
+    for (const Eigen::Vector3d& p : curve) most = std::max(most, std::abs(apart(p)) / 0.35);
+  EXPECT_GT(crease.length, 750) << "across the block";
+  EXPECT_LT(crease.offMax, 2);
+  EXPECT_GT(crease.offMax, 0) << "elastica are no sines";
+  EXPECT_LT(most, 8) << "the same by the formula, to first order";
+  EXPECT_EQ(crease.lacking, 0);
+  EXPECT_EQ(crease.alone, 0);
+}
+
+TEST(BlockCuts, TheLowestIsMadeFirstUnlessTheDesignTells) {
+  Design design = crossing();
+  design.variables.clear();
+  for (Cut& cut : design.cuts) cut.sections.stations = 6;
+  addFlat(design, "high", 250);
+  addFlat(design, "low", 40);
+  const Outcome byHeight = evaluate(design, nullptr, {});
+  ASSERT_FALSE(byHeight.error) << byHeight.error->message;
+  EXPECT_EQ(idsOf(byHeight.evaluation.blocks.front()).front(), "low");
+  EXPECT_EQ(byHeight.evaluation.blocks.front().cuts.size(), 1u) << "nothing else is left above it";
+
+  for (Cut& cut : design.cuts)
+    cut.order = cut.id == "low" ? 4 : cut.id == "north" ? 1 : cut.id == "east" ? 2 : 3;
+  const Outcome told = evaluate(design, &byHeight.evaluation, {});
+  ASSERT_FALSE(told.error) << told.error->message;
+  EXPECT_EQ(idsOf(told.evaluation.blocks.front()),
+            (std::vector<std::string>{"north", "east", "high", "low"}));
+  EXPECT_TRUE(std::ranges::none_of(told.evaluation.missed, [](const Finding& finding) {
+    return std::holds_alternative<CutDropped>(finding.cause);
+  }));
+}
+
+TEST(BlockCuts, WhatMeetsNothingIsDroppedWithAMessage) {
+  Design design = crossing();
+  addFlat(design, "lid", 480);
+  const Outcome outcome = evaluate(design, nullptr, {});
+  ASSERT_FALSE(outcome.error) << outcome.error->message;
+  const Evaluation& e = outcome.evaluation;
+  EXPECT_EQ(idsOf(e.blocks.front()), (std::vector<std::string>{"north", "east"}));
+  ASSERT_EQ(e.missed.size(), 1u);
+  ASSERT_TRUE(std::holds_alternative<CutDropped>(e.missed.front().cause));
+  const CutDropped& dropped = std::get<CutDropped>(e.missed.front().cause);
+  EXPECT_EQ(dropped.cut, "lid");
+  EXPECT_EQ(dropped.met, 0);
+  EXPECT_EQ(e.missed.front().severity, Severity::warning);
+  EXPECT_TRUE(e.complete());
+  // Within the tolerance it is dropped, above it is made: east goes through z = 120 + … + 210 at its end.
+  EXPECT_FALSE(words::sentence(e.missed.front(), words::Reader::window).empty());
+}
+
+TEST(BlockCuts, GravityTurnsWithTheBlock) {
+  Design design = crossing();
+  for (Cut& cut : design.cuts) cut.sections.stations = 6;
+  design.cuts[1].pose = {BlockFace::bottom, 0};
+  design.cuts[1].keep = KeptSide::above;  // what lies above while it lies upside down
+  const Outcome outcome = evaluate(design, nullptr, {});
+  ASSERT_FALSE(outcome.error) << outcome.error->message;
+  const Evaluation& e = outcome.evaluation;
+  const CutEvaluation &east = *e.find("east"), &north = *e.find("north");
+  const Eigen::Vector3d down = east.sweep.value->request.weight, turned = north.sweep.value->request.weight;
+  EXPECT_LT(down.z(), 0);
+  EXPECT_TRUE(turned.isApprox(-down));
+  EXPECT_TRUE(north.setup->block.frame.normal.isApprox(-Eigen::Vector3d::UnitZ()));
+  EXPECT_EQ(e.blocks.front().together.value->creases.size(), 1u) << "the same part";
+}
+
+TEST(BlockCuts, ATurnAboutTheVerticalLeavesTheBladesAsTheyAre) {
+  Design design = crossing();
+  for (Cut& cut : design.cuts) cut.sections.stations = 6;
+  const Outcome turned = evaluate(design, nullptr, {});
+  design.cuts[1].pose = {};
+  const Outcome placed = evaluate(design, nullptr, {});
+  ASSERT_FALSE(turned.error || placed.error);
+  const Sweep &a = *turned.evaluation.find("north")->sweep.value,
+              &b = *placed.evaluation.find("north")->sweep.value;
+  ASSERT_EQ(a.poses.size(), b.poses.size());
+  for (std::size_t i = 0; i < a.poses.size(); ++i) {
+    EXPECT_LT((a.poses[i].leftPoint() - b.poses[i].leftPoint()).norm(), 0.05);
+    EXPECT_LT((a.poses[i].rightPoint() - b.poses[i].rightPoint()).norm(), 0.05);
+  }
+  // In the frame of the work object the blade travels along y in the one and along x in the other.
+  const auto travel = [](const Evaluation& e) {
+    const Motion& motion = *e.find("north")->motion.value;
+    return Eigen::Vector3d(motion.instants.back().poses[0].position -
+                           motion.instants.front().poses[0].position);
+  };
+  EXPECT_GT(travel(turned.evaluation).y(), 600);
+  EXPECT_LT(std::abs(travel(turned.evaluation).x()), 100);
+  EXPECT_GT(travel(placed.evaluation).x(), 600);
+}
+
+TEST(BlockCuts, ACutMayHaveABladeOfItsOwnLength) {
+  Design design = crossing();
+  for (Cut& cut : design.cuts) cut.sections.stations = 6;
+  design.cuts[1].length = 850;
+  const Outcome outcome = evaluate(design, nullptr, {});
+  ASSERT_FALSE(outcome.error) << outcome.error->message;
+  EXPECT_EQ(outcome.evaluation.find("east")->motion.value->bladeLength, 800);
+  EXPECT_EQ(outcome.evaluation.find("north")->motion.value->bladeLength, 850);
+}
+
+TEST(BlockCuts, AnUprightCutNeedsItsSideTold) {
+  Design design = crossing();
+  Source source;
+  source.id = "wall";
+  // Turned so that it stands at x = 200.
+  source.surface = DesignedSurface{FormulaSurface{{{0, 0}, {500, 600}}, "0"}, {200, 0, 0}, {0, -M_PI / 2, 0}};
+  design.sources.push_back(source);
+  Cut cut = design.cut();
+  cut.id = cut.source = "wall";
+  cut.sections.stations = 6;
+  cut.order = 1;
+  design.cuts.push_back(cut);
+  const Outcome unsaid = evaluate(design, nullptr, {});
+  ASSERT_TRUE(unsaid.error);
+  EXPECT_EQ(unsaid.error->code, ErrorCode::badInput);
+  EXPECT_NE(unsaid.error->message.find("wall: "), std::string::npos) << unsaid.error->message;
+  EXPECT_NE(unsaid.error->message.find("keep"), std::string::npos) << unsaid.error->message;
+}
+
+TEST(BlockCuts, NothingIsMadeAnewWhereNothingChanged) {
+  Design design = crossing();
+  for (Cut& cut : design.cuts) cut.sections.stations = 6;
+  const Outcome first = evaluate(design, nullptr, {});
+  ASSERT_FALSE(first.error);
+  design.name = "Other";
+  const Outcome second = evaluate(design, &first.evaluation, {});
+  ASSERT_FALSE(second.error);
+  EXPECT_EQ(second.evaluation.blocks[0].together.value, first.evaluation.blocks[0].together.value);
+  EXPECT_EQ(second.evaluation.blocks[0].met.value, first.evaluation.blocks[0].met.value);
+  EXPECT_EQ(second.evaluation.find("north")->swept.value, first.evaluation.find("north")->swept.value);
+  design.cuts[0].keep = KeptSide::above;
+  const Outcome third = evaluate(design, &first.evaluation, {});
+  ASSERT_FALSE(third.error);
+  EXPECT_NE(third.evaluation.blocks[0].met.value, first.evaluation.blocks[0].met.value);
+}
+
+TEST(BlockCuts, TheReportAndTheProgramsTellAllOfThem) {
+  Design design = exampleDesign("two-crossing-cuts").value();
+  const Product product = produce(design, {}, {}, {});
+  ASSERT_FALSE(product.error) << product.error->message;
+  EXPECT_EQ(product.status(), kDone);
+  nlohmann::json report;
+  int modules = 0;
+  bool told = false;
+  for (std::size_t i = 0; i < product.files.paths().size(); ++i) {
+    const std::string name = product.files.paths()[i].generic_string(), &text = product.files.bytes()[i];
+    if (name == "report.json") report = nlohmann::json::parse(text);
+    if (!name.ends_with(".mod")) continue;
+    ++modules;
+    if (name.find("strip-0") != std::string::npos)
+      told = told || (text.find("cut 1 of 2 of block") != std::string::npos &&
+                      text.find("turned by 90 degrees") != std::string::npos);
+    else
+      EXPECT_NE(text.find("make north before it"), std::string::npos) << name;
+  }
+  EXPECT_EQ(modules, 4) << "two robots, two cuts";
+  EXPECT_TRUE(told);
+  const auto& block = report["blocks"][0];
+  ASSERT_EQ(block["creases"].size(), 1u);
+  EXPECT_EQ(block["creases"][0]["cuts"], (nlohmann::json{"north", "east"}));
+  EXPECT_LT(block["creases"][0]["off_max_mm"], 2.0);
+  EXPECT_EQ(block["cuts"][0]["turn_deg"], 90);
+  EXPECT_EQ(report["strips"].size(), 2u);
+}
+
+}  // namespace
+}  // namespace bw::pipeline
