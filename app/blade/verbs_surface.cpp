@@ -150,9 +150,11 @@ int runRender(const Session& session, const RenderOptions& options) {
   if (!design) return session.complain(design.error());
   const pipeline::Policy policy{.contents = pipeline::Policy::Contents::evaluation,
                                 .length = pipeline::foundLength(options.path)};
-  const pipeline::Product product = pipeline::produce(*design, {}, policy, session.context());
+  pipeline::Product product = pipeline::produce(*design, {}, policy, session.context());
   session.tell(product.evaluation.sourceFindings);
   if (product.error) return session.complain(*product.error);
+  if (const Result<void> ok = pipeline::addParts(product.evaluation, session.context()); !ok)
+    return session.complain(ok.error());
   scene::Scene scene;
   scene.setContent(pipeline::sceneContent(product.evaluation));
   scene::Style style;

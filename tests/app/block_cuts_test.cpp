@@ -195,17 +195,78 @@ TEST(BlockCuts, NothingIsMadeAnewWhereNothingChanged) {
   EXPECT_NE(third.evaluation.blocks[0].met.value, first.evaluation.blocks[0].met.value);
 }
 
+TEST(BlockCuts, WhatIsLeftIsASolid) {
+  const Design design = crossing();
+  Outcome outcome = evaluate(design, nullptr, {});
+  ASSERT_FALSE(outcome.error) << outcome.error->message;
+  EXPECT_FALSE(outcome.evaluation.blocks[0].part.value) << "not while it is dragged";
+  ASSERT_TRUE(addParts(outcome.evaluation, {}));
+  const BlockPart& part = *outcome.evaluation.blocks[0].part.value;
+  ASSERT_TRUE(part.solid);
+  // The lower of both formulas, by the midpoint rule.
+  constexpr int kSteps = 600;
+  double volume = 0;
+  for (int i = 0; i < kSteps; ++i)
+    for (int j = 0; j < kSteps; ++j) {
+      const double x = (i + 0.5) / kSteps, y = (j + 0.5) / kSteps, pi = M_PI;
+      const double east = 120 + 210 * x + 40 * std::sin(pi * x) + 12 * std::sin(2 * pi * y);
+      const double north = 120 + 210 * y + 40 * std::sin(pi * y) + 12 * std::cos(2 * pi * x);
+      volume += std::min(east, north);
+    }
+  volume *= 360000.0 / (kSteps * kSteps);
+  EXPECT_NEAR(part.solid->volume(), volume, 0.1 * 360000) << "within the mean deviation of the cuts";
+  EXPECT_EQ(part.solid->blockVolume(), 600.0 * 600 * 500);
+  EXPECT_EQ(part.solid->pieces(), 1);
+  EXPECT_NEAR(part.solid->steps()[0].removed + part.solid->steps()[1].removed + part.solid->volume(),
+              part.solid->blockVolume(), 200);
+  EXPECT_FALSE(part.mesh.triangles.empty());
+  // It is kept where nothing of it changes.
+  Design renamed = design;
+  renamed.name = "Other";
+  const Outcome again = evaluate(renamed, &outcome.evaluation, {});
+  EXPECT_EQ(again.evaluation.blocks[0].part.value, outcome.evaluation.blocks[0].part.value);
+  renamed.cuts[0].sections.stations = 20;
+  EXPECT_FALSE(evaluate(renamed, &outcome.evaluation, {}).evaluation.blocks[0].part.value);
+}
+
+TEST(BlockCuts, ABlockThatFallsIntoPiecesIsTold) {
+  Design design = crossing();
+  design.variables.clear();
+  addFlat(design, "lid", 400);
+  addFlat(design, "valley", 0);
+  design.cuts.resize(2);
+  std::get<FormulaSurface>(design.sources.back().surface->shape).formula = "100*cos(2*pi*x/600)";
+  design.cuts[0].direction = Eigen::Vector3d::UnitX();  // straight blades
+  design.cuts[0].order = 2;
+  design.cuts[1].order = 1;
+  for (Cut& cut : design.cuts) cut.sections.stations = 25;
+  Outcome outcome = evaluate(design, nullptr, {});
+  ASSERT_FALSE(outcome.error) << outcome.error->message;
+  ASSERT_TRUE(addParts(outcome.evaluation, {}));
+  const std::optional<geometry::Part>& solid = outcome.evaluation.blocks[0].part.value->solid;
+  ASSERT_TRUE(solid);
+  EXPECT_EQ(solid->pieces(), 2);
+  EXPECT_NEAR(solid->volume(), 600 * 600 * 100 / M_PI, 0.02 * 600 * 600 * 100 / M_PI);
+  const Findings found = outcome.evaluation.findings();
+  EXPECT_TRUE(std::ranges::any_of(found, [](const Finding& finding) {
+    const auto* left = std::get_if<PiecesLeft>(&finding.cause);
+    return left && left->pieces == 2 && finding.severity == Severity::warning;
+  }));
+}
+
 TEST(BlockCuts, TheReportAndTheProgramsTellAllOfThem) {
   Design design = exampleDesign("two-crossing-cuts").value();
   const Product product = produce(design, {}, {}, {});
   ASSERT_FALSE(product.error) << product.error->message;
   EXPECT_EQ(product.status(), kDone);
   nlohmann::json report;
+  std::string step;
   int modules = 0;
   bool told = false;
   for (std::size_t i = 0; i < product.files.paths().size(); ++i) {
     const std::string name = product.files.paths()[i].generic_string(), &text = product.files.bytes()[i];
     if (name == "report.json") report = nlohmann::json::parse(text);
+    if (name == "parts.step") step = text;
     if (!name.ends_with(".mod")) continue;
     ++modules;
     if (name.find("strip-0") != std::string::npos)
@@ -222,6 +283,12 @@ TEST(BlockCuts, TheReportAndTheProgramsTellAllOfThem) {
   EXPECT_LT(block["creases"][0]["off_max_mm"], 2.0);
   EXPECT_EQ(block["cuts"][0]["turn_deg"], 90);
   EXPECT_EQ(report["strips"].size(), 2u);
+  EXPECT_EQ(block["part"]["pieces"], 1);
+  EXPECT_EQ(block["part"]["cuts"][0]["cut"], "north");
+  const Result<geometry::CadModel> part = geometry::CadModel::readBytes(step, "parts.step");
+  ASSERT_TRUE(part) << part.error().message;
+  EXPECT_EQ(part->info().solids, 1);
+  EXPECT_NEAR(part->info().bounds.max.x() - part->info().bounds.min.x(), 600, 0.01);
 }
 
 }  // namespace

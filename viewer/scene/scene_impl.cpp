@@ -123,7 +123,7 @@ void Scene::Impl::setStyle(const Style& given) {
   if (style.chooseFaces) {
     // What was made of the faces steps aside.
     style.items.clear();
-    for (const Kind kind : {Kind::cut, Kind::target, Kind::station, Kind::blade, Kind::block})
+    for (const Kind kind : {Kind::cut, Kind::target, Kind::station, Kind::blade, Kind::block, Kind::part})
       style[kind].visible = false;
     style[Kind::cut].map = "none";
     style.selected = {};

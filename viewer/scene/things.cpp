@@ -57,6 +57,10 @@ bool drawable(Item& item) {
     cleanMesh(*target);
     return !target->triangles.empty();
   }
+  if (FoamPart* part = std::get_if<FoamPart>(&item.data)) {
+    cleanMesh(part->mesh);
+    return !part->mesh.triangles.empty();
+  }
   if (const Box* box = std::get_if<Box>(&item.data))
     return box->size.allFinite() && box->frame.origin.allFinite() && (box->size.array() > 0).all();
   if (const Faces* faces = std::get_if<Faces>(&item.data)) return faces->mesh && sound(*faces->mesh);
@@ -98,6 +102,8 @@ Things::Things(Content& content) {
     if (const auto* blades = std::get_if<Blades>(&item.data)) rowOf(*this, item.id).blades = &blades->lines;
     if (const auto* box = std::get_if<Box>(&item.data)) stockOf(*this, item.id.block).box = box;
     if (const auto* travel = std::get_if<Travel>(&item.data)) stockOf(*this, item.id.block).travel = travel;
+    if (const auto* part = std::get_if<FoamPart>(&item.data))
+      stockOf(*this, item.id.block).part = &part->mesh;
     if (const auto* all = std::get_if<Faces>(&item.data); all && !faces) faces = all->mesh;
     if (const auto* cut = std::get_if<CutSurface>(&item.data)) {
       Row& row = rowOf(*this, item.id);
@@ -106,6 +112,10 @@ Things::Things(Content& content) {
       if (grid.rows >= 2 && grid.columns >= 2 &&
           grid.points.size() == std::size_t(grid.rows) * std::size_t(grid.columns)) {
         row.mesh = grid.triangles();
+        if (cut->depths.size() == grid.points.size())
+          std::erase_if(row.mesh.triangles, [&](const std::array<int, 3>& t) {
+            return std::ranges::all_of(t, [&](int corner) { return cut->depths[std::size_t(corner)] < 0; });
+          });
         cleanMesh(row.mesh);
         row.areas = pointAreas(row.mesh);
       }

@@ -48,6 +48,7 @@ struct Stock {
   ItemId id;
   const Box* box = nullptr;
   const Travel* travel = nullptr;
+  const TriangleMesh* part = nullptr;  ///< what is left of it
   std::vector<const Row*> rows;
   TriangleMesh cuts;  ///< of its rows together
 };

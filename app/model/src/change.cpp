@@ -57,6 +57,15 @@ Change difference(const pipeline::Evaluation* before, const pipeline::Evaluation
   change.whole.setFlag(Aspect::block, a.design.stock != b.design.stock);
   change.whole.setFlag(Aspect::checks,
                        a.design.process != b.design.process || a.design.blade != b.design.blade);
+  const auto partsOf = [](const pipeline::Evaluation& e) {
+    std::vector<const void*> parts;
+    for (const pipeline::BlockEvaluation& block : e.blocks) {
+      parts.push_back(block.part.value.get());
+      parts.push_back(block.together.value.get());
+    }
+    return parts;
+  };
+  change.whole.setFlag(Aspect::part, partsOf(a) != partsOf(b));
   const pipeline::CutEvaluation none;
   for (const pipeline::Evaluation* each : {&a, &b})
     for (const pipeline::BlockEvaluation& block : each->blocks)

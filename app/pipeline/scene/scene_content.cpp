@@ -3,6 +3,8 @@
 
 #include "bw/pipeline/scene_content.h"
 
+#include <span>
+
 namespace bw::pipeline {
 
 namespace {
@@ -10,19 +12,42 @@ namespace {
 /// Points of a drawn curve; a blade bends gently.
 constexpr int kCurvePoints = 65;
 
+/// The longest stretch of a station's curve that no other cut takes; `depths` are those of its row, evenly
+/// along it. A point where everything is taken.
+std::vector<Eigen::Vector3d> leftOf(std::vector<Eigen::Vector3d> curve, std::span<const double> depths) {
+  std::size_t from = 0, to = 0, begin = 0;
+  for (std::size_t k = 0; k <= curve.size(); ++k) {
+    const std::size_t at = k * (depths.size() - 1) / (curve.size() - 1);
+    if (k < curve.size() && depths[at] >= 0) continue;
+    if (k - begin > to - from) {
+      from = begin;
+      to = k;
+    }
+    begin = k + 1;
+  }
+  if (to - from < 2) return {curve.front(), curve.front()};
+  return {curve.begin() + std::ptrdiff_t(from), curve.begin() + std::ptrdiff_t(to)};
+}
+
 void addCut(scene::Content& content, const scene::ItemId& row, SurfaceGrid cut, const Sweep& sweep,
-            double tolerance) {
+            double tolerance, std::vector<double> depths = {}, std::span<const int> rows = {}) {
   const Blade& blade = sweep.request.blade;
+  scene::Stations stations;
+  scene::Blades blades;
+  const auto columns = std::size_t(cut.columns);
+  for (std::size_t i = 0; i < sweep.poses.size(); ++i) {
+    const BladePose& pose = sweep.poses[i];
+    stations.lines.push_back(pose.cutPoints(kCurvePoints));
+    if (!depths.empty() && i < rows.size())
+      stations.lines.back() = leftOf(std::move(stations.lines.back()),
+                                     std::span(depths).subspan(std::size_t(rows[i]) * columns, columns));
+    blades.lines.push_back(pose.bladePoints(kCurvePoints));
+  }
   content.add(row, scene::CutSurface{std::move(cut),
+                                     std::move(depths),
                                      {{"curvature", 1.0},
                                       {"stress", blade.stress(blade.maxCurvature())},
                                       {"grip_error", tolerance}}});
-  scene::Stations stations;
-  scene::Blades blades;
-  for (const BladePose& pose : sweep.poses) {
-    stations.lines.push_back(pose.cutPoints(kCurvePoints));
-    blades.lines.push_back(pose.bladePoints(kCurvePoints));
-  }
   content.add(row, std::move(stations));
   content.add(row, std::move(blades));
 }
@@ -60,12 +85,16 @@ scene::Content sceneContent(const Evaluation& evaluation) {
       content.add({b}, evaluation.design.stock[std::size_t(b)]
                            .placement->box());  // it misses the surface: shown where it was put
     if (setup) content.add({b}, scene::Travel{setup->planes.direction()});
+    if (block.part.value && block.cuts.size() > 1) content.add({b}, scene::FoamPart{block.part.value->mesh});
     for (int c = 0; c < int(block.cuts.size()); ++c) {
       const std::optional<CutResult> result = block.cuts[std::size_t(c)].result();
       if (!result) continue;
       SurfaceGrid cut = result->analysis.cut;
       cut.fields.push_back(certaintyField(result->rest, result->analysis.stationRow, cut));
-      addCut(content, {b, c, 0}, std::move(cut), result->sweep, evaluation.design.process.tolerance);
+      const CutsTogether* together = block.together.value.get();
+      addCut(content, {b, c, 0}, std::move(cut), result->sweep, evaluation.design.process.tolerance,
+             together ? together->depths[std::size_t(c)] : std::vector<double>(),
+             result->analysis.stationRow);
     }
   }
   return content;

@@ -153,6 +153,7 @@ Result<CutsTogether> compareCutsOf(const BlockEvaluation& block, const MetReques
     CutSurfaces& surfaces = cuts.emplace_back();
     surfaces.id = cut.id;
     surfaces.kept = request.kept[i];
+    surfaces.shown = &cut.analysis.value->cut.points;
     surfaces.target = sampled(*cut.targetMesh.value, *cut.target.value);
     surfaces.cut = sampled(swept.mesh, swept.target);
     const Result<int> side = sideKept(swept.mesh, *surfaces.cut.sampler, request.kept[i]);
@@ -173,31 +174,105 @@ Result<void> orderCuts(Evaluation& e, const Evaluation* previous, const RunConte
   return {};
 }
 
+namespace {
+
+/// What the blades of all cuts of a block sweep.
+Result<Inputs> sweepAll(BlockEvaluation& block, const Evaluation* previous, double& seconds) {
+  Inputs swept;
+  for (CutEvaluation& cut : block.cuts) {
+    const CutEvaluation* before = previous ? previous->find(cut.id) : nullptr;
+    if (!cut.swept.value) {
+      const Result<void> ok = settle(cut.swept, before ? &before->swept : nullptr, {}, {cut.way.value},
+                                     seconds, [&cut](const NoRequest&, Findings&) { return sweptBy(cut); });
+      if (!ok) return tl::unexpected<Error>(inCut(cut.id, ok.error()).error());
+    }
+    swept.push_back(cut.swept.value);
+  }
+  return swept;
+}
+
+Box placedBox(const Evaluation& e, const BlockEvaluation& block) {
+  return block.placement ? block.placement->box() : placedBlock(e.design, block.cuts.front());
+}
+
+Result<BlockPart> partOf(const BlockEvaluation& block, const MetRequest& request, const RunContext& context,
+                         Findings& findings) {
+  std::vector<geometry::PartCut> cuts;
+  for (std::size_t i = 0; i < block.cuts.size(); ++i)
+    cuts.push_back({block.cuts[i].id, &block.cuts[i].swept.value->surface, request.kept[i]});
+  Result<geometry::Part> part = geometry::Part::make(request.placed, cuts, context);
+  Result<TriangleMesh> mesh = part ? part->mesh() : tl::unexpected<Error>(part.error());
+  if (!mesh) {
+    if (mesh.error().code == ErrorCode::cancelled) return tl::unexpected<Error>(mesh.error());
+    findings.push_back({Severity::warning, PartUnknown{mesh.error().message}, {}, {}});
+    return BlockPart{};
+  }
+  if (part->pieces() != 1)
+    findings.push_back(
+        {part->pieces() == 0 ? Severity::error : Severity::warning, PiecesLeft{part->pieces()}, {}, {}});
+  return BlockPart{std::move(*part), std::move(*mesh)};
+}
+
+}  // namespace
+
 Result<void> compareBlocks(Evaluation& e, const Evaluation* previous, const RunContext& context) {
   for (BlockEvaluation& block : e.blocks) {
     if (block.cuts.size() < 2) continue;
-    Inputs inputs;
-    for (CutEvaluation& cut : block.cuts) {
-      const CutEvaluation* before = previous ? previous->find(cut.id) : nullptr;
-      const Result<void> ok =
-          settle(cut.swept, before ? &before->swept : nullptr, {}, {cut.way.value}, e.seconds.check,
-                 [&cut](const NoRequest&, Findings&) { return sweptBy(cut); });
-      if (!ok) return inBlock(e, block.id, inCut(cut.id, ok.error()));
-      inputs.push_back(cut.swept.value);
-      inputs.push_back(cut.targetMesh.value);
+    Result<Inputs> inputs = sweepAll(block, previous, e.seconds.check);
+    if (!inputs) return inBlock(e, block.id, tl::unexpected<Error>(inputs.error()));
+    for (const CutEvaluation& cut : block.cuts) {
+      inputs->push_back(cut.targetMesh.value);
+      inputs->push_back(cut.analysis.value);
     }
     const BlockEvaluation* before = blockOf(previous, block.id);
-    const Box placed = block.placement->box();
+    const Box placed = placedBox(e, block);
     const Result<void> ok =
         settle(block.together, before ? &before->together : nullptr,
-               {placed, keptWays(e.design, block, placed), e.design.process.tolerance}, std::move(inputs),
+               {placed, keptWays(e.design, block, placed), e.design.process.tolerance}, std::move(*inputs),
                e.seconds.check, [&](const MetRequest& request, Findings& findings) {
                  Result<CutsTogether> together = compareCutsOf(block, request, context);
                  if (together) findings = together->findings;
                  return together;
                });
     if (!ok) return inBlock(e, block.id, ok);
+    // What stands of it from before goes on.
+    Inputs swept;
+    for (const CutEvaluation& cut : block.cuts) swept.push_back(cut.swept.value);
+    const MetRequest part{placed, keptWays(e.design, block, placed), 0};
+    if (before && before->part.value && before->part.request == part && before->part.inputs == swept)
+      block.part = before->part;
   }
+  return {};
+}
+
+Result<void> makePart(Evaluation& e, BlockEvaluation& block, const Evaluation* previous, double& seconds,
+                      const RunContext& context) {
+  if (block.part.value) return {};
+  Result<Inputs> inputs = sweepAll(block, previous, seconds);
+  if (!inputs) return inBlock(e, block.id, tl::unexpected<Error>(inputs.error()));
+  const BlockEvaluation* before = blockOf(previous, block.id);
+  const Box placed = placedBox(e, block);
+  return settle(block.part, before ? &before->part : nullptr, {placed, keptWays(e.design, block, placed), 0},
+                std::move(*inputs), seconds, [&](const MetRequest& request, Findings& findings) {
+                  return partOf(block, request, context, findings);
+                });
+}
+
+Result<void> makeParts(Evaluation& e, const Evaluation* previous, const RunContext& context) {
+  const auto wanted = [&e](const BlockEvaluation& block) {
+    return e.blocks.size() > 1 || block.cuts.size() > 1 || e.design.source().surface;
+  };
+  // Side by side: each stands on its own cuts.
+  std::vector<Result<void>> done(e.blocks.size());
+  std::vector<double> seconds(e.blocks.size(), 0);
+  const Result<void> ok = parallelFor(context, int(e.blocks.size()), [&](int i) {
+    BlockEvaluation& block = e.blocks[std::size_t(i)];
+    if (wanted(block)) done[std::size_t(i)] = makePart(e, block, previous, seconds[std::size_t(i)], context);
+  });
+  e.seconds.check += std::ranges::max(seconds);
+  if (!ok) return ok;
+  for (const Result<void>& one : done)
+    if (!one) return one;
   return {};
 }
 

@@ -20,4 +20,12 @@ Result<void> orderCuts(Evaluation& e, const Evaluation* previous, const RunConte
 /// surfaces.
 Result<void> compareBlocks(Evaluation& e, const Evaluation* previous, const RunContext& context);
 
+/// What is left of a block all of whose cuts came to a result, as a solid. Some 0.4 s a cut. Error:
+/// `cancelled`.
+Result<void> makePart(Evaluation& e, BlockEvaluation& block, const Evaluation* previous, double& seconds,
+                      const RunContext& context);
+
+/// The same of all blocks, where files want it.
+Result<void> makeParts(Evaluation& e, const Evaluation* previous, const RunContext& context);
+
 }  // namespace bw::pipeline

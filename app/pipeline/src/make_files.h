@@ -12,7 +12,7 @@
 
 namespace bw::pipeline {
 
-/// sweep.json, surface.step, mesh.obj, stations.csv and deviation.csv of all strips, the programs of
+/// sweep.json, surface.step, parts.step (where parts are known), mesh.obj, stations.csv and deviation.csv of all strips, the programs of
 /// the design in programs/ as `programFiles` has them, the design, those of the policy's caller, and last
 /// report.json. The report lists exactly these, with the fingerprint of each and the name of the run.
 Result<FileSet> resultFiles(Evaluation& evaluation, const RunContext& context, const Policy& policy);

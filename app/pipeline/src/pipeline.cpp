@@ -303,6 +303,7 @@ Findings Evaluation::findings() const {
     }
   for (const BlockEvaluation& block : blocks) {
     Findings own = block.together.findings;
+    append(own, block.part.findings);
     if (blocks.size() > 1)
       for (Finding& finding : own) finding.where.block = block.id;
     append(all, own);
@@ -328,6 +329,7 @@ void Evaluation::takeMissing(const Evaluation& before) {
       if (!block.placement) block.placement = from->placement;
       takeMissing(block.met, from->met);
       takeMissing(block.together, from->together);
+      takeMissing(block.part, from->part);
     }
     for (CutEvaluation& cut : block.cuts) {
       const CutEvaluation* from = before.find(cut.id);
@@ -402,6 +404,8 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
   // Rows may have become firmer ones.
   if (ok = joinAll(works, e, previous); !ok) return stop(ok.error());
   if (ok = compareBlocks(e, previous, context); !ok) return stop(ok.error());
+  if (purpose == Purpose::files)
+    if (ok = makeParts(e, previous, context); !ok) return stop(ok.error());
   if (design.blade.autoLength) e.design.blade.length = e.cut().sweep.value->request.blade.length;
   if (!design.output.programs.empty()) judgeCell(e, previous);
   for (BlockEvaluation& block : e.blocks)
@@ -413,14 +417,32 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
   return outcome;
 }
 
-bool addSecondThought(Evaluation& e, const RunContext& context) {
+namespace {
+
+/// True for several cuts that came to a result, and of which it is not known what they leave.
+bool wantsPart(const BlockEvaluation& block) {
+  return block.cuts.size() > 1 && block.together.value && !block.part.value;
+}
+
+}  // namespace
+
+Result<void> addParts(Evaluation& e, const RunContext& context) {
+  double none = 0;
   for (BlockEvaluation& block : e.blocks)
+    if (wantsPart(block))
+      if (Result<void> ok = makePart(e, block, nullptr, none, context); !ok) return ok;
+  return {};
+}
+
+bool addSecondThought(Evaluation& e, const RunContext& context) {
+  for (BlockEvaluation& block : e.blocks) {
+    double none = 0;
+    if (wantsPart(block)) return makePart(e, block, nullptr, none, context).has_value();
     for (CutEvaluation& stages : block.cuts) {
       if (!stages.result()) continue;
       const FitRequest& fit = stages.sweep.value->request;
       CutWork work{e.design, cutOf(e.design, stages.id), stages, nullptr, e.seconds, context, Purpose::live};
       work.joined = fit.fitEndpoints && fit.fitTangents;
-      double none = 0;
       // A motion that cannot be run is so once and for all.
       if (!stages.run.value && stages.run.inputs.empty()) {
         const Result<void> ran =
@@ -443,6 +465,7 @@ bool addSecondThought(Evaluation& e, const RunContext& context) {
         return seekClearances(work, none).has_value();
       if (!stages.margins.value) return seekMargins(work, none).has_value();
     }
+  }
   return false;
 }
 

@@ -143,6 +143,21 @@ ordered_json creasesJson(const BlockEvaluation& block) {
   return list;
 }
 
+/// What is left of a block; null where it could not be made a solid.
+ordered_json partJson(const BlockEvaluation& block) {
+  const std::optional<geometry::Part>& solid = block.part.value->solid;
+  if (!solid) return nullptr;
+  ordered_json removed = ordered_json::array();
+  for (std::size_t i = 0; i < block.cuts.size(); ++i)
+    removed.push_back({{"cut", block.cuts[i].id},
+                       {"removed_mm3", solid->steps()[i].removed},
+                       {"thickest_mm", solid->steps()[i].thickest}});
+  return {{"block_mm3", solid->blockVolume()},
+          {"left_mm3", solid->volume()},
+          {"pieces", solid->pieces()},
+          {"cuts", removed}};
+}
+
 ordered_json jointsJson(const Evaluation& e) {
   ordered_json list = ordered_json::array();
   const std::vector<BlockRow> rows = rowsOf(e);
@@ -307,6 +322,7 @@ std::string reportJson(const Evaluation& e, const std::string& run, const FileSe
       entry.update(blockJson(placedBlock(design, block.cuts.front())));
     entry["cuts"] = cuts;
     if (block.together.value) entry["creases"] = creasesJson(block);
+    if (block.part.value) entry["part"] = partJson(block);
     report["blocks"].push_back(entry);
   }
   if (e.joints.value) report["joints"] = jointsJson(e);

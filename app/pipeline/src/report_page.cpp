@@ -178,6 +178,14 @@ void parameters(Page& page, const Evaluation& e) {
       if (!lies.empty()) page.row({which + "The block lies with", lies});
       page.row({which + "Cutting direction", direction(each.setup->planes.direction())});
     }
+    if (part.part.value && part.part.value->solid) {
+      const geometry::Part& solid = *part.part.value->solid;
+      constexpr double kLitre = 1e6;  // mm³
+      page.row({of + "What is left of the block",
+                shortText(solid.volume() / kLitre, 4) + " of " + shortText(solid.blockVolume() / kLitre, 4) +
+                    " litres" +
+                    (solid.pieces() == 1 ? "" : ", " + std::to_string(solid.pieces()) + " pieces")});
+    }
     if (!part.together.value) continue;
     for (const Crease& crease : part.together.value->creases)
       page.row({of + "Edge of " + part.cuts[crease.first].id + " and " + part.cuts[crease.second].id,

@@ -209,6 +209,15 @@ Result<std::string> stepOf(const std::vector<Strip>& strips) {
   return geometry::stepText(surfaces, "cut surface");
 }
 
+/// The parts that are left, where they are known; empty where none is.
+Result<std::string> partsOf(const Evaluation& e) {
+  std::vector<geometry::NamedPart> parts;
+  for (const BlockEvaluation& block : e.blocks)
+    if (block.part.value && block.part.value->solid && block.part.value->solid->pieces() > 0)
+      parts.push_back({block.id, &*block.part.value->solid});
+  return parts.empty() ? Result<std::string>("") : geometry::partsStepText(parts, "parts");
+}
+
 std::string meshOf(const std::vector<Strip>& strips) {
   std::vector<NamedGrid> grids;
   for (const Strip& strip : strips)
@@ -235,8 +244,8 @@ Result<FileSet> resultFiles(Evaluation& e, const RunContext& context, const Poli
     programs = std::move(*written);
   }
   // The texts are independent of each other and take most of the time of a small job.
-  std::array<std::string, 5> texts;
-  std::optional<Error> stepError;
+  std::array<std::string, 6> texts;
+  std::optional<Error> stepError, partsError;
   const auto body = [&](int i) {
     switch (i) {
       case 0: {
@@ -256,16 +265,26 @@ Result<FileSet> resultFiles(Evaluation& e, const RunContext& context, const Poli
       case 3:
         texts[3] = stationsCsv(strips);
         break;
+      case 4: {
+        Result<std::string> parts = partsOf(e);
+        if (parts)
+          texts[5] = std::move(*parts);
+        else
+          partsError = parts.error();
+        break;
+      }
       default:
         texts[4] = sweepJson(strips, run);
         break;
     }
   };
-  if (Result<void> ok = parallelFor(context, 5, body); !ok) return tl::unexpected<Error>(ok.error());
+  if (Result<void> ok = parallelFor(context, 6, body); !ok) return tl::unexpected<Error>(ok.error());
   if (stepError) return tl::unexpected<Error>(*stepError);
+  if (partsError) return tl::unexpected<Error>(*partsError);
   FileSet files;
   files.add("sweep.json", std::move(texts[4]));
   files.add("surface.step", std::move(texts[0]));
+  if (!texts[5].empty()) files.add("parts.step", std::move(texts[5]));
   files.add("mesh.obj", std::move(texts[1]));
   files.add("stations.csv", std::move(texts[3]));
   files.add("deviation.csv", std::move(texts[2]));

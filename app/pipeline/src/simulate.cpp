@@ -156,7 +156,7 @@ Result<ProgramRun> runProgram(const robotio::Program& program, const Design* des
   std::vector<std::string> broken;
   Result<Motion> motion = readMotion(program, broken);
   if (!motion) return tl::unexpected<Error>(motion.error());
-  ProgramRun run{std::move(*motion), {}, {}, {}};
+  ProgramRun run{std::move(*motion), {}};
   Outcome outcome;
   const CutEvaluation* cut = nullptr;
   Blade blade;

@@ -52,6 +52,7 @@ constexpr std::pair<FindingKind, const char*> kWords[] = {{FindingKind::fit, "fi
                                                           {FindingKind::blocks, "blocks"},
                                                           {FindingKind::crease, "crease"},
                                                           {FindingKind::cuts, "cuts"},
+                                                          {FindingKind::part, "part"},
                                                           {FindingKind::cell, "cell"},
                                                           {FindingKind::cellSides, "cell-sides"},
                                                           {FindingKind::program, "program"},

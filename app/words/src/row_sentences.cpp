@@ -438,4 +438,16 @@ std::string Sentences::operator()(const TakesSurface& cause) const {
          "cut, or part the block there";
 }
 
+std::string Sentences::operator()(const PartUnknown& cause) const {
+  return "what is left of the block could not be made a solid, and there is no STEP of it and no volume: " +
+         cause.reason;
+}
+
+std::string Sentences::operator()(const PiecesLeft& cause) const {
+  if (cause.pieces == 0)
+    return "nothing is left of the block after its cuts; let the other side of one of them stay (keep)";
+  return "the block falls into " + std::to_string(cause.pieces) +
+         " pieces, which are all to stay; hold each of them, or let another side of a cut stay (keep)";
+}
+
 }  // namespace bw::words

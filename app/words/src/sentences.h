@@ -52,6 +52,8 @@ struct Sentences {
   std::string operator()(const CutDropped& cause) const;
   std::string operator()(const CreaseOff& cause) const;
   std::string operator()(const TakesSurface& cause) const;
+  std::string operator()(const PartUnknown& cause) const;
+  std::string operator()(const PiecesLeft& cause) const;
   // Surfaces and sections.
   std::string operator()(const SectionMissing& cause) const;
   std::string operator()(const SectionPoint& cause) const;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -342,6 +343,21 @@ Result<CutsTogether> compareCuts(const std::vector<CutSurfaces>& cuts, const Box
       if (!crease) return tl::unexpected<Error>(crease.error());
       if (*crease) together.creases.push_back(std::move(**crease));
     }
+  for (std::size_t i = 0; i < cuts.size(); ++i) {
+    std::vector<double>& depths = together.depths.emplace_back();
+    if (!cuts[i].shown) continue;
+    for (const Vector3d& p : *cuts[i].shown) {
+      if (context.stopped()) return stoppedError();
+      double depth = std::numeric_limits<double>::infinity();
+      for (std::size_t k = 0; k < cuts.size(); ++k) {
+        if (k == i) continue;
+        const Result<double> taken = takenBy(cuts[k], p);
+        if (!taken) return tl::unexpected<Error>(taken.error());
+        depth = std::min(depth, -*taken);
+      }
+      depths.push_back(depth);
+    }
+  }
   for (const Crease& crease : together.creases)
     if (crease.offMax > tolerance || crease.lacking > 0)
       together.findings.push_back({crease.offMax > tolerance ? Severity::error : Severity::warning,

@@ -7,7 +7,7 @@ namespace bw {
 
 namespace {
 
-constexpr int kColumns = 61;
+constexpr int kColumns = 41;
 constexpr double kBeyond = 10;       ///< mm that the blade goes on beyond a block
 constexpr double kApart = 20;        ///< mm, about, between rows of its straight travel
 constexpr double kLeastApart = 0.5;  ///< mm between any two rows

@@ -113,6 +113,8 @@ BlockActors::BlockActors(Layers& layers) : arrow_(layers) {
   }
   back_.property()->FrontfaceCullingOn();
   front_.property()->BackfaceCullingOn();
+  part_.setMatte(0.45, 0.6, 0.0);
+  layers.add(Layer::cut, part_);
   for (Part* part : {&fill_, &hatch_, &outline_, &cut_}) layers.add(Layer::section, *part);
   layers.add(Layer::blockBack, back_);
   for (Part* part : {&front_, &edges_}) layers.add(Layer::blockFront, *part);
@@ -124,6 +126,7 @@ void BlockActors::setContent(const Stock* stock) {
   arrow_.setContent(stock);
   for (Part* part : parts()) part->clear();
   if (!stock || !stock->box) return;
+  if (stock->part) shareMesh(part_.data(), stock->part->points, stock->part->normals, stock->part->triangles);
   for (Part* part : {&back_, &front_}) part->setPolygons(facesOf(*stock->box));
   edges_.setSegments(edgesOf(*stock->box));
 }
@@ -157,6 +160,9 @@ void BlockActors::setStyle(const Style& style, double diagonal, const Rgb& backg
   }
   edges_.setVisible(shown);
   edges_.setLine(colors.foamEdge, px);
+  part_.setVisible(stock_ && stock_->part && style.of(Kind::part, stock_->id).visible);
+  part_.setColor(colors.foam);
+  part_.setFade(keep, background);
 
   if (!valid_ || section_ != style.section) {
     section_ = style.section;
@@ -177,6 +183,8 @@ void BlockActors::setStyle(const Style& style, double diagonal, const Rgb& backg
 }
 
 void BlockActors::update(double line) {
+  // The cut surfaces are its faces: they are seen.
+  part_.setDepthShift(-line);
   hatch_.setDepthShift(0.5 * line);
   for (Part* part : {&cut_, &outline_}) part->setDepthShift(line);
 }

@@ -34,7 +34,9 @@ class BlockActors {
  public:
   explicit BlockActors(Layers& layers);
   /// What a section cuts open.
-  std::array<Part*, 3> parts() { return {&back_, &front_, &edges_}; }
+  std::array<Part*, 4> parts() { return {&back_, &front_, &edges_, &part_}; }
+  /// What shades and is shaded of it.
+  vtkActor* solid() const { return part_.actor(); }
   /// The stock stays where it is until the next call; null hides it.
   void setContent(const Stock* stock);
   /// `diagonal` is the size of what is shown, mm: it gives the hatching its distance.
@@ -46,7 +48,7 @@ class BlockActors {
  private:
   void rebuildCap(double diagonal);
 
-  Part back_, front_, edges_, fill_, hatch_, outline_, cut_;
+  Part back_, front_, edges_, part_, fill_, hatch_, outline_, cut_;
   TravelArrow arrow_;
   const Stock* stock_ = nullptr;
   std::optional<SectionPlane> section_;  ///< that the cap was made for

@@ -176,6 +176,7 @@ void ContentActors::setStyle(const Style& style, const Rgb& background) {
 std::vector<vtkSmartPointer<vtkActor>> ContentActors::solids() const {
   std::vector<vtkSmartPointer<vtkActor>> solids;
   for (const CutActors& cut : cuts_) solids.emplace_back(cut.solid());
+  for (const BlockActors& block : blocks_) solids.emplace_back(block.solid());
   return solids;
 }
 

@@ -283,6 +283,11 @@ void SurfaceHandles::hover(int handle) {
 }
 
 void SurfaceHandles::follow(const Change& change) {
+  if (bench_.source().id != source_) {  // the handles are those of another surface
+    source_ = bench_.source().id;
+    chosen_.clear();
+    if (!change.any(model::Aspect::design)) return emit changed();
+  }
   if (!change.any(model::Aspect::design)) return;
   // Another surface, or an undo while a handle is held.
   const DesignedSurface* surface = surfaceOf(bench_);

@@ -9,6 +9,7 @@
 #include <QString>
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "bw/core/shape/designed_surface.h"
@@ -76,6 +77,7 @@ class SurfaceHandles : public QObject {
   view::SceneView* view_;
   bool shown_ = true;
   int hovered_ = -1;
+  std::string source_;  ///< whose handles they are
   std::vector<int> chosen_;
   std::optional<Pull> pull_;
 };

@@ -39,7 +39,7 @@ void MainWindow::follow(const Change& change) {
   }
   if (change.any(Aspect::selection | Aspect::result)) marker_.reset();
   if (change.any(Aspect::result))
-    refreshResult(change.any(Aspect::source | Aspect::sketch | model::kAspectsOfCut));
+    refreshResult(change.any(Aspect::source | Aspect::sketch | Aspect::part | model::kAspectsOfCut));
   else if (change.any(Aspect::sketch))
     refreshSketch();
   else if (change.any(Aspect::selection | Aspect::playTime | Aspect::thoughts))

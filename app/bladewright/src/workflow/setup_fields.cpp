@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "bw/core/base/units.h"
+#include "bw/core/design/cut_list.h"
 #include "bw/core/text/number_text.h"
 
 namespace bw::app {
@@ -217,6 +218,18 @@ CutFields::CutFields(Workbench& bench, FormColumn* column, FormColumn* block, QO
     const Cut& cut = bench_.design().cuts[std::size_t(index)];
     bench_.select({Selection::Kind::result, -1, cut.block, cut.id});
   });
+  auto* line = new QWidget;
+  auto* layout = makeBox<QHBoxLayout>(line);
+  layout->addStretch();
+  add_ = makeButton(tr("Add cut"), tr("Another cut of this block, with a surface of its own"), this,
+                    &CutFields::add);
+  add_->setObjectName("addCut");
+  remove_ =
+      makeButton(tr("Remove cut"), tr("Takes this cut away; a block keeps one"), this, &CutFields::remove);
+  remove_->setObjectName("removeCut");
+  layout->addWidget(remove_);
+  layout->addWidget(add_);
+  column->addWide(line);
   const auto add = [&](const QString& label, const QString& tip, const QStringList& items, const char* name) {
     ChoiceField* field = block->add(label, new ChoiceField, tip);
     field->addItems(items);
@@ -244,6 +257,29 @@ CutFields::CutFields(Workbench& bench, FormColumn* column, FormColumn* block, QO
     bench_.editCut(tr("Change order"),
                    [index](Cut& cut) { cut.order = index == 0 ? std::nullopt : std::optional(index); });
   });
+}
+
+void CutFields::add() {
+  const Cut& beside = bench_.cut();
+  BlockPlacement placed;
+  if (bench_.block().placement)
+    placed = *bench_.block().placement;
+  else if (const auto* cut = bench_.shownCut(); cut && cut->setup)
+    placed = placementOf(placedAs(cut->setup->block, beside.pose));
+  Result<AnotherCut> another = withAnotherCut(bench_.design(), beside, placed);
+  if (!another) return bench_.tell(Topic::other, another.error());
+  // What lay around the surface stays where it is.
+  if (!bench_.block().placement && bench_.shownCut() && bench_.shownCut()->setup)
+    std::ranges::find(another->design.stock, beside.block, &StockBlock::id)->placement = placed;
+  const Selection next{Selection::Kind::result, -1, beside.block, another->id};
+  bench_.editDesign(tr("Add cut"), [&](Design& design) { design = std::move(another->design); });
+  bench_.select(next);
+}
+
+void CutFields::remove() {
+  if (!mayGo(bench_.design(), bench_.cut())) return;
+  bench_.editDesign(tr("Remove cut"),
+                    [cut = bench_.cut()](Design& design) { design = withoutCut(design, cut); });
 }
 
 void CutFields::refreshChoice() {
@@ -278,6 +314,9 @@ void CutFields::refresh() {
     for (int i = 1; i <= places; ++i) order_->addItem(QString::number(i));
   }
   order_->show(cut.order.value_or(0));
+  remove_->setVisible(beside > 1);
+  remove_->setEnabled(mayGo(bench_.design(), cut));
+  add_->setEnabled(!bench_.document().empty());
   setLineVisible(order_, beside > 1);
   setLineVisible(keep_, beside > 1);
 }

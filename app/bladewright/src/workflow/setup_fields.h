@@ -83,8 +83,11 @@ class CutFields : public QObject {
 
  private:
   void refreshChoice();
+  void add();
+  void remove();
 
   Workbench& bench_;
+  QPushButton *add_, *remove_;
   ChoiceField *cut_, *up_, *turn_, *keep_, *order_;
 };
 

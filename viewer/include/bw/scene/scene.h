@@ -33,11 +33,14 @@ struct ItemId {
 using Polyline = std::vector<Eigen::Vector3d>;
 
 /// What a thing is.
-enum class Kind { none, target, cut, station, blade, block, face, travel };
+enum class Kind { none, target, cut, station, blade, block, face, travel, part };
 
 /// A cut surface with its fields.
 struct CutSurface {
   SurfaceGrid grid;
+  /// mm, of each of its points: how deep it lies in the foam that other cuts leave; what lies outside of it
+  /// is not drawn. Empty: all of it is.
+  std::vector<double> depths = {};
   std::map<std::string, double> limits;  ///< of its fields, > 0: the legend begins at 0 and marks them
 };
 /// The fitted part of each station.
@@ -57,10 +60,15 @@ struct Travel {
   Eigen::Vector3d direction;
 };
 
+/// What is left of the block of that id.
+struct FoamPart {
+  TriangleMesh mesh;
+};
+
 /// A thing in the picture.
 struct Item {
   ItemId id;
-  std::variant<TriangleMesh, CutSurface, Stations, Blades, Box, Faces, Travel>
+  std::variant<TriangleMesh, CutSurface, Stations, Blades, Box, Faces, Travel, FoamPart>
       data;  ///< in the order of Kind
   Kind kind() const { return Kind(data.index() + 1); }
 };
@@ -136,7 +144,7 @@ struct Style {
   /// How one thing is shown: as `items` says, otherwise as its kind is.
   const Look& of(Kind kind, const ItemId& id) const;
 
-  std::array<Look, std::size_t(Kind::travel) + 1> kinds;
+  std::array<Look, std::size_t(Kind::part) + 1> kinds;
   std::map<std::pair<Kind, ItemId>, Look> items;  ///< of any kind but faces
   bool dark = false;
   bool isolines = false;

@@ -36,6 +36,7 @@ enum class Aspect {
   selection = 1 << 11,
   playTime = 1 << 12,  ///< and whether the moving blade is shown
   sketch = 1 << 14,    ///< what follows the hand in place of the result, or that nothing does any more
+  part = 1 << 15,      ///< what is left of its blocks, and how their cuts meet
   thoughts = 1 << 13,  ///< of a cut: what `pipeline::addSecondThought` adds; no picture shows it at rest
 };
 Q_DECLARE_FLAGS(Aspects, Aspect)

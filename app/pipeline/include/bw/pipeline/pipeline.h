@@ -24,6 +24,7 @@
 #include "bw/core/sweep/row_motion.h"
 #include "bw/core/sweep/sweep_check.h"
 #include "bw/geometry/cad_model.h"
+#include "bw/geometry/part.h"
 #include "bw/geometry/sections.h"
 #include "bw/pipeline/direction_search.h"
 #include "bw/pipeline/requests.h"
@@ -130,6 +131,12 @@ struct CutEvaluation {
   Findings findings() const;                ///< of all stages in order
 };
 
+/// What is left of a block.
+struct BlockPart {
+  std::optional<geometry::Part> solid;  ///< empty where it could not be made; a finding tells why
+  TriangleMesh mesh = {};               ///< its faces
+};
+
 /// One block of foam, and what is cut of it in this order.
 struct BlockEvaluation {
   std::string id;  ///< of the design's block
@@ -139,6 +146,9 @@ struct BlockEvaluation {
   Stage<MetRequest, std::vector<double>> met =
       {};                                         ///< mm that each cut comes into what those before it leave
   Stage<MetRequest, CutsTogether> together = {};  ///< the creases that they leave
+  /// For files, where there are several blocks, or cuts of it, or its surface is designed; else where there
+  /// are several cuts from `addSecondThought`.
+  Stage<MetRequest, BlockPart> part = {};
 };
 
 /// Everything that follows from a design: a list of blocks, of each a list of cuts, of each the stages.
@@ -201,9 +211,12 @@ Outcome evaluate(const Design& design, const Evaluation* previous, const RunCont
 Result<void> meshTarget(CutEvaluation& cut, const CutEvaluation* previous, double& seconds);
 
 /// Adds to a cut that came to a result the next of what takes longer than a picture may wait for: the motion
-/// run, the barriers along it, then the lengths of blade that would serve, the clearances where none does,
-/// and the margins. False if nothing is left to be added, or it was stopped.
+/// run, the barriers along it, then what is left of its block, the lengths of blade that would serve, the
+/// clearances where none does, and the margins. False if nothing is left to be added, or it was stopped.
 bool addSecondThought(Evaluation& evaluation, const RunContext& context);
+
+/// Adds what is left of blocks with several cuts, where it is not there yet. Error: `cancelled`.
+Result<void> addParts(Evaluation& evaluation, const RunContext& context);
 
 /// Adds the triangles of all faces of the file, to choose among them, unless the file has one face only or
 /// was not read. Those of `previous` are used again where the file is the same. A stop leaves them out.

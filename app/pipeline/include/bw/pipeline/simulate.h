@@ -20,12 +20,12 @@ namespace bw::pipeline {
 struct ProgramRun {
   Motion motion;
   Simulation simulation;
-  std::optional<SimulatedSurface> surface;  ///< only with a design
-  std::vector<BarrierLook> barriers;        ///< likewise
-  std::string block = {}, cut = {};         ///< ids of what it was compared with; likewise
-  bool alone = true;                        ///< true if the design has no other cut
+  std::optional<SimulatedSurface> surface = {};  ///< only with a design
+  std::vector<BarrierLook> barriers = {};        ///< likewise
+  std::string block = {}, cut = {};              ///< ids of what it was compared with; likewise
+  bool alone = true;                             ///< true if the design has no other cut
   /// What breaks a rule of its dialect or a limit of the design, or snaps: a clause each.
-  std::vector<std::string> exceeded;
+  std::vector<std::string> exceeded = {};
 };
 
 /// Reads a program in the dialect of its files and runs it with the blade and the weight of a design, against

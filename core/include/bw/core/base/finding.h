@@ -60,6 +60,7 @@ enum class FindingKind {
   joint,
   crease,
   cuts,
+  part,
   blocks,
   cell,
   cellSides,
@@ -440,6 +441,16 @@ struct TakesSurface {
   std::string cut, of;              ///< the cuts' ids
   double depth = 0, tolerance = 0;  ///< mm
 };
+/// What is left of a block could not be made a solid.
+struct PartUnknown {
+  static constexpr FindingKind kind = FindingKind::part;
+  std::string reason;  ///< a clause
+};
+/// What is left of a block is not one piece.
+struct PiecesLeft {
+  static constexpr FindingKind kind = FindingKind::part;
+  int pieces = 0;
+};
 /// A robot cannot hold its end of the blade at the place, or, without one, at home as the program begins.
 struct HomeOutOfReach {
   static constexpr FindingKind kind = FindingKind::cell;
@@ -486,7 +497,7 @@ using Cause = std::variant<
     ServingLengths, GripErrors, SectionMissing, SectionPoint, SectionShort, SectionBranches, SectionClosed,
     SectionBridged, SectionExtended, SectionBorder, SectionUnfit, SectionRough, SectionDiffers, LargestFace,
     NearestFace, FacesLeftOut, TravelAcross, ChosenDirection, LeftOutOfFile, Healed, ChangedSource,
-    EarlierDesign, JointGap, JointKink, JointOpen, BlocksMissed, CutDropped, CreaseOff, TakesSurface,
+    EarlierDesign, JointGap, JointKink, JointOpen, BlocksMissed, CutDropped, CreaseOff, TakesSurface, PartUnknown, PiecesLeft,
     UnreadableCell, WrongSide, HomeUnknown, HomeOutOfReach, ProgramDespiteErrors, ProgramBreach, RunMismatch>;
 
 /// Stations of a row by their index: from first to last, `count` of them concerned, the worst among them.

@@ -47,6 +47,7 @@ struct CutSurfaces {
   MeshedSurface target, cut;
   Eigen::Vector3d kept = -Eigen::Vector3d::UnitZ();  ///< the way to the foam that stays, and
   int side = 1;                                      ///< its side of `cut` (`sideKept`)
+  const std::vector<Eigen::Vector3d>* shown = nullptr;  ///< points of what is shown of it; may be null
 };
 
 /// The edge that two cuts leave.
@@ -65,6 +66,8 @@ struct Crease {
 /// What cuts of one block do to each other.
 struct CutsTogether {
   std::vector<Crease> creases = {};
+  /// Of each cut, of each point that is shown of it, mm by which it lies in what all others leave.
+  std::vector<std::vector<double>> depths = {};
   Findings findings = {};
 };
 

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// Several cuts of a block in the window: which one is at work, how the block lies for it, what is left.
+
+#include "bw/pipeline/scene_content.h"
+#include "controls/fields.h"
+#include "window_fixture.h"
+#include "workflow/surface_fields.h"
+
+namespace bw::app {
+namespace {
+
+class CutFieldsTest : public WindowTest {
+ protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    ASSERT_TRUE(window().openExample("two-crossing-cuts"));
+    ASSERT_TRUE(settle());
+    ASSERT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
+  }
+
+  /// Chooses as a person does.
+  void choose(const char* field, int index) {
+    auto* choice = window().findChild<ChoiceField*>(field);
+    ASSERT_TRUE(choice) << field;
+    choice->setCurrentIndex(index);
+    emit choice->activated(index);
+  }
+  const pipeline::BlockEvaluation& block() { return bench().shown()->blocks.front(); }
+};
+
+TEST_F(CutFieldsTest, TheChoiceOfACutLeadsAllFields) {
+  auto* cut = window().findChild<ChoiceField*>("cut");
+  ASSERT_TRUE(cut);
+  ASSERT_EQ(cut->count(), 2);
+  EXPECT_EQ(cut->itemText(0), "east");
+  EXPECT_EQ(bench().cut().id, "east");
+  choose("cut", 1);
+  EXPECT_EQ(bench().cut().id, "north");
+  EXPECT_EQ(bench().source().id, "north");
+  EXPECT_EQ(window().findChild<ChoiceField*>("turn")->currentIndex(), 1);
+  auto* formula = find<QLineEdit>("Formula");
+  ASSERT_TRUE(formula);
+  EXPECT_TRUE(formula->text().contains("cos")) << formula->text().toStdString();
+  picture("cuts-north");
+  choose("cut", 0);
+  EXPECT_FALSE(find<QLineEdit>("Formula")->text().contains("cos"));
+}
+
+TEST_F(CutFieldsTest, HowTheBlockLiesIsEditedAndUndone) {
+  const Design before = bench().design();
+  choose("faceUp", 5);
+  EXPECT_EQ(bench().cut().pose.up, BlockFace::back);
+  choose("keep", 1);
+  EXPECT_EQ(bench().cut().keep, KeptSide::above);
+  choose("order", 2);
+  EXPECT_EQ(bench().cut().order, 2);
+  choose("order", 0);
+  EXPECT_FALSE(bench().cut().order);
+  EXPECT_EQ(bench().design().cuts[1], before.cuts[1]) << "the other cut stays";
+  bench().document().undoStack().setIndex(0);
+  EXPECT_EQ(bench().design(), before);
+  EXPECT_EQ(window().findChild<ChoiceField*>("faceUp")->currentIndex(), 0);
+}
+
+TEST_F(CutFieldsTest, WhatIsLeftIsSeenWhenTheHandRests) {
+  ASSERT_TRUE(settleInFull());
+  ASSERT_TRUE(block().part.value && block().part.value->solid);
+  picture("cuts-part");
+  const scene::Content content = pipeline::sceneContent(*bench().shown());
+  const auto* part = content.first<scene::FoamPart>();
+  ASSERT_TRUE(part);
+  EXPECT_FALSE(part->mesh.triangles.empty());
+  const auto* cut = content.first<scene::CutSurface>();
+  ASSERT_TRUE(cut);
+  EXPECT_EQ(cut->depths.size(), cut->grid.points.size());
+  EXPECT_TRUE(std::ranges::any_of(cut->depths, [](double depth) { return depth < -50; }));
+}
+
+TEST_F(CutFieldsTest, ACutIsAddedAndTakenAway) {
+  ASSERT_TRUE(window().openExample("bump"));
+  ASSERT_TRUE(settle());
+  const Design before = bench().design();
+  auto* remove = window().findChild<QPushButton*>("removeCut");
+  EXPECT_FALSE(remove->isVisibleTo(&window()));
+  QTest::mouseClick(window().findChild<QPushButton*>("addCut"), Qt::LeftButton);
+  ASSERT_EQ(bench().design().cuts.size(), 2u);
+  EXPECT_EQ(bench().cut().id, bench().design().cuts[1].id) << "the new one is at work";
+  EXPECT_TRUE(std::holds_alternative<PolesSurface>(bench().source().surface->shape));
+  ASSERT_TRUE(settleInFull());
+  ASSERT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
+  EXPECT_EQ(block().together.value->creases.size(), 1u);
+  picture("cuts-added");
+  ASSERT_TRUE(remove->isVisibleTo(&window()));
+  QTest::mouseClick(remove, Qt::LeftButton);
+  EXPECT_EQ(bench().design().cuts, before.cuts);
+  EXPECT_EQ(bench().design().sources, before.sources);
+  EXPECT_EQ(bench().cut().id, before.cut().id);
+  ASSERT_TRUE(settle());
+  bench().document().undoStack().undo();
+  EXPECT_EQ(bench().design().cuts.size(), 2u);
+}
+
+TEST_F(CutFieldsTest, OneCutHasNoChoice) {
+  ASSERT_TRUE(window().openExample("ripple-along"));
+  ASSERT_TRUE(settle());
+  EXPECT_FALSE(window().findChild<ChoiceField*>("cut")->isVisibleTo(&window()));
+  EXPECT_FALSE(window().findChild<ChoiceField*>("order")->isVisibleTo(&window()));
+}
+
+}  // namespace
+}  // namespace bw::app
