@@ -12,8 +12,9 @@
 
 namespace bw::pipeline {
 
-/// sweep.json, surface.step, parts.step (where parts are known), mesh.obj, stations.csv and deviation.csv of all strips, the programs of
-/// the design in programs/ as `programFiles` has them, the design, those of the policy's caller, and last
+/// sweep.json, surface.step, parts.step (where parts are known), drawings.pdf and cut-list.csv (where they
+/// were sought), mesh.obj, stations.csv and deviation.csv of all strips, the programs of the design in
+/// programs/ as `programFiles` has them, the design, those of the policy's caller, and last
 /// report.json. The report lists exactly these, with the fingerprint of each and the name of the run.
 Result<FileSet> resultFiles(Evaluation& evaluation, const RunContext& context, const Policy& policy);
 

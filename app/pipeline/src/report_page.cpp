@@ -247,6 +247,9 @@ void files(Page& page, const std::vector<std::filesystem::path>& made) {
       {{"surface.step", "surface.iges"},
        "The cut surface as one smooth face, mm, in the frame of the CAD file"},
       {{"mesh.obj", "mesh.stl"}, "The same as triangles"},
+      {{"parts.step"}, "What is left of the blocks, as solids"},
+      {{"drawings.pdf"}, "A drawing of each block for the workshop: its size, and how it lies for each cut"},
+      {{"cut-list.csv"}, "The blocks of foam to order, with volumes, waste and cutting times"},
       {{"stations.csv"}, "One row a station: where the blade's ends are, and the numbers of the table above"},
       {{"deviation.csv"}, "Every point of the map with its values"},
       {{"report.json", "sweep.json"}, "All numbers for scripts"}};

@@ -12,6 +12,7 @@
 #include "bw/geometry/export.h"
 #include "bw/pipeline/run_identity.h"
 #include "make_files.h"
+#include "workshop.h"
 
 namespace bw::pipeline {
 
@@ -244,8 +245,9 @@ Result<FileSet> resultFiles(Evaluation& e, const RunContext& context, const Poli
     programs = std::move(*written);
   }
   // The texts are independent of each other and take most of the time of a small job.
-  std::array<std::string, 6> texts;
-  std::optional<Error> stepError, partsError;
+  std::array<std::string, 7> texts;
+  std::optional<Error> stepError, partsError, drawingsError;
+  const bool workshop = partsSought(e);
   const auto body = [&](int i) {
     switch (i) {
       case 0: {
@@ -273,18 +275,32 @@ Result<FileSet> resultFiles(Evaluation& e, const RunContext& context, const Poli
           partsError = parts.error();
         break;
       }
+      case 5:
+        if (workshop) {
+          Result<std::string> drawings = drawingsOf(e, run, programs.paths(), context);
+          if (drawings)
+            texts[6] = std::move(*drawings);
+          else
+            drawingsError = drawings.error();
+        }
+        break;
       default:
         texts[4] = sweepJson(strips, run);
         break;
     }
   };
-  if (Result<void> ok = parallelFor(context, 6, body); !ok) return tl::unexpected<Error>(ok.error());
+  if (Result<void> ok = parallelFor(context, 7, body); !ok) return tl::unexpected<Error>(ok.error());
   if (stepError) return tl::unexpected<Error>(*stepError);
   if (partsError) return tl::unexpected<Error>(*partsError);
+  if (drawingsError) return tl::unexpected<Error>(*drawingsError);
   FileSet files;
   files.add("sweep.json", std::move(texts[4]));
   files.add("surface.step", std::move(texts[0]));
   if (!texts[5].empty()) files.add("parts.step", std::move(texts[5]));
+  if (workshop) {
+    files.add("drawings.pdf", std::move(texts[6]));
+    files.add("cut-list.csv", cutListCsv(e));
+  }
   files.add("mesh.obj", std::move(texts[1]));
   files.add("stations.csv", std::move(texts[3]));
   files.add("deviation.csv", std::move(texts[2]));

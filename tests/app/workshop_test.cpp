@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// What the workshop gets of a design: its drawings and its cut list.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "../drawings/pdf_text.h"
+#include "bw/core/files/fingerprint.h"
+#include "bw/pipeline/example_design.h"
+#include "bw/pipeline/produce.h"
+
+namespace bw::pipeline {
+namespace {
+
+using drawings::pagesOf;
+using drawings::textOf;
+
+Design example(const std::string& name, int stations) {
+  Design design = exampleDesign(name).value();
+  design.output.programs = {"csv"};
+  for (Cut& cut : design.cuts) cut.sections.stations = stations;
+  return design;
+}
+
+Product made(const Design& design, int threads = 0) {
+  RunContext context;
+  context.threads = threads;
+  Product product = produce(design, "nothing-is-written-there", {}, context);
+  EXPECT_FALSE(product.error) << product.error->message;
+  return product;
+}
+
+std::string file(const Product& product, const std::string& name) {
+  const auto& paths = product.files.paths();
+  const auto at = std::ranges::find(paths, std::filesystem::path(name));
+  return at == paths.end() ? std::string() : product.files.bytes()[std::size_t(at - paths.begin())];
+}
+
+/// The cells of a table without quotes, by line.
+std::vector<std::vector<std::string>> table(const std::string& csv) {
+  std::vector<std::vector<std::string>> lines;
+  std::istringstream in(csv);
+  for (std::string line; std::getline(in, line);) {
+    std::vector<std::string>& cells = lines.emplace_back(1);
+    for (const char c : line)
+      if (c == ',')
+        cells.emplace_back();
+      else
+        cells.back() += c;
+  }
+  return lines;
+}
+
+double number(const std::string& cell) { return std::strtod(cell.c_str(), nullptr); }
+
+TEST(Workshop, GetsADrawingOfABlockWithItsCutsInOrder) {
+  const Product product = made(example("two-crossing-cuts", 9));
+  const std::string pdf = file(product, "drawings.pdf");
+  const auto pages = pagesOf(pdf);
+  ASSERT_EQ(pages.size(), 1u);
+  const std::string text = textOf(pages[0]);
+  const nlohmann::json report = nlohmann::json::parse(file(product, "report.json"));
+  for (const std::string& part :
+       {std::string("Two crossing cuts"), std::string("600 \xd7 600 \xd7 500 mm"),
+        std::string("Cut 1 of 2: north"), std::string("Cut 2 of 2: east"),
+        std::string("then turned by 90 degrees"), std::string("Blade 800 mm, 9 stations"),
+        std::string("programs/strip-0"), std::string("programs/strip-1"),
+        "run " + report["run"].get<std::string>(), std::string("front, right, bottom")})
+    EXPECT_NE(text.find(part), std::string::npos) << part << " is not in\n" << text;
+  EXPECT_LT(pdf.size(), 300'000u);
+  EXPECT_EQ(report["fingerprints"]["drawings.pdf"], fingerprintText(fingerprintOf(pdf)));
+  EXPECT_EQ(report["fingerprints"]["cut-list.csv"],
+            fingerprintText(fingerprintOf(file(product, "cut-list.csv"))));
+}
+
+TEST(Workshop, GetsTheSameForAnyNumberOfThreads) {
+  const Design design = example("two-crossing-cuts", 6);
+  const Product one = made(design, 1), again = made(design, 1), two = made(design, 2);
+  for (const char* name : {"drawings.pdf", "cut-list.csv"}) {
+    EXPECT_FALSE(file(one, name).empty()) << name;
+    EXPECT_EQ(file(one, name), file(again, name)) << name;
+    EXPECT_EQ(file(one, name), file(two, name)) << name;
+  }
+}
+
+TEST(Workshop, CutListAddsUpToTheReport) {
+  const Product product = made(example("three-block-wall", 9));
+  EXPECT_EQ(pagesOf(file(product, "drawings.pdf")).size(), 3u);
+  const auto lines = table(file(product, "cut-list.csv"));
+  const nlohmann::json report = nlohmann::json::parse(file(product, "report.json"));
+  ASSERT_EQ(lines.size(), 5u) << "a head, three blocks, all";
+  const auto column = [&](const std::string& name) {
+    return std::size_t(std::ranges::find(lines[0], name) - lines[0].begin());
+  };
+  double block = 0, left = 0, waste = 0, time = 0, order = 0;
+  for (std::size_t i = 1; i <= 3; ++i) {
+    const std::vector<std::string>& cells = lines[i];
+    ASSERT_EQ(cells.size(), lines[0].size());
+    const nlohmann::json& part = report["blocks"][i - 1]["part"];
+    EXPECT_EQ(cells[0], report["blocks"][i - 1]["id"]);
+    EXPECT_NEAR(number(cells[column("block_l")]), part["block_mm3"].get<double>() * 1e-6, 5.1e-4);
+    EXPECT_NEAR(number(cells[column("left_l")]), part["left_mm3"].get<double>() * 1e-6, 5.1e-4);
+    double removed = 0;
+    for (const nlohmann::json& cut : part["cuts"]) removed += cut["removed_mm3"].get<double>() * 1e-6;
+    EXPECT_NEAR(number(cells[column("waste_l")]), removed, 1e-3);
+    EXPECT_NEAR(number(cells[column("waste_percent")]),
+                100 * number(cells[column("waste_l")]) / number(cells[column("block_l")]), 0.01);
+    block += number(cells[column("block_l")]);
+    left += number(cells[column("left_l")]);
+    waste += number(cells[column("waste_l")]);
+    time += number(cells[column("cutting_time_s")]);
+    order += number(cells[column("to_order")]);
+  }
+  const std::vector<std::string>& total = lines[4];
+  EXPECT_EQ(total[0], "total");
+  EXPECT_EQ(number(total[column("cuts")]), 3);
+  EXPECT_NEAR(number(total[column("block_l")]), block, 2e-3);
+  EXPECT_NEAR(number(total[column("left_l")]), left, 2e-3);
+  EXPECT_NEAR(number(total[column("waste_l")]), waste, 2e-3);
+  EXPECT_NEAR(block, left + waste, 2e-3);
+  EXPECT_NEAR(number(total[column("cutting_time_s")]), time, 0.2);
+  EXPECT_NEAR(number(total[column("cutting_time_s")]), report["summary"]["cutting_time_s"].get<double>(),
+              0.06);
+  EXPECT_EQ(number(total[column("to_order")]), 3);
+  EXPECT_EQ(order, 3) << "of each size the blocks of it";
+}
+
+TEST(Workshop, DrawsWhatIsKnownOfABlockWhosePartIsNot) {
+  Product product = made(example("two-crossing-cuts", 6));
+  BlockEvaluation& block = product.evaluation.blocks.front();
+  block.part.value = std::make_shared<const BlockPart>();
+  block.part.findings = {{Severity::warning, PartUnknown{"the surface of east ends inside of it"}, {}, {}}};
+  const Product again = produce(product.evaluation, "nothing-is-written-there", {}, {});
+  ASSERT_FALSE(again.error) << again.error->message;
+  const auto pages = pagesOf(file(again, "drawings.pdf"));
+  ASSERT_EQ(pages.size(), 1u);
+  const std::string text = textOf(pages[0]);
+  EXPECT_NE(text.find("could not be worked out: the surface of east ends inside of it"), std::string::npos);
+  EXPECT_NE(text.find("600 \xd7 600 \xd7 500 mm"), std::string::npos);
+  const auto lines = table(file(again, "cut-list.csv"));
+  ASSERT_EQ(lines.size(), 3u);
+  EXPECT_EQ(lines[1][8], "180.000");
+  for (const std::size_t unknown : {9u, 10u, 11u}) {
+    EXPECT_EQ(lines[1][unknown], "");
+    EXPECT_EQ(lines[2][unknown], "");
+  }
+}
+
+TEST(Workshop, NamesOfAnyLettersAreNoFault) {
+  Design design = example("two-crossing-cuts", 6);
+  design.name = "Dach f\u00fcr \u03a3\u03c4\u03ad\u03b3\u03b7 " + std::string(300, 'W');
+  design.block().id = "=Bl\u00f6cke, \"\u03b1\"";
+  for (Cut& cut : design.cuts) cut.block = design.block().id;
+  const Product product = made(design);
+  const std::string text = textOf(pagesOf(file(product, "drawings.pdf")).at(0));
+  EXPECT_NE(text.find("Dach f\xfcr ????? WWW"), std::string::npos) << text;
+  EXPECT_NE(text.find("Label: =Bl\xf6"), std::string::npos) << text;
+  EXPECT_NE(file(product, "cut-list.csv").find("\n\"=Bl\u00f6cke, \"\"\u03b1\"\"\",600.00,"),
+            std::string::npos);
+}
+
+TEST(Workshop, GetsNothingWhereNoPartIsSought) {
+  const Product product = made(example("saddle", 9));
+  EXPECT_TRUE(file(product, "drawings.pdf").empty());
+  EXPECT_TRUE(file(product, "cut-list.csv").empty());
+}
+
+}  // namespace
+}  // namespace bw::pipeline
