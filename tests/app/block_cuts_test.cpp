@@ -108,6 +108,54 @@ TEST(BlockCuts, WhatMeetsNothingIsDroppedWithAMessage) {
   EXPECT_FALSE(words::sentence(e.missed.front(), words::Reader::window).empty());
 }
 
+/// A source over a part of the block, with its cut at the end of the list.
+void addPart(Design& design, const std::string& id, double from, double to, const std::string& formula) {
+  Source source;
+  source.id = id;
+  source.surface = DesignedSurface{FormulaSurface{{{from, 0}, {to, 600}}, formula}};
+  design.sources.push_back(source);
+  Cut cut = design.cut();
+  cut.id = cut.source = id;
+  cut.sections.stations = 9;
+  design.cuts.push_back(cut);
+}
+
+TEST(BlockCuts, ACutThatIsLostToAnotherOnesBladeIsNoDroppedOneAlone) {
+  // A terrace: the blade of the lower step goes on through the higher one.
+  Design design = crossing();
+  design.process.clearance = 30;
+  addPart(design, "high", 0, 300, "350+0*x");
+  addPart(design, "low", 300, 600, "200+0*x");
+  design.cuts.erase(design.cuts.begin(), design.cuts.begin() + 2);
+  const Outcome outcome = evaluate(design, nullptr, {});
+  ASSERT_FALSE(outcome.error) << outcome.error->message;
+  const Evaluation& e = outcome.evaluation;
+  ASSERT_EQ(e.missed.size(), 1u) << "the high one meets nothing of what is left";
+  const Findings found = e.findings();
+  const auto taken = std::ranges::find_if(
+      found, [](const Finding& finding) { return std::holds_alternative<TakesSurface>(finding.cause); });
+  ASSERT_NE(taken, found.end());
+  EXPECT_EQ(taken->severity, Severity::error);
+  EXPECT_EQ(std::get<TakesSurface>(taken->cause).of, "high");
+  EXPECT_NEAR(std::get<TakesSurface>(taken->cause).depth, 150, 1);
+}
+
+TEST(BlockCuts, FewStationsLeaveTheCreaseOfPlanesWhereItIs) {
+  // Slanted travels end in the block's faces: the straight way beyond must not bend what is in it.
+  Design design = crossing();
+  design.process.clearance = 30;
+  addPart(design, "falls", 0, 600, "423.5-0.25*(y-300)+0.25*(x-300)");
+  addPart(design, "rises", 0, 600, "415+0.35*(x-300)");
+  design.cuts.erase(design.cuts.begin(), design.cuts.begin() + 2);
+  design.cuts[0].direction = Eigen::Vector3d::UnitX();
+  const Outcome outcome = evaluate(design, nullptr, {});
+  ASSERT_FALSE(outcome.error) << outcome.error->message;
+  const CutsTogether& together = *outcome.evaluation.blocks[0].together.value;
+  ASSERT_EQ(together.creases.size(), 1u);
+  EXPECT_LT(together.creases[0].offMax, 0.1);
+  EXPECT_GT(together.creases[0].length, 300);
+}
+
 TEST(BlockCuts, GravityTurnsWithTheBlock) {
   Design design = crossing();
   for (Cut& cut : design.cuts) cut.sections.stations = 6;
@@ -269,11 +317,12 @@ TEST(BlockCuts, TheReportAndTheProgramsTellAllOfThem) {
     if (name == "parts.step") step = text;
     if (!name.ends_with(".mod")) continue;
     ++modules;
-    if (name.find("strip-0") != std::string::npos)
-      told = told || (text.find("cut 1 of 2 of block") != std::string::npos &&
-                      text.find("turned by 90 degrees") != std::string::npos);
-    else
-      EXPECT_NE(text.find("make north before it"), std::string::npos) << name;
+    const bool first = name.find("strip-0") != std::string::npos;
+    told = told || (text.find("cut 1 of 2 of block") != std::string::npos &&
+                    text.find("turned by 90 degrees") != std::string::npos);
+    EXPECT_EQ(text.find("make north before it") == std::string::npos, first) << name;
+    // Whoever laid it otherwise before lays it back.
+    EXPECT_EQ(text.find("its top face up, not turned") == std::string::npos, first) << name;
   }
   EXPECT_EQ(modules, 4) << "two robots, two cuts";
   EXPECT_TRUE(told);

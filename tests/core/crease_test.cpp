@@ -8,6 +8,7 @@
 
 #include "analytic_surfaces.h"
 #include "bw/core/parts/crease.h"
+#include "bw/core/surface/refine.h"
 
 namespace bw {
 namespace {
@@ -227,6 +228,47 @@ TEST(Crease, ARidgeOfFacesThatEndAtItIsNot) {
   ASSERT_EQ(together->creases.size(), 1u);
   EXPECT_NEAR(together->creases.front().offMax, 0, 1e-6);
   EXPECT_EQ(together->creases.front().alone, 0) << "it is known all along though the faces end at it";
+}
+
+TEST(Crease, AWallOverTheBorderOfAFloorLosesItsFoam) {
+  // The floor ends where the wall stands; its blade goes on under the foam behind the wall.
+  PatchSampler floor({450, 400, 200}, Vector3d::UnitX(), Vector3d::UnitY(), {150, 400});
+  PatchSampler wholeFloor({300, 400, 200}, Vector3d::UnitX(), Vector3d::UnitY(), {2000, 2000});
+  PatchSampler wall({300, 400, 250}, Vector3d::UnitY(), Vector3d::UnitZ(), {400, 250});
+  const TriangleMesh mf = floor.mesh(), wf = wholeFloor.mesh(), mw = wall.mesh();
+  const auto together = compareCuts({{"floor", {&mf, &floor}, {&wf, &wholeFloor}, kBelow, -1},
+                                     {"wall", {&mw, &wall}, {&mw, &wall}, -Vector3d::UnitX(), -1}},
+                                    block(), 2, {});
+  ASSERT_TRUE(together);
+  ASSERT_FALSE(together->findings.empty());
+  const TakesSurface& taken = std::get<TakesSurface>(together->findings.front().cause);
+  EXPECT_EQ(taken.of, "wall");
+  EXPECT_NEAR(taken.depth, 300, 1e-6);
+}
+
+TEST(Crease, WhatIsNotMadeIsASurfaceOnly) {
+  const double half = 150 * std::sqrt(1.25);
+  PatchSampler high({150, 400, 350}, Vector3d::UnitX(), Vector3d::UnitY(), {150, 400});
+  PatchSampler low({450, 400, 200}, Vector3d::UnitX(), Vector3d::UnitY(), {half, 400});
+  PatchSampler wholeLow({300, 400, 200}, Vector3d::UnitX(), Vector3d::UnitY(), {2000, 2000});
+  const TriangleMesh mh = high.mesh(), ml = low.mesh(), wl = wholeLow.mesh();
+  const auto together =
+      compareCuts({{"low", {&ml, &low}, {&wl, &wholeLow}, kBelow, -1}, {"high", {&mh, &high}, {}, kBelow, 1}},
+                  block(), 2, {});
+  ASSERT_TRUE(together);
+  EXPECT_TRUE(together->creases.empty());
+  ASSERT_EQ(together->findings.size(), 1u);
+  EXPECT_NEAR(std::get<TakesSurface>(together->findings.front().cause).depth, 150, 1e-6);
+}
+
+TEST(Crease, ASmallBlockIsJudgedAsALargeOne) {
+  const Box small = BlockPlacement{{0, 0, 0}, {20, 20, 15}, {0, 0, 0}}.box();
+  PatchSampler a = plane({10, 10, 8}, 0.5, 0, 40), b = plane({10, 10, 8}, -0.5, 0, 40);
+  TriangleMesh ma = refined(a.mesh(), small, 1), mb = refined(b.mesh(), small, 1);
+  const auto together = compareCuts(
+      {{"a", {&ma, &a}, {&ma, &a}, kBelow, -1}, {"b", {&mb, &b}, {&mb, &b}, kBelow, -1}}, small, 2, {});
+  ASSERT_TRUE(together);
+  EXPECT_TRUE(together->findings.empty());
 }
 
 TEST(Crease, AStopIsHeard) {

@@ -27,6 +27,17 @@ Design several() {
   return *design;
 }
 
+/// Blocks whose cuts are all of one surface.
+Design plain() {
+  const Result<Design> design = parseDesign(R"({"bladewright_design": 2,
+    "variables": [{"name": "count", "value": 12, "min": 2, "max": 40}],
+    "sources": [{"id": "one", "surface": {"type": "formula", "formula": "100"}}],
+    "stock": [{"id": "block-1"}, {"id": "block-2"}],
+    "cuts": [{"id": "a", "block": "block-1", "stations": "=2*count"}, {"id": "b", "block": "block-2"}]})");
+  EXPECT_TRUE(design) << design.error().message;
+  return *design;
+}
+
 std::string messageOf(const Result<Design>& design) { return design ? "" : design.error().message; }
 
 TEST(CutTable, ComesBackAsItWas) {
@@ -59,7 +70,7 @@ TEST(CutTable, DesignsKeepWhatACutHas) {
 }
 
 TEST(CutTable, TakesWhatSpreadsheetsMake) {
-  const Design design = several();
+  const Design design = plain();
   const std::string table =
       "\xEF\xBB\xBFid;block;blade_length;direction;order\r\n"
       "\"a; b\";block-1;812,5;0 1 0;2\r\n"
@@ -77,10 +88,27 @@ TEST(CutTable, TakesWhatSpreadsheetsMake) {
 }
 
 TEST(CutTable, CellsMayBeExpressions) {
-  const Result<Design> made = withCutTable(several(), "id,block,stations\na,block-1,=2*count\nb,block-2,5\n");
+  const Result<Design> made = withCutTable(plain(), "id,block,stations\na,block-1,=2*count\nb,block-2,5\n");
   ASSERT_TRUE(made) << made.error().message;
   EXPECT_EQ(made->cuts[0].sections.stations, 24);
   EXPECT_EQ(made->bindings.size(), 1u);
+}
+
+TEST(CutTable, HoldsTheExpressionsOfItsNumbers) {
+  const Design design = plain();
+  EXPECT_NE(cutTableCsv(design).find("=2*count"), std::string::npos) << cutTableCsv(design);
+  for (const std::string& table : {cutTableCsv(design), cutTableJson(design)}) {
+    const Result<Design> made = withCutTable(design, table);
+    ASSERT_TRUE(made) << made.error().message;
+    EXPECT_EQ(*made, design);
+  }
+}
+
+TEST(CutTable, OfSeveralSurfacesEachCutNamesItsOwn) {
+  const Result<Design> made = withCutTable(several(), "id,block\na,block-1\nb,block-2\n");
+  ASSERT_FALSE(made);
+  EXPECT_NE(made.error().message.find("cut 1 of the table names no source"), std::string::npos)
+      << made.error().message;
 }
 
 TEST(CutTable, UnderAGridEachCutNamesItsBlock) {
@@ -96,13 +124,15 @@ TEST(CutTable, UnderAGridEachCutNamesItsBlock) {
 }
 
 TEST(CutTable, WhatIsWrongIsNamed) {
-  const Design design = several();
+  const Design design = plain();
   const auto says = [&](const std::string& table, const char* words) {
     const Result<Design> made = withCutTable(design, table);
     ASSERT_FALSE(made) << table;
     EXPECT_EQ(made.error().code, ErrorCode::badInput);
     EXPECT_NE(messageOf(made).find(words), std::string::npos) << messageOf(made);
   };
+  says("id,block\n\xE4,block-1\n", "save it as CSV UTF-8");
+  says("\xFF\xFEi", "save it as CSV UTF-8");
   says("", "one line a cut");
   says("id,block\n", "one line a cut");
   says("id,blok\na,block-1\n", "did you mean \"block\"?");

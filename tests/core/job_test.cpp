@@ -235,9 +235,10 @@ TEST(Design, PartsNameEachOther) {
   told(R"({"bladewright_design": 2, "cuts": [{"block": "block-2"}]})", "names \"block-2\"");
   told(R"({"bladewright_design": 2, "cuts": [{"source": "wall"}]})", "names \"wall\"");
   told(R"({"bladewright_design": 2, "sources": [{}, {"path": "a.step"}]})", "sources[1] is a CAD file");
-  told(R"({"bladewright_design": 2, "sources": [{}, {"id": "b", "surface": {"type": "formula", "formula": "1"}}],
+  told(
+      R"({"bladewright_design": 2, "sources": [{}, {"id": "b", "surface": {"type": "formula", "formula": "1"}}],
            "cuts": [{"source": "c"}]})",
-       "names \"c\", but the design has 2 other sources");
+      "names \"c\", but the design has 2 other sources");
   told(R"({"bladewright_design": 2, "cuts": []})", "must be a list of 1 to 10000 entries, not of 0");
   told(R"({"bladewright_design": 2, "stock": {}})", "must be a list of 1 to 2500 entries");
   told(R"({"bladewright_design": 2, "stock": [{"id": ""}], "cuts": [{"block": ""}]})", "is empty");

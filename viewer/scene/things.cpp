@@ -101,7 +101,8 @@ Things::Things(Content& content) {
       rowOf(*this, item.id).stations = &stations->lines;
     if (const auto* blades = std::get_if<Blades>(&item.data)) rowOf(*this, item.id).blades = &blades->lines;
     if (const auto* box = std::get_if<Box>(&item.data)) stockOf(*this, item.id.block).box = box;
-    if (const auto* travel = std::get_if<Travel>(&item.data)) stockOf(*this, item.id.block).travel = travel;
+    if (const auto* travel = std::get_if<Travel>(&item.data))
+      stockOf(*this, item.id.block).travels[item.id.cut] = travel;
     if (const auto* part = std::get_if<FoamPart>(&item.data))
       stockOf(*this, item.id.block).part = &part->mesh;
     if (const auto* all = std::get_if<Faces>(&item.data); all && !faces) faces = all->mesh;

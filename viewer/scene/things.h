@@ -47,8 +47,8 @@ struct Row {
 struct Stock {
   ItemId id;
   const Box* box = nullptr;
-  const Travel* travel = nullptr;
-  const TriangleMesh* part = nullptr;  ///< what is left of it
+  std::map<int, const Travel*> travels;  ///< of its cuts, by their number
+  const TriangleMesh* part = nullptr;    ///< what is left of it
   std::vector<const Row*> rows;
   TriangleMesh cuts;  ///< of its rows together
 };

@@ -61,7 +61,8 @@ scene::Content sceneContent(const Sketch& sketch) {
   for (int b = 0; b < int(sketch.blocks.size()); ++b) {
     const std::vector<CutSketch>& cuts = sketch.blocks[std::size_t(b)];
     content.add({b}, cuts.front().setup->block);
-    content.add({b}, scene::Travel{cuts.front().setup->planes.direction()});
+    for (int c = 0; c < int(cuts.size()); ++c)
+      content.add({b, c}, scene::Travel{cuts[std::size_t(c)].setup->planes.direction()});
     for (int c = 0; c < int(cuts.size()); ++c)
       addCut(content, {b, c, 0}, cuts[std::size_t(c)].look->cut, *cuts[std::size_t(c)].sweep,
              sketch.design.process.tolerance);
@@ -84,7 +85,9 @@ scene::Content sceneContent(const Evaluation& evaluation) {
              evaluation.design.stock[std::size_t(b)].placement)
       content.add({b}, evaluation.design.stock[std::size_t(b)]
                            .placement->box());  // it misses the surface: shown where it was put
-    if (setup) content.add({b}, scene::Travel{setup->planes.direction()});
+    for (int c = 0; c < int(block.cuts.size()); ++c)
+      if (const auto& own = block.cuts[std::size_t(c)].setup)
+        content.add({b, c}, scene::Travel{own->planes.direction()});
     if (block.part.value && block.cuts.size() > 1) content.add({b}, scene::FoamPart{block.part.value->mesh});
     for (int c = 0; c < int(block.cuts.size()); ++c) {
       const std::optional<CutResult> result = block.cuts[std::size_t(c)].result();

@@ -57,10 +57,14 @@ Result<BlockPlacement> placeOf(const Evaluation& e, const BlockEvaluation& block
   return placementOf(around);
 }
 
-/// Which foam each cut of a block, as it is placed, leaves.
+/// Which foam each cut of a block, as it is placed, leaves; then those that are dropped.
 std::vector<Eigen::Vector3d> keptWays(const Design& design, const BlockEvaluation& block, const Box& placed) {
   std::vector<Eigen::Vector3d> ways;
   for (const CutEvaluation& stages : block.cuts) {
+    const Cut& cut = cutOf(design, stages);
+    ways.push_back(keptWay(lying(placed, cut.pose), cut.keep));
+  }
+  for (const CutEvaluation& stages : block.dropped) {
     const Cut& cut = cutOf(design, stages);
     ways.push_back(keptWay(lying(placed, cut.pose), cut.keep));
   }
@@ -109,15 +113,20 @@ Result<void> orderCutsOf(Evaluation& e, BlockEvaluation& block, const BlockEvalu
              {placed, keptWays(e.design, block, placed), tolerance}, std::move(inputs), e.seconds.check,
              [&](const MetRequest& request, Findings&) { return metBy(block, request, context); });
   if (!ok) return ok;
-  std::size_t at = 0;
-  std::erase_if(block.cuts, [&](const CutEvaluation& cut) {
-    const double met = (*block.met.value)[at++];
-    if (met >= tolerance) return false;
+  std::vector<CutEvaluation> made;
+  for (std::size_t i = 0; i < block.cuts.size(); ++i) {
+    CutEvaluation& cut = block.cuts[i];
+    const double met = (*block.met.value)[i];
+    if (met >= tolerance) {
+      made.push_back(std::move(cut));
+      continue;
+    }
     Place where;
     if (e.blocks.size() > 1) where.block = block.id;
     e.missed.push_back({Severity::warning, CutDropped{cut.id, met, tolerance}, where, {}});
-    return true;
-  });
+    block.dropped.push_back(std::move(cut));
+  }
+  block.cuts = std::move(made);
   if (block.cuts.empty())
     return fail(ErrorCode::badInput,
                 "none of the cuts comes into the block by the tolerance of " + shortText(tolerance) +
@@ -159,6 +168,13 @@ Result<CutsTogether> compareCutsOf(const BlockEvaluation& block, const MetReques
     const Result<int> side = sideKept(swept.mesh, *surfaces.cut.sampler, request.kept[i]);
     if (!side) return tl::unexpected<Error>(inCut(cut.id, side.error()).error());
     surfaces.side = *side;
+  }
+  for (std::size_t i = 0; i < block.dropped.size(); ++i) {
+    const CutEvaluation& cut = block.dropped[i];
+    CutSurfaces& surfaces = cuts.emplace_back();
+    surfaces.id = cut.id;
+    surfaces.kept = request.kept[block.cuts.size() + i];
+    surfaces.target = sampled(*cut.targetMesh.value, *cut.target.value);
   }
   return compareCuts(cuts, request.placed, request.tolerance, context);
 }
@@ -217,13 +233,14 @@ Result<BlockPart> partOf(const BlockEvaluation& block, const MetRequest& request
 
 Result<void> compareBlocks(Evaluation& e, const Evaluation* previous, const RunContext& context) {
   for (BlockEvaluation& block : e.blocks) {
-    if (block.cuts.size() < 2) continue;
+    if (block.cuts.size() + block.dropped.size() < 2) continue;
     Result<Inputs> inputs = sweepAll(block, previous, e.seconds.check);
     if (!inputs) return inBlock(e, block.id, tl::unexpected<Error>(inputs.error()));
     for (const CutEvaluation& cut : block.cuts) {
       inputs->push_back(cut.targetMesh.value);
       inputs->push_back(cut.analysis.value);
     }
+    for (const CutEvaluation& cut : block.dropped) inputs->push_back(cut.targetMesh.value);
     const BlockEvaluation* before = blockOf(previous, block.id);
     const Box placed = placedBox(e, block);
     const Result<void> ok =

@@ -233,10 +233,15 @@ std::vector<std::string> stepsBefore(const Evaluation& e, const Strip& strip) {
         strip.block->id +
         (place > 0 ? "; make " + cuts[std::size_t(place - 1)].id + " before it, and take away what is cut off"
                    : std::string()));
-  if (const std::string lies = lyingText(*std::ranges::find(e.design.cuts, strip.cut->id, &Cut::id));
-      !lies.empty())
-    steps.push_back("lay the block with " + lies +
+  const auto poseOf = [&e](const CutEvaluation& cut) -> const CutPose& {
+    return std::ranges::find(e.design.cuts, cut.id, &Cut::id)->pose;
+  };
+  // Also where it comes back to how it was placed.
+  if (std::ranges::any_of(cuts, [&](const CutEvaluation& cut) { return !poseOf(cut).asPlaced(); })) {
+    const std::string lies = lyingText(*std::ranges::find(e.design.cuts, strip.cut->id, &Cut::id));
+    steps.push_back("lay the block with " + (lies.empty() ? "its top face up, not turned" : lies) +
                     "; the work object is at its corner that then lies lowest, at the left and in front");
+  }
   return steps;
 }
 

@@ -411,7 +411,7 @@ std::string Sentences::operator()(const BlocksMissed& cause) const {
 
 std::string Sentences::operator()(const CutDropped& cause) const {
   return "the cut " + cause.cut + " is not made: it comes " +
-         (cause.met > 0 ? "only " + mm(cause.met) + " into" : "nowhere into") +
+         (cause.met > 1e-3 ? "only " + mm(cause.met) + " into" : "nowhere into") +
          " what the cuts before it leave of the block (tolerance " + mm(cause.tolerance) +
          "); take it away, or make it earlier (order)";
 }

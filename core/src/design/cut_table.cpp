@@ -23,8 +23,9 @@ constexpr std::array<const char*, 13> kColumns = {"block",     "id",       "sour
                                                   "direction", "face_up",  "turn_deg",    "keep", "order",
                                                   "stations",  "sections", "blade_length"};
 
-/// A cut with all its keys, also those that are as usual.
-json rowOf(const Cut& cut) {
+/// A cut of a design with all its keys, also those that are as usual, and the expressions of its numbers.
+json rowOf(const Design& design, std::size_t index) {
+  const Cut& cut = design.cuts[index];
   json row = {{"id", cut.id}, {"source", cut.source}, {"block", cut.block}};
   detail::writeCutKeys(cut, row);
   row["face_up"] = kBlockFaces[0];
@@ -33,7 +34,24 @@ json rowOf(const Cut& cut) {
   row["order"] = "auto";
   row["blade_length"] = "blade";
   detail::writeBlockCutKeys(cut, row);
+  if (design.grid) return row;  // whose expressions are those of all its cuts
+  const std::string place = "/cuts/" + std::to_string(index);
+  for (auto bound = design.bindings.lower_bound(place + "/");
+       bound != design.bindings.end() && bound->first.starts_with(place + "/"); ++bound) {
+    const json::json_pointer at(bound->first.substr(place.size()));
+    if (row.contains(at) && row[at].is_number() && row[at].get<double>() == bound->second.value)
+      row[at] = "=" + bound->second.text;
+  }
   return row;
+}
+
+/// True for text that JSON can hold.
+bool isUtf8(std::string_view text) {
+  try {
+    return !json(text).dump().empty();
+  } catch (const json::type_error&) {
+    return false;
+  }
 }
 
 std::string cellOf(const json& value) {
@@ -182,8 +200,9 @@ std::string cutTableCsv(const Design& design) {
   std::string text;
   for (const char* column : kColumns) text += (text.empty() ? "" : ",") + std::string(column);
   text += "\n";
-  for (const Cut& cut : design.cuts) {
-    json row = rowOf(cut);
+  for (std::size_t i = 0; i < design.cuts.size(); ++i) {
+    const Cut& cut = design.cuts[i];
+    json row = rowOf(design, i);
     if (cut.direction) {
       const Eigen::Vector3d& d = *cut.direction;
       row["direction"] =
@@ -199,16 +218,25 @@ std::string cutTableCsv(const Design& design) {
 
 std::string cutTableJson(const Design& design) {
   json rows = json::array();
-  for (const Cut& cut : design.cuts) rows.push_back(rowOf(cut));
+  for (std::size_t i = 0; i < design.cuts.size(); ++i) rows.push_back(rowOf(design, i));
   return json({{"cuts", rows}}).dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
 Result<Design> withCutTable(const Design& design, std::string_view table) {
+  if (!isUtf8(table))
+    return fail(ErrorCode::badInput, "the table of cuts is no UTF-8 text; save it as CSV UTF-8", "table");
   if (table.starts_with("\xEF\xBB\xBF")) table.remove_prefix(3);  // as spreadsheets begin UTF-8
   const std::size_t first = table.find_first_not_of(" \t\r\n");
   const bool isJson = first != std::string_view::npos && (table[first] == '{' || table[first] == '[');
   const Result<json> cuts = isJson ? cutsFromJson(table) : cutsFromCsv(table);
   if (!cuts) return tl::unexpected<Error>(cuts.error());
+  if (design.sources.size() > 1 && cuts->is_array())
+    for (std::size_t i = 0; i < cuts->size(); ++i)
+      if ((*cuts)[i].is_object() && !(*cuts)[i].contains("source"))
+        return fail(ErrorCode::badInput,
+                    "cut " + std::to_string(i + 1) + " of the table names no source, but the design has " +
+                        std::to_string(design.sources.size()) + "; give each its own in the column source",
+                    "table");
   nlohmann::ordered_json object = detail::designJson(design);
   object["cuts"] = *cuts;
   Result<Design> made = detail::designFrom(json::parse(object.dump()), nullptr);

@@ -23,13 +23,15 @@ using Eigen::Vector3d;
 using Foot = SurfaceSampler::Foot;
 
 constexpr int kSteps = 60;
-constexpr double kSettled = 1e-8;     ///< mm of a step
-constexpr double kMeets = 1e-4;       ///< mm of a place from both surfaces
-constexpr double kTouches = 1e-2;     ///< mm of a border from the surface that ends at it
-constexpr double kOneTangent = 1e-5;  ///< sin² of the angle between two surfaces
-constexpr double kSamples = 60;       ///< in the diagonal of a block
-constexpr double kBeside = 1;         ///< mm
-constexpr double kTakenBy = 1e-3;     ///< mm
+constexpr double kSettled = 1e-8;        ///< mm of a step
+constexpr double kMeets = 1e-4;          ///< mm of a place from both surfaces
+constexpr double kTouches = 1e-2;        ///< mm of a border from the surface that ends at it
+constexpr double kOneTangent = 1e-5;     ///< sin² of the angle between two surfaces
+constexpr double kSamples = 60;          ///< in the diagonal of a block
+constexpr double kBeside = 1;            ///< mm
+constexpr double kNoArea = 1e-9;         ///< mm²
+constexpr double kBehind = 2 * kBeside;  ///< mm into the foam that a surface bounds
+constexpr double kTakenBy = 1e-3;        ///< mm
 
 bool inside(const Box& box, const Vector3d& p, double more = 0) {
   const Eigen::Array3d local = box.frame.toLocal(p).array();
@@ -229,7 +231,7 @@ bool isOver(const TriangleMesh& mesh, const Vector3d& way, const Vector3d& p) {
       return a.x() * b.y() - a.y() * b.x();
     };
     const double area = cross(corner[1] - corner[0], corner[2] - corner[0]);
-    bool within = std::abs(area) > kBeside * kBeside;
+    bool within = std::abs(area) > kNoArea;
     for (std::size_t k = 0; k < 3 && within; ++k) {
       const Eigen::Vector2d edge = corner[(k + 1) % 3] - corner[k];
       within = std::copysign(1, area) * cross(edge, -corner[k]) >= -kBeside * edge.norm();
@@ -248,7 +250,7 @@ Result<std::vector<Polyline>> left(const std::vector<Polyline>& curves, const st
     for (const Vector3d& p : curve) {
       bool stays = true;
       for (std::size_t k = 0; k < cuts.size() && stays; ++k) {
-        if (k == first || k == second) continue;
+        if (k == first || k == second || !cuts[k].cut.sampler) continue;
         const Result<double> taken = takenBy(cuts[k], p);
         if (!taken) return tl::unexpected<Error>(taken.error());
         stays = *taken < kTakenBy;
@@ -314,13 +316,14 @@ Result<void> tellTaken(const std::vector<CutSurfaces>& cuts, std::size_t taker, 
     const Result<double> taken = takenBy(cuts[taker], p);
     if (!taken) return tl::unexpected<Error>(taken.error());
     if (*taken <= most) continue;
-    // What is meant to go is over the surface of a cut.
+    // What is meant to go is over the surface of a cut: the foam behind this place, not what borders on it.
+    const Vector3d behind = p + kBehind * cuts[of].kept;
     bool meant = false;
     for (std::size_t k = 0; k < cuts.size() && !meant; ++k) {
-      if (k == of) continue;
+      if (k == of || !cuts[k].cut.sampler) continue;
       const Result<double> by = k == taker ? *taken : takenBy(cuts[k], p);
       if (!by) return tl::unexpected<Error>(by.error());
-      meant = *by > 0 && isOver(*cuts[k].target.mesh, cuts[k].kept, p);
+      meant = *by > 0 && isOver(*cuts[k].target.mesh, cuts[k].kept, behind);
     }
     if (meant) continue;
     most = *taken;
@@ -337,19 +340,21 @@ Result<void> tellTaken(const std::vector<CutSurfaces>& cuts, std::size_t taker, 
 Result<CutsTogether> compareCuts(const std::vector<CutSurfaces>& cuts, const Box& box, double tolerance,
                                  const RunContext& context) {
   CutsTogether together;
-  for (std::size_t i = 0; i < cuts.size(); ++i)
-    for (std::size_t j = i + 1; j < cuts.size(); ++j) {
+  const auto made = std::size_t(
+      std::ranges::count_if(cuts, [](const CutSurfaces& cut) { return cut.cut.sampler != nullptr; }));
+  for (std::size_t i = 0; i < made; ++i)
+    for (std::size_t j = i + 1; j < made; ++j) {
       Result<std::optional<Crease>> crease = creaseOf(cuts, i, j, box, context);
       if (!crease) return tl::unexpected<Error>(crease.error());
       if (*crease) together.creases.push_back(std::move(**crease));
     }
-  for (std::size_t i = 0; i < cuts.size(); ++i) {
+  for (std::size_t i = 0; i < made; ++i) {
     std::vector<double>& depths = together.depths.emplace_back();
     if (!cuts[i].shown) continue;
     for (const Vector3d& p : *cuts[i].shown) {
       if (context.stopped()) return stoppedError();
       double depth = std::numeric_limits<double>::infinity();
-      for (std::size_t k = 0; k < cuts.size(); ++k) {
+      for (std::size_t k = 0; k < made; ++k) {
         if (k == i) continue;
         const Result<double> taken = takenBy(cuts[k], p);
         if (!taken) return tl::unexpected<Error>(taken.error());
@@ -365,7 +370,7 @@ Result<CutsTogether> compareCuts(const std::vector<CutSurfaces>& cuts, const Box
                                              crease.offMean, tolerance, crease.lacking},
                                    {{}, crease.worst},
                                    {}});
-  for (std::size_t i = 0; i < cuts.size(); ++i)
+  for (std::size_t i = 0; i < made; ++i)
     for (std::size_t j = 0; j < cuts.size(); ++j)
       if (i != j)
         if (Result<void> ok = tellTaken(cuts, i, j, box, tolerance, context, together.findings); !ok)

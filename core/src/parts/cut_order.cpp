@@ -22,6 +22,8 @@ using Eigen::Vector3d;
 
 /// The mean normal of a surface must lie along the kept way by this share of its length.
 constexpr double kLeastLean = 0.05;
+/// mm: heights that differ by less are those of one height, whatever was rounded.
+constexpr double kSameHeight = 0.01;
 /// Points of a surface lie closer together than this part of the diagonal of a block.
 constexpr double kSamples = 60;
 
@@ -74,7 +76,7 @@ std::vector<std::size_t> orderOf(const std::vector<CutTurn>& turns) {
   std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
     const CutTurn &first = turns[a], &second = turns[b];
     if (first.told || second.told) return first.told && (!second.told || *first.told < *second.told);
-    return first.height < second.height;
+    return std::llround(first.height / kSameHeight) < std::llround(second.height / kSameHeight);
   });
   return order;
 }

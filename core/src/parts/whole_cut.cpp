@@ -3,55 +3,93 @@
 
 #include "bw/core/parts/whole_cut.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 namespace bw {
 
 namespace {
 
+using Row = std::vector<Eigen::Vector3d>;
+
 constexpr int kColumns = 41;
 constexpr double kBeyond = 10;       ///< mm that the blade goes on beyond a block
-constexpr double kApart = 20;        ///< mm, about, between rows of its straight travel
 constexpr double kLeastApart = 0.5;  ///< mm between any two rows
+constexpr double kAtFace = 1;        ///< mm from a face of the block: what ends there goes through it
+/// mm from a bend between the course and the straight travel, on either side: rows that keep it where it is.
+constexpr std::array kAroundBend = {1.0, 3.0, 9.0, 27.0};
+
+/// The rows of a course at a travel near one of its ends: a cubic through the four rows there, or fewer.
+Row near(const std::vector<Row>& rows, const std::vector<double>& travel, bool atEnd, double at) {
+  const std::size_t count = std::min<std::size_t>(4, rows.size()), first = atEnd ? rows.size() - count : 0;
+  Row row(kColumns, Eigen::Vector3d::Zero());
+  for (std::size_t i = first; i < first + count; ++i) {
+    double weight = 1;
+    for (std::size_t k = first; k < first + count; ++k)
+      if (k != i) weight *= (at - travel[k]) / (travel[i] - travel[k]);
+    for (std::size_t c = 0; c < row.size(); ++c) row[c] += weight * rows[i][c];
+  }
+  return row;
+}
 
 }  // namespace
 
 Result<WholeCut> wholeCut(const std::vector<BladePose>& course, const PlaneFamily& planes) {
   if (course.size() < 2)
     return fail(ErrorCode::badInput, "a cut needs two blades at least", "cut", double(course.size()), 2.0);
-  WholeCut whole;
-  std::vector<std::vector<Eigen::Vector3d>> rows;
-  const auto add = [&](double travel, std::vector<Eigen::Vector3d> row) {
-    whole.travel.push_back(travel);
-    rows.push_back(std::move(row));
-  };
-  /// A blade carried to the travels from `from` to `to`.
-  const auto carry = [&](const BladePose& blade, double from, double to, bool first, bool last) {
-    const std::vector<Eigen::Vector3d> points = blade.bladePoints(kColumns);
-    const int steps = std::max(1, int((to - from) / kApart));
-    for (int k = first ? 0 : 1; k <= (last ? steps : steps - 1); ++k) {
-      const double travel = from + (to - from) * k / steps;
-      std::vector<Eigen::Vector3d> row = points;
-      for (Eigen::Vector3d& p : row) p += (travel - blade.travel) * planes.direction();
-      add(travel, std::move(row));
-    }
-  };
-  const double begins = -kBeyond, ends = planes.travel(planes.exit) + kBeyond;
-  if (course.front().travel > begins + kLeastApart)
-    carry(course.front(), begins, course.front().travel, true, false);
+  std::vector<Row> rows;
+  std::vector<double> travel;
   for (std::size_t i = 0; i < course.size(); ++i) {
-    const bool last = i + 1 == course.size();
-    if (!rows.empty() && course[i].travel < whole.travel.back() + kLeastApart && !last) continue;
-    if (last && i > 0 && course[i].travel < whole.travel.back() + kLeastApart && rows.size() > 1) {
-      rows.pop_back();
-      whole.travel.pop_back();
+    if (!travel.empty() && course[i].travel < travel.back() + kLeastApart) {
+      if (i + 1 < course.size()) continue;
+      rows.pop_back();  // the last one stays
+      travel.pop_back();
     }
-    add(course[i].travel, course[i].bladePoints(kColumns));
+    travel.push_back(course[i].travel);
+    rows.push_back(course[i].bladePoints(kColumns));
   }
-  if (course.back().travel < ends - kLeastApart)
-    carry(course.back(), course.back().travel, ends, false, true);
-  whole.grid.rows = int(rows.size());
+  if (rows.size() < 2)
+    return fail(ErrorCode::badInput, "the blades of a cut lie in one plane", "cut", double(rows.size()), 2.0);
+
+  std::vector<std::pair<double, Row>> all;
+  for (std::size_t i = 0; i < rows.size(); ++i) all.emplace_back(travel[i], rows[i]);
+  const double length = planes.travel(planes.exit);
+  for (const bool atEnd : {false, true}) {
+    const double end = atEnd ? travel.back() : travel.front(), way = atEnd ? 1 : -1;
+    const double beyond = atEnd ? length + kBeyond : -kBeyond;
+    if ((beyond - end) * way < kLeastApart) continue;
+    const Row& last = atEnd ? rows.back() : rows.front();
+    const bool through = atEnd ? end > length - kAtFace : end < kAtFace;
+    // Outside of the block it goes on as it comes; in it the blade is carried straight on.
+    Row slope(kColumns, planes.direction());
+    if (through) {
+      const Row before = near(rows, travel, atEnd, end - way * kLeastApart);
+      for (std::size_t c = 0; c < slope.size(); ++c) slope[c] = way * (last[c] - before[c]) / kLeastApart;
+    }
+    const auto carried = [&](double to) {
+      Row row = last;
+      for (std::size_t c = 0; c < row.size(); ++c) row[c] += (to - end) * slope[c];
+      all.emplace_back(to, std::move(row));
+    };
+    if (!through) {
+      const double spacing = std::abs(end - travel[atEnd ? travel.size() - 2 : 1]);
+      for (const double apart : kAroundBend) {
+        if (apart < 0.6 * spacing)
+          all.emplace_back(end - way * apart, near(rows, travel, atEnd, end - way * apart));
+        if (apart < 0.6 * std::abs(beyond - end)) carried(end + way * apart);
+      }
+    }
+    carried(beyond);
+  }
+  std::ranges::sort(all, {}, &std::pair<double, Row>::first);
+  WholeCut whole;
+  whole.grid.rows = int(all.size());
   whole.grid.columns = kColumns;
-  for (const std::vector<Eigen::Vector3d>& row : rows)
+  for (const auto& [at, row] : all) {
+    whole.travel.push_back(at);
     whole.grid.points.insert(whole.grid.points.end(), row.begin(), row.end());
+  }
   return whole;
 }
 

@@ -75,12 +75,19 @@ TravelArrow::TravelArrow(Layers& layers) {
 }
 
 void TravelArrow::setContent(const Stock* stock) {
+  stock_ = stock && stock->box && !stock->travels.empty() ? stock : nullptr;
+  shown_ = nullptr;
+  rebuild();
+}
+
+void TravelArrow::rebuild() {
   bounds_ = {};
   part_.clear();
-  if (!stock || !stock->box || !stock->travel) return;
-  id_ = stock->id;
-  const Box& block = *stock->box;
-  const Eigen::Vector3d& direction = stock->travel->direction;
+  if (!stock_) return;
+  id_ = stock_->id;
+  const Box& block = *stock_->box;
+  if (!shown_) shown_ = stock_->travels.begin()->second;
+  const Eigen::Vector3d& direction = shown_->direction;
   if (!direction.allFinite() || !(direction.norm() > 0)) return;
   const Eigen::Vector3d along = direction.normalized();
   const Eigen::Vector3d vertical = std::abs(along.z()) > kUpright ? Eigen::Vector3d(Eigen::Vector3d::UnitY())
@@ -99,6 +106,16 @@ void TravelArrow::setContent(const Stock* stock) {
 }
 
 void TravelArrow::setStyle(const Style& style, const Rgb& background) {
+  if (stock_) {
+    // That of the cut at work, in its block; of others the first.
+    auto travel = stock_->travels.begin();
+    if (style.moving.block == stock_->id.block)
+      if (const auto own = stock_->travels.find(style.moving.cut); own != stock_->travels.end()) travel = own;
+    if (travel->second != shown_) {
+      shown_ = travel->second;
+      rebuild();
+    }
+  }
   visible_ = style.of(Kind::block, id_).visible && style.of(Kind::travel, id_).visible && bounds_.valid();
   part_.setVisible(visible_);
   part_.setColor(theme(style.dark).accent);

@@ -22,7 +22,11 @@ class TravelArrow {
   Bounds bounds() const { return visible_ ? bounds_ : Bounds(); }
 
  private:
+  void rebuild();
+
   Part part_;
+  const Stock* stock_ = nullptr;
+  const Travel* shown_ = nullptr;  ///< of these
   ItemId id_;
   Bounds bounds_;  ///< not valid where there is none
   bool visible_ = false;

@@ -71,8 +71,9 @@ Inspector::Inspector(Workbench& bench, const Theme& theme, QWidget* parent)
     }
   });
   connect(&bench, &Workbench::changed, this, [this](const Change& change) {
-    if (change.any(model::kAspectsOfCut | Aspect::thoughts | Aspect::design | Aspect::selection,
-                   bench_.selection()))
+    if (change.any(
+            model::kAspectsOfCut | Aspect::thoughts | Aspect::part | Aspect::design | Aspect::selection,
+            bench_.selection()))
       refresh();
   });
   refresh();
@@ -106,6 +107,14 @@ void Inspector::addOfResult(FormColumn* column, const QString& name, const QStri
         const auto result = bench_.sweep();
         return broken && result && brokenLimits(*result, bench_.shown()->design).*broken;
       });
+}
+
+const pipeline::BlockEvaluation* Inspector::block() const {
+  const auto shown = bench_.shown();
+  if (!shown) return nullptr;
+  const auto found =
+      std::ranges::find(shown->blocks, bench_.selection().block, &pipeline::BlockEvaluation::id);
+  return found == shown->blocks.end() ? nullptr : &*found;
 }
 
 std::optional<pipeline::StationView> Inspector::station() const {
@@ -189,6 +198,23 @@ void Inspector::makeBlock() {
     const pipeline::CutEvaluation* cut = bench_.shownCut();
     return cut && cut->setup ? shortNumber(cut->setup->block.size.prod() * 1e-9) + " m³" : QString();
   });
+  column->addHeading(tr("After all of its cuts"));
+  addValue(column, tr("Left"), tr("What is left of a block of several cuts, once the hand has rested"),
+           [this] {
+             const pipeline::BlockEvaluation* shown = block();
+             const pipeline::BlockPart* part = shown ? shown->part.value.get() : nullptr;
+             return part && part->solid ? shortNumber(part->solid->volume() * 1e-9) + " m³" : QString();
+           });
+  const auto worst = [this]() -> const Crease* {
+    const pipeline::BlockEvaluation* shown = block();
+    if (!shown || !shown->together.value || shown->together.value->creases.empty()) return nullptr;
+    return &*std::ranges::max_element(shown->together.value->creases, {}, &Crease::offMax);
+  };
+  addValue(
+      column, tr("Edge off"),
+      tr("The farthest that an edge in which two cuts meet lies from that of the surfaces designed"),
+      [worst] { return worst() ? lengthText(worst()->offMax) : QString(); },
+      [this, worst] { return worst() && worst()->offMax > bench_.shown()->design.process.tolerance; });
 }
 
 void Inspector::makeBlade() {

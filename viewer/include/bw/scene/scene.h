@@ -55,7 +55,7 @@ struct Blades {
 struct Faces {
   std::shared_ptr<const FaceMesh> mesh;  ///< not null
 };
-/// The way the blade goes; an arrow beside the block of that id shows it.
+/// The way the blade goes in a cut; an arrow beside its block shows that of the row whose blade moves.
 struct Travel {
   Eigen::Vector3d direction;
 };

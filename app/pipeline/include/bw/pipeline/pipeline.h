@@ -141,7 +141,9 @@ struct BlockPart {
 struct BlockEvaluation {
   std::string id;  ///< of the design's block
   std::vector<CutEvaluation> cuts = std::vector<CutEvaluation>(1);
-  // Only where it has several cuts:
+  /// Those that are not made, since they meet nothing of what is left: their surfaces alone.
+  std::vector<CutEvaluation> dropped = {};
+  // Only where it has several cuts, or had before some were dropped:
   std::optional<BlockPlacement> placement = std::nullopt;  ///< where it is, before it is turned for any cut
   Stage<MetRequest, std::vector<double>> met =
       {};                                         ///< mm that each cut comes into what those before it leave

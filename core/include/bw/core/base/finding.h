@@ -489,16 +489,18 @@ struct RunMismatch {
   std::string file, run = {}, other = {}, text = {};
 };
 
-using Cause = std::variant<
-    UnmetConditions, UnsettledFit, HeldBackFit, Overbent, TooTight, ManyInflections, WouldSnap, LowMargin,
-    SnapsInWeight, MovedByWeight, BentSideways, UnknownInWeight, WouldTwist, GripTooNear, SteepAngle,
-    UnevenSpeed, EndsSwing, GapInRow, TooFar, Uncovered, BladeCrosses, TargetsCrowd, LeadGrown, OtherShape,
-    NoWay, SnapsOnTheWay, ArrivesOtherwise, LostOnTheWay, TooFarOnTheWay, OffTheSurfaceShown, SkinOff,
-    ServingLengths, GripErrors, SectionMissing, SectionPoint, SectionShort, SectionBranches, SectionClosed,
-    SectionBridged, SectionExtended, SectionBorder, SectionUnfit, SectionRough, SectionDiffers, LargestFace,
-    NearestFace, FacesLeftOut, TravelAcross, ChosenDirection, LeftOutOfFile, Healed, ChangedSource,
-    EarlierDesign, JointGap, JointKink, JointOpen, BlocksMissed, CutDropped, CreaseOff, TakesSurface, PartUnknown, PiecesLeft,
-    UnreadableCell, WrongSide, HomeUnknown, HomeOutOfReach, ProgramDespiteErrors, ProgramBreach, RunMismatch>;
+using Cause =
+    std::variant<UnmetConditions, UnsettledFit, HeldBackFit, Overbent, TooTight, ManyInflections, WouldSnap,
+                 LowMargin, SnapsInWeight, MovedByWeight, BentSideways, UnknownInWeight, WouldTwist,
+                 GripTooNear, SteepAngle, UnevenSpeed, EndsSwing, GapInRow, TooFar, Uncovered, BladeCrosses,
+                 TargetsCrowd, LeadGrown, OtherShape, NoWay, SnapsOnTheWay, ArrivesOtherwise, LostOnTheWay,
+                 TooFarOnTheWay, OffTheSurfaceShown, SkinOff, ServingLengths, GripErrors, SectionMissing,
+                 SectionPoint, SectionShort, SectionBranches, SectionClosed, SectionBridged, SectionExtended,
+                 SectionBorder, SectionUnfit, SectionRough, SectionDiffers, LargestFace, NearestFace,
+                 FacesLeftOut, TravelAcross, ChosenDirection, LeftOutOfFile, Healed, ChangedSource,
+                 EarlierDesign, JointGap, JointKink, JointOpen, BlocksMissed, CutDropped, CreaseOff,
+                 TakesSurface, PartUnknown, PiecesLeft, UnreadableCell, WrongSide, HomeUnknown,
+                 HomeOutOfReach, ProgramDespiteErrors, ProgramBreach, RunMismatch>;
 
 /// Stations of a row by their index: from first to last, `count` of them concerned, the worst among them.
 struct StationRange {

@@ -41,12 +41,13 @@ using Polyline = std::vector<Eigen::Vector3d>;
                                                           const MeshedSurface& second, const Box& box,
                                                           const RunContext& context);
 
-/// A cut of a block: what was to be cut, and all that the blade sweeps.
+/// A cut of a block: what was to be cut, and all that the blade sweeps; of one that is not made, since it
+/// meets nothing of what is left, the first alone. Those that are made come first.
 struct CutSurfaces {
   std::string id;
   MeshedSurface target, cut;
-  Eigen::Vector3d kept = -Eigen::Vector3d::UnitZ();  ///< the way to the foam that stays, and
-  int side = 1;                                      ///< its side of `cut` (`sideKept`)
+  Eigen::Vector3d kept = -Eigen::Vector3d::UnitZ();     ///< the way to the foam that stays, and
+  int side = 1;                                         ///< its side of `cut` (`sideKept`)
   const std::vector<Eigen::Vector3d>* shown = nullptr;  ///< points of what is shown of it; may be null
 };
 
