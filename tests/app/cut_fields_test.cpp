@@ -102,6 +102,18 @@ TEST_F(CutFieldsTest, ACutIsAddedAndTakenAway) {
   EXPECT_EQ(bench().design().cuts.size(), 2u);
 }
 
+TEST_F(CutFieldsTest, AnotherDesignMayBeOpenedWhileWorkIsUnderWay) {
+  choose("cut", 1);
+  for (const char* name : {"bump", "two-crossing-cuts", "saddle", "three-block-wall"}) {
+    ASSERT_TRUE(window().openExample(name));
+    EXPECT_EQ(bench().cut().id, bench().design().cut().id) << name;
+    EXPECT_TRUE(bench().runner().busy());
+    QTest::qWait(40);
+  }
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().current());
+}
+
 TEST_F(CutFieldsTest, OneCutHasNoChoice) {
   ASSERT_TRUE(window().openExample("ripple-along"));
   ASSERT_TRUE(settle());

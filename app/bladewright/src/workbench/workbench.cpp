@@ -61,8 +61,10 @@ Workbench::Workbench(model::Settings& settings, const fs::path& recoveryFolder, 
 
 void Workbench::onReplaced() {
   ++opened_;
-  runner_.clear();
+  // First of all: whoever is told that work ended asks for the cut selected, and the design is the new one.
   selection_ = {};
+  Change change = settleSelection();
+  runner_.clear();
   playTime_ = 0;
   moving_ = false;
   judgedSize_.reset();
@@ -76,7 +78,6 @@ void Workbench::onReplaced() {
   exportProblem_.clear();
   for (const Topic topic : {Topic::evaluation, Topic::source, Topic::unit, Topic::file})
     emit noticesOutdated(topic);
-  Change change = settleSelection();
   change |= resultChange();
   change.whole |= Aspect::messages;
   emit changed(change);
