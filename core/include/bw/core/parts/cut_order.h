@@ -44,8 +44,8 @@ struct PartedBy {
 /// mm by which `p` lies inside of what stays of the foam; less than 0 for what was taken.
 [[nodiscard]] Result<double> depthIn(const std::vector<PartedBy>& cuts, const Eigen::Vector3d& p);
 
-/// The farthest that a surface comes into what other cuts left of the box, mm; 0 where nowhere. Some 5 µs a
-/// point and a cut. Errors: `cancelled`, and those of the samplers.
+/// The farthest that a surface comes into what other cuts left of the box, mm; 0 where nowhere, infinite
+/// where nothing was cut before. Errors: `cancelled`, and those of the samplers.
 [[nodiscard]] Result<double> meets(const TriangleMesh& mesh, const Box& box,
                                    const std::vector<PartedBy>& before, const RunContext& context);
 

@@ -18,8 +18,9 @@ struct WholeCut {
   std::vector<double> travel = {};  ///< mm, of each row; ascending
 };
 
-/// The blades of a course, and such as carry the first and the last one straight out of the block. The grid
-/// comes out of the block all around, as far as the grips are outside of it. Error `badInput`: fewer than two
+/// The blades of a course, and what leads out of the block before and behind: where a course ends in a face
+/// of the block it goes on as it comes, where it ends inside the blade is carried straight on. The grid comes
+/// out of the block all around, as far as the grips are outside of it. Error `badInput`: fewer than two
 /// blades.
 [[nodiscard]] Result<WholeCut> wholeCut(const std::vector<BladePose>& course, const PlaneFamily& planes);
 
