@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "bw/core/text/number_text.h"
+#include "bw/core/text/printable.h"
 #include "design/design_keys.h"
 
 namespace bw {
@@ -43,15 +44,6 @@ json rowOf(const Design& design, std::size_t index) {
       row[at] = "=" + bound->second.text;
   }
   return row;
-}
-
-/// True for text that JSON can hold.
-bool isUtf8(std::string_view text) {
-  try {
-    return !json(text).dump().empty();
-  } catch (const json::type_error&) {
-    return false;
-  }
 }
 
 std::string cellOf(const json& value) {
