@@ -7,7 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "bw/core/base/units.h"
 #include "bw/core/heavy/heavy_bvp.h"
@@ -132,6 +135,19 @@ TEST(FirmRow, NothingIsBentWhereNothingIsAsked) {
   const Result<FirmRow> none = firmRow(rowOf(flat(760, 1), kTwoWays), stopped);
   ASSERT_FALSE(none);
   EXPECT_EQ(none.error().code, ErrorCode::cancelled);
+}
+
+TEST(FirmRow, AStretchOfWhichNoBarrierIsKnownIsHeldByNothing) {
+  StationCertainty sure, unsure, known;
+  sure.energy = unsure.energy = known.energy = 10;
+  unsure.other = known.other = OtherRest{9, 30};
+  known.barrier = 4;
+  const auto least = [](std::vector<StationCertainty> stations) {
+    return RowCertainty{std::move(stations)}.leastBarrier();
+  };
+  EXPECT_EQ(least({sure, sure}), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(least({sure, unsure, known, sure}), 4) << "neighbours of one stretch share what is known";
+  EXPECT_EQ(least({known, sure, unsure}), std::nullopt);
 }
 
 }  // namespace

@@ -112,9 +112,10 @@ class Trials {
     for (const StationCertainty& station : certainty.stations) {
       if (station.certain()) continue;
       if (!std::isfinite(station.energy)) return Rest::lost;
-      if (station.barrier && *station.barrier < kLeastBarrier) return Rest::lost;
       worst = Rest::held;
     }
+    const std::optional<double> barrier = certainty.leastBarrier();
+    if (!barrier || *barrier < kLeastBarrier) return Rest::lost;
     const Result<EntryExit> ends = planEntryExit(sweep, request.ends, quiet_);
     if (!ends || ends->entry.poses.empty() || ends->exit.poses.empty()) return Rest::lost;
     return worst == Rest::certain || ends->entry.margin >= request.check.margin ? worst : Rest::lost;

@@ -80,6 +80,12 @@ Sweep bounded(const Sweep& before, const RowCertainty& certainty, const std::vec
   return next;
 }
 
+/// True if a blade keeps the margins that are asked for.
+bool isFirm(const Sweep& row, std::size_t i) {
+  const HeavyMargins margins = sweep::marginsAt(row, row.poses[i]);
+  return std::min(margins.inPlane, margins.outOfPlane) >= row.request.margin;
+}
+
 /// True if no blade of a row stands worse than in the one before.
 bool keepsUp(const Sweep& next, const Sweep& before) {
   for (std::size_t i = 0; i < next.fits.size(); ++i) {
@@ -89,6 +95,7 @@ bool keepsUp(const Sweep& next, const Sweep& before) {
       if (stood) return false;
     }
     if (is.fit.hausdorff > std::max(was.fit.hausdorff, kWithin * next.request.tolerance)) return false;
+    if (!isFirm(next, i) && isFirm(before, i)) return false;
   }
   return true;
 }

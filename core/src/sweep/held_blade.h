@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "bw/core/base/units.h"
+#include "bw/core/elastica/elastica_stability.h"
 #include "bw/core/heavy/heavy_bvp.h"
 #include "bw/core/sweep/sweep.h"
 
@@ -52,6 +53,23 @@ namespace bw::sweep {
   if (!blade) return {};
   const Result<HeavyBranch> branch = HeavyBranch::from(*blade, stiffness);
   return branch ? std::optional(*branch) : std::nullopt;
+}
+
+/// How safely the blade of a pose rests: round ones across their plane too, with what their weight does
+/// there.
+[[nodiscard]] inline HeavyMargins marginsAt(const Sweep& sweep, const BladePose& pose) {
+  const Blade& blade = sweep.request.blade;
+  const bool round = blade.section != Blade::Section::flat;
+  HeavyMargins margins;
+  if (pose.heavy) {
+    const double across = round ? sweep.request.weight.dot(pose.frame.normal) / blade.flexuralRigidity() : 0;
+    margins = marginsOf(*pose.heavy, across);
+    if (!round) margins.outOfPlane = 1;
+    return margins;
+  }
+  margins.inPlane = stabilityMargin(pose.blade);
+  if (round) margins.outOfPlane = outOfPlaneMargin(pose.blade);
+  return margins;
 }
 
 /// mm that the blade of a pose may sag by its slack. Where that is next to nothing, it has one shape.

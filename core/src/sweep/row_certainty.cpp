@@ -102,6 +102,14 @@ std::vector<sweep::Stretch> unsureStretches(const std::vector<StationCertainty>&
       stations.size(), [&](std::size_t i) { return stations[i].unsure(); }, moreExcess(stations));
 }
 
+/// The least barrier that is known of a stretch.
+std::optional<double> barrierOf(const std::vector<StationCertainty>& stations, const sweep::Stretch& at) {
+  std::optional<double> least;
+  for (std::size_t i = at.first; i <= at.last; ++i)
+    if (const std::optional<double>& one = stations[i].barrier) least = std::min(least.value_or(*one), *one);
+  return least;
+}
+
 /// A pass of a station, followed to another one.
 struct PassThere {
   std::size_t station;
@@ -237,6 +245,16 @@ Result<RowCertainty> certaintyOf(const Sweep& sweep, const RunContext& context) 
   return row;
 }
 
+std::optional<double> RowCertainty::leastBarrier() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const sweep::Stretch& at : unsureStretches(stations)) {
+    const std::optional<double> barrier = barrierOf(stations, at);
+    if (!barrier) return {};
+    least = std::min(least, *barrier);
+  }
+  return least;
+}
+
 const char* restName(Rest rest) {
   switch (rest) {
     case Rest::unknown:
@@ -288,11 +306,7 @@ RowRest restOf(const Sweep& sweep, const SweepCheck& check, const RowCertainty& 
     }
   }
   for (const sweep::Stretch& at : unsureStretches(certainty.stations)) {
-    std::optional<double> barrier;
-    for (std::size_t i = at.first; i <= at.last; ++i) {
-      const StationCertainty& station = certainty.stations[i];
-      if (station.barrier) barrier = std::min(barrier.value_or(*station.barrier), *station.barrier);
-    }
+    const std::optional<double> barrier = barrierOf(certainty.stations, at);
     for (std::size_t i = at.first; i <= at.last; ++i) {
       if (row.stations[i] != Rest::held) continue;
       if (way[i] == Lost::no && least[i] < margin) way[i] = Lost::lowMargin;

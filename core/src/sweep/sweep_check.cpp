@@ -8,7 +8,6 @@
 #include <limits>
 #include <optional>
 
-#include "bw/core/elastica/elastica_stability.h"
 #include "bw/core/heavy/heavy_bvp.h"
 #include "sweep/cut_rows.h"
 #include "sweep/held_blade.h"
@@ -82,19 +81,11 @@ Result<SweepCheck> checkSweep(const Sweep& sweep, const CheckRequest& request, c
     StationVelocity& v = result.velocities[std::size_t(i)];
     v = sweep::stationVelocity(poses, travel, std::size_t(i), kColumns, request.cuttingSpeed);
     StationCheck& check = result.stations[std::size_t(i)];
-    const bool round = sweep.request.blade.section != Blade::Section::flat;
-    if (pose.heavy) {
-      const double across =
-          sweep.request.weight.dot(pose.frame.normal) / sweep.request.blade.flexuralRigidity();
-      const HeavyMargins margins = marginsOf(*pose.heavy, round ? across : 0);
-      check.stabilityMargin = margins.inPlane;
-      if (round) check.outOfPlaneMargin = margins.outOfPlane;
-      check.sideways = margins.sideways;
-      check.movedByWeight = pose.movedByWeight();
-    } else {
-      check.stabilityMargin = stabilityMargin(pose.blade);
-      if (round) check.outOfPlaneMargin = outOfPlaneMargin(pose.blade);
-    }
+    const HeavyMargins margins = sweep::marginsAt(sweep, pose);
+    check.stabilityMargin = margins.inPlane;
+    check.outOfPlaneMargin = margins.outOfPlane;
+    check.sideways = margins.sideways;
+    if (pose.heavy) check.movedByWeight = pose.movedByWeight();
     std::vector<double>& moved = result.movedByGrip[std::size_t(i)];
     moved = movedByGrip(sweep, pose, request);
     check.movedByGrip = std::ranges::max(moved);

@@ -46,6 +46,9 @@ struct StationCertainty {
 
 struct RowCertainty {
   std::vector<StationCertainty> stations;  ///< one a pose; without energies where its blade is not known
+  /// N mm, the least that is known of any stretch of stations that are not sure; infinite where all are sure.
+  /// Empty where of a stretch none is known: nothing then tells that its blades are held.
+  [[nodiscard]] std::optional<double> leastBarrier() const;
 };
 
 /// Seeks all shapes at rest at some stations of a row and follows them from there along it
