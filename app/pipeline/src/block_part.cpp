@@ -135,10 +135,11 @@ Result<void> orderCutsOf(Evaluation& e, BlockEvaluation& block, const BlockEvalu
   return {};
 }
 
-/// All that the blade of a cut sweeps, as a surface.
-Result<SweptSurface> sweptBy(const CutEvaluation& cut) {
+/// All that the blade of a cut leaves, as a surface.
+Result<SweptSurface> sweptBy(const CutEvaluation& cut, const Kerf& kerf) {
   Result<WholeCut> whole = wholeCut(cut.way.value->course, cut.setup->planes);
   if (!whole) return tl::unexpected<Error>(whole.error());
+  whole->grid = standingBeside(std::move(whole->grid), kerf);
   Result<SplineSurface> surface = geometry::loft(whole->grid, whole->travel);
   if (!surface) return tl::unexpected<Error>(surface.error());
   const Result<geometry::CadModel> model = geometry::CadModel::of(*surface, cut.id);
@@ -198,8 +199,9 @@ Result<Inputs> sweepAll(BlockEvaluation& block, const Evaluation* previous, doub
   for (CutEvaluation& cut : block.cuts) {
     const CutEvaluation* before = previous ? previous->find(cut.id) : nullptr;
     if (!cut.swept.value) {
-      const Result<void> ok = settle(cut.swept, before ? &before->swept : nullptr, {}, {cut.way.value},
-                                     seconds, [&cut](const NoRequest&, Findings&) { return sweptBy(cut); });
+      const Result<void> ok =
+          settle(cut.swept, before ? &before->swept : nullptr, cut.middle.request, {cut.way.value}, seconds,
+                 [&cut](const Kerf& kerf, Findings&) { return sweptBy(cut, kerf); });
       if (!ok) return tl::unexpected<Error>(inCut(cut.id, ok.error()).error());
     }
     swept.push_back(cut.swept.value);

@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "advice.h"
+#include "bw/core/parts/cut_order.h"
+#include "bw/core/shape/moved_sections.h"
 #include "bw/core/sweep/firm_row.h"
 #include "bw/geometry/export.h"
 
@@ -25,6 +27,18 @@ Result<void> aim(const CutWork& work, const std::shared_ptr<const CadSource>& so
                      [&source](const FaceChoice& face, Findings& findings) {
                        return geometry::Target::make(source->model, face, &findings);
                      });
+}
+
+Result<MiddleSections> middleOf(const geometry::Target& target, const TriangleMesh& mesh,
+                                const std::vector<Section>& sections, const Kerf& kerf,
+                                const RunContext& context, Findings& findings) {
+  const std::unique_ptr<SurfaceSampler> sampler = target.sampler();
+  const Result<int> side = sideKept(mesh, *sampler, kerf.kept);
+  if (!side) return tl::unexpected<Error>(side.error());
+  const double off = -*side * 0.5 * kerf.width;
+  Result<std::vector<Section>> middle = movedBy(sections, *sampler, off, context, findings);
+  if (!middle) return tl::unexpected<Error>(middle.error());
+  return MiddleSections{std::move(*middle), off};
 }
 
 Result<void> place(const CutWork& work, const std::optional<BlockPlacement>& placement) {
@@ -60,10 +74,31 @@ Result<void> place(const CutWork& work, const std::optional<BlockPlacement>& pla
 
 namespace {
 
-/// The sections that the blades are for: those of the tracer, or what OpenCASCADE took over of them.
-std::shared_ptr<const std::vector<Section>> rowOf(const CutEvaluation& e) {
+/// The sections of the target: those of the tracer, or what OpenCASCADE took over of them.
+std::shared_ptr<const std::vector<Section>> ownRow(const CutEvaluation& e) {
   if (e.confirmed.value && e.confirmed.value->has_value()) return {e.confirmed.value, &**e.confirmed.value};
   return e.sections.value;
+}
+
+/// What the middle of the blade is to sweep.
+Result<void> setOff(const CutWork& work) {
+  CutEvaluation& e = work.e;
+  const Kerf kerf = kerfOf(work.design, work.cut, e.setup->block);
+  e.middle = {};
+  if (!(kerf.width > 0)) return {};
+  if (Result<void> ok = meshTarget(e, work.previous, work.seconds.read); !ok) return ok;
+  const std::shared_ptr<const std::vector<Section>> cut = ownRow(e);
+  return work.settle(&CutEvaluation::middle, kerf, {e.target.value, cut}, work.seconds.sections,
+                     [&](const Kerf& asked, Findings& findings) {
+                       return middleOf(*e.target.value, *e.targetMesh.value, *cut, asked, work.context,
+                                       findings);
+                     });
+}
+
+/// The sections that the blades are for.
+std::shared_ptr<const std::vector<Section>> rowOf(const CutEvaluation& e) {
+  if (e.middle.value) return {e.middle.value, &e.middle.value->sections};
+  return ownRow(e);
 }
 
 }  // namespace
@@ -179,6 +214,9 @@ Result<void> fit(const CutWork& work) {
                      });
     if (!ok) return ok;
   }
+  ok = setOff(work);
+  if (ok) ok = work.unlessStopped();
+  if (!ok) return ok;
   const std::shared_ptr<const std::vector<Section>> row = rowOf(e);
   const std::vector<Section>& sections = *row;
   FitRequest fit = fitRequest(work.design, work.cut, e.setup->block, work.joined);
@@ -247,7 +285,7 @@ Result<void> compare(const CutWork& work, double& seconds) {
                      [&](const WayRequest& request, Findings& findings) {
                        Result<WayDeviation> between =
                            deviationOf(*e.way.value, *e.sweep.value, *e.analysis.value, request,
-                                       *e.target.value->sampler(), work.context);
+                                       *e.middleSampler(), work.context);
                        if (between) findings = between->findings;
                        return between;
                      });
@@ -269,12 +307,12 @@ Result<void> cover(const CutWork& work, double& seconds) {
 /// The cut surface against the target.
 Result<void> analyze(const CutWork& work, double& seconds) {
   CutEvaluation& e = work.e;
-  return work.settle(&CutEvaluation::analysis, checkRequest(work.design),
+  return work.settle(&CutEvaluation::analysis, {checkRequest(work.design), e.middle.request},
                      {e.check.value, e.way.value, e.target.value}, seconds,
-                     [&](const CheckRequest& request, Findings& findings) {
+                     [&](const AnalysisRequest& request, Findings& findings) {
                        Result<SweepAnalysis> analysis =
-                           analyzeSweep(*e.sweep.value, e.way.value->course, *e.check.value, request,
-                                        *e.target.value->sampler(), geometry::loft, work.context);
+                           analyzeSweep(*e.sweep.value, e.way.value->course, *e.check.value, request.check,
+                                        *e.middleSampler(), geometry::loft, work.context, request.kerf);
                        if (analysis) findings = analysis->findings;
                        return analysis;
                      });

@@ -247,6 +247,10 @@ void takeMissing(Stage<Request, T>& stage, const Stage<Request, T>& from) {
 
 }  // namespace
 
+std::unique_ptr<SurfaceSampler> CutEvaluation::middleSampler() const {
+  return movedBy(target.value->sampler(), middle.value ? middle.value->off : 0);
+}
+
 std::optional<CutResult> CutEvaluation::result() const {
   if (!sweep.value || !check.value || !analysis.value || !coverage.value || !way.value || !between.value ||
       !certainty.value || !rest.value || !ends.value || !motion.value)
@@ -257,10 +261,11 @@ std::optional<CutResult> CutEvaluation::result() const {
 
 Findings CutEvaluation::findings() const {
   Findings all;
-  for (const Findings* list : {&target.findings, &placed.findings, &directions.findings,
-                               confirmed.value ? &confirmed.findings : &sections.findings, &sweep.findings,
-                               &check.findings, &motion.findings, &analysis.findings, &way.findings,
-                               &between.findings, &coverage.findings, &ends.findings, &rest.findings})
+  for (const Findings* list :
+       {&target.findings, &placed.findings, &directions.findings,
+        confirmed.value ? &confirmed.findings : &sections.findings, &middle.findings, &sweep.findings,
+        &check.findings, &motion.findings, &analysis.findings, &way.findings, &between.findings,
+        &coverage.findings, &ends.findings, &rest.findings})
     append(all, *list);
   return all;
 }
@@ -339,6 +344,7 @@ void Evaluation::takeMissing(const Evaluation& before) {
       takeMissing(cut.placed, from->placed);
       takeMissing(cut.directions, from->directions);
       if (!cut.setup) cut.setup = from->setup;
+      takeMissing(cut.middle, from->middle);
       takeMissing(cut.count, from->count);
       takeMissing(cut.sections, from->sections);
       takeMissing(cut.confirmed, from->confirmed);

@@ -276,6 +276,7 @@ std::string reportJson(const Evaluation& e, const std::string& run, const FileSe
   method["cutting_speed_mm_s"] = design.process.cuttingSpeed;
   method["clearance_mm"] = design.process.clearance;
   method["margin"] = design.process.margin;
+  method["kerf_mm"] = design.process.kerf;
   method["motion_tolerance_mm"] = design.process.motionTolerance;
   method["grip_error_mm"] = design.process.gripError;
   method["grip_angle_error_deg"] = design.process.gripAngle;

@@ -199,6 +199,8 @@ void parameters(Page& page, const Evaluation& e) {
   page.row({"Cutting speed of the fastest point", shortText(design.process.cuttingSpeed, 4) + " mm/s"});
   page.row({"Lead before and after the block", mm(design.process.lead)});
   page.row({"Tolerance", mm(design.process.tolerance)});
+  if (design.process.kerf > 0)
+    page.row({"Kerf", mm(design.process.kerf) + " (programs carry the middle of the blade)"});
   page.row({"Clearance", mm(design.process.clearance)});
   page.row({"Stability margin of the blade", fixedText(design.process.margin, 2)});
   page.row({"Robot cell", design.output.cell});

@@ -34,6 +34,11 @@ CheckRequest checkRequest(const Design& design) {
   return {p.tolerance, p.clearance, p.cuttingSpeed, p.margin, p.gripError, fromDegrees(p.gripAngle)};
 }
 
+Kerf kerfOf(const Design& design, const Cut& cut, const Box& lies) {
+  // Where there is none, no stage hangs on how the block lies.
+  return design.process.kerf > 0 ? Kerf{design.process.kerf, keptWay(lies, cut.keep)} : Kerf();
+}
+
 LengthRequest lengthRequest(const Design& design, const Cut& cut, const Box& lies, bool joined) {
   LengthRequest request{fitRequest(design, cut, lies, joined), checkRequest(design),
                         entryExitRequest(design)};

@@ -174,6 +174,7 @@ Result<ProgramRun> runProgram(const robotio::Program& program, const Design* des
     cut = nearest;
     run.block = block->id;
     run.cut = cut->id;
+    run.kerf = cut->middle.request;
     run.alone = e.blocks.size() == 1 && block->cuts.size() == 1;
     blade = cut->sweep.value->request.blade;
     weight = cut->sweep.value->request.weight;
@@ -194,8 +195,8 @@ Result<ProgramRun> runProgram(const robotio::Program& program, const Design* des
   if (!simulation) return tl::unexpected<Error>(simulation.error());
   run.simulation = std::move(*simulation);
   if (design) {
-    const Result<SimulatedSurface> surface = compare(
-        run.simulation, cut->analysis.value->cut, cut->setup->planes, *cut->target.value->sampler(), context);
+    const Result<SimulatedSurface> surface = compare(run.simulation, cut->analysis.value->swept(),
+                                                     cut->setup->planes, *cut->middleSampler(), context);
     if (!surface) return tl::unexpected<Error>(surface.error());
     run.surface = *surface;
     Result<std::vector<BarrierLook>> barriers =
@@ -288,8 +289,8 @@ std::string simulationText(const ProgramRun& run) {
 FileSet simulationFiles(const ProgramRun& run) {
   FileSet files;
   files.add("simulation.json", simulationText(run));
-  const SurfaceGrid swept = run.simulation.swept();
-  files.add("cut.obj", objText({{"cut_surface", &swept}}));
+  const SurfaceGrid standing = standingBeside(run.simulation.swept(), run.kerf);
+  files.add("cut.obj", objText({{"cut_surface", &standing}}));
   return files;
 }
 

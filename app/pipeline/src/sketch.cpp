@@ -9,6 +9,7 @@
 
 #include "block_layout.h"
 #include "bw/core/shape/iso_sections.h"
+#include "cut_stages.h"
 
 namespace bw::pipeline {
 
@@ -158,6 +159,17 @@ std::optional<CutSketch> Sketcher::draw(const Design& design, std::size_t index,
     row.spline = spline;
   }
 
+  // What the middle of the blade is to sweep.
+  std::shared_ptr<const std::vector<Section>> sections = row.sections;
+  double off = 0;
+  const Kerf kerf = kerfOf(design, asked, planes.setup.block);
+  if (kerf.width > 0) {
+    Result<MiddleSections> middle = middleOf(*row.target, *row.mesh, *row.sections, kerf, context, unsaid);
+    if (!middle) return {};
+    off = middle->off;
+    sections = std::make_shared<const std::vector<Section>>(std::move(middle->sections));
+  }
+
   const FitRequest& before = cut.sweep.value->request;
   const FitRequest fit = fitRequest(design, asked, setup->block, before.fitEndpoints && before.fitTangents);
   if (!row.live) {
@@ -165,22 +177,23 @@ std::optional<CutSketch> Sketcher::draw(const Design& design, std::size_t index,
     if (row.live) row.sketcher.emplace(*cut.sweep.value, *cut.certainty.value, *cut.rest.value);
   }
   const bool follows = row.live && row.live->sweep().request == fit &&
-                       row.live->follow(*row.sections, planes.setup.block, planes.setup.planes, context);
+                       row.live->follow(*sections, planes.setup.block, planes.setup.planes, context);
   std::shared_ptr<const Sweep> sweep;
   if (follows) {
     sweep = std::make_shared<const Sweep>(row.live->sweep());
   } else {
     row.live.reset();
     if (context.stopped()) return {};
-    Result<Sweep> anew =
-        buildSweep(*row.sections, fit, planes.setup.block, planes.setup.planes, context, unsaid);
+    Result<Sweep> anew = buildSweep(*sections, fit, planes.setup.block, planes.setup.planes, context, unsaid);
     if (!anew) return {};
     sweep = std::make_shared<const Sweep>(std::move(*anew));
     row.live = LiveRow::of(*sweep, context);
     row.sketcher.emplace(*sweep);
   }
-  Result<RowSketch> look = row.sketcher->look(*sweep, checkRequest(design), *row.target->sampler(), context);
+  Result<RowSketch> look =
+      row.sketcher->look(*sweep, checkRequest(design), *movedBy(row.target->sampler(), off), context);
   if (!look) return {};
+  look->cut = standingBeside(std::move(look->cut), kerf);
   return CutSketch{cut.id, row.mesh, std::make_shared<const geometry::Setup>(planes.setup), std::move(sweep),
                    std::make_shared<const RowSketch>(std::move(*look))};
 }

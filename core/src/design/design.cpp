@@ -25,7 +25,7 @@ namespace bw {
 
 namespace {
 
-constexpr std::array<ProcessNumber, 11> kNumbers = {{
+constexpr std::array<ProcessNumber, 12> kNumbers = {{
     {{&Process::tolerance, "tolerance", "Tolerance", "mm", 1e-4, 1000, 1e-3, 3, 0.1,
       "Largest deviation of the cut surface that is accepted", "Change tolerance"},
      ProcessPart::setup},
@@ -34,6 +34,9 @@ constexpr std::array<ProcessNumber, 11> kNumbers = {{
      ProcessPart::setup},
     {{&Process::cuttingSpeed, "cutting_speed", "Cutting speed", "mm/s", 0.01, 1000, 0.01, 2, 1,
       "Of the fastest point of the blade", "Change cutting speed"},
+     ProcessPart::process},
+    {{&Process::kerf, "kerf", "Kerf", "mm", 0, 50, 0, 2, 0.1,
+      "Width of foam that the blade melts away: its middle keeps half of it off the surface", "Change kerf"},
      ProcessPart::process},
     {{&Process::maxPeriods, "max_periods", "Most waves", "", 0.05, 10, 0.1, 2, 0.1,
       "Periods of the elastica that the blade may span; more than one is hard to hold", "Change most waves"},

@@ -297,7 +297,7 @@ Result<WayDeviation> deviationOf(const RowMotion& motion, const Sweep& row, cons
                                  const RunContext& context) {
   WayDeviation way;
   const std::unique_ptr<SurfaceSampler> sampler = target.clone();
-  const sweep::SurfaceRows shown(analysis.cut, row.planes);
+  const sweep::SurfaceRows shown(analysis.swept(), row.planes);
   std::vector<double> off(row.poses.size(), 0);
   double sum = 0;
   std::size_t count = 0;

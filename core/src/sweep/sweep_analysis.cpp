@@ -6,6 +6,7 @@
 #include <mutex>
 #include <numeric>
 #include <span>
+#include <utility>
 
 #include "bw/core/base/units.h"
 #include "bw/core/sweep/maps.h"
@@ -52,8 +53,8 @@ std::size_t intervalOf(const std::vector<int>& rows, int row) {
 
 Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const std::vector<BladePose>& course,
                                    const SweepCheck& check, const CheckRequest& request,
-                                   const SurfaceSampler& target, const Loft& loft,
-                                   const RunContext& context) {
+                                   const SurfaceSampler& target, const Loft& loft, const RunContext& context,
+                                   const Kerf& kerf) {
   const std::vector<BladePose>& poses = sweep.poses;
   const int n = int(poses.size()), m = int(course.size());
   if (Result<void> ok = sweep::enoughStations(sweep); !ok) return tl::unexpected<Error>(ok.error());
@@ -210,6 +211,13 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const std::vector<BladePo
   sweep::addRowFindings(sweep, request, worst, result);
   sweep::addStationFindings(sweep, check, request, result);
   sweep::keepRows(worst, result);
+  if (kerf.width > 0) {
+    result.middle = {result.cut.rows, result.cut.columns, result.cut.points, {}};
+    result.cut = standingBeside(std::move(result.cut), kerf);
+    Result<SplineSurface> standing = loft(standingBeside(grid, kerf), chord);
+    if (!standing) return tl::unexpected<Error>(standing.error());
+    result.surface = std::move(*standing);
+  }
   return result;
 }
 

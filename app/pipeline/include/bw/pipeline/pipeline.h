@@ -55,7 +55,13 @@ struct CadSource {
   Fingerprint content;  ///< of the bytes that were read, or of the spline
 };
 
-/// All that the blade of a cut sweeps, from grip to grip, through its block and out of it.
+/// Sections for the middle of the blade.
+struct MiddleSections {
+  std::vector<Section> sections;
+  double off = 0;  ///< mm along the normals of the target
+};
+
+/// All that the blade of a cut leaves, from grip to grip, through its block and out of it.
 struct SweptSurface {
   SplineSurface surface;
   TriangleMesh mesh;
@@ -105,6 +111,9 @@ struct CutEvaluation {
   Stage<PlanesRequest, std::vector<Section>> sections;
   /// Only for files: what OpenCASCADE takes over of the traced sections, and the findings in their place.
   Stage<PlanesRequest, std::optional<std::vector<Section>>> confirmed;
+  /// What the middle of the blade is to sweep, half a kerf beside the target: its sections, and how far along
+  /// the target's normals it lies. Only where there is a kerf.
+  Stage<Kerf, MiddleSections> middle;
   /// What lengths of the blade serve: where none is asked for, where for files one does not, and from
   /// `addSecondThought`.
   Stage<LengthsRequest, BladeLengths> lengths;
@@ -113,22 +122,24 @@ struct CutEvaluation {
   Stage<LengthsRequest, MarginTrade> margins;
   /// Whether grips that come nearer to the block help: where no length serves a row that needs another one.
   Stage<LengthsRequest, ClearanceTrade> clearances;
-  Stage<RowRequest, Sweep> sweep;               ///< blades and poses
-  Stage<CheckRequest, SweepCheck> check;        ///< velocities, margins, clearance
-  Stage<FollowRequest, RowMotion> way;          ///< the targets of the robots, and the blade between them
-  Stage<CheckRequest, SweepAnalysis> analysis;  ///< the cut surface against the target, and what was found
-  Stage<CheckRequest, Coverage> coverage;       ///< the target against the cut surface
-  Stage<WayRequest, WayDeviation> between;      ///< how far it lies off between the stations
-  Stage<NoRequest, RowCertainty> certainty;     ///< what else the blades could rest in
-  Stage<EntryExitRequest, EntryExit> ends;      ///< how the blade is led into the row and out of it
-  Stage<CheckRequest, RowRest> rest;            ///< what keeps each blade in its shape
+  Stage<RowRequest, Sweep> sweep;                  ///< blades and poses
+  Stage<CheckRequest, SweepCheck> check;           ///< velocities, margins, clearance
+  Stage<FollowRequest, RowMotion> way;             ///< the targets of the robots, and the blade between them
+  Stage<AnalysisRequest, SweepAnalysis> analysis;  ///< the cut surface against the target, and what was found
+  Stage<CheckRequest, Coverage> coverage;          ///< the target against the cut surface
+  Stage<WayRequest, WayDeviation> between;         ///< how far it lies off between the stations
+  Stage<NoRequest, RowCertainty> certainty;        ///< what else the blades could rest in
+  Stage<EntryExitRequest, EntryExit> ends;         ///< how the blade is led into the row and out of it
+  Stage<CheckRequest, RowRest> rest;               ///< what keeps each blade in its shape
   Stage<MotionRequest, Motion> motion;
-  Stage<NoRequest, SweptSurface> swept;                 ///< only where its block has several cuts
+  Stage<Kerf, SweptSurface> swept;                      ///< only where its block has several cuts
   Stage<NoRequest, Simulation> run;                     ///< the motion run; only from `addSecondThought`
   Stage<NoRequest, std::vector<BarrierLook>> barriers;  ///< along it; likewise
 
   std::optional<CutResult> result() const;  ///< empty until all stages are done
-  Findings findings() const;                ///< of all stages in order
+  /// What the middle of the blade is held against; the target and its sections are there.
+  std::unique_ptr<SurfaceSampler> middleSampler() const;
+  Findings findings() const;  ///< of all stages in order
 };
 
 /// What is left of a block.

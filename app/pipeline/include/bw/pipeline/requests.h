@@ -14,6 +14,7 @@
 #include "bw/core/sweep/blade_lengths.h"
 #include "bw/core/sweep/entry_exit.h"
 #include "bw/core/sweep/joints.h"
+#include "bw/core/sweep/kerf.h"
 #include "bw/core/sweep/row_motion.h"
 #include "bw/core/sweep/section_request.h"
 #include "bw/core/sweep/sweep_check.h"
@@ -77,6 +78,7 @@ Blade bladeOf(const Design& design, const Cut& cut);
 /// sections.
 FitRequest fitRequest(const Design& design, const Cut& cut, const Box& lies, bool joined = false);
 CheckRequest checkRequest(const Design& design);
+Kerf kerfOf(const Design& design, const Cut& cut, const Box& lies);
 LengthRequest lengthRequest(const Design& design, const Cut& cut, const Box& lies, bool joined = false);
 JointRequest jointRequest(const Design& design);
 WayRequest wayRequest(const Design& design);
@@ -97,6 +99,13 @@ struct MetRequest {
   std::vector<Eigen::Vector3d> kept = {};  ///< of each, the way to the foam that stays
   double tolerance = 0;                    ///< mm
   bool operator==(const MetRequest&) const = default;
+};
+
+/// What the surface that stands is held against.
+struct AnalysisRequest {
+  CheckRequest check;
+  Kerf kerf;
+  bool operator==(const AnalysisRequest&) const = default;
 };
 
 /// Of a stage that hangs on its inputs alone.

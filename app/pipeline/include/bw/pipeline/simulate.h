@@ -12,6 +12,7 @@
 #include "bw/core/files/file_set.h"
 #include "bw/core/simulation/barriers.h"
 #include "bw/core/simulation/simulation.h"
+#include "bw/core/sweep/kerf.h"
 #include "bw/robotio/text/program_text.h"
 
 namespace bw::pipeline {
@@ -23,6 +24,7 @@ struct ProgramRun {
   std::optional<SimulatedSurface> surface = {};  ///< only with a design
   std::vector<BarrierLook> barriers = {};        ///< likewise
   std::string block = {}, cut = {};              ///< ids of what it was compared with; likewise
+  Kerf kerf = {};                                ///< of that cut; likewise
   bool alone = true;                             ///< true if the design has no other cut
   /// What breaks a rule of its dialect or a limit of the design, or snaps: a clause each.
   std::vector<std::string> exceeded = {};

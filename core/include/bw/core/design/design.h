@@ -89,6 +89,7 @@ struct Process {
   double maxPeriods = 1;
   double tolerance = 2.0;        ///< mm, deviation of the cut surface
   double cuttingSpeed = 20.0;    ///< mm/s of the fastest point of the blade
+  double kerf = 0;               ///< mm of foam that the blade melts away across itself
   double clearance = 50.0;       ///< mm between a grip and the block
   double margin = 0.15;          ///< of stability, that blades are to keep
   double motionTolerance = 0.1;  ///< mm between the blade as the robots move it and the surface shown

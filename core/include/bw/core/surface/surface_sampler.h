@@ -45,7 +45,7 @@ class SurfaceSampler {
 
   /// How far `p` lies from the surface along its normal, mm, signed by it; beyond a border from the surface
   /// continued there. `foot` is what `closest` says of it.
-  double offset(const Eigen::Vector3d& p, const Foot& foot) const {
+  virtual double offset(const Eigen::Vector3d& p, const Foot& foot) const {
     const double side = (p - foot.point).dot(foot.normal);
     if (!foot.onBoundary) return std::copysign(foot.distance, side);
     const double beyond = continued(p, foot);

@@ -11,6 +11,7 @@
 #include "bw/core/surface/mesh.h"
 #include "bw/core/surface/spline_surface.h"
 #include "bw/core/surface/surface_sampler.h"
+#include "bw/core/sweep/kerf.h"
 #include "bw/core/sweep/sweep.h"
 
 namespace bw {
@@ -79,16 +80,20 @@ struct SweepSummary {
 
 /// The cut surface with its fields, and what was found.
 struct SweepAnalysis {
-  /// Sampled finely: every station and rows between, thinned to 481 rows where they are more (the summary and
-  /// the findings are those of all). Fields "deviation" (mm, signed), "angle" (°), "speed"
-  /// (mm/s), "relative_speed" (0…1), "curvature" (|κ| over the limit), "stress" (N/mm², of bending in the
-  /// outermost fibre).
+  /// What stands: beside the middle of the blade by half the kerf. Sampled finely: every station and rows
+  /// between, thinned to 481 rows where they are more (the summary and the findings are those of all). Fields
+  /// "deviation" (mm, signed), "angle" (°), "speed" (mm/s), "relative_speed" (0…1), "curvature" (|κ| over the
+  /// limit), "stress" (N/mm², of bending in the outermost fibre).
   SurfaceGrid cut;
-  SplineSurface surface;        ///< the smooth skin through the targets
+  SurfaceGrid middle = {};      ///< what the middle of the blade sweeps, where a kerf parts it from `cut`
+  SplineSurface surface;        ///< the smooth skin of what stands, through the targets
   std::vector<int> stationRow;  ///< row of `cut` of each station, or nearest to it where rows are thinned
   std::vector<double> stationDeviation;  ///< mm, the largest distance of each station's cut from the target
   SweepSummary summary;
   Findings findings;
+
+  /// What the middle of the blade sweeps: what targets for it are compared with.
+  const SurfaceGrid& swept() const { return middle.points.empty() ? cut : middle; }
 };
 
 /// mm: the skin through the stations keeps this close to the blade of each; a finding tells where it does
@@ -98,10 +103,11 @@ inline constexpr double kSkinTolerance = 0.01;
 /// Checks a sweep against the target: the deviation of the cut surface, also between stations, and from it
 /// and the numbers of `checkSweep` what cannot be cut, and why. The surface goes through the blades at the
 /// `course` (`RowMotion`), the stations among them. `loft` lays the skin through them: what is measured here
-/// is what is written.
+/// is what is written. With a `kerf`, `target` is what the middle of the blade is to sweep, and what stands
+/// is moved from there.
 [[nodiscard]] Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const std::vector<BladePose>& course,
                                                  const SweepCheck& check, const CheckRequest& request,
                                                  const SurfaceSampler& target, const Loft& loft,
-                                                 const RunContext& context);
+                                                 const RunContext& context, const Kerf& kerf = {});
 
 }  // namespace bw

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "bw/core/shape/moved_sections.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "bw/core/text/number_text.h"
+#include "shape/shapes.h"
+
+namespace bw {
+
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr int kPlaces = 96;  // of a section, at least
+constexpr int kMostPlaces = 4000;
+constexpr int kSpan = 4;         // places of each span of its spline
+constexpr int kSteps = 12;       // of Newton's method
+constexpr double kThere = 1e-5;  // mm
+constexpr double kAlong = 0.02;  // of a unit normal: less of it in the plane, and the surface runs along that
+constexpr int kChunks = 16;      // of the sections, each with a sampler of its own
+constexpr double kFarthest = 50;  // times the offset, that a place is moved within its plane
+
+tl::unexpected<Error> cannot(const std::string& why, double value, double off) {
+  return fail(ErrorCode::badInput,
+              why + ", so that no blade keeps half the kerf of " + shortText(2 * std::abs(off)) +
+                  " mm off it; ease the surface, make the kerf smaller, or choose another cutting direction",
+              "kerf", value, std::abs(off));
+}
+
+Result<PlanarCurve> moved(const Section& section, SurfaceSampler& surface, double off) {
+  const PlanarCurve& curve = section.curve();
+  const int count = std::clamp(kSpan * int(curve.knots().size()), kPlaces, kMostPlaces) + 1;
+  const double length = curve.length();
+  std::vector<Vector2d> places;
+  std::vector<double> at;
+  std::optional<SurfaceSampler::Foot> seed;
+  for (int k = 0; k < count; ++k) {
+    const double t = curve.parameterAt(length * k / (count - 1));
+    const Vector2d from = curve.value(t), tangent = curve.tangent(t);
+    const Vector2d across(-tangent.y(), tangent.x());
+    double by = 0;
+    Vector2d place = from;
+    for (int step = 0;; ++step) {
+      const Vector3d p = section.frame.toWorld(place);
+      const Result<SurfaceSampler::Foot> foot = surface.closest(p, seed ? &*seed : nullptr);
+      if (!foot) return tl::unexpected<Error>(foot.error());
+      seed = *foot;
+      const double left = off - surface.offset(p, *foot);
+      if (std::abs(left) < kThere) break;
+      const double slope =
+          foot->normal.dot(section.frame.x) * across.x() + foot->normal.dot(section.frame.y) * across.y();
+      if (std::abs(slope) < kAlong)
+        return cannot("the surface runs along the plane of the blade", std::abs(slope), off);
+      by += left / slope;
+      if (step == kSteps || !(std::abs(by) < kFarthest * std::abs(off)))
+        return cannot("no place beside the surface is found there", std::abs(by), off);
+      place = from + by * across;
+    }
+    if (!places.empty()) {
+      // Where the section is bent more tightly than it is moved, neighbours change places.
+      const Vector2d step = place - places.back();
+      if (step.dot(tangent) <= 0)
+        return cannot("the section is bent to a radius of " +
+                          shortText(1 / std::max(std::abs(curve.curvature(t)), 1e-12), 3) + " mm",
+                      1 / std::max(std::abs(curve.curvature(t)), 1e-12), off);
+      at.push_back(at.back() + step.norm());
+    } else {
+      at.push_back(0);
+    }
+    places.push_back(place);
+  }
+  constexpr int kDegree = 3;
+  const shape::SplineInterpolation spline(at, kDegree);
+  spline.solve(places.data(), 1);
+  return PlanarCurve::bspline(kDegree, spline.knots(), std::move(places));
+}
+
+}  // namespace
+
+Result<std::vector<Section>> movedBy(const std::vector<Section>& sections, const SurfaceSampler& surface,
+                                     double off, const RunContext& context, Findings& findings) {
+  std::vector<Section> result = sections;
+  if (off == 0) return result;
+  std::vector<std::optional<Error>> errors(kChunks), refused(result.size());
+  const Result<void> ok = parallelFor(context, kChunks, [&](int chunk) {
+    const std::unique_ptr<SurfaceSampler> sampler = surface.clone();
+    const std::size_t from = result.size() * std::size_t(chunk) / kChunks,
+                      to = result.size() * std::size_t(chunk + 1) / kChunks;
+    for (std::size_t i = from; i < to && !context.stopped(); ++i) {
+      if (result[i].chosen < 0) continue;
+      Result<PlanarCurve> curve = moved(result[i], *sampler, off);
+      if (curve) {
+        result[i].curve() = std::move(*curve);
+      } else if (curve.error().code == ErrorCode::badInput) {
+        refused[i] = curve.error();
+      } else {
+        errors[std::size_t(chunk)] = curve.error();
+        return;
+      }
+    }
+  });
+  if (!ok) return tl::unexpected<Error>(ok.error());
+  if (context.stopped()) return stoppedError();
+  for (const std::optional<Error>& error : errors)
+    if (error) return tl::unexpected<Error>(*error);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    if (!refused[i]) continue;
+    Section& section = result[i];
+    const Vector3d point = section.frame.toWorld(section.curve().value(section.curve().start()));
+    section.chosen = -1;
+    if (i > 0 && refused[i - 1]) {
+      StationRange& range = *findings.back().where.stations;
+      range.last = section.index;
+      ++range.count;
+    } else {
+      findings.push_back({Severity::warning,
+                          SectionUnfit{refused[i]->message},
+                          {StationRange::of(section.index), point},
+                          {}});
+    }
+  }
+  if (std::ranges::none_of(result, [](const Section& section) { return section.chosen >= 0; }))
+    for (const std::optional<Error>& error : refused)
+      if (error) return tl::unexpected<Error>(*error);
+  return result;
+}
+
+}  // namespace bw

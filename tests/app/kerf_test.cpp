@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// Designs whose blade melts a kerf: the surface asked for stands, and programs carry the middle of the blade.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+#include "bw/pipeline/example_design.h"
+#include "bw/pipeline/produce.h"
+#include "bw/pipeline/sketch.h"
+
+namespace bw::pipeline {
+namespace {
+
+constexpr double kKerf = 3;
+
+Design designed(const char* name, double kerf, KeptSide keep = KeptSide::below) {
+  Design design = exampleDesign(name).value();
+  design.output.programs.clear();
+  design.process.kerf = kerf;
+  for (Cut& cut : design.cuts) cut.keep = keep;
+  return design;
+}
+
+Evaluation evaluated(const Design& design, const Evaluation* previous = nullptr) {
+  Outcome outcome = evaluate(design, previous, {});
+  EXPECT_FALSE(outcome.error) << outcome.error->message;
+  return std::move(outcome.evaluation);
+}
+
+/// How far above the target points lie, least and most.
+std::pair<double, double> heights(const CutEvaluation& cut, const std::vector<Eigen::Vector3d>& points) {
+  const std::unique_ptr<SurfaceSampler> sampler = cut.target.value->sampler();
+  std::pair<double, double> range(1e300, -1e300);
+  for (const Eigen::Vector3d& p : points) {
+    const auto foot = sampler->closest(p, nullptr);
+    EXPECT_TRUE(foot);
+    const double up = (foot->normal.z() > 0 ? 1 : -1) * sampler->offset(p, *foot);
+    range.first = std::min(range.first, up);
+    range.second = std::max(range.second, up);
+  }
+  return range;
+}
+
+std::vector<Eigen::Vector3d> blades(const CutEvaluation& cut) {
+  std::vector<Eigen::Vector3d> points;
+  for (const BladePose& pose : cut.sweep.value->poses)
+    for (const Eigen::Vector3d& p : pose.cutPoints(41)) points.push_back(p);
+  return points;
+}
+
+TEST(KerfOfADesign, TheMiddleOfTheBladeIsOffTheSurfaceAndWhatStandsIsNot) {
+  const Evaluation none = evaluated(designed("bump", 0));
+  const double without = none.result()->analysis.summary.deviationMax;
+  for (const KeptSide keep : {KeptSide::below, KeptSide::above}) {
+    const Evaluation e = evaluated(designed("bump", kKerf, keep));
+    const CutEvaluation& cut = e.cut();
+    const CutResult result = *cut.result();
+    const double side = keep == KeptSide::below ? 1 : -1, off = result.analysis.summary.deviationMax;
+    EXPECT_LT(off, without + 0.05) << "as near as without a kerf";
+    const auto middle = heights(cut, blades(cut));
+    EXPECT_NEAR(middle.first, side * kKerf / 2, off + 1e-3);
+    EXPECT_NEAR(middle.second, side * kKerf / 2, off + 1e-3);
+    const auto standing = heights(cut, result.analysis.cut.points);
+    EXPECT_GT(standing.first, -off - 2e-3);
+    EXPECT_LT(standing.second, off + 2e-3);
+    // The map tells of each point what lies between it and the target.
+    const std::unique_ptr<SurfaceSampler> sampler = cut.target.value->sampler();
+    const std::vector<double>& told = result.analysis.cut.field("deviation")->values;
+    for (std::size_t k = 0; k < told.size(); k += 97) {
+      const Eigen::Vector3d& p = result.analysis.cut.points[k];
+      EXPECT_NEAR(told[k], sampler->offset(p, *sampler->closest(p, nullptr)), 2e-3) << k;
+    }
+    EXPECT_LT(result.coverage.distance, result.coverage.limit);
+    EXPECT_LT(result.between.fromShown, 0.1) << "what robots move is held against the middle";
+  }
+}
+
+TEST(KerfOfADesign, LeavesThePartThatIsAskedFor) {
+  std::vector<double> volumes;
+  for (const double kerf : {0.0, kKerf}) {
+    Evaluation e = evaluated(designed("two-crossing-cuts", kerf));
+    ASSERT_TRUE(addParts(e, {}));
+    ASSERT_TRUE(e.blocks[0].part.value->solid);
+    volumes.push_back(e.blocks[0].part.value->solid->volume());
+    ASSERT_TRUE(e.blocks[0].together.value);
+    for (const Crease& crease : e.blocks[0].together.value->creases) EXPECT_LT(crease.offMax, 1);
+    for (const Finding& finding : e.findings()) EXPECT_NE(finding.severity, Severity::error);
+  }
+  // A layer of half the kerf all over would be 0.54 litres.
+  EXPECT_NEAR(volumes[1], volumes[0], 0.03 * 360000);
+}
+
+TEST(KerfOfADesign, ChangesNothingOfWhatLiesBeforeTheBlades) {
+  const Evaluation none = evaluated(designed("bump", 0));
+  EXPECT_FALSE(none.cut().middle.value);
+  const Evaluation e = evaluated(designed("bump", kKerf), &none);
+  EXPECT_EQ(e.cut().sections.value, none.cut().sections.value);
+  EXPECT_NE(e.cut().sweep.value, none.cut().sweep.value);
+  const Evaluation again = evaluated(designed("bump", kKerf), &e);
+  EXPECT_EQ(again.cut().sweep.value, e.cut().sweep.value);
+  EXPECT_EQ(again.cut().analysis.value, e.cut().analysis.value);
+  const Evaluation back = evaluated(designed("bump", 0), &e);
+  EXPECT_FALSE(back.cut().middle.value);
+  EXPECT_LT(
+      (back.cut().sweep.value->poses[5].cutPoints(3)[1] - none.cut().sweep.value->poses[5].cutPoints(3)[1])
+          .norm(),
+      1e-9);
+}
+
+TEST(KerfOfADesign, IsThatOfTheSketchToo) {
+  const auto pulled = [](double up) {
+    Design design = designed("bump", kKerf);
+    design.bindings.clear();
+    std::get<PolesSurface>(design.source().surface->shape).at(2, 1).height += up;
+    return design;
+  };
+  Sketcher sketcher(std::make_shared<const Evaluation>(evaluated(pulled(0))));
+  for (const double up : {3.0, 8.0}) {
+    const std::optional<Sketch> sketch = sketcher.draw(pulled(up), {});
+    ASSERT_TRUE(sketch) << up;
+    const CutSketch& cut = sketch->blocks[0][0];
+    const Evaluation anew = evaluated(pulled(up));
+    EXPECT_LT(cut.look->deviationMax, anew.result()->analysis.summary.deviationMax + 0.02) << up;
+    const double off = cut.look->deviationMax + 0.01;
+    const auto standing = heights(anew.cut(), cut.look->cut.points);
+    EXPECT_GT(standing.first, -off);
+    EXPECT_LT(standing.second, off);
+  }
+}
+
+TEST(KerfOfADesign, NeedsToKnowWhichSideStays) {
+  Design design = designed("bump", kKerf);
+  design.bindings.clear();
+  // Turned so that it stands upright.
+  design.source().surface = DesignedSurface{
+      FormulaSurface{{{0, 0}, {500, 600}}, "20 * sin(x / 100)"}, {300, 100, 0}, {0, -M_PI / 2, 0}};
+  design.cut().direction = Eigen::Vector3d::UnitY();
+  const Outcome outcome = evaluate(design, nullptr, {});
+  ASSERT_TRUE(outcome.error);
+  EXPECT_EQ(outcome.error->code, ErrorCode::badInput) << outcome.error->message;
+  EXPECT_NE(outcome.error->message.find("keep"), std::string::npos) << outcome.error->message;
+}
+
+}  // namespace
+}  // namespace bw::pipeline
