@@ -7,6 +7,7 @@
 #include <QScrollArea>
 #include <QSet>
 
+#include "bw/core/design/grid_change.h"
 #include "window_fixture.h"
 
 namespace bw::app {
@@ -53,6 +54,14 @@ class EveryFieldTest : public WindowTest {
     });
     base_ = 3;
     inspect(Selection::Kind::blade);
+    visitVisible(visit);
+    edit([](Design& design) {
+      const BlockGrid before = *gridOf(design, *design.block().placement);
+      BlockGrid grid = before;
+      for (std::size_t way = 0; way < 3; ++way) grid = withCount(grid, way, 2, true);
+      design = withGrid(design, before, grid, design.block().id).value();
+    });
+    base_ = 4;
     visitVisible(visit);
     window().showMeasurePage();
     visitVisible(visit);

@@ -6,6 +6,7 @@
 
 #include "bw/core/base/units.h"
 #include "every_field.h"
+#include "workflow/grid_fields.h"
 
 namespace bw::app {
 namespace {
@@ -108,6 +109,26 @@ class TypedFields : public EveryFieldTest {
     EXPECT_TRUE(window().onMeasurePage() || window().sceneView().hasFocus());
   }
 
+  void tryLengths(LengthsField& field) {
+    // Two blocks have two sizes and one gap.
+    const bool gaps = field.accessibleName().endsWith("gaps");
+    for (const auto& [text, shown] :
+         {std::pair("300; 310", "300; 310"), std::pair("30,5", "30.5"), std::pair("30 cm, 310", "300; 310"),
+          std::pair("30.5 cm", "305"), std::pair("300,5;310", "300.5; 310")}) {
+      if (gaps && QString(shown).contains(';')) {
+        expectRefused(field, text);
+        continue;
+      }
+      typeOver(field, text);
+      QTest::keyClick(&field, Qt::Key_Return);
+      EXPECT_FALSE(field.refused()) << text << ": " << field.refusal().toStdString();
+      EXPECT_EQ(field.text(), shown);
+      EXPECT_TRUE(window().sceneView().hasFocus());
+    }
+    for (const char* text : {"", "abc", "1;2;3", "-5", "5 kg", "1e9", "300;", "nan"})
+      expectRefused(field, text);
+  }
+
   void tryField(TypedField& typed) {
     if (auto* field = qobject_cast<NumberField*>(&typed)) {
       const double before = field->value();
@@ -131,6 +152,8 @@ class TypedFields : public EveryFieldTest {
       EXPECT_FALSE(field->refused());
       if (before != field->value()) typeOver(*field, QString::number(before, 'g', 17));
       QTest::keyClick(field, Qt::Key_Return);
+    } else if (auto* lengths = qobject_cast<LengthsField*>(&typed)) {
+      tryLengths(*lengths);
     } else {
       auto& list = dynamic_cast<ListField&>(typed);
       list.setCount(8);

@@ -43,6 +43,10 @@ std::vector<BlockGrid::Cell> BlockGrid::cells() const {
   return all;
 }
 
+double BlockGrid::extent(std::size_t way) const {
+  return beginnings(sizes[way], gaps[way]).back() + sizes[way].back();
+}
+
 double BlockGrid::widestGap() const {
   double widest = 0;
   for (const std::vector<double>& way : gaps)

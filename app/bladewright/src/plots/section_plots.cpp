@@ -226,7 +226,7 @@ void paintCurvature(QPainter& painter, const QRectF& area, const AxisRange& seen
   const bool over = highest > limit;
   // The limit is drawn where it helps: beyond three times the use it stays out of the plot.
   const bool limitShown = limit < 3 * highest;
-  const double range = std::max({highest * 1.15, limitShown ? limit * 1.1 : 0.0, 1e-9});
+  const double range = std::max({highest * 1.15, limitShown ? limit * 1.1 : 0.0, 0.01 * limit, 1e-9});
   const double length = drawing.curvature.back().x();
   const auto place = [&](double arc, double k) {
     return QPointF(area.left() + area.width() * (arc - seen.low) / seen.span(),

@@ -53,6 +53,7 @@ MainWindow::MainWindow(model::Settings& settings, Theme& theme, const std::files
   connect(start_, &StartPage::openSurfaceRequested, commands_["file.open"], &QAction::trigger);
   connect(start_, &StartPage::openDesignRequested, commands_["file.openDesign"], &QAction::trigger);
   connect(start_, &StartPage::newBlockRequested, commands_["file.newBlock"], &QAction::trigger);
+  connect(start_, &StartPage::newWallRequested, commands_["file.newWall"], &QAction::trigger);
   connect(start_, &StartPage::openRequested, this, &MainWindow::openFile);
   connect(start_, &StartPage::exampleRequested, this, &MainWindow::openExample);
 

@@ -201,6 +201,8 @@ StartPage::StartPage(Workbench& bench, const Theme& theme, QWidget* parent)
   add(tr("Open design…"), tr("A .bladewright file saved before"), &StartPage::openDesignRequested);
   add(tr("New single block"), tr("A surface of 4 × 6 poles in a block of 600 × 800 × 500 mm"),
       &StartPage::newBlockRequested);
+  add(tr("New wall"), tr("A surface of 6 × 6 poles over three blocks of 600 × 800 × 500 mm side by side"),
+      &StartPage::newWallRequested);
   add(tr("Measure a blade…"), tr("The length of a mounted blade from how far it sags"),
       &StartPage::measureRequested);
   buttons->addSpacing(kGap);
@@ -223,10 +225,11 @@ StartPage::StartPage(Workbench& bench, const Theme& theme, QWidget* parent)
   shelf_ = new QWidget(page_);
   layout->addWidget(shelf_);
   std::vector<geometry::Example> examples = geometry::exampleList();
-  // The single block has its button above.
+  // What is begun anew has its buttons above.
   std::ranges::copy_if(
-      pipeline::designedExamples(), std::back_inserter(examples),
-      [](const geometry::Example& example) { return example.name != pipeline::kSingleBlock; });
+      pipeline::designedExamples(), std::back_inserter(examples), [](const geometry::Example& example) {
+        return example.name != pipeline::kSingleBlock && example.name != pipeline::kBlockWall;
+      });
   for (const geometry::Example& example : examples) {
     const QString name = QString::fromStdString(example.name);
     auto* card = new ExampleCard(theme, name,

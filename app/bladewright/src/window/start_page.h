@@ -78,6 +78,7 @@ class StartPage : public QScrollArea {
   void openSurfaceRequested();
   void openDesignRequested();
   void newBlockRequested();
+  void newWallRequested();
   void measureRequested();
   void openRequested(const QString& file);
   void exampleRequested(const QString& name);

@@ -25,6 +25,9 @@ void MainWindow::makeCommands() {
   add("file.newBlock", tr("&New single block"), "new",
       tr("A surface of 4 × 6 poles in a block of 600 × 800 × 500 mm"), {QKeySequence::New},
       [this](bool) { openExample(pipeline::kSingleBlock); });
+  add("file.newWall", tr("New &wall of blocks"), "grid",
+      tr("A surface of 6 × 6 poles over three blocks of 600 × 800 × 500 mm side by side"),
+      {QKeySequence("Ctrl+Shift+N")}, [this](bool) { openExample(pipeline::kBlockWall); });
   add("file.open", tr("&Open CAD surface…"), "open", tr("A STEP, IGES or BREP file"), {QKeySequence::Open},
       [this](bool) {
         if (const QString file = questions_.openSurface(); !file.isEmpty()) openFile(file);
@@ -264,7 +267,7 @@ void MainWindow::makeMenus() {
     menu->setToolTipsVisible(true);
   };
   QMenu* file = menuBar()->addMenu(tr("&File"));
-  fill(file, {"file.newBlock", "file.open", "file.openDesign"});
+  fill(file, {"file.newBlock", "file.newWall", "file.open", "file.openDesign"});
   recentMenu_ = file->addMenu(tr("Open &recent"));
   fill(file,
        {"file.unsaved", "", "file.save", "file.saveAs", "", "file.replace", "file.reload", "file.locate", "",

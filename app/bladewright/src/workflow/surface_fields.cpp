@@ -81,6 +81,7 @@ void FormulaField::show(const std::string& formula, std::vector<std::string> nam
   formula_ = formula;
   names_ = std::move(names);
   showValue(changed);
+  if (changed && !typing()) setCursorPosition(0);  // its beginning says most
 }
 
 QString FormulaField::take(const QString& text) {
@@ -92,6 +93,7 @@ QString FormulaField::take(const QString& text) {
   }
   if (formula == formula_) return {};
   formula_ = formula;
+  setCursorPosition(0);
   emit edited(formula);
   return {};
 }

@@ -121,7 +121,7 @@ WorkflowPanel::WorkflowPanel(Workbench& bench, const Theme& theme, QWidget* pare
       {{"setup", tr("Setup")}, {"input", tr("Input")}, {"process", tr("Process")}, {"output", tr("Output")}}};
   const std::array<QWidget*, model::kStepCount> bodies = {makeSetup(), makeInput(), makeProcess(),
                                                           makeOutput()};
-  variables_ = new VariableFields(bench_, page);
+  variables_ = new VariableFields(bench_, theme_, page);
   layout->addWidget(variables_);
   for (std::size_t i = 0; i < sections_.size(); ++i) {
     if (i > 0) layout->addWidget(makeLine(page));
@@ -146,6 +146,7 @@ QWidget* WorkflowPanel::makeSetup() {
   FormColumn* block = column->addFold(tr("Block"), theme_);
   block->addWide(pose);
   blockFields_ = new BlockFields(bench_, block, this);
+  gridFields_ = new GridFields(bench_, block, this);
   return column;
 }
 
@@ -169,7 +170,10 @@ QWidget* WorkflowPanel::makeOutput() {
 
 void WorkflowPanel::follow(const Change& change) {
   const auto any = [&](model::Aspects of) { return change.any(of, bench_.selection()); };
-  if (any(Aspect::design | Aspect::block)) blockFields_->refresh();
+  if (any(Aspect::design | Aspect::block)) {
+    blockFields_->refresh();
+    gridFields_->refresh();
+  }
   if (any(Aspect::design | Aspect::selection)) cutFields_->refresh();
   if (any(Aspect::design | Aspect::source | Aspect::target)) input_->refresh();
   // Another target may be that of another cut, which has numbers of its own.

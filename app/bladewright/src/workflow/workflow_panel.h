@@ -13,6 +13,7 @@
 #include "controls/layout.h"
 #include "controls/theme.h"
 #include "workbench/workbench.h"
+#include "workflow/grid_fields.h"
 #include "workflow/input_fields.h"
 #include "workflow/number_lines.h"
 #include "workflow/output_fields.h"
@@ -85,6 +86,7 @@ class WorkflowPanel : public SidePanel {
   BladeFields* bladeFields_ = nullptr;
   BlockFields* blockFields_ = nullptr;
   CutFields* cutFields_ = nullptr;
+  GridFields* gridFields_ = nullptr;
   ProcessLines numbers_;
   InputFields* input_ = nullptr;
   ProcessFields* process_ = nullptr;

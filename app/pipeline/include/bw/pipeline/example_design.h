@@ -13,6 +13,8 @@ namespace bw::pipeline {
 
 /// The name of the example that a new single block begins as.
 inline constexpr const char* kSingleBlock = "single-block";
+/// That of a new wall of several blocks.
+inline constexpr const char* kBlockWall = "block-wall";
 
 /// The examples that are designed rather than read: a name, a title, and how their surface is told, as
 /// `geometry::exampleList` has them. Their designs are resources/examples/<name>.bladewright.

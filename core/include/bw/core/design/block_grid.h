@@ -35,6 +35,8 @@ struct BlockGrid {
   /// All blocks: columns first, then rows, then layers.
   std::vector<Cell> cells() const;
   std::size_t count() const { return sizes[0].size() * sizes[1].size() * sizes[2].size(); }
+  /// mm from its first face along a way (0 columns, 1 rows, 2 layers) to its last.
+  double extent(std::size_t way) const;
   /// mm, the widest of its gaps.
   double widestGap() const;
 };

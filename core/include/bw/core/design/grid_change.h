@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// A design whose blocks are laid out by another grid.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "bw/core/base/result.h"
+#include "bw/core/design/design.h"
+
+namespace bw {
+
+/// The grid that the blocks of a design lie in: its own, or one of a single block where the only block of the
+/// design lies as it is `placed`. Empty where several blocks are listed one by one.
+std::optional<BlockGrid> gridOf(const Design& design, const BlockPlacement& placed);
+
+/// The same with another number of columns (`way` 0), rows (1) or layers (2), of at least one: more of them
+/// are as large, and as far apart, as the last; where `divided`, all of them share what there was evenly.
+BlockGrid withCount(BlockGrid grid, std::size_t way, int count, bool divided);
+
+/// The design with its blocks laid out by `grid` in place of `before`. Blocks that stay keep their cuts;
+/// others get those of the block `like`; a grid of one block is a block of its own. Poles and formulas that
+/// were told over the whole of `before` as seen from above are told over the whole of `grid`. Error
+/// `badInput`: more blocks or cuts than a design may have, or a block that is no block.
+Result<Design> withGrid(const Design& design, const BlockGrid& before, const BlockGrid& grid,
+                        const std::string& like);
+
+}  // namespace bw

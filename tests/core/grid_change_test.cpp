@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// Blocks of a design that are laid out by another grid.
+#include <gtest/gtest.h>
+
+#include "bw/core/design/grid_change.h"
+
+namespace bw {
+namespace {
+
+Design designOf(const char* text) {
+  const Result<Design> design = parseDesign(text);
+  EXPECT_TRUE(design) << design.error().message;
+  return *design;
+}
+
+Design single() {
+  return designOf(R"({"bladewright_design": 2,
+    "sources": [{"id": "a", "surface": {"type": "formula", "x": [0, 600], "y": [0, 800], "formula": "100 + x/10"}}],
+    "stock": [{"id": "block", "block": {"origin": [0, 0, 0], "size": [600, 800, 500]}}],
+    "cuts": [{"id": "cut", "direction": "y", "stations": 9}]})");
+}
+
+Design with(const Design& design, std::size_t way, int count, const char* like) {
+  const BlockGrid before = gridOf(design, design.block().placement.value()).value();
+  const Result<Design> changed = withGrid(design, before, withCount(before, way, count, false), like);
+  EXPECT_TRUE(changed) << changed.error().message;
+  return *changed;
+}
+
+const Rectangle& over(const Design& design) {
+  return std::get<FormulaSurface>(design.source().surface->shape).over;
+}
+
+TEST(GridChange, OneBlockBecomesThreeSideBySideAndOneAgain) {
+  const Design design = single();
+  const Design three = with(design, 0, 3, "block");
+  ASSERT_EQ(three.stock.size(), 3u);
+  EXPECT_EQ(three.stock[2].id, "column-3");
+  EXPECT_EQ(three.stock[2].placement->origin, Eigen::Vector3d(1200, 0, 0));
+  ASSERT_EQ(three.cuts.size(), 3u);
+  EXPECT_EQ(three.cuts[2].id, "cut-column-3");
+  EXPECT_EQ(three.cuts[2].sections.stations, 9);
+  EXPECT_EQ(over(three).max, Eigen::Vector2d(1800, 800)) << "the surface goes on over all of them";
+  EXPECT_EQ(*parseDesign(designToJson(three)), three) << "a file holds it";
+  const Design one = with(three, 0, 1, "column-2");
+  EXPECT_FALSE(one.grid);
+  EXPECT_EQ(one.stock.size(), 1u);
+  EXPECT_EQ(one.block().placement, design.block().placement);
+  ASSERT_EQ(one.cuts.size(), 1u);
+  EXPECT_EQ(one.cut().id, "cut");
+  EXPECT_EQ(one.cut().block, one.block().id);
+  EXPECT_EQ(one.sources, design.sources);
+}
+
+TEST(GridChange, BlocksThatStayKeepTheirCuts) {
+  Design two = with(single(), 0, 2, "block");
+  two.cuts[1].sections.stations = 21;
+  const Design four = with(two, 0, 4, "column-1");
+  ASSERT_EQ(four.cuts.size(), 4u);
+  EXPECT_EQ(four.cuts[1].sections.stations, 21);
+  EXPECT_EQ(four.cuts[3].sections.stations, 9);
+  const Design rows = with(two, 1, 2, "column-2");
+  ASSERT_EQ(rows.cuts.size(), 4u) << "all of other names";
+  for (const Cut& cut : rows.cuts) EXPECT_EQ(cut.sections.stations, 21);
+  EXPECT_EQ(over(rows).max, Eigen::Vector2d(1200, 1600));
+}
+
+TEST(GridChange, MoreAreAsLargeAsTheLastOrShareWhatThereIs) {
+  BlockGrid grid;
+  grid.sizes[0] = {500, 700};
+  grid.gaps[0] = {10};
+  const BlockGrid more = withCount(grid, 0, 4, false);
+  EXPECT_EQ(more.sizes[0], (std::vector<double>{500, 700, 700, 700}));
+  EXPECT_EQ(more.gaps[0], (std::vector<double>{10, 10, 10}));
+  EXPECT_EQ(more.extent(0), 2630);
+  const BlockGrid shared = withCount(grid, 0, 3, true);
+  EXPECT_EQ(shared.sizes[0].size(), 3u);
+  EXPECT_NEAR(shared.extent(0), grid.extent(0), 1e-9);
+}
+
+TEST(GridChange, ASurfaceThatEndsElsewhereStays) {
+  Design design = single();
+  std::get<FormulaSurface>(design.source().surface->shape).over.max.x() = 580;
+  EXPECT_EQ(over(with(design, 0, 3, "block")).max, Eigen::Vector2d(580, 800));
+}
+
+TEST(GridChange, ExpressionsOfOtherCountsGo) {
+  const Design design =
+      designOf(R"({"bladewright_design": 2, "variables": [{"name": "w", "value": 600, "min": 1, "max": 900}],
+    "sources": [{"id": "a", "surface": {"type": "formula", "x": [0, 1200], "y": [0, 800], "formula": "100"}}],
+    "grid": {"columns": 2, "sizes": {"columns": "=w", "rows": 800, "layers": "=w - 100"}}, "cuts": [{"id": "cut"}]})");
+  const Design three = with(design, 0, 3, "column-1");
+  ASSERT_EQ(three.bindings.size(), 1u);
+  EXPECT_TRUE(three.bindings.begin()->first.starts_with("/grid/sizes/layers"));
+  EXPECT_EQ(*resolved(three), three);
+}
+
+TEST(GridChange, TooManyAreRefused) {
+  const Design design = single();
+  const BlockGrid before = gridOf(design, *design.block().placement).value();
+  BlockGrid many = withCount(withCount(before, 0, 100, false), 1, 26, false);
+  const Result<Design> changed = withGrid(design, before, many, "block");
+  ASSERT_FALSE(changed);
+  EXPECT_NE(changed.error().message.find("2600 blocks are too many"), std::string::npos);
+  many = before;
+  many.sizes[0] = {0};
+  EXPECT_FALSE(withGrid(design, before, many, "block"));
+}
+
+TEST(GridChange, BlocksThatAreListedHaveNoGrid) {
+  Design design = single();
+  design.stock.push_back({"other", design.block().placement});
+  EXPECT_FALSE(gridOf(design, {}));
+}
+
+}  // namespace
+}  // namespace bw
