@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: MIT
 //
 // Exports: ordered at any time, of which result they are, and whose they are.
+#include "../drawings/pdf_text.h"
+#include "controls/numbers.h"
 #include "window_fixture.h"
+#include "workflow/export_blocks.h"
 
 namespace bw::app {
 namespace {
@@ -51,6 +54,12 @@ class Exports : public WindowTest {
   QPushButton* outputButton(const QString& text) {
     for (QPushButton* b : window().workflow().findChildren<QPushButton*>())
       if (b->text() == text) return b;
+    return nullptr;
+  }
+
+  QCheckBox* outputCheck(const QString& text) {
+    for (QCheckBox* box : window().workflow().findChildren<QCheckBox*>())
+      if (box->text() == text) return box;
     return nullptr;
   }
 
@@ -246,6 +255,77 @@ TEST_F(Exports, OfProgramsNeedAFormat) {
   EXPECT_FALSE(window().commands()["file.programs"]->isEnabled());
   EXPECT_FALSE(outputButton("Export programs…")->isEnabled());
   EXPECT_TRUE(window().commands()["file.export"]->isEnabled());
+}
+
+TEST_F(Exports, WriteTheKindsOfFilesThatAreChosen) {
+  openPanel();
+  for (const char* kind : {"Meshes", "Tables", "Report with pictures"}) {
+    auto* box = outputCheck(kind);
+    ASSERT_TRUE(box) << kind;
+    EXPECT_TRUE(box->isChecked());
+    EXPECT_FALSE(box->toolTip().isEmpty());
+    window().workflow().ensureWidgetVisible(box);
+    box->setFocus();
+    QTest::keyClick(box, Qt::Key_Space);
+    EXPECT_FALSE(box->isChecked());
+  }
+  EXPECT_FALSE(outputCheck("Drawings and cut list")->isEnabled()) << "of a surface of a file in one block";
+  picture("export-panel");
+  ASSERT_TRUE(outputButton("Export what is chosen…"));
+  EXPECT_EQ(window().commands()["file.export"]->text(), "&Export what is chosen…");
+  exportAll();
+  for (const char* gone :
+       {"mesh.obj", "mesh.stl", "stations.csv", "deviation.csv", "report.html", "report.pdf", "pictures"})
+    EXPECT_FALSE(fs::exists(folder() / gone)) << gone;
+  for (const char* there : {"surface.step", "surface.iges", "design.bladewright", "sweep.json",
+                            "programs/strip-0/T_ROB1/BladeLeft.mod"})
+    EXPECT_TRUE(fs::exists(folder() / there)) << there;
+  // What was chosen is remembered.
+  bench().document().undoStack().setIndex(0);
+  window().questions().unsaved = [](const QString&) { return Questions::Unsaved::discard; };
+  makeWindow({1440, 900});
+  EXPECT_FALSE(bench().wanted().has(pipeline::FileKind::meshes));
+  EXPECT_TRUE(bench().wanted().has(pipeline::FileKind::surface));
+  EXPECT_FALSE(outputCheck("Tables")->isChecked());
+}
+
+TEST_F(Exports, WriteTheBlocksThatAreChosenAndTellHowEachStands) {
+  ASSERT_TRUE(window().openExample("three-block-wall"));
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(bench().current());
+  for (const pipeline::BlockEvaluation& evaluated : bench().shown()->blocks) {
+    const std::string& block = evaluated.id;
+    const BlockStanding standing = standingOf(bench(), block);
+    EXPECT_EQ(standing.word, "certain") << block;
+    EXPECT_EQ(standing.time, timeText(evaluated.cuts.front().motion.value->cuttingTime())) << block;
+    EXPECT_TRUE(standing.tip.startsWith("33 stations in 1 cut: 33 certain, 0 held"))
+        << standing.tip.toStdString();
+  }
+  auto* second = find<QCheckBox>("Export column-2");
+  ASSERT_TRUE(second);
+  window().workflow().ensureWidgetVisible(second);
+  QTest::mouseClick(second, Qt::LeftButton, {}, QPoint(8, second->height() / 2));
+  EXPECT_EQ(bench().wanted().blocks, (std::vector<std::string>{"column-1", "column-3"}));
+  picture("export-blocks");
+  exportAll();
+  EXPECT_FALSE(fs::exists(folder() / "programs/column-2"));
+  EXPECT_TRUE(fs::exists(folder() / "programs/column-3/strip-2/T_ROB1/BladeLeft.mod"));
+  EXPECT_EQ(drawings::pagesOf(readFile(folder() / "drawings.pdf", 1 << 24).value()).size(), 2u);
+  const std::string list = readFile(folder() / "cut-list.csv").value();
+  EXPECT_EQ(list.find("column-2"), std::string::npos);
+  EXPECT_EQ(readFile(folder() / "parts.step", 1 << 26).value().find("'column-2'"), std::string::npos);
+  // None is nothing to write; another design has all of its own.
+  for (const char* block : {"Export column-1", "Export column-3"}) find<QCheckBox>(block)->click();
+  EXPECT_FALSE(window().commands()["file.export"]->isEnabled());
+  EXPECT_FALSE(outputButton("Export what is chosen…") && outputButton("Export what is chosen…")->isEnabled());
+  ASSERT_TRUE(window().openExample("bump"));
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().canExport());
+  EXPECT_EQ(standingOf(bench(), bench().block().id).word, "certain");
+  bench().editDesign("Change blade length", [](Design& design) { design.blade.length = 500; });
+  EXPECT_EQ(standingOf(bench(), bench().block().id).word, "out of date");
+  ASSERT_TRUE(settle());
+  EXPECT_NE(standingOf(bench(), bench().block().id).word, "certain");
 }
 
 }  // namespace

@@ -194,6 +194,16 @@ class Pieces : public WindowTest {
   int asked_ = 0;
 };
 
+TEST_F(Pieces, BeginOnTheStartPageByKeysToo) {
+  const auto& cards = window().startPage().cards();
+  for (const ExampleCard* card : cards) EXPECT_TRUE(card->hasPicture()) << card->text().toStdString();
+  picture("pieces-start");
+  QTest::keyClick(&window(), Qt::Key_N, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_FALSE(window().onStartPage());
+  EXPECT_EQ(bench().design().stock.size(), 3u);
+  ASSERT_NO_FATAL_FAILURE(stands());
+}
+
 TEST_F(Pieces, ABlockWithARipple) {
   ASSERT_NO_FATAL_FAILURE(pressButton("New single block"));
   ASSERT_NO_FATAL_FAILURE(stands());
@@ -203,6 +213,7 @@ TEST_F(Pieces, ABlockWithARipple) {
   ASSERT_NO_FATAL_FAILURE(
       type<FormulaField>("Formula", "300 - 60*((x - 300)/300)^2 + ripple*sin(2*pi*waves*y/800)"));
   ASSERT_NO_FATAL_FAILURE(stands());
+  EXPECT_EQ(find<FormulaField>("Formula")->cursorPosition(), 0) << "its beginning is seen";
   ASSERT_NO_FATAL_FAILURE(type("ripple", "2,5 cm"));
   ASSERT_NO_FATAL_FAILURE(stands());
   EXPECT_EQ(std::get<FormulaSurface>(bench().source().surface->shape).numbers[0].value, 25);
@@ -232,6 +243,13 @@ TEST_F(Pieces, ABlockWithTwoCrossingCuts) {
   ASSERT_NO_FATAL_FAILURE(choose("Turned by", "90°"));
   ASSERT_NO_FATAL_FAILURE(stands());
   picture("piece-cuts");
+  theme().apply(model::ThemeChoice::dark);
+  picture("piece-cuts-dark");
+  bench().select({Selection::Kind::block, -1, bench().cut().block, bench().cut().id});
+  picture("piece-cuts-inspector-dark");
+  theme().apply(model::ThemeChoice::light);
+  picture("piece-cuts-inspector");
+  bench().select({Selection::Kind::result, -1, bench().cut().block, bench().cut().id});
   EXPECT_EQ(bench().shown()->blocks.front().together.value->creases.size(), 1u);
   isGood();
   ASSERT_NO_FATAL_FAILURE(exportEverything());

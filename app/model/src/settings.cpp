@@ -78,6 +78,10 @@ QString Settings::folder(const QString& use) const {
 
 void Settings::setFolder(const QString& use, const QString& folder) { store("folder/" + use, folder); }
 
+QStringList Settings::leftOut() const { return store_.value("export/left-out").toStringList(); }
+
+void Settings::setLeftOut(const QStringList& words) { store("export/left-out", words); }
+
 QByteArray Settings::layout(const QString& part) const {
   return store_.value("layout/" + part).toByteArray();
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "bw/core/text/number_text.h"
 #include "make_files.h"
@@ -54,24 +55,28 @@ std::string volumes(double block, std::optional<double> left) {
 
 }  // namespace
 
-std::string cutListCsv(const Evaluation& e) {
+std::string cutListCsv(const Evaluation& e, const Wanted& wanted) {
   std::string text =
       "block,size_x_mm,size_y_mm,size_z_mm,corner_x_mm,corner_y_mm,corner_z_mm,cuts,block_l,left_l,waste_l,"
       "waste_percent,cutting_time_s,same_as,to_order\n";
   std::size_t cuts = 0;
   double whole = 0, time = 0;
   std::optional<double> allLeft = 0;
-  const auto sizeOf = [](const BlockEvaluation& block) { return orderedAs(block.part.request.placed); };
-  for (const BlockEvaluation& block : e.blocks) {
+  std::vector<const BlockEvaluation*> blocks;
+  for (const BlockEvaluation& block : e.blocks)
+    if (wanted.hasBlock(block.id)) blocks.push_back(&block);
+  const auto sizeOf = [](const BlockEvaluation* block) { return orderedAs(block->part.request.placed); };
+  for (const BlockEvaluation* one : blocks) {
+    const BlockEvaluation& block = *one;
     const Box& placed = block.part.request.placed;
     const std::optional<geometry::Part>& solid = block.part.value->solid;
     const double volume = solid ? solid->blockVolume() : placed.size.prod();
     const std::optional<double> left = solid ? std::optional(solid->volume()) : std::nullopt;
-    const BlockEvaluation& first = *std::ranges::find(e.blocks, sizeOf(block), sizeOf);
+    const BlockEvaluation* first = *std::ranges::find(blocks, sizeOf(one), sizeOf);
     text += cellOf(block.id) + "," + vector(placed.size) + "," + vector(placed.frame.origin) + "," +
             std::to_string(block.cuts.size()) + "," + volumes(volume, left) + "," +
-            fixedText(timeOf(block), 1) + "," + cellOf(first.id) + ",";
-    if (&first == &block) text += std::to_string(std::ranges::count(e.blocks, sizeOf(block), sizeOf));
+            fixedText(timeOf(block), 1) + "," + cellOf(first->id) + ",";
+    if (first == one) text += std::to_string(std::ranges::count(blocks, sizeOf(one), sizeOf));
     text += "\n";
     cuts += block.cuts.size();
     whole += volume;
@@ -79,7 +84,7 @@ std::string cutListCsv(const Evaluation& e) {
     allLeft = allLeft && left ? std::optional(*allLeft + *left) : std::nullopt;
   }
   return text + "total,,,,,,," + std::to_string(cuts) + "," + volumes(whole, allLeft) + "," +
-         fixedText(time, 1) + ",," + std::to_string(e.blocks.size()) + "\n";
+         fixedText(time, 1) + ",," + std::to_string(blocks.size()) + "\n";
 }
 
 }  // namespace bw::pipeline

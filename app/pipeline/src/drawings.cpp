@@ -74,12 +74,18 @@ bool partsSought(const Evaluation& e) {
 }
 
 Result<std::string> drawingsOf(const Evaluation& e, const std::string& run,
-                               const std::vector<std::filesystem::path>& programs,
+                               const std::vector<std::filesystem::path>& programs, const Wanted& wanted,
                                const RunContext& context) {
   drawings::DrawnDesign design{e.design.name, run, {}};
-  for (const BlockEvaluation& block : e.blocks) design.blocks.push_back(drawnBlock(block));
+  std::vector<const BlockEvaluation*> blocks;
+  for (const BlockEvaluation& block : e.blocks) {
+    if (!wanted.hasBlock(block.id)) continue;
+    blocks.push_back(&block);
+    design.blocks.push_back(drawnBlock(block));
+  }
   for (const Strip& strip : stripsOf(e)) {
-    const auto at = std::size_t(strip.block - e.blocks.data());
+    if (!wanted.hasBlock(strip.block->id)) continue;
+    const auto at = std::size_t(std::ranges::find(blocks, strip.block) - blocks.begin());
     const auto cut = std::size_t(strip.cut - strip.block->cuts.data());
     drawings::DrawnCut& drawn = design.blocks[at].cuts.emplace_back(drawnCut(e, strip, programs));
     if (const std::optional<geometry::Part>& solid = strip.block->part.value->solid)

@@ -15,7 +15,8 @@ namespace bw::pipeline {
 /// sweep.json, surface.step, parts.step (where parts are known), drawings.pdf and cut-list.csv (where they
 /// were sought), mesh.obj, stations.csv and deviation.csv of all strips, the programs of the design in
 /// programs/ as `programFiles` has them, the design, those of the policy's caller, and last
-/// report.json. The report lists exactly these, with the fingerprint of each and the name of the run.
+/// report.json; of these what `policy.wanted` has. The report lists exactly these, with the fingerprint of
+/// each and the name of the run.
 Result<FileSet> resultFiles(Evaluation& evaluation, const RunContext& context, const Policy& policy);
 
 /// A row of blades that came to a result; files count them in the order of the evaluation.
@@ -36,12 +37,12 @@ std::string stripTitle(const Evaluation& evaluation, const Strip& strip);
 /// How a block lies for a cut, in words: "the front face up, turned by 90°"; empty where as it is placed.
 std::string lyingText(const Cut& cut);
 
-/// Programs of all strips in the formats of the design, each in its folder, that of the only one in `ofOne`.
-/// An unknown format is an error naming the nearest one, and so is a program that fails its check. Where the
-/// findings of its block, or those that concern all, hold errors, its RAPID is left out unless `policy` says
-/// otherwise; motions as CSV and JSON, which no robot runs, are written all the same. `evaluation.programs`
-/// gets what the check warns of, after `ProgramDespiteErrors` where errors stand against the program: an
-/// error if it is left out, a warning if it is marked.
+/// Programs of all strips of the blocks wanted in the formats of the design, each in its folder, that of the
+/// only one in `ofOne`. An unknown format is an error naming the nearest one, and so is a program that fails
+/// its check. Where the findings of its block, or those that concern all, hold errors, its RAPID is left out
+/// unless `policy` says otherwise; motions as CSV and JSON, which no robot runs, are written all the same.
+/// `evaluation.programs` gets what the check warns of, after `ProgramDespiteErrors` where errors stand
+/// against the program: an error if it is left out, a warning if it is marked.
 Result<FileSet> programFiles(Evaluation& evaluation, const Cell& cell, const std::string& name,
                              const Policy& policy, const std::filesystem::path& ofOne);
 

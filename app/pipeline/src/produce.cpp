@@ -256,6 +256,7 @@ Result<FileSet> programFiles(Evaluation& e, const Cell& cell, const std::string&
   FileSet files;
   Findings all;
   for (const Strip& strip : strips) {
+    if (!policy.wanted.hasBlock(strip.block->id)) continue;
     Findings findings;
     const robotio::ProgramNotes notes{name,
                                       words::errorsOf(findingsFor(*strip.block, found), policy.reader),

@@ -211,10 +211,11 @@ Result<std::string> stepOf(const std::vector<Strip>& strips) {
 }
 
 /// The parts that are left, where they are known; empty where none is.
-Result<std::string> partsOf(const Evaluation& e) {
+Result<std::string> partsOf(const Evaluation& e, const Wanted& wanted) {
   std::vector<geometry::NamedPart> parts;
   for (const BlockEvaluation& block : e.blocks)
-    if (block.part.value && block.part.value->solid && block.part.value->solid->pieces() > 0)
+    if (wanted.hasBlock(block.id) && block.part.value && block.part.value->solid &&
+        block.part.value->solid->pieces() > 0)
       parts.push_back({block.id, &*block.part.value->solid});
   return parts.empty() ? Result<std::string>("") : geometry::partsStepText(parts, "parts");
 }
@@ -240,17 +241,21 @@ Result<FileSet> resultFiles(Evaluation& e, const RunContext& context, const Poli
     Result<Cell> cell = loadCell(e.design.output.cell);
     if (!cell) return tl::unexpected<Error>(cell.error());
     run = runId(e, &*cell);
-    Result<FileSet> written = programFiles(e, *cell, "Blade", policy, "programs/strip-0");
-    if (!written) return tl::unexpected<Error>(written.error());
-    programs = std::move(*written);
+    if (policy.wanted.has(FileKind::programs)) {
+      Result<FileSet> written = programFiles(e, *cell, "Blade", policy, "programs/strip-0");
+      if (!written) return tl::unexpected<Error>(written.error());
+      programs = std::move(*written);
+    }
   }
   // The texts are independent of each other and take most of the time of a small job.
   std::array<std::string, 7> texts;
   std::optional<Error> stepError, partsError, drawingsError;
-  const bool workshop = partsSought(e);
+  const Wanted& wanted = policy.wanted;
+  const bool workshop = partsSought(e) && wanted.has(FileKind::workshop);
   const auto body = [&](int i) {
     switch (i) {
       case 0: {
+        if (!wanted.has(FileKind::surface)) break;
         Result<std::string> step = stepOf(strips);
         if (step)
           texts[0] = std::move(*step);
@@ -259,16 +264,17 @@ Result<FileSet> resultFiles(Evaluation& e, const RunContext& context, const Poli
         break;
       }
       case 1:
-        texts[1] = meshOf(strips);
+        if (wanted.has(FileKind::meshes)) texts[1] = meshOf(strips);
         break;
       case 2:
-        texts[2] = deviationCsv(strips);
+        if (wanted.has(FileKind::tables)) texts[2] = deviationCsv(strips);
         break;
       case 3:
-        texts[3] = stationsCsv(strips);
+        if (wanted.has(FileKind::tables)) texts[3] = stationsCsv(strips);
         break;
       case 4: {
-        Result<std::string> parts = partsOf(e);
+        if (!wanted.has(FileKind::parts)) break;
+        Result<std::string> parts = partsOf(e, wanted);
         if (parts)
           texts[5] = std::move(*parts);
         else
@@ -277,7 +283,7 @@ Result<FileSet> resultFiles(Evaluation& e, const RunContext& context, const Poli
       }
       case 5:
         if (workshop) {
-          Result<std::string> drawings = drawingsOf(e, run, programs.paths(), context);
+          Result<std::string> drawings = drawingsOf(e, run, programs.paths(), wanted, context);
           if (drawings)
             texts[6] = std::move(*drawings);
           else
@@ -295,15 +301,17 @@ Result<FileSet> resultFiles(Evaluation& e, const RunContext& context, const Poli
   if (drawingsError) return tl::unexpected<Error>(*drawingsError);
   FileSet files;
   files.add("sweep.json", std::move(texts[4]));
-  files.add("surface.step", std::move(texts[0]));
+  if (wanted.has(FileKind::surface)) files.add("surface.step", std::move(texts[0]));
   if (!texts[5].empty()) files.add("parts.step", std::move(texts[5]));
   if (workshop) {
     files.add("drawings.pdf", std::move(texts[6]));
-    files.add("cut-list.csv", cutListCsv(e));
+    files.add("cut-list.csv", cutListCsv(e, wanted));
   }
-  files.add("mesh.obj", std::move(texts[1]));
-  files.add("stations.csv", std::move(texts[3]));
-  files.add("deviation.csv", std::move(texts[2]));
+  if (wanted.has(FileKind::meshes)) files.add("mesh.obj", std::move(texts[1]));
+  if (wanted.has(FileKind::tables)) {
+    files.add("stations.csv", std::move(texts[3]));
+    files.add("deviation.csv", std::move(texts[2]));
+  }
   files.append(std::move(programs), {});
   const Result<Design> stored = storedDesign(e);
   if (!stored) return tl::unexpected<Error>(stored.error());

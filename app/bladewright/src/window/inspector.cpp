@@ -199,7 +199,7 @@ void Inspector::makeBlock() {
     return cut && cut->setup ? shortNumber(cut->setup->block.size.prod() * 1e-9) + " m³" : QString();
   });
   column->addHeading(tr("After all of its cuts"));
-  addValue(column, tr("Left"), tr("What is left of a block of several cuts, once the hand has rested"),
+  addValue(column, tr("Foam left"), tr("What is left of a block of several cuts, once the hand has rested"),
            [this] {
              const pipeline::BlockEvaluation* shown = block();
              const pipeline::BlockPart* part = shown ? shown->part.value.get() : nullptr;
@@ -211,7 +211,7 @@ void Inspector::makeBlock() {
     return &*std::ranges::max_element(shown->together.value->creases, {}, &Crease::offMax);
   };
   addValue(
-      column, tr("Edge off"),
+      column, tr("Crease off by"),
       tr("The farthest that an edge in which two cuts meet lies from that of the surfaces designed"),
       [worst] { return worst() ? lengthText(worst()->offMax) : QString(); },
       [this, worst] { return worst() && worst()->offMax > bench_.shown()->design.process.tolerance; });

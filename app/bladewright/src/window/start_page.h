@@ -53,6 +53,8 @@ class ExampleCard : public QAbstractButton {
  public:
   ExampleCard(const Theme& theme, const QString& name, const QString& title, QWidget* parent = nullptr);
   QSize sizeHint() const override;
+  /// In both themes.
+  bool hasPicture() const { return !picture_.isNull() && !darkPicture_.isNull(); }
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -100,7 +100,10 @@ bool MainWindow::numbersStand() {
 }
 
 void MainWindow::exportEverything() {
-  order([this](const std::filesystem::path& folder) { bench_.exportAll(folder, reportPictures()); });
+  order([this](const std::filesystem::path& folder) {
+    bench_.exportAll(folder, bench_.wanted().has(pipeline::FileKind::pages) ? reportPictures()
+                                                                            : std::vector<ReportImage>());
+  });
 }
 
 void MainWindow::order(const std::function<void(const std::filesystem::path&)>& write) {

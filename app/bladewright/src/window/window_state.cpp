@@ -201,6 +201,8 @@ void MainWindow::refreshState() {
 
   const bool open = stack_->currentWidget() == columns_;
   commands_["file.export"]->setEnabled(open && bench_.canExport());
+  commands_["file.export"]->setText(bench_.wanted() == pipeline::Wanted() ? tr("&Export everything…")
+                                                                          : tr("&Export what is chosen…"));
   commands_["file.programs"]->setEnabled(open && bench_.canExportPrograms());
   for (const char* id : {"file.save", "file.saveAs", "file.close", "edit.compute"})
     commands_[id]->setEnabled(!bench_.document().empty());

@@ -111,24 +111,30 @@ void append(TriangleMesh& mesh, const TriangleMesh& more) {
 
 /// Pictures, report, design and surface for others, beside the files that are made already.
 Result<FileSet> filesBeside(const pipeline::Evaluation& evaluation, const std::vector<ReportImage>& pictures,
-                            const std::vector<std::filesystem::path>& made, const RunContext& context) {
+                            const std::vector<std::filesystem::path>& made, const pipeline::Wanted& wanted,
+                            const RunContext& context) {
+  using pipeline::FileKind;
+  const bool pages = wanted.has(FileKind::pages), surface = wanted.has(FileKind::surface),
+             meshes = wanted.has(FileKind::meshes);
   FileSet beside;
   for (const ReportImage& picture : pictures)
-    beside.add("pictures/" + picture.name + ".png", pngBytes(picture.image).toStdString());
+    if (pages) beside.add("pictures/" + picture.name + ".png", pngBytes(picture.image).toStdString());
   TriangleMesh mesh;
   int strip = 0;
   const bool several = evaluation.blocks.size() > 1 || evaluation.blocks.front().cuts.size() > 1;
   for (const pipeline::BlockEvaluation& block : evaluation.blocks)
     for (const pipeline::CutEvaluation& cut : block.cuts) {
       const SweepAnalysis& analysis = *cut.analysis.value;
+      if (meshes) append(mesh, analysis.cut.triangles());
+      if (!surface) continue;
       Result<std::string> iges = geometry::igesText(analysis.surface, several ? cut.id : "cut surface");
       if (!iges) return tl::unexpected<Error>(iges.error());
       beside.add(several ? "surface-strip-" + std::to_string(strip++) + ".iges" : "surface.iges",
                  std::move(*iges));
-      append(mesh, analysis.cut.triangles());
     }
-  beside.add("mesh.stl", pipeline::stlBytes(mesh, "Bladewright cut surface, mm"));
+  if (meshes) beside.add("mesh.stl", pipeline::stlBytes(mesh, "Bladewright cut surface, mm"));
   if (context.stopped()) return stoppedError();
+  if (!pages) return beside;
   std::vector<std::filesystem::path> all = made;
   all.insert(all.end(), beside.paths().begin(), beside.paths().end());
   PrintedReport report = printReport(evaluation, pictures, all);
@@ -178,12 +184,14 @@ std::vector<WrittenFile> writtenFiles(const FileSet& files) {
   return list;
 }
 
-pipeline::Policy handoverPolicy(std::vector<ReportImage> pictures, const RunContext& context) {
+pipeline::Policy handoverPolicy(std::vector<ReportImage> pictures, const pipeline::Wanted& wanted,
+                                const RunContext& context) {
   pipeline::Policy policy;
+  policy.wanted = wanted;
   policy.reader = words::Reader::window;
-  policy.more = [pictures = std::move(pictures), context](const pipeline::Evaluation& evaluation,
-                                                          const std::vector<std::filesystem::path>& made) {
-    return filesBeside(evaluation, pictures, made, context);
+  policy.more = [pictures = std::move(pictures), wanted, context](
+                    const pipeline::Evaluation& evaluation, const std::vector<std::filesystem::path>& made) {
+    return filesBeside(evaluation, pictures, made, wanted, context);
   };
   return policy;
 }

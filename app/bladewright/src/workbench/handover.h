@@ -42,8 +42,10 @@ QByteArray pngBytes(const QImage& image);
 Result<void> writePng(const QImage& image, const std::filesystem::path& file);
 
 /// Has all files of a result made that let it be understood and used without this program: beside those of
-/// `Contents::results` the surface as IGES, the mesh as STL, the report as HTML and PDF, and the pictures.
-pipeline::Policy handoverPolicy(std::vector<ReportImage> pictures, const RunContext& context);
+/// `Contents::results` the surface as IGES, the mesh as STL, the report as HTML and PDF, and the pictures; of
+/// all these what is `wanted`.
+pipeline::Policy handoverPolicy(std::vector<ReportImage> pictures, const pipeline::Wanted& wanted,
+                                const RunContext& context);
 
 /// A file that was written, relative to its folder.
 struct WrittenFile {

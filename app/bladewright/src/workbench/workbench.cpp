@@ -26,6 +26,7 @@ constexpr double kLargestPlausible = 20000;
 
 Workbench::Workbench(model::Settings& settings, const fs::path& recoveryFolder, QObject* parent)
     : QObject(parent), settings_(settings), document_(recoveryFolder) {
+  leftOut_ = settings.leftOut();
   settleSelection();
   connect(&document_, &model::Document::replaced, this, &Workbench::onReplaced);
   connect(&document_, &model::Document::designChanged, this, &Workbench::onDesignChanged);
@@ -76,6 +77,7 @@ void Workbench::onReplaced() {
   exportFolder_.clear();
   exportedFiles_.clear();
   exportProblem_.clear();
+  blocksLeftOut_.clear();
   for (const Topic topic : {Topic::evaluation, Topic::source, Topic::unit, Topic::file})
     emit noticesOutdated(topic);
   change |= resultChange();

@@ -4,10 +4,13 @@
 
 #include <QObject>
 #include <QString>
+#include <QStringList>
 
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "bw/core/base/finding.h"
@@ -162,14 +165,21 @@ class Workbench : public QObject {
   /// Who is asked before an export replaces or removes `files` (relative to `folder`); without a question
   /// they are kept, and the export goes to `newFolder`, a name beside it that is free.
   void setEarlierQuestion(EarlierQuestion question) { earlierQuestion_ = std::move(question); }
+  /// What an export writes: kinds of files as they were chosen last, blocks as they were for this design.
+  pipeline::Wanted wanted() const;
+  void setWanted(pipeline::FileKind kind, bool on);
+  void setBlockWanted(const std::string& block, bool on);
+  bool anyBlockWanted() const;
   /// Writes all that a colleague needs to understand the result without this program to `folder`, in the
   /// background: report (HTML, PDF, JSON) with `pictures`, geometry (STEP, IGES, STL, OBJ), stations,
-  /// programs and the design.
+  /// programs and the design; of these what is `wanted`.
   void exportAll(const std::filesystem::path& folder, std::vector<ReportImage> pictures = {});
   /// Writes the robot programs alone.
   void exportPrograms(const std::filesystem::path& folder);
   /// True if an export can be ordered: the result of the present design stands or is being computed.
-  bool canExport() const { return !exporting_ && !document_.empty() && (current() || runner_.busy()); }
+  bool canExport() const {
+    return !exporting_ && !document_.empty() && anyBlockWanted() && (current() || runner_.busy());
+  }
   bool canExportPrograms() const { return canExport() && !design().output.programs.empty(); }
   bool exporting() const { return exporting_; }
   /// Where the last export of the open design went; empty before.
@@ -257,8 +267,10 @@ class Workbench : public QObject {
   bool exporting_ = false;
   std::optional<Eigen::Vector3d> judgedSize_;  ///< of the target that the unit was judged by
   int lastMergeId_ = 0;
-  std::vector<Message> messages_;  ///< of the newest result
-  Findings exportFindings_;        ///< of what was written last: other sections, and of its programs
+  std::vector<Message> messages_;        ///< of the newest result
+  Findings exportFindings_;              ///< of what was written last: other sections, and of its programs
+  QStringList leftOut_;                  ///< words of kinds of files
+  std::set<std::string> blocksLeftOut_;  ///< ids
   std::filesystem::path exportFolder_;
   std::vector<WrittenFile> exportedFiles_;
   std::string exported_;  ///< `model::exportKey` of what was written last; empty: nothing

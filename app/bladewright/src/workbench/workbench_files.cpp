@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 // Designs, surfaces and results as files.
+#include <algorithm>
+
 #include "bw/geometry/export.h"
 #include "bw/pipeline/example_design.h"
 #include "bw/pipeline/result_folder.h"
@@ -216,20 +218,53 @@ void Workbench::tellWritten(const Export& made) {
            .arg(written, first.left(1).toUpper() + first.mid(1), more));
 }
 
+pipeline::Wanted Workbench::wanted() const {
+  pipeline::Wanted wanted;
+  for (std::size_t kind = 0; kind < pipeline::kFileKinds; ++kind)
+    wanted.kinds[kind] = !leftOut_.contains(QLatin1String(pipeline::kFileKindInfos[kind].word));
+  // Ids of blocks that are gone tell nothing.
+  const auto left = [this](const StockBlock& block) { return blocksLeftOut_.contains(block.id); };
+  if (std::ranges::any_of(design().stock, left))
+    for (const StockBlock& block : design().stock)
+      if (!left(block)) wanted.blocks.push_back(block.id);
+  return wanted;
+}
+
+void Workbench::setWanted(pipeline::FileKind kind, bool on) {
+  const QString word = pipeline::kFileKindInfos[std::size_t(kind)].word;
+  leftOut_.removeAll(word);
+  if (!on) leftOut_ << word;
+  settings_.setLeftOut(leftOut_);
+  tellChanged(Aspect::state);
+}
+
+void Workbench::setBlockWanted(const std::string& block, bool on) {
+  on ? void(blocksLeftOut_.erase(block)) : void(blocksLeftOut_.insert(block));
+  tellChanged(Aspect::state);
+}
+
+bool Workbench::anyBlockWanted() const {
+  return std::ranges::any_of(design().stock,
+                             [this](const StockBlock& block) { return !blocksLeftOut_.contains(block.id); });
+}
+
 void Workbench::exportAll(const fs::path& folder, std::vector<ReportImage> pictures) {
-  write(folder, tr("Writing files"), [pictures = std::move(pictures)](const RunContext& context) {
-    return handoverPolicy(pictures, context);
-  });
+  write(folder, tr("Writing files"),
+        [pictures = std::move(pictures), wanted = wanted()](const RunContext& context) {
+          return handoverPolicy(pictures, wanted, context);
+        });
 }
 
 void Workbench::exportPrograms(const fs::path& folder) {
-  write(folder, tr("Writing programs"), [name = document_.design()->name](const RunContext&) {
-    pipeline::Policy policy;
-    policy.contents = pipeline::Policy::Contents::programs;
-    policy.reader = words::Reader::window;
-    policy.programName = name;
-    return policy;
-  });
+  write(folder, tr("Writing programs"),
+        [name = document_.design()->name, wanted = wanted()](const RunContext&) {
+          pipeline::Policy policy;
+          policy.contents = pipeline::Policy::Contents::programs;
+          policy.reader = words::Reader::window;
+          policy.programName = name;
+          policy.wanted = wanted;
+          return policy;
+        });
 }
 
 }  // namespace bw::app

@@ -20,8 +20,9 @@ bool asked(const Design& design, const ProgramFormat& format) {
 
 }  // namespace
 
-OutputFields::OutputFields(Workbench& bench, FormColumn* column, QObject* parent)
+OutputFields::OutputFields(Workbench& bench, FormColumn* column, const Theme& theme, QObject* parent)
     : QObject(parent), bench_(bench) {
+  column->addHeading(tr("Programs"));
   for (const ProgramFormat& format : programFormats()) {
     QCheckBox* box = programs_.emplace_back(column->addCheck(tr(format.title), tr(format.about)));
     connect(box, &QCheckBox::clicked, this, [this, word = format.word](bool on) {
@@ -43,7 +44,19 @@ OutputFields::OutputFields(Workbench& bench, FormColumn* column, QObject* parent
     bench_.editDesign(tr("Choose robot cell"),
                       [&](Design& design) { design.output.cell = cells_[std::size_t(index)]; });
   });
-  column->addGap(2);
+  column->addHeading(tr("What is written"));
+  for (std::size_t i = 0; i < pipeline::kFileKinds; ++i) {
+    const pipeline::FileKindInfo& info = pipeline::kFileKindInfos[i];
+    kinds_[i] = column->addCheck(tr(info.title), tr(info.about));
+    connect(kinds_[i], &QCheckBox::clicked, this,
+            [this, i](bool on) { bench_.setWanted(pipeline::FileKind(i), on); });
+  }
+  column->addWide(
+      makeNote(tr("And always the design, report.json and sweep.json, by which a result is "
+                  "checked and shown again.")));
+  column->addHeading(tr("Blocks"));
+  blocks_ = column->addWide(new ExportBlocks(bench, theme));
+  column->addGap();
   export_ = column->addWide(makeButton(
       tr("Export everything…"),
       tr("Report (HTML, PDF), CAD surface, mesh, stations, programs and pictures into a folder (Ctrl+E)"),
@@ -69,6 +82,15 @@ void OutputFields::refresh() {
 }
 
 void OutputFields::refreshState() {
+  const pipeline::Wanted wanted = bench_.wanted();
+  for (std::size_t i = 0; i < pipeline::kFileKinds; ++i) kinds_[i]->setChecked(wanted.kinds[i]);
+  kinds_[std::size_t(pipeline::FileKind::programs)]->setEnabled(!bench_.design().output.programs.empty());
+  // What is left is worked out where somebody designs it, or where more than one cut leaves it.
+  const Design& design = bench_.design();
+  const bool parts = design.source().surface || design.stock.size() > 1 || design.cuts.size() > 1;
+  for (const pipeline::FileKind kind : {pipeline::FileKind::workshop, pipeline::FileKind::parts})
+    kinds_[std::size_t(kind)]->setEnabled(parts);
+  export_->setText(wanted == pipeline::Wanted() ? tr("Export everything…") : tr("Export what is chosen…"));
   export_->setEnabled(bench_.canExport());
   exportPrograms_->setEnabled(bench_.canExportPrograms());
   const QString folder = QString::fromStdString(bench_.exportFolder().string());

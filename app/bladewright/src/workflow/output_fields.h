@@ -13,20 +13,23 @@
 
 #include "controls/fields.h"
 #include "workbench/workbench.h"
+#include "workflow/export_blocks.h"
 
 namespace bw::app {
 
-/// Fields of the programs that are written, and the buttons that write them and everything else; edits go to
-/// the job.
+/// What is written: programs and their cell, kinds of files, blocks, and the buttons that write them. What
+/// programs are made of is an edit of the design.
 class OutputFields : public QObject {
   Q_OBJECT
 
  public:
   /// Adds its lines to `column`.
-  OutputFields(Workbench& bench, FormColumn* column, QObject* parent);
+  OutputFields(Workbench& bench, FormColumn* column, const Theme& theme, QObject* parent);
   void refresh();
   /// What may be written now, and where the last export went.
   void refreshState();
+  /// How the blocks stand.
+  void refreshBlocks() { blocks_->refresh(); }
 
  signals:
   void exportRequested();
@@ -36,6 +39,8 @@ class OutputFields : public QObject {
  private:
   Workbench& bench_;
   std::vector<QCheckBox*> programs_;  ///< one a format
+  std::array<QCheckBox*, pipeline::kFileKinds> kinds_{};
+  ExportBlocks* blocks_;
   ChoiceField* cell_;
   std::vector<std::string> cells_;
   QPushButton *export_, *exportPrograms_;

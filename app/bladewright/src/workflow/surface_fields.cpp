@@ -81,7 +81,6 @@ void FormulaField::show(const std::string& formula, std::vector<std::string> nam
   formula_ = formula;
   names_ = std::move(names);
   showValue(changed);
-  if (changed && !typing()) setCursorPosition(0);  // its beginning says most
 }
 
 QString FormulaField::take(const QString& text) {
@@ -93,9 +92,13 @@ QString FormulaField::take(const QString& text) {
   }
   if (formula == formula_) return {};
   formula_ = formula;
-  setCursorPosition(0);
   emit edited(formula);
   return {};
+}
+
+void FormulaField::focusOutEvent(QFocusEvent* event) {
+  TypedField::focusOutEvent(event);
+  if (!typing()) setCursorPosition(0);  // its beginning says most
 }
 
 SurfaceFields::SurfaceFields(Workbench& bench, QWidget* parent)

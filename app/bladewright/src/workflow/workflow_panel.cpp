@@ -164,7 +164,7 @@ QWidget* WorkflowPanel::makeProcess() {
 
 QWidget* WorkflowPanel::makeOutput() {
   auto* column = new FormColumn;
-  output_ = new OutputFields(bench_, column, this);
+  output_ = new OutputFields(bench_, column, theme_, this);
   return column;
 }
 
@@ -191,7 +191,10 @@ void WorkflowPanel::follow(const Change& change) {
     process_->refreshMargins();
   }
   if (any(Aspect::state | Aspect::progress)) refreshStates();
-  if (any(Aspect::state)) input_->refreshState();
+  if (any(Aspect::state)) {
+    input_->refreshState();
+    output_->refreshBlocks();
+  }
 }
 
 void WorkflowPanel::refreshStates() {

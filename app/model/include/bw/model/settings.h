@@ -41,6 +41,10 @@ class Settings : public QObject {
   QString folder(const QString& use) const;
   void setFolder(const QString& use, const QString& folder);
 
+  /// Words of the kinds of files that exports leave out; none at first.
+  QStringList leftOut() const;
+  void setLeftOut(const QStringList& words);
+
   QByteArray layout(const QString& part) const;
   void setLayout(const QString& part, const QByteArray& state);
 

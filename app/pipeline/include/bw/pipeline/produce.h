@@ -12,6 +12,7 @@
 #include "bw/pipeline/exit_status.h"
 #include "bw/pipeline/pipeline.h"
 #include "bw/pipeline/result_folder.h"
+#include "bw/pipeline/wanted.h"
 #include "bw/words/findings.h"
 
 namespace bw::pipeline {
@@ -39,6 +40,7 @@ struct Policy {
   std::string programName = "Blade";                  ///< of the modules of `Contents::programs`
   std::filesystem::path programFolder = {};           ///< where these lie in the folder
   MoreFiles more = {};                                ///< beside the results
+  Wanted wanted = {};                                 ///< of the results, and blocks of the programs
   /// mm, where the design leaves the length of its blade open: the one that was found for it before
   /// (`foundLength`), in place of a search.
   std::optional<double> length = std::nullopt;

@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "workflow/export_blocks.h"
+
+#include <algorithm>
+
+#include "controls/fields.h"
+#include "controls/numbers.h"
+
+namespace bw::app {
+
+namespace {
+
+constexpr std::size_t kLines = 30;  // more blocks are written all the same
+constexpr int kIcon = 16;
+
+QString counted(int count, const QString& one, const QString& many) {
+  return QStringLiteral("%1 %2").arg(count).arg(count == 1 ? one : many);
+}
+
+/// How many stations rest in each way.
+struct Rests {
+  int certain = 0, held = 0, others = 0;
+};
+
+Rests restsOf(const pipeline::BlockEvaluation& block) {
+  Rests rests;
+  for (const pipeline::CutEvaluation& cut : block.cuts)
+    for (const Rest station : cut.rest.value->stations)
+      ++(station == Rest::certain ? rests.certain : station == Rest::held ? rests.held : rests.others);
+  return rests;
+}
+
+}  // namespace
+
+BlockStanding standingOf(const Workbench& bench, const std::string& id) {
+  BlockStanding standing;
+  const auto tr = [](const char* text) { return ExportBlocks::tr(text); };
+  const auto shown = bench.shown();
+  if (!shown) {
+    standing.word = tr("not computed");
+    return standing;
+  }
+  const auto found = std::ranges::find(shown->blocks, id, &pipeline::BlockEvaluation::id);
+  if (found == shown->blocks.end()) {
+    standing.word = bench.stale() ? tr("not computed") : tr("not cut");
+    standing.tip = bench.stale() ? QString() : tr("The surface does not meet this block");
+    return standing;
+  }
+  double time = 0;
+  int stations = 0;
+  bool whole = true;
+  for (const pipeline::CutEvaluation& cut : found->cuts) {
+    whole = whole && cut.result();
+    if (!cut.result()) continue;
+    time += cut.motion.value->cuttingTime();
+    stations += int(cut.result()->size());
+  }
+  if (whole) standing.time = timeText(time);
+  if (bench.stale()) {
+    standing.icon = "stale";
+    standing.word = tr("out of date");
+    return standing;
+  }
+  if (!whole) return {"error", &Colours::error, tr("no result"), tr("The messages tell why"), {}};
+  int errors = 0, warnings = 0;
+  for (const Finding& finding : shown->findings()) {
+    if (!finding.where.block.empty() && finding.where.block != id) continue;
+    errors += finding.severity == Severity::error;
+    warnings += finding.severity == Severity::warning;
+  }
+  const Rests rests = restsOf(*found);
+  standing.tip = QObject::tr("%1 in %2: %3 certain, %4 held")
+                     .arg(counted(stations, tr("station"), tr("stations")),
+                          counted(int(found->cuts.size()), tr("cut"), tr("cuts")))
+                     .arg(rests.certain)
+                     .arg(rests.held);
+  if (rests.others > 0) standing.tip += tr(", %1 lost or not known").arg(rests.others);
+  if (errors > 0) {
+    standing.icon = "error";
+    standing.colour = &Colours::error;
+    standing.word = counted(errors, tr("error"), tr("errors"));
+    standing.tip +=
+        "\n" + tr("A robot program is not written where something is wrong; the messages tell what");
+  } else if (warnings > 0) {
+    standing.icon = "warning";
+    standing.colour = &Colours::warning;
+    standing.word = counted(warnings, tr("warning"), tr("warnings"));
+  } else {
+    standing.icon = "done";
+    standing.colour = &Colours::success;
+    standing.word = rests.held > 0 ? tr("held") : tr("certain");
+  }
+  return standing;
+}
+
+ExportBlocks::ExportBlocks(Workbench& bench, const Theme& theme, QWidget* parent)
+    : QWidget(parent), bench_(bench), theme_(theme), grid_(new QGridLayout(this)) {
+  grid_->setContentsMargins(0, 0, 0, 0);
+  grid_->setHorizontalSpacing(kGap);
+  grid_->setVerticalSpacing(4);
+  grid_->setColumnStretch(0, 1);
+  connect(&theme, &Theme::changed, this, [this] {
+    for (Line& line : lines_) paint(line);
+  });
+}
+
+void ExportBlocks::rebuild() {
+  empty(*grid_);
+  lines_.clear();
+  for (const std::string& block : built_) {
+    if (lines_.size() == kLines) break;
+    Line line{block, new QCheckBox(QString::fromStdString(block)), new QLabel, new QLabel, new QLabel, {}};
+    line.wanted->setToolTip(tr("Programs, drawing, part and line of the cut list of this block"));
+    line.wanted->setAccessibleName(tr("Export %1").arg(line.wanted->text()));
+    connect(line.wanted, &QCheckBox::clicked, this,
+            [this, block](bool on) { bench_.setBlockWanted(block, on); });
+    line.time->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    line.time->setObjectName("secondary");
+    line.time->setToolTip(tr("Cutting time, leads included"));
+    line.word->setAccessibleName(tr("State of %1").arg(line.wanted->text()));
+    const int row = int(lines_.size());
+    grid_->addWidget(line.wanted, row, 0);
+    grid_->addWidget(line.icon, row, 1);
+    grid_->addWidget(line.word, row, 2);
+    grid_->addWidget(line.time, row, 3);
+    lines_.push_back(line);
+    paint(lines_.back());
+  }
+  if (built_.size() > kLines)
+    grid_->addWidget(makeNote(tr("%1 more blocks are written, too").arg(built_.size() - kLines)), int(kLines),
+                     0, 1, 4);
+}
+
+void ExportBlocks::paint(Line& line) {
+  const QColor colour = theme_.colours().*line.shown.colour;
+  line.icon->setPixmap(Theme::pixmap(line.shown.icon, colour, kIcon, devicePixelRatioF()));
+  line.word->setText(line.shown.word);
+  line.time->setText(line.shown.time);
+  for (QLabel* label : {line.icon, line.word}) label->setToolTip(line.shown.tip);
+}
+
+void ExportBlocks::refresh() {
+  std::vector<std::string> blocks;
+  for (const StockBlock& block : bench_.design().stock) blocks.push_back(block.id);
+  if (blocks != built_) {
+    built_ = blocks;
+    rebuild();
+  }
+  const pipeline::Wanted wanted = bench_.wanted();
+  const bool any = bench_.anyBlockWanted();
+  for (Line& line : lines_) {
+    line.wanted->setChecked(any && wanted.hasBlock(line.block));
+    line.wanted->setEnabled(built_.size() > 1 || !any);
+    BlockStanding now = standingOf(bench_, line.block);
+    if (now == line.shown) continue;
+    line.shown = std::move(now);
+    paint(line);
+  }
+}
+
+}  // namespace bw::app
