@@ -198,6 +198,8 @@ TEST_F(Pieces, BeginOnTheStartPageByKeysToo) {
   const auto& cards = window().startPage().cards();
   for (const ExampleCard* card : cards) EXPECT_TRUE(card->hasPicture()) << card->text().toStdString();
   picture("pieces-start");
+  window().resize(960, 600);
+  picture("pieces-start-small");
   QTest::keyClick(&window(), Qt::Key_N, Qt::ControlModifier | Qt::ShiftModifier);
   EXPECT_FALSE(window().onStartPage());
   EXPECT_EQ(bench().design().stock.size(), 3u);

@@ -164,6 +164,39 @@ TEST(Workshop, NamesOfAnyLettersAreNoFault) {
             std::string::npos);
 }
 
+TEST(Workshop, GetsTheKindsOfFilesAndTheBlocksThatAreWanted) {
+  const Product all = made(example("three-block-wall", 9));
+  const auto written = [&all](const Wanted& wanted) {
+    Policy policy;
+    policy.wanted = wanted;
+    Product product = produce(all.evaluation, "nothing-is-written-there", policy, {});
+    EXPECT_FALSE(product.error) << product.error->message;
+    // The report lists what there is, and names the same run.
+    const nlohmann::json report = nlohmann::json::parse(file(product, "report.json"));
+    EXPECT_EQ(report["run"], nlohmann::json::parse(file(all, "report.json"))["run"]);
+    EXPECT_EQ(report["files"].size(), product.files.paths().size());
+    return product;
+  };
+  for (std::size_t kind = 0; kind < kFileKinds; ++kind) {
+    Wanted wanted;
+    wanted.kinds[kind] = false;
+    const std::size_t fewer = all.files.paths().size() - written(wanted).files.paths().size();
+    const std::size_t files[kFileKinds] = {3, 2, 0, 1, 1, 1, 2};  // pages are the window's
+    EXPECT_EQ(fewer, files[kind]) << kFileKindInfos[kind].word;
+  }
+  const Product two = written({.blocks = {"column-1", "column-3"}});
+  EXPECT_TRUE(file(two, "programs/column-2/strip-1/motion.csv").empty());
+  EXPECT_EQ(file(two, "programs/column-3/strip-2/motion.csv"),
+            file(all, "programs/column-3/strip-2/motion.csv"));
+  EXPECT_EQ(file(two, "surface.step").size(), file(all, "surface.step").size()) << "that of all of them";
+  EXPECT_EQ(pagesOf(file(two, "drawings.pdf")).size(), 2u);
+  const auto lines = table(file(two, "cut-list.csv"));
+  ASSERT_EQ(lines.size(), 4u);
+  EXPECT_EQ(lines[2][0], "column-3");
+  EXPECT_EQ(number(lines[1].back()), 2) << "as many are ordered";
+  EXPECT_EQ(number(lines[3].back()), 2);
+}
+
 TEST(Workshop, GetsNothingWhereNoPartIsSought) {
   const Product product = made(example("saddle", 9));
   EXPECT_TRUE(file(product, "drawings.pdf").empty());
