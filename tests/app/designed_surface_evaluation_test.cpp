@@ -49,7 +49,8 @@ TEST_P(DesignedExample, IsCutFirmlyWithinItsBlockAsItOpens) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, DesignedExample,
-                         testing::Values("single-block", "ripple-along", "twist", "bump", "three-block-wall", "block-wall"),
+                         testing::Values("single-block", "ripple-along", "twist", "bump", "three-block-wall",
+                                         "block-wall"),
                          [](const auto& one) {
                            std::string name = one.param;
                            std::ranges::replace(name, '-', '_');

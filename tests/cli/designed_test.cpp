@@ -45,7 +45,8 @@ TEST_P(DesignedExamples, BecomeProgramsFromTheirDesignAlone) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, DesignedExamples,
-                         testing::Values("single-block", "ripple-along", "twist", "bump", "three-block-wall", "block-wall"),
+                         testing::Values("single-block", "ripple-along", "twist", "bump", "three-block-wall",
+                                         "block-wall"),
                          [](const auto& one) {
                            std::string name = one.param;
                            for (char& c : name)
