@@ -265,6 +265,15 @@ TEST_F(Pieces, AWallOfThreeBlocks) {
   EXPECT_EQ(bench().shown()->blocks.size(), 3u);
   picture("piece-wall-begun");
   isGood();
+  // A fourth block, and back.
+  const Design before = bench().design();
+  ASSERT_NO_FATAL_FAILURE(type("Columns", "4"));
+  ASSERT_NO_FATAL_FAILURE(stands());
+  EXPECT_EQ(bench().shown()->blocks.size(), 4u);
+  isGood();
+  ASSERT_NO_FATAL_FAILURE(type("Columns", "3"));
+  EXPECT_EQ(bench().design(), before);
+  ASSERT_NO_FATAL_FAILURE(stands());
   ASSERT_NO_FATAL_FAILURE(choose("Surface", "Formula"));
   ASSERT_NO_FATAL_FAILURE(type<FormulaField>("Formula", "250 - 50*cos(pi*x/600) + 20*sin(pi*y/800)"));
   ASSERT_NO_FATAL_FAILURE(stands());

@@ -86,6 +86,39 @@ TEST(GridChange, ASurfaceThatEndsElsewhereStays) {
   EXPECT_EQ(over(with(design, 0, 3, "block")).max, Eigen::Vector2d(580, 800));
 }
 
+TEST(GridChange, PointsOfSectionsStayOnTheBoundaries) {
+  const Design design = designOf(R"({"bladewright_design": 2,
+    "sources": [{"id": "a", "surface": {"type": "sections", "sections": [
+      {"y": 0, "spline": [[0, 100], [300, 150], [600, 200], [1200, 90]]},
+      {"y": 800, "bezier": [[0, 100], [400, 150], [1200, 130]]}]}}],
+    "grid": {"columns": 2, "sizes": {"columns": 600}}, "cuts": [{"id": "cut"}]})");
+  const auto sections = [](const Design& of) {
+    return std::get<SectionsSurface>(of.source().surface->shape).sections;
+  };
+  using Points = std::vector<Eigen::Vector2d>;
+  // More columns: the last height goes on.
+  const Design four = with(design, 0, 4, "column-1");
+  EXPECT_EQ(sections(four)[0].points,
+            (Points{{0, 100}, {300, 150}, {600, 200}, {1200, 90}, {1800, 90}, {2400, 90}}));
+  EXPECT_EQ(sections(four)[1].points, (Points{{0, 100}, {800, 150}, {2400, 130}})) << "poles are stretched";
+  const Design again = with(four, 0, 2, "column-1");
+  EXPECT_EQ(sections(again)[0].points, sections(design)[0].points);
+  // Other sizes: what lies between boundaries keeps its share.
+  BlockGrid other = *design.grid;
+  other.sizes[0] = {500, 700};
+  EXPECT_EQ(sections(*withGrid(design, *design.grid, other, "column-1"))[0].points,
+            (Points{{0, 100}, {250, 150}, {500, 200}, {1200, 90}}));
+  // A boundary without a point gets one where the surface is to end.
+  Design bare = design;
+  std::erase_if(std::get<SectionsSurface>(bare.source().surface->shape).sections[0].points,
+                [](const Eigen::Vector2d& point) { return point.x() == 600; });
+  EXPECT_EQ(sections(with(bare, 0, 1, "column-1"))[0].points, (Points{{0, 100}, {300, 150}, {600, 150}}));
+  const Design rows = with(design, 1, 2, "column-1");
+  ASSERT_EQ(sections(rows).size(), 3u);
+  EXPECT_EQ(sections(rows)[2].y, 1600);
+  EXPECT_EQ(sections(rows)[2].points, sections(design)[1].points);
+}
+
 TEST(GridChange, ExpressionsOfOtherCountsGo) {
   const Design design =
       designOf(R"({"bladewright_design": 2, "variables": [{"name": "w", "value": 600, "min": 1, "max": 900}],

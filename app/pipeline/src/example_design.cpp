@@ -66,9 +66,9 @@ const std::vector<geometry::Example>& designedExamples() {
       {kSingleBlock, "Single block, poles 4 × 6",
        "A tensor-product spline over a block of 600 × 800 × 500 mm, four poles across and six along the "
        "travel."},
-      {kBlockWall, "Wall of three blocks, poles 6 × 6",
-       "A tensor-product spline over three blocks of 600 × 800 × 500 mm side by side, six poles across and "
-       "six along the travel: one cubic a block across."},
+      {kBlockWall, "Wall of three blocks",
+       "A loft through three cubic splines over three blocks of 600 × 800 × 500 mm side by side, one cubic a "
+       "block across."},
       {"ripple-along", "Ripple along the travel",
        "z = height − rise ((x − 300)/300)² + amplitude sin(2π waves y/800) (1 − 0.3 ((x − 300)/300)²); mm. "
        "Variables: "

@@ -4,8 +4,11 @@
 #include "bw/core/design/grid_change.h"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <iterator>
 #include <set>
+#include <vector>
 
 namespace bw {
 
@@ -25,26 +28,98 @@ std::vector<Cut> cutsLike(const Design& design, const std::string& block) {
   return like;
 }
 
-Rectangle* rectangleOf(DesignedSurface& surface) {
-  if (auto* poles = std::get_if<PolesSurface>(&surface.shape)) return &poles->over;
-  if (auto* formula = std::get_if<FormulaSurface>(&surface.shape)) return &formula->over;
-  return nullptr;
+/// Where the blocks of a grid end along a way, after where the first begins, mm.
+std::vector<double> boundaries(const BlockGrid& grid, std::size_t way, double from) {
+  std::vector<double> places = {from};
+  for (std::size_t i = 0; i < grid.sizes[way].size(); ++i) {
+    from += grid.sizes[way][i];
+    places.push_back(from);
+    if (i < grid.gaps[way].size()) from += grid.gaps[way][i];
+  }
+  return places;
+}
+
+/// Boundaries before and afterwards along one way.
+struct Move {
+  std::vector<double> before, after;
+
+  std::size_t kept() const { return std::min(before.size(), after.size()) - 1; }
+  bool covers(double first, double last) const {
+    return std::abs(first - before.front()) < kSame && std::abs(last - before.back()) < kSame;
+  }
+  bool stays(double place) const { return place <= before[kept()] + kSame; }
+  /// Between boundaries a place keeps its share of the way.
+  double operator()(double place) const {
+    std::size_t next = 1;
+    while (next < kept() && place > before[next]) ++next;
+    const double share = (place - before[next - 1]) / (before[next] - before[next - 1]);
+    return after[next - 1] + share * (after[next] - after[next - 1]);
+  }
+  /// The same over the whole.
+  double stretched(double place) const {
+    return after.front() +
+           (place - before.front()) / (before.back() - before.front()) * (after.back() - after.front());
+  }
+};
+
+/// What lies along a way, in its order, on other boundaries: `at` is its place. Nothing that is there ends
+/// before the last boundary: the last is repeated.
+template <class Thing>
+std::vector<Thing> moved(const std::vector<Thing>& things, const Move& move,
+                         const std::function<double&(Thing&)>& at) {
+  std::vector<Thing> next;
+  for (Thing thing : things) {
+    double& place = at(thing);
+    if (!move.stays(place)) continue;
+    place = move(place);
+    next.push_back(std::move(thing));
+  }
+  for (std::size_t i = move.kept(); i < move.after.size(); ++i) {
+    Thing last = next.back();
+    if (at(last) > move.after[i] - kSame) continue;
+    at(last) = move.after[i];
+    next.push_back(std::move(last));
+  }
+  return next;
+}
+
+bool covers(const std::vector<Eigen::Vector2d>& points, const Move& x) {
+  return !points.empty() && x.covers(points.front().x(), points.back().x());
+}
+
+void reachOver(SectionsSurface& surface, const Move& x, const Move& y) {
+  std::vector<SectionCurve>& sections = surface.sections;
+  const bool whole = !sections.empty() && y.covers(sections.front().y, sections.back().y) &&
+                     std::ranges::all_of(sections, [&](const auto& one) { return covers(one.points, x); });
+  if (!whole) return;
+  for (SectionCurve& section : sections)
+    if (section.kind == SectionCurve::Kind::bezier)
+      for (Eigen::Vector2d& point : section.points) point.x() = x.stretched(point.x());
+    else
+      section.points = moved<Eigen::Vector2d>(section.points, x,
+                                              [](Eigen::Vector2d& point) -> double& { return point.x(); });
+  sections = moved<SectionCurve>(sections, y, [](SectionCurve& section) -> double& { return section.y; });
+}
+
+void reachOver(Rectangle& over, const Move& x, const Move& y) {
+  if (!x.covers(over.min.x(), over.max.x()) || !y.covers(over.min.y(), over.max.y())) return;
+  over = {{x.after.front(), y.after.front()}, {x.after.back(), y.after.back()}};
 }
 
 /// A surface that reached over all of a grid reaches over all of another one.
 void reachOver(DesignedSurface& surface, const BlockGrid& before, const BlockGrid& grid) {
-  Rectangle* over = rectangleOf(surface);
-  if (!over || surface.rotation != before.rotation || grid.rotation != before.rotation) return;
+  if (surface.rotation != before.rotation || grid.rotation != before.rotation) return;
   const Eigen::Matrix3d turn = rotationFromAngles(before.rotation);
-  const auto from = [&](const BlockGrid& of) -> Eigen::Vector2d {
-    return (turn.transpose() * (of.origin - surface.origin)).head<2>();
+  const auto moveAlong = [&](std::size_t way) {
+    const auto from = [&](const BlockGrid& of) -> double {
+      return (turn.transpose() * (of.origin - surface.origin))(Eigen::Index(way));
+    };
+    return Move{boundaries(before, way, from(before)), boundaries(grid, way, from(grid))};
   };
-  const auto extent = [](const BlockGrid& of) { return Eigen::Vector2d(of.extent(0), of.extent(1)); };
-  const Eigen::Vector2d first = from(before), last = first + extent(before);
-  if ((over->min - first).cwiseAbs().maxCoeff() > kSame || (over->max - last).cwiseAbs().maxCoeff() > kSame)
-    return;
-  over->min = from(grid);
-  over->max = from(grid) + extent(grid);
+  const Move x = moveAlong(0), y = moveAlong(1);
+  if (auto* poles = std::get_if<PolesSurface>(&surface.shape)) reachOver(poles->over, x, y);
+  if (auto* formula = std::get_if<FormulaSurface>(&surface.shape)) reachOver(formula->over, x, y);
+  if (auto* sections = std::get_if<SectionsSurface>(&surface.shape)) reachOver(*sections, x, y);
 }
 
 Result<void> judge(const BlockGrid& grid, std::size_t cutsEach) {

@@ -201,7 +201,7 @@ StartPage::StartPage(Workbench& bench, const Theme& theme, QWidget* parent)
   add(tr("Open design…"), tr("A .bladewright file saved before"), &StartPage::openDesignRequested);
   add(tr("New single block"), tr("A surface of 4 × 6 poles in a block of 600 × 800 × 500 mm"),
       &StartPage::newBlockRequested);
-  add(tr("New wall"), tr("A surface of 6 × 6 poles over three blocks of 600 × 800 × 500 mm side by side"),
+  add(tr("New wall"), tr("A surface through sections over three blocks of 600 × 800 × 500 mm side by side"),
       &StartPage::newWallRequested);
   add(tr("Measure a blade…"), tr("The length of a mounted blade from how far it sags"),
       &StartPage::measureRequested);

@@ -26,7 +26,7 @@ void MainWindow::makeCommands() {
       tr("A surface of 4 × 6 poles in a block of 600 × 800 × 500 mm"), {QKeySequence::New},
       [this](bool) { openExample(pipeline::kSingleBlock); });
   add("file.newWall", tr("New &wall of blocks"), "grid",
-      tr("A surface of 6 × 6 poles over three blocks of 600 × 800 × 500 mm side by side"),
+      tr("A surface through sections over three blocks of 600 × 800 × 500 mm side by side"),
       {QKeySequence("Ctrl+Shift+N")}, [this](bool) { openExample(pipeline::kBlockWall); });
   add("file.open", tr("&Open CAD surface…"), "open", tr("A STEP, IGES or BREP file"), {QKeySequence::Open},
       [this](bool) {
