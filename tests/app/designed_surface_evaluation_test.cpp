@@ -35,8 +35,7 @@ TEST_P(DesignedExample, IsCutFirmlyWithinItsBlockAsItOpens) {
   ASSERT_TRUE(e.result());
   const CutResult result = *e.result();
   EXPECT_EQ(result.size(), 33u);
-  // A new wall begins as a surface that blades which meet smoothly come near to, not one made of elastica.
-  EXPECT_LT(result.analysis.summary.deviationMax, GetParam() == "block-wall" ? 0.6 : 0.2);
+  EXPECT_LT(result.analysis.summary.deviationMax, 0.2);
   EXPECT_EQ(result.coverage.share(), 1);
   for (std::size_t i = 0; i < result.size(); ++i) {
     const StationView station = result.station(i);

@@ -280,6 +280,7 @@ TEST_F(Exports, WriteTheKindsOfFilesThatAreChosen) {
   for (const char* there : {"surface.step", "surface.iges", "design.bladewright", "sweep.json",
                             "programs/strip-0/T_ROB1/BladeLeft.mod"})
     EXPECT_TRUE(fs::exists(folder() / there)) << there;
+  EXPECT_EQ(outputState(), "Exported in part");
   // What was chosen is remembered.
   bench().document().undoStack().setIndex(0);
   window().questions().unsaved = [](const QString&) { return Questions::Unsaved::discard; };
@@ -308,6 +309,7 @@ TEST_F(Exports, WriteTheBlocksThatAreChosenAndTellHowEachStands) {
   EXPECT_EQ(bench().wanted().blocks, (std::vector<std::string>{"column-1", "column-3"}));
   picture("export-blocks");
   exportAll();
+  EXPECT_EQ(outputState(), "Exported in part");
   EXPECT_FALSE(fs::exists(folder() / "programs/column-2"));
   EXPECT_TRUE(fs::exists(folder() / "programs/column-3/strip-2/T_ROB1/BladeLeft.mod"));
   EXPECT_EQ(drawings::pagesOf(readFile(folder() / "drawings.pdf", 1 << 24).value()).size(), 2u);

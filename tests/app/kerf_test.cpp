@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 
+#include "bw/core/base/units.h"
 #include "bw/pipeline/example_design.h"
 #include "bw/pipeline/produce.h"
 #include "bw/pipeline/sketch.h"
@@ -129,6 +130,31 @@ TEST(KerfOfADesign, IsThatOfTheSketchToo) {
     EXPECT_GT(standing.first, -off);
     EXPECT_LT(standing.second, off);
   }
+}
+
+TEST(KerfOfADesign, KeepsToTheSideOfWhatIsCut) {
+  // A parabola, turned so that most of it looks up, while its end, where the block is, hangs over.
+  Design design = designed("single-block", kKerf);
+  design.bindings.clear();
+  design.variables.clear();
+  design.source().surface = DesignedSurface{
+      FormulaSurface{{{0, 0}, {500, 1600}}, "0.0005 * y^2"}, {0, 0, 0}, {fromDegrees(50), 0, 0}};
+  design.block().placement = BlockPlacement{{0, -50, 1550}, {500, 300, 480}, {0, 0, 0}};
+  design.cut().direction = Eigen::Vector3d::UnitX();
+  design.cut().sections.stations = 9;
+  design.blade.length = 900;
+  const Evaluation e = evaluated(design);
+  const CutEvaluation& cut = e.cut();
+  const double off = cut.result()->analysis.summary.deviationMax;
+  ASSERT_LT(off, 0.5);
+  const std::unique_ptr<SurfaceSampler> sampler = cut.target.value->sampler();
+  for (const Eigen::Vector3d& p : blades(cut)) {
+    const auto foot = *sampler->closest(p, nullptr);
+    ASSERT_NEAR(std::abs(sampler->offset(p, foot)), kKerf / 2, off + 1e-3);
+    EXPECT_GT((p - foot.point).z(), 0) << "the foam below stays";
+  }
+  for (const Eigen::Vector3d& p : cut.result()->analysis.cut.points)
+    ASSERT_LT(std::abs(sampler->offset(p, *sampler->closest(p, nullptr))), off + 2e-3);
 }
 
 TEST(KerfOfADesign, NeedsToKnowWhichSideStays) {

@@ -131,7 +131,8 @@ StepStates stepStates(const StepFacts& facts) {
     output = {Kind::error, 0, QStringLiteral("Not written")};
   } else if (output.kind != Kind::warning && output.kind != Kind::error) {
     if (ready && !facts.exported.empty() && facts.exported == exportKey(*facts.evaluation))
-      output = {Kind::done, 0, QStringLiteral("Exported")};
+      output = {Kind::done, 0,
+                facts.exportedPart ? QStringLiteral("Exported in part") : QStringLiteral("Exported")};
     else if (!facts.exported.empty())
       output = {Kind::stale, 0, QStringLiteral("Older export")};
     else

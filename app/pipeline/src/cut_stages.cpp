@@ -29,11 +29,21 @@ Result<void> aim(const CutWork& work, const std::shared_ptr<const CadSource>& so
                      });
 }
 
-Result<MiddleSections> middleOf(const geometry::Target& target, const TriangleMesh& mesh,
-                                const std::vector<Section>& sections, const Kerf& kerf,
-                                const RunContext& context, Findings& findings) {
+Result<MiddleSections> middleOf(const geometry::Target& target, const std::vector<Section>& sections,
+                                const Kerf& kerf, const RunContext& context, Findings& findings) {
+  // The side is that of what is cut: elsewhere the surface may lean the other way.
+  constexpr int kPlaces = 33;
+  SurfaceGrid cut;
+  cut.columns = kPlaces;
+  for (const Section& section : sections) {
+    if (section.chosen < 0) continue;
+    ++cut.rows;
+    for (const Eigen::Vector2d& p : section.curve().sample(kPlaces))
+      cut.points.push_back(section.frame.toWorld(p));
+  }
+  if (cut.rows < 2) return MiddleSections{sections};  // no surface is made of them, which is told later
   const std::unique_ptr<SurfaceSampler> sampler = target.sampler();
-  const Result<int> side = sideKept(mesh, *sampler, kerf.kept);
+  const Result<int> side = sideKept(cut.triangles(), *sampler, kerf.kept);
   if (!side) return tl::unexpected<Error>(side.error());
   const double off = -*side * 0.5 * kerf.width;
   Result<std::vector<Section>> middle = movedBy(sections, *sampler, off, context, findings);
@@ -86,12 +96,10 @@ Result<void> setOff(const CutWork& work) {
   const Kerf kerf = kerfOf(work.design, work.cut, e.setup->block);
   e.middle = {};
   if (!(kerf.width > 0)) return {};
-  if (Result<void> ok = meshTarget(e, work.previous, work.seconds.read); !ok) return ok;
   const std::shared_ptr<const std::vector<Section>> cut = ownRow(e);
   return work.settle(&CutEvaluation::middle, kerf, {e.target.value, cut}, work.seconds.sections,
                      [&](const Kerf& asked, Findings& findings) {
-                       return middleOf(*e.target.value, *e.targetMesh.value, *cut, asked, work.context,
-                                       findings);
+                       return middleOf(*e.target.value, *cut, asked, work.context, findings);
                      });
 }
 

@@ -54,10 +54,9 @@ Result<void> place(const CutWork& work, const std::optional<BlockPlacement>& pla
 /// What the design asks for, with the number of stations where that is left to the tolerance.
 Result<SectionRequest> sectionRequest(const CutWork& work);
 /// The sections for the middle of a blade beside whose kerf (above 0) a surface is to stand. Errors: those of
-/// `movedBy`, and `badInput` where it cannot be told on which side of the surface foam stays.
-Result<MiddleSections> middleOf(const geometry::Target& target, const TriangleMesh& mesh,
-                                const std::vector<Section>& sections, const Kerf& kerf,
-                                const RunContext& context, Findings& findings);
+/// `movedBy`, and `badInput` where it cannot be told on which side of what is cut foam stays.
+Result<MiddleSections> middleOf(const geometry::Target& target, const std::vector<Section>& sections,
+                                const Kerf& kerf, const RunContext& context, Findings& findings);
 /// Sections, and the blades for them.
 Result<void> fit(const CutWork& work);
 /// The row, its motion, and how sure its blades rest.

@@ -164,7 +164,7 @@ std::optional<CutSketch> Sketcher::draw(const Design& design, std::size_t index,
   double off = 0;
   const Kerf kerf = kerfOf(design, asked, planes.setup.block);
   if (kerf.width > 0) {
-    Result<MiddleSections> middle = middleOf(*row.target, *row.mesh, *row.sections, kerf, context, unsaid);
+    Result<MiddleSections> middle = middleOf(*row.target, *row.sections, kerf, context, unsaid);
     if (!middle) return {};
     off = middle->off;
     sections = std::make_shared<const std::vector<Section>>(std::move(middle->sections));

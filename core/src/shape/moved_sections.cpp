@@ -69,9 +69,8 @@ Result<PlanarCurve> moved(const Section& section, SurfaceSampler& surface, doubl
       // Where the section is bent more tightly than it is moved, neighbours change places.
       const Vector2d step = place - places.back();
       if (step.dot(tangent) <= 0)
-        return cannot("the section is bent to a radius of " +
-                          shortText(1 / std::max(std::abs(curve.curvature(t)), 1e-12), 3) + " mm",
-                      1 / std::max(std::abs(curve.curvature(t)), 1e-12), off);
+        return cannot("the section is bent too tightly", 1 / std::max(std::abs(curve.curvature(t)), 1e-12),
+                      off);
       at.push_back(at.back() + step.norm());
     } else {
       at.push_back(0);

@@ -138,6 +138,7 @@ model::StepStates Workbench::stepStates() const {
   facts.progress = runner_.progress();
   facts.busyStep = runner_.step();
   facts.exported = exported_;
+  facts.exportedPart = exportedPart_;
   facts.exporting = exporting_;
   facts.exportProblem = exportProblem_;
   return model::stepStates(facts);

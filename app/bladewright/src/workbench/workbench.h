@@ -273,8 +273,9 @@ class Workbench : public QObject {
   std::set<std::string> blocksLeftOut_;  ///< ids
   std::filesystem::path exportFolder_;
   std::vector<WrittenFile> exportedFiles_;
-  std::string exported_;  ///< `model::exportKey` of what was written last; empty: nothing
-  int opened_ = 0;        ///< designs so far: an export may end when its own is no longer open
+  std::string exported_;       ///< `model::exportKey` of what was written last; empty: nothing
+  bool exportedPart_ = false;  ///< some of its files or blocks alone
+  int opened_ = 0;             ///< designs so far: an export may end when its own is no longer open
   QString exportProblem_;
   EarlierQuestion earlierQuestion_;
 };

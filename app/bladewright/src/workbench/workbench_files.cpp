@@ -80,6 +80,7 @@ struct Workbench::Export {
   std::vector<fs::path> earlier;  ///< in the folder, which this one would replace or remove
   std::size_t removed = 0;
   bool stands = false;
+  bool part = false;  ///< of the files or blocks
 };
 
 namespace {
@@ -124,8 +125,9 @@ void Workbench::write(const fs::path& folder, const QString& name, MakePolicy po
                                                        const RunContext& context) -> Result<void> {
     made->key = model::exportKey(evaluation);
     made->source = evaluation.design.source();
-    pipeline::Product product =
-        pipeline::produce(std::move(evaluation), made->folder, policy(context), context);
+    const pipeline::Policy asked = policy(context);
+    made->part = asked.wanted != pipeline::Wanted();
+    pipeline::Product product = pipeline::produce(std::move(evaluation), made->folder, asked, context);
     if (product.error) return tl::unexpected<Error>(*product.error);
     if (context.stopped()) return stoppedError();
     made->files = std::move(product.files);
@@ -173,6 +175,7 @@ void Workbench::finishExport(const Export& made, const Result<void>& done) {
   if (done) {
     if (open) {
       exported_ = made.key;
+      exportedPart_ = made.part;
       exportFolder_ = made.folder;
       exportedFiles_ = writtenFiles(made.files);
       exportFindings_ = made.takenOver;

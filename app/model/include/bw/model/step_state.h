@@ -38,8 +38,9 @@ struct StepFacts {
   std::optional<Error> error;                              ///< why it stopped short
   bool busy = false;
   double progress = 0;
-  QString busyStep;      ///< the pipeline's word for what runs
-  std::string exported;  ///< `exportKey` of the result written last; empty: none was
+  QString busyStep;           ///< the pipeline's word for what runs
+  std::string exported;       ///< `exportKey` of the result written last; empty: none was
+  bool exportedPart = false;  ///< only some of its files, or those of some blocks, were chosen
   bool exporting = false;
   QString exportProblem;
 };
