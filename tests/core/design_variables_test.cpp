@@ -176,7 +176,14 @@ TEST(DesignedSurfaceFiles, EachKindIsReadAndWritten) {
         R"({"type": "sections", "loft": "root", "sections": [
              {"y": 0, "bezier": [[0, 200], [300, 260], [600, 200]]},
              {"y": 800, "spline": [[0, 200], [300, "=amplitude"], [600, 200]]}],
-            "frame": {"origin": [1, 2, 3], "rotation_deg": [0, 90, 0]}})"}) {
+            "frame": {"origin": [1, 2, 3], "rotation_deg": [0, 90, 0]}})",
+        R"({"type": "sections", "loft": "chord", "sections": [
+             {"y": 0, "bezier": [[0, 200], [100, 220], [200, 240], [300, 260], [400, 280], [500, 230], [600, 200]]},
+             {"y": 800, "ducks": [[0, 200], [300, "=amplitude"], [600, 200]]}]})",
+        R"({"type": "blades", "blades": [
+             {"y": 0, "middle": [300, 200], "angle_deg": 4.1, "length_mm": 610, "bend": -0.7, "force": [3, -1]},
+             {"y": 800, "middle": [300, "=amplitude"], "angle_deg": "=amplitude/7", "length_mm": 620, "bend": 0.0,
+              "force": [0.0, 0.0]}]})"}) {
     const Design design = designOf(withSurface(text).dump());
     ASSERT_TRUE(design.source().surface);
     const json written = json::parse(designToJson(design))["sources"][0];
@@ -202,7 +209,7 @@ TEST(DesignedSurfaceFiles, SlipsAreNamed) {
   const auto message = [](const char* surface) { return errorOf(withSurface(surface)); };
   EXPECT_EQ(message(R"({"type": "pole"})"),
             "design.sources[0].surface.type is \"pole\" but must be one of \"poles\", \"formula\", "
-            "\"sections\"; did you "
+            "\"sections\", \"blades\"; did you "
             "mean \"poles\"?");
   EXPECT_NE(message(R"({})").find("needs the key type"), std::string::npos);
   EXPECT_NE(message(R"({"type": "poles"})").find("needs the key poles"), std::string::npos);
@@ -234,6 +241,29 @@ TEST(DesignedSurfaceFiles, SlipsAreNamed) {
   EXPECT_NE(
       message(R"({"type": "sections", "sections": [{"y": 1}, {"y": 2}]})").find("one of the keys bezier"),
       std::string::npos);
+  EXPECT_NE(message(R"({"type": "sections", "sections": [
+      {"y": 1, "bezier": [[0, 0], [1, 1], [2, 1], [3, 1], [4, 1]]}, {"y": 2, "bezier": [[0, 0], [1, 1]]}]})")
+                .find("sections[0].bezier has 5 poles but must have 2, 3 or 4, or 3 more"),
+            std::string::npos);
+  EXPECT_NE(message(R"({"type": "blades", "blades": [{"y": 1, "middle": [0, 0], "length_mm": 5}]})")
+                .find("2 to 200 key blades"),
+            std::string::npos);
+  const auto blade = [&](const std::string& second) {
+    return message(
+        (R"({"type": "blades", "blades": [{"y": 1, "middle": [0, 0], "length_mm": 5}, )" + second + "]}")
+            .c_str());
+  };
+  EXPECT_NE(blade(R"({"y": 1, "middle": [0, 0], "length_mm": 5})").find("blades[1].y must lie beyond"),
+            std::string::npos);
+  EXPECT_NE(blade(R"({"y": 2, "middle": [0, 0]})").find("needs the key length_mm"), std::string::npos);
+  EXPECT_NE(blade(R"({"y": 2, "middle": [0, 0], "length_mm": 5, "bend": 51})").find("bend"),
+            std::string::npos);
+  EXPECT_NE(blade(R"({"y": 2, "middle": [0, 0], "length_mm": 5, "force": [1200, 1200]})")
+                .find("force is too large"),
+            std::string::npos);
+  EXPECT_NE(blade(R"({"y": 2, "middle": [0, 0], "length_mm": 5, "angel_deg": 1})")
+                .find("did you mean \"angle_deg\"?"),
+            std::string::npos);
   json both = withSurface(R"({"type": "formula", "formula": "1"})");
   both["sources"][0]["path"] = "a.step";
   EXPECT_NE(errorOf(both).find("keep one of them"), std::string::npos);

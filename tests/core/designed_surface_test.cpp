@@ -208,6 +208,117 @@ TEST(DesignedSurface, ALoftHoldsItsSections) {
   }
 }
 
+namespace {
+
+/// Two cubics that meet at (200, 230) with one tangent, with legs of 60 and 90 mm.
+std::vector<Eigen::Vector2d> twoCubics() {
+  const Eigen::Vector2d joint(200, 230), tangent = Eigen::Vector2d(1, 0.25).normalized();
+  return {{0, 200}, {70, 190}, joint - 60 * tangent, joint, joint + 90 * tangent, {480, 260}, {600, 210}};
+}
+
+Eigen::Vector2d bezierAt(const std::vector<Eigen::Vector2d>& p, std::size_t first, double t) {
+  const double s = 1 - t;
+  return s * s * s * p[first] + 3 * s * s * t * p[first + 1] + 3 * s * t * t * p[first + 2] +
+         t * t * t * p[first + 3];
+}
+
+/// The plane curve of a section in a loft of two that are the same.
+SplineSurface extruded(const SectionCurve& section) {
+  SectionsSurface surface;
+  surface.sections = {section, section};
+  surface.sections[1].y += 800;
+  return splineOrFail(surface);
+}
+
+}  // namespace
+
+TEST(DesignedSurface, AChainOfCubicsIsHeldWithOneTangent) {
+  const std::vector<Eigen::Vector2d> poles = twoCubics();
+  const SplineSurface spline = extruded({0, SectionCurve::Kind::bezier, poles});
+  // The spans are as long as the legs where the cubics meet: 60 : 90.
+  EXPECT_EQ(spline.polesU, 6);
+  for (const double t : {0.0, 0.3, 0.77, 1.0}) {
+    const Eigen::Vector3d first = spline.value(0.4 * t, 0), second = spline.value(0.4 + 0.6 * t, 0);
+    EXPECT_LT((Eigen::Vector2d(first.x(), first.z()) - bezierAt(poles, 0, t)).norm(), 1e-9);
+    EXPECT_LT((Eigen::Vector2d(second.x(), second.z()) - bezierAt(poles, 3, t)).norm(), 1e-9);
+  }
+  const double h = 1e-6;
+  const Eigen::Vector3d before = (spline.value(0.4, 0) - spline.value(0.4 - h, 0)) / h,
+                        after = (spline.value(0.4 + h, 0) - spline.value(0.4, 0)) / h;
+  EXPECT_LT((before - after).norm() / before.norm(), 1e-4);
+  // With sections of other kinds, whose knots are simple: each is held all the same.
+  SectionsSurface mixed = threeSections();
+  mixed.sections[2] = {800, SectionCurve::Kind::bezier, poles};
+  mixed.sections.push_back({900, SectionCurve::Kind::bezier, poles});
+  const SplineSurface loft = splineOrFail(mixed);
+  const Eigen::Vector3d joint = loft.value(0.4, 1);
+  EXPECT_LT((joint - Eigen::Vector3d(200, 900, 230)).norm(), 1e-9);
+}
+
+TEST(DesignedSurface, CubicsThatMeetInAKinkAreRefused) {
+  std::vector<Eigen::Vector2d> poles = twoCubics();
+  poles[4].y() += 3;
+  const auto said = [&] {
+    SectionsSurface surface = threeSections();
+    surface.sections[0].points = poles;
+    return errorOf(surface);
+  };
+  EXPECT_NE(said().find("section 1 (y = 0): the cubics that meet at pole 4 make a kink of 1.8"),
+            std::string::npos)
+      << said();
+  poles[4] = poles[3];
+  EXPECT_NE(said().find("pole 4 have no tangent"), std::string::npos) << said();
+  poles.resize(6);
+  EXPECT_NE(said().find("is a Bézier curve of 6 poles"), std::string::npos) << said();
+}
+
+TEST(DesignedSurface, APoleOfAChainTakesItsTangentWithIt) {
+  const auto kink = [](const std::vector<Eigen::Vector2d>& p) {
+    const Eigen::Vector2d a = p[3] - p[2], b = p[4] - p[3];
+    return std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
+  };
+  std::vector<Eigen::Vector2d> poles = twoCubics();
+  moveBezierPole(poles, 3, {210, 300});
+  EXPECT_LT(kink(poles), 1e-12);
+  EXPECT_LT((poles[2] - twoCubics()[2] - Eigen::Vector2d(10, 70)).norm(), 1e-12);
+  moveBezierPole(poles, 4, {290, 280});
+  EXPECT_EQ(poles[4], Eigen::Vector2d(290, 280));
+  EXPECT_LT(kink(poles), 1e-12);
+  EXPECT_NEAR((poles[3] - poles[2]).norm(), 60, 1e-9);
+  moveBezierPole(poles, 2, {150, 280});
+  EXPECT_LT(kink(poles), 1e-12);
+  // Ends and their legs stand alone, and so does a curve of one cubic.
+  const std::vector<Eigen::Vector2d> before = poles;
+  moveBezierPole(poles, 1, {60, 100});
+  moveBezierPole(poles, 5, {500, 100});
+  EXPECT_EQ(poles[3], before[3]);
+  EXPECT_EQ(poles[0], before[0]);
+  std::vector<Eigen::Vector2d> parabola = {{0, 0}, {1, 1}, {2, 0}};
+  moveBezierPole(parabola, 0, {0, 5});
+  EXPECT_EQ(parabola[1], Eigen::Vector2d(1, 1));
+}
+
+TEST(DesignedSurface, AnElasticSplineThroughDucksIsHeld) {
+  const std::vector<Eigen::Vector2d> ducks = {{0, 200}, {150, 245}, {330, 230}, {600, 260}};
+  const SplineSurface spline = extruded({0, SectionCurve::Kind::ducks, ducks});
+  const DuckSpline elastic = splineThroughDucks(ducks).value();
+  // Every place of the elastic spline lies on the section, found by a dense look along it.
+  std::vector<Eigen::Vector2d> section;
+  for (int i = 0; i <= 60'000; ++i) {
+    const Eigen::Vector3d p = spline.value(i / 60'000.0, 0);
+    section.emplace_back(p.x(), p.z());
+  }
+  for (const Elastica& piece : elastic.pieces)
+    for (const Eigen::Vector2d& p : piece.sample(23)) {
+      double nearest = 1e9;
+      for (const Eigen::Vector2d& q : section) nearest = std::min(nearest, (p - q).norm());
+      EXPECT_LT(nearest, 0.006);  // 0.001 and half a step of the look
+    }
+  SectionsSurface surface = threeSections();
+  surface.sections[1] = {300, SectionCurve::Kind::ducks, {{0, 200}, {100, 700}, {120, 100}, {600, 200}}};
+  EXPECT_NE(errorOf(surface).find("section 2 (y = 300)"), std::string::npos) << errorOf(surface);
+}
+
 TEST(DesignedSurface, TheSpacingOfALoftIsThatOfItsChords) {
   SectionsSurface surface;
   for (const double y : {0.0, 200.0, 500.0})
@@ -249,7 +360,8 @@ TEST(DesignedSurface, WhatMakesNoSurfaceIsAnErrorThatNamesIt) {
   EXPECT_NE(errorOf(sections).find("section 2 (y = 0) must lie beyond"), std::string::npos);
   sections = threeSections();
   sections.sections[2].points.resize(1);
-  EXPECT_NE(errorOf(sections).find("section 3 (y = 800) is a Bézier curve of 1 point; it takes 2 to 4"),
+  EXPECT_NE(errorOf(sections).find(
+                "section 3 (y = 800) is a Bézier curve of 1 pole; it takes 2, 3 or 4, or 3 more"),
             std::string::npos);
   sections = threeSections();
   sections.sections[1].points[1] = sections.sections[1].points[0];

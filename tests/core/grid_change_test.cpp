@@ -119,6 +119,46 @@ TEST(GridChange, PointsOfSectionsStayOnTheBoundaries) {
   EXPECT_EQ(sections(rows)[2].points, sections(design)[1].points);
 }
 
+TEST(GridChange, JointsOfCubicsStayOnTheBoundariesInLine) {
+  const Design design = designOf(R"({"bladewright_design": 2,
+    "sources": [{"id": "a", "surface": {"type": "sections", "sections": [
+      {"y": 0, "bezier": [[0, 100], [200, 100], [500, 150], [600, 160], [750, 175], [1000, 90], [1200, 90]]},
+      {"y": 800, "bezier": [[0, 100], [200, 100], [500, 150], [600, 160], [750, 175], [1000, 90], [1200, 90]]}]}}],
+    "grid": {"columns": 2, "sizes": {"columns": 600}}, "cuts": [{"id": "cut"}]})");
+  const auto chain = [](const Design& of) {
+    return std::get<SectionsSurface>(of.source().surface->shape).sections[0].points;
+  };
+  const auto inLine = [](const std::vector<Eigen::Vector2d>& p, std::size_t joint) {
+    const Eigen::Vector2d a = p[joint] - p[joint - 1], b = p[joint + 1] - p[joint];
+    return a.normalized().dot(b.normalized()) > 1 - 1e-12;
+  };
+  BlockGrid other = *design.grid;
+  other.sizes[0] = {500, 800};
+  const auto moved = chain(*withGrid(design, *design.grid, other, "column-1"));
+  ASSERT_EQ(moved.size(), 7u);
+  EXPECT_EQ(moved[3], Eigen::Vector2d(500, 160));
+  EXPECT_EQ(moved[6], Eigen::Vector2d(1300, 90));
+  EXPECT_TRUE(inLine(moved, 3));
+  const auto three = chain(with(design, 0, 3, "column-1"));
+  ASSERT_EQ(three.size(), 10u);
+  EXPECT_EQ(three[9], Eigen::Vector2d(1800, 90));
+  EXPECT_TRUE(inLine(three, 3));
+  EXPECT_TRUE(inLine(three, 6));
+  EXPECT_EQ(chain(with(design, 0, 1, "column-1")).size(), 4u);
+}
+
+TEST(GridChange, KeyBladesStayOnTheBoundaries) {
+  const Design design = designOf(R"({"bladewright_design": 2,
+    "sources": [{"id": "a", "surface": {"type": "blades", "blades": [
+      {"y": 0, "middle": [300, 200], "length_mm": 600}, {"y": 800, "middle": [300, 220], "length_mm": 600}]}}],
+    "grid": {"rows": 1, "columns": 2, "sizes": {"columns": 600, "rows": 800}}, "cuts": [{"id": "cut"}]})");
+  const Design rows = with(design, 1, 2, "column-1");
+  const auto& blades = std::get<BladesSurface>(rows.source().surface->shape).blades;
+  ASSERT_EQ(blades.size(), 3u);
+  EXPECT_EQ(blades[2].y, 1600);
+  EXPECT_EQ(blades[2].middle, Eigen::Vector2d(300, 220));
+}
+
 TEST(GridChange, ExpressionsOfOtherCountsGo) {
   const Design design =
       designOf(R"({"bladewright_design": 2, "variables": [{"name": "w", "value": 600, "min": 1, "max": 900}],

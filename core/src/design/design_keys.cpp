@@ -4,6 +4,8 @@
 #include "design/design_keys.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <string_view>
 
 #include "bw/core/base/units.h"
@@ -324,6 +326,18 @@ json vectorJson(const Eigen::Vector3d& v) { return json::array({v.x(), v.y(), v.
 
 }  // namespace
 
+double degreesThatRead(double angle) {
+  const double degrees = angle / kDegree;
+  constexpr double kAll = std::numeric_limits<double>::infinity();
+  for (const double near : {degrees, std::nextafter(degrees, kAll), std::nextafter(degrees, -kAll)})
+    if (near * kDegree == angle) return near;
+  return degrees;
+}
+
+Eigen::Vector3d degreesThatRead(const Eigen::Vector3d& angles) {
+  return angles.unaryExpr([](double angle) { return degreesThatRead(angle); });
+}
+
 void readSourceKeys(ObjectReader& reader, Source& source) {
   readUnit(reader, source.unit);
   readSewing(reader, source.sewing);
@@ -387,7 +401,7 @@ void writePlacement(const StockBlock& block, json& object) {
   if (block.placement)
     object["block"] = {{"origin", vectorJson(block.placement->origin)},
                        {"size", vectorJson(block.placement->size)},
-                       {"rotation_deg", vectorJson(block.placement->rotation / kDegree)}};
+                       {"rotation_deg", vectorJson(degreesThatRead(block.placement->rotation))}};
 }
 
 void writeCutKeys(const Cut& cut, json& object) {

@@ -18,6 +18,10 @@ namespace bw::detail {
 Result<Design> designFrom(const nlohmann::json& object, int* version = nullptr);
 nlohmann::ordered_json designJson(const Design& design);
 
+/// Degrees that are read as exactly this angle again, where there are such: as any that was read has.
+double degreesThatRead(double angle);
+Eigen::Vector3d degreesThatRead(const Eigen::Vector3d& angles);
+
 void readVariables(ObjectReader& reader, std::vector<Variable>& variables);
 nlohmann::json variablesJson(const std::vector<Variable>& variables);
 void readSurface(ObjectReader& reader, std::optional<DesignedSurface>& surface);  ///< surface

@@ -87,13 +87,54 @@ bool covers(const std::vector<Eigen::Vector2d>& points, const Move& x) {
   return !points.empty() && x.covers(points.front().x(), points.back().x());
 }
 
+/// A chain of cubics whose joints go where `x` puts them. The legs of a cubic grow with it, along and across,
+/// so that two of them stay in line; a cubic over a new block is level at its end.
+std::vector<Eigen::Vector2d> chainMoved(const std::vector<Eigen::Vector2d>& chain, const Move& x) {
+  std::vector<Eigen::Vector2d> joints;
+  for (std::size_t i = 0; i < chain.size(); i += 3) joints.push_back(chain[i]);
+  const std::vector<Eigen::Vector2d> ends =
+      moved<Eigen::Vector2d>(joints, x, [](Eigen::Vector2d& point) -> double& { return point.x(); });
+  std::vector<Eigen::Vector2d> next = {ends.front()};
+  for (std::size_t k = 1; k < ends.size(); ++k) {
+    const double width = ends[k].x() - ends[k - 1].x();
+    Eigen::Vector2d out, back(-width / 3, 0);
+    if (k < joints.size()) {
+      const double grown = width / (joints[k].x() - joints[k - 1].x());
+      out = grown * (chain[3 * k - 2] - joints[k - 1]);
+      back = grown * (chain[3 * k - 1] - joints[k]);
+    } else {
+      const Eigen::Vector2d before = next.back() - next[next.size() - 2];
+      out = width / 3 / before.x() * before;
+    }
+    next.insert(next.end(), {Eigen::Vector2d(ends[k - 1] + out), Eigen::Vector2d(ends[k] + back), ends[k]});
+  }
+  return next;
+}
+
+/// True for cubics whose joints go on along x, and their legs with them.
+bool isChainAlong(const SectionCurve& section) {
+  const std::vector<Eigen::Vector2d>& p = section.points;
+  if (section.kind != SectionCurve::Kind::bezier || p.size() <= 4) return false;
+  for (std::size_t i = 3; i < p.size(); i += 3)
+    if (!(p[i].x() > p[i - 1].x()) || !(p[i].x() > p[i - 3].x())) return false;
+  return true;
+}
+
+void reachOver(BladesSurface& surface, const Move& y) {
+  std::vector<KeyBlade>& blades = surface.blades;
+  if (blades.empty() || !y.covers(blades.front().y, blades.back().y)) return;
+  blades = moved<KeyBlade>(blades, y, [](KeyBlade& blade) -> double& { return blade.y; });
+}
+
 void reachOver(SectionsSurface& surface, const Move& x, const Move& y) {
   std::vector<SectionCurve>& sections = surface.sections;
   const bool whole = !sections.empty() && y.covers(sections.front().y, sections.back().y) &&
                      std::ranges::all_of(sections, [&](const auto& one) { return covers(one.points, x); });
   if (!whole) return;
   for (SectionCurve& section : sections)
-    if (section.kind == SectionCurve::Kind::bezier)
+    if (isChainAlong(section))
+      section.points = chainMoved(section.points, x);
+    else if (section.kind == SectionCurve::Kind::bezier)
       for (Eigen::Vector2d& point : section.points) point.x() = x.stretched(point.x());
     else
       section.points = moved<Eigen::Vector2d>(section.points, x,
@@ -120,6 +161,7 @@ void reachOver(DesignedSurface& surface, const BlockGrid& before, const BlockGri
   if (auto* poles = std::get_if<PolesSurface>(&surface.shape)) reachOver(poles->over, x, y);
   if (auto* formula = std::get_if<FormulaSurface>(&surface.shape)) reachOver(formula->over, x, y);
   if (auto* sections = std::get_if<SectionsSurface>(&surface.shape)) reachOver(*sections, x, y);
+  if (auto* blades = std::get_if<BladesSurface>(&surface.shape)) reachOver(*blades, y);
 }
 
 Result<void> judge(const BlockGrid& grid, std::size_t cutsEach) {

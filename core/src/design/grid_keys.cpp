@@ -102,7 +102,7 @@ void readGrid(ObjectReader& reader, std::optional<BlockGrid>& grid) {
 
 json gridJson(const BlockGrid& grid, const std::function<bool(const std::string&)>& isBound) {
   const auto vector = [](const Eigen::Vector3d& v) { return json::array({v.x(), v.y(), v.z()}); };
-  json object = {{"origin", vector(grid.origin)}, {"rotation_deg", vector(grid.rotation / kDegree)}};
+  json object = {{"origin", vector(grid.origin)}, {"rotation_deg", vector(degreesThatRead(grid.rotation))}};
   const auto lengths = [&](const std::vector<double>& list, const std::string& place) -> json {
     const bool same = std::ranges::all_of(list, [&](double length) { return length == list.front(); });
     if (list.empty()) return 0;

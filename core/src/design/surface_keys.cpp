@@ -115,16 +115,27 @@ void readFormula(ObjectReader& reader, FormulaSurface& surface) {
 void readSection(ObjectReader& reader, SectionCurve& section) {
   reader.need("y", reader.path() + " needs the key y: its place along the travel, mm");
   reader.number("y", section.y, -kFarthest, kFarthest);
-  const json* bezier = reader.member("bezier");
-  const json* spline = reader.member("spline");
-  if (bool(bezier) == bool(spline))
+  const json* list = nullptr;
+  int kinds = 0;
+  for (std::size_t kind = 0; kind < std::size(kSectionKinds); ++kind)
+    if (const json* member = reader.member(kSectionKinds[kind])) {
+      list = member;
+      section.kind = SectionCurve::Kind(kind);
+      ++kinds;
+    }
+  if (kinds != 1)
     return reader.complain("bezier", reader.path() +
-                                         " needs one of the keys bezier (2 to 4 poles) and spline (points "
-                                         "that it goes through), each a list of [x, z] in mm");
-  section.kind = bezier ? SectionCurve::Kind::bezier : SectionCurve::Kind::spline;
-  const std::string key = bezier ? "bezier" : "spline";
-  const json& points = bezier ? *bezier : *spline;
-  const int most = bezier ? 4 : SectionCurve::kMost;
+                                         " needs one of the keys bezier (2 to 4 poles, and 3 more for each "
+                                         "further cubic), spline (points that it goes through) and ducks "
+                                         "(points that an elastic spline slides through), each a list of "
+                                         "[x, z] in mm");
+  const std::string key = kSectionKinds[int(section.kind)];
+  const json& points = *list;
+  const bool bezier = section.kind == SectionCurve::Kind::bezier;
+  if (bezier && points.is_array() && !isBezierCount(points.size()))
+    return reader.complain(key, reader.path() + ".bezier has " + std::to_string(points.size()) +
+                                    " poles but must have 2, 3 or 4, or 3 more for each further cubic");
+  const int most = section.kind == SectionCurve::Kind::ducks ? SectionCurve::kMostDucks : SectionCurve::kMost;
   if (!points.is_array() || points.size() < 2 || points.size() > std::size_t(most))
     return reader.complain(key, reader.path() + "." + key + " must be a list of 2 to " +
                                     std::to_string(most) + " points [x, z]");
@@ -150,6 +161,40 @@ void readSections(ObjectReader& reader, SectionsSurface& surface) {
     if (i > 0 && !(surface.sections[i].y > surface.sections[i - 1].y))
       return reader.complain("sections", inner.path() + ".y must lie beyond that of the section before it",
                              surface.sections[i].y, surface.sections[i - 1].y);
+  }
+}
+
+void readBlade(ObjectReader& reader, KeyBlade& blade) {
+  for (const char* key : {"y", "middle", "length_mm"})
+    reader.need(key, reader.path() + " needs the key " + key);
+  reader.number("y", blade.y, -kFarthest, kFarthest);
+  if (const json* middle = reader.member("middle"))
+    readPair(reader, "middle", "middle", *middle, "[x, z] in mm", blade.middle);
+  double degrees = 0;
+  reader.number("angle_deg", degrees, -3600, 3600);
+  blade.angle = degrees * kDegree;
+  reader.number("length_mm", blade.length, 1e-3, kFarthest);
+  reader.number("bend", blade.bend, -KeyBlade::kMostBend, KeyBlade::kMostBend);
+  if (const json* force = reader.member("force"))
+    readPair(reader, "force", "force", *force, "[along, across] times the length squared", blade.force);
+  if (blade.force.norm() > KeyBlade::kMostForce)
+    reader.complain("force", reader.path() + ".force is too large", blade.force.norm(), KeyBlade::kMostForce);
+}
+
+void readBlades(ObjectReader& reader, BladesSurface& surface) {
+  reader.need("blades", reader.path() + " needs the key blades: a list of key blades along the travel");
+  const json* list = reader.member("blades");
+  if (!list) return;
+  if (!list->is_array() || list->size() < 2 || list->size() > std::size_t(BladesSurface::kMost))
+    return reader.complain("blades", reader.path() + ".blades must be a list of 2 to " +
+                                         std::to_string(BladesSurface::kMost) + " key blades");
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    ObjectReader inner((*list)[i], reader.path() + "." + entryName("blades", i), reader.scope());
+    readBlade(inner, surface.blades.emplace_back());
+    if (!reader.adopt(inner.finish())) return;
+    if (i > 0 && !(surface.blades[i].y > surface.blades[i - 1].y))
+      return reader.complain("blades", inner.path() + ".y must lie beyond that of the blade before it",
+                             surface.blades[i].y, surface.blades[i - 1].y);
   }
 }
 
@@ -203,10 +248,21 @@ void write(const SectionsSurface& surface, json& object, const IsBound&) {
   for (const SectionCurve& section : surface.sections) {
     json points = json::array();
     for (const Eigen::Vector2d& point : section.points) points.push_back(pairJson(point));
-    list.push_back({{"y", section.y},
-                    {section.kind == SectionCurve::Kind::bezier ? "bezier" : "spline", std::move(points)}});
+    list.push_back({{"y", section.y}, {kSectionKinds[int(section.kind)], std::move(points)}});
   }
   object["sections"] = std::move(list);
+}
+
+void write(const BladesSurface& surface, json& object, const IsBound&) {
+  json list = json::array();
+  for (const KeyBlade& blade : surface.blades)
+    list.push_back({{"y", blade.y},
+                    {"middle", pairJson(blade.middle)},
+                    {"angle_deg", degreesThatRead(blade.angle)},
+                    {"length_mm", blade.length},
+                    {"bend", blade.bend},
+                    {"force", pairJson(blade.force)}});
+  object["blades"] = std::move(list);
 }
 
 }  // namespace
@@ -215,13 +271,14 @@ void readSurface(ObjectReader& reader, std::optional<DesignedSurface>& surface) 
   const json* value = reader.member("surface");
   if (!value) return;
   ObjectReader inner(*value, reader.path() + ".surface", reader.scope());
-  inner.need("type", inner.path() + " needs the key type: poles, formula or sections");
+  inner.need("type", inner.path() + " needs the key type: poles, formula, sections or blades");
   int kind = -1;
   inner.word("type", {std::begin(kShapeKinds), std::end(kShapeKinds)}, kind);
   DesignedSurface read;
   if (kind == 0) readPoles(inner, std::get<PolesSurface>(read.shape));
   if (kind == 1) readFormula(inner, read.shape.emplace<FormulaSurface>());
   if (kind == 2) readSections(inner, read.shape.emplace<SectionsSurface>());
+  if (kind == 3) readBlades(inner, read.shape.emplace<BladesSurface>());
   readFrame(inner, read);
   if (kind < 0 || !reader.adopt(inner.finish())) {
     reader.adopt(inner.finish());
@@ -235,7 +292,8 @@ json surfaceJson(const DesignedSurface& surface, const IsBound& isBound) {
   std::visit([&](const auto& shape) { write(shape, object, isBound); }, surface.shape);
   if (!surface.origin.isZero(0) || !surface.rotation.isZero(0) || isBound("/frame/")) {
     const auto list = [](const Eigen::Vector3d& v) { return json::array({v.x(), v.y(), v.z()}); };
-    object["frame"] = {{"origin", list(surface.origin)}, {"rotation_deg", list(surface.rotation / kDegree)}};
+    object["frame"] = {{"origin", list(surface.origin)},
+                       {"rotation_deg", list(degreesThatRead(surface.rotation))}};
   }
   return object;
 }

@@ -50,7 +50,9 @@ std::string shapeText(const DesignedSurface& surface) {
   if (const auto* poles = std::get_if<PolesSurface>(&surface.shape))
     return "poles " + std::to_string(poles->columns) + " × " + std::to_string(poles->rows);
   if (const auto* graph = std::get_if<FormulaSurface>(&surface.shape)) return "formula z = " + graph->formula;
-  return "loft of " + std::to_string(std::get<SectionsSurface>(surface.shape).sections.size()) + " sections";
+  if (const auto* loft = std::get_if<SectionsSurface>(&surface.shape))
+    return "loft of " + std::to_string(loft->sections.size()) + " sections";
+  return std::to_string(std::get<BladesSurface>(surface.shape).blades.size()) + " key blades";
 }
 
 Result<SplineSurface> splineOf(const DesignedSurface& surface) {

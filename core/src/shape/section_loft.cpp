@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
+#include "bw/core/base/units.h"
 #include "bw/core/constructions/spline_constructions.h"
 #include "bw/core/text/number_text.h"
 #include "shape/shapes.h"
@@ -16,6 +18,8 @@ constexpr int kDegree = 3;
 constexpr double kSameKnot = 1e-9;          // of the length of a curve
 constexpr std::size_t kMostPoles = 40'000;  // of the loft
 constexpr int kProbes = 32;                 // of the travel in each span
+constexpr double kDuckTolerance = 0.001;    // mm between an elastic spline and the cubic one
+constexpr int kMostParts = 64;              // between two ducks
 
 using Points = std::vector<Eigen::Vector2d>;
 
@@ -29,23 +33,85 @@ std::string nameOf(std::size_t section, const SectionCurve& curve) {
   return "section " + std::to_string(section + 1) + " (y = " + shortText(curve.y, 6) + ")";
 }
 
+Result<Cubic> splineThrough(const Points& points) {
+  const Result<PlanarCurve> spline = cubicSplineThrough(points);
+  if (!spline) return tl::unexpected<Error>(spline.error());
+  Cubic cubic{spline->knots(), spline->poles()};
+  const double length = cubic.knots.back();
+  for (double& knot : cubic.knots) knot /= length;
+  return cubic;
+}
+
+/// The elastic spline by a cubic one through more and more places of it: its ends have no curvature either.
+Result<Cubic> elasticSpline(const Points& ducks) {
+  const Result<DuckSpline> spline = splineThroughDucks(ducks);
+  if (!spline) return tl::unexpected<Error>(spline.error());
+  if (!spline->stable)
+    return fail(ErrorCode::noSolution,
+                "the spline does not rest between its ducks; move them so that it turns less", "sections");
+  for (int parts = 4;; parts *= 2) {
+    Points places, middles;
+    for (const Elastica& piece : spline->pieces) {
+      const Points all = piece.sample(2 * parts + 1);
+      for (std::size_t i = 0; i + 1 < all.size(); ++i) (i % 2 == 0 ? places : middles).push_back(all[i]);
+    }
+    places.push_back(ducks.back());
+    const Result<PlanarCurve> through = cubicSplineThrough(places);
+    if (!through) return tl::unexpected<Error>(through.error());
+    double miss = 0;
+    for (std::size_t i = 0; i < middles.size(); ++i) {
+      const double t = through->knots()[i + std::size_t(kDegree)], next = through->knots()[i + kDegree + 1];
+      miss = std::max(
+          miss, (through->value(through->nearestParameter(middles[i], (t + next) / 2)) - middles[i]).norm());
+    }
+    if (miss <= kDuckTolerance || parts == kMostParts) return splineThrough(places);
+  }
+}
+
+/// Cubics in a chain as one spline: where two of them meet it has a double knot, so placed that the spans
+/// are as long as the legs on both sides, and no pole.
+Result<Cubic> chainOf(const Points& p) {
+  const std::size_t pieces = (p.size() - 1) / 3;
+  std::vector<double> ends = {0, 1};
+  for (std::size_t k = 1; k < pieces; ++k) {
+    const Eigen::Vector2d before = p[3 * k] - p[3 * k - 1], after = p[3 * k + 1] - p[3 * k];
+    if (!(before.norm() > 0) || !(after.norm() > 0))
+      return fail(ErrorCode::badInput,
+                  "the cubics that meet at pole " + std::to_string(3 * k + 1) +
+                      " have no tangent there; move a pole next to it away from it",
+                  "sections");
+    const double kink =
+        std::abs(std::atan2(before.x() * after.y() - before.y() * after.x(), before.dot(after)));
+    if (kink > SectionCurve::kLine)
+      return fail(ErrorCode::badInput,
+                  "the cubics that meet at pole " + std::to_string(3 * k + 1) + " make a kink of " +
+                      shortText(toDegrees(kink)) + "°; put the poles on both sides of it in line with it",
+                  "sections", toDegrees(kink), toDegrees(SectionCurve::kLine));
+    ends.push_back(ends.back() + (ends[k] - ends[k - 1]) * after.norm() / before.norm());
+  }
+  Cubic cubic{{0, 0, 0, 0}, {p[0]}};
+  for (std::size_t k = 1; k <= pieces; ++k) {
+    const double end = k == pieces ? 1 : ends[k] / ends.back();
+    cubic.knots.insert(cubic.knots.end(), k == pieces ? 4 : 2, end);
+    cubic.poles.push_back(p[3 * k - 2]);
+    cubic.poles.push_back(p[3 * k - 1]);
+  }
+  cubic.poles.push_back(p.back());
+  return cubic;
+}
+
 Result<Cubic> cubicOf(const SectionCurve& curve) {
   const Points& p = curve.points;
-  if (curve.kind == SectionCurve::Kind::spline) {
-    const Result<PlanarCurve> spline = cubicSplineThrough(p);
-    if (!spline) return tl::unexpected<Error>(spline.error());
-    Cubic cubic{spline->knots(), spline->poles()};
-    const double length = cubic.knots.back();
-    for (double& knot : cubic.knots) knot /= length;
-    return cubic;
-  }
+  if (curve.kind == SectionCurve::Kind::spline) return splineThrough(p);
+  if (curve.kind == SectionCurve::Kind::ducks) return elasticSpline(p);
+  if (p.size() > kDegree + 1) return chainOf(p);
   Cubic cubic{{0, 0, 0, 0, 1, 1, 1, 1}, p};
   if (p.size() == 2) cubic.poles = {p[0], (2 * p[0] + p[1]) / 3, (p[0] + 2 * p[1]) / 3, p[1]};
   if (p.size() == 3) cubic.poles = {p[0], (p[0] + 2 * p[1]) / 3, (2 * p[1] + p[2]) / 3, p[2]};
   return cubic;
 }
 
-/// Boehm's insertion of a knot that the curve has not.
+/// Boehm's insertion of a knot.
 void insert(Cubic& cubic, double t) {
   const auto above = std::upper_bound(cubic.knots.begin(), cubic.knots.end(), t);
   const std::size_t span = std::size_t(above - cubic.knots.begin()) - 1;
@@ -60,7 +126,8 @@ void insert(Cubic& cubic, double t) {
   cubic.poles = std::move(poles);
 }
 
-/// Gives all curves the inner knots of each. Those that are the same but for rounding are made one.
+/// Gives all curves the inner knots of each, as often as the one that has them most often. Those that are the
+/// same but for rounding are made one.
 Result<void> unite(std::vector<Cubic>& curves) {
   std::vector<double> all;
   for (const Cubic& curve : curves)
@@ -68,22 +135,27 @@ Result<void> unite(std::vector<Cubic>& curves) {
   std::ranges::sort(all);
   const auto same = [](double a, double b) { return b - a <= kSameKnot; };
   all.erase(std::unique(all.begin(), all.end(), same), all.end());
-  if ((all.size() + 2) * curves.size() > kMostPoles)
+  std::vector<std::ptrdiff_t> times(all.size(), 1);
+  for (Cubic& curve : curves) {
+    for (std::size_t i = kDegree; i + kDegree < curve.knots.size(); ++i)
+      curve.knots[i] = *std::ranges::lower_bound(all, curve.knots[i] - kSameKnot);
+    for (std::size_t k = 1; k + 1 < all.size(); ++k)
+      times[k] = std::max(times[k], std::ranges::count(curve.knots, all[k]));
+  }
+  const std::size_t poles =
+      std::size_t(std::accumulate(times.begin(), times.end(), std::ptrdiff_t(0))) + kDegree - 1;
+  if (poles * curves.size() > kMostPoles)
     return fail(
         ErrorCode::badInput,
-        "the loft would have " + std::to_string((all.size() + 2) * curves.size()) +
+        "the loft would have " + std::to_string(poles * curves.size()) +
             " poles, since its sections have their points at different shares of their length; use fewer "
             "points or sections (" +
             std::to_string(kMostPoles) + " poles are taken)",
-        "sections", double((all.size() + 2) * curves.size()), double(kMostPoles));
-  for (Cubic& curve : curves) {
-    for (std::size_t i = kDegree; i + kDegree < curve.knots.size(); ++i) {
-      const auto near = std::ranges::lower_bound(all, curve.knots[i] - kSameKnot);
-      curve.knots[i] = *near;
-    }
-    for (const double knot : all)
-      if (!std::ranges::binary_search(curve.knots, knot)) insert(curve, knot);
-  }
+        "sections", double(poles * curves.size()), double(kMostPoles));
+  for (Cubic& curve : curves)
+    for (std::size_t k = 1; k + 1 < all.size(); ++k)
+      for (std::ptrdiff_t has = std::ranges::count(curve.knots, all[k]); has < times[k]; ++has)
+        insert(curve, all[k]);
   return {};
 }
 
@@ -106,12 +178,19 @@ Result<void> check(const SectionsSurface& surface) {
                   curve.y, surface.sections[i - 1].y);
     const bool bezier = curve.kind == SectionCurve::Kind::bezier;
     const std::size_t points = curve.points.size();
-    const std::size_t most = bezier ? kDegree + 1 : std::size_t(SectionCurve::kMost);
+    if (bezier && !isBezierCount(points))
+      return fail(ErrorCode::badInput,
+                  name + " is a Bézier curve of " + std::to_string(points) +
+                      (points == 1 ? " pole" : " poles") +
+                      "; it takes 2, 3 or 4, or 3 more for each further cubic, " +
+                      std::to_string(SectionCurve::kMost) + " at most",
+                  "sections", double(points), double(SectionCurve::kMost));
+    const std::size_t most =
+        std::size_t(curve.kind == SectionCurve::Kind::ducks ? SectionCurve::kMostDucks : SectionCurve::kMost);
     if (points < 2 || points > most)
       return fail(ErrorCode::badInput,
-                  name + (bezier ? " is a Bézier curve of " : " is a spline through ") +
-                      std::to_string(points) + (points == 1 ? " point" : " points") + "; it takes 2 to " +
-                      std::to_string(most),
+                  name + " is a spline through " + std::to_string(points) +
+                      (points == 1 ? " point" : " points") + "; it takes 2 to " + std::to_string(most),
                   "sections", double(points), points < 2 ? 2.0 : double(most));
     if (!(curve.points.front() - curve.points.back()).norm() && bezier && points < 4)
       return fail(ErrorCode::badInput, name + " ends where it begins", "sections");
@@ -193,3 +272,24 @@ Result<SplineSurface> splineOf(const SectionsSurface& surface) {
 }
 
 }  // namespace bw::shape
+
+namespace bw {
+
+void moveBezierPole(std::vector<Eigen::Vector2d>& poles, std::size_t pole, const Eigen::Vector2d& to) {
+  const Eigen::Vector2d by = to - poles[pole];
+  poles[pole] = to;
+  const std::size_t last = poles.size() - 1;
+  if (last < 3) return;
+  if (pole % 3 == 0) {
+    if (pole > 0) poles[pole - 1] += by;
+    if (pole < last) poles[pole + 1] += by;
+    return;
+  }
+  const std::size_t joint = pole % 3 == 1 ? pole - 1 : pole + 1;
+  if (joint == 0 || joint == last) return;
+  const Eigen::Vector2d leg = poles[joint] - to;
+  Eigen::Vector2d& beyond = poles[2 * joint - pole];
+  if (leg.norm() > 0) beyond = poles[joint] + leg.normalized() * (beyond - poles[joint]).norm();
+}
+
+}  // namespace bw

@@ -13,6 +13,7 @@ namespace bw::shape {
 Result<SplineSurface> splineOf(const PolesSurface& surface);
 Result<SplineSurface> splineOf(const FormulaSurface& surface);
 Result<SplineSurface> splineOf(const SectionsSurface& surface);
+Result<SplineSurface> splineOf(const BladesSurface& surface);
 
 Result<void> checkRectangle(const Rectangle& rectangle);
 

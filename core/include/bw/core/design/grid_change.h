@@ -23,8 +23,9 @@ BlockGrid withCount(BlockGrid grid, std::size_t way, int count, bool divided);
 /// The design with its blocks laid out by `grid` in place of `before`. Blocks that stay keep their cuts;
 /// others get those of the block `like`; a grid of one block is a block of its own. Designed surfaces that
 /// were told over the whole of `before` as seen from above are told over the whole of `grid`: the rectangle
-/// of poles and formulas is another, points of sections stay on the boundaries of the blocks on which they
-/// lie, those beyond the last go, and new boundaries get points as high as the last. Error
+/// of poles and formulas is another, points of sections and joints of their cubics stay on the boundaries of
+/// the blocks on which they lie, as key blades do, those beyond the last go, and new boundaries get such as
+/// high as the last. Error
 /// `badInput`: more blocks or cuts than a design may have, or a block that is no block.
 Result<Design> withGrid(const Design& design, const BlockGrid& before, const BlockGrid& grid,
                         const std::string& like);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bw/core/base/result.h"
+#include "bw/core/shape/key_blades.h"
 #include "bw/core/surface/spline_surface.h"
 #include "bw/core/text/expression.h"
 
@@ -62,14 +63,31 @@ struct SectionCurve {
   static constexpr int kMost = 200;  ///< points
 
   enum class Kind {
-    bezier,  ///< the points are its poles, two to four
-    spline   ///< the cubic spline through the points, without curvature at its ends
+    bezier,  ///< the points are the poles of cubics, each from where the one before it ends, or two or three
+    spline,  ///< the cubic spline through the points, without curvature at its ends
+    ducks    ///< the elastic spline that slides through the points, its ends free to turn
   };
+  static constexpr int kMostDucks = 50;
+  static constexpr double kLine = 1e-4;  ///< rad by which the legs at a joint of cubics may not be in line
   double y = 0;
   Kind kind = Kind::bezier;
   std::vector<Eigen::Vector2d> points = {};  ///< (x, z)
   bool operator==(const SectionCurve&) const = default;
 };
+
+/// The words of the kinds in files, by value: the keys of their points.
+inline constexpr const char* kSectionKinds[] = {"bezier", "spline", "ducks"};
+
+/// True for the numbers of poles that a Bézier curve or a chain of cubics has: 2, 3, 4, 7, 10, …
+constexpr bool isBezierCount(std::size_t points) {
+  return points == 2 || points == 3 ||
+         (points >= 4 && points % 3 == 1 && points <= std::size_t(SectionCurve::kMost));
+}
+
+/// Moves a pole of a Bézier curve or chain so that cubics still meet with one tangent: a joint takes the legs
+/// on both sides with it, and where the end of a leg is moved, the leg beyond the joint turns with it and
+/// keeps its length.
+void moveBezierPole(std::vector<Eigen::Vector2d>& poles, std::size_t pole, const Eigen::Vector2d& to);
 
 /// How far apart the parameters of neighbouring sections of a loft lie.
 enum class LoftSpacing {
@@ -88,9 +106,9 @@ struct SectionsSurface {
   bool operator==(const SectionsSurface&) const = default;
 };
 
-using SurfaceShape = std::variant<PolesSurface, FormulaSurface, SectionsSurface>;
+using SurfaceShape = std::variant<PolesSurface, FormulaSurface, SectionsSurface, BladesSurface>;
 /// The words of the kinds in files, in their order in `SurfaceShape`.
-inline constexpr const char* kShapeKinds[] = {"poles", "formula", "sections"};
+inline constexpr const char* kShapeKinds[] = {"poles", "formula", "sections", "blades"};
 
 /// A surface that is designed, and where its frame lies in that of the design.
 struct DesignedSurface {
@@ -101,15 +119,17 @@ struct DesignedSurface {
   bool operator==(const DesignedSurface&) const = default;
 };
 
-/// What it is in a few words: "poles 4 × 6", "formula z = x*y/4000", "loft of 3 sections".
+/// What it is in a few words: "poles 4 × 6", "formula z = x*y/4000", "loft of 3 sections",
+/// "4 key blades".
 std::string shapeText(const DesignedSurface& surface);
 
-/// The surface as a spline in the design's frame: exact for poles and sections, within `FormulaSurface::
-/// kTolerance` for a formula, held at twelve places and more of each of its spans (docs/mathematics.md,
-/// Designed surfaces). Errors, `badInput` with what to do: numbers that are not finite or make no surface;
-/// sections whose loft runs backwards; a formula that has no finite value somewhere (`noSolution`, with the
-/// place), or that no spline comes near to, with the place and the distance. Takes some µs for poles and
-/// sections.
+/// The surface as a spline in the design's frame: exact for poles and sections, but for sections by ducks,
+/// which are held within 0.001 mm; within `kTolerance` for a formula and for blades, held at twelve places
+/// and more of each of its spans (docs/mathematics.md, Designed surfaces). Errors, `badInput` with what to
+/// do: numbers that are not finite or make no surface; sections whose loft runs backwards, or whose cubics
+/// meet in a kink; a formula that has no finite value somewhere (`noSolution`, with the place); a formula or
+/// blades that no spline comes near to, with the place and the distance; ducks that no elastic spline slides
+/// through (`noSolution`). Takes some µs for poles and sections.
 Result<SplineSurface> splineOf(const DesignedSurface& surface);
 
 }  // namespace bw

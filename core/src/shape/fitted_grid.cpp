@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "shape/fitted_grid.h"
+
+#include <algorithm>
+#include <array>
+
+#include "shape/shapes.h"
+
+namespace bw::shape {
+
+namespace {
+
+constexpr int kDegree = 3;
+/// Where in a span the spline is held against the surface: parts that are not even, so that no wave that the
+/// places miss is missed here too.
+constexpr std::array<double, 3> kShares = {0.2113, 0.5, 0.7887};
+
+/// How far the spline lies from the surface at most, and where.
+struct Miss {
+  double distance = 0;
+  Eigen::Vector2d place = Eigen::Vector2d::Zero();
+  void take(double found, double u, double y) {
+    if (!(found > distance)) return;
+    distance = found;
+    place = {u, y};
+  }
+};
+
+/// What the spline misses between its places: along u on its rows, along y on its columns, and in all.
+struct Misses {
+  Miss alongU, alongY, all;
+};
+
+Result<SplineSurface> through(const RowOf& rowOf, const std::vector<double>& u,
+                              const std::vector<double>& y) {
+  const std::size_t columns = u.size(), rows = y.size();
+  std::vector<Eigen::Vector2d> points(columns * rows);
+  for (std::size_t j = 0; j < rows; ++j)
+    if (Result<void> ok = rowOf(y[j], u, std::span(points).subspan(j * columns, columns)); !ok)
+      return tl::unexpected<Error>(ok.error());
+  const SplineInterpolation alongU(u, kDegree), alongY(y, kDegree);
+  std::vector<double> atY = y;
+  alongY.solve(atY.data(), 1);
+  for (std::size_t j = 0; j < rows; ++j) alongU.solve(&points[j * columns], 1);
+  for (std::size_t i = 0; i < columns; ++i) alongY.solve(&points[i], columns);
+  SplineSurface spline{kDegree, kDegree, alongU.knots(), alongY.knots(), int(columns), int(rows), {}};
+  spline.poles.reserve(points.size());
+  for (std::size_t j = 0; j < rows; ++j)
+    for (std::size_t i = 0; i < columns; ++i) {
+      const Eigen::Vector2d& p = points[j * columns + i];
+      spline.poles.emplace_back(p.x(), atY[j], p.y());
+    }
+  return spline;
+}
+
+/// The values of all basis functions at each of some parameters.
+struct Basis {
+  std::vector<int> first;
+  std::vector<std::array<double, 4>> values;
+  Basis(const std::vector<double>& knots, const std::vector<double>& at) {
+    const int poles = int(knots.size()) - kDegree - 1;
+    for (const double t : at) {
+      const auto above = std::upper_bound(knots.begin() + kDegree, knots.begin() + poles, t);
+      const int span = int(above - knots.begin()) - 1;
+      first.push_back(span - kDegree);
+      values.push_back(splineBasis(knots, kDegree, span, t));
+    }
+  }
+};
+
+/// The places and those between them, where the place `k` has the index k (1 + kShares.size()).
+std::vector<double> between(const std::vector<double>& places) {
+  std::vector<double> all;
+  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+    all.push_back(places[i]);
+    for (const double share : kShares) all.push_back(places[i] + share * (places[i + 1] - places[i]));
+  }
+  all.push_back(places.back());
+  return all;
+}
+
+Result<Misses> compare(const RowOf& rowOf, const SplineSurface& spline, const std::vector<double>& u,
+                       const std::vector<double>& y) {
+  constexpr std::size_t kStep = 1 + kShares.size();
+  const std::vector<double> manyU = between(u), manyY = between(y);
+  const Basis basisU(spline.knotsU, manyU), basisY(spline.knotsV, manyY);
+  Misses misses;
+  std::vector<Eigen::Vector2d> row(std::size_t(spline.polesU)), points(manyU.size());
+  for (std::size_t j = 0; j < manyY.size(); ++j) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      row[i].setZero();
+      for (std::size_t k = 0; k <= kDegree; ++k) {
+        const Eigen::Vector3d& pole = spline.poles[(std::size_t(basisY.first[j]) + k) * row.size() + i];
+        row[i] += basisY.values[j][k] * Eigen::Vector2d(pole.x(), pole.z());
+      }
+    }
+    if (Result<void> ok = rowOf(manyY[j], manyU, points); !ok) return tl::unexpected<Error>(ok.error());
+    for (std::size_t i = 0; i < manyU.size(); ++i) {
+      Eigen::Vector2d own = Eigen::Vector2d::Zero();
+      for (std::size_t k = 0; k <= kDegree; ++k)
+        own += basisU.values[i][k] * row[std::size_t(basisU.first[i]) + k];
+      const double distance = (own - points[i]).norm();
+      const bool onRow = j % kStep == 0, onColumn = i % kStep == 0;
+      if (onRow && onColumn) continue;
+      misses.all.take(distance, manyU[i], manyY[j]);
+      if (onRow) misses.alongU.take(distance, manyU[i], manyY[j]);
+      if (onColumn) misses.alongY.take(distance, manyU[i], manyY[j]);
+    }
+  }
+  return misses;
+}
+
+}  // namespace
+
+std::vector<double> Places::all() const {
+  std::vector<double> places;
+  for (std::size_t k = 0; k + 1 < breaks.size(); ++k)
+    for (int i = 0; i < parts; ++i) places.push_back(breaks[k] + (breaks[k + 1] - breaks[k]) * i / parts);
+  places.push_back(breaks.back());
+  return places;
+}
+
+Result<FittedGrid> fittedGrid(const RowOf& rowOf, Places u, Places y, double tolerance, int most) {
+  const auto spent = [most](const Places& places) {
+    return (places.breaks.size() - 1) * std::size_t(places.parts) * 2 + 1 > std::size_t(most);
+  };
+  for (;;) {
+    const std::vector<double> atU = u.all(), atY = y.all();
+    Result<SplineSurface> spline = through(rowOf, atU, atY);
+    if (!spline) return tl::unexpected<Error>(spline.error());
+    const Result<Misses> misses = compare(rowOf, *spline, atU, atY);
+    if (!misses) return tl::unexpected<Error>(misses.error());
+    // Both ways where neither alone tells: what is left over is of both.
+    const bool neither = std::max(misses->alongU.distance, misses->alongY.distance) <= tolerance / 2;
+    const bool finerU = neither || misses->alongU.distance > tolerance / 2;
+    const bool finerY = neither || misses->alongY.distance > tolerance / 2;
+    if (misses->all.distance <= tolerance || (finerU && spent(u)) || (finerY && spent(y)))
+      return FittedGrid{std::move(*spline), misses->all.distance, misses->all.place};
+    if (finerU) u.parts *= 2;
+    if (finerY) y.parts *= 2;
+  }
+}
+
+}  // namespace bw::shape
