@@ -11,11 +11,13 @@
 #include "bw/core/design/design.h"
 #include "bw/core/sweep/maps.h"
 #include "bw/core/text/number_text.h"
+#include "bw/core/text/printable.h"
 #include "bw/geometry/export.h"
 #include "bw/pipeline/example_design.h"
 #include "bw/pipeline/overall.h"
 #include "bw/pipeline/run_identity.h"
 #include "bw/pipeline/scene_content.h"
+#include "file_watch.h"
 #include "sets.h"
 #include "verbs.h"
 
@@ -78,21 +80,26 @@ struct ResultOptions {
   std::string file, job, out;
   bool despiteErrors = false;
   std::vector<std::string> sets;  ///< name=value
+  bool watch = false;
 };
 
-int writeResults(const Session& session, const Design& design, const ResultOptions& options,
-                 int threads = 0) {
+/// Writes the results of a design. Those of `before`, if it is not null, are used again as far as they hold;
+/// it becomes this one.
+int writeResults(const Session& session, const Design& design, const ResultOptions& options, int threads = 0,
+                 pipeline::Evaluation* before = nullptr) {
   RunContext context = session.context();
   if (context.threads == 0) context.threads = threads;
-  const pipeline::Product product =
-      pipeline::produce(design, options.out, {.despiteErrors = options.despiteErrors}, context);
+  pipeline::Product product =
+      pipeline::produce(design, options.out, {.despiteErrors = options.despiteErrors}, context, before);
   session.tell(product.findings());
   if (product.error) return session.complain(*product.error);
   const fs::path source = design.source().bytes.empty() ? design.source().path : fs::path();
   if (Result<void> ok = session.writeFiles(product.files, options.out, source, product.seen); !ok)
     return session.complain(ok.error());
   tellSummary(product.evaluation);
-  return product.status();
+  const int status = product.status();
+  if (before) *before = std::move(product.evaluation);
+  return status;
 }
 
 int runRationalize(const Session& session, const ResultOptions& options) {
@@ -107,7 +114,36 @@ int runRationalize(const Session& session, const ResultOptions& options) {
   return writeResults(session, *design, options, threads);
 }
 
+/// Writes the results, and again whenever the design or a CAD file that it links was saved, until it is
+/// stopped. What cannot be read or made is told, and the next change is waited for.
+int watchDesign(const Session& session, const ResultOptions& options) {
+  if (pipeline::sameFile(fs::path(options.out) / kDesignFile, options.file))
+    return session.complain({ErrorCode::badInput,
+                             options.file + " is written anew with the results, which would never end; give "
+                                            "--out another folder",
+                             "out"});
+  pipeline::Evaluation before;
+  while (!session.stop.stop_requested()) {
+    FileWatch watch;
+    watch.add(options.file);
+    Result<Design> design = session.openDesign(options.file);
+    if (design) design = withSets(*design, options.sets);
+    if (design) {
+      for (const Source& source : design->sources)
+        if (source.bytes.empty() && !source.path.empty()) watch.add(source.path);
+      writeResults(session, *design, options, 0, &before);
+    } else {
+      session.complain(design.error());
+    }
+    if (session.stop.stop_requested()) break;
+    std::cerr << "watching " << printable(watch.names()) << "; Ctrl-C ends it\n";
+    if (watch.awaitChange(session.stop)) std::cerr << "\nchanged; once more\n";
+  }
+  return kInterrupted;
+}
+
 int runDesign(const Session& session, const ResultOptions& options) {
+  if (options.watch) return watchDesign(session, options);
   Result<Design> design = session.openDesign(options.file);
   if (design) design = withSets(*design, options.sets);
   return design ? writeResults(session, *design, options) : session.complain(design.error());
@@ -230,9 +266,12 @@ void addSurfaceVerbs(CLI::App& app, const Session& session, Work& work) {
     verb->add_option("--set", options->sets, "Give a variable of the design another value; repeatable")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
+    verb->add_flag("--watch", options->watch,
+                   "Write the results again whenever the design or a CAD file that it links is saved");
     addDespiteErrors(*verb, options->despiteErrors);
     verb->footer(
         "Example:\n  blade design panel.bladewright --out out/panel\n"
+        "  blade design panel.bladewright --out out/panel --watch\n"
         "  blade design ripple.bladewright --out out/ripple --set amplitude=25 --set waves=1.5");
     onChosen(*verb, session, work, options, runDesign);
   }

@@ -3,6 +3,7 @@
 //
 // A surface that is designed in the window: its kind, its numbers, its formula, the variables.
 
+#include "bw/core/base/units.h"
 #include "controls/fields.h"
 #include "window_fixture.h"
 #include "workflow/surface_fields.h"
@@ -143,6 +144,77 @@ TEST_F(DesignStep, AnotherKindBeginsNearTheOneBefore) {
   bench().document().undoStack().setIndex(0);
   ASSERT_TRUE(settle());
   EXPECT_EQ(bench().design().source().surface->shape.index(), 2u);
+}
+
+TEST_F(DesignStep, KeyBladesAreTypedAddedAndTakenAway) {
+  open("key-blade-fan");
+  const Design before = bench().design();
+  EXPECT_EQ(find<ChoiceField>("Surface")->currentIndex(), 3);
+  EXPECT_NEAR(find<NumberField>("Lean of key blade 1")->value(), -7, 1e-9) << "in degrees";
+  picture("design-key-blades");
+  type<NumberField>("Lean of key blade 1", "-4");
+  EXPECT_NEAR(shape<BladesSurface>().blades[0].angle, -4 * kDegree, 1e-12);
+  type<NumberField>("Bend of key blade 2", "-0,75");
+  EXPECT_EQ(shape<BladesSurface>().blades[1].bend, -0.75);
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(bench().current());
+  // One more changes nothing of the surface but that it can be changed there.
+  const auto height = [&] { return bench().newestTarget()->bounds().max.z(); };
+  const double high = height();
+  auto* add = find<QPushButton>("Add a key blade after 2");
+  ASSERT_TRUE(add);
+  add->click();
+  ASSERT_TRUE(settle());
+  ASSERT_EQ(shape<BladesSurface>().blades.size(), 5u);
+  EXPECT_EQ(shape<BladesSurface>().blades[2].y, 405);
+  EXPECT_NEAR(height(), high, 0.02);
+  find<QPushButton>("Remove key blade 5")->click();
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(shape<BladesSurface>().blades.size(), 4u);
+  EXPECT_FALSE(find<QPushButton>("Add a key blade after 4")->isEnabled());
+  bench().document().undoStack().setIndex(0);
+  EXPECT_EQ(bench().design(), before);
+}
+
+TEST_F(DesignStep, ASurfaceBecomesKeyBladesAndTheResultTheDesign) {
+  open("bump");
+  emit find<ChoiceField>("Surface")->activated(3);
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(bench().current());
+  EXPECT_LT(shape<BladesSurface>().blades.size(), 14u);
+  bench().document().undoStack().undo();
+  ASSERT_TRUE(settle());
+  for (const char* command : {"design.keys", "design.adopt"}) {
+    ASSERT_TRUE(window().commands()[command]->isEnabled()) << command;
+    window().commands()[command]->trigger();
+    ASSERT_TRUE(settle());
+    ASSERT_TRUE(bench().current()) << command;
+    EXPECT_TRUE(std::holds_alternative<BladesSurface>(bench().design().source().surface->shape));
+    picture(command);
+    bench().document().undoStack().undo();
+    ASSERT_TRUE(settle());
+  }
+  EXPECT_TRUE(std::holds_alternative<PolesSurface>(bench().design().source().surface->shape));
+}
+
+TEST_F(DesignStep, TheCurveOfASectionIsChosen) {
+  open("three-block-wall");
+  auto* curve = find<ChoiceField>("Curve of section 1");
+  ASSERT_TRUE(curve);
+  EXPECT_EQ(curve->currentIndex(), 1);
+  const std::vector<Eigen::Vector2d> points = shape<SectionsSurface>().sections[0].points;
+  emit curve->activated(0);
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(bench().current());
+  const std::vector<Eigen::Vector2d> poles = shape<SectionsSurface>().sections[0].points;
+  ASSERT_EQ(poles.size(), 3 * (points.size() - 1) + 1);
+  for (std::size_t i = 0; i < points.size(); ++i) EXPECT_EQ(poles[3 * i], points[i]);
+  picture("design-chain");
+  emit find<ChoiceField>("Curve of section 1")->activated(2);
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(bench().current());
+  EXPECT_EQ(shape<SectionsSurface>().sections[0].points, points);
+  EXPECT_EQ(find<ChoiceField>("Curve of section 1")->currentIndex(), 2);
 }
 
 TEST_F(DesignStep, ABoundNumberTellsItsExpressionAndIsFreedByTyping) {

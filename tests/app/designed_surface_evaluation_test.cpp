@@ -50,7 +50,7 @@ TEST_P(DesignedExample, IsCutFirmlyWithinItsBlockAsItOpens) {
 
 INSTANTIATE_TEST_SUITE_P(, DesignedExample,
                          testing::Values("single-block", "ripple-along", "twist", "bump", "three-block-wall",
-                                         "block-wall"),
+                                         "block-wall", "key-blade-fan"),
                          [](const auto& one) {
                            std::string name = one.param;
                            std::ranges::replace(name, '-', '_');

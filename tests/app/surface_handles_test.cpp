@@ -4,6 +4,8 @@
 // A designed surface in the hand: its poles are pulled with the mouse in the 3D view.
 
 #include "window/surface_handles.h"
+
+#include "bw/core/constructions/spline_constructions.h"
 #include "window_fixture.h"
 
 namespace bw::app {
@@ -70,6 +72,56 @@ TEST_F(SurfaceHandlesTest, APoleThatIsPulledTakesSurfaceBladesAndNumbersWithIt) 
   bench().document().undoStack().undo();
   EXPECT_EQ(height(2, 1), before);
   EXPECT_FALSE(bench().document().undoStack().canUndo());
+}
+
+TEST_F(SurfaceHandlesTest, AKeyBladeIsPulledByItsMiddle) {
+  open("key-blade-fan");
+  ASSERT_EQ(handles().points.size(), 4u);
+  const auto blade = [&](std::size_t i) {
+    return std::get<BladesSurface>(bench().design().source().surface->shape).blades[i];
+  };
+  const KeyBlade before = blade(1);
+  const QPoint from = at(1);
+  QTest::mousePress(&view(), Qt::LeftButton, {}, from);
+  for (int i = 1; i <= 5; ++i) QTest::mouseMove(&view(), from - QPoint(0, 2 * i));
+  EXPECT_GT(blade(1).middle.y(), before.middle.y() + 2);
+  EXPECT_EQ(blade(1).middle.x(), before.middle.x());
+  EXPECT_EQ(handles().text.find("Middle of key blade 2: "), 0u) << handles().text;
+  ASSERT_TRUE(followed());
+  EXPECT_NE(bench().row(), nullptr);
+  picture("handle-key-blade");
+  QTest::mouseRelease(&view(), Qt::LeftButton, {}, from - QPoint(0, 10));
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().current());
+  bench().document().undoStack().undo();
+  EXPECT_EQ(blade(1), before);
+}
+
+TEST_F(SurfaceHandlesTest, AJointOfCubicsTakesItsLegsWithIt) {
+  open("three-block-wall");
+  Design chain = bench().design();
+  auto& sections = std::get<SectionsSurface>(chain.source().surface->shape).sections;
+  for (SectionCurve& section : sections) {
+    std::vector<Eigen::Vector2d> poles = {section.points.front()};
+    for (const CubicPoles& cubic : bezierChain(section.points).value())
+      poles.insert(poles.end(), cubic.begin() + 1, cubic.end());
+    section = {section.y, SectionCurve::Kind::bezier, poles};
+  }
+  bench().editDesign("Chains", [&](Design& design) { design = chain; });
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(bench().current());
+  ASSERT_EQ(handles().points.size(), 30u);
+  const QPoint from = at(3);
+  QTest::mousePress(&view(), Qt::LeftButton, {}, from);
+  QTest::mouseMove(&view(), from - QPoint(0, 8));
+  QTest::mouseRelease(&view(), Qt::LeftButton, {}, from - QPoint(0, 8));
+  const auto& now = std::get<SectionsSurface>(bench().design().source().surface->shape).sections[0].points;
+  const double up = now[3].y() - sections[0].points[3].y();
+  EXPECT_GT(up, 2);
+  for (const std::size_t leg : {2, 4}) EXPECT_NEAR(now[leg].y() - sections[0].points[leg].y(), up, 1e-9);
+  EXPECT_EQ(now[1], sections[0].points[1]);
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().current()) << "no kink is left";
 }
 
 TEST_F(SurfaceHandlesTest, AHandleStopsWhereItsBladesEndAndSaysWhy) {

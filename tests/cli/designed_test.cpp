@@ -46,7 +46,7 @@ TEST_P(DesignedExamples, BecomeProgramsFromTheirDesignAlone) {
 
 INSTANTIATE_TEST_SUITE_P(, DesignedExamples,
                          testing::Values("single-block", "ripple-along", "twist", "bump", "three-block-wall",
-                                         "block-wall"),
+                                         "block-wall", "key-blade-fan"),
                          [](const auto& one) {
                            std::string name = one.param;
                            for (char& c : name)
@@ -168,6 +168,92 @@ TEST(Designed, SlipsInWhatIsVariedAreNamed) {
       blade({"vary", design, "--over", "amplitude", "--set", "amplitude=3", "--out", folder / "out"}).status,
       2);
   EXPECT_EQ(blade({"vary", design, "--over", "amplitude", "--out", design}).status, 4);
+}
+
+TEST(Designed, ACutIsToldByTheFewestKeyBlades) {
+  const Folder folder;
+  const std::string design = exampleIn(folder, "bump"), keys = folder / "keys.bladewright";
+  const Finished made = blade({"keys", design, "--tolerance", "0.4", "--out", keys});
+  ASSERT_EQ(made.status, 0) << made.err;
+  EXPECT_NE(made.err.find(" key blades for 33 sections, within 0."), std::string::npos) << made.err;
+  const json surface = json::parse(slurp(keys))["sources"][0]["surface"];
+  EXPECT_EQ(surface["type"], "blades");
+  EXPECT_LT(surface["blades"].size(), 15u);
+  // The sections of the new surface against those of the old: by their STEPs, at stations of the same planes.
+  ASSERT_EQ(blade({"design", design, "--out", folder / "old"}).status, 0);
+  const Finished run = blade({"design", keys, "--out", folder / "new"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const json old = json::parse(slurp(folder / "old/report.json")),
+             now = json::parse(slurp(folder / "new/report.json"));
+  const json &before = old["strips"][0]["stations"], &after = now["strips"][0]["stations"];
+  ASSERT_EQ(before.size(), after.size());
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    EXPECT_NEAR(before[i]["target_length"].get<double>(), after[i]["target_length"].get<double>(), 1.0) << i;
+    EXPECT_NEAR(before[i]["frame"]["origin"][1].get<double>(), after[i]["frame"]["origin"][1].get<double>(),
+                1e-9)
+        << i;
+  }
+  // A surface of elastica is cut better than one that is none.
+  EXPECT_LT(now["summary"]["deviation_max_mm"].get<double>(), 0.6);
+  // What cannot be told so is written as near as it comes, and status 1 says it.
+  const Finished fine = blade({"keys", design, "--tolerance", "0.001", "--out", folder / "fine.bladewright"});
+  EXPECT_EQ(fine.status, 1) << fine.err;
+  EXPECT_NE(fine.err.find("no elastica comes nearer"), std::string::npos) << fine.err;
+  EXPECT_EQ(blade({"keys", design, "--out", design}).status, 2);
+  EXPECT_EQ(blade({"keys", design, "--cut", "cat", "--out", keys}).status, 2);
+  EXPECT_EQ(blade({"keys", design, "--out", folder / "keys.json"}).status, 2);
+}
+
+TEST(Designed, EveryCutOfAWallGetsKeyBladesOfItsOwn) {
+  const Folder folder;
+  const std::string design = exampleIn(folder, "three-block-wall"), keys = folder / "keys.bladewright";
+  const Finished made = blade({"keys", design, "--tolerance", "0.5", "--out", keys});
+  ASSERT_EQ(made.status, 0) << made.err;
+  const Finished run = blade({"design", keys, "--out", folder / "out"});
+  EXPECT_LE(run.status, 1) << run.err;
+  const json report = json::parse(slurp(folder / "out/report.json"));
+  ASSERT_EQ(report["blocks"].size(), 3u);
+  for (const json& strip : report["strips"]) EXPECT_EQ(strip["stations"].size(), 33u);
+  // One of them alone.
+  const Finished one = blade({"keys", design, "--cut", "cut-column-2", "--out", folder / "one.bladewright"});
+  ASSERT_EQ(one.status, 0) << one.err;
+  EXPECT_EQ(one.err.find("column-1"), std::string::npos) << one.err;
+}
+
+TEST(Designed, AWatchedDesignIsWrittenAgainWhenItIsSaved) {
+  const Folder folder;
+  json other = json::parse(slurp(exampleIn(folder, "ripple-along")));
+  other["variables"][0]["value"] = 12.5;
+  folder.write("other.bladewright", other.dump());
+  // A shell waits for the first results, saves a broken design, one with another variable, and ends the
+  // watch.
+  const Finished run = shell("cd '" + (folder / "") + "' && " + R"sh(
+    $BLADE design ripple-along.bladewright --out out --watch 2> err.txt & watch=$!
+    await() {
+      for i in $(seq 900); do
+        [ "$(grep -c watching err.txt 2> /dev/null)" -ge "$1" ] && return
+        sleep 0.1
+      done
+    }
+    await 1; cp out/report.json first.json
+    echo '{' > ripple-along.bladewright; await 2
+    cp other.bladewright ripple-along.bladewright; await 3; cp out/report.json second.json
+    kill -TERM $watch; wait $watch; echo $?)sh");
+  const std::string said = slurp(folder / "err.txt");
+  EXPECT_EQ(run.out, "130\n") << said;
+  EXPECT_NE(said.find("changed; once more"), std::string::npos) << said;
+  EXPECT_NE(json::parse(slurp(folder / "first.json"))["variables"]["amplitude"], 12.5);
+  EXPECT_EQ(json::parse(slurp(folder / "second.json"))["variables"]["amplitude"], 12.5) << said;
+}
+
+TEST(Designed, WhatAWatchWritesItselfIsNotWatched) {
+  const Folder folder;
+  const std::string design = exampleIn(folder, "ripple-along");
+  ASSERT_EQ(blade({"design", design, "--out", folder / "out"}).status, 0);
+  const Finished run =
+      blade({"design", folder / "out/design.bladewright", "--out", folder / "out", "--watch"});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_NE(run.err.find("would never end"), std::string::npos) << run.err;
 }
 
 TEST(Designed, ExamplesAreListedAndWrittenAsSteps) {

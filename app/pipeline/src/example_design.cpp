@@ -77,6 +77,9 @@ const std::vector<geometry::Example>& designedExamples() {
        "A loft through three arcs that lean one way, not at all, and the other. Variables: lean, rise, "
        "height."},
       {"bump", "Bump", "Poles 4 × 6 over a block, the four in the middle raised. Variables: bump, height."},
+      {"key-blade-fan", "Key-blade fan",
+       "Four key blades across the travel that lean one way and then the other and arch ever less; every "
+       "blade between them is an elastica. Variables: arch, lean, height."},
       {"two-crossing-cuts", "Two crossing cuts and their crease",
        "east: z = base + slope x + bow sin(π x/600) + ripple sin(2π y/600); north: z = base + slope y + bow "
        "sin(π y/600) + ripple cos(2π x/600); mm. The block is turned by a quarter between the cuts; the part "

@@ -75,7 +75,7 @@ Findings Product::takenOver() const {
 }
 
 Product produce(const Design& design, const std::filesystem::path& folder, const Policy& policy,
-                const RunContext& context) {
+                const RunContext& context, const Evaluation* previous) {
   Product product;
   if (policy.contents != Contents::evaluation) {
     product.seen = folderState(folder);
@@ -86,7 +86,7 @@ Product produce(const Design& design, const std::filesystem::path& folder, const
       }
   }
   const Purpose purpose = policy.contents == Contents::evaluation ? Purpose::live : Purpose::files;
-  Outcome outcome = evaluate(design, nullptr, context, purpose, policy.length);
+  Outcome outcome = evaluate(design, previous, context, purpose, policy.length);
   product.evaluation = std::move(outcome.evaluation);
   product.error = outcome.error;
   if (!product.error) makeFiles(product, policy, context);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "controls/numbers.h"
 #include "window/start_page.h"
 
 namespace bw::app {
@@ -142,6 +143,24 @@ void MainWindow::showWorkspace() {
   refreshState();
   banner_->resume();
   placeBanner();
+}
+
+void MainWindow::takeKeyBlades(pipeline::Told told) {
+  const std::shared_ptr<const pipeline::Evaluation> shown = bench_.shown();
+  const pipeline::CutEvaluation* cut = bench_.shownCut();
+  if (!cut || !bench_.current()) return;
+  // What the tolerance leaves is needed for the cut of the surface itself.
+  const double tolerance = bench_.design().process.tolerance / 4;
+  const Result<pipeline::CutKeyBlades> keys = pipeline::keyBladesOf(*cut, told, tolerance, {});
+  if (!keys) return bench_.tell(Topic::other, keys.error());
+  Result<Design> changed = pipeline::withSurface(*shown, cut->id, keys->surface);
+  if (!changed) return bench_.tell(Topic::other, changed.error());
+  const std::size_t count = std::get<BladesSurface>(keys->surface.shape).blades.size();
+  bench_.editDesign(told == pipeline::Told::cut ? tr("Adopt what is cut") : tr("Surface as key blades"),
+                    [&changed](Design& design) { design = std::move(*changed); });
+  bench_.tell(
+      Topic::other, keys->deviation > tolerance ? Severity::warning : Severity::info,
+      tr("%1 key blades, within %2 of what they were made from").arg(count).arg(lengthText(keys->deviation)));
 }
 
 void MainWindow::showMeasurePage() {

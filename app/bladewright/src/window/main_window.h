@@ -13,6 +13,7 @@
 
 #include <functional>
 
+#include "bw/pipeline/key_blades.h"
 #include "bw/view/scene_view.h"
 #include "controls/theme.h"
 #include "measure/measure_page.h"
@@ -95,6 +96,8 @@ class MainWindow : public QMainWindow {
   void exportEverything();
   void exportPrograms();
   void exportPicture();
+  /// The surface of the cut selected by key blades, or that which it cuts, as one undoable step.
+  void takeKeyBlades(pipeline::Told told);
   /// Unsaved work of earlier sessions, in a dialog.
   void showUnsaved();
   void showStartPage();

@@ -22,26 +22,43 @@ const DesignedSurface* surfaceOf(const Workbench& bench) {
   return bench.source().surface ? &*bench.source().surface : nullptr;
 }
 
+/// The section and the point of it that a handle is; null if it is none.
+std::pair<SectionCurve*, std::size_t> pointAt(DesignedSurface& surface, int handle) {
+  if (auto* sections = std::get_if<SectionsSurface>(&surface.shape))
+    for (SectionCurve& section : sections->sections) {
+      if (handle >= 0 && handle < int(section.points.size())) return {&section, std::size_t(handle)};
+      handle -= int(section.points.size());
+    }
+  return {nullptr, 0};
+}
+
 /// The number that a handle moves, in a surface that has it; null if there is none.
 double* heightAt(DesignedSurface& surface, int handle) {
   if (auto* poles = std::get_if<PolesSurface>(&surface.shape))
     return handle >= 0 && std::size_t(handle) < poles->poles.size()
                ? &poles->poles[std::size_t(handle)].height
                : nullptr;
-  if (auto* sections = std::get_if<SectionsSurface>(&surface.shape))
-    for (SectionCurve& section : sections->sections) {
-      if (handle < int(section.points.size()))
-        return handle >= 0 ? &section.points[std::size_t(handle)].y() : nullptr;
-      handle -= int(section.points.size());
-    }
-  return nullptr;
+  if (auto* blades = std::get_if<BladesSurface>(&surface.shape))
+    return handle >= 0 && std::size_t(handle) < blades->blades.size()
+               ? &blades->blades[std::size_t(handle)].middle.y()
+               : nullptr;
+  const auto [section, point] = pointAt(surface, handle);
+  return section ? &section->points[point].y() : nullptr;
 }
 
 /// A surface some of whose handles are moved by so many mm.
 DesignedSurface movedBy(const DesignedSurface& surface, const std::vector<int>& handles, double by) {
-  DesignedSurface moved = surface;
-  for (const int handle : handles)
-    if (double* height = heightAt(moved, handle)) *height += by;
+  DesignedSurface moved = surface, before = surface;
+  for (const int handle : handles) {
+    const auto [section, point] = pointAt(moved, handle);
+    if (section && section->kind == SectionCurve::Kind::bezier) {
+      // From where it was, since it may have followed a neighbour already.
+      const Eigen::Vector2d& from = pointAt(before, handle).first->points[point];
+      moveBezierPole(section->points, point, from + Eigen::Vector2d(0, by));
+    } else if (double* height = heightAt(moved, handle)) {
+      *height += by;
+    }
+  }
   return moved;
 }
 
@@ -86,6 +103,8 @@ std::vector<Eigen::Vector3d> SurfaceHandles::places() const {
   } else if (const auto* sections = std::get_if<SectionsSurface>(&surface->shape)) {
     for (const SectionCurve& section : sections->sections)
       for (const Eigen::Vector2d& point : section.points) add(point.x(), section.y, point.y());
+  } else if (const auto* blades = std::get_if<BladesSurface>(&surface->shape)) {
+    for (const KeyBlade& blade : blades->blades) add(blade.middle.x(), blade.y, blade.middle.y());
   }
   return places;
 }
@@ -120,6 +139,8 @@ QString SurfaceHandles::nameOf(int handle) const {
       if (handle < count) return tr("Point %1 of section %2").arg(handle + 1).arg(i + 1);
       handle -= count;
     }
+  if (surface && std::holds_alternative<BladesSurface>(surface->shape))
+    return tr("Middle of key blade %1").arg(handle + 1);
   return {};
 }
 
@@ -143,6 +164,8 @@ void SurfaceHandles::applyTo(scene::Style& style) const {
       for (std::size_t k = 1; k < section.points.size(); ++k) join(at + int(k) - 1, at + int(k));
       at += int(section.points.size());
     }
+  } else if (const auto* blades = std::get_if<BladesSurface>(&surface->shape)) {
+    for (std::size_t k = 1; k < blades->blades.size(); ++k) join(int(k) - 1, int(k));
   }
   handles.chosen = chosen_;
   handles.lit = pull_ ? pull_->handle : hovered_;

@@ -11,6 +11,7 @@
 
 #include "bw/core/sweep/maps.h"
 #include "bw/pipeline/example_design.h"
+#include "bw/pipeline/key_blades.h"
 #include "controls/typed_field.h"
 #include "window/main_window.h"
 
@@ -84,6 +85,12 @@ void MainWindow::makeCommands() {
       [this](bool) {
         if (!bench_.document().empty()) bench_.runner().evaluate(bench_.document().design());
       });
+  add("design.keys", tr("Surface as &key blades"), "",
+      tr("Tell the surface by the fewest key blades that come near to it, a quarter of the tolerance"), {},
+      [this](bool) { takeKeyBlades(pipeline::Told::target); });
+  add("design.adopt", tr("&Adopt what is cut"), "",
+      tr("The surface that the blades cut becomes the design, told by key blades"), {},
+      [this](bool) { takeKeyBlades(pipeline::Told::cut); });
   add("blade.measure", tr("&Measure blade length…"), "measure",
       tr("The length of the mounted blade from how far it sags"), {QKeySequence("Ctrl+L")},
       [this](bool) { showMeasurePage(); });
@@ -272,8 +279,9 @@ void MainWindow::makeMenus() {
   fill(file,
        {"file.unsaved", "", "file.save", "file.saveAs", "", "file.replace", "file.reload", "file.locate", "",
         "file.export", "file.programs", "file.picture", "", "file.close", "file.quit"});
-  fill(menuBar()->addMenu(tr("&Edit")), {"edit.undo", "edit.redo", "", "edit.compute", "edit.cancel", "",
-                                         "input.chooseFaces", "blade.measure", "", "edit.palette"});
+  fill(menuBar()->addMenu(tr("&Edit")),
+       {"edit.undo", "edit.redo", "", "edit.compute", "edit.cancel", "", "input.chooseFaces", "design.keys",
+        "design.adopt", "blade.measure", "", "edit.palette"});
   QMenu* view = menuBar()->addMenu(tr("&View"));
   fill(view, {"view.iso", "view.top", "view.bottom", "view.front", "view.back", "view.left", "view.right", "",
               "view.fit", "view.fitSelection", "view.parallel", "", "view.section", "view.sectionFlip",

@@ -3,11 +3,14 @@
 #include "workflow/surface_fields.h"
 
 #include <QGridLayout>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
 
 #include <algorithm>
 
+#include "bw/core/base/units.h"
+#include "bw/core/constructions/spline_constructions.h"
 #include "bw/core/shape/resample.h"
 #include "bw/core/text/number_text.h"
 
@@ -30,12 +33,56 @@ std::string structureOf(const DesignedSurface& surface) {
   if (const auto* loft = std::get_if<SectionsSurface>(&surface.shape))
     for (const SectionCurve& section : loft->sections)
       text += " " + std::to_string(int(section.kind)) + ":" + std::to_string(section.points.size());
+  if (const auto* blades = std::get_if<BladesSurface>(&surface.shape))
+    text += " " + std::to_string(blades->blades.size());
   return text;
+}
+
+/// The fewest blades that come near to curves of a surface across the travel.
+Result<SurfaceShape> bladesAcross(const std::function<Eigen::Vector3d(double, double)>& point) {
+  constexpr int kCurves = 17, kPoints = 65;
+  constexpr double kNear = 1;  // mm
+  std::vector<PlacedCurve> curves;
+  for (int i = 0; i < kCurves; ++i) {
+    std::vector<Eigen::Vector2d> points;
+    const double v = double(i) / (kCurves - 1);
+    for (int k = 0; k < kPoints; ++k) {
+      const Eigen::Vector3d p = point(double(k) / (kPoints - 1), v);
+      points.emplace_back(p.x(), p.z());
+    }
+    Result<PlanarCurve> curve = cubicSplineThrough(points);
+    if (!curve) return tl::unexpected<Error>(curve.error());
+    curves.push_back({point(0.5, v).y(), std::move(*curve)});
+  }
+  Result<FewestBlades> found = fewestBlades(curves, kNear);
+  if (!found) return tl::unexpected<Error>(found.error());
+  return BladesSurface{std::move(found->blades)};
+}
+
+/// The points of a section of another kind that looks like the one before.
+Result<std::vector<Eigen::Vector2d>> pointsOfKind(SectionCurve::Kind kind, const SectionCurve& before) {
+  const bool from = before.kind == SectionCurve::Kind::bezier, to = kind == SectionCurve::Kind::bezier;
+  if (from == to) return before.points;
+  if (to) {
+    const Result<std::vector<CubicPoles>> chain = bezierChain(before.points);
+    if (!chain) return tl::unexpected<Error>(chain.error());
+    std::vector<Eigen::Vector2d> poles = {before.points.front()};
+    for (const CubicPoles& cubic : *chain) poles.insert(poles.end(), cubic.begin() + 1, cubic.end());
+    return poles;
+  }
+  std::vector<Eigen::Vector2d> points;
+  if (before.points.size() > 4) {
+    for (std::size_t i = 0; i < before.points.size(); i += 3) points.push_back(before.points[i]);
+    return points;
+  }
+  const Result<PlanarCurve> curve = PlanarCurve::bezier(before.points);
+  if (!curve) return tl::unexpected<Error>(curve.error());
+  return curve->sample(int(before.points.size()));
 }
 
 /// A surface of another kind that looks like the one before: heights are taken from it, a formula begins as
 /// an arch of its middle and its sides.
-SurfaceShape shapeOfKind(int kind, const SplineSurface& before) {
+Result<SurfaceShape> shapeOfKind(int kind, const SplineSurface& before) {
   const auto point = [&](double u, double v) {
     const auto between = [](const std::vector<double>& knots, double share) {
       return knots.front() + share * (knots.back() - knots.front());
@@ -60,6 +107,7 @@ SurfaceShape shapeOfKind(int kind, const SplineSurface& before) {
                               shortText(center, 6) + ")/" + shortText(half, 6) + ")^2",
                           {}};
   }
+  if (kind == 3) return bladesAcross(point);
   SectionsSurface surface;
   for (const double v : {0.0, 0.5, 1.0}) {
     SectionCurve section{point(0, v).y(), SectionCurve::Kind::spline, {}};
@@ -122,7 +170,7 @@ void SurfaceFields::refresh() {
   }
   kinds_->show(int(surface.shape.index()));
   for (const Number& number : numbers_) {
-    number.field->show(number.get(surface));
+    number.field->show(number.get(surface) / number.scale);
     auto bound = design.bindings.find(pointer() + number.place);
     if (bound == design.bindings.end()) bound = design.bindings.find(pointer() + number.place + "/height");
     number.field->setToolTip(bound == design.bindings.end()
@@ -141,30 +189,37 @@ void SurfaceFields::refresh() {
     formula_->show(graph->formula, std::move(names));
     formula_->setToolTip(QString::fromStdString(graph->formula));
   }
-  if (const auto* loft = std::get_if<SectionsSurface>(&surface.shape)) lofts_->show(int(loft->loft));
+  if (const auto* loft = std::get_if<SectionsSurface>(&surface.shape)) {
+    lofts_->show(int(loft->loft));
+    for (std::size_t i = 0; i < sectionKinds_.size(); ++i)
+      sectionKinds_[i]->show(int(loft->sections[i].kind));
+  }
 }
 
 void SurfaceFields::rebuild(const DesignedSurface& surface) {
   empty(*layout_);
   numbers_.clear();
+  sectionKinds_.clear();
   auto* column = new FormColumn(this);
   layout_->addWidget(column);
   kinds_ = column->add(tr("Surface"), new ChoiceField,
                        tr("How the surface is told; another kind begins near the one before"));
-  kinds_->addItems({tr("Poles"), tr("Formula"), tr("Sections")});
+  kinds_->addItems({tr("Poles"), tr("Formula"), tr("Sections"), tr("Key blades")});
   connect(kinds_, &QComboBox::activated, this, &SurfaceFields::changeKind);
   if (const auto* poles = std::get_if<PolesSurface>(&surface.shape)) addPoles(column, *poles);
   if (std::holds_alternative<FormulaSurface>(surface.shape)) addFormula(column);
   if (const auto* loft = std::get_if<SectionsSurface>(&surface.shape)) addSections(column, *loft);
+  if (const auto* blades = std::get_if<BladesSurface>(&surface.shape)) addBlades(column, *blades);
 }
 
-NumberField* SurfaceFields::field(const Get& get, const std::string& place, const QString& name) {
-  auto* field = new NumberField({-kFarthest, kFarthest, 2, 5, "mm"});
+NumberField* SurfaceFields::field(const Get& get, const std::string& place, const QString& name,
+                                  const Unit& unit) {
+  auto* field = new NumberField({-kFarthest, kFarthest, unit.decimals, unit.step, unit.suffix});
   field->setAccessibleName(name);
-  connect(field, &NumberField::edited, this, [this, get, name](double value) {
-    edit(tr("Change %1").arg(name), [&](DesignedSurface& surface) { get(surface) = value; });
+  connect(field, &NumberField::edited, this, [this, get, name, scale = unit.scale](double value) {
+    edit(tr("Change %1").arg(name), [&](DesignedSurface& surface) { get(surface) = value * scale; });
   });
-  numbers_.push_back({field, get, place, name});
+  numbers_.push_back({field, get, place, name, unit.scale});
   return field;
 }
 
@@ -262,6 +317,15 @@ void SurfaceFields::addSections(FormColumn* column, const SectionsSurface& surfa
     const bool bezier = section.kind == SectionCurve::Kind::bezier;
     column->addHeading(bezier ? tr("Section %1, poles x, z").arg(i + 1)
                               : tr("Section %1, points x, z").arg(i + 1));
+    auto* kind = column->add(
+        tr("Curve"), new ChoiceField,
+        tr("Bézier: cubics that meet with one tangent. Spline: one curvature. Ducks: the elastic spline that "
+           "slides through its points. Another kind begins near the one before"));
+    kind->addItems({tr("Bézier"), tr("Spline"), tr("Ducks")});
+    kind->setAccessibleName(tr("Curve of section %1").arg(i + 1));
+    connect(kind, &QComboBox::activated, this,
+            [this, i](int chosen) { changeSectionKind(i, SectionCurve::Kind(chosen)); });
+    sectionKinds_.push_back(kind);
     const auto of = [i](DesignedSurface& s) -> SectionCurve& {
       return std::get<SectionsSurface>(s.shape).sections[i];
     };
@@ -277,12 +341,109 @@ void SurfaceFields::addSections(FormColumn* column, const SectionsSurface& surfa
       for (const int axis : {0, 1}) {
         NumberField* number =
             field([of, p, axis](DesignedSurface& s) -> double& { return of(s).points[p](axis); },
-                  at(at(place + (bezier ? "/bezier" : "/spline"), p), std::size_t(axis)),
+                  at(at(place + "/" + kSectionKinds[int(section.kind)], p), std::size_t(axis)),
                   tr("%1 of point %2 of section %3").arg(axis == 0 ? "x" : "z").arg(p + 1).arg(i + 1));
         grid->addWidget(number, int(p), axis);
       }
     column->addWide(area);
   }
+}
+
+void SurfaceFields::addBlades(FormColumn* column, const BladesSurface& surface) {
+  constexpr std::size_t kNumbers = 8;
+  const std::size_t count = surface.blades.size();
+  if (count * kNumbers > kMostFields) {
+    column->addWide(makeNote(
+        tr("%1 key blades are too many for fields; their numbers are in the design file.").arg(count)));
+    return;
+  }
+  column->addWide(
+      makeNote(tr("Between the key blades all numbers run smoothly, so that every blade of the "
+                  "surface is an elastica.")));
+  for (std::size_t i = 0; i < count; ++i) {
+    column->addHeading(tr("Key blade %1").arg(i + 1));
+    const auto of = [i](DesignedSurface& s) -> KeyBlade& {
+      return std::get<BladesSurface>(s.shape).blades[i];
+    };
+    const std::string place = at("/blades", i);
+    const auto add = [&](const QString& label, const Get& get, const std::string& key, const Unit& unit,
+                         const QString& tip) {
+      column->add(label, field(get, place + key, tr("%1 of key blade %2").arg(label).arg(i + 1), unit), tip);
+    };
+    const Unit mm, bare{3, 0.1, {}, 1};
+    add(
+        tr("At y"), [of](DesignedSurface& s) -> double& { return of(s).y; }, "/y", mm,
+        tr("Its place along the travel"));
+    add(
+        tr("Middle x"), [of](DesignedSurface& s) -> double& { return of(s).middle.x(); }, "/middle/0", mm,
+        tr("Where the middle of the blade lies"));
+    add(
+        tr("Middle z"), [of](DesignedSurface& s) -> double& { return of(s).middle.y(); }, "/middle/1", mm,
+        tr("How high the middle of the blade lies"));
+    add(
+        tr("Lean"), [of](DesignedSurface& s) -> double& { return of(s).angle; }, "/angle_deg",
+        {2, 1, QStringLiteral("°"), kDegree}, tr("Angle of the tangent at the middle"));
+    add(
+        tr("Length"), [of](DesignedSurface& s) -> double& { return of(s).length; }, "/length_mm", mm,
+        tr("From end to end of the curve; the blade goes on beyond"));
+    add(
+        tr("Bend"), [of](DesignedSurface& s) -> double& { return of(s).bend; }, "/bend", bare,
+        tr("Curvature at the middle times the length: the turning of an arc of that curvature, rad; below 0 "
+           "for an arch"));
+    add(
+        tr("Force along"), [of](DesignedSurface& s) -> double& { return of(s).force.x(); }, "/force/0", bare,
+        tr("Force along the tangent at the middle, times length squared over stiffness"));
+    add(
+        tr("Force across"), [of](DesignedSurface& s) -> double& { return of(s).force.y(); }, "/force/1", bare,
+        tr("Force across the blade at the middle, times length squared over stiffness: it makes the blade "
+           "bend more to one side"));
+    auto* buttons = new QWidget;
+    auto* row = makeBox<QHBoxLayout>(buttons, {}, 4);
+    auto* more = new QPushButton(tr("Add one after"));
+    more->setAccessibleName(tr("Add a key blade after %1").arg(i + 1));
+    more->setToolTip(tr("The blade halfway to the next one, as it is"));
+    more->setEnabled(i + 1 < count);
+    connect(more, &QPushButton::clicked, this, [this, i] { addBlade(i); });
+    auto* less = new QPushButton(tr("Remove"));
+    less->setAccessibleName(tr("Remove key blade %1").arg(i + 1));
+    less->setToolTip(count > 2 ? tr("The blades beside it run into each other then")
+                               : tr("A surface has two key blades at least"));
+    less->setEnabled(count > 2);
+    connect(less, &QPushButton::clicked, this, [this, i] { removeBlade(i); });
+    row->addWidget(more);
+    row->addWidget(less);
+    row->addStretch();
+    column->addWide(buttons);
+  }
+}
+
+void SurfaceFields::addBlade(std::size_t after) {
+  BladesSurface surface = std::get<BladesSurface>(bench_.source().surface->shape);
+  const Result<BladeSweep> sweep = BladeSweep::through(surface.blades);
+  if (!sweep) return bench_.tell(Topic::other, sweep.error());
+  const double y = 0.5 * (surface.blades[after].y + surface.blades[after + 1].y);
+  surface.blades.insert(surface.blades.begin() + std::ptrdiff_t(after) + 1, sweep->at(y));
+  replace(tr("Add key blade"), std::move(surface));
+}
+
+void SurfaceFields::removeBlade(std::size_t blade) {
+  BladesSurface surface = std::get<BladesSurface>(bench_.source().surface->shape);
+  surface.blades.erase(surface.blades.begin() + std::ptrdiff_t(blade));
+  replace(tr("Remove key blade"), std::move(surface));
+}
+
+void SurfaceFields::changeSectionKind(std::size_t section, SectionCurve::Kind kind) {
+  SectionsSurface surface = std::get<SectionsSurface>(bench_.source().surface->shape);
+  SectionCurve& curve = surface.sections[section];
+  if (kind == curve.kind) return;
+  Result<std::vector<Eigen::Vector2d>> points = pointsOfKind(kind, curve);
+  if (!points) {
+    bench_.tell(Topic::other, points.error());
+    return refresh();
+  }
+  curve.points = std::move(*points);
+  curve.kind = kind;
+  replace(tr("Change curve of section %1").arg(section + 1), std::move(surface));
 }
 
 std::string SurfaceFields::pointer() const {
@@ -314,7 +475,10 @@ void SurfaceFields::changeKind(int kind) {
     refresh();
     return;
   }
-  replace(tr("Change kind of surface"), shapeOfKind(kind, *before));
+  Result<SurfaceShape> shape = shapeOfKind(kind, *before);
+  if (shape) return replace(tr("Change kind of surface"), std::move(*shape));
+  bench_.tell(Topic::other, shape.error());
+  refresh();
 }
 
 void SurfaceFields::changeCounts(int columns, int rows) {

@@ -39,8 +39,8 @@ class FormulaField : public TypedField {
   std::vector<std::string> names_;
 };
 
-/// The numbers of a designed surface: its kind, the heights of its poles, its formula, or its sections;
-/// hidden where the source is a file. Edits go to the design.
+/// The numbers of a designed surface: its kind, the heights of its poles, its formula, its sections, or its
+/// key blades; hidden where the source is a file. Edits go to the design.
 class SurfaceFields : public QWidget {
   Q_OBJECT
 
@@ -56,9 +56,20 @@ class SurfaceFields : public QWidget {
   void addPoles(FormColumn* column, const PolesSurface& surface);
   void addFormula(FormColumn* column);
   void addSections(FormColumn* column, const SectionsSurface& surface);
+  void addBlades(FormColumn* column, const BladesSurface& surface);
   void addRectangle(FormColumn* column);
+  /// How a number is shown and typed: `scale` of it is one of the unit.
+  struct Unit {
+    int decimals = 2;
+    double step = 5;
+    QString suffix = QStringLiteral("mm");
+    double scale = 1;
+  };
   /// A field for a number of the surface, in the file at this place in it.
-  NumberField* field(const Get& get, const std::string& place, const QString& name);
+  NumberField* field(const Get& get, const std::string& place, const QString& name, const Unit& unit);
+  NumberField* field(const Get& get, const std::string& place, const QString& name) {
+    return field(get, place, name, Unit());
+  }
   /// The JSON pointer of the surface shown.
   std::string pointer() const;
   void edit(const QString& text, const std::function<void(DesignedSurface&)>& change);
@@ -66,6 +77,10 @@ class SurfaceFields : public QWidget {
   void take(const QString& text, const Design& changed);
   void changeKind(int kind);
   void changeCounts(int columns, int rows);
+  void changeSectionKind(std::size_t section, SectionCurve::Kind kind);
+  /// One more blade halfway to the next (or before the last), or one less.
+  void addBlade(std::size_t after);
+  void removeBlade(std::size_t blade);
   /// Another surface in the place of this one, whose expressions are gone.
   void replace(const QString& text, SurfaceShape shape);
 
@@ -74,12 +89,14 @@ class SurfaceFields : public QWidget {
     Get get;
     std::string place;  ///< of its binding
     QString tip;
+    double scale = 1;
   };
   Workbench& bench_;
   QVBoxLayout* layout_;
   std::string built_;  ///< what the lines are for
   ChoiceField* kinds_ = nullptr;
   ChoiceField* lofts_ = nullptr;
+  std::vector<ChoiceField*> sectionKinds_;
   NumberField *columns_ = nullptr, *rows_ = nullptr;
   FormulaField* formula_ = nullptr;
   std::vector<Number> numbers_;

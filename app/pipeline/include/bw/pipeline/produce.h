@@ -63,11 +63,10 @@ struct Product {
 
 /// Evaluates a design and makes its files for `folder`: the one way of every verb and of the window. Errors:
 /// those of `evaluate`; a cell that cannot be read, before the work; no sweep, or an unknown format of
-/// program
-/// (`badInput`); a program that fails its check; a CAD file that is not the one any more that was read
-/// (`cannotRead`); `cancelled`.
+/// program (`badInput`); a program that fails its check; a CAD file that is not the one any more that was
+/// read (`cannotRead`); `cancelled`. What of `previous` still holds is used again.
 Product produce(const Design& design, const std::filesystem::path& folder, const Policy& policy,
-                const RunContext& context);
+                const RunContext& context, const Evaluation* previous = nullptr);
 /// The same of an evaluation that stands.
 Product produce(Evaluation evaluation, const std::filesystem::path& folder, const Policy& policy,
                 const RunContext& context);
