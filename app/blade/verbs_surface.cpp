@@ -80,7 +80,7 @@ struct ResultOptions {
   std::string file, job, out;
   bool despiteErrors = false;
   std::vector<std::string> sets;  ///< name=value
-  bool watch = false;
+  bool watch = false, handover = false;
 };
 
 /// Writes the results of a design. Those of `before`, if it is not null, are used again as far as they hold;
@@ -89,8 +89,12 @@ int writeResults(const Session& session, const Design& design, const ResultOptio
                  pipeline::Evaluation* before = nullptr) {
   RunContext context = session.context();
   if (context.threads == 0) context.threads = threads;
-  pipeline::Product product =
-      pipeline::produce(design, options.out, {.despiteErrors = options.despiteErrors}, context, before);
+  pipeline::Policy policy{.despiteErrors = options.despiteErrors};
+  if (options.handover)
+    policy = pipeline::withHandover(
+        std::move(policy),
+        [context](const pipeline::Evaluation& e) { return pipeline::reportPictures(e, context); }, context);
+  pipeline::Product product = pipeline::produce(design, options.out, policy, context, before);
   session.tell(product.findings());
   if (product.error) return session.complain(*product.error);
   const fs::path source = design.source().bytes.empty() ? design.source().path : fs::path();
@@ -254,6 +258,9 @@ void addSurfaceVerbs(CLI::App& app, const Session& session, Work& work) {
     verb->add_option("--job", options->job, "Job file (JSON); every key is optional, - for standard input")
         ->type_name("JOB.json");
     verb->add_option("--out", options->out, "Folder for the results")->type_name("DIR")->required();
+    verb->add_flag(
+        "--handover", options->handover,
+        "Also what is understood without this program: report.html, report.pdf, pictures, IGES, STL");
     addDespiteErrors(*verb, options->despiteErrors);
     verb->footer("Example:\n  blade rationalize panel.step --job job.json --out out/panel");
     onChosen(*verb, session, work, options, runRationalize);
@@ -266,6 +273,9 @@ void addSurfaceVerbs(CLI::App& app, const Session& session, Work& work) {
     verb->add_option("--set", options->sets, "Give a variable of the design another value; repeatable")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
+    verb->add_flag(
+        "--handover", options->handover,
+        "Also what is understood without this program: report.html, report.pdf, pictures, IGES, STL");
     verb->add_flag("--watch", options->watch,
                    "Write the results again whenever the design or a CAD file that it links is saved");
     addDespiteErrors(*verb, options->despiteErrors);

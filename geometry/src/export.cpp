@@ -3,13 +3,16 @@
 
 #include "bw/geometry/export.h"
 
+#include <BSplCLib.hxx>
 #include <BSplSLib.hxx>
 #include <IGESControl_Controller.hxx>
 #include <IGESControl_Writer.hxx>
 #include <IGESData_GlobalSection.hxx>
 #include <IGESData_IGESModel.hxx>
 #include <Standard_Failure.hxx>
+#include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array1OfPnt.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 #include <TCollection_HAsciiString.hxx>
 
@@ -111,6 +114,67 @@ Result<std::string> stepText(std::span<const NamedSurface> surfaces, const std::
     shells.push_back(shellOf(text, *surface, face));
   }
   return text.file(shells, name);
+}
+
+namespace {
+
+using Points = std::vector<Eigen::Vector3d>;
+
+constexpr double kSamePlace = 1e-6;  // mm
+constexpr double kCorner = 0.94;     // cosine of the turn
+
+/// The curve without points that stand where the one before does, parted at its corners.
+std::vector<Points> smoothPieces(const Points& points) {
+  Points apart;
+  for (const Eigen::Vector3d& p : points)
+    if (apart.empty() || (p - apart.back()).norm() > kSamePlace) apart.push_back(p);
+  std::vector<Points> pieces;
+  if (apart.size() < 2) return pieces;
+  pieces.push_back({apart.front()});
+  for (std::size_t i = 1; i < apart.size(); ++i) {
+    pieces.back().push_back(apart[i]);
+    if (i + 1 == apart.size()) break;
+    const Eigen::Vector3d before = (apart[i] - apart[i - 1]).normalized(),
+                          after = (apart[i + 1] - apart[i]).normalized();
+    if (before.dot(after) < kCorner) pieces.push_back({apart[i]});
+  }
+  return pieces;
+}
+
+/// The spline through points at their chord lengths.
+Result<int> splineThrough(StepText& text, const Points& points, const std::string& name) {
+  const int count = int(points.size()), degree = std::min(3, count - 1);
+  std::vector<double> at = {0};
+  for (std::size_t i = 1; i < points.size(); ++i)
+    at.push_back(at.back() + (points[i] - points[i - 1]).norm());
+  const std::vector<double> knots = interpolationKnots(at, degree);
+  TColgp_Array1OfPnt poles(1, count);
+  for (int i = 0; i < count; ++i) poles(i + 1) = toPoint(points[std::size_t(i)]);
+  TColStd_Array1OfInteger contact(1, count);
+  contact.Init(0);
+  int pivot = 0;
+  BSplCLib::Interpolate(degree, arrayOf(knots), arrayOf(at), contact, poles, pivot);
+  if (pivot != 0)
+    return fail(ErrorCode::noSolution, "no curve could be laid through the points of " + name, "curves");
+  Points own;
+  for (int i = 0; i < count; ++i) own.push_back(toEigen(poles(i + 1)));
+  return text.splineCurve(degree, knots, own, name);
+}
+
+}  // namespace
+
+Result<std::string> curvesStepText(std::span<const NamedCurve> curves, const std::string& name) {
+  return guarded(ErrorCode::noSolution, "the curves could not be written", [&]() -> Result<std::string> {
+    StepText text;
+    std::vector<int> ids;
+    for (const NamedCurve& curve : curves)
+      for (const Points& piece : smoothPieces(curve.points)) {
+        const Result<int> id = splineThrough(text, piece, curve.name);
+        if (!id) return tl::unexpected<Error>(id.error());
+        ids.push_back(*id);
+      }
+    return text.curveFile(ids, name);
+  });
 }
 
 namespace {

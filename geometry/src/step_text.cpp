@@ -126,13 +126,13 @@ int StepText::vertex(const Eigen::Vector3d& p) {
 }
 
 int StepText::splineCurve(int degree, const std::vector<double>& knots,
-                          const std::vector<Eigen::Vector3d>& poles) {
+                          const std::vector<Eigen::Vector3d>& poles, const std::string& name) {
   std::vector<int> ids;
   for (const auto& p : poles) ids.push_back(point(p));
   std::vector<double> distinct;
   std::vector<int> counts;
   packKnots(knots, distinct, counts);
-  return add("B_SPLINE_CURVE_WITH_KNOTS(''," + integer(degree) + "," + list(ids, ref) +
+  return add("B_SPLINE_CURVE_WITH_KNOTS(" + stepString(name) + "," + integer(degree) + "," + list(ids, ref) +
              ",.UNSPECIFIED.,.F.,.F.," + list(counts, integer) + "," + list(distinct, stepReal) +
              ",.UNSPECIFIED.)");
 }
@@ -171,9 +171,17 @@ int StepText::shell(int surface, const std::vector<Side>& border, const std::str
 }
 
 std::string StepText::file(const std::vector<int>& shells, const std::string& name) {
-  const std::string quoted = stepString(name);
-  const int model = add("SHELL_BASED_SURFACE_MODEL(" + quoted + "," + list(shells, ref) + ")");
+  return fileOf(add("SHELL_BASED_SURFACE_MODEL(" + stepString(name) + "," + list(shells, ref) + ")"),
+                "MANIFOLD_SURFACE_SHAPE_REPRESENTATION", name);
+}
 
+std::string StepText::curveFile(const std::vector<int>& curves, const std::string& name) {
+  return fileOf(add("GEOMETRIC_CURVE_SET(" + stepString(name) + "," + list(curves, ref) + ")"),
+                "GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION", name);
+}
+
+std::string StepText::fileOf(int model, const std::string& representation, const std::string& name) {
+  const std::string quoted = stepString(name);
   const int length = add("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.))");
   const int angle = add("(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.))");
   const int solid = add("(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT())");
@@ -183,8 +191,8 @@ std::string StepText::file(const std::vector<int>& shells, const std::string& na
                           ref(accuracy) + "))GLOBAL_UNIT_ASSIGNED_CONTEXT((" + ref(length) + "," +
                           ref(angle) + "," + ref(solid) + "))REPRESENTATION_CONTEXT('',''))");
   const int place = placement(Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitX());
-  const int shape = add("MANIFOLD_SURFACE_SHAPE_REPRESENTATION(" + quoted + ",(" + ref(place) + "," +
-                        ref(model) + ")," + ref(context) + ")");
+  const int shape =
+      add(representation + "(" + quoted + ",(" + ref(place) + "," + ref(model) + ")," + ref(context) + ")");
   const int application = add("APPLICATION_CONTEXT('core data for automotive mechanical design processes')");
   add("APPLICATION_PROTOCOL_DEFINITION('international standard','automotive_design',2000," +
       ref(application) + ")");

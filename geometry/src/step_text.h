@@ -11,8 +11,8 @@
 
 namespace bw::geometry {
 
-/// Writes faces as ISO 10303-21 text of AP214, in mm. Own writer: OCCT's puts a date in the header and
-/// numbers its products by a count that lives as long as the program, so equal input would not give equal
+/// Writes faces and curves as ISO 10303-21 text of AP214, in mm. Own writer: OCCT's puts a date in the header
+/// and numbers its products by a count that lives as long as the program, so equal input would not give equal
 /// bytes.
 class StepText {
  public:
@@ -24,7 +24,8 @@ class StepText {
   int placement(const Eigen::Vector3d& origin, const Eigen::Vector3d& axis, const Eigen::Vector3d& reference);
   int vertex(const Eigen::Vector3d& p);
   /// A non-rational B-spline curve; flat knots.
-  int splineCurve(int degree, const std::vector<double>& knots, const std::vector<Eigen::Vector3d>& poles);
+  int splineCurve(int degree, const std::vector<double>& knots, const std::vector<Eigen::Vector3d>& poles,
+                  const std::string& name = {});
   int splineSurface(const SplineSurface& surface);
   /// An edge along `curve` between two vertices.
   int edge(int start, int end, int curve);
@@ -39,8 +40,13 @@ class StepText {
   int shell(int surface, const std::vector<Side>& border, const std::string& name);
   /// The whole file: a part of these shells.
   std::string file(const std::vector<int>& shells, const std::string& name);
+  /// The same of curves alone.
+  std::string curveFile(const std::vector<int>& curves, const std::string& name);
 
  private:
+  /// The whole file: a part whose shape is `model`, of that kind of representation.
+  std::string fileOf(int model, const std::string& representation, const std::string& name);
+
   std::string body_;
   int count_ = 0;
 };

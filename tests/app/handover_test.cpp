@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "bw/geometry/cad_model.h"
-#include "bw/pipeline/report_page.h"
+#include "bw/pipeline/handover.h"
 #include "window_fixture.h"
 
 namespace bw::app {
@@ -30,7 +30,7 @@ TEST(StlBytes, HoldTheTrianglesWithTheirNormals) {
 TEST(ReportPage, EscapesNamesFromOutside) {
   pipeline::Evaluation evaluation;
   evaluation.design.name = "<script>alert(1)</script>\n& more";
-  const std::string page = pipeline::reportPage(evaluation, {}, {}, "Bladewright");
+  const std::string page = pipeline::reportHtml(pipeline::reportOf(evaluation, {}, {}));
   EXPECT_EQ(page.find("<script>"), std::string::npos);
   EXPECT_NE(page.find("&lt;script&gt;alert(1)&lt;/script&gt;\\n&amp; more"), std::string::npos);
   EXPECT_NE(page.find("There is no result"), std::string::npos);

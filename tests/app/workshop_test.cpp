@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -181,7 +182,7 @@ TEST(Workshop, GetsTheKindsOfFilesAndTheBlocksThatAreWanted) {
     Wanted wanted;
     wanted.kinds[kind] = false;
     const std::size_t fewer = all.files.paths().size() - written(wanted).files.paths().size();
-    const std::size_t files[kFileKinds] = {3, 2, 0, 1, 1, 1, 2};  // pages are the window's
+    const std::size_t files[kFileKinds] = {3, 2, 0, 1, 1, 1, 2, 2};  // pages are the window's
     EXPECT_EQ(fewer, files[kind]) << kFileKindInfos[kind].word;
   }
   const Product two = written({.blocks = {"column-1", "column-3"}});
@@ -195,6 +196,56 @@ TEST(Workshop, GetsTheKindsOfFilesAndTheBlocksThatAreWanted) {
   EXPECT_EQ(lines[2][0], "column-3");
   EXPECT_EQ(number(lines[1].back()), 2) << "as many are ordered";
   EXPECT_EQ(number(lines[3].back()), 2);
+}
+
+/// The polylines of a DXF by their layers: pairs of lines, a code and its value.
+std::map<std::string, std::vector<std::vector<Eigen::Vector3d>>> polylinesOf(const std::string& dxf) {
+  std::map<std::string, std::vector<std::vector<Eigen::Vector3d>>> layers;
+  std::istringstream in(dxf);
+  std::string code, value, entity, layer;
+  while (std::getline(in, code) && std::getline(in, value)) {
+    const int number = std::stoi(code);
+    if (number == 0) entity = value;
+    if (number == 8) {
+      layer = value;
+      if (entity == "POLYLINE") layers[layer].emplace_back();
+      if (entity == "VERTEX") layers[layer].back().emplace_back();
+    }
+    if (entity == "VERTEX" && (number == 10 || number == 20 || number == 30))
+      layers[layer].back().back()(number / 10 - 1) = std::stod(value);
+  }
+  EXPECT_EQ(value, "EOF");
+  return layers;
+}
+
+TEST(Workshop, GetsTheCurvesOfAWallAndOfCrossingCuts) {
+  const auto wall = polylinesOf(file(made(example("three-block-wall", 9)), "curves.dxf"));
+  ASSERT_EQ(wall.at("seam").size(), 2u);
+  EXPECT_EQ(wall.at("outline").size(), 8u);
+  EXPECT_EQ(wall.count("crease"), 0u);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const std::vector<Eigen::Vector3d>& seam = wall.at("seam")[k];
+    for (const Eigen::Vector3d& p : seam) EXPECT_NEAR(p.x(), 600.0 * double(k + 1), 0.05);
+    EXPECT_NEAR(std::abs(seam.back().y() - seam.front().y()), 800, 1);
+    // The wall at its first boundary: 310 at both ends, 310 in the middle by its formula.
+    if (k == 0) EXPECT_NEAR(seam.front().z(), 310, 0.5);
+  }
+  const Product crossing = made(example("two-crossing-cuts", 9));
+  const auto corner = polylinesOf(file(crossing, "curves.dxf"));
+  EXPECT_EQ(corner.at("outline").size(), 8u);
+  ASSERT_GE(corner.at("crease").size(), 1u);
+  for (const Eigen::Vector3d& p : corner.at("crease")[0]) {
+    EXPECT_GT(p.z(), 0);
+    EXPECT_LT(p.z(), 500);
+  }
+  // As STEP they are as many, or more where a curve has corners.
+  const std::string step = file(crossing, "curves.step");
+  std::size_t splines = 0;
+  for (std::size_t at = step.find("=B_SPLINE_CURVE_WITH_KNOTS("); at != std::string::npos;
+       at = step.find("=B_SPLINE_CURVE_WITH_KNOTS(", at + 1))
+    ++splines;
+  EXPECT_GE(splines, 8 + corner.at("crease").size());
+  EXPECT_NE(step.find("'outline east start'"), std::string::npos);
 }
 
 TEST(Workshop, GetsNothingWhereNoPartIsSought) {

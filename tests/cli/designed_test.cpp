@@ -170,6 +170,28 @@ TEST(Designed, SlipsInWhatIsVariedAreNamed) {
   EXPECT_EQ(blade({"vary", design, "--over", "amplitude", "--out", design}).status, 4);
 }
 
+TEST(Designed, IsHandedOverWithItsReportAndPictures) {
+  const Folder folder;
+  const std::string design = exampleIn(folder, "three-block-wall");
+  for (const char* threads : {"1", "2"})
+    ASSERT_EQ(blade({"design", design, "--out", folder / threads, "--handover", "--threads", threads}).status,
+              0);
+  const std::string html = slurp(folder / "1/report.html"), pdf = slurp(folder / "1/report.pdf");
+  EXPECT_NE(html.find("All stated limits hold."), std::string::npos);
+  EXPECT_NE(html.find("Stations of column-3"), std::string::npos);
+  EXPECT_NE(html.find("data:image/png;base64,iVBOR"), std::string::npos);
+  EXPECT_EQ(pdf.substr(0, 5), "%PDF-");
+  for (const char* file : {"report.html", "report.pdf", "pictures/deviation.png", "pictures/angle.png",
+                           "surface-strip-2.iges", "mesh.stl", "curves.dxf", "curves.step"}) {
+    EXPECT_FALSE(slurp(folder / ("1/" + std::string(file))).empty()) << file;
+    EXPECT_EQ(slurp(folder / ("1/" + std::string(file))), slurp(folder / ("2/" + std::string(file)))) << file;
+  }
+  const json report = json::parse(slurp(folder / "1/report.json"));
+  bool listed = false;
+  for (const json& file : report["files"]) listed = listed || file == "report.pdf";
+  EXPECT_TRUE(listed) << report["files"];
+}
+
 TEST(Designed, ACutIsToldByTheFewestKeyBlades) {
   const Folder folder;
   const std::string design = exampleIn(folder, "bump"), keys = folder / "keys.bladewright";

@@ -28,9 +28,7 @@ constexpr double kLitre = 1e6;  // mm³
 constexpr double kBorder = 10;
 constexpr double kFoot = 26;
 constexpr double kCutsWidth = 100;
-Rectangle sheetOfPage() {
-  return {{kBorder, kBorder}, {PdfPages::kWidth - kBorder, PdfPages::kHeight - kBorder}};
-}
+Rectangle sheetOfPage() { return {{kBorder, kBorder}, {Paper().width - kBorder, Paper().height - kBorder}}; }
 constexpr double kAboveFoot = kBorder + kFoot;
 
 // Around the views, mm: room for dimensions and for what they are called.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <iterator>
 
 #include "bw/core/text/printable.h"
@@ -37,6 +38,20 @@ char windowsByte(std::uint32_t code) {
   if ((code >= 0x20 && code < 0x7f) || (code >= 0xa0 && code <= 0xff)) return char(code);
   const auto* const found = std::ranges::find(kUpper, code);
   return code != 0 && found != kUpper.end() ? char(0x80 + (found - kUpper.begin())) : '?';
+}
+
+/// Where the fonts are that the file carries: a folder for each system that we know of.
+constexpr std::array<const char*, 3> kFontFolders = {"/usr/share/fonts/truetype/dejavu",
+                                                     "/usr/share/fonts/dejavu", "/usr/share/fonts/TTF"};
+
+/// The file of a font; empty where it is not installed.
+std::string fontFile(const char* name) {
+  std::error_code error;
+  for (const char* folder : kFontFolders) {
+    const std::filesystem::path file = std::filesystem::path(folder) / name;
+    if (std::filesystem::is_regular_file(file, error)) return file.string();
+  }
+  return {};
 }
 
 HPDF_REAL points(double mm) { return HPDF_REAL(mm * kPointsPerMm); }
@@ -70,6 +85,8 @@ struct PdfPages::Impl {
   HPDF_Page page = nullptr;
   HPDF_Font plain = nullptr, bold = nullptr;
   HPDF_STATUS failure = HPDF_OK;  ///< the first that libharu told
+  Paper paper;
+  bool utf8 = false;  ///< how letters are told to it
 
   /// libharu calls this in its own frames: it only takes note.
   static void note(HPDF_STATUS error, HPDF_STATUS, void* self) {
@@ -78,6 +95,21 @@ struct PdfPages::Impl {
   }
   bool ready() const { return failure == HPDF_OK && page; }
   HPDF_Font font(const Letters& letters) const { return letters.bold ? bold : plain; }
+  std::string bytesOf(std::string_view words) const { return utf8 ? printable(words) : windowsBytes(words); }
+  /// False where the fonts are not there.
+  bool loadFonts() {
+    const std::string plainFile = fontFile("DejaVuSans.ttf"), boldFile = fontFile("DejaVuSans-Bold.ttf");
+    if (plainFile.empty() || boldFile.empty()) return false;
+    HPDF_UseUTFEncodings(doc);
+    const auto load = [this](const std::string& file) -> HPDF_Font {
+      const char* name = HPDF_LoadTTFontFromFile(doc, file.c_str(), HPDF_TRUE);
+      return name ? HPDF_GetFont(doc, name, "UTF-8") : nullptr;
+    };
+    plain = load(plainFile);
+    bold = load(boldFile);
+    utf8 = plain && bold;
+    return utf8;
+  }
   void path(const std::vector<Point>& along) const {
     HPDF_Page_MoveTo(page, points(along.front().x()), points(along.front().y()));
     for (std::size_t i = 1; i < along.size(); ++i)
@@ -85,14 +117,17 @@ struct PdfPages::Impl {
   }
 };
 
-PdfPages::PdfPages(const std::string& title) : impl_(std::make_unique<Impl>()) {
+PdfPages::PdfPages(const std::string& title, const Paper& paper) : impl_(std::make_unique<Impl>()) {
+  impl_->paper = paper;
   impl_->doc = HPDF_New(&Impl::note, impl_.get());
   if (!impl_->doc) {
     Impl::note(HPDF_FAILD_TO_ALLOC_MEM, 0, impl_.get());
     return;
   }
-  impl_->plain = HPDF_GetFont(impl_->doc, "Helvetica", "WinAnsiEncoding");
-  impl_->bold = HPDF_GetFont(impl_->doc, "Helvetica-Bold", "WinAnsiEncoding");
+  if (!paper.allLetters || !impl_->loadFonts()) {
+    impl_->plain = HPDF_GetFont(impl_->doc, "Helvetica", "WinAnsiEncoding");
+    impl_->bold = HPDF_GetFont(impl_->doc, "Helvetica-Bold", "WinAnsiEncoding");
+  }
   if (!impl_->plain || !impl_->bold) Impl::note(HPDF_INVALID_FONT, 0, impl_.get());
   HPDF_SetInfoAttr(impl_->doc, HPDF_INFO_TITLE, windowsBytes(title).c_str());
 }
@@ -105,8 +140,8 @@ void PdfPages::begin() {
   if (impl_->failure != HPDF_OK) return;
   impl_->page = HPDF_AddPage(impl_->doc);
   if (!impl_->page) return Impl::note(HPDF_INVALID_PAGE, 0, impl_.get());
-  HPDF_Page_SetWidth(impl_->page, points(kWidth));
-  HPDF_Page_SetHeight(impl_->page, points(kHeight));
+  HPDF_Page_SetWidth(impl_->page, points(impl_->paper.width));
+  HPDF_Page_SetHeight(impl_->page, points(impl_->paper.height));
   HPDF_Page_SetLineCap(impl_->page, HPDF_ROUND_END);
   HPDF_Page_SetLineJoin(impl_->page, HPDF_ROUND_JOIN);
 }
@@ -140,20 +175,36 @@ void PdfPages::text(const Point& at, std::string_view words, const Letters& lett
   if (!impl_->ready() || words.empty()) return;
   const double back = letters.align == Align::left ? 0 : letters.align == Align::centre ? width / 2 : width;
   const HPDF_Page page = impl_->page;
-  HPDF_Page_SetGrayFill(page, HPDF_REAL(letters.grey));
+  if (letters.colour) {
+    const auto& [red, green, blue] = *letters.colour;
+    HPDF_Page_SetRGBFill(page, HPDF_REAL(red), HPDF_REAL(green), HPDF_REAL(blue));
+  } else {
+    HPDF_Page_SetGrayFill(page, HPDF_REAL(letters.grey));
+  }
   HPDF_Page_BeginText(page);
   HPDF_Page_SetFontAndSize(page, impl_->font(letters), HPDF_REAL(letters.size));
   if (letters.upright)
     HPDF_Page_SetTextMatrix(page, 0, 1, -1, 0, points(at.x()), points(at.y() - back));
   else
     HPDF_Page_SetTextMatrix(page, 1, 0, 0, 1, points(at.x() - back), points(at.y()));
-  HPDF_Page_ShowText(page, windowsBytes(words).c_str());
+  HPDF_Page_ShowText(page, impl_->bytesOf(words).c_str());
   HPDF_Page_EndText(page);
+}
+
+void PdfPages::picture(const Rectangle& r, const std::string& png) {
+  if (!impl_->ready()) return;
+  // Packed, as a picture of the report would take some MB each.
+  HPDF_SetCompressionMode(impl_->doc, HPDF_COMP_IMAGE);
+  const HPDF_Image image = HPDF_LoadPngImageFromMem(
+      impl_->doc, reinterpret_cast<const HPDF_BYTE*>(png.data()), HPDF_UINT(png.size()));
+  if (!impl_->ready() || !image) return Impl::note(HPDF_INVALID_IMAGE, 0, impl_.get());
+  HPDF_Page_DrawImage(impl_->page, image, points(r.low.x()), points(r.low.y()), points(r.width()),
+                      points(r.height()));
 }
 
 double PdfPages::widthOf(std::string_view words, const Letters& letters) {
   if (impl_->failure != HPDF_OK || words.empty()) return 0;
-  const std::string bytes = windowsBytes(words);
+  const std::string bytes = impl_->bytesOf(words);
   const HPDF_TextWidth width = HPDF_Font_TextWidth(
       impl_->font(letters), reinterpret_cast<const HPDF_BYTE*>(bytes.data()), HPDF_UINT(bytes.size()));
   return width.width * 1e-3 * letters.size / kPointsPerMm;  // widths are told for a thousand points
@@ -209,9 +260,9 @@ Result<std::string> PdfPages::bytes() {
   }
   if (impl_->failure != HPDF_OK || out.empty())
     return fail(ErrorCode::internal,
-                "the drawings could not be made: libharu tells error " + std::to_string(impl_->failure) +
+                "the pages could not be made: libharu tells error " + std::to_string(impl_->failure) +
                     "; report this with the design",
-                "drawings.pdf", double(impl_->failure));
+                "pdf", double(impl_->failure));
   return out;
 }
 

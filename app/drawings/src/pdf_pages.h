@@ -6,7 +6,9 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,15 +44,23 @@ struct Letters {
   Align align = Align::left;
   bool upright = false;  ///< from below to above
   double grey = 0;
+  std::optional<std::array<double, 3>> colour =
+      std::nullopt;  ///< red, green and blue, 0 to 1, in place of grey
 };
 
-/// Builds a PDF of A4 landscape pages. Of what libharu complains of first, `bytes` tells; what is drawn after
+/// What pages are made of.
+struct Paper {
+  double width = 297, height = 210;  ///< mm; A4 landscape
+  /// The file carries the letters of DejaVu Sans, of most alphabets; else, and where that is not installed,
+  /// it has those of code page 1252 in Helvetica, which every reader of PDF has.
+  bool allLetters = false;
+};
+
+/// Builds a PDF of pages of one size. Of what libharu complains of first, `bytes` tells; what is drawn after
 /// that is lost. Not for several threads at once.
 class PdfPages {
  public:
-  static constexpr double kWidth = 297, kHeight = 210;  ///< mm
-
-  explicit PdfPages(const std::string& title);
+  explicit PdfPages(const std::string& title, const Paper& paper = {});
   ~PdfPages();
   PdfPages(const PdfPages&) = delete;
   PdfPages& operator=(const PdfPages&) = delete;
@@ -62,6 +72,9 @@ class PdfPages {
   void fill(const std::vector<Point>& points, double grey);
   /// Words with their base line at `at`.
   void text(const Point& at, std::string_view words, const Letters& letters);
+
+  /// A picture, PNG, that fills a rectangle.
+  void picture(const Rectangle& r, const std::string& png);
 
   /// mm that words take.
   double widthOf(std::string_view words, const Letters& letters);

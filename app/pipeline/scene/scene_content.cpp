@@ -103,4 +103,26 @@ scene::Content sceneContent(const Evaluation& evaluation) {
   return content;
 }
 
+Result<std::vector<ReportPicture>> reportPictures(const Evaluation& evaluation, const RunContext& context) {
+  scene::Scene scene;
+  scene.setContent(sceneContent(evaluation));
+  constexpr int kWidth = kReportPictureWidth, kHeight = kReportPictureHeight;
+  std::vector<ReportPicture> pictures;
+  for (const PictureOfReport& wanted : kReportPictures) {
+    if (context.stopped()) return stoppedError();
+    scene::Style style;
+    style[scene::Kind::cut].map = wanted.field;
+    style.tolerance = evaluation.design.process.tolerance;
+    scene.setStyle(style);
+    const scene::View view = wanted.above ? scene::View::top : scene::View::iso;
+    scene.setCamera(scene.fitFrom(scene::directionOf(view), wanted.above, double(kWidth) / kHeight));
+    const Result<scene::Picture> picture = scene.render(kWidth, kHeight);
+    if (!picture) return tl::unexpected<Error>(picture.error());
+    Result<std::string> png = scene::pngBytes(*picture);
+    if (!png) return tl::unexpected<Error>(png.error());
+    pictures.push_back({wanted.name, wanted.title, std::move(*png), kWidth, kHeight});
+  }
+  return pictures;
+}
+
 }  // namespace bw::pipeline

@@ -9,6 +9,7 @@
 #include "bw/core/base/units.h"
 #include "bw/core/blade/cutting_limits.h"
 #include "bw/core/design/program_formats.h"
+#include "bw/core/text/base64.h"
 #include "bw/core/text/number_text.h"
 #include "bw/core/text/printable.h"
 #include "bw/pipeline/produce.h"
@@ -19,23 +20,7 @@ namespace bw::pipeline {
 
 namespace {
 
-/// Text from outside as text in a page.
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : printable(text)) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '"')
-      out += "&quot;";
-    else
-      out += c;
-  }
-  return out;
-}
+using Mark = drawings::ReportTable::Mark;
 
 std::string mm(double value) { return shortText(value, 3) + " mm"; }
 std::string degrees(double radians) { return fixedText(toDegrees(radians), 1) + "°"; }
@@ -46,37 +31,28 @@ std::string direction(const Eigen::Vector3d& v) {
   return fixedText(v.x(), 4) + ", " + fixedText(v.y(), 4) + ", " + fixedText(v.z(), 4);
 }
 
-/// Builds the page table by table.
+/// Builds the report table by table.
 class Page {
  public:
-  void heading(const std::string& text) { out_ += "<h2>" + escaped(text) + "</h2>\n"; }
-  void paragraph(const std::string& text) { out_ += "<p>" + escaped(text) + "</p>\n"; }
+  void heading(const std::string& text) { parts_.emplace_back(drawings::ReportHeading{text}); }
+  void paragraph(const std::string& text) { parts_.emplace_back(drawings::ReportParagraph{text}); }
+  void picture(const ReportPicture& picture) { parts_.emplace_back(picture); }
   void begin(const std::vector<std::string>& columns) {
-    out_ += "<table width=\"100%\" cellspacing=\"0\" cellpadding=\"4\">\n<tr>";
-    for (const std::string& column : columns)
-      out_ += "<th align=\"left\" bgcolor=\"#f1f1ee\">" + escaped(column) + "</th>";
-    out_ += "</tr>\n";
+    parts_.emplace_back(drawings::ReportTable{columns});
+    table_ = &std::get<drawings::ReportTable>(parts_.back());
   }
-  /// `mark` is the colour of the row's last cell, empty for none.
-  void row(const std::vector<std::string>& cells, const std::string& mark = {}) {
-    out_ += "<tr>";
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      const bool last = i + 1 == cells.size() && !mark.empty();
-      out_ += "<td>" + (last ? "<font color=\"" + mark + "\">" : "") + escaped(cells[i]) +
-              (last ? "</font>" : "") + "</td>";
-    }
-    out_ += "</tr>\n";
+  void row(const std::vector<std::string>& cells, Mark mark = Mark::none) {
+    table_->rows.push_back({cells, mark});
   }
-  void end() { out_ += "</table>\n"; }
   /// A number beside its limit, told in words and colour.
   void checked(const std::string& name, const std::string& value, const std::string& limit, bool holds) {
-    row({name, value, limit, holds ? "✓ holds" : "✗ exceeded"}, holds ? "#2b8a3e" : "#c92a2a");
+    row({name, value, limit, holds ? "✓ holds" : "✗ exceeded"}, holds ? Mark::good : Mark::bad);
   }
-  void raw(const std::string& html) { out_ += html; }
-  std::string take() { return std::move(out_); }
+  std::vector<drawings::ReportPart> take() { return std::move(parts_); }
 
  private:
-  std::string out_;
+  std::vector<drawings::ReportPart> parts_;
+  drawings::ReportTable* table_ = nullptr;
 };
 
 std::string verdict(const Evaluation& e) {
@@ -124,7 +100,6 @@ void limits(Page& page, const Evaluation& e) {
                "at least " + mm(design.process.clearance), clearance >= design.process.clearance);
   page.checked("Smallest margin against snapping", fixedText(margin, 2),
                "at least " + fixedText(design.process.margin, 2), margin >= design.process.margin);
-  page.end();
   page.heading("Numbers");
   page.begin({"Number", "Value"});
   page.row({"Mean deviation", mm(s.deviationMean)});
@@ -137,7 +112,6 @@ void limits(Page& page, const Evaluation& e) {
   page.row({"Mean cutting angle", degrees(s.angleMean)});
   page.row({"Slowest over fastest point of the blade", fixedText(s.speedRatioMin, 2)});
   page.row({"Cutting time, leads included", fixedText(all.cuttingTime, 0) + " s"});
-  page.end();
 }
 
 void parameters(Page& page, const Evaluation& e) {
@@ -204,7 +178,6 @@ void parameters(Page& page, const Evaluation& e) {
   page.row({"Clearance", mm(design.process.clearance)});
   page.row({"Stability margin of the blade", fixedText(design.process.margin, 2)});
   page.row({"Robot cell", design.output.cell});
-  page.end();
 }
 
 void findings(Page& page, const Evaluation& e) {
@@ -215,7 +188,6 @@ void findings(Page& page, const Evaluation& e) {
   for (const Finding& finding : all)
     page.row({severityName(finding.severity), words::placeText(finding),
               words::sentence(finding, words::Reader::window)});
-  page.end();
 }
 
 void stations(Page& page, const Evaluation& e, const Strip& strip) {
@@ -231,7 +203,6 @@ void stations(Page& page, const Evaluation& e, const Strip& strip) {
               curvature > 0 ? fixedText(1 / curvature, 0) : "straight", degrees(s.check.angleMax),
               fixedText(s.check.clearance, 0), fixedText(s.check.stabilityMargin, 2)});
   }
-  page.end();
   page.paragraph(
       "Lengths in mm. Distance: between the section of the target and its elastica (Hausdorff). Margin: 1 "
       "for "
@@ -250,6 +221,8 @@ void files(Page& page, const std::vector<std::filesystem::path>& made) {
        "The cut surface as one smooth face, mm, in the frame of the CAD file"},
       {{"mesh.obj", "mesh.stl"}, "The same as triangles"},
       {{"parts.step"}, "What is left of the blocks, as solids"},
+      {{"curves.step", "curves.dxf"},
+       "The seams between blocks, the outlines of the cut surfaces and their creases, as curves"},
       {{"drawings.pdf"}, "A drawing of each block for the workshop: its size, and how it lies for each cut"},
       {{"cut-list.csv"}, "The blocks of foam to order, with volumes, waste and cutting times"},
       {{"stations.csv"}, "One row a station: where the blade's ends are, and the numbers of the table above"},
@@ -277,7 +250,6 @@ void files(Page& page, const std::vector<std::filesystem::path>& made) {
   }
   if (isThere(kDesignFile))
     page.row({kDesignFile, "The design: opens in Bladewright, with all that can be changed"});
-  page.end();
 }
 
 }  // namespace
@@ -288,29 +260,88 @@ std::string sizeText(std::uintmax_t bytes) {
   return shortText(double(bytes) / 1e6, 3) + " MB";
 }
 
-std::string reportPage(const Evaluation& e, const std::vector<ReportPicture>& pictures,
-                       const std::vector<std::filesystem::path>& made, const std::string& program) {
+drawings::Report reportOf(const Evaluation& e, const std::vector<ReportPicture>& pictures,
+                          const std::vector<std::filesystem::path>& made) {
   Page page;
-  const std::string name = escaped(e.design.name);
-  page.raw("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + name +
-           "</title>\n<style>body{font-family:Inter,'Noto Sans','DejaVu Sans',sans-serif;font-size:10pt;"
-           "color:#22252a;max-width:900px;margin:24px auto}table{border-collapse:collapse;margin:8px 0}"
-           "td,th{border-bottom:1px solid #dadad6;font-variant-numeric:tabular-nums}h2{font-size:12pt;"
-           "margin-top:24px}</style></head>\n<body>\n<h1>" +
-           name + "</h1>\n");
   page.paragraph(verdict(e));
-  page.paragraph("Made by " + program + ".");
-  for (const ReportPicture& picture : pictures)
-    page.raw("<p><img src=\"" + escaped(picture.source) + "\" alt=\"" + escaped(picture.title) +
-             "\" width=\"" + std::to_string(picture.width) + "\" height=\"" + std::to_string(picture.height) +
-             "\"><br>" + escaped(picture.title) + "</p>\n");
+  page.paragraph("Made by Bladewright " BW_VERSION ".");
+  for (const ReportPicture& picture : pictures) page.picture(picture);
   if (e.complete()) limits(page, e);
   findings(page, e);
   parameters(page, e);
   for (const Strip& strip : stripsOf(e)) stations(page, e, strip);
   files(page, made);
-  page.raw("</body></html>\n");
-  return page.take();
+  return {e.design.name, page.take()};
+}
+
+namespace {
+
+/// Text from outside as text in a page.
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (const char c : printable(text)) {
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else if (c == '"')
+      out += "&quot;";
+    else
+      out += c;
+  }
+  return out;
+}
+
+/// The parts of a report as HTML.
+struct Html {
+  std::string operator()(const drawings::ReportHeading& heading) const {
+    return "<h2>" + escaped(heading.text) + "</h2>\n";
+  }
+  std::string operator()(const drawings::ReportParagraph& paragraph) const {
+    return "<p>" + escaped(paragraph.text) + "</p>\n";
+  }
+  std::string operator()(const drawings::ReportTable& table) const {
+    std::string out = "<table>\n<tr>";
+    for (const std::string& column : table.columns) out += "<th>" + escaped(column) + "</th>";
+    out += "</tr>\n";
+    for (const drawings::ReportTable::Row& row : table.rows) {
+      out += "<tr>";
+      for (std::size_t i = 0; i < row.cells.size(); ++i) {
+        const bool marked = i + 1 == row.cells.size() && row.mark != Mark::none;
+        out +=
+            marked ? std::string("<td class=\"") + (row.mark == Mark::good ? "good" : "bad") + "\">" : "<td>";
+        out += escaped(row.cells[i]) + "</td>";
+      }
+      out += "</tr>\n";
+    }
+    return out + "</table>\n";
+  }
+  std::string operator()(const ReportPicture& picture) const {
+    // Both sides, so that the page stands as it will before its pictures are unpacked.
+    constexpr int kWidth = 640;
+    const int height = int(double(kWidth) * picture.height / std::max(picture.width, 1) + 0.5);
+    return "<p><img src=\"data:image/png;base64," + toBase64(picture.png) + "\" alt=\"" +
+           escaped(picture.title) + "\" width=\"" + std::to_string(kWidth) + "\" height=\"" +
+           std::to_string(height) + "\"><br>" + escaped(picture.title) + "</p>\n";
+  }
+};
+
+}  // namespace
+
+std::string reportHtml(const drawings::Report& report) {
+  const std::string name = escaped(report.title);
+  std::string page =
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + name +
+      "</title>\n<style>body{font-family:Inter,'Noto Sans','DejaVu Sans',sans-serif;font-size:10pt;"
+      "color:#22252a;max-width:900px;margin:24px auto}table{border-collapse:collapse;margin:8px 0;width:100%}"
+      "td,th{border-bottom:1px solid #dadad6;padding:4px;text-align:left;font-variant-numeric:tabular-nums}"
+      "th{background:#f1f1ee}.good{color:#2b8a3e}.bad{color:#c92a2a}h2{font-size:12pt;margin-top:24px}"
+      "</style></head>\n<body>\n<h1>" +
+      name + "</h1>\n";
+  for (const drawings::ReportPart& part : report.parts) page += std::visit(Html(), part);
+  return page + "</body></html>\n";
 }
 
 }  // namespace bw::pipeline

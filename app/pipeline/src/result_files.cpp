@@ -11,6 +11,7 @@
 #include "bw/core/text/number_text.h"
 #include "bw/geometry/export.h"
 #include "bw/pipeline/run_identity.h"
+#include "curves.h"
 #include "make_files.h"
 #include "workshop.h"
 
@@ -248,8 +249,8 @@ Result<FileSet> resultFiles(Evaluation& e, const RunContext& context, const Poli
     }
   }
   // The texts are independent of each other and take most of the time of a small job.
-  std::array<std::string, 7> texts;
-  std::optional<Error> stepError, partsError, drawingsError;
+  std::array<std::string, 9> texts;
+  std::optional<Error> stepError, partsError, drawingsError, curvesError;
   const Wanted& wanted = policy.wanted;
   const bool workshop = partsSought(e) && wanted.has(FileKind::workshop);
   const auto body = [&](int i) {
@@ -281,6 +282,21 @@ Result<FileSet> resultFiles(Evaluation& e, const RunContext& context, const Poli
           partsError = parts.error();
         break;
       }
+      case 6: {
+        if (!wanted.has(FileKind::curves)) break;
+        const std::vector<CurveLayer> layers = curvesOf(e);
+        std::vector<geometry::NamedCurve> all;
+        for (const CurveLayer& layer : layers)
+          for (const geometry::NamedCurve& curve : layer.curves)
+            all.push_back({layer.name + " " + curve.name, curve.points});
+        Result<std::string> step = geometry::curvesStepText(all, "curves");
+        if (step)
+          texts[7] = std::move(*step);
+        else
+          curvesError = step.error();
+        texts[8] = dxfText(layers);
+        break;
+      }
       case 5:
         if (workshop) {
           Result<std::string> drawings = drawingsOf(e, run, programs.paths(), wanted, context);
@@ -295,10 +311,11 @@ Result<FileSet> resultFiles(Evaluation& e, const RunContext& context, const Poli
         break;
     }
   };
-  if (Result<void> ok = parallelFor(context, 7, body); !ok) return tl::unexpected<Error>(ok.error());
+  if (Result<void> ok = parallelFor(context, 8, body); !ok) return tl::unexpected<Error>(ok.error());
   if (stepError) return tl::unexpected<Error>(*stepError);
   if (partsError) return tl::unexpected<Error>(*partsError);
   if (drawingsError) return tl::unexpected<Error>(*drawingsError);
+  if (curvesError) return tl::unexpected<Error>(*curvesError);
   FileSet files;
   files.add("sweep.json", std::move(texts[4]));
   if (wanted.has(FileKind::surface)) files.add("surface.step", std::move(texts[0]));
@@ -308,6 +325,10 @@ Result<FileSet> resultFiles(Evaluation& e, const RunContext& context, const Poli
     files.add("cut-list.csv", cutListCsv(e, wanted));
   }
   if (wanted.has(FileKind::meshes)) files.add("mesh.obj", std::move(texts[1]));
+  if (wanted.has(FileKind::curves)) {
+    files.add("curves.step", std::move(texts[7]));
+    files.add("curves.dxf", std::move(texts[8]));
+  }
   if (wanted.has(FileKind::tables)) {
     files.add("stations.csv", std::move(texts[3]));
     files.add("deviation.csv", std::move(texts[2]));

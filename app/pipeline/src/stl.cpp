@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "bw/pipeline/report_page.h"
+#include "bw/pipeline/handover.h"
 
 namespace bw::pipeline {
 

@@ -5,9 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/archive/iterators/base64_from_binary.hpp>
-#include <boost/archive/iterators/binary_from_base64.hpp>
-#include <boost/archive/iterators/transform_width.hpp>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -18,6 +15,7 @@
 #include "bw/core/design/process_numbers.h"
 #include "bw/core/design/program_formats.h"
 #include "bw/core/files/file_set.h"
+#include "bw/core/text/base64.h"
 #include "bw/core/text/number_text.h"
 #include "design/design_keys.h"
 
@@ -105,32 +103,9 @@ std::string nearestProgramFormat(const std::string& word) {
 }
 
 namespace fs = std::filesystem;
-using boost::archive::iterators::base64_from_binary;
-using boost::archive::iterators::binary_from_base64;
-using boost::archive::iterators::transform_width;
 using nlohmann::json;
 
 namespace {
-
-std::string toBase64(const std::string& bytes) {
-  using Digits = base64_from_binary<transform_width<std::string::const_iterator, 6, 8>>;
-  std::string text(Digits(bytes.begin()), Digits(bytes.end()));
-  return text.append((3 - bytes.size() % 3) % 3, '=');
-}
-
-std::optional<std::string> fromBase64(std::string text) {
-  using Bytes = transform_width<binary_from_base64<std::string::const_iterator>, 8, 6>;
-  const std::size_t digits = text.find_last_not_of('=') + 1, padding = text.size() - digits;
-  if (text.size() % 4 != 0 || padding > 2 || text.find('=') < digits) return std::nullopt;
-  std::fill(text.end() - std::ptrdiff_t(padding), text.end(), 'A');
-  try {
-    std::string bytes(Bytes(text.cbegin()), Bytes(text.cend()));
-    bytes.resize(bytes.size() - padding);
-    return bytes;
-  } catch (const boost::archive::iterators::dataflow_exception&) {
-    return std::nullopt;
-  }
-}
 
 /// The file of a source, and what it was.
 void readFileKeys(ObjectReader& reader, Source& source) {

@@ -130,7 +130,7 @@ class MainWindow : public QMainWindow {
   void order(const std::function<void(const std::filesystem::path& folder)>& write);
   void runOrder();
   /// What a report shows of the result, whatever the view shows now.
-  std::vector<ReportImage> reportPictures();
+  std::vector<pipeline::ReportPicture> reportPictures();
   /// Asks for another CAD file under the same settings; the step is named `text`.
   void replaceSurface(const QString& text);
   /// Asks where the CAD file is now.

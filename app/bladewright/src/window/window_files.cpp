@@ -13,8 +13,8 @@ namespace bw::app {
 
 namespace {
 
-constexpr QSize kReportPicture(1280, 800);  ///< pixels
-constexpr int kPictureScale = 2;            ///< suggested pixels of a picture, by those of the view
+constexpr QSize kReportPicture(pipeline::kReportPictureWidth, pipeline::kReportPictureHeight);
+constexpr int kPictureScale = 2;  ///< suggested pixels of a picture, by those of the view
 
 }  // namespace
 
@@ -101,8 +101,9 @@ bool MainWindow::numbersStand() {
 
 void MainWindow::exportEverything() {
   order([this](const std::filesystem::path& folder) {
-    bench_.exportAll(folder, bench_.wanted().has(pipeline::FileKind::pages) ? reportPictures()
-                                                                            : std::vector<ReportImage>());
+    bench_.exportAll(folder, bench_.wanted().has(pipeline::FileKind::pages)
+                                 ? reportPictures()
+                                 : std::vector<pipeline::ReportPicture>());
   });
 }
 
@@ -124,23 +125,18 @@ void MainWindow::runOrder() {
               tr("Nothing was exported, because the design has no finished result."));
 }
 
-std::vector<ReportImage> MainWindow::reportPictures() {
+std::vector<pipeline::ReportPicture> MainWindow::reportPictures() {
   const scene::Style style = view_->sceneStyle();
-  std::vector<ReportImage> pictures;
-  for (const auto& [name, title, field, view] :
-       {std::tuple("deviation", tr("Deviation of the cut surface from the target"), "deviation",
-                   scene::View::iso),
-        std::tuple("deviation-top", tr("Deviation, from above"), "deviation", scene::View::top),
-        std::tuple("angle", tr("Cutting angle"), "angle", scene::View::iso),
-        std::tuple("curvature", tr("Bending of the blade against its limit"), "curvature",
-                   scene::View::iso)}) {
+  std::vector<pipeline::ReportPicture> pictures;
+  for (const pipeline::PictureOfReport& wanted : pipeline::kReportPictures) {
     // As on paper: light, with nothing chosen and no blade on its way.
     scene::Style paper;
-    paper[scene::Kind::cut].map = field;
+    paper[scene::Kind::cut].map = wanted.field;
     paper.tolerance = style.tolerance;
     view_->setStyle(paper);
-    const QImage image = view_->picture(kReportPicture, 1, view);
-    if (!image.isNull()) pictures.push_back({name, title, image});
+    const QImage image =
+        view_->picture(kReportPicture, 1, wanted.above ? scene::View::top : scene::View::iso);
+    if (!image.isNull()) pictures.push_back(reportPicture(wanted.name, tr(wanted.title), image));
   }
   view_->setStyle(style);
   return pictures;

@@ -173,7 +173,7 @@ class Workbench : public QObject {
   /// Writes all that a colleague needs to understand the result without this program to `folder`, in the
   /// background: report (HTML, PDF, JSON) with `pictures`, geometry (STEP, IGES, STL, OBJ), stations,
   /// programs and the design; of these what is `wanted`.
-  void exportAll(const std::filesystem::path& folder, std::vector<ReportImage> pictures = {});
+  void exportAll(const std::filesystem::path& folder, std::vector<pipeline::ReportPicture> pictures = {});
   /// Writes the robot programs alone.
   void exportPrograms(const std::filesystem::path& folder);
   /// True if an export can be ordered: the result of the present design stands or is being computed.

@@ -251,10 +251,14 @@ bool Workbench::anyBlockWanted() const {
                              [this](const StockBlock& block) { return !blocksLeftOut_.contains(block.id); });
 }
 
-void Workbench::exportAll(const fs::path& folder, std::vector<ReportImage> pictures) {
+void Workbench::exportAll(const fs::path& folder, std::vector<pipeline::ReportPicture> pictures) {
   write(folder, tr("Writing files"),
         [pictures = std::move(pictures), wanted = wanted()](const RunContext& context) {
-          return handoverPolicy(pictures, wanted, context);
+          pipeline::Policy policy;
+          policy.wanted = wanted;
+          policy.reader = words::Reader::window;
+          return pipeline::withHandover(
+              std::move(policy), [pictures](const pipeline::Evaluation&) { return pictures; }, context);
         });
 }
 

@@ -13,8 +13,8 @@ namespace bw::pipeline {
 
 /// Files of a result that may be left out. The design, sweep.json and report.json never are: the result is
 /// shown and checked again by them.
-enum class FileKind { programs, workshop, pages, surface, parts, meshes, tables };
-inline constexpr std::size_t kFileKinds = 7;
+enum class FileKind { programs, workshop, pages, surface, parts, meshes, tables, curves };
+inline constexpr std::size_t kFileKinds = 8;
 
 /// How a kind is named, where it is kept and where people read it.
 struct FileKindInfo {
@@ -34,11 +34,13 @@ inline constexpr std::array<FileKindInfo, kFileKinds> kFileKindInfos = {{
     {"parts", "Parts that are left", "parts.step: a solid for each block, where drawings are made"},
     {"meshes", "Meshes", "mesh.obj and mesh.stl of the cut surface"},
     {"tables", "Tables", "stations.csv and deviation.csv"},
+    {"curves", "Curves",
+     "curves.step and curves.dxf: the seams between blocks, the outlines of cut surfaces, and their creases"},
 }};
 
 /// What is written of a result.
 struct Wanted {
-  std::array<bool, kFileKinds> kinds = {true, true, true, true, true, true, true};
+  std::array<bool, kFileKinds> kinds = {true, true, true, true, true, true, true, true};
   /// Ids of the blocks whose programs, drawings, parts and lines of the cut list are written; empty: all. The
   /// report and the surfaces are those of all blocks in any case.
   std::vector<std::string> blocks = {};

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "bw/pipeline/handover.h"
 #include "bw/pipeline/pipeline.h"
 #include "bw/pipeline/sketch.h"
 #include "bw/scene/scene.h"
@@ -11,6 +12,9 @@ namespace bw::pipeline {
 /// What a picture of an evaluation shows; stages that are missing are left out, but
 /// for a block that could not be used: it is shown where the job puts it.
 scene::Content sceneContent(const Evaluation& evaluation);
+/// The pictures of a report on an evaluation (`kReportPictures`), drawn without a window. Errors: those of
+/// `scene::Scene::render`; `cancelled`.
+Result<std::vector<ReportPicture>> reportPictures(const Evaluation& evaluation, const RunContext& context);
 /// What a picture of a sketch shows.
 scene::Content sceneContent(const Sketch& sketch);
 

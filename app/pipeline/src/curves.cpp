@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "curves.h"
+
+#include <algorithm>
+#include <array>
+
+#include "block_layout.h"
+#include "bw/core/text/number_text.h"
+#include "bw/pipeline/requests.h"
+#include "make_files.h"
+
+namespace bw::pipeline {
+
+namespace {
+
+using Points = std::vector<Eigen::Vector3d>;
+
+constexpr double kNear = 1;  // mm between a border and the plane between two blocks
+
+/// A border of a cut surface.
+struct Side {
+  const char* name;
+  Points points;
+  bool seam = false;
+};
+using Sides = std::array<Side, 4>;
+
+Sides sidesOf(const SurfaceGrid& grid) {
+  Sides sides = {{{"start", {}}, {"end", {}}, {"left", {}}, {"right", {}}}};
+  for (int c = 0; c < grid.columns; ++c) {
+    sides[0].points.push_back(grid.at(0, c));
+    sides[1].points.push_back(grid.at(grid.rows - 1, c));
+  }
+  for (int r = 0; r < grid.rows; ++r) {
+    sides[2].points.push_back(grid.at(r, 0));
+    sides[3].points.push_back(grid.at(r, grid.columns - 1));
+  }
+  return sides;
+}
+
+/// The side that lies along a plane; null if none does.
+Side* sideAlong(Sides& sides, const Boundary& plane) {
+  Side* nearest = nullptr;
+  double least = kNear + plane.apart / 2;
+  for (Side& side : sides) {
+    double farthest = 0;
+    for (const Eigen::Vector3d& p : side.points)
+      farthest = std::max(farthest, std::abs((p - plane.point).dot(plane.normal)));
+    if (farthest <= least) nearest = &side, least = farthest;
+  }
+  return nearest;
+}
+
+}  // namespace
+
+std::vector<CurveLayer> curvesOf(const Evaluation& e) {
+  CurveLayer seams{"seam", {}}, outlines{"outline", {}}, creases{"crease", {}};
+  const std::vector<Strip> strips = stripsOf(e);
+  std::vector<Sides> sides;
+  for (const Strip& strip : strips) sides.push_back(sidesOf(strip.cut->analysis.value->cut));
+  if (e.joints.value)
+    for (const Joint& joint : e.joints.value->joints) {
+      const CutEvaluation &first = *strips[joint.first].cut, &second = *strips[joint.second].cut;
+      const auto boundary = boundaryOf(first.setup->block, second.setup->block, jointRequest(e.design).apart);
+      if (!boundary) continue;
+      Side* own = sideAlong(sides[joint.first], *boundary);
+      Side* other = sideAlong(sides[joint.second], *boundary);
+      if (!own || !other) continue;
+      own->seam = other->seam = true;
+      seams.curves.push_back({first.id + " | " + second.id, own->points});
+    }
+  for (std::size_t i = 0; i < strips.size(); ++i)
+    for (Side& side : sides[i])
+      if (!side.seam)
+        outlines.curves.push_back({strips[i].cut->id + " " + side.name, std::move(side.points)});
+  for (const BlockEvaluation& block : e.blocks)
+    if (block.together.value)
+      for (const Crease& crease : block.together.value->creases)
+        for (const Polyline& curve : crease.curves)
+          creases.curves.push_back(
+              {block.cuts[crease.first].id + " | " + block.cuts[crease.second].id, curve});
+  std::vector<CurveLayer> layers = {std::move(seams), std::move(outlines), std::move(creases)};
+  std::erase_if(layers, [](const CurveLayer& layer) { return layer.curves.empty(); });
+  return layers;
+}
+
+std::string dxfText(const std::vector<CurveLayer>& layers) {
+  std::string text;
+  // A code and its value, a line each.
+  const auto put = [&text](int code, const std::string& value) {
+    text += std::to_string(code) + "\n" + value + "\n";
+  };
+  const auto coordinates = [&put](const Eigen::Vector3d& p) {
+    for (int axis = 0; axis < 3; ++axis) put(10 * (axis + 1), fixedText(p[axis], 6));
+  };
+  const auto section = [&put](const char* name) {
+    put(0, "SECTION");
+    put(2, name);
+  };
+  section("HEADER");
+  put(9, "$ACADVER");
+  put(1, "AC1009");
+  put(0, "ENDSEC");
+  section("TABLES");
+  put(0, "TABLE");
+  put(2, "LAYER");
+  put(70, std::to_string(layers.size()));
+  int colour = 0;
+  for (const CurveLayer& layer : layers) {
+    put(0, "LAYER");
+    put(2, layer.name);
+    put(70, "0");
+    put(62, std::to_string(++colour));
+    put(6, "CONTINUOUS");
+  }
+  put(0, "ENDTAB");
+  put(0, "ENDSEC");
+  section("ENTITIES");
+  for (const CurveLayer& layer : layers)
+    for (const geometry::NamedCurve& curve : layer.curves) {
+      put(0, "POLYLINE");
+      put(8, layer.name);
+      put(66, "1");
+      put(70, "8");  // in space
+      coordinates(Eigen::Vector3d::Zero());
+      for (const Eigen::Vector3d& p : curve.points) {
+        put(0, "VERTEX");
+        put(8, layer.name);
+        put(70, "32");
+        coordinates(p);
+      }
+      put(0, "SEQEND");
+      put(8, layer.name);
+    }
+  put(0, "ENDSEC");
+  put(0, "EOF");
+  return text;
+}
+
+}  // namespace bw::pipeline

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// The curves of a result for CAD: where blocks meet, where surfaces end, where they meet each other.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bw/geometry/export.h"
+#include "bw/pipeline/pipeline.h"
+
+namespace bw::pipeline {
+
+/// Curves of one kind; its name is that of their layer.
+struct CurveLayer {
+  std::string name;
+  std::vector<geometry::NamedCurve> curves;
+};
+
+/// Of an evaluation with results of all cuts: "seam", the lines along which surfaces of neighbouring blocks
+/// meet, which are seen on what is cast; "outline", the other borders of each cut surface in its block;
+/// "crease", the edges that cuts of a block leave. Points in the file's frame, mm. Layers without curves are
+/// left out.
+std::vector<CurveLayer> curvesOf(const Evaluation& evaluation);
+
+/// The curves as polylines in space, DXF of release 12, mm, each kind in its layer and its colour.
+std::string dxfText(const std::vector<CurveLayer>& layers);
+
+}  // namespace bw::pipeline
