@@ -73,6 +73,7 @@ int run(int argc, char** argv) {
   addInfoVerb(app, session, work);
   addSurfaceVerbs(app, session, work);
   addVaryVerb(app, session, work);
+  addMouldsVerb(app, session, work);
   addKeysVerb(app, session, work);
   addCutsVerb(app, session, work);
   addProgramVerbs(app, session, work);

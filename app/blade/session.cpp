@@ -119,6 +119,23 @@ Result<void> Session::writeOutput(const std::string& name, const std::string& by
   return {};
 }
 
+Result<void> Session::mayWriteDesign(const std::string& name) const {
+  if (!name.ends_with(kDesignSuffix))
+    return fail(ErrorCode::badInput, "a design is written; give --out a name that ends in .bladewright",
+                "out");
+  for (const std::filesystem::path& input : inputs)
+    if (pipeline::sameFile(name, input))
+      return fail(ErrorCode::badInput, name + " is the input; choose another file for the output", name);
+  return {};
+}
+
+Result<void> Session::writeDesign(Design design, const std::string& name) const {
+  for (Source& source : design.sources)
+    if (!source.path.empty() && source.bytes.empty()) source.path = std::filesystem::absolute(source.path);
+  const Interrupt::Commit commit;
+  return saveDesign(design, name);
+}
+
 Result<void> Session::writeFiles(const FileSet& files, const std::filesystem::path& folder,
                                  const std::filesystem::path& source,
                                  const std::optional<pipeline::FolderState>& seen) const {

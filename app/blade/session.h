@@ -70,6 +70,10 @@ struct Session {
   Result<std::string> readInput(const std::string& name) const;
   /// Standard output for "-", else the file, atomically; not one of `inputs`.
   Result<void> writeOutput(const std::string& name, const std::string& bytes) const;
+  /// Errors (`badInput`): the name is not that of a design, or one of `inputs`.
+  Result<void> mayWriteDesign(const std::string& name) const;
+  /// Writes a design that is made of another one; files that it links are named by their whole paths.
+  Result<void> writeDesign(Design design, const std::string& name) const;
   /// Tells the list of files on standard error, then writes them all or none, and not over `inputs` or
   /// `source`, in place of what an earlier run left there of programs; tells that list too. With `seen`,
   /// nothing if another run was put there since.

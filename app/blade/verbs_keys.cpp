@@ -29,14 +29,7 @@ constexpr double kShare = 0.25;
 int runKeys(const Session& session, const KeysOptions& options) {
   const Result<Design> opened = session.openDesign(options.file);
   if (!opened) return session.complain(opened.error());
-  if (!options.out.ends_with(kDesignSuffix))
-    return session.complain(
-        {ErrorCode::badInput, "a design is written; give --out a name that ends in .bladewright", "out"});
-  for (const fs::path& input : session.inputs)
-    if (pipeline::sameFile(options.out, input))
-      return session.complain({ErrorCode::badInput,
-                               options.out + " is the input; choose another file for the output",
-                               options.out});
+  if (Result<void> ok = session.mayWriteDesign(options.out); !ok) return session.complain(ok.error());
   if (!options.cut.empty() && std::ranges::find(opened->cuts, options.cut, &Cut::id) == opened->cuts.end())
     return session.complain(
         {ErrorCode::badInput, "there is no cut \"" + options.cut + "\" in the design", "cut"});
@@ -73,10 +66,8 @@ int runKeys(const Session& session, const KeysOptions& options) {
   if (!any)
     return session.complain({ErrorCode::badInput,
                              "the blade meets none of the cuts that are asked for; see blade design", "cut"});
-  for (Source& source : design.sources)
-    if (!source.path.empty() && source.bytes.empty()) source.path = fs::absolute(source.path);
-  const Interrupt::Commit commit;
-  if (const Result<void> ok = saveDesign(design, options.out); !ok) return session.complain(ok.error());
+  if (const Result<void> ok = session.writeDesign(std::move(design), options.out); !ok)
+    return session.complain(ok.error());
   return within ? kDone : kLimitExceeded;
 }
 

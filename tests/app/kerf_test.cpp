@@ -9,6 +9,7 @@
 
 #include "bw/core/base/units.h"
 #include "bw/pipeline/example_design.h"
+#include "bw/pipeline/moulds.h"
 #include "bw/pipeline/produce.h"
 #include "bw/pipeline/sketch.h"
 
@@ -77,6 +78,66 @@ TEST(KerfOfADesign, TheMiddleOfTheBladeIsOffTheSurfaceAndWhatStandsIsNot) {
     EXPECT_LT(result.coverage.distance, result.coverage.limit);
     EXPECT_LT(result.between.fromShown, 0.1) << "what robots move is held against the middle";
   }
+}
+
+TEST(KerfOfADesign, AFoamThatStandsBackIsHeldAgainstTheSurfaceBesideTheOneAskedFor) {
+  for (const double kerf : {0.0, kKerf}) {
+    Design design = designed("bump", kerf);
+    design.cut().offset = 15;
+    const Evaluation e = evaluated(design);
+    const CutResult result = *e.cut().result();
+    const double off = result.analysis.summary.deviationMax;
+    EXPECT_LT(off, 1);
+    const auto standing = heights(e.cut(), result.analysis.cut.points);
+    EXPECT_NEAR(standing.first, -15, off + 5e-3);
+    EXPECT_NEAR(standing.second, -15, off + 5e-3);
+    const auto middle = heights(e.cut(), blades(e.cut()));
+    EXPECT_NEAR(middle.first, -15 + kerf / 2, off + 5e-3);
+    EXPECT_LT(result.coverage.distance, result.coverage.limit);
+    EXPECT_LT(result.between.fromShown, 0.1);
+    for (const Finding& finding : e.findings()) EXPECT_NE(finding.severity, Severity::error);
+  }
+  Design two = designed("two-crossing-cuts", 0);
+  two.cut().offset = 5;
+  const Outcome refused = evaluate(two, nullptr, {});
+  ASSERT_TRUE(refused.error);
+  EXPECT_NE(refused.error->message.find("only the one cut of a block may"), std::string::npos)
+      << refused.error->message;
+}
+
+TEST(KerfOfADesign, TwoMouldsLeaveAPanelBetweenThem) {
+  for (const char* name : {"bump", "three-block-wall"}) {
+    const Evaluation single = evaluated(designed(name, 2));
+    const Design pair = withUpperMoulds(single, 30).value();
+    EXPECT_EQ(pair.stock.size(), 2 * single.design.stock.size());
+    const Evaluation e = evaluated(pair);
+    ASSERT_EQ(e.blocks.size(), pair.stock.size());
+    const std::size_t half = single.design.stock.size();
+    for (std::size_t i = 0; i < half; ++i) {
+      const CutEvaluation &lower = e.blocks[i].cuts[0], &upper = e.blocks[i + half].cuts[0];
+      EXPECT_EQ(e.blocks[i + half].id, e.blocks[i].id + "-upper");
+      const auto low = heights(lower, lower.result()->analysis.cut.points),
+                 high = heights(upper, upper.result()->analysis.cut.points);
+      const double off = std::max(lower.result()->analysis.summary.deviationMax,
+                                  upper.result()->analysis.summary.deviationMax);
+      EXPECT_LT(off, 2) << name;
+      EXPECT_NEAR(low.second, -15, off + 0.01) << name;
+      EXPECT_NEAR(high.first, 15, off + 0.01) << name;
+      // As much foam behind the one as behind the other.
+      const Box &under = lower.setup->block, &over = upper.setup->block;
+      EXPECT_EQ(under.size, over.size);
+      std::pair<double, double> low2(1e9, -1e9);
+      for (const Eigen::Vector3d& p : lower.targetMesh.value->points) {
+        const double below = under.frame.toLocal(p).z(), above = over.size.z() - over.frame.toLocal(p).z();
+        low2 = {std::min(low2.first, below + above), std::max(low2.second, below + above)};
+      }
+      EXPECT_NEAR(low2.first, low2.second, 1e-6) << "the blocks are shifted along their height alone";
+    }
+    EXPECT_EQ(withUpperMoulds(e, 30).error().code, ErrorCode::badInput) << "once is enough";
+    EXPECT_EQ(withUpperMoulds(single, 0).error().code, ErrorCode::badInput);
+  }
+  const Evaluation crossing = evaluated(designed("two-crossing-cuts", 0));
+  EXPECT_NE(withUpperMoulds(crossing, 30).error().message.find("has 2 cuts"), std::string::npos);
 }
 
 TEST(KerfOfADesign, LeavesThePartThatIsAskedFor) {

@@ -245,14 +245,15 @@ void targetOfPoles(benchmark::State& state) {
 }
 BENCHMARK(targetOfPoles)->Unit(benchmark::kMicrosecond);
 
-/// The example whose formula is 0.01 mm near its spline with some hundred poles.
-void splineOfFormula(benchmark::State& state) {
-  const Design design = exampleDesign("ripple-along").value_or(Design());
+/// Examples whose formula, or whose blades, are 0.01 mm near their spline with some hundred poles.
+void splineOfExample(benchmark::State& state, const char* name) {
+  const Design design = exampleDesign(name).value_or(Design());
   if (!design.source().surface) return state.SkipWithError("the example is not there");
   for (auto _ : state)
     if (!splineOf(*design.source().surface)) return state.SkipWithError("no spline");
 }
-BENCHMARK(splineOfFormula)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(splineOfExample, formula, "ripple-along")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(splineOfExample, blades, "key-blade-fan")->Unit(benchmark::kMicrosecond);
 
 /// A variable of a design whose poles hang on it.
 void variableChange(benchmark::State& state) {

@@ -226,6 +226,26 @@ TEST(Designed, ACutIsToldByTheFewestKeyBlades) {
   EXPECT_EQ(blade({"keys", design, "--out", folder / "keys.json"}).status, 2);
 }
 
+TEST(Designed, TwoMouldsAreMadeForAPanel) {
+  const Folder folder;
+  const std::string design = exampleIn(folder, "bump"), moulds = folder / "moulds.bladewright";
+  const Finished made = blade({"moulds", design, "--thickness", "30", "--out", moulds});
+  ASSERT_EQ(made.status, 0) << made.err;
+  const Finished run = blade({"design", moulds, "--out", folder / "out"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const json report = json::parse(slurp(folder / "out/report.json"));
+  ASSERT_EQ(report["blocks"].size(), 2u);
+  EXPECT_EQ(report["blocks"][1]["cuts"][0]["keep"], "above");
+  EXPECT_EQ(report["blocks"][1]["cuts"][0]["offset_mm"], 15.0);
+  EXPECT_GT(report["summary"]["covered_percent"].get<double>(), 99.9);
+  EXPECT_EQ(blade({"check", folder / "out"}).status, 0);
+  for (const char* thickness : {"0", "-3", "5000"})
+    EXPECT_EQ(blade({"moulds", design, "--thickness", thickness, "--out", moulds}).status, 2) << thickness;
+  EXPECT_EQ(
+      blade({"moulds", exampleIn(folder, "two-crossing-cuts"), "--thickness", "30", "--out", moulds}).status,
+      2);
+}
+
 TEST(Designed, EveryCutOfAWallGetsKeyBladesOfItsOwn) {
   const Folder folder;
   const std::string design = exampleIn(folder, "three-block-wall"), keys = folder / "keys.bladewright";

@@ -21,7 +21,7 @@ Design several() {
     "cuts": [{"id": "plain", "block": "block-1"},
              {"id": "all of it", "source": "two, or so", "block": "block-1", "face": [0], "direction": [0.6, 0.8, 0],
               "stations": {"spacing": 12.5}, "sections": "kernel", "face_up": "left", "turn_deg": 270,
-              "keep": "right", "order": 3, "blade_length": 812.5},
+              "keep": "right", "order": 3, "blade_length": 812.5, "offset": 7.5},
              {"id": "near", "block": "block-2", "near": [1, 2.5, -3], "direction": "x", "stations": 20}]})");
   EXPECT_TRUE(design) << design.error().message;
   return *design;
@@ -63,7 +63,7 @@ TEST(CutTable, DesignsKeepWhatACutHas) {
   EXPECT_EQ(parseDesign(designToJson(design))->cuts, design.cuts);
   // What is as usual is not told, for versions that do not know it.
   const auto text = nlohmann::json::parse(designToJson(design));
-  for (const char* key : {"face_up", "turn_deg", "keep", "order", "blade_length"}) {
+  for (const char* key : {"face_up", "turn_deg", "keep", "order", "blade_length", "offset"}) {
     EXPECT_FALSE(text["cuts"][0].contains(key)) << key;
     EXPECT_TRUE(text["cuts"][1].contains(key)) << key;
   }

@@ -11,6 +11,7 @@
 #include "bw/core/parts/cut_order.h"
 #include "bw/core/shape/moved_sections.h"
 #include "bw/core/sweep/firm_row.h"
+#include "bw/core/text/number_text.h"
 #include "bw/geometry/export.h"
 
 namespace bw::pipeline {
@@ -45,7 +46,7 @@ Result<MiddleSections> middleOf(const geometry::Target& target, const std::vecto
   const std::unique_ptr<SurfaceSampler> sampler = target.sampler();
   const Result<int> side = sideKept(cut.triangles(), *sampler, kerf.kept);
   if (!side) return tl::unexpected<Error>(side.error());
-  const double off = -*side * 0.5 * kerf.width;
+  const double off = *side * (kerf.back - 0.5 * kerf.width);
   Result<std::vector<Section>> middle = movedBy(sections, *sampler, off, context, findings);
   if (!middle) return tl::unexpected<Error>(middle.error());
   return MiddleSections{std::move(*middle), off};
@@ -95,7 +96,16 @@ Result<void> setOff(const CutWork& work) {
   CutEvaluation& e = work.e;
   const Kerf kerf = kerfOf(work.design, work.cut, e.setup->block);
   e.middle = {};
-  if (!(kerf.width > 0)) return {};
+  if (kerf == Kerf()) return {};
+  // Where cuts of one block meet is known of the surfaces themselves alone.
+  const auto same = [&](const Cut& other) { return other.block == work.cut.block; };
+  if (kerf.back > 0 && std::ranges::count_if(work.design.cuts, same) > 1)
+    return fail(
+        ErrorCode::badInput,
+        "the cut " + work.cut.id + " stands back from its surface by " + shortText(kerf.back) +
+            " mm, which only the one cut of a block may; its block has several. Set its offset to 0, or "
+            "give it a block of its own",
+        "offset", kerf.back, 0.0);
   const std::shared_ptr<const std::vector<Section>> cut = ownRow(e);
   return work.settle(&CutEvaluation::middle, kerf, {e.target.value, cut}, work.seconds.sections,
                      [&](const Kerf& asked, Findings& findings) {
@@ -305,8 +315,10 @@ Result<void> cover(const CutWork& work, double& seconds) {
   return work.settle(
       &CutEvaluation::coverage, checkRequest(work.design), {e.analysis.value, e.targetMesh.value}, seconds,
       [&](const CheckRequest& request, Findings& findings) -> Result<Coverage> {
-        Coverage coverage =
-            coverageOf(e.analysis.value->cut, *e.sweep.value, *e.targetMesh.value, request.tolerance);
+        // What stands back from the target is laid onto it again.
+        const Kerf& kerf = e.middle.request;
+        const SurfaceGrid laid = standingBeside(e.analysis.value->cut, {2 * kerf.back, 0, -kerf.kept});
+        Coverage coverage = coverageOf(laid, *e.sweep.value, *e.targetMesh.value, request.tolerance);
         findings = coverage.findings;
         return coverage;
       });

@@ -61,7 +61,7 @@ Result<std::vector<FramedCurve>> bladesOf(const CutEvaluation& cut) {
   if (cut.middle.value)
     return fail(ErrorCode::badInput,
                 "the blades of the cut " + cut.id +
-                    " lie half a kerf beside the surface that they leave; adopt it with a kerf of 0",
+                    " do not lie in the surface that is asked for; adopt it with a kerf and an offset of 0",
                 "kerf");
   std::vector<FramedCurve> curves;
   for (const BladePose& pose : cut.sweep.value->poses) {

@@ -128,7 +128,8 @@ ordered_json blockJson(const Box& block) {
 ordered_json lyingJson(const Cut& cut) {
   return {{"face_up", kBlockFaces[std::size_t(cut.pose.up)]},
           {"turn_deg", 90 * cut.pose.quarters},
-          {"keep", kKeptSides[std::size_t(cut.keep)]}};
+          {"keep", kKeptSides[std::size_t(cut.keep)]},
+          {"offset_mm", cut.offset}};
 }
 
 ordered_json creasesJson(const BlockEvaluation& block) {

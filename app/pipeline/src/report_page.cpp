@@ -150,6 +150,8 @@ void parameters(Page& page, const Evaluation& e) {
       const std::string which = part.cuts.size() > 1 ? of + each.id + ": " : of;
       const std::string lies = lyingText(*std::ranges::find(design.cuts, each.id, &Cut::id));
       if (!lies.empty()) page.row({which + "The block lies with", lies});
+      if (const double offset = std::ranges::find(design.cuts, each.id, &Cut::id)->offset; offset > 0)
+        page.row({which + "Stands back from the surface by", mm(offset)});
       page.row({which + "Cutting direction", direction(each.setup->planes.direction())});
     }
     if (part.part.value && part.part.value->solid) {

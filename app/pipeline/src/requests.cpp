@@ -36,7 +36,9 @@ CheckRequest checkRequest(const Design& design) {
 
 Kerf kerfOf(const Design& design, const Cut& cut, const Box& lies) {
   // Where there is none, no stage hangs on how the block lies.
-  return design.process.kerf > 0 ? Kerf{design.process.kerf, keptWay(lies, cut.keep)} : Kerf();
+  return design.process.kerf > 0 || cut.offset > 0
+             ? Kerf{design.process.kerf, cut.offset, keptWay(lies, cut.keep)}
+             : Kerf();
 }
 
 LengthRequest lengthRequest(const Design& design, const Cut& cut, const Box& lies, bool joined) {

@@ -163,7 +163,7 @@ std::optional<CutSketch> Sketcher::draw(const Design& design, std::size_t index,
   std::shared_ptr<const std::vector<Section>> sections = row.sections;
   double off = 0;
   const Kerf kerf = kerfOf(design, asked, planes.setup.block);
-  if (kerf.width > 0) {
+  if (kerf != Kerf()) {
     Result<MiddleSections> middle = middleOf(*row.target, *row.sections, kerf, context, unsaid);
     if (!middle) return {};
     off = middle->off;

@@ -20,9 +20,9 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array<const char*, 13> kColumns = {"block",     "id",       "source",      "face", "near",
-                                                  "direction", "face_up",  "turn_deg",    "keep", "order",
-                                                  "stations",  "sections", "blade_length"};
+constexpr std::array<const char*, 14> kColumns = {"block",     "id",       "source",       "face",  "near",
+                                                  "direction", "face_up",  "turn_deg",     "keep",  "order",
+                                                  "stations",  "sections", "blade_length", "offset"};
 
 /// A cut of a design with all its keys, also those that are as usual, and the expressions of its numbers.
 json rowOf(const Design& design, std::size_t index) {
@@ -34,6 +34,7 @@ json rowOf(const Design& design, std::size_t index) {
   row["keep"] = kKeptSides[0];
   row["order"] = "auto";
   row["blade_length"] = "blade";
+  row["offset"] = 0;
   detail::writeBlockCutKeys(cut, row);
   if (design.grid) return row;  // whose expressions are those of all its cuts
   const std::string place = "/cuts/" + std::to_string(index);

@@ -364,6 +364,7 @@ void readBlockCutKeys(ObjectReader& reader, Cut& cut) {
   cut.keep = KeptSide(keep);
   readOrder(reader, cut.order);
   readCutLength(reader, cut.length);
+  reader.number("offset", cut.offset, 0, Cut::kMostOffset);
 }
 
 void readProcessKeys(ObjectReader& reader, Process& process) {
@@ -418,6 +419,7 @@ void writeBlockCutKeys(const Cut& cut, json& object) {
   if (cut.keep != KeptSide::below) object["keep"] = kKeptSides[std::size_t(cut.keep)];
   if (cut.order) object["order"] = *cut.order;
   if (cut.length) object["blade_length"] = *cut.length;
+  if (cut.offset != 0) object["offset"] = cut.offset;
 }
 
 void writeProcessKeys(const Process& process, json& object) {

@@ -68,9 +68,13 @@ struct Cut {
   KeptSide keep = KeptSide::below;              ///< which foam stays
   std::optional<int> order = std::nullopt;      ///< among the cuts of its block; empty: by its height
   std::optional<double> length = std::nullopt;  ///< mm, of the blade; empty: that of the design's
+  /// mm that the foam stands back from the surface, along its normals: half of what two moulds leave between
+  /// them for a panel. Only for a cut that is alone in its block.
+  double offset = 0;
   bool operator==(const Cut&) const = default;
 
   static constexpr int kMostOrder = 10000;
+  static constexpr double kMostOffset = 500;  ///< mm
 };
 
 /// What is asked of cuts where their blocks lie side by side and the surface goes on.

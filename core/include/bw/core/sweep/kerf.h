@@ -11,9 +11,11 @@
 
 namespace bw {
 
-/// The foam that a hot blade melts away: what stands lies half of that from the middle of the blade.
+/// The foam that a hot blade melts away: what stands lies half of that from the middle of the blade, and
+/// `back` mm from the surface that is asked for.
 struct Kerf {
   double width = 0;                                  ///< mm, ≥ 0
+  double back = 0;                                   ///< mm towards the foam that stays, ≥ 0
   Eigen::Vector3d kept = -Eigen::Vector3d::UnitZ();  ///< the way to the foam that stays, unit
   bool operator==(const Kerf&) const = default;
 };

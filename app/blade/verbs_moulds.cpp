@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// Two moulds for each panel of a design.
+
+#include <filesystem>
+#include <iostream>
+
+#include "bw/pipeline/moulds.h"
+#include "verbs.h"
+
+namespace bw::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct MouldsOptions {
+  std::string file, out;
+  double thickness = 0;  ///< mm
+};
+
+int runMoulds(const Session& session, const MouldsOptions& options) {
+  const Result<Design> opened = session.openDesign(options.file);
+  if (!opened) return session.complain(opened.error());
+  if (Result<void> ok = session.mayWriteDesign(options.out); !ok) return session.complain(ok.error());
+  const pipeline::Outcome outcome = pipeline::evaluate(*opened, nullptr, session.context());
+  if (outcome.error) return session.complain(*outcome.error);
+  Result<Design> design = pipeline::withUpperMoulds(outcome.evaluation, options.thickness);
+  if (!design) return session.complain(design.error());
+  session.endProgress();
+  std::cerr << design->stock.size() - opened->stock.size() << " upper moulds for " << opened->stock.size()
+            << " blocks\n";
+  const Result<void> ok = session.writeDesign(std::move(*design), options.out);
+  return ok ? int(kDone) : session.complain(ok.error());
+}
+
+}  // namespace
+
+void addMouldsVerb(CLI::App& app, const Session& session, Work& work) {
+  CLI::App* verb = app.add_subcommand(
+      "moulds", "A design with a second block for each of its blocks: two moulds for a panel between them");
+  const auto options = std::make_shared<MouldsOptions>();
+  verb->add_option("DESIGN", options->file, "A .bladewright file")->required();
+  verb->add_option("--thickness", options->thickness, "Of the panel, mm; its middle is the surface")
+      ->type_name("MM")
+      ->required();
+  verb->add_option("--out", options->out, "The design that is written")->type_name("DESIGN")->required();
+  verb->footer("Example:\n  blade moulds bump.bladewright --thickness 30 --out bump-moulds.bladewright");
+  onChosen(*verb, session, work, options, runMoulds);
+}
+
+}  // namespace bw::cli
