@@ -228,7 +228,9 @@ TEST(Workshop, GetsTheCurvesOfAWallAndOfCrossingCuts) {
     for (const Eigen::Vector3d& p : seam) EXPECT_NEAR(p.x(), 600.0 * double(k + 1), 0.05);
     EXPECT_NEAR(std::abs(seam.back().y() - seam.front().y()), 800, 1);
     // The wall at its first boundary: 310 at both ends, 310 in the middle by its formula.
-    if (k == 0) EXPECT_NEAR(seam.front().z(), 310, 0.5);
+    if (k == 0) {
+      EXPECT_NEAR(seam.front().z(), 310, 0.5);
+    }
   }
   const Product crossing = made(example("two-crossing-cuts", 9));
   const auto corner = polylinesOf(file(crossing, "curves.dxf"));

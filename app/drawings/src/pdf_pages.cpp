@@ -101,6 +101,7 @@ struct PdfPages::Impl {
     const std::string plainFile = fontFile("DejaVuSans.ttf"), boldFile = fontFile("DejaVuSans-Bold.ttf");
     if (plainFile.empty() || boldFile.empty()) return false;
     HPDF_UseUTFEncodings(doc);
+    HPDF_SetCompressionMode(doc, HPDF_COMP_ALL);  // the fonts take half a MB otherwise
     const auto load = [this](const std::string& file) -> HPDF_Font {
       const char* name = HPDF_LoadTTFontFromFile(doc, file.c_str(), HPDF_TRUE);
       return name ? HPDF_GetFont(doc, name, "UTF-8") : nullptr;
@@ -194,7 +195,7 @@ void PdfPages::text(const Point& at, std::string_view words, const Letters& lett
 void PdfPages::picture(const Rectangle& r, const std::string& png) {
   if (!impl_->ready()) return;
   // Packed, as a picture of the report would take some MB each.
-  HPDF_SetCompressionMode(impl_->doc, HPDF_COMP_IMAGE);
+  HPDF_SetCompressionMode(impl_->doc, impl_->utf8 ? HPDF_COMP_ALL : HPDF_COMP_IMAGE);
   const HPDF_Image image = HPDF_LoadPngImageFromMem(
       impl_->doc, reinterpret_cast<const HPDF_BYTE*>(png.data()), HPDF_UINT(png.size()));
   if (!impl_->ready() || !image) return Impl::note(HPDF_INVALID_IMAGE, 0, impl_.get());

@@ -4,6 +4,7 @@
 #include "bw/pipeline/key_blades.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "bw/core/constructions/spline_constructions.h"
 #include "bw/core/shape/key_blades.h"
@@ -125,7 +126,9 @@ Result<CutKeyBlades> keyBladesOf(const CutEvaluation& cut, Told told, double tol
     const Eigen::Vector3d place = axes.transpose() * (frame.origin - found.surface.origin);
     const Result<PlanarCurve> curve = seenFromBehind(own);
     if (!curve) return tl::unexpected<Error>(curve.error());
-    curves.push_back({place.y(), curve->transformed(0, 1, {place.x(), place.z()})});
+    // Places as a person reads them; none moves by more than 1e-9 mm.
+    const double y = std::round(place.y() * 1e9) / 1e9;
+    curves.push_back({y, curve->transformed(0, 1, {place.x(), place.z()})});
   }
   Result<FewestBlades> fewest = fewestBlades(curves, tolerance, context);
   if (!fewest) return tl::unexpected<Error>(fewest.error());
