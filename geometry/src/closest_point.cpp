@@ -189,9 +189,13 @@ FaceFoot footOnFace(const FaceGeometry& face, const std::vector<EdgeGeometry>& e
       if (wraps[k] || !(low[k] || high[k])) continue;
       foot.onBorder = true;
       const int side = 2 * k + (high[k] ? 1 : 0);
-      for (const TrimEdge& trim : face.trims()) {
-        if (trim.side == side && trim.edge >= 0 && !edges[trim.edge].degenerate()) foot.edge = trim.edge;
-      }
+      // A side may be of several edges, some of which other faces share: the nearest of them.
+      double nearest = 1e300, at = 0;
+      Eigen::Vector3d point;
+      for (const TrimEdge& trim : face.trims())
+        if (trim.side == side && trim.edge >= 0 &&
+            footOnEdge(edges[trim.edge], foot.point, nearest, at, point))
+          foot.edge = trim.edge;
     }
     return foot;
   }

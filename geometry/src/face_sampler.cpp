@@ -94,13 +94,19 @@ class FaceSampler final : public SurfaceSampler {
     const FaceFoot own = footOnSurface(*target_->faces[std::size_t(foot.face)], p, foot.uv);
     double nearest = own.normal.isZero() ? SurfaceSampler::continued(p, foot) : side * off(own);
     bool known = below(own);
-    // A hole may lie over the edge of two faces: then it is the other one that goes on there.
-    for (const Neighbour& neighbour : target_->neighbours[std::size_t(foot.face)]) {
-      const FaceGeometry& face = *target_->faces[std::size_t(neighbour.face)];
+    const auto look = [&](const FaceGeometry& face) {
       const FaceFoot there = footOnSurface(face, p, nearGridPlace(face, p));
-      if (!below(there) || (known && std::abs(off(there)) >= std::abs(nearest))) continue;
+      if (!below(there) || (known && std::abs(off(there)) >= std::abs(nearest))) return;
       nearest = side * off(there);
       known = true;
+    };
+    // A hole may lie over the edge of two faces: then it is the other one that goes on there. Or a surface
+    // goes on between several faces that lie on it.
+    for (const Neighbour& neighbour : target_->neighbours[std::size_t(foot.face)])
+      look(*target_->faces[std::size_t(neighbour.face)]);
+    for (const Carrier& carrier : target_->carriers) {
+      const Eigen::Vector3d over = (carrier.bounds.min - p).cwiseMax(p - carrier.bounds.max).cwiseMax(0.0);
+      if (over.norm() <= foot.distance + 0.1 * carrier.bounds.size().norm()) look(*carrier.surface);
     }
     return nearest;
   }
@@ -180,12 +186,22 @@ class FaceSampler final : public SurfaceSampler {
       if (foot.normal.squaredNorm() < 0.5) foot.normal = Eigen::Vector3d::UnitZ();
     }
     if (target_->flipped) foot.normal = -foot.normal;
-    if (best.onBorder && (best.edge < 0 || target_->freeEdge(best.edge))) {
+    if (best.onBorder && (best.edge < 0 || target_->freeEdge(best.edge) || atFreeEdge(face, best.point))) {
       const Eigen::Vector3d r = p - best.point;
       const double lean = (r - r.dot(foot.normal) * foot.normal).norm();
       foot.onBoundary = lean > kSideRatio * best.distance + kSlack;
     }
     return foot;
+  }
+
+  /// Whether an edge of this face alone begins or ends at a point of its border.
+  bool atFreeEdge(const FaceGeometry& face, const Eigen::Vector3d& point) const {
+    return std::ranges::any_of(face.trims(), [&](const TrimEdge& trim) {
+      if (!target_->freeEdge(trim.edge)) return false;
+      const EdgeGeometry& edge = target_->model->edges[std::size_t(trim.edge)];
+      return !edge.degenerate() && std::min((edge.points.front() - point).norm(),
+                                            (edge.points.back() - point).norm()) <= kSlack + edge.tolerance;
+    });
   }
 
   std::shared_ptr<const Target::Impl> target_;

@@ -212,12 +212,12 @@ void PlaneCutter::split(int face, const std::vector<Root>& roots, double level,
           open = std::move(part);
           if (first && from && gap.nodes.size() > 1 &&
               target_.freeEdge(roots[std::size_t(from->node.root)].edge))
-            open->before.assign(gap.nodes.rbegin(), gap.nodes.rend());
+            open->before = {{face, std::vector<LevelNode>(gap.nodes.rbegin(), gap.nodes.rend())}};
         }
         gap = {};
         free = true;
       }
-      if (open && free && gap.nodes.size() > 1) open->after = std::move(gap.nodes);
+      if (open && free && gap.nodes.size() > 1) open->after = {{face, std::move(gap.nodes)}};
       if (open) cut.pieces.push_back(cleaned(std::move(*open)));
     } else {
       for (std::size_t k = 0; k < stops.size(); ++k) {

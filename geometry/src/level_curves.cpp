@@ -30,6 +30,7 @@ PlaneCutter::PlaneCutter(const Target::Impl& target, const Eigen::Vector3d& norm
     edges_.push_back(levelsOf(edge, e, normal));
   }
   for (const auto& face : target.faces) faces_.push_back(levelsOf(*face, normal, region));
+  for (const Carrier& carrier : target.carriers) faces_.push_back(levelsOf(*carrier.surface, normal, region));
 }
 
 bool PlaneCutter::grazes(double level) const {
@@ -38,13 +39,14 @@ bool PlaneCutter::grazes(double level) const {
   };
   return std::any_of(edges_.begin(), edges_.end(),
                      [&](const EdgeLevels& e) { return close(e.low, e.high); }) ||
-         std::any_of(faces_.begin(), faces_.end(), [&](const FaceLevels& f) { return close(f.low, f.high); });
+         std::any_of(faces_.begin(), faces_.begin() + std::ptrdiff_t(target_.faces.size()),
+                     [&](const FaceLevels& f) { return close(f.low, f.high); });
 }
 
 PlaneCutter::Cut PlaneCutter::cut(double level, bool byKernel) const {
   const std::vector<Root> roots = crossings(level);
   Cut result;
-  for (int face = 0; face < int(faces_.size()); ++face) {
+  for (int face = 0; face < int(target_.faces.size()); ++face) {
     std::vector<LevelPiece> chains;
     if (byKernel)
       intersect(face, level, chains);
@@ -52,12 +54,12 @@ PlaneCutter::Cut PlaneCutter::cut(double level, bool byKernel) const {
       march(face, level, chains);
     split(face, roots, level, chains, result);
   }
-  if (faces_.size() > 1) bridge(roots, level, result);
+  if (target_.faces.size() > 1) bridge(roots, level, byKernel, result);
   return result;
 }
 
 bool PlaneCutter::project(int face, double level, LevelNode& node) const {
-  const FaceGeometry& geometry = *target_.faces[face];
+  const FaceGeometry& geometry = geometryOf(face);
   Jet jet;
   for (int k = 0; k < 12; ++k) {
     geometry.patch().first(node.uv.x(), node.uv.y(), jet);
@@ -93,7 +95,7 @@ bool PlaneCutter::between(int face, const LevelNode& a, const LevelNode& b, doub
 
 Eigen::Vector3d PlaneCutter::tangent(int face, const LevelNode& node) const {
   Jet jet;
-  target_.faces[face]->patch().first(node.uv.x(), node.uv.y(), jet);
+  geometryOf(face).patch().first(node.uv.x(), node.uv.y(), jet);
   const Eigen::Vector3d n = jet.du.cross(jet.dv);
   const Eigen::Vector3d t = normal_.cross(n);
   const double length = t.norm();

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -48,15 +49,21 @@ struct LevelNode {
   bool crease = false;  ///< on a line where the surface is less than twice continuously differentiable
 };
 
-/// A connected part of the section of one face.
+/// A stretch of a curve beyond a border, on one surface.
+struct LevelWay {
+  int face = 0;  ///< index of a face or carrier, as in a LevelPiece
+  std::vector<LevelNode> nodes;
+};
+
+/// A connected part of the section of one face, or of a carrier between faces.
 struct LevelPiece {
-  int face = 0;  ///< index in the target
+  int face = 0;  ///< index in the target; carriers are numbered on from its faces
   std::vector<LevelNode> nodes;
   bool closed = false;  ///< the last node is followed by the first
   double bridged = 0;   ///< mm, the widest gap of the face that it leads across
-  /// How the curve goes on beyond its first and its last node on the surface under the face, outward from
+  /// How the curve goes on beyond its first and its last node on the surfaces under the faces, outward from
   /// that node; empty where the border there is not one of this face alone, or the surface ends with it.
-  std::vector<LevelNode> before = {}, after = {};
+  std::vector<LevelWay> before = {}, after = {};
 };
 
 /// Cuts a target with planes of one normal.
@@ -99,6 +106,13 @@ class PlaneCutter {
     Eigen::Vector3d p;
   };
 
+  /// A face of the target, or of the carriers that are numbered on from them.
+  const FaceGeometry& geometryOf(int face) const {
+    const int faces = int(target_.faces.size());
+    return face < faces ? *target_.faces[std::size_t(face)]
+                        : *target_.carriers[std::size_t(face - faces)].surface;
+  }
+
   /// The crossings of all borders with the plane.
   std::vector<Root> crossings(double level) const;
   /// Adds the curves of the whole surface under a face, by marching squares over its grid.
@@ -115,22 +129,22 @@ class PlaneCutter {
   void split(int face, const std::vector<Root>& roots, double level, std::vector<LevelPiece>& chains,
              Cut& cut) const;
 
-  // Holes and notches over the edge of two faces (level_bridges.cpp).
+  // Holes and notches over the edges of faces (level_bridges.cpp).
   using Nodes = std::vector<LevelNode>;
   struct LooseEnd;
+  struct Stretch;
   struct Meeting;
-  /// The ends of the pieces at borders of their faces alone.
-  std::vector<LooseEnd> looseEnds(const std::vector<Root>& roots, const Cut& cut) const;
-  /// Joins pieces of neighbouring faces whose ways on meet.
-  void bridge(const std::vector<Root>& roots, double level, Cut& cut) const;
-  /// Leads a piece on to a place of its way, where it then ends, on crossing `root`.
-  static void lead(const LooseEnd& end, double place, LevelNode node, int root, LevelPiece& piece);
+  struct Path;
+  struct Paths;
+  class Bridging;
+  /// Joins pieces whose ways on lead to each other, and has those that are left know their ways on.
+  void bridge(const std::vector<Root>& roots, double level, bool byKernel, Cut& cut) const;
   /// Where two curves come nearest to each other: at the first place where they run together, if they do.
   Meeting meetingOf(int faceA, const Nodes& a, int faceB, const Nodes& b, double level) const;
   /// The place of a curve nearest to p: the number of a node, and the part of the way to the next one.
   double nearestPlace(int face, const Nodes& nodes, const Eigen::Vector3d& p, double level) const;
   LevelNode nodeAt(int face, const Nodes& nodes, double place, double level) const;
-  /// mm that the surfaces of two faces with a common edge may be apart there; empty where they have none.
+  /// mm that two surfaces whose faces share an edge may be apart there; empty where they share none.
   std::optional<double> jointTolerance(int faceA, int faceB) const;
   /// Moves a node along the surface to the plane; false if it does not get there.
   bool project(int face, double level, LevelNode& node) const;
@@ -140,7 +154,7 @@ class PlaneCutter {
   const Target::Impl& target_;
   Eigen::Vector3d normal_;
   std::vector<EdgeLevels> edges_;
-  std::vector<FaceLevels> faces_;
+  std::vector<FaceLevels> faces_;  ///< and carriers
 };
 
 }  // namespace bw::geometry

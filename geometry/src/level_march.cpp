@@ -52,7 +52,7 @@ std::vector<Eigen::Vector2d> placesOf(const GeomInt_IntSS& kernel, int line) {
 }  // namespace
 
 LevelNode PlaneCutter::crossing(int face, double level, double ua, double va, double ub, double vb) const {
-  const SurfacePatch& patch = target_.faces[face]->patch();
+  const SurfacePatch& patch = geometryOf(face).patch();
   Jet jet;
   const auto f = [&](double s, double& slope) {
     patch.first(ua + s * (ub - ua), va + s * (vb - va), jet);
@@ -74,7 +74,7 @@ LevelNode PlaneCutter::crossing(int face, double level, double ua, double va, do
 }
 
 void PlaneCutter::march(int face, double level, std::vector<LevelPiece>& chains) const {
-  const FaceGeometry& geometry = *target_.faces[face];
+  const FaceGeometry& geometry = geometryOf(face);
   const FaceLevels& levels = faces_[face];
   if (level < levels.low - kOnPlane || level > levels.high + kOnPlane) return;
   const int nu = int(geometry.gridU().size()), nv = int(geometry.gridV().size());
@@ -178,7 +178,7 @@ void PlaneCutter::march(int face, double level, std::vector<LevelPiece>& chains)
 }
 
 void PlaneCutter::slide(int face, double level, int along, LevelNode& node) const {
-  const SurfacePatch& patch = target_.faces[face]->patch();
+  const SurfacePatch& patch = geometryOf(face).patch();
   Jet jet;
   for (int k = 0; k < kSlideSteps; ++k) {
     patch.first(node.uv.x(), node.uv.y(), jet);
@@ -190,7 +190,7 @@ void PlaneCutter::slide(int face, double level, int along, LevelNode& node) cons
 }
 
 void PlaneCutter::intersect(int face, double level, std::vector<LevelPiece>& chains) const {
-  const FaceGeometry& geometry = *target_.faces[face];
+  const FaceGeometry& geometry = geometryOf(face);
   const FaceLevels& levels = faces_[face];
   const double slack = kBetweenNodes * (levels.high - levels.low) + kOnPlane;
   if (level < levels.low - slack || level > levels.high + slack) return;
@@ -215,7 +215,7 @@ void PlaneCutter::intersect(int face, double level, std::vector<LevelPiece>& cha
 
 void PlaneCutter::follow(int face, double level, std::vector<Eigen::Vector2d> places,
                          std::vector<LevelPiece>& chains) const {
-  const FaceGeometry& geometry = *target_.faces[face];
+  const FaceGeometry& geometry = geometryOf(face);
   const SurfacePatch& patch = geometry.patch();
   const Eigen::Vector2d low(geometry.u0(), geometry.v0()), high(geometry.u1(), geometry.v1());
   const bool wraps[2] = {geometry.wrapsU(), geometry.wrapsV()};

@@ -45,6 +45,13 @@ struct Neighbour {
   double tolerance = 0;
 };
 
+/// A surface that several faces lie on which hang together, over the rectangle of its parameters around them.
+struct Carrier {
+  std::shared_ptr<const FaceGeometry> surface;
+  std::vector<int> faces;
+  Bounds bounds;  ///< of the surface's grid
+};
+
 struct Target::Impl {
   std::shared_ptr<const CadModel::Impl> model;
   std::vector<int> indices;
@@ -52,6 +59,7 @@ struct Target::Impl {
   std::vector<int> edgeUses;  ///< by model edge: how often the chosen faces are bounded by it
   /// By face: the faces that share an edge with it.
   std::vector<std::vector<Neighbour>> neighbours;
+  std::vector<Carrier> carriers;
   bool flipped = false;  ///< the outer side is against that of the file: sheets are seen from above
   bool sheet = false;    ///< no solid gives the outer side
   Eigen::Vector3d meanNormal = Eigen::Vector3d::Zero();  ///< area-weighted mean of the outer unit normals:

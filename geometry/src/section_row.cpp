@@ -249,12 +249,18 @@ SectionOutcome Sectioner::cut(double level, int station, bool byKernel) const {
   if (bridged > kSpeck) tell(Severity::info, SectionBridged{bridged}, place);
 
   const auto goesOn = [&](const SectionBranch::Part& end, bool last) -> std::vector<SectionSample> {
-    const std::vector<LevelNode>& nodes = last == end.reversed ? end.piece->before : end.piece->after;
+    const std::vector<LevelWay>& way = last == end.reversed ? end.piece->before : end.piece->after;
     const SectionSample& from = last ? part.samples.back() : part.samples.front();
-    if (nodes.size() < 2 || (nodes.front().p - from.node.p).norm() > kMeet) return {};
-    const LevelPiece piece{end.piece->face, nodes};
-    const int division = std::max(2, int((kMinSamples + nodes.size() - 1) / nodes.size()));
-    return sampleBranch(cutter_, {{{&piece, false}}, false}, level, division);
+    if (way.empty() || (way.front().nodes.front().p - from.node.p).norm() > kMeet) return {};
+    std::vector<LevelPiece> pieces;
+    std::size_t nodes = 0;
+    for (const LevelWay& step : way) {
+      pieces.push_back({step.face, step.nodes});
+      nodes += step.nodes.size();
+    }
+    SectionBranch branch;
+    for (const LevelPiece& piece : pieces) branch.parts.push_back({&piece, false});
+    return sampleBranch(cutter_, branch, level, std::max(2, int((kMinSamples + nodes - 1) / nodes)));
   };
   outcome.level = level;
   outcome.beyond = {goesOn(part.branch->parts.front(), false), goesOn(part.branch->parts.back(), true)};
@@ -308,6 +314,11 @@ void Sectioner::extend(SectionOutcome& outcome, double low, double high) const {
     };
     std::vector<SectionSample> more = {samples.front()};
     for (SectionSample next : outcome.beyond[last ? 1 : 0]) {
+      if (next.face != more.back().face) {
+        // The same place on the next surface.
+        more.push_back(next);
+        continue;
+      }
       if ((next.node.p - more.back().node.p).norm() <= kSameNode) continue;
       const bool turns = !(left(next.node) < left(more.back().node));
       if (turns) {
@@ -324,7 +335,7 @@ void Sectioner::extend(SectionOutcome& outcome, double low, double high) const {
           return at(a, b, 0.5 * (from + to));
         };
         next = farthest(more.back(), next);
-        if (more.size() > 2) {
+        if (more.size() > 2 && more[more.size() - 2].face == more.back().face) {
           const SectionSample earlier = farthest(more[more.size() - 2], more.back());
           if (left(earlier.node) < left(next.node)) {
             more.pop_back();
@@ -352,6 +363,8 @@ void Sectioner::extend(SectionOutcome& outcome, double low, double high) const {
     samples.insert(samples.begin(), more.begin(), more.end() - 1);
   }
   std::ranges::reverse(samples);
+  for (std::size_t k = 1; k < samples.size(); ++k)
+    samples[k].corner = samples[k].corner || samples[k].face != samples[k - 1].face;
   if (length < kSpeck) return;
   SectionOutcome extended = outcome;
   if (!fit(extended, std::move(samples))) return;

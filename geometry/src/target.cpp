@@ -15,6 +15,7 @@
 #include <functional>
 
 #include "bw/core/text/number_text.h"
+#include "carriers.h"
 #include "model_impl.h"
 #include "occt.h"
 
@@ -288,6 +289,7 @@ Result<Target> Target::make(const CadModel& model, const FaceChoice& choice, Fin
       }
     }
     impl->neighbours = neighboursOf(*impl);
+    impl->carriers = carriersOf(*impl);
     impl->meanNormal = impl->area > 0 ? Eigen::Vector3d(sum / impl->area) : Eigen::Vector3d::Zero();
     if (impl->sheet) {
       // A sheet has no inside: it is seen from above, or else from the positive side of y or x.
