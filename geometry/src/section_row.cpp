@@ -25,11 +25,13 @@ constexpr double kSpeck = 0.01;         // mm: a part shorter than this is round
 constexpr double kNudge = 1e-4;         // mm that a plane along a border or plane face is moved
 constexpr int kMinSamples = 96;         // of a section, before it is fitted
 constexpr int kMaxSamples = 12000;
+constexpr int kLeastBeyond = 24;  // samples of what is added to a section at one end
 
 constexpr double kInsetRatio = 1e-4;  // of the range: the first and last plane keep off the very border
 constexpr double kInset = 0.01;       // mm, at least
 constexpr double kShortRatio = 0.01;  // of the longest section: shorter ones carry no shape
 constexpr double kShort = 0.1;        // mm, likewise
+constexpr double kWidened = 1.01;     // times that: as long a section at a point is made
 constexpr int kProbePlanes = 64;      // tried when no sample of the target lies in the block
 constexpr int kTrisections = 48;      // of the way on, for the place where it turns back
 constexpr int kBisections = 16;  // halvings of the distance between a plane that hits and one that misses
@@ -357,6 +359,8 @@ void Sectioner::extend(SectionOutcome& outcome, double low, double high) const {
       if (turns) break;
     }
     if (more.size() < 2) continue;
+    if (int(more.size()) < kLeastBeyond)
+      more = refined(cutter_, more, outcome.level, 1 + kLeastBeyond / int(more.size()));
     samples.front().corner = more.front().corner = false;
     length = std::max(length, lengthOf(more));
     std::ranges::reverse(more);
@@ -444,12 +448,32 @@ void SectionRow::fillSteps(std::vector<SectionOutcome>& outcomes) const {
       sectioner_.extend(*followed[i], -low[i], high[i]);
 }
 
+void SectionRow::fillPoints(std::vector<SectionOutcome>& outcomes, double shortest) const {
+  const double wide = kWidened * shortest;
+  for (SectionOutcome& outcome : outcomes) {
+    if (!outcome.followed() || outcome.length >= shortest || outcome.samples.empty()) continue;
+    const PlanarCurve& curve = outcome.section->curve();
+    const double a = curve.value(curve.start()).x(), b = curve.value(curve.end()).x();
+    const double middle = 0.5 * (a + b);
+    // Evenly; where the surface ends with the target on one side, all of it on the other.
+    for (const auto& [low, high] : {std::pair(middle - 0.5 * wide, middle + 0.5 * wide),
+                                    {std::min(a, b) - wide, std::max(a, b) + wide}}) {
+      SectionOutcome extended = outcome;
+      sectioner_.extend(extended, low, high);
+      if (extended.length < shortest) continue;
+      outcome = std::move(extended);
+      break;
+    }
+  }
+}
+
 Result<std::vector<Section>> SectionRow::finish(std::vector<SectionOutcome> outcomes,
                                                 Findings& findings) const {
   fillSteps(outcomes);
   double longest = 0;
   for (const SectionOutcome& outcome : outcomes) longest = std::max(longest, outcome.length);
   const double shortest = std::max(kShort, kShortRatio * longest);
+  fillPoints(outcomes, shortest);
   std::vector<Section> sections;
   Findings each;
   for (SectionOutcome& outcome : outcomes) {

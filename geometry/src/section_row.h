@@ -97,6 +97,9 @@ class SectionRow {
  private:
   /// Has the sections go on beyond the steps of their border.
   void fillSteps(std::vector<SectionOutcome>& outcomes) const;
+  /// Has sections shorter than `shortest` mm, where the target ends in a point, go on until they are as long,
+  /// as far as their surface leads.
+  void fillPoints(std::vector<SectionOutcome>& outcomes, double shortest) const;
 
   PlaneFamily planes_;
   Sectioner sectioner_;

@@ -167,6 +167,48 @@ TEST(Carriers, RectanglesThatAreNotThere) {
     }
 }
 
+TEST(Carriers, APointIsWidenedUntilItHoldsABlade) {
+  const auto pointed = [](const TopoDS_Shape& shape, double start) {
+    return without(shape, {prism({{310, start}, {310, 360}, {0, 360}, {0, 350}, {300, start}}),
+                           prism({{-310, start}, {-310, 360}, {0, 360}, {0, 350}, {-300, start}})});
+  };
+  for (const double start : {150.0, -340.0})
+    for (const TopoDS_Shape& parts : {pointed(sheet(), start), pointed(sheetInParts({{0, 0}}), start)})
+      for (const SectionRoute route : {SectionRoute::traced, SectionRoute::kernel}) {
+        const Cut cut = along(targetOf(parts, allFaces()), route);
+        ASSERT_EQ(cut.sections.size(), 15u) << "the last one has 0.1 mm of its own";
+        double longest = 0;
+        for (const Section& section : cut.sections) longest = std::max(longest, section.curve().length());
+        EXPECT_NEAR(cut.sections[14].curve().length(), 0.0101 * longest, 0.05);
+        EXPECT_NEAR(longestExtension(cut.findings), 0.005 * longest, 0.2);
+        for (const Eigen::Vector2d& q : cut.sections[14].curve().sample(21)) {
+          const Eigen::Vector3d p = cut.sections[14].frame.toWorld(q);
+          EXPECT_NEAR(std::hypot(p.x(), p.z() + kRadius), kRadius, 1e-3);
+        }
+      }
+}
+
+TEST(Carriers, ToOneSideWhereTheSurfaceEndsOnTheOther) {
+  const TopoDS_Shape parts = without(sheet(), {prism({{310, -100}, {310, 360}, {-300, 360}, {-300, 350}})});
+  for (const SectionRoute route : {SectionRoute::traced, SectionRoute::kernel}) {
+    const Cut cut = along(targetOf(parts), route);
+    ASSERT_EQ(cut.sections.size(), 15u);
+    EXPECT_NEAR(longestExtension(cut.findings), 0.0101 * 2 * kRadius * std::asin(300 / kRadius), 0.4);
+  }
+}
+
+TEST(Carriers, NotAPointAtWhichTheSurfaceEndsToo) {
+  // The whole of a spline over a triangle: two sides of its rectangle meet in the point.
+  const std::string fan = stepOf([](double u, double v) {
+    const double x = 300 * (2 * u - 1) * (1 - v), y = 700 * v;
+    return Eigen::Vector3d(x, y, -x * x / 1800);
+  });
+  const Cut cut = along(targetOf(fan));
+  EXPECT_EQ(longestExtension(cut.findings), 0);
+  EXPECT_TRUE(std::ranges::any_of(
+      cut.findings, [](const Finding& f) { return std::holds_alternative<SectionShort>(f.cause); }));
+}
+
 TEST(Carriers, NotWhereNothingIsLeftOfASurface) {
   // A notch of the end over the plane between both arcs: of the plane nothing is left beyond its start.
   const TopoDS_Shape parts = without(arcsAndPlane(), {boxAt(-90, 90, -100, 400)});

@@ -68,7 +68,7 @@ std::string Sentences::operator()(const SectionBridged& cause) const {
 }
 
 std::string Sentences::operator()(const SectionExtended& cause) const {
-  return at() + "the border of the target steps back there; the blade goes on by up to " +
+  return at() + "the border of the target steps back or runs to a point there; the blade goes on by up to " +
          shortText(cause.length) + " mm on the surface continued";
 }
 
