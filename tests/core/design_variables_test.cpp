@@ -97,6 +97,38 @@ TEST(DesignVariables, ExpressionsOfPolesAndFramesStayWhereTheyComeToNothing) {
   EXPECT_EQ(withVariables(other, {{"amplitude", 40}}).value(), design);
 }
 
+TEST(DesignVariables, ExpressionsStayWhereTheyComeToWhatIsUsual) {
+  json object = json::parse(kDesign);
+  object["variables"].push_back({{"name", "turn"}, {"value", 0}, {"min", 0}, {"max", 270}});
+  object["cuts"][0]["turn_deg"] = "=turn";
+  object["cuts"][0]["offset"] = "=turn/10";
+  object["blade"]["thickness"] = "=turn/90";  // which a tube has not
+  const Design design = designOf(object.dump());
+  EXPECT_EQ(design.bindings.size(), 12u);
+  const json written = json::parse(designToJson(design));
+  EXPECT_EQ(written["cuts"][0]["turn_deg"], "=turn");
+  EXPECT_EQ(written["cuts"][0]["offset"], "=turn/10");
+  EXPECT_EQ(written["blade"]["thickness"], "=turn/90");
+  EXPECT_EQ(designOf(written.dump()), design);
+  const Design turned = withVariables(design, {{"turn", 90}}).value();
+  EXPECT_EQ(turned.cut().pose.quarters, 1);
+  EXPECT_EQ(turned.cut().offset, 9);
+  EXPECT_EQ(turned.blade.thickness, 1);
+  EXPECT_EQ(withVariables(turned, {{"turn", 0}}).value(), design);
+  // One that was changed since is free, and as usual it is left out.
+  Design freed = turned;
+  freed.cut().pose.quarters = 0;
+  EXPECT_EQ(json::parse(designToJson(freed))["cuts"][0].value("turn_deg", 0), 0);
+  EXPECT_EQ(withVariables(freed, {{"turn", 180}}).value().cut().pose.quarters, 0);
+  // So do those of the cuts under a grid.
+  object.erase("stock");
+  object["grid"] = {{"columns", 2}, {"sizes", {{"columns", "=width"}}}};
+  object["cuts"][0].erase("block");
+  const Design wall = designOf(object.dump());
+  EXPECT_EQ(json::parse(designToJson(wall))["cuts"][0]["turn_deg"], "=turn");
+  for (const Cut& cut : withVariables(wall, {{"turn", 180}}).value().cuts) EXPECT_EQ(cut.pose.quarters, 2);
+}
+
 TEST(DesignVariables, AnotherValueChangesWhatHangsOnItAlone) {
   const Design design = designOf(kDesign);
   const Result<Design> wide = withVariables(design, {{"width", 650}, {"amplitude", 60}});

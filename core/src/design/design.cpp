@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "bw/core/blade/blade_json.h"
+#include "bw/core/blade/blade_numbers.h"
 #include "bw/core/design/process_numbers.h"
 #include "bw/core/design/program_formats.h"
 #include "bw/core/files/file_set.h"
@@ -418,14 +419,17 @@ nlohmann::ordered_json detail::designJson(const Design& design) {
   object["name"] = design.name;
   if (!design.variables.empty()) object["variables"] = variablesJson(design.variables);
   json sources = json::array(), stock = json::array(), cuts = json::array();
+  /// `isBound` of the writers of a part.
+  const auto boundIn = [&design](const std::string& part) {
+    return [&design, part](const std::string& place) {
+      const auto first = design.bindings.lower_bound(part + place);
+      return first != design.bindings.end() && first->first.starts_with(part + place);
+    };
+  };
   for (const Source& source : design.sources) {
     if (source.surface) {
       const std::string part = "/sources/" + std::to_string(sources.size()) + "/surface";
-      const auto isBound = [&](const std::string& place) {
-        const auto first = design.bindings.lower_bound(part + place);
-        return first != design.bindings.end() && first->first.starts_with(part + place);
-      };
-      sources.push_back({{"id", source.id}, {"surface", surfaceJson(*source.surface, isBound)}});
+      sources.push_back({{"id", source.id}, {"surface", surfaceJson(*source.surface, boundIn(part))}});
       continue;
     }
     json part = {{"id", source.id}, {"path", source.path.generic_string()}};
@@ -445,19 +449,21 @@ nlohmann::ordered_json detail::designJson(const Design& design) {
     json part = {{"id", cut.id}, {"source", cut.source}};
     if (!cut.block.empty()) part["block"] = cut.block;
     detail::writeCutKeys(cut, part);
-    detail::writeBlockCutKeys(cut, part);
+    detail::writeBlockCutKeys(cut, part, boundIn("/cuts/" + std::to_string(cuts.size())));
     cuts.push_back(std::move(part));
   }
   object["sources"] = sources;
   if (underGrid)
-    object["grid"] = gridJson(*design.grid, [&design](const std::string& place) {
-      const auto first = design.bindings.lower_bound(place);
-      return first != design.bindings.end() && first->first.starts_with(place);
-    });
+    object["grid"] = gridJson(*design.grid, boundIn({}));
   else
     object["stock"] = stock;
   object["cuts"] = cuts;
   object["blade"] = bladeToJson(design.blade);
+  // Of another section than that of now, but told by an expression.
+  for (const BladeNumber& number : bladeNumbers())
+    if (!number.appliesTo(design.blade.section) &&
+        design.bindings.contains(std::string("/blade/") + number.key))
+      object["blade"][number.key] = design.blade.*number.member;
   json process;
   detail::writeProcessKeys(design.process, process);
   object["process"] = process;

@@ -413,13 +413,13 @@ void writeCutKeys(const Cut& cut, json& object) {
   object["sections"] = kSectionRoutes[std::size_t(cut.sections.route)];
 }
 
-void writeBlockCutKeys(const Cut& cut, json& object) {
+void writeBlockCutKeys(const Cut& cut, json& object, const std::function<bool(const std::string&)>& isBound) {
   if (cut.pose.up != BlockFace::top) object["face_up"] = kBlockFaces[std::size_t(cut.pose.up)];
-  if (cut.pose.quarters != 0) object["turn_deg"] = 90 * cut.pose.quarters;
+  if (cut.pose.quarters != 0 || isBound("/turn_deg")) object["turn_deg"] = 90 * cut.pose.quarters;
   if (cut.keep != KeptSide::below) object["keep"] = kKeptSides[std::size_t(cut.keep)];
   if (cut.order) object["order"] = *cut.order;
   if (cut.length) object["blade_length"] = *cut.length;
-  if (cut.offset != 0) object["offset"] = cut.offset;
+  if (cut.offset != 0 || isBound("/offset")) object["offset"] = cut.offset;
 }
 
 void writeProcessKeys(const Process& process, json& object) {

@@ -45,8 +45,9 @@ void writePlacement(const StockBlock& block, nlohmann::json& object);
 /// `isBound(place)` as that of `surfaceJson`, of the whole design.
 nlohmann::json gridJson(const BlockGrid& grid, const std::function<bool(const std::string&)>& isBound);
 void writeCutKeys(const Cut& cut, nlohmann::json& object);
-/// What is as usual is left out.
-void writeBlockCutKeys(const Cut& cut, nlohmann::json& object);
+/// What is as usual is left out, but for what `isBound`, as that of `surfaceJson`, of the cut.
+void writeBlockCutKeys(const Cut& cut, nlohmann::json& object,
+                       const std::function<bool(const std::string&)>& isBound);
 void writeProcessKeys(const Process& process, nlohmann::json& object);
 
 }  // namespace bw::detail
