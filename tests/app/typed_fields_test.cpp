@@ -7,6 +7,7 @@
 #include "bw/core/base/units.h"
 #include "every_field.h"
 #include "workflow/grid_fields.h"
+#include "workflow/variable_fields.h"
 
 namespace bw::app {
 namespace {
@@ -144,9 +145,21 @@ class TypedFields : public EveryFieldTest {
         expectTaken(*field, text);
       }
       const bool limited = field->range().max < 1e12;
-      const QStringList nonsense = {
-          "abc", "5-",    "--3", "5 kg", "1,234", "12 34", "1.2.3", "5;", limited ? "1e12" : "x",
-          "1/0", "1e999", "nan", "0x10"};
+      const QStringList nonsense = {"abc",
+                                    "5-",
+                                    "=abc",
+                                    "=",
+                                    "--3",
+                                    "5 kg",
+                                    "1,234",
+                                    "12 34",
+                                    "1.2.3",
+                                    "5;",
+                                    limited ? "1e12" : "x",
+                                    "1/0",
+                                    "1e999",
+                                    "nan",
+                                    "0x10"};
       for (const QString& text : nonsense) expectRefused(*field, text);
       if (field->placeholderText().isEmpty()) expectRefused(*field, "");
       EXPECT_FALSE(field->refused());
@@ -154,6 +167,8 @@ class TypedFields : public EveryFieldTest {
       QTest::keyClick(field, Qt::Key_Return);
     } else if (auto* lengths = qobject_cast<LengthsField*>(&typed)) {
       tryLengths(*lengths);
+    } else if (auto* fresh = qobject_cast<NewVariableField*>(&typed)) {
+      for (const char* text : {"wave", "wave = ", "x = 3", "wave = 5 kg"}) expectRefused(*fresh, text);
     } else {
       auto& list = dynamic_cast<ListField&>(typed);
       list.setCount(8);

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "controls/number_field.h"
 
+#include <QHelpEvent>
 #include <QKeyEvent>
+#include <QToolTip>
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +21,8 @@ constexpr int kDigits = 6;                    // at least so many are shown of a
 constexpr int kMostDecimals = 12;             // the rest is rounding
 constexpr double kPage = 10;                  // steps of the page keys
 constexpr int kUnitGap = 4, kUnitMargin = 9;  // before the unit, and between it and the field's edge
+constexpr double kSame = 1e-12;               // relative: what a number and its expression may differ by
+constexpr QLatin1Char kEquals('=');
 
 QString withoutTrailingZeros(QString text) {
   if (!text.contains(QLatin1Char('.'))) return text;
@@ -27,16 +31,28 @@ QString withoutTrailingZeros(QString text) {
   return text == QStringLiteral("-0") ? QStringLiteral("0") : text;
 }
 
+/// A sentence of a reader, as it stands under a field.
+QString upper(const std::string& sentence) {
+  QString text = QString::fromStdString(sentence);
+  if (!text.isEmpty()) text[0] = text[0].toUpper();
+  return text;
+}
+
 }  // namespace
 
 NumberField::NumberField(const NumberRange& range, QWidget* parent)
     : TypedField(parent),
       range_(range),
       unit_(new QLabel(this)),
+      told_(new QLabel(this)),
       value_(std::clamp(0.0, range.min, range.max)),
       before_(value_) {
   unit_->setObjectName("unit");
   unit_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  told_->setObjectName("told");
+  told_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  told_->setTextFormat(Qt::PlainText);
+  told_->hide();
   setAlignment(Qt::AlignRight);
   setUnit(range.unit);
   setText(valueText());
@@ -49,6 +65,19 @@ void NumberField::show(double value) {
   const bool changed = value != value_;
   value_ = before_ = value;
   showValue(changed);
+  refreshUnit();
+}
+
+void NumberField::showExpression(const std::optional<BoundNumber>& bound) {
+  const bool changed = bound != bound_;
+  bound_ = bound;
+  showValue(changed);
+  refreshUnit();
+}
+
+QString NumberField::expression() const {
+  const bool stands = bound_ && std::abs(value_ - bound_->value) <= kSame * std::abs(bound_->value);
+  return stands ? QString::fromStdString(bound_->text) : QString();
 }
 
 void NumberField::setMaximum(double max) {
@@ -68,12 +97,50 @@ void NumberField::setSuffix(const QString& words) {
 }
 
 void NumberField::refreshUnit() {
-  const QString& words = suffix_.isEmpty() ? range_.unit : suffix_;
+  const QString told = expression();
+  QString words = suffix_.isEmpty() ? range_.unit : suffix_;
+  // While the expression is typed into, what it comes to now takes the place of the unit.
+  if (!told.isEmpty() && hasFocus()) {
+    words = (textOf(value_) + QLatin1Char(' ') + words).trimmed();
+    const int whole = fontMetrics().horizontalAdvance(text()) + unit_->fontMetrics().horizontalAdvance(words);
+    if (whole + kUnitGap + 2 * kUnitMargin > width()) words.clear();  // what is typed needs the room
+  }
+  if (text().startsWith(kEquals) && typing()) words.clear();
   unit_->setText(words);
-  unit_->setVisible(!words.isEmpty() && !text().isEmpty() && !ownUnitTyped());
+  unit_->setVisible(!words.isEmpty() && !text().isEmpty() && (text().startsWith(kEquals) || !ownUnitTyped()));
   const int wide = unit_->sizeHint().width();
   unit_->setGeometry(width() - kUnitMargin - wide, 0, wide, height());
   setTextMargins(0, 0, words.isEmpty() ? 0 : wide + kUnitGap, 0);
+  const int number = fontMetrics().horizontalAdvance(text()) + (words.isEmpty() ? 0 : wide + kUnitGap);
+  const int room = width() - 2 * kUnitMargin - number - kUnitGap;
+  told_->setVisible(!told.isEmpty() && !hasFocus() && !typing());
+  const QString shown = told_->fontMetrics().elidedText(kEquals + told, Qt::ElideRight, std::max(room, 0));
+  told_->setText(shown.startsWith(kEquals) ? shown : QString(kEquals));
+  told_->setGeometry(kUnitMargin, 0, std::max(room, 0), height());
+}
+
+bool NumberField::event(QEvent* event) {
+  if (event->type() == QEvent::ToolTip && !expression().isEmpty()) {
+    const QString tip = tr("= %1\nA number typed here takes its place.").arg(expression());
+    QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(),
+                       toolTip().isEmpty() ? tip : toolTip() + QLatin1Char('\n') + tip, this);
+    return true;
+  }
+  return TypedField::event(event);
+}
+
+/// What is shown is another with and without the keyboard.
+void NumberField::focusInEvent(QFocusEvent* event) {
+  if (!expression().isEmpty() && !typing()) setText(valueText());
+  TypedField::focusInEvent(event);
+  if (!expression().isEmpty() && !typing()) selectAll();
+  refreshUnit();
+}
+
+void NumberField::focusOutEvent(QFocusEvent* event) {
+  TypedField::focusOutEvent(event);
+  if (!expression().isEmpty() && !typing()) setText(valueText());
+  refreshUnit();
 }
 
 void NumberField::resizeEvent(QResizeEvent* event) {
@@ -111,6 +178,7 @@ QString NumberField::textOf(double value) const {
 }
 
 QString NumberField::valueText() const {
+  if (hasFocus() && !expression().isEmpty()) return kEquals + expression();
   return !blank_.isEmpty() && value_ == range_.min ? QString() : textOf(value_);
 }
 
@@ -121,24 +189,50 @@ QString NumberField::read(const QString& text, double* value) const {
   }
   const NumberDemand demand{range_.unit.toStdString(), range_.min, range_.max, range_.decimals == 0};
   const Result<double> read = readTypedNumber(text.toStdString(), demand);
-  if (!read) {
-    QString why = QString::fromStdString(read.error().message);
-    why[0] = why[0].toUpper();
-    return why;
-  }
+  if (!read) return upper(read.error().message);
   *value = *read;
   return check_ ? check_(*read) : QString();
 }
 
 QString NumberField::take(const QString& text) {
+  return text.trimmed().startsWith(kEquals) ? takeExpression(text.trimmed().mid(1)) : takeNumber(text);
+}
+
+QString NumberField::takeExpression(const QString& text) {
+  if (!use_.value) return tr("A number, for no expression can stand here");
+  const std::string expression = text.trimmed().toStdString();
+  const Result<double> value = use_.value(expression);
+  if (!value) return tr("After its =, %1").arg(QString::fromStdString(value.error().message));
+  const QString comes =
+      tr("This comes to %1").arg((textOf(*value) + QLatin1Char(' ') + range_.unit).trimmed());
+  if (*value < range_.min || *value > range_.max) return tr("%1, which is out of range").arg(comes);
+  if (range_.decimals == 0 && *value != std::floor(*value))
+    return tr("%1, and must be a whole number").arg(comes);
+  if (check_)
+    if (const QString why = check_(*value); !why.isEmpty()) return why;
+  if (text.trimmed() == this->expression()) return {};
+  value_ = before_ = *value;
+  bound_ = BoundNumber{expression, *value};
+  use_.bind(bound_, [this] { emit edited(value_); });
+  return {};
+}
+
+QString NumberField::takeNumber(const QString& text) {
+  const bool bound = !expression().isEmpty();
   // What the field shows of a number is that number, though it may have more digits.
-  if (text == textOf(before_)) {
+  if (text == textOf(before_) && !bound) {
     become(before_);
     return {};
   }
   double value = 0;
   if (QString why = read(text, &value); !why.isEmpty()) return why;
-  become(value);
+  if (bound) {
+    value_ = value;
+    bound_.reset();
+    use_.bind({}, [this] { emit edited(value_); });
+  } else {
+    become(value);
+  }
   before_ = value_;
   return {};
 }
@@ -156,7 +250,7 @@ void NumberField::follow(const QString& text) {
 void NumberField::dropped() { become(before_); }
 
 void NumberField::step(double steps) {
-  if (!finish()) return;
+  if (!finish() || !expression().isEmpty()) return;  // an expression has no next one
   const double wanted = value_ + steps * range_.step;
   // 0.1 + 0.2 is 0.3 here.
   const double tidy = parseNumber(shortText(wanted, kMostDecimals)).value_or(wanted);
@@ -211,11 +305,7 @@ void ListField::show(const std::vector<int>& numbers) {
 
 QString ListField::take(const QString& text) {
   const Result<std::vector<int>> read = readNumberList(text.toStdString(), count_, thing_.toStdString());
-  if (!read) {
-    QString why = QString::fromStdString(read.error().message);
-    why[0] = why[0].toUpper();
-    return why;
-  }
+  if (!read) return upper(read.error().message);
   if (*read == numbers_) return {};
   numbers_ = *read;
   emit edited(*read);

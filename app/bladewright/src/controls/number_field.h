@@ -3,8 +3,11 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
+#include "bw/core/base/result.h"
+#include "bw/core/text/expression.h"
 #include "controls/typed_field.h"
 
 namespace bw::app {
@@ -17,8 +20,18 @@ struct NumberRange {
   QString unit;      ///< shown inside the field
 };
 
+/// What lets a field take expressions in the place of its number: "=width/2".
+struct ExpressionUse {
+  /// What an expression, without its =, comes to, in the unit of the field, or why it comes to nothing.
+  std::function<Result<double>(const std::string& text)> value;
+  /// Calls `tell`, which tells the number as edited, so that the number stands for `expression` from then on;
+  /// without one it is free of the expression that it stood for.
+  std::function<void(const std::optional<BoundNumber>& expression, const std::function<void()>& tell)> bind;
+};
+
 /// One editable number with its unit inside the field. Reads what a person means (`readTypedNumber`) and
-/// tells it when it is finished; arrow keys step.
+/// tells it when it is finished; arrow keys step. A number that stands for an expression shows both, and the
+/// expression alone while it is typed into.
 class NumberField : public TypedField {
   Q_OBJECT
 
@@ -42,6 +55,11 @@ class NumberField : public TypedField {
   void setLive(bool live) { live_ = live; }
   /// A further condition: why a number that is within the limits is refused, in one sentence, or nothing.
   void setCheck(std::function<QString(double)> check) { check_ = std::move(check); }
+  void setExpressions(ExpressionUse use) { use_ = std::move(use); }
+  /// Shows what the number stands for, as long as it is what that came to.
+  void showExpression(const std::optional<BoundNumber>& bound);
+  /// The expression that the number stands for, without its =; empty if it stands for none.
+  QString expression() const;
 
  signals:
   void edited(double value);
@@ -51,10 +69,15 @@ class NumberField : public TypedField {
   QString valueText() const override;
   QString limitsText() const override;
   void dropped() override;
+  bool event(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
 
  private:
+  QString takeExpression(const QString& text);
+  QString takeNumber(const QString& text);
   /// The number that a text means, or why it means none.
   QString read(const QString& text, double* value) const;
   void become(double value);
@@ -65,12 +88,14 @@ class NumberField : public TypedField {
   void refreshLimits();
   QString textOf(double value) const;
   bool ownUnitTyped() const;
-  /// Shows the unit behind the number where none is typed.
+  /// Shows the unit behind the number where none is typed, and the expression before it.
   void refreshUnit();
 
   NumberRange range_;
   QString suffix_;
-  QLabel* unit_;
+  QLabel *unit_, *told_;
+  ExpressionUse use_;
+  std::optional<BoundNumber> bound_;
   double value_;
   double before_;  ///< the value that Esc brings back
   QString blank_;

@@ -66,6 +66,8 @@ bw--app--TypedField { qproperty-errorColour: @error; }
 QLineEdit[refused="true"], QLineEdit[refused="true"]:focus { border-color: @error; }
 QLabel#unit { color: @secondary; background: transparent; }
 QLabel#unit:disabled { color: @disabled; }
+QLabel#told { color: @selection; background: transparent; }
+QLabel#told:disabled { color: @disabled; }
 QLabel#refusal { background: @panel; color: @error; border: 1px solid @error; border-radius: 4px; padding: 4px 8px; }
 QComboBox { padding-right: 2px; }
 QComboBox::drop-down { border: none; width: 20px; }

@@ -87,7 +87,8 @@ bool TypedField::finish() {
   } else {
     dropped();
     const QString limits = limitsText();
-    mark(why + QStringLiteral(".") + (limits.isEmpty() ? QString() : "\n" + limits));
+    mark(why + QLatin1String(why.endsWith(QLatin1Char('?')) ? "" : ".") +
+         (limits.isEmpty() ? QString() : "\n" + limits));
   }
   taking_ = false;
   return why.isEmpty();

@@ -358,8 +358,23 @@ Result<void> Workbench::refuse(Topic topic, const Error& error) {
 void Workbench::editDesign(const QString& text, const std::function<void(Design&)>& change, int mergeId,
                            bool live) {
   live_ = live;
-  document_.editDesign(text, mergeId, change);
+  document_.editDesign(text, mergeId, [&](Design& design) {
+    change(design);
+    if (!binding_) return;
+    const auto& [place, bound] = *binding_;
+    if (bound)
+      design.bindings[place] = *bound;
+    else
+      design.bindings.erase(place);
+  });
   live_ = false;
+}
+
+void Workbench::editBound(const std::string& place, const std::optional<BoundNumber>& bound,
+                          const std::function<void()>& edit) {
+  binding_ = {place, bound};
+  edit();
+  binding_.reset();
 }
 
 void Workbench::editCut(const QString& text, const std::function<void(Cut&)>& change, int mergeId,

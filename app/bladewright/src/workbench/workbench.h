@@ -11,6 +11,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bw/core/base/finding.h"
@@ -204,6 +205,10 @@ class Workbench : public QObject {
   /// The same for the designed surface that the cut selected is of.
   void editSurface(const QString& text, const std::function<void(DesignedSurface&)>& change, int mergeId = -1,
                    bool live = false);
+  /// Runs `edit`, whose step then also has the number at a place of the file, a JSON pointer, stand for an
+  /// expression, or free of it.
+  void editBound(const std::string& place, const std::optional<BoundNumber>& bound,
+                 const std::function<void()>& edit);
   /// A number for the moves of one drag.
   int newMergeId() { return ++lastMergeId_; }
 
@@ -267,6 +272,8 @@ class Workbench : public QObject {
   bool exporting_ = false;
   std::optional<Eigen::Vector3d> judgedSize_;  ///< of the target that the unit was judged by
   int lastMergeId_ = 0;
+  using Binding = std::pair<std::string, std::optional<BoundNumber>>;
+  std::optional<Binding> binding_;       ///< of the step that is being made
   std::vector<Message> messages_;        ///< of the newest result
   Findings exportFindings_;              ///< of what was written last: other sections, and of its programs
   QStringList leftOut_;                  ///< words of kinds of files

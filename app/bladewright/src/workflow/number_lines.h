@@ -10,6 +10,7 @@
 #include "controls/fields.h"
 #include "controls/number_field.h"
 #include "workbench/workbench.h"
+#include "workflow/bound_number.h"
 
 namespace bw::app {
 
@@ -60,10 +61,12 @@ using BladeLines = NumberLines<BladeNumber, Blade>;
 
 inline void addProcessLine(ProcessLines& lines, FormColumn* column, const ProcessNumber& number,
                            QObject* context, Workbench& bench) {
-  lines.add(column, number, context,
-            [&bench](const QString& text, const std::function<void(Process&)>& change) {
-              bench.editDesign(text, [&change](Design& design) { change(design.process); });
-            });
+  NumberField* field = lines.add(
+      column, number, context, [&bench](const QString& text, const std::function<void(Process&)>& change) {
+        bench.editDesign(text, [&change](Design& design) { change(design.process); });
+      });
+  const std::string object = number.object ? std::string(number.object) + "/" : std::string();
+  bindNumber(bench, field, [place = "/process/" + object + number.key] { return place; });
 }
 
 }  // namespace bw::app

@@ -60,6 +60,7 @@ void ProcessFields::addStations(FormColumn* column) {
   connect(stations_, &NumberField::edited, this, [this](double value) {
     bench_.editCut(tr("Change stations"), [value](Cut& cut) { cut.sections.stations = int(value); });
   });
+  bindNumber(bench_, stations_, placeInCut(bench_, "/stations"));
   stationSlider_ = column->addWide(new HandSlider);
   stationSlider_->setRange(0, kSliderSteps);
   stationSlider_->setAccessibleName(tr("Number of stations"));
@@ -77,6 +78,7 @@ void ProcessFields::addStations(FormColumn* column) {
   connect(spacing_, &NumberField::edited, this, [this](double value) {
     bench_.editCut(tr("Change spacing"), [value](Cut& cut) { cut.sections.spacing = value; });
   });
+  bindNumber(bench_, spacing_, placeInCut(bench_, "/stations/spacing"));
 }
 
 void ProcessFields::addDirection(FormColumn* column) {

@@ -61,7 +61,13 @@ BladeFields::BladeFields(Workbench& bench, FormColumn* column, FormColumn* detai
     editBlade(text, change);
   };
   const std::span<const BladeNumber> numbers = bladeNumbers();
-  length_ = numbers_.add(column, numbers.front(), this, edit);
+  const auto addNumber = [&](FormColumn* to, const BladeNumber& number) {
+    NumberField* field = numbers_.add(to, number, this, edit);
+    if (number.scale == 1)
+      bindNumber(bench_, field, [place = std::string("/blade/") + number.key] { return place; });
+    return field;
+  };
+  length_ = addNumber(column, numbers.front());
   band_ = column->addWide(new LengthBand(theme));
   connect(band_, &LengthBand::chosen, this, [this](double length) {
     bench_.editDesign(tr("Change blade length"), [length](Design& design) {
@@ -91,7 +97,7 @@ BladeFields::BladeFields(Workbench& bench, FormColumn* column, FormColumn* detai
   layout->addWidget(measure);
   column->addWide(line);
   minRadius_ = column->addValue(tr("Smallest radius"), tr("The tightest bend that leaves the blade elastic"));
-  for (const BladeNumber& number : numbers.subspan(1)) numbers_.add(details, number, this, edit);
+  for (const BladeNumber& number : numbers.subspan(1)) addNumber(details, number);
   weight_ = column->addCheck(tr("Blade hangs in its weight"),
                              tr("The surface is that of the blade as its own weight bends it"));
   connect(weight_, &QCheckBox::clicked, this, [this](bool on) {
@@ -173,7 +179,8 @@ BlockFields::BlockFields(Workbench& bench, FormColumn* column, QObject* parent)
     });
   });
   const auto add = [&](const QString& name, const QString& tip, const QString& change,
-                       const NumberRange& range, Eigen::Vector3d BlockPlacement::*member, double unit) {
+                       const NumberRange& range, Eigen::Vector3d BlockPlacement::*member, double unit,
+                       const std::string& key) {
     for (int i = 0; i < 3; ++i) {
       auto* field = column->add(name.arg(kAxes[std::size_t(i)]), new NumberField(range), tip);
       connect(field, &NumberField::edited, this, [=, this](double value) {
@@ -181,15 +188,16 @@ BlockFields::BlockFields(Workbench& bench, FormColumn* column, QObject* parent)
         (next.*member)[i] = value * unit;
         bench_.editBlock(change, [&](StockBlock& block) { block.placement = next; });
       });
+      bindNumber(bench_, field, placeInBlock(bench_, key + std::to_string(i)));
       numbers_.push_back({field, member, i, unit});
     }
   };
   add(tr("Corner %1"), tr("The corner of the block in the frame of the file"), tr("Move block"),
-      {-1e6, 1e6, 3, 10, "mm"}, &BlockPlacement::origin, 1);
+      {-1e6, 1e6, 3, 10, "mm"}, &BlockPlacement::origin, 1, "/origin/");
   add(tr("Size %1"), tr("Edge length of the block"), tr("Resize block"), {1, 1e5, 3, 10, "mm"},
-      &BlockPlacement::size, 1);
+      &BlockPlacement::size, 1, "/size/");
   add(tr("Rotation %1"), tr("Turned about X, then the new Y, then the new Z"), tr("Rotate block"),
-      {-360, 360, 3, 5, QString(QChar(0xb0))}, &BlockPlacement::rotation, kDegree);
+      {-360, 360, 3, 5, QString(QChar(0xb0))}, &BlockPlacement::rotation, kDegree, "/rotation_deg/");
 }
 
 BlockPlacement BlockFields::placement() const {

@@ -169,16 +169,7 @@ void SurfaceFields::refresh() {
     built_ = structure;
   }
   kinds_->show(int(surface.shape.index()));
-  for (const Number& number : numbers_) {
-    number.field->show(number.get(surface) / number.scale);
-    auto bound = design.bindings.find(pointer() + number.place);
-    if (bound == design.bindings.end()) bound = design.bindings.find(pointer() + number.place + "/height");
-    number.field->setToolTip(bound == design.bindings.end()
-                                 ? number.tip
-                                 : number.tip + "\n" +
-                                       tr("= %1; a number typed here takes its place")
-                                           .arg(QString::fromStdString(bound->second.text)));
-  }
+  for (const Number& number : numbers_) number.field->show(number.get(surface) / number.scale);
   if (const auto* poles = std::get_if<PolesSurface>(&surface.shape)) {
     columns_->show(poles->columns);
     rows_->show(poles->rows);
@@ -212,14 +203,16 @@ void SurfaceFields::rebuild(const DesignedSurface& surface) {
   if (const auto* blades = std::get_if<BladesSurface>(&surface.shape)) addBlades(column, *blades);
 }
 
-NumberField* SurfaceFields::field(const Get& get, const std::string& place, const QString& name,
+NumberField* SurfaceFields::field(const Get& get, const NumberPlace& place, const QString& name,
                                   const Unit& unit) {
   auto* field = new NumberField({-kFarthest, kFarthest, unit.decimals, unit.step, unit.suffix});
   field->setAccessibleName(name);
+  field->setToolTip(name);
   connect(field, &NumberField::edited, this, [this, get, name, scale = unit.scale](double value) {
     edit(tr("Change %1").arg(name), [&](DesignedSurface& surface) { get(surface) = value * scale; });
   });
-  numbers_.push_back({field, get, place, name, unit.scale});
+  bindNumber(bench_, field, place);
+  numbers_.push_back({field, get, unit.scale});
   return field;
 }
 
@@ -232,8 +225,9 @@ void SurfaceFields::addRectangle(FormColumn* column) {
     for (const bool last : {false, true}) {
       const QString name = (last ? tr("%1 to") : tr("%1 from")).arg(QLatin1Char(char('x' + axis)));
       column->add(
-          name, field([=](DesignedSurface& s) -> double& { return (last ? over(s).max : over(s).min)(axis); },
-                      std::string("/") + char('x' + axis) + "/" + (last ? "1" : "0"), name));
+          name,
+          field([=](DesignedSurface& s) -> double& { return (last ? over(s).max : over(s).min)(axis); },
+                placeInSurface(bench_, std::string("/") + char('x' + axis) + (last ? "/1" : "/0")), name));
     }
 }
 
@@ -265,10 +259,9 @@ void SurfaceFields::addPoles(FormColumn* column, const PolesSurface& surface) {
   // As seen from above: the travel goes up. The keyboard goes through them in this order too.
   for (int r = surface.rows - 1; r >= 0; --r)
     for (int c = 0; c < surface.columns; ++c) {
-      const std::string place = at(at("/poles", std::size_t(r)), std::size_t(c));
       NumberField* pole = field(
           [r, c](DesignedSurface& s) -> double& { return std::get<PolesSurface>(s.shape).at(r, c).height; },
-          place, tr("pole %1 of row %2").arg(c + 1).arg(r + 1));
+          placeOfPole(bench_, r, c), tr("pole %1 of row %2").arg(c + 1).arg(r + 1));
       pole->setSuffix(" ");  // the unit stands above, and is understood
       pole->setFixedWidth(kGridFieldWidth);
       grid->addWidget(pole, surface.rows - 1 - r, c);
@@ -331,8 +324,8 @@ void SurfaceFields::addSections(FormColumn* column, const SectionsSurface& surfa
     };
     const std::string place = at("/sections", i);
     const QString name = tr("y of section %1").arg(i + 1);
-    column->add(tr("At y"),
-                field([of](DesignedSurface& s) -> double& { return of(s).y; }, place + "/y", name));
+    column->add(tr("At y"), field([of](DesignedSurface& s) -> double& { return of(s).y; },
+                                  placeInSurface(bench_, place + "/y"), name));
     auto* area = new QWidget;
     auto* grid = new QGridLayout(area);
     grid->setContentsMargins(0, 0, 0, 0);
@@ -341,7 +334,8 @@ void SurfaceFields::addSections(FormColumn* column, const SectionsSurface& surfa
       for (const int axis : {0, 1}) {
         NumberField* number =
             field([of, p, axis](DesignedSurface& s) -> double& { return of(s).points[p](axis); },
-                  at(at(place + "/" + kSectionKinds[int(section.kind)], p), std::size_t(axis)),
+                  placeInSurface(
+                      bench_, at(at(place + "/" + kSectionKinds[int(section.kind)], p), std::size_t(axis))),
                   tr("%1 of point %2 of section %3").arg(axis == 0 ? "x" : "z").arg(p + 1).arg(i + 1));
         grid->addWidget(number, int(p), axis);
       }
@@ -368,7 +362,8 @@ void SurfaceFields::addBlades(FormColumn* column, const BladesSurface& surface) 
     const std::string place = at("/blades", i);
     const auto add = [&](const QString& label, const Get& get, const std::string& key, const Unit& unit,
                          const QString& tip) {
-      column->add(label, field(get, place + key, tr("%1 of key blade %2").arg(label).arg(i + 1), unit), tip);
+      const QString name = tr("%1 of key blade %2").arg(label).arg(i + 1);
+      column->add(label, field(get, placeInSurface(bench_, place + key), name, unit), tip);
     };
     const Unit mm, bare{3, 0.1, {}, 1};
     add(

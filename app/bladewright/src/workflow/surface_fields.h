@@ -13,6 +13,7 @@
 #include "controls/number_field.h"
 #include "controls/typed_field.h"
 #include "workbench/workbench.h"
+#include "workflow/bound_number.h"
 
 namespace bw::app {
 
@@ -58,16 +59,16 @@ class SurfaceFields : public QWidget {
   void addSections(FormColumn* column, const SectionsSurface& surface);
   void addBlades(FormColumn* column, const BladesSurface& surface);
   void addRectangle(FormColumn* column);
-  /// How a number is shown and typed: `scale` of it is one of the unit.
+  /// How a number is shown and typed: `scale` of it is one of the unit, in which the file has it, too.
   struct Unit {
     int decimals = 2;
     double step = 5;
     QString suffix = QStringLiteral("mm");
     double scale = 1;
   };
-  /// A field for a number of the surface, in the file at this place in it.
-  NumberField* field(const Get& get, const std::string& place, const QString& name, const Unit& unit);
-  NumberField* field(const Get& get, const std::string& place, const QString& name) {
+  /// A field for a number of the surface, in the file at this place.
+  NumberField* field(const Get& get, const NumberPlace& place, const QString& name, const Unit& unit);
+  NumberField* field(const Get& get, const NumberPlace& place, const QString& name) {
     return field(get, place, name, Unit());
   }
   /// The JSON pointer of the surface shown.
@@ -87,8 +88,6 @@ class SurfaceFields : public QWidget {
   struct Number {
     NumberField* field;
     Get get;
-    std::string place;  ///< of its binding
-    QString tip;
     double scale = 1;
   };
   Workbench& bench_;

@@ -35,7 +35,8 @@ constexpr double kUsualRange = 100;  // of a variable that begins as 0
 NewVariableField::NewVariableField(QWidget* parent) : TypedField(parent) {
   setPlaceholderText(tr("New variable: wave = 25 mm"));
   setAccessibleName(tr("New variable"));
-  setToolTip(tr("A number that formulas may use, with a slider: its name, its value and, if you like, its "
+  setToolTip(tr("A number that formulas and expressions may use, with a slider: its name, its value and, if "
+                "you like, its "
                 "range.\n%1")
                  .arg(limitsText()));
 }
@@ -92,10 +93,8 @@ VariableFields::VariableFields(Workbench& bench, const Theme& theme, QWidget* pa
 void VariableFields::refresh() {
   const Design& design = bench_.design();
   const std::vector<Variable>& variables = design.variables;
-  const bool mayUse =
-      std::ranges::any_of(design.sources, [](const Source& source) { return source.surface.has_value(); });
-  setVisible(mayUse || !variables.empty());
-  if (!mayUse && variables.empty()) {
+  setVisible(!bench_.document().empty());
+  if (bench_.document().empty()) {
     empty(*layout_);
     lines_.clear();
     shown_.reset();
@@ -123,8 +122,9 @@ void VariableFields::rebuild(const std::vector<Variable>& variables) {
     const QString name = QString::fromStdString(v.name);
     Line line;
     const double step = (v.max - v.min) / 100;
-    line.field = column->add(name, new NumberField({v.min, v.max, 3, step, QString::fromStdString(v.unit)}),
-                             tr("A variable of the design: what its formulas make of it follows"));
+    line.field =
+        column->add(name, new NumberField({v.min, v.max, 3, step, QString::fromStdString(v.unit)}),
+                    tr("A variable of the design: what formulas and expressions make of it follows"));
     connect(line.field, &NumberField::edited, this,
             [this, key = v.name](double value) { change(key, value, false); });
     column->addWide(makeSliderLine(line, v));

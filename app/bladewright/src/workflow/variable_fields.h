@@ -34,8 +34,7 @@ class NewVariableField : public TypedField {
   QString limitsText() const override;
 };
 
-/// The variables of the design, a number and a slider each, and a line for a new one; hidden where nothing
-/// can hang on them. Edits go to the design.
+/// The variables of the design, a number and a slider each, and a line for a new one. Edits go to the design.
 class VariableFields : public QWidget {
   Q_OBJECT
 
