@@ -270,6 +270,12 @@ QString GuideWindow::keysText() const {
   line(tr("Esc"), tr("Bring the value back, and give the keyboard back to the picture"));
   line(tr("Up, Down"), tr("One step more or less; Page Up and Page Down ten"));
   line(tr("Tab"), tr("Take what is typed and go to the next field"));
+  text += QStringLiteral("</table><h2>%1</h2><table cellspacing=\"0\" cellpadding=\"3\">")
+              .arg(tr("At a handle that was chosen"));
+  line(tr("A number, = or Enter"), tr("Type its numbers, or expressions, in a field beside it"));
+  line(tr("Up, Down"), tr("1 mm up or down; with Alt 0.1 mm, with Ctrl or Shift 10 mm"));
+  line(tr("Left, Right"), tr("The same across, for a point of a section"));
+  line(tr("Esc"), tr("Take the moves of the keys back; then choose no handle"));
   return text + QStringLiteral("</table>");
 }
 

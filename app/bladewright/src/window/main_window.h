@@ -21,6 +21,7 @@
 #include "plots/section_view.h"
 #include "window/commands.h"
 #include "window/face_chooser.h"
+#include "window/handle_keys.h"
 #include "window/inspector.h"
 #include "window/map_bar.h"
 #include "window/notices.h"
@@ -77,6 +78,7 @@ class MainWindow : public QMainWindow {
   QTabWidget& tabs() { return *tabs_; }
   FaceChooser& faceChooser() { return *faces_; }
   SurfaceHandles& surfaceHandles() { return *handles_; }
+  HandleKeys& handleKeys() { return *keys_; }
   SummaryLine& summaryLine() { return *summary_; }
   Inspector& inspector() { return *inspector_; }
   Commands& commands() { return commands_; }
@@ -194,6 +196,7 @@ class MainWindow : public QMainWindow {
   view::SceneView* view_;
   FaceChooser* faces_;
   SurfaceHandles* handles_;
+  HandleKeys* keys_;
   QTabWidget* tabs_;
   QLabel* drawnLabel_;  ///< before the choice beside the tabs, where there is room for it
   SectionView* section_;

@@ -9,6 +9,7 @@
 #include "bw/core/base/frame.h"
 #include "bw/core/text/number_text.h"
 #include "controls/numbers.h"
+#include "window/handle_numbers.h"
 
 namespace bw::app {
 
@@ -22,46 +23,6 @@ const DesignedSurface* surfaceOf(const Workbench& bench) {
   return bench.source().surface ? &*bench.source().surface : nullptr;
 }
 
-/// The section and the point of it that a handle is; null if it is none.
-std::pair<SectionCurve*, std::size_t> pointAt(DesignedSurface& surface, int handle) {
-  if (auto* sections = std::get_if<SectionsSurface>(&surface.shape))
-    for (SectionCurve& section : sections->sections) {
-      if (handle >= 0 && handle < int(section.points.size())) return {&section, std::size_t(handle)};
-      handle -= int(section.points.size());
-    }
-  return {nullptr, 0};
-}
-
-/// The number that a handle moves, in a surface that has it; null if there is none.
-double* heightAt(DesignedSurface& surface, int handle) {
-  if (auto* poles = std::get_if<PolesSurface>(&surface.shape))
-    return handle >= 0 && std::size_t(handle) < poles->poles.size()
-               ? &poles->poles[std::size_t(handle)].height
-               : nullptr;
-  if (auto* blades = std::get_if<BladesSurface>(&surface.shape))
-    return handle >= 0 && std::size_t(handle) < blades->blades.size()
-               ? &blades->blades[std::size_t(handle)].middle.y()
-               : nullptr;
-  const auto [section, point] = pointAt(surface, handle);
-  return section ? &section->points[point].y() : nullptr;
-}
-
-/// A surface some of whose handles are moved by so many mm.
-DesignedSurface movedBy(const DesignedSurface& surface, const std::vector<int>& handles, double by) {
-  DesignedSurface moved = surface, before = surface;
-  for (const int handle : handles) {
-    const auto [section, point] = pointAt(moved, handle);
-    if (section && section->kind == SectionCurve::Kind::bezier) {
-      // From where it was, since it may have followed a neighbour already.
-      const Eigen::Vector2d& from = pointAt(before, handle).first->points[point];
-      moveBezierPole(section->points, point, from + Eigen::Vector2d(0, by));
-    } else if (double* height = heightAt(moved, handle)) {
-      *height += by;
-    }
-  }
-  return moved;
-}
-
 }  // namespace
 
 SurfaceHandles::SurfaceHandles(Workbench& bench, view::SceneView* view)
@@ -70,6 +31,7 @@ SurfaceHandles::SurfaceHandles(Workbench& bench, view::SceneView* view)
   connect(view, &view::SceneView::handleMoved, this, &SurfaceHandles::move);
   connect(view, &view::SceneView::handleReleased, this, &SurfaceHandles::release);
   connect(view, &view::SceneView::handleHovered, this, &SurfaceHandles::hover);
+  connect(view, &view::SceneView::picked, this, [this] { choose({}); });
   connect(&bench, &Workbench::changed, this, &SurfaceHandles::follow);
   connect(&bench.runner(), &model::EvaluationRunner::reached, this, &SurfaceHandles::keepWithin);
 }
@@ -114,6 +76,16 @@ Eigen::Vector3d SurfaceHandles::way() const {
   return surface ? Eigen::Vector3d(rotationFromAngles(surface->rotation).col(2)) : Eigen::Vector3d::UnitZ();
 }
 
+void SurfaceHandles::choose(std::vector<int> handles) {
+  if (std::exchange(chosen_, std::move(handles)) == chosen_) return;
+  emit chosenChanged();
+  emit changed();
+}
+
+void SurfaceHandles::tellChosen(bool on) {
+  if (std::exchange(told_, on) != on) emit changed();
+}
+
 std::optional<double> SurfaceHandles::along(const QPointF& position, const Eigen::Vector3d& through) const {
   const auto [origin, sight] = view_->rayAt(position);
   const Eigen::Vector3d up = way();
@@ -124,9 +96,7 @@ std::optional<double> SurfaceHandles::along(const QPointF& position, const Eigen
 }
 
 double SurfaceHandles::heightOf(const DesignedSurface& surface, int handle) const {
-  DesignedSurface copy = surface;
-  const double* height = heightAt(copy, handle);
-  return height ? *height : 0;
+  return numberOf(surface, handle, HandleNumber::height).value_or(0);
 }
 
 QString SurfaceHandles::nameOf(int handle) const {
@@ -168,7 +138,7 @@ void SurfaceHandles::applyTo(scene::Style& style) const {
     for (std::size_t k = 1; k < blades->blades.size(); ++k) join(int(k) - 1, int(k));
   }
   handles.chosen = chosen_;
-  handles.lit = pull_ ? pull_->handle : hovered_;
+  handles.lit = pull_ ? pull_->handle : hovered_ < 0 && told_ && !chosen_.empty() ? chosen_.back() : hovered_;
   if (handles.lit < 0 || std::size_t(handles.lit) >= handles.points.size()) return;
   const double height = heightOf(*surface, handles.lit);
   handles.text = tr("%1: %2").arg(nameOf(handles.lit), lengthText(height)).toStdString();
@@ -203,14 +173,17 @@ void SurfaceHandles::press(int handle, const QPointF& position, Qt::KeyboardModi
       chosen_.erase(known);
   } else if (known == chosen_.end()) {
     chosen_ = {handle};
+  } else {  // the one that numbers are typed for
+    std::rotate(known, known + 1, chosen_.end());
   }
+  emit chosenChanged();
   pull_ =
       Pull{handle, *surface, along(position, all[std::size_t(handle)]).value_or(0), 0, bench_.newMergeId()};
   const Design design = bench_.design();
   bench_.runner().seekReach(
       [design, cut = bench_.cut(), from = *surface, moved = held()](double by) {
         Design pulled = design;
-        pulled.sourceOf(cut).surface = movedBy(from, moved, by);
+        pulled.sourceOf(cut).surface = movedBy(from, moved, Eigen::Vector2d(0, by));
         return pulled;
       },
       kFarthest);
@@ -284,7 +257,7 @@ void SurfaceHandles::pull(double by, bool live) {
   pull_->by = by;
   pull_->moved = true;
   const std::vector<int> moved = held();
-  const DesignedSurface pulled = movedBy(pull_->from, moved, by);
+  const DesignedSurface pulled = movedBy(pull_->from, moved, Eigen::Vector2d(0, by));
   const QString text = moved.size() > 1 ? tr("Move %1 handles").arg(moved.size())
                                         : tr("Move %1").arg(nameOf(pull_->handle).toLower());
   bench_.editSurface(
@@ -308,14 +281,14 @@ void SurfaceHandles::hover(int handle) {
 void SurfaceHandles::follow(const Change& change) {
   if (bench_.source().id != source_) {  // the handles are those of another surface
     source_ = bench_.source().id;
-    chosen_.clear();
+    choose({});
     if (!change.any(model::Aspect::design)) return emit changed();
   }
   if (!change.any(model::Aspect::design)) return;
   // Another surface, or an undo while a handle is held.
   const DesignedSurface* surface = surfaceOf(bench_);
   const int count = surface ? int(places().size()) : 0;
-  std::erase_if(chosen_, [count](int handle) { return handle >= count; });
+  if (std::erase_if(chosen_, [count](int handle) { return handle >= count; }) > 0) emit chosenChanged();
   if (pull_ && (!surface || surface->shape.index() != pull_->from.shape.index() || pull_->handle >= count)) {
     pull_.reset();
     bench_.runner().endReach();

@@ -35,9 +35,19 @@ class SurfaceHandles : public QObject {
   /// Adds the handles to a style.
   void applyTo(scene::Style& style) const;
 
+  /// Those that move together, the one chosen last at the end.
+  const std::vector<int>& chosen() const { return chosen_; }
+  void choose(std::vector<int> handles);
+  /// Tells the height of the one chosen last beside it, as of one under the cursor.
+  void tellChosen(bool on);
+  QString nameOf(int handle) const;
+  Eigen::Vector3d placeOf(int handle) const { return places()[std::size_t(handle)]; }
+
  signals:
   /// What applyTo() adds is another.
   void changed();
+  /// Other handles are chosen, or one is taken hold of.
+  void chosenChanged();
 
  private:
   /// Numbers of the surface as they were when a handle was pressed.
@@ -58,7 +68,6 @@ class SurfaceHandles : public QObject {
   /// Where the ray through a place of the view comes nearest to the way through a point, mm along it.
   std::optional<double> along(const QPointF& position, const Eigen::Vector3d& through) const;
   double heightOf(const DesignedSurface& surface, int handle) const;
-  QString nameOf(int handle) const;
 
   void press(int handle, const QPointF& position, Qt::KeyboardModifiers keys);
   void move(int handle, const QPointF& position, Qt::KeyboardModifiers keys);
@@ -77,6 +86,7 @@ class SurfaceHandles : public QObject {
   view::SceneView* view_;
   bool shown_ = true;
   int hovered_ = -1;
+  bool told_ = false;   ///< the one chosen last
   std::string source_;  ///< whose handles they are
   std::vector<int> chosen_;
   std::optional<Pull> pull_;

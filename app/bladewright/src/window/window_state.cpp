@@ -39,6 +39,7 @@ void MainWindow::makeWorkspace() {
   layout->addWidget(view_, 1);
   faces_ = new FaceChooser(bench_, theme_, view_);
   handles_ = new SurfaceHandles(bench_, view_);
+  keys_ = new HandleKeys(bench_, view_, *handles_);
   middle_->addWidget(picture);
   tabs_ = new QTabWidget(middle_);
   tabs_->setDocumentMode(true);

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include <QFrame>
+#include <QKeyEvent>
+#include <QObject>
+#include <QString>
+
+#include <optional>
+#include <vector>
+
+#include "bw/view/scene_view.h"
+#include "controls/fields.h"
+#include "window/handle_numbers.h"
+#include "window/surface_handles.h"
+#include "workbench/workbench.h"
+
+namespace bw::app {
+
+/// The keyboard at the handle that was chosen last. The arrow keys move what is chosen by whole mm, with Alt
+/// by tenths, with Ctrl or Shift by tens, and Esc takes that back; a number that is typed, or Enter, opens a
+/// small field beside the handle, which takes its numbers, and expressions.
+class HandleKeys : public QObject {
+  Q_OBJECT
+
+ public:
+  HandleKeys(Workbench& bench, view::SceneView* view, SurfaceHandles& handles);
+
+  /// Opens the field; what a key typed goes into it.
+  void openField(const QKeyEvent* typed = nullptr);
+  /// What is typed and not taken is dropped.
+  void closeField();
+  const QFrame& field() const { return *frame_; }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  /// Moves of the keys that follow each other.
+  struct Nudge {
+    DesignedSurface from;
+    Eigen::Vector2d by = Eigen::Vector2d::Zero();  ///< mm
+    int mergeId = -1;
+  };
+  struct Line {
+    NumberField* field;
+    HandleNumber number;
+  };
+
+  bool press(const QKeyEvent& key);
+  void nudge(HandleNumber number, double steps, const QKeyEvent& key);
+  bool takeBack();
+  void edit(const DesignedSurface& surface, int mergeId, bool live);
+  void endNudge();
+  void addLine(HandleNumber number, const QString& label);
+  /// The handle whose numbers are told; −1: none.
+  int handle() const;
+  void placeField();
+  void follow(const Change& change);
+  void watchFocus(const QWidget* now);
+
+  Workbench& bench_;
+  view::SceneView* view_;
+  SurfaceHandles& handles_;
+  QFrame* frame_;
+  FormColumn* column_ = nullptr;  ///< of the field
+  std::vector<Line> lines_;
+  std::optional<Nudge> nudge_;
+  bool editing_ = false;
+};
+
+}  // namespace bw::app

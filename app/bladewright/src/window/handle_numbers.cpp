@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "window/handle_numbers.h"
+
+namespace bw::app {
+
+std::optional<SectionPoint> sectionPointOf(const DesignedSurface& surface, int handle) {
+  const auto* loft = std::get_if<SectionsSurface>(&surface.shape);
+  if (!loft || handle < 0) return {};
+  for (std::size_t i = 0; i < loft->sections.size(); ++i) {
+    const int count = int(loft->sections[i].points.size());
+    if (handle < count) return SectionPoint{int(i), handle};
+    handle -= count;
+  }
+  return {};
+}
+
+double* numberOf(DesignedSurface& surface, int handle, HandleNumber number) {
+  if (auto* poles = std::get_if<PolesSurface>(&surface.shape)) {
+    const bool there = handle >= 0 && std::size_t(handle) < poles->poles.size();
+    return there && number == HandleNumber::height ? &poles->poles[std::size_t(handle)].height : nullptr;
+  }
+  if (auto* blades = std::get_if<BladesSurface>(&surface.shape)) {
+    if (handle < 0 || std::size_t(handle) >= blades->blades.size()) return nullptr;
+    Eigen::Vector2d& middle = blades->blades[std::size_t(handle)].middle;
+    return number == HandleNumber::height ? &middle.y() : &middle.x();
+  }
+  const std::optional<SectionPoint> at = sectionPointOf(surface, handle);
+  if (!at) return nullptr;
+  Eigen::Vector2d& point = std::get<SectionsSurface>(surface.shape)
+                               .sections[std::size_t(at->section)]
+                               .points[std::size_t(at->point)];
+  return number == HandleNumber::height ? &point.y() : &point.x();
+}
+
+std::optional<double> numberOf(const DesignedSurface& surface, int handle, HandleNumber number) {
+  DesignedSurface copy = surface;
+  const double* value = numberOf(copy, handle, number);
+  return value ? std::optional(*value) : std::nullopt;
+}
+
+NumberPlace placeOf(const Workbench& bench, int handle, HandleNumber number) {
+  const std::optional<DesignedSurface>& surface = bench.source().surface;
+  if (!surface) return [] { return std::string(); };
+  if (const auto* poles = std::get_if<PolesSurface>(&surface->shape))
+    return placeOfPole(bench, handle / poles->columns, handle % poles->columns);
+  const std::string axis = number == HandleNumber::height ? "/1" : "/0";
+  if (std::holds_alternative<BladesSurface>(surface->shape))
+    return placeInSurface(bench, "/blades/" + std::to_string(handle) + "/middle" + axis);
+  const std::optional<SectionPoint> at = sectionPointOf(*surface, handle);
+  if (!at) return [] { return std::string(); };
+  const SectionCurve& section = std::get<SectionsSurface>(surface->shape).sections[std::size_t(at->section)];
+  return placeInSurface(bench, "/sections/" + std::to_string(at->section) + "/" +
+                                   kSectionKinds[int(section.kind)] + "/" + std::to_string(at->point) + axis);
+}
+
+DesignedSurface movedBy(const DesignedSurface& surface, const std::vector<int>& handles,
+                        const Eigen::Vector2d& by) {
+  DesignedSurface moved = surface;
+  const auto curveOf = [](auto& of, const SectionPoint& at) -> auto& {
+    return std::get<SectionsSurface>(of.shape).sections[std::size_t(at.section)];
+  };
+  for (const int handle : handles) {
+    const std::optional<SectionPoint> at = sectionPointOf(moved, handle);
+    if (at && curveOf(moved, *at).kind == SectionCurve::Kind::bezier) {
+      // From where it was, since it may have followed a neighbour already.
+      const auto point = std::size_t(at->point);
+      moveBezierPole(curveOf(moved, *at).points, point, curveOf(surface, *at).points[point] + by);
+      continue;
+    }
+    if (double* x = numberOf(moved, handle, HandleNumber::across)) *x += by.x();
+    if (double* height = numberOf(moved, handle, HandleNumber::height)) *height += by.y();
+  }
+  return moved;
+}
+
+}  // namespace bw::app
