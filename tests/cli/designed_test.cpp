@@ -45,7 +45,8 @@ TEST_P(DesignedExamples, BecomeProgramsFromTheirDesignAlone) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, DesignedExamples,
-                         testing::Values("single-block", "ripple-along", "twist", "bump", "three-block-wall",
+                         testing::Values("single-block", "ripple-along", "ripple-across",
+                                         "ruled-between-curves", "twist", "bump", "three-block-wall",
                                          "block-wall", "key-blade-fan"),
                          [](const auto& one) {
                            std::string name = one.param;
@@ -53,6 +54,19 @@ INSTANTIATE_TEST_SUITE_P(, DesignedExamples,
                              if (c == '-') c = '_';
                            return name;
                          });
+
+TEST(Designed, ExamplesAreCutAtTheEndsOfTheirSlidersToo) {
+  const Folder folder;
+  for (const char* name : {"ripple-across", "ruled-between-curves"}) {
+    const std::string file = exampleIn(folder, name);
+    for (const json& variable : json::parse(slurp(file))["variables"])
+      for (const char* end : {"min", "max"}) {
+        const std::string set = variable["name"].get<std::string>() + "=" + variable[end].dump();
+        const Finished run = blade({"design", file, "--set", set, "--out", folder / "out"});
+        EXPECT_EQ(run.status, 0) << name << " " << set << "\n" << run.err;
+      }
+  }
+}
 
 TEST(Designed, WritesTheSameBytesWithAnyNumberOfThreads) {
   const Folder folder;
@@ -269,7 +283,7 @@ TEST(Designed, AWatchedDesignIsWrittenAgainWhenItIsSaved) {
   folder.write("other.bladewright", other.dump());
   // A shell waits for the first results, saves a broken design, one with another variable, and ends the
   // watch.
-  const Finished run = shell("cd '" + (folder / "") + "' && " + R"sh(
+  const Finished run = shell("cd '" + (folder / "") + "' || exit" + R"sh(
     $BLADE design ripple-along.bladewright --out out --watch 2> err.txt & watch=$!
     await() {
       for i in $(seq 900); do

@@ -73,6 +73,13 @@ const std::vector<geometry::Example>& designedExamples() {
        "z = height − rise ((x − 300)/300)² + amplitude sin(2π waves y/800) (1 − 0.3 ((x − 300)/300)²); mm. "
        "Variables: "
        "amplitude, waves, rise, height."},
+      {"ripple-across", "Ripple across the travel",
+       "z = height + rise sin(π y/800) + amplitude cos(2π (x − 300)/600) (1 − fade y/800); mm. The blade "
+       "bends "
+       "into one wave, which fades along the travel. Variables: amplitude, rise, fade, height."},
+      {"ruled-between-curves", "Ruled between two curves",
+       "A loft through two curves, an arc and one that leans: straight lines along the travel join them. "
+       "Variables: rise, bow, lean, fall, height."},
       {"twist", "Twist",
        "A loft through three arcs that lean one way, not at all, and the other. Variables: lean, rise, "
        "height."},
