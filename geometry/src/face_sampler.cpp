@@ -17,6 +17,7 @@ constexpr int kStarts = 8;  // Newton starts of a global search at most
 constexpr double kSideRatio =
     1e-3;  // of the distance: a foot leaning more than this over the border has no side
 constexpr std::size_t kLooks = 12;  // at nodes of a grid along each parameter, for a start beside a hole
+constexpr double kBeside = 0.1;     // of a carrier's size: so far its grid may leave it
 constexpr double kInwards = 1e-4;   // of the way from a pole to the middle of its face: there it has a normal
 
 class FaceSampler final : public SurfaceSampler {
@@ -93,20 +94,24 @@ class FaceSampler final : public SurfaceSampler {
     };
     const FaceFoot own = footOnSurface(*target_->faces[std::size_t(foot.face)], p, foot.uv);
     double nearest = own.normal.isZero() ? SurfaceSampler::continued(p, foot) : side * off(own);
+    double away = own.distance;  // of the foot, where none has p above it
     bool known = below(own);
-    const auto look = [&](const FaceGeometry& face) {
+    const auto look = [&](const FaceGeometry& face, bool carries) {
       const FaceFoot there = footOnSurface(face, p, nearGridPlace(face, p));
-      if (!below(there) || (known && std::abs(off(there)) >= std::abs(nearest))) return;
+      const bool better = below(there) ? !known || std::abs(off(there)) < std::abs(nearest)
+                                       : carries && !known && !there.normal.isZero() && there.distance < away;
+      if (!better) return;
       nearest = side * off(there);
-      known = true;
+      away = there.distance;
+      known = known || below(there);
     };
     // A hole may lie over the edge of two faces: then it is the other one that goes on there. Or a surface
     // goes on between several faces that lie on it.
     for (const Neighbour& neighbour : target_->neighbours[std::size_t(foot.face)])
-      look(*target_->faces[std::size_t(neighbour.face)]);
+      look(*target_->faces[std::size_t(neighbour.face)], false);
     for (const Carrier& carrier : target_->carriers) {
       const Eigen::Vector3d over = (carrier.bounds.min - p).cwiseMax(p - carrier.bounds.max).cwiseMax(0.0);
-      if (over.norm() <= foot.distance + 0.1 * carrier.bounds.size().norm()) look(*carrier.surface);
+      if (over.norm() <= foot.distance + kBeside * carrier.bounds.size().norm()) look(*carrier.surface, true);
     }
     return nearest;
   }

@@ -7,6 +7,7 @@
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <GC_MakeArcOfCircle.hxx>
+#include <Geom_SphericalSurface.hxx>
 #include <Geom_TrimmedCurve.hxx>
 
 #include "sheets.h"
@@ -87,22 +88,20 @@ void expectSections(const TopoDS_Shape& whole, const TopoDS_Shape& parts, int fa
   }
 }
 
-/// Expects the distances of places off `whole` from the surfaces of `parts` continued to be how far they are
-/// off.
+/// Expects distances from the surfaces of `parts` continued to be those from `whole`.
 void expectDistances(const TopoDS_Shape& whole, const TopoDS_Shape& parts, const std::string& what) {
-  const Cut all = along(targetOf(whole, allFaces()));
-  const Target target = targetOf(parts, allFaces());
-  const std::unique_ptr<SurfaceSampler> sampler = target.sampler();
-  for (const Section& section : all.sections)
+  const Target all = targetOf(whole, allFaces()), some = targetOf(parts, allFaces());
+  const std::unique_ptr<SurfaceSampler> full = all.sampler(), sampler = some.sampler();
+  for (const Section& section : along(all).sections)
     for (const Eigen::Vector2d& q : section.curve().sample(41))
       for (const double off : {0.0, 0.4, -0.4}) {
         const PlanarCurve& curve = section.curve();
         const Eigen::Vector2d t = curve.tangent(curve.nearestParameter(q));
         const Eigen::Vector3d p =
             section.frame.toWorld(Eigen::Vector2d(q + off * Eigen::Vector2d(-t.y(), t.x())));
-        const auto foot = sampler->closest(p, nullptr);
-        ASSERT_TRUE(foot);
-        EXPECT_NEAR(sampler->offset(p, *foot), off, 2e-3) << what << p.transpose();
+        const auto expected = full->closest(p, nullptr), foot = sampler->closest(p, nullptr);
+        ASSERT_TRUE(expected && foot);
+        EXPECT_NEAR(sampler->offset(p, *foot), full->offset(p, *expected), 2e-3) << what << p.transpose();
       }
 }
 
@@ -207,6 +206,23 @@ TEST(Carriers, NotAPointAtWhichTheSurfaceEndsToo) {
   EXPECT_EQ(longestExtension(cut.findings), 0);
   EXPECT_TRUE(std::ranges::any_of(
       cut.findings, [](const Finding& f) { return std::holds_alternative<SectionShort>(f.cause); }));
+}
+
+TEST(Carriers, DistancesAtTheSideOfAMissingCornerWhereTheNormalLeansOut) {
+  // A sheet of a sphere: beside the plane of its first and last section the normals lean out of it.
+  const gp_Ax3 axis(gp_Pnt(0, 0, -kRadius), gp_Dir(0, 1, 0), gp_Dir(0, 0, 1));
+  const TopoDS_Shape whole =
+      BRepBuilderAPI_MakeFace(new Geom_SphericalSurface(axis, kRadius), -0.35, 0.35, -0.4, 0.4, 1e-7).Face();
+  TopTools_ListOfShape faces, tools;
+  faces.Append(whole);
+  tools.Append(
+      BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(0, 0, 0), gp_Dir(1, 0, 0)), -2000, 2000, -2000, 2000).Face());
+  BRepAlgoAPI_Splitter splitter;
+  splitter.SetArguments(faces);
+  splitter.SetTools(tools);
+  splitter.Build();
+  for (const auto& [y0, y1] : {std::pair(120.0, 900.0), {-60.0, 60.0}})
+    expectDistances(whole, without(splitter.Shape(), {boxAt(0, 900, y0, y1)}), "of a sphere ");
 }
 
 TEST(Carriers, NotWhereNothingIsLeftOfASurface) {
