@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: MIT
 //
 // Surfaces that no single sweep of a blade makes, as files: what is said of them is true, and no robot gets a
-// program of them.
+// program of them. And those with holes and notches through their faces, which one makes all the same.
 
 #include <gtest/gtest.h>
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <GeomAPI_PointsToBSplineSurface.hxx>
@@ -25,6 +27,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "process.h"
@@ -152,6 +155,48 @@ TEST(HardShapes, AUOfOneSurfaceIsCutOnTheSurfaceContinued) {
   EXPECT_EQ(u.run.status, 0) << u.run.err;
   EXPECT_NEAR(u.summary()["covered_percent"].get<double>(), 100, 0.1);
   EXPECT_TRUE(u.programs);
+}
+
+TEST(HardShapes, NotchesAndWindowsThroughFacesAreCutOnTheSurfaceContinued) {
+  const auto without = [](TopoDS_Shape shape, const std::vector<std::vector<gp_Pnt>>& outlines) {
+    for (const std::vector<gp_Pnt>& corners : outlines) {
+      BRepBuilderAPI_MakePolygon outline;
+      for (const gp_Pnt& corner : corners) outline.Add(corner);
+      outline.Close();
+      const TopoDS_Shape tool =
+          BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline.Wire()).Face(), gp_Vec(0, 0, 600)).Shape();
+      shape = BRepAlgoAPI_Cut(shape, tool).Shape();
+    }
+    return shape;
+  };
+  const auto rectangle = [](double x0, double x1, double y0, double y1) {
+    return std::vector<gp_Pnt>{{x0, y0, -300}, {x1, y0, -300}, {x1, y1, -300}, {x0, y1, -300}};
+  };
+  const auto strip = [](double x0, double x1) { return panel(900, x0, x1, -kHalfLength, kHalfLength); };
+  const std::vector<gp_Pnt> window = rectangle(-80, 80, -80, 80), notch = rectangle(0, 400, -60, 60);
+  const std::vector<gp_Pnt> left = {{-310, 150, -300}, {0, 350, -300}, {0, 400, -300}, {-310, 400, -300}},
+                            right = {{310, 150, -300}, {310, 400, -300}, {0, 400, -300}, {0, 350, -300}};
+  const std::vector<std::pair<std::string, std::vector<TopoDS_Shape>>> files = {
+      {"a notch that takes one of two faces",
+       {strip(-kHalfWidth, 0), without(strip(0, kHalfWidth), {notch})}},
+      {"a window over the whole strip between two faces",
+       {without(strip(-kHalfWidth, -30), {window}), without(strip(-30, 30), {window}),
+        without(strip(30, kHalfWidth), {window})}},
+      {"a rectangle that is missing among others",
+       {panel(900, -300, -100, -350, 350), panel(900, 100, 300, -350, -100), panel(900, 100, 300, -100, 100),
+        panel(900, 100, 300, 100, 350), panel(900, -100, 100, -350, -100), panel(900, -100, 100, 100, 350)}},
+      {"a point at the end", {without(strip(-kHalfWidth, kHalfWidth), {left, right})}}};
+  for (const auto& [what, shapes] : files) {
+    const Folder folder;
+    const Said result = said(folder, fileOf(shapes), "{" + kAcross + "}");
+    ASSERT_EQ(result.run.status, 0) << what << result.run.err;
+    EXPECT_NEAR(result.summary()["covered_percent"].get<double>(), 100, 0.1) << what;
+    EXPECT_LT(result.summary()["deviation_max_mm"].get<double>(), 0.1) << what;
+    EXPECT_TRUE(result.programs) << what;
+    const Finished run = blade({"simulate", folder / "out"});
+    EXPECT_EQ(run.status, 0) << what << run.err;
+    EXPECT_LE(json::parse(run.out)["surface"]["deviation_to_target_max_mm"], 0.15) << what;
+  }
 }
 
 TEST(HardShapes, OfAUWhoseGapNoBladeCrossesWhatItMissesIsTold) {
