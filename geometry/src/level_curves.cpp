@@ -30,7 +30,13 @@ PlaneCutter::PlaneCutter(const Target::Impl& target, const Eigen::Vector3d& norm
     edges_.push_back(levelsOf(edge, e, normal));
   }
   for (const auto& face : target.faces) faces_.push_back(levelsOf(*face, normal, region));
-  for (const Carrier& carrier : target.carriers) faces_.push_back(levelsOf(*carrier.surface, normal, region));
+  // Of a carrier all is looked at, so that the curves of its faces, whose cells are others, lie on it whole.
+  for (const Carrier& carrier : target.carriers) {
+    Box all;
+    all.frame.origin = carrier.bounds.min;
+    all.size = carrier.bounds.size();
+    faces_.push_back(levelsOf(*carrier.surface, normal, all));
+  }
 }
 
 bool PlaneCutter::grazes(double level) const {

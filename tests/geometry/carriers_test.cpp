@@ -155,6 +155,26 @@ TEST(Carriers, AWindowOverAStripOfAnotherSurface) {
   }
 }
 
+TEST(Carriers, InABlockThatHoldsAPartOfThem) {
+  CutSettings settings;
+  settings.stations = 31;
+  settings.direction = Eigen::Vector3d::UnitY();
+  settings.block = BlockPlacement{{-150, -300, -100}, {300, 500, 150}};
+  const Target whole = targetOf(sheet());
+  for (const TopoDS_Shape& parts : {without(sheetInParts({{-30, 0}, {30, 0}}), {boxAt(-80, 80, -80, 80)}),
+                                    without(sheetInParts({{0, 0}}), {boxAt(-50, 400, -60, 60)}),
+                                    rectangles({4}, false), rectangles({5}, true)}) {
+    const Target target = targetOf(parts, allFaces());
+    for (const SectionRoute route : {SectionRoute::traced, SectionRoute::kernel}) {
+      settings.route = route;
+      const Cut all = cutOf(whole, settings), cut = cutOf(target, settings);
+      ASSERT_EQ(cut.sections.size(), 31u);
+      for (std::size_t i = 0; i < cut.sections.size(); ++i)
+        EXPECT_NEAR(cut.sections[i].curve().length(), all.sections[i].curve().length(), 0.1) << i;
+    }
+  }
+}
+
 TEST(Carriers, RectanglesThatAreNotThere) {
   for (const bool apart : {false, true})
     for (const std::vector<int>& left :
