@@ -14,10 +14,12 @@ namespace bw::app {
 
 namespace {
 
-constexpr double kStep = 1, kFine = 0.1, kCoarse = 10;  // mm
-constexpr double kFarthest = 1e7;                       // mm
-constexpr int kBeside = 18;                             // pixels between a handle and its field
-constexpr int kFieldWidth = 180;                        // for expressions
+constexpr double kFine = 0.1, kFieldStep = 1;  // mm
+constexpr double kCoarse = 10;                 // steps
+constexpr double kClick = 4;                   // pixels that a click may go
+constexpr double kFarthest = 1e7;              // mm
+constexpr int kBeside = 18;                    // pixels between a handle and its field
+constexpr int kFieldWidth = 180;               // for expressions
 
 const DesignedSurface* surfaceOf(const Workbench& bench) {
   return bench.source().surface ? &*bench.source().surface : nullptr;
@@ -57,6 +59,9 @@ int HandleKeys::handle() const {
 }
 
 bool HandleKeys::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == view_ &&
+      (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonRelease))
+    rightButton(*static_cast<QMouseEvent*>(event));
   const bool override = event->type() == QEvent::ShortcutOverride;
   if (watched != view_ || (!override && event->type() != QEvent::KeyPress)) return false;
   const auto& key = *static_cast<QKeyEvent*>(event);
@@ -67,6 +72,19 @@ bool HandleKeys::eventFilter(QObject* watched, QEvent* event) {
     return false;
   }
   return press(key);
+}
+
+void HandleKeys::rightButton(const QMouseEvent& event) {
+  if (event.button() != Qt::RightButton || view_->holding()) return;
+  if (event.type() == QEvent::MouseButtonPress) {
+    pressed_ = event.position();
+    return;
+  }
+  const QPointF way = event.position() - pressed_;
+  const int handle = std::hypot(way.x(), way.y()) <= kClick ? view_->handleAt(pressed_) : -1;
+  if (handle < 0) return;
+  if (std::ranges::find(handles_.chosen(), handle) == handles_.chosen().end()) handles_.choose({handle});
+  emit menuRequested(event.globalPosition().toPoint());
 }
 
 bool HandleKeys::press(const QKeyEvent& key) {
@@ -101,15 +119,16 @@ void HandleKeys::nudge(HandleNumber number, double steps, const QKeyEvent& key) 
   handles_.tellChosen(true);
   const Qt::KeyboardModifiers keys = key.modifiers();
   const double step = keys & Qt::AltModifier                             ? kFine
-                      : keys & (Qt::ControlModifier | Qt::ShiftModifier) ? kCoarse
-                                                                         : kStep;
+                      : keys & (Qt::ControlModifier | Qt::ShiftModifier) ? kCoarse * handles_.step()
+                                                                         : handles_.step();
   // The number, not the way to it, is a round one: the next beyond.
   constexpr double kNear = 1e-6;
   const double places = *at / step;
   const double next = steps > 0 ? std::floor(places + kNear) + steps : std::ceil(places - kNear) + steps;
   nudge_->by[number == HandleNumber::height ? 1 : 0] =
       next * step - *numberOf(nudge_->from, handle(), number);
-  edit(movedBy(nudge_->from, handles_.chosen(), nudge_->by), nudge_->mergeId, key.isAutoRepeat());
+  edit(movedBy(nudge_->from, handles_.chosen(), nudge_->by, handles_.symmetric()), nudge_->mergeId,
+       key.isAutoRepeat());
 }
 
 bool HandleKeys::takeBack() {
@@ -139,7 +158,7 @@ void HandleKeys::addLine(HandleNumber number, const QString& label) {
   const DesignedSurface& surface = *surfaceOf(bench_);
   const std::optional<double> value = numberOf(surface, handle(), number);
   if (!value) return;
-  auto* field = column_->add(label, new NumberField({-kFarthest, kFarthest, 2, kStep, "mm"}));
+  auto* field = column_->add(label, new NumberField({-kFarthest, kFarthest, 2, kFieldStep, "mm"}));
   field->setAccessibleName(tr("%1 of %2").arg(label, handles_.nameOf(handle()).toLower()));
   field->setFixedWidth(kFieldWidth);
   field->show(*value);
@@ -149,7 +168,8 @@ void HandleKeys::addLine(HandleNumber number, const QString& label) {
     endNudge();
     DesignedSurface moved =
         movedBy(now, handles_.chosen(),
-                number == HandleNumber::height ? Eigen::Vector2d(0, by) : Eigen::Vector2d(by, 0));
+                number == HandleNumber::height ? Eigen::Vector2d(0, by) : Eigen::Vector2d(by, 0),
+                handles_.symmetric());
     *numberOf(moved, handle(), number) = to;  // what was typed, to the last digit
     edit(moved, -1, false);
   });

@@ -6,6 +6,7 @@
 
 #include <QFrame>
 #include <QKeyEvent>
+#include <QMouseEvent>
 #include <QObject>
 #include <QString>
 
@@ -21,8 +22,8 @@
 namespace bw::app {
 
 /// The keyboard at the handle that was chosen last. The arrow keys move what is chosen by whole mm, with Alt
-/// by tenths, with Ctrl or Shift by tens, and Esc takes that back; a number that is typed, or Enter, opens a
-/// small field beside the handle, which takes its numbers, and expressions.
+/// by tenths, with Ctrl or Shift by tens (or by that of a grid), and Esc takes that back; a number that is
+/// typed, or Enter, opens a small field beside the handle, which takes its numbers, and expressions.
 class HandleKeys : public QObject {
   Q_OBJECT
 
@@ -34,6 +35,10 @@ class HandleKeys : public QObject {
   /// What is typed and not taken is dropped.
   void closeField();
   const QFrame& field() const { return *frame_; }
+
+ signals:
+  /// A handle was clicked with the right button, and is chosen.
+  void menuRequested(const QPoint& place);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -51,6 +56,7 @@ class HandleKeys : public QObject {
   };
 
   bool press(const QKeyEvent& key);
+  void rightButton(const QMouseEvent& event);
   void nudge(HandleNumber number, double steps, const QKeyEvent& key);
   bool takeBack();
   void edit(const DesignedSurface& surface, int mergeId, bool live);
@@ -70,6 +76,7 @@ class HandleKeys : public QObject {
   std::vector<Line> lines_;
   std::optional<Nudge> nudge_;
   bool editing_ = false;
+  QPointF pressed_;  ///< where the right button went down
 };
 
 }  // namespace bw::app

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "window/handle_numbers.h"
 
+#include <algorithm>
+
 namespace bw::app {
 
 std::optional<SectionPoint> sectionPointOf(const DesignedSurface& surface, int handle) {
@@ -13,6 +15,24 @@ std::optional<SectionPoint> sectionPointOf(const DesignedSurface& surface, int h
     handle -= count;
   }
   return {};
+}
+
+int handleOf(const DesignedSurface& surface, const SectionPoint& point) {
+  const auto& sections = std::get<SectionsSurface>(surface.shape).sections;
+  int handle = point.point;
+  for (int i = 0; i < point.section; ++i) handle += int(sections[std::size_t(i)].points.size());
+  return handle;
+}
+
+int mirrorOf(const DesignedSurface& surface, int handle) {
+  if (const auto* poles = std::get_if<PolesSurface>(&surface.shape)) {
+    const int row = handle / poles->columns, column = handle % poles->columns;
+    return handle < 0 ? -1 : row * poles->columns + poles->columns - 1 - column;
+  }
+  const std::optional<SectionPoint> at = sectionPointOf(surface, handle);
+  if (!at) return -1;
+  const auto& section = std::get<SectionsSurface>(surface.shape).sections[std::size_t(at->section)];
+  return handleOf(surface, {at->section, int(section.points.size()) - 1 - at->point});
 }
 
 double* numberOf(DesignedSurface& surface, int handle, HandleNumber number) {
@@ -54,22 +74,33 @@ NumberPlace placeOf(const Workbench& bench, int handle, HandleNumber number) {
                                    kSectionKinds[int(section.kind)] + "/" + std::to_string(at->point) + axis);
 }
 
-DesignedSurface movedBy(const DesignedSurface& surface, const std::vector<int>& handles,
-                        const Eigen::Vector2d& by) {
-  DesignedSurface moved = surface;
+namespace {
+
+void move(DesignedSurface& moved, const DesignedSurface& from, int handle, const Eigen::Vector2d& by) {
   const auto curveOf = [](auto& of, const SectionPoint& at) -> auto& {
     return std::get<SectionsSurface>(of.shape).sections[std::size_t(at.section)];
   };
+  const std::optional<SectionPoint> at = sectionPointOf(moved, handle);
+  if (at && curveOf(moved, *at).kind == SectionCurve::Kind::bezier) {
+    // From where it was, since it may have followed a neighbour already.
+    const auto point = std::size_t(at->point);
+    moveBezierPole(curveOf(moved, *at).points, point, curveOf(from, *at).points[point] + by);
+    return;
+  }
+  if (double* x = numberOf(moved, handle, HandleNumber::across)) *x += by.x();
+  if (double* height = numberOf(moved, handle, HandleNumber::height)) *height += by.y();
+}
+
+}  // namespace
+
+DesignedSurface movedBy(const DesignedSurface& surface, const std::vector<int>& handles,
+                        const Eigen::Vector2d& by, bool symmetric) {
+  DesignedSurface moved = surface;
   for (const int handle : handles) {
-    const std::optional<SectionPoint> at = sectionPointOf(moved, handle);
-    if (at && curveOf(moved, *at).kind == SectionCurve::Kind::bezier) {
-      // From where it was, since it may have followed a neighbour already.
-      const auto point = std::size_t(at->point);
-      moveBezierPole(curveOf(moved, *at).points, point, curveOf(surface, *at).points[point] + by);
-      continue;
-    }
-    if (double* x = numberOf(moved, handle, HandleNumber::across)) *x += by.x();
-    if (double* height = numberOf(moved, handle, HandleNumber::height)) *height += by.y();
+    const int mirror = symmetric ? mirrorOf(surface, handle) : -1;
+    move(moved, surface, handle, mirror == handle ? Eigen::Vector2d(0, by.y()) : by);
+    if (mirror >= 0 && std::ranges::find(handles, mirror) == handles.end())
+      move(moved, surface, mirror, Eigen::Vector2d(-by.x(), by.y()));
   }
   return moved;
 }

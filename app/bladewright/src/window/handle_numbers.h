@@ -25,12 +25,18 @@ struct SectionPoint {
   int section = 0, point = 0;
 };
 std::optional<SectionPoint> sectionPointOf(const DesignedSurface& surface, int handle);
+/// The handle that such a point is.
+int handleOf(const DesignedSurface& surface, const SectionPoint& point);
+
+/// The mirror image of a handle, left and right across the travel: itself in the middle, −1 without one.
+int mirrorOf(const DesignedSurface& surface, int handle);
 
 /// Where a number of a handle of the surface at work stands in the file of the design.
 NumberPlace placeOf(const Workbench& bench, int handle, HandleNumber number);
 
 /// The surface with some of its handles moved by so many mm: across and up. Cubics of a chain stay in line.
+/// `symmetric`: their mirror images with them.
 DesignedSurface movedBy(const DesignedSurface& surface, const std::vector<int>& handles,
-                        const Eigen::Vector2d& by);
+                        const Eigen::Vector2d& by, bool symmetric);
 
 }  // namespace bw::app

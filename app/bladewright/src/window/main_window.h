@@ -123,6 +123,7 @@ class MainWindow : public QMainWindow {
 
  private:
   void makeCommands();
+  void makeHandleCommands();
   void makeMenus();
   void makeWorkspace();
   void makeStatusBar();
@@ -156,6 +157,7 @@ class MainWindow : public QMainWindow {
   /// The cut selected among the things of the picture.
   scene::ItemId selectedRow() const;
   void refreshStyle();
+  void refreshHandleCommands();
   void refreshState();
   void summarise(const pipeline::CutSketch& sketch);
   void refreshSummary();
@@ -202,7 +204,7 @@ class MainWindow : public QMainWindow {
   SectionView* section_;
   MotionView* motion_;
   MessagePanel* messages_;
-  QMenu* recentMenu_;
+  QMenu *recentMenu_, *handleMenu_;
   CommandPalette* palette_;
   GuideWindow* guide_;
 

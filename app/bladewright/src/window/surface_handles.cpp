@@ -9,15 +9,16 @@
 #include "bw/core/base/frame.h"
 #include "bw/core/text/number_text.h"
 #include "controls/numbers.h"
-#include "window/handle_numbers.h"
+#include "workflow/section_edits.h"
 
 namespace bw::app {
 
 namespace {
 
-constexpr double kStep = 1, kCoarse = 10, kFine = 0.1;  // mm
-constexpr double kFarthest = 400;                       // mm that a handle is moved at once
-constexpr double kSteepest = 0.999;                     // cosine between the way and the line of sight
+constexpr double kCoarse = 10;       // steps
+constexpr double kFine = 0.1;        // mm
+constexpr double kFarthest = 400;    // mm that a handle is moved at once
+constexpr double kSteepest = 0.999;  // cosine between the way and the line of sight
 
 const DesignedSurface* surfaceOf(const Workbench& bench) {
   return bench.source().surface ? &*bench.source().surface : nullptr;
@@ -82,6 +83,40 @@ void SurfaceHandles::choose(std::vector<int> handles) {
   emit changed();
 }
 
+void SurfaceHandles::setSymmetric(bool on) {
+  if (std::exchange(symmetric_, on) == on) return;
+  emit chosenChanged();  // others move together now
+  emit changed();
+}
+
+std::optional<SectionPoint> SurfaceHandles::sectionPoint() const {
+  const DesignedSurface* surface = surfaceOf(bench_);
+  return surface && shown_ && chosen_.size() == 1 ? sectionPointOf(*surface, chosen_.back()) : std::nullopt;
+}
+
+void SurfaceHandles::addPoint() {
+  const std::optional<SectionPoint> at = sectionPoint();
+  if (!at) return;
+  if (const auto added = app::addPoint(bench_, std::size_t(at->section), std::size_t(at->point)))
+    choose({handleOf(*surfaceOf(bench_), {at->section, int(*added)})});
+}
+
+void SurfaceHandles::removePoint() {
+  if (const std::optional<SectionPoint> at = sectionPoint())
+    if (app::removePoint(bench_, std::size_t(at->section), std::size_t(at->point))) choose({});
+}
+
+void SurfaceHandles::addSection() {
+  const std::optional<SectionPoint> at = sectionPoint();
+  if (at && app::addSection(bench_, std::size_t(at->section)))
+    choose({handleOf(*surfaceOf(bench_), {at->section + 1, 0})});
+}
+
+void SurfaceHandles::removeSection() {
+  if (const std::optional<SectionPoint> at = sectionPoint())
+    if (app::removeSection(bench_, std::size_t(at->section))) choose({});
+}
+
 void SurfaceHandles::tellChosen(bool on) {
   if (std::exchange(told_, on) != on) emit changed();
 }
@@ -138,6 +173,9 @@ void SurfaceHandles::applyTo(scene::Style& style) const {
     for (std::size_t k = 1; k < blades->blades.size(); ++k) join(int(k) - 1, int(k));
   }
   handles.chosen = chosen_;
+  if (symmetric_)
+    for (const int handle : chosen_)
+      if (const int mirror = mirrorOf(*surface, handle); mirror >= 0) handles.chosen.push_back(mirror);
   handles.lit = pull_ ? pull_->handle : hovered_ < 0 && told_ && !chosen_.empty() ? chosen_.back() : hovered_;
   if (handles.lit < 0 || std::size_t(handles.lit) >= handles.points.size()) return;
   const double height = heightOf(*surface, handles.lit);
@@ -181,9 +219,9 @@ void SurfaceHandles::press(int handle, const QPointF& position, Qt::KeyboardModi
       Pull{handle, *surface, along(position, all[std::size_t(handle)]).value_or(0), 0, bench_.newMergeId()};
   const Design design = bench_.design();
   bench_.runner().seekReach(
-      [design, cut = bench_.cut(), from = *surface, moved = held()](double by) {
+      [design, cut = bench_.cut(), from = *surface, moved = held(), symmetric = symmetric_](double by) {
         Design pulled = design;
-        pulled.sourceOf(cut).surface = movedBy(from, moved, Eigen::Vector2d(0, by));
+        pulled.sourceOf(cut).surface = movedBy(from, moved, Eigen::Vector2d(0, by), symmetric);
         return pulled;
       },
       kFarthest);
@@ -197,10 +235,10 @@ void SurfaceHandles::move(int handle, const QPointF& position, Qt::KeyboardModif
   const std::optional<double> at = along(position, start);
   if (!at) return;
   double by = *at - pull_->began;
-  const bool fine = keys & Qt::ControlModifier;
+  const bool fine = keys & (Qt::ControlModifier | Qt::AltModifier);
   if (fine) by *= kFine;
   // The height, not the way to it, is a round number.
-  const double step = fine ? kFine : keys & Qt::ShiftModifier ? kCoarse : kStep;
+  const double step = fine ? kFine : keys & Qt::ShiftModifier ? kCoarse * this->step() : this->step();
   const double from = heightOf(pull_->from, handle);
   by = std::round((from + by) / step) * step - from;
   pull_->wished = std::clamp(by, -kFarthest, kFarthest);
@@ -257,7 +295,7 @@ void SurfaceHandles::pull(double by, bool live) {
   pull_->by = by;
   pull_->moved = true;
   const std::vector<int> moved = held();
-  const DesignedSurface pulled = movedBy(pull_->from, moved, Eigen::Vector2d(0, by));
+  const DesignedSurface pulled = movedBy(pull_->from, moved, Eigen::Vector2d(0, by), symmetric_);
   const QString text = moved.size() > 1 ? tr("Move %1 handles").arg(moved.size())
                                         : tr("Move %1").arg(nameOf(pull_->handle).toLower());
   bench_.editSurface(

@@ -15,13 +15,15 @@
 #include "bw/core/shape/designed_surface.h"
 #include "bw/scene/scene.h"
 #include "bw/view/scene_view.h"
+#include "window/handle_numbers.h"
 #include "workbench/workbench.h"
 
 namespace bw::app {
 
 /// The handles of a designed surface in the 3D view: its poles, or the points of its section curves, each
-/// moved up and down. A pole is pulled in whole mm, with Shift in steps of 10, with Ctrl by a tenth of the
-/// way of the hand. Esc gives a pull up; a click with Shift chooses several, which move together.
+/// moved up and down. A pole is pulled in whole mm, or from line to line of a grid, with Shift in steps of 10
+/// of these, with Ctrl by a tenth of the way of the hand. Esc gives a pull up; a click with Shift chooses
+/// several, which move together.
 class SurfaceHandles : public QObject {
   Q_OBJECT
 
@@ -40,6 +42,25 @@ class SurfaceHandles : public QObject {
   void choose(std::vector<int> handles);
   /// Tells the height of the one chosen last beside it, as of one under the cursor.
   void tellChosen(bool on);
+  /// Whether what is moved takes its mirror image with it.
+  bool symmetric() const { return symmetric_; }
+  void setSymmetric(bool on);
+  /// Whether heights and places are taken from a grid; its spacing, mm.
+  bool snapping() const { return snapping_; }
+  double grid() const { return grid_; }
+  void setSnapping(bool on) { snapping_ = on; }
+  void setGrid(double spacing) { grid_ = spacing; }
+  /// What a move is counted by, mm.
+  double step() const { return snapping_ ? grid_ : 1; }
+
+  /// The point of a section that was chosen last, where one alone is chosen; nothing else is one.
+  std::optional<SectionPoint> sectionPoint() const;
+  /// Add and remove what is of it.
+  void addPoint();
+  void removePoint();
+  void addSection();
+  void removeSection();
+
   QString nameOf(int handle) const;
   Eigen::Vector3d placeOf(int handle) const { return places()[std::size_t(handle)]; }
 
@@ -86,6 +107,8 @@ class SurfaceHandles : public QObject {
   view::SceneView* view_;
   bool shown_ = true;
   int hovered_ = -1;
+  bool symmetric_ = false, snapping_ = false;
+  double grid_ = 10;
   bool told_ = false;   ///< the one chosen last
   std::string source_;  ///< whose handles they are
   std::vector<int> chosen_;

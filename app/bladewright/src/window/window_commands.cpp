@@ -17,6 +17,14 @@
 
 namespace bw::app {
 
+namespace {
+
+constexpr std::array<int, 4> kHandleGrids = {5, 10, 25, 50};  // mm
+
+QString handleGridCommand(int spacing) { return QStringLiteral("handles.grid%1").arg(spacing); }
+
+}  // namespace
+
 void MainWindow::makeCommands() {
   const auto add = [this](const char* id, const QString& text, const char* icon, const QString& tip,
                           const QList<QKeySequence>& keys, std::function<void(bool)> run,
@@ -142,6 +150,7 @@ void MainWindow::makeCommands() {
       "view.handles", tr("&Handles of the surface"), "",
       tr("Pull the poles of a designed surface, or the points of its sections"), {QKeySequence("H")},
       [this](bool on) { handles_->setShown(on); }, true);
+  makeHandleCommands();
   const auto toggle = [&](const char* id, const QString& text, const char* icon, const QString& tip,
                           const QList<QKeySequence>& keys, StyleSwitch isOn) {
     toggles_.emplace_back(id, isOn);
@@ -263,6 +272,77 @@ void MainWindow::makeCommands() {
   });
 }
 
+void MainWindow::makeHandleCommands() {
+  commands_.add({"handles.number",
+                 tr("Type its &numbers"),
+                 "",
+                 tr("Opens a field beside the handle that was pressed; Enter does, too"),
+                 {}},
+                [this](bool) { keys_->openField(); });
+  commands_.add({"handles.symmetric",
+                 tr("S&ymmetric editing"),
+                 "",
+                 tr("What is moved takes its mirror image with it, left and right across the travel"),
+                 {QKeySequence("M")},
+                 true},
+                [this](bool on) { handles_->setSymmetric(on); });
+  commands_.add({"handles.snap",
+                 tr("Snap to a &grid"),
+                 "",
+                 tr("Handles move from line to line of a grid, not by whole millimetres"),
+                 {QKeySequence("G")},
+                 true},
+                [this](bool on) {
+                  handles_->setSnapping(on);
+                  refreshHandleCommands();
+                });
+  for (const int spacing : kHandleGrids)
+    commands_.add({handleGridCommand(spacing),
+                   tr("Grid of %1 mm").arg(spacing),
+                   "",
+                   tr("The grid that handles snap to"),
+                   {},
+                   true},
+                  [this, spacing](bool) {
+                    handles_->setGrid(spacing);
+                    handles_->setSnapping(true);
+                    refreshHandleCommands();
+                  });
+  // Of the picture: a field has these keys for itself.
+  const auto edit = [this](const char* id, const QString& text, const QString& tip,
+                           const QList<QKeySequence>& keys, void (SurfaceHandles::*run)()) {
+    commands_.add({id, text, "", tip, keys}, [this, run](bool) { (handles_->*run)(); })
+        ->setShortcutContext(Qt::WidgetShortcut);
+  };
+  edit("handles.addPoint", tr("Add &point"),
+       tr("A point more on the curve, halfway to the next one; a Bézier curve is parted there"),
+       {QKeySequence("Ins")}, &SurfaceHandles::addPoint);
+  edit("handles.removePoint", tr("Remove p&oint"), tr("Takes the point away that was pressed"),
+       {QKeySequence("Del")}, &SurfaceHandles::removePoint);
+  edit("handles.addSection", tr("Add &section"),
+       tr("A section more halfway to the next one, as the surface is there"), {},
+       &SurfaceHandles::addSection);
+  edit("handles.removeSection", tr("&Remove section"), tr("Takes the section of the point away"), {},
+       &SurfaceHandles::removeSection);
+}
+
+void MainWindow::refreshHandleCommands() {
+  const bool point = handles_->sectionPoint().has_value();
+  for (const char* id :
+       {"handles.addPoint", "handles.removePoint", "handles.addSection", "handles.removeSection"})
+    commands_[id]->setEnabled(point);
+  commands_["handles.number"]->setEnabled(handles_->shown() && !handles_->chosen().empty());
+  const bool possible = handles_->possible();
+  commands_["handles.symmetric"]->setEnabled(possible);
+  commands_["handles.symmetric"]->setChecked(handles_->symmetric());
+  commands_["handles.snap"]->setEnabled(possible);
+  commands_["handles.snap"]->setChecked(handles_->snapping());
+  for (const int spacing : kHandleGrids) {
+    commands_[handleGridCommand(spacing)]->setEnabled(possible);
+    commands_[handleGridCommand(spacing)]->setChecked(handles_->snapping() && handles_->grid() == spacing);
+  }
+}
+
 void MainWindow::makeMenus() {
   const auto fill = [this](QMenu* menu, std::initializer_list<const char*> ids) {
     for (const char* id : ids) {
@@ -279,9 +359,13 @@ void MainWindow::makeMenus() {
   fill(file,
        {"file.unsaved", "", "file.save", "file.saveAs", "", "file.replace", "file.reload", "file.locate", "",
         "file.export", "file.programs", "file.picture", "", "file.close", "file.quit"});
-  fill(menuBar()->addMenu(tr("&Edit")),
-       {"edit.undo", "edit.redo", "", "edit.compute", "edit.cancel", "", "input.chooseFaces", "design.keys",
-        "design.adopt", "blade.measure", "", "edit.palette"});
+  QMenu* edit = menuBar()->addMenu(tr("&Edit"));
+  fill(edit, {"edit.undo", "edit.redo", "", "edit.compute", "edit.cancel", ""});
+  handleMenu_ = edit->addMenu(tr("&Handle"));
+  fill(handleMenu_, {"handles.number", "", "handles.addPoint", "handles.removePoint", "handles.addSection",
+                     "handles.removeSection", "", "handles.symmetric", "handles.snap"});
+  for (const int spacing : kHandleGrids) fill(handleMenu_, {qUtf8Printable(handleGridCommand(spacing))});
+  fill(edit, {"input.chooseFaces", "design.keys", "design.adopt", "blade.measure", "", "edit.palette"});
   QMenu* view = menuBar()->addMenu(tr("&View"));
   fill(view, {"view.iso", "view.top", "view.bottom", "view.front", "view.back", "view.left", "view.right", "",
               "view.fit", "view.fitSelection", "view.parallel", "", "view.section", "view.sectionFlip",

@@ -121,6 +121,7 @@ void MainWindow::refreshStyle() {
   inspector_->setStale(staleShown_ || bench_.sketch());  // its numbers are those of the result
   refreshSummary();
   commands_["view.handles"]->setChecked(handles_->shown());
+  refreshHandleCommands();
   for (const auto& [id, isOn] : toggles_) commands_[id]->setChecked(isOn(style));
   for (const std::string& name : MapBar::fieldNames())
     commands_[QString::fromStdString("map." + name)]->setChecked(style[scene::Kind::cut].map == name);

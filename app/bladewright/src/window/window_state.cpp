@@ -113,6 +113,11 @@ void MainWindow::makeWorkspace() {
   connect(view_, &view::SceneView::faceClicked, faces_, &FaceChooser::click);
   connect(faces_, &FaceChooser::changed, this, &MainWindow::refreshStyle);
   connect(handles_, &SurfaceHandles::changed, this, &MainWindow::refreshStyle);
+  connect(handles_, &SurfaceHandles::chosenChanged, this, &MainWindow::refreshHandleCommands);
+  connect(keys_, &HandleKeys::menuRequested, this, [this](const QPoint& place) {
+    refreshHandleCommands();
+    handleMenu_->popup(place);
+  });
   connect(faces_, &FaceChooser::choosingChanged, this, [this](bool choosing) {
     commands_["input.chooseFaces"]->setChecked(choosing);
     refreshState();
@@ -225,6 +230,7 @@ void MainWindow::refreshState() {
   commands_["view.sectionFlip"]->setEnabled(open && sectioned_);
   commands_["edit.cancel"]->setEnabled(busy || faces_->choosing() || view_->holding());
   commands_["view.handles"]->setEnabled(open && handles_->possible());
+  refreshHandleCommands();
   commands_["input.chooseFaces"]->setEnabled(open && faces_->possible());
   workflow_->inputFields()->faces().showChoosing(faces_->choosing(), faces_->possible());
   refreshSummary();

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "workflow/surface_fields.h"
 
+#include <QApplication>
 #include <QGridLayout>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QToolButton>
 
 #include <algorithm>
 
@@ -13,6 +15,7 @@
 #include "bw/core/constructions/spline_constructions.h"
 #include "bw/core/shape/resample.h"
 #include "bw/core/text/number_text.h"
+#include "workflow/section_edits.h"
 
 namespace bw::app {
 
@@ -188,6 +191,10 @@ void SurfaceFields::refresh() {
 }
 
 void SurfaceFields::rebuild(const DesignedSurface& surface) {
+  // A button that goes would leave the keyboard to whatever comes next.
+  if (auto* button = qobject_cast<QAbstractButton*>(QApplication::focusWidget());
+      button && isAncestorOf(button))
+    returnKeyboard(*this);
   empty(*layout_);
   numbers_.clear();
   sectionKinds_.clear();
@@ -339,8 +346,44 @@ void SurfaceFields::addSections(FormColumn* column, const SectionsSurface& surfa
                   tr("%1 of point %2 of section %3").arg(axis == 0 ? "x" : "z").arg(p + 1).arg(i + 1));
         grid->addWidget(number, int(p), axis);
       }
+    for (std::size_t p = 0; p < section.points.size(); ++p) {
+      auto* gone = new QToolButton;
+      gone->setText(QChar(0xd7));
+      gone->setAccessibleName(tr("Remove point %1 of section %2").arg(p + 1).arg(i + 1));
+      gone->setToolTip(bezier ? tr("Takes the pole away, of a chain the joint next to it with its legs")
+                              : tr("Takes the point away"));
+      gone->setEnabled(section.points.size() > 2);
+      connect(gone, &QToolButton::clicked, this, [this, i, p] { removePoint(bench_, i, p); });
+      grid->addWidget(gone, int(p), 2);
+    }
     column->addWide(area);
+    addSectionButtons(column, i, surface.sections.size());
   }
+}
+
+void SurfaceFields::addSectionButtons(FormColumn* column, std::size_t section, std::size_t count) {
+  auto* buttons = new QWidget;
+  auto* row = makeBox<QHBoxLayout>(buttons, {}, 4);
+  const auto add = [&](const QString& text, const QString& name, const QString& tip, auto run) {
+    QPushButton* button = makeButton(text, tip, this, run);
+    button->setAccessibleName(name.arg(section + 1));
+    row->addWidget(button);
+    return button;
+  };
+  add(tr("Add point"), tr("Add a point to section %1"),
+      tr("A point more before the last one; the handles in the picture add them anywhere"), [this, section] {
+        const auto& loft = std::get<SectionsSurface>(bench_.source().surface->shape);
+        addPoint(bench_, section, loft.sections[section].points.size() - 2);
+      });
+  add(tr("Add section"), tr("Add a section after %1"),
+      tr("A section more halfway to the next one, as the surface is there; beyond the last one it goes on"),
+      [this, section] { addSection(bench_, section); });
+  QPushButton* less = add(tr("Remove"), tr("Remove section %1"),
+                          count > 2 ? tr("Takes the section away") : tr("A loft keeps two sections"),
+                          [this, section] { removeSection(bench_, section); });
+  less->setEnabled(count > 2);
+  row->addStretch();
+  column->addWide(buttons);
 }
 
 void SurfaceFields::addBlades(FormColumn* column, const BladesSurface& surface) {

@@ -57,6 +57,7 @@ class SurfaceFields : public QWidget {
   void addPoles(FormColumn* column, const PolesSurface& surface);
   void addFormula(FormColumn* column);
   void addSections(FormColumn* column, const SectionsSurface& surface);
+  void addSectionButtons(FormColumn* column, std::size_t section, std::size_t count);
   void addBlades(FormColumn* column, const BladesSurface& surface);
   void addRectangle(FormColumn* column);
   /// How a number is shown and typed: `scale` of it is one of the unit, in which the file has it, too.

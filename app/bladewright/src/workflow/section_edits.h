@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "workbench/workbench.h"
+
+namespace bw::app {
+
+// Sections and points of the loft that the cut selected is of, added and taken away, each as an undoable
+// step; what cannot be is told, and false. All count from 0.
+
+/// The index of the point that is added.
+std::optional<std::size_t> addPoint(Workbench& bench, std::size_t section, std::size_t after);
+bool removePoint(Workbench& bench, std::size_t section, std::size_t point);
+bool addSection(Workbench& bench, std::size_t after);
+bool removeSection(Workbench& bench, std::size_t section);
+
+}  // namespace bw::app

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+
+#include "bw/core/base/result.h"
+#include "bw/core/design/design.h"
+
+namespace bw {
+
+// Sections and points of the loft that a source of a design is, added and taken away. The expressions of
+// other numbers go with these; those of numbers that are no longer as they were are gone. `source`, `section`
+// and `point` count from 0 and must be there.
+
+/// Another section halfway to the next one, as the loft is there, or beyond the last one, which goes on as it
+/// is. Errors (`badInput`): the surface has as many as it may, or makes none.
+Result<Design> withSectionAfter(const Design& design, std::size_t source, std::size_t section);
+/// Error (`badInput`): a loft keeps two.
+Result<Design> withoutSection(const Design& design, std::size_t source, std::size_t section);
+
+/// Another point on the curve of a section, which stays as it is (through ducks nearly so), halfway to the
+/// next point, or before the last one; `added` gets its index. Poles of a Bézier curve become more by parting
+/// the cubic that the point is of: a joint and its two legs. Error (`badInput`): the curve has as many as it
+/// may.
+Result<Design> withPointAfter(const Design& design, std::size_t source, std::size_t section,
+                              std::size_t point, std::size_t* added = nullptr);
+/// Of a chain of cubics the joint next to the point goes with its legs, or the cubic at the end that the
+/// point is. Error (`badInput`): a curve keeps two points.
+Result<Design> withoutPoint(const Design& design, std::size_t source, std::size_t section, std::size_t point);
+
+}  // namespace bw

@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "bw/core/design/section_list.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+namespace bw {
+
+namespace {
+
+using nlohmann::json;
+
+Design designOf(const char* sections) {
+  const json object = {
+      {"bladewright_design", 2},
+      {"variables", {{{"name", "a"}, {"value", 40}, {"min", 0}, {"max", 80}}}},
+      {"sources", {{{"surface", {{"type", "sections"}, {"sections", json::parse(sections)}}}}}}};
+  Result<Design> design = parseDesign(object.dump());
+  EXPECT_TRUE(design) << design.error().message;
+  return design.value_or(Design{});
+}
+
+const std::vector<SectionCurve>& sectionsOf(const Design& design) {
+  return std::get<SectionsSurface>(design.source().surface->shape).sections;
+}
+
+/// The largest distance between two surfaces at the same shares of their length along x, at some y.
+double apart(const Design& a, const Design& b) {
+  const auto rows = [](const Design& design) {
+    const SplineSurface spline = splineOf(*design.source().surface).value();
+    std::vector<Eigen::Vector3d> points;
+    const double first = spline.value(0, 0).y(), last = spline.value(0, 1).y();
+    for (int i = 0; i <= 8; ++i) {
+      double from = 0, to = 1;
+      for (int k = 0; k < 50; ++k) {
+        const double middle = 0.5 * (from + to);
+        (spline.value(0, middle).y() < first + (last - first) * i / 8 ? from : to) = middle;
+      }
+      for (int j = 0; j <= 20; ++j) points.push_back(spline.value(j / 20.0, from));
+    }
+    return points;
+  };
+  const auto p = rows(a), q = rows(b);
+  double most = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) most = std::max(most, (p[i] - q[i]).norm());
+  return most;
+}
+
+const char* const kBezier = R"([
+  {"y": 0, "bezier": [[0, 200], [200, 260], [400, 260], [600, 200]]},
+  {"y": 300, "bezier": [[0, 210], [200, "=200 + a"], [400, 280], [600, 190]]},
+  {"y": 800, "bezier": [[0, 180], [200, 250], [400, 230], [600, "=5*a"]]}])";
+const char* const kSpline = R"([
+  {"y": 0, "spline": [[0, 200], [200, 260], [400, 260], [600, 200]]},
+  {"y": 300, "spline": [[0, 210], [150, "=200 + a"], [400, 280], [600, 190]]},
+  {"y": 800, "spline": [[0, 180], [200, 250], [400, 230], [600, 200]]}])";
+
+}  // namespace
+
+TEST(SectionList, AnotherSectionLiesOnTheLoft) {
+  for (const char* text : {kBezier, kSpline}) {
+    const Design before = designOf(text);
+    const Design after = withSectionAfter(before, 0, 0).value();
+    ASSERT_EQ(sectionsOf(after).size(), 4u);
+    EXPECT_EQ(sectionsOf(after)[1].y, 150);
+    EXPECT_EQ(sectionsOf(after)[1].kind, sectionsOf(before)[0].kind);
+    EXPECT_EQ(sectionsOf(after)[1].points.size(), 4u);
+    EXPECT_LT(apart(before, after), 5) << text;  // of a place, which moves along the surface, too
+    // Expressions go with their sections.
+    const std::string key = kSectionKinds[int(sectionsOf(before)[0].kind)];
+    EXPECT_EQ(after.bindings.size(), before.bindings.size());
+    EXPECT_EQ(after.bindings.at("/sources/0/surface/sections/2/" + key + "/1/1").text, "200 + a");
+    EXPECT_EQ(withVariables(after, {{"a", 50}}).value().source().surface.has_value(), true);
+    EXPECT_EQ(sectionsOf(withVariables(after, {{"a", 50}}).value())[2].points[1].y(), 250);
+    EXPECT_EQ(withoutSection(after, 0, 1).value(), before);
+  }
+}
+
+TEST(SectionList, BeyondTheLastOneItGoesOn) {
+  const Design before = designOf(kBezier);
+  const Design after = withSectionAfter(before, 0, 2).value();
+  ASSERT_EQ(sectionsOf(after).size(), 4u);
+  EXPECT_EQ(sectionsOf(after)[3].y, 1300);
+  EXPECT_EQ(sectionsOf(after)[3].points, sectionsOf(before)[2].points);
+  EXPECT_EQ(withoutSection(after, 0, 3).value(), before);
+}
+
+TEST(SectionList, ALoftKeepsTwoSections) {
+  const Design two = withoutSection(designOf(kBezier), 0, 1).value();
+  EXPECT_EQ(two.bindings.size(), 1u);
+  EXPECT_EQ(two.bindings.count("/sources/0/surface/sections/1/bezier/3/1"), 1u);
+  EXPECT_EQ(withoutSection(two, 0, 0).error().message,
+            "a loft keeps two sections, so none of these can be taken away");
+}
+
+TEST(SectionList, AnotherPoleLeavesABezierCurveAsItIs) {
+  const Design before = designOf(kBezier);
+  std::size_t added = 0;
+  const Design after = withPointAfter(before, 0, 2, 2, &added).value();
+  EXPECT_EQ(added, 3u);
+  ASSERT_EQ(sectionsOf(after)[2].points.size(), 7u);
+  EXPECT_EQ(sectionsOf(after)[2].points[3], Eigen::Vector2d(300, 227.5));
+  EXPECT_EQ(after.bindings.at("/sources/0/surface/sections/2/bezier/6/1").text, "5*a");
+  EXPECT_LT(apart(before, after), 0.5);
+  // The joint goes again, and the curve is what it was.
+  for (const std::size_t pole : {2, 3, 4}) {
+    const Design again = withoutPoint(after, 0, 2, pole).value();
+    ASSERT_EQ(sectionsOf(again)[2].points.size(), 4u);
+    for (std::size_t i = 0; i < 4; ++i)
+      EXPECT_LT((sectionsOf(again)[2].points[i] - sectionsOf(before)[2].points[i]).norm(), 1e-9);
+    EXPECT_EQ(again.bindings, before.bindings);
+  }
+  EXPECT_EQ(sectionsOf(withoutPoint(after, 0, 2, 0).value())[2].points.front(), Eigen::Vector2d(300, 227.5));
+  EXPECT_EQ(sectionsOf(withoutPoint(after, 0, 2, 6).value())[2].points.back(), Eigen::Vector2d(300, 227.5));
+}
+
+TEST(SectionList, AnotherPointOfASplineLiesOnIt) {
+  const Design before = designOf(kSpline);
+  std::size_t added = 0;
+  const Design after = withPointAfter(before, 0, 1, 0, &added).value();
+  EXPECT_EQ(added, 1u);
+  ASSERT_EQ(sectionsOf(after)[1].points.size(), 5u);
+  EXPECT_EQ(after.bindings.at("/sources/0/surface/sections/1/spline/2/1").text, "200 + a");
+  EXPECT_LT(apart(before, after), 2);
+  EXPECT_EQ(withoutPoint(after, 0, 1, 1).value(), before);
+  // Before the last one where there is none beyond.
+  EXPECT_EQ(withPointAfter(before, 0, 1, 3, &added).value().source().surface.has_value(), true);
+  EXPECT_EQ(added, 3u);
+}
+
+TEST(SectionList, ACurveKeepsTwoPoints) {
+  Design design = designOf(kSpline);
+  design = withoutPoint(design, 0, 0, 1).value();
+  design = withoutPoint(design, 0, 0, 1).value();
+  EXPECT_EQ(withoutPoint(design, 0, 0, 1).error().message,
+            "section 1 keeps two points, so none can be taken away");
+}
+
+}  // namespace bw
