@@ -129,6 +129,34 @@ TEST(DesignVariables, ExpressionsStayWhereTheyComeToWhatIsUsual) {
   for (const Cut& cut : withVariables(wall, {{"turn", 180}}).value().cuts) EXPECT_EQ(cut.pose.quarters, 2);
 }
 
+TEST(DesignVariables, ExpressionsOfCutsUnderAGridStayWithTheirCuts) {
+  json object = json::parse(kDesign);
+  object.erase("stock");
+  object["grid"] = {{"columns", 3}};
+  // The cut of one block stands before that of all.
+  object["cuts"] = {{{"id", "own"}, {"block", "column-3"}, {"stations", "=n + 8"}},
+                    {{"id", "cut-column-2"}, {"block", "column-2"}, {"stations", "=n + 4"}},
+                    {{"id", "cut"}, {"stations", "=n"}}};
+  const Design design = designOf(object.dump());
+  const auto stationsOf = [](const Design& of) {
+    std::map<std::string, int> stations;
+    for (const Cut& cut : of.cuts) stations[cut.id] = cut.sections.stations.value_or(0);
+    return stations;
+  };
+  using Stations = std::map<std::string, int>;
+  EXPECT_EQ(stationsOf(design),
+            (Stations{{"cut-column-1", 33}, {"cut-column-2", 37}, {"cut-column-3", 33}, {"own", 41}}));
+  const std::string text = designToJson(design);
+  std::map<std::string, std::string> told;
+  const json written = json::parse(text);
+  for (const json& cut : written["cuts"]) told[cut["id"]] = cut["stations"].dump();
+  EXPECT_EQ(told, (std::map<std::string, std::string>{
+                      {"cut", "\"=n\""}, {"cut-column-2", "\"=n + 4\""}, {"own", "\"=n + 8\""}}));
+  EXPECT_EQ(designToJson(designOf(text)), text);
+  EXPECT_EQ(stationsOf(withVariables(design, {{"n", 20}}).value()),
+            (Stations{{"cut-column-1", 20}, {"cut-column-2", 24}, {"cut-column-3", 20}, {"own", 28}}));
+}
+
 TEST(DesignVariables, AnotherValueChangesWhatHangsOnItAlone) {
   const Design design = designOf(kDesign);
   const Result<Design> wide = withVariables(design, {{"width", 650}, {"amplitude", 60}});

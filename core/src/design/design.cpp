@@ -352,6 +352,38 @@ Result<Design> parseDesign(std::string_view text, int* version) {
   return detail::designFrom(*object, version);
 }
 
+namespace {
+
+std::optional<std::vector<Cut>> cutsUnderGrid(const Design& design);
+
+/// Cuts of a grid are written in an order of their own: the expressions of those that were read go with them.
+void followCuts(const json& object, Design& design) {
+  const std::string list = "/cuts/";
+  const auto first = design.bindings.lower_bound(list);
+  if (!design.grid || first == design.bindings.end() || !first->first.starts_with(list)) return;
+  const std::optional<std::vector<Cut>> written = cutsUnderGrid(design);
+  if (!written) return;
+  std::map<std::string, BoundNumber> bindings;
+  for (const auto& [pointer, bound] : design.bindings) {
+    const std::size_t end = pointer.starts_with(list) ? pointer.find('/', list.size()) : std::string::npos;
+    if (end == std::string::npos) {
+      bindings.emplace(pointer, bound);
+      continue;
+    }
+    const std::string index = pointer.substr(list.size(), end - list.size());
+    const json& cut = object["cuts"][std::stoul(index)];
+    const std::string id = cut.value("id", "cut-" + std::to_string(std::stoul(index) + 1));
+    const std::string block = cut.value("block", std::string());
+    const auto now = std::ranges::find_if(
+        *written, [&](const Cut& other) { return other.id == id && other.block == block; });
+    if (now == written->end()) continue;
+    bindings.emplace(list + std::to_string(now - written->begin()) + pointer.substr(end), bound);
+  }
+  design.bindings = std::move(bindings);
+}
+
+}  // namespace
+
 Result<Design> detail::designFrom(const json& object, int* version) {
   ExpressionScope scope;
   ObjectReader reader(object, "design", &scope);
@@ -368,6 +400,7 @@ Result<Design> detail::designFrom(const json& object, int* version) {
   if (Result<void> ok = reader.finish(); !ok) return tl::unexpected<Error>(ok.error());
   if (version) *version = found;
   design->bindings = std::move(scope.bound);
+  followCuts(object, *design);
   return design;
 }
 
