@@ -103,8 +103,8 @@ TEST_F(SurfaceHandlesTest, AJointOfCubicsTakesItsLegsWithIt) {
   auto& sections = std::get<SectionsSurface>(chain.source().surface->shape).sections;
   for (SectionCurve& section : sections) {
     std::vector<Eigen::Vector2d> poles = {section.points.front()};
-    for (const CubicPoles& cubic : bezierChain(section.points).value())
-      poles.insert(poles.end(), cubic.begin() + 1, cubic.end());
+    const std::vector<CubicPoles> cubics = bezierChain(section.points).value();
+    for (const CubicPoles& cubic : cubics) poles.insert(poles.end(), cubic.begin() + 1, cubic.end());
     section = {section.y, SectionCurve::Kind::bezier, poles};
   }
   bench().editDesign("Chains", [&](Design& design) { design = chain; });
