@@ -173,7 +173,7 @@ void FormColumn::addLine(const QString& label, QWidget* field, const QString& ti
     text->setToolTip(whole);
     field->setToolTip(whole);
   }
-  field->setAccessibleName(label);
+  if (field->accessibleName().isEmpty()) field->setAccessibleName(label);
   field->setFixedWidth(kFieldWidth);
   grid_->addWidget(text, row_, 0, Qt::AlignVCenter);
   grid_->addWidget(field, row_++, 1, Qt::AlignRight | Qt::AlignVCenter);
