@@ -27,6 +27,12 @@ class CutFieldsTest : public WindowTest {
     choice->setCurrentIndex(index);
     emit choice->activated(index);
   }
+  /// The index of a choice in the table of cuts.
+  int chosen(const QString& name) {
+    for (const auto* choice : window().blockPanel().findChildren<ChoiceField*>())
+      if (choice->accessibleName() == name) return choice->currentIndex();
+    return -1;
+  }
   const pipeline::BlockEvaluation& block() { return bench().shown()->blocks.front(); }
 };
 
@@ -39,7 +45,7 @@ TEST_F(CutFieldsTest, TheChoiceOfACutLeadsAllFields) {
   choose("cut", 1);
   EXPECT_EQ(bench().cut().id, "north");
   EXPECT_EQ(bench().source().id, "north");
-  EXPECT_EQ(window().findChild<ChoiceField*>("turn")->currentIndex(), 1);
+  EXPECT_EQ(chosen("Turned by, north"), 1);
   auto* formula = find<QLineEdit>("Formula");
   ASSERT_TRUE(formula);
   EXPECT_TRUE(formula->text().contains("cos")) << formula->text().toStdString();
@@ -61,7 +67,7 @@ TEST_F(CutFieldsTest, HowTheBlockLiesIsEditedAndUndone) {
   EXPECT_EQ(bench().design().cuts[1], before.cuts[1]) << "the other cut stays";
   bench().document().undoStack().setIndex(0);
   EXPECT_EQ(bench().design(), before);
-  EXPECT_EQ(window().findChild<ChoiceField*>("faceUp")->currentIndex(), 0);
+  EXPECT_EQ(chosen("On top, east"), 0);
 }
 
 TEST_F(CutFieldsTest, WhatIsLeftIsSeenWhenTheHandRests) {
@@ -117,7 +123,9 @@ TEST_F(CutFieldsTest, AnotherDesignMayBeOpenedWhileWorkIsUnderWay) {
 TEST_F(CutFieldsTest, OneCutHasNoChoice) {
   ASSERT_TRUE(window().openExample("ripple-along"));
   ASSERT_TRUE(settle());
+  window().commands()["tab.blocks"]->trigger();
   EXPECT_FALSE(window().findChild<ChoiceField*>("cut")->isVisibleTo(&window()));
+  EXPECT_TRUE(window().findChild<ChoiceField*>("turn")->isVisibleTo(&window()));
   EXPECT_FALSE(window().findChild<ChoiceField*>("order")->isVisibleTo(&window()));
 }
 

@@ -62,6 +62,7 @@ class EveryFieldTest : public WindowTest {
       design = withGrid(design, before, grid, design.block().id).value();
     });
     base_ = 4;
+    window().commands()["tab.blocks"]->trigger();
     visitVisible(visit);
     window().showMeasurePage();
     visitVisible(visit);

@@ -41,6 +41,8 @@ class Pieces : public WindowTest {
 
   /// Brings a widget into sight, opening what it is folded away in, as a person does who looks for it.
   void reach(QWidget& widget) {
+    if (window().blockPanel().isAncestorOf(&widget) && !window().blockPanel().isVisible())
+      QTest::keyClick(&window(), Qt::Key_7, Qt::ControlModifier);
     for (QToolButton* fold : window().workflow().findChildren<QToolButton*>()) {
       if (widget.isVisible() || !fold->isCheckable() || fold->isChecked() || !fold->isVisible()) continue;
       press(*fold);
@@ -72,11 +74,17 @@ class Pieces : public WindowTest {
     press(*found);
   }
 
+  /// The fields of the workflow and of the panel of blocks.
+  template <class Field>
+  QList<Field*> fields() {
+    return window().workflow().findChildren<Field*>() + window().blockPanel().findChildren<Field*>();
+  }
+
   /// Types into the field of that name, as a person does who clicks into it.
   template <class Field = NumberField>
   void type(const QString& name, const QString& text) {
     Field* found = nullptr;
-    for (auto* field : window().workflow().findChildren<Field*>())
+    for (auto* field : fields<Field>())
       if (field->accessibleName() == name && !field->isHidden()) found = field;
     ASSERT_TRUE(found) << name.toStdString();
     ASSERT_NO_FATAL_FAILURE(reach(*found));
@@ -90,7 +98,7 @@ class Pieces : public WindowTest {
   /// Chooses with the keyboard from the list that a press opens.
   void choose(const QString& name, const QString& item) {
     ChoiceField* found = nullptr;
-    for (auto* field : window().workflow().findChildren<ChoiceField*>())
+    for (auto* field : fields<ChoiceField>())
       if (field->accessibleName() == name && !field->isHidden()) found = field;
     ASSERT_TRUE(found) << name.toStdString();
     ASSERT_NO_FATAL_FAILURE(reach(*found));
@@ -242,7 +250,7 @@ TEST_F(Pieces, ABlockWithTwoCrossingCuts) {
   ASSERT_NO_FATAL_FAILURE(
       type<FormulaField>("Formula", "120 + 0.35*y + 40*sin(pi*y/600) + 12*cos(2*pi*x/600)"));
   ASSERT_NO_FATAL_FAILURE(choose("Direction", "X"));
-  ASSERT_NO_FATAL_FAILURE(choose("Turned by", "90°"));
+  ASSERT_NO_FATAL_FAILURE(choose("Turned by, " + QString::fromStdString(bench().cut().id), "90°"));
   ASSERT_NO_FATAL_FAILURE(stands());
   picture("piece-cuts");
   theme().apply(model::ThemeChoice::dark);

@@ -13,6 +13,7 @@
 
 #include <functional>
 
+#include "blocks/block_panel.h"
 #include "bw/pipeline/key_blades.h"
 #include "bw/view/scene_view.h"
 #include "controls/theme.h"
@@ -69,6 +70,7 @@ class MainWindow : public QMainWindow {
   SectionView& sectionView() { return *section_; }
   MotionView& motionView() { return *motion_; }
   MessageList& messageList() { return messages_->list(); }
+  BlockPanel& blockPanel() { return *blocks_; }
   WorkflowPanel& workflow() { return *workflow_; }
   Banner& banner() { return *banner_; }
   RecoveryList& recoveryList() { return *recovery_; }
@@ -204,6 +206,7 @@ class MainWindow : public QMainWindow {
   SectionView* section_;
   MotionView* motion_;
   MessagePanel* messages_;
+  BlockPanel* blocks_;
   QMenu *recentMenu_, *handleMenu_;
   CommandPalette* palette_;
   GuideWindow* guide_;

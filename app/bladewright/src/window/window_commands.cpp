@@ -217,7 +217,7 @@ void MainWindow::makeCommands() {
       "panel.workflow", tr("&Workflow"), "setup", tr("Show the panel at the left"), {QKeySequence("Ctrl+1")},
       [this](bool on) { workflow_->setVisible(on); }, true);
   add(
-      "panel.bottom", tr("&Section, motion, messages"), "station", tr("Show the panel below"),
+      "panel.bottom", tr("&Section, motion, messages, blocks"), "station", tr("Show the panel below"),
       {QKeySequence("Ctrl+2")}, [this](bool on) { tabs_->setVisible(on); }, true);
   add(
       "panel.inspector", tr("&Inspector"), "measure", tr("Show the panel at the right"),
@@ -259,6 +259,12 @@ void MainWindow::makeCommands() {
       [this](bool) { tabs_->setCurrentWidget(motion_); });
   add("tab.messages", tr("Show m&essages"), "info", tr("All findings"), {QKeySequence("Ctrl+6")},
       [this](bool) { tabs_->setCurrentWidget(messages_); });
+  add("tab.blocks", tr("Show &blocks"), "block", tr("The plan of the blocks, and their cuts"),
+      {QKeySequence("Ctrl+7")}, [this](bool) {
+        tabs_->setVisible(true);
+        commands_["panel.bottom"]->setChecked(true);
+        tabs_->setCurrentWidget(blocks_);
+      });
   add("help.guide", tr("&Guide and keys"), "info", tr("How the window works, and every key"),
       {QKeySequence("F1")}, [this](bool) { guide_->open(); });
   add("help.about", tr("&About Bladewright"), "", {}, {}, [this](bool) {
@@ -377,7 +383,7 @@ void MainWindow::makeMenus() {
   fill(view->addMenu(tr("S&how")),
        {"show.target", "show.cut", "show.stations", "show.blades", "show.block", "show.grid"});
   fill(view->addMenu(tr("Pa&nels")), {"panel.workflow", "panel.bottom", "panel.inspector", "", "tab.section",
-                                      "tab.motion", "tab.messages"});
+                                      "tab.motion", "tab.messages", "tab.blocks"});
   view->addSeparator();
   fill(view->addMenu(tr("Th&eme")), {"theme.system", "theme.light", "theme.dark"});
   fill(view->addMenu(tr("M&ouse")), {"mouse.rhino", "mouse.blender", "mouse.solidworks"});

@@ -16,6 +16,7 @@ namespace bw::app {
 namespace {
 
 constexpr int kFactorWidth = 66;
+constexpr int kMiddleWidth = 396;  // room for the names of all tabs
 
 }  // namespace
 
@@ -41,6 +42,7 @@ void MainWindow::makeWorkspace() {
   handles_ = new SurfaceHandles(bench_, view_);
   keys_ = new HandleKeys(bench_, view_, *handles_);
   middle_->addWidget(picture);
+  middle_->setMinimumWidth(kMiddleWidth);
   tabs_ = new QTabWidget(middle_);
   tabs_->setDocumentMode(true);
   section_ = new SectionView(bench_, theme_, tabs_);
@@ -49,6 +51,8 @@ void MainWindow::makeWorkspace() {
   tabs_->addTab(section_, tr("Section"));
   tabs_->addTab(motion_, tr("Motion"));
   tabs_->addTab(messages_, tr("Messages"));
+  blocks_ = new BlockPanel(bench_, theme_, tabs_);
+  tabs_->addTab(blocks_, tr("Blocks"));
   auto* corner = new QFrame(tabs_);
   corner->setObjectName("panel");
   auto* cornerContent = new QWidget(corner);
@@ -87,6 +91,7 @@ void MainWindow::makeWorkspace() {
   stack_->addWidget(columns_);
   setKeyboardHome(*columns_, *view_);
 
+  connect(workflow_, &WorkflowPanel::blocksRequested, commands_["tab.blocks"], &QAction::trigger);
   InputFields* input = workflow_->inputFields();
   connect(input, &InputFields::openRequested, commands_["file.open"], &QAction::trigger);
   connect(input, &InputFields::replaceRequested, commands_["file.replace"], &QAction::trigger);
@@ -222,7 +227,8 @@ void MainWindow::refreshState() {
        {"file.picture", "view.fit",        "view.fitSelection", "view.parallel", "view.isolines",
         "view.shadows", "view.section",    "view.iso",          "view.top",      "view.bottom",
         "view.front",   "view.back",       "view.left",         "view.right",    "panel.workflow",
-        "panel.bottom", "panel.inspector", "tab.section",       "tab.motion",    "tab.messages"})
+        "panel.bottom", "panel.inspector", "tab.section",       "tab.motion",    "tab.messages",
+        "tab.blocks"})
     commands_[id]->setEnabled(open);
   for (const char* id :
        {"motion.play", "motion.start", "motion.end", "station.next", "station.previous", "station.none"})

@@ -31,9 +31,7 @@ Rests restsOf(const pipeline::BlockEvaluation& block) {
   return rests;
 }
 
-}  // namespace
-
-BlockStanding standingOf(const Workbench& bench, const std::string& id) {
+BlockStanding standingOf(const Workbench& bench, const std::string& id, const Findings& findings) {
   BlockStanding standing;
   const auto tr = [](const char* text) { return ExportBlocks::tr(text); };
   const auto shown = bench.shown();
@@ -64,7 +62,7 @@ BlockStanding standingOf(const Workbench& bench, const std::string& id) {
   }
   if (!whole) return {"error", &Colours::error, tr("no result"), tr("The messages tell why"), {}};
   int errors = 0, warnings = 0;
-  for (const Finding& finding : shown->findings()) {
+  for (const Finding& finding : findings) {
     if (!finding.where.block.empty() && finding.where.block != id) continue;
     errors += finding.severity == Severity::error;
     warnings += finding.severity == Severity::warning;
@@ -92,6 +90,24 @@ BlockStanding standingOf(const Workbench& bench, const std::string& id) {
     standing.word = rests.held > 0 ? tr("held") : tr("certain");
   }
   return standing;
+}
+
+Findings findingsOf(const Workbench& bench) {
+  const auto shown = bench.shown();
+  return shown ? shown->findings() : Findings();
+}
+
+}  // namespace
+
+BlockStanding standingOf(const Workbench& bench, const std::string& block) {
+  return standingOf(bench, block, findingsOf(bench));
+}
+
+std::vector<BlockStanding> standingsOf(const Workbench& bench) {
+  const Findings findings = findingsOf(bench);
+  std::vector<BlockStanding> all;
+  for (const StockBlock& block : bench.design().stock) all.push_back(standingOf(bench, block.id, findings));
+  return all;
 }
 
 ExportBlocks::ExportBlocks(Workbench& bench, const Theme& theme, QWidget* parent)

@@ -23,6 +23,8 @@ struct BlockStanding {
   bool operator==(const BlockStanding&) const = default;
 };
 BlockStanding standingOf(const Workbench& bench, const std::string& block);
+/// The same of each block of the design, in their order.
+std::vector<BlockStanding> standingsOf(const Workbench& bench);
 
 /// The blocks of the design, a line each: whether its programs, drawings and parts are written, how it
 /// stands, and its cutting time.

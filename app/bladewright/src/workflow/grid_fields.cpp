@@ -9,6 +9,7 @@
 #include "bw/core/design/grid_change.h"
 #include "bw/core/text/number_text.h"
 #include "bw/core/text/typed_number.h"
+#include "workbench/block_layout.h"
 
 namespace bw::app {
 
@@ -99,15 +100,6 @@ GridFields::GridFields(Workbench& bench, FormColumn* column, QObject* parent)
                                   "its file, brings one back.")));
 }
 
-std::optional<BlockGrid> GridFields::grid() const {
-  const Design& design = bench_.design();
-  if (design.grid) return design.grid;
-  if (const auto& placed = bench_.block().placement) return gridOf(design, *placed);
-  const pipeline::CutEvaluation* cut = bench_.shownCut();
-  if (design.stock.size() > 1 || !cut || !cut->setup) return std::nullopt;
-  return gridOf(design, placementOf(placedAs(cut->setup->block, bench_.cut().pose)));
-}
-
 void GridFields::changeCount(std::size_t way, int count) {
   // A block that lies around its surface is shared by those that take its place.
   const bool around = !bench_.design().grid && !bench_.block().placement;
@@ -115,22 +107,15 @@ void GridFields::changeCount(std::size_t way, int count) {
 }
 
 void GridFields::change(const QString& text, const std::function<void(BlockGrid&)>& change) {
-  const std::optional<BlockGrid> before = grid();
+  const std::optional<BlockGrid> before = gridOf(bench_);
   if (!before) return refresh();
   BlockGrid next = *before;
   change(next);
-  if (next == *before) return;
-  Result<Design> changed = withGrid(bench_.design(), *before, next, bench_.cut().block);
-  if (changed) changed = resolved(*changed);
-  if (!changed) {
-    bench_.tell(Topic::other, changed.error());
-    return refresh();
-  }
-  bench_.editDesign(text, [&changed](Design& design) { design = std::move(*changed); });
+  if (next != *before && !layOut(bench_, text, bench_.design(), *before, next)) refresh();
 }
 
 void GridFields::refresh() {
-  const std::optional<BlockGrid> now = grid();
+  const std::optional<BlockGrid> now = gridOf(bench_);
   const bool listed = bench_.design().stock.size() > 1 && !bench_.design().grid;
   listed_->setVisible(listed);
   for (std::size_t way = 0; way < 3; ++way) {

@@ -6,7 +6,6 @@
 
 #include <array>
 #include <functional>
-#include <optional>
 #include <vector>
 
 #include "bw/core/design/block_grid.h"
@@ -55,8 +54,6 @@ class GridFields : public QObject {
   void refresh();
 
  private:
-  /// Empty where the blocks are a list.
-  std::optional<BlockGrid> grid() const;
   void changeCount(std::size_t way, int count);
   void change(const QString& text, const std::function<void(BlockGrid&)>& change);
 

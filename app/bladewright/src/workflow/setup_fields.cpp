@@ -217,8 +217,7 @@ void BlockFields::refresh() {
   }
 }
 
-CutFields::CutFields(Workbench& bench, FormColumn* column, FormColumn* block, QObject* parent)
-    : QObject(parent), bench_(bench) {
+CutFields::CutFields(Workbench& bench, FormColumn* column, QObject* parent) : QObject(parent), bench_(bench) {
   cut_ =
       column->addBelow(tr("Cut"), tr("The cut whose surface, direction and stations are shown and edited"));
   cut_->setObjectName("cut");
@@ -238,33 +237,6 @@ CutFields::CutFields(Workbench& bench, FormColumn* column, FormColumn* block, QO
   layout->addWidget(remove_);
   layout->addWidget(add_);
   column->addWide(line);
-  const auto add = [&](const QString& label, const QString& tip, const QStringList& items, const char* name) {
-    ChoiceField* field = block->add(label, new ChoiceField, tip);
-    field->addItems(items);
-    field->setObjectName(name);
-    return field;
-  };
-  up_ = add(tr("On top"), tr("The face of the block that lies on top while it is cut"),
-            {tr("Top"), tr("Bottom"), tr("Left"), tr("Right"), tr("Front"), tr("Back")}, "faceUp");
-  connect(up_, &QComboBox::activated, this, [this](int index) {
-    bench_.editCut(tr("Lay block"), [index](Cut& cut) { cut.pose.up = BlockFace(index); });
-  });
-  turn_ = add(tr("Turned by"), tr("Then turned about the vertical, counter-clockwise seen from above"),
-              {tr("0°"), tr("90°"), tr("180°"), tr("270°")}, "turn");
-  connect(turn_, &QComboBox::activated, this, [this](int index) {
-    bench_.editCut(tr("Turn block"), [index](Cut& cut) { cut.pose.quarters = index; });
-  });
-  keep_ = add(tr("Keeps what is"), tr("The foam that stays, seen from the surface as the block lies"),
-              {tr("Below"), tr("Above"), tr("Left"), tr("Right"), tr("In front"), tr("Behind")}, "keep");
-  connect(keep_, &QComboBox::activated, this, [this](int index) {
-    bench_.editCut(tr("Keep other side"), [index](Cut& cut) { cut.keep = KeptSide(index); });
-  });
-  order_ = add(tr("Order"), tr("When it is made among the cuts of its block: the lowest first, unless told"),
-               {}, "order");
-  connect(order_, &QComboBox::activated, this, [this](int index) {
-    bench_.editCut(tr("Change order"),
-                   [index](Cut& cut) { cut.order = index == 0 ? std::nullopt : std::optional(index); });
-  });
 }
 
 void CutFields::add() {
@@ -311,22 +283,10 @@ void CutFields::refreshChoice() {
 void CutFields::refresh() {
   refreshChoice();
   const Cut& cut = bench_.cut();
-  up_->show(int(cut.pose.up));
-  turn_->show(cut.pose.quarters);
-  keep_->show(int(cut.keep));
   const auto beside = std::ranges::count(bench_.design().cuts, cut.block, &Cut::block);
-  const int places = std::max(int(beside), cut.order.value_or(0));
-  if (order_->count() != places + 1) {
-    order_->clear();
-    order_->addItem(tr("Lowest first"));
-    for (int i = 1; i <= places; ++i) order_->addItem(QString::number(i));
-  }
-  order_->show(cut.order.value_or(0));
   remove_->setVisible(beside > 1);
   remove_->setEnabled(mayGo(bench_.design(), cut));
   add_->setEnabled(!bench_.document().empty());
-  setLineVisible(order_, beside > 1);
-  setLineVisible(keep_, beside > 1);
 }
 
 }  // namespace bw::app

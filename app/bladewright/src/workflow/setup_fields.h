@@ -72,13 +72,13 @@ class BlockFields : public QObject {
   std::vector<Number> numbers_;
 };
 
-/// Which cut is at work, and what is told of it in its block; edits go to the cut.
+/// Which cut is at work; another one, and one fewer.
 class CutFields : public QObject {
   Q_OBJECT
 
  public:
-  /// The choice among cuts goes to `column`, the rest to `block`.
-  CutFields(Workbench& bench, FormColumn* column, FormColumn* block, QObject* parent);
+  /// Adds its lines to `column`.
+  CutFields(Workbench& bench, FormColumn* column, QObject* parent);
   void refresh();
 
  private:
@@ -88,7 +88,7 @@ class CutFields : public QObject {
 
   Workbench& bench_;
   QPushButton *add_, *remove_;
-  ChoiceField *cut_, *up_, *turn_, *keep_, *order_;
+  ChoiceField* cut_;
 };
 
 }  // namespace bw::app

@@ -137,16 +137,24 @@ WorkflowPanel::WorkflowPanel(Workbench& bench, const Theme& theme, QWidget* pare
 QWidget* WorkflowPanel::makeSetup() {
   auto* column = new FormColumn;
   auto* details = new FormColumn;
-  auto* pose = new FormColumn;
-  cutFields_ = new CutFields(bench_, column, pose, this);
+  cutFields_ = new CutFields(bench_, column, this);
   bladeFields_ = new BladeFields(bench_, column, details, theme_, this);
   column->addFold(tr("Section and material"), theme_)->addWide(details);
   for (const ProcessNumber& number : processNumbers())
     if (number.part == ProcessPart::setup) addProcessLine(numbers_, column, number, this, bench_);
   FormColumn* block = column->addFold(tr("Block"), theme_);
-  block->addWide(pose);
   blockFields_ = new BlockFields(bench_, block, this);
-  gridFields_ = new GridFields(bench_, block, this);
+  auto* line = new QWidget;
+  auto* layout = makeBox<QHBoxLayout>(line);
+  layout->addStretch();
+  auto* blocks =
+      makeButton(tr("Blocks and cuts…"),
+                 tr("The plan of all blocks: how many, how large and how far apart they are, and how "
+                    "each lies for its cuts"),
+                 this, &WorkflowPanel::blocksRequested);
+  blocks->setObjectName("showBlocks");
+  layout->addWidget(blocks);
+  block->addWide(line);
   return column;
 }
 
@@ -170,10 +178,7 @@ QWidget* WorkflowPanel::makeOutput() {
 
 void WorkflowPanel::follow(const Change& change) {
   const auto any = [&](model::Aspects of) { return change.any(of, bench_.selection()); };
-  if (any(Aspect::design | Aspect::block)) {
-    blockFields_->refresh();
-    gridFields_->refresh();
-  }
+  if (any(Aspect::design | Aspect::block)) blockFields_->refresh();
   if (any(Aspect::design | Aspect::selection)) cutFields_->refresh();
   if (any(Aspect::design | Aspect::source | Aspect::target)) input_->refresh();
   // Another target may be that of another cut, which has numbers of its own.

@@ -13,7 +13,6 @@
 #include "controls/layout.h"
 #include "controls/theme.h"
 #include "workbench/workbench.h"
-#include "workflow/grid_fields.h"
 #include "workflow/input_fields.h"
 #include "workflow/number_lines.h"
 #include "workflow/output_fields.h"
@@ -70,6 +69,10 @@ class WorkflowPanel : public SidePanel {
   const OutputFields* outputFields() const { return output_; }
   StepSection& section(model::Step step) { return *sections_[std::size_t(step)]; }
 
+ signals:
+  /// The plan of the blocks is to be seen.
+  void blocksRequested();
+
  private:
   QWidget* makeSetup();
   QWidget* makeInput();
@@ -86,7 +89,6 @@ class WorkflowPanel : public SidePanel {
   BladeFields* bladeFields_ = nullptr;
   BlockFields* blockFields_ = nullptr;
   CutFields* cutFields_ = nullptr;
-  GridFields* gridFields_ = nullptr;
   ProcessLines numbers_;
   InputFields* input_ = nullptr;
   ProcessFields* process_ = nullptr;

@@ -1,0 +1,293 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// The plan of the blocks in the window, their numbers, and the table of their cuts.
+#include <QAbstractItemView>
+#include <QScrollArea>
+
+#include <cmath>
+
+#include "controls/fields.h"
+#include "window_fixture.h"
+#include "workflow/grid_fields.h"
+
+namespace bw::app {
+namespace {
+
+class BlockPanelTest : public WindowTest {
+ protected:
+  void open(const char* example) {
+    ASSERT_TRUE(window().openExample(example));
+    ASSERT_TRUE(settle());
+    ASSERT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
+    QTest::keyClick(&window(), Qt::Key_7, Qt::ControlModifier);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return plan().isVisible(); }, kPatience));
+    QTest::qWait(0);
+  }
+
+  BlockPlan& plan() { return window().blockPanel().plan(); }
+  QPoint at(const std::string& block) { return plan().rectOf(block).center().toPoint(); }
+  const std::string& chosen() { return bench().selection().block; }
+  const BlockGrid& grid() { return *bench().design().grid; }
+
+  /// Presses a boundary and pulls it by so many px.
+  void pull(std::size_t way, std::size_t index, const QPoint& by, Qt::KeyboardModifiers keys = {}) {
+    const QPoint from = plan().boundary(way, index).toPoint();
+    QTest::mouseMove(&plan(), from);
+    QTest::mousePress(&plan(), Qt::LeftButton, keys, from);
+    for (int i = 1; i <= 5; ++i) {
+      const QPoint to = from + by * i / 5;
+      QMouseEvent move(QEvent::MouseMove, to, plan().mapToGlobal(to), Qt::NoButton, Qt::LeftButton, keys);
+      QApplication::sendEvent(&plan(), &move);
+      QTest::qWait(5);
+    }
+  }
+  void release() { QTest::mouseRelease(&plan(), Qt::LeftButton); }
+
+  template <class Field>
+  Field* fieldOf(const QString& name) {
+    for (auto* field : window().blockPanel().findChildren<Field*>())
+      if (field->accessibleName() == name && field->isVisible()) {
+        for (QWidget* above = field->parentWidget(); above; above = above->parentWidget())
+          if (auto* area = qobject_cast<QScrollArea*>(above)) area->ensureWidgetVisible(field);
+        QTest::qWait(0);
+        return field;
+      }
+    return nullptr;
+  }
+
+  template <class Field = NumberField>
+  void type(const QString& name, const QString& text) {
+    auto* field = fieldOf<Field>(name);
+    ASSERT_TRUE(field) << name.toStdString();
+    QTest::mouseClick(field, Qt::LeftButton);
+    QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(field, text);
+    QTest::keyClick(field, Qt::Key_Return);
+    EXPECT_FALSE(field->refused()) << field->refusal().toStdString();
+    QTest::qWait(20);
+  }
+
+  /// Chooses with the keyboard from the list that a press opens.
+  void choose(const QString& name, const QString& item) {
+    auto* field = fieldOf<ChoiceField>(name);
+    ASSERT_TRUE(field) << name.toStdString();
+    ASSERT_FALSE(field->visibleRegion().isEmpty());
+    const int index = field->findText(item);
+    ASSERT_GE(index, 0) << item.toStdString();
+    QTest::mouseClick(field, Qt::LeftButton);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return field->view()->isVisible(); }, kPatience));
+    QTest::keyClick(field->view(), Qt::Key_Home);
+    for (int i = 0; i < index; ++i) QTest::keyClick(field->view(), Qt::Key_Down);
+    QTest::keyClick(field->view(), Qt::Key_Return);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !field->view()->isVisible(); }, kPatience));
+    QTest::qWait(20);
+  }
+};
+
+TEST_F(BlockPanelTest, AClickChoosesABlockAndTheArrowsItsNeighbours) {
+  ASSERT_NO_FATAL_FAILURE(open("three-block-wall"));
+  for (const char* block : {"column-1", "column-2", "column-3"}) {
+    EXPECT_FALSE(plan().rectOf(block).isEmpty()) << block;
+    EXPECT_EQ(plan().wordOf(block), "cuttable") << block;
+  }
+  EXPECT_LT(at("column-1").x(), at("column-2").x());
+  QTest::mouseClick(&plan(), Qt::LeftButton, {}, at("column-2"));
+  EXPECT_EQ(chosen(), "column-2");
+  EXPECT_EQ(bench().selection().cut, "cut-column-2");
+  EXPECT_EQ(bench().selection().kind, Selection::Kind::block);
+  EXPECT_EQ(&bench().sweep()->sweep, bench().shown()->blocks[1].cuts[0].sweep.value.get());
+  picture("blocks-panel");
+  QTest::keyClick(&plan(), Qt::Key_Right);
+  EXPECT_EQ(chosen(), "column-3");
+  QTest::keyClick(&plan(), Qt::Key_Right);
+  EXPECT_EQ(chosen(), "column-3") << "the last";
+  QTest::keyClick(&plan(), Qt::Key_Left);
+  QTest::keyClick(&plan(), Qt::Key_Left);
+  EXPECT_EQ(chosen(), "column-1");
+  theme().apply(model::ThemeChoice::dark);
+  picture("blocks-panel-dark");
+  theme().apply(model::ThemeChoice::light);
+  // What is chosen elsewhere is chosen here.
+  bench().select({Selection::Kind::result, -1, "column-3", "cut-column-3"});
+  QTest::qWait(0);
+  EXPECT_TRUE(find<QToolButton>("Work on cut-column-3"));
+}
+
+TEST_F(BlockPanelTest, ABoundaryThatIsPulledMovesSizes) {
+  ASSERT_NO_FATAL_FAILURE(open("block-wall"));
+  const Design before = bench().design();
+  ASSERT_EQ(grid().sizes[0], (std::vector<double>{600, 600, 600}));
+  pull(0, 0, {5, 0});
+  const double first = grid().sizes[0][0];
+  EXPECT_GT(first, 610);
+  EXPECT_LT(first, 700);
+  EXPECT_EQ(first, std::round(first)) << "whole mm";
+  EXPECT_EQ(grid().sizes[0][1], 1200 - first);
+  EXPECT_EQ(grid().sizes[0][2], 600);
+  picture("blocks-panel-pulled");
+  release();
+  EXPECT_EQ(grid().sizes[0][0], first) << "stays as it was let go";
+  // The points of the sections stay on the boundaries.
+  EXPECT_EQ(std::get<SectionsSurface>(bench().source().surface->shape).sections[0].points[1].x(), first);
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().current());
+  EXPECT_EQ(bench().shown()->blocks[1].cuts[0].setup->block.frame.origin.x(), first);
+  EXPECT_EQ(chosen(), "column-1") << "a pull chooses nothing";
+  // One step for the whole pull.
+  bench().document().undoStack().undo();
+  EXPECT_EQ(bench().design(), before);
+  EXPECT_FALSE(bench().document().undoStack().canUndo());
+
+  pull(0, 1, {-5, 0}, Qt::ShiftModifier);
+  release();
+  EXPECT_LT(grid().sizes[0][1], 600);
+  EXPECT_EQ(std::fmod(grid().sizes[0][1], 10), 0) << "tens";
+  bench().document().undoStack().undo();
+  pull(0, 1, {5, 0}, Qt::ControlModifier);
+  release();
+  EXPECT_GT(grid().sizes[0][1], 600);
+  EXPECT_LT(grid().sizes[0][1], 612) << "a tenth of the way of the hand";
+  bench().document().undoStack().undo();
+  // Neither block goes.
+  pull(0, 1, {-2000, 0});
+  release();
+  EXPECT_EQ(grid().sizes[0], (std::vector<double>{600, 10, 1190}));
+  bench().document().undoStack().undo();
+  // Esc gives it up.
+  pull(0, 0, {5, 0});
+  QTest::keyClick(&plan(), Qt::Key_Escape);
+  EXPECT_EQ(bench().design(), before);
+  release();
+  EXPECT_EQ(bench().design(), before);
+}
+
+TEST_F(BlockPanelTest, RowsAndLayersAreNumbersAndLayersAreSwitched) {
+  ASSERT_NO_FATAL_FAILURE(open("block-wall"));
+  ASSERT_NO_FATAL_FAILURE(type("Rows", "2"));
+  ASSERT_NO_FATAL_FAILURE(type<LengthsField>("Rows, gaps", "40"));
+  EXPECT_EQ(bench().design().stock.size(), 6u);
+  EXPECT_EQ(grid().gaps[1], std::vector<double>{40});
+  // A second row is behind the first: above it as seen from above.
+  EXPECT_LT(at("column-1-row-2").y(), at("column-1-row-1").y());
+  pull(1, 0, {0, -8});
+  release();
+  EXPECT_GT(grid().sizes[1][0], 800);
+  EXPECT_EQ(grid().sizes[1][0] + grid().sizes[1][1], 1600);
+  EXPECT_EQ(grid().gaps[1], std::vector<double>{40}) << "the gap stays";
+  EXPECT_FALSE(fieldOf<ChoiceField>("Layer"));
+  ASSERT_NO_FATAL_FAILURE(type("Layers", "2"));
+  EXPECT_EQ(plan().layers(), 2);
+  ASSERT_NO_FATAL_FAILURE(choose("Layer", "Layer 2 of 2"));
+  EXPECT_TRUE(plan().rectOf("column-1-row-1-layer-1").isEmpty());
+  QTest::mouseClick(&plan(), Qt::LeftButton, {}, at("column-2-row-1-layer-2"));
+  EXPECT_EQ(chosen(), "column-2-row-1-layer-2");
+  plan().setFocus();
+  QTest::keyClick(&plan(), Qt::Key_PageDown);
+  EXPECT_EQ(plan().layer(), 0);
+  picture("blocks-panel-layers");
+  // One that is chosen in the picture brings its layer.
+  bench().select({Selection::Kind::block, -1, "column-3-row-2-layer-2", "cut-column-3-row-2-layer-2"});
+  EXPECT_EQ(plan().layer(), 1);
+}
+
+TEST_F(BlockPanelTest, TheStateOfEachBlockIsAWord) {
+  ASSERT_NO_FATAL_FAILURE(open("block-wall"));
+  ASSERT_NO_FATAL_FAILURE(type("Columns", "4"));
+  EXPECT_EQ(plan().wordOf("column-4"), "not computed");
+  EXPECT_EQ(plan().wordOf("column-1"), "out of date");
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(plan().wordOf("column-4"), "cuttable");
+  bench().editDesign("Prepare", [](Design& design) {
+    auto& sections = std::get<SectionsSurface>(design.source().surface->shape).sections;
+    // A crest within the fourth block that is too tight for the blade.
+    for (SectionCurve& section : sections) section.points.insert(section.points.begin() + 4, {2100, 480});
+  });
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(plan().wordOf("column-4").contains("error") || plan().wordOf("column-4") == "no result")
+      << plan().wordOf("column-4").toStdString();
+  picture("blocks-panel-errors");
+}
+
+TEST_F(BlockPanelTest, TheCutsOfTheBlockAreATable) {
+  ASSERT_NO_FATAL_FAILURE(open("two-crossing-cuts"));
+  const Design before = bench().design();
+  picture("blocks-panel-cuts");
+  auto* turn = fieldOf<ChoiceField>("Turned by, north");
+  ASSERT_TRUE(turn);
+  EXPECT_EQ(turn->currentText(), "90°");
+  EXPECT_EQ(bench().cut().id, "east");
+  QTest::mouseClick(fieldOf<QToolButton>("Work on north"), Qt::LeftButton);
+  EXPECT_EQ(bench().cut().id, "north");
+  EXPECT_TRUE(fieldOf<QToolButton>("Work on north")->isChecked());
+  EXPECT_FALSE(fieldOf<QToolButton>("Work on east")->isChecked());
+  // A line that is changed is the cut at work.
+  ASSERT_NO_FATAL_FAILURE(choose("Keeps what is, east", "Above"));
+  EXPECT_EQ(bench().cut().id, "east");
+  EXPECT_EQ(bench().cut().keep, KeptSide::above);
+  ASSERT_NO_FATAL_FAILURE(choose("Turned by, north", "270°"));
+  ASSERT_NO_FATAL_FAILURE(choose("Order, north", "1"));
+  ASSERT_NO_FATAL_FAILURE(choose("On top, north", "Back"));
+  EXPECT_EQ(bench().design().cuts[1].pose, (CutPose{BlockFace::back, 3}));
+  EXPECT_EQ(bench().design().cuts[1].order, 1);
+  bench().document().undoStack().setIndex(0);
+  EXPECT_EQ(bench().design(), before);
+  EXPECT_EQ(turn->currentText(), "90°");
+}
+
+TEST_F(BlockPanelTest, ASingleBlockBecomesAWall) {
+  ASSERT_NO_FATAL_FAILURE(open("ripple-along"));
+  EXPECT_FALSE(plan().rectOf("block").isEmpty());
+  EXPECT_FALSE(fieldOf<ChoiceField>("Order, cut"));
+  picture("blocks-panel-single");
+  ASSERT_NO_FATAL_FAILURE(type("Columns", "2"));
+  ASSERT_TRUE(bench().design().grid);
+  EXPECT_FALSE(plan().rectOf("column-2").isEmpty());
+}
+
+TEST_F(BlockPanelTest, BlocksOfAListAreChosenWhereTheyLie) {
+  ASSERT_NO_FATAL_FAILURE(open("three-block-wall"));
+  bench().editBlock("Move block", [](StockBlock& block) { block.placement->origin.y() = -300; });
+  ASSERT_FALSE(bench().design().grid);
+  QTest::qWait(20);
+  EXPECT_GT(at("column-1").y(), at("column-2").y()) << "nearer";
+  const Design before = bench().design();
+  const QPoint edge(int(plan().rectOf("column-2").right()), at("column-2").y());
+  QTest::mousePress(&plan(), Qt::LeftButton, {}, edge);
+  QTest::mouseMove(&plan(), edge + QPoint(10, 0));
+  release();
+  EXPECT_EQ(bench().design(), before);
+  QTest::mouseClick(&plan(), Qt::LeftButton, {}, at("column-3"));
+  EXPECT_EQ(chosen(), "column-3");
+}
+
+TEST_F(BlockPanelTest, IsWholeInASmallWindow) {
+  window().resize(960, 600);
+  ASSERT_NO_FATAL_FAILURE(open("two-crossing-cuts"));
+  picture("blocks-panel-small");
+  for (const char* name : {"Order, north", "On top, north", "Turned by, north", "Keeps what is, north"}) {
+    auto* field = fieldOf<ChoiceField>(name);
+    ASSERT_TRUE(field) << name;
+    EXPECT_EQ(field->visibleRegion().boundingRect(), field->rect()) << name;
+    EXPECT_LE(field->fontMetrics().horizontalAdvance(field->shownText()), field->textWidth()) << name;
+  }
+  picture("blocks-panel-small-cuts");
+}
+
+TEST_F(BlockPanelTest, TheStepSetupLeadsToIt) {
+  ASSERT_TRUE(window().openExample("block-wall"));
+  ASSERT_TRUE(settle());
+  window().tabs().setVisible(false);
+  auto* button = window().findChild<QPushButton*>("showBlocks");
+  ASSERT_TRUE(button);
+  unfold(*button);
+  QTest::qWait(50);
+  for (QWidget* above = button->parentWidget(); above; above = above->parentWidget())
+    if (auto* area = qobject_cast<QScrollArea*>(above)) area->ensureWidgetVisible(button);
+  QTest::qWait(0);
+  QTest::mouseClick(button, Qt::LeftButton);
+  EXPECT_TRUE(plan().isVisible());
+}
+
+}  // namespace
+}  // namespace bw::app
