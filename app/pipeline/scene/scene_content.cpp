@@ -56,8 +56,9 @@ void addCut(scene::Content& content, const scene::ItemId& row, SurfaceGrid cut, 
 
 scene::Content sceneContent(const Sketch& sketch) {
   scene::Content content;
-  for (const std::vector<CutSketch>& block : sketch.blocks)
-    for (const CutSketch& cut : block) content.add({}, *cut.target);
+  for (int b = 0; b < int(sketch.blocks.size()); ++b)
+    for (int c = 0; c < int(sketch.blocks[std::size_t(b)].size()); ++c)
+      content.add({b, c}, *sketch.blocks[std::size_t(b)][std::size_t(c)].target);
   for (int b = 0; b < int(sketch.blocks.size()); ++b) {
     const std::vector<CutSketch>& cuts = sketch.blocks[std::size_t(b)];
     content.add({b}, cuts.front().setup->block);
@@ -72,9 +73,11 @@ scene::Content sceneContent(const Sketch& sketch) {
 
 scene::Content sceneContent(const Evaluation& evaluation) {
   scene::Content content;
-  for (const BlockEvaluation& block : evaluation.blocks)
-    for (const CutEvaluation& cut : block.cuts)
-      if (cut.targetMesh.value) content.add({}, *cut.targetMesh.value);
+  for (int b = 0; b < int(evaluation.blocks.size()); ++b) {
+    const std::vector<CutEvaluation>& cuts = evaluation.blocks[std::size_t(b)].cuts;
+    for (int c = 0; c < int(cuts.size()); ++c)
+      if (const auto& mesh = cuts[std::size_t(c)].targetMesh.value) content.add({b, c}, *mesh);
+  }
   if (evaluation.faceMesh.value) content.add({}, scene::Faces{evaluation.faceMesh.value});
   for (int b = 0; b < int(evaluation.blocks.size()); ++b) {
     const BlockEvaluation& block = evaluation.blocks[std::size_t(b)];

@@ -120,6 +120,11 @@ QListView::item { padding: 6px 8px; border-bottom: 1px solid @line; color: @text
 QListView::item:hover { background: @hover; }
 QListView::item:selected { background: @checked; color: @text; }
 
+QTreeView { background: @panel; border: none; outline: none; show-decoration-selected: 0; }
+QTreeView::item { padding: 2px 0; }
+QTreeView::item:hover { background: @hover; }
+QTreeView::item:selected { background: @checked; color: @text; }
+
 QScrollBar:vertical { background: transparent; width: 10px; margin: 0; }
 QScrollBar:horizontal { background: transparent; height: 10px; margin: 0; }
 QScrollBar::handle { background: @line; border-radius: 3px; margin: 2px; }

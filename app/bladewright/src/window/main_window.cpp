@@ -14,7 +14,7 @@ namespace bw::app {
 
 namespace {
 
-constexpr int kLeftWidth = 320, kRightWidth = 300, kBottomHeight = 220;
+constexpr int kLeftWidth = 320, kRightWidth = 300, kBottomHeight = 220, kTreeHeight = 180;
 constexpr int kLabelledTabs = 480;  // narrower tabs leave the label beside them out
 constexpr int kStaleDelay = 150;    // ms: a quick answer needs no fading
 constexpr int kBusyDelay = 250;     // ms until progress is worth showing
@@ -232,12 +232,14 @@ void MainWindow::restoreLayout() {
   if (!columns_->restoreState(settings_.layout("columns")))
     columns_->setSizes({kLeftWidth, 1440 - kLeftWidth - kRightWidth, kRightWidth});
   if (!middle_->restoreState(settings_.layout("middle"))) middle_->setSizes({600, kBottomHeight});
+  if (!right_->restoreState(settings_.layout("right"))) right_->setSizes({kTreeHeight, 600});
 }
 
 void MainWindow::storeLayout() {
   settings_.setLayout("window", saveGeometry());
   settings_.setLayout("columns", columns_->saveState());
   settings_.setLayout("middle", middle_->saveState());
+  settings_.setLayout("right", right_->saveState());
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

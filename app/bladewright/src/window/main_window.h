@@ -26,6 +26,7 @@
 #include "window/inspector.h"
 #include "window/map_bar.h"
 #include "window/notices.h"
+#include "window/object_tree.h"
 #include "window/start_page.h"
 #include "window/summary_line.h"
 #include "window/surface_handles.h"
@@ -71,6 +72,7 @@ class MainWindow : public QMainWindow {
   MotionView& motionView() { return *motion_; }
   MessageList& messageList() { return messages_->list(); }
   BlockPanel& blockPanel() { return *blocks_; }
+  ObjectTree& objectTree() { return *tree_; }
   WorkflowPanel& workflow() { return *workflow_; }
   Banner& banner() { return *banner_; }
   RecoveryList& recoveryList() { return *recovery_; }
@@ -160,6 +162,8 @@ class MainWindow : public QMainWindow {
   scene::ItemId selectedRow() const;
   void refreshStyle();
   void refreshHandleCommands();
+  /// Leaves out of the picture what the tree of objects hides.
+  void hideObjects(scene::Style& style) const;
   void refreshState();
   void summarise(const pipeline::CutSketch& sketch);
   void refreshSummary();
@@ -193,8 +197,9 @@ class MainWindow : public QMainWindow {
   StartPage* start_;
   RecoveryList* recovery_;
   MeasurePage* measure_;
-  QSplitter *columns_, *middle_;
+  QSplitter *columns_, *middle_, *right_;
   WorkflowPanel* workflow_;
+  ObjectTree* tree_;
   Inspector* inspector_;
   MapBar* mapBar_;
   view::SceneView* view_;

@@ -220,8 +220,8 @@ void MainWindow::makeCommands() {
       "panel.bottom", tr("&Section, motion, messages, blocks"), "station", tr("Show the panel below"),
       {QKeySequence("Ctrl+2")}, [this](bool on) { tabs_->setVisible(on); }, true);
   add(
-      "panel.inspector", tr("&Inspector"), "measure", tr("Show the panel at the right"),
-      {QKeySequence("Ctrl+3")}, [this](bool on) { inspector_->setVisible(on); }, true);
+      "panel.inspector", tr("Objects and &inspector"), "measure", tr("Show the panel at the right"),
+      {QKeySequence("Ctrl+3")}, [this](bool on) { right_->setVisible(on); }, true);
   for (const char* id : {"panel.workflow", "panel.bottom", "panel.inspector"})
     commands_[id]->setChecked(true);
   for (const auto& [id, text, choice] :

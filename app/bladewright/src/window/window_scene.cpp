@@ -101,6 +101,34 @@ scene::ItemId MainWindow::selectedRow() const {
   return {0, 0, 0};
 }
 
+void MainWindow::hideObjects(scene::Style& style) const {
+  const auto shown = bench_.shown();
+  if (!shown) return;
+  const auto hide = [&style](const scene::ItemId& id, std::initializer_list<scene::Kind> kinds) {
+    for (const scene::Kind kind : kinds) {
+      scene::Look look = style[kind];
+      look.visible = false;
+      style.items[{kind, id}] = look;
+    }
+  };
+  using enum scene::Kind;
+  for (int b = 0; b < int(shown->blocks.size()); ++b) {
+    const pipeline::BlockEvaluation& own = shown->blocks[std::size_t(b)];
+    const bool all = bench_.hidden({Object::Kind::block, own.id});
+    if (all) hide({b}, {block, part});
+    for (int c = 0; c < int(own.cuts.size()); ++c) {
+      const std::string& id = own.cuts[std::size_t(c)].id;
+      const auto there = std::ranges::find(bench_.design().cuts, id, &Cut::id);
+      const bool whole = all || bench_.hidden({Object::Kind::cut, id});
+      if (whole) hide({b, c, 0}, {cut, station, blade});
+      if (bench_.hidden({Object::Kind::stations, id})) hide({b, c, 0}, {station});
+      if (whole ||
+          (there != bench_.design().cuts.end() && bench_.hidden({Object::Kind::surface, there->source})))
+        hide({b, c}, {target});
+    }
+  }
+}
+
 void MainWindow::refreshStyle() {
   scene::Style style = mapBar_->style();
   style.dark = theme_.dark();
@@ -112,6 +140,7 @@ void MainWindow::refreshStyle() {
   if (bench_.moving()) style.movingBlade = bench_.bladeAt(bench_.playTime());
   style.section = sectionPlane();
   style.marker = marker_;
+  hideObjects(style);
   faces_->applyTo(style);
   handles_->applyTo(style);
   view_->setStyle(style);

@@ -85,8 +85,16 @@ void MainWindow::makeWorkspace() {
   middle_->setStretchFactor(0, 1);
   columns_->addWidget(middle_);
 
-  inspector_ = new Inspector(bench_, theme_, columns_);
-  columns_->addWidget(inspector_);
+  right_ = new QSplitter(Qt::Vertical, columns_);
+  right_->setHandleWidth(1);
+  right_->setChildrenCollapsible(false);
+  tree_ = new ObjectTree(bench_, theme_, right_);
+  right_->addWidget(tree_);
+  inspector_ = new Inspector(bench_, theme_, right_);
+  right_->addWidget(inspector_);
+  right_->setStretchFactor(1, 1);
+  columns_->addWidget(right_);
+  connect(&bench_, &Workbench::objectsChanged, this, &MainWindow::refreshStyle);
   columns_->setStretchFactor(1, 1);
   stack_->addWidget(columns_);
   setKeyboardHome(*columns_, *view_);

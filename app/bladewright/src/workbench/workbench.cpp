@@ -64,6 +64,8 @@ void Workbench::onReplaced() {
   ++opened_;
   // First of all: whoever is told that work ended asks for the cut selected, and the design is the new one.
   selection_ = {};
+  hidden_.clear();
+  locked_.clear();
   Change change = settleSelection();
   runner_.clear();
   playTime_ = 0;
@@ -357,16 +359,24 @@ Result<void> Workbench::refuse(Topic topic, const Error& error) {
 
 void Workbench::editDesign(const QString& text, const std::function<void(Design&)>& change, int mergeId,
                            bool live) {
-  live_ = live;
-  document_.editDesign(text, mergeId, [&](Design& design) {
-    change(design);
-    if (!binding_) return;
+  Design after = design();
+  change(after);
+  if (binding_) {
     const auto& [place, bound] = *binding_;
     if (bound)
-      design.bindings[place] = *bound;
+      after.bindings[place] = *bound;
     else
-      design.bindings.erase(place);
-  });
+      after.bindings.erase(place);
+  }
+  if (const auto kept = firstChanged({locked_.begin(), locked_.end()}, design(), after)) {
+    tell(Topic::locked, Severity::info,
+         tr("Locked: %1 stays as it is; its lock in the tree of objects lets it be changed")
+             .arg(QString::fromStdString(printable(kept->id))));
+    // Fields show what is there.
+    return tellChanged(Aspect::design);
+  }
+  live_ = live;
+  document_.editDesign(text, mergeId, [&after](Design& design) { design = std::move(after); });
   live_ = false;
 }
 
@@ -375,6 +385,37 @@ void Workbench::editBound(const std::string& place, const std::optional<BoundNum
   binding_ = {place, bound};
   edit();
   binding_.reset();
+}
+
+void Workbench::setHidden(const Object& object, bool hidden) {
+  if (hidden == hidden_.contains(object)) return;
+  hidden ? void(hidden_.insert(object)) : void(hidden_.erase(object));
+  emit objectsChanged();
+}
+
+void Workbench::setLocked(const Object& object, bool locked) {
+  if (locked == locked_.contains(object)) return;
+  locked ? void(locked_.insert(object)) : void(locked_.erase(object));
+  emit noticesOutdated(Topic::locked);
+  emit objectsChanged();
+}
+
+Result<void> Workbench::rename(const Object& object, const std::string& name) {
+  if (name == object.id) return {};
+  const Result<Design> changed = renamed(design(), object, name);
+  if (!changed) return refuse(Topic::other, changed.error());
+  Selection next = selection_;
+  if (object.kind == Object::Kind::block && next.block == object.id) next.block = name;
+  if (object.kind == Object::Kind::cut && next.cut == object.id) next.cut = name;
+  editDesign(tr("Rename %1").arg(QString::fromStdString(printable(object.id))),
+             [&changed](Design& design) { design = *changed; });
+  if (design() != *changed) return {};
+  // The old name stays hidden too: undo brings it back.
+  for (const Object::Kind kind : {object.kind, Object::Kind::stations})
+    if (hidden_.contains({kind, object.id})) hidden_.insert({kind, name});
+  if (next != selection_) select(next);
+  emit objectsChanged();
+  return {};
 }
 
 void Workbench::editCut(const QString& text, const std::function<void(Cut&)>& change, int mergeId,

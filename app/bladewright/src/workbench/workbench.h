@@ -23,6 +23,7 @@
 #include "bw/model/step_state.h"
 #include "bw/pipeline/pipeline.h"
 #include "workbench/handover.h"
+#include "workbench/objects.h"
 
 namespace bw::app {
 
@@ -55,6 +56,7 @@ enum class Topic {
   autosave,    ///< outdated once autosave works again
   recovery,    ///< what earlier sessions left: outdated when one of these is gone on with
   written,     ///< what an export wrote, or why it did not
+  locked,      ///< what is locked and was to be changed: outdated when another lock is
   refusal,     ///< a text in a field that keeps an export from beginning: outdated when it changes
   other
 };
@@ -209,6 +211,14 @@ class Workbench : public QObject {
   /// expression, or free of it.
   void editBound(const std::string& place, const std::optional<BoundNumber>& bound,
                  const std::function<void()>& edit);
+  /// What the picture leaves out, and what no edit changes, until another design is opened. An edit that
+  /// would change a locked object is refused, and that is told; undo goes back beyond it.
+  bool hidden(const Object& object) const { return hidden_.contains(object); }
+  void setHidden(const Object& object, bool hidden);
+  bool locked(const Object& object) const { return locked_.contains(object); }
+  void setLocked(const Object& object, bool locked);
+  /// Another name for a block, a cut or a surface, as an undoable step; a failure becomes a notice too.
+  Result<void> rename(const Object& object, const std::string& name);
   /// A number for the moves of one drag.
   int newMergeId() { return ++lastMergeId_; }
 
@@ -216,6 +226,8 @@ class Workbench : public QObject {
   /// What widgets show is another; each refreshes what it shows of it.
   void changed(const bw::model::Change& change);
   void noticed(const bw::app::Notice& notice);
+  /// Other objects are hidden or locked.
+  void objectsChanged();
   /// Notices of that topic no longer hold.
   void noticesOutdated(bw::app::Topic topic);
   /// A finding is to be seen: frame its surroundings and mark its point.
@@ -265,6 +277,7 @@ class Workbench : public QObject {
   bool sourceTold_ = false;  ///< that the source is another than when the design was saved
   std::shared_ptr<const pipeline::Evaluation> toldShown_, toldNewest_;  ///< of the last change
   Selection selection_;
+  std::set<Object> hidden_, locked_;
   double playTime_ = 0;
   bool moving_ = false;
   bool live_ = false;

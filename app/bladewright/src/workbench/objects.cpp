@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "workbench/objects.h"
+
+#include <algorithm>
+
+#include "bw/core/text/printable.h"
+
+namespace bw::app {
+
+namespace {
+
+constexpr std::size_t kLongest = 60;  // characters of a name
+
+template <class Part>
+const Part* find(const std::vector<Part>& parts, const std::string& id) {
+  const auto found = std::ranges::find(parts, id, &Part::id);
+  return found == parts.end() ? nullptr : &*found;
+}
+
+template <class Part>
+bool same(const std::vector<Part>& before, const std::vector<Part>& after, const std::string& id) {
+  const Part *then = find(before, id), *now = find(after, id);
+  return !then || (now && *now == *then);
+}
+
+/// Of every part that has it.
+template <class Part>
+void exchange(std::vector<Part>& parts, std::string Part::*member, const std::string& from,
+              const std::string& to) {
+  for (Part& part : parts)
+    if (part.*member == from) part.*member = to;
+}
+
+template <class Part>
+bool taken(const std::vector<Part>& parts, const Object& object, const std::string& name) {
+  return name != object.id && find(parts, name);
+}
+
+}  // namespace
+
+Result<Design> renamed(const Design& design, const Object& object, const std::string& name) {
+  const auto refuse = [](const std::string& why) { return fail(ErrorCode::badInput, why, "name"); };
+  if (name.find_first_not_of(" \t") == std::string::npos) return refuse("a name must not be empty");
+  if (name.size() > kLongest) return refuse("a name has " + std::to_string(kLongest) + " characters at most");
+  if (name.find_first_of("/\\:*?\"<>|") != std::string::npos || name.front() == '.' ||
+      printable(name) != name)
+    return refuse(
+        "a name has none of / \\ : * ? \" < > |, and no point at its beginning: files are named after it");
+  if (design.grid && object.kind != Object::Kind::surface)
+    return refuse("blocks side by side, and their cuts, have their names from their place in the grid");
+  const bool isTaken = object.kind == Object::Kind::block     ? taken(design.stock, object, name)
+                       : object.kind == Object::Kind::surface ? taken(design.sources, object, name)
+                                                              : taken(design.cuts, object, name);
+  if (isTaken) return refuse("there is another \"" + name + "\"; choose another name");
+  Design changed = design;
+  if (object.kind == Object::Kind::block) {
+    exchange(changed.stock, &StockBlock::id, object.id, name);
+    exchange(changed.cuts, &Cut::block, object.id, name);
+  } else if (object.kind == Object::Kind::surface) {
+    exchange(changed.sources, &Source::id, object.id, name);
+    exchange(changed.cuts, &Cut::source, object.id, name);
+  } else {
+    exchange(changed.cuts, &Cut::id, object.id, name);
+  }
+  return changed;
+}
+
+std::optional<Object> firstChanged(const std::vector<Object>& objects, const Design& before,
+                                   const Design& after) {
+  const auto changed = std::ranges::find_if(objects, [&](const Object& object) {
+    switch (object.kind) {
+      case Object::Kind::block:
+        return !same(before.stock, after.stock, object.id);
+      case Object::Kind::surface:
+        return !same(before.sources, after.sources, object.id);
+      case Object::Kind::cut:
+        return !same(before.cuts, after.cuts, object.id);
+      case Object::Kind::stations:
+        break;
+    }
+    return false;
+  });
+  return changed == objects.end() ? std::nullopt : std::optional(*changed);
+}
+
+}  // namespace bw::app

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <compare>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bw/core/base/result.h"
+#include "bw/core/design/design.h"
+
+namespace bw::app {
+
+/// A part of a design that has a name: it is shown or hidden, locked, and renamed.
+struct Object {
+  enum class Kind { block, cut, surface, stations };
+  Kind kind = Kind::block;
+  std::string id;  ///< of the block, the cut or the source; for stations that of their cut
+  auto operator<=>(const Object&) const = default;
+};
+
+/// The design with another name for a block, a cut or a source wherever it stands. Error `badInput`, with
+/// what to do: a name that is empty, taken, longer than 60 characters or with one that no file can have;
+/// blocks and cuts of a grid, which have their names from their place.
+Result<Design> renamed(const Design& design, const Object& object, const std::string& name);
+
+/// The first of these objects that is another in `after`, or gone; empty if all are as they were.
+std::optional<Object> firstChanged(const std::vector<Object>& objects, const Design& before,
+                                   const Design& after);
+
+}  // namespace bw::app

@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// The tree of objects: what is shown, what is locked, and how it is called.
+#include "controls/fields.h"
+#include "window_fixture.h"
+
+namespace bw::app {
+namespace {
+
+using Kind = Object::Kind;
+
+class ObjectTreeTest : public WindowTest {
+ protected:
+  void open(const char* example) {
+    window().questions().unsaved = [](const QString&) { return Questions::Unsaved::discard; };
+    ASSERT_TRUE(window().openExample(example));
+    ASSERT_TRUE(settleInFull());
+    ASSERT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
+    QTest::qWait(0);
+  }
+  ObjectTree& tree() { return window().objectTree(); }
+  QTreeWidgetItem* line(Kind kind, const std::string& id) { return tree().lineOf(Object{kind, id}); }
+
+  void click(QTreeWidgetItem* item, int column) {
+    ASSERT_TRUE(item);
+    tree().scrollToItem(item);
+    const QRect place = tree().visualItemRect(item);
+    const QPoint at(tree().columnViewportPosition(column) +
+                        (column == ObjectTree::name ? place.left() + 30 : tree().columnWidth(column) / 2),
+                    place.center().y());
+    QTest::mouseClick(tree().viewport(), Qt::LeftButton, {}, at);
+    QTest::qWait(0);
+  }
+
+  bool sees(scene::Kind kind, const scene::ItemId& id) {
+    return window().sceneView().sceneStyle().of(kind, id).visible;
+  }
+
+  /// F2, a name, Enter.
+  void name(QTreeWidgetItem* item, const QString& text) {
+    click(item, ObjectTree::name);
+    QTest::keyClick(&tree(), Qt::Key_F2);
+    const QPointer<QLineEdit> editor = tree().viewport()->findChild<QLineEdit*>();
+    ASSERT_TRUE(editor);
+    QTest::keyClick(editor, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(editor, text);
+    QTest::keyClick(editor, Qt::Key_Return);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !editor || !editor->isVisible(); }, kPatience));
+    QTest::qWait(20);
+    QTest::qWait(0);
+  }
+};
+
+TEST_F(ObjectTreeTest, ListsBlocksCutsSurfacesCurvesAndStations) {
+  ASSERT_NO_FATAL_FAILURE(open("three-block-wall"));
+  EXPECT_EQ(tree().topLevelItemCount(), 3);
+  QTreeWidgetItem* surface = line(Kind::surface, "surface");
+  ASSERT_TRUE(surface);
+  ASSERT_EQ(surface->childCount(), 3);
+  EXPECT_EQ(surface->child(1)->text(0), "Curve 2, y = 400 mm");
+  QTreeWidgetItem* stations = line(Kind::stations, "cut-column-2");
+  ASSERT_TRUE(stations);
+  EXPECT_EQ(stations->text(0), "33 stations");
+  picture("objects");
+  // A click selects in the whole window.
+  ASSERT_NO_FATAL_FAILURE(click(line(Kind::block, "column-3"), ObjectTree::name));
+  EXPECT_EQ(bench().selection().block, "column-3");
+  EXPECT_EQ(bench().selection().kind, Selection::Kind::block);
+  stations->setExpanded(true);
+  ASSERT_EQ(stations->childCount(), 33);
+  ASSERT_NO_FATAL_FAILURE(click(stations->child(4), ObjectTree::name));
+  EXPECT_EQ(bench().selection().cut, "cut-column-2");
+  EXPECT_EQ(bench().selection().station, 4);
+  EXPECT_EQ(tree().currentItem(), stations->child(4));
+  // And what is selected elsewhere is marked here.
+  bench().select({Selection::Kind::result, -1, "column-1", "cut-column-1"});
+  EXPECT_EQ(tree().currentItem(), line(Kind::cut, "cut-column-1"));
+}
+
+TEST_F(ObjectTreeTest, TheEyeLeavesThingsOutOfThePicture) {
+  ASSERT_NO_FATAL_FAILURE(open("two-crossing-cuts"));
+  EXPECT_TRUE(sees(scene::Kind::cut, {0, 1, 0, -1}));
+  // The evaluation has the cuts in their order.
+  const auto& cuts = bench().shown()->blocks[0].cuts;
+  const int north = cuts[0].id == "north" ? 0 : 1;
+  ASSERT_NO_FATAL_FAILURE(click(line(Kind::cut, "north"), ObjectTree::seen));
+  EXPECT_TRUE(bench().hidden({Kind::cut, "north"}));
+  for (const scene::Kind kind : {scene::Kind::cut, scene::Kind::station, scene::Kind::blade})
+    EXPECT_FALSE(sees(kind, {0, north, 0, -1}));
+  EXPECT_FALSE(sees(scene::Kind::target, {0, north, -1, -1}));
+  EXPECT_TRUE(sees(scene::Kind::cut, {0, 1 - north, 0, -1})) << "the other stays";
+  EXPECT_TRUE(line(Kind::cut, "north")->toolTip(ObjectTree::seen).contains("hidden"));
+  picture("objects-hidden");
+  ASSERT_NO_FATAL_FAILURE(click(line(Kind::cut, "north"), ObjectTree::seen));
+  EXPECT_TRUE(sees(scene::Kind::cut, {0, north, 0, -1}));
+  // By the keyboard, and the stations of one cut alone.
+  tree().setCurrentItem(line(Kind::stations, "east"));
+  tree().setFocus();
+  QTest::keyClick(&tree(), Qt::Key_V);
+  EXPECT_FALSE(sees(scene::Kind::station, {0, 1 - north, 0, -1}));
+  EXPECT_TRUE(sees(scene::Kind::station, {0, north, 0, -1}));
+  EXPECT_TRUE(sees(scene::Kind::cut, {0, 1 - north, 0, -1}));
+  ASSERT_NO_FATAL_FAILURE(click(line(Kind::block, "block"), ObjectTree::seen));
+  EXPECT_FALSE(sees(scene::Kind::block, {0, -1, -1, -1}));
+  EXPECT_FALSE(sees(scene::Kind::cut, {0, north, 0, -1})) << "with all that is in it";
+  // Nothing of it is of the design.
+  EXPECT_FALSE(bench().document().undoStack().canUndo());
+  ASSERT_NO_FATAL_FAILURE(open("bump"));
+  EXPECT_TRUE(sees(scene::Kind::block, {0, -1, -1, -1})) << "another design is seen whole";
+}
+
+TEST_F(ObjectTreeTest, WhatIsLockedStaysAndSaysSo) {
+  ASSERT_NO_FATAL_FAILURE(open("single-block"));
+  const Design before = bench().design();
+  ASSERT_NO_FATAL_FAILURE(click(line(Kind::surface, "surface"), ObjectTree::kept));
+  EXPECT_TRUE(bench().locked({Kind::surface, "surface"}));
+  picture("objects-locked");
+  // A handle that is pulled.
+  view::SceneView& view = window().sceneView();
+  const QPoint at = view.toWidget(view.sceneStyle().handles.points[9]).toPoint();
+  QTest::mouseMove(&view, at);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view.sceneStyle().handles.lit == 9; }, kPatience));
+  QTest::mousePress(&view, Qt::LeftButton, {}, at);
+  for (int i = 1; i <= 5; ++i) QTest::mouseMove(&view, at - QPoint(0, 5 * i));
+  QTest::mouseRelease(&view, Qt::LeftButton, {}, at - QPoint(0, 25));
+  EXPECT_EQ(bench().design(), before);
+  ASSERT_FALSE(window().banner().notices().empty());
+  EXPECT_TRUE(window().banner().text().startsWith("Locked: surface stays"))
+      << window().banner().text().toStdString();
+  picture("objects-locked-told");
+  // Its block may be changed, until it is locked too: by the key, and a field shows what is there.
+  const auto type = [this](const QString& text) {
+    for (auto* field : window().inspector().findChildren<NumberField*>())
+      if (field->accessibleName() == "Size Z" && field->isVisible()) {
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, text);
+        QTest::keyClick(field, Qt::Key_Return);
+        return field->text();
+      }
+    return QString();
+  };
+  ASSERT_NO_FATAL_FAILURE(click(line(Kind::block, "block"), ObjectTree::name));
+  EXPECT_EQ(type("450"), "450");
+  EXPECT_EQ(bench().block().placement->size.z(), 450);
+  tree().setFocus();
+  QTest::keyClick(&tree(), Qt::Key_L);
+  EXPECT_TRUE(bench().locked({Kind::block, "block"}));
+  EXPECT_EQ(type("470"), "450");
+  EXPECT_EQ(bench().block().placement->size.z(), 450);
+  EXPECT_TRUE(window().banner().text().startsWith("Locked: block stays"));
+  // Unlocked it is changed, and the notice goes.
+  tree().setFocus();
+  QTest::keyClick(&tree(), Qt::Key_L);
+  EXPECT_FALSE(window().banner().text().startsWith("Locked: block stays") && window().banner().isVisible());
+  EXPECT_EQ(type("470"), "470");
+}
+
+TEST_F(ObjectTreeTest, AnotherNameStandsEverywhere) {
+  ASSERT_NO_FATAL_FAILURE(open("two-crossing-cuts"));
+  const Design before = bench().design();
+  ASSERT_NO_FATAL_FAILURE(name(line(Kind::cut, "north"), "ridge"));
+  EXPECT_EQ(bench().design().cuts[1].id, "ridge");
+  EXPECT_EQ(bench().design().cuts[1].source, "north") << "its surface keeps its own";
+  EXPECT_EQ(bench().selection().cut, "ridge") << "and it stays selected";
+  ASSERT_TRUE(line(Kind::cut, "ridge"));
+  ASSERT_NO_FATAL_FAILURE(name(line(Kind::block, "block"), "Corner stone"));
+  for (const Cut& cut : bench().design().cuts) EXPECT_EQ(cut.block, "Corner stone");
+  ASSERT_NO_FATAL_FAILURE(name(line(Kind::surface, "east"), "slope"));
+  EXPECT_EQ(bench().design().cuts[0].source, "slope");
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
+  picture("objects-renamed");
+  const fs::path file = path("named.bladewright");
+  ASSERT_TRUE(bench().saveTo(file));
+  EXPECT_EQ(loadDesign(file)->cuts[1].id, "ridge");
+  // Names that are taken or no names are refused and told, and the line keeps its own.
+  for (const char* bad : {"ridge", "a/b", " "}) {
+    ASSERT_NO_FATAL_FAILURE(name(line(Kind::cut, "east"), bad));
+    EXPECT_TRUE(line(Kind::cut, "east")) << bad;
+    EXPECT_EQ(bench().design().cuts[0].id, "east");
+  }
+  bench().document().undoStack().setIndex(0);
+  EXPECT_EQ(bench().design(), before);
+  EXPECT_TRUE(line(Kind::cut, "north"));
+  // Blocks of a grid are called after their place.
+  ASSERT_NO_FATAL_FAILURE(open("three-block-wall"));
+  ASSERT_NO_FATAL_FAILURE(name(line(Kind::block, "column-1"), "left"));
+  EXPECT_TRUE(line(Kind::block, "column-1"));
+  EXPECT_TRUE(window().banner().text().contains("from their place"));
+}
+
+}  // namespace
+}  // namespace bw::app
