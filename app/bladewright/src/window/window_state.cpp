@@ -16,7 +16,7 @@ namespace bw::app {
 namespace {
 
 constexpr int kFactorWidth = 66;
-constexpr int kMiddleWidth = 396;  // room for the names of all tabs
+constexpr int kMiddleWidth = 358;  // as much as the panels beside it leave of the smallest window
 
 }  // namespace
 
