@@ -9,7 +9,7 @@ namespace bw::app {
 
 namespace {
 
-constexpr int kWidth = 84, kTurnWidth = 72;  // px
+constexpr int kWidth = 84, kTurnWidth = 66;  // px
 
 }  // namespace
 
@@ -91,6 +91,7 @@ void BlockCuts::rebuild(const std::vector<std::string>& cuts) {
 
 void BlockCuts::arrange() {
   const int first = narrow_ ? 0 : 1;
+  grid_->setHorizontalSpacing(narrow_ ? kGap / 2 : kGap);
   if (!narrow_) grid_->addWidget(heads_[0], 0, 0);
   for (int k = 1; k < int(heads_.size()); ++k) grid_->addWidget(heads_[std::size_t(k)], 0, first + k - 1);
   int row = 1;

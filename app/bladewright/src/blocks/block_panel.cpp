@@ -129,6 +129,7 @@ bool BlockPanel::eventFilter(QObject* watched, QEvent* event) {
 void BlockPanel::arrange() {
   const bool beside = viewport()->width() >= kBeside;
   parts_->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+  parts_->setContentsMargins(beside ? kGroupGap : kGap, kGap, beside ? kGroupGap : kGap, kGap);
   cuts_->setNarrow(!beside);
   // Below the plan they are scrolled with it, beside it alone.
   QWidget& details = *details_->widget();
