@@ -176,6 +176,22 @@ TEST_F(DesignStep, KeyBladesAreTypedAddedAndTakenAway) {
   EXPECT_EQ(bench().design(), before);
 }
 
+TEST_F(DesignStep, NumbersThatMakeNoSurfaceAreRefused) {
+  // Without expressions nothing but the fields themselves stands between them and the file.
+  open("key-blade-fan");
+  bench().editDesign("Prepare", [](Design& design) { design.bindings.clear(); });
+  const Design before = bench().design();
+  type<NumberField>("At y of key blade 3", "0");
+  EXPECT_EQ(bench().design(), before);
+  type<NumberField>("Length of key blade 1", "-5");
+  EXPECT_EQ(bench().design(), before);
+  EXPECT_EQ(find<NumberField>("At y of key blade 3")->value(), 540) << "the field shows what holds";
+  type<NumberField>("At y of key blade 3", "500");
+  EXPECT_EQ(shape<BladesSurface>().blades[2].y, 500);
+  ASSERT_TRUE(bench().saveTo(path("fan.bladewright")));
+  EXPECT_TRUE(loadDesign(path("fan.bladewright")));
+}
+
 TEST_F(DesignStep, ASurfaceBecomesKeyBladesAndTheResultTheDesign) {
   open("bump");
   emit find<ChoiceField>("Surface")->activated(3);

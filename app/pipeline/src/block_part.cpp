@@ -127,11 +127,14 @@ Result<void> orderCutsOf(Evaluation& e, BlockEvaluation& block, const BlockEvalu
     block.dropped.push_back(std::move(cut));
   }
   block.cuts = std::move(made);
-  if (block.cuts.empty())
+  if (block.cuts.empty()) {
+    // What is known of them stays to be shown: a block without cuts is none.
+    block.cuts = std::exchange(block.dropped, {});
     return fail(ErrorCode::badInput,
                 "none of the cuts comes into the block by the tolerance of " + shortText(tolerance) +
                     " mm; move the block, or its surfaces",
                 "cuts", 0.0, tolerance);
+  }
   return {};
 }
 

@@ -33,10 +33,10 @@ void keepPlain(std::vector<Part>& read, const std::vector<Part>& before, const D
 bool isVariableName(std::string_view name) { return isExpressionName(name) && name != "x" && name != "y"; }
 
 Result<Design> resolved(const Design& design) {
-  const bool formula = std::ranges::any_of(design.sources, [](const Source& source) {
-    return source.surface && std::holds_alternative<FormulaSurface>(source.surface->shape);
-  });
-  if (design.bindings.empty() && !formula) return design;
+  // What is designed is told by numbers that must fit each other: as it will be read, or not at all.
+  const bool designed =
+      std::ranges::any_of(design.sources, [](const Source& source) { return source.surface.has_value(); });
+  if (design.bindings.empty() && !designed) return design;
   Design bare = design;
   for (Source& source : bare.sources) source.bytes = {};
   Result<Design> read = detail::designFrom(detail::designJson(bare));

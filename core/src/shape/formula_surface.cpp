@@ -71,7 +71,18 @@ Result<SplineSurface> splineOf(const FormulaSurface& surface) {
                                          {{surface.over.min.y(), surface.over.max.y()}, kFirstSpans},
                                          kTolerance, FormulaSurface::kMost);
   if (!fitted) return tl::unexpected<Error>(fitted.error());
-  if (fitted->miss <= kTolerance) return std::move(fitted->spline);
+  if (fitted->miss <= kTolerance) {
+    // x is the parameter itself: its poles are the means of knots, without what solving rounds.
+    SplineSurface& spline = fitted->spline;
+    const std::size_t columns = std::size_t(spline.polesU);
+    for (std::size_t i = 0; i < spline.poles.size(); ++i) {
+      const double* knot = &spline.knotsU[i % columns + 1];
+      spline.poles[i].x() = i % columns == 0             ? surface.over.min.x()
+                            : i % columns == columns - 1 ? surface.over.max.x()
+                                                         : (knot[0] + knot[1] + knot[2]) / 3;
+    }
+    return std::move(spline);
+  }
   return fail(ErrorCode::badInput,
               "no surface comes near to the formula at " + placeText(fitted->place) + ": with " +
                   std::to_string(fitted->spline.polesU) + " × " + std::to_string(fitted->spline.polesV) +

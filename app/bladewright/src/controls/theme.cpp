@@ -110,7 +110,7 @@ QProgressBar::chunk { background: @selection; border-radius: 1px; }
 QTabWidget::pane { border: none; border-top: 1px solid @line; background: @panel; }
 QTabWidget::tab-bar { left: 8px; }
 QTabBar { background: @panel; qproperty-drawBase: 0; }
-QTabBar::tab { background: transparent; color: @secondary; padding: 7px 8px; border: none; border-bottom: 2px solid transparent; }
+QTabBar::tab { background: transparent; color: @secondary; padding: 7px 6px; border: none; border-bottom: 2px solid transparent; }
 QTabBar::tab:hover { color: @text; }
 QTabBar::tab:selected { color: @text; border-bottom-color: @selection; }
 QTabBar::tab:focus { color: @selection; }

@@ -58,7 +58,7 @@ void MainWindow::makeWorkspace() {
   auto* cornerContent = new QWidget(corner);
   auto* cornerOuter = makeBox<QHBoxLayout>(corner);
   cornerOuter->addWidget(cornerContent);
-  auto* cornerLayout = makeBox<QHBoxLayout>(cornerContent, {0, 2, 12, 2}, kGap);
+  auto* cornerLayout = makeBox<QHBoxLayout>(cornerContent, {0, 2, 4, 2}, kGap);
   auto* label = new QLabel(tr("Deviation drawn"), corner);
   label->setObjectName("secondary");
   auto* factor = new ChoiceField(corner);
@@ -75,10 +75,7 @@ void MainWindow::makeWorkspace() {
   connect(factor, &QComboBox::activated, this, [this](int index) {
     section_->setExaggeration(index == 0 ? 1 : index == 1 ? 5 : 20);
   });
-  // The corner itself stays, or its place would change colour.
-  QSizePolicy keeping = cornerContent->sizePolicy();
-  keeping.setRetainSizeWhenHidden(true);
-  cornerContent->setSizePolicy(keeping);
+  // The corner itself stays, or its place would change colour; its width is the tabs' where it is empty.
   connect(tabs_, &QTabWidget::currentChanged, cornerContent,
           [this, cornerContent] { cornerContent->setVisible(tabs_->currentWidget() == section_); });
   middle_->addWidget(tabs_);
