@@ -105,6 +105,18 @@ TEST(KerfOfADesign, AFoamThatStandsBackIsHeldAgainstTheSurfaceBesideTheOneAskedF
       << refused.error->message;
 }
 
+TEST(KerfOfADesign, AMouldOfAPanelThatLeansAtItsEndsCoversAllOfIt) {
+  // The example panel rises by 22° where the blade comes in: beside it the surface lies 4 mm farther along.
+  const Evaluation single = evaluated(designed("panel-600x670", 0));
+  const Evaluation e = evaluated(withUpperMoulds(single, 20).value());
+  ASSERT_EQ(e.blocks.size(), 2u);
+  for (const BlockEvaluation& block : e.blocks) {
+    EXPECT_LT(block.cuts[0].coverage.value->distance, block.cuts[0].coverage.value->limit) << block.id;
+    for (const Finding& finding : block.cuts[0].findings())
+      EXPECT_NE(finding.severity, Severity::error) << block.id;
+  }
+}
+
 TEST(KerfOfADesign, TwoMouldsLeaveAPanelBetweenThem) {
   for (const char* name : {"bump", "three-block-wall"}) {
     const Evaluation single = evaluated(designed(name, 2));

@@ -309,16 +309,32 @@ Result<void> compare(const CutWork& work, double& seconds) {
                      });
 }
 
+/// Rows that go on at both ends by so many mm, as the blade does: what stands back from a surface that leans
+/// there ends that much sooner than it at most.
+SurfaceGrid longer(const SurfaceGrid& cut, double by) {
+  if (by == 0 || cut.columns < 2) return cut;
+  SurfaceGrid result;
+  result.rows = cut.rows;
+  result.columns = cut.columns + 2;
+  for (int r = 0; r < cut.rows; ++r) {
+    const auto beyond = [&](int end, int inner) -> Eigen::Vector3d {
+      return cut.at(r, end) + by * (cut.at(r, end) - cut.at(r, inner)).stableNormalized();
+    };
+    result.points.push_back(beyond(0, 1));
+    for (int c = 0; c < cut.columns; ++c) result.points.push_back(cut.at(r, c));
+    result.points.push_back(beyond(cut.columns - 1, cut.columns - 2));
+  }
+  return result;
+}
+
 /// The target against the cut surface.
 Result<void> cover(const CutWork& work, double& seconds) {
   CutEvaluation& e = work.e;
   return work.settle(
       &CutEvaluation::coverage, checkRequest(work.design), {e.analysis.value, e.targetMesh.value}, seconds,
       [&](const CheckRequest& request, Findings& findings) -> Result<Coverage> {
-        // What stands back from the target is laid onto it again.
-        const Kerf& kerf = e.middle.request;
-        const SurfaceGrid laid = standingBeside(e.analysis.value->cut, {2 * kerf.back, 0, -kerf.kept});
-        Coverage coverage = coverageOf(laid, *e.sweep.value, *e.targetMesh.value, request.tolerance);
+        const SurfaceGrid cut = longer(e.analysis.value->cut, e.middle.request.back);
+        Coverage coverage = coverageOf(cut, *e.sweep.value, *e.targetMesh.value, request.tolerance);
         findings = coverage.findings;
         return coverage;
       });
