@@ -60,7 +60,7 @@ int runKeys(const Session& session, const KeysOptions& options) {
                 << " mm (the farthest at y = " << shortText(keys->worst, 6) << ")";
       if (!near)
         std::cerr << ", more than " << shortText(tolerance)
-                  << " mm: no elastica comes nearer to that section";
+                  << " mm, as near as the elastica fitted to each section comes";
       std::cerr << "\n";
     }
   if (!any)

@@ -8,22 +8,13 @@
 #include <QScrollArea>
 #include <QToolButton>
 
-#include "window_fixture.h"
+#include "handles_fixture.h"
 
 namespace bw::app {
 namespace {
 
-class HandleEdits : public WindowTest {
+class HandleEdits : public HandlesTest {
  protected:
-  void open(const QString& name) {
-    ASSERT_TRUE(window().openExample(name));
-    ASSERT_TRUE(settle());
-    ASSERT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
-    ASSERT_TRUE(QTest::qWaitFor([&] { return view().resting(); }, kPatience));
-  }
-  view::SceneView& view() { return window().sceneView(); }
-  const scene::Handles& handles() { return view().sceneStyle().handles; }
-  QPoint at(int handle) { return view().toWidget(handles().points[std::size_t(handle)]).toPoint(); }
   void click(int handle) { QTest::mouseClick(&view(), Qt::LeftButton, {}, at(handle)); }
   void press(Qt::Key key, Qt::KeyboardModifiers keys = {}) { QTest::keyClick(&view(), key, keys); }
   void pull(int handle, int up) {

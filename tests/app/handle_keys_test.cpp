@@ -4,23 +4,14 @@
 // A handle of a designed surface under the keyboard: arrow keys, and numbers typed beside it.
 
 #include "window/handle_keys.h"
-#include "window_fixture.h"
+#include "handles_fixture.h"
 #include "workflow/variable_fields.h"
 
 namespace bw::app {
 namespace {
 
-class HandleKeysTest : public WindowTest {
+class HandleKeysTest : public HandlesTest {
  protected:
-  void open(const QString& name) {
-    ASSERT_TRUE(window().openExample(name));
-    ASSERT_TRUE(settle());
-    ASSERT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
-    ASSERT_TRUE(QTest::qWaitFor([&] { return view().resting(); }, kPatience));
-  }
-  view::SceneView& view() { return window().sceneView(); }
-  const scene::Handles& handles() { return view().sceneStyle().handles; }
-  QPoint at(int handle) { return view().toWidget(handles().points[std::size_t(handle)]).toPoint(); }
   void click(int handle, Qt::KeyboardModifiers keys = {}) {
     QTest::mouseClick(&view(), Qt::LeftButton, keys, at(handle));
   }

@@ -6,22 +6,13 @@
 #include "window/surface_handles.h"
 
 #include "bw/core/constructions/spline_constructions.h"
-#include "window_fixture.h"
+#include "handles_fixture.h"
 
 namespace bw::app {
 namespace {
 
-class SurfaceHandlesTest : public WindowTest {
+class SurfaceHandlesTest : public HandlesTest {
  protected:
-  void open(const QString& name) {
-    ASSERT_TRUE(window().openExample(name));
-    ASSERT_TRUE(settle());
-    ASSERT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
-    ASSERT_TRUE(QTest::qWaitFor([&] { return view().resting(); }, kPatience));
-  }
-  view::SceneView& view() { return window().sceneView(); }
-  const scene::Handles& handles() { return view().sceneStyle().handles; }
-  QPoint at(int handle) { return view().toWidget(handles().points[std::size_t(handle)]).toPoint(); }
   double height(int row, int column) {
     return std::get<PolesSurface>(bench().design().source().surface->shape).at(row, column).height;
   }
