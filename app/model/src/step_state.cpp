@@ -79,6 +79,7 @@ Step stepOf(FindingKind kind) {
     case FindingKind::source:
       return Step::input;
     case FindingKind::clearance:
+    case FindingKind::floor:
       return Step::setup;
     case FindingKind::program:
     case FindingKind::programCheck:

@@ -331,8 +331,8 @@ SurfaceGrid longer(const SurfaceGrid& cut, double by) {
 Result<void> cover(const CutWork& work, double& seconds) {
   CutEvaluation& e = work.e;
   return work.settle(
-      &CutEvaluation::coverage, checkRequest(work.design), {e.analysis.value, e.targetMesh.value}, seconds,
-      [&](const CheckRequest& request, Findings& findings) -> Result<Coverage> {
+      &CutEvaluation::coverage, checkRequest(work.design, work.cut), {e.analysis.value, e.targetMesh.value},
+      seconds, [&](const CheckRequest& request, Findings& findings) -> Result<Coverage> {
         const SurfaceGrid cut = longer(e.analysis.value->cut, e.middle.request.back);
         Coverage coverage = coverageOf(cut, *e.sweep.value, *e.targetMesh.value, request.tolerance);
         findings = coverage.findings;
@@ -343,7 +343,7 @@ Result<void> cover(const CutWork& work, double& seconds) {
 /// The cut surface against the target.
 Result<void> analyze(const CutWork& work, double& seconds) {
   CutEvaluation& e = work.e;
-  return work.settle(&CutEvaluation::analysis, {checkRequest(work.design), e.middle.request},
+  return work.settle(&CutEvaluation::analysis, {checkRequest(work.design, work.cut), e.middle.request},
                      {e.check.value, e.way.value, e.target.value}, seconds,
                      [&](const AnalysisRequest& request, Findings& findings) {
                        Result<SweepAnalysis> analysis =
@@ -367,7 +367,7 @@ Result<void> seeTheCut(const CutWork& work, double& seconds) {
 Result<void> checkRow(const CutWork& work) {
   CutEvaluation& e = work.e;
   const Sweep& sweep = *e.sweep.value;
-  Result<void> ok = work.settle(&CutEvaluation::check, checkRequest(work.design), {e.sweep.value},
+  Result<void> ok = work.settle(&CutEvaluation::check, checkRequest(work.design, work.cut), {e.sweep.value},
                                 work.seconds.check, [&work, &sweep](const CheckRequest& request, Findings&) {
                                   work.context.report(0.75, "checking");
                                   return checkSweep(sweep, request, work.context);
@@ -404,7 +404,7 @@ Result<void> check(const CutWork& work) {
   Result<void> ok = checkRow(work);
   if (!ok) return ok;
   const Sweep& sweep = *e.sweep.value;
-  ok = work.settle(&CutEvaluation::rest, checkRequest(work.design),
+  ok = work.settle(&CutEvaluation::rest, checkRequest(work.design, work.cut),
                    {e.certainty.value, e.ends.value, e.way.value, e.check.value}, work.seconds.check,
                    [&](const CheckRequest& request, Findings& findings) -> Result<RowRest> {
                      const EntryExit& ends = *e.ends.value;

@@ -81,6 +81,7 @@ ordered_json stationJson(const StationView& station) {
   object["angle_max_deg"] = toDegrees(check.angleMax);
   object["speed_ratio"] = check.speedRatio;
   object["clearance_mm"] = check.clearance;
+  object["above_bottom_mm"] = check.aboveBottom;
   object["moved_by_grip_mm"] =
       std::isfinite(check.movedByGrip) ? ordered_json(check.movedByGrip) : ordered_json(nullptr);
   return object;
@@ -276,6 +277,7 @@ std::string reportJson(const Evaluation& e, const std::string& run, const FileSe
   method["tolerance_mm"] = design.process.tolerance;
   method["cutting_speed_mm_s"] = design.process.cuttingSpeed;
   method["clearance_mm"] = design.process.clearance;
+  method["floor_mm"] = design.process.floor;
   method["margin"] = design.process.margin;
   method["kerf_mm"] = design.process.kerf;
   method["motion_tolerance_mm"] = design.process.motionTolerance;

@@ -3,6 +3,7 @@
 
 #include "bw/pipeline/requests.h"
 
+#include <algorithm>
 #include <system_error>
 
 #include "bw/core/base/units.h"
@@ -29,9 +30,13 @@ FitRequest fitRequest(const Design& design, const Cut& cut, const Box& lies, boo
   return request;
 }
 
-CheckRequest checkRequest(const Design& design) {
+CheckRequest checkRequest(const Design& design, const Cut& cut) {
   const Process& p = design.process;
-  return {p.tolerance, p.clearance, p.cuttingSpeed, p.margin, p.gripError, fromDegrees(p.gripAngle)};
+  CheckRequest request{p.tolerance, p.clearance, p.cuttingSpeed,
+                       p.margin,    p.gripError, fromDegrees(p.gripAngle)};
+  const auto block = std::ranges::find(design.stock, cut.block, &StockBlock::id);
+  if (block != design.stock.end() && block->placement) request.floor = p.floor;
+  return request;
 }
 
 Kerf kerfOf(const Design& design, const Cut& cut, const Box& lies) {
@@ -42,7 +47,7 @@ Kerf kerfOf(const Design& design, const Cut& cut, const Box& lies) {
 }
 
 LengthRequest lengthRequest(const Design& design, const Cut& cut, const Box& lies, bool joined) {
-  LengthRequest request{fitRequest(design, cut, lies, joined), checkRequest(design),
+  LengthRequest request{fitRequest(design, cut, lies, joined), checkRequest(design, cut),
                         entryExitRequest(design)};
   request.fit.blade.length = Blade().length;
   return request;

@@ -101,7 +101,8 @@ void stationRows(Lines& lines, const std::vector<Strip>& strips, const Strip& st
     lines.text(check.stable ? ",yes," : ",no,").fixed(toDegrees(check.angleMean), 4);
     lines.text(",").fixed(toDegrees(check.angleMax), 4).text(",").fixed(check.speedRatio, 6);
     lines.text(",").fixed(check.clearance, 3).text(",").fixed(check.stabilityMargin, 6);
-    lines.text(",").text(s.heavy ? fixedText(check.movedByWeight, 4) : "").text("\n");
+    lines.text(",").text(s.heavy ? fixedText(check.movedByWeight, 4) : "");
+    lines.text(",").fixed(check.aboveBottom, 3).text("\n");
   }
 }
 
@@ -115,7 +116,7 @@ std::string stationsCsv(const std::vector<Strip>& strips) {
       "left_x_mm,left_y_mm,left_z_mm,left_tx,left_ty,left_tz,right_x_mm,right_y_mm,right_z_mm,right_tx,right_"
       "ty,right_tz,"
       "min_radius_mm,inflections,stable,angle_mean_deg,angle_max_deg,speed_ratio,clearance_mm,"
-      "stability_margin,moved_by_weight_mm\n");
+      "stability_margin,moved_by_weight_mm,above_bottom_mm\n");
   for (const Strip& strip : strips) stationRows(lines, strips, strip);
   return lines.take();
 }

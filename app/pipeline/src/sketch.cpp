@@ -191,7 +191,7 @@ std::optional<CutSketch> Sketcher::draw(const Design& design, std::size_t index,
     row.sketcher.emplace(*sweep);
   }
   Result<RowSketch> look =
-      row.sketcher->look(*sweep, checkRequest(design), *movedBy(row.target->sampler(), off), context);
+      row.sketcher->look(*sweep, checkRequest(design, asked), *movedBy(row.target->sampler(), off), context);
   if (!look) return {};
   look->cut = standingBeside(std::move(look->cut), kerf);
   return CutSketch{cut.id, row.mesh, std::make_shared<const geometry::Setup>(planes.setup), std::move(sweep),

@@ -29,6 +29,7 @@ constexpr std::pair<FindingKind, const char*> kWords[] = {{FindingKind::fit, "fi
                                                           {FindingKind::length, "length"},
                                                           {FindingKind::gripErrors, "grip-errors"},
                                                           {FindingKind::clearance, "clearance"},
+                                                          {FindingKind::floor, "floor"},
                                                           {FindingKind::angle, "angle"},
                                                           {FindingKind::speed, "speed"},
                                                           {FindingKind::swing, "swing"},

@@ -203,6 +203,15 @@ std::string Sentences::operator()(const GripTooNear& cause) const {
   return text + "; " + otherBlockText(finding, finding.where.stations->first == finding.where.stations->last);
 }
 
+std::string Sentences::operator()(const NearBottom& cause) const {
+  const std::string text =
+      at() + (cause.height < 0
+                  ? "the blade would be " + mm(-cause.height) + " below the face that the block lies on"
+                  : "the blade passes the face that the block lies on at " + mm(cause.height) +
+                        ", less than the floor of " + mm(cause.floor));
+  return text + "; a block that reaches " + mm(std::ceil(cause.floor - cause.height)) + " lower keeps it";
+}
+
 std::string Sentences::operator()(const SteepAngle& cause) const {
   return at() + "the blade moves at " + fixedText(toDegrees(cause.angle), 1) +
          "° to the normal of its plane; above " + fixedText(toDegrees(cause.limit), 0) +

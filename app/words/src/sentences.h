@@ -28,6 +28,7 @@ struct Sentences {
   std::string operator()(const UnknownInWeight& cause) const;
   std::string operator()(const WouldTwist& cause) const;
   std::string operator()(const GripTooNear& cause) const;
+  std::string operator()(const NearBottom& cause) const;
   std::string operator()(const SteepAngle& cause) const;
   std::string operator()(const UnevenSpeed& cause) const;
   std::string operator()(const EndsSwing& cause) const;

@@ -24,7 +24,7 @@ bool exceedsLimit(const Findings& findings) {
   return std::ranges::any_of(findings, [](const Finding& f) {
     if (f.severity != Severity::warning) return f.severity == Severity::error;
     const FindingKind kind = f.kind();
-    return kind == FindingKind::deviation || kind == FindingKind::clearance ||
+    return kind == FindingKind::deviation || kind == FindingKind::clearance || kind == FindingKind::floor ||
            kind == FindingKind::stability || kind == FindingKind::motion || kind == FindingKind::joint ||
            kind == FindingKind::crease;
   });

@@ -24,12 +24,16 @@ namespace bw {
 
 namespace {
 
-constexpr std::array<ProcessNumber, 12> kNumbers = {{
+constexpr std::array<ProcessNumber, 13> kNumbers = {{
     {{&Process::tolerance, "tolerance", "Tolerance", "mm", 1e-4, 1000, 1e-3, 3, 0.1,
       "Largest deviation of the cut surface that is accepted", "Change tolerance"},
      ProcessPart::setup},
     {{&Process::clearance, "clearance", "Clearance", "mm", 0, 10000, 0, 1, 5,
       "Between a grip of the blade and the block", "Change clearance"},
+     ProcessPart::setup},
+    {{&Process::floor, "floor", "Floor", "mm", 0, 10000, 0, 1, 5,
+      "Between the whole blade and the face that its block lies on, where the block is given",
+      "Change floor"},
      ProcessPart::setup},
     {{&Process::cuttingSpeed, "cutting_speed", "Cutting speed", "mm/s", 0.01, 1000, 0.01, 2, 1,
       "Of the fastest point of the blade", "Change cutting speed"},
@@ -322,6 +326,11 @@ std::vector<Cut> cutsOf(const std::vector<StockBlock>& stock, const std::vector<
     }
   for (const Cut& cut : own) add(cut);
   return cuts;
+}
+
+bool NamedVersion::operator==(const NamedVersion& other) const {
+  return name == other.name &&
+         (design == other.design || (design && other.design && *design == *other.design));
 }
 
 const Source* Design::find(const std::string& id) const {

@@ -263,6 +263,13 @@ void addStationFindings(const Sweep& sweep, const SweepCheck& check, const Check
       Severity::warning,
       [&](Index i) { return seen[i].clearance >= 0 && seen[i].clearance < request.clearance; }, nearness,
       clear);
+  report(
+      Severity::warning, [&](Index i) { return seen[i].nearBottom; },
+      [&](Index i) { return -seen[i].aboveBottom; },
+      [&](const Stretch& at) -> Told {
+        return {NearBottom{seen[at.worst].aboveBottom, *request.floor},
+                {OtherBlock{OtherBlock::How::deeper}}};
+      });
   const auto moved = [&](Index i) { return seen[i].movedByGrip; };
   report(
       Severity::info, [&](Index i) { return seen[i].stable && moved(i) > request.tolerance; }, moved,

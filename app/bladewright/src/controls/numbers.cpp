@@ -72,6 +72,7 @@ SweepLimits brokenLimits(const pipeline::StationView& station, const Design& des
           station.check.angleMax > cuttingAngleLimit(design.blade),
           station.check.speedRatio < kSpeedRatioLimit,
           station.check.clearance < design.process.clearance,
+          station.check.nearBottom,
           station.check.stabilityMargin < design.process.margin};
 }
 

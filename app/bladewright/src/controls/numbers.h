@@ -26,7 +26,7 @@ QString sizeText(const Eigen::Vector3d& size);
 struct SweepLimits {
   bool deviation = false;  ///< beyond the tolerance
   bool radius = false;     ///< and stress: beyond what leaves the blade elastic
-  bool angle = false, speed = false, clearance = false, margin = false;
+  bool angle = false, speed = false, clearance = false, floor = false, margin = false;
   bool between = false;   ///< beyond the tolerance between the stations
   bool coverage = false;  ///< the surface reaches beyond the cut by more than the tolerance
 };

@@ -340,6 +340,9 @@ void Inspector::makeStation() {
   add(
       tr("Clearance"), tr("Between the nearer grip and the block"),
       [](const StationView& s) { return lengthText(s.check.clearance); }, &SweepLimits::clearance);
+  add(
+      tr("Above the bottom"), tr("The lowest point of the blade over the face that the block lies on"),
+      [](const StationView& s) { return lengthText(s.check.aboveBottom); }, &SweepLimits::floor);
   column->addHeading(tr("Motion"));
   add(
       tr("Largest angle"), tr("Between the blade's motion and the plane's normal"),

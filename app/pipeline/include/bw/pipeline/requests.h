@@ -77,7 +77,7 @@ Blade bladeOf(const Design& design, const Cut& cut);
 /// `joined`: the cut goes on in a neighbouring block, and its blades have the ends and tangents of their
 /// sections.
 FitRequest fitRequest(const Design& design, const Cut& cut, const Box& lies, bool joined = false);
-CheckRequest checkRequest(const Design& design);
+CheckRequest checkRequest(const Design& design, const Cut& cut);
 Kerf kerfOf(const Design& design, const Cut& cut, const Box& lies);
 LengthRequest lengthRequest(const Design& design, const Cut& cut, const Box& lies, bool joined = false);
 JointRequest jointRequest(const Design& design);

@@ -32,6 +32,7 @@ enum class FindingKind {
   length,
   gripErrors,
   clearance,
+  floor,
   angle,
   speed,
   swing,
@@ -141,6 +142,11 @@ struct GripTooNear {
   double clearance = 0;
   /// The blade that would clear the block, where it would not hold the shape.
   std::optional<double> unheldLength = std::nullopt;
+};
+/// The blade comes near to the face that the block lies on, or below it.
+struct NearBottom {
+  static constexpr FindingKind kind = FindingKind::floor;
+  double height = 0, floor = 0;  ///< negative below the face
 };
 struct SteepAngle {
   static constexpr FindingKind kind = FindingKind::angle;
@@ -492,14 +498,14 @@ struct RunMismatch {
 using Cause =
     std::variant<UnmetConditions, UnsettledFit, HeldBackFit, Overbent, TooTight, ManyInflections, WouldSnap,
                  LowMargin, SnapsInWeight, MovedByWeight, BentSideways, UnknownInWeight, WouldTwist,
-                 GripTooNear, SteepAngle, UnevenSpeed, EndsSwing, GapInRow, TooFar, Uncovered, BladeCrosses,
-                 TargetsCrowd, LeadGrown, OtherShape, NoWay, SnapsOnTheWay, ArrivesOtherwise, LostOnTheWay,
-                 TooFarOnTheWay, OffTheSurfaceShown, SkinOff, ServingLengths, GripErrors, SectionMissing,
-                 SectionPoint, SectionShort, SectionBranches, SectionClosed, SectionBridged, SectionExtended,
-                 SectionBorder, SectionUnfit, SectionRough, SectionDiffers, LargestFace, NearestFace,
-                 FacesLeftOut, TravelAcross, ChosenDirection, LeftOutOfFile, Healed, ChangedSource,
-                 EarlierDesign, JointGap, JointKink, JointOpen, BlocksMissed, CutDropped, CreaseOff,
-                 TakesSurface, PartUnknown, PiecesLeft, UnreadableCell, WrongSide, HomeUnknown,
+                 GripTooNear, NearBottom, SteepAngle, UnevenSpeed, EndsSwing, GapInRow, TooFar, Uncovered,
+                 BladeCrosses, TargetsCrowd, LeadGrown, OtherShape, NoWay, SnapsOnTheWay, ArrivesOtherwise,
+                 LostOnTheWay, TooFarOnTheWay, OffTheSurfaceShown, SkinOff, ServingLengths, GripErrors,
+                 SectionMissing, SectionPoint, SectionShort, SectionBranches, SectionClosed, SectionBridged,
+                 SectionExtended, SectionBorder, SectionUnfit, SectionRough, SectionDiffers, LargestFace,
+                 NearestFace, FacesLeftOut, TravelAcross, ChosenDirection, LeftOutOfFile, Healed,
+                 ChangedSource, EarlierDesign, JointGap, JointKink, JointOpen, BlocksMissed, CutDropped,
+                 CreaseOff, TakesSurface, PartUnknown, PiecesLeft, UnreadableCell, WrongSide, HomeUnknown,
                  HomeOutOfReach, ProgramDespiteErrors, ProgramBreach, RunMismatch>;
 
 /// Stations of a row by their index: from first to last, `count` of them concerned, the worst among them.
@@ -533,10 +539,10 @@ using Findings = std::vector<Finding>;
 bool hasErrors(const Findings& findings);
 
 /// True if any of `findings` says that a limit is exceeded: an error of any kind, or a warning about a limit
-/// that the job or the blade states: deviation (tolerance), clearance or stability (the blade would not keep
-/// its shape), motion (what it does between stations is not known), joint (how blocks meet) or crease (how
-/// cuts of one do). Warnings by rules of thumb (angle, speed, inflections, …) do not count, nor does that a
-/// round blade may leave its plane, which hangs on how the grips hold it.
+/// that the job or the blade states: deviation (tolerance), clearance, floor or stability (the blade would
+/// not keep its shape), motion (what it does between stations is not known), joint (how blocks meet) or
+/// crease (how cuts of one do). Warnings by rules of thumb (angle, speed, inflections, …) do not count, nor
+/// does that a round blade may leave its plane, which hangs on how the grips hold it.
 bool exceedsLimit(const Findings& findings);
 
 }  // namespace bw

@@ -7,6 +7,7 @@
 #include <array>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -25,6 +26,7 @@
 #include "bw/core/fit/elastica_fit.h"
 #include "bw/core/parts/cut_pose.h"
 #include "bw/core/shape/designed_surface.h"
+#include "bw/core/sweep/kerf_table.h"
 #include "bw/core/sweep/section_request.h"
 #include "bw/core/text/expression.h"
 
@@ -94,7 +96,9 @@ struct Process {
   double tolerance = 2.0;        ///< mm, deviation of the cut surface
   double cuttingSpeed = 20.0;    ///< mm/s of the fastest point of the blade
   double kerf = 0;               ///< mm of foam that the blade melts away across itself
+  KerfTable kerfTable = {};      ///< the same over the speed of the blade there; empty: `kerf` at any
   double clearance = 50.0;       ///< mm between a grip and the block
+  double floor = 20;             ///< mm that the whole blade stays above the face that its block lies on
   double margin = 0.15;          ///< of stability, that blades are to keep
   double motionTolerance = 0.1;  ///< mm between the blade as the robots move it and the surface shown
   double lead = 20;              ///< mm of straight travel before and after the block
@@ -115,6 +119,15 @@ struct Output {
   bool operator==(const Output&) const = default;
 };
 
+struct Design;
+
+/// A state of a design that was given a name, to come back to and to compare with.
+struct NamedVersion {
+  std::string name;
+  std::shared_ptr<const Design> design;  ///< not null; without versions of its own
+  bool operator==(const NamedVersion& other) const;
+};
+
 /// A design: an immutable value that holds everything a result is made from. What the desktop program edits
 /// and saves. It has at least one source, one block and one cut, and each cut names a source and a block of
 /// it; sources after the first are designed surfaces.
@@ -133,6 +146,7 @@ struct Design {
   /// The numbers that expressions stand for, by their JSON pointers in the design's file. One that no longer
   /// is what its expression came to was changed since, and is free of it.
   std::map<std::string, BoundNumber> bindings = {};
+  std::vector<NamedVersion> versions = {};  ///< in the order in which they were named
 
   /// The first of each: the case of one.
   const Source& source() const { return sources.front(); }
@@ -153,7 +167,8 @@ struct Design {
   ReadOptions readOptions(const Source& of) const;
 
   static constexpr int kVersion = 2;
-  static constexpr int kMostSources = 100, kMostBlocks = BlockGrid::kMostBlocks, kMostCuts = 10000;
+  static constexpr int kMostSources = 100, kMostBlocks = BlockGrid::kMostBlocks, kMostCuts = 10000,
+                       kMostVersions = 100;
   bool operator==(const Design&) const = default;
 };
 

@@ -8,6 +8,7 @@
 
 #include "bw/core/surface/mesh.h"
 #include "bw/core/surface/surface_sampler.h"
+#include "bw/core/sweep/kerf_table.h"
 
 namespace bw {
 
@@ -15,6 +16,7 @@ namespace bw {
 /// `back` mm from the surface that is asked for.
 struct Kerf {
   double width = 0;                                  ///< mm, ≥ 0
+  KerfTable table = {};                              ///< over the speed of the blade; empty: `width` at any
   double back = 0;                                   ///< mm towards the foam that stays, ≥ 0
   Eigen::Vector3d kept = -Eigen::Vector3d::UnitZ();  ///< the way to the foam that stays, unit
   bool operator==(const Kerf&) const = default;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "bw/core/base/finding.h"
@@ -24,6 +25,9 @@ struct CheckRequest {
   double margin = 0.15;                 ///< of stability
   double gripError = 0.5;               ///< mm that a grip may be off in the plane
   double gripAngle = fromDegrees(0.2);  ///< rad that it may be turned there besides
+  /// mm that the whole blade stays above the face that the block lies on; empty where the block is not given,
+  /// but made around the surface.
+  std::optional<double> floor = std::nullopt;
   bool operator==(const CheckRequest&) const = default;
 };
 
@@ -33,11 +37,13 @@ struct StationCheck {
   double speedRatio = 1;               ///< slowest over fastest point of the part that cuts
   double speedMin = 0, speedMax = 0;   ///< mm/s, of the points that cut
   double clearance = 0;                ///< mm between the nearer grip and the block; negative inside it
+  double aboveBottom = 0;  ///< mm of the lowest point of the blade over the face the block lies on
   double stabilityMargin =
       1;  ///< of the clamped blade in its plane: 1 straight, 0 about to snap (`stabilityMargin`)
   double outOfPlaneMargin =
       1;  ///< of a round blade against leaving its plane; 1 for a flat one, which is stiff across it
-  bool stable = true;  ///< the blade rests in the shape that was fitted, its weight let be
+  bool nearBottom = false;  ///< nearer to that face than the floor that was asked for
+  bool stable = true;       ///< the blade rests in the shape that was fitted, its weight let be
   bool crossesItself = false;
   bool gripsSwapped = false;  ///< they lie the other way round than the ends of the part that cuts
   double movedByWeight = 0;   ///< mm, the farthest that weight moves the part that cuts
