@@ -40,12 +40,36 @@ TEST_P(DesignedExample, IsCutFirmlyWithinItsBlockAsItOpens) {
   for (std::size_t i = 0; i < result.size(); ++i) {
     const StationView station = result.station(i);
     EXPECT_TRUE(station.rest == Rest::certain || station.rest == Rest::held) << i;
+    double lowest = 1e300;
     for (const Eigen::Vector3d& point : station.pose.bladePoints(50)) {
-      EXPECT_GE(point.z() - block.origin.z(), kFloor) << i;
+      lowest = std::min(lowest, point.z() - block.origin.z());
       EXPECT_LE(point.z() - block.origin.z(), block.size.z() - kFloor) << i;
     }
+    EXPECT_GE(station.check.aboveBottom, kFloor) << i;
+    EXPECT_NEAR(station.check.aboveBottom, lowest, 0.1) << i;
   }
   for (const Finding& finding : e.findings()) EXPECT_NE(finding.severity, Severity::error);
+}
+
+TEST(DesignedSurface, TheFloorIsAskedOfBlocksThatAreGiven) {
+  Design design = exampleDesign("bump").value();
+  design.output.programs.clear();
+  const double lowest = [&] {
+    double least = 1e300;
+    for (const StationCheck& station : evaluated(design).cut().check.value->stations)
+      least = std::min(least, station.aboveBottom);
+    return least;
+  }();
+  design.process.floor = lowest + 1;
+  const Findings told = evaluated(design).findings();
+  EXPECT_TRUE(std::ranges::any_of(told, [](const Finding& f) { return f.kind() == FindingKind::floor; }));
+  EXPECT_TRUE(exceedsLimit(told));
+  design.process.floor = lowest - 1;
+  EXPECT_FALSE(exceedsLimit(evaluated(design).findings()));
+  // One that is made around the surface is as low as that asks for.
+  design.process.floor = lowest + 1;
+  design.block().placement.reset();
+  for (const Finding& finding : evaluated(design).findings()) EXPECT_NE(finding.kind(), FindingKind::floor);
 }
 
 INSTANTIATE_TEST_SUITE_P(, DesignedExample,

@@ -394,6 +394,48 @@ TEST(SweepAnalysis, TellsTheBladeThatBringsItsGripsOutOfTheBlock) {
   EXPECT_FALSE(analysed(sections(), settings, plane).finding<GripTooNear>());
 }
 
+TEST(SweepAnalysis, TellsWhereTheBladeComesNearToTheFaceThatTheBlockLiesOn) {
+  test::RowSettings settings;
+  Findings findings;
+  Result<Sweep> sweep = sphereSweep(settings, 31, findings);
+  ASSERT_TRUE(sweep);
+  // Circles about the axis: the grips are lowest, and lowest of all at the ends of the row.
+  const auto lowest = [&](const BladePose& pose) {
+    const double radius = std::sqrt(kRadius * kRadius - pose.frame.origin.y() * pose.frame.origin.y());
+    return radius * std::cos(0.5 * settings.blade.length / radius) - 1200;
+  };
+  CheckRequest request = settings;
+  const Result<SweepCheck> unasked = checkSweep(*sweep, request, {});
+  ASSERT_TRUE(unasked);
+  for (std::size_t i = 0; i < sweep->poses.size(); ++i) {
+    EXPECT_NEAR(unasked->stations[i].aboveBottom, lowest(sweep->poses[i]), 1e-3) << i;
+    EXPECT_FALSE(unasked->stations[i].nearBottom);
+  }
+  const test::SphereSampler sphere(kRadius);
+  EXPECT_FALSE(test::findingOf<NearBottom>(test::analysisOf(*sweep, request, sphere)->findings));
+  request.floor = lowest(sweep->poses[5]) + 0.01;
+  const Findings near = test::analysisOf(*sweep, request, sphere)->findings;
+  ASSERT_EQ(std::ranges::count(near, FindingKind::floor, &Finding::kind), 2);  // one at each end
+  const Finding* first = test::findingOf<NearBottom>(near);
+  EXPECT_EQ(first->severity, Severity::warning);
+  EXPECT_EQ(first->where.stations->first, 0);
+  EXPECT_EQ(first->where.stations->last, 5);
+  EXPECT_EQ(first->where.stations->worst, 0);
+  EXPECT_NEAR(std::get<NearBottom>(first->cause).height, lowest(sweep->poses[0]), 1e-3);
+  EXPECT_TRUE(exceedsLimit(near));
+
+  // Upside down and tilted along the blade: the lowest place lies on the way, between any that are looked at.
+  const double tilt = 0.1;
+  const Eigen::Vector3d up(std::sin(tilt), 0, -std::cos(tilt)), along(std::cos(tilt), 0, std::sin(tilt));
+  sweep->block.frame = Frame{1600 * -up, along, up.cross(along), up};
+  const Result<SweepCheck> tilted = checkSweep(*sweep, request, {});
+  ASSERT_TRUE(tilted);
+  for (std::size_t i = 0; i < sweep->poses.size(); ++i) {
+    const double y = sweep->poses[i].frame.origin.y();
+    EXPECT_NEAR(tilted->stations[i].aboveBottom, 1600 - std::sqrt(kRadius * kRadius - y * y), 1e-3) << i;
+  }
+}
+
 TEST(SweepAnalysis, TellsNoLongerBladeWhereItCurlsBackIntoTheBlock) {
   // A circle of radius 100 inside the block: however long the blade, its grips stay on it.
   test::RowSettings settings;

@@ -114,6 +114,16 @@ TEST(Findings, TellTheRemediesTheyHold) {
   EXPECT_NE(said(GripTooNear{20, 50}, kOne, {OtherLength{900}})
                 .find("passes the block at 20 mm, less than the clearance of 50 mm"),
             std::string::npos);
+  EXPECT_NE(
+      said(NearBottom{12.4, 20}, kOne, {OtherBlock{OtherBlock::How::deeper}})
+          .find("the blade passes the face that the block lies on at 12.4 mm, less than the floor of 20 "
+                "mm; a block that reaches 8 mm lower keeps it"),
+      std::string::npos);
+  EXPECT_NE(
+      said(NearBottom{-3, 20}, kOne, {OtherBlock{OtherBlock::How::deeper}})
+          .find("the blade would be 3 mm below the face that the block lies on; a block that reaches 23 "
+                "mm lower keeps it"),
+      std::string::npos);
   EXPECT_NE(said(Overbent{200, 360}, kOne, {OtherLength{700}}).find("; try one of 700 mm"),
             std::string::npos);
   EXPECT_NE(said(Overbent{200, 360}, kOne, {BendingBlade{198, "rod", "Rod", 150}})

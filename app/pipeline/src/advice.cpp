@@ -33,16 +33,20 @@ bool isLost(const Finding& finding) {
   return other && other->lost != Lost::no;
 }
 
+/// True for what a blade does that leaves its shape from station to station.
+bool leavesOnTheWay(const Finding& finding) { return isOneOf<SnapsOnTheWay, ArrivesOtherwise>(finding); }
+
 /// True for what a blade does that does not rest, or cannot be led where it does.
 bool restFails(const Finding& finding) {
-  return isLost(finding) || isOneOf<WouldSnap, WouldTwist, LowMargin, SnapsInWeight, NoWay>(finding);
+  return isLost(finding) || leavesOnTheWay(finding) ||
+         isOneOf<WouldSnap, WouldTwist, LowMargin, SnapsInWeight, NoWay>(finding);
 }
 
 /// True for what a blade does that rests too little firmly.
 bool restsLoosely(const Finding& finding) {
   const OtherShape* other = std::get_if<OtherShape>(&finding.cause);
   return (other && (other->lost == Lost::lowMargin || other->lost == Lost::lowBarrier)) ||
-         isOneOf<WouldSnap, WouldTwist, NoWay>(finding);
+         leavesOnTheWay(finding) || isOneOf<WouldSnap, WouldTwist, NoWay>(finding);
 }
 
 /// True for a grip too near to the block that no longer blade takes away from it.
@@ -51,7 +55,8 @@ bool staysTooNear(const Finding& finding) {
 }
 
 bool anyOf(const CutEvaluation& cut, bool (*what)(const Finding&)) {
-  for (const Findings* list : {&cut.analysis.findings, &cut.ends.findings, &cut.rest.findings})
+  for (const Findings* list :
+       {&cut.analysis.findings, &cut.way.findings, &cut.ends.findings, &cut.rest.findings})
     if (std::ranges::any_of(*list, what)) return true;
   return false;
 }
@@ -81,7 +86,7 @@ std::optional<double> otherMargin(const CutEvaluation& cut) {
 bool lengthFails(const CutEvaluation& cut) {
   if (!cut.rest.value || !cut.sweep.value) return false;
   if (std::ranges::find(cut.rest.value->stations, Rest::lost) != cut.rest.value->stations.end()) return true;
-  if (anyOf(cut, &staysTooNear) || hasErrors(cut.ends.findings)) return true;
+  if (anyOf(cut, &staysTooNear) || anyOf(cut, &leavesOnTheWay) || hasErrors(cut.ends.findings)) return true;
   constexpr double kBent = 0.95;  // of the sharpest bend: less is held by its margin
   const Sweep& sweep = *cut.sweep.value;
   const double sharpest = kBent * sweep.request.blade.maxCurvature();
@@ -133,7 +138,8 @@ void adviseLength(Findings& findings, const CutEvaluation& cut, const Blade& bla
     if (!restFails(finding)) continue;
     drop<OtherLength>(finding.remedies);
     if (best && *best != blade.length) finding.remedies.insert(finding.remedies.begin(), OtherLength{*best});
-    if ((isLost(finding) || isOneOf<NoWay>(finding)) && !best) finding.remedies.push_back(CutInParts{});
+    if ((isLost(finding) || leavesOnTheWay(finding) || isOneOf<NoWay>(finding)) && !best)
+      finding.remedies.push_back(CutInParts{});
   }
 }
 

@@ -347,13 +347,13 @@ std::string Sentences::operator()(const NoWay& cause) const {
 
 std::string Sentences::operator()(const SnapsOnTheWay&) const {
   return at() +
-         "on the way from there to the next station the blade leaves its shape and snaps into another; "
-         "take a shorter or stiffer blade";
+         "on the way from there to the next station the blade leaves its shape and snaps into another" +
+         keptText(finding, "take a shorter or stiffer blade");
 }
 
 std::string Sentences::operator()(const ArrivesOtherwise&) const {
-  return at() +
-         "the blade arrives there in another shape than the one shown; take a shorter or stiffer blade";
+  return at() + "the blade arrives there in another shape than the one shown" +
+         keptText(finding, "take a shorter or stiffer blade");
 }
 
 std::string Sentences::operator()(const LostOnTheWay& cause) const {

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "bw/core/sweep/firm_row.h"
@@ -26,6 +28,7 @@ constexpr std::size_t kAtOnce = 4;  // of these; where the last ones serve no mo
 constexpr std::array kMargins = {0.0, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.6};
 constexpr std::size_t kNearer = 12;  // lengths at most with one smaller clearance
 constexpr double kShortest = 0.99;   // of the longest section: what a blade has between its leads at least
+constexpr int kConfirmed = 4;        // of those that serve on some sections are tried on all, until one does
 
 double rounded(double length) { return kStep * std::round(length / kStep); }
 
@@ -51,13 +54,22 @@ Some someOf(const std::vector<Section>& all) {
   return some;
 }
 
+/// All that blades follow.
+Some allOf(const std::vector<Section>& sections) {
+  Some all{{}, true};
+  std::ranges::copy_if(sections, std::back_inserter(all.sections),
+                       [](const Section& section) { return section.chosen >= 0; });
+  return all;
+}
+
 /// Tries blades on a row.
 class Trials {
  public:
-  Trials(const Some& some, const Box& block, const PlaneFamily& planes, const RunContext& context)
+  Trials(const Some& some, const Box& block, const PlaneFamily& planes, const RunContext& context,
+         int threads = 1)
       : some_(some), block_(block), planes_(planes) {
     quiet_.stop = context.stop;
-    quiet_.threads = 1;
+    quiet_.threads = threads;
   }
 
   RowTrial operator()(const LengthRequest& request) const {
@@ -97,7 +109,7 @@ class Trials {
       const StationCheck& seen = check->stations[i];
       trial.margin = std::min({trial.margin, seen.stabilityMargin, seen.outOfPlaneMargin});
       trial.deviation = std::max(trial.deviation, sweep.fits[i].fit.hausdorff);
-      trial.reaches = trial.reaches && seen.clearance >= request.check.clearance;
+      trial.reaches = trial.reaches && seen.clearance >= request.check.clearance && !seen.nearBottom;
       keeps = keeps && seen.stable && seen.stabilityMargin >= request.check.margin &&
               seen.outOfPlaneMargin > 0 && seen.sideways <= request.check.tolerance && !seen.crossesItself &&
               !seen.gripsSwapped && sweep.fits[i].unknown.empty() &&
@@ -125,6 +137,45 @@ class Trials {
   const Box& block_;
   const PlaneFamily& planes_;
   RunContext quiet_;
+};
+
+/// What lies too far from the sections does not serve, however firmly it rests.
+void judgeDistance(RowTrial& trial, double tolerance) {
+  if (trial.deviation > tolerance) trial.rest = Rest::lost;
+}
+
+/// Finds the best of what was tried on some sections by trying it on all of them, one at a time with all
+/// threads.
+class Confirmed {
+ public:
+  Confirmed(const std::vector<Section>& sections, const Some& some, const Box& block,
+            const PlaneFamily& planes, const RunContext& context)
+      : known_(some.all),
+        all_(known_ ? Some() : allOf(sections)),
+        trial_(all_, block, planes, context, context.threads) {}
+
+  /// The first by `better` that serves; what does not, or is left when so many did not, is lost. Null if
+  /// none does. `requestOf` is what a trial answered.
+  template <class Better, class RequestOf>
+  const RowTrial* best(std::span<RowTrial> trials, const Better& better, const RequestOf& requestOf) const {
+    for (int round = 0; round < kConfirmed; ++round) {
+      RowTrial* best = nullptr;
+      for (RowTrial& one : trials)
+        if (one.serves() && (!best || better(one, *best))) best = &one;
+      if (!best || known_) return best;
+      const LengthRequest request = requestOf(*best);
+      *best = trial_(request);
+      judgeDistance(*best, request.check.tolerance);
+      if (best->serves()) return best;
+    }
+    for (RowTrial& one : trials) one.rest = Rest::lost;
+    return nullptr;
+  }
+
+ private:
+  bool known_;
+  Some all_;
+  Trials trial_;
 };
 
 Result<Some> sectionsToTry(const std::vector<Section>& all) {
@@ -169,11 +220,6 @@ std::vector<double> lengthsBetween(double shortest, double end) {
   return lengths;
 }
 
-/// What lies too far from the sections does not serve, however firmly it rests.
-void judgeDistance(RowTrial& trial, double tolerance) {
-  if (trial.deviation > tolerance) trial.rest = Rest::lost;
-}
-
 bool better(const RowTrial& a, const RowTrial& b) {
   if (a.rest != b.rest) return a.rest == Rest::certain;
   return a.margin > b.margin;
@@ -182,11 +228,12 @@ bool better(const RowTrial& a, const RowTrial& b) {
 /// Lets grips come nearer to the block.
 class NearerGrips {
  public:
-  NearerGrips(const Some& some, const LengthRequest& request, const Box& block, const PlaneFamily& planes,
-              const RunContext& context)
+  NearerGrips(const std::vector<Section>& sections, const Some& some, const LengthRequest& request,
+              const Box& block, const PlaneFamily& planes, const RunContext& context)
       : request_(request),
         context_(context),
         trial_(some, block, planes, context),
+        confirmed_(sections, some, block, planes, context),
         longest_(longestOf(some.sections)) {
     if (!request.fit.blade.autoLength) own_ = request.fit.blade.length;
   }
@@ -219,12 +266,18 @@ class NearerGrips {
     }
     for (std::size_t first = 0; first < lengths.size(); first += kAtOnce) {
       const std::size_t count = std::min(kAtOnce, lengths.size() - first);
-      const Result<std::vector<RowTrial>> made = tryAll(clearance, &lengths[first], count);
+      Result<std::vector<RowTrial>> made = tryAll(clearance, &lengths[first], count);
       if (!made) return tl::unexpected<Error>(made.error());
-      if (const RowTrial* best = bestOf(*made)) {
-        trade_.best = *best;
-        return true;
-      }
+      const RowTrial* best = confirmed_.best(
+          std::span(*made),
+          [&](const RowTrial& a, const RowTrial& b) {
+            return (a.length == own_) != (b.length == own_) ? a.length == own_ : better(a, b);
+          },
+          [&](const RowTrial& one) { return requestFor(clearance, one.length); });
+      if (context_.stopped()) return stoppedError();
+      if (best) trade_.best = *best;
+      trade_.trials.insert(trade_.trials.end(), made->begin(), made->end());
+      if (best) return true;
     }
     return false;
   }
@@ -232,32 +285,26 @@ class NearerGrips {
   Result<std::vector<RowTrial>> tryAll(double clearance, const double* lengths, std::size_t count) {
     std::vector<RowTrial> made(count);
     const Result<void> ok = parallelFor(context_, int(count), [&](int i) {
-      LengthRequest one = request_;
-      one.fit.blade.length = lengths[i];
-      one.fit.blade.autoLength = false;
-      one.fit.clearance = one.check.clearance = clearance;
-      made[std::size_t(i)] = trial_(one);
+      made[std::size_t(i)] = trial_(requestFor(clearance, lengths[i]));
       judgeDistance(made[std::size_t(i)], request_.check.tolerance);
     });
     if (!ok) return tl::unexpected<Error>(ok.error());
     if (context_.stopped()) return stoppedError();
-    trade_.trials.insert(trade_.trials.end(), made.begin(), made.end());
     return made;
   }
 
-  const RowTrial* bestOf(const std::vector<RowTrial>& trials) const {
-    const RowTrial* best = nullptr;
-    for (const RowTrial& one : trials) {
-      if (!one.serves()) continue;
-      if (one.length == own_) return &one;
-      if (!best || better(one, *best)) best = &one;
-    }
-    return best;
+  LengthRequest requestFor(double clearance, double length) const {
+    LengthRequest one = request_;
+    one.fit.blade.length = length;
+    one.fit.blade.autoLength = false;
+    one.fit.clearance = one.check.clearance = clearance;
+    return one;
   }
 
   const LengthRequest& request_;
   const RunContext& context_;
   Trials trial_;
+  Confirmed confirmed_;
   double longest_;
   std::optional<double> own_;  ///< mm, the length of the request's blade
   ClearanceTrade trade_;
@@ -288,15 +335,18 @@ Result<BladeLengths> bladeLengths(const std::vector<Section>& sections, const Le
   const Result<Some> some = sectionsToTry(sections);
   if (!some) return tl::unexpected<Error>(some.error());
   const Trials trial(*some, block, planes, context);
+  const auto requestFor = [&](double length) {
+    LengthRequest one = request;
+    one.fit.blade.length = length;
+    return one;
+  };
   BladeLengths lengths;
   std::vector<RowTrial>& trials = lengths.trials;
   const auto tryAll = [&](const std::set<double>& asked) -> Result<bool> {
     const std::vector<double> list(asked.begin(), asked.end());
     std::vector<RowTrial> made(list.size());
     const Result<void> ok = parallelFor(context, int(list.size()), [&](int i) {
-      LengthRequest one = request;
-      one.fit.blade.length = list[std::size_t(i)];
-      made[std::size_t(i)] = trial(one);
+      made[std::size_t(i)] = trial(requestFor(list[std::size_t(i)]));
     });
     if (!ok) return tl::unexpected<Error>(ok.error());
     if (context.stopped()) return stoppedError();
@@ -326,11 +376,11 @@ Result<BladeLengths> bladeLengths(const std::vector<Section>& sections, const Le
     if (const Result<bool> serves = tryAll(asked); !serves) return tl::unexpected<Error>(serves.error());
   }
 
-  const RowTrial* best = nullptr;
-  for (RowTrial& one : trials) {
-    judgeDistance(one, request.check.tolerance);
-    if (one.serves() && (!best || better(one, *best))) best = &one;
-  }
+  for (RowTrial& one : trials) judgeDistance(one, request.check.tolerance);
+  const RowTrial* best =
+      Confirmed(sections, *some, block, planes, context)
+          .best(std::span(trials), better, [&](const RowTrial& one) { return requestFor(one.length); });
+  if (context.stopped()) return stoppedError();
   if (best) lengths.best = best->length;
   return lengths;
 }
@@ -347,19 +397,30 @@ Result<MarginTrade> marginTrade(const std::vector<Section>& sections, const Leng
   asked.insert(request.check.margin);
   const std::vector<double> list(asked.begin(), asked.end());
   const Trials trial(*some, block, planes, context);
+  const auto requestFor = [&](double margin) {
+    LengthRequest one = request;
+    one.fit.margin = one.check.margin = one.ends.margin = margin;
+    return one;
+  };
   MarginTrade trade;
   trade.trials.resize(list.size());
   const Result<void> ok = parallelFor(context, int(list.size()), [&](int i) {
-    LengthRequest one = request;
-    one.fit.margin = one.check.margin = one.ends.margin = list[std::size_t(i)];
-    trade.trials[std::size_t(i)] = trial(one);
+    trade.trials[std::size_t(i)] = trial(requestFor(list[std::size_t(i)]));
   });
   if (!ok) return tl::unexpected<Error>(ok.error());
   if (context.stopped()) return stoppedError();
-  for (RowTrial& one : trade.trials) {
-    judgeDistance(one, request.check.tolerance);
-    if (one.serves() && (!trade.best || *trade.best < request.check.margin)) trade.best = one.asked;
-  }
+  for (RowTrial& one : trade.trials) judgeDistance(one, request.check.tolerance);
+  const double least = request.check.margin;
+  const RowTrial* best = Confirmed(sections, *some, block, planes, context)
+                             .best(
+                                 std::span(trade.trials),
+                                 [&](const RowTrial& a, const RowTrial& b) {
+                                   if ((a.asked >= least) != (b.asked >= least)) return a.asked >= least;
+                                   return a.asked >= least ? a.asked < b.asked : a.asked > b.asked;
+                                 },
+                                 [&](const RowTrial& one) { return requestFor(one.asked); });
+  if (context.stopped()) return stoppedError();
+  if (best) trade.best = best->asked;
   return trade;
 }
 
@@ -368,7 +429,7 @@ Result<ClearanceTrade> clearanceTrade(const std::vector<Section>& sections, cons
                                       const RunContext& context) {
   const Result<Some> some = sectionsToTry(sections);
   if (!some) return tl::unexpected<Error>(some.error());
-  return NearerGrips(*some, request, block, planes, context).seek();
+  return NearerGrips(sections, *some, request, block, planes, context).seek();
 }
 
 }  // namespace bw

@@ -29,7 +29,7 @@ struct RowTrial {
   Rest rest = Rest::lost;   ///< of its worst station; lost, too, where a limit is not kept
   double margin = 0;        ///< of stability, the least in the plane or across it
   double deviation = 1e30;  ///< mm, of the part that cuts from its section
-  bool reaches = false;     ///< it keeps the clearance at both sides of the block
+  bool reaches = false;     ///< it keeps the clearance at both sides of the block, and the floor
   double asked = 0;         ///< the margin that was asked for
   double clearance = 0;     ///< mm, asked for
   bool serves() const { return rest == Rest::certain || rest == Rest::held; }
@@ -53,12 +53,12 @@ struct BladeLengths {
 /// go from one to the next as they do) for blades of lengths from that of the longest section and its leads
 /// up, each a fortieth, later a twentieth longer than the one before, as long as it may still serve, then
 /// finer (5 mm) at the ends of what serves or reaches. A length serves where the blade keeps its radius, its
-/// margin, its plane and the clearance, crosses nothing, lies on the sections within the tolerance (where all
-/// are tried, halfway between them too), rests in the shape that is asked for, certain or held, and can be
-/// led into it and out of it. The
-/// best one is that of the largest margin, one that is certain before one that is held. Lengths are whole
-/// multiples of 5 mm. docs/mathematics.md, sweep. Errors: badInput without sections; `cancelled`. Some 1 to 8
-/// s.
+/// margin, its plane, the clearance and the floor, crosses nothing, lies on the sections within the tolerance
+/// (where all are tried, halfway between them too), rests in the shape that is asked for, certain or held,
+/// and can be led into it and out of it. The best one is that of the largest margin, one that is certain
+/// before one that is held; it serves all sections and halfway between them, or else the next best is taken,
+/// four times at most, and then none. Lengths are whole multiples of 5 mm. docs/mathematics.md, sweep.
+/// Errors: badInput without sections; `cancelled`. Some 1 to 8 s.
 [[nodiscard]] Result<BladeLengths> bladeLengths(const std::vector<Section>& sections,
                                                 const LengthRequest& request, const Box& block,
                                                 const PlaneFamily& planes, const RunContext& context);
