@@ -179,7 +179,8 @@ bool Sectioner::hits(double level) const {
   return false;
 }
 
-SectionOutcome Sectioner::cut(double level, int station, bool byKernel) const {
+SectionOutcome Sectioner::cut(double level, int station, bool byKernel,
+                              const Eigen::Vector3d* through) const {
   if (grazes(level)) level += kNudge;
   SectionOutcome outcome;
   const Frame frame = planes_.at(level);
@@ -224,6 +225,16 @@ SectionOutcome Sectioner::cut(double level, int station, bool byKernel) const {
   if (parts.empty()) {
     tell(Severity::warning, speck > 0 ? Cause(SectionPoint{}) : Cause(SectionMissing{}), frame.origin);
     return outcome;
+  }
+  if (through) {
+    const auto distance = [&](const Part& part) {
+      double nearest = 1e300;
+      for (const SectionSample& sample : part.samples)
+        nearest = std::min(nearest, (sample.node.p - *through).norm());
+      return nearest;
+    };
+    std::swap(parts.front(), *std::ranges::min_element(parts, {}, distance));
+    parts.erase(parts.begin() + 1, parts.end());
   }
   const Eigen::Vector3d place = parts.front().samples.front().node.p;
   outcome.section = Section{station, planes_.travel(level), frame, {}, -1};

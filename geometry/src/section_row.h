@@ -48,8 +48,9 @@ class Sectioner {
   bool grazes(double level) const { return cutter_.grazes(level); }
 
   /// The section at `level`; `station` is its number, for the findings. `byKernel`: OpenCASCADE's curves
-  /// rather than traced ones.
-  SectionOutcome cut(double level, int station, bool byKernel) const;
+  /// rather than traced ones. Of several curves the one that passes `through` a place, if that is given.
+  SectionOutcome cut(double level, int station, bool byKernel,
+                     const Eigen::Vector3d* through = nullptr) const;
 
   /// Has a section that is followed go on beyond its ends, as far as its surface leads: to the coordinates
   /// `low` and `high` along x of its plane.

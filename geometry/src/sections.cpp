@@ -103,6 +103,41 @@ Result<std::vector<Section>> cutSections(const Target& target, const Setup& setu
                  });
 }
 
+namespace {
+
+/// `whole` running the way of the section, if it goes through it.
+std::optional<PlanarCurve> alongSection(const PlanarCurve& whole, const PlanarCurve& section) {
+  const auto at = [&](double t) { return whole.nearestParameter(section.value(t)); };
+  const double first = at(section.start()), last = at(section.end());
+  for (const auto& [t, place] : {std::pair(section.start(), first), std::pair(section.end(), last)})
+    if ((whole.value(place) - section.value(t)).norm() > kSameSection) return {};
+  return first < last ? whole : whole.reversed();
+}
+
+}  // namespace
+
+Result<void> followBeyond(const Target& target, const Setup& setup, double reach,
+                          std::vector<Section>& sections, const RunContext& context) {
+  Box around = setup.block;
+  around.frame.origin -= reach * (around.frame.x + around.frame.y + around.frame.normal);
+  around.size.array() += 2 * reach;
+  return guarded(ErrorCode::internal, "the sections cannot be followed beyond the block",
+                 [&]() -> Result<void> {
+                   const Sectioner sectioner(target.impl(), around, setup.planes);
+                   return parallelFor(context, int(sections.size()), [&](int i) {
+                     Section& section = sections[std::size_t(i)];
+                     section.beyond.reset();
+                     if (section.chosen < 0) return;
+                     const PlanarCurve& own = section.curve();
+                     const Eigen::Vector3d middle =
+                         section.frame.toWorld(own.value(own.parameterAt(0.5 * own.length())));
+                     const double level = setup.planes.direction().dot(section.frame.origin);
+                     const SectionOutcome outcome = sectioner.cut(level, section.index, false, &middle);
+                     if (outcome.followed()) section.beyond = alongSection(outcome.section->curve(), own);
+                   });
+                 });
+}
+
 Result<std::optional<std::vector<Section>>> confirmSections(const Target& target, const Setup& setup,
                                                             const SectionRequest& request,
                                                             const RunContext& context, Findings& findings) {

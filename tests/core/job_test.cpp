@@ -117,6 +117,17 @@ TEST(Job, FacesAreChosenOnceAndInOneWay) {
   EXPECT_NE(messageOf(R"({"sewing": -1})").find("-1"), std::string::npos);
 }
 
+TEST(Job, TellsWhatHoldsTheGripsAndTheFloor) {
+  const Result<Design> design = parseJob(R"({"fit": {"extend": "surface"}, "floor": 35})");
+  ASSERT_TRUE(design) << design.error().message;
+  EXPECT_EQ(design->process.extend, Extension::surface);
+  EXPECT_EQ(design->process.floor, 35);
+  EXPECT_EQ(parseDesign(designToJson(*design))->process, design->process);
+  EXPECT_EQ(designToJson(Design()).find("extend"), std::string::npos);
+  EXPECT_NE(messageOf(R"({"fit": {"extend": "tangent"}})").find("curvature"), std::string::npos);
+  EXPECT_NE(messageOf(R"({"floor": -1})").find("-1"), std::string::npos);
+}
+
 TEST(Job, NamesTheNearestKeyOfATypo) {
   EXPECT_NE(messageOf(R"({"sations": 60})").find("did you mean \"stations\"?"), std::string::npos);
   EXPECT_NE(messageOf(R"({"fit": {"lenght": "free"}})").find("did you mean \"length\"?"), std::string::npos);

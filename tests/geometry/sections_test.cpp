@@ -210,6 +210,42 @@ TEST(Sections, EndOnTheSidesOfTheBlock) {
   EXPECT_LT(deviation(target, cut.sections), kAccuracy);
 }
 
+TEST(Sections, AreFollowedOnTheirSurfaceBeyondTheBlock) {
+  const Target target = exampleTarget("wavy-wall");
+  CutSettings settings;
+  settings.block = BlockPlacement{{1500, 300, -250}, {900, 700, 500}, {0, 0, 0}};
+  settings.stations = 7;
+  Cut cut = cutOf(target, settings);
+  const std::vector<Section> alone = cut.sections;
+  ASSERT_TRUE(followBeyond(target, cut.setup, 150, cut.sections, {}));
+  ASSERT_EQ(cut.sections.size(), 7u);
+  const auto sampler = target.sampler();
+  for (std::size_t i = 0; i < alone.size(); ++i) {
+    const Section& s = cut.sections[i];
+    EXPECT_EQ(s.curve().length(), alone[i].curve().length()) << "the section stays as it is";
+    ASSERT_TRUE(s.beyond) << i;
+    const PlanarCurve& whole = *s.beyond;
+    const auto placeOf = [&](double t) { return whole.nearestParameter(s.curve().value(t)); };
+    for (const double t : {s.curve().start(), s.curve().end()})
+      EXPECT_LT((whole.value(placeOf(t)) - s.curve().value(t)).norm(), 2 * kAccuracy);
+    EXPECT_LT(placeOf(s.curve().start()), placeOf(s.curve().end())) << "it runs the same way";
+    // 150 mm on both sides lie on the surface, too.
+    const Eigen::Vector3d from = s.frame.toWorld(whole.value(whole.start())),
+                          to = s.frame.toWorld(whole.value(whole.end()));
+    EXPECT_NEAR(std::min(from.y(), to.y()), 150, 1e-4);
+    EXPECT_NEAR(std::max(from.y(), to.y()), 1150, 1e-4);
+    for (const Eigen::Vector2d& q : whole.sample(201))
+      EXPECT_LT(sampler->closest(s.frame.toWorld(q), nullptr)->distance, kAccuracy);
+  }
+  // As far as the surface goes.
+  ASSERT_TRUE(followBeyond(target, cut.setup, 5000, cut.sections, {}));
+  for (const Section& s : cut.sections) {
+    ASSERT_TRUE(s.beyond);
+    EXPECT_GT(s.beyond->length(), 1000);
+    EXPECT_LT(s.beyond->length(), 10000);
+  }
+}
+
 TEST(Sections, EndOnTheSidesOfATurnedBlock) {
   const Target target = exampleTarget("panel-600x670");
   CutSettings settings;
@@ -308,6 +344,15 @@ TEST(Sections, ClosedCurveOpensInABlockThatHoldsOneSideOfIt) {
   ASSERT_EQ(cut.sections.size(), 4u);
   for (const Section& s : cut.sections)
     EXPECT_NEAR(s.curve().length(), 2 * 150 * std::acos(30.0 / 150), 5e-3);
+  // Beyond the block the tube goes on, until it closes.
+  Cut beyond = cut;
+  ASSERT_TRUE(followBeyond(target, cut.setup, 60, beyond.sections, {}));
+  for (const Section& s : beyond.sections) {
+    ASSERT_TRUE(s.beyond);
+    EXPECT_NEAR(s.beyond->length(), 2 * 150 * std::acos(-30.0 / 150), 5e-3);
+  }
+  ASSERT_TRUE(followBeyond(target, cut.setup, 400, beyond.sections, {}));
+  for (const Section& s : beyond.sections) EXPECT_FALSE(s.beyond);
 }
 
 TEST(Sections, TouchingEndsAreLeftOutWithAFinding) {

@@ -214,21 +214,36 @@ Result<void> fit(const CutWork& work) {
   const geometry::Target& target = *e.target.value;
   const Result<SectionRequest> asked = sectionRequest(work);
   if (!asked) return tl::unexpected<Error>(asked.error());
+  FitRequest fit = fitRequest(work.design, work.cut, e.setup->block, work.joined);
+  const PlanesRequest planes{*e.setup, *asked, reachBeyond(fit, work.blade(), e.setup->block)};
+  const auto follow = [&work, &target](const PlanesRequest& request, std::vector<Section>& sections) {
+    if (request.beyond == 0) return Result<void>();
+    return geometry::followBeyond(target, request.setup, request.beyond, sections, work.context);
+  };
   Result<void> ok =
-      work.settle(&CutEvaluation::sections, {*e.setup, *asked}, {e.target.value}, work.seconds.sections,
-                  [&work, &target](const PlanesRequest& request, Findings& findings) {
+      work.settle(&CutEvaluation::sections, planes, {e.target.value}, work.seconds.sections,
+                  [&](const PlanesRequest& request, Findings& findings) -> Result<std::vector<Section>> {
                     work.context.report(0.3, "sections");
-                    return geometry::cutSections(target, request.setup, request.sections,
-                                                 work.context.child(0.3, 0.6), findings);
+                    Result<std::vector<Section>> cut = geometry::cutSections(
+                        target, request.setup, request.sections, work.context.child(0.3, 0.6), findings);
+                    if (!cut) return cut;
+                    if (Result<void> done = follow(request, *cut); !done)
+                      return tl::unexpected<Error>(done.error());
+                    return cut;
                   });
   if (ok) ok = work.unlessStopped();
   if (!ok) return ok;
   if (work.purpose != Purpose::live && asked->route == SectionRoute::automatic) {
-    ok = work.settle(&CutEvaluation::confirmed, {*e.setup, *asked}, {e.sections.value}, work.seconds.sections,
-                     [&work, &target, &e](const PlanesRequest& request, Findings& findings) {
+    using Anew = std::optional<std::vector<Section>>;
+    ok = work.settle(&CutEvaluation::confirmed, planes, {e.sections.value}, work.seconds.sections,
+                     [&](const PlanesRequest& request, Findings& findings) -> Result<Anew> {
                        findings = e.sections.findings;
-                       return geometry::confirmSections(target, request.setup, request.sections, work.context,
-                                                        findings);
+                       Result<Anew> anew = geometry::confirmSections(target, request.setup, request.sections,
+                                                                     work.context, findings);
+                       if (!anew || !*anew) return anew;
+                       if (Result<void> done = follow(request, **anew); !done)
+                         return tl::unexpected<Error>(done.error());
+                       return anew;
                      });
     if (!ok) return ok;
   }
@@ -237,7 +252,6 @@ Result<void> fit(const CutWork& work) {
   if (!ok) return ok;
   const std::shared_ptr<const std::vector<Section>> row = rowOf(e);
   const std::vector<Section>& sections = *row;
-  FitRequest fit = fitRequest(work.design, work.cut, e.setup->block, work.joined);
   if (work.blade().autoLength && work.length) {
     fit.blade.length = *work.length;
   } else if (work.blade().autoLength) {

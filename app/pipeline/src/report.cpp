@@ -272,7 +272,8 @@ std::string reportJson(const Evaluation& e, const std::string& run, const FileSe
   method["fit"] = {{"length", design.process.fitLength == FitOptions::Length::exact ? "exact" : "free"},
                    {"endpoints", design.process.fitEndpoints},
                    {"tangents", design.process.fitTangents},
-                   {"max_periods", design.process.maxPeriods}};
+                   {"max_periods", design.process.maxPeriods},
+                   {"extend", kExtensions[std::size_t(design.process.extend)]}};
   method["lead_mm"] = design.process.lead;
   method["tolerance_mm"] = design.process.tolerance;
   method["cutting_speed_mm_s"] = design.process.cuttingSpeed;

@@ -10,6 +10,13 @@
 
 namespace bw::pipeline {
 
+namespace {
+
+/// So many times the diagonal of a block is a blade long whose surface is followed beyond it.
+constexpr double kEnough = 2;
+
+}  // namespace
+
 Blade bladeOf(const Design& design, const Cut& cut) {
   Blade blade = design.blade;
   if (!cut.length) return blade;
@@ -23,11 +30,18 @@ FitRequest fitRequest(const Design& design, const Cut& cut, const Box& lies, boo
   FitRequest request{bladeOf(design, cut), p.fitLength, p.fitEndpoints, p.fitTangents,
                      p.maxPeriods,         p.tolerance, p.clearance};
   if (joined) request.fitEndpoints = request.fitTangents = true;
+  if (!joined) request.extend = p.extend;
   request.margin = p.margin;
-  if (!joined) request.barrier = kLeastBarrier;  // what goes on in a neighbouring block is not bent any more
+  if (!joined && p.extend == Extension::none)
+    request.barrier = kLeastBarrier;  // what goes on in a neighbouring block is not bent any more
   request.blade.autoLength = false;
   if (p.weight) request.weight = -design.blade.weight() * upAs(lies, cut.pose, p.up.normalized());
   return request;
+}
+
+double reachBeyond(const FitRequest& fit, const Blade& blade, const Box& lies) {
+  if (fit.extend != Extension::surface) return 0;
+  return 0.5 * (blade.autoLength ? std::min(Blade::kLongest, kEnough * lies.size.norm()) : blade.length);
 }
 
 CheckRequest checkRequest(const Design& design, const Cut& cut) {

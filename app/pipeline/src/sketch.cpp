@@ -144,14 +144,20 @@ std::optional<CutSketch> Sketcher::draw(const Design& design, std::size_t index,
   if (!asked.direction)
     planes.setup.planes = PlaneFamily::across(setup->block, row.planes.setup.planes.direction());
   if (planes.sections.byTolerance()) planes.sections.stations = cut.sections.request.sections.stations;
+  const FitRequest& before = cut.sweep.value->request;
+  const FitRequest fit = fitRequest(design, asked, setup->block, before.fitEndpoints && before.fitTangents);
+  planes.beyond = reachBeyond(fit, bladeOf(design, asked), setup->block);
   if (moved || planes != row.planes) {
     std::optional<std::vector<Section>> sections;
-    if (planes == row.planes && row.spline && spline)
+    if (planes == row.planes && planes.beyond == 0 && row.spline && spline)
       sections = isoSections(*spline, *row.spline, *row.sections, planes.setup.block);
     if (!sections) {
       Result<std::vector<Section>> traced =
           geometry::cutSections(*row.target, planes.setup, planes.sections, context, unsaid);
       if (!traced) return {};
+      if (planes.beyond > 0 &&
+          !geometry::followBeyond(*row.target, planes.setup, planes.beyond, *traced, context))
+        return {};
       sections = std::move(*traced);
     }
     row.sections = std::make_shared<const std::vector<Section>>(std::move(*sections));
@@ -170,12 +176,9 @@ std::optional<CutSketch> Sketcher::draw(const Design& design, std::size_t index,
     sections = std::make_shared<const std::vector<Section>>(std::move(middle->sections));
   }
 
-  const FitRequest& before = cut.sweep.value->request;
-  const FitRequest fit = fitRequest(design, asked, setup->block, before.fitEndpoints && before.fitTangents);
-  if (!row.live) {
-    row.live = LiveRow::of(*cut.sweep.value, context);
-    if (row.live) row.sketcher.emplace(*cut.sweep.value, *cut.certainty.value, *cut.rest.value);
-  }
+  if (!row.live) row.live = LiveRow::of(*cut.sweep.value, context);
+  if (!row.sketcher && (row.live || before.extend != Extension::none))
+    row.sketcher.emplace(*cut.sweep.value, *cut.certainty.value, *cut.rest.value);
   const bool follows = row.live && row.live->sweep().request == fit &&
                        row.live->follow(*sections, planes.setup.block, planes.setup.planes, context);
   std::shared_ptr<const Sweep> sweep;
@@ -188,7 +191,10 @@ std::optional<CutSketch> Sketcher::draw(const Design& design, std::size_t index,
     if (!anew) return {};
     sweep = std::make_shared<const Sweep>(std::move(*anew));
     row.live = LiveRow::of(*sweep, context);
-    row.sketcher.emplace(*sweep);
+    // A row that is held by its sections is found anew each time, in the shapes that it had.
+    const bool same =
+        fit.extend != Extension::none && row.sketcher && row.sketcher->stations() == sweep->poses.size();
+    if (!same) row.sketcher.emplace(*sweep);
   }
   Result<RowSketch> look =
       row.sketcher->look(*sweep, checkRequest(design, asked), *movedBy(row.target->sampler(), off), context);

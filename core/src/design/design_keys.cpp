@@ -271,6 +271,9 @@ void readFit(ObjectReader& reader, Process& process) {
   process.fitLength = FitOptions::Length(length);
   inner.boolean("endpoints", process.fitEndpoints);
   inner.boolean("tangents", process.fitTangents);
+  int extend = int(process.extend);
+  inner.word("extend", {kExtensions.begin(), kExtensions.end()}, extend);
+  process.extend = Extension(extend);
   readNumbers(inner, "fit", process);
   reader.adopt(inner.finish());
 }
@@ -426,6 +429,7 @@ void writeProcessKeys(const Process& process, json& object) {
   object["fit"] = {{"length", process.fitLength == FitOptions::Length::exact ? "exact" : "free"},
                    {"endpoints", process.fitEndpoints},
                    {"tangents", process.fitTangents}};
+  if (process.extend != Extension::none) object["fit"]["extend"] = kExtensions[std::size_t(process.extend)];
   object["join"] = {{"type", kJoins[std::size_t(process.join)]}};
   for (const ProcessNumber& number : processNumbers())
     (number.object ? object[number.object] : object)[number.key] = process.*number.member;

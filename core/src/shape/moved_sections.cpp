@@ -36,8 +36,7 @@ tl::unexpected<Error> cannot(const std::string& why, double value, double off) {
               "kerf", value, std::abs(off));
 }
 
-Result<PlanarCurve> moved(const Section& section, SurfaceSampler& surface, double off) {
-  const PlanarCurve& curve = section.curve();
+Result<PlanarCurve> moved(const Frame& frame, const PlanarCurve& curve, SurfaceSampler& surface, double off) {
   const int count = std::clamp(kSpan * int(curve.knots().size()), kPlaces, kMostPlaces) + 1;
   const double length = curve.length();
   std::vector<Vector2d> places;
@@ -50,14 +49,13 @@ Result<PlanarCurve> moved(const Section& section, SurfaceSampler& surface, doubl
     double by = 0;
     Vector2d place = from;
     for (int step = 0;; ++step) {
-      const Vector3d p = section.frame.toWorld(place);
+      const Vector3d p = frame.toWorld(place);
       const Result<SurfaceSampler::Foot> foot = surface.closest(p, seed ? &*seed : nullptr);
       if (!foot) return tl::unexpected<Error>(foot.error());
       seed = *foot;
       const double left = off - surface.offset(p, *foot);
       if (std::abs(left) < kThere) break;
-      const double slope =
-          foot->normal.dot(section.frame.x) * across.x() + foot->normal.dot(section.frame.y) * across.y();
+      const double slope = foot->normal.dot(frame.x) * across.x() + foot->normal.dot(frame.y) * across.y();
       if (std::abs(slope) < kAlong)
         return cannot("the surface runs along the plane of the blade", std::abs(slope), off);
       by += left / slope;
@@ -96,9 +94,16 @@ Result<std::vector<Section>> movedBy(const std::vector<Section>& sections, const
                       to = result.size() * std::size_t(chunk + 1) / kChunks;
     for (std::size_t i = from; i < to && !context.stopped(); ++i) {
       if (result[i].chosen < 0) continue;
-      Result<PlanarCurve> curve = moved(result[i], *sampler, off);
+      Section& section = result[i];
+      Result<PlanarCurve> curve = moved(section.frame, section.curve(), *sampler, off);
       if (curve) {
-        result[i].curve() = std::move(*curve);
+        section.curve() = std::move(*curve);
+        if (!section.beyond) continue;
+        // Beyond the block nothing is cut: where no place beside the surface is found it is not followed.
+        if (Result<PlanarCurve> beyond = moved(section.frame, *section.beyond, *sampler, off))
+          section.beyond = std::move(*beyond);
+        else
+          section.beyond.reset();
       } else if (curve.error().code == ErrorCode::badInput) {
         refused[i] = curve.error();
       } else {

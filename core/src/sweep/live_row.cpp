@@ -132,6 +132,7 @@ LiveRow::~LiveRow() = default;
 const Sweep& LiveRow::sweep() const { return work_->sweep; }
 
 std::optional<LiveRow> LiveRow::of(const Sweep& row, const RunContext& context) {
+  if (row.request.extend != Extension::none) return {};  // its sections hold the grips
   auto work = std::make_unique<Work>(row, context);
   const sweep::Row looking(work->sweep, work->context);
   std::vector<std::optional<Station>> found(row.poses.size());

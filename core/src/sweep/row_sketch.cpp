@@ -73,6 +73,8 @@ RowSketcher::RowSketcher(RowSketcher&& other) noexcept = default;
 RowSketcher& RowSketcher::operator=(RowSketcher&& other) noexcept = default;
 RowSketcher::~RowSketcher() = default;
 
+std::size_t RowSketcher::stations() const { return others_.size(); }
+
 Result<RowSketch> RowSketcher::look(const Sweep& row, const CheckRequest& request,
                                     const SurfaceSampler& target, const RunContext& context) {
   if (Result<void> ok = sweep::enoughStations(row); !ok) return tl::unexpected<Error>(ok.error());

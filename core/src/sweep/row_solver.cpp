@@ -60,14 +60,7 @@ bool put(const Row& row, const Station& station, const Elastica& light, Sweep& s
   pose.blade = light;
   pose.before = station.feet.front();
   fit.fit.elastica = *cut;
-  fit.fit.R4 = Places(fit.target).residual(pose);
-  fit.fit.hausdorff = fit::oneSidedHausdorff({cut->length(),
-                                              [&](auto arcs, auto out) {
-                                                std::vector<double> whole(arcs.begin(), arcs.end());
-                                                for (double& s : whole) s += pose.before;
-                                                pose.at(whole, out);
-                                              }},
-                                             fit.target);
+  compare(pose, fit);
   return true;
 }
 

@@ -194,22 +194,33 @@ Result<StationFit> fitStation(const PlanarCurve& section, const FitRequest& requ
   return StationFit{section, std::move(*best)};
 }
 
-namespace {
-
 Error tooShort(const FitRequest& request, const std::string& where, double longest) {
   const std::optional<double> needed = lengthFor(longest, request.clearance);
   const std::string other = "a smaller block, or another cutting direction";
-  Error error{ErrorCode::badInput,
-              "the blade of " + shortText(request.blade.length, 5) + " mm is shorter than the section of " +
-                  where + " (" + shortText(longest, 6) + " mm); choose " +
-                  (needed ? "a blade of at least " + shortText(*needed, 6) + " mm, " + other
-                          : other + ": no blade may be longer than " + shortText(Blade::kLongest, 6) + " mm"),
-              where, request.blade.length, needed ? *needed : Blade::kLongest};
+  Error error{
+      ErrorCode::badInput,
+      "the blade of " + shortText(request.blade.length, 5) + " mm " +
+          (longest > request.blade.length ? std::string("is shorter than")
+                                          : "leaves less than the clearance of " +
+                                                shortText(request.clearance, 4) + " mm at both ends of") +
+          " the section of " + where + " (" + shortText(longest, 6) + " mm); choose " +
+          (needed ? "a blade of at least " + shortText(*needed, 6) + " mm, " + other
+                  : other + ": no blade may be longer than " + shortText(Blade::kLongest, 6) + " mm"),
+      where, request.blade.length, needed ? *needed : Blade::kLongest};
   if (needed) error.remedies = {OtherLength{*needed}};
   return error;
 }
 
-}  // namespace
+void compare(const BladePose& pose, StationFit& fit) {
+  fit.fit.R4 = Places(fit.target).residual(pose);
+  fit.fit.hausdorff = fit::oneSidedHausdorff({pose.cut.length(),
+                                              [&](auto arcs, auto out) {
+                                                std::vector<double> whole(arcs.begin(), arcs.end());
+                                                for (double& s : whole) s += pose.before;
+                                                pose.at(whole, out);
+                                              }},
+                                             fit.target);
+}
 
 Result<void> fitInto(Sweep& sweep, std::size_t i, const StationFit* neighbour) {
   BladePose& pose = sweep.poses[i];

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "bw/core/base/result.h"
@@ -35,6 +36,13 @@ inline constexpr double kAllowance = 2.0;
 
 /// Lets the blade of station `i` hang between its grips, where it has weight.
 void hangInto(Sweep& sweep, std::size_t i);
+
+/// How far the blade of a pose lies from its section: R4 and distance of its fit.
+void compare(const BladePose& pose, StationFit& fit);
+
+/// A section that the blade of the request is too short for: what is `longest` mm needs its clearance
+/// besides.
+[[nodiscard]] Error tooShort(const FitRequest& request, const std::string& where, double longest);
 
 /// Calls `find(i, from)` for each station of a row, in two threads: the one with the longest section first,
 /// which tells most of the blade (`from` is empty), and then to both ends, each from its neighbour.

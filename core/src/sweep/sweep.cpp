@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "bw/core/sweep/blade_pose.h"
+#include "sweep/extended_row.h"
 #include "sweep/held_blade.h"
 #include "sweep/row_solver.h"
 #include "sweep/station_fit.h"
@@ -184,8 +185,16 @@ Result<Sweep> buildSweep(const std::vector<Section>& sections, const FitRequest&
                          double* fitSeconds, double* settleSeconds) {
   Result<Sweep> sweep = laidOut(sections, request, block, planes);
   if (!sweep) return sweep;
-  if (Result<void> ok = sweep::solveRow(*sweep, context, fitSeconds, settleSeconds); !ok)
-    return tl::unexpected<Error>(ok.error());
+  Result<void> ok;
+  if (request.extend == Extension::none) {
+    ok = sweep::solveRow(*sweep, context, fitSeconds, settleSeconds);
+  } else {
+    std::vector<const Section*> followed;
+    for (const Section& section : sections)
+      if (section.chosen >= 0) followed.push_back(&section);
+    ok = sweep::solveExtended(*sweep, followed, context);
+  }
+  if (!ok) return tl::unexpected<Error>(ok.error());
   sweep::addSwingFindings(*sweep, findings);
   return sweep;
 }

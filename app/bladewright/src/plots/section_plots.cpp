@@ -77,6 +77,8 @@ SectionDrawing makeSectionDrawing(const Sweep& sweep, const OtherRest* other, in
   const PlanarCurve& target = sweep.fits[std::size_t(index)].target;
   drawing.station = index;
   drawing.target = toPolygon(target.sample(kSamples));
+  if (const auto& extended = sweep.fits[std::size_t(index)].extended)
+    drawing.extended = toPolygon(extended->poles());
   drawing.elastica = toPolygon(inPlane(station, station.cutArcs(kSamples)));
   // The same frame axes for all stations: neighbours are drawn as they lie in the plane of this one.
   const auto neighbour = [&](int i) {
@@ -162,6 +164,8 @@ void paintSection(QPainter& painter, const SectionFrame& frame, const SectionDra
   painter.setPen(otherPen(c));
   painter.drawPolyline(map(drawing.other));
 
+  painter.setPen(QPen(c.selection, 1, Qt::DashLine, Qt::FlatCap));
+  painter.drawPolyline(map(drawing.extended));
   painter.setPen(QPen(c.selection, 2));
   painter.drawPolyline(map(drawing.target));
 

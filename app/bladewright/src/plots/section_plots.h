@@ -19,6 +19,7 @@ namespace bw::app {
 struct SectionDrawing {
   int station = -1;  ///< position in the sweep; −1: nothing to draw
   QPolygonF target, elastica, blade;
+  QPolygonF extended;             ///< the target as it is extended to both grips; empty if it is not
   QPolygonF before, after;        ///< the neighbours' elastica, as they lie in this plane
   QPolygonF other;                ///< another shape in which the blade could rest; empty if none is known
   QPolygonF foam;                 ///< the block's outline
@@ -43,9 +44,9 @@ struct SectionFrame {
   QPointF toPlane(const QPointF& pixel) const;
 };
 
-/// Paints a station in its plane: axes, foam, tolerance band, target, neighbours, and the blade with its
-/// grips, dashed where it does not cut; dotted, the other shape in which it could rest. `tolerance` in mm is
-/// enlarged by `exaggeration` as the drawing's deviation is.
+/// Paints a station in its plane: axes, foam, tolerance band, target, dashed where it is extended,
+/// neighbours, and the blade with its grips, dashed where it does not cut; dotted, the other shape in which
+/// it could rest. `tolerance` in mm is enlarged by `exaggeration` as the drawing's deviation is.
 void paintSection(QPainter& painter, const SectionFrame& frame, const SectionDrawing& drawing,
                   double tolerance, double exaggeration, const Colours& colours);
 

@@ -98,6 +98,15 @@ void ProcessFields::addDirection(FormColumn* column) {
 }
 
 void ProcessFields::addFit(FormColumn* column, const Theme& theme) {
+  extend_ = column->add(tr("Grips"), new ChoiceField,
+                        tr("What holds the grips of a blade: that it lies as near to its section as it can, "
+                           "or the section, extended to both of them"));
+  extend_->addItems({tr("Nearest to the section"), tr("On the surface beyond"), tr("On the end tangents"),
+                     tr("On the end circles")});
+  connect(extend_, &QComboBox::activated, this, [this](int index) {
+    bench_.editDesign(tr("Change grips"),
+                      [index](Design& design) { design.process.extend = Extension(index); });
+  });
   fitLength_ =
       column->add(tr("Length"), new ChoiceField, tr("Length of the blade's part that cuts the surface"));
   fitLength_->addItems({tr("Free"), tr("As the section")});
@@ -144,6 +153,12 @@ void ProcessFields::refresh() {
   refreshStations();
   direction_->refresh();
   numbers_.refresh(process);
+  extend_->show(int(process.extend));
+  // What is asked of fits counts where there are any: beside the others for blocks that go on in each other.
+  const bool fits = process.extend == Extension::none || bench_.design().stock.size() > 1;
+  fitLength_->setEnabled(fits);
+  endpoints_->setEnabled(fits);
+  tangents_->setEnabled(fits);
   fitLength_->show(process.fitLength == FitOptions::Length::free ? 0 : 1);
   endpoints_->setChecked(process.fitEndpoints);
   tangents_->setChecked(process.fitTangents);

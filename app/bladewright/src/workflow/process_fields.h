@@ -39,7 +39,7 @@ class ProcessFields : public QObject {
   std::optional<int> foundStations() const;
 
   Workbench& bench_;
-  ChoiceField *stationMode_, *fitLength_;
+  ChoiceField *stationMode_, *extend_, *fitLength_;
   DirectionLines* direction_;
   NumberField *stations_, *spacing_;
   ProcessLines numbers_;

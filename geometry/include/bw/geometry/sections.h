@@ -93,4 +93,10 @@ Result<std::optional<std::vector<Section>>> confirmSections(const Target& target
                                                             const SectionRequest& request,
                                                             const RunContext& context, Findings& findings);
 
+/// Follows sections of `setup` on their surface beyond the block, to `reach` mm (> 0) around it: `beyond` of
+/// each that is chosen is the curve through it, running its way, where there is an open one. Errors:
+/// `cancelled`.
+Result<void> followBeyond(const Target& target, const Setup& setup, double reach,
+                          std::vector<Section>& sections, const RunContext& context);
+
 }  // namespace bw::geometry

@@ -53,6 +53,7 @@ struct CountRequest {
 struct PlanesRequest {
   geometry::Setup setup;
   SectionRequest sections;
+  double beyond = 0;  ///< mm along the blade that sections are followed beyond the block
   bool operator==(const PlanesRequest&) const = default;
 };
 
@@ -77,6 +78,8 @@ Blade bladeOf(const Design& design, const Cut& cut);
 /// `joined`: the cut goes on in a neighbouring block, and its blades have the ends and tangents of their
 /// sections.
 FitRequest fitRequest(const Design& design, const Cut& cut, const Box& lies, bool joined = false);
+/// mm that the sections of such blades are followed on their surface beyond the block; 0 if not.
+double reachBeyond(const FitRequest& fit, const Blade& blade, const Box& lies);
 CheckRequest checkRequest(const Design& design, const Cut& cut);
 Kerf kerfOf(const Design& design, const Cut& cut, const Box& lies);
 LengthRequest lengthRequest(const Design& design, const Cut& cut, const Box& lies, bool joined = false);

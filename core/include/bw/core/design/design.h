@@ -26,6 +26,7 @@
 #include "bw/core/fit/elastica_fit.h"
 #include "bw/core/parts/cut_pose.h"
 #include "bw/core/shape/designed_surface.h"
+#include "bw/core/sweep/extension.h"
 #include "bw/core/sweep/kerf_table.h"
 #include "bw/core/sweep/section_request.h"
 #include "bw/core/text/expression.h"
@@ -93,6 +94,9 @@ struct Process {
   bool fitEndpoints = false;
   bool fitTangents = false;
   double maxPeriods = 1;
+  /// What holds the grips of cuts that do not go on in a neighbouring block. Where that is not the section
+  /// alone, nothing of the four above is asked for.
+  Extension extend = Extension::none;
   double tolerance = 2.0;        ///< mm, deviation of the cut surface
   double cuttingSpeed = 20.0;    ///< mm/s of the fastest point of the blade
   double kerf = 0;               ///< mm of foam that the blade melts away across itself

@@ -41,6 +41,7 @@ class RowSketcher {
   RowSketcher& operator=(RowSketcher&& other) noexcept;
   ~RowSketcher();
 
+  std::size_t stations() const;
   /// Looks at the row as it lies now, with as many stations. A station is *certain* and *lost* as for
   /// `restOf`; one that was held before stays so while its margin does; of one beside which another shape
   /// became as low while the row moved it is unknown what holds it. Shapes that come into being on the way

@@ -17,6 +17,7 @@
 #include "bw/core/curve/planar_curve.h"
 #include "bw/core/fit/elastica_fit.h"
 #include "bw/core/sweep/blade_pose.h"
+#include "bw/core/sweep/extension.h"
 #include "bw/core/sweep/plane_family.h"
 #include "bw/core/sweep/section.h"
 
@@ -32,6 +33,8 @@ struct StationFit {
   std::string unknown = {};  ///< why it is not known how the blade hangs in its weight; empty if it is
   std::array<bool, 2> nearMargin =
       {};  ///< whether its margins, in the plane and across it, had to be bounded
+  /// The section as the request extends it, a chain of points; empty where it does not.
+  std::optional<PlanarCurve> extended = std::nullopt;
   /// The unstable shapes over which a push brings the blade into others, where its barrier had to be bounded.
   std::vector<HeavyBlade> passes = {};
 };
@@ -49,6 +52,9 @@ struct FitRequest {
   /// N mm that it must take to bring the blade into another shape that is no higher by more than 5 %, which
   /// `firmRow` sees to; 0 asks for nothing.
   double barrier = 0;
+  /// What holds the grips. With none it is the row as a whole, by the distance of its blades from their
+  /// sections; else each blade has the ends, tangents and length of the section so extended.
+  Extension extend = Extension::none;
   Eigen::Vector3d weight = Eigen::Vector3d::Zero();  ///< of a length of blade, N/mm, in the file's frame
   bool operator==(const FitRequest&) const = default;
 };
@@ -72,7 +78,8 @@ Result<Sweep> fitSweep(const std::vector<Section>& sections, const FitRequest& r
 /// The blades of a row, with their weight: one is found a station, from the longest section on, and then the
 /// grips of all are chosen together, so that the blades lie on their sections and the grips go smoothly from
 /// one to the next (docs/mathematics.md, sweep). Where the request gives ends or length, those of `fitSweep`.
-/// Same errors. `LiveRow` is for while a hand moves them.
+/// Where it extends the sections, each blade is that of its own section alone. Same errors. `LiveRow` is for
+/// while a hand moves them.
 Result<Sweep> buildSweep(const std::vector<Section>& sections, const FitRequest& request, const Box& block,
                          const PlaneFamily& planes, const RunContext& context, Findings& findings,
                          double* fitSeconds = nullptr, double* settleSeconds = nullptr);

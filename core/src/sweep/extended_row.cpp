@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "sweep/extended_row.h"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "bw/core/elastica/elastica_bvp.h"
+#include "bw/core/text/number_text.h"
+#include "sweep/extended_section.h"
+#include "sweep/station_fit.h"
+
+namespace bw::sweep {
+
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kPeriods = 2;  // of a blade as a whole, at most
+
+Vector2d along(double angle) { return {std::cos(angle), std::sin(angle)}; }
+
+/// Where the blade passes nearest to a place of its plane, from an arc length on.
+double footOn(const BladePose& pose, const Vector2d& place, double arc) {
+  constexpr int kSteps = 30;
+  constexpr double kThere = 1e-9, kLeast = 0.2;  // mm; of the slope, so that steps stay bounded
+  for (int step = 0; step < kSteps; ++step) {
+    std::array<Elastica::State, 1> state;
+    pose.at({&arc, 1}, state);
+    const Vector2d off = state[0].point - place, tangent = along(state[0].angle);
+    const double slope = 1 + state[0].curvature * off.dot(Vector2d(-tangent.y(), tangent.x()));
+    const double next =
+        std::clamp(arc - off.dot(tangent) / std::max(slope, kLeast), 0.0, pose.blade.length());
+    if (std::abs(next - arc) < kThere) break;
+    arc = next;
+  }
+  return arc;
+}
+
+Result<void> solve(Sweep& sweep, std::size_t i, const Section& section) {
+  const FitRequest& request = sweep.request;
+  const Result<ExtendedSection> whole = extendedSection(section, request);
+  if (!whole) return tl::unexpected<Error>(whole.error());
+  FitOptions options;
+  options.length = FitOptions::Length::exact;
+  options.maxPeriods = kPeriods;
+  const Result<FitResult> nearest = fitElastica(whole->curve, options);
+  const std::string where = stationName(section.index);
+  if (!nearest) {
+    Error error = nearest.error();
+    error.message = where + ": " + error.message;
+    error.where = where;
+    return tl::unexpected<Error>(std::move(error));
+  }
+  BladePose& pose = sweep.poses[i];
+  StationFit& fit = sweep.fits[i];
+  fit.extended = whole->curve;
+  ClampedOptions branch;
+  branch.initial = nearest->elastica;
+  if (const Result<ClampedAnswer> answer = solveClamped(whole->grips, branch)) {
+    pose.blade = answer->solutions.front().elastica;
+    fit.fit.status = FitStatus::converged;
+  } else {
+    pose.blade = nearest->elastica;
+    fit.fit.status = FitStatus::infeasible;
+    fit.fit.conflict = {"endpoints", "tangents", "length"};
+  }
+  hangInto(sweep, i);
+  const PlanarCurve& own = section.curve();
+  const double length = pose.blade.length(), each = 0.5 * (length - own.length());
+  pose.before = footOn(pose, own.value(own.start()), each);
+  const double end = footOn(pose, own.value(own.end()), length - each);
+  const Result<Elastica> cut = pose.blade.segment(pose.before, end);
+  if (!cut) return tl::unexpected<Error>(cut.error());
+  pose.cut = *cut;
+  fit.fit.elastica = *cut;
+  compare(pose, fit);
+  return {};
+}
+
+}  // namespace
+
+Result<void> solveExtended(Sweep& sweep, const std::vector<const Section*>& sections,
+                           const RunContext& context) {
+  std::vector<Result<void>> outcomes(sections.size());
+  const Result<void> ok = parallelFor(context, int(sections.size()), [&](int i) {
+    outcomes[std::size_t(i)] = solve(sweep, std::size_t(i), *sections[std::size_t(i)]);
+  });
+  if (!ok) return ok;
+  if (context.stopped()) return stoppedError();
+  for (const Result<void>& outcome : outcomes)
+    if (!outcome) return outcome;
+  return {};
+}
+
+}  // namespace bw::sweep
