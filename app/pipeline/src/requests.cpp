@@ -56,7 +56,7 @@ CheckRequest checkRequest(const Design& design, const Cut& cut) {
 Kerf kerfOf(const Design& design, const Cut& cut, const Box& lies) {
   // Where there is none, no stage hangs on how the block lies.
   return design.process.kerf > 0 || cut.offset > 0
-             ? Kerf{design.process.kerf, cut.offset, keptWay(lies, cut.keep)}
+             ? Kerf{design.process.kerf, {}, cut.offset, keptWay(lies, cut.keep)}
              : Kerf();
 }
 
