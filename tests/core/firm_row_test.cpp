@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -111,6 +112,35 @@ TEST(FirmRow, ItGoesOnBearingThePushWhileAHandMovesTheSections) {
   ASSERT_TRUE(leastBarrier(live->sweep()));
   EXPECT_GE(*leastBarrier(live->sweep()), settings.barrier);
   EXPECT_LE(farthest(live->sweep()), settings.tolerance);
+}
+
+TEST(FirmRow, NoBladeStandsWorseThanInTheRowBefore) {
+  int firmed = 0;
+  for (const double margin : {0.15, 0.5, 0.9})
+    for (const double length : {700.0, 760.0, 820.0})
+      for (const double phase : {kTwoWays, kTwoWays - 0.2, kTwoWays - 0.5}) {
+        test::RowSettings settings = flat(length, 3);
+        settings.margin = margin;
+        const Sweep row = rowOf(settings, phase);
+        const Result<FirmRow> firm = firmRow(row, {});
+        ASSERT_TRUE(firm);
+        if (!firm->row) continue;
+        ++firmed;
+        const auto marginOf = [](const Sweep& of, std::size_t i) {
+          return marginsOf(*of.poses[i].heavy).inPlane;
+        };
+        for (std::size_t i = 0; i < row.poses.size(); ++i) {
+          const std::string at = std::to_string(margin) + " " + std::to_string(length) + " " +
+                                 std::to_string(phase) + " " + std::to_string(i);
+          if (marginOf(row, i) >= margin) {
+            EXPECT_GE(marginOf(*firm->row, i), margin) << at;
+          }
+          EXPECT_LE(firm->row->fits[i].fit.hausdorff, std::max(row.fits[i].fit.hausdorff, settings.tolerance))
+              << at;
+          EXPECT_FALSE(firm->row->fits[i].snapsAt && !row.fits[i].snapsAt) << at;
+        }
+      }
+  EXPECT_GT(firmed, 3);
 }
 
 TEST(FirmRow, ARowThatCannotStaysAsItIs) {

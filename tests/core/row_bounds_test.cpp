@@ -174,6 +174,46 @@ TEST(RowBounds, GripsSlideNoFasterThanTheyTravel) {
   }
 }
 
+/// How much farther grips turn from a station to the next than they may: a quarter of the blade turns by 5 mm
+/// a mm of travel, and 1.5 times as far as the end of the section does. In parts of that.
+double fastestTurn(const Sweep& row) {
+  double fastest = 0;
+  const double arm = 0.25 * row.request.blade.length;
+  for (std::size_t i = 1; i < row.poses.size(); ++i) {
+    const BladePose &from = row.poses[i - 1], &to = row.poses[i];
+    const PlanarCurve &before = row.fits[i - 1].target, &now = row.fits[i].target;
+    const auto between = [](const Vector2d& a, const Vector2d& b) {
+      return std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
+    };
+    for (const bool last : {false, true}) {
+      const Vector3d a = last ? from.rightTangent() : from.leftTangent(),
+                     b = last ? to.rightTangent() : to.leftTangent();
+      const double turned = between({a.x(), a.z()}, {b.x(), b.z()});
+      const double own = between(before.tangent(last ? before.end() : before.start()),
+                                 now.tangent(last ? now.end() : now.start()));
+      const double most = 5 * std::abs(to.travel - from.travel) / arm + 1.5 * own;
+      fastest = std::max(fastest, turned / most);
+    }
+  }
+  return fastest;
+}
+
+TEST(RowBounds, GripsTurnNoFasterThanTheSectionsAndTheTravelLetThem) {
+  // Short arches that become hollows from a station to the next: what a blade does beyond them is hardly told
+  // by them, and goes on to turn.
+  for (const double height : {1.0, 2.0, 4.0}) {
+    const auto sections = test::sectionsOf(kStations, 2, [height](int i) {
+      const double up = i < kStations / 2 ? height : -height;
+      return test::graphCurve(60, [=](double x) { return up * std::cos(0.5 * kPi * x / 60); });
+    });
+    Findings findings;
+    const Result<Sweep> row = buildSweep(sections, heavy(700), block(), planes(), {}, findings);
+    ASSERT_TRUE(row) << row.error().message;
+    EXPECT_LT(fastestTurn(*row), 1.15) << height;
+    for (const StationFit& fit : row->fits) EXPECT_LT(fit.fit.hausdorff, row->request.tolerance) << height;
+  }
+}
+
 TEST(RowBounds, TheBladeThatHangsHasTheEndsTangentsAndLengthsAskedFor) {
   test::RowSettings settings = heavy(700);
   settings.fitEndpoints = settings.fitTangents = true;
