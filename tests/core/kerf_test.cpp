@@ -147,11 +147,11 @@ TEST(Kerf, WhatStandsLiesOnTheSideThatIsKept) {
     }
     return range;
   };
-  const SurfaceGrid below = standingBeside(swept, {2, 0, -Vector3d::UnitZ()});
+  const SurfaceGrid below = standingBeside(swept, {2, {}, 0, -Vector3d::UnitZ()});
   EXPECT_NEAR(radii(below).first, 900, 1e-3);
   EXPECT_NEAR(radii(below).second, 900, 1e-3);
   EXPECT_EQ(below.fields.front().values, swept.fields.front().values);
-  const SurfaceGrid above = standingBeside(swept, {2, 0, Vector3d::UnitZ()});
+  const SurfaceGrid above = standingBeside(swept, {2, {}, 0, Vector3d::UnitZ()});
   EXPECT_NEAR(radii(above).first, 902, 1e-3);
   EXPECT_NEAR(radii(above).second, 902, 1e-3);
   EXPECT_EQ(standingBeside(swept, {}).points, swept.points);
