@@ -176,9 +176,11 @@ std::optional<CutSketch> Sketcher::draw(const Design& design, std::size_t index,
     sections = std::make_shared<const std::vector<Section>>(std::move(middle->sections));
   }
 
-  if (!row.live) row.live = LiveRow::of(*cut.sweep.value, context);
-  if (!row.sketcher && (row.live || before.extend != Extension::none))
-    row.sketcher.emplace(*cut.sweep.value, *cut.certainty.value, *cut.rest.value);
+  if (!row.live) {
+    row.live = LiveRow::of(*cut.sweep.value, context);
+    if (row.live || (before.extend != Extension::none && !row.sketcher))
+      row.sketcher.emplace(*cut.sweep.value, *cut.certainty.value, *cut.rest.value);
+  }
   const bool follows = row.live && row.live->sweep().request == fit &&
                        row.live->follow(*sections, planes.setup.block, planes.setup.planes, context);
   std::shared_ptr<const Sweep> sweep;

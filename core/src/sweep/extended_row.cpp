@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -42,6 +43,30 @@ double footOn(const BladePose& pose, const Vector2d& place, double arc) {
   return arc;
 }
 
+/// Root mean square, mm, of the distances of two shapes of one length at equal arc lengths.
+double apart(const Elastica& a, const Elastica& b) {
+  constexpr int kPlaces = 101;
+  const std::vector<Vector2d> here = a.sample(kPlaces), there = b.sample(kPlaces);
+  double sum = 0;
+  for (std::size_t k = 0; k < here.size(); ++k) sum += (here[k] - there[k]).squaredNorm();
+  return std::sqrt(sum / kPlaces);
+}
+
+/// The shape between such grips that lies nearest to another one, whether it rests or not; empty where none
+/// is found.
+std::optional<Elastica> nearestBetween(const ClampedProblem& grips, const Elastica& to) {
+  ClampedOptions branch;
+  branch.initial = to;
+  const Result<ClampedAnswer> followed = solveClamped(grips, branch);
+  if (followed && !followed->snapsAt) return followed->solutions.front().elastica;
+  // It does not rest there, or on the way.
+  const Result<ClampedAnswer> all = solveAllClamped(grips);
+  if (!all) return {};
+  return std::ranges::min_element(all->solutions, {},
+                                  [&](const ClampedSolution& shape) { return apart(shape.elastica, to); })
+      ->elastica;
+}
+
 Result<void> solve(Sweep& sweep, std::size_t i, const Section& section) {
   const FitRequest& request = sweep.request;
   const Result<ExtendedSection> whole = extendedSection(section, request);
@@ -60,10 +85,8 @@ Result<void> solve(Sweep& sweep, std::size_t i, const Section& section) {
   BladePose& pose = sweep.poses[i];
   StationFit& fit = sweep.fits[i];
   fit.extended = whole->curve;
-  ClampedOptions branch;
-  branch.initial = nearest->elastica;
-  if (const Result<ClampedAnswer> answer = solveClamped(whole->grips, branch)) {
-    pose.blade = answer->solutions.front().elastica;
+  if (const std::optional<Elastica> blade = nearestBetween(whole->grips, nearest->elastica)) {
+    pose.blade = *blade;
     fit.fit.status = FitStatus::converged;
   } else {
     pose.blade = nearest->elastica;
