@@ -179,7 +179,11 @@ Result<StationFit> fitStation(const PlanarCurve& section, const FitRequest& requ
   const double allowed = kAllowance * request.tolerance;
   Result<FitResult> best = fitBesideNeighbour(section, options, start);
   if (!best) return tl::unexpected<Error>(best.error());
-  if (!usable(*best) || best->hausdorff > allowed || bladeHolds(best->elastica, request.blade))
+  // Ends, tangents and length leave nothing to be bent for the sake of the blade.
+  const bool determined =
+      request.fitEndpoints && request.fitTangents && request.fitLength != FitOptions::Length::free;
+  if (determined || !usable(*best) || best->hausdorff > allowed ||
+      bladeHolds(best->elastica, request.blade))
     return StationFit{section, std::move(*best)};
   FitOptions tighter = boundedOptions(options, request);
   std::optional<FitResult> restless;
