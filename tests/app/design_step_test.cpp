@@ -60,6 +60,38 @@ TEST_F(DesignStep, ANewSingleBlockStandsAtOneClick) {
   EXPECT_EQ(find<NumberField>("pole 2 of row 3")->value(), 340);
 }
 
+TEST_F(DesignStep, TheGripsAreHeldByTheExtendedSectionWhereThatIsChosen) {
+  open("bump");
+  bench().editDesign("Prepare", [](Design& design) {
+    design.block().placement->origin.x() += 100;
+    design.block().placement->size.x() -= 200;
+    design.blade.length = 560;
+  });
+  for (QToolButton* fold : window().findChildren<QToolButton*>())
+    if (fold->isCheckable() && fold->isVisible() && !fold->isChecked() && fold->text() == "Fit and lead")
+      fold->click();
+  auto* grips = find<ChoiceField>("Grips");
+  ASSERT_TRUE(grips);
+  EXPECT_EQ(grips->currentIndex(), 0);
+  auto* length = find<ChoiceField>("Length");
+  ASSERT_TRUE(length);
+  EXPECT_TRUE(length->isEnabled());
+  const Design before = bench().design();
+  grips->setFocus();
+  QTest::keyClick(grips, Qt::Key_Down);
+  EXPECT_EQ(bench().design().process.extend, Extension::surface);
+  EXPECT_FALSE(length->isEnabled()) << "nothing else is asked of the fit";
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
+  ASSERT_TRUE(bench().row());
+  for (const StationFit& fit : bench().row()->fits) EXPECT_TRUE(fit.extended);
+  picture("design-extended");
+  bench().document().undoStack().undo();
+  EXPECT_EQ(bench().design(), before);
+  EXPECT_EQ(grips->currentIndex(), 0);
+  EXPECT_TRUE(length->isEnabled());
+}
+
 TEST_F(DesignStep, AnotherNumberOfPolesKeepsTheSurface) {
   open("bump");
   const Eigen::Vector3d size = bench().newestTarget()->bounds().size();
