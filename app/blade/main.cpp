@@ -75,6 +75,7 @@ int run(int argc, char** argv) {
   addVaryVerb(app, session, work);
   addMouldsVerb(app, session, work);
   addKeysVerb(app, session, work);
+  addSectionsVerb(app, session, work);
   addCutsVerb(app, session, work);
   addProgramVerbs(app, session, work);
   addCommon(app);

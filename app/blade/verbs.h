@@ -24,6 +24,7 @@ void addSurfaceVerbs(CLI::App& app, const Session& session, Work& work);
 void addVaryVerb(CLI::App& app, const Session& session, Work& work);
 void addMouldsVerb(CLI::App& app, const Session& session, Work& work);
 void addKeysVerb(CLI::App& app, const Session& session, Work& work);
+void addSectionsVerb(CLI::App& app, const Session& session, Work& work);
 void addCutsVerb(CLI::App& app, const Session& session, Work& work);
 void addProgramVerbs(CLI::App& app, const Session& session, Work& work);
 

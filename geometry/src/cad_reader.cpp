@@ -10,12 +10,17 @@
 #include <IGESControl_Controller.hxx>
 #include <IGESControl_Reader.hxx>
 #include <IGESData_GlobalSection.hxx>
+#include <IGESData_IGESEntity.hxx>
 #include <IGESData_IGESModel.hxx>
 #include <Interface_Static.hxx>
 #include <STEPControl_Controller.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TransferBRep.hxx>
+#include <Transfer_TransientProcess.hxx>
+#include <XSControl_TransferReader.hxx>
+#include <XSControl_WorkSession.hxx>
 #include <gp_Trsf.hxx>
 
 #include <istream>
@@ -52,6 +57,16 @@ Result<ReadShape> readIges(std::string_view text, const std::string& name) {
     result.unit = unitName(model->GlobalSection().UnitName()->ToCString());
   }
   if (reader.TransferRoots() > 0) result.shape = reader.OneShape();
+  if (model.IsNull() || result.shape.IsNull()) return result;
+  const Handle(Transfer_TransientProcess) process = reader.WS()->TransferReader()->TransientProcess();
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    const Handle(IGESData_IGESEntity) entity = model->Entity(i);
+    if (entity.IsNull() || !entity->HasShortLabel()) continue;
+    const TopoDS_Shape shape = TransferBRep::ShapeResult(process, entity);
+    if (shape.IsNull() || shape.ShapeType() < TopAbs_WIRE) continue;
+    const std::string_view label = trimmedLeft(trimmedRight(entity->ShortLabel()->ToCString()));
+    if (!label.empty()) result.namedCurves.emplace_back(shape, label);
+  }
   return result;
 }
 
@@ -74,17 +89,11 @@ int countOf(const TopoDS_Shape& shape, TopAbs_ShapeEnum type) {
 
 /// Takes the numbers of the file as lengths in `unit`, whatever unit it states.
 Result<void> readAs(ReadShape& read, LengthUnit unit, const std::string& name) {
-  const double stated = unitLength(read.unit);
-  if (!(stated > 0)) {
-    return fail(ErrorCode::badInput,
-                name + " states its lengths in \"" + read.unit +
-                    "\", which cannot be read as another unit; leave out \"unit\" to read it as stated",
-                "unit");
-  }
-  const double scale = millimetres(unit) / stated;
-  if (scale == 1) return {};
+  const Result<double> scale = scaleTo(unit, read.unit, name);
+  if (!scale) return tl::unexpected(scale.error());
+  if (*scale == 1) return {};
   gp_Trsf larger;
-  larger.SetScaleFactor(scale);
+  larger.SetScaleFactor(*scale);
   BRepBuilderAPI_Transform transform(read.shape, larger, Standard_True);
   for (TopoDS_Shape& face : read.faces) face = transform.ModifiedShape(face);
   read.shape = transform.Shape();
@@ -104,9 +113,7 @@ void prepareTranslators() {
 Result<ReadShape> readAndHeal(std::string_view text, const std::string& name, CadFormat format,
                               const ReadOptions& options) {
   auto read = guarded(ErrorCode::cannotRead, "cannot read " + name, [&]() -> Result<ReadShape> {
-    auto raw = format == CadFormat::step   ? readStep(text, name)
-               : format == CadFormat::iges ? readIges(text, name)
-                                           : readBrep(text);
+    auto raw = readRaw(text, name, format);
     if (!raw) return raw;
     if (raw->faces.empty()) raw->faces = facesOf(raw->shape);
     raw->names.resize(raw->faces.size());
@@ -200,9 +207,9 @@ Result<ReadShape> unpacked(std::string_view bytes, const std::string& name) {
   });
 }
 
-/// Reads a CAD text that is not packed.
-Result<ReadShape> readText(std::string_view text, const std::string& name, const ReadOptions& options,
-                           const RunContext& context) {
+/// What `work` makes of a CAD text that is not packed.
+Result<std::string> readText(std::string_view text, const std::string& name, const RunContext& context,
+                             const std::function<std::string(std::string_view, CadFormat)>& work) {
   text = withoutMark(text);
   if (trimmedRight(text).empty()) {
     return unreadable(name, "the file is empty; export it again from the CAD program");
@@ -226,13 +233,11 @@ Result<ReadShape> readText(std::string_view text, const std::string& name, const
   WorkLimits limits;
   limits.memory = kMemoryLeast + kMemoryPerByte * text.size();
   limits.cpuSeconds = kSecondsLeast + int(text.size() / kBytesPerSecond);
-  const auto bytesBack = runIsolated(
-      context, [&] { return packed(readAndHeal(text, name, content, options)); }, limits);
-  if (!bytesBack) {
-    if (bytesBack.error().code != ErrorCode::cannotRead) return tl::unexpected(bytesBack.error());
+  auto bytesBack = runIsolated(
+      context, [&] { return work(text, content); }, limits);
+  if (!bytesBack && bytesBack.error().code == ErrorCode::cannotRead)
     return unreadable(name, bytesBack.error().message);
-  }
-  return unpacked(*bytesBack, name);
+  return bytesBack;
 }
 
 }  // namespace
@@ -250,14 +255,38 @@ tl::unexpected<Error> unreadable(const std::string& name, const std::string& rea
   return fail(ErrorCode::cannotRead, "cannot read " + name + ": " + reason, name);
 }
 
-Result<ReadShape> readShape(const std::string& bytes, const std::string& name, const ReadOptions& options,
-                            const RunContext& context) {
+Result<ReadShape> readRaw(std::string_view text, const std::string& name, CadFormat format) {
+  if (format == CadFormat::step) return readStep(text, name);
+  return format == CadFormat::iges ? readIges(text, name) : readBrep(text);
+}
+
+Result<double> scaleTo(LengthUnit unit, const std::string& stated, const std::string& name) {
+  const double length = unitLength(stated);
+  if (length > 0) return millimetres(unit) / length;
+  return fail(ErrorCode::badInput,
+              name + " states its lengths in \"" + stated +
+                  "\", which cannot be read as another unit; leave out \"unit\" to read it as stated",
+              "unit");
+}
+
+Result<std::string> readApart(const std::string& bytes, const std::string& name, const RunContext& context,
+                              const std::function<std::string(std::string_view, CadFormat)>& work) {
   silenceOcct();
-  if (!isCompressed(bytes)) return readText(bytes, name, options, context);
+  if (!isCompressed(bytes)) return readText(bytes, name, context, work);
   const auto text =
       guarded(ErrorCode::cannotRead, "cannot read " + name, [&] { return decompressed(bytes, name); });
   if (!text) return tl::unexpected(text.error());
-  return readText(*text, name, options, context);
+  return readText(*text, name, context, work);
+}
+
+Result<ReadShape> readShape(const std::string& bytes, const std::string& name, const ReadOptions& options,
+                            const RunContext& context) {
+  const Result<std::string> back =
+      readApart(bytes, name, context, [&](std::string_view text, CadFormat format) {
+        return packed(readAndHeal(text, name, format, options));
+      });
+  if (!back) return tl::unexpected(back.error());
+  return unpacked(*back, name);
 }
 
 }  // namespace bw::geometry

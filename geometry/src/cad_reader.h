@@ -4,6 +4,7 @@
 
 #include <TopoDS_Shape.hxx>
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -63,6 +64,8 @@ struct ReadShape {
   std::vector<std::string> leftOut;  ///< what could not be used
   std::vector<TopoDS_Shape> faces;   ///< in the order of the file
   std::vector<std::string> names;    ///< of the faces; empty where a face has none
+  /// What was made of curves that have a name.
+  std::vector<std::pair<TopoDS_Shape, std::string>> namedCurves = {};
 };
 
 /// The faces of a shape, each once, in the order in which they are met.
@@ -75,6 +78,21 @@ tl::unexpected<Error> unreadable(const std::string& name, const std::string& rea
 /// alike. A crash of the library, endless work or want of memory is the file's fault: `cannotRead`.
 Result<ReadShape> readShape(const std::string& bytes, const std::string& name, const ReadOptions& options,
                             const RunContext& context);
+
+/// What `work` makes of a CAD text and its format, in a process of its own whose time and memory are bounded
+/// by the size of the text. `bytes` may be packed. Errors (`cannotRead`, with `name`): what is no CAD file,
+/// or a damaged one; `cancelled`.
+Result<std::string> readApart(
+    const std::string& bytes, const std::string& name, const RunContext& context,
+    const std::function<std::string(std::string_view text, CadFormat format)>& work);
+
+/// The shape of a CAD text as OCCT reads it, in mm, with nothing healed. For the process that readers have of
+/// their own.
+Result<ReadShape> readRaw(std::string_view text, const std::string& name, CadFormat format);
+
+/// How much larger a shape is whose numbers are taken in a unit in place of the one that it states. Error
+/// `badInput`: that is not known.
+Result<double> scaleTo(LengthUnit unit, const std::string& stated, const std::string& name);
 
 /// Reads STEP with OCCT, in mm, with the names of its faces. What cannot be used is left out and told in
 /// `leftOut`. Runs in the process that readers have of their own.

@@ -6,6 +6,7 @@
 #include <Interface_Static.hxx>
 #include <STEPControl_Reader.hxx>
 #include <StepData_StepModel.hxx>
+#include <StepGeom_Curve.hxx>
 #include <StepRepr_RepresentationItem.hxx>
 #include <StepShape_ClosedShell.hxx>
 #include <StepShape_ConnectedFaceSet.hxx>
@@ -107,6 +108,21 @@ std::string matchFaces(const STEPControl_Reader& reader, ReadShape& result) {
          (missing.size() == 1 ? " faces is" : " faces are") + " left out (" + entityList(missing) + ")";
 }
 
+/// What the translator made of curves, with the names of these.
+std::vector<std::pair<TopoDS_Shape, std::string>> namedCurves(const STEPControl_Reader& reader) {
+  std::vector<std::pair<TopoDS_Shape, std::string>> named;
+  const Handle(StepData_StepModel) model = Handle(StepData_StepModel)::DownCast(reader.WS()->Model());
+  const Handle(Transfer_TransientProcess) process = reader.WS()->TransferReader()->TransientProcess();
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    const Handle(StepGeom_Curve) curve = Handle(StepGeom_Curve)::DownCast(model->Value(i));
+    const std::string name = nameOf(curve);
+    if (name.empty()) continue;
+    const TopoDS_Shape shape = TransferBRep::ShapeResult(process, curve);
+    if (!shape.IsNull()) named.emplace_back(shape, name);
+  }
+  return named;
+}
+
 }  // namespace
 
 Result<ReadShape> readStep(std::string_view text, const std::string& name) {
@@ -129,6 +145,7 @@ Result<ReadShape> readStep(std::string_view text, const std::string& name) {
   if (reader.TransferRoots() > 0) {
     result.shape = reader.OneShape();
     if (!result.shape.IsNull()) lost = matchFaces(reader, result);
+    if (result.faces.empty()) result.namedCurves = namedCurves(reader);
   }
   if (!salvaged.damage.empty() || !lost.empty()) {
     const std::string all = "no face is left out for that";

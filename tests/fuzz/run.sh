@@ -19,10 +19,10 @@ if ! command -v clang++ >/dev/null 2>&1; then
   exit 2
 fi
 cmake --preset fuzz >/dev/null
-cmake --build build/fuzz --target fuzz_job fuzz_design fuzz_curve fuzz_program fuzz_typed
+cmake --build build/fuzz --target fuzz_job fuzz_design fuzz_curve fuzz_dxf fuzz_program fuzz_typed
 
 status=0
-for name in job design curve program typed; do
+for name in job design curve dxf program typed; do
   learnt="build/fuzz/corpus/$name"
   findings="build/fuzz/findings/$name"
   mkdir -p "$learnt" "$findings"

@@ -243,6 +243,12 @@ Result<void> checkTravel(const SectionsSurface& surface, const SplineSurface& sp
 
 }  // namespace
 
+Result<PlanarCurve> curveOf(const SectionCurve& section) {
+  Result<Cubic> cubic = cubicOf(section);
+  if (!cubic) return tl::unexpected<Error>(cubic.error());
+  return PlanarCurve::bspline(kDegree, std::move(cubic->knots), std::move(cubic->poles));
+}
+
 Result<SplineSurface> splineOf(const SectionsSurface& surface) {
   if (Result<void> ok = check(surface); !ok) return tl::unexpected<Error>(ok.error());
   std::vector<Cubic> curves;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "bw/core/curve/planar_curve.h"
 #include "bw/core/shape/designed_surface.h"
 
 namespace bw::shape {
@@ -14,6 +15,9 @@ Result<SplineSurface> splineOf(const PolesSurface& surface);
 Result<SplineSurface> splineOf(const FormulaSurface& surface);
 Result<SplineSurface> splineOf(const SectionsSurface& surface);
 Result<SplineSurface> splineOf(const BladesSurface& surface);
+
+/// A section as the loft holds it: a cubic spline over [0, 1].
+Result<PlanarCurve> curveOf(const SectionCurve& section);
 
 Result<void> checkRectangle(const Rectangle& rectangle);
 

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// Designs from the curves of CAD files.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bw/core/base/result.h"
+#include "bw/core/base/run_context.h"
+#include "bw/core/design/design.h"
+#include "bw/core/shape/drawn_sections.h"
+
+namespace bw::pipeline {
+
+/// Which curves of a file are taken, and how.
+struct DrawnRequest {
+  DrawnOptions sections = {};
+  std::optional<LengthUnit> unit = std::nullopt;  ///< empty: as the file states
+  std::string numbers = {};                       ///< of curves, as "1, 3-5" from 1; empty: all
+  std::vector<std::string> names = {};            ///< of layers or curves; empty: all
+};
+
+struct DrawnDesign {
+  Design design;
+  DrawnSections sections;
+  int curves = 0;                    ///< that were taken
+  std::string format, unit;          ///< of the file
+  std::vector<std::string> leftOut;  ///< of the file, in words
+};
+
+/// A design that cuts a loft through the curves of a STEP, IGES, BREP or DXF file, which it does not need any
+/// more: the surface of `sectionsThrough`, a block around it, travel across the curves, and a blade that is
+/// as much longer than the longest curve as that of a new single block than its block. `name` serves messages
+/// and the name of the design. Errors: those of `geometry::readCurves`, `readDxf` and `sectionsThrough`, with
+/// the file's name; a choice of curves that there are not (`badInput`).
+Result<DrawnDesign> designThrough(const std::string& bytes, const std::string& name,
+                                  const DrawnRequest& request, const RunContext& context = {});
+
+/// "3 curves (2 pieces joined) of walls.dxf: the loft of 3 sections with 7 points each lies within 0.08 mm of
+/// them (the farthest is curve 2)": what became of the curves, for people.
+std::string drawnText(const DrawnDesign& drawn, const std::string& name);
+
+/// True for the bytes of a file that holds curves and nothing of which a face is made: a DXF file, or a STEP
+/// or IGES text without the entities of faces. Takes some ms a MB.
+bool holdsCurvesAlone(const std::string& bytes);
+
+}  // namespace bw::pipeline

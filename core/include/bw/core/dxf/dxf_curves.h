@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// Curves of DXF drawings.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bw/core/base/result.h"
+#include "bw/core/curve/space_curve.h"
+
+namespace bw {
+
+struct DxfCurves {
+  static constexpr std::size_t kMost = 10'000;           ///< curves that are read
+  static constexpr std::size_t kMostPoints = 2'000'000;  ///< of all of them
+
+  std::string unit;                  ///< that the drawing states; "mm (assumed)" where it has none
+  std::vector<SpaceCurve> curves;    ///< in the order of the file, mm; the name of each is its layer
+  std::vector<std::string> leftOut;  ///< what else it holds, in words
+};
+
+/// True for the text of a DXF file, or a binary one.
+bool isDxf(std::string_view bytes);
+
+/// Reads the curves of the model space of an ASCII DXF file: lines, arcs, parts of ellipses, polylines with
+/// their bulges, splines, each in the plane that its extrusion tells. `unit`: mm that a unit of the drawing
+/// is taken for, whatever it states. `name` serves messages. Errors: `cannotRead` for what is binary, damaged
+/// or cut short, with the line; `badInput` for a unit that is not known, references to blocks, splines
+/// without poles, circles and ellipses that are closed, more than kMost curves or kMostPoints points, and
+/// those of `checkSpaceCurve`, each with what to do. O(n) in time; what it keeps are the points.
+Result<DxfCurves> readDxf(std::string_view bytes, const std::string& name,
+                          std::optional<double> unit = std::nullopt);
+
+}  // namespace bw

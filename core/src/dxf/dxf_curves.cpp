@@ -1,0 +1,555 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "bw/core/dxf/dxf_curves.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+
+#include "bw/core/base/units.h"
+#include "bw/core/text/number_text.h"
+#include "bw/core/text/printable.h"
+
+namespace bw {
+
+namespace {
+
+using Points = std::vector<Eigen::Vector3d>;
+
+constexpr std::string_view kBinary = "AutoCAD Binary DXF";
+constexpr double kStraight = 1e-9;   // bulges below are none
+constexpr double kAxis = 1.0 / 64;   // of the arbitrary axis algorithm
+constexpr double kWholeTurn = 1e-9;  // rad by which an arc may miss one
+constexpr double kTurn = 2 * kPi;
+constexpr std::size_t kMostGroups = 1'000'000;  // of an entity
+constexpr std::string_view kRead[] = {"LINE", "LWPOLYLINE", "POLYLINE", "VERTEX", "SEQEND",
+                                      "ARC",  "CIRCLE",     "ELLIPSE",  "SPLINE", "INSERT"};
+
+/// A group: a code and its value, a line each.
+struct Group {
+  int code = 0;
+  std::string_view value;
+  std::size_t line = 0;  ///< of the code, from 1
+};
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kBlank = " \t\r\n";
+  const std::size_t from = text.find_first_not_of(kBlank);
+  return from == std::string_view::npos ? std::string_view()
+                                        : text.substr(from, text.find_last_not_of(kBlank) - from + 1);
+}
+
+tl::unexpected<Error> damaged(const std::string& name, std::size_t line, const std::string& what) {
+  return fail(ErrorCode::cannotRead,
+              "cannot read " + name + ": line " + std::to_string(line) + " " + what +
+                  "; the file is damaged: export it again as ASCII DXF",
+              name, double(line));
+}
+
+/// The groups of a text, one after the other.
+class Groups {
+ public:
+  Groups(std::string_view text, const std::string& name) : rest_(text), name_(name) {}
+
+  /// The next one; comments are passed over. Errors: a code that is no number, an end where none may be.
+  Result<Group> next() {
+    for (;;) {
+      if (rest_.empty())
+        return fail(ErrorCode::cannotRead,
+                    "cannot read " + name_ +
+                        ": the DXF file is cut short (its end mark is missing); copy or export it again",
+                    name_);
+      Group group;
+      group.line = line_ + 1;
+      const std::string_view code = trimmed(takeLine());
+      const auto [end, error] = std::from_chars(code.data(), code.data() + code.size(), group.code);
+      if (error != std::errc{} || end != code.data() + code.size())
+        return damaged(name_, group.line,
+                       "has \"" + std::string(code.substr(0, 20)) + "\" where the code of a group stands");
+      if (rest_.empty()) continue;
+      group.value = takeLine();
+      if (group.code != 999) return group;
+    }
+  }
+
+ private:
+  std::string_view takeLine() {
+    const std::size_t end = rest_.find('\n');
+    std::string_view line = rest_.substr(0, end);
+    rest_ = end == std::string_view::npos ? std::string_view() : rest_.substr(end + 1);
+    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    ++line_;
+    return line;
+  }
+
+  std::string_view rest_;
+  const std::string& name_;
+  std::size_t line_ = 0;
+};
+
+/// An entity: its groups up to the next one.
+struct Entity {
+  std::string_view type;
+  std::size_t line = 0;
+  std::vector<Group> groups;
+};
+
+struct Unit {
+  int code;
+  const char* name;
+  double mm;
+};
+constexpr Unit kUnits[] = {{0, "mm (assumed)", 1}, {1, "inch", 25.4}, {2, "foot", 304.8},
+                           {3, "mile", 1609344},   {4, "mm", 1},      {5, "cm", 10},
+                           {6, "m", 1000},         {7, "km", 1e6},    {9, "mil", 0.0254},
+                           {10, "yard", 914.4},    {13, "um", 1e-3},  {14, "dm", 100}};
+
+class Reader {
+ public:
+  Reader(std::string_view text, const std::string& name, std::optional<double> unit)
+      : groups_(text, name), name_(name), asked_(unit) {}
+
+  Result<DxfCurves> read() {
+    // The section that groups are of, and the entity that is being gathered.
+    std::string_view section;
+    bool named = true;
+    Entity entity;
+    std::string_view variable;
+    for (;;) {
+      const Result<Group> group = groups_.next();
+      if (!group) return tl::unexpected<Error>(group.error());
+      const std::string_view value = trimmed(group->value);
+      if (group->code == 0) {
+        if (section == "ENTITIES")
+          if (Result<void> ok = take(entity); !ok) return tl::unexpected<Error>(ok.error());
+        entity = {value, group->line, {}};
+        if (value == "EOF") break;
+        if (value == "SECTION") {
+          section = {};
+          named = false;
+        } else if (value == "ENDSEC") {
+          section = {};
+        }
+        continue;
+      }
+      if (!named && group->code == 2) {
+        section = value;
+        named = true;
+        continue;
+      }
+      if (section == "HEADER") {
+        if (group->code == 9) variable = value;
+        if (group->code == 70 && variable == "$INSUNITS")
+          if (Result<void> ok = takeUnit(*group); !ok) return tl::unexpected<Error>(ok.error());
+      }
+      if (section != "ENTITIES") continue;
+      // Of what is left out only the space counts that it lies in.
+      if (std::ranges::find(kRead, entity.type) == std::end(kRead) && group->code != 67) continue;
+      if (entity.groups.size() == kMostGroups)
+        return fail(ErrorCode::badInput,
+                    name_ + " cannot be used: what begins in line " + std::to_string(entity.line) +
+                        " has more than " + std::to_string(kMostGroups) +
+                        " values; export it as a spline, or more coarsely",
+                    name_, double(entity.line), double(kMostGroups));
+      entity.groups.push_back(*group);
+    }
+    if (polyline_) return damaged(name_, entity.line, "ends the file within a polyline");
+    return finish();
+  }
+
+ private:
+  Result<void> takeUnit(const Group& group) {
+    const Result<double> code = number(group);
+    if (!code) return tl::unexpected<Error>(code.error());
+    const auto* unit = std::ranges::find_if(kUnits, [&](const Unit& known) { return known.code == *code; });
+    if (unit != std::end(kUnits)) {
+      unit_ = *unit;
+      return {};
+    }
+    if (asked_) {
+      unit_.name = "another unit";
+      return {};
+    }
+    return fail(ErrorCode::badInput,
+                name_ + " states its lengths in the unit " + shortText(*code) +
+                    " of DXF, which is not known; give the unit that they are in",
+                "unit", *code);
+  }
+
+  Result<double> number(const Group& group) const {
+    const std::optional<double> value = parseNumber(trimmed(group.value));
+    if (!value)
+      return damaged(
+          name_, group.line + 1,
+          "has \"" + std::string(trimmed(group.value).substr(0, 20)) + "\" where a finite number stands");
+    return *value;
+  }
+
+  /// The number of a code; the last one where there are several.
+  Result<double> number(const Entity& entity, int code, double otherwise) const {
+    const auto found = std::find_if(entity.groups.rbegin(), entity.groups.rend(),
+                                    [&](const Group& group) { return group.code == code; });
+    return found == entity.groups.rend() ? Result<double>(otherwise) : number(*found);
+  }
+  Result<int> whole(const Entity& entity, int code, int otherwise) const {
+    const Result<double> value = number(entity, code, otherwise);
+    if (!value) return tl::unexpected<Error>(value.error());
+    return *value >= -1e9 && *value <= 1e9 ? int(*value) : otherwise;
+  }
+  Result<Eigen::Vector3d> point(const Entity& entity, int code, const Eigen::Vector3d& otherwise) const {
+    Eigen::Vector3d p = otherwise;
+    for (int axis = 0; axis < 3; ++axis) {
+      const Result<double> value = number(entity, code + 10 * axis, p[axis]);
+      if (!value) return tl::unexpected<Error>(value.error());
+      p[axis] = *value;
+    }
+    return p;
+  }
+  std::string layerOf(const Entity& entity) const {
+    const auto found = std::ranges::find(entity.groups, 8, &Group::code);
+    return found == entity.groups.end() ? std::string() : std::string(trimmed(found->value));
+  }
+
+  /// The plane of an entity, whose numbers are told in it.
+  struct Plane {
+    Eigen::Matrix3d axes;
+    Eigen::Vector3d at(const Eigen::Vector3d& p) const { return axes * p; }
+  };
+  Result<Plane> planeOf(const Entity& entity) const {
+    const Result<Eigen::Vector3d> extrusion = point(entity, 210, Eigen::Vector3d::UnitZ());
+    if (!extrusion) return tl::unexpected<Error>(extrusion.error());
+    if (!(extrusion->norm() > 0) || !std::isfinite(extrusion->norm()))
+      return damaged(name_, entity.line,
+                     "begins a " + std::string(entity.type) + " whose extrusion is no direction");
+    const Eigen::Vector3d z = extrusion->normalized();
+    const bool upright = std::abs(z.x()) < kAxis && std::abs(z.y()) < kAxis;
+    Plane plane;
+    plane.axes.col(2) = z;
+    plane.axes.col(0) = (upright ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitZ()).cross(z).normalized();
+    plane.axes.col(1) = z.cross(plane.axes.col(0));
+    return plane;
+  }
+
+  Result<void> take(const Entity& entity) {
+    const std::string_view type = entity.type;
+    if (type == "SECTION" || type == "ENDSEC") return {};
+    if (polyline_) {
+      if (type == "VERTEX") return takeVertex(entity);
+      if (type == "SEQEND") return endPolyline();
+      return damaged(name_, entity.line,
+                     "begins a " + std::string(type.substr(0, 20)) + " within a polyline");
+    }
+    const Result<int> paper = whole(entity, 67, 0);
+    if (!paper) return tl::unexpected<Error>(paper.error());
+    if (type == "POLYLINE") {
+      polyline_ = Polyline{entity, {}, {}};
+      paperPolyline_ = *paper == 1;
+      return {};
+    }
+    if (*paper == 1) {
+      ++left_["entity of a layout"];
+      return {};
+    }
+    if (type == "LINE") return takeLine(entity);
+    if (type == "LWPOLYLINE") return takeLightPolyline(entity);
+    if (type == "ARC" || type == "CIRCLE") return takeArc(entity);
+    if (type == "ELLIPSE") return takeEllipse(entity);
+    if (type == "SPLINE") return takeSpline(entity);
+    if (type == "INSERT")
+      return fail(
+          ErrorCode::badInput,
+          name_ + " cannot be used: line " + std::to_string(entity.line + 1) +
+              " inserts a block (INSERT), whose curves are not read; explode blocks in the CAD program "
+              "and export it again",
+          name_, double(entity.line));
+    ++left_[std::string(type.substr(0, 40))];
+    return {};
+  }
+
+  Result<void> add(SpaceCurve curve, const Entity& entity) {
+    curve.number = int(found_.curves.size()) + 1;
+    curve.name = layerOf(entity);
+    for (Eigen::Vector3d& pole : curve.poles) pole *= asked_.value_or(unit_.mm);
+    points_ += curve.poles.size();
+    if (found_.curves.size() >= DxfCurves::kMost || points_ > DxfCurves::kMostPoints)
+      return fail(ErrorCode::badInput,
+                  name_ + " holds more than " + std::to_string(DxfCurves::kMost) + " curves, or " +
+                      std::to_string(DxfCurves::kMostPoints) +
+                      " points of curves; export those that are needed alone",
+                  name_, double(found_.curves.size() + 1), double(DxfCurves::kMost));
+    if (Result<void> ok = checkSpaceCurve(curve); !ok) {
+      Error error = ok.error();
+      error.message = name_ + ": " + error.message + " (line " + std::to_string(entity.line + 1) + ")";
+      return tl::unexpected<Error>(error);
+    }
+    found_.curves.push_back(std::move(curve));
+    return {};
+  }
+
+  tl::unexpected<Error> closed(const Entity& entity, const std::string& what) const {
+    return fail(
+        ErrorCode::badInput,
+        name_ + " cannot be used: curve " + std::to_string(found_.curves.size() + 1) + ", " + what +
+            (layerOf(entity).empty() ? "" : " on the layer " + layerOf(entity)) + " (line " +
+            std::to_string(entity.line + 1) +
+            "), is closed; a section is open, from one side of the block to the other: cut it open, or "
+            "leave it out",
+        name_, double(entity.line));
+  }
+
+  Result<void> takeLine(const Entity& entity) {
+    const auto from = point(entity, 10, Eigen::Vector3d::Zero()),
+               to = point(entity, 11, Eigen::Vector3d::Zero());
+    if (!from) return tl::unexpected<Error>(from.error());
+    if (!to) return tl::unexpected<Error>(to.error());
+    return add(polylineThrough({*from, *to}), entity);
+  }
+
+  Result<void> takeArc(const Entity& entity) {
+    const Result<Plane> plane = planeOf(entity);
+    const auto center = point(entity, 10, Eigen::Vector3d::Zero());
+    const auto radius = number(entity, 40, 0), from = number(entity, 50, 0), to = number(entity, 51, 360);
+    if (!plane) return tl::unexpected<Error>(plane.error());
+    if (!center) return tl::unexpected<Error>(center.error());
+    for (const auto* one : {&radius, &from, &to})
+      if (!*one) return tl::unexpected<Error>(one->error());
+    if (entity.type == "CIRCLE") return closed(entity, "a circle");
+    if (!(*radius > 0)) return damaged(name_, entity.line, "begins an arc without a radius");
+    return addTurn(entity, "an arc of a whole turn", plane->at(*center), *radius * plane->axes.col(0),
+                   *radius * plane->axes.col(1), fromDegrees(*from), fromDegrees(*to));
+  }
+
+  Result<void> takeEllipse(const Entity& entity) {
+    const auto center = point(entity, 10, Eigen::Vector3d::Zero()),
+               axis = point(entity, 11, Eigen::Vector3d::Zero());
+    const auto normal = point(entity, 210, Eigen::Vector3d::UnitZ());
+    const auto ratio = number(entity, 40, 1), from = number(entity, 41, 0), to = number(entity, 42, kTurn);
+    for (const auto* one : {&center, &axis, &normal})
+      if (!*one) return tl::unexpected<Error>(one->error());
+    for (const auto* one : {&ratio, &from, &to})
+      if (!*one) return tl::unexpected<Error>(one->error());
+    if (!(axis->norm() > 0) || !(normal->norm() > 0) || !(*ratio > 0))
+      return damaged(name_, entity.line, "begins an ellipse without axes");
+    return addTurn(entity, "a whole ellipse", *center, *axis, *ratio * normal->normalized().cross(*axis),
+                   *from, *to);
+  }
+
+  Result<void> addTurn(const Entity& entity, const std::string& whole, const Eigen::Vector3d& center,
+                       const Eigen::Vector3d& a, const Eigen::Vector3d& b, double from, double to) {
+    double turn = std::fmod(to - from, kTurn);
+    if (turn <= kWholeTurn) turn += kTurn;
+    if (turn >= kTurn - kWholeTurn) return closed(entity, whole);
+    from = std::fmod(from, kTurn);
+    return add(ellipticArc(center, a, b, from, from + turn), entity);
+  }
+
+  /// Points of a polyline in a plane, each with the bulge of what leads on from it.
+  Result<void> addBulged(const Entity& entity, const Plane& plane, Points points, std::vector<double> bulges,
+                         bool isClosed) {
+    if (isClosed && points.size() > 1) return closed(entity, "a polyline");
+    if (points.size() < 2) {
+      ++left_["polyline of one point"];
+      return {};
+    }
+    const bool straight =
+        std::all_of(bulges.begin(), bulges.end() - 1, [](double b) { return std::abs(b) < kStraight; });
+    if (straight) {
+      for (Eigen::Vector3d& p : points) p = plane.at(p);
+      return add(polylineThrough(std::move(points)), entity);
+    }
+    SpaceCurve curve;
+    curve.degree = 2;
+    curve.knots = {0, 0, 0};
+    curve.poles = {points.front()};
+    curve.weights = {1};
+    double knot = 0;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      const Eigen::Vector3d &p = points[i], &q = points[i + 1];
+      const double bulge = bulges[i];
+      SpaceCurve piece;
+      if (std::abs(bulge) < kStraight || (q - p).norm() == 0) {
+        piece.poles = {p, (p + q) / 2, q};
+        piece.weights = {1, 1, 1};
+      } else {
+        const Eigen::Vector3d across(p.y() - q.y(), q.x() - p.x(), 0);
+        const Eigen::Vector3d center = (p + q) / 2 + (1 - bulge * bulge) / (4 * bulge) * across;
+        const Eigen::Vector3d a = p - center, b(-a.y(), a.x(), 0);
+        piece =
+            ellipticArc(center, a, bulge > 0 ? b : Eigen::Vector3d(-b), 0, 4 * std::atan(std::abs(bulge)));
+        piece.poles.back() = q;
+      }
+      curve.poles.insert(curve.poles.end(), piece.poles.begin() + 1, piece.poles.end());
+      curve.weights.insert(curve.weights.end(), piece.weights.begin() + 1, piece.weights.end());
+      for (std::size_t k = 2; k < piece.poles.size(); k += 2)
+        curve.knots.insert(curve.knots.end(), 2, ++knot);
+    }
+    curve.knots.push_back(knot);
+    for (Eigen::Vector3d& p : curve.poles) p = plane.at(p);
+    return add(std::move(curve), entity);
+  }
+
+  Result<void> takeLightPolyline(const Entity& entity) {
+    const Result<Plane> plane = planeOf(entity);
+    const Result<double> height = number(entity, 38, 0);
+    const Result<int> flags = whole(entity, 70, 0);
+    if (!plane) return tl::unexpected<Error>(plane.error());
+    if (!height) return tl::unexpected<Error>(height.error());
+    if (!flags) return tl::unexpected<Error>(flags.error());
+    Points points;
+    std::vector<double> bulges;
+    for (const Group& group : entity.groups) {
+      if (group.code != 10 && group.code != 20 && group.code != 42) continue;
+      const Result<double> value = number(group);
+      if (!value) return tl::unexpected<Error>(value.error());
+      if (group.code == 10) {
+        points.emplace_back(*value, 0, *height);
+        bulges.push_back(0);
+      } else if (points.empty()) {
+        return damaged(name_, group.line, "tells of a vertex before the first one");
+      } else {
+        (group.code == 20 ? points.back().y() : bulges.back()) = *value;
+      }
+    }
+    return addBulged(entity, *plane, std::move(points), std::move(bulges), *flags & 1);
+  }
+
+  Result<void> takeVertex(const Entity& entity) {
+    const Result<Eigen::Vector3d> p = point(entity, 10, Eigen::Vector3d::Zero());
+    const Result<double> bulge = number(entity, 42, 0);
+    const Result<int> flags = whole(entity, 70, 0);
+    if (!p) return tl::unexpected<Error>(p.error());
+    if (!bulge) return tl::unexpected<Error>(bulge.error());
+    if (!flags) return tl::unexpected<Error>(flags.error());
+    constexpr int kFramePoint = 16;  // of a polyline that was fitted
+    if (*flags & kFramePoint) return {};
+    if (polyline_->points.size() > SpaceCurve::kMostPoles)
+      return fail(ErrorCode::badInput,
+                  name_ + " cannot be used: curve " + std::to_string(found_.curves.size() + 1) +
+                      " has more than " + std::to_string(SpaceCurve::kMostPoles) +
+                      " points; export it as a spline, or more coarsely",
+                  name_, double(SpaceCurve::kMostPoles + 1), double(SpaceCurve::kMostPoles));
+    polyline_->points.push_back(*p);
+    polyline_->bulges.push_back(*bulge);
+    return {};
+  }
+
+  Result<void> endPolyline() {
+    Polyline polyline = std::move(*polyline_);
+    polyline_.reset();
+    if (paperPolyline_) {
+      ++left_["entity of a layout"];
+      return {};
+    }
+    const Result<int> flags = whole(polyline.head, 70, 0);
+    if (!flags) return tl::unexpected<Error>(flags.error());
+    constexpr int kInSpace = 8, kMesh = 16, kFaces = 64;
+    if (*flags & (kMesh | kFaces)) {
+      ++left_["mesh"];
+      return {};
+    }
+    Plane plane{Eigen::Matrix3d::Identity()};
+    if (*flags & kInSpace) {
+      std::ranges::fill(polyline.bulges, 0.0);
+    } else {
+      const Result<Plane> own = planeOf(polyline.head);
+      const Result<double> height = number(polyline.head, 30, 0);
+      if (!own) return tl::unexpected<Error>(own.error());
+      if (!height) return tl::unexpected<Error>(height.error());
+      plane = *own;
+      for (Eigen::Vector3d& p : polyline.points) p.z() = *height;
+    }
+    return addBulged(polyline.head, plane, std::move(polyline.points), std::move(polyline.bulges),
+                     *flags & 1);
+  }
+
+  Result<void> takeSpline(const Entity& entity) {
+    const Result<int> degree = whole(entity, 71, 3), fitted = whole(entity, 74, 0);
+    if (!degree) return tl::unexpected<Error>(degree.error());
+    if (!fitted) return tl::unexpected<Error>(fitted.error());
+    SpaceCurve curve;
+    curve.degree = *degree;
+    for (const Group& group : entity.groups) {
+      if (group.code != 10 && group.code != 20 && group.code != 30 && group.code != 40 && group.code != 41)
+        continue;
+      const Result<double> value = number(group);
+      if (!value) return tl::unexpected<Error>(value.error());
+      if (group.code == 10) {
+        curve.poles.emplace_back(*value, 0, 0);
+      } else if (group.code == 40) {
+        curve.knots.push_back(*value);
+      } else if (group.code == 41) {
+        curve.weights.push_back(*value);
+      } else if (curve.poles.empty()) {
+        return damaged(name_, group.line, "tells of a pole before the first one");
+      } else {
+        curve.poles.back()[group.code / 10 - 1] = *value;
+      }
+    }
+    if (curve.poles.empty() && *fitted > 0)
+      return fail(ErrorCode::badInput,
+                  name_ + " cannot be used: curve " + std::to_string(found_.curves.size() + 1) + " (line " +
+                      std::to_string(entity.line + 1) + ") is a spline told by " + std::to_string(*fitted) +
+                      " fit points alone; convert it to control points, or export it as a polyline",
+                  name_, double(entity.line));
+    if (std::ranges::all_of(curve.weights, [](double w) { return w == 1; })) curve.weights.clear();
+    return add(std::move(curve), entity);
+  }
+
+  Result<DxfCurves> finish() {
+    found_.unit = unit_.name;
+    for (const auto& [what, count] : left_)
+      found_.leftOut.push_back(std::to_string(count) + " × " + printable(what));
+    if (!found_.curves.empty()) return std::move(found_);
+    std::string held;
+    for (const std::string& what : found_.leftOut) held += (held.empty() ? ", only " : ", ") + what;
+    return fail(ErrorCode::badInput,
+                name_ + " cannot be used: it holds no curves" + held +
+                    "; export the section curves as lines, arcs, polylines or splines",
+                name_, 0, 1);
+  }
+
+  struct Polyline {
+    Entity head;
+    Points points;
+    std::vector<double> bulges;
+  };
+
+  Groups groups_;
+  const std::string& name_;
+  std::optional<double> asked_;
+  Unit unit_ = kUnits[0];
+  std::optional<Polyline> polyline_;
+  bool paperPolyline_ = false;
+  std::map<std::string, int> left_;
+  std::size_t points_ = 0;
+  DxfCurves found_;
+};
+
+}  // namespace
+
+bool isDxf(std::string_view bytes) {
+  if (bytes.starts_with(kBinary)) return true;
+  if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
+  std::string name;
+  Groups groups(bytes, name);
+  const Result<Group> first = groups.next();
+  return first && first->code == 0 && trimmed(first->value) == "SECTION";
+}
+
+Result<DxfCurves> readDxf(std::string_view bytes, const std::string& name, std::optional<double> unit) {
+  if (bytes.starts_with(kBinary))
+    return fail(ErrorCode::cannotRead,
+                "cannot read " + name + ": it is a binary DXF file; save it as ASCII DXF in the CAD program",
+                name);
+  if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
+  if (!isDxf(bytes))
+    return fail(ErrorCode::cannotRead,
+                "cannot read " + name + ": it is no DXF file; export it again from the CAD program", name);
+  return Reader(bytes, name, unit).read();
+}
+
+}  // namespace bw

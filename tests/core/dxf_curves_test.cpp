@@ -1,0 +1,239 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// Curves of DXF drawings, as several programs write them, and drawings that are damaged or hold something
+// else.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <sstream>
+
+#include "bw/core/base/units.h"
+#include "bw/core/dxf/dxf_curves.h"
+
+namespace bw::test {
+namespace {
+
+/// "0 LINE 8 walls 10 0": codes and values, a line each.
+std::string groups(const std::string& words) {
+  std::istringstream stream(words);
+  std::string text, word;
+  while (stream >> word) text += word + "\n";
+  return text;
+}
+
+std::string drawing(const std::string& entities, const std::string& header = "9 $INSUNITS 70 4") {
+  return groups("0 SECTION 2 HEADER " + header + " 0 ENDSEC 0 SECTION 2 ENTITIES " + entities +
+                " 0 ENDSEC 0 EOF");
+}
+
+DxfCurves read(const std::string& text) {
+  auto read = readDxf(text, "a.dxf");
+  EXPECT_TRUE(read) << (read ? "" : read.error().message);
+  return read ? *read : DxfCurves{};
+}
+
+void expectError(const std::string& text, ErrorCode code, const std::string& part) {
+  const auto result = readDxf(text, "a.dxf");
+  ASSERT_FALSE(result.has_value()) << "expected: " << part;
+  EXPECT_EQ(result.error().code, code);
+  EXPECT_NE(result.error().message.find(part), std::string::npos)
+      << result.error().message << "\nin place of: " << part;
+}
+
+Eigen::Vector3d firstOf(const SpaceCurve& curve) { return curve.value(curve.start()); }
+Eigen::Vector3d lastOf(const SpaceCurve& curve) { return curve.value(curve.end()); }
+
+TEST(DxfCurves, LinesArcsPolylinesAndSplinesInTheOrderOfTheFile) {
+  const DxfCurves all = read(drawing(
+      "0 LINE 8 walls 10 1 20 2 30 3 11 4 21 5 31 6 "
+      "0 ARC 8 walls 10 100 20 50 30 7 40 10 50 350 51 90 "
+      "0 LWPOLYLINE 8 roof 90 3 70 0 38 5 10 0 20 0 10 10 20 0 10 10 20 10 "
+      "0 POLYLINE 8 roof 66 1 70 8 10 0 20 0 30 0 0 VERTEX 8 roof 70 32 10 1 20 2 30 3 0 VERTEX 8 roof 70 32 "
+      "10 4 "
+      "20 5 30 9 0 SEQEND 8 roof "
+      "0 SPLINE 8 roof 70 8 71 3 72 8 73 4 74 0 40 0 40 0 40 0 40 0 40 1 40 1 40 1 40 1 10 0 20 0 30 0 10 1 "
+      "20 0 30 "
+      "1 10 2 20 0 30 1 10 3 20 0 30 0 "
+      "0 ELLIPSE 8 roof 10 0 20 0 30 0 11 20 21 0 31 0 210 0 220 0 230 1 40 0.5 41 0 42 1.5707963267948966"));
+  EXPECT_EQ(all.unit, "mm");
+  ASSERT_EQ(all.curves.size(), 6u);
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(all.curves[i].number, int(i) + 1);
+  EXPECT_EQ(all.curves[0].name, "walls");
+  EXPECT_EQ(all.curves[2].name, "roof");
+  EXPECT_EQ(firstOf(all.curves[0]), Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(lastOf(all.curves[0]), Eigen::Vector3d(4, 5, 6));
+  const double ten = 10 * kDegree;
+  EXPECT_LT(
+      (firstOf(all.curves[1]) - Eigen::Vector3d(100 + 10 * std::cos(ten), 50 - 10 * std::sin(ten), 7)).norm(),
+      1e-9);
+  EXPECT_LT((lastOf(all.curves[1]) - Eigen::Vector3d(100, 60, 7)).norm(), 1e-9);
+  EXPECT_EQ(all.curves[2].poles[2], Eigen::Vector3d(10, 10, 5));
+  EXPECT_EQ(lastOf(all.curves[3]), Eigen::Vector3d(4, 5, 9));
+  EXPECT_LT((all.curves[4].value(0.5) - Eigen::Vector3d(1.5, 0, 0.75)).norm(), 1e-12);
+  EXPECT_LT((lastOf(all.curves[5]) - Eigen::Vector3d(0, 10, 0)).norm(), 1e-12);
+  EXPECT_TRUE(all.leftOut.empty());
+}
+
+TEST(DxfCurves, BulgesAreArcsBetweenTheirVertices) {
+  // A half circle to the left of the way (bulge -1), a line, a quarter to the right.
+  const DxfCurves all = read(drawing(
+      "0 LWPOLYLINE 8 0 90 4 70 0 10 0 20 0 42 -1 10 20 20 0 10 40 20 0 42 0.41421356237309503 10 50 20 10"));
+  ASSERT_EQ(all.curves.size(), 1u);
+  const SpaceCurve& curve = all.curves[0];
+  EXPECT_EQ(firstOf(curve), Eigen::Vector3d(0, 0, 0));
+  EXPECT_LT((lastOf(curve) - Eigen::Vector3d(50, 10, 0)).norm(), 1e-12);
+  double highest = 0;
+  for (const Eigen::Vector3d& p : curve.samples(1000)) {
+    highest = std::max(highest, p.y());
+    if (p.x() < 20 - 1e-9) {
+      EXPECT_NEAR((p - Eigen::Vector3d(10, 0, 0)).norm(), 10, 1e-9);
+    } else if (p.x() <= 40) {
+      EXPECT_NEAR(p.y(), 0, 1e-9);
+    } else {
+      EXPECT_NEAR((p - Eigen::Vector3d(40, 10, 0)).norm(), 10, 1e-9);
+    }
+  }
+  EXPECT_NEAR(highest, 10, 0.1) << "clockwise from left to right is above";
+}
+
+TEST(DxfCurves, ArcsAndPolylinesLieInThePlaneOfTheirExtrusion) {
+  // Extrusion -y: x of the plane is the world's x, y of it its z.
+  const DxfCurves all =
+      read(drawing("0 LWPOLYLINE 8 0 90 2 70 0 38 -800 10 1 20 2 10 3 20 4 210 0 220 -1 230 0 "
+                   "0 ARC 8 0 10 5 20 6 30 -100 40 1 50 0 51 90 210 0 220 -1 230 0 "
+                   "0 POLYLINE 8 0 66 1 70 0 10 0 20 0 30 -7 210 0 220 -1 230 0 0 VERTEX 8 0 10 1 20 1 30 -7 "
+                   "0 VERTEX 8 0 10 2 "
+                   "20 9 30 -7 0 SEQEND "
+                   "0 ARC 8 0 10 5 20 6 30 1 40 1 50 0 51 90 210 0 220 0 230 -1"));
+  ASSERT_EQ(all.curves.size(), 4u);
+  EXPECT_LT((firstOf(all.curves[0]) - Eigen::Vector3d(1, 800, 2)).norm(), 1e-12);
+  EXPECT_LT((lastOf(all.curves[0]) - Eigen::Vector3d(3, 800, 4)).norm(), 1e-12);
+  EXPECT_LT((firstOf(all.curves[1]) - Eigen::Vector3d(6, 100, 6)).norm(), 1e-12);
+  EXPECT_LT((lastOf(all.curves[1]) - Eigen::Vector3d(5, 100, 7)).norm(), 1e-12);
+  EXPECT_LT((lastOf(all.curves[2]) - Eigen::Vector3d(2, 7, 9)).norm(), 1e-12);
+  EXPECT_LT((firstOf(all.curves[3]) - Eigen::Vector3d(-6, 6, -1)).norm(), 1e-12)
+      << "mirrored: x runs the other way";
+}
+
+TEST(DxfCurves, UnitsOfTheDrawingAndAsAskedFor) {
+  const std::string line = "0 LINE 8 0 10 0 20 0 30 0 11 2 21 0 31 0";
+  for (const auto& [code, name, mm] : {std::tuple("0", "mm (assumed)", 1.0),
+                                       {"1", "inch", 25.4},
+                                       {"2", "foot", 304.8},
+                                       {"4", "mm", 1.0},
+                                       {"5", "cm", 10.0},
+                                       {"6", "m", 1000.0}}) {
+    const DxfCurves all = read(drawing(line, std::string("9 $ACADVER 1 AC1027 9 $INSUNITS 70 ") + code));
+    EXPECT_EQ(all.unit, name);
+    EXPECT_NEAR(lastOf(all.curves[0]).x(), 2 * mm, 1e-12);
+  }
+  EXPECT_EQ(read(drawing(line, "")).unit, "mm (assumed)");
+  EXPECT_NEAR(lastOf(readDxf(drawing(line, "9 $INSUNITS 70 1"), "a.dxf", 10.0).value().curves[0]).x(), 20,
+              1e-12);
+  expectError(drawing(line, "9 $INSUNITS 70 18"), ErrorCode::badInput, "the unit 18 of DXF");
+  EXPECT_TRUE(readDxf(drawing(line, "9 $INSUNITS 70 18"), "a.dxf", 1.0));
+}
+
+TEST(DxfCurves, WindowsLinesCommentsTablesBlocksAndLayoutsArePassedOver) {
+  std::string text = groups(
+      "999 made-by-hand 0 SECTION 2 TABLES 0 TABLE 2 LAYER 0 LAYER 2 walls 70 0 62 7 0 ENDTAB 0 ENDSEC "
+      "0 SECTION 2 BLOCKS 0 BLOCK 2 door 0 LINE 8 0 10 0 20 0 11 9 21 9 0 ENDBLK 0 ENDSEC "
+      "0 SECTION 2 ENTITIES 999 a-comment 0 LINE 8 0 10 0 20 0 11 9 21 9 0 TEXT 8 0 1 title 0 POINT 8 0 10 1 "
+      "20 1 0 "
+      "TEXT 1 more 0 LINE 67 1 8 0 10 0 20 0 11 1 21 1 0 ENDSEC 0 EOF");
+  std::string windows;
+  for (const char c : text) windows += c == '\n' ? "\r\n" : std::string(1, c);
+  for (const std::string& one : {text, windows, "\xef\xbb\xbf" + text}) {
+    EXPECT_TRUE(isDxf(one));
+    const DxfCurves all = read(one);
+    EXPECT_EQ(all.curves.size(), 1u);
+    EXPECT_EQ(all.leftOut, (std::vector<std::string>{"1 × POINT", "2 × TEXT", "1 × entity of a layout"}));
+  }
+}
+
+TEST(DxfCurves, WhatCannotBeASectionIsRefusedWithWords) {
+  expectError(std::string("AutoCAD Binary DXF\r\n\x1a\0", 22), ErrorCode::cannotRead, "save it as ASCII DXF");
+  expectError("ISO-10303-21;", ErrorCode::cannotRead, "is no DXF file");
+  expectError("", ErrorCode::cannotRead, "is no DXF file");
+  expectError(drawing("0 CIRCLE 8 holes 10 0 20 0 40 5"), ErrorCode::badInput,
+              "curve 1, a circle on the layer holes (line 16), is closed");
+  expectError(drawing("0 ARC 8 0 10 0 20 0 40 5 50 0 51 360"), ErrorCode::badInput, "an arc of a whole turn");
+  expectError(drawing("0 ELLIPSE 8 0 10 0 20 0 30 0 11 5 21 0 31 0 40 0.5 41 0 42 6.283185307179586"),
+              ErrorCode::badInput, "a whole ellipse");
+  expectError(drawing("0 LWPOLYLINE 8 0 90 3 70 1 10 0 20 0 10 1 20 0 10 1 20 1"), ErrorCode::badInput,
+              "a polyline on the layer 0");
+  expectError(drawing("0 INSERT 8 0 2 door 10 0 20 0"), ErrorCode::badInput, "explode blocks");
+  expectError(drawing("0 TEXT 8 0 1 title"), ErrorCode::badInput, "it holds no curves, only 1 × TEXT");
+  expectError(drawing(""), ErrorCode::badInput, "it holds no curves; export the section curves");
+  expectError(drawing("0 SPLINE 8 0 70 8 71 3 72 0 73 0 74 4 11 0 21 0 31 0"), ErrorCode::badInput,
+              "4 fit points alone");
+}
+
+TEST(DxfCurves, DamagedFilesAreToldWithTheirLine) {
+  const std::string whole = drawing("0 LINE 8 0 10 0 20 0 11 9 21 9");
+  for (std::size_t size = 0; size < whole.size() - 4; ++size)
+    EXPECT_FALSE(readDxf(whole.substr(0, size), "a.dxf")) << size;
+  expectError(whole.substr(0, whole.size() / 2 * 2 - 20), ErrorCode::cannotRead, "is cut short");
+  expectError(drawing("0 LINE 8 0 10 nan 20 0 11 9 21 9"), ErrorCode::cannotRead,
+              "has \"nan\" where a finite number");
+  expectError(drawing("0 LINE 8 0 10 1e999 20 0 11 9 21 9"), ErrorCode::cannotRead, "where a finite number");
+  expectError(drawing("0 LINE 8 0 x 1 20 0"), ErrorCode::cannotRead, "has \"x\" where the code of a group");
+  expectError(drawing("0 POLYLINE 8 0 66 1 70 8 0 VERTEX 10 0 20 0 30 0"), ErrorCode::cannotRead,
+              "ends the file within a polyline");
+  expectError(drawing("0 SPLINE 8 0 71 3 40 0 40 1 10 0 20 0 30 0"), ErrorCode::badInput,
+              "of degree 3 it takes 4");
+  expectError(drawing("0 SPLINE 8 0 71 1000000000 40 0 40 1 10 0 20 0 30 0"), ErrorCode::badInput,
+              "has the degree");
+  expectError(drawing("0 SPLINE 8 0 71 1 40 0 40 0 40 1 40 1 41 1 41 -1 10 0 20 0 30 0 10 1 20 0 30 0"),
+              ErrorCode::badInput, "a weight of -1");
+  expectError(drawing("0 SPLINE 8 0 71 1 20 1"), ErrorCode::cannotRead, "before the first one");
+  expectError(drawing("0 LINE 8 0 10 1e300 20 0 11 9 21 9"), ErrorCode::badInput, "beyond a million metres");
+  expectError(drawing("0 ARC 8 0 10 0 20 0 40 1 50 0 51 90 210 0 220 0 230 0"), ErrorCode::cannotRead,
+              "is no direction");
+  std::string many;
+  for (std::size_t i = 0; i <= DxfCurves::kMost; ++i) many += "0 LINE 8 0 10 0 20 0 11 9 21 9 ";
+  expectError(drawing(many), ErrorCode::badInput, "more than 10000 curves");
+  std::string long_ = "0 LWPOLYLINE 8 0 70 0 ";
+  for (int i = 0; i < 100'001; ++i) long_ += "10 " + std::to_string(i) + " 20 0 ";
+  expectError(drawing(long_), ErrorCode::badInput, "has 100001 points");
+}
+
+TEST(DxfCurves, SlipsInAFileNeverBreakTheReader) {
+  const std::string whole = drawing(
+      "0 ARC 8 0 10 5 20 6 30 1 40 1 50 0 51 90 0 LWPOLYLINE 8 0 90 3 70 0 10 0 20 0 42 0.5 10 20 20 0 10 40 "
+      "20 7 "
+      "0 SPLINE 8 0 70 8 71 1 72 4 73 2 40 0 40 0 40 1 40 1 10 0 20 0 30 0 10 3 20 0 30 0 "
+      "0 POLYLINE 8 0 66 1 70 8 0 VERTEX 10 0 20 0 30 0 0 VERTEX 10 9 20 0 30 0 0 SEQEND");
+  std::mt19937 random(3);
+  for (int round = 0; round < 3000; ++round) {
+    std::string text = whole;
+    for (int slip = 0; slip < 3; ++slip) {
+      const std::size_t at = random() % text.size();
+      switch (random() % 3) {
+        case 0:
+          text[at] = "0123456789.-e\nxA"[random() % 16];
+          break;
+        case 1:
+          text.erase(at, random() % 9);
+          break;
+        default:
+          text.insert(at, text.substr(random() % text.size(), random() % 40));
+      }
+    }
+    const auto result = readDxf(text, "a.dxf");
+    if (!result) {
+      EXPECT_FALSE(result.error().message.empty());
+      continue;
+    }
+    for (const SpaceCurve& curve : result->curves) {
+      EXPECT_TRUE(checkSpaceCurve(curve));
+      EXPECT_TRUE(curve.value(0.5 * (curve.start() + curve.end())).allFinite());
+    }
+  }
+}
+
+}  // namespace
+}  // namespace bw::test
