@@ -109,7 +109,7 @@ QString helpText() {
   return QStringLiteral(
       "bladewright [FILE] [options]\n"
       "\n"
-      "Opens the window on FILE, a CAD surface (STEP, IGES, BREP) or a design (.bladewright).\n"
+      "Opens the window on FILE, a CAD file (STEP, IGES, BREP, DXF) or a design (.bladewright).\n"
       "\n"
       "  --example NAME               open an example of the start page, such as panel-600x670\n"
       "  --screenshot PNG             write a picture of the window once the result stands, then quit\n"

@@ -37,7 +37,8 @@ void MainWindow::makeCommands() {
   add("file.newWall", tr("New &wall of blocks"), "grid",
       tr("A surface through sections over three blocks of 600 × 800 × 500 mm side by side"),
       {QKeySequence("Ctrl+Shift+N")}, [this](bool) { openExample(pipeline::kBlockWall); });
-  add("file.open", tr("&Open CAD surface…"), "open", tr("A STEP, IGES or BREP file"), {QKeySequence::Open},
+  add("file.open", tr("&Open CAD surface…"), "open",
+      tr("A STEP, IGES or BREP file, or the curves of one or of a DXF drawing"), {QKeySequence::Open},
       [this](bool) {
         if (const QString file = questions_.openSurface(); !file.isEmpty()) openFile(file);
       });

@@ -22,7 +22,7 @@ namespace bw::app {
 namespace {
 
 QString cadFilter() {
-  return MainWindow::tr("CAD surfaces (*.step *.stp *.stpz *.iges *.igs *.brep *.brp);;All files (*)");
+  return MainWindow::tr("CAD files (*.step *.stp *.stpz *.iges *.igs *.brep *.brp *.dxf);;All files (*)");
 }
 QString designFilter() { return MainWindow::tr("Bladewright designs (*.bladewright)"); }
 

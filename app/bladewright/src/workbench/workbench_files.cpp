@@ -3,7 +3,10 @@
 // Designs, surfaces and results as files.
 #include <algorithm>
 
+#include "bw/core/files/file_set.h"
+#include "bw/core/text/printable.h"
 #include "bw/geometry/export.h"
+#include "bw/pipeline/drawn_design.h"
 #include "bw/pipeline/example_design.h"
 #include "bw/pipeline/result_folder.h"
 #include "workbench/workbench.h"
@@ -30,6 +33,17 @@ Result<void> Workbench::openFile(const fs::path& file) {
   } else {
     std::error_code error;
     if (!fs::is_regular_file(file, error)) return refuse(Topic::file, noFile(file));
+    if (const Result<std::string> bytes = readFile(file); bytes && pipeline::holdsCurvesAlone(*bytes)) {
+      Result<pipeline::DrawnDesign> drawn = pipeline::designThrough(*bytes, file.filename().string(), {});
+      if (!drawn) return refuse(Topic::file, drawn.error());
+      QString told = QString::fromStdString(printable(pipeline::drawnText(*drawn, file.filename().string())));
+      if (!drawn->leftOut.empty())
+        told += tr("; left out: %1").arg(QString::fromStdString(printable(drawn->leftOut.front())));
+      document_.start(std::move(drawn->design));
+      settings_.addRecentFile(file);
+      tell(Topic::file, Severity::info, tr("%1. It is a new design, which is not saved yet.").arg(told));
+      return {};
+    }
     Design design;
     const fs::path absolute = fs::absolute(file, error);
     design.name = file.stem().string();
