@@ -27,6 +27,7 @@
 #include <sstream>
 #include <string_view>
 
+#include "bw/core/dxf/dxf_curves.h"
 #include "bw/core/text/number_text.h"
 #include "isolated.h"
 #include "occt.h"
@@ -122,11 +123,12 @@ Result<ReadShape> readAndHeal(std::string_view text, const std::string& name, Ca
       std::string what = "it holds no faces";
       if (!raw->shape.IsNull() && countOf(raw->shape, TopAbs_EDGE) > 0) {
         const int edges = countOf(raw->shape, TopAbs_EDGE);
-        what += ", only " + std::to_string(edges) + (edges == 1 ? " edge" : " edges");
+        what += ", only " + std::to_string(edges) + (edges == 1 ? " edge" : " edges") +
+                "; make a loft through its curves, or export a surface or a solid";
+      } else {
+        what += "; export a surface or a solid, not a mesh";
       }
-      return fail(ErrorCode::badInput,
-                  name + " cannot be used: " + what + "; export a surface or a solid, not curves or a mesh",
-                  name, 0, 1);
+      return fail(ErrorCode::badInput, name + " cannot be used: " + what, name, 0, 1);
     }
     if (options.unit) {
       if (auto ok = readAs(*raw, *options.unit, name); !ok) return tl::unexpected(ok.error());
@@ -219,6 +221,8 @@ Result<std::string> readText(std::string_view text, const std::string& name, con
     if (text.find("\"bladewright_design\"") != std::string::npos) {
       return unreadable(name, "it is a design, whose surface and settings are in it; open it as a design");
     }
+    if (isDxf(text))
+      return unreadable(name, "it is a DXF drawing, which has no faces; make a loft through its curves");
     if (suffix == CadFormat::unknown) {
       return unreadable(name,
                         "it is neither STEP, IGES nor BREP; export the surface as STEP from the CAD program");

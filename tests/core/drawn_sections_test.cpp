@@ -317,6 +317,27 @@ TEST(DrawnSections, TenThousandCurvesAndHugePolylinesComeToAnEnd) {
   EXPECT_LE(huge->deviation, 0.1);
 }
 
+TEST(DrawnSections, WhatStandsOutOfALongPolylineIsSeen) {
+  // One corner of 100,000 off its plane, or out of its curve.
+  SpaceCurve out = section(400, 0, 600, 99'999);
+  out.poles[54'321].y() += 0.3;
+  expectError(sectionsThrough(numbered({section(0), out}), {}), "curve 2 is not planar");
+  SpaceCurve off = section(400, 0, 600, 99'999);
+  off.poles[54'321].z() += 0.3;
+  const auto drawn = sectionsThrough(numbered({section(0), off}), {Kind::spline, 0.1, 12});
+  ASSERT_TRUE(drawn) << drawn.error().message;
+  EXPECT_GT(drawn->deviation, 0.2);
+}
+
+TEST(DrawnSections, ManyCurvesBetweenTheSameTwoPlacesAreRefusedAtOnce) {
+  std::vector<SpaceCurve> many;
+  for (int i = 0; i < int(kMostPieces); ++i)
+    many.push_back(polylineThrough({{0, 0, 0}, {300, 0, 1.0 + i}, {600, 0, 0}}));
+  expectError(sectionsThrough(numbered(many), {}), "Very many ends of curves 1,");
+  many.assign(kMostPieces, section(0, 0, 600, 10));
+  expectError(sectionsThrough(numbered(many), {}), "there is one curve, curve 1");
+}
+
 TEST(DrawnSections, TheSameForAnyNumberOfThreads) {
   RunContext one;
   one.threads = 1;

@@ -25,6 +25,7 @@ constexpr double kStraight = 1e-9;   // bulges below are none
 constexpr double kAxis = 1.0 / 64;   // of the arbitrary axis algorithm
 constexpr double kWholeTurn = 1e-9;  // rad by which an arc may miss one
 constexpr double kTurn = 2 * kPi;
+constexpr std::size_t kMostKinds = 20;          // of entities that are left out, told by name
 constexpr std::size_t kMostGroups = 1'000'000;  // of an entity
 constexpr std::string_view kRead[] = {"LINE", "LWPOLYLINE", "POLYLINE", "VERTEX", "SEQEND",
                                       "ARC",  "CIRCLE",     "ELLIPSE",  "SPLINE", "INSERT"};
@@ -266,7 +267,8 @@ class Reader {
               " inserts a block (INSERT), whose curves are not read; explode blocks in the CAD program "
               "and export it again",
           name_, double(entity.line));
-    ++left_[std::string(type.substr(0, 40))];
+    const std::string kind(type.substr(0, 40));
+    ++left_[left_.size() < kMostKinds || left_.contains(kind) ? kind : "other entity"];
     return {};
   }
 

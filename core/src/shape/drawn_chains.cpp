@@ -21,8 +21,10 @@ namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
 
-constexpr std::size_t kSamples = 2000;  // of a piece, about
-constexpr std::size_t kNames = 4;       // of pieces in the name of a chain
+constexpr std::size_t kAllSamples = 4'000'000;                     // of all pieces, about
+constexpr std::size_t kLeastSamples = 100, kMostSamples = 20'000;  // of a piece
+constexpr std::size_t kMostMeeting = 64;                           // ends in one place that are looked at
+constexpr std::size_t kNames = 4;                                  // of pieces in the name of a chain
 constexpr double kUpright =
     0.1;  // sine of the angle between travel and plumb line below which up is chosen anew
 constexpr double kWay = 0.05;        // of a chord: less across than that tells no direction
@@ -74,12 +76,13 @@ class Ends {
     });
   }
 
-  /// The ids of ends within `distance` of a place: twice the piece, and one for its last end; ascending.
+  /// The ids of ends within `distance` of a place: twice the piece, and one for its last end; ascending. Of
+  /// very many some.
   std::vector<std::size_t> near(const Eigen::Vector3d& place, double distance) const {
     std::vector<std::size_t> ids;
     auto at = std::ranges::lower_bound(ends_, place[axis_] - distance, {},
                                        [&](const End& end) { return end.at[axis_]; });
-    for (; at != ends_.end() && at->at[axis_] <= place[axis_] + distance; ++at)
+    for (; at != ends_.end() && at->at[axis_] <= place[axis_] + distance && ids.size() < kMostMeeting; ++at)
       if ((at->at - place).norm() <= distance) ids.push_back(at->id);
     std::ranges::sort(ids);
     return ids;
@@ -136,10 +139,16 @@ struct Place {
 /// The plane across `normal` that leaves as much of a chain on either side.
 Place placeOf(const Chain& chain, const Eigen::Vector3d& normal) {
   double low = 1e300, high = -1e300;
-  for (const auto& p : chain.samples) {
-    low = std::min(low, normal.dot(p));
-    high = std::max(high, normal.dot(p));
-  }
+  const auto take = [&](const Points& points) {
+    for (const auto& p : points) {
+      low = std::min(low, normal.dot(p));
+      high = std::max(high, normal.dot(p));
+    }
+  };
+  take(chain.samples);
+  // Samples pass over corners of long polylines.
+  for (const Chain::Piece& piece : chain.pieces)
+    if (piece.curve->degree == 1) take(piece.curve->poles);
   return {(low + high) / 2, (high - low) / 2};
 }
 
@@ -293,8 +302,10 @@ Result<Chains> chainsOf(const std::vector<SpaceCurve>& curves, double tolerance)
   Chains found;
   std::vector<const SpaceCurve*> pieces;
   std::vector<Points> samples;
+  const std::size_t most =
+      std::clamp(kAllSamples / std::max<std::size_t>(1, curves.size()), kLeastSamples, kMostSamples);
   for (const SpaceCurve& curve : curves) {
-    Points points = curve.samples(kSamples);
+    Points points = curve.samples(most);
     if (lengthOf(points) <= tolerance) {
       found.tiny.push_back(curveName(curve));
       continue;
@@ -334,8 +345,10 @@ Result<Chains> chainsOf(const std::vector<SpaceCurve>& curves, double tolerance)
         if (std::ranges::find(meeting, pieces[other / 2]) == meeting.end())
           meeting.push_back(pieces[other / 2]);
       return fail(ErrorCode::badInput,
-                  std::to_string(touching.size() + 1) + " ends of " + listed(meeting) + " meet at " +
-                      placeText(place) + "; a section goes on in one curve: leave out the others",
+                  (touching.size() + 1 < kMostMeeting ? std::to_string(touching.size() + 1)
+                                                      : std::string("Very many")) +
+                      " ends of " + listed(meeting) + " meet at " + placeText(place) +
+                      "; a section goes on in one curve: leave out the others",
                   curveName(*pieces[id / 2]), double(touching.size() + 1), 2.0);
     }
     if (!touching.empty()) partner[id] = touching.front();

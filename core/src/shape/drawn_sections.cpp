@@ -22,14 +22,15 @@ using shape::Chain;
 using Kind = SectionCurve::Kind;
 using Points = std::vector<Eigen::Vector2d>;
 
-constexpr double kPlanarShare = 0.5;         // of the tolerance that a curve may leave its plane by
-constexpr std::size_t kFewSamples = 200;     // of a curve while places are sought
-constexpr std::size_t kMostSamples = 20000;  // with which the result is measured
-constexpr int kRounds = 8;                   // in which places are shifted for one number of points
-constexpr double kOrder = 4;                 // of the error of a cubic over its span
-constexpr double kMostShift = 2;             // of a span in a round
-constexpr int kStepUntil = 12;               // points up to which each number is tried
-constexpr double kGrowth = 1.15;             // beyond
+constexpr double kPlanarShare = 0.5;           // of the tolerance that a curve may leave its plane by
+constexpr std::size_t kFewSamples = 200;       // of a curve while places are sought
+constexpr std::size_t kCloseSamples = 20'000;  // where these were too few
+constexpr std::size_t kMostSamples = 200'000;  // with which the result is measured
+constexpr int kRounds = 8;                     // in which places are shifted for one number of points
+constexpr double kOrder = 4;                   // of the error of a cubic over its span
+constexpr double kMostShift = 2;               // of a span in a round
+constexpr int kStepUntil = 12;                 // points up to which each number is tried
+constexpr double kGrowth = 1.15;               // beyond
 constexpr int kChordRounds = 40;
 constexpr double kLeastSpan = 1e-6;  // of a length, between two points
 constexpr double kFlat = 1e-6;       // of a chord: a cubic that leaves it by less has legs as they are
@@ -242,7 +243,7 @@ class Search {
   /// Looks at all samples of the curves from now on.
   void lookCloser() {
     close_.resize(wanted_.size());
-    for (std::size_t i = 0; i < wanted_.size(); ++i) close_[i] = wanted_[i].curve.samples(kMostSamples);
+    for (std::size_t i = 0; i < wanted_.size(); ++i) close_[i] = wanted_[i].curve.samples(kCloseSamples);
   }
   bool close() const { return !close_.empty(); }
 
@@ -258,10 +259,11 @@ class Search {
         errors[i] = section.error();
         return;
       }
-      const Result<Miss> miss =
-          close() ? missOf(wanted_[i], *section, trial.shares, close_[i], spans[i])
-          : all ? missOf(wanted_[i], *section, trial.shares, wanted_[i].curve.samples(kMostSamples), spans[i])
-                : missOf(wanted_[i], *section, trial.shares, wanted_[i].few, spans[i]);
+      const Result<Miss> miss = missOf(wanted_[i], *section, trial.shares,
+                                       all       ? wanted_[i].curve.samples(kMostSamples)
+                                       : close() ? close_[i]
+                                                 : wanted_[i].few,
+                                       spans[i]);
       if (!miss) {
         errors[i] = miss.error();
         return;
@@ -338,45 +340,43 @@ int mostPlaces(Kind kind) {
                                 : SectionCurve::kMost;
 }
 
-/// The fewest places found with which all curves are followed.
+/// A trial that does with fewer places than another one, as few as do in turn but more than `tooFew`.
+Result<Trial> withFewer(const Search& search, Trial trial, int tooFew) {
+  while (int(trial.shares.size()) - 1 > tooFew) {
+    Result<Trial> less = search.best(Search::spread(trial.shares, int(trial.shares.size()) - 1), true);
+    if (less && less->within()) less = search.measure(less->shares, true);
+    if (!less && less.error().code == ErrorCode::cancelled) return less;
+    if (!less || !less->within()) break;
+    trial = std::move(*less);
+  }
+  return trial;
+}
+
+/// The fewest places found with which all curves are followed; if none are, the most.
 Result<Trial> fewest(Search& search, Kind kind, const RunContext& context) {
   const int most = mostPlaces(kind);
   std::vector<double> shares = {0, 1};
-  std::optional<Trial> last, before;
-  int tooFew = 1;
-  for (int points = 2;;) {
+  Result<Trial> last = fail(ErrorCode::internal, "no sections were tried");
+  for (int points = 2, tooFew = 1;;) {
     if (context.stopped()) return stoppedError();
     context.report(std::log(points) / std::log(most), "sections");
     Result<Trial> trial = search.best(Search::spread(shares, points), true);
-    if (!trial && (trial.error().code == ErrorCode::cancelled || !before)) return trial;
-    if (!trial) return std::move(*before);  // so many points make no curve: fewer do not follow it
-    before = *trial;
-    shares = trial->shares;
-    if (trial->within() && !search.close()) {
+    if (trial && trial->within()) {
       // What lies between the samples is looked at once a number serves.
       Result<Trial> all = search.measure(trial->shares, true);
-      if (!all) return all;
-      if (!all->within()) {
+      if (all && all->within()) return withFewer(search, std::move(*all), tooFew);
+      if (all && !search.close()) {
         search.lookCloser();
         continue;
       }
       trial = std::move(all);
     }
-    if (trial->within()) {
-      last = std::move(*trial);
-      // Numbers that were leapt over, from above.
-      while (int(last->shares.size()) - 1 > tooFew) {
-        const int fewer = int(last->shares.size()) - 1;
-        Result<Trial> less = search.best(Search::spread(last->shares, fewer), true);
-        if (less && less->within()) less = search.measure(less->shares, true);
-        if (!less && less.error().code == ErrorCode::cancelled) return less;
-        if (!less || !less->within()) break;
-        last = std::move(*less);
-      }
-      return std::move(*last);
-    }
+    if (!trial && trial.error().code == ErrorCode::cancelled) return trial;
+    // Some numbers of points may make no curve where more of them do.
+    if (trial) shares = trial->shares;
+    if (trial || !last) last = std::move(trial);
     tooFew = points;
-    if (points == most) return trial;
+    if (points == most) return last;
     points = std::min(most, points < kStepUntil ? points + 1 : int(std::ceil(points * kGrowth)));
   }
 }
