@@ -10,12 +10,14 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <random>
 
 #include "bw/core/design/variables.h"
 #include "bw/core/shape/iso_sections.h"
 #include "bw/model/evaluation_runner.h"
 #include "bw/pipeline/example_design.h"
 #include "bw/pipeline/sketch.h"
+#include "sample_wall.h"
 
 namespace bw::pipeline {
 namespace {
@@ -94,6 +96,177 @@ TEST(Sketch, SectionsOfASplineAreThoseThatAreTraced) {
     moved = spline;
     for (Eigen::Vector3d& pole : moved.poles) pole.y() *= 0.9;
     EXPECT_FALSE(isoSections(moved, spline, traced, setup.block));
+  }
+}
+
+/// The sections of all blocks of a design, by tracing and as curves of the spline, are the same.
+void expectTracedSections(const Design& design, const char* name) {
+  const SplineSurface spline = splineOf(*design.source().surface).value();
+  const geometry::CadModel model = geometry::CadModel::of(spline, name).value();
+  const geometry::Target target = geometry::Target::make(model, {}).value();
+  for (const StockBlock& block : design.stock) {
+    Findings findings;
+    const geometry::Setup setup =
+        geometry::resolveSetup(target, {block.placement, design.cut().direction}, findings).value();
+    SectionRequest request;
+    request.stations = 33;
+    const std::vector<Section> traced = geometry::cutSections(target, setup, request, {}, findings).value();
+    const auto sections = isoSections(spline, spline, traced, setup.block);
+    ASSERT_TRUE(sections) << name << " " << block.id;
+    ASSERT_EQ(sections->size(), traced.size());
+    for (std::size_t i = 0; i < traced.size(); ++i) {
+      const std::vector<Eigen::Vector2d> a = (*sections)[i].curve().sample(50),
+                                         b = traced[i].curve().sample(50);
+      for (std::size_t k = 0; k < a.size(); ++k)
+        EXPECT_LT((a[k] - b[k]).norm(), 0.005) << name << " " << block.id << " " << i << " " << k;
+      // Its ends lie on the sides of the block, or on the border of the surface.
+      for (const Eigen::Vector2d& end : {a.front(), a.back()}) {
+        const Eigen::Vector3d p = setup.block.frame.toLocal(traced[i].frame.toWorld(end));
+        EXPECT_LT(std::min(std::abs(p.x()), std::abs(setup.block.size.x() - p.x())), 1e-6);
+      }
+    }
+    // Again, from these: the same curves.
+    const auto again = isoSections(spline, spline, *sections, setup.block);
+    ASSERT_TRUE(again);
+    for (std::size_t i = 0; i < traced.size(); ++i)
+      EXPECT_EQ(&(*again)[i].curve().poles(), &(*sections)[i].curve().poles());
+  }
+}
+
+TEST(Sketch, SectionsOfAWallAreThoseThatAreTraced) {
+  expectTracedSections(designed("block-wall"), "block-wall");
+  expectTracedSections(designed("three-block-wall"), "three-block-wall");
+  expectTracedSections(test::sampleWall(2, 2, 33), "net of poles");
+  expectTracedSections(test::sampleWall(2, 2, 33, false), "loft");
+  // The other way round, and one that is wider than its blocks.
+  Design turned = test::sampleWall(2, 2, 33);
+  turned.source().surface->rotation.z() = kPi;
+  turned.source().surface->origin = {1200, 1600, 0};
+  expectTracedSections(turned, "turned");
+  Design wide = test::sampleWall(2, 2, 33);
+  PolesSurface& wider = std::get<PolesSurface>(wide.source().surface->shape);
+  wider.over = {{-150, -90}, {1290, 1800}};
+  for (SurfacePole& pole : wider.poles) pole.moved.setZero();
+  expectTracedSections(wide, "wide");
+}
+
+TEST(Sketch, SectionsThatLeaveTheBlockOfAWallAreTraced) {
+  Design design = test::sampleWall(2, 1, 9);
+  const SplineSurface was = splineOf(*design.source().surface).value();
+  const auto sections = [&](const Design& from, std::size_t block) {
+    const SplineSurface spline = splineOf(*from.source().surface).value();
+    const geometry::CadModel model = geometry::CadModel::of(was, "wall").value();
+    const geometry::Target target = geometry::Target::make(model, {}).value();
+    Findings findings;
+    const geometry::Setup setup =
+        geometry::resolveSetup(target, {design.stock[block].placement, design.cut().direction}, findings)
+            .value();
+    SectionRequest request;
+    request.stations = 9;
+    const std::vector<Section> traced = geometry::cutSections(target, setup, request, {}, findings).value();
+    return isoSections(spline, was, traced, setup.block);
+  };
+  EXPECT_TRUE(sections(design, 0));
+  EXPECT_TRUE(sections(design, 1));
+  // Through the top of the first block alone.
+  PolesSurface& poles = std::get<PolesSurface>(design.source().surface->shape);
+  poles.at(2, 1).height += 1500;
+  EXPECT_FALSE(sections(design, 0));
+  EXPECT_TRUE(sections(design, 1));
+  // A surface that turns back at the side of the block has two sections there.
+  poles.at(2, 1).height -= 1500;
+  poles.at(2, 4).moved.x() += 500;
+  EXPECT_FALSE(sections(design, 0));
+}
+
+/// All that a sketch says is the same, to the last bit.
+void expectSame(const Sketch& a, const Sketch& b, const std::string& where) {
+  ASSERT_EQ(a.blocks.size(), b.blocks.size());
+  for (std::size_t k = 0; k < a.blocks.size(); ++k) {
+    const CutSketch &one = a.blocks[k].at(0), &other = b.blocks[k].at(0);
+    ASSERT_EQ(one.sweep->poses.size(), other.sweep->poses.size());
+    for (std::size_t i = 0; i < one.sweep->poses.size(); ++i) {
+      const BladePose &pose = one.sweep->poses[i], &same = other.sweep->poses[i];
+      EXPECT_EQ(pose.leftPoint(), same.leftPoint()) << where << " " << one.id << " " << i;
+      EXPECT_EQ(pose.rightPoint(), same.rightPoint()) << where << " " << one.id << " " << i;
+      EXPECT_EQ(pose.before, same.before) << where << " " << one.id << " " << i;
+    }
+    EXPECT_EQ(one.look->cut.points, other.look->cut.points) << where << " " << one.id;
+    for (std::size_t f = 0; f < one.look->cut.fields.size(); ++f)
+      EXPECT_EQ(one.look->cut.fields[f].values, other.look->cut.fields[f].values)
+          << where << " " << one.id << " " << one.look->cut.fields[f].name;
+    EXPECT_EQ(one.look->rest, other.look->rest) << where << " " << one.id;
+    EXPECT_EQ(one.look->crosses, other.look->crosses) << where << " " << one.id;
+    EXPECT_EQ(one.look->minRadius, other.look->minRadius) << where << " " << one.id;
+    EXPECT_EQ(one.target->points, other.target->points) << where << " " << one.id;
+  }
+}
+
+TEST(Sketch, OfAWallMakesWhatAChangeReachesAndNothingElse) {
+  const Design wall = test::sampleWall(3, 3, 9);
+  const std::shared_ptr<const Evaluation> first = evaluated(wall);
+  ASSERT_EQ(first->blocks.size(), 9u);
+  Sketcher some(first), all(first), one(first);
+  RunContext alone;
+  alone.threads = 1;
+  std::mt19937 random(7);
+  Design design = wall;
+  std::optional<Sketch> before;
+  int stayed = 0, most = 0;
+  for (int step = 0; step < 24; ++step) {
+    PolesSurface& poles = std::get<PolesSurface>(design.source().surface->shape);
+    const int row = int(random() % unsigned(poles.rows)), column = int(random() % unsigned(poles.columns));
+    if (step > 0) poles.at(row, column).height += double(random() % 1000) / 100 - 5;
+    const std::optional<Sketch> sketch = some.draw(design, {}), serial = one.draw(design, alone);
+    all.forget();
+    const std::optional<Sketch> whole = all.draw(design, {});
+    ASSERT_TRUE(sketch && serial && whole) << step;
+    EXPECT_EQ(whole->made, 9);
+    const std::string where =
+        "step " + std::to_string(step) + ", pole " + std::to_string(row) + " " + std::to_string(column);
+    expectSame(*sketch, *whole, where);
+    expectSame(*sketch, *serial, where + ", threads");
+    if (before) {
+      int kept = 0;
+      for (std::size_t b = 0; b < 9; ++b)
+        kept += sketch->blocks[b][0].look == before->blocks[b][0].look ? 1 : 0;
+      EXPECT_EQ(sketch->made, 9 - kept) << where;
+      stayed += kept;
+      most = std::max(most, sketch->made);
+    } else {
+      EXPECT_EQ(sketch->made, 9) << "nothing was seen yet";
+    }
+    before = sketch;
+  }
+  EXPECT_GT(stayed, 23 * 9 / 3) << "a pole reaches but some of the blocks";
+  EXPECT_GE(most, 4) << "and more than one of them";
+  // As near to the surface as what is found of the same design from nothing.
+  const std::shared_ptr<const Evaluation> anew = evaluated(design);
+  for (std::size_t b = 0; b < 9; ++b) {
+    const CutResult result = *anew->blocks[b].cuts[0].result();
+    EXPECT_LT(before->blocks[b][0].look->deviationMax, result.analysis.summary.deviationMax + 0.05) << b;
+  }
+  // What all cuts hang on makes them all again.
+  design.process.margin += 0.01;
+  EXPECT_EQ(some.draw(design, {})->made, 9);
+  EXPECT_EQ(some.draw(design, {})->made, 0);
+}
+
+TEST(Sketch, OfAWallTellsTheBorderOfWhatChanged) {
+  // Its knots lie on the boundaries of the blocks.
+  const Design wall = test::sampleWall(3, 2, 9);
+  const std::shared_ptr<const Evaluation> first = evaluated(wall);
+  Sketcher some(first), all(first);
+  ASSERT_TRUE(some.draw(wall, {}) && all.draw(wall, {}));
+  const int columns = std::get<PolesSurface>(wall.source().surface->shape).columns;
+  for (int column = 0; column < columns; ++column) {
+    Design design = wall;
+    std::get<PolesSurface>(design.source().surface->shape).at(2, column).height += 4;
+    const std::optional<Sketch> sketch = some.draw(design, {});
+    all.forget();
+    const std::optional<Sketch> whole = all.draw(design, {});
+    ASSERT_TRUE(sketch && whole) << column;
+    expectSame(*sketch, *whole, "column " + std::to_string(column));
   }
 }
 

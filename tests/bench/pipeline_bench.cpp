@@ -24,6 +24,7 @@
 #include "bw/pipeline/example_design.h"
 #include "bw/pipeline/produce.h"
 #include "bw/pipeline/sketch.h"
+#include "sample_wall.h"
 
 namespace bw::pipeline {
 
@@ -283,6 +284,13 @@ void blockAfterPoleChange(benchmark::State& state) {
 }
 BENCHMARK(blockAfterPoleChange)->Unit(benchmark::kMillisecond)->UseRealTime();
 
+/// The value that this share of some numbers does not exceed.
+double quantile(std::vector<double> values, double share) {
+  const auto at = values.begin() + std::ptrdiff_t(share * double(values.size()));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
 /// The same while a hand pulls. Budget: 8 ms. `farther_um`: by how much a station of the sketch lies farther
 /// from the surface than in the evaluation of the same design.
 void sketchOfPoleChange(benchmark::State& state) {
@@ -304,9 +312,7 @@ void sketchOfPoleChange(benchmark::State& state) {
     if (!sketch) return state.SkipWithError("no sketch");
     seconds.push_back(sketch->seconds);
   }
-  const auto late = seconds.begin() + std::ptrdiff_t(0.95 * double(seconds.size()));
-  std::nth_element(seconds.begin(), late, seconds.end());
-  state.counters["p95_ms"] = 1e3 * *late;
+  state.counters["p95_ms"] = 1e3 * quantile(seconds, 0.95);
   const Outcome anew = evaluate(pulledBy(height), nullptr, {});
   double farther = 0;
   for (std::size_t i = 0; anew.evaluation.result() && i < anew.evaluation.result()->size(); ++i)
@@ -315,6 +321,55 @@ void sketchOfPoleChange(benchmark::State& state) {
   state.counters["farther_um"] = 1e3 * farther;
 }
 BENCHMARK(sketchOfPoleChange)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+
+enum class Pulled { pole, everyCut, point };
+
+/// A wall of 3 × 5 blocks with 33 stations each while a hand pulls at it: a pole, which reaches some of the
+/// blocks; the same with all of them made again; a point of a section of its loft, which reaches all. Budget:
+/// 50 ms (p95) on two threads. `made`: of the 15 cuts, those that were made, at most; `first_ms`: the sketch
+/// that begins the drag, in which every row is taken up; `farther_um` as above, over all blocks.
+void sketchOfWall(benchmark::State& state) {
+  const auto pulled = Pulled(state.range(0));
+  RunContext context;
+  context.threads = int(state.range(1));
+  const Design wall = test::sampleWall(3, 5, 33, pulled != Pulled::point);
+  const auto first = std::make_shared<const Evaluation>(evaluate(wall, nullptr, context).evaluation);
+  if (!first->complete()) return state.SkipWithError("no result");
+  Sketcher sketcher(first);
+  int steps = 0, made = 0;
+  double height = 0;
+  std::vector<double> seconds;
+  std::optional<Sketch> sketch = sketcher.draw(wall, context);
+  state.counters["first_ms"] = sketch ? 1e3 * sketch->seconds : 0;
+  for (auto _ : state) {
+    height = 10 * std::sin(0.1 * ++steps);
+    if (pulled == Pulled::everyCut) sketcher.forget();
+    sketch = sketcher.draw(test::pulledWall(wall, height), context);
+    if (!sketch) return state.SkipWithError("no sketch");
+    seconds.push_back(sketch->seconds);
+    made = std::max(made, sketch->made);
+  }
+  state.counters["p95_ms"] = 1e3 * quantile(seconds, 0.95);
+  state.counters["made"] = made;
+  const Evaluation anew = evaluate(test::pulledWall(wall, height), first.get(), context).evaluation;
+  double farther = 0;
+  for (std::size_t b = 0; anew.complete() && b < anew.blocks.size(); ++b) {
+    const std::vector<double>& evaluated = anew.blocks[b].cuts[0].result()->analysis.stationDeviation;
+    for (std::size_t i = 0; i < evaluated.size(); ++i)
+      farther = std::max(farther, sketch->blocks[b][0].look->deviation[i] - evaluated[i]);
+  }
+  state.counters["farther_um"] = 1e3 * farther;
+}
+BENCHMARK(sketchOfWall)
+    ->ArgNames({"pulled", "threads"})
+    ->Args({int(Pulled::pole), 2})
+    ->Args({int(Pulled::pole), 1})
+    ->Args({int(Pulled::everyCut), 2})
+    ->Args({int(Pulled::point), 2})
+    ->Args({int(Pulled::point), 1})
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
 
 /// The checks of the panel alone: most of it is its map, 24 000 closest points.
 void panelCheck(benchmark::State& state) {

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 #include "block_layout.h"
-#include "bw/core/shape/iso_sections.h"
-#include "cut_stages.h"
+#include "live_cut.h"
 
 namespace bw::pipeline {
 
@@ -17,6 +17,7 @@ namespace {
 
 constexpr int kMeshed = 33;  // places of a surface to be seen, each way and at least
 constexpr int kMeshedSpan = 3;
+constexpr std::size_t kEnough = 4;  // cuts that are made side by side; of fewer the stations are
 
 /// The triangles of a spline, for display.
 TriangleMesh meshOf(const SplineSurface& surface) {
@@ -34,54 +35,6 @@ TriangleMesh meshOf(const SplineSurface& surface) {
   return grid.triangles();
 }
 
-}  // namespace
-
-const CutSketch* Sketch::find(const std::string& id) const {
-  for (const std::vector<CutSketch>& block : blocks)
-    for (const CutSketch& cut : block)
-      if (cut.id == id) return &cut;
-  return nullptr;
-}
-
-Sketcher::Sketcher(std::shared_ptr<const Evaluation> from) : from_(std::move(from)) {
-  for (const Source& source : from_->design.sources) {
-    Surface& surface = surfaces_.emplace_back(Surface{source.surface});
-    if (!source.surface) continue;
-    if (const Result<SplineSurface> spline = splineOf(*source.surface))
-      surface.spline = std::make_shared<const SplineSurface>(*spline);
-  }
-  for (const BlockEvaluation& block : from_->blocks)
-    for (const CutEvaluation& cut : block.cuts) {
-      Row& row = rows_.emplace_back();
-      row.target = cut.target.value;
-      row.mesh = cut.targetMesh.value;
-      row.sections = cut.sections.value;
-      row.planes = cut.sections.request;
-      row.spline = surfaceOf(from_->design, cutToMake(from_->design, cut.id)).spline;
-    }
-}
-
-const Sketcher::Surface& Sketcher::surfaceOf(const Design& design, const Cut& cut) const {
-  return surfaces_[std::size_t(&design.sourceOf(cut) - design.sources.data())];
-}
-
-/// Takes the surfaces of a design; false where it has one that cannot be told.
-bool Sketcher::takeSurfaces(const Design& design) {
-  for (std::size_t i = 0; i < surfaces_.size(); ++i) {
-    const std::optional<DesignedSurface>& surface = design.sources[i].surface;
-    Surface& known = surfaces_[i];
-    if (surface == known.surface) continue;
-    const Result<SplineSurface> spline = splineOf(*surface);
-    if (!spline) return false;
-    const Result<geometry::CadModel> model = geometry::CadModel::of(*spline, "the designed surface");
-    if (!model) return false;
-    known = {surface, std::make_shared<const SplineSurface>(*spline), *model};
-  }
-  return true;
-}
-
-namespace {
-
 /// True if both have the same sources, but for the numbers of their surfaces.
 bool sameSources(const Design& design, const Design& known) {
   return std::ranges::equal(design.sources, known.sources, [&](const Source& is, const Source& was) {
@@ -91,119 +44,171 @@ bool sameSources(const Design& design, const Design& known) {
   });
 }
 
+/// A source, as the last sketch had it.
+struct LiveSource {
+  std::optional<DesignedSurface> surface = std::nullopt;
+  std::shared_ptr<const SplineSurface> spline = nullptr;  ///< null for a file
+  std::optional<geometry::CadModel> model = std::nullopt;
+  std::shared_ptr<const TriangleMesh> mesh = nullptr;  ///< null while it is as it was evaluated
+
+  /// Takes a surface; false where it cannot be told.
+  bool take(const std::optional<DesignedSurface>& given) {
+    if (given == surface) return true;
+    const Result<SplineSurface> made = splineOf(*given);
+    if (!made) return false;
+    const Result<geometry::CadModel> of = geometry::CadModel::of(*made, "the designed surface");
+    if (!of) return false;
+    surface = given;
+    spline = std::make_shared<const SplineSurface>(*made);
+    model = *of;
+    mesh.reset();
+    return true;
+  }
+};
+
 }  // namespace
+
+const CutSketch* Sketch::find(const std::string& id) const {
+  for (const std::vector<CutSketch>& block : blocks)
+    for (const CutSketch& cut : block)
+      if (cut.id == id) return &cut;
+  return nullptr;
+}
+
+struct Sketcher::Work {
+  /// The faces of a source that a cut is for, as the last sketch had them.
+  struct Aim {
+    std::string source;
+    FaceChoice face;
+    std::shared_ptr<const SplineSurface> spline;
+    std::shared_ptr<const geometry::Target> target;
+    std::shared_ptr<const TriangleMesh> mesh;
+  };
+
+  std::shared_ptr<const Evaluation> from;
+  std::vector<LiveSource> sources;
+  std::vector<LiveCut> cuts;  ///< block by block
+  std::vector<Aim> aims;      ///< one a cut
+
+  LiveSource& sourceOf(const Design& design, const Cut& cut) {
+    return sources[std::size_t(&design.sourceOf(cut) - design.sources.data())];
+  }
+  bool order(const Design& design, std::vector<LiveOrder>& orders);
+  bool aim(const LiveOrder& order, std::size_t index);
+};
+
+/// Takes the design and tells what it asks of each cut; false where it cannot be sketched.
+bool Sketcher::Work::order(const Design& design, std::vector<LiveOrder>& orders) {
+  const Design& known = from->design;
+  if (!sameSources(design, known)) return false;
+  if (design.stock.size() != known.stock.size() || design.cuts.size() != known.cuts.size()) return false;
+  if (design.blade.autoLength) return false;
+  for (std::size_t i = 0; i < sources.size(); ++i)
+    if (!sources[i].take(design.sources[i].surface)) return false;
+  for (const BlockEvaluation& block : from->blocks) {
+    const auto stock = std::ranges::find(design.stock, block.id, &StockBlock::id);
+    if (stock == design.stock.end()) return false;
+    // A block that lies around the surfaces of several cuts is not found again here.
+    if (!stock->placement && block.cuts.size() > 1) return false;
+    for (const CutEvaluation& cut : block.cuts) {
+      if (std::ranges::find(design.cuts, cut.id, &Cut::id) == design.cuts.end() || !cut.result())
+        return false;
+      LiveOrder& one = orders.emplace_back(LiveOrder{design, cutToMake(design, cut.id), stock->placement});
+      if (one.cut.face != cut.target.request ||
+          one.cut.source != known.sourceOf(cutToMake(known, cut.id)).id || !aim(one, orders.size() - 1))
+        return false;
+      one.target = aims[orders.size() - 1].target;
+      one.spline = aims[orders.size() - 1].spline;
+    }
+  }
+  return true;
+}
+
+/// Puts the surface of a cut in place: one for all cuts of the same faces.
+bool Sketcher::Work::aim(const LiveOrder& order, std::size_t index) {
+  LiveSource& source = sourceOf(order.design, order.cut);
+  Aim& own = aims[index];
+  if (own.spline == source.spline) return true;
+  const auto same = std::find_if(aims.begin(), aims.begin() + std::ptrdiff_t(index), [&](const Aim& other) {
+    return other.source == own.source && other.face == own.face;
+  });
+  if (same != aims.begin() + std::ptrdiff_t(index)) {
+    own = *same;
+    return true;
+  }
+  const Result<geometry::Target> target = geometry::Target::make(*source.model, order.cut.face);
+  if (!target) return false;
+  if (!source.mesh) source.mesh = std::make_shared<const TriangleMesh>(meshOf(*source.spline));
+  own.spline = source.spline;
+  own.target = std::make_shared<const geometry::Target>(*target);
+  own.mesh = source.mesh;
+  return true;
+}
+
+Sketcher::Sketcher(std::shared_ptr<const Evaluation> from) : work_(std::make_unique<Work>()) {
+  work_->from = std::move(from);
+  const Design& design = work_->from->design;
+  for (const Source& source : design.sources) {
+    LiveSource& live = work_->sources.emplace_back(LiveSource{source.surface});
+    if (!source.surface) continue;
+    if (const Result<SplineSurface> spline = splineOf(*source.surface))
+      live.spline = std::make_shared<const SplineSurface>(*spline);
+  }
+  for (const BlockEvaluation& block : work_->from->blocks)
+    for (const CutEvaluation& cut : block.cuts) {
+      const LiveSource& source = work_->sourceOf(design, cutToMake(design, cut.id));
+      work_->cuts.emplace_back(cut, source.spline);
+      work_->aims.push_back({design.sourceOf(cutToMake(design, cut.id)).id, cut.target.request, source.spline,
+                             cut.target.value, cut.targetMesh.value});
+    }
+}
+Sketcher::Sketcher(Sketcher&& other) noexcept = default;
+Sketcher& Sketcher::operator=(Sketcher&& other) noexcept = default;
+Sketcher::~Sketcher() = default;
+
+void Sketcher::forget() {
+  for (LiveCut& cut : work_->cuts) cut.forget();
+}
 
 std::optional<Sketch> Sketcher::draw(const Design& design, const RunContext& context) {
   const auto start = std::chrono::steady_clock::now();
-  const Design& known = from_->design;
-  if (!sameSources(design, known)) return {};
-  if (design.stock.size() != known.stock.size() || design.cuts.size() != known.cuts.size()) return {};
-  if (design.blade.autoLength) return {};
-  if (!takeSurfaces(design)) return {};
   Sketch sketch{design, {}};
+  std::vector<LiveOrder> orders;
+  if (!work_->order(sketch.design, orders)) return {};
+  std::vector<LiveCut>& cuts = work_->cuts;
+  std::vector<char> good(cuts.size());
+  const auto side = [&](const std::vector<std::size_t>& which, const auto& step) {
+    // Each by itself where they are enough to keep all threads at work.
+    const RunContext own{context.stop, {}, which.size() < kEnough ? context.threads : 1};
+    return parallelFor(context, int(which.size()), [&](int k) {
+      const std::size_t i = which[std::size_t(k)];
+      good[i] = step(cuts[i], orders[i], own);
+    });
+  };
+  std::vector<std::size_t> all(cuts.size()), made;
+  for (std::size_t i = 0; i < cuts.size(); ++i) all[i] = i;
+  if (!side(all,
+            [](LiveCut& cut, const LiveOrder& order, const RunContext& own) { return cut.take(order, own); }))
+    return {};
+  std::ranges::copy_if(all, std::back_inserter(made),
+                       [&](std::size_t i) { return good[i] && cuts[i].isMade(); });
+  if (std::ranges::count(good, 0) > 0) return {};
+  if (!side(made, [](LiveCut& cut, const LiveOrder& order, const RunContext& own) {
+        return cut.follow(order, own);
+      }))
+    return {};
+  if (std::ranges::count(good, 0) > 0) return {};
+  sketch.made = int(made.size());
   std::size_t index = 0;
-  for (std::size_t b = 0; b < from_->blocks.size(); ++b) {
-    const auto stock = std::ranges::find(design.stock, from_->blocks[b].id, &StockBlock::id);
-    if (stock == design.stock.end()) return {};
-    // A block that lies around the surfaces of several cuts is not found again here.
-    if (!stock->placement && from_->blocks[b].cuts.size() > 1) return {};
-    std::vector<CutSketch>& cuts = sketch.blocks.emplace_back();
-    for (const CutEvaluation& cut : from_->blocks[b].cuts) {
-      std::optional<CutSketch> drawn = draw(design, index++, cut, stock->placement, context);
-      if (!drawn) return {};
-      cuts.push_back(std::move(*drawn));
+  for (const BlockEvaluation& block : work_->from->blocks) {
+    std::vector<CutSketch>& own = sketch.blocks.emplace_back();
+    for (const CutEvaluation& cut : block.cuts) {
+      const LiveCut& live = cuts[index];
+      own.push_back({cut.id, work_->aims[index++].mesh, live.setup(), live.sweep(), live.look()});
     }
   }
   sketch.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return sketch;
-}
-
-std::optional<CutSketch> Sketcher::draw(const Design& design, std::size_t index, const CutEvaluation& cut,
-                                        const std::optional<BlockPlacement>& placement,
-                                        const RunContext& context) {
-  Row& row = rows_[index];
-  if (std::ranges::find(design.cuts, cut.id, &Cut::id) == design.cuts.end()) return {};
-  const Cut asked = cutToMake(design, cut.id);
-  if (asked.face != cut.target.request || !cut.result()) return {};
-  if (asked.source != from_->design.sourceOf(cutToMake(from_->design, cut.id)).id) return {};
-  const auto& [surface, spline, model] = surfaceOf(design, asked);
-  const bool moved = row.spline != spline;
-  if (moved) {
-    const Result<geometry::Target> target = geometry::Target::make(*model, asked.face);
-    if (!target) return {};
-    row.target = std::make_shared<const geometry::Target>(*target);
-    row.mesh = std::make_shared<const TriangleMesh>(meshOf(*spline));
-  }
-
-  Findings unsaid;
-  PlanesRequest planes{{}, asked.sections};
-  const Result<geometry::Setup> setup =
-      geometry::resolveSetup(*row.target, {placement, asked.direction, asked.pose}, unsaid);
-  if (!setup) return {};
-  planes.setup = *setup;
-  if (!asked.direction)
-    planes.setup.planes = PlaneFamily::across(setup->block, row.planes.setup.planes.direction());
-  if (planes.sections.byTolerance()) planes.sections.stations = cut.sections.request.sections.stations;
-  const FitRequest& before = cut.sweep.value->request;
-  const FitRequest fit = fitRequest(design, asked, setup->block, before.fitEndpoints && before.fitTangents);
-  planes.beyond = reachBeyond(fit, bladeOf(design, asked), setup->block);
-  if (moved || planes != row.planes) {
-    std::optional<std::vector<Section>> sections;
-    if (planes == row.planes && planes.beyond == 0 && row.spline && spline)
-      sections = isoSections(*spline, *row.spline, *row.sections, planes.setup.block);
-    if (!sections) {
-      Result<std::vector<Section>> traced =
-          geometry::cutSections(*row.target, planes.setup, planes.sections, context, unsaid);
-      if (!traced) return {};
-      if (planes.beyond > 0 &&
-          !geometry::followBeyond(*row.target, planes.setup, planes.beyond, *traced, context))
-        return {};
-      sections = std::move(*traced);
-    }
-    row.sections = std::make_shared<const std::vector<Section>>(std::move(*sections));
-    row.planes = planes;
-    row.spline = spline;
-  }
-
-  // What the middle of the blade is to sweep.
-  std::shared_ptr<const std::vector<Section>> sections = row.sections;
-  double off = 0;
-  const Kerf kerf = kerfOf(design, asked, planes.setup.block);
-  if (kerf != Kerf()) {
-    Result<MiddleSections> middle = middleOf(*row.target, *row.sections, kerf, context, unsaid);
-    if (!middle) return {};
-    off = middle->off;
-    sections = std::make_shared<const std::vector<Section>>(std::move(middle->sections));
-  }
-
-  if (!row.live) {
-    row.live = LiveRow::of(*cut.sweep.value, context);
-    if (row.live || (before.extend != Extension::none && !row.sketcher))
-      row.sketcher.emplace(*cut.sweep.value, *cut.certainty.value, *cut.rest.value);
-  }
-  const bool follows = row.live && row.live->sweep().request == fit &&
-                       row.live->follow(*sections, planes.setup.block, planes.setup.planes, context);
-  std::shared_ptr<const Sweep> sweep;
-  if (follows) {
-    sweep = std::make_shared<const Sweep>(row.live->sweep());
-  } else {
-    row.live.reset();
-    if (context.stopped()) return {};
-    Result<Sweep> anew = buildSweep(*sections, fit, planes.setup.block, planes.setup.planes, context, unsaid);
-    if (!anew) return {};
-    sweep = std::make_shared<const Sweep>(std::move(*anew));
-    row.live = LiveRow::of(*sweep, context);
-    // A row that is held by its sections is found anew each time, in the shapes that it had.
-    const bool same =
-        fit.extend != Extension::none && row.sketcher && row.sketcher->stations() == sweep->poses.size();
-    if (!same) row.sketcher.emplace(*sweep);
-  }
-  Result<RowSketch> look =
-      row.sketcher->look(*sweep, checkRequest(design, asked), *movedBy(row.target->sampler(), off), context);
-  if (!look) return {};
-  look->cut = standingBeside(std::move(look->cut), kerf);
-  return CutSketch{cut.id, row.mesh, std::make_shared<const geometry::Setup>(planes.setup), std::move(sweep),
-                   std::make_shared<const RowSketch>(std::move(*look))};
 }
 
 }  // namespace bw::pipeline

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <utility>
 
+#include "bw/core/curve/same_curve.h"
 #include "sweep/row_problem.h"
 #include "sweep/row_station.h"
 
@@ -156,6 +157,7 @@ bool LiveRow::follow(const std::vector<Section>& sections, const Box& block, con
     if (section.chosen >= 0) chosen.push_back(&section);
   if (chosen.size() != work.stations.size()) return false;
   bool posed = work.sweep.block == block && work.sweep.planes == planes;
+  std::vector<char> stays(chosen.size());  // stations whose sections are those that they have
   work.sweep.block = block;
   work.sweep.planes = planes;
   for (std::size_t i = 0; i < chosen.size(); ++i) {
@@ -166,11 +168,17 @@ bool LiveRow::follow(const std::vector<Section>& sections, const Box& block, con
     pose.index = chosen[i]->index;
     pose.travel = chosen[i]->travel;
     pose.frame = frame;
-    work.sweep.fits[i].target = chosen[i]->curve();
+    PlanarCurve& section = work.sweep.fits[i].target;
+    stays[i] = sameCurve(section, chosen[i]->curve());
+    section = chosen[i]->curve();
   }
-  if (!posed) work.pose();
+  if (!posed)
+    work.pose();
+  else if (std::ranges::count(stays, 0) == 0)
+    return true;
   std::atomic<bool> fits = true;
   const Result<void> ok = parallelFor(context, int(chosen.size()), [&](int k) {
+    if (posed && stays[std::size_t(k)]) return;
     Station& station = work.stations[std::size_t(k)];
     work.row->take(station, std::size_t(k));
     if (station.sectionLength > work.sweep.request.blade.length) fits = false;

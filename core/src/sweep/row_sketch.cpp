@@ -107,7 +107,9 @@ Result<RowSketch> RowSketcher::look(const Sweep& row, const CheckRequest& reques
   };
   std::vector<Seen> seen(n);
   std::array<std::optional<Error>, kChunks> errors;
-  const auto look = [&](std::size_t i, SurfaceSampler& sampler, sweep::FootTrail& feet) -> Result<void> {
+  std::array<Eigen::AlignedBox2d, kChunks> around;
+  const auto look = [&](std::size_t i, SurfaceSampler& sampler, sweep::FootTrail& feet,
+                        Eigen::AlignedBox2d& box) -> Result<void> {
     const BladePose& pose = poses[i];
     std::array<Elastica::State, kPoints> states;
     pose.at(pose.cutArcs(kPoints), states);
@@ -118,6 +120,7 @@ Result<RowSketch> RowSketcher::look(const Sweep& row, const CheckRequest& reques
       const Result<SurfaceSampler::Foot> foot = sampler.closest(p, feet.seed());
       if (!foot) return tl::unexpected<Error>(foot.error());
       feet.put(*foot);
+      box.extend(foot->uv);
       const double bend = std::abs(states[k].curvature) / limit;
       const CutSample sample{sampler.offset(p, *foot), v.angle[k], v.speed[k], v.relative[k], bend,
                              stressAtLimit * bend};
@@ -144,7 +147,7 @@ Result<RowSketch> RowSketcher::look(const Sweep& row, const CheckRequest& reques
     const std::unique_ptr<SurfaceSampler> sampler = target.clone();
     sweep::FootTrail feet(kPoints);
     for (std::size_t i = n * std::size_t(chunk) / kChunks; i < n * std::size_t(chunk + 1) / kChunks; ++i)
-      if (const Result<void> one = look(i, *sampler, feet); !one) {
+      if (const Result<void> one = look(i, *sampler, feet, around[std::size_t(chunk)]); !one) {
         errors[std::size_t(chunk)] = one.error();
         return;
       }
@@ -152,6 +155,7 @@ Result<RowSketch> RowSketcher::look(const Sweep& row, const CheckRequest& reques
   if (!ok) return tl::unexpected<Error>(ok.error());
   for (const std::optional<Error>& error : errors)
     if (error) return tl::unexpected<Error>(*error);
+  for (const Eigen::AlignedBox2d& box : around) sketch.feet.extend(box);
 
   std::vector<int> rows(n);
   for (std::size_t i = 0; i < n; ++i) rows[i] = int(i);

@@ -7,16 +7,15 @@
 #include <string>
 #include <vector>
 
-#include "bw/core/sweep/live_row.h"
 #include "bw/core/sweep/row_sketch.h"
 #include "bw/pipeline/pipeline.h"
 
 namespace bw::pipeline {
 
-/// One cut of a sketch.
+/// One cut of a sketch. What a change does not reach is that of the sketch before, by identity.
 struct CutSketch {
-  std::string id;  ///< of the design's cut
-  std::shared_ptr<const TriangleMesh> target;
+  std::string id;                              ///< of the design's cut
+  std::shared_ptr<const TriangleMesh> target;  ///< one for all cuts of a surface
   std::shared_ptr<const geometry::Setup> setup;
   std::shared_ptr<const Sweep> sweep;
   std::shared_ptr<const RowSketch> look;
@@ -27,48 +26,37 @@ struct CutSketch {
 struct Sketch {
   Design design;
   std::vector<std::vector<CutSketch>> blocks;  ///< as those of the evaluation that it goes on from
+  int made = 0;                                ///< cuts that were made for it; the others stayed
   double seconds = 0;
 
   /// The cut of that id; null if there is none.
   const CutSketch* find(const std::string& id) const;
 };
 
-/// Draws sketches, one after the other, of designs that a hand brings forth from one that was evaluated.
+/// Draws sketches, one after the other, of designs that a hand brings forth from one that was evaluated. Of
+/// several blocks only the cuts are made again that a change can reach: a pole that is moved leaves the
+/// surface as it is but for a few spans of its spline. They are made side by side, each into a slot of its
+/// own, so that sketches do not hang on the number of threads.
 class Sketcher {
  public:
   /// From an evaluation all of whose cuts came to a result.
   explicit Sketcher(std::shared_ptr<const Evaluation> from);
+  Sketcher(Sketcher&& other) noexcept;
+  Sketcher& operator=(Sketcher&& other) noexcept;
+  ~Sketcher();
 
   /// Empty where the design is none that can be sketched, so that it must be evaluated: a file that was not
   /// read, another choice of faces, other blocks or cuts, nothing to be fitted, a blade too short; or at a
   /// stop. A direction and a number of stations that are left open stay those of the evaluation.
   std::optional<Sketch> draw(const Design& design, const RunContext& context);
 
- private:
-  /// What is kept of a cut from sketch to sketch.
-  struct Row {
-    std::optional<LiveRow> live = std::nullopt;
-    std::optional<RowSketcher> sketcher = std::nullopt;
-    std::shared_ptr<const geometry::Target> target;
-    std::shared_ptr<const TriangleMesh> mesh;
-    std::shared_ptr<const std::vector<Section>> sections;
-    std::shared_ptr<const SplineSurface> spline;  ///< that they are of; null for a file
-    PlanesRequest planes;
-  };
-  std::optional<CutSketch> draw(const Design& design, std::size_t index, const CutEvaluation& cut,
-                                const std::optional<BlockPlacement>& placement, const RunContext& context);
-  /// A source, as the last sketch had it.
-  struct Surface {
-    std::optional<DesignedSurface> surface = std::nullopt;
-    std::shared_ptr<const SplineSurface> spline = nullptr;  ///< null for a file
-    std::optional<geometry::CadModel> model = std::nullopt;
-  };
-  const Surface& surfaceOf(const Design& design, const Cut& cut) const;
-  bool takeSurfaces(const Design& design);
+  /// Has the next sketch make all cuts anew, to be compared with one that makes those alone that a change
+  /// reaches.
+  void forget();
 
-  std::shared_ptr<const Evaluation> from_;
-  std::vector<Row> rows_;          ///< of all cuts, block by block
-  std::vector<Surface> surfaces_;  ///< of all sources
+ private:
+  struct Work;
+  std::unique_ptr<Work> work_;
 };
 
 }  // namespace bw::pipeline

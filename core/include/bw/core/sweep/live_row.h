@@ -28,7 +28,7 @@ class LiveRow {
 
   /// Lays the blades on these sections, as many as before, in planes that are turned as they were. False
   /// where one of the blades cannot follow, or at a stop: the row must be found anew then, and this one is of
-  /// no more use. Some 0.1 ms a station.
+  /// no more use. Some 0.1 ms a station; next to nothing where all sections are those of the last time.
   [[nodiscard]] bool follow(const std::vector<Section>& sections, const Box& block, const PlaneFamily& planes,
                             const RunContext& context);
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <Eigen/Geometry>
+
 #include <memory>
 #include <optional>
 #include <vector>
@@ -23,8 +25,11 @@ struct RowSketch {
   std::vector<Rest> rest;         ///< one a station, as far as it is known while the row moves
   std::vector<double> deviation;  ///< mm, the largest of each station's cut from the target
   std::vector<char> crosses;      ///< whether the blade crosses itself, one a station
-  double deviationMax = 0;        ///< mm
-  double angleMax = 0;            ///< rad, velocity to plane normal
+  /// Of a target of one face, the parameters around all of its points that are nearest to the cut: where it
+  /// is changed outside of these only, the look of the same row stays.
+  Eigen::AlignedBox2d feet;
+  double deviationMax = 0;  ///< mm
+  double angleMax = 0;      ///< rad, velocity to plane normal
   double speedRatioMin = 1;
   double minRadius = 0;  ///< mm, of the whole blades; 0 where all are straight
 };

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+
+#include "live_cut.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "bw/core/curve/same_curve.h"
+#include "bw/core/shape/iso_sections.h"
+#include "bw/core/surface/spline_change.h"
+#include "cut_stages.h"
+
+namespace bw::pipeline {
+
+namespace {
+
+bool sameSections(const std::vector<Section>& a, const std::vector<Section>& b) {
+  return std::ranges::equal(a, b, [](const Section& one, const Section& other) {
+    return one.index == other.index && one.travel == other.travel && one.frame == other.frame &&
+           one.chosen == other.chosen && std::ranges::equal(one.branches, other.branches, sameCurve) &&
+           one.beyond.has_value() == other.beyond.has_value() &&
+           (!one.beyond || sameCurve(*one.beyond, *other.beyond));
+  });
+}
+
+/// True if they have more in common than a border.
+bool overlap(const Eigen::AlignedBox2d& a, const Eigen::AlignedBox2d& b) {
+  return !a.isEmpty() && !b.isEmpty() && (a.min().array() < b.max().array()).all() &&
+         (b.min().array() < a.max().array()).all();
+}
+
+}  // namespace
+
+LiveCut::LiveCut(const CutEvaluation& cut, std::shared_ptr<const SplineSurface> spline)
+    : began_(cut), planes_(cut.sections.request), sections_(cut.sections.value), spline_(std::move(spline)) {}
+
+bool LiveCut::take(const LiveOrder& order, const RunContext& context) {
+  Findings unsaid;
+  PlanesRequest planes{{}, order.cut.sections};
+  const Result<geometry::Setup> setup =
+      geometry::resolveSetup(*order.target, {order.placement, order.cut.direction, order.cut.pose}, unsaid);
+  if (!setup) return false;
+  planes.setup = *setup;
+  if (!order.cut.direction)
+    planes.setup.planes = PlaneFamily::across(setup->block, planes_.setup.planes.direction());
+  if (planes.sections.byTolerance()) planes.sections.stations = began_.sections.request.sections.stations;
+  const FitRequest& before = began_.sweep.value->request;
+  Asked asked{fitRequest(order.design, order.cut, setup->block, before.fitEndpoints && before.fitTangents),
+              checkRequest(order.design, order.cut), kerfOf(order.design, order.cut, setup->block)};
+  planes.beyond = reachBeyond(asked.fit, bladeOf(order.design, order.cut), setup->block);
+
+  // The first time the curves of the spline take the place of the traced ones, before anything is held
+  // against them.
+  const bool moved = spline_ != order.spline, turned = planes != planes_, begins = !asked_;
+  bool stays = look_ && !turned;
+  if (moved || turned || begins) {
+    std::optional<std::vector<Section>> sections;
+    if (!turned && planes.beyond == 0 && spline_ && order.spline)
+      sections = isoSections(*order.spline, *spline_, *sections_, planes.setup.block);
+    if (!sections && (moved || turned)) {
+      Result<std::vector<Section>> traced =
+          geometry::cutSections(*order.target, planes.setup, planes.sections, context, unsaid);
+      if (!traced) return false;
+      if (planes.beyond > 0 &&
+          !geometry::followBeyond(*order.target, planes.setup, planes.beyond, *traced, context))
+        return false;
+      sections = std::move(*traced);
+    }
+    stays = stays && spline_ && order.spline && sections && sameSections(*sections, *sections_) &&
+            !overlap(changedPart(*spline_, *order.spline), look_->feet);
+    if (sections) sections_ = std::make_shared<const std::vector<Section>>(std::move(*sections));
+    planes_ = planes;
+    spline_ = order.spline;
+  }
+  made_ = !stays || asked_ != asked;
+  asked_ = std::move(asked);
+  if (made_) look_.reset();
+  return true;
+}
+
+bool LiveCut::follow(const LiveOrder& order, const RunContext& context) {
+  const Box& block = planes_.setup.block;
+  const PlaneFamily& planes = planes_.setup.planes;
+  Findings unsaid;
+  // What the middle of the blade is to sweep.
+  std::shared_ptr<const std::vector<Section>> sections = sections_;
+  double off = 0;
+  if (asked_->kerf != Kerf()) {
+    Result<MiddleSections> middle = middleOf(*order.target, *sections_, asked_->kerf, context, unsaid);
+    if (!middle) return false;
+    off = middle->off;
+    sections = std::make_shared<const std::vector<Section>>(std::move(middle->sections));
+  }
+
+  if (!row_) {
+    row_ = LiveRow::of(*began_.sweep.value, context);
+    const bool held = began_.sweep.value->request.extend != Extension::none;
+    if (row_ || (held && !sketcher_))
+      sketcher_.emplace(*began_.sweep.value, *began_.certainty.value, *began_.rest.value);
+  }
+  if (row_ && row_->sweep().request == asked_->fit && row_->follow(*sections, block, planes, context)) {
+    sweep_ = std::make_shared<const Sweep>(row_->sweep());
+  } else {
+    row_.reset();
+    if (context.stopped()) return false;
+    Result<Sweep> anew = buildSweep(*sections, asked_->fit, block, planes, context, unsaid);
+    if (!anew) return false;
+    sweep_ = std::make_shared<const Sweep>(std::move(*anew));
+    row_ = LiveRow::of(*sweep_, context);
+    // A row that is held by its sections is found anew each time, in the shapes that it had.
+    const bool same =
+        asked_->fit.extend != Extension::none && sketcher_ && sketcher_->stations() == sweep_->poses.size();
+    if (!same) sketcher_.emplace(*sweep_);
+  }
+  Result<RowSketch> look =
+      sketcher_->look(*sweep_, asked_->check, *movedBy(order.target->sampler(), off), context);
+  if (!look) return false;
+  look->cut = standingBeside(std::move(look->cut), asked_->kerf);
+  setup_ = std::make_shared<const geometry::Setup>(planes_.setup);
+  look_ = std::make_shared<const RowSketch>(std::move(*look));
+  return true;
+}
+
+}  // namespace bw::pipeline
