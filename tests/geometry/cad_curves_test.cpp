@@ -30,8 +30,11 @@
 #include <filesystem>
 #include <sstream>
 
+#include "bw/core/constructions/spline_constructions.h"
 #include "bw/core/files/file_set.h"
+#include "bw/core/shape/drawn_sections.h"
 #include "bw/geometry/cad_curves.h"
+#include "bw/geometry/cad_model.h"
 #include "bw/geometry/export.h"
 
 namespace bw::geometry::test {
@@ -140,6 +143,55 @@ TEST(CadCurves, SplinesLinesAndArcsOfStepAndIgesInAnyUnit) {
     EXPECT_GT(highest, 280);
     EXPECT_LT(highest, 290);
   }
+}
+
+TEST(CadCurves, LoftsThatAreWrittenComeBackWithinTheTolerance) {
+  SectionsSurface loft;
+  std::vector<TopoDS_Shape> edges;
+  for (int row = 0; row < 5; ++row) {
+    SectionCurve own{200.0 * row, SectionCurve::Kind::spline, {}};
+    for (int i = 0; i < 6; ++i)
+      own.points.emplace_back(120.0 * i, 240 + 12 * row + 40 * std::sin(0.9 * i + 0.4 * row));
+    const PlanarCurve curve = cubicSplineThrough(own.points).value();
+    const int poles = int(curve.poles().size());
+    TColgp_Array1OfPnt points(1, poles);
+    for (int i = 0; i < poles; ++i) {
+      const Eigen::Vector2d p = curve.poles()[std::size_t(i)];
+      points(i + 1) = gp_Pnt(p.x(), own.y, p.y());
+    }
+    TColStd_Array1OfReal knots(1, poles - 2);
+    TColStd_Array1OfInteger times(1, poles - 2);
+    for (int i = 0; i < poles - 2; ++i) {
+      knots(i + 1) = curve.knots()[std::size_t(i) + 3];
+      times(i + 1) = i == 0 || i == poles - 3 ? 4 : 1;
+    }
+    edges.push_back(
+        BRepBuilderAPI_MakeEdge(Handle(Geom_Curve)(new Geom_BSplineCurve(points, knots, times, 3))));
+    loft.sections.push_back(std::move(own));
+  }
+  DesignedSurface designed;
+  designed.shape = loft;
+  const CadModel model = CadModel::of(splineOf(designed).value(), "loft").value();
+  const Target target = Target::make(model, {}).value();
+  const auto sampler = target.sampler();
+  const TopoDS_Compound all = together(edges);
+  for (const std::string& text : {step(all), step(all, "INCH"), iges(all), iges(all, "M")})
+    for (const SectionCurve::Kind kind : {SectionCurve::Kind::spline, SectionCurve::Kind::bezier}) {
+      const auto read = readCurves(text, "a");
+      ASSERT_TRUE(read) << read.error().message;
+      const auto drawn = sectionsThrough(read->curves, {kind, 0.1, 0});
+      ASSERT_TRUE(drawn) << drawn.error().message;
+      EXPECT_LE(drawn->deviation, 0.1);
+      const SplineSurface surface = splineOf(drawn->surface).value();
+      double farthest = 0;
+      for (int i = 0; i <= 30; ++i)
+        for (int k = 0; k <= 30; ++k) {
+          const Eigen::Vector3d p = surface.value(i / 30.0, k / 30.0);
+          farthest = std::max(farthest, (sampler->closest(p, nullptr)->point - p).norm());
+        }
+      // Between the sections too, where the loft goes on as its sections do.
+      EXPECT_LE(farthest, 0.15);
+    }
 }
 
 TEST(CadCurves, TheUnitIsTakenAsAskedFor) {

@@ -186,8 +186,9 @@ InputFields::InputFields(Workbench& bench, FormColumn* column, QObject* parent)
   surface_ = column->addWide(new SurfaceFields(bench));
   column->addWide(
       makeButton(tr("Open CAD file…"),
-                 tr("STEP (also packed), IGES or BREP; a file can also be dropped into the window"), this,
-                 &InputFields::openRequested));
+                 tr("STEP (also packed), IGES or BREP, or the curves of a drawing (DXF); a file can also be "
+                    "dropped into the window"),
+                 this, &InputFields::openRequested));
   auto* row = new QWidget;
   auto* buttons = makeBox<QHBoxLayout>(row, {}, kGap);
   replace_ = makeButton(tr("Replace…"), tr("Another CAD file under the same settings"), this,
