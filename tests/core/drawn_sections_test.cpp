@@ -115,6 +115,15 @@ TEST(DrawnSections, FollowsCurvesWithinTheToleranceWithFewPoints) {
   }
 }
 
+TEST(DrawnSections, ChainsOfCubicsTakeTheTangentsOfTheCurveThatAPolylineMeans) {
+  for (const int corners : {60, 200, 1000}) {
+    const auto drawn = sectionsThrough(numbered({section(0, 0, 600, corners), section(800, 0, 600, corners)}),
+                                       {Kind::bezier, 0.1, 0});
+    ASSERT_TRUE(drawn) << drawn.error().message;
+    EXPECT_LE(loftOf(*drawn).sections[0].points.size(), 13u) << corners;
+  }
+}
+
 TEST(DrawnSections, SectionsShareTheirKnotsSoThatTheLoftHasFewPoles) {
   const auto drawn = sectionsThrough(sections(30), {});
   ASSERT_TRUE(drawn) << drawn.error().message;

@@ -36,6 +36,7 @@ constexpr double kLeastSpan = 1e-6;  // of a length, between two points
 constexpr double kFlat = 1e-6;       // of a chord: a cubic that leaves it by less has legs as they are
 constexpr double kMostLonger = 1.5;
 constexpr double kChord = 1e-12;           // of a length, by which the shares of chords differ
+constexpr double kSides = 2;               // of a polyline, to either side, that tell its tangent
 constexpr double kNoAngle = 1e-12;         // rad
 constexpr int kAcross = 64, kAlong = 256;  // places of the loft by which its bounds are told
 constexpr int kLoopSamples = 300;
@@ -63,7 +64,15 @@ class PlaneCurve {
   }
   double angle(double s) const {
     const auto [piece, t] = find(s);
-    const Eigen::Vector2d tangent = piece->tangent(t);
+    Eigen::Vector2d tangent = piece->tangent(t);
+    if (piece->kind() == PlanarCurve::Kind::points) {
+      // A side of a polyline turns against the curve that is meant: that of the parabola through three
+      // places.
+      const double step = std::min(length_ / 4, kSides * piece->length() / double(piece->poles().size() - 1));
+      const double middle = std::clamp(s, step, length_ - step), off = (s - middle) / step;
+      const Eigen::Vector2d before = at(middle - step), here = at(middle), after = at(middle + step);
+      tangent = (after - before) / 2 + off * (after - 2 * here + before);
+    }
     return std::atan2(tangent.y(), tangent.x());
   }
 
