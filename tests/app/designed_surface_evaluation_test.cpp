@@ -8,6 +8,7 @@
 #include <string>
 
 #include "bw/core/base/units.h"
+#include "bw/core/design/design_versions.h"
 #include "bw/model/document.h"
 #include "bw/pipeline/example_design.h"
 #include "bw/pipeline/produce.h"
@@ -116,6 +117,25 @@ TEST(DesignedSurface, ARunIsNamedByTheNumbersThatVariablesComeTo) {
   Design other = design;
   other.variables.push_back({"unused", 1, 0, 2, ""});
   EXPECT_EQ(runId(evaluated(other), nullptr), run);
+}
+
+TEST(DesignedSurface, VersionsAreNoPartOfWhatIsComputed) {
+  const Design design = exampleDesign("ripple-along").value();
+  Design other = withVariables(design, {{"amplitude", 12}}).value();
+  other.versions.push_back({"first", std::make_shared<const Design>(design)});
+  const Product plain = produce(withoutVersions(other), {}, {}, {});
+  const Product with = produce(other, {}, {}, {});
+  ASSERT_FALSE(with.error) << with.error->message;
+  EXPECT_EQ(with.files.paths(), plain.files.paths());
+  ASSERT_GT(plain.files.paths().size(), 6u);
+  for (std::size_t i = 0; i < plain.files.paths().size(); ++i)
+    if (plain.files.paths()[i] != "report.json") {  // which tells how long it took
+      EXPECT_EQ(with.files.bytes()[i], plain.files.bytes()[i]) << plain.files.paths()[i];
+    }
+  const Evaluation before = evaluated(withoutVersions(other)), after = evaluated(other, &before);
+  EXPECT_EQ(runId(after, nullptr), runId(before, nullptr));
+  EXPECT_EQ(after.cut().motion.value, before.cut().motion.value);
+  EXPECT_EQ(storedDesign(after).value(), withoutVersions(other));
 }
 
 TEST(DesignedSurface, IsStoredWithTheResults) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "bw/core/design/design_versions.h"
 #include "bw/core/design/program_formats.h"
 #include "bw/core/files/file_set.h"
 #include "bw/core/files/fingerprint.h"
@@ -104,7 +105,7 @@ Product produce(Evaluation evaluation, const std::filesystem::path& folder, cons
 }
 
 Result<Design> storedDesign(const Evaluation& evaluation) {
-  Design result = evaluation.design;
+  Design result = withoutVersions(evaluation.design);
   if (result.source().surface) return result;
   const Fingerprint& read = evaluation.source.value->content;
   const auto changed = [&] {

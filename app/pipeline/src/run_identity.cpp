@@ -8,6 +8,7 @@
 #include <set>
 #include <system_error>
 
+#include "bw/core/design/design_versions.h"
 #include "bw/core/files/fingerprint.h"
 #include "bw/core/files/temporary_name.h"
 #include "bw/core/text/number_text.h"
@@ -189,7 +190,7 @@ Findings compareInside(const ReportRecord& record, const fs::path& inside) {
 
 std::string runId(const Evaluation& e, const Cell* cell) {
   // All that the results depend on, and nothing that only names it or chooses among outputs.
-  Design inputs = e.design;
+  Design inputs = withoutVersions(e.design);
   inputs.name.clear();
   inputs.output = {{}, {}};
   // The numbers that these came to are in the design and in the surface.

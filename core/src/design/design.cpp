@@ -13,6 +13,7 @@
 
 #include "bw/core/blade/blade_json.h"
 #include "bw/core/blade/blade_numbers.h"
+#include "bw/core/design/design_versions.h"
 #include "bw/core/design/process_numbers.h"
 #include "bw/core/design/program_formats.h"
 #include "bw/core/files/file_set.h"
@@ -112,16 +113,37 @@ using nlohmann::json;
 
 namespace {
 
-/// The file of a source, and what it was.
-void readFileKeys(ObjectReader& reader, Source& source) {
+/// The key "base64_as" of a version: an embedded file that stands in the document already.
+void readSharedFile(ObjectReader& reader, const detail::EmbeddedFiles& files, SharedBytes& bytes) {
+  std::string word;
+  reader.text("base64_as", word);
+  if (!reader.has("base64_as")) return;
+  if (reader.has("base64"))
+    return reader.complain("base64_as",
+                           reader.path() + " has its file twice, by base64 and by base64_as; keep one");
+  if (const auto found = files.find(word); found != files.end()) {
+    bytes = found->second;
+    return;
+  }
+  std::string all;
+  for (const auto& [name, file] : files) all += (all.empty() ? "\"" : ", \"") + name + "\"";
+  reader.complain("base64_as", reader.path() + ".base64_as names \"" + word + "\", " +
+                                   (all.empty() ? "but no CAD file is embedded before it"
+                                                : "but before it there is " + all));
+}
+
+/// The file of a source, and what it was. In a version it may be one of `files`.
+void readFileKeys(ObjectReader& reader, Source& source, const detail::EmbeddedFiles* files) {
   std::string path, base64, fingerprint;
   reader.text("path", path);
   reader.text("base64", base64);
   reader.text("fingerprint", fingerprint);
   source.path = path;
-  if (std::optional<std::string> bytes = fromBase64(std::move(base64)))
+  if (files) readSharedFile(reader, *files, source.bytes);
+  const bool isShared = !source.bytes.empty();
+  if (std::optional<std::string> bytes = fromBase64(std::move(base64)); bytes && !isShared)
     source.bytes = std::move(*bytes);
-  else
+  else if (!bytes)
     reader.complain("base64", reader.path() + ".base64 is damaged; embed the CAD file again");
   source.saved = fingerprintFrom(fingerprint);
   if (!source.saved && !fingerprint.empty())
@@ -256,32 +278,32 @@ void readCuts(ObjectReader& reader, Design& design) {
 }
 
 /// Version 1: one source, and a job.
-Result<Design> earlierDesign(ObjectReader& reader) {
+Result<Design> earlierDesign(ObjectReader& reader, const detail::EmbeddedFiles* files) {
   Design design;
   if (const json* job = reader.member("job")) {
     int threads = 0;  // of the machine that it was saved on
-    Result<Design> read = jobFromJson(*job, "design.job", threads);
+    Result<Design> read = jobFromJson(*job, reader.path() + ".job", threads);
     if (!read) return read;
     design = std::move(*read);
   }
-  readPart(reader, "source", [&](ObjectReader& inner) { readFileKeys(inner, design.source()); });
+  readPart(reader, "source", [&](ObjectReader& inner) { readFileKeys(inner, design.source(), files); });
   return design;
 }
 
-Result<Design> presentDesign(ObjectReader& reader, const json& object) {
+Result<Design> presentDesign(ObjectReader& reader, const json& object, const detail::EmbeddedFiles* files) {
   Design design;
   detail::readVariables(reader, design.variables);
   for (const Variable& variable : design.variables)
     reader.scope()->numbers.push_back({variable.name, variable.value});
   readList(reader, "sources", "source", std::size_t(Design::kMostSources), design.sources,
-           [](ObjectReader& inner, Source& source) {
+           [files](ObjectReader& inner, Source& source) {
              detail::readSurface(inner, source.surface);
              if (source.surface)
-               for (const char* key : {"path", "base64", "fingerprint", "unit", "sewing"})
+               for (const char* key : {"path", "base64", "base64_as", "fingerprint", "unit", "sewing"})
                  if (inner.has(key))
                    inner.complain(key, inner.path() + " has a surface of its own and the key " + key +
                                            " of a CAD file; keep one of them");
-             readFileKeys(inner, source);
+             readFileKeys(inner, source, files);
              detail::readSourceKeys(inner, source);
            });
   for (std::size_t i = 1; i < design.sources.size(); ++i)
@@ -393,24 +415,49 @@ void followCuts(const json& object, Design& design) {
 
 }  // namespace
 
-Result<Design> detail::designFrom(const json& object, int* version) {
+namespace {
+
+/// A design from its document, which messages call `path`; with `files` what a version holds.
+Result<Design> readDesign(const json& object, const std::string& path, const detail::EmbeddedFiles* files,
+                          int* version) {
   ExpressionScope scope;
-  ObjectReader reader(object, "design", &scope);
+  ObjectReader reader(object, path, &scope);
   int found = 0;
   if (Result<void> ok = reader.version("bladewright_design", found, Design::kVersion, 0); !ok)
     return tl::unexpected<Error>(ok.error());
   if (found == 0)
     reader.complain(
         "bladewright_design",
-        "this is not a Bladewright design: the key bladewright_design with the version is missing");
-  Result<Design> design = found == 1 ? earlierDesign(reader) : presentDesign(reader, object);
+        (files ? path : std::string("this")) +
+            " is not a Bladewright design: the key bladewright_design with the version is missing");
+  Result<Design> design = found == 1 ? earlierDesign(reader, files) : presentDesign(reader, object, files);
   if (!design) return design;
   reader.text("name", design->name);
+  if (!files)
+    detail::readVersions(reader, *design);
+  else if (reader.has("versions"))
+    reader.complain("versions", path + " has versions of its own; those of a design hold none: move them up");
   if (Result<void> ok = reader.finish(); !ok) return tl::unexpected<Error>(ok.error());
   if (version) *version = found;
-  design->bindings = std::move(scope.bound);
+  // Those of a version count from its own document.
+  std::string before = path.substr(std::min(path.find_first_of(".["), path.size()));
+  std::erase(before, ']');
+  std::ranges::replace_if(
+      before, [](char c) { return c == '.' || c == '['; }, '/');
+  for (auto& [pointer, bound] : scope.bound)
+    design->bindings.emplace(pointer.substr(before.size()), std::move(bound));
   followCuts(object, *design);
   return design;
+}
+
+}  // namespace
+
+Result<Design> detail::designFrom(const json& object, int* version) {
+  return readDesign(object, "design", nullptr, version);
+}
+
+Result<Design> detail::designFrom(const json& object, const std::string& path, const EmbeddedFiles& files) {
+  return readDesign(object, path, &files, nullptr);
 }
 
 namespace {
@@ -511,6 +558,7 @@ nlohmann::ordered_json detail::designJson(const Design& design) {
   object["process"] = process;
   object["output"] = {{"programs", design.output.programs}, {"cell", design.output.cell}};
   writeBindings(design.bindings, object);
+  if (!design.versions.empty()) object["versions"] = versionsJson(design);
   return object;
 }
 
@@ -531,30 +579,37 @@ Result<Design> loadDesign(const fs::path& file, int* version) {
     error.message = file.filename().string() + ": " + error.message;
     return tl::unexpected<Error>(std::move(error));
   }
-  for (Source& source : design->sources)
-    if (source.bytes.empty() && !source.path.empty() && source.path.is_relative())
-      source.path = (file.parent_path() / source.path).lexically_normal();
+  changeStates(*design, [&file](Design& state) {
+    for (Source& source : state.sources)
+      if (source.bytes.empty() && !source.path.empty() && source.path.is_relative())
+        source.path = (file.parent_path() / source.path).lexically_normal();
+  });
   return design;
 }
 
 Result<void> saveDesign(const Design& design, const fs::path& file) {
   Design stored = design;
   std::size_t embedded = 0;
-  for (Source& source : stored.sources) {
-    embedded += source.bytes.str().size();
-    if (!source.bytes.empty() || !source.path.is_absolute()) continue;
-    std::error_code error;
-    const fs::path folder = fs::absolute(file, error).parent_path();
-    const fs::path relative = source.path.lexically_relative(folder);
-    if (!relative.empty()) source.path = relative;
-  }
+  for (const Source& source : design.sources) embedded += source.bytes.str().size();
+  std::error_code error;
+  const fs::path folder = fs::absolute(file, error).parent_path();
+  changeStates(stored, [&folder](Design& state) {
+    for (Source& source : state.sources) {
+      if (!source.bytes.empty() || !source.path.is_absolute()) continue;
+      const fs::path relative = source.path.lexically_relative(folder);
+      if (!relative.empty()) source.path = relative;
+    }
+  });
   const std::string text = designToJson(stored);
   if (text.size() > kLargestText)
     return fail(ErrorCode::cannotWrite,
                 file.string() + " would have " + std::to_string(text.size() >> 20) +
                     " MB, but designs above " + std::to_string(kLargestText >> 20) +
                     " MB cannot be opened again; link the CAD file (" + std::to_string(embedded >> 20) +
-                    " MB) instead of embedding it",
+                    " MB) instead of embedding it" +
+                    (design.versions.empty()
+                         ? ""
+                         : ", or remove some of the " + std::to_string(design.versions.size()) + " versions"),
                 file.string(), double(text.size()), double(kLargestText));
   return writeFile(file, text);
 }

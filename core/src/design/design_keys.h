@@ -3,7 +3,9 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "bw/core/design/design.h"
 #include "bw/core/design/variables.h"
@@ -14,9 +16,19 @@ namespace bw::detail {
 // The keys of each part of a design: a job has them all in one object, a design those of each part in one of
 // its own.
 
+/// CAD files that stand in the document already, by what `base64_as` calls them.
+using EmbeddedFiles = std::map<std::string, SharedBytes>;
+
 /// A design from the document of its file, and the document of a design; in both numbers may be expressions.
 Result<Design> designFrom(const nlohmann::json& object, int* version = nullptr);
 nlohmann::ordered_json designJson(const Design& design);
+/// What a version holds, which messages call `path`: a design without versions, whose embedded file may be
+/// one of those.
+Result<Design> designFrom(const nlohmann::json& object, const std::string& path, const EmbeddedFiles& files);
+
+/// versions: they share the embedded files of the design, which is read before them, and of each other.
+void readVersions(ObjectReader& reader, Design& design);
+nlohmann::ordered_json versionsJson(const Design& design);
 
 /// Degrees that are read as exactly this angle again, where there are such: as any that was read has.
 double degreesThatRead(double angle);

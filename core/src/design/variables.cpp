@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bw/core/design/design.h"
+#include "bw/core/design/design_versions.h"
 #include "bw/core/text/number_text.h"
 #include "design/design_keys.h"
 
@@ -37,7 +38,7 @@ Result<Design> resolved(const Design& design) {
   const bool designed =
       std::ranges::any_of(design.sources, [](const Source& source) { return source.surface.has_value(); });
   if (design.bindings.empty() && !designed) return design;
-  Design bare = design;
+  Design bare = withoutVersions(design);
   for (Source& source : bare.sources) source.bytes = {};
   Result<Design> read = detail::designFrom(detail::designJson(bare));
   if (!read) return read;
@@ -56,6 +57,7 @@ Result<Design> resolved(const Design& design) {
   if (plain(design, "/blade/")) read->blade = design.blade;
   if (plain(design, "/process/")) read->process = design.process;
   read->output = design.output;
+  read->versions = design.versions;
   return read;
 }
 

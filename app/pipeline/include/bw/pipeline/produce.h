@@ -71,9 +71,9 @@ Product produce(const Design& design, const std::filesystem::path& folder, const
 Product produce(Evaluation evaluation, const std::filesystem::path& folder, const Policy& policy,
                 const RunContext& context);
 
-/// The design of an evaluation as it is stored beside the results: with the CAD file inside where that is
-/// small (8 MB), else linked by its whole path. Error `cannotRead` where the file is not the one any more
-/// that the results were made from.
+/// The design of an evaluation as it is stored beside the results: without its versions, with the CAD file
+/// inside where that is small (8 MB), else linked by its whole path. Error `cannotRead` where the file is not
+/// the one any more that the results were made from.
 Result<Design> storedDesign(const Evaluation& evaluation);
 
 /// report.json alone, of the run of that name. `files` are listed in it.
