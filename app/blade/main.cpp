@@ -76,6 +76,7 @@ int run(int argc, char** argv) {
   addMouldsVerb(app, session, work);
   addKeysVerb(app, session, work);
   addSectionsVerb(app, session, work);
+  addVersionsVerb(app, session, work);
   addCutsVerb(app, session, work);
   addProgramVerbs(app, session, work);
   addCommon(app);

@@ -13,6 +13,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "bw/core/design/design_versions.h"
 #include "bw/core/text/printable.h"
 #include "bw/pipeline/result_folder.h"
 #include "bw/pipeline/run_identity.h"
@@ -130,8 +131,10 @@ Result<void> Session::mayWriteDesign(const std::string& name) const {
 }
 
 Result<void> Session::writeDesign(Design design, const std::string& name) const {
-  for (Source& source : design.sources)
-    if (!source.path.empty() && source.bytes.empty()) source.path = std::filesystem::absolute(source.path);
+  changeStates(design, [](Design& state) {
+    for (Source& source : state.sources)
+      if (!source.path.empty() && source.bytes.empty()) source.path = std::filesystem::absolute(source.path);
+  });
   const Interrupt::Commit commit;
   return saveDesign(design, name);
 }

@@ -25,6 +25,7 @@ void addVaryVerb(CLI::App& app, const Session& session, Work& work);
 void addMouldsVerb(CLI::App& app, const Session& session, Work& work);
 void addKeysVerb(CLI::App& app, const Session& session, Work& work);
 void addSectionsVerb(CLI::App& app, const Session& session, Work& work);
+void addVersionsVerb(CLI::App& app, const Session& session, Work& work);
 void addCutsVerb(CLI::App& app, const Session& session, Work& work);
 void addProgramVerbs(CLI::App& app, const Session& session, Work& work);
 

@@ -3,16 +3,12 @@
 //
 // The cuts of a design as one table.
 
-#include <filesystem>
 #include <iostream>
 
 #include "bw/core/design/cut_table.h"
-#include "bw/core/files/file_set.h"
 #include "verbs.h"
 
 namespace bw::cli {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -48,9 +44,7 @@ int runCuts(const Session& session, const CutsOptions& options) {
     error.message = options.table + ": " + error.message;
     return session.complain(error);
   }
-  for (Source& source : made->sources)
-    if (!source.path.empty() && source.bytes.empty()) source.path = fs::absolute(source.path);
-  return finish(saveDesign(*made, options.out));
+  return finish(session.writeDesign(std::move(*made), options.out));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "bw/core/base/units.h"
 #include "bw/core/design/design.h"
+#include "bw/core/design/design_versions.h"
 #include "bw/core/sweep/maps.h"
 #include "bw/core/text/number_text.h"
 #include "bw/core/text/printable.h"
@@ -79,6 +80,7 @@ void tellSummary(const pipeline::Evaluation& e) {
 struct ResultOptions {
   std::string file, job, out;
   bool despiteErrors = false;
+  std::string version;            ///< of the design
   std::vector<std::string> sets;  ///< name=value
   bool watch = false, handover = false;
 };
@@ -118,6 +120,21 @@ int runRationalize(const Session& session, const ResultOptions& options) {
   return writeResults(session, *design, options, threads);
 }
 
+/// The design whose results are asked for. Errors besides: its file would be replaced by the one beside the
+/// results, which has no versions.
+Result<Design> askedFor(const Session& session, const ResultOptions& options) {
+  Result<Design> design = session.openDesign(options.file);
+  if (!design) return design;
+  if (!design->versions.empty() && pipeline::sameFile(fs::path(options.out) / kDesignFile, options.file))
+    return fail(ErrorCode::badInput,
+                options.file +
+                    " has named versions, which would be lost: results hold a design without; give --out "
+                    "another folder",
+                "out");
+  if (!options.version.empty()) design = atVersion(*design, options.version);
+  return design ? withSets(*design, options.sets) : design;
+}
+
 /// Writes the results, and again whenever the design or a CAD file that it links was saved, until it is
 /// stopped. What cannot be read or made is told, and the next change is waited for.
 int watchDesign(const Session& session, const ResultOptions& options) {
@@ -130,8 +147,7 @@ int watchDesign(const Session& session, const ResultOptions& options) {
   while (!session.stop.stop_requested()) {
     FileWatch watch;
     watch.add(options.file);
-    Result<Design> design = session.openDesign(options.file);
-    if (design) design = withSets(*design, options.sets);
+    const Result<Design> design = askedFor(session, options);
     if (design) {
       for (const Source& source : design->sources)
         if (source.bytes.empty() && !source.path.empty()) watch.add(source.path);
@@ -148,8 +164,7 @@ int watchDesign(const Session& session, const ResultOptions& options) {
 
 int runDesign(const Session& session, const ResultOptions& options) {
   if (options.watch) return watchDesign(session, options);
-  Result<Design> design = session.openDesign(options.file);
-  if (design) design = withSets(*design, options.sets);
+  const Result<Design> design = askedFor(session, options);
   return design ? writeResults(session, *design, options) : session.complain(design.error());
 }
 
@@ -270,6 +285,9 @@ void addSurfaceVerbs(CLI::App& app, const Session& session, Work& work) {
     const auto options = std::make_shared<ResultOptions>();
     verb->add_option("DESIGN", options->file, "A .bladewright file")->required();
     verb->add_option("--out", options->out, "Folder for the results")->type_name("DIR")->required();
+    verb->add_option("--version", options->version,
+                     "A named version of the design in place of its present state")
+        ->type_name("NAME");
     verb->add_option("--set", options->sets, "Give a variable of the design another value; repeatable")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
