@@ -119,7 +119,7 @@ class NothingIsCutOff : public WindowTest {
       design.cut().sections.spacing = 25;
     });
     ASSERT_TRUE(settle());
-    for (const char* tab : {"tab.section", "tab.motion", "tab.messages", "tab.blocks"}) {
+    for (const char* tab : {"tab.section", "tab.motion", "tab.messages", "tab.blocks", "tab.versions"}) {
       window().commands()[tab]->trigger();
       expectAllWhole(tab);
     }

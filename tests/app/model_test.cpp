@@ -11,10 +11,12 @@
 #include <filesystem>
 #include <fstream>
 
+#include "bw/core/design/design_versions.h"
 #include "bw/geometry/export.h"
 #include "bw/model/change.h"
 #include "bw/model/document.h"
 #include "bw/model/evaluation_runner.h"
+#include "bw/model/history.h"
 #include "bw/model/settings.h"
 #include "bw/model/step_state.h"
 
@@ -69,6 +71,29 @@ TEST(Document, MergesTheMovesOfOneDrag) {
   EXPECT_EQ(document.undoStack().count(), 2);
   document.undoStack().undo();
   EXPECT_EQ(document.design()->cut().sections.stations, 39);
+}
+
+TEST(Document, TellsTheDesignBeforeTheLastChange) {
+  Document document({});
+  document.start(panelDesign());
+  EXPECT_EQ(designBefore(document), nullptr);
+  const auto name = [&](const char* words) {
+    document.edit(*withVersion(*document.design(), words), "Name");
+  };
+  name("start");
+  EXPECT_EQ(designBefore(document), nullptr) << "a name changes nothing of it";
+  document.editDesign("Change stations", -1, [](Design& design) { design.cut().sections.stations = 30; });
+  for (int n = 1; n < 10; ++n)  // one drag
+    document.editDesign("Change lead", 1, [n](Design& design) { design.process.lead = n; });
+  name("end");
+  ASSERT_TRUE(designBefore(document));
+  EXPECT_EQ(designBefore(document)->cut().sections.stations, 30);
+  EXPECT_EQ(designBefore(document)->process.lead, Process().lead);
+  document.undoStack().undo();
+  document.undoStack().undo();
+  EXPECT_EQ(designBefore(document)->cut().sections.stations, 12);
+  document.undoStack().undo();
+  EXPECT_EQ(designBefore(document), nullptr);
 }
 
 TEST(Document, DropsAnEditThatChangesNothing) {

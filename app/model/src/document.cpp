@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "bw/core/design/design.h"
+#include "bw/core/design/design_versions.h"
+#include "bw/model/history.h"
 
 namespace bw::model {
 
@@ -41,6 +43,7 @@ class EditDesign : public QUndoCommand {
   void undo() override { document_.exchange(before_); }
   void redo() override { document_.exchange(after_); }
   int id() const override { return mergeId_; }
+  const std::shared_ptr<const Design>& before() const { return before_; }
   bool mergeWith(const QUndoCommand* other) override {
     const auto* next = static_cast<const EditDesign*>(other);
     if (mergeId_ < 0 || next->mergeId_ != mergeId_) return false;
@@ -55,6 +58,16 @@ class EditDesign : public QUndoCommand {
   std::shared_ptr<const Design> before_, after_;
   int mergeId_;
 };
+
+std::shared_ptr<const Design> designBefore(Document& document) {
+  const Design now = withoutVersions(*document.design());
+  const QUndoStack& history = document.undoStack();
+  for (int i = history.index() - 1; i >= 0; --i) {
+    const auto* step = dynamic_cast<const EditDesign*>(history.command(i));
+    if (step && withoutVersions(*step->before()) != now) return step->before();
+  }
+  return nullptr;
+}
 
 Document::Document(const fs::path& recoveryFolder, QObject* parent)
     : QObject(parent), design_(std::make_shared<const Design>()) {

@@ -79,6 +79,7 @@ QPushButton { background: @panel; color: @text; border: 1px solid @line; border-
 QPushButton:hover { border-color: @secondary; }
 QPushButton:focus { border-color: @selection; }
 QPushButton:pressed { background: @hover; }
+QPushButton:checked { background: @checked; }
 QPushButton:disabled { color: @disabled; }
 QPushButton#primary { background: @accent; color: @onAccent; border-color: @accent; font-weight: 600; }
 QPushButton#primary:hover { background: @accentHover; border-color: @accentHover; }

@@ -218,9 +218,11 @@ void MainWindow::tickTheme() {
 
 void MainWindow::setNavigation(model::MouseChoice mouse) {
   settings_.setMouse(mouse);
-  view_->setNavigation(mouse == model::MouseChoice::blender      ? view::Navigation::blender
-                       : mouse == model::MouseChoice::solidworks ? view::Navigation::solidworks
-                                                                 : view::Navigation::rhino);
+  const view::Navigation navigation = mouse == model::MouseChoice::blender      ? view::Navigation::blender
+                                      : mouse == model::MouseChoice::solidworks ? view::Navigation::solidworks
+                                                                                : view::Navigation::rhino;
+  view_->setNavigation(navigation);
+  beside_->setNavigation(navigation);
   for (const auto& [id, m] : {std::pair("mouse.rhino", model::MouseChoice::rhino),
                               std::pair("mouse.blender", model::MouseChoice::blender),
                               std::pair("mouse.solidworks", model::MouseChoice::solidworks)})

@@ -20,6 +20,9 @@
 #include "measure/measure_page.h"
 #include "plots/motion_view.h"
 #include "plots/section_view.h"
+#include "versions/comparison.h"
+#include "versions/version_panel.h"
+#include "window/beside_view.h"
 #include "window/commands.h"
 #include "window/face_chooser.h"
 #include "window/handle_keys.h"
@@ -73,6 +76,9 @@ class MainWindow : public QMainWindow {
   MessageList& messageList() { return messages_->list(); }
   BlockPanel& blockPanel() { return *blocks_; }
   ObjectTree& objectTree() { return *tree_; }
+  VersionPanel& versionPanel() { return *versions_; }
+  BesideView& besideView() { return *beside_; }
+  Comparison& comparison() { return comparison_; }
   WorkflowPanel& workflow() { return *workflow_; }
   Banner& banner() { return *banner_; }
   RecoveryList& recoveryList() { return *recovery_; }
@@ -80,6 +86,8 @@ class MainWindow : public QMainWindow {
   MeasurePage& measurePage() { return *measure_; }
   StartPage& startPage() { return *start_; }
   QTabWidget& tabs() { return *tabs_; }
+  /// At the right: objects with the inspector, and versions.
+  QTabWidget& sideTabs() { return *sides_; }
   FaceChooser& faceChooser() { return *faces_; }
   SurfaceHandles& surfaceHandles() { return *handles_; }
   HandleKeys& handleKeys() { return *keys_; }
@@ -128,6 +136,7 @@ class MainWindow : public QMainWindow {
  private:
   void makeCommands();
   void makeHandleCommands();
+  void makeVersionCommands();
   void makeMenus();
   void makeWorkspace();
   void makeStatusBar();
@@ -165,6 +174,10 @@ class MainWindow : public QMainWindow {
   /// Leaves out of the picture what the tree of objects hides.
   void hideObjects(scene::Style& style) const;
   void refreshState();
+  void followComparison();
+  void chooseBeside(const Beside& beside);
+  /// What can be compared, and what is.
+  void refreshComparison();
   void summarise(const pipeline::CutSketch& sketch);
   void refreshSummary();
   void placeBanner();
@@ -172,8 +185,10 @@ class MainWindow : public QMainWindow {
   void refreshRecent();
   void onPicked(const scene::Pick& pick);
   void onHovered(const scene::Pick& pick);
-  /// The field that the picture shows as a map, or null.
-  const Field* mappedField() const;
+  /// Place and value under the cursor of one of the pictures.
+  void tellHovered(const scene::Pick& pick, const view::SceneView& view);
+  /// The field that a picture shows as a map, or null.
+  static const Field* mappedField(const view::SceneView& view);
   void fitSelection();
   /// Frames the surroundings of a finding and marks its point.
   void showSpot(const Spot& spot);
@@ -188,6 +203,7 @@ class MainWindow : public QMainWindow {
   Theme& theme_;
   std::filesystem::path recoveryFolder_;
   Workbench bench_;
+  Comparison comparison_{bench_};
   Commands commands_;
   Questions questions_;
   std::vector<std::pair<const char*, StyleSwitch>> toggles_;  ///< commands that are on or off with the style
@@ -201,12 +217,14 @@ class MainWindow : public QMainWindow {
   WorkflowPanel* workflow_;
   ObjectTree* tree_;
   Inspector* inspector_;
+  VersionPanel* versions_;
   MapBar* mapBar_;
   view::SceneView* view_;
+  BesideView* beside_;
   FaceChooser* faces_;
   SurfaceHandles* handles_;
   HandleKeys* keys_;
-  QTabWidget* tabs_;
+  QTabWidget *tabs_, *sides_;
   QLabel* drawnLabel_;  ///< before the choice beside the tabs, where there is room for it
   SectionView* section_;
   MotionView* motion_;

@@ -3,6 +3,7 @@
 #include "window/map_bar.h"
 
 #include <QHBoxLayout>
+#include <QStandardItemModel>
 #include <QWidgetAction>
 
 #include <algorithm>
@@ -15,6 +16,7 @@ namespace bw::app {
 
 namespace {
 
+constexpr int kComparisonWidth = 158;
 constexpr int kRangeWidth = 66;  // of an end of the legend, without its unit
 
 /// A number with the digits that the legend has.
@@ -91,6 +93,15 @@ MapBar::MapBar(const Theme& theme, const Commands& commands, QWidget* parent)
   automatic_->setCheckable(true);
   automatic_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   automatic_->setIconSize({14, 14});
+  addGroup();
+  comparison_ = new ChoiceField(this);
+  comparison_->setToolTip(
+      tr("What stands in a second picture beside this one: the target, what the last change "
+         "made of the design, or a version"));
+  comparison_->setAccessibleName(tr("Compare"));
+  comparison_->setFixedWidth(kComparisonWidth);
+  layout->addWidget(comparison_);
+  connect(comparison_, &QComboBox::activated, this, &MapBar::comparisonChosen);
   addGroup();
   for (const char* id : {"view.iso", "view.top"}) tool({})->setDefaultAction(commands[id]);
   auto* more = tool(tr("Standard views"));
@@ -213,6 +224,17 @@ void MapBar::showRange() {
   // Without a map there is no range to tell, and one of words has all of them.
   const std::string& map = style_[scene::Kind::cut].map;
   rangeGroup_->setVisible(mapped_ && map != "none" && mapRule(map) != MapRule::words);
+}
+
+void MapBar::setComparisons(const QStringList& items, int index, bool before) {
+  if (comparisons_ != items) {
+    comparisons_ = items;
+    comparison_->clear();
+    comparison_->addItems(items);
+  }
+  if (auto* model = qobject_cast<QStandardItemModel*>(comparison_->model()))
+    model->item(2)->setEnabled(before);
+  comparison_->show(index);
 }
 
 void MapBar::editRange() {

@@ -44,12 +44,17 @@ class MapBar : public QFrame {
   /// Puts the cursor into the range field.
   void editRange();
   ChoiceField& field() { return *field_; }
+  /// What can stand beside the picture, by name, and which of them does. The third, the state before the last
+  /// change, is there only if `before`.
+  void setComparisons(const QStringList& items, int index, bool before);
+  ChoiceField& comparison() { return *comparison_; }
   void chooseField(const std::string& name);
   /// The words of the maps in the order of the choice.
   static const std::vector<std::string>& fieldNames();
 
  signals:
   void styleEdited(const bw::scene::Style& style);
+  void comparisonChosen(int index);
 
  private:
   void refresh();
@@ -59,7 +64,8 @@ class MapBar : public QFrame {
   const Theme& theme_;
   scene::Style style_;
   bool mapped_ = false;  ///< a field with a range is on the screen
-  ChoiceField* field_;
+  ChoiceField *field_, *comparison_;
+  QStringList comparisons_;
   QWidget* rangeGroup_;
   NumberField *min_, *max_;
   QToolButton *automatic_, *layers_;

@@ -221,8 +221,8 @@ void MainWindow::makeCommands() {
       "panel.bottom", tr("&Section, motion, messages, blocks"), "station", tr("Show the panel below"),
       {QKeySequence("Ctrl+2")}, [this](bool on) { tabs_->setVisible(on); }, true);
   add(
-      "panel.inspector", tr("Objects and &inspector"), "measure", tr("Show the panel at the right"),
-      {QKeySequence("Ctrl+3")}, [this](bool on) { right_->setVisible(on); }, true);
+      "panel.inspector", tr("Objects, &inspector, versions"), "measure", tr("Show the panel at the right"),
+      {QKeySequence("Ctrl+3")}, [this](bool on) { sides_->setVisible(on); }, true);
   for (const char* id : {"panel.workflow", "panel.bottom", "panel.inspector"})
     commands_[id]->setChecked(true);
   for (const auto& [id, text, choice] :
@@ -266,6 +266,7 @@ void MainWindow::makeCommands() {
         commands_["panel.bottom"]->setChecked(true);
         tabs_->setCurrentWidget(blocks_);
       });
+  makeVersionCommands();
   add("help.guide", tr("&Guide and keys"), "info", tr("How the window works, and every key"),
       {QKeySequence("F1")}, [this](bool) { guide_->open(); });
   add("help.about", tr("&About Bladewright"), "", {}, {}, [this](bool) {
@@ -372,6 +373,7 @@ void MainWindow::makeMenus() {
   fill(handleMenu_, {"handles.number", "", "handles.addPoint", "handles.removePoint", "handles.addSection",
                      "handles.removeSection", "", "handles.symmetric", "handles.snap"});
   for (const int spacing : kHandleGrids) fill(handleMenu_, {qUtf8Printable(handleGridCommand(spacing))});
+  fill(edit, {"versions.name", "versions.back", ""});
   fill(edit, {"input.chooseFaces", "design.keys", "design.adopt", "blade.measure", "", "edit.palette"});
   QMenu* view = menuBar()->addMenu(tr("&View"));
   fill(view, {"view.iso", "view.top", "view.bottom", "view.front", "view.back", "view.left", "view.right", "",
@@ -381,10 +383,11 @@ void MainWindow::makeMenus() {
   for (const std::string& name : MapBar::fieldNames())
     fill(maps, {qUtf8Printable("map." + QString::fromStdString(name))});
   fill(maps, {"", "view.isolines"});
+  fill(view->addMenu(tr("&Compare")), {"compare.target", "compare.before", "compare.version"});
   fill(view->addMenu(tr("S&how")),
        {"show.target", "show.cut", "show.stations", "show.blades", "show.block", "show.grid"});
   fill(view->addMenu(tr("Pa&nels")), {"panel.workflow", "panel.bottom", "panel.inspector", "", "tab.section",
-                                      "tab.motion", "tab.messages", "tab.blocks"});
+                                      "tab.motion", "tab.messages", "tab.blocks", "tab.versions"});
   view->addSeparator();
   fill(view->addMenu(tr("Th&eme")), {"theme.system", "theme.light", "theme.dark"});
   fill(view->addMenu(tr("M&ouse")), {"mouse.rhino", "mouse.blender", "mouse.solidworks"});

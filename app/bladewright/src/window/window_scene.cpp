@@ -36,6 +36,7 @@ void MainWindow::follow(const Change& change) {
   if (change.any(Aspect::design)) {
     editClock_.start();
     refreshTitle();
+    refreshComparison();
   }
   if (change.any(Aspect::selection | Aspect::result)) marker_.reset();
   if (change.any(Aspect::result))
@@ -49,7 +50,7 @@ void MainWindow::follow(const Change& change) {
 
 void MainWindow::refreshResult(bool content) {
   const auto evaluation = bench_.shown();
-  if (content) view_->setContent(sceneContent());
+  if (content) beside_->setContent(sceneContent());
   // The opening view is of the target until there is a first result, which leads to its block, unless the
   // user has gone elsewhere meanwhile.
   if (evaluation && fitNext_) {
@@ -70,7 +71,7 @@ void MainWindow::refreshResult(bool content) {
 }
 
 void MainWindow::refreshSketch() {
-  view_->setContent(sceneContent());
+  beside_->setContent(sceneContent());
   refreshStyle();
 }
 
@@ -143,8 +144,8 @@ void MainWindow::refreshStyle() {
   hideObjects(style);
   faces_->applyTo(style);
   handles_->applyTo(style);
-  view_->setStyle(style);
-  const Field* mapped = mappedField();
+  beside_->setStyle(style);
+  const Field* mapped = mappedField(*view_);
   mapBar_->setRangeUnit(mapped ? QString::fromStdString(mapped->unit) : QString());
   mapBar_->setRangeInUse(view_->legendRange());
   inspector_->setStale(staleShown_ || bench_.sketch());  // its numbers are those of the result
@@ -157,9 +158,9 @@ void MainWindow::refreshStyle() {
   commands_["view.section"]->setChecked(sectioned_);
 }
 
-const Field* MainWindow::mappedField() const {
-  const auto* cut = view_->content().first<scene::CutSurface>();
-  return cut ? cut->grid.field(view_->sceneStyle()[scene::Kind::cut].map) : nullptr;
+const Field* MainWindow::mappedField(const view::SceneView& view) {
+  const auto* cut = view.content().first<scene::CutSurface>();
+  return cut ? cut->grid.field(view.sceneStyle()[scene::Kind::cut].map) : nullptr;
 }
 
 void MainWindow::showSpot(const Spot& spot) {
@@ -200,6 +201,10 @@ void MainWindow::onPicked(const scene::Pick& pick) {
 
 void MainWindow::onHovered(const scene::Pick& pick) {
   faces_->hover(pick.face, view_->toWidget(pick.point));
+  tellHovered(pick, *view_);
+}
+
+void MainWindow::tellHovered(const scene::Pick& pick, const view::SceneView& view) {
   if (pick.kind == scene::Pick::Kind::none) {
     cursor_->clear();
     probe_->clear();
@@ -207,7 +212,7 @@ void MainWindow::onHovered(const scene::Pick& pick) {
   }
   cursor_->setText(pointText(pick.point) + " mm");
   QString text;
-  const Field* field = mappedField();
+  const Field* field = mappedField(view);
   if (pick.value && field) {
     const char* word = mapWord(field->name, *pick.value);
     text = QString::fromStdString(field->title.empty() ? field->name : field->title) + " " +

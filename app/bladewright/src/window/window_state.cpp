@@ -37,7 +37,8 @@ void MainWindow::makeWorkspace() {
   layout->addWidget(makeLine(picture));
   view_ = new view::SceneView(picture);
   view_->setAccessibleName(tr("3D view"));
-  layout->addWidget(view_, 1);
+  beside_ = new BesideView(comparison_, *view_, picture);
+  layout->addWidget(beside_, 1);
   faces_ = new FaceChooser(bench_, theme_, view_);
   handles_ = new SurfaceHandles(bench_, view_);
   keys_ = new HandleKeys(bench_, view_, *handles_);
@@ -82,7 +83,9 @@ void MainWindow::makeWorkspace() {
   middle_->setStretchFactor(0, 1);
   columns_->addWidget(middle_);
 
-  right_ = new QSplitter(Qt::Vertical, columns_);
+  sides_ = new QTabWidget(columns_);
+  sides_->setDocumentMode(true);
+  right_ = new QSplitter(Qt::Vertical, sides_);
   right_->setHandleWidth(1);
   right_->setChildrenCollapsible(false);
   tree_ = new ObjectTree(bench_, theme_, right_);
@@ -90,7 +93,11 @@ void MainWindow::makeWorkspace() {
   inspector_ = new Inspector(bench_, theme_, right_);
   right_->addWidget(inspector_);
   right_->setStretchFactor(1, 1);
-  columns_->addWidget(right_);
+  sides_->addTab(right_, tr("Objects"));
+  versions_ = new VersionPanel(bench_, comparison_, theme_, sides_);
+  sides_->addTab(versions_, tr("Versions"));
+  columns_->addWidget(sides_);
+  followComparison();
   connect(&bench_, &Workbench::objectsChanged, this, &MainWindow::refreshStyle);
   columns_->setStretchFactor(1, 1);
   stack_->addWidget(columns_);
@@ -242,6 +249,7 @@ void MainWindow::refreshState() {
   commands_["edit.cancel"]->setEnabled(busy || faces_->choosing() || view_->holding());
   commands_["view.handles"]->setEnabled(open && handles_->possible());
   refreshHandleCommands();
+  refreshComparison();
   commands_["input.chooseFaces"]->setEnabled(open && faces_->possible());
   workflow_->inputFields()->faces().showChoosing(faces_->choosing(), faces_->possible());
   refreshSummary();

@@ -135,8 +135,11 @@ void Workbench::write(const fs::path& folder, const QString& name, MakePolicy po
   made->folder = folder;
   made->name = name;
   made->opened = opened_;
-  const auto task = [made, policy = std::move(policy)](pipeline::Evaluation evaluation,
-                                                       const RunContext& context) -> Result<void> {
+  // The design beside results has no versions.
+  const bool losesVersions =
+      !design().versions.empty() && pipeline::sameFile(folder / pipeline::kDesignFile, document_.file());
+  const auto task = [made, losesVersions, policy = std::move(policy)](
+                        pipeline::Evaluation evaluation, const RunContext& context) -> Result<void> {
     made->key = model::exportKey(evaluation);
     made->source = evaluation.design.source();
     const pipeline::Policy asked = policy(context);
@@ -145,6 +148,13 @@ void Workbench::write(const fs::path& folder, const QString& name, MakePolicy po
     if (product.error) return tl::unexpected<Error>(*product.error);
     if (context.stopped()) return stoppedError();
     made->files = std::move(product.files);
+    if (losesVersions && std::ranges::count(made->files.paths(), fs::path(pipeline::kDesignFile)) > 0)
+      return fail(ErrorCode::badInput,
+                  tr("%1 in that folder is the open design, and its versions would be lost: results hold a "
+                     "design without; choose another folder")
+                      .arg(QString::fromUtf8(pipeline::kDesignFile))
+                      .toStdString(),
+                  "folder");
     made->findings = product.evaluation.programs;
     // Nothing is left to write where the only program is refused.
     if (made->files.paths().empty() && !made->findings.empty())

@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "window/beside_view.h"
+
+#include <QPainter>
+#include <QTimer>
+
+#include <algorithm>
+
+#include "bw/core/text/printable.h"
+#include "bw/pipeline/scene_content.h"
+#include "controls/theme.h"
+
+namespace bw::app {
+
+namespace {
+
+using scene::Kind;
+
+/// A name that is shortened to the width there is.
+class Head : public QLabel {
+ public:
+  using QLabel::QLabel;
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter painter(this);
+    const QRect room = contentsRect();
+    painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
+                     fontMetrics().elidedText(text(), Qt::ElideRight, room.width()));
+  }
+};
+
+QLabel* makeHead(QWidget* parent) {
+  auto* label = new Head(parent);
+  label->setFont(Theme::secondaryFont());
+  label->setObjectName("panel");
+  label->setContentsMargins(kGap, 3, kGap, 3);
+  // However long a name is, it takes no width from the pictures.
+  label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  label->hide();
+  return label;
+}
+
+/// The target alone, in its block.
+scene::Content targetOf(const scene::Content& content) {
+  scene::Content target = content;
+  for (const Kind kind : {Kind::cut, Kind::station, Kind::blade, Kind::part, Kind::face, Kind::travel})
+    target.remove(kind);
+  return target;
+}
+
+}  // namespace
+
+BesideView::BesideView(const Comparison& comparison, view::SceneView& present, QWidget* parent)
+    : QWidget(parent), comparison_(comparison), present_(present), grid_(new QGridLayout(this)) {
+  grid_->setContentsMargins(0, 0, 0, 0);
+  grid_->setSpacing(0);
+  then_ = makeHead(this);
+  now_ = makeHead(this);
+  line_ = new QFrame(this);
+  line_->setObjectName("vline");
+  line_->hide();
+  grid_->addWidget(then_, 0, 0);
+  grid_->addWidget(now_, 0, 2);
+  grid_->addWidget(line_, 0, 1, 2, 1);
+  grid_->addWidget(&present, 1, 2);
+  grid_->setRowStretch(1, 1);
+  grid_->setColumnStretch(2, 1);
+  connect(&present, &view::SceneView::cameraChanged, this, &BesideView::follow);
+}
+
+void BesideView::makeOther() {
+  other_ = new view::SceneView(this);
+  other_->setAccessibleName(tr("3D view of what is compared"));
+  other_->setNavigation(navigation_);
+  grid_->addWidget(other_, 1, 0);
+  connect(other_, &view::SceneView::cameraChanged, this, [this] {
+    if (following_) return;
+    following_ = true;
+    present_.setCamera(other_->camera());
+    following_ = false;
+  });
+  connect(other_, &view::SceneView::hovered, this, &BesideView::hovered);
+}
+
+void BesideView::follow() {
+  if (following_ || !other_ || !compared()) return;
+  following_ = true;
+  other_->setCamera(present_.camera());
+  following_ = false;
+}
+
+void BesideView::setNavigation(view::Navigation navigation) {
+  navigation_ = navigation;
+  if (other_) other_->setNavigation(navigation);
+}
+
+void BesideView::refreshNames() {
+  const Beside& beside = comparison_.beside();
+  QString then, now = tr("Now");
+  switch (beside.what) {
+    case Beside::What::nothing:
+      break;
+    case Beside::What::target:
+      then = tr("Target");
+      now = tr("Cut");
+      break;
+    case Beside::What::before:
+      then = tr("Before the last change");
+      break;
+    case Beside::What::version:
+      then = QString::fromStdString(printable(beside.version));
+      break;
+  }
+  const QString state = comparison_.busy()    ? tr("%1: computing")
+                        : comparison_.error() ? tr("%1: without a result")
+                                              : QStringLiteral("%1");
+  then_->setText(state.arg(then));
+  then_->setToolTip(comparison_.error() ? QString::fromStdString(printable(comparison_.error()->message))
+                                        : then);
+  now_->setText(now);
+  for (QWidget* widget : std::initializer_list<QWidget*>{then_, now_, line_}) widget->setVisible(compared());
+}
+
+void BesideView::refresh() {
+  if (compared() && !other_) makeOther();
+  refreshNames();
+  grid_->setColumnStretch(0, compared() ? 1 : 0);
+  ranged_.reset();
+  if (!other_) return;
+  following_ = true;
+  if (comparison_.beside().what == Beside::What::target)
+    other_->setContent(targetOf(present_.content()));
+  else if (const auto& evaluation = comparison_.evaluation())
+    other_->setContent(pipeline::sceneContent(*evaluation));
+  else
+    other_->setContent({});
+  const bool opened = other_->isHidden() == compared();
+  other_->setVisible(compared());
+  other_->setCamera(present_.camera());
+  following_ = false;
+  // Once both have their new widths.
+  if (opened) QTimer::singleShot(0, &present_, [this] { present_.fitWork(false); });
+}
+
+void BesideView::setContent(const scene::Content& content) {
+  present_.setContent(content);
+  ranged_.reset();
+  if (comparison_.beside().what != Beside::What::target || !other_) return;
+  following_ = true;
+  other_->setContent(targetOf(content));
+  other_->setCamera(present_.camera());
+  following_ = false;
+}
+
+std::optional<std::pair<double, double>> BesideView::rangeOfBoth(const scene::Style& style,
+                                                                 const scene::Style& other) {
+  if (style.rangeMin || style.rangeMax) return std::nullopt;
+  const Ranged now = {style[Kind::cut].map, style.tolerance, style.items.size()};
+  if (ranged_ == now) return range_;
+  ranged_ = now;
+  present_.setStyle(style);
+  other_->setStyle(other);
+  const auto a = present_.legendRange(), b = other_->legendRange();
+  range_ = a && b ? std::optional(std::pair(std::min(a->first, b->first), std::max(a->second, b->second)))
+                  : std::nullopt;
+  return range_;
+}
+
+void BesideView::setStyle(const scene::Style& style) {
+  if (!other_ || !compared()) return present_.setStyle(style);
+  const Beside::What what = comparison_.beside().what;
+  scene::Style now = style, then = style;
+  then.items.clear();
+  then.legend = false;
+  then.selected = {};
+  then.playhead = -1;
+  then.movingBlade.clear();
+  then.marker.reset();
+  then.handles = {};
+  then.chooseFaces = false;
+  then.stale = comparison_.busy();
+  if (what == Beside::What::target) {
+    then.stale = style.stale;
+    then[Kind::target] = {true, 1, "none"};
+    now[Kind::target].visible = false;
+  } else if (const auto range = rangeOfBoth(now, then)) {
+    now.rangeMin = then.rangeMin = range->first;
+    now.rangeMax = then.rangeMax = range->second;
+  }
+  present_.setStyle(now);
+  other_->setStyle(then);
+}
+
+}  // namespace bw::app
