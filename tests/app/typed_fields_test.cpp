@@ -7,6 +7,7 @@
 #include "bw/core/base/units.h"
 #include "every_field.h"
 #include "workflow/grid_fields.h"
+#include "workflow/kerf_table_field.h"
 #include "workflow/variable_fields.h"
 
 namespace bw::app {
@@ -169,6 +170,21 @@ class TypedFields : public EveryFieldTest {
       tryLengths(*lengths);
     } else if (auto* fresh = qobject_cast<NewVariableField*>(&typed)) {
       for (const char* text : {"wave", "wave = ", "x = 3", "wave = 5 kg"}) expectRefused(*fresh, text);
+    } else if (auto* kerf = qobject_cast<KerfTableField*>(&typed)) {
+      for (const auto& [text, shown] :
+           {std::pair("5: 4.2, 20: 2.6", "5: 4.2, 20: 2.6"), std::pair("5: 4,2; 20: 2,6", "5: 4.2, 20: 2.6"),
+            std::pair("0.3 m/min: 0.42 cm; 20: 2.5", "5: 4.2, 20: 2.5"), std::pair("", "")}) {
+        typeOver(*kerf, text);
+        QTest::keyClick(kerf, Qt::Key_Return);
+        EXPECT_FALSE(kerf->refused()) << text << ": " << kerf->refusal().toStdString();
+        EXPECT_EQ(kerf->text(), shown);
+        EXPECT_EQ(find<NumberField>("Kerf")->isEnabled(), QString(text).isEmpty());
+        EXPECT_TRUE(window().sceneView().hasFocus());
+      }
+      EXPECT_EQ(bench().design().process.kerf, 2.5) << "that of the fastest point stays";
+      for (const char* text : {"abc", "5", "5: 4.2", "20: 2.6, 5: 4.2", "5: 4.2, 20: 60", "5: 4.2, 20",
+                               "5: 4,2,20: 2,6", "-5: 4, 20: 2", "5 kg: 4, 20: 2"})
+        expectRefused(*kerf, text);
     } else {
       auto& list = dynamic_cast<ListField&>(typed);
       list.setCount(8);

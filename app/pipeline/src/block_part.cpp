@@ -11,6 +11,7 @@
 #include "block_layout.h"
 #include "bw/core/parts/cut_order.h"
 #include "bw/core/parts/whole_cut.h"
+#include "bw/core/sweep/kerf_field.h"
 #include "bw/core/text/number_text.h"
 #include "bw/geometry/export.h"
 #include "settle.h"
@@ -142,7 +143,7 @@ Result<void> orderCutsOf(Evaluation& e, BlockEvaluation& block, const BlockEvalu
 Result<SweptSurface> sweptBy(const CutEvaluation& cut, const Kerf& kerf) {
   Result<WholeCut> whole = wholeCut(cut.way.value->course, cut.setup->planes);
   if (!whole) return tl::unexpected<Error>(whole.error());
-  whole->grid = standingBeside(std::move(whole->grid), kerf);
+  whole->grid = standingBeside(std::move(whole->grid), kerf, *cut.sweep.value, *cut.check.value);
   Result<SplineSurface> surface = geometry::loft(whole->grid, whole->travel);
   if (!surface) return tl::unexpected<Error>(surface.error());
   const Result<geometry::CadModel> model = geometry::CadModel::of(*surface, cut.id);

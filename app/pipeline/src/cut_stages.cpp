@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <string>
 #include <utility>
 
 #include "advice.h"
@@ -31,7 +33,8 @@ Result<void> aim(const CutWork& work, const std::shared_ptr<const CadSource>& so
 }
 
 Result<MiddleSections> middleOf(const geometry::Target& target, const std::vector<Section>& sections,
-                                const Kerf& kerf, const RunContext& context, Findings& findings) {
+                                const Kerf& kerf, const RunContext& context, Findings& findings,
+                                std::shared_ptr<const KerfField> field) {
   // The side is that of what is cut: elsewhere the surface may lean the other way.
   constexpr int kPlaces = 33;
   SurfaceGrid cut;
@@ -47,9 +50,20 @@ Result<MiddleSections> middleOf(const geometry::Target& target, const std::vecto
   const Result<int> side = sideKept(cut.triangles(), *sampler, kerf.kept);
   if (!side) return tl::unexpected<Error>(side.error());
   const double off = *side * (kerf.back - 0.5 * kerf.width);
-  Result<std::vector<Section>> middle = movedBy(sections, *sampler, off, context, findings);
+  Result<std::vector<Section>> middle =
+      field ? sectionsOn(sections, *movedBy(target.sampler(), std::move(field), kerf, *side),
+                         std::max(kerf.back, 0.5 * widestKerf(kerf.table)), context, findings)
+            : movedBy(sections, *sampler, off, context, findings);
   if (!middle) return tl::unexpected<Error>(middle.error());
   return MiddleSections{std::move(*middle), off};
+}
+
+std::unique_ptr<SurfaceSampler> middleSampler(const geometry::Target& target, const MiddleSections& middle,
+                                              const Kerf& kerf, std::shared_ptr<const KerfField> field) {
+  if (!field) return movedBy(target.sampler(), middle.off);
+  // The sign of `off` is that of a product, also where it is 0.
+  const double side = std::copysign(1.0, middle.off) * std::copysign(1.0, kerf.back - 0.5 * kerf.width);
+  return movedBy(target.sampler(), std::move(field), kerf, side);
 }
 
 Result<void> place(const CutWork& work, const std::optional<BlockPlacement>& placement) {
@@ -91,7 +105,46 @@ std::shared_ptr<const std::vector<Section>> ownRow(const CutEvaluation& e) {
   return e.sections.value;
 }
 
-/// What the middle of the blade is to sweep.
+/// The sections that the blades are for.
+std::shared_ptr<const std::vector<Section>> rowOf(const CutEvaluation& e) {
+  if (e.middle.value) return {e.middle.value, &e.middle.value->sections};
+  return ownRow(e);
+}
+
+LengthsRequest lengthsRequest(const CutWork& work) {
+  return {*work.e.setup, lengthRequest(work.design, work.cut, work.e.setup->block, work.joined)};
+}
+
+/// Of the lengths that were tried the one that serves best, or else comes nearest to it: of the blades that
+/// rest and reach the one that lies nearest to its sections, or that which misses its rest by least.
+double lengthOf(const BladeLengths& lengths) {
+  if (lengths.best) return *lengths.best;
+  const auto nearness = [](const RowTrial& trial) {
+    const bool rests = trial.reaches && trial.margin > 0;
+    return std::pair(rests, rests ? -trial.deviation : trial.margin);
+  };
+  const auto nearest = std::ranges::max_element(lengths.trials, {}, nearness);
+  return nearest == lengths.trials.end() ? Blade::kLongest : nearest->length;
+}
+
+/// True where a kerf over speed and the row that has these speeds are as they were before.
+bool followedBefore(const CutWork& work, const Kerf& kerf, const Inputs& inputs) {
+  const CutEvaluation* before = work.previous;
+  if (!before || !before->middle.value || !before->sweep.value || !before->check.value) return false;
+  if (before->middle.request != kerf || before->middle.inputs != inputs) return false;
+  if (before->check.request.cuttingSpeed != work.design.process.cuttingSpeed) return false;
+  RowRequest row{*work.e.setup, fitRequest(work.design, work.cut, work.e.setup->block, work.joined)};
+  if (work.blade().autoLength && work.length) {
+    row.fit.blade.length = *work.length;
+  } else if (work.blade().autoLength) {
+    if (!before->lengths.value || before->lengths.request != lengthsRequest(work)) return false;
+    row.fit.blade.length = lengthOf(*before->lengths.value);
+  }
+  return before->sweep.request == row && before->sweep.inputs == Inputs{rowOf(*before)};
+}
+
+/// What the middle of the blade is to sweep; with a kerf over speed, where all of it goes as its fastest
+/// point, or what came of `followSpeeds` before.
 Result<void> setOff(const CutWork& work) {
   CutEvaluation& e = work.e;
   const Kerf kerf = kerfOf(work.design, work.cut, e.setup->block);
@@ -107,16 +160,12 @@ Result<void> setOff(const CutWork& work) {
             "give it a block of its own",
         "offset", kerf.back, 0.0);
   const std::shared_ptr<const std::vector<Section>> cut = ownRow(e);
-  return work.settle(&CutEvaluation::middle, kerf, {e.target.value, cut}, work.seconds.sections,
-                     [&](const Kerf& asked, Findings& findings) {
-                       return middleOf(*e.target.value, *cut, asked, work.context, findings);
-                     });
-}
-
-/// The sections that the blades are for.
-std::shared_ptr<const std::vector<Section>> rowOf(const CutEvaluation& e) {
-  if (e.middle.value) return {e.middle.value, &e.middle.value->sections};
-  return ownRow(e);
+  const Inputs inputs = {e.target.value, cut};
+  const bool kept = kerf.table.empty() || followedBefore(work, kerf, inputs);
+  return settle(e.middle, kept && work.previous ? &work.previous->middle : nullptr, kerf, inputs,
+                work.seconds.sections, [&](const Kerf& asked, Findings& findings) {
+                  return middleOf(*e.target.value, *cut, asked, work.context, findings);
+                });
 }
 
 }  // namespace
@@ -124,9 +173,8 @@ std::shared_ptr<const std::vector<Section>> rowOf(const CutEvaluation& e) {
 Result<void> seekLengths(const CutWork& work, double& seconds) {
   CutEvaluation& e = work.e;
   const std::shared_ptr<const std::vector<Section>> row = rowOf(e);
-  return work.settle(&CutEvaluation::lengths,
-                     {*e.setup, lengthRequest(work.design, work.cut, work.e.setup->block, work.joined)},
-                     {row}, seconds, [&work, &row](const LengthsRequest& request, Findings&) {
+  return work.settle(&CutEvaluation::lengths, lengthsRequest(work), {row}, seconds,
+                     [&work, &row](const LengthsRequest& request, Findings&) {
                        return bladeLengths(*row, request.lengths, request.setup.block, request.setup.planes,
                                            work.context);
                      });
@@ -135,9 +183,9 @@ Result<void> seekLengths(const CutWork& work, double& seconds) {
 namespace {
 
 LengthsRequest marginsRequest(const CutWork& work) {
-  LengthRequest request = lengthRequest(work.design, work.cut, work.e.setup->block, work.joined);
-  request.fit.blade.length = work.e.sweep.value->request.blade.length;
-  return {*work.e.setup, request};
+  LengthsRequest request = lengthsRequest(work);
+  request.lengths.fit.blade.length = work.e.sweep.value->request.blade.length;
+  return request;
 }
 
 }  // namespace
@@ -174,22 +222,6 @@ Result<void> seekClearances(const CutWork& work, double& seconds) {
                      });
 }
 
-namespace {
-
-/// Of the lengths that were tried the one that serves best, or else comes nearest to it: of the blades that
-/// rest and reach the one that lies nearest to its sections, or that which misses its rest by least.
-double lengthOf(const BladeLengths& lengths) {
-  if (lengths.best) return *lengths.best;
-  const auto nearness = [](const RowTrial& trial) {
-    const bool rests = trial.reaches && trial.margin > 0;
-    return std::pair(rests, rests ? -trial.deviation : trial.margin);
-  };
-  const auto nearest = std::ranges::max_element(lengths.trials, {}, nearness);
-  return nearest == lengths.trials.end() ? Blade::kLongest : nearest->length;
-}
-
-}  // namespace
-
 Result<SectionRequest> sectionRequest(const CutWork& work) {
   SectionRequest sections = work.cut.sections;
   if (!sections.byTolerance()) return sections;
@@ -208,6 +240,75 @@ Result<SectionRequest> sectionRequest(const CutWork& work) {
   sections.stations = work.e.count.value->stations;
   return sections;
 }
+
+namespace {
+
+Result<Sweep> rowFor(const CutWork& work, const std::vector<Section>& sections, const RowRequest& request,
+                     Findings& findings) {
+  work.context.report(0.6, "fitting");
+  return buildSweep(sections, request.fit, request.setup.block, request.setup.planes,
+                    work.context.child(0.6, 0.75), findings, &work.seconds.fit, &work.seconds.extend);
+}
+
+constexpr double kFollowed = 0.003;  // mm of width: nothing of the cut shows it
+constexpr int kRounds = 8;           // each takes most of what is left
+
+/// Where the widths of a kerf over speed still change.
+Finding unfollowed(const Sweep& row, double change) {
+  const int first = row.poses.front().index, last = row.poses.back().index;
+  return {Severity::info,
+          SectionUnfit{"the blades and the kerf over their speed do not come to rest: after " +
+                       std::to_string(kRounds) + " rounds widths still change by " + shortText(change) +
+                       " mm, half of which the map of deviation shows; flatten the table of the kerf"},
+          {StationRange{first, last, first, int(row.poses.size())}, {}},
+          {}};
+}
+
+/// Moves what the middle of the blade is to sweep by the kerf at the speeds of the blades found, and finds
+/// the blades for that, until the widths stay (docs/mathematics.md, kerf).
+Result<void> followSpeeds(const CutWork& work, const RowRequest& blades) {
+  CutEvaluation& e = work.e;
+  const Kerf& kerf = e.middle.request;
+  const std::shared_ptr<const std::vector<Section>> cut = ownRow(e);
+  if (e.sweep.value->poses.size() < 2) return {};  // which is told later
+  CutWork anew = work;
+  anew.previous = nullptr;
+  std::shared_ptr<const KerfField> used;
+  for (int round = 0;; ++round) {
+    const auto field = std::make_shared<const KerfField>(
+        KerfField::of(*e.sweep.value, work.design.process.cuttingSpeed, kerf.table));
+    const double change = field->farthestFrom(
+        [&](const Eigen::Vector3d& place) { return used ? used->width(place) : kerf.width; });
+    if (change <= kFollowed) break;
+    if (round == kRounds) {
+      e.middle.findings.push_back(unfollowed(*e.sweep.value, change));
+      break;
+    }
+    used = field;
+    Result<void> ok =
+        anew.settle(&CutEvaluation::middle, Kerf(kerf), Inputs(e.middle.inputs), work.seconds.sections,
+                    [&](const Kerf& asked, Findings& findings) {
+                      findings.clear();
+                      return middleOf(*e.target.value, *cut, asked, work.context, findings, field);
+                    });
+    if (ok) ok = work.unlessStopped();
+    if (!ok) return ok;
+    const std::shared_ptr<const std::vector<Section>> row = rowOf(e);
+    double none = 0;
+    ok = anew.settle(&CutEvaluation::sweep, blades, {row}, none,
+                     [&](const RowRequest& request, Findings& findings) {
+                       findings.clear();
+                       return rowFor(work, *row, request, findings);
+                     });
+    if (ok) ok = work.unlessStopped();
+    if (!ok) return ok;
+  }
+  // Lengths were sought for blades that all go as the fastest, near enough to tell which serve.
+  if (e.lengths.value) e.lengths.inputs = {rowOf(e)};
+  return {};
+}
+
+}  // namespace
 
 Result<void> fit(const CutWork& work) {
   CutEvaluation& e = work.e;
@@ -251,7 +352,6 @@ Result<void> fit(const CutWork& work) {
   if (ok) ok = work.unlessStopped();
   if (!ok) return ok;
   const std::shared_ptr<const std::vector<Section>> row = rowOf(e);
-  const std::vector<Section>& sections = *row;
   if (work.blade().autoLength && work.length) {
     fit.blade.length = *work.length;
   } else if (work.blade().autoLength) {
@@ -259,18 +359,17 @@ Result<void> fit(const CutWork& work) {
     if (!ok) return ok;
     fit.blade.length = lengthOf(*e.lengths.value);
   } else {
-    work.keep(&CutEvaluation::lengths,
-              {*e.setup, lengthRequest(work.design, work.cut, work.e.setup->block, work.joined)}, {row});
+    work.keep(&CutEvaluation::lengths, lengthsRequest(work), {row});
   }
   double none = 0;
-  ok = work.settle(&CutEvaluation::sweep, {*e.setup, fit}, {row}, none,
-                   [&work, &sections](const RowRequest& request, Findings& findings) {
-                     work.context.report(0.6, "fitting");
-                     return buildSweep(sections, request.fit, request.setup.block, request.setup.planes,
-                                       work.context.child(0.6, 0.75), findings, &work.seconds.fit,
-                                       &work.seconds.extend);
-                   });
-  return ok ? work.unlessStopped() : ok;
+  const RowRequest blades{*e.setup, fit};
+  ok = work.settle(
+      &CutEvaluation::sweep, blades, {row}, none,
+      [&](const RowRequest& request, Findings& findings) { return rowFor(work, *row, request, findings); });
+  if (ok) ok = work.unlessStopped();
+  if (!ok || e.middle.request.table.empty()) return ok;
+  if (work.previous && e.sweep.value == work.previous->sweep.value) return ok;  // it was followed then
+  return followSpeeds(work, blades);
 }
 
 namespace {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "bw/core/sweep/kerf_field.h"
 #include "bw/pipeline/pipeline.h"
 #include "settle.h"
 
@@ -53,10 +54,15 @@ Result<void> aim(const CutWork& work, const std::shared_ptr<const CadSource>& so
 Result<void> place(const CutWork& work, const std::optional<BlockPlacement>& placement);
 /// What the design asks for, with the number of stations where that is left to the tolerance.
 Result<SectionRequest> sectionRequest(const CutWork& work);
-/// The sections for the middle of a blade beside whose kerf (above 0) a surface is to stand. Errors: those of
-/// `movedBy`, and `badInput` where it cannot be told on which side of what is cut foam stays.
+/// The sections for the middle of a blade beside whose kerf (above 0) a surface is to stand: of one width, or
+/// of those of a `field`. Errors: those of `movedBy`, and `badInput` where it cannot be told on which side of
+/// what is cut foam stays.
 Result<MiddleSections> middleOf(const geometry::Target& target, const std::vector<Section>& sections,
-                                const Kerf& kerf, const RunContext& context, Findings& findings);
+                                const Kerf& kerf, const RunContext& context, Findings& findings,
+                                std::shared_ptr<const KerfField> field = nullptr);
+/// What the middle of the blade is held against; its kerf is that of the `field`, if there is one.
+std::unique_ptr<SurfaceSampler> middleSampler(const geometry::Target& target, const MiddleSections& middle,
+                                              const Kerf& kerf, std::shared_ptr<const KerfField> field);
 /// Sections, and the blades for them.
 Result<void> fit(const CutWork& work);
 /// The row, its motion, and how sure its blades rest.

@@ -85,12 +85,17 @@ bool LiveCut::follow(const LiveOrder& order, const RunContext& context) {
   Findings unsaid;
   // What the middle of the blade is to sweep.
   std::shared_ptr<const std::vector<Section>> sections = sections_;
-  double off = 0;
-  if (asked_->kerf != Kerf()) {
-    Result<MiddleSections> middle = middleOf(*order.target, *sections_, asked_->kerf, context, unsaid);
-    if (!middle) return false;
-    off = middle->off;
-    sections = std::make_shared<const std::vector<Section>>(std::move(middle->sections));
+  MiddleSections middle;
+  const Kerf& kerf = asked_->kerf;
+  std::shared_ptr<const KerfField> field;  // by the speeds of the row from which the hand began
+  if (!kerf.table.empty())
+    field = std::make_shared<const KerfField>(
+        KerfField::of(*began_.sweep.value, order.design.process.cuttingSpeed, kerf.table));
+  if (kerf != Kerf()) {
+    Result<MiddleSections> found = middleOf(*order.target, *sections_, kerf, context, unsaid, field);
+    if (!found) return false;
+    middle = std::move(*found);
+    sections = std::make_shared<const std::vector<Section>>(std::move(middle.sections));
   }
 
   if (!row_) {
@@ -114,9 +119,10 @@ bool LiveCut::follow(const LiveOrder& order, const RunContext& context) {
     if (!same) sketcher_.emplace(*sweep_);
   }
   Result<RowSketch> look =
-      sketcher_->look(*sweep_, asked_->check, *movedBy(order.target->sampler(), off), context);
+      sketcher_->look(*sweep_, asked_->check, *middleSampler(*order.target, middle, kerf, field), context);
   if (!look) return false;
-  look->cut = standingBeside(std::move(look->cut), asked_->kerf);
+  look->cut =
+      field ? standingBeside(std::move(look->cut), kerf, *field) : standingBeside(std::move(look->cut), kerf);
   setup_ = std::make_shared<const geometry::Setup>(planes_.setup);
   look_ = std::make_shared<const RowSketch>(std::move(*look));
   return true;

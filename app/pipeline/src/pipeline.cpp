@@ -11,6 +11,7 @@
 #include "block_layout.h"
 #include "block_part.h"
 #include "bw/core/files/fingerprint.h"
+#include "bw/core/sweep/kerf_field.h"
 #include "bw/robotio/dialects.h"
 #include "bw/robotio/motion/program_plan.h"
 #include "cut_stages.h"
@@ -248,7 +249,12 @@ void takeMissing(Stage<Request, T>& stage, const Stage<Request, T>& from) {
 }  // namespace
 
 std::unique_ptr<SurfaceSampler> CutEvaluation::middleSampler() const {
-  return movedBy(target.value->sampler(), middle.value ? middle.value->off : 0);
+  if (!middle.value) return target.value->sampler();
+  std::shared_ptr<const KerfField> field;
+  if (!middle.request.table.empty())
+    field =
+        std::make_shared<const KerfField>(KerfField::of(*sweep.value, *check.value, middle.request.table));
+  return pipeline::middleSampler(*target.value, *middle.value, middle.request, std::move(field));
 }
 
 std::optional<CutResult> CutEvaluation::result() const {

@@ -281,6 +281,11 @@ std::string reportJson(const Evaluation& e, const std::string& run, const FileSe
   method["floor_mm"] = design.process.floor;
   method["margin"] = design.process.margin;
   method["kerf_mm"] = design.process.kerf;
+  if (!design.process.kerfTable.empty()) {
+    method["kerf_mm"] = ordered_json::array();
+    for (const KerfAt& entry : design.process.kerfTable)
+      method["kerf_mm"].push_back(ordered_json::array({entry.speed, entry.width}));
+  }
   method["motion_tolerance_mm"] = design.process.motionTolerance;
   method["grip_error_mm"] = design.process.gripError;
   method["grip_angle_error_deg"] = design.process.gripAngle;

@@ -175,7 +175,12 @@ void parameters(Page& page, const Evaluation& e) {
   page.row({"Cutting speed of the fastest point", shortText(design.process.cuttingSpeed, 4) + " mm/s"});
   page.row({"Lead before and after the block", mm(design.process.lead)});
   page.row({"Tolerance", mm(design.process.tolerance)});
-  if (design.process.kerf > 0)
+  if (const KerfTable& kerf = design.process.kerfTable; !kerf.empty()) {
+    std::string widths;
+    for (const KerfAt& entry : kerf)
+      widths += mm(entry.width) + " at " + shortText(entry.speed, 4) + " mm/s, ";
+    page.row({"Kerf", widths + "in between as the speed there (programs carry the middle of the blade)"});
+  } else if (design.process.kerf > 0)
     page.row({"Kerf", mm(design.process.kerf) + " (programs carry the middle of the blade)"});
   page.row({"Clearance", mm(design.process.clearance)});
   page.row({"Stability margin of the blade", fixedText(design.process.margin, 2)});

@@ -54,10 +54,17 @@ CheckRequest checkRequest(const Design& design, const Cut& cut) {
 }
 
 Kerf kerfOf(const Design& design, const Cut& cut, const Box& lies) {
+  const Process& p = design.process;
+  Kerf kerf;
+  kerf.width = p.kerfTable.empty() ? p.kerf : kerfAt(p.kerfTable, p.cuttingSpeed);
+  // One width at any speed is a width.
+  const auto other = [&](const KerfAt& entry) { return entry.width != kerf.width; };
+  if (std::ranges::any_of(p.kerfTable, other)) kerf.table = p.kerfTable;
+  kerf.back = cut.offset;
   // Where there is none, no stage hangs on how the block lies.
-  return design.process.kerf > 0 || cut.offset > 0
-             ? Kerf{design.process.kerf, {}, cut.offset, keptWay(lies, cut.keep)}
-             : Kerf();
+  if (kerf == Kerf()) return kerf;
+  kerf.kept = keptWay(lies, cut.keep);
+  return kerf;
 }
 
 LengthRequest lengthRequest(const Design& design, const Cut& cut, const Box& lies, bool joined) {

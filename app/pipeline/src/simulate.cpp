@@ -8,11 +8,13 @@
 #include <nlohmann/json.hpp>
 
 #include "bw/core/base/units.h"
+#include "bw/core/simulation/run_kerf.h"
 #include "bw/core/sweep/row_certainty.h"
 #include "bw/core/text/number_text.h"
 #include "bw/pipeline/pipeline.h"
 #include "bw/robotio/dialects.h"
 #include "bw/words/findings.h"
+#include "cut_stages.h"
 #include "make_files.h"
 
 namespace bw::pipeline {
@@ -195,8 +197,17 @@ Result<ProgramRun> runProgram(const robotio::Program& program, const Design* des
   if (!simulation) return tl::unexpected<Error>(simulation.error());
   run.simulation = std::move(*simulation);
   if (design) {
-    const Result<SimulatedSurface> surface = compare(run.simulation, cut->analysis.value->swept(),
-                                                     cut->setup->planes, *cut->middleSampler(), context);
+    const SurfaceGrid& shown = cut->analysis.value->swept();
+    std::unique_ptr<SurfaceSampler> middle = cut->middleSampler();
+    if (!run.kerf.table.empty()) {
+      std::optional<KerfField> melted = kerfOf(run.simulation, shown, cut->setup->planes, run.kerf.table);
+      // A run that does not come over the surface melts nothing that is compared.
+      if (!melted) melted = KerfField::of(*cut->sweep.value, *cut->check.value, run.kerf.table);
+      run.melted = std::make_shared<const KerfField>(std::move(*melted));
+      middle = middleSampler(*cut->target.value, *cut->middle.value, run.kerf, run.melted);
+    }
+    const Result<SimulatedSurface> surface =
+        compare(run.simulation, shown, cut->setup->planes, *middle, context);
     if (!surface) return tl::unexpected<Error>(surface.error());
     run.surface = *surface;
     Result<std::vector<BarrierLook>> barriers =
@@ -289,7 +300,8 @@ std::string simulationText(const ProgramRun& run) {
 FileSet simulationFiles(const ProgramRun& run) {
   FileSet files;
   files.add("simulation.json", simulationText(run));
-  const SurfaceGrid standing = standingBeside(run.simulation.swept(), run.kerf);
+  const SurfaceGrid standing = run.melted ? standingBeside(run.simulation.swept(), run.kerf, *run.melted)
+                                          : standingBeside(run.simulation.swept(), run.kerf);
   files.add("cut.obj", objText({{"cut_surface", &standing}}));
   return files;
 }

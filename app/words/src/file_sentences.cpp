@@ -78,6 +78,7 @@ std::string Sentences::operator()(const SectionBorder&) const {
 }
 
 std::string Sentences::operator()(const SectionUnfit& cause) const {
+  if (finding.severity == Severity::info) return rangeText(*finding.where.stations) + ": " + cause.why;
   return rangeText(*finding.where.stations) + (single() ? " is" : " are") + " left out: " + cause.why;
 }
 

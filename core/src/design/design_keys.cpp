@@ -12,6 +12,7 @@
 #include "bw/core/blade/blade_json.h"
 #include "bw/core/design/process_numbers.h"
 #include "bw/core/design/program_formats.h"
+#include "bw/core/sweep/kerf_text.h"
 
 namespace bw::detail {
 
@@ -255,11 +256,44 @@ void readUp(ObjectReader& reader, Eigen::Vector3d& up) {
     up = v / length;
 }
 
+/// The key "kerf" where it is a list: pairs of speed and width.
+void readKerfTable(ObjectReader& reader, const json& list, KerfTable& table) {
+  const std::string path = reader.path() + ".kerf";
+  if (list.size() < kLeastKerfEntries || list.size() > kMostKerfEntries)
+    return reader.complain("kerf",
+                           path + " must be a width in mm, or a list of " +
+                               std::to_string(kLeastKerfEntries) + " to " + std::to_string(kMostKerfEntries) +
+                               " pairs [speed in mm/s, width in mm], not of " + std::to_string(list.size()),
+                           double(list.size()),
+                           double(list.size() < kLeastKerfEntries ? kLeastKerfEntries : kMostKerfEntries));
+  KerfTable read;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::string entry = "kerf[" + std::to_string(i) + "]";
+    if (!list[i].is_array() || list[i].size() != 2)
+      return reader.complain("kerf", reader.path() + "." + entry +
+                                         " must be a pair [speed in mm/s, width in mm], as in [20, 2.6]");
+    KerfAt at;
+    if (!reader.number("kerf", entry + "[0]", list[i][0], at.speed, 0, kFastestKerfEntry) ||
+        !reader.number("kerf", entry + "[1]", list[i][1], at.width, 0, kWidestKerf))
+      return;
+    read.push_back(at);
+  }
+  if (const std::optional<std::string> fault = faultOf(read))
+    return reader.complain("kerf", path + ": " + *fault);
+  table = std::move(read);
+}
+
 /// The numbers of the process that stand in an object of that key; null: in none.
 void readNumbers(ObjectReader& reader, const char* object, Process& process) {
-  for (const ProcessNumber& number : processNumbers())
-    if (object ? number.object && std::string_view(number.object) == object : !number.object)
+  for (const ProcessNumber& number : processNumbers()) {
+    if (object ? !number.object || std::string_view(number.object) != object : number.object != nullptr)
+      continue;
+    const json* value = number.member == &Process::kerf ? reader.member(number.key) : nullptr;
+    if (value && value->is_array())
+      readKerfTable(reader, *value, process.kerfTable);
+    else
       reader.number(number.key, process.*number.member, number.min, number.max);
+  }
 }
 
 void readFit(ObjectReader& reader, Process& process) {
@@ -433,6 +467,11 @@ void writeProcessKeys(const Process& process, json& object) {
   object["join"] = {{"type", kJoins[std::size_t(process.join)]}};
   for (const ProcessNumber& number : processNumbers())
     (number.object ? object[number.object] : object)[number.key] = process.*number.member;
+  if (!process.kerfTable.empty()) {
+    object["kerf"] = json::array();
+    for (const KerfAt& entry : process.kerfTable)
+      object["kerf"].push_back(json::array({entry.speed, entry.width}));
+  }
   object["weight"] = process.weight;
   object["up"] = vectorJson(process.up);
 }

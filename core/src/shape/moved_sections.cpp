@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "bw/core/sweep/kerf.h"
 #include "bw/core/text/number_text.h"
 #include "shape/shapes.h"
 
@@ -27,16 +28,17 @@ constexpr int kSteps = 12;       // of Newton's method
 constexpr double kThere = 1e-5;  // mm
 constexpr double kAlong = 0.02;  // of a unit normal: less of it in the plane, and the surface runs along that
 constexpr int kChunks = 16;      // of the sections, each with a sampler of its own
-constexpr double kFarthest = 50;  // times the offset, that a place is moved within its plane
+constexpr double kFarthest = 50;  // times the reach, that a place is moved within its plane
 
-tl::unexpected<Error> cannot(const std::string& why, double value, double off) {
+tl::unexpected<Error> cannot(const std::string& why, double value, double reach) {
   return fail(ErrorCode::badInput,
-              why + ", so that no blade keeps half the kerf of " + shortText(2 * std::abs(off)) +
+              why + ", so that no blade keeps half the kerf of " + shortText(2 * reach) +
                   " mm off it; ease the surface, make the kerf smaller, or choose another cutting direction",
-              "kerf", value, std::abs(off));
+              "kerf", value, reach);
 }
 
-Result<PlanarCurve> moved(const Frame& frame, const PlanarCurve& curve, SurfaceSampler& surface, double off) {
+Result<PlanarCurve> moved(const Frame& frame, const PlanarCurve& curve, SurfaceSampler& surface,
+                          double reach) {
   const int count = std::clamp(kSpan * int(curve.knots().size()), kPlaces, kMostPlaces) + 1;
   const double length = curve.length();
   std::vector<Vector2d> places;
@@ -53,14 +55,14 @@ Result<PlanarCurve> moved(const Frame& frame, const PlanarCurve& curve, SurfaceS
       const Result<SurfaceSampler::Foot> foot = surface.closest(p, seed ? &*seed : nullptr);
       if (!foot) return tl::unexpected<Error>(foot.error());
       seed = *foot;
-      const double left = off - surface.offset(p, *foot);
+      const double left = -surface.offset(p, *foot);
       if (std::abs(left) < kThere) break;
       const double slope = foot->normal.dot(frame.x) * across.x() + foot->normal.dot(frame.y) * across.y();
       if (std::abs(slope) < kAlong)
-        return cannot("the surface runs along the plane of the blade", std::abs(slope), off);
+        return cannot("the surface runs along the plane of the blade", std::abs(slope), reach);
       by += left / slope;
-      if (step == kSteps || !(std::abs(by) < kFarthest * std::abs(off)))
-        return cannot("no place beside the surface is found there", std::abs(by), off);
+      if (step == kSteps || !(std::abs(by) < kFarthest * reach))
+        return cannot("no place beside the surface is found there", std::abs(by), reach);
       place = from + by * across;
     }
     if (!places.empty()) {
@@ -68,7 +70,7 @@ Result<PlanarCurve> moved(const Frame& frame, const PlanarCurve& curve, SurfaceS
       const Vector2d step = place - places.back();
       if (step.dot(tangent) <= 0)
         return cannot("the section is bent too tightly", 1 / std::max(std::abs(curve.curvature(t)), 1e-12),
-                      off);
+                      reach);
       at.push_back(at.back() + step.norm());
     } else {
       at.push_back(0);
@@ -85,8 +87,13 @@ Result<PlanarCurve> moved(const Frame& frame, const PlanarCurve& curve, SurfaceS
 
 Result<std::vector<Section>> movedBy(const std::vector<Section>& sections, const SurfaceSampler& surface,
                                      double off, const RunContext& context, Findings& findings) {
+  if (off == 0) return sections;
+  return sectionsOn(sections, *movedBy(surface.clone(), off), std::abs(off), context, findings);
+}
+
+Result<std::vector<Section>> sectionsOn(const std::vector<Section>& sections, const SurfaceSampler& surface,
+                                        double reach, const RunContext& context, Findings& findings) {
   std::vector<Section> result = sections;
-  if (off == 0) return result;
   std::vector<std::optional<Error>> errors(kChunks), refused(result.size());
   const Result<void> ok = parallelFor(context, kChunks, [&](int chunk) {
     const std::unique_ptr<SurfaceSampler> sampler = surface.clone();
@@ -95,12 +102,12 @@ Result<std::vector<Section>> movedBy(const std::vector<Section>& sections, const
     for (std::size_t i = from; i < to && !context.stopped(); ++i) {
       if (result[i].chosen < 0) continue;
       Section& section = result[i];
-      Result<PlanarCurve> curve = moved(section.frame, section.curve(), *sampler, off);
+      Result<PlanarCurve> curve = moved(section.frame, section.curve(), *sampler, reach);
       if (curve) {
         section.curve() = std::move(*curve);
         if (!section.beyond) continue;
         // Beyond the block nothing is cut: where no place beside the surface is found it is not followed.
-        if (Result<PlanarCurve> beyond = moved(section.frame, *section.beyond, *sampler, off))
+        if (Result<PlanarCurve> beyond = moved(section.frame, *section.beyond, *sampler, reach))
           section.beyond = std::move(*beyond);
         else
           section.beyond.reset();

@@ -4,9 +4,8 @@
 #include "bw/core/sweep/kerf.h"
 
 #include <utility>
-#include <vector>
 
-#include "sweep/cut_rows.h"
+#include "sweep/standing.h"
 
 namespace bw {
 
@@ -41,14 +40,8 @@ std::unique_ptr<SurfaceSampler> movedBy(std::unique_ptr<SurfaceSampler> surface,
 }
 
 SurfaceGrid standingBeside(SurfaceGrid swept, const Kerf& kerf) {
-  if (kerf.width == 0 || swept.rows < 2 || swept.columns < 2) return swept;
-  const std::vector<Vector3d> normals = swept.triangles().normals;
-  const std::vector<double> areas = sweep::pointAreas(swept);
-  Vector3d mean = Vector3d::Zero();
-  for (std::size_t i = 0; i < normals.size(); ++i) mean += areas[i] * normals[i];
-  const double way = (mean.dot(kerf.kept) < 0 ? -0.5 : 0.5) * kerf.width;
-  for (std::size_t i = 0; i < normals.size(); ++i) swept.points[i] += way * normals[i];
-  return swept;
+  if (kerf.width == 0) return swept;
+  return sweep::standing(std::move(swept), kerf.kept, [&kerf](const Vector3d&) { return kerf.width; });
 }
 
 }  // namespace bw

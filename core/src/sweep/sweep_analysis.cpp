@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "bw/core/base/units.h"
+#include "bw/core/sweep/kerf_field.h"
 #include "bw/core/sweep/maps.h"
 #include "bw/core/sweep/sweep_check.h"
 #include "sweep/cut_rows.h"
@@ -47,6 +48,21 @@ std::vector<double> skinDistances(const std::vector<BladePose>& poses, const Spl
 std::size_t intervalOf(const std::vector<int>& rows, int row) {
   const auto after = std::ranges::upper_bound(rows, row);
   return std::min(std::size_t(after - rows.begin()) - 1, rows.size() - 2);
+}
+
+/// Where the table of the kerf knows the slowest points, the middle of the blade keeps what they melt.
+void forgetSpeedsOf(const KerfTable& table, const SweepCheck& check, const std::vector<BladePose>& poses,
+                    Findings& findings) {
+  if (table.empty()) return;
+  std::erase_if(findings, [&](const Finding& finding) {
+    if (!std::holds_alternative<UnevenSpeed>(finding.cause)) return false;
+    const StationRange& range = *finding.where.stations;
+    for (std::size_t i = 0; i < poses.size(); ++i)
+      if (poses[i].index >= range.first && poses[i].index <= range.last &&
+          check.stations[i].speedMin < table.front().speed)
+        return false;
+    return true;
+  });
 }
 
 }  // namespace
@@ -210,11 +226,12 @@ Result<SweepAnalysis> analyzeSweep(const Sweep& sweep, const std::vector<BladePo
         {Severity::warning, SkinOff{off[at.worst], kSkinTolerance}, sweep::placeOf(poses, at), {}});
   sweep::addRowFindings(sweep, request, worst, result);
   sweep::addStationFindings(sweep, check, request, result);
+  forgetSpeedsOf(kerf.table, check, poses, result.findings);
   sweep::keepRows(worst, result);
-  if (kerf.width > 0) {
+  if (kerf.width > 0 || !kerf.table.empty()) {
     result.middle = {result.cut.rows, result.cut.columns, result.cut.points, {}};
-    result.cut = standingBeside(std::move(result.cut), kerf);
-    Result<SplineSurface> standing = loft(standingBeside(grid, kerf), chord);
+    result.cut = standingBeside(std::move(result.cut), kerf, sweep, check);
+    Result<SplineSurface> standing = loft(standingBeside(std::move(grid), kerf, sweep, check), chord);
     if (!standing) return tl::unexpected<Error>(standing.error());
     result.surface = std::move(*standing);
   }

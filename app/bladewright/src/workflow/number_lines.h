@@ -59,14 +59,15 @@ class NumberLines {
 using ProcessLines = NumberLines<ProcessNumber, Process>;
 using BladeLines = NumberLines<BladeNumber, Blade>;
 
-inline void addProcessLine(ProcessLines& lines, FormColumn* column, const ProcessNumber& number,
-                           QObject* context, Workbench& bench) {
+inline NumberField* addProcessLine(ProcessLines& lines, FormColumn* column, const ProcessNumber& number,
+                                   QObject* context, Workbench& bench) {
   NumberField* field = lines.add(
       column, number, context, [&bench](const QString& text, const std::function<void(Process&)>& change) {
         bench.editDesign(text, [&change](Design& design) { change(design.process); });
       });
   const std::string object = number.object ? std::string(number.object) + "/" : std::string();
   bindNumber(bench, field, [place = "/process/" + object + number.key] { return place; });
+  return field;
 }
 
 }  // namespace bw::app

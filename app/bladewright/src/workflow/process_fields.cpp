@@ -126,11 +126,32 @@ void ProcessFields::addFit(FormColumn* column, const Theme& theme) {
     bench_.editDesign(on ? tr("Keep end tangents") : tr("Free end tangents"),
                       [on](Design& design) { design.process.fitTangents = on; });
   });
+  addKerf(column);
   for (const ProcessNumber& number : processNumbers()) {
     if (number.part != ProcessPart::details) continue;
     addProcessLine(numbers_, column, number, this, bench_);
     if (number.member == &Process::margin) addMargins(column, theme);
   }
+}
+
+void ProcessFields::addKerf(FormColumn* column) {
+  const QString tip =
+      tr("Where the blade passes slowly it melts more: widths in mm over speeds in mm/s, such as "
+         "5: 4.2, 20: 2.6. Each point of the blade then keeps half of the kerf at its own speed; in between "
+         "widths go evenly. Empty: the kerf above, at any speed");
+  column->addWide(new QLabel(tr("Kerf over speed")))->setToolTip(tip);
+  kerfTable_ = column->addWide(new KerfTableField);
+  kerfTable_->setAccessibleName(tr("Kerf over speed"));
+  kerfTable_->setToolTip(tip);
+  connect(kerfTable_, &KerfTableField::edited, this, [this](const KerfTable& table) {
+    // Going back to one width, that of the fastest point stays.
+    const Process& now = bench_.design().process;
+    const double width = table.empty() ? kerfAt(now.kerfTable, now.cuttingSpeed) : 0;
+    bench_.editDesign(tr("Change kerf over speed"), [&](Design& design) {
+      design.process.kerf = width;
+      design.process.kerfTable = table;
+    });
+  });
 }
 
 void ProcessFields::addMargins(FormColumn* column, const Theme& theme) {
@@ -145,14 +166,22 @@ void ProcessFields::addMargins(FormColumn* column, const Theme& theme) {
 
 void ProcessFields::addNumbers(FormColumn* column, ProcessPart part) {
   for (const ProcessNumber& number : processNumbers())
-    if (number.part == part) addProcessLine(numbers_, column, number, this, bench_);
+    if (number.part == part) {
+      NumberField* field = addProcessLine(numbers_, column, number, this, bench_);
+      if (number.member == &Process::kerf) kerf_ = field;
+    }
 }
 
 void ProcessFields::refresh() {
   const Process& process = bench_.design().process;
   refreshStations();
   direction_->refresh();
-  numbers_.refresh(process);
+  // Where the kerf is told over speed, its width is that of the fastest point.
+  Process shown = process;
+  if (!process.kerfTable.empty()) shown.kerf = kerfAt(process.kerfTable, process.cuttingSpeed);
+  numbers_.refresh(shown);
+  kerf_->setEnabled(process.kerfTable.empty());
+  kerfTable_->show(process.kerfTable);
   extend_->show(int(process.extend));
   // What is asked of fits counts where there are any: beside the others for blocks that go on in each other.
   const bool fits = process.extend == Extension::none || bench_.design().stock.size() > 1;

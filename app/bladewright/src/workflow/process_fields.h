@@ -11,6 +11,7 @@
 #include "controls/fields.h"
 #include "workbench/workbench.h"
 #include "workflow/direction_lines.h"
+#include "workflow/kerf_table_field.h"
 #include "workflow/margin_plot.h"
 #include "workflow/number_lines.h"
 
@@ -34,6 +35,7 @@ class ProcessFields : public QObject {
   void addStations(FormColumn* column);
   void addDirection(FormColumn* column);
   void addFit(FormColumn* column, const Theme& theme);
+  void addKerf(FormColumn* column);
   void addMargins(FormColumn* column, const Theme& theme);  ///< what of the deviation a margin costs
   void addNumbers(FormColumn* column, ProcessPart part);
   std::optional<int> foundStations() const;
@@ -42,6 +44,8 @@ class ProcessFields : public QObject {
   ChoiceField *stationMode_, *extend_, *fitLength_;
   DirectionLines* direction_;
   NumberField *stations_, *spacing_;
+  NumberField* kerf_ = nullptr;
+  KerfTableField* kerfTable_;
   ProcessLines numbers_;
   HandSlider* stationSlider_;
   int dragId_ = -1;  ///< joins the moves of one drag of the slider

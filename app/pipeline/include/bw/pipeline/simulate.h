@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,7 +13,7 @@
 #include "bw/core/files/file_set.h"
 #include "bw/core/simulation/barriers.h"
 #include "bw/core/simulation/simulation.h"
-#include "bw/core/sweep/kerf.h"
+#include "bw/core/sweep/kerf_field.h"
 #include "bw/robotio/text/program_text.h"
 
 namespace bw::pipeline {
@@ -25,7 +26,9 @@ struct ProgramRun {
   std::vector<BarrierLook> barriers = {};        ///< likewise
   std::string block = {}, cut = {};              ///< ids of what it was compared with; likewise
   Kerf kerf = {};                                ///< of that cut; likewise
-  bool alone = true;                             ///< true if the design has no other cut
+  /// The kerf at the speeds of the run, where it is told over speed.
+  std::shared_ptr<const KerfField> melted = {};
+  bool alone = true;  ///< true if the design has no other cut
   /// What breaks a rule of its dialect or a limit of the design, or snaps: a clause each.
   std::vector<std::string> exceeded = {};
 };

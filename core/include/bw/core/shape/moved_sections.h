@@ -21,4 +21,10 @@ namespace bw {
                                                    const SurfaceSampler& surface, double off,
                                                    const RunContext& context, Findings& findings);
 
+/// The same for what has an offset of 0 from `surface`, where the sections lie `reach` (mm, > 0) off that at
+/// most.
+[[nodiscard]] Result<std::vector<Section>> sectionsOn(const std::vector<Section>& sections,
+                                                      const SurfaceSampler& surface, double reach,
+                                                      const RunContext& context, Findings& findings);
+
 }  // namespace bw
