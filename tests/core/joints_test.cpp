@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "bw/core/sweep/block_pieces.h"
+#include "bw/core/sweep/joint_kerf.h"
 #include "finding_of.h"
 #include "plane_sections.h"
 #include "row_settings.h"
@@ -287,6 +288,170 @@ TEST(Joints, AreSeenWhereARowEndsAndTheNextBegins) {
   ASSERT_TRUE(off);
   ASSERT_EQ(off->joints.size(), 1u);
   EXPECT_NEAR(off->gapMax(), 0.4, 0.05);
+}
+
+/// Rows of straight blades in two layers that meet in z = 0: of z = `rise` · travel − 160 + `askew` · x below
+/// it, and above it raised by `raised`, with the rise `above`.
+struct Layers {
+  Sweep lower, upper;
+  std::vector<BlockRow> rows() const { return {{"lower", "a", &lower}, {"upper", "b", &upper}}; }
+};
+Layers layersOf(double askew, double raised = 0, double above = 0.4) {
+  constexpr double kHalf = 300, kSteps = 33;
+  const auto rowOf = [&](bool upper) {
+    const Box box{Frame{{-kHalf, -kStep * (kSteps - 1), upper ? 0.0 : -200.0},
+                        Vector3d::UnitX(),
+                        Vector3d::UnitY(),
+                        Vector3d::UnitZ()},
+                  {2 * kHalf, kStep * (kSteps - 1), 200}};
+    // As far as the surface lies in the block, but for its very tip.
+    constexpr double kTip = 2;
+    const double turns = kHalf * askew / 0.4, tip = askew > 0 ? kTip : 0;
+    const double first = upper ? 400 - turns + tip : 0,
+                 last = upper ? kStep * (kSteps - 1) : 400 + turns - tip;
+    std::vector<Section> sections;
+    for (int i = 0; i < kStations; ++i) {
+      const double travel = std::lerp(first, last, double(i) / (kStations - 1));
+      const double rise = 0.4 * travel - 160, start = upper && rise > 0 ? rise / 0.4 * above : rise;
+      double from = -kHalf, to = kHalf;
+      if (askew > 0) (upper ? from : to) = std::clamp(-rise / askew, -kHalf, kHalf);
+      Section section = test::sectionsOf(1, 0, [&](int) {
+        std::vector<Vector2d> chain;
+        for (int k = 0; k <= 40; ++k) {
+          const double x = std::lerp(from, to, k / 40.0);
+          chain.emplace_back(x, start + askew * x + (upper ? raised : 0));
+        }
+        return *PlanarCurve::points(chain);
+      })[0];
+      section.index = int(sections.size());
+      section.travel = travel;
+      section.frame.origin.y() = -travel;
+      sections.push_back(std::move(section));
+    }
+    Findings findings;
+    FitRequest asked = joinedRequest(false);
+    asked.blade.length = 800;
+    Result<Sweep> sweep =
+        buildSweep(sections, asked, box, PlaneFamily::across(box, -Vector3d::UnitY()), {}, findings);
+    EXPECT_TRUE(sweep) << sweep.error().message;
+    return std::move(*sweep);
+  };
+  return {rowOf(false), rowOf(true)};
+}
+
+TEST(Joints, FromLayerToLayerAlongTheBladesAreMeasured) {
+  // 0.01: the boundary is crossed between two stations, by blades that run along it all but exactly.
+  for (const double askew : {0.0, 0.01, 0.1}) {
+    const Result<Joints> level = measureJoints(layersOf(askew).rows(), {}, {});
+    ASSERT_TRUE(level);
+    ASSERT_EQ(level->joints.size(), 1u) << askew;
+    EXPECT_GT(level->joints[0].places, 40) << askew;
+    EXPECT_LE(level->joints[0].open, askew > 0 ? 4 : 0) << askew << ": the tips are left out";
+    EXPECT_LT(level->gapMax(), 0.02) << askew;
+    EXPECT_LT(toDegrees(level->kinkMax()), 0.5) << askew;
+    EXPECT_LT(std::abs(level->joints[0].gapAt.z()), 1e-6) << "in the boundary";
+    if (askew == 0) {
+      EXPECT_TRUE(level->findings.empty());
+    }
+
+    // What is off stands across the surface, and the kink is that between both.
+    const Result<Joints> off = measureJoints(layersOf(askew, 0.5).rows(), {}, {});
+    ASSERT_TRUE(off);
+    if (askew < 0.1) {
+      EXPECT_NEAR(off->gapMax(), 0.5 / std::sqrt(1 + 0.4 * 0.4 + askew * askew), 0.02) << askew;
+      EXPECT_TRUE(test::findingOf<JointGap>(off->findings)) << askew;
+    }
+    const Result<Joints> bent = measureJoints(layersOf(askew, 0, 0.6).rows(), {}, {});
+    ASSERT_TRUE(bent);
+    if (askew == 0) {
+      EXPECT_NEAR(toDegrees(bent->kinkMax()), toDegrees(std::atan(0.6) - std::atan(0.4)), 0.3);
+      EXPECT_TRUE(test::findingOf<JointKink>(bent->findings));
+    }
+  }
+}
+
+TEST(Joints, BetweenLayersThatOneSideDoesNotComeToAreTold) {
+  Layers layers = layersOf(0);
+  Sweep& upper = layers.upper;
+  upper.poses.erase(upper.poses.begin(), upper.poses.begin() + 4);
+  upper.fits.erase(upper.fits.begin(), upper.fits.begin() + 4);
+  const Result<Joints> joints = measureJoints(layers.rows(), {}, {});
+  ASSERT_TRUE(joints);
+  const JointOpen* open = test::causeOf<JointOpen>(joints->findings);
+  ASSERT_TRUE(open);
+  EXPECT_GT(open->open, 30);
+}
+
+TEST(Joints, WhereASurfaceRunsAlongTheBoundaryItSaysThatItIsNotCompared) {
+  // The surface comes to the boundary and goes on in it.
+  const Result<Joints> joints = measureJoints(layersOf(0, 0, 0.001).rows(), {}, {});
+  ASSERT_TRUE(joints);
+  const JointOpen* open = test::causeOf<JointOpen>(joints->findings);
+  ASSERT_TRUE(open);
+  EXPECT_EQ(open->open, 0) << "it is not open";
+  EXPECT_GT(open->places, 0);
+}
+
+TEST(Joints, OfRowsThatTravelOtherWaysAreMeasured) {
+  // One surface, y = 0 its border: the blade travels along y in the one block and along x in the other.
+  const auto rowOf = [](bool turned, double raised) {
+    const Box box{
+        Frame{{-200, turned ? 0.0 : -400.0, -300}, Vector3d::UnitX(), Vector3d::UnitY(), Vector3d::UnitZ()},
+        {400, 400, 600}};
+    const auto z = [&](double x, double y) { return 0.3 * x - 0.2 * y + (turned ? raised : 0); };
+    std::vector<Section> sections;
+    for (int i = 0; i < 17; ++i) {
+      const double level = 25.0 * i;
+      const Frame frame =
+          turned ? Frame{{-200 + level, 0, 0}, Vector3d::UnitY(), Vector3d::UnitZ(), Vector3d::UnitX()}
+                 : Frame{{0, -level, 0}, Vector3d::UnitX(), Vector3d::UnitZ(), -Vector3d::UnitY()};
+      std::vector<Vector2d> chain;
+      for (int k = 0; k <= 40; ++k) {
+        const double s = turned ? 10.0 * k : 10.0 * k - 200;
+        chain.emplace_back(s, turned ? z(-200 + level, s) : z(s, -level));
+      }
+      sections.push_back({i, level, frame, {*PlanarCurve::points(chain)}});
+    }
+    Findings findings;
+    FitRequest request;
+    request.blade.length = 600;
+    const Vector3d way = turned ? Vector3d(Vector3d::UnitX()) : Vector3d(-Vector3d::UnitY());
+    return buildSweep(sections, request, box, PlaneFamily::across(box, way), {}, findings).value();
+  };
+  const Sweep first = rowOf(false, 0), second = rowOf(true, 0), higher = rowOf(true, 0.5);
+  const Result<Joints> joints = measureJoints({{"a", "a", &first}, {"b", "b", &second}}, {}, {});
+  ASSERT_TRUE(joints);
+  ASSERT_EQ(joints->joints.size(), 1u);
+  EXPECT_GT(joints->joints[0].places, 40);
+  EXPECT_EQ(joints->joints[0].open, 0);
+  EXPECT_LT(joints->gapMax(), 1e-3);
+  EXPECT_LT(toDegrees(joints->kinkMax()), 0.01);
+  const Result<Joints> off = measureJoints({{"a", "a", &first}, {"b", "b", &higher}}, {}, {});
+  ASSERT_TRUE(off);
+  EXPECT_NEAR(off->gapMax(), 0.5 / std::sqrt(1 + 0.3 * 0.3 + 0.2 * 0.2), 2e-3);
+}
+
+TEST(Joints, OfAKerfOverSpeedAreOfWhatStands) {
+  // Both melt as much but in other places of the table: the middles lie apart by half of what that differs.
+  const KerfTable table = {{1, 4}, {10, 2}};
+  const auto kerfs = [&](const std::vector<BlockRow>& rows, double slower) {
+    std::vector<RowKerf> all;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      RowKerf& row = all.emplace_back();
+      row.kerf.table = table;
+      row.field =
+          std::make_shared<const KerfField>(KerfField::of(*rows[i].sweep, i == 0 ? slower : 10, table));
+    }
+    return all;
+  };
+  const Layers level = layersOf(0);
+  EXPECT_LT(measureJoints(level.rows(), kerfs(level.rows(), 10), {}, {})->gapMax(), 0.02) << "both alike";
+  const double narrower = 0.5 * (kerfAt(table, 5) - kerfAt(table, 10)) * std::sqrt(1.16);
+  const Layers shifted = layersOf(0, -narrower);
+  EXPECT_NEAR(measureJoints(shifted.rows(), kerfs(shifted.rows(), 5), {}, {})->gapMax(), 0, 0.01)
+      << "the slower one goes higher, and what stands meets";
+  EXPECT_NEAR(measureJoints(level.rows(), kerfs(level.rows(), 5), {}, {})->gapMax(),
+              0.5 * (kerfAt(table, 5) - kerfAt(table, 10)), 0.01);
 }
 
 TEST(Joints, AreOfOneSurfaceAlone) {

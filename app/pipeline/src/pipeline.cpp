@@ -11,7 +11,7 @@
 #include "block_layout.h"
 #include "block_part.h"
 #include "bw/core/files/fingerprint.h"
-#include "bw/core/sweep/kerf_field.h"
+#include "bw/core/sweep/joint_kerf.h"
 #include "bw/robotio/dialects.h"
 #include "bw/robotio/motion/program_plan.h"
 #include "cut_stages.h"
@@ -194,6 +194,19 @@ Result<void> aimAll(const Design& design, Evaluation& e, const Evaluation* previ
   return orderCuts(e, previous, context);
 }
 
+/// What the blades of all cuts melt.
+std::vector<RowKerf> kerfsOf(const Evaluation& e) {
+  std::vector<RowKerf> kerfs;
+  for (const BlockEvaluation& block : e.blocks)
+    for (const CutEvaluation& cut : block.cuts) {
+      RowKerf& row = kerfs.emplace_back(RowKerf{cut.middle.request});
+      if (!row.kerf.table.empty() && cut.sweep.value->poses.size() > 1)
+        row.field = std::make_shared<const KerfField>(
+            KerfField::of(*cut.sweep.value, e.design.process.cuttingSpeed, row.kerf.table));
+    }
+  return kerfs;
+}
+
 /// How the rows of neighbouring blocks meet.
 Result<void> joinAll(const std::vector<CutWork>& works, Evaluation& e, const Evaluation* previous) {
   if (e.blocks.size() < 2) return {};
@@ -211,7 +224,7 @@ Result<void> joinAll(const std::vector<CutWork>& works, Evaluation& e, const Eva
                 jointRequest(e.design), sweeps, e.seconds.check,
                 [&](const JointRequest& request, Findings& findings) {
                   context.report(0.74, "joints");
-                  Result<Joints> joints = measureJoints(rows, request, context);
+                  Result<Joints> joints = measureJoints(rows, kerfsOf(e), request, context);
                   if (joints) findings = joints->findings;
                   return joints;
                 });

@@ -9,9 +9,8 @@
 #include <cmath>
 #include <utility>
 
-#include "bw/core/sweep/block_pieces.h"
-#include "sweep/held_blade.h"
-#include "sweep/smooth_way.h"
+#include "bw/core/sweep/joint_kerf.h"
+#include "sweep/boundary_crossing.h"
 
 namespace bw {
 
@@ -20,105 +19,24 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kParallel = 1e-6;   // sine of an angle
-constexpr double kOverlap = 1;       // mm that two faces have in common, at least
-constexpr double kNear = 2;          // mm from the boundary at which a cut that ends there may end
-constexpr double kSameLevel = 1e-6;  // mm
-constexpr double kInset = 0.5;       // mm: rows begin and end this near to the faces that they come through
-constexpr int kBetween = 4;          // parts of the way from station to station
-constexpr int kAcross = 101;         // places on a cut that meets the one of the next row
-constexpr double kStep = 1;          // mm of travel, over which the slope of a surface is taken
+using sweep::Crossing;
+using sweep::Crossings;
+using sweep::kRowInset;
+using sweep::levelOf;
+using sweep::RowBlades;
+using sweep::RowBoundary;
+using sweep::Through;
 
-double levelOf(const Sweep& sweep, const BladePose& pose) {
-  return sweep.planes.direction().dot(pose.frame.origin);
-}
+constexpr double kParallel = 1e-6;  // sine of an angle
+constexpr double kOverlap = 1;      // mm that two faces have in common, at least
+constexpr int kAcross = 101;        // places on a cut that meets the one of the next row
+constexpr double kStep = 1;         // mm of travel, over which the slope of a surface is taken
+constexpr double kTogether = 10;    // mm between places of two surfaces that belong together
+constexpr double kBeyond = 0.5;     // of a chord: past the end of a line there is nothing to meet
 
 bool sameFamily(const PlaneFamily& a, const PlaneFamily& b) {
   return a.direction().cross(b.direction()).norm() < kParallel && a.direction().dot(b.direction()) > 0 &&
          a.frame.x.cross(b.frame.x).norm() < kParallel;
-}
-
-/// The blade of a row, with its weight, anywhere on its way.
-class RowBlades {
- public:
-  explicit RowBlades(const Sweep& sweep) : sweep_(sweep), way_(sweep) {}
-
-  const Sweep& sweep() const { return sweep_; }
-  double first() const { return levelOf(sweep_, sweep_.poses.front()); }
-  double last() const { return levelOf(sweep_, sweep_.poses.back()); }
-
-  /// At a level, or at the end of the row where that is past it; empty where it is not known.
-  std::optional<BladePose> at(double level) {
-    const BladePose& front = sweep_.poses.front();
-    const double travel =
-        std::clamp(level - first() + front.travel, front.travel, sweep_.poses.back().travel);
-    const std::size_t i = way_.before(travel);
-    for (const std::size_t k : {i, i + 1})
-      if (std::abs(sweep_.poses[k].travel - travel) < kSameLevel) return sweep_.poses[k];
-    std::optional<BladePose> pose = way_.at(travel);
-    if (!pose || sweep_.request.weight.isZero() || sweep::isTaut(*pose)) return pose;
-    if (hangingFrom_ != i || !hanging_) {
-      hanging_ = sweep::standing(sweep_, sweep_.poses[i]);
-      hangingFrom_ = i;
-    }
-    if (!hanging_) return {};
-    const Result<ClampedBranch::Move> move = hanging_->moveTo(sweep::heldAt(sweep_, *pose));
-    if (!move || move->snapped) {
-      hanging_.reset();
-      return {};
-    }
-    pose->heavy = hanging_->blade();
-    return pose;
-  }
-
- private:
-  const Sweep& sweep_;
-  sweep::SmoothWay way_;
-  std::optional<HeavyBranch> hanging_;
-  std::size_t hangingFrom_ = 0;
-};
-
-Elastica::State stateAt(const BladePose& pose, double s) {
-  const std::array<double, 1> arc = {s};
-  std::array<Elastica::State, 1> state;
-  pose.at(arc, state);
-  return state[0];
-}
-
-/// Where a blade comes through a boundary, and its tangent there.
-struct Through {
-  Vector3d point, tangent;
-};
-
-/// That of a blade at an end of its cut, where this ends near the boundary.
-std::optional<Through> through(const BladePose& pose, const Boundary& boundary, const BoundaryLine& line,
-                               double end) {
-  constexpr int kSteps = 20;
-  constexpr double kAlong = 0.02, kFarthest = 20;  // a blade that runs along the boundary is not followed
-  double s = end;
-  Elastica::State state = stateAt(pose, s);
-  if (std::abs(line.distance(state.point)) > 0.5 * boundary.apart + kNear) return {};
-  for (int k = 0; k < kSteps; ++k) {
-    const double away = line.distance(state.point);
-    const double slope = line.normal.dot(Vector2d(std::cos(state.angle), std::sin(state.angle)));
-    if (std::abs(slope) < kAlong) return {};
-    if (std::abs(away) < 1e-10) break;
-    s = std::clamp(s - away / slope, 0.0, pose.blade.length());
-    if (std::abs(s - end) > boundary.apart + kFarthest) return {};
-    state = stateAt(pose, s);
-  }
-  return Through{pose.frame.toWorld(state.point),
-                 pose.frame.directionToWorld({std::cos(state.angle), std::sin(state.angle)})};
-}
-
-/// Where a blade comes through the boundary at the ends of its cut: at none, one or both of them.
-std::vector<Through> through(const BladePose& pose, const Boundary& boundary) {
-  std::vector<Through> places;
-  const std::optional<BoundaryLine> line = boundaryIn(pose.frame, boundary.point, boundary.normal);
-  if (!line) return places;
-  for (const double end : {pose.before, pose.before + pose.cut.length()})
-    if (const std::optional<Through> place = through(pose, boundary, *line, end)) places.push_back(*place);
-  return places;
 }
 
 /// The angle between two lines.
@@ -149,56 +67,187 @@ std::vector<std::pair<double, bool>> levelsOf(const Sweep& a, const Sweep& b, do
   for (const Sweep* sweep : {&a, &b})
     for (const BladePose& pose : sweep->poses) {
       const double level = levelOf(*sweep, pose);
-      if (level >= from - kInset && level <= to + kInset) stations.push_back(level);
+      if (level >= from - kRowInset && level <= to + kRowInset) stations.push_back(level);
     }
   std::ranges::sort(stations);
-  const auto same = [](double x, double y) { return y - x < kInset; };
+  const auto same = [](double x, double y) { return y - x < kRowInset; };
   stations.erase(std::unique(stations.begin(), stations.end(), same), stations.end());
   std::vector<std::pair<double, bool>> levels;
   for (std::size_t i = 0; i < stations.size(); ++i) {
     levels.emplace_back(stations[i], true);
-    for (int k = 1; k < kBetween && i + 1 < stations.size(); ++k)
-      levels.emplace_back(std::lerp(stations[i], stations[i + 1], double(k) / kBetween), false);
+    for (int k = 1; k < sweep::kBetweenStations && i + 1 < stations.size(); ++k)
+      levels.emplace_back(std::lerp(stations[i], stations[i + 1], double(k) / sweep::kBetweenStations),
+                          false);
   }
   return levels;
 }
 
-/// Rows side by side: each plane of theirs meets the boundary in a line.
-Result<void> alongside(const Sweep& a, const Sweep& b, const Boundary& boundary, Joint& joint,
-                       const RunContext& context) {
-  RowBlades mine(a), theirs(b);
+/// How two rows come to their boundary.
+struct Pair {
+  RowBoundary mine, theirs;
+  Joint& joint;
+  int unknown = 0;  ///< places of which it is not known how both meet
+  Vector3d unknownAt = Vector3d::Zero();
+
+  void cannotTell(const Vector3d& place) {
+    ++unknown;
+    unknownAt = place;
+  }
+  void lacks(const Vector3d& place) {
+    ++joint.open;
+    joint.openAt = place;
+  }
+};
+
+/// Notes how a place of one surface meets the lines of the other one; true if they have one near to it.
+bool meet(const Crossing& at, const std::vector<sweep::CrossingLine>& lines, double farthest, Joint& joint) {
+  const Vector3d& p = at.point;
+  double nearest = 1e300, share = 0;
+  const Crossing *from = nullptr, *to = nullptr;
+  for (const sweep::CrossingLine& line : lines)
+    for (std::size_t j = 0; j < line.size(); j += j + 2 == line.size() ? 2 : 1) {
+      const Crossing &a = line[j], &b = line[std::min(j + 1, line.size() - 1)];
+      const Vector3d way = b.point - a.point;
+      const double length = way.squaredNorm(), past = length > 0 ? way.dot(p - a.point) / length : 0;
+      const double s = std::clamp(past, 0.0, 1.0), off = (p - a.point - s * way).norm();
+      if (off >= nearest) continue;
+      nearest = off;
+      share = past;
+      from = &a;
+      to = &b;
+    }
+  if (nearest > farthest) return false;
+  if (share < -kBeyond || share > 1 + kBeyond) return true;
+  const Vector3d normal = ((1 - share) * from->normal + share * to->normal).normalized();
+  // Across the surface: the chords lie off the curve by a little.
+  const Vector3d foot = from->point + share * (to->point - from->point);
+  const Vector3d t0 = from->normal, t1 = to->normal;
+  const double sag = share * (1 - share) * 0.5 * (to->point - from->point).dot(t1 - t0);
+  const double stands = at.stands * at.normal.dot(normal) - std::lerp(from->stands, to->stands, share);
+  const double gap = std::abs((p - foot).dot(normal) - sag + stands);
+  note(joint, gap, between(at.normal, normal), p, true);
+  return true;
+}
+
+/// How far what stands of two surfaces lies apart in a plane across the travel, at the boundary.
+double gapOf(const Crossing& a, const Crossing& b, const Vector3d& line) {
+  constexpr double kAlong = 0.02;  // of a unit normal
+  const double x = a.normal.dot(line), y = b.normal.dot(line);
+  if (std::min(std::abs(x), std::abs(y)) < kAlong)
+    return std::abs((a.point - b.point).dot(a.normal) + a.stands - b.stands);
+  return std::abs((a.point - b.point).dot(line) + a.stands / x - b.stands / y);
+}
+
+/// Places of one surface that are to be found on the other one as well.
+using Loose = std::vector<Crossing>;
+
+/// Rows side by side: each plane of theirs meets the boundary in a line. What one of them alone has there is
+/// left over.
+Result<void> alongside(Pair& pair, std::array<Loose, 2>& loose, const RunContext& context) {
+  RowBlades mine(pair.mine.sweep), theirs(pair.theirs.sweep);
   const double from = std::max(mine.first(), theirs.first()), to = std::min(mine.last(), theirs.last());
-  for (const auto& [level, isStation] : levelsOf(a, b, from, to)) {
+  const Vector3d line =
+      pair.mine.boundary.normal.cross(pair.mine.sweep.planes.direction()).stableNormalized();
+  for (const auto& [level, isStation] : levelsOf(pair.mine.sweep, pair.theirs.sweep, from, to)) {
     if (context.stopped()) return stoppedError();
     const std::optional<BladePose> p = mine.at(level), q = theirs.at(level);
-    if (!p || !q) continue;
-    const std::vector<Through> all = through(*p, boundary), others = through(*q, boundary);
-    if (all.empty() && others.empty()) continue;
-    // Those that belong together: a surface may come to a boundary twice.
-    const Through *x = nullptr, *y = nullptr;
-    for (const Through& one : all)
-      for (const Through& other : others)
-        if (!x || (one.point - other.point).norm() < (x->point - y->point).norm()) {
-          x = &one;
-          y = &other;
-        }
-    if (x) {
-      note(joint, (x->point - y->point).norm(), between(x->tangent, y->tangent), x->point, isStation);
-    } else {
-      ++joint.open;
-      joint.openAt = all.empty() ? others.front().point : all.front().point;
+    const std::vector<Through> all = p ? through(*p, pair.mine) : std::vector<Through>(),
+                               others = q ? through(*q, pair.theirs) : std::vector<Through>();
+    if (!p || !q) {
+      if (!all.empty() || !others.empty()) pair.cannotTell(all.empty() ? others[0].point : all[0].point);
+      continue;
     }
+    // Those that belong together: a surface may come to a boundary twice.
+    std::vector<char> used(all.size()), met(others.size());
+    for (std::size_t turns = std::min(all.size(), others.size()); turns > 0; --turns) {
+      std::size_t x = all.size(), y = 0;
+      for (std::size_t i = 0; i < all.size(); ++i)
+        for (std::size_t j = 0; j < others.size(); ++j)
+          if (!used[i] && !met[j] &&
+              (x == all.size() ||
+               (all[i].point - others[j].point).norm() < (all[x].point - others[y].point).norm())) {
+            x = i;
+            y = j;
+          }
+      used[x] = met[y] = 1;
+      double gap = (all[x].point - others[y].point).norm();
+      Vector3d one = all[x].tangent, other = others[y].tangent;
+      if (pair.mine.kerf.field || pair.theirs.kerf.field) {
+        const auto a = crossingAt(mine, level, *p, all[x], pair.mine);
+        const auto b = crossingAt(theirs, level, *q, others[y], pair.theirs);
+        if (!a || !b) {
+          pair.cannotTell(all[x].point);
+          continue;
+        }
+        gap = gapOf(*a, *b, line);
+        one = a->tangent;
+        other = b->tangent;
+      }
+      note(pair.joint, gap, between(one, other), all[x].point, isStation);
+    }
+    const auto leave = [&](RowBlades& blades, const BladePose& pose, const std::vector<Through>& places,
+                           const std::vector<char>& paired, const RowBoundary& at, Loose& left) {
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        if (paired[i] || !at.has(places[i].point)) continue;
+        if (const std::optional<Crossing> place = crossingAt(blades, level, pose, places[i], at))
+          left.push_back(*place);
+        else
+          pair.cannotTell(places[i].point);
+      }
+    };
+    leave(mine, *p, all, used, pair.mine, loose[0]);
+    leave(theirs, *q, others, met, pair.theirs, loose[1]);
   }
   return {};
 }
 
-/// A cut at the end of a row, as far as the boundary, with the normals of its surface.
-struct EndOfRow {
-  std::vector<Vector3d> points, normals;
-};
+/// Rows that their boundary does not part across the travel of both: at the ends of their blades, and where
+/// their first and last blades run along it.
+Result<void> beside(Pair& pair, const RunContext& context) {
+  std::array<Loose, 2> loose;
+  const Sweep &a = pair.mine.sweep, &b = pair.theirs.sweep;
+  const bool common = sameFamily(a.planes, b.planes);
+  if (common)
+    if (const Result<void> ok = alongside(pair, loose, context); !ok) return ok;
+  const std::array<const RowBoundary*, 2> rows = {&pair.mine, &pair.theirs};
+  std::array<Crossings, 2> lines = {rowCrossings(pair.mine), rowCrossings(pair.theirs)};
+  const auto reaches = [&](const Sweep& one, const Sweep& other) {
+    return levelOf(one, one.poses.front()) < levelOf(other, other.poses.front()) - kRowInset ||
+           levelOf(one, one.poses.back()) > levelOf(other, other.poses.back()) + kRowInset;
+  };
+  for (const Crossings& row : lines)
+    if (row.unknown > 0) pair.cannotTell(row.unknownAt);
+  const bool more = !common || !loose[0].empty() || !loose[1].empty() || !lines[0].lines.empty() ||
+                    !lines[1].lines.empty() || reaches(a, b) || reaches(b, a);
+  if (!more) return {};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (const sweep::CrossingLine& line : lines[i].lines)
+      loose[i].insert(loose[i].end(), line.begin(), line.end());
+    Result<Crossings> ends = endCrossings(*rows[i], context);
+    if (!ends) return tl::unexpected<Error>(ends.error());
+    const Sweep& other = rows[1 - i]->sweep;
+    for (sweep::CrossingLine& line : ends->lines) {
+      for (const Crossing& place : line) {
+        const double level = other.planes.direction().dot(place.point);
+        if (!common || level < levelOf(other, other.poses.front()) - kRowInset ||
+            level > levelOf(other, other.poses.back()) + kRowInset)
+          loose[i].push_back(place);
+      }
+      lines[i].lines.push_back(std::move(line));
+    }
+  }
+  const double farthest =
+      kTogether + pair.mine.boundary.apart + 0.5 * (pair.mine.kerf.widest() + pair.theirs.kerf.widest());
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (const Crossing& place : loose[i])
+      if (!meet(place, lines[1 - i].lines, farthest, pair.joint)) pair.lacks(place.point);
+  return {};
+}
 
-/// `front`: where the row begins, else where it ends. Its blade goes on as it goes there.
-std::optional<EndOfRow> endOf(const Sweep& sweep, bool front, double level) {
+/// The cut at the end of a row, as far as the boundary. `front`: where the row begins, else where it ends.
+/// Its blade goes on as it goes there.
+std::optional<sweep::CrossingLine> endOf(const RowBoundary& row, bool front, double level) {
+  const Sweep& sweep = row.sweep;
   RowBlades blades(sweep);
   const BladePose& end = front ? sweep.poses.front() : sweep.poses.back();
   const double own = levelOf(sweep, end);
@@ -206,7 +255,7 @@ std::optional<EndOfRow> endOf(const Sweep& sweep, bool front, double level) {
   if (!inner) return {};
   const double step = levelOf(sweep, *inner) - own;
   if (std::abs(step) < 1e-3) return {};
-  EndOfRow cut;
+  sweep::CrossingLine cut;
   const std::vector<double> arcs = end.cutArcs(kAcross);
   std::vector<Elastica::State> states(arcs.size()), there(arcs.size());
   end.at(arcs, states);
@@ -228,54 +277,38 @@ std::optional<EndOfRow> endOf(const Sweep& sweep, bool front, double level) {
     const Vector2d tangent(std::cos(state.angle), std::sin(state.angle)), normal(-tangent.y(), tangent.x());
     const double rise = normal.dot(there[k].point - state.point) / step;
     const Vector3d along = sweep.planes.direction() + rise * end.frame.directionToWorld(normal);
-    cut.points.push_back(end.frame.toWorld(state.point) + (level - own) * along);
-    cut.normals.push_back(end.frame.directionToWorld(tangent).cross(along).normalized());
+    Crossing& place = cut.emplace_back();
+    place.point = end.frame.toWorld(state.point) + (level - own) * along;
+    place.tangent = end.frame.directionToWorld(tangent);
+    place.normal = place.tangent.cross(along).normalized();
+    if (row.kerf.field) place.stands = 0.5 * row.side * row.kerf.width(place.point);
   }
   return cut;
 }
 
 /// One row ends where the other one begins.
-void inLine(const Sweep& a, const Sweep& b, const Boundary& boundary, Joint& joint) {
-  const bool forwards = a.planes.direction().dot(boundary.normal) > 0;
-  const double level = a.planes.direction().dot(boundary.point);
+void inLine(Pair& pair) {
+  const Boundary& boundary = pair.mine.boundary;
+  const Vector3d& direction = pair.mine.sweep.planes.direction();
+  const bool forwards = direction.dot(boundary.normal) > 0;
+  const double level = direction.dot(boundary.point);
   const auto reaches = [&](const Sweep& sweep, bool front) {
     return std::abs(levelOf(sweep, front ? sweep.poses.front() : sweep.poses.back()) - level) <=
-           0.5 * boundary.apart + kNear;
+           0.5 * boundary.apart + sweep::kNearBoundary;
   };
-  const bool one = reaches(a, !forwards), other = reaches(b, forwards);
+  const bool one = reaches(pair.mine.sweep, !forwards), other = reaches(pair.theirs.sweep, forwards);
   if (!one && !other) return;
-  const std::optional<EndOfRow> x = one ? endOf(a, !forwards, level) : std::nullopt,
-                                y = other ? endOf(b, forwards, level) : std::nullopt;
+  const std::optional<sweep::CrossingLine> x = one ? endOf(pair.mine, !forwards, level) : std::nullopt,
+                                           y = other ? endOf(pair.theirs, forwards, level) : std::nullopt;
   if (!x || !y) {
-    if (one && other) return;  // not known
-    joint.open = 1;
-    joint.openAt = boundary.point;
+    if (one && other)
+      pair.cannotTell(boundary.point);
+    else
+      pair.lacks(boundary.point);
     return;
   }
-  // Each place of the first against the chords of the second.
-  for (std::size_t k = 0; k < x->points.size(); ++k) {
-    const Vector3d& p = x->points[k];
-    double nearest = 1e300, share = 0;
-    std::size_t chord = 0;
-    for (std::size_t j = 0; j + 1 < y->points.size(); ++j) {
-      const Vector3d way = y->points[j + 1] - y->points[j];
-      const double at = way.dot(p - y->points[j]) / way.squaredNorm();
-      const double s = std::clamp(at, 0.0, 1.0), off = (p - y->points[j] - s * way).norm();
-      if (off >= nearest) continue;
-      nearest = off;
-      share = at;
-      chord = j;
-    }
-    constexpr double kBeyond = 0.5;  // of a chord: past the end of the other cut there is nothing to meet
-    if (share < -kBeyond || share > 1 + kBeyond) continue;
-    const Vector3d normal = ((1 - share) * y->normals[chord] + share * y->normals[chord + 1]).normalized();
-    // Across the surface: the chords lie off the curve by a little.
-    const Vector3d foot = y->points[chord] + share * (y->points[chord + 1] - y->points[chord]);
-    const Vector3d t0 = y->normals[chord], t1 = y->normals[chord + 1];
-    const double sag = share * (1 - share) * 0.5 * (y->points[chord + 1] - y->points[chord]).dot(t1 - t0);
-    const double gap = std::abs((p - foot).dot(normal) - sag);
-    note(joint, gap, between(x->normals[k], normal), p, true);
-  }
+  constexpr double kAnywhere = 1e300;
+  for (const Crossing& place : *x) meet(place, {*y}, kAnywhere, pair.joint);
 }
 
 }  // namespace
@@ -353,35 +386,47 @@ std::vector<char> joined(const std::vector<BlockRow>& rows, const std::vector<Bo
 
 Result<Joints> measureJoints(const std::vector<BlockRow>& rows, const JointRequest& request,
                              const RunContext& context) {
+  return measureJoints(rows, std::vector<RowKerf>(rows.size()), request, context);
+}
+
+Result<Joints> measureJoints(const std::vector<BlockRow>& rows, const std::vector<RowKerf>& kerfs,
+                             const JointRequest& request, const RunContext& context) {
   std::vector<Joint> all;
   std::vector<Boundary> boundaries;
   for (std::size_t i = 0; i < rows.size(); ++i)
     for (std::size_t j = i + 1; j < rows.size(); ++j) {
       const Sweep &a = *rows[i].sweep, &b = *rows[j].sweep;
       if (rows[i].surface != rows[j].surface || rows[i].block == rows[j].block) continue;
-      if (a.poses.size() < 2 || b.poses.size() < 2 || !sameFamily(a.planes, b.planes)) continue;
+      if (a.poses.size() < 2 || b.poses.size() < 2) continue;
       if (const std::optional<Boundary> boundary = boundaryOf(a.block, b.block, request.apart)) {
         all.push_back({i, j});
         boundaries.push_back(*boundary);
       }
     }
+  std::vector<std::pair<int, Vector3d>> unknown(all.size(), {0, Vector3d::Zero()});
   const Result<void> ok = parallelFor(context, int(all.size()), [&](int k) {
     Joint& joint = all[std::size_t(k)];
     const Boundary& boundary = boundaries[std::size_t(k)];
     const Sweep &a = *rows[joint.first].sweep, &b = *rows[joint.second].sweep;
+    Pair pair{{a, boundary, b.block, kerfs[joint.first]}, {b, boundary, a.block, kerfs[joint.second]}, joint};
     const double along = std::abs(a.planes.direction().dot(boundary.normal));
-    if (along > 1 - kParallel)
-      inLine(a, b, boundary, joint);
+    if (along > 1 - kParallel && sameFamily(a.planes, b.planes))
+      inLine(pair);
     else
-      (void)alongside(a, b, boundary, joint, context);  // a stop is told below
+      (void)beside(pair, context);  // a stop is told below
+    unknown[std::size_t(k)] = {pair.unknown, pair.unknownAt};
   });
   if (!ok) return tl::unexpected<Error>(ok.error());
   if (context.stopped()) return stoppedError();
   Joints joints;
-  for (const Joint& joint : all) {
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const Joint& joint = all[k];
+    const std::string &one = rows[joint.first].block, &other = rows[joint.second].block;
+    // None open: how they meet is not known.
+    if (const auto& [places, at] = unknown[k]; places > 0)
+      joints.findings.push_back({Severity::warning, JointOpen{one, other, 0, places}, {{}, at}, {}});
     if (joint.places == 0 && joint.open == 0) continue;
     joints.joints.push_back(joint);
-    const std::string &one = rows[joint.first].block, &other = rows[joint.second].block;
     if (joint.gapMax > request.gap)
       joints.findings.push_back({Severity::warning,
                                  JointGap{one, other, joint.gapMax, request.gap, joint.gapAtStations},
