@@ -8,6 +8,7 @@
 #include <QTabBar>
 #include <QToolButton>
 
+#include "bw/core/design/design_versions.h"
 #include "controls/fields.h"
 #include "plots/motion_view.h"
 #include "window_fixture.h"
@@ -124,6 +125,18 @@ class NothingIsCutOff : public WindowTest {
       expectAllWhole(tab);
     }
     picture("cut-off-block-" + std::to_string(window().width()));
+    bench().editDesign("Name", [](Design& design) { design = *withVersion(design, "as ordered"); });
+    bench().editDesign("Change", [](Design& design) { design.process.tolerance = 1; });
+    window().commands()["compare.version"]->trigger();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window().comparison().busy(); }, kPatience));
+    ASSERT_TRUE(settle());
+    QTest::qWait(200);
+    expectAllWhole("compared");
+    EXPECT_LE(window().besideView().mapTo(&window(), QPoint(window().besideView().width(), 0)).x(),
+              window().sideTabs().mapTo(&window(), QPoint()).x())
+        << "the panel lies over the picture";
+    picture("cut-off-compared-" + std::to_string(window().width()));
+    window().commands()["compare.version"]->trigger();
     window().showMeasurePage();
     expectAllWhole("measure page");
     picture("cut-off-measure-" + std::to_string(window().width()));

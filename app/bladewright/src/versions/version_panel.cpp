@@ -191,7 +191,8 @@ VersionPanel::VersionPanel(Workbench& bench, Comparison& comparison, const Theme
     : SidePanel(kLeastWidth, parent), bench_(bench), comparison_(comparison) {
   auto* page = new QWidget;
   page->setObjectName("page");
-  auto* layout = makeBox<QVBoxLayout>(page, {kGroupGap, kGroupGap, kGroupGap, kGroupGap}, kGap);
+  // Narrow at the sides: two numbers with their marks have room beside the picture of the smallest window.
+  auto* layout = makeBox<QVBoxLayout>(page, {kGap, kGroupGap, kGap, kGroupGap}, kGap);
   name_ = new VersionName(bench, page);
   layout->addWidget(name_);
   layout->addWidget(makeButton(tr("Name this version"), name_->toolTip(), this, [this] {
@@ -238,6 +239,7 @@ VersionPanel::VersionPanel(Workbench& bench, Comparison& comparison, const Theme
   for (const auto& [column, text] : {std::pair(1, tr("Then")), std::pair(2, tr("Now"))}) {
     auto* head = new QLabel(text, table_);
     head->setObjectName("secondary");
+    head->setFont(Theme::secondaryFont());
     table->addWidget(head, 0, column, Qt::AlignRight);
   }
   for (const ComparedNumber& number : comparedNumbers(nullptr)) {
@@ -246,6 +248,7 @@ VersionPanel::VersionPanel(Workbench& bench, Comparison& comparison, const Theme
     int column = 0;
     for (QLabel* label : {line.name, static_cast<QLabel*>(line.then), static_cast<QLabel*>(line.now)}) {
       label->setToolTip(number.tip);
+      label->setFont(Theme::secondaryFont());
       table->addWidget(label, row, column, column == 0 ? Qt::AlignLeft : Qt::AlignRight);
       ++column;
     }

@@ -3,6 +3,7 @@
 // The widgets of the workspace, how they talk to each other, and what the window tells of the state: its
 // title, which commands there are, progress, and the summary of the result.
 #include <QStatusBar>
+#include <QTabBar>
 
 #include <algorithm>
 #include <utility>
@@ -17,6 +18,17 @@ namespace {
 
 constexpr int kFactorWidth = 66;
 constexpr int kMiddleWidth = 358;  // as much as the panels beside it leave of the smallest window
+
+/// Tabs that are no wider than what they hold: there is no frame around it.
+class SideTabs : public QTabWidget {
+ public:
+  using QTabWidget::QTabWidget;
+  QSize minimumSizeHint() const override {
+    int width = tabBar()->minimumSizeHint().width();
+    for (int i = 0; i < count(); ++i) width = std::max(width, widget(i)->minimumSizeHint().width());
+    return {width, QTabWidget::minimumSizeHint().height()};
+  }
+};
 
 }  // namespace
 
@@ -83,7 +95,7 @@ void MainWindow::makeWorkspace() {
   middle_->setStretchFactor(0, 1);
   columns_->addWidget(middle_);
 
-  sides_ = new QTabWidget(columns_);
+  sides_ = new SideTabs(columns_);
   sides_->setDocumentMode(true);
   right_ = new QSplitter(Qt::Vertical, sides_);
   right_->setHandleWidth(1);
