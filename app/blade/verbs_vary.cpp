@@ -4,20 +4,17 @@
 // A design over the range of one of its variables: a table, and a small picture of each.
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <sstream>
 
-#include "bw/core/base/units.h"
 #include "bw/core/design/variables.h"
 #include "bw/core/files/file_set.h"
 #include "bw/core/text/number_text.h"
 #include "bw/core/text/printable.h"
 #include "bw/core/text/typed_number.h"
-#include "bw/pipeline/overall.h"
 #include "bw/pipeline/scene_content.h"
-#include "bw/words/findings.h"
+#include "bw/pipeline/vary.h"
 #include "sets.h"
 #include "verbs.h"
 
@@ -27,8 +24,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kLeast = 2, kMost = 200;                    // values
-constexpr int kPictureWidth = 480, kPictureHeight = 320;  // pixels
+constexpr int kLeast = pipeline::VaryRange::kLeast, kMost = pipeline::VaryRange::kMost;  // values
+constexpr int kPictureWidth = 480, kPictureHeight = 320;                                 // pixels
 
 struct VaryOptions {
   std::string file, out, over;
@@ -73,59 +70,6 @@ Result<Range> rangeOf(const Design& design, const std::string& text) {
                    shortText(variable->max, 6) + ", as the design says of it");
   if (range.from == range.to) return wrong("both ends are the same; use blade design --set for one value");
   return range;
-}
-
-/// A field of a CSV file.
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string all = "\"";
-  for (const char c : text) all += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return all + "\"";
-}
-
-/// What of a design with one value stands in the table.
-struct Row {
-  std::string text;
-  bool good = false;
-};
-
-Row rowOf(double value, const pipeline::Outcome& outcome) {
-  const pipeline::Evaluation& e = outcome.evaluation;
-  std::string line = fixedText(value, 6);
-  const auto add = [&line](const std::string& text) { line += "," + quoted(text); };
-  constexpr int kNumbers = 11;
-  if (outcome.error) {
-    add("failed");
-    for (int i = 0; i < kNumbers; ++i) add("");
-    add(outcome.error->message);
-    return {line, false};
-  }
-  const pipeline::Overall all = pipeline::overallOf(e);
-  std::size_t counts[4] = {};
-  for (const pipeline::BlockEvaluation& block : e.blocks)
-    for (const pipeline::CutEvaluation& cut : block.cuts)
-      if (cut.rest.value)
-        for (const Rest rest : cut.rest.value->stations) ++counts[int(rest)];
-  const Findings findings = e.findings();
-  const bool good = !exceedsLimit(findings);
-  std::string kinds;
-  for (const Finding& finding : findings) {
-    if (finding.severity == Severity::info) continue;
-    const std::string kind = words::kindWord(finding);
-    if (kinds.find(kind) == std::string::npos) kinds += (kinds.empty() ? "" : " ") + kind;
-  }
-  add(good ? "ok" : "exceeds");
-  add(fixedText(all.summary.deviationMax, 4));
-  add(fixedText(all.summary.deviationMean, 4));
-  add(fixedText(100 * all.summary.withinTolerance, 2));
-  add(fixedText(100 * all.covered, 2));
-  add(all.summary.minRadius > 0 ? fixedText(all.summary.minRadius, 1) : "");
-  add(fixedText(toDegrees(all.summary.angleMax), 2));
-  for (const Rest rest : {Rest::certain, Rest::held, Rest::lost, Rest::unknown})
-    add(std::to_string(counts[int(rest)]));
-  add(fixedText(all.cuttingTime, 1));
-  add(kinds);
-  return {line, good};
 }
 
 Result<std::string> pictureOf(const pipeline::Evaluation& e) {
@@ -178,37 +122,29 @@ int runVary(const Session& session, const VaryOptions& options) {
                                "--set gives " + range->name + ", which --over varies; keep one of them",
                                "set"});
   FileSet files;
-  std::string table = range->name +
-                      ",status,deviation_max_mm,deviation_mean_mm,within_tolerance_percent,covered_percent,"
-                      "min_radius_mm,angle_max_deg,certain,held,lost,unknown,cutting_time_s,findings\n";
+  std::string table = pipeline::varyHead(range->name) + "\n";
   const RunContext context = session.context();
-  std::optional<pipeline::Outcome> before;
   bool allGood = true;
-  for (int i = 0; i < options.count; ++i) {
-    const double value = std::lerp(range->from, range->to, double(i) / (options.count - 1));
-    const Result<Design> varied = withVariables(*design, {{range->name, value}});
-    pipeline::Outcome outcome;
-    if (varied)
-      outcome = pipeline::evaluate(*varied, before ? &before->evaluation : nullptr,
-                                   context.child(double(i) / options.count, double(i + 1) / options.count));
-    else
-      outcome.error = varied.error();
-    if (context.stopped()) return session.complain(stoppedError().value());
-    const Row row = rowOf(value, outcome);
-    table += row.text + "\n";
-    allGood = allGood && row.good;
-    session.endProgress();
-    std::cerr << range->name << " = " << shortText(value, 6) << ": "
-              << row.text.substr(row.text.find(',') + 1) << "\n";
-    if (!options.noPictures && !outcome.error) {
-      const Result<std::string> png = pictureOf(outcome.evaluation);
-      if (!png) return session.complain(png.error());
-      std::ostringstream name;
-      name << "vary-" << (i < 9 ? "0" : "") << i + 1 << ".png";
-      files.add(name.str(), *png);
-    }
-    if (!outcome.error) before = std::move(outcome);
-  }
+  int number = 0;
+  const Result<void> varied = pipeline::vary(
+      *design, {range->name, range->from, range->to, options.count}, context,
+      [&](const pipeline::Variation& variation, const pipeline::Evaluation* evaluation) -> Result<void> {
+        const std::string line = pipeline::varyLine(variation);
+        table += line + "\n";
+        allGood = allGood && variation.good;
+        session.endProgress();
+        std::cerr << range->name << " = " << shortText(variation.value, 6) << ": "
+                  << line.substr(line.find(',') + 1) << "\n";
+        ++number;
+        if (options.noPictures || !evaluation) return {};
+        const Result<std::string> png = pictureOf(*evaluation);
+        if (!png) return tl::unexpected<Error>(png.error());
+        std::ostringstream name;
+        name << "vary-" << (number < 10 ? "0" : "") << number << ".png";
+        files.add(name.str(), *png);
+        return {};
+      });
+  if (!varied) return session.complain(varied.error());
   files.add("vary.csv", table);
   std::vector<fs::path> earlier = picturesIn(options.out);
   std::erase_if(earlier, [&](const fs::path& file) {

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "bw/core/text/typed_number.h"
+#include "workflow/vary_dialog.h"
 
 namespace bw::app {
 
@@ -130,6 +131,10 @@ void VariableFields::rebuild(const std::vector<Variable>& variables) {
     column->addWide(makeSliderLine(line, v));
     lines_.push_back(line);
   }
+  if (!variables.empty())
+    column->addWide(makeButton(tr("Vary…"),
+                               tr("A variable over a range: what the design comes to, as a table"), this,
+                               &VariableFields::vary));
   auto* fresh = column->addWide(new NewVariableField);
   connect(fresh, &NewVariableField::edited, this, &VariableFields::add);
 }
@@ -179,6 +184,14 @@ void VariableFields::remove(const std::string& name) {
   const QString shown = QString::fromStdString(name);
   take(tr("Remove %1").arg(shown), changed,
        tr("%1 stays, because a formula or an expression needs it; change that first").arg(shown));
+}
+
+void VariableFields::vary() {
+  auto* dialog = new VaryDialog(bench_, window());
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &VaryDialog::taken, this,
+          [this](const std::string& name, double value) { change(name, value, false); });
+  dialog->open();
 }
 
 void VariableFields::take(const QString& text, const Design& changed, const QString& refusal) {

@@ -53,6 +53,7 @@ class VariableFields : public QWidget {
   void change(const std::string& name, double value, bool dragging);
   void add(const Variable& variable);
   void remove(const std::string& name);
+  void vary();
   /// Takes a changed design, resolved, or tells why not, after `refusal` where there is one.
   void take(const QString& text, const Design& changed, const QString& refusal = {});
 

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// A variable over a range, from the button below the variables to the value that is taken over.
+#include <QClipboard>
+
+#include "window_fixture.h"
+#include "workflow/vary_dialog.h"
+
+namespace bw::app {
+namespace {
+
+class Vary : public WindowTest {
+ protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    window().openExample("ripple-along");
+    bench().editDesign("Change stations", [](Design& design) { design.cut().sections.stations = 9; });
+    ASSERT_TRUE(settle());
+    ASSERT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
+    button(window().workflow(), "Vary…")->click();
+    dialog_ = window().findChild<VaryDialog*>();
+    ASSERT_TRUE(dialog_);
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(dialog_));
+  }
+
+  void TearDown() override {
+    delete dialog_;
+    WindowTest::TearDown();
+  }
+
+  static QPushButton* button(QWidget& in, const QString& text) {
+    for (QPushButton* one : in.findChildren<QPushButton*>())
+      if (one->text() == text) return one;
+    return nullptr;
+  }
+  NumberField* field(int index) { return dialog_->findChildren<NumberField*>()[index]; }
+  void type(int index, const QString& text) {
+    NumberField* one = field(index);
+    // What is typed is taken when the focus goes, which only an active window has.
+    dialog_->activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(dialog_));
+    one->setFocus();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return one->hasFocus(); }, kPatience));
+    one->selectAll();
+    QTest::keyClicks(one, text);
+    QTest::keyClick(one, Qt::Key_Tab);
+  }
+  bool computed() {
+    return QTest::qWaitFor([&] { return !dialog_->computing(); }, kPatience);
+  }
+  QString cell(int row, int column) { return dialog_->table().item(row, column)->text(); }
+
+  VaryDialog* dialog_ = nullptr;
+};
+
+TEST_F(Vary, TellsWhatTheDesignComesToWithEachValueAndTakesOne) {
+  type(0, "10");
+  type(1, "20");
+  type(2, "3");
+  EXPECT_EQ(field(0)->value(), 10);
+  EXPECT_EQ(field(1)->value(), 20);
+  EXPECT_EQ(field(2)->value(), 3);
+  button(*dialog_, "Compute")->click();
+  EXPECT_TRUE(dialog_->computing());
+  EXPECT_FALSE(button(*dialog_, "Compute")->isEnabled());
+  ASSERT_TRUE(computed());
+  ASSERT_EQ(dialog_->table().rowCount(), 3);
+  EXPECT_EQ(cell(0, 0), "10");
+  EXPECT_EQ(cell(1, 0), "15");
+  EXPECT_EQ(cell(2, 0), "20");
+  dialog_->grab().save(QString::fromStdString(BW_TEST_OUTPUT "/window/vary.png"));
+  button(*dialog_, "Copy table")->click();
+  EXPECT_TRUE(QApplication::clipboard()->text().startsWith("amplitude,status,deviation_max_mm,"));
+  EXPECT_EQ(QApplication::clipboard()->text().count('\n'), 4);
+  EXPECT_FALSE(button(*dialog_, "Take this value")->isEnabled());
+  const_cast<QTableWidget&>(dialog_->table()).selectRow(1);
+  button(*dialog_, "Take this value")->click();
+  EXPECT_EQ(bench().design().variables[0].value, 15);
+  ASSERT_TRUE(settle());
+  // The line tells what the design then comes to.
+  const double deviation = bench().shown()->cut().analysis.value->summary.deviationMax;
+  EXPECT_NEAR(cell(1, 2).split(' ').first().toDouble(), deviation, 0.01 * deviation);
+  bench().document().undoStack().undo();
+  EXPECT_NE(bench().design().variables[0].value, 15);
+}
+
+TEST_F(Vary, IsStoppedWithWhatItHasAndLeavesTheDesignAsItIs) {
+  const Design before = bench().design();
+  type(2, "100");
+  button(*dialog_, "Compute")->click();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return dialog_->table().rowCount() > 0; }, kPatience));
+  button(*dialog_, "Stop")->click();
+  ASSERT_TRUE(computed());
+  EXPECT_LT(dialog_->table().rowCount(), 100);
+  EXPECT_TRUE(button(*dialog_, "Compute")->isEnabled());
+  EXPECT_EQ(bench().design(), before);
+  EXPECT_TRUE(bench().current()) << "the result stands";
+  // Closed while it computes.
+  button(*dialog_, "Compute")->click();
+  dialog_->close();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !bench().runner().busy(); }, kPatience));
+  dialog_ = nullptr;
+}
+
+TEST_F(Vary, RefusesARangeThatIsNone) {
+  type(0, "20");
+  type(1, "20");
+  button(*dialog_, "Compute")->click();
+  EXPECT_FALSE(dialog_->computing());
+  type(1, "1000");
+  button(*dialog_, "Compute")->click();
+  EXPECT_FALSE(dialog_->computing()) << "beyond the range of the variable";
+}
+
+}  // namespace
+}  // namespace bw::app
