@@ -64,6 +64,8 @@ class EveryFieldTest : public WindowTest {
     base_ = 4;
     window().commands()["tab.blocks"]->trigger();
     visitVisible(visit);
+    window().commands()["tab.versions"]->trigger();
+    visitVisible(visit);
     window().showMeasurePage();
     visitVisible(visit);
     for (TypedField* field : window().findChildren<TypedField*>())

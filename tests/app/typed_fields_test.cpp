@@ -185,6 +185,12 @@ class TypedFields : public EveryFieldTest {
       for (const char* text : {"abc", "5", "5: 4.2", "20: 2.6, 5: 4.2", "5: 4.2, 20: 60", "5: 4.2, 20",
                                "5: 4,2,20: 2,6", "-5: 4, 20: 2", "5 kg: 4, 20: 2"})
         expectRefused(*kerf, text);
+    } else if (auto* name = qobject_cast<VersionName*>(&typed)) {
+      typeOver(*name, " Fl\u00e4che 1,5 ");
+      QTest::keyClick(name, Qt::Key_Return);
+      ASSERT_EQ(bench().design().versions.size(), 1u);
+      EXPECT_EQ(bench().design().versions[0].name, "Fl\u00e4che 1,5");
+      expectRefused(*name, "Fl\u00e4che 1,5");
     } else {
       auto& list = dynamic_cast<ListField&>(typed);
       list.setCount(8);
