@@ -101,8 +101,7 @@ void ProcessFields::addFit(FormColumn* column, const Theme& theme) {
   extend_ = column->add(tr("Grips"), new ChoiceField,
                         tr("What holds the grips of a blade: that it lies as near to its section as it can, "
                            "or the section, extended to both of them"));
-  extend_->addItems({tr("Nearest to the section"), tr("On the surface beyond"), tr("On the end tangents"),
-                     tr("On the end circles")});
+  extend_->addItems({tr("Nearest fit"), tr("On the surface"), tr("On the tangents"), tr("On the circles")});
   connect(extend_, &QComboBox::activated, this, [this](int index) {
     bench_.editDesign(tr("Change grips"),
                       [index](Design& design) { design.process.extend = Extension(index); });
