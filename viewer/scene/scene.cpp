@@ -50,6 +50,8 @@ Scene::Scene(Scene&&) noexcept = default;
 Scene& Scene::operator=(Scene&&) noexcept = default;
 
 void Scene::setContent(Content content) { impl_->setContent(std::move(content)); }
+void Scene::replace(Content content) { impl_->replace(std::move(content)); }
+void Scene::setDraft(bool draft) { impl_->setDraft(draft); }
 void Scene::setStyle(const Style& style) { impl_->setStyle(style); }
 const Style& Scene::style() const { return impl_->style; }
 const Content& Scene::content() const { return impl_->content; }

@@ -81,8 +81,43 @@ void Scene::Impl::setContent(Content given) {
   const Things former = std::exchange(things, Things(content));
   const bool otherFaces = things.faces != former.faces;
   picker_.reset(otherFaces || !things.faces ? nullptr : &things.faces->mesh);
-  ++contentVersion_;
   if (otherFaces) faceBounds_ = things.faces ? boundsOf(things.faces->mesh.points) : Bounds();
+  const bool afar = measure();
+  actors_.setContent(things, diagonal(), afar);
+  std::vector<vtkSmartPointer<vtkActor>> shading = actors_.solids();
+  shading.insert(shading.end(), {blade_.tube(), blade_.grips()});
+  occlusion_->setSolids(std::move(shading));
+  setStyle(wished_);
+}
+
+void Scene::Impl::replace(Content given) {
+  // What was there goes into `given`: its arrays are shared with VTK until the actors have taken the new
+  // ones.
+  bool stands = true;
+  for (Item& item : given.items) {
+    const bool sound = drawable(item);
+    const auto place = std::ranges::find_if(
+        content.items, [&](const Item& other) { return other.kind() == item.kind() && other.id == item.id; });
+    stands = stands && sound && place != content.items.end() && item.kind() != Kind::face;
+    if (place != content.items.end())
+      std::swap(place->data, item.data);
+    else
+      content.items.push_back(item);
+  }
+  if (!stands) return setContent(Content{std::exchange(content.items, {})});
+  const Things::Changes changes = things.renew(given);
+  picker_.reset(things.faces ? &things.faces->mesh : nullptr);
+  const bool afar = measure();
+  actors_.replace(changes, diagonal(), afar);
+  setStyle(wished_);
+}
+
+double Scene::Impl::diagonal() const {
+  return surfaceBounds_.valid() ? std::max(1e-3, surfaceBounds_.size().norm()) : 1;
+}
+
+bool Scene::Impl::measure() {
+  ++contentVersion_;
   Bounds blockBounds, targetBounds;
   cutBounds_ = bladeBounds_ = {};
   const auto add = [](Bounds& bounds, const std::vector<Eigen::Vector3d>& points) {
@@ -104,12 +139,8 @@ void Scene::Impl::setContent(Content given) {
   const Bounds solids = joined(surfaceBounds_, blockBounds);
   solidBounds_ = joined(solids, targetBounds);
   workBounds_ = joined(solids, bladeBounds_);
-  actors_.setContent(things, surfaceBounds_.valid() ? std::max(1e-3, surfaceBounds_.size().norm()) : 1, afar);
-  std::vector<vtkSmartPointer<vtkActor>> shading = actors_.solids();
-  shading.insert(shading.end(), {blade_.tube(), blade_.grips()});
-  occlusion_->setSolids(std::move(shading));
   grid_.setBounds(solids);
-  setStyle(wished_);
+  return afar;
 }
 
 const std::vector<Polyline>* Scene::Impl::blades(const ItemId& id) const {
@@ -201,7 +232,7 @@ void Scene::Impl::renderFrame(int width, int height) {
   const double behind = back > 0 && cutBounds_.valid()
                             ? shareBehind({near, far}, depthsOf(view, cutBounds_), back, camera.parallel)
                             : 0;
-  actors_.update(style, perMillimetre, pixel, behind);
+  actors_.update(style, perMillimetre, pixel, behind, draft_);
   blade_.update(view, -perMillimetre * 2 * pixel * style.pixelRatio);
   marker_.update(view, width, height, style);
   legend_.update(width, height, style, legendMap, contentVersion_);
@@ -232,6 +263,7 @@ void Scene::Impl::renderFrame(int width, int height) {
   lastWidth_ = width;
   vtkGenericOpenGLRenderWindow* window = target_->window();
   if (window->GetSize()[0] != width || window->GetSize()[1] != height) window->SetSize(width, height);
+  window->SetMultiSamples(draft_ ? 0 : kSamples);
   // VTK relies on this without setting it where the context is not its own: flat parts are drawn over each
   // other at one depth.
   window->OpenGLInitContext();

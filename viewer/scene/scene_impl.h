@@ -28,6 +28,7 @@ struct Scene::Impl {
   ~Impl();
 
   void setContent(Content given);
+  void replace(Content given);
   void setStyle(const Style& given);
   /// Takes the target to draw in (and gives up the former one), or none.
   void setTarget(std::unique_ptr<RenderTarget> given);
@@ -37,7 +38,7 @@ struct Scene::Impl {
   void setCubeHovered(const std::optional<Eigen::Vector3d>& direction) { marker_.setHovered(direction); }
   /// Reads the last frame.
   Picture readPicture() const;
-  /// Pictures in motion go without what costs time: soft shadows.
+  /// Pictures in motion go without what costs time: smoothing, soft shadows, fine surfaces.
   void setDraft(bool draft) { draft_ = draft; }
   /// The width of the pictures to come, for a fit that keeps clear of the legend.
   void expectWidth(int width) { lastWidth_ = width; }
@@ -65,6 +66,10 @@ struct Scene::Impl {
   /// Those of a row; null where there is no such row.
   const std::vector<Polyline>* blades(const ItemId& id) const;
   ScenePicker::Shown shown() const;
+  /// Takes in how large the things are. True if the targets are the landscape around the work.
+  bool measure();
+  /// The size of what the picture is about, mm, above 0.
+  double diagonal() const;
 
   vtkSmartPointer<vtkRenderer> renderer_;
   vtkSmartPointer<AmbientOcclusion> occlusion_;

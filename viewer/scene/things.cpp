@@ -52,6 +52,38 @@ std::vector<double> pointAreas(const TriangleMesh& mesh) {
   return areas;
 }
 
+/// The mesh of a row's cut surface.
+void makeMesh(Row& row) {
+  row.mesh = {};
+  row.areas.clear();
+  row.summaries.clear();
+  if (!row.cut) return;
+  const SurfaceGrid& grid = row.cut->grid;
+  if (grid.rows < 2 || grid.columns < 2 ||
+      grid.points.size() != std::size_t(grid.rows) * std::size_t(grid.columns))
+    return;
+  row.mesh = grid.triangles();
+  if (row.cut->depths.size() == grid.points.size())
+    std::erase_if(row.mesh.triangles, [&](const std::array<int, 3>& t) {
+      return std::ranges::all_of(t, [&](int corner) { return row.cut->depths[std::size_t(corner)] < 0; });
+    });
+  cleanMesh(row.mesh);
+  row.areas = pointAreas(row.mesh);
+}
+
+/// The cut surfaces of a block, together.
+void makeCuts(Stock& stock) {
+  stock.cuts = {};
+  for (const Row* row : stock.rows) {
+    const int first = int(stock.cuts.points.size());
+    stock.cuts.points.insert(stock.cuts.points.end(), row->mesh.points.begin(), row->mesh.points.end());
+    for (const std::array<int, 3>& t : row->mesh.triangles)
+      stock.cuts.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+  }
+}
+
+}  // namespace
+
 bool drawable(Item& item) {
   if (TriangleMesh* target = std::get_if<TriangleMesh>(&item.data)) {
     cleanMesh(*target);
@@ -66,6 +98,8 @@ bool drawable(Item& item) {
   if (const Faces* faces = std::get_if<Faces>(&item.data)) return faces->mesh && sound(*faces->mesh);
   return true;
 }
+
+namespace {
 
 Row& rowOf(Things& things, const ItemId& id) {
   static const std::vector<Polyline> kNone;
@@ -109,28 +143,47 @@ Things::Things(Content& content) {
     if (const auto* cut = std::get_if<CutSurface>(&item.data)) {
       Row& row = rowOf(*this, item.id);
       row.cut = cut;
-      const SurfaceGrid& grid = cut->grid;
-      if (grid.rows >= 2 && grid.columns >= 2 &&
-          grid.points.size() == std::size_t(grid.rows) * std::size_t(grid.columns)) {
-        row.mesh = grid.triangles();
-        if (cut->depths.size() == grid.points.size())
-          std::erase_if(row.mesh.triangles, [&](const std::array<int, 3>& t) {
-            return std::ranges::all_of(t, [&](int corner) { return cut->depths[std::size_t(corner)] < 0; });
-          });
-        cleanMesh(row.mesh);
-        row.areas = pointAreas(row.mesh);
-      }
+      makeMesh(row);
     }
   }
   for (Row& row : rows) {
     Stock& stock = stockOf(*this, row.id.block);
     row.block = stock.box;
     stock.rows.push_back(&row);
-    const int first = int(stock.cuts.points.size());
-    stock.cuts.points.insert(stock.cuts.points.end(), row.mesh.points.begin(), row.mesh.points.end());
-    for (const std::array<int, 3>& t : row.mesh.triangles)
-      stock.cuts.triangles.push_back({first + t[0], first + t[1], first + t[2]});
   }
+  for (Stock& stock : stocks) makeCuts(stock);
+}
+
+Things::Changes Things::renew(const Content& items) {
+  Changes changes;
+  for (const Item& item : items.items) {
+    switch (item.kind()) {
+      case Kind::target:
+        for (std::size_t i = 0; i < targets.size(); ++i)
+          if (targets[i].id == item.id) changes.targets.insert(i);
+        break;
+      case Kind::cut:
+      case Kind::station:
+      case Kind::blade:
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+          if (rows[i].id != item.id.row()) continue;
+          changes.rows.insert(i);
+          if (item.kind() != Kind::cut) continue;
+          changes.former.push_back(std::move(rows[i].mesh));
+          makeMesh(rows[i]);
+        }
+        break;
+      default:
+        break;
+    }
+    for (std::size_t i = 0; i < stocks.size(); ++i)
+      if (stocks[i].id.block == item.id.block && item.kind() != Kind::target) changes.stocks.insert(i);
+    // Blades are drawn otherwise within their block.
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      if (item.kind() == Kind::block && rows[i].id.block == item.id.block) changes.rows.insert(i);
+  }
+  for (const std::size_t i : changes.stocks) makeCuts(stocks[i]);
+  return changes;
 }
 
 std::map<std::string, ShownMap> shownMaps(Things& things, const Style& style) {

@@ -5,6 +5,7 @@
 #include <deque>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -61,15 +62,26 @@ struct ShownTarget {
 
 /// The items of a content, put together by what is drawn of them. Points into the content.
 struct Things {
+  /// Places of those that are other things than before.
+  struct Changes {
+    std::set<std::size_t> targets, rows, stocks;
+    std::vector<TriangleMesh> former;  ///< what their meshes were
+  };
+
   Things() = default;
   /// Takes away what cannot be drawn, and sorts the rest.
   explicit Things(Content& content);
+  /// Takes in that items of the content, in their places, have other data; `items` says which.
+  Changes renew(const Content& items);
 
   std::vector<ShownTarget> targets;
   std::deque<Row> rows;
   std::vector<Stock> stocks;
   std::shared_ptr<const FaceMesh> faces;
 };
+
+/// Takes away of an item what cannot be drawn; false where nothing is left of it.
+bool drawable(Item& item);
 
 /// The maps that a style asks for, by their word; tells each row its own. A map's range is that of all rows
 /// in sight that have it, of all that have it where none is.

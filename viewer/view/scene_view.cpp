@@ -54,6 +54,9 @@ struct SceneView::Impl {
     scene.setStyle(style);
   }
 
+  /// Has the content changed, and the camera follow where it leaves the picture.
+  void change(const std::function<void()>& content);
+
   /// Asks for a frame of something that may go on moving.
   void redraw() {
     if (software) {
@@ -188,7 +191,6 @@ QImage SceneView::picture(const QSize& pixels, double pixelRatio, std::optional<
                                                 double(pixels.width()) / std::max(1, pixels.height())));
   }
   inside.target()->window()->SetFrameBlitModeToNoBlit();
-  inside.target()->window()->SetMultiSamples(scene::kSamples);
   inside.setDraft(false);
   inside.renderFrame(pixels.width(), pixels.height());
   const scene::Picture picture = inside.readPicture();
@@ -204,14 +206,21 @@ QImage SceneView::picture(const QSize& pixels, double pixelRatio, std::optional<
 }
 
 void SceneView::setContent(const scene::Content& content) {
-  const bool first = !impl_->scene.bounds().valid();
-  const Bounds before = impl_->scene.workBounds();
-  impl_->scene.setContent(content);
-  if (!first && impl_->everRendered && impl_->mover.leftPicture(before, impl_->scene.workBounds()))
-    fitWork(true);
+  impl_->change([&] { impl_->scene.setContent(content); });
+}
+
+void SceneView::replace(scene::Content content) {
+  impl_->change([&] { impl_->scene.replace(std::move(content)); });
+}
+
+void SceneView::Impl::change(const std::function<void()>& content) {
+  const bool first = !scene.bounds().valid();
+  const Bounds before = scene.workBounds();
+  content();
+  if (!first && everRendered && mover.leftPicture(before, scene.workBounds())) self->fitWork(true);
   // The size of the view may not be known yet: the fit waits for the frame.
-  if (first && impl_->scene.bounds().valid()) impl_->fitPending = true;
-  impl_->redraw();
+  if (first && scene.bounds().valid()) fitPending = true;
+  redraw();
 }
 
 void SceneView::setStyle(const scene::Style& style) {
@@ -294,7 +303,6 @@ void SceneView::paintGL() {
     impl_->scene.setCamera(impl_->scene.fitCamera(scene::View::iso, impl_->viewport.aspect()));
     emit cameraChanged();
   }
-  inside.target()->window()->SetMultiSamples(impl_->draft ? 0 : scene::kSamples);
   inside.setDraft(impl_->draft);
   inside.renderFrame(impl_->viewport.width(), impl_->viewport.height());
   // The window system blends by alpha, which VTK leaves at whatever was drawn last.

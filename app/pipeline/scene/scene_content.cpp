@@ -3,6 +3,8 @@
 
 #include "bw/pipeline/scene_content.h"
 
+#include <algorithm>
+#include <set>
 #include <span>
 
 namespace bw::pipeline {
@@ -52,31 +54,52 @@ void addCut(scene::Content& content, const scene::ItemId& row, SurfaceGrid cut, 
   content.add(row, std::move(blades));
 }
 
+/// What a picture shows of a sketch, or of that what is another than `before`, which is of as many cuts.
+scene::Content contentOf(const Sketch& sketch, const Sketch* before) {
+  scene::Content content;
+  std::set<const TriangleMesh*> shown;  // several cuts may be of one surface, which is drawn once
+  const auto each = [&](const auto& step) {
+    for (int b = 0; b < int(sketch.blocks.size()); ++b)
+      for (int c = 0; c < int(sketch.blocks[std::size_t(b)].size()); ++c)
+        step(b, c, sketch.blocks[std::size_t(b)][std::size_t(c)],
+             before ? &before->blocks[std::size_t(b)][std::size_t(c)] : nullptr);
+  };
+  each([&](int b, int c, const CutSketch& cut, const CutSketch* was) {
+    if (shown.insert(cut.target.get()).second && (!was || was->target != cut.target))
+      content.add({b, c}, *cut.target);
+  });
+  each([&](int b, int c, const CutSketch& cut, const CutSketch* was) {
+    if (!was || was->setup != cut.setup) {
+      if (c == 0) content.add({b}, cut.setup->block);
+      content.add({b, c}, scene::Travel{cut.setup->planes.direction()});
+    }
+    if (!was || was->look != cut.look)
+      addCut(content, {b, c, 0}, cut.look->cut, *cut.sweep, sketch.design.process.tolerance);
+  });
+  return content;
+}
+
 }  // namespace
 
-scene::Content sceneContent(const Sketch& sketch) {
-  scene::Content content;
-  for (int b = 0; b < int(sketch.blocks.size()); ++b)
-    for (int c = 0; c < int(sketch.blocks[std::size_t(b)].size()); ++c)
-      content.add({b, c}, *sketch.blocks[std::size_t(b)][std::size_t(c)].target);
-  for (int b = 0; b < int(sketch.blocks.size()); ++b) {
-    const std::vector<CutSketch>& cuts = sketch.blocks[std::size_t(b)];
-    content.add({b}, cuts.front().setup->block);
-    for (int c = 0; c < int(cuts.size()); ++c)
-      content.add({b, c}, scene::Travel{cuts[std::size_t(c)].setup->planes.direction()});
-    for (int c = 0; c < int(cuts.size()); ++c)
-      addCut(content, {b, c, 0}, cuts[std::size_t(c)].look->cut, *cuts[std::size_t(c)].sweep,
-             sketch.design.process.tolerance);
-  }
-  return content;
+scene::Content sceneContent(const Sketch& sketch) { return contentOf(sketch, nullptr); }
+
+std::optional<scene::Content> sceneChange(const Sketch& sketch, const Sketch& before) {
+  if (sketch.design.process.tolerance != before.design.process.tolerance ||
+      !std::ranges::equal(sketch.blocks, before.blocks, [](const auto& cuts, const auto& were) {
+        return std::ranges::equal(cuts, were, {}, &CutSketch::id, &CutSketch::id);
+      }))
+    return {};
+  return contentOf(sketch, &before);
 }
 
 scene::Content sceneContent(const Evaluation& evaluation) {
   scene::Content content;
+  std::set<const TriangleMesh*> shown;  // several cuts may be of one surface, which is drawn once
   for (int b = 0; b < int(evaluation.blocks.size()); ++b) {
     const std::vector<CutEvaluation>& cuts = evaluation.blocks[std::size_t(b)].cuts;
     for (int c = 0; c < int(cuts.size()); ++c)
-      if (const auto& mesh = cuts[std::size_t(c)].targetMesh.value) content.add({b, c}, *mesh);
+      if (const auto& mesh = cuts[std::size_t(c)].targetMesh.value; mesh && shown.insert(mesh.get()).second)
+        content.add({b, c}, *mesh);
   }
   if (evaluation.faceMesh.value) content.add({}, scene::Faces{evaluation.faceMesh.value});
   for (int b = 0; b < int(evaluation.blocks.size()); ++b) {

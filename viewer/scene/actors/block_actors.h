@@ -47,6 +47,8 @@ class BlockActors {
   void setStyle(const Style& style, double diagonal, const Rgb& background);
   /// `line` is the depth shift that brings a line before the surface that it lies on.
   void update(double line);
+  /// Has the cap of a section made again: what its hatching goes by is another size.
+  void hatchAnew() { valid_ = false; }
   const TravelArrow& arrow() const { return arrow_; }
 
  private:

@@ -4,6 +4,7 @@
 #include "scene/actors/content_actors.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "scene/actors/mesh_lines.h"
@@ -19,6 +20,10 @@ constexpr double kSurroundingEdges = 0.3;
 /// How far behind the cut the target is drawn, in diagonals: so much that even at a glancing sight, which
 /// stretches the distance of the two, no shard of it comes through.
 constexpr double kLeastSetBack = 0.1, kMostSetBack = 0.3;
+
+/// Of all cut surfaces together, while the picture moves: so many are drawn in a third of the time that a
+/// picture then has where the processor does the work of a graphics card.
+constexpr std::size_t kDraftTriangles = 100000;
 
 /// Gives each thing its actors, and none to the actors that are left over.
 template <class Actors, class Range, class... More>
@@ -141,6 +146,26 @@ void ContentActors::setContent(const Things& things, double diagonal, bool targe
   share(layers_, blocks_, things.stocks);
 }
 
+void ContentActors::replace(const Things::Changes& changes, double diagonal, bool targetAfar) {
+  const bool larger = diagonal != diagonal_;
+  diagonal_ = diagonal;
+  targetAfar_ = targetAfar;
+  for (const std::size_t i : changes.targets) targets_[i].setContent(&things_->targets[i]);
+  for (const std::size_t i : changes.rows) cuts_[i].setContent(&things_->rows[i]);
+  for (std::size_t i = 0; i < things_->rows.size(); ++i) {
+    if (changes.rows.contains(i))
+      stations_[i].setContent(&things_->rows[i], diagonal);
+    else if (larger)
+      stations_[i].setDiagonal(diagonal);
+  }
+  for (std::size_t i = 0; i < things_->stocks.size(); ++i) {
+    if (changes.stocks.contains(i))
+      blocks_[i].setContent(&things_->stocks[i]);
+    else if (larger)
+      blocks_[i].hatchAnew();
+  }
+}
+
 void ContentActors::setStyle(const Style& style, const Rgb& background) {
   if (style.section) {
     // VTK keeps what its planes' normals point to.
@@ -199,12 +224,17 @@ double ContentActors::targetSetBack(const Style& style) const {
 }
 
 void ContentActors::update(const Style& style, double depthPerMillimetre, double millimetresPerPixel,
-                           double targetBehind) {
+                           double targetBehind, bool draft) {
   const double size = 1.5 * millimetresPerPixel * style.pixelRatio + 0.0004 * diagonal_;
   const double line = -depthPerMillimetre * size;
   for (TargetActors& target : targets_) target.update(targetBehind, line);
   faces_.update(style, targetBehind, line);
-  for (CutActors& cut : cuts_) cut.update(line);
+  std::size_t triangles = 0;
+  for (const Row& row : things_->rows)
+    if (row.covered(style)) triangles += row.mesh.triangles.size();
+  const int stride =
+      draft ? std::max(1, int(std::ceil(std::sqrt(double(triangles) / double(kDraftTriangles))))) : 1;
+  for (CutActors& cut : cuts_) cut.update(line, stride);
   for (StationLines& stations : stations_) stations.update(style, line, millimetresPerPixel);
   for (BlockActors& block : blocks_) block.update(line);
 }

@@ -76,6 +76,8 @@ class ContentActors {
   /// `diagonal` is the size of what the picture is about, mm, > 0: it gives shifts, dashes and hatching their
   /// size. `targetAfar`: the targets are the landscape around the work.
   void setContent(const Things& things, double diagonal, bool targetAfar);
+  /// The same where only some of the things are others, in their places.
+  void replace(const Things::Changes& changes, double diagonal, bool targetAfar);
   void setStyle(const Style& style, const Rgb& background);
   IsolineLabels& isolineLabels() { return isolineLabels_; }
   /// What shades and is shaded.
@@ -90,8 +92,10 @@ class ContentActors {
   double targetSetBack(const Style& style) const;
   /// Settles what depends on the view: depth shifts, from units of depth a millimetre at the focus, and how
   /// many of the stations are drawn, from the size of a pixel there. `targetBehind` is the share of its way
-  /// to the far plane by which a target is drawn deeper than it is.
-  void update(const Style& style, double depthPerMillimetre, double millimetresPerPixel, double targetBehind);
+  /// to the far plane by which a target is drawn deeper than it is. A `draft` draws cut surfaces only as
+  /// finely as their number lets it.
+  void update(const Style& style, double depthPerMillimetre, double millimetresPerPixel, double targetBehind,
+              bool draft);
 
  private:
   Layers& layers_;

@@ -31,6 +31,14 @@ Eigen::Vector3d pointAt(const Polyline& line, double arc) {
   return line.back();
 }
 
+/// Gives a surface the values of a field, one a point. VTK only reads through this pointer.
+void shareField(Part& part, const Field& field, const std::vector<double>& values) {
+  const auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(field.name.c_str());
+  array->SetArray(const_cast<double*>(values.data()), vtkIdType(values.size()), 1);
+  part.data()->GetPointData()->AddArray(array);
+}
+
 constexpr double kLeastSpacing = 9;   ///< device-independent pixels between stations
 constexpr double kDashShare = 0.008;  ///< length of a dash, in diagonals
 
@@ -82,9 +90,12 @@ void IsolineLabels::update(const Projection& view, int width, int height, double
 CutActors::CutActors(Layers& layers) : table_(vtkSmartPointer<vtkLookupTable>::New()) {
   edges_.setFlat();
   isolines_.setFlat();
-  surface_.mapper()->SetLookupTable(table_);
-  surface_.mapper()->UseLookupTableScalarRangeOn();
-  surface_.mapper()->SetScalarModeToUsePointFieldData();
+  for (Part* part : {&surface_, &coarse_}) {
+    part->mapper()->SetLookupTable(table_);
+    part->mapper()->UseLookupTableScalarRangeOn();
+    part->mapper()->SetScalarModeToUsePointFieldData();
+  }
+  coarse_.setVisible(false);
   for (Part* part : parts()) layers.add(Layer::cut, *part);
 }
 
@@ -96,15 +107,13 @@ void CutActors::setContent(const Row* row) {
   edges_.setSegments(boundaryEdges(mesh.points, mesh.triangles));
   isolines_.clear();
   isolined_.clear();
+  coarse_.clear();
+  stride_ = 0;
   reach_ = 0;
   if (mesh.triangles.empty()) return;
   for (const Field& field : row->cut->grid.fields) {
     if (field.values.size() != mesh.points.size()) continue;
-    const auto array = vtkSmartPointer<vtkDoubleArray>::New();
-    array->SetName(field.name.c_str());
-    // VTK only reads through this pointer.
-    array->SetArray(const_cast<double*>(field.values.data()), vtkIdType(field.values.size()), 1);
-    surface_.data()->GetPointData()->AddArray(array);
+    shareField(surface_, field, field.values);
     if (mapRule(field.name) == MapRule::banded) {
       const FieldSummary summary = summarize(field.values);
       reach_ = std::max(std::abs(summary.min), std::abs(summary.max));
@@ -112,25 +121,82 @@ void CutActors::setContent(const Row* row) {
   }
 }
 
+void CutActors::makeCoarse(int stride) {
+  stride_ = stride;
+  coarse_.clear();
+  coarseMesh_ = {};
+  coarseFields_.clear();
+  const SurfaceGrid& grid = row_->cut->grid;
+  const auto some = [stride](int count) {
+    std::vector<int> places;
+    for (int i = 0; i + 1 < count; i += stride) places.push_back(i);
+    places.push_back(count - 1);
+    return places;
+  };
+  const std::vector<int> rows = some(grid.rows), columns = some(grid.columns);
+  std::vector<std::size_t> points;
+  for (const int r : rows)
+    for (const int c : columns) points.push_back(std::size_t(r) * std::size_t(grid.columns) + std::size_t(c));
+  const std::vector<double>& depths = row_->cut->depths;
+  const auto gone = [&](std::size_t corner) {
+    return depths.size() == grid.points.size() && depths[corner] < 0;
+  };
+  const auto add = [&](const std::array<int, 3>& t) {
+    const auto at = [&](std::size_t k) { return points[std::size_t(t[k])]; };
+    if (gone(at(0)) && gone(at(1)) && gone(at(2))) return;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (!grid.points[at(k)].allFinite()) return;
+    coarseMesh_.triangles.push_back(t);
+  };
+  const int across = int(columns.size());
+  for (int r = 0; r + 1 < int(rows.size()); ++r)
+    for (int c = 0; c + 1 < across; ++c) {
+      const int a = r * across + c, b = a + 1, d = a + across, e = d + 1;
+      add({a, d, e});
+      add({a, e, b});
+    }
+  for (const std::size_t i : points) {
+    coarseMesh_.points.push_back(row_->mesh.points[i]);
+    coarseMesh_.normals.push_back(row_->mesh.normals[i]);
+  }
+  shareMesh(coarse_.data(), coarseMesh_.points, coarseMesh_.normals, coarseMesh_.triangles);
+  coarseFields_.reserve(grid.fields.size());
+  for (const Field& field : grid.fields) {
+    if (field.values.size() != grid.points.size()) continue;
+    std::vector<double>& values = coarseFields_.emplace_back();
+    for (const std::size_t i : points) values.push_back(field.values[i]);
+    shareField(coarse_, field, values);
+  }
+}
+
 void CutActors::setStyle(const Style& style, const Rgb& background) {
   const double keep = keptColor(style.stale), px = style.pixelRatio;
   const bool shown = row_ && row_->covered(style);
   const Field* field = shown ? row_->field() : nullptr;
+  shown_ = shown;
   surface_.setVisible(shown);
+  coarse_.setVisible(false);
   edges_.setVisible(shown);
   lined_ = field && style.isolines && mapRule(field->name) != MapRule::words;
   isolines_.setVisible(lined_);
   if (!shown) return;
-  surface_.setOpacity(std::clamp(style.of(Kind::cut, row_->id).opacity, 0.0, 1.0));
-  surface_.setColor(theme(style.dark).cut);
-  surface_.mapper()->SetScalarVisibility(field != nullptr);
+  for (Part* part : {&surface_, &coarse_}) {
+    part->setOpacity(std::clamp(style.of(Kind::cut, row_->id).opacity, 0.0, 1.0));
+    part->setColor(theme(style.dark).cut);
+    part->mapper()->SetScalarVisibility(field != nullptr);
+    // A map must keep its colours; the form may only speak softly.
+    if (field)
+      part->setMatte(0.70, 0.32, 0.0);
+    else
+      part->setMatte(0.38, 0.66, 0.05);
+    part->setFade(keep, background);
+    if (!field) continue;
+    part->mapper()->SelectColorArray(field->name.c_str());
+    // Between two words there is no third.
+    part->mapper()->SetInterpolateScalarsBeforeMapping(mapRule(field->name) != MapRule::words);
+  }
   if (field) {
     const ColorMap& map = row_->map->colors;
-    // A map must keep its colours; the form may only speak softly.
-    surface_.setMatte(0.70, 0.32, 0.0);
-    surface_.mapper()->SelectColorArray(field->name.c_str());
-    // Between two words there is no third.
-    surface_.mapper()->SetInterpolateScalarsBeforeMapping(mapRule(field->name) != MapRule::words);
     if (map != tableMap_ || table_->GetNumberOfTableValues() != kTableColors) {
       tableMap_ = map;
       table_->SetNumberOfTableValues(kTableColors);
@@ -142,10 +208,7 @@ void CutActors::setStyle(const Style& style, const Rgb& background) {
       }
       table_->SetNanColor(0.6, 0.6, 0.6, 1);
     }
-  } else {
-    surface_.setMatte(0.38, 0.66, 0.05);
   }
-  surface_.setFade(keep, background);
   edges_.setLine(Rgb::hex(0x4A5058), px);
   edges_.setFade(keep, background);
   if (!lined_) return;
@@ -169,7 +232,11 @@ void CutActors::label(IsolineLabels& labels, double diagonal) const {
       lines_, [&](double level) { return tickText(level, levels_.decimals, sign); }, diagonal);
 }
 
-void CutActors::update(double line) {
+void CutActors::update(double line, int stride) {
+  const bool coarse = shown_ && stride > 1 && row_->mesh.normals.size() == row_->cut->grid.points.size();
+  if (coarse && stride != stride_) makeCoarse(stride);
+  surface_.setVisible(shown_ && !coarse);
+  coarse_.setVisible(coarse);
   edges_.setDepthShift(line);
   isolines_.setDepthShift(1.2 * line);
 }
@@ -204,6 +271,12 @@ void StationLines::setContent(const Row* row, double diagonal) {
     before = &line;
   }
   spacing_ = gaps > 0 ? travel / gaps : 0;
+}
+
+void StationLines::setDiagonal(double diagonal) {
+  dash_ = kDashShare * diagonal;
+  valid_ = valid_ && !bladesShown_;
+  selectedIndex_ = -1;
 }
 
 void StationLines::select(int index) {

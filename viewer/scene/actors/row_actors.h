@@ -48,21 +48,28 @@ class CutActors {
  public:
   explicit CutActors(Layers& layers);
   /// All that it draws.
-  std::array<Part*, 3> parts() { return {&surface_, &edges_, &isolines_}; }
+  std::array<Part*, 4> parts() { return {&surface_, &coarse_, &edges_, &isolines_}; }
   /// What shades and is shaded.
   vtkActor* solid() const { return surface_.actor(); }
   /// Shares the arrays of the row, which stays where it is until the next call; null hides it.
   void setContent(const Row* row);
   void setStyle(const Style& style, const Rgb& background);
-  /// `line` is the depth shift that brings a line before the surface that it lies on.
-  void update(double line);
+  /// `line` is the depth shift that brings a line before the surface that it lies on. Of the rows and columns
+  /// of the surface every `stride`-th is drawn, and the last.
+  void update(double line, int stride);
   /// Adds the values that stand on its isolines, if they are shown.
   void label(IsolineLabels& labels, double diagonal) const;
   /// Largest deviation, mm.
   double reach() const { return reach_; }
 
  private:
-  Part surface_, edges_, isolines_;
+  void makeCoarse(int stride);
+
+  Part surface_, coarse_, edges_, isolines_;
+  TriangleMesh coarseMesh_;                        ///< VTK reads it in place
+  std::vector<std::vector<double>> coarseFields_;  ///< and these
+  int stride_ = 0;                                 ///< of `coarse_`; 0: it was not made yet
+  bool shown_ = false;
   vtkSmartPointer<vtkLookupTable> table_;
   ColorMap tableMap_;
   const Row* row_ = nullptr;
@@ -84,6 +91,8 @@ class StationLines {
   /// `diagonal` is the size of what is shown, mm: it gives the dashes their length. The row stays where it is
   /// until the next call; null hides the lines.
   void setContent(const Row* row, double diagonal);
+  /// Another diagonal of the same row.
+  void setDiagonal(double diagonal);
   void setStyle(const Style& style, const Rgb& background);
   /// Settles what depends on the view: the depth by which the lines stand before the surface that they lie
   /// on, and how many are drawn, from the size of a pixel at the focus.

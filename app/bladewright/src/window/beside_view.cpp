@@ -146,10 +146,19 @@ void BesideView::refresh() {
 
 void BesideView::setContent(const scene::Content& content) {
   present_.setContent(content);
+  followContent();
+}
+
+void BesideView::replace(scene::Content content) {
+  present_.replace(std::move(content));
+  followContent();
+}
+
+void BesideView::followContent() {
   ranged_.reset();
   if (comparison_.beside().what != Beside::What::target || !other_) return;
   following_ = true;
-  other_->setContent(targetOf(content));
+  other_->setContent(targetOf(present_.content()));
   other_->setCamera(present_.camera());
   following_ = false;
 }

@@ -33,6 +33,8 @@ class BesideView : public QWidget {
 
   /// Another content of the present picture.
   void setContent(const scene::Content& content);
+  /// The same of some things of it alone.
+  void replace(scene::Content content);
   /// The style of both, but for what only the present one has: what is selected, moved or marked.
   void setStyle(const scene::Style& style);
   using QWidget::setStyle;
@@ -46,6 +48,8 @@ class BesideView : public QWidget {
 
  private:
   void makeOther();
+  /// The present picture shows another content.
+  void followContent();
   void refreshNames();
   /// Where the second picture is looked at from.
   void follow();

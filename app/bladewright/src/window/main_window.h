@@ -242,6 +242,8 @@ class MainWindow : public QMainWindow {
 
   std::shared_ptr<const pipeline::Evaluation> pictured_;  ///< what `thumbnail_` shows
   QImage thumbnail_;
+  /// That the view shows; null while it shows none.
+  std::shared_ptr<const pipeline::Sketch> shownSketch_;
   bool fitNext_ = true;                   ///< no result of this design was in the picture yet
   std::optional<scene::Camera> opening_;  ///< of the design's first picture
   std::optional<scene::Marker> marker_;   ///< of the finding looked at, until something else is

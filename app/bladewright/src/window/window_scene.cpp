@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 
 #include "bw/core/sweep/maps.h"
 #include "bw/core/text/number_text.h"
@@ -50,7 +51,10 @@ void MainWindow::follow(const Change& change) {
 
 void MainWindow::refreshResult(bool content) {
   const auto evaluation = bench_.shown();
-  if (content) beside_->setContent(sceneContent());
+  if (content) {
+    beside_->setContent(sceneContent());
+    shownSketch_ = bench_.runner().sketch();
+  }
   // The opening view is of the target until there is a first result, which leads to its block, unless the
   // user has gone elsewhere meanwhile.
   if (evaluation && fitNext_) {
@@ -71,7 +75,14 @@ void MainWindow::refreshResult(bool content) {
 }
 
 void MainWindow::refreshSketch() {
-  beside_->setContent(sceneContent());
+  const std::shared_ptr<const pipeline::Sketch> sketch = bench_.runner().sketch();
+  std::optional<scene::Content> change;
+  if (sketch && shownSketch_) change = pipeline::sceneChange(*sketch, *shownSketch_);
+  if (change)
+    beside_->replace(std::move(*change));
+  else
+    beside_->setContent(sceneContent());
+  shownSketch_ = sketch;
   refreshStyle();
 }
 
@@ -113,6 +124,12 @@ void MainWindow::hideObjects(scene::Style& style) const {
     }
   };
   using enum scene::Kind;
+  // Cuts of one surface have one target, which is seen with any of them.
+  struct Shared {
+    scene::ItemId id;
+    bool seen = false;
+  };
+  std::map<const TriangleMesh*, Shared> targets;
   for (int b = 0; b < int(shown->blocks.size()); ++b) {
     const pipeline::BlockEvaluation& own = shown->blocks[std::size_t(b)];
     const bool all = bench_.hidden({Object::Kind::block, own.id});
@@ -123,11 +140,15 @@ void MainWindow::hideObjects(scene::Style& style) const {
       const bool whole = all || bench_.hidden({Object::Kind::cut, id});
       if (whole) hide({b, c, 0}, {cut, station, blade});
       if (bench_.hidden({Object::Kind::stations, id})) hide({b, c, 0}, {station});
-      if (whole ||
-          (there != bench_.design().cuts.end() && bench_.hidden({Object::Kind::surface, there->source})))
-        hide({b, c}, {target});
+      const bool gone = whole || (there != bench_.design().cuts.end() &&
+                                  bench_.hidden({Object::Kind::surface, there->source}));
+      const TriangleMesh* mesh = own.cuts[std::size_t(c)].targetMesh.value.get();
+      Shared& surface = targets.try_emplace(mesh, Shared{{b, c}}).first->second;
+      surface.seen = surface.seen || !gone;
     }
   }
+  for (const auto& [mesh, surface] : targets)
+    if (!surface.seen) hide(surface.id, {target});
 }
 
 void MainWindow::refreshStyle() {

@@ -239,6 +239,12 @@ class Scene {
 
   /// Replaces the content; the camera stays.
   void setContent(Content content);
+  /// Puts things in the place of those of the same kind and id, and adds what is new; all others stay as they
+  /// are, and only what is given costs time. The picture is that of `setContent` with all of it.
+  void replace(Content content);
+  /// Draws from now on as while the picture moves, without what costs time: smoothing, soft shadows, and more
+  /// of large cut surfaces than the eye then sees.
+  void setDraft(bool draft);
   /// Cheap where only the style changed: actors are kept.
   void setStyle(const Style& style);
   const Style& style() const;

@@ -74,6 +74,8 @@ class SceneView : public QOpenGLWidget {
   /// Replaces the content. The camera stays, except that the first content that is not empty is fitted, and
   /// that one which leaves the picture (it lies elsewhere, or is of quite another size) is fitted again.
   void setContent(const bw::scene::Content& content);
+  /// The same of some things of it alone, which take the place of those of the same kind and id.
+  void replace(bw::scene::Content content);
   void setStyle(const bw::scene::Style& style);
   /// Looks along a standard view, in parallel, and fits the work (scene::Scene::workBounds()).
   void setView(bw::scene::View view, bool animate = true);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include "bw/pipeline/handover.h"
 #include "bw/pipeline/pipeline.h"
 #include "bw/pipeline/sketch.h"
@@ -17,5 +19,8 @@ scene::Content sceneContent(const Evaluation& evaluation);
 Result<std::vector<ReportPicture>> reportPictures(const Evaluation& evaluation, const RunContext& context);
 /// What a picture of a sketch shows.
 scene::Content sceneContent(const Sketch& sketch);
+/// What of that is another than in the picture of the sketch before, for `scene::Scene::replace`; empty where
+/// the two are not of the same cuts.
+std::optional<scene::Content> sceneChange(const Sketch& sketch, const Sketch& before);
 
 }  // namespace bw::pipeline
