@@ -245,6 +245,100 @@ TEST_F(BlockPanelTest, ASingleBlockBecomesAWall) {
   EXPECT_FALSE(plan().rectOf("column-2").isEmpty());
 }
 
+TEST_F(BlockPanelTest, TheOffsetOfALoneCutIsANumberOrAnExpression) {
+  ASSERT_NO_FATAL_FAILURE(open("bump"));
+  const QString name = "Offset, " + QString::fromStdString(bench().cut().id);
+  EXPECT_EQ(bench().cut().offset, 0);
+  ASSERT_NO_FATAL_FAILURE(type(name, "12,5"));
+  EXPECT_EQ(bench().cut().offset, 12.5) << "decimal comma";
+  EXPECT_EQ(bench().document().undoStack().undoText(), "Change offset");
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
+  picture("blocks-panel-offset");
+  bench().editDesign("Prepare", [](Design& design) { design.variables.push_back({"panel", 30, 10, 60}); });
+  ASSERT_NO_FATAL_FAILURE(type(name, "=panel/2"));
+  EXPECT_EQ(bench().cut().offset, 15);
+  EXPECT_EQ(fieldOf<NumberField>(name)->expression(), "panel/2");
+  EXPECT_EQ(withVariables(bench().design(), {{"panel", 40}}).value().cut().offset, 20);
+  picture("blocks-panel-offset-expression");
+  // An empty field means none, and frees it.
+  auto* field = fieldOf<NumberField>(name);
+  QTest::mouseClick(field, Qt::LeftButton);
+  QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
+  QTest::keyClick(field, Qt::Key_Delete);
+  QTest::keyClick(field, Qt::Key_Return);
+  EXPECT_FALSE(field->refused()) << field->refusal().toStdString();
+  EXPECT_EQ(bench().cut().offset, 0);
+  EXPECT_EQ(field->expression(), "");
+  // Esc drops what is typed, and what is too much is refused.
+  QTest::mouseClick(field, Qt::LeftButton);
+  QTest::keyClicks(field, "501");
+  QTest::keyClick(field, Qt::Key_Return);
+  EXPECT_TRUE(field->refused());
+  QTest::keyClick(field, Qt::Key_Escape);
+  EXPECT_EQ(bench().cut().offset, 0);
+  bench().document().undoStack().undo();
+  EXPECT_EQ(bench().cut().offset, 15);
+  EXPECT_EQ(field->expression(), "panel/2");
+}
+
+TEST_F(BlockPanelTest, OfSeveralCutsNoneHasAnOffsetButOneMayBeTakenAway) {
+  ASSERT_NO_FATAL_FAILURE(open("two-crossing-cuts"));
+  EXPECT_FALSE(fieldOf<NumberField>("Offset, north"));
+  bench().editDesign("Prepare", [](Design& design) { design.cuts[1].offset = 5; });
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().runner().error()) << "only a cut that is alone in its block may";
+  ASSERT_NO_FATAL_FAILURE(type("Offset, " + QString::fromStdString(bench().design().cuts[1].id), "0"));
+  EXPECT_EQ(bench().design().cuts[1].offset, 0);
+  QTest::qWait(0);
+  EXPECT_FALSE(fieldOf<NumberField>("Offset, north"));
+}
+
+TEST_F(BlockPanelTest, ABlockGetsItsSecondMould) {
+  ASSERT_NO_FATAL_FAILURE(open("bump"));
+  const Design before = bench().design();
+  QAction* command = window().commands()["design.moulds"];
+  ASSERT_TRUE(command->isEnabled());
+  // Given up.
+  answer([&] { command->trigger(); }, "moulds-question",
+         [](QDialog& dialog) { QTest::keyClick(&dialog, Qt::Key_Escape); });
+  EXPECT_EQ(bench().design(), before);
+  answer([&] { command->trigger(); }, "moulds-refused",
+         [](QDialog& dialog) {
+           auto* field = dialog.findChild<NumberField*>();
+           // No panel has that thickness: the dialog stays.
+           field->selectAll();
+           QTest::keyClicks(field, "0");
+           QTest::keyClick(field, Qt::Key_Return);
+           EXPECT_TRUE(dialog.isVisible());
+           EXPECT_TRUE(field->refused());
+           field->selectAll();
+           QTest::keyClicks(field, "2,45 cm");
+           QTest::mouseClick(dialog.findChild<QPushButton*>("primary"), Qt::LeftButton);
+         });
+  ASSERT_EQ(bench().design().stock.size(), 2u);
+  EXPECT_EQ(bench().document().undoStack().undoText(), "Two moulds for a panel");
+  for (const Cut& cut : bench().design().cuts) EXPECT_EQ(cut.offset, 12.25) << cut.id;
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
+  QTest::qWait(50);
+  picture("moulds-made");
+  // A second time they have their offset, which is told before anything is asked.
+  bool asked = false;
+  window().questions().panelThickness = [&](double) {
+    asked = true;
+    return std::optional(30.0);
+  };
+  const Design made = bench().design();
+  command->trigger();
+  EXPECT_FALSE(asked);
+  EXPECT_EQ(bench().design(), made);
+  EXPECT_TRUE(window().banner().isVisible());
+  bench().document().undoStack().undo();
+  EXPECT_EQ(bench().design(), before);
+  EXPECT_FALSE(bench().document().undoStack().canUndo());
+}
+
 TEST_F(BlockPanelTest, BlocksOfAListAreChosenWhereTheyLie) {
   ASSERT_NO_FATAL_FAILURE(open("three-block-wall"));
   bench().editBlock("Move block", [](StockBlock& block) { block.placement->origin.y() = -300; });

@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "workflow/bound_number.h"
+
 namespace bw::app {
 
 namespace {
 
 constexpr int kWidth = 84, kTurnWidth = 66;  // px
+constexpr double kOffsetStep = 1;            // mm
 
 }  // namespace
 
@@ -23,7 +26,10 @@ BlockCuts::BlockCuts(Workbench& bench, QWidget* parent)
       {tr("Order"), tr("When it is made among the cuts of its block: the lowest first, unless told")},
       {tr("On top"), tr("The face of the block that lies on top while it is cut")},
       {tr("Turned by"), tr("Then turned about the vertical, counter-clockwise seen from above")},
-      {tr("Keeps what is"), tr("The foam that stays, seen from the surface as the block lies")}};
+      {tr("Keeps what is"), tr("The foam that stays, seen from the surface as the block lies")},
+      {tr("Offset"),
+       tr("How far the foam stands back from the surface, along its normals: for a layer on it, "
+          "or half of a panel between two moulds. Only for a cut alone in its block")}};
   for (const auto& [title, tip] : heads) {
     auto* label = new QLabel(title);
     label->setObjectName("secondary");
@@ -51,17 +57,31 @@ ChoiceField* BlockCuts::addChoice(const char* name, const QString& title, const 
   return field;
 }
 
+NumberField* BlockCuts::addOffset(const std::string& cut) {
+  auto* field = new NumberField({0, Cut::kMostOffset, 2, kOffsetStep, "mm"});
+  field->setBlank(tr("none"));
+  field->setObjectName("offset");
+  field->setAccessibleName(tr("Offset, %1").arg(QString::fromStdString(cut)));
+  field->setToolTip(heads_.back()->toolTip());
+  field->setFixedWidth(kWidth);
+  connect(field, &NumberField::edited, this, [this, cut](double offset) {
+    edit(cut, tr("Change offset"), [offset](Cut& own) { own.offset = offset; });
+  });
+  bindNumber(bench_, field, placeOfCut(bench_, cut, "/offset"));
+  return field;
+}
+
 void BlockCuts::rebuild(const std::vector<std::string>& cuts) {
   for (const Line& line : lines_)
     for (QWidget* widget :
-         std::initializer_list<QWidget*>{line.name, line.order, line.up, line.turn, line.keep}) {
+         std::initializer_list<QWidget*>{line.name, line.order, line.up, line.turn, line.keep, line.offset}) {
       grid_->removeWidget(widget);
       widget->hide();
       widget->deleteLater();
     }
   lines_.clear();
   for (const std::string& cut : cuts) {
-    Line line{cut, new QToolButton, nullptr, nullptr, nullptr, nullptr};
+    Line line{cut, new QToolButton, nullptr, nullptr, nullptr, nullptr, addOffset(cut)};
     line.name->setText(QString::fromStdString(cut));
     line.name->setCheckable(true);
     line.name->setAccessibleName(tr("Work on %1").arg(line.name->text()));
@@ -96,15 +116,16 @@ void BlockCuts::arrange() {
   for (int k = 1; k < int(heads_.size()); ++k) grid_->addWidget(heads_[std::size_t(k)], 0, first + k - 1);
   int row = 1;
   for (const Line& line : lines_) {
-    grid_->addWidget(line.name, row, 0, 1, narrow_ ? 4 : 1, Qt::AlignLeft);
+    grid_->addWidget(line.name, row, 0, 1, narrow_ ? 5 : 1, Qt::AlignLeft);
     if (narrow_) ++row;
     int column = first;
-    for (ChoiceField* field : {line.order, line.up, line.turn, line.keep})
+    for (QWidget* field :
+         std::initializer_list<QWidget*>{line.order, line.up, line.turn, line.keep, line.offset})
       grid_->addWidget(field, row, column++, Qt::AlignLeft);
     ++row;
   }
-  grid_->setColumnStretch(4, narrow_ ? 1 : 0);
-  grid_->setColumnStretch(5, 1);
+  grid_->setColumnStretch(5, narrow_ ? 1 : 0);
+  grid_->setColumnStretch(6, 1);
 }
 
 void BlockCuts::setNarrow(bool narrow) {
@@ -139,6 +160,9 @@ void BlockCuts::refresh() {
   heads_[0]->setVisible(!narrow_);
   heads_[1]->setVisible(several);
   heads_[4]->setVisible(several);
+  // Several take none; what one has all the same can be taken away.
+  const bool offset = !several || std::ranges::any_of(cuts, [](const Cut* cut) { return cut->offset != 0; });
+  heads_[5]->setVisible(offset);
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     const Line& line = lines_[i];
     const Cut& cut = *cuts[i];
@@ -149,6 +173,8 @@ void BlockCuts::refresh() {
     line.keep->show(int(cut.keep));
     line.order->setVisible(several);
     line.keep->setVisible(several);
+    line.offset->show(cut.offset);
+    line.offset->setVisible(offset);
   }
 }
 

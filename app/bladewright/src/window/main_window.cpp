@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "bw/pipeline/moulds.h"
 #include "controls/numbers.h"
 #include "window/start_page.h"
 
@@ -15,9 +16,10 @@ namespace bw::app {
 namespace {
 
 constexpr int kLeftWidth = 320, kRightWidth = 300, kBottomHeight = 220, kTreeHeight = 180;
-constexpr int kLabelledTabs = 480;  // narrower tabs leave the label beside them out
-constexpr int kStaleDelay = 150;    // ms: a quick answer needs no fading
-constexpr int kBusyDelay = 250;     // ms until progress is worth showing
+constexpr double kPanelThickness = 30;  // mm, that is proposed
+constexpr int kLabelledTabs = 480;      // narrower tabs leave the label beside them out
+constexpr int kStaleDelay = 150;        // ms: a quick answer needs no fading
+constexpr int kBusyDelay = 250;         // ms until progress is worth showing
 
 }  // namespace
 
@@ -161,6 +163,29 @@ void MainWindow::takeKeyBlades(pipeline::Told told) {
   bench_.tell(
       Topic::other, keys->deviation > tolerance ? Severity::warning : Severity::info,
       tr("%1 key blades, within %2 of what they were made from").arg(count).arg(lengthText(keys->deviation)));
+}
+
+void MainWindow::makeMoulds() {
+  const std::shared_ptr<const pipeline::Evaluation> shown = bench_.shown();
+  if (!shown || !bench_.current()) return;
+  const auto told = [this](Result<Design> moulds) {
+    if (!moulds) bench_.tell(Topic::other, moulds.error());
+    return moulds;
+  };
+  // What keeps the blocks from it is told before anything is asked.
+  if (!told(pipeline::withUpperMoulds(*shown, kPanelThickness))) return;
+  const std::optional<double> thickness = questions_.panelThickness(kPanelThickness);
+  if (!thickness) return;
+  const Result<Design> moulds = told(pipeline::withUpperMoulds(*shown, *thickness));
+  if (!moulds) return;
+  const std::size_t blocks = bench_.design().stock.size();
+  bench_.editDesign(tr("Two moulds for a panel"), [&moulds](Design& design) { design = *moulds; });
+  if (bench_.design() != *moulds) return;  // something of it is locked, which is told
+  bench_.tell(Topic::other, Severity::info,
+              tr("%1 upper moulds for %2 blocks: the foam of both stands back from the surface by %3")
+                  .arg(moulds->stock.size() - blocks)
+                  .arg(blocks)
+                  .arg(lengthText(*thickness / 2)));
 }
 
 void MainWindow::showMeasurePage() {

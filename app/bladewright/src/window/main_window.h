@@ -12,6 +12,7 @@
 #include <QTimer>
 
 #include <functional>
+#include <optional>
 
 #include "blocks/block_panel.h"
 #include "bw/pipeline/key_blades.h"
@@ -47,6 +48,8 @@ struct Questions {
   std::function<QString()> exportFolder;
   std::function<void(const QString& folder)> showFolder;  ///< no question: shows what was exported
   std::function<QSize(const QSize& suggestion)> pictureSize;
+  /// mm, of a panel between two moulds; empty: the user gave up.
+  std::function<std::optional<double>(double suggestion)> panelThickness;
   std::function<Unsaved(const QString& title)> unsaved;
   /// Somebody else wrote the file that is about to be saved to.
   std::function<Changed(const QString& file)> changedOnDisk;
@@ -112,6 +115,8 @@ class MainWindow : public QMainWindow {
   void exportPicture();
   /// The surface of the cut selected by key blades, or that which it cuts, as one undoable step.
   void takeKeyBlades(pipeline::Told told);
+  /// Asks for the thickness of a panel and gives each block a second one, as one undoable step.
+  void makeMoulds();
   /// Unsaved work of earlier sessions, in a dialog.
   void showUnsaved();
   void showStartPage();

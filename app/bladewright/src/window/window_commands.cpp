@@ -100,6 +100,10 @@ void MainWindow::makeCommands() {
   add("design.adopt", tr("&Adopt what is cut"), "",
       tr("The surface that the blades cut becomes the design, told by key blades"), {},
       [this](bool) { takeKeyBlades(pipeline::Told::cut); });
+  add("design.moulds", tr("&Two moulds for a panel…"), "",
+      tr("A second block for each, of which the other side of the surface is cut: both stand back from it by "
+         "half of the panel"),
+      {}, [this](bool) { makeMoulds(); });
   add("blade.measure", tr("&Measure blade length…"), "measure",
       tr("The length of the mounted blade from how far it sags"), {QKeySequence("Ctrl+L")},
       [this](bool) { showMeasurePage(); });
@@ -374,7 +378,8 @@ void MainWindow::makeMenus() {
                      "handles.removeSection", "", "handles.symmetric", "handles.snap"});
   for (const int spacing : kHandleGrids) fill(handleMenu_, {qUtf8Printable(handleGridCommand(spacing))});
   fill(edit, {"versions.name", "versions.back", ""});
-  fill(edit, {"input.chooseFaces", "design.keys", "design.adopt", "blade.measure", "", "edit.palette"});
+  fill(edit, {"input.chooseFaces", "design.keys", "design.adopt", "design.moulds", "blade.measure", "",
+              "edit.palette"});
   QMenu* view = menuBar()->addMenu(tr("&View"));
   fill(view, {"view.iso", "view.top", "view.bottom", "view.front", "view.back", "view.left", "view.right", "",
               "view.fit", "view.fitSelection", "view.parallel", "", "view.section", "view.sectionFlip",

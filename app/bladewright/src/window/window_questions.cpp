@@ -47,8 +47,42 @@ struct Question {
   QMessageBox box;
 };
 
+/// A question for numbers: fields with Cancel and a button that takes them below.
+struct NumbersQuestion {
+  NumbersQuestion(const QString& title, QWidget* window) : dialog(window), column(new FormColumn(&dialog)) {
+    dialog.setWindowTitle(title);
+  }
+
+  /// True if the person took them with the button `act`; what is refused is not taken.
+  bool ask(const QString& act) {
+    auto* layout = new QVBoxLayout(&dialog);
+    layout->addWidget(column);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, &dialog);
+    auto* go = buttons->addButton(act, QDialogButtonBox::AcceptRole);
+    go->setObjectName("primary");
+    go->style()->unpolish(go);  // the name came after the first polish
+    go->style()->polish(go);
+    layout->addSpacing(kGap);
+    layout->addWidget(buttons);
+    QObject::connect(buttons, &QDialogButtonBox::accepted, &dialog, [this] {
+      // Wherever the keyboard is: a press of the button may have taken it from the field.
+      for (TypedField* field : dialog.findChildren<TypedField*>()) field->finish();
+      if (TypedField* field = refusedField(dialog))
+        field->setFocus();
+      else
+        dialog.accept();
+    });
+    QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
+    return dialog.exec() == QDialog::Accepted;
+  }
+
+  QDialog dialog;
+  FormColumn* column;
+};
+
 constexpr QSize kThumbnail(480, 300);
 constexpr QSize kDialogSize(760, 420);
+constexpr double kThinnestPanel = 0.1;  // mm
 
 }  // namespace
 
@@ -90,31 +124,21 @@ void MainWindow::setDefaultQuestions() {
     QDesktopServices::openUrl(QUrl::fromLocalFile(folder));
   };
   questions_.pictureSize = [this](const QSize& suggestion) {
-    QDialog dialog(this);
-    dialog.setWindowTitle(tr("Export picture"));
-    auto* layout = new QVBoxLayout(&dialog);
-    auto* column = new FormColumn(&dialog);
-    auto* width = column->add(tr("Width"), new NumberField({16, 16384, 0, 100, "px"}));
-    auto* height = column->add(tr("Height"), new NumberField({16, 16384, 0, 100, "px"}));
+    NumbersQuestion question(tr("Export picture"), this);
+    auto* width = question.column->add(tr("Width"), new NumberField({16, 16384, 0, 100, "px"}));
+    auto* height = question.column->add(tr("Height"), new NumberField({16, 16384, 0, 100, "px"}));
     width->show(suggestion.width());
     height->show(suggestion.height());
-    layout->addWidget(column);
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, &dialog);
-    auto* go = buttons->addButton(tr("Choose file…"), QDialogButtonBox::AcceptRole);
-    go->setObjectName("primary");
-    go->style()->unpolish(go);  // the name came after the first polish
-    go->style()->polish(go);
-    layout->addSpacing(kGap);
-    layout->addWidget(buttons);
-    connect(buttons, &QDialogButtonBox::accepted, &dialog, [&dialog] {
-      finishTyping(dialog);
-      if (TypedField* field = refusedField(dialog))
-        field->setFocus();
-      else
-        dialog.accept();
-    });
-    connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
-    return dialog.exec() == QDialog::Accepted ? QSize(int(width->value()), int(height->value())) : QSize();
+    return question.ask(tr("Choose file…")) ? QSize(int(width->value()), int(height->value())) : QSize();
+  };
+  questions_.panelThickness = [this](double suggestion) {
+    NumbersQuestion question(tr("Two moulds for a panel"), this);
+    auto* thickness = question.column->add(
+        tr("Thickness"), new NumberField({kThinnestPanel, 2 * Cut::kMostOffset, 2, 1, "mm"}),
+        tr("Of the panel; its middle is the surface"));
+    thickness->show(suggestion);
+    thickness->selectAll();
+    return question.ask(tr("Make moulds")) ? std::optional(thickness->value()) : std::nullopt;
   };
   questions_.changedOnDisk = [this](const QString& file) {
     Question question(tr("Changed on disk"),

@@ -245,7 +245,7 @@ void MainWindow::refreshState() {
   commands_["file.reload"]->setEnabled(bench_.canReload());
   commands_["file.locate"]->setEnabled(bench_.sourceMissing());
   commands_["blade.measure"]->setEnabled(!onMeasurePage());
-  for (const char* id : {"design.keys", "design.adopt"})
+  for (const char* id : {"design.keys", "design.adopt", "design.moulds"})
     commands_[id]->setEnabled(open && bench_.current() && bench_.sweep());
   for (const char* id :
        {"file.picture", "view.fit",        "view.fitSelection", "view.parallel", "view.isolines",

@@ -50,10 +50,14 @@ void bindNumber(Workbench& bench, NumberField* field, const NumberPlace& place) 
 }
 
 NumberPlace placeInCut(const Workbench& bench, const std::string& key) {
-  return [&bench, key]() -> std::string {
+  return [&bench, key] { return placeOfCut(bench, bench.cut().id, key)(); };
+}
+
+NumberPlace placeOfCut(const Workbench& bench, const std::string& id, const std::string& key) {
+  return [&bench, id, key]() -> std::string {
     const Design& design = bench.design();
     if (design.grid) return {};
-    const auto cut = std::ranges::find(design.cuts, bench.cut().id, &Cut::id);
+    const auto cut = std::ranges::find(design.cuts, id, &Cut::id);
     return "/cuts/" + std::to_string(cut - design.cuts.begin()) + key;
   };
 }

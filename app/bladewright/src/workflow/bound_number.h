@@ -21,6 +21,8 @@ void bindNumber(Workbench& bench, NumberField* field, const NumberPlace& place);
 /// The places in the file of a number of the cut, and of the block selected; `key` begins with a slash.
 NumberPlace placeInCut(const Workbench& bench, const std::string& key);
 NumberPlace placeInBlock(const Workbench& bench, const std::string& key);
+/// That of a number of the cut of that id.
+NumberPlace placeOfCut(const Workbench& bench, const std::string& cut, const std::string& key);
 /// Those in the surface designed that the cut selected is of, and of the height of a pole of it.
 NumberPlace placeInSurface(const Workbench& bench, const std::string& key);
 NumberPlace placeOfPole(const Workbench& bench, int row, int column);
