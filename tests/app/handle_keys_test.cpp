@@ -47,6 +47,8 @@ TEST_F(HandleKeysTest, ArrowsMoveTheHandleChosenAndEscapeTakesItBack) {
   press(Qt::Key_Down);
   EXPECT_EQ(height(), 342);
   press(Qt::Key_Up, Qt::ControlModifier);
+  EXPECT_EQ(height(), 342.1) << "fine, as with the mouse";
+  press(Qt::Key_Up, Qt::ShiftModifier);
   EXPECT_EQ(height(), 350) << "the next round number";
   press(Qt::Key_Up, Qt::ShiftModifier);
   EXPECT_EQ(height(), 360);
@@ -72,6 +74,87 @@ TEST_F(HandleKeysTest, ArrowsMoveTheHandleChosenAndEscapeTakesItBack) {
   EXPECT_TRUE(handles().chosen.empty());
   press(Qt::Key_Up);
   EXPECT_EQ(bench().design(), before);
+}
+
+TEST_F(HandleKeysTest, ArrowsStopWhereTheSurfaceCanNoLongerBeCut) {
+  open("single-block");
+  click(kPole);
+  press(Qt::Key_Up);
+  const auto& reach = bench().runner().reach();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return reach && reach->ends[1].bar != pipeline::Bar::none; }, kPatience));
+  for (int i = 0; i < 40; ++i) {
+    press(Qt::Key_Up, Qt::ShiftModifier);
+    QTest::qWait(10);
+  }
+  ASSERT_TRUE(QTest::qWaitFor([&] { return handles().stopped; }, kPatience));
+  EXPECT_NE(handles().text.find("Goes no farther"), std::string::npos) << handles().text;
+  EXPECT_LE(height(), 340 + reach->ends[1].free + 1e-9);
+  EXPECT_GT(height(), 345);
+  EXPECT_NEAR(std::remainder(height(), 10), 0, 1e-9) << "the last round number before it";
+  // Finer steps lead nearer to it, and no farther.
+  for (int i = 0; i < 15; ++i) press(Qt::Key_Up);
+  EXPECT_LE(height(), 340 + reach->ends[1].free + 1e-9);
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(handles().stopped);
+  picture("handle-nudged-to-the-border");
+  ASSERT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
+  EXPECT_LE(bench().sweep()->analysis.summary.deviationMax, bench().design().process.tolerance);
+  EXPECT_EQ(steps(), 1);
+  press(Qt::Key_Escape);
+  EXPECT_EQ(height(), 340);
+  EXPECT_FALSE(handles().stopped);
+}
+
+TEST_F(HandleKeysTest, ATypedNumberComesBackToTheBorderAndAnExpressionDoesNot) {
+  open("single-block");
+  click(kPole);
+  type("900");
+  pressThere(Qt::Key_Return);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return handles().stopped; }, kPatience));
+  EXPECT_NE(handles().text.find("Goes no farther"), std::string::npos) << handles().text;
+  const auto& reach = bench().runner().reach();
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return !bench().runner().busy() && height() > 340 + reach->ends[1].free - 1.5; }, kPatience));
+  picture("handle-typed-beyond");
+  EXPECT_LE(height(), 340 + reach->ends[1].free + 1e-9);
+  EXPECT_EQ(height(), std::round(height()));
+  EXPECT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
+  EXPECT_EQ(steps(), 1);
+  // The field tells what came of it.
+  const double border = height();
+  press(Qt::Key_Return);
+  EXPECT_EQ(find<NumberField>("Height of pole 2 of row 3")->value(), border);
+  pressThere(Qt::Key_Escape);
+  bench().document().undoStack().undo();
+  EXPECT_EQ(height(), 340);
+  // What is meant as an expression is not cut short.
+  type("=900");
+  pressThere(Qt::Key_Return);
+  EXPECT_EQ(height(), 900);
+  ASSERT_TRUE(settle());
+  QTest::qWait(300);
+  EXPECT_EQ(height(), 900);
+  EXPECT_EQ(find<NumberField>("pole 2 of row 3")->expression(), "900");
+}
+
+TEST_F(HandleKeysTest, SymmetryAndGridAreRemembered) {
+  open("single-block");
+  window().commands()["handles.symmetric"]->trigger();
+  window().commands()["handles.grid25"]->trigger();
+  makeWindow({1440, 900});
+  open("single-block");
+  EXPECT_TRUE(window().commands()["handles.symmetric"]->isChecked());
+  EXPECT_TRUE(window().commands()["handles.snap"]->isChecked());
+  EXPECT_TRUE(window().commands()["handles.grid25"]->isChecked());
+  const double other = height(2, 2);
+  click(kPole);
+  press(Qt::Key_Up);
+  EXPECT_EQ(height(), 350);
+  EXPECT_EQ(height(2, 2), other + 10);
+  // A spacing that somebody wrote there and that is none is not taken.
+  QSettings(QSettings::IniFormat, QSettings::UserScope, "bladewright", "bladewright")
+      .setValue("handles/grid", -3);
+  EXPECT_EQ(model::Settings().handles().grid, 10);
 }
 
 TEST_F(HandleKeysTest, UndoEndsWhatEscapeTakesBack) {

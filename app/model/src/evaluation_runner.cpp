@@ -164,6 +164,7 @@ void EvaluationRunner::work(const std::stop_token& stop) {
       context.stop = running_.get_token();
       previous = previous_;
       newest = newest_;
+      takeSearch();  // as long as the result is the one that something is moved from
     }
     context.progress = [this, number = order.number, last = std::chrono::steady_clock::time_point()](
                            double fraction, std::string_view step) mutable {
@@ -233,6 +234,9 @@ bool EvaluationRunner::drawSketch(const Order& order, const RunContext& context,
           takeSketch(number, std::move(drawn));
         },
         Qt::QueuedConnection);
+  }
+  // Beyond what can be sketched the hand may lead back as soon as its reach is known.
+  if (sketch || search_) {
     const auto until = std::chrono::steady_clock::now() + kHandRest;
     const auto asked = [this] { return !waiting_.empty(); };
     std::unique_lock lock(mutex_);
@@ -269,14 +273,17 @@ void EvaluationRunner::seekReach(std::function<Design(double)> at, double farthe
 
 void EvaluationRunner::endReach() { seekReach({}, 0); }
 
+void EvaluationRunner::takeSearch() {
+  if (std::exchange(searched_, reachNumber_) == reachNumber_) return;
+  search_.reset();
+  if (reachAt_ && sketches_ && newest_ && newest_->result())
+    search_.emplace(newest_, reachAt_, reachFarthest_);
+}
+
 bool EvaluationRunner::lookFarther(const std::stop_token& end) {
   {
     const std::lock_guard lock(mutex_);
-    if (std::exchange(searched_, reachNumber_) != reachNumber_) {
-      search_.reset();
-      if (reachAt_ && sketches_ && newest_ && newest_->result())
-        search_.emplace(newest_, reachAt_, reachFarthest_);
-    }
+    takeSearch();
   }
   if (!search_ || end.stop_requested()) return false;
   RunContext context;

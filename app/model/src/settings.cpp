@@ -16,6 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kRecentFiles = 10;
+constexpr double kWidestGrid = 1000;  // mm
 
 /// Words of the choices, in their order; the first stands for a word that is not among them.
 constexpr std::array kThemeWords = {"system", "light", "dark"};
@@ -81,6 +82,22 @@ void Settings::setFolder(const QString& use, const QString& folder) { store("fol
 QStringList Settings::leftOut() const { return store_.value("export/left-out").toStringList(); }
 
 void Settings::setLeftOut(const QStringList& words) { store("export/left-out", words); }
+
+HandleHabits Settings::handles() const {
+  const HandleHabits usual;
+  HandleHabits habits{store_.value("handles/symmetric", usual.symmetric).toBool(),
+                      store_.value("handles/snapping", usual.snapping).toBool(),
+                      store_.value("handles/grid", usual.grid).toDouble()};
+  // A number that somebody wrote there by hand may be none.
+  if (!(habits.grid > 0 && habits.grid <= kWidestGrid)) habits.grid = usual.grid;
+  return habits;
+}
+
+void Settings::setHandles(const HandleHabits& habits) {
+  store("handles/symmetric", habits.symmetric);
+  store("handles/snapping", habits.snapping);
+  store("handles/grid", habits.grid);
+}
 
 QByteArray Settings::layout(const QString& part) const {
   return store_.value("layout/" + part).toByteArray();

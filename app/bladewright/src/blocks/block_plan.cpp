@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "bw/core/text/number_text.h"
+#include "controls/hand_pace.h"
 #include "controls/typed_field.h"
 #include "workbench/block_layout.h"
 
@@ -19,9 +20,8 @@ namespace bw::app {
 
 namespace {
 
-constexpr double kReach = 5;   // px on either side of a boundary
-constexpr double kLeast = 10;  // mm, that a block keeps
-constexpr double kFine = 0.1, kStep = 1, kCoarse = 10;
+constexpr double kReach = 5;                     // px on either side of a boundary
+constexpr double kLeast = 10;                    // mm, that a block keeps
 constexpr int kLeft = 56, kTop = 20, kEdge = 6;  // px around the plan; sizes stand at the left and above
 constexpr int kIcon = 16, kPad = 4;
 
@@ -192,9 +192,8 @@ void BlockPlan::mouseMoveEvent(QMouseEvent* event) {
   }
   const auto [way, index] = pull_->boundary;
   const std::vector<double>& sizes = pull_->grid.sizes[way];
-  const bool fine = event->modifiers() & Qt::ControlModifier;
-  const double step = fine ? kFine : event->modifiers() & Qt::ShiftModifier ? kCoarse : kStep;
-  const double by = (along(way, event->position()) - pull_->began) * (fine ? kFine : 1);
+  const auto [step, share] = handPace(event->modifiers());
+  const double by = (along(way, event->position()) - pull_->began) * share;
   // The size, not the way to it, is a round number.
   const double from = sizes[index], both = from + sizes[index + 1];
   const double size = std::clamp(std::round((from + by) / step) * step, std::min(kLeast, from),
@@ -264,7 +263,7 @@ bool BlockPlan::event(QEvent* event) {
     const QPoint at = static_cast<QHelpEvent*>(event)->pos();
     QString text;
     if (boundaryAt(at))
-      text = tr("Pull the boundary: in mm, with Shift by tens, with Ctrl by tenths; Esc gives up");
+      text = tr("Pull the boundary: in mm, with Shift by tens, with Ctrl or Alt by tenths; Esc gives up");
     else if (const Cell* cell = cellAt(at))
       text = tipOf(*cell);
     QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), text, this);

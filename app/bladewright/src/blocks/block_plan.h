@@ -19,8 +19,9 @@ namespace bw::app {
 
 /// The blocks of the design as seen from above, one layer at a time, each with how it stands in colour and
 /// word. A click chooses a block, the arrow keys its neighbours, Page Up and Page Down the layers. A boundary
-/// between two columns or rows is pulled: in whole mm, with Shift in steps of 10, with Ctrl by a tenth of the
-/// way of the hand; Esc gives a pull up. Blocks that are a list lie in their place and are only chosen.
+/// between two columns or rows is pulled: in whole mm, with Shift in steps of 10, with Ctrl or Alt by a tenth
+/// of the way of the hand; Esc gives a pull up. Blocks that are a list lie in their place and are only
+/// chosen.
 class BlockPlan : public QWidget {
   Q_OBJECT
 

@@ -14,12 +14,11 @@ namespace bw::app {
 
 namespace {
 
-constexpr double kFine = 0.1, kFieldStep = 1;  // mm
-constexpr double kCoarse = 10;                 // steps
-constexpr double kClick = 4;                   // pixels that a click may go
-constexpr double kFarthest = 1e7;              // mm
-constexpr int kBeside = 18;                    // pixels between a handle and its field
-constexpr int kFieldWidth = 180;               // for expressions
+constexpr double kFieldStep = 1;   // mm
+constexpr double kClick = 4;       // pixels that a click may go
+constexpr double kFarthest = 1e7;  // mm
+constexpr int kBeside = 18;        // pixels between a handle and its field
+constexpr int kFieldWidth = 180;   // for expressions
 
 const DesignedSurface* surfaceOf(const Workbench& bench) {
   return bench.source().surface ? &*bench.source().surface : nullptr;
@@ -45,7 +44,7 @@ HandleKeys::HandleKeys(Workbench& bench, view::SceneView* view, SurfaceHandles& 
   connect(view, &view::SceneView::cameraChanged, this, &HandleKeys::placeField);
   connect(&bench, &Workbench::changed, this, &HandleKeys::follow);
   connect(&handles, &SurfaceHandles::chosenChanged, this, [this] {
-    endNudge();
+    handles_.endMoves();
     closeField();
   });
   connect(qApp, &QApplication::focusChanged, this,
@@ -68,7 +67,7 @@ bool HandleKeys::eventFilter(QObject* watched, QEvent* event) {
   if (handle() < 0 || view_->holding()) return false;
   if (override) {
     // Before a computation is stopped.
-    if (key.key() == Qt::Key_Escape && (nudge_ || !bench_.runner().busy())) event->accept();
+    if (key.key() == Qt::Key_Escape && (handles_.moving() || !bench_.runner().busy())) event->accept();
     return false;
   }
   return press(key);
@@ -101,7 +100,7 @@ bool HandleKeys::press(const QKeyEvent& key) {
     case Qt::Key_Enter:
       return openField(), true;
     case Qt::Key_Escape:
-      if (!takeBack()) handles_.choose({});
+      if (!handles_.takeBack()) handles_.choose({});
       return true;
     default:
       break;
@@ -112,46 +111,30 @@ bool HandleKeys::press(const QKeyEvent& key) {
 }
 
 void HandleKeys::nudge(HandleNumber number, double steps, const QKeyEvent& key) {
-  const DesignedSurface& now = *surfaceOf(bench_);
-  const std::optional<double> at = numberOf(now, handle(), number);
+  const std::optional<double> at = numberOf(*surfaceOf(bench_), handle(), number);
   if (!at) return;  // a pole stands where it stands
-  if (!nudge_) nudge_ = Nudge{now, Eigen::Vector2d::Zero(), bench_.newMergeId()};
-  handles_.tellChosen(true);
-  const Qt::KeyboardModifiers keys = key.modifiers();
-  const double step = keys & Qt::AltModifier                             ? kFine
-                      : keys & (Qt::ControlModifier | Qt::ShiftModifier) ? kCoarse * handles_.step()
-                                                                         : handles_.step();
+  if (std::exchange(typed_, false)) handles_.endMoves();
+  const double step = handPace(key.modifiers(), handles_.steps()).step;
   // The number, not the way to it, is a round one: the next beyond.
   constexpr double kNear = 1e-6;
   const double places = *at / step;
   const double next = steps > 0 ? std::floor(places + kNear) + steps : std::ceil(places - kNear) + steps;
-  nudge_->by[number == HandleNumber::height ? 1 : 0] =
-      next * step - *numberOf(nudge_->from, handle(), number);
-  edit(movedBy(nudge_->from, handles_.chosen(), nudge_->by, handles_.symmetric()), nudge_->mergeId,
-       key.isAutoRepeat());
+  handles_.bring(number, next * step, step);
 }
 
-bool HandleKeys::takeBack() {
-  if (!nudge_) return false;
-  const Nudge made = *nudge_;
-  endNudge();
-  edit(made.from, made.mergeId, false);
-  return true;
-}
-
-void HandleKeys::endNudge() {
-  nudge_.reset();
-  handles_.tellChosen(false);
-}
-
-void HandleKeys::edit(const DesignedSurface& surface, int mergeId, bool live) {
-  const std::size_t count = handles_.chosen().size();
-  const QString text =
-      count > 1 ? tr("Move %1 handles").arg(count) : tr("Move %1").arg(handles_.nameOf(handle()).toLower());
-  editing_ = true;
-  bench_.editSurface(
-      text, [&](DesignedSurface& own) { own = surface; }, mergeId, live);
-  editing_ = false;
+void HandleKeys::take(HandleNumber number, double to, const NumberField& field) {
+  handles_.endMoves();
+  typed_ = true;
+  if (field.expression().isEmpty()) return handles_.bring(number, to, handles_.steps().plain);
+  // What stands for an expression is what that comes to, wherever it leads.
+  const DesignedSurface& now = *surfaceOf(bench_);
+  const double by = to - *numberOf(now, handle(), number);
+  const bool up = number == HandleNumber::height;
+  DesignedSurface moved = movedBy(now, handles_.chosen(),
+                                  up ? Eigen::Vector2d(0, by) : Eigen::Vector2d(by, 0), handles_.symmetric());
+  *numberOf(moved, handle(), number) = to;
+  bench_.editSurface(tr("Move %1").arg(handles_.nameOf(handle()).toLower()),
+                     [&](DesignedSurface& own) { own = moved; });
 }
 
 void HandleKeys::addLine(HandleNumber number, const QString& label) {
@@ -162,17 +145,7 @@ void HandleKeys::addLine(HandleNumber number, const QString& label) {
   field->setAccessibleName(tr("%1 of %2").arg(label, handles_.nameOf(handle()).toLower()));
   field->setFixedWidth(kFieldWidth);
   field->show(*value);
-  connect(field, &NumberField::edited, this, [this, number](double to) {
-    const DesignedSurface& now = *surfaceOf(bench_);
-    const double by = to - *numberOf(now, handle(), number);
-    endNudge();
-    DesignedSurface moved =
-        movedBy(now, handles_.chosen(),
-                number == HandleNumber::height ? Eigen::Vector2d(0, by) : Eigen::Vector2d(by, 0),
-                handles_.symmetric());
-    *numberOf(moved, handle(), number) = to;  // what was typed, to the last digit
-    edit(moved, -1, false);
-  });
+  connect(field, &NumberField::edited, this, [this, number, field](double to) { take(number, to, *field); });
   if (handles_.chosen().size() == 1) bindNumber(bench_, field, placeOf(bench_, handle(), number));
   lines_.push_back({field, number});
 }
@@ -180,7 +153,7 @@ void HandleKeys::addLine(HandleNumber number, const QString& label) {
 void HandleKeys::openField(const QKeyEvent* typed) {
   closeField();
   if (handle() < 0) return;
-  endNudge();
+  handles_.endMoves();
   empty(*frame_->layout());
   lines_.clear();
   frame_->layout()->addWidget(makeNote(handles_.nameOf(handle()), frame_));
@@ -220,7 +193,6 @@ void HandleKeys::placeField() {
 
 void HandleKeys::follow(const Change& change) {
   if (!change.any(model::Aspect::design)) return;
-  if (!editing_) endNudge();
   if (!frame_->isVisible()) return;
   const DesignedSurface* surface = surfaceOf(bench_);
   if (handle() < 0 || !surface) return closeField();

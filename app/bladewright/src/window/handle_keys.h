@@ -21,9 +21,10 @@
 
 namespace bw::app {
 
-/// The keyboard at the handle that was chosen last. The arrow keys move what is chosen by whole mm, with Alt
-/// by tenths, with Ctrl or Shift by tens (or by that of a grid), and Esc takes that back; a number that is
-/// typed, or Enter, opens a small field beside the handle, which takes its numbers, and expressions.
+/// The keyboard at the handle that was chosen last. The arrow keys move what is chosen by whole mm, or from
+/// line to line of a grid, with Shift in steps of 10 of these, with Ctrl or Alt by tenths, and Esc takes that
+/// back; a number that is typed, or Enter, opens a small field beside the handle, which takes its numbers,
+/// and expressions. Both stop where the surface can no longer be cut, but for expressions, which are meant.
 class HandleKeys : public QObject {
   Q_OBJECT
 
@@ -44,12 +45,6 @@ class HandleKeys : public QObject {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  /// Moves of the keys that follow each other.
-  struct Nudge {
-    DesignedSurface from;
-    Eigen::Vector2d by = Eigen::Vector2d::Zero();  ///< mm
-    int mergeId = -1;
-  };
   struct Line {
     NumberField* field;
     HandleNumber number;
@@ -58,9 +53,8 @@ class HandleKeys : public QObject {
   bool press(const QKeyEvent& key);
   void rightButton(const QMouseEvent& event);
   void nudge(HandleNumber number, double steps, const QKeyEvent& key);
-  bool takeBack();
-  void edit(const DesignedSurface& surface, int mergeId, bool live);
-  void endNudge();
+  /// Moves to a number that was typed into a field.
+  void take(HandleNumber number, double to, const NumberField& field);
   void addLine(HandleNumber number, const QString& label);
   /// The handle whose numbers are told; −1: none.
   int handle() const;
@@ -74,9 +68,8 @@ class HandleKeys : public QObject {
   QFrame* frame_;
   FormColumn* column_ = nullptr;  ///< of the field
   std::vector<Line> lines_;
-  std::optional<Nudge> nudge_;
-  bool editing_ = false;
-  QPointF pressed_;  ///< where the right button went down
+  bool typed_ = false;  ///< the last move was of a number typed
+  QPointF pressed_;     ///< where the right button went down
 };
 
 }  // namespace bw::app

@@ -9,6 +9,7 @@
 #include "bw/core/base/frame.h"
 #include "bw/core/text/number_text.h"
 #include "controls/numbers.h"
+#include "window/handle_reach.h"
 #include "workflow/section_edits.h"
 
 namespace bw::app {
@@ -16,7 +17,6 @@ namespace bw::app {
 namespace {
 
 constexpr double kCoarse = 10;       // steps
-constexpr double kFine = 0.1;        // mm
 constexpr double kFarthest = 400;    // mm that a handle is moved at once
 constexpr double kSteepest = 0.999;  // cosine between the way and the line of sight
 
@@ -27,7 +27,7 @@ const DesignedSurface* surfaceOf(const Workbench& bench) {
 }  // namespace
 
 SurfaceHandles::SurfaceHandles(Workbench& bench, view::SceneView* view)
-    : QObject(view), bench_(bench), view_(view) {
+    : QObject(view), bench_(bench), view_(view), habits_(bench.settings().handles()) {
   connect(view, &view::SceneView::handlePressed, this, &SurfaceHandles::press);
   connect(view, &view::SceneView::handleMoved, this, &SurfaceHandles::move);
   connect(view, &view::SceneView::handleReleased, this, &SurfaceHandles::release);
@@ -72,9 +72,11 @@ std::vector<Eigen::Vector3d> SurfaceHandles::places() const {
   return places;
 }
 
-Eigen::Vector3d SurfaceHandles::way() const {
+Eigen::Vector3d SurfaceHandles::way(HandleNumber number) const {
   const DesignedSurface* surface = surfaceOf(bench_);
-  return surface ? Eigen::Vector3d(rotationFromAngles(surface->rotation).col(2)) : Eigen::Vector3d::UnitZ();
+  const Eigen::Matrix3d turned =
+      surface ? rotationFromAngles(surface->rotation) : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+  return turned.col(number == HandleNumber::height ? 2 : 0);
 }
 
 void SurfaceHandles::choose(std::vector<int> handles) {
@@ -84,9 +86,28 @@ void SurfaceHandles::choose(std::vector<int> handles) {
 }
 
 void SurfaceHandles::setSymmetric(bool on) {
-  if (std::exchange(symmetric_, on) == on) return;
+  if (std::exchange(habits_.symmetric, on) == on) return;
+  bench_.settings().setHandles(habits_);
   emit chosenChanged();  // others move together now
+  if (pull_) seek();
   emit changed();
+}
+
+void SurfaceHandles::setSnapping(bool on) {
+  habits_.snapping = on;
+  bench_.settings().setHandles(habits_);
+}
+
+void SurfaceHandles::setGrid(double spacing) {
+  habits_.grid = spacing;
+  bench_.settings().setHandles(habits_);
+}
+
+HandSteps SurfaceHandles::steps() const {
+  HandSteps steps;
+  if (habits_.snapping) steps.plain = habits_.grid;  // fine ones are free of it
+  steps.coarse = kCoarse * steps.plain;
+  return steps;
 }
 
 std::optional<SectionPoint> SurfaceHandles::sectionPoint() const {
@@ -115,10 +136,6 @@ void SurfaceHandles::addSection() {
 void SurfaceHandles::removeSection() {
   if (const std::optional<SectionPoint> at = sectionPoint())
     if (app::removeSection(bench_, std::size_t(at->section))) choose({});
-}
-
-void SurfaceHandles::tellChosen(bool on) {
-  if (std::exchange(told_, on) != on) emit changed();
 }
 
 std::optional<double> SurfaceHandles::along(const QPointF& position, const Eigen::Vector3d& through) const {
@@ -173,30 +190,35 @@ void SurfaceHandles::applyTo(scene::Style& style) const {
     for (std::size_t k = 1; k < blades->blades.size(); ++k) join(int(k) - 1, int(k));
   }
   handles.chosen = chosen_;
-  if (symmetric_)
+  if (habits_.symmetric)
     for (const int handle : chosen_)
       if (const int mirror = mirrorOf(*surface, handle); mirror >= 0) handles.chosen.push_back(mirror);
-  handles.lit = pull_ ? pull_->handle : hovered_ < 0 && told_ && !chosen_.empty() ? chosen_.back() : hovered_;
+  handles.lit = pull_ && (pull_->held || hovered_ < 0) ? pull_->handle : hovered_;
   if (handles.lit < 0 || std::size_t(handles.lit) >= handles.points.size()) return;
   const double height = heightOf(*surface, handles.lit);
   handles.text = tr("%1: %2").arg(nameOf(handles.lit), lengthText(height)).toStdString();
-  if (!pull_) return;
-  const double by = height - heightOf(pull_->from, handles.lit);
-  handles.text += (by < 0 ? " (−" : " (+") + shortText(std::abs(by), 4) + ")";
-  const Eigen::Vector3d start = handles.points[std::size_t(handles.lit)] - by * way();
-  if (const std::optional<pipeline::Reach>& reach = bench_.runner().reach()) {
-    const auto& [below, above] = reach->ends;
-    if (reach->now != pipeline::Bar::none) {
-      handles.stopped = true;
-      handles.text += "\n" + tr("Not to be cut as it is: %1").arg(wordsOf(reach->now)).toStdString();
-    } else {
-      handles.way = scene::HandleWay{start + below.free * way(), start + above.free * way(),
-                                     below.bar != pipeline::Bar::none, above.bar != pipeline::Bar::none};
-    }
-  }
-  if (!pull_->stoppedBy) return;
-  handles.stopped = true;
-  handles.text += "\n" + tr("Goes no farther: %1").arg(wordsOf(*pull_->stoppedBy)).toStdString();
+  if (!pull_ || handles.lit != pull_->handle) return;
+  handles.text += pullText();
+  const std::optional<pipeline::Reach>& reach = bench_.runner().reach();
+  handles.stopped = pull_->stoppedBy || (reach && reach->now != pipeline::Bar::none);
+  if (!reach || reach->now != pipeline::Bar::none) return;
+  const auto& [below, above] = reach->ends;
+  const Eigen::Vector3d along = way(pull_->number);
+  const Eigen::Vector3d start = handles.points[std::size_t(handles.lit)] - pull_->by * along;
+  handles.way = scene::HandleWay{start + below.free * along, start + above.free * along,
+                                 below.bar != pipeline::Bar::none, above.bar != pipeline::Bar::none};
+}
+
+std::string SurfaceHandles::pullText() const {
+  const double by = *numberOf(*surfaceOf(bench_), pull_->handle, pull_->number) -
+                    *numberOf(pull_->from, pull_->handle, pull_->number);
+  QString text = (by < 0 ? " (−" : " (+") + QString::fromStdString(shortText(std::abs(by), 4)) + ")";
+  if (pull_->number == HandleNumber::across) text = tr(", across%1").arg(text);
+  const std::optional<pipeline::Reach>& reach = bench_.runner().reach();
+  if (reach && reach->now != pipeline::Bar::none)
+    text += "\n" + tr("Not to be cut as it is: %1").arg(wordsOf(reach->now));
+  if (pull_->stoppedBy) text += "\n" + tr("Goes no farther: %1").arg(wordsOf(*pull_->stoppedBy));
+  return text.toStdString();
 }
 
 void SurfaceHandles::press(int handle, const QPointF& position, Qt::KeyboardModifiers keys) {
@@ -215,74 +237,95 @@ void SurfaceHandles::press(int handle, const QPointF& position, Qt::KeyboardModi
     std::rotate(known, known + 1, chosen_.end());
   }
   emit chosenChanged();
-  pull_ =
-      Pull{handle, *surface, along(position, all[std::size_t(handle)]).value_or(0), 0, bench_.newMergeId()};
-  const Design design = bench_.design();
-  bench_.runner().seekReach(
-      [design, cut = bench_.cut(), from = *surface, moved = held(), symmetric = symmetric_](double by) {
-        Design pulled = design;
-        pulled.sourceOf(cut).surface = movedBy(from, moved, Eigen::Vector2d(0, by), symmetric);
-        return pulled;
-      },
-      kFarthest);
+  Pull pull{handle, true, *surface, *surface};
+  pull.began = along(position, all[std::size_t(handle)]).value_or(0);
+  pull.mergeId = bench_.newMergeId();
+  begin(std::move(pull));
   emit changed();
 }
 
+void SurfaceHandles::begin(Pull pull) {
+  pull_ = std::move(pull);
+  seek();
+}
+
+void SurfaceHandles::seek() {
+  bench_.runner().seekReach(
+      [design = bench_.design(), cut = bench_.cut(), base = pull_->base, moved = held(),
+       up = pull_->number == HandleNumber::height, symmetric = habits_.symmetric](double by) {
+        Design pulled = design;
+        pulled.sourceOf(cut).surface =
+            movedBy(base, moved, up ? Eigen::Vector2d(0, by) : Eigen::Vector2d(by, 0), symmetric);
+        return pulled;
+      },
+      kFarthest);
+}
+
 void SurfaceHandles::move(int handle, const QPointF& position, Qt::KeyboardModifiers keys) {
-  if (!pull_ || pull_->handle != handle) return;
+  if (!pull_ || !pull_->held || pull_->handle != handle) return;
   const double moved = heightOf(*surfaceOf(bench_), handle) - heightOf(pull_->from, handle);
   const Eigen::Vector3d start = places()[std::size_t(handle)] - moved * way();
   const std::optional<double> at = along(position, start);
   if (!at) return;
-  double by = *at - pull_->began;
-  const bool fine = keys & (Qt::ControlModifier | Qt::AltModifier);
-  if (fine) by *= kFine;
+  const auto [step, share] = handPace(keys, steps());
   // The height, not the way to it, is a round number.
-  const double step = fine ? kFine : keys & Qt::ShiftModifier ? kCoarse * this->step() : this->step();
-  const double from = heightOf(pull_->from, handle);
-  by = std::round((from + by) / step) * step - from;
+  const double from = pulledFrom();
+  const double by = std::round((from + (*at - pull_->began) * share) / step) * step - from;
   pull_->wished = std::clamp(by, -kFarthest, kFarthest);
   pull_->step = step;
   keepWithin();
 }
 
+void SurfaceHandles::bring(HandleNumber number, double to, double step) {
+  const DesignedSurface* surface = surfaceOf(bench_);
+  const std::optional<double> now =
+      surface && !chosen_.empty() ? numberOf(*surface, chosen_.back(), number) : std::nullopt;
+  if (!now || (pull_ && pull_->held)) return;
+  if (!pull_) {
+    Pull pull{chosen_.back(), false, *surface, *surface};
+    pull.number = number;
+    pull.mergeId = bench_.newMergeId();
+    begin(std::move(pull));
+  } else if (pull_->number != number) {
+    pull_->base = *surface;
+    pull_->number = number;
+    pull_->by = 0;
+    seek();
+  }
+  pull_->to = to;
+  pull_->wished = to - pulledFrom();
+  pull_->step = step;
+  keepWithin();
+}
+
+bool SurfaceHandles::takeBack() {
+  if (!pull_ || pull_->held) return false;
+  pull_->base = pull_->from;
+  pull_->to.reset();
+  pull(0, false);
+  endPull();
+  return true;
+}
+
+void SurfaceHandles::endMoves() {
+  if (pull_ && !pull_->held) endPull();
+}
+
+void SurfaceHandles::endPull() {
+  pull_.reset();
+  bench_.runner().endReach();
+  emit changed();
+}
+
 void SurfaceHandles::keepWithin() {
   if (!pull_) return;
   const std::optional<pipeline::Reach>& reach = bench_.runner().reach();
-  double by = pull_->wished;
-  const std::optional<pipeline::Bar> before = std::exchange(pull_->stoppedBy, std::nullopt);
-  if (reach && reach->now == pipeline::Bar::none)
-    for (const pipeline::Reach::End& end : reach->ends) {
-      const bool beyond = &end == &reach->ends[0] ? by < end.free : by > end.free;
-      if (end.bar == pipeline::Bar::none || !beyond) continue;
-      // The last round number before the border.
-      const double from = heightOf(pull_->from, pull_->handle), last = (from + end.free) / pull_->step;
-      by = (end.free < 0 ? std::ceil(last) : std::floor(last)) * pull_->step - from;
-      if ((by > 0) != (end.free > 0)) by = 0;
-      pull_->stoppedBy = end.bar;
-    }
-  if (by != pull_->by)
-    pull(by, true);
-  else if (pull_->stoppedBy != before || reach)
+  const WithinReach may = withinReach(reach, pull_->wished, pulledFrom(), pull_->step);
+  const bool other = std::exchange(pull_->stoppedBy, may.stoppedBy) != may.stoppedBy;
+  if (may.by != pull_->by)
+    pull(may.by, true);
+  else if (other || reach)
     emit changed();
-}
-
-QString SurfaceHandles::wordsOf(pipeline::Bar bar) {
-  switch (bar) {
-    case pipeline::Bar::noBlade:
-      return tr("no blade can be laid on it");
-    case pipeline::Bar::tooTight:
-      return tr("the blade would bend sharper than it may");
-    case pipeline::Bar::crosses:
-      return tr("the blade would cross itself");
-    case pipeline::Bar::lost:
-      return tr("nothing is known to keep the blade in its shape");
-    case pipeline::Bar::tooFar:
-      return tr("the blade would leave the surface by more than the tolerance");
-    case pipeline::Bar::none:
-      break;
-  }
-  return {};
 }
 
 std::vector<int> SurfaceHandles::held() const {
@@ -291,24 +334,33 @@ std::vector<int> SurfaceHandles::held() const {
   return held;
 }
 
+double SurfaceHandles::pulledFrom() const { return *numberOf(pull_->base, pull_->handle, pull_->number); }
+
+DesignedSurface SurfaceHandles::pulledBy(double by) const {
+  const bool up = pull_->number == HandleNumber::height;
+  DesignedSurface pulled =
+      movedBy(pull_->base, held(), up ? Eigen::Vector2d(0, by) : Eigen::Vector2d(by, 0), habits_.symmetric);
+  if (pull_->to && by == pull_->wished) *numberOf(pulled, pull_->handle, pull_->number) = *pull_->to;
+  return pulled;
+}
+
 void SurfaceHandles::pull(double by, bool live) {
   pull_->by = by;
   pull_->moved = true;
-  const std::vector<int> moved = held();
-  const DesignedSurface pulled = movedBy(pull_->from, moved, Eigen::Vector2d(0, by), symmetric_);
-  const QString text = moved.size() > 1 ? tr("Move %1 handles").arg(moved.size())
-                                        : tr("Move %1").arg(nameOf(pull_->handle).toLower());
+  const DesignedSurface pulled = pulledBy(by);
+  const std::size_t count = held().size();
+  const QString text =
+      count > 1 ? tr("Move %1 handles").arg(count) : tr("Move %1").arg(nameOf(pull_->handle).toLower());
+  pulling_ = true;
   bench_.editSurface(
       text, [&](DesignedSurface& surface) { surface = pulled; }, pull_->mergeId, live);
+  pulling_ = false;
 }
 
 void SurfaceHandles::release(int handle, bool givenUp) {
-  if (!pull_ || pull_->handle != handle) return;
-  const bool moved = pull_->moved;
-  if (moved) pull(givenUp ? 0 : pull_->by, false);
-  pull_.reset();
-  bench_.runner().endReach();
-  emit changed();
+  if (!pull_ || !pull_->held || pull_->handle != handle) return;
+  if (pull_->moved) pull(givenUp ? 0 : pull_->by, false);
+  endPull();
 }
 
 void SurfaceHandles::hover(int handle) {
@@ -323,13 +375,13 @@ void SurfaceHandles::follow(const Change& change) {
     if (!change.any(model::Aspect::design)) return emit changed();
   }
   if (!change.any(model::Aspect::design)) return;
+  if (!pulling_) endMoves();
   // Another surface, or an undo while a handle is held.
   const DesignedSurface* surface = surfaceOf(bench_);
   const int count = surface ? int(places().size()) : 0;
   if (std::erase_if(chosen_, [count](int handle) { return handle >= count; }) > 0) emit chosenChanged();
   if (pull_ && (!surface || surface->shape.index() != pull_->from.shape.index() || pull_->handle >= count)) {
-    pull_.reset();
-    bench_.runner().endReach();
+    endPull();
     view_->letGo();
   }
   if (hovered_ >= count) hovered_ = -1;

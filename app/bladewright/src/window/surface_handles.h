@@ -15,6 +15,7 @@
 #include "bw/core/shape/designed_surface.h"
 #include "bw/scene/scene.h"
 #include "bw/view/scene_view.h"
+#include "controls/hand_pace.h"
 #include "window/handle_numbers.h"
 #include "workbench/workbench.h"
 
@@ -22,8 +23,9 @@ namespace bw::app {
 
 /// The handles of a designed surface in the 3D view: its poles, or the points of its section curves, each
 /// moved up and down. A pole is pulled in whole mm, or from line to line of a grid, with Shift in steps of 10
-/// of these, with Ctrl by a tenth of the way of the hand. Esc gives a pull up; a click with Shift chooses
-/// several, which move together.
+/// of these, with Ctrl or Alt by a tenth of the way of the hand. Esc gives a pull up; a click with Shift
+/// chooses several, which move together. Whatever moves them, they stop where the surface can no longer be
+/// cut, as soon as that is known, and say why.
 class SurfaceHandles : public QObject {
   Q_OBJECT
 
@@ -40,18 +42,25 @@ class SurfaceHandles : public QObject {
   /// Those that move together, the one chosen last at the end.
   const std::vector<int>& chosen() const { return chosen_; }
   void choose(std::vector<int> handles);
-  /// Tells the height of the one chosen last beside it, as of one under the cursor.
-  void tellChosen(bool on);
-  /// Whether what is moved takes its mirror image with it.
-  bool symmetric() const { return symmetric_; }
+  /// Whether what is moved takes its mirror image with it; that, and the grid, is remembered.
+  bool symmetric() const { return habits_.symmetric; }
   void setSymmetric(bool on);
   /// Whether heights and places are taken from a grid; its spacing, mm.
-  bool snapping() const { return snapping_; }
-  double grid() const { return grid_; }
-  void setSnapping(bool on) { snapping_ = on; }
-  void setGrid(double spacing) { grid_ = spacing; }
+  bool snapping() const { return habits_.snapping; }
+  double grid() const { return habits_.grid; }
+  void setSnapping(bool on);
+  void setGrid(double spacing);
   /// What a move is counted by, mm.
-  double step() const { return snapping_ ? grid_ : 1; }
+  HandSteps steps() const;
+
+  /// Moves those chosen so that a number of the last becomes `to`, or as far as it may go: the last number
+  /// before that is counted by `step`. Moves that follow each other are one undoable step.
+  void bring(HandleNumber number, double to, double step);
+  /// Moves them back to where the first of these began; false where there was none.
+  bool takeBack();
+  bool moving() const { return pull_.has_value(); }
+  /// What comes next is a step of its own.
+  void endMoves();
 
   /// The point of a section that was chosen last, where one alone is chosen; nothing else is one.
   std::optional<SectionPoint> sectionPoint() const;
@@ -71,25 +80,31 @@ class SurfaceHandles : public QObject {
   void chosenChanged();
 
  private:
-  /// Numbers of the surface as they were when a handle was pressed.
+  /// Handles that are moved.
   struct Pull {
     int handle = -1;
-    DesignedSurface from;
+    bool held = false;     ///< by the mouse
+    DesignedSurface from;  ///< as it was when a handle was pressed, or the keyboard began
+    DesignedSurface base;  ///< as it was before this number of it moved
+    HandleNumber number = HandleNumber::height;
     double began = 0;  ///< mm along the way, where the hand took hold
     double by = 0;     ///< mm that it moved since
     int mergeId = -1;
     bool moved = false;
     double wished = 0;                                      ///< mm, where the hand is
-    double step = 1;                                        ///< mm, of the heights
+    std::optional<double> to = std::nullopt;                ///< the number there, to its last digit
+    double step = 1;                                        ///< mm, of the numbers
     std::optional<pipeline::Bar> stoppedBy = std::nullopt;  ///< why it lags behind the hand
   };
 
   std::vector<Eigen::Vector3d> places() const;
-  Eigen::Vector3d way() const;  ///< unit, on which handles move
+  /// Unit, on which a number of the handles moves.
+  Eigen::Vector3d way(HandleNumber number = HandleNumber::height) const;
   /// Where the ray through a place of the view comes nearest to the way through a point, mm along it.
   std::optional<double> along(const QPointF& position, const Eigen::Vector3d& through) const;
   double heightOf(const DesignedSurface& surface, int handle) const;
 
+  void begin(Pull pull);
   void press(int handle, const QPointF& position, Qt::KeyboardModifiers keys);
   void move(int handle, const QPointF& position, Qt::KeyboardModifiers keys);
   void release(int handle, bool givenUp);
@@ -97,20 +112,26 @@ class SurfaceHandles : public QObject {
   void follow(const Change& change);
   /// Moves the handles to the hand, as far as they may go.
   void keepWithin();
-  static QString wordsOf(pipeline::Bar bar);
   /// Those that move together.
   std::vector<int> held() const;
-  /// Moves the handles pulled by so many mm from where they were.
+  /// The surface with the handles pulled by so many mm from where they were.
+  DesignedSurface pulledBy(double by) const;
+  /// The number that is moved, where `by` is 0.
+  double pulledFrom() const;
   void pull(double by, bool live);
+  /// Seeks how far the handles pulled may go.
+  void seek();
+  void endPull();
+  /// What is told beside the handle that is moved.
+  std::string pullText() const;
 
   Workbench& bench_;
   view::SceneView* view_;
   bool shown_ = true;
   int hovered_ = -1;
-  bool symmetric_ = false, snapping_ = false;
-  double grid_ = 10;
-  bool told_ = false;   ///< the one chosen last
-  std::string source_;  ///< whose handles they are
+  model::HandleHabits habits_;
+  bool pulling_ = false;  ///< the change of the design is its own
+  std::string source_;    ///< whose handles they are
   std::vector<int> chosen_;
   std::optional<Pull> pull_;
 };

@@ -108,6 +108,8 @@ class EvaluationRunner : public QObject {
   /// Draws a sketch of a live order and waits for the hand to rest. True where a newer design came meanwhile,
   /// so that this one need not be evaluated.
   bool drawSketch(const Order& order, const RunContext& context, const std::stop_token& end);
+  /// Begins with the reach that was asked for last, from the newest result; with mutex_ locked.
+  void takeSearch();
   /// One more look at the reach that is sought; false where there is nothing to look for.
   bool lookFarther(const std::stop_token& end);
   void takeSketch(std::uint64_t number, std::shared_ptr<const pipeline::Sketch> sketch);

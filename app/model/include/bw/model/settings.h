@@ -16,6 +16,14 @@ enum class ThemeChoice { system, light, dark };
 /// Which CAD program the mouse buttons follow.
 enum class MouseChoice { rhino, blender, solidworks };
 
+/// How handles move.
+struct HandleHabits {
+  bool symmetric = false;  ///< with their mirror images
+  bool snapping = false;   ///< from line to line of a grid
+  double grid = 10;        ///< mm, its spacing
+  bool operator==(const HandleHabits&) const = default;
+};
+
 /// What is remembered between starts; kept in the user's configuration folder.
 class Settings : public QObject {
   Q_OBJECT
@@ -44,6 +52,9 @@ class Settings : public QObject {
   /// Words of the kinds of files that exports leave out; none at first.
   QStringList leftOut() const;
   void setLeftOut(const QStringList& words);
+
+  HandleHabits handles() const;
+  void setHandles(const HandleHabits& habits);
 
   QByteArray layout(const QString& part) const;
   void setLayout(const QString& part, const QByteArray& state);
