@@ -51,7 +51,8 @@ TEST_F(SurfaceHandlesTest, APoleThatIsPulledTakesSurfaceBladesAndNumbersWithIt) 
   ASSERT_TRUE(settle());
   EXPECT_TRUE(bench().current());
   ASSERT_TRUE(QTest::qWaitFor(
-      [&] { return handles().way && (handles().way->endsAtFrom || handles().way->endsAtTo); }, kPatience));
+      [&] { return !handles().ways.empty() && (handles().ways[0].endsAtFrom || handles().ways[0].endsAtTo); },
+      kPatience));
   picture("handle-pulled");
   QTest::mouseRelease(&view(), Qt::LeftButton, {}, from - QPoint(0, 30));
   ASSERT_TRUE(settle());

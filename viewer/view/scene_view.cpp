@@ -109,7 +109,7 @@ struct SceneView::Impl {
     lightCube(onCube);
     const bool covered = onCube || onLegend(position);
     lightHandle(covered ? -1 : self->handleAt(position));
-    self->setCursor(handleLit >= 0 ? Qt::SizeVerCursor : onCube ? Qt::PointingHandCursor : Qt::ArrowCursor);
+    self->setCursor(handleLit >= 0 ? Qt::OpenHandCursor : onCube ? Qt::PointingHandCursor : Qt::ArrowCursor);
     emit self->hovered(covered ? scene::Pick{} : mover.pick(position));
   }
 };

@@ -17,7 +17,8 @@ namespace bw::scene {
 namespace {
 
 // Device-independent pixels.
-constexpr double kDisc = 4.5, kLitDisc = 6.5, kRim = 1.5, kLine = 1, kWay = 2.5, kTick = 7, kReach = 10;
+constexpr double kDisc = 4.5, kLitDisc = 6.5, kRim = 1.5, kLine = 1, kCurve = 1.5, kWay = 2.5, kTick = 7,
+                 kReach = 10;
 constexpr double kPadding = 8, kTextLine = 17, kAway = 18, kMargin = 8;
 constexpr std::size_t kColumns = 44, kMostLines = 4;
 
@@ -69,19 +70,22 @@ void HandleMarks::update(const Projection& view, int width, int height, const St
     if (there(one[0]) && there(one[1]))
       canvas_.line(spots[std::size_t(one[0])].pixel, spots[std::size_t(one[1])].pixel, kLine * px,
                    colors.selection, 0.45);
-  if (handles.way) {
-    const HandleWay& way = *handles.way;
-    const Spot from = spotOf(view, way.from), to = spotOf(view, way.to);
-    if (near(from, width, height) && near(to, width, height)) {
-      canvas_.line(from.pixel, to.pixel, kWay * px, colors.selection);
-      // Where it ends for a reason.
-      const Eigen::Vector2d along = to.pixel - from.pixel;
-      if (along.norm() > 0) {
-        const Eigen::Vector2d across = kTick * px * Eigen::Vector2d(-along.y(), along.x()).normalized();
-        if (way.endsAtFrom) canvas_.line(from.pixel - across, from.pixel + across, kWay * px, colors.error);
-        if (way.endsAtTo) canvas_.line(to.pixel - across, to.pixel + across, kWay * px, colors.error);
-      }
+  for (const Polyline& curve : handles.curves)
+    for (std::size_t k = 1; k < curve.size(); ++k) {
+      const Spot from = spotOf(view, curve[k - 1]), to = spotOf(view, curve[k]);
+      if (near(from, width, height) && near(to, width, height))
+        canvas_.line(from.pixel, to.pixel, kCurve * px, colors.selection, 0.8);
     }
+  for (const HandleWay& way : handles.ways) {
+    const Spot from = spotOf(view, way.from), to = spotOf(view, way.to);
+    if (!near(from, width, height) || !near(to, width, height)) continue;
+    canvas_.line(from.pixel, to.pixel, kWay * px, colors.selection);
+    // Where it ends for a reason.
+    const Eigen::Vector2d along = to.pixel - from.pixel;
+    if (!(along.norm() > 0)) continue;
+    const Eigen::Vector2d across = kTick * px * Eigen::Vector2d(-along.y(), along.x()).normalized();
+    if (way.endsAtFrom) canvas_.line(from.pixel - across, from.pixel + across, kWay * px, colors.error);
+    if (way.endsAtTo) canvas_.line(to.pixel - across, to.pixel + across, kWay * px, colors.error);
   }
   const auto disc = [&](int i, const Rgb& color, double radius) {
     if (!there(i)) return;

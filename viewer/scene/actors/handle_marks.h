@@ -11,8 +11,8 @@
 
 namespace bw::scene {
 
-/// The handles over a picture: discs at their places, thin lines between them, the way of the one that is
-/// held, and words beside it.
+/// The handles over a picture: discs at their places, thin lines between and beside them, the ways of those
+/// that are moved, and words beside the one that is lit.
 class HandleMarks {
  public:
   explicit HandleMarks(Layers& layers) { layers.add(Layer::handles, canvas_); }

@@ -2,13 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "window/handle_keys.h"
 
-#include <QApplication>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
-
-#include "workflow/bound_number.h"
 
 namespace bw::app {
 
@@ -17,44 +13,25 @@ namespace {
 constexpr double kFieldStep = 1;   // mm
 constexpr double kClick = 4;       // pixels that a click may go
 constexpr double kFarthest = 1e7;  // mm
-constexpr int kBeside = 18;        // pixels between a handle and its field
-constexpr int kFieldWidth = 180;   // for expressions
 
 const DesignedSurface* surfaceOf(const Workbench& bench) {
   return bench.source().surface ? &*bench.source().surface : nullptr;
 }
 
-/// What a number may begin with; the point and the comma lead from station to station.
-bool beginsNumber(const QKeyEvent& key) {
-  const QString text = key.text();
-  if (key.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier) || text.size() != 1)
-    return false;
-  return text[0].isDigit() || QStringLiteral("+-=(").contains(text[0]) || text[0] == QChar(0x2212);
-}
-
 }  // namespace
 
 HandleKeys::HandleKeys(Workbench& bench, view::SceneView* view, SurfaceHandles& handles)
-    : QObject(view), bench_(bench), view_(view), handles_(handles), frame_(new QFrame(view)) {
-  frame_->setObjectName("floating");
-  frame_->hide();
-  makeBox<QVBoxLayout>(frame_, {kGap, kGap, kGap, kGap}, 0);
-  setKeyboardHome(*frame_, *view);
+    : QObject(view), bench_(bench), view_(view), handles_(handles), field_(new HandleField(bench, view)) {
   view->installEventFilter(this);
-  connect(view, &view::SceneView::cameraChanged, this, &HandleKeys::placeField);
-  connect(&bench, &Workbench::changed, this, &HandleKeys::follow);
   connect(&handles, &SurfaceHandles::chosenChanged, this, [this] {
     handles_.endMoves();
-    closeField();
+    field_->close();
   });
-  connect(qApp, &QApplication::focusChanged, this,
-          [this](const QWidget*, const QWidget* now) { watchFocus(now); });
 }
 
 int HandleKeys::handle() const {
   const std::vector<int>& chosen = handles_.chosen();
-  const bool seen = !chosen.empty() && std::size_t(chosen.back()) < view_->sceneStyle().handles.points.size();
-  return seen && surfaceOf(bench_) ? chosen.back() : -1;
+  return !chosen.empty() && chosen.back() < handles_.count() ? chosen.back() : -1;
 }
 
 bool HandleKeys::eventFilter(QObject* watched, QEvent* event) {
@@ -81,7 +58,7 @@ void HandleKeys::rightButton(const QMouseEvent& event) {
   }
   const QPointF way = event.position() - pressed_;
   const int handle = std::hypot(way.x(), way.y()) <= kClick ? view_->handleAt(pressed_) : -1;
-  if (handle < 0) return;
+  if (handle < 0 || handle >= handles_.count()) return;
   if (std::ranges::find(handles_.chosen(), handle) == handles_.chosen().end()) handles_.choose({handle});
   emit menuRequested(event.globalPosition().toPoint());
 }
@@ -137,78 +114,30 @@ void HandleKeys::take(HandleNumber number, double to, const NumberField& field) 
                      [&](DesignedSurface& own) { own = moved; });
 }
 
-void HandleKeys::addLine(HandleNumber number, const QString& label) {
-  const DesignedSurface& surface = *surfaceOf(bench_);
-  const std::optional<double> value = numberOf(surface, handle(), number);
-  if (!value) return;
-  auto* field = column_->add(label, new NumberField({-kFarthest, kFarthest, 2, kFieldStep, "mm"}));
-  field->setAccessibleName(tr("%1 of %2").arg(label, handles_.nameOf(handle()).toLower()));
-  field->setFixedWidth(kFieldWidth);
-  field->show(*value);
-  connect(field, &NumberField::edited, this, [this, number, field](double to) { take(number, to, *field); });
-  if (handles_.chosen().size() == 1) bindNumber(bench_, field, placeOf(bench_, handle(), number));
-  lines_.push_back({field, number});
-}
-
 void HandleKeys::openField(const QKeyEvent* typed) {
-  closeField();
+  field_->close();
   if (handle() < 0) return;
   handles_.endMoves();
-  empty(*frame_->layout());
-  lines_.clear();
-  frame_->layout()->addWidget(makeNote(handles_.nameOf(handle()), frame_));
-  column_ = new FormColumn(frame_);
-  frame_->layout()->addWidget(column_);
-  addLine(HandleNumber::across, tr("x"));
-  addLine(HandleNumber::height, tr("Height"));
-  frame_->show();
-  placeField();
-  NumberField* first = lines_.back().field;
-  first->setFocus(Qt::ShortcutFocusReason);
-  first->selectAll();
-  if (!typed) return;
-  QKeyEvent again(QEvent::KeyPress, typed->key(), typed->modifiers(), typed->text());
-  QApplication::sendEvent(first, &again);
-}
-
-void HandleKeys::closeField() {
-  if (!frame_->isVisible()) return;
-  for (const Line& line : lines_) line.field->restore();
-  const bool had = frame_->isAncestorOf(QApplication::focusWidget());
-  frame_->hide();
-  if (had) view_->setFocus(Qt::OtherFocusReason);
-}
-
-void HandleKeys::placeField() {
-  if (!frame_->isVisible() || handle() < 0) return;
-  frame_->adjustSize();
-  const QPoint at = view_->toWidget(handles_.placeOf(handle())).toPoint();
-  const QSize size = frame_->size(), room = view_->size();
-  QPoint corner(at.x() + kBeside, at.y() - size.height() / 2);
-  if (corner.x() + size.width() + kGap > room.width()) corner.setX(at.x() - kBeside - size.width());
-  corner.setX(std::clamp(corner.x(), kGap, std::max(kGap, room.width() - size.width() - kGap)));
-  corner.setY(std::clamp(corner.y(), kGap, std::max(kGap, room.height() - size.height() - kGap)));
-  frame_->move(corner);
-}
-
-void HandleKeys::follow(const Change& change) {
-  if (!change.any(model::Aspect::design)) return;
-  if (!frame_->isVisible()) return;
-  const DesignedSurface* surface = surfaceOf(bench_);
-  if (handle() < 0 || !surface) return closeField();
-  for (const Line& line : lines_) {
-    const std::optional<double> value = numberOf(*surface, handle(), line.number);
-    if (!value) return closeField();
-    line.field->show(*value);
-  }
-  placeField();
-}
-
-void HandleKeys::watchFocus(const QWidget* now) {
-  // Another window, or a menu, only borrows the keyboard; a text that is refused stays in sight.
-  if (!now || !frame_->isVisible() || now == frame_ || frame_->isAncestorOf(now)) return;
-  if (std::ranges::any_of(lines_, [](const Line& line) { return line.field->refused(); })) return;
-  closeField();
+  std::vector<HandleField::Line> lines;
+  const auto add = [&](HandleNumber number, const QString& label) {
+    if (!numberOf(*surfaceOf(bench_), handle(), number)) return;
+    HandleField::Line line{label,
+                           tr("%1 of %2").arg(label, handles_.nameOf(handle()).toLower()),
+                           {-kFarthest, kFarthest, 2, kFieldStep, "mm"}};
+    line.value = [this, number]() -> std::optional<double> {
+      const DesignedSurface* surface = surfaceOf(bench_);
+      return surface && handle() >= 0 ? numberOf(*surface, handle(), number) : std::nullopt;
+    };
+    if (handles_.chosen().size() == 1) line.place = placeOf(bench_, handle(), number);
+    line.take = [this, number](double to, const NumberField& field) { take(number, to, field); };
+    lines.push_back(std::move(line));
+  };
+  add(HandleNumber::across, tr("x"));
+  add(HandleNumber::height, tr("Height"));
+  const auto beside = [this]() -> std::optional<Eigen::Vector3d> {
+    return handle() < 0 ? std::nullopt : std::optional(handles_.placeOf(handle()));
+  };
+  field_->open(handles_.nameOf(handle()), std::move(lines), beside, typed);
 }
 
 }  // namespace bw::app

@@ -2,19 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
-
-#include <QFrame>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QObject>
-#include <QString>
-
-#include <optional>
-#include <vector>
 
 #include "bw/view/scene_view.h"
-#include "controls/fields.h"
+#include "window/handle_field.h"
 #include "window/handle_numbers.h"
 #include "window/surface_handles.h"
 #include "workbench/workbench.h"
@@ -33,9 +26,7 @@ class HandleKeys : public QObject {
 
   /// Opens the field; what a key typed goes into it.
   void openField(const QKeyEvent* typed = nullptr);
-  /// What is typed and not taken is dropped.
-  void closeField();
-  const QFrame& field() const { return *frame_; }
+  const QFrame& field() const { return *field_; }
 
  signals:
   /// A handle was clicked with the right button, and is chosen.
@@ -45,29 +36,18 @@ class HandleKeys : public QObject {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  struct Line {
-    NumberField* field;
-    HandleNumber number;
-  };
-
   bool press(const QKeyEvent& key);
   void rightButton(const QMouseEvent& event);
   void nudge(HandleNumber number, double steps, const QKeyEvent& key);
   /// Moves to a number that was typed into a field.
   void take(HandleNumber number, double to, const NumberField& field);
-  void addLine(HandleNumber number, const QString& label);
   /// The handle whose numbers are told; −1: none.
   int handle() const;
-  void placeField();
-  void follow(const Change& change);
-  void watchFocus(const QWidget* now);
 
   Workbench& bench_;
   view::SceneView* view_;
   SurfaceHandles& handles_;
-  QFrame* frame_;
-  FormColumn* column_ = nullptr;  ///< of the field
-  std::vector<Line> lines_;
+  HandleField* field_;
   bool typed_ = false;  ///< the last move was of a number typed
   QPointF pressed_;     ///< where the right button went down
 };

@@ -24,6 +24,7 @@
 #include "versions/comparison.h"
 #include "versions/version_panel.h"
 #include "window/beside_view.h"
+#include "window/block_handles.h"
 #include "window/commands.h"
 #include "window/face_chooser.h"
 #include "window/handle_keys.h"
@@ -94,6 +95,7 @@ class MainWindow : public QMainWindow {
   FaceChooser& faceChooser() { return *faces_; }
   SurfaceHandles& surfaceHandles() { return *handles_; }
   HandleKeys& handleKeys() { return *keys_; }
+  BlockHandles& blockHandles() { return *blockHandles_; }
   SummaryLine& summaryLine() { return *summary_; }
   Inspector& inspector() { return *inspector_; }
   Commands& commands() { return commands_; }
@@ -229,6 +231,7 @@ class MainWindow : public QMainWindow {
   FaceChooser* faces_;
   SurfaceHandles* handles_;
   HandleKeys* keys_;
+  BlockHandles* blockHandles_;
   QTabWidget *tabs_, *sides_;
   QLabel* drawnLabel_;  ///< before the choice beside the tabs, where there is room for it
   SectionView* section_;

@@ -9,6 +9,7 @@
 #include "bw/core/base/frame.h"
 #include "bw/core/text/number_text.h"
 #include "controls/numbers.h"
+#include "window/handle_ray.h"
 #include "window/handle_reach.h"
 #include "workflow/section_edits.h"
 
@@ -16,9 +17,8 @@ namespace bw::app {
 
 namespace {
 
-constexpr double kCoarse = 10;       // steps
-constexpr double kFarthest = 400;    // mm that a handle is moved at once
-constexpr double kSteepest = 0.999;  // cosine between the way and the line of sight
+constexpr double kCoarse = 10;     // steps
+constexpr double kFarthest = 400;  // mm that a handle is moved at once
 
 const DesignedSurface* surfaceOf(const Workbench& bench) {
   return bench.source().surface ? &*bench.source().surface : nullptr;
@@ -47,6 +47,8 @@ bool SurfaceHandles::possible() const {
   const DesignedSurface* surface = surfaceOf(bench_);
   return surface && !std::holds_alternative<FormulaSurface>(surface->shape);
 }
+
+int SurfaceHandles::count() const { return shown_ ? int(places().size()) : 0; }
 
 std::vector<Eigen::Vector3d> SurfaceHandles::places() const {
   std::vector<Eigen::Vector3d> places;
@@ -138,15 +140,6 @@ void SurfaceHandles::removeSection() {
     if (app::removeSection(bench_, std::size_t(at->section))) choose({});
 }
 
-std::optional<double> SurfaceHandles::along(const QPointF& position, const Eigen::Vector3d& through) const {
-  const auto [origin, sight] = view_->rayAt(position);
-  const Eigen::Vector3d up = way();
-  const double cosine = sight.dot(up);
-  if (std::abs(cosine) > kSteepest) return {};
-  const Eigen::Vector3d from = origin - through;
-  return (from.dot(up) - cosine * from.dot(sight)) / (1 - cosine * cosine);
-}
-
 double SurfaceHandles::heightOf(const DesignedSurface& surface, int handle) const {
   return numberOf(surface, handle, HandleNumber::height).value_or(0);
 }
@@ -205,8 +198,8 @@ void SurfaceHandles::applyTo(scene::Style& style) const {
   const auto& [below, above] = reach->ends;
   const Eigen::Vector3d along = way(pull_->number);
   const Eigen::Vector3d start = handles.points[std::size_t(handles.lit)] - pull_->by * along;
-  handles.way = scene::HandleWay{start + below.free * along, start + above.free * along,
-                                 below.bar != pipeline::Bar::none, above.bar != pipeline::Bar::none};
+  handles.ways = {{start + below.free * along, start + above.free * along, below.bar != pipeline::Bar::none,
+                   above.bar != pipeline::Bar::none}};
 }
 
 std::string SurfaceHandles::pullText() const {
@@ -224,7 +217,7 @@ std::string SurfaceHandles::pullText() const {
 void SurfaceHandles::press(int handle, const QPointF& position, Qt::KeyboardModifiers keys) {
   const DesignedSurface* surface = surfaceOf(bench_);
   const std::vector<Eigen::Vector3d> all = places();
-  if (!surface || std::size_t(handle) >= all.size()) return view_->letGo();
+  if (!surface || std::size_t(handle) >= all.size()) return;  // another's
   const auto known = std::ranges::find(chosen_, handle);
   if (keys & Qt::ShiftModifier) {
     if (known == chosen_.end())
@@ -238,7 +231,7 @@ void SurfaceHandles::press(int handle, const QPointF& position, Qt::KeyboardModi
   }
   emit chosenChanged();
   Pull pull{handle, true, *surface, *surface};
-  pull.began = along(position, all[std::size_t(handle)]).value_or(0);
+  pull.began = alongWay(*view_, position, all[std::size_t(handle)], way()).value_or(0);
   pull.mergeId = bench_.newMergeId();
   begin(std::move(pull));
   emit changed();
@@ -265,7 +258,7 @@ void SurfaceHandles::move(int handle, const QPointF& position, Qt::KeyboardModif
   if (!pull_ || !pull_->held || pull_->handle != handle) return;
   const double moved = heightOf(*surfaceOf(bench_), handle) - heightOf(pull_->from, handle);
   const Eigen::Vector3d start = places()[std::size_t(handle)] - moved * way();
-  const std::optional<double> at = along(position, start);
+  const std::optional<double> at = alongWay(*view_, position, start, way());
   if (!at) return;
   const auto [step, share] = handPace(keys, steps());
   // The height, not the way to it, is a round number.
@@ -364,7 +357,7 @@ void SurfaceHandles::release(int handle, bool givenUp) {
 }
 
 void SurfaceHandles::hover(int handle) {
-  hovered_ = handle;
+  hovered_ = handle < count() ? handle : -1;
   emit changed();
 }
 

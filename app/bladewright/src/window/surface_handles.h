@@ -36,7 +36,9 @@ class SurfaceHandles : public QObject {
   void setShown(bool shown);
   /// Whether there is anything to take hold of.
   bool possible() const;
-  /// Adds the handles to a style.
+  /// How many there are in the picture: the first of its handles.
+  int count() const;
+  /// Puts the handles into a style.
   void applyTo(scene::Style& style) const;
 
   /// Those that move together, the one chosen last at the end.
@@ -100,8 +102,6 @@ class SurfaceHandles : public QObject {
   std::vector<Eigen::Vector3d> places() const;
   /// Unit, on which a number of the handles moves.
   Eigen::Vector3d way(HandleNumber number = HandleNumber::height) const;
-  /// Where the ray through a place of the view comes nearest to the way through a point, mm along it.
-  std::optional<double> along(const QPointF& position, const Eigen::Vector3d& through) const;
   double heightOf(const DesignedSurface& surface, int handle) const;
 
   void begin(Pull pull);

@@ -165,6 +165,7 @@ void MainWindow::refreshStyle() {
   hideObjects(style);
   faces_->applyTo(style);
   handles_->applyTo(style);
+  blockHandles_->applyTo(style);
   beside_->setStyle(style);
   const Field* mapped = mappedField(*view_);
   mapBar_->setRangeUnit(mapped ? QString::fromStdString(mapped->unit) : QString());

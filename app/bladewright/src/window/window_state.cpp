@@ -17,6 +17,7 @@ namespace bw::app {
 namespace {
 
 constexpr int kFactorWidth = 66;
+constexpr int kToldFor = 8000;     // ms, in the line at the bottom
 constexpr int kMiddleWidth = 358;  // as much as the panels beside it leave of the smallest window
 
 /// Tabs that are no wider than what they hold: there is no frame around it.
@@ -54,6 +55,7 @@ void MainWindow::makeWorkspace() {
   faces_ = new FaceChooser(bench_, theme_, view_);
   handles_ = new SurfaceHandles(bench_, view_);
   keys_ = new HandleKeys(bench_, view_, *handles_);
+  blockHandles_ = new BlockHandles(bench_, view_, *handles_);
   middle_->addWidget(picture);
   middle_->setMinimumWidth(kMiddleWidth);
   tabs_ = new QTabWidget(middle_);
@@ -143,6 +145,9 @@ void MainWindow::makeWorkspace() {
   connect(faces_, &FaceChooser::changed, this, &MainWindow::refreshStyle);
   connect(handles_, &SurfaceHandles::changed, this, &MainWindow::refreshStyle);
   connect(handles_, &SurfaceHandles::chosenChanged, this, &MainWindow::refreshHandleCommands);
+  connect(blockHandles_, &BlockHandles::changed, this, &MainWindow::refreshStyle);
+  connect(blockHandles_, &BlockHandles::told, this,
+          [this](const QString& why) { statusBar()->showMessage(why, kToldFor); });
   connect(keys_, &HandleKeys::menuRequested, this, [this](const QPoint& place) {
     refreshHandleCommands();
     handleMenu_->popup(place);

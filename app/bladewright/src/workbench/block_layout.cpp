@@ -8,13 +8,19 @@
 
 namespace bw::app {
 
+std::optional<BlockPlacement> placementOf(const Workbench& bench) {
+  if (const auto& placed = bench.block().placement) return placed;
+  const pipeline::CutEvaluation* cut = bench.shownCut();
+  if (!cut || !cut->setup) return std::nullopt;
+  return bw::placementOf(placedAs(cut->setup->block, bench.cut().pose));
+}
+
 std::optional<BlockGrid> gridOf(const Workbench& bench) {
   const Design& design = bench.design();
   if (design.grid) return design.grid;
-  if (const auto& placed = bench.block().placement) return bw::gridOf(design, *placed);
-  const pipeline::CutEvaluation* cut = bench.shownCut();
-  if (design.stock.size() > 1 || !cut || !cut->setup) return std::nullopt;
-  return bw::gridOf(design, placementOf(placedAs(cut->setup->block, bench.cut().pose)));
+  const std::optional<BlockPlacement> placed = placementOf(bench);
+  if (!placed || (!bench.block().placement && design.stock.size() > 1)) return std::nullopt;
+  return bw::gridOf(design, *placed);
 }
 
 bool layOut(Workbench& bench, const QString& text, const Design& from, const BlockGrid& before,

@@ -13,6 +13,10 @@
 
 namespace bw::app {
 
+/// Where the block selected stands: as it is placed, or as it was found around its surface; empty before that
+/// is known.
+std::optional<BlockPlacement> placementOf(const Workbench& bench);
+
 /// The grid that the blocks lie in; empty where they are a list, or where a single block is not yet placed.
 std::optional<BlockGrid> gridOf(const Workbench& bench);
 

@@ -449,11 +449,15 @@ void Workbench::editSurface(const QString& text, const std::function<void(Design
       mergeId, live);
 }
 
-void Workbench::editBlock(const QString& text, const std::function<void(StockBlock&)>& change) {
-  editDesign(text, [&](Design& design) {
-    change(*std::ranges::find(design.stock, selection_.block, &StockBlock::id));
-    if (design.grid && design.stock != stockOf(*design.grid)) design.grid.reset();
-  });
+void Workbench::editBlock(const QString& text, const std::function<void(StockBlock&)>& change, int mergeId,
+                          bool live) {
+  editDesign(
+      text,
+      [&](Design& design) {
+        change(*std::ranges::find(design.stock, selection_.block, &StockBlock::id));
+        if (design.grid && design.stock != stockOf(*design.grid)) design.grid.reset();
+      },
+      mergeId, live);
 }
 
 }  // namespace bw::app

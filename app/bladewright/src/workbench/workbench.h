@@ -203,7 +203,8 @@ class Workbench : public QObject {
   /// The same for the cut or the block selected.
   void editCut(const QString& text, const std::function<void(Cut&)>& change, int mergeId = -1,
                bool live = false);
-  void editBlock(const QString& text, const std::function<void(StockBlock&)>& change);
+  void editBlock(const QString& text, const std::function<void(StockBlock&)>& change, int mergeId = -1,
+                 bool live = false);
   /// The same for the designed surface that the cut selected is of.
   void editSurface(const QString& text, const std::function<void(DesignedSurface&)>& change, int mergeId = -1,
                    bool live = false);

@@ -11,6 +11,7 @@
 #include "bw/core/base/units.h"
 #include "bw/core/design/cut_list.h"
 #include "bw/core/text/number_text.h"
+#include "workbench/block_layout.h"
 
 namespace bw::app {
 
@@ -200,12 +201,7 @@ BlockFields::BlockFields(Workbench& bench, FormColumn* column, QObject* parent)
       {-360, 360, 3, 5, QString(QChar(0xb0))}, &BlockPlacement::rotation, kDegree, "/rotation_deg/");
 }
 
-BlockPlacement BlockFields::placement() const {
-  if (bench_.block().placement) return *bench_.block().placement;
-  if (const auto* cut = bench_.shownCut(); cut && cut->setup)
-    return placementOf(placedAs(cut->setup->block, bench_.cut().pose));
-  return {};
-}
+BlockPlacement BlockFields::placement() const { return placementOf(bench_).value_or(BlockPlacement()); }
 
 void BlockFields::refresh() {
   const bool automatic = !bench_.block().placement;
@@ -241,11 +237,7 @@ CutFields::CutFields(Workbench& bench, FormColumn* column, QObject* parent) : QO
 
 void CutFields::add() {
   const Cut& beside = bench_.cut();
-  BlockPlacement placed;
-  if (bench_.block().placement)
-    placed = *bench_.block().placement;
-  else if (const auto* cut = bench_.shownCut(); cut && cut->setup)
-    placed = placementOf(placedAs(cut->setup->block, beside.pose));
+  const BlockPlacement placed = placementOf(bench_).value_or(BlockPlacement());
   Result<AnotherCut> another = withAnotherCut(bench_.design(), beside, placed);
   if (!another) return bench_.tell(Topic::other, another.error());
   // What lay around the surface stays where it is.

@@ -121,11 +121,12 @@ struct HandleWay {
 struct Handles {
   std::vector<Eigen::Vector3d> points;
   std::vector<std::array<int, 2>> lines;  ///< between two of them
+  std::vector<Polyline> curves;           ///< beside them
   std::vector<int> chosen;                ///< those that move together
   int lit = -1;                           ///< the one that is held, or under the cursor
   std::string text;                       ///< beside it
   bool stopped = false;                   ///< it goes no farther
-  std::optional<HandleWay> way;           ///< its
+  std::vector<HandleWay> ways;            ///< of all that move with it
 };
 
 /// How a thing is shown.

@@ -1,0 +1,443 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "window/block_handles.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "bw/core/base/units.h"
+#include "bw/core/parts/cut_pose.h"
+#include "bw/core/text/number_text.h"
+#include "controls/numbers.h"
+#include "window/handle_ray.h"
+#include "workbench/block_layout.h"
+
+namespace bw::app {
+
+namespace {
+
+constexpr int kFaces = 6;
+constexpr double kLeast = 10, kMost = 1e5;       // mm, of a size
+constexpr HandSteps kTurns = {1, 15, 45};        // degrees
+constexpr double kRing = 1.12, kTip = 1.35;      // of half a diagonal of the block, from its middle
+constexpr double kBarb = 0.09, kBarbAngle = 25;  // of the arrow's length, and degrees
+constexpr int kRingParts = 72;
+constexpr double kUpright = 1e-3;  // sine between the travel and the vertical, below which it turns nothing
+constexpr std::array<const char*, 3> kAxes = {"X", "Y", "Z"};
+
+bool isFace(BlockPart part) { return int(part) < kFaces; }
+int axisOf(BlockPart part) { return int(part) / 2; }
+double sideOf(BlockPart part) { return int(part) % 2 ? 1 : -1; }
+
+Eigen::Vector3d axisIn(const Frame& frame, int axis) {
+  return axis == 0 ? frame.x : axis == 1 ? frame.y : frame.normal;
+}
+
+/// Degrees in (−180, 180].
+double wrapped(double degrees) {
+  const double within = std::remainder(degrees, 360);
+  return within == -180 ? 180 : within;
+}
+
+QString degreesText(double degrees) { return QString::fromStdString(shortText(degrees, 6)) + QChar(0xb0); }
+
+/// The direction at an angle, without the digits that a sine of 180° leaves.
+Eigen::Vector2d unitAt(double degrees) {
+  const auto clean = [](double number) { return std::abs(number) < 1e-15 ? 0.0 : number; };
+  return {clean(std::cos(fromDegrees(degrees))), clean(std::sin(fromDegrees(degrees)))};
+}
+
+/// The block with another value of a part.
+BlockPlacement placedWith(const BlockPlacement& placed, BlockPart part, double value) {
+  BlockPlacement next = placed;
+  const Box box = placed.box();
+  if (isFace(part)) {
+    const int axis = axisOf(part);
+    next.size[axis] = value;
+    // The other face stays.
+    if (sideOf(part) < 0) next.origin -= (value - placed.size[axis]) * axisIn(box.frame, axis);
+    return next;
+  }
+  next.rotation.z() = fromDegrees(value);
+  next.origin += box.center() - next.box().center();
+  return next;
+}
+
+}  // namespace
+
+double BlockHandles::within(const Standing& was, BlockPart part, double value) {
+  if (!isFace(part)) return wrapped(value);
+  return std::clamp(value, std::min(kLeast, valueOf(was, part)), kMost);
+}
+
+BlockHandles::BlockHandles(Workbench& bench, view::SceneView* view, SurfaceHandles& surface)
+    : QObject(view), bench_(bench), view_(view), surface_(surface), field_(new HandleField(bench, view)) {
+  view->installEventFilter(this);
+  connect(view, &view::SceneView::handlePressed, this, &BlockHandles::press);
+  connect(view, &view::SceneView::handleMoved, this, &BlockHandles::move);
+  connect(view, &view::SceneView::handleReleased, this, &BlockHandles::release);
+  connect(view, &view::SceneView::handleHovered, this, &BlockHandles::hover);
+  connect(&bench, &Workbench::changed, this, &BlockHandles::follow);
+  connect(&surface, &SurfaceHandles::chosenChanged, this, [this] {
+    if (!surface_.chosen().empty()) choose({});
+  });
+}
+
+std::optional<BlockHandles::Standing> BlockHandles::standing() const {
+  if (bench_.document().empty() || bench_.selection().kind != Selection::Kind::block || !surface_.shown())
+    return {};
+  const std::optional<BlockPlacement> placed = placementOf(bench_);
+  if (!placed) return {};
+  Standing now{*placed, placed->box(), {}, Eigen::Vector3d::UnitY()};
+  now.lies = lying(now.box, bench_.cut().pose);
+  const pipeline::CutEvaluation* shown = bench_.shownCut();
+  if (bench_.cut().direction)
+    now.travel = bench_.cut().direction->normalized();
+  else if (shown && shown->setup)
+    now.travel = shown->setup->planes.direction();
+  now.travelled = now.travel.cross(now.lies.frame.normal).norm() > kUpright;
+  now.gridded = bench_.design().grid && bench_.design().grid->count() > 1;
+  return now;
+}
+
+double BlockHandles::valueOf(const Standing& standing, BlockPart part) {
+  if (isFace(part)) return standing.placed.size[axisOf(part)];
+  if (part == BlockPart::turn) return toDegrees(standing.placed.rotation.z());
+  const Frame& frame = standing.lies.frame;
+  return toDegrees(std::atan2(standing.travel.dot(frame.y), standing.travel.dot(frame.x)));
+}
+
+Frame BlockHandles::planeOf(const Standing& standing, BlockPart part) {
+  const Box& box = part == BlockPart::turn ? standing.box : standing.lies;
+  Frame plane = box.frame;
+  plane.origin = box.center() + 0.5 * box.size.z() * box.frame.normal;
+  return plane;
+}
+
+Eigen::Vector3d BlockHandles::placeOf(const Standing& standing, BlockPart part) const {
+  if (isFace(part)) {
+    const int axis = axisOf(part);
+    return standing.box.center() +
+           0.5 * sideOf(part) * standing.box.size[axis] * axisIn(standing.box.frame, axis);
+  }
+  const Box& box = part == BlockPart::turn ? standing.box : standing.lies;
+  const double radius = 0.5 * box.size.head<2>().norm();
+  // The ring is taken hold of between two faces.
+  const Eigen::Vector2d at = part == BlockPart::turn ? kRing * radius * unitAt(-45)
+                                                     : kTip * radius * unitAt(valueOf(standing, part));
+  return planeOf(standing, part).toWorld(at);
+}
+
+HandSteps BlockHandles::stepsOf(BlockPart part) const { return isFace(part) ? surface_.steps() : kTurns; }
+
+QString BlockHandles::nameOf(BlockPart part) const {
+  switch (part) {
+    case BlockPart::left:
+      return tr("Left face");
+    case BlockPart::right:
+      return tr("Right face");
+    case BlockPart::front:
+      return tr("Front face");
+    case BlockPart::back:
+      return tr("Back face");
+    case BlockPart::bottom:
+      return tr("Bottom face");
+    case BlockPart::top:
+      return tr("Top face");
+    case BlockPart::turn:
+      return tr("Rotation Z");
+    case BlockPart::direction:
+      break;
+  }
+  return tr("Cutting direction");
+}
+
+QString BlockHandles::textOf(const Standing& standing, BlockPart part) const {
+  const double value = valueOf(standing, part);
+  QString text =
+      isFace(part)
+          ? tr("%1: size %2 %3").arg(nameOf(part), kAxes[std::size_t(axisOf(part))], lengthText(value))
+      : part == BlockPart::turn ? tr("%1: %2").arg(nameOf(part), degreesText(value))
+                                : tr("%1: %2 from the block's X").arg(nameOf(part), degreesText(value));
+  if (!pull_ || pull_->part != part) return text;
+  const double by =
+      isFace(part) ? value - valueOf(pull_->was, part) : wrapped(value - valueOf(pull_->was, part));
+  return text + (by < 0 ? " (−" : " (+") + QString::fromStdString(shortText(std::abs(by), 4)) + ")";
+}
+
+QString BlockHandles::whyFixed(const Standing& standing, BlockPart part) const {
+  if (part == BlockPart::direction || !standing.gridded) return {};
+  const QString block = QString::fromStdString(bench_.selection().block);
+  return isFace(part)
+             ? tr("%1 lies in a grid, which tells its size: pull a boundary in the tab Blocks, or type its "
+                  "sizes there")
+                   .arg(block)
+             : tr("%1 lies in a grid, whose blocks stand side by side and are not turned one by one")
+                   .arg(block);
+}
+
+int BlockHandles::handleOf(BlockPart part) const {
+  const std::optional<Standing> now = standing();
+  if (!now || (part == BlockPart::direction && !now->travelled)) return -1;
+  return surface_.count() + int(part);
+}
+
+std::optional<BlockPart> BlockHandles::partOf(int handle) const {
+  const int part = handle - surface_.count();
+  if (part < 0 || part > int(BlockPart::direction) || handleOf(BlockPart(part)) != handle) return {};
+  return BlockPart(part);
+}
+
+void BlockHandles::applyTo(scene::Style& style) const {
+  const std::optional<Standing> now = standing();
+  if (!now || style.chooseFaces) return;
+  scene::Handles& handles = style.handles;
+  const int first = int(handles.points.size());
+  const int last = int(now->travelled ? BlockPart::direction : BlockPart::turn);
+  for (int part = 0; part <= last; ++part) handles.points.push_back(placeOf(*now, BlockPart(part)));
+  const Frame ring = planeOf(*now, BlockPart::turn);
+  scene::Polyline circle;
+  for (int i = 0; i <= kRingParts; ++i)
+    circle.push_back(
+        ring.toWorld(kRing * 0.5 * now->box.size.head<2>().norm() * unitAt(360.0 * i / kRingParts)));
+  handles.curves.push_back(std::move(circle));
+  if (now->travelled) {
+    const Frame plane = planeOf(*now, BlockPart::direction);
+    const double length = kTip * 0.5 * now->lies.size.head<2>().norm();
+    const double angle = valueOf(*now, BlockPart::direction);
+    const Eigen::Vector2d tip = length * unitAt(angle);
+    scene::Polyline arrow = {plane.origin, plane.toWorld(tip)};
+    for (const double barb : {180 - kBarbAngle, 180 + kBarbAngle})
+      arrow.insert(arrow.end(),
+                   {plane.toWorld(tip + kBarb * length * unitAt(angle + barb)), plane.toWorld(tip)});
+    handles.curves.push_back(std::move(arrow));
+  }
+  if (pull_ && pull_->part != BlockPart::direction) {
+    // The block goes with the hand at once; its picture follows.
+    const std::array<Eigen::Vector3d, 8> corner = now->box.corners();
+    for (const auto& [a, b] : std::initializer_list<std::pair<int, int>>{
+             {0, 1}, {2, 3}, {4, 5}, {6, 7}, {0, 2}, {1, 3}, {4, 6}, {5, 7}, {0, 4}, {1, 5}, {2, 6}, {3, 7}})
+      handles.curves.push_back({corner[std::size_t(a)], corner[std::size_t(b)]});
+  }
+  if (chosen_ && int(*chosen_) <= last) handles.chosen.push_back(first + int(*chosen_));
+  const std::optional<BlockPart> lit =
+      pull_ && (pull_->held || !hovered_) ? std::optional(pull_->part) : hovered_;
+  if (!lit || int(*lit) > last) return;
+  handles.lit = first + int(*lit);
+  const QString why = whyFixed(*now, *lit);
+  handles.text = (why.isEmpty() ? textOf(*now, *lit) : textOf(*now, *lit) + "\n" + why).toStdString();
+  handles.stopped = !why.isEmpty();
+  handles.ways.clear();
+}
+
+void BlockHandles::choose(std::optional<BlockPart> part) {
+  if (!pull_ || !pull_->held) endPull();
+  field_->close();
+  if (std::exchange(chosen_, part) != part) emit changed();
+}
+
+void BlockHandles::begin(BlockPart part, bool held, const Standing& standing) {
+  pull_ = Pull{part, held, bench_.design(), standing, 0, valueOf(standing, part), bench_.newMergeId()};
+}
+
+void BlockHandles::press(int handle, const QPointF& position) {
+  const std::optional<BlockPart> part = partOf(handle);
+  if (!part) return;
+  const Standing now = *standing();
+  surface_.choose({});
+  choose(part);
+  if (const QString why = whyFixed(now, *part); !why.isEmpty()) {
+    view_->letGo();
+    return emit told(why);
+  }
+  begin(*part, true, now);
+  pull_->began = (isFace(*part) ? alongWay(*view_, position, placeOf(now, *part),
+                                           sideOf(*part) * axisIn(now.box.frame, axisOf(*part)))
+                                : angleIn(*view_, position, planeOf(now, *part)))
+                     .value_or(0);
+  emit changed();
+}
+
+void BlockHandles::move(int handle, const QPointF& position, Qt::KeyboardModifiers keys) {
+  if (!pull_ || !pull_->held || partOf(handle) != pull_->part) return;
+  const Standing& was = pull_->was;
+  const BlockPart part = pull_->part;
+  const auto [step, share] = handPace(keys, stepsOf(part));
+  double by = 0;
+  if (isFace(part)) {
+    const std::optional<double> at =
+        alongWay(*view_, position, placeOf(was, part), sideOf(part) * axisIn(was.box.frame, axisOf(part)));
+    if (!at) return;
+    by = *at - pull_->began;
+  } else {
+    const std::optional<double> at = angleIn(*view_, position, planeOf(was, part));
+    if (!at) return;
+    by = wrapped(*at - pull_->began);
+  }
+  // The number, not the way to it, is a round one.
+  const double value = std::round((valueOf(was, part) + by * (isFace(part) ? share : 1)) / step) * step;
+  if (const double next = within(was, part, value); next != pull_->value) pull(next, true);
+}
+
+void BlockHandles::pull(double value, bool live) {
+  pull_->value = value;
+  pull_->moved = true;
+  const BlockPart part = pull_->part;
+  const Standing& was = pull_->was;
+  pulling_ = true;
+  if (part == BlockPart::direction) {
+    const Frame& frame = was.lies.frame;
+    const double up = was.travel.dot(frame.normal), across = std::sqrt(std::max(0.0, 1 - up * up));
+    const Eigen::Vector2d way = across * unitAt(value);
+    Eigen::Vector3d direction = way.x() * frame.x + way.y() * frame.y + up * frame.normal;
+    for (double& number : direction)
+      if (std::abs(number) < 1e-12) number = 0;
+    bench_.editCut(
+        tr("Change direction"), [&](Cut& cut) { cut.direction = direction; }, pull_->mergeId, live);
+  } else {
+    const BlockPlacement next = placedWith(was.placed, part, value);
+    bench_.editBlock(
+        isFace(part) ? tr("Resize block") : tr("Rotate block"),
+        [&](StockBlock& block) { block.placement = next; }, pull_->mergeId, live);
+  }
+  pulling_ = false;
+  emit changed();
+}
+
+void BlockHandles::giveUp() {
+  const QString text = pull_->part == BlockPart::direction ? tr("Change direction")
+                       : pull_->part == BlockPart::turn    ? tr("Rotate block")
+                                                           : tr("Resize block");
+  pulling_ = true;
+  bench_.editDesign(
+      text, [this](Design& design) { design = pull_->from; }, pull_->mergeId);
+  pulling_ = false;
+}
+
+void BlockHandles::endPull() {
+  if (!pull_) return;
+  pull_.reset();
+  emit changed();
+}
+
+void BlockHandles::release(int handle, bool givenUp) {
+  if (!pull_ || !pull_->held || partOf(handle) != pull_->part) return;
+  if (pull_->moved && givenUp)
+    giveUp();
+  else if (pull_->moved)
+    pull(pull_->value, false);
+  endPull();
+}
+
+void BlockHandles::hover(int handle) {
+  if (std::exchange(hovered_, partOf(handle)) != partOf(handle)) emit changed();
+}
+
+void BlockHandles::follow(const Change& change) {
+  if (pulling_ || !change.any(Aspect::design | Aspect::selection)) return;
+  const bool there = standing().has_value();
+  if (pull_) {
+    // Another block, or an undo while it is held.
+    const bool held = pull_->held;
+    pull_.reset();
+    if (held) view_->letGo();
+  }
+  if (!there) {
+    hovered_.reset();
+    choose({});
+  } else if (change.any(Aspect::design)) {
+    emit changed();
+  }
+}
+
+bool BlockHandles::eventFilter(QObject* watched, QEvent* event) {
+  const bool override = event->type() == QEvent::ShortcutOverride;
+  if (watched != view_ || (!override && event->type() != QEvent::KeyPress)) return false;
+  if (!chosen_ || view_->holding() || handleOf(*chosen_) < 0) return false;
+  const auto& key = *static_cast<QKeyEvent*>(event);
+  if (override) {
+    // Before a computation is stopped.
+    if (key.key() == Qt::Key_Escape && (pull_ || !bench_.runner().busy())) event->accept();
+    return false;
+  }
+  return pressKey(key);
+}
+
+bool BlockHandles::pressKey(const QKeyEvent& key) {
+  switch (key.key()) {
+    case Qt::Key_Up:
+    case Qt::Key_Right:
+      return nudge(1, key), true;
+    case Qt::Key_Down:
+    case Qt::Key_Left:
+      return nudge(-1, key), true;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      return openField(nullptr), true;
+    case Qt::Key_Escape:
+      if (pull_) {
+        giveUp();
+        endPull();
+      } else {
+        choose({});
+      }
+      return true;
+    default:
+      break;
+  }
+  if (!beginsNumber(key)) return false;
+  openField(&key);
+  return true;
+}
+
+void BlockHandles::nudge(double steps, const QKeyEvent& key) {
+  const Standing now = *standing();
+  if (const QString why = whyFixed(now, *chosen_); !why.isEmpty()) return emit told(why);
+  if (!pull_) begin(*chosen_, false, now);
+  const double step = handPace(key.modifiers(), stepsOf(*chosen_)).step;
+  // The next round number beyond.
+  constexpr double kNear = 1e-6;
+  const double places = valueOf(now, *chosen_) / step;
+  const double next =
+      (steps > 0 ? std::floor(places + kNear) + steps : std::ceil(places - kNear) + steps) * step;
+  pull(within(now, *chosen_, next), true);
+}
+
+void BlockHandles::openField(const QKeyEvent* typed) {
+  const BlockPart part = *chosen_;
+  if (const QString why = whyFixed(*standing(), part); !why.isEmpty()) return emit told(why);
+  endPull();
+  const QString block = QString::fromStdString(bench_.selection().block);
+  HandleField::Line line;
+  line.label = isFace(part) ? tr("Size %1").arg(kAxes[std::size_t(axisOf(part))]) : nameOf(part);
+  line.name = tr("%1 of %2").arg(line.label, block);
+  line.range = isFace(part) ? NumberRange{kLeast, kMost, 3, 10, "mm"}
+                            : NumberRange{-360, 360, 3, kTurns.plain, QString(QChar(0xb0))};
+  line.value = [this, part]() -> std::optional<double> {
+    const std::optional<Standing> now = standing();
+    return now && chosen_ == part ? std::optional(valueOf(*now, part)) : std::nullopt;
+  };
+  // Only a face whose opposite one is the corner can follow a size alone.
+  if (isFace(part) && sideOf(part) > 0)
+    line.place = placeInBlock(bench_, "/size/" + std::to_string(axisOf(part)));
+  line.take = [this, part](double to, const NumberField&) {
+    const std::optional<Standing> now = standing();
+    if (!now) return;
+    begin(part, false, *now);
+    pull(to, false);
+    endPull();
+  };
+  field_->open(
+      nameOf(part), {line},
+      [this, part]() -> std::optional<Eigen::Vector3d> {
+        const std::optional<Standing> now = standing();
+        return now && chosen_ == part ? std::optional(placeOf(*now, part)) : std::nullopt;
+      },
+      typed);
+}
+
+}  // namespace bw::app

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include <QPointF>
+
+#include <optional>
+
+#include "bw/core/base/frame.h"
+#include "bw/view/scene_view.h"
+
+namespace bw::app {
+
+/// Where the ray through a place of the view comes nearest to a line: mm from `through` along `way` (unit).
+/// Nothing where the view looks along it.
+std::optional<double> alongWay(const view::SceneView& view, const QPointF& position,
+                               const Eigen::Vector3d& through, const Eigen::Vector3d& way);
+
+/// Where the ray through a place of the view meets the plane of a frame's x and y: the angle there about its
+/// origin from x on, degrees. Nothing where the view looks along the plane.
+std::optional<double> angleIn(const view::SceneView& view, const QPointF& position, const Frame& frame);
+
+}  // namespace bw::app

@@ -1,0 +1,225 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+//
+// The block that is selected in the hand: its faces, its rotation and the cutting direction.
+
+#include "window/block_handles.h"
+
+#include <Eigen/Geometry>
+
+#include <QStatusBar>
+
+#include <cmath>
+
+#include "bw/core/base/units.h"
+#include "handles_fixture.h"
+#include "workbench/block_layout.h"
+
+namespace bw::app {
+namespace {
+
+class BlockHandlesTest : public HandlesTest {
+ protected:
+  /// Opens an example and clicks one of its blocks in the plan.
+  void openBlock(const QString& example, const std::string& block = {}) {
+    open(example);
+    QTest::keyClick(&window(), Qt::Key_7, Qt::ControlModifier);
+    BlockPlan& plan = window().blockPanel().plan();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return plan.isVisible(); }, kPatience));
+    QTest::qWait(20);
+    const std::string& which = block.empty() ? bench().design().block().id : block;
+    QTest::mouseClick(&plan, Qt::LeftButton, {}, plan.rectOf(which).center().toPoint());
+    ASSERT_EQ(bench().selection().kind, Selection::Kind::block);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view().resting(); }, kPatience));
+    ASSERT_GE(handle(BlockPart::direction), 0);
+  }
+  int handle(BlockPart part) { return window().blockHandles().handleOf(part); }
+  Eigen::Vector3d place(BlockPart part) { return handles().points[std::size_t(handle(part))]; }
+  QPoint on(BlockPart part) { return view().toWidget(place(part)).toPoint(); }
+  Box box() { return bench().block().placement->box(); }
+  /// Presses a part and moves the hand to where a point of space is seen.
+  void pull(BlockPart part, const Eigen::Vector3d& to, Qt::KeyboardModifiers keys = {}) {
+    const QPoint from = on(part), end = view().toWidget(to).toPoint();
+    ASSERT_EQ(view().handleAt(from), handle(part)) << "nothing lies before it";
+    QTest::mousePress(&view(), Qt::LeftButton, keys, from);
+    for (int i = 1; i <= 5; ++i) {
+      const QPoint at = from + (end - from) * i / 5;
+      QMouseEvent move(QEvent::MouseMove, at, view().mapToGlobal(at), Qt::NoButton, Qt::LeftButton, keys);
+      QApplication::sendEvent(&view(), &move);
+      QTest::qWait(5);
+    }
+  }
+  void release() { QTest::mouseRelease(&view(), Qt::LeftButton); }
+  void press(Qt::Key key, Qt::KeyboardModifiers keys = {}) { QTest::keyClick(&view(), key, keys); }
+  void type(const QString& text) {
+    for (const QChar c : text) QTest::keyClick(QApplication::focusWidget(), c.toLatin1());
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+  }
+};
+
+TEST_F(BlockHandlesTest, AFaceIsPulledAlongItsNormal) {
+  openBlock("ripple-along");
+  const Design before = bench().design();
+  const std::size_t poles = std::size_t(window().surfaceHandles().count());
+  EXPECT_EQ(handles().points.size(), poles + 8);
+  const Box was = placementOf(bench())->box();
+  QTest::mouseMove(&view(), on(BlockPart::right));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return handles().lit == handle(BlockPart::right); }, kPatience));
+  EXPECT_EQ(handles().text.find("Right face: size X "), 0u) << handles().text;
+  picture("block-handles");
+  ASSERT_NO_FATAL_FAILURE(pull(BlockPart::right, place(BlockPart::right) + 40 * was.frame.x));
+  EXPECT_NEAR(box().size.x(), was.size.x() + 40, 4);
+  EXPECT_EQ(box().size.x(), std::round(box().size.x())) << "whole mm";
+  EXPECT_EQ(box().frame.origin, was.frame.origin) << "the other face stays";
+  picture("block-handles-pulled");
+  release();
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
+  EXPECT_NEAR(view().content().first<Box>()->size.x(), box().size.x(), 1e-9);
+  EXPECT_EQ(bench().document().undoStack().undoText(), "Resize block");
+  bench().document().undoStack().undo();
+  EXPECT_EQ(bench().design(), before);
+  EXPECT_FALSE(bench().document().undoStack().canUndo()) << "one step for the whole pull";
+  // The left face takes the corner with it, and the right one stays.
+  ASSERT_NO_FATAL_FAILURE(
+      pull(BlockPart::left, place(BlockPart::left) - 33 * was.frame.x, Qt::ShiftModifier));
+  release();
+  EXPECT_NEAR(std::remainder(box().size.x(), 10), 0, 1e-9) << "coarse";
+  EXPECT_NEAR(
+      (box().frame.origin + box().size.x() * box().frame.x - (was.frame.origin + was.size.x() * was.frame.x))
+          .norm(),
+      0, 1e-9);
+  bench().document().undoStack().undo();
+  // Esc gives a pull up.
+  ASSERT_NO_FATAL_FAILURE(pull(BlockPart::top, place(BlockPart::top) + 30 * was.frame.normal));
+  EXPECT_NE(bench().design(), before);
+  press(Qt::Key_Escape);
+  EXPECT_EQ(bench().design(), before);
+  release();
+  EXPECT_EQ(bench().design(), before);
+  ASSERT_TRUE(settle());
+  // A click elsewhere selects no block, and its handles are gone.
+  QTest::mouseClick(&view(), Qt::LeftButton, {}, QPoint(10, view().height() - 10));
+  EXPECT_EQ(handles().points.size(), poles);
+}
+
+TEST_F(BlockHandlesTest, NumbersAreTypedAndKeysCount) {
+  openBlock("ripple-along");
+  const Design before = bench().design();
+  const Box was = placementOf(bench())->box();
+  QTest::mouseClick(&view(), Qt::LeftButton, {}, on(BlockPart::left));
+  EXPECT_EQ(bench().design(), before) << "a press moves nothing";
+  type("70,5 cm");
+  EXPECT_EQ(box().size.x(), 705);
+  EXPECT_NEAR(box().center().x() + 352.5, was.center().x() + 0.5 * was.size.x(), 1e-9) << "to the left";
+  press(Qt::Key_Up);
+  EXPECT_EQ(box().size.x(), 706);
+  press(Qt::Key_Up, Qt::ControlModifier);
+  EXPECT_NEAR(box().size.x(), 706.1, 1e-9);
+  press(Qt::Key_Down, Qt::ShiftModifier);
+  EXPECT_EQ(box().size.x(), 700);
+  press(Qt::Key_Escape);
+  EXPECT_EQ(box().size.x(), 705) << "what the keys did";
+  bench().document().undoStack().undo();
+  EXPECT_EQ(bench().design(), before);
+  // An expression stands where the size alone moves the face.
+  bench().editDesign("Prepare", [](Design& design) { design.variables.push_back({"high", 480, 300, 900}); });
+  QTest::mouseClick(&view(), Qt::LeftButton, {}, on(BlockPart::top));
+  press(Qt::Key_Return);
+  ASSERT_TRUE(window().blockHandles().field().isVisible());
+  auto* field = find<NumberField>("Size Z of " + QString::fromStdString(bench().block().id));
+  ASSERT_TRUE(field);
+  picture("block-handles-typed");
+  QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
+  type("=high + 20");
+  EXPECT_EQ(box().size.z(), 500);
+  EXPECT_EQ(withVariables(bench().design(), {{"high", 500}}).value().block().placement->size.z(), 520);
+  ASSERT_TRUE(settle());
+}
+
+TEST_F(BlockHandlesTest, TheRingTurnsTheBlockAboutItsMiddle) {
+  openBlock("ripple-along");
+  const Box was = placementOf(bench())->box();
+  const Eigen::Vector3d middle = was.center();
+  const auto turned = [&](double degrees) {
+    const Eigen::Vector3d from = place(BlockPart::turn) - middle;
+    return Eigen::Vector3d(middle + Eigen::AngleAxisd(fromDegrees(degrees), was.frame.normal) * from);
+  };
+  ASSERT_NO_FATAL_FAILURE(pull(BlockPart::turn, turned(27)));
+  EXPECT_NEAR(toDegrees(bench().block().placement->rotation.z()), 30, 1e-9) << "steps of 15°";
+  EXPECT_NEAR((box().center() - middle).norm(), 0, 1e-9);
+  picture("block-handles-turned");
+  press(Qt::Key_Escape);
+  release();
+  ASSERT_NO_FATAL_FAILURE(pull(BlockPart::turn, turned(-7), Qt::ControlModifier));
+  release();
+  const double fine = toDegrees(bench().block().placement->rotation.z());
+  EXPECT_NEAR(fine, -7, 2.1);
+  EXPECT_NEAR(fine, std::round(fine), 1e-9);
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
+  EXPECT_EQ(bench().document().undoStack().undoText(), "Rotate block");
+}
+
+TEST_F(BlockHandlesTest, TheArrowTurnsTheCuttingDirection) {
+  openBlock("ripple-along");
+  const Design before = bench().design();
+  const Box was = placementOf(bench())->box();
+  const Eigen::Vector3d foot = was.center() + 0.5 * was.size.z() * was.frame.normal;
+  const double began = bench().shownCut()->setup->planes.direction().dot(was.frame.y);
+  ASSERT_NEAR(began, 1, 1e-9) << "along y";
+  const Eigen::Vector3d tip = place(BlockPart::direction) - foot;
+  ASSERT_NO_FATAL_FAILURE(
+      pull(BlockPart::direction, foot + Eigen::AngleAxisd(fromDegrees(-13), was.frame.normal) * tip));
+  ASSERT_TRUE(bench().cut().direction);
+  const Eigen::Vector3d now = *bench().cut().direction;
+  EXPECT_NEAR(toDegrees(std::atan2(now.dot(was.frame.y), now.dot(was.frame.x))), 75, 1e-9);
+  picture("block-handles-direction");
+  release();
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().shown());
+  press(Qt::Key_Up);
+  EXPECT_NEAR((*bench().cut().direction - was.frame.y).norm(), 0, 1e-12) << "90°";
+  EXPECT_EQ(bench().cut().direction->x(), 0) << "no digits of a sine are left";
+  bench().document().undoStack().setIndex(0);
+  EXPECT_EQ(bench().design(), before);
+}
+
+TEST_F(BlockHandlesTest, BlocksOfAGridKeepTheirSizesAndSayWhy) {
+  openBlock("block-wall", "column-2");
+  const Design before = bench().design();
+  ASSERT_TRUE(before.grid);
+  const QPoint face = on(BlockPart::front);
+  ASSERT_EQ(view().handleAt(face), handle(BlockPart::front));
+  QTest::mousePress(&view(), Qt::LeftButton, {}, face);
+  EXPECT_FALSE(view().holding());
+  EXPECT_TRUE(window().statusBar()->currentMessage().contains("column-2 lies in a grid"))
+      << window().statusBar()->currentMessage().toStdString();
+  QTest::mouseMove(&view(), face + QPoint(-30, 30));
+  release();
+  EXPECT_EQ(bench().design(), before);
+  QTest::mouseMove(&view(), on(BlockPart::front));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return handles().lit == handle(BlockPart::front); }, kPatience));
+  EXPECT_TRUE(handles().stopped);
+  picture("block-handles-grid");
+  // Neither keys nor numbers do.
+  press(Qt::Key_Up);
+  type("700");
+  EXPECT_EQ(bench().design(), before);
+  // The direction is that of all of them.
+  const Box was = placementOf(bench())->box();
+  const Eigen::Vector3d foot = was.center() + 0.5 * was.size.z() * was.frame.normal;
+  const Eigen::Vector3d tip = place(BlockPart::direction) - foot;
+  ASSERT_NO_FATAL_FAILURE(
+      pull(BlockPart::direction, foot + Eigen::AngleAxisd(fromDegrees(16), was.frame.normal) * tip));
+  release();
+  for (const Cut& cut : bench().design().cuts) {
+    ASSERT_TRUE(cut.direction) << cut.id;
+    EXPECT_EQ(*cut.direction, *bench().cut().direction) << cut.id;
+  }
+  EXPECT_TRUE(bench().design().grid) << "they still lie in it";
+  ASSERT_TRUE(settle());
+}
+
+}  // namespace
+}  // namespace bw::app
