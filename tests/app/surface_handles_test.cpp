@@ -139,6 +139,46 @@ TEST_F(SurfaceHandlesTest, AHandleStopsWhereItsBladesEndAndSaysWhy) {
   EXPECT_GE(bench().sweep()->analysis.summary.minRadius, bench().design().blade.minRadius());
 }
 
+TEST_F(SurfaceHandlesTest, SeveralStopWhereTheirCommonWayEnds) {
+  open("single-block");
+  const int other = 3 * 4 + 2;
+  const auto border = [&](const std::vector<int>& moved) {
+    pipeline::ReachSearch search(
+        bench().shown(),
+        [design = bench().design(), moved](double by) {
+          Design pulled = design;
+          for (const int pole : moved)
+            std::get<PolesSurface>(pulled.source().surface->shape).poles[std::size_t(pole)].height += by;
+          return pulled;
+        },
+        400);
+    while (search.look({})) {
+    }
+    return search.reach().ends[1].free;
+  };
+  const double alone = border({other}), together = border({kPole, other});
+  ASSERT_GT(std::abs(alone - together), 2) << "one of them has another way";
+  QTest::mouseClick(&view(), Qt::LeftButton, {}, at(kPole));
+  const QPoint from = at(other);
+  // Beyond the border of both, wherever that is seen.
+  const Eigen::Vector3d beyond = handles().points[std::size_t(other)] + Eigen::Vector3d(0, 0, together + 50);
+  const QPoint to = view().toWidget(beyond).toPoint();
+  QTest::mousePress(&view(), Qt::LeftButton, Qt::ShiftModifier, from);
+  QTest::mouseMove(&view(), to);
+  const auto& reach = bench().runner().reach();
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return handles().stopped && reach && std::abs(reach->ends[1].free - together) < 0.6; },
+      kPatience))
+      << (reach ? reach->ends[1].free : -1) << " of " << together << ", alone " << alone;
+  EXPECT_EQ(handles().ways.size(), 2u) << "of each";
+  EXPECT_NE(handles().text.find("2 handles together: "), std::string::npos) << handles().text;
+  picture("handles-stopped-together");
+  QTest::mouseRelease(&view(), Qt::LeftButton, {}, to);
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
+  EXPECT_LE(bench().sweep()->analysis.summary.deviationMax, bench().design().process.tolerance);
+}
+
 TEST_F(SurfaceHandlesTest, EscapeGivesAPullUp) {
   open("single-block");
   const Design before = bench().design();

@@ -24,6 +24,28 @@ const DesignedSurface* surfaceOf(const Workbench& bench) {
   return bench.source().surface ? &*bench.source().surface : nullptr;
 }
 
+std::vector<Eigen::Vector3d> placesOf(const DesignedSurface& surface) {
+  std::vector<Eigen::Vector3d> places;
+  const Eigen::Matrix3d turned = rotationFromAngles(surface.rotation);
+  const auto add = [&](double x, double y, double z) {
+    places.push_back(surface.origin + turned * Eigen::Vector3d(x, y, z));
+  };
+  if (const auto* poles = std::get_if<PolesSurface>(&surface.shape)) {
+    for (int row = 0; row < poles->rows; ++row)
+      for (int column = 0; column < poles->columns; ++column) {
+        const SurfacePole& pole = poles->at(row, column);
+        const Eigen::Vector2d place = poles->place(row, column) + pole.moved;
+        add(place.x(), place.y(), pole.height);
+      }
+  } else if (const auto* sections = std::get_if<SectionsSurface>(&surface.shape)) {
+    for (const SectionCurve& section : sections->sections)
+      for (const Eigen::Vector2d& point : section.points) add(point.x(), section.y, point.y());
+  } else if (const auto* blades = std::get_if<BladesSurface>(&surface.shape)) {
+    for (const KeyBlade& blade : blades->blades) add(blade.middle.x(), blade.y, blade.middle.y());
+  }
+  return places;
+}
+
 }  // namespace
 
 SurfaceHandles::SurfaceHandles(Workbench& bench, view::SceneView* view)
@@ -51,27 +73,8 @@ bool SurfaceHandles::possible() const {
 int SurfaceHandles::count() const { return shown_ ? int(places().size()) : 0; }
 
 std::vector<Eigen::Vector3d> SurfaceHandles::places() const {
-  std::vector<Eigen::Vector3d> places;
   const DesignedSurface* surface = surfaceOf(bench_);
-  if (!surface) return places;
-  const Eigen::Matrix3d turned = rotationFromAngles(surface->rotation);
-  const auto add = [&](double x, double y, double z) {
-    places.push_back(surface->origin + turned * Eigen::Vector3d(x, y, z));
-  };
-  if (const auto* poles = std::get_if<PolesSurface>(&surface->shape)) {
-    for (int row = 0; row < poles->rows; ++row)
-      for (int column = 0; column < poles->columns; ++column) {
-        const SurfacePole& pole = poles->at(row, column);
-        const Eigen::Vector2d place = poles->place(row, column) + pole.moved;
-        add(place.x(), place.y(), pole.height);
-      }
-  } else if (const auto* sections = std::get_if<SectionsSurface>(&surface->shape)) {
-    for (const SectionCurve& section : sections->sections)
-      for (const Eigen::Vector2d& point : section.points) add(point.x(), section.y, point.y());
-  } else if (const auto* blades = std::get_if<BladesSurface>(&surface->shape)) {
-    for (const KeyBlade& blade : blades->blades) add(blade.middle.x(), blade.y, blade.middle.y());
-  }
-  return places;
+  return surface ? placesOf(*surface) : std::vector<Eigen::Vector3d>();
 }
 
 Eigen::Vector3d SurfaceHandles::way(HandleNumber number) const {
@@ -194,22 +197,48 @@ void SurfaceHandles::applyTo(scene::Style& style) const {
   handles.text += pullText();
   const std::optional<pipeline::Reach>& reach = bench_.runner().reach();
   handles.stopped = pull_->stoppedBy || (reach && reach->now != pipeline::Bar::none);
-  if (!reach || reach->now != pipeline::Bar::none) return;
-  const auto& [below, above] = reach->ends;
+  if (reach && reach->now == pipeline::Bar::none) handles.ways = ways(*reach);
+}
+
+std::vector<scene::HandleWay> SurfaceHandles::ways(const pipeline::Reach& reach) const {
+  const auto& [below, above] = reach.ends;
+  const std::vector<Eigen::Vector3d> from = placesOf(pull_->base);
+  std::vector<scene::HandleWay> ways;
+  const auto add = [&](int handle, const Eigen::Vector3d& along) {
+    const Eigen::Vector3d& start = from[std::size_t(handle)];
+    ways.push_back({start + below.free * along, start + above.free * along, below.bar != pipeline::Bar::none,
+                    above.bar != pipeline::Bar::none});
+  };
+  const bool up = pull_->number == HandleNumber::height;
   const Eigen::Vector3d along = way(pull_->number);
-  const Eigen::Vector3d start = handles.points[std::size_t(handles.lit)] - pull_->by * along;
-  handles.ways = {{start + below.free * along, start + above.free * along, below.bar != pipeline::Bar::none,
-                   above.bar != pipeline::Bar::none}};
+  const std::vector<int> moved = held();
+  for (const int handle : moved) {
+    const int mirror = habits_.symmetric ? mirrorOf(pull_->base, handle) : -1;
+    if (up || mirror != handle) add(handle, along);  // what lies in the middle stays there
+    if (mirror >= 0 && std::ranges::find(moved, mirror) == moved.end()) add(mirror, up ? along : -along);
+  }
+  return ways;
 }
 
 std::string SurfaceHandles::pullText() const {
   const double by = *numberOf(*surfaceOf(bench_), pull_->handle, pull_->number) -
                     *numberOf(pull_->from, pull_->handle, pull_->number);
-  QString text = (by < 0 ? " (−" : " (+") + QString::fromStdString(shortText(std::abs(by), 4)) + ")";
+  const auto number = [](double mm) {
+    return (mm < 0 ? "−" : "+") + QString::fromStdString(shortText(std::abs(mm), 4));
+  };
+  QString text = " (" + number(by) + ")";
   if (pull_->number == HandleNumber::across) text = tr(", across%1").arg(text);
   const std::optional<pipeline::Reach>& reach = bench_.runner().reach();
-  if (reach && reach->now != pipeline::Bar::none)
+  if (reach && reach->now != pipeline::Bar::none) {
     text += "\n" + tr("Not to be cut as it is: %1").arg(wordsOf(reach->now));
+  } else if (const std::vector<int> moved = held(); reach && moved.size() > 1) {
+    // The way of one of them would be another.
+    QStringList ends;
+    for (const pipeline::Reach::End& end : reach->ends)
+      if (end.bar != pipeline::Bar::none) ends << number(end.free);
+    if (!ends.isEmpty())
+      text += "\n" + tr("%1 handles together: %2 mm at most").arg(moved.size()).arg(ends.join(", "));
+  }
   if (pull_->stoppedBy) text += "\n" + tr("Goes no farther: %1").arg(wordsOf(*pull_->stoppedBy));
   return text.toStdString();
 }

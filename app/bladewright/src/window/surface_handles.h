@@ -122,6 +122,8 @@ class SurfaceHandles : public QObject {
   /// Seeks how far the handles pulled may go.
   void seek();
   void endPull();
+  /// How far each handle that is moved may go with the others.
+  std::vector<scene::HandleWay> ways(const pipeline::Reach& reach) const;
   /// What is told beside the handle that is moved.
   std::string pullText() const;
 
