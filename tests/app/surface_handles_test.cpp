@@ -68,7 +68,7 @@ TEST_F(SurfaceHandlesTest, APoleThatIsPulledTakesSurfaceBladesAndNumbersWithIt) 
 
 TEST_F(SurfaceHandlesTest, AKeyBladeIsPulledByItsMiddle) {
   open("key-blade-fan");
-  ASSERT_EQ(handles().points.size(), 4u);
+  ASSERT_EQ(handles().points.size(), 12u) << "middles, and the ends of each";
   const auto blade = [&](std::size_t i) {
     return std::get<BladesSurface>(bench().design().source().surface->shape).blades[i];
   };
@@ -87,6 +87,61 @@ TEST_F(SurfaceHandlesTest, AKeyBladeIsPulledByItsMiddle) {
   EXPECT_TRUE(bench().current());
   bench().document().undoStack().undo();
   EXPECT_EQ(blade(1), before);
+}
+
+TEST_F(SurfaceHandlesTest, AnEndOfAKeyBladeTurnsItAboutTheOther) {
+  open("key-blade-fan");
+  const auto blade = [&](std::size_t i) {
+    return std::get<BladesSurface>(bench().design().source().surface->shape).blades[i];
+  };
+  const KeyBlade before = blade(1);
+  constexpr int kRight = 4 + 2 * 1 + 1;
+  const Eigen::Vector3d left = handles().points[kRight - 1], right = handles().points[kRight];
+  const QPoint from = at(kRight);
+  ASSERT_EQ(view().handleAt(from), kRight);
+  QTest::mousePress(&view(), Qt::LeftButton, {}, from);
+  for (int i = 1; i <= 5; ++i) QTest::mouseMove(&view(), from - QPoint(0, 2 * i));
+  EXPECT_EQ(handles().text.find("Right end of key blade 2: "), 0u) << handles().text;
+  const double height = handles().points[kRight].z();
+  EXPECT_GT(height, right.z() + 2);
+  EXPECT_NEAR(height, std::round(height), 1e-6) << "whole mm";
+  EXPECT_NEAR((handles().points[kRight - 1] - left).norm(), 0, 1e-6) << "the other end stays";
+  EXPECT_NEAR((handles().points[kRight] - left).norm(), (right - left).norm(), 1e-6) << "the blade, too";
+  EXPECT_GT(blade(1).angle, before.angle);
+  EXPECT_EQ(blade(1).length, before.length);
+  EXPECT_EQ(blade(1).bend, before.bend);
+  EXPECT_EQ(blade(1).force, before.force);
+  ASSERT_TRUE(followed());
+  picture("handle-key-blade-end");
+  QTest::mouseRelease(&view(), Qt::LeftButton, {}, from - QPoint(0, 10));
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
+  bench().document().undoStack().undo();
+  EXPECT_EQ(blade(1), before);
+  // With its mirror image both ends rise by as much, and so does the middle alone.
+  window().commands()["handles.symmetric"]->trigger();
+  QTest::mouseClick(&view(), Qt::LeftButton, {}, at(kRight));
+  const double whole = std::floor(right.z() + 1e-6) + 1;
+  QTest::keyClick(&view(), Qt::Key_Up);
+  EXPECT_NEAR(handles().points[kRight].z(), whole, 1e-6);
+  EXPECT_NEAR(handles().points[kRight - 1].z() - left.z(), whole - right.z(), 1e-6);
+  EXPECT_NEAR(blade(1).middle.y() - before.middle.y(), whole - right.z(), 0.05);
+  QTest::keyClick(&view(), Qt::Key_Escape);
+  EXPECT_EQ(blade(1), before);
+  // A key blade more and less, from its menu.
+  const std::size_t bound = bench().design().bindings.size();
+  window().commands()["handles.addSection"]->trigger();
+  EXPECT_EQ(handles().points.size(), 15u);
+  EXPECT_EQ(bench().document().undoStack().undoText(), "Add key blade");
+  EXPECT_EQ(bench().design().bindings.size(), bound) << "the expressions of the others stay";
+  EXPECT_EQ(handles().chosen, std::vector<int>{2}) << "the new one is chosen";
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().current()) << bench().runner().error().value_or(Error{}).message;
+  picture("handle-key-blade-added");
+  EXPECT_EQ(window().commands()["handles.removeSection"]->text(), "&Remove key blade");
+  window().commands()["handles.removeSection"]->trigger();
+  EXPECT_EQ(handles().points.size(), 12u);
+  EXPECT_EQ(bench().design().bindings.size(), bound);
 }
 
 TEST_F(SurfaceHandlesTest, AJointOfCubicsTakesItsLegsWithIt) {

@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "bw/core/shape/key_blades.h"
+
 namespace bw {
 
 namespace {
@@ -137,6 +139,39 @@ TEST(SectionList, ACurveKeepsTwoPoints) {
   design = withoutPoint(design, 0, 0, 1).value();
   EXPECT_EQ(withoutPoint(design, 0, 0, 1).error().message,
             "section 1 keeps two points, so none can be taken away");
+}
+
+TEST(SectionList, KeyBladesComeAndGoWithTheExpressionsOfTheOthersKept) {
+  const json object = {{"bladewright_design", 2},
+                       {"variables", {{{"name", "a"}, {"value", 40}, {"min", 0}, {"max", 80}}}},
+                       {"sources", {{{"surface", {{"type", "blades"}, {"blades", json::parse(R"([
+             {"y": 0, "middle": [300, "=200 + a"], "length_mm": 620, "bend": -0.4},
+             {"y": 300, "middle": [310, 250], "angle_deg": "=a/10", "length_mm": 630, "bend": -0.6},
+             {"y": 800, "middle": [300, "=230 + a"], "length_mm": 610, "bend": -0.2, "force": [-2, "=a/20"]}])")}}}}}}};
+  const Result<Design> read = parseDesign(object.dump());
+  ASSERT_TRUE(read) << read.error().message;
+  const Design& before = *read;
+  ASSERT_EQ(before.bindings.size(), 4u);
+  const auto blades = [](const Design& design) {
+    return std::get<BladesSurface>(design.source().surface->shape).blades;
+  };
+  const Design after = withBladeAfter(before, 0, 0).value();
+  ASSERT_EQ(blades(after).size(), 4u);
+  EXPECT_EQ(blades(after)[1].y, 150);
+  EXPECT_EQ(blades(after)[1], BladeSweep::through(blades(before))->at(150)) << "the blade that was there";
+  EXPECT_EQ(after.bindings.size(), 4u);
+  EXPECT_EQ(after.bindings.at("/sources/0/surface/blades/2/angle_deg").text, "a/10");
+  EXPECT_EQ(after.bindings.at("/sources/0/surface/blades/3/force/1").text, "a/20");
+  const Design other = withVariables(after, {{"a", 50}}).value();
+  EXPECT_EQ(blades(other)[0].middle.y(), 250);
+  EXPECT_EQ(blades(other)[3].middle.y(), 280);
+  EXPECT_EQ(blades(other)[1], blades(after)[1]) << "the new one is free";
+  EXPECT_EQ(withoutBlade(after, 0, 1).value(), before);
+  const Design without = withoutBlade(before, 0, 1).value();
+  EXPECT_EQ(without.bindings.size(), 3u) << "that of the one that went is gone";
+  EXPECT_EQ(without.bindings.at("/sources/0/surface/blades/1/middle/1").text, "230 + a");
+  EXPECT_EQ(withoutBlade(without, 0, 0).error().message,
+            "a surface keeps two key blades, so none of these can be taken away");
 }
 
 }  // namespace bw

@@ -57,6 +57,14 @@ SectionsSurface& loftOf(Design& design, std::size_t source) {
   return std::get<SectionsSurface>(design.sources[source].surface->shape);
 }
 
+std::string listOfBlades(std::size_t source) {
+  return "/sources/" + std::to_string(source) + "/surface/blades/";
+}
+
+std::vector<KeyBlade>& bladesOf(Design& design, std::size_t source) {
+  return std::get<BladesSurface>(design.sources[source].surface->shape).blades;
+}
+
 /// Puts `points` in the place of some of a curve.
 void exchange(Design& design, std::size_t source, std::size_t section, const Exchange& places,
               const Points& points) {
@@ -215,6 +223,32 @@ Result<Design> withoutPoint(const Design& design, std::size_t source, std::size_
   const Eigen::Vector2d first = p[joint - 3] + 2 * (p[joint - 2] - p[joint - 3]);
   const Eigen::Vector2d last = p[joint + 3] + 2 * (p[joint + 2] - p[joint + 3]);
   exchange(changed, source, section, {joint - 2, 5, 2}, {first, last});
+  return changed;
+}
+
+Result<Design> withBladeAfter(const Design& design, std::size_t source, std::size_t blade) {
+  Design changed = design;
+  std::vector<KeyBlade>& blades = bladesOf(changed, source);
+  if (blades.size() >= std::size_t(BladesSurface::kMost))
+    return fail(ErrorCode::badInput,
+                "the surface has " + std::to_string(blades.size()) + " key blades, as many as it may have",
+                "blades", double(blades.size()), BladesSurface::kMost);
+  const Result<BladeSweep> sweep = BladeSweep::through(blades);
+  if (!sweep) return tl::unexpected<Error>(sweep.error());
+  const KeyBlade between = sweep->at(0.5 * (blades[blade].y + blades[blade + 1].y));
+  blades.insert(blades.begin() + std::ptrdiff_t(blade) + 1, between);
+  renumber(changed, listOfBlades(source), {blade + 1, 0, 1});
+  return changed;
+}
+
+Result<Design> withoutBlade(const Design& design, std::size_t source, std::size_t blade) {
+  Design changed = design;
+  std::vector<KeyBlade>& blades = bladesOf(changed, source);
+  if (blades.size() <= 2)
+    return fail(ErrorCode::badInput, "a surface keeps two key blades, so none of these can be taken away",
+                "blades", double(blades.size()), 2.0);
+  blades.erase(blades.begin() + std::ptrdiff_t(blade));
+  renumber(changed, listOfBlades(source), {blade, 1, 0});
   return changed;
 }
 

@@ -109,7 +109,7 @@ void HandleKeys::take(HandleNumber number, double to, const NumberField& field) 
   const bool up = number == HandleNumber::height;
   DesignedSurface moved = movedBy(now, handles_.chosen(),
                                   up ? Eigen::Vector2d(0, by) : Eigen::Vector2d(by, 0), handles_.symmetric());
-  *numberOf(moved, handle(), number) = to;
+  setNumber(moved, handle(), number, to);
   bench_.editSurface(tr("Move %1").arg(handles_.nameOf(handle()).toLower()),
                      [&](DesignedSurface& own) { own = moved; });
 }

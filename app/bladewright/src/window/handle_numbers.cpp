@@ -2,7 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "window/handle_numbers.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <cmath>
+
+#include "bw/core/base/units.h"
+#include "bw/core/shape/key_blades.h"
 
 namespace bw::app {
 
@@ -24,25 +30,49 @@ int handleOf(const DesignedSurface& surface, const SectionPoint& point) {
   return handle;
 }
 
+std::optional<int> bladeOf(const DesignedSurface& surface, int handle) {
+  const auto* sweep = std::get_if<BladesSurface>(&surface.shape);
+  const int count = sweep ? int(sweep->blades.size()) : 0;
+  if (handle < 0 || handle >= 3 * count) return {};
+  return handle < count ? handle : (handle - count) / 2;
+}
+
+std::optional<int> endOf(const DesignedSurface& surface, int handle) {
+  if (!bladeOf(surface, handle)) return {};
+  const int count = int(std::get<BladesSurface>(surface.shape).blades.size());
+  return handle < count ? std::nullopt : std::optional((handle - count) % 2);
+}
+
+std::array<Eigen::Vector2d, 2> endsOf(const KeyBlade& blade) {
+  const Result<Elastica> curve = elasticaOf(blade);
+  if (!curve) return {blade.middle, blade.middle};
+  const std::vector<Eigen::Vector2d> ends = curve->sample(2);
+  return {ends.front(), ends.back()};
+}
+
 int mirrorOf(const DesignedSurface& surface, int handle) {
   if (const auto* poles = std::get_if<PolesSurface>(&surface.shape)) {
     const int row = handle / poles->columns, column = handle % poles->columns;
     return handle < 0 ? -1 : row * poles->columns + poles->columns - 1 - column;
   }
+  if (const std::optional<int> end = endOf(surface, handle)) return handle + (*end == 0 ? 1 : -1);
   const std::optional<SectionPoint> at = sectionPointOf(surface, handle);
   if (!at) return -1;
   const auto& section = std::get<SectionsSurface>(surface.shape).sections[std::size_t(at->section)];
   return handleOf(surface, {at->section, int(section.points.size()) - 1 - at->point});
 }
 
-double* numberOf(DesignedSurface& surface, int handle, HandleNumber number) {
+namespace {
+
+/// The number of a handle that the surface holds; null if it holds none.
+double* heldNumber(DesignedSurface& surface, int handle, HandleNumber number) {
   if (auto* poles = std::get_if<PolesSurface>(&surface.shape)) {
     const bool there = handle >= 0 && std::size_t(handle) < poles->poles.size();
     return there && number == HandleNumber::height ? &poles->poles[std::size_t(handle)].height : nullptr;
   }
-  if (auto* blades = std::get_if<BladesSurface>(&surface.shape)) {
-    if (handle < 0 || std::size_t(handle) >= blades->blades.size()) return nullptr;
-    Eigen::Vector2d& middle = blades->blades[std::size_t(handle)].middle;
+  if (auto* sweep = std::get_if<BladesSurface>(&surface.shape)) {
+    if (handle < 0 || std::size_t(handle) >= sweep->blades.size()) return nullptr;
+    Eigen::Vector2d& middle = sweep->blades[std::size_t(handle)].middle;
     return number == HandleNumber::height ? &middle.y() : &middle.x();
   }
   const std::optional<SectionPoint> at = sectionPointOf(surface, handle);
@@ -53,10 +83,39 @@ double* numberOf(DesignedSurface& surface, int handle, HandleNumber number) {
   return number == HandleNumber::height ? &point.y() : &point.x();
 }
 
+/// Turns a key blade about one end until the other is at a height, or upright.
+void liftEnd(KeyBlade& blade, int end, double height) {
+  const std::array<Eigen::Vector2d, 2> ends = endsOf(blade);
+  const Eigen::Vector2d about = ends[std::size_t(1 - end)], chord = ends[std::size_t(end)] - about;
+  const double length = chord.norm();
+  if (!(length > 0)) return;
+  const double up = std::asin(std::clamp((height - about.y()) / length, -1.0, 1.0));
+  const double turn = (chord.x() < 0 ? kPi - up : up) - std::atan2(chord.y(), chord.x());
+  const double by = std::remainder(turn, 2 * kPi);
+  blade.middle = about + Eigen::Rotation2Dd(by) * (blade.middle - about);
+  blade.angle += by;
+}
+
+KeyBlade& keyBladeOf(DesignedSurface& surface, int handle) {
+  return std::get<BladesSurface>(surface.shape).blades[std::size_t(*bladeOf(surface, handle))];
+}
+
+}  // namespace
+
 std::optional<double> numberOf(const DesignedSurface& surface, int handle, HandleNumber number) {
   DesignedSurface copy = surface;
-  const double* value = numberOf(copy, handle, number);
+  if (const std::optional<int> end = endOf(surface, handle))
+    return number == HandleNumber::height
+               ? std::optional(endsOf(keyBladeOf(copy, handle))[std::size_t(*end)].y())
+               : std::nullopt;
+  const double* value = heldNumber(copy, handle, number);
   return value ? std::optional(*value) : std::nullopt;
+}
+
+void setNumber(DesignedSurface& surface, int handle, HandleNumber number, double to) {
+  if (const std::optional<int> end = endOf(surface, handle))
+    return liftEnd(keyBladeOf(surface, handle), *end, to);
+  if (double* value = heldNumber(surface, handle, number)) *value = to;
 }
 
 NumberPlace placeOf(const Workbench& bench, int handle, HandleNumber number) {
@@ -65,6 +124,7 @@ NumberPlace placeOf(const Workbench& bench, int handle, HandleNumber number) {
   if (const auto* poles = std::get_if<PolesSurface>(&surface->shape))
     return placeOfPole(bench, handle / poles->columns, handle % poles->columns);
   const std::string axis = number == HandleNumber::height ? "/1" : "/0";
+  if (endOf(*surface, handle)) return {};
   if (std::holds_alternative<BladesSurface>(surface->shape))
     return placeInSurface(bench, "/blades/" + std::to_string(handle) + "/middle" + axis);
   const std::optional<SectionPoint> at = sectionPointOf(*surface, handle);
@@ -87,8 +147,13 @@ void move(DesignedSurface& moved, const DesignedSurface& from, int handle, const
     moveBezierPole(curveOf(moved, *at).points, point, curveOf(from, *at).points[point] + by);
     return;
   }
-  if (double* x = numberOf(moved, handle, HandleNumber::across)) *x += by.x();
-  if (double* height = numberOf(moved, handle, HandleNumber::height)) *height += by.y();
+  if (const std::optional<int> end = endOf(moved, handle))
+    // From where it was, since its middle or its other end may have moved it.
+    return by.y() == 0 ? void()
+                       : liftEnd(keyBladeOf(moved, handle), *end,
+                                 *numberOf(from, handle, HandleNumber::height) + by.y());
+  if (double* x = heldNumber(moved, handle, HandleNumber::across)) *x += by.x();
+  if (double* height = heldNumber(moved, handle, HandleNumber::height)) *height += by.y();
 }
 
 }  // namespace
@@ -96,7 +161,9 @@ void move(DesignedSurface& moved, const DesignedSurface& from, int handle, const
 DesignedSurface movedBy(const DesignedSurface& surface, const std::vector<int>& handles,
                         const Eigen::Vector2d& by, bool symmetric) {
   DesignedSurface moved = surface;
-  for (const int handle : handles) {
+  std::vector<int> inOrder = handles;  // middles of blades before their ends
+  std::ranges::sort(inOrder);
+  for (const int handle : inOrder) {
     const int mirror = symmetric ? mirrorOf(surface, handle) : -1;
     move(moved, surface, handle, mirror == handle ? Eigen::Vector2d(0, by.y()) : by);
     if (mirror >= 0 && std::ranges::find(handles, mirror) == handles.end())

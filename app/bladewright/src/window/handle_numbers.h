@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -13,12 +14,23 @@
 namespace bw::app {
 
 /// What a handle of a designed surface moves: a pole its height, a point of a section and the middle of a key
-/// blade its place in their plane. Handles are counted row by row, and section by section.
+/// blade its place in their plane, an end of a key blade its height, about which the blade turns as it is
+/// about its other end. Handles are counted row by row, section by section, and the ends of key blades after
+/// all middles, left and right of each.
 enum class HandleNumber { across, height };
 
-/// The number of a handle; null if it has none.
-double* numberOf(DesignedSurface& surface, int handle, HandleNumber number);
+/// The number of a handle; nothing if it has none.
 std::optional<double> numberOf(const DesignedSurface& surface, int handle, HandleNumber number);
+
+/// Gives a number that a handle has another value.
+void setNumber(DesignedSurface& surface, int handle, HandleNumber number, double to);
+
+/// The key blade that a handle is of; nothing where it is none.
+std::optional<int> bladeOf(const DesignedSurface& surface, int handle);
+/// Whether it is an end of one, and which: 0 left, 1 right.
+std::optional<int> endOf(const DesignedSurface& surface, int handle);
+/// The ends of a key blade, in its plane; its middle for both where it makes no curve.
+std::array<Eigen::Vector2d, 2> endsOf(const KeyBlade& blade);
 
 /// The section and the point of it that a handle is; nothing where it is none.
 struct SectionPoint {
@@ -31,7 +43,8 @@ int handleOf(const DesignedSurface& surface, const SectionPoint& point);
 /// The mirror image of a handle, left and right across the travel: itself in the middle, −1 without one.
 int mirrorOf(const DesignedSurface& surface, int handle);
 
-/// Where a number of a handle of the surface at work stands in the file of the design.
+/// Where a number of a handle of the surface at work stands in the file of the design; null where it stands
+/// nowhere.
 NumberPlace placeOf(const Workbench& bench, int handle, HandleNumber number);
 
 /// The surface with some of its handles moved by so many mm: across and up. Cubics of a chain stay in line.

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "bw/core/base/frame.h"
+#include "bw/core/shape/key_blades.h"
 #include "bw/core/text/number_text.h"
 #include "controls/numbers.h"
 #include "window/handle_ray.h"
@@ -18,6 +19,7 @@ namespace bw::app {
 namespace {
 
 constexpr double kCoarse = 10;     // steps
+constexpr int kCurveParts = 32;    // of a key blade
 constexpr double kFarthest = 400;  // mm that a handle is moved at once
 
 const DesignedSurface* surfaceOf(const Workbench& bench) {
@@ -42,6 +44,8 @@ std::vector<Eigen::Vector3d> placesOf(const DesignedSurface& surface) {
       for (const Eigen::Vector2d& point : section.points) add(point.x(), section.y, point.y());
   } else if (const auto* blades = std::get_if<BladesSurface>(&surface.shape)) {
     for (const KeyBlade& blade : blades->blades) add(blade.middle.x(), blade.y, blade.middle.y());
+    for (const KeyBlade& blade : blades->blades)
+      for (const Eigen::Vector2d& end : endsOf(blade)) add(end.x(), blade.y, end.y());
   }
   return places;
 }
@@ -120,6 +124,11 @@ std::optional<SectionPoint> SurfaceHandles::sectionPoint() const {
   return surface && shown_ && chosen_.size() == 1 ? sectionPointOf(*surface, chosen_.back()) : std::nullopt;
 }
 
+std::optional<int> SurfaceHandles::keyBlade() const {
+  const DesignedSurface* surface = surfaceOf(bench_);
+  return surface && shown_ && chosen_.size() == 1 ? bladeOf(*surface, chosen_.back()) : std::nullopt;
+}
+
 void SurfaceHandles::addPoint() {
   const std::optional<SectionPoint> at = sectionPoint();
   if (!at) return;
@@ -133,12 +142,22 @@ void SurfaceHandles::removePoint() {
 }
 
 void SurfaceHandles::addSection() {
+  if (const std::optional<int> blade = keyBlade()) {
+    const int after =
+        std::min(*blade, int(std::get<BladesSurface>(surfaceOf(bench_)->shape).blades.size()) - 2);
+    if (app::addBlade(bench_, std::size_t(after))) choose({after + 1});
+    return;
+  }
   const std::optional<SectionPoint> at = sectionPoint();
   if (at && app::addSection(bench_, std::size_t(at->section)))
     choose({handleOf(*surfaceOf(bench_), {at->section + 1, 0})});
 }
 
 void SurfaceHandles::removeSection() {
+  if (const std::optional<int> blade = keyBlade()) {
+    if (app::removeBlade(bench_, std::size_t(*blade))) choose({});
+    return;
+  }
   if (const std::optional<SectionPoint> at = sectionPoint())
     if (app::removeSection(bench_, std::size_t(at->section))) choose({});
 }
@@ -157,8 +176,13 @@ QString SurfaceHandles::nameOf(int handle) const {
       if (handle < count) return tr("Point %1 of section %2").arg(handle + 1).arg(i + 1);
       handle -= count;
     }
-  if (surface && std::holds_alternative<BladesSurface>(surface->shape))
-    return tr("Middle of key blade %1").arg(handle + 1);
+  if (const std::optional<int> blade = surface ? bladeOf(*surface, handle) : std::nullopt) {
+    const std::optional<int> end = endOf(*surface, handle);
+    return (!end        ? tr("Middle of key blade %1")
+            : *end == 0 ? tr("Left end of key blade %1")
+                        : tr("Right end of key blade %1"))
+        .arg(*blade + 1);
+  }
   return {};
 }
 
@@ -183,6 +207,14 @@ void SurfaceHandles::applyTo(scene::Style& style) const {
       at += int(section.points.size());
     }
   } else if (const auto* blades = std::get_if<BladesSurface>(&surface->shape)) {
+    const Eigen::Matrix3d turned = rotationFromAngles(surface->rotation);
+    for (const KeyBlade& blade : blades->blades) {
+      if (const Result<Elastica> curve = elasticaOf(blade)) {
+        scene::Polyline& line = handles.curves.emplace_back();
+        for (const Eigen::Vector2d& p : curve->sample(kCurveParts + 1))
+          line.push_back(surface->origin + turned * Eigen::Vector3d(p.x(), blade.y, p.y()));
+      }
+    }
     for (std::size_t k = 1; k < blades->blades.size(); ++k) join(int(k) - 1, int(k));
   }
   handles.chosen = chosen_;
@@ -285,8 +317,7 @@ void SurfaceHandles::seek() {
 
 void SurfaceHandles::move(int handle, const QPointF& position, Qt::KeyboardModifiers keys) {
   if (!pull_ || !pull_->held || pull_->handle != handle) return;
-  const double moved = heightOf(*surfaceOf(bench_), handle) - heightOf(pull_->from, handle);
-  const Eigen::Vector3d start = places()[std::size_t(handle)] - moved * way();
+  const Eigen::Vector3d start = placesOf(pull_->base)[std::size_t(handle)];
   const std::optional<double> at = alongWay(*view_, position, start, way());
   if (!at) return;
   const auto [step, share] = handPace(keys, steps());
@@ -362,7 +393,7 @@ DesignedSurface SurfaceHandles::pulledBy(double by) const {
   const bool up = pull_->number == HandleNumber::height;
   DesignedSurface pulled =
       movedBy(pull_->base, held(), up ? Eigen::Vector2d(0, by) : Eigen::Vector2d(by, 0), habits_.symmetric);
-  if (pull_->to && by == pull_->wished) *numberOf(pulled, pull_->handle, pull_->number) = *pull_->to;
+  if (pull_->to && by == pull_->wished) setNumber(pulled, pull_->handle, pull_->number, *pull_->to);
   return pulled;
 }
 

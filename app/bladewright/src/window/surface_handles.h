@@ -66,7 +66,9 @@ class SurfaceHandles : public QObject {
 
   /// The point of a section that was chosen last, where one alone is chosen; nothing else is one.
   std::optional<SectionPoint> sectionPoint() const;
-  /// Add and remove what is of it.
+  /// The key blade of which one handle alone is chosen; nothing else is one.
+  std::optional<int> keyBlade() const;
+  /// Add and remove what is of it: sections are key blades where these tell the surface.
   void addPoint();
   void removePoint();
   void addSection();

@@ -332,17 +332,19 @@ void MainWindow::makeHandleCommands() {
   edit("handles.removePoint", tr("Remove p&oint"), tr("Takes the point away that was pressed"),
        {QKeySequence("Del")}, &SurfaceHandles::removePoint);
   edit("handles.addSection", tr("Add &section"),
-       tr("A section more halfway to the next one, as the surface is there"), {},
+       tr("A section or a key blade more halfway to the next one, as the surface is there"), {},
        &SurfaceHandles::addSection);
-  edit("handles.removeSection", tr("&Remove section"), tr("Takes the section of the point away"), {},
-       &SurfaceHandles::removeSection);
+  edit("handles.removeSection", tr("&Remove section"),
+       tr("Takes the section or the key blade of the handle away"), {}, &SurfaceHandles::removeSection);
 }
 
 void MainWindow::refreshHandleCommands() {
-  const bool point = handles_->sectionPoint().has_value();
-  for (const char* id :
-       {"handles.addPoint", "handles.removePoint", "handles.addSection", "handles.removeSection"})
-    commands_[id]->setEnabled(point);
+  const bool point = handles_->sectionPoint().has_value(), blade = handles_->keyBlade().has_value();
+  for (const char* id : {"handles.addPoint", "handles.removePoint"}) commands_[id]->setEnabled(point);
+  for (const char* id : {"handles.addSection", "handles.removeSection"})
+    commands_[id]->setEnabled(point || blade);
+  commands_["handles.addSection"]->setText(blade ? tr("Add key &blade") : tr("Add &section"));
+  commands_["handles.removeSection"]->setText(blade ? tr("&Remove key blade") : tr("&Remove section"));
   commands_["handles.number"]->setEnabled(handles_->shown() && !handles_->chosen().empty());
   const bool possible = handles_->possible();
   commands_["handles.symmetric"]->setEnabled(possible);

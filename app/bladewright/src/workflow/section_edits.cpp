@@ -20,7 +20,7 @@ std::size_t sourceOf(const Workbench& bench) {
 
 bool take(Workbench& bench, const QString& text, Result<Design> changed) {
   if (changed) {
-    // What cannot be lofted is no surface.
+    // What makes no spline is no surface.
     const Result<SplineSurface> spline = splineOf(*changed->sources[sourceOf(bench)].surface);
     if (!spline) changed = tl::unexpected<Error>(spline.error());
   }
@@ -53,6 +53,15 @@ bool addSection(Workbench& bench, std::size_t after) {
 bool removeSection(Workbench& bench, std::size_t section) {
   return take(bench, words("Remove section %1").arg(section + 1),
               withoutSection(bench.design(), sourceOf(bench), section));
+}
+
+bool addBlade(Workbench& bench, std::size_t after) {
+  return take(bench, words("Add key blade"), withBladeAfter(bench.design(), sourceOf(bench), after));
+}
+
+bool removeBlade(Workbench& bench, std::size_t blade) {
+  return take(bench, words("Remove key blade %1").arg(blade + 1),
+              withoutBlade(bench.design(), sourceOf(bench), blade));
 }
 
 }  // namespace bw::app

@@ -9,13 +9,16 @@
 
 namespace bw::app {
 
-// Sections and points of the loft that the cut selected is of, added and taken away, each as an undoable
-// step; what cannot be is told, and false. All count from 0.
+// Sections and points of the loft, or key blades of the surface, that the cut selected is of, added and taken
+// away, each as an undoable step; what cannot be is told, and false. All count from 0.
 
 /// The index of the point that is added.
 std::optional<std::size_t> addPoint(Workbench& bench, std::size_t section, std::size_t after);
 bool removePoint(Workbench& bench, std::size_t section, std::size_t point);
 bool addSection(Workbench& bench, std::size_t after);
 bool removeSection(Workbench& bench, std::size_t section);
+/// Not after the last.
+bool addBlade(Workbench& bench, std::size_t after);
+bool removeBlade(Workbench& bench, std::size_t blade);
 
 }  // namespace bw::app

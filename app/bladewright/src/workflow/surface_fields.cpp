@@ -441,33 +441,18 @@ void SurfaceFields::addBlades(FormColumn* column, const BladesSurface& surface) 
     more->setAccessibleName(tr("Add a key blade after %1").arg(i + 1));
     more->setToolTip(tr("The blade halfway to the next one, as it is"));
     more->setEnabled(i + 1 < count);
-    connect(more, &QPushButton::clicked, this, [this, i] { addBlade(i); });
+    connect(more, &QPushButton::clicked, this, [this, i] { addBlade(bench_, i); });
     auto* less = new QPushButton(tr("Remove"));
     less->setAccessibleName(tr("Remove key blade %1").arg(i + 1));
     less->setToolTip(count > 2 ? tr("The blades beside it run into each other then")
                                : tr("A surface has two key blades at least"));
     less->setEnabled(count > 2);
-    connect(less, &QPushButton::clicked, this, [this, i] { removeBlade(i); });
+    connect(less, &QPushButton::clicked, this, [this, i] { removeBlade(bench_, i); });
     row->addWidget(more);
     row->addWidget(less);
     row->addStretch();
     column->addWide(buttons);
   }
-}
-
-void SurfaceFields::addBlade(std::size_t after) {
-  BladesSurface surface = std::get<BladesSurface>(bench_.source().surface->shape);
-  const Result<BladeSweep> sweep = BladeSweep::through(surface.blades);
-  if (!sweep) return bench_.tell(Topic::other, sweep.error());
-  const double y = 0.5 * (surface.blades[after].y + surface.blades[after + 1].y);
-  surface.blades.insert(surface.blades.begin() + std::ptrdiff_t(after) + 1, sweep->at(y));
-  replace(tr("Add key blade"), std::move(surface));
-}
-
-void SurfaceFields::removeBlade(std::size_t blade) {
-  BladesSurface surface = std::get<BladesSurface>(bench_.source().surface->shape);
-  surface.blades.erase(surface.blades.begin() + std::ptrdiff_t(blade));
-  replace(tr("Remove key blade"), std::move(surface));
 }
 
 void SurfaceFields::changeSectionKind(std::size_t section, SectionCurve::Kind kind) {

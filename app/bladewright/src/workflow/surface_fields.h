@@ -81,8 +81,6 @@ class SurfaceFields : public QWidget {
   void changeCounts(int columns, int rows);
   void changeSectionKind(std::size_t section, SectionCurve::Kind kind);
   /// One more blade halfway to the next (or before the last), or one less.
-  void addBlade(std::size_t after);
-  void removeBlade(std::size_t blade);
   /// Another surface in the place of this one, whose expressions are gone.
   void replace(const QString& text, SurfaceShape shape);
 

@@ -9,9 +9,9 @@
 
 namespace bw {
 
-// Sections and points of the loft that a source of a design is, added and taken away. The expressions of
-// other numbers go with these; those of numbers that are no longer as they were are gone. `source`, `section`
-// and `point` count from 0 and must be there.
+// Sections and points of the loft, and key blades of the surface, that a source of a design is, added and
+// taken away. The expressions of other numbers go with these; those of numbers that are no longer as they
+// were are gone. `source`, `section`, `point` and `blade` count from 0 and must be there.
 
 /// Another section halfway to the next one, as the loft is there, or beyond the last one, which goes on as it
 /// is. Errors (`badInput`): the surface has as many as it may, or makes none.
@@ -28,5 +28,11 @@ Result<Design> withPointAfter(const Design& design, std::size_t source, std::siz
 /// Of a chain of cubics the joint next to the point goes with its legs, or the cubic at the end that the
 /// point is. Error (`badInput`): a curve keeps two points.
 Result<Design> withoutPoint(const Design& design, std::size_t source, std::size_t section, std::size_t point);
+
+/// Another key blade halfway to the next one, as the blade is there: the surface stays as it is. `blade` is
+/// not the last. Errors (`badInput`): the surface has as many as it may, those of `BladeSweep::through`.
+Result<Design> withBladeAfter(const Design& design, std::size_t source, std::size_t blade);
+/// The blades beside it run into each other then. Error (`badInput`): a surface keeps two.
+Result<Design> withoutBlade(const Design& design, std::size_t source, std::size_t blade);
 
 }  // namespace bw
