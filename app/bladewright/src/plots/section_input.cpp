@@ -50,11 +50,27 @@ void SectionView::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
   if (const int station = stationAt(event->position()); station >= 0)
     bench_.selectStation(station);
-  else if (sectionArea().contains(event->position()) || curvatureArea().contains(event->position()))
+  else if (const int handle = gripAt(grips(), frame(), event->position());
+           handle >= 0 && sectionArea().contains(event->position())) {
+    const SectionFrame seen = frame();
+    hold_ = Hold{seen, seen.toPlane(event->position()).y(),
+                 bench_.row()->poses[std::size_t(drawing_.station)].frame.y};
+    cursor_ = event->position();
+    emit gripPressed(handle, event->modifiers());
+    update();
+  } else if (sectionArea().contains(event->position()) || curvatureArea().contains(event->position()))
     grabbed_ = event->position();
 }
 
-void SectionView::mouseReleaseEvent(QMouseEvent*) {
+void SectionView::letGo(bool givenUp) {
+  if (!hold_) return;
+  hold_.reset();
+  emit gripReleased(givenUp);
+  update();
+}
+
+void SectionView::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton) letGo(false);
   grabbed_ = {};
   update();
 }
@@ -65,6 +81,10 @@ void SectionView::mouseDoubleClickEvent(QMouseEvent* event) {
 
 void SectionView::mouseMoveEvent(QMouseEvent* event) {
   cursor_ = event->position();
+  if (hold_) {
+    emit gripMoved(hold_->seen.toPlane(cursor_).y() - hold_->height, hold_->way, event->modifiers());
+    return update();
+  }
   if (!grabbed_.isNull() && drawing_.station >= 0) {
     const QPointF by = grabbed_ - cursor_;
     if (curvatureArea().contains(grabbed_)) {
@@ -84,7 +104,6 @@ void SectionView::mouseMoveEvent(QMouseEvent* event) {
   if (event->buttons() & Qt::LeftButton && station >= 0) bench_.selectStation(station);
   if (station != hovered_) {
     hovered_ = station;
-    setCursor(station >= 0 ? Qt::PointingHandCursor : Qt::ArrowCursor);
     if (station >= 0)
       QToolTip::showText(event->globalPosition().toPoint(),
                          tr("Station %1: deviation %2")
@@ -92,6 +111,8 @@ void SectionView::mouseMoveEvent(QMouseEvent* event) {
                              .arg(lengthText(numbers_[std::size_t(station)].deviation)),
                          this);
   }
+  const bool grip = sectionArea().contains(cursor_) && gripAt(grips(), frame(), cursor_) >= 0;
+  setCursor(station >= 0 ? Qt::PointingHandCursor : grip ? Qt::OpenHandCursor : Qt::ArrowCursor);
   update();
 }
 
@@ -104,6 +125,7 @@ void SectionView::leaveEvent(QEvent*) {
 bool SectionView::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride) {
     const int key = static_cast<QKeyEvent*>(event)->key();
+    if (key == Qt::Key_Escape && hold_) event->accept();
     if ((key >= Qt::Key_Left && key <= Qt::Key_Down) || key == Qt::Key_Home || key == Qt::Key_End ||
         key == Qt::Key_Plus || key == Qt::Key_Minus || key == Qt::Key_0)
       event->accept();
@@ -113,6 +135,10 @@ bool SectionView::event(QEvent* event) {
 
 void SectionView::keyPressEvent(QKeyEvent* event) {
   const int now = drawing_.station;
+  if (hold_) {  // the station stays
+    if (event->key() == Qt::Key_Escape) letGo(true);
+    return;
+  }
   switch (event->key()) {
     case Qt::Key_Left:
     case Qt::Key_Down:
@@ -137,6 +163,7 @@ void SectionView::keyPressEvent(QKeyEvent* event) {
 
 void SectionView::wheelEvent(QWheelEvent* event) {
   event->accept();
+  if (hold_) return;
   if (event->position().y() > kBarsHeight + 4)
     return zoomAt(event->position(), std::pow(kNotch, event->angleDelta().y() / 120.0));
   const int turns = event->angleDelta().y() / 120;

@@ -98,6 +98,8 @@ QRectF SectionView::curvatureArea() const {
   return {width() - kMargin - plotWidth, top, plotWidth, std::max(0.0, bottom - top)};
 }
 
+SectionFrame SectionView::seen() const { return hold_ ? hold_->seen : frame(); }
+
 SectionFrame SectionView::frame() const {
   return {sectionArea(), window_.isNull() ? drawing_.bounds : window_};
 }
@@ -106,8 +108,26 @@ AxisRange SectionView::wholeAlong() const {
   return {0, drawing_.curvature.isEmpty() ? 0.0 : drawing_.curvature.back().x()};
 }
 
+SectionGrips SectionView::grips() const {
+  const Sweep* row = bench_.row();
+  if (!findGrips_ || !row || drawing_.station < 0) return {};
+  // Each point belongs to the station that is next to it.
+  const auto index = std::size_t(drawing_.station);
+  const Frame& plane = row->poses[index].frame;
+  double reach = 0;
+  for (const std::size_t beside : {index - 1, index + 1})
+    if (beside < row->poses.size())
+      reach = std::max(reach, 0.5 * std::abs(plane.toLocal(row->poses[beside].frame.origin).z()));
+  return findGrips_(plane, reach);
+}
+
+QPointF SectionView::placeOf(const SectionGrips::Grip& grip) const {
+  return seen().toArea.map(QPointF(grip.place.x(), grip.place.y()));
+}
+
 QStringList SectionView::readout() const {
   if (drawing_.station < 0 || cursor_.isNull()) return {};
+  if (hold_) return grips().text.split('\n');
   if (sectionArea().contains(cursor_)) {
     const QPointF p = frame().toPlane(cursor_);
     const int decimals = frame().scale > 20 ? 2 : 1;
@@ -136,6 +156,7 @@ void SectionView::paintCursor(QPainter& painter) const {
   const QStringList lines = readout();
   if (lines.isEmpty() || !grabbed_.isNull()) return;
   const Colours& c = theme_.colours();
+  if (hold_) return paintReadout(painter, cursor_, QRectF(rect()).adjusted(2, 2, -2, -2), lines, c);
   painter.setPen(QPen(c.secondary, 1, Qt::DotLine));
   const QRectF area = sectionArea().contains(cursor_) ? sectionArea() : curvatureArea();
   painter.drawLine(QPointF(cursor_.x(), area.top()), QPointF(cursor_.x(), area.bottom()));
@@ -227,7 +248,8 @@ void SectionView::paintEvent(QPaintEvent*) {
   top += textHeight + 4;
 
   // Side by side: the section takes what the curvature leaves.
-  paintSection(painter, frame(), drawing_, tolerance_, exaggeration_, c);
+  paintSection(painter, seen(), drawing_, tolerance_, exaggeration_, c);
+  paintGrips(painter, seen(), grips(), c);
   const QRectF plot = curvatureArea();
   painter.setPen(c.secondary);
   painter.setFont(small);

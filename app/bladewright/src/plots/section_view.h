@@ -4,10 +4,13 @@
 
 #include <QWidget>
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "controls/numbers.h"
 #include "controls/theme.h"
+#include "plots/section_grips.h"
 #include "plots/section_plots.h"
 #include "workbench/workbench.h"
 
@@ -17,6 +20,7 @@ namespace bw::app {
 /// (dashed) and grips, the foam, and beside it the curvature against the blade's limit. Over it a bar a
 /// station with its deviation: click, wheel or arrow keys choose. Over the plots the wheel zooms to the
 /// cursor, dragging moves, a double click shows all again; what lies under the cursor stands beside it.
+/// Points of the surface that lie in the plane of the station are pulled up and down.
 class SectionView : public QWidget {
   Q_OBJECT
 
@@ -34,10 +38,22 @@ class SectionView : public QWidget {
   /// What the section shows of its plane, and the curvature of the blade, mm.
   AxisRange seenAcross() const { return frame().x; }
   AxisRange seenAlong() const { return along_; }
+  /// Who tells which points of the surface lie in a plane.
+  void setGrips(FindGrips find) { findGrips_ = std::move(find); }
+  /// Those in the plane of the station that is shown, and where one of them is in the widget.
+  SectionGrips grips() const;
+  QPointF placeOf(const SectionGrips::Grip& grip) const;
   /// What stands beside the cursor; empty if nothing does.
   QStringList readout() const;
   QSize sizeHint() const override { return {680, 220}; }
   QSize minimumSizeHint() const override { return {320, 120}; }
+
+ signals:
+  /// A point of the surface is pressed, moved along `way` (unit, in the file's frame) by so many mm from
+  /// where it was taken hold of, and let go of; `givenUp`: what it did is to be undone.
+  void gripPressed(int handle, Qt::KeyboardModifiers keys);
+  void gripMoved(double by, const Eigen::Vector3d& way, Qt::KeyboardModifiers keys);
+  void gripReleased(bool givenUp);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -60,11 +76,15 @@ class SectionView : public QWidget {
   void paintBars(QPainter& painter) const;
   void paintCursor(QPainter& painter) const;
   SectionFrame frame() const;
+  /// How the plane lies in the widget, which stays while a grip is held.
+  SectionFrame seen() const;
   AxisRange wholeAlong() const;
   /// Comes nearer to a place of the widget by a factor below 1, or goes away from it.
   void zoomAt(const QPointF& position, double factor);
   void showAll();
   int shownStation() const;
+  /// Lets go of the grip that is held.
+  void letGo(bool givenUp);
 
   Workbench& bench_;
   const Theme& theme_;
@@ -77,6 +97,14 @@ class SectionView : public QWidget {
   AxisRange along_;  ///< mm of the blade that are seen
   QPointF cursor_;   ///< in the widget; null outside
   QPointF grabbed_;  ///< where the drag is, in the widget; null without one
+  /// The grip that is held, and the plane as it was when it was taken hold of.
+  struct Hold {
+    SectionFrame seen;
+    double height;  ///< mm up the plane, where the hand was
+    Eigen::Vector3d way;
+  };
+  FindGrips findGrips_;
+  std::optional<Hold> hold_;
 };
 
 }  // namespace bw::app

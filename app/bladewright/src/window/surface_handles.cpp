@@ -276,9 +276,12 @@ std::string SurfaceHandles::pullText() const {
 }
 
 void SurfaceHandles::press(int handle, const QPointF& position, Qt::KeyboardModifiers keys) {
-  const DesignedSurface* surface = surfaceOf(bench_);
-  const std::vector<Eigen::Vector3d> all = places();
-  if (!surface || std::size_t(handle) >= all.size()) return;  // another's
+  if (handle >= count()) return;  // another's
+  grab(handle, keys);
+  pull_->began = alongWay(*view_, position, placesOf(pull_->base)[std::size_t(handle)], way()).value_or(0);
+}
+
+void SurfaceHandles::grab(int handle, Qt::KeyboardModifiers keys) {
   const auto known = std::ranges::find(chosen_, handle);
   if (keys & Qt::ShiftModifier) {
     if (known == chosen_.end())
@@ -291,8 +294,8 @@ void SurfaceHandles::press(int handle, const QPointF& position, Qt::KeyboardModi
     std::rotate(known, known + 1, chosen_.end());
   }
   emit chosenChanged();
-  Pull pull{handle, true, *surface, *surface};
-  pull.began = alongWay(*view_, position, all[std::size_t(handle)], way()).value_or(0);
+  const DesignedSurface& surface = *surfaceOf(bench_);
+  Pull pull{handle, true, surface, surface};
   pull.mergeId = bench_.newMergeId();
   begin(std::move(pull));
   emit changed();
@@ -317,14 +320,17 @@ void SurfaceHandles::seek() {
 
 void SurfaceHandles::move(int handle, const QPointF& position, Qt::KeyboardModifiers keys) {
   if (!pull_ || !pull_->held || pull_->handle != handle) return;
-  const Eigen::Vector3d start = placesOf(pull_->base)[std::size_t(handle)];
-  const std::optional<double> at = alongWay(*view_, position, start, way());
-  if (!at) return;
+  if (const std::optional<double> at =
+          alongWay(*view_, position, placesOf(pull_->base)[std::size_t(handle)], way()))
+    drag(*at - pull_->began, keys);
+}
+
+void SurfaceHandles::drag(double by, Qt::KeyboardModifiers keys) {
+  if (!pull_ || !pull_->held) return;
   const auto [step, share] = handPace(keys, steps());
   // The height, not the way to it, is a round number.
   const double from = pulledFrom();
-  const double by = std::round((from + (*at - pull_->began) * share) / step) * step - from;
-  pull_->wished = std::clamp(by, -kFarthest, kFarthest);
+  pull_->wished = std::clamp(std::round((from + by * share) / step) * step - from, -kFarthest, kFarthest);
   pull_->step = step;
   keepWithin();
 }
@@ -411,7 +417,11 @@ void SurfaceHandles::pull(double by, bool live) {
 }
 
 void SurfaceHandles::release(int handle, bool givenUp) {
-  if (!pull_ || !pull_->held || pull_->handle != handle) return;
+  if (pull_ && pull_->handle == handle) drop(givenUp);
+}
+
+void SurfaceHandles::drop(bool givenUp) {
+  if (!pull_ || !pull_->held) return;
   if (pull_->moved) pull(givenUp ? 0 : pull_->by, false);
   endPull();
 }

@@ -55,6 +55,14 @@ class SurfaceHandles : public QObject {
   /// What a move is counted by, mm.
   HandSteps steps() const;
 
+  /// A hand takes hold of a handle elsewhere than in the 3D view, moves it by so many mm from there and lets
+  /// go of it. With Shift it is chosen with others.
+  void grab(int handle, Qt::KeyboardModifiers keys);
+  void drag(double by, Qt::KeyboardModifiers keys);
+  void drop(bool givenUp);
+  /// Unit, on which a number of the handles moves.
+  Eigen::Vector3d way(HandleNumber number = HandleNumber::height) const;
+
   /// Moves those chosen so that a number of the last becomes `to`, or as far as it may go: the last number
   /// before that is counted by `step`. Moves that follow each other are one undoable step.
   void bring(HandleNumber number, double to, double step);
@@ -102,8 +110,6 @@ class SurfaceHandles : public QObject {
   };
 
   std::vector<Eigen::Vector3d> places() const;
-  /// Unit, on which a number of the handles moves.
-  Eigen::Vector3d way(HandleNumber number = HandleNumber::height) const;
   double heightOf(const DesignedSurface& surface, int handle) const;
 
   void begin(Pull pull);

@@ -6,6 +6,7 @@
 #include <QTabBar>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "bw/core/text/number_text.h"
@@ -19,6 +20,7 @@ namespace {
 constexpr int kFactorWidth = 66;
 constexpr int kToldFor = 8000;     // ms, in the line at the bottom
 constexpr int kMiddleWidth = 358;  // as much as the panels beside it leave of the smallest window
+constexpr double kLeastUp = 0.2;  // cosine between the way of handles and the plane's, to be pulled there
 
 /// Tabs that are no wider than what they hold: there is no frame around it.
 class SideTabs : public QTabWidget {
@@ -30,6 +32,25 @@ class SideTabs : public QTabWidget {
     return {width, QTabWidget::minimumSizeHint().height()};
   }
 };
+
+/// Which of the first `count` handles, moved along `way`, lie within `reach` of a plane, as they lie in it.
+SectionGrips gripsIn(const scene::Handles& handles, int count, const Eigen::Vector3d& way, const Frame& plane,
+                     double reach) {
+  SectionGrips in;
+  if (std::abs(way.dot(plane.y)) < kLeastUp) return in;
+  const auto lies = [&](const Eigen::Vector3d& p) { return std::abs(plane.toLocal(p).z()) <= reach; };
+  const auto placed = [&](const Eigen::Vector3d& p) -> Eigen::Vector2d { return plane.toLocal(p).head<2>(); };
+  for (int i = 0; i < std::min(count, int(handles.points.size())); ++i)
+    if (const Eigen::Vector3d& p = handles.points[std::size_t(i)]; lies(p))
+      in.grips.push_back(
+          {i, placed(p), std::ranges::find(handles.chosen, i) != handles.chosen.end(), i == handles.lit});
+  for (const scene::HandleWay& each : handles.ways)
+    if (lies(each.from))
+      in.ways.push_back({placed(each.from), placed(each.to), each.endsAtFrom, each.endsAtTo});
+  in.text = QString::fromStdString(handles.text);
+  in.stopped = handles.stopped;
+  return in;
+}
 
 }  // namespace
 
@@ -152,6 +173,17 @@ void MainWindow::makeWorkspace() {
     refreshHandleCommands();
     handleMenu_->popup(place);
   });
+  // The section shows what of the picture's handles lies in its plane.
+  section_->setGrips([this](const Frame& plane, double reach) {
+    return gripsIn(view_->sceneStyle().handles, handles_->count(), handles_->way(), plane, reach);
+  });
+  connect(section_, &SectionView::gripPressed, handles_, &SurfaceHandles::grab);
+  connect(section_, &SectionView::gripMoved, handles_,
+          [this](double by, const Eigen::Vector3d& up, Qt::KeyboardModifiers keys) {
+            handles_->drag(by / handles_->way().dot(up), keys);
+          });
+  connect(section_, &SectionView::gripReleased, handles_, &SurfaceHandles::drop);
+  connect(handles_, &SurfaceHandles::changed, section_, qOverload<>(&QWidget::update));
   connect(faces_, &FaceChooser::choosingChanged, this, [this](bool choosing) {
     commands_["input.chooseFaces"]->setChecked(choosing);
     refreshState();

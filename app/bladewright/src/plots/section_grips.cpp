@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#include "plots/section_grips.h"
+
+#include <QLineF>
+#include <QPainter>
+
+namespace bw::app {
+
+namespace {
+
+constexpr double kDisc = 4, kLitDisc = 5.5, kRim = 1.5, kReach = 9, kTick = 6;  // px
+
+QPointF pixelOf(const SectionFrame& frame, const Eigen::Vector2d& place) {
+  return frame.toArea.map(QPointF(place.x(), place.y()));
+}
+
+}  // namespace
+
+int gripAt(const SectionGrips& grips, const SectionFrame& frame, const QPointF& pixel) {
+  int best = -1;
+  double nearest = kReach;
+  for (const SectionGrips::Grip& grip : grips.grips)
+    if (const double away = QLineF(pixelOf(frame, grip.place), pixel).length(); away <= nearest) {
+      best = grip.handle;
+      nearest = away;
+    }
+  return best;
+}
+
+void paintGrips(QPainter& painter, const SectionFrame& frame, const SectionGrips& grips, const Colours& c) {
+  painter.save();
+  painter.setClipRect(frame.area);
+  for (const SectionGrips::Way& way : grips.ways) {
+    const QPointF from = pixelOf(frame, way.from), to = pixelOf(frame, way.to);
+    painter.setPen(QPen(c.selection, 2));
+    painter.drawLine(from, to);
+    painter.setPen(QPen(c.error, 2));
+    for (const auto& [ends, at] : {std::pair(way.endsAtFrom, from), std::pair(way.endsAtTo, to)})
+      if (ends) painter.drawLine(at - QPointF(kTick, 0), at + QPointF(kTick, 0));
+  }
+  for (const SectionGrips::Grip& grip : grips.grips) {
+    painter.setPen(QPen(c.panel, kRim));
+    painter.setBrush(grip.lit && grips.stopped ? c.error : grip.lit || grip.chosen ? c.accent : c.selection);
+    const double radius = grip.lit ? kLitDisc : kDisc;
+    painter.drawEllipse(pixelOf(frame, grip.place), radius, radius);
+  }
+  painter.restore();
+}
+
+}  // namespace bw::app

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Bladewright authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include <QString>
+
+#include <functional>
+#include <vector>
+
+#include "bw/core/base/frame.h"
+#include "plots/section_plots.h"
+
+class QPainter;
+
+namespace bw::app {
+
+/// What of the surface a hand may take hold of in the plane of a station, mm in that plane.
+struct SectionGrips {
+  struct Grip {
+    int handle = -1;
+    Eigen::Vector2d place;
+    bool chosen = false, lit = false;
+  };
+  /// The way of one that is held, as far as it may go.
+  struct Way {
+    Eigen::Vector2d from, to;
+    bool endsAtFrom = false, endsAtTo = false;
+  };
+  std::vector<Grip> grips;
+  std::vector<Way> ways;
+  QString text;          ///< of the one that is held
+  bool stopped = false;  ///< it goes no farther
+};
+/// Those that lie within `reach` (mm) of the plane.
+using FindGrips = std::function<SectionGrips(const Frame& plane, double reach)>;
+
+/// The grip at a pixel; −1 if there is none.
+int gripAt(const SectionGrips& grips, const SectionFrame& frame, const QPointF& pixel);
+
+/// Discs at the grips, and the ways of those that are moved.
+void paintGrips(QPainter& painter, const SectionFrame& frame, const SectionGrips& grips,
+                const Colours& colours);
+
+}  // namespace bw::app
