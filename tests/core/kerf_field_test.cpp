@@ -223,7 +223,7 @@ TEST(KerfField, SectionsOfTheMiddleKeepTheWidthOfEachPlace) {
       for (const Eigen::Vector2d& p : section.curve().sample(301)) {
         const Vector3d place = section.frame.toWorld(p);
         const double off = -side * (place.norm() - radius);
-        EXPECT_NEAR(off, 0.5 * field->width(place), 1e-3) << "the table has corners, the spline has none";
+        EXPECT_NEAR(off, 0.5 * field->width(place), 2e-3) << "the table has corners, the spline has none";
         narrowest = std::min(narrowest, off);
         widest = std::max(widest, off);
       }

@@ -182,8 +182,7 @@ Result<StationFit> fitStation(const PlanarCurve& section, const FitRequest& requ
   // Ends, tangents and length leave nothing to be bent for the sake of the blade.
   const bool determined =
       request.fitEndpoints && request.fitTangents && request.fitLength != FitOptions::Length::free;
-  if (determined || !usable(*best) || best->hausdorff > allowed ||
-      bladeHolds(best->elastica, request.blade))
+  if (determined || !usable(*best) || best->hausdorff > allowed || bladeHolds(best->elastica, request.blade))
     return StationFit{section, std::move(*best)};
   FitOptions tighter = boundedOptions(options, request);
   std::optional<FitResult> restless;

@@ -20,7 +20,7 @@ namespace {
 constexpr int kFactorWidth = 66;
 constexpr int kToldFor = 8000;     // ms, in the line at the bottom
 constexpr int kMiddleWidth = 358;  // as much as the panels beside it leave of the smallest window
-constexpr double kLeastUp = 0.2;  // cosine between the way of handles and the plane's, to be pulled there
+constexpr double kLeastUp = 0.2;   // cosine between the way of handles and the plane's, to be pulled there
 
 /// Tabs that are no wider than what they hold: there is no frame around it.
 class SideTabs : public QTabWidget {
