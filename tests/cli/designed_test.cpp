@@ -395,6 +395,40 @@ TEST(Blocks, AreWrittenAlikeWithAnyNumberOfThreads) {
   }
 }
 
+TEST(Blocks, OfLayersThatDoNotMeetEndWithStatusOneToo) {
+  // A surface that rises through two layers along the planes of the blade: nobody looked there.
+  const Folder folder;
+  const auto layers = [&](const std::string& join) {
+    return folder.write("layers-" + join + ".bladewright",
+                        R"json({"bladewright_design": 2,
+      "sources": [{"id": "s", "surface": {"type": "formula", "x": [0, 600], "y": [0, 800],
+                   "formula": "300 + 0.9*(x - 300) + 60*sin((x - 300)/110)"}}],
+      "grid": {"columns": 1, "layers": 2, "sizes": {"columns": 600, "rows": 800, "layers": 300}},
+      "cuts": [{"id": "cut", "source": "s", "stations": 9, "direction": [0, 1, 0]}],
+      "blade": {"preset": "nicr-flat-5x1", "length": 900},
+      "output": {"programs": ["csv"]},
+      "process": {"join": {"type": ")json" +
+                            join + R"json("}}})json");
+  };
+  const auto jointOf = [&](const std::string& join, Finished& run) {
+    const std::string out = folder / ("out-" + join);
+    run = blade({"design", layers(join), "--out", out});
+    const json report = json::parse(slurp(out + "/report.json"));
+    EXPECT_EQ(report["joints"].size(), 1u);
+    return report["joints"][0];
+  };
+  Finished run;
+  const json apart = jointOf("none", run);
+  EXPECT_EQ(run.status, 1);
+  EXPECT_NE(run.err.find("layer-1 and layer-2 meet with a gap"), std::string::npos) << run.err;
+  EXPECT_GT(apart["gap_max_mm"], 0.3);
+  EXPECT_GT(apart["places"], 10);
+  const json joined = jointOf("tangent-planes", run);
+  EXPECT_EQ(run.err.find("meet with"), std::string::npos) << run.err;
+  EXPECT_LT(joined["gap_max_mm"], 1e-3);
+  EXPECT_LT(joined["angle_max_deg"], 0.01);
+}
+
 TEST(Blocks, ThatDoNotMeetEndWithStatusOne) {
   const Folder folder;
   json design = json::parse(slurp(exampleIn(folder, "three-block-wall")));

@@ -148,7 +148,9 @@ Result<void> alongside(Pair& pair, std::array<Loose, 2>& loose, const RunContext
   const double from = std::max(mine.first(), theirs.first()), to = std::min(mine.last(), theirs.last());
   const Vector3d line =
       pair.mine.boundary.normal.cross(pair.mine.sweep.planes.direction()).stableNormalized();
-  for (const auto& [level, isStation] : levelsOf(pair.mine.sweep, pair.theirs.sweep, from, to)) {
+  for (const auto& known : levelsOf(pair.mine.sweep, pair.theirs.sweep, from, to)) {
+    const double level = known.first;
+    const bool isStation = known.second;
     if (context.stopped()) return stoppedError();
     const std::optional<BladePose> p = mine.at(level), q = theirs.at(level);
     const std::vector<Through> all = p ? through(*p, pair.mine) : std::vector<Through>(),
