@@ -67,8 +67,13 @@ TEST(DesignedSurface, TheFloorIsAskedOfBlocksThatAreGiven) {
   EXPECT_TRUE(exceedsLimit(told));
   design.process.floor = lowest - 1;
   EXPECT_FALSE(exceedsLimit(evaluated(design).findings()));
-  // One that is made around the surface is as low as that asks for.
+  // A block that reaches as much lower as the message tells keeps it.
   design.process.floor = lowest + 1;
+  Design deeper = design;
+  deeper.block().placement->origin.z() -= 1;
+  deeper.block().placement->size.z() += 1;
+  EXPECT_FALSE(exceedsLimit(evaluated(deeper).findings()));
+  // One that is made around the surface is as low as that asks for.
   design.block().placement.reset();
   for (const Finding& finding : evaluated(design).findings()) EXPECT_NE(finding.kind(), FindingKind::floor);
 }

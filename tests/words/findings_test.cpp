@@ -115,12 +115,12 @@ TEST(Findings, TellTheRemediesTheyHold) {
                 .find("passes the block at 20 mm, less than the clearance of 50 mm"),
             std::string::npos);
   EXPECT_NE(
-      said(NearBottom{12.4, 20}, kOne, {OtherBlock{OtherBlock::How::deeper}})
+      said(NearBottom{12.4, 20}, kOne)
           .find("the blade passes the face that the block lies on at 12.4 mm, less than the floor of 20 "
                 "mm; a block that reaches 8 mm lower keeps it"),
       std::string::npos);
   EXPECT_NE(
-      said(NearBottom{-3, 20}, kOne, {OtherBlock{OtherBlock::How::deeper}})
+      said(NearBottom{-3, 20}, kOne)
           .find("the blade would be 3 mm below the face that the block lies on; a block that reaches 23 "
                 "mm lower keeps it"),
       std::string::npos);

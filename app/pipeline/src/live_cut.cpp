@@ -74,6 +74,12 @@ bool LiveCut::take(const LiveOrder& order, const RunContext& context) {
     spline_ = order.spline;
   }
   made_ = !stays || asked_ != asked;
+  if (asked_ != asked) {
+    melted_.reset();
+    if (!asked.kerf.table.empty())
+      melted_ = std::make_shared<const KerfField>(
+          KerfField::of(*began_.sweep.value, asked.check.cuttingSpeed, asked.kerf.table));
+  }
   asked_ = std::move(asked);
   if (made_) look_.reset();
   return true;
@@ -87,12 +93,8 @@ bool LiveCut::follow(const LiveOrder& order, const RunContext& context) {
   std::shared_ptr<const std::vector<Section>> sections = sections_;
   MiddleSections middle;
   const Kerf& kerf = asked_->kerf;
-  std::shared_ptr<const KerfField> field;  // by the speeds of the row from which the hand began
-  if (!kerf.table.empty())
-    field = std::make_shared<const KerfField>(
-        KerfField::of(*began_.sweep.value, order.design.process.cuttingSpeed, kerf.table));
   if (kerf != Kerf()) {
-    Result<MiddleSections> found = middleOf(*order.target, *sections_, kerf, context, unsaid, field);
+    Result<MiddleSections> found = middleOf(*order.target, *sections_, kerf, context, unsaid, melted_);
     if (!found) return false;
     middle = std::move(*found);
     sections = std::make_shared<const std::vector<Section>>(std::move(middle.sections));
@@ -119,10 +121,10 @@ bool LiveCut::follow(const LiveOrder& order, const RunContext& context) {
     if (!same) sketcher_.emplace(*sweep_);
   }
   Result<RowSketch> look =
-      sketcher_->look(*sweep_, asked_->check, *middleSampler(*order.target, middle, kerf, field), context);
+      sketcher_->look(*sweep_, asked_->check, *middleSampler(*order.target, middle, kerf, melted_), context);
   if (!look) return false;
-  look->cut =
-      field ? standingBeside(std::move(look->cut), kerf, *field) : standingBeside(std::move(look->cut), kerf);
+  look->cut = melted_ ? standingBeside(std::move(look->cut), kerf, *melted_)
+                      : standingBeside(std::move(look->cut), kerf);
   setup_ = std::make_shared<const geometry::Setup>(planes_.setup);
   look_ = std::make_shared<const RowSketch>(std::move(*look));
   return true;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bw/core/surface/spline_surface.h"
+#include "bw/core/sweep/kerf_field.h"
 #include "bw/core/sweep/live_row.h"
 #include "bw/core/sweep/row_sketch.h"
 #include "bw/pipeline/pipeline.h"
@@ -59,6 +60,7 @@ class LiveCut {
   std::shared_ptr<const std::vector<Section>> sections_;
   std::shared_ptr<const SplineSurface> spline_;  ///< that they are of; null for a file
   std::optional<Asked> asked_ = std::nullopt;
+  std::shared_ptr<const KerfField> melted_;  ///< by the speeds of the row from which the hand began
   bool made_ = false;
   std::optional<LiveRow> row_ = std::nullopt;
   std::optional<RowSketcher> sketcher_ = std::nullopt;

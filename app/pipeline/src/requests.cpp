@@ -12,8 +12,9 @@ namespace bw::pipeline {
 
 namespace {
 
-/// So many times the diagonal of a block is a blade long whose surface is followed beyond it.
-constexpr double kEnough = 2;
+/// So many times the diagonal of a block is a blade of open length at most, as far as its surface is
+/// followed.
+constexpr double kLongestOpen = 2;
 
 }  // namespace
 
@@ -41,7 +42,7 @@ FitRequest fitRequest(const Design& design, const Cut& cut, const Box& lies, boo
 
 double reachBeyond(const FitRequest& fit, const Blade& blade, const Box& lies) {
   if (fit.extend != Extension::surface) return 0;
-  return 0.5 * (blade.autoLength ? std::min(Blade::kLongest, kEnough * lies.size.norm()) : blade.length);
+  return 0.5 * (blade.autoLength ? std::min(Blade::kLongest, kLongestOpen * lies.size.norm()) : blade.length);
 }
 
 CheckRequest checkRequest(const Design& design, const Cut& cut) {

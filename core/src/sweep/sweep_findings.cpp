@@ -267,8 +267,7 @@ void addStationFindings(const Sweep& sweep, const SweepCheck& check, const Check
       Severity::warning, [&](Index i) { return seen[i].nearBottom; },
       [&](Index i) { return -seen[i].aboveBottom; },
       [&](const Stretch& at) -> Told {
-        return {NearBottom{seen[at.worst].aboveBottom, *request.floor},
-                {OtherBlock{OtherBlock::How::deeper}}};
+        return {NearBottom{seen[at.worst].aboveBottom, *request.floor}};
       });
   const auto moved = [&](Index i) { return seen[i].movedByGrip; };
   report(

@@ -4,6 +4,8 @@
 
 #include <Qt>
 
+#include <cmath>
+
 namespace bw::app {
 
 /// What a hand counts by when it moves something: as it is, coarsely with Shift, finely with Ctrl or Alt, the
@@ -22,6 +24,13 @@ inline HandPace handPace(Qt::KeyboardModifiers keys, const HandSteps& steps = {}
   constexpr double kFineShare = 0.1;
   if (keys & (Qt::ControlModifier | Qt::AltModifier)) return {steps.fine, kFineShare};
   return {keys & Qt::ShiftModifier ? steps.coarse : steps.plain, 1};
+}
+
+/// The round number so many steps on from a number, which may lie between two.
+inline double nextRound(double number, double step, double steps) {
+  constexpr double kNear = 1e-6;
+  const double places = number / step;
+  return (steps > 0 ? std::floor(places + kNear) + steps : std::ceil(places - kNear) + steps) * step;
 }
 
 }  // namespace bw::app

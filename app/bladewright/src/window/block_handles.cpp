@@ -399,12 +399,7 @@ void BlockHandles::nudge(double steps, const QKeyEvent& key) {
   if (const QString why = whyFixed(now, *chosen_); !why.isEmpty()) return emit told(why);
   if (!pull_) begin(*chosen_, false, now);
   const double step = handPace(key.modifiers(), stepsOf(*chosen_)).step;
-  // The next round number beyond.
-  constexpr double kNear = 1e-6;
-  const double places = valueOf(now, *chosen_) / step;
-  const double next =
-      (steps > 0 ? std::floor(places + kNear) + steps : std::ceil(places - kNear) + steps) * step;
-  pull(within(now, *chosen_, next), true);
+  pull(within(now, *chosen_, nextRound(valueOf(now, *chosen_), step, steps)), true);
 }
 
 void BlockHandles::openField(const QKeyEvent* typed) {

@@ -92,11 +92,8 @@ void HandleKeys::nudge(HandleNumber number, double steps, const QKeyEvent& key) 
   if (!at) return;  // a pole stands where it stands
   if (std::exchange(typed_, false)) handles_.endMoves();
   const double step = handPace(key.modifiers(), handles_.steps()).step;
-  // The number, not the way to it, is a round one: the next beyond.
-  constexpr double kNear = 1e-6;
-  const double places = *at / step;
-  const double next = steps > 0 ? std::floor(places + kNear) + steps : std::ceil(places - kNear) + steps;
-  handles_.bring(number, next * step, step);
+  // The number, not the way to it, is a round one.
+  handles_.bring(number, nextRound(*at, step, steps), step);
 }
 
 void HandleKeys::take(HandleNumber number, double to, const NumberField& field) {

@@ -32,10 +32,9 @@ struct LargerSurface {
   double scale = 1;
   std::optional<double> bladeLength = std::nullopt;
 };
-/// Another block: a smaller one, one that leaves out the stations of the finding at one end of the row, or
-/// one that reaches lower.
+/// Another block: a smaller one, or one that leaves out the stations of the finding at one end of the row.
 struct OtherBlock {
-  enum class How { smaller, beginsAfter, endsBefore, deeper };
+  enum class How { smaller, beginsAfter, endsBefore };
   How how = How::smaller;
 };
 /// Several goes, each with a narrower block of its own.
