@@ -262,7 +262,7 @@ TEST(DesignDifference, NumbersHaveTheirNamesAndUnits) {
   other.cut().direction.reset();
   other.process.tolerance = 7;  // freed from its expression
   const std::string told = text(differences(design, other));
-  EXPECT_NE(told.find("/stock/0/block/size/2|Block b: block, size z|500|400\n"), std::string::npos) << told;
+  EXPECT_NE(told.find("/stock/0/block/size/2|Block b: block, size z|500 mm|400 mm\n"), std::string::npos) << told;
   EXPECT_NE(told.find("/stock/0/block/rotation_deg/2|Block b: block, rotation z|7 °|0 °\n"),
             std::string::npos)
       << told;
@@ -294,7 +294,7 @@ TEST(DesignDifference, ManyNumbersOfOneListAreOne) {
   for (SurfacePole& pole : std::get<PolesSurface>(other.source().surface->shape).poles) pole.height += 3;
   std::get<PolesSurface>(other.source().surface->shape).poles.back().height += 2;
   EXPECT_EQ(text(differences(design, other)),
-            "/sources/0/surface/poles|Surface s: surface, poles||16 values differ, by at most 5\n");
+            "/sources/0/surface/poles|Surface s: poles||16 values differ, by at most 5 mm\n");
 }
 
 TEST(DesignDifference, IsTold) {
@@ -306,7 +306,7 @@ TEST(DesignDifference, IsTold) {
   std::string all;
   for (const DesignDifference& difference : differences(design, other)) all += sentenceOf(difference) + "\n";
   EXPECT_EQ(all,
-            "Surface s: surface, poles: 16 values differ, by at most 3\n"
+            "Surface s: poles: 16 values differ, by at most 3 mm\n"
             "Cut c: turn: not there → 90 °\n"
             "Kerf: 0 mm → 2 mm\n");
 }

@@ -9,6 +9,8 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "bw/core/blade/blade_numbers.h"
@@ -59,10 +61,20 @@ std::string wordOf(std::string key) {
   return key;
 }
 
-Unit unitOf(const std::string& key) {
-  if (key.ends_with("_deg")) return {" °"};
-  if (key.ends_with("_mm")) return {" mm"};
-  return {};
+/// Of the number at a place of the document, or of those of the list there.
+Unit unitOf(std::string pointer) {
+  while (!pointer.empty() && pointer.find_last_not_of("0123456789") != pointer.size() - 1)
+    pointer.resize(pointer.find_last_of('/') == std::string::npos ? 0 : pointer.find_last_of('/'));
+  if (pointer.ends_with("_deg")) return {" °"};
+  if (pointer.ends_with("_mm")) return {" mm"};
+  const std::size_t last = pointer.find_last_of('/');
+  const std::string key = last == std::string::npos ? pointer : pointer.substr(last + 1);
+  static constexpr auto kLengths =
+      std::to_array<std::string_view>({"origin", "size", "height", "moved", "poles", "x", "y", "bezier",
+                                       "spline", "ducks", "middle", "offset", "blade_length", "spacing"});
+  const bool ofGrid =
+      pointer.find("/sizes/") != std::string::npos || pointer.find("/gaps/") != std::string::npos;
+  return ofGrid || std::ranges::find(kLengths, key) != kLengths.end() ? Unit{" mm"} : Unit{};
 }
 
 template <class Number>
@@ -166,7 +178,8 @@ class Comparison {
       most = std::max(most, found_[i].most.value_or(0));
     }
     found_.resize(first);
-    add(pointer, what, "", std::to_string(numbers) + " values differ, by at most " + shortText(most));
+    add(pointer, what, "",
+        std::to_string(numbers) + " values differ, by at most " + shortText(most) + unitOf(pointer).text);
     found_.back().told.many = true;
     found_.back().numbers = numbers;
     found_.back().most = most;
@@ -229,8 +242,10 @@ class Comparison {
       if (key == "name") return {"Name of the design", {}};
       return {capital(wordOf(key)), {}};
     }
+    if (key == "surface") return {what, {}};  // of a source, which is called so
     const bool deeper = what.find(": ") != std::string::npos;
-    return {what + (deeper ? ", " : ": ") + wordOf(key), value.is_number() ? unitOf(key) : Unit{}};
+    return {what + (deeper ? ", " : ": ") + wordOf(key),
+            value.is_number() ? unitOf(object + "/" + key) : Unit{}};
   }
 
   static std::string lowered(std::string text) {
