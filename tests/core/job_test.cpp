@@ -205,6 +205,14 @@ TEST(Design, RoundTripsWithAnEmbeddedSource) {
   }
 }
 
+TEST(Design, KeepsTheWayUpAsItIsTold) {
+  Design design;
+  design.process.up = {0, 0.5, 2};  // only its direction counts
+  const Result<Design> read = parseDesign(designToJson(design));
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->process.up, design.process.up);
+}
+
 TEST(Design, RefusesNewerVersionsAndOtherFiles) {
   const Result<Design> newer = parseDesign(R"({"bladewright_design": 99})");
   ASSERT_FALSE(newer);

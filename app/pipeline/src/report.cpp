@@ -290,7 +290,7 @@ std::string reportJson(const Evaluation& e, const std::string& run, const FileSe
   method["grip_error_mm"] = design.process.gripError;
   method["grip_angle_error_deg"] = design.process.gripAngle;
   method["weight"] = design.process.weight;
-  method["up"] = vec(design.process.up);
+  method["up"] = vec(design.process.up.normalized());
   if (e.blocks.size() > 1)
     method["join"] = {{"type", kJoins[std::size_t(design.process.join)]},
                       {"gap_mm", design.process.jointGap},

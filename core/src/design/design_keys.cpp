@@ -253,7 +253,7 @@ void readUp(ObjectReader& reader, Eigen::Vector3d& up) {
     reader.complain("up", reader.path() + ".up has length zero; give the way up in the file's frame", length,
                     1e-9);
   else
-    up = v / length;
+    up = v;  // as it is told: only its direction counts
 }
 
 /// The key "kerf" where it is a list: pairs of speed and width.
