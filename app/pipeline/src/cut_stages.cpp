@@ -257,9 +257,7 @@ constexpr int kRounds = 8;           // each takes most of what is left
 Finding unfollowed(const Sweep& row, double change) {
   const int first = row.poses.front().index, last = row.poses.back().index;
   return {Severity::info,
-          SectionUnfit{"the blades and the kerf over their speed do not come to rest: after " +
-                       std::to_string(kRounds) + " rounds widths still change by " + shortText(change) +
-                       " mm, half of which the map of deviation shows; flatten the table of the kerf"},
+          KerfUnsettled{kRounds, change},
           {StationRange{first, last, first, int(row.poses.size())}, {}},
           {}};
 }

@@ -44,6 +44,7 @@ constexpr std::pair<FindingKind, const char*> kWords[] = {{FindingKind::fit, "fi
                                                           {FindingKind::sectionBorder, "section-border"},
                                                           {FindingKind::sectionFit, "section-fit"},
                                                           {FindingKind::sectionRoute, "section-route"},
+                                                          {FindingKind::kerf, "kerf"},
                                                           {FindingKind::face, "face"},
                                                           {FindingKind::direction, "direction"},
                                                           {FindingKind::leftOut, "left-out"},

@@ -402,16 +402,23 @@ std::string Sentences::operator()(const JointKink& cause) const {
 }
 
 std::string Sentences::operator()(const JointOpen& cause) const {
-  if (cause.open == 0)
-    return "how the surface passes from " + cause.one + " to " + cause.other + " is not compared at " +
-           std::to_string(cause.places) + (cause.places == 1 ? " place" : " places") +
-           " of their boundary, because it runs along that or its blades are not known there; look at both "
-           "cut "
-           "surfaces there, or put the boundary elsewhere";
   return "the surface comes to the boundary of " + cause.one + " and " + cause.other +
-         " and is cut in one of " + "them alone at " + std::to_string(cause.open) + " of " +
+         " and is cut in one of them alone at " + std::to_string(cause.open) + " of " +
          std::to_string(cause.open + cause.places) +
          " places looked at; choose blocks whose boundary it passes as a whole";
+}
+
+std::string Sentences::operator()(const JointUnknown& cause) const {
+  return "how the surface passes from " + cause.one + " to " + cause.other + " is not compared at " +
+         std::to_string(cause.places) + (cause.places == 1 ? " place" : " places") +
+         " of their boundary, because it runs along that or its blades are not known there; look at both "
+         "cut surfaces there, or put the boundary elsewhere";
+}
+
+std::string Sentences::operator()(const KerfUnsettled& cause) const {
+  return "the blades and the kerf over their speed do not come to rest: after " +
+         std::to_string(cause.rounds) + " rounds widths still change by " + mm(cause.change) +
+         ", half of which the map of deviation shows; flatten the table of the kerf";
 }
 
 std::string Sentences::operator()(const BlocksMissed& cause) const {

@@ -49,6 +49,8 @@ struct Sentences {
   std::string operator()(const JointGap& cause) const;
   std::string operator()(const JointKink& cause) const;
   std::string operator()(const JointOpen& cause) const;
+  std::string operator()(const JointUnknown& cause) const;
+  std::string operator()(const KerfUnsettled& cause) const;
   std::string operator()(const BlocksMissed& cause) const;
   std::string operator()(const CutDropped& cause) const;
   std::string operator()(const CreaseOff& cause) const;

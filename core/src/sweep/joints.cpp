@@ -424,9 +424,8 @@ Result<Joints> measureJoints(const std::vector<BlockRow>& rows, const std::vecto
   for (std::size_t k = 0; k < all.size(); ++k) {
     const Joint& joint = all[k];
     const std::string &one = rows[joint.first].block, &other = rows[joint.second].block;
-    // None open: how they meet is not known.
     if (const auto& [places, at] = unknown[k]; places > 0)
-      joints.findings.push_back({Severity::warning, JointOpen{one, other, 0, places}, {{}, at}, {}});
+      joints.findings.push_back({Severity::warning, JointUnknown{one, other, places}, {{}, at}, {}});
     if (joint.places == 0 && joint.open == 0) continue;
     joints.joints.push_back(joint);
     if (joint.gapMax > request.gap)

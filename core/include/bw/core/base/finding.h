@@ -53,6 +53,7 @@ enum class FindingKind {
   sectionBorder,
   sectionFit,
   sectionRoute,
+  kerf,
   face,
   direction,
   leftOut,
@@ -404,6 +405,12 @@ struct ServingLengths {
   /// mm, the least that was tried besides the one asked for where no length serves; that if none was.
   std::optional<double> leastClearance = std::nullopt;
 };
+/// The widths of a kerf over speed and the blades, which their speeds follow from, do not come to rest.
+struct KerfUnsettled {
+  static constexpr FindingKind kind = FindingKind::kerf;
+  int rounds = 0;     ///< tried
+  double change = 0;  ///< mm of width, in the last of these
+};
 /// The surfaces of two neighbouring blocks do not meet at their boundary.
 struct JointGap {
   static constexpr FindingKind kind = FindingKind::joint;
@@ -421,6 +428,12 @@ struct JointOpen {
   static constexpr FindingKind kind = FindingKind::joint;
   std::string one, other;
   int open = 0, places = 0;  ///< where it does not and where it does, of the places that were looked at
+};
+/// How they meet is not known there: the surface runs along the boundary, or its blades are not known.
+struct JointUnknown {
+  static constexpr FindingKind kind = FindingKind::joint;
+  std::string one, other;
+  int places = 0;
 };
 /// Blocks that the surface does not come through: nothing is cut of them.
 struct BlocksMissed {
@@ -504,9 +517,9 @@ using Cause =
                  SectionMissing, SectionPoint, SectionShort, SectionBranches, SectionClosed, SectionBridged,
                  SectionExtended, SectionBorder, SectionUnfit, SectionRough, SectionDiffers, LargestFace,
                  NearestFace, FacesLeftOut, TravelAcross, ChosenDirection, LeftOutOfFile, Healed,
-                 ChangedSource, EarlierDesign, JointGap, JointKink, JointOpen, BlocksMissed, CutDropped,
-                 CreaseOff, TakesSurface, PartUnknown, PiecesLeft, UnreadableCell, WrongSide, HomeUnknown,
-                 HomeOutOfReach, ProgramDespiteErrors, ProgramBreach, RunMismatch>;
+                 ChangedSource, EarlierDesign, JointGap, JointKink, JointOpen, JointUnknown, KerfUnsettled,
+                 BlocksMissed, CutDropped, CreaseOff, TakesSurface, PartUnknown, PiecesLeft, UnreadableCell,
+                 WrongSide, HomeUnknown, HomeOutOfReach, ProgramDespiteErrors, ProgramBreach, RunMismatch>;
 
 /// Stations of a row by their index: from first to last, `count` of them concerned, the worst among them.
 struct StationRange {
