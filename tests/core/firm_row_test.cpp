@@ -19,6 +19,7 @@
 #include "bw/core/sweep/live_row.h"
 #include "plane_sections.h"
 #include "row_settings.h"
+#include "sweep/firm_row.h"
 
 namespace bw {
 namespace {
@@ -141,6 +142,22 @@ TEST(FirmRow, NoBladeStandsWorseThanInTheRowBefore) {
         }
       }
   EXPECT_GT(firmed, 0);
+}
+
+TEST(FirmRow, ARowIsRefusedWhereOneBladeStandsWorse) {
+  const Sweep row = rowOf(flat(760, 3), kTwoWays);
+  EXPECT_TRUE(sweep::keepsUp(row, row));
+  const auto refused = [&](const char* what, const auto& worsen) {
+    Sweep next = row;
+    worsen(next);
+    EXPECT_FALSE(sweep::keepsUp(next, row)) << what;
+    EXPECT_TRUE(sweep::keepsUp(next, next)) << what << ": it stood no better before";
+  };
+  refused("snaps", [](Sweep& next) { next.fits[2].snapsAt = 0.5; });
+  refused("is not known", [](Sweep& next) { next.fits[2].unknown = "why"; });
+  refused("has no shape", [](Sweep& next) { next.fits[2].fit.status = FitStatus::infeasible; });
+  refused("lies farther off", [](Sweep& next) { next.fits[2].fit.hausdorff = 1.1 * next.request.tolerance; });
+  refused("has less margin", [](Sweep& next) { next.request.margin = 1e3; });
 }
 
 TEST(FirmRow, ARowThatCannotStaysAsItIs) {

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "sweep/firm_row.h"
 #include "sweep/held_blade.h"
 #include "sweep/row_solver.h"
 #include "sweep/row_station.h"
@@ -86,7 +87,10 @@ bool isFirm(const Sweep& row, std::size_t i) {
   return std::min(margins.inPlane, margins.outOfPlane) >= row.request.margin;
 }
 
-/// True if no blade of a row stands worse than in the one before.
+}  // namespace
+
+namespace sweep {
+
 bool keepsUp(const Sweep& next, const Sweep& before) {
   for (std::size_t i = 0; i < next.fits.size(); ++i) {
     const StationFit &is = next.fits[i], &was = before.fits[i];
@@ -100,7 +104,7 @@ bool keepsUp(const Sweep& next, const Sweep& before) {
   return true;
 }
 
-}  // namespace
+}  // namespace sweep
 
 Result<FirmRow> firmRow(const Sweep& row, const RunContext& context) {
   Result<RowCertainty> certainty = certaintyOf(row, context);
@@ -113,7 +117,7 @@ Result<FirmRow> firmRow(const Sweep& row, const RunContext& context) {
   for (int round = 0; round < kRounds && !weak.empty(); ++round) {
     Sweep next = bounded(last, known, weak, context);
     if (context.stopped()) return stoppedError();
-    if (!keepsUp(next, row)) break;
+    if (!sweep::keepsUp(next, row)) break;
     certainty = certaintyOf(next, context);
     if (!certainty) return tl::unexpected<Error>(certainty.error());
     known = std::move(*certainty);
