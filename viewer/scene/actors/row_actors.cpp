@@ -88,8 +88,7 @@ void IsolineLabels::update(const Projection& view, int width, int height, double
 }
 
 CutActors::CutActors(Layers& layers) : table_(vtkSmartPointer<vtkLookupTable>::New()) {
-  edges_.setFlat();
-  isolines_.setFlat();
+  for (Part* part : {&edges_, &isolines_, &coarseLines_}) part->setFlat();
   for (Part* part : {&surface_, &coarse_}) {
     part->mapper()->SetLookupTable(table_);
     part->mapper()->UseLookupTableScalarRangeOn();
@@ -105,10 +104,9 @@ void CutActors::setContent(const Row* row) {
   const TriangleMesh& mesh = row ? row->mesh : kNone;
   shareMesh(surface_.data(), mesh.points, mesh.normals, mesh.triangles);
   edges_.setSegments(boundaryEdges(mesh.points, mesh.triangles));
-  isolines_.clear();
+  for (Part* part : {&isolines_, &coarse_, &coarseLines_}) part->clear();
   isolined_.clear();
-  coarse_.clear();
-  stride_ = 0;
+  stride_ = lineStride_ = 0;
   reach_ = 0;
   if (mesh.triangles.empty()) return;
   for (const Field& field : row->cut->grid.fields) {
@@ -169,6 +167,18 @@ void CutActors::makeCoarse(int stride) {
   }
 }
 
+void CutActors::makeCoarseLines(int stride) {
+  lineStride_ = stride;
+  std::vector<Polyline> drawn;
+  for (const Isoline& isoline : lines_) {
+    Polyline& line = drawn.emplace_back();
+    for (std::size_t i = 0; i + 1 < isoline.line.size(); i += std::size_t(stride))
+      line.push_back(isoline.line[i]);
+    line.push_back(isoline.line.back());
+  }
+  coarseLines_.setLines(drawn);
+}
+
 void CutActors::setStyle(const Style& style, const Rgb& background) {
   const double keep = keptColor(style.stale), px = style.pixelRatio;
   const bool shown = row_ && row_->covered(style);
@@ -179,6 +189,7 @@ void CutActors::setStyle(const Style& style, const Rgb& background) {
   edges_.setVisible(shown);
   lined_ = field && style.isolines && mapRule(field->name) != MapRule::words;
   isolines_.setVisible(lined_);
+  coarseLines_.setVisible(false);
   if (!shown) return;
   for (Part* part : {&surface_, &coarse_}) {
     part->setOpacity(std::clamp(style.of(Kind::cut, row_->id).opacity, 0.0, 1.0));
@@ -220,9 +231,12 @@ void CutActors::setStyle(const Style& style, const Rgb& background) {
     std::vector<Polyline> drawn;
     for (const Isoline& isoline : lines_) drawn.push_back(isoline.line);
     isolines_.setLines(drawn);
+    lineStride_ = 0;
   }
-  isolines_.setLine(kLineOverSurface, px);
-  isolines_.setFade(keep, background);
+  for (Part* part : {&isolines_, &coarseLines_}) {
+    part->setLine(kLineOverSurface, px);
+    part->setFade(keep, background);
+  }
 }
 
 void CutActors::label(IsolineLabels& labels, double diagonal) const {
@@ -237,8 +251,12 @@ void CutActors::update(double line, int stride) {
   if (coarse && stride != stride_) makeCoarse(stride);
   surface_.setVisible(shown_ && !coarse);
   coarse_.setVisible(coarse);
+  // Between two points that were left out a line may lie below the surface: not by more than that is coarser.
+  if (coarse && lined_ && stride != lineStride_) makeCoarseLines(stride);
+  isolines_.setVisible(lined_ && !coarse);
+  coarseLines_.setVisible(lined_ && coarse);
   edges_.setDepthShift(line);
-  isolines_.setDepthShift(1.2 * line);
+  for (Part* part : {&isolines_, &coarseLines_}) part->setDepthShift(1.2 * line);
 }
 
 StationLines::StationLines(Layers& layers) {

@@ -48,14 +48,14 @@ class CutActors {
  public:
   explicit CutActors(Layers& layers);
   /// All that it draws.
-  std::array<Part*, 4> parts() { return {&surface_, &coarse_, &edges_, &isolines_}; }
+  std::array<Part*, 5> parts() { return {&surface_, &coarse_, &edges_, &isolines_, &coarseLines_}; }
   /// What shades and is shaded.
   vtkActor* solid() const { return surface_.actor(); }
   /// Shares the arrays of the row, which stays where it is until the next call; null hides it.
   void setContent(const Row* row);
   void setStyle(const Style& style, const Rgb& background);
   /// `line` is the depth shift that brings a line before the surface that it lies on. Of the rows and columns
-  /// of the surface every `stride`-th is drawn, and the last.
+  /// of the surface every `stride`-th is drawn, and the last; so are the points of its isolines.
   void update(double line, int stride);
   /// Adds the values that stand on its isolines, if they are shown.
   void label(IsolineLabels& labels, double diagonal) const;
@@ -64,11 +64,12 @@ class CutActors {
 
  private:
   void makeCoarse(int stride);
+  void makeCoarseLines(int stride);
 
-  Part surface_, coarse_, edges_, isolines_;
+  Part surface_, coarse_, edges_, isolines_, coarseLines_;
   TriangleMesh coarseMesh_;                        ///< VTK reads it in place
   std::vector<std::vector<double>> coarseFields_;  ///< and these
-  int stride_ = 0;                                 ///< of `coarse_`; 0: it was not made yet
+  int stride_ = 0, lineStride_ = 0;                ///< of `coarse_`, `coarseLines_`; 0: not made yet
   bool shown_ = false;
   vtkSmartPointer<vtkLookupTable> table_;
   ColorMap tableMap_;
