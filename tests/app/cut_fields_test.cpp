@@ -82,6 +82,16 @@ TEST_F(CutFieldsTest, WhatIsLeftIsSeenWhenTheHandRests) {
   ASSERT_TRUE(cut);
   EXPECT_EQ(cut->depths.size(), cut->grid.points.size());
   EXPECT_TRUE(std::ranges::any_of(cut->depths, [](double depth) { return depth < -50; }));
+  // The crease is as designed; by a narrower tolerance it would not be everywhere.
+  const auto* creases = content.first<scene::Creases>();
+  ASSERT_TRUE(creases);
+  EXPECT_FALSE(creases->within.empty());
+  EXPECT_TRUE(creases->beyond.empty());
+  pipeline::Evaluation strict = *bench().shown();
+  strict.design.process.tolerance = 0.5 * block().together.value->creases.front().offMean;
+  const scene::Content held = pipeline::sceneContent(strict);
+  ASSERT_TRUE(held.first<scene::Creases>());
+  EXPECT_FALSE(held.first<scene::Creases>()->beyond.empty());
 }
 
 TEST_F(CutFieldsTest, ACutIsAddedAndTakenAway) {

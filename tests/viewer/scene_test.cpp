@@ -330,6 +330,32 @@ TEST_F(SceneTest, AnArrowBesideTheBlockShowsTheTravel) {
       << "no block, no ground beside it";
 }
 
+TEST_F(SceneTest, CreasesStandOverTheSurfaceRedWhereTheyAreOff) {
+  Content content = test::sampleContent();
+  const SurfaceGrid& cut = content.first<CutSurface>()->grid;
+  Creases creases;
+  // Across the middle of the surface: one half as designed, one beyond; and what cannot be drawn.
+  const auto first = cut.points.begin() + std::ptrdiff_t(cut.rows / 2) * cut.columns;
+  creases.within.emplace_back(first, first + cut.columns / 2);
+  creases.beyond.emplace_back(first + cut.columns / 2, first + cut.columns);
+  creases.beyond.push_back({{0, 0, 0}, {std::nan(""), 0, 0}});
+  Style style;
+  style[Kind::station].visible = false;
+  style[Kind::target].visible = false;
+  scene.setContent(content);
+  const auto isRed = [](const Color& c) { return c.r > 170 && c.g < 90 && c.b < 90; };
+  const auto isDark = [](const Color& c) { return c.light() < 60; };
+  const Picture none = draw(style, "creases-none", View::top);
+  content.add({0}, creases);
+  scene.setContent(content);
+  const Picture shown = draw(style, "creases", View::top);
+  // Each is about half as long as the surface is wide, and three pixels thick.
+  EXPECT_GT(count(shown, isRed), count(none, isRed) + kWidth / 4);
+  EXPECT_GT(count(shown, isDark), count(none, isDark) + kWidth / 4);
+  style[Kind::crease].visible = false;
+  EXPECT_EQ(count(draw(style, "creases-hidden", View::top), isRed), count(none, isRed));
+}
+
 TEST_F(SceneTest, AnArrowIsFittedWhileItIsShownAndOnlyThen) {
   Content content = test::sampleContent();
   content.first<Blades>()->lines.clear();  // they reach farther

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/render/polyline.h"
+
 namespace bw::scene {
 
 namespace {
@@ -93,6 +95,11 @@ bool drawable(Item& item) {
     cleanMesh(part->mesh);
     return !part->mesh.triangles.empty();
   }
+  if (Creases* creases = std::get_if<Creases>(&item.data)) {
+    for (std::vector<Polyline>* lines : {&creases->within, &creases->beyond})
+      std::erase_if(*lines, [](const Polyline& line) { return !usable(line); });
+    return !creases->within.empty() || !creases->beyond.empty();
+  }
   if (const Box* box = std::get_if<Box>(&item.data))
     return box->size.allFinite() && box->frame.origin.allFinite() && (box->size.array() > 0).all();
   if (const Faces* faces = std::get_if<Faces>(&item.data)) return faces->mesh && sound(*faces->mesh);
@@ -139,6 +146,8 @@ Things::Things(Content& content) {
       stockOf(*this, item.id.block).travels[item.id.cut] = travel;
     if (const auto* part = std::get_if<FoamPart>(&item.data))
       stockOf(*this, item.id.block).part = &part->mesh;
+    if (const auto* creases = std::get_if<Creases>(&item.data))
+      stockOf(*this, item.id.block).creases = creases;
     if (const auto* all = std::get_if<Faces>(&item.data); all && !faces) faces = all->mesh;
     if (const auto* cut = std::get_if<CutSurface>(&item.data)) {
       Row& row = rowOf(*this, item.id);

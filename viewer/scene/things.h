@@ -50,6 +50,7 @@ struct Stock {
   const Box* box = nullptr;
   std::map<int, const Travel*> travels;  ///< of its cuts, by their number
   const TriangleMesh* part = nullptr;    ///< what is left of it
+  const Creases* creases = nullptr;      ///< between its cuts
   std::vector<const Row*> rows;
   TriangleMesh cuts;  ///< of its rows together
 };

@@ -4,8 +4,12 @@
 #include "bw/pipeline/scene_content.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <span>
+#include <vector>
+
+#include "bw/core/parts/crease.h"
 
 namespace bw::pipeline {
 
@@ -29,6 +33,29 @@ std::vector<Eigen::Vector3d> leftOf(std::vector<Eigen::Vector3d> curve, std::spa
   }
   if (to - from < 2) return {curve.front(), curve.front()};
   return {curve.begin() + std::ptrdiff_t(from), curve.begin() + std::ptrdiff_t(to)};
+}
+
+/// The creases of a block, told apart by whether they are as far from those designed as the tolerance lets
+/// them; a stretch that no crease designed is near to is beyond.
+scene::Creases creasesOf(const CutsTogether& together, double tolerance) {
+  scene::Creases creases;
+  for (const Crease& crease : together.creases)
+    for (std::size_t i = 0; i < crease.curves.size(); ++i) {
+      const Polyline& curve = crease.curves[i];
+      const auto good = [&](std::size_t k) {
+        return i < crease.off.size() && k < crease.off[i].size() && crease.off[i][k] &&
+               *crease.off[i][k] <= tolerance;
+      };
+      std::optional<bool> within;
+      for (std::size_t k = 0; k + 1 < curve.size(); ++k) {
+        const bool now = good(k) && good(k + 1);
+        std::vector<scene::Polyline>& lines = now ? creases.within : creases.beyond;
+        if (within != now) lines.push_back({curve[k]});
+        within = now;
+        lines.back().push_back(curve[k + 1]);
+      }
+    }
+  return creases;
 }
 
 void addCut(scene::Content& content, const scene::ItemId& row, SurfaceGrid cut, const Sweep& sweep,
@@ -115,6 +142,8 @@ scene::Content sceneContent(const Evaluation& evaluation) {
       if (const auto& own = block.cuts[std::size_t(c)].setup)
         content.add({b, c}, scene::Travel{own->planes.direction()});
     if (block.part.value && block.cuts.size() > 1) content.add({b}, scene::FoamPart{block.part.value->mesh});
+    if (block.together.value && !block.together.value->creases.empty())
+      content.add({b}, creasesOf(*block.together.value, evaluation.design.process.tolerance));
     for (int c = 0; c < int(block.cuts.size()); ++c) {
       const std::optional<CutResult> result = block.cuts[std::size_t(c)].result();
       if (!result) continue;

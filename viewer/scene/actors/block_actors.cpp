@@ -18,6 +18,7 @@ namespace bw::scene {
 
 namespace {
 
+constexpr double kCreaseWidth = 3;     ///< device-independent pixels
 constexpr double kHatchShare = 0.016;  ///< distance of the hatching, in diagonals
 
 /// The six faces of a box, counter-clockwise seen from outside.
@@ -123,7 +124,7 @@ void TravelArrow::setStyle(const Style& style, const Rgb& background) {
 }
 
 BlockActors::BlockActors(Layers& layers) : arrow_(layers) {
-  for (Part* part : {&edges_, &fill_, &hatch_, &outline_, &cut_}) part->setFlat();
+  for (Part* part : {&edges_, &crease_, &creaseOff_, &fill_, &hatch_, &outline_, &cut_}) part->setFlat();
   for (Part* part : {&back_, &front_}) {
     part->setMatte(0.75, 0.25, 0.0);
     part->property()->SetInterpolationToFlat();
@@ -132,6 +133,7 @@ BlockActors::BlockActors(Layers& layers) : arrow_(layers) {
   front_.property()->BackfaceCullingOn();
   part_.setMatte(0.45, 0.6, 0.0);
   layers.add(Layer::cut, part_);
+  for (Part* part : {&crease_, &creaseOff_}) layers.add(Layer::stations, *part);
   for (Part* part : {&fill_, &hatch_, &outline_, &cut_}) layers.add(Layer::section, *part);
   layers.add(Layer::blockBack, back_);
   for (Part* part : {&front_, &edges_}) layers.add(Layer::blockFront, *part);
@@ -144,6 +146,10 @@ void BlockActors::setContent(const Stock* stock) {
   for (Part* part : parts()) part->clear();
   if (!stock || !stock->box) return;
   if (stock->part) shareMesh(part_.data(), stock->part->points, stock->part->normals, stock->part->triangles);
+  if (stock->creases) {
+    crease_.setLines(stock->creases->within);
+    creaseOff_.setLines(stock->creases->beyond);
+  }
   for (Part* part : {&back_, &front_}) part->setPolygons(facesOf(*stock->box));
   edges_.setSegments(edgesOf(*stock->box));
 }
@@ -180,6 +186,11 @@ void BlockActors::setStyle(const Style& style, double diagonal, const Rgb& backg
   part_.setVisible(stock_ && stock_->part && style.of(Kind::part, stock_->id).visible);
   part_.setColor(colors.foam);
   part_.setFade(keep, background);
+  for (Part* part : {&crease_, &creaseOff_}) {
+    part->setVisible(stock_ && stock_->creases && style.of(Kind::crease, stock_->id).visible);
+    part->setLine(part == &crease_ ? kLineOverSurface : theme(false).error, kCreaseWidth * px);
+    part->setFade(keep, background);
+  }
 
   if (!valid_ || section_ != style.section) {
     section_ = style.section;
@@ -203,6 +214,7 @@ void BlockActors::update(double line) {
   // The cut surfaces are its faces: they are seen.
   part_.setDepthShift(-line);
   hatch_.setDepthShift(0.5 * line);
+  for (Part* part : {&crease_, &creaseOff_}) part->setDepthShift(1.5 * line);
   for (Part* part : {&cut_, &outline_}) part->setDepthShift(line);
 }
 

@@ -32,13 +32,13 @@ class TravelArrow {
   bool visible_ = false;
 };
 
-/// A block of foam with the arrow beside it, and what a section lays bare in it: the hatched foam, its
-/// outline, and the lines of its cut surfaces.
+/// A block of foam with the arrow beside it, the creases between its cuts (red where they are off), and what
+/// a section lays bare in it: the hatched foam, its outline, and the lines of its cut surfaces.
 class BlockActors {
  public:
   explicit BlockActors(Layers& layers);
   /// What a section cuts open.
-  std::array<Part*, 4> parts() { return {&back_, &front_, &edges_, &part_}; }
+  std::array<Part*, 6> parts() { return {&back_, &front_, &edges_, &part_, &crease_, &creaseOff_}; }
   /// What shades and is shaded of it.
   vtkActor* solid() const { return part_.actor(); }
   /// The stock stays where it is until the next call; null hides it.
@@ -54,7 +54,7 @@ class BlockActors {
  private:
   void rebuildCap(double diagonal);
 
-  Part back_, front_, edges_, part_, fill_, hatch_, outline_, cut_;
+  Part back_, front_, edges_, part_, crease_, creaseOff_, fill_, hatch_, outline_, cut_;
   TravelArrow arrow_;
   const Stock* stock_ = nullptr;
   std::optional<SectionPlane> section_;  ///< that the cap was made for

@@ -133,7 +133,7 @@ void MainWindow::hideObjects(scene::Style& style) const {
   for (int b = 0; b < int(shown->blocks.size()); ++b) {
     const pipeline::BlockEvaluation& own = shown->blocks[std::size_t(b)];
     const bool all = bench_.hidden({Object::Kind::block, own.id});
-    if (all) hide({b}, {block, part});
+    if (all) hide({b}, {block, part, crease});
     for (int c = 0; c < int(own.cuts.size()); ++c) {
       const std::string& id = own.cuts[std::size_t(c)].id;
       const auto there = std::ranges::find(bench_.design().cuts, id, &Cut::id);

@@ -33,7 +33,7 @@ struct ItemId {
 using Polyline = std::vector<Eigen::Vector3d>;
 
 /// What a thing is.
-enum class Kind { none, target, cut, station, blade, block, face, travel, part };
+enum class Kind { none, target, cut, station, blade, block, face, travel, part, crease };
 
 /// A cut surface with its fields.
 struct CutSurface {
@@ -65,10 +65,15 @@ struct FoamPart {
   TriangleMesh mesh;
 };
 
+/// Where cut surfaces of the block of that id meet: as designed, and farther from there than it may be.
+struct Creases {
+  std::vector<Polyline> within, beyond;
+};
+
 /// A thing in the picture.
 struct Item {
   ItemId id;
-  std::variant<TriangleMesh, CutSurface, Stations, Blades, Box, Faces, Travel, FoamPart>
+  std::variant<TriangleMesh, CutSurface, Stations, Blades, Box, Faces, Travel, FoamPart, Creases>
       data;  ///< in the order of Kind
   Kind kind() const { return Kind(data.index() + 1); }
 };
@@ -145,7 +150,7 @@ struct Style {
   /// How one thing is shown: as `items` says, otherwise as its kind is.
   const Look& of(Kind kind, const ItemId& id) const;
 
-  std::array<Look, std::size_t(Kind::part) + 1> kinds;
+  std::array<Look, std::size_t(Kind::crease) + 1> kinds;
   std::map<std::pair<Kind, ItemId>, Look> items;  ///< of any kind but faces
   bool dark = false;
   bool isolines = false;
