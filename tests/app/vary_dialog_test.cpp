@@ -69,6 +69,14 @@ TEST_F(Vary, TellsWhatTheDesignComesToWithEachValueAndTakesOne) {
   EXPECT_EQ(cell(0, 0), "10");
   EXPECT_EQ(cell(1, 0), "15");
   EXPECT_EQ(cell(2, 0), "20");
+  for (int row = 0; row < 3; ++row) {
+    const auto picture = dialog_->table().item(row, 0)->data(Qt::DecorationRole).value<QPixmap>();
+    ASSERT_FALSE(picture.isNull()) << row;
+    if (row > 0) {
+      EXPECT_NE(picture.toImage(),
+                dialog_->table().item(row - 1, 0)->data(Qt::DecorationRole).value<QPixmap>().toImage());
+    }
+  }
   dialog_->grab().save(QString::fromStdString(BW_TEST_OUTPUT "/window/vary.png"));
   button(*dialog_, "Copy table")->click();
   EXPECT_TRUE(QApplication::clipboard()->text().startsWith("amplitude,status,deviation_max_mm,"));

@@ -187,7 +187,7 @@ void VariableFields::remove(const std::string& name) {
 }
 
 void VariableFields::vary() {
-  auto* dialog = new VaryDialog(bench_, window());
+  auto* dialog = new VaryDialog(bench_, theme_, window());
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &VaryDialog::taken, this,
           [this](const std::string& name, double value) { change(name, value, false); });

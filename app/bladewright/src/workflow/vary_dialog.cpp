@@ -10,17 +10,20 @@
 
 #include <algorithm>
 #include <mutex>
+#include <utility>
 
 #include "bw/core/base/units.h"
 #include "bw/core/text/number_text.h"
+#include "bw/pipeline/scene_content.h"
 
 namespace bw::app {
 
 namespace {
 
-constexpr QSize kSize(860, 480);
-constexpr double kFarthest = 1e9;  // the range of the variable is checked besides
-constexpr int kCollect = 100;      // ms between looks at what is computed
+constexpr QSize kSize(1000, 620);
+constexpr QSize kNewest(240, 160), kPicture(120, 80);  // device-independent pixels
+constexpr double kFarthest = 1e9;                      // the range of the variable is checked besides
+constexpr int kCollect = 100;                          // ms between looks at what is computed
 enum Column { kValue, kResult, kDeviation, kRadius, kAngle, kRest, kTime, kFindings, kColumns };
 
 }  // namespace
@@ -28,11 +31,16 @@ enum Column { kValue, kResult, kDeviation, kRadius, kAngle, kRest, kTime, kFindi
 /// What the thread that computes and the dialog share.
 struct VaryDialog::Work {
   std::mutex mutex;
-  std::vector<pipeline::Variation> made;  // and not yet collected
+  struct Made {
+    pipeline::Variation variation;
+    scene::Content content;
+  };
+  std::vector<Made> made;  // and not yet collected
   bool unwanted = false;
 };
 
-VaryDialog::VaryDialog(Workbench& bench, QWidget* parent) : QDialog(parent), bench_(bench) {
+VaryDialog::VaryDialog(Workbench& bench, const Theme& theme, QWidget* parent)
+    : QDialog(parent), bench_(bench), theme_(theme) {
   setWindowTitle(tr("Vary a variable"));
   resize(kSize);
   auto* layout = new QVBoxLayout(this);
@@ -46,7 +54,15 @@ VaryDialog::VaryDialog(Workbench& bench, QWidget* parent) : QDialog(parent), ben
                        new NumberField({pipeline::VaryRange::kLeast, pipeline::VaryRange::kMost, 0, 1, {}}),
                        tr("How many, both ends among them, evenly spaced"));
   count_->show(pipeline::VaryRange{}.count);
-  layout->addWidget(column);
+  auto* top = new QWidget;
+  auto* beside = makeBox<QHBoxLayout>(top, {}, kGap);
+  beside->addWidget(column, 1);
+  newest_ = new view::SceneView;
+  newest_->setFixedSize(kNewest);
+  newest_->setAccessibleName(tr("What was computed last"));
+  newest_->setToolTip(tr("What was computed last, with the map of deviation"));
+  beside->addWidget(newest_, 0, Qt::AlignTop);
+  layout->addWidget(top);
   auto* row = new QWidget;
   auto* buttons = makeBox<QHBoxLayout>(row, {}, kGap);
   start_ =
@@ -66,7 +82,9 @@ VaryDialog::VaryDialog(Workbench& bench, QWidget* parent) : QDialog(parent), ben
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  table_->setIconSize(kPicture);
   table_->verticalHeader()->hide();
+  table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setStretchLastSection(true);
   layout->addWidget(table_, 1);
@@ -120,17 +138,21 @@ void VaryDialog::start() {
   shown_ = bench_.design().variables[index].name;
   rows_.clear();
   table_->setRowCount(0);
-  table_->horizontalHeaderItem(kValue)->setText(QString::fromStdString(shown_));
+  const QString unit = QString::fromStdString(bench_.design().variables[index].unit);
+  table_->horizontalHeaderItem(kValue)->setText(unit.isEmpty()
+                                                    ? QString::fromStdString(shown_)
+                                                    : tr("%1, %2").arg(QString::fromStdString(shown_), unit));
   const auto work = work_ = std::make_shared<Work>();
   const pipeline::VaryRange range{shown_, from_->value(), to_->value(), int(count_->value())};
   const auto task = [work, range, design = bench_.document().design()](const pipeline::Evaluation&,
                                                                        const RunContext& context) {
     return pipeline::vary(
         *design, range, context,
-        [&](const pipeline::Variation& variation, const pipeline::Evaluation*) -> Result<void> {
+        [&](const pipeline::Variation& variation, const pipeline::Evaluation* result) -> Result<void> {
+          scene::Content content = result ? pipeline::sceneContent(*result) : scene::Content();
           const std::lock_guard lock(work->mutex);
           if (work->unwanted) return stoppedError();
-          work->made.push_back(variation);
+          work->made.push_back({variation, std::move(content)});
           return {};
         });
   };
@@ -155,12 +177,12 @@ void VaryDialog::stop() {
 
 void VaryDialog::collect() {
   if (!work_) return;
-  std::vector<pipeline::Variation> made;
+  std::vector<Work::Made> made;
   {
     const std::lock_guard lock(work_->mutex);
     made.swap(work_->made);
   }
-  for (const pipeline::Variation& variation : made) add(variation);
+  for (const Work::Made& one : made) add(one.variation, one.content);
   refresh();
 }
 
@@ -173,7 +195,22 @@ void VaryDialog::finish(const Result<void>& done) {
     state_->setText(QString::fromStdString(done.error().message));
 }
 
-void VaryDialog::add(const pipeline::Variation& variation) {
+QPixmap VaryDialog::pictureOf(const scene::Content& content) {
+  scene::Style style;
+  style.dark = theme_.dark();
+  style.legend = false;
+  style.tolerance = bench_.design().process.tolerance;
+  style[scene::Kind::cut].map = "deviation";
+  newest_->setContent(content);
+  newest_->setStyle(style);
+  newest_->setView(scene::View::iso, false);
+  const double ratio = devicePixelRatioF();
+  QPixmap picture = QPixmap::fromImage(newest_->picture(kPicture * ratio, ratio, scene::View::iso));
+  picture.setDevicePixelRatio(ratio);
+  return picture;
+}
+
+void VaryDialog::add(const pipeline::Variation& variation, const scene::Content& content) {
   const int row = table_->rowCount();
   table_->insertRow(row);
   const auto put = [&](Column column, const QString& text) {
@@ -184,6 +221,7 @@ void VaryDialog::add(const pipeline::Variation& variation) {
   const auto number = [](double value) { return QString::fromStdString(shortText(value)); };
   put(kValue, QString::fromStdString(shortText(variation.value, 6)));
   rows_.push_back(variation);
+  if (!content.items.empty()) table_->item(row, kValue)->setData(Qt::DecorationRole, pictureOf(content));
   if (variation.error) {
     put(kResult, tr("none"));
     put(kFindings, QString::fromStdString(variation.error->message));
