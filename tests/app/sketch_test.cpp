@@ -9,13 +9,16 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <random>
+#include <utility>
 
 #include "bw/core/design/variables.h"
 #include "bw/core/shape/iso_sections.h"
 #include "bw/model/evaluation_runner.h"
 #include "bw/pipeline/example_design.h"
+#include "bw/pipeline/reach.h"
 #include "bw/pipeline/sketch.h"
 #include "sample_wall.h"
 
@@ -341,6 +344,29 @@ TEST(Sketch, TellsWhatIsLost) {
            look.minRadius < limit || look.deviationMax > design.process.tolerance;
   }
   EXPECT_TRUE(lost) << "a surface that folds by 240 mm is shown as one that can be cut";
+}
+
+TEST(Sketch, TellsWhereABladeComesNearTheFaceThatTheBlockLiesOn) {
+  const auto lowered = [](double down) {
+    Design design = pulled(0);
+    for (SurfacePole& pole : std::get<PolesSurface>(design.source().surface->shape).poles)
+      pole.height -= down;
+    return design;
+  };
+  const std::shared_ptr<const Evaluation> first = evaluated(lowered(0));
+  double above = std::numeric_limits<double>::infinity();
+  for (const StationCheck& station : first->result()->check.stations)
+    above = std::min(above, station.aboveBottom);
+  const double room = above - first->design.process.floor;
+  ASSERT_GT(room, 10);
+  Sketcher sketcher(first);
+  for (const auto& [down, bar] :
+       {std::pair(0.5 * room, Bar::none), {room - 0.1, Bar::none}, {room + 0.1, Bar::low}}) {
+    const std::optional<Sketch> sketch = sketcher.draw(lowered(down), {});
+    ASSERT_TRUE(sketch) << down;
+    EXPECT_NEAR(sketch->blocks[0][0].look->aboveBottom, above - down, 0.01);
+    EXPECT_EQ(barOf(*sketch), bar) << down;
+  }
 }
 
 TEST(Sketch, ComesBeforeTheEvaluationOfADrag) {

@@ -23,6 +23,7 @@ Bar barOf(const Sketch& sketch) {
                                [](Rest rest) { return rest == Rest::lost || rest == Rest::unknown; }),
            Bar::lost);
       meet(look.deviationMax > sketch.design.process.tolerance, Bar::tooFar);
+      meet(look.nearBottom, Bar::low);
     }
   return worst;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "bw/core/elastica/elastica_stability.h"
@@ -14,6 +15,7 @@
 #include "sweep/cut_rows.h"
 #include "sweep/foot_trail.h"
 #include "sweep/held_blade.h"
+#include "sweep/remedies.h"
 #include "sweep/station_velocity.h"
 
 namespace bw {
@@ -103,7 +105,7 @@ Result<RowSketch> RowSketcher::look(const Sweep& row, const CheckRequest& reques
   sketch.deviation.resize(n);
   sketch.crosses.resize(n);
   struct Seen {
-    double angle = 0, speedRatio = 1, curvature = 0;
+    double angle = 0, speedRatio = 1, curvature = 0, above = std::numeric_limits<double>::infinity();
   };
   std::vector<Seen> seen(n);
   std::array<std::optional<Error>, kChunks> errors;
@@ -141,6 +143,7 @@ Result<RowSketch> RowSketcher::look(const Sweep& row, const CheckRequest& reques
     sketch.rest[i] = others_[i].now(row, pose, margin, request.margin);
     sketch.crosses[i] = pose.crossesItself() || pose.gripsSwapped();
     seen[i] = {std::ranges::max(v.angle), std::ranges::min(v.relative), pose.maxCurvature()};
+    if (request.floor) seen[i].above = sweep::aboveBottom(row.block, pose);
     return {};
   };
   Result<void> ok = parallelFor(context, kChunks, [&](int chunk) {
@@ -167,8 +170,10 @@ Result<RowSketch> RowSketcher::look(const Sweep& row, const CheckRequest& reques
     sketch.angleMax = std::max(sketch.angleMax, seen[i].angle);
     sketch.speedRatioMin = std::min(sketch.speedRatioMin, seen[i].speedRatio);
     sharpest = std::max(sharpest, seen[i].curvature);
+    sketch.aboveBottom = std::min(sketch.aboveBottom, seen[i].above);
   }
   sketch.minRadius = sharpest > 0 ? 1 / sharpest : 0;
+  sketch.nearBottom = request.floor && sketch.aboveBottom < *request.floor;
   return sketch;
 }
 

@@ -35,6 +35,8 @@ QString wordsOf(pipeline::Bar bar) {
       return words("nothing is known to keep the blade in its shape");
     case pipeline::Bar::tooFar:
       return words("the blade would leave the surface by more than the tolerance");
+    case pipeline::Bar::low:
+      return words("the blade would come too near to the face that the block lies on");
     case pipeline::Bar::none:
       break;
   }

@@ -321,6 +321,8 @@ void MainWindow::summarise(const pipeline::CutSketch& sketch) {
   if (crossing > 0) parts.push_back({tr("%1 crossed").arg(crossing), 3, true});
   if (lost > 0) parts.push_back({tr("%1 lost").arg(lost), 3, true});
   if (unknown > 0) parts.push_back({tr("%1 not known").arg(unknown), 3});
+  if (look.nearBottom)
+    parts.push_back({tr("%1 above the bottom").arg(lengthText(look.aboveBottom)), 3, true});
   if (lost + unknown + crossing == 0) parts.push_back({tr("all rest"), 3});
   summary_->setParts(parts, false);
 }

@@ -17,7 +17,8 @@ enum class Bar {
   tooTight,  ///< a blade bends sharper than it may
   crosses,   ///< a blade crosses itself, or its grips lie the wrong way round
   lost,      ///< nothing keeps a blade in its shape, or it is not known what does
-  tooFar     ///< a blade lies farther from the surface than the tolerance
+  tooFar,    ///< a blade lies farther from the surface than the tolerance
+  low        ///< a blade comes nearer to the face that its block lies on than the floor
 };
 Bar barOf(const Sketch& sketch);
 

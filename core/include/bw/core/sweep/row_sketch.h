@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -32,6 +33,9 @@ struct RowSketch {
   double angleMax = 0;      ///< rad, velocity to plane normal
   double speedRatioMin = 1;
   double minRadius = 0;  ///< mm, of the whole blades; 0 where all are straight
+  /// mm of the lowest point of all blades over the face the block lies on; only where a floor is asked for.
+  double aboveBottom = std::numeric_limits<double>::infinity();
+  bool nearBottom = false;  ///< nearer to that face than the floor
 };
 
 /// Keeps what is known of the shapes beside those of a row while it moves: each other shape at rest stays on
