@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "window/map_bar.h"
 
+#include <QAbstractItemView>
 #include <QHBoxLayout>
 #include <QStandardItemModel>
 #include <QWidgetAction>
@@ -16,8 +17,8 @@ namespace bw::app {
 
 namespace {
 
-constexpr int kComparisonWidth = 158;
-constexpr int kRangeWidth = 66;  // of an end of the legend, without its unit
+constexpr int kComparisonWidth = 158, kAloneWidth = 86;  // with a second picture, and without
+constexpr int kRangeWidth = 66;                           // of an end of the legend, without its unit
 
 /// A number with the digits that the legend has.
 double asRead(double value) {
@@ -41,7 +42,7 @@ MapBar::MapBar(const Theme& theme, const Commands& commands, QWidget* parent)
     : QFrame(parent), theme_(theme) {
   setObjectName("panel");
   auto* rows = new FlowLayout(this);
-  rows->setContentsMargins(8, 5, 8, 5);
+  rows->setContentsMargins(6, 5, 6, 5);
   rows->setSpacing(kGap);
   QHBoxLayout* layout = nullptr;
   const auto addGroup = [&] {
@@ -58,7 +59,6 @@ MapBar::MapBar(const Theme& theme, const Commands& commands, QWidget* parent)
   field_->setAccessibleName(tr("Map"));
   field_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   layout->addWidget(field_);
-  layout->addSpacing(4);
   const auto tool = [&](const QString& tip) {
     auto* b = new QToolButton(this);
     b->setToolTip(tip);
@@ -99,11 +99,10 @@ MapBar::MapBar(const Theme& theme, const Commands& commands, QWidget* parent)
       tr("What stands in a second picture beside this one: the target, what the last change "
          "made of the design, or a version"));
   comparison_->setAccessibleName(tr("Compare"));
-  comparison_->setFixedWidth(kComparisonWidth);
   layout->addWidget(comparison_);
   connect(comparison_, &QComboBox::activated, this, &MapBar::comparisonChosen);
   addGroup();
-  for (const char* id : {"view.iso", "view.top"}) tool({})->setDefaultAction(commands[id]);
+  tool({})->setDefaultAction(commands["view.iso"]);
   auto* more = tool(tr("Standard views"));
   more->setIcon(theme.icon("chevron-down"));
   more->setIconSize({14, 14});
@@ -236,6 +235,9 @@ void MapBar::setComparisons(const QStringList& items, int index, bool before) {
   if (auto* model = qobject_cast<QStandardItemModel*>(comparison_->model()))
     model->item(2)->setEnabled(before);
   comparison_->show(index);
+  // Without a second picture all of the bar has room in one row over the usual width of this one.
+  comparison_->setFixedWidth(index == 0 ? kAloneWidth : kComparisonWidth);
+  comparison_->view()->setMinimumWidth(std::max(kComparisonWidth, comparison_->view()->sizeHintForColumn(0)));
 }
 
 void MapBar::editRange() {

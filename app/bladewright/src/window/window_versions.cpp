@@ -95,7 +95,7 @@ void MainWindow::chooseBeside(const Beside& beside) {
 void MainWindow::refreshComparison() {
   const Beside& beside = comparison_.beside();
   const auto& versions = bench_.design().versions;
-  QStringList items = {tr("No comparison"), tr("Target beside cut"), tr("Last change")};
+  QStringList items = {tr("Single"), tr("Target beside cut"), tr("Last change")};
   for (const NamedVersion& version : versions) items << QString::fromStdString(printable(version.name));
   int index = int(beside.what);
   if (beside.what == Beside::What::version)

@@ -198,8 +198,11 @@ void VaryDialog::finish(const Result<void>& done) {
 QPixmap VaryDialog::pictureOf(const scene::Content& content) {
   scene::Style style;
   style.dark = theme_.dark();
-  style.legend = false;
+  style.legend = style.showGrid = false;
+  // One range for all of them, so that they can be compared.
   style.tolerance = bench_.design().process.tolerance;
+  style.rangeMax = 2 * style.tolerance;
+  style.rangeMin = -*style.rangeMax;
   style[scene::Kind::cut].map = "deviation";
   newest_->setContent(content);
   newest_->setStyle(style);
