@@ -137,6 +137,26 @@ TEST_F(BlockHandlesTest, NumbersAreTypedAndKeysCount) {
   ASSERT_TRUE(settle());
 }
 
+TEST_F(BlockHandlesTest, AHandleThatWasChosenIsNotThatOfAnotherBlock) {
+  openBlock("three-block-wall");
+  bench().editDesign("As a list", [](Design& design) { design.grid.reset(); });
+  ASSERT_TRUE(settle());
+  QTest::mouseClick(&view(), Qt::LeftButton, {}, on(BlockPart::top));
+  ASSERT_FALSE(handles().chosen.empty());
+  type("1x");  // refused, so that its field stays in sight
+  ASSERT_TRUE(window().blockHandles().field().isVisible());
+  const Design before = bench().design();
+  BlockPlan& plan = window().blockPanel().plan();
+  const std::string& other = bench().design().stock.back().id;
+  ASSERT_NE(other, bench().selection().block);
+  QTest::mouseClick(&plan, Qt::LeftButton, {}, plan.rectOf(other).center().toPoint());
+  ASSERT_EQ(bench().selection().block, other);
+  EXPECT_TRUE(handles().chosen.empty());
+  EXPECT_FALSE(window().blockHandles().field().isVisible());
+  press(Qt::Key_Up);
+  EXPECT_EQ(bench().design(), before);
+}
+
 TEST_F(BlockHandlesTest, TheRingTurnsTheBlockAboutItsMiddle) {
   openBlock("ripple-along");
   const Box was = placementOf(bench())->box();

@@ -240,6 +240,18 @@ TEST_F(HandleKeysTest, AnExpressionTypedThereBindsTheHandle) {
   EXPECT_EQ(find<NumberField>("pole 2 of row 3")->expression(), "");
   press(Qt::Key_Escape);
   EXPECT_EQ(find<NumberField>("pole 2 of row 3")->expression(), "320 + rise");
+  // So does another number, and the same number.
+  type("360");
+  pressThere(Qt::Key_Return);
+  EXPECT_EQ(height(), 360);
+  EXPECT_EQ(find<NumberField>("pole 2 of row 3")->expression(), "");
+  press(Qt::Key_Escape);
+  EXPECT_EQ(height(), 340);
+  EXPECT_EQ(find<NumberField>("pole 2 of row 3")->expression(), "320 + rise");
+  type("340");
+  pressThere(Qt::Key_Return);
+  EXPECT_EQ(find<NumberField>("pole 2 of row 3")->expression(), "");
+  EXPECT_TRUE(bench().design().bindings.empty());
 }
 
 TEST_F(HandleKeysTest, SeveralHandlesMoveByAsMuchAsTheLast) {

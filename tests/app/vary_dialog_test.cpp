@@ -104,6 +104,14 @@ TEST_F(Vary, IsStoppedWithWhatItHasAndLeavesTheDesignAsItIs) {
   EXPECT_TRUE(button(*dialog_, "Compute")->isEnabled());
   EXPECT_EQ(bench().design(), before);
   EXPECT_TRUE(bench().current()) << "the result stands";
+  // What the window computes besides goes on.
+  button(*dialog_, "Compute")->click();
+  bench().editDesign("Change stations", [](Design& design) { design.cut().sections.stations = 11; });
+  button(*dialog_, "Stop")->click();
+  ASSERT_TRUE(computed());
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(bench().current());
+  EXPECT_EQ(bench().shown()->result()->size(), 11u);
   // Closed while it computes.
   button(*dialog_, "Compute")->click();
   dialog_->close();

@@ -143,6 +143,7 @@ TEST_F(VersionsTest, StatesAreNamedGoneBackToRenamedAndRemoved) {
   ASSERT_NO_FATAL_FAILURE(rename("finer"));
   EXPECT_EQ(bench().design().versions[0].name, "as built");
   EXPECT_EQ(list().topLevelItem(0)->text(VersionList::name), "as built");
+  EXPECT_EQ(list().chosen(), "as built") << "not the one whose name it was to have";
   EXPECT_TRUE(window().banner().text().contains("already")) << window().banner().text().toStdString();
 
   // Taken away by the key, and back by undo.

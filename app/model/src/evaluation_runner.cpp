@@ -206,17 +206,20 @@ void EvaluationRunner::work(const std::stop_token& stop) {
       error = Error{ErrorCode::internal, std::string("the computation broke off: ") + exception.what() +
                                              "; change the setting that was edited last or report this"};
     }
-    const bool complete = order.design && evaluation && !error;
+    // A task leaves the result as it is, and what was to be added to that is not forgotten.
+    const std::shared_ptr<const pipeline::Evaluation> thought = order.design ? (error ? nullptr : evaluation)
+                                                                : newest && newest->result() ? newest
+                                                                                             : nullptr;
     {
       const std::lock_guard lock(mutex_);
-      running_ = complete && waiting_.empty() ? std::stop_source() : std::stop_source(std::nostopstate);
+      running_ = thought && waiting_.empty() ? std::stop_source() : std::stop_source(std::nostopstate);
       context.stop = running_.get_token();
       runningIsEvaluation_ = false;
       secondThoughts_ = running_.stop_possible();
     }
     QMetaObject::invokeMethod(
         this, [this, order, evaluation, error] { deliver(order, evaluation, error); }, Qt::QueuedConnection);
-    if (complete && secondThoughts_) thinkAgain(evaluation, context.stop, stop);
+    if (thought && secondThoughts_) thinkAgain(thought, context.stop, stop);
   }
 }
 

@@ -155,12 +155,13 @@ void VersionList::edit(const QString& step, const Result<Design>& changed) {
 
 void VersionList::rename(const std::string& version, const QString& next) {
   const std::string words = next.trimmed().toStdString();
-  edit(tr("Rename version"), words == printable(version)
-                                 ? Result<Design>(bench_.design())
-                                 : withVersionRenamed(bench_.design(), version, words));
+  const bool same = words == printable(version);
+  const Result<Design> renamed =
+      same ? Result<Design>(bench_.design()) : withVersionRenamed(bench_.design(), version, words);
+  edit(tr("Rename version"), renamed);
   built_.clear();  // what was refused is called as before
   refresh();
-  choose(words);
+  choose(renamed && !same ? words : version);
 }
 
 void VersionList::editName() {
@@ -275,12 +276,15 @@ VersionPanel::VersionPanel(Workbench& bench, Comparison& comparison, const Theme
   connect(&bench, &Workbench::changed, this, [this](const Change& change) {
     if (change.any(Aspect::design)) list_->refresh();
     if (change.any(Aspect::design) && isVisible() && !settle_.isActive()) settle_.start();
-    if (change.any(Aspect::result) && isVisible()) refreshNumbers();
+    if (change.any(Aspect::result | Aspect::sketch | Aspect::state) && isVisible()) refreshNumbers();
   });
   connect(&theme, &Theme::changed, this, &VersionPanel::refreshNumbers);
   settle_.setSingleShot(true);
   settle_.setInterval(kSettle);
-  connect(&settle_, &QTimer::timeout, this, &VersionPanel::refresh);
+  connect(&settle_, &QTimer::timeout, this, [this] {
+    if (bench_.sketch()) return settle_.start();  // the hand goes on
+    refresh();
+  });
   refresh();
 }
 
@@ -343,7 +347,7 @@ void VersionPanel::refreshNumbers() {
       label.setStanding(number.broken, stale);
     };
     show(*numbers_[i].then, then[i], comparison_.busy());
-    show(*numbers_[i].now, now[i], bench_.stale());
+    show(*numbers_[i].now, now[i], bench_.stale() || bench_.sketch());
   }
 }
 

@@ -237,7 +237,14 @@ void BlockHandles::applyTo(scene::Style& style) const {
 void BlockHandles::choose(std::optional<BlockPart> part) {
   if (!pull_ || !pull_->held) endPull();
   field_->close();
+  block_ = bench_.selection().block;
+  cut_ = bench_.cut().id;
   if (std::exchange(chosen_, part) != part) emit changed();
+}
+
+bool BlockHandles::isOfAnother() const {
+  return chosen_ &&
+         (bench_.selection().block != block_ || (chosen_ == BlockPart::direction && bench_.cut().id != cut_));
 }
 
 void BlockHandles::begin(BlockPart part, bool held, const Standing& standing) {
@@ -340,6 +347,7 @@ void BlockHandles::hover(int handle) {
 void BlockHandles::follow(const Change& change) {
   if (pulling_ || !change.any(Aspect::design | Aspect::selection)) return;
   const bool there = standing().has_value();
+  if (there && isOfAnother()) choose({});
   if (pull_) {
     // Another block, or an undo while it is held.
     const bool held = pull_->held;

@@ -101,12 +101,15 @@ class BlockHandles : public QObject {
   void giveUp();
   void endPull();
   void choose(std::optional<BlockPart> part);
+  /// Whether what is chosen is a handle of another block or cut than that at work.
+  bool isOfAnother() const;
 
   Workbench& bench_;
   view::SceneView* view_;
   SurfaceHandles& surface_;
   HandleField* field_;
   std::optional<BlockPart> hovered_, chosen_;
+  std::string block_ = {}, cut_ = {};  ///< that `chosen_` is of
   std::optional<Pull> pull_;
   bool pulling_ = false;  ///< the change of the design is its own
 };

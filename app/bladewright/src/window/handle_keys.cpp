@@ -99,7 +99,7 @@ void HandleKeys::nudge(HandleNumber number, double steps, const QKeyEvent& key) 
 void HandleKeys::take(HandleNumber number, double to, const NumberField& field) {
   handles_.endMoves();
   typed_ = true;
-  if (field.expression().isEmpty()) return handles_.bring(number, to, handles_.steps().plain);
+  if (field.expression().isEmpty()) return handles_.bring(number, to, handles_.steps().plain, true);
   // What stands for an expression is what that comes to, wherever it leads.
   const DesignedSurface& now = *surfaceOf(bench_);
   const double by = to - *numberOf(now, handle(), number);

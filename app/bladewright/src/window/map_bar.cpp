@@ -18,7 +18,7 @@ namespace bw::app {
 namespace {
 
 constexpr int kComparisonWidth = 158, kAloneWidth = 86;  // with a second picture, and without
-constexpr int kRangeWidth = 66;                           // of an end of the legend, without its unit
+constexpr int kRangeWidth = 66;                          // of an end of the legend, without its unit
 
 /// A number with the digits that the legend has.
 double asRead(double value) {
@@ -96,8 +96,8 @@ MapBar::MapBar(const Theme& theme, const Commands& commands, QWidget* parent)
   addGroup();
   comparison_ = new ChoiceField(this);
   comparison_->setToolTip(
-      tr("What stands in a second picture beside this one: the target, what the last change "
-         "made of the design, or a version"));
+      tr("What stands in a second picture beside this one: the target, the state before the last "
+         "change, or a version"));
   comparison_->setAccessibleName(tr("Compare"));
   layout->addWidget(comparison_);
   connect(comparison_, &QComboBox::activated, this, &MapBar::comparisonChosen);

@@ -18,9 +18,8 @@ namespace bw::app {
 
 namespace {
 
-constexpr double kCoarse = 10;     // steps
-constexpr int kCurveParts = 32;    // of a key blade
-constexpr double kFarthest = 400;  // mm that a handle is moved at once
+constexpr double kCoarse = 10;   // steps
+constexpr int kCurveParts = 32;  // of a key blade
 
 const DesignedSurface* surfaceOf(const Workbench& bench) {
   return bench.source().surface ? &*bench.source().surface : nullptr;
@@ -295,14 +294,13 @@ void SurfaceHandles::grab(int handle, Qt::KeyboardModifiers keys) {
   }
   emit chosenChanged();
   const DesignedSurface& surface = *surfaceOf(bench_);
-  Pull pull{handle, true, surface, surface};
-  pull.mergeId = bench_.newMergeId();
-  begin(std::move(pull));
+  begin({handle, true, surface, surface, bench_.document().design()});
   emit changed();
 }
 
 void SurfaceHandles::begin(Pull pull) {
   pull_ = std::move(pull);
+  pull_->mergeId = bench_.newMergeId();
   seek();
 }
 
@@ -315,7 +313,7 @@ void SurfaceHandles::seek() {
             movedBy(base, moved, up ? Eigen::Vector2d(0, by) : Eigen::Vector2d(by, 0), symmetric);
         return pulled;
       },
-      kFarthest);
+      pull_->farthest);
 }
 
 void SurfaceHandles::move(int handle, const QPointF& position, Qt::KeyboardModifiers keys) {
@@ -335,16 +333,13 @@ void SurfaceHandles::drag(double by, Qt::KeyboardModifiers keys) {
   keepWithin();
 }
 
-void SurfaceHandles::bring(HandleNumber number, double to, double step) {
+void SurfaceHandles::bring(HandleNumber number, double to, double step, bool anyway) {
   const DesignedSurface* surface = surfaceOf(bench_);
   const std::optional<double> now =
       surface && !chosen_.empty() ? numberOf(*surface, chosen_.back(), number) : std::nullopt;
   if (!now || (pull_ && pull_->held)) return;
   if (!pull_) {
-    Pull pull{chosen_.back(), false, *surface, *surface};
-    pull.number = number;
-    pull.mergeId = bench_.newMergeId();
-    begin(std::move(pull));
+    begin({chosen_.back(), false, *surface, *surface, bench_.document().design(), number});
   } else if (pull_->number != number) {
     pull_->base = *surface;
     pull_->number = number;
@@ -354,16 +349,31 @@ void SurfaceHandles::bring(HandleNumber number, double to, double step) {
   pull_->to = to;
   pull_->wished = to - pulledFrom();
   pull_->step = step;
+  if (const double way = std::abs(pull_->wished); way > pull_->farthest) {
+    pull_->farthest = way;
+    seek();
+  }
+  if (anyway) pull(pull_->by, true);
   keepWithin();
 }
 
 bool SurfaceHandles::takeBack() {
   if (!pull_ || pull_->held) return false;
-  pull_->base = pull_->from;
-  pull_->to.reset();
-  pull(0, false);
+  giveUp();
   endPull();
   return true;
+}
+
+QString SurfaceHandles::pullName() const {
+  const std::size_t count = held().size();
+  return count > 1 ? tr("Move %1 handles").arg(count) : tr("Move %1").arg(nameOf(pull_->handle).toLower());
+}
+
+void SurfaceHandles::giveUp() {
+  pulling_ = true;
+  bench_.editDesign(
+      pullName(), [was = pull_->design](Design& design) { design = *was; }, pull_->mergeId);
+  pulling_ = false;
 }
 
 void SurfaceHandles::endMoves() {
@@ -407,12 +417,9 @@ void SurfaceHandles::pull(double by, bool live) {
   pull_->by = by;
   pull_->moved = true;
   const DesignedSurface pulled = pulledBy(by);
-  const std::size_t count = held().size();
-  const QString text =
-      count > 1 ? tr("Move %1 handles").arg(count) : tr("Move %1").arg(nameOf(pull_->handle).toLower());
   pulling_ = true;
   bench_.editSurface(
-      text, [&](DesignedSurface& surface) { surface = pulled; }, pull_->mergeId, live);
+      pullName(), [&](DesignedSurface& surface) { surface = pulled; }, pull_->mergeId, live);
   pulling_ = false;
 }
 
@@ -422,7 +429,10 @@ void SurfaceHandles::release(int handle, bool givenUp) {
 
 void SurfaceHandles::drop(bool givenUp) {
   if (!pull_ || !pull_->held) return;
-  if (pull_->moved) pull(givenUp ? 0 : pull_->by, false);
+  if (pull_->moved && givenUp)
+    giveUp();
+  else if (pull_->moved)
+    pull(pull_->by, false);
   endPull();
 }
 

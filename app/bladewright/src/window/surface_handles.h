@@ -8,6 +8,7 @@
 #include <QPointF>
 #include <QString>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -64,8 +65,9 @@ class SurfaceHandles : public QObject {
   Eigen::Vector3d way(HandleNumber number = HandleNumber::height) const;
 
   /// Moves those chosen so that a number of the last becomes `to`, or as far as it may go: the last number
-  /// before that is counted by `step`. Moves that follow each other are one undoable step.
-  void bring(HandleNumber number, double to, double step);
+  /// before that is counted by `step`. Moves that follow each other are one undoable step. `anyway`: the
+  /// number takes the place of an expression, whether or not it is another.
+  void bring(HandleNumber number, double to, double step, bool anyway = false);
   /// Moves them back to where the first of these began; false where there was none.
   bool takeBack();
   bool moving() const { return pull_.has_value(); }
@@ -92,12 +94,15 @@ class SurfaceHandles : public QObject {
   void chosenChanged();
 
  private:
+  static constexpr double kFarthest = 400;  ///< mm that a hand moves a handle at once
+
   /// Handles that are moved.
   struct Pull {
     int handle = -1;
-    bool held = false;     ///< by the mouse
-    DesignedSurface from;  ///< as it was when a handle was pressed, or the keyboard began
-    DesignedSurface base;  ///< as it was before this number of it moved
+    bool held = false;                     ///< by the mouse
+    DesignedSurface from;                  ///< as it was when a handle was pressed, or the keyboard began
+    DesignedSurface base;                  ///< as it was before this number of it moved
+    std::shared_ptr<const Design> design;  ///< as it was when the pull began, with its expressions
     HandleNumber number = HandleNumber::height;
     double began = 0;  ///< mm along the way, where the hand took hold
     double by = 0;     ///< mm that it moved since
@@ -106,6 +111,7 @@ class SurfaceHandles : public QObject {
     double wished = 0;                                      ///< mm, where the hand is
     std::optional<double> to = std::nullopt;                ///< the number there, to its last digit
     double step = 1;                                        ///< mm, of the numbers
+    double farthest = kFarthest;                            ///< mm, so far its border is sought
     std::optional<pipeline::Bar> stoppedBy = std::nullopt;  ///< why it lags behind the hand
   };
 
@@ -127,6 +133,9 @@ class SurfaceHandles : public QObject {
   /// The number that is moved, where `by` is 0.
   double pulledFrom() const;
   void pull(double by, bool live);
+  /// Makes the design what it was when the pull began.
+  void giveUp();
+  QString pullName() const;
   /// Seeks how far the handles pulled may go.
   void seek();
   void endPull();

@@ -152,9 +152,9 @@ void MainWindow::makeCommands() {
       "view.parallel", tr("&Parallel view"), "parallel", tr("Parallel instead of perspective"),
       {QKeySequence("P")}, [this](bool on) { view_->setParallel(on); }, true);
   add(
-      "view.handles", tr("&Handles of the surface"), "",
-      tr("Pull the poles of a designed surface, or the points of its sections"), {QKeySequence("H")},
-      [this](bool on) { handles_->setShown(on); }, true);
+      "view.handles", tr("&Handles"), "",
+      tr("Pull the poles of a designed surface, the points of its sections, and the block that is selected"),
+      {QKeySequence("H")}, [this](bool on) { handles_->setShown(on); }, true);
   makeHandleCommands();
   const auto toggle = [&](const char* id, const QString& text, const char* icon, const QString& tip,
                           const QList<QKeySequence>& keys, StyleSwitch isOn) {

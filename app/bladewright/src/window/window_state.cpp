@@ -296,7 +296,7 @@ void MainWindow::refreshState() {
     commands_[id]->setEnabled(open && bench_.sweep());
   commands_["view.sectionFlip"]->setEnabled(open && sectioned_);
   commands_["edit.cancel"]->setEnabled(busy || faces_->choosing() || view_->holding());
-  commands_["view.handles"]->setEnabled(open && handles_->possible());
+  commands_["view.handles"]->setEnabled(open);
   refreshHandleCommands();
   refreshComparison();
   commands_["input.chooseFaces"]->setEnabled(open && faces_->possible());

@@ -7,9 +7,11 @@
 #include <QDialogButtonBox>
 #include <QHeaderView>
 #include <QPointer>
+#include <QShortcut>
 
 #include <algorithm>
 #include <mutex>
+#include <stop_token>
 #include <utility>
 
 #include "bw/core/base/units.h"
@@ -36,7 +38,7 @@ struct VaryDialog::Work {
     scene::Content content;
   };
   std::vector<Made> made;  // and not yet collected
-  bool unwanted = false;
+  std::stop_source stop;   // of this work alone; what the window computes besides goes on
 };
 
 VaryDialog::VaryDialog(Workbench& bench, const Theme& theme, QWidget* parent)
@@ -100,9 +102,14 @@ VaryDialog::VaryDialog(Workbench& bench, const Theme& theme, QWidget* parent)
   connect(variable_, &QComboBox::currentIndexChanged, this, &VaryDialog::showVariable);
   connect(table_, &QTableWidget::itemSelectionChanged, this, &VaryDialog::refresh);
   connect(table_, &QTableWidget::cellDoubleClicked, this, &VaryDialog::takeRow);
+  for (const int key : {Qt::Key_Return, Qt::Key_Enter})
+    connect(new QShortcut(key, table_, nullptr, nullptr, Qt::WidgetShortcut), &QShortcut::activated, this,
+            &VaryDialog::takeRow);
   connect(take_, &QPushButton::clicked, this, &VaryDialog::takeRow);
   connect(copy_, &QPushButton::clicked, this, &VaryDialog::copyTable);
   connect(end, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  // Enter takes what is typed or the line chosen; it computes nothing anew.
+  for (QPushButton* button : findChildren<QPushButton*>()) button->setAutoDefault(false);
   showVariable();
   refresh();
 }
@@ -146,12 +153,15 @@ void VaryDialog::start() {
   const pipeline::VaryRange range{shown_, from_->value(), to_->value(), int(count_->value())};
   const auto task = [work, range, design = bench_.document().design()](const pipeline::Evaluation&,
                                                                        const RunContext& context) {
+    const std::stop_callback all(context.stop, [work] { work->stop.request_stop(); });
+    RunContext own = context;
+    own.stop = work->stop.get_token();
     return pipeline::vary(
-        *design, range, context,
+        *design, range, own,
         [&](const pipeline::Variation& variation, const pipeline::Evaluation* result) -> Result<void> {
           scene::Content content = result ? pipeline::sceneContent(*result) : scene::Content();
+          if (work->stop.stop_requested()) return stoppedError();
           const std::lock_guard lock(work->mutex);
-          if (work->unwanted) return stoppedError();
           work->made.push_back({variation, std::move(content)});
           return {};
         });
@@ -167,12 +177,7 @@ void VaryDialog::start() {
 }
 
 void VaryDialog::stop() {
-  if (!work_) return;
-  {
-    const std::lock_guard lock(work_->mutex);
-    work_->unwanted = true;
-  }
-  bench_.runner().cancel();
+  if (work_) work_->stop.request_stop();
 }
 
 void VaryDialog::collect() {
