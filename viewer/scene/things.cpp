@@ -8,8 +8,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/render/polyline.h"
-
 namespace bw::scene {
 
 namespace {
@@ -97,7 +95,9 @@ bool drawable(Item& item) {
   }
   if (Creases* creases = std::get_if<Creases>(&item.data)) {
     for (std::vector<Polyline>* lines : {&creases->within, &creases->beyond})
-      std::erase_if(*lines, [](const Polyline& line) { return !usable(line); });
+      std::erase_if(*lines, [](const Polyline& line) {
+        return line.size() < 2 || !std::ranges::all_of(line, [](const auto& p) { return p.allFinite(); });
+      });
     return !creases->within.empty() || !creases->beyond.empty();
   }
   if (const Box* box = std::get_if<Box>(&item.data))
