@@ -165,6 +165,64 @@ TEST(DesignedSurface, AWaveThatFitsTheFirstGridIsNotMissed) {
   EXPECT_NEAR(spline.value(300, 25).z(), 310, 0.01);
 }
 
+TEST(DesignedSurface, AFormulaIsComputedByRowsAsByPlaces) {
+  // Names and operators that hang on x alone, on y alone, on both and on neither.
+  const std::string text =
+      "200 + a*sin(x/90) - 3*cos(y/80)*atan2(x + 300, y + 300) + min(x, 700)/100 + max(-1; y + 50; a)/50 + "
+      "2^(x/400)*y/800"
+      " + sqrt(x + y + 100)/4 + exp(-((x - 300)/200)^2)*log(y + 900) + atan(x/300)*abs(y + 1)/90 - tan(y/2000)"
+      " + asin(x/900) + acos(y/1000)*x/600 + -x/70 + pi";
+  const SplineSurface spline = splineOrFail(formula(text, {{"a", 7}}));
+  for (const double x : {0.0, 300.0, 600.0})
+    for (const double y : {0.0, 200.0, 800.0})
+      EXPECT_NEAR(spline.value(x, y).z(),
+                  evaluateExpression(text, std::vector<NamedNumber>{{"x", x}, {"y", y}, {"a", 7}}).value(),
+                  1e-9);
+  EXPECT_EQ(errorOf(formula("200 + log(y - 40) + x")),
+            "the formula has no height at x = 0, y = 0: character 7: log(-40) is no finite number");
+  EXPECT_EQ(errorOf(formula("200 + y + sqrt(301 - x)")).substr(0, 58),
+            "the formula has no height at x = 375, y = 0: character 11:");
+  EXPECT_EQ(errorOf(formula("200 + atan(1/(x - 75)*y)")).substr(0, 44),
+            "the formula has no height at x = 75, y = 0: ");
+}
+
+TEST(DesignedSurface, NoBumpOrRidgeOfTenMillimetresIsMissed) {
+  // Each stands out of the plane by more than the tolerance over a circle, or a strip, of 10 mm.
+  std::mt19937 random(11);
+  const auto between = [&](double a, double b) {
+    return std::uniform_real_distribution<double>(a, b)(random);
+  };
+  for (int run = 0; run < 24; ++run) {
+    FormulaSurface surface;
+    if (run % 2) surface.over.max = {1200, 2400};
+    const double x = between(6, surface.over.max.x() - 6), y = between(6, surface.over.max.y() - 6);
+    const double turn = run % 5 == 0 ? 0 : between(0, kPi), height = between(0.3, 30);
+    surface.numbers = {{"a", x}, {"b", y}, {"h", height}, {"c", std::cos(turn)}, {"s", std::sin(turn)}};
+    const std::string place = run % 4 < 2 ? "((x - a)^2 + (y - b)^2)" : "(c*(x - a) + s*(y - b))^2";
+    // The parabola is above 0.01 mm where it is nearer than 5 mm.
+    surface.formula = "250 + h*max(0, 1 - (1 - 0.01/h)*" + place + "/25)";
+    const std::string told = errorOf(surface);
+    EXPECT_NE(told.find("no surface comes near to the formula"), std::string::npos)
+        << told << ": " << surface.formula << " at " << x << ", " << y << ", turned by " << turn;
+    // One that a spline can follow is followed.
+    surface.formula = "250 + h*exp(-" + place + "/1600)";
+    surface.numbers[2].value = 5;
+    const Result<SplineSurface> spline = splineOf(DesignedSurface{surface});
+    if (spline)
+      EXPECT_NEAR(spline->value(x, y).z(), 255, FormulaSurface::kTolerance) << surface.formula;
+    else
+      EXPECT_NE(spline.error().message.find("no surface comes near to the formula"), std::string::npos);
+  }
+}
+
+TEST(DesignedSurface, ANarrowRidgeOfAWallIsNotMissed) {
+  FormulaSurface surface = formula("250+30*exp(-((y-406.7)/14)^2)");
+  surface.over.max = {1200, 2400};
+  EXPECT_NE(errorOf(surface).find("y = 40"), std::string::npos) << errorOf(surface);
+  surface.over.max = {600, 800};
+  EXPECT_NEAR(splineOrFail(surface).value(300, 406.7).z(), 280, FormulaSurface::kTolerance);
+}
+
 TEST(DesignedSurface, AFormulaThatNoSplineComesNearToNamesPlaceAndDistance) {
   EXPECT_EQ(errorOf(formula("1/x")),
             "the formula has no height at x = 0, y = 0: character 2: this divides 1 by zero");

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "shape/shapes.h"
 
@@ -16,6 +17,7 @@ constexpr int kDegree = 3;
 /// Where in a span the spline is held against the surface: parts that are not even, so that no wave that the
 /// places miss is missed here too.
 constexpr std::array<double, 3> kShares = {0.2113, 0.5, 0.7887};
+constexpr double kWidestShare = kShares[1] - kShares[0];  // between two of them
 
 /// How far the spline lies from the surface at most, and where.
 struct Miss {
@@ -70,21 +72,37 @@ struct Basis {
   }
 };
 
-/// The places and those between them, where the place `k` has the index k (1 + kShares.size()).
-std::vector<double> between(const std::vector<double>& places) {
+/// Places and those between them, at which a spline is held against its surface: `kShares` of each of some
+/// even pieces of each span.
+struct Between {
   std::vector<double> all;
-  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
-    all.push_back(places[i]);
-    for (const double share : kShares) all.push_back(places[i] + share * (places[i + 1] - places[i]));
+  std::size_t step;  ///< the place `k` has the index k · step
+  Between(const std::vector<double>& places, int pieces) : step(std::size_t(pieces) * (1 + kShares.size())) {
+    all.reserve((places.size() - 1) * step + 1);
+    for (std::size_t i = 0; i + 1 < places.size(); ++i)
+      for (int k = 0; k < pieces; ++k) {
+        const double piece = (places[i + 1] - places[i]) / pieces, from = places[i] + k * piece;
+        all.push_back(from);
+        for (const double share : kShares) all.push_back(from + share * piece);
+      }
+    all.push_back(places.back());
   }
-  all.push_back(places.back());
-  return all;
+};
+
+/// In how many pieces the spans are to be looked at, so that no two places are further apart than `widest`.
+int piecesOf(const Places& places, int most) {
+  double span = 0;
+  for (std::size_t k = 0; k + 1 < places.breaks.size(); ++k)
+    span = std::max(span, (places.breaks[k + 1] - places.breaks[k]) / places.parts);
+  // Never more places than the finest grid is looked at.
+  const double limit = std::max(1.0, double(most - 1) / double((places.breaks.size() - 1) * places.parts));
+  return int(std::clamp(std::ceil(span * kWidestShare / places.widest), 1.0, std::floor(limit)));
 }
 
 Result<Misses> compare(const RowOf& rowOf, const SplineSurface& spline, const std::vector<double>& u,
-                       const std::vector<double>& y) {
-  constexpr std::size_t kStep = 1 + kShares.size();
-  const std::vector<double> manyU = between(u), manyY = between(y);
+                       const std::vector<double>& y, int piecesU = 1, int piecesY = 1) {
+  const Between betweenU(u, piecesU), betweenY(y, piecesY);
+  const std::vector<double>&manyU = betweenU.all, &manyY = betweenY.all;
   const Basis basisU(spline.knotsU, manyU), basisY(spline.knotsV, manyY);
   Misses misses;
   std::vector<Eigen::Vector2d> row(std::size_t(spline.polesU)), points(manyU.size());
@@ -102,7 +120,7 @@ Result<Misses> compare(const RowOf& rowOf, const SplineSurface& spline, const st
       for (std::size_t k = 0; k <= kDegree; ++k)
         own += basisU.values[i][k] * row[std::size_t(basisU.first[i]) + k];
       const double distance = (own - points[i]).norm();
-      const bool onRow = j % kStep == 0, onColumn = i % kStep == 0;
+      const bool onRow = j % betweenY.step == 0, onColumn = i % betweenU.step == 0;
       if (onRow && onColumn) continue;
       misses.all.take(distance, manyU[i], manyY[j]);
       if (onRow) misses.alongU.take(distance, manyU[i], manyY[j]);
@@ -130,7 +148,11 @@ Result<FittedGrid> fittedGrid(const RowOf& rowOf, Places u, Places y, double tol
     const std::vector<double> atU = u.all(), atY = y.all();
     Result<SplineSurface> spline = through(rowOf, atU, atY);
     if (!spline) return tl::unexpected<Error>(spline.error());
-    const Result<Misses> misses = compare(rowOf, *spline, atU, atY);
+    Result<Misses> misses = compare(rowOf, *spline, atU, atY);
+    // Only a spline that is near at a few places of each span is worth a look at many.
+    const int piecesU = piecesOf(u, most), piecesY = piecesOf(y, most);
+    if (misses && misses->all.distance <= tolerance && (piecesU > 1 || piecesY > 1))
+      misses = compare(rowOf, *spline, atU, atY, piecesU, piecesY);
     if (!misses) return tl::unexpected<Error>(misses.error());
     // Both ways where neither alone tells: what is left over is of both.
     const bool neither = std::max(misses->alongU.distance, misses->alongY.distance) <= tolerance / 2;

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <functional>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,9 @@ using RowOf =
 struct Places {
   std::vector<double> breaks;
   int parts = 1;
+  /// The spline is held against the surface at places no further apart than this, once it is near at a few
+  /// of each part.
+  double widest = std::numeric_limits<double>::infinity();
   std::vector<double> all() const;
 };
 

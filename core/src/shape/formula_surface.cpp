@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Bladewright authors
 // SPDX-License-Identifier: MIT
 
+#include <algorithm>
 #include <cmath>
 
 #include "bw/core/text/number_text.h"
 #include "shape/fitted_grid.h"
 #include "shape/shapes.h"
+#include "text/expression_grid.h"
 
 namespace bw::shape {
 
@@ -13,6 +15,8 @@ namespace {
 
 constexpr int kFirstSpans = 8;    // between the places that the first spline goes through
 constexpr double kHighest = 1e7;  // mm
+/// mm between the places at which the spline is held against the formula: each circle of 10 mm holds one.
+constexpr double kWidest = 7;
 
 class Graph {
  public:
@@ -25,8 +29,24 @@ class Graph {
     }
     Result<Expression> expression = Expression::parse(surface.formula, names);
     if (!expression) return tl::unexpected<Error>(expression.error());
-    return Graph(std::move(*expression), std::move(values));
+    return Graph(*expression, values);
   }
+
+  /// The heights of a row at y, at each x.
+  Result<void> heights(double y, std::span<const double> x, std::span<double> out) {
+    const auto isLow = [](double z) { return std::abs(z) <= kHighest; };
+    if (grid_.row(y, x, out) && std::ranges::all_of(out, isLow)) return {};
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const Result<double> z = height(x[i], y);
+      if (!z) return tl::unexpected<Error>(z.error());
+      out[i] = *z;
+    }
+    return {};
+  }
+
+ private:
+  Graph(const Expression& expression, const std::vector<double>& values)
+      : expression_(expression), grid_(expression, values, 0, 1), values_(values) {}
 
   Result<double> height(double x, double y) {
     values_[0] = x;
@@ -44,10 +64,8 @@ class Graph {
     return z;
   }
 
- private:
-  Graph(Expression expression, std::vector<double> values)
-      : expression_(std::move(expression)), values_(std::move(values)) {}
   Expression expression_;
+  ExpressionGrid grid_;
   std::vector<double> values_;
 };
 
@@ -57,19 +75,19 @@ Result<SplineSurface> splineOf(const FormulaSurface& surface) {
   if (Result<void> ok = checkRectangle(surface.over); !ok) return tl::unexpected<Error>(ok.error());
   Result<Graph> graph = Graph::of(surface);
   if (!graph) return tl::unexpected<Error>(graph.error());
-  const RowOf rowOf = [&graph](double y, std::span<const double> x,
-                               std::span<Eigen::Vector2d> out) -> Result<void> {
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      const Result<double> z = graph->height(x[i], y);
-      if (!z) return tl::unexpected<Error>(z.error());
-      out[i] = {x[i], *z};
-    }
-    return {};
+  std::vector<double> heights;
+  const RowOf rowOf = [&](double y, std::span<const double> x,
+                          std::span<Eigen::Vector2d> out) -> Result<void> {
+    heights.resize(x.size());
+    Result<void> ok = graph->heights(y, x, heights);
+    for (std::size_t i = 0; ok && i < x.size(); ++i) out[i] = {x[i], heights[i]};
+    return ok;
   };
   constexpr double kTolerance = FormulaSurface::kTolerance;
-  Result<FittedGrid> fitted = fittedGrid(rowOf, {{surface.over.min.x(), surface.over.max.x()}, kFirstSpans},
-                                         {{surface.over.min.y(), surface.over.max.y()}, kFirstSpans},
-                                         kTolerance, FormulaSurface::kMost);
+  Result<FittedGrid> fitted =
+      fittedGrid(rowOf, {{surface.over.min.x(), surface.over.max.x()}, kFirstSpans, kWidest},
+                 {{surface.over.min.y(), surface.over.max.y()}, kFirstSpans, kWidest}, kTolerance,
+                 FormulaSurface::kMost);
   if (!fitted) return tl::unexpected<Error>(fitted.error());
   if (fitted->miss <= kTolerance) {
     // x is the parameter itself: its poles are the means of knots, without what solving rounds.

@@ -10,6 +10,7 @@
 
 #include "bw/core/base/units.h"
 #include "bw/core/text/number_text.h"
+#include "text/expression_grid.h"
 #include "text/typed_text.h"
 
 namespace bw {
@@ -65,8 +66,13 @@ std::string numbered(int character, const std::string& sentence) {
 /// Reads a text by descent, and lays down each operator after its operands.
 class ExpressionParser {
  public:
+  using Op = Expression::Op;
+
   ExpressionParser(std::string_view text, const std::vector<std::string>& names)
       : text_(plainSigns(text)), rest_(text_), names_(names) {}
+
+  /// The steps of one that is read, for the other way to compute it, `ExpressionGrid`.
+  static const auto& stepsOf(const Expression& expression) { return expression.steps_; }
 
   Result<Expression> read() {
     if (rest_.size() > Expression::kLongest)
@@ -83,8 +89,6 @@ class ExpressionParser {
   }
 
  private:
-  using Op = Expression::Op;
-
   int character() {
     const std::string_view before = std::string_view(text_).substr(0, text_.size() - rest_.size());
     const auto begins = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; };
@@ -276,6 +280,63 @@ Result<Expression> Expression::parse(std::string_view text, const std::vector<st
   return ExpressionParser(text, names).read();
 }
 
+namespace {
+
+using Op = ExpressionParser::Op;
+
+/// True for an operator of two operands.
+bool isBinary(Op op) { return op >= Op::atan2 || (op >= Op::add && op <= Op::power); }
+
+/// What an operator makes of its operands; `b` is the one of a single operand.
+double applied(Op op, double a, double b) {
+  switch (op) {
+    case Op::number:
+    case Op::name:
+      break;
+    case Op::negate:
+      return -b;
+    case Op::add:
+      return a + b;
+    case Op::subtract:
+      return a - b;
+    case Op::multiply:
+      return a * b;
+    case Op::divide:
+      return a / b;
+    case Op::power:
+      return std::pow(a, b);
+    case Op::sin:
+      return std::sin(b);
+    case Op::cos:
+      return std::cos(b);
+    case Op::tan:
+      return std::tan(b);
+    case Op::asin:
+      return std::asin(b);
+    case Op::acos:
+      return std::acos(b);
+    case Op::atan:
+      return std::atan(b);
+    case Op::sqrt:
+      return std::sqrt(b);
+    case Op::exp:
+      return std::exp(b);
+    case Op::log:
+      return std::log(b);
+    case Op::abs:
+      return std::abs(b);
+    case Op::atan2:
+      return std::atan2(a, b);
+    case Op::min:
+      return std::min(a, b);
+    case Op::max:
+      return std::max(a, b);
+  }
+  return b;
+}
+
+}  // namespace
+
 Result<double> Expression::value(std::span<const double> values) const {
   std::array<double, kStack> stack;
   int top = -1;
@@ -284,77 +345,13 @@ Result<double> Expression::value(std::span<const double> values) const {
     if (step.op == Op::number || step.op == Op::name) {
       BW_CHECK(top + 1 < kStack);
       ++top;
+      b = step.op == Op::number ? step.number : values[std::size_t(step.name)];
     } else {
-      const bool binary = step.op >= Op::atan2 || (step.op >= Op::add && step.op <= Op::power);
       b = stack[std::size_t(top)];
-      if (binary) a = stack[std::size_t(--top)];
+      if (isBinary(step.op)) a = stack[std::size_t(--top)];
     }
     double& out = stack[std::size_t(top)];
-    switch (step.op) {
-      case Op::number:
-        out = step.number;
-        break;
-      case Op::name:
-        out = values[std::size_t(step.name)];
-        break;
-      case Op::negate:
-        out = -b;
-        break;
-      case Op::add:
-        out = a + b;
-        break;
-      case Op::subtract:
-        out = a - b;
-        break;
-      case Op::multiply:
-        out = a * b;
-        break;
-      case Op::divide:
-        out = a / b;
-        break;
-      case Op::power:
-        out = std::pow(a, b);
-        break;
-      case Op::sin:
-        out = std::sin(b);
-        break;
-      case Op::cos:
-        out = std::cos(b);
-        break;
-      case Op::tan:
-        out = std::tan(b);
-        break;
-      case Op::asin:
-        out = std::asin(b);
-        break;
-      case Op::acos:
-        out = std::acos(b);
-        break;
-      case Op::atan:
-        out = std::atan(b);
-        break;
-      case Op::sqrt:
-        out = std::sqrt(b);
-        break;
-      case Op::exp:
-        out = std::exp(b);
-        break;
-      case Op::log:
-        out = std::log(b);
-        break;
-      case Op::abs:
-        out = std::abs(b);
-        break;
-      case Op::atan2:
-        out = std::atan2(a, b);
-        break;
-      case Op::min:
-        out = std::min(a, b);
-        break;
-      case Op::max:
-        out = std::max(a, b);
-        break;
-    }
+    out = applied(step.op, a, b);
     if (std::isfinite(out)) [[likely]]
       continue;
     const auto n = [](double x) { return shortText(x, 6); };
@@ -376,6 +373,72 @@ Result<double> Expression::value(std::span<const double> values) const {
 bool Expression::uses(std::size_t name) const {
   return std::ranges::any_of(
       steps_, [&](const Step& step) { return step.op == Op::name && std::size_t(step.name) == name; });
+}
+
+ExpressionGrid::ExpressionGrid(const Expression& expression, std::vector<double> values, std::size_t inner,
+                               std::size_t outer)
+    : values_(std::move(values)), inner_(inner), outer_(outer) {
+  std::vector<int> stack;
+  for (const auto& step : ExpressionParser::stepsOf(expression)) {
+    Node node{std::uint8_t(step.op), -1, -1, step.name, false, false, {step.number}};
+    if (step.op == Op::name) {
+      node.byInner = std::size_t(step.name) == inner_;
+      node.byOuter = std::size_t(step.name) == outer_;
+    } else if (step.op != Op::number) {
+      const auto takeOperand = [&] {
+        const int operand = stack.back();
+        stack.pop_back();
+        node.byInner |= nodes_[std::size_t(operand)].byInner;
+        node.byOuter |= nodes_[std::size_t(operand)].byOuter;
+        return operand;
+      };
+      node.right = takeOperand();
+      if (isBinary(step.op)) node.left = takeOperand();
+    }
+    stack.push_back(int(nodes_.size()));
+    nodes_.push_back(std::move(node));
+  }
+}
+
+bool ExpressionGrid::compute(Node& node) const {
+  const Op op = Op(node.op);
+  if (op == Op::number) return true;
+  if (op == Op::name) {
+    if (node.byInner)
+      node.values = columns_;
+    else
+      node.values[0] = values_[std::size_t(node.name)];
+    return true;
+  }
+  const Node& right = nodes_[std::size_t(node.right)];
+  const Node& left = node.left < 0 ? right : nodes_[std::size_t(node.left)];
+  const std::size_t stepLeft = left.byInner ? 1 : 0, stepRight = right.byInner ? 1 : 0;
+  bool finite = true;
+  for (std::size_t i = 0; i < node.values.size(); ++i) {
+    node.values[i] = applied(op, left.values[i * stepLeft], right.values[i * stepRight]);
+    finite &= std::isfinite(node.values[i]);
+  }
+  return finite;
+}
+
+void ExpressionGrid::setColumns(std::span<const double> inner) {
+  columns_.assign(inner.begin(), inner.end());
+  columnsAreFinite_ = true;
+  for (Node& node : nodes_) {
+    if (node.byInner) node.values.resize(columns_.size());
+    if (!node.byOuter) columnsAreFinite_ &= compute(node);
+  }
+}
+
+bool ExpressionGrid::row(double outer, std::span<const double> inner, std::span<double> out) {
+  if (!std::ranges::equal(inner, columns_)) setColumns(inner);
+  values_[outer_] = outer;
+  bool finite = columnsAreFinite_;
+  for (Node& node : nodes_)
+    if (node.byOuter) finite &= compute(node);
+  const Node& last = nodes_.back();
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = last.values[last.byInner ? i : 0] + 0.0;  // no "-0"
+  return finite;
 }
 
 bool isExpressionName(std::string_view text) {
