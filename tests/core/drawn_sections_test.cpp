@@ -312,6 +312,91 @@ TEST(DrawnSections, AsManyPointsAsAskedForAndHowFarTheyAreOff) {
   }
 }
 
+namespace {
+
+/// An arc about (300, y, 0) from 60° to 120°, as files have it: one span.
+SpaceCurve arc(double y, double radius) {
+  return ellipticArc({300, y, 0}, {radius, 0, 0}, {0, 0, radius}, kPi / 3, 2 * kPi / 3);
+}
+
+/// The largest distance from dense points of either to the lines through dense points of the other.
+double apart(const std::vector<Eigen::Vector2d>& a, const std::vector<Eigen::Vector2d>& b) {
+  double largest = 0;
+  for (const auto& [from, to] : {std::pair(&a, &b), {&b, &a}})
+    for (const Eigen::Vector2d& p : *from) {
+      double best = 1e300;
+      for (std::size_t i = 0; i + 1 < to->size(); ++i) {
+        const Eigen::Vector2d side = (*to)[i + 1] - (*to)[i];
+        const double share = std::clamp((p - (*to)[i]).dot(side) / side.squaredNorm(), 0.0, 1.0);
+        best = std::min(best, ((*to)[i] + share * side - p).norm());
+      }
+      largest = std::max(largest, best);
+    }
+  return largest;
+}
+
+/// The same between drawn curves, in the order of the travel, and their sections as a design has them.
+double trueDeviation(const DrawnSections& drawn, const std::vector<SpaceCurve>& curves, int samples) {
+  const auto flat = [](const Eigen::Vector3d& p) { return Eigen::Vector2d(p.x(), p.z()); };
+  double largest = 0;
+  for (std::size_t k = 0; k < curves.size(); ++k) {
+    SectionsSurface two;
+    two.sections = {loftOf(drawn).sections[k], loftOf(drawn).sections[k]};
+    two.sections[1].y += 100;
+    const SplineSurface spline = splineOf(DesignedSurface{two}).value();
+    std::vector<Eigen::Vector2d> own, section;
+    for (int i = 0; i <= samples; ++i) {
+      const double share = double(i) / samples;
+      own.push_back(flat(curves[k].value(curves[k].start() + share * (curves[k].end() - curves[k].start()))));
+      section.push_back(flat(spline.value(share, 0)));
+    }
+    largest = std::max(largest, apart(own, section));
+  }
+  return largest;
+}
+
+}  // namespace
+
+TEST(DrawnSections, TheDeviationIsTheLargestDistanceEitherWay) {
+  const std::vector<SpaceCurve> arcs = numbered({arc(0, 500), arc(400, 540), arc(800, 580)});
+  for (const Kind kind : {Kind::spline, Kind::bezier, Kind::ducks})
+    for (const DrawnOptions& options :
+         {DrawnOptions{kind, 0.1, 0}, {kind, 0.01, 0}, {kind, 1, 0}, {kind, 0.1, 7}, {kind, 0.1, 19}}) {
+      const auto drawn = sectionsThrough(arcs, options);
+      ASSERT_TRUE(drawn) << drawn.error().message;
+      EXPECT_TRUE(options.points != 0 || drawn->deviation <= options.tolerance);
+      // Lines through 1500 points of 600 mm lie within 5e-5 mm of the curves.
+      EXPECT_NEAR(drawn->deviation, trueDeviation(*drawn, arcs, 1500), 1e-4 + 1e-3 * drawn->deviation)
+          << kSectionKinds[int(kind)] << " " << options.tolerance << " " << options.points;
+    }
+}
+
+TEST(DrawnSections, TheDeviationIsTrueBesideACorner) {
+  const SpaceCurve roof = polylineThrough({{0, 0, 0}, {300, 0, 150}, {600, 0, 0}});
+  const std::vector<SpaceCurve> roofs =
+      numbered({roof, turned(roof, Eigen::Matrix3d::Identity(), {0, 400, 0})});
+  for (const int points : {5, 8, 12}) {
+    const auto drawn = sectionsThrough(roofs, {Kind::spline, 0.1, points});
+    ASSERT_TRUE(drawn) << drawn.error().message;
+    EXPECT_NEAR(drawn->deviation, trueDeviation(*drawn, roofs, 3000), 2e-3 * drawn->deviation) << points;
+  }
+}
+
+TEST(DrawnSections, LinesWhoseEndsMissALittleAreNoLoop) {
+  for (const double tolerance : {0.1, 1.0, 20.0})
+    for (double gap = -0.95; gap < 1; gap += 0.1)
+      for (const Kind kind : {Kind::spline, Kind::bezier}) {
+        std::vector<SpaceCurve> lines;
+        for (const double y : {0.0, 400.0, 800.0}) {
+          lines.push_back(polylineThrough({{0, y, 0}, {300, y, 20}}));
+          lines.push_back(polylineThrough({{600, y, 0}, {300 + gap * tolerance, y, 20}}));
+        }
+        const auto drawn = sectionsThrough(numbered(lines), {kind, tolerance, 10});
+        ASSERT_TRUE(drawn) << "gap " << gap * tolerance << ": " << drawn.error().message;
+        EXPECT_EQ(drawn->joined, 3);
+      }
+}
+
 TEST(DrawnSections, TenThousandCurvesAndHugePolylinesComeToAnEnd) {
   std::vector<SpaceCurve> many;
   for (int i = 0; i < int(kMostPieces); ++i)

@@ -29,6 +29,7 @@ constexpr double kUpright =
     0.1;  // sine of the angle between travel and plumb line below which up is chosen anew
 constexpr double kWay = 0.05;        // of a chord: less across than that tells no direction
 constexpr double kRounding = 1e-12;  // of a direction: what is left of an axis
+constexpr double kParallel = 1e-9;   // sine of the angle between lines that do not cross
 constexpr double kSameAngle = 0.01;  // degrees: planes nearer than that are told by their distance
 
 std::string placeText(const Eigen::Vector3d& p) {
@@ -267,24 +268,32 @@ std::optional<Eigen::Vector3d> crossing(const Points& a, const Points& b, const 
   const auto flat = [&](const Eigen::Vector3d& p) {
     return Eigen::Vector2d(axes.col(0).dot(p), axes.col(2).dot(p));
   };
-  const auto side = [](const Eigen::Vector2d& u, const Eigen::Vector2d& v) {
-    return u.x() * v.y() - u.y() * v.x();
-  };
   const auto step = [](const Points& p) { return std::max<std::size_t>(1, p.size() / 500); };
   for (std::size_t i = 0; i + 1 < a.size(); i += step(a))
     for (std::size_t j = 0; j + 1 < b.size(); j += step(b)) {
       const Eigen::Vector3d &p = a[i], &q = a[std::min(i + step(a), a.size() - 1)];
-      const Eigen::Vector2d u = flat(q) - flat(p), r = flat(b[j]) - flat(p);
-      const Eigen::Vector2d v = flat(b[std::min(j + step(b), b.size() - 1)]) - flat(b[j]);
-      const double area = side(u, v);
-      if (area == 0) continue;
-      const double s = side(r, v) / area, t = side(r, u) / area;
-      if (s >= 0 && s <= 1 && t >= 0 && t <= 1) return p + s * (q - p);
+      const Eigen::Vector3d& end = b[std::min(j + step(b), b.size() - 1)];
+      if (const auto shares = crossingOf(flat(p), flat(q), flat(b[j]), flat(end)))
+        return p + shares->first * (q - p);
     }
   return {};
 }
 
 }  // namespace
+
+std::optional<std::pair<double, double>> crossingOf(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
+                                                    const Eigen::Vector2d& otherFrom,
+                                                    const Eigen::Vector2d& otherTo) {
+  const auto area = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return a.x() * b.y() - a.y() * b.x();
+  };
+  const Eigen::Vector2d u = to - from, v = otherTo - otherFrom, r = otherFrom - from;
+  const double both = area(u, v);
+  if (!(std::abs(both) > kParallel * u.norm() * v.norm())) return {};
+  const double s = area(r, v) / both, t = area(r, u) / both;
+  if (s < 0 || s > 1 || t < 0 || t > 1) return {};
+  return std::pair(s, t);
+}
 
 std::string Chain::name() const {
   std::vector<const SpaceCurve*> curves;

@@ -4,7 +4,9 @@
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bw/core/base/frame.h"
@@ -46,5 +48,11 @@ struct PlacedChains {
 /// Finds travel, order and direction of chains, and puts them so. Errors: chains that are not planar within
 /// `limit`, whose planes are not parallel, or of which two lie in one plane, `apart` or less from each other.
 Result<PlacedChains> placed(std::vector<Chain>& chains, double limit, double apart);
+
+/// Where two lines from point to point cross, as shares of each from its first point; none where they are
+/// parallel, whose shares would be those of rounding.
+std::optional<std::pair<double, double>> crossingOf(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
+                                                    const Eigen::Vector2d& otherFrom,
+                                                    const Eigen::Vector2d& otherTo);
 
 }  // namespace bw::shape

@@ -4,7 +4,9 @@
 #include "bw/core/shape/drawn_sections.h"
 
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 
@@ -23,14 +25,18 @@ using Kind = SectionCurve::Kind;
 using Points = std::vector<Eigen::Vector2d>;
 
 constexpr double kPlanarShare = 0.5;           // of the tolerance that a curve may leave its plane by
-constexpr std::size_t kFewSamples = 200;       // of a curve while places are sought
+constexpr int kFewSamples = 200;               // of a curve while places are sought
 constexpr std::size_t kCloseSamples = 20'000;  // where these were too few
+constexpr int kCloseEven = 2'000;              // even ones beside these
 constexpr std::size_t kMostSamples = 200'000;  // with which the result is measured
-constexpr int kRounds = 8;                     // in which places are shifted for one number of points
-constexpr double kOrder = 4;                   // of the error of a cubic over its span
-constexpr double kMostShift = 2;               // of a span in a round
-constexpr int kStepUntil = 12;                 // points up to which each number is tried
-constexpr double kGrowth = 1.15;               // beyond
+constexpr int kEach = 16;                      // samples more of each span, both ways, of that
+constexpr double kPeak = 0.8;     // of the largest distance: peaks that are sought between samples
+constexpr int kPeakBits = 20;     // of their places
+constexpr int kRounds = 8;        // in which places are shifted for one number of points
+constexpr double kOrder = 4;      // of the error of a cubic over its span
+constexpr double kMostShift = 2;  // of a span in a round
+constexpr int kStepUntil = 12;    // points up to which each number is tried
+constexpr double kGrowth = 1.15;  // beyond
 constexpr int kChordRounds = 40;
 constexpr double kLeastSpan = 1e-6;  // of a length, between two points
 constexpr double kFlat = 1e-6;       // of a chord: a cubic that leaves it by less has legs as they are
@@ -40,7 +46,25 @@ constexpr double kSides = 2;               // of a polyline, to either side, tha
 constexpr double kNoAngle = 1e-12;         // rad
 constexpr int kAcross = 64, kAlong = 256;  // places of the loft by which its bounds are told
 constexpr int kLoopSamples = 300;
+constexpr double kPassing = 4;  // tolerances of length that two pieces have beyond where they pass each other
 constexpr double kReadable = 1e9;  // parts of a mm that places are rounded to
+
+struct Sample {
+  double share = 0;  ///< of the length; of a section its parameter
+  Eigen::Vector2d point;
+};
+
+/// Puts `each` evenly spaced samples of every span between `breaks` among those that are there.
+template <class PointAt>
+void addBetween(std::vector<Sample>& samples, const std::vector<double>& breaks, int each,
+                const PointAt& pointAt) {
+  for (std::size_t k = 0; k + 1 < breaks.size(); ++k)
+    for (int i = 0; i < each; ++i) {
+      const double share = breaks[k] + (breaks[k + 1] - breaks[k]) * (i + 0.5) / each;
+      samples.push_back({share, pointAt(share)});
+    }
+  std::ranges::stable_sort(samples, {}, &Sample::share);
+}
 
 /// A chain in its plane, told by its arc length.
 class PlaneCurve {
@@ -76,12 +100,9 @@ class PlaneCurve {
     return std::atan2(tangent.y(), tangent.x());
   }
 
-  struct Sample {
-    double share = 0;  ///< of the length
-    Eigen::Vector2d point;
-  };
-  /// Points of it, both ends of each piece and some in each of its spans among them, `most` about.
-  std::vector<Sample> samples(std::size_t most) const {
+  /// Points of it, both ends of each piece and some in each of its spans among them, `most` about, and `even`
+  /// ones beside these: a long arc is one span, whose few nodes pass over what it leaves of a section.
+  std::vector<Sample> samples(std::size_t most, int even) const {
     std::vector<Sample> all;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       const PlanarCurve& piece = pieces_[i];
@@ -101,14 +122,42 @@ class PlaneCurve {
       }
       all.push_back({(from_[i] + piece.length()) / length_, piece.value(piece.end())});
     }
-    std::ranges::stable_sort(all, {}, &Sample::share);
+    addBetween(all, {0, 1}, even, [&](double share) { return at(share * length_); });
     return all;
   }
 
+  /// How far a point lies from it, downhill from the place at s.
+  double distance(const Eigen::Vector2d& p, double s) const {
+    std::size_t i = pieceAt(s);
+    double t = pieces_[i].nearestParameter(p, pieces_[i].parameterAt(s - from_[i]));
+    double best = (pieces_[i].value(t) - p).norm();
+    for (const bool on : {true, false})
+      while (on ? t >= pieces_[i].end() && i + 1 < pieces_.size() : t <= pieces_[i].start() && i > 0) {
+        const PlanarCurve& next = pieces_[on ? i + 1 : i - 1];
+        const double there = next.nearestParameter(p, on ? next.start() : next.end());
+        const double distance = (next.value(there) - p).norm();
+        if (distance > best) break;
+        best = distance;
+        t = there;
+        i = on ? i + 1 : i - 1;
+      }
+    return best;
+  }
+  /// The same from anywhere, slower.
+  double distance(const Eigen::Vector2d& p) const {
+    double best = std::numeric_limits<double>::infinity();
+    for (const PlanarCurve& piece : pieces_)
+      best = std::min(best, (piece.value(piece.nearestParameter(p)) - p).norm());
+    return best;
+  }
+
  private:
-  std::pair<const PlanarCurve*, double> find(double s) const {
+  std::size_t pieceAt(double s) const {
     const auto above = std::upper_bound(from_.begin() + 1, from_.end(), s);
-    const std::size_t i = std::size_t(above - from_.begin()) - 1;
+    return std::size_t(above - from_.begin()) - 1;
+  }
+  std::pair<const PlanarCurve*, double> find(double s) const {
+    const std::size_t i = pieceAt(s);
     return {&pieces_[i], pieces_[i].parameterAt(s - from_[i])};
   }
 
@@ -123,7 +172,7 @@ struct Wanted {
   PlaneCurve curve;
   double y = 0, off = 0;
   double bound = 0;  ///< mm that its section may be off in the plane
-  std::vector<PlaneCurve::Sample> few;
+  std::vector<Sample> few;
 };
 
 struct Miss {
@@ -214,9 +263,69 @@ Result<SectionCurve> sectionAt(const Wanted& wanted, Kind kind, const std::vecto
   return section;
 }
 
-/// How far samples of a curve lie from its section.
+/// The place among `to` that lies as a place lies among `from`.
+double among(const std::vector<double>& from, const std::vector<double>& to, double place) {
+  const auto above = std::upper_bound(from.begin() + 1, from.end() - 1, place);
+  const std::size_t k = std::size_t(above - from.begin()) - 1;
+  const double width = from[k + 1] - from[k];
+  const double within = width > 0 ? std::clamp((place - from[k]) / width, 0.0, 1.0) : 0.5;
+  return to[k] + within * (to[k + 1] - to[k]);
+}
+
+/// How far a curve and its section lie from each other.
+class Misses {
+ public:
+  Misses(double bound, std::size_t spans, bool exact) : bound_(bound), exact_(exact), spans_(spans, 0.0) {}
+
+  /// Looks from samples of one to the other: `near` is the distance downhill from where a place of the one
+  /// leads to, `far` the one from anywhere, `pointAt` a point of the one.
+  template <class PointAt, class Near, class Far>
+  void look(const std::vector<Sample>& samples, const std::vector<double>& breaks, const PointAt& pointAt,
+            const Near& near, const Far& far) {
+    std::vector<double> distances;
+    std::size_t span = 0;
+    const auto take = [&](double distance, const Eigen::Vector2d& p) {
+      // What is off by more than all before may have been led astray.
+      if (exact_ && distance / bound_ > worst_.share) distance = std::min(distance, far(p));
+      const double share = distance / bound_;
+      spans_[span] = std::max(spans_[span], share);
+      if (share > worst_.share) worst_ = {share, distance, span, p};
+    };
+    for (const Sample& sample : samples) {
+      while (span + 2 < breaks.size() && sample.share > breaks[span + 1]) ++span;
+      distances.push_back(near(sample.point, sample.share));
+      take(distances.back(), sample.point);
+    }
+    if (!exact_) return;
+    // The largest distance lies between samples.
+    const double most = worst_.distance;
+    span = 0;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      while (span + 2 < breaks.size() && samples[i].share > breaks[span + 1]) ++span;
+      const std::size_t before = i == 0 ? i : i - 1, after = std::min(i + 1, samples.size() - 1);
+      if (distances[i] < kPeak * most || distances[before] > distances[i] || distances[after] > distances[i])
+        continue;
+      const double from = samples[before].share, to = samples[after].share;
+      if (!(to > from)) continue;
+      const auto nearness = [&](double place) { return -near(pointAt(place), place); };
+      const auto [place, value] = boost::math::tools::brent_find_minima(nearness, from, to, kPeakBits);
+      take(-value, pointAt(place));
+    }
+  }
+
+  const Miss& worst() const { return worst_; }
+  const std::vector<double>& spans() const { return spans_; }
+
+ private:
+  double bound_;
+  bool exact_;
+  std::vector<double> spans_;
+  Miss worst_;
+};
+
+/// How far a curve lies from its section at samples of it; or, `exact`, how far each lies from the other.
 Result<Miss> missOf(const Wanted& wanted, const SectionCurve& section, const std::vector<double>& shares,
-                    const std::vector<PlaneCurve::Sample>& samples, std::vector<double>& spans) {
+                    std::vector<Sample> samples, bool exact, std::vector<double>& spans) {
   const Result<PlanarCurve> own = shape::curveOf(section);
   if (!own) return tl::unexpected<Error>(own.error());
   // Where the points lie among the parameters of the section.
@@ -229,19 +338,30 @@ Result<Miss> missOf(const Wanted& wanted, const SectionCurve& section, const std
                                     : own->nearestParameter(section.points[i * each], shares[i]);
     at.push_back(seed);
   }
-  spans.assign(shares.size() - 1, 0.0);
-  Miss worst;
-  std::size_t span = 0;
-  for (const PlaneCurve::Sample& sample : samples) {
-    while (span + 2 < shares.size() && sample.share > shares[span + 1]) ++span;
-    const double within = (sample.share - shares[span]) / (shares[span + 1] - shares[span]);
-    const double start = at[span] + std::clamp(within, 0.0, 1.0) * (at[span + 1] - at[span]);
-    const double distance = (own->value(own->nearestParameter(sample.point, start)) - sample.point).norm();
-    const double share = distance / wanted.bound;
-    spans[span] = std::max(spans[span], share);
-    if (share > worst.share) worst = {share, distance, span, sample.point};
+  const PlaneCurve& curve = wanted.curve;
+  const auto ofCurve = [&](double share) { return curve.at(share * curve.length()); };
+  Misses misses(wanted.bound, shares.size() - 1, exact);
+  if (exact) addBetween(samples, shares, kEach, ofCurve);
+  misses.look(
+      samples, shares, ofCurve,
+      [&](const Eigen::Vector2d& p, double share) {
+        return (own->value(own->nearestParameter(p, among(shares, at, share))) - p).norm();
+      },
+      [&](const Eigen::Vector2d& p) { return (own->value(own->nearestParameter(p)) - p).norm(); });
+  if (exact) {
+    // A section may leave the curve where no place of the curve shows it: beside a corner.
+    const auto ofSection = [&](double t) { return own->value(t); };
+    std::vector<Sample> back;
+    addBetween(back, at, kEach, ofSection);
+    misses.look(
+        back, at, ofSection,
+        [&](const Eigen::Vector2d& p, double t) {
+          return curve.distance(p, among(at, shares, t) * curve.length());
+        },
+        [&](const Eigen::Vector2d& p) { return curve.distance(p); });
   }
-  return worst;
+  spans = misses.spans();
+  return misses.worst();
 }
 
 class Search {
@@ -249,10 +369,11 @@ class Search {
   Search(const std::vector<Wanted>& wanted, Kind kind, const RunContext& context)
       : wanted_(wanted), kind_(kind), context_(context) {}
 
-  /// Looks at all samples of the curves from now on.
+  /// Looks at many samples of the curves from now on.
   void lookCloser() {
     close_.resize(wanted_.size());
-    for (std::size_t i = 0; i < wanted_.size(); ++i) close_[i] = wanted_[i].curve.samples(kCloseSamples);
+    for (std::size_t i = 0; i < wanted_.size(); ++i)
+      close_[i] = wanted_[i].curve.samples(kCloseSamples, kCloseEven);
   }
   bool close() const { return !close_.empty(); }
 
@@ -269,10 +390,10 @@ class Search {
         return;
       }
       const Result<Miss> miss = missOf(wanted_[i], *section, trial.shares,
-                                       all       ? wanted_[i].curve.samples(kMostSamples)
+                                       all       ? wanted_[i].curve.samples(kMostSamples, 0)
                                        : close() ? close_[i]
                                                  : wanted_[i].few,
-                                       spans[i]);
+                                       all, spans[i]);
       if (!miss) {
         errors[i] = miss.error();
         return;
@@ -340,7 +461,7 @@ class Search {
   const std::vector<Wanted>& wanted_;
   Kind kind_;
   const RunContext& context_;
-  std::vector<std::vector<PlaneCurve::Sample>> close_;
+  std::vector<std::vector<Sample>> close_;
 };
 
 int mostPlaces(Kind kind) {
@@ -404,29 +525,22 @@ Result<int> placesOf(const DrawnOptions& options) {
   return bezier ? (options.points - 1) / 3 + 1 : options.points;
 }
 
-/// A curve that runs through itself has no side of foam.
-Result<void> checkLoops(const Wanted& wanted) {
+/// A curve that runs through itself has no side of foam. Pieces whose ends miss by less than the tolerance
+/// may pass each other by as much: that is no loop.
+Result<void> checkLoops(const Wanted& wanted, double tolerance) {
   Points points;
-  for (int i = 0; i <= kLoopSamples; ++i)
-    points.push_back(wanted.curve.at(wanted.curve.length() * i / kLoopSamples));
-  const auto side = [](const Eigen::Vector2d& u, const Eigen::Vector2d& v) {
-    return u.x() * v.y() - u.y() * v.x();
-  };
+  const double step = wanted.curve.length() / kLoopSamples;
+  for (int i = 0; i <= kLoopSamples; ++i) points.push_back(wanted.curve.at(step * i));
   for (std::size_t i = 0; i + 1 < points.size(); ++i)
     for (std::size_t j = i + 2; j + 1 < points.size(); ++j) {
-      const Eigen::Vector2d u = points[i + 1] - points[i], v = points[j + 1] - points[j],
-                            r = points[j] - points[i];
-      const double area = side(u, v);
-      if (area == 0) continue;
-      const double s = side(r, v) / area, t = side(r, u) / area;
-      if (s < 0 || s > 1 || t < 0 || t > 1) continue;
-      const Eigen::Vector2d at = points[i] + s * u;
+      const auto crossing = shape::crossingOf(points[i], points[i + 1], points[j], points[j + 1]);
+      if (!crossing) continue;
+      const double one = step * (double(i) + crossing->first), other = step * (double(j) + crossing->second);
+      if (other - one <= kPassing * tolerance) continue;
       return fail(ErrorCode::badInput,
-                  wanted.name + " crosses itself (after " +
-                      shortText(wanted.curve.length() * (double(i) + s) / kLoopSamples) + " and " +
-                      shortText(wanted.curve.length() * (double(j) + t) / kLoopSamples) +
+                  wanted.name + " crosses itself (after " + shortText(one) + " and " + shortText(other) +
                       " mm of its length); a blade cannot: draw it without a loop",
-                  wanted.name, at.x());
+                  wanted.name, points[i].x());
     }
   return {};
 }
@@ -504,10 +618,9 @@ Result<DrawnSections> sectionsThrough(const std::vector<SpaceCurve>& curves, con
                off,
                std::sqrt(options.tolerance * options.tolerance - off * off),
                {}};
-    if (Result<void> ok = checkLoops(own); !ok) return tl::unexpected<Error>(ok.error());
-    own.few = own.curve.samples(kFewSamples);
-    for (const PlaneCurve::Sample& sample : own.few)
-      found.bounds.add({sample.point.x(), own.y, sample.point.y()});
+    if (Result<void> ok = checkLoops(own, options.tolerance); !ok) return tl::unexpected<Error>(ok.error());
+    own.few = own.curve.samples(kFewSamples, kFewSamples);
+    for (const Sample& sample : own.few) found.bounds.add({sample.point.x(), own.y, sample.point.y()});
     found.longest = std::max(found.longest, own.curve.length());
     found.joined += int(chain.pieces.size()) - 1;
     wanted.push_back(std::move(own));
