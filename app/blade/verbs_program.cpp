@@ -218,7 +218,7 @@ void addProgramVerbs(CLI::App& app, const Session& session, Work& work) {
         "simulate", "Read a program back and run it with the blade and its weight: what it really cuts");
     const auto options = std::make_shared<SimulateOptions>();
     verb->add_option("PROGRAM", options->path,
-                     "Folder of results or of a program, or motion.csv or motion.json")
+                     "Folder of results or of a program, or a motion: a file named motion.csv or motion.json")
         ->required();
     verb->add_option(
             "--design", options->design,

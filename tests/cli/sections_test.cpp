@@ -117,7 +117,11 @@ TEST(SectionsFromCurves, UnitsLayersKindsAndNumbersOfPoints) {
       std::string::npos);
   EXPECT_NE(blade({"sections", file, "--unit", "yd", "--out", design}).err.find("mm, cm, m and in"),
             std::string::npos);
-  EXPECT_NE(blade({"sections", file, "--curves", "1,9", "--out", design}).err.find("9"), std::string::npos);
+  for (const std::string other : {"9", "0"}) {
+    const std::string told = blade({"sections", file, "--curves", "1," + other, "--out", design}).err;
+    EXPECT_NE(told.find("there is no curve " + other + "; they are numbered from 1 to "), std::string::npos)
+        << told;
+  }
   const Finished unknown =
       blade({"sections", folder.write("mm.dxf", drawing(polyline(0) + polyline(800), 0)), "--out", design});
   EXPECT_EQ(unknown.status, 0);

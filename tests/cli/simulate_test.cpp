@@ -254,6 +254,10 @@ TEST(Simulate, RefusesWhatItCannotRun) {
   EXPECT_EQ(blades.out, "");
   EXPECT_EQ(blade({"simulate", folder / "nothing"}).status, 4);
   EXPECT_EQ(blade({"simulate", folder / "out/report.json"}).status, 2);
+  const Finished named = blade({"simulate", folder.write("mine.csv", "time_s\n")});
+  EXPECT_EQ(named.status, 2);
+  EXPECT_NE(named.err.find("mine.csv is no robot program or motion by its name"), std::string::npos)
+      << named.err;
   // Alone, without its design: the shape is followed, and that is said.
   folder.write("alone/motion.json", slurp(folder / "out/programs/strip-0/motion.json"));
   const Finished alone = blade({"simulate", folder / "alone/motion.json"});

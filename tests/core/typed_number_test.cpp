@@ -263,6 +263,14 @@ TEST(NumberList, RefusesInWords) {
     EXPECT_TRUE(refusal(text).find("not understood") != std::string::npos) << text << ": " << refusal(text);
 }
 
+TEST(NumberList, MayBeginAtAnotherNumber) {
+  EXPECT_EQ(readNumberList("1-3", 3, "curve", 1).value(), (std::vector<int>{1, 2, 3}));
+  for (const std::string text : {"0", "4"})
+    EXPECT_EQ(readNumberList(text, 3, "curve", 1).error().message,
+              "there is no curve " + text + "; they are numbered from 1 to 3");
+  EXPECT_EQ(readNumberList("0", 1, "curve", 1).error().message, "there is no curve 0; the only one is 1");
+}
+
 TEST(NumberList, WritesWhatItReads) {
   EXPECT_EQ(numberListText({}), "");
   EXPECT_EQ(numberListText({0, 1}), "0, 1");

@@ -67,7 +67,7 @@ Result<void> choose(std::vector<SpaceCurve>& curves, const DrawnRequest& request
   if (!request.numbers.empty()) {
     int most = 0;
     for (const SpaceCurve& curve : curves) most = std::max(most, curve.number);
-    const Result<std::vector<int>> numbers = readNumberList(request.numbers, most + 1, "curve");
+    const Result<std::vector<int>> numbers = readNumberList(request.numbers, most, "curve", 1);
     if (!numbers) return tl::unexpected<Error>(numbers.error());
     for (const int number : *numbers)
       if (std::ranges::find(curves, number, &SpaceCurve::number) == curves.end())

@@ -41,9 +41,11 @@ Result<Motion> readMotion(const robotio::Program& program, std::vector<std::stri
                            words::kindWord(finding) + "]");
     return dialect.read(files);
   }
-  return fail(ErrorCode::badInput,
-              "no file here is a robot program or a motion; give the folder of a program, motion.csv or "
-              "motion.json");
+  // Other tables and lists are refused by their names: what they tell is not known.
+  return fail(ErrorCode::badInput, (program.empty() ? "there" : program.front().path) +
+                                       " is no robot program or motion by its name; give the folder of a "
+                                       "program, or a motion in a file that is named motion.csv or "
+                                       "motion.json");
 }
 
 /// The cut that a program is of: the one whose motion begins, goes on and ends most nearly as it does.

@@ -216,8 +216,8 @@ constexpr std::size_t kShortestRun = 3;
 /// Reads lists of numbers and of ranges.
 class ListParser {
  public:
-  ListParser(std::string_view text, int count, std::string_view thing)
-      : text_(plainSigns(text)), rest_(text_), count_(count), thing_(thing) {}
+  ListParser(std::string_view text, int count, std::string_view thing, int lowest)
+      : text_(plainSigns(text)), rest_(text_), count_(count), thing_(thing), lowest_(lowest) {}
 
   Result<std::vector<int>> read() {
     skipSpaces();
@@ -287,11 +287,12 @@ class ListParser {
     const bool fits = digits.size() <= kMostDigits;
     const int value = fits ? std::stoi(std::string(digits)) : 0;
     if (count_ <= 0) return refuse("there is no " + thing_ + " to choose");
-    if (!fits || value >= count_)
+    if (!fits || value < lowest_ || value >= lowest_ + count_)
       return refuse("there is no " + thing_ + " " + std::string(digits.substr(0, kMostDigits)) +
                     (fits ? "" : "\u2026") +
-                    (count_ == 1 ? "; the only one is 0"
-                                 : "; they are numbered from 0 to " + std::to_string(count_ - 1)));
+                    (count_ == 1 ? "; the only one is " + std::to_string(lowest_)
+                                 : "; they are numbered from " + std::to_string(lowest_) + " to " +
+                                       std::to_string(lowest_ + count_ - 1)));
     rest_.remove_prefix(digits.size());
     return value;
   }
@@ -304,14 +305,16 @@ class ListParser {
   std::string_view rest_;
   int count_;
   std::string thing_;
+  int lowest_;
   std::vector<int> numbers_;
   std::unordered_set<int> known_;
 };
 
 }  // namespace
 
-Result<std::vector<int>> readNumberList(std::string_view text, int count, std::string_view thing) {
-  return ListParser(text, count, thing).read();
+Result<std::vector<int>> readNumberList(std::string_view text, int count, std::string_view thing,
+                                        int lowest) {
+  return ListParser(text, count, thing, lowest).read();
 }
 
 std::string numberListText(const std::vector<int>& numbers) {

@@ -31,10 +31,11 @@ struct NumberDemand {
 /// errors, `badInput`, whose message is one sentence.
 Result<double> readTypedNumber(std::string_view text, const NumberDemand& demand);
 
-/// The numbers from 0 that a person means by a list such as "1, 3, 5-7", without repetitions, in the order
-/// given. `count`: how many things there are to number, each number must be less. Anything else is an error,
-/// `badInput`, whose message is one sentence about a `thing` ("face").
-Result<std::vector<int>> readNumberList(std::string_view text, int count, std::string_view thing);
+/// The numbers that a person means by a list such as "1, 3, 5-7", without repetitions, in the order given.
+/// `count`: how many things there are to number, from `lowest` on. Anything else is an error, `badInput`,
+/// whose message is one sentence about a `thing` ("face").
+Result<std::vector<int>> readNumberList(std::string_view text, int count, std::string_view thing,
+                                        int lowest = 0);
 
 /// The list as text, runs of three and more joined: "1, 3, 5-7".
 std::string numberListText(const std::vector<int>& numbers);
