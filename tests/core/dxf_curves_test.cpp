@@ -118,6 +118,109 @@ TEST(DxfCurves, ArcsAndPolylinesLieInThePlaneOfTheirExtrusion) {
       << "mirrored: x runs the other way";
 }
 
+namespace {
+
+/// A drawing with blocks, cm.
+std::string withBlocks(const std::string& blocks, const std::string& entities) {
+  return groups("0 SECTION 2 HEADER 9 $INSUNITS 70 5 0 ENDSEC 0 SECTION 2 BLOCKS " + blocks +
+                " 0 ENDSEC 0 SECTION 2 ENTITIES " + entities + " 0 ENDSEC 0 EOF");
+}
+
+const std::string kProfile =
+    "0 BLOCK 8 0 2 Profile 70 0 10 1 20 2 30 0 0 LINE 8 0 10 1 20 2 30 0 11 4 21 2 31 1 "
+    "0 ARC 8 ridge 10 4 20 2 30 1 40 2 50 0 51 90 0 TEXT 8 0 1 title 0 ENDBLK ";
+
+double distance(const Eigen::Vector3d& p, double x, double y, double z) {
+  return (p - Eigen::Vector3d(x, y, z)).norm();
+}
+
+}  // namespace
+
+TEST(DxfCurves, BlocksArePutWhereTheyAreInserted) {
+  // Stretched by 2 along x and turned by 90°; its base comes to (10, 20, 30). Names are the same in capitals.
+  const DxfCurves all =
+      read(withBlocks(kProfile, "0 INSERT 8 roof 2 PROFILE 10 10 20 20 30 30 41 2 42 1 43 3 50 90"));
+  ASSERT_EQ(all.curves.size(), 2u);
+  EXPECT_EQ(all.leftOut, (std::vector<std::string>{"1 × TEXT"}));
+  EXPECT_EQ(all.curves[0].name, "roof") << "what lies on the layer 0 of a block has that of the insertion";
+  EXPECT_EQ(all.curves[1].name, "ridge");
+  EXPECT_EQ(all.curves[1].number, 2);
+  EXPECT_LT(distance(firstOf(all.curves[0]), 100, 200, 300), 1e-9);
+  EXPECT_LT(distance(lastOf(all.curves[0]), 100, 260, 330), 1e-9);
+  // The arc is one of an ellipse, exactly: about (100, 260, 330), 40 along y and 20 along -x.
+  for (const Eigen::Vector3d& p : all.curves[1].samples(50)) {
+    EXPECT_NEAR(std::hypot((p.x() - 100) / 20, (p.y() - 260) / 40), 1, 1e-12);
+    EXPECT_NEAR(p.z(), 330, 1e-9);
+    EXPECT_LE(p.x(), 100 + 1e-9);
+  }
+  EXPECT_LT(distance(firstOf(all.curves[1]), 100, 300, 330), 1e-9);
+  EXPECT_LT(distance(lastOf(all.curves[1]), 80, 260, 330), 1e-9);
+}
+
+TEST(DxfCurves, BlocksInRowsAndColumnsMirroredAndInThePlaneOfTheirExtrusion) {
+  const std::string line = "0 BLOCK 2 b 10 0 20 0 0 LINE 8 0 10 0 20 0 11 1 21 0 0 ENDBLK ";
+  // Two columns 5 apart, three rows 7 apart, along axes that are turned by 90°; distances are not stretched.
+  const DxfCurves all =
+      read(withBlocks(line, "0 INSERT 8 0 2 b 10 0 20 0 41 2 42 2 50 90 70 2 71 3 44 5 45 7"));
+  ASSERT_EQ(all.curves.size(), 6u);
+  EXPECT_LT(distance(lastOf(all.curves[0]), 0, 20, 0), 1e-9);
+  EXPECT_LT(distance(firstOf(all.curves[1]), 0, 50, 0), 1e-9);
+  EXPECT_LT(distance(firstOf(all.curves[2]), -70, 0, 0), 1e-9);
+  EXPECT_LT(distance(lastOf(all.curves[5]), -140, 70, 0), 1e-9);
+  // Extrusion -y: x of the plane is the world's x, y of it its z, and 30 runs against the world's y.
+  const DxfCurves upright =
+      read(withBlocks(line, "0 INSERT 8 0 2 b 10 3 20 4 30 -8 41 -1 50 90 210 0 220 -1 230 0"));
+  ASSERT_EQ(upright.curves.size(), 1u);
+  EXPECT_LT(distance(firstOf(upright.curves[0]), 30, 80, 40), 1e-9);
+  EXPECT_LT(distance(lastOf(upright.curves[0]), 30, 80, 30), 1e-9);
+}
+
+TEST(DxfCurves, BlocksWithinBlocksAreTheSameAsExploded) {
+  // An arm of two blocks, inserted with attributes; and the same, moved by hand.
+  const DxfCurves all = read(withBlocks(
+      kProfile +
+          "0 BLOCK 2 pair 10 0 20 0 0 INSERT 8 0 2 profile 10 0 20 0 0 INSERT 8 other 2 profile 10 100 20 "
+          "0 41 -1 0 POLYLINE 8 0 66 1 70 8 0 VERTEX 10 0 20 0 30 0 0 VERTEX 10 9 20 0 30 0 0 SEQEND 0 "
+          "ENDBLK",
+      "0 INSERT 8 roof 2 pair 66 1 10 0 20 50 50 180 0 ATTRIB 8 0 1 x 0 SEQEND 8 0 0 LINE 8 0 10 0 20 0 11 1 "
+      "21 1"));
+  ASSERT_EQ(all.curves.size(), 6u);
+  const char* layers[] = {"roof", "ridge", "other", "ridge", "roof", "0"};
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_EQ(all.curves[i].name, layers[i]) << i;
+    EXPECT_EQ(all.curves[i].number, int(i) + 1);
+  }
+  EXPECT_LT(distance(lastOf(all.curves[0]), -30, 500, 10), 1e-9);
+  EXPECT_LT(distance(lastOf(all.curves[2]), -1000 + 30, 500, 10), 1e-9);
+  EXPECT_LT(distance(lastOf(all.curves[3]), -1000 + 30, 480, 10), 1e-9) << "the arc is mirrored";
+  EXPECT_LT(distance(lastOf(all.curves[4]), -90, 500, 0), 1e-9);
+  EXPECT_LT(distance(lastOf(all.curves[5]), 10, 10, 0), 1e-9);
+}
+
+TEST(DxfCurves, BlocksThatCannotBeInsertedAreToldWithTheirLine) {
+  const auto refuse = [](const std::string& blocks, const std::string& entities, ErrorCode code,
+                         const std::string& part) { expectError(withBlocks(blocks, entities), code, part); };
+  refuse("0 BLOCK 2 a 0 INSERT 8 0 2 b 0 ENDBLK 0 BLOCK 2 b 0 INSERT 8 0 2 a 0 ENDBLK", "0 INSERT 8 0 2 a",
+         ErrorCode::badInput, "more than 32 deep in others, or in itself");
+  refuse(kProfile, "0 INSERT 8 0 2 profil", ErrorCode::badInput,
+         "the block \"profil\", which the file does not hold");
+  refuse(kProfile, "0 INSERT 8 0 2 profile 41 0", ErrorCode::cannotRead, "with a scale of nothing");
+  refuse("0 BLOCK 2 a 0 POLYLINE 8 0 70 8 0 ENDBLK", "0 INSERT 8 0 2 a", ErrorCode::cannotRead,
+         "ends within a polyline");
+  refuse("0 BLOCK 2 a 0 CIRCLE 8 0 10 0 20 0 40 1 0 ENDBLK", "0 INSERT 8 0 2 a", ErrorCode::badInput,
+         "is closed");
+  refuse("0 BLOCK 2 a 0 LINE 8 0 11 1 0 ENDBLK", "0 INSERT 8 0 2 a 70 1000000000 71 1000000000",
+         ErrorCode::badInput, "more than 10000 curves");
+  refuse("0 BLOCK 2 a 0 ENDBLK", "0 INSERT 8 0 2 a 70 1000000000 71 1000000000", ErrorCode::badInput,
+         "export what is needed of it alone");
+  // Blocks of nothing, as often as they like.
+  std::string blocks = "0 BLOCK 2 b0 0 TEXT 8 0 0 ENDBLK ";
+  for (int i = 1; i < 20; ++i)
+    blocks += "0 BLOCK 2 b" + std::to_string(i) + " 0 INSERT 8 0 2 b" + std::to_string(i - 1) +
+              " 70 1000 71 1000 0 ENDBLK ";
+  refuse(blocks, "0 INSERT 8 0 2 b19", ErrorCode::badInput, "export what is needed of it alone");
+}
+
 TEST(DxfCurves, UnitsOfTheDrawingAndAsAskedFor) {
   const std::string line = "0 LINE 8 0 10 0 20 0 30 0 11 2 21 0 31 0";
   for (const auto& [code, name, mm] : {std::tuple("0", "mm (assumed)", 1.0),
@@ -165,7 +268,8 @@ TEST(DxfCurves, WhatCannotBeASectionIsRefusedWithWords) {
               ErrorCode::badInput, "a whole ellipse");
   expectError(drawing("0 LWPOLYLINE 8 0 90 3 70 1 10 0 20 0 10 1 20 0 10 1 20 1"), ErrorCode::badInput,
               "a polyline on the layer 0");
-  expectError(drawing("0 INSERT 8 0 2 door 10 0 20 0"), ErrorCode::badInput, "explode blocks");
+  expectError(drawing("0 INSERT 8 0 2 door 10 0 20 0"), ErrorCode::badInput,
+              "line 16 inserts the block \"door\", which the file does not hold; explode it");
   expectError(drawing("0 TEXT 8 0 1 title"), ErrorCode::badInput, "it holds no curves, only 1 × TEXT");
   expectError(drawing(""), ErrorCode::badInput, "it holds no curves; export the section curves");
   expectError(drawing("0 SPLINE 8 0 70 8 71 3 72 0 73 0 74 4 11 0 21 0 31 0"), ErrorCode::badInput,
@@ -207,9 +311,12 @@ TEST(DxfCurves, SlipsInAFileNeverBreakTheReader) {
       "20 7 "
       "0 SPLINE 8 0 70 8 71 1 72 4 73 2 40 0 40 0 40 1 40 1 10 0 20 0 30 0 10 3 20 0 30 0 "
       "0 POLYLINE 8 0 66 1 70 8 0 VERTEX 10 0 20 0 30 0 0 VERTEX 10 9 20 0 30 0 0 SEQEND");
+  const std::string blocks = withBlocks(
+      kProfile + "0 BLOCK 2 pair 10 0 20 0 0 INSERT 8 0 2 profile 10 5 20 5 41 2 50 30 0 ENDBLK",
+      "0 INSERT 8 roof 2 pair 10 10 20 50 70 3 71 2 44 100 45 90 0 INSERT 8 0 2 profile 10 1 20 2");
   std::mt19937 random(3);
-  for (int round = 0; round < 3000; ++round) {
-    std::string text = whole;
+  for (int round = 0; round < 6000; ++round) {
+    std::string text = round % 2 ? blocks : whole;
     for (int slip = 0; slip < 3; ++slip) {
       const std::size_t at = random() % text.size();
       switch (random() % 3) {

@@ -9,6 +9,7 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "bw/core/base/units.h"
 #include "bw/core/text/number_text.h"
@@ -27,8 +28,12 @@ constexpr double kWholeTurn = 1e-9;  // rad by which an arc may miss one
 constexpr double kTurn = 2 * kPi;
 constexpr std::size_t kMostKinds = 20;          // of entities that are left out, told by name
 constexpr std::size_t kMostGroups = 1'000'000;  // of an entity
+constexpr int kDeepest = 32;                    // blocks within each other
+constexpr double kInsertion = 20;               // values that one counts as
+constexpr double kMostInserted = 2e7;           // values of all blocks, as often as they are inserted
 constexpr std::string_view kRead[] = {"LINE", "LWPOLYLINE", "POLYLINE", "VERTEX", "SEQEND",
                                       "ARC",  "CIRCLE",     "ELLIPSE",  "SPLINE", "INSERT"};
+constexpr std::string_view kOwnLayer = "0";  // in a block: that of what inserts it
 
 /// A group: a code and its value, a line each.
 struct Group {
@@ -99,6 +104,19 @@ struct Entity {
   std::vector<Group> groups;
 };
 
+/// What may be inserted, once or often.
+struct Block {
+  Entity head;
+  std::vector<Entity> entities;
+};
+
+std::string lowerCase(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower)
+    if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+  return lower;
+}
+
 struct Unit {
   int code;
   const char* name;
@@ -127,6 +145,7 @@ class Reader {
       if (group->code == 0) {
         if (section == "ENTITIES")
           if (Result<void> ok = take(entity); !ok) return tl::unexpected<Error>(ok.error());
+        if (section == "BLOCKS") gather(std::move(entity));
         entity = {value, group->line, {}};
         if (value == "EOF") break;
         if (value == "SECTION") {
@@ -147,9 +166,11 @@ class Reader {
         if (group->code == 70 && variable == "$INSUNITS")
           if (Result<void> ok = takeUnit(*group); !ok) return tl::unexpected<Error>(ok.error());
       }
-      if (section != "ENTITIES") continue;
+      if (section != "ENTITIES" && section != "BLOCKS") continue;
       // Of what is left out only the space counts that it lies in.
-      if (std::ranges::find(kRead, entity.type) == std::end(kRead) && group->code != 67) continue;
+      if (std::ranges::find(kRead, entity.type) == std::end(kRead) && group->code != 67 &&
+          entity.type != "BLOCK")
+        continue;
       if (entity.groups.size() == kMostGroups)
         return fail(ErrorCode::badInput,
                     name_ + " cannot be used: what begins in line " + std::to_string(entity.line) +
@@ -210,9 +231,27 @@ class Reader {
     }
     return p;
   }
+  std::string_view textOf(const Entity& entity, int code) const {
+    const auto found = std::ranges::find(entity.groups, code, &Group::code);
+    return found == entity.groups.end() ? std::string_view() : trimmed(found->value);
+  }
   std::string layerOf(const Entity& entity) const {
-    const auto found = std::ranges::find(entity.groups, 8, &Group::code);
-    return found == entity.groups.end() ? std::string() : std::string(trimmed(found->value));
+    const std::string_view own = textOf(entity, 8);
+    return std::string(depth_ > 0 && own == kOwnLayer ? layer_ : own);
+  }
+
+  /// An entity of the section of blocks, which are read where they are inserted.
+  void gather(Entity entity) {
+    if (entity.type == "BLOCK") {
+      // Names of blocks are the same in capitals.
+      block_ = &blocks_[lowerCase(textOf(entity, 2))];
+      block_->head = std::move(entity);
+      block_->entities.clear();
+    } else if (entity.type == "ENDBLK" || entity.type == "ENDSEC") {
+      block_ = nullptr;
+    } else if (block_) {
+      block_->entities.push_back(std::move(entity));
+    }
   }
 
   /// The plane of an entity, whose numbers are told in it.
@@ -238,6 +277,7 @@ class Reader {
   Result<void> take(const Entity& entity) {
     const std::string_view type = entity.type;
     if (type == "SECTION" || type == "ENDSEC") return {};
+    if (type == "SEQEND" && !polyline_) return {};  // of the attributes of what is inserted
     if (polyline_) {
       if (type == "VERTEX") return takeVertex(entity);
       if (type == "SEQEND") return endPolyline();
@@ -260,13 +300,7 @@ class Reader {
     if (type == "ARC" || type == "CIRCLE") return takeArc(entity);
     if (type == "ELLIPSE") return takeEllipse(entity);
     if (type == "SPLINE") return takeSpline(entity);
-    if (type == "INSERT")
-      return fail(
-          ErrorCode::badInput,
-          name_ + " cannot be used: line " + std::to_string(entity.line + 1) +
-              " inserts a block (INSERT), whose curves are not read; explode blocks in the CAD program "
-              "and export it again",
-          name_, double(entity.line));
+    if (type == "INSERT") return takeInsert(entity);
     const std::string kind(type.substr(0, 40));
     ++left_[left_.size() < kMostKinds || left_.contains(kind) ? kind : "other entity"];
     return {};
@@ -275,7 +309,8 @@ class Reader {
   Result<void> add(SpaceCurve curve, const Entity& entity) {
     curve.number = int(found_.curves.size()) + 1;
     curve.name = layerOf(entity);
-    for (Eigen::Vector3d& pole : curve.poles) pole *= asked_.value_or(unit_.mm);
+    // Weights stay whatever the block is stretched by: an arc becomes one of an ellipse.
+    for (Eigen::Vector3d& pole : curve.poles) pole = asked_.value_or(unit_.mm) * (placement_ * pole);
     points_ += curve.poles.size();
     if (found_.curves.size() >= DxfCurves::kMost || points_ > DxfCurves::kMostPoints)
       return fail(ErrorCode::badInput,
@@ -301,6 +336,71 @@ class Reader {
             "), is closed; a section is open, from one side of the block to the other: cut it open, or "
             "leave it out",
         name_, double(entity.line));
+  }
+
+  tl::unexpected<Error> refuseInsert(const Entity& entity, const std::string& why) const {
+    return fail(ErrorCode::badInput,
+                name_ + " cannot be used: line " + std::to_string(entity.line + 1) + " inserts the block \"" +
+                    printable(std::string(textOf(entity, 2).substr(0, 60))) + "\", " + why,
+                name_, double(entity.line));
+  }
+
+  /// A block: its entities as often as rows and columns tell, stretched, turned and put to their place.
+  Result<void> takeInsert(const Entity& entity) {
+    const auto found = blocks_.find(lowerCase(textOf(entity, 2)));
+    if (found == blocks_.end())
+      return refuseInsert(entity,
+                          "which the file does not hold; explode it in the CAD program and export again");
+    if (depth_ == kDeepest)
+      return refuseInsert(entity, "more than " + std::to_string(kDeepest) +
+                                      " deep in others, or in itself; explode it in the CAD program");
+    const Block& block = found->second;
+    const Result<Plane> plane = planeOf(entity);
+    const auto place = point(entity, 10, Eigen::Vector3d::Zero()),
+               base = point(block.head, 10, Eigen::Vector3d::Zero());
+    const auto scaleX = number(entity, 41, 1), scaleY = number(entity, 42, 1), scaleZ = number(entity, 43, 1),
+               turn = number(entity, 50, 0), across = number(entity, 44, 0), up = number(entity, 45, 0);
+    const auto columns = whole(entity, 70, 1), rows = whole(entity, 71, 1);
+    if (!plane) return tl::unexpected<Error>(plane.error());
+    for (const auto* one : {&place, &base})
+      if (!*one) return tl::unexpected<Error>(one->error());
+    for (const auto* one : {&scaleX, &scaleY, &scaleZ, &turn, &across, &up})
+      if (!*one) return tl::unexpected<Error>(one->error());
+    for (const auto* one : {&columns, &rows})
+      if (!*one) return tl::unexpected<Error>(one->error());
+    if (*scaleX == 0 || *scaleY == 0)
+      return damaged(name_, entity.line, "begins an INSERT with a scale of nothing");
+
+    const Eigen::Affine3d outer = placement_;
+    const std::string outerLayer = std::exchange(layer_, layerOf(entity));
+    ++depth_;
+    Result<void> done = {};
+    for (int row = 0; done && row < std::max(1, *rows); ++row)
+      for (int column = 0; done && column < std::max(1, *columns); ++column) {
+        // Rows and columns run along the axes that are turned, at distances that are not stretched.
+        placement_ = outer * Eigen::Affine3d(plane->axes) * Eigen::Translation3d(*place) *
+                     Eigen::AngleAxisd(fromDegrees(*turn), Eigen::Vector3d::UnitZ()) *
+                     Eigen::Translation3d(column * *across, row * *up, 0) *
+                     Eigen::Scaling(*scaleX, *scaleY, *scaleZ) * Eigen::Translation3d(-*base);
+        done = takeBlock(entity, block);
+      }
+    --depth_;
+    placement_ = outer;
+    layer_ = outerLayer;
+    return done;
+  }
+
+  Result<void> takeBlock(const Entity& insert, const Block& block) {
+    inserted_ += kInsertion;
+    for (const Entity& entity : block.entities) inserted_ += 1 + double(entity.groups.size());
+    if (inserted_ > kMostInserted)
+      return refuseInsert(insert, "whose contents, as often as blocks are inserted, come to more than " +
+                                      shortText(kMostInserted) +
+                                      " values; export what is needed of it alone");
+    for (const Entity& entity : block.entities)
+      if (Result<void> ok = take(entity); !ok) return ok;
+    if (polyline_) return damaged(name_, block.head.line, "begins a block that ends within a polyline");
+    return {};
   }
 
   Result<void> takeLine(const Entity& entity) {
@@ -522,6 +622,12 @@ class Reader {
 
   Groups groups_;
   const std::string& name_;
+  std::map<std::string, Block> blocks_;
+  Block* block_ = nullptr;                                   // that is being gathered
+  Eigen::Affine3d placement_ = Eigen::Affine3d::Identity();  // of the block that is being read
+  std::string layer_;                                        // of what inserts it
+  int depth_ = 0;                                            // blocks that it lies in
+  double inserted_ = 0;                                      // values of blocks so far
   std::optional<double> asked_;
   Unit unit_ = kUnits[0];
   std::optional<Polyline> polyline_;

@@ -27,11 +27,12 @@ struct DxfCurves {
 bool isDxf(std::string_view bytes);
 
 /// Reads the curves of the model space of an ASCII DXF file: lines, arcs, parts of ellipses, polylines with
-/// their bulges, splines, each in the plane that its extrusion tells. `unit`: mm that a unit of the drawing
-/// is taken for, whatever it states. `name` serves messages. Errors: `cannotRead` for what is binary, damaged
-/// or cut short, with the line; `badInput` for a unit that is not known, references to blocks, splines
-/// without poles, circles and ellipses that are closed, more than kMost curves or kMostPoints points, and
-/// those of `checkSpaceCurve`, each with what to do. O(n) in time; what it keeps are the points.
+/// their bulges, splines, each in the plane that its extrusion tells, and those of blocks wherever they are
+/// inserted. `unit`: mm that a unit of the drawing is taken for, whatever it states. `name` serves messages.
+/// Errors: `cannotRead` for what is binary, damaged or cut short, with the line; `badInput` for a unit that
+/// is not known, blocks that are not in the file or come to too much, splines without poles, circles and
+/// ellipses that are closed, more than kMost curves or kMostPoints points, and those of `checkSpaceCurve`,
+/// each with what to do. O(n) in time, and in what blocks come to; what it keeps are points and blocks.
 Result<DxfCurves> readDxf(std::string_view bytes, const std::string& name,
                           std::optional<double> unit = std::nullopt);
 
