@@ -72,36 +72,40 @@ struct Basis {
   }
 };
 
-/// Places and those between them, at which a spline is held against its surface: `kShares` of each of some
-/// even pieces of each span.
+/// Places and those between them, at which a spline is held against its surface: `kShares` of each span, or
+/// `parts` even ones.
 struct Between {
   std::vector<double> all;
   std::size_t step;  ///< the place `k` has the index k · step
-  Between(const std::vector<double>& places, int pieces) : step(std::size_t(pieces) * (1 + kShares.size())) {
+  Between(const std::vector<double>& places, int parts)
+      : step(parts > 0 ? std::size_t(parts) : 1 + kShares.size()) {
     all.reserve((places.size() - 1) * step + 1);
-    for (std::size_t i = 0; i + 1 < places.size(); ++i)
-      for (int k = 0; k < pieces; ++k) {
-        const double piece = (places[i + 1] - places[i]) / pieces, from = places[i] + k * piece;
-        all.push_back(from);
-        for (const double share : kShares) all.push_back(from + share * piece);
-      }
+    for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+      const double span = places[i + 1] - places[i];
+      all.push_back(places[i]);
+      for (std::size_t k = 1; k < step; ++k)
+        all.push_back(places[i] + span * (parts > 0 ? double(k) / double(parts) : kShares[k - 1]));
+    }
     all.push_back(places.back());
   }
 };
 
-/// In how many pieces the spans are to be looked at, so that no two places are further apart than `widest`.
-int piecesOf(const Places& places, int most) {
+/// In how many even parts spans are to be looked at, so that no two places are further apart than `widest`; 0
+/// where those of `kShares` are near enough.
+int partsOf(const Places& places, int most) {
   double span = 0;
   for (std::size_t k = 0; k + 1 < places.breaks.size(); ++k)
     span = std::max(span, (places.breaks[k + 1] - places.breaks[k]) / places.parts);
+  if (span * kWidestShare <= places.widest) return 0;
   // Never more places than the finest grid is looked at.
-  const double limit = std::max(1.0, double(most - 1) / double((places.breaks.size() - 1) * places.parts));
-  return int(std::clamp(std::ceil(span * kWidestShare / places.widest), 1.0, std::floor(limit)));
+  const double spans = double((places.breaks.size() - 1) * std::size_t(places.parts));
+  const double limit = std::floor(double(1 + kShares.size()) * double(most - 1) / spans);
+  return int(std::min(std::ceil(span / places.widest), std::max(limit, 1.0)));
 }
 
 Result<Misses> compare(const RowOf& rowOf, const SplineSurface& spline, const std::vector<double>& u,
-                       const std::vector<double>& y, int piecesU = 1, int piecesY = 1) {
-  const Between betweenU(u, piecesU), betweenY(y, piecesY);
+                       const std::vector<double>& y, int partsU = 0, int partsY = 0) {
+  const Between betweenU(u, partsU), betweenY(y, partsY);
   const std::vector<double>&manyU = betweenU.all, &manyY = betweenY.all;
   const Basis basisU(spline.knotsU, manyU), basisY(spline.knotsV, manyY);
   Misses misses;
@@ -119,7 +123,7 @@ Result<Misses> compare(const RowOf& rowOf, const SplineSurface& spline, const st
       Eigen::Vector2d own = Eigen::Vector2d::Zero();
       for (std::size_t k = 0; k <= kDegree; ++k)
         own += basisU.values[i][k] * row[std::size_t(basisU.first[i]) + k];
-      const double distance = (own - points[i]).norm();
+      const double distance = (own - points[i]).squaredNorm();
       const bool onRow = j % betweenY.step == 0, onColumn = i % betweenU.step == 0;
       if (onRow && onColumn) continue;
       misses.all.take(distance, manyU[i], manyY[j]);
@@ -127,6 +131,7 @@ Result<Misses> compare(const RowOf& rowOf, const SplineSurface& spline, const st
       if (onColumn) misses.alongY.take(distance, manyU[i], manyY[j]);
     }
   }
+  for (Miss* miss : {&misses.alongU, &misses.alongY, &misses.all}) miss->distance = std::sqrt(miss->distance);
   return misses;
 }
 
@@ -150,9 +155,9 @@ Result<FittedGrid> fittedGrid(const RowOf& rowOf, Places u, Places y, double tol
     if (!spline) return tl::unexpected<Error>(spline.error());
     Result<Misses> misses = compare(rowOf, *spline, atU, atY);
     // Only a spline that is near at a few places of each span is worth a look at many.
-    const int piecesU = piecesOf(u, most), piecesY = piecesOf(y, most);
-    if (misses && misses->all.distance <= tolerance && (piecesU > 1 || piecesY > 1))
-      misses = compare(rowOf, *spline, atU, atY, piecesU, piecesY);
+    const int partsU = partsOf(u, most), partsY = partsOf(y, most);
+    if (misses && misses->all.distance <= tolerance && (partsU > 0 || partsY > 0))
+      misses = compare(rowOf, *spline, atU, atY, partsU, partsY);
     if (!misses) return tl::unexpected<Error>(misses.error());
     // Both ways where neither alone tells: what is left over is of both.
     const bool neither = std::max(misses->alongU.distance, misses->alongY.distance) <= tolerance / 2;
