@@ -9,6 +9,8 @@
 
 #include "bw/core/base/units.h"
 #include "bw/pipeline/example_design.h"
+#include "bw/pipeline/key_blades.h"
+#include "bw/pipeline/moulds.h"
 #include "bw/pipeline/produce.h"
 
 namespace bw::pipeline {
@@ -206,6 +208,65 @@ TEST(Wall, OfRowsAndWithGapsMeetsToo) {
   EXPECT_EQ(e.joints.value->joints.size(), 7u) << "four between columns, three between rows";
   EXPECT_LT(e.joints.value->gapMax(), 0.1);
   EXPECT_LT(toDegrees(e.joints.value->kinkMax()), 1);
+}
+
+/// The wall with 5 mm between its blocks.
+Design gappedWall() {
+  Design design = wall();
+  design.grid->sizes[0] = {600, 595, 595};
+  design.grid->gaps[0] = {5, 5};
+  design.stock = stockOf(*design.grid);
+  Cut cut = design.cuts.front();
+  cut.id = "cut";
+  cut.sections.stations = 17;
+  design.cuts = cutsOf(design.stock, {cut}, {});
+  return design;
+}
+
+TEST(Wall, OfTwoMouldsMeetsOnEachSide) {
+  for (const bool gaps : {false, true}) {
+    Evaluation made = evaluate(gaps ? gappedWall() : with(wall(), 17), nullptr, {}).evaluation;
+    const Result<Design> moulds = withUpperMoulds(made, 30);
+    ASSERT_TRUE(moulds) << moulds.error().message;
+    ASSERT_FALSE(moulds->grid);
+    const Evaluation e = evaluate(*moulds, &made, {}).evaluation;
+    ASSERT_EQ(e.blocks.size(), 6u);
+    ASSERT_TRUE(e.joints.value);
+    ASSERT_EQ(e.joints.value->joints.size(), 4u) << gaps << ": no lower one with an upper one";
+    for (const Joint& joint : e.joints.value->joints) {
+      EXPECT_EQ(e.blocks[joint.first].id.ends_with("-upper"), e.blocks[joint.second].id.ends_with("-upper"));
+      EXPECT_EQ(joint.open, 0) << gaps;
+      EXPECT_GT(joint.places, 60) << gaps;
+    }
+    EXPECT_LT(e.joints.value->gapMax(), 0.1) << gaps;
+    EXPECT_LT(toDegrees(e.joints.value->kinkMax()), 1) << gaps;
+  }
+}
+
+TEST(Wall, OfKeyBladesMeetsWhereTheirSurfacesDo) {
+  for (const bool gaps : {false, true}) {
+    Evaluation e = evaluate(gaps ? gappedWall() : with(wall(), 17), nullptr, {}).evaluation;
+    for (const BlockEvaluation& block : std::vector<BlockEvaluation>(e.blocks)) {
+      const Result<CutKeyBlades> keys = keyBladesOf(block.cuts[0], Told::target, 0.5, {});
+      ASSERT_TRUE(keys) << keys.error().message;
+      e.design = withSurface(e, block.cuts[0].id, keys->surface).value();
+    }
+    Design design = e.design;
+    design.grid.reset();  // as files tell it
+    ASSERT_EQ(design.sources.size(), 3u) << "a surface of its own each";
+    const Evaluation own = evaluate(design, nullptr, {}).evaluation;
+    ASSERT_TRUE(own.joints.value);
+    ASSERT_EQ(own.joints.value->joints.size(), 2u) << gaps;
+    for (const Joint& joint : own.joints.value->joints) EXPECT_GT(joint.places, 60) << gaps;
+    EXPECT_LT(own.joints.value->gapMax(), 0.1) << gaps << ": fitted to meet";
+    // A step is no gap.
+    const Cut& last = design.cuts.back();
+    std::ranges::find(design.sources, last.source, &Source::id)->surface->origin.z() += 40;
+    const Evaluation stepped = evaluate(design, nullptr, {}).evaluation;
+    ASSERT_TRUE(stepped.joints.value);
+    EXPECT_EQ(stepped.joints.value->joints.size(), 1u) << gaps;
+    EXPECT_TRUE(stepped.joints.findings.empty());
+  }
 }
 
 TEST(Wall, LeavesOutBlocksThatTheSurfaceMisses) {

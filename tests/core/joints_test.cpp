@@ -10,8 +10,10 @@
 #include <array>
 #include <cmath>
 
+#include "bw/core/design/block_grid.h"
 #include "bw/core/sweep/block_pieces.h"
 #include "bw/core/sweep/joint_kerf.h"
+#include "bw/core/sweep/neighbours.h"
 #include "finding_of.h"
 #include "plane_sections.h"
 #include "row_settings.h"
@@ -131,6 +133,77 @@ TEST(Boundaries, AreWhereBlocksLieSideBySide) {
   skew.frame.x = Vector3d(1, 0.1, 0).normalized();
   skew.frame.y = Vector3d(-0.1, 1, 0).normalized();
   EXPECT_FALSE(boundaryOf(first, skew, 0));
+}
+
+/// Who lies beside whom in a grid whose blocks all may meet.
+std::vector<std::pair<std::size_t, std::size_t>> besideIn(const BlockGrid& grid) {
+  std::vector<BlockRow> rows;
+  std::vector<Box> boxes;
+  for (const BlockGrid::Cell& cell : grid.cells()) {
+    rows.push_back({cell.id, cell.id});
+    boxes.push_back(cell.placement.box());
+  }
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  for (const Neighbours& pair :
+       neighboursAmong(rows, boxes, grid.widestGap(), [](std::size_t, std::size_t) { return true; }))
+    pairs.emplace_back(pair.first, pair.second);
+  return pairs;
+}
+
+TEST(NeighboursOfAGrid, AreFoundHoweverItIsTurned) {
+  const std::vector<std::pair<std::size_t, std::size_t>> square = {{0, 1}, {0, 2}, {1, 3}, {2, 3}};
+  for (const double gap : {0.0, 5.0, 7.3, 10.0})
+    for (int turn = 0; turn < 180; turn += 5)
+      for (const double tilt : {0.0, 5.0}) {
+        const BlockGrid grid{{100, 50, 0},
+                             {fromDegrees(tilt), fromDegrees(-0.8 * tilt), fromDegrees(turn)},
+                             {{{500, 495}, {400, 350}, {500}}},
+                             {{{gap}, {gap}, {}}}};
+        EXPECT_EQ(besideIn(grid), square) << gap << " mm, turned by " << turn << "°, tilted by " << tilt;
+      }
+}
+
+TEST(NeighboursOfAGrid, HaveNoBlockBetweenThem) {
+  // From the second column to the fourth it is less than the widest gap.
+  const BlockGrid grid{{0, 0, 0}, {0, 0, 0.3}, {{{30, 30, 30, 30}, {400}, {500}}}, {{{100, 5, 5}, {}, {}}}};
+  EXPECT_EQ(besideIn(grid), (std::vector<std::pair<std::size_t, std::size_t>>{{0, 1}, {1, 2}, {2, 3}}));
+}
+
+/// The plane z = a + b x + c y over a rectangle, as triangles.
+TriangleMesh planeMesh(double a, double b, double c, double fromX, double toX) {
+  TriangleMesh mesh;
+  constexpr int kCells = 20;
+  for (int i = 0; i <= kCells; ++i)
+    for (int j = 0; j <= kCells; ++j) {
+      const double x = std::lerp(fromX, toX, double(i) / kCells), y = 800.0 * j / kCells;
+      mesh.points.emplace_back(x, y, a + b * x + c * y);
+      if (i == 0 || j == 0) continue;
+      const int at = int(mesh.points.size()) - 1, before = at - kCells - 1;
+      mesh.triangles.push_back({before - 1, before, at});
+      mesh.triangles.push_back({before - 1, at, at - 1});
+    }
+  return mesh;
+}
+
+TEST(SurfacesOfTheirOwn, ComeTogetherWhereTheyAreAsOneAtTheBoundary) {
+  const Box first = boxAt({0, 0, 0}), second = boxAt({605, 0, 0});
+  const Boundary boundary = boundaryOf(first, second, 5).value();
+  // The first ends at the face of its block, the second goes on over the boundary.
+  const TriangleMesh one = planeMesh(250, 0.3, 0.05, 0, 600);
+  const auto meets = [&](const TriangleMesh& other, double within) {
+    const bool there = comeTogether({one, first}, {other, second}, boundary, within);
+    const Boundary back{boundary.point, -boundary.normal, boundary.apart};
+    EXPECT_EQ(comeTogether({other, second}, {one, first}, back, within), there) << "from either side";
+    return there;
+  };
+  EXPECT_TRUE(meets(planeMesh(250, 0.3, 0.05, 500, 1300), 0.01));
+  // As high at the boundary, x = 602.5, in another slope.
+  EXPECT_TRUE(meets(planeMesh(250 + 602.5 * 0.5, -0.2, 0.05, 500, 1300), 0.01));
+  EXPECT_TRUE(meets(planeMesh(251, 0.3, 0.05, 605, 1300), 1.1));
+  EXPECT_FALSE(meets(planeMesh(251, 0.3, 0.05, 605, 1300), 0.9));
+  EXPECT_FALSE(meets(planeMesh(290, 0.3, 0.05, 605, 1300), 2)) << "a step of 40 mm";
+  EXPECT_FALSE(meets(planeMesh(250, 0.3, 0.05, 800, 1300), 2)) << "it does not come there";
+  EXPECT_FALSE(meets(planeMesh(230, 0.3, 0.1, 500, 1300), 2)) << "they cross there";
 }
 
 constexpr int kStations = 17;
@@ -291,15 +364,15 @@ TEST(Joints, AreSeenWhereARowEndsAndTheNextBegins) {
 }
 
 /// Rows of straight blades in two layers that meet in z = 0: of z = `rise` · travel − 160 + `askew` · x below
-/// it, and above it raised by `raised`, with the rise `above`.
+/// it, and above it raised by `raised`, with the rise `above`. The boundary is the middle of a gap.
 struct Layers {
   Sweep lower, upper;
   std::vector<BlockRow> rows() const { return {{"lower", "a", &lower}, {"upper", "b", &upper}}; }
 };
-Layers layersOf(double askew, double raised = 0, double above = 0.4) {
+Layers layersOf(double askew, double raised = 0, double above = 0.4, double gap = 0) {
   constexpr double kHalf = 300, kSteps = 33;
   const auto rowOf = [&](bool upper) {
-    const Box box{Frame{{-kHalf, -kStep * (kSteps - 1), upper ? 0.0 : -200.0},
+    const Box box{Frame{{-kHalf, -kStep * (kSteps - 1), upper ? 0.5 * gap : -200 - 0.5 * gap},
                         Vector3d::UnitX(),
                         Vector3d::UnitY(),
                         Vector3d::UnitZ()},
@@ -307,8 +380,9 @@ Layers layersOf(double askew, double raised = 0, double above = 0.4) {
     // As far as the surface lies in the block, but for its very tip.
     constexpr double kTip = 2;
     const double turns = kHalf * askew / 0.4, tip = askew > 0 ? kTip : 0;
-    const double first = upper ? 400 - turns + tip : 0,
-                 last = upper ? kStep * (kSteps - 1) : 400 + turns - tip;
+    const double apart = 0.5 * gap / 0.4;
+    const double first = upper ? 400 + apart - turns + tip : 0,
+                 last = upper ? kStep * (kSteps - 1) : 400 - apart + turns - tip;
     std::vector<Section> sections;
     for (int i = 0; i < kStations; ++i) {
       const double travel = std::lerp(first, last, double(i) / (kStations - 1));
@@ -367,6 +441,22 @@ TEST(Joints, FromLayerToLayerAlongTheBladesAreMeasured) {
       EXPECT_NEAR(toDegrees(bent->kinkMax()), toDegrees(std::atan(0.6) - std::atan(0.4)), 0.3);
       EXPECT_TRUE(test::findingOf<JointKink>(bent->findings));
     }
+  }
+}
+
+TEST(Joints, FromLayerToLayerOverAGapAreMeasured) {
+  for (const double gap : {2.0, 5.0, 6.0, 10.0, 40.0}) {
+    JointRequest request;
+    request.apart = gap;
+    const Result<Joints> joints = measureJoints(layersOf(0, 0, 0.4, gap).rows(), request, {});
+    ASSERT_TRUE(joints);
+    ASSERT_EQ(joints->joints.size(), 1u) << gap;
+    EXPECT_GT(joints->joints[0].places, 40) << gap;
+    EXPECT_EQ(joints->joints[0].open, 0) << gap;
+    EXPECT_LT(joints->gapMax(), 0.02) << gap;
+    const Result<Joints> off = measureJoints(layersOf(0, 0.5, 0.4, gap).rows(), request, {});
+    ASSERT_TRUE(off);
+    EXPECT_NEAR(off->gapMax(), 0.5 / std::sqrt(1 + 0.4 * 0.4), 0.02) << gap;
   }
 }
 

@@ -4,6 +4,8 @@
 #include "block_layout.h"
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 #include "bw/core/parts/cut_order.h"
 
@@ -15,6 +17,17 @@ constexpr double kLeastMet = 100;  ///< mm² of a surface in a block
 
 const StockBlock& stockBlock(const Design& design, const std::string& id) {
   return *std::ranges::find(design.stock, id, &StockBlock::id);
+}
+
+/// True for cuts that keep a surface at a distance, on its one side and on the other: moulds of a panel, of
+/// which the lower ones do not go on in the upper ones.
+bool onTwoSides(const Design& design, const CutEvaluation& a, const CutEvaluation& b) {
+  const auto cut = [&](const CutEvaluation& made) {
+    return *std::ranges::find(design.cuts, made.id, &Cut::id);
+  };
+  const Cut one = cut(a), other = cut(b);
+  return one.offset != 0 && other.offset != 0 &&
+         keptWay(a.setup->block, one.keep).dot(keptWay(b.setup->block, other.keep)) < 0;
 }
 
 }  // namespace
@@ -64,19 +77,48 @@ Box placedBlock(const Design& design, const CutEvaluation& cut) {
   return placedAs(cut.setup->block, std::ranges::find(design.cuts, cut.id, &Cut::id)->pose);
 }
 
-std::vector<char> joinedCuts(const Evaluation& e) {
-  std::vector<BlockRow> rows;
+std::vector<Neighbours> neighboursOf(const Evaluation& e) {
+  const std::vector<BlockRow> rows = rowsOf(e);
+  std::vector<const CutEvaluation*> cuts;
   std::vector<Box> boxes;
-  std::vector<const geometry::Target*> surfaces;
   for (const BlockEvaluation& block : e.blocks)
     for (const CutEvaluation& cut : block.cuts) {
-      surfaces.push_back(cut.target.value.get());
-      const auto first = std::ranges::find(surfaces, surfaces.back());
-      rows.push_back({block.id, cut.id, nullptr, int(first - surfaces.begin())});
+      cuts.push_back(&cut);
       boxes.push_back(cut.setup->block);
     }
-  if (e.design.process.join == Join::none) return std::vector<char>(rows.size(), 0);
-  return joined(rows, boxes, jointRequest(e.design).apart);
+  const auto mayMeet = [&](std::size_t i, std::size_t j) {
+    return !onTwoSides(e.design, *cuts[i], *cuts[j]);
+  };
+  std::vector<Neighbours> pairs = neighboursAmong(rows, boxes, jointRequest(e.design).apart, mayMeet);
+  // Rows that go on in the other block as what they are have no second partner there.
+  const auto ofOne = [&](const Neighbours& pair) {
+    return rows[pair.first].surface == rows[pair.second].surface;
+  };
+  std::set<std::pair<std::size_t, std::string>> meet;
+  for (const Neighbours& pair : pairs)
+    if (ofOne(pair)) {
+      meet.emplace(pair.first, rows[pair.second].block);
+      meet.emplace(pair.second, rows[pair.first].block);
+    }
+  // Each may be as far from one surface as the tolerance allows on the whole.
+  const double within = e.design.process.tolerance + e.design.process.jointGap;
+  std::erase_if(pairs, [&](const Neighbours& pair) {
+    if (ofOne(pair)) return false;
+    if (meet.contains({pair.first, rows[pair.second].block}) ||
+        meet.contains({pair.second, rows[pair.first].block}))
+      return true;
+    return !comeTogether({*cuts[pair.first]->targetMesh.value, boxes[pair.first]},
+                         {*cuts[pair.second]->targetMesh.value, boxes[pair.second]}, pair.boundary, within);
+  });
+  return pairs;
+}
+
+std::vector<char> joinedCuts(const Evaluation& e) {
+  std::vector<char> joined;
+  for (const BlockEvaluation& block : e.blocks) joined.resize(joined.size() + block.cuts.size());
+  if (e.design.process.join == Join::none) return joined;
+  for (const Neighbours& pair : neighboursOf(e)) joined[pair.first] = joined[pair.second] = 1;
+  return joined;
 }
 
 std::vector<BlockRow> rowsOf(const Evaluation& e) {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "bw/core/sweep/joints.h"
+#include "bw/core/sweep/neighbours.h"
 #include "bw/pipeline/pipeline.h"
 
 namespace bw::pipeline {
@@ -26,7 +26,12 @@ Cut cutToMake(const Design& design, const std::string& id);
 /// The block of a cut that was placed, before it is turned for it.
 Box placedBlock(const Design& design, const CutEvaluation& cut);
 
-/// Whether each cut, in the order of the evaluation, goes on in a neighbouring block and is to meet it.
+/// Which cuts, in the order of the evaluation, are to meet: those that lie beside each other in blocks side
+/// by side, of one surface (its two sides, of moulds, are two), or of surfaces of their own that come to the
+/// boundary as one does.
+std::vector<Neighbours> neighboursOf(const Evaluation& e);
+
+/// Whether each cut, in that order, goes on in a neighbouring block and is to be fitted so that it meets it.
 std::vector<char> joinedCuts(const Evaluation& e);
 
 /// The rows of all cuts in that order.

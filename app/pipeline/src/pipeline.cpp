@@ -224,7 +224,7 @@ Result<void> joinAll(const std::vector<CutWork>& works, Evaluation& e, const Eva
                 jointRequest(e.design), sweeps, e.seconds.check,
                 [&](const JointRequest& request, Findings& findings) {
                   context.report(0.74, "joints");
-                  Result<Joints> joints = measureJoints(rows, kerfsOf(e), request, context);
+                  Result<Joints> joints = measureJoints(rows, kerfsOf(e), neighboursOf(e), request, context);
                   if (joints) findings = joints->findings;
                   return joints;
                 });

@@ -76,8 +76,11 @@ LengthRequest lengthRequest(const Design& design, const Cut& cut, const Box& lie
 }
 
 JointRequest jointRequest(const Design& design) {
+  // mm: a grid tells its gaps. Blocks of a list (those of a wall with two moulds, or with a cut of its own)
+  // had some between them, too, and nobody joins across more.
+  constexpr double kApart = 50;
   return {design.process.jointGap, fromDegrees(design.process.jointKink),
-          design.grid ? design.grid->widestGap() : 0};
+          design.grid ? design.grid->widestGap() : kApart};
 }
 
 WayRequest wayRequest(const Design& design) {

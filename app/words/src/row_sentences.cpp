@@ -383,8 +383,10 @@ namespace {
 /// What helps where blocks do not meet: more stations, if only what lies between them misses.
 std::string jointRemedy(bool atStations) {
   return atStations
-             ? "their stations miss each other: have the ends of their cuts held at the boundary (join: "
-               "tangent-planes) by a blade that can meet them, or put the boundary elsewhere"
+             ? "their stations miss each other: where join is none, tangent-planes has the ends of their "
+               "cuts held at the boundary; where they are held, their surfaces or their blades do not come "
+               "together there: let the surfaces meet, take a blade that bends as they do, or put the "
+               "boundary elsewhere"
              : "the stations themselves keep it, so take more of them";
 }
 

@@ -44,7 +44,7 @@ std::optional<Through> through(const BladePose& pose, const RowBoundary& at, con
     if (std::abs(slope) < kAlong) return {};
     if (std::abs(away) < 1e-10) break;
     s = std::clamp(s - away / slope, 0.0, pose.blade.length());
-    if (std::abs(s - end) > at.boundary.apart + at.kerf.widest() + kFarthest) return {};
+    if (std::abs(s - end) > 2 * at.reach() + kFarthest) return {};
     state = stateAt(pose, s);
   }
   return Through{pose.frame.toWorld(state.point),
@@ -204,8 +204,7 @@ void addEnd(const RowBoundary& at, bool front, Crossings& crossings) {
   }
   for (const double arc : arcs) {
     Place place = placeAt(at, end, arc, inner->first, inner->second);
-    if (!place.runs || std::abs(place.far) > 0.5 * at.boundary.apart + kNearBoundary ||
-        !at.has(place.at.point)) {
+    if (!place.runs || std::abs(place.far) > at.aside() || !at.has(place.at.point)) {
       lines.finish();
     } else if (std::abs(place.rise) < kAlong) {
       lines.finish();
@@ -265,12 +264,17 @@ RowBoundary::RowBoundary(const Sweep& row, const Boundary& at, const Box& beyond
   if (mean.dot(melts.kerf.kept) < 0) side = -1;
 }
 
-double RowBoundary::reach() const { return 0.5 * (boundary.apart + kerf.widest()) + kNearBoundary; }
+double RowBoundary::aside() const { return 0.5 * boundary.apart + kerf.kerf.back + kNearBoundary; }
+
+double RowBoundary::reach() const { return aside() + 0.5 * kerf.widest(); }
 
 bool RowBoundary::has(const Vector3d& place) const {
+  // Beside the place: what comes to the boundary from a block may still be half of the gap, and what its row
+  // ends before it, away from that.
   const double slack = reach() + kRowInset;
+  const Vector3d beside = place - boundary.normal.dot(place - boundary.point) * boundary.normal;
   const auto in = [&](const Box& box) {
-    const Vector3d local = box.frame.toLocal(place);
+    const Vector3d local = box.frame.toLocal(beside);
     return (local.array() >= -slack).all() && (local.array() <= box.size.array() + slack).all();
   };
   return in(sweep.block) && in(other);

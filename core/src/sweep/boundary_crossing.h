@@ -56,9 +56,12 @@ struct RowBoundary {
   double side = 1;      ///< −1 where tangent of the blade × travel points to the foam that goes
 
   RowBoundary(const Sweep& row, const Boundary& at, const Box& beyond, const RowKerf& melts);
-  /// mm from the boundary at which the part of a blade that cuts may end that comes through it.
+  /// mm from the boundary at which what stands may end that comes through it: where it keeps the surface at a
+  /// distance, its end lies that far aside, where the surface leans.
+  double aside() const;
+  /// Likewise the part of a blade that cuts.
   double reach() const;
-  /// True for a place at which both blocks are.
+  /// True for a place beside which, on the boundary, both blocks are.
   bool has(const Eigen::Vector3d& place) const;
 };
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "bw/core/sweep/joint_kerf.h"
+#include "bw/core/sweep/neighbours.h"
 #include "sweep/boundary_crossing.h"
 
 namespace bw {
@@ -29,6 +30,7 @@ using sweep::Through;
 
 constexpr double kParallel = 1e-6;  // sine of an angle
 constexpr double kOverlap = 1;      // mm that two faces have in common, at least
+constexpr double kRounding = 0.01;  // mm: a gap that is computed from turned corners is no exact number
 constexpr int kAcross = 101;        // places on a cut that meets the one of the next row
 constexpr double kStep = 1;         // mm of travel, over which the slope of a surface is taken
 constexpr double kTogether = 10;    // mm between places of two surfaces that belong together
@@ -317,7 +319,9 @@ void inLine(Pair& pair) {
 
 std::optional<Boundary> boundaryOf(const Box& first, const Box& second, double apart) {
   const std::array<Vector3d, 3> axes = {first.frame.x, first.frame.y, first.frame.normal};
-  // The second box along the axes of the first.
+  // The second box along the axes of the first. Middles are compared, not corners: what angles are off by
+  // counts half as much there, and from both boxes alike.
+  const Vector3d way = second.center() - first.center();
   Vector3d size, low;
   for (int k = 0; k < 3; ++k) {
     const Vector3d turned(axes[std::size_t(k)].dot(second.frame.x), axes[std::size_t(k)].dot(second.frame.y),
@@ -326,13 +330,12 @@ std::optional<Boundary> boundaryOf(const Box& first, const Box& second, double a
     const double most = turned.cwiseAbs().maxCoeff(&along);
     if (most < 1 - kParallel) return {};
     size(k) = second.size(along);
-    low(k) = axes[std::size_t(k)].dot(second.frame.origin - first.frame.origin);
-    if (turned(along) < 0) low(k) -= size(k);
+    low(k) = axes[std::size_t(k)].dot(way) + 0.5 * (first.size(k) - size(k));
   }
   for (int k = 0; k < 3; ++k) {
     const double before = low(k) - first.size(k), after = -(low(k) + size(k));
     const double between = std::max(before, after);
-    if (between < -kTouching || between > std::max(apart, kTouching)) continue;
+    if (between < -kTouching || between > std::max(apart, kTouching) + kRounding) continue;
     // Where they are thinner than that both sides may seem to touch.
     const bool onward = before >= after;
     Boundary boundary;
@@ -376,13 +379,18 @@ bool Joints::wantsStations(const JointRequest& request) const {
   return between;
 }
 
+namespace {
+
+MayMeet ofOneSurface(const std::vector<BlockRow>& rows) {
+  return [&rows](std::size_t i, std::size_t j) { return rows[i].surface == rows[j].surface; };
+}
+
+}  // namespace
+
 std::vector<char> joined(const std::vector<BlockRow>& rows, const std::vector<Box>& blocks, double apart) {
   std::vector<char> has(rows.size(), 0);
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    for (std::size_t j = i + 1; j < rows.size(); ++j)
-      if (rows[i].surface == rows[j].surface && rows[i].block != rows[j].block &&
-          boundaryOf(blocks[i], blocks[j], apart))
-        has[i] = has[j] = 1;
+  for (const Neighbours& pair : neighboursAmong(rows, blocks, apart, ofOneSurface(rows)))
+    has[pair.first] = has[pair.second] = 1;
   return has;
 }
 
@@ -393,18 +401,22 @@ Result<Joints> measureJoints(const std::vector<BlockRow>& rows, const JointReque
 
 Result<Joints> measureJoints(const std::vector<BlockRow>& rows, const std::vector<RowKerf>& kerfs,
                              const JointRequest& request, const RunContext& context) {
+  std::vector<Box> blocks;
+  for (const BlockRow& row : rows) blocks.push_back(row.sweep->block);
+  return measureJoints(rows, kerfs, neighboursAmong(rows, blocks, request.apart, ofOneSurface(rows)), request,
+                       context);
+}
+
+Result<Joints> measureJoints(const std::vector<BlockRow>& rows, const std::vector<RowKerf>& kerfs,
+                             const std::vector<Neighbours>& pairs, const JointRequest& request,
+                             const RunContext& context) {
   std::vector<Joint> all;
   std::vector<Boundary> boundaries;
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    for (std::size_t j = i + 1; j < rows.size(); ++j) {
-      const Sweep &a = *rows[i].sweep, &b = *rows[j].sweep;
-      if (rows[i].surface != rows[j].surface || rows[i].block == rows[j].block) continue;
-      if (a.poses.size() < 2 || b.poses.size() < 2) continue;
-      if (const std::optional<Boundary> boundary = boundaryOf(a.block, b.block, request.apart)) {
-        all.push_back({i, j});
-        boundaries.push_back(*boundary);
-      }
-    }
+  for (const Neighbours& pair : pairs) {
+    if (rows[pair.first].sweep->poses.size() < 2 || rows[pair.second].sweep->poses.size() < 2) continue;
+    all.push_back({pair.first, pair.second});
+    boundaries.push_back(pair.boundary);
+  }
   std::vector<std::pair<int, Vector3d>> unknown(all.size(), {0, Vector3d::Zero()});
   const Result<void> ok = parallelFor(context, int(all.size()), [&](int k) {
     Joint& joint = all[std::size_t(k)];
