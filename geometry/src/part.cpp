@@ -57,6 +57,8 @@ constexpr double kRounding = 1e-9;  // of the block: a cut that takes no more ta
 constexpr double kSpacings = 64;    // in the block's diagonal, between points that are looked at
 constexpr double kSag = 1.0 / 16;   // of that spacing, of chords along curved edges and faces
 constexpr std::size_t kMostLooked = 1000;   // points of what is left that are held against each cut
+constexpr double kAside = 0.01;             // mm that a knife gives way where it seems to part films alone
+constexpr double kFilm = 0.1;               // mm, of mean thickness: what no blade leaves of the foam
 constexpr double kReach = 1e-3;             // mm: what reaches so far over a cut is no rounding
 constexpr double kBeside = 0.05;            // sine of the angle to a surface below which a point is beside it
 constexpr double kDeflection = 1.0 / 2000;  // of the block's diagonal, for display
@@ -85,6 +87,14 @@ double volumeOf(const TopoDS_Shape& solid) {
   GProp_GProps properties;
   BRepGProp::VolumeProperties(solid, properties, kVolume);
   return properties.Mass();
+}
+
+/// A piece that exists in numbers alone: where a blade runs along a face of the block, what lies between both
+/// is parted from the rest. It is melted with what is taken away.
+bool isFilm(const Piece& piece) {
+  GProp_GProps properties;
+  BRepGProp::SurfaceProperties(piece.solid, properties, kVolume);
+  return 2 * piece.volume < kFilm * properties.Mass();
 }
 
 double sum(const std::vector<Piece>& pieces) {
@@ -218,6 +228,20 @@ struct Halves {
   std::vector<Piece> kept, removed;
 };
 
+/// What knives leave of pieces.
+struct Left {
+  std::vector<Piece> pieces;
+  std::size_t solids = 0;  ///< that the last of them made, on both sides, without films
+  bool doubted = false;    ///< it made films, and parted nothing besides
+};
+
+/// The knife of a cut that lies `towards` mm to the side that stays.
+Result<Knife> movedKnife(const PartCut& cut, double towards) {
+  SplineSurface moved = *cut.surface;
+  for (Eigen::Vector3d& pole : moved.poles) pole += towards * cut.kept.normalized();
+  return Knife::make({cut.id, &moved, cut.kept});
+}
+
 /// A block that is cut, cut by cut.
 class Carving {
  public:
@@ -232,20 +256,28 @@ class Carving {
 
   const std::vector<Piece>& left() const { return left_; }
 
-  Result<PartStep> make(Knife next, const RunContext& context) {
-    knives_.push_back(std::move(next));
-    const std::size_t last = knives_.size() - 1;
-    Result<std::vector<Piece>> kept = cut(left_, {last}, context);
-    if (!kept && kept.error().code == ErrorCode::noSolution) {
-      // What is left does not depend on the order, but which intersections OpenCASCADE misses does.
-      for (const std::vector<std::size_t>& order : otherOrders(last)) {
-        Result<std::vector<Piece>> other = cut(whole_, order, context);
-        if (!other && other.error().code != ErrorCode::cancelled) continue;
-        kept = std::move(other);
-        break;
+  Result<PartStep> make(const PartCut& cut, const RunContext& context) {
+    Result<Knife> knife = Knife::make(cut);
+    if (!knife) return tl::unexpected(knife.error());
+    knives_.push_back(std::move(*knife));
+    Result<Left> made = leftBy(context);
+    if (made && made->doubted) {
+      // Where a knife runs along a face of the block by microns there are films, and OpenCASCADE may miss
+      // that it parts the rest.
+      for (const double towards : {kAside, -kAside}) {
+        Result<Knife> moved = movedKnife(cut, towards);
+        if (!moved) continue;
+        std::swap(knives_.back(), *moved);
+        Result<Left> other = leftBy(context);
+        if (other ? other->solids > made->solids : other.error().code == ErrorCode::cancelled) {
+          made = std::move(other);
+          break;
+        }
+        std::swap(knives_.back(), *moved);
       }
     }
-    if (!kept) return tl::unexpected(kept.error());
+    if (!made) return tl::unexpected(made.error());
+    std::vector<Piece>* kept = &made->pieces;
     PartStep step;
     step.removed = sum(left_) - sum(*kept);
     if (!(step.removed >= -kBalance * volume_))
@@ -279,18 +311,43 @@ class Carving {
     return {first, back, second};
   }
 
+  /// What all knives leave.
+  Result<Left> leftBy(const RunContext& context) const {
+    const std::size_t last = knives_.size() - 1;
+    Result<Left> kept = cut(left_, {last}, context);
+    if (!kept && kept.error().code == ErrorCode::noSolution) {
+      // What is left does not depend on the order, but which intersections OpenCASCADE misses does.
+      for (const std::vector<std::size_t>& order : otherOrders(last)) {
+        Result<Left> other = cut(whole_, order, context);
+        if (!other && other.error().code != ErrorCode::cancelled) continue;
+        kept = std::move(other);
+        break;
+      }
+    }
+    return kept;
+  }
+
   /// What the knives of `order` leave of `pieces`, checked against all knives.
-  Result<std::vector<Piece>> cut(std::vector<Piece> pieces, const std::vector<std::size_t>& order,
-                                 const RunContext& context) const {
+  Result<Left> cut(std::vector<Piece> pieces, const std::vector<std::size_t>& order,
+                   const RunContext& context) const {
+    Left left;
     for (const std::size_t i : order) {
       if (pieces.empty()) break;
       Result<Halves> halves = halve(pieces, knives_[i], context);
       if (!halves) return tl::unexpected(halves.error());
+      if (i + 1 == knives_.size()) {
+        const auto films = std::size_t(std::ranges::count_if(halves->kept, isFilm) +
+                                       std::ranges::count_if(halves->removed, isFilm));
+        left.solids = halves->kept.size() + halves->removed.size() - films;
+        left.doubted = films > 0 && left.solids <= pieces.size();
+      }
       pieces = std::move(halves->kept);
     }
     if (auto ok = checkSides(pieces); !ok) return tl::unexpected(ok.error());
+    std::erase_if(pieces, isFilm);
     std::ranges::stable_sort(pieces, std::greater(), &Piece::volume);
-    return pieces;
+    left.pieces = std::move(pieces);
+    return left;
   }
 
   Result<Halves> halve(const std::vector<Piece>& pieces, const Knife& knife,
@@ -422,9 +479,7 @@ Result<Part> Part::make(const Box& block, std::span<const PartCut> cuts, const R
     for (const PartCut& cut : cuts) {
       if (context.stopped()) return stoppedError();
       context.report(double(impl->steps.size()) / double(cuts.size()), "part");
-      Result<Knife> knife = Knife::make(cut);
-      if (!knife) return tl::unexpected(knife.error());
-      const Result<PartStep> step = carving.make(std::move(*knife), context);
+      const Result<PartStep> step = carving.make(cut, context);
       if (!step) return tl::unexpected(step.error());
       impl->steps.push_back(*step);
     }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "bw/core/base/units.h"
@@ -267,6 +268,38 @@ TEST(Wall, OfKeyBladesMeetsWhereTheirSurfacesDo) {
     EXPECT_EQ(stepped.joints.value->joints.size(), 1u) << gaps;
     EXPECT_TRUE(stepped.joints.findings.empty());
   }
+}
+
+TEST(Wall, OfLayersOverAGapMeetsAndHasItsParts) {
+  Design design = wall();
+  design.sources[0].surface =
+      DesignedSurface{FormulaSurface{{{0, 0}, {600, 800}}, "350+0.4*(y-400)+10*sin(pi*y/400)"}};
+  design.grid->sizes = {{{600}, {800}, {350, 300}}};
+  design.grid->gaps = {{{}, {}, {6}}};
+  design.stock = stockOf(*design.grid);
+  design.process.floor = 0;
+  Cut cut = design.cuts.front();
+  cut.id = "cut";
+  cut.sections.stations.reset();
+  design.cuts = cutsOf(design.stock, {cut}, {});
+  const Evaluation e = evaluate(design, nullptr, {}, Purpose::files).evaluation;
+  ASSERT_EQ(e.blocks.size(), 2u);
+  ASSERT_TRUE(e.joints.value);
+  ASSERT_EQ(e.joints.value->joints.size(), 1u);
+  EXPECT_GT(e.joints.value->joints[0].places, 40);
+  EXPECT_EQ(e.joints.value->joints[0].open, 0);
+  EXPECT_LT(e.joints.value->gapMax(), 0.1);
+  // The blade comes into the upper block along its bottom, less than a micron above it.
+  ASSERT_TRUE(e.blocks[1].part.value && e.blocks[1].part.value->solid);
+  const geometry::Part& part = *e.blocks[1].part.value->solid;
+  EXPECT_EQ(part.pieces(), 1);
+  double below = 0;  // the surface over the bottom of that block, at z = 356
+  constexpr int kSteps = 8000;
+  for (int i = 0; i < kSteps; ++i) {
+    const double y = 800 * (i + 0.5) / kSteps;
+    below += 600 * 800.0 / kSteps * std::max(0.0, 0.4 * (y - 400) + 10 * std::sin(kPi * y / 400) - 6);
+  }
+  EXPECT_NEAR(part.volume(), below, 1e-3 * below);
 }
 
 TEST(Wall, LeavesOutBlocksThatTheSurfaceMisses) {

@@ -164,6 +164,28 @@ void expectClosed(const TriangleMesh& mesh) {
   EXPECT_EQ(std::ranges::count_if(edges, [](const auto& edge) { return edge.second != 0; }), 0);
 }
 
+TEST(Part, FilmsThatNoBladeLeavesAreTaken) {
+  // Up to y = 400 the blade runs along the bottom of the block, some microns above and below it.
+  const auto along = [](double lift) {
+    return Sheet(
+        [lift](double x, double y) {
+          return (y < 400 ? 0 : 1e-6 * (y - 400) * (y - 400) * (y - 400)) + lift * std::cos(x / 100);
+        },
+        60, 16);
+  };
+  for (const double lift : {0.0005, 0.001, 0.002, 0.005}) {
+    const Sheet sheet = along(lift);
+    const Part film = partOf({below("cut", sheet.surface)});
+    EXPECT_EQ(film.pieces(), 1) << lift;
+    EXPECT_NEAR(film.volume(), volumeBelow(sheet), 2 * 0.01 * kWidth * kDepth) << lift;
+  }
+  const Part nothing = partOf({below("cut", Sheet([](double, double) { return 0.01; }).surface)});
+  EXPECT_EQ(nothing.pieces(), 0);
+  EXPECT_EQ(nothing.volume(), 0);
+  ASSERT_EQ(nothing.steps().size(), 1u);
+  EXPECT_NEAR(nothing.steps()[0].removed, kBlock, 1e-9 * kBlock);
+}
+
 TEST(Part, WithoutCutsIsTheBlock) {
   const Part part = partOf({});
   EXPECT_EQ(part.pieces(), 1);

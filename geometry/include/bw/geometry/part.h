@@ -36,7 +36,9 @@ struct PartStep {
 class Part {
  public:
   /// Makes the cuts one after the other; no cuts leave the block. A cut that runs past a piece keeps or takes
-  /// all of it, by the side on which it lies. Faces are true to 1e-5 mm, volumes to 1e-6 of the block's.
+  /// all of it, by the side on which it lies. Pieces with less volume than 0.05 mm times their surface, 0.1
+  /// mm thick on the mean, are films that no blade leaves: they count as taken away. Faces are true to 1e-5
+  /// mm, volumes to 1e-6 of the block's; where a cut seems to part films alone, it is made 0.01 mm beside.
   /// Takes 0.4 s for a cut of 60 × 40 poles through a block, up to 1.5 s where nine more bound it; a cut
   /// whose intersections OpenCASCADE misses is made again with all before it in up to three other orders.
   /// Errors: a block without size, a surface whose numbers do not fit, one that faces `kept` too little (its
