@@ -366,6 +366,26 @@ TEST(HeavyBlade, MarginChangesWithItsGripsAsDifferencesSay) {
   }
 }
 
+TEST(HeavyBlade, MarginAsFarAsItIsBelowABoundIsTheMargin) {
+  std::mt19937 random(31);
+  int below = 0, above = 0;
+  for (int i = 0; i < 60; ++i) {
+    const Result<HeavyAnswer> answer =
+        solveHeavy(heavyOf(randomGrips(random, i % 2 == 0 ? 0.1 : 0.6), kFlatWeight));
+    ASSERT_TRUE(answer);
+    const HeavySolution& rest = answer->solutions[0];
+    for (const double share : {0.1, 0.5, 0.9, 0.99, 1.01, 1.2}) {
+      const double bound = share * std::min(rest.stabilityMargin, rest.outOfPlaneMargin);
+      EXPECT_NEAR(marginByGrips(rest.blade, bound).margin, std::min(bound, rest.stabilityMargin), 1e-9) << i;
+      EXPECT_NEAR(outOfPlaneByGrips(rest.blade, bound).margin, std::min(bound, rest.outOfPlaneMargin), 1e-9)
+          << i;
+      ++(std::min(rest.stabilityMargin, rest.outOfPlaneMargin) < bound ? below : above);
+    }
+  }
+  EXPECT_GT(below, 20);
+  EXPECT_GT(above, 20);
+}
+
 TEST(HeavyBlade, APassIsFollowedAndItsHeightChangesAsDifferencesSay) {
   std::mt19937 random(29);
   int seen = 0, returned = 0;

@@ -151,7 +151,29 @@ MatrixXd reducedHessian(const Equations& equations) {
   return h.bottomRightCorner(free, free);
 }
 
-bool isStable(const Equations& equations) { return reducedHessian(equations).llt().info() == Eigen::Success; }
+bool surelyPositive(MatrixXd form, MatrixXd constraints) {
+  // What the constraints hold is made stiff instead: where that is positive everywhere, so is the form where
+  // they hold.
+  constexpr double kStiff = 1e6;     // beside modes of about 1
+  constexpr double kNothing = 1e-6;  // of a constraint that holds nothing
+  for (Index k = 0; k < constraints.cols(); ++k) {
+    for (Index before = 0; before < k; ++before)
+      constraints.col(k) -= constraints.col(before).dot(constraints.col(k)) * constraints.col(before);
+    const double size = constraints.col(k).norm();
+    if (size < kNothing)
+      constraints.col(k).setZero();
+    else
+      constraints.col(k) /= size;
+    form.noalias() += (kStiff * constraints.col(k)) * constraints.col(k).transpose();
+  }
+  return Eigen::LLT<Eigen::Ref<MatrixXd>>(form).info() == Eigen::Success;
+}
+
+bool isStable(const Equations& equations) {
+  if (equations.sampled().along.minCoeff() > -kSurelyPositive) return true;
+  return surelyPositive(equations.hessian(), equations.closure()) ||
+         reducedHessian(equations).llt().info() == Eigen::Success;
+}
 
 Equations equationsOf(const HeavyBlade& blade) {
   const HeavyBlade::Numbers& n = blade.numbers();

@@ -6,6 +6,7 @@
 
 #include <optional>
 
+#include "bw/core/base/units.h"
 #include "bw/core/heavy/heavy_blade.h"
 #include "heavy/heavy_modes.h"
 
@@ -103,6 +104,11 @@ std::optional<Shape> refined(const Hold& hold, const Shape& shape, double carrie
 Eigen::MatrixXd reducedHessian(const Equations& equations);
 /// The orthonormal columns that the constraints leave free, as (coefficients × count − 2).
 Eigen::MatrixXd freeDirections(const Equations& equations);
+/// True if a form of the modes is positive wherever ∫ φ times some functions (`constraints`, their moments)
+/// vanishes, as far as one factorisation shows it; false tells nothing. A fifth of what is sure.
+bool surelyPositive(Eigen::MatrixXd form, Eigen::MatrixXd constraints);
+/// The largest λ for which ∫ φ'² − λ ∫ φ² is positive for all that vanishes at both ends, less a reserve.
+inline constexpr double kSurelyPositive = 0.99 * kPi * kPi;
 /// True if every small change of the shape costs energy.
 bool isStable(const Equations& equations);
 

@@ -27,9 +27,11 @@ constexpr double kStraight = 1e-3;
 
 /// The smallest eigenvalue of a form against ∫ φ² where ∫ φ times some functions vanishes, over 4π². Where it
 /// is less than `below` its function, ∫ φ² = 1, is put into `function`; where it is not, it is told as
-/// `below`, which a factorisation shows in a tenth of the time.
+/// `below`, which a factorisation shows in a fraction of the time.
 double smallest(const Modes& modes, const MatrixXd& form, const MatrixXd& constraints,
                 double below = std::numeric_limits<double>::infinity(), VectorXd* function = nullptr) {
+  constexpr double kUnit = 4 * kPi * kPi;
+  if (std::isfinite(below) && surelyPositive(form - kUnit * below * modes.squares, constraints)) return below;
   const Eigen::HouseholderQR<MatrixXd> qr(constraints);
   const Index free = modes.count() - constraints.cols();
   const auto reduced = [&](MatrixXd matrix) -> MatrixXd {
@@ -38,7 +40,6 @@ double smallest(const Modes& modes, const MatrixXd& form, const MatrixXd& constr
     return matrix.bottomRightCorner(free, free);
   };
   const MatrixXd squares = reduced(modes.squares), reducedForm = reduced(form);
-  constexpr double kUnit = 4 * kPi * kPi;
   if (std::isfinite(below) &&
       Eigen::LLT<MatrixXd>(reducedForm - kUnit * below * squares).info() == Eigen::Success)
     return below;
@@ -94,20 +95,28 @@ VectorXd moments(const Modes& modes, const ArrayXd& f) {
   return modes.values * (modes.weights.array() * f).matrix();
 }
 
+/// True if the smallest eigenvalue of ∫ φ'² + ∫ f φ² against ∫ φ², over 4π², is above `below` whatever else
+/// holds φ.
+bool surelyAbove(const ArrayXd& f, double below) {
+  return std::isfinite(below) && f.minCoeff() - 4 * kPi * kPi * below > -kSurelyPositive;
+}
+
+/// κ L at the nodes.
+ArrayXd curvatureOf(const Equations& equations) {
+  return (equations.modes().slopes.transpose() * equations.shape().coefficients).array() +
+         equations.hold().turning;
+}
+
 /// A blade that leaves its plane by the angles φ: twice its energy, and ∫ φ, which vanishes.
 struct OutOfPlane {
-  OutOfPlane(const Equations& equations, double torsionRatio)
-      : curvature((equations.modes().slopes.transpose() * equations.shape().coefficients).array() +
-                  equations.hold().turning),
-        form(equations.hessian()),
-        closed(moments(equations.modes(), ArrayXd::Ones(curvature.size()))) {
+  OutOfPlane(const Equations& equations, const ArrayXd& curvature, double torsionRatio)
+      : form(equations.hessian()), closed(moments(equations.modes(), ArrayXd::Ones(curvature.size()))) {
     const Modes& modes = equations.modes();
     form -= modes.values * (modes.weights.array() * curvature.square()).matrix().asDiagonal() *
             modes.values.transpose();
     const VectorXd coupling = moments(modes, curvature);
     form += torsionRatio * coupling * coupling.transpose();
   }
-  ArrayXd curvature;
   MatrixXd form;
   VectorXd closed;
 };
@@ -116,7 +125,8 @@ struct OutOfPlane {
 
 Margins marginsOf(const Equations& equations, double torsionRatio, double across) {
   const Modes& modes = equations.modes();
-  const auto [curvature, outOfPlane, closed] = OutOfPlane(equations, torsionRatio);
+  const ArrayXd curvature = curvatureOf(equations);
+  const auto [outOfPlane, closed] = OutOfPlane(equations, curvature, torsionRatio);
   Margins margins;
   if (curvature.abs().maxCoeff() >= kStraight) {
     margins.inPlane = smallest(modes, equations.hessian(), equations.closure());
@@ -172,6 +182,7 @@ MatrixXd movesOf(const Equations& equations, const Changes& changes) {
 MarginSlope marginSlopeOf(const Equations& equations, double below,
                           const std::function<const Changes&()>& changesBy) {
   const Modes& modes = equations.modes();
+  if (surelyAbove(equations.sampled().along, below)) return {below};
   const MatrixXd form = equations.hessian();
   const Eigen::MatrixX2d closed = equations.closure();
   VectorXd function;
@@ -195,8 +206,10 @@ MarginSlope marginSlopeOf(const Equations& equations, double below,
 MarginSlope outOfPlaneSlopeOf(const Equations& equations, double torsionRatio, double below,
                               const std::function<const Changes&()>& changesBy) {
   const Modes& modes = equations.modes();
-  const auto [curvature, form, closed] = OutOfPlane(equations, torsionRatio);
+  const ArrayXd curvature = curvatureOf(equations);
   if (curvature.abs().maxCoeff() < kStraight) return {};
+  if (surelyAbove(equations.sampled().along - curvature.square(), below)) return {below};
+  const auto [form, closed] = OutOfPlane(equations, curvature, torsionRatio);
   VectorXd function;
   MarginSlope slope{smallest(modes, form, closed, below, &function)};
   if (function.size() == 0) return slope;

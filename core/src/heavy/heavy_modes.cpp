@@ -46,20 +46,20 @@ Modes make(Index count, Index total) {
 
 }  // namespace
 
-Legendre legendreAt(const ArrayXd& places, Index n) {
-  // P_k = a_k x P_{k−1} − (a_k − 1) P_{k−2}; divisions would take most of the time.
-  constexpr std::size_t kMost = 2 * kMostModes;
-  struct Factors {
-    std::array<double, kMost> a{}, root{};
-  };
-  static const Factors factors = [] {
-    Factors result;
-    for (std::size_t k = 0; k < kMost; ++k) {
+const LegendreFactors& legendreFactors() {
+  static const LegendreFactors factors = [] {
+    LegendreFactors result;
+    for (std::size_t k = 0; k < LegendreFactors::kMost; ++k) {
       result.a[k] = 2 - 1 / std::max(1.0, double(k));
       result.root[k] = std::sqrt(2 * double(k) + 1);
     }
     return result;
   }();
+  return factors;
+}
+
+Legendre legendreAt(const ArrayXd& places, Index n) {
+  const LegendreFactors& factors = legendreFactors();
   const ArrayXd x = 2 * places - 1;
   MatrixXd p(x.size(), n + 1);
   p.col(0).setOnes();

@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include <array>
+
 namespace bw::heavy {
 
 /// What a blade of length 1 held at both ends can add to its tangent angle: φ_j(s) = ∫_0^s p_j with the
@@ -28,6 +30,14 @@ inline constexpr int kPlacesEach = 16;
 const Modes& modesOf(Eigen::Index count);
 inline constexpr Eigen::Index kModeCounts[] = {24, 32, 48, 64, 96, 192};
 inline constexpr Eigen::Index kMostModes = 192;
+
+/// Of each degree k: P_k = a_k x P_{k−1} − (a_k − 1) P_{k−2} on [−1, 1], where divisions would take most of
+/// the time, and √(2k + 1), by which p_k is larger.
+struct LegendreFactors {
+  static constexpr std::size_t kMost = 2 * kMostModes;
+  std::array<double, kMost> a{}, root{};
+};
+const LegendreFactors& legendreFactors();
 
 /// p_0 … p_{n−1} and their integrals from 0, at places of [0, 1]: (place, degree).
 struct Legendre {

@@ -133,9 +133,10 @@ Result<RowSketch> RowSketcher::look(const Sweep& row, const CheckRequest& reques
     }
     double margin = 1;
     if (pose.heavy) {
-      margin = marginByGrips(*pose.heavy, request.margin).margin;
+      const HeavySlopes by(*pose.heavy);
+      margin = by.margin(request.margin).margin;
       if (blade.section != Blade::Section::flat)
-        margin = std::min(margin, outOfPlaneByGrips(*pose.heavy, request.margin).margin);
+        margin = std::min(margin, by.outOfPlane(request.margin).margin);
     } else {
       margin = stabilityMargin(pose.blade);
       if (blade.section != Blade::Section::flat) margin = std::min(margin, outOfPlaneMargin(pose.blade));

@@ -222,6 +222,7 @@ bool Row::hangAt(Station& station, const Elastica& half) const {
     station.hungAt = grips;
     return branch.has_value();
   }
+  if (grips == station.hungAt) return true;  // it hangs there
   // A step that flings the blade is no step; to follow it would take long.
   const Vector6 moved = grips - station.hungAt;
   if (moved.head<2>().norm() > kFar * length_ || moved.segment<2>(3).norm() > kFar * length_ ||
