@@ -22,7 +22,8 @@ using sweep::Station;
 namespace {
 
 constexpr int kSteps = 3;        // with one linearisation
-constexpr double kStill = 0.02;  // mm: a step of the grips that is none
+constexpr double kStill = 0.02;  // mm: a step of the grips that need not be taken,
+constexpr double kNone = 1e-3;   // and one that is none, where something that is asked for is missed
 constexpr double kSameAxes = 1e-9;
 
 }  // namespace
@@ -50,7 +51,9 @@ struct LiveRow::Work {
     problem = std::make_unique<sweep::RowProblem>(*row, std::move(all));
   }
   bool linearise();
+  bool isStill();
   bool settle();
+  bool meets() const;
   bool put();
 };
 
@@ -66,8 +69,8 @@ bool LiveRow::Work::linearise() {
 }
 
 /// Steps of Newton's method whose derivatives stay those of the last linearisation, until the grips are
-/// still; where such a step leads nowhere, the row is linearised anew.
-bool LiveRow::Work::settle() {
+/// still; where such a step leads nowhere, the row is linearised anew. False where that does not still them.
+bool LiveRow::Work::isStill() {
   std::optional<double> cost = problem->evaluate(residuals);
   if (!cost) return false;
   for (const bool anew : {false, true}) {
@@ -75,7 +78,8 @@ bool LiveRow::Work::settle() {
     for (int k = 0; k < kSteps; ++k) {
       const Eigen::VectorXd step = normal.solve(
           slopes.transpose() * Eigen::VectorXd::Map(residuals.data(), Eigen::Index(residuals.size())));
-      if (step.lpNorm<Eigen::Infinity>() < kStill) return true;
+      const double longest = step.lpNorm<Eigen::Infinity>();
+      if (longest < kNone || (longest < kStill && meets())) return true;
       const std::vector<Station> before = stations;
       double share = 1;
       std::optional<double> next;
@@ -97,7 +101,21 @@ bool LiveRow::Work::settle() {
       cost = next;
     }
   }
-  return true;
+  return false;
+}
+
+/// True if the parts that cut have the ends, tangents and lengths that are asked for.
+bool LiveRow::Work::meets() const {
+  return std::ranges::all_of(stations, [this](const Station& station) { return row->meets(station); });
+}
+
+/// Lays the blades on their sections. Where they are nearly straight, so that a little less length bends them
+/// much, plain steps lead nowhere, and damped ones take their place. False where these do not find what is
+/// asked for: then the row is better found anew.
+bool LiveRow::Work::settle() {
+  if (isStill()) return true;
+  problem->solve();
+  return meets() && linearise();
 }
 
 /// Puts the blades into the row.
